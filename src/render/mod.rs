@@ -1,0 +1,3 @@
+//! Drawing points and bonds on a GPU, in a window or off-screen.
+
+pub mod view;

@@ -1,0 +1,46 @@
+//! What a picture shows: a borrowed view of a world at one moment.
+
+use crate::sim::{Bond, Cursor, Dynamics, MouseForce, PointId, Positions};
+
+/// A borrowed view of a world, between its last two substeps.
+#[derive(Clone, Copy)]
+pub struct View<'a> {
+    /// 2 in the plane, 3 in space.
+    pub dimensions: usize,
+    /// Positions before the last substep.
+    pub previous: Positions<'a>,
+    /// Positions now.
+    pub current: Positions<'a>,
+    /// What is drawn lies between the two: 0 = previous, 1 = current.
+    pub mix: f32,
+    /// Changes whenever `previous` or `current` did: equal numbers mean that nothing has to be uploaded.
+    pub motion: u64,
+    /// Changes whenever points or bonds came or went.
+    pub topology: u64,
+    /// The bonds.
+    pub bonds: &'a [Bond],
+    /// The points that never move.
+    pub pinned: &'a [PointId],
+    /// Corners of the walls (z = 0 in the plane).
+    pub bounds: Option<[[f64; 3]; 2]>,
+    /// The mouse force and where its cursor is.
+    pub mouse: Option<(&'a MouseForce, Cursor)>,
+}
+
+impl<'a> View<'a> {
+    /// The world as it is now, `motion` and `topology` both 0.
+    pub fn of(world: &'a dyn Dynamics) -> Self {
+        View {
+            dimensions: world.dimensions(),
+            previous: world.positions(),
+            current: world.positions(),
+            mix: 1.0,
+            motion: 0,
+            topology: 0,
+            bonds: world.bonds(),
+            pinned: world.pinned(),
+            bounds: world.bounds(),
+            mouse: world.mouse(),
+        }
+    }
+}

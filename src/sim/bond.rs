@@ -1,0 +1,101 @@
+//! A bond between two points: its ends, its rest length, and how it resists.
+
+/// Index of a point in its world.
+#[derive(
+    Clone,
+    Copy,
+    Debug,
+    Default,
+    PartialEq,
+    Eq,
+    PartialOrd,
+    Ord,
+    Hash,
+    bytemuck::Pod,
+    bytemuck::Zeroable,
+)]
+#[repr(transparent)]
+pub struct PointId(pub u32);
+
+impl PointId {
+    /// The index as one into a slice.
+    #[inline(always)]
+    pub fn index(self) -> usize {
+        self.0 as usize
+    }
+}
+
+/// Index of a bond in its world, as listed in the model.
+#[derive(
+    Clone,
+    Copy,
+    Debug,
+    Default,
+    PartialEq,
+    Eq,
+    PartialOrd,
+    Ord,
+    Hash,
+    bytemuck::Pod,
+    bytemuck::Zeroable,
+)]
+#[repr(transparent)]
+pub struct BondId(pub u32);
+
+impl BondId {
+    /// The index as one into a slice.
+    #[inline(always)]
+    pub fn index(self) -> usize {
+        self.0 as usize
+    }
+}
+
+/// How a bond resists a change of its length.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum BondKind {
+    /// |x_a - x_b| = rest_length.
+    Rigid,
+    /// A force: f_a = -stiffness (|d| - rest) d/|d| - damping ((v_a - v_b).d) d/|d|^2 with d = x_a - x_b, f_b = -f_a.
+    /// At rest length 0: f_a = -stiffness d - damping (v_a - v_b).
+    Spring {
+        /// Stiffness [N/m], >= 0.
+        stiffness: f64,
+        /// Damping along the bond [N s/m], >= 0.
+        damping: f64,
+    },
+    /// Drawn towards its rest length by a share of the error in every sweep; not a material (it depends on the
+    /// substep, the sweeps and their order).
+    Relaxed {
+        /// The share [1], in (0, 1].
+        relaxation: f64,
+        /// Largest |rest/length - 1| times `relaxation` that one sweep may correct by, both ways [1]; infinite: no limit.
+        max_correction: f64,
+    },
+}
+
+/// On which side of its rest length a bond acts.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Limit {
+    /// Always.
+    #[default]
+    Both,
+    /// Only when longer than its rest length (a string).
+    Max,
+    /// Only when shorter (a strut that may part).
+    Min,
+}
+
+/// A bond between the points `a` and `b` (not the same).
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Bond {
+    /// One end.
+    pub a: PointId,
+    /// The other end.
+    pub b: PointId,
+    /// Rest length [m], >= 0; 0 is a weld.
+    pub rest_length: f64,
+    /// How it resists.
+    pub kind: BondKind,
+    /// On which side of the rest length it acts.
+    pub limit: Limit,
+}

@@ -1,0 +1,3 @@
+//! Contact of points with what does not move.
+
+pub mod bounds;

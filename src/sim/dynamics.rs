@@ -1,0 +1,91 @@
+//! A running world behind one face, whatever its scalar and its dimension.
+
+use super::bond::{Bond, PointId};
+use super::command::Command;
+use super::counters::Counters;
+use super::force::mouse::{Cursor, MouseForce};
+
+/// Positions of all points as they lie in memory: D numbers a point, one point after another [m].
+#[derive(Clone, Copy, Debug)]
+pub enum Positions<'a> {
+    /// Of an `f32` world.
+    F32(&'a [f32]),
+    /// Of an `f64` world.
+    F64(&'a [f64]),
+}
+
+impl Positions<'_> {
+    /// How many numbers there are: D for every point.
+    pub fn len(&self) -> usize {
+        match self {
+            Positions::F32(x) => x.len(),
+            Positions::F64(x) => x.len(),
+        }
+    }
+
+    /// Whether there is no point.
+    pub fn is_empty(&self) -> bool {
+        self.len() == 0
+    }
+
+    /// Component `index` of the flat list.
+    pub fn get(&self, index: usize) -> f64 {
+        match self {
+            Positions::F32(x) => f64::from(x[index]),
+            Positions::F64(x) => x[index],
+        }
+    }
+}
+
+/// Position and velocity of every point at one time, in `f64`, three components a point (z = 0 in the plane).
+#[derive(Clone, Debug, PartialEq)]
+pub struct Sample {
+    /// Time [s].
+    pub time: f64,
+    /// Positions [m].
+    pub position: Vec<[f64; 3]>,
+    /// Velocities [m/s].
+    pub velocity: Vec<[f64; 3]>,
+    /// Kinetic + springs' + gravity's energy of the points that are not pinned [J].
+    pub energy: f64,
+    /// Largest |length/rest - 1| over the bonds [1] (rest 0 left out).
+    pub max_strain: f64,
+}
+
+/// What the app, the command line and the renderer see of a world.
+///
+/// Implemented by `World<S, D>` for `f32` and `f64` in the plane and in space.
+pub trait Dynamics: Send {
+    /// 2 in the plane, 3 in space.
+    fn dimensions(&self) -> usize;
+    /// How many points there are.
+    fn point_count(&self) -> usize;
+    /// Time reached [s].
+    fn time(&self) -> f64;
+    /// Length of the next substep [s].
+    fn substep(&self) -> f64;
+    /// Advances by one substep.
+    fn step(&mut self);
+    /// Applies a command between two substeps.
+    fn apply(&mut self, command: Command);
+    /// State at `time`, in [time reached, time reached + substep], by a step on a copy: the motion is not changed.
+    fn sample(&self, time: f64) -> Sample;
+    /// Positions now, as they lie in memory.
+    fn positions(&self) -> Positions<'_>;
+    /// The bonds, as listed in the model.
+    fn bonds(&self) -> &[Bond];
+    /// The points that never move.
+    fn pinned(&self) -> &[PointId];
+    /// Corners of the walls, if there are any (z = 0 in the plane).
+    fn bounds(&self) -> Option<[[f64; 3]; 2]>;
+    /// The mouse force and where its cursor is now, if the scene has the force and a cursor is there.
+    fn mouse(&self) -> Option<(&MouseForce, Cursor)>;
+    /// Kinetic + springs' + gravity's energy of the points that are not pinned [J].
+    fn energy(&self) -> f64;
+    /// Work done so far.
+    fn counters(&self) -> &Counters;
+    /// Whether nothing moves faster than `speed` [m/s], no cursor reaches a point and no track moves.
+    fn is_still(&self, speed: f64) -> bool;
+    /// A copy that runs on by itself.
+    fn boxed_clone(&self) -> Box<dyn Dynamics>;
+}

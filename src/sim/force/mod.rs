@@ -1,0 +1,3 @@
+//! The forces on points, one a file.
+
+pub mod mouse;

@@ -1,0 +1,67 @@
+//! Vectors of a world: `[S; D]` with D = 2 or 3, and the few operations on them that the kernels use.
+
+use super::real::Real;
+
+/// The zero vector.
+#[inline(always)]
+pub fn zero<S: Real, const D: usize>() -> [S; D] {
+    [S::ZERO; D]
+}
+
+/// a + b.
+#[inline(always)]
+pub fn add<S: Real, const D: usize>(a: [S; D], b: [S; D]) -> [S; D] {
+    std::array::from_fn(|k| a[k] + b[k])
+}
+
+/// a - b.
+#[inline(always)]
+pub fn sub<S: Real, const D: usize>(a: [S; D], b: [S; D]) -> [S; D] {
+    std::array::from_fn(|k| a[k] - b[k])
+}
+
+/// a times the scalar s.
+#[inline(always)]
+pub fn scale<S: Real, const D: usize>(a: [S; D], s: S) -> [S; D] {
+    std::array::from_fn(|k| a[k] * s)
+}
+
+/// Scalar product, summed from the first axis to the last.
+#[inline(always)]
+pub fn dot<S: Real, const D: usize>(a: [S; D], b: [S; D]) -> S {
+    let mut sum = a[0] * b[0];
+    for k in 1..D {
+        sum += a[k] * b[k];
+    }
+    sum
+}
+
+/// Euclidean length.
+#[inline(always)]
+pub fn length<S: Real, const D: usize>(a: [S; D]) -> S {
+    dot(a, a).sqrt()
+}
+
+/// The vector in another scalar, each component rounded to nearest.
+#[inline(always)]
+pub fn convert<S: Real, const D: usize>(a: [f64; D]) -> [S; D] {
+    a.map(S::from_f64)
+}
+
+/// The vector in `f64`, exactly.
+#[inline(always)]
+pub fn widen<S: Real, const D: usize>(a: [S; D]) -> [f64; D] {
+    a.map(S::to_f64)
+}
+
+/// The first D components of a vector in space: a plane drops z.
+#[inline(always)]
+pub fn truncate<const D: usize>(a: [f64; 3]) -> [f64; D] {
+    std::array::from_fn(|k| a[k])
+}
+
+/// The vector in space with the missing components zero.
+#[inline(always)]
+pub fn embed<const D: usize>(a: [f64; D]) -> [f64; 3] {
+    std::array::from_fn(|k| if k < D { a[k] } else { 0.0 })
+}
