@@ -4,6 +4,7 @@ use super::bond::{Bond, PointId};
 use super::command::Command;
 use super::counters::Counters;
 use super::force::mouse::{Cursor, MouseForce};
+use super::model::Precision;
 
 /// Positions of all points as they lie in memory: D numbers a point, one point after another [m].
 #[derive(Clone, Copy, Debug)]
@@ -60,6 +61,8 @@ pub trait Dynamics: Send {
     fn dimensions(&self) -> usize;
     /// How many points there are.
     fn point_count(&self) -> usize;
+    /// The scalar: [`Precision::F32`] or [`Precision::F64`].
+    fn precision(&self) -> Precision;
     /// Time reached [s].
     fn time(&self) -> f64;
     /// Length of the next substep [s].
@@ -86,6 +89,8 @@ pub trait Dynamics: Send {
     fn counters(&self) -> &Counters;
     /// Whether nothing moves faster than `speed` [m/s], no cursor reaches a point and no track moves.
     fn is_still(&self, speed: f64) -> bool;
+    /// Whether every position is a finite number.
+    fn is_finite(&self) -> bool;
     /// A copy that runs on by itself.
     fn boxed_clone(&self) -> Box<dyn Dynamics>;
 }

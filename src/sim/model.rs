@@ -1,6 +1,6 @@
 //! What a world is made from: points, bonds, forces, walls and a method, in `f64` and checked.
 
-use super::bond::{Bond, PointId};
+use super::bond::{Bond, BondKind, PointId};
 use super::contact::bounds::Bounds;
 use super::force::mouse::MouseForce;
 
@@ -33,6 +33,141 @@ pub struct Model<const D: usize> {
     pub duration: Option<f64>,
     /// How the motion is computed.
     pub method: Method,
+}
+
+/// A model that no world can be made from.
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+pub enum ModelError {
+    /// Lists of different lengths.
+    #[error("{list} has {found} entries for {points} points: give one a point")]
+    Length {
+        /// The list.
+        list: &'static str,
+        /// Its length.
+        found: usize,
+        /// The number of positions.
+        points: usize,
+    },
+    /// An index that no point has.
+    #[error("{place} names point {point}, but there are {points} points")]
+    NoSuchPoint {
+        /// The bond or the pin.
+        place: String,
+        /// The index.
+        point: u32,
+        /// The number of points.
+        points: usize,
+    },
+    /// A number outside its range.
+    #[error("{place} is {value}: it must be {range}")]
+    OutOfRange {
+        /// What the number is of.
+        place: String,
+        /// The number.
+        value: String,
+        /// Its range in words.
+        range: &'static str,
+    },
+    /// A bond between a point and itself.
+    #[error("bond {bond} joins point {point} to itself")]
+    Loop {
+        /// The bond.
+        bond: usize,
+        /// The point.
+        point: u32,
+    },
+    /// A solver and a kind of bond that do not go together.
+    #[error("bond {bond} is a spring, and relaxation has no springs: use auto or verlet")]
+    Refused {
+        /// The bond.
+        bond: usize,
+    },
+}
+
+impl<const D: usize> Model<D> {
+    /// Whether a world can be made of this: lists of one length, indices that exist, numbers in range.
+    ///
+    /// Errors: the first thing that is wrong.
+    pub fn check(&self) -> Result<(), ModelError> {
+        self.check_points()?;
+        for (i, bond) in self.bonds.iter().enumerate() {
+            self.check_bond(i, bond)?;
+        }
+        for &pin in &self.pinned {
+            self.check_index(|| "pinned".to_owned(), pin)?;
+        }
+        require(self.gravity.iter().all(|g| g.is_finite()), "gravity", self.gravity, "finite")?;
+        require(self.drag_rate >= 0.0 && self.drag_rate.is_finite(), "drag_rate", self.drag_rate, "finite and >= 0")?;
+        if let Some(h) = self.method.substep {
+            require(h > 0.0 && h.is_finite(), "substep", h, "finite and > 0")?;
+        }
+        if let Some(t) = self.duration {
+            require(t >= 0.0 && t.is_finite(), "duration", t, "finite and >= 0")?;
+        }
+        if let Some(bounds) = &self.bounds {
+            let is_box =
+                (0..D).all(|k| bounds.min[k].is_finite() && bounds.max[k].is_finite() && bounds.min[k] < bounds.max[k]);
+            require(is_box, "bounds.min", bounds.min, "finite and below bounds.max")?;
+        }
+        if let Some(mouse) = &self.mouse {
+            require(mouse.radius > 0.0 && mouse.radius.is_finite(), "mouse.radius", mouse.radius, "finite and > 0")?;
+            require(mouse.strength.is_finite(), "mouse.strength", mouse.strength, "finite")?;
+        }
+        Ok(())
+    }
+
+    fn check_points(&self) -> Result<(), ModelError> {
+        let points = self.position.len();
+        for (list, found) in [("velocity", self.velocity.len()), ("mass", self.mass.len())] {
+            if found != points {
+                return Err(ModelError::Length { list, found, points });
+            }
+        }
+        for i in 0..points {
+            let (x, v, m) = (self.position[i], self.velocity[i], self.mass[i]);
+            if !(x.iter().chain(&v).all(|c| c.is_finite()) && m > 0.0 && m.is_finite()) {
+                require(x.iter().all(|c| c.is_finite()), &format!("position {i}"), x, "finite")?;
+                require(v.iter().all(|c| c.is_finite()), &format!("velocity {i}"), v, "finite")?;
+                require(false, &format!("mass {i}"), m, "finite and > 0")?;
+            }
+        }
+        Ok(())
+    }
+
+    fn check_bond(&self, i: usize, bond: &Bond) -> Result<(), ModelError> {
+        self.check_index(|| format!("bond {i}"), bond.a)?;
+        self.check_index(|| format!("bond {i}"), bond.b)?;
+        if bond.a == bond.b {
+            return Err(ModelError::Loop { bond: i, point: bond.a.0 });
+        }
+        if self.method.solver == Solver::Relaxation && matches!(bond.kind, BondKind::Spring { .. }) {
+            return Err(ModelError::Refused { bond: i });
+        }
+        let in_range = |value: f64| value >= 0.0 && value.is_finite();
+        let fine = in_range(bond.rest_length)
+            && match bond.kind {
+                BondKind::Rigid => true,
+                BondKind::Spring { stiffness, damping } => in_range(stiffness) && in_range(damping),
+                BondKind::Relaxed { relaxation, max_correction } => {
+                    relaxation > 0.0 && relaxation <= 1.0 && max_correction >= 0.0
+                }
+            };
+        if fine { Ok(()) } else { require(false, &format!("bond {i}"), bond, "of numbers in their ranges") }
+    }
+
+    fn check_index(&self, place: impl Fn() -> String, point: PointId) -> Result<(), ModelError> {
+        if point.index() < self.position.len() {
+            return Ok(());
+        }
+        Err(ModelError::NoSuchPoint { place: place(), point: point.0, points: self.position.len() })
+    }
+}
+
+fn require(fine: bool, place: &str, value: impl std::fmt::Debug, range: &'static str) -> Result<(), ModelError> {
+    if fine {
+        return Ok(());
+    }
+    Err(ModelError::OutOfRange { place: place.to_owned(), value: format!("{value:?}"), range })
 }
 
 impl<const D: usize> Default for Model<D> {

@@ -3,6 +3,9 @@
 use std::fmt::{Debug, Display};
 use std::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Sub, SubAssign};
 
+use super::dynamics::Positions;
+use super::model::Precision;
+
 /// A real number with the exactly rounded operations that the kernels need.
 ///
 /// Only operations that IEEE 754 rounds correctly are here (+, -, *, /, square root, comparison), so that a run
@@ -38,10 +41,8 @@ pub trait Real:
     const INFINITY: Self;
     /// Distance from 1 to the next larger number.
     const EPSILON: Self;
-    /// Whether sums over many substeps carry a compensation (Kahan) for what rounding lost.
-    ///
-    /// True for `f32`: without it a free fall of 4 s at 64 substeps a frame is off by about 5e-4 m.
-    const COMPENSATED: bool;
+    /// The name of this scalar in a method.
+    const PRECISION: Precision;
 
     /// The nearest number of this type.
     fn from_f64(value: f64) -> Self;
@@ -57,17 +58,19 @@ pub trait Real:
     fn max(self, other: Self) -> Self;
     /// Neither infinite nor NaN.
     fn is_finite(self) -> bool;
+    /// Positions of this scalar, for those who take either.
+    fn flat(positions: &[Self]) -> Positions<'_>;
 }
 
 macro_rules! real {
-    ($scalar:ty, compensated: $compensated:literal) => {
+    ($scalar:ty, $precision:ident) => {
         impl Real for $scalar {
             const ZERO: Self = 0.0;
             const ONE: Self = 1.0;
             const HALF: Self = 0.5;
             const INFINITY: Self = <$scalar>::INFINITY;
             const EPSILON: Self = <$scalar>::EPSILON;
-            const COMPENSATED: bool = $compensated;
+            const PRECISION: Precision = Precision::$precision;
 
             #[inline(always)]
             fn from_f64(value: f64) -> Self {
@@ -97,9 +100,12 @@ macro_rules! real {
             fn is_finite(self) -> bool {
                 self.is_finite()
             }
+            fn flat(positions: &[Self]) -> Positions<'_> {
+                Positions::$precision(positions)
+            }
         }
     };
 }
 
-real!(f32, compensated: true);
-real!(f64, compensated: false);
+real!(f32, F32);
+real!(f64, F64);

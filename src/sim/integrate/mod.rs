@@ -1,0 +1,3 @@
+//! The integrators, one a file.
+
+pub(crate) mod verlet;

@@ -1,0 +1,156 @@
+//! Verlet's method on increments.
+//!
+//! Position Verlet, x(t+h) = 2 x(t) - x(t-h) + a h^2 with x(h) = x0 + v0 h + a0 h^2/2, is the same motion as
+//!
+//! ```text
+//! v += a(x) h/2      half kick
+//! x += v h           drift
+//! v += a(x) h/2      half kick
+//! ```
+//!
+//! (insert one into the next and v drops out). This form starts right by itself, has position and velocity at the
+//! same time, and adds small increments to large numbers only by [`accumulate`]. Second order, symplectic.
+//! Source: L. Verlet, Phys. Rev. 159, 98 (1967); W. C. Swope et al., J. Chem. Phys. 76, 637 (1982).
+
+use crate::sim::points::Points;
+use crate::sim::real::Real;
+use crate::sim::vector::{add, convert, scale, sub, widen};
+
+/// A number in two parts, so that a constant of the substep loses nothing to the world's scalar.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Split<S> {
+    /// The nearest number of the world's scalar.
+    pub(crate) high: S,
+    /// What that leaves; 0 in `f64`.
+    pub(crate) low: S,
+}
+
+impl<S: Real> Split<S> {
+    pub(crate) fn new(value: f64) -> Self {
+        let high = S::from_f64(value);
+        Split { high, low: S::from_f64(value - high.to_f64()) }
+    }
+}
+
+/// sum += increment, with what rounding took from earlier sums paid back first (Kahan).
+///
+/// Source: W. Kahan, Comm. ACM 8, 40 (1965).
+#[inline(always)]
+pub(crate) fn accumulate<S: Real, const D: usize>(sum: &mut [S; D], lost: &mut [S; D], increment: [S; D]) {
+    for k in 0..D {
+        let owed = increment[k] + lost[k];
+        let next = sum[k] + owed;
+        lost[k] = owed - (next - sum[k]);
+        sum[k] = next;
+    }
+}
+
+/// v += (gravity + acceleration) h for every point that is free.
+///
+/// `acceleration` may be empty: gravity alone. Gravity's kick is formed in `f64` and given in two parts: as one rounded
+/// constant, the same error would be made in every substep.
+pub(crate) fn kick<S: Real, const D: usize>(points: &mut Points<S, D>, gravity: [f64; D], h: f64) {
+    let whole = gravity.map(|g| g * h);
+    let high: [S; D] = convert(whole);
+    let low: [S; D] = convert(sub(whole, widen(high)));
+    let h = S::from_f64(h);
+    for i in 0..points.len() {
+        if points.inverse_mass[i] == S::ZERO {
+            continue;
+        }
+        let increment = match points.acceleration.get(i) {
+            Some(&a) => add(high, scale(a, h)),
+            None => high,
+        };
+        points.velocity_lost[i] = add(points.velocity_lost[i], low);
+        accumulate(&mut points.velocity[i], &mut points.velocity_lost[i], increment);
+    }
+}
+
+/// velocity_ahead = v + (gravity + acceleration) h: what a kick would make of the velocities, which stay as they are.
+pub(crate) fn look_ahead<S: Real, const D: usize>(points: &mut Points<S, D>, gravity: [f64; D], h: f64) {
+    let fall = convert(gravity.map(|g| g * h));
+    let h = S::from_f64(h);
+    for i in 0..points.len() {
+        let v = points.velocity[i];
+        let free = points.inverse_mass[i] != S::ZERO;
+        points.velocity_ahead[i] = if free { add(v, add(fall, scale(points.acceleration[i], h))) } else { v };
+    }
+}
+
+/// v *= factor: drag over a part of the substep, exp(-drag_rate h), exactly.
+pub(crate) fn slow<S: Real, const D: usize>(points: &mut Points<S, D>, factor: f64) {
+    let factor = S::from_f64(factor);
+    for v in points.velocity.iter_mut().chain(&mut points.velocity_lost) {
+        *v = scale(*v, factor);
+    }
+}
+
+/// The displacement v h of one point, with the part of v that rounding had taken.
+#[inline(always)]
+fn displacement<S: Real, const D: usize>(points: &Points<S, D>, i: usize, h: Split<S>) -> [S; D] {
+    let fine = add(scale(points.velocity[i], h.low), scale(points.velocity_lost[i], h.high));
+    add(scale(points.velocity[i], h.high), fine)
+}
+
+/// x += v h for every point: a substep in which nothing projects and there are no walls.
+pub(crate) fn drift<S: Real, const D: usize>(points: &mut Points<S, D>, h: f64) {
+    let h = Split::new(h);
+    for i in 0..points.len() {
+        let d = displacement(points, i, h);
+        shift(points, i, d);
+    }
+}
+
+/// displacement = v h: where the substep would take each point if nothing held it.
+pub(crate) fn predict<S: Real, const D: usize>(points: &mut Points<S, D>, h: f64) {
+    let h = Split::new(h);
+    for i in 0..points.len() {
+        points.displacement[i] = displacement(points, i, h);
+    }
+}
+
+/// Velocities follow what projection made of the displacements: v += (displacement - v h)/h.
+///
+/// A point whose displacement nothing changed gets exactly 0.
+pub(crate) fn follow<S: Real, const D: usize>(points: &mut Points<S, D>, h: f64) {
+    let rate = S::from_f64(1.0 / h);
+    let h = Split::new(h);
+    for i in 0..points.len() {
+        let change = scale(sub(points.displacement[i], displacement(points, i, h)), rate);
+        accumulate(&mut points.velocity[i], &mut points.velocity_lost[i], change);
+    }
+}
+
+/// x += displacement for every point.
+pub(crate) fn advance<S: Real, const D: usize>(points: &mut Points<S, D>) {
+    for i in 0..points.len() {
+        shift(points, i, points.displacement[i]);
+    }
+}
+
+#[inline(always)]
+fn shift<S: Real, const D: usize>(points: &mut Points<S, D>, i: usize, d: [S; D]) {
+    accumulate(&mut points.position[i], &mut points.position_lost[i], d);
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_million_small_increments_add_up() {
+        let (mut sum, mut lost) = ([100.0_f32], [0.0]);
+        for _ in 0..1_000_000 {
+            accumulate(&mut sum, &mut lost, [1e-6]);
+        }
+        assert!((sum[0] - 101.0).abs() < 1e-5, "{}", sum[0]);
+    }
+
+    #[test]
+    fn the_parts_of_a_split_make_the_whole() {
+        let h = Split::<f32>::new(1.0 / 3840.0);
+        assert!((f64::from(h.high) + f64::from(h.low) - 1.0 / 3840.0).abs() < 1e-18);
+        assert_eq!(Split::<f64>::new(1.0 / 3840.0).low, 0.0);
+    }
+}

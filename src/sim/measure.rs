@@ -1,0 +1,48 @@
+//! What can be measured of a state: extent, energy, strain, momentum.
+
+use super::bond::Bond;
+use super::force::spring;
+use super::points::Points;
+use super::real::Real;
+use super::vector::{dot, length, sub, widen};
+
+/// The box around all positions: its lower and upper corner; `None` where there is no point.
+pub(crate) fn extent<S: Real, const D: usize>(position: &[[S; D]]) -> Option<[[S; D]; 2]> {
+    let mut low = *position.first()?;
+    let mut high = low;
+    for x in position {
+        for k in 0..D {
+            low[k] = low[k].min(x[k]);
+            high[k] = high[k].max(x[k]);
+        }
+    }
+    Some([low, high])
+}
+
+/// Kinetic + springs' + gravity's energy of the points that are not pinned [J]; gravity's is 0 at the origin.
+pub(crate) fn energy<S: Real, const D: usize>(points: &Points<S, D>, bonds: &[Bond], gravity: [f64; D]) -> f64 {
+    let mut sum = spring::energy(bonds, |i| widen(points.position[i]));
+    for i in 0..points.len() {
+        let w = points.inverse_mass[i].to_f64();
+        if w > 0.0 {
+            let (x, v) = (widen(points.position[i]), widen(points.velocity[i]));
+            sum += (0.5 * dot(v, v) - dot(gravity, x)) / w;
+        }
+    }
+    sum
+}
+
+/// Largest |length/rest - 1| over the bonds [1], those of rest length 0 left out.
+pub(crate) fn max_strain<S: Real, const D: usize>(points: &Points<S, D>, bonds: &[Bond]) -> f64 {
+    let of = |bond: &Bond| {
+        let d = sub(widen(points.position[bond.a.index()]), widen(points.position[bond.b.index()]));
+        if bond.rest_length > 0.0 { (length(d) / bond.rest_length - 1.0).abs() } else { 0.0 }
+    };
+    bonds.iter().map(of).fold(0.0, f64::max)
+}
+
+/// Whether no point is faster than `speed` [m/s]. Stops at the first that is.
+pub(crate) fn is_slower<S: Real, const D: usize>(points: &Points<S, D>, speed: f64) -> bool {
+    let square = S::from_f64(speed * speed);
+    points.velocity.iter().all(|&v| dot(v, v) <= square)
+}

@@ -1,0 +1,52 @@
+//! The state of the points, as structure of arrays.
+
+use super::real::Real;
+use super::vector::{convert, zero};
+
+/// Positions and velocities of all points, and what one substep needs beside them.
+///
+/// Position and velocity are kept apart, both at the time reached, so that a substep can be cut anywhere; nothing is
+/// ever formed as 2x - x_prev, which in `f32` loses gravity altogether at 100 m.
+/// Shapes: every list has one entry a point, but those that this scene doesn't use, which are empty.
+#[derive(Clone, Debug)]
+pub(crate) struct Points<S: Real, const D: usize> {
+    /// x [m].
+    pub(crate) position: Vec<[S; D]>,
+    /// v [m/s].
+    pub(crate) velocity: Vec<[S; D]>,
+    /// w = 1/m [1/kg]; 0 = pinned.
+    pub(crate) inverse_mass: Vec<S>,
+    /// What rounding has taken from `position` so far [m] (Kahan).
+    pub(crate) position_lost: Vec<[S; D]>,
+    /// What rounding has taken from `velocity` so far [m/s] (Kahan).
+    pub(crate) velocity_lost: Vec<[S; D]>,
+    /// Acceleration by springs and the mouse [m/s^2], without gravity; only in scenes that have either.
+    pub(crate) acceleration: Vec<[S; D]>,
+    /// Velocity in the middle of the substep [m/s], for dampers; only in scenes that have them.
+    pub(crate) velocity_ahead: Vec<[S; D]>,
+    /// Displacement of the substep under way [m]; only in scenes that project or have walls.
+    pub(crate) displacement: Vec<[S; D]>,
+}
+
+impl<S: Real, const D: usize> Points<S, D> {
+    pub(crate) fn new(position: &[[f64; D]], velocity: &[[f64; D]], inverse_mass: Vec<f64>) -> Self {
+        let position: Vec<[S; D]> = position.iter().map(|&x| convert(x)).collect();
+        let velocity =
+            velocity.iter().zip(&inverse_mass).map(|(&v, &w)| if w == 0.0 { zero() } else { convert(v) }).collect();
+        let count = position.len();
+        Points {
+            velocity,
+            inverse_mass: inverse_mass.into_iter().map(S::from_f64).collect(),
+            position_lost: vec![zero(); count],
+            velocity_lost: vec![zero(); count],
+            acceleration: Vec::new(),
+            velocity_ahead: Vec::new(),
+            displacement: Vec::new(),
+            position,
+        }
+    }
+
+    pub(crate) fn len(&self) -> usize {
+        self.position.len()
+    }
+}

@@ -1,0 +1,105 @@
+//! How time is cut into substeps.
+
+/// Substeps between knots: the start, the knots of tracks, the end.
+///
+/// Between two knots time is cut into ceil(dt/h) equal substeps, so that every knot ends one; after the last knot,
+/// substeps of h follow without end. Times are counted, never summed, so that they do not drift.
+#[derive(Clone, Debug)]
+pub(crate) struct Timeline {
+    /// The substep asked for [s].
+    nominal: f64,
+    /// Knots after the start of the present stretch, ascending.
+    knots: Vec<f64>,
+    /// Start of the present stretch [s].
+    start: f64,
+    /// Length of its substeps [s].
+    substep: f64,
+    /// How many substeps it has; `None`: without end.
+    count: Option<u64>,
+    /// How many are done.
+    done: u64,
+}
+
+/// A stretch that is a whole number of substeps but for rounding gets that number.
+const SLACK: f64 = 1e-9;
+
+impl Timeline {
+    /// From time 0, with substeps of at most `nominal` [s]. Knots may come in any order; those not after 0 are ignored.
+    pub(crate) fn new(nominal: f64, knots: impl IntoIterator<Item = f64>) -> Self {
+        let mut knots: Vec<f64> = knots.into_iter().filter(|&t| t > 0.0).collect();
+        knots.sort_by(|a, b| b.total_cmp(a));
+        knots.dedup();
+        let mut timeline = Timeline { nominal, knots, start: 0.0, substep: nominal, count: None, done: 0 };
+        timeline.cut();
+        timeline
+    }
+
+    /// Cuts the stretch from `start` to the next knot.
+    fn cut(&mut self) {
+        self.done = 0;
+        match self.knots.last() {
+            Some(&end) => {
+                let length = end - self.start;
+                let count = (length / self.nominal * (1.0 - SLACK)).ceil().max(1.0);
+                self.substep = length / count;
+                self.count = Some(count as u64);
+            }
+            None => {
+                self.substep = self.nominal;
+                self.count = None;
+            }
+        }
+    }
+
+    /// Time reached [s].
+    pub(crate) fn time(&self) -> f64 {
+        self.start + self.done as f64 * self.substep
+    }
+
+    /// Length of the next substep [s].
+    pub(crate) fn substep(&self) -> f64 {
+        self.substep
+    }
+
+    /// Takes a substep.
+    pub(crate) fn advance(&mut self) {
+        self.done += 1;
+        if self.count == Some(self.done)
+            && let Some(end) = self.knots.pop()
+        {
+            self.start = end;
+            self.cut();
+        }
+    }
+
+    /// Takes a shorter substep, to `time` [s]: what follows starts there.
+    pub(crate) fn advance_to(&mut self, time: f64) {
+        self.start = time;
+        self.cut();
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn knots_end_substeps_exactly() {
+        let mut timeline = Timeline::new(0.1, [1.0, 0.25]);
+        let mut times = Vec::new();
+        for _ in 0..13 {
+            timeline.advance();
+            times.push(timeline.time());
+        }
+        assert!(times.contains(&0.25) && times.contains(&1.0), "{times:?}");
+        assert_eq!(times[10], 1.0, "3 substeps to 0.25, 8 to 1");
+        assert!((times[12] - 1.2).abs() < 1e-15);
+    }
+
+    #[test]
+    fn a_whole_number_of_substeps_is_not_cut_finer() {
+        let timeline = Timeline::new(1.0 / 240.0, [2.0]);
+        assert_eq!(timeline.count, Some(480));
+        assert_eq!(Timeline::new(0.006, [0.06]).count, Some(10));
+    }
+}
