@@ -4,7 +4,10 @@
 //! and radians throughout; y is up. The library simulates, makes bodies and measures without a GPU or a window;
 //! drawing and the program stand on top.
 
+pub mod app;
 pub mod body;
+pub mod cli;
+pub mod output;
 pub mod render;
 pub mod scene;
 pub mod sim;

@@ -1,1 +1,5 @@
-fn main() {}
+//! The program: parse, call, report the error.
+
+fn main() -> std::process::ExitCode {
+    wobble::cli::main()
+}

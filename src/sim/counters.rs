@@ -15,4 +15,6 @@ pub struct Counters {
     pub mouse_points: u64,
     /// Points that touched a wall.
     pub events: u64,
+    /// Substeps whose rigid bonds did not converge: it went on with what the last sweep left.
+    pub fallbacks: u64,
 }

@@ -64,6 +64,7 @@ impl<S: Real, const D: usize> World<S, D> {
             return;
         }
         let sweeps = rigid::hold(&mut self.points, &self.plan.rigid, &mut self.plan.rigid_order);
+        self.counters.fallbacks += u64::from(sweeps == rigid::MOST_SWEEPS);
         self.count_sweeps(sweeps, self.plan.rigid.len());
     }
 

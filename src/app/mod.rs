@@ -1,0 +1,3 @@
+//! The interactive program: window, clock, input, panels.
+
+pub mod player;

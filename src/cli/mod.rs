@@ -1,0 +1,71 @@
+//! The command line: one file a subcommand. Exit codes: 0 done, 1 the work failed, 2 the call is wrong.
+
+mod progress;
+mod render;
+mod scenes;
+mod simulate;
+mod values;
+mod window;
+
+use std::io::Write;
+use std::process::ExitCode;
+
+use clap::{Parser, Subcommand};
+
+/// Soft-body sandbox: points and bonds under Verlet's method.
+#[derive(Parser)]
+#[command(
+    name = "wobble",
+    version,
+    args_conflicts_with_subcommands = true,
+    after_help = "Examples:\n  \
+        wobble                                             the rim, in a window\n  \
+        wobble rim-relaxed                                 another scene of the gallery\n  \
+        wobble my-scene.json                               a scene file\n  \
+        wobble render rim --time 2 --size 1280x720 --out rim.png\n  \
+        wobble simulate rim --samples 0.5,1,2 --out rim.csv"
+)]
+struct Call {
+    #[command(subcommand)]
+    command: Option<Command>,
+    #[command(flatten)]
+    window: window::Arguments,
+    /// No progress bars.
+    #[arg(long, short, global = true)]
+    quiet: bool,
+}
+
+#[derive(Subcommand)]
+enum Command {
+    /// Lists the gallery, or prints a scene file.
+    Scenes(scenes::Arguments),
+    /// Runs a scene without a window or a GPU and writes positions and velocities.
+    Simulate(simulate::Arguments),
+    /// Draws a scene off-screen to a PNG or an animated GIF.
+    Render(render::Arguments),
+}
+
+/// Parses the call, does the work, reports the error in one line.
+pub fn main() -> ExitCode {
+    let call = Call::parse();
+    let done = match call.command {
+        None => window::run(&call.window),
+        Some(Command::Scenes(arguments)) => scenes::run(&arguments),
+        Some(Command::Simulate(arguments)) => simulate::run(&arguments, call.quiet),
+        Some(Command::Render(arguments)) => render::run(&arguments, call.quiet),
+    };
+    match done {
+        Ok(()) => ExitCode::SUCCESS,
+        // The reader of our output has gone (`wobble scenes | head -1`): that is no failure.
+        Err(error) if is_broken_pipe(&error) => ExitCode::SUCCESS,
+        Err(error) => {
+            let line = format!("{error:#}").replace('\n', " ");
+            let _ = writeln!(std::io::stderr(), "wobble: {line}");
+            ExitCode::FAILURE
+        }
+    }
+}
+
+fn is_broken_pipe(error: &anyhow::Error) -> bool {
+    error.downcast_ref::<std::io::Error>().is_some_and(|error| error.kind() == std::io::ErrorKind::BrokenPipe)
+}

@@ -1,0 +1,142 @@
+//! `wobble simulate`: runs a scene to a table.
+
+use std::io::Write;
+use std::path::{Path, PathBuf};
+
+use anyhow::bail;
+use clap::Args;
+
+use super::progress;
+use super::values::{self, Times};
+use crate::output;
+use crate::scene::record::{RecordedCounters, RecordedSample, Recording, hash, record, seconds};
+use crate::scene::{Scene, solver_name};
+use crate::sim::{Counters, Dynamics, Order, Precision, Sample, Solver};
+
+/// What to run and where to write it.
+#[derive(Args)]
+#[command(
+    after_help = "Examples:\n  wobble simulate rim --samples 0.5,1,2 --out rim.json\n  wobble simulate rim-relaxed --order coloured --iterations 4 --samples 10 --out rim.csv\n  wobble simulate rim --samples 1 --hash"
+)]
+pub(super) struct Arguments {
+    /// A scene of the gallery, or a scene file.
+    scene: String,
+    /// auto, verlet or relaxation.
+    #[arg(long, value_parser = values::solver)]
+    solver: Option<Solver>,
+    /// Longest substep [s].
+    #[arg(long, value_name = "H", value_parser = values::above_zero)]
+    substep: Option<f64>,
+    /// Sweeps over relaxed bonds in a substep.
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..))]
+    iterations: Option<u32>,
+    /// Order of the bonds in a sweep: fixed, symmetric, coloured or shuffled.
+    #[arg(long, value_parser = values::order)]
+    order: Option<Order>,
+    /// Seed of the shuffles.
+    #[arg(long)]
+    seed: Option<u64>,
+    /// auto, f32 or f64.
+    #[arg(long, value_parser = values::precision)]
+    precision: Option<Precision>,
+    /// Times to sample at [s], ascending, such as 0.5,1,2; the last one ends the run.
+    #[arg(long, value_name = "T,…", value_parser = values::times)]
+    samples: Option<Times>,
+    /// Where to write: .json or .csv.
+    #[arg(long, value_name = "FILE", required_unless_present = "hash", value_parser = table)]
+    out: Option<PathBuf>,
+    /// Prints the hash of all samples.
+    #[arg(long)]
+    hash: bool,
+}
+
+fn table(text: &str) -> Result<PathBuf, String> {
+    let path = PathBuf::from(text);
+    match extension(&path).as_deref() {
+        Some("json" | "csv") => Ok(path),
+        _ => Err("name a file that ends in .json or .csv".to_owned()),
+    }
+}
+
+fn extension(path: &Path) -> Option<String> {
+    Some(path.extension()?.to_str()?.to_ascii_lowercase())
+}
+
+pub(super) fn run(arguments: &Arguments, quiet: bool) -> anyhow::Result<()> {
+    let mut scene = Scene::load(&arguments.scene)?;
+    arguments.change(&mut scene);
+    let times = arguments.times(&scene)?;
+    let end = times.last().copied().or(scene.file.duration);
+    let duration = if arguments.samples.is_some() { end } else { scene.file.duration.or(end) };
+    let start = scene.world(duration)?;
+    let mut world = start.boxed_clone();
+    let bar = progress::bar(quiet, end.unwrap_or(0.0));
+    let samples = record(&mut *world, &times, |time| bar.set_position((time * progress::SCALE) as u64))?;
+    bar.finish_and_clear();
+    let recording = recording(&scene, &*start, &times, &samples, world.counters());
+    if let Some(path) = &arguments.out {
+        output::replace(path, |to| match extension(path).as_deref() {
+            Some("csv") => recording.write_csv(to),
+            _ => recording.write_json(to),
+        })?;
+    }
+    for warning in &recording.warnings {
+        writeln!(std::io::stderr(), "wobble: warning: {warning}")?;
+    }
+    if arguments.hash {
+        writeln!(std::io::stdout(), "{}", recording.hash)?;
+    }
+    Ok(())
+}
+
+impl Arguments {
+    /// What the call says instead of the scene.
+    fn change(&self, scene: &mut Scene) {
+        let method = &mut scene.method;
+        method.solver = self.solver.unwrap_or(method.solver);
+        method.substep = self.substep.or(method.substep);
+        method.iterations = self.iterations.or(method.iterations);
+        method.order = self.order.unwrap_or(method.order);
+        method.seed = self.seed.unwrap_or(method.seed);
+        method.precision = self.precision.unwrap_or(method.precision);
+    }
+
+    fn times(&self, scene: &Scene) -> anyhow::Result<Vec<f64>> {
+        match (&self.samples, &scene.file.samples, scene.file.duration) {
+            (Some(times), _, _) => Ok(times.0.clone()),
+            (None, Some(times), _) if !times.is_empty() => Ok(times.clone()),
+            (None, _, Some(duration)) => Ok(vec![duration]),
+            _ => bail!("{}: the scene has no duration: give --samples", self.scene),
+        }
+    }
+}
+
+fn recording(scene: &Scene, start: &dyn Dynamics, times: &[f64], samples: &[Sample], counters: &Counters) -> Recording {
+    let mut warnings = Vec::new();
+    if counters.fallbacks > 0 {
+        warnings.push(format!(
+            "rigid bonds did not converge in {} of {} substeps: use a smaller substep, or lengths that agree",
+            counters.fallbacks, counters.substeps
+        ));
+    }
+    Recording {
+        scene: scene.name().to_owned(),
+        solver: solver_name(scene.method.solver),
+        substep: start.substep(),
+        precision: if start.precision() == Precision::F32 { "f32" } else { "f64" },
+        samples: samples.iter().map(|sample| RecordedSample::new(sample, scene.dimensions())).collect(),
+        seconds: seconds(start, times),
+        search_seconds: 0.0,
+        counters: RecordedCounters {
+            substeps: counters.substeps,
+            bonds_solved: counters.bonds_solved,
+            points_moved: counters.points_moved,
+            iterations: counters.iterations,
+            events: counters.events,
+            fallbacks: counters.fallbacks,
+            ..RecordedCounters::default()
+        },
+        warnings,
+        hash: hash(samples, scene.dimensions()),
+    }
+}

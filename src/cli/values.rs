@@ -1,0 +1,62 @@
+//! Values of options, checked while the call is parsed: a wrong one ends with exit code 2.
+
+use crate::scene;
+use crate::sim::{Order, Precision, Solver};
+
+/// A finite number above 0.
+pub(super) fn above_zero(text: &str) -> Result<f64, String> {
+    match text.parse::<f64>() {
+        Ok(value) if value > 0.0 && value.is_finite() => Ok(value),
+        _ => Err("give a finite number above 0".to_owned()),
+    }
+}
+
+/// A finite number, 0 or more.
+pub(super) fn at_least_zero(text: &str) -> Result<f64, String> {
+    match text.parse::<f64>() {
+        Ok(value) if value >= 0.0 && value.is_finite() => Ok(value),
+        _ => Err("give a finite number, 0 or more".to_owned()),
+    }
+}
+
+/// Times that ascend, separated by commas.
+#[derive(Clone, Debug)]
+pub(super) struct Times(pub(super) Vec<f64>);
+
+pub(super) fn times(text: &str) -> Result<Times, String> {
+    let list: Vec<f64> = text.split(',').map(|part| at_least_zero(part.trim())).collect::<Result<_, _>>()?;
+    if list.is_sorted() { Ok(Times(list)) } else { Err("give times in ascending order".to_owned()) }
+}
+
+/// Width and height in pixels, such as 1280x720.
+pub(super) fn size(text: &str) -> Result<[u32; 2], String> {
+    let sides = text.split_once(['x', 'X']).map(|(w, h)| (w.trim().parse::<u32>(), h.trim().parse::<u32>()));
+    match sides {
+        Some((Ok(width), Ok(height))) if width > 0 && height > 0 => Ok([width, height]),
+        _ => Err("give width and height in pixels, such as 1280x720".to_owned()),
+    }
+}
+
+pub(super) fn solver(text: &str) -> Result<Solver, String> {
+    scene::solver(text)
+}
+
+pub(super) fn order(text: &str) -> Result<Order, String> {
+    match text {
+        "auto" => Ok(Order::Auto),
+        "fixed" => Ok(Order::Fixed),
+        "symmetric" => Ok(Order::Symmetric),
+        "coloured" => Ok(Order::Coloured),
+        "shuffled" => Ok(Order::Shuffled),
+        _ => Err("use auto, fixed, symmetric, coloured or shuffled".to_owned()),
+    }
+}
+
+pub(super) fn precision(text: &str) -> Result<Precision, String> {
+    match text {
+        "auto" => Ok(Precision::Auto),
+        "f32" => Ok(Precision::F32),
+        "f64" => Ok(Precision::F64),
+        _ => Err("use auto, f32 or f64".to_owned()),
+    }
+}

@@ -1,0 +1,8 @@
+//! x
+#[derive(clap::Args)]
+pub(super) struct Arguments {
+    scene: Option<String>,
+}
+pub(super) fn run(_arguments: &Arguments) -> anyhow::Result<()> {
+    Ok(())
+}

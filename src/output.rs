@@ -1,0 +1,76 @@
+//! Files that are written whole or not at all.
+
+use std::io::{BufWriter, Write};
+use std::path::{Path, PathBuf};
+
+/// A file that could not be written; what stood there before is untouched.
+#[derive(Debug, thiserror::Error)]
+#[error("{}: cannot be written: {source}", path.display())]
+pub struct OutputError {
+    /// The file.
+    path: PathBuf,
+    /// Why.
+    source: std::io::Error,
+}
+
+/// Writes a file beside `path` and renames it to `path` when all of it is on the disk.
+///
+/// Errors: whatever `write` or the file system answers; an older file at `path` then stays as it was.
+pub fn replace(path: &Path, write: impl FnOnce(&mut dyn Write) -> std::io::Result<()>) -> Result<(), OutputError> {
+    let attempt = || {
+        let folder = match path.parent() {
+            Some(folder) if !folder.as_os_str().is_empty() => folder,
+            _ => Path::new("."),
+        };
+        if path.is_dir() {
+            return Err(std::io::Error::from(std::io::ErrorKind::IsADirectory));
+        }
+        let mut builder = tempfile::Builder::new();
+        let mut file = builder.prefix(".wobble-").permissions(permissions()).tempfile_in(folder)?;
+        let mut buffer = BufWriter::new(file.as_file_mut());
+        write(&mut buffer)?;
+        buffer.flush()?;
+        drop(buffer);
+        file.as_file().sync_all()?;
+        file.persist(path).map_err(|error| error.error)?;
+        Ok(())
+    };
+    attempt().map_err(|source| OutputError { path: path.to_owned(), source })
+}
+
+/// As a program that simply creates the file would: the umask takes away what the user does not share.
+#[cfg(unix)]
+fn permissions() -> std::fs::Permissions {
+    std::os::unix::fs::PermissionsExt::from_mode(0o666)
+}
+
+#[cfg(not(unix))]
+fn permissions() -> std::fs::Permissions {
+    // Elsewhere a new file takes what its folder gives; tempfile ignores this.
+    std::fs::metadata(".").map_or_else(|_| std::process::abort(), |folder| folder.permissions())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_failed_write_leaves_the_old_file_and_nothing_else() {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("x.json");
+        replace(&path, |w| w.write_all(b"old")).unwrap();
+        let failed = replace(&path, |w| {
+            w.write_all(b"half of the ne")?;
+            Err(std::io::Error::from(std::io::ErrorKind::StorageFull))
+        });
+        assert!(failed.unwrap_err().to_string().contains("x.json: cannot be written"));
+        assert_eq!(std::fs::read(&path).unwrap(), b"old");
+        assert_eq!(std::fs::read_dir(folder.path()).unwrap().count(), 1);
+    }
+
+    #[test]
+    fn a_folder_that_does_not_exist_is_named() {
+        let error = replace(Path::new("/no/such/folder/x.png"), |w| w.write_all(b"")).unwrap_err();
+        assert!(error.to_string().starts_with("/no/such/folder/x.png: cannot be written"), "{error}");
+    }
+}

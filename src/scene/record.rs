@@ -1,0 +1,205 @@
+//! Runs a world and records its samples: what `wobble simulate` writes.
+
+use std::io::Write;
+use std::time::Instant;
+
+use serde::Serialize;
+use xxhash_rust::xxh3::Xxh3;
+
+use crate::sim::{Dynamics, Sample};
+
+/// A motion that cannot be recorded.
+#[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
+pub enum RecordError {
+    /// The motion left the finite numbers.
+    #[error("the motion left the finite numbers at t = {time} s: use a smaller substep or softer bonds")]
+    NotFinite {
+        /// When it was noticed [s].
+        time: f64,
+    },
+}
+
+/// Substeps between two looks at whether the motion is finite.
+const LOOK_EVERY: u64 = 256;
+
+/// Runs `world` on and samples it at `times` [s], which ascend from the time that it has reached.
+///
+/// `progress` is told the time reached now and then. Samples are taken on copies: the motion does not depend on them.
+/// Errors: [`RecordError::NotFinite`], at the latest at the next sample.
+pub fn record(
+    world: &mut dyn Dynamics,
+    times: &[f64],
+    mut progress: impl FnMut(f64),
+) -> Result<Vec<Sample>, RecordError> {
+    let mut samples = Vec::with_capacity(times.len());
+    for &time in times {
+        run_to(world, time, &mut progress)?;
+        samples.push(world.sample(time));
+        progress(time);
+        if !world.is_finite() {
+            return Err(RecordError::NotFinite { time: world.time() });
+        }
+    }
+    Ok(samples)
+}
+
+/// Takes the substeps that end at or before `time` [s].
+///
+/// Errors: [`RecordError::NotFinite`].
+pub fn run_to(world: &mut dyn Dynamics, time: f64, progress: &mut dyn FnMut(f64)) -> Result<(), RecordError> {
+    // A substep that ends a rounding error after `time` still ends at it.
+    while world.time() + world.substep() * (1.0 - 1e-9) <= time {
+        world.step();
+        if world.counters().substeps.is_multiple_of(LOOK_EVERY) {
+            progress(world.time());
+            if !world.is_finite() {
+                return Err(RecordError::NotFinite { time: world.time() });
+            }
+        }
+    }
+    Ok(())
+}
+
+/// Wall seconds that stepping `world` to the last of `times` takes, in the median: short runs are repeated.
+pub fn seconds(world: &dyn Dynamics, times: &[f64]) -> f64 {
+    let end = times.last().copied().unwrap_or(0.0);
+    let mut runs: Vec<f64> = Vec::new();
+    // A clock's reading of less than 10 ms says more of the machine's noise than of the work.
+    while runs.is_empty() || (runs[0] < 0.010 && runs.len() < 15) {
+        let mut copy = world.boxed_clone();
+        let start = Instant::now();
+        while copy.time() + copy.substep() * (1.0 - 1e-9) <= end {
+            copy.step();
+        }
+        runs.push(start.elapsed().as_secs_f64());
+    }
+    runs.sort_by(f64::total_cmp);
+    runs[runs.len() / 2]
+}
+
+/// Hash of the bits of all samples' positions and velocities, in order: 32 hexadecimal digits (XXH3, 128 bits).
+pub fn hash(samples: &[Sample], dimensions: usize) -> String {
+    let mut hasher = Xxh3::new();
+    for sample in samples {
+        for vector in sample.position.iter().chain(&sample.velocity) {
+            for component in &vector[..dimensions] {
+                hasher.update(&component.to_le_bytes());
+            }
+        }
+    }
+    format!("{:032x}", hasher.digest128())
+}
+
+/// A recorded motion with what made it.
+#[derive(Clone, Debug, Serialize)]
+pub struct Recording {
+    /// Name of the scene.
+    pub scene: String,
+    /// The solver asked for.
+    pub solver: &'static str,
+    /// Longest substep [s].
+    pub substep: f64,
+    /// `f32` or `f64`.
+    pub precision: &'static str,
+    /// The samples.
+    pub samples: Vec<RecordedSample>,
+    /// Wall time of the stepping [s].
+    pub seconds: f64,
+    /// Wall time that finding the setting took [s].
+    pub search_seconds: f64,
+    /// Work done.
+    pub counters: RecordedCounters,
+    /// What the user should know.
+    pub warnings: Vec<String>,
+    /// See [`hash`].
+    pub hash: String,
+}
+
+/// One sample, with as many components a point as the scene has dimensions.
+#[derive(Clone, Debug, Serialize)]
+pub struct RecordedSample {
+    /// Time [s].
+    pub t: f64,
+    /// Positions [m].
+    pub position: Vec<Vec<f64>>,
+    /// Velocities [m/s].
+    pub velocity: Vec<Vec<f64>>,
+    /// Kinetic + springs' + gravity's energy of the points that are not pinned [J].
+    pub energy: f64,
+    /// Largest strain [1].
+    pub max_strain: f64,
+}
+
+impl RecordedSample {
+    /// A sample of a scene in `dimensions`.
+    pub fn new(sample: &Sample, dimensions: usize) -> Self {
+        let cut = |list: &[[f64; 3]]| list.iter().map(|x| x[..dimensions].to_vec()).collect();
+        RecordedSample {
+            t: sample.time,
+            position: cut(&sample.position),
+            velocity: cut(&sample.velocity),
+            energy: sample.energy,
+            max_strain: sample.max_strain,
+        }
+    }
+}
+
+/// The counters of a recording.
+#[derive(Clone, Copy, Debug, Default, Serialize)]
+pub struct RecordedCounters {
+    /// Substeps taken.
+    pub substeps: u64,
+    /// Bonds taken by sweeps or evaluated as springs.
+    pub bonds_solved: u64,
+    /// Points advanced.
+    pub points_moved: u64,
+    /// Sweeps over the bonds.
+    pub iterations: u64,
+    /// Touches of walls.
+    pub events: u64,
+    /// Substeps that a guard split.
+    pub guard_splits: u64,
+    /// Substeps that did not converge and went on with what they had.
+    pub fallbacks: u64,
+    /// Bonds torn.
+    pub bonds_torn: u64,
+}
+
+impl Recording {
+    /// As one JSON object.
+    ///
+    /// Errors: the writer's.
+    pub fn write_json(&self, mut to: impl Write) -> std::io::Result<()> {
+        serde_json::to_writer(&mut to, self)?;
+        to.write_all(b"\n")
+    }
+
+    /// As CSV: a row a sample and point (t, point, x, y, vx, vy; in space with z and vz).
+    ///
+    /// Errors: the writer's.
+    pub fn write_csv(&self, to: impl Write) -> std::io::Result<()> {
+        let space = self.samples.iter().flat_map(|sample| sample.position.first()).any(|x| x.len() == 3);
+        let mut rows = csv::Writer::from_writer(to);
+        rows.write_record(if space {
+            &["t", "point", "x", "y", "z", "vx", "vy", "vz"][..]
+        } else {
+            &["t", "point", "x", "y", "vx", "vy"]
+        })?;
+        for sample in &self.samples {
+            for (point, (x, v)) in sample.position.iter().zip(&sample.velocity).enumerate() {
+                rows.write_field(number(sample.t))?;
+                rows.write_field(point.to_string())?;
+                for &component in x.iter().chain(v) {
+                    rows.write_field(number(component))?;
+                }
+                rows.write_record(None::<&[u8]>)?;
+            }
+        }
+        rows.flush()
+    }
+}
+
+/// The shortest digits that read back as the same number.
+fn number(value: f64) -> String {
+    format!("{value:?}")
+}
