@@ -1,3 +1,4 @@
 //! The interactive program: window, clock, input, panels.
 
+pub mod opening;
 pub mod player;

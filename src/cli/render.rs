@@ -1,6 +1,168 @@
-//! x
-#[derive(clap::Args)]
-pub(super) struct Arguments {}
-pub(super) fn run(_arguments: &Arguments, _quiet: bool) -> anyhow::Result<()> {
+//! `wobble render`: draws a scene off-screen.
+
+use std::path::{Path, PathBuf};
+
+use clap::Args;
+use image::codecs::gif::{GifEncoder, Repeat};
+use image::{Delay, Frame, ImageFormat, RgbaImage};
+
+use super::{progress, values};
+use crate::app::opening;
+use crate::output;
+use crate::render::{Camera, Capture, Look, Overlay, View};
+use crate::scene::Scene;
+use crate::scene::record::run_to;
+use crate::sim::{Cursor, Dynamics, Positions};
+
+/// What to draw and where to write it.
+#[derive(Args)]
+#[command(
+    after_help = "Examples:\n  wobble render rim --time 2 --size 1280x720 --out rim.png\n  wobble render rim-relaxed --frames 75 --size 480x480 --out rim.gif\n  wobble render my-scene.json --frames 10 --fps 5 --out frame.png    (frame-0000.png, …)"
+)]
+pub(super) struct Arguments {
+    /// A scene of the gallery, or a scene file.
+    scene: String,
+    /// When the first picture is taken [s].
+    #[arg(long, value_name = "T", default_value = "0", value_parser = values::at_least_zero)]
+    time: f64,
+    /// Width and height [px].
+    #[arg(long, value_name = "WxH", default_value = "1280x720", value_parser = values::size)]
+    size: [u32; 2],
+    /// Where to write: .png, or .gif for an animation.
+    #[arg(long, value_name = "FILE", required_unless_present = "gif", value_parser = picture)]
+    out: Option<PathBuf>,
+    /// Writes an animation there.
+    #[arg(long, value_name = "FILE.gif", value_parser = animation)]
+    gif: Option<PathBuf>,
+    /// How many pictures; several PNGs are numbered. An animation has 50 if this is left out.
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=100_000))]
+    frames: Option<u32>,
+    /// Pictures a second, at the scene's rate.
+    #[arg(long, default_value = "25", value_parser = values::above_zero)]
+    fps: f64,
+    /// What is shown by colour.
+    #[arg(long, value_enum, default_value_t = OverlayName::Strain)]
+    overlay: OverlayName,
+}
+
+#[derive(Clone, Copy, clap::ValueEnum)]
+enum OverlayName {
+    /// Nothing.
+    None,
+    /// Stretched bonds turn orange, squeezed ones blue.
+    Strain,
+}
+
+fn extension(path: &Path) -> String {
+    path.extension().map(|ending| ending.to_string_lossy().to_ascii_lowercase()).unwrap_or_default()
+}
+
+fn picture(text: &str) -> Result<PathBuf, String> {
+    match extension(Path::new(text)).as_str() {
+        "png" | "gif" => Ok(PathBuf::from(text)),
+        _ => Err("name a file that ends in .png or .gif".to_owned()),
+    }
+}
+
+fn animation(text: &str) -> Result<PathBuf, String> {
+    match extension(Path::new(text)).as_str() {
+        "gif" => Ok(PathBuf::from(text)),
+        _ => Err("name a file that ends in .gif".to_owned()),
+    }
+}
+
+pub(super) fn run(arguments: &Arguments, quiet: bool) -> anyhow::Result<()> {
+    let scene = Scene::load(&arguments.scene)?;
+    let mut world = scene.world(scene.file.duration)?;
+    let camera = opening::camera(&scene, &*world, arguments.size);
+    let overlay = match arguments.overlay {
+        OverlayName::None => Overlay::None,
+        OverlayName::Strain => Overlay::Strain,
+    };
+    let look = Look { overlay, ..Look::default() };
+    let mut capture = Capture::new(arguments.size, scene.dimensions())?;
+    let count = arguments.count();
+    let bar = progress::frames(quiet, u64::from(count));
+    let mut animation = Vec::new();
+    for index in 0..count {
+        let time = arguments.time + f64::from(index) / arguments.fps * scene.file.rate;
+        run_to(&mut *world, time, &mut |_| {})?;
+        let picture = draw(&mut capture, &*world, time, u64::from(index), &camera, &look)?;
+        if let Some(path) = arguments.out.as_ref().filter(|path| extension(path) == "png") {
+            let path = if count == 1 { path.clone() } else { numbered(path, index) };
+            output::replace(&path, |to| write_png(&picture, to))?;
+        }
+        if !arguments.animations().is_empty() {
+            animation.push(picture);
+        }
+        bar.inc(1);
+    }
+    bar.finish_and_clear();
+    for path in arguments.animations() {
+        output::replace(path, |to| write_gif(&animation, arguments.fps, to))?;
+    }
+    Ok(())
+}
+
+impl Arguments {
+    /// The animations to write.
+    fn animations(&self) -> Vec<&PathBuf> {
+        let out = self.out.as_ref().filter(|path| extension(path) == "gif");
+        out.into_iter().chain(&self.gif).collect()
+    }
+
+    fn count(&self) -> u32 {
+        self.frames.unwrap_or(if self.animations().is_empty() { 1 } else { 50 })
+    }
+}
+
+/// The state at `time`, which lies in the world's next substep.
+fn draw(
+    capture: &mut Capture,
+    world: &dyn Dynamics,
+    time: f64,
+    index: u64,
+    camera: &Camera,
+    look: &Look,
+) -> anyhow::Result<RgbaImage> {
+    let dimensions = world.dimensions();
+    let sample = world.sample(time.max(world.time()));
+    let flat: Vec<f64> = sample.position.iter().flat_map(|x| &x[..dimensions]).copied().collect();
+    let on_track = |(force, cursor): (_, Cursor)| {
+        let force: &crate::sim::MouseForce = force;
+        (force, force.track.at(time).map_or(cursor, Cursor::at))
+    };
+    let view = View {
+        previous: Positions::F64(&flat),
+        current: Positions::F64(&flat),
+        motion: index,
+        mouse: world.mouse().map(on_track),
+        ..View::of(world)
+    };
+    Ok(capture.picture(&view, camera, look)?)
+}
+
+fn numbered(path: &Path, index: u32) -> PathBuf {
+    let stem = path.file_stem().unwrap_or_default().to_string_lossy();
+    path.with_file_name(format!("{stem}-{index:04}.png"))
+}
+
+fn write_png(picture: &RgbaImage, to: &mut dyn std::io::Write) -> std::io::Result<()> {
+    let mut bytes = std::io::Cursor::new(Vec::new());
+    picture.write_to(&mut bytes, ImageFormat::Png).map_err(std::io::Error::other)?;
+    to.write_all(bytes.get_ref())
+}
+
+/// How hard the palette of an animation is searched for: 1 is slow and best, 30 fast.
+const PALETTE_SPEED: i32 = 10;
+
+fn write_gif(pictures: &[RgbaImage], fps: f64, to: &mut dyn std::io::Write) -> std::io::Result<()> {
+    let delay = Delay::from_saturating_duration(std::time::Duration::from_secs_f64((1.0 / fps).clamp(0.01, 600.0)));
+    let mut encoder = GifEncoder::new_with_speed(to, PALETTE_SPEED);
+    encoder.set_repeat(Repeat::Infinite).map_err(std::io::Error::other)?;
+    for picture in pictures {
+        let frame = Frame::from_parts(picture.clone(), 0, 0, delay);
+        encoder.encode_frame(frame).map_err(std::io::Error::other)?;
+    }
     Ok(())
 }

@@ -1,0 +1,299 @@
+//! The camera: flat over the plane, or orbiting a target in space. Worlds are y up, screens y down in pixels.
+
+use glam::{DMat4, DVec2, DVec3, DVec4, Mat4};
+
+use crate::sim::Cursor;
+
+/// What of the world is seen, and where a pixel lies in it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Camera {
+    /// How it looks.
+    pub pose: Pose,
+    /// Width and height of the picture [px].
+    viewport: DVec2,
+}
+
+/// How a camera looks at the world.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Pose {
+    /// Straight at the plane.
+    Plane {
+        /// Middle of the picture [m].
+        center: DVec2,
+        /// Height of the picture [m].
+        height: f64,
+    },
+    /// At a target in space, in perspective.
+    Orbit {
+        /// What it looks at [m].
+        target: DVec3,
+        /// Its distance from there [m].
+        distance: f64,
+        /// Its angle about the vertical, 0 along -z [rad].
+        yaw: f64,
+        /// Its angle above the level [rad].
+        pitch: f64,
+    },
+}
+
+/// Smallest and largest height of the picture, or distance of the target [m]: beyond, coordinates lose their meaning.
+const ZOOM: std::ops::RangeInclusive<f64> = 1e-6..=1e9;
+/// Angle of view of a camera in space, from bottom to top [rad].
+const FIELD_OF_VIEW: f64 = 0.8;
+/// Steepest pitch [rad]: at the pole, up would have no direction.
+const STEEPEST: f64 = 1.55;
+/// Angle that a drag over one pixel turns the camera by [rad].
+const TURN: f64 = 0.008;
+/// Room around what is fitted [1].
+const MARGIN: f64 = 1.12;
+
+impl Camera {
+    /// A camera for a picture of `size` [px].
+    pub fn new(pose: Pose, size: [u32; 2]) -> Self {
+        let mut camera = Camera { pose, viewport: DVec2::ONE };
+        camera.resize(size);
+        camera
+    }
+
+    /// A camera that shows all of the box between two corners [m], with some room; in space from ahead and above.
+    pub fn fit([low, high]: [[f64; 3]; 2], dimensions: usize, size: [u32; 2]) -> Self {
+        let (low, high) = (DVec3::from(low), DVec3::from(high));
+        let (middle, extent) = (0.5 * (low + high), (high - low).max(DVec3::splat(1e-3)));
+        let pose = if dimensions == 2 {
+            Pose::Plane { center: middle.truncate(), height: 1.0 }
+        } else {
+            Pose::Orbit { target: middle, distance: 1.0, yaw: 0.6, pitch: 0.35 }
+        };
+        let mut camera = Camera::new(pose, size);
+        let aspect = camera.aspect();
+        match &mut camera.pose {
+            Pose::Plane { height, .. } => *height = clamp_zoom(MARGIN * extent.y.max(extent.x / aspect)),
+            Pose::Orbit { distance, .. } => {
+                let half = 0.5 * FIELD_OF_VIEW;
+                let narrow = half.tan() * aspect.min(1.0);
+                *distance = clamp_zoom(MARGIN * 0.5 * extent.length() / narrow.atan().sin());
+            }
+        }
+        camera
+    }
+
+    /// The picture has another size [px]. A picture of no size keeps the camera sane.
+    pub fn resize(&mut self, [width, height]: [u32; 2]) {
+        self.viewport = DVec2::new(f64::from(width.max(1)), f64::from(height.max(1)));
+    }
+
+    fn aspect(&self) -> f64 {
+        self.viewport.x / self.viewport.y
+    }
+
+    /// Width and height of the picture [px].
+    pub fn viewport(&self) -> [f32; 2] {
+        self.viewport.as_vec2().to_array()
+    }
+
+    /// A point near what is seen: positions given to the GPU relative to it keep their digits [m].
+    pub fn focus(&self) -> DVec3 {
+        match self.pose {
+            Pose::Plane { center, .. } => center.extend(0.0),
+            Pose::Orbit { target, .. } => target,
+        }
+    }
+
+    /// Height of the picture at the focus [m].
+    pub fn height(&self) -> f64 {
+        match self.pose {
+            Pose::Plane { height, .. } => height,
+            Pose::Orbit { distance, .. } => 2.0 * distance * (0.5 * FIELD_OF_VIEW).tan(),
+        }
+    }
+
+    /// Pixels a metre at the focus.
+    pub fn pixels_per_metre(&self) -> f64 {
+        self.viewport.y / self.height()
+    }
+
+    /// From the world, relative to `origin` [m], to clip space (depth 0 near to 1 far).
+    pub fn clip_from_world(&self, origin: DVec3) -> Mat4 {
+        self.clip_from_relative(origin).as_mat4()
+    }
+
+    fn clip_from_relative(&self, origin: DVec3) -> DMat4 {
+        match self.pose {
+            Pose::Plane { center, height } => {
+                let scale = DVec3::new(2.0 / (height * self.aspect()), 2.0 / height, 0.0);
+                let depth = DMat4::from_translation(DVec3::new(0.0, 0.0, 0.5));
+                depth * DMat4::from_scale(scale) * DMat4::from_translation(origin - center.extend(0.0))
+            }
+            Pose::Orbit { target, distance, .. } => {
+                let near = 0.01 * distance;
+                let lens =
+                    glam::dcamera::rh::proj::directx::perspective(FIELD_OF_VIEW, self.aspect(), near, 1e4 * near);
+                let back = self.back();
+                let up = self.right().cross(-back);
+                let eye = target + back * distance;
+                lens * glam::dcamera::rh::view::look_at_mat4(eye - origin, target - origin, up)
+            }
+        }
+    }
+
+    /// Unit vector from the focus towards the camera.
+    fn back(&self) -> DVec3 {
+        match self.pose {
+            Pose::Plane { .. } => DVec3::Z,
+            Pose::Orbit { yaw, pitch, .. } => DVec3::new(yaw.sin() * pitch.cos(), pitch.sin(), yaw.cos() * pitch.cos()),
+        }
+    }
+
+    /// Unit vector to the right of the picture.
+    fn right(&self) -> DVec3 {
+        match self.pose {
+            Pose::Plane { .. } => DVec3::X,
+            Pose::Orbit { yaw, .. } => DVec3::new(yaw.cos(), 0.0, -yaw.sin()),
+        }
+    }
+
+    /// The point at a pixel, in the plane through the focus that faces the camera [m].
+    pub fn world_from_screen(&self, pixel: [f64; 2]) -> DVec3 {
+        let offset = (DVec2::from(pixel) - 0.5 * self.viewport) / self.pixels_per_metre();
+        let up = self.back().cross(self.right());
+        self.focus() + self.right() * offset.x - up * offset.y
+    }
+
+    /// The pixel that a point [m] is seen at; `None` behind the camera.
+    pub fn screen_from_world(&self, point: DVec3) -> Option<[f64; 2]> {
+        let clip: DVec4 = self.clip_from_relative(self.focus()) * (point - self.focus()).extend(1.0);
+        if clip.w <= 0.0 {
+            return None;
+        }
+        let ndc = clip.truncate().truncate() / clip.w;
+        Some(((ndc * DVec2::new(0.5, -0.5) + 0.5) * self.viewport).to_array())
+    }
+
+    /// Where a pixel points.
+    pub fn cursor(&self, pixel: [f64; 2]) -> Cursor {
+        let at = self.world_from_screen(pixel);
+        match self.pose {
+            Pose::Plane { .. } => Cursor::at([at.x, at.y]),
+            Pose::Orbit { target, distance, .. } => {
+                let eye = target + self.back() * distance;
+                Cursor { origin: eye.to_array(), direction: (at - eye).normalize().to_array() }
+            }
+        }
+    }
+
+    /// Zooms by `factor` (above 1: closer); what lies under `pixel` stays there.
+    pub fn zoom_at(&mut self, pixel: [f64; 2], factor: f64) {
+        if !(factor > 0.0 && factor.is_finite()) {
+            return;
+        }
+        let before = self.world_from_screen(pixel);
+        match &mut self.pose {
+            Pose::Plane { height, .. } => *height = clamp_zoom(*height / factor),
+            Pose::Orbit { distance, .. } => *distance = clamp_zoom(*distance / factor),
+        }
+        self.shift(before - self.world_from_screen(pixel));
+    }
+
+    /// Drags the picture by some pixels.
+    pub fn pan(&mut self, [dx, dy]: [f64; 2]) {
+        let middle = 0.5 * self.viewport;
+        let from = self.world_from_screen(middle.to_array());
+        self.shift(from - self.world_from_screen((middle + DVec2::new(dx, dy)).to_array()));
+    }
+
+    fn shift(&mut self, by: DVec3) {
+        match &mut self.pose {
+            Pose::Plane { center, .. } => *center += by.truncate(),
+            Pose::Orbit { target, .. } => *target += by,
+        }
+    }
+
+    /// Turns about the target by a drag of some pixels; in the plane it pans.
+    pub fn orbit(&mut self, [dx, dy]: [f64; 2]) {
+        match &mut self.pose {
+            Pose::Plane { .. } => self.pan([dx, dy]),
+            Pose::Orbit { yaw, pitch, .. } => {
+                *yaw = (*yaw - TURN * dx).rem_euclid(std::f64::consts::TAU);
+                *pitch = (*pitch + TURN * dy).clamp(-STEEPEST, STEEPEST);
+            }
+        }
+    }
+}
+
+fn clamp_zoom(value: f64) -> f64 {
+    if value.is_finite() { value.clamp(*ZOOM.start(), *ZOOM.end()) } else { 1.0 }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn cameras() -> [Camera; 2] {
+        let plane = Pose::Plane { center: DVec2::new(3.0, -2.0), height: 4.0 };
+        let orbit = Pose::Orbit { target: DVec3::new(1.0, 2.0, 3.0), distance: 7.0, yaw: 0.7, pitch: 0.4 };
+        [Camera::new(plane, [800, 400]), Camera::new(orbit, [800, 400])]
+    }
+
+    fn close(a: [f64; 2], b: [f64; 2]) -> bool {
+        (a[0] - b[0]).hypot(a[1] - b[1]) < 1e-6
+    }
+
+    #[test]
+    fn there_and_back() {
+        for camera in cameras() {
+            for pixel in [[0.0, 0.0], [400.0, 200.0], [799.0, 17.5]] {
+                let seen = camera.screen_from_world(camera.world_from_screen(pixel)).unwrap();
+                assert!(close(seen, pixel), "{seen:?} {pixel:?}");
+            }
+        }
+        assert_eq!(cameras()[0].world_from_screen([400.0, 0.0]), DVec3::new(3.0, 0.0, 0.0), "y is up");
+    }
+
+    #[test]
+    fn what_is_under_the_cursor_stays_there() {
+        for mut camera in cameras() {
+            let at = camera.world_from_screen([100.0, 300.0]);
+            camera.zoom_at([100.0, 300.0], 1.7);
+            assert!(close(camera.screen_from_world(at).unwrap(), [100.0, 300.0]));
+            camera.pan([30.0, -20.0]);
+            assert!(close(camera.screen_from_world(at).unwrap(), [130.0, 280.0]));
+        }
+    }
+
+    #[test]
+    fn the_cursor_in_space_is_a_ray_through_the_pixel() {
+        let camera = cameras()[1];
+        let ray = camera.cursor([120.0, 60.0]);
+        let far = DVec3::from(ray.origin) + DVec3::from(ray.direction) * 20.0;
+        assert!(close(camera.screen_from_world(far).unwrap(), [120.0, 60.0]));
+        assert_eq!(cameras()[0].cursor([400.0, 200.0]), Cursor::at([3.0, -2.0]));
+    }
+
+    #[test]
+    fn fit_shows_every_corner() {
+        let corners = [[-5.0, -5.0, -5.0], [5.0, 3.0, 5.0]];
+        for dimensions in [2, 3] {
+            for size in [[1280, 720], [300, 900]] {
+                let camera = Camera::fit(corners, dimensions, size);
+                for i in 0..8_usize {
+                    let corner = DVec3::from_array(std::array::from_fn(|k| corners[(i >> k) & 1][k]));
+                    let [x, y] = camera.screen_from_world(corner).unwrap();
+                    assert!((0.0..f64::from(size[0])).contains(&x) && (0.0..f64::from(size[1])).contains(&y));
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn nonsense_leaves_the_camera_sane() {
+        for mut camera in cameras() {
+            camera.resize([0, 0]);
+            camera.zoom_at([0.0, 0.0], f64::NAN);
+            camera.zoom_at([0.0, 0.0], 1e-300);
+            camera.zoom_at([0.0, 0.0], 1e300);
+            camera.orbit([1e4, -1e4]);
+            assert!(camera.clip_from_world(DVec3::ZERO).is_finite());
+        }
+        assert!(Camera::fit([[0.0; 3]; 2], 2, [10, 10]).clip_from_world(DVec3::ZERO).is_finite());
+    }
+}

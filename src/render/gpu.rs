@@ -1,0 +1,98 @@
+//! The GPU: instance, adapter, device, and what became of it.
+
+use std::sync::{Arc, Mutex, PoisonError};
+
+use super::error::RenderError;
+
+/// An open GPU, real or in software.
+pub struct Gpu {
+    /// The device.
+    pub device: wgpu::Device,
+    /// Its queue.
+    pub queue: wgpu::Queue,
+    /// What it is called, and by which driver it runs.
+    pub info: wgpu::AdapterInfo,
+    adapter: wgpu::Adapter,
+    failure: Arc<Mutex<Option<String>>>,
+}
+
+impl Gpu {
+    /// Opens a GPU for off-screen work.
+    ///
+    /// Errors: no driver, or one that fails.
+    pub fn headless() -> Result<Self, RenderError> {
+        let instance = wgpu::Instance::new(wgpu::InstanceDescriptor::new_without_display_handle_from_env());
+        Gpu::open(&instance, None)
+    }
+
+    /// Opens a GPU that can draw to `surface`.
+    ///
+    /// Errors: no driver, or one that fails.
+    pub fn open(instance: &wgpu::Instance, surface: Option<&wgpu::Surface<'_>>) -> Result<Self, RenderError> {
+        let wanted = wgpu::RequestAdapterOptions { compatible_surface: surface, ..Default::default() };
+        let adapter = pollster::block_on(instance.request_adapter(&wanted))
+            .map_err(|error| RenderError::NoAdapter { reason: one_line(&error) })?;
+        let info = adapter.get_info();
+        let descriptor = wgpu::DeviceDescriptor {
+            label: Some("wobble"),
+            // Points and bonds are read from storage buffers as large as the adapter has them.
+            required_limits: adapter.limits(),
+            ..Default::default()
+        };
+        let (device, queue) = pollster::block_on(adapter.request_device(&descriptor))
+            .map_err(|error| RenderError::NoDevice { adapter: info.name.clone(), reason: one_line(&error) })?;
+        let failure = Arc::new(Mutex::new(None));
+        let note = |failure: &Arc<Mutex<Option<String>>>, what: String| {
+            failure.lock().unwrap_or_else(PoisonError::into_inner).get_or_insert(what);
+        };
+        let seen = Arc::clone(&failure);
+        device.on_uncaptured_error(Arc::new(move |error: wgpu::Error| note(&seen, one_line(&error))));
+        let seen = Arc::clone(&failure);
+        device.set_device_lost_callback(move |reason, message| {
+            // Giving the device back at the end is no failure.
+            if reason != wgpu::DeviceLostReason::Destroyed {
+                note(&seen, message);
+            }
+        });
+        Ok(Gpu { device, queue, info, adapter, failure })
+    }
+
+    /// Takes note of a failure that the driver reported since the last call.
+    ///
+    /// Errors: that failure.
+    pub fn check(&self) -> Result<(), RenderError> {
+        match self.failure.lock().unwrap_or_else(PoisonError::into_inner).take() {
+            Some(reason) => Err(RenderError::Lost { reason }),
+            None => Ok(()),
+        }
+    }
+
+    /// Largest side of a picture [px].
+    pub fn largest_side(&self) -> u32 {
+        self.device.limits().max_texture_dimension_2d
+    }
+
+    /// Largest storage buffer that a shader can read [bytes].
+    pub fn largest_buffer(&self) -> u64 {
+        let limits = self.device.limits();
+        limits.max_buffer_size.min(limits.max_storage_buffer_binding_size)
+    }
+
+    /// What a surface can do with this GPU.
+    pub fn surface_capabilities(&self, surface: &wgpu::Surface<'_>) -> wgpu::SurfaceCapabilities {
+        surface.get_capabilities(&self.adapter)
+    }
+
+    /// A configuration that the surface takes, if it takes any.
+    pub fn surface_config(
+        &self,
+        surface: &wgpu::Surface<'_>,
+        [width, height]: [u32; 2],
+    ) -> Option<wgpu::SurfaceConfiguration> {
+        surface.get_default_config(&self.adapter, width, height)
+    }
+}
+
+fn one_line(error: &dyn std::fmt::Display) -> String {
+    error.to_string().split_whitespace().collect::<Vec<_>>().join(" ")
+}

@@ -1,0 +1,108 @@
+//! Guides: the grid of the plane and the walls, as strokes.
+
+use bytemuck::{Pod, Zeroable};
+use glam::{DVec2, DVec3};
+
+use super::camera::{Camera, Pose};
+use super::look::{Color, Look};
+
+/// A stroke as the shader reads it: `Guide` in guides.wgsl.
+#[derive(Clone, Copy, Debug, PartialEq, Pod, Zeroable)]
+#[repr(C)]
+pub(super) struct Guide {
+    a: [f32; 4],
+    b: [f32; 4],
+    color: Color,
+}
+
+const _: () = assert!(size_of::<Guide>() == 48);
+
+/// Least distance between lines of the grid [px].
+const CLOSEST: f64 = 45.0;
+
+/// The guides of a picture, those below first. Positions relative to `origin` [m].
+pub(super) fn guides(
+    camera: &Camera,
+    bounds: Option<[[f64; 3]; 2]>,
+    dimensions: usize,
+    origin: DVec3,
+    look: &Look,
+) -> Vec<Guide> {
+    let mut list = Vec::new();
+    if let Pose::Plane { center, height } = camera.pose {
+        grid(&mut list, camera, center, height, origin, look);
+    }
+    if let Some(bounds) = bounds {
+        walls(&mut list, bounds, dimensions, origin, look);
+    }
+    list
+}
+
+fn guide(a: DVec3, b: DVec3, width: f32, color: Color) -> Guide {
+    Guide { a: a.as_vec3().extend(width).to_array(), b: b.as_vec3().extend(0.0).to_array(), color }
+}
+
+/// Distance between lines of the grid [m]: 1, 2 or 5 times a power of ten, not closer than [`CLOSEST`] on the screen.
+fn spacing(pixels_per_metre: f64) -> f64 {
+    let least = CLOSEST / pixels_per_metre;
+    let decade = 10_f64.powf(least.log10().floor());
+    [1.0, 2.0, 5.0, 10.0].map(|step| step * decade).into_iter().find(|&step| step >= least).unwrap_or(decade)
+}
+
+fn grid(list: &mut Vec<Guide>, camera: &Camera, center: DVec2, height: f64, origin: DVec3, look: &Look) {
+    let step = spacing(camera.pixels_per_metre());
+    let [width_px, height_px] = camera.viewport();
+    let half = 0.5 * DVec2::new(height * f64::from(width_px) / f64::from(height_px), height);
+    let (low, high) = (center - half, center + half);
+    for axis in 0..2 {
+        let along = 1 - axis;
+        let (first, last) = ((low[axis] / step).ceil(), (high[axis] / step).floor());
+        for line in 0..=((last - first) as i64) {
+            let at = (first + line as f64) * step;
+            let mut ends = [low.extend(0.0), high.extend(0.0)];
+            for end in &mut ends {
+                end[axis] = at;
+            }
+            let color = if at == 0.0 { look.axis } else { look.grid };
+            debug_assert!(ends[0][along] < ends[1][along]);
+            list.push(guide(ends[0] - origin, ends[1] - origin, look.scale_factor, color));
+        }
+    }
+}
+
+/// The edges of the walls: four in the plane, twelve in space.
+fn walls(list: &mut Vec<Guide>, [low, high]: [[f64; 3]; 2], dimensions: usize, origin: DVec3, look: &Look) {
+    let corner = |bits: usize| {
+        DVec3::from_array(std::array::from_fn(|k| if (bits >> k) & 1 == 1 { high[k] } else { low[k] })) - origin
+    };
+    for bits in 0..1_usize << dimensions {
+        for axis in (0..dimensions).filter(|axis| (bits >> axis) & 1 == 0) {
+            let width = look.outline_width * look.scale_factor;
+            list.push(guide(corner(bits), corner(bits | (1 << axis)), width, look.wall));
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn grid_lines_are_round_numbers_apart() {
+        assert_eq!(spacing(100.0), 0.5);
+        assert_eq!(spacing(45.0), 1.0);
+        assert_eq!(spacing(1.0), 50.0);
+    }
+
+    #[test]
+    fn walls_have_four_edges_or_twelve() {
+        let camera = Camera::fit([[-1.0; 3], [1.0; 3]], 3, [100, 100]);
+        let count = |dimensions| {
+            let mut list = Vec::new();
+            walls(&mut list, [[-1.0; 3], [1.0; 3]], dimensions, DVec3::ZERO, &Look::default());
+            list.len()
+        };
+        assert_eq!((count(2), count(3)), (4, 12));
+        assert!(guides(&camera, None, 3, DVec3::ZERO, &Look::default()).is_empty());
+    }
+}

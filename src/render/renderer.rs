@@ -1,0 +1,122 @@
+//! Draws a world: uploads what changed, then one pass after another into any target.
+
+use super::buffers::{RenderCounters, WorldBuffers};
+use super::camera::Camera;
+use super::error::RenderError;
+use super::frame::Frame;
+use super::gpu::Gpu;
+use super::guides::guides;
+use super::look::Look;
+use super::passes::{DEPTH, Passes};
+use super::view::View;
+
+/// A renderer for worlds of one dimension, to targets of one format.
+///
+/// Blends colours as they are stored: the format must not convert sRGB by itself (`Rgba8Unorm`, `Bgra8Unorm`).
+pub struct Renderer {
+    passes: Passes,
+    buffers: WorldBuffers,
+    depth: Option<(wgpu::TextureView, [u32; 2])>,
+    dimensions: usize,
+    has_region: bool,
+    counters: RenderCounters,
+}
+
+impl Renderer {
+    /// A renderer without a world: the first [`Renderer::prepare`] gives it one.
+    pub fn new(gpu: &Gpu, format: wgpu::TextureFormat, dimensions: usize) -> Self {
+        Renderer {
+            passes: Passes::new(gpu, format, dimensions),
+            buffers: WorldBuffers::new(gpu),
+            depth: None,
+            dimensions,
+            has_region: false,
+            counters: RenderCounters::default(),
+        }
+    }
+
+    /// Uploads what changed since the last picture.
+    ///
+    /// Errors: a world larger than the GPU's buffers.
+    pub fn prepare(&mut self, gpu: &Gpu, view: &View<'_>, camera: &Camera, look: &Look) -> Result<(), RenderError> {
+        let counters = &mut self.counters;
+        let mut stale = self.buffers.update(gpu, view, camera, counters)?;
+        let origin = self.buffers.origin;
+        let lines = guides(camera, view.bounds, view.dimensions, origin, look);
+        stale |= self.buffers.set_guides(gpu, bytemuck::cast_slice(&lines), lines.len(), counters)?;
+        let frame = Frame::new(view, camera, look, origin, self.buffers.typical_bond);
+        self.has_region = frame.has_region();
+        self.buffers.set_frame(gpu, bytemuck::bytes_of(&frame), counters)?;
+        if stale || !self.passes.is_bound() {
+            self.passes.rebind(gpu, &self.buffers);
+        }
+        Ok(())
+    }
+
+    /// Draws what was prepared into `target` of `size` [px], over the ground colour.
+    pub fn draw(
+        &mut self,
+        gpu: &Gpu,
+        encoder: &mut wgpu::CommandEncoder,
+        target: &wgpu::TextureView,
+        size: [u32; 2],
+        look: &Look,
+    ) {
+        let [r, g, b, a] = look.ground.map(f64::from);
+        let depth = self.depth_view(gpu, size);
+        let mut pass = encoder.begin_render_pass(&wgpu::RenderPassDescriptor {
+            label: Some("world"),
+            color_attachments: &[Some(wgpu::RenderPassColorAttachment {
+                view: target,
+                depth_slice: None,
+                resolve_target: None,
+                ops: wgpu::Operations {
+                    load: wgpu::LoadOp::Clear(wgpu::Color { r, g, b, a }),
+                    store: wgpu::StoreOp::Store,
+                },
+            })],
+            depth_stencil_attachment: depth.as_ref().map(|view| wgpu::RenderPassDepthStencilAttachment {
+                view,
+                depth_ops: Some(wgpu::Operations { load: wgpu::LoadOp::Clear(1.0), store: wgpu::StoreOp::Discard }),
+                stencil_ops: None,
+            }),
+            timestamp_writes: None,
+            occlusion_query_set: None,
+            multiview_mask: None,
+        });
+        self.passes.draw(&mut pass, &self.buffers, self.has_region);
+        self.counters.frames_drawn += 1;
+    }
+
+    /// Submits a picture's commands.
+    pub fn submit(&mut self, gpu: &Gpu, commands: impl IntoIterator<Item = wgpu::CommandBuffer>) {
+        gpu.queue.submit(commands);
+        self.counters.submits += 1;
+    }
+
+    /// The depth of a picture of this size, in space; the plane has none.
+    fn depth_view(&mut self, gpu: &Gpu, size: [u32; 2]) -> Option<wgpu::TextureView> {
+        if self.dimensions == 2 {
+            return None;
+        }
+        if self.depth.as_ref().is_none_or(|(_, made_for)| *made_for != size) {
+            let texture = gpu.device.create_texture(&wgpu::TextureDescriptor {
+                label: Some("depth"),
+                size: wgpu::Extent3d { width: size[0], height: size[1], depth_or_array_layers: 1 },
+                mip_level_count: 1,
+                sample_count: 1,
+                dimension: wgpu::TextureDimension::D2,
+                format: DEPTH,
+                usage: wgpu::TextureUsages::RENDER_ATTACHMENT,
+                view_formats: &[],
+            });
+            self.depth = Some((texture.create_view(&Default::default()), size));
+        }
+        self.depth.as_ref().map(|(view, _)| view.clone())
+    }
+
+    /// Work done since the renderer was made.
+    pub fn counters(&self) -> &RenderCounters {
+        &self.counters
+    }
+}
