@@ -69,7 +69,7 @@ impl Canvas {
         self.renderer.counters()
     }
 
-    /// Draws a world and the panels over it, and shows the picture.
+    /// Draws a world into the upper left `area` [px] and the panels over it, and shows the picture.
     ///
     /// Errors: the GPU gave up, or a world too large for it; a surface that is only out of date is not an error.
     pub(super) fn draw(
@@ -77,11 +77,12 @@ impl Canvas {
         view: &View<'_>,
         camera: &Camera,
         look: &Look,
+        area: [u32; 2],
         mut paint: Paint,
     ) -> Result<(), RenderError> {
         self.apply_textures(&mut paint);
         let drawn = match self.next_texture()? {
-            Some(texture) => self.draw_to(texture, view, camera, look, &paint),
+            Some(texture) => self.draw_to(texture, view, camera, look, area, &paint),
             None => Ok(()),
         };
         for id in paint.textures.free.drain() {
@@ -136,13 +137,14 @@ impl Canvas {
         view: &View<'_>,
         camera: &Camera,
         look: &Look,
+        area: [u32; 2],
         paint: &Paint,
     ) -> Result<(), RenderError> {
         self.renderer.prepare(&self.gpu, view, camera, look)?;
         let target = texture.texture.create_view(&Default::default());
         let mut encoder = self.gpu.device.create_command_encoder(&Default::default());
         let size = self.size();
-        self.renderer.draw(&self.gpu, &mut encoder, &target, size, look);
+        self.renderer.draw(&self.gpu, &mut encoder, &target, size, area, look);
         let screen = egui_wgpu::ScreenDescriptor { size_in_pixels: size, pixels_per_point: paint.pixels_per_point };
         let (device, queue) = (&self.gpu.device, &self.gpu.queue);
         let mut commands = self.panels.update_buffers(device, queue, &mut encoder, &paint.jobs, &screen);

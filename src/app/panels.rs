@@ -22,8 +22,8 @@ pub(super) struct Figures {
     pub(super) energy: f64,
 }
 
-/// Shows the panels; returns what was clicked.
-pub(super) fn show(ui: &mut egui::Ui, figures: &Figures) -> Vec<Action> {
+/// Shows the panels; returns what was clicked, and the height that they leave to the world [points].
+pub(super) fn show(ui: &mut egui::Ui, figures: &Figures) -> (Vec<Action>, f32) {
     let mut actions = Vec::new();
     egui::Panel::bottom("transport").resizable(false).show(ui, |ui| {
         ui.add_space(3.0);
@@ -33,16 +33,16 @@ pub(super) fn show(ui: &mut egui::Ui, figures: &Figures) -> Vec<Action> {
     egui::Area::new(egui::Id::unique("figures")).fixed_pos([12.0, 12.0]).interactable(false).show(ui.ctx(), |ui| {
         egui::Frame::popup(ui.style()).multiply_with_opacity(0.85).show(ui, |ui| hud(ui, figures));
     });
-    actions
+    (actions, ui.available_rect_before_wrap().height())
 }
 
 fn transport(ui: &mut egui::Ui, figures: &Figures, actions: &mut Vec<Action>) {
-    let play = if figures.playing { "⏸ Pause" } else { "▶ Play" };
+    let play = if figures.playing { "Pause" } else { "Play" };
     let buttons = [
         (play, "Space", Action::TogglePlay),
-        ("⏭ Step", ".", Action::Step),
-        ("⟲ Reset", "R", Action::Reset),
-        ("⛶ Fit", "F", Action::Fit),
+        ("Step", ".", Action::Step),
+        ("Reset", "R", Action::Reset),
+        ("Fit", "F", Action::Fit),
     ];
     for (label, key, action) in buttons {
         let button = egui::Button::new(label).min_size(egui::vec2(76.0, 26.0));
@@ -73,6 +73,6 @@ fn hud(ui: &mut egui::Ui, figures: &Figures) {
         row("step", format!("{:7.3} ms", 1e3 * figures.step));
         row("points", figures.points.to_string());
         row("bonds", figures.bonds.to_string());
-        row("energy", format!("{:.3} J", figures.energy));
+        row("energy", format!("{:9.3} J", figures.energy));
     });
 }

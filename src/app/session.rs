@@ -25,6 +25,8 @@ pub(super) struct Session {
     player: Player,
     scene: Scene,
     pub(super) camera: Camera,
+    /// Width and height of the part of the window that the world is drawn in [px].
+    area: [u32; 2],
     pub(super) pointer: Pointer,
     look: Look,
     /// Something that is shown has changed since the last frame.
@@ -58,6 +60,7 @@ impl Session {
         let panels = egui_winit::State::new(context, egui::ViewportId::ROOT, &*window, Some(scale), None, Some(side));
         Ok(Session {
             camera: opening::camera(&scene, player.world(), size),
+            area: size,
             look: Look { scale_factor: scale, ..Look::default() },
             window,
             panels,
@@ -93,7 +96,6 @@ impl Session {
 
     pub(super) fn resize(&mut self, size: [u32; 2]) {
         self.canvas.resize(size);
-        self.camera.resize(size);
         self.touch();
     }
 
@@ -122,8 +124,8 @@ impl Session {
             Action::TogglePlay => self.player.toggle(),
             Action::Step => self.player.step(),
             Action::Reset => self.player.reset(),
-            Action::Fit => self.camera = opening::fit(self.player.world(), false, self.canvas.size()),
-            Action::Home => self.camera = opening::camera(&self.scene, self.player.world(), self.canvas.size()),
+            Action::Fit => self.camera = opening::fit(self.player.world(), false, self.area),
+            Action::Home => self.camera = opening::camera(&self.scene, self.player.world(), self.area),
             Action::Quit => return,
         }
         self.touch();
@@ -177,7 +179,9 @@ impl Session {
         let input = self.panels.take_egui_input(&self.window);
         let context = self.panels.egui_ctx().clone();
         let mut actions = Vec::new();
-        let output = context.run_ui(input, |ui| actions = panels::show(ui, &figures));
+        let mut height = 0.0;
+        let output = context.run_ui(input, |ui| (actions, height) = panels::show(ui, &figures));
+        self.give_world((height * output.pixels_per_point).round() as u32);
         self.panels.handle_platform_output(&self.window, output.platform_output);
         let delay = output.viewport_output.values().map(|viewport| viewport.repaint_delay).min();
         match delay {
@@ -191,6 +195,13 @@ impl Session {
             pixels_per_point: output.pixels_per_point,
         };
         (actions, paint)
+    }
+
+    /// The world is drawn above the panels: so many pixels high.
+    fn give_world(&mut self, height: u32) {
+        let [width, whole] = self.canvas.size();
+        self.area = [width, height.min(whole)];
+        self.camera.resize(self.area);
     }
 
     fn figures(&self) -> Figures {
@@ -212,7 +223,7 @@ impl Session {
     fn draw(&mut self, paint: Paint) -> Result<(), RenderError> {
         let (previous, mix) = self.player.previous();
         let view = View { previous, mix, motion: self.player.motion(), ..View::of(self.player.world()) };
-        match self.canvas.draw(&view, &self.camera, &self.look, paint) {
+        match self.canvas.draw(&view, &self.camera, &self.look, self.area, paint) {
             Err(RenderError::Lost { .. }) => self.reopen(),
             done => done,
         }
