@@ -113,17 +113,39 @@ fn stroke(vertex: u32, world_a: vec3<f32>, world_b: vec3<f32>, color: vec4<f32>,
     return out;
 }
 
-// Share of a pixel that lies within `radius` of something `distance` away [px]: a box filter across the edge.
-fn coverage(distance: f32, radius: f32) -> f32 {
-    return clamp(radius - distance + 0.5, 0.0, 1.0);
+fn squared_above_zero(x: f32) -> f32 {
+    let y = max(x, 0.0);
+    return y * y;
 }
+
+// Share of a pixel on the inner side of a straight edge `depth` inside of which its middle lies [px].
+// Across the edge's normal a square pixel is as wide as two boxes, |n.x| and |n.y|, folded together.
+fn inside_edge(depth: f32, normal: vec2<f32>) -> f32 {
+    let wide = max(abs(normal.x), abs(normal.y));
+    let narrow = max(min(abs(normal.x), abs(normal.y)), 1e-3);
+    let x = depth + 0.5 * (wide + narrow);
+    let folded = squared_above_zero(x) - squared_above_zero(x - wide) - squared_above_zero(x - narrow)
+        + squared_above_zero(x - wide - narrow);
+    return clamp(folded / (2.0 * wide * narrow), 0.0, 1.0);
+}
+
+// Share of a pixel that lies within `radius` of something that is `offset` away from its middle [px].
+fn coverage(offset: vec2<f32>, radius: f32) -> f32 {
+    let distance = length(offset);
+    let normal = select(vec2(1.0, 0.0), offset / max(distance, 1e-12), distance > 1e-6);
+    // The far edge matters where the shape is thinner than the pixel.
+    return max(inside_edge(radius - distance, normal) + inside_edge(radius + distance, normal) - 1.0, 0.0);
+}
+
+// What covers less of a pixel is left out. In space it would hide what lies behind it by its depth.
+override LEAST_COVERAGE: f32 = select(0.0, 0.35, DIMENSIONS == 3u);
 
 fn stroke_color(in: Stroke) -> vec4<f32> {
     let from_a = in.position.xy - in.ends.xy;
     let span = in.ends.zw - in.ends.xy;
     let t = clamp(dot(from_a, span) / max(dot(span, span), 1e-12), 0.0, 1.0);
-    let covered = coverage(length(from_a - span * t), 0.5 * in.width);
-    if covered <= 0.0 {
+    let covered = coverage(from_a - span * t, 0.5 * in.width);
+    if covered <= LEAST_COVERAGE {
         discard;
     }
     return vec4(in.color.rgb, in.color.a * covered);

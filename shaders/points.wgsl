@@ -29,8 +29,8 @@ fn vertex(@builtin(vertex_index) index: u32) -> Disc {
 
 @fragment
 fn fragment(in: Disc) -> @location(0) vec4<f32> {
-    let covered = coverage(distance(in.position.xy, in.center), in.radius);
-    if covered <= 0.0 {
+    let covered = coverage(in.position.xy - in.center, in.radius);
+    if covered <= LEAST_COVERAGE {
         discard;
     }
     return vec4(in.color.rgb, in.color.a * covered);

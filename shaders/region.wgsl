@@ -12,10 +12,14 @@ fn vertex(@builtin(vertex_index) index: u32) -> @builtin(position) vec4<f32> {
 @fragment
 fn fragment(@builtin(position) position: vec4<f32>) -> @location(0) vec4<f32> {
     let from_center = position.xy - frame.region.xy;
-    let round = length(from_center);
-    let square = max(abs(from_center.x), abs(from_center.y));
-    let distance = select(round, square, frame.region.w == 2.0);
-    let outline = coverage(abs(distance - frame.region.z), 0.5 * frame.outline_width);
-    let inside = FILL * coverage(distance, frame.region.z);
+    var to_edge = from_center * (1.0 - frame.region.z / max(length(from_center), 1e-6));
+    if frame.region.w == 2.0 {
+        // To the nearest side of the square: along the axis that is further out.
+        let beyond = abs(from_center) - frame.region.z;
+        to_edge = select(vec2(0.0, beyond.y), vec2(beyond.x, 0.0), beyond.x > beyond.y);
+    }
+    let is_inside = dot(to_edge, from_center) < 0.0 || (frame.region.w == 2.0 && max(to_edge.x, to_edge.y) <= 0.0);
+    let outline = coverage(to_edge, 0.5 * frame.outline_width);
+    let inside = select(0.0, FILL, is_inside);
     return vec4(frame.region_color.rgb, frame.region_color.a * max(outline, inside));
 }

@@ -73,7 +73,7 @@ impl Default for Look {
             bond_width: 1.8,
             point_radius: 4.0,
             outline_width: 1.5,
-            strain_scale: 0.1,
+            strain_scale: 0.04,
             overlay: Overlay::Strain,
             scale_factor: 1.0,
         }

@@ -2,4 +2,32 @@
 #![allow(dead_code, reason = "each test binary uses its part of this")]
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic, reason = "a test that cannot go on stops")]
 
+pub mod golden;
 pub mod physics;
+
+use std::io::Write;
+use std::path::PathBuf;
+
+/// A file of the tests.
+pub fn file(name: &str) -> PathBuf {
+    PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("tests/files").join(name)
+}
+
+/// A test cannot run here: says so where nobody captures it; fails if WOBBLE_REQUIRE names `what`.
+pub fn skip(what: &str, reason: &str) {
+    let required = std::env::var("WOBBLE_REQUIRE").unwrap_or_default();
+    assert!(!required.split(',').any(|name| name == what), "WOBBLE_REQUIRE names {what}, but {reason}");
+    let test = std::thread::current().name().unwrap_or("test").to_owned();
+    writeln!(std::io::stderr(), "skipped: {test}: {reason}").unwrap();
+}
+
+/// A GPU, or nothing and a word that the test was skipped.
+pub fn gpu() -> Option<wobble::render::Gpu> {
+    match wobble::render::Gpu::headless() {
+        Ok(gpu) => Some(gpu),
+        Err(error) => {
+            skip("gpu", &error.to_string());
+            None
+        }
+    }
+}

@@ -1,0 +1,219 @@
+//! Off-screen pictures: goldens of scenes, and coverage of a disc and a line against their formulas.
+
+mod common;
+
+use std::path::Path;
+use std::process::Command;
+
+use glam::DVec2;
+use image::RgbaImage;
+use wobble::render::{Camera, Capture, Look, Overlay, Pose, View};
+use wobble::sim::{Bond, BondKind, Limit, PointId, Positions};
+
+/// The picture that the program itself draws.
+fn rendered(scene: &str, time: &str) -> RgbaImage {
+    let folder = tempfile::tempdir().unwrap();
+    let out = folder.path().join("x.png");
+    let done = Command::new(env!("CARGO_BIN_EXE_wobble"))
+        .args(["render", scene, "--time", time, "--size", "320x240", "--out"])
+        .arg(&out)
+        .output()
+        .unwrap();
+    assert!(done.status.success(), "{}", String::from_utf8_lossy(&done.stderr));
+    image::open(out).unwrap().to_rgba8()
+}
+
+fn golden(name: &str, scene: &str, time: &str) {
+    if let Some(gpu) = common::gpu() {
+        common::golden::check(name, &rendered(scene, time), &gpu.info);
+    }
+}
+
+#[test]
+fn points_fall() {
+    golden("points", "points", "1");
+}
+
+#[test]
+fn a_random_graph_tumbles() {
+    golden("random-graph", "random-graph", "1");
+}
+
+#[test]
+fn the_rim_at_rest() {
+    golden("rim", "rim", "0");
+}
+
+#[test]
+fn the_rim_pushed_by_a_mouse() {
+    golden("rim-pushed", common::file("rim-pushed.json").to_str().unwrap(), "0.45");
+}
+
+#[test]
+fn a_cloth_in_space() {
+    golden("cloth-space", common::file("cloth-space.json").to_str().unwrap(), "1.5");
+}
+
+/// White on black, nothing but points and bonds.
+fn plain() -> Look {
+    let white = [1.0; 4];
+    let clear = [0.0; 4];
+    Look {
+        ground: [0.0, 0.0, 0.0, 1.0],
+        grid: clear,
+        axis: clear,
+        wall: clear,
+        bond: white,
+        point: white,
+        pin: white,
+        overlay: Overlay::None,
+        bond_width: 3.0,
+        point_radius: 6.3,
+        ..Look::default()
+    }
+}
+
+fn view<'a>(positions: &'a [f32], bonds: &'a [Bond], dimensions: usize) -> View<'a> {
+    View {
+        dimensions,
+        previous: Positions::F32(positions),
+        current: Positions::F32(positions),
+        mix: 1.0,
+        motion: 0,
+        topology: 0,
+        bonds,
+        pinned: &[],
+        bounds: None,
+        mouse: None,
+    }
+}
+
+const SIDE: u32 = 64;
+
+/// A camera under which a metre is a pixel and the origin is the middle of the picture.
+fn pixels() -> Camera {
+    Camera::new(Pose::Plane { center: DVec2::ZERO, height: f64::from(SIDE) }, [SIDE, SIDE])
+}
+
+/// Holds the picture against the share of each pixel that lies within a shape, by 16 x 16 samples a pixel.
+fn assert_coverage(picture: &RgbaImage, inside: impl Fn(DVec2) -> bool) {
+    const FINE: u32 = 16;
+    let (mut worst, mut sum, mut edge) = (0.0_f64, 0.0, 0);
+    for (x, y, pixel) in picture.enumerate_pixels() {
+        let sample = |i: u32| {
+            let offset = |k: u32| (f64::from(k) + 0.5) / f64::from(FINE);
+            let at = DVec2::new(f64::from(x) + offset(i % FINE), f64::from(y) + offset(i / FINE));
+            let from_middle = at - 0.5 * f64::from(SIDE);
+            inside(DVec2::new(from_middle.x, -from_middle.y))
+        };
+        let truth = (0..FINE * FINE).filter(|&i| sample(i)).count() as f64 / f64::from(FINE * FINE);
+        let error = (f64::from(pixel[0]) / 255.0 - truth).abs();
+        worst = worst.max(error);
+        sum += error;
+        edge += u32::from(truth > 0.0);
+    }
+    assert!(edge > 50, "the shape is in the picture");
+    let mean = sum / f64::from(edge);
+    assert!(mean <= 0.01, "mean error {mean} over the {edge} pixels that it touches");
+    assert!(worst <= 0.1, "largest error {worst}");
+}
+
+#[test]
+fn a_disc_covers_what_its_formula_says() {
+    if common::gpu().is_none() {
+        return;
+    }
+    let center = DVec2::new(3.3, -7.8);
+    let positions = [center.x as f32, center.y as f32];
+    let mut capture = Capture::new([SIDE, SIDE], 2).unwrap();
+    let picture = capture.picture(&view(&positions, &[], 2), &pixels(), &plain()).unwrap();
+    assert_coverage(&picture, |at| at.distance(center) <= f64::from(plain().point_radius));
+}
+
+#[test]
+fn a_line_covers_what_its_formula_says() {
+    if common::gpu().is_none() {
+        return;
+    }
+    let (a, b) = (DVec2::new(-20.4, -13.7), DVec2::new(17.1, 9.2));
+    let positions = [a.x as f32, a.y as f32, b.x as f32, b.y as f32];
+    let bond = Bond { a: PointId(0), b: PointId(1), rest_length: 1.0, kind: BondKind::Rigid, limit: Limit::Both };
+    let look = Look { point: [0.0; 4], ..plain() };
+    let mut capture = Capture::new([SIDE, SIDE], 2).unwrap();
+    let picture = capture.picture(&view(&positions, &[bond], 2), &pixels(), &look).unwrap();
+    assert_coverage(&picture, |at| {
+        let t = ((at - a).dot(b - a) / (b - a).length_squared()).clamp(0.0, 1.0);
+        at.distance(a + (b - a) * t) <= 0.5 * f64::from(look.bond_width)
+    });
+}
+
+#[test]
+fn pictures_have_the_size_asked_for_and_others_are_refused() {
+    if common::gpu().is_none() {
+        return;
+    }
+    for size in [[1, 1], [333, 77], [64, 1]] {
+        let picture = Capture::new(size, 2).unwrap().picture(&view(&[0.0, 0.0], &[], 2), &pixels(), &plain());
+        assert_eq!(picture.unwrap().dimensions(), (size[0], size[1]));
+    }
+    for size in [[0, 10], [10, 0], [1_000_000, 10]] {
+        assert!(Capture::new(size, 2).err().unwrap().to_string().contains("cannot be drawn"));
+    }
+}
+
+#[test]
+fn a_still_world_uploads_nothing() {
+    if common::gpu().is_none() {
+        return;
+    }
+    let positions = [0.0_f32, 0.0, 5.0, 5.0];
+    let mut capture = Capture::new([SIDE, SIDE], 2).unwrap();
+    let seen = view(&positions, &[], 2);
+    capture.picture(&seen, &pixels(), &plain()).unwrap();
+    let first = *capture.renderer().counters();
+    capture.picture(&seen, &pixels(), &plain()).unwrap();
+    let second = *capture.renderer().counters();
+    assert_eq!((first.uploads, first.bytes_uploaded), (second.uploads, second.bytes_uploaded));
+    assert_eq!(second.frames_drawn, 2);
+    let moved = View { motion: 1, ..seen };
+    capture.picture(&moved, &pixels(), &plain()).unwrap();
+    let third = *capture.renderer().counters();
+    assert_eq!(third.bytes_uploaded - second.bytes_uploaded, 2 * 16, "two states of two points, nothing else");
+}
+
+#[test]
+fn far_from_the_origin_a_world_looks_the_same() {
+    if common::gpu().is_none() {
+        return;
+    }
+    let picture = |offset: f64| {
+        let positions: Vec<f64> = [-10.0, 3.0, 12.0, -7.0].iter().map(|x| x + offset).collect();
+        let seen =
+            View { previous: Positions::F64(&positions), current: Positions::F64(&positions), ..view(&[], &[], 2) };
+        let pose = Pose::Plane { center: DVec2::splat(offset), height: f64::from(SIDE) };
+        Capture::new([SIDE, SIDE], 2).unwrap().picture(&seen, &Camera::new(pose, [SIDE, SIDE]), &plain()).unwrap()
+    };
+    assert!(picture(0.0) == picture(1e6));
+}
+
+#[test]
+fn an_animation_is_written_whole() {
+    if common::gpu().is_none() {
+        return;
+    }
+    let folder = tempfile::tempdir().unwrap();
+    let out = folder.path().join("x.gif");
+    let done = Command::new(env!("CARGO_BIN_EXE_wobble"))
+        .args(["render", "points", "--frames", "3", "--size", "40x30", "--out"])
+        .arg(&out)
+        .status()
+        .unwrap();
+    assert!(done.success());
+    let read = |path: &Path| {
+        use image::AnimationDecoder;
+        let bytes = std::io::BufReader::new(std::fs::File::open(path).unwrap());
+        image::codecs::gif::GifDecoder::new(bytes).unwrap().into_frames().collect_frames().unwrap()
+    };
+    let frames = read(&out);
+    assert_eq!((frames.len(), frames[0].buffer().dimensions()), (3, (40, 30)));
+}

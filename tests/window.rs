@@ -1,0 +1,229 @@
+//! The real window under a virtual display, moved through by synthetic mouse events.
+#![cfg(unix)]
+
+mod common;
+
+use std::io::{BufRead, BufReader};
+use std::path::Path;
+use std::process::{Child, Command, Stdio};
+use std::time::{Duration, Instant};
+
+use image::RgbaImage;
+
+/// A virtual display of its own.
+struct Display {
+    server: Child,
+    name: String,
+}
+
+impl Drop for Display {
+    fn drop(&mut self) {
+        let _ = self.server.kill();
+        let _ = self.server.wait();
+    }
+}
+
+impl Display {
+    /// Starts one, or says why the test is skipped.
+    fn start() -> Option<Self> {
+        for tool in ["Xvfb", "xdotool", "import"] {
+            let found = Command::new("sh").args(["-c", &format!("command -v {tool}")]).output().unwrap();
+            if !found.status.success() {
+                common::skip("window", &format!("{tool} is not installed"));
+                return None;
+            }
+        }
+        common::gpu()?;
+        // The server picks a free display and writes its number to standard output.
+        let mut server = Command::new("Xvfb")
+            .args(["-displayfd", "1", "-screen", "0", "1280x800x24", "-nolisten", "tcp"])
+            .stdout(Stdio::piped())
+            .stderr(Stdio::null())
+            .spawn()
+            .unwrap();
+        let mut number = String::new();
+        BufReader::new(server.stdout.take().unwrap()).read_line(&mut number).unwrap();
+        let display = Display { server, name: format!(":{}", number.trim()) };
+        // Out of every window's way until a test wants it.
+        display.xdotool(&["mousemove", "1279", "799"]);
+        Some(display)
+    }
+
+    fn command(&self, program: impl AsRef<std::ffi::OsStr>) -> Command {
+        let mut command = Command::new(program);
+        command.env("DISPLAY", &self.name).env_remove("WAYLAND_DISPLAY").env_remove("WAYLAND_SOCKET");
+        command
+    }
+
+    fn xdotool(&self, arguments: &[&str]) -> String {
+        let done = self.command("xdotool").args(arguments).output().unwrap();
+        String::from_utf8(done.stdout).unwrap().trim().to_owned()
+    }
+
+    fn screenshot(&self) -> RgbaImage {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("x.png");
+        let done = self.command("import").args(["-window", "root"]).arg(&path).status().unwrap();
+        assert!(done.success());
+        image::open(path).unwrap().to_rgba8()
+    }
+
+    fn open(&self, scene: &Path) -> App<'_> {
+        let process = self
+            .command(env!("CARGO_BIN_EXE_wobble"))
+            .arg(scene)
+            .arg("--stats")
+            .stdout(Stdio::piped())
+            .spawn()
+            .unwrap();
+        let window = self.xdotool(&["search", "--sync", "--onlyvisible", "--name", "wobble"]);
+        self.xdotool(&["windowfocus", "--sync", &window]);
+        App { display: self, process, window }
+    }
+}
+
+/// The program, running.
+struct App<'a> {
+    display: &'a Display,
+    process: Child,
+    window: String,
+}
+
+/// What it did, as it says itself.
+#[derive(Debug)]
+struct Stats {
+    frames: u64,
+    substeps: u64,
+    submits: u64,
+}
+
+impl App<'_> {
+    fn move_mouse(&self, x: u32, y: u32) {
+        self.display.xdotool(&["mousemove", "--window", &self.window, &x.to_string(), &y.to_string()]);
+    }
+
+    fn key(&self, key: &str) {
+        // Keys sent to a window by name are synthetic and ignored; those that go to the focus are not.
+        self.display.xdotool(&["windowfocus", "--sync", &self.window]);
+        self.display.xdotool(&["key", key]);
+    }
+
+    /// Waits until the picture changes no more, at most half a minute.
+    fn wait_until_still(&self) -> RgbaImage {
+        let start = Instant::now();
+        let mut last = self.display.screenshot();
+        let mut still = 0;
+        while start.elapsed() < Duration::from_secs(30) {
+            std::thread::sleep(Duration::from_millis(300));
+            let next = self.display.screenshot();
+            still = if next == last { still + 1 } else { 0 };
+            last = next;
+            if still == 3 {
+                return last;
+            }
+        }
+        panic!("the picture does not come to rest");
+    }
+
+    /// Leaves by the key, and reads what the program says of itself.
+    fn quit(mut self) -> Stats {
+        self.key("Escape");
+        let start = Instant::now();
+        while self.process.try_wait().unwrap().is_none() {
+            if start.elapsed() > Duration::from_secs(10) {
+                self.process.kill().unwrap();
+                panic!("Escape does not leave");
+            }
+            std::thread::sleep(Duration::from_millis(50));
+        }
+        let done = self.process.wait_with_output().unwrap();
+        assert!(done.status.success());
+        let text = String::from_utf8(done.stdout).unwrap();
+        let words: Vec<&str> = text.split_whitespace().collect();
+        let value = |name: &str| {
+            let at = words.iter().position(|&word| word == name).unwrap();
+            words[at + 1].parse().unwrap()
+        };
+        Stats { frames: value("frames"), substeps: value("substeps"), submits: value("submits") }
+    }
+}
+
+/// Pixels of the world's part of the window that are clearly another colour.
+fn changed(a: &RgbaImage, b: &RgbaImage) -> usize {
+    let differs = |x: u32, y: u32| {
+        let (p, q) = (a.get_pixel(x, y), b.get_pixel(x, y));
+        (0..3).any(|k| p[k].abs_diff(q[k]) > 40)
+    };
+    // Left of the rim's middle the mouse never comes in this test, and below the figures.
+    (200..540).flat_map(|x| (130..700).map(move |y| (x, y))).filter(|&(x, y)| differs(x, y)).count()
+}
+
+#[test]
+fn a_mouse_through_the_rim_deforms_it_and_it_recovers() {
+    let Some(display) = Display::start() else { return };
+    let app = display.open(&common::file("rim-still.json"));
+    app.move_mouse(1090, 20);
+    let before = app.wait_until_still();
+    for x in (560..=1000).rev().step_by(40) {
+        app.move_mouse(x, 360);
+        std::thread::sleep(Duration::from_millis(40));
+    }
+    std::thread::sleep(Duration::from_millis(300));
+    let pushed = display.screenshot();
+    let moved = changed(&before, &pushed);
+    assert!(moved > 800, "the rim moves where the mouse has not been: {moved} pixels");
+    app.move_mouse(1090, 20);
+    app.wait_until_still();
+    app.key("r");
+    let reset = app.wait_until_still();
+    assert_eq!(changed(&before, &reset), 0, "R brings the start back");
+    app.quit();
+}
+
+#[test]
+fn an_idle_window_does_nothing() {
+    let Some(display) = Display::start() else { return };
+    let run = |seconds| {
+        let app = display.open(&common::file("rim-still.json"));
+        std::thread::sleep(Duration::from_secs(2));
+        std::thread::sleep(Duration::from_secs(seconds));
+        app.quit()
+    };
+    let (short, long) = (run(0), run(5));
+    assert_eq!(short.substeps, long.substeps, "it falls asleep at the same substep: {short:?} {long:?}");
+    assert!(short.substeps <= 1002, "half a second of substeps of 0.5 ms, and the first: {short:?}");
+    assert!(long.submits <= short.submits + 5, "five idle seconds submit nothing: {short:?} {long:?}");
+    assert_eq!(long.submits, long.frames);
+}
+
+#[test]
+fn a_storm_of_sizes_and_keys_is_survived() {
+    let Some(display) = Display::start() else { return };
+    let app = display.open(&common::file("rim-still.json"));
+    for (width, height) in [(300, 200), (1, 1), (1270, 790), (17, 900), (640, 480)] {
+        display.xdotool(&["windowsize", &app.window, &width.to_string(), &height.to_string()]);
+        std::thread::sleep(Duration::from_millis(60));
+    }
+    for key in ["space", "period", "period", "r", "f", "Home", "space", "x", "F1"] {
+        app.key(key);
+    }
+    display.xdotool(&["mousemove", "--window", &app.window, "300", "200", "click", "4", "click", "5"]);
+    display.xdotool(&["windowunmap", &app.window]);
+    std::thread::sleep(Duration::from_millis(200));
+    display.xdotool(&["windowmap", &app.window]);
+    std::thread::sleep(Duration::from_millis(500));
+    assert!(app.quit().frames > 3);
+}
+
+#[test]
+fn without_a_display_one_line_says_what_to_do() {
+    let done = Command::new(env!("CARGO_BIN_EXE_wobble"))
+        .env_remove("DISPLAY")
+        .env_remove("WAYLAND_DISPLAY")
+        .env_remove("WAYLAND_SOCKET")
+        .output()
+        .unwrap();
+    let message = String::from_utf8(done.stderr).unwrap();
+    assert_eq!(done.status.code(), Some(1), "{message}");
+    assert!(message.lines().any(|line| line.starts_with("wobble: no display") && line.contains("wobble render")));
+}
