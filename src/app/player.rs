@@ -1,5 +1,6 @@
 //! Plays a world: wall time in, whole fixed substeps out.
 
+use crate::sim::sleep::STILL_SPEED;
 use crate::sim::{Command, Dynamics, Positions, Sleep};
 
 /// Longest wall time that one frame makes up for [s]: after a hitch (a dragged window, a laptop that slept) the rest is
@@ -160,12 +161,11 @@ impl Player {
 
     /// Applies a command to the world and wakes it.
     ///
-    /// A cursor that moves where it reaches nothing does not wake it: nothing would come of it.
+    /// A cursor that moves where it reaches nothing wakes nothing: nothing would come of it.
     pub fn apply(&mut self, command: Command) {
-        let was_asleep = self.sleep.is_asleep();
         self.world.apply(command);
-        let idle = matches!(command, Command::MoveCursor(_)) && self.world.is_still(crate::sim::sleep::STILL_SPEED);
-        if !(was_asleep && idle) {
+        let idle = matches!(command, Command::MoveCursor(_)) && self.world.is_still(STILL_SPEED);
+        if !idle {
             self.sleep.wake();
         }
     }

@@ -110,7 +110,10 @@ impl Session {
             return;
         }
         let is_free = !self.pointer.is_dragging() && !self.panels.egui_ctx().is_pointer_over_egui();
-        let cursor = self.pointer.at.filter(|_| is_free).map(|at| self.camera.cursor(at));
+        // A window that gets the focus is told of a pointer that may be anywhere.
+        let [width, height] = self.area.map(f64::from);
+        let is_inside = |at: &[f64; 2]| (0.0..width).contains(&at[0]) && (0.0..height).contains(&at[1]);
+        let cursor = self.pointer.at.filter(is_inside).filter(|_| is_free).map(|at| self.camera.cursor(at));
         let shown = self.player.world().mouse().map(|(_, cursor)| cursor);
         if cursor != shown {
             self.player.apply(Command::MoveCursor(cursor));
