@@ -1,4 +1,53 @@
 //! The interactive program: window, clock, input, panels.
+//!
+//! Input becomes actions and commands; the player turns wall time into whole substeps; a frame draws the world between
+//! its last two states. When nothing moves, nothing is stepped, uploaded or submitted.
 
+mod canvas;
+pub mod input;
+pub mod meter;
 pub mod opening;
+mod panels;
 pub mod player;
+mod session;
+mod shell;
+
+pub use shell::Statistics;
+
+use crate::render::RenderError;
+use crate::scene::{Scene, SceneError};
+use player::Player;
+
+/// A window that cannot be opened or kept open.
+#[derive(Debug, thiserror::Error)]
+pub enum AppError {
+    /// There is no display, or its libraries are missing.
+    #[error(
+        "no display ({reason}): set DISPLAY or WAYLAND_DISPLAY, install the X libraries that the README lists, or draw off-screen with `wobble render`"
+    )]
+    NoDisplay {
+        /// What the system said.
+        reason: String,
+    },
+    /// The display makes no window.
+    #[error("no window could be opened: {reason}")]
+    NoWindow {
+        /// What the system said.
+        reason: String,
+    },
+    /// The GPU.
+    #[error(transparent)]
+    Render(#[from] RenderError),
+    /// The scene.
+    #[error(transparent)]
+    Scene(#[from] SceneError),
+}
+
+/// Opens a window on `scene` and runs until it is closed.
+///
+/// Errors: a scene that cannot be run, no display, no GPU.
+pub fn run(scene: Scene) -> Result<Statistics, AppError> {
+    let world = scene.world(scene.file.duration)?;
+    let player = Player::new(world, scene.file.rate, scene.file.duration);
+    shell::run(scene, player)
+}

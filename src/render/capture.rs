@@ -76,7 +76,7 @@ impl Capture {
         self.renderer.prepare(&self.gpu, view, camera, look)?;
         let target = self.texture.create_view(&Default::default());
         let mut encoder = self.gpu.device.create_command_encoder(&Default::default());
-        self.renderer.draw(&self.gpu, &mut encoder, &target, self.size, look);
+        self.renderer.draw(&self.gpu, &mut encoder, &target, self.size, self.size, look);
         let [width, height] = self.size;
         encoder.copy_texture_to_buffer(
             self.texture.as_image_copy(),

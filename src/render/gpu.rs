@@ -16,12 +16,19 @@ pub struct Gpu {
     failure: Arc<Mutex<Option<String>>>,
 }
 
+/// The backends to look for a GPU with: Vulkan, Metal and Direct3D 12, unless WGPU_BACKEND names others.
+pub fn backends() -> wgpu::Backends {
+    wgpu::Backends::from_env().unwrap_or(wgpu::Backends::PRIMARY)
+}
+
 impl Gpu {
     /// Opens a GPU for off-screen work.
     ///
     /// Errors: no driver, or one that fails.
     pub fn headless() -> Result<Self, RenderError> {
-        let instance = wgpu::Instance::new(wgpu::InstanceDescriptor::new_without_display_handle_from_env());
+        let mut descriptor = wgpu::InstanceDescriptor::new_without_display_handle_from_env();
+        descriptor.backends = backends();
+        let instance = wgpu::Instance::new(descriptor);
         Gpu::open(&instance, None)
     }
 

@@ -19,7 +19,7 @@ pub use buffers::RenderCounters;
 pub use camera::{Camera, Pose};
 pub use capture::Capture;
 pub use error::RenderError;
-pub use gpu::Gpu;
+pub use gpu::{Gpu, backends};
 pub use look::{Color, Look, Overlay};
 pub use passes::SHADERS;
 pub use renderer::Renderer;

@@ -53,13 +53,14 @@ impl Renderer {
         Ok(())
     }
 
-    /// Draws what was prepared into `target` of `size` [px], over the ground colour.
+    /// Draws what was prepared into the upper left `area` of `target`, which has `size` [px], over the ground colour.
     pub fn draw(
         &mut self,
         gpu: &Gpu,
         encoder: &mut wgpu::CommandEncoder,
         target: &wgpu::TextureView,
         size: [u32; 2],
+        area: [u32; 2],
         look: &Look,
     ) {
         let [r, g, b, a] = look.ground.map(f64::from);
@@ -84,7 +85,11 @@ impl Renderer {
             occlusion_query_set: None,
             multiview_mask: None,
         });
-        self.passes.draw(&mut pass, &self.buffers, self.has_region);
+        if area[0] > 0 && area[1] > 0 {
+            pass.set_viewport(0.0, 0.0, area[0] as f32, area[1] as f32, 0.0, 1.0);
+            pass.set_scissor_rect(0, 0, area[0], area[1]);
+            self.passes.draw(&mut pass, &self.buffers, self.has_region);
+        }
         self.counters.frames_drawn += 1;
     }
 

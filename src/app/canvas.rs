@@ -1,0 +1,191 @@
+//! What a window is drawn on: surface, GPU, and the renderers of the world and the panels.
+
+use std::sync::Arc;
+
+use winit::event_loop::OwnedDisplayHandle;
+use winit::window::Window;
+
+use crate::render::{Camera, Gpu, Look, RenderCounters, RenderError, Renderer, View};
+
+/// Panels ready to be painted.
+pub(super) struct Paint {
+    pub(super) jobs: Vec<egui::ClippedPrimitive>,
+    pub(super) textures: egui::TexturesDelta,
+    pub(super) pixels_per_point: f32,
+}
+
+/// A surface with all that draws to it. Survives a surface that is outdated or lost; one of no size is not drawn to.
+pub(super) struct Canvas {
+    window: Arc<Window>,
+    instance: wgpu::Instance,
+    surface: wgpu::Surface<'static>,
+    gpu: Gpu,
+    config: wgpu::SurfaceConfiguration,
+    renderer: Renderer,
+    panels: egui_wgpu::Renderer,
+    /// The surface must be configured before it is drawn to.
+    outdated: bool,
+}
+
+impl Canvas {
+    /// A canvas on `window` for worlds of `dimensions`.
+    ///
+    /// Errors: no GPU that can draw to the window.
+    pub(super) fn new(
+        window: Arc<Window>,
+        display: OwnedDisplayHandle,
+        dimensions: usize,
+    ) -> Result<Self, RenderError> {
+        let mut descriptor = wgpu::InstanceDescriptor::new_with_display_handle_from_env(Box::new(display));
+        descriptor.backends = crate::render::backends();
+        let instance = wgpu::Instance::new(descriptor);
+        let surface = surface(&instance, &window)?;
+        let gpu = Gpu::open(&instance, Some(&surface))?;
+        let config = configuration(&gpu, &surface, &window)?;
+        let renderer = Renderer::new(&gpu, config.format, dimensions);
+        let panels = egui_wgpu::Renderer::new(&gpu.device, config.format, egui_wgpu::RendererOptions::default());
+        Ok(Canvas { window, instance, surface, gpu, config, renderer, panels, outdated: true })
+    }
+
+    /// The window has another size [px]. One of no size (minimised) is remembered as nothing to draw on.
+    pub(super) fn resize(&mut self, [width, height]: [u32; 2]) {
+        let most = self.gpu.largest_side();
+        self.config.width = width.min(most);
+        self.config.height = height.min(most);
+        self.outdated = true;
+    }
+
+    /// Width and height of the picture [px].
+    pub(super) fn size(&self) -> [u32; 2] {
+        [self.config.width, self.config.height]
+    }
+
+    /// Largest side of a texture [px].
+    pub(super) fn largest_side(&self) -> u32 {
+        self.gpu.largest_side()
+    }
+
+    pub(super) fn counters(&self) -> &RenderCounters {
+        self.renderer.counters()
+    }
+
+    /// Draws a world into the upper left `area` [px] and the panels over it, and shows the picture.
+    ///
+    /// Errors: the GPU gave up, or a world too large for it; a surface that is only out of date is not an error.
+    pub(super) fn draw(
+        &mut self,
+        view: &View<'_>,
+        camera: &Camera,
+        look: &Look,
+        area: [u32; 2],
+        mut paint: Paint,
+    ) -> Result<(), RenderError> {
+        self.apply_textures(&mut paint);
+        let drawn = match self.next_texture()? {
+            Some(texture) => self.draw_to(texture, view, camera, look, area, &paint),
+            None => Ok(()),
+        };
+        for id in paint.textures.free.drain() {
+            self.panels.free_texture(&id);
+        }
+        drawn?;
+        self.gpu.check()
+    }
+
+    /// Panels' textures must be applied on every frame, drawn or not.
+    #[allow(clippy::iter_over_hash_type, reason = "textures are independent of each other")]
+    fn apply_textures(&mut self, paint: &mut Paint) {
+        for (id, deltas) in paint.textures.set.drain() {
+            for delta in deltas {
+                self.panels.update_texture(&self.gpu.device, &self.gpu.queue, id, &delta);
+            }
+        }
+    }
+
+    /// The surface's next texture; `None` where there is nothing to draw on now.
+    fn next_texture(&mut self) -> Result<Option<wgpu::SurfaceTexture>, RenderError> {
+        use wgpu::CurrentSurfaceTexture as Next;
+        if self.config.width == 0 || self.config.height == 0 {
+            return Ok(None);
+        }
+        // One try for each thing that can be wrong, then this frame is left out.
+        for _ in 0..3 {
+            if self.outdated {
+                self.surface.configure(&self.gpu.device, &self.config);
+                self.outdated = false;
+            }
+            match self.surface.get_current_texture() {
+                Next::Success(texture) => return Ok(Some(texture)),
+                Next::Suboptimal(texture) => {
+                    self.outdated = true;
+                    return Ok(Some(texture));
+                }
+                Next::Outdated => self.outdated = true,
+                Next::Lost => {
+                    self.surface = surface(&self.instance, &self.window)?;
+                    self.outdated = true;
+                }
+                Next::Timeout | Next::Occluded | Next::Validation => return Ok(None),
+            }
+        }
+        Ok(None)
+    }
+
+    fn draw_to(
+        &mut self,
+        texture: wgpu::SurfaceTexture,
+        view: &View<'_>,
+        camera: &Camera,
+        look: &Look,
+        area: [u32; 2],
+        paint: &Paint,
+    ) -> Result<(), RenderError> {
+        self.renderer.prepare(&self.gpu, view, camera, look)?;
+        let target = texture.texture.create_view(&Default::default());
+        let mut encoder = self.gpu.device.create_command_encoder(&Default::default());
+        let size = self.size();
+        self.renderer.draw(&self.gpu, &mut encoder, &target, size, area, look);
+        let screen = egui_wgpu::ScreenDescriptor { size_in_pixels: size, pixels_per_point: paint.pixels_per_point };
+        let (device, queue) = (&self.gpu.device, &self.gpu.queue);
+        let mut commands = self.panels.update_buffers(device, queue, &mut encoder, &paint.jobs, &screen);
+        let pass = encoder.begin_render_pass(&wgpu::RenderPassDescriptor {
+            label: Some("panels"),
+            color_attachments: &[Some(wgpu::RenderPassColorAttachment {
+                view: &target,
+                depth_slice: None,
+                resolve_target: None,
+                ops: wgpu::Operations { load: wgpu::LoadOp::Load, store: wgpu::StoreOp::Store },
+            })],
+            ..Default::default()
+        });
+        self.panels.render(&mut pass.forget_lifetime(), &paint.jobs, &screen);
+        commands.push(encoder.finish());
+        self.renderer.submit(&self.gpu, commands);
+        self.window.pre_present_notify();
+        self.gpu.queue.present(texture);
+        Ok(())
+    }
+}
+
+fn surface(instance: &wgpu::Instance, window: &Arc<Window>) -> Result<wgpu::Surface<'static>, RenderError> {
+    instance.create_surface(Arc::clone(window)).map_err(|error| RenderError::NoAdapter { reason: error.to_string() })
+}
+
+/// The surface's own configuration, with a format that takes colours as they are stored.
+fn configuration(
+    gpu: &Gpu,
+    surface: &wgpu::Surface<'_>,
+    window: &Window,
+) -> Result<wgpu::SurfaceConfiguration, RenderError> {
+    let size = window.inner_size();
+    let Some(mut config) = gpu.surface_config(surface, [size.width.max(1), size.height.max(1)]) else {
+        return Err(RenderError::NoAdapter { reason: format!("`{}` cannot draw to this window", gpu.info.name) });
+    };
+    let formats = gpu.surface_capabilities(surface).formats;
+    let stored = [wgpu::TextureFormat::Bgra8Unorm, wgpu::TextureFormat::Rgba8Unorm];
+    if let Some(format) = stored.into_iter().find(|format| formats.contains(format)) {
+        config.format = format;
+    }
+    (config.width, config.height) = (size.width, size.height);
+    Ok(config)
+}

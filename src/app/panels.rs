@@ -1,0 +1,78 @@
+//! The panels: a transport bar below and figures in a corner. They return actions and change nothing.
+
+use super::input::Action;
+
+/// What the panels show.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Figures {
+    pub(super) scene: String,
+    pub(super) playing: bool,
+    pub(super) asleep: bool,
+    /// Time of the scene [s].
+    pub(super) time: f64,
+    /// Time from frame to frame [s].
+    pub(super) frame: f64,
+    /// Time that stepping took of a frame [s].
+    pub(super) step: f64,
+    /// Share of its rate that the scene reaches [1].
+    pub(super) pace: f64,
+    pub(super) points: usize,
+    pub(super) bonds: usize,
+    /// [J]
+    pub(super) energy: f64,
+}
+
+/// Shows the panels; returns what was clicked, and the height that they leave to the world [points].
+pub(super) fn show(ui: &mut egui::Ui, figures: &Figures) -> (Vec<Action>, f32) {
+    let mut actions = Vec::new();
+    egui::Panel::bottom("transport").resizable(false).show(ui, |ui| {
+        ui.add_space(3.0);
+        ui.horizontal(|ui| transport(ui, figures, &mut actions));
+        ui.add_space(3.0);
+    });
+    egui::Area::new(egui::Id::unique("figures")).fixed_pos([12.0, 12.0]).interactable(false).show(ui.ctx(), |ui| {
+        egui::Frame::popup(ui.style()).multiply_with_opacity(0.85).show(ui, |ui| hud(ui, figures));
+    });
+    (actions, ui.available_rect_before_wrap().height())
+}
+
+fn transport(ui: &mut egui::Ui, figures: &Figures, actions: &mut Vec<Action>) {
+    let play = if figures.playing { "Pause" } else { "Play" };
+    let buttons = [
+        (play, "Space", Action::TogglePlay),
+        ("Step", ".", Action::Step),
+        ("Reset", "R", Action::Reset),
+        ("Fit", "F", Action::Fit),
+    ];
+    for (label, key, action) in buttons {
+        let button = egui::Button::new(label).min_size(egui::vec2(76.0, 26.0));
+        if ui.add(button).on_hover_text(format!("{label} ({key})")).clicked() {
+            actions.push(action);
+        }
+    }
+    ui.separator();
+    ui.monospace(format!("t = {:8.2} s", figures.time));
+    let state = match (figures.playing, figures.asleep) {
+        (false, _) => "paused".to_owned(),
+        (true, true) => "asleep".to_owned(),
+        (true, false) if figures.pace < 0.95 => format!("at {:.0} % of its pace", 100.0 * figures.pace),
+        (true, false) => String::new(),
+    };
+    ui.weak(state);
+    ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| ui.weak(&figures.scene));
+}
+
+fn hud(ui: &mut egui::Ui, figures: &Figures) {
+    egui::Grid::new("figures").num_columns(2).spacing([16.0, 2.0]).show(ui, |ui| {
+        let mut row = |name: &str, value: String| {
+            ui.weak(name);
+            ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| ui.monospace(value));
+            ui.end_row();
+        };
+        row("frame", format!("{:7.2} ms", 1e3 * figures.frame));
+        row("step", format!("{:7.3} ms", 1e3 * figures.step));
+        row("points", figures.points.to_string());
+        row("bonds", figures.bonds.to_string());
+        row("energy", format!("{:9.3} J", figures.energy));
+    });
+}
