@@ -1,1 +1,33 @@
 //! Scene files and the gallery.
+//!
+//! ```text
+//! text --read--> Scene (keys, as said) --check--> in order --model--> sim::Model
+//!                  |  \--expand--> Scene without bodies
+//!                  \--write--> text
+//! ```
+//! [`Scene`] has the keys of the file as fields. Reading refuses what the file's form excludes, [`Scene::model`] what
+//! this version cannot run; both say it in one line ([`SceneError`]).
+
+mod check;
+mod error;
+mod expand;
+mod gallery;
+mod keys;
+mod locate;
+mod model;
+mod nearest;
+mod read;
+mod schema;
+mod start;
+mod support;
+mod write;
+
+pub use error::{SceneError, SceneErrorKind, Source};
+pub use gallery::{Entry, gallery};
+pub use keys::{
+    AreaKeys, AreaKindName, BodyKeys, BondKeys, BoundsKeys, BoxKeys, BraceName, CircleKeys,
+    DiagonalsName, KindName, LimitName, MakerName, MassKeys, Material, MethodKeys, MouseKeys,
+    ObstacleKeys, OrderName, PinMotionKeys, PlaneKeys, PointKeys, PrecisionName, ProfileName,
+    RegionName, RotationKeys, Scene, SolverName, TextureKeys, Vector, Version, ViewKeys, WindKeys,
+};
+pub use schema::schema;

@@ -1,0 +1,98 @@
+//! The gallery: one catalogue of scenes for the app, the command line, tests and benches.
+
+use super::error::SceneError;
+use super::keys::Scene;
+
+/// A scene of the gallery.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Entry {
+    /// What it is called by.
+    pub name: &'static str,
+    /// A few words for a list.
+    pub title: &'static str,
+    /// One sentence on what it shows.
+    pub description: &'static str,
+    /// The scene file's text.
+    pub json: &'static str,
+}
+
+impl Entry {
+    /// The scene, read from its text.
+    ///
+    /// Errors: the text is out of order, which a test excludes.
+    pub fn scene(&self) -> Result<Scene, SceneError> {
+        Scene::parse(self.json, &format!("{}.json", self.name))
+    }
+}
+
+/// All scenes, in the order of a list.
+pub fn gallery() -> &'static [Entry] {
+    &GALLERY
+}
+
+/// The scene of a name.
+pub(super) fn find(name: &str) -> Option<&'static Entry> {
+    GALLERY.iter().find(|entry| entry.name == name)
+}
+
+/// An entry, its text embedded from `assets/scenes`.
+macro_rules! entry {
+    ($name:literal, $title:literal, $description:literal) => {
+        Entry {
+            name: $name,
+            title: $title,
+            description: $description,
+            json: include_str!(concat!("../../assets/scenes/", $name, ".json")),
+        }
+    };
+}
+
+static GALLERY: [Entry; 4] = [
+    entry!(
+        "points",
+        "Falling points",
+        "Ten loose points fall under unit gravity and bounce between walls."
+    ),
+    entry!(
+        "random-graph",
+        "Random graph",
+        "Ten points and thirty random bonds, swept by relaxation as in the source: it crumples, shivers and settles."
+    ),
+    entry!(
+        "rim",
+        "Rim",
+        "A braced rim of springs falls, lands and shies away from the mouse; one second a second."
+    ),
+    entry!(
+        "rim-relaxed",
+        "Rim, relaxed",
+        "The source's rim: one shuffled sweep a substep, 3.6 times real time; its square mouse force attracts, here it repels."
+    ),
+];
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_scene_is_in_order_and_bears_its_name() {
+        for entry in gallery() {
+            let scene = entry.scene().unwrap_or_else(|error| panic!("{error}"));
+            assert_eq!(scene.name.as_deref(), Some(entry.name));
+            assert!(!scene.tags.is_empty(), "{}", entry.name);
+            assert!(scene.view.is_some(), "{}", entry.name);
+            let made = match scene.dimensions() {
+                2 => scene.model::<2>().map(|model| model.position.len()),
+                _ => scene.model::<3>().map(|model| model.position.len()),
+            };
+            assert!(made.unwrap_or_else(|error| panic!("{error}")) > 0);
+        }
+    }
+
+    #[test]
+    fn names_are_unique() {
+        for (i, entry) in gallery().iter().enumerate() {
+            assert!(gallery()[..i].iter().all(|other| other.name != entry.name));
+        }
+    }
+}
