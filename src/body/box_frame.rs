@@ -21,10 +21,7 @@ impl BoxFrame {
         length("width", self.width)?;
         length("height", self.height)?;
         if self.supports > 2 {
-            return Err(BodyError::new(
-                "supports",
-                format!("is {}: a box has 0, 1 or 2", self.supports),
-            ));
+            return Err(BodyError::new("supports", format!("is {}: a box has 0, 1 or 2", self.supports)));
         }
         Ok(4)
     }
@@ -47,17 +44,14 @@ impl BoxFrame {
 }
 
 #[cfg(test)]
+#[allow(clippy::unwrap_used, clippy::panic, reason = "a test that cannot go on stops")]
 mod tests {
     use super::*;
 
     #[test]
     fn corners_run_anticlockwise_from_the_lower_left() {
         for supports in 0..3 {
-            let frame = BoxFrame {
-                width: 3.0,
-                height: 4.0,
-                supports,
-            };
+            let frame = BoxFrame { width: 3.0, height: 4.0, supports };
             let body = frame.make();
             assert_eq!(body.links.len(), 4 + supports as usize);
             assert_eq!(body.positions[0], [-1.5, -2.0, 0.0]);
@@ -69,19 +63,9 @@ mod tests {
 
     #[test]
     fn a_flat_box_and_a_third_support_are_refused() {
-        let frame = BoxFrame {
-            width: 1.0,
-            height: 1.0,
-            supports: 3,
-        };
-        assert_eq!(
-            frame.point_count().unwrap_err().to_string(),
-            "supports: is 3: a box has 0, 1 or 2"
-        );
-        let flat = BoxFrame {
-            height: 0.0,
-            ..frame
-        };
+        let frame = BoxFrame { width: 1.0, height: 1.0, supports: 3 };
+        assert_eq!(frame.point_count().unwrap_err().to_string(), "supports: is 3: a box has 0, 1 or 2");
+        let flat = BoxFrame { height: 0.0, ..frame };
         assert_eq!(flat.point_count().unwrap_err().key, "height");
     }
 }

@@ -48,10 +48,7 @@ impl Cloth {
         let v = direction("v", self.v)?;
         // 1e-6: the sine of the smallest angle between two directions that still spans a surface.
         if vector::length(cross(u, v)) < 1e-6 {
-            return Err(BodyError::new(
-                "v",
-                "is parallel to u: give another direction",
-            ));
+            return Err(BodyError::new("v", "is parallel to u: give another direction"));
         }
         grid::point_count(self.columns, self.rows)
     }
@@ -78,10 +75,7 @@ fn direction(key: &'static str, axis: [f64; 3]) -> Result<[f64; 3], BodyError> {
     if unit.iter().all(|x| x.is_finite()) {
         Ok(unit)
     } else {
-        Err(BodyError::new(
-            key,
-            "is no direction: give finite numbers, not all 0",
-        ))
+        Err(BodyError::new(key, "is no direction: give finite numbers, not all 0"))
     }
 }
 
@@ -101,18 +95,12 @@ fn cross(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {
 }
 
 #[cfg(test)]
+#[allow(clippy::unwrap_used, clippy::panic, reason = "a test that cannot go on stops")]
 mod tests {
     use super::*;
 
     fn cloth() -> Cloth {
-        Cloth {
-            columns: 11,
-            rows: 11,
-            spacing: 2.0,
-            diagonals: Diagonals::None,
-            u: Cloth::U,
-            v: Cloth::V,
-        }
+        Cloth { columns: 11, rows: 11, spacing: 2.0, diagonals: Diagonals::None, u: Cloth::U, v: Cloth::V }
     }
 
     #[test]
@@ -126,28 +114,15 @@ mod tests {
 
     #[test]
     fn diagonals_are_none_one_or_both() {
-        for (diagonals, bonds) in [
-            (Diagonals::None, 220),
-            (Diagonals::One, 320),
-            (Diagonals::Both, 420),
-        ] {
-            let body = Cloth {
-                diagonals,
-                ..cloth()
-            }
-            .make();
+        for (diagonals, bonds) in [(Diagonals::None, 220), (Diagonals::One, 320), (Diagonals::Both, 420)] {
+            let body = Cloth { diagonals, ..cloth() }.make();
             assert_eq!((body.positions.len(), body.links.len()), (121, bonds));
         }
     }
 
     #[test]
     fn in_space_the_axes_give_the_directions() {
-        let body = Cloth {
-            u: [0.0, 0.0, 5.0],
-            v: [3.0, 4.0, 0.0],
-            ..cloth()
-        }
-        .make();
+        let body = Cloth { u: [0.0, 0.0, 5.0], v: [3.0, 4.0, 0.0], ..cloth() }.make();
         assert_eq!(body.positions[1], [0.0, 0.0, 2.0]);
         let below = body.positions[11];
         assert!((below[0] - 1.2).abs() < 1e-15 && (below[1] - 1.6).abs() < 1e-15);
@@ -155,35 +130,17 @@ mod tests {
 
     #[test]
     fn mass_is_shared_by_area() {
-        let body = Cloth {
-            columns: 3,
-            rows: 2,
-            ..cloth()
-        }
-        .make();
+        let body = Cloth { columns: 3, rows: 2, ..cloth() }.make();
         assert_eq!(body.masses(8.0), [1.0, 2.0, 1.0, 1.0, 2.0, 1.0]);
     }
 
     #[test]
     fn parallel_axes_and_huge_grids_are_refused() {
-        let flat = Cloth {
-            v: [-2.0, 0.0, 0.0],
-            ..cloth()
-        };
-        assert_eq!(
-            flat.point_count().unwrap_err().to_string(),
-            "v: is parallel to u: give another direction"
-        );
-        let none = Cloth {
-            u: [0.0; 3],
-            ..cloth()
-        };
+        let flat = Cloth { v: [-2.0, 0.0, 0.0], ..cloth() };
+        assert_eq!(flat.point_count().unwrap_err().to_string(), "v: is parallel to u: give another direction");
+        let none = Cloth { u: [0.0; 3], ..cloth() };
         assert_eq!(none.point_count().unwrap_err().key, "u");
-        let huge = Cloth {
-            columns: 10_000,
-            rows: 10_000,
-            ..cloth()
-        };
+        let huge = Cloth { columns: 10_000, rows: 10_000, ..cloth() };
         assert_eq!(huge.point_count().unwrap_err().key, "rows");
         let no_rows = Cloth { rows: 0, ..cloth() };
         assert_eq!(no_rows.point_count().unwrap_err().key, "rows");

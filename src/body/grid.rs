@@ -26,9 +26,7 @@ pub(super) fn point_count(columns: u64, rows: u64) -> Result<u32, BodyError> {
     if points > MAX_POINTS {
         return Err(BodyError::new(
             "rows",
-            format!(
-                "{rows} times {columns} columns make {points} points: {MAX_POINTS} is the most"
-            ),
+            format!("{rows} times {columns} columns make {points} points: {MAX_POINTS} is the most"),
         ));
     }
     Ok(points as u32)
@@ -74,9 +72,5 @@ impl Grid {
 
 /// Share of a point along one axis: half at an end, for half of its neighbourhood is missing.
 fn edge(index: u32, count: u32) -> f64 {
-    if count > 1 && (index == 0 || index + 1 == count) {
-        0.5
-    } else {
-        1.0
-    }
+    if count > 1 && (index == 0 || index + 1 == count) { 0.5 } else { 1.0 }
 }

@@ -41,11 +41,7 @@ mod tests {
 
     #[test]
     fn rows_run_from_below_and_cells_are_braced_both_ways() {
-        let lattice = Lattice {
-            columns: 3,
-            rows: 4,
-            spacing: 0.5,
-        };
+        let lattice = Lattice { columns: 3, rows: 4, spacing: 0.5 };
         let body = lattice.make();
         assert_eq!(body.positions.len(), 12);
         assert_eq!(body.positions[3], [0.0, 0.5, 0.0]);
@@ -56,11 +52,7 @@ mod tests {
 
     #[test]
     fn a_single_row_is_a_chain() {
-        let row = Lattice {
-            columns: 4,
-            rows: 1,
-            spacing: 1.0,
-        };
+        let row = Lattice { columns: 4, rows: 1, spacing: 1.0 };
         assert_eq!(row.make().links.len(), 3);
         assert_eq!(row.make().masses(6.0), [1.0, 2.0, 2.0, 1.0]);
     }

@@ -91,10 +91,7 @@ pub struct BodyError {
 
 impl BodyError {
     fn new(key: &'static str, message: impl Into<String>) -> Self {
-        BodyError {
-            key,
-            message: message.into(),
-        }
+        BodyError { key, message: message.into() }
     }
 }
 
@@ -152,10 +149,7 @@ impl Maker {
         if finite {
             Ok(body)
         } else {
-            Err(BodyError::new(
-                "make",
-                "the body is too large for a number: make it smaller",
-            ))
+            Err(BodyError::new("make", "the body is too large for a number: make it smaller"))
         }
     }
 }
@@ -164,10 +158,7 @@ impl Maker {
 fn count(key: &'static str, value: u64, least: u64) -> Result<u32, BodyError> {
     match u32::try_from(value) {
         Ok(count) if (least..=MAX_POINTS).contains(&value) => Ok(count),
-        _ => Err(BodyError::new(
-            key,
-            format!("is {value}: give a number from {least} to {MAX_POINTS}"),
-        )),
+        _ => Err(BodyError::new(key, format!("is {value}: give a number from {least} to {MAX_POINTS}"))),
     }
 }
 
@@ -176,9 +167,6 @@ fn length(key: &'static str, value: f64) -> Result<(), BodyError> {
     if value.is_finite() && value > 0.0 {
         Ok(())
     } else {
-        Err(BodyError::new(
-            key,
-            format!("is {value:?}: give a finite number above 0"),
-        ))
+        Err(BodyError::new(key, format!("is {value:?}: give a finite number above 0")))
     }
 }

@@ -29,10 +29,7 @@ impl Placement {
             .map(|p| {
                 let r = [cos * p[0] - sin * p[1], sin * p[0] + cos * p[1], p[2]];
                 let turn = [-self.spin * r[1], self.spin * r[0], 0.0];
-                (
-                    std::array::from_fn(|k| self.origin[k] + r[k]),
-                    std::array::from_fn(|k| self.velocity[k] + turn[k]),
-                )
+                (std::array::from_fn(|k| self.origin[k] + r[k]), std::array::from_fn(|k| self.velocity[k] + turn[k]))
             })
             .unzip()
     }
@@ -49,16 +46,8 @@ mod tests {
 
     #[test]
     fn a_body_turns_about_its_own_origin() {
-        let body = Body {
-            positions: vec![[0.0; 3], [2.0, 0.0, 5.0]],
-            ..Body::default()
-        };
-        let placement = Placement {
-            origin: [1.0, 1.0, 1.0],
-            angle: FRAC_PI_2,
-            velocity: [0.5, 0.0, 0.0],
-            spin: 3.0,
-        };
+        let body = Body { positions: vec![[0.0; 3], [2.0, 0.0, 5.0]], ..Body::default() };
+        let placement = Placement { origin: [1.0, 1.0, 1.0], angle: FRAC_PI_2, velocity: [0.5, 0.0, 0.0], spin: 3.0 };
         let (x, v) = placement.place(&body);
         assert!(near(x[0], [1.0, 1.0, 1.0]) && near(v[0], [0.5, 0.0, 0.0]));
         assert!(near(x[1], [1.0, 3.0, 6.0]) && near(v[1], [0.5 - 6.0, 0.0, 0.0]));
@@ -66,10 +55,7 @@ mod tests {
 
     #[test]
     fn no_placement_changes_nothing() {
-        let body = Body {
-            positions: vec![[0.1, -0.7, 0.3]],
-            ..Body::default()
-        };
+        let body = Body { positions: vec![[0.1, -0.7, 0.3]], ..Body::default() };
         let (x, v) = Placement::default().place(&body);
         assert_eq!(x, body.positions);
         assert_eq!(v, [[0.0; 3]]);

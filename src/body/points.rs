@@ -33,11 +33,7 @@ impl Points {
 /// Points in a box, in the order drawn.
 pub(super) fn scatter(draw: &mut Draw, count: u64, min: [f64; 3], max: [f64; 3]) -> Body {
     let positions: Vec<_> = (0..count).map(|_| draw.point(min, max)).collect();
-    Body {
-        weights: vec![1.0; positions.len()],
-        positions,
-        links: Vec::new(),
-    }
+    Body { weights: vec![1.0; positions.len()], positions, links: Vec::new() }
 }
 
 /// Corners that a box can be drawn between.
@@ -49,27 +45,19 @@ pub(super) fn check_corners(min: [f64; 3], max: [f64; 3]) -> Result<(), BodyErro
     }
     match (0..3).find(|&k| min[k] > max[k]) {
         None => Ok(()),
-        Some(k) => Err(BodyError::new(
-            "min",
-            format!(
-                "{:?} on axis {k} is above max, {:?}: swap them",
-                min[k], max[k]
-            ),
-        )),
+        Some(k) => {
+            Err(BodyError::new("min", format!("{:?} on axis {k} is above max, {:?}: swap them", min[k], max[k])))
+        }
     }
 }
 
 #[cfg(test)]
+#[allow(clippy::unwrap_used, clippy::panic, reason = "a test that cannot go on stops")]
 mod tests {
     use super::*;
 
     fn ten() -> Points {
-        Points {
-            count: 10,
-            min: [-1.0, -2.0, 0.0],
-            max: [1.0, 3.0, 0.0],
-            seed: 5,
-        }
+        Points { count: 10, min: [-1.0, -2.0, 0.0], max: [1.0, 3.0, 0.0], seed: 5 }
     }
 
     #[test]
@@ -86,18 +74,12 @@ mod tests {
 
     #[test]
     fn an_inverted_box_or_no_points_are_refused() {
-        let wrong = Points {
-            min: [0.0, 4.0, 0.0],
-            ..ten()
-        };
+        let wrong = Points { min: [0.0, 4.0, 0.0], ..ten() };
         let error = wrong.point_count().unwrap_err().to_string();
         assert_eq!(error, "min: 4.0 on axis 1 is above max, 3.0: swap them");
         let none = Points { count: 0, ..ten() };
         assert_eq!(none.point_count().unwrap_err().key, "count");
-        let many = Points {
-            count: u64::MAX,
-            ..ten()
-        };
+        let many = Points { count: u64::MAX, ..ten() };
         assert_eq!(many.point_count().unwrap_err().key, "count");
     }
 }

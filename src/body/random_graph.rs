@@ -32,12 +32,7 @@ impl RandomGraph {
         if self.bonds > most.min(MAX_BONDS) {
             return Err(BodyError::new(
                 "bonds",
-                format!(
-                    "is {}: {} points can have {} bonds at most",
-                    self.bonds,
-                    self.count,
-                    most.min(MAX_BONDS)
-                ),
+                format!("is {}: {} points can have {} bonds at most", self.bonds, self.count, most.min(MAX_BONDS)),
             ));
         }
         Ok(points)
@@ -89,18 +84,13 @@ fn pair(index: u64) -> (u32, u32) {
 }
 
 #[cfg(test)]
+#[allow(clippy::unwrap_used, clippy::panic, reason = "a test that cannot go on stops")]
 mod tests {
     use super::*;
     use crate::body::distance;
 
     fn graph(count: u64, bonds: u64, seed: u64) -> RandomGraph {
-        RandomGraph {
-            count,
-            bonds,
-            min: [-1.0, -1.0, 0.0],
-            max: [1.0, 1.0, 0.0],
-            seed,
-        }
+        RandomGraph { count, bonds, min: [-1.0, -1.0, 0.0], max: [1.0, 1.0, 0.0], seed }
     }
 
     #[test]
@@ -135,10 +125,7 @@ mod tests {
             }
         }
         // Each pair is in a third of the graphs: 1000 with a deviation of 26.
-        assert!(
-            hits.iter().all(|&n| (870..1130).contains(&n)),
-            "hits {hits:?}"
-        );
+        assert!(hits.iter().all(|&n| (870..1130).contains(&n)), "hits {hits:?}");
     }
 
     #[test]

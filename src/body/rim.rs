@@ -53,24 +53,15 @@ impl Rim {
         length("inner_radius", self.inner_radius)?;
         if self.inner_radius >= self.radius {
             let (inner, outer) = (self.inner_radius, self.radius);
-            return Err(BodyError::new(
-                "inner_radius",
-                format!("is {inner:?}: it must be below radius, {outer:?}"),
-            ));
+            return Err(BodyError::new("inner_radius", format!("is {inner:?}: it must be below radius, {outer:?}")));
         }
         let most = MAX_POINTS / 2;
         if !(3..=most).contains(&self.sectors) {
-            return Err(BodyError::new(
-                "sectors",
-                format!("is {}: give a number from 3 to {most}", self.sectors),
-            ));
+            return Err(BodyError::new("sectors", format!("is {}: give a number from 3 to {most}", self.sectors)));
         }
         for (i, brace) in self.bracing.iter().enumerate() {
             if self.bracing[..i].contains(brace) {
-                return Err(BodyError::new(
-                    "bracing",
-                    "names a bond twice: name each once",
-                ));
+                return Err(BodyError::new("bracing", "names a bond twice: name each once"));
             }
         }
         Ok(2 * self.sectors as u32)
@@ -110,11 +101,7 @@ impl Rim {
         let outer = 1.0 - middle * middle;
         let inner = middle * middle - ratio * ratio;
         // Radii one rounding apart leave no area to share by.
-        let (outer, inner) = if outer > 0.0 && inner > 0.0 {
-            (outer, inner)
-        } else {
-            (1.0, 1.0)
-        };
+        let (outer, inner) = if outer > 0.0 && inner > 0.0 { (outer, inner) } else { (1.0, 1.0) };
         let sectors = self.sectors as usize;
         let mut weights = vec![outer; sectors];
         weights.resize(2 * sectors, inner);
@@ -123,6 +110,7 @@ impl Rim {
 }
 
 #[cfg(test)]
+#[allow(clippy::unwrap_used, clippy::panic, reason = "a test that cannot go on stops")]
 mod tests {
     use super::*;
     use crate::body::distance;
@@ -145,11 +133,7 @@ mod tests {
 
     #[test]
     fn bracing_is_any_subset() {
-        let mut rim = Rim {
-            sectors: 3,
-            bracing: vec![Brace::Falling],
-            ..Rim::default()
-        };
+        let mut rim = Rim { sectors: 3, bracing: vec![Brace::Falling], ..Rim::default() };
         let links = rim.make().links;
         let pairs: Vec<_> = links.iter().map(|l| (l.a, l.b)).collect();
         assert_eq!(pairs, [(0, 4), (1, 5), (2, 3)]);
@@ -172,25 +156,13 @@ mod tests {
     #[test]
     fn radii_out_of_order_and_too_few_sectors_are_refused() {
         let rim = Rim::default();
-        let thick = Rim {
-            inner_radius: 2.0,
-            ..rim.clone()
-        };
-        assert_eq!(
-            thick.point_count().unwrap_err().to_string(),
-            "inner_radius: is 2.0: it must be below radius, 2.0"
-        );
+        let thick = Rim { inner_radius: 2.0, ..rim.clone() };
+        assert_eq!(thick.point_count().unwrap_err().to_string(), "inner_radius: is 2.0: it must be below radius, 2.0");
         for (sectors, key) in [(2, "sectors"), (u64::MAX, "sectors")] {
-            let few = Rim {
-                sectors,
-                ..rim.clone()
-            };
+            let few = Rim { sectors, ..rim.clone() };
             assert_eq!(few.point_count().unwrap_err().key, key);
         }
-        let twice = Rim {
-            bracing: vec![Brace::Outer, Brace::Outer],
-            ..rim
-        };
+        let twice = Rim { bracing: vec![Brace::Outer, Brace::Outer], ..rim };
         assert_eq!(twice.point_count().unwrap_err().key, "bracing");
     }
 }

@@ -72,15 +72,13 @@ impl Rope {
 }
 
 #[cfg(test)]
+#[allow(clippy::unwrap_used, clippy::panic, reason = "a test that cannot go on stops")]
 mod tests {
     use super::*;
 
     #[test]
     fn a_rope_runs_from_the_origin_on() {
-        let rope = Rope {
-            count: 5,
-            stretch: Stretch::Spacing(0.5),
-        };
+        let rope = Rope { count: 5, stretch: Stretch::Spacing(0.5) };
         let body = rope.make();
         assert_eq!(body.positions[0], [0.0; 3]);
         assert_eq!(body.positions[4], [2.0, 0.0, 0.0]);
@@ -92,44 +90,22 @@ mod tests {
 
     #[test]
     fn a_rope_to_a_point_ends_there() {
-        let rope = Rope {
-            count: 4,
-            stretch: Stretch::To([0.3, -0.4, 0.0]),
-        };
+        let rope = Rope { count: 4, stretch: Stretch::To([0.3, -0.4, 0.0]) };
         let body = rope.make();
         assert_eq!(body.positions[3], [0.3, -0.4, 0.0]);
-        assert!(
-            body.links
-                .iter()
-                .all(|l| (l.rest_length - 0.5 / 3.0).abs() < 1e-16)
-        );
+        assert!(body.links.iter().all(|l| (l.rest_length - 0.5 / 3.0).abs() < 1e-16));
     }
 
     #[test]
     fn one_point_is_a_rope_only_without_an_end() {
-        let one = Rope {
-            count: 1,
-            stretch: Stretch::Spacing(1.0),
-        };
+        let one = Rope { count: 1, stretch: Stretch::Spacing(1.0) };
         assert_eq!(one.point_count(), Ok(1));
         assert_eq!(one.make().masses(3.0), [3.0]);
-        let to = |end| Rope {
-            count: 1,
-            stretch: Stretch::To(end),
-        };
+        let to = |end| Rope { count: 1, stretch: Stretch::To(end) };
         assert_eq!(to([1.0, 0.0, 0.0]).point_count().unwrap_err().key, "count");
         assert_eq!(to([0.0; 3]).point_count().unwrap_err().key, "to");
-        assert_eq!(
-            to([f64::NAN, 0.0, 0.0]).point_count().unwrap_err().key,
-            "to"
-        );
-        let flat = Rope {
-            count: 3,
-            stretch: Stretch::Spacing(-1.0),
-        };
-        assert_eq!(
-            flat.point_count().unwrap_err().to_string(),
-            "spacing: is -1.0: give a finite number above 0"
-        );
+        assert_eq!(to([f64::NAN, 0.0, 0.0]).point_count().unwrap_err().key, "to");
+        let flat = Rope { count: 3, stretch: Stretch::Spacing(-1.0) };
+        assert_eq!(flat.point_count().unwrap_err().to_string(), "spacing: is -1.0: give a finite number above 0");
     }
 }

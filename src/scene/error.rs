@@ -29,10 +29,7 @@ impl PartialEq for Source {
 impl Source {
     /// A source that keeps the text, if it is not too long.
     pub(super) fn new(label: &str, text: &str) -> Self {
-        Source {
-            label: label.to_owned(),
-            text: (text.len() <= KEPT_TEXT).then(|| text.into()),
-        }
+        Source { label: label.to_owned(), text: (text.len() <= KEPT_TEXT).then(|| text.into()) }
     }
 
     /// The error that a fault in this scene is.
@@ -75,13 +72,7 @@ pub struct SceneError {
 impl SceneError {
     /// An error about the whole file.
     pub(super) fn whole(kind: SceneErrorKind, label: &str, message: impl Into<String>) -> Self {
-        SceneError {
-            kind,
-            label: label.to_owned(),
-            line: None,
-            key: String::new(),
-            message: message.into(),
-        }
+        SceneError { kind, label: label.to_owned(), line: None, key: String::new(), message: message.into() }
     }
 }
 
@@ -158,19 +149,12 @@ pub(super) struct Fault {
 impl Fault {
     /// A value that a scene cannot have.
     pub(super) fn invalid(message: impl Into<String>) -> Self {
-        Fault {
-            kind: SceneErrorKind::Invalid,
-            outwards: Vec::new(),
-            message: message.into(),
-        }
+        Fault { kind: SceneErrorKind::Invalid, outwards: Vec::new(), message: message.into() }
     }
 
     /// Something that this version cannot run.
     pub(super) fn unsupported(message: impl Into<String>) -> Self {
-        Fault {
-            kind: SceneErrorKind::Unsupported,
-            ..Fault::invalid(message)
-        }
+        Fault { kind: SceneErrorKind::Unsupported, ..Fault::invalid(message) }
     }
 
     /// The same fault, seen from the object that holds the key.
@@ -230,11 +214,7 @@ mod tests {
 
     #[test]
     fn a_message_stays_one_short_line() {
-        let nasty = SceneError::whole(
-            SceneErrorKind::Invalid,
-            "x.json",
-            format!("a\nb\u{1b}[31m{}", "é".repeat(5000)),
-        );
+        let nasty = SceneError::whole(SceneErrorKind::Invalid, "x.json", format!("a\nb\u{1b}[31m{}", "é".repeat(5000)));
         let line = nasty.to_string();
         assert!(line.starts_with("x.json: a\\nb\\u{1b}[31mé"));
         assert!(line.len() < 500 && !line.chars().any(char::is_control));

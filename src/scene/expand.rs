@@ -25,11 +25,7 @@ impl Scene {
             mass: masses(&start.mass),
             pinned: start.pinned.clone(),
         };
-        let mut scene = Scene {
-            points: Some(points),
-            bodies: Vec::new(),
-            ..self.clone()
-        };
+        let mut scene = Scene { points: Some(points), bodies: Vec::new(), ..self.clone() };
         for (keys, body) in self.bodies.iter().zip(&start.bodies) {
             let material = keys.material.clone().unwrap_or_default();
             scene.bonds.extend(body.links().map(|link| BondKeys {

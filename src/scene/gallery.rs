@@ -48,29 +48,23 @@ macro_rules! entry {
 }
 
 static GALLERY: [Entry; 4] = [
-    entry!(
-        "points",
-        "Falling points",
-        "Ten loose points fall under unit gravity and bounce between walls."
-    ),
+    entry!("points", "Falling points", "Ten loose points fall under unit gravity and bounce between walls."),
     entry!(
         "random-graph",
         "Random graph",
         "Ten points and thirty random bonds, swept by relaxation as in the source: it crumples, shivers and settles."
     ),
-    entry!(
-        "rim",
-        "Rim",
-        "A braced rim of springs falls, lands and shies away from the mouse; one second a second."
-    ),
+    entry!("rim", "Rim", "A braced rim of springs falls, lands and shies away from the mouse; one second a second."),
     entry!(
         "rim-relaxed",
         "Rim, relaxed",
-        "The source's rim: one shuffled sweep a substep, 3.6 times real time; its square mouse force attracts, here it repels."
+        "The source's rim: one shuffled sweep a substep, at 3.6 times real time. \
+         The square mouse force attracts there, here it repels."
     ),
 ];
 
 #[cfg(test)]
+#[allow(clippy::unwrap_used, clippy::panic, reason = "a test that cannot go on stops")]
 mod tests {
     use super::*;
 

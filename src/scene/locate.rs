@@ -7,10 +7,7 @@ use super::error::Step;
 ///
 /// `None` where not even the first step is found. The text need not be JSON: what cannot be followed ends the way.
 pub(super) fn line_of(text: &str, path: &[Step]) -> Option<usize> {
-    let mut scan = Scan {
-        text: text.as_bytes(),
-        at: 0,
-    };
+    let mut scan = Scan { text: text.as_bytes(), at: 0 };
     let mut found = None;
     for step in path {
         let place = match step {
@@ -22,12 +19,7 @@ pub(super) fn line_of(text: &str, path: &[Step]) -> Option<usize> {
             None => break,
         }
     }
-    found.map(|place| {
-        1 + text.as_bytes()[..place]
-            .iter()
-            .filter(|&&c| c == b'\n')
-            .count()
-    })
+    found.map(|place| 1 + text.as_bytes()[..place].iter().filter(|&&c| c == b'\n').count())
 }
 
 /// A place in a text that is taken for JSON.
@@ -148,10 +140,7 @@ mod tests {
         assert_eq!(line(&[key("a")]), Some(1));
         assert_eq!(line(&[key("b"), Step::Index(0), Step::Index(1)]), Some(2));
         assert_eq!(line(&[key("b"), Step::Index(1), key("c")]), Some(3));
-        assert_eq!(
-            line(&[key("b"), Step::Index(1), key("d"), key("e")]),
-            Some(4)
-        );
+        assert_eq!(line(&[key("b"), Step::Index(1), key("d"), key("e")]), Some(4));
         assert_eq!(line(&[key("b"), Step::Index(2)]), Some(5));
     }
 
@@ -166,9 +155,7 @@ mod tests {
 
     #[test]
     fn broken_texts_end_the_way() {
-        for text in [
-            "", "{", "{\"", "{\"a\\", "{\"a\":", "{\"b\":]", "[[[[", "{\"b\":}",
-        ] {
+        for text in ["", "{", "{\"", "{\"a\\", "{\"a\":", "{\"b\":]", "[[[[", "{\"b\":}"] {
             assert_eq!(line_of(text, &[key("a"), key("b")]).unwrap_or(1), 1);
         }
     }

@@ -25,9 +25,9 @@ mod write;
 pub use error::{SceneError, SceneErrorKind, Source};
 pub use gallery::{Entry, gallery};
 pub use keys::{
-    AreaKeys, AreaKindName, BodyKeys, BondKeys, BoundsKeys, BoxKeys, BraceName, CircleKeys,
-    DiagonalsName, KindName, LimitName, MakerName, MassKeys, Material, MethodKeys, MouseKeys,
-    ObstacleKeys, OrderName, PinMotionKeys, PlaneKeys, PointKeys, PrecisionName, ProfileName,
-    RegionName, RotationKeys, Scene, SolverName, TextureKeys, Vector, Version, ViewKeys, WindKeys,
+    AreaKeys, AreaKindName, BodyKeys, BondKeys, BoundsKeys, BoxKeys, BraceName, CircleKeys, DiagonalsName, KindName,
+    LimitName, MakerName, MassKeys, Material, MethodKeys, MouseKeys, ObstacleKeys, OrderName, PinMotionKeys, PlaneKeys,
+    PointKeys, PrecisionName, ProfileName, RegionName, RotationKeys, Row, Scene, SolverName, TextureKeys, Vector,
+    Version, ViewKeys, WindKeys,
 };
 pub use schema::schema;

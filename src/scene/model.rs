@@ -2,7 +2,7 @@
 
 use super::check::{self, Resistance};
 use super::error::{Fault, SceneError, Within};
-use super::keys::{BondKeys, LimitName, MouseKeys, ProfileName, RegionName, Scene};
+use super::keys::{BondKeys, LimitName, MouseKeys, ProfileName, RegionName, Row, Scene};
 use super::start::{Start, resistance};
 use super::support;
 use crate::body::distance;
@@ -12,15 +12,12 @@ use crate::sim::{Bond, Bounds, Limit, Model, MouseForce, PointId, Profile, Regio
 impl Scene {
     /// Its name, else that of its file without the ending, else "scene".
     pub fn name(&self) -> &str {
-        let file = || {
-            std::path::Path::new(&self.source.label)
-                .file_name()?
-                .to_str()
-        };
+        let file = || std::path::Path::new(&self.source.label).file_name()?.to_str();
         match &self.name {
             Some(name) => name,
             None => file()
-                .map(|file| file.split('.').next().unwrap_or(file))
+                .map(|file| file.strip_suffix(".json").unwrap_or(file))
+                .map(|stem| stem.strip_suffix(".scene").unwrap_or(stem))
                 .filter(|stem| !stem.is_empty())
                 .unwrap_or("scene"),
         }
@@ -38,11 +35,7 @@ impl Scene {
 
     /// The times to report [s]: the samples, else the duration; none if neither is said.
     pub fn sample_times(&self) -> Vec<f64> {
-        if self.samples.is_empty() {
-            self.duration.into_iter().collect()
-        } else {
-            self.samples.clone()
-        }
+        if self.samples.is_empty() { self.duration.into_iter().collect() } else { self.samples.clone() }
     }
 
     /// Refuses what the form of a scene file excludes; a scene that was read has passed.
@@ -122,9 +115,7 @@ fn bond(keys: &BondKeys, position: &[[f64; 3]]) -> Result<Bond, Fault> {
         None => distance(position[keys.a as usize], position[keys.b as usize]),
     };
     if !rest_length.is_finite() {
-        return Err(Fault::invalid(
-            "its points are too far apart for a number: move them together",
-        ));
+        return Err(Fault::invalid("its points are too far apart for a number: move them together"));
     }
     Ok(Bond {
         a: PointId(keys.a),
@@ -140,7 +131,7 @@ fn bond(keys: &BondKeys, position: &[[f64; 3]]) -> Result<Bond, Fault> {
 }
 
 fn mouse_force(keys: &MouseKeys) -> MouseForce {
-    let knot = |&[t, x, y]: &[f64; 3]| (t, [x, y]);
+    let knot = |&Row([t, x, y]): &Row<f64, 3>| (t, [x, y]);
     MouseForce {
         strength: keys.strength,
         radius: keys.radius,
@@ -152,8 +143,6 @@ fn mouse_force(keys: &MouseKeys) -> MouseForce {
             None | Some(ProfileName::Smooth) => Profile::Smooth,
             Some(ProfileName::Linear) => Profile::Linear,
         },
-        track: Track {
-            knots: keys.track.iter().map(knot).collect(),
-        },
+        track: Track { knots: keys.track.iter().map(knot).collect() },
     }
 }

@@ -10,7 +10,7 @@ pub(super) fn nearest<'a>(text: &str, candidates: &[&'a str]) -> Option<&'a str>
     candidates
         .iter()
         .map(|candidate| (distance(text, candidate), *candidate))
-        .filter(|(distance, candidate)| 3 * distance <= candidate.len().max(3))
+        .filter(|(distance, candidate)| 3 * distance <= candidate.len().max(3) && *distance < candidate.len())
         .min_by_key(|(distance, _)| *distance)
         .map(|(_, candidate)| candidate)
 }
@@ -44,9 +44,7 @@ fn distance(a: &str, b: &str) -> usize {
         let mut row = vec![i];
         for j in 1..=b.len() {
             let same = a[i - 1] == b[j - 1];
-            let mut least = (above[j] + 1)
-                .min(row[j - 1] + 1)
-                .min(above[j - 1] + usize::from(!same));
+            let mut least = (above[j] + 1).min(row[j - 1] + 1).min(above[j - 1] + usize::from(!same));
             if i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1] {
                 let swapped: &[usize] = &before;
                 least = least.min(swapped[j - 2] + 1);
@@ -76,6 +74,7 @@ mod tests {
         }
         assert_eq!(nearest("spaghetti", &names), None);
         assert_eq!(nearest("", &names), None);
+        assert_eq!(nearest("c", &["a", "b"]), None);
         assert_eq!(nearest(&"x".repeat(100_000), &names), None);
     }
 
@@ -83,9 +82,6 @@ mod tests {
     fn lists_read_as_a_sentence() {
         assert_eq!(list(&["a"]), "`a`");
         assert_eq!(list(&["a", "b", "c"]), "`a`, `b` or `c`");
-        assert_eq!(
-            unknown("a kind", "zzz", &["x", "y"]),
-            "`zzz` is not a kind: use `x` or `y`"
-        );
+        assert_eq!(unknown("a kind", "zzz", &["x", "y"]), "`zzz` is not a kind: use `x` or `y`");
     }
 }

@@ -45,10 +45,7 @@ impl Scene {
         }
         let text = String::from_utf8(bytes).map_err(|error| {
             let valid = error.utf8_error().valid_up_to();
-            let line = 1 + error.as_bytes()[..valid]
-                .iter()
-                .filter(|&&c| c == b'\n')
-                .count();
+            let line = 1 + error.as_bytes()[..valid].iter().filter(|&&c| c == b'\n').count();
             SceneError {
                 line: Some(line),
                 ..SceneError::whole(
@@ -79,8 +76,7 @@ impl Scene {
                 )
             });
         }
-        let mut scene: Scene =
-            serde_json::from_str(text).map_err(|error| explain(&error, text, label))?;
+        let mut scene: Scene = serde_json::from_str(text).map_err(|error| explain(&error, text, label))?;
         scene.source = Source::new(label, text);
         // The text at hand says the line even where it is too long to be kept.
         super::check::check(&scene).map_err(|fault| fault.into_error(label, Some(text)))?;
@@ -94,9 +90,7 @@ fn not_found(name: &str) -> String {
     let names: Vec<&str> = gallery().iter().map(|entry| entry.name).collect();
     match nearest(name, &names) {
         Some(meant) => {
-            format!(
-                "no file or gallery scene of this name: did you mean `{meant}`? `wobble scenes` lists them"
-            )
+            format!("no file or gallery scene of this name: did you mean `{meant}`? `wobble scenes` lists them")
         }
         None if looks_like_file => "no such file: check the path".to_owned(),
         None => "no file or gallery scene of this name: `wobble scenes` lists them".to_owned(),
@@ -121,13 +115,7 @@ fn explain(plain: &serde_json::Error, text: &str, label: &str) -> SceneError {
         serde_json::error::Category::Data => (SceneErrorKind::Invalid, translate(plain)),
         _ => (SceneErrorKind::Syntax, syntax(plain, text)),
     };
-    SceneError {
-        kind,
-        label: label.to_owned(),
-        line: Some(plain.line().max(1)),
-        key: path_name(&path),
-        message,
-    }
+    SceneError { kind, label: label.to_owned(), line: Some(plain.line().max(1)), key: path_name(&path), message }
 }
 
 /// A file of another version may have keys that this one does not know: its version is what is wrong.
@@ -184,10 +172,7 @@ fn syntax(error: &serde_json::Error, text: &str) -> String {
     let before = error.column().saturating_sub(1);
     let rest = line.and_then(|line| line.get(before..)).unwrap_or("");
     let rest = rest.trim_start_matches('-');
-    if ["NaN", "nan", "Inf", "inf"]
-        .iter()
-        .any(|word| rest.starts_with(word))
-    {
+    if ["NaN", "nan", "Inf", "inf"].iter().any(|word| rest.starts_with(word)) {
         return "NaN and infinity are no numbers of JSON: give a finite one".to_owned();
     }
     format!("is not JSON: {message} (column {})", error.column())
@@ -202,23 +187,16 @@ fn translate(error: &serde_json::Error) -> String {
         let names: Vec<&str> = known.split('`').skip(1).step_by(2).collect();
         return match nearest(&quoted(key), &names) {
             Some(name) => format!("unknown key: did you mean `{name}`?"),
-            None => format!(
-                "unknown key: the keys here are {}",
-                list(&names).replace(" or ", " and ")
-            ),
+            None => format!("unknown key: the keys here are {}", list(&names).replace(" or ", " and ")),
         };
     }
     if let Some(rest) = message.strip_prefix("missing field ") {
         let key = quoted(rest);
-        let value = if key == "wobble" {
-            "\"wobble\": 1"
-        } else {
-            rest
-        };
+        let value = if key == "wobble" { "\"wobble\": 1" } else { rest };
         return format!("the key `{key}` is missing: add {value}");
     }
-    if message.starts_with("duplicate field ") {
-        return "the key stands here twice: leave one out".to_owned();
+    if let Some(key) = message.strip_prefix("duplicate field ") {
+        return format!("the key {key} stands here twice: leave one out");
     }
     wording(&message)
 }
@@ -230,19 +208,16 @@ fn wording(message: &str) -> String {
     };
     let expected = match expected {
         "f64" => "a number",
-        "u32" | "u64" | "usize" => "a whole number, 0 or more",
+        "u32" => "a whole number from 0 to 4294967295",
+        "u64" => "a whole number from 0 to 18446744073709551615",
         "a string" | "str" => "a string",
         "a boolean" => "true or false",
         "a sequence" => "a list",
-        "an array of length 2" => "a list of 2 numbers",
-        "an array of length 3" => "a list of 3 numbers",
         other => other,
     };
     let found = found.replace("invalid type: ", "is ");
     let found = found.replace("invalid value: ", "is ");
     let found = found.replace("invalid length ", "has length ");
-    let found = found
-        .replace("sequence", "a list")
-        .replace("map", "an object");
+    let found = found.replace("sequence", "a list").replace("map", "an object");
     format!("{found}: give {expected}")
 }

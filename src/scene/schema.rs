@@ -10,11 +10,7 @@ use super::keys::Scene;
 ///
 /// It holds keys and types. What excludes what, and ranges that need other keys, [`Scene::parse`] alone knows.
 pub fn schema() -> Value {
-    SchemaSettings::draft2020_12()
-        .with_transform(NoNull)
-        .into_generator()
-        .into_root_schema_for::<Scene>()
-        .to_value()
+    SchemaSettings::draft2020_12().with_transform(NoNull).into_generator().into_root_schema_for::<Scene>().to_value()
 }
 
 /// Takes `null` out: an optional key may be missing, and where it is there it has a value.
@@ -46,6 +42,7 @@ impl Transform for NoNull {
 }
 
 #[cfg(test)]
+#[allow(clippy::unwrap_used, clippy::panic, reason = "a test that cannot go on stops")]
 mod tests {
     use super::*;
 
@@ -55,9 +52,7 @@ mod tests {
         let text = schema.to_string();
         assert!(!text.contains("\"null\""), "{text}");
         let keys = schema["properties"].as_object().unwrap();
-        for key in [
-            "wobble", "points", "bonds", "bodies", "method", "view", "samples",
-        ] {
+        for key in ["wobble", "points", "bonds", "bodies", "method", "view", "samples"] {
             assert!(keys.contains_key(key), "{key}");
         }
         assert_eq!(schema["required"], serde_json::json!(["wobble"]));

@@ -47,10 +47,7 @@ impl Start {
     pub(super) fn new(scene: &Scene) -> Result<Self, Fault> {
         let mut start = Start::explicit(scene);
         for (i, body) in scene.bodies.iter().enumerate() {
-            start
-                .append(body, scene.dimensions())
-                .item(i)
-                .at("bodies")?;
+            start.append(body, scene.dimensions()).item(i).at("bodies")?;
         }
         start.pinned.sort_unstable();
         start.pinned.dedup();
@@ -83,9 +80,8 @@ impl Start {
     }
 
     fn append(&mut self, keys: &BodyKeys, dimensions: usize) -> Result<(), Fault> {
-        let body = check::maker(keys, dimensions)?
-            .make()
-            .map_err(|error| Fault::invalid(error.message).at(error.key))?;
+        let body =
+            check::maker(keys, dimensions)?.make().map_err(|error| Fault::invalid(error.message).at(error.key))?;
         let placement = Placement {
             origin: keys.origin.map_or([0.0; 3], |x| x.embed()),
             angle: keys.angle.unwrap_or(0.0),
@@ -93,12 +89,7 @@ impl Start {
             spin: keys.spin.unwrap_or(0.0),
         };
         let (position, velocity) = placement.place(&body);
-        if !position
-            .iter()
-            .chain(&velocity)
-            .flatten()
-            .all(|x| x.is_finite())
-        {
+        if !position.iter().chain(&velocity).flatten().all(|x| x.is_finite()) {
             let message = "its points are too far or too fast for a number: make it smaller";
             return Err(Fault::invalid(message));
         }
@@ -118,12 +109,8 @@ impl Start {
         self.position.extend(position);
         self.velocity.extend(velocity);
         self.mass.extend(mass);
-        self.pinned
-            .extend(keys.pinned.iter().map(|pin| first + pin));
-        self.bodies.push(PlacedBody {
-            first,
-            links: body.links,
-        });
+        self.pinned.extend(keys.pinned.iter().map(|pin| first + pin));
+        self.bodies.push(PlacedBody { first, links: body.links });
         Ok(())
     }
 }

@@ -55,24 +55,19 @@ pub(super) fn method(scene: &Scene) -> Result<sim::Method, Fault> {
         SolverName::Verlet => sim::Solver::Verlet,
         SolverName::Relaxation => sim::Solver::Relaxation,
         other => {
-            let message =
-                format!("solver `{other}` is not in this version: use auto, verlet or relaxation");
+            let message = format!("solver `{other}` is not in this version: use auto, verlet or relaxation");
             return Err(Fault::unsupported(message).at("solver").at("method"));
         }
     };
     if solver == sim::Solver::Relaxation
         && let Some(spring) = find(scene, |kind| matches!(kind, BondKind::Spring { .. }))
     {
-        let message =
-            "is a spring, which solver `relaxation` refuses: use auto or verlet, or relaxed bonds";
+        let message = "is a spring, which solver `relaxation` refuses: use auto or verlet, or relaxed bonds";
         return Err(spring.fault(message));
     }
-    let swept = solver == sim::Solver::Relaxation
-        || find(scene, |kind| matches!(kind, BondKind::Relaxed { .. })).is_some();
-    for (key, said) in [
-        ("substep", keys.substep.is_some()),
-        ("iterations", keys.iterations.is_some()),
-    ] {
+    let swept =
+        solver == sim::Solver::Relaxation || find(scene, |kind| matches!(kind, BondKind::Relaxed { .. })).is_some();
+    for (key, said) in [("substep", keys.substep.is_some()), ("iterations", keys.iterations.is_some())] {
         if swept && !said {
             return Err(Fault::invalid(format!(
                 "relaxed bonds need `substep` and `iterations` from the scene or the call, for they mean nothing \
@@ -112,9 +107,7 @@ impl Found {
 /// The first bond, or body with bonds, of a kind.
 fn find(scene: &Scene, is: impl Fn(BondKind) -> bool) -> Option<Found> {
     let bond = scene.bonds.iter();
-    let bond = bond
-        .map(|bond| Resistance::from(bond).resolve())
-        .position(&is);
+    let bond = bond.map(|bond| Resistance::from(bond).resolve()).position(&is);
     bond.map(Found::Bond).or_else(|| {
         let body = scene.bodies.iter();
         let body = body.map(|body| resistance(body).resolve()).position(&is);

@@ -34,8 +34,7 @@ impl Scene {
     /// Errors: those of [`Scene::to_json`]; the file cannot be written.
     pub fn save(&self, path: &Path) -> Result<(), SceneError> {
         let text = self.to_json()?;
-        replace(path, text.as_bytes())
-            .map_err(|error| self.file_error(&path.display().to_string(), "written", &error))
+        replace(path, text.as_bytes()).map_err(|error| self.file_error(&path.display().to_string(), "written", &error))
     }
 
     fn file_error(&self, label: &str, what: &str, error: &io::Error) -> SceneError {
@@ -70,52 +69,71 @@ fn replace(path: &Path, bytes: &[u8]) -> io::Result<()> {
     Ok(())
 }
 
-/// Depth down to which every entry has a line of its own.
+/// Depth down to which entries have lines of their own.
 const OPEN_DEPTH: usize = 2;
 
 /// Items a line in a long list below that.
 const ITEMS_A_LINE: usize = 8;
 
-/// How a scene is laid out: the first two levels open, all below on one line, long lists in rows.
+/// How a scene is laid out: objects of the first two levels with a key a line, lists there with an object or a list a
+/// line, all below on one line, and long lists of lists there in rows.
 #[derive(Default)]
 struct Layout {
-    /// How many items have been written in each list or object that is open.
-    items: Vec<usize>,
+    open: Vec<Open>,
+}
+
+/// A list or object that is being written.
+#[derive(Default)]
+struct Open {
+    is_list: bool,
+    /// Items written so far.
+    items: usize,
+    /// Whether a line was begun for any of them.
+    broken: bool,
 }
 
 impl Layout {
-    fn open<W: ?Sized + Write>(&mut self, writer: &mut W, bracket: &[u8]) -> io::Result<()> {
-        self.items.push(0);
-        writer.write_all(bracket)
+    /// A bracket opens: in a list near the top, or at the start of a row, on a new line.
+    fn open<W: ?Sized + Write>(&mut self, writer: &mut W, is_list: bool) -> io::Result<()> {
+        let depth = self.open.len();
+        if let Some(within) = self.open.last_mut().filter(|within| within.is_list) {
+            let row = depth == OPEN_DEPTH + 1 && within.items > 1 && (within.items - 1).is_multiple_of(ITEMS_A_LINE);
+            if depth <= OPEN_DEPTH || row {
+                within.broken = true;
+                new_line(writer, depth)?;
+            }
+        }
+        self.open.push(Open { is_list, ..Open::default() });
+        writer.write_all(if is_list { b"[" } else { b"{" })
     }
 
+    fn close<W: ?Sized + Write>(&mut self, writer: &mut W) -> io::Result<()> {
+        let closed = self.open.pop().unwrap_or_default();
+        let depth = self.open.len();
+        if closed.broken && depth < OPEN_DEPTH {
+            new_line(writer, depth)?;
+        }
+        writer.write_all(if closed.is_list { b"]" } else { b"}" })
+    }
+
+    /// What stands before an item: a comma, and before a key space or a new line.
     fn item<W: ?Sized + Write>(&mut self, writer: &mut W) -> io::Result<()> {
-        let depth = self.items.len();
-        let Some(items) = self.items.last_mut() else {
+        let depth = self.open.len();
+        let Some(within) = self.open.last_mut() else {
             return Ok(());
         };
-        *items += 1;
-        if *items > 1 {
+        within.items += 1;
+        if within.items > 1 {
             writer.write_all(b",")?;
         }
-        let row =
-            depth == OPEN_DEPTH + 1 && *items > 1 && (*items - 1).is_multiple_of(ITEMS_A_LINE);
-        if depth <= OPEN_DEPTH || row {
-            new_line(writer, depth)
-        } else if *items > 1 {
-            writer.write_all(b" ")
-        } else {
+        if within.is_list {
             Ok(())
+        } else if depth <= OPEN_DEPTH {
+            within.broken = true;
+            new_line(writer, depth)
+        } else {
+            writer.write_all(b" ")
         }
-    }
-
-    fn close<W: ?Sized + Write>(&mut self, writer: &mut W, bracket: &[u8]) -> io::Result<()> {
-        let depth = self.items.len();
-        let items = self.items.pop().unwrap_or(0);
-        if depth <= OPEN_DEPTH && items > 0 {
-            new_line(writer, depth - 1)?;
-        }
-        writer.write_all(bracket)
     }
 }
 
@@ -126,11 +144,11 @@ fn new_line<W: ?Sized + Write>(writer: &mut W, depth: usize) -> io::Result<()> {
 
 impl Formatter for Layout {
     fn begin_array<W: ?Sized + Write>(&mut self, writer: &mut W) -> io::Result<()> {
-        self.open(writer, b"[")
+        self.open(writer, true)
     }
 
     fn end_array<W: ?Sized + Write>(&mut self, writer: &mut W) -> io::Result<()> {
-        self.close(writer, b"]")
+        self.close(writer)
     }
 
     fn begin_array_value<W: ?Sized + Write>(&mut self, writer: &mut W, _: bool) -> io::Result<()> {
@@ -138,11 +156,14 @@ impl Formatter for Layout {
     }
 
     fn begin_object<W: ?Sized + Write>(&mut self, writer: &mut W) -> io::Result<()> {
-        self.open(writer, b"{")
+        self.open(writer, false)
     }
 
     fn end_object<W: ?Sized + Write>(&mut self, writer: &mut W) -> io::Result<()> {
-        self.close(writer, b"}")
+        if self.open.len() > OPEN_DEPTH && self.open.last().is_some_and(|open| open.items > 0) {
+            writer.write_all(b" ")?;
+        }
+        self.close(writer)
     }
 
     fn begin_object_key<W: ?Sized + Write>(&mut self, writer: &mut W, _: bool) -> io::Result<()> {

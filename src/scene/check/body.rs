@@ -3,8 +3,7 @@
 use super::bond::Resistance;
 use super::number::{self, Range};
 use crate::body::{
-    BodyError, BoxFrame, Brace, Cloth, Diagonals, Lattice, Maker, Points, RandomGraph, Rim, Rope,
-    Stretch,
+    BodyError, BoxFrame, Brace, Cloth, Diagonals, Lattice, Maker, Points, RandomGraph, Rim, Rope, Stretch,
 };
 use crate::scene::error::{Fault, Within};
 use crate::scene::keys::{BodyKeys, BraceName, DiagonalsName, MakerName, Material, Vector};
@@ -93,13 +92,9 @@ fn check_material(material: &Material, make: MakerName) -> Result<(), Fault> {
         return Err(Fault::invalid(message).at(key));
     }
     Resistance::from(material).check()?;
-    Range::Positive
-        .maybe(material.break_strain)
-        .at("break_strain")?;
+    Range::Positive.maybe(material.break_strain).at("break_strain")?;
     Range::Positive.maybe(material.mass).at("mass")?;
-    Range::Positive
-        .maybe(material.point_mass)
-        .at("point_mass")?;
+    Range::Positive.maybe(material.point_mass).at("point_mass")?;
     if material.mass.is_some() && material.point_mass.is_some() {
         let message = "stands beside `mass`: give the body's mass or each point's, not both";
         return Err(Fault::invalid(message).at("point_mass"));
@@ -111,54 +106,57 @@ fn check_material(material: &Material, make: MakerName) -> Result<(), Fault> {
 ///
 /// Errors: a parameter that has to be said is not; a maker that this version does not have.
 pub(in crate::scene) fn maker(body: &BodyKeys, dimensions: usize) -> Result<Maker, Fault> {
-    let need = |key| move || Fault::invalid(format!("`{}` needs `{key}`: add it", body.make));
-    let count = || body.count.ok_or_else(need("count"));
-    let spacing = || body.spacing.ok_or_else(need("spacing"));
-    let corner = |key, corner: Option<Vector>| {
-        let corner = corner.ok_or_else(need(key))?;
-        Ok::<_, Fault>(corner.embed())
-    };
+    let corner = |key, corner: Option<Vector>| need(body, key, corner).map(|corner| corner.embed());
     let seed = body.seed.unwrap_or(0);
     Ok(match body.make {
         MakerName::Points => Maker::Points(Points {
-            count: count()?,
+            count: need(body, "count", body.count)?,
             min: corner("min", body.min)?,
             max: corner("max", body.max)?,
             seed,
         }),
         MakerName::RandomGraph => Maker::RandomGraph(RandomGraph {
-            count: count()?,
-            bonds: body.bonds.ok_or_else(need("bonds"))?,
+            count: need(body, "count", body.count)?,
+            bonds: need(body, "bonds", body.bonds)?,
             min: corner("min", body.min)?,
             max: corner("max", body.max)?,
             seed,
         }),
         MakerName::Rim => Maker::Rim(rim(body)),
         MakerName::Box => Maker::Box(BoxFrame {
-            width: body.width.ok_or_else(need("width"))?,
-            height: body.height.ok_or_else(need("height"))?,
+            width: need(body, "width", body.width)?,
+            height: need(body, "height", body.height)?,
             supports: body.supports.unwrap_or(1),
         }),
-        MakerName::Rope => Maker::Rope(Rope {
-            count: count()?,
-            stretch: stretch(body)?,
-        }),
-        MakerName::Cloth => Maker::Cloth(Cloth {
-            columns: body.columns.ok_or_else(need("columns"))?,
-            rows: body.rows.ok_or_else(need("rows"))?,
-            spacing: spacing()?,
-            diagonals: diagonals(body.diagonals),
-            u: body.u.map_or(Cloth::U, |u| u.embed()),
-            v: body.v.map_or(Cloth::V, |v| v.embed()),
-        }),
+        MakerName::Rope => Maker::Rope(Rope { count: need(body, "count", body.count)?, stretch: stretch(body)? }),
+        MakerName::Cloth => Maker::Cloth(cloth(body)?),
         MakerName::Lattice => Maker::Lattice(Lattice {
-            columns: body.columns.ok_or_else(need("columns"))?,
-            rows: body.rows.ok_or_else(need("rows"))?,
-            spacing: spacing()?,
+            columns: need(body, "columns", body.columns)?,
+            rows: need(body, "rows", body.rows)?,
+            spacing: need(body, "spacing", body.spacing)?,
         }),
-        MakerName::Disc | MakerName::Picture | MakerName::Ragdoll => {
-            return Err(not_built(body, dimensions));
-        }
+        MakerName::Disc | MakerName::Picture | MakerName::Ragdoll => return Err(not_built(body, dimensions)),
+    })
+}
+
+/// Errors: the parameter is not said.
+fn need<T>(body: &BodyKeys, key: &str, value: Option<T>) -> Result<T, Fault> {
+    value.ok_or_else(|| Fault::invalid(format!("`{}` needs `{key}`: add it", body.make)))
+}
+
+fn cloth(body: &BodyKeys) -> Result<Cloth, Fault> {
+    Ok(Cloth {
+        columns: need(body, "columns", body.columns)?,
+        rows: need(body, "rows", body.rows)?,
+        spacing: need(body, "spacing", body.spacing)?,
+        diagonals: match body.diagonals {
+            Some(DiagonalsName::None) => Diagonals::None,
+            Some(DiagonalsName::One) => Diagonals::One,
+            Some(DiagonalsName::Both) => Diagonals::Both,
+            None => Diagonals::default(),
+        },
+        u: body.u.map_or(Cloth::U, |u| u.embed()),
+        v: body.v.map_or(Cloth::V, |v| v.embed()),
     })
 }
 
@@ -176,20 +174,12 @@ fn not_built(body: &BodyKeys, dimensions: usize) -> Fault {
         }
     }
     if dimensions == 3 && body.make == MakerName::Picture {
-        return Fault::invalid("`picture` makes a body in the plane: leave it out in space")
-            .at("make");
+        return Fault::invalid("`picture` makes a body in the plane: leave it out in space").at("make");
     }
-    let built: Vec<&str> = MakerName::NAMES
-        .iter()
-        .copied()
-        .filter(|name| !["disc", "picture", "ragdoll"].contains(name))
-        .collect();
+    let built: Vec<&str> =
+        MakerName::NAMES.iter().copied().filter(|name| !["disc", "picture", "ragdoll"].contains(name)).collect();
     let list = nearest::list(&built);
-    Fault::unsupported(format!(
-        "`{}` is not built into this version: use {list}",
-        body.make
-    ))
-    .at("make")
+    Fault::unsupported(format!("`{}` is not built into this version: use {list}", body.make)).at("make")
 }
 
 fn rim(body: &BodyKeys) -> Rim {
@@ -220,17 +210,6 @@ fn stretch(body: &BodyKeys) -> Result<Stretch, Fault> {
             "stands beside `spacing`: give how far apart the points are or where the rope ends, not both",
         )
         .at("to")),
-        (None, None) => Err(Fault::invalid(
-            "`rope` needs `spacing` or `to`: add one of them",
-        )),
-    }
-}
-
-fn diagonals(name: Option<DiagonalsName>) -> Diagonals {
-    match name {
-        Some(DiagonalsName::None) => Diagonals::None,
-        Some(DiagonalsName::One) => Diagonals::One,
-        Some(DiagonalsName::Both) => Diagonals::Both,
-        None => Diagonals::default(),
+        (None, None) => Err(Fault::invalid("`rope` needs `spacing` or `to`: add one of them")),
     }
 }

@@ -10,16 +10,11 @@ pub(super) fn check(bond: &BondKeys, count: u32) -> Result<(), Fault> {
     number::index(bond.a, count).at("a")?;
     number::index(bond.b, count).at("b")?;
     if bond.a == bond.b {
-        let message = format!(
-            "is point {} as `a` is: a bond needs two points, so give another",
-            bond.b
-        );
+        let message = format!("is point {} as `a` is: a bond needs two points, so give another", bond.b);
         return Err(Fault::invalid(message).at("b"));
     }
     Range::NotNegative.maybe(bond.rest).at("rest")?;
-    Range::Positive
-        .maybe(bond.break_strain)
-        .at("break_strain")?;
+    Range::Positive.maybe(bond.break_strain).at("break_strain")?;
     Resistance::from(bond).check()
 }
 
@@ -69,9 +64,7 @@ impl Resistance {
         Range::NotNegative.maybe(self.compliance).at("compliance")?;
         Range::NotNegative.maybe(self.damping).at("damping")?;
         Range::Share.maybe(self.relaxation).at("relaxation")?;
-        Range::Positive
-            .maybe(self.max_correction)
-            .at("max_correction")?;
+        Range::Positive.maybe(self.max_correction).at("max_correction")?;
         if self.stiffness.is_some() && self.compliance.is_some() {
             let message = "stands beside `stiffness`, its reciprocal: leave one of them out";
             return Err(Fault::invalid(message).at("compliance"));
@@ -91,34 +84,16 @@ impl Resistance {
 
     /// Errors: a key that bonds of this kind do not have.
     fn check_belonging(&self, kind: KindName) -> Result<(), Fault> {
-        let (rigid, spring, relaxed) = (
-            kind == KindName::Rigid,
-            kind == KindName::Spring,
-            kind == KindName::Relaxed,
-        );
+        let (rigid, spring, relaxed) = (kind == KindName::Rigid, kind == KindName::Spring, kind == KindName::Relaxed);
         for (key, given, belongs, owner) in [
             ("stiffness", self.stiffness.is_some(), spring, "spring"),
-            (
-                "compliance",
-                self.compliance.is_some(),
-                rigid || spring,
-                "spring",
-            ),
+            ("compliance", self.compliance.is_some(), rigid || spring, "spring"),
             ("damping", self.damping.is_some(), spring, "spring"),
             ("relaxation", self.relaxation.is_some(), relaxed, "relaxed"),
-            (
-                "max_correction",
-                self.max_correction.is_some(),
-                relaxed,
-                "relaxed",
-            ),
+            ("max_correction", self.max_correction.is_some(), relaxed, "relaxed"),
         ] {
             if given && !belongs {
-                let why = if self.kind.is_none() {
-                    " as no `kind` is said"
-                } else {
-                    ""
-                };
+                let why = if self.kind.is_none() { " as no `kind` is said" } else { "" };
                 return Err(Fault::invalid(format!(
                     "is a key of kind {owner}, and this is {kind}{why}: leave it out or set \"kind\": \"{owner}\""
                 ))
@@ -136,20 +111,15 @@ impl Resistance {
                 relaxation: self.relaxation.unwrap_or(1.0),
                 max_correction: self.max_correction.unwrap_or(f64::INFINITY),
             },
-            (_, Some(compliance)) if compliance > 0.0 => BondKind::Spring {
-                stiffness: 1.0 / compliance,
-                damping,
-            },
-            (KindName::Spring, None) => BondKind::Spring {
-                stiffness: self.stiffness.unwrap_or(0.0),
-                damping,
-            },
+            (_, Some(compliance)) if compliance > 0.0 => BondKind::Spring { stiffness: 1.0 / compliance, damping },
+            (KindName::Spring, None) => BondKind::Spring { stiffness: self.stiffness.unwrap_or(0.0), damping },
             _ => BondKind::Rigid,
         }
     }
 }
 
 #[cfg(test)]
+#[allow(clippy::unwrap_used, clippy::panic, reason = "a test that cannot go on stops")]
 mod tests {
     use super::*;
 
@@ -187,11 +157,7 @@ mod tests {
     #[test]
     fn a_relaxed_bond_is_hard_and_unlimited_if_not_said() {
         let kind = resolved(|b| b.kind = Some(KindName::Relaxed));
-        let BondKind::Relaxed {
-            relaxation,
-            max_correction,
-        } = kind
-        else {
+        let BondKind::Relaxed { relaxation, max_correction } = kind else {
             panic!("{kind:?}");
         };
         assert_eq!((relaxation, max_correction), (1.0, f64::INFINITY));

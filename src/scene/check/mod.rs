@@ -3,10 +3,11 @@
 mod body;
 mod bond;
 mod number;
+mod surfaces;
 mod surroundings;
 
 use super::error::{Fault, Within};
-use super::keys::{AreaKindName, MassKeys, PointKeys, Scene, ViewKeys};
+use super::keys::{MassKeys, PointKeys, Scene, ViewKeys};
 use number::Range;
 
 pub(super) use body::maker;
@@ -25,10 +26,8 @@ pub(super) fn check(scene: &Scene) -> Result<(), Fault> {
     for (i, bond) in scene.bonds.iter().enumerate() {
         bond::check(bond, count).item(i).at("bonds")?;
     }
-    check_surfaces(scene, count, dimensions)?;
-    surroundings::check(scene, dimensions, &|point| {
-        is_pinned(scene, explicit, point)
-    })?;
+    surfaces::check(scene, count, dimensions)?;
+    surroundings::check(scene, dimensions, &|point| is_pinned(scene, explicit, point))?;
     check_method(scene).at("method")?;
     check_times(scene)?;
     match &scene.view {
@@ -41,10 +40,7 @@ fn dimensions(scene: &Scene) -> Result<usize, Fault> {
     match scene.dimensions {
         None | Some(2) => Ok(2),
         Some(3) => Ok(3),
-        Some(other) => Err(Fault::invalid(format!(
-            "is {other}: give 2 for the plane or 3 for space"
-        ))
-        .at("dimensions")),
+        Some(other) => Err(Fault::invalid(format!("is {other}: give 2 for the plane or 3 for space")).at("dimensions")),
     }
 }
 
@@ -53,16 +49,12 @@ fn check_points(points: &PointKeys, dimensions: usize) -> Result<u32, Fault> {
     let count = u32::try_from(points.position.len())
         .map_err(|_| Fault::invalid("has more points than 32 bits can count").at("position"))?;
     for (i, position) in points.position.iter().enumerate() {
-        number::vector(position, dimensions)
-            .item(i)
-            .at("position")?;
+        number::vector(position, dimensions).item(i).at("position")?;
     }
     if let Some(velocities) = &points.velocity {
         one_a_point(velocities.len(), count).at("velocity")?;
         for (i, velocity) in velocities.iter().enumerate() {
-            number::vector(velocity, dimensions)
-                .item(i)
-                .at("velocity")?;
+            number::vector(velocity, dimensions).item(i).at("velocity")?;
         }
     }
     match &points.mass {
@@ -81,13 +73,12 @@ fn check_points(points: &PointKeys, dimensions: usize) -> Result<u32, Fault> {
     Ok(count)
 }
 
+/// Errors: a list that should have an entry a point has another length.
 fn one_a_point(found: usize, count: u32) -> Result<(), Fault> {
     if found == count as usize {
         Ok(())
     } else {
-        Err(Fault::invalid(format!(
-            "has {found} entries for {count} points: give one a point"
-        )))
+        Err(Fault::invalid(format!("has {found} entries for {count} points: give one a point")))
     }
 }
 
@@ -125,66 +116,6 @@ fn is_pinned(scene: &Scene, explicit: u32, point: u32) -> bool {
     false
 }
 
-fn check_surfaces(scene: &Scene, count: u32, dimensions: usize) -> Result<(), Fault> {
-    for (i, triangle) in scene.triangles.iter().enumerate() {
-        let check = || {
-            for (k, &point) in triangle.iter().enumerate() {
-                number::index(point, count).item(k)?;
-            }
-            let [a, b, c] = triangle;
-            if a == b || b == c || c == a {
-                return Err(Fault::invalid("names a point twice: give three points"));
-            }
-            Ok(())
-        };
-        check().item(i).at("triangles")?;
-    }
-    if let Some(areas) = &scene.areas {
-        let check = || {
-            if dimensions == 3 {
-                let message = "act in the plane only: leave them out in space";
-                return Err(Fault::invalid(message));
-            }
-            Range::NotNegative.maybe(areas.stiffness).at("stiffness")?;
-            match (areas.kind, areas.stiffness) {
-                (AreaKindName::Spring, None) => Err(Fault::invalid(
-                    "areas of kind spring need `stiffness`: add it",
-                )),
-                (AreaKindName::Rigid, Some(_)) => Err(Fault::invalid(
-                    "is a key of areas of kind spring, and these are rigid: leave it out",
-                )
-                .at("stiffness")),
-                _ => Ok(()),
-            }
-        };
-        check().at("areas")?;
-    }
-    if let Some(texture) = &scene.texture {
-        check_image(&texture.image).at("image").at("texture")?;
-        one_a_point(texture.uv.len(), count)
-            .at("uv")
-            .at("texture")?;
-        for (i, uv) in texture.uv.iter().enumerate() {
-            for (k, &x) in uv.iter().enumerate() {
-                let finite = Range::Finite.check(x);
-                finite.item(k).item(i).at("uv").at("texture")?;
-            }
-        }
-    }
-    Ok(())
-}
-
-fn check_image(image: &str) -> Result<(), Fault> {
-    let absolute = image.starts_with(['/', '\\']) || image.as_bytes().get(1) == Some(&b':');
-    let foreign = image.starts_with("data:") && !image.starts_with("data:image/png;base64,");
-    if image.is_empty() || absolute || foreign {
-        return Err(Fault::invalid(
-            "is no image: give a path relative to the scene, or data:image/png;base64,…",
-        ));
-    }
-    Ok(())
-}
-
 fn check_method(scene: &Scene) -> Result<(), Fault> {
     let method = &scene.method;
     Range::Positive.maybe(method.substep).at("substep")?;
@@ -212,11 +143,7 @@ fn check_times(scene: &Scene) -> Result<(), Fault> {
 
 fn check_view(view: &ViewKeys, dimensions: usize) -> Result<(), Fault> {
     let (plane, space) = (["center", "height"], ["target", "distance", "yaw", "pitch"]);
-    let (what, allowed): (_, &[&str]) = if dimensions == 2 {
-        ("the plane", &plane)
-    } else {
-        ("space", &space)
-    };
+    let (what, allowed): (_, &[&str]) = if dimensions == 2 { ("the plane", &plane) } else { ("space", &space) };
     if let Some(key) = view.given().find(|key| !allowed.contains(key)) {
         let keys = super::nearest::list(allowed);
         let message = format!("is no key of a view in {what}: its keys are {keys}");

@@ -25,11 +25,7 @@ impl Range {
             Range::Positive => (value > 0.0, "a number above 0"),
             Range::Share => (value > 0.0 && value <= 1.0, "a number above 0, at most 1"),
         };
-        if inside && value.is_finite() {
-            Ok(())
-        } else {
-            Err(Fault::invalid(format!("is {value:?}: give {range}")))
-        }
+        if inside && value.is_finite() { Ok(()) } else { Err(Fault::invalid(format!("is {value:?}: give {range}"))) }
     }
 
     /// The same for a key that may be missing.
@@ -99,10 +95,8 @@ pub(super) fn track<'a>(knots: impl Iterator<Item = &'a [f64]>) -> Result<(), Fa
             Range::Finite.check(x).item(k).item(i)?;
         }
         if knot[0] <= last {
-            let message = format!(
-                "time {:?} does not come after {last:?}: sort the knots upwards, one a time",
-                knot[0]
-            );
+            let message =
+                format!("time {:?} does not come after {last:?}: sort the knots upwards, one a time", knot[0]);
             return Err(Fault::invalid(message).item(i));
         }
         last = knot[0];

@@ -2,17 +2,11 @@
 
 use super::number::{self, Range};
 use crate::scene::error::{Fault, Within};
-use crate::scene::keys::{
-    BoxKeys, MouseKeys, ObstacleKeys, PinMotionKeys, RegionName, Scene, Vector,
-};
+use crate::scene::keys::{BoxKeys, MouseKeys, ObstacleKeys, PinMotionKeys, RegionName, Scene, Vector};
 use crate::scene::nearest;
 
 /// Errors: the first fault. `is_pinned` says whether a point of the scene is pinned.
-pub(super) fn check(
-    scene: &Scene,
-    dimensions: usize,
-    is_pinned: &dyn Fn(u32) -> bool,
-) -> Result<(), Fault> {
+pub(super) fn check(scene: &Scene, dimensions: usize, is_pinned: &dyn Fn(u32) -> bool) -> Result<(), Fault> {
     if let Some(gravity) = &scene.gravity {
         number::vector(gravity, dimensions).at("gravity")?;
     }
@@ -27,18 +21,14 @@ pub(super) fn check(
         check_mouse(mouse, dimensions).at("mouse")?;
     }
     for (i, motion) in scene.pin_motion.iter().enumerate() {
-        check_pin_motion(motion, dimensions, is_pinned)
-            .item(i)
-            .at("pin_motion")?;
+        check_pin_motion(motion, dimensions, is_pinned).item(i).at("pin_motion")?;
     }
     if let Some(bounds) = &scene.bounds {
         number::corners(&bounds.min, &bounds.max, dimensions).at("bounds")?;
         check_surface(bounds.restitution, bounds.friction).at("bounds")?;
     }
     for (i, obstacle) in scene.obstacles.iter().enumerate() {
-        check_obstacle(obstacle, dimensions)
-            .item(i)
-            .at("obstacles")?;
+        check_obstacle(obstacle, dimensions).item(i).at("obstacles")?;
     }
     Ok(())
 }
@@ -50,19 +40,12 @@ fn check_mouse(mouse: &MouseKeys, dimensions: usize) -> Result<(), Fault> {
         let message = "\"square\" is for the plane: in space use \"round\"";
         return Err(Fault::invalid(message).at("region"));
     }
-    number::track(mouse.track.iter().map(|knot| &knot[..])).at("track")
+    number::track(mouse.track.iter().map(|knot| &knot.0[..])).at("track")
 }
 
-fn check_pin_motion(
-    motion: &PinMotionKeys,
-    dimensions: usize,
-    is_pinned: &dyn Fn(u32) -> bool,
-) -> Result<(), Fault> {
+fn check_pin_motion(motion: &PinMotionKeys, dimensions: usize, is_pinned: &dyn Fn(u32) -> bool) -> Result<(), Fault> {
     if !is_pinned(motion.point) {
-        let message = format!(
-            "point {} is not pinned: add it to `pinned`, or give a pinned one",
-            motion.point
-        );
+        let message = format!("point {} is not pinned: add it to `pinned`, or give a pinned one", motion.point);
         return Err(Fault::invalid(message).at("point"));
     }
     if motion.track.is_empty() {
@@ -85,10 +68,7 @@ fn check_surface(restitution: Option<f64>, friction: Option<f64>) -> Result<(), 
 
 fn check_obstacle(obstacle: &ObstacleKeys, dimensions: usize) -> Result<(), Fault> {
     const SHAPES: [&str; 4] = ["plane", "box", "circle", "polygon"];
-    let shapes: Vec<&str> = obstacle
-        .given()
-        .filter(|key| SHAPES.contains(key))
-        .collect();
+    let shapes: Vec<&str> = obstacle.given().filter(|key| SHAPES.contains(key)).collect();
     match shapes[..] {
         [_] => {}
         [] => {
@@ -96,31 +76,21 @@ fn check_obstacle(obstacle: &ObstacleKeys, dimensions: usize) -> Result<(), Faul
             return Err(Fault::invalid(format!("has no shape: give {list}")));
         }
         [first, second, ..] => {
-            let message =
-                format!("stands beside `{first}`: an obstacle has one shape, so make it two");
+            let message = format!("stands beside `{first}`: an obstacle has one shape, so make it two");
             return Err(Fault::invalid(message).at(second));
         }
     }
     check_surface(obstacle.restitution, obstacle.friction)?;
     if let Some(plane) = &obstacle.plane {
-        number::vector(&plane.point, dimensions)
-            .at("point")
-            .at("plane")?;
-        number::direction(&plane.normal, dimensions)
-            .at("normal")
-            .at("plane")?;
+        number::vector(&plane.point, dimensions).at("point").at("plane")?;
+        number::direction(&plane.normal, dimensions).at("normal").at("plane")?;
     }
     if let Some(keys) = &obstacle.r#box {
         check_box(keys, dimensions).at("box")?;
     }
     if let Some(circle) = &obstacle.circle {
-        number::vector(&circle.center, dimensions)
-            .at("center")
-            .at("circle")?;
-        Range::Positive
-            .check(circle.radius)
-            .at("radius")
-            .at("circle")?;
+        number::vector(&circle.center, dimensions).at("center").at("circle")?;
+        Range::Positive.check(circle.radius).at("radius").at("circle")?;
     }
     match &obstacle.polygon {
         Some(loops) => check_polygon(loops, dimensions).at("polygon"),
@@ -132,20 +102,11 @@ fn check_box(keys: &BoxKeys, dimensions: usize) -> Result<(), Fault> {
     number::corners(&keys.min, &keys.max, dimensions)?;
     Range::Finite.maybe(keys.angle).at("angle")?;
     match (dimensions, keys.angle, &keys.rotation) {
-        (3, Some(_), _) => {
-            Err(Fault::invalid("turns a box in the plane: in space give `rotation`").at("angle"))
-        }
-        (2, _, Some(_)) => {
-            Err(Fault::invalid("turns a box in space: in the plane give `angle`").at("rotation"))
-        }
+        (3, Some(_), _) => Err(Fault::invalid("turns a box in the plane: in space give `rotation`").at("angle")),
+        (2, _, Some(_)) => Err(Fault::invalid("turns a box in space: in the plane give `angle`").at("rotation")),
         (_, _, Some(rotation)) => {
-            number::direction(&rotation.axis, dimensions)
-                .at("axis")
-                .at("rotation")?;
-            Range::Finite
-                .check(rotation.angle)
-                .at("angle")
-                .at("rotation")
+            number::direction(&rotation.axis, dimensions).at("axis").at("rotation")?;
+            Range::Finite.check(rotation.angle).at("angle").at("rotation")
         }
         _ => Ok(()),
     }

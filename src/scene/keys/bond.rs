@@ -42,8 +42,8 @@ object! {
             rest: f64,
             /// Of a spring [N/m], >= 0.
             stiffness: f64,
-            /// Of a spring, in place of its stiffness: 1/stiffness [m/N], >= 0, where 0 is rigid. Of a rigid bond: above 0
-            /// it is a spring.
+            /// Of a spring, in place of its stiffness: 1/stiffness [m/N], >= 0, where 0 is rigid. Of a rigid bond:
+            /// above 0 it is a spring.
             compliance: f64,
             /// Of a spring [N s/m], >= 0: 0 if not said.
             damping: f64,

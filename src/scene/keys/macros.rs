@@ -2,18 +2,18 @@
 
 /// Declares an object of the file: its keys, and how each may be missing.
 ///
-/// `required` keys must be there, `optional` ones become `Option`s, `lists` are empty where they are missing (both a
-/// second time as `then_…`, for the order in which keys are written), `beside` takes fields as they stand. Unknown and repeated keys, `null` and arrays in place of the object are
-/// refused (derived code alone would take the last two).
+/// `required` keys must be there, `optional` ones become `Option`s, `lists` are empty where they are missing (these two
+/// may repeat, for the order in which keys are written), `beside` takes fields as they stand. Unknown and repeated
+/// keys, `null` and arrays in place of the object are refused (derived code alone would take the last two).
 macro_rules! object {
     (
         $(#[$meta:meta])*
         $name:ident: $expecting:literal {
             $(required { $( $(#[$rmeta:meta])* $rkey:ident: $rtype:ty, )* })?
-            $(optional { $( $(#[$ometa:meta])* $okey:ident: $otype:ty, )* })?
-            $(lists { $( $(#[$lmeta:meta])* $lkey:ident: $ltype:ty, )* })?
-            $(then_optional { $( $(#[$ometa2:meta])* $okey2:ident: $otype2:ty, )* })?
-            $(then_lists { $( $(#[$lmeta2:meta])* $lkey2:ident: $ltype2:ty, )* })?
+            $(
+                optional { $( $(#[$ometa:meta])* $okey:ident: $otype:ty, )* }
+                $(lists { $( $(#[$lmeta:meta])* $lkey:ident: $ltype:ty, )* })?
+            )*
             $(beside { $( $(#[$bmeta:meta])* $bkey:ident: $btype:ty, )* })?
         }
     ) => {
@@ -22,34 +22,22 @@ macro_rules! object {
         #[serde(remote = "Self", deny_unknown_fields, expecting = $expecting)]
         pub struct $name {
             $($( $(#[$rmeta])* pub $rkey: $rtype, )*)?
-            $($(
-                $(#[$ometa])*
-                #[serde(
-                    default,
-                    deserialize_with = "crate::scene::keys::present",
-                    skip_serializing_if = "Option::is_none"
-                )]
-                pub $okey: Option<$otype>,
-            )*)?
-            $($(
-                $(#[$lmeta])*
-                #[serde(default, skip_serializing_if = "Vec::is_empty")]
-                pub $lkey: Vec<$ltype>,
-            )*)?
-            $($(
-                $(#[$ometa2])*
-                #[serde(
-                    default,
-                    deserialize_with = "crate::scene::keys::present",
-                    skip_serializing_if = "Option::is_none"
-                )]
-                pub $okey2: Option<$otype2>,
-            )*)?
-            $($(
-                $(#[$lmeta2])*
-                #[serde(default, skip_serializing_if = "Vec::is_empty")]
-                pub $lkey2: Vec<$ltype2>,
-            )*)?
+            $(
+                $(
+                    $(#[$ometa])*
+                    #[serde(
+                        default,
+                        deserialize_with = "crate::scene::keys::present",
+                        skip_serializing_if = "Option::is_none"
+                    )]
+                    pub $okey: Option<$otype>,
+                )*
+                $($(
+                    $(#[$lmeta])*
+                    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+                    pub $lkey: Vec<$ltype>,
+                )*)?
+            )*
             $($( $(#[$bmeta])* pub $bkey: $btype, )*)?
         }
 
@@ -69,7 +57,7 @@ macro_rules! object {
             /// The optional keys that are there, in the order of the specification.
             #[allow(dead_code, reason = "only objects whose keys exclude each other ask")]
             pub(in crate::scene) fn given(&self) -> impl Iterator<Item = &'static str> {
-                [$($( (stringify!($okey), self.$okey.is_some()), )*)?]
+                [$($( (stringify!($okey), self.$okey.is_some()), )*)*]
                     .into_iter()
                     .filter(|(_, given)| *given)
                     .map(|(key, _): (&str, _)| key.trim_start_matches("r#"))

@@ -15,10 +15,10 @@ pub use bond::{BondKeys, KindName, LimitName};
 pub use method::{MethodKeys, OrderName, PrecisionName, SolverName};
 pub use scene::{AreaKeys, AreaKindName, MassKeys, PointKeys, Scene, TextureKeys, Version};
 pub use surroundings::{
-    BoundsKeys, BoxKeys, CircleKeys, MouseKeys, ObstacleKeys, PinMotionKeys, PlaneKeys,
-    ProfileName, RegionName, RotationKeys, WindKeys,
+    BoundsKeys, BoxKeys, CircleKeys, MouseKeys, ObstacleKeys, PinMotionKeys, PlaneKeys, ProfileName, RegionName,
+    RotationKeys, WindKeys,
 };
-pub use vector::Vector;
+pub use vector::{Row, Vector};
 pub use view::ViewKeys;
 
 pub(in crate::scene) use strict::{Name, ObjectOnly, present};

@@ -12,7 +12,7 @@ use super::bond::BondKeys;
 use super::macros::{names, object};
 use super::method::MethodKeys;
 use super::surroundings::{BoundsKeys, MouseKeys, ObstacleKeys, PinMotionKeys, WindKeys};
-use super::vector::Vector;
+use super::vector::{Row, Vector};
 use super::view::ViewKeys;
 use crate::scene::error::Source;
 
@@ -143,7 +143,7 @@ object! {
             /// A relative path, or data:image/png;base64,…
             image: String,
             /// Where each point lies in the image.
-            uv: Vec<[f64; 2]>,
+            uv: Vec<Row<f64, 2>>,
         }
     }
 }
@@ -161,22 +161,26 @@ object! {
         optional {
             /// Its name; [`Scene::name`] falls back on the file's.
             name: String,
+        }
+        lists {
+            /// Words to find it by.
+            tags: String,
+        }
+        optional {
             /// 2 in the plane, 3 in space: 2 if not said.
             dimensions: u32,
             /// Explicit points.
             points: PointKeys,
         }
         lists {
-            /// Words to find it by.
-            tags: String,
             /// Explicit bonds.
             bonds: BondKeys,
             /// Bodies: their points and bonds follow the explicit ones, body by body.
             bodies: BodyKeys,
             /// Triangles, by the indices of their points.
-            triangles: [u32; 3],
+            triangles: Row<u32, 3>,
         }
-        then_optional {
+        optional {
             /// How triangles resist.
             areas: AreaKeys,
             /// What is drawn on triangles.
@@ -189,22 +193,32 @@ object! {
             wind: WindKeys,
             /// The force around the cursor.
             mouse: MouseKeys,
+        }
+        lists {
+            /// Pins that move.
+            pin_motion: PinMotionKeys,
+        }
+        optional {
             /// The walls around the world.
             bounds: BoundsKeys,
+        }
+        lists {
+            /// What points cannot enter.
+            obstacles: ObstacleKeys,
+        }
+        optional {
             /// Seconds of the scene in a second of wall time, > 0: 1 if not said.
             rate: f64,
             /// When the motion ends [s], >= 0: never if not said.
             duration: f64,
-            /// What a picture shows at first: everything if not said.
-            view: ViewKeys,
         }
-        then_lists {
-            /// Pins that move.
-            pin_motion: PinMotionKeys,
-            /// What points cannot enter.
-            obstacles: ObstacleKeys,
+        lists {
             /// Times to report [s], ascending: the duration if not said.
             samples: f64,
+        }
+        optional {
+            /// What a picture shows at first: everything if not said.
+            view: ViewKeys,
         }
         beside {
             /// How the motion is computed; a call may set these over the file's.

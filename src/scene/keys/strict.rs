@@ -67,10 +67,7 @@ pub(in crate::scene) struct Name<T> {
 impl<T> Name<T> {
     /// `what` stands in the message where something else than a string is found.
     pub(in crate::scene) fn new(what: &'static str) -> Self {
-        Name {
-            what,
-            names: PhantomData,
-        }
+        Name { what, names: PhantomData }
     }
 }
 

@@ -1,7 +1,7 @@
 //! The keys of what acts on the points from outside: mouse, wind, walls, obstacles, moving pins.
 
 use super::macros::{names, object};
-use super::vector::Vector;
+use super::vector::{Row, Vector};
 
 names! {
     /// Shape of the region that the mouse force acts in.
@@ -40,7 +40,7 @@ object! {
         }
         lists {
             /// Where the cursor goes by itself, [t, x, y] with times ascending; the live cursor if not said.
-            track: [f64; 3],
+            track: Row<f64, 3>,
         }
     }
 }

@@ -1,7 +1,8 @@
-//! A vector of the file: two numbers in the plane, three in space.
+//! Vectors of the file, two numbers in the plane and three in space, and other short lists of a fixed length.
 
 use std::borrow::Cow;
 use std::fmt;
+use std::marker::PhantomData;
 
 use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
 use serde::de::{Deserialize, Deserializer, Error, SeqAccess, Visitor};
@@ -21,11 +22,7 @@ impl Vector {
     /// The vector of a scene with `dimensions` dimensions: a plane drops z.
     pub fn new(components: [f64; 3], dimensions: usize) -> Self {
         let [x, y, _] = components;
-        if dimensions == 2 {
-            Vector::Plane([x, y])
-        } else {
-            Vector::Space(components)
-        }
+        if dimensions == 2 { Vector::Plane([x, y]) } else { Vector::Space(components) }
     }
 
     /// Its numbers.
@@ -97,5 +94,64 @@ impl JsonSchema for Vector {
             "minItems": 2,
             "maxItems": 3
         })
+    }
+}
+
+/// A list of exactly `N` numbers.
+///
+/// An array would do but for its errors: one item too many is reported as broken JSON.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Row<T, const N: usize>(pub [T; N]);
+
+impl<'de, T: Deserialize<'de> + Copy + Default, const N: usize> Deserialize<'de> for Row<T, N> {
+    fn deserialize<D: Deserializer<'de>>(from: D) -> Result<Self, D::Error> {
+        struct Items<T, const N: usize>(PhantomData<T>);
+
+        impl<'de, T: Deserialize<'de> + Copy + Default, const N: usize> Visitor<'de> for Items<T, N> {
+            type Value = Row<T, N>;
+
+            fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+                write!(f, "a list of {N} numbers")
+            }
+
+            fn visit_seq<A: SeqAccess<'de>>(self, mut list: A) -> Result<Row<T, N>, A::Error> {
+                let mut items = [T::default(); N];
+                let mut count = 0;
+                while let Some(item) = list.next_element()? {
+                    if count == N {
+                        return Err(Error::invalid_length(N + 1, &self));
+                    }
+                    items[count] = item;
+                    count += 1;
+                }
+                if count < N {
+                    return Err(Error::invalid_length(count, &self));
+                }
+                Ok(Row(items))
+            }
+        }
+
+        from.deserialize_seq(Items(PhantomData))
+    }
+}
+
+impl<T: Serialize, const N: usize> Serialize for Row<T, N> {
+    fn serialize<S: Serializer>(&self, to: S) -> Result<S::Ok, S::Error> {
+        self.0.as_slice().serialize(to)
+    }
+}
+
+impl<T: JsonSchema, const N: usize> JsonSchema for Row<T, N> {
+    fn inline_schema() -> bool {
+        true
+    }
+
+    fn schema_name() -> Cow<'static, str> {
+        format!("{}_{N}", T::schema_name()).into()
+    }
+
+    fn json_schema(generator: &mut SchemaGenerator) -> Schema {
+        let item = generator.subschema_for::<T>();
+        json_schema!({ "type": "array", "items": item, "minItems": N, "maxItems": N })
     }
 }
