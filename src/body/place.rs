@@ -46,11 +46,11 @@ mod tests {
 
     #[test]
     fn a_body_turns_about_its_own_origin() {
-        let body = Body { positions: vec![[0.0; 3], [2.0, 0.0, 5.0]], ..Body::default() };
+        let body = Body { positions: vec![[0.0; 3], [2.0, 1.0, 5.0]], ..Body::default() };
         let placement = Placement { origin: [1.0, 1.0, 1.0], angle: FRAC_PI_2, velocity: [0.5, 0.0, 0.0], spin: 3.0 };
         let (x, v) = placement.place(&body);
         assert!(near(x[0], [1.0, 1.0, 1.0]) && near(v[0], [0.5, 0.0, 0.0]));
-        assert!(near(x[1], [1.0, 3.0, 6.0]) && near(v[1], [0.5 - 6.0, 0.0, 0.0]));
+        assert!(near(x[1], [0.0, 3.0, 6.0]) && near(v[1], [0.5 - 6.0, -3.0, 0.0]));
     }
 
     #[test]
