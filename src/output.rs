@@ -18,36 +18,33 @@ pub struct OutputError {
 /// Errors: whatever `write` or the file system answers; an older file at `path` then stays as it was.
 pub fn replace(path: &Path, write: impl FnOnce(&mut dyn Write) -> std::io::Result<()>) -> Result<(), OutputError> {
     let attempt = || {
-        let folder = match path.parent() {
+        // Through a link the file behind it is meant; a rename would put a file in the link's place.
+        let target = std::fs::canonicalize(path).unwrap_or_else(|_| path.to_owned());
+        let folder = match target.parent() {
             Some(folder) if !folder.as_os_str().is_empty() => folder,
             _ => Path::new("."),
         };
-        if path.is_dir() {
+        if target.is_dir() {
             return Err(std::io::Error::from(std::io::ErrorKind::IsADirectory));
         }
         let mut builder = tempfile::Builder::new();
-        let mut file = builder.prefix(".wobble-").permissions(permissions()).tempfile_in(folder)?;
+        builder.prefix(".wobble-");
+        // As any new file, for all whom the user's mask allows; a temporary file alone would be private.
+        #[cfg(unix)]
+        builder.permissions(std::os::unix::fs::PermissionsExt::from_mode(0o666));
+        let mut file = builder.tempfile_in(folder)?;
         let mut buffer = BufWriter::new(file.as_file_mut());
         write(&mut buffer)?;
         buffer.flush()?;
         drop(buffer);
+        if let Ok(old) = std::fs::metadata(&target) {
+            file.as_file().set_permissions(old.permissions())?;
+        }
         file.as_file().sync_all()?;
-        file.persist(path).map_err(|error| error.error)?;
+        file.persist(&target).map_err(|error| error.error)?;
         Ok(())
     };
     attempt().map_err(|source| OutputError { path: path.to_owned(), source })
-}
-
-/// As a program that simply creates the file would: the umask takes away what the user does not share.
-#[cfg(unix)]
-fn permissions() -> std::fs::Permissions {
-    std::os::unix::fs::PermissionsExt::from_mode(0o666)
-}
-
-#[cfg(not(unix))]
-fn permissions() -> std::fs::Permissions {
-    // Elsewhere a new file takes what its folder gives; tempfile ignores this.
-    std::fs::metadata(".").map_or_else(|_| std::process::abort(), |folder| folder.permissions())
 }
 
 #[cfg(test)]

@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 /// Each room, the rooms that it may name, and the crates that it may name beside those for every room.
 const ROOMS: [(&str, &[&str], &[&str]); 7] = [
     ("sim", &[], &["rand", "rand_pcg", "libm"]),
-    ("body", &["sim"], &["rand", "rand_pcg", "libm", "serde", "schemars"]),
+    ("body", &["sim"], &["rand", "rand_pcg", "libm"]),
     (
         "scene",
         &["sim", "body", "output"],

@@ -1,4 +1,5 @@
 //! The motion against closed forms and conservation laws, in the plane and in space, in both precisions.
+#![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic, reason = "a test that cannot go on stops")]
 
 mod common;
 

@@ -1,5 +1,6 @@
 //! The real window under a virtual display, moved through by synthetic mouse events.
 #![cfg(unix)]
+#![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic, reason = "a test that cannot go on stops")]
 
 mod common;
 

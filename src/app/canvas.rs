@@ -85,9 +85,7 @@ impl Canvas {
             Some(texture) => self.draw_to(texture, view, camera, look, area, &paint),
             None => Ok(()),
         };
-        for id in paint.textures.free.drain() {
-            self.panels.free_texture(&id);
-        }
+        self.free_textures(&mut paint);
         drawn?;
         self.gpu.check()
     }
@@ -99,6 +97,13 @@ impl Canvas {
             for delta in deltas {
                 self.panels.update_texture(&self.gpu.device, &self.gpu.queue, id, &delta);
             }
+        }
+    }
+
+    #[allow(clippy::iter_over_hash_type, reason = "textures are independent of each other")]
+    fn free_textures(&mut self, paint: &mut Paint) {
+        for id in paint.textures.free.drain() {
+            self.panels.free_texture(&id);
         }
     }
 

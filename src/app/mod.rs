@@ -47,7 +47,7 @@ pub enum AppError {
 ///
 /// Errors: a scene that cannot be run, no display, no GPU.
 pub fn run(scene: Scene) -> Result<Statistics, AppError> {
-    let world = scene.world(scene.file.duration)?;
-    let player = Player::new(world, scene.file.rate, scene.file.duration);
+    let world = scene.world(scene.duration)?;
+    let player = Player::new(world, scene.rate(), scene.duration);
     shell::run(scene, player)
 }

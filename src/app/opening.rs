@@ -1,6 +1,6 @@
 //! How a scene opens: its camera.
 
-use glam::{DVec2, DVec3};
+use glam::DVec3;
 
 use crate::render::{Camera, Pose};
 use crate::scene::Scene;
@@ -9,14 +9,14 @@ use crate::sim::Dynamics;
 /// The camera of a scene's `view`; what that leaves out fits the scene.
 pub fn camera(scene: &Scene, world: &dyn Dynamics, size: [u32; 2]) -> Camera {
     let mut camera = fit(world, true, size);
-    let Some(view) = &scene.file.view else { return camera };
+    let Some(view) = &scene.view else { return camera };
     match &mut camera.pose {
         Pose::Plane { center, height } => {
-            *center = view.center.map_or(*center, DVec2::from);
+            *center = view.center.map_or(*center, |at| DVec3::from(at.embed()).truncate());
             *height = view.height.unwrap_or(*height);
         }
         Pose::Orbit { target, distance, yaw, pitch } => {
-            *target = view.target.map_or(*target, DVec3::from);
+            *target = view.target.map_or(*target, |at| DVec3::from(at.embed()));
             *distance = view.distance.unwrap_or(*distance);
             *yaw = view.yaw.unwrap_or(*yaw);
             *pitch = view.pitch.unwrap_or(*pitch);

@@ -106,7 +106,7 @@ impl Session {
 
     /// Tells the world where the cursor is: nowhere while it is over a panel, drags the camera or has left.
     pub(super) fn move_cursor(&mut self) {
-        if self.scene.file.mouse.is_none() {
+        if self.scene.mouse.is_none() {
             return;
         }
         let is_free = !self.pointer.is_dragging() && !self.panels.egui_ctx().is_pointer_over_egui();

@@ -1,71 +1,172 @@
-//! Makers of points and bonds: one a file, each a plain struct of parameters with a `make` method.
+//! Makers of points and bonds: each turns a few parameters into a [`Body`] about its own origin.
 //!
-//! A maker yields points in its own frame, in metres, z = 0 in the plane, and pairs of points to be bonded; where the
-//! body stands, what it is made of and how heavy it is, is the scene's affair.
+//! | maker | its own origin |
+//! |---|---|
+//! | [`Points`], [`RandomGraph`] | the one that `min` and `max` count from |
+//! | [`Rim`], [`BoxFrame`] | the centre |
+//! | [`Rope`], [`Cloth`], [`Lattice`] | the first point |
+//!
+//! [`Placement`] moves a body into the world. Every maker checks its parameters before it makes anything, and says how
+//! many points there will be. Sines and cosines come from `libm`, so that a body has the same bits on every machine.
 
-mod angle;
+mod box_frame;
 mod cloth;
-mod frame;
+mod draw;
+mod grid;
 mod lattice;
-mod random;
+mod place;
+mod points;
+mod random_graph;
 mod rim;
 mod rope;
 
-pub use angle::{cos, sin};
+pub use box_frame::BoxFrame;
 pub use cloth::{Cloth, Diagonals};
-pub use frame::Frame;
 pub use lattice::Lattice;
-pub use random::{RandomGraph, ScatteredPoints};
-pub use rim::{Bracing, Rim};
-pub use rope::Rope;
+pub use place::Placement;
+pub use points::Points;
+pub use random_graph::RandomGraph;
+pub use rim::{Brace, Rim};
+pub use rope::{Rope, Stretch};
 
-/// Most points that one maker makes: more is a slip of the keyboard, and would only fill the memory.
-pub const MOST_POINTS: u64 = 20_000_000;
+/// Most points that one body may have: enough for a cloth of 4,000 by 4,000; beyond, a mistyped count would only fill
+/// the memory.
+pub const MAX_POINTS: u64 = 20_000_000;
 
-/// Points and the pairs to bond, in the maker's own frame.
+/// Most bonds that one body may have: five for each of [`MAX_POINTS`], more than any grid makes.
+pub const MAX_BONDS: u64 = 100_000_000;
+
+/// Points and bonds about their own origin, not yet placed.
+///
+/// Shapes: `weights` has one entry a point; `links` hold indices below their number.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Body {
-    /// Positions [m].
-    pub position: Vec<[f64; 3]>,
-    /// Pairs of points to bond, a pair once; rest lengths are the distances.
-    pub bonds: Vec<[u32; 2]>,
-    /// Share of the body's mass a point carries: the length or area around it [m or m^2]; empty: equal shares.
-    pub share: Vec<f64>,
+    /// Positions [m]; z = 0 for what lies in the plane.
+    pub positions: Vec<[f64; 3]>,
+    /// The bonds, in the maker's order.
+    pub links: Vec<Link>,
+    /// Each point's share of the body's mass, up to a common factor: by length, by area, or all equal [1], > 0.
+    pub weights: Vec<f64>,
 }
 
-/// A parameter that a body cannot be made with.
+/// A bond of a body, without what it is made of.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Link {
+    /// One end, counted within the body.
+    pub a: u32,
+    /// The other end.
+    pub b: u32,
+    /// Distance of the ends as made [m].
+    pub rest_length: f64,
+}
+
+impl Body {
+    /// Bonds the points `a` and `b` at their present distance.
+    fn link(&mut self, a: u32, b: u32) {
+        let rest_length = distance(self.positions[a as usize], self.positions[b as usize]);
+        self.links.push(Link { a, b, rest_length });
+    }
+
+    /// Masses [kg] that add up to `total`, shared by the weights.
+    pub fn masses(&self, total: f64) -> Vec<f64> {
+        let sum: f64 = self.weights.iter().sum();
+        self.weights.iter().map(|w| total * (w / sum)).collect()
+    }
+}
+
+/// Distance of two points [m].
+pub fn distance(a: [f64; 3], b: [f64; 3]) -> f64 {
+    crate::sim::vector::length(crate::sim::vector::sub(a, b))
+}
+
+/// A parameter that no body can be made with.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
-#[error("{key}: {problem}")]
+#[error("{key}: {message}")]
 pub struct BodyError {
-    /// The parameter.
+    /// The parameter, by its name in a scene file.
     pub key: &'static str,
-    /// What is wrong and what would do.
-    pub problem: String,
+    /// What is wrong with it and what to do.
+    pub message: String,
 }
 
 impl BodyError {
-    pub(crate) fn new(key: &'static str, problem: impl Into<String>) -> Self {
-        BodyError { key, problem: problem.into() }
+    fn new(key: &'static str, message: impl Into<String>) -> Self {
+        BodyError { key, message: message.into() }
     }
 }
 
-/// A length that must be finite and above 0.
-pub(crate) fn positive(key: &'static str, value: f64) -> Result<(), BodyError> {
-    if value > 0.0 && value.is_finite() {
-        return Ok(());
-    }
-    Err(BodyError::new(key, format!("{value} is no length: give a number above 0")))
+/// A maker with its parameters.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Maker {
+    /// Loose points.
+    Points(Points),
+    /// Points with random bonds.
+    RandomGraph(RandomGraph),
+    /// Two rings with bracing between them.
+    Rim(Rim),
+    /// A rectangle of four points.
+    Box(BoxFrame),
+    /// A row of points.
+    Rope(Rope),
+    /// A hanging grid.
+    Cloth(Cloth),
+    /// A standing grid.
+    Lattice(Lattice),
 }
 
-/// A number of points that must lie from `least` to [`MOST_POINTS`].
-pub(crate) fn counted(key: &'static str, count: u64, least: u64) -> Result<(), BodyError> {
-    if (least..=MOST_POINTS).contains(&count) {
-        return Ok(());
+impl Maker {
+    /// How many points it makes.
+    ///
+    /// Errors: the first parameter that is out of its range.
+    pub fn point_count(&self) -> Result<u32, BodyError> {
+        match self {
+            Maker::Points(maker) => maker.point_count(),
+            Maker::RandomGraph(maker) => maker.point_count(),
+            Maker::Rim(maker) => maker.point_count(),
+            Maker::Box(maker) => maker.point_count(),
+            Maker::Rope(maker) => maker.point_count(),
+            Maker::Cloth(maker) => maker.point_count(),
+            Maker::Lattice(maker) => maker.point_count(),
+        }
     }
-    Err(BodyError::new(key, format!("{count} will not do: give {least} to {MOST_POINTS}")))
+
+    /// Makes the body; the same parameters yield the same bits.
+    ///
+    /// Errors: those of [`Maker::point_count`], and positions too large for a number.
+    pub fn make(&self) -> Result<Body, BodyError> {
+        self.point_count()?;
+        let body = match self {
+            Maker::Points(maker) => maker.make(),
+            Maker::RandomGraph(maker) => maker.make(),
+            Maker::Rim(maker) => maker.make(),
+            Maker::Box(maker) => maker.make(),
+            Maker::Rope(maker) => maker.make(),
+            Maker::Cloth(maker) => maker.make(),
+            Maker::Lattice(maker) => maker.make(),
+        };
+        let finite = body.positions.iter().flatten().all(|x| x.is_finite())
+            && body.links.iter().all(|link| link.rest_length.is_finite());
+        if finite {
+            Ok(body)
+        } else {
+            Err(BodyError::new("make", "the body is too large for a number: make it smaller"))
+        }
+    }
 }
 
-/// The distance between two points [m].
-pub fn distance(a: [f64; 3], b: [f64; 3]) -> f64 {
-    crate::sim::vector::length(crate::sim::vector::sub(a, b))
+/// A count of points, at least `least` and at most [`MAX_POINTS`].
+fn count(key: &'static str, value: u64, least: u64) -> Result<u32, BodyError> {
+    match u32::try_from(value) {
+        Ok(count) if (least..=MAX_POINTS).contains(&value) => Ok(count),
+        _ => Err(BodyError::new(key, format!("is {value}: give a number from {least} to {MAX_POINTS}"))),
+    }
+}
+
+/// A length that must be finite and positive.
+fn length(key: &'static str, value: f64) -> Result<(), BodyError> {
+    if value.is_finite() && value > 0.0 {
+        Ok(())
+    } else {
+        Err(BodyError::new(key, format!("is {value:?}: give a finite number above 0")))
+    }
 }

@@ -73,7 +73,7 @@ fn animation(text: &str) -> Result<PathBuf, String> {
 
 pub(super) fn run(arguments: &Arguments, quiet: bool) -> anyhow::Result<()> {
     let scene = Scene::load(&arguments.scene)?;
-    let mut world = scene.world(scene.file.duration)?;
+    let mut world = scene.world(scene.duration)?;
     let camera = opening::camera(&scene, &*world, arguments.size);
     let overlay = match arguments.overlay {
         OverlayName::None => Overlay::None,
@@ -85,7 +85,7 @@ pub(super) fn run(arguments: &Arguments, quiet: bool) -> anyhow::Result<()> {
     let bar = progress::frames(quiet, u64::from(count));
     let mut animation = Vec::new();
     for index in 0..count {
-        let time = arguments.time + f64::from(index) / arguments.fps * scene.file.rate;
+        let time = arguments.time + f64::from(index) / arguments.fps * scene.rate();
         run_to(&mut *world, time, &mut |_| {})?;
         let picture = draw(&mut capture, &*world, time, u64::from(index), &camera, &look)?;
         if let Some(path) = arguments.out.as_ref().filter(|path| extension(path) == "png") {

@@ -4,7 +4,7 @@ use std::io::Write;
 
 use clap::Args;
 
-use crate::scene::{self, Scene, gallery};
+use crate::scene::{self, Scene};
 
 /// What to print.
 #[derive(Args)]
@@ -32,21 +32,22 @@ pub(super) fn run(arguments: &Arguments) -> anyhow::Result<()> {
         return Ok(());
     }
     let Some(name) = &arguments.scene else {
-        for entry in gallery::ENTRIES {
-            writeln!(out, "{:<14} {}", entry.name, entry.about)?;
+        for entry in scene::gallery() {
+            writeln!(out, "{:<14} {}", entry.name, entry.title)?;
         }
         return Ok(());
     };
     let scene = Scene::load(name)?;
     if arguments.expanded {
-        serde_json::to_writer(&mut out, &scene.expanded())?;
-        writeln!(out)?;
+        write!(out, "{}", scene.expanded()?.to_json()?)?;
     } else if arguments.json {
-        writeln!(out, "{}", serde_json::to_string_pretty(&scene.file)?)?;
+        write!(out, "{}", scene.to_json()?)?;
     } else {
-        let about = gallery::find(name).map_or("", |entry| entry.about);
-        writeln!(out, "{name}: {about}")?;
-        let (points, bonds) = (scene.content.position.len(), scene.content.bonds.len());
+        if let Some(entry) = scene::gallery().iter().find(|entry| entry.name == name) {
+            writeln!(out, "{}: {}", entry.title, entry.description)?;
+        }
+        let world = scene.world(None)?;
+        let (points, bonds) = (world.point_count(), world.bonds().len());
         writeln!(out, "{points} points, {bonds} bonds, {} dimensions", scene.dimensions())?;
     }
     Ok(())

@@ -10,8 +10,8 @@ use super::progress;
 use super::values::{self, Times};
 use crate::output;
 use crate::scene::record::{RecordedCounters, RecordedSample, Recording, hash, record, seconds};
-use crate::scene::{Scene, solver_name};
-use crate::sim::{Counters, Dynamics, Order, Precision, Sample, Solver};
+use crate::scene::{OrderName, PrecisionName, Scene, SolverName};
+use crate::sim::{Counters, Dynamics, Precision, Sample};
 
 /// What to run and where to write it.
 #[derive(Args)]
@@ -23,7 +23,7 @@ pub(super) struct Arguments {
     scene: String,
     /// auto, verlet or relaxation.
     #[arg(long, value_parser = values::solver)]
-    solver: Option<Solver>,
+    solver: Option<SolverName>,
     /// Longest substep [s].
     #[arg(long, value_name = "H", value_parser = values::above_zero)]
     substep: Option<f64>,
@@ -31,14 +31,14 @@ pub(super) struct Arguments {
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..))]
     iterations: Option<u32>,
     /// Order of the bonds in a sweep: fixed, symmetric, coloured or shuffled.
-    #[arg(long, value_parser = values::order)]
-    order: Option<Order>,
+    #[arg(long)]
+    order: Option<OrderName>,
     /// Seed of the shuffles.
     #[arg(long)]
     seed: Option<u64>,
     /// auto, f32 or f64.
-    #[arg(long, value_parser = values::precision)]
-    precision: Option<Precision>,
+    #[arg(long)]
+    precision: Option<PrecisionName>,
     /// Times to sample at [s], ascending, such as 0.5,1,2; the last one ends the run.
     #[arg(long, value_name = "T,…", value_parser = values::times)]
     samples: Option<Times>,
@@ -66,8 +66,8 @@ pub(super) fn run(arguments: &Arguments, quiet: bool) -> anyhow::Result<()> {
     let mut scene = Scene::load(&arguments.scene)?;
     arguments.change(&mut scene);
     let times = arguments.times(&scene)?;
-    let end = times.last().copied().or(scene.file.duration);
-    let duration = if arguments.samples.is_some() { end } else { scene.file.duration.or(end) };
+    let end = times.last().copied();
+    let duration = if arguments.samples.is_some() { end } else { scene.duration.or(end) };
     let start = scene.world(duration)?;
     let mut world = start.boxed_clone();
     let bar = progress::bar(quiet, end.unwrap_or(0.0));
@@ -93,21 +93,20 @@ impl Arguments {
     /// What the call says instead of the scene.
     fn change(&self, scene: &mut Scene) {
         let method = &mut scene.method;
-        method.solver = self.solver.unwrap_or(method.solver);
+        method.solver = self.solver.or(method.solver);
         method.substep = self.substep.or(method.substep);
         method.iterations = self.iterations.or(method.iterations);
-        method.order = self.order.unwrap_or(method.order);
-        method.seed = self.seed.unwrap_or(method.seed);
-        method.precision = self.precision.unwrap_or(method.precision);
+        method.order = self.order.or(method.order);
+        method.seed = self.seed.or(method.seed);
+        method.precision = self.precision.or(method.precision);
     }
 
     fn times(&self, scene: &Scene) -> anyhow::Result<Vec<f64>> {
-        match (&self.samples, &scene.file.samples, scene.file.duration) {
-            (Some(times), _, _) => Ok(times.0.clone()),
-            (None, Some(times), _) if !times.is_empty() => Ok(times.clone()),
-            (None, _, Some(duration)) => Ok(vec![duration]),
-            _ => bail!("{}: the scene has no duration: give --samples", self.scene),
+        let times = self.samples.as_ref().map_or_else(|| scene.sample_times(), |times| times.0.clone());
+        if times.is_empty() {
+            bail!("{}: the scene has no duration: give --samples", self.scene);
         }
+        Ok(times)
     }
 }
 
@@ -121,7 +120,7 @@ fn recording(scene: &Scene, start: &dyn Dynamics, times: &[f64], samples: &[Samp
     }
     Recording {
         scene: scene.name().to_owned(),
-        solver: solver_name(scene.method.solver),
+        solver: scene.method.solver.unwrap_or(SolverName::Auto).name(),
         substep: start.substep(),
         precision: if start.precision() == Precision::F32 { "f32" } else { "f64" },
         samples: samples.iter().map(|sample| RecordedSample::new(sample, scene.dimensions())).collect(),

@@ -1,7 +1,6 @@
 //! Values of options, checked while the call is parsed: a wrong one ends with exit code 2.
 
-use crate::scene;
-use crate::sim::{Order, Precision, Solver};
+use crate::scene::SolverName;
 
 /// A finite number above 0.
 pub(super) fn above_zero(text: &str) -> Result<f64, String> {
@@ -37,26 +36,10 @@ pub(super) fn size(text: &str) -> Result<[u32; 2], String> {
     }
 }
 
-pub(super) fn solver(text: &str) -> Result<Solver, String> {
-    scene::solver(text)
-}
-
-pub(super) fn order(text: &str) -> Result<Order, String> {
-    match text {
-        "auto" => Ok(Order::Auto),
-        "fixed" => Ok(Order::Fixed),
-        "symmetric" => Ok(Order::Symmetric),
-        "coloured" => Ok(Order::Coloured),
-        "shuffled" => Ok(Order::Shuffled),
-        _ => Err("use auto, fixed, symmetric, coloured or shuffled".to_owned()),
-    }
-}
-
-pub(super) fn precision(text: &str) -> Result<Precision, String> {
-    match text {
-        "auto" => Ok(Precision::Auto),
-        "f32" => Ok(Precision::F32),
-        "f64" => Ok(Precision::F64),
-        _ => Err("use auto, f32 or f64".to_owned()),
+/// A solver that this version has.
+pub(super) fn solver(text: &str) -> Result<SolverName, String> {
+    match text.parse()? {
+        solver @ (SolverName::Auto | SolverName::Verlet | SolverName::Relaxation) => Ok(solver),
+        other => Err(format!("`{other}` is not in this version: use auto, verlet or relaxation")),
     }
 }

@@ -1,109 +1,222 @@
-//! What is wrong with a scene: file, line, key, and the cure, in one line.
+//! What can be wrong with a scene, and how it is said: one line with file, line, key, fault and cure.
 
 use std::fmt;
+use std::sync::Arc;
 
-use jsonc_parser::ast::Value;
+use super::locate;
 
-/// A scene that cannot be used.
-#[derive(Clone, Debug, PartialEq, Eq)]
+/// Largest text that a scene keeps to say lines by after it was read [bytes]: 16 MiB. A larger one is reported by its
+/// keys alone once it has been read; kept, it would cost its length in memory for a message that may never come.
+const KEPT_TEXT: usize = 16 << 20;
+
+/// Longest message [bytes]: a wrong word of the file is quoted, and may be as long as the file.
+const LONGEST_MESSAGE: usize = 400;
+
+/// Where a scene came from. Two scenes that differ in nothing else are equal.
+#[derive(Clone, Debug, Default)]
+pub struct Source {
+    /// The file, or what stands for it in messages.
+    pub(super) label: String,
+    pub(super) text: Option<Arc<str>>,
+}
+
+impl PartialEq for Source {
+    fn eq(&self, _: &Self) -> bool {
+        true
+    }
+}
+
+impl Source {
+    /// A source that keeps the text, if it is not too long.
+    pub(super) fn new(label: &str, text: &str) -> Self {
+        Source { label: label.to_owned(), text: (text.len() <= KEPT_TEXT).then(|| text.into()) }
+    }
+
+    /// The error that a fault in this scene is.
+    pub(super) fn error(&self, fault: Fault) -> SceneError {
+        let text = self.text.as_deref();
+        fault.into_error(&self.label, text)
+    }
+}
+
+/// What sort of thing went wrong.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum SceneErrorKind {
+    /// There is no such file, and no scene of that name in the gallery.
+    NotFound,
+    /// The file could not be read or written.
+    File,
+    /// The text is not JSON.
+    Syntax,
+    /// A key, a type or a value that a scene cannot have.
+    Invalid,
+    /// A scene in order that this version cannot run.
+    Unsupported,
+}
+
+/// One line that says where a scene is wrong, what is wrong there and what to do.
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 pub struct SceneError {
-    /// The file, or the name of a gallery scene.
+    /// What sort of thing went wrong.
+    pub kind: SceneErrorKind,
+    /// The file, or what stands for it.
     pub label: String,
-    /// Line in the file, from 1, where it is known.
+    /// The line in it, from 1, where it is known.
     pub line: Option<usize>,
-    /// The key, such as `bonds[3].a`; empty: the scene as a whole.
-    pub path: String,
+    /// The path of keys to the place, such as `bonds[3].a`; empty for the whole.
+    pub key: String,
     /// What is wrong and what to do.
-    pub problem: String,
+    pub message: String,
+}
+
+impl SceneError {
+    /// An error about the whole file.
+    pub(super) fn whole(kind: SceneErrorKind, label: &str, message: impl Into<String>) -> Self {
+        SceneError { kind, label: label.to_owned(), line: None, key: String::new(), message: message.into() }
+    }
 }
 
 impl fmt::Display for SceneError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "{}", self.label)?;
-        if let Some(line) = self.line {
-            write!(f, ":{line}")?;
+        let mut line = String::new();
+        if !self.label.is_empty() {
+            line.push_str(&self.label);
+            if let Some(number) = self.line {
+                line.push_str(&format!(":{number}"));
+            }
+            line.push_str(": ");
         }
-        write!(f, ": ")?;
-        if !self.path.is_empty() {
-            write!(f, "{}: ", self.path)?;
+        if !self.key.is_empty() {
+            line.push_str(&self.key);
+            line.push_str(": ");
         }
-        write!(f, "{}", self.problem)
+        line.push_str(&self.message);
+        f.write_str(&printable(&line))
     }
 }
 
-impl std::error::Error for SceneError {}
+/// The text on one line: control characters are spelled out, and it is cut where it gets too long.
+fn printable(text: &str) -> String {
+    let mut line = String::new();
+    for c in text.chars() {
+        if line.len() > LONGEST_MESSAGE {
+            line.push('…');
+            break;
+        }
+        if c.is_control() {
+            line.extend(c.escape_default());
+        } else {
+            line.push(c);
+        }
+    }
+    line
+}
 
-/// Something wrong at a key, before it is known in which file.
+/// One step of the path to a place in the file.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub(crate) struct Problem {
-    pub(crate) path: String,
-    pub(crate) problem: String,
+pub(super) enum Step {
+    /// Into an object.
+    Key(String),
+    /// Into a list.
+    Index(usize),
 }
 
-impl Problem {
-    pub(crate) fn new(path: impl Into<String>, problem: impl Into<String>) -> Self {
-        Problem { path: path.into(), problem: problem.into() }
+/// "bonds\[3\].a".
+pub(super) fn path_name(path: &[Step]) -> String {
+    let mut name = String::new();
+    for step in path {
+        match step {
+            Step::Key(key) if name.is_empty() => name.push_str(key),
+            Step::Key(key) => {
+                name.push('.');
+                name.push_str(key);
+            }
+            Step::Index(index) => name.push_str(&format!("[{index}]")),
+        }
+    }
+    name
+}
+
+/// Something wrong at a place of a scene; the file is not known yet.
+#[derive(Debug)]
+pub(super) struct Fault {
+    kind: SceneErrorKind,
+    /// From the place outwards: every caller adds its own step.
+    outwards: Vec<Step>,
+    message: String,
+}
+
+impl Fault {
+    /// A value that a scene cannot have.
+    pub(super) fn invalid(message: impl Into<String>) -> Self {
+        Fault { kind: SceneErrorKind::Invalid, outwards: Vec::new(), message: message.into() }
     }
 
-    /// The same problem seen from outside: `prefix` comes before its key.
-    pub(crate) fn within(self, prefix: impl fmt::Display) -> Self {
-        let path = match self.path.as_str() {
-            "" => prefix.to_string(),
-            path if path.starts_with('[') => format!("{prefix}{path}"),
-            path => format!("{prefix}.{path}"),
-        };
-        Problem { path, ..self }
+    /// Something that this version cannot run.
+    pub(super) fn unsupported(message: impl Into<String>) -> Self {
+        Fault { kind: SceneErrorKind::Unsupported, ..Fault::invalid(message) }
     }
 
-    /// The error, with the line of the key looked up in the file's text.
-    pub(crate) fn at(self, label: &str, text: Option<&str>) -> SceneError {
-        let line = text.and_then(|text| line_of(text, &self.path));
-        SceneError { label: label.to_owned(), line, path: self.path, problem: self.problem }
+    /// The same fault, seen from the object that holds the key.
+    pub(super) fn at(mut self, key: &str) -> Self {
+        self.outwards.push(Step::Key(key.to_owned()));
+        self
+    }
+
+    /// The same fault, seen from the list that holds the item.
+    pub(super) fn item(mut self, index: usize) -> Self {
+        self.outwards.push(Step::Index(index));
+        self
+    }
+
+    /// The error with file and, where the text is there, line.
+    pub(super) fn into_error(self, label: &str, text: Option<&str>) -> SceneError {
+        let path: Vec<Step> = self.outwards.into_iter().rev().collect();
+        SceneError {
+            kind: self.kind,
+            label: label.to_owned(),
+            line: text.and_then(|text| locate::line_of(text, &path)),
+            key: path_name(&path),
+            message: self.message,
+        }
     }
 }
 
-/// Line, from 1, of the value at `path` in a JSON text: of the nearest enclosing value where the key is missing.
-fn line_of(text: &str, path: &str) -> Option<usize> {
-    let parsed = jsonc_parser::parse_to_ast(text, &Default::default(), &Default::default()).ok()?;
-    let mut value = parsed.value.as_ref()?;
-    let mut offset = start(value);
-    for step in path.split(['.', '[']).filter(|step| !step.is_empty()) {
-        let next = match (step.strip_suffix(']'), value) {
-            (Some(index), Value::Array(array)) => array.elements.get(index.parse::<usize>().ok()?),
-            (None, Value::Object(object)) => object.get(step).map(|property| &property.value),
-            _ => None,
-        };
-        let Some(found) = next else { break };
-        value = found;
-        offset = start(value);
-    }
-    Some(1 + text.as_bytes()[..offset].iter().filter(|&&byte| byte == b'\n').count())
+/// Says where a result comes from.
+pub(super) trait Within {
+    /// From this key.
+    fn at(self, key: &str) -> Self;
+    /// From this item of a list.
+    fn item(self, index: usize) -> Self;
 }
 
-fn start(value: &Value<'_>) -> usize {
-    jsonc_parser::common::Ranged::range(value).start
+impl<T> Within for Result<T, Fault> {
+    fn at(self, key: &str) -> Self {
+        self.map_err(|fault| fault.at(key))
+    }
+
+    fn item(self, index: usize) -> Self {
+        self.map_err(|fault| fault.item(index))
+    }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
 
-    const TEXT: &str = "{\n \"a\": 1,\n \"b\": [\n  {\"c\": 2},\n  {\"c\":\n   3}\n ]\n}";
-
     #[test]
-    fn keys_have_lines() {
-        assert_eq!(line_of(TEXT, "a"), Some(2));
-        assert_eq!(line_of(TEXT, "b[0].c"), Some(4));
-        assert_eq!(line_of(TEXT, "b[1].c"), Some(6));
-        assert_eq!(line_of(TEXT, "b[1].missing"), Some(5));
-        assert_eq!(line_of(TEXT, ""), Some(1));
-        assert_eq!(line_of("{", "a"), None);
+    fn a_fault_becomes_one_line_with_its_place() {
+        let fault = Fault::invalid("is 5: use 4").at("a").item(1).at("bonds");
+        let text = "{\n\"bonds\": [ {},\n {\n \"a\": 5 } ] }";
+        let error = fault.into_error("x.json", Some(text));
+        assert_eq!(error.to_string(), "x.json:4: bonds[1].a: is 5: use 4");
     }
 
     #[test]
-    fn an_error_is_one_line() {
-        let problem = Problem::new("a", "is odd").within("bonds[3]");
-        assert_eq!(problem.at("x.json", None).to_string(), "x.json: bonds[3].a: is odd");
-        assert_eq!(Problem::new("[1]", "is odd").within("samples").path, "samples[1]");
+    fn a_message_stays_one_short_line() {
+        let nasty = SceneError::whole(SceneErrorKind::Invalid, "x.json", format!("a\nb\u{1b}[31m{}", "é".repeat(5000)));
+        let line = nasty.to_string();
+        assert!(line.starts_with("x.json: a\\nb\\u{1b}[31mé"));
+        assert!(line.len() < 500 && !line.chars().any(char::is_control));
     }
 }

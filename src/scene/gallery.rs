@@ -1,72 +1,92 @@
-//! The gallery: scenes that come with the program, for the app, the command line, tests and benchmarks alike.
+//! The gallery: one catalogue of scenes for the app, the command line, tests and benches.
+
+use super::error::SceneError;
+use super::keys::Scene;
 
 /// A scene of the gallery.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Entry {
-    /// Its name.
+    /// What it is called by.
     pub name: &'static str,
-    /// What it shows, in a line.
-    pub about: &'static str,
-    /// Its scene file.
-    pub text: &'static str,
+    /// A few words for a list.
+    pub title: &'static str,
+    /// One sentence on what it shows.
+    pub description: &'static str,
+    /// The scene file's text.
+    pub json: &'static str,
 }
 
-macro_rules! entries {
-    ($($name:literal: $about:literal,)*) => {
-        &[$(Entry { name: $name, about: $about, text: include_str!(concat!("../../assets/scenes/", $name, ".json")) },)*]
-    };
-}
-
-/// All scenes, in the order that they are listed in.
-pub const ENTRIES: &[Entry] = entries! {
-    "points": "ten points fall and bounce in a box",
-    "random-graph": "ten points, thirty random bonds, swept in shuffled order",
-    "rim": "a rim of springs to drag the mouse through",
-    "rim-relaxed": "the same rim of hard bonds, one shuffled sweep a substep",
-};
-
-/// The scene of that name.
-pub fn find(name: &str) -> Option<&'static Entry> {
-    ENTRIES.iter().find(|entry| entry.name == name)
-}
-
-/// What to say when neither scene nor file has that name.
-pub(super) fn no_such_scene(name: &str) -> String {
-    let likely =
-        ENTRIES.iter().map(|entry| (entry.name, likeness(name, entry.name))).max_by(|a, b| a.1.total_cmp(&b.1));
-    match likely {
-        Some((likely, likeness)) if likeness > 0.5 => {
-            format!("no file and no scene of the gallery has this name: did you mean `{likely}`?")
-        }
-        _ => "no file and no scene of the gallery has this name: `wobble scenes` lists them".to_owned(),
+impl Entry {
+    /// The scene, read from its text.
+    ///
+    /// Errors: the text is out of order, which a test excludes.
+    pub fn scene(&self) -> Result<Scene, SceneError> {
+        Scene::parse(self.json, &format!("{}.json", self.name))
     }
 }
 
-/// Share of neighbouring pairs of letters that two words have in common (Dice's coefficient), 0 to 1.
-fn likeness(a: &str, b: &str) -> f64 {
-    let pairs = |word: &str| -> Vec<[u8; 2]> {
-        format!("^{}$", word.to_lowercase()).as_bytes().windows(2).map(|pair| [pair[0], pair[1]]).collect()
-    };
-    let (a, mut b) = (pairs(a), pairs(b));
-    let whole = (a.len() + b.len()) as f64;
-    let mut common = 0.0;
-    for pair in a {
-        if let Some(i) = b.iter().position(|&other| other == pair) {
-            b.swap_remove(i);
-            common += 2.0;
-        }
-    }
-    common / whole
+/// All scenes, in the order of a list.
+pub fn gallery() -> &'static [Entry] {
+    &GALLERY
 }
+
+/// The scene of a name.
+pub(super) fn find(name: &str) -> Option<&'static Entry> {
+    GALLERY.iter().find(|entry| entry.name == name)
+}
+
+/// An entry, its text embedded from `assets/scenes`.
+macro_rules! entry {
+    ($name:literal, $title:literal, $description:literal) => {
+        Entry {
+            name: $name,
+            title: $title,
+            description: $description,
+            json: include_str!(concat!("../../assets/scenes/", $name, ".json")),
+        }
+    };
+}
+
+static GALLERY: [Entry; 4] = [
+    entry!("points", "Falling points", "Ten loose points fall under unit gravity and bounce between walls."),
+    entry!(
+        "random-graph",
+        "Random graph",
+        "Ten points and thirty random bonds, swept by relaxation as in the source: it crumples, shivers and settles."
+    ),
+    entry!("rim", "Rim", "A braced rim of springs falls, lands and shies away from the mouse; one second a second."),
+    entry!(
+        "rim-relaxed",
+        "Rim, relaxed",
+        "The source's rim: one shuffled sweep a substep, at 3.6 times real time. \
+         The square mouse force attracts there, here it repels."
+    ),
+];
 
 #[cfg(test)]
+#[allow(clippy::unwrap_used, clippy::panic, reason = "a test that cannot go on stops")]
 mod tests {
     use super::*;
 
     #[test]
-    fn a_slip_is_recognised() {
-        assert!(no_such_scene("rimm").contains("`rim`"));
-        assert!(no_such_scene("random_graph").contains("`random-graph`"));
-        assert!(no_such_scene("xyz").contains("wobble scenes"));
+    fn every_scene_is_in_order_and_bears_its_name() {
+        for entry in gallery() {
+            let scene = entry.scene().unwrap_or_else(|error| panic!("{error}"));
+            assert_eq!(scene.name.as_deref(), Some(entry.name));
+            assert!(!scene.tags.is_empty(), "{}", entry.name);
+            assert!(scene.view.is_some(), "{}", entry.name);
+            let made = match scene.dimensions() {
+                2 => scene.model::<2>().map(|model| model.position.len()),
+                _ => scene.model::<3>().map(|model| model.position.len()),
+            };
+            assert!(made.unwrap_or_else(|error| panic!("{error}")) > 0);
+        }
+    }
+
+    #[test]
+    fn names_are_unique() {
+        for (i, entry) in gallery().iter().enumerate() {
+            assert!(gallery()[..i].iter().all(|other| other.name != entry.name));
+        }
     }
 }

@@ -1,5 +1,5 @@
 //! What several tests share.
-#![allow(dead_code, reason = "each test binary uses its part of this")]
+#![allow(dead_code, unreachable_pub, reason = "each test binary uses its part of this")]
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic, reason = "a test that cannot go on stops")]
 
 pub mod golden;
@@ -18,7 +18,9 @@ pub fn skip(what: &str, reason: &str) {
     let required = std::env::var("WOBBLE_REQUIRE").unwrap_or_default();
     assert!(!required.split(',').any(|name| name == what), "WOBBLE_REQUIRE names {what}, but {reason}");
     let test = std::thread::current().name().unwrap_or("test").to_owned();
-    writeln!(std::io::stderr(), "skipped: {test}: {reason}").unwrap();
+    // Not eprintln!, which the test runner keeps to itself when a test passes.
+    let mut stderr = std::io::stderr();
+    writeln!(stderr, "skipped: {test}: {reason}").unwrap();
 }
 
 /// A GPU, or nothing and a word that the test was skipped.

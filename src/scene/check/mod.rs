@@ -1,0 +1,166 @@
+//! Holds a scene to what the specification says of its keys: ranges, lengths, indices, and what excludes what.
+
+mod body;
+mod bond;
+mod number;
+mod surfaces;
+mod surroundings;
+
+use super::error::{Fault, Within};
+use super::keys::{MassKeys, PointKeys, Scene, ViewKeys};
+use number::Range;
+
+pub(super) use body::maker;
+pub(super) use bond::Resistance;
+
+/// Refuses what the specification excludes, whether this version could run it or not.
+///
+/// Errors: the first fault, in the order of the specification.
+pub(super) fn check(scene: &Scene) -> Result<(), Fault> {
+    let dimensions = dimensions(scene)?;
+    let explicit = match &scene.points {
+        Some(points) => check_points(points, dimensions).at("points")?,
+        None => 0,
+    };
+    let count = count_points(scene, explicit, dimensions)?;
+    for (i, bond) in scene.bonds.iter().enumerate() {
+        bond::check(bond, count).item(i).at("bonds")?;
+    }
+    surfaces::check(scene, count, dimensions)?;
+    surroundings::check(scene, dimensions, &|point| is_pinned(scene, explicit, point))?;
+    check_method(scene).at("method")?;
+    check_times(scene)?;
+    match &scene.view {
+        Some(view) => check_view(view, dimensions).at("view"),
+        None => Ok(()),
+    }
+}
+
+fn dimensions(scene: &Scene) -> Result<usize, Fault> {
+    match scene.dimensions {
+        None | Some(2) => Ok(2),
+        Some(3) => Ok(3),
+        Some(other) => Err(Fault::invalid(format!("is {other}: give 2 for the plane or 3 for space")).at("dimensions")),
+    }
+}
+
+/// How many explicit points there are.
+fn check_points(points: &PointKeys, dimensions: usize) -> Result<u32, Fault> {
+    let count = u32::try_from(points.position.len())
+        .map_err(|_| Fault::invalid("has more points than 32 bits can count").at("position"))?;
+    for (i, position) in points.position.iter().enumerate() {
+        number::vector(position, dimensions).item(i).at("position")?;
+    }
+    if let Some(velocities) = &points.velocity {
+        one_a_point(velocities.len(), count).at("velocity")?;
+        for (i, velocity) in velocities.iter().enumerate() {
+            number::vector(velocity, dimensions).item(i).at("velocity")?;
+        }
+    }
+    match &points.mass {
+        None => {}
+        Some(MassKeys::Same(mass)) => Range::Positive.check(*mass).at("mass")?,
+        Some(MassKeys::Each(masses)) => {
+            one_a_point(masses.len(), count).at("mass")?;
+            for (i, mass) in masses.iter().enumerate() {
+                Range::Positive.check(*mass).item(i).at("mass")?;
+            }
+        }
+    }
+    for (i, &point) in points.pinned.iter().enumerate() {
+        number::index(point, count).item(i).at("pinned")?;
+    }
+    Ok(count)
+}
+
+/// Errors: a list that should have an entry a point has another length.
+fn one_a_point(found: usize, count: u32) -> Result<(), Fault> {
+    if found == count as usize {
+        Ok(())
+    } else {
+        Err(Fault::invalid(format!("has {found} entries for {count} points: give one a point")))
+    }
+}
+
+/// Checks the bodies; all points of the scene.
+fn count_points(scene: &Scene, explicit: u32, dimensions: usize) -> Result<u32, Fault> {
+    let mut total = explicit;
+    for (i, keys) in scene.bodies.iter().enumerate() {
+        let count = body::check(keys, dimensions).item(i).at("bodies")?;
+        total = total
+            .checked_add(count)
+            .filter(|&total| u64::from(total.saturating_sub(explicit)) <= crate::body::MAX_POINTS)
+            .ok_or_else(|| {
+                let most = crate::body::MAX_POINTS;
+                let message = format!("the bodies have more than {most} points: make less of them");
+                Fault::invalid(message).item(i).at("bodies")
+            })?;
+    }
+    Ok(total)
+}
+
+/// Whether a point of the scene is pinned, by its own list or by that of its body. The scene is checked that far.
+fn is_pinned(scene: &Scene, explicit: u32, point: u32) -> bool {
+    if point < explicit {
+        let pinned = scene.points.as_ref().map(|points| &points.pinned);
+        return pinned.is_some_and(|pinned| pinned.contains(&point));
+    }
+    let mut first = explicit;
+    for keys in &scene.bodies {
+        let count = body::point_count(keys, scene.dimensions()).unwrap_or(0);
+        if point - first < count {
+            return keys.pinned.contains(&(point - first));
+        }
+        first += count;
+    }
+    false
+}
+
+fn check_method(scene: &Scene) -> Result<(), Fault> {
+    let method = &scene.method;
+    Range::Positive.maybe(method.substep).at("substep")?;
+    if method.iterations == Some(0) {
+        return Err(Fault::invalid("is 0: give 1 or more").at("iterations"));
+    }
+    Range::Positive.maybe(method.tolerance).at("tolerance")?;
+    Range::Positive.maybe(method.max_strain).at("max_strain")
+}
+
+fn check_times(scene: &Scene) -> Result<(), Fault> {
+    Range::Positive.maybe(scene.rate).at("rate")?;
+    Range::NotNegative.maybe(scene.duration).at("duration")?;
+    let mut last = 0.0;
+    for (i, &time) in scene.samples.iter().enumerate() {
+        Range::NotNegative.check(time).item(i).at("samples")?;
+        if time < last {
+            let message = format!("{time:?} comes after {last:?}: sort the times upwards");
+            return Err(Fault::invalid(message).item(i).at("samples"));
+        }
+        last = time;
+    }
+    Ok(())
+}
+
+fn check_view(view: &ViewKeys, dimensions: usize) -> Result<(), Fault> {
+    let (plane, space) = (["center", "height"], ["target", "distance", "yaw", "pitch"]);
+    let (what, allowed): (_, &[&str]) = if dimensions == 2 { ("the plane", &plane) } else { ("space", &space) };
+    if let Some(key) = view.given().find(|key| !allowed.contains(key)) {
+        let keys = super::nearest::list(allowed);
+        let message = format!("is no key of a view in {what}: its keys are {keys}");
+        return Err(Fault::invalid(message).at(key));
+    }
+    let needed = &allowed[..2];
+    if let Some(key) = needed.iter().find(|key| !view.given().any(|k| k == **key)) {
+        let message = format!("a view in {what} needs `{key}`: add it");
+        return Err(Fault::invalid(message));
+    }
+    for (key, vector) in [("center", &view.center), ("target", &view.target)] {
+        if let Some(vector) = vector {
+            number::vector(vector, dimensions).at(key)?;
+        }
+    }
+    Range::Positive.maybe(view.height).at("height")?;
+    Range::Positive.maybe(view.distance).at("distance")?;
+    Range::Finite.maybe(view.yaw).at("yaw")?;
+    Range::Finite.maybe(view.pitch).at("pitch")
+}

@@ -1,0 +1,66 @@
+//! Triangles, and what hangs on them: areas and a texture.
+
+use super::number::{self, Range};
+use super::one_a_point;
+use crate::scene::error::{Fault, Within};
+use crate::scene::keys::{AreaKeys, AreaKindName, Scene, TextureKeys};
+
+/// Errors: the first fault; `count` is how many points there are.
+pub(super) fn check(scene: &Scene, count: u32, dimensions: usize) -> Result<(), Fault> {
+    for (i, triangle) in scene.triangles.iter().enumerate() {
+        check_triangle(triangle.0, count).item(i).at("triangles")?;
+    }
+    if let Some(areas) = &scene.areas {
+        check_areas(areas, dimensions).at("areas")?;
+    }
+    match &scene.texture {
+        Some(texture) => check_texture(texture, count).at("texture"),
+        None => Ok(()),
+    }
+}
+
+fn check_triangle(corners: [u32; 3], count: u32) -> Result<(), Fault> {
+    for (k, &point) in corners.iter().enumerate() {
+        number::index(point, count).item(k)?;
+    }
+    let [a, b, c] = corners;
+    if a == b || b == c || c == a {
+        return Err(Fault::invalid("names a point twice: give three points"));
+    }
+    Ok(())
+}
+
+fn check_areas(areas: &AreaKeys, dimensions: usize) -> Result<(), Fault> {
+    if dimensions == 3 {
+        return Err(Fault::invalid("act in the plane only: leave them out in space"));
+    }
+    Range::NotNegative.maybe(areas.stiffness).at("stiffness")?;
+    match (areas.kind, areas.stiffness) {
+        (AreaKindName::Spring, None) => Err(Fault::invalid("areas of kind spring need `stiffness`: add it")),
+        (AreaKindName::Rigid, Some(_)) => {
+            let message = "is a key of areas of kind spring, and these are rigid: leave it out";
+            Err(Fault::invalid(message).at("stiffness"))
+        }
+        _ => Ok(()),
+    }
+}
+
+fn check_texture(texture: &TextureKeys, count: u32) -> Result<(), Fault> {
+    check_image(&texture.image).at("image")?;
+    one_a_point(texture.uv.len(), count).at("uv")?;
+    for (i, uv) in texture.uv.iter().enumerate() {
+        for (k, &x) in uv.0.iter().enumerate() {
+            Range::Finite.check(x).item(k).item(i).at("uv")?;
+        }
+    }
+    Ok(())
+}
+
+fn check_image(image: &str) -> Result<(), Fault> {
+    let absolute = image.starts_with(['/', '\\']) || image.as_bytes().get(1) == Some(&b':');
+    let foreign = image.starts_with("data:") && !image.starts_with("data:image/png;base64,");
+    if image.is_empty() || absolute || foreign {
+        return Err(Fault::invalid("is no image: give a path relative to the scene, or data:image/png;base64,…"));
+    }
+    Ok(())
+}

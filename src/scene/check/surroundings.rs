@@ -1,0 +1,133 @@
+//! What acts on the points from outside: gravity, wind, mouse, moving pins, walls, obstacles.
+
+use super::number::{self, Range};
+use crate::scene::error::{Fault, Within};
+use crate::scene::keys::{BoxKeys, MouseKeys, ObstacleKeys, PinMotionKeys, RegionName, Scene, Vector};
+use crate::scene::nearest;
+
+/// Errors: the first fault. `is_pinned` says whether a point of the scene is pinned.
+pub(super) fn check(scene: &Scene, dimensions: usize, is_pinned: &dyn Fn(u32) -> bool) -> Result<(), Fault> {
+    if let Some(gravity) = &scene.gravity {
+        number::vector(gravity, dimensions).at("gravity")?;
+    }
+    Range::NotNegative.maybe(scene.drag_rate).at("drag_rate")?;
+    if let Some(wind) = &scene.wind {
+        let velocity = number::vector(&wind.velocity, dimensions);
+        velocity.at("velocity").at("wind")?;
+        let turbulence = Range::NotNegative.maybe(wind.turbulence);
+        turbulence.at("turbulence").at("wind")?;
+    }
+    if let Some(mouse) = &scene.mouse {
+        check_mouse(mouse, dimensions).at("mouse")?;
+    }
+    for (i, motion) in scene.pin_motion.iter().enumerate() {
+        check_pin_motion(motion, dimensions, is_pinned).item(i).at("pin_motion")?;
+    }
+    if let Some(bounds) = &scene.bounds {
+        number::corners(&bounds.min, &bounds.max, dimensions).at("bounds")?;
+        check_surface(bounds.restitution, bounds.friction).at("bounds")?;
+    }
+    for (i, obstacle) in scene.obstacles.iter().enumerate() {
+        check_obstacle(obstacle, dimensions).item(i).at("obstacles")?;
+    }
+    Ok(())
+}
+
+fn check_mouse(mouse: &MouseKeys, dimensions: usize) -> Result<(), Fault> {
+    Range::Finite.check(mouse.strength).at("strength")?;
+    Range::Positive.check(mouse.radius).at("radius")?;
+    if dimensions == 3 && mouse.region == Some(RegionName::Square) {
+        let message = "\"square\" is for the plane: in space use \"round\"";
+        return Err(Fault::invalid(message).at("region"));
+    }
+    number::track(mouse.track.iter().map(|knot| &knot.0[..])).at("track")
+}
+
+fn check_pin_motion(motion: &PinMotionKeys, dimensions: usize, is_pinned: &dyn Fn(u32) -> bool) -> Result<(), Fault> {
+    if !is_pinned(motion.point) {
+        let message = format!("point {} is not pinned: add it to `pinned`, or give a pinned one", motion.point);
+        return Err(Fault::invalid(message).at("point"));
+    }
+    if motion.track.is_empty() {
+        return Err(Fault::invalid("has no knots: give at least one").at("track"));
+    }
+    for (i, knot) in motion.track.iter().enumerate() {
+        if knot.len() != dimensions + 1 {
+            let form = ["[t, x, y]", "[t, x, y, z]"][dimensions - 2];
+            let message = format!("has {} numbers: a knot is {form}", knot.len());
+            return Err(Fault::invalid(message).item(i).at("track"));
+        }
+    }
+    number::track(motion.track.iter().map(|knot| &knot[..])).at("track")
+}
+
+fn check_surface(restitution: Option<f64>, friction: Option<f64>) -> Result<(), Fault> {
+    Range::NotNegative.maybe(restitution).at("restitution")?;
+    Range::NotNegative.maybe(friction).at("friction")
+}
+
+fn check_obstacle(obstacle: &ObstacleKeys, dimensions: usize) -> Result<(), Fault> {
+    const SHAPES: [&str; 4] = ["plane", "box", "circle", "polygon"];
+    let shapes: Vec<&str> = obstacle.given().filter(|key| SHAPES.contains(key)).collect();
+    match shapes[..] {
+        [_] => {}
+        [] => {
+            let list = nearest::list(&SHAPES);
+            return Err(Fault::invalid(format!("has no shape: give {list}")));
+        }
+        [first, second, ..] => {
+            let message = format!("stands beside `{first}`: an obstacle has one shape, so make it two");
+            return Err(Fault::invalid(message).at(second));
+        }
+    }
+    check_surface(obstacle.restitution, obstacle.friction)?;
+    if let Some(plane) = &obstacle.plane {
+        number::vector(&plane.point, dimensions).at("point").at("plane")?;
+        number::direction(&plane.normal, dimensions).at("normal").at("plane")?;
+    }
+    if let Some(keys) = &obstacle.r#box {
+        check_box(keys, dimensions).at("box")?;
+    }
+    if let Some(circle) = &obstacle.circle {
+        number::vector(&circle.center, dimensions).at("center").at("circle")?;
+        Range::Positive.check(circle.radius).at("radius").at("circle")?;
+    }
+    match &obstacle.polygon {
+        Some(loops) => check_polygon(loops, dimensions).at("polygon"),
+        None => Ok(()),
+    }
+}
+
+fn check_box(keys: &BoxKeys, dimensions: usize) -> Result<(), Fault> {
+    number::corners(&keys.min, &keys.max, dimensions)?;
+    Range::Finite.maybe(keys.angle).at("angle")?;
+    match (dimensions, keys.angle, &keys.rotation) {
+        (3, Some(_), _) => Err(Fault::invalid("turns a box in the plane: in space give `rotation`").at("angle")),
+        (2, _, Some(_)) => Err(Fault::invalid("turns a box in space: in the plane give `angle`").at("rotation")),
+        (_, _, Some(rotation)) => {
+            number::direction(&rotation.axis, dimensions).at("axis").at("rotation")?;
+            Range::Finite.check(rotation.angle).at("angle").at("rotation")
+        }
+        _ => Ok(()),
+    }
+}
+
+fn check_polygon(loops: &[Vec<Vector>], dimensions: usize) -> Result<(), Fault> {
+    if dimensions == 3 {
+        let message = "lies in the plane: in space use `plane`, `box` or `circle`";
+        return Err(Fault::invalid(message));
+    }
+    if loops.is_empty() {
+        return Err(Fault::invalid("has no outline: give a list of corners"));
+    }
+    for (i, corners) in loops.iter().enumerate() {
+        if corners.len() < 3 {
+            let message = format!("has {} corners: give 3 or more", corners.len());
+            return Err(Fault::invalid(message).item(i));
+        }
+        for (k, corner) in corners.iter().enumerate() {
+            number::vector(corner, dimensions).item(k).item(i)?;
+        }
+    }
+    Ok(())
+}

@@ -1,0 +1,55 @@
+//! A scene with its bodies turned into explicit points and bonds.
+
+use super::error::SceneError;
+use super::keys::{BondKeys, MassKeys, PointKeys, Scene, Vector};
+use super::start::Start;
+
+impl Scene {
+    /// The same scene without bodies: every point and bond is listed. Its model is the same, bit for bit.
+    ///
+    /// Errors: those of [`Scene::check`]; numbers that overflow.
+    pub fn expanded(&self) -> Result<Scene, SceneError> {
+        self.check()?;
+        if self.bodies.is_empty() {
+            return Ok(self.clone());
+        }
+        let start = Start::new(self).map_err(|fault| self.source.error(fault))?;
+        let vectors = |list: &[[f64; 3]]| {
+            let vector = |&x: &[f64; 3]| Vector::new(x, self.dimensions());
+            list.iter().map(vector).collect::<Vec<_>>()
+        };
+        let at_rest = start.velocity.iter().flatten().all(|v| v.to_bits() == 0);
+        let points = PointKeys {
+            position: vectors(&start.position),
+            velocity: (!at_rest).then(|| vectors(&start.velocity)),
+            mass: masses(&start.mass),
+            pinned: start.pinned.clone(),
+        };
+        let mut scene = Scene { points: Some(points), bodies: Vec::new(), ..self.clone() };
+        for (keys, body) in self.bodies.iter().zip(&start.bodies) {
+            let material = keys.material.clone().unwrap_or_default();
+            scene.bonds.extend(body.links().map(|link| BondKeys {
+                a: link.a,
+                b: link.b,
+                rest: Some(link.rest_length),
+                kind: material.kind,
+                stiffness: material.stiffness,
+                compliance: material.compliance,
+                damping: material.damping,
+                relaxation: material.relaxation,
+                max_correction: material.max_correction,
+                break_strain: material.break_strain,
+                limit: None,
+            }));
+        }
+        Ok(scene)
+    }
+}
+
+/// One mass where all are the same.
+fn masses(each: &[f64]) -> Option<MassKeys> {
+    match each.first() {
+        Some(&first) if each.iter().all(|&mass| mass == first) => Some(MassKeys::Same(first)),
+        _ => Some(MassKeys::Each(each.to_vec())),
+    }
+}

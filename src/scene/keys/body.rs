@@ -1,0 +1,156 @@
+//! The keys of a body: its maker with parameters, its place and its material.
+
+use super::bond::KindName;
+use super::macros::{names, object};
+use super::vector::Vector;
+
+names! {
+    /// What makes a body.
+    MakerName: "a maker" {
+        /// Loose points.
+        Points = "points",
+        /// Points with random bonds.
+        RandomGraph = "random-graph",
+        /// Two rings.
+        Rim = "rim",
+        /// Four corners.
+        Box = "box",
+        /// A row.
+        Rope = "rope",
+        /// A hanging grid.
+        Cloth = "cloth",
+        /// A standing grid.
+        Lattice = "lattice",
+        /// A meshed disc.
+        Disc = "disc",
+        /// A meshed bitmap.
+        Picture = "picture",
+        /// A figure.
+        Ragdoll = "ragdoll",
+    }
+}
+
+names! {
+    /// A bond that every sector of a rim has.
+    BraceName: "a bond of a rim" {
+        /// Along the outer ring.
+        Outer = "outer",
+        /// Along the inner ring.
+        Inner = "inner",
+        /// Between the rings.
+        Spoke = "spoke",
+        /// From the inner ring to the next outer point.
+        Rising = "rising",
+        /// From the outer ring to the next inner point.
+        Falling = "falling",
+    }
+}
+
+names! {
+    /// Bonds across each cell of a cloth.
+    DiagonalsName: "a choice of diagonals" {
+        /// None.
+        None = "none",
+        /// One.
+        One = "one",
+        /// Two.
+        Both = "both",
+    }
+}
+
+object! {
+    /// What the bonds and points of a body are made of.
+    #[derive(Default)]
+    Material: "a material: an object with keys such as `kind` and `stiffness`" {
+        optional {
+            /// As of a bond.
+            kind: KindName,
+            /// As of a bond [N/m].
+            stiffness: f64,
+            /// As of a bond [m/N].
+            compliance: f64,
+            /// As of a bond [N s/m].
+            damping: f64,
+            /// As of a bond [1].
+            relaxation: f64,
+            /// As of a bond [1].
+            max_correction: f64,
+            /// As of a bond [1].
+            break_strain: f64,
+            /// Of the whole body [kg], > 0, shared by area or length; not together with `point_mass`.
+            mass: f64,
+            /// Of each point [kg], > 0: 1 if not said.
+            point_mass: f64,
+        }
+    }
+}
+
+object! {
+    /// A body: points and bonds made from a few parameters. Which of them a maker takes is checked; see `make`.
+    BodyKeys: "a body: an object with the key `make`" {
+        required {
+            /// Its maker.
+            make: MakerName,
+        }
+        optional {
+            /// points, random-graph, rope: how many points.
+            count: u64,
+            /// random-graph: how many bonds.
+            bonds: u64,
+            /// points, random-graph: lower corner [m].
+            min: Vector,
+            /// points, random-graph: upper corner [m].
+            max: Vector,
+            /// points, random-graph: seed of the draws, 0 if not said.
+            seed: u64,
+            /// rim, disc: outer radius [m]; of a rim 2 if not said.
+            radius: f64,
+            /// rim: inner radius [m], 1.8 if not said.
+            inner_radius: f64,
+            /// rim: points on each ring, 12 if not said.
+            sectors: u64,
+            /// rim: the bonds of each sector; all but "falling" if not said.
+            bracing: Vec<BraceName>,
+            /// box: along x [m].
+            width: f64,
+            /// box: along y [m]; ragdoll: 1.7 if not said.
+            height: f64,
+            /// box: diagonals, 0, 1 or 2; 1 if not said.
+            supports: u64,
+            /// rope, cloth, lattice, disc, picture: distance of neighbours [m].
+            spacing: f64,
+            /// rope, in place of `spacing`: where it ends, seen from the body's origin [m].
+            to: Vector,
+            /// cloth, lattice: points in a row.
+            columns: u64,
+            /// cloth, lattice: rows.
+            rows: u64,
+            /// cloth: bonds across each cell, both if not said.
+            diagonals: DiagonalsName,
+            /// cloth in space: direction of the rows, [1,0,0] if not said.
+            u: Vector,
+            /// cloth in space: direction from row to row, [0,-1,0] if not said.
+            v: Vector,
+            /// picture: the bitmap.
+            file: String,
+            /// picture: coverage above which a pixel belongs to the body [1].
+            threshold: f64,
+            /// picture: whether light pixels are the body.
+            invert: bool,
+            /// Where the body's own origin goes [m]; the world's if not said.
+            origin: Vector,
+            /// Rotation about the body's own origin, anticlockwise, in space about z [rad].
+            angle: f64,
+            /// Of the body's own origin [m/s].
+            velocity: Vector,
+            /// Rate of rotation about the body's own origin, in space about z [rad/s].
+            spin: f64,
+            /// What it is made of: rigid bonds and 1 kg a point if not said.
+            material: Material,
+        }
+        lists {
+            /// Points that never move, counted within the body.
+            pinned: u32,
+        }
+    }
+}

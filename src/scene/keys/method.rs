@@ -1,0 +1,122 @@
+//! The keys of the method, and the names of all solvers.
+
+use super::macros::{names, object};
+use crate::sim;
+
+names! {
+    /// An integrator and a way to hold bonds.
+    SolverName: "a solver" {
+        /// Chosen for the scene.
+        Auto = "auto",
+        /// Explicit Euler.
+        Euler = "euler",
+        /// Semi-implicit Euler.
+        SymplecticEuler = "symplectic-euler",
+        /// The position form with the right start.
+        Verlet = "verlet",
+        /// With RATTLE.
+        VelocityVerlet = "velocity-verlet",
+        /// Order 4.
+        Pefrl = "pefrl",
+        /// Order 4.
+        BlanesMoan4 = "blanes-moan-4",
+        /// Order 6.
+        BlanesMoan6 = "blanes-moan-6",
+        /// Explicit, order 2.
+        Rk2 = "rk2",
+        /// Explicit, order 4.
+        Rk4 = "rk4",
+        /// Explicit, order 8.
+        Rk8 = "rk8",
+        /// For stiff springs.
+        ImplicitMidpoint = "implicit-midpoint",
+        /// For stiff springs, damps.
+        BackwardEuler = "backward-euler",
+        /// Compliant projection.
+        Xpbd = "xpbd",
+        /// The sources' method.
+        Relaxation = "relaxation",
+        /// Tridiagonal, path by path.
+        Path = "path",
+    }
+}
+
+names! {
+    /// The order in which a sweep takes the bonds.
+    OrderName: "an order" {
+        /// As coloured.
+        Auto = "auto",
+        /// As listed.
+        Fixed = "fixed",
+        /// As listed and backwards in turn.
+        Symmetric = "symmetric",
+        /// By colours.
+        Coloured = "coloured",
+        /// Anew for every sweep.
+        Shuffled = "shuffled",
+    }
+}
+
+names! {
+    /// The scalar of a world.
+    PrecisionName: "a precision" {
+        /// By the size of the scene.
+        Auto = "auto",
+        /// 32 bits.
+        F32 = "f32",
+        /// 64 bits.
+        F64 = "f64",
+    }
+}
+
+object! {
+    /// How the motion is computed; a call may set these over the file's.
+    #[derive(Default)]
+    MethodKeys: "a method: an object with keys such as `solver` and `substep`" {
+        optional {
+            /// auto if not said.
+            solver: SolverName,
+            /// h [s], > 0; chosen if not said.
+            substep: f64,
+            /// Sweeps in a substep, >= 1; chosen if not said.
+            iterations: u32,
+            /// auto if not said.
+            order: OrderName,
+            /// Of the shuffled order, 0 if not said.
+            seed: u64,
+            /// auto if not said.
+            precision: PrecisionName,
+            /// Largest error at every sample [m], > 0.
+            tolerance: f64,
+            /// Largest strain [1], > 0.
+            max_strain: f64,
+        }
+    }
+}
+
+impl MethodKeys {
+    /// Whether nothing is said.
+    pub fn is_empty(&self) -> bool {
+        self.given().next().is_none()
+    }
+
+    /// The order of sweeps in the engine's words.
+    pub(in crate::scene) fn order(&self) -> sim::Order {
+        match self.order.unwrap_or(OrderName::Auto) {
+            OrderName::Auto => sim::Order::Auto,
+            OrderName::Fixed => sim::Order::Fixed,
+            OrderName::Symmetric => sim::Order::Symmetric,
+            OrderName::Coloured => sim::Order::Coloured,
+            OrderName::Shuffled => sim::Order::Shuffled,
+        }
+    }
+
+    /// The scalar in the engine's words.
+    pub(in crate::scene) fn precision(&self) -> sim::Precision {
+        match self.precision.unwrap_or(PrecisionName::Auto) {
+            PrecisionName::Auto => sim::Precision::Auto,
+            PrecisionName::F32 => sim::Precision::F32,
+            PrecisionName::F64 => sim::Precision::F64,
+        }
+    }
+}

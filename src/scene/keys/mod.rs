@@ -1,0 +1,24 @@
+//! The keys of the scene file as types: what may stand where. Their ranges are held by `check`.
+
+mod body;
+mod bond;
+mod macros;
+mod method;
+mod scene;
+mod strict;
+mod surroundings;
+mod vector;
+mod view;
+
+pub use body::{BodyKeys, BraceName, DiagonalsName, MakerName, Material};
+pub use bond::{BondKeys, KindName, LimitName};
+pub use method::{MethodKeys, OrderName, PrecisionName, SolverName};
+pub use scene::{AreaKeys, AreaKindName, MassKeys, PointKeys, Scene, TextureKeys, Version};
+pub use surroundings::{
+    BoundsKeys, BoxKeys, CircleKeys, MouseKeys, ObstacleKeys, PinMotionKeys, PlaneKeys, ProfileName, RegionName,
+    RotationKeys, WindKeys,
+};
+pub use vector::{Row, Vector};
+pub use view::ViewKeys;
+
+pub(in crate::scene) use strict::{Name, ObjectOnly, present};

@@ -1,0 +1,232 @@
+//! The keys of the whole file.
+
+use std::borrow::Cow;
+use std::fmt;
+
+use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
+use serde::de::{Deserialize, Deserializer, Error, SeqAccess, Unexpected, Visitor};
+use serde::ser::{Serialize, Serializer};
+
+use super::body::BodyKeys;
+use super::bond::BondKeys;
+use super::macros::{names, object};
+use super::method::MethodKeys;
+use super::surroundings::{BoundsKeys, MouseKeys, ObstacleKeys, PinMotionKeys, WindKeys};
+use super::vector::{Row, Vector};
+use super::view::ViewKeys;
+use crate::scene::error::Source;
+
+/// The version of the file's form: always 1.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Version;
+
+impl<'de> Deserialize<'de> for Version {
+    fn deserialize<D: Deserializer<'de>>(from: D) -> Result<Self, D::Error> {
+        match u64::deserialize(from)? {
+            1 => Ok(Version),
+            other => Err(Error::invalid_value(Unexpected::Unsigned(other), &"1")),
+        }
+    }
+}
+
+impl Serialize for Version {
+    fn serialize<S: Serializer>(&self, to: S) -> Result<S::Ok, S::Error> {
+        to.serialize_u32(1)
+    }
+}
+
+impl JsonSchema for Version {
+    fn schema_name() -> Cow<'static, str> {
+        "Version".into()
+    }
+
+    fn json_schema(_: &mut SchemaGenerator) -> Schema {
+        json_schema!({ "const": 1 })
+    }
+}
+
+/// One mass for all points, or one each [kg].
+#[derive(Clone, Debug, PartialEq, serde::Serialize, schemars::JsonSchema)]
+#[serde(untagged)]
+pub enum MassKeys {
+    /// The same for all.
+    Same(f64),
+    /// One a point.
+    Each(Vec<f64>),
+}
+
+impl<'de> Deserialize<'de> for MassKeys {
+    // Not derived: an untagged enum keeps a copy of all numbers and loses the place of a wrong one.
+    fn deserialize<D: Deserializer<'de>>(from: D) -> Result<Self, D::Error> {
+        struct Masses;
+
+        impl<'de> Visitor<'de> for Masses {
+            type Value = MassKeys;
+
+            fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+                f.write_str("a number, or a list of one number a point")
+            }
+
+            fn visit_f64<E>(self, mass: f64) -> Result<MassKeys, E> {
+                Ok(MassKeys::Same(mass))
+            }
+
+            fn visit_u64<E>(self, mass: u64) -> Result<MassKeys, E> {
+                Ok(MassKeys::Same(mass as f64))
+            }
+
+            fn visit_i64<E>(self, mass: i64) -> Result<MassKeys, E> {
+                Ok(MassKeys::Same(mass as f64))
+            }
+
+            fn visit_seq<A: SeqAccess<'de>>(self, mut list: A) -> Result<MassKeys, A::Error> {
+                let mut masses = Vec::new();
+                while let Some(mass) = list.next_element()? {
+                    masses.push(mass);
+                }
+                Ok(MassKeys::Each(masses))
+            }
+        }
+
+        from.deserialize_any(Masses)
+    }
+}
+
+object! {
+    /// Points, one by one.
+    PointKeys: "points: an object with the key `position`" {
+        required {
+            /// Positions at the start [m].
+            position: Vec<Vector>,
+        }
+        optional {
+            /// Velocities at the start [m/s]: 0 if not said.
+            velocity: Vec<Vector>,
+            /// Masses [kg], > 0: 1 if not said.
+            mass: MassKeys,
+        }
+        lists {
+            /// Points that never move, by their index in `position`.
+            pinned: u32,
+        }
+    }
+}
+
+names! {
+    /// How areas resist.
+    AreaKindName: "a kind of area" {
+        /// The area stays.
+        Rigid = "rigid",
+        /// A force.
+        Spring = "spring",
+    }
+}
+
+object! {
+    /// How the triangles resist a change of their area.
+    AreaKeys: "areas: an object with the key `kind`" {
+        required {
+            /// How they resist.
+            kind: AreaKindName,
+        }
+        optional {
+            /// Of springs, >= 0.
+            stiffness: f64,
+        }
+    }
+}
+
+object! {
+    /// A picture drawn on the triangles.
+    TextureKeys: "a texture: an object with the keys `image` and `uv`" {
+        required {
+            /// A relative path, or data:image/png;base64,…
+            image: String,
+            /// Where each point lies in the image.
+            uv: Vec<Row<f64, 2>>,
+        }
+    }
+}
+
+object! {
+    /// A scene: a start, what acts on it, and how it is computed. Loaded again it runs bit for bit as it did.
+    ///
+    /// Fields are the keys of the file, as said there; methods such as [`Scene::rate`] fill in what is not said.
+    #[derive(Default)]
+    Scene: "a scene: an object with the key `wobble`" {
+        required {
+            /// Version of the file's form.
+            wobble: Version,
+        }
+        optional {
+            /// Its name; [`Scene::name`] falls back on the file's.
+            name: String,
+        }
+        lists {
+            /// Words to find it by.
+            tags: String,
+        }
+        optional {
+            /// 2 in the plane, 3 in space: 2 if not said.
+            dimensions: u32,
+            /// Explicit points.
+            points: PointKeys,
+        }
+        lists {
+            /// Explicit bonds.
+            bonds: BondKeys,
+            /// Bodies: their points and bonds follow the explicit ones, body by body.
+            bodies: BodyKeys,
+            /// Triangles, by the indices of their points.
+            triangles: Row<u32, 3>,
+        }
+        optional {
+            /// How triangles resist.
+            areas: AreaKeys,
+            /// What is drawn on triangles.
+            texture: TextureKeys,
+            /// [m/s^2]: 0 if not said.
+            gravity: Vector,
+            /// Rate at which velocities decay [1/s], >= 0: 0 if not said.
+            drag_rate: f64,
+            /// Moving air.
+            wind: WindKeys,
+            /// The force around the cursor.
+            mouse: MouseKeys,
+        }
+        lists {
+            /// Pins that move.
+            pin_motion: PinMotionKeys,
+        }
+        optional {
+            /// The walls around the world.
+            bounds: BoundsKeys,
+        }
+        lists {
+            /// What points cannot enter.
+            obstacles: ObstacleKeys,
+        }
+        optional {
+            /// Seconds of the scene in a second of wall time, > 0: 1 if not said.
+            rate: f64,
+            /// When the motion ends [s], >= 0: never if not said.
+            duration: f64,
+        }
+        lists {
+            /// Times to report [s], ascending: the duration if not said.
+            samples: f64,
+        }
+        optional {
+            /// What a picture shows at first: everything if not said.
+            view: ViewKeys,
+        }
+        beside {
+            /// How the motion is computed; a call may set these over the file's.
+            #[serde(default, skip_serializing_if = "MethodKeys::is_empty")]
+            method: MethodKeys,
+            /// Where it came from: no part of what it is.
+            #[serde(skip)]
+            source: Source,
+        }
+    }
+}

@@ -1,0 +1,167 @@
+//! The keys of what acts on the points from outside: mouse, wind, walls, obstacles, moving pins.
+
+use super::macros::{names, object};
+use super::vector::{Row, Vector};
+
+names! {
+    /// Shape of the region that the mouse force acts in.
+    RegionName: "a region" {
+        /// A square; in the plane only.
+        Square = "square",
+        /// A disc.
+        Round = "round",
+    }
+}
+
+names! {
+    /// How the mouse force falls off.
+    ProfileName: "a profile" {
+        /// 1 up to the edge.
+        Linear = "linear",
+        /// Smooth down to 0 at the edge.
+        Smooth = "smooth",
+    }
+}
+
+object! {
+    /// The force around the cursor.
+    MouseKeys: "a mouse force: an object with the keys `strength` and `radius`" {
+        required {
+            /// [1/s^2]: positive repels.
+            strength: f64,
+            /// Of the region, half the side of a square one [m], > 0.
+            radius: f64,
+        }
+        optional {
+            /// Shape of the region: round if not said.
+            region: RegionName,
+            /// Fall-off: smooth if not said.
+            profile: ProfileName,
+        }
+        lists {
+            /// Where the cursor goes by itself, [t, x, y] with times ascending; the live cursor if not said.
+            track: Row<f64, 3>,
+        }
+    }
+}
+
+object! {
+    /// Moving air.
+    WindKeys: "a wind: an object with the key `velocity`" {
+        required {
+            /// Mean velocity [m/s].
+            velocity: Vector,
+        }
+        optional {
+            /// Strength of the gusts [1], >= 0: 0 if not said.
+            turbulence: f64,
+            /// Seed of the gusts, 0 if not said.
+            seed: u64,
+        }
+    }
+}
+
+object! {
+    /// The walls around the world.
+    BoundsKeys: "bounds: an object with the keys `min` and `max`" {
+        required {
+            /// Lower corner [m].
+            min: Vector,
+            /// Upper corner [m].
+            max: Vector,
+        }
+        optional {
+            /// v_n -> -restitution v_n on touching [1], >= 0: 0 if not said.
+            restitution: f64,
+            /// |change of v_t| <= friction |change of v_n| [1], >= 0: 0 if not said.
+            friction: f64,
+        }
+    }
+}
+
+object! {
+    /// Something that points cannot enter: exactly one of the four shapes.
+    #[derive(Default)]
+    ObstacleKeys: "an obstacle: an object with one of the keys `plane`, `box`, `circle` and `polygon`" {
+        optional {
+            /// A half-space; the free side is where its normal points.
+            plane: PlaneKeys,
+            /// A box.
+            r#box: BoxKeys,
+            /// A circle, in space a ball.
+            circle: CircleKeys,
+            /// An outline and its holes, even-odd; in the plane only.
+            polygon: Vec<Vec<Vector>>,
+            /// As of the bounds.
+            restitution: f64,
+            /// As of the bounds.
+            friction: f64,
+        }
+    }
+}
+
+object! {
+    /// A plane.
+    PlaneKeys: "a plane: an object with the keys `point` and `normal`" {
+        required {
+            /// Any point of it [m].
+            point: Vector,
+            /// Its normal, of any length above 0.
+            normal: Vector,
+        }
+    }
+}
+
+object! {
+    /// A box, turned about its centre.
+    BoxKeys: "a box: an object with the keys `min` and `max`" {
+        required {
+            /// Lower corner before it is turned [m].
+            min: Vector,
+            /// Upper corner before it is turned [m].
+            max: Vector,
+        }
+        optional {
+            /// In the plane: anticlockwise [rad].
+            angle: f64,
+            /// In space.
+            rotation: RotationKeys,
+        }
+    }
+}
+
+object! {
+    /// A rotation in space.
+    RotationKeys: "a rotation: an object with the keys `axis` and `angle`" {
+        required {
+            /// Axis, of any length above 0.
+            axis: Vector,
+            /// Angle about it [rad].
+            angle: f64,
+        }
+    }
+}
+
+object! {
+    /// A circle, in space a ball.
+    CircleKeys: "a circle: an object with the keys `center` and `radius`" {
+        required {
+            /// Centre [m].
+            center: Vector,
+            /// Radius [m], > 0.
+            radius: f64,
+        }
+    }
+}
+
+object! {
+    /// A pinned point that is led along a track.
+    PinMotionKeys: "a moving pin: an object with the keys `point` and `track`" {
+        required {
+            /// Index of a pinned point.
+            point: u32,
+            /// [t, x, y], in space [t, x, y, z], with times ascending.
+            track: Vec<Vec<f64>>,
+        }
+    }
+}

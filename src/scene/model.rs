@@ -1,0 +1,164 @@
+//! From the keys of a scene to the engine's model, and what keys mean that are not said.
+
+use super::check::{self, Resistance};
+use super::error::{Fault, SceneError, Within};
+use super::keys::{BondKeys, LimitName, MouseKeys, ProfileName, RegionName, Row, Scene};
+use super::start::{Start, resistance};
+use super::support;
+use crate::body::distance;
+use crate::sim::vector::truncate;
+use crate::sim::{
+    Bond, Bounds, Dynamics, Limit, Model, ModelError, MouseForce, PointId, Profile, Region, Track, build,
+};
+
+impl Scene {
+    /// Its name, else that of its file without the ending, else "scene".
+    pub fn name(&self) -> &str {
+        let file = || std::path::Path::new(&self.source.label).file_name()?.to_str();
+        match &self.name {
+            Some(name) => name,
+            None => file()
+                .map(|file| file.strip_suffix(".json").unwrap_or(file))
+                .map(|stem| stem.strip_suffix(".scene").unwrap_or(stem))
+                .filter(|stem| !stem.is_empty())
+                .unwrap_or("scene"),
+        }
+    }
+
+    /// 2 in the plane, 3 in space.
+    pub fn dimensions(&self) -> usize {
+        if self.dimensions == Some(3) { 3 } else { 2 }
+    }
+
+    /// Seconds of the scene in a second of wall time [1].
+    pub fn rate(&self) -> f64 {
+        self.rate.unwrap_or(1.0)
+    }
+
+    /// The times to report [s]: the samples, else the duration; none if neither is said.
+    pub fn sample_times(&self) -> Vec<f64> {
+        if self.samples.is_empty() { self.duration.into_iter().collect() } else { self.samples.clone() }
+    }
+
+    /// Refuses what the form of a scene file excludes; a scene that was read has passed.
+    ///
+    /// Errors: the first fault, with its place.
+    pub fn check(&self) -> Result<(), SceneError> {
+        check::check(self).map_err(|fault| self.source.error(fault))
+    }
+
+    /// The model that the scene means; `D` must be its [`Scene::dimensions`].
+    ///
+    /// The same scene yields the same bits, with its bodies or [`Scene::expanded`]. Set `method` first where a call
+    /// overrides it: what bonds need of it is checked here.
+    ///
+    /// Errors: those of [`Scene::check`]; what this version cannot run; springs under `relaxation`; relaxed bonds
+    /// without `substep` and `iterations`; numbers that overflow.
+    pub fn model<const D: usize>(&self) -> Result<Model<D>, SceneError> {
+        self.to_model().map_err(|fault| self.source.error(fault))
+    }
+
+    /// A world at the start of the scene; its last substep before `duration` [s] ends there.
+    ///
+    /// Errors: those of [`Scene::model`].
+    pub fn world(&self, duration: Option<f64>) -> Result<Box<dyn Dynamics>, SceneError> {
+        fn made<const D: usize>(model: Model<D>, duration: Option<f64>) -> Result<Box<dyn Dynamics>, ModelError> {
+            build(&Model { duration, ..model })
+        }
+        let world = match self.dimensions() {
+            2 => made(self.model::<2>()?, duration),
+            _ => made(self.model::<3>()?, duration),
+        };
+        world.map_err(|error| self.source.error(Fault::invalid(error.to_string())))
+    }
+
+    fn to_model<const D: usize>(&self) -> Result<Model<D>, Fault> {
+        if D != self.dimensions() {
+            let message = format!("the scene has {} dimensions, not {D}", self.dimensions());
+            return Err(Fault::invalid(message).at("dimensions"));
+        }
+        check::check(self)?;
+        support::check(self)?;
+        let method = support::method(self)?;
+        let start = Start::new(self)?;
+        Ok(Model {
+            bonds: self.model_bonds(&start)?,
+            position: start.position.into_iter().map(truncate).collect(),
+            velocity: start.velocity.into_iter().map(truncate).collect(),
+            mass: start.mass,
+            pinned: start.pinned.into_iter().map(PointId).collect(),
+            gravity: self.gravity.map_or([0.0; D], |g| truncate(g.embed())),
+            drag_rate: self.drag_rate.unwrap_or(0.0),
+            mouse: self.mouse.as_ref().map(mouse_force),
+            bounds: self.bounds.as_ref().map(|bounds| Bounds {
+                min: truncate(bounds.min.embed()),
+                max: truncate(bounds.max.embed()),
+                restitution: bounds.restitution.unwrap_or(0.0),
+                friction: bounds.friction.unwrap_or(0.0),
+            }),
+            duration: self.duration,
+            method,
+        })
+    }
+
+    /// The explicit bonds, then those of the bodies.
+    fn model_bonds(&self, start: &Start) -> Result<Vec<Bond>, Fault> {
+        let in_bodies: usize = start.bodies.iter().map(|body| body.links.len()).sum();
+        let mut bonds = Vec::with_capacity(self.bonds.len() + in_bodies);
+        for (i, keys) in self.bonds.iter().enumerate() {
+            bonds.push(bond(keys, &start.position).item(i).at("bonds")?);
+        }
+        for (keys, body) in self.bodies.iter().zip(&start.bodies) {
+            let kind = resistance(keys).resolve();
+            bonds.extend(body.links().map(|link| Bond {
+                a: PointId(link.a),
+                b: PointId(link.b),
+                rest_length: link.rest_length,
+                kind,
+                limit: Limit::Both,
+            }));
+        }
+        Ok(bonds)
+    }
+}
+
+/// An explicit bond.
+///
+/// Errors: its rest length is the distance at the start, and that overflows.
+fn bond(keys: &BondKeys, position: &[[f64; 3]]) -> Result<Bond, Fault> {
+    let rest_length = match keys.rest {
+        Some(rest) => rest,
+        None => distance(position[keys.a as usize], position[keys.b as usize]),
+    };
+    if !rest_length.is_finite() {
+        return Err(Fault::invalid("its points are too far apart for a number: move them together"));
+    }
+    Ok(Bond {
+        a: PointId(keys.a),
+        b: PointId(keys.b),
+        rest_length,
+        kind: Resistance::from(keys).resolve(),
+        limit: match keys.limit {
+            None | Some(LimitName::Both) => Limit::Both,
+            Some(LimitName::Max) => Limit::Max,
+            Some(LimitName::Min) => Limit::Min,
+        },
+    })
+}
+
+fn mouse_force(keys: &MouseKeys) -> MouseForce {
+    let knot = |&Row([t, x, y]): &Row<f64, 3>| (t, [x, y]);
+    MouseForce {
+        strength: keys.strength,
+        radius: keys.radius,
+        region: match keys.region {
+            None | Some(RegionName::Round) => Region::Round,
+            Some(RegionName::Square) => Region::Square,
+        },
+        profile: match keys.profile {
+            None | Some(ProfileName::Smooth) => Profile::Smooth,
+            Some(ProfileName::Linear) => Profile::Linear,
+        },
+        track: Track { knots: keys.track.iter().map(knot).collect() },
+    }
+}

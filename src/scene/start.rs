@@ -1,0 +1,116 @@
+//! All points of a scene, the explicit ones and those of its bodies, in their numbering.
+
+use super::check::{self, Resistance};
+use super::error::{Fault, Within};
+use super::keys::{BodyKeys, MassKeys, Scene};
+use crate::body::{Link, Placement};
+
+/// Points and bonds of a scene with its bodies made and placed.
+///
+/// Shapes: one entry a point in `position`, `velocity` and `mass`; z = 0 in the plane.
+pub(super) struct Start {
+    pub(super) position: Vec<[f64; 3]>,
+    pub(super) velocity: Vec<[f64; 3]>,
+    pub(super) mass: Vec<f64>,
+    /// Ascending, each once.
+    pub(super) pinned: Vec<u32>,
+    /// Bonds of the bodies, body by body, counted within the body.
+    pub(super) bodies: Vec<PlacedBody>,
+}
+
+/// The bonds of a body whose points start at `first`.
+pub(super) struct PlacedBody {
+    pub(super) first: u32,
+    pub(super) links: Vec<Link>,
+}
+
+impl PlacedBody {
+    /// The bonds, their ends counted over the scene.
+    pub(super) fn links(&self) -> impl Iterator<Item = Link> {
+        self.links.iter().map(|link| Link {
+            a: self.first + link.a,
+            b: self.first + link.b,
+            rest_length: link.rest_length,
+        })
+    }
+}
+
+/// How the bonds of a body resist.
+pub(super) fn resistance(body: &BodyKeys) -> Resistance {
+    Resistance::from(&body.material.clone().unwrap_or_default())
+}
+
+impl Start {
+    /// Makes and places everything; the scene has been checked.
+    ///
+    /// Errors: a body whose positions, velocities or masses are too large for a number.
+    pub(super) fn new(scene: &Scene) -> Result<Self, Fault> {
+        let mut start = Start::explicit(scene);
+        for (i, body) in scene.bodies.iter().enumerate() {
+            start.append(body, scene.dimensions()).item(i).at("bodies")?;
+        }
+        start.pinned.sort_unstable();
+        start.pinned.dedup();
+        Ok(start)
+    }
+
+    fn explicit(scene: &Scene) -> Self {
+        let mut start = Start {
+            position: Vec::new(),
+            velocity: Vec::new(),
+            mass: Vec::new(),
+            pinned: Vec::new(),
+            bodies: Vec::new(),
+        };
+        if let Some(points) = &scene.points {
+            let count = points.position.len();
+            start.position = points.position.iter().map(|x| x.embed()).collect();
+            start.velocity = match &points.velocity {
+                Some(velocities) => velocities.iter().map(|v| v.embed()).collect(),
+                None => vec![[0.0; 3]; count],
+            };
+            start.mass = match &points.mass {
+                Some(MassKeys::Each(masses)) => masses.clone(),
+                Some(MassKeys::Same(mass)) => vec![*mass; count],
+                None => vec![1.0; count],
+            };
+            start.pinned.clone_from(&points.pinned);
+        }
+        start
+    }
+
+    fn append(&mut self, keys: &BodyKeys, dimensions: usize) -> Result<(), Fault> {
+        let body =
+            check::maker(keys, dimensions)?.make().map_err(|error| Fault::invalid(error.message).at(error.key))?;
+        let placement = Placement {
+            origin: keys.origin.map_or([0.0; 3], |x| x.embed()),
+            angle: keys.angle.unwrap_or(0.0),
+            velocity: keys.velocity.map_or([0.0; 3], |v| v.embed()),
+            spin: keys.spin.unwrap_or(0.0),
+        };
+        let (position, velocity) = placement.place(&body);
+        if !position.iter().chain(&velocity).flatten().all(|x| x.is_finite()) {
+            let message = "its points are too far or too fast for a number: make it smaller";
+            return Err(Fault::invalid(message));
+        }
+        let material = keys.material.as_ref();
+        let mass = match material.and_then(|material| material.mass) {
+            Some(total) => body.masses(total),
+            None => {
+                let each = material.and_then(|material| material.point_mass);
+                vec![each.unwrap_or(1.0); body.positions.len()]
+            }
+        };
+        if !mass.iter().all(|&m| m > 0.0) {
+            let message = "is too small to be shared by so many points: make it larger";
+            return Err(Fault::invalid(message).at("mass").at("material"));
+        }
+        let first = self.position.len() as u32;
+        self.position.extend(position);
+        self.velocity.extend(velocity);
+        self.mass.extend(mass);
+        self.pinned.extend(keys.pinned.iter().map(|pin| first + pin));
+        self.bodies.push(PlacedBody { first, links: body.links });
+        Ok(())
+    }
+}

@@ -1,0 +1,219 @@
+//! The program as a process: what it writes, its exit codes, its messages.
+#![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic, reason = "a test that cannot go on stops")]
+
+use std::path::Path;
+use std::process::{Command, Output};
+
+use serde_json::Value;
+
+fn wobble(arguments: &[&str]) -> Output {
+    Command::new(env!("CARGO_BIN_EXE_wobble")).args(arguments).output().unwrap()
+}
+
+fn text(bytes: &[u8]) -> String {
+    String::from_utf8(bytes.to_vec()).unwrap()
+}
+
+/// The one line of an error that ends with exit code 1.
+fn failure(arguments: &[&str]) -> String {
+    let done = wobble(arguments);
+    let error = text(&done.stderr);
+    assert_eq!(done.status.code(), Some(1), "{arguments:?}: {error}");
+    assert!(done.stdout.is_empty());
+    let lines: Vec<&str> = error.lines().filter(|line| line.starts_with("wobble: ")).collect();
+    assert_eq!(lines.len(), 1, "{error}");
+    assert!(!error.contains("panicked"), "{error}");
+    lines[0].to_owned()
+}
+
+fn refused(arguments: &[&str]) -> String {
+    let done = wobble(arguments);
+    assert_eq!(done.status.code(), Some(2), "{arguments:?}: {}", text(&done.stderr));
+    text(&done.stderr)
+}
+
+fn simulated(arguments: &[&str]) -> Value {
+    let folder = tempfile::tempdir().unwrap();
+    let out = folder.path().join("x.json");
+    let done = wobble(&[&["simulate"], arguments, &["--out", out.to_str().unwrap()]].concat());
+    assert!(done.status.success(), "{}", text(&done.stderr));
+    serde_json::from_slice(&std::fs::read(out).unwrap()).unwrap()
+}
+
+#[test]
+fn the_gallery_is_listed_a_name_first_on_each_line() {
+    let list = text(&wobble(&["scenes"]).stdout);
+    let names: Vec<&str> = list.lines().map(|line| line.split_whitespace().next().unwrap()).collect();
+    assert_eq!(names, ["points", "random-graph", "rim", "rim-relaxed"]);
+}
+
+#[test]
+fn a_scene_is_printed_and_read_back_expanded_too() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("rim.json");
+    let hash = text(&wobble(&["simulate", "rim", "--samples", "0.2", "--hash"]).stdout);
+    for options in [&["--json"][..], &["--json", "--expanded"]] {
+        let done = wobble(&[&["scenes", "rim"], options].concat());
+        std::fs::write(&path, &done.stdout).unwrap();
+        let again = wobble(&["simulate", path.to_str().unwrap(), "--samples", "0.2", "--hash"]);
+        assert_eq!(text(&again.stdout), hash);
+    }
+    let schema: Value = serde_json::from_slice(&wobble(&["scenes", "--schema"]).stdout).unwrap();
+    assert!(schema["properties"]["bonds"].is_object());
+}
+
+#[test]
+fn a_recording_has_every_key() {
+    let recording = simulated(&["rim", "--samples", "0,0.1,0.25", "--precision", "f32"]);
+    let keys: Vec<&str> = recording.as_object().unwrap().keys().map(String::as_str).collect();
+    for key in [
+        "scene",
+        "solver",
+        "substep",
+        "precision",
+        "samples",
+        "seconds",
+        "search_seconds",
+        "counters",
+        "warnings",
+        "hash",
+    ] {
+        assert!(keys.contains(&key), "{key}");
+    }
+    for key in
+        ["substeps", "bonds_solved", "points_moved", "iterations", "events", "guard_splits", "fallbacks", "bonds_torn"]
+    {
+        assert!(recording["counters"][key].is_u64(), "{key}");
+    }
+    assert_eq!(recording["precision"], "f32");
+    let samples = recording["samples"].as_array().unwrap();
+    assert_eq!(samples.len(), 3);
+    assert_eq!(samples[2]["t"], 0.25);
+    assert_eq!(samples[2]["position"].as_array().unwrap().len(), 24);
+    assert_eq!(samples[0]["velocity"][0], serde_json::json!([0.0, 0.0]));
+}
+
+#[test]
+fn a_table_has_a_row_a_sample_and_point() {
+    let folder = tempfile::tempdir().unwrap();
+    let out = folder.path().join("x.csv");
+    assert!(wobble(&["simulate", "points", "--samples", "0.5,1", "--out", out.to_str().unwrap()]).status.success());
+    let table = std::fs::read_to_string(out).unwrap();
+    let rows: Vec<&str> = table.lines().collect();
+    assert_eq!((rows[0], rows.len()), ("t,point,x,y,vx,vy", 21));
+    assert!(rows[11].starts_with("1.0,0,"));
+}
+
+#[test]
+fn the_call_overrides_the_scene() {
+    let one = simulated(&["rim-relaxed", "--samples", "0.6"]);
+    let four = simulated(&[
+        "rim-relaxed",
+        "--samples",
+        "0.6",
+        "--iterations",
+        "4",
+        "--order",
+        "coloured",
+        "--substep",
+        "0.003",
+    ]);
+    let count = |recording: &Value, key: &str| recording["counters"][key].as_u64().unwrap();
+    assert_eq!((count(&one, "substeps"), count(&one, "iterations")), (100, 100));
+    assert_eq!((count(&four, "substeps"), count(&four, "iterations")), (200, 800));
+    assert_eq!(count(&four, "bonds_solved"), 800 * 48);
+    assert_ne!(one["hash"], simulated(&["rim-relaxed", "--samples", "0.6", "--seed", "9"])["hash"]);
+}
+
+/// A stiff spring in steps a thousand times too long.
+const UNSTABLE: &str = r#"{ "wobble": 1, "points": { "position": [[0, 0], [2, 0]] },
+    "bonds": [{ "a": 0, "b": 1, "kind": "spring", "stiffness": 1e6, "rest": 1 }], "method": { "substep": 0.5 } }"#;
+
+#[test]
+fn what_fails_says_so_in_one_line() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("bad.json");
+    let bad = path.to_str().unwrap();
+    std::fs::write(&path, "{ \"wobble\": 1,\n \"points\": { \"position\": [[0, 0]], \"mass\": [-1] } }").unwrap();
+    assert!(failure(&["simulate", bad, "--samples", "1", "--hash"]).contains("bad.json:2: points.mass[0]: "));
+    assert!(failure(&["render", bad, "--out", "/tmp/x.png"]).contains("points.mass[0]"));
+    assert!(failure(&[bad]).contains("points.mass[0]"));
+    assert!(failure(&["scenes", "rimm"]).contains("did you mean `rim`?"));
+    assert!(failure(&["simulate", "no-such-file.json", "--samples", "1", "--hash"]).contains("no-such-file.json"));
+    assert!(failure(&["simulate", "rim", "--hash"]).contains("give --samples"));
+    assert!(failure(&["simulate", "rim", "--solver", "relaxation", "--samples", "1", "--hash"]).contains("spring"));
+    assert!(
+        failure(&["simulate", "rim", "--samples", "1", "--out", "/no/such/folder/x.json"])
+            .contains("cannot be written")
+    );
+    std::fs::write(&path, UNSTABLE).unwrap();
+    assert!(failure(&["simulate", bad, "--samples", "200", "--hash"]).contains("smaller substep"));
+}
+
+#[test]
+fn a_wrong_call_ends_with_two() {
+    assert!(refused(&["simulate", "rim", "--samples", "1"]).contains("--out"));
+    assert!(refused(&["simulate", "rim", "--samples", "2,1", "--hash"]).contains("ascending"));
+    assert!(refused(&["simulate", "rim", "--samples", "1", "--substep", "0", "--hash"]).contains("above 0"));
+    assert!(refused(&["simulate", "rim", "--samples", "1", "--substep", "nan", "--hash"]).contains("above 0"));
+    assert!(refused(&["simulate", "rim", "--samples", "1", "--iterations", "0", "--hash"]).contains("iterations"));
+    assert!(
+        refused(&["simulate", "rim", "--samples", "1", "--solver", "pefrl", "--hash"]).contains("not in this version")
+    );
+    assert!(refused(&["simulate", "rim", "--samples", "1", "--solver", "warp", "--hash"]).contains("warp"));
+    assert!(refused(&["simulate", "rim", "--samples", "1", "--out", "x.txt"]).contains(".json or .csv"));
+    assert!(refused(&["render", "rim", "--size", "0x10", "--out", "x.png"]).contains("1280x720"));
+    assert!(refused(&["render", "rim", "--out", "x.bmp"]).contains(".png"));
+    refused(&["simulate", "rim", "--no-such-option"]);
+    refused(&["scenes", "--expanded"]);
+}
+
+#[test]
+fn a_failed_run_leaves_the_old_file() {
+    let folder = tempfile::tempdir().unwrap();
+    let out = folder.path().join("x.json");
+    std::fs::write(&out, "old").unwrap();
+    let scene = folder.path().join("unstable.json");
+    std::fs::write(&scene, UNSTABLE).unwrap();
+    failure(&["simulate", scene.to_str().unwrap(), "--samples", "200", "--out", out.to_str().unwrap()]);
+    assert_eq!(std::fs::read_to_string(&out).unwrap(), "old");
+    assert_eq!(std::fs::read_dir(folder.path()).unwrap().count(), 2);
+}
+
+#[test]
+fn without_a_driver_one_line_says_what_to_install() {
+    let done = Command::new(env!("CARGO_BIN_EXE_wobble"))
+        .args(["render", "rim", "--out", "/tmp/never.png"])
+        .env("VK_DRIVER_FILES", "/nonexistent.json")
+        .env("VK_ICD_FILENAMES", "/nonexistent.json")
+        .env("WGPU_BACKEND", "vulkan")
+        .output()
+        .unwrap();
+    let error = text(&done.stderr);
+    assert_eq!(done.status.code(), Some(1), "{error}");
+    assert!(
+        error
+            .lines()
+            .any(|line| line.starts_with("wobble: no GPU driver found") && line.contains("mesa-vulkan-drivers"))
+    );
+    assert!(!Path::new("/tmp/never.png").exists());
+}
+
+#[test]
+fn help_has_examples() {
+    for command in [&["--help"][..], &["simulate", "--help"], &["render", "--help"], &["scenes", "--help"]] {
+        let done = wobble(command);
+        assert!(done.status.success());
+        assert!(text(&done.stdout).contains("Examples:"), "{command:?}");
+    }
+}
+
+#[test]
+fn the_readmes_scene_runs() {
+    let readme = include_str!("../README.md");
+    let scene = readme.split("```json\n").nth(1).unwrap().split("```").next().unwrap();
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("my-rope.json");
+    std::fs::write(&path, scene).unwrap();
+    assert!(wobble(&["simulate", path.to_str().unwrap(), "--hash"]).status.success());
+}

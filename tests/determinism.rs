@@ -1,0 +1,67 @@
+//! The same input gives the same bits: twice, after saving and loading, expanded, and as it was when this was written.
+#![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic, reason = "a test that cannot go on stops")]
+
+mod common;
+
+use wobble::scene::Scene;
+use wobble::scene::record::{hash, record};
+
+/// Hash of a scene's samples at these times.
+fn run(scene: &Scene, times: &[f64]) -> String {
+    let mut world = scene.world(times.last().copied()).unwrap();
+    hash(&record(&mut *world, times, |_| {}).unwrap(), scene.dimensions())
+}
+
+fn scenes() -> Vec<Scene> {
+    let files = ["rim-pushed.json", "cloth-space.json", "rim-still.json"];
+    let gallery = wobble::scene::gallery().iter().map(|entry| entry.scene().unwrap());
+    gallery.chain(files.iter().map(|name| Scene::read(&common::file(name)).unwrap())).collect()
+}
+
+#[test]
+fn twice_the_same_and_after_saving_and_expanding() {
+    for scene in scenes() {
+        let first = run(&scene, &[0.3, 0.7]);
+        assert_eq!(first, run(&scene, &[0.3, 0.7]), "{}", scene.name());
+        let loaded = Scene::parse(&scene.to_json().unwrap(), "x.json").unwrap();
+        assert_eq!(first, run(&loaded, &[0.3, 0.7]), "{} saved and loaded", scene.name());
+        assert_eq!(first, run(&scene.expanded().unwrap(), &[0.3, 0.7]), "{} expanded", scene.name());
+    }
+}
+
+#[test]
+fn asking_for_more_samples_changes_nothing() {
+    for scene in scenes() {
+        let at_end = |times: &[f64]| {
+            let mut world = scene.world(Some(0.7)).unwrap();
+            let samples = record(&mut *world, times, |_| {}).unwrap();
+            samples.last().cloned().unwrap()
+        };
+        assert_eq!(at_end(&[0.7]), at_end(&[0.01, 0.0333, 0.5, 0.7]), "{}", scene.name());
+    }
+}
+
+/// Bits that must not change by accident, in any build on any machine. A change of method changes them on purpose.
+#[test]
+fn the_bits_are_those_of_the_last_version() {
+    let recorded = [
+        ("rim", "0c29e1b69050d555cbcd5ee26e52e49b"),
+        ("rim-relaxed", "529b73f26ef0f4c9f7a5d1ba8e9358f3"),
+        ("random-graph", "b3f56e9cfdd47d0cb8284a8daf57e53f"),
+        ("points", "6546f31421ab4d12ee5b6dd7b9d295bb"),
+    ];
+    let here: Vec<(&str, String)> =
+        recorded.iter().map(|&(name, _)| (name, run(&Scene::load(name).unwrap(), &[1.0]))).collect();
+    let there: Vec<(&str, String)> = recorded.iter().map(|&(name, hash)| (name, hash.to_owned())).collect();
+    assert_eq!(here, there);
+}
+
+#[test]
+fn the_hash_sees_every_bit() {
+    let scene = Scene::load("rim").unwrap();
+    let world = scene.world(None).unwrap();
+    let mut sample = world.sample(0.0);
+    let before = hash(std::slice::from_ref(&sample), 2);
+    sample.velocity[23][1] = f64::from_bits(sample.velocity[23][1].to_bits() ^ 1);
+    assert_ne!(before, hash(std::slice::from_ref(&sample), 2));
+}

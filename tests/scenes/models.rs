@@ -1,0 +1,136 @@
+//! What scenes mean: models by hand, expansion, numbering over explicit points and bodies.
+
+use wobble::scene::{Scene, SolverName, gallery};
+use wobble::sim::{BondKind, Limit, Model, PointId, Profile, Region, Solver};
+
+fn scene(text: &str) -> Scene {
+    Scene::parse(text, "x.json").unwrap_or_else(|error| panic!("{error}"))
+}
+
+/// A pendulum with everything said, as reference problems have it.
+const PENDULUM: &str = r#"{"wobble":1,"name":"B5","points":{"position":[[0.0,0.0],[1.0,0.0]],
+    "velocity":[[0.0,0.0],[0.0,0.5]],"mass":[1.0,2.0],"pinned":[0]},"gravity":[0,-9.81],"drag_rate":0.25,
+    "duration":3.0,"samples":[0.75,1.5,2.25,3.0],
+    "bonds":[{"a":0,"b":1,"kind":"spring","rest":1.25,"stiffness":200.0,"damping":2.0,"limit":"max"}]}"#;
+
+#[test]
+fn explicit_points_and_bonds_come_out_as_said() {
+    let scene = scene(PENDULUM);
+    let model: Model<2> = scene.model().unwrap();
+    assert_eq!(model.position, [[0.0, 0.0], [1.0, 0.0]]);
+    assert_eq!(model.velocity, [[0.0, 0.0], [0.0, 0.5]]);
+    assert_eq!(model.mass, [1.0, 2.0]);
+    assert_eq!(model.pinned, [PointId(0)]);
+    assert_eq!(model.gravity, [0.0, -9.81]);
+    assert_eq!((model.drag_rate, model.duration), (0.25, Some(3.0)));
+    let bond = model.bonds[0];
+    assert_eq!((bond.a, bond.b, bond.rest_length), (PointId(0), PointId(1), 1.25));
+    assert_eq!((bond.kind, bond.limit), (BondKind::Spring { stiffness: 200.0, damping: 2.0 }, Limit::Max));
+    assert_eq!(scene.sample_times(), [0.75, 1.5, 2.25, 3.0]);
+    assert_eq!((scene.rate(), scene.dimensions()), (1.0, 2));
+}
+
+#[test]
+fn what_is_not_said_has_the_value_of_the_specification() {
+    let scene = scene(
+        r#"{"wobble":1,"points":{"position":[[0,0],[3,4]]},"bonds":[{"a":1,"b":0}],"duration":2,
+        "mouse":{"strength":-7,"radius":2},"bounds":{"min":[-5,-5],"max":[5,5]}}"#,
+    );
+    let model: Model<2> = scene.model().unwrap();
+    assert_eq!(model.velocity, [[0.0; 2]; 2]);
+    assert_eq!(model.mass, [1.0; 2]);
+    assert!(model.pinned.is_empty());
+    assert_eq!((model.gravity, model.drag_rate), ([0.0; 2], 0.0));
+    let bond = model.bonds[0];
+    assert_eq!((bond.rest_length, bond.kind, bond.limit), (5.0, BondKind::Rigid, Limit::Both));
+    let mouse = model.mouse.unwrap();
+    assert_eq!((mouse.region, mouse.profile), (Region::Round, Profile::Smooth));
+    assert!(mouse.track.knots.is_empty());
+    let bounds = model.bounds.unwrap();
+    assert_eq!((bounds.restitution, bounds.friction), (0.0, 0.0));
+    assert_eq!(model.method, Default::default());
+    assert_eq!(scene.sample_times(), [2.0]);
+}
+
+#[test]
+fn a_scene_in_space_needs_a_model_in_space() {
+    let scene = scene(
+        r#"{"wobble":1,"dimensions":3,"points":{"position":[[0,0,0],[1,2,2]],"mass":3},
+        "bonds":[{"a":0,"b":1}],"gravity":[0,-9.81,1],"mouse":{"strength":1,"radius":1,"track":[[0,1,2],[1,3,4]]}}"#,
+    );
+    let model: Model<3> = scene.model().unwrap();
+    assert_eq!(model.bonds[0].rest_length, 3.0);
+    assert_eq!(model.mass, [3.0, 3.0]);
+    let track = model.mouse.unwrap().track;
+    assert_eq!(track.knots, [(0.0, [1.0, 2.0]), (1.0, [3.0, 4.0])]);
+    assert_eq!(scene.model::<2>().unwrap_err().to_string(), "x.json:1: dimensions: the scene has 3 dimensions, not 2");
+}
+
+#[test]
+fn bodies_follow_the_explicit_points_and_bonds() {
+    let scene = scene(
+        r#"{"wobble":1,"points":{"position":[[9,9]],"pinned":[0,0]},
+        "bonds":[{"a":0,"b":3,"kind":"spring","stiffness":1}],
+        "bodies":[{"make":"rope","count":2,"to":[0,2],"origin":[1,0],"pinned":[1]},
+                  {"make":"box","width":2,"height":2,"spin":3,"velocity":[1,0],
+                   "material":{"kind":"spring","compliance":0.5,"mass":8}}]}"#,
+    );
+    let model: Model<2> = scene.model().unwrap();
+    assert_eq!(model.position.len(), 7);
+    assert_eq!(model.position[1..4], [[1.0, 0.0], [1.0, 2.0], [-1.0, -1.0]]);
+    assert_eq!(model.velocity[3], [1.0 + 3.0, -3.0]);
+    assert_eq!(model.mass, [1.0, 1.0, 1.0, 2.0, 2.0, 2.0, 2.0]);
+    assert_eq!(model.pinned, [PointId(0), PointId(2)]);
+    assert_eq!(model.bonds.len(), 1 + 1 + 5);
+    assert_eq!((model.bonds[1].a, model.bonds[1].b), (PointId(1), PointId(2)));
+    assert_eq!((model.bonds[2].a, model.bonds[2].b), (PointId(3), PointId(4)));
+    assert_eq!(model.bonds[1].kind, BondKind::Rigid);
+    assert_eq!(model.bonds[2].kind, BondKind::Spring { stiffness: 2.0, damping: 0.0 });
+}
+
+#[test]
+fn a_call_may_override_the_method() {
+    let mut scene = Scene::load("rim").unwrap();
+    scene.method.solver = Some("relaxation".parse().unwrap());
+    assert!(scene.model::<2>().is_err());
+    scene.method.solver = Some(SolverName::Verlet);
+    scene.method.substep = Some(0.01);
+    let model: Model<2> = scene.model().unwrap();
+    assert_eq!((model.method.solver, model.method.substep), (Solver::Verlet, Some(0.01)));
+    scene.method.substep = Some(-1.0);
+    assert_eq!(scene.model::<2>().unwrap_err().to_string(), "rim.json: method.substep: is -1.0: give a number above 0");
+    assert_eq!("verlett".parse::<SolverName>().unwrap_err(), "`verlett` is not a solver: did you mean `verlet`?");
+}
+
+#[test]
+fn an_expanded_scene_has_the_same_model_bit_for_bit() {
+    let every_maker = scene(
+        r#"{"wobble":1,"points":{"position":[[0.1,0.2]],"mass":0.3,"pinned":[0]},
+        "bodies":[{"make":"points","count":5,"min":[-1,-1],"max":[1,1],"seed":3,"spin":0.1},
+                  {"make":"random-graph","count":6,"bonds":9,"min":[-1,-1],"max":[1,1],"pinned":[5]},
+                  {"make":"rim","angle":0.7,"origin":[0.3,-0.1],"material":{"kind":"spring","compliance":0.003,"mass":7}},
+                  {"make":"box","width":0.3,"height":0.7,"supports":2,"velocity":[0.1,0.2],"spin":-0.7},
+                  {"make":"rope","count":7,"to":[0.1,0.7],"material":{"compliance":0.7,"mass":0.1}},
+                  {"make":"cloth","columns":4,"rows":3,"spacing":0.1,"diagonals":"one","angle":-2.1,
+                   "material":{"kind":"relaxed","relaxation":0.7,"max_correction":0.3,"point_mass":0.7}},
+                  {"make":"lattice","columns":3,"rows":4,"spacing":0.3,"material":{"kind":"spring","stiffness":3,"damping":0.1}}],
+        "method":{"substep":0.01,"iterations":3}}"#,
+    );
+    let mut scenes = vec![every_maker];
+    scenes.extend(gallery().iter().map(|entry| entry.scene().unwrap()));
+    for scene in scenes {
+        let expanded = scene.expanded().unwrap();
+        assert!(expanded.bodies.is_empty());
+        let again = Scene::parse(&expanded.to_json().unwrap(), "again").unwrap();
+        let (model, other): (Model<2>, Model<2>) = (scene.model().unwrap(), again.model().unwrap());
+        // Debug output tells -0.0 from 0.0 and prints every digit: equal text is equal bits.
+        assert_eq!(format!("{model:?}"), format!("{other:?}"));
+    }
+    let cloth = scene(
+        r#"{"wobble":1,"dimensions":3,"bodies":[{"make":"cloth","columns":3,"rows":3,"spacing":0.7,
+        "u":[1,2,3],"v":[0,1,-1],"angle":0.3,"spin":1,"velocity":[0,0,1]}]}"#,
+    );
+    let model: Model<3> = cloth.model().unwrap();
+    let other: Model<3> = cloth.expanded().unwrap().model().unwrap();
+    assert_eq!(format!("{model:?}"), format!("{other:?}"));
+}
