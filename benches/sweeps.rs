@@ -82,9 +82,9 @@ impl Naive {
                 continue;
             }
             let c = (rest / length - 1.0) / (w_a + w_b);
-            for k in 0..2 {
-                self.points[a].x[k] += c * w_a * d[k];
-                self.points[b].x[k] -= c * w_b * d[k];
+            for (k, d) in d.into_iter().enumerate() {
+                self.points[a].x[k] += c * w_a * d;
+                self.points[b].x[k] -= c * w_b * d;
             }
         }
     }
@@ -111,9 +111,42 @@ fn sweeps(criterion: &mut Criterion) {
     group.finish();
 }
 
+/// One display frame of the gallery's rim-relaxed: 10 substeps of 6 ms.
+fn rim_frame(criterion: &mut Criterion) {
+    let scene = wobble::scene::Scene::load("rim-relaxed").unwrap();
+    let mut world = scene.world(None).unwrap();
+    criterion.bench_function("rim-relaxed, a frame of 10 substeps", |b| {
+        b.iter(|| (0..10).for_each(|_| world.step()));
+    });
+}
+
+/// The mouse force: in reach, out of reach, not there. Out of reach must cost next to nothing.
+fn mouse(criterion: &mut Criterion) {
+    use wobble::sim::{Command, Cursor, MouseForce, Profile, Region, Track};
+    let mut group = criterion.benchmark_group("10k points and a mouse");
+    let mut model = sheet(100, Order::Coloured);
+    model.bonds.truncate(1);
+    model.method.solver = Solver::Auto;
+    let force = MouseForce {
+        strength: 1.0,
+        radius: 20.0,
+        region: Region::Round,
+        profile: Profile::Smooth,
+        track: Track::default(),
+    };
+    let cursors = [("no force", None), ("out of reach", Some([1e6, 0.0])), ("in reach", Some([5.0, -5.0]))];
+    for (name, at) in cursors {
+        model.mouse = at.map(|_| force.clone());
+        let mut world = World::<f64, 2>::new(&model).unwrap();
+        world.apply(Command::MoveCursor(at.map(Cursor::at)));
+        group.bench_function(name, |b| b.iter(|| world.step()));
+    }
+    group.finish();
+}
+
 criterion_group! {
     name = benches;
     config = Criterion::default().sample_size(20).without_plots();
-    targets = sweeps
+    targets = sweeps, rim_frame, mouse
 }
 criterion_main!(benches);
