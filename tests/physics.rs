@@ -251,6 +251,22 @@ fn f32_follows_f64() {
     assert!(apart < 1e-5, "{apart}");
 }
 
+/// A substep cut short must not be a blow: the energy of a sample goes on smoothly from that of the substep before.
+#[test]
+fn relaxed_bonds_bear_short_substeps() {
+    let mut model = flying_rim(KINDS[1], Order::Coloured);
+    model.position[0][0] += 0.3;
+    let mut world = World::<f64, 2>::new(&model).unwrap();
+    for _ in 0..20 {
+        world.step();
+    }
+    let before = world.energy();
+    for part in [1e-6, 1e-3, 0.1] {
+        let energy = world.sample(world.time() + part * world.substep()).energy;
+        assert!((energy / before - 1.0).abs() < 0.25, "at {part} of a substep {energy} J after {before} J");
+    }
+}
+
 #[test]
 fn a_sample_does_not_change_the_motion() {
     let model = flying_rim(KINDS[2], Order::Shuffled);

@@ -35,7 +35,7 @@ impl<S: Real, const D: usize> World<S, D> {
         }
         verlet::predict(&mut self.points, h);
         if projects {
-            self.relax();
+            self.relax(h);
             self.hold();
             verlet::follow(&mut self.points, h);
         }
@@ -48,12 +48,13 @@ impl<S: Real, const D: usize> World<S, D> {
     }
 
     /// Sweeps over the relaxed bonds.
-    fn relax(&mut self) {
+    fn relax(&mut self, h: f64) {
         if self.plan.relaxed.is_empty() {
             return;
         }
+        let share = relaxed::share_of(h, self.plan.substep);
         for _ in 0..self.plan.iterations {
-            relaxed::sweep(&mut self.points, &self.plan.relaxed, &mut self.plan.relaxed_order);
+            relaxed::sweep(&mut self.points, &self.plan.relaxed, &mut self.plan.relaxed_order, share);
         }
         self.count_sweeps(self.plan.iterations, self.plan.relaxed.len());
     }

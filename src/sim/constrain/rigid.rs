@@ -90,7 +90,7 @@ impl<S: Real> RigidBond<S> {
             || along <= S::ZERO
             || rest == S::ZERO
         {
-            self.along_new.project(position, displacement);
+            self.along_new.project(position, displacement, S::ONE);
             return error;
         }
         let g = (square - rest) / ((along + along) * (self.w_a + self.w_b));
