@@ -5,12 +5,12 @@ use std::path::{Path, PathBuf};
 
 /// A file that could not be written; what stood there before is untouched.
 #[derive(Debug, thiserror::Error)]
-#[error("{}: cannot be written: {source}", path.display())]
+#[error("{}: cannot be written: {reason}", path.display())]
 pub struct OutputError {
     /// The file.
     path: PathBuf,
-    /// Why.
-    source: std::io::Error,
+    /// Why, and what to do.
+    reason: String,
 }
 
 /// Writes a file beside `path` and renames it to `path` when all of it is on the disk.
@@ -24,6 +24,9 @@ pub fn replace(path: &Path, write: impl FnOnce(&mut dyn Write) -> std::io::Resul
             Some(folder) if !folder.as_os_str().is_empty() => folder,
             _ => Path::new("."),
         };
+        if !folder.is_dir() {
+            return Err(std::io::Error::other(format!("there is no folder {}: make it first", folder.display())));
+        }
         if target.is_dir() {
             return Err(std::io::Error::from(std::io::ErrorKind::IsADirectory));
         }
@@ -44,7 +47,7 @@ pub fn replace(path: &Path, write: impl FnOnce(&mut dyn Write) -> std::io::Resul
         file.persist(&target).map_err(|error| error.error)?;
         Ok(())
     };
-    attempt().map_err(|source| OutputError { path: path.to_owned(), source })
+    attempt().map_err(|error| OutputError { path: path.to_owned(), reason: error.to_string() })
 }
 
 #[cfg(test)]

@@ -194,7 +194,8 @@ fn an_idle_window_does_nothing() {
     let (short, long) = (run(0), run(5));
     assert_eq!(short.substeps, long.substeps, "it falls asleep at the same substep: {short:?} {long:?}");
     assert_eq!(short.substeps, 1001, "half a second of substeps of 0.5 ms, and the first: {short:?}");
-    assert!(long.submits <= short.submits + 5, "five idle seconds submit nothing: {short:?} {long:?}");
+    // A busy machine takes more or fewer frames to get there; five seconds that were not idle would be 300.
+    assert!(long.submits <= short.submits + 20, "five idle seconds submit nothing: {short:?} {long:?}");
     assert_eq!(long.submits, long.frames);
 }
 

@@ -10,10 +10,12 @@ use crate::sim::Dynamics;
 pub fn camera(scene: &Scene, world: &dyn Dynamics, size: [u32; 2]) -> Camera {
     let mut camera = fit(world, true, size);
     let Some(view) = &scene.view else { return camera };
+    let [width, tall] = camera.viewport().map(f64::from);
     match &mut camera.pose {
         Pose::Plane { center, height } => {
             *center = view.center.map_or(*center, |at| DVec3::from(at.embed()).truncate());
-            *height = view.height.unwrap_or(*height);
+            // In a picture higher than wide the same stretch is seen across.
+            *height = view.height.map_or(*height, |height| height / (width / tall).min(1.0));
         }
         Pose::Orbit { target, distance, yaw, pitch } => {
             *target = view.target.map_or(*target, |at| DVec3::from(at.embed()));

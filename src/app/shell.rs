@@ -5,6 +5,7 @@ use std::time::{Duration, Instant};
 
 use winit::application::ApplicationHandler;
 use winit::dpi::LogicalSize;
+use winit::error::EventLoopError;
 use winit::event::{StartCause, WindowEvent};
 use winit::event_loop::{ActiveEventLoop, ControlFlow, EventLoop};
 use winit::window::{Window, WindowId};
@@ -32,9 +33,9 @@ pub struct Statistics {
 ///
 /// Errors: no display, no GPU, a GPU that is lost and does not come back.
 pub(super) fn run(scene: Scene, player: Player) -> Result<Statistics, AppError> {
-    let event_loop = EventLoop::new().map_err(|error| AppError::NoDisplay { reason: error.to_string() })?;
+    let event_loop = EventLoop::new().map_err(|error| no_display(&error))?;
     let mut shell = Shell::Waiting(Some(Box::new((scene, player))));
-    event_loop.run_app(&mut shell).map_err(|error| AppError::NoDisplay { reason: error.to_string() })?;
+    event_loop.run_app(&mut shell).map_err(|error| no_display(&error))?;
     match shell {
         Shell::Failed(error) => Err(error),
         Shell::Open { session, .. } => {
@@ -43,6 +44,13 @@ pub(super) fn run(scene: Scene, player: Player) -> Result<Statistics, AppError> 
         }
         Shell::Waiting(_) => Ok(Statistics::default()),
     }
+}
+
+/// What the system said, without the line of the library that heard it.
+fn no_display(error: &EventLoopError) -> AppError {
+    let said = error.to_string();
+    let reason = said.split_once(".rs:").and_then(|(_, rest)| rest.split_once(": ")).map_or(&*said, |(_, why)| why);
+    AppError::NoDisplay { reason: reason.trim_end_matches(['.', ')']).to_owned() }
 }
 
 /// The program's states.

@@ -23,7 +23,7 @@ pub(super) struct Arguments {
     /// A scene of the gallery, or a scene file.
     scene: String,
     /// When the first picture is taken [s].
-    #[arg(long, value_name = "T", default_value = "0", value_parser = values::at_least_zero)]
+    #[arg(long, value_name = "T", default_value = "0", allow_negative_numbers = true, value_parser = values::at_least_zero)]
     time: f64,
     /// Width and height [px].
     #[arg(long, value_name = "WxH", default_value = "1280x720", value_parser = values::size)]

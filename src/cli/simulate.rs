@@ -25,7 +25,7 @@ pub(super) struct Arguments {
     #[arg(long, value_parser = values::solver)]
     solver: Option<SolverName>,
     /// Longest substep [s].
-    #[arg(long, value_name = "H", value_parser = values::above_zero)]
+    #[arg(long, value_name = "H", allow_negative_numbers = true, value_parser = values::above_zero)]
     substep: Option<f64>,
     /// Sweeps over relaxed bonds in a substep.
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..))]
@@ -40,7 +40,7 @@ pub(super) struct Arguments {
     #[arg(long)]
     precision: Option<PrecisionName>,
     /// Times to sample at [s], ascending, such as 0.5,1,2; the last one ends the run.
-    #[arg(long, value_name = "T,…", value_parser = values::times)]
+    #[arg(long, value_name = "T,…", allow_hyphen_values = true, value_parser = values::times)]
     samples: Option<Times>,
     /// Where to write: .json or .csv.
     #[arg(long, value_name = "FILE", required_unless_present = "hash", value_parser = table)]

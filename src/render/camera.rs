@@ -45,7 +45,7 @@ const STEEPEST: f64 = 1.55;
 /// Angle that a drag over one pixel turns the camera by [rad].
 const TURN: f64 = 0.008;
 /// Room around what is fitted [1].
-const MARGIN: f64 = 1.12;
+const MARGIN: f64 = 1.2;
 
 impl Camera {
     /// A camera for a picture of `size` [px].

@@ -63,9 +63,9 @@ impl<S: Real, const D: usize> World<S, D> {
         if self.plan.rigid.is_empty() {
             return;
         }
-        let sweeps = rigid::hold(&mut self.points, &self.plan.rigid, &mut self.plan.rigid_order);
-        self.counters.fallbacks += u64::from(sweeps == rigid::MOST_SWEEPS);
-        self.count_sweeps(sweeps, self.plan.rigid.len());
+        let held = rigid::hold(&mut self.points, &self.plan.rigid, &mut self.plan.rigid_order);
+        self.counters.fallbacks += u64::from(!held.is_held);
+        self.count_sweeps(held.sweeps, self.plan.rigid.len());
     }
 
     fn count_sweeps(&mut self, sweeps: u32, bonds: usize) {

@@ -100,21 +100,31 @@ impl<S: Real> RigidBond<S> {
     }
 }
 
-/// Sweeps over `bonds` until all of them hold, and tells how many sweeps that took.
+/// What became of holding bonds.
+pub(crate) struct Held {
+    /// Sweeps taken.
+    pub(crate) sweeps: u32,
+    /// Whether all lengths are right to 1e-6, in `f32` to 1e-5: bonds that repeat each other stop short of the tolerance.
+    pub(crate) is_held: bool,
+}
+
+/// Sweeps over `bonds` until all of them hold.
 pub(crate) fn hold<S: Real, const D: usize>(
     points: &mut Points<S, D>,
     bonds: &[RigidBond<S>],
     sweeper: &mut Sweeper,
-) -> u32 {
+) -> Held {
     let Points { position, displacement, .. } = points;
-    for sweep in 1..=MOST_SWEEPS {
-        let mut largest = S::ZERO;
+    let mut largest = S::ZERO;
+    for sweeps in 1..=MOST_SWEEPS {
+        largest = S::ZERO;
         sweeper.sweep_to_and_fro(bonds, |bond| largest = largest.max(bond.project(position, displacement)));
         if largest <= tolerance::<S>() {
-            return sweep;
+            return Held { sweeps, is_held: true };
         }
     }
-    MOST_SWEEPS
+    let enough = S::from_f64(1e-6).max(S::EPSILON * S::from_f64(100.0));
+    Held { sweeps: MOST_SWEEPS, is_held: largest <= enough }
 }
 
 /// Takes from the velocities what would lengthen or shorten a bond: (v_a - v_b).d = 0, by sweeps weighted by mass.
