@@ -33,7 +33,7 @@ pub(super) fn run(arguments: &Arguments) -> anyhow::Result<()> {
     }
     let Some(name) = &arguments.scene else {
         for entry in scene::gallery() {
-            writeln!(out, "{:<14} {}", entry.name, entry.title)?;
+            writeln!(out, "{:<14} {}", entry.name, entry.description)?;
         }
         return Ok(());
     };

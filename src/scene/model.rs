@@ -60,7 +60,7 @@ impl Scene {
 
     /// A world at the start of the scene; its last substep before `duration` [s] ends there.
     ///
-    /// Errors: those of [`Scene::model`].
+    /// Errors: those of [`Scene::model`]; `duration` is below 0 or not finite; the solver does not take the bonds.
     pub fn world(&self, duration: Option<f64>) -> Result<Box<dyn Dynamics>, SceneError> {
         fn made<const D: usize>(model: Model<D>, duration: Option<f64>) -> Result<Box<dyn Dynamics>, ModelError> {
             build(&Model { duration, ..model })
