@@ -21,7 +21,8 @@ use crate::sim::{Counters, Dynamics, Precision, Sample};
 pub(super) struct Arguments {
     /// A scene of the gallery, or a scene file.
     scene: String,
-    /// auto, verlet or relaxation.
+    /// auto, euler, symplectic-euler, verlet, velocity-verlet, pefrl, blanes-moan-4, blanes-moan-6, rk2, rk4, rk8,
+    /// implicit-midpoint, backward-euler, xpbd or relaxation.
     #[arg(long, value_parser = values::solver)]
     solver: Option<SolverName>,
     /// Longest substep [s].

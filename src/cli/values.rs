@@ -1,6 +1,7 @@
 //! Values of options, checked while the call is parsed: a wrong one ends with exit code 2.
 
 use crate::scene::SolverName;
+use crate::sim::Solver;
 
 /// A finite number above 0.
 pub(super) fn above_zero(text: &str) -> Result<f64, String> {
@@ -38,8 +39,10 @@ pub(super) fn size(text: &str) -> Result<[u32; 2], String> {
 
 /// A solver that this version has.
 pub(super) fn solver(text: &str) -> Result<SolverName, String> {
-    match text.parse()? {
-        solver @ (SolverName::Auto | SolverName::Verlet | SolverName::Relaxation) => Ok(solver),
-        other => Err(format!("`{other}` is not in this version: use auto, verlet or relaxation")),
+    let name: SolverName = text.parse()?;
+    let known: Vec<&str> = Solver::ALL.iter().map(|solver| solver.name()).collect();
+    if known.contains(&name.name()) {
+        return Ok(name);
     }
+    Err(format!("`{name}` is not in this version: use one of {}", known.join(", ")))
 }

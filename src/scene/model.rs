@@ -2,13 +2,15 @@
 
 use super::check::{self, Resistance};
 use super::error::{Fault, SceneError, Within};
-use super::keys::{BondKeys, LimitName, MouseKeys, ProfileName, RegionName, Row, Scene};
+use super::keys::{
+    BondKeys, LimitName, MouseKeys, ObstacleKeys, PinMotionKeys, ProfileName, RegionName, Row, Scene,
+};
 use super::start::{Start, resistance};
 use super::support;
 use crate::body::distance;
 use crate::sim::vector::truncate;
 use crate::sim::{
-    Bond, Bounds, Dynamics, Limit, Model, ModelError, MouseForce, PointId, Profile, Region, Track, build,
+    Bond, Bounds, Dynamics, Limit, Model, ModelError, MouseForce, Plane, PointId, Profile, Region, Track, build,
 };
 
 impl Scene {
@@ -97,6 +99,8 @@ impl Scene {
                 friction: bounds.friction.unwrap_or(0.0),
             }),
             duration: self.duration,
+            planes: planes(self),
+            pin_motion: pin_motion(self),
             method,
         })
     }
@@ -116,6 +120,7 @@ impl Scene {
                 rest_length: link.rest_length,
                 kind,
                 limit: Limit::Both,
+                break_strain: break_strain(keys.material.as_ref().and_then(|material| material.break_strain)),
             }));
         }
         Ok(bonds)
@@ -143,7 +148,34 @@ fn bond(keys: &BondKeys, position: &[[f64; 3]]) -> Result<Bond, Fault> {
             Some(LimitName::Max) => Limit::Max,
             Some(LimitName::Min) => Limit::Min,
         },
+        break_strain: break_strain(keys.break_strain),
     })
+}
+
+/// What is not said never breaks.
+fn break_strain(said: Option<f64>) -> f64 {
+    said.unwrap_or(f64::INFINITY)
+}
+
+/// Planes among the obstacles; the others have been refused.
+fn planes<const D: usize>(scene: &Scene) -> Vec<Plane<D>> {
+    let of = |keys: &ObstacleKeys| {
+        let plane = keys.plane.as_ref()?;
+        Some(Plane {
+            point: truncate(plane.point.embed()),
+            normal: truncate(plane.normal.embed()),
+            restitution: keys.restitution.unwrap_or(0.0),
+            friction: keys.friction.unwrap_or(0.0),
+        })
+    };
+    scene.obstacles.iter().filter_map(of).collect()
+}
+
+/// The tracks of pinned points.
+fn pin_motion<const D: usize>(scene: &Scene) -> Vec<(PointId, Track<D>)> {
+    let knot = |row: &Vec<f64>| (row[0], std::array::from_fn(|k| row[k + 1]));
+    let of = |keys: &PinMotionKeys| (PointId(keys.point), Track { knots: keys.track.iter().map(knot).collect() });
+    scene.pin_motion.iter().map(of).collect()
 }
 
 fn mouse_force(keys: &MouseKeys) -> MouseForce {

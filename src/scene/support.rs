@@ -13,26 +13,21 @@ pub(super) fn check(scene: &Scene) -> Result<(), Fault> {
         ("areas", scene.areas.is_some()),
         ("texture", scene.texture.is_some()),
         ("wind", scene.wind.is_some()),
-        ("pin_motion", !scene.pin_motion.is_empty()),
-        ("obstacles", !scene.obstacles.is_empty()),
     ] {
         if said {
             return Err(lacking(key));
         }
     }
-    for (i, bond) in scene.bonds.iter().enumerate() {
-        if bond.break_strain.is_some() {
-            return Err(lacking("break_strain").item(i).at("bonds"));
+    for (i, obstacle) in scene.obstacles.iter().enumerate() {
+        for (key, said) in [
+            ("box", obstacle.r#box.is_some()),
+            ("circle", obstacle.circle.is_some()),
+            ("polygon", obstacle.polygon.is_some()),
+        ] {
+            if said {
+                return Err(lacking(key).item(i).at("obstacles"));
+            }
         }
-    }
-    for (i, body) in scene.bodies.iter().enumerate() {
-        let material = body.material.as_ref();
-        if material.is_some_and(|material| material.break_strain.is_some()) {
-            return Err(lacking("break_strain").at("material").item(i).at("bodies"));
-        }
-    }
-    if scene.method.tolerance.is_some() {
-        return Err(lacking("tolerance").at("method"));
     }
     if scene.method.max_strain.is_some() {
         return Err(lacking("max_strain").at("method"));
@@ -46,24 +41,20 @@ fn lacking(key: &str) -> Fault {
 
 /// The method in the engine's words.
 ///
-/// Errors: a solver that this version lacks; springs under `relaxation`; bonds that are swept without substep and
-/// iterations, which they mean nothing without.
+/// Errors: a solver that this version lacks; a solver that refuses a kind of bond; bonds that are swept without
+/// substep and iterations, which they mean nothing without.
 pub(super) fn method(scene: &Scene) -> Result<sim::Method, Fault> {
     let keys = &scene.method;
-    let solver = match keys.solver.unwrap_or(SolverName::Auto) {
-        SolverName::Auto => sim::Solver::Auto,
-        SolverName::Verlet => sim::Solver::Verlet,
-        SolverName::Relaxation => sim::Solver::Relaxation,
-        other => {
-            let message = format!("solver `{other}` is not in this version: use auto, verlet or relaxation");
-            return Err(Fault::unsupported(message).at("solver").at("method"));
-        }
+    let name = keys.solver.unwrap_or(SolverName::Auto);
+    let Some(solver) = sim::Solver::ALL.into_iter().find(|solver| solver.name() == name.name()) else {
+        let known: Vec<&str> = sim::Solver::ALL.iter().map(|solver| solver.name()).collect();
+        let message = format!("solver `{name}` is not in this version: use {}", super::nearest::list(&known));
+        return Err(Fault::unsupported(message).at("solver").at("method"));
     };
-    if solver == sim::Solver::Relaxation
-        && let Some(spring) = find(scene, |kind| matches!(kind, BondKind::Spring { .. }))
+    if let Some(found) = find(scene, |kind| solver.refusal(kind).is_some())
+        && let Some((kind, others)) = solver.refusal(found.kind)
     {
-        let message = "is a spring, which solver `relaxation` refuses: use auto or verlet, or relaxed bonds";
-        return Err(spring.fault(message));
+        return Err(found.fault(&format!("is {kind}, which solver `{solver}` refuses: use {others}")));
     }
     let swept =
         solver == sim::Solver::Relaxation || find(scene, |kind| matches!(kind, BondKind::Relaxed { .. })).is_some();
@@ -83,22 +74,28 @@ pub(super) fn method(scene: &Scene) -> Result<sim::Method, Fault> {
         order: keys.order(),
         seed: keys.seed.unwrap_or(0),
         precision: keys.precision(),
+        tolerance: keys.tolerance,
     })
 }
 
-/// Where bonds of a kind were found.
-enum Found {
+/// Bonds of a kind, and where they were found.
+struct Found {
+    kind: BondKind,
+    place: Place,
+}
+
+enum Place {
     Bond(usize),
     Body(usize),
 }
 
 impl Found {
     fn fault(&self, message: &str) -> Fault {
-        match self {
-            Found::Bond(i) => Fault::invalid(message).item(*i).at("bonds"),
-            Found::Body(i) => {
+        match self.place {
+            Place::Bond(i) => Fault::invalid(message).item(i).at("bonds"),
+            Place::Body(i) => {
                 let message = format!("the material {message}");
-                Fault::invalid(message).item(*i).at("bodies")
+                Fault::invalid(message).item(i).at("bodies")
             }
         }
     }
@@ -106,11 +103,9 @@ impl Found {
 
 /// The first bond, or body with bonds, of a kind.
 fn find(scene: &Scene, is: impl Fn(BondKind) -> bool) -> Option<Found> {
-    let bond = scene.bonds.iter();
-    let bond = bond.map(|bond| Resistance::from(bond).resolve()).position(&is);
-    bond.map(Found::Bond).or_else(|| {
-        let body = scene.bodies.iter();
-        let body = body.map(|body| resistance(body).resolve()).position(&is);
-        body.map(Found::Body)
-    })
+    let bonds = scene.bonds.iter().map(|bond| Resistance::from(bond).resolve());
+    let bonds = bonds.enumerate().map(|(i, kind)| Found { kind, place: Place::Bond(i) });
+    let bodies = scene.bodies.iter().map(|body| resistance(body).resolve());
+    let bodies = bodies.enumerate().map(|(i, kind)| Found { kind, place: Place::Body(i) });
+    bonds.chain(bodies).find(|found| is(found.kind))
 }

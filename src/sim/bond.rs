@@ -74,4 +74,13 @@ pub struct Bond {
     pub kind: BondKind,
     /// On which side of the rest length it acts.
     pub limit: Limit,
+    /// Strain above which it is gone at the end of a substep [1], > 0; infinite: never.
+    pub break_strain: f64,
+}
+
+impl Bond {
+    /// A rigid bond of this rest length [m] that acts both ways and never breaks.
+    pub fn new(a: PointId, b: PointId, rest_length: f64) -> Self {
+        Bond { a, b, rest_length, kind: BondKind::Rigid, limit: Limit::Both, break_strain: f64::INFINITY }
+    }
 }

@@ -5,16 +5,28 @@
 pub struct Counters {
     /// Substeps taken.
     pub substeps: u64,
-    /// Bonds taken by sweeps or evaluated as springs.
+    /// Bonds taken by sweeps and solves, or evaluated as springs.
     pub bonds_solved: u64,
     /// Points advanced.
     pub points_moved: u64,
-    /// Sweeps over the bonds.
+    /// Sweeps over the bonds, and rounds of Newton's method.
     pub iterations: u64,
     /// Points that the mouse force was evaluated for.
     pub mouse_points: u64,
-    /// Points that touched a wall.
+    /// Touches of surfaces, and crossings of the mouse region's edge that were located.
     pub events: u64,
-    /// Substeps whose rigid bonds did not converge: it went on with what the last sweep left.
+    /// Substeps that a guard split in two.
+    pub guard_splits: u64,
+    /// Substeps that went to the next more robust method, or on with bonds that do not hold.
     pub fallbacks: u64,
+    /// Bonds that broke.
+    pub bonds_torn: u64,
+}
+
+impl Counters {
+    /// Counts `sweeps` over `bonds`.
+    pub(crate) fn sweep(&mut self, sweeps: u32, bonds: usize) {
+        self.iterations += u64::from(sweeps);
+        self.bonds_solved += u64::from(sweeps) * bonds as u64;
+    }
 }

@@ -5,6 +5,7 @@ use super::command::Command;
 use super::counters::Counters;
 use super::force::mouse::{Cursor, MouseForce};
 use super::model::Precision;
+use super::plan::PlanPart;
 
 /// Positions of all points as they lie in memory: D numbers a point, one point after another [m].
 #[derive(Clone, Copy, Debug)]
@@ -75,7 +76,7 @@ pub trait Dynamics: Send {
     fn sample(&self, time: f64) -> Sample;
     /// Positions now, as they lie in memory.
     fn positions(&self) -> Positions<'_>;
-    /// The bonds, as listed in the model.
+    /// The bonds that are left, in the order of the model.
     fn bonds(&self) -> &[Bond];
     /// The points that never move.
     fn pinned(&self) -> &[PointId];
@@ -87,6 +88,10 @@ pub trait Dynamics: Send {
     fn energy(&self) -> f64;
     /// Work done so far.
     fn counters(&self) -> &Counters;
+    /// What moves the parts of the world: a line a group of islands.
+    fn parts(&self) -> &[PlanPart];
+    /// What the user should know of the scene: lengths that contradict each other, bonds that cannot hold.
+    fn warnings(&self) -> &[String];
     /// Whether nothing moves faster than `speed` [m/s], no cursor reaches a point and no track moves.
     fn is_still(&self, speed: f64) -> bool;
     /// Whether every position is a finite number.

@@ -4,7 +4,7 @@ use super::bond::Bond;
 use super::force::spring;
 use super::points::Points;
 use super::real::Real;
-use super::vector::{dot, length, sub, widen};
+use super::vector::{dot, length, sub};
 
 /// The box around all positions: its lower and upper corner; `None` where there is no point.
 pub(crate) fn extent<S: Real, const D: usize>(position: &[[S; D]]) -> Option<[[S; D]; 2]> {
@@ -20,12 +20,18 @@ pub(crate) fn extent<S: Real, const D: usize>(position: &[[S; D]]) -> Option<[[S
 }
 
 /// Kinetic + springs' + gravity's energy of the points that are not pinned [J]; gravity's is 0 at the origin.
-pub(crate) fn energy<S: Real, const D: usize>(points: &Points<S, D>, bonds: &[Bond], gravity: [f64; D]) -> f64 {
-    let mut sum = spring::energy(bonds, |i| widen(points.position[i]));
-    for i in 0..points.len() {
-        let w = points.inverse_mass[i].to_f64();
+///
+/// Shapes: `position`, `velocity` and `w` have one entry a point; w = 0 is pinned.
+pub(crate) fn energy<const D: usize>(
+    position: &[[f64; D]],
+    velocity: &[[f64; D]],
+    w: &[f64],
+    bonds: &[Bond],
+    gravity: [f64; D],
+) -> f64 {
+    let mut sum = spring::energy(bonds, |i| position[i]);
+    for ((&x, &v), &w) in position.iter().zip(velocity).zip(w) {
         if w > 0.0 {
-            let (x, v) = (widen(points.position[i]), widen(points.velocity[i]));
             sum += (0.5 * dot(v, v) - dot(gravity, x)) / w;
         }
     }
@@ -33,9 +39,9 @@ pub(crate) fn energy<S: Real, const D: usize>(points: &Points<S, D>, bonds: &[Bo
 }
 
 /// Largest |length/rest - 1| over the bonds [1], those of rest length 0 left out.
-pub(crate) fn max_strain<S: Real, const D: usize>(points: &Points<S, D>, bonds: &[Bond]) -> f64 {
+pub(crate) fn max_strain<const D: usize>(position: &[[f64; D]], bonds: &[Bond]) -> f64 {
     let of = |bond: &Bond| {
-        let d = sub(widen(points.position[bond.a.index()]), widen(points.position[bond.b.index()]));
+        let d = sub(position[bond.a.index()], position[bond.b.index()]);
         if bond.rest_length > 0.0 { (length(d) / bond.rest_length - 1.0).abs() } else { 0.0 }
     };
     bonds.iter().map(of).fold(0.0, f64::max)

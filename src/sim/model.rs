@@ -2,7 +2,9 @@
 
 use super::bond::{Bond, BondKind, PointId};
 use super::contact::bounds::Bounds;
-use super::force::mouse::MouseForce;
+use super::contact::surface::Plane;
+use super::force::mouse::{MouseForce, Track};
+use super::solver::Solver;
 
 /// A start: everything that decides a motion. The same model runs bit for bit as it did before.
 ///
@@ -31,6 +33,10 @@ pub struct Model<const D: usize> {
     pub bounds: Option<Bounds<D>>,
     /// When the motion ends [s]: a substep ends there. `None`: never.
     pub duration: Option<f64>,
+    /// Planes that points cannot pass.
+    pub planes: Vec<Plane<D>>,
+    /// Pinned points that are led along tracks.
+    pub pin_motion: Vec<(PointId, Track<D>)>,
     /// How the motion is computed.
     pub method: Method,
 }
@@ -77,10 +83,16 @@ pub enum ModelError {
         point: u32,
     },
     /// A solver and a kind of bond that do not go together.
-    #[error("bond {bond} is a spring, and relaxation has no springs: use auto or verlet")]
+    #[error("bond {bond} is {kind}, which solver {solver} refuses: use {others}")]
     Refused {
         /// The bond.
         bond: usize,
+        /// Its kind.
+        kind: &'static str,
+        /// The solver.
+        solver: Solver,
+        /// Solvers that would do.
+        others: &'static str,
     },
 }
 
@@ -109,6 +121,17 @@ impl<const D: usize> Model<D> {
                 (0..D).all(|k| bounds.min[k].is_finite() && bounds.max[k].is_finite() && bounds.min[k] < bounds.max[k]);
             require(is_box, "bounds.min", bounds.min, "finite and below bounds.max")?;
         }
+        for (i, plane) in self.planes.iter().enumerate() {
+            let is_fine = plane.point.iter().chain(&plane.normal).all(|c| c.is_finite())
+                && plane.normal.iter().any(|&n| n != 0.0);
+            require(is_fine, &format!("plane {i}"), plane, "finite, with a normal that is not zero")?;
+        }
+        for (point, track) in &self.pin_motion {
+            self.check_index(|| "pin_motion".to_owned(), *point)?;
+            require(self.pinned.contains(point), "pin_motion", point, "of a pinned point")?;
+            let ascends = track.knots.windows(2).all(|pair| pair[0].0 < pair[1].0);
+            require(ascends, "pin_motion", point, "along times that ascend")?;
+        }
         if let Some(mouse) = &self.mouse {
             require(mouse.radius > 0.0 && mouse.radius.is_finite(), "mouse.radius", mouse.radius, "finite and > 0")?;
             require(mouse.strength.is_finite(), "mouse.strength", mouse.strength, "finite")?;
@@ -125,10 +148,10 @@ impl<const D: usize> Model<D> {
         }
         for i in 0..points {
             let (x, v, m) = (self.position[i], self.velocity[i], self.mass[i]);
-            if !(x.iter().chain(&v).all(|c| c.is_finite()) && m > 0.0 && m.is_finite()) {
+            if !(x.iter().chain(&v).all(|c| c.is_finite()) && m > 0.0 && m.is_finite() && (1.0 / m).is_finite()) {
                 require(x.iter().all(|c| c.is_finite()), &format!("position {i}"), x, "finite")?;
                 require(v.iter().all(|c| c.is_finite()), &format!("velocity {i}"), v, "finite")?;
-                require(false, &format!("mass {i}"), m, "finite and > 0")?;
+                require(false, &format!("mass {i}"), m, "finite, > 0, and not too small to divide by")?;
             }
         }
         Ok(())
@@ -140,11 +163,13 @@ impl<const D: usize> Model<D> {
         if bond.a == bond.b {
             return Err(ModelError::Loop { bond: i, point: bond.a.0 });
         }
-        if self.method.solver == Solver::Relaxation && matches!(bond.kind, BondKind::Spring { .. }) {
-            return Err(ModelError::Refused { bond: i });
+        let solver = self.method.solver;
+        if let Some((kind, others)) = solver.refusal(bond.kind) {
+            return Err(ModelError::Refused { bond: i, kind, solver, others });
         }
         let in_range = |value: f64| value >= 0.0 && value.is_finite();
         let fine = in_range(bond.rest_length)
+            && bond.break_strain > 0.0
             && match bond.kind {
                 BondKind::Rigid => true,
                 BondKind::Spring { stiffness, damping } => in_range(stiffness) && in_range(damping),
@@ -184,6 +209,8 @@ impl<const D: usize> Default for Model<D> {
             mouse: None,
             bounds: None,
             duration: None,
+            planes: Vec::new(),
+            pin_motion: Vec::new(),
             method: Method::default(),
         }
     }
@@ -204,19 +231,8 @@ pub struct Method {
     pub seed: u64,
     /// The scalar of the world.
     pub precision: Precision,
-}
-
-/// The integrator and the way bonds are held.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum Solver {
-    /// Springs as forces under Verlet's method, other bonds by sweeps.
-    #[default]
-    Auto,
-    /// Position Verlet with the right start: springs as forces, rigid bonds projected along their direction at the
-    /// start of the substep until they hold, relaxed bonds swept.
-    Verlet,
-    /// Every bond swept along its present direction, rigid ones as relaxed with relaxation 1; springs are refused.
-    Relaxation,
+    /// Largest error at every sample [m], > 0, that a search has to reach; `None`: fixed rules.
+    pub tolerance: Option<f64>,
 }
 
 /// The order in which a sweep takes the bonds.

@@ -49,4 +49,29 @@ impl<S: Real, const D: usize> Points<S, D> {
     pub(crate) fn len(&self) -> usize {
         self.position.len()
     }
+
+    /// Copies the state of motion.
+    pub(crate) fn save(&self, to: &mut State<S, D>) {
+        to.position.clone_from(&self.position);
+        to.velocity.clone_from(&self.velocity);
+        to.position_lost.clone_from(&self.position_lost);
+        to.velocity_lost.clone_from(&self.velocity_lost);
+    }
+
+    /// Goes back to a copy.
+    pub(crate) fn restore(&mut self, from: &State<S, D>) {
+        self.position.clone_from(&from.position);
+        self.velocity.clone_from(&from.velocity);
+        self.position_lost.clone_from(&from.position_lost);
+        self.velocity_lost.clone_from(&from.velocity_lost);
+    }
+}
+
+/// A state of motion: what a step changes and a step can be taken back to.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct State<S, const D: usize> {
+    pub(crate) position: Vec<[S; D]>,
+    pub(crate) velocity: Vec<[S; D]>,
+    pub(crate) position_lost: Vec<[S; D]>,
+    pub(crate) velocity_lost: Vec<[S; D]>,
 }

@@ -1,40 +1,34 @@
 //! A world: the state of a scene and the plan that moves it.
 
-use super::bond::{Bond, PointId};
+use std::sync::Arc;
+
+use super::bond::{Bond, BondKind, PointId};
 use super::command::Command;
-use super::constrain::rigid;
-use super::contact::bounds::{Bounds, Touch, Walls};
 use super::counters::Counters;
 use super::dynamics::{Dynamics, Positions, Sample};
 use super::force::mouse::{self, Cursor, MouseForce};
-use super::integrate::verlet;
 use super::measure;
 use super::model::{Model, ModelError, Precision};
-use super::plan::Plan;
-use super::points::Points;
+use super::plan::{self, Plan, PlanPart};
+use super::points::State;
 use super::real::Real;
+use super::surroundings::Surroundings;
 use super::timeline::Timeline;
-use super::vector::{embed, widen, zero};
+use super::vector::{convert, embed, widen, zero};
 
 /// A running scene, generic over its scalar and its dimension: one source for all four.
 #[derive(Clone, Debug)]
 pub struct World<S: Real, const D: usize> {
-    pub(crate) points: Points<S, D>,
-    pub(crate) plan: Plan<S>,
+    pub(crate) plan: Plan<S, D>,
     pub(crate) timeline: Timeline,
-    pub(crate) gravity: [f64; D],
-    pub(crate) drag_rate: f64,
-    pub(crate) mouse: Option<MouseForce>,
-    /// The live cursor.
-    pub(crate) cursor: Option<Cursor>,
-    pub(crate) walls: Option<Walls<S, D>>,
-    pub(crate) touches: Vec<Touch<S>>,
-    /// Accelerations do not belong to the present state: they are evaluated before the next kick.
-    pub(crate) stale: bool,
+    pub(crate) around: Surroundings<D>,
     pub(crate) counters: Counters,
+    /// The bonds that are left.
     bonds: Vec<Bond>,
-    pinned: Vec<PointId>,
-    bounds: Option<Bounds<D>>,
+    /// Positions in the order of the model; empty where the first group has them so.
+    gathered: Vec<[S; D]>,
+    warnings: Vec<String>,
+    model: Arc<Model<D>>,
 }
 
 /// Points above which an automatic precision is `f32`: there memory rules, below it scalar code gains too little.
@@ -55,77 +49,158 @@ pub fn build<const D: usize>(model: &Model<D>) -> Result<Box<dyn Dynamics>, Mode
 impl<S: Real, const D: usize> World<S, D> {
     /// A world at the start of a model.
     ///
-    /// Rigid bonds that the start violates are projected, positions first, then velocities, weighted by mass.
+    /// Rigid bonds that the start violates are projected, positions first, then velocities, weighted by mass; lengths
+    /// that contradict each other are met in least squares, with a warning.
     /// Errors: as [`Model::check`].
     pub fn new(model: &Model<D>) -> Result<Self, ModelError> {
         model.check()?;
-        let mut inverse_mass: Vec<f64> = model.mass.iter().map(|m| 1.0 / m).collect();
-        for point in &model.pinned {
-            inverse_mass[point.index()] = 0.0;
-        }
-        let points = Points::new(&model.position, &model.velocity, inverse_mass);
-        let plan = Plan::new(model, &points.inverse_mass);
-        let knots = model.mouse.iter().flat_map(|mouse| mouse.track.knots.iter().map(|knot| knot.0));
+        let count = model.position.len();
+        let w = plan::inverse_masses(model);
+        let velocity = model.velocity.iter().zip(&w).map(|(&v, &w)| if w == 0.0 { zero() } else { convert(v) });
+        let state = State {
+            position: model.position.iter().map(|&x| convert(x)).collect(),
+            velocity: velocity.collect(),
+            position_lost: vec![zero(); count],
+            velocity_lost: vec![zero(); count],
+        };
+        let plan = plan::compile(model, &model.bonds, &state);
+        let tracks = model.pin_motion.iter().flat_map(|(_, track)| track.knots.iter().map(|knot| knot.0));
+        let mouse = model.mouse.iter().flat_map(|mouse| mouse.track.knots.iter().map(|knot| knot.0));
         let mut world = World {
-            timeline: Timeline::new(plan.substep, knots.chain(model.duration)),
-            points,
+            timeline: Timeline::new(plan.substep, tracks.chain(mouse).chain(model.duration)),
+            around: Surroundings {
+                gravity: model.gravity,
+                mouse: model.mouse.clone(),
+                cursor: None,
+            },
             plan,
-            gravity: model.gravity,
-            drag_rate: model.drag_rate,
-            mouse: model.mouse.clone(),
-            cursor: None,
-            walls: model.bounds.as_ref().map(Walls::new),
-            touches: Vec::new(),
-            stale: true,
             counters: Counters::default(),
             bonds: model.bonds.clone(),
-            pinned: model.pinned.clone(),
-            bounds: model.bounds,
+            gathered: Vec::new(),
+            warnings: Vec::new(),
+            model: Arc::new(Model { position: Vec::new(), velocity: Vec::new(), bonds: Vec::new(), ..model.clone() }),
         };
-        world.allocate();
-        world.hold_start();
+        world.warn_of_pins(&w);
+        world.begin(&state, &w);
         Ok(world)
     }
 
-    /// Gives the scene the lists that its phases need, and no others.
-    fn allocate(&mut self) {
-        let count = self.points.len();
-        if !self.plan.springs.is_empty() || self.mouse.is_some() {
-            self.points.acceleration = vec![zero(); count];
+    /// Makes the start fit bonds and surfaces.
+    fn begin(&mut self, state: &State<S, D>, w: &[f64]) {
+        let mut is_held = true;
+        for group in &mut self.plan.groups {
+            is_held &= group.begin(&self.around, 0.0);
         }
-        if self.plan.is_damped {
-            self.points.velocity_ahead = vec![zero(); count];
+        if !is_held {
+            self.reconcile(state, w);
         }
-        if self.plan.projects() || self.walls.is_some() {
-            self.points.displacement = vec![zero(); count];
+        self.gather();
+    }
+
+    /// Lengths that contradict each other give way to those of the nearest shape.
+    fn reconcile(&mut self, state: &State<S, D>, w: &[f64]) {
+        let mut position: Vec<[f64; D]> = state.position.iter().map(|&x| widen(x)).collect();
+        let changed = plan::reconcile(&mut self.bonds, &mut position, w);
+        if !changed.is_empty() {
+            self.warnings.push(format!(
+                "rigid bonds contradict each other: {} were given the lengths of the nearest shape: make them agree",
+                list(&changed)
+            ));
+        }
+        let state = State { position: position.into_iter().map(convert).collect(), ..state.clone() };
+        self.plan = plan::compile(&self.model, &self.bonds, &state);
+        for group in &mut self.plan.groups {
+            group.begin(&self.around, 0.0);
         }
     }
 
-    fn hold_start(&mut self) {
-        if self.plan.rigid.is_empty() {
-            return;
+    fn warn_of_pins(&mut self, w: &[f64]) {
+        let leads = |point: PointId| self.model.pin_motion.iter().any(|(led, _)| *led == point);
+        let stands = |bond: &&(usize, &Bond)| {
+            let (a, b) = (bond.1.a, bond.1.b);
+            bond.1.kind == BondKind::Rigid && w[a.index()] + w[b.index()] == 0.0 && (leads(a) || leads(b))
+        };
+        let between: Vec<usize> = self.bonds.iter().enumerate().filter(|bond| stands(&bond)).map(|(k, _)| k).collect();
+        if !between.is_empty() {
+            let text = format!("{} join pinned points that are moved: they cannot hold", list(&between));
+            self.warnings.push(text);
         }
-        rigid::hold(&mut self.points, &self.plan.rigid, &mut self.plan.rigid_order.clone());
-        verlet::advance(&mut self.points);
-        self.points.displacement.fill(zero());
-        rigid::hold_velocity(&mut self.points, &self.plan.rigid);
     }
 
-    /// Where the cursor of the mouse force is now: on its track, or where the live one is.
-    pub(crate) fn cursor_now(&self) -> Option<Cursor> {
-        let mouse = self.mouse.as_ref()?;
-        mouse.track.at(self.timeline.time()).map(Cursor::at).or(self.cursor)
+    /// Bonds that are overstretched are gone: the plan is made anew without them.
+    pub(crate) fn tear(&mut self, mut torn: Vec<u32>) {
+        torn.sort_unstable();
+        torn.dedup();
+        self.counters.bonds_torn += torn.len() as u64;
+        let mut index = 0;
+        self.bonds.retain(|_| {
+            index += 1;
+            torn.binary_search(&(index - 1)).is_err()
+        });
+        let state = self.state_of_all();
+        self.plan = plan::compile(&self.model, &self.bonds, &state);
+        let t = self.timeline.time();
+        for group in &mut self.plan.groups {
+            group.begin(&self.around, t);
+        }
+    }
+
+    /// The state in the order of the model.
+    fn state_of_all(&self) -> State<S, D> {
+        let pick = |list: fn(&super::points::Points<S, D>) -> &[[S; D]]| {
+            let of = |&[group, slot]: &[u32; 2]| list(&self.plan.groups[group as usize].points)[slot as usize];
+            self.plan.slots.iter().map(of).collect()
+        };
+        State {
+            position: pick(|points| &points.position),
+            velocity: pick(|points| &points.velocity),
+            position_lost: pick(|points| &points.position_lost),
+            velocity_lost: pick(|points| &points.velocity_lost),
+        }
+    }
+
+    /// Copies positions into the order of the model, where the groups have another.
+    pub(crate) fn gather(&mut self) {
+        if self.plan.is_plain {
+            return self.gathered.clear();
+        }
+        let of = |&[group, slot]: &[u32; 2]| self.plan.groups[group as usize].points.position[slot as usize];
+        let slots = self.plan.slots.iter().map(of);
+        self.gathered.clear();
+        self.gathered.extend(slots);
     }
 
     fn state(&self) -> Sample {
-        let spread = |list: &[[S; D]]| list.iter().map(|&x| embed(widen(x))).collect();
+        let state = self.state_of_all();
+        let w = plan::inverse_masses(&*self.model);
+        let position: Vec<[f64; D]> = state.position.iter().map(|&x| widen(x)).collect();
+        let velocity: Vec<[f64; D]> = state.velocity.iter().map(|&v| widen(v)).collect();
         Sample {
             time: self.timeline.time(),
-            position: spread(&self.points.position),
-            velocity: spread(&self.points.velocity),
-            energy: self.energy(),
-            max_strain: measure::max_strain(&self.points, &self.bonds),
+            energy: measure::energy(&position, &velocity, &w, &self.bonds, self.around.gravity),
+            max_strain: measure::max_strain(&position, &self.bonds),
+            position: position.into_iter().map(embed).collect(),
+            velocity: velocity.into_iter().map(embed).collect(),
         }
+    }
+
+    /// Something changed from outside: nothing that was worked out before belongs to the present.
+    fn refresh(&mut self) {
+        let t = self.timeline.time();
+        for group in &mut self.plan.groups {
+            group.mark_inside(&self.around, t);
+        }
+    }
+}
+
+/// "bond 3", "bonds 1, 2 and 4", the first few of many.
+fn list(bonds: &[usize]) -> String {
+    const MOST: usize = 8;
+    let shown: Vec<String> = bonds.iter().take(MOST).map(usize::to_string).collect();
+    match (&shown[..], bonds.len()) {
+        ([one], _) => format!("bond {one}"),
+        (some, count) if count > MOST => format!("bonds {} and {} more", some.join(", "), count - MOST),
+        (some, _) => format!("bonds {} and {}", some[..some.len() - 1].join(", "), some[some.len() - 1]),
     }
 }
 
@@ -135,7 +210,7 @@ impl<S: Real, const D: usize> Dynamics for World<S, D> {
     }
 
     fn point_count(&self) -> usize {
-        self.points.len()
+        self.plan.slots.len()
     }
 
     fn precision(&self) -> Precision {
@@ -156,15 +231,15 @@ impl<S: Real, const D: usize> Dynamics for World<S, D> {
     }
 
     fn apply(&mut self, command: Command) {
-        match (command, &mut self.mouse) {
-            (Command::MoveCursor(cursor), _) => self.cursor = cursor,
+        match (command, &mut self.around.mouse) {
+            (Command::MoveCursor(cursor), _) => self.around.cursor = cursor,
             (Command::ShapeMouse { strength, radius }, Some(mouse)) => {
                 mouse.strength = strength;
                 mouse.radius = radius;
             }
             (Command::ShapeMouse { .. }, None) => return,
         }
-        self.stale = true;
+        self.refresh();
     }
 
     fn sample(&self, time: f64) -> Sample {
@@ -174,12 +249,16 @@ impl<S: Real, const D: usize> Dynamics for World<S, D> {
             copy.step_by(rest);
             copy.timeline.advance_to(time);
         }
-        rigid::hold_velocity(&mut copy.points, &copy.plan.rigid);
+        for group in &mut copy.plan.groups {
+            group.hold_velocity();
+        }
         copy.state()
     }
 
     fn positions(&self) -> Positions<'_> {
-        S::flat(self.points.position.as_flattened())
+        let own = || self.plan.groups.first().map_or(&[][..], |group| &group.points.position);
+        let positions: &[[S; D]] = if self.plan.is_plain { own() } else { &self.gathered };
+        S::flat(positions.as_flattened())
     }
 
     fn bonds(&self) -> &[Bond] {
@@ -187,33 +266,47 @@ impl<S: Real, const D: usize> Dynamics for World<S, D> {
     }
 
     fn pinned(&self) -> &[PointId] {
-        &self.pinned
+        &self.model.pinned
     }
 
     fn bounds(&self) -> Option<[[f64; 3]; 2]> {
-        self.bounds.map(|bounds| [embed(bounds.min), embed(bounds.max)])
+        self.model.bounds.map(|bounds| [embed(bounds.min), embed(bounds.max)])
     }
 
     fn mouse(&self) -> Option<(&MouseForce, Cursor)> {
-        Some((self.mouse.as_ref()?, self.cursor_now()?))
+        self.around.mouse_at(self.timeline.time())
     }
 
     fn energy(&self) -> f64 {
-        measure::energy(&self.points, &self.bonds, self.gravity)
+        self.state().energy
     }
 
     fn counters(&self) -> &Counters {
         &self.counters
     }
 
+    fn parts(&self) -> &[PlanPart] {
+        &self.plan.parts
+    }
+
+    fn warnings(&self) -> &[String] {
+        &self.warnings
+    }
+
     fn is_still(&self, speed: f64) -> bool {
-        let track_moves = self.mouse.as_ref().is_some_and(|mouse| mouse.track.moves_after(self.timeline.time()));
-        let reached = |(force, cursor)| mouse::reaches(&self.points, force, cursor);
-        !track_moves && measure::is_slower(&self.points, speed) && !self.mouse().is_some_and(reached)
+        let t = self.timeline.time();
+        let track_moves = self.around.mouse.as_ref().is_some_and(|mouse| mouse.track.moves_after(t))
+            || self.model.pin_motion.iter().any(|(_, track)| track.moves_after(t));
+        let groups = &self.plan.groups;
+        let reached = |(force, cursor)| groups.iter().any(|group| mouse::reaches(&group.points, force, cursor));
+        !track_moves
+            && groups.iter().all(|group| measure::is_slower(&group.points, speed))
+            && !self.mouse().is_some_and(reached)
     }
 
     fn is_finite(&self) -> bool {
-        self.points.position.as_flattened().iter().all(|x| x.is_finite())
+        let is_fine = |points: &[[S; D]]| points.as_flattened().iter().all(|x| x.is_finite());
+        self.plan.groups.iter().all(|group| is_fine(&group.points.position))
     }
 
     fn boxed_clone(&self) -> Box<dyn Dynamics> {

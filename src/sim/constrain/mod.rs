@@ -4,6 +4,9 @@
 //! difference of displacements is small and exact where a difference of positions far from the origin is neither.
 
 pub(crate) mod colour;
+pub(crate) mod direct;
 pub(crate) mod order;
 pub(crate) mod relaxed;
 pub(crate) mod rigid;
+pub(crate) mod shape;
+pub(crate) mod xpbd;

@@ -1,3 +1,155 @@
-//! Contact of points with what does not move.
+//! Points on surfaces: who rests on which, what that takes from forces and velocities, and impacts.
 
 pub mod bounds;
+pub(crate) mod impact;
+pub(crate) mod rest;
+pub mod surface;
+
+use super::points::Points;
+use super::real::Real;
+use super::vector::{add, dot, length, scale, sub};
+use rest::Rest;
+use surface::Surface;
+
+/// The surfaces of a world and the points of a group that rest on them.
+///
+/// A resting point has lost the directions across its surfaces: accelerations, velocities and the answers of rigid bonds
+/// are projected along them. One that sticks, by friction, has lost all of them.
+#[derive(Clone, Debug)]
+pub(crate) struct Contacts<S: Real, const D: usize> {
+    pub(crate) surfaces: Vec<Surface<S, D>>,
+    /// One entry a resting point.
+    pub(crate) rests: Vec<Rest<S, D>>,
+    /// For every point 1 + its place in `rests`, 0 if it is in none; empty where there are no surfaces.
+    place: Vec<u32>,
+}
+
+impl<S: Real, const D: usize> Contacts<S, D> {
+    pub(crate) fn new(surfaces: Vec<Surface<S, D>>, points: usize) -> Self {
+        let place = if surfaces.is_empty() { Vec::new() } else { vec![0; points] };
+        Contacts { surfaces, rests: Vec::new(), place }
+    }
+
+    /// Whether no point rests.
+    #[inline(always)]
+    pub(crate) fn is_idle(&self) -> bool {
+        self.rests.is_empty()
+    }
+
+    /// The rest of a point, if it has one.
+    #[inline(always)]
+    pub(crate) fn of(&self, point: usize) -> Option<&Rest<S, D>> {
+        if self.rests.is_empty() { None } else { self.rests.get((self.place[point] as usize).wrapping_sub(1)) }
+    }
+
+    /// What of a vector a point can follow.
+    #[inline(always)]
+    pub(crate) fn free(&self, point: usize, vector: [S; D]) -> [S; D] {
+        self.of(point).map_or(vector, |rest| rest.free(vector))
+    }
+
+    /// Whether a point rests on a surface.
+    pub(crate) fn rests_on(&self, point: usize, surface: usize) -> bool {
+        self.of(point).is_some_and(|rest| rest.surfaces().contains(&(surface as u32)))
+    }
+
+    /// The point rests on the surface from now on.
+    pub(crate) fn touch(&mut self, point: usize, surface: usize) {
+        if self.place[point] == 0 {
+            self.rests.push(Rest::new(point as u32));
+            self.place[point] = self.rests.len() as u32;
+        }
+        let rest = &mut self.rests[self.place[point] as usize - 1];
+        rest.add(surface as u32, &self.surfaces);
+    }
+
+    /// Keeps the rests that `keep` says, and those of their surfaces that it leaves.
+    pub(crate) fn retain(&mut self, mut keep: impl FnMut(&mut Rest<S, D>, &[Surface<S, D>])) {
+        let surfaces = &self.surfaces;
+        for rest in &mut self.rests {
+            keep(rest, surfaces);
+        }
+        if self.rests.iter().all(|rest| !rest.surfaces().is_empty()) {
+            return;
+        }
+        self.place.fill(0);
+        self.rests.retain(|rest| !rest.surfaces().is_empty());
+        for (i, rest) in self.rests.iter().enumerate() {
+            self.place[rest.point as usize] = i as u32 + 1;
+        }
+    }
+
+    /// Makes accelerations `a`, to which a kick adds `gravity`, such that the sum is what resting points can follow.
+    pub(crate) fn hold_kick(&self, gravity: [f64; D], v: &[[S; D]], a: &mut [[S; D]]) {
+        let gravity: [S; D] = super::vector::convert(gravity);
+        for rest in &self.rests {
+            let i = rest.point as usize;
+            let total = add(a[i], gravity);
+            let total = rest.free(add(total, self.friction(rest, v[i], total)));
+            a[i] = sub(total, gravity);
+        }
+    }
+
+    /// Adds friction to accelerations that surfaces have not answered yet. Returns whether there is any.
+    pub(crate) fn rub(&self, v: &[[S; D]], a: &mut [[S; D]]) -> bool {
+        let mut any = false;
+        for rest in &self.rests {
+            let i = rest.point as usize;
+            let friction = self.friction(rest, v[i], a[i]);
+            any |= dot(friction, friction) > S::ZERO;
+            a[i] = add(a[i], friction);
+        }
+        any
+    }
+
+    /// What resting points can follow of their accelerations; the whole is remembered, to tell when they let go.
+    pub(crate) fn hold(&mut self, a: &mut [[S; D]]) {
+        for rest in &mut self.rests {
+            let i = rest.point as usize;
+            rest.pressing = a[i];
+            a[i] = rest.free(a[i]);
+        }
+    }
+
+    /// Sliding friction [m/s^2]: against the velocity along the surface, as large as friction times what presses.
+    fn friction(&self, rest: &Rest<S, D>, v: [S; D], total: [S; D]) -> [S; D] {
+        let mu = rest.grip(&self.surfaces);
+        let none = [S::ZERO; D];
+        if mu == S::ZERO || rest.sticks {
+            return none;
+        }
+        let press = length(sub(total, rest.along(total)));
+        let mut way = rest.along(v);
+        let mut speed = length(way);
+        if speed == S::ZERO {
+            way = rest.along(total);
+            speed = length(way);
+        }
+        if speed == S::ZERO { none } else { scale(way, -(mu * press) / speed) }
+    }
+
+    /// Puts resting points exactly on their surfaces, and takes from their velocities what leads off them.
+    pub(crate) fn settle(&self, points: &mut Points<S, D>) {
+        for rest in &self.rests {
+            let i = rest.point as usize;
+            for &surface in rest.surfaces() {
+                place(points, i, &self.surfaces[surface as usize]);
+            }
+            points.velocity[i] = rest.free(points.velocity[i]);
+            points.velocity_lost[i] = rest.free(points.velocity_lost[i]);
+        }
+    }
+
+    /// Work of a look at all surfaces: points times surfaces.
+    pub(crate) fn has_surfaces(&self) -> bool {
+        !self.surfaces.is_empty()
+    }
+}
+
+/// Puts a point on a surface.
+pub(crate) fn place<S: Real, const D: usize>(points: &mut Points<S, D>, i: usize, surface: &Surface<S, D>) {
+    let gap = surface.gap(points.position[i]);
+    points.position[i] = sub(points.position[i], scale(surface.normal, gap));
+    let lost = points.position_lost[i];
+    points.position_lost[i] = sub(lost, scale(surface.normal, dot(surface.normal, lost)));
+}

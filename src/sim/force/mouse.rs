@@ -45,9 +45,9 @@ pub enum Profile {
 
 /// A path over time, linear between its knots and held at both ends.
 #[derive(Clone, Debug, Default, PartialEq)]
-pub struct Track {
-    /// (t [s], [x, y] [m]), times ascending.
-    pub knots: Vec<(f64, [f64; 2])>,
+pub struct Track<const D: usize = 2> {
+    /// (t [s], place [m]), times ascending.
+    pub knots: Vec<(f64, [f64; D])>,
 }
 
 /// Where the cursor points: a ray in space; in the plane its origin is the cursor and z is not used.
@@ -59,9 +59,9 @@ pub struct Cursor {
     pub direction: [f64; 3],
 }
 
-impl Track {
+impl<const D: usize> Track<D> {
     /// Where the track is at time `t`; `None` where it has no knot.
-    pub fn at(&self, t: f64) -> Option<[f64; 2]> {
+    pub fn at(&self, t: f64) -> Option<[f64; D]> {
         let next = self.knots.partition_point(|&(knot, _)| knot <= t);
         let (first, last) = (self.knots.first()?, self.knots.last()?);
         if next == 0 {
@@ -72,7 +72,17 @@ impl Track {
         }
         let ((t0, a), (t1, b)) = (self.knots[next - 1], self.knots[next]);
         let s = (t - t0) / (t1 - t0);
-        Some([a[0] + (b[0] - a[0]) * s, a[1] + (b[1] - a[1]) * s])
+        Some(std::array::from_fn(|k| a[k] + (b[k] - a[k]) * s))
+    }
+
+    /// The slope of the stretch that starts at time `t` or holds it [m/s]; 0 before the first knot and after the last.
+    pub fn slope(&self, t: f64) -> [f64; D] {
+        let next = self.knots.partition_point(|&(knot, _)| knot <= t);
+        if next == 0 || next == self.knots.len() {
+            return [0.0; D];
+        }
+        let ((t0, a), (t1, b)) = (self.knots[next - 1], self.knots[next]);
+        std::array::from_fn(|k| (b[k] - a[k]) / (t1 - t0))
     }
 
     /// Whether the track has a knot after time `t`.
@@ -117,26 +127,34 @@ impl<S: Real, const D: usize> Push<S, D> {
         if D == 2 { r } else { sub(r, scale(self.direction, dot(r, self.direction))) }
     }
 
+    /// How far from the middle of the region [m], as its shape measures it.
+    #[inline(always)]
+    fn distance(&self, r: [S; D]) -> S {
+        match self.region {
+            Region::Round => length(r),
+            Region::Square => r.into_iter().fold(S::ZERO, |largest, c| largest.max(c.abs())),
+        }
+    }
+
     /// The acceleration of a point [m/s^2]; `None` outside the region.
     #[inline(always)]
     fn acceleration(&self, position: [S; D]) -> Option<[S; D]> {
+        (self.distance(self.offset(position)) < self.radius).then(|| self.along(position))
+    }
+
+    /// The acceleration inside the region [m/s^2], continued beyond its edge.
+    #[inline(always)]
+    fn along(&self, position: [S; D]) -> [S; D] {
         let r = self.offset(position);
-        let distance = match self.region {
-            Region::Round => length(r),
-            Region::Square => r.into_iter().fold(S::ZERO, |largest, c| largest.max(c.abs())),
-        };
-        if distance >= self.radius {
-            return None;
-        }
         let share = match self.profile {
             Profile::Linear => S::ONE,
             Profile::Smooth => {
-                let q = distance / self.radius;
+                let q = self.distance(r) / self.radius;
                 let fall = S::ONE - q * q;
                 fall * fall
             }
         };
-        Some(scale(r, self.strength * share))
+        scale(r, self.strength * share)
     }
 
     /// Whether the region can reach a box: a sphere about the box stands in for it in space.
@@ -149,22 +167,51 @@ impl<S: Real, const D: usize> Push<S, D> {
     }
 }
 
-/// Adds the acceleration by the mouse to `points.acceleration` and tells how many points were looked at.
+/// Which points are inside the region, where that changes at located events only.
+#[derive(Clone, Debug)]
+pub(crate) struct Inside {
+    /// One entry a point.
+    pub(crate) points: Vec<bool>,
+}
+
+/// Adds the acceleration by the mouse to `a` and tells how many points were looked at.
 ///
-/// Where the region does not reach the box around all points, no point is looked at.
-pub(crate) fn push<S: Real, const D: usize>(points: &mut Points<S, D>, force: &MouseForce, cursor: Cursor) -> u64 {
-    if !reaches(points, force, cursor) {
+/// Where the region does not reach the box around all points, no point is looked at. `inside` decides in place of the
+/// region's edge: the force goes on smoothly beyond it until an event says so.
+pub(crate) fn push<S: Real, const D: usize>(
+    force: &MouseForce,
+    cursor: Cursor,
+    inside: Option<&Inside>,
+    x: &[[S; D]],
+    w: &[S],
+    a: &mut [[S; D]],
+) -> u64 {
+    let push = Push::new(force, cursor);
+    if let Some(inside) = inside {
+        for i in 0..x.len() {
+            if inside.points[i] && w[i] != S::ZERO {
+                a[i] = add(a[i], push.along(x[i]));
+            }
+        }
+        return x.len() as u64;
+    }
+    if !extent(x).is_some_and(|bounds| push.reaches(bounds)) {
         return 0;
     }
-    let push = Push::new(force, cursor);
-    for i in 0..points.len() {
-        if points.inverse_mass[i] != S::ZERO
-            && let Some(a) = push.acceleration(points.position[i])
+    for i in 0..x.len() {
+        if w[i] != S::ZERO
+            && let Some(more) = push.acceleration(x[i])
         {
-            points.acceleration[i] = add(points.acceleration[i], a);
+            a[i] = add(a[i], more);
         }
     }
-    points.len() as u64
+    x.len() as u64
+}
+
+/// How far inside the region a point is [m]; below 0 outside.
+pub(crate) fn depth<S: Real, const D: usize>(force: &MouseForce, cursor: Cursor, x: [S; D]) -> f64 {
+    let push = Push::<S, D>::new(force, cursor);
+    (push.radius - push.distance(push.offset(x))).to_f64()
 }
 
 /// Whether the region can reach any point.
@@ -212,6 +259,7 @@ mod tests {
         assert_eq!(track.at(0.0), Some([0.0, 0.0]));
         assert_eq!(track.at(1.5), Some([2.0, 1.0]));
         assert_eq!(track.at(9.0), Some([4.0, 2.0]));
-        assert_eq!(Track::default().at(0.0), None);
+        assert_eq!(Track::<2>::default().at(0.0), None);
+        assert_eq!([0.5, 1.0, 2.0].map(|t| track.slope(t)), [[0.0, 0.0], [4.0, 2.0], [0.0, 0.0]]);
     }
 }

@@ -1,3 +1,8 @@
 //! The integrators, one a file.
 
+pub(crate) mod implicit;
+pub(crate) mod kick_drift;
+pub(crate) mod runge_kutta;
+pub(crate) mod splitting;
+pub(crate) mod tableau;
 pub(crate) mod verlet;

@@ -67,22 +67,14 @@ pub(crate) fn kick<S: Real, const D: usize>(points: &mut Points<S, D>, gravity: 
     }
 }
 
-/// velocity_ahead = v + (gravity + acceleration) h: what a kick would make of the velocities, which stay as they are.
-pub(crate) fn look_ahead<S: Real, const D: usize>(points: &mut Points<S, D>, gravity: [f64; D], h: f64) {
-    let fall = convert(gravity.map(|g| g * h));
-    let h = S::from_f64(h);
-    for i in 0..points.len() {
-        let v = points.velocity[i];
-        let free = points.inverse_mass[i] != S::ZERO;
-        points.velocity_ahead[i] = if free { add(v, add(fall, scale(points.acceleration[i], h))) } else { v };
-    }
-}
-
-/// v *= factor: drag over a part of the substep, exp(-drag_rate h), exactly.
+/// v *= factor for every point that is free: drag over a part of the substep, exp(-drag_rate h), exactly.
 pub(crate) fn slow<S: Real, const D: usize>(points: &mut Points<S, D>, factor: f64) {
     let factor = S::from_f64(factor);
-    for v in points.velocity.iter_mut().chain(&mut points.velocity_lost) {
-        *v = scale(*v, factor);
+    for i in 0..points.len() {
+        if points.inverse_mass[i] != S::ZERO {
+            points.velocity[i] = scale(points.velocity[i], factor);
+            points.velocity_lost[i] = scale(points.velocity_lost[i], factor);
+        }
     }
 }
 
@@ -91,15 +83,6 @@ pub(crate) fn slow<S: Real, const D: usize>(points: &mut Points<S, D>, factor: f
 fn displacement<S: Real, const D: usize>(points: &Points<S, D>, i: usize, h: Split<S>) -> [S; D] {
     let fine = add(scale(points.velocity[i], h.low), scale(points.velocity_lost[i], h.high));
     add(scale(points.velocity[i], h.high), fine)
-}
-
-/// x += v h for every point: a substep in which nothing projects and there are no walls.
-pub(crate) fn drift<S: Real, const D: usize>(points: &mut Points<S, D>, h: f64) {
-    let h = Split::new(h);
-    for i in 0..points.len() {
-        let d = displacement(points, i, h);
-        shift(points, i, d);
-    }
 }
 
 /// displacement = v h: where the substep would take each point if nothing held it.
@@ -117,6 +100,9 @@ pub(crate) fn follow<S: Real, const D: usize>(points: &mut Points<S, D>, h: f64)
     let rate = S::from_f64(1.0 / h);
     let h = Split::new(h);
     for i in 0..points.len() {
+        if points.inverse_mass[i] == S::ZERO {
+            continue;
+        }
         let change = scale(sub(points.displacement[i], displacement(points, i, h)), rate);
         accumulate(&mut points.velocity[i], &mut points.velocity_lost[i], change);
     }

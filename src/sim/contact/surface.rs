@@ -1,0 +1,66 @@
+//! Surfaces that points cannot pass: planes, and the walls of the bounds as planes.
+
+use super::bounds::Bounds;
+use crate::sim::real::Real;
+use crate::sim::vector::{convert, dot};
+
+/// A half-space that points cannot enter; the free side is where the normal points.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Plane<const D: usize> {
+    /// Any point of the surface [m].
+    pub point: [f64; D],
+    /// Its normal, of any length above 0.
+    pub normal: [f64; D],
+    /// v_n -> -restitution v_n on touching [1], >= 0.
+    pub restitution: f64,
+    /// |change of v_t| <= friction |change of v_n| [1], >= 0.
+    pub friction: f64,
+}
+
+/// A plane as the kernels read it.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Surface<S, const D: usize> {
+    /// Unit normal, towards the free side.
+    pub(crate) normal: [S; D],
+    /// normal . x on the surface [m].
+    offset: S,
+    pub(crate) restitution: S,
+    pub(crate) friction: S,
+}
+
+impl<S: Real, const D: usize> Surface<S, D> {
+    pub(crate) fn new(plane: &Plane<D>) -> Self {
+        let length = plane.normal.iter().fold(0.0, |sum, &n| libm::hypot(sum, n));
+        let normal = plane.normal.map(|n| n / length);
+        Surface {
+            normal: convert(normal),
+            offset: S::from_f64(dot(normal, plane.point)),
+            restitution: S::from_f64(plane.restitution),
+            friction: S::from_f64(plane.friction),
+        }
+    }
+
+    /// How far a point is from the surface [m]; below 0 inside the solid.
+    #[inline(always)]
+    pub(crate) fn gap(&self, x: [S; D]) -> S {
+        dot(self.normal, x) - self.offset
+    }
+
+    /// A distance that rounding cannot tell from 0 [m].
+    pub(crate) fn slack(&self) -> S {
+        S::EPSILON * S::from_f64(64.0) * (S::ONE + self.offset.abs())
+    }
+}
+
+/// The walls of the bounds, as planes.
+pub(crate) fn walls<const D: usize>(bounds: &Bounds<D>) -> Vec<Plane<D>> {
+    let mut planes = Vec::with_capacity(2 * D);
+    for k in 0..D {
+        for (point, side) in [(bounds.min, 1.0), (bounds.max, -1.0)] {
+            let mut normal = [0.0; D];
+            normal[k] = side;
+            planes.push(Plane { point, normal, restitution: bounds.restitution, friction: bounds.friction });
+        }
+    }
+    planes
+}

@@ -1,0 +1,109 @@
+//! What moves a group: one integrator with what it keeps from step to step.
+
+use crate::sim::constrain::xpbd::{self, CompliantBond};
+use crate::sim::counters::Counters;
+use crate::sim::integrate::implicit::Implicit;
+use crate::sim::integrate::kick_drift::KickDrift;
+use crate::sim::integrate::runge_kutta::{self, Stages};
+use crate::sim::integrate::splitting::Splitting;
+use crate::sim::integrate::tableau::Tableau;
+use crate::sim::integrate::verlet;
+use crate::sim::points::Points;
+use crate::sim::pull::Pull;
+use crate::sim::real::Real;
+use crate::sim::surroundings::Surroundings;
+
+/// An integrator.
+#[derive(Clone, Debug)]
+pub(crate) enum Engine<S: Real, const D: usize> {
+    /// Kicks and flights.
+    Splitting(Splitting<S, D>),
+    /// Kick, drift, kick with projections, in a row of shares of the substep that composes a higher order.
+    KickDrift(KickDrift<S>, &'static [f64]),
+    /// Explicit Runge-Kutta; relaxed bonds are swept after the step.
+    RungeKutta(&'static Tableau, Stages<S>, Option<KickDrift<S>>),
+    /// Newton's method on a sparse system.
+    Implicit(Box<Implicit<S, D>>),
+    /// Compliant projection with this many sweeps; relaxed bonds are swept after it.
+    Xpbd(Vec<CompliantBond<S>>, u32, KickDrift<S>),
+}
+
+/// One step of the method itself.
+pub(crate) static SINGLE: [f64; 1] = [1.0];
+
+/// Five steps of a symmetric method of order 2 that make one of order 4.
+/// Source: R. I. McLachlan, SIAM J. Sci. Comput. 16, 151 (1995), table 2.
+pub(crate) static COMPOSED_4: [f64; 5] =
+    [0.28, 0.625_466_428_467_670_04, -0.810_932_856_935_340_1, 0.625_466_428_467_670_04, 0.28];
+
+/// Nine steps of a symmetric method of order 2 that make one of order 6.
+/// Source: W. Kahan and R.-C. Li, Math. Comp. 66, 1089 (1997), s9odr6a.
+pub(crate) static COMPOSED_6: [f64; 9] = [
+    0.392_161_444_007_314_14,
+    0.332_599_136_789_359_44,
+    -0.706_246_172_557_639_4,
+    0.082_213_596_293_550_8,
+    0.798_543_990_934_829_9,
+    0.082_213_596_293_550_8,
+    -0.706_246_172_557_639_4,
+    0.332_599_136_789_359_44,
+    0.392_161_444_007_314_14,
+];
+
+impl<S: Real, const D: usize> Engine<S, D> {
+    /// Advances by `h` from time `t`. Returns whether everything converged.
+    pub(crate) fn step(
+        &mut self,
+        points: &mut Points<S, D>,
+        pull: &mut Pull<S, D>,
+        around: &Surroundings<D>,
+        (t, h): (f64, f64),
+        counters: &mut Counters,
+    ) -> bool {
+        match self {
+            Engine::Splitting(splitting) => {
+                splitting.step(points, pull, around, (t, h), counters);
+                true
+            }
+            Engine::KickDrift(method, shares) => {
+                let (mut time, mut is_held) = (t, true);
+                for share in shares.iter() {
+                    is_held &= method.step(points, pull, around, (time, share * h), counters);
+                    time += share * h;
+                }
+                is_held
+            }
+            Engine::RungeKutta(table, stages, sweeps) => {
+                let is_held = runge_kutta::step(points, pull, stages, table, around, (t, h), counters);
+                if let Some(sweeps) = sweeps {
+                    sweeps.sweep_after(points, h, counters);
+                }
+                is_held
+            }
+            Engine::Implicit(implicit) => implicit.step(points, pull, around, (t, h), counters),
+            Engine::Xpbd(bonds, sweeps, after) => {
+                pull.push(around, t, points, counters);
+                if pull.drag_rate > 0.0 {
+                    verlet::slow(points, libm::exp(-pull.drag_rate * h));
+                }
+                verlet::kick(points, pull.gravity, h);
+                verlet::predict(points, h);
+                xpbd::solve(bonds, &points.position, &mut points.displacement, h, *sweeps);
+                counters.sweep(*sweeps, bonds.len());
+                after.relax(points, h, counters);
+                verlet::follow(points, h);
+                verlet::advance(points);
+                true
+            }
+        }
+    }
+
+    /// Forgets what belongs to the state before a change from outside.
+    pub(crate) fn refresh(&mut self) {
+        match self {
+            Engine::Splitting(splitting) => splitting.fresh = false,
+            Engine::KickDrift(method, _) => (method.fresh, method.aimed) = (false, false),
+            _ => {}
+        }
+    }
+}

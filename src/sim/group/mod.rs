@@ -1,0 +1,189 @@
+//! A group: islands that one method moves together, with their state.
+
+pub(crate) mod engine;
+mod events;
+pub(crate) mod guard;
+
+use super::counters::Counters;
+use super::force::mouse::{self, Inside, Track};
+use super::points::{Points, State};
+use super::pull::Pull;
+use super::real::Real;
+use super::surroundings::Surroundings;
+use super::vector::{convert, dot, sub, zero};
+use engine::Engine;
+use guard::Watched;
+
+/// Times that a substep is halved before it goes to a more robust method.
+const MOST_SPLITS: u32 = 5;
+
+/// A bond that breaks.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Breakable<S> {
+    pub(crate) a: u32,
+    pub(crate) b: u32,
+    /// Square of the length at which it breaks [m^2].
+    pub(crate) most_square: S,
+    /// Which bond of the world it is.
+    pub(crate) bond: u32,
+}
+
+/// Points, what acts on them, and what moves them.
+#[derive(Clone, Debug)]
+pub(crate) struct Group<S: Real, const D: usize> {
+    pub(crate) points: Points<S, D>,
+    pub(crate) pull: Pull<S, D>,
+    pub(crate) engine: Engine<S, D>,
+    /// What takes substeps that the engine cannot.
+    pub(crate) robust: Option<Box<Engine<S, D>>>,
+    /// Bonds that must not turn or stretch too far in a substep.
+    pub(crate) watched: Vec<Watched<S>>,
+    pub(crate) breakable: Vec<Breakable<S>>,
+    /// Pinned points that are led along tracks.
+    pub(crate) tracks: Vec<(u32, Track<D>)>,
+    /// Longest substep [s].
+    pub(crate) substep: f64,
+    /// Events are located in time.
+    pub(crate) locates: bool,
+    /// The state at the start of the step under way.
+    pub(crate) before: State<S, D>,
+    /// Accelerations, where events need them.
+    pub(crate) acceleration: Vec<[S; D]>,
+}
+
+impl<S: Real, const D: usize> Group<S, D> {
+    /// Makes the start fit the bonds and the surfaces: rigid bonds get their lengths, points outside come back.
+    ///
+    /// Returns whether rigid bonds could be held.
+    pub(crate) fn begin(&mut self, around: &Surroundings<D>, t: f64) -> bool {
+        self.lead_pins(t);
+        let mut counters = Counters::default();
+        let is_held = self.pull.project(&mut self.points, &mut counters);
+        if let Engine::KickDrift(method, _) = &mut self.engine {
+            method.hold_start(&mut self.points);
+        }
+        self.mark_inside(around, t);
+        self.points.save(&mut self.before);
+        self.meet_start(around, t, &mut counters);
+        is_held
+    }
+
+    /// Advances by `h` from time `t` [s].
+    pub(crate) fn advance(&mut self, around: &Surroundings<D>, t: f64, h: f64, counters: &mut Counters) {
+        counters.substeps += 1;
+        counters.points_moved += self.points.len() as u64;
+        self.attempt(around, (t, h), 0, counters);
+    }
+
+    /// A substep, in halves where the guard says so, in parts where events cut it.
+    fn attempt(&mut self, around: &Surroundings<D>, (t, h): (f64, f64), depth: u32, counters: &mut Counters) {
+        let mut done = 0.0;
+        let mut events = 0;
+        let most_events = 64 + 4 * self.points.len() as u32;
+        while done < h {
+            let (now, left) = (t + done, h - done);
+            self.points.save(&mut self.before);
+            let is_fine = self.take(around, (now, left), counters);
+            if !(is_fine && guard::is_gentle(&self.watched, &self.before.position, &self.points.position)) {
+                self.points.restore(&self.before);
+                self.engine.refresh();
+                if depth < MOST_SPLITS {
+                    counters.guard_splits += 1;
+                    self.attempt(around, (now, 0.5 * left), depth + 1, counters);
+                    return self.attempt(around, (now + 0.5 * left, 0.5 * left), depth + 1, counters);
+                }
+                counters.fallbacks += 1;
+                self.take_robustly(around, (now, left), counters);
+            }
+            if !self.has_events() {
+                return;
+            }
+            events += 1;
+            done += self.meet(around, (now, left), events < most_events, counters);
+            if h - done < 1e-12 * h {
+                return;
+            }
+        }
+    }
+
+    /// Surfaces, or an edge of the mouse region that is located.
+    fn has_events(&self) -> bool {
+        self.pull.contacts.has_surfaces() || self.pull.inside.is_some()
+    }
+
+    fn take(&mut self, around: &Surroundings<D>, (t, h): (f64, f64), counters: &mut Counters) -> bool {
+        let Group { points, pull, engine, .. } = self;
+        engine.step(points, pull, around, (t, h), counters)
+    }
+
+    /// The step by the more robust method, or by the engine again where there is none.
+    fn take_robustly(&mut self, around: &Surroundings<D>, (t, h): (f64, f64), counters: &mut Counters) {
+        let Group { points, pull, engine, robust, .. } = self;
+        match robust {
+            Some(robust) => {
+                robust.refresh();
+                robust.step(points, pull, around, (t, h), counters);
+                pull.project(points, counters);
+            }
+            None => {
+                engine.step(points, pull, around, (t, h), counters);
+            }
+        }
+        self.engine.refresh();
+    }
+
+    /// Pinned points go along their tracks: their velocity is the slope of the stretch that begins at `t`.
+    ///
+    /// Rigid bonds to a pin that changes its velocity pass that on at once.
+    pub(crate) fn lead_pins(&mut self, t: f64) {
+        let mut changed = false;
+        for (point, track) in &self.tracks {
+            let i = *point as usize;
+            let slope: [S; D] = convert(track.slope(t));
+            changed |= slope != self.points.velocity[i];
+            self.points.velocity[i] = slope;
+            if let Some(place) = track.at(t) {
+                self.points.position[i] = convert(place);
+                self.points.position_lost[i] = zero();
+            }
+        }
+        if changed {
+            self.hold_velocity();
+            self.engine.refresh();
+        }
+    }
+
+    /// Takes from the velocities what would change the length of rigid bonds.
+    pub(crate) fn hold_velocity(&mut self) {
+        let Group { points, pull, engine, .. } = self;
+        if let Some(rigid) = &mut pull.rigid {
+            rigid.tighten(&points.position);
+            rigid.aim(&points.position);
+            rigid.factor(&pull.contacts);
+            rigid.project_velocity(points, &pull.contacts);
+            engine.refresh();
+        } else if let Engine::KickDrift(method, _) = engine {
+            method.hold_velocity(points, pull);
+        }
+    }
+
+    /// Decides anew which points are inside the mouse region: at the start, and when the cursor is moved from outside.
+    pub(crate) fn mark_inside(&mut self, around: &Surroundings<D>, t: f64) {
+        self.pull.inside = match around.mouse_at(t) {
+            Some((force, cursor)) if self.locates => {
+                let is_inside = |&x: &[S; D]| mouse::depth(force, cursor, x) > 0.0;
+                Some(Inside { points: self.points.position.iter().map(is_inside).collect() })
+            }
+            _ => None,
+        };
+        self.engine.refresh();
+    }
+
+    /// Bonds that are longer than they may be, by their numbers in the world.
+    pub(crate) fn torn(&self) -> impl Iterator<Item = u32> {
+        self.breakable.iter().filter_map(|bond| {
+            let d = sub(self.points.position[bond.a as usize], self.points.position[bond.b as usize]);
+            (dot(d, d) > bond.most_square).then_some(bond.bond)
+        })
+    }
+}

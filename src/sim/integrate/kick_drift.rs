@@ -1,0 +1,180 @@
+//! Kick, drift, kick, with everything that moves points by their displacements: Verlet's method with SHAKE and RATTLE,
+//! sweeps over relaxed bonds, semi-implicit Euler.
+//!
+//! Rigid bonds bend the displacement along the directions that they had at the start of the substep; with a direct
+//! solve the velocities are held at its end too (RATTLE), which is symplectic and of order 2.
+//! Source: H. C. Andersen, J. Comput. Phys. 52, 24 (1983).
+
+use super::verlet;
+use crate::sim::constrain::order::Sweeper;
+use crate::sim::constrain::relaxed::{self, RelaxedBond};
+use crate::sim::constrain::rigid::{self, RigidBond};
+use crate::sim::counters::Counters;
+use crate::sim::points::Points;
+use crate::sim::pull::Pull;
+use crate::sim::real::Real;
+use crate::sim::surroundings::Surroundings;
+use crate::sim::vector::{add, scale, zero};
+
+/// Bonds that are swept one after the other.
+#[derive(Clone, Debug)]
+pub(crate) struct Swept<S> {
+    /// Swept `iterations` times a substep.
+    pub(crate) relaxed: Vec<RelaxedBond<S>>,
+    pub(crate) relaxed_order: Sweeper,
+    pub(crate) iterations: u32,
+    /// Swept until they hold.
+    pub(crate) rigid: Vec<RigidBond<S>>,
+    pub(crate) rigid_order: Sweeper,
+    /// The substep that the scene says [s], which relaxed bonds are relative to.
+    pub(crate) nominal: f64,
+}
+
+/// The method with what it keeps from substep to substep.
+#[derive(Clone, Debug)]
+pub(crate) struct KickDrift<S> {
+    pub(crate) swept: Swept<S>,
+    /// Shares of the opening and the closing kick: halves, or 1 and 0 for semi-implicit Euler.
+    pub(crate) kicks: [f64; 2],
+    /// Velocities are held at the end of the substep too.
+    pub(crate) holds_velocity: bool,
+    /// Accelerations belong to the present positions.
+    pub(crate) fresh: bool,
+    /// Rows of the direct solver are aimed and factored for the present positions.
+    pub(crate) aimed: bool,
+}
+
+impl<S: Real> KickDrift<S> {
+    /// Advances by `h` from time `t`. Returns whether rigid bonds could be held.
+    pub(crate) fn step<const D: usize>(
+        &mut self,
+        points: &mut Points<S, D>,
+        pull: &mut Pull<S, D>,
+        around: &Surroundings<D>,
+        (t, h): (f64, f64),
+        counters: &mut Counters,
+    ) -> bool {
+        self.slow(points, pull.drag_rate, self.kicks[0] * h);
+        self.kick(points, pull, around, (t, self.kicks[0] * h), counters);
+        verlet::predict(points, h);
+        self.relax(points, h, counters);
+        let is_held = self.hold(points, pull, counters);
+        verlet::follow(points, h);
+        verlet::advance(points);
+        self.fresh = false;
+        if self.kicks[1] > 0.0 {
+            self.kick(points, pull, around, (t + h, self.kicks[1] * h), counters);
+            self.slow(points, pull.drag_rate, self.kicks[1] * h);
+        }
+        if self.holds_velocity {
+            self.hold_velocity(points, pull);
+        }
+        is_held
+    }
+
+    fn kick<const D: usize>(
+        &mut self,
+        points: &mut Points<S, D>,
+        pull: &Pull<S, D>,
+        around: &Surroundings<D>,
+        (t, h): (f64, f64),
+        counters: &mut Counters,
+    ) {
+        if pull.is_damped {
+            pull.push_ahead(around, (t, h), pull.gravity, points, counters);
+        } else if !self.fresh {
+            pull.push(around, t, points, counters);
+        }
+        verlet::kick(points, pull.gravity, h);
+        self.fresh = true;
+    }
+
+    /// Drag: velocities decay by exp(-drag_rate h), exactly.
+    fn slow<const D: usize>(&self, points: &mut Points<S, D>, rate: f64, h: f64) {
+        if rate > 0.0 {
+            verlet::slow(points, libm::exp(-rate * h));
+        }
+    }
+
+    /// Moves the points by sweeps alone: what comes after the step of another method.
+    pub(crate) fn sweep_after<const D: usize>(&mut self, points: &mut Points<S, D>, h: f64, counters: &mut Counters) {
+        points.displacement.fill(zero());
+        self.relax(points, h, counters);
+        if !self.swept.rigid.is_empty() {
+            let held = rigid::hold(points, &self.swept.rigid, &mut self.swept.rigid_order);
+            counters.sweep(held.sweeps, self.swept.rigid.len());
+        }
+        let rate = S::from_f64(1.0 / h);
+        for i in 0..points.len() {
+            if points.inverse_mass[i] != S::ZERO {
+                points.velocity[i] = add(points.velocity[i], scale(points.displacement[i], rate));
+            }
+        }
+        verlet::advance(points);
+        rigid::hold_velocity(points, &self.swept.rigid);
+    }
+
+    /// Sweeps over the relaxed bonds.
+    pub(crate) fn relax<const D: usize>(&mut self, points: &mut Points<S, D>, h: f64, counters: &mut Counters) {
+        let Swept { relaxed, relaxed_order, iterations, nominal, .. } = &mut self.swept;
+        if relaxed.is_empty() {
+            return;
+        }
+        let share = relaxed::share_of(h, *nominal);
+        for _ in 0..*iterations {
+            relaxed::sweep(points, relaxed, relaxed_order, share);
+        }
+        counters.sweep(*iterations, relaxed.len());
+    }
+
+    /// Bends displacements until rigid bonds hold.
+    fn hold<const D: usize>(
+        &mut self,
+        points: &mut Points<S, D>,
+        pull: &mut Pull<S, D>,
+        counters: &mut Counters,
+    ) -> bool {
+        if let Some(rigid) = &mut pull.rigid {
+            if !self.aimed {
+                rigid.tighten(&points.position);
+                rigid.aim(&points.position);
+                rigid.factor(&pull.contacts);
+            }
+            let held = rigid.bend(points, &pull.contacts);
+            self.aimed = false;
+            counters.sweep(held.iterations, rigid.len());
+            return held.is_held;
+        }
+        if self.swept.rigid.is_empty() {
+            return true;
+        }
+        let held = rigid::hold(points, &self.swept.rigid, &mut self.swept.rigid_order);
+        counters.sweep(held.sweeps, self.swept.rigid.len());
+        held.is_held
+    }
+
+    /// Projects swept rigid bonds at the start: positions first, then velocities.
+    pub(crate) fn hold_start<const D: usize>(&mut self, points: &mut Points<S, D>) {
+        if self.swept.rigid.is_empty() {
+            return;
+        }
+        points.displacement.fill(zero());
+        rigid::hold(points, &self.swept.rigid, &mut self.swept.rigid_order.clone());
+        verlet::advance(points);
+        points.displacement.fill(zero());
+        rigid::hold_velocity(points, &self.swept.rigid);
+    }
+
+    /// Takes from velocities what would change the length of rigid bonds.
+    pub(crate) fn hold_velocity<const D: usize>(&mut self, points: &mut Points<S, D>, pull: &mut Pull<S, D>) {
+        if let Some(rigid) = &mut pull.rigid {
+            rigid.tighten(&points.position);
+            rigid.aim(&points.position);
+            rigid.factor(&pull.contacts);
+            rigid.project_velocity(points, &pull.contacts);
+            self.aimed = true;
+        } else if !self.swept.rigid.is_empty() {
+            rigid::hold_velocity(points, &self.swept.rigid);
+        }
+    }
+}

@@ -1,0 +1,100 @@
+//! Which method an island gets: fixed rules on what it is made of, the same on every machine.
+
+use super::island::Island;
+use crate::sim::model::Method;
+use crate::sim::solver::Solver;
+
+/// The frame that automatic substeps divide [s].
+const FRAME: f64 = 1.0 / 60.0;
+/// Largest substep where nothing is fast [s]: what a thrown point or a swinging rope needs to look smooth.
+const LONGEST: f64 = FRAME / 4.0;
+/// Largest substep with rigid bonds [s]: a rope stays within 1e-3 of its path for a second or two.
+const LONGEST_RIGID: f64 = FRAME / 16.0;
+/// Angle in radians that the fastest oscillation may turn in a substep of Verlet's method. Its period is then off by
+/// 0.25^2/24 = 0.26 %; 2 would be the edge of stability.
+const PHASE: f64 = 0.25;
+/// The same for methods of order 4: a period off by about 1e-5; 2.8 would be the edge.
+const PHASE_4: f64 = 0.5;
+/// Most substeps that one frame is cut into: beyond, a scene is stiffer than explicit steps can serve.
+const MOST_SUBSTEPS: f64 = 100_000.0;
+/// Substeps a frame beyond which springs are stiff: an implicit substep costs about as much as a dozen explicit ones.
+const STIFF: f64 = 256.0;
+/// Largest island with an implicit method: beyond, factors of its system no longer fit a cache.
+const MOST_IMPLICIT: usize = 4_000;
+/// Largest set of rigid bonds that is solved directly.
+pub(crate) const MOST_DIRECT: usize = 2_000;
+/// Most pairs of rigid bonds that share a point in such a set: a star of many spokes couples all with all.
+const MOST_COUPLINGS: usize = 60_000;
+/// Points above which order 4 is too dear: what is shown of such a mesh is coarser than what Verlet's method errs.
+const LARGE: usize = 20_000;
+
+/// What moves an island.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Choice {
+    pub(crate) solver: Solver,
+    /// Longest substep [s].
+    pub(crate) substep: f64,
+    /// Rigid bonds are solved together, not swept.
+    pub(crate) is_direct: bool,
+}
+
+/// What the rules ask of the surroundings.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Setting {
+    pub(crate) has_surfaces: bool,
+    /// Strength of the mouse force [1/s^2], if there is one.
+    pub(crate) mouse: Option<f64>,
+    pub(crate) drag_rate: f64,
+}
+
+/// The method and the substep of an island.
+pub(crate) fn choose(island: &Island, method: &Method, setting: Setting) -> Choice {
+    let is_direct = island.rigid <= MOST_DIRECT && island.couplings <= MOST_COUPLINGS;
+    let solver = match method.solver {
+        Solver::Auto => pick(island, setting, is_direct),
+        given => given,
+    };
+    let substep = method.substep.unwrap_or_else(|| substep(island, solver, setting));
+    Choice { solver, substep, is_direct: is_direct && solver.solves_directly() }
+}
+
+fn pick(island: &Island, setting: Setting, is_direct: bool) -> Solver {
+    if island.relaxed > 0 {
+        return Solver::Verlet;
+    }
+    if island.rigid > 0 {
+        return if is_direct { Solver::VelocityVerlet } else { Solver::Verlet };
+    }
+    if island.springs == 0 && setting.mouse.is_none() && !setting.has_surfaces {
+        return Solver::Flight;
+    }
+    let is_stiff = FRAME / PHASE_4 * island.frequency > STIFF || FRAME * island.decay > STIFF;
+    if is_stiff && island.points.len() <= MOST_IMPLICIT {
+        return Solver::ImplicitMidpoint;
+    }
+    if island.points.len() > LARGE {
+        return Solver::VelocityVerlet;
+    }
+    // A splitting has gravity and drag exactly and no drift; events and dampers need velocities in every stage.
+    if island.is_damped || setting.has_surfaces || setting.mouse.is_some() || island.has_limits {
+        Solver::Rk4
+    } else {
+        Solver::Pefrl
+    }
+}
+
+/// The substep that resolves the fastest motion of an island: a whole part of 1/60 s.
+fn substep(island: &Island, solver: Solver, setting: Setting) -> f64 {
+    let longest = if island.rigid > 0 { LONGEST_RIGID } else { LONGEST };
+    let push = setting.mouse.map_or(0.0, |strength| strength.abs().sqrt());
+    let (phase, rate) = match solver {
+        Solver::ImplicitMidpoint | Solver::BackwardEuler => (PHASE, push),
+        Solver::Flight => (PHASE, 0.0),
+        Solver::Rk4 | Solver::Pefrl | Solver::BlanesMoan4 | Solver::BlanesMoan6 | Solver::Rk8 => {
+            (PHASE_4, island.frequency.max(push).max(0.5 * island.decay).max(0.5 * setting.drag_rate))
+        }
+        _ => (PHASE, island.frequency.max(push).max(island.decay)),
+    };
+    let wanted = if rate > 0.0 { longest.min(phase / rate) } else { longest };
+    FRAME / (FRAME / wanted).ceil().min(MOST_SUBSTEPS)
+}

@@ -1,0 +1,115 @@
+//! Islands: points that bonds hold together, and what each island is made of.
+
+use super::sets::Sets;
+use crate::sim::bond::{Bond, BondKind};
+
+/// Points that hang together by bonds; pinned points belong to every island that is fastened to them.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub(crate) struct Island {
+    /// The free points, ascending.
+    pub(crate) points: Vec<u32>,
+    /// Indices of the bonds with a free end here, ascending.
+    pub(crate) bonds: Vec<u32>,
+    pub(crate) springs: usize,
+    pub(crate) rigid: usize,
+    pub(crate) relaxed: usize,
+    pub(crate) is_damped: bool,
+    /// Some bond acts on one side of its rest length only.
+    pub(crate) has_limits: bool,
+    /// Bound on the fastest oscillation of the springs [rad/s].
+    pub(crate) frequency: f64,
+    /// Bound on the fastest decay by their dampers [1/s].
+    pub(crate) decay: f64,
+    /// Pairs of rigid bonds that share a point: what a direct solve has to couple.
+    pub(crate) couplings: usize,
+}
+
+/// Splits points into islands, in the order of their lowest points.
+///
+/// Bounds on oscillation and decay are Gershgorin's: omega^2 <= max over points of 2 w_i sum of stiffness, decay
+/// likewise with damping.
+pub(crate) fn islands(bonds: &[Bond], w: &[f64]) -> Vec<Island> {
+    let mut sets = Sets::new(w.len());
+    for bond in bonds {
+        if w[bond.a.index()] > 0.0 && w[bond.b.index()] > 0.0 {
+            sets.join(bond.a.0, bond.b.0);
+        }
+    }
+    let mut place = vec![u32::MAX; w.len()];
+    let mut list: Vec<Island> = Vec::new();
+    for i in (0..w.len() as u32).filter(|&i| w[i as usize] > 0.0) {
+        let root = sets.find(i) as usize;
+        if place[root] == u32::MAX {
+            place[root] = list.len() as u32;
+            list.push(Island::default());
+        }
+        list[place[root] as usize].points.push(i);
+    }
+    let mut sums = vec![(0.0, 0.0, 0_usize); w.len()];
+    for (k, bond) in bonds.iter().enumerate() {
+        let free = [bond.a, bond.b].into_iter().find(|end| w[end.index()] > 0.0);
+        let Some(free) = free else { continue };
+        let island = &mut list[place[sets.find(free.0) as usize] as usize];
+        island.bonds.push(k as u32);
+        island.add(bond, &mut sums);
+    }
+    for island in &mut list {
+        island.bound(&sums, w);
+    }
+    list
+}
+
+impl Island {
+    fn add(&mut self, bond: &Bond, sums: &mut [(f64, f64, usize)]) {
+        self.has_limits |= bond.limit != crate::sim::bond::Limit::Both;
+        match bond.kind {
+            BondKind::Spring { stiffness, damping } => {
+                self.springs += 1;
+                self.is_damped |= damping > 0.0;
+                for end in [bond.a, bond.b] {
+                    sums[end.index()].0 += stiffness;
+                    sums[end.index()].1 += damping;
+                }
+            }
+            BondKind::Rigid => {
+                self.rigid += 1;
+                for end in [bond.a, bond.b] {
+                    self.couplings += sums[end.index()].2;
+                    sums[end.index()].2 += 1;
+                }
+            }
+            BondKind::Relaxed { .. } => self.relaxed += 1,
+        }
+    }
+
+    fn bound(&mut self, sums: &[(f64, f64, usize)], w: &[f64]) {
+        for &i in &self.points {
+            let (stiffness, damping, _) = sums[i as usize];
+            self.frequency = self.frequency.max(2.0 * w[i as usize] * stiffness);
+            self.decay = self.decay.max(2.0 * w[i as usize] * damping);
+        }
+        self.frequency = self.frequency.sqrt();
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::sim::bond::{Limit, PointId};
+
+    fn bond(a: u32, b: u32, kind: BondKind) -> Bond {
+        Bond { kind, ..Bond::new(PointId(a), PointId(b), 1.0) }
+    }
+
+    #[test]
+    fn a_pin_does_not_join_islands() {
+        let spring = BondKind::Spring { stiffness: 8.0, damping: 1.0 };
+        let bonds = [bond(1, 0, spring), bond(2, 0, BondKind::Rigid), bond(2, 3, BondKind::Rigid)];
+        let found = islands(&bonds, &[0.0, 0.25, 1.0, 1.0, 1.0]);
+        let points: Vec<&[u32]> = found.iter().map(|island| &island.points[..]).collect();
+        assert_eq!(points, [&[1][..], &[2, 3], &[4]]);
+        assert_eq!((found[0].springs, found[0].frequency, found[0].decay), (1, 2.0, 0.5));
+        assert_eq!((found[1].rigid, found[1].couplings, &found[1].bonds[..]), (2, 1, &[1, 2][..]));
+        assert_eq!(bonds[0].limit, Limit::Both);
+    }
+}

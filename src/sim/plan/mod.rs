@@ -1,0 +1,123 @@
+//! What a scene needs, compiled when bonds or the method change, never in a step: welds, islands, groups of islands
+//! that one method moves, and where every point is found.
+
+pub(crate) mod choice;
+mod gather;
+pub(crate) mod island;
+mod reconcile;
+pub(crate) mod sets;
+mod weld;
+
+use super::bond::{Bond, BondKind};
+use super::group::Group;
+use super::model::Model;
+use super::points::State;
+use super::real::Real;
+use super::solver::Solver;
+use choice::{Choice, Setting};
+use gather::Gathered;
+use island::Island;
+
+pub(crate) use reconcile::reconcile;
+
+/// Groups with what moves them, and where every point of the model is.
+#[derive(Clone, Debug)]
+pub(crate) struct Plan<S: Real, const D: usize> {
+    pub(crate) groups: Vec<Group<S, D>>,
+    /// For every point of the model: its group and its place there.
+    pub(crate) slots: Vec<[u32; 2]>,
+    /// Every point lies in the first group at its own index.
+    pub(crate) is_plain: bool,
+    /// Longest substep of the world [s]; groups with shorter ones take several.
+    pub(crate) substep: f64,
+    /// What the groups are, for those who ask.
+    pub(crate) parts: Vec<PlanPart>,
+}
+
+/// What one group is made of and what moves it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct PlanPart {
+    /// The method.
+    pub solver: Solver,
+    /// Longest substep [s].
+    pub substep: f64,
+    /// Points that can move.
+    pub points: usize,
+    /// Bonds.
+    pub bonds: usize,
+    /// Islands.
+    pub islands: usize,
+    /// Multiplications of one substep, about: what settings are compared by.
+    pub work: f64,
+}
+
+/// Islands that go together.
+struct Lot {
+    choice: Choice,
+    islands: Vec<Island>,
+}
+
+/// Compiles the plan of a model whose bonds (those that are left) and state are these.
+///
+/// Shapes: `state` has one entry a point of the model.
+pub(crate) fn compile<S: Real, const D: usize>(
+    model: &Model<D>,
+    bonds: &[Bond],
+    state: &State<S, D>,
+) -> Plan<S, D> {
+    let w = inverse_masses(model);
+    let stand_ins = match model.method.solver {
+        Solver::Relaxation => (0..w.len() as u32).collect(),
+        _ => weld::merge(bonds, &w),
+    };
+    let gathered = Gathered::new(model, bonds, &w, &stand_ins, state);
+    let islands = island::islands(&gathered.bonds, &gathered.w);
+    let lots = lots(model, islands);
+    gathered.plan(model, lots)
+}
+
+/// 1/m of every point, 0 where it is pinned.
+pub(crate) fn inverse_masses<const D: usize>(model: &Model<D>) -> Vec<f64> {
+    let mut w: Vec<f64> = model.mass.iter().map(|m| 1.0 / m).collect();
+    for point in &model.pinned {
+        w[point.index()] = 0.0;
+    }
+    w
+}
+
+/// Islands by method and substep, in the order of their first points.
+///
+/// A method that was asked for by name moves all islands in one group, at the substep of the fastest.
+fn lots<const D: usize>(model: &Model<D>, islands: Vec<Island>) -> Vec<Lot> {
+    let setting = Setting {
+        has_surfaces: model.bounds.is_some() || !model.planes.is_empty(),
+        mouse: model.mouse.as_ref().map(|mouse| mouse.strength),
+        drag_rate: model.drag_rate,
+    };
+    let mut lots: Vec<Lot> = Vec::new();
+    for island in islands {
+        let choice = choice::choose(&island, &model.method, setting);
+        let fits = |lot: &&mut Lot| match model.method.solver {
+            Solver::Auto => lot.choice == choice,
+            _ => true,
+        };
+        match lots.iter_mut().find(fits) {
+            Some(lot) => {
+                lot.choice.substep = lot.choice.substep.min(choice.substep);
+                lot.choice.is_direct &= choice.is_direct;
+                lot.islands.push(island);
+            }
+            None => lots.push(Lot { choice, islands: vec![island] }),
+        }
+    }
+    if lots.is_empty() {
+        let choice = choice::choose(&Island::default(), &model.method, setting);
+        lots.push(Lot { choice, islands: Vec::new() });
+    }
+    lots
+}
+
+/// Whether a bond is a rigid one of a group that moves: not between two points that cannot.
+fn is_rigid(bond: &Bond, w: &[f64]) -> bool {
+    bond.kind == BondKind::Rigid && w[bond.a.index()] + w[bond.b.index()] > 0.0
+}

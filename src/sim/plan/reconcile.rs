@@ -1,0 +1,65 @@
+//! Rigid bonds whose lengths contradict each other get lengths that agree: those of the shape that is nearest.
+
+use crate::sim::bond::{Bond, BondKind, Limit};
+use crate::sim::real::Real;
+use crate::sim::solve::blocks::Blocks;
+use crate::sim::vector::{add, dot, length, scale, sub};
+
+/// Strain that is left unsaid: what solving to rounding leaves of bonds that agree.
+const AGREES: f64 = 1e-8;
+/// Rounds of Gauss and Newton's method.
+const MOST_ROUNDS: u32 = 200;
+
+/// Moves `position` to the least sum of (|d| - rest)^2 over the rigid bonds, and gives those that are still off the
+/// length they have there. Returns their indices.
+///
+/// Shapes: `position` and `w` have one entry a point; w = 0 is pinned. Bonds with a limit are left out.
+pub(crate) fn reconcile<const D: usize>(bonds: &mut [Bond], position: &mut [[f64; D]], w: &[f64]) -> Vec<usize> {
+    let is_held = |bond: &Bond| bond.kind == BondKind::Rigid && bond.limit == Limit::Both;
+    let rigid: Vec<usize> = (0..bonds.len()).filter(|&k| is_held(&bonds[k])).collect();
+    let is_free: Vec<bool> = w.iter().map(|&w| w > 0.0).collect();
+    let pairs: Vec<[u32; 2]> = rigid.iter().map(|&k| [bonds[k].a.0, bonds[k].b.0]).collect();
+    let mut system = Blocks::<f64, D>::new(&is_free, &pairs, &[]);
+    let (mut force, mut work) = (vec![[0.0; D]; position.len()], Vec::new());
+    for _ in 0..MOST_ROUNDS {
+        system.clear();
+        system.shift(1e-6);
+        force.fill([0.0; D]);
+        for (pair, &k) in rigid.iter().enumerate() {
+            let (a, b) = (bonds[k].a.index(), bonds[k].b.index());
+            let d = sub(position[a], position[b]);
+            let size = length(d);
+            if size == 0.0 {
+                continue;
+            }
+            let n = scale(d, 1.0 / size);
+            let block: [[f64; D]; D] = std::array::from_fn(|r| scale(n, n[r]));
+            system.add_own(a, &block);
+            system.add_own(b, &block);
+            system.add_pair(pair, &block.map(|row| scale(row, -1.0)));
+            let pull = scale(n, bonds[k].rest_length - size);
+            force[a] = add(force[a], pull);
+            force[b] = sub(force[b], pull);
+        }
+        system.factor();
+        system.solve(&mut force, &mut [], &mut work);
+        let mut largest = 0.0_f64;
+        for (x, step) in position.iter_mut().zip(&force) {
+            *x = add(*x, *step);
+            largest = largest.max(dot(*step, *step));
+        }
+        if largest.sqrt() < f64::EPSILON.to_f64() * 64.0 {
+            break;
+        }
+    }
+    let mut changed = Vec::new();
+    for k in rigid {
+        let found = length(sub(position[bonds[k].a.index()], position[bonds[k].b.index()]));
+        let scale = if bonds[k].rest_length > 0.0 { bonds[k].rest_length } else { 1.0 };
+        if (found - bonds[k].rest_length).abs() > AGREES * scale {
+            bonds[k].rest_length = found;
+            changed.push(k);
+        }
+    }
+    changed
+}

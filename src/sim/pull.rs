@@ -1,0 +1,133 @@
+//! What acts on the points of a group: springs, the mouse, gravity and drag, rigid bonds and contacts.
+
+use super::constrain::direct::Direct;
+use super::contact::Contacts;
+use super::counters::Counters;
+use super::force::mouse::{self, Inside};
+use super::force::spring::{self, Spring};
+use super::points::Points;
+use super::real::Real;
+use super::surroundings::Surroundings;
+use super::vector::{add, convert, scale, sub, zero};
+
+/// Forces and holds of one group.
+#[derive(Clone, Debug)]
+pub(crate) struct Pull<S: Real, const D: usize> {
+    /// Bonds that are forces.
+    pub(crate) springs: Vec<Spring<S>>,
+    /// Whether any spring has a damper, so that forces depend on velocities.
+    pub(crate) is_damped: bool,
+    /// Rigid bonds that are solved together.
+    pub(crate) rigid: Option<Direct<S, D>>,
+    /// Surfaces and the points that rest on them.
+    pub(crate) contacts: Contacts<S, D>,
+    /// Which points the mouse force acts on, where that is decided by located events instead of positions.
+    pub(crate) inside: Option<Inside>,
+    pub(crate) gravity: [f64; D],
+    pub(crate) drag_rate: f64,
+}
+
+impl<S: Real, const D: usize> Pull<S, D> {
+    /// Gravity as kicks give it: where points may rest on surfaces, which take it away.
+    pub(crate) fn kicking_gravity(&self) -> [f64; D] {
+        if self.contacts.surfaces.is_empty() { [0.0; D] } else { self.gravity }
+    }
+
+    /// Gravity as flights give it.
+    pub(crate) fn flying_gravity(&self) -> [f64; D] {
+        if self.contacts.surfaces.is_empty() { self.gravity } else { [0.0; D] }
+    }
+
+    /// Accelerations by springs and the mouse alone [m/s^2], at these positions and velocities.
+    pub(crate) fn forces(
+        &self,
+        around: &Surroundings<D>,
+        t: f64,
+        (x, v, w): (&[[S; D]], &[[S; D]], &[S]),
+        a: &mut [[S; D]],
+        counters: &mut Counters,
+    ) {
+        a.fill(zero());
+        if !self.springs.is_empty() {
+            spring::pull(&self.springs, self.is_damped, x, v, w, a);
+            counters.bonds_solved += self.springs.len() as u64;
+        }
+        if let Some((force, cursor)) = around.mouse_at(t) {
+            counters.mouse_points += mouse::push(force, cursor, self.inside.as_ref(), x, w, a);
+        }
+    }
+
+    /// `points.acceleration`: springs and the mouse at the present state, less what held points cannot follow.
+    pub(crate) fn push(&self, around: &Surroundings<D>, t: f64, points: &mut Points<S, D>, counters: &mut Counters) {
+        let Points { position, velocity, inverse_mass, acceleration, .. } = points;
+        if acceleration.is_empty() {
+            return;
+        }
+        self.forces(around, t, (position, velocity, inverse_mass), acceleration, counters);
+        self.contacts.hold_kick(self.kicking_gravity(), velocity, acceleration);
+    }
+
+    /// As [`Pull::push`], at the velocities that half a kick of `h` makes: dampers pull with the velocity in the middle
+    /// of a kick. It is foretold from the last accelerations, which is enough for order 2.
+    pub(crate) fn push_ahead(
+        &self,
+        around: &Surroundings<D>,
+        (t, h): (f64, f64),
+        gravity: [f64; D],
+        points: &mut Points<S, D>,
+        counters: &mut Counters,
+    ) {
+        let half = S::from_f64(0.5 * h);
+        let fall: [S; D] = convert(gravity.map(|g| g * 0.5 * h));
+        let Points { position, velocity, velocity_ahead, inverse_mass, acceleration, .. } = points;
+        for i in 0..position.len() {
+            let gain = if inverse_mass[i] == S::ZERO { zero() } else { add(fall, scale(acceleration[i], half)) };
+            velocity_ahead[i] = add(velocity[i], gain);
+        }
+        self.forces(around, t, (position, velocity_ahead, inverse_mass), acceleration, counters);
+        self.contacts.hold_kick(self.kicking_gravity(), velocity, acceleration);
+    }
+
+    /// All of the acceleration [m/s^2]: forces, gravity, drag, what rigid bonds and surfaces answer with.
+    pub(crate) fn accelerate(
+        &mut self,
+        around: &Surroundings<D>,
+        t: f64,
+        (x, v, w): (&[[S; D]], &[[S; D]], &[S]),
+        a: &mut [[S; D]],
+        counters: &mut Counters,
+    ) {
+        self.forces(around, t, (x, v, w), a, counters);
+        let gravity: [S; D] = convert(self.gravity);
+        let rate = S::from_f64(self.drag_rate);
+        for i in 0..x.len() {
+            if w[i] != S::ZERO {
+                a[i] = sub(add(a[i], gravity), scale(v[i], rate));
+            }
+        }
+        let Pull { rigid, contacts, .. } = self;
+        if let Some(rigid) = rigid {
+            rigid.aim(x);
+            rigid.factor(contacts);
+            rigid.multiply(v, a, contacts);
+            counters.bonds_solved += rigid.len() as u64;
+        }
+        if contacts.rub(v, a)
+            && let Some(rigid) = rigid
+        {
+            rigid.multiply(v, a, contacts);
+        }
+        contacts.hold(a);
+    }
+
+    /// Puts rigid bonds back to their lengths and takes from velocities what would change them. Returns whether they
+    /// hold.
+    pub(crate) fn project(&mut self, points: &mut Points<S, D>, counters: &mut Counters) -> bool {
+        let Some(rigid) = &mut self.rigid else { return true };
+        let held = rigid.project(points, &self.contacts);
+        rigid.project_velocity(points, &self.contacts);
+        counters.iterations += u64::from(held.iterations);
+        counters.bonds_solved += u64::from(held.iterations + 1) * rigid.len() as u64;
+        held.is_held
+    }
+}
