@@ -161,9 +161,10 @@ impl<S: Real, const D: usize> Direct<S, D> {
     /// (least squares) where bonds contradict each other.
     pub(crate) fn project(&mut self, points: &mut Points<S, D>, contacts: &Contacts<S, D>) -> Held {
         let mut before = S::INFINITY;
-        let mut is_stale = true;
+        self.tighten(&points.position);
+        self.aim(&points.position);
+        self.factor(contacts);
         for iterations in 0..MOST_SOLVES {
-            self.tighten(&points.position);
             let error = self.residual(|row| sub(points.position[row.a as usize], points.position[row.b as usize]));
             if error <= tolerance() {
                 return Held { iterations, is_held: true };
@@ -174,10 +175,9 @@ impl<S: Real, const D: usize> Direct<S, D> {
             if iterations > 2 && error <= enough() && error > S::HALF * before {
                 return Held { iterations, is_held: true };
             }
-            if is_stale || error > S::from_f64(0.1) * before {
+            if iterations > 0 && error > S::from_f64(0.1) * before {
                 self.aim(&points.position);
                 self.factor(contacts);
-                is_stale = false;
             }
             before = error;
             self.ldl.solve(&mut self.lambda);
