@@ -16,6 +16,9 @@ const FEWEST: usize = 3;
 /// Orders below this are none: the method does not converge there.
 const LEAST_ORDER: f64 = 0.3;
 
+/// Runs in a row that must be within an error.
+const STAYING: usize = 3;
+
 /// What an error costs.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct Cost {
@@ -55,11 +58,12 @@ pub(super) fn slope(points: &[(f64, f64)]) -> Option<f64> {
 
 /// The cost of an error of at most `error` [m], by interpolation between runs, both logarithmic.
 ///
-/// A run counts only if all finer ones are within the error too: one that hit it by chance says nothing. Where even
-/// the coarsest run is within, it is its cost. `None`: no run is.
+/// A run counts only if the next two finer ones are within the error too: one that hit it by chance says nothing.
+/// Where even the coarsest run is within, it is its cost. `None`: no run is.
 pub(super) fn cost_at(runs: &[Run], error: f64) -> Option<Cost> {
-    let reached = runs.iter().rposition(|run| run.error > error).map_or(0, |last| last + 1);
-    let fine = runs.get(reached)?;
+    let stays = |i: usize| runs[i..].iter().take(STAYING).all(|run| run.error <= error);
+    let reached = (0..runs.len()).find(|&i| stays(i))?;
+    let fine = &runs[reached];
     let measured = |cost: f64| Some(Cost { cost, is_extrapolated: false });
     let Some(coarse) = reached.checked_sub(1).map(|i| &runs[i]) else {
         return measured(fine.cost);
@@ -72,12 +76,13 @@ pub(super) fn cost_at(runs: &[Run], error: f64) -> Option<Cost> {
     measured(coarse.cost * (fine.cost / coarse.cost).powf(share))
 }
 
-/// As [`cost_at`]; beyond the last run carried on along the observed order.
+/// As [`cost_at`]; beyond the best run carried on along the observed order.
 pub(super) fn cost_beyond(runs: &[Run], error: f64) -> Option<Cost> {
     cost_at(runs, error).or_else(|| {
         let order = order(runs).filter(|&order| order > LEAST_ORDER)?;
-        let last = runs.last().filter(|run| run.error.is_finite())?;
-        let cost = last.cost * (last.error / error).powf(1.0 / order);
+        // Not from the last run: rounding may have had the better of it.
+        let best = runs.iter().min_by(|a, b| a.error.total_cmp(&b.error)).filter(|run| run.error.is_finite())?;
+        let cost = best.cost * f64::max(1.0, best.error / error).powf(1.0 / order);
         Some(Cost { cost, is_extrapolated: true })
     })
 }
@@ -130,6 +135,16 @@ mod tests {
         runs[1].error = 1e-9;
         let cost = cost_at(&runs, 1e-3).unwrap();
         assert!((cost.cost - 1000.0).abs() < 1e-9, "{cost:?}");
+    }
+
+    #[test]
+    fn a_floor_of_rounding_does_not_raise_the_cost() {
+        let mut runs = runs(|h| h);
+        runs.extend([(1 << 16, 0.002), (1 << 17, 0.004)].map(|(n, error)| sketch(n, n as f64, error)));
+        let cost = cost_at(&runs, 1e-3).unwrap();
+        assert!((cost.cost - 1000.0).abs() < 1e-9, "{cost:?}");
+        let cost = cost_beyond(&runs, 1e-6).unwrap();
+        assert!((cost.cost / 1e6 - 1.0).abs() < 1e-9, "{cost:?}");
     }
 
     #[test]

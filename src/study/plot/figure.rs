@@ -20,6 +20,10 @@ const PIXELS: f64 = 2.0;
 /// The family that text is set in: the program's own font where it is drawn, the reader's in an SVG.
 const FAMILY: &str = "sans-serif";
 
+/// How much lower than its place text is set in a PNG, as a share of its size: there a line with its descenders is put
+/// in the middle, in an SVG the small letters are.
+const DROP: f64 = 0.17;
+
 /// Which end of a text stands at its place.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Anchor {
@@ -51,7 +55,15 @@ impl Figure {
 
     /// A line through points.
     pub(super) fn line(&mut self, points: Vec<[f64; 2]>, colour: RGBColor, width: f64) {
-        self.shapes.push(Shape::Line { points, colour, width });
+        let mut start = 0;
+        for i in 1..points.len().saturating_sub(1) {
+            // Joined there, its corner would end in a long spike.
+            if is_sharp(points[i - 1], points[i], points[i + 1]) {
+                self.shapes.push(Shape::Line { points: points[start..=i].to_vec(), colour, width });
+                start = i;
+            }
+        }
+        self.shapes.push(Shape::Line { points: points[start..].to_vec(), colour, width });
     }
 
     /// A straight line in dashes.
@@ -98,7 +110,7 @@ impl Figure {
     pub(crate) fn svg(&self) -> Result<String, String> {
         let (width, height) = self.fine_size();
         let mut text = String::new();
-        self.draw(&SVGBackend::with_string(&mut text, (width, height)).into_drawing_area())?;
+        self.draw(&SVGBackend::with_string(&mut text, (width, height)).into_drawing_area(), 0.0)?;
         // The fine coordinates stay; what changes is the size that the figure is shown at.
         let fine = format!("width=\"{width}\" height=\"{height}\"");
         Ok(text.replacen(&fine, &format!("width=\"{}\" height=\"{}\"", self.width, self.height), 1))
@@ -110,24 +122,30 @@ impl Figure {
     pub(crate) fn image(&self) -> Result<RgbImage, String> {
         let (width, height) = self.fine_size();
         let mut fine = RgbImage::new(width, height);
-        self.draw(&BitMapBackend::with_buffer(&mut fine, (width, height)).into_drawing_area())?;
+        self.draw(&BitMapBackend::with_buffer(&mut fine, (width, height)).into_drawing_area(), DROP)?;
         // Lines are drawn without smooth edges: they get theirs here.
         let pixels = |length: f64| (length * PIXELS).round() as u32;
         Ok(resize(&fine, pixels(self.width), pixels(self.height), FilterType::Triangle))
     }
 
-    fn draw<B: DrawingBackend>(&self, area: &DrawingArea<B, Shift>) -> Result<(), String> {
+    /// Draws all shapes, text lower than its place by `drop` of its size.
+    fn draw<B: DrawingBackend>(&self, area: &DrawingArea<B, Shift>, drop: f64) -> Result<(), String> {
         register_font(FAMILY, FontStyle::Normal, epaint_default_fonts::UBUNTU_LIGHT)
             .map_err(|_| "its font cannot be read".to_owned())?;
         let drawn = || {
             area.fill(&WHITE)?;
             for shape in &self.shapes {
-                draw_shape(area, shape)?;
+                draw_shape(area, shape, drop)?;
             }
             area.present()
         };
         drawn().map_err(|error| error.to_string())
     }
+}
+
+/// Whether a line turns by more than a right angle at `b`.
+fn is_sharp(a: [f64; 2], b: [f64; 2], c: [f64; 2]) -> bool {
+    (b[0] - a[0]) * (c[0] - b[0]) + (b[1] - a[1]) * (c[1] - b[1]) < 0.0
 }
 
 fn fine(length: f64) -> i32 {
@@ -137,6 +155,7 @@ fn fine(length: f64) -> i32 {
 fn draw_shape<B: DrawingBackend>(
     area: &DrawingArea<B, Shift>,
     shape: &Shape,
+    drop: f64,
 ) -> Result<(), DrawingAreaErrorKind<B::ErrorType>> {
     let place = |p: &[f64; 2]| (fine(p[0]), fine(p[1]));
     match shape {
@@ -156,7 +175,8 @@ fn draw_shape<B: DrawingBackend>(
             let font = (FAMILY, size * FINE).into_font();
             let font = if *climbs { font.transform(FontTransform::Rotate270) } else { font };
             let style = font.color(colour).pos(Pos::new(across, VPos::Center));
-            area.draw(&Text::new(text.as_str(), place(at), style))
+            let [right, down] = if *climbs { [drop * size, 0.0] } else { [0.0, drop * size] };
+            area.draw(&Text::new(text.as_str(), place(&[at[0] + right, at[1] + down]), style))
         }
     }
 }
