@@ -56,6 +56,13 @@ pub struct Work {
     pub fallbacks: u64,
 }
 
+impl Work {
+    /// Whether steps were split or did not converge, so that a run of smaller steps may well be quicker.
+    fn is_swollen(&self, steps: u64) -> bool {
+        self.fallbacks > 0 || self.substeps > 2 * steps
+    }
+}
+
 impl Run {
     /// A run that is nowhere near the truth.
     pub(super) const DIVERGED: Run = Run {
@@ -93,6 +100,9 @@ pub(super) fn median_seconds(first: f64, mut read: impl FnMut() -> f64) -> f64 {
 /// Runs longer than this are a factor 2 apart: close rungs there would cost more than they tell [s].
 const LONG: f64 = 0.02;
 
+/// How many times longer than the cap a run may take whose steps were split or did not converge.
+const SWOLLEN: f64 = 4.0;
+
 /// An error that a finer step cannot lower, for rounding is as large [m].
 const EXACT: f64 = 1e-12;
 
@@ -118,8 +128,8 @@ pub(super) fn ladder(settings: &Settings, samples: u64, mut run: impl FnMut(u64)
             exact *= if done.seconds > LONG { 2.0 } else { settings.factor };
             a_sample = exact.round() as u64;
         }
-        let next_seconds = done.seconds * a_sample as f64 / before as f64;
-        if next_seconds > settings.cap_seconds
+        let ratio = if done.work.is_swollen(done.steps) { 1.0 / SWOLLEN } else { a_sample as f64 / before as f64 };
+        if done.seconds * ratio > settings.cap_seconds
             || a_sample * samples > MOST_STEPS
             || done.largest_error < EXACT
             || has_met_floor(&runs)
@@ -179,6 +189,17 @@ mod tests {
         let settings = Settings { cap_seconds: 1e9, factor: 2.0 };
         let runs = steps(&settings, 4, |n| (n as f64).powi(-8).max(1e-11));
         assert!(runs.len() < 12, "{runs:?}");
+    }
+
+    #[test]
+    fn steps_that_are_split_do_not_end_the_ladder() {
+        let settings = Settings { cap_seconds: 0.1, factor: 2.0 };
+        let runs = ladder(&settings, 4, |steps| {
+            let is_split = steps < 16;
+            let work = Work { substeps: if is_split { 900 } else { steps }, ..Work::default() };
+            Run { work, ..sketch(steps, if is_split { 0.2 } else { steps as f64 * 1e-3 }, 1.0) }
+        });
+        assert_eq!(runs.iter().map(|run| run.steps).collect::<Vec<_>>(), [4, 8, 16, 32, 64]);
     }
 
     #[test]

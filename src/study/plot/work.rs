@@ -16,7 +16,7 @@ pub(crate) fn work(problem: &ProblemReport) -> Figure {
     let series = series(problem);
     let legend = 22.0 * (series.len() as f64 + 1.0) + 40.0;
     let height = f64::max(430.0, legend + 70.0);
-    let mut figure = Figure::new(772.0, height);
+    let mut figure = Figure::new(824.0, height);
     let shown = || series.iter().flat_map(|report| points(report));
     let panel = Panel {
         left: 78.0,
@@ -88,7 +88,7 @@ fn draw(figure: &mut Figure, panel: &Panel, report: &MethodReport) {
 /// A line a method with its marker, its name and its observed order, beside the panel.
 fn draw_legend(figure: &mut Figure, series: &[&MethodReport], [left, top]: [f64; 2]) {
     const ROW: f64 = 22.0;
-    let column = left + 240.0;
+    let column = left + 292.0;
     figure.text([column, top + 8.0], "order", SMALL, Anchor::End, TEXT);
     for (i, report) in series.iter().enumerate() {
         let y = top + 8.0 + ROW * (i as f64 + 1.0);
