@@ -17,7 +17,7 @@ const FEWEST: usize = 3;
 const LEAST_ORDER: f64 = 0.3;
 
 /// Runs in a row that must be within an error.
-const STAYING: usize = 3;
+const LASTING: usize = 3;
 
 /// What an error costs.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
@@ -61,8 +61,7 @@ pub(super) fn slope(points: &[(f64, f64)]) -> Option<f64> {
 /// A run counts only if the next two finer ones are within the error too: one that hit it by chance says nothing.
 /// Where even the coarsest run is within, it is its cost. `None`: no run is.
 pub(super) fn cost_at(runs: &[Run], error: f64) -> Option<Cost> {
-    let stays = |i: usize| runs[i..].iter().take(STAYING).all(|run| run.error <= error);
-    let reached = (0..runs.len()).find(|&i| stays(i))?;
+    let reached = (0..runs.len()).find(|&i| lasting_error(runs, i) <= error)?;
     let fine = &runs[reached];
     let measured = |cost: f64| Some(Cost { cost, is_extrapolated: false });
     let Some(coarse) = reached.checked_sub(1).map(|i| &runs[i]) else {
@@ -76,13 +75,19 @@ pub(super) fn cost_at(runs: &[Run], error: f64) -> Option<Cost> {
     measured(coarse.cost * (fine.cost / coarse.cost).powf(share))
 }
 
+/// The largest error of a run and the next two finer ones [m].
+fn lasting_error(runs: &[Run], i: usize) -> f64 {
+    runs[i..].iter().take(LASTING).map(|run| run.error).fold(0.0, f64::max)
+}
+
 /// As [`cost_at`]; beyond the best run carried on along the observed order.
 pub(super) fn cost_beyond(runs: &[Run], error: f64) -> Option<Cost> {
     cost_at(runs, error).or_else(|| {
         let order = order(runs).filter(|&order| order > LEAST_ORDER)?;
-        // Not from the last run: rounding may have had the better of it.
-        let best = runs.iter().min_by(|a, b| a.error.total_cmp(&b.error)).filter(|run| run.error.is_finite())?;
-        let cost = best.cost * f64::max(1.0, best.error / error).powf(1.0 / order);
+        // Not from the last run, which rounding may have had the better of, nor from one that hit by chance.
+        let lasting = runs.iter().enumerate().map(|(i, run)| (run.cost, lasting_error(runs, i)));
+        let (best, reached) = lasting.min_by(|a, b| a.1.total_cmp(&b.1)).filter(|best| best.1.is_finite())?;
+        let cost = best * (reached / error).powf(1.0 / order);
         Some(Cost { cost, is_extrapolated: true })
     })
 }

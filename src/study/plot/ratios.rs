@@ -80,7 +80,7 @@ fn short(ratio: f64) -> String {
         return "∞".to_owned();
     }
     if ratio < 10.0 {
-        return format!("{ratio:.1}");
+        return if ratio < 0.1 { format!("{ratio:.1e}") } else { format!("{ratio:.1}") };
     }
     let unit = 10_f64.powf(ratio.log10().floor() - 1.0);
     let digits = format!("{:.0}", (ratio / unit).round() * unit);
@@ -114,7 +114,9 @@ mod tests {
 
     #[test]
     fn ratios_are_short() {
-        for (ratio, text) in [(0.84, "0.8"), (35.4, "35"), (2345.0, "2,300"), (617_000.0, "620,000"), (99.7, "100")] {
+        for (ratio, text) in
+            [(0.84, "0.8"), (0.0153, "1.5e-2"), (35.4, "35"), (2345.0, "2,300"), (617_000.0, "620,000"), (99.7, "100")]
+        {
             assert_eq!(short(ratio), text);
         }
         assert_eq!(short(f64::INFINITY), "∞");
