@@ -11,3 +11,4 @@ pub mod output;
 pub mod render;
 pub mod scene;
 pub mod sim;
+pub mod study;

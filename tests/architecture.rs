@@ -4,7 +4,7 @@
 use std::path::{Path, PathBuf};
 
 /// Each room, the rooms that it may name, and the crates that it may name beside those for every room.
-const ROOMS: [(&str, &[&str], &[&str]); 7] = [
+const ROOMS: [(&str, &[&str], &[&str]); 8] = [
     ("sim", &[], &["rand", "rand_pcg", "libm"]),
     ("body", &["sim"], &["rand", "rand_pcg", "libm"]),
     (
@@ -16,8 +16,13 @@ const ROOMS: [(&str, &[&str], &[&str]); 7] = [
     ("output", &[], &["tempfile"]),
     ("app", &["sim", "body", "scene", "render", "output"], &["wgpu", "winit", "egui", "egui_wgpu", "egui_winit"]),
     (
+        "study",
+        &["sim", "body", "scene", "output"],
+        &["serde", "serde_json", "csv", "plotters", "epaint_default_fonts", "image"],
+    ),
+    (
         "cli",
-        &["sim", "body", "scene", "render", "output", "app"],
+        &["sim", "body", "scene", "render", "output", "app", "study"],
         &["clap", "anyhow", "indicatif", "image", "serde_json"],
     ),
 ];
@@ -26,7 +31,7 @@ const ROOMS: [(&str, &[&str], &[&str]); 7] = [
 const EVERYWHERE: [&str; 6] = ["std", "thiserror", "bytemuck", "glam", "crate", "core"];
 
 /// Crates that are somewhere in the program: a path that starts with one of these is held to the table.
-const KNOWN: [&str; 20] = [
+const KNOWN: [&str; 22] = [
     "rand",
     "rand_pcg",
     "libm",
@@ -47,6 +52,8 @@ const KNOWN: [&str; 20] = [
     "clap",
     "anyhow",
     "indicatif",
+    "plotters",
+    "epaint_default_fonts",
 ];
 
 fn files(folder: &Path) -> Vec<PathBuf> {

@@ -4,6 +4,7 @@ mod progress;
 mod render;
 mod scenes;
 mod simulate;
+mod study;
 mod values;
 mod window;
 
@@ -43,6 +44,8 @@ enum Command {
     Simulate(simulate::Arguments),
     /// Draws a scene off-screen to a PNG or an animated GIF.
     Render(render::Arguments),
+    /// Measures the methods: tables and plots.
+    Study(study::Arguments),
 }
 
 /// Parses the call, does the work, reports the error in one line.
@@ -53,6 +56,7 @@ pub fn main() -> ExitCode {
         Some(Command::Scenes(arguments)) => scenes::run(&arguments),
         Some(Command::Simulate(arguments)) => simulate::run(&arguments, call.quiet),
         Some(Command::Render(arguments)) => render::run(&arguments, call.quiet),
+        Some(Command::Study(arguments)) => study::run(&arguments, call.quiet),
     };
     match done {
         Ok(()) => ExitCode::SUCCESS,

@@ -15,6 +15,11 @@ pub(super) fn frames(quiet: bool, count: u64) -> ProgressBar {
     counted(quiet, count, "{wide_bar} {pos}/{len} {eta}")
 }
 
+/// A bar over tasks whose number its user sets, with a word on the one at hand.
+pub(super) fn tasks(quiet: bool) -> ProgressBar {
+    counted(quiet, 0, "{wide_bar} {pos}/{len} {msg} {elapsed}")
+}
+
 fn counted(quiet: bool, length: u64, template: &str) -> ProgressBar {
     // A bar on standard error hides itself where that is no terminal.
     let target = if quiet { ProgressDrawTarget::hidden() } else { ProgressDrawTarget::stderr() };

@@ -1,0 +1,35 @@
+//! Studies of the methods: what an error costs, with every method and with the baseline.
+//!
+//! ```text
+//! problems (scene + truth) --accuracy--> runs --fit--> orders, costs --equal--> ratios to the baseline
+//!                                          \--report--> JSON, tables, plots
+//! ```
+//! A study runs scenes through the same face as the program does; the baseline is a program of its own.
+
+mod accuracy;
+mod baseline;
+mod equal;
+mod error;
+mod fit;
+mod machine;
+mod methods;
+mod plot;
+mod problems;
+mod report;
+mod run;
+mod slides;
+mod tables;
+mod targets;
+mod tolerance;
+
+pub use accuracy::{MethodReport, ProblemReport, Progress, measure};
+pub use equal::{EqualError, Priced};
+pub use error::StudyError;
+pub use fit::Cost;
+pub use machine::{Machine, machine};
+pub use problems::{Kind, Problem, Truth, TruthSample, find, problems};
+pub use report::{Report, make_folder};
+pub use run::{Run, Settings, Work};
+pub use slides::{CircleRow, DecayRow, ObservedOrder, OrderRow, Slides, slides};
+pub use targets::{LEVELS, REACHED, TARGETS, Target, target_of};
+pub use tolerance::{TOLERANCES, ToleranceReport};

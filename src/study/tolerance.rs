@@ -1,0 +1,67 @@
+//! Runs where the program is told the error instead of the step.
+
+use std::time::Instant;
+
+use serde::Serialize;
+
+use super::methods::errors;
+use super::problems::Truth;
+use crate::scene::record::{record, seconds};
+use crate::scene::{PrecisionName, Scene, SolverName};
+
+/// The errors that are asked for [m].
+pub const TOLERANCES: [f64; 2] = [1e-4, 1e-6];
+
+/// What came of asking for an error.
+#[derive(Clone, Debug, Serialize)]
+pub struct ToleranceReport {
+    /// The error asked for at every sample [m].
+    pub tolerance: f64,
+    /// Why the scene does not take it, if so.
+    pub refused: Option<String>,
+    /// The error at every sample [m].
+    pub errors: Vec<f64>,
+    /// Whether all of them are within the tolerance.
+    pub holds: Option<bool>,
+    /// The substep that was found [s].
+    pub substep: Option<f64>,
+    /// Wall time of the stepping [s].
+    pub seconds: Option<f64>,
+    /// Wall time of making the world, which finding method and step is part of [s].
+    pub search_seconds: Option<f64>,
+}
+
+/// Asks for an error on a scene and compares what comes with the truth.
+pub(super) fn measure(scene: &Scene, truth: &Truth, tolerance: f64) -> ToleranceReport {
+    let mut report = ToleranceReport {
+        tolerance,
+        refused: None,
+        errors: Vec::new(),
+        holds: None,
+        substep: None,
+        seconds: None,
+        search_seconds: None,
+    };
+    let mut scene = scene.clone();
+    scene.method.solver = Some(SolverName::Auto);
+    scene.method.precision = Some(PrecisionName::F64);
+    scene.method.tolerance = Some(tolerance);
+    let times = truth.times();
+    let begun = Instant::now();
+    let start = match scene.world(times.last().copied()) {
+        Ok(start) => start,
+        Err(error) => {
+            report.refused = Some(error.message);
+            return report;
+        }
+    };
+    report.search_seconds = Some(begun.elapsed().as_secs_f64());
+    report.substep = Some(start.substep());
+    if let Ok(samples) = record(&mut *start.boxed_clone(), &times, |_| ()) {
+        report.errors = errors(truth, &samples);
+        report.seconds = Some(seconds(&*start, &times));
+    }
+    let all_within = report.errors.iter().all(|&error| error <= tolerance);
+    report.holds = Some(report.errors.len() == times.len() && all_within);
+    report
+}
