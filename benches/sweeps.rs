@@ -26,7 +26,7 @@ fn sheet(n: u32, order: Order) -> Model<2> {
     }
     let mut join = |a: u32, b: u32, rest_length: f64| {
         let kind = BondKind::Relaxed { relaxation: 1.0, max_correction: f64::INFINITY };
-        model.bonds.push(Bond { a: PointId(a), b: PointId(b), rest_length, kind, limit: Limit::Both });
+        model.bonds.push(Bond { kind, ..Bond::new(PointId(a), PointId(b), rest_length) });
     };
     for i in 0..n * n {
         let (right, below) = (i % n + 1 < n, i / n + 1 < n);

@@ -5,7 +5,7 @@ mod common;
 
 use common::physics::{angular_momentum, center_of_mass, momentum, rim, run_to, spring};
 use wobble::sim::{
-    Bond, BondKind, Bounds, Dynamics, Limit, Method, Model, Order, PointId, Real, Sample, Solver, World,
+    Bond, BondKind, Bounds, Dynamics, Method, Model, Order, PointId, Real, Sample, Solver, World,
 };
 
 /// A frame of 1/60 s in 64 substeps.
@@ -66,7 +66,7 @@ fn oscillator_error<S: Real, const D: usize>(h: f64, damping: f64) -> f64 {
         velocity: vec![[0.0; D]; 2],
         mass: vec![1.0, 2.0],
         bonds: vec![spring(0, 1, 1.0, 100.0, damping)],
-        method: Method { substep: Some(h), ..Method::default() },
+        method: Method { substep: Some(h), solver: Solver::Verlet, ..Method::default() },
         ..Model::default()
     };
     let mut world = World::<S, D>::new(&model).unwrap();
@@ -129,7 +129,7 @@ fn agm(a: f64, b: f64) -> f64 {
 }
 
 fn bond(a: u32, b: u32, rest_length: f64, kind: BondKind) -> Bond {
-    Bond { a: PointId(a), b: PointId(b), rest_length, kind, limit: Limit::Both }
+    Bond { kind, ..Bond::new(PointId(a), PointId(b), rest_length) }
 }
 
 /// A free rim of unequal masses in flight, moving and spinning, of one kind of bond.

@@ -9,7 +9,7 @@ use std::process::Command;
 use glam::DVec2;
 use image::RgbaImage;
 use wobble::render::{Camera, Capture, Look, Overlay, Pose, View};
-use wobble::sim::{Bond, BondKind, Limit, PointId, Positions};
+use wobble::sim::{Bond, PointId, Positions};
 
 /// The picture that the program itself draws.
 fn rendered(scene: &str, time: &str) -> RgbaImage {
@@ -138,7 +138,7 @@ fn a_line_covers_what_its_formula_says() {
     }
     let (a, b) = (DVec2::new(-20.4, -13.7), DVec2::new(17.1, 9.2));
     let positions = [a.x as f32, a.y as f32, b.x as f32, b.y as f32];
-    let bond = Bond { a: PointId(0), b: PointId(1), rest_length: 1.0, kind: BondKind::Rigid, limit: Limit::Both };
+    let bond = Bond::new(PointId(0), PointId(1), 1.0);
     let look = Look { point: [0.0; 4], ..plain() };
     let mut capture = Capture::new([SIDE, SIDE], 2).unwrap();
     let picture = capture.picture(&view(&positions, &[bond], 2), &pixels(), &look).unwrap();

@@ -1,6 +1,6 @@
 //! Models and measures for tests of the motion.
 
-use wobble::sim::{Bond, BondKind, Dynamics, Limit, Model, PointId, Sample};
+use wobble::sim::{Bond, BondKind, Dynamics, Model, PointId, Sample};
 
 /// Runs substeps until `t` lies in the next one, and samples there.
 pub fn run_to(world: &mut dyn Dynamics, t: f64) -> Sample {
@@ -12,13 +12,8 @@ pub fn run_to(world: &mut dyn Dynamics, t: f64) -> Sample {
 
 /// A spring bond.
 pub fn spring(a: u32, b: u32, rest_length: f64, stiffness: f64, damping: f64) -> Bond {
-    Bond {
-        a: PointId(a),
-        b: PointId(b),
-        rest_length,
-        kind: BondKind::Spring { stiffness, damping },
-        limit: Limit::Both,
-    }
+    let kind = BondKind::Spring { stiffness, damping };
+    Bond { kind, ..Bond::new(PointId(a), PointId(b), rest_length) }
 }
 
 /// Two rings with spokes and one diagonal a sector, at rest, masses 1.
@@ -35,7 +30,7 @@ pub fn rim(sectors: u32, kind: BondKind) -> Model<2> {
         for (a, b) in [(i, next), (inner, inner_next), (i, inner), (i, inner_next)] {
             let [p, q] = [model.position[a as usize], model.position[b as usize]];
             let rest_length = (p[0] - q[0]).hypot(p[1] - q[1]);
-            model.bonds.push(Bond { a: PointId(a), b: PointId(b), rest_length, kind, limit: Limit::Both });
+            model.bonds.push(Bond { kind, ..Bond::new(PointId(a), PointId(b), rest_length) });
         }
     }
     model.velocity = vec![[0.0; 2]; model.position.len()];

@@ -94,7 +94,7 @@ mod tests {
     use crate::sim::bond::PointId;
 
     fn projected(kind: BondKind, limit: Limit, length: f64, w: [f64; 2]) -> [f64; 2] {
-        let bond = Bond { a: PointId(0), b: PointId(1), rest_length: 1.0, kind, limit };
+        let bond = Bond { kind, limit, ..Bond::new(PointId(0), PointId(1), 1.0) };
         let mut displacement = [[0.0, 0.0], [0.0, 0.0]];
         if let Some(bond) = RelaxedBond::of(&bond, &w) {
             bond.project(&[[length, 0.0], [0.0, 0.0]], &mut displacement, 1.0);

@@ -91,22 +91,24 @@ impl<S: Real, const D: usize> Contacts<S, D> {
     }
 
     /// Adds friction to accelerations that surfaces have not answered yet. Returns whether there is any.
-    pub(crate) fn rub(&self, v: &[[S; D]], a: &mut [[S; D]]) -> bool {
+    ///
+    /// The accelerations before are remembered, to tell when points let go or slide.
+    pub(crate) fn rub(&mut self, v: &[[S; D]], a: &mut [[S; D]]) -> bool {
         let mut any = false;
-        for rest in &self.rests {
-            let i = rest.point as usize;
-            let friction = self.friction(rest, v[i], a[i]);
+        for at in 0..self.rests.len() {
+            let i = self.rests[at].point as usize;
+            self.rests[at].pressing = a[i];
+            let friction = self.friction(&self.rests[at], v[i], a[i]);
             any |= dot(friction, friction) > S::ZERO;
             a[i] = add(a[i], friction);
         }
         any
     }
 
-    /// What resting points can follow of their accelerations; the whole is remembered, to tell when they let go.
-    pub(crate) fn hold(&mut self, a: &mut [[S; D]]) {
-        for rest in &mut self.rests {
+    /// What resting points can follow of their accelerations.
+    pub(crate) fn hold(&self, a: &mut [[S; D]]) {
+        for rest in &self.rests {
             let i = rest.point as usize;
-            rest.pressing = a[i];
             a[i] = rest.free(a[i]);
         }
     }
@@ -120,12 +122,21 @@ impl<S: Real, const D: usize> Contacts<S, D> {
         }
         let press = length(sub(total, rest.along(total)));
         let mut way = rest.along(v);
-        let mut speed = length(way);
-        if speed == S::ZERO {
-            way = rest.along(total);
-            speed = length(way);
+        let ahead = dot(way, rest.heading);
+        if ahead == S::ZERO {
+            way = if dot(rest.heading, rest.heading) > S::ZERO { rest.heading } else { rest.along(total) };
+        } else if ahead < S::ZERO {
+            way = scale(way, -S::ONE);
         }
+        let speed = length(way);
         if speed == S::ZERO { none } else { scale(way, -(mu * press) / speed) }
+    }
+
+    /// A step begins: sliding points head where they go.
+    pub(crate) fn set_out(&mut self, v: &[[S; D]]) {
+        for rest in &mut self.rests {
+            rest.heading = rest.along(v[rest.point as usize]);
+        }
     }
 
     /// Puts resting points exactly on their surfaces, and takes from their velocities what leads off them.

@@ -14,7 +14,10 @@ pub(crate) struct Rest<S, const D: usize> {
     rank: usize,
     /// Held by friction: it does not move at all.
     pub(crate) sticks: bool,
-    /// The whole acceleration of the last evaluation [m/s^2], before the surfaces took their part.
+    /// Where it slides to at the start of the step, of any length: friction goes on against it when the velocity turns
+    /// back within the step, so that the moment when it is zero can be located.
+    pub(crate) heading: [S; D],
+    /// The whole acceleration of the last evaluation [m/s^2], before friction and the surfaces took their part.
     pub(crate) pressing: [S; D],
 }
 
@@ -27,6 +30,7 @@ impl<S: Real, const D: usize> Rest<S, D> {
             rank: 0,
             sticks: false,
             pressing: [S::ZERO; D],
+            heading: [S::ZERO; D],
         }
     }
 

@@ -142,14 +142,17 @@ impl<S: Real, const D: usize> Push<S, D> {
         (self.distance(self.offset(position)) < self.radius).then(|| self.along(position))
     }
 
-    /// The acceleration inside the region [m/s^2], continued beyond its edge.
+    /// The acceleration inside the region [m/s^2], continued beyond its edge to twice the radius.
     #[inline(always)]
     fn along(&self, position: [S; D]) -> [S; D] {
         let r = self.offset(position);
+        let q = self.distance(r) / self.radius;
+        if q > S::ONE + S::ONE {
+            return [S::ZERO; D];
+        }
         let share = match self.profile {
             Profile::Linear => S::ONE,
             Profile::Smooth => {
-                let q = self.distance(r) / self.radius;
                 let fall = S::ONE - q * q;
                 fall * fall
             }
@@ -172,6 +175,21 @@ impl<S: Real, const D: usize> Push<S, D> {
 pub(crate) struct Inside {
     /// One entry a point.
     pub(crate) points: Vec<bool>,
+    /// How many are inside.
+    pub(crate) count: usize,
+}
+
+impl Inside {
+    pub(crate) fn new(points: Vec<bool>) -> Self {
+        Inside { count: points.iter().filter(|&&is_inside| is_inside).count(), points }
+    }
+
+    /// The point is on the other side now.
+    pub(crate) fn toggle(&mut self, point: usize) {
+        let is_inside = &mut self.points[point];
+        *is_inside = !*is_inside;
+        self.count = if *is_inside { self.count + 1 } else { self.count - 1 };
+    }
 }
 
 /// Adds the acceleration by the mouse to `a` and tells how many points were looked at.
@@ -188,6 +206,9 @@ pub(crate) fn push<S: Real, const D: usize>(
 ) -> u64 {
     let push = Push::new(force, cursor);
     if let Some(inside) = inside {
+        if inside.count == 0 {
+            return 0;
+        }
         for i in 0..x.len() {
             if inside.points[i] && w[i] != S::ZERO {
                 a[i] = add(a[i], push.along(x[i]));

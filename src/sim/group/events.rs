@@ -2,6 +2,7 @@
 
 use super::Group;
 use crate::sim::contact::impact::{self, Hit};
+use crate::sim::contact::place;
 use crate::sim::counters::Counters;
 use crate::sim::force::mouse;
 use crate::sim::real::Real;
@@ -13,6 +14,8 @@ use crate::sim::vector::{add, dot, length, scale, sub};
 const MOST_GUESSES: u32 = 60;
 /// Share of a substep below which a flight between two bounces counts as rest, where events are located.
 const SHORTEST_FLIGHT: f64 = 1e-4;
+/// Rounds in which points outside are put back to surfaces, and their bonds to their lengths.
+const MOST_ROUNDS: u32 = 4;
 /// Share of its acceleration that presses a point so little that it counts as let go.
 const LOOSE: f64 = 1e-12;
 
@@ -70,6 +73,9 @@ impl<S: Real, const D: usize> Group<S, D> {
         let (Some(inside), Some((force, cursor))) = (&self.pull.inside, around.mouse_at(t)) else {
             return f64::INFINITY;
         };
+        if inside.count == 0 && !mouse::reaches(&self.points, force, cursor) {
+            return f64::INFINITY;
+        }
         let slack = S::EPSILON.to_f64() * 64.0 * (1.0 + force.radius);
         let mut least = f64::INFINITY;
         for (i, &x) in self.points.position.iter().enumerate() {
@@ -255,25 +261,28 @@ impl<S: Real, const D: usize> Group<S, D> {
     /// Where events are not located: points that went through a surface spend the rest of the way on the way back, at
     /// `restitution` of their speed, as far as their bonds let them.
     fn push_out(&mut self, hits: &[Hit]) {
-        for round in 0..3 {
-            for hit in hits {
-                let surface = &self.pull.contacts.surfaces[hit.surface];
-                let gap = surface.gap(self.points.position[hit.point]);
-                let was_inside = surface.gap(self.before.position[hit.point]) >= S::ZERO;
-                if gap < S::ZERO {
-                    let back = if was_inside && round == 0 { surface.restitution * gap } else { S::ZERO };
-                    let way = scale(surface.normal, -(gap + back));
-                    self.points.position[hit.point] = add(self.points.position[hit.point], way);
-                }
+        for hit in hits {
+            let surface = &self.pull.contacts.surfaces[hit.surface];
+            let (gap, start) = (surface.gap(self.points.position[hit.point]), self.before.position.get(hit.point));
+            let was_inside = start.is_some_and(|&x| surface.gap(x) >= S::ZERO);
+            if gap < S::ZERO && was_inside {
+                let back = scale(surface.normal, -(surface.restitution * gap));
+                self.points.position[hit.point] = add(self.points.position[hit.point], back);
+            }
+        }
+        for _ in 0..MOST_ROUNDS {
+            let out = self.hits(false);
+            if out.is_empty() {
+                return;
             }
             let mut held = self.pull.contacts.clone();
-            for hit in hits {
+            for hit in out {
+                place(&mut self.points, hit.point, &self.pull.contacts.surfaces[hit.surface]);
                 held.touch(hit.point, hit.surface);
             }
-            match &mut self.pull.rigid {
-                Some(rigid) => rigid.project(&mut self.points, &held),
-                None => return,
-            };
+            if let Some(rigid) = &mut self.pull.rigid {
+                rigid.project(&mut self.points, &held);
+            }
         }
     }
 
@@ -290,9 +299,7 @@ impl<S: Real, const D: usize> Group<S, D> {
         }
         counters.events += crossed.len() as u64;
         if let Some(inside) = &mut self.pull.inside {
-            for i in crossed {
-                inside.points[i] = !inside.points[i];
-            }
+            crossed.into_iter().for_each(|point| inside.toggle(point));
         }
     }
 

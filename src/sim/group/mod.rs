@@ -83,6 +83,7 @@ impl<S: Real, const D: usize> Group<S, D> {
         while done < h {
             let (now, left) = (t + done, h - done);
             self.points.save(&mut self.before);
+            self.pull.contacts.set_out(&self.before.velocity);
             let is_fine = self.take(around, (now, left), counters);
             if !(is_fine && guard::is_gentle(&self.watched, &self.before.position, &self.points.position)) {
                 self.points.restore(&self.before);
@@ -172,7 +173,7 @@ impl<S: Real, const D: usize> Group<S, D> {
         self.pull.inside = match around.mouse_at(t) {
             Some((force, cursor)) if self.locates => {
                 let is_inside = |&x: &[S; D]| mouse::depth(force, cursor, x) > 0.0;
-                Some(Inside { points: self.points.position.iter().map(is_inside).collect() })
+                Some(Inside::new(self.points.position.iter().map(is_inside).collect()))
             }
             _ => None,
         };
