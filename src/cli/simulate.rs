@@ -2,6 +2,7 @@
 
 use std::io::Write;
 use std::path::{Path, PathBuf};
+use std::time::Instant;
 
 use anyhow::bail;
 use clap::Args;
@@ -40,6 +41,9 @@ pub(super) struct Arguments {
     /// auto, f32 or f64.
     #[arg(long)]
     precision: Option<PrecisionName>,
+    /// Largest error at every sample [m]: the cheapest setting that reaches it is searched for.
+    #[arg(long, value_name = "E", allow_negative_numbers = true, value_parser = values::above_zero)]
+    tolerance: Option<f64>,
     /// Times to sample at [s], ascending, such as 0.5,1,2; the last one ends the run.
     #[arg(long, value_name = "T,…", allow_hyphen_values = true, value_parser = values::times)]
     samples: Option<Times>,
@@ -69,12 +73,15 @@ pub(super) fn run(arguments: &Arguments, quiet: bool) -> anyhow::Result<()> {
     let times = arguments.times(&scene)?;
     let end = times.last().copied();
     let duration = if arguments.samples.is_some() { end } else { scene.duration.or(end) };
+    let found = search(&mut scene, &times)?;
     let start = scene.world(duration)?;
     let mut world = start.boxed_clone();
     let bar = progress::bar(quiet, end.unwrap_or(0.0));
     let samples = record(&mut *world, &times, |time| bar.set_position((time * progress::SCALE) as u64))?;
     bar.finish_and_clear();
-    let recording = recording(&scene, &*start, &times, &samples, world.counters());
+    let mut recording = recording(&scene, &*start, &times, &samples, world.counters());
+    recording.search_seconds = found.as_ref().map_or(0.0, |found| found.seconds);
+    recording.expected_error = found.as_ref().map(|found| found.expected_error);
     if let Some(path) = &arguments.out {
         output::replace(path, |to| match extension(path).as_deref() {
             Some("csv") => recording.write_csv(to),
@@ -87,7 +94,50 @@ pub(super) fn run(arguments: &Arguments, quiet: bool) -> anyhow::Result<()> {
     if arguments.hash {
         writeln!(std::io::stdout(), "{}", recording.hash)?;
     }
-    Ok(())
+    match found {
+        Some(found) => found.report(&recording),
+        None => Ok(()),
+    }
+}
+
+/// What a search for a setting came to.
+struct Searched {
+    tolerance: f64,
+    expected_error: f64,
+    is_reached: bool,
+    seconds: f64,
+}
+
+/// Finds the setting that the scene's tolerance asks for, if it has one, and puts it into the scene.
+fn search(scene: &mut Scene, times: &[f64]) -> anyhow::Result<Option<Searched>> {
+    let Some(tolerance) = scene.method.tolerance.take() else { return Ok(None) };
+    let clock = Instant::now();
+    let found = scene.search(tolerance, times)?;
+    scene.method.solver = SolverName::NAMES.iter().find_map(|name| {
+        let named: SolverName = name.parse().ok()?;
+        (named.name() == found.method.solver.name()).then_some(named)
+    });
+    scene.method.substep = found.method.substep;
+    let seconds = clock.elapsed().as_secs_f64();
+    Ok(Some(Searched { tolerance, expected_error: found.expected_error, is_reached: found.is_reached, seconds }))
+}
+
+impl Searched {
+    /// Says what was taken and what error to expect.
+    ///
+    /// Errors: the tolerance was not reached.
+    fn report(&self, recording: &Recording) -> anyhow::Result<()> {
+        let taken = format!("{} with a substep of {:?} s", recording.solver, recording.substep);
+        if !self.is_reached {
+            bail!(
+                "an error of {:?} m was not reached: {taken} comes to {:.1e} m (written all the same)",
+                self.tolerance,
+                self.expected_error
+            );
+        }
+        writeln!(std::io::stderr(), "wobble: {taken}, expected error {:.1e} m", self.expected_error)?;
+        Ok(())
+    }
 }
 
 impl Arguments {
@@ -100,6 +150,7 @@ impl Arguments {
         method.order = self.order.or(method.order);
         method.seed = self.seed.or(method.seed);
         method.precision = self.precision.or(method.precision);
+        method.tolerance = self.tolerance.or(method.tolerance);
     }
 
     fn times(&self, scene: &Scene) -> anyhow::Result<Vec<f64>> {
@@ -127,6 +178,7 @@ fn recording(scene: &Scene, start: &dyn Dynamics, times: &[f64], samples: &[Samp
         samples: samples.iter().map(|sample| RecordedSample::new(sample, scene.dimensions())).collect(),
         seconds: seconds(start, times),
         search_seconds: 0.0,
+        expected_error: None,
         counters: RecordedCounters {
             substeps: counters.substeps,
             bonds_solved: counters.bonds_solved,

@@ -10,7 +10,7 @@ use super::support;
 use crate::body::distance;
 use crate::sim::vector::truncate;
 use crate::sim::{
-    Bond, Bounds, Dynamics, Limit, Model, ModelError, MouseForce, Plane, PointId, Profile, Region, Track, build,
+    Bond, Bounds, Dynamics, Found, Limit, Model, ModelError, MouseForce, Plane, PointId, Profile, Region, Track, build, search,
 };
 
 impl Scene {
@@ -72,6 +72,20 @@ impl Scene {
             _ => made(self.model::<3>()?, duration),
         };
         world.map_err(|error| self.source.error(Fault::invalid(error.to_string())))
+    }
+
+    /// The cheapest setting that reaches an error of `tolerance` [m] at every one of `times` [s].
+    ///
+    /// Errors: those of [`Scene::model`]; relaxed bonds, which have no error, being defined by their algorithm.
+    pub fn search(&self, tolerance: f64, times: &[f64]) -> Result<Found, SceneError> {
+        let said = |found: Result<Found, ModelError>| {
+            found.map_err(|error| self.source.error(Fault::invalid(error.to_string())))
+        };
+        let duration = times.last().copied();
+        match self.dimensions() {
+            2 => said(search(&Model { duration, ..self.model::<2>()? }, tolerance, times)),
+            _ => said(search(&Model { duration, ..self.model::<3>()? }, tolerance, times)),
+        }
     }
 
     fn to_model<const D: usize>(&self) -> Result<Model<D>, Fault> {

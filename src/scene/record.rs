@@ -107,6 +107,9 @@ pub struct Recording {
     pub seconds: f64,
     /// Wall time that finding the setting took [s].
     pub search_seconds: f64,
+    /// The error that the setting is expected to have at every sample [m], where it was searched for.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub expected_error: Option<f64>,
     /// Work done.
     pub counters: RecordedCounters,
     /// What the user should know.

@@ -1,0 +1,57 @@
+//! Methods that fit what a scene is made of.
+
+use crate::sim::bond::{BondKind, Limit};
+use crate::sim::model::Model;
+use crate::sim::plan::{choice::MOST_DIRECT, inverse_masses, island::islands};
+use crate::sim::solver::Solver;
+
+/// What a search tries.
+pub(super) struct Candidates {
+    /// What makes the reference: the second where the first fails.
+    pub(super) references: Vec<Solver>,
+    /// What is compared, the likeliest first.
+    pub(super) solvers: Vec<Solver>,
+}
+
+/// The candidates for a model; a solver that it says is the only one.
+pub(super) fn of<const D: usize>(model: &Model<D>) -> Candidates {
+    if model.method.solver != Solver::Auto {
+        return Candidates { references: vec![model.method.solver], solvers: vec![model.method.solver] };
+    }
+    let is = |of: fn(&BondKind) -> bool| model.bonds.iter().any(|bond| of(&bond.kind));
+    let is_relaxed = is(|kind| matches!(kind, BondKind::Relaxed { .. }));
+    let is_rigid = is(|kind| *kind == BondKind::Rigid);
+    let is_damped = is(|kind| matches!(kind, BondKind::Spring { damping, .. } if *damping > 0.0));
+    let has_limits = model.bonds.iter().any(|bond| bond.limit != Limit::Both);
+    let has_surfaces = model.bounds.is_some() || !model.planes.is_empty();
+    let (references, solvers): (&[Solver], &[Solver]) = if is_relaxed {
+        (&[Solver::Verlet], &[Solver::Verlet])
+    } else if model.bonds.is_empty() && !has_surfaces && model.mouse.is_none() {
+        (&[Solver::Flight], &[Solver::Flight])
+    } else if is_rigid {
+        let is_large = islands(&model.bonds, &inverse_masses(model)).iter().any(|island| island.rigid > MOST_DIRECT);
+        if is_large {
+            (&[Solver::Verlet], &[Solver::Verlet])
+        } else {
+            (&[Solver::Rk8, Solver::Pefrl], &[Solver::Rk8, Solver::Rk4, Solver::VelocityVerlet, Solver::Pefrl, Solver::BlanesMoan6])
+        }
+    } else if is_damped || has_surfaces || model.mouse.is_some() || has_limits {
+        (
+            &[Solver::Rk8, Solver::ImplicitMidpoint],
+            &[Solver::Rk8, Solver::Rk4, Solver::VelocityVerlet, Solver::ImplicitMidpoint],
+        )
+    } else {
+        (
+            &[Solver::BlanesMoan6, Solver::ImplicitMidpoint],
+            &[
+                Solver::BlanesMoan6,
+                Solver::BlanesMoan4,
+                Solver::Pefrl,
+                Solver::VelocityVerlet,
+                Solver::Rk8,
+                Solver::ImplicitMidpoint,
+            ],
+        )
+    };
+    Candidates { references: references.to_vec(), solvers: solvers.to_vec() }
+}

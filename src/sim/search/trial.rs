@@ -1,0 +1,142 @@
+//! Runs of one model with different settings, and what they cost.
+
+use crate::sim::dynamics::Dynamics;
+use crate::sim::model::{Method, Model, ModelError};
+use crate::sim::plan::{inverse_masses, island::islands};
+use crate::sim::solver::Solver;
+use crate::sim::world::build;
+
+/// Most work of a whole search, in the units of `sim::cost`: about half a minute.
+const MOST_WORK: f64 = 1e11;
+/// Longest substep that is tried [s].
+const LONGEST: f64 = 0.25;
+
+/// Samples of one run.
+#[derive(Clone, Debug)]
+pub(super) struct Trial {
+    pub(super) method: Method,
+    /// Positions of all points, sample by sample.
+    positions: Vec<Vec<[f64; 3]>>,
+    pub(super) work: f64,
+}
+
+impl Trial {
+    /// The largest distance between two runs, over points and samples [m].
+    pub(super) fn distance(&self, other: &Trial) -> f64 {
+        let apart = |a: &[f64; 3], b: &[f64; 3]| a.iter().zip(b).map(|(a, b)| (a - b) * (a - b)).sum::<f64>();
+        let pairs = self.positions.iter().zip(&other.positions).flat_map(|(a, b)| a.iter().zip(b));
+        pairs.map(|(a, b)| apart(a, b)).fold(0.0, f64::max).sqrt()
+    }
+}
+
+/// Runs a model, and remembers what that cost.
+pub(super) struct Trials<'a, const D: usize> {
+    model: &'a Model<D>,
+    times: &'a [f64],
+    /// Bounds on the fastest oscillation and decay [1/s].
+    frequency: f64,
+    decay: f64,
+    spent: f64,
+    last_work: f64,
+    was_dear: bool,
+    pub(super) substeps: u64,
+}
+
+impl<'a, const D: usize> Trials<'a, D> {
+    pub(super) fn new(model: &'a Model<D>, times: &'a [f64]) -> Self {
+        let islands = islands(&model.bonds, &inverse_masses(model));
+        let most = |of: fn(&crate::sim::plan::island::Island) -> f64| islands.iter().map(of).fold(0.0, f64::max);
+        let mouse = model.mouse.as_ref().map_or(0.0, |mouse| mouse.strength.abs().sqrt());
+        Trials {
+            frequency: most(|island| island.frequency).max(mouse),
+            decay: most(|island| island.decay) + model.drag_rate,
+            model,
+            times,
+            spent: 0.0,
+            last_work: 0.0,
+            was_dear: false,
+            substeps: 0,
+        }
+    }
+
+    /// The longest substep that makes sense for a method: at the edge of its stability, or the one that is said.
+    pub(super) fn longest(&self, solver: Solver) -> f64 {
+        if let Some(substep) = self.model.method.substep {
+            return substep;
+        }
+        let (phase, decay) = match solver {
+            Solver::ImplicitMidpoint | Solver::BackwardEuler | Solver::Flight => (f64::INFINITY, f64::INFINITY),
+            Solver::Rk4 | Solver::Pefrl => (2.6, 2.6),
+            Solver::Rk8 => (5.0, 5.0),
+            Solver::BlanesMoan4 => (4.0, 2.0),
+            Solver::BlanesMoan6 => (8.0, 2.0),
+            _ => (1.9, 1.9),
+        };
+        let end = self.times.last().copied().unwrap_or(0.0);
+        let mut longest = if end > 0.0 { LONGEST.min(end) } else { LONGEST };
+        if self.frequency > 0.0 {
+            longest = longest.min(phase / self.frequency);
+        }
+        if self.decay > 0.0 && solver != Solver::Flight {
+            longest = longest.min(decay / self.decay);
+        }
+        longest
+    }
+
+    /// Whether the search has cost what it may.
+    pub(super) fn is_spent(&self) -> bool {
+        self.spent >= MOST_WORK
+    }
+
+    /// Whether the last run was broken off because it costs more than it might.
+    pub(super) fn was_dear(&self) -> bool {
+        self.was_dear
+    }
+
+    /// Work of the last run that went through.
+    pub(super) fn last_work(&self) -> f64 {
+        self.last_work
+    }
+
+    /// Runs the model; `None` where the motion is not finite, or costs more than `limit` or what is left.
+    pub(super) fn run(&mut self, solver: Solver, substep: f64, limit: f64) -> Result<Option<Trial>, ModelError> {
+        let method = Method { solver, substep: Some(substep), tolerance: None, ..self.model.method };
+        let model = Model { method, ..self.model.clone() };
+        let mut world = build(&model)?;
+        let unit: f64 = world.parts().iter().map(|part| part.work).sum();
+        let limit = limit.min(MOST_WORK - self.spent);
+        let mut positions = Vec::with_capacity(self.times.len());
+        self.was_dear = false;
+        for &time in self.times {
+            while world.time() + world.substep() * (1.0 - 1e-9) <= time {
+                world.step();
+                if work(&*world, unit) > limit {
+                    self.was_dear = true;
+                    self.count(&*world, unit);
+                    return Ok(None);
+                }
+            }
+            positions.push(world.sample(time).position);
+            if !world.is_finite() {
+                self.count(&*world, unit);
+                return Ok(None);
+            }
+        }
+        self.count(&*world, unit);
+        self.last_work = work(&*world, unit);
+        let is_finite = positions.iter().flatten().flatten().all(|x| x.is_finite());
+        Ok(is_finite.then(|| Trial { method, positions, work: self.last_work }))
+    }
+
+    fn count(&mut self, world: &dyn Dynamics, unit: f64) {
+        self.spent += work(world, unit);
+        self.substeps += world.counters().substeps;
+    }
+}
+
+/// Work of a run so far: a split substep is paid for twice over, one that went to the robust method more.
+fn work(world: &dyn Dynamics, unit: f64) -> f64 {
+    let counters = world.counters();
+    let steps = counters.substeps + 2 * counters.guard_splits + 8 * counters.fallbacks + 8 * counters.events;
+    steps as f64 * unit
+}
