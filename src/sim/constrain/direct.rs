@@ -155,6 +155,16 @@ impl<S: Real, const D: usize> Direct<S, D> {
         }
     }
 
+    /// Bound on the fastest oscillation that the tension of the bonds makes [rad/s], by the last multipliers.
+    ///
+    /// A bond under the force lambda d is across as stiff as |lambda|: omega^2 <= max of 2 |lambda| (w_a + w_b), as of a
+    /// taut string. Explicit methods are unstable beyond their limit of omega h, though every bond keeps its length.
+    pub(crate) fn frequency(&self) -> S {
+        let square = |(lambda, row): (&S, &Row<S>)| lambda.abs() * (row.w_a + row.w_b);
+        let most = self.lambda.iter().zip(&self.rows).map(square).fold(S::ZERO, S::max);
+        (most + most).sqrt()
+    }
+
     /// Puts bonds back to their lengths, along their directions where the step ended.
     ///
     /// Newton's method with the matrix of its first round, made anew when that converges slowly; with a shifted matrix

@@ -12,6 +12,7 @@ use crate::sim::points::Points;
 use crate::sim::pull::Pull;
 use crate::sim::real::Real;
 use crate::sim::surroundings::Surroundings;
+use crate::sim::vector::{scale, sub, zero};
 
 /// An integrator.
 #[derive(Clone, Debug)]
@@ -24,6 +25,9 @@ pub(crate) enum Engine<S: Real, const D: usize> {
     RungeKutta(&'static Tableau, Stages<S>, Option<KickDrift<S>>),
     /// Newton's method on a sparse system.
     Implicit(Box<Implicit<S, D>>),
+    /// Points go on as forces take them, then rigid bonds get their lengths along the directions that they have there:
+    /// order 1, takes energy away, and bears any motion.
+    Projected,
     /// Compliant projection with this many sweeps; relaxed bonds are swept after it.
     Xpbd(Vec<CompliantBond<S>>, u32, KickDrift<S>),
 }
@@ -79,6 +83,25 @@ impl<S: Real, const D: usize> Engine<S, D> {
                     sweeps.sweep_after(points, h, counters);
                 }
                 is_held
+            }
+            Engine::Projected => {
+                pull.push(around, t, points, counters);
+                if pull.drag_rate > 0.0 {
+                    verlet::slow(points, libm::exp(-pull.drag_rate * h));
+                }
+                verlet::kick(points, pull.gravity, h);
+                verlet::predict(points, h);
+                let before = points.position.clone();
+                verlet::advance(points);
+                let is_held = pull.project(points, counters);
+                let rate = S::from_f64(1.0 / h);
+                for i in 0..points.len() {
+                    if points.inverse_mass[i] != S::ZERO {
+                        points.velocity[i] = scale(sub(points.position[i], before[i]), rate);
+                        points.velocity_lost[i] = zero();
+                    }
+                }
+                pull.project(points, counters) && is_held
             }
             Engine::Implicit(implicit) => implicit.step(points, pull, around, (t, h), counters),
             Engine::Xpbd(bonds, sweeps, after) => {

@@ -3,6 +3,7 @@
 use super::Group;
 use crate::sim::contact::impact::{self, Hit};
 use crate::sim::contact::place;
+use crate::sim::contact::surface::Surface;
 use crate::sim::counters::Counters;
 use crate::sim::force::mouse;
 use crate::sim::real::Real;
@@ -19,76 +20,134 @@ const MOST_ROUNDS: u32 = 4;
 /// Share of its acceleration that presses a point so little that it counts as let go.
 const LOOSE: f64 = 1e-12;
 
+/// Something that happens when its margin falls to 0.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Event {
+    /// A point reaches a surface.
+    Hit { point: usize, surface: usize },
+    /// A point crosses the edge of the mouse region.
+    Cross { point: usize },
+    /// A resting point is no longer pressed onto a surface.
+    Lift { point: u32, surface: u32 },
+    /// A point that friction holds begins to slide.
+    Slip { point: u32 },
+    /// A sliding point stops.
+    Stop { point: u32 },
+}
+
+/// The least margin, and one of interest.
+#[derive(Clone, Copy, Debug)]
+struct Margins {
+    least: f64,
+    /// Whose margin is the least.
+    next: Option<Event>,
+    /// The margin of the event that was asked for.
+    asked: f64,
+}
+
+impl Margins {
+    fn see(&mut self, event: Event, margin: f64, asked: Option<Event>) {
+        if margin < self.least {
+            (self.least, self.next) = (margin, Some(event));
+        }
+        if asked == Some(event) {
+            self.asked = margin;
+        }
+    }
+}
+
 impl<S: Real, const D: usize> Group<S, D> {
-    /// How far the state is from the next event: below 0 one has been passed. Points that rest are left out.
-    fn margin(&mut self, around: &Surroundings<D>, t: f64, counters: &mut Counters) -> f64 {
-        let mut least = self.pressing_margin(around, t, counters);
+    /// How far the state is from its events: below 0 one has been passed. Points that rest hit nothing.
+    fn margins(
+        &mut self,
+        around: &Surroundings<D>,
+        t: f64,
+        asked: Option<Event>,
+        counters: &mut Counters,
+    ) -> Margins {
+        let mut margins = Margins { least: f64::INFINITY, next: None, asked: f64::INFINITY };
+        let mut see = |event, margin| margins.see(event, margin, asked);
+        self.see_rests(around, t, counters, &mut see);
+        self.see_surfaces(&mut see);
+        self.see_mouse(around, t, &mut see);
+        margins
+    }
+
+    fn see_surfaces(&self, see: &mut impl FnMut(Event, f64)) {
         for (s, surface) in self.pull.contacts.surfaces.iter().enumerate() {
             let slack = surface.slack();
             for (i, &x) in self.points.position.iter().enumerate() {
                 let gap = surface.gap(x);
-                if gap < S::from_f64(least) && self.can_hit(i, s) {
+                if self.can_hit(i, s) {
                     // Within the slack is on the surface: there it counts where the point goes.
-                    let comes = dot(self.points.velocity[i], surface.normal) < S::ZERO;
-                    least = at_edge(gap.to_f64(), slack.to_f64(), comes);
+                    let margin = at_edge(gap.to_f64(), slack.to_f64(), self.comes(i, surface));
+                    see(Event::Hit { point: i, surface: s }, margin);
                 }
             }
         }
-        least.min(self.mouse_margin(around, t)).min(self.sliding_margin())
     }
 
-    /// How firmly resting points are pressed and sticking ones held, relative to their accelerations.
-    fn pressing_margin(&mut self, around: &Surroundings<D>, t: f64, counters: &mut Counters) -> f64 {
-        let mut least = f64::INFINITY;
+    /// How firmly resting points are pressed, sticking ones held, and how much sliding ones have kept of their speed.
+    fn see_rests(
+        &mut self,
+        around: &Surroundings<D>,
+        t: f64,
+        counters: &mut Counters,
+        see: &mut impl FnMut(Event, f64),
+    ) {
         if self.pull.contacts.is_idle() || !self.locates {
-            return least;
+            return;
         }
         self.accelerations(around, t, counters);
         let contacts = &self.pull.contacts;
         for rest in &contacts.rests {
-            let size = length(rest.pressing);
-            if size == S::ZERO {
-                continue;
+            let (point, size) = (rest.point, length(rest.pressing));
+            let along = rest.along(rest.pressing);
+            let grip = rest.grip(&contacts.surfaces);
+            if size > S::ZERO {
+                for &surface in rest.surfaces() {
+                    let press = -(dot(rest.pressing, contacts.surfaces[surface as usize].normal) / size).to_f64();
+                    see(Event::Lift { point, surface }, at_edge(press, LOOSE, true));
+                }
+                if rest.sticks {
+                    let most = grip * length(sub(rest.pressing, along));
+                    let margin = ((most - length(along)) / size).to_f64();
+                    see(Event::Slip { point }, at_edge(margin, LOOSE, true));
+                }
             }
-            for &s in rest.surfaces() {
-                let press = -(dot(rest.pressing, contacts.surfaces[s as usize].normal) / size).to_f64();
-                least = least.min(if press.abs() <= LOOSE { 0.0 } else { press });
-            }
-            if rest.sticks {
-                let along = rest.along(rest.pressing);
-                let most = rest.grip(&contacts.surfaces) * length(sub(rest.pressing, along));
-                let hold = ((most - length(along)) / size).to_f64();
-                least = least.min(if hold.abs() <= LOOSE { 0.0 } else { hold });
+            let square = dot(rest.heading, rest.heading);
+            if !rest.sticks && grip > S::ZERO && square > S::ZERO {
+                let kept = dot(rest.heading, self.points.velocity[point as usize]) / square;
+                see(Event::Stop { point }, at_edge(kept.to_f64(), LOOSE, true));
             }
         }
-        least
     }
 
-    fn can_hit(&self, point: usize, surface: usize) -> bool {
-        self.points.inverse_mass[point] != S::ZERO && !self.pull.contacts.rests_on(point, surface)
-    }
-
-    /// The least depth of points that count as inside the mouse region, and of those outside with a minus.
-    fn mouse_margin(&self, around: &Surroundings<D>, t: f64) -> f64 {
-        let (Some(inside), Some((force, cursor))) = (&self.pull.inside, around.mouse_at(t)) else {
-            return f64::INFINITY;
-        };
+    /// The depth of points that count as inside the mouse region, and of those outside with a minus.
+    fn see_mouse(&self, around: &Surroundings<D>, t: f64, see: &mut impl FnMut(Event, f64)) {
+        let (Some(inside), Some((force, cursor))) = (&self.pull.inside, around.mouse_at(t)) else { return };
         if inside.count == 0 && !mouse::reaches(&self.points, force, cursor) {
-            return f64::INFINITY;
+            return;
         }
         let slack = S::EPSILON.to_f64() * 64.0 * (1.0 + force.radius);
-        let mut least = f64::INFINITY;
         for (i, &x) in self.points.position.iter().enumerate() {
             if self.points.inverse_mass[i] != S::ZERO {
                 let depth = mouse::depth(force, cursor, x);
                 let margin = if inside.points[i] { depth } else { -depth };
-                if margin < least {
-                    let crosses = || self.goes_in(around, t, i, depth) != inside.points[i];
-                    least = at_edge(margin, slack, margin.abs() <= slack && crosses());
-                }
+                let crosses = margin.abs() <= slack && self.goes_in(around, t, i, depth) != inside.points[i];
+                see(Event::Cross { point: i }, at_edge(margin, slack, crosses));
             }
         }
-        least
+    }
+
+    /// Whether a point moves into a surface, faster than rounding does.
+    fn comes(&self, point: usize, surface: &Surface<S, D>) -> bool {
+        let off = dot(self.points.velocity[point], surface.normal);
+        off * S::from_f64(self.substep) < -surface.slack()
+    }
+
+    fn can_hit(&self, point: usize, surface: usize) -> bool {
+        self.points.inverse_mass[point] != S::ZERO && !self.pull.contacts.rests_on(point, surface)
     }
 
     /// Whether a point gets deeper into the mouse region.
@@ -96,24 +155,6 @@ impl<S: Real, const D: usize> Group<S, D> {
         let ahead = 1e-6 * self.substep;
         let soon = add(self.points.position[point], scale(self.points.velocity[point], S::from_f64(ahead)));
         around.mouse_at(t + ahead).is_some_and(|(force, cursor)| mouse::depth(force, cursor, soon) > depth)
-    }
-
-    /// The least share of its velocity that a sliding point has kept in its direction: below 0 it would go back.
-    fn sliding_margin(&self) -> f64 {
-        let contacts = &self.pull.contacts;
-        let mut least = f64::INFINITY;
-        for rest in &contacts.rests {
-            let i = rest.point as usize;
-            if rest.sticks || rest.grip(&contacts.surfaces) == S::ZERO {
-                continue;
-            }
-            let before = rest.along(self.before.velocity[i]);
-            let square = dot(before, before);
-            if square > S::ZERO {
-                least = least.min((dot(before, self.points.velocity[i]) / square).to_f64());
-            }
-        }
-        least
     }
 
     /// After a step from `t` to `t + h`: deals with the first event that it passed, if it passed one.
@@ -126,14 +167,18 @@ impl<S: Real, const D: usize> Group<S, D> {
         may_locate: bool,
         counters: &mut Counters,
     ) -> f64 {
-        let passed = self.margin(around, t + h, counters);
+        let passed = self.margins(around, t + h, None, counters);
         let mut taken = h;
-        if passed < 0.0 && self.locates && may_locate {
-            taken = self.locate(around, (t, h), passed, counters);
+        if passed.least < 0.0
+            && self.locates
+            && may_locate
+            && let Some(event) = passed.next
+        {
+            taken = self.locate(around, (t, h), (event, passed.least), counters);
         }
         self.pull.contacts.settle(&mut self.points);
-        if passed <= 0.0 {
-            self.happen(around, (t, taken, h), taken < h || passed == 0.0, counters);
+        if passed.least <= 0.0 {
+            self.happen(around, (t, taken, h), taken < h || passed.least == 0.0, counters);
         } else if !self.pull.contacts.is_idle() {
             self.review(around, t + taken, counters);
         }
@@ -166,53 +211,76 @@ impl<S: Real, const D: usize> Group<S, D> {
         self.review(around, t, counters);
     }
 
-    /// Goes back and takes the part of the step that ends at the event. Returns that part.
-    fn locate(&mut self, around: &Surroundings<D>, (t, h): (f64, f64), passed: f64, counters: &mut Counters) -> f64 {
-        let mut low = (h, 0.0);
-        while low.1 <= 0.0 {
-            low.0 *= 0.5;
-            if low.0 < h * SHORTEST_FLIGHT {
-                self.retake(around, (t, h), counters);
-                return h;
-            }
-            low.1 = self.retake(around, (t, low.0), counters);
-        }
-        let high = if low.0 > 0.4 * h { (h, passed) } else {
-            let end = 2.0 * low.0;
-            (end, self.retake(around, (t, end), counters))
-        };
-        if high.1 >= 0.0 {
-            return self.locate_on(around, (t, h), (low, (h, passed)), counters);
-        }
-        self.locate_on(around, (t, h), (low, high), counters)
-    }
-
-    fn locate_on(
+    /// Goes back and takes the part of the step that ends at the first event. Returns that part, or `h` where none can
+    /// be told from the start.
+    fn locate(
         &mut self,
         around: &Surroundings<D>,
         (t, h): (f64, f64),
-        (low, high): ((f64, f64), (f64, f64)),
+        (event, value): (Event, f64),
         counters: &mut Counters,
     ) -> f64 {
+        let (mut event, mut high) = (event, (h, value));
+        loop {
+            let mut low = (0.5 * high.0, 0.0);
+            loop {
+                let seen = self.retake(around, (t, low.0), event, counters);
+                low.1 = seen.asked;
+                if low.1 > 0.0 {
+                    break;
+                }
+                high = if low.1 < 0.0 { low } else { high };
+                low.0 *= 0.5;
+                if low.0 < h * SHORTEST_FLIGHT {
+                    self.retake(around, (t, h), event, counters);
+                    return h;
+                }
+            }
+            match self.close_in(around, t, event, (low, high), counters) {
+                (at, None) => return at,
+                // Another event comes first.
+                (at, Some((earlier, value))) => (event, high) = (earlier, (at, value)),
+            }
+        }
+    }
+
+    /// The root of an event's margin; or where another event was found to have been passed already.
+    fn close_in(
+        &mut self,
+        around: &Surroundings<D>,
+        t: f64,
+        event: Event,
+        (low, high): ((f64, f64), (f64, f64)),
+        counters: &mut Counters,
+    ) -> (f64, Option<(Event, f64)>) {
         let mut root = Root::between(low, high);
         let mut at = high.0;
         for _ in 0..MOST_GUESSES {
             at = root.guess();
-            let value = self.retake(around, (t, at), counters);
-            if value == 0.0 || root.width() < 1e-15 * h.max(t) {
+            let seen = self.retake(around, (t, at), event, counters);
+            if let Some(earlier) = seen.next.filter(|&next| seen.least < 0.0 && next != event && seen.asked > 0.0) {
+                return (at, Some((earlier, seen.least)));
+            }
+            if seen.asked == 0.0 || root.width() < 4.0 * f64::EPSILON * (t + high.0) {
                 break;
             }
-            root.narrow(at, value);
+            root.narrow(at, seen.asked);
         }
-        at
+        (at, None)
     }
 
-    /// Takes a step of `h` from the state before. Returns the margin that it ends with.
-    fn retake(&mut self, around: &Surroundings<D>, (t, h): (f64, f64), counters: &mut Counters) -> f64 {
+    /// Takes a step of `h` from the state before. Returns the margins that it ends with.
+    fn retake(
+        &mut self,
+        around: &Surroundings<D>,
+        (t, h): (f64, f64),
+        event: Event,
+        counters: &mut Counters,
+    ) -> Margins {
         self.points.restore(&self.before);
         self.engine.refresh();
         self.take(around, (t, h), counters);
-        self.margin(around, t + h, counters)
+        self.margins(around, t + h, Some(event), counters)
     }
 
     /// Deals with all events at the state reached.
@@ -249,7 +317,7 @@ impl<S: Real, const D: usize> Group<S, D> {
             let slack = surface.slack();
             let reach = if is_located { slack * S::from_f64(16.0) } else { -slack };
             for (i, &x) in self.points.position.iter().enumerate() {
-                let comes = dot(self.points.velocity[i], surface.normal) < S::ZERO;
+                let comes = self.comes(i, surface);
                 if surface.gap(x) <= reach && self.can_hit(i, s) && (comes || !is_located) {
                     hits.push(Hit { point: i, surface: s });
                 }

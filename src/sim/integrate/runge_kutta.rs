@@ -6,6 +6,7 @@
 
 use super::tableau::Tableau;
 use super::verlet::accumulate;
+use crate::sim::constrain::direct::Direct;
 use crate::sim::counters::Counters;
 use crate::sim::points::Points;
 use crate::sim::pull::Pull;
@@ -37,7 +38,8 @@ impl<S: Real> Stages<S> {
     }
 }
 
-/// Advances by `h` from time `t`. Returns whether rigid bonds could be held.
+/// Advances by `h` from time `t`. Returns whether rigid bonds could be held; a substep beyond the limit of stability
+/// of taut bonds is not begun.
 pub(crate) fn step<S: Real, const D: usize>(
     points: &mut Points<S, D>,
     pull: &mut Pull<S, D>,
@@ -53,6 +55,10 @@ pub(crate) fn step<S: Real, const D: usize>(
             stages.velocity[0].copy_from_slice(points.velocity.as_flattened());
             let (v, a) = (chunks(&stages.velocity[0]), chunks_mut(&mut stages.acceleration[0]));
             pull.accelerate(around, time, (&points.position, v, &points.inverse_mass), a, counters);
+            let too_fast = |rigid: &Direct<S, D>| rigid.frequency().to_f64() * h > table.stability;
+            if pull.rigid.as_ref().is_some_and(too_fast) {
+                return false;
+            }
             continue;
         }
         scale_row(&mut stages.row, coefficients, h);

@@ -11,15 +11,17 @@ pub(crate) struct Tableau {
     pub(crate) weights: &'static [(usize, f64)],
     /// c_i.
     pub(crate) nodes: &'static [f64],
+    /// Largest omega h of an oscillation that does not grow, or grows slowly enough to be of use.
+    pub(crate) stability: f64,
 }
 
 /// Explicit Euler: order 1, unstable on every undamped oscillation (it grows by sqrt(1 + (omega h)^2) a step).
-pub(crate) static EULER: Tableau = Tableau { stages: &[&[]], weights: &[(0, 1.0)], nodes: &[0.0] };
+pub(crate) static EULER: Tableau = Tableau { stages: &[&[]], weights: &[(0, 1.0)], nodes: &[0.0], stability: 1.0 };
 
 /// The midpoint method: order 2; slowly unstable on undamped oscillations.
 /// Source: C. Runge, Math. Ann. 46, 167 (1895).
 pub(crate) static RK2: Tableau =
-    Tableau { stages: &[&[], &[(0, 0.5)]], weights: &[(1, 1.0)], nodes: &[0.0, 0.5] };
+    Tableau { stages: &[&[], &[(0, 0.5)]], weights: &[(1, 1.0)], nodes: &[0.0, 0.5], stability: 1.0 };
 
 /// The classical method: order 4, stable on oscillations up to omega h = 2.828.
 /// Source: W. Kutta, Z. Math. Phys. 46, 435 (1901).
@@ -27,6 +29,7 @@ pub(crate) static RK4: Tableau = Tableau {
     stages: &[&[], &[(0, 0.5)], &[(1, 0.5)], &[(2, 1.0)]],
     weights: &[(0, 1.0 / 6.0), (1, 1.0 / 3.0), (2, 1.0 / 3.0), (3, 1.0 / 6.0)],
     nodes: &[0.0, 0.5, 0.5, 1.0],
+    stability: 2.5,
 };
 
 /// The method of order 8 of Dormand and Prince in twelve stages.
@@ -48,6 +51,7 @@ pub(crate) static RK8: Tableau = Tableau {
     ],
     weights: &[(0, 0.054293734116568765), (5, 4.450312892752409), (6, 1.8915178993145003), (7, -5.801203960010585), (8, 0.3111643669578199), (9, -0.1521609496625161), (10, 0.20136540080403034), (11, 0.04471061572777259)],
     nodes: &[0.0, 0.05260015195876773, 0.0789002279381516, 0.1183503419072274, 0.2816496580927726, 0.3333333333333333, 0.25, 0.3076923076923077, 0.6512820512820513, 0.6, 0.8571428571428571, 1.0],
+    stability: 4.0,
 };
 
 #[cfg(test)]

@@ -355,15 +355,17 @@ impl<S: Real, const D: usize> Maker<'_, S, D> {
         }
     }
 
-    /// The next more robust method: backward Euler, which nothing makes unstable, with rigid bonds as its constraints.
+    /// The next more robust method: for rigid bonds projection along their new directions, for springs backward Euler,
+    /// which nothing makes unstable.
     fn robust(&self, bonds: &[(u32, Bond)], points: &Points<S, D>, pull: &Pull<S, D>) -> Option<Engine<S, D>> {
-        let takes_all = bonds.iter().all(|(_, bond)| !matches!(bond.kind, BondKind::Relaxed { .. }));
-        let has_bonds = !bonds.is_empty();
-        let solver = self.lot.choice.solver;
-        let is_robust = matches!(solver, Solver::BackwardEuler | Solver::Xpbd | Solver::Relaxation);
-        let is_small = points.len() <= MOST_LOCATED && pull.rigid.is_some() == bonds.iter().any(|(_, bond)| bond.kind == BondKind::Rigid);
-        (takes_all && has_bonds && !is_robust && is_small)
-            .then(|| Engine::Implicit(Box::new(implicit(false, bonds, points, pull))))
+        let is_robust =
+            matches!(self.lot.choice.solver, Solver::BackwardEuler | Solver::Xpbd | Solver::Relaxation);
+        if pull.rigid.is_some() {
+            return Some(Engine::Projected);
+        }
+        let is_spring = |(_, bond): &(u32, Bond)| matches!(bond.kind, BondKind::Spring { .. });
+        let is_fit = !bonds.is_empty() && bonds.iter().all(is_spring) && points.len() <= MOST_LOCATED;
+        (is_fit && !is_robust).then(|| Engine::Implicit(Box::new(implicit(false, bonds, points, pull))))
     }
 }
 

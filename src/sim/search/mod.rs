@@ -27,7 +27,12 @@ pub struct Found {
 const SHARE: f64 = 0.4;
 /// A reference is good when halving its substep changes no sample by more than this share of the tolerance.
 const REFERENCE: f64 = 0.02;
-/// Halvings of a substep before a method is given up.
+/// Changes of a sample that may be rounding [m]: where they stop falling, halving on is of no use.
+const ROUNDING: f64 = 1e-9;
+/// From one substep of a reference to the next: not a half, for guards split substeps in halves, and two runs that a
+/// guard brings to the same substeps would agree in their errors.
+const CUT: f64 = 0.45;
+/// Cuts of a substep before a method is given up.
 const MOST_HALVINGS: u32 = 24;
 
 /// Finds the cheapest setting that reaches `tolerance` [m] at every one of `times` [s].
@@ -80,15 +85,15 @@ fn find_reference<const D: usize>(
         let mut worse = 0;
         for _ in 0..MOST_HALVINGS {
             if let Some(trial) = trials.run(solver, substep, f64::INFINITY)? {
-                if let Some(last) = &last {
+                if let Some(last) = last.as_ref().filter(|last| trial.work > 1.3 * last.work) {
                     let now = trial.distance(last);
-                    worse = if now > 0.7 * change { worse + 1 } else { 0 };
-                    change = now;
+                    worse = if now > 0.7 * change && now < ROUNDING { worse + 1 } else { 0 };
+                    let before = std::mem::replace(&mut change, now);
                     let uncertainty = change / f64::from(1_u32 << solver.order().min(4)).max(2.0);
                     if best.as_ref().is_none_or(|best| uncertainty < best.uncertainty) {
                         best = Some(Reference { trial: trial.clone(), uncertainty });
                     }
-                    if change <= REFERENCE * tolerance {
+                    if change <= REFERENCE * tolerance && before <= tolerance {
                         return Ok(best);
                     }
                 }
@@ -99,7 +104,7 @@ fn find_reference<const D: usize>(
             if worse >= 3 || trials.is_spent() {
                 break;
             }
-            substep *= 0.5;
+            substep *= CUT;
         }
         if best.as_ref().is_some_and(|best| best.uncertainty <= tolerance) || trials.is_spent() {
             break;
@@ -120,7 +125,7 @@ fn cheapest<const D: usize>(
     let mut substep = trials.longest(solver);
     let mut best: Option<(Trial, f64)> = None;
     let mut last: Option<(f64, f64)> = None;
-    let (mut too_long, mut tries) = (f64::INFINITY, 0);
+    let (mut too_long, mut tries, mut idle) = (f64::INFINITY, 0, 0);
     for _ in 0..MOST_HALVINGS {
         let limit = best.as_ref().map_or(limit, |(trial, _)| trial.work);
         let trial = trials.run(solver, substep, limit)?;
@@ -153,6 +158,11 @@ fn cheapest<const D: usize>(
                 break;
             }
         }
+        // An error that does not fall with the substep is the reference's: no substep will do.
+        idle = if order < 0.5 { idle + 1 } else { 0 };
+        if idle > 2 {
+            break;
+        }
         last = Some((substep, error));
         substep *= share;
         if trials.is_spent() {
@@ -166,7 +176,7 @@ fn cheapest<const D: usize>(
 fn order_seen(last: Option<(f64, f64)>, now: (f64, f64)) -> Option<f64> {
     let (h, error) = last?;
     let order = (error / now.1).ln() / (h / now.0).ln();
-    (order.is_finite() && order > 0.5).then(|| order.min(12.0))
+    order.is_finite().then(|| order.clamp(0.4, 12.0))
 }
 
 /// Where no reference could be made at all: the first method that runs.
