@@ -9,7 +9,7 @@ use std::process::Command;
 use glam::DVec2;
 use image::RgbaImage;
 use wobble::render::{Camera, Capture, Look, Overlay, Pose, View};
-use wobble::sim::{Bond, BondKind, Limit, PointId, Positions};
+use wobble::sim::{Bond, BondKind, Cursor, Limit, MouseForce, PointId, Positions, Profile, Region, Track};
 
 /// The picture that the program itself draws.
 fn rendered(scene: &str, time: &str) -> RgbaImage {
@@ -217,4 +217,35 @@ fn an_animation_is_written_whole() {
     };
     let frames = read(&out);
     assert_eq!((frames.len(), frames[0].buffer().dimensions()), (3, (40, 30)));
+}
+
+/// A mouse region of 20 px around a cursor that is not in the middle of a pixel.
+fn region_picture(region: Region, radius: f64, at: DVec2) -> RgbaImage {
+    let force = MouseForce { strength: 1.0, radius, region, profile: Profile::Smooth, track: Track::default() };
+    let seen = View { mouse: Some((&force, Cursor::at([at.x, at.y]))), ..view(&[], &[], 2) };
+    let look = Look { region: [1.0; 4], outline_width: 2.0, ..plain() };
+    Capture::new([SIDE, SIDE], 2).unwrap().picture(&seen, &pixels(), &look).unwrap()
+}
+
+#[test]
+fn the_region_is_as_large_as_its_radius_and_filled_to_its_edge() {
+    if common::gpu().is_none() {
+        return;
+    }
+    let (radius, center) = (20.0, DVec2::new(1.25, -2.6));
+    for region in [Region::Round, Region::Square] {
+        let picture = region_picture(region, radius, center);
+        for (x, y, pixel) in picture.enumerate_pixels() {
+            let middle = DVec2::new(f64::from(x) + 0.5, f64::from(y) + 0.5) - 0.5 * f64::from(SIDE);
+            let offset = (DVec2::new(middle.x, -middle.y) - center).abs();
+            let from_center = if region == Region::Round { offset.length() } else { offset.max_element() };
+            // The outline is 2 px wide, and a pixel reaches 0.71 px from its middle.
+            match from_center - radius {
+                beyond if beyond > 1.71 => assert_eq!(pixel[0], 0, "{region:?}: {x} {y} is outside"),
+                beyond if beyond < -1.71 => assert_eq!(pixel[0], 18, "{region:?}: {x} {y} is inside, 0.07 of 255"),
+                beyond if beyond.abs() < 0.29 => assert_eq!(pixel[0], 255, "{region:?}: {x} {y} is the outline"),
+                _ => {}
+            }
+        }
+    }
 }
