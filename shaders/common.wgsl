@@ -27,7 +27,8 @@ struct Frame {
     strain_scale: f32,
     // Width of outlines [px].
     outline_width: f32,
-    padding: f32,
+    // Least distance from the camera that is seen [m]: what lies nearer is cut off. 0 in the plane.
+    near: f32,
 }
 
 @group(0) @binding(0) var<uniform> frame: Frame;
@@ -76,24 +77,21 @@ struct Stroke {
     @location(2) @interpolate(flat) width: f32,
 }
 
-// Smallest clip w in front of the camera: what lies nearer is cut off.
-const NEAREST: f32 = 1e-4;
-
 fn stroke(vertex: u32, world_a: vec3<f32>, world_b: vec3<f32>, color: vec4<f32>, width: f32) -> Stroke {
     var a = frame.clip_from_world * vec4(world_a, 1.0);
     var b = frame.clip_from_world * vec4(world_b, 1.0);
     var out: Stroke;
     out.color = color;
     out.width = width;
-    if a.w < NEAREST && b.w < NEAREST {
+    if a.w < frame.near && b.w < frame.near {
         out.position = nowhere();
         return out;
     }
-    if a.w < NEAREST {
-        a = mix(a, b, (NEAREST - a.w) / (b.w - a.w));
+    if a.w < frame.near {
+        a = mix(a, b, (frame.near - a.w) / (b.w - a.w));
     }
-    if b.w < NEAREST {
-        b = mix(b, a, (NEAREST - b.w) / (a.w - b.w));
+    if b.w < frame.near {
+        b = mix(b, a, (frame.near - b.w) / (a.w - b.w));
     }
     let from_pixel = pixel_of(a);
     let to_pixel = pixel_of(b);

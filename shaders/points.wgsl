@@ -18,7 +18,7 @@ fn vertex(@builtin(vertex_index) index: u32) -> Disc {
     var out: Disc;
     out.color = select(frame.point_color, frame.pin_color, is_pinned);
     out.radius = frame.point_radius * select(1.0, 1.35, is_pinned);
-    if clip.w < NEAREST {
+    if clip.w < frame.near {
         out.position = nowhere();
         return out;
     }

@@ -6,7 +6,7 @@ mod common;
 use std::path::Path;
 use std::process::Command;
 
-use glam::DVec2;
+use glam::{DVec2, DVec3};
 use image::RgbaImage;
 use wobble::render::{Camera, Capture, Look, Overlay, Pose, View};
 use wobble::sim::{Bond, BondKind, Cursor, Limit, MouseForce, PointId, Positions, Profile, Region, Track};
@@ -89,6 +89,10 @@ fn view<'a>(positions: &'a [f32], bonds: &'a [Bond], dimensions: usize) -> View<
     }
 }
 
+fn bond(a: u32, b: u32) -> Bond {
+    Bond { a: PointId(a), b: PointId(b), rest_length: 1.0, kind: BondKind::Rigid, limit: Limit::Both }
+}
+
 const SIDE: u32 = 64;
 
 /// A camera under which a metre is a pixel and the origin is the middle of the picture.
@@ -138,10 +142,9 @@ fn a_line_covers_what_its_formula_says() {
     }
     let (a, b) = (DVec2::new(-20.4, -13.7), DVec2::new(17.1, 9.2));
     let positions = [a.x as f32, a.y as f32, b.x as f32, b.y as f32];
-    let bond = Bond { a: PointId(0), b: PointId(1), rest_length: 1.0, kind: BondKind::Rigid, limit: Limit::Both };
     let look = Look { point: [0.0; 4], ..plain() };
     let mut capture = Capture::new([SIDE, SIDE], 2).unwrap();
-    let picture = capture.picture(&view(&positions, &[bond], 2), &pixels(), &look).unwrap();
+    let picture = capture.picture(&view(&positions, &[bond(0, 1)], 2), &pixels(), &look).unwrap();
     assert_coverage(&picture, |at| {
         let t = ((at - a).dot(b - a) / (b - a).length_squared()).clamp(0.0, 1.0);
         at.distance(a + (b - a) * t) <= 0.5 * f64::from(look.bond_width)
@@ -247,5 +250,31 @@ fn the_region_is_as_large_as_its_radius_and_filled_to_its_edge() {
                 _ => {}
             }
         }
+    }
+}
+
+/// A camera in space that looks at the origin from `distance` [m].
+fn from_afar(distance: f64) -> Camera {
+    Camera::new(Pose::Orbit { target: DVec3::ZERO, distance, yaw: 0.0, pitch: 0.0 }, [SIDE, SIDE])
+}
+
+#[test]
+fn in_space_small_things_look_as_large_ones_do() {
+    if common::gpu().is_none() {
+        return;
+    }
+    let picture = |size: f32| {
+        let positions = [-1.0, -0.2, 0.3, 1.0, 0.4, -0.5].map(|x| x * size);
+        // The second bond goes past the camera.
+        let past = [[-0.4, -0.4, 0.0], [0.6, 0.3, 8.0]].as_flattened().iter().map(|x| x * size);
+        let positions: Vec<f32> = positions.into_iter().chain(past).collect();
+        let bonds = [bond(0, 1), bond(2, 3)].map(|bond| Bond { rest_length: f64::from(size), ..bond });
+        let camera = from_afar(4.0 * f64::from(size));
+        Capture::new([SIDE, SIDE], 3).unwrap().picture(&view(&positions, &bonds, 3), &camera, &plain()).unwrap()
+    };
+    let large = picture(1.0);
+    assert!(large.pixels().filter(|pixel| pixel[0] > 128).count() > 100, "it is in the picture");
+    for size in [2.0_f32.powi(-13), 2.0_f32.powi(-17)] {
+        assert!(picture(size) == large, "{size} m");
     }
 }
