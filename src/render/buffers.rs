@@ -225,11 +225,13 @@ impl WorldBuffers {
     }
 }
 
-/// A bit a point: 1 = pinned.
+/// A bit a point: 1 = pinned. Pins of points that there are not are left out.
 fn pin_bits(pinned: &[PointId], point_count: u32) -> Vec<u32> {
     let mut bits = vec![0_u32; (point_count as usize).div_ceil(32)];
     for pin in pinned {
-        bits[pin.index() / 32] |= 1 << (pin.0 % 32);
+        if let Some(word) = bits.get_mut(pin.index() / 32) {
+            *word |= 1 << (pin.0 % 32);
+        }
     }
     bits
 }
@@ -250,5 +252,7 @@ mod tests {
     fn pins_are_bits() {
         assert_eq!(pin_bits(&[PointId(0), PointId(33)], 40), [1, 2]);
         assert!(pin_bits(&[], 0).is_empty());
+        assert_eq!(pin_bits(&[PointId(64), PointId(u32::MAX), PointId(1)], 40), [2, 0]);
+        assert!(pin_bits(&[PointId(0)], 0).is_empty());
     }
 }
