@@ -178,11 +178,16 @@ fn a_still_world_uploads_nothing() {
     capture.picture(&seen, &pixels(), &plain()).unwrap();
     let second = *capture.renderer().counters();
     assert_eq!((first.uploads, first.bytes_uploaded), (second.uploads, second.bytes_uploaded));
-    assert_eq!(second.frames_drawn, 2);
+    assert_eq!((first.draws, first.frames_drawn, first.submits), (2, 1, 1), "the grid and the points");
+    assert_eq!(second, first, "an unchanged picture is not drawn again");
     let moved = View { motion: 1, ..seen };
     capture.picture(&moved, &pixels(), &plain()).unwrap();
     let third = *capture.renderer().counters();
     assert_eq!(third.bytes_uploaded - second.bytes_uploaded, 2 * 16, "two states of two points, nothing else");
+    assert_eq!((third.draws, third.frames_drawn, third.submits), (4, 2, 2));
+    let before = capture.picture(&moved, &pixels(), &plain()).unwrap();
+    let after = capture.picture(&moved, &pixels(), &Look { ground: [0.5; 4], ..plain() }).unwrap();
+    assert!(before != after, "the ground is not uploaded, but drawn");
 }
 
 #[test]
@@ -277,4 +282,45 @@ fn in_space_small_things_look_as_large_ones_do() {
     for size in [2.0_f32.powi(-13), 2.0_f32.powi(-17)] {
         assert!(picture(size) == large, "{size} m");
     }
+}
+
+/// A zigzag of `count` bonds, and its positions in the plane [px].
+fn zigzag(count: u32) -> (Vec<f32>, Vec<Bond>) {
+    let step = 50.0 / count as f32;
+    let flat = (0..=count).flat_map(|i| [i as f32 * step - 25.0, if i % 2 == 0 { -12.0 } else { 9.0 }]);
+    (flat.collect(), (0..count).map(|i| bond(i, i + 1)).collect())
+}
+
+#[test]
+fn buffers_grow_with_the_world() {
+    if common::gpu().is_none() {
+        return;
+    }
+    let mut grown = Capture::new([SIDE, SIDE], 2).unwrap();
+    for (topology, count) in [2, 40, 9, 700].into_iter().enumerate() {
+        let (flat, bonds) = zigzag(count);
+        let seen = View { topology: topology as u64, ..view(&flat, &bonds, 2) };
+        let fresh = Capture::new([SIDE, SIDE], 2).unwrap().picture(&seen, &pixels(), &plain()).unwrap();
+        assert!(grown.picture(&seen, &pixels(), &plain()).unwrap() == fresh, "{count} bonds");
+    }
+}
+
+#[test]
+fn a_world_too_large_for_the_gpu_is_refused_and_the_next_is_drawn() {
+    if common::gpu().is_none() {
+        return;
+    }
+    let mut capture = Capture::new([SIDE, SIDE], 2).unwrap();
+    let picture = |capture: &mut Capture, flat: &[f32], bonds: &[Bond], topology| {
+        capture.picture(&View { topology, ..view(flat, bonds, 2) }, &pixels(), &plain())
+    };
+    let (flat, bonds) = zigzag(40);
+    picture(&mut capture, &flat, &bonds[..3], 0).unwrap();
+    // The bonds get a larger buffer before the positions turn out to be too many. Nothing writes to this memory.
+    let many = vec![0.0_f32; capture.gpu().largest_buffer() as usize / 4 + 2];
+    let refused = picture(&mut capture, &many, &bonds, 1).unwrap_err();
+    assert!(refused.to_string().contains("bytes of positions are more than this GPU's buffers hold"), "{refused}");
+    let next = picture(&mut capture, &flat, &bonds, 1).unwrap();
+    let fresh = picture(&mut Capture::new([SIDE, SIDE], 2).unwrap(), &flat, &bonds, 0).unwrap();
+    assert!(next == fresh, "with all bonds, from the larger buffer");
 }

@@ -5,7 +5,7 @@ use image::RgbaImage;
 use super::camera::Camera;
 use super::error::RenderError;
 use super::gpu::Gpu;
-use super::look::Look;
+use super::look::{Color, Look};
 use super::renderer::Renderer;
 use super::view::View;
 
@@ -17,6 +17,8 @@ pub struct Capture {
     texture: wgpu::Texture,
     readback: wgpu::Buffer,
     row_bytes: u32,
+    /// Colour under the picture that lies in the read-back buffer, if one does. All else of a look is uploaded.
+    ground: Option<Color>,
 }
 
 /// Bytes of a row of the read-back picture, and of all of it.
@@ -65,7 +67,7 @@ impl Capture {
             mapped_at_creation: false,
         });
         let renderer = Renderer::new(&gpu, FORMAT, dimensions);
-        Ok(Capture { gpu, renderer, size, texture, readback, row_bytes })
+        Ok(Capture { gpu, renderer, size, texture, readback, row_bytes, ground: None })
     }
 
     /// The GPU that draws.
@@ -78,11 +80,21 @@ impl Capture {
         &self.renderer
     }
 
-    /// Draws a picture and reads it back, opaque.
+    /// Draws a picture and reads it back, opaque. One that is the same as the last is only read back.
     ///
     /// Errors: a world too large for the GPU, or a GPU that gave up.
     pub fn picture(&mut self, view: &View<'_>, camera: &Camera, look: &Look) -> Result<RgbaImage, RenderError> {
+        let before = self.renderer.counters().uploads;
         self.renderer.prepare(&self.gpu, view, camera, look)?;
+        let is_same = self.renderer.counters().uploads == before && self.ground == Some(look.ground);
+        if !is_same {
+            self.draw(look);
+        }
+        self.read()
+    }
+
+    /// Draws what was prepared, and copies it to where it can be read.
+    fn draw(&mut self, look: &Look) {
         let target = self.texture.create_view(&Default::default());
         let mut encoder = self.gpu.device.create_command_encoder(&Default::default());
         self.renderer.draw(&self.gpu, &mut encoder, &target, self.size, self.size, look);
@@ -100,7 +112,7 @@ impl Capture {
             wgpu::Extent3d { width, height, depth_or_array_layers: 1 },
         );
         self.renderer.submit(&self.gpu, [encoder.finish()]);
-        self.read()
+        self.ground = Some(look.ground);
     }
 
     fn read(&self) -> Result<RgbaImage, RenderError> {

@@ -71,21 +71,20 @@ impl Passes {
         }));
     }
 
-    pub(super) fn is_bound(&self) -> bool {
-        self.bindings.is_some()
-    }
-
-    /// Draws the passes that have something to draw.
-    pub(super) fn draw(&self, target: &mut wgpu::RenderPass<'_>, buffers: &WorldBuffers, has_region: bool) {
-        let Some(bindings) = &self.bindings else { return };
+    /// Draws the passes that have something to draw; returns how many draw calls that took.
+    pub(super) fn draw(&self, target: &mut wgpu::RenderPass<'_>, buffers: &WorldBuffers, has_region: bool) -> u64 {
+        let Some(bindings) = &self.bindings else { return 0 };
+        let mut draws = 0;
         for pass in Pass::ALL {
             let vertices = pass.vertices(buffers, has_region);
             if vertices > 0 {
                 target.set_pipeline(&self.pipelines[pass as usize]);
                 target.set_bind_group(0, &bindings[pass as usize], &[]);
                 target.draw(0..vertices, 0..1);
+                draws += 1;
             }
         }
+        draws
     }
 }
 
