@@ -85,11 +85,13 @@ impl Capture {
     /// Errors: a world too large for the GPU, or a GPU that gave up.
     pub fn picture(&mut self, view: &View<'_>, camera: &Camera, look: &Look) -> Result<RgbaImage, RenderError> {
         let before = self.renderer.counters().uploads;
+        // Gone if this fails halfway: then the next picture is drawn whatever it is.
+        let ground = self.ground.take();
         self.renderer.prepare(&self.gpu, view, camera, look)?;
-        let is_same = self.renderer.counters().uploads == before && self.ground == Some(look.ground);
-        if !is_same {
+        if self.renderer.counters().uploads != before || ground != Some(look.ground) {
             self.draw(look);
         }
+        self.ground = Some(look.ground);
         self.read()
     }
 
@@ -112,7 +114,6 @@ impl Capture {
             wgpu::Extent3d { width, height, depth_or_array_layers: 1 },
         );
         self.renderer.submit(&self.gpu, [encoder.finish()]);
-        self.ground = Some(look.ground);
     }
 
     fn read(&self) -> Result<RgbaImage, RenderError> {
