@@ -5,21 +5,24 @@ const FILL: f32 = 0.07;
 
 @vertex
 fn vertex(@builtin(vertex_index) index: u32) -> @builtin(position) vec4<f32> {
-    let reach = frame.region.z + frame.outline_width + 1.0;
+    // A pixel reaches 0.71 px from its middle at most.
+    let reach = frame.region.z + 0.5 * frame.outline_width + 0.71;
     return clip_of(frame.region.xy + corner_of(index) * reach, vec4(0.0, 0.0, 0.0, 1.0));
 }
 
 @fragment
 fn fragment(@builtin(position) position: vec4<f32>) -> @location(0) vec4<f32> {
     let from_center = position.xy - frame.region.xy;
-    var to_edge = from_center * (1.0 - frame.region.z / max(length(from_center), 1e-6));
+    var from_middle = length(from_center);
+    var to_edge = from_center * (1.0 - frame.region.z / max(from_middle, 1e-6));
     if frame.region.w == 2.0 {
         // To the nearest side of the square: along the axis that is further out.
-        let beyond = abs(from_center) - frame.region.z;
-        to_edge = select(vec2(0.0, beyond.y), vec2(beyond.x, 0.0), beyond.x > beyond.y);
+        let out = abs(from_center);
+        from_middle = max(out.x, out.y);
+        let beyond = from_middle - frame.region.z;
+        to_edge = select(vec2(0.0, beyond), vec2(beyond, 0.0), out.x > out.y);
     }
-    let is_inside = dot(to_edge, from_center) < 0.0 || (frame.region.w == 2.0 && max(to_edge.x, to_edge.y) <= 0.0);
     let outline = coverage(to_edge, 0.5 * frame.outline_width);
-    let inside = select(0.0, FILL, is_inside);
+    let inside = select(0.0, FILL, from_middle < frame.region.z);
     return vec4(frame.region_color.rgb, frame.region_color.a * max(outline, inside));
 }

@@ -44,6 +44,9 @@ pub(super) struct Arguments {
     /// Largest error at every sample [m]: the cheapest setting that reaches it is searched for.
     #[arg(long, value_name = "E", allow_negative_numbers = true, value_parser = values::above_zero)]
     tolerance: Option<f64>,
+    /// The equilibrium that the start rolls down to instead of the motion: one sample.
+    #[arg(long, conflicts_with_all = ["tolerance", "solver", "substep", "iterations"])]
+    settle: bool,
     /// Times to sample at [s], ascending, such as 0.5,1,2; the last one ends the run.
     #[arg(long, value_name = "T,…", allow_hyphen_values = true, value_parser = values::times)]
     samples: Option<Times>,
@@ -73,6 +76,9 @@ pub(super) fn run(arguments: &Arguments, quiet: bool) -> anyhow::Result<()> {
     let times = arguments.times(&scene)?;
     let end = times.last().copied();
     let duration = if arguments.samples.is_some() { end } else { scene.duration.or(end) };
+    if arguments.settle {
+        return settle(arguments, &scene, end.unwrap_or(0.0));
+    }
     let found = search(&mut scene, &times)?;
     let start = scene.world(duration)?;
     let mut world = start.boxed_clone();
@@ -82,6 +88,15 @@ pub(super) fn run(arguments: &Arguments, quiet: bool) -> anyhow::Result<()> {
     let mut recording = recording(&scene, &*start, &times, &samples, world.counters());
     recording.search_seconds = found.as_ref().map_or(0.0, |found| found.seconds);
     recording.expected_error = found.as_ref().map(|found| found.expected_error);
+    write(arguments, &recording)?;
+    match found {
+        Some(found) => found.report(&recording),
+        None => Ok(()),
+    }
+}
+
+/// Writes the table, then says what the user should know.
+fn write(arguments: &Arguments, recording: &Recording) -> anyhow::Result<()> {
     if let Some(path) = &arguments.out {
         output::replace(path, |to| match extension(path).as_deref() {
             Some("csv") => recording.write_csv(to),
@@ -94,10 +109,45 @@ pub(super) fn run(arguments: &Arguments, quiet: bool) -> anyhow::Result<()> {
     if arguments.hash {
         writeln!(std::io::stdout(), "{}", recording.hash)?;
     }
-    match found {
-        Some(found) => found.report(&recording),
-        None => Ok(()),
+    Ok(())
+}
+
+/// Writes the equilibrium in place of the motion: one sample.
+///
+/// Errors: forces do not balance (it is written all the same).
+fn settle(arguments: &Arguments, scene: &Scene, time: f64) -> anyhow::Result<()> {
+    let found = scene.settle(time)?;
+    let mut runs: Vec<f64> = Vec::new();
+    while runs.iter().sum::<f64>() < 0.010 && runs.len() < 15 {
+        let clock = Instant::now();
+        scene.settle(time)?;
+        runs.push(clock.elapsed().as_secs_f64());
     }
+    runs.sort_by(f64::total_cmp);
+    let samples = [found.sample];
+    let recording = Recording {
+        scene: scene.name().to_owned(),
+        solver: "settle",
+        substep: 0.0,
+        precision: "f64",
+        samples: samples.iter().map(|sample| RecordedSample::new(sample, scene.dimensions())).collect(),
+        seconds: runs[runs.len() / 2],
+        search_seconds: 0.0,
+        expected_error: None,
+        counters: RecordedCounters { iterations: found.rounds.into(), ..RecordedCounters::default() },
+        warnings: Vec::new(),
+        hash: hash(&samples, scene.dimensions()),
+    };
+    write(arguments, &recording)?;
+    if !found.is_settled {
+        bail!(
+            "{}: no equilibrium was found: a force of {:.1e} of the largest is left, or a point that nothing holds \
+             (written all the same)",
+            arguments.scene,
+            found.residual
+        );
+    }
+    Ok(())
 }
 
 /// What a search for a setting came to.
@@ -163,10 +213,10 @@ impl Arguments {
 }
 
 fn recording(scene: &Scene, start: &dyn Dynamics, times: &[f64], samples: &[Sample], counters: &Counters) -> Recording {
-    let mut warnings = Vec::new();
+    let mut warnings = start.warnings().to_vec();
     if counters.fallbacks > 0 {
         warnings.push(format!(
-            "rigid bonds did not converge in {} of {} substeps: use a smaller substep, or lengths that agree",
+            "{} parts of {} substeps were too violent for the solver and went to a more robust one: use a smaller substep",
             counters.fallbacks, counters.substeps
         ));
     }
@@ -185,8 +235,9 @@ fn recording(scene: &Scene, start: &dyn Dynamics, times: &[f64], samples: &[Samp
             points_moved: counters.points_moved,
             iterations: counters.iterations,
             events: counters.events,
+            guard_splits: counters.guard_splits,
             fallbacks: counters.fallbacks,
-            ..RecordedCounters::default()
+            bonds_torn: counters.bonds_torn,
         },
         warnings,
         hash: hash(samples, scene.dimensions()),

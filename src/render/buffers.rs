@@ -29,30 +29,34 @@ pub(super) struct GrowingBuffer {
     what: &'static str,
     usage: wgpu::BufferUsages,
     pub(super) buffer: wgpu::Buffer,
+    /// No binding knows of this buffer yet. Kept here, so that it outlives a later write that fails.
+    is_unbound: bool,
 }
 
 impl GrowingBuffer {
     pub(super) fn new(gpu: &Gpu, what: &'static str, usage: wgpu::BufferUsages) -> Self {
         let usage = usage | wgpu::BufferUsages::COPY_DST;
-        GrowingBuffer { what, usage, buffer: make(gpu, what, usage, 64) }
+        GrowingBuffer { what, usage, buffer: make(gpu, what, usage, 64), is_unbound: true }
     }
 
-    /// Writes `bytes`; returns whether the buffer is another one now, so that bindings to it are stale.
-    fn write(&mut self, gpu: &Gpu, bytes: &[u8], counters: &mut RenderCounters) -> Result<bool, RenderError> {
-        let grows = bytes.len() as u64 > self.buffer.size();
-        if grows {
+    /// Writes `bytes`, to a larger buffer if this one is too small.
+    ///
+    /// Errors: more than the GPU's buffers hold; the contents stay as they were.
+    fn write(&mut self, gpu: &Gpu, bytes: &[u8], counters: &mut RenderCounters) -> Result<(), RenderError> {
+        if bytes.len() as u64 > self.buffer.size() {
             let most = gpu.largest_buffer();
             if bytes.len() as u64 > most {
                 return Err(RenderError::TooLarge { what: self.what, bytes: bytes.len() as u64, most });
             }
             self.buffer = make(gpu, self.what, self.usage, bytes.len() as u64);
+            self.is_unbound = true;
         }
         if !bytes.is_empty() {
             gpu.queue.write_buffer(&self.buffer, 0, bytes);
             counters.uploads += 1;
             counters.bytes_uploaded += bytes.len() as u64;
         }
-        Ok(grows)
+        Ok(())
     }
 }
 
@@ -72,6 +76,8 @@ pub struct RenderCounters {
     pub submits: u64,
     /// Pictures drawn.
     pub frames_drawn: u64,
+    /// Draw calls in them.
+    pub draws: u64,
 }
 
 /// The buffers of a world, and what of it they hold.
@@ -125,28 +131,36 @@ impl WorldBuffers {
         }
     }
 
-    /// Uploads what changed of the world; returns whether bindings are stale.
+    /// Whether a buffer is another one since the last call, so that bindings to it are stale.
+    pub(super) fn take_unbound(&mut self) -> bool {
+        let all = [&mut self.previous, &mut self.current, &mut self.bonds, &mut self.pinned];
+        let all = all.into_iter().chain([&mut self.guides, &mut self.frame]);
+        all.fold(false, |any, buffer| any | std::mem::take(&mut buffer.is_unbound))
+    }
+
+    /// Uploads what changed of the world.
+    ///
+    /// Errors: a world too large for the GPU; nothing of it is drawn, and the next call uploads all of it.
     pub(super) fn update(
         &mut self,
         gpu: &Gpu,
         view: &View<'_>,
         camera: &Camera,
         counters: &mut RenderCounters,
-    ) -> Result<bool, RenderError> {
-        let mut stale = false;
+    ) -> Result<(), RenderError> {
         if self.topology != Some(view.topology) {
-            stale |= self.upload_topology(gpu, view, counters)?;
-            self.topology = Some(view.topology);
-            self.motion = None;
+            (self.topology, self.motion) = (None, None);
+            self.upload_topology(gpu, view, counters)?;
         }
         let double = matches!(view.current, Positions::F64(_));
         let origin = if double { self.origin_near(camera) } else { DVec3::ZERO };
         if self.motion != Some(view.motion) || self.origin != origin {
-            self.origin = origin;
-            stale |= self.upload_positions(gpu, view, counters)?;
+            (self.origin, self.motion) = (origin, None);
+            self.upload_positions(gpu, view, counters)?;
             self.motion = Some(view.motion);
         }
-        Ok(stale)
+        self.topology = Some(view.topology);
+        Ok(())
     }
 
     /// The present origin as long as it will do, else the camera's focus.
@@ -160,15 +174,17 @@ impl WorldBuffers {
         gpu: &Gpu,
         view: &View<'_>,
         counters: &mut RenderCounters,
-    ) -> Result<bool, RenderError> {
-        self.point_count = (view.current.len() / view.dimensions) as u32;
-        self.bond_count = view.bonds.len() as u32;
+    ) -> Result<(), RenderError> {
+        (self.point_count, self.bond_count) = (0, 0);
         self.typical_bond = median_rest_length(view.bonds);
         let gpu_bond = |bond: &Bond| GpuBond { a: bond.a.0, b: bond.b.0, rest_length: bond.rest_length as f32 };
         let bonds: Vec<GpuBond> = view.bonds.iter().map(gpu_bond).collect();
-        let stale = self.bonds.write(gpu, bytemuck::cast_slice(&bonds), counters)?;
-        let pins = pin_bits(view.pinned, self.point_count);
-        Ok(self.pinned.write(gpu, bytemuck::cast_slice(&pins), counters)? || stale)
+        self.bonds.write(gpu, bytemuck::cast_slice(&bonds), counters)?;
+        let point_count = (view.current.len() / view.dimensions) as u32;
+        let pins = pin_bits(view.pinned, point_count);
+        self.pinned.write(gpu, bytemuck::cast_slice(&pins), counters)?;
+        (self.point_count, self.bond_count) = (point_count, bonds.len() as u32);
+        Ok(())
     }
 
     fn upload_positions(
@@ -176,8 +192,7 @@ impl WorldBuffers {
         gpu: &Gpu,
         view: &View<'_>,
         counters: &mut RenderCounters,
-    ) -> Result<bool, RenderError> {
-        let mut stale = false;
+    ) -> Result<(), RenderError> {
         for (buffer, positions) in [(&mut self.previous, view.previous), (&mut self.current, view.current)] {
             let flat = match positions {
                 Positions::F32(x) => x,
@@ -189,9 +204,9 @@ impl WorldBuffers {
                     &self.staging
                 }
             };
-            stale |= buffer.write(gpu, bytemuck::cast_slice(flat), counters)?;
+            buffer.write(gpu, bytemuck::cast_slice(flat), counters)?;
         }
-        Ok(stale)
+        Ok(())
     }
 
     /// Uploads the uniforms of a picture, unless they are those of the last one.
@@ -208,28 +223,30 @@ impl WorldBuffers {
         Ok(())
     }
 
-    /// Uploads `count` guides, unless they are those of the last picture; returns whether bindings are stale.
+    /// Uploads `count` guides, unless they are those of the last picture.
     pub(super) fn set_guides(
         &mut self,
         gpu: &Gpu,
         bytes: &[u8],
         count: usize,
         counters: &mut RenderCounters,
-    ) -> Result<bool, RenderError> {
-        self.guide_count = count as u32;
-        if self.last_guides == bytes {
-            return Ok(false);
+    ) -> Result<(), RenderError> {
+        if self.last_guides != bytes {
+            self.guides.write(gpu, bytes, counters)?;
+            self.last_guides = bytes.to_vec();
         }
-        self.last_guides = bytes.to_vec();
-        self.guides.write(gpu, bytes, counters)
+        self.guide_count = count as u32;
+        Ok(())
     }
 }
 
-/// A bit a point: 1 = pinned.
+/// A bit a point: 1 = pinned. Pins of points that there are not are left out.
 fn pin_bits(pinned: &[PointId], point_count: u32) -> Vec<u32> {
     let mut bits = vec![0_u32; (point_count as usize).div_ceil(32)];
     for pin in pinned {
-        bits[pin.index() / 32] |= 1 << (pin.0 % 32);
+        if let Some(word) = bits.get_mut(pin.index() / 32) {
+            *word |= 1 << (pin.0 % 32);
+        }
     }
     bits
 }
@@ -250,5 +267,7 @@ mod tests {
     fn pins_are_bits() {
         assert_eq!(pin_bits(&[PointId(0), PointId(33)], 40), [1, 2]);
         assert!(pin_bits(&[], 0).is_empty());
+        assert_eq!(pin_bits(&[PointId(64), PointId(u32::MAX), PointId(1)], 40), [2, 0]);
+        assert!(pin_bits(&[PointId(0)], 0).is_empty());
     }
 }

@@ -42,6 +42,10 @@ const ZOOM: std::ops::RangeInclusive<f64> = 1e-6..=1e9;
 const FIELD_OF_VIEW: f64 = 0.8;
 /// Steepest pitch [rad]: at the pole, up would have no direction.
 const STEEPEST: f64 = 1.55;
+/// Least distance that is seen, as a share of the target's: nearer things would fill the picture.
+const NEAR: f64 = 0.01;
+/// How many times as far as the nearest the farthest is that is seen: more would cost depth its digits.
+const DEPTH_OF_VIEW: f64 = 1e4;
 /// Angle that a drag over one pixel turns the camera by [rad].
 const TURN: f64 = 0.008;
 /// Room around what is fitted [1].
@@ -56,9 +60,14 @@ impl Camera {
     }
 
     /// A camera that shows all of the box between two corners [m], with some room; in space from ahead and above.
-    pub fn fit([low, high]: [[f64; 3]; 2], dimensions: usize, size: [u32; 2]) -> Self {
-        let (low, high) = (DVec3::from(low), DVec3::from(high));
-        let (middle, extent) = (0.5 * (low + high), (high - low).max(DVec3::splat(1e-3)));
+    ///
+    /// Valid range: a corner that is not finite gives the box from -1 to 1; an empty box is taken as 1 mm wide.
+    pub fn fit(corners: [[f64; 3]; 2], dimensions: usize, size: [u32; 2]) -> Self {
+        let [mut low, mut high] = corners.map(DVec3::from);
+        if !(low.is_finite() && high.is_finite()) {
+            (low, high) = (DVec3::NEG_ONE, DVec3::ONE);
+        }
+        let (middle, extent) = (0.5 * low + 0.5 * high, (high - low).max(DVec3::splat(1e-3)));
         let pose = if dimensions == 2 {
             Pose::Plane { center: middle.truncate(), height: 1.0 }
         } else {
@@ -107,6 +116,14 @@ impl Camera {
         }
     }
 
+    /// Least distance from the camera that is seen [m]; 0 in the plane, where nothing is too near.
+    pub fn near(&self) -> f64 {
+        match self.pose {
+            Pose::Plane { .. } => 0.0,
+            Pose::Orbit { distance, .. } => NEAR * distance,
+        }
+    }
+
     /// Pixels a metre at the focus.
     pub fn pixels_per_metre(&self) -> f64 {
         self.viewport.y / self.height()
@@ -125,13 +142,13 @@ impl Camera {
                 depth * DMat4::from_scale(scale) * DMat4::from_translation(origin - center.extend(0.0))
             }
             Pose::Orbit { target, distance, .. } => {
-                let near = 0.01 * distance;
-                let lens =
-                    glam::dcamera::rh::proj::directx::perspective(FIELD_OF_VIEW, self.aspect(), near, 1e4 * near);
+                let (near, far) = (self.near(), DEPTH_OF_VIEW * self.near());
+                let lens = glam::dcamera::rh::proj::directx::perspective(FIELD_OF_VIEW, self.aspect(), near, far);
                 let back = self.back();
                 let up = self.right().cross(-back);
-                let eye = target + back * distance;
-                lens * glam::dcamera::rh::view::look_at_mat4(eye - origin, target - origin, up)
+                // Far from the origin a distance is lost in the target's digits, but not in the offset's.
+                let eye = (target - origin) + back * distance;
+                lens * glam::dcamera::rh::view::look_to_mat4(eye, -back, up)
             }
         }
     }
@@ -159,10 +176,11 @@ impl Camera {
         self.focus() + self.right() * offset.x - up * offset.y
     }
 
-    /// The pixel that a point [m] is seen at; `None` behind the camera.
+    /// The pixel that a point [m] is seen at; `None` behind the camera, or for a point that is not finite.
     pub fn screen_from_world(&self, point: DVec3) -> Option<[f64; 2]> {
         let clip: DVec4 = self.clip_from_relative(self.focus()) * (point - self.focus()).extend(1.0);
-        if clip.w <= 0.0 {
+        // Not a number is nowhere either.
+        if !(clip.w > 0.0 && clip.is_finite()) {
             return None;
         }
         let ndc = clip.truncate().truncate() / clip.w;
@@ -181,24 +199,39 @@ impl Camera {
         }
     }
 
-    /// Zooms by `factor` (above 1: closer); what lies under `pixel` stays there.
+    /// Zooms by `factor` (above 1: closer); what lies under `pixel` stays there. Does nothing where a number is not finite.
     pub fn zoom_at(&mut self, pixel: [f64; 2], factor: f64) {
         if !(factor > 0.0 && factor.is_finite()) {
             return;
         }
         let before = self.world_from_screen(pixel);
-        match &mut self.pose {
+        let mut next = *self;
+        match &mut next.pose {
             Pose::Plane { height, .. } => *height = clamp_zoom(*height / factor),
             Pose::Orbit { distance, .. } => *distance = clamp_zoom(*distance / factor),
         }
-        self.shift(before - self.world_from_screen(pixel));
+        next.shift(before - next.world_from_screen(pixel));
+        self.adopt(next);
     }
 
-    /// Drags the picture by some pixels.
+    /// Drags the picture by some pixels. Does nothing where a number is not finite.
     pub fn pan(&mut self, [dx, dy]: [f64; 2]) {
         let middle = 0.5 * self.viewport;
         let from = self.world_from_screen(middle.to_array());
-        self.shift(from - self.world_from_screen((middle + DVec2::new(dx, dy)).to_array()));
+        let mut next = *self;
+        next.shift(from - self.world_from_screen((middle + DVec2::new(dx, dy)).to_array()));
+        self.adopt(next);
+    }
+
+    /// Takes the pose of another camera unless a number of it is not finite: it would never go away again.
+    fn adopt(&mut self, next: Camera) {
+        let is_finite = match next.pose {
+            Pose::Plane { center, height } => center.is_finite() && height.is_finite(),
+            Pose::Orbit { target, distance, yaw, pitch } => target.is_finite() && (distance + yaw + pitch).is_finite(),
+        };
+        if is_finite {
+            self.pose = next.pose;
+        }
     }
 
     fn shift(&mut self, by: DVec3) {
@@ -208,20 +241,23 @@ impl Camera {
         }
     }
 
-    /// Turns about the target by a drag of some pixels; in the plane it pans.
+    /// Turns about the target by a drag of some pixels; in the plane it pans. Does nothing where a number is not finite.
     pub fn orbit(&mut self, [dx, dy]: [f64; 2]) {
-        match &mut self.pose {
-            Pose::Plane { .. } => self.pan([dx, dy]),
+        let mut next = *self;
+        match &mut next.pose {
+            Pose::Plane { .. } => next.pan([dx, dy]),
             Pose::Orbit { yaw, pitch, .. } => {
                 *yaw = (*yaw - TURN * dx).rem_euclid(std::f64::consts::TAU);
-                *pitch = (*pitch + TURN * dy).clamp(-STEEPEST, STEEPEST);
+                // An endless drag would end at the pole, and is nonsense all the same.
+                *pitch = if dy.is_finite() { (*pitch + TURN * dy).clamp(-STEEPEST, STEEPEST) } else { dy };
             }
         }
+        self.adopt(next);
     }
 }
 
 fn clamp_zoom(value: f64) -> f64 {
-    if value.is_finite() { value.clamp(*ZOOM.start(), *ZOOM.end()) } else { 1.0 }
+    if value.is_nan() { 1.0 } else { value.clamp(*ZOOM.start(), *ZOOM.end()) }
 }
 
 #[cfg(test)]
@@ -281,6 +317,41 @@ mod tests {
                     assert!((0.0..f64::from(size[0])).contains(&x) && (0.0..f64::from(size[1])).contains(&y));
                 }
             }
+        }
+    }
+
+    #[test]
+    fn numbers_that_are_not_finite_are_ignored() {
+        for camera in cameras() {
+            for bad in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY, 1e308] {
+                for pixel in [[bad, 10.0], [10.0, bad]] {
+                    let mut moved = camera;
+                    moved.zoom_at(pixel, 0.5);
+                    moved.pan(pixel);
+                    if !bad.is_finite() {
+                        moved.orbit(pixel);
+                    }
+                    assert!(bad.is_finite() || moved == camera, "{pixel:?} gave {moved:?}");
+                    moved.zoom_at([10.0, 10.0], 0.5);
+                    moved.pan([3.0, 4.0]);
+                    moved.orbit([3.0, 4.0]);
+                    assert!(moved.focus().is_finite() && moved.clip_from_world(moved.focus()).is_finite());
+                }
+            }
+            assert_eq!(camera.screen_from_world(DVec3::new(0.0, f64::NAN, 0.0)), None);
+        }
+    }
+
+    #[test]
+    fn a_box_that_is_not_finite_is_fitted_as_one_of_two_metres() {
+        for dimensions in [2, 3] {
+            let unit = Camera::fit([[-1.0; 3], [1.0; 3]], dimensions, [300, 200]);
+            for bad in [f64::NAN, f64::INFINITY] {
+                assert_eq!(Camera::fit([[-1.0, bad, 0.0], [1.0; 3]], dimensions, [300, 200]), unit);
+            }
+            let huge = Camera::fit([[-1e308; 3], [1e308; 3]], dimensions, [300, 200]);
+            assert_eq!(huge.focus(), DVec3::ZERO);
+            assert!(huge.height().is_finite() && huge.height() > 1e8, "as far out as there is");
         }
     }
 

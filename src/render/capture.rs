@@ -5,7 +5,7 @@ use image::RgbaImage;
 use super::camera::Camera;
 use super::error::RenderError;
 use super::gpu::Gpu;
-use super::look::Look;
+use super::look::{Color, Look};
 use super::renderer::Renderer;
 use super::view::View;
 
@@ -17,6 +17,26 @@ pub struct Capture {
     texture: wgpu::Texture,
     readback: wgpu::Buffer,
     row_bytes: u32,
+    /// Colour under the picture that lies in the read-back buffer, if one does. All else of a look is uploaded.
+    ground: Option<Color>,
+}
+
+/// Bytes of a row of the read-back picture, and of all of it.
+///
+/// Errors: a size of 0 or beyond the limits.
+fn layout([width, height]: [u32; 2], limits: &wgpu::Limits) -> Result<(u32, u64), RenderError> {
+    let most = limits.max_texture_dimension_2d;
+    if width == 0 || height == 0 || width > most || height > most {
+        return Err(RenderError::Size { width, height, most });
+    }
+    // Rows of a copy begin at multiples of 256 bytes.
+    let row_bytes = (4 * u64::from(width)).next_multiple_of(u64::from(wgpu::COPY_BYTES_PER_ROW_ALIGNMENT));
+    let bytes = row_bytes * u64::from(height);
+    let most = limits.max_buffer_size;
+    match u32::try_from(row_bytes) {
+        Ok(row_bytes) if bytes <= most => Ok((row_bytes, bytes)),
+        _ => Err(RenderError::Pixels { width, height, bytes, most }),
+    }
 }
 
 /// Colours as stored, so that coverage blends into the numbers of the file.
@@ -29,16 +49,7 @@ impl Capture {
     pub fn new(size: [u32; 2], dimensions: usize) -> Result<Self, RenderError> {
         let gpu = Gpu::headless()?;
         let [width, height] = size;
-        let most = gpu.largest_side();
-        if width == 0 || height == 0 || width > most || height > most {
-            return Err(RenderError::Size { width, height, most });
-        }
-        // Rows of a copy begin at multiples of 256 bytes.
-        let row_bytes = (4 * width).next_multiple_of(wgpu::COPY_BYTES_PER_ROW_ALIGNMENT);
-        let bytes = u64::from(row_bytes) * u64::from(height);
-        if bytes > gpu.device.limits().max_buffer_size {
-            return Err(RenderError::Size { width, height, most });
-        }
+        let (row_bytes, bytes) = layout(size, &gpu.device.limits())?;
         let texture = gpu.device.create_texture(&wgpu::TextureDescriptor {
             label: Some("capture"),
             size: wgpu::Extent3d { width, height, depth_or_array_layers: 1 },
@@ -56,7 +67,7 @@ impl Capture {
             mapped_at_creation: false,
         });
         let renderer = Renderer::new(&gpu, FORMAT, dimensions);
-        Ok(Capture { gpu, renderer, size, texture, readback, row_bytes })
+        Ok(Capture { gpu, renderer, size, texture, readback, row_bytes, ground: None })
     }
 
     /// The GPU that draws.
@@ -69,11 +80,23 @@ impl Capture {
         &self.renderer
     }
 
-    /// Draws a picture and reads it back, opaque.
+    /// Draws a picture and reads it back, opaque. One that is the same as the last is only read back.
     ///
     /// Errors: a world too large for the GPU, or a GPU that gave up.
     pub fn picture(&mut self, view: &View<'_>, camera: &Camera, look: &Look) -> Result<RgbaImage, RenderError> {
+        let before = self.renderer.counters().uploads;
+        // Gone if this fails halfway: then the next picture is drawn whatever it is.
+        let ground = self.ground.take();
         self.renderer.prepare(&self.gpu, view, camera, look)?;
+        if self.renderer.counters().uploads != before || ground != Some(look.ground) {
+            self.draw(look);
+        }
+        self.ground = Some(look.ground);
+        self.read()
+    }
+
+    /// Draws what was prepared, and copies it to where it can be read.
+    fn draw(&mut self, look: &Look) {
         let target = self.texture.create_view(&Default::default());
         let mut encoder = self.gpu.device.create_command_encoder(&Default::default());
         self.renderer.draw(&self.gpu, &mut encoder, &target, self.size, self.size, look);
@@ -91,7 +114,6 @@ impl Capture {
             wgpu::Extent3d { width, height, depth_or_array_layers: 1 },
         );
         self.renderer.submit(&self.gpu, [encoder.finish()]);
-        self.read()
     }
 
     fn read(&self) -> Result<RgbaImage, RenderError> {
@@ -101,11 +123,11 @@ impl Capture {
         self.gpu.device.poll(wgpu::PollType::wait_indefinitely()).map_err(|error| lost(error.to_string()))?;
         self.gpu.check()?;
         let [width, height] = self.size;
-        let mut pixels = Vec::with_capacity((4 * width * height) as usize);
+        let mut pixels = Vec::with_capacity(4 * width as usize * height as usize);
         {
             let mapped = slice.get_mapped_range().map_err(|error| lost(error.to_string()))?;
             for row in mapped.chunks(self.row_bytes as usize) {
-                pixels.extend_from_slice(&row[..(4 * width) as usize]);
+                pixels.extend_from_slice(&row[..4 * width as usize]);
             }
         }
         self.readback.unmap();
@@ -113,5 +135,36 @@ impl Capture {
             pixel[3] = 255;
         }
         RgbaImage::from_raw(width, height, pixels).ok_or_else(|| lost("the picture came back too small".to_owned()))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn limits(max_texture_dimension_2d: u32, max_buffer_size: u64) -> wgpu::Limits {
+        wgpu::Limits { max_texture_dimension_2d, max_buffer_size, ..Default::default() }
+    }
+
+    #[test]
+    fn rows_are_aligned_and_large_pictures_counted_in_full() {
+        let roomy = limits(1 << 31, u64::MAX);
+        assert_eq!(layout([1, 3], &roomy), Ok((256, 768)));
+        assert_eq!(layout([65, 1], &roomy), Ok((512, 512)));
+        assert_eq!(layout([32768, 32768], &roomy), Ok((1 << 17, 1 << 32)), "4 GiB: more than 32 bits count");
+    }
+
+    #[test]
+    fn a_picture_beyond_a_limit_is_refused_by_that_limit() {
+        let tight = limits(32768, (1 << 32) - 1);
+        let bytes = 1 << 32;
+        let too_many = RenderError::Pixels { width: 32768, height: 32768, bytes, most: bytes - 1 };
+        assert_eq!(layout([32768, 32768], &tight), Err(too_many));
+        for [width, height] in [[0, 1], [1, 0], [32769, 1], [1, u32::MAX]] {
+            let most = 32768;
+            assert_eq!(layout([width, height], &tight), Err(RenderError::Size { width, height, most }));
+        }
+        let row = layout([1 << 30, 1], &limits(u32::MAX, u64::MAX));
+        assert!(matches!(row, Err(RenderError::Pixels { .. })), "a row of 4 GiB: {row:?}");
     }
 }

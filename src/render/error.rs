@@ -29,6 +29,20 @@ pub enum RenderError {
         /// Most that the driver draws [px].
         most: u32,
     },
+    /// A picture with more pixels than the driver's buffers hold.
+    #[error(
+        "{width} x {height} pixels are {bytes} bytes, more than this GPU's buffers hold ({most}): draw a smaller picture"
+    )]
+    Pixels {
+        /// Width asked for [px].
+        width: u32,
+        /// Height asked for [px].
+        height: u32,
+        /// How many bytes it takes to read the picture back.
+        bytes: u64,
+        /// The most.
+        most: u64,
+    },
     /// More points or bonds than the driver's buffers hold.
     #[error("{bytes} bytes of {what} are more than this GPU's buffers hold ({most}): use a smaller scene")]
     TooLarge {

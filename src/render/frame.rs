@@ -25,7 +25,7 @@ pub(super) struct Frame {
     point_radius: f32,
     strain_scale: f32,
     outline_width: f32,
-    padding: f32,
+    near: f32,
 }
 
 const _: () = assert!(size_of::<Frame>() == 208);
@@ -49,7 +49,7 @@ impl Frame {
             point_radius: scale * point_radius(look, typical_bond * camera.pixels_per_metre() / f64::from(scale)),
             strain_scale: if look.overlay == Overlay::Strain { look.strain_scale } else { 0.0 },
             outline_width: look.outline_width * scale,
-            padding: 0.0,
+            near: camera.near() as f32,
         }
     }
 

@@ -32,11 +32,16 @@ impl Gpu {
         Gpu::open(&instance, None)
     }
 
-    /// Opens a GPU that can draw to `surface`.
+    /// Opens a GPU that can draw to `surface`, the fastest there is.
     ///
     /// Errors: no driver, or one that fails.
     pub fn open(instance: &wgpu::Instance, surface: Option<&wgpu::Surface<'_>>) -> Result<Self, RenderError> {
-        let wanted = wgpu::RequestAdapterOptions { compatible_surface: surface, ..Default::default() };
+        let wanted = wgpu::RequestAdapterOptions {
+            // A GPU goes before a driver in software; WGPU_POWER_PREF says otherwise.
+            power_preference: wgpu::PowerPreference::from_env().unwrap_or(wgpu::PowerPreference::HighPerformance),
+            compatible_surface: surface,
+            ..Default::default()
+        };
         let adapter = pollster::block_on(instance.request_adapter(&wanted))
             .map_err(|error| RenderError::NoAdapter { reason: one_line(&error) })?;
         let info = adapter.get_info();

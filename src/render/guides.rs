@@ -49,13 +49,18 @@ fn spacing(pixels_per_metre: f64) -> f64 {
     [1.0, 2.0, 5.0, 10.0].map(|step| step * decade).into_iter().find(|&step| step >= least).unwrap_or(decade)
 }
 
+/// Adds the lines of the grid.
+///
+/// Valid range: none where the picture's edges are the same number, so far out or so near, or not finite.
 fn grid(list: &mut Vec<Guide>, camera: &Camera, center: DVec2, height: f64, origin: DVec3, look: &Look) {
     let step = spacing(camera.pixels_per_metre());
     let [width_px, height_px] = camera.viewport();
     let half = 0.5 * DVec2::new(height * f64::from(width_px) / f64::from(height_px), height);
     let (low, high) = (center - half, center + half);
+    if !(low.cmplt(high).all() && low.is_finite() && high.is_finite() && step.is_normal()) {
+        return;
+    }
     for axis in 0..2 {
-        let along = 1 - axis;
         let (first, last) = ((low[axis] / step).ceil(), (high[axis] / step).floor());
         for line in 0..=((last - first) as i64) {
             let at = (first + line as f64) * step;
@@ -64,7 +69,6 @@ fn grid(list: &mut Vec<Guide>, camera: &Camera, center: DVec2, height: f64, orig
                 end[axis] = at;
             }
             let color = if at == 0.0 { look.axis } else { look.grid };
-            debug_assert!(ends[0][along] < ends[1][along]);
             list.push(guide(ends[0] - origin, ends[1] - origin, look.scale_factor, color));
         }
     }
@@ -92,6 +96,21 @@ mod tests {
         assert_eq!(spacing(100.0), 0.5);
         assert_eq!(spacing(45.0), 1.0);
         assert_eq!(spacing(1.0), 50.0);
+    }
+
+    #[test]
+    fn there_is_no_grid_where_numbers_end() {
+        let count = |center: DVec2, height: f64| {
+            let camera = Camera::new(Pose::Plane { center, height }, [640, 480]);
+            guides(&camera, None, 2, camera.focus(), &Look::default()).len()
+        };
+        assert!((10..50).contains(&count(DVec2::splat(1e3), 1e-3)));
+        assert_eq!(count(DVec2::splat(1e20), 1e-6), 0, "both edges are the same number");
+        assert_eq!(count(DVec2::new(0.0, 1e20), 1.0), 0);
+        for bad in [f64::NAN, f64::INFINITY, 0.0, -1.0, 1e-320, f64::MAX] {
+            assert!(count(DVec2::ZERO, bad) < 50, "{bad}");
+            assert!(count(DVec2::splat(bad), 1.0) < 50, "{bad}");
+        }
     }
 
     #[test]

@@ -1,17 +1,31 @@
 //! The passes of a picture: guides, bonds, points, region, each a shader of its own over the same bindings.
+//!
+//! In the plane what is drawn later lies on top. In space the pixels that a shape fills are drawn first and write their
+//! depth; those at its edges, which it shares with what lies behind, are drawn over them and only look at the depth.
 
 use super::buffers::WorldBuffers;
 use super::gpu::Gpu;
 
+/// A shader with what all of them share in front.
+macro_rules! shader {
+    ($name:literal) => {
+        concat!(
+            include_str!("../../shaders/common.wgsl"),
+            include_str!("../../shaders/shapes.wgsl"),
+            include_str!(concat!("../../shaders/", $name, ".wgsl")),
+        )
+    };
+}
+
 /// The shaders as they are compiled: name, and source with what all of them share in front.
 pub const SHADERS: [(&str, &str); 4] = [
-    ("guides", concat!(include_str!("../../shaders/common.wgsl"), include_str!("../../shaders/guides.wgsl"))),
-    ("bonds", concat!(include_str!("../../shaders/common.wgsl"), include_str!("../../shaders/bonds.wgsl"))),
-    ("points", concat!(include_str!("../../shaders/common.wgsl"), include_str!("../../shaders/points.wgsl"))),
-    ("region", concat!(include_str!("../../shaders/common.wgsl"), include_str!("../../shaders/region.wgsl"))),
+    ("guides", shader!("guides")),
+    ("bonds", shader!("bonds")),
+    ("points", shader!("points")),
+    ("region", shader!("region")),
 ];
 
-/// The passes in the order that they are drawn in, as indices of [`SHADERS`].
+/// The passes, as indices of [`SHADERS`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Pass {
     Guides,
@@ -23,15 +37,34 @@ pub(super) enum Pass {
 impl Pass {
     pub(super) const ALL: [Pass; 4] = [Pass::Guides, Pass::Bonds, Pass::Points, Pass::Region];
 
-    /// Vertices that the pass draws: six a quad.
+    /// Vertices that the pass draws: six a quad, three a disc.
     pub(super) fn vertices(self, buffers: &WorldBuffers, has_region: bool) -> u32 {
-        6 * match self {
-            Pass::Guides => buffers.guide_count,
-            Pass::Bonds => buffers.bond_count,
-            Pass::Points => buffers.point_count,
-            Pass::Region => u32::from(has_region),
+        match self {
+            Pass::Guides => 6 * buffers.guide_count,
+            Pass::Bonds => 6 * buffers.bond_count,
+            Pass::Points => 3 * buffers.point_count,
+            Pass::Region => 6 * u32::from(has_region),
         }
     }
+}
+
+/// Which pixels of a shape a pipeline draws: `PART` in shapes.wgsl.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Part {
+    /// All of them, where depth is no matter.
+    All,
+    /// Those that it fills: they write their depth.
+    Core,
+    /// Those at its edges: they are hidden by others, but hide nothing.
+    Fringe,
+}
+
+/// What is drawn, in order.
+fn layers(dimensions: usize) -> Vec<(Pass, Part)> {
+    let solid = [Pass::Guides, Pass::Bonds, Pass::Points];
+    let parts: &[Part] = if dimensions == 3 { &[Part::Core, Part::Fringe] } else { &[Part::All] };
+    let solid = parts.iter().flat_map(|&part| solid.map(|pass| (pass, part)));
+    solid.chain([(Pass::Region, Part::All)]).collect()
 }
 
 /// Format of the depth of scenes in space.
@@ -39,7 +72,8 @@ pub(super) const DEPTH: wgpu::TextureFormat = wgpu::TextureFormat::Depth32Float;
 
 /// Pipelines and bindings of all passes.
 pub(super) struct Passes {
-    pipelines: [wgpu::RenderPipeline; 4],
+    /// In the order that they are drawn in.
+    pipelines: Vec<(Pass, wgpu::RenderPipeline)>,
     layout: wgpu::BindGroupLayout,
     bindings: Option<[wgpu::BindGroup; 4]>,
 }
@@ -48,7 +82,12 @@ impl Passes {
     /// For worlds of `dimensions` drawn to a target of `format`.
     pub(super) fn new(gpu: &Gpu, format: wgpu::TextureFormat, dimensions: usize) -> Self {
         let layout = bindings_layout(&gpu.device);
-        let pipelines = Pass::ALL.map(|pass| pipeline(&gpu.device, &layout, pass, format, dimensions));
+        let modules = Pass::ALL.map(|pass| module(&gpu.device, pass));
+        let layers = layers(dimensions).into_iter();
+        let pipelines = layers.map(|(pass, part)| {
+            (pass, pipeline(&gpu.device, &layout, &modules[pass as usize], (pass, part), format, dimensions))
+        });
+        let pipelines = pipelines.collect();
         Passes { pipelines, layout, bindings: None }
     }
 
@@ -71,21 +110,20 @@ impl Passes {
         }));
     }
 
-    pub(super) fn is_bound(&self) -> bool {
-        self.bindings.is_some()
-    }
-
-    /// Draws the passes that have something to draw.
-    pub(super) fn draw(&self, target: &mut wgpu::RenderPass<'_>, buffers: &WorldBuffers, has_region: bool) {
-        let Some(bindings) = &self.bindings else { return };
-        for pass in Pass::ALL {
+    /// Draws the passes that have something to draw; returns how many draw calls that took.
+    pub(super) fn draw(&self, target: &mut wgpu::RenderPass<'_>, buffers: &WorldBuffers, has_region: bool) -> u64 {
+        let Some(bindings) = &self.bindings else { return 0 };
+        let mut draws = 0;
+        for &(pass, ref pipeline) in &self.pipelines {
             let vertices = pass.vertices(buffers, has_region);
             if vertices > 0 {
-                target.set_pipeline(&self.pipelines[pass as usize]);
+                target.set_pipeline(pipeline);
                 target.set_bind_group(0, &bindings[pass as usize], &[]);
                 target.draw(0..vertices, 0..1);
+                draws += 1;
             }
         }
+        draws
     }
 }
 
@@ -109,29 +147,34 @@ fn bindings_layout(device: &wgpu::Device) -> wgpu::BindGroupLayout {
     })
 }
 
+fn module(device: &wgpu::Device, pass: Pass) -> wgpu::ShaderModule {
+    let (name, source) = SHADERS[pass as usize];
+    device.create_shader_module(wgpu::ShaderModuleDescriptor {
+        label: Some(name),
+        source: wgpu::ShaderSource::Wgsl(source.into()),
+    })
+}
+
 fn pipeline(
     device: &wgpu::Device,
     layout: &wgpu::BindGroupLayout,
-    pass: Pass,
+    module: &wgpu::ShaderModule,
+    (pass, part): (Pass, Part),
     format: wgpu::TextureFormat,
     dimensions: usize,
 ) -> wgpu::RenderPipeline {
-    let (name, source) = SHADERS[pass as usize];
-    let module = device.create_shader_module(wgpu::ShaderModuleDescriptor {
-        label: Some(name),
-        source: wgpu::ShaderSource::Wgsl(source.into()),
-    });
+    let (name, _) = SHADERS[pass as usize];
     let layout = device.create_pipeline_layout(&wgpu::PipelineLayoutDescriptor {
         label: Some(name),
         bind_group_layouts: &[Some(layout)],
         immediate_size: 0,
     });
-    let constants = [("DIMENSIONS", dimensions as f64)];
+    let constants = [("DIMENSIONS", dimensions as f64), ("PART", f64::from(part as u32))];
     let options = || wgpu::PipelineCompilationOptions { constants: &constants, ..Default::default() };
     // The region lies over everything; in the plane, what is drawn later does.
     let depth = (dimensions == 3).then(|| wgpu::DepthStencilState {
         format: DEPTH,
-        depth_write_enabled: Some(pass != Pass::Region),
+        depth_write_enabled: Some(part == Part::Core),
         depth_compare: Some(if pass == Pass::Region {
             wgpu::CompareFunction::Always
         } else {
@@ -143,14 +186,9 @@ fn pipeline(
     device.create_render_pipeline(&wgpu::RenderPipelineDescriptor {
         label: Some(name),
         layout: Some(&layout),
-        vertex: wgpu::VertexState {
-            module: &module,
-            entry_point: Some("vertex"),
-            compilation_options: options(),
-            buffers: &[],
-        },
+        vertex: wgpu::VertexState { module, entry_point: Some("vertex"), compilation_options: options(), buffers: &[] },
         fragment: Some(wgpu::FragmentState {
-            module: &module,
+            module,
             entry_point: Some("fragment"),
             compilation_options: options(),
             targets: &[Some(wgpu::ColorTargetState {

@@ -40,14 +40,14 @@ impl Renderer {
     /// Errors: a world larger than the GPU's buffers.
     pub fn prepare(&mut self, gpu: &Gpu, view: &View<'_>, camera: &Camera, look: &Look) -> Result<(), RenderError> {
         let counters = &mut self.counters;
-        let mut stale = self.buffers.update(gpu, view, camera, counters)?;
+        self.buffers.update(gpu, view, camera, counters)?;
         let origin = self.buffers.origin;
         let lines = guides(camera, view.bounds, view.dimensions, origin, look);
-        stale |= self.buffers.set_guides(gpu, bytemuck::cast_slice(&lines), lines.len(), counters)?;
+        self.buffers.set_guides(gpu, bytemuck::cast_slice(&lines), lines.len(), counters)?;
         let frame = Frame::new(view, camera, look, origin, self.buffers.typical_bond);
         self.has_region = frame.has_region();
         self.buffers.set_frame(gpu, bytemuck::bytes_of(&frame), counters)?;
-        if stale || !self.passes.is_bound() {
+        if self.buffers.take_unbound() {
             self.passes.rebind(gpu, &self.buffers);
         }
         Ok(())
@@ -88,7 +88,7 @@ impl Renderer {
         if area[0] > 0 && area[1] > 0 {
             pass.set_viewport(0.0, 0.0, area[0] as f32, area[1] as f32, 0.0, 1.0);
             pass.set_scissor_rect(0, 0, area[0], area[1]);
-            self.passes.draw(&mut pass, &self.buffers, self.has_region);
+            self.counters.draws += self.passes.draw(&mut pass, &self.buffers, self.has_region);
         }
         self.counters.frames_drawn += 1;
     }

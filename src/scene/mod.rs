@@ -31,4 +31,5 @@ pub use keys::{
     PointKeys, PrecisionName, ProfileName, RegionName, RotationKeys, Row, Scene, SolverName, TextureKeys, Vector,
     Version, ViewKeys, WindKeys,
 };
+pub use model::Settled;
 pub use schema::schema;

@@ -8,10 +8,23 @@ use super::keys::{
 use super::start::{Start, resistance};
 use super::support;
 use crate::body::distance;
-use crate::sim::vector::truncate;
+use crate::sim::vector::{embed, truncate};
 use crate::sim::{
-    Bond, Bounds, Dynamics, Found, Limit, Model, ModelError, MouseForce, Plane, PointId, Profile, Region, Track, build, search,
+    Bond, Bounds, Dynamics, Found, Limit, Model, ModelError, MouseForce, Plane, PointId, Profile, Region, Sample, Track, build, search, settle,
 };
+
+/// An equilibrium.
+#[derive(Clone, Debug)]
+pub struct Settled {
+    /// The shape, at rest.
+    pub sample: Sample,
+    /// Largest force that is left on a point, as a share of the largest single force on one [1].
+    pub residual: f64,
+    /// Rounds of Newton's method.
+    pub rounds: u32,
+    /// Whether forces balance.
+    pub is_settled: bool,
+}
 
 impl Scene {
     /// Its name, else that of its file without the ending, else "scene".
@@ -86,6 +99,28 @@ impl Scene {
             2 => said(search(&Model { duration, ..self.model::<2>()? }, tolerance, times)),
             _ => said(search(&Model { duration, ..self.model::<3>()? }, tolerance, times)),
         }
+    }
+
+    /// The equilibrium that the start rolls down to, as a sample at time `t` [s] at rest.
+    ///
+    /// Errors: those of [`Scene::model`]; relaxed bonds, which have no energy.
+    pub fn settle(&self, t: f64) -> Result<Settled, SceneError> {
+        fn of<const D: usize>(model: &Model<D>, t: f64) -> Result<Settled, ModelError> {
+            let found = settle(model)?;
+            let sample = Sample {
+                time: t,
+                velocity: vec![[0.0; 3]; found.position.len()],
+                position: found.position.into_iter().map(embed).collect(),
+                energy: found.energy,
+                max_strain: found.max_strain,
+            };
+            Ok(Settled { sample, residual: found.residual, rounds: found.rounds, is_settled: found.is_settled })
+        }
+        let found = match self.dimensions() {
+            2 => of(&self.model::<2>()?, t),
+            _ => of(&self.model::<3>()?, t),
+        };
+        found.map_err(|error| self.source.error(Fault::invalid(error.to_string())))
     }
 
     fn to_model<const D: usize>(&self) -> Result<Model<D>, Fault> {

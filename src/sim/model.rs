@@ -82,6 +82,12 @@ pub enum ModelError {
         /// The point.
         point: u32,
     },
+    /// A bond that has no energy, where an equilibrium is asked for.
+    #[error("bond {bond} is relaxed and has no energy to settle: make it a spring or rigid")]
+    NoEnergy {
+        /// The bond.
+        bond: usize,
+    },
     /// A solver and a kind of bond that do not go together.
     #[error("bond {bond} is {kind}, which solver {solver} refuses: use {others}")]
     Refused {

@@ -6,7 +6,7 @@ mod gather;
 pub(crate) mod island;
 mod reconcile;
 pub(crate) mod sets;
-mod weld;
+pub(crate) mod weld;
 
 use super::bond::{Bond, BondKind};
 use super::group::Group;
