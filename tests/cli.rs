@@ -43,7 +43,7 @@ fn simulated(arguments: &[&str]) -> Value {
 fn the_gallery_is_listed_a_name_first_on_each_line() {
     let list = text(&wobble(&["scenes"]).stdout);
     let names: Vec<&str> = list.lines().map(|line| line.split_whitespace().next().unwrap()).collect();
-    assert_eq!(names, ["points", "random-graph", "rim", "rim-relaxed"]);
+    assert_eq!(names, ["points", "random-graph", "rim", "rim-relaxed", "spring-damper", "slide-circle", "slide-decay"]);
     assert!(list.lines().all(|line| line.ends_with('.') && line.split_whitespace().count() > 5), "{list}");
 }
 

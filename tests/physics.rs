@@ -4,9 +4,7 @@
 mod common;
 
 use common::physics::{angular_momentum, center_of_mass, momentum, rim, run_to, spring};
-use wobble::sim::{
-    Bond, BondKind, Bounds, Dynamics, Method, Model, Order, PointId, Real, Sample, Solver, World,
-};
+use wobble::sim::{Bond, BondKind, Bounds, Dynamics, Method, Model, Order, PointId, Real, Sample, Solver, World};
 
 /// A frame of 1/60 s in 64 substeps.
 const FINE: f64 = 1.0 / 3840.0;
@@ -277,4 +275,32 @@ fn a_sample_does_not_change_the_motion() {
         alone.step();
     }
     assert_eq!(asked.sample(asked.time()), alone.sample(alone.time()));
+}
+
+/// Explicit Euler on a circle grows by sqrt(1 + h^2) a step: 1.368 a turn at h = 0.1.
+#[test]
+fn eulers_circle_grows_as_the_slides_say() {
+    let scene = wobble::scene::Scene::load("slide-circle").unwrap();
+    let mut world = scene.world(None).unwrap();
+    for _ in 0..100 {
+        world.step();
+    }
+    let end = world.sample(world.time());
+    let radius = end.position[1][0].hypot(end.position[1][1]);
+    assert!((radius - 1.01_f64.powf(50.0)).abs() < 1e-9, "{radius}");
+}
+
+/// v' = -k v by explicit Euler: a factor of 1 - h k a step.
+#[test]
+fn eulers_decay_oscillates_past_one_and_grows_past_two() {
+    let scene = wobble::scene::Scene::load("slide-decay").unwrap();
+    let mut world = scene.world(None).unwrap();
+    for _ in 0..20 {
+        world.step();
+    }
+    let end = world.sample(world.time());
+    for (point, start, k) in [(1, 5.0, 5.0), (3, 15.0, 15.0), (5, 19.5, 19.5), (7, 20.2, 20.2)] {
+        let truth = start * (1.0_f64 - 0.1 * k).powi(20);
+        assert!((end.velocity[point][0] - truth).abs() < 1e-9 * start, "{point}: {:?} {truth}", end.velocity[point]);
+    }
 }

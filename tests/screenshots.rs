@@ -142,7 +142,6 @@ fn a_line_covers_what_its_formula_says() {
     }
     let (a, b) = (DVec2::new(-20.4, -13.7), DVec2::new(17.1, 9.2));
     let positions = [a.x as f32, a.y as f32, b.x as f32, b.y as f32];
-use wobble::sim::{Bond, Cursor, MouseForce, PointId, Positions, Profile, Region, Track};
     let look = Look { point: [0.0; 4], ..plain() };
     let mut capture = Capture::new([SIDE, SIDE], 2).unwrap();
     let picture = capture.picture(&view(&positions, &[bond(0, 1)], 2), &pixels(), &look).unwrap();

@@ -160,16 +160,16 @@ struct Searched {
 
 /// Finds the setting that the scene's tolerance asks for, if it has one, and puts it into the scene.
 fn search(scene: &mut Scene, times: &[f64]) -> anyhow::Result<Option<Searched>> {
-    let Some(tolerance) = scene.method.tolerance.take() else { return Ok(None) };
     let clock = Instant::now();
-    let found = scene.search(tolerance, times)?;
-    scene.method.solver = SolverName::NAMES.iter().find_map(|name| {
-        let named: SolverName = name.parse().ok()?;
-        (named.name() == found.method.solver.name()).then_some(named)
-    });
-    scene.method.substep = found.method.substep;
+    let tolerance = scene.method.tolerance.unwrap_or(f64::INFINITY);
+    let found = scene.tune(times)?;
     let seconds = clock.elapsed().as_secs_f64();
-    Ok(Some(Searched { tolerance, expected_error: found.expected_error, is_reached: found.is_reached, seconds }))
+    Ok(found.map(|found| Searched {
+        tolerance,
+        expected_error: found.expected_error,
+        is_reached: found.is_reached,
+        seconds,
+    }))
 }
 
 impl Searched {

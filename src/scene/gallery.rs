@@ -47,7 +47,7 @@ macro_rules! entry {
     };
 }
 
-static GALLERY: [Entry; 4] = [
+static GALLERY: [Entry; 7] = [
     entry!("points", "Falling points", "Ten loose points fall under unit gravity and bounce between walls."),
     entry!(
         "random-graph",
@@ -60,6 +60,21 @@ static GALLERY: [Entry; 4] = [
         "Rim, relaxed",
         "The source's rim: one shuffled sweep a substep, at 3.6 times real time. \
          The square mouse force attracts there, here it repels."
+    ),
+    entry!(
+        "spring-damper",
+        "Springs and dampers",
+        "Weights on springs: undamped, damped a little, damped critically, and three in a chain."
+    ),
+    entry!(
+        "slide-circle",
+        "Euler's circle",
+        "Explicit Euler with steps of 0.1 s on a circle: it spirals out, by a factor of sqrt(1 + h^2) a step."
+    ),
+    entry!(
+        "slide-decay",
+        "Euler's decay",
+        "Explicit Euler on v' = -k v, h = 0.1 s: smooth at h k = 0.5, it oscillates at 1.5 and 1.95, and grows at 2.02."
     ),
 ];
 

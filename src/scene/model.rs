@@ -2,15 +2,14 @@
 
 use super::check::{self, Resistance};
 use super::error::{Fault, SceneError, Within};
-use super::keys::{
-    BondKeys, LimitName, MouseKeys, ObstacleKeys, PinMotionKeys, ProfileName, RegionName, Row, Scene,
-};
+use super::keys::{BondKeys, LimitName, MouseKeys, ObstacleKeys, PinMotionKeys, ProfileName, RegionName, Row, Scene};
 use super::start::{Start, resistance};
 use super::support;
 use crate::body::distance;
 use crate::sim::vector::{embed, truncate};
 use crate::sim::{
-    Bond, Bounds, Dynamics, Found, Limit, Model, ModelError, MouseForce, Plane, PointId, Profile, Region, Sample, Track, build, search, settle,
+    Bond, Bounds, Dynamics, Found, Limit, Model, ModelError, MouseForce, Plane, PointId, Profile, Region, Sample,
+    Track, build, search, settle,
 };
 
 /// An equilibrium.
@@ -85,6 +84,20 @@ impl Scene {
             _ => made(self.model::<3>()?, duration),
         };
         world.map_err(|error| self.source.error(Fault::invalid(error.to_string())))
+    }
+
+    /// Puts the cheapest setting that reaches the `tolerance` of the scene's method at every one of `times` [s] in its
+    /// place. A scene without a tolerance stays as it is.
+    ///
+    /// Errors: those of [`Scene::search`].
+    pub fn tune(&mut self, times: &[f64]) -> Result<Option<Found>, SceneError> {
+        let Some(tolerance) = self.method.tolerance else { return Ok(None) };
+        let found = self.search(tolerance, times)?;
+        // Closed form has no name of its own: it is what `auto` takes where nothing but gravity and drag acts.
+        self.method.solver = found.method.solver.name().parse().ok();
+        self.method.substep = found.method.substep;
+        self.method.tolerance = None;
+        Ok(Some(found))
     }
 
     /// The cheapest setting that reaches an error of `tolerance` [m] at every one of `times` [s].

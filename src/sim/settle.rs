@@ -25,6 +25,8 @@ use super::vector::{add, dot, length, scale, sub};
 const MOST_ROUNDS: u32 = 500;
 /// Force per weight at which a point counts as at rest, relative to the largest force on any.
 const BALANCED: f64 = 1e-13;
+/// Times that the shift is raised in one round: the last is beyond any stiffness.
+const MOST_SHIFTS: u32 = 12;
 /// Longest step, as a share of the diagonal of the box around all points: further out the model of the energy is none.
 const REACH: f64 = 0.25;
 
@@ -215,7 +217,8 @@ impl<const D: usize> Descent<D> {
 
     /// Energy of springs and gravity [J].
     fn energy(&self, x: &[[f64; D]]) -> f64 {
-        let lift = |(i, x): (usize, &[f64; D])| if self.is_free[i] { -self.mass[i] * dot(self.gravity, *x) } else { 0.0 };
+        let lift =
+            |(i, x): (usize, &[f64; D])| if self.is_free[i] { -self.mass[i] * dot(self.gravity, *x) } else { 0.0 };
         spring::energy(&self.bonds, |i| x[i]) + x.iter().enumerate().map(lift).sum::<f64>()
     }
 
@@ -239,11 +242,11 @@ impl<const D: usize> Descent<D> {
         let mut system = std::mem::replace(&mut self.system, Blocks::new(&[], &[], &[]));
         let mut error: Vec<f64> = holds.iter().map(|&hold| -self.off(hold, &self.x).0).collect();
         let wanted = force.clone();
-        loop {
+        for _ in 0..MOST_SHIFTS {
             self.fill(&mut system, &holds, stiffest);
             let inertia = system.factor();
             // One negative pivot for every constraint, none for points: H is positive along the constraints.
-            if inertia.negative as usize + inertia.skipped as usize <= holds.len() || self.shift > 1e6 * stiffest {
+            if inertia.negative as usize + inertia.skipped as usize <= holds.len() {
                 break;
             }
             self.shift = (10.0 * self.shift).max(1e-4 * stiffest);
@@ -275,7 +278,8 @@ impl<const D: usize> Descent<D> {
 
     /// Diagonal of the box around all points [m].
     fn extent(&self) -> f64 {
-        measure::extent(&self.x).map_or(1.0, |[low, high]| length(sub(high, low)).max(f64::MIN_POSITIVE))
+        let size = measure::extent(&self.x).map_or(0.0, |[low, high]| length(sub(high, low)));
+        if size > 0.0 && size.is_finite() { size } else { 1.0 }
     }
 
     /// Forces on free points, and the largest single force on one.

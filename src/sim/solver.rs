@@ -118,10 +118,7 @@ impl Solver {
                 | Solver::ImplicitMidpoint
                 | Solver::BackwardEuler
                 | Solver::Flight,
-            ) => Some((
-                "relaxed",
-                "auto, euler, symplectic-euler, verlet, velocity-verlet, xpbd or relaxation",
-            )),
+            ) => Some(("relaxed", "auto, euler, symplectic-euler, verlet, velocity-verlet, xpbd or relaxation")),
             _ => None,
         }
     }

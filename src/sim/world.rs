@@ -68,11 +68,7 @@ impl<S: Real, const D: usize> World<S, D> {
         let mouse = model.mouse.iter().flat_map(|mouse| mouse.track.knots.iter().map(|knot| knot.0));
         let mut world = World {
             timeline: Timeline::new(plan.substep, tracks.chain(mouse).chain(model.duration)),
-            around: Surroundings {
-                gravity: model.gravity,
-                mouse: model.mouse.clone(),
-                cursor: None,
-            },
+            around: Surroundings { gravity: model.gravity, mouse: model.mouse.clone(), cursor: None },
             plan,
             counters: Counters::default(),
             bonds: model.bonds.clone(),

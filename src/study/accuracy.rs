@@ -1,12 +1,14 @@
 //! Error against cost: every method and the baseline over a ladder of steps on every problem.
 
+use std::time::Instant;
+
 use serde::Serialize;
 
 use super::baseline::Baseline;
 use super::equal::{self, EqualError};
 use super::error::StudyError;
 use super::fit;
-use super::methods::{self, Variant};
+use super::methods::{self, Variant, errors};
 use super::problems::{Kind, Problem, Truth};
 use super::run::{Run, Settings, ladder};
 use super::tolerance::{self, TOLERANCES, ToleranceReport};
@@ -50,8 +52,21 @@ pub struct ProblemReport {
     pub methods: Vec<MethodReport>,
     /// Runs with an error asked for.
     pub tolerance: Vec<ToleranceReport>,
+    /// Of a static problem: its equilibrium, found without motion.
+    pub settle: Option<SettleReport>,
     /// What each error costs with each of them.
     pub equal_error: Vec<EqualError>,
+}
+
+/// An equilibrium, found without motion.
+#[derive(Clone, Debug, Serialize)]
+pub struct SettleReport {
+    /// Largest distance from the truth [m].
+    pub error: f64,
+    /// Wall time, in the median [s].
+    pub seconds: f64,
+    /// Rounds of Newton's method.
+    pub rounds: u32,
 }
 
 /// How far a study is.
@@ -115,11 +130,30 @@ fn measure_problem(
         bonds: scene.bonds.len(),
         duration: truth.samples.last().map_or(0.0, |sample| sample.t),
         uncertainty: truth.uncertainty,
+        settle: match truth.kind {
+            Kind::Static => Some(measure_settle(&scene, &truth)?),
+            Kind::Dynamic => None,
+        },
         equal_error: equal::compare(problem.name, &baseline, &methods),
         baseline,
         methods,
         tolerance,
     })
+}
+
+/// Finds the equilibrium, a few times.
+fn measure_settle(scene: &Scene, truth: &Truth) -> Result<SettleReport, StudyError> {
+    const RUNS: usize = 9;
+    let mut seconds = Vec::with_capacity(RUNS);
+    let mut last = scene.settle(0.0)?;
+    for _ in 0..RUNS {
+        let clock = Instant::now();
+        last = scene.settle(0.0)?;
+        seconds.push(clock.elapsed().as_secs_f64());
+    }
+    seconds.sort_by(f64::total_cmp);
+    let error = errors(truth, &[last.sample]).into_iter().fold(0.0, f64::max);
+    Ok(SettleReport { error, seconds: seconds[RUNS / 2], rounds: last.rounds })
 }
 
 /// Every variant of the baseline, or why there is none.

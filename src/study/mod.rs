@@ -14,7 +14,7 @@ mod fit;
 mod machine;
 mod methods;
 mod plot;
-mod problems;
+pub mod problems;
 mod report;
 mod run;
 mod slides;

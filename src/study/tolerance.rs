@@ -23,11 +23,15 @@ pub struct ToleranceReport {
     pub errors: Vec<f64>,
     /// Whether all of them are within the tolerance.
     pub holds: Option<bool>,
+    /// The solver that was found.
+    pub solver: Option<String>,
     /// The substep that was found [s].
     pub substep: Option<f64>,
+    /// The error that was foretold [m].
+    pub expected_error: Option<f64>,
     /// Wall time of the stepping [s].
     pub seconds: Option<f64>,
-    /// Wall time of making the world, which finding method and step is part of [s].
+    /// Wall time of finding method and substep [s].
     pub search_seconds: Option<f64>,
 }
 
@@ -38,7 +42,9 @@ pub(super) fn measure(scene: &Scene, truth: &Truth, tolerance: f64) -> Tolerance
         refused: None,
         errors: Vec::new(),
         holds: None,
+        solver: None,
         substep: None,
+        expected_error: None,
         seconds: None,
         search_seconds: None,
     };
@@ -48,7 +54,8 @@ pub(super) fn measure(scene: &Scene, truth: &Truth, tolerance: f64) -> Tolerance
     scene.method.tolerance = Some(tolerance);
     let times = truth.times();
     let begun = Instant::now();
-    let start = match scene.world(times.last().copied()) {
+    let start = scene.tune(&times).and_then(|found| Ok((found, scene.world(times.last().copied())?)));
+    let (found, start) = match start {
         Ok(start) => start,
         Err(error) => {
             report.refused = Some(error.message);
@@ -56,7 +63,9 @@ pub(super) fn measure(scene: &Scene, truth: &Truth, tolerance: f64) -> Tolerance
         }
     };
     report.search_seconds = Some(begun.elapsed().as_secs_f64());
+    report.solver = Some(scene.method.solver.unwrap_or(SolverName::Auto).name().to_owned());
     report.substep = Some(start.substep());
+    report.expected_error = found.map(|found| found.expected_error);
     if let Ok(samples) = record(&mut *start.boxed_clone(), &times, |_| ()) {
         report.errors = errors(truth, &samples);
         report.seconds = Some(seconds(&*start, &times));

@@ -481,26 +481,15 @@ fn what_this_version_lacks() {
         ),
         ("\"wind\": { \"velocity\": [1,0] }", "wind: `wind` is not in this version: leave it out"),
         (
-            "\"points\": { \"position\": [[0,0]], \"pinned\": [0] }, \"pin_motion\": [{ \"point\": 0, \"track\": [[0,0,0]] }]",
-            "pin_motion: `pin_motion` is not in this version: leave it out",
-        ),
-        (
             "\"obstacles\": [{ \"circle\": { \"center\": [0,0], \"radius\": 1 } }]",
-            "obstacles: `obstacles` is not in this version: leave it out",
+            "obstacles[0].circle: `circle` is not in this version: leave it out",
         ),
-        (
-            "\"points\": { \"position\": [[0,0],[1,0]] }, \"bonds\": [{ \"a\": 0, \"b\": 1, \"break_strain\": 1 }]",
-            "bonds[0].break_strain: `break_strain` is not in this version: leave it out",
-        ),
-        (
-            "\"bodies\": [{ \"make\": \"rim\", \"material\": { \"break_strain\": 1 } }]",
-            "bodies[0].material.break_strain: `break_strain` is not in this version: leave it out",
-        ),
-        ("\"method\": { \"tolerance\": 1 }", "method.tolerance: `tolerance` is not in this version: leave it out"),
         ("\"method\": { \"max_strain\": 1 }", "method.max_strain: `max_strain` is not in this version: leave it out"),
         (
-            "\"method\": { \"solver\": \"pefrl\" }",
-            "method.solver: solver `pefrl` is not in this version: use auto, verlet or relaxation",
+            "\"method\": { \"solver\": \"path\" }",
+            "method.solver: solver `path` is not in this version: use `auto`, `euler`, `symplectic-euler`, `verlet`, \
+             `velocity-verlet`, `pefrl`, `blanes-moan-4`, `blanes-moan-6`, `rk2`, `rk4`, `rk8`, `implicit-midpoint`, \
+             `backward-euler`, `xpbd` or `relaxation`",
         ),
     ] {
         let text = format!("{{ \"wobble\": 1,\n{rest} }}");
@@ -521,7 +510,7 @@ fn empty_lists_of_what_it_lacks_are_fine() {
 fn solvers_and_bonds_that_do_not_go_together() {
     let sweep =
         "relaxed bonds need `substep` and `iterations` from the scene or the call, for they mean nothing without: give";
-    let spring = "is a spring, which solver `relaxation` refuses: use auto or verlet, or relaxed bonds";
+    let spring = "is a spring, which solver `relaxation` refuses: use auto, verlet, pefrl, rk4 or implicit-midpoint";
     let (relaxed, springs) = (
         "\"bonds\": [{ \"a\": 0, \"b\": 1, \"kind\": \"relaxed\" }]",
         "\"bonds\": [{ \"a\": 0, \"b\": 1 }, { \"a\": 0, \"b\": 1, \"compliance\": 1 }]",

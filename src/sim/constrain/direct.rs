@@ -143,8 +143,7 @@ impl<S: Real, const D: usize> Direct<S, D> {
         for (lambda, (row, aim)) in self.lambda.iter_mut().zip(self.rows.iter().zip(&self.aims)) {
             let (i, j) = (row.a as usize, row.b as usize);
             let closing = sub(v[i], v[j]);
-            let apart =
-                if idle { sub(a[i], a[j]) } else { sub(contacts.free(i, a[i]), contacts.free(j, a[j])) };
+            let apart = if idle { sub(a[i], a[j]) } else { sub(contacts.free(i, a[i]), contacts.free(j, a[j])) };
             *lambda = if row.is_taut { -(dot(*aim, apart) + dot(closing, closing)) } else { S::ZERO };
         }
         self.ldl.solve(&mut self.lambda);

@@ -58,13 +58,7 @@ impl Margins {
 
 impl<S: Real, const D: usize> Group<S, D> {
     /// How far the state is from its events: below 0 one has been passed. Points that rest hit nothing.
-    fn margins(
-        &mut self,
-        around: &Surroundings<D>,
-        t: f64,
-        asked: Option<Event>,
-        counters: &mut Counters,
-    ) -> Margins {
+    fn margins(&mut self, around: &Surroundings<D>, t: f64, asked: Option<Event>, counters: &mut Counters) -> Margins {
         let mut margins = Margins { least: f64::INFINITY, next: None, asked: f64::INFINITY };
         let mut see = |event, margin| margins.see(event, margin, asked);
         self.see_rests(around, t, counters, &mut see);
@@ -361,7 +355,9 @@ impl<S: Real, const D: usize> Group<S, D> {
         let mut crossed = Vec::new();
         for (i, &x) in self.points.position.iter().enumerate() {
             let depth = mouse::depth(force, cursor, x);
-            if depth.abs() <= slack && self.goes_in(around, t, i, depth) != inside.points[i] {
+            // A point that is well across was not caught at the edge: it counts as where it is.
+            let is_inside = if depth.abs() <= slack { self.goes_in(around, t, i, depth) } else { depth > 0.0 };
+            if is_inside != inside.points[i] {
                 crossed.push(i);
             }
         }

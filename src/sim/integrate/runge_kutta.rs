@@ -117,12 +117,7 @@ fn weighted<S: Real>(slopes: &[Vec<S>], row: &[(usize, S)], start: usize, length
 }
 
 /// sum += row_j slopes_j, compensated.
-fn add_up<S: Real, const D: usize>(
-    sum: &mut [[S; D]],
-    lost: &mut [[S; D]],
-    slopes: &[Vec<S>],
-    row: &[(usize, S)],
-) {
+fn add_up<S: Real, const D: usize>(sum: &mut [[S; D]], lost: &mut [[S; D]], slopes: &[Vec<S>], row: &[(usize, S)]) {
     for (i, (sum, lost)) in sum.iter_mut().zip(lost).enumerate() {
         let increment = weighted(slopes, row, i * D, D);
         accumulate(sum, lost, std::array::from_fn(|k| increment[k]));

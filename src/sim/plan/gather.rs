@@ -42,13 +42,7 @@ pub(super) struct Gathered<S, const D: usize> {
 }
 
 impl<S: Real, const D: usize> Gathered<S, D> {
-    pub(super) fn new(
-        model: &Model<D>,
-        bonds: &[Bond],
-        w: &[f64],
-        stand_ins: &[u32],
-        state: &State<S, D>,
-    ) -> Self {
+    pub(super) fn new(model: &Model<D>, bonds: &[Bond], w: &[f64], stand_ins: &[u32], state: &State<S, D>) -> Self {
         let mut gathered = Gathered {
             stand_ins: stand_ins.to_vec(),
             w: w.to_vec(),
@@ -87,9 +81,8 @@ impl<S: Real, const D: usize> Gathered<S, D> {
                 continue;
             }
             let mass: f64 = all().map(|j| model.mass[j]).sum();
-            let mean = |list: &[[S; D]]| {
-                all().fold([0.0; D], |sum, j| add(sum, scale(widen(list[j]), model.mass[j] / mass)))
-            };
+            let mean =
+                |list: &[[S; D]]| all().fold([0.0; D], |sum, j| add(sum, scale(widen(list[j]), model.mass[j] / mass)));
             let (x, v) = (mean(&self.state.position), mean(&self.state.velocity));
             self.w[i] = 1.0 / mass;
             self.state.position[i] = x.map(S::from_f64);
@@ -125,8 +118,7 @@ impl<S: Real, const D: usize> Gathered<S, D> {
         for i in 0..slots.len() {
             slots[i] = slots[self.stand_ins[i] as usize];
         }
-        let is_plain =
-            groups.len() == 1 && slots.iter().enumerate().all(|(i, slot)| *slot == [0, i as u32]);
+        let is_plain = groups.len() == 1 && slots.iter().enumerate().all(|(i, slot)| *slot == [0, i as u32]);
         let longest = lots.iter().map(|lot| lot.choice.substep).fold(0.0, f64::max);
         let substep = model.method.substep.unwrap_or(longest);
         Plan { groups, slots, is_plain, substep, parts }
@@ -147,9 +139,8 @@ impl<S: Real, const D: usize> Gathered<S, D> {
             for pin in lots.iter().flat_map(pins_of) {
                 fastened[pin as usize] = true;
             }
-            let loose = |&i: &u32| {
-                self.w[i as usize] == 0.0 && !fastened[i as usize] && self.stand_ins[i as usize] == i
-            };
+            let loose =
+                |&i: &u32| self.w[i as usize] == 0.0 && !fastened[i as usize] && self.stand_ins[i as usize] == i;
             points.extend((0..self.w.len() as u32).filter(loose));
         }
         points.sort_unstable();
@@ -358,8 +349,7 @@ impl<S: Real, const D: usize> Maker<'_, S, D> {
     /// The next more robust method: for rigid bonds projection along their new directions, for springs backward Euler,
     /// which nothing makes unstable.
     fn robust(&self, bonds: &[(u32, Bond)], points: &Points<S, D>, pull: &Pull<S, D>) -> Option<Engine<S, D>> {
-        let is_robust =
-            matches!(self.lot.choice.solver, Solver::BackwardEuler | Solver::Xpbd | Solver::Relaxation);
+        let is_robust = matches!(self.lot.choice.solver, Solver::BackwardEuler | Solver::Xpbd | Solver::Relaxation);
         if pull.rigid.is_some() {
             return Some(Engine::Projected);
         }

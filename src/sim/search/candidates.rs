@@ -33,7 +33,10 @@ pub(super) fn of<const D: usize>(model: &Model<D>) -> Candidates {
         if is_large {
             (&[Solver::Verlet], &[Solver::Verlet])
         } else {
-            (&[Solver::Rk8, Solver::Pefrl], &[Solver::Rk8, Solver::Rk4, Solver::VelocityVerlet, Solver::Pefrl, Solver::BlanesMoan6])
+            (
+                &[Solver::Rk8, Solver::Pefrl],
+                &[Solver::Rk8, Solver::Rk4, Solver::VelocityVerlet, Solver::Pefrl, Solver::BlanesMoan6],
+            )
         }
     } else if is_damped || has_surfaces || model.mouse.is_some() || has_limits {
         (

@@ -137,7 +137,11 @@ fn cheapest<const D: usize>(
             best = trial.map(|trial| (trial, error));
             tries += 1;
             // Between this one and the shortest that was too long there may be a longer one.
-            let next = if error > 0.0 { substep * (0.8 * goal / error).powf(1.0 / f64::from(solver.order())) } else { too_long };
+            let next = if error > 0.0 {
+                substep * (0.8 * goal / error).powf(1.0 / f64::from(solver.order()))
+            } else {
+                too_long
+            };
             let next = next.min((substep * too_long).sqrt()).min(2.0 * substep);
             if tries >= 3 || !too_long.is_finite() || next < 1.15 * substep {
                 break;

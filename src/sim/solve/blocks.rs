@@ -204,11 +204,7 @@ impl<S: Real, const D: usize> Blocks<S, D> {
         }
         self.ldl.solve(work);
         for (&row, force) in self.rows.iter().zip(force.iter_mut()) {
-            *force = if row == NOWHERE {
-                [S::ZERO; D]
-            } else {
-                std::array::from_fn(|k| work[row as usize + k])
-            };
+            *force = if row == NOWHERE { [S::ZERO; D] } else { std::array::from_fn(|k| work[row as usize + k]) };
         }
         for (line, error) in self.lines.iter().zip(error.iter_mut()) {
             *error = work[line.row as usize];
