@@ -5,7 +5,7 @@
 #![allow(clippy::unwrap_used, reason = "a bench that cannot go on stops")]
 
 use criterion::{Criterion, Throughput, criterion_group, criterion_main};
-use wobble::sim::{Bond, BondKind, Dynamics, Limit, Method, Model, Order, PointId, Solver, World};
+use wobble::sim::{Bond, BondKind, Dynamics, Method, Model, Order, PointId, Solver, World};
 
 /// A sheet of `n` x `n` points, spacing 0.1 m, rows, columns and one diagonal a cell: 3 n^2 bonds less the edges.
 fn sheet(n: u32, order: Order) -> Model<2> {

@@ -25,6 +25,11 @@ fn failure(arguments: &[&str]) -> String {
     error
 }
 
+fn success(arguments: &[&str]) {
+    let done = wobble(arguments);
+    assert!(done.status.success(), "{arguments:?}: {}", text(&done.stderr));
+}
+
 fn refused(arguments: &[&str]) -> String {
     let done = wobble(arguments);
     assert_eq!(done.status.code(), Some(2), "{arguments:?}: {}", text(&done.stderr));
@@ -147,6 +152,31 @@ fn what_fails_says_so_in_one_line() {
     );
     std::fs::write(&path, UNSTABLE).unwrap();
     assert!(failure(&["simulate", bad, "--samples", "200", "--hash"]).contains("smaller substep"));
+}
+
+#[test]
+fn a_tolerance_is_kept_or_what_was_reached_is_said() {
+    let folder = tempfile::tempdir().unwrap();
+    let (scene, out) = (folder.path().join("swing.json"), folder.path().join("x.json"));
+    let (scene, out) = (scene.to_str().unwrap(), out.to_str().unwrap());
+    std::fs::write(
+        scene,
+        r#"{ "wobble": 1, "points": { "position": [[0,0],[1,0],[2,0]], "pinned": [0] }, "gravity": [0,-9.81],
+             "bonds": [{"a":0,"b":1},{"a":1,"b":2}], "duration": 1 }"#,
+    )
+    .unwrap();
+    let read = || serde_json::from_str::<serde_json::Value>(&std::fs::read_to_string(out).unwrap()).unwrap();
+    success(&["simulate", scene, "--tolerance", "1e-5", "--out", out]);
+    let kept = read();
+    assert!(kept["expected_error"].as_f64().unwrap() <= 1e-5 && kept["search_seconds"].as_f64().unwrap() > 0.0);
+    let said = failure(&["simulate", scene, "--tolerance", "1e-30", "--out", out]);
+    assert!(said.contains("an error of 1e-30 m was not reached") && said.contains("comes to"), "{said}");
+    assert!(read()["expected_error"].as_f64().unwrap() < 1e-9, "the best is written all the same");
+    assert!(failure(&["simulate", "rim-relaxed", "--samples", "1", "--tolerance", "1e-3", "--hash"]).contains("no error"));
+    assert!(failure(&["simulate", scene, "--substep", "1e-320", "--out", out]).contains("at least 1e-12"));
+    success(&["simulate", scene, "--settle", "--out", out]);
+    assert!((read()["samples"][0]["position"][2][1].as_f64().unwrap() + 2.0).abs() < 1e-12);
+    assert!(failure(&["simulate", "points", "--samples", "1", "--settle", "--out", out]).contains("no equilibrium"));
 }
 
 #[test]

@@ -41,6 +41,9 @@ pub struct Model<const D: usize> {
     pub method: Method,
 }
 
+/// Shortest substep [s]: a run of shorter ones would not end in a lifetime.
+const SHORTEST: f64 = 1e-12;
+
 /// A model that no world can be made from.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 pub enum ModelError {
@@ -82,6 +85,12 @@ pub enum ModelError {
         /// The point.
         point: u32,
     },
+    /// A bond that has no error, where a tolerance is asked for.
+    #[error("bond {bond} is relaxed: it is defined by its sweeps and has no error to bound: leave `tolerance` out")]
+    NoError {
+        /// The bond.
+        bond: usize,
+    },
     /// A bond that has no energy, where an equilibrium is asked for.
     #[error("bond {bond} is relaxed and has no energy to settle: make it a spring or rigid")]
     NoEnergy {
@@ -117,7 +126,7 @@ impl<const D: usize> Model<D> {
         require(self.gravity.iter().all(|g| g.is_finite()), "gravity", self.gravity, "finite")?;
         require(self.drag_rate >= 0.0 && self.drag_rate.is_finite(), "drag_rate", self.drag_rate, "finite and >= 0")?;
         if let Some(h) = self.method.substep {
-            require(h > 0.0 && h.is_finite(), "substep", h, "finite and > 0")?;
+            require((SHORTEST..f64::INFINITY).contains(&h), "substep", h, "finite and at least 1e-12")?;
         }
         if let Some(t) = self.duration {
             require(t >= 0.0 && t.is_finite(), "duration", t, "finite and >= 0")?;

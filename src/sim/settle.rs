@@ -71,7 +71,7 @@ pub fn settle<const D: usize>(model: &Model<D>) -> Result<Equilibrium<D>, ModelE
         position,
         residual: descent.residual,
         rounds,
-        is_settled: descent.is_done && descent.residual <= BALANCED.sqrt(),
+        is_settled: descent.is_done && descent.residual <= BALANCED.sqrt() && !descent.has_loose,
     })
 }
 
@@ -103,6 +103,8 @@ struct Descent<const D: usize> {
     penalty: f64,
     residual: f64,
     is_done: bool,
+    /// Some point falls for ever.
+    has_loose: bool,
 }
 
 impl<const D: usize> Descent<D> {
@@ -132,6 +134,8 @@ impl<const D: usize> Descent<D> {
         for end in bonds.iter().flat_map(|bond| [bond.a, bond.b]) {
             is_free[end.index()] = !is_pinned[end.index()];
         }
+        let is_loose = |i: usize| stand_ins[i] as usize == i && !is_pinned[i] && !is_free[i];
+        let has_loose = model.gravity.iter().any(|&g| g != 0.0) && (0..w.len()).any(is_loose);
         let held: Vec<f64> = is_free.iter().map(|&free| f64::from(u8::from(free))).collect();
         reconcile(&mut bonds, &mut x, &held);
         let of = |bond: &Bond| match bond.kind {
@@ -155,6 +159,7 @@ impl<const D: usize> Descent<D> {
             penalty: 0.0,
             residual: f64::INFINITY,
             is_done: false,
+            has_loose,
             stand_ins,
             x,
             mass,

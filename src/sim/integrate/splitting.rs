@@ -48,7 +48,7 @@ pub(crate) fn flight() -> Vec<Part> {
 pub(crate) fn pefrl() -> Vec<Part> {
     const XI: f64 = 0.178_617_895_844_809_1;
     const LAMBDA: f64 = -0.212_341_831_062_605_4;
-    const CHI: f64 = -0.066_264_582_669_818_49;
+    const CHI: f64 = -0.066_264_582_669_818_5;
     palindrome(&[
         Part::Flight(XI),
         Part::Kick(0.5 - LAMBDA),
@@ -61,7 +61,7 @@ pub(crate) fn pefrl() -> Vec<Part> {
 /// Order 4 in six forces a substep, for forces that depend on positions (SRKN_6^b).
 /// Source: S. Blanes and P. C. Moan, J. Comput. Appl. Math. 142, 313 (2002), table 3.
 pub(crate) fn blanes_moan_4() -> Vec<Part> {
-    const A: [f64; 2] = [0.245_298_957_184_271, 0.604_872_665_711_080];
+    const A: [f64; 2] = [0.245_298_957_184_271, 0.604_872_665_711_08];
     const B: [f64; 3] = [0.082_984_406_417_405_2, 0.396_309_801_498_368, -0.039_056_304_922_348_6];
     palindrome(&[
         Part::Kick(B[0]),

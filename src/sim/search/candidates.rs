@@ -19,14 +19,11 @@ pub(super) fn of<const D: usize>(model: &Model<D>) -> Candidates {
         return Candidates { references: vec![model.method.solver], solvers: vec![model.method.solver] };
     }
     let is = |of: fn(&BondKind) -> bool| model.bonds.iter().any(|bond| of(&bond.kind));
-    let is_relaxed = is(|kind| matches!(kind, BondKind::Relaxed { .. }));
     let is_rigid = is(|kind| *kind == BondKind::Rigid);
     let is_damped = is(|kind| matches!(kind, BondKind::Spring { damping, .. } if *damping > 0.0));
     let has_limits = model.bonds.iter().any(|bond| bond.limit != Limit::Both);
     let has_surfaces = model.bounds.is_some() || !model.planes.is_empty();
-    let (references, solvers): (&[Solver], &[Solver]) = if is_relaxed {
-        (&[Solver::Verlet], &[Solver::Verlet])
-    } else if model.bonds.is_empty() && !has_surfaces && model.mouse.is_none() {
+    let (references, solvers): (&[Solver], &[Solver]) = if model.bonds.is_empty() && !has_surfaces && model.mouse.is_none() {
         (&[Solver::Flight], &[Solver::Flight])
     } else if is_rigid {
         let is_large = islands(&model.bonds, &inverse_masses(model)).iter().any(|island| island.rigid > MOST_DIRECT);

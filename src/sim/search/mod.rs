@@ -6,6 +6,7 @@
 mod candidates;
 mod trial;
 
+use super::bond::BondKind;
 use super::model::{Method, Model, ModelError};
 use super::solver::Solver;
 use trial::{Trial, Trials};
@@ -39,9 +40,12 @@ const MOST_HALVINGS: u32 = 24;
 ///
 /// A solver or a substep that the method says is kept. The model should end at the last of the times. Samples of the
 /// same model are compared with each other, so that what all methods get wrong alike is not seen.
-/// Errors: as [`Model::check`].
+/// Errors: as [`Model::check`]; relaxed bonds, which have no error.
 pub fn search<const D: usize>(model: &Model<D>, tolerance: f64, times: &[f64]) -> Result<Found, ModelError> {
     model.check()?;
+    if let Some(bond) = model.bonds.iter().position(|bond| matches!(bond.kind, BondKind::Relaxed { .. })) {
+        return Err(ModelError::NoError { bond });
+    }
     let mut trials = Trials::new(model, times);
     let kinds = candidates::of(model);
     let Some(reference) = find_reference(&mut trials, &kinds.references, tolerance)? else {
@@ -101,7 +105,11 @@ fn find_reference<const D: usize>(
             } else if last.is_some() {
                 break;
             }
-            if worse >= 3 || trials.is_spent() {
+            // What is left is rounding: no method gets further.
+            if worse >= 3 {
+                return Ok(best);
+            }
+            if trials.is_spent() {
                 break;
             }
             substep *= CUT;

@@ -6,8 +6,8 @@ use crate::sim::plan::{inverse_masses, island::islands};
 use crate::sim::solver::Solver;
 use crate::sim::world::build;
 
-/// Most work of a whole search, in the units of `sim::cost`: about half a minute.
-const MOST_WORK: f64 = 1e11;
+/// Most work of a whole search, in the units of `sim::cost`: about ten seconds.
+const MOST_WORK: f64 = 2e10;
 /// Longest substep that is tried [s].
 const LONGEST: f64 = 0.25;
 
@@ -125,7 +125,7 @@ impl<'a, const D: usize> Trials<'a, D> {
         self.count(&*world, unit);
         self.last_work = work(&*world, unit);
         let is_finite = positions.iter().flatten().flatten().all(|x| x.is_finite());
-        Ok(is_finite.then(|| Trial { method, positions, work: self.last_work }))
+        Ok(is_finite.then_some(Trial { method, positions, work: self.last_work }))
     }
 
     fn count(&mut self, world: &dyn Dynamics, unit: f64) {
