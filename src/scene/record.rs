@@ -36,7 +36,7 @@ pub fn record(
         run_to(world, time, &mut progress)?;
         samples.push(world.sample(time));
         progress(time);
-        if !world.is_finite() {
+        if !world.is_finite() || samples.last().is_some_and(|sample| !sample.energy.is_finite()) {
             return Err(RecordError::NotFinite { time: world.time() });
         }
     }

@@ -70,7 +70,7 @@ impl<S: Real, const D: usize> Pull<S, D> {
     /// As [`Pull::push`], at the velocities that half a kick of `h` makes: dampers pull with the velocity in the middle
     /// of a kick. It is foretold from the last accelerations, which is enough for order 2.
     pub(crate) fn push_ahead(
-        &self,
+        &mut self,
         around: &Surroundings<D>,
         (t, h): (f64, f64),
         gravity: [f64; D],
@@ -83,6 +83,10 @@ impl<S: Real, const D: usize> Pull<S, D> {
         for i in 0..position.len() {
             let gain = if inverse_mass[i] == S::ZERO { zero() } else { add(fall, scale(acceleration[i], half)) };
             velocity_ahead[i] = add(velocity[i], gain);
+        }
+        // Rigid bonds answer at once: dampers feel the velocity that the bonds leave.
+        if let Some(rigid) = &mut self.rigid {
+            rigid.project_ahead(velocity_ahead, &self.contacts);
         }
         self.forces(around, t, (position, velocity_ahead, inverse_mass), acceleration, counters);
         self.contacts.hold_kick(self.kicking_gravity(), velocity, acceleration);

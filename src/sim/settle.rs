@@ -17,7 +17,7 @@ use super::contact::surface::{Surface, walls};
 use super::force::spring::{self, Spring};
 use super::measure;
 use super::model::{Model, ModelError};
-use super::plan::{inverse_masses, reconcile, weld};
+use super::plan::{inverse_masses, nudge, reconcile, weld};
 use super::solve::blocks::Blocks;
 use super::vector::{add, dot, length, scale, sub};
 
@@ -25,6 +25,9 @@ use super::vector::{add, dot, length, scale, sub};
 const MOST_ROUNDS: u32 = 500;
 /// Force per weight at which a point counts as at rest, relative to the largest force on any.
 const BALANCED: f64 = 1e-13;
+/// Times that a shape is pushed off a saddle, and how far, as a share of its extent.
+const MOST_PUSHES: u32 = 3;
+const PUSH: f64 = 1e-3;
 /// Times that the shift is raised in one round: the last is beyond any stiffness.
 const MOST_SHIFTS: u32 = 12;
 /// Longest step, as a share of the diagonal of the box around all points: further out the model of the energy is none.
@@ -76,7 +79,7 @@ pub fn settle<const D: usize>(model: &Model<D>) -> Result<Equilibrium<D>, ModelE
 }
 
 /// A rigid bond, or a surface that a point is pressed onto.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 enum Hold {
     Bond { a: usize, b: usize, rest: f64 },
     Surface { point: usize, surface: usize },
@@ -94,6 +97,8 @@ struct Descent<const D: usize> {
     springs: Vec<Spring<f64>>,
     pairs: Vec<[u32; 2]>,
     rigid: Vec<Hold>,
+    /// Rigid bonds that act one way: those that do are among the pressed.
+    limited: Vec<(Hold, Limit)>,
     surfaces: Vec<Surface<f64, D>>,
     pressed: Vec<Hold>,
     system: Blocks<f64, D>,
@@ -105,6 +110,8 @@ struct Descent<const D: usize> {
     is_done: bool,
     /// Some point falls for ever.
     has_loose: bool,
+    /// Times that it was pushed off a saddle.
+    pushes: u32,
 }
 
 impl<const D: usize> Descent<D> {
@@ -137,14 +144,17 @@ impl<const D: usize> Descent<D> {
         let is_loose = |i: usize| stand_ins[i] as usize == i && !is_pinned[i] && !is_free[i];
         let has_loose = model.gravity.iter().any(|&g| g != 0.0) && (0..w.len()).any(is_loose);
         let held: Vec<f64> = is_free.iter().map(|&free| f64::from(u8::from(free))).collect();
-        reconcile(&mut bonds, &mut x, &held);
+        reconcile(&mut bonds, &mut x.clone(), &held);
         let of = |bond: &Bond| match bond.kind {
             BondKind::Rigid if is_free[bond.a.index()] || is_free[bond.b.index()] => {
-                Some(Hold::Bond { a: bond.a.index(), b: bond.b.index(), rest: bond.rest_length })
+                let hold = Hold::Bond { a: bond.a.index(), b: bond.b.index(), rest: bond.rest_length };
+                Some((hold, bond.limit))
             }
             _ => None,
         };
-        let rigid: Vec<Hold> = bonds.iter().filter(|bond| bond.limit == Limit::Both).filter_map(of).collect();
+        let holds: Vec<(Hold, Limit)> = bonds.iter().filter_map(of).collect();
+        let rigid = holds.iter().filter(|hold| hold.1 == Limit::Both).map(|hold| hold.0).collect();
+        let limited: Vec<(Hold, Limit)> = holds.into_iter().filter(|hold| hold.1 != Limit::Both).collect();
         let springs: Vec<Spring<f64>> = bonds.iter().filter_map(Spring::of).collect();
         let pairs: Vec<[u32; 2]> = springs.iter().map(|spring| [spring.a, spring.b]).collect();
         let planes = model.bounds.iter().flat_map(walls).chain(model.planes.iter().copied());
@@ -160,6 +170,7 @@ impl<const D: usize> Descent<D> {
             residual: f64::INFINITY,
             is_done: false,
             has_loose,
+            pushes: 0,
             stand_ins,
             x,
             mass,
@@ -168,6 +179,7 @@ impl<const D: usize> Descent<D> {
             springs,
             pairs,
             rigid,
+            limited,
         };
         descent.arrange();
         // Without tensions yet nothing tells a chain which way is down: the first steps go along the gradient.
@@ -236,7 +248,12 @@ impl<const D: usize> Descent<D> {
     /// Sum of how deep free points are in surfaces [m].
     fn depths(&self, x: &[[f64; D]]) -> f64 {
         let deep = |x: &[f64; D]| self.surfaces.iter().map(|surface| (-surface.gap(*x)).max(0.0)).sum::<f64>();
-        x.iter().zip(&self.is_free).filter(|(_, free)| **free).map(|(x, _)| deep(x)).sum()
+        let surfaces: f64 = x.iter().zip(&self.is_free).filter(|(_, free)| **free).map(|(x, _)| deep(x)).sum();
+        let over = |&(hold, limit): &(Hold, Limit)| match limit {
+            Limit::Max => self.off(hold, x).0.max(0.0),
+            _ => (-self.off(hold, x).0).max(0.0),
+        };
+        surfaces + self.limited.iter().map(over).sum::<f64>()
     }
 
     /// One step of Newton's method, shortened where it has to be.
@@ -357,7 +374,8 @@ impl<const D: usize> Descent<D> {
     /// A step that leaves curved constraints is bent back to them before it is shortened.
     fn take(&mut self, system: &Blocks<f64, D>, mut step: Vec<[f64; D]>, lambda: &[f64], stiffest: f64) {
         let most = lambda.iter().fold(self.weight(), |most, lambda| most.max(lambda.abs()));
-        self.penalty = self.penalty.max(2.0 * most);
+        // It follows the multipliers down again: those of the first rounds may be far too large.
+        self.penalty = (0.5 * self.penalty).max(2.0 * most);
         let (extent, holds) = (self.extent(), self.holds());
         let size = step.iter().map(|s| length(*s)).fold(0.0, f64::max);
         if size > REACH * extent {
@@ -385,6 +403,12 @@ impl<const D: usize> Descent<D> {
             *old += share * (new - *old);
         }
         let is_still = size <= 1e-14 * extent || (self.residual <= BALANCED && off <= 1e-15 * extent * extent);
+        // Balanced, but on a saddle: a push is all it needs.
+        if is_still && self.shift > 1e-6 * stiffest && self.pushes < MOST_PUSHES {
+            nudge(&mut self.x, &self.is_free, PUSH);
+            self.pushes += 1;
+            return;
+        }
         self.is_done = (is_still && self.shift == 0.0) || (share <= 1e-8 && self.shift >= 1e3 * stiffest);
         self.shift = match share {
             1.0 if self.shift > 1e-6 * stiffest => 0.1 * self.shift,
@@ -400,15 +424,17 @@ impl<const D: usize> Descent<D> {
 
     /// Points that went into a surface are held to it; those that it would have to pull are let go.
     fn revise(&mut self, lambda: &[f64]) {
-        if self.surfaces.is_empty() {
+        if self.surfaces.is_empty() && self.limited.is_empty() {
             return;
         }
         let before = self.pressed.len();
         let first = self.rigid.len();
         let mut kept = Vec::new();
         for (k, &hold) in self.pressed.iter().enumerate() {
-            // lambda pulls along the normal in the balance: a surface can only push.
-            if lambda[first + k] <= 0.0 {
+            // lambda balances the force along the normal or the bond: a surface can only push, a string only pull.
+            let limit = self.limited.iter().find(|limited| limited.0 == hold).map(|limited| limited.1);
+            let is_right = if limit == Some(Limit::Max) { lambda[first + k] >= 0.0 } else { lambda[first + k] <= 0.0 };
+            if is_right {
                 kept.push(hold);
             }
         }
@@ -420,6 +446,14 @@ impl<const D: usize> Descent<D> {
                     kept.push(Hold::Surface { point, surface });
                     changed = true;
                 }
+            }
+        }
+        for &(hold, limit) in &self.limited {
+            let off = self.off(hold, &self.x).0;
+            let is_over = if limit == Limit::Max { off > 1e-14 } else { off < -1e-14 };
+            if is_over && !kept.contains(&hold) {
+                kept.push(hold);
+                changed = true;
             }
         }
         if changed {

@@ -14,7 +14,7 @@ use super::points::State;
 use super::real::Real;
 use super::surroundings::Surroundings;
 use super::timeline::Timeline;
-use super::vector::{convert, embed, widen, zero};
+use super::vector::{convert, embed, length, sub, widen, zero};
 
 /// A running scene, generic over its scalar and its dimension: one source for all four.
 #[derive(Clone, Debug)]
@@ -76,7 +76,7 @@ impl<S: Real, const D: usize> World<S, D> {
             warnings: Vec::new(),
             model: Arc::new(Model { position: Vec::new(), velocity: Vec::new(), bonds: Vec::new(), ..model.clone() }),
         };
-        world.warn_of_pins(&w);
+        world.warn_of_pins(&w, &model.position);
         world.begin(&state, &w);
         Ok(world)
     }
@@ -110,15 +110,18 @@ impl<S: Real, const D: usize> World<S, D> {
         }
     }
 
-    fn warn_of_pins(&mut self, w: &[f64]) {
+    fn warn_of_pins(&mut self, w: &[f64], position: &[[f64; D]]) {
         let leads = |point: PointId| self.model.pin_motion.iter().any(|(led, _)| *led == point);
         let stands = |bond: &&(usize, &Bond)| {
             let (a, b) = (bond.1.a, bond.1.b);
-            bond.1.kind == BondKind::Rigid && w[a.index()] + w[b.index()] == 0.0 && (leads(a) || leads(b))
+            let d = length(sub(position[a.index()], position[b.index()]));
+            let is_off = (d - bond.1.rest_length).abs() > 1e-8 * bond.1.rest_length.max(1.0);
+            let is_fixed = w[a.index()] + w[b.index()] == 0.0;
+            bond.1.kind == BondKind::Rigid && is_fixed && (is_off || leads(a) || leads(b))
         };
         let between: Vec<usize> = self.bonds.iter().enumerate().filter(|bond| stands(&bond)).map(|(k, _)| k).collect();
         if !between.is_empty() {
-            let text = format!("{} join pinned points that are moved: they cannot hold", list(&between));
+            let text = format!("{} cannot hold: both ends are pinned, and not at that length", list(&between));
             self.warnings.push(text);
         }
     }

@@ -26,6 +26,8 @@ pub(crate) struct Direct<S: Real, const D: usize> {
     lambda: Vec<S>,
     /// Sum of the multipliers of the last projection of velocities.
     total: Vec<S>,
+    /// Positions before a projection, to go back to.
+    start: Vec<[S; D]>,
     has_limits: bool,
 }
 
@@ -53,6 +55,9 @@ fn least_pivot<S: Real>() -> S {
     S::EPSILON * S::from_f64(512.0)
 }
 
+/// Times that bonds with a limit are let go or taken in within a substep.
+const MOST_CHANGES: u32 = 16;
+
 /// Solves after which a substep goes on with what it has.
 const MOST_SOLVES: u32 = 24;
 
@@ -68,6 +73,7 @@ impl<S: Real, const D: usize> Direct<S, D> {
             lower: vec![S::ZERO; shape.couplings.len()],
             lambda: vec![S::ZERO; count],
             total: vec![S::ZERO; count],
+            start: Vec::new(),
             rows: shape.rows,
             couplings: shape.couplings,
         }
@@ -170,7 +176,8 @@ impl<S: Real, const D: usize> Direct<S, D> {
     /// (least squares) where bonds contradict each other.
     pub(crate) fn project(&mut self, points: &mut Points<S, D>, contacts: &Contacts<S, D>) -> Held {
         let mut before = S::INFINITY;
-        self.tighten(&points.position);
+        self.start.clone_from(&points.position);
+        self.tighten(&points.position, &points.velocity);
         self.aim(&points.position);
         self.factor(contacts);
         for iterations in 0..MOST_SOLVES {
@@ -178,8 +185,8 @@ impl<S: Real, const D: usize> Direct<S, D> {
             if error <= tolerance() {
                 return Held { iterations, is_held: true };
             }
-            if !(error.is_finite()) {
-                return Held { iterations, is_held: false };
+            if !error.is_finite() || (iterations > 4 && error > before) {
+                break;
             }
             if iterations > 2 && error <= enough() && error > S::HALF * before {
                 return Held { iterations, is_held: true };
@@ -193,14 +200,76 @@ impl<S: Real, const D: usize> Direct<S, D> {
             self.shift(contacts, |i, way| accumulate(&mut points.position[i], &mut points.position_lost[i], way));
         }
         let error = self.residual(|row| sub(points.position[row.a as usize], points.position[row.b as usize]));
-        Held { iterations: MOST_SOLVES, is_held: error <= enough() }
+        if error <= enough() {
+            return Held { iterations: MOST_SOLVES, is_held: true };
+        }
+        points.position.copy_from_slice(&self.start);
+        self.draw_near(points, contacts);
+        Held { iterations: 2 * MOST_SOLVES, is_held: false }
+    }
+
+    /// Brings bonds that cannot all hold as near to their lengths as they get: a matrix with a larger diagonal makes
+    /// every round a short step towards least squares, and never one into the distance.
+    fn draw_near(&mut self, points: &mut Points<S, D>, contacts: &Contacts<S, D>) {
+        for _ in 0..MOST_SOLVES {
+            self.aim(&points.position);
+            self.factor(contacts);
+            for diagonal in &mut self.diagonal {
+                *diagonal = *diagonal * S::from_f64(1.5);
+            }
+            self.ldl.factor(&self.diagonal, &self.lower, least_pivot());
+            self.residual(|row| sub(points.position[row.a as usize], points.position[row.b as usize]));
+            self.ldl.solve(&mut self.lambda);
+            self.shift(contacts, |i, way| accumulate(&mut points.position[i], &mut points.position_lost[i], way));
+        }
     }
 
     /// Bends the displacements of a substep along the directions at its start until bonds keep their lengths (SHAKE).
     ///
     /// Rows are aimed and factored at the start of the substep. Source: J.-P. Ryckaert, G. Ciccotti,
     /// H. J. C. Berendsen, J. Comput. Phys. 23, 327 (1977); all bonds at once in place of one after the other.
+    ///
+    /// Bonds with a limit that would have to push are let go, those that became too long are taken in, and all begins
+    /// again.
     pub(crate) fn bend(&mut self, points: &mut Points<S, D>, contacts: &Contacts<S, D>) -> Held {
+        if !self.has_limits {
+            return self.bend_taut(points, contacts);
+        }
+        let free = points.displacement.clone();
+        let mut held = self.bend_taut(points, contacts);
+        for _ in 0..MOST_CHANGES {
+            self.lambda.copy_from_slice(&self.total);
+            if !self.slacken() && !self.take_in(points) {
+                break;
+            }
+            points.displacement.copy_from_slice(&free);
+            self.factor(contacts);
+            let again = self.bend_taut(points, contacts);
+            held = Held { iterations: held.iterations + again.iterations, ..again };
+        }
+        held
+    }
+
+    /// Slack bonds that the displacements make too long (or too short) act from now on. Returns whether there are any.
+    fn take_in(&mut self, points: &Points<S, D>) -> bool {
+        let mut any = false;
+        for row in self.rows.iter_mut().filter(|row| !row.is_taut) {
+            let (i, j) = (row.a as usize, row.b as usize);
+            let (x, way) = (&points.position, &points.displacement);
+            let d = add(sub(x[i], x[j]), sub(way[i], way[j]));
+            let over = (dot(d, d) - row.rest_length * row.rest_length) * row.inverse_square;
+            row.is_taut = match row.limit {
+                Limit::Both => true,
+                Limit::Max => over > tolerance::<S>() * S::from_f64(16.0),
+                Limit::Min => over < -tolerance::<S>() * S::from_f64(16.0),
+            };
+            any |= row.is_taut;
+        }
+        any
+    }
+
+    fn bend_taut(&mut self, points: &mut Points<S, D>, contacts: &Contacts<S, D>) -> Held {
+        self.total.fill(S::ZERO);
         let Points { position, displacement, .. } = points;
         let mut before = S::INFINITY;
         for iterations in 0..MOST_SOLVES {
@@ -216,6 +285,9 @@ impl<S: Real, const D: usize> Direct<S, D> {
             }
             before = error;
             self.ldl.solve(&mut self.lambda);
+            for (total, lambda) in self.total.iter_mut().zip(&self.lambda) {
+                *total += *lambda;
+            }
             self.shift(contacts, |i, way| displacement[i] = add(displacement[i], way));
         }
         Held { iterations: MOST_SOLVES, is_held: false }
@@ -275,6 +347,16 @@ impl<S: Real, const D: usize> Direct<S, D> {
         }
     }
 
+    /// As [`Direct::project_velocity`], for velocities that are only a look ahead.
+    pub(crate) fn project_ahead(&mut self, v: &mut [[S; D]], contacts: &Contacts<S, D>) {
+        for (lambda, (row, aim)) in self.lambda.iter_mut().zip(self.rows.iter().zip(&self.aims)) {
+            let rate = dot(*aim, sub(v[row.a as usize], v[row.b as usize]));
+            *lambda = if row.is_taut { -rate } else { S::ZERO };
+        }
+        self.ldl.solve(&mut self.lambda);
+        self.shift(contacts, |i, way| v[i] = add(v[i], way));
+    }
+
     /// The change of a point's velocity by the last projection of velocities, surfaces left aside [m/s].
     pub(crate) fn push_on(&self, point: usize) -> [S; D] {
         let mut sum = zero();
@@ -288,19 +370,44 @@ impl<S: Real, const D: usize> Direct<S, D> {
         sum
     }
 
-    /// Decides which bonds with a limit act: those that are at their rest length or beyond it.
-    pub(crate) fn tighten(&mut self, x: &[[S; D]]) {
+    /// Lets go of bonds with a limit whose last multiplier would push where they pull, or pull where they push.
+    ///
+    /// Returns whether there were any: then everything has to be solved again.
+    pub(crate) fn slacken(&mut self) -> bool {
+        if !self.has_limits {
+            return false;
+        }
+        let mut any = false;
+        for (row, &lambda) in self.rows.iter_mut().zip(&self.lambda) {
+            // The force on end a is lambda d: below 0 the bond pulls.
+            let wrong = match row.limit {
+                Limit::Both => false,
+                Limit::Max => lambda > S::ZERO,
+                Limit::Min => lambda < S::ZERO,
+            };
+            any |= wrong && row.is_taut;
+            row.is_taut &= !wrong;
+        }
+        any
+    }
+
+    /// Decides which bonds with a limit act: those that are at their rest length or beyond it, and do not come back from
+    /// there by themselves.
+    pub(crate) fn tighten(&mut self, x: &[[S; D]], v: &[[S; D]]) {
         if !self.has_limits {
             return;
         }
+        let slow = S::from_f64(1e-9).max(S::EPSILON * S::from_f64(64.0));
         for row in &mut self.rows {
-            let d = sub(x[row.a as usize], x[row.b as usize]);
+            let (a, b) = (row.a as usize, row.b as usize);
+            let d = sub(x[a], x[b]);
+            let rate = dot(d, sub(v[a], v[b])) * row.inverse_square;
             let rest = row.rest_length * row.rest_length;
             let over = (dot(d, d) - rest) * row.inverse_square;
             row.is_taut = match row.limit {
                 Limit::Both => true,
-                Limit::Max => over > -tolerance::<S>(),
-                Limit::Min => over < tolerance(),
+                Limit::Max => over > tolerance() || (over > -tolerance::<S>() * S::from_f64(16.0) && rate > -slow),
+                Limit::Min => over < -tolerance::<S>() || (over < tolerance::<S>() * S::from_f64(16.0) && rate < slow),
             };
         }
     }

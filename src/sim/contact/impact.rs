@@ -91,6 +91,18 @@ fn strike_bonded<S: Real, const D: usize>(
     targets: &mut Vec<Target<S>>,
 ) {
     let before = points.velocity.clone();
+    // Points that rest are part of it: their surface may have to push harder, or to let go.
+    for rest in &contacts.rests {
+        let point = rest.point as usize;
+        let is_hit = |target: &Target<S>, surface: usize| target.hit == Hit { point, surface };
+        for surface in rest.surfaces().iter().map(|&surface| surface as usize) {
+            if !targets.iter().any(|target| is_hit(target, surface)) {
+                let hit = Hit { point, surface };
+                targets.push(Target { hit, target: S::ZERO, change: S::ZERO, rests: true });
+            }
+        }
+    }
+    contacts.clear();
     loop {
         points.velocity.copy_from_slice(&before);
         let mut held = contacts.clone();

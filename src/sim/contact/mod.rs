@@ -79,6 +79,12 @@ impl<S: Real, const D: usize> Contacts<S, D> {
         }
     }
 
+    /// Nothing rests any more.
+    pub(crate) fn clear(&mut self) {
+        self.rests.clear();
+        self.place.fill(0);
+    }
+
     /// Makes accelerations `a`, to which a kick adds `gravity`, such that the sum is what resting points can follow.
     pub(crate) fn hold_kick(&self, gravity: [f64; D], v: &[[S; D]], a: &mut [[S; D]]) {
         let gravity: [S; D] = super::vector::convert(gravity);

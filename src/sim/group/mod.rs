@@ -6,6 +6,7 @@ pub(crate) mod guard;
 
 use super::counters::Counters;
 use super::force::mouse::{self, Inside, Track};
+use super::plan::choice::MOST_DIRECT;
 use super::points::{Points, State};
 use super::pull::Pull;
 use super::real::Real;
@@ -58,9 +59,10 @@ impl<S: Real, const D: usize> Group<S, D> {
     pub(crate) fn begin(&mut self, around: &Surroundings<D>, t: f64) -> bool {
         self.lead_pins(t);
         let mut counters = Counters::default();
-        let is_held = self.pull.project(&mut self.points, &mut counters);
+        let mut is_held = self.pull.project(&mut self.points, &mut counters);
         if let Engine::KickDrift(method, _) = &mut self.engine {
-            method.hold_start(&mut self.points);
+            // Of a large mesh sweeps may only be slow: nothing says that its lengths contradict each other.
+            is_held &= method.hold_start(&mut self.points) || method.swept.rigid.len() > MOST_DIRECT;
         }
         self.mark_inside(around, t);
         self.points.save(&mut self.before);
@@ -158,7 +160,7 @@ impl<S: Real, const D: usize> Group<S, D> {
     pub(crate) fn hold_velocity(&mut self) {
         let Group { points, pull, engine, .. } = self;
         if let Some(rigid) = &mut pull.rigid {
-            rigid.tighten(&points.position);
+            rigid.tighten(&points.position, &points.velocity);
             rigid.aim(&points.position);
             rigid.factor(&pull.contacts);
             rigid.project_velocity(points, &pull.contacts);

@@ -75,11 +75,20 @@ impl<S: Real> KickDrift<S> {
     fn kick<const D: usize>(
         &mut self,
         points: &mut Points<S, D>,
-        pull: &Pull<S, D>,
+        pull: &mut Pull<S, D>,
         around: &Surroundings<D>,
         (t, h): (f64, f64),
         counters: &mut Counters,
     ) {
+        if pull.is_damped
+            && !self.aimed
+            && let Some(rigid) = &mut pull.rigid
+        {
+            rigid.tighten(&points.position, &points.velocity);
+            rigid.aim(&points.position);
+            rigid.factor(&pull.contacts);
+            self.aimed = true;
+        }
         if pull.is_damped {
             pull.push_ahead(around, (t, h), pull.gravity, points, counters);
         } else if !self.fresh {
@@ -136,7 +145,7 @@ impl<S: Real> KickDrift<S> {
     ) -> bool {
         if let Some(rigid) = &mut pull.rigid {
             if !self.aimed {
-                rigid.tighten(&points.position);
+                rigid.tighten(&points.position, &points.velocity);
                 rigid.aim(&points.position);
                 rigid.factor(&pull.contacts);
             }
@@ -154,23 +163,28 @@ impl<S: Real> KickDrift<S> {
     }
 
     /// Projects swept rigid bonds at the start: positions first, then velocities.
-    pub(crate) fn hold_start<const D: usize>(&mut self, points: &mut Points<S, D>) {
+    ///
+    /// Returns whether they hold.
+    pub(crate) fn hold_start<const D: usize>(&mut self, points: &mut Points<S, D>) -> bool {
         if self.swept.rigid.is_empty() {
-            return;
+            return true;
         }
         points.displacement.fill(zero());
-        rigid::hold(points, &self.swept.rigid, &mut self.swept.rigid_order.clone());
+        let held = rigid::hold(points, &self.swept.rigid, &mut self.swept.rigid_order.clone());
         verlet::advance(points);
         points.displacement.fill(zero());
         rigid::hold_velocity(points, &self.swept.rigid);
+        held.is_held
     }
 
     /// Takes from velocities what would change the length of rigid bonds.
     pub(crate) fn hold_velocity<const D: usize>(&mut self, points: &mut Points<S, D>, pull: &mut Pull<S, D>) {
         if let Some(rigid) = &mut pull.rigid {
-            rigid.tighten(&points.position);
-            rigid.aim(&points.position);
-            rigid.factor(&pull.contacts);
+            if !self.aimed {
+                rigid.tighten(&points.position, &points.velocity);
+                rigid.aim(&points.position);
+                rigid.factor(&pull.contacts);
+            }
             rigid.project_velocity(points, &pull.contacts);
             self.aimed = true;
         } else if !self.swept.rigid.is_empty() {

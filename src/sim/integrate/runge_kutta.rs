@@ -54,7 +54,13 @@ pub(crate) fn step<S: Real, const D: usize>(
         if s == 0 {
             stages.velocity[0].copy_from_slice(points.velocity.as_flattened());
             let (v, a) = (chunks(&stages.velocity[0]), chunks_mut(&mut stages.acceleration[0]));
+            if let Some(rigid) = &mut pull.rigid {
+                rigid.tighten(&points.position, &points.velocity);
+            }
             pull.accelerate(around, time, (&points.position, v, &points.inverse_mass), a, counters);
+            while pull.rigid.as_mut().is_some_and(Direct::slacken) {
+                pull.accelerate(around, time, (&points.position, v, &points.inverse_mass), a, counters);
+            }
             let too_fast = |rigid: &Direct<S, D>| rigid.frequency().to_f64() * h > table.stability;
             if pull.rigid.as_ref().is_some_and(too_fast) {
                 return false;

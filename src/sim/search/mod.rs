@@ -28,6 +28,8 @@ pub struct Found {
 const SHARE: f64 = 0.4;
 /// A reference is good when halving its substep changes no sample by more than this share of the tolerance.
 const REFERENCE: f64 = 0.02;
+/// What rounding makes of a position at least, in units of the last place.
+const ROUNDED: f64 = 4.0;
 /// Changes of a sample that may be rounding [m]: where they stop falling, halving on is of no use.
 const ROUNDING: f64 = 1e-9;
 /// From one substep of a reference to the next: not a half, for guards split substeps in halves, and two runs that a
@@ -46,6 +48,10 @@ pub fn search<const D: usize>(model: &Model<D>, tolerance: f64, times: &[f64]) -
     if let Some(bond) = model.bonds.iter().position(|bond| matches!(bond.kind, BondKind::Relaxed { .. })) {
         return Err(ModelError::NoError { bond });
     }
+    if times.iter().all(|&t| t == 0.0) {
+        let method = Method { tolerance: None, ..model.method };
+        return Ok(Found { method, expected_error: 0.0, is_reached: true, substeps: 0 });
+    }
     let mut trials = Trials::new(model, times);
     let kinds = candidates::of(model);
     let Some(reference) = find_reference(&mut trials, &kinds.references, tolerance)? else {
@@ -59,7 +65,8 @@ pub fn search<const D: usize>(model: &Model<D>, tolerance: f64, times: &[f64]) -
         }
     }
     let (trial, error) = best.unwrap_or_else(|| (reference.trial.clone(), 0.0));
-    let expected_error = error + reference.uncertainty;
+    // No run is better than its rounding.
+    let expected_error = (error + reference.uncertainty).max(ROUNDED * f64::EPSILON * reference.trial.extent());
     Ok(Found {
         method: trial.method,
         expected_error,

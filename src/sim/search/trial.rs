@@ -21,6 +21,11 @@ pub(super) struct Trial {
 }
 
 impl Trial {
+    /// The largest coordinate of any sample [m].
+    pub(super) fn extent(&self) -> f64 {
+        self.positions.iter().flatten().flatten().fold(0.0, |most, x| most.max(x.abs()))
+    }
+
     /// The largest distance between two runs, over points and samples [m].
     pub(super) fn distance(&self, other: &Trial) -> f64 {
         let apart = |a: &[f64; 3], b: &[f64; 3]| a.iter().zip(b).map(|(a, b)| (a - b) * (a - b)).sum::<f64>();
