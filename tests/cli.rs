@@ -172,7 +172,9 @@ fn a_tolerance_is_kept_or_what_was_reached_is_said() {
     let said = failure(&["simulate", scene, "--tolerance", "1e-30", "--out", out]);
     assert!(said.contains("an error of 1e-30 m was not reached") && said.contains("comes to"), "{said}");
     assert!(read()["expected_error"].as_f64().unwrap() < 1e-9, "the best is written all the same");
-    assert!(failure(&["simulate", "rim-relaxed", "--samples", "1", "--tolerance", "1e-3", "--hash"]).contains("no error"));
+    assert!(
+        failure(&["simulate", "rim-relaxed", "--samples", "1", "--tolerance", "1e-3", "--hash"]).contains("no error")
+    );
     assert!(failure(&["simulate", scene, "--substep", "1e-320", "--out", out]).contains("at least 1e-12"));
     success(&["simulate", scene, "--settle", "--out", out]);
     assert!((read()["samples"][0]["position"][2][1].as_f64().unwrap() + 2.0).abs() < 1e-12);

@@ -23,35 +23,37 @@ pub(super) fn of<const D: usize>(model: &Model<D>) -> Candidates {
     let is_damped = is(|kind| matches!(kind, BondKind::Spring { damping, .. } if *damping > 0.0));
     let has_limits = model.bonds.iter().any(|bond| bond.limit != Limit::Both);
     let has_surfaces = model.bounds.is_some() || !model.planes.is_empty();
-    let (references, solvers): (&[Solver], &[Solver]) = if model.bonds.is_empty() && !has_surfaces && model.mouse.is_none() {
-        (&[Solver::Flight], &[Solver::Flight])
-    } else if is_rigid {
-        let is_large = islands(&model.bonds, &inverse_masses(model)).iter().any(|island| island.rigid > MOST_DIRECT);
-        if is_large {
-            (&[Solver::Verlet], &[Solver::Verlet])
+    let (references, solvers): (&[Solver], &[Solver]) =
+        if model.bonds.is_empty() && !has_surfaces && model.mouse.is_none() {
+            (&[Solver::Flight], &[Solver::Flight])
+        } else if is_rigid {
+            let is_large =
+                islands(&model.bonds, &inverse_masses(model)).iter().any(|island| island.rigid > MOST_DIRECT);
+            if is_large {
+                (&[Solver::Verlet], &[Solver::Verlet])
+            } else {
+                (
+                    &[Solver::Rk8, Solver::Pefrl],
+                    &[Solver::Rk8, Solver::Rk4, Solver::VelocityVerlet, Solver::Pefrl, Solver::BlanesMoan6],
+                )
+            }
+        } else if is_damped || has_surfaces || model.mouse.is_some() || has_limits {
+            (
+                &[Solver::Rk8, Solver::ImplicitMidpoint],
+                &[Solver::Rk8, Solver::Rk4, Solver::VelocityVerlet, Solver::ImplicitMidpoint],
+            )
         } else {
             (
-                &[Solver::Rk8, Solver::Pefrl],
-                &[Solver::Rk8, Solver::Rk4, Solver::VelocityVerlet, Solver::Pefrl, Solver::BlanesMoan6],
+                &[Solver::BlanesMoan6, Solver::ImplicitMidpoint],
+                &[
+                    Solver::BlanesMoan6,
+                    Solver::BlanesMoan4,
+                    Solver::Pefrl,
+                    Solver::VelocityVerlet,
+                    Solver::Rk8,
+                    Solver::ImplicitMidpoint,
+                ],
             )
-        }
-    } else if is_damped || has_surfaces || model.mouse.is_some() || has_limits {
-        (
-            &[Solver::Rk8, Solver::ImplicitMidpoint],
-            &[Solver::Rk8, Solver::Rk4, Solver::VelocityVerlet, Solver::ImplicitMidpoint],
-        )
-    } else {
-        (
-            &[Solver::BlanesMoan6, Solver::ImplicitMidpoint],
-            &[
-                Solver::BlanesMoan6,
-                Solver::BlanesMoan4,
-                Solver::Pefrl,
-                Solver::VelocityVerlet,
-                Solver::Rk8,
-                Solver::ImplicitMidpoint,
-            ],
-        )
-    };
+        };
     Candidates { references: references.to_vec(), solvers: solvers.to_vec() }
 }
