@@ -165,7 +165,7 @@ fn a_tolerance_is_kept_or_what_was_reached_is_said() {
              "bonds": [{"a":0,"b":1},{"a":1,"b":2}], "duration": 1 }"#,
     )
     .unwrap();
-    let read = || serde_json::from_str::<serde_json::Value>(&std::fs::read_to_string(out).unwrap()).unwrap();
+    let read = || serde_json::from_str::<Value>(&std::fs::read_to_string(out).unwrap()).unwrap();
     success(&["simulate", scene, "--tolerance", "1e-5", "--out", out]);
     let kept = read();
     assert!(kept["expected_error"].as_f64().unwrap() <= 1e-5 && kept["search_seconds"].as_f64().unwrap() > 0.0);

@@ -251,3 +251,77 @@ fn a_chain_that_stands_on_its_pin_settles_below_it() {
     assert!(found.is_settled, "{found:?}");
     assert!((found.position[2][1] + 2.0).abs() < 1e-9, "a minimum, not a saddle: {found:?}");
 }
+
+#[test]
+fn a_taut_string_lets_go_of_what_comes_back() {
+    let string = Bond { limit: Limit::Max, ..rigid(0, 1, 1.0) };
+    for solver in [Solver::Auto, Solver::Rk4, Solver::VelocityVerlet, Solver::Pefrl] {
+        let mut falling = model(vec![[0.0, 0.0], [0.6, 0.8]], vec![string], &[0]);
+        falling.method = Method { solver, substep: Some(1.0 / 240.0), ..Method::default() };
+        let end = run_to(&mut World::<f64, 2>::new(&falling).unwrap(), 0.3);
+        let truth = 0.8 - 0.5 * 9.81 * 0.09;
+        assert!((end.position[1][1] - truth).abs() < 1e-9, "{solver}: {:?} {truth}", end.position[1]);
+        let mut meeting = model(vec![[0.0, 0.0], [1.0, 0.0]], vec![string], &[]);
+        meeting.gravity = [0.0, 0.0];
+        meeting.velocity = vec![[1.0, 0.0], [-1.0, 0.0]];
+        meeting.method = falling.method;
+        let end = run_to(&mut World::<f64, 2>::new(&meeting).unwrap(), 0.25);
+        assert!((end.position[0][0] - 0.25).abs() < 1e-9, "{solver}: {:?}", end.position);
+    }
+}
+
+/// A box that falls over its corner: when the other one lands, the first is thrown up, for a floor cannot pull. With four
+/// equal masses at the corners the impulse that stops corner 1 alone gives corner 0 a third of its speed upwards.
+#[test]
+fn a_resting_corner_is_let_go_by_an_impact_on_the_other() {
+    let (s, c) = 0.1_f64.sin_cos();
+    let corners = [[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]];
+    let position = corners.map(|[p, q]: [f64; 2]| [p * c - q * s, p * s + q * c]).to_vec();
+    let side = |a: u32, b: u32| rigid(a, b, 1.0);
+    let bonds = vec![side(0, 1), side(1, 2), side(2, 3), side(3, 0), rigid(0, 2, 2.0_f64.sqrt())];
+    let mut scene = model(position, bonds, &[]);
+    scene.bounds = Some(Bounds { min: [-9.0, 0.0], max: [9.0, 9.0], restitution: 0.0, friction: 0.0 });
+    scene.method = Method { solver: Solver::Rk4, substep: Some(1.0 / 960.0), ..Method::default() };
+    let mut world = World::<f64, 2>::new(&scene).unwrap();
+    let mut before = world.sample(0.0);
+    while world.counters().events == 0 {
+        before = world.sample(world.time());
+        assert!(before.time < 0.3, "it never landed");
+        world.step();
+    }
+    let after = world.sample(world.time());
+    let (landing, thrown) = (before.velocity[1][1], after.velocity[0][1]);
+    assert!(landing < -0.5, "{landing}");
+    assert!((thrown + landing / 3.0).abs() < 0.03, "{thrown} after {landing}");
+}
+
+#[test]
+fn what_stands_on_a_saddle_is_pushed_off_it() {
+    let upright =
+        model((0..4).map(|i| [0.0, f64::from(i)]).collect(), (0..3).map(|i| rigid(i, i + 1, 1.0)).collect(), &[0]);
+    let found = settle(&upright).unwrap();
+    assert!(found.is_settled && (found.position[3][1] + 3.0).abs() < 1e-9, "{found:?}");
+    let position = (0..5).map(|i| [0.5 * f64::from(i), 0.0]).collect();
+    let slack = model(position, (0..4).map(|i| rigid(i, i + 1, 0.6)).collect(), &[0, 4]);
+    let found = settle(&slack).unwrap();
+    assert!(found.is_settled && found.max_strain < 1e-9, "{found:?}");
+    assert!(found.position[2][1] < -0.5 && (found.position[2][0] - 1.0).abs() < 1e-6, "{found:?}");
+}
+
+#[test]
+fn a_bond_that_two_pins_stretch_is_named() {
+    let scene = model(vec![[0.0, 0.0], [1.0, 0.0]], vec![rigid(0, 1, 1.5)], &[0, 1]);
+    let world = World::<f64, 2>::new(&scene).unwrap();
+    assert!(world.warnings()[0].starts_with("bond 0 cannot hold"), "{:?}", world.warnings());
+}
+
+/// Two pins that part pull a point between them to their middle: least squares, and nothing thrown into the distance.
+#[test]
+fn pins_that_part_leave_the_nearest_shape() {
+    let mut scene = model(vec![[0.0, 0.0], [2.0, 0.0], [1.0, 0.5]], vec![rigid(0, 2, 1.2), rigid(1, 2, 1.2)], &[0, 1]);
+    scene.pin_motion = vec![(PointId(1), Track { knots: vec![(0.0, [2.0, 0.0]), (0.2, [3.0, 0.0])] })];
+    let mut world = World::<f64, 2>::new(&scene).unwrap();
+    let end = run_to(&mut world, 0.5);
+    let x = end.position[2];
+    assert!((x[0] - 1.5).abs() < 0.1 && x[1].abs() < 0.2, "{x:?}");
+}

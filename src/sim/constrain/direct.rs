@@ -215,7 +215,7 @@ impl<S: Real, const D: usize> Direct<S, D> {
             self.aim(&points.position);
             self.factor(contacts);
             for diagonal in &mut self.diagonal {
-                *diagonal = *diagonal * S::from_f64(1.5);
+                *diagonal *= S::from_f64(1.5);
             }
             self.ldl.factor(&self.diagonal, &self.lower, least_pivot());
             self.residual(|row| sub(points.position[row.a as usize], points.position[row.b as usize]));
