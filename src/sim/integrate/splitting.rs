@@ -228,6 +228,7 @@ impl<S: Real, const D: usize> Splitting<S, D> {
 /// Moves every point by its flight; pins go straight on.
 fn fly<S: Real, const D: usize>(points: &mut Points<S, D>, flight: &Flight<S, D>) {
     let drags = flight.keep != S::ONE;
+    let falls = flight.gain != [[S::ZERO; D]; 2];
     for i in 0..points.len() {
         let v = points.velocity[i];
         let lost = points.velocity_lost[i];
@@ -236,13 +237,15 @@ fn fly<S: Real, const D: usize>(points: &mut Points<S, D>, flight: &Flight<S, D>
         let fine = add(scale(v, reach.low), scale(lost, reach.high));
         let mut way = add(scale(v, reach.high), fine);
         if is_free {
-            way = add(way, add(flight.fall[0], flight.fall[1]));
             if drags {
                 points.velocity[i] = scale(v, flight.keep);
                 points.velocity_lost[i] = scale(lost, flight.keep);
             }
-            points.velocity_lost[i] = add(points.velocity_lost[i], flight.gain[1]);
-            accumulate(&mut points.velocity[i], &mut points.velocity_lost[i], flight.gain[0]);
+            if falls {
+                way = add(way, add(flight.fall[0], flight.fall[1]));
+                points.velocity_lost[i] = add(points.velocity_lost[i], flight.gain[1]);
+                accumulate(&mut points.velocity[i], &mut points.velocity_lost[i], flight.gain[0]);
+            }
         }
         accumulate(&mut points.position[i], &mut points.position_lost[i], way);
     }
