@@ -325,3 +325,25 @@ fn pins_that_part_leave_the_nearest_shape() {
     let x = end.position[2];
     assert!((x[0] - 1.5).abs() < 0.1 && x[1].abs() < 0.2, "{x:?}");
 }
+
+/// A damped spring beside a rigid bond: dampers feel the velocities that the bonds leave, or the order is lost.
+#[test]
+fn a_damper_beside_a_rigid_bond_does_not_lower_the_order() {
+    let mut scene = model(
+        vec![[0.0, 0.0], [0.8, -0.5], [1.5, -0.7]],
+        vec![rigid(0, 1, 0.89_f64.sqrt()), spring(1, 2, 0.53_f64.sqrt(), 60.0, 0.3)],
+        &[0],
+    );
+    scene.mass = vec![1.0, 0.5, 0.3];
+    let mut end = |solver, h| {
+        scene.method = Method { solver, substep: Some(h), ..Method::default() };
+        run_to(&mut World::<f64, 2>::new(&scene).unwrap(), 0.8).position[2]
+    };
+    let truth = end(Solver::Rk8, 0.001);
+    let mut error = |h| {
+        let x = end(Solver::VelocityVerlet, h);
+        (x[0] - truth[0]).hypot(x[1] - truth[1])
+    };
+    let order = (error(0.01) / error(0.005)).log2();
+    assert!((order - 2.0).abs() < 0.2, "{order}");
+}
