@@ -9,13 +9,7 @@ use wobble::study::problems::{self, Kind, Problem, Truth};
 /// The largest distance from the truth at each of its samples [m].
 fn errors(samples: &[Sample], truth: &Truth) -> Vec<f64> {
     assert_eq!(samples.len(), truth.samples.len());
-    let apart = |x: &[f64; 3], y: &Vec<f64>| {
-        x.iter().zip(y.iter().chain(&[0.0])).map(|(a, b)| (a - b) * (a - b)).sum::<f64>().sqrt()
-    };
-    let worst = |sample: &Sample, truth: &[Vec<f64>]| {
-        sample.position.iter().zip(truth).map(|(x, y)| apart(x, y)).fold(0.0, f64::max)
-    };
-    samples.iter().zip(&truth.samples).map(|(sample, truth)| worst(sample, &truth.position)).collect()
+    samples.iter().zip(&truth.samples).map(|(sample, truth)| truth.error(&sample.position)).collect()
 }
 
 fn run(scene: &Scene, truth: &Truth) -> f64 {

@@ -1,7 +1,6 @@
 //! The state of the points, as structure of arrays.
 
 use super::real::Real;
-use super::vector::{convert, zero};
 
 /// Positions and velocities of all points, and what one substep needs beside them.
 ///
@@ -29,20 +28,17 @@ pub(crate) struct Points<S: Real, const D: usize> {
 }
 
 impl<S: Real, const D: usize> Points<S, D> {
-    pub(crate) fn new(position: &[[f64; D]], velocity: &[[f64; D]], inverse_mass: Vec<f64>) -> Self {
-        let position: Vec<[S; D]> = position.iter().map(|&x| convert(x)).collect();
-        let velocity =
-            velocity.iter().zip(&inverse_mass).map(|(&v, &w)| if w == 0.0 { zero() } else { convert(v) }).collect();
-        let count = position.len();
+    /// Points in this state of motion; lists that only some scenes need are empty.
+    pub(crate) fn new(state: State<S, D>, inverse_mass: Vec<S>) -> Self {
         Points {
-            velocity,
-            inverse_mass: inverse_mass.into_iter().map(S::from_f64).collect(),
-            position_lost: vec![zero(); count],
-            velocity_lost: vec![zero(); count],
+            position: state.position,
+            velocity: state.velocity,
+            inverse_mass,
+            position_lost: state.position_lost,
+            velocity_lost: state.velocity_lost,
             acceleration: Vec::new(),
             velocity_ahead: Vec::new(),
             displacement: Vec::new(),
-            position,
         }
     }
 

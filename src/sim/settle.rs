@@ -13,7 +13,7 @@
 //! Source: J. Nocedal and S. J. Wright, Numerical Optimization, 2nd ed. 2006, 16.1, 18.4 and 15.4.
 
 use super::bond::{Bond, BondKind, Limit};
-use super::contact::surface::{Surface, walls};
+use super::contact::surface::{Surface, surfaces};
 use super::force::spring::{self, Spring};
 use super::measure;
 use super::model::{Model, ModelError};
@@ -157,9 +157,8 @@ impl<const D: usize> Descent<D> {
         let limited: Vec<(Hold, Limit)> = holds.into_iter().filter(|hold| hold.1 != Limit::Both).collect();
         let springs: Vec<Spring<f64>> = bonds.iter().filter_map(Spring::of).collect();
         let pairs: Vec<[u32; 2]> = springs.iter().map(|spring| [spring.a, spring.b]).collect();
-        let planes = model.bounds.iter().flat_map(walls).chain(model.planes.iter().copied());
         let mut descent = Descent {
-            surfaces: planes.map(|plane| Surface::new(&plane)).collect(),
+            surfaces: surfaces(model),
             system: Blocks::new(&is_free, &[], &[]),
             gravity: model.gravity,
             pressed: Vec::new(),

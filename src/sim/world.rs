@@ -171,16 +171,20 @@ impl<S: Real, const D: usize> World<S, D> {
 
     fn state(&self) -> Sample {
         let state = self.state_of_all();
-        let w = plan::inverse_masses(&*self.model);
         let position: Vec<[f64; D]> = state.position.iter().map(|&x| widen(x)).collect();
         let velocity: Vec<[f64; D]> = state.velocity.iter().map(|&v| widen(v)).collect();
         Sample {
             time: self.timeline.time(),
-            energy: measure::energy(&position, &velocity, &w, &self.bonds, self.around.gravity),
+            energy: self.energy_of(&position, &velocity),
             max_strain: measure::max_strain(&position, &self.bonds),
             position: position.into_iter().map(embed).collect(),
             velocity: velocity.into_iter().map(embed).collect(),
         }
+    }
+
+    fn energy_of(&self, position: &[[f64; D]], velocity: &[[f64; D]]) -> f64 {
+        let w = plan::inverse_masses(&*self.model);
+        measure::energy(position, velocity, &w, &self.bonds, self.around.gravity)
     }
 
     /// Something changed from outside: nothing that was worked out before belongs to the present.
@@ -277,7 +281,9 @@ impl<S: Real, const D: usize> Dynamics for World<S, D> {
     }
 
     fn energy(&self) -> f64 {
-        self.state().energy
+        let state = self.state_of_all();
+        let wide = |list: Vec<[S; D]>| list.into_iter().map(widen).collect::<Vec<_>>();
+        self.energy_of(&wide(state.position), &wide(state.velocity))
     }
 
     fn counters(&self) -> &Counters {

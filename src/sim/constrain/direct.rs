@@ -96,8 +96,21 @@ impl<S: Real, const D: usize> Direct<S, D> {
         }
     }
 
-    /// Factors G W G^T along the aims. Returns how many pivots were skipped.
-    pub(crate) fn factor(&mut self, contacts: &Contacts<S, D>) -> u32 {
+    /// Decides which bonds act, aims at them where they are and factors: what all solves at this state need.
+    pub(crate) fn make_ready(&mut self, points: &Points<S, D>, contacts: &Contacts<S, D>) {
+        self.tighten(&points.position, &points.velocity);
+        self.aim(&points.position);
+        self.factor(contacts);
+    }
+
+    /// Factors G W G^T along the aims.
+    pub(crate) fn factor(&mut self, contacts: &Contacts<S, D>) {
+        self.fill(contacts);
+        self.ldl.factor(&self.diagonal, &self.lower, least_pivot());
+    }
+
+    /// G W G^T along the aims.
+    fn fill(&mut self, contacts: &Contacts<S, D>) {
         if contacts.is_idle() {
             for (diagonal, (row, aim)) in self.diagonal.iter_mut().zip(self.rows.iter().zip(&self.aims)) {
                 *diagonal = (row.w_a + row.w_b) * dot(*aim, *aim);
@@ -111,7 +124,6 @@ impl<S: Real, const D: usize> Direct<S, D> {
         if self.has_limits {
             self.leave_slack_out();
         }
-        self.ldl.factor(&self.diagonal, &self.lower, least_pivot()).skipped
     }
 
     /// The matrix where points rest on surfaces.
@@ -177,9 +189,7 @@ impl<S: Real, const D: usize> Direct<S, D> {
     pub(crate) fn project(&mut self, points: &mut Points<S, D>, contacts: &Contacts<S, D>) -> Held {
         let mut before = S::INFINITY;
         self.start.clone_from(&points.position);
-        self.tighten(&points.position, &points.velocity);
-        self.aim(&points.position);
-        self.factor(contacts);
+        self.make_ready(points, contacts);
         for iterations in 0..MOST_SOLVES {
             let error = self.residual(|row| sub(points.position[row.a as usize], points.position[row.b as usize]));
             if error <= tolerance() {
@@ -213,7 +223,7 @@ impl<S: Real, const D: usize> Direct<S, D> {
     fn draw_near(&mut self, points: &mut Points<S, D>, contacts: &Contacts<S, D>) {
         for _ in 0..MOST_SOLVES {
             self.aim(&points.position);
-            self.factor(contacts);
+            self.fill(contacts);
             for diagonal in &mut self.diagonal {
                 *diagonal *= S::from_f64(1.5);
             }

@@ -157,7 +157,7 @@ impl<S: Real, const D: usize> Contacts<S, D> {
         }
     }
 
-    /// Work of a look at all surfaces: points times surfaces.
+    /// Whether there is any surface to meet.
     pub(crate) fn has_surfaces(&self) -> bool {
         !self.surfaces.is_empty()
     }

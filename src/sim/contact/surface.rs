@@ -1,6 +1,7 @@
 //! Surfaces that points cannot pass: planes, and the walls of the bounds as planes.
 
 use super::bounds::Bounds;
+use crate::sim::model::Model;
 use crate::sim::real::Real;
 use crate::sim::vector::{convert, dot};
 
@@ -52,8 +53,14 @@ impl<S: Real, const D: usize> Surface<S, D> {
     }
 }
 
+/// All surfaces of a model: the walls of its bounds, then its planes.
+pub(crate) fn surfaces<S: Real, const D: usize>(model: &Model<D>) -> Vec<Surface<S, D>> {
+    let walls = model.bounds.iter().flat_map(walls);
+    walls.chain(model.planes.iter().copied()).map(|plane| Surface::new(&plane)).collect()
+}
+
 /// The walls of the bounds, as planes.
-pub(crate) fn walls<const D: usize>(bounds: &Bounds<D>) -> Vec<Plane<D>> {
+fn walls<const D: usize>(bounds: &Bounds<D>) -> Vec<Plane<D>> {
     let mut planes = Vec::with_capacity(2 * D);
     for k in 0..D {
         for (point, side) in [(bounds.min, 1.0), (bounds.max, -1.0)] {

@@ -85,12 +85,7 @@ impl<S: Real, const D: usize> Engine<S, D> {
                 is_held
             }
             Engine::Projected => {
-                pull.push(around, t, points, counters);
-                if pull.drag_rate > 0.0 {
-                    verlet::slow(points, libm::exp(-pull.drag_rate * h));
-                }
-                verlet::kick(points, pull.gravity, h);
-                verlet::predict(points, h);
+                set_out(points, pull, around, (t, h), counters);
                 let before = points.position.clone();
                 verlet::advance(points);
                 let is_held = pull.project(points, counters);
@@ -105,12 +100,7 @@ impl<S: Real, const D: usize> Engine<S, D> {
             }
             Engine::Implicit(implicit) => implicit.step(points, pull, around, (t, h), counters),
             Engine::Xpbd(bonds, sweeps, after) => {
-                pull.push(around, t, points, counters);
-                if pull.drag_rate > 0.0 {
-                    verlet::slow(points, libm::exp(-pull.drag_rate * h));
-                }
-                verlet::kick(points, pull.gravity, h);
-                verlet::predict(points, h);
+                set_out(points, pull, around, (t, h), counters);
                 xpbd::solve(bonds, &points.position, &mut points.displacement, h, *sweeps);
                 counters.sweep(*sweeps, bonds.len());
                 after.relax(points, h, counters);
@@ -129,4 +119,18 @@ impl<S: Real, const D: usize> Engine<S, D> {
             _ => {}
         }
     }
+}
+
+/// What forces, gravity and drag over the whole of `h` make of velocities, and where that would take the points.
+fn set_out<S: Real, const D: usize>(
+    points: &mut Points<S, D>,
+    pull: &Pull<S, D>,
+    around: &Surroundings<D>,
+    (t, h): (f64, f64),
+    counters: &mut Counters,
+) {
+    pull.push(around, t, points, counters);
+    verlet::slow(points, pull.drag_rate, h);
+    verlet::kick(points, pull.gravity, h);
+    verlet::predict(points, h);
 }

@@ -160,9 +160,7 @@ impl<S: Real, const D: usize> Group<S, D> {
     pub(crate) fn hold_velocity(&mut self) {
         let Group { points, pull, engine, .. } = self;
         if let Some(rigid) = &mut pull.rigid {
-            rigid.tighten(&points.position, &points.velocity);
-            rigid.aim(&points.position);
-            rigid.factor(&pull.contacts);
+            rigid.make_ready(points, &pull.contacts);
             rigid.project_velocity(points, &pull.contacts);
             engine.refresh();
         } else if let Engine::KickDrift(method, _) = engine {

@@ -54,7 +54,7 @@ impl<S: Real> KickDrift<S> {
         (t, h): (f64, f64),
         counters: &mut Counters,
     ) -> bool {
-        self.slow(points, pull.drag_rate, self.kicks[0] * h);
+        verlet::slow(points, pull.drag_rate, self.kicks[0] * h);
         self.kick(points, pull, around, (t, self.kicks[0] * h), counters);
         verlet::predict(points, h);
         self.relax(points, h, counters);
@@ -64,7 +64,7 @@ impl<S: Real> KickDrift<S> {
         self.fresh = false;
         if self.kicks[1] > 0.0 {
             self.kick(points, pull, around, (t + h, self.kicks[1] * h), counters);
-            self.slow(points, pull.drag_rate, self.kicks[1] * h);
+            verlet::slow(points, pull.drag_rate, self.kicks[1] * h);
         }
         if self.holds_velocity {
             self.hold_velocity(points, pull);
@@ -80,16 +80,8 @@ impl<S: Real> KickDrift<S> {
         (t, h): (f64, f64),
         counters: &mut Counters,
     ) {
-        if pull.is_damped
-            && !self.aimed
-            && let Some(rigid) = &mut pull.rigid
-        {
-            rigid.tighten(&points.position, &points.velocity);
-            rigid.aim(&points.position);
-            rigid.factor(&pull.contacts);
-            self.aimed = true;
-        }
         if pull.is_damped {
+            self.make_ready(points, pull);
             pull.push_ahead(around, (t, h), pull.gravity, points, counters);
         } else if !self.fresh {
             pull.push(around, t, points, counters);
@@ -98,10 +90,13 @@ impl<S: Real> KickDrift<S> {
         self.fresh = true;
     }
 
-    /// Drag: velocities decay by exp(-drag_rate h), exactly.
-    fn slow<const D: usize>(&self, points: &mut Points<S, D>, rate: f64, h: f64) {
-        if rate > 0.0 {
-            verlet::slow(points, libm::exp(-rate * h));
+    /// Rows of the direct solver fit the present state, if they do not already.
+    fn make_ready<const D: usize>(&mut self, points: &Points<S, D>, pull: &mut Pull<S, D>) {
+        if !self.aimed
+            && let Some(rigid) = &mut pull.rigid
+        {
+            rigid.make_ready(points, &pull.contacts);
+            self.aimed = true;
         }
     }
 
@@ -143,12 +138,8 @@ impl<S: Real> KickDrift<S> {
         pull: &mut Pull<S, D>,
         counters: &mut Counters,
     ) -> bool {
+        self.make_ready(points, pull);
         if let Some(rigid) = &mut pull.rigid {
-            if !self.aimed {
-                rigid.tighten(&points.position, &points.velocity);
-                rigid.aim(&points.position);
-                rigid.factor(&pull.contacts);
-            }
             let held = rigid.bend(points, &pull.contacts);
             self.aimed = false;
             counters.sweep(held.iterations, rigid.len());
@@ -179,14 +170,9 @@ impl<S: Real> KickDrift<S> {
 
     /// Takes from velocities what would change the length of rigid bonds.
     pub(crate) fn hold_velocity<const D: usize>(&mut self, points: &mut Points<S, D>, pull: &mut Pull<S, D>) {
+        self.make_ready(points, pull);
         if let Some(rigid) = &mut pull.rigid {
-            if !self.aimed {
-                rigid.tighten(&points.position, &points.velocity);
-                rigid.aim(&points.position);
-                rigid.factor(&pull.contacts);
-            }
             rigid.project_velocity(points, &pull.contacts);
-            self.aimed = true;
         } else if !self.swept.rigid.is_empty() {
             rigid::hold_velocity(points, &self.swept.rigid);
         }

@@ -67,9 +67,12 @@ pub(crate) fn kick<S: Real, const D: usize>(points: &mut Points<S, D>, gravity: 
     }
 }
 
-/// v *= factor for every point that is free: drag over a part of the substep, exp(-drag_rate h), exactly.
-pub(crate) fn slow<S: Real, const D: usize>(points: &mut Points<S, D>, factor: f64) {
-    let factor = S::from_f64(factor);
+/// Drag over a time h, exactly: v *= exp(-rate h) for every point that is free.
+pub(crate) fn slow<S: Real, const D: usize>(points: &mut Points<S, D>, rate: f64, h: f64) {
+    if rate == 0.0 {
+        return;
+    }
+    let factor = S::from_f64(libm::exp(-rate * h));
     for i in 0..points.len() {
         if points.inverse_mass[i] != S::ZERO {
             points.velocity[i] = scale(points.velocity[i], factor);

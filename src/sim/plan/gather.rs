@@ -9,7 +9,7 @@ use crate::sim::constrain::rigid::RigidBond;
 use crate::sim::constrain::shape::{Row, Shape};
 use crate::sim::constrain::xpbd::CompliantBond;
 use crate::sim::contact::Contacts;
-use crate::sim::contact::surface::{Surface, walls};
+use crate::sim::contact::surface::surfaces;
 use crate::sim::force::spring::Spring;
 use crate::sim::group::engine::{COMPOSED_4, COMPOSED_6, Engine, SINGLE};
 use crate::sim::group::guard::Watched;
@@ -166,7 +166,6 @@ impl<S: Real, const D: usize> Maker<'_, S, D> {
         let w: Vec<f64> = self.points.iter().map(|&i| self.gathered.w[i as usize]).collect();
         let bonds = self.bonds();
         let mut points = self.state(&w);
-        let surfaces = self.surfaces();
         let rigid = (choice.is_direct && choice.solver.solves_directly())
             .then(|| rows(&bonds, &points.inverse_mass))
             .filter(|rows: &Vec<Row<S>>| !rows.is_empty())
@@ -178,7 +177,7 @@ impl<S: Real, const D: usize> Maker<'_, S, D> {
         let pull = Pull {
             is_damped: springs.iter().any(Spring::is_damped),
             springs,
-            contacts: Contacts::new(surfaces, self.points.len()),
+            contacts: Contacts::new(surfaces(self.model), self.points.len()),
             rigid,
             inside: None,
             gravity: self.model.gravity,
@@ -216,19 +215,14 @@ impl<S: Real, const D: usize> Maker<'_, S, D> {
 
     fn state(&self, w: &[f64]) -> Points<S, D> {
         let state = &self.gathered.state;
-        let mut points = Points::new(&[], &[], Vec::new());
         let pick = |list: &[[S; D]]| -> Vec<[S; D]> { self.points.iter().map(|&i| list[i as usize]).collect() };
-        points.position = pick(&state.position);
-        points.position_lost = pick(&state.position_lost);
-        points.velocity = pick(&state.velocity);
-        points.velocity_lost = pick(&state.velocity_lost);
-        points.inverse_mass = w.iter().map(|&w| S::from_f64(w)).collect();
-        points
-    }
-
-    fn surfaces(&self) -> Vec<Surface<S, D>> {
-        let walls = self.model.bounds.iter().flat_map(walls);
-        walls.chain(self.model.planes.iter().copied()).map(|plane| Surface::new(&plane)).collect()
+        let picked = State {
+            position: pick(&state.position),
+            velocity: pick(&state.velocity),
+            position_lost: pick(&state.position_lost),
+            velocity_lost: pick(&state.velocity_lost),
+        };
+        Points::new(picked, w.iter().map(|&w| S::from_f64(w)).collect())
     }
 
     fn tracks(&self) -> Vec<(u32, crate::sim::force::mouse::Track<D>)> {
