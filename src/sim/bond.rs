@@ -1,5 +1,7 @@
 //! A bond between two points: its ends, its rest length, and how it resists.
 
+use super::real::Real;
+
 /// Index of a point in its world.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord, Hash, bytemuck::Pod, bytemuck::Zeroable)]
 #[repr(transparent)]
@@ -59,6 +61,19 @@ pub enum Limit {
     Max,
     /// Only when shorter (a strut that may part).
     Min,
+}
+
+impl Limit {
+    /// Whether a bond acts whose excess over its rest length, or what stands for that, is `over`: by more than `margin`
+    /// on its side. One that acts always does.
+    #[inline(always)]
+    pub(crate) fn acts<S: Real>(self, over: S, margin: S) -> bool {
+        match self {
+            Limit::Both => true,
+            Limit::Max => over > margin,
+            Limit::Min => over < -margin,
+        }
+    }
 }
 
 /// A bond between the points `a` and `b` (not the same).

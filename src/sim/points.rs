@@ -48,19 +48,25 @@ impl<S: Real, const D: usize> Points<S, D> {
 
     /// Copies the state of motion.
     pub(crate) fn save(&self, to: &mut State<S, D>) {
-        to.position.clone_from(&self.position);
-        to.velocity.clone_from(&self.velocity);
-        to.position_lost.clone_from(&self.position_lost);
-        to.velocity_lost.clone_from(&self.velocity_lost);
+        copy(&self.position, &mut to.position);
+        copy(&self.velocity, &mut to.velocity);
+        copy(&self.position_lost, &mut to.position_lost);
+        copy(&self.velocity_lost, &mut to.velocity_lost);
     }
 
     /// Goes back to a copy.
     pub(crate) fn restore(&mut self, from: &State<S, D>) {
-        self.position.clone_from(&from.position);
-        self.velocity.clone_from(&from.velocity);
-        self.position_lost.clone_from(&from.position_lost);
-        self.velocity_lost.clone_from(&from.velocity_lost);
+        copy(&from.position, &mut self.position);
+        copy(&from.velocity, &mut self.velocity);
+        copy(&from.position_lost, &mut self.position_lost);
+        copy(&from.velocity_lost, &mut self.velocity_lost);
     }
+}
+
+/// Copies a list over one that has its length already, but for the first time.
+#[inline(always)]
+fn copy<S: Real, const D: usize>(from: &[[S; D]], to: &mut Vec<[S; D]>) {
+    if to.len() == from.len() { to.copy_from_slice(from) } else { *to = from.to_vec() }
 }
 
 /// A state of motion: what a step changes and a step can be taken back to.

@@ -1,10 +1,10 @@
 //! What acts on the points of a group: springs, the mouse, gravity and drag, rigid bonds and contacts.
 
-use super::constrain::direct::Direct;
+use super::constrain::direct::{Direct, Held};
 use super::contact::Contacts;
 use super::counters::Counters;
 use super::force::mouse::{self, Inside};
-use super::force::spring::{self, Spring};
+use super::force::spring::Springs;
 use super::points::Points;
 use super::real::Real;
 use super::surroundings::Surroundings;
@@ -14,9 +14,7 @@ use super::vector::{add, convert, scale, sub, zero};
 #[derive(Clone, Debug)]
 pub(crate) struct Pull<S: Real, const D: usize> {
     /// Bonds that are forces.
-    pub(crate) springs: Vec<Spring<S>>,
-    /// Whether any spring has a damper, so that forces depend on velocities.
-    pub(crate) is_damped: bool,
+    pub(crate) springs: Springs<S>,
     /// Rigid bonds that are solved together.
     pub(crate) rigid: Option<Direct<S, D>>,
     /// Surfaces and the points that rest on them.
@@ -38,7 +36,7 @@ impl<S: Real, const D: usize> Pull<S, D> {
         if self.contacts.surfaces.is_empty() { self.gravity } else { [0.0; D] }
     }
 
-    /// Accelerations by springs and the mouse alone [m/s^2], at these positions and velocities.
+    /// Adds the accelerations by springs and the mouse [m/s^2], at these positions and velocities.
     pub(crate) fn forces(
         &self,
         around: &Surroundings<D>,
@@ -47,9 +45,8 @@ impl<S: Real, const D: usize> Pull<S, D> {
         a: &mut [[S; D]],
         counters: &mut Counters,
     ) {
-        a.fill(zero());
         if !self.springs.is_empty() {
-            spring::pull(&self.springs, self.is_damped, x, v, w, a);
+            self.springs.pull(x, v, w, a);
             counters.bonds_solved += self.springs.len() as u64;
         }
         if let Some((force, cursor)) = around.mouse_at(t) {
@@ -63,6 +60,7 @@ impl<S: Real, const D: usize> Pull<S, D> {
         if acceleration.is_empty() {
             return;
         }
+        acceleration.fill(zero());
         self.forces(around, t, (position, velocity, inverse_mass), acceleration, counters);
         self.contacts.hold_kick(self.kicking_gravity(), velocity, acceleration);
     }
@@ -88,6 +86,7 @@ impl<S: Real, const D: usize> Pull<S, D> {
         if let Some(rigid) = &mut self.rigid {
             rigid.project_ahead(velocity_ahead, &self.contacts);
         }
+        acceleration.fill(zero());
         self.forces(around, t, (position, velocity_ahead, inverse_mass), acceleration, counters);
         self.contacts.hold_kick(self.kicking_gravity(), velocity, acceleration);
     }
@@ -101,19 +100,20 @@ impl<S: Real, const D: usize> Pull<S, D> {
         a: &mut [[S; D]],
         counters: &mut Counters,
     ) {
-        self.forces(around, t, (x, v, w), a, counters);
         let gravity: [S; D] = convert(self.gravity);
-        let rate = S::from_f64(self.drag_rate);
-        for i in 0..x.len() {
-            if w[i] != S::ZERO {
-                a[i] = sub(add(a[i], gravity), scale(v[i], rate));
+        for (a, &w) in a.iter_mut().zip(w) {
+            *a = if w == S::ZERO { zero() } else { gravity };
+        }
+        if self.drag_rate != 0.0 {
+            let rate = S::from_f64(self.drag_rate);
+            for (i, a) in a.iter_mut().enumerate() {
+                *a = if w[i] == S::ZERO { zero() } else { sub(*a, scale(v[i], rate)) };
             }
         }
+        self.forces(around, t, (x, v, w), a, counters);
         let Pull { rigid, contacts, .. } = self;
         if let Some(rigid) = rigid {
-            rigid.aim(x);
-            rigid.factor(contacts);
-            rigid.multiply(v, a, contacts);
+            rigid.answer(x, v, a, contacts);
             counters.bonds_solved += rigid.len() as u64;
         }
         if contacts.rub(v, a)
@@ -124,12 +124,26 @@ impl<S: Real, const D: usize> Pull<S, D> {
         contacts.hold(a);
     }
 
-    /// Puts rigid bonds back to their lengths and takes from velocities what would change them. Returns whether they
-    /// hold.
+    /// Puts rigid bonds back to their lengths and takes from velocities what would change them, from wherever the points
+    /// are. Returns whether they hold.
     pub(crate) fn project(&mut self, points: &mut Points<S, D>, counters: &mut Counters) -> bool {
+        self.hold(points, counters, Direct::project_all)
+    }
+
+    /// The same after a step that has left the bonds by little.
+    pub(crate) fn restore(&mut self, points: &mut Points<S, D>, counters: &mut Counters) -> bool {
+        self.hold(points, counters, Direct::restore)
+    }
+
+    #[inline(always)]
+    fn hold(
+        &mut self,
+        points: &mut Points<S, D>,
+        counters: &mut Counters,
+        by: fn(&mut Direct<S, D>, &mut Points<S, D>, &Contacts<S, D>) -> Held,
+    ) -> bool {
         let Some(rigid) = &mut self.rigid else { return true };
-        let held = rigid.project(points, &self.contacts);
-        rigid.project_velocity(points, &self.contacts);
+        let held = by(rigid, points, &self.contacts);
         counters.iterations += u64::from(held.iterations);
         counters.bonds_solved += u64::from(held.iterations + 1) * rigid.len() as u64;
         held.is_held

@@ -307,7 +307,7 @@ impl<const D: usize> Descent<D> {
     fn forces(&self) -> (Vec<[f64; D]>, f64) {
         let mut force = vec![[0.0; D]; self.x.len()];
         let ones = vec![1.0; self.x.len()];
-        spring::pull(&self.springs, false, &self.x, &self.x, &ones, &mut force);
+        spring::pull_at_rest(&self.springs, &self.x, &ones, &mut force);
         let mut largest = 0.0_f64;
         for spring in &self.springs {
             let d = length(sub(self.x[spring.a as usize], self.x[spring.b as usize]));

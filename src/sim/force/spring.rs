@@ -1,6 +1,7 @@
 //! Springs with a damper along the bond, as forces.
 
 use crate::sim::bond::{Bond, BondKind, Limit};
+use crate::sim::constrain::colour::by_colour;
 use crate::sim::real::Real;
 use crate::sim::vector::{add, dot, scale, sub};
 
@@ -28,31 +29,130 @@ impl<S: Real> Spring<S> {
             limit: bond.limit,
         })
     }
+}
 
+/// Springs of a group, in an order in which neighbours share no point where that can be.
+#[derive(Clone, Debug)]
+pub(crate) struct Springs<S> {
+    /// Those that have a rest length and act always come first.
+    list: Vec<Spring<S>>,
+    /// How many those are.
+    plain: usize,
+    is_damped: bool,
+}
+
+/// Springs whose forces are worked out at once: their roots and divisions do not wait for each other.
+const BLOCK: usize = 4;
+
+impl<S: Real> Springs<S> {
+    /// The springs among `bonds`, between `points` points.
+    pub(crate) fn new<'a>(bonds: impl Iterator<Item = &'a Bond>, points: usize) -> Self {
+        let listed: Vec<Spring<S>> = bonds.filter_map(Spring::of).collect();
+        let ends: Vec<[u32; 2]> = listed.iter().map(|spring| [spring.a, spring.b]).collect();
+        let mut list: Vec<Spring<S>> = by_colour(&ends, points).into_iter().map(|k| listed[k as usize]).collect();
+        let is_special = |spring: &Spring<S>| spring.limit != Limit::Both || spring.rest_length == S::ZERO;
+        list.sort_by_key(is_special);
+        Springs {
+            plain: list.partition_point(|spring| !is_special(spring)),
+            is_damped: list.iter().any(|spring| spring.damping > S::ZERO),
+            list,
+        }
+    }
+
+    /// No springs.
+    pub(crate) fn none() -> Self {
+        Springs { list: Vec::new(), plain: 0, is_damped: false }
+    }
+
+    /// The springs one by one.
+    pub(crate) fn iter(&self) -> std::slice::Iter<'_, Spring<S>> {
+        self.list.iter()
+    }
+
+    pub(crate) fn len(&self) -> usize {
+        self.list.len()
+    }
+
+    pub(crate) fn is_empty(&self) -> bool {
+        self.list.is_empty()
+    }
+
+    /// Whether any has a damper, so that forces depend on velocities.
     pub(crate) fn is_damped(&self) -> bool {
-        self.damping > S::ZERO
+        self.is_damped
+    }
+
+    /// Adds the acceleration by every spring to `a`.
+    ///
+    /// Model: d = x_a - x_b, f_a = -stiffness (|d| - rest) d/|d| - damping ((v_a - v_b).d) d/|d|^2, f_b = -f_a.
+    /// At rest length 0 the force is linear: f_a = -stiffness d - damping (v_a - v_b). Coincident ends of a spring with
+    /// a rest length have no direction: no force.
+    /// Shapes: `x`, `v`, `w` and `a` have one entry a point.
+    pub(crate) fn pull<const D: usize>(&self, x: &[[S; D]], v: &[[S; D]], w: &[S], a: &mut [[S; D]]) {
+        let (plain, special) = self.list.split_at(self.plain);
+        if self.is_damped {
+            pull_blocks::<S, D, true>(plain, x, v, w, a);
+            pull_each::<S, D, true>(special, x, v, w, a);
+        } else {
+            pull_blocks::<S, D, false>(plain, x, v, w, a);
+            pull_each::<S, D, false>(special, x, v, w, a);
+        }
     }
 }
 
-/// Adds the acceleration by every spring to `a`.
-///
-/// Model: d = x_a - x_b, f_a = -stiffness (|d| - rest) d/|d| - damping ((v_a - v_b).d) d/|d|^2, f_b = -f_a.
-/// At rest length 0 the force is linear: f_a = -stiffness d - damping (v_a - v_b). Coincident ends of a spring with a
-/// rest length have no direction: no force.
-/// Shapes: `x`, `v`, `w` and `a` have one entry a point.
-pub(crate) fn pull<S: Real, const D: usize>(
+/// Adds the acceleration by every spring to `a`, of points at rest.
+pub(crate) fn pull_at_rest<S: Real, const D: usize>(springs: &[Spring<S>], x: &[[S; D]], w: &[S], a: &mut [[S; D]]) {
+    pull_each::<S, D, false>(springs, x, x, w, a);
+}
+
+/// Springs that have a rest length and act always.
+fn pull_blocks<S: Real, const D: usize, const DAMPED: bool>(
     springs: &[Spring<S>],
-    is_damped: bool,
     x: &[[S; D]],
     v: &[[S; D]],
     w: &[S],
     a: &mut [[S; D]],
 ) {
-    if is_damped {
-        pull_each::<S, D, true>(springs, x, v, w, a);
-    } else {
-        pull_each::<S, D, false>(springs, x, v, w, a);
+    let (blocks, rest) = springs.as_chunks::<BLOCK>();
+    for block in blocks {
+        let d = block.each_ref().map(|spring| sub(x[spring.a as usize], x[spring.b as usize]));
+        let mut closing = [S::ZERO; BLOCK];
+        if DAMPED {
+            for k in 0..BLOCK {
+                closing[k] = dot(sub(v[block[k].a as usize], v[block[k].b as usize]), d[k]);
+            }
+        }
+        let share = shares::<S, D, DAMPED, BLOCK>(block, &d, &closing);
+        for k in 0..BLOCK {
+            push(&block[k], scale(d[k], share[k]), w, a);
+        }
     }
+    for spring in rest {
+        let (i, j) = (spring.a as usize, spring.b as usize);
+        let d = sub(x[i], x[j]);
+        let closing = if DAMPED { dot(sub(v[i], v[j]), d) } else { S::ZERO };
+        let [share] = shares::<S, D, DAMPED, 1>(std::array::from_ref(spring), &[d], &[closing]);
+        push(spring, scale(d, share), w, a);
+    }
+}
+
+/// Force on end a over d, spring by spring.
+#[inline(always)]
+fn shares<S: Real, const D: usize, const DAMPED: bool, const N: usize>(
+    springs: &[Spring<S>; N],
+    d: &[[S; D]; N],
+    closing: &[S; N],
+) -> [S; N] {
+    let square: [S; N] = std::array::from_fn(|k| dot(d[k], d[k]));
+    let length: [S; N] = square.map(S::sqrt);
+    let inverse: [S; N] = length.map(|length| S::ONE / length);
+    std::array::from_fn(|k| {
+        let mut share = springs[k].stiffness * (springs[k].rest_length * inverse[k] - S::ONE);
+        if DAMPED {
+            share -= springs[k].damping * closing[k] * (inverse[k] * inverse[k]);
+        }
+        if square[k] > S::ZERO { share } else { S::ZERO }
+    })
 }
 
 fn pull_each<S: Real, const D: usize, const DAMPED: bool>(
@@ -65,9 +165,16 @@ fn pull_each<S: Real, const D: usize, const DAMPED: bool>(
     for spring in springs {
         let (i, j) = (spring.a as usize, spring.b as usize);
         let force = spring.force::<D, DAMPED>(sub(x[i], x[j]), || sub(v[i], v[j]));
-        a[i] = add(a[i], scale(force, w[i]));
-        a[j] = sub(a[j], scale(force, w[j]));
+        push(spring, force, w, a);
     }
+}
+
+/// The force on end a accelerates both ends.
+#[inline(always)]
+fn push<S: Real, const D: usize>(spring: &Spring<S>, force: [S; D], w: &[S], a: &mut [[S; D]]) {
+    let (i, j) = (spring.a as usize, spring.b as usize);
+    a[i] = add(a[i], scale(force, w[i]));
+    a[j] = sub(a[j], scale(force, w[j]));
 }
 
 impl<S: Real> Spring<S> {
@@ -83,13 +190,11 @@ impl<S: Real> Spring<S> {
         }
         let square = dot(d, d);
         let length = square.sqrt();
-        if self.is_slack(length) || square == S::ZERO {
+        if self.is_slack(length) {
             return [S::ZERO; D];
         }
-        let mut share = self.stiffness * (self.rest_length / length - S::ONE);
-        if DAMPED {
-            share -= self.damping * dot(closing(), d) / square;
-        }
+        let closing = if DAMPED { dot(closing(), d) } else { S::ZERO };
+        let [share] = shares::<S, D, DAMPED, 1>(std::array::from_ref(self), &[d], &[closing]);
         scale(d, share)
     }
 

@@ -13,7 +13,7 @@ use super::real::Real;
 use super::surroundings::Surroundings;
 use super::vector::{convert, dot, sub, zero};
 use engine::Engine;
-use guard::Watched;
+use guard::Guard;
 
 /// Times that a substep is halved before it goes to a more robust method.
 const MOST_SPLITS: u32 = 5;
@@ -38,7 +38,7 @@ pub(crate) struct Group<S: Real, const D: usize> {
     /// What takes substeps that the engine cannot.
     pub(crate) robust: Option<Box<Engine<S, D>>>,
     /// Bonds that must not turn or stretch too far in a substep.
-    pub(crate) watched: Vec<Watched<S>>,
+    pub(crate) guard: Guard<S>,
     pub(crate) breakable: Vec<Breakable<S>>,
     /// Pinned points that are led along tracks.
     pub(crate) tracks: Vec<(u32, Track<D>)>,
@@ -74,7 +74,11 @@ impl<S: Real, const D: usize> Group<S, D> {
     pub(crate) fn advance(&mut self, around: &Surroundings<D>, t: f64, h: f64, counters: &mut Counters) {
         counters.substeps += 1;
         counters.points_moved += self.points.len() as u64;
-        self.attempt(around, (t, h), 0, counters);
+        if self.is_watched() {
+            self.attempt(around, (t, h), 0, counters);
+        } else {
+            self.take(around, (t, h), counters);
+        }
     }
 
     /// A substep, in halves where the guard says so, in parts where events cut it.
@@ -87,7 +91,7 @@ impl<S: Real, const D: usize> Group<S, D> {
             self.points.save(&mut self.before);
             self.pull.contacts.set_out(&self.before.velocity);
             let is_fine = self.take(around, (now, left), counters);
-            if !(is_fine && guard::is_gentle(&self.watched, &self.before.position, &self.points.position)) {
+            if !(is_fine && self.guard.passes(&self.before.position, &self.points.position)) {
                 self.points.restore(&self.before);
                 self.engine.refresh();
                 if depth < MOST_SPLITS {
@@ -107,6 +111,11 @@ impl<S: Real, const D: usize> Group<S, D> {
                 return;
             }
         }
+    }
+
+    /// Whether a substep may have to be taken back or cut. Kicks and flights alone converge always.
+    fn is_watched(&self) -> bool {
+        !self.guard.bonds.is_empty() || self.has_events() || !matches!(self.engine, Engine::Splitting(_))
     }
 
     /// Surfaces, or an edge of the mouse region that is located.

@@ -12,7 +12,7 @@
 
 use crate::sim::bond::PointId;
 use crate::sim::counters::Counters;
-use crate::sim::force::spring::Spring;
+use crate::sim::force::spring::Springs;
 use crate::sim::points::Points;
 use crate::sim::pull::Pull;
 use crate::sim::real::Real;
@@ -39,7 +39,7 @@ pub(crate) struct Implicit<S: Real, const D: usize> {
 
 impl<S: Real, const D: usize> Implicit<S, D> {
     /// The method for these springs and rigid bonds.
-    pub(crate) fn new(is_midpoint: bool, w: &[S], springs: &[Spring<S>], rigid: Vec<(PointId, PointId, S)>) -> Self {
+    pub(crate) fn new(is_midpoint: bool, w: &[S], springs: &Springs<S>, rigid: Vec<(PointId, PointId, S)>) -> Self {
         let is_free: Vec<bool> = w.iter().map(|&w| w != S::ZERO).collect();
         let pairs: Vec<[u32; 2]> = springs.iter().map(|spring| [spring.a, spring.b]).collect();
         let rigid: Vec<(u32, u32, S)> = rigid.into_iter().map(|(a, b, rest)| (a.0, b.0, rest)).collect();
@@ -104,7 +104,7 @@ impl<S: Real, const D: usize> Implicit<S, D> {
             last = largest;
         }
         self.finish(points, rate);
-        pull.project(points, counters) && is_converged
+        pull.restore(points, counters) && is_converged
     }
 
     /// What is left of the balance of forces, and of the rigid bonds.
@@ -121,6 +121,7 @@ impl<S: Real, const D: usize> Implicit<S, D> {
         for i in 0..x.len() {
             self.speed[i] = scale(sub(self.place[i], x[i]), rate);
         }
+        self.force.fill(zero());
         pull.forces(around, time, (&self.place, &self.speed, w), &mut self.force, counters);
         let gravity: [S; D] = convert(pull.gravity);
         let drag = S::from_f64(pull.drag_rate);

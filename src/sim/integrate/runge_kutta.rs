@@ -4,7 +4,7 @@
 //! takes the points off the bonds by is projected away after the step, positions first, then velocities.
 //! Source: E. Hairer and G. Wanner, Solving Ordinary Differential Equations II, 2nd ed. 1996, VII.2.
 
-use super::tableau::Tableau;
+use super::tableau::{LONGEST_ROW, Tableau};
 use super::verlet::accumulate;
 use crate::sim::constrain::direct::Direct;
 use crate::sim::counters::Counters;
@@ -13,17 +13,12 @@ use crate::sim::pull::Pull;
 use crate::sim::real::Real;
 use crate::sim::surroundings::Surroundings;
 
-/// Numbers that are combined at once.
-const BLOCK: usize = 8;
-
 /// Slopes of all stages and the state of the one under way, stage by stage, D numbers a point.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Stages<S> {
     velocity: Vec<Vec<S>>,
     acceleration: Vec<Vec<S>>,
     position: Vec<S>,
-    /// Coefficients of one row times h.
-    row: Vec<(usize, S)>,
 }
 
 impl<S: Real> Stages<S> {
@@ -33,7 +28,6 @@ impl<S: Real> Stages<S> {
             velocity: vec![vec![S::ZERO; count]; stages],
             acceleration: vec![vec![S::ZERO; count]; stages],
             position: vec![S::ZERO; count],
-            row: Vec::with_capacity(stages),
         }
     }
 }
@@ -67,17 +61,17 @@ pub(crate) fn step<S: Real, const D: usize>(
             }
             continue;
         }
-        scale_row(&mut stages.row, coefficients, h);
-        combine(&mut stages.position, points.position.as_flattened(), &stages.velocity, &stages.row);
-        let (_, rest) = stages.velocity.split_at_mut(s);
-        combine(&mut rest[0], points.velocity.as_flattened(), &stages.acceleration, &stages.row);
+        combine(&mut stages.position, points.position.as_flattened(), &stages.velocity, coefficients, h);
+        let velocity = points.velocity.as_flattened();
+        combine(&mut stages.velocity[s], velocity, &stages.acceleration, coefficients, h);
         let (v, a) = (chunks(&stages.velocity[s]), chunks_mut(&mut stages.acceleration[s]));
         pull.accelerate(around, time, (chunks(&stages.position), v, &points.inverse_mass), a, counters);
     }
-    scale_row(&mut stages.row, table.weights, h);
-    add_up(&mut points.position, &mut points.position_lost, &stages.velocity, &stages.row);
-    add_up(&mut points.velocity, &mut points.velocity_lost, &stages.acceleration, &stages.row);
-    pull.project(points, counters)
+    let Points { position, position_lost, velocity, velocity_lost, .. } = points;
+    let (x, v) = (position.as_flattened_mut(), velocity.as_flattened_mut());
+    add_up(x, position_lost.as_flattened_mut(), &stages.velocity, table.weights, h);
+    add_up(v, velocity_lost.as_flattened_mut(), &stages.acceleration, table.weights, h);
+    pull.restore(points, counters)
 }
 
 fn chunks<S, const D: usize>(list: &[S]) -> &[[S; D]] {
@@ -88,44 +82,98 @@ fn chunks_mut<S, const D: usize>(list: &mut [S]) -> &mut [[S; D]] {
     list.as_chunks_mut().0
 }
 
-fn scale_row<S: Real>(row: &mut Vec<(usize, S)>, coefficients: &[(usize, f64)], h: f64) {
-    row.clear();
-    row.extend(coefficients.iter().map(|&(j, a)| (j, S::from_f64(a * h))));
+/// One row of a table times h, ready to be summed.
+struct Sum<'a, S, const N: usize> {
+    slopes: [&'a [S]; N],
+    weights: [S; N],
 }
 
-/// out = base + sum of row_j slopes_j.
-fn combine<S: Real>(out: &mut [S], base: &[S], slopes: &[Vec<S>], row: &[(usize, S)]) {
-    for (block, (out, base)) in out.chunks_mut(BLOCK).zip(base.chunks(BLOCK)).enumerate() {
-        let sum = weighted(slopes, row, block * BLOCK, out.len());
-        for k in 0..out.len() {
-            out[k] = base[k] + sum[k];
+impl<'a, S: Real, const N: usize> Sum<'a, S, N> {
+    fn new(slopes: &'a [Vec<S>], row: &[(usize, f64)], h: f64, count: usize) -> Self {
+        Sum {
+            slopes: std::array::from_fn(|k| &slopes[row[k].0][..count]),
+            weights: std::array::from_fn(|k| S::from_f64(row[k].1 * h)),
+        }
+    }
+
+    /// The sum of weight times slope for one number.
+    #[inline(always)]
+    fn of(&self, i: usize) -> S {
+        let mut sum = self.weights[0] * self.slopes[0][i];
+        for k in 1..N {
+            sum += self.weights[k] * self.slopes[k][i];
+        }
+        sum
+    }
+
+    /// out = base + the sum.
+    fn add_to(&self, base: &[S], out: &mut [S]) {
+        let base = &base[..out.len()];
+        for (i, out) in out.iter_mut().enumerate() {
+            *out = base[i] + self.of(i);
+        }
+    }
+
+    /// x += the sum, compensated.
+    fn accumulate(&self, x: &mut [S], lost: &mut [S]) {
+        let lost = &mut lost[..x.len()];
+        for (i, x) in x.iter_mut().enumerate() {
+            accumulate(std::array::from_mut(x), std::array::from_mut(&mut lost[i]), [self.of(i)]);
         }
     }
 }
 
-/// The sum of row_j slopes_j over `length` numbers from `start` on.
-#[inline(always)]
-fn weighted<S: Real>(slopes: &[Vec<S>], row: &[(usize, S)], start: usize, length: usize) -> [S; BLOCK] {
-    let mut sum = [S::ZERO; BLOCK];
-    for &(j, a) in row {
-        let slope = &slopes[j][start..start + length];
-        if let Ok(slope) = <&[S; BLOCK]>::try_from(slope) {
-            for k in 0..BLOCK {
-                sum[k] += a * slope[k];
+/// Calls a function with the length of a row as a constant: what is summed is then known when it is compiled.
+macro_rules! by_length {
+    ($row:expr, $n:ident => $call:expr) => {
+        match $row.len() {
+            1 => {
+                const $n: usize = 1;
+                $call
             }
-        } else {
-            for k in 0..length {
-                sum[k] += a * slope[k];
+            2 => {
+                const $n: usize = 2;
+                $call
+            }
+            3 => {
+                const $n: usize = 3;
+                $call
+            }
+            4 => {
+                const $n: usize = 4;
+                $call
+            }
+            5 => {
+                const $n: usize = 5;
+                $call
+            }
+            6 => {
+                const $n: usize = 6;
+                $call
+            }
+            7 => {
+                const $n: usize = 7;
+                $call
+            }
+            8 => {
+                const $n: usize = 8;
+                $call
+            }
+            // The longest row that a table has.
+            _ => {
+                const $n: usize = LONGEST_ROW;
+                $call
             }
         }
-    }
-    sum
+    };
 }
 
-/// sum += row_j slopes_j, compensated.
-fn add_up<S: Real, const D: usize>(sum: &mut [[S; D]], lost: &mut [[S; D]], slopes: &[Vec<S>], row: &[(usize, S)]) {
-    for (i, (sum, lost)) in sum.iter_mut().zip(lost).enumerate() {
-        let increment = weighted(slopes, row, i * D, D);
-        accumulate(sum, lost, std::array::from_fn(|k| increment[k]));
-    }
+/// out = base + h sum of row_j slopes_j.
+fn combine<S: Real>(out: &mut [S], base: &[S], slopes: &[Vec<S>], row: &[(usize, f64)], h: f64) {
+    by_length!(row, N => Sum::<S, N>::new(slopes, row, h, base.len()).add_to(base, out));
+}
+
+/// x += h sum of row_j slopes_j, compensated.
+fn add_up<S: Real>(x: &mut [S], lost: &mut [S], slopes: &[Vec<S>], row: &[(usize, f64)], h: f64) {
+    by_length!(row, N => Sum::<S, N>::new(slopes, row, h, x.len()).accumulate(x, lost));
 }

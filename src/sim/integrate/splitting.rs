@@ -4,13 +4,13 @@
 //! lower the order: what the forces of springs and mouse add depends on positions alone. Symplectic without drag: the
 //! energy of undamped motion does not drift. Dampers make forces depend on velocities: order 2, whatever the method.
 
-use super::verlet::{Split, accumulate};
+use super::flight::Flight;
+use super::verlet::Kick;
 use crate::sim::counters::Counters;
 use crate::sim::points::Points;
 use crate::sim::pull::Pull;
 use crate::sim::real::Real;
 use crate::sim::surroundings::Surroundings;
-use crate::sim::vector::{add, convert, scale, sub, widen};
 
 /// One part of a substep, as a share of h.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -105,74 +105,30 @@ pub(crate) fn blanes_moan_6() -> Vec<Part> {
     palindrome(&half)
 }
 
-/// Constants of a flight over one stretch of time.
-#[derive(Clone, Copy, Debug)]
-struct Flight<S, const D: usize> {
-    /// Displacement is v times this [s].
-    reach: Split<S>,
-    /// Velocities keep this share.
-    keep: S,
-    /// Displacement by gravity [m], in two parts.
-    fall: [[S; D]; 2],
-    /// Change of velocity by gravity [m/s], in two parts.
-    gain: [[S; D]; 2],
-    /// The stretch [s]: how far pins go.
-    time: Split<S>,
-}
-
-/// A vector in two parts.
-fn parts<S: Real, const D: usize>(vector: [f64; D]) -> [[S; D]; 2] {
-    let high = convert(vector);
-    [high, convert(sub(vector, widen(high)))]
-}
-
-impl<S: Real, const D: usize> Flight<S, D> {
-    /// v' = g - r v: v(h) = v e + g phi, x(h) = x + v phi + g psi; e = exp(-r h), phi = (1 - e)/r, psi = (h - phi)/r.
-    fn new(gravity: [f64; D], rate: f64, h: f64) -> Self {
-        let (keep, phi, psi) = if rate == 0.0 {
-            (1.0, h, 0.5 * h * h)
-        } else {
-            let phi = -libm::expm1(-rate * h) / rate;
-            (libm::exp(-rate * h), phi, fall_time(rate * h) * h * h)
-        };
-        Flight {
-            reach: Split::new(phi),
-            keep: S::from_f64(keep),
-            fall: parts(gravity.map(|g| g * psi)),
-            gain: parts(gravity.map(|g| g * phi)),
-            time: Split::new(h),
-        }
-    }
-}
-
-/// (z - 1 + exp(-z))/z^2, by its series where the difference would cancel.
-fn fall_time(z: f64) -> f64 {
-    if z.abs() > 0.1 {
-        return (z + libm::expm1(-z)) / (z * z);
-    }
-    let mut term = 0.5;
-    let mut sum = term;
-    for n in 3..14 {
-        term *= -z / f64::from(n);
-        sum += term;
-    }
-    sum
-}
-
 /// A splitting method with what it keeps from substep to substep.
 #[derive(Clone, Debug)]
 pub(crate) struct Splitting<S, const D: usize> {
     parts: Vec<Part>,
-    /// Flights of `parts`, for the substep `made_for`.
-    flights: Vec<Flight<S, D>>,
+    /// What `parts` amount to in the substep `made_for`.
+    moves: Vec<Move<S, D>>,
     made_for: f64,
     /// Accelerations belong to the present positions.
     pub(crate) fresh: bool,
 }
 
+/// A kick, a flight, or one after the other in one pass over the points.
+#[derive(Clone, Copy, Debug)]
+struct Move<S, const D: usize> {
+    kick: Option<Kick<S, D>>,
+    flight: Option<Flight<S, D>>,
+    /// When it begins, and how long its kick is [s after the start of the substep, s].
+    begins: f64,
+    kicks: f64,
+}
+
 impl<S: Real, const D: usize> Splitting<S, D> {
     pub(crate) fn new(parts: Vec<Part>) -> Self {
-        Splitting { parts, flights: Vec::new(), made_for: f64::NAN, fresh: false }
+        Splitting { parts, moves: Vec::new(), made_for: f64::NAN, fresh: false }
     }
 
     /// What a substep is made of.
@@ -192,62 +148,49 @@ impl<S: Real, const D: usize> Splitting<S, D> {
         if h != self.made_for {
             self.prepare(pull, h);
         }
-        let (mut time, mut flown) = (t, 0);
-        for at in 0..self.parts.len() {
-            match self.parts[at] {
-                Part::Kick(share) => {
+        for Move { kick, flight, begins, kicks } in &self.moves {
+            if kick.is_some() {
+                if pull.springs.is_damped() {
                     let gravity = pull.kicking_gravity();
-                    if pull.is_damped {
-                        pull.push_ahead(around, (time, share * h), gravity, points, counters);
-                    } else if !self.fresh {
-                        pull.push(around, time, points, counters);
-                    }
-                    super::verlet::kick(points, gravity, share * h);
-                    self.fresh = !pull.is_damped;
+                    pull.push_ahead(around, (t + begins, *kicks), gravity, points, counters);
+                } else if !self.fresh {
+                    pull.push(around, t + begins, points, counters);
                 }
-                Part::Flight(share) => {
-                    fly(points, &self.flights[flown]);
-                    flown += 1;
-                    time = if at + 1 == self.parts.len() { t + h } else { time + share * h };
-                    self.fresh = false;
-                }
+                self.fresh = !pull.springs.is_damped();
             }
+            match (kick, flight) {
+                (Some(kick), Some(flight)) => flight.take_kicked(points, kick),
+                (Some(kick), None) => kick.give(points),
+                (None, Some(flight)) => flight.take(points),
+                (None, None) => {}
+            }
+            self.fresh &= flight.is_none();
         }
     }
 
     fn prepare(&mut self, pull: &Pull<S, D>, h: f64) {
-        let flights = self.parts.iter().filter_map(|part| match part {
-            Part::Flight(share) => Some(Flight::new(pull.flying_gravity(), pull.drag_rate, share * h)),
-            Part::Kick(_) => None,
-        });
-        self.flights = flights.collect();
+        self.moves.clear();
         self.made_for = h;
-    }
-}
-
-/// Moves every point by its flight; pins go straight on.
-fn fly<S: Real, const D: usize>(points: &mut Points<S, D>, flight: &Flight<S, D>) {
-    let drags = flight.keep != S::ONE;
-    let falls = flight.gain != [[S::ZERO; D]; 2];
-    for i in 0..points.len() {
-        let v = points.velocity[i];
-        let lost = points.velocity_lost[i];
-        let is_free = points.inverse_mass[i] != S::ZERO;
-        let reach = if is_free { flight.reach } else { flight.time };
-        let fine = add(scale(v, reach.low), scale(lost, reach.high));
-        let mut way = add(scale(v, reach.high), fine);
-        if is_free {
-            if drags {
-                points.velocity[i] = scale(v, flight.keep);
-                points.velocity_lost[i] = scale(lost, flight.keep);
-            }
-            if falls {
-                way = add(way, add(flight.fall[0], flight.fall[1]));
-                points.velocity_lost[i] = add(points.velocity_lost[i], flight.gain[1]);
-                accumulate(&mut points.velocity[i], &mut points.velocity_lost[i], flight.gain[0]);
+        let mut flown = 0.0;
+        for part in &self.parts {
+            match *part {
+                Part::Kick(share) => self.moves.push(Move {
+                    kick: Some(Kick::new(pull.kicking_gravity(), share * h)),
+                    flight: None,
+                    // The last kick is at the end, whatever rounding made of the flights.
+                    begins: if (1.0 - flown).abs() < 1e-12 { h } else { flown * h },
+                    kicks: share * h,
+                }),
+                Part::Flight(share) => {
+                    let flight = Some(Flight::new(pull.flying_gravity(), pull.drag_rate, share * h));
+                    match self.moves.last_mut() {
+                        Some(last) if last.flight.is_none() => last.flight = flight,
+                        _ => self.moves.push(Move { kick: None, flight, begins: flown * h, kicks: 0.0 }),
+                    }
+                    flown += share;
+                }
             }
         }
-        accumulate(&mut points.position[i], &mut points.position_lost[i], way);
     }
 }
 
@@ -280,13 +223,5 @@ mod tests {
             let backwards: Vec<Part> = parts.iter().rev().copied().collect();
             assert_eq!(parts, backwards);
         }
-    }
-
-    #[test]
-    fn a_flight_with_little_drag_is_one_without() {
-        let (with, without) = (fall_time(1e-9), 0.5);
-        assert!((with - without).abs() < 1e-9);
-        assert!((fall_time(0.0999) - fall_time(0.1001)).abs() < 1e-4);
-        assert!((fall_time(0.1) - (0.1 - 1.0 + (-0.1_f64).exp()) / 0.01).abs() < 1e-13);
     }
 }

@@ -15,6 +15,9 @@ pub(crate) struct Tableau {
     pub(crate) stability: f64,
 }
 
+/// Most coefficients of a row of any table.
+pub(crate) const LONGEST_ROW: usize = 9;
+
 /// Explicit Euler: order 1, unstable on every undamped oscillation (it grows by sqrt(1 + (omega h)^2) a step).
 pub(crate) static EULER: Tableau = Tableau { stages: &[&[]], weights: &[(0, 1.0)], nodes: &[0.0], stability: 1.0 };
 
@@ -130,6 +133,12 @@ mod tests {
             let sum: f64 = table.weights.iter().map(|(_, b)| b).sum();
             assert!((sum - 1.0).abs() < 1e-14);
         }
+    }
+
+    #[test]
+    fn no_row_is_longer_than_the_longest() {
+        let rows = [&EULER, &RK2, &RK4, &RK8].into_iter().flat_map(|table| table.stages.iter().chain([&table.weights]));
+        assert_eq!(rows.map(|row| row.len()).max(), Some(LONGEST_ROW));
     }
 
     /// sum b_i c_i^(k-1) = 1/k: what a method of that order does to polynomials.

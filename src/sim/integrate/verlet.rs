@@ -12,9 +12,10 @@
 //! same time, and adds small increments to large numbers only by [`accumulate`]. Second order, symplectic.
 //! Source: L. Verlet, Phys. Rev. 159, 98 (1967); W. C. Swope et al., J. Chem. Phys. 76, 637 (1982).
 
+use crate::sim::model::Precision;
 use crate::sim::points::Points;
 use crate::sim::real::Real;
-use crate::sim::vector::{add, convert, scale, sub, widen};
+use crate::sim::vector::{add, convert, scale, sub, widen, zero};
 
 /// A number in two parts, so that a constant of the substep loses nothing to the world's scalar.
 #[derive(Clone, Copy, Debug)]
@@ -29,6 +30,16 @@ impl<S: Real> Split<S> {
     pub(crate) fn new(value: f64) -> Self {
         let high = S::from_f64(value);
         Split { high, low: S::from_f64(value - high.to_f64()) }
+    }
+
+    /// v times this number, with the part of v that rounding had taken.
+    #[inline(always)]
+    pub(crate) fn times<const D: usize>(self, v: [S; D], lost: [S; D]) -> [S; D] {
+        let mut fine = scale(lost, self.high);
+        if S::PRECISION == Precision::F32 {
+            fine = add(scale(v, self.low), fine);
+        }
+        add(scale(v, self.high), fine)
     }
 }
 
@@ -45,26 +56,51 @@ pub(crate) fn accumulate<S: Real, const D: usize>(sum: &mut [S; D], lost: &mut [
     }
 }
 
-/// v += (gravity + acceleration) h for every point that is free.
+/// A vector in two parts.
+pub(crate) fn parts<S: Real, const D: usize>(vector: [f64; D]) -> [[S; D]; 2] {
+    let high = convert(vector);
+    [high, convert(sub(vector, widen(high)))]
+}
+
+/// What a kick gives to every point: v += (gravity + acceleration) h.
 ///
-/// `acceleration` may be empty: gravity alone. Gravity's kick is formed in `f64` and given in two parts: as one rounded
-/// constant, the same error would be made in every substep.
-pub(crate) fn kick<S: Real, const D: usize>(points: &mut Points<S, D>, gravity: [f64; D], h: f64) {
-    let whole = gravity.map(|g| g * h);
-    let high: [S; D] = convert(whole);
-    let low: [S; D] = convert(sub(whole, widen(high)));
-    let h = S::from_f64(h);
-    for i in 0..points.len() {
-        if points.inverse_mass[i] == S::ZERO {
-            continue;
-        }
-        let increment = match points.acceleration.get(i) {
-            Some(&a) => add(high, scale(a, h)),
-            None => high,
-        };
-        points.velocity_lost[i] = add(points.velocity_lost[i], low);
-        accumulate(&mut points.velocity[i], &mut points.velocity_lost[i], increment);
+/// Gravity's kick is formed in `f64` and given in two parts: as one rounded constant, the same error would be made in
+/// every substep.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Kick<S, const D: usize> {
+    fall: [[S; D]; 2],
+    h: S,
+}
+
+impl<S: Real, const D: usize> Kick<S, D> {
+    pub(crate) fn new(gravity: [f64; D], h: f64) -> Self {
+        Kick { fall: parts(gravity.map(|g| g * h)), h: S::from_f64(h) }
     }
+
+    /// What it makes of one velocity.
+    #[inline(always)]
+    pub(crate) fn change(&self, v: &mut [S; D], lost: &mut [S; D], acceleration: [S; D]) {
+        if S::PRECISION == Precision::F32 {
+            *lost = add(*lost, self.fall[1]);
+        }
+        accumulate(v, lost, add(self.fall[0], scale(acceleration, self.h)));
+    }
+
+    /// Gives it to every point that is free. Their acceleration may be empty: gravity alone.
+    pub(crate) fn give(&self, points: &mut Points<S, D>) {
+        for i in 0..points.len() {
+            if points.inverse_mass[i] == S::ZERO {
+                continue;
+            }
+            let acceleration = points.acceleration.get(i).copied().unwrap_or(zero());
+            self.change(&mut points.velocity[i], &mut points.velocity_lost[i], acceleration);
+        }
+    }
+}
+
+/// v += (gravity + acceleration) h for every point that is free.
+pub(crate) fn kick<S: Real, const D: usize>(points: &mut Points<S, D>, gravity: [f64; D], h: f64) {
+    Kick::new(gravity, h).give(points);
 }
 
 /// Drag over a time h, exactly: v *= exp(-rate h) for every point that is free.
@@ -81,18 +117,11 @@ pub(crate) fn slow<S: Real, const D: usize>(points: &mut Points<S, D>, rate: f64
     }
 }
 
-/// The displacement v h of one point, with the part of v that rounding had taken.
-#[inline(always)]
-fn displacement<S: Real, const D: usize>(points: &Points<S, D>, i: usize, h: Split<S>) -> [S; D] {
-    let fine = add(scale(points.velocity[i], h.low), scale(points.velocity_lost[i], h.high));
-    add(scale(points.velocity[i], h.high), fine)
-}
-
 /// displacement = v h: where the substep would take each point if nothing held it.
 pub(crate) fn predict<S: Real, const D: usize>(points: &mut Points<S, D>, h: f64) {
     let h = Split::new(h);
     for i in 0..points.len() {
-        points.displacement[i] = displacement(points, i, h);
+        points.displacement[i] = h.times(points.velocity[i], points.velocity_lost[i]);
     }
 }
 
@@ -106,7 +135,8 @@ pub(crate) fn follow<S: Real, const D: usize>(points: &mut Points<S, D>, h: f64)
         if points.inverse_mass[i] == S::ZERO {
             continue;
         }
-        let change = scale(sub(points.displacement[i], displacement(points, i, h)), rate);
+        let free = h.times(points.velocity[i], points.velocity_lost[i]);
+        let change = scale(sub(points.displacement[i], free), rate);
         accumulate(&mut points.velocity[i], &mut points.velocity_lost[i], change);
     }
 }

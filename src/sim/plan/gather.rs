@@ -10,9 +10,9 @@ use crate::sim::constrain::shape::{Row, Shape};
 use crate::sim::constrain::xpbd::CompliantBond;
 use crate::sim::contact::Contacts;
 use crate::sim::contact::surface::surfaces;
-use crate::sim::force::spring::Spring;
+use crate::sim::force::spring::Springs;
 use crate::sim::group::engine::{COMPOSED_4, COMPOSED_6, Engine, SINGLE};
-use crate::sim::group::guard::Watched;
+use crate::sim::group::guard::{Guard, Watched};
 use crate::sim::group::{Breakable, Group};
 use crate::sim::integrate::implicit::Implicit;
 use crate::sim::integrate::kick_drift::{KickDrift, Swept};
@@ -170,12 +170,11 @@ impl<S: Real, const D: usize> Maker<'_, S, D> {
             .then(|| rows(&bonds, &points.inverse_mass))
             .filter(|rows: &Vec<Row<S>>| !rows.is_empty())
             .map(|rows| Direct::new(Shape::new(rows, self.points.len())));
-        let springs: Vec<Spring<S>> = match choice.solver {
-            Solver::Xpbd => Vec::new(),
-            _ => bonds.iter().filter_map(|(_, bond)| Spring::of(bond)).collect(),
+        let springs = match choice.solver {
+            Solver::Xpbd => Springs::none(),
+            _ => Springs::new(bonds.iter().map(|(_, bond)| bond), self.points.len()),
         };
         let pull = Pull {
-            is_damped: springs.iter().any(Spring::is_damped),
             springs,
             contacts: Contacts::new(surfaces(self.model), self.points.len()),
             rigid,
@@ -187,7 +186,7 @@ impl<S: Real, const D: usize> Maker<'_, S, D> {
         let engine = self.engine(choice.solver, &bonds, &points, &pull);
         let robust = self.robust(&bonds, &points, &pull).map(Box::new);
         Group {
-            watched: self.watched(&bonds),
+            guard: self.guard(&bonds),
             breakable: breakable(&bonds),
             tracks: self.tracks(),
             substep: choice.substep,
@@ -241,16 +240,17 @@ impl<S: Real, const D: usize> Maker<'_, S, D> {
         if has_forces {
             points.acceleration = vec![zero(); count];
         }
-        if pull.is_damped {
+        if pull.springs.is_damped() {
             points.velocity_ahead = vec![zero(); count];
         }
         points.displacement = vec![zero(); count];
     }
 
     /// Bonds whose turns and moves are watched: those of methods that a large substep can break.
-    fn watched(&self, bonds: &[(u32, Bond)]) -> Vec<Watched<S>> {
+    fn guard(&self, bonds: &[(u32, Bond)]) -> Guard<S> {
+        let follows_turns = self.lot.choice.solver.order() > 2;
         if matches!(self.lot.choice.solver, Solver::Relaxation | Solver::Xpbd) {
-            return Vec::new();
+            return Guard { bonds: Vec::new(), follows_turns };
         }
         let is_watched = |bond: &Bond| !matches!(bond.kind, BondKind::Relaxed { .. }) && bond.rest_length > 0.0;
         let of = |bond: &Bond| Watched {
@@ -258,7 +258,8 @@ impl<S: Real, const D: usize> Maker<'_, S, D> {
             b: bond.b.0,
             rest_square: S::from_f64(bond.rest_length * bond.rest_length),
         };
-        bonds.iter().map(|(_, bond)| bond).filter(|bond| is_watched(bond)).map(of).collect()
+        let bonds = bonds.iter().map(|(_, bond)| bond).filter(|bond| is_watched(bond)).map(of).collect();
+        Guard { bonds, follows_turns }
     }
 
     fn engine(&self, solver: Solver, bonds: &[(u32, Bond)], points: &Points<S, D>, pull: &Pull<S, D>) -> Engine<S, D> {

@@ -202,7 +202,7 @@ impl<S: Real, const D: usize> Blocks<S, D> {
         for (line, error) in self.lines.iter().zip(error.iter()) {
             work[line.row as usize] = *error;
         }
-        self.ldl.solve(work);
+        self.ldl.solve_one(work);
         for (&row, force) in self.rows.iter().zip(force.iter_mut()) {
             *force = if row == NOWHERE { [S::ZERO; D] } else { std::array::from_fn(|k| work[row as usize + k]) };
         }

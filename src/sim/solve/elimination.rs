@@ -2,11 +2,11 @@
 
 use std::collections::BTreeSet;
 
-/// An order of elimination of the unknowns 0..count: the unknown with the fewest neighbours goes first, ties to the
-/// lowest index.
+/// An order of elimination of the unknowns 0..count: the unknown with the fewest neighbours goes first, ties to the one
+/// that has had so few for longest, at the start to the lowest index.
 ///
-/// A chain is eliminated from end to end, a tree from its leaves; nothing fills in there. Neighbours of an eliminated
-/// unknown become neighbours of each other.
+/// A chain is eliminated from both its ends in turn, a tree from all its leaves; nothing fills in there, and what
+/// follows each other does not wait for each other. Neighbours of an eliminated unknown become neighbours of each other.
 /// Shapes: `pairs` holds unknowns that share an equation, in any order, repeats allowed.
 /// `waits_for[i]` lists unknowns that must go before i: the multipliers of constraints come after the points that they
 /// hold, for their own diagonal is zero. It may be empty.
@@ -20,25 +20,32 @@ pub(crate) fn order(count: usize, pairs: &[[u32; 2]], waits_for: &[Vec<u32>]) ->
             frees[before as usize].push(i as u32);
         }
     }
-    let mut ready: BTreeSet<(usize, u32)> =
-        (0..count).filter(|&i| waiting[i] == 0).map(|i| (neighbours[i].len(), i as u32)).collect();
+    // When the number of neighbours became what it is, counted in changes.
+    let mut since: Vec<usize> = (0..count).collect();
+    let mut changes = count;
+    let mut ready: BTreeSet<(usize, usize, u32)> =
+        (0..count).filter(|&i| waiting[i] == 0).map(|i| (neighbours[i].len(), i, i as u32)).collect();
     let mut result = Vec::with_capacity(count);
-    while let Some((_, next)) = ready.pop_first() {
+    while let Some((_, _, next)) = ready.pop_first() {
         let i = next as usize;
         let around = std::mem::take(&mut neighbours[i]);
         for &j in &around {
             let was = neighbours[j as usize].len();
             let merged = join(&neighbours[j as usize], &around, j, next);
-            if waiting[j as usize] == 0 {
-                ready.remove(&(was, j));
-                ready.insert((merged.len(), j));
+            if merged.len() != was {
+                ready.remove(&(was, since[j as usize], j));
+                since[j as usize] = changes;
+                changes += 1;
+                if waiting[j as usize] == 0 {
+                    ready.insert((merged.len(), since[j as usize], j));
+                }
             }
             neighbours[j as usize] = merged;
         }
         for &j in &frees[i] {
             waiting[j as usize] -= 1;
             if waiting[j as usize] == 0 {
-                ready.insert((neighbours[j as usize].len(), j));
+                ready.insert((neighbours[j as usize].len(), since[j as usize], j));
             }
         }
         result.push(next);
@@ -86,9 +93,9 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_chain_is_eliminated_from_end_to_end() {
+    fn a_chain_is_eliminated_from_both_ends() {
         let pairs: Vec<[u32; 2]> = (0..9).map(|i| [i, i + 1]).collect();
-        assert_eq!(order(10, &pairs, &[]), (0..10).collect::<Vec<u32>>());
+        assert_eq!(order(10, &pairs, &[]), [0, 9, 1, 8, 2, 7, 3, 6, 4, 5]);
     }
 
     #[test]

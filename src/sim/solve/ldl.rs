@@ -4,7 +4,9 @@
 //! what stands above it ("up-looking"), so that a tridiagonal matrix costs no more than Thomas's algorithm.
 //! Source: T. A. Davis, Algorithm 849, ACM Trans. Math. Softw. 31, 587 (2005).
 
+use super::forest::Forest;
 use crate::sim::real::Real;
+use crate::sim::vector::{scale, sub};
 
 /// A factorisation of a matrix of fixed pattern. Unknowns are already in their order of elimination.
 #[derive(Clone, Debug)]
@@ -22,6 +24,8 @@ pub(crate) struct Ldl<S> {
     /// 1/D; 0 where the pivot was skipped.
     inverse_pivot: Vec<S>,
     work: Vec<S>,
+    /// What takes over where unknowns are coupled as chains and trees.
+    forest: Option<Forest<S>>,
 }
 
 /// What a factorisation met.
@@ -66,6 +70,7 @@ impl<S: Real> Ldl<S> {
             row_entries,
             inverse_pivot: vec![S::ZERO; count],
             work: vec![S::ZERO; count],
+            forest: Forest::of(lower),
         }
     }
 
@@ -84,6 +89,9 @@ impl<S: Real> Ldl<S> {
     /// A pivot that is smaller than `least` times its diagonal entry in size, or not a number, is skipped: its unknown
     /// comes out as zero, which solves a consistent system that repeats itself.
     pub(crate) fn factor(&mut self, diagonal: &[S], lower: &[S], least: S) -> Inertia {
+        if let Some(forest) = &mut self.forest {
+            return forest.factor(diagonal, lower, least, &mut self.inverse_pivot);
+        }
         let mut inertia = Inertia::default();
         for k in 0..self.len() {
             for e in self.entry_starts[k] as usize..self.entry_starts[k + 1] as usize {
@@ -111,20 +119,28 @@ impl<S: Real> Ldl<S> {
     }
 
     /// Solves A x = b in place.
-    pub(crate) fn solve(&self, x: &mut [S]) {
+    pub(crate) fn solve_one(&self, x: &mut [S]) {
+        self.solve(x.as_chunks_mut::<1>().0);
+    }
+
+    /// Solves A x = b in place, for R right-hand sides at once.
+    pub(crate) fn solve<const R: usize>(&self, x: &mut [[S; R]]) {
+        if let Some(forest) = &self.forest {
+            return forest.solve(&self.inverse_pivot, x);
+        }
         let count = self.len();
         let x = &mut x[..count];
         for k in 0..count {
             let mut sum = x[k];
             for &[j, at] in &self.row_entries[self.row_starts[k] as usize..self.row_starts[k + 1] as usize] {
-                sum -= self.values[at as usize] * x[j as usize];
+                sum = sub(sum, scale(x[j as usize], self.values[at as usize]));
             }
             x[k] = sum;
         }
         for k in (0..count).rev() {
-            let mut sum = x[k] * self.inverse_pivot[k];
+            let mut sum = scale(x[k], self.inverse_pivot[k]);
             for p in self.column_starts[k] as usize..self.column_starts[k + 1] as usize {
-                sum -= self.values[p] * x[self.rows[p] as usize];
+                sum = sub(sum, scale(x[self.rows[p] as usize], self.values[p]));
             }
             x[k] = sum;
         }
@@ -183,7 +199,7 @@ mod tests {
         let mut ldl = Ldl::analyse(&lower);
         let inertia = ldl.factor(&diagonal, &entries, 1e-12);
         let mut x = b;
-        ldl.solve(&mut x);
+        ldl.solve_one(&mut x);
         (x, inertia)
     }
 

@@ -2,5 +2,6 @@
 
 pub(crate) mod blocks;
 pub(crate) mod elimination;
+pub(crate) mod forest;
 pub(crate) mod ldl;
 pub(crate) mod root;

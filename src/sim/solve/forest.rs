@@ -1,0 +1,76 @@
+//! The factorisation of a matrix whose unknowns are coupled as a forest: chains and trees.
+//!
+//! Every unknown has at most one neighbour that is eliminated after it, so that L has one entry a column, and factoring
+//! and solving are three short loops: Thomas's algorithm, from all leaves at once.
+
+use super::ldl::Inertia;
+use crate::sim::real::Real;
+use crate::sim::vector::{scale, sub};
+
+/// A factorisation L D L^T with at most one entry a column of L.
+#[derive(Clone, Debug)]
+pub(crate) struct Forest<S> {
+    /// Of every unknown the neighbour that is eliminated after it; itself where there is none.
+    next: Vec<u32>,
+    /// Which entry of the matrix couples the two; none where there is no neighbour.
+    entry: Vec<u32>,
+    /// The entry of L; 0 where there is no neighbour.
+    link: Vec<S>,
+    pivot: Vec<S>,
+}
+
+const NONE: u32 = u32::MAX;
+
+impl<S: Real> Forest<S> {
+    /// The forest of a pattern, if it is one: `lower[k]` lists the columns j < k that row k has entries in.
+    pub(crate) fn of(lower: &[Vec<u32>]) -> Option<Self> {
+        let count = lower.len();
+        let mut next: Vec<u32> = (0..count as u32).collect();
+        let mut entry = vec![NONE; count];
+        let rows = lower.iter().enumerate().flat_map(|(k, columns)| columns.iter().map(move |&j| (k, j as usize)));
+        for (e, (k, j)) in rows.enumerate() {
+            if entry[j] != NONE {
+                return None;
+            }
+            (next[j], entry[j]) = (k as u32, e as u32);
+        }
+        Some(Forest { next, entry, link: vec![S::ZERO; count], pivot: vec![S::ZERO; count] })
+    }
+
+    /// As [`Ldl::factor`](super::ldl::Ldl::factor); `inverse` becomes 1/D, 0 where the pivot was skipped.
+    pub(crate) fn factor(&mut self, diagonal: &[S], lower: &[S], least: S, inverse: &mut [S]) -> Inertia {
+        let mut inertia = Inertia::default();
+        let Forest { next, entry, link, pivot } = self;
+        let count = next.len();
+        let (entry, link, inverse) = (&entry[..count], &mut link[..count], &mut inverse[..count]);
+        let diagonal = &diagonal[..count];
+        pivot.copy_from_slice(diagonal);
+        for j in 0..count {
+            let own = pivot[j];
+            let is_sound = own.abs() > least * diagonal[j].abs() && own.is_finite();
+            let over = if is_sound { S::ONE / own } else { S::ZERO };
+            inverse[j] = over;
+            inertia.skipped += u32::from(!is_sound);
+            inertia.negative += u32::from(is_sound && own < S::ZERO);
+            if let Some(&y) = lower.get(entry[j] as usize) {
+                let l = y * over;
+                link[j] = l;
+                pivot[next[j] as usize] -= l * y;
+            }
+        }
+        inertia
+    }
+
+    /// Solves A x = b in place, for R right-hand sides at once.
+    pub(crate) fn solve<const R: usize>(&self, inverse: &[S], x: &mut [[S; R]]) {
+        let count = self.next.len();
+        let (next, link, inverse, x) = (&self.next[..count], &self.link[..count], &inverse[..count], &mut x[..count]);
+        for j in 0..count {
+            let after = next[j] as usize;
+            x[after] = sub(x[after], scale(x[j], link[j]));
+        }
+        for j in (0..count).rev() {
+            x[j] = sub(scale(x[j], inverse[j]), scale(x[next[j] as usize], link[j]));
+        }
+    }
+}
