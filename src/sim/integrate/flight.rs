@@ -64,23 +64,25 @@ impl<S: Real, const D: usize> Flight<S, D> {
         for i in 0..count {
             let (mut v, mut lost) = (velocity[i], velocity_lost[i]);
             if inverse_mass[i] == S::ZERO {
-                accumulate(&mut position[i], &mut position_lost[i], self.time.times(v, lost));
+                self.time.go(&mut position[i], &mut position_lost[i], v, lost);
                 continue;
             }
             if KICKED {
                 kick.change(&mut v, &mut lost, acceleration[i]);
             }
-            let mut way = self.reach.times(v, lost);
+            let (x, owed) = (&mut position[i], &mut position_lost[i]);
+            if falls {
+                *owed = add(*owed, add(self.fall[0], self.fall[1]));
+            }
+            self.reach.go(x, owed, v, lost);
             if drags {
                 (v, lost) = (scale(v, self.keep), scale(lost, self.keep));
             }
             if falls {
-                way = add(way, add(self.fall[0], self.fall[1]));
                 lost = add(lost, self.gain[1]);
                 accumulate(&mut v, &mut lost, self.gain[0]);
             }
             (velocity[i], velocity_lost[i]) = (v, lost);
-            accumulate(&mut position[i], &mut position_lost[i], way);
         }
     }
 }

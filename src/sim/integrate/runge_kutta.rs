@@ -13,22 +13,20 @@ use crate::sim::pull::Pull;
 use crate::sim::real::Real;
 use crate::sim::surroundings::Surroundings;
 
-/// Slopes of all stages and the state of the one under way, stage by stage, D numbers a point.
+/// The state at the start of a step, of the stage under way, and the slopes of all stages: rows of numbers, first those
+/// of the positions, then those of the velocities.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Stages<S> {
-    velocity: Vec<Vec<S>>,
-    acceleration: Vec<Vec<S>>,
-    position: Vec<S>,
+    start: Vec<S>,
+    state: Vec<S>,
+    slopes: Vec<Vec<S>>,
 }
 
 impl<S: Real> Stages<S> {
-    /// Room for `count` numbers in `stages` stages.
+    /// Room for `count` numbers of positions, and as many of velocities, in `stages` stages.
     pub(crate) fn new(count: usize, stages: usize) -> Self {
-        Stages {
-            velocity: vec![vec![S::ZERO; count]; stages],
-            acceleration: vec![vec![S::ZERO; count]; stages],
-            position: vec![S::ZERO; count],
-        }
+        let row = vec![S::ZERO; 2 * count];
+        Stages { start: row.clone(), state: row.clone(), slopes: vec![row; stages] }
     }
 }
 
@@ -37,40 +35,45 @@ impl<S: Real> Stages<S> {
 pub(crate) fn step<S: Real, const D: usize>(
     points: &mut Points<S, D>,
     pull: &mut Pull<S, D>,
-    stages: &mut Stages<S>,
+    Stages { start, state, slopes }: &mut Stages<S>,
     table: &Tableau,
     around: &Surroundings<D>,
     (t, h): (f64, f64),
     counters: &mut Counters,
 ) -> bool {
+    let half = points.len() * D;
+    start[..half].copy_from_slice(points.position.as_flattened());
+    start[half..].copy_from_slice(points.velocity.as_flattened());
     for (s, coefficients) in table.stages.iter().enumerate() {
         let time = t + table.nodes[s] * h;
+        if s > 0 {
+            combine(state, start, slopes, coefficients, h);
+        }
+        let now = if s > 0 { &*state } else { &*start };
+        let (x, v) = now.split_at(half);
+        let (slope, a) = slopes[s].split_at_mut(half);
+        slope.copy_from_slice(v);
+        let (x, v, a) = (chunks(x), chunks(v), chunks_mut(a));
+        if s == 0
+            && let Some(rigid) = &mut pull.rigid
+        {
+            rigid.tighten(x, v);
+        }
+        pull.accelerate(around, time, (x, v, &points.inverse_mass), a, counters);
         if s == 0 {
-            stages.velocity[0].copy_from_slice(points.velocity.as_flattened());
-            let (v, a) = (chunks(&stages.velocity[0]), chunks_mut(&mut stages.acceleration[0]));
-            if let Some(rigid) = &mut pull.rigid {
-                rigid.tighten(&points.position, &points.velocity);
-            }
-            pull.accelerate(around, time, (&points.position, v, &points.inverse_mass), a, counters);
             while pull.rigid.as_mut().is_some_and(Direct::slacken) {
-                pull.accelerate(around, time, (&points.position, v, &points.inverse_mass), a, counters);
+                pull.accelerate(around, time, (x, v, &points.inverse_mass), a, counters);
             }
-            let too_fast = |rigid: &Direct<S, D>| rigid.frequency().to_f64() * h > table.stability;
+            let most = table.stability / h;
+            let too_fast = |rigid: &Direct<S, D>| rigid.frequency_square().to_f64() > most * most;
             if pull.rigid.as_ref().is_some_and(too_fast) {
                 return false;
             }
-            continue;
         }
-        combine(&mut stages.position, points.position.as_flattened(), &stages.velocity, coefficients, h);
-        let velocity = points.velocity.as_flattened();
-        combine(&mut stages.velocity[s], velocity, &stages.acceleration, coefficients, h);
-        let (v, a) = (chunks(&stages.velocity[s]), chunks_mut(&mut stages.acceleration[s]));
-        pull.accelerate(around, time, (chunks(&stages.position), v, &points.inverse_mass), a, counters);
     }
     let Points { position, position_lost, velocity, velocity_lost, .. } = points;
-    let (x, v) = (position.as_flattened_mut(), velocity.as_flattened_mut());
-    add_up(x, position_lost.as_flattened_mut(), &stages.velocity, table.weights, h);
-    add_up(v, velocity_lost.as_flattened_mut(), &stages.acceleration, table.weights, h);
+    add_up(position.as_flattened_mut(), position_lost.as_flattened_mut(), (slopes, 0), table.weights, h);
+    add_up(velocity.as_flattened_mut(), velocity_lost.as_flattened_mut(), (slopes, half), table.weights, h);
     pull.restore(points, counters)
 }
 
@@ -89,9 +92,10 @@ struct Sum<'a, S, const N: usize> {
 }
 
 impl<'a, S: Real, const N: usize> Sum<'a, S, N> {
-    fn new(slopes: &'a [Vec<S>], row: &[(usize, f64)], h: f64, count: usize) -> Self {
+    /// Of the numbers of the slopes from `first` on.
+    fn new((slopes, first): (&'a [Vec<S>], usize), row: &[(usize, f64)], h: f64, count: usize) -> Self {
         Sum {
-            slopes: std::array::from_fn(|k| &slopes[row[k].0][..count]),
+            slopes: std::array::from_fn(|k| &slopes[row[k].0][first..first + count]),
             weights: std::array::from_fn(|k| S::from_f64(row[k].1 * h)),
         }
     }
@@ -170,10 +174,10 @@ macro_rules! by_length {
 
 /// out = base + h sum of row_j slopes_j.
 fn combine<S: Real>(out: &mut [S], base: &[S], slopes: &[Vec<S>], row: &[(usize, f64)], h: f64) {
-    by_length!(row, N => Sum::<S, N>::new(slopes, row, h, base.len()).add_to(base, out));
+    by_length!(row, N => Sum::<S, N>::new((slopes, 0), row, h, base.len()).add_to(base, out));
 }
 
 /// x += h sum of row_j slopes_j, compensated.
-fn add_up<S: Real>(x: &mut [S], lost: &mut [S], slopes: &[Vec<S>], row: &[(usize, f64)], h: f64) {
+fn add_up<S: Real>(x: &mut [S], lost: &mut [S], slopes: (&[Vec<S>], usize), row: &[(usize, f64)], h: f64) {
     by_length!(row, N => Sum::<S, N>::new(slopes, row, h, x.len()).accumulate(x, lost));
 }

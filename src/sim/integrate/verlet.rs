@@ -32,6 +32,19 @@ impl<S: Real> Split<S> {
         Split { high, low: S::from_f64(value - high.to_f64()) }
     }
 
+    /// sum += v times this number, with the part of v that rounding had taken, compensated.
+    ///
+    /// What is small comes together first: it does not wait for v.
+    #[inline(always)]
+    pub(crate) fn go<const D: usize>(self, sum: &mut [S; D], owed: &mut [S; D], v: [S; D], lost: [S; D]) {
+        *owed = add(*owed, scale(lost, self.high));
+        let way = scale(v, self.high);
+        if S::PRECISION == Precision::F32 {
+            *owed = add(*owed, scale(v, self.low));
+        }
+        accumulate(sum, owed, way);
+    }
+
     /// v times this number, with the part of v that rounding had taken.
     #[inline(always)]
     pub(crate) fn times<const D: usize>(self, v: [S; D], lost: [S; D]) -> [S; D] {
@@ -80,10 +93,10 @@ impl<S: Real, const D: usize> Kick<S, D> {
     /// What it makes of one velocity.
     #[inline(always)]
     pub(crate) fn change(&self, v: &mut [S; D], lost: &mut [S; D], acceleration: [S; D]) {
-        if S::PRECISION == Precision::F32 {
-            *lost = add(*lost, self.fall[1]);
-        }
-        accumulate(v, lost, add(self.fall[0], scale(acceleration, self.h)));
+        // In 64 bits the second part is 0, and the first one may well take in what is owed.
+        *lost = add(*lost, if S::PRECISION == Precision::F32 { self.fall[1] } else { self.fall[0] });
+        let push = scale(acceleration, self.h);
+        accumulate(v, lost, if S::PRECISION == Precision::F32 { add(self.fall[0], push) } else { push });
     }
 
     /// Gives it to every point that is free. Their acceleration may be empty: gravity alone.

@@ -39,6 +39,19 @@ impl<S: Real> Forest<S> {
 
     /// As [`Ldl::factor`](super::ldl::Ldl::factor); `inverse` becomes 1/D, 0 where the pivot was skipped.
     pub(crate) fn factor(&mut self, diagonal: &[S], lower: &[S], least: S, inverse: &mut [S]) -> Inertia {
+        self.eliminate(diagonal, lower, least, inverse, |_, _, _| {})
+    }
+
+    /// Eliminates one unknown after the other; `each` is told the unknown, the one after it and the entry of L.
+    #[inline(always)]
+    fn eliminate(
+        &mut self,
+        diagonal: &[S],
+        lower: &[S],
+        least: S,
+        inverse: &mut [S],
+        mut each: impl FnMut(usize, usize, S),
+    ) -> Inertia {
         let mut inertia = Inertia::default();
         let Forest { next, entry, link, pivot } = self;
         let count = next.len();
@@ -53,9 +66,10 @@ impl<S: Real> Forest<S> {
             inertia.skipped += u32::from(!is_sound);
             inertia.negative += u32::from(is_sound && own < S::ZERO);
             if let Some(&y) = lower.get(entry[j] as usize) {
-                let l = y * over;
+                let (after, l) = (next[j] as usize, y * over);
                 link[j] = l;
-                pivot[next[j] as usize] -= l * y;
+                pivot[after] -= l * y;
+                each(j, after, l);
             }
         }
         inertia
@@ -64,11 +78,30 @@ impl<S: Real> Forest<S> {
     /// Solves A x = b in place, for R right-hand sides at once.
     pub(crate) fn solve<const R: usize>(&self, inverse: &[S], x: &mut [[S; R]]) {
         let count = self.next.len();
-        let (next, link, inverse, x) = (&self.next[..count], &self.link[..count], &inverse[..count], &mut x[..count]);
+        let (next, link, x) = (&self.next[..count], &self.link[..count], &mut x[..count]);
         for j in 0..count {
             let after = next[j] as usize;
             x[after] = sub(x[after], scale(x[j], link[j]));
         }
+        self.solve_back(inverse, x);
+    }
+
+    /// Factors and solves in one go: what eliminates an unknown from the matrix eliminates it from the right-hand sides.
+    pub(crate) fn factor_and_solve<const R: usize>(
+        &mut self,
+        diagonal: &[S],
+        lower: &[S],
+        least: S,
+        inverse: &mut [S],
+        x: &mut [[S; R]],
+    ) {
+        self.eliminate(diagonal, lower, least, inverse, |j, after, link| x[after] = sub(x[after], scale(x[j], link)));
+        self.solve_back(inverse, x);
+    }
+
+    fn solve_back<const R: usize>(&self, inverse: &[S], x: &mut [[S; R]]) {
+        let count = self.next.len();
+        let (next, link, inverse, x) = (&self.next[..count], &self.link[..count], &inverse[..count], &mut x[..count]);
         for j in (0..count).rev() {
             x[j] = sub(scale(x[j], inverse[j]), scale(x[next[j] as usize], link[j]));
         }

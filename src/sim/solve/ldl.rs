@@ -118,6 +118,15 @@ impl<S: Real> Ldl<S> {
         inertia
     }
 
+    /// Factors the matrix and solves A x = b in place, for R right-hand sides at once.
+    pub(crate) fn factor_and_solve<const R: usize>(&mut self, diagonal: &[S], lower: &[S], least: S, x: &mut [[S; R]]) {
+        if let Some(forest) = &mut self.forest {
+            return forest.factor_and_solve(diagonal, lower, least, &mut self.inverse_pivot, x);
+        }
+        self.factor(diagonal, lower, least);
+        self.solve(x);
+    }
+
     /// Solves A x = b in place.
     pub(crate) fn solve_one(&self, x: &mut [S]) {
         self.solve(x.as_chunks_mut::<1>().0);

@@ -1,7 +1,7 @@
 //! What rigid bonds answer to forces: accelerations with Lagrange's multipliers (index 1).
 
 use super::super::shape::Row;
-use super::Direct;
+use super::{Direct, least_pivot};
 use crate::sim::contact::Contacts;
 use crate::sim::real::Real;
 use crate::sim::vector::{add, dot, scale, sub};
@@ -22,8 +22,8 @@ impl<S: Real, const D: usize> Direct<S, D> {
             self.lambda[k] = -(dot(d, apart) + dot(closing, closing));
         }
         self.fill_lower();
-        self.eliminate();
-        self.ldl.solve_one(&mut self.lambda);
+        let lambda = self.lambda.as_chunks_mut::<1>().0;
+        self.ldl.factor_and_solve(&self.diagonal, &self.lower, least_pivot(), lambda);
         self.push(a);
     }
 
@@ -52,13 +52,14 @@ impl<S: Real, const D: usize> Direct<S, D> {
         }
     }
 
-    /// Bound on the fastest oscillation that the tension of the bonds makes [rad/s], by the last multipliers.
+    /// Bound on the square of the fastest oscillation that the tension of the bonds makes [rad^2/s^2], by the last
+    /// multipliers.
     ///
     /// A bond under the force lambda d is across as stiff as |lambda|: omega^2 <= max of 2 |lambda| (w_a + w_b), as of a
     /// taut string. Explicit methods are unstable beyond their limit of omega h, though every bond keeps its length.
-    pub(crate) fn frequency(&self) -> S {
+    pub(crate) fn frequency_square(&self) -> S {
         let square = |(lambda, row): (&S, &Row<S>)| lambda.abs() * (row.w_a + row.w_b);
         let most = self.lambda.iter().zip(&self.rows).map(square).fold(S::ZERO, S::max);
-        (most + most).sqrt()
+        most + most
     }
 }

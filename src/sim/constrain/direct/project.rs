@@ -1,6 +1,6 @@
 //! Back to the lengths of rigid bonds: projection of positions and of velocities, weighted by mass.
 
-use super::{Direct, Held, MOST_SOLVES, enough, tolerance};
+use super::{Direct, Held, MOST_SOLVES, enough, least_pivot, tolerance};
 use crate::sim::contact::Contacts;
 use crate::sim::integrate::verlet::accumulate;
 use crate::sim::points::Points;
@@ -43,8 +43,7 @@ impl<S: Real, const D: usize> Direct<S, D> {
             return false;
         }
         self.fill_lower();
-        self.eliminate();
-        self.ldl.solve(&mut self.both);
+        self.ldl.factor_and_solve(&self.diagonal, &self.lower, least_pivot(), &mut self.both);
         let Points { position, position_lost, velocity, velocity_lost, .. } = points;
         for ((&[shift, kick], row), &aim) in self.both.iter().zip(&self.rows).zip(&self.aims) {
             for (point, weight) in [(row.a as usize, row.w_a), (row.b as usize, -row.w_b)] {
