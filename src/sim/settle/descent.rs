@@ -1,123 +1,158 @@
-//! The state of a descent, and its rounds: a step of Newton's method, as far as that lowers the merit.
+//! The descent of one island, round by round.
 
-use super::BALANCED;
-use super::hold::Hold;
-use crate::sim::bond::{Bond, Limit};
-use crate::sim::contact::surface::Surface;
-use crate::sim::force::spring::Spring;
-use crate::sim::plan::nudge;
+use super::hold::{Grip, Hold};
+use super::part::{Part, extent, grain};
+use super::stride::way;
+use super::system::{NEUTRAL, pattern};
+use super::{BALANCED, BALANCED_ENOUGH};
 use crate::sim::solve::blocks::Blocks;
-use crate::sim::vector::{add, length, scale};
+use crate::sim::vector::length;
 
-/// Times that a shape is pushed off a saddle, and how far, as a share of its extent.
-const MOST_PUSHES: u32 = 3;
-const PUSH: f64 = 1e-3;
-/// Times that the shift is raised in one round: the last is beyond any stiffness.
-const MOST_SHIFTS: u32 = 12;
-/// Longest step, as a share of the diagonal of the box around all points: further out the model of the energy is none.
-const REACH: f64 = 0.25;
+/// Rounds after which an equilibrium is given up.
+const MOST_ROUNDS: u32 = 1000;
+/// Times that holds are let go or taken in one round: they nearly always agree after two or three.
+const MOST_REVISIONS: u32 = 20;
+/// Longest step at first, as a share of the extent: further out the model of the energy is none.
+pub(super) const REACH: f64 = 0.25;
+/// Rounds in which the force that is left has to halve, once it is small: rounding keeps it from going lower.
+const PATIENCE: u32 = 10;
+/// Force that rounding makes, in that of the stiffest bond strained by the grain of positions.
+const NOISE: f64 = 0.1;
+/// Extents that an island can move before it is said to fall: struts can be slid off.
+const FARTHEST: f64 = 1e6;
 
-/// Where the points are, what acts on them, and how far the descent has come.
+/// Where the points are, what holds them, and how far the descent has come.
 pub(super) struct Descent<const D: usize> {
-    /// For every point of the model the one that it is welded to.
-    pub(super) stand_ins: Vec<u32>,
+    pub(super) part: Part<D>,
+    /// Positions [m].
     pub(super) x: Vec<[f64; D]>,
-    /// Masses of free points, 0 for pinned ones.
-    pub(super) mass: Vec<f64>,
-    pub(super) is_free: Vec<bool>,
-    pub(super) gravity: [f64; D],
-    pub(super) bonds: Vec<Bond>,
-    pub(super) springs: Vec<Spring<f64>>,
-    pub(super) pairs: Vec<[u32; 2]>,
-    pub(super) rigid: Vec<Hold>,
-    /// Rigid bonds that act one way: those that do are among the pressed.
-    pub(super) limited: Vec<(Hold, Limit)>,
-    pub(super) surfaces: Vec<Surface<f64, D>>,
-    pub(super) pressed: Vec<Hold>,
+    pub(super) holds: Vec<Hold>,
     pub(super) system: Blocks<f64, D>,
-    pub(super) lambda: Vec<f64>,
     pub(super) work: Vec<f64>,
+    /// The scale of stiffness [N/m].
+    pub(super) scale: f64,
+    /// Added to the diagonal of the matrix [N/m].
     pub(super) shift: f64,
-    pub(super) penalty: f64,
-    pub(super) residual: f64,
-    pub(super) is_done: bool,
-    /// Some point falls for ever.
-    pub(super) has_loose: bool,
+    /// The longest step [m].
+    pub(super) reach: f64,
     /// Times that it was pushed off a saddle.
     pub(super) pushes: u32,
+    /// Force that is left, as a share of the largest.
+    pub(super) residual: f64,
+    /// That force is what the stiffest bond makes of the rounding of positions.
+    is_noise: bool,
+    pub(super) rounds: u32,
+    /// It falls for ever.
+    pub(super) falls: bool,
+    /// It balances, at a minimum.
+    is_balanced: bool,
+    is_done: bool,
+    /// The least force that was left, and the rounds since then.
+    best: (f64, u32),
 }
 
 impl<const D: usize> Descent<D> {
-    /// One step of Newton's method, shortened where it has to be.
-    pub(super) fn round(&mut self) {
-        let holds = self.holds();
-        let (mut force, largest) = self.forces();
-        let stiffest = self.stiffest();
-        let mut system = std::mem::replace(&mut self.system, Blocks::new(&[], &[], &[]));
-        let mut error: Vec<f64> = holds.iter().map(|&hold| -self.off(hold, &self.x).0).collect();
-        let wanted = force.clone();
-        for _ in 0..MOST_SHIFTS {
-            self.fill(&mut system, &holds, stiffest);
-            let inertia = system.factor();
-            // One negative pivot for every constraint, none for points: H is positive along the constraints.
-            if inertia.negative as usize + inertia.skipped as usize <= holds.len() {
-                break;
-            }
-            self.shift = (10.0 * self.shift).max(1e-4 * stiffest);
+    pub(super) fn new(mut part: Part<D>) -> Self {
+        let falls = part.falls_for_ever();
+        if !falls {
+            part.drop_down();
         }
-        force.push([0.0; D]);
-        system.solve(&mut force, &mut error, &mut self.work);
-        self.residual = self.balance(&wanted, &holds, &error) / largest.max(f64::MIN_POSITIVE);
-        self.take(&system, force, &error, stiffest);
-        self.system = system;
-        self.revise(&error);
+        let (x, holds) = (part.position.clone(), part.holds.clone());
+        let scale = part.stiffest();
+        let has_rigid = holds.iter().any(|hold| matches!(hold.grip, Grip::Bond { .. }));
+        Descent {
+            // Without tensions yet nothing tells a chain which way is down: the first steps go along the gradient.
+            shift: if has_rigid { scale } else { 0.0 },
+            scale,
+            system: pattern(&part),
+            reach: REACH * extent(&x),
+            work: Vec::new(),
+            pushes: 0,
+            residual: f64::INFINITY,
+            is_noise: false,
+            rounds: 0,
+            falls,
+            is_balanced: false,
+            is_done: falls,
+            best: (f64::INFINITY, 0),
+            part,
+            x,
+            holds,
+        }
     }
 
-    /// Goes along a step as far as that lowers the merit.
-    ///
-    /// A step that leaves curved constraints is bent back to them before it is shortened.
-    pub(super) fn take(&mut self, system: &Blocks<f64, D>, mut step: Vec<[f64; D]>, lambda: &[f64], stiffest: f64) {
-        let most = lambda.iter().fold(self.weight(), |most, lambda| most.max(lambda.abs()));
-        // It follows the multipliers down again: those of the first rounds may be far too large.
-        self.penalty = (0.5 * self.penalty).max(2.0 * most);
-        let (extent, holds) = (self.extent(), self.holds());
-        let size = step.iter().map(|s| length(*s)).fold(0.0, f64::max);
-        if size > REACH * extent {
-            step.iter_mut().for_each(|s| *s = scale(*s, REACH * extent / size));
-        }
-        let off = holds.iter().map(|&hold| self.off(hold, &self.x).0.abs()).fold(0.0, f64::max);
-        let before = self.merit(&self.x);
-        let slack = 1e-13 * (before.abs() + self.energy_scale());
-        let mut share = 1.0;
-        while share > 1e-8 {
-            let mut x: Vec<[f64; D]> = self.x.iter().zip(&step).map(|(&x, &s)| add(x, scale(s, share))).collect();
-            if self.merit(&x) > before + slack {
-                let mut force = vec![[0.0; D]; x.len() + 1];
-                let mut error: Vec<f64> = holds.iter().map(|&hold| -self.off(hold, &x).0).collect();
-                system.solve(&mut force, &mut error, &mut self.work);
-                x.iter_mut().zip(&force).for_each(|(x, &back)| *x = add(*x, back));
+    pub(super) fn run(&mut self) {
+        let (start, farthest) = (self.x.clone(), FARTHEST * extent(&self.x));
+        while self.rounds < MOST_ROUNDS && !self.is_done {
+            self.round();
+            self.rounds += 1;
+            if way(&start, &self.x) > farthest {
+                (self.falls, self.is_done) = (true, true);
             }
-            if self.merit(&x) <= before + slack {
-                self.x = x;
+        }
+    }
+
+    /// Whether forces balance at a minimum.
+    pub(super) fn is_settled(&self) -> bool {
+        self.is_balanced && self.is_balanced_enough()
+    }
+
+    /// One step of Newton's method, shortened where it has to be.
+    fn round(&mut self) {
+        let scale = self.scale;
+        let (force, largest) = self.forces(&self.x);
+        self.factor();
+        let mut step = self.aim(force.clone());
+        for _ in 0..MOST_REVISIONS {
+            if !self.revise(&step) {
                 break;
             }
-            share *= 0.5;
+            self.factor();
+            step = self.aim(force.clone());
         }
-        for (old, new) in self.lambda.iter_mut().zip(lambda) {
-            *old += share * (new - *old);
+        let left = self.largest(&self.left(force, &step.lambda, &self.x));
+        let tension =
+            self.holds.iter().zip(&step.lambda).map(|(hold, &lambda)| hold.tension(lambda)).fold(0.0, f64::max);
+        self.residual = left / largest.max(tension).max(f64::MIN_POSITIVE);
+        let is_level = self.shift <= NEUTRAL * scale;
+        self.is_noise = left <= NOISE * scale * grain(&self.x);
+        let is_still = self.is_still(&step.displacement, is_level);
+        // A last step would follow rounding along directions that are neutral.
+        if !is_still || self.shift == 0.0 {
+            let before: Vec<f64> = self.violations(&self.x).collect();
+            let is_whole = self.stride(&step);
+            if is_level && is_whole {
+                self.firm_up(&before);
+            }
+        } else {
+            self.holds.iter_mut().zip(&step.lambda).for_each(|(hold, lambda)| hold.lambda = *lambda);
         }
-        let is_still = size <= 1e-14 * extent || (self.residual <= BALANCED && off <= 1e-15 * extent * extent);
-        // Balanced, but on a saddle: a push is all it needs.
-        if is_still && self.shift > 1e-6 * stiffest && self.pushes < MOST_PUSHES {
-            nudge(&mut self.x, &self.is_free, PUSH);
-            self.pushes += 1;
-            return;
+        if is_still && is_level {
+            (self.is_balanced, self.is_done) = (true, true);
+        } else if is_still {
+            self.leave_saddle();
         }
-        self.is_done = (is_still && self.shift == 0.0) || (share <= 1e-8 && self.shift >= 1e3 * stiffest);
-        self.shift = match share {
-            1.0 if self.shift > 1e-6 * stiffest => 0.1 * self.shift,
-            1.0 => 0.0,
-            _ => (4.0 * self.shift).max(1e-4 * stiffest),
-        };
+    }
+
+    /// Whether nothing moves any more, or no force is left but what rounding makes.
+    fn is_still(&mut self, step: &[[f64; D]], is_level: bool) -> bool {
+        let fine = grain(&self.x);
+        if self.residual < 0.5 * self.best.0 {
+            self.best = (self.residual, 0);
+        }
+        self.best.1 += u32::from(is_level);
+        let stalls = self.best.1 > PATIENCE && self.is_balanced_enough();
+        let moves = step.iter().map(|&s| length(s)).fold(0.0, f64::max);
+        moves <= fine || ((self.residual <= BALANCED || stalls) && self.violation(&self.x) <= 4.0 * fine)
+    }
+
+    /// Whether the force that is left may be what rounding makes of one of bad condition.
+    fn is_balanced_enough(&self) -> bool {
+        self.residual <= BALANCED_ENOUGH || self.is_noise
+    }
+
+    /// The end of the descent without an equilibrium.
+    pub(super) fn give_up(&mut self) {
+        self.is_done = true;
     }
 }

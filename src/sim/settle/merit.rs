@@ -1,7 +1,8 @@
-//! What a step has to lower: energy, and a penalty on what is violated.
+//! What a step has to lower: energy, and what holds add to it (an augmented Lagrangian).
 
 use super::descent::Descent;
 use super::hold::Hold;
+use super::part::{extent, grain};
 use crate::sim::bond::Limit;
 use crate::sim::force::spring;
 use crate::sim::vector::dot;
@@ -9,30 +10,41 @@ use crate::sim::vector::dot;
 impl<const D: usize> Descent<D> {
     /// Energy of springs and gravity [J].
     pub(super) fn energy(&self, x: &[[f64; D]]) -> f64 {
-        let lift =
-            |(i, x): (usize, &[f64; D])| if self.is_free[i] { -self.mass[i] * dot(self.gravity, *x) } else { 0.0 };
-        spring::energy(&self.bonds, |i| x[i]) + x.iter().enumerate().map(lift).sum::<f64>()
+        let part = &self.part;
+        let lift = |i: usize| if part.is_free[i] { -part.mass[i] * dot(part.gravity, x[i]) } else { 0.0 };
+        spring::energy(&part.bonds, |i| x[i]) + (0..x.len()).map(lift).sum::<f64>()
     }
 
+    /// Energy and what holds add to it: lambda C + C^2/2e, whose least value along the step is where the system leads to.
+    /// A hold that acts one way adds no more where it would have to act the other way.
     pub(super) fn merit(&self, x: &[[f64; D]]) -> f64 {
-        let off: f64 = self.holds().into_iter().map(|hold| self.off(hold, x).0.abs()).sum();
-        let inside: f64 = self.depths(x);
-        self.energy(x) + self.penalty * (off + inside)
-    }
-
-    /// Sum of how deep free points are in surfaces [m].
-    pub(super) fn depths(&self, x: &[[f64; D]]) -> f64 {
-        let deep = |x: &[f64; D]| self.surfaces.iter().map(|surface| (-surface.gap(*x)).max(0.0)).sum::<f64>();
-        let surfaces: f64 = x.iter().zip(&self.is_free).filter(|(_, free)| **free).map(|(x, _)| deep(x)).sum();
-        let over = |&(hold, limit): &(Hold, Limit)| match limit {
-            Limit::Max => self.off(hold, x).0.max(0.0),
-            _ => (-self.off(hold, x).0).max(0.0),
+        let of = |hold: &Hold| {
+            let (grip, off) = (hold.grip_by(self.scale), hold.off(&self.part.surfaces, x).value);
+            if hold.limit == Limit::Both || hold.can_have(hold.lambda + grip * off) {
+                (hold.lambda + 0.5 * grip * off) * off
+            } else {
+                -0.5 * hold.lambda * hold.lambda / grip
+            }
         };
-        surfaces + self.limited.iter().map(over).sum::<f64>()
+        self.energy(x) + self.holds.iter().map(of).sum::<f64>()
     }
 
-    /// The scale of the energy [J], for what rounding makes of its differences.
-    pub(super) fn energy_scale(&self) -> f64 {
-        self.weight() * self.extent()
+    /// The violation of every hold [m].
+    pub(super) fn violations(&self, x: &[[f64; D]]) -> impl Iterator<Item = f64> {
+        self.holds.iter().map(|hold| {
+            let off = hold.off(&self.part.surfaces, x);
+            hold.violation(off.value) / off.per_metre
+        })
+    }
+
+    /// The largest violation of any hold [m].
+    pub(super) fn violation(&self, x: &[[f64; D]]) -> f64 {
+        self.violations(x).fold(0.0, f64::max)
+    }
+
+    /// What rounding makes of differences of the merit [J].
+    pub(super) fn haze(&self, merit: f64) -> f64 {
+        let held: f64 = self.holds.iter().map(|hold| hold.tension(hold.lambda)).sum();
+        1e-13 * (merit.abs() + self.part.weight() * extent(&self.x)) + held * grain(&self.x)
     }
 }

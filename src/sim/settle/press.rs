@@ -1,49 +1,52 @@
 //! Which surfaces press and which one-way bonds are taut.
 
 use super::descent::Descent;
-use super::hold::Hold;
+use super::hold::{Grip, Hold};
+use super::part::grain;
+use super::system::Step;
 use crate::sim::bond::Limit;
 
+/// Share of a violation that a round may leave.
+const SLOW: f64 = 0.25;
+/// How much firmer a hold that leaves more becomes each time, and at most: then a straight row of taut bonds sags by 1e-7 of
+/// its length, which is the root of what rounding leaves of the lengths.
+const FIRMER: f64 = 10.0;
+const FIRMEST: f64 = 1e10;
+
 impl<const D: usize> Descent<D> {
-    /// Points that went into a surface are held to it; those that it would have to pull are let go.
-    pub(super) fn revise(&mut self, lambda: &[f64]) {
-        if self.surfaces.is_empty() && self.limited.is_empty() {
-            return;
-        }
-        let before = self.pressed.len();
-        let first = self.rigid.len();
-        let mut kept = Vec::new();
-        for (k, &hold) in self.pressed.iter().enumerate() {
-            // lambda balances the force along the normal or the bond: a surface can only push, a string only pull.
-            let limit = self.limited.iter().find(|limited| limited.0 == hold).map(|limited| limited.1);
-            let is_right = if limit == Some(Limit::Max) { lambda[first + k] >= 0.0 } else { lambda[first + k] <= 0.0 };
-            if is_right {
-                kept.push(hold);
-            }
-        }
-        let mut changed = kept.len() != before;
-        for (surface, plane) in self.surfaces.iter().enumerate() {
-            for point in (0..self.x.len()).filter(|&i| self.is_free[i]) {
-                let holds = |hold: &Hold| matches!(hold, Hold::Surface { point: p, surface: s } if *p == point && *s == surface);
-                if plane.gap(self.x[point]) < -plane.slack() && !kept.iter().any(holds) {
-                    kept.push(Hold::Surface { point, surface });
-                    changed = true;
-                }
-            }
-        }
-        for &(hold, limit) in &self.limited {
-            let off = self.off(hold, &self.x).0;
-            let is_over = if limit == Limit::Max { off > 1e-14 } else { off < -1e-14 };
-            if is_over && !kept.contains(&hold) {
-                kept.push(hold);
+    /// Holds that the step would violate become active, and those that would have to pull where they can only push, or
+    /// the other way round, are let go. Returns whether any did.
+    pub(super) fn revise(&mut self, step: &Step<D>) -> bool {
+        let fine = grain(&self.x);
+        let mut changed = false;
+        for (hold, &lambda) in self.holds.iter_mut().zip(&step.lambda).filter(|(hold, _)| hold.limit != Limit::Both) {
+            let is_active = if hold.is_active {
+                hold.can_have(lambda)
+            } else {
+                let off = hold.off(&self.part.surfaces, &self.x);
+                let slack = match hold.grip {
+                    Grip::Surface { surface, .. } => self.part.surfaces[surface].slack(),
+                    Grip::Bond { .. } => 0.0,
+                };
+                hold.violation(off.value + off.change(hold.grip, &step.displacement)) > (slack + fine) * off.per_metre
+            };
+            if is_active != hold.is_active {
+                *hold = Hold { is_active, lambda: 0.0, ..*hold };
                 changed = true;
             }
         }
-        if changed {
-            self.pressed = kept;
-            self.lambda.truncate(first);
-            self.arrange();
-            self.is_done = false;
+        changed
+    }
+
+    /// Holds that a round without a shift left almost as violated as they were, `before` [m], are made firmer.
+    pub(super) fn firm_up(&mut self, before: &[f64]) {
+        let after: Vec<f64> = self.violations(&self.x).collect();
+        let worst = after.iter().copied().fold(0.0, f64::max);
+        let fine = (4.0 * grain(&self.x)).max(0.1 * worst);
+        for ((hold, &before), &after) in self.holds.iter_mut().zip(before).zip(&after) {
+            if hold.is_active && after > fine && after > SLOW * before && before > 0.0 {
+                hold.firmness = (FIRMER * hold.firmness).min(FIRMEST);
+            }
         }
     }
 }

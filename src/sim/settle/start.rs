@@ -1,28 +1,36 @@
-//! A descent is made from a model: welds merged, lengths that contradict each other made to agree.
+//! A model is taken apart: welds merged, lengths that contradict each other made to agree, islands numbered anew.
 
-use super::descent::Descent;
-use super::hold::Hold;
+use super::hold::{Grip, Hold};
+use super::part::Part;
 use crate::sim::bond::{Bond, BondKind, Limit, PointId};
 use crate::sim::contact::surface::surfaces;
 use crate::sim::force::spring::Spring;
 use crate::sim::model::Model;
+use crate::sim::plan::island::{Island, islands};
 use crate::sim::plan::{inverse_masses, reconcile, weld};
-use crate::sim::solve::blocks::Blocks;
 
-impl<const D: usize> Descent<D> {
+/// A model in parts.
+pub(super) struct Start<const D: usize> {
+    /// For every point of the model the one that it is welded to.
+    pub(super) stand_ins: Vec<u32>,
+    /// Positions of those at the start [m].
+    pub(super) position: Vec<[f64; D]>,
+    /// The islands.
+    pub(super) parts: Vec<Part<D>>,
+}
+
+impl<const D: usize> Start<D> {
     pub(super) fn new(model: &Model<D>) -> Self {
         let w = inverse_masses(model);
         let stand_ins = weld::merge(&model.bonds, &w);
         let mut mass = vec![0.0; w.len()];
         let mut is_pinned = vec![false; w.len()];
+        let mut position = model.position.clone();
         for (i, &stand_in) in stand_ins.iter().enumerate() {
             mass[stand_in as usize] += model.mass[i];
-            is_pinned[stand_in as usize] |= w[i] == 0.0;
-        }
-        let mut x = model.position.clone();
-        for (i, &stand_in) in stand_ins.iter().enumerate() {
             if w[i] == 0.0 {
-                x[stand_in as usize] = model.position[i];
+                is_pinned[stand_in as usize] = true;
+                position[stand_in as usize] = model.position[i];
             }
         }
         let stands = |bond: &Bond| Bond {
@@ -30,54 +38,64 @@ impl<const D: usize> Descent<D> {
             b: PointId(stand_ins[bond.b.index()]),
             ..*bond
         };
-        let mut bonds: Vec<Bond> = model.bonds.iter().map(stands).filter(|bond| bond.a != bond.b).collect();
-        // Points that no bond holds have no equilibrium unless a surface stops them: they stay out of the system.
-        let mut is_free = vec![false; w.len()];
-        for end in bonds.iter().flat_map(|bond| [bond.a, bond.b]) {
-            is_free[end.index()] = !is_pinned[end.index()];
-        }
-        let is_loose = |i: usize| stand_ins[i] as usize == i && !is_pinned[i] && !is_free[i];
-        let has_loose = model.gravity.iter().any(|&g| g != 0.0) && (0..w.len()).any(is_loose);
-        let held: Vec<f64> = is_free.iter().map(|&free| f64::from(u8::from(free))).collect();
-        reconcile(&mut bonds, &mut x.clone(), &held);
-        let of = |bond: &Bond| match bond.kind {
-            BondKind::Rigid if is_free[bond.a.index()] || is_free[bond.b.index()] => {
-                let hold = Hold::Bond { a: bond.a.index(), b: bond.b.index(), rest: bond.rest_length };
-                Some((hold, bond.limit))
-            }
-            _ => None,
-        };
-        let holds: Vec<(Hold, Limit)> = bonds.iter().filter_map(of).collect();
-        let rigid = holds.iter().filter(|hold| hold.1 == Limit::Both).map(|hold| hold.0).collect();
-        let limited: Vec<(Hold, Limit)> = holds.into_iter().filter(|hold| hold.1 != Limit::Both).collect();
-        let springs: Vec<Spring<f64>> = bonds.iter().filter_map(Spring::of).collect();
-        let pairs: Vec<[u32; 2]> = springs.iter().map(|spring| [spring.a, spring.b]).collect();
-        let mut descent = Descent {
-            surfaces: surfaces(model),
-            system: Blocks::new(&is_free, &[], &[]),
-            gravity: model.gravity,
-            pressed: Vec::new(),
-            lambda: Vec::new(),
-            work: Vec::new(),
-            shift: 0.0,
-            penalty: 0.0,
-            residual: f64::INFINITY,
-            is_done: false,
-            has_loose,
-            pushes: 0,
-            stand_ins,
-            x,
-            mass,
-            is_free,
-            bonds,
-            springs,
-            pairs,
-            rigid,
-            limited,
-        };
-        descent.arrange();
-        // Without tensions yet nothing tells a chain which way is down: the first steps go along the gradient.
-        descent.shift = if descent.rigid.is_empty() { 0.0 } else { descent.stiffest() };
-        descent
+        let mut bonds: Vec<Bond> = model.bonds.iter().filter(|bond| acts(bond)).map(stands).collect();
+        bonds.retain(|bond| bond.a != bond.b);
+        // Pins, and points that another one stands for, are in no island.
+        let is_in = |i: usize| stand_ins[i] as usize == i && !is_pinned[i];
+        let held: Vec<f64> = (0..w.len()).map(|i| f64::from(u8::from(is_in(i)))).collect();
+        reconcile(&mut bonds, &mut position.clone(), &held);
+        let list = islands(&bonds, &held);
+        let parts = list.iter().map(|island| part(model, island, &bonds, &mass, &position, &held)).collect();
+        Start { parts, stand_ins, position }
+    }
+}
+
+/// Whether a bond does anything at some length.
+fn acts(bond: &Bond) -> bool {
+    match bond.kind {
+        BondKind::Spring { stiffness, .. } => stiffness > 0.0,
+        _ => bond.limit != Limit::Min || bond.rest_length > 0.0,
+    }
+}
+
+/// One island: its free points first, then the pins that it hangs from.
+fn part<const D: usize>(
+    model: &Model<D>,
+    island: &Island,
+    bonds: &[Bond],
+    mass: &[f64],
+    position: &[[f64; D]],
+    held: &[f64],
+) -> Part<D> {
+    let mut pins: Vec<u32> = Vec::new();
+    let own = || island.bonds.iter().map(|&k| bonds[k as usize]);
+    pins.extend(own().flat_map(|bond| [bond.a.0, bond.b.0]).filter(|&i| held[i as usize] == 0.0));
+    pins.sort_unstable();
+    pins.dedup();
+    let place = |i: PointId| {
+        let list = if held[i.index()] > 0.0 { (&island.points, 0) } else { (&pins, island.points.len()) };
+        PointId((list.1 + list.0.binary_search(&i.0).unwrap_or(0)) as u32)
+    };
+    let bonds: Vec<Bond> = own().map(|bond| Bond { a: place(bond.a), b: place(bond.b), ..bond }).collect();
+    let (rigid, springs): (Vec<Bond>, Vec<Bond>) = bonds.into_iter().partition(|bond| bond.kind == BondKind::Rigid);
+    let surfaces = surfaces(model);
+    let bond = |bond: &Bond| {
+        let grip = Grip::Bond { a: bond.a.index(), b: bond.b.index(), rest: bond.rest_length };
+        Hold::new(grip, bond.limit)
+    };
+    let touch =
+        |point: usize| (0..surfaces.len()).map(move |surface| Hold::new(Grip::Surface { point, surface }, Limit::Min));
+    let holds = rigid.iter().map(bond).chain((0..island.points.len()).flat_map(touch)).collect();
+    let members: Vec<u32> = island.points.iter().chain(&pins).copied().collect();
+    Part {
+        position: members.iter().map(|&i| position[i as usize]).collect(),
+        mass: members.iter().map(|&i| mass[i as usize]).collect(),
+        is_free: members.iter().map(|&i| held[i as usize] > 0.0).collect(),
+        gravity: model.gravity,
+        springs: springs.iter().filter_map(Spring::of).collect(),
+        bonds: springs,
+        holds,
+        surfaces,
+        members,
     }
 }
