@@ -1,5 +1,6 @@
 //! The descent of one island, round by round.
 
+use super::friction::{Rub, rubs};
 use super::hold::{Grip, Hold};
 use super::part::{Part, extent, grain};
 use super::stride::way;
@@ -27,6 +28,7 @@ pub(super) struct Descent<const D: usize> {
     /// Positions [m].
     pub(super) x: Vec<[f64; D]>,
     pub(super) holds: Vec<Hold>,
+    pub(super) rubs: Vec<Rub<D>>,
     pub(super) system: Blocks<f64, D>,
     pub(super) work: Vec<f64>,
     /// The scale of stiffness [N/m].
@@ -37,7 +39,7 @@ pub(super) struct Descent<const D: usize> {
     pub(super) reach: f64,
     /// Times that it was pushed off a saddle.
     pub(super) pushes: u32,
-    /// Force that is left, as a share of the largest.
+    /// Force that is left, as a share of the largest single one; 0 where all are what rounding makes.
     pub(super) residual: f64,
     /// That force is what the stiffest bond makes of the rounding of positions.
     is_noise: bool,
@@ -65,6 +67,7 @@ impl<const D: usize> Descent<D> {
             shift: if has_rigid { scale } else { 0.0 },
             scale,
             system: pattern(&part),
+            rubs: rubs(&part),
             reach: REACH * extent(&x),
             work: Vec::new(),
             pushes: 0,
@@ -101,6 +104,7 @@ impl<const D: usize> Descent<D> {
     fn round(&mut self) {
         let scale = self.scale;
         let (force, largest) = self.forces(&self.x);
+        self.touch();
         self.factor();
         let mut step = self.aim(force.clone());
         for _ in 0..MOST_REVISIONS {
@@ -110,7 +114,7 @@ impl<const D: usize> Descent<D> {
             self.factor();
             step = self.aim(force.clone());
         }
-        let left = self.largest(&self.left(force, &step.lambda, &self.x));
+        let left = self.largest(&self.rubbed(self.left(force, &step.lambda, &self.x), &step.rubs));
         let tension =
             self.holds.iter().zip(&step.lambda).map(|(hold, &lambda)| hold.tension(lambda)).fold(0.0, f64::max);
         self.residual = left / largest.max(tension).max(f64::MIN_POSITIVE);
@@ -126,9 +130,14 @@ impl<const D: usize> Descent<D> {
             }
         } else {
             self.holds.iter_mut().zip(&step.lambda).for_each(|(hold, lambda)| hold.lambda = *lambda);
+            self.rubs.iter_mut().zip(&step.rubs).for_each(|(rub, force)| rub.force = *force);
         }
-        if is_still && is_level {
+        if is_still && self.slip(&step) {
+            self.best = (f64::INFINITY, 0);
+        } else if is_still && is_level {
             (self.is_balanced, self.is_done) = (true, true);
+            // Where there is no force but that of rounding, a share of the largest says nothing.
+            self.residual = if self.is_noise && self.residual > BALANCED_ENOUGH { 0.0 } else { self.residual };
         } else if is_still {
             self.leave_saddle();
         }

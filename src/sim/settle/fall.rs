@@ -13,10 +13,15 @@ impl<const D: usize> Part<D> {
         self.is_free.contains(&false)
     }
 
-    /// Whether the whole can go down for ever without entering a surface.
+    /// Whether the whole can go down for ever without entering a surface. Where some are rough that is not sure before it
+    /// has been tried: it may stick.
     pub(super) fn falls_for_ever(&self) -> bool {
         let g = length(self.gravity);
-        g > 0.0 && !self.is_hung() && can_fall(scale(self.gravity, 1.0 / g), &self.surfaces, &mut Vec::new())
+        let is_smooth = self.surfaces.iter().all(|surface| surface.friction == 0.0);
+        g > 0.0
+            && is_smooth
+            && !self.is_hung()
+            && can_fall(scale(self.gravity, 1.0 / g), &self.surfaces, &mut Vec::new())
     }
 
     /// Moves the whole along gravity until its first point touches a surface: nothing but weight acts on it until then,

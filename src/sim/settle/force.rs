@@ -42,6 +42,14 @@ impl<const D: usize> Descent<D> {
         force
     }
 
+    /// Takes from the forces what friction takes. Shapes: `rubs` has one entry a point and rough surface.
+    pub(super) fn rubbed(&self, mut force: Vec<[f64; D]>, rubs: &[[f64; D]]) -> Vec<[f64; D]> {
+        for (rub, &taken) in self.rubs.iter().zip(rubs) {
+            force[rub.point] = sub(force[rub.point], taken);
+        }
+        force
+    }
+
     /// The largest force on a free point [N].
     pub(super) fn largest(&self, force: &[[f64; D]]) -> f64 {
         force.iter().zip(&self.part.is_free).filter(|(_, free)| **free).map(|(f, _)| length(*f)).fold(0.0, f64::max)

@@ -1,11 +1,12 @@
 //! What a step has to lower: energy, and what holds add to it (an augmented Lagrangian).
 
 use super::descent::Descent;
+use super::friction::Rub;
 use super::hold::Hold;
 use super::part::{extent, grain};
 use crate::sim::bond::Limit;
 use crate::sim::force::spring;
-use crate::sim::vector::dot;
+use crate::sim::vector::{dot, sub};
 
 impl<const D: usize> Descent<D> {
     /// Energy of springs and gravity [J].
@@ -16,7 +17,8 @@ impl<const D: usize> Descent<D> {
     }
 
     /// Energy and what holds add to it: lambda C + C^2/2e, whose least value along the step is where the system leads to.
-    /// A hold that acts one way adds no more where it would have to act the other way.
+    /// A hold that acts one way adds no more where it would have to act the other way. Friction adds its work since the last
+    /// round.
     pub(super) fn merit(&self, x: &[[f64; D]]) -> f64 {
         let of = |hold: &Hold| {
             let (grip, off) = (hold.grip_by(self.scale), hold.off(&self.part.surfaces, x).value);
@@ -26,7 +28,8 @@ impl<const D: usize> Descent<D> {
                 -0.5 * hold.lambda * hold.lambda / grip
             }
         };
-        self.energy(x) + self.holds.iter().map(of).sum::<f64>()
+        let rub = |rub: &Rub<D>| rub.work(sub(x[rub.point], self.x[rub.point]), self.scale);
+        self.energy(x) + self.holds.iter().map(of).sum::<f64>() + self.rubs.iter().map(rub).sum::<f64>()
     }
 
     /// The violation of every hold [m].

@@ -18,6 +18,7 @@
 mod descent;
 mod fall;
 mod force;
+mod friction;
 mod hold;
 mod merit;
 mod part;
@@ -36,7 +37,7 @@ use super::plan::inverse_masses;
 use descent::Descent;
 use start::Start;
 
-/// Force left on a point, as a share of the largest on any, that counts as none: what rounding leaves.
+/// Force left on a point, as a share of the largest single one on any, that counts as none: what rounding leaves.
 const BALANCED: f64 = 1e-13;
 /// Force left, as a share of the largest, beyond which a shape is not settled: forces of bad condition don't get lower.
 const BALANCED_ENOUGH: f64 = 3e-7;
@@ -50,7 +51,8 @@ pub struct Equilibrium<const D: usize> {
     pub energy: f64,
     /// Largest |length/rest - 1| over the bonds [1] (rest 0 left out).
     pub max_strain: f64,
-    /// Largest force that is left on a point, as a share of the largest single force on one [1].
+    /// Largest force that is left on a point, as a share of the largest single force on one [1]: pulls of rigid bonds and
+    /// pushes of surfaces are such forces too.
     pub residual: f64,
     /// Rounds of Newton's method, of all islands.
     pub rounds: u32,
@@ -62,11 +64,11 @@ pub struct Equilibrium<const D: usize> {
 
 /// Finds the equilibrium that the start rolls down to, with damping that is strong.
 ///
-/// Model: the least energy of springs and gravity under rigid bonds, pins and surfaces; mouse force, drag and friction are
-/// left out. What is found is at rest with friction too, for it needs none; with friction there are many more. Islands
-/// that hang from no pin drop along gravity to the first surface, and go on from there. What can slide without a change
-/// of energy stays where it slid to. Islands that fall for ever are left where they are and named, and the result is not
-/// settled.
+/// Model: the least energy of springs and gravity under rigid bonds, pins and surfaces; mouse force and drag are left out.
+/// Islands that hang from no pin drop along gravity to the first surface, and go on from there. What can slide without a
+/// change of energy stays where it slid to. Points stick to rough surfaces where they come to touch them, as long as
+/// friction can hold them there: of the many shapes that are at rest with friction it is one. Islands that fall or slide
+/// for ever are left where they are and named, and the result is not settled.
 /// Errors: as [`Model::check`]; relaxed bonds are refused, for they have no energy.
 pub fn settle<const D: usize>(model: &Model<D>) -> Result<Equilibrium<D>, ModelError> {
     model.check()?;

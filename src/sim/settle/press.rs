@@ -35,7 +35,8 @@ impl<const D: usize> Descent<D> {
                 changed = true;
             }
         }
-        changed
+        self.touch();
+        self.turn(step) || changed
     }
 
     /// Holds that a round without a shift left almost as violated as they were, `before` [m], are made firmer.

@@ -24,6 +24,9 @@ impl<const D: usize> Descent<D> {
         for (hold, new) in self.holds.iter_mut().zip(&step.lambda).filter(|(hold, _)| hold.is_active) {
             hold.lambda += share * (new - hold.lambda);
         }
+        for (rub, &new) in self.rubs.iter_mut().zip(&step.rubs) {
+            rub.force = add(rub.force, scale(sub(new, rub.force), share));
+        }
         // A slope that goes on is followed with longer and longer steps.
         self.reach = if cut < 1.0 && share == 1.0 { 2.0 * self.reach } else { REACH * extent(&self.x) };
         if share <= LEAST_SHARE && self.shift >= 1e3 * self.scale {

@@ -9,7 +9,7 @@ use crate::sim::vector::{scale, sub};
 
 /// Stiffness of holds, in those of the stiffest spring or tension: a round leaves the inverse of it of an error in the
 /// multipliers. More of it drowns soft directions in rounding.
-const GRIP: f64 = 1e4;
+pub(super) const GRIP: f64 = 1e4;
 /// Shift that is no more than rounding, in the same measure: a direction that is not stiffer than this is neutral, and
 /// one that falls away less steeply counts as level.
 pub(super) const NEUTRAL: f64 = 1e-9;
@@ -26,6 +26,8 @@ pub(super) struct Step<const D: usize> {
     pub(super) displacement: Vec<[f64; D]>,
     /// The multipliers at its end, one a hold.
     pub(super) lambda: Vec<f64>,
+    /// What friction takes at its end [N], one entry a point and rough surface.
+    pub(super) rubs: Vec<[f64; D]>,
 }
 
 /// The pattern: every bond couples its ends, whether it is taut or not.
@@ -57,7 +59,7 @@ impl<const D: usize> Descent<D> {
 
     /// The matrix: H + shift + G^T G/e.
     fn fill(&mut self) {
-        let Descent { part, x, holds, system, shift, scale: firm, .. } = self;
+        let Descent { part, x, holds, rubs, system, shift, scale: firm, .. } = self;
         system.clear();
         system.shift(*shift);
         let mut couple = |pair: usize, [a, b]: [usize; 2], block: [[f64; D]; D]| {
@@ -80,6 +82,9 @@ impl<const D: usize> Descent<D> {
                 system.add_own(point, &hold.block(&part.surfaces, x, *firm));
             }
         }
+        for rub in rubs.iter() {
+            system.add_own(rub.point, &rub.block(*firm));
+        }
     }
 
     /// Where points go under a force, by the matrix as it was last factored.
@@ -91,14 +96,16 @@ impl<const D: usize> Descent<D> {
     /// The step to where forces balance and holds are kept, by the matrix as it was last factored.
     pub(super) fn aim(&mut self, force: Vec<[f64; D]>) -> Step<D> {
         let pulls = self.pulls(&self.x);
-        let displacement = self.solve(self.left(force, &pulls, &self.x));
+        let before: Vec<[f64; D]> = self.rubs.iter().map(|rub| rub.force).collect();
+        let displacement = self.solve(self.rubbed(self.left(force, &pulls, &self.x), &before));
         let surfaces = &self.part.surfaces;
         let more = |(hold, pull): (&Hold, f64)| match hold.is_active {
             true => pull + hold.grip_by(self.scale) * hold.off(surfaces, &self.x).change(hold.grip, &displacement),
             false => 0.0,
         };
         let lambda = self.holds.iter().zip(pulls).map(more).collect();
-        Step { displacement, lambda }
+        let rubs = self.rubs.iter().map(|rub| rub.force_after(displacement[rub.point], self.scale)).collect();
+        Step { displacement, lambda, rubs }
     }
 
     /// lambda + C/e of every hold, 0 where it is not active.

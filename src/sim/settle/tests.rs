@@ -243,3 +243,53 @@ fn a_stiff_island_does_not_blur_a_soft_one() {
     let found = settle(&scene).unwrap();
     assert!(found.is_settled && (found.position[3][1] + 1.981).abs() < 1e-12, "{found:?}");
 }
+
+/// A slope of 0.3 holds what has a friction above 0.3, whatever its shape and whichever of its corners carries more.
+#[test]
+fn a_rough_slope_holds_what_friction_can_hold() {
+    for (friction, holds) in [(0.25, false), (0.29, false), (0.31, true), (0.4, true), (1.0, true)] {
+        let slope = Plane { friction, ..plane([-0.3, 1.0]) };
+        let mut scene = square(0.2, [0.0, 2.0]);
+        scene.planes = vec![slope];
+        let found = settle(&scene).unwrap();
+        assert_eq!((found.is_settled, found.falling.is_empty()), (holds, holds), "{friction}: {found:?}");
+        let corner = found.position[0];
+        assert!(!holds || (length(corner) < 0.05 && (corner[1] - 0.3 * corner[0]).abs() < 1e-12), "{found:?}");
+        let mut point = model(vec![[0.0, 2.0]], vec![], &[]);
+        point.planes = vec![slope];
+        let found = settle(&point).unwrap();
+        assert_eq!((found.is_settled, found.falling.is_empty()), (holds, holds), "{friction}: {found:?}");
+        assert!(!holds || length(found.position[0]) < 1e-9, "it lies where it fell: {found:?}");
+    }
+}
+
+/// A rod of two equal masses between a floor and a wall, of the same friction f, slips when the tangent of its angle to
+/// the floor is below (1 - f^2)/(2 f).
+#[test]
+fn a_ladder_slips_until_it_is_steep_enough() {
+    let friction = 0.5;
+    for (top, slips) in [(3.0, false), (1.2, false), (1.0, true)] {
+        let foot = 1.5;
+        let mut scene = model(vec![[0.0, top], [foot, 0.0]], vec![bond(0, 1, f64::hypot(top, foot))], &[]);
+        scene.bounds = Some(Bounds { min: [0.0, 0.0], max: [9.0, 9.0], restitution: 0.0, friction });
+        let found = settle(&scene).unwrap();
+        assert!(found.is_settled && found.max_strain < 1e-12, "{found:?}");
+        assert_eq!(found.position[1][0] - foot > 0.1, slips, "{top}: {found:?}");
+    }
+}
+
+#[test]
+fn a_soft_lattice_on_a_rough_slope_stays_there() {
+    let side = 5_u32;
+    let at = |i: u32| [0.2 * f64::from(i % side), 1.0 + 0.2 * f64::from(i / side)];
+    let pairs = (0..side * side).flat_map(|i| (0..i).map(move |j| (i, j)));
+    let near = pairs.map(|(i, j)| (i, j, length(sub(at(i), at(j))))).filter(|pair| pair.2 < 0.3);
+    let bonds = near.map(|(i, j, rest)| spring(i, j, rest, 3000.0)).collect();
+    let mut scene = model((0..side * side).map(at).collect(), bonds, &[]);
+    scene.planes = vec![Plane { friction: 0.6, ..plane([-0.2, 1.0]) }];
+    let found = settle(&scene).unwrap();
+    assert!(found.is_settled, "{found:?}");
+    assert!(found.position.iter().all(|x| (-0.5..1.5).contains(&x[0]) && x[1] > 0.2 * x[0] - 1e-12), "{found:?}");
+    scene.planes = vec![plane([-0.2, 1.0])];
+    assert_eq!(settle(&scene).unwrap().falling.len(), 25);
+}
