@@ -13,12 +13,13 @@ use crate::sim::vector::{add, dot, length, scale, sub};
 
 /// Gap within which a point that presses touches, as a share of the extent.
 const TOUCH: f64 = 1e-6;
-/// Share by which friction may be off its limit.
+/// Share of the largest friction by which any may be off its limit.
 const SLACK: f64 = 1e-10;
 /// Way back in a round, as a share of the extent, that is no mere give of what holds a point.
 const BACK: f64 = 1e-3;
-/// Times that a point that slips may stick again: two that push each other could go on for ever.
-const MOST_TURNS: u32 = 10;
+/// Times that a point may stick anew, to one surface. Those that come and go for ever then do so without friction, which
+/// Coulomb's law allows as well.
+const MOST_TURNS: u32 = 20;
 
 /// How a point is on a rough surface.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -42,7 +43,7 @@ pub(super) struct Rub<const D: usize> {
     state: State,
     /// What friction takes from the force on the point [N]; 0 where it is off.
     pub(super) force: [f64; D],
-    /// Times that it was dragged back.
+    /// Times that it came to stick.
     turns: u32,
 }
 
@@ -99,8 +100,12 @@ impl<const D: usize> Descent<D> {
             let hold = &self.holds[rub.hold];
             if !hold.is_active {
                 (rub.state, rub.force) = (State::Off, [0.0; D]);
-            } else if rub.state == State::Off && hold.off(&self.part.surfaces, &self.x).value.abs() <= near {
+            } else if rub.state == State::Off
+                && rub.turns < MOST_TURNS
+                && hold.off(&self.part.surfaces, &self.x).value.abs() <= near
+            {
                 rub.state = State::Sticks;
+                rub.turns += 1;
             }
         }
     }
@@ -121,13 +126,15 @@ impl<const D: usize> Descent<D> {
     /// Friction that is at its limit, or would be beyond it, is set to that of the pressure that a step leads to. Returns
     /// whether any was off by more than rounding: then it is not at rest yet.
     pub(super) fn slip(&mut self, step: &Step<D>) -> bool {
+        let limit = |rub: &Rub<D>| rub.friction * step.lambda[rub.hold].abs();
+        let slack = SLACK * self.rubs.iter().map(limit).fold(0.0, f64::max);
         let mut changed = false;
         for (rub, &force) in self.rubs.iter_mut().zip(&step.rubs) {
-            let (size, most) = (length(force), rub.friction * step.lambda[rub.hold].abs());
+            let (size, most) = (length(force), limit(rub));
             let is_off = match rub.state {
                 State::Off => false,
-                State::Sticks => size > most * (1.0 + SLACK),
-                State::Slips => (size - most).abs() > SLACK * most,
+                State::Sticks => size > most + slack,
+                State::Slips => (size - most).abs() > slack,
             };
             if is_off && size > 0.0 {
                 (rub.state, rub.force) = (State::Slips, scale(force, most / size));
