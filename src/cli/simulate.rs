@@ -12,7 +12,10 @@ use super::values::{self, Times};
 use crate::output;
 use crate::scene::record::{RecordedCounters, RecordedSample, Recording, hash, record, seconds};
 use crate::scene::{OrderName, PrecisionName, Scene, SolverName};
-use crate::sim::{Counters, Dynamics, Precision, Sample};
+use crate::sim::{Counters, Dynamics, PointId, Precision, Sample};
+
+/// Points that a message names before it counts the rest.
+const NAMED: usize = 5;
 
 /// What to run and where to write it.
 #[derive(Args)]
@@ -114,7 +117,7 @@ fn write(arguments: &Arguments, recording: &Recording) -> anyhow::Result<()> {
 
 /// Writes the equilibrium in place of the motion: one sample.
 ///
-/// Errors: forces do not balance (it is written all the same).
+/// Errors: forces do not balance, or something falls for ever (it is written all the same).
 fn settle(arguments: &Arguments, scene: &Scene, time: f64) -> anyhow::Result<()> {
     let found = scene.settle(time)?;
     let mut runs: Vec<f64> = Vec::new();
@@ -139,15 +142,32 @@ fn settle(arguments: &Arguments, scene: &Scene, time: f64) -> anyhow::Result<()>
         hash: hash(&samples, scene.dimensions()),
     };
     write(arguments, &recording)?;
+    if !found.falling.is_empty() {
+        bail!(
+            "{}: {}: hold them by a bond to a pin, or put a floor below (written all the same)",
+            arguments.scene,
+            fall(&found.falling)
+        );
+    }
     if !found.is_settled {
         bail!(
-            "{}: no equilibrium was found: a force of {:.1e} of the largest is left, or a point that nothing holds \
-             (written all the same)",
+            "{}: no equilibrium was found: a force of {:.1e} of the largest is left (written all the same)",
             arguments.scene,
             found.residual
         );
     }
     Ok(())
+}
+
+/// Says who falls: the first few by name.
+fn fall(points: &[PointId]) -> String {
+    let names: Vec<String> = points.iter().take(NAMED).map(|point| point.0.to_string()).collect();
+    let more = points.len() - names.len();
+    match (points.len(), more) {
+        (1, _) => format!("point {} falls for ever", names.join("")),
+        (_, 0) => format!("points {} fall for ever", names.join(", ")),
+        _ => format!("points {} and {more} more fall for ever", names.join(", ")),
+    }
 }
 
 /// What a search for a setting came to.

@@ -21,7 +21,9 @@ pub struct Settled {
     pub residual: f64,
     /// Rounds of Newton's method.
     pub rounds: u32,
-    /// Whether forces balance.
+    /// Points that fall for ever, ascending.
+    pub falling: Vec<PointId>,
+    /// Whether forces balance, at a minimum of the energy, and nothing falls.
     pub is_settled: bool,
 }
 
@@ -127,7 +129,13 @@ impl Scene {
                 energy: found.energy,
                 max_strain: found.max_strain,
             };
-            Ok(Settled { sample, residual: found.residual, rounds: found.rounds, is_settled: found.is_settled })
+            Ok(Settled {
+                sample,
+                residual: found.residual,
+                rounds: found.rounds,
+                falling: found.falling,
+                is_settled: found.is_settled,
+            })
         }
         let found = match self.dimensions() {
             2 => of(&self.model::<2>()?, t),

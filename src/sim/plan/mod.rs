@@ -18,7 +18,7 @@ use choice::{Choice, Setting};
 use gather::Gathered;
 use island::Island;
 
-pub(crate) use reconcile::{nudge, reconcile};
+pub(crate) use reconcile::reconcile;
 
 /// Groups with what moves them, and where every point of the model is.
 #[derive(Clone, Debug)]

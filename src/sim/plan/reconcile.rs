@@ -50,7 +50,7 @@ pub(crate) fn reconcile<const D: usize>(bonds: &mut [Bond], position: &mut [[f64
 }
 
 /// Moves free points by up to `share` of the extent of all, each in a direction of its own, the same every time.
-pub(crate) fn nudge<const D: usize>(position: &mut [[f64; D]], is_free: &[bool], share: f64) {
+fn nudge<const D: usize>(position: &mut [[f64; D]], is_free: &[bool], share: f64) {
     let size = measure::extent(position).map_or(0.0, |[low, high]| length(sub(high, low)));
     let size = share * if size > 0.0 { size } else { 1.0 };
     let mut generator = Pcg32::seed_from_u64(1);

@@ -190,6 +190,11 @@ impl<S: Real, const D: usize> Blocks<S, D> {
         self.ldl.factor(&self.diagonal, &self.lower, S::EPSILON * S::from_f64(64.0))
     }
 
+    /// Factors the system, and skips only pivots below `least` of their diagonal.
+    pub(crate) fn factor_down_to(&mut self, least: S) -> Inertia {
+        self.ldl.factor(&self.diagonal, &self.lower, least)
+    }
+
     /// Solves it: `force` of every point becomes its shift, `error` of every constraint its multiplier.
     pub(crate) fn solve(&self, force: &mut [[S; D]], error: &mut [S], work: &mut Vec<S>) {
         work.clear();

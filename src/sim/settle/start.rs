@@ -1,0 +1,101 @@
+//! A model is taken apart: welds merged, lengths that contradict each other made to agree, islands numbered anew.
+
+use super::hold::{Grip, Hold};
+use super::part::Part;
+use crate::sim::bond::{Bond, BondKind, Limit, PointId};
+use crate::sim::contact::surface::surfaces;
+use crate::sim::force::spring::Spring;
+use crate::sim::model::Model;
+use crate::sim::plan::island::{Island, islands};
+use crate::sim::plan::{inverse_masses, reconcile, weld};
+
+/// A model in parts.
+pub(super) struct Start<const D: usize> {
+    /// For every point of the model the one that it is welded to.
+    pub(super) stand_ins: Vec<u32>,
+    /// Positions of those at the start [m].
+    pub(super) position: Vec<[f64; D]>,
+    /// The islands.
+    pub(super) parts: Vec<Part<D>>,
+}
+
+impl<const D: usize> Start<D> {
+    pub(super) fn new(model: &Model<D>) -> Self {
+        let w = inverse_masses(model);
+        let stand_ins = weld::merge(&model.bonds, &w);
+        let mut mass = vec![0.0; w.len()];
+        let mut is_pinned = vec![false; w.len()];
+        let mut position = model.position.clone();
+        for (i, &stand_in) in stand_ins.iter().enumerate() {
+            mass[stand_in as usize] += model.mass[i];
+            if w[i] == 0.0 {
+                is_pinned[stand_in as usize] = true;
+                position[stand_in as usize] = model.position[i];
+            }
+        }
+        let stands = |bond: &Bond| Bond {
+            a: PointId(stand_ins[bond.a.index()]),
+            b: PointId(stand_ins[bond.b.index()]),
+            ..*bond
+        };
+        let mut bonds: Vec<Bond> = model.bonds.iter().filter(|bond| acts(bond)).map(stands).collect();
+        bonds.retain(|bond| bond.a != bond.b);
+        // Pins, and points that another one stands for, are in no island.
+        let is_in = |i: usize| stand_ins[i] as usize == i && !is_pinned[i];
+        let held: Vec<f64> = (0..w.len()).map(|i| f64::from(u8::from(is_in(i)))).collect();
+        reconcile(&mut bonds, &mut position.clone(), &held);
+        let list = islands(&bonds, &held);
+        let parts = list.iter().map(|island| part(model, island, &bonds, &mass, &position, &held)).collect();
+        Start { parts, stand_ins, position }
+    }
+}
+
+/// Whether a bond does anything at some length.
+fn acts(bond: &Bond) -> bool {
+    match bond.kind {
+        BondKind::Spring { stiffness, .. } => stiffness > 0.0,
+        _ => bond.limit != Limit::Min || bond.rest_length > 0.0,
+    }
+}
+
+/// One island: its free points first, then the pins that it hangs from.
+fn part<const D: usize>(
+    model: &Model<D>,
+    island: &Island,
+    bonds: &[Bond],
+    mass: &[f64],
+    position: &[[f64; D]],
+    held: &[f64],
+) -> Part<D> {
+    let mut pins: Vec<u32> = Vec::new();
+    let own = || island.bonds.iter().map(|&k| bonds[k as usize]);
+    pins.extend(own().flat_map(|bond| [bond.a.0, bond.b.0]).filter(|&i| held[i as usize] == 0.0));
+    pins.sort_unstable();
+    pins.dedup();
+    let place = |i: PointId| {
+        let list = if held[i.index()] > 0.0 { (&island.points, 0) } else { (&pins, island.points.len()) };
+        PointId((list.1 + list.0.binary_search(&i.0).unwrap_or(0)) as u32)
+    };
+    let bonds: Vec<Bond> = own().map(|bond| Bond { a: place(bond.a), b: place(bond.b), ..bond }).collect();
+    let (rigid, springs): (Vec<Bond>, Vec<Bond>) = bonds.into_iter().partition(|bond| bond.kind == BondKind::Rigid);
+    let surfaces = surfaces(model);
+    let bond = |bond: &Bond| {
+        let grip = Grip::Bond { a: bond.a.index(), b: bond.b.index(), rest: bond.rest_length };
+        Hold::new(grip, bond.limit)
+    };
+    let touch =
+        |point: usize| (0..surfaces.len()).map(move |surface| Hold::new(Grip::Surface { point, surface }, Limit::Min));
+    let holds = rigid.iter().map(bond).chain((0..island.points.len()).flat_map(touch)).collect();
+    let members: Vec<u32> = island.points.iter().chain(&pins).copied().collect();
+    Part {
+        position: members.iter().map(|&i| position[i as usize]).collect(),
+        mass: members.iter().map(|&i| mass[i as usize]).collect(),
+        is_free: members.iter().map(|&i| held[i as usize] > 0.0).collect(),
+        gravity: model.gravity,
+        springs: springs.iter().filter_map(Spring::of).collect(),
+        bonds: springs,
+        holds,
+        surfaces,
+        members,
+    }
+}
