@@ -3,10 +3,11 @@
 use std::collections::BTreeSet;
 
 /// An order of elimination of the unknowns 0..count: the unknown with the fewest neighbours goes first, ties to the one
-/// that has had so few for longest, at the start to the lowest index.
+/// that was left alone for longest, at the start to the lowest index.
 ///
-/// A chain is eliminated from both its ends in turn, a tree from all its leaves; nothing fills in there, and what
-/// follows each other does not wait for each other. Neighbours of an eliminated unknown become neighbours of each other.
+/// A chain is eliminated from both its ends in turn, a tree from all its leaves, where nothing fills in; a ring at every
+/// other unknown. What is eliminated next seldom waits for what was eliminated last. Neighbours of an eliminated
+/// unknown become neighbours of each other.
 /// Shapes: `pairs` holds unknowns that share an equation, in any order, repeats allowed.
 /// `waits_for[i]` lists unknowns that must go before i: the multipliers of constraints come after the points that they
 /// hold, for their own diagonal is zero. It may be empty.
@@ -20,7 +21,7 @@ pub(crate) fn order(count: usize, pairs: &[[u32; 2]], waits_for: &[Vec<u32>]) ->
             frees[before as usize].push(i as u32);
         }
     }
-    // When the number of neighbours became what it is, counted in changes.
+    // When an unknown was last touched, counted in changes.
     let mut since: Vec<usize> = (0..count).collect();
     let mut changes = count;
     let mut ready: BTreeSet<(usize, usize, u32)> =
@@ -32,13 +33,11 @@ pub(crate) fn order(count: usize, pairs: &[[u32; 2]], waits_for: &[Vec<u32>]) ->
         for &j in &around {
             let was = neighbours[j as usize].len();
             let merged = join(&neighbours[j as usize], &around, j, next);
-            if merged.len() != was {
-                ready.remove(&(was, since[j as usize], j));
-                since[j as usize] = changes;
-                changes += 1;
-                if waiting[j as usize] == 0 {
-                    ready.insert((merged.len(), since[j as usize], j));
-                }
+            ready.remove(&(was, since[j as usize], j));
+            since[j as usize] = changes;
+            changes += 1;
+            if waiting[j as usize] == 0 {
+                ready.insert((merged.len(), since[j as usize], j));
             }
             neighbours[j as usize] = merged;
         }

@@ -26,7 +26,21 @@ pub(crate) struct Ldl<S> {
     work: Vec<S>,
     /// What takes over where unknowns are coupled as chains and trees.
     forest: Option<Forest<S>>,
+    /// Where elimination is short enough to be spelled out.
+    script: Option<Script>,
 }
+
+/// Which entries of L change in what order when one unknown after the other is eliminated.
+#[derive(Clone, Debug)]
+struct Script {
+    /// Place in `values` of every entry of the matrix.
+    entries: Vec<u32>,
+    /// Column by column, for every pair of its entries, the place in `values` that their product goes to.
+    targets: Vec<u32>,
+}
+
+/// Pairs of entries for each entry of L up to which a script is worth its memory.
+const MOST_PAIRS: usize = 8;
 
 /// What a factorisation met.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -71,7 +85,39 @@ impl<S: Real> Ldl<S> {
             inverse_pivot: vec![S::ZERO; count],
             work: vec![S::ZERO; count],
             forest: Forest::of(lower),
+            script: None,
         }
+        .scripted()
+    }
+
+    /// Writes the script, unless that is long.
+    fn scripted(mut self) -> Self {
+        let count = self.len();
+        let columns = |j: usize| self.column_starts[j] as usize..self.column_starts[j + 1] as usize;
+        let pairs: usize = (0..count).map(|j| columns(j).len()).map(|n| n * n.saturating_sub(1) / 2).sum();
+        if self.forest.is_some() || pairs > MOST_PAIRS * (count + self.fill()) {
+            return self;
+        }
+        // An entry that is in the pattern of L by its row; the places of a row ascend with its columns.
+        let place = |row: u32, column: u32| {
+            let of_row = self.row_starts[row as usize] as usize..self.row_starts[row as usize + 1] as usize;
+            let entries = &self.row_entries[of_row];
+            entries.binary_search_by_key(&column, |entry| entry[0]).map_or(0, |at| entries[at][1])
+        };
+        let mut entries = Vec::with_capacity(self.entry_columns.len());
+        for k in 0..count {
+            let of_row = self.entry_starts[k] as usize..self.entry_starts[k + 1] as usize;
+            entries.extend(self.entry_columns[of_row].iter().map(|&j| place(k as u32, j)));
+        }
+        let mut targets = Vec::with_capacity(pairs);
+        for j in 0..count {
+            let rows = &self.rows[columns(j)];
+            for (p, &column) in rows.iter().enumerate() {
+                targets.extend(rows[p + 1..].iter().map(|&row| place(row, column)));
+            }
+        }
+        self.script = Some(Script { entries, targets });
+        self
     }
 
     /// Number of unknowns.
@@ -91,6 +137,13 @@ impl<S: Real> Ldl<S> {
     pub(crate) fn factor(&mut self, diagonal: &[S], lower: &[S], least: S) -> Inertia {
         if let Some(forest) = &mut self.forest {
             return forest.factor(diagonal, lower, least, &mut self.inverse_pivot);
+        }
+        if let Some(script) = &self.script {
+            self.values.fill(S::ZERO);
+            for (&at, &entry) in script.entries.iter().zip(lower) {
+                self.values[at as usize] = entry;
+            }
+            return self.follow_script(diagonal, least);
         }
         let mut inertia = Inertia::default();
         for k in 0..self.len() {
@@ -118,6 +171,37 @@ impl<S: Real> Ldl<S> {
         inertia
     }
 
+    /// Eliminates one unknown after the other from what stands below it ("right-looking"): the same sums in the same
+    /// order as row by row.
+    fn follow_script(&mut self, diagonal: &[S], least: S) -> Inertia {
+        let mut inertia = Inertia::default();
+        let Ldl { script: Some(script), values, rows, column_starts, work, inverse_pivot, .. } = self else {
+            return inertia;
+        };
+        let mut targets = script.targets.iter();
+        work.copy_from_slice(diagonal);
+        for j in 0..work.len() {
+            let pivot = work[j];
+            let is_sound = pivot.abs() > least * diagonal[j].abs() && pivot.is_finite();
+            let over = if is_sound { S::ONE / pivot } else { S::ZERO };
+            inverse_pivot[j] = over;
+            inertia.skipped += u32::from(!is_sound);
+            inertia.negative += u32::from(is_sound && pivot < S::ZERO);
+            let (start, end) = (column_starts[j] as usize, column_starts[j + 1] as usize);
+            for p in start..end {
+                let y = values[p];
+                let l = y * over;
+                values[p] = l;
+                work[rows[p] as usize] -= l * y;
+                for (q, &target) in (p + 1..end).zip(targets.by_ref()) {
+                    let product = l * values[q];
+                    values[target as usize] -= product;
+                }
+            }
+        }
+        inertia
+    }
+
     /// Factors the matrix and solves A x = b in place, for R right-hand sides at once.
     pub(crate) fn factor_and_solve<const R: usize>(&mut self, diagonal: &[S], lower: &[S], least: S, x: &mut [[S; R]]) {
         if let Some(forest) = &mut self.forest {
@@ -139,12 +223,12 @@ impl<S: Real> Ldl<S> {
         }
         let count = self.len();
         let x = &mut x[..count];
-        for k in 0..count {
-            let mut sum = x[k];
-            for &[j, at] in &self.row_entries[self.row_starts[k] as usize..self.row_starts[k + 1] as usize] {
-                sum = sub(sum, scale(x[j as usize], self.values[at as usize]));
+        for j in 0..count {
+            let own = x[j];
+            for p in self.column_starts[j] as usize..self.column_starts[j + 1] as usize {
+                let row = self.rows[p] as usize;
+                x[row] = sub(x[row], scale(own, self.values[p]));
             }
-            x[k] = sum;
         }
         for k in (0..count).rev() {
             let mut sum = scale(x[k], self.inverse_pivot[k]);
