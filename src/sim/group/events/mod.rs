@@ -1,0 +1,136 @@
+//! Events of a group: points that reach surfaces, cross the edge of the mouse region, or stop sliding.
+
+mod locate;
+mod region;
+mod rests;
+mod surfaces;
+
+use super::Group;
+use crate::sim::contact::impact::{self, Hit};
+use crate::sim::counters::Counters;
+use crate::sim::real::Real;
+use crate::sim::surroundings::Surroundings;
+use crate::sim::vector::dot;
+
+/// Share of a substep below which a flight between two bounces counts as rest, where events are located.
+const SHORTEST_FLIGHT: f64 = 1e-4;
+
+/// Something that happens when its margin falls to 0.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Event {
+    /// A point reaches a surface.
+    Hit { point: usize, surface: usize },
+    /// A point crosses the edge of the mouse region.
+    Cross { point: usize },
+    /// A resting point is no longer pressed onto a surface.
+    Lift { point: u32, surface: u32 },
+    /// A point that friction holds begins to slide.
+    Slip { point: u32 },
+    /// A sliding point stops.
+    Stop { point: u32 },
+}
+
+/// The least margin, and one of interest.
+#[derive(Clone, Copy, Debug)]
+struct Margins {
+    least: f64,
+    /// Whose margin is the least.
+    next: Option<Event>,
+    /// The margin of the event that was asked for.
+    asked: f64,
+}
+
+impl Margins {
+    fn see(&mut self, event: Event, margin: f64, asked: Option<Event>) {
+        if margin < self.least {
+            (self.least, self.next) = (margin, Some(event));
+        }
+        if asked == Some(event) {
+            self.asked = margin;
+        }
+    }
+}
+
+impl<S: Real, const D: usize> Group<S, D> {
+    /// How far the state is from its events: below 0 one has been passed. Points that rest hit nothing.
+    fn margins(&mut self, around: &Surroundings<D>, t: f64, asked: Option<Event>, counters: &mut Counters) -> Margins {
+        let mut margins = Margins { least: f64::INFINITY, next: None, asked: f64::INFINITY };
+        let mut see = |event, margin| margins.see(event, margin, asked);
+        self.see_rests(around, t, counters, &mut see);
+        self.see_surfaces(&mut see);
+        self.see_mouse(around, t, &mut see);
+        margins
+    }
+
+    /// After a step from `t` to `t + h`: deals with the first event that it passed, if it passed one.
+    ///
+    /// Returns how much of the step was taken: events are located, and what follows is another step.
+    pub(super) fn meet(
+        &mut self,
+        around: &Surroundings<D>,
+        (t, h): (f64, f64),
+        may_locate: bool,
+        counters: &mut Counters,
+    ) -> f64 {
+        let passed = self.margins(around, t + h, None, counters);
+        let mut taken = h;
+        if passed.least < 0.0
+            && self.locates
+            && may_locate
+            && let Some(event) = passed.next
+        {
+            taken = self.locate(around, (t, h), (event, passed.least), counters);
+        }
+        self.pull.contacts.settle(&mut self.points);
+        if passed.least <= 0.0 {
+            self.happen(around, (t, taken, h), taken < h || passed.least == 0.0, counters);
+        } else if !self.pull.contacts.is_idle() {
+            self.review(around, t + taken, counters);
+        }
+        taken
+    }
+
+    /// Deals with all events at the state reached.
+    fn happen(
+        &mut self,
+        around: &Surroundings<D>,
+        (t, taken, h): (f64, f64, f64),
+        is_located: bool,
+        counters: &mut Counters,
+    ) {
+        let hits = self.hits(is_located);
+        counters.events += hits.len() as u64;
+        if !is_located {
+            self.push_out(&hits);
+        }
+        self.accelerations(around, t + taken, counters);
+        let shortest = if is_located { SHORTEST_FLIGHT * h } else { 4.0 * h };
+        let (accelerations, surfaces) = (std::mem::take(&mut self.acceleration), self.pull.contacts.surfaces.clone());
+        let gentle = |hit: Hit, speed: S| {
+            let pull = dot(accelerations[hit.point], surfaces[hit.surface].normal);
+            (speed + speed).to_f64() <= -pull.to_f64() * shortest
+        };
+        impact::strike(&mut self.points, &mut self.pull.contacts, self.pull.rigid.as_mut(), &hits, gentle);
+        self.acceleration = accelerations;
+        self.cross(around, t + taken, counters);
+        self.review(around, t + taken, counters);
+        self.engine.refresh();
+    }
+
+    /// The whole acceleration of every point at the present state, into `self.acceleration`.
+    fn accelerations(&mut self, around: &Surroundings<D>, t: f64, counters: &mut Counters) {
+        let Group { points, pull, acceleration, .. } = self;
+        acceleration.resize(points.len(), [S::ZERO; D]);
+        let state = (&points.position[..], &points.velocity[..], &points.inverse_mass[..]);
+        pull.accelerate(around, t, state, acceleration, counters);
+    }
+}
+
+/// A margin of an event that happens at 0: within the slack it is 0 where the point comes, else just not there yet.
+fn at_edge(margin: f64, slack: f64, comes: bool) -> f64 {
+    match margin.abs() <= slack {
+        true if comes => 0.0,
+        true => slack,
+        false => margin,
+    }
+}
