@@ -16,19 +16,21 @@ use crate::sim::vector::{add, dot, scale, sub, zero};
 /// The rigid bonds of a group.
 #[derive(Clone, Debug)]
 pub(crate) struct Direct<S: Real, const D: usize> {
-    rows: Vec<Row<S>>,
+    pub(super) rows: Vec<Row<S>>,
     couplings: Vec<Coupling<S>>,
     ldl: Ldl<S>,
     /// Directions of the rows: x_a - x_b where they were aimed [m].
-    aims: Vec<[S; D]>,
+    pub(super) aims: Vec<[S; D]>,
     diagonal: Vec<S>,
     lower: Vec<S>,
-    lambda: Vec<S>,
+    pub(super) lambda: Vec<S>,
     /// Sum of the multipliers of the last projection of velocities.
-    total: Vec<S>,
+    pub(super) total: Vec<S>,
     /// Positions before a projection, to go back to.
     start: Vec<[S; D]>,
     has_limits: bool,
+    /// Solves decide which bonds with a limit act; where events are located those do.
+    pub(super) chooses: bool,
 }
 
 /// What became of holding bonds.
@@ -65,9 +67,11 @@ impl<S: Real, const D: usize> Direct<S, D> {
     /// The solver of a set of bonds, of which none has two pinned ends.
     pub(crate) fn new(shape: Shape<S>) -> Self {
         let count = shape.rows.len();
+        let has_limits = shape.rows.iter().any(|row| row.limit != Limit::Both);
         Direct {
             ldl: Ldl::analyse(&shape.lower),
-            has_limits: shape.rows.iter().any(|row| row.limit != Limit::Both),
+            has_limits,
+            chooses: has_limits,
             aims: vec![zero(); count],
             diagonal: vec![S::ZERO; count],
             lower: vec![S::ZERO; shape.couplings.len()],
@@ -242,7 +246,7 @@ impl<S: Real, const D: usize> Direct<S, D> {
     /// Bonds with a limit that would have to push are let go, those that became too long are taken in, and all begins
     /// again.
     pub(crate) fn bend(&mut self, points: &mut Points<S, D>, contacts: &Contacts<S, D>) -> Held {
-        if !self.has_limits {
+        if !self.chooses {
             return self.bend_taut(points, contacts);
         }
         let free = points.displacement.clone();
@@ -335,7 +339,8 @@ impl<S: Real, const D: usize> Direct<S, D> {
 
     /// Takes from velocities what would lengthen or shorten a bond: d . (v_a - v_b) = 0, weighted by mass.
     ///
-    /// Rows are aimed and factored before. A bond with a limit holds velocities one way only.
+    /// Rows are aimed and factored before. A bond with a limit holds velocities one way only, unless events decide
+    /// whether it acts.
     pub(crate) fn project_velocity(&mut self, points: &mut Points<S, D>, contacts: &Contacts<S, D>) {
         self.total.fill(S::ZERO);
         for _ in 0..2 {
@@ -343,6 +348,7 @@ impl<S: Real, const D: usize> Direct<S, D> {
             for (lambda, (row, aim)) in self.lambda.iter_mut().zip(self.rows.iter().zip(&self.aims)) {
                 let rate = dot(*aim, sub(velocity[row.a as usize], velocity[row.b as usize]));
                 let parts = match row.limit {
+                    _ if !self.chooses => true,
                     Limit::Both => true,
                     Limit::Max => rate > S::ZERO,
                     Limit::Min => rate < S::ZERO,
@@ -384,7 +390,7 @@ impl<S: Real, const D: usize> Direct<S, D> {
     ///
     /// Returns whether there were any: then everything has to be solved again.
     pub(crate) fn slacken(&mut self) -> bool {
-        if !self.has_limits {
+        if !self.chooses {
             return false;
         }
         let mut any = false;
@@ -404,7 +410,7 @@ impl<S: Real, const D: usize> Direct<S, D> {
     /// Decides which bonds with a limit act: those that are at their rest length or beyond it, and do not come back from
     /// there by themselves.
     pub(crate) fn tighten(&mut self, x: &[[S; D]], v: &[[S; D]]) {
-        if !self.has_limits {
+        if !self.chooses {
             return;
         }
         let slow = S::from_f64(1e-9).max(S::EPSILON * S::from_f64(64.0));

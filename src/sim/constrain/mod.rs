@@ -9,4 +9,5 @@ pub(crate) mod order;
 pub(crate) mod relaxed;
 pub(crate) mod rigid;
 pub(crate) mod shape;
+pub(crate) mod strings;
 pub(crate) mod xpbd;

@@ -12,7 +12,7 @@ pub(crate) struct Spring<S> {
     pub(crate) rest_length: S,
     pub(crate) stiffness: S,
     pub(crate) damping: S,
-    limit: Limit,
+    pub(crate) limit: Limit,
 }
 
 impl<S: Real> Spring<S> {
@@ -27,6 +27,12 @@ impl<S: Real> Spring<S> {
             damping: S::from_f64(damping),
             limit: bond.limit,
         })
+    }
+
+    /// The spring as it is while it acts, whatever its length, or while it does not: where events decide that.
+    pub(crate) fn held(self, acts: bool) -> Self {
+        let share = if acts { S::ONE } else { S::ZERO };
+        Spring { stiffness: share * self.stiffness, damping: share * self.damping, limit: Limit::Both, ..self }
     }
 
     pub(crate) fn is_damped(&self) -> bool {

@@ -8,38 +8,87 @@ use crate::sim::surroundings::Surroundings;
 
 /// Evaluations after which a root counts as found.
 const MOST_GUESSES: u32 = 60;
+/// Steps in a row that an event of a bond may end where they begin; then it is dealt with at the end of the step, so that
+/// bonds that cannot decide on a side do not stop time.
+const MOST_RESTARTS: u32 = 16;
+/// Share of a step within which an event of a bond counts as due at the start. Strings that get each other taut in turn do
+/// so in flights that shrink without end: they are followed down to this, which costs a velocity of this share of what
+/// gravity makes in a step.
+const SOON: f64 = 1e-6;
+
 impl<S: Real, const D: usize> Group<S, D> {
-    /// Goes back and takes the part of the step that ends at the first event. Returns that part, or `h` where none can
-    /// be told from the start.
+    /// Goes back and takes the part of the step that ends at the first event, given a time within it when one was passed
+    /// and the margin there. Returns that part and the event; 0 where a bond's event was due at the start already, `h`
+    /// where that cannot be told.
     pub(super) fn locate(
         &mut self,
         around: &Surroundings<D>,
         (t, h): (f64, f64),
-        (event, value): (Event, f64),
+        (event, high): (Event, (f64, f64)),
         counters: &mut Counters,
-    ) -> f64 {
-        let (mut event, mut high) = (event, (h, value));
+    ) -> (f64, Option<Event>) {
+        let (mut event, mut high) = (event, high);
         loop {
-            let mut low = (0.5 * high.0, 0.0);
-            loop {
-                let seen = self.retake(around, (t, low.0), event, counters);
-                low.1 = seen.asked;
-                if low.1 > 0.0 {
-                    break;
-                }
-                high = if low.1 < 0.0 { low } else { high };
-                low.0 *= 0.5;
-                if low.0 < h * SHORTEST_FLIGHT {
+            let Some(low) = self.start_of(around, (t, h), event, &mut high, counters) else {
+                let is_due = event.is_of_bond() && self.edges.restarts < MOST_RESTARTS;
+                if is_due {
+                    self.points.restore(&self.before);
+                    self.engine.refresh();
+                } else {
                     self.retake(around, (t, h), event, counters);
-                    return h;
                 }
-            }
+                return (if is_due { 0.0 } else { h }, Some(event));
+            };
             match self.close_in(around, t, event, (low, high), counters) {
-                (at, None) => return at,
+                (at, None) => return (at, Some(event)),
                 // Another event comes first.
                 (at, Some((earlier, value))) => (event, high) = (earlier, (at, value)),
             }
         }
+    }
+
+    /// A time before the event, and the margin there; `None` where it seems to be due at the start. `high`, a time after
+    /// it, comes nearer.
+    fn start_of(
+        &mut self,
+        around: &Surroundings<D>,
+        (t, h): (f64, f64),
+        event: Event,
+        high: &mut (f64, f64),
+        counters: &mut Counters,
+    ) -> Option<(f64, f64)> {
+        if let Some(margin) = self.margin_before(event) {
+            return Some((0.0, margin));
+        }
+        let mut low = (if event.is_of_bond() { SOON * high.0 } else { 0.5 * high.0 }, 0.0);
+        loop {
+            low.1 = self.retake(around, (t, low.0), event, counters).asked;
+            if low.1 > 0.0 {
+                return Some(low);
+            }
+            *high = if low.1 < 0.0 { low } else { *high };
+            low.0 *= 0.5;
+            if event.is_of_bond() || low.0 < h * SHORTEST_FLIGHT {
+                return None;
+            }
+        }
+    }
+
+    /// Takes the step to a time between its ends where an edge seems to have been passed, and locates that; takes the
+    /// whole of it where it was not.
+    pub(super) fn look_between(
+        &mut self,
+        around: &Surroundings<D>,
+        (t, h): (f64, f64),
+        (event, at): (Event, f64),
+        counters: &mut Counters,
+    ) -> (f64, Option<Event>) {
+        let value = self.retake(around, (t, at), event, counters).asked;
+        if value < 0.0 {
+            return self.locate(around, (t, h), (event, (at, value)), counters);
+        }
+        self.retake(around, (t, h), event, counters);
+        (h, None)
     }
 
     /// The root of an event's margin; or where another event was found to have been passed already.

@@ -1,8 +1,13 @@
-//! Events of a group: points that reach surfaces, cross the edge of the mouse region, or stop sliding.
+//! Events of a group: points that reach surfaces, cross the edge of the mouse region, or stop sliding; bonds that get
+//! taut, go slack or break.
 
+mod breaks;
+pub(crate) mod edge;
 mod locate;
+mod reach;
 mod region;
 mod rests;
+mod strings;
 mod surfaces;
 
 use super::Group;
@@ -28,6 +33,17 @@ enum Event {
     Slip { point: u32 },
     /// A sliding point stops.
     Stop { point: u32 },
+    /// A bond reaches a length at which something happens to it.
+    Reach { edge: usize },
+    /// A taut string no longer pulls.
+    LetGo { edge: usize },
+}
+
+impl Event {
+    /// Whether it is of a bond: such ones may be due at the start of a step.
+    fn is_of_bond(self) -> bool {
+        matches!(self, Event::Reach { .. } | Event::LetGo { .. })
+    }
 }
 
 /// The least margin, and one of interest.
@@ -56,7 +72,12 @@ impl<S: Real, const D: usize> Group<S, D> {
     fn margins(&mut self, around: &Surroundings<D>, t: f64, asked: Option<Event>, counters: &mut Counters) -> Margins {
         let mut margins = Margins { least: f64::INFINITY, next: None, asked: f64::INFINITY };
         let mut see = |event, margin| margins.see(event, margin, asked);
-        self.see_rests(around, t, counters, &mut see);
+        if self.locates && (!self.pull.contacts.is_idle() || self.has_taut()) {
+            self.accelerations(around, t, counters);
+            self.see_rests(&mut see);
+            self.see_strings(asked, &mut see);
+        }
+        self.see_edges(&mut see);
         self.see_surfaces(&mut see);
         self.see_mouse(around, t, &mut see);
         margins
@@ -73,17 +94,22 @@ impl<S: Real, const D: usize> Group<S, D> {
         counters: &mut Counters,
     ) -> f64 {
         let passed = self.margins(around, t + h, None, counters);
-        let mut taken = h;
-        if passed.least < 0.0
-            && self.locates
-            && may_locate
-            && let Some(event) = passed.next
-        {
-            taken = self.locate(around, (t, h), (event, passed.least), counters);
+        let (mut taken, mut event) = (h, passed.next.filter(|_| passed.least <= 0.0));
+        if self.locates && may_locate {
+            if passed.least < 0.0
+                && let Some(first) = passed.next
+            {
+                (taken, event) = self.locate(around, (t, h), (first, (h, passed.least)), counters);
+            } else if passed.least > 0.0
+                && let Some(grazed) = self.graze(h)
+            {
+                (taken, event) = self.look_between(around, (t, h), grazed, counters);
+            }
         }
+        self.edges.restarts = if taken == 0.0 { self.edges.restarts + 1 } else { 0 };
         self.pull.contacts.settle(&mut self.points);
-        if passed.least <= 0.0 {
-            self.happen(around, (t, taken, h), taken < h || passed.least == 0.0, counters);
+        if event.is_some() {
+            self.happen(around, (t, taken, h), (event, taken < h || passed.least == 0.0), counters);
         } else if !self.pull.contacts.is_idle() {
             self.review(around, t + taken, counters);
         }
@@ -95,26 +121,43 @@ impl<S: Real, const D: usize> Group<S, D> {
         &mut self,
         around: &Surroundings<D>,
         (t, taken, h): (f64, f64, f64),
-        is_located: bool,
+        (event, is_located): (Option<Event>, bool),
         counters: &mut Counters,
     ) {
+        let returns = taken == 0.0 && self.recedes(event);
+        let jerks = self.turn_edges(event, is_located, t + taken, counters);
+        if returns {
+            self.capture();
+        }
+        if jerks
+            && !is_located
+            && let Some(rigid) = &mut self.pull.rigid
+        {
+            rigid.project(&mut self.points, &self.pull.contacts);
+        }
         let hits = self.hits(is_located);
         counters.events += hits.len() as u64;
         if !is_located {
             self.push_out(&hits);
         }
-        self.accelerations(around, t + taken, counters);
-        let shortest = if is_located { SHORTEST_FLIGHT * h } else { 4.0 * h };
+        self.bounce(around, (t + taken, if is_located { SHORTEST_FLIGHT * h } else { 4.0 * h }), &hits, counters);
+        self.note_strings();
+        self.cross(around, t + taken, counters);
+        self.review(around, t + taken, counters);
+        self.engine.refresh();
+    }
+
+    /// Points that hit surfaces get their velocities off them; those whose flight would be shorter than `shortest` [s]
+    /// come to rest.
+    fn bounce(&mut self, around: &Surroundings<D>, (t, shortest): (f64, f64), hits: &[Hit], counters: &mut Counters) {
+        self.accelerations(around, t, counters);
         let (accelerations, surfaces) = (std::mem::take(&mut self.acceleration), self.pull.contacts.surfaces.clone());
         let gentle = |hit: Hit, speed: S| {
             let pull = dot(accelerations[hit.point], surfaces[hit.surface].normal);
             (speed + speed).to_f64() <= -pull.to_f64() * shortest
         };
-        impact::strike(&mut self.points, &mut self.pull.contacts, self.pull.rigid.as_mut(), &hits, gentle);
+        impact::strike(&mut self.points, &mut self.pull.contacts, self.pull.rigid.as_mut(), hits, gentle);
         self.acceleration = accelerations;
-        self.cross(around, t + taken, counters);
-        self.review(around, t + taken, counters);
-        self.engine.refresh();
     }
 
     /// The whole acceleration of every point at the present state, into `self.acceleration`.

@@ -6,6 +6,7 @@ use crate::sim::force::mouse;
 use crate::sim::real::Real;
 use crate::sim::surroundings::Surroundings;
 use crate::sim::vector::{add, scale};
+
 impl<S: Real, const D: usize> Group<S, D> {
     /// The depth of points that count as inside the mouse region, and of those outside with a minus.
     pub(super) fn see_mouse(&self, around: &Surroundings<D>, t: f64, see: &mut impl FnMut(Event, f64)) {

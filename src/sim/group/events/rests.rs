@@ -8,19 +8,10 @@ use crate::sim::vector::{dot, length, sub};
 
 /// Share of its acceleration that presses a point so little that it counts as let go.
 const LOOSE: f64 = 1e-12;
+
 impl<S: Real, const D: usize> Group<S, D> {
     /// How firmly resting points are pressed, sticking ones held, and how much sliding ones have kept of their speed.
-    pub(super) fn see_rests(
-        &mut self,
-        around: &Surroundings<D>,
-        t: f64,
-        counters: &mut Counters,
-        see: &mut impl FnMut(Event, f64),
-    ) {
-        if self.pull.contacts.is_idle() || !self.locates {
-            return;
-        }
-        self.accelerations(around, t, counters);
+    pub(super) fn see_rests(&self, see: &mut impl FnMut(Event, f64)) {
         let contacts = &self.pull.contacts;
         for rest in &contacts.rests {
             let (point, size) = (rest.point, length(rest.pressing));
@@ -47,10 +38,17 @@ impl<S: Real, const D: usize> Group<S, D> {
 
     /// Lets go of points that are no longer pressed, and decides who sticks and who slides.
     pub(super) fn review(&mut self, around: &Surroundings<D>, t: f64, counters: &mut Counters) {
-        if self.pull.contacts.is_idle() {
+        let strings = self.edges.list.len();
+        if self.pull.contacts.is_idle() && strings == 0 {
             return;
         }
-        self.accelerations(around, t, counters);
+        // One by one, for each that is let go changes what the others have to do.
+        for _ in 0..=strings {
+            self.accelerations(around, t, counters);
+            if !self.let_go() {
+                break;
+            }
+        }
         let (velocity, before) = (&mut self.points.velocity, &self.before.velocity);
         self.pull.contacts.retain(|rest, surfaces| {
             let pressing = rest.pressing;

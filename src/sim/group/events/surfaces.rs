@@ -11,6 +11,7 @@ use crate::sim::vector::{add, dot, scale};
 
 /// Rounds in which points outside are put back to surfaces, and their bonds to their lengths.
 const MOST_ROUNDS: u32 = 4;
+
 impl<S: Real, const D: usize> Group<S, D> {
     pub(super) fn see_surfaces(&self, see: &mut impl FnMut(Event, f64)) {
         for (s, surface) in self.pull.contacts.surfaces.iter().enumerate() {
