@@ -25,6 +25,7 @@ impl<S: Real, const D: usize> Group<S, D> {
         self.lead_pins(t);
         let count = (h / self.substep * (1.0 - 1e-9)).ceil().max(1.0);
         for k in 0..count as u64 {
+            self.edges.turns = 0;
             self.advance(around, t + h * (k as f64 / count), h / count, counters);
             if let Some(broken) = &self.edges.broken {
                 return (broken.at - t).clamp(0.0, h);

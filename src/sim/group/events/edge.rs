@@ -4,10 +4,17 @@ use crate::sim::bond::Limit;
 use crate::sim::constrain::direct::Direct;
 use crate::sim::force::spring::Spring;
 use crate::sim::group::Breakable;
+use crate::sim::group::guard::Watched;
 use crate::sim::points::State;
 use crate::sim::pull::Pull;
 use crate::sim::real::Real;
 use crate::sim::vector::{dot, sub};
+
+/// Bonds with a limit above which they decide for themselves, at any moment, whether they act: so many get taut and slack
+/// so often that cutting substeps there costs more than it gains.
+const MOST_LIMITED: usize = 400;
+/// Events of bonds that may cut a substep, beside two for each that has any.
+const MOST_TURNS: u32 = 32;
 
 /// What happens at an edge.
 #[derive(Clone, Copy, Debug)]
@@ -71,6 +78,35 @@ impl<S: Real> Edge<S> {
         side * (bend / self.length).to_f64()
     }
 
+    /// The side on which a bond acts.
+    pub(super) fn limit(&self) -> Limit {
+        match self.what {
+            Change::Spring(_, Spring { limit, .. }) | Change::String(_, limit) => limit,
+            Change::Break(_) => Limit::Both,
+        }
+    }
+
+    /// Whether a bond with a limit acts.
+    pub(super) fn acts(&self) -> bool {
+        match self.limit() {
+            Limit::Both => false,
+            Limit::Max => self.is_longer,
+            Limit::Min => !self.is_longer,
+        }
+    }
+
+    /// The bond as the guard watches it.
+    pub(super) fn watched(&self) -> Watched<S> {
+        Watched { a: self.a, b: self.b, rest_square: self.length * self.length }
+    }
+
+    /// Whether a watched bond is this one, and has a limit.
+    pub(super) fn guards(&self, bond: &Watched<S>) -> bool {
+        let Watched { a, b, rest_square } = self.watched();
+        let off = (rest_square - bond.rest_square).abs();
+        self.limit() != Limit::Both && (a, b) == (bond.a, bond.b) && off <= S::EPSILON * S::from_f64(4.0) * rest_square
+    }
+
     /// The row of a rigid bond with a limit.
     pub(super) fn row(&self) -> Option<(usize, Limit)> {
         match self.what {
@@ -99,6 +135,10 @@ pub(crate) struct Edges<S> {
     pub(super) list: Vec<Edge<S>>,
     /// Steps in a row that an event ended where they began.
     pub(super) restarts: u32,
+    /// Events of bonds that cut the substep under way.
+    pub(super) turns: u32,
+    /// How many watched bonds have no limit.
+    pub(super) always_watched: usize,
     /// A step ends where a bond breaks.
     pub(crate) stops: bool,
     pub(crate) broken: Option<Broken>,
@@ -106,7 +146,7 @@ pub(crate) struct Edges<S> {
 
 impl<S: Real> Edges<S> {
     pub(crate) fn none() -> Self {
-        Edges { list: Vec::new(), restarts: 0, stops: false, broken: None }
+        Edges { list: Vec::new(), restarts: 0, turns: 0, always_watched: 0, stops: false, broken: None }
     }
 
     /// The edges of springs and rigid bonds with a limit, and of bonds that break.
@@ -120,6 +160,9 @@ impl<S: Real> Edges<S> {
         for (k, row) in pull.rigid.iter().flat_map(Direct::strings) {
             edges.add(row.a, row.b, row.rest_length, Change::String(k, row.limit));
         }
+        if edges.list.len() > MOST_LIMITED {
+            edges.list.clear();
+        }
         for bond in breakable {
             edges.add(bond.a, bond.b, bond.most_square.sqrt(), Change::Break(bond.bond));
         }
@@ -128,6 +171,12 @@ impl<S: Real> Edges<S> {
 
     fn add(&mut self, a: u32, b: u32, length: S, what: Change<S>) {
         self.list.push(Edge { a, b, length, what, is_longer: false });
+    }
+
+    /// Whether events may still cut the substep under way: bonds that are taut and slack by turns must not do so without
+    /// end.
+    pub(super) fn may_turn(&self) -> bool {
+        self.turns < MOST_TURNS + 2 * self.list.len() as u32
     }
 
     #[inline(always)]

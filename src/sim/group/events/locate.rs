@@ -15,6 +15,11 @@ const MOST_RESTARTS: u32 = 16;
 /// so in flights that shrink without end: they are followed down to this, which costs a velocity of this share of what
 /// gravity makes in a step.
 const SOON: f64 = 1e-6;
+/// Events of bonds within a substep for which that share grows tenfold: where strings lie almost along each other their
+/// flights hardly shrink, and would not let time go on.
+const PATIENCE: f64 = 4.0;
+/// What it grows to at most.
+const SOON_AT_MOST: f64 = 0.1;
 
 impl<S: Real, const D: usize> Group<S, D> {
     /// Goes back and takes the part of the step that ends at the first event, given a time within it when one was passed
@@ -60,7 +65,8 @@ impl<S: Real, const D: usize> Group<S, D> {
         if let Some(margin) = self.margin_before(event) {
             return Some((0.0, margin));
         }
-        let mut low = (if event.is_of_bond() { SOON * high.0 } else { 0.5 * high.0 }, 0.0);
+        let soon = (SOON * libm::pow(10.0, f64::from(self.edges.turns) / PATIENCE)).min(SOON_AT_MOST);
+        let mut low = (if event.is_of_bond() { soon * high.0 } else { 0.5 * high.0 }, 0.0);
         loop {
             low.1 = self.retake(around, (t, low.0), event, counters).asked;
             if low.1 > 0.0 {
@@ -101,17 +107,20 @@ impl<S: Real, const D: usize> Group<S, D> {
         counters: &mut Counters,
     ) -> (f64, Option<(Event, f64)>) {
         let mut root = Root::between(low, high);
-        let mut at = high.0;
-        for _ in 0..MOST_GUESSES {
-            at = root.guess();
+        let (mut at, mut ahead) = (high.0, None);
+        for guess in 0..MOST_GUESSES {
+            // Newton's method where the margin's rate is known, with a secant now and then, which never fails.
+            let ahead_now = ahead.filter(|&ahead| guess % 4 != 3 && root.contains(ahead));
+            at = ahead_now.unwrap_or_else(|| root.guess());
             let seen = self.retake(around, (t, at), event, counters);
-            if let Some(earlier) = seen.next.filter(|&next| seen.least < 0.0 && next != event && seen.asked > 0.0) {
+            if let Some(earlier) = seen.next.filter(|&next| seen.least < 0.0 && next != event && seen.asked >= 0.0) {
                 return (at, Some((earlier, seen.least)));
             }
             if seen.asked == 0.0 || root.width() < 4.0 * f64::EPSILON * (t + high.0) {
                 break;
             }
             root.narrow(at, seen.asked);
+            ahead = self.margin_rate(event).map(|rate| at - seen.asked / rate);
         }
         (at, None)
     }

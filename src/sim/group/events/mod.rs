@@ -95,7 +95,7 @@ impl<S: Real, const D: usize> Group<S, D> {
     ) -> f64 {
         let passed = self.margins(around, t + h, None, counters);
         let (mut taken, mut event) = (h, passed.next.filter(|_| passed.least <= 0.0));
-        if self.locates && may_locate {
+        if self.locates && may_locate && self.edges.may_turn() {
             if passed.least < 0.0
                 && let Some(first) = passed.next
             {
@@ -107,6 +107,7 @@ impl<S: Real, const D: usize> Group<S, D> {
             }
         }
         self.edges.restarts = if taken == 0.0 { self.edges.restarts + 1 } else { 0 };
+        self.edges.turns += u32::from(event.is_some_and(Event::is_of_bond));
         self.pull.contacts.settle(&mut self.points);
         if event.is_some() {
             self.happen(around, (t, taken, h), (event, taken < h || passed.least == 0.0), counters);
@@ -144,6 +145,7 @@ impl<S: Real, const D: usize> Group<S, D> {
         self.note_strings();
         self.cross(around, t + taken, counters);
         self.review(around, t + taken, counters);
+        self.watch_taut();
         self.engine.refresh();
     }
 

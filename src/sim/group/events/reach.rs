@@ -2,8 +2,8 @@
 
 use super::edge::{Change, Edge, Gap};
 use super::{Event, Group, at_edge};
-use crate::sim::bond::Limit;
 use crate::sim::counters::Counters;
+use crate::sim::group::guard::Watched;
 use crate::sim::real::Real;
 use crate::sim::surroundings::Surroundings;
 
@@ -40,6 +40,12 @@ impl<S: Real, const D: usize> Group<S, D> {
         let Event::Reach { edge } = event else { return None };
         let gap = self.edges.list[edge].gap_in(&self.before);
         (gap.margin > gap.slack).then_some(gap.margin)
+    }
+
+    /// How fast the margin changes at the state reached [m/s], where that is known.
+    pub(super) fn margin_rate(&self, event: Event) -> Option<f64> {
+        let Event::Reach { edge } = event else { return None };
+        Some(self.edges.list[edge].gap(&self.points.position, &self.points.velocity).rate)
     }
 
     /// Where within a step of `h` that passed no edge one seems to have been passed to and fro, and which: the first
@@ -99,11 +105,11 @@ impl<S: Real, const D: usize> Group<S, D> {
         edge.is_longer = is_longer;
         match edge.what {
             Change::Spring(at, whole) => {
-                self.pull.springs[at] = whole.held(is_longer == (whole.limit == Limit::Max));
+                self.pull.springs[at] = whole.held(edge.acts());
             }
-            Change::String(row, limit) => {
+            Change::String(row, _) => {
                 if let Some(rigid) = &mut self.pull.rigid {
-                    rigid.set_taut(row, is_longer == (limit == Limit::Max));
+                    rigid.set_taut(row, edge.acts());
                 }
             }
             Change::Break(_) => {}
@@ -115,10 +121,13 @@ impl<S: Real, const D: usize> Group<S, D> {
         if self.edges.is_empty() {
             return;
         }
-        if let Some(rigid) = &mut self.pull.rigid {
+        if let Some(rigid) = self.pull.rigid.as_mut().filter(|_| self.edges.has_strings()) {
             rigid.leave_limits_to_events();
         }
         self.note_strings();
+        let limited = |bond: &Watched<S>| self.edges.list.iter().any(|edge| edge.guards(bond));
+        self.watched.retain(|bond| !limited(bond));
+        self.edges.always_watched = self.watched.len();
         self.accelerations(around, t, counters);
         for k in 0..self.edges.list.len() {
             let edge = self.edges.list[k];
@@ -132,6 +141,15 @@ impl<S: Real, const D: usize> Group<S, D> {
             }
         }
         self.review(around, t, counters);
+        self.watch_taut();
+    }
+
+    /// Bonds with a limit are watched by the guard while they act: how a slack one turns is nothing to it.
+    pub(super) fn watch_taut(&mut self) {
+        if !self.edges.is_empty() {
+            self.watched.truncate(self.edges.always_watched);
+            self.watched.extend(self.edges.list.iter().filter(|edge| edge.acts()).map(Edge::watched));
+        }
     }
 }
 

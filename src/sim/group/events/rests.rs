@@ -38,17 +38,10 @@ impl<S: Real, const D: usize> Group<S, D> {
 
     /// Lets go of points that are no longer pressed, and decides who sticks and who slides.
     pub(super) fn review(&mut self, around: &Surroundings<D>, t: f64, counters: &mut Counters) {
-        let strings = self.edges.list.len();
-        if self.pull.contacts.is_idle() && strings == 0 {
+        if self.pull.contacts.is_idle() && self.edges.is_empty() {
             return;
         }
-        // One by one, for each that is let go changes what the others have to do.
-        for _ in 0..=strings {
-            self.accelerations(around, t, counters);
-            if !self.let_go() {
-                break;
-            }
-        }
+        self.decide_strings(around, t, counters);
         let (velocity, before) = (&mut self.points.velocity, &self.before.velocity);
         self.pull.contacts.retain(|rest, surfaces| {
             let pressing = rest.pressing;

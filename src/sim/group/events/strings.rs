@@ -3,11 +3,15 @@
 use super::{Event, Group};
 use crate::sim::bond::Limit;
 use crate::sim::contact::impact;
+use crate::sim::counters::Counters;
 use crate::sim::real::Real;
+use crate::sim::surroundings::Surroundings;
 use crate::sim::vector::{dot, length, sub};
 
 /// Share of the accelerations around it below which a tension counts as none, in units of the last place.
 const LOOSE: f64 = 4096.0;
+/// Slacks of a length within which a string rests there, and as many that it may change by in a substep.
+const STILL: f64 = 64.0;
 
 impl<S: Real, const D: usize> Group<S, D> {
     /// How firmly taut strings pull, as a share of the accelerations around them, by the last multipliers.
@@ -55,16 +59,55 @@ impl<S: Real, const D: usize> Group<S, D> {
         }
     }
 
-    /// Lets go of the string that would have to push most, by the last accelerations. Returns whether there was one.
-    pub(super) fn let_go(&mut self) -> bool {
+    /// Works out accelerations, and which strings at their lengths act: none pushes, and none that does not act gets longer.
+    ///
+    /// One by one, the worst first, for each changes what the others have to do; a string that comes back is the last.
+    pub(super) fn decide_strings(&mut self, around: &Surroundings<D>, t: f64, counters: &mut Counters) {
+        let mut was_let_go = vec![false; if self.has_strings() { self.edges.list.len() } else { 0 }];
+        self.accelerations(around, t, counters);
+        for _ in 0..2 * was_let_go.len() {
+            let change = match self.wrong().filter(|&k| !was_let_go[k]) {
+                Some(edge) => {
+                    was_let_go[edge] = true;
+                    Some((edge, false))
+                }
+                None => self.parting().map(|edge| (edge, true)),
+            };
+            let Some((edge, is_taut)) = change else { break };
+            self.tie(edge, is_taut);
+            self.accelerations(around, t, counters);
+        }
+    }
+
+    /// The string that would have to push most, by the last accelerations.
+    fn wrong(&self) -> Option<usize> {
         let loose = S::EPSILON.to_f64() * LOOSE;
-        let worst = self.grips().filter(|grip| grip.1 < -loose).min_by(|a, b| a.1.total_cmp(&b.1));
-        let (Some((edge, _)), Some(rigid)) = (worst, &mut self.pull.rigid) else { return false };
-        if let Some((row, _)) = self.edges.list[edge].row() {
-            rigid.set_taut(row, false);
+        let wrong = self.grips().filter(|grip| grip.1 < -loose);
+        wrong.min_by(|a, b| a.1.total_cmp(&b.1)).map(|(edge, _)| edge)
+    }
+
+    /// The string that rests at its length without acting and would get longer fastest, by the last accelerations.
+    fn parting(&self) -> Option<usize> {
+        let Group { points, pull, acceleration, .. } = self;
+        let is_slack = |row| pull.rigid.as_ref().is_some_and(|rigid| !rigid.is_taut(row));
+        let slack =
+            self.edges.list.iter().enumerate().filter(|(_, edge)| edge.row().is_some_and(|(row, _)| is_slack(row)));
+        let bends = slack.filter_map(|(k, edge)| {
+            let gap = edge.gap(&points.position, &points.velocity);
+            let rests = gap.margin <= STILL * gap.slack && gap.rate.abs() * self.substep <= STILL * gap.slack;
+            rests.then(|| (k, edge.bend(&points.position, &points.velocity, acceleration)))
+        });
+        // A margin that bends down: what rounding makes of it is far below what gravity does.
+        let falls = bends.filter(|bend| bend.1 < -1e-9);
+        falls.min_by(|a, b| a.1.total_cmp(&b.1)).map(|(edge, _)| edge)
+    }
+
+    /// A string acts from now on, or no longer.
+    fn tie(&mut self, edge: usize, is_taut: bool) {
+        if let (Some((row, _)), Some(rigid)) = (self.edges.list[edge].row(), &mut self.pull.rigid) {
+            rigid.set_taut(row, is_taut);
         }
         self.note_strings();
-        true
     }
 
     /// Strings answer velocities that changed at once: those that would have to push are let go.
@@ -72,6 +115,7 @@ impl<S: Real, const D: usize> Group<S, D> {
         let rigid = self.pull.rigid.as_mut();
         impact::strike(&mut self.points, &mut self.pull.contacts, rigid, &[], |_, _| false);
         self.note_strings();
+        self.watch_taut();
         self.engine.refresh();
     }
 
