@@ -89,7 +89,8 @@ pub struct Bond {
     pub kind: BondKind,
     /// On which side of the rest length it acts.
     pub limit: Limit,
-    /// Strain above which it is gone at the end of a substep [1], > 0; infinite: never.
+    /// Strain above which it is gone [1], > 0; infinite: never. At that moment where events are located, else at the end
+    /// of a substep.
     pub break_strain: f64,
 }
 

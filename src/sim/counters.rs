@@ -13,7 +13,7 @@ pub struct Counters {
     pub iterations: u64,
     /// Points that the mouse force was evaluated for.
     pub mouse_points: u64,
-    /// Touches of surfaces, and crossings of the mouse region's edge that were located.
+    /// Touches of surfaces, and crossings of the mouse region's edge and turns of bonds that were located.
     pub events: u64,
     /// Substeps that a guard split in two.
     pub guard_splits: u64,

@@ -128,7 +128,8 @@ impl Solver {
         !matches!(self, Solver::Verlet | Solver::Relaxation | Solver::Xpbd)
     }
 
-    /// Whether walls and the edge of the mouse region are located in time: where the order would be lost otherwise.
+    /// Whether walls, the edge of the mouse region and turns of bonds are located in time: where the order would be lost
+    /// otherwise.
     pub(crate) fn locates_events(self) -> bool {
         self.order() >= 4
     }

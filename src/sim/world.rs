@@ -126,8 +126,8 @@ impl<S: Real, const D: usize> World<S, D> {
         }
     }
 
-    /// Bonds that are overstretched are gone: the plan is made anew without them.
-    pub(crate) fn tear(&mut self, mut torn: Vec<u32>) {
+    /// Bonds that are overstretched at time `t` [s] are gone: the plan is made anew without them.
+    pub(crate) fn tear(&mut self, mut torn: Vec<u32>, t: f64) {
         torn.sort_unstable();
         torn.dedup();
         self.counters.bonds_torn += torn.len() as u64;
@@ -138,7 +138,6 @@ impl<S: Real, const D: usize> World<S, D> {
         });
         let state = self.state_of_all();
         self.plan = plan::compile(&self.model, &self.bonds, &state);
-        let t = self.timeline.time();
         for group in &mut self.plan.groups {
             group.begin(&self.around, t);
         }

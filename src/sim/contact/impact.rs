@@ -83,7 +83,8 @@ fn rub<S: Real, const D: usize>(points: &mut Points<S, D>, contacts: &Contacts<S
     }
 }
 
-/// With rigid bonds: hits that would have to pull are left out, most of all first, until none is left.
+/// With rigid bonds: hits that would have to pull are left out, most of all first, until none is left; so are strings that
+/// would have to push, where events decide which of them act.
 fn strike_bonded<S: Real, const D: usize>(
     points: &mut Points<S, D>,
     contacts: &mut Contacts<S, D>,
@@ -121,6 +122,12 @@ fn strike_bonded<S: Real, const D: usize>(
             if target.change < worst.0 {
                 worst = (target.change, at);
             }
+        }
+        if let Some((push, string)) = rigid.most_wrong()
+            && push < worst.0
+        {
+            rigid.set_taut(string, false);
+            continue;
         }
         if worst.1 == usize::MAX {
             rub(points, contacts, targets);

@@ -13,7 +13,7 @@ pub(crate) struct Spring<S> {
     pub(crate) rest_length: S,
     pub(crate) stiffness: S,
     pub(crate) damping: S,
-    limit: Limit,
+    pub(crate) limit: Limit,
 }
 
 impl<S: Real> Spring<S> {
@@ -28,6 +28,12 @@ impl<S: Real> Spring<S> {
             damping: S::from_f64(damping),
             limit: bond.limit,
         })
+    }
+
+    /// The spring as it is while it acts, whatever its length, or while it does not: where events decide that.
+    pub(crate) fn held(self, acts: bool) -> Self {
+        let share = if acts { S::ONE } else { S::ZERO };
+        Spring { stiffness: share * self.stiffness, damping: share * self.damping, limit: Limit::Both, ..self }
     }
 }
 
@@ -67,6 +73,11 @@ impl<S: Real> Springs<S> {
     /// The springs one by one.
     pub(crate) fn iter(&self) -> std::slice::Iter<'_, Spring<S>> {
         self.list.iter()
+    }
+
+    /// Puts another spring between the same points in the place of one that has a limit.
+    pub(crate) fn set(&mut self, at: usize, spring: Spring<S>) {
+        self.list[at] = spring;
     }
 
     pub(crate) fn len(&self) -> usize {

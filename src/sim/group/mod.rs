@@ -1,7 +1,7 @@
 //! A group: islands that one method moves together, with their state.
 
 pub(crate) mod engine;
-mod events;
+pub(crate) mod events;
 pub(crate) mod guard;
 
 use super::counters::Counters;
@@ -13,6 +13,7 @@ use super::real::Real;
 use super::surroundings::Surroundings;
 use super::vector::{convert, dot, sub, zero};
 use engine::Engine;
+use events::edge::Edges;
 use guard::Guard;
 
 /// Times that a substep is halved before it goes to a more robust method.
@@ -40,6 +41,8 @@ pub(crate) struct Group<S: Real, const D: usize> {
     /// Bonds that must not turn or stretch too far in a substep.
     pub(crate) guard: Guard<S>,
     pub(crate) breakable: Vec<Breakable<S>>,
+    /// Lengths of bonds at which something happens, where events are located.
+    pub(crate) edges: Edges<S>,
     /// Pinned points that are led along tracks.
     pub(crate) tracks: Vec<(u32, Track<D>)>,
     /// Longest substep [s].
@@ -67,6 +70,7 @@ impl<S: Real, const D: usize> Group<S, D> {
         self.mark_inside(around, t);
         self.points.save(&mut self.before);
         self.meet_start(around, t, &mut counters);
+        self.begin_edges(around, t, &mut counters);
         is_held
     }
 
@@ -97,6 +101,9 @@ impl<S: Real, const D: usize> Group<S, D> {
                 if depth < MOST_SPLITS {
                     counters.guard_splits += 1;
                     self.attempt(around, (now, 0.5 * left), depth + 1, counters);
+                    if self.edges.broken.is_some() {
+                        return;
+                    }
                     return self.attempt(around, (now + 0.5 * left, 0.5 * left), depth + 1, counters);
                 }
                 counters.fallbacks += 1;
@@ -107,7 +114,7 @@ impl<S: Real, const D: usize> Group<S, D> {
             }
             events += 1;
             done += self.meet(around, (now, left), events < most_events, counters);
-            if h - done < 1e-12 * h {
+            if h - done < 1e-12 * h || self.edges.broken.is_some() {
                 return;
             }
         }
@@ -118,9 +125,9 @@ impl<S: Real, const D: usize> Group<S, D> {
         !self.guard.bonds.is_empty() || self.has_events() || !matches!(self.engine, Engine::Splitting(_))
     }
 
-    /// Surfaces, or an edge of the mouse region that is located.
+    /// Surfaces, an edge of the mouse region or lengths of bonds that are located.
     fn has_events(&self) -> bool {
-        self.pull.contacts.has_surfaces() || self.pull.inside.is_some()
+        self.pull.contacts.has_surfaces() || self.pull.inside.is_some() || !self.edges.is_empty()
     }
 
     fn take(&mut self, around: &Surroundings<D>, (t, h): (f64, f64), counters: &mut Counters) -> bool {
@@ -167,6 +174,9 @@ impl<S: Real, const D: usize> Group<S, D> {
 
     /// Takes from the velocities what would change the length of rigid bonds.
     pub(crate) fn hold_velocity(&mut self) {
+        if self.has_strings() {
+            return self.jerk();
+        }
         let Group { points, pull, engine, .. } = self;
         if let Some(rigid) = &mut pull.rigid {
             rigid.make_ready(points, &pull.contacts);
@@ -189,11 +199,12 @@ impl<S: Real, const D: usize> Group<S, D> {
         self.engine.refresh();
     }
 
-    /// Bonds that are longer than they may be, by their numbers in the world.
+    /// Bonds that broke or are longer than they may be, by their numbers in the world.
     pub(crate) fn torn(&self) -> impl Iterator<Item = u32> {
-        self.breakable.iter().filter_map(|bond| {
+        let overstretched = self.breakable.iter().filter_map(|bond| {
             let d = sub(self.points.position[bond.a as usize], self.points.position[bond.b as usize]);
             (dot(d, d) > bond.most_square).then_some(bond.bond)
-        })
+        });
+        self.edges.broken.iter().flat_map(|broken| broken.bonds.iter().copied()).chain(overstretched)
     }
 }

@@ -12,6 +12,7 @@ use crate::sim::contact::Contacts;
 use crate::sim::contact::surface::surfaces;
 use crate::sim::force::spring::Springs;
 use crate::sim::group::engine::{COMPOSED_4, COMPOSED_6, Engine, SINGLE};
+use crate::sim::group::events::edge::Edges;
 use crate::sim::group::guard::{Guard, Watched};
 use crate::sim::group::{Breakable, Group};
 use crate::sim::integrate::implicit::Implicit;
@@ -185,12 +186,14 @@ impl<S: Real, const D: usize> Maker<'_, S, D> {
         self.allocate(&mut points, &pull);
         let engine = self.engine(choice.solver, &bonds, &points, &pull);
         let robust = self.robust(&bonds, &points, &pull).map(Box::new);
+        let locates = choice.solver.locates_events() && self.points.len() <= MOST_LOCATED;
         Group {
             guard: self.guard(&bonds),
-            breakable: breakable(&bonds),
+            breakable: breakable(&bonds, |_| true),
+            edges: if locates { Edges::of(&pull, &breakable(&bonds, is_elastic)) } else { Edges::none() },
             tracks: self.tracks(),
             substep: choice.substep,
-            locates: choice.solver.locates_events() && self.points.len() <= MOST_LOCATED,
+            locates,
             before: State::default(),
             acceleration: Vec::new(),
             points,
@@ -388,11 +391,15 @@ fn rows<S: Real>(bonds: &[(u32, Bond)], w: &[S]) -> Vec<Row<S>> {
     bonds.iter().filter_map(of).collect()
 }
 
-fn breakable<S: Real>(bonds: &[(u32, Bond)]) -> Vec<Breakable<S>> {
+fn is_elastic(bond: &Bond) -> bool {
+    matches!(bond.kind, BondKind::Spring { .. })
+}
+
+fn breakable<S: Real>(bonds: &[(u32, Bond)], is_meant: impl Fn(&Bond) -> bool) -> Vec<Breakable<S>> {
     let of = |(name, bond): &(u32, Bond)| {
         let scale = if bond.rest_length > 0.0 { bond.rest_length } else { 1.0 };
         let most = if bond.rest_length > 0.0 { scale * (1.0 + bond.break_strain) } else { bond.break_strain };
-        bond.break_strain.is_finite().then(|| Breakable {
+        (bond.break_strain.is_finite() && is_meant(bond)).then(|| Breakable {
             a: bond.a.0,
             b: bond.b.0,
             most_square: S::from_f64(most * most),

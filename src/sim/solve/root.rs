@@ -24,6 +24,11 @@ impl Root {
         if x > a && x < b { x } else { 0.5 * (a + b) }
     }
 
+    /// Whether a place lies within the bracket.
+    pub(crate) fn contains(&self, x: f64) -> bool {
+        x > self.low.0 && x < self.high.0
+    }
+
     /// The function is `value` at `x`.
     pub(crate) fn narrow(&mut self, x: f64, value: f64) {
         if (value > 0.0) == (self.low.1 > 0.0) {

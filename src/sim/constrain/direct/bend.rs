@@ -18,7 +18,7 @@ impl<S: Real, const D: usize> Direct<S, D> {
     /// Bonds with a limit that would have to push are let go, those that became too long are taken in, and all begins
     /// again.
     pub(crate) fn bend(&mut self, points: &mut Points<S, D>, contacts: &Contacts<S, D>) -> Held {
-        if !self.has_limits {
+        if !self.chooses {
             return self.bend_taut(points, contacts);
         }
         let free = points.displacement.clone();

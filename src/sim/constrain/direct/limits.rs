@@ -39,7 +39,7 @@ impl<S: Real, const D: usize> Direct<S, D> {
     ///
     /// Returns whether there were any: then everything has to be solved again.
     pub(crate) fn slacken(&mut self) -> bool {
-        if !self.has_limits {
+        if !self.chooses {
             return false;
         }
         let mut any = false;
@@ -55,7 +55,7 @@ impl<S: Real, const D: usize> Direct<S, D> {
     /// Decides which bonds with a limit act: those that are at their rest length or beyond it, and do not come back from
     /// there by themselves.
     pub(crate) fn tighten(&mut self, x: &[[S; D]], v: &[[S; D]]) {
-        if !self.has_limits {
+        if !self.chooses {
             return;
         }
         let slow = S::from_f64(1e-9).max(S::EPSILON * S::from_f64(64.0));

@@ -8,6 +8,7 @@ mod answer;
 mod bend;
 mod limits;
 mod project;
+mod strings;
 
 use super::shape::{Coupling, Row, Shape};
 use crate::sim::bond::Limit;
@@ -35,6 +36,8 @@ pub(crate) struct Direct<S: Real, const D: usize> {
     /// Positions before a projection, to go back to.
     start: Vec<[S; D]>,
     has_limits: bool,
+    /// Solves decide which bonds with a limit act; where events are located those do.
+    chooses: bool,
 }
 
 /// What became of holding bonds.
@@ -68,9 +71,11 @@ impl<S: Real, const D: usize> Direct<S, D> {
     /// The solver of a set of bonds, of which none has two pinned ends.
     pub(crate) fn new(shape: Shape<S>) -> Self {
         let count = shape.rows.len();
+        let has_limits = shape.rows.iter().any(|row| row.limit != Limit::Both);
         Direct {
             ldl: Ldl::analyse(&shape.lower),
-            has_limits: shape.rows.iter().any(|row| row.limit != Limit::Both),
+            has_limits,
+            chooses: has_limits,
             aims: vec![zero(); count],
             diagonal: vec![S::ZERO; count],
             lower: vec![S::ZERO; shape.couplings.len()],

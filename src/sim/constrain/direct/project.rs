@@ -110,14 +110,15 @@ impl<S: Real, const D: usize> Direct<S, D> {
 
     /// Takes from velocities what would lengthen or shorten a bond: d . (v_a - v_b) = 0, weighted by mass.
     ///
-    /// Rows are aimed and factored before. A bond with a limit holds velocities one way only.
+    /// Rows are aimed and factored before. A bond with a limit holds velocities one way only, unless events
+    /// decide whether it acts.
     pub(crate) fn project_velocity(&mut self, points: &mut Points<S, D>, contacts: &Contacts<S, D>) {
         self.total.fill(S::ZERO);
         for _ in 0..2 {
             let velocity = &points.velocity;
             for (lambda, (row, aim)) in self.lambda.iter_mut().zip(self.rows.iter().zip(&self.aims)) {
                 let rate = dot(*aim, sub(velocity[row.a as usize], velocity[row.b as usize]));
-                let parts = row.limit.acts(rate, S::ZERO);
+                let parts = !self.chooses || row.limit.acts(rate, S::ZERO);
                 *lambda = if row.is_taut && parts { -rate } else { S::ZERO };
             }
             self.ldl.solve_one(&mut self.lambda);

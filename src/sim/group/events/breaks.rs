@@ -1,0 +1,36 @@
+//! Bonds that break: the step of the group ends there, for what follows needs another plan.
+
+use super::edge::Broken;
+use crate::sim::counters::Counters;
+use crate::sim::group::Group;
+use crate::sim::real::Real;
+use crate::sim::surroundings::Surroundings;
+
+impl<S: Real, const D: usize> Group<S, D> {
+    /// A bond is gone at a time [s].
+    pub(super) fn snap(&mut self, bond: u32, at: f64) {
+        self.edges.broken.get_or_insert(Broken { at, bonds: Vec::new() }).bonds.push(bond);
+    }
+
+    /// Advances by `h` from time `t` [s] in equal substeps no longer than its own, or, where it `stops`, to the first
+    /// time when a bond breaks. Returns how far it came [s].
+    pub(crate) fn go(
+        &mut self,
+        around: &Surroundings<D>,
+        (t, h): (f64, f64),
+        stops: bool,
+        counters: &mut Counters,
+    ) -> f64 {
+        self.edges.stops = stops;
+        self.lead_pins(t);
+        let count = (h / self.substep * (1.0 - 1e-9)).ceil().max(1.0);
+        for k in 0..count as u64 {
+            self.edges.turns = 0;
+            self.advance(around, t + h * (k as f64 / count), h / count, counters);
+            if let Some(broken) = &self.edges.broken {
+                return (broken.at - t).clamp(0.0, h);
+            }
+        }
+        h
+    }
+}

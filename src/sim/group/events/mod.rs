@@ -1,0 +1,181 @@
+//! Events of a group: points that reach surfaces, cross the edge of the mouse region, or stop sliding; bonds that get
+//! taut, go slack or break.
+
+mod breaks;
+pub(crate) mod edge;
+mod locate;
+mod reach;
+mod region;
+mod rests;
+mod strings;
+mod surfaces;
+
+use super::Group;
+use crate::sim::contact::impact::{self, Hit};
+use crate::sim::counters::Counters;
+use crate::sim::real::Real;
+use crate::sim::surroundings::Surroundings;
+use crate::sim::vector::dot;
+
+/// Share of a substep below which a flight between two bounces counts as rest, where events are located.
+const SHORTEST_FLIGHT: f64 = 1e-4;
+
+/// Something that happens when its margin falls to 0.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Event {
+    /// A point reaches a surface.
+    Hit { point: usize, surface: usize },
+    /// A point crosses the edge of the mouse region.
+    Cross { point: usize },
+    /// A resting point is no longer pressed onto a surface.
+    Lift { point: u32, surface: u32 },
+    /// A point that friction holds begins to slide.
+    Slip { point: u32 },
+    /// A sliding point stops.
+    Stop { point: u32 },
+    /// A bond reaches a length at which something happens to it.
+    Reach { edge: usize },
+    /// A taut string no longer pulls.
+    LetGo { edge: usize },
+}
+
+impl Event {
+    /// Whether it is of a bond: such ones may be due at the start of a step.
+    fn is_of_bond(self) -> bool {
+        matches!(self, Event::Reach { .. } | Event::LetGo { .. })
+    }
+}
+
+/// The least margin, and one of interest.
+#[derive(Clone, Copy, Debug)]
+struct Margins {
+    least: f64,
+    /// Whose margin is the least.
+    next: Option<Event>,
+    /// The margin of the event that was asked for.
+    asked: f64,
+}
+
+impl Margins {
+    fn see(&mut self, event: Event, margin: f64, asked: Option<Event>) {
+        if margin < self.least {
+            (self.least, self.next) = (margin, Some(event));
+        }
+        if asked == Some(event) {
+            self.asked = margin;
+        }
+    }
+}
+
+impl<S: Real, const D: usize> Group<S, D> {
+    /// How far the state is from its events: below 0 one has been passed. Points that rest hit nothing.
+    fn margins(&mut self, around: &Surroundings<D>, t: f64, asked: Option<Event>, counters: &mut Counters) -> Margins {
+        let mut margins = Margins { least: f64::INFINITY, next: None, asked: f64::INFINITY };
+        let mut see = |event, margin| margins.see(event, margin, asked);
+        if self.locates && (!self.pull.contacts.is_idle() || self.has_taut()) {
+            self.accelerations(around, t, counters);
+            self.see_rests(&mut see);
+            self.see_strings(asked, &mut see);
+        }
+        self.see_edges(&mut see);
+        self.see_surfaces(&mut see);
+        self.see_mouse(around, t, &mut see);
+        margins
+    }
+
+    /// After a step from `t` to `t + h`: deals with the first event that it passed, if it passed one.
+    ///
+    /// Returns how much of the step was taken: events are located, and what follows is another step.
+    pub(super) fn meet(
+        &mut self,
+        around: &Surroundings<D>,
+        (t, h): (f64, f64),
+        may_locate: bool,
+        counters: &mut Counters,
+    ) -> f64 {
+        let passed = self.margins(around, t + h, None, counters);
+        let (mut taken, mut event) = (h, passed.next.filter(|_| passed.least <= 0.0));
+        if self.locates && may_locate && self.edges.may_turn() {
+            if passed.least < 0.0
+                && let Some(first) = passed.next
+            {
+                (taken, event) = self.locate(around, (t, h), (first, (h, passed.least)), counters);
+            } else if passed.least > 0.0
+                && let Some(grazed) = self.graze(h)
+            {
+                (taken, event) = self.look_between(around, (t, h), grazed, counters);
+            }
+        }
+        self.edges.restarts = if taken == 0.0 { self.edges.restarts + 1 } else { 0 };
+        self.edges.turns += u32::from(event.is_some_and(Event::is_of_bond));
+        self.pull.contacts.settle(&mut self.points);
+        if event.is_some() {
+            self.happen(around, (t, taken, h), (event, taken < h || passed.least == 0.0), counters);
+        } else if !self.pull.contacts.is_idle() {
+            self.review(around, t + taken, counters);
+        }
+        taken
+    }
+
+    /// Deals with all events at the state reached.
+    fn happen(
+        &mut self,
+        around: &Surroundings<D>,
+        (t, taken, h): (f64, f64, f64),
+        (event, is_located): (Option<Event>, bool),
+        counters: &mut Counters,
+    ) {
+        let returns = taken == 0.0 && self.recedes(event);
+        let jerks = self.turn_edges(event, is_located, t + taken, counters);
+        if returns {
+            self.capture();
+        }
+        if jerks
+            && !is_located
+            && let Some(rigid) = &mut self.pull.rigid
+        {
+            rigid.project(&mut self.points, &self.pull.contacts);
+        }
+        let hits = self.hits(is_located);
+        counters.events += hits.len() as u64;
+        if !is_located {
+            self.push_out(&hits);
+        }
+        self.bounce(around, (t + taken, if is_located { SHORTEST_FLIGHT * h } else { 4.0 * h }), &hits, counters);
+        self.note_strings();
+        self.cross(around, t + taken, counters);
+        self.review(around, t + taken, counters);
+        self.watch_taut();
+        self.engine.refresh();
+    }
+
+    /// Points that hit surfaces get their velocities off them; those whose flight would be shorter than `shortest` [s]
+    /// come to rest.
+    fn bounce(&mut self, around: &Surroundings<D>, (t, shortest): (f64, f64), hits: &[Hit], counters: &mut Counters) {
+        self.accelerations(around, t, counters);
+        let (accelerations, surfaces) = (std::mem::take(&mut self.acceleration), self.pull.contacts.surfaces.clone());
+        let gentle = |hit: Hit, speed: S| {
+            let pull = dot(accelerations[hit.point], surfaces[hit.surface].normal);
+            (speed + speed).to_f64() <= -pull.to_f64() * shortest
+        };
+        impact::strike(&mut self.points, &mut self.pull.contacts, self.pull.rigid.as_mut(), hits, gentle);
+        self.acceleration = accelerations;
+    }
+
+    /// The whole acceleration of every point at the present state, into `self.acceleration`.
+    fn accelerations(&mut self, around: &Surroundings<D>, t: f64, counters: &mut Counters) {
+        let Group { points, pull, acceleration, .. } = self;
+        acceleration.resize(points.len(), [S::ZERO; D]);
+        let state = (&points.position[..], &points.velocity[..], &points.inverse_mass[..]);
+        pull.accelerate(around, t, state, acceleration, counters);
+    }
+}
+
+/// A margin of an event that happens at 0: within the slack it is 0 where the point comes, else just not there yet.
+fn at_edge(margin: f64, slack: f64, comes: bool) -> f64 {
+    match margin.abs() <= slack {
+        true if comes => 0.0,
+        true => slack,
+        false => margin,
+    }
+}

@@ -1,0 +1,180 @@
+//! Bonds that reach a length at which something happens to them.
+
+use super::edge::{Change, Edge, Gap};
+use super::{Event, Group, at_edge};
+use crate::sim::counters::Counters;
+use crate::sim::group::guard::Watched;
+use crate::sim::real::Real;
+use crate::sim::surroundings::Surroundings;
+
+/// Share of a substep over which it is told where a bond goes that is at its edge and does not move yet.
+const AHEAD: f64 = 1e-3;
+
+impl<S: Real, const D: usize> Group<S, D> {
+    /// How far bonds are from their edges. Strings that are taut have none.
+    pub(super) fn see_edges(&self, see: &mut impl FnMut(Event, f64)) {
+        if !self.locates {
+            return;
+        }
+        for (k, edge) in self.edges.list.iter().enumerate().filter(|(_, edge)| self.is_watched(edge)) {
+            let gap = edge.gap(&self.points.position, &self.points.velocity);
+            see(Event::Reach { edge: k }, at_edge(gap.margin, gap.slack, self.nears(gap)));
+        }
+    }
+
+    fn is_watched(&self, edge: &Edge<S>) -> bool {
+        match edge.what {
+            Change::Spring(..) => true,
+            Change::String(row, _) => !self.pull.rigid.as_ref().is_some_and(|rigid| rigid.is_taut(row)),
+            Change::Break(_) => self.edges.stops,
+        }
+    }
+
+    /// Whether a bond comes to its edge, faster than rounding does.
+    fn nears(&self, gap: Gap) -> bool {
+        gap.rate * self.substep < -gap.slack
+    }
+
+    /// The margin at the start of the step, where it is clearly on its side.
+    pub(super) fn margin_before(&self, event: Event) -> Option<f64> {
+        let Event::Reach { edge } = event else { return None };
+        let gap = self.edges.list[edge].gap_in(&self.before);
+        (gap.margin > gap.slack).then_some(gap.margin)
+    }
+
+    /// How fast the margin changes at the state reached [m/s], where that is known.
+    pub(super) fn margin_rate(&self, event: Event) -> Option<f64> {
+        let Event::Reach { edge } = event else { return None };
+        Some(self.edges.list[edge].gap(&self.points.position, &self.points.velocity).rate)
+    }
+
+    /// Where within a step of `h` that passed no edge one seems to have been passed to and fro, and which: the first
+    /// minimum below 0 of the cubics through margins and rates at both ends.
+    pub(super) fn graze(&self, h: f64) -> Option<(Event, f64)> {
+        let mut first: Option<(Event, f64)> = None;
+        for (k, edge) in self.edges.list.iter().enumerate().filter(|(_, edge)| self.is_watched(edge)) {
+            let new = edge.gap(&self.points.position, &self.points.velocity);
+            let old = edge.gap_in(&self.before);
+            if new.rate > 0.0
+                && old.rate < 0.0
+                && new.margin > new.slack
+                && old.margin > old.slack
+                && let Some(at) = lowest((old, new), h)
+                && first.is_none_or(|(_, time)| at < time)
+            {
+                first = Some((Event::Reach { edge: k }, at));
+            }
+        }
+        first
+    }
+
+    /// Bonds that reached their edges are on the other side from now on. Returns whether any string got taut or slack.
+    pub(super) fn turn_edges(
+        &mut self,
+        event: Option<Event>,
+        is_located: bool,
+        at: f64,
+        counters: &mut Counters,
+    ) -> bool {
+        let mut any_string = false;
+        for k in 0..self.edges.list.len() {
+            let edge = self.edges.list[k];
+            let lets_go = event == Some(Event::LetGo { edge: k });
+            let mut turns = lets_go || event == Some(Event::Reach { edge: k });
+            if !turns && self.is_watched(&edge) {
+                let gap = edge.gap(&self.points.position, &self.points.velocity);
+                let reach = if is_located { 16.0 } else { -1.0 };
+                turns = gap.margin <= reach * gap.slack && (self.nears(gap) || !is_located);
+            }
+            if !turns {
+                continue;
+            }
+            counters.events += 1;
+            any_string |= edge.row().is_some();
+            match edge.what {
+                Change::Break(bond) => self.snap(bond, at),
+                _ => self.put(k, !edge.is_longer),
+            }
+        }
+        any_string
+    }
+
+    /// A bond counts as on one side of its edge.
+    fn put(&mut self, edge: usize, is_longer: bool) {
+        let edge = &mut self.edges.list[edge];
+        edge.is_longer = is_longer;
+        match edge.what {
+            Change::Spring(at, whole) => {
+                self.pull.springs.set(at, whole.held(edge.acts()));
+            }
+            Change::String(row, _) => {
+                if let Some(rigid) = &mut self.pull.rigid {
+                    rigid.set_taut(row, edge.acts());
+                }
+            }
+            Change::Break(_) => {}
+        }
+    }
+
+    /// At the start: decides on which side of its edge every bond is. One that is just there is where it goes.
+    pub(in crate::sim::group) fn begin_edges(&mut self, around: &Surroundings<D>, t: f64, counters: &mut Counters) {
+        if self.edges.is_empty() {
+            return;
+        }
+        if let Some(rigid) = self.pull.rigid.as_mut().filter(|_| self.edges.has_strings()) {
+            rigid.leave_limits_to_events();
+        }
+        self.note_strings();
+        let limited = |bond: &Watched<S>| self.edges.list.iter().any(|edge| edge.guards(bond));
+        self.guard.bonds.retain(|bond| !limited(bond));
+        self.edges.always_watched = self.guard.bonds.len();
+        self.accelerations(around, t, counters);
+        for k in 0..self.edges.list.len() {
+            let edge = self.edges.list[k];
+            if let Change::Spring(..) = edge.what {
+                let gap = edge.gap(&self.points.position, &self.points.velocity);
+                let ahead = AHEAD * self.substep;
+                let bend = edge.bend(&self.points.position, &self.points.velocity, &self.acceleration);
+                let soon = gap.rate * ahead + 0.5 * bend * ahead * ahead;
+                // The side that edges start on is the shorter one, where a margin falls with the length.
+                self.put(k, if gap.margin.abs() <= gap.slack { soon < 0.0 } else { gap.margin < 0.0 });
+            }
+        }
+        self.review(around, t, counters);
+        self.watch_taut();
+    }
+
+    /// Bonds with a limit are watched by the guard while they act: how a slack one turns is nothing to it.
+    pub(super) fn watch_taut(&mut self) {
+        if !self.edges.is_empty() {
+            self.guard.bonds.truncate(self.edges.always_watched);
+            self.guard.bonds.extend(self.edges.list.iter().filter(|edge| edge.acts()).map(Edge::watched));
+        }
+    }
+}
+
+/// The time of the least value of the cubic with these values and slopes at 0 and `h`, if that is below 0.
+fn lowest((old, new): (Gap, Gap), h: f64) -> Option<f64> {
+    // In s = t/h: old + p s + q s^2 + r s^3.
+    let (p, end, rise) = (old.rate * h, new.rate * h, new.margin - old.margin);
+    let (q, r) = (3.0 * rise - 2.0 * p - end, p + end - 2.0 * rise);
+    let root = (q * q - 3.0 * p * r).max(0.0).sqrt();
+    // The minimum, in the form that does not cancel: p < 0, so that q + root > 0 where there is one.
+    let s = -p / (q + root);
+    let value = old.margin + s * (p + s * (q + s * r));
+    (s > 0.0 && s < 1.0 && value < 0.0).then_some(s * h)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_lowest_point_of_a_parabola_is_found() {
+        let gap = |margin, rate| Gap { margin, rate, slack: 0.0 };
+        // (t - 0.3)^2 - 0.01 from 0 to 1.
+        let at = lowest((gap(0.08, -0.6), gap(0.48, 1.4)), 1.0);
+        assert!((at.unwrap() - 0.3).abs() < 1e-12, "{at:?}");
+        assert_eq!(lowest((gap(0.1, -0.6), gap(0.5, 1.4)), 1.0), None, "0.01 above");
+    }
+}

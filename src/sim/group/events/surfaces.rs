@@ -1,0 +1,109 @@
+//! Points that reach surfaces: when they do, which ones hit, and how those that went through come back.
+
+use super::{Event, Group, at_edge};
+use crate::sim::contact::impact::{self, Hit};
+use crate::sim::contact::place;
+use crate::sim::contact::surface::Surface;
+use crate::sim::counters::Counters;
+use crate::sim::real::Real;
+use crate::sim::surroundings::Surroundings;
+use crate::sim::vector::{add, dot, scale};
+
+/// Rounds in which points outside are put back to surfaces, and their bonds to their lengths.
+const MOST_ROUNDS: u32 = 4;
+
+impl<S: Real, const D: usize> Group<S, D> {
+    pub(super) fn see_surfaces(&self, see: &mut impl FnMut(Event, f64)) {
+        for (s, surface) in self.pull.contacts.surfaces.iter().enumerate() {
+            let slack = surface.slack();
+            for (i, &x) in self.points.position.iter().enumerate() {
+                let gap = surface.gap(x);
+                if self.can_hit(i, s) {
+                    // Within the slack is on the surface: there it counts where the point goes.
+                    let margin = at_edge(gap.to_f64(), slack.to_f64(), self.comes(i, surface));
+                    see(Event::Hit { point: i, surface: s }, margin);
+                }
+            }
+        }
+    }
+
+    /// Whether a point moves into a surface, faster than rounding does.
+    fn comes(&self, point: usize, surface: &Surface<S, D>) -> bool {
+        let off = dot(self.points.velocity[point], surface.normal);
+        off * S::from_f64(self.substep) < -surface.slack()
+    }
+
+    fn can_hit(&self, point: usize, surface: usize) -> bool {
+        self.points.inverse_mass[point] != S::ZERO && !self.pull.contacts.rests_on(point, surface)
+    }
+
+    /// At the start: points outside come back to the surface, those that stand on one rest there.
+    pub(in crate::sim::group) fn meet_start(&mut self, around: &Surroundings<D>, t: f64, counters: &mut Counters) {
+        let mut hits = Vec::new();
+        for (s, surface) in self.pull.contacts.surfaces.iter().enumerate() {
+            for (i, &x) in self.points.position.iter().enumerate() {
+                if self.points.inverse_mass[i] != S::ZERO && surface.gap(x) <= surface.slack() {
+                    hits.push(Hit { point: i, surface: s });
+                }
+            }
+        }
+        if hits.is_empty() {
+            return;
+        }
+        self.push_out(&hits);
+        let rigid = self.pull.rigid.as_mut();
+        impact::strike(&mut self.points, &mut self.pull.contacts, rigid, &hits, |_, _| false);
+        for hit in hits {
+            let off = dot(self.points.velocity[hit.point], self.pull.contacts.surfaces[hit.surface].normal);
+            if off == S::ZERO {
+                self.pull.contacts.touch(hit.point, hit.surface);
+            }
+        }
+        self.points.save(&mut self.before);
+        self.review(around, t, counters);
+    }
+
+    /// Points at or beyond a surface on their way into it.
+    pub(super) fn hits(&self, is_located: bool) -> Vec<Hit> {
+        let mut hits = Vec::new();
+        for (s, surface) in self.pull.contacts.surfaces.iter().enumerate() {
+            let slack = surface.slack();
+            let reach = if is_located { slack * S::from_f64(16.0) } else { -slack };
+            for (i, &x) in self.points.position.iter().enumerate() {
+                let comes = self.comes(i, surface);
+                if surface.gap(x) <= reach && self.can_hit(i, s) && (comes || !is_located) {
+                    hits.push(Hit { point: i, surface: s });
+                }
+            }
+        }
+        hits
+    }
+
+    /// Where events are not located: points that went through a surface spend the rest of the way on the way back, at
+    /// `restitution` of their speed, as far as their bonds let them.
+    pub(super) fn push_out(&mut self, hits: &[Hit]) {
+        for hit in hits {
+            let surface = &self.pull.contacts.surfaces[hit.surface];
+            let (gap, start) = (surface.gap(self.points.position[hit.point]), self.before.position.get(hit.point));
+            let was_inside = start.is_some_and(|&x| surface.gap(x) >= S::ZERO);
+            if gap < S::ZERO && was_inside {
+                let back = scale(surface.normal, -(surface.restitution * gap));
+                self.points.position[hit.point] = add(self.points.position[hit.point], back);
+            }
+        }
+        for _ in 0..MOST_ROUNDS {
+            let out = self.hits(false);
+            if out.is_empty() {
+                return;
+            }
+            let mut held = self.pull.contacts.clone();
+            for hit in out {
+                place(&mut self.points, hit.point, &self.pull.contacts.surfaces[hit.surface]);
+                held.touch(hit.point, hit.surface);
+            }
+            if let Some(rigid) = &mut self.pull.rigid {
+                rigid.project(&mut self.points, &held);
+            }
+        }
+    }
+}
