@@ -12,8 +12,8 @@ pub(crate) fn extent<S: Real, const D: usize>(position: &[[S; D]]) -> Option<[[S
     let mut high = low;
     for x in position {
         for k in 0..D {
-            low[k] = low[k].min(x[k]);
-            high[k] = high[k].max(x[k]);
+            low[k] = if x[k] < low[k] { x[k] } else { low[k] };
+            high[k] = if x[k] > high[k] { x[k] } else { high[k] };
         }
     }
     Some([low, high])

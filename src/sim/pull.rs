@@ -36,18 +36,26 @@ impl<S: Real, const D: usize> Pull<S, D> {
         if self.contacts.surfaces.is_empty() { self.gravity } else { [0.0; D] }
     }
 
-    /// Adds the accelerations by springs and the mouse [m/s^2], at these positions and velocities.
+    /// Accelerations by springs, the mouse and a field of this strength [m/s^2], at these positions and velocities.
     pub(crate) fn forces(
         &self,
         around: &Surroundings<D>,
         t: f64,
         (x, v, w): (&[[S; D]], &[[S; D]], &[S]),
-        a: &mut [[S; D]],
+        (field, a): ([S; D], &mut [[S; D]]),
         counters: &mut Counters,
     ) {
-        if !self.springs.is_empty() {
-            self.springs.pull(x, v, w, a);
+        if self.springs.is_empty() {
+            for (a, &w) in a.iter_mut().zip(w) {
+                *a = if w == S::ZERO { zero() } else { field };
+            }
+        } else {
+            a.fill(zero());
+            self.springs.pull(x, v, a);
             counters.bonds_solved += self.springs.len() as u64;
+            for (a, &w) in a.iter_mut().zip(w) {
+                *a = if w == S::ZERO { zero() } else { add(scale(*a, w), field) };
+            }
         }
         if let Some((force, cursor)) = around.mouse_at(t) {
             counters.mouse_points += mouse::push(force, cursor, self.inside.as_ref(), x, w, a);
@@ -60,8 +68,7 @@ impl<S: Real, const D: usize> Pull<S, D> {
         if acceleration.is_empty() {
             return;
         }
-        acceleration.fill(zero());
-        self.forces(around, t, (position, velocity, inverse_mass), acceleration, counters);
+        self.forces(around, t, (position, velocity, inverse_mass), (zero(), acceleration), counters);
         self.contacts.hold_kick(self.kicking_gravity(), velocity, acceleration);
     }
 
@@ -86,8 +93,7 @@ impl<S: Real, const D: usize> Pull<S, D> {
         if let Some(rigid) = &mut self.rigid {
             rigid.project_ahead(velocity_ahead, &self.contacts);
         }
-        acceleration.fill(zero());
-        self.forces(around, t, (position, velocity_ahead, inverse_mass), acceleration, counters);
+        self.forces(around, t, (position, velocity_ahead, inverse_mass), (zero(), acceleration), counters);
         self.contacts.hold_kick(self.kicking_gravity(), velocity, acceleration);
     }
 
@@ -100,17 +106,13 @@ impl<S: Real, const D: usize> Pull<S, D> {
         a: &mut [[S; D]],
         counters: &mut Counters,
     ) {
-        let gravity: [S; D] = convert(self.gravity);
-        for (a, &w) in a.iter_mut().zip(w) {
-            *a = if w == S::ZERO { zero() } else { gravity };
-        }
+        self.forces(around, t, (x, v, w), (convert(self.gravity), a), counters);
         if self.drag_rate != 0.0 {
             let rate = S::from_f64(self.drag_rate);
             for (i, a) in a.iter_mut().enumerate() {
                 *a = if w[i] == S::ZERO { zero() } else { sub(*a, scale(v[i], rate)) };
             }
         }
-        self.forces(around, t, (x, v, w), a, counters);
         let Pull { rigid, contacts, .. } = self;
         if let Some(rigid) = rigid {
             rigid.answer(x, v, a, contacts);

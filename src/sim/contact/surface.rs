@@ -47,6 +47,11 @@ impl<S: Real, const D: usize> Surface<S, D> {
         dot(self.normal, x) - self.offset
     }
 
+    /// The gap of the nearest corner of a box [m].
+    pub(crate) fn least_gap(&self, [low, high]: [[S; D]; 2]) -> S {
+        self.gap(std::array::from_fn(|k| if self.normal[k] > S::ZERO { low[k] } else { high[k] }))
+    }
+
     /// A distance that rounding cannot tell from 0 [m].
     pub(crate) fn slack(&self) -> S {
         S::EPSILON * S::from_f64(64.0) * (S::ONE + self.offset.abs())

@@ -229,10 +229,10 @@ pub(crate) fn push<S: Real, const D: usize>(
     x.len() as u64
 }
 
-/// How far inside the region a point is [m]; below 0 outside.
-pub(crate) fn depth<S: Real, const D: usize>(force: &MouseForce, cursor: Cursor, x: [S; D]) -> f64 {
+/// How far inside the region points are [m]; below 0 outside.
+pub(crate) fn gauge<S: Real, const D: usize>(force: &MouseForce, cursor: Cursor) -> impl Fn([S; D]) -> f64 {
     let push = Push::<S, D>::new(force, cursor);
-    (push.radius - push.distance(push.offset(x))).to_f64()
+    move |x| (push.radius - push.distance(push.offset(x))).to_f64()
 }
 
 /// Whether the region can reach any point.

@@ -47,9 +47,6 @@ pub(crate) struct Springs<S> {
     is_damped: bool,
 }
 
-/// Springs whose forces are worked out at once: their roots and divisions do not wait for each other.
-const BLOCK: usize = 4;
-
 impl<S: Real> Springs<S> {
     /// The springs among `bonds`, between `points` points.
     pub(crate) fn new<'a>(bonds: impl Iterator<Item = &'a Bond>, points: usize) -> Self {
@@ -93,99 +90,63 @@ impl<S: Real> Springs<S> {
         self.is_damped
     }
 
-    /// Adds the acceleration by every spring to `a`.
+    /// Adds the forces of all springs to `force` [N].
     ///
     /// Model: d = x_a - x_b, f_a = -stiffness (|d| - rest) d/|d| - damping ((v_a - v_b).d) d/|d|^2, f_b = -f_a.
     /// At rest length 0 the force is linear: f_a = -stiffness d - damping (v_a - v_b). Coincident ends of a spring with
     /// a rest length have no direction: no force.
-    /// Shapes: `x`, `v`, `w` and `a` have one entry a point.
-    pub(crate) fn pull<const D: usize>(&self, x: &[[S; D]], v: &[[S; D]], w: &[S], a: &mut [[S; D]]) {
+    /// Shapes: `x`, `v` and `force` have one entry a point.
+    pub(crate) fn pull<const D: usize>(&self, x: &[[S; D]], v: &[[S; D]], force: &mut [[S; D]]) {
         let (plain, special) = self.list.split_at(self.plain);
         if self.is_damped {
-            pull_blocks::<S, D, true>(plain, x, v, w, a);
-            pull_each::<S, D, true>(special, x, v, w, a);
+            pull_plain::<S, D, true>(plain, x, v, force);
+            pull_each::<S, D, true>(special, x, v, force);
         } else {
-            pull_blocks::<S, D, false>(plain, x, v, w, a);
-            pull_each::<S, D, false>(special, x, v, w, a);
+            pull_plain::<S, D, false>(plain, x, v, force);
+            pull_each::<S, D, false>(special, x, v, force);
         }
     }
 }
 
-/// Adds the acceleration by every spring to `a`, of points at rest.
-pub(crate) fn pull_at_rest<S: Real, const D: usize>(springs: &[Spring<S>], x: &[[S; D]], w: &[S], a: &mut [[S; D]]) {
-    pull_each::<S, D, false>(springs, x, x, w, a);
+/// Adds the forces of all springs to `force` [N], of points at rest.
+pub(crate) fn pull_at_rest<S: Real, const D: usize>(springs: &[Spring<S>], x: &[[S; D]], force: &mut [[S; D]]) {
+    pull_each::<S, D, false>(springs, x, x, force);
 }
 
 /// Springs that have a rest length and act always.
-fn pull_blocks<S: Real, const D: usize, const DAMPED: bool>(
+fn pull_plain<S: Real, const D: usize, const DAMPED: bool>(
     springs: &[Spring<S>],
     x: &[[S; D]],
     v: &[[S; D]],
-    w: &[S],
-    a: &mut [[S; D]],
+    force: &mut [[S; D]],
 ) {
-    let (blocks, rest) = springs.as_chunks::<BLOCK>();
-    for block in blocks {
-        let d = block.each_ref().map(|spring| sub(x[spring.a as usize], x[spring.b as usize]));
-        let mut closing = [S::ZERO; BLOCK];
-        if DAMPED {
-            for k in 0..BLOCK {
-                closing[k] = dot(sub(v[block[k].a as usize], v[block[k].b as usize]), d[k]);
-            }
-        }
-        let share = shares::<S, D, DAMPED, BLOCK>(block, &d, &closing);
-        for k in 0..BLOCK {
-            push(&block[k], scale(d[k], share[k]), w, a);
-        }
-    }
-    for spring in rest {
+    for spring in springs {
         let (i, j) = (spring.a as usize, spring.b as usize);
         let d = sub(x[i], x[j]);
         let closing = if DAMPED { dot(sub(v[i], v[j]), d) } else { S::ZERO };
-        let [share] = shares::<S, D, DAMPED, 1>(std::array::from_ref(spring), &[d], &[closing]);
-        push(spring, scale(d, share), w, a);
+        push(spring, scale(d, spring.share::<DAMPED>(closing, dot(d, d))), force);
     }
-}
-
-/// Force on end a over d, spring by spring.
-#[inline(always)]
-fn shares<S: Real, const D: usize, const DAMPED: bool, const N: usize>(
-    springs: &[Spring<S>; N],
-    d: &[[S; D]; N],
-    closing: &[S; N],
-) -> [S; N] {
-    let square: [S; N] = std::array::from_fn(|k| dot(d[k], d[k]));
-    let length: [S; N] = square.map(S::sqrt);
-    let inverse: [S; N] = length.map(|length| S::ONE / length);
-    std::array::from_fn(|k| {
-        let mut share = springs[k].stiffness * (springs[k].rest_length * inverse[k] - S::ONE);
-        if DAMPED {
-            share -= springs[k].damping * closing[k] * (inverse[k] * inverse[k]);
-        }
-        if square[k] > S::ZERO { share } else { S::ZERO }
-    })
 }
 
 fn pull_each<S: Real, const D: usize, const DAMPED: bool>(
     springs: &[Spring<S>],
     x: &[[S; D]],
     v: &[[S; D]],
-    w: &[S],
-    a: &mut [[S; D]],
+    force: &mut [[S; D]],
 ) {
     for spring in springs {
         let (i, j) = (spring.a as usize, spring.b as usize);
-        let force = spring.force::<D, DAMPED>(sub(x[i], x[j]), || sub(v[i], v[j]));
-        push(spring, force, w, a);
+        let pull = spring.force::<D, DAMPED>(sub(x[i], x[j]), || sub(v[i], v[j]));
+        push(spring, pull, force);
     }
 }
 
-/// The force on end a accelerates both ends.
+/// The pull on end a, and its opposite on end b.
 #[inline(always)]
-fn push<S: Real, const D: usize>(spring: &Spring<S>, force: [S; D], w: &[S], a: &mut [[S; D]]) {
+fn push<S: Real, const D: usize>(spring: &Spring<S>, pull: [S; D], force: &mut [[S; D]]) {
     let (i, j) = (spring.a as usize, spring.b as usize);
-    a[i] = add(a[i], scale(force, w[i]));
-    a[j] = sub(a[j], scale(force, w[j]));
+    force[i] = add(force[i], pull);
+    force[j] = sub(force[j], pull);
 }
 
 impl<S: Real> Spring<S> {
@@ -205,8 +166,18 @@ impl<S: Real> Spring<S> {
             return [S::ZERO; D];
         }
         let closing = if DAMPED { dot(closing(), d) } else { S::ZERO };
-        let [share] = shares::<S, D, DAMPED, 1>(std::array::from_ref(self), &[d], &[closing]);
-        scale(d, share)
+        scale(d, self.share::<DAMPED>(closing, square))
+    }
+
+    /// Force on end a over d, of ends that are the root of `square` apart [N/m].
+    #[inline(always)]
+    fn share<const DAMPED: bool>(&self, closing: S, square: S) -> S {
+        let inverse = S::ONE / square.sqrt();
+        let mut share = self.stiffness * (self.rest_length * inverse - S::ONE);
+        if DAMPED {
+            share -= self.damping * closing * (inverse * inverse);
+        }
+        if square > S::ZERO { share } else { S::ZERO }
     }
 
     /// Minus the derivative of the force on end a: K + rate C [N/m], by d and (times `rate` [1/s]) by velocity.

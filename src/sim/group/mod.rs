@@ -78,7 +78,7 @@ impl<S: Real, const D: usize> Group<S, D> {
     pub(crate) fn advance(&mut self, around: &Surroundings<D>, t: f64, h: f64, counters: &mut Counters) {
         counters.substeps += 1;
         counters.points_moved += self.points.len() as u64;
-        if self.is_watched() {
+        if self.may_fail() {
             self.attempt(around, (t, h), 0, counters);
         } else {
             self.take(around, (t, h), counters);
@@ -121,7 +121,7 @@ impl<S: Real, const D: usize> Group<S, D> {
     }
 
     /// Whether a substep may have to be taken back or cut. Kicks and flights alone converge always.
-    fn is_watched(&self) -> bool {
+    fn may_fail(&self) -> bool {
         !self.guard.bonds.is_empty() || self.has_events() || !matches!(self.engine, Engine::Splitting(_))
     }
 
@@ -191,7 +191,8 @@ impl<S: Real, const D: usize> Group<S, D> {
     pub(crate) fn mark_inside(&mut self, around: &Surroundings<D>, t: f64) {
         self.pull.inside = match around.mouse_at(t) {
             Some((force, cursor)) if self.locates => {
-                let is_inside = |&x: &[S; D]| mouse::depth(force, cursor, x) > 0.0;
+                let depth_of = mouse::gauge(force, cursor);
+                let is_inside = |&x: &[S; D]| depth_of(x) > 0.0;
                 Some(Inside::new(self.points.position.iter().map(is_inside).collect()))
             }
             _ => None,

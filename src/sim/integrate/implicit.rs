@@ -121,8 +121,7 @@ impl<S: Real, const D: usize> Implicit<S, D> {
         for i in 0..x.len() {
             self.speed[i] = scale(sub(self.place[i], x[i]), rate);
         }
-        self.force.fill(zero());
-        pull.forces(around, time, (&self.place, &self.speed, w), &mut self.force, counters);
+        pull.forces(around, time, (&self.place, &self.speed, w), (zero(), &mut self.force), counters);
         let gravity: [S; D] = convert(pull.gravity);
         let drag = S::from_f64(pull.drag_rate);
         for i in 0..x.len() {

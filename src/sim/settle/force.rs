@@ -10,8 +10,7 @@ impl<const D: usize> Descent<D> {
     pub(super) fn forces(&self, x: &[[f64; D]]) -> (Vec<[f64; D]>, f64) {
         let part = &self.part;
         let mut force = vec![[0.0; D]; x.len()];
-        let ones = vec![1.0; x.len()];
-        spring::pull_at_rest(&part.springs, x, &ones, &mut force);
+        spring::pull_at_rest(&part.springs, x, &mut force);
         let mut largest = 0.0_f64;
         for spring in &part.springs {
             let d = length(sub(x[spring.a as usize], x[spring.b as usize]));

@@ -1,8 +1,8 @@
 //! Rigid bonds with a limit where events decide which of them act: a bond that acts is held both ways until it is let go.
 
 use super::Direct;
-use crate::sim::constrain::shape::Row;
 use crate::sim::bond::Limit;
+use crate::sim::constrain::shape::Row;
 use crate::sim::real::Real;
 use crate::sim::vector::length;
 

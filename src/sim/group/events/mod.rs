@@ -78,7 +78,7 @@ impl<S: Real, const D: usize> Group<S, D> {
             self.see_strings(asked, &mut see);
         }
         self.see_edges(&mut see);
-        self.see_surfaces(&mut see);
+        self.see_surfaces(asked, &mut see);
         self.see_mouse(around, t, &mut see);
         margins
     }

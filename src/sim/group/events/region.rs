@@ -15,9 +15,10 @@ impl<S: Real, const D: usize> Group<S, D> {
             return;
         }
         let slack = S::EPSILON.to_f64() * 64.0 * (1.0 + force.radius);
+        let depth_of = mouse::gauge(force, cursor);
         for (i, &x) in self.points.position.iter().enumerate() {
             if self.points.inverse_mass[i] != S::ZERO {
-                let depth = mouse::depth(force, cursor, x);
+                let depth = depth_of(x);
                 let margin = if inside.points[i] { depth } else { -depth };
                 let crosses = margin.abs() <= slack && self.goes_in(around, t, i, depth) != inside.points[i];
                 see(Event::Cross { point: i }, at_edge(margin, slack, crosses));
@@ -29,16 +30,17 @@ impl<S: Real, const D: usize> Group<S, D> {
     fn goes_in(&self, around: &Surroundings<D>, t: f64, point: usize, depth: f64) -> bool {
         let ahead = 1e-6 * self.substep;
         let soon = add(self.points.position[point], scale(self.points.velocity[point], S::from_f64(ahead)));
-        around.mouse_at(t + ahead).is_some_and(|(force, cursor)| mouse::depth(force, cursor, soon) > depth)
+        around.mouse_at(t + ahead).is_some_and(|(force, cursor)| mouse::gauge(force, cursor)(soon) > depth)
     }
 
     /// Points that crossed the edge of the mouse region count as on its other side.
     pub(super) fn cross(&mut self, around: &Surroundings<D>, t: f64, counters: &mut Counters) {
         let (Some(inside), Some((force, cursor))) = (&self.pull.inside, around.mouse_at(t)) else { return };
         let slack = S::EPSILON.to_f64() * 1024.0 * (1.0 + force.radius);
+        let depth_of = mouse::gauge(force, cursor);
         let mut crossed = Vec::new();
         for (i, &x) in self.points.position.iter().enumerate() {
-            let depth = mouse::depth(force, cursor, x);
+            let depth = depth_of(x);
             // A point that is well across was not caught at the edge: it counts as where it is.
             let is_inside = if depth.abs() <= slack { self.goes_in(around, t, i, depth) } else { depth > 0.0 };
             if is_inside != inside.points[i] {

@@ -5,6 +5,7 @@ use crate::sim::contact::impact::{self, Hit};
 use crate::sim::contact::place;
 use crate::sim::contact::surface::Surface;
 use crate::sim::counters::Counters;
+use crate::sim::measure::extent;
 use crate::sim::real::Real;
 use crate::sim::surroundings::Surroundings;
 use crate::sim::vector::{add, dot, scale};
@@ -13,9 +14,19 @@ use crate::sim::vector::{add, dot, scale};
 const MOST_ROUNDS: u32 = 4;
 
 impl<S: Real, const D: usize> Group<S, D> {
-    pub(super) fn see_surfaces(&self, see: &mut impl FnMut(Event, f64)) {
-        for (s, surface) in self.pull.contacts.surfaces.iter().enumerate() {
+    /// How far points are from surfaces. A surface that the box around all points does not reach has no events.
+    pub(super) fn see_surfaces(&self, asked: Option<Event>, see: &mut impl FnMut(Event, f64)) {
+        let surfaces = &self.pull.contacts.surfaces;
+        if surfaces.is_empty() {
+            return;
+        }
+        let Some(bounds) = extent(&self.points.position) else { return };
+        for (s, surface) in surfaces.iter().enumerate() {
             let slack = surface.slack();
+            let is_asked = matches!(asked, Some(Event::Hit { surface, .. }) if surface == s);
+            if !is_asked && surface.least_gap(bounds) > slack + slack {
+                continue;
+            }
             for (i, &x) in self.points.position.iter().enumerate() {
                 let gap = surface.gap(x);
                 if self.can_hit(i, s) {
