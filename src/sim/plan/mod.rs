@@ -2,8 +2,10 @@
 //! that one method moves, and where every point is found.
 
 pub(crate) mod choice;
+mod engines;
 mod gather;
 pub(crate) mod island;
+mod make;
 mod reconcile;
 pub(crate) mod sets;
 pub(crate) mod weld;

@@ -2,6 +2,5 @@
 
 pub(crate) mod blocks;
 pub(crate) mod elimination;
-pub(crate) mod forest;
 pub(crate) mod ldl;
 pub(crate) mod root;

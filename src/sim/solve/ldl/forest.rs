@@ -3,13 +3,13 @@
 //! Every unknown has at most one neighbour that is eliminated after it, so that L has one entry a column, and factoring
 //! and solving are three short loops: Thomas's algorithm, from all leaves at once.
 
-use super::ldl::Inertia;
+use super::Inertia;
 use crate::sim::real::Real;
 use crate::sim::vector::{scale, sub};
 
 /// A factorisation L D L^T with at most one entry a column of L.
 #[derive(Clone, Debug)]
-pub(crate) struct Forest<S> {
+pub(super) struct Forest<S> {
     /// Of every unknown the neighbour that is eliminated after it; itself where there is none.
     next: Vec<u32>,
     /// Which entry of the matrix couples the two; none where there is no neighbour.
@@ -23,7 +23,7 @@ const NONE: u32 = u32::MAX;
 
 impl<S: Real> Forest<S> {
     /// The forest of a pattern, if it is one: `lower[k]` lists the columns j < k that row k has entries in.
-    pub(crate) fn of(lower: &[Vec<u32>]) -> Option<Self> {
+    pub(super) fn of(lower: &[Vec<u32>]) -> Option<Self> {
         let count = lower.len();
         let mut next: Vec<u32> = (0..count as u32).collect();
         let mut entry = vec![NONE; count];
@@ -37,8 +37,8 @@ impl<S: Real> Forest<S> {
         Some(Forest { next, entry, link: vec![S::ZERO; count], pivot: vec![S::ZERO; count] })
     }
 
-    /// As [`Ldl::factor`](super::ldl::Ldl::factor); `inverse` becomes 1/D, 0 where the pivot was skipped.
-    pub(crate) fn factor(&mut self, diagonal: &[S], lower: &[S], least: S, inverse: &mut [S]) -> Inertia {
+    /// As [`Ldl::factor`](super::Ldl::factor); `inverse` becomes 1/D, 0 where the pivot was skipped.
+    pub(super) fn factor(&mut self, diagonal: &[S], lower: &[S], least: S, inverse: &mut [S]) -> Inertia {
         self.eliminate(diagonal, lower, least, inverse, |_, _, _| {})
     }
 
@@ -76,7 +76,7 @@ impl<S: Real> Forest<S> {
     }
 
     /// Solves A x = b in place, for R right-hand sides at once.
-    pub(crate) fn solve<const R: usize>(&self, inverse: &[S], x: &mut [[S; R]]) {
+    pub(super) fn solve<const R: usize>(&self, inverse: &[S], x: &mut [[S; R]]) {
         let count = self.next.len();
         let (next, link, x) = (&self.next[..count], &self.link[..count], &mut x[..count]);
         for j in 0..count {
@@ -87,7 +87,7 @@ impl<S: Real> Forest<S> {
     }
 
     /// Factors and solves in one go: what eliminates an unknown from the matrix eliminates it from the right-hand sides.
-    pub(crate) fn factor_and_solve<const R: usize>(
+    pub(super) fn factor_and_solve<const R: usize>(
         &mut self,
         diagonal: &[S],
         lower: &[S],
@@ -105,5 +105,42 @@ impl<S: Real> Forest<S> {
         for j in (0..count).rev() {
             x[j] = sub(scale(x[j], inverse[j]), scale(x[next[j] as usize], link[j]));
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::Ldl;
+    use super::*;
+
+    /// A tree of unknowns: each but the last is coupled to one later one.
+    const PARENTS: [u32; 7] = [2, 2, 4, 4, 6, 6, 6];
+
+    #[test]
+    fn a_forest_has_the_bits_of_elimination_row_by_row() {
+        let mut lower: Vec<Vec<u32>> = vec![Vec::new(); 7];
+        for (j, &parent) in PARENTS.iter().enumerate().take(6) {
+            lower[parent as usize].push(j as u32);
+        }
+        let entries: Vec<f64> = (0..6).map(|e| 0.3 + 0.1 * f64::from(e)).collect();
+        let diagonal: Vec<f64> = (0..7).map(|k| 2.0 + 0.2 * f64::from(k)).collect();
+        let mut quick = Ldl::analyse(&lower);
+        let mut plain = Ldl { forest: None, script: None, ..quick.clone() };
+        assert!(quick.forest.is_some());
+        let b: Vec<[f64; 2]> = (0..7).map(|k| [1.0 + f64::from(k), -0.5 * f64::from(k)]).collect();
+        let (mut x, mut y, mut z) = (b.clone(), b.clone(), b);
+        plain.factor(&diagonal, &entries, 1e-12);
+        plain.solve(&mut x);
+        quick.factor(&diagonal, &entries, 1e-12);
+        quick.solve(&mut y);
+        quick.factor_and_solve(&diagonal, &entries, 1e-12, &mut z);
+        assert_eq!(x, y);
+        assert_eq!(x, z);
+    }
+
+    #[test]
+    fn what_is_no_forest_is_told() {
+        assert!(Forest::<f64>::of(&[vec![], vec![0], vec![0]]).is_none());
+        assert!(Forest::<f64>::of(&[vec![], vec![], vec![0, 1]]).is_some());
     }
 }

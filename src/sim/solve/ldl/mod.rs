@@ -1,10 +1,16 @@
 //! A sparse factorisation A = L D L^T of symmetric matrices, one code path, with zero pivots skipped.
 //!
 //! The pattern is analysed once; factoring and solving then touch only what is not zero. L is made row by row from
-//! what stands above it ("up-looking"), so that a tridiagonal matrix costs no more than Thomas's algorithm.
+//! what stands above it ("up-looking"); chains and trees, and what is small enough to be spelled out, have quicker ways
+//! to the same numbers.
 //! Source: T. A. Davis, Algorithm 849, ACM Trans. Math. Softw. 31, 587 (2005).
 
-use super::forest::Forest;
+mod forest;
+mod script;
+
+use forest::Forest;
+use script::Script;
+
 use crate::sim::real::Real;
 use crate::sim::vector::{scale, sub};
 
@@ -29,18 +35,6 @@ pub(crate) struct Ldl<S> {
     /// Where elimination is short enough to be spelled out.
     script: Option<Script>,
 }
-
-/// Which entries of L change in what order when one unknown after the other is eliminated.
-#[derive(Clone, Debug)]
-struct Script {
-    /// Place in `values` of every entry of the matrix.
-    entries: Vec<u32>,
-    /// Column by column, for every pair of its entries, the place in `values` that their product goes to.
-    targets: Vec<u32>,
-}
-
-/// Pairs of entries for each entry of L up to which a script is worth its memory.
-const MOST_PAIRS: usize = 8;
 
 /// What a factorisation met.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -90,36 +84,6 @@ impl<S: Real> Ldl<S> {
         .scripted()
     }
 
-    /// Writes the script, unless that is long.
-    fn scripted(mut self) -> Self {
-        let count = self.len();
-        let columns = |j: usize| self.column_starts[j] as usize..self.column_starts[j + 1] as usize;
-        let pairs: usize = (0..count).map(|j| columns(j).len()).map(|n| n * n.saturating_sub(1) / 2).sum();
-        if self.forest.is_some() || pairs > MOST_PAIRS * (count + self.fill()) {
-            return self;
-        }
-        // An entry that is in the pattern of L by its row; the places of a row ascend with its columns.
-        let place = |row: u32, column: u32| {
-            let of_row = self.row_starts[row as usize] as usize..self.row_starts[row as usize + 1] as usize;
-            let entries = &self.row_entries[of_row];
-            entries.binary_search_by_key(&column, |entry| entry[0]).map_or(0, |at| entries[at][1])
-        };
-        let mut entries = Vec::with_capacity(self.entry_columns.len());
-        for k in 0..count {
-            let of_row = self.entry_starts[k] as usize..self.entry_starts[k + 1] as usize;
-            entries.extend(self.entry_columns[of_row].iter().map(|&j| place(k as u32, j)));
-        }
-        let mut targets = Vec::with_capacity(pairs);
-        for j in 0..count {
-            let rows = &self.rows[columns(j)];
-            for (p, &column) in rows.iter().enumerate() {
-                targets.extend(rows[p + 1..].iter().map(|&row| place(row, column)));
-            }
-        }
-        self.script = Some(Script { entries, targets });
-        self
-    }
-
     /// Number of unknowns.
     pub(crate) fn len(&self) -> usize {
         self.inverse_pivot.len()
@@ -138,12 +102,8 @@ impl<S: Real> Ldl<S> {
         if let Some(forest) = &mut self.forest {
             return forest.factor(diagonal, lower, least, &mut self.inverse_pivot);
         }
-        if let Some(script) = &self.script {
-            self.values.fill(S::ZERO);
-            for (&at, &entry) in script.entries.iter().zip(lower) {
-                self.values[at as usize] = entry;
-            }
-            return self.follow_script(diagonal, least);
+        if self.script.is_some() {
+            return self.follow_script(diagonal, lower, least);
         }
         let mut inertia = Inertia::default();
         for k in 0..self.len() {
@@ -167,37 +127,6 @@ impl<S: Real> Ldl<S> {
             self.inverse_pivot[k] = if is_sound { S::ONE / pivot } else { S::ZERO };
             inertia.skipped += u32::from(!is_sound);
             inertia.negative += u32::from(is_sound && pivot < S::ZERO);
-        }
-        inertia
-    }
-
-    /// Eliminates one unknown after the other from what stands below it ("right-looking"): the same sums in the same
-    /// order as row by row.
-    fn follow_script(&mut self, diagonal: &[S], least: S) -> Inertia {
-        let mut inertia = Inertia::default();
-        let Ldl { script: Some(script), values, rows, column_starts, work, inverse_pivot, .. } = self else {
-            return inertia;
-        };
-        let mut targets = script.targets.iter();
-        work.copy_from_slice(diagonal);
-        for j in 0..work.len() {
-            let pivot = work[j];
-            let is_sound = pivot.abs() > least * diagonal[j].abs() && pivot.is_finite();
-            let over = if is_sound { S::ONE / pivot } else { S::ZERO };
-            inverse_pivot[j] = over;
-            inertia.skipped += u32::from(!is_sound);
-            inertia.negative += u32::from(is_sound && pivot < S::ZERO);
-            let (start, end) = (column_starts[j] as usize, column_starts[j + 1] as usize);
-            for p in start..end {
-                let y = values[p];
-                let l = y * over;
-                values[p] = l;
-                work[rows[p] as usize] -= l * y;
-                for (q, &target) in (p + 1..end).zip(targets.by_ref()) {
-                    let product = l * values[q];
-                    values[target as usize] -= product;
-                }
-            }
         }
         inertia
     }

@@ -1,0 +1,175 @@
+//! One group: its points, what acts on them, and what watches over them.
+
+use super::Lot;
+use super::gather::Gathered;
+use crate::sim::bond::{Bond, BondKind, PointId};
+use crate::sim::constrain::direct::Direct;
+use crate::sim::constrain::shape::{Row, Shape};
+use crate::sim::contact::Contacts;
+use crate::sim::contact::surface::surfaces;
+use crate::sim::force::spring::Springs;
+use crate::sim::group::events::edge::Edges;
+use crate::sim::group::guard::{Guard, Watched};
+use crate::sim::group::{Breakable, Group};
+use crate::sim::model::Model;
+use crate::sim::points::{Points, State};
+use crate::sim::pull::Pull;
+use crate::sim::real::Real;
+use crate::sim::solver::Solver;
+use crate::sim::vector::zero;
+
+/// Points of the largest group in which events are located and violent substeps go to an implicit method.
+pub(super) const MOST_LOCATED: usize = 1_000;
+
+/// Makes one group.
+pub(super) struct Maker<'a, S, const D: usize> {
+    pub(super) gathered: &'a Gathered<S, D>,
+    pub(super) model: &'a Model<D>,
+    pub(super) lot: &'a Lot,
+    /// Points of the model, in the order of the group.
+    pub(super) points: &'a [u32],
+    /// Place of every point of the model in the group.
+    pub(super) place: &'a [u32],
+}
+
+impl<S: Real, const D: usize> Maker<'_, S, D> {
+    pub(super) fn make(&self) -> Group<S, D> {
+        let choice = self.lot.choice;
+        let w: Vec<f64> = self.points.iter().map(|&i| self.gathered.w[i as usize]).collect();
+        let bonds = self.bonds();
+        let mut points = self.state(&w);
+        let rigid = (choice.is_direct && choice.solver.solves_directly())
+            .then(|| rows(&bonds, &points.inverse_mass))
+            .filter(|rows: &Vec<Row<S>>| !rows.is_empty())
+            .map(|rows| Direct::new(Shape::new(rows, self.points.len())));
+        let springs = match choice.solver {
+            Solver::Xpbd => Springs::none(),
+            _ => Springs::new(bonds.iter().map(|(_, bond)| bond), self.points.len()),
+        };
+        let pull = Pull {
+            springs,
+            contacts: Contacts::new(surfaces(self.model), self.points.len()),
+            rigid,
+            inside: None,
+            gravity: self.model.gravity,
+            drag_rate: self.model.drag_rate,
+        };
+        self.allocate(&mut points, &pull);
+        let engine = self.engine(choice.solver, &bonds, &points, &pull);
+        let robust = self.robust(&bonds, &points, &pull).map(Box::new);
+        let locates = choice.solver.locates_events() && self.points.len() <= MOST_LOCATED;
+        Group {
+            guard: self.guard(&bonds),
+            breakable: breakable(&bonds, |_| true),
+            edges: if locates { Edges::of(&pull, &breakable(&bonds, is_elastic)) } else { Edges::none() },
+            tracks: self.tracks(),
+            substep: choice.substep,
+            locates,
+            before: State::default(),
+            acceleration: Vec::new(),
+            points,
+            pull,
+            engine,
+            robust,
+        }
+    }
+
+    /// The bonds of the lot as listed, between points of the group, with their names.
+    fn bonds(&self) -> Vec<(u32, Bond)> {
+        let mut list: Vec<u32> = self.lot.islands.iter().flat_map(|island| island.bonds.iter().copied()).collect();
+        list.sort_unstable();
+        let moved = |k: u32| {
+            let bond = self.gathered.bonds[k as usize];
+            let [a, b] = [bond.a, bond.b].map(|end| PointId(self.place[end.index()]));
+            (self.gathered.names[k as usize], Bond { a, b, ..bond })
+        };
+        list.into_iter().map(moved).collect()
+    }
+
+    fn state(&self, w: &[f64]) -> Points<S, D> {
+        let state = &self.gathered.state;
+        let pick = |list: &[[S; D]]| -> Vec<[S; D]> { self.points.iter().map(|&i| list[i as usize]).collect() };
+        let picked = State {
+            position: pick(&state.position),
+            velocity: pick(&state.velocity),
+            position_lost: pick(&state.position_lost),
+            velocity_lost: pick(&state.velocity_lost),
+        };
+        Points::new(picked, w.iter().map(|&w| S::from_f64(w)).collect())
+    }
+
+    fn tracks(&self) -> Vec<(u32, crate::sim::force::mouse::Track<D>)> {
+        let of = |(point, track): &(PointId, _)| {
+            let stand_in = self.gathered.stand_ins[point.index()] as usize;
+            let slot = self.place[stand_in];
+            (slot != u32::MAX).then(|| (slot, Clone::clone(track)))
+        };
+        self.model.pin_motion.iter().filter_map(of).collect()
+    }
+
+    /// Gives the group the lists that its phases need, and no others.
+    fn allocate(&self, points: &mut Points<S, D>, pull: &Pull<S, D>) {
+        let count = points.len();
+        let has_forces = !pull.springs.is_empty() || self.model.mouse.is_some() || pull.contacts.has_surfaces();
+        if has_forces {
+            points.acceleration = vec![zero(); count];
+        }
+        if pull.springs.is_damped() {
+            points.velocity_ahead = vec![zero(); count];
+        }
+        points.displacement = vec![zero(); count];
+    }
+
+    /// Bonds whose turns and moves are watched: those of methods that a large substep can break.
+    fn guard(&self, bonds: &[(u32, Bond)]) -> Guard<S> {
+        let follows_turns = self.lot.choice.solver.order() > 2;
+        if matches!(self.lot.choice.solver, Solver::Relaxation | Solver::Xpbd) {
+            return Guard { bonds: Vec::new(), follows_turns };
+        }
+        let is_watched = |bond: &Bond| !matches!(bond.kind, BondKind::Relaxed { .. }) && bond.rest_length > 0.0;
+        let of = |bond: &Bond| Watched {
+            a: bond.a.0,
+            b: bond.b.0,
+            rest_square: S::from_f64(bond.rest_length * bond.rest_length),
+        };
+        let bonds = bonds.iter().map(|(_, bond)| bond).filter(|bond| is_watched(bond)).map(of).collect();
+        Guard { bonds, follows_turns }
+    }
+}
+
+/// The rigid bonds of a group, for the direct solver.
+fn rows<S: Real>(bonds: &[(u32, Bond)], w: &[S]) -> Vec<Row<S>> {
+    let of = |(_, bond): &(u32, Bond)| {
+        let (w_a, w_b) = (w[bond.a.index()], w[bond.b.index()]);
+        let rest = S::from_f64(bond.rest_length);
+        (bond.kind == BondKind::Rigid && w_a + w_b > S::ZERO).then(|| Row {
+            a: bond.a.0,
+            b: bond.b.0,
+            w_a,
+            w_b,
+            rest_length: rest,
+            inverse_square: if rest > S::ZERO { S::ONE / (rest * rest) } else { S::ONE },
+            limit: bond.limit,
+            is_taut: true,
+        })
+    };
+    bonds.iter().filter_map(of).collect()
+}
+
+fn is_elastic(bond: &Bond) -> bool {
+    matches!(bond.kind, BondKind::Spring { .. })
+}
+
+fn breakable<S: Real>(bonds: &[(u32, Bond)], is_meant: impl Fn(&Bond) -> bool) -> Vec<Breakable<S>> {
+    let of = |(name, bond): &(u32, Bond)| {
+        let scale = if bond.rest_length > 0.0 { bond.rest_length } else { 1.0 };
+        let most = if bond.rest_length > 0.0 { scale * (1.0 + bond.break_strain) } else { bond.break_strain };
+        (bond.break_strain.is_finite() && is_meant(bond)).then(|| Breakable {
+            a: bond.a.0,
+            b: bond.b.0,
+            most_square: S::from_f64(most * most),
+            bond: *name,
+        })
+    };
+    bonds.iter().filter_map(of).collect()
+}
