@@ -4,7 +4,7 @@ use super::Contacts;
 use crate::sim::constrain::direct::Direct;
 use crate::sim::points::Points;
 use crate::sim::real::Real;
-use crate::sim::vector::{dot, length, scale, sub};
+use crate::sim::vector::{add, dot, length, scale, sub};
 
 /// A point that meets a surface.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -39,12 +39,7 @@ pub(crate) fn strike<S: Real, const D: usize>(
     }
     match rigid {
         Some(rigid) => strike_bonded(points, contacts, rigid, &mut targets),
-        None => {
-            for target in &targets {
-                give(points, contacts, target);
-            }
-            rub(points, contacts, &targets);
-        }
+        None => strike_loose(points, contacts, &mut targets),
     }
     for target in targets.iter().filter(|target| target.rests) {
         contacts.touch(target.hit.point, target.hit.surface);
@@ -52,6 +47,7 @@ pub(crate) fn strike<S: Real, const D: usize>(
     contacts.settle(points);
 }
 
+#[derive(Clone, Copy, Debug)]
 struct Target<S> {
     hit: Hit,
     /// Velocity off the surface afterwards [m/s].
@@ -59,6 +55,70 @@ struct Target<S> {
     /// Change of the velocity across the surface that the surface itself gives [m/s].
     change: S,
     rests: bool,
+}
+
+/// Without rigid bonds every point is for itself.
+fn strike_loose<S: Real, const D: usize>(
+    points: &mut Points<S, D>,
+    contacts: &mut Contacts<S, D>,
+    targets: &mut Vec<Target<S>>,
+) {
+    let mut struck: Vec<usize> = targets.iter().map(|target| target.hit.point).collect();
+    struck.sort_unstable();
+    struck.dedup();
+    for point in struck {
+        let (mut own, others) = std::mem::take(targets).into_iter().partition(|target| target.hit.point == point);
+        *targets = others;
+        join_rests(contacts, point, &mut own);
+        contacts.release(point);
+        push_off(points, contacts, &mut own);
+        targets.append(&mut own);
+    }
+    rub(points, contacts, targets);
+}
+
+/// A point that rests takes part with its surfaces: they may have to push harder, or to let go.
+fn join_rests<S: Real, const D: usize>(contacts: &Contacts<S, D>, point: usize, targets: &mut Vec<Target<S>>) {
+    let Some(rest) = contacts.of(point) else { return };
+    for surface in rest.surfaces().iter().map(|&surface| surface as usize) {
+        let hit = Hit { point, surface };
+        if !targets.iter().any(|target| target.hit == hit) {
+            targets.push(Target { hit, target: S::ZERO, change: S::ZERO, rests: true });
+        }
+    }
+}
+
+/// Times that the impulses of one point are gone through, one surface after the other.
+const MOST_PASSES: u32 = 200;
+
+/// The velocity of one point after its impact: no surface pulls, and where one pushes the point has the velocity off it
+/// that it should have (Gauss and Seidel's method on the impulses). Surfaces that the point leaves are struck off.
+fn push_off<S: Real, const D: usize>(
+    points: &mut Points<S, D>,
+    contacts: &Contacts<S, D>,
+    targets: &mut Vec<Target<S>>,
+) {
+    let Some(first) = targets.first() else { return };
+    let v = &mut points.velocity[first.hit.point];
+    let speed = length(*v);
+    targets.iter_mut().for_each(|target| target.change = S::ZERO);
+    for _ in 0..MOST_PASSES {
+        let mut largest = S::ZERO;
+        for target in targets.iter_mut() {
+            let normal = contacts.surfaces[target.hit.surface].normal;
+            let change = (target.change + target.target - dot(*v, normal)).max(S::ZERO);
+            let step = change - target.change;
+            *v = add(*v, scale(normal, step));
+            target.change = change;
+            largest = largest.max(step.abs());
+        }
+        if largest <= S::EPSILON * speed {
+            break;
+        }
+    }
+    let v = *v;
+    let slow = speed * S::EPSILON * S::from_f64(64.0);
+    targets.retain(|target| dot(v, contacts.surfaces[target.hit.surface].normal) <= target.target + slow);
 }
 
 /// Gives a point its velocity off the surface.
@@ -92,16 +152,8 @@ fn strike_bonded<S: Real, const D: usize>(
     targets: &mut Vec<Target<S>>,
 ) {
     let before = points.velocity.clone();
-    // Points that rest are part of it: their surface may have to push harder, or to let go.
-    for rest in &contacts.rests {
-        let point = rest.point as usize;
-        let is_hit = |target: &Target<S>, surface: usize| target.hit == Hit { point, surface };
-        for surface in rest.surfaces().iter().map(|&surface| surface as usize) {
-            if !targets.iter().any(|target| is_hit(target, surface)) {
-                let hit = Hit { point, surface };
-                targets.push(Target { hit, target: S::ZERO, change: S::ZERO, rests: true });
-            }
-        }
+    for point in contacts.rests.iter().map(|rest| rest.point as usize).collect::<Vec<_>>() {
+        join_rests(contacts, point, targets);
     }
     contacts.clear();
     loop {

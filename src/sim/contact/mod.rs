@@ -79,6 +79,17 @@ impl<S: Real, const D: usize> Contacts<S, D> {
         }
     }
 
+    /// A point rests no more.
+    pub(crate) fn release(&mut self, point: usize) {
+        if self.of(point).is_some() {
+            self.retain(|rest, surfaces| {
+                if rest.point as usize == point {
+                    rest.keep(surfaces, |_| false);
+                }
+            });
+        }
+    }
+
     /// Nothing rests any more.
     pub(crate) fn clear(&mut self) {
         self.rests.clear();
@@ -130,7 +141,13 @@ impl<S: Real, const D: usize> Contacts<S, D> {
         let mut way = rest.along(v);
         let ahead = dot(way, rest.heading);
         if ahead == S::ZERO {
-            way = if dot(rest.heading, rest.heading) > S::ZERO { rest.heading } else { rest.along(total) };
+            let is_heading = dot(rest.heading, rest.heading) > S::ZERO;
+            // From rest it goes where it is pushed.
+            way = match (is_heading, dot(way, way) > S::ZERO) {
+                (true, _) => rest.heading,
+                (false, true) => way,
+                (false, false) => rest.along(total),
+            };
         } else if ahead < S::ZERO {
             way = scale(way, -S::ONE);
         }

@@ -8,9 +8,11 @@ use crate::sim::surroundings::Surroundings;
 
 /// Evaluations after which a root counts as found.
 const MOST_GUESSES: u32 = 60;
-/// Steps in a row that an event of a bond may end where they begin; then it is dealt with at the end of the step, so that
-/// bonds that cannot decide on a side do not stop time.
+/// Steps in a row that an event may end where they begin; then it is dealt with at the end of the step, so that bonds and
+/// points that cannot decide on a side do not stop time.
 const MOST_RESTARTS: u32 = 16;
+/// Share of a step within which an event of a contact or the mouse region counts as due at the start.
+const INSTANT: f64 = 1e-12;
 /// Share of a step within which an event of a bond counts as due at the start. Strings that get each other taut in turn do
 /// so in flights that shrink without end: they are followed down to this, which costs a velocity of this share of what
 /// gravity makes in a step.
@@ -23,8 +25,8 @@ const SOON_AT_MOST: f64 = 0.1;
 
 impl<S: Real, const D: usize> Group<S, D> {
     /// Goes back and takes the part of the step that ends at the first event, given a time within it when one was passed
-    /// and the margin there. Returns that part and the event; 0 where a bond's event was due at the start already, `h`
-    /// where that cannot be told.
+    /// and the margin there. Returns that part and the event; 0 where it was due at the start already, `h` where that
+    /// cannot be told.
     pub(super) fn locate(
         &mut self,
         around: &Surroundings<D>,
@@ -35,7 +37,7 @@ impl<S: Real, const D: usize> Group<S, D> {
         let (mut event, mut high) = (event, high);
         loop {
             let Some(low) = self.start_of(around, (t, h), event, &mut high, counters) else {
-                let is_due = event.is_of_bond() && self.edges.restarts < MOST_RESTARTS;
+                let is_due = self.edges.restarts < MOST_RESTARTS;
                 if is_due {
                     self.points.restore(&self.before);
                     self.engine.refresh();
@@ -74,7 +76,9 @@ impl<S: Real, const D: usize> Group<S, D> {
             }
             *high = if low.1 < 0.0 { low } else { *high };
             low.0 *= 0.5;
-            if event.is_of_bond() || low.0 < h * SHORTEST_FLIGHT {
+            // A flight that ends so soon is rest; any other event may well come right after one that it does not depend on.
+            let least = if matches!(event, Event::Hit { .. }) { SHORTEST_FLIGHT } else { INSTANT };
+            if event.is_of_bond() || low.0 < h * least {
                 return None;
             }
         }

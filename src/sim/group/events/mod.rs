@@ -145,6 +145,9 @@ impl<S: Real, const D: usize> Group<S, D> {
         self.note_strings();
         self.cross(around, t + taken, counters);
         self.review(around, t + taken, counters);
+        if taken == 0.0 {
+            self.take_due(event);
+        }
         self.watch_taut();
         self.engine.refresh();
     }

@@ -2,6 +2,7 @@
 
 use super::{Event, Group, at_edge};
 use crate::sim::counters::Counters;
+use crate::sim::points::Points;
 use crate::sim::real::Real;
 use crate::sim::surroundings::Surroundings;
 use crate::sim::vector::{dot, length, sub};
@@ -36,13 +37,35 @@ impl<S: Real, const D: usize> Group<S, D> {
         }
     }
 
+    /// An event of a contact that is due where a step begins happens whatever rounding says: a point whose flight ends
+    /// there rests, others lift off or slip.
+    pub(super) fn take_due(&mut self, event: Option<Event>) {
+        match event {
+            Some(Event::Hit { point, surface }) => {
+                self.pull.contacts.touch(point, surface);
+                self.pull.contacts.settle(&mut self.points);
+                self.capture();
+            }
+            Some(Event::Lift { point: lifted, surface }) => self.pull.contacts.retain(|rest, surfaces| {
+                if rest.point == lifted {
+                    rest.keep(surfaces, |s| s != surface as usize);
+                }
+            }),
+            Some(Event::Slip { point: slips }) => self.pull.contacts.retain(|rest, _| {
+                rest.sticks &= rest.point != slips;
+            }),
+            _ => {}
+        }
+    }
+
     /// Lets go of points that are no longer pressed, and decides who sticks and who slides.
     pub(super) fn review(&mut self, around: &Surroundings<D>, t: f64, counters: &mut Counters) {
         if self.pull.contacts.is_idle() && self.edges.is_empty() {
             return;
         }
         self.decide_strings(around, t, counters);
-        let (velocity, before) = (&mut self.points.velocity, &self.before.velocity);
+        let Points { velocity, velocity_lost, .. } = &mut self.points;
+        let before = &self.before.velocity;
         self.pull.contacts.retain(|rest, surfaces| {
             let pressing = rest.pressing;
             let least = length(pressing) * S::from_f64(LOOSE);
@@ -50,16 +73,21 @@ impl<S: Real, const D: usize> Group<S, D> {
             let grip = rest.grip(surfaces);
             let along = rest.along(pressing);
             let most = grip * length(sub(pressing, along));
-            if grip == S::ZERO || length(along) >= most * S::from_f64(1.0 - LOOSE) {
-                rest.sticks = false;
-                return;
-            }
             let i = rest.point as usize;
             let (old, new) = (rest.along(before[i]), rest.along(velocity[i]));
             let scale = dot(old, old).max(S::EPSILON * S::EPSILON);
-            if !rest.sticks && (dot(old, new) <= S::ZERO || dot(new, new) <= S::EPSILON * scale) {
+            let is_still = dot(new, new) <= S::EPSILON * scale;
+            if grip == S::ZERO || length(along) >= most * S::from_f64(1.0 - LOOSE) {
+                rest.sticks = false;
+                if grip > S::ZERO && is_still {
+                    // What rounding leaves of its velocity must not say which way it slides.
+                    (velocity[i], velocity_lost[i]) = ([S::ZERO; D], [S::ZERO; D]);
+                }
+                return;
+            }
+            if !rest.sticks && (dot(old, new) <= S::ZERO || is_still) {
                 rest.sticks = true;
-                velocity[i] = [S::ZERO; D];
+                (velocity[i], velocity_lost[i]) = ([S::ZERO; D], [S::ZERO; D]);
             }
         });
         self.engine.refresh();
