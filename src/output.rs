@@ -35,7 +35,7 @@ pub fn replace(path: &Path, write: impl FnOnce(&mut dyn Write) -> std::io::Resul
         // As any new file, for all whom the user's mask allows; a temporary file alone would be private.
         #[cfg(unix)]
         builder.permissions(std::os::unix::fs::PermissionsExt::from_mode(0o666));
-        let mut file = builder.tempfile_in(folder)?;
+        let mut file = builder.tempfile_in(folder).map_err(|error| plain(&error, folder))?;
         let mut buffer = BufWriter::new(file.as_file_mut());
         write(&mut buffer)?;
         buffer.flush()?;
@@ -48,6 +48,16 @@ pub fn replace(path: &Path, write: impl FnOnce(&mut dyn Write) -> std::io::Resul
         Ok(())
     };
     attempt().map_err(|error| OutputError { path: path.to_owned(), reason: error.to_string() })
+}
+
+/// Why no file can be made in a folder, without the name of the one that was tried.
+fn plain(error: &std::io::Error, folder: &Path) -> std::io::Error {
+    match error.kind() {
+        std::io::ErrorKind::PermissionDenied => {
+            std::io::Error::other(format!("no file may be made in {}: name another folder", folder.display()))
+        }
+        kind => std::io::Error::from(kind),
+    }
 }
 
 #[cfg(test)]

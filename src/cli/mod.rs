@@ -31,6 +31,13 @@ struct Call {
     command: Option<Command>,
     #[command(flatten)]
     window: window::Arguments,
+}
+
+/// The arguments of work that shows how far it is.
+#[derive(clap::Args)]
+struct Shown<A: clap::Args> {
+    #[command(flatten)]
+    arguments: A,
     /// No progress bars.
     #[arg(long, short, global = true)]
     quiet: bool,
@@ -41,11 +48,11 @@ enum Command {
     /// Lists the gallery, or prints a scene file.
     Scenes(scenes::Arguments),
     /// Runs a scene without a window or a GPU and writes positions and velocities.
-    Simulate(simulate::Arguments),
+    Simulate(Shown<simulate::Arguments>),
     /// Draws a scene off-screen to a PNG or an animated GIF.
-    Render(render::Arguments),
+    Render(Shown<render::Arguments>),
     /// Measures the methods: tables and plots.
-    Study(study::Arguments),
+    Study(Shown<study::Arguments>),
 }
 
 /// Parses the call, does the work, reports the error in one line.
@@ -54,9 +61,9 @@ pub fn main() -> ExitCode {
     let done = match call.command {
         None => window::run(&call.window),
         Some(Command::Scenes(arguments)) => scenes::run(&arguments),
-        Some(Command::Simulate(arguments)) => simulate::run(&arguments, call.quiet),
-        Some(Command::Render(arguments)) => render::run(&arguments, call.quiet),
-        Some(Command::Study(arguments)) => study::run(&arguments, call.quiet),
+        Some(Command::Simulate(call)) => simulate::run(&call.arguments, call.quiet),
+        Some(Command::Render(call)) => render::run(&call.arguments, call.quiet),
+        Some(Command::Study(call)) => study::run(&call.arguments, call.quiet),
     };
     match done {
         Ok(()) => ExitCode::SUCCESS,

@@ -144,7 +144,7 @@ fn settle(arguments: &Arguments, scene: &Scene, time: f64) -> anyhow::Result<()>
     write(arguments, &recording)?;
     if !found.falling.is_empty() {
         bail!(
-            "{}: {}: hold them by a bond to a pin, or put a floor below (written all the same)",
+            "{}: {}: a bond to a pin or a floor below would hold (written all the same)",
             arguments.scene,
             fall(&found.falling)
         );

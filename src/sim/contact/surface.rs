@@ -52,6 +52,11 @@ impl<S: Real, const D: usize> Surface<S, D> {
         self.gap(std::array::from_fn(|k| if self.normal[k] > S::ZERO { low[k] } else { high[k] }))
     }
 
+    /// How fast the gap may shrink at velocities from a box of them [m/s]: below 0 towards the surface.
+    pub(crate) fn least_rate(&self, [low, high]: [[S; D]; 2]) -> S {
+        dot(self.normal, std::array::from_fn(|k| if self.normal[k] > S::ZERO { low[k] } else { high[k] }))
+    }
+
     /// A distance that rounding cannot tell from 0 [m].
     pub(crate) fn slack(&self) -> S {
         S::EPSILON * S::from_f64(64.0) * (S::ONE + self.offset.abs())

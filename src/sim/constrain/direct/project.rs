@@ -39,7 +39,8 @@ impl<S: Real, const D: usize> Direct<S, D> {
             let relative = error.abs() * row.inverse_square;
             largest = if relative <= largest { largest } else { relative };
         }
-        if !(largest * largest <= tolerance()) {
+        let is_near = largest * largest <= tolerance();
+        if !is_near {
             return false;
         }
         self.fill_lower();

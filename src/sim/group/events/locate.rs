@@ -84,23 +84,6 @@ impl<S: Real, const D: usize> Group<S, D> {
         }
     }
 
-    /// Takes the step to a time between its ends where an edge seems to have been passed, and locates that; takes the
-    /// whole of it where it was not.
-    pub(super) fn look_between(
-        &mut self,
-        around: &Surroundings<D>,
-        (t, h): (f64, f64),
-        (event, at): (Event, f64),
-        counters: &mut Counters,
-    ) -> (f64, Option<Event>) {
-        let value = self.retake(around, (t, at), event, counters).asked;
-        if value < 0.0 {
-            return self.locate(around, (t, h), (event, (at, value)), counters);
-        }
-        self.retake(around, (t, h), event, counters);
-        (h, None)
-    }
-
     /// The root of an event's margin; or where another event was found to have been passed already.
     fn close_in(
         &mut self,
@@ -130,7 +113,7 @@ impl<S: Real, const D: usize> Group<S, D> {
     }
 
     /// Takes a step of `h` from the state before. Returns the margins that it ends with.
-    fn retake(
+    pub(super) fn retake(
         &mut self,
         around: &Surroundings<D>,
         (t, h): (f64, f64),

@@ -3,6 +3,7 @@
 
 mod breaks;
 pub(crate) mod edge;
+mod graze;
 mod locate;
 mod reach;
 mod region;
@@ -101,7 +102,7 @@ impl<S: Real, const D: usize> Group<S, D> {
             {
                 (taken, event) = self.locate(around, (t, h), (first, (h, passed.least)), counters);
             } else if passed.least > 0.0
-                && let Some(grazed) = self.graze(h)
+                && let Some(grazed) = self.graze(around, (t, h))
             {
                 (taken, event) = self.look_between(around, (t, h), grazed, counters);
             }

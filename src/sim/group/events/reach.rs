@@ -16,13 +16,13 @@ impl<S: Real, const D: usize> Group<S, D> {
         if !self.locates {
             return;
         }
-        for (k, edge) in self.edges.list.iter().enumerate().filter(|(_, edge)| self.is_watched(edge)) {
+        for (k, edge) in self.edges.list.iter().enumerate().filter(|(_, edge)| self.is_awaited(edge)) {
             let gap = edge.gap(&self.points.position, &self.points.velocity);
             see(Event::Reach { edge: k }, at_edge(gap.margin, gap.slack, self.nears(gap)));
         }
     }
 
-    fn is_watched(&self, edge: &Edge<S>) -> bool {
+    pub(super) fn is_awaited(&self, edge: &Edge<S>) -> bool {
         match edge.what {
             Change::Spring(..) => true,
             Change::String(row, _) => !self.pull.rigid.as_ref().is_some_and(|rigid| rigid.is_taut(row)),
@@ -48,26 +48,6 @@ impl<S: Real, const D: usize> Group<S, D> {
         Some(self.edges.list[edge].gap(&self.points.position, &self.points.velocity).rate)
     }
 
-    /// Where within a step of `h` that passed no edge one seems to have been passed to and fro, and which: the first
-    /// minimum below 0 of the cubics through margins and rates at both ends.
-    pub(super) fn graze(&self, h: f64) -> Option<(Event, f64)> {
-        let mut first: Option<(Event, f64)> = None;
-        for (k, edge) in self.edges.list.iter().enumerate().filter(|(_, edge)| self.is_watched(edge)) {
-            let new = edge.gap(&self.points.position, &self.points.velocity);
-            let old = edge.gap_in(&self.before);
-            if new.rate > 0.0
-                && old.rate < 0.0
-                && new.margin > new.slack
-                && old.margin > old.slack
-                && let Some(at) = lowest((old, new), h)
-                && first.is_none_or(|(_, time)| at < time)
-            {
-                first = Some((Event::Reach { edge: k }, at));
-            }
-        }
-        first
-    }
-
     /// Bonds that reached their edges are on the other side from now on. Returns whether any string got taut or slack.
     pub(super) fn turn_edges(
         &mut self,
@@ -81,7 +61,7 @@ impl<S: Real, const D: usize> Group<S, D> {
             let edge = self.edges.list[k];
             let lets_go = event == Some(Event::LetGo { edge: k });
             let mut turns = lets_go || event == Some(Event::Reach { edge: k });
-            if !turns && self.is_watched(&edge) {
+            if !turns && self.is_awaited(&edge) {
                 let gap = edge.gap(&self.points.position, &self.points.velocity);
                 let reach = if is_located { 16.0 } else { -1.0 };
                 turns = gap.margin <= reach * gap.slack && (self.nears(gap) || !is_located);
@@ -150,31 +130,5 @@ impl<S: Real, const D: usize> Group<S, D> {
             self.guard.bonds.truncate(self.edges.always_watched);
             self.guard.bonds.extend(self.edges.list.iter().filter(|edge| edge.acts()).map(Edge::watched));
         }
-    }
-}
-
-/// The time of the least value of the cubic with these values and slopes at 0 and `h`, if that is below 0.
-fn lowest((old, new): (Gap, Gap), h: f64) -> Option<f64> {
-    // In s = t/h: old + p s + q s^2 + r s^3.
-    let (p, end, rise) = (old.rate * h, new.rate * h, new.margin - old.margin);
-    let (q, r) = (3.0 * rise - 2.0 * p - end, p + end - 2.0 * rise);
-    let root = (q * q - 3.0 * p * r).max(0.0).sqrt();
-    // The minimum, in the form that does not cancel: p < 0, so that q + root > 0 where there is one.
-    let s = -p / (q + root);
-    let value = old.margin + s * (p + s * (q + s * r));
-    (s > 0.0 && s < 1.0 && value < 0.0).then_some(s * h)
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn the_lowest_point_of_a_parabola_is_found() {
-        let gap = |margin, rate| Gap { margin, rate, slack: 0.0 };
-        // (t - 0.3)^2 - 0.01 from 0 to 1.
-        let at = lowest((gap(0.08, -0.6), gap(0.48, 1.4)), 1.0);
-        assert!((at.unwrap() - 0.3).abs() < 1e-12, "{at:?}");
-        assert_eq!(lowest((gap(0.1, -0.6), gap(0.5, 1.4)), 1.0), None, "0.01 above");
     }
 }

@@ -44,7 +44,7 @@ impl<S: Real, const D: usize> Group<S, D> {
         off * S::from_f64(self.substep) < -surface.slack()
     }
 
-    fn can_hit(&self, point: usize, surface: usize) -> bool {
+    pub(super) fn can_hit(&self, point: usize, surface: usize) -> bool {
         self.points.inverse_mass[point] != S::ZERO && !self.pull.contacts.rests_on(point, surface)
     }
 

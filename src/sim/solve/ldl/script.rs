@@ -88,7 +88,7 @@ mod tests {
 
     /// A grid of this many unknowns a side, each coupled to its neighbours, and more than that to itself.
     fn grid(side: u32) -> (Vec<Vec<u32>>, Vec<f64>, Vec<f64>) {
-        let near = |k: u32| [(k % side > 0).then(|| k - 1), (k >= side).then(|| k - side)];
+        let near = |k: u32| [(!k.is_multiple_of(side)).then(|| k - 1), (k >= side).then(|| k - side)];
         let lower: Vec<Vec<u32>> = (0..side * side).map(|k| near(k).into_iter().flatten().rev().collect()).collect();
         let entries = lower.iter().flatten().map(|&j| -1.0 - 0.01 * f64::from(j)).collect();
         (lower, (0..side * side).map(|k| 5.0 + 0.1 * f64::from(k)).collect(), entries)
