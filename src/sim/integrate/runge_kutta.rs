@@ -130,39 +130,14 @@ impl<'a, S: Real, const N: usize> Sum<'a, S, N> {
 /// Calls a function with the length of a row as a constant: what is summed is then known when it is compiled.
 macro_rules! by_length {
     ($row:expr, $n:ident => $call:expr) => {
+        by_length!($row, $n => $call, 1 2 3 4 5 6 7 8)
+    };
+    ($row:expr, $n:ident => $call:expr, $($length:literal)*) => {
         match $row.len() {
-            1 => {
-                const $n: usize = 1;
+            $($length => {
+                const $n: usize = $length;
                 $call
-            }
-            2 => {
-                const $n: usize = 2;
-                $call
-            }
-            3 => {
-                const $n: usize = 3;
-                $call
-            }
-            4 => {
-                const $n: usize = 4;
-                $call
-            }
-            5 => {
-                const $n: usize = 5;
-                $call
-            }
-            6 => {
-                const $n: usize = 6;
-                $call
-            }
-            7 => {
-                const $n: usize = 7;
-                $call
-            }
-            8 => {
-                const $n: usize = 8;
-                $call
-            }
+            })*
             // The longest row that a table has.
             _ => {
                 const $n: usize = LONGEST_ROW;

@@ -41,7 +41,7 @@ enum Event {
 }
 
 impl Event {
-    /// Whether it is of a bond: such ones may be due at the start of a step.
+    /// Whether it is of a bond.
     fn is_of_bond(self) -> bool {
         matches!(self, Event::Reach { .. } | Event::LetGo { .. })
     }

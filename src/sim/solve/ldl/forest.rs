@@ -59,12 +59,8 @@ impl<S: Real> Forest<S> {
         let diagonal = &diagonal[..count];
         pivot.copy_from_slice(diagonal);
         for j in 0..count {
-            let own = pivot[j];
-            let is_sound = own.abs() > least * diagonal[j].abs() && own.is_finite();
-            let over = if is_sound { S::ONE / own } else { S::ZERO };
+            let over = inertia.invert(pivot[j], diagonal[j], least);
             inverse[j] = over;
-            inertia.skipped += u32::from(!is_sound);
-            inertia.negative += u32::from(is_sound && own < S::ZERO);
             if let Some(&y) = lower.get(entry[j] as usize) {
                 let (after, l) = (next[j] as usize, y * over);
                 link[j] = l;

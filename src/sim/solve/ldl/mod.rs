@@ -45,6 +45,17 @@ pub(crate) struct Inertia {
     pub(crate) negative: u32,
 }
 
+impl Inertia {
+    /// One over a pivot, counted; 0 where it is smaller than `least` times its diagonal entry in size, or not a number.
+    #[inline(always)]
+    fn invert<S: Real>(&mut self, pivot: S, diagonal: S, least: S) -> S {
+        let is_sound = pivot.abs() > least * diagonal.abs() && pivot.is_finite();
+        self.skipped += u32::from(!is_sound);
+        self.negative += u32::from(is_sound && pivot < S::ZERO);
+        if is_sound { S::ONE / pivot } else { S::ZERO }
+    }
+}
+
 impl<S: Real> Ldl<S> {
     /// Analyses a pattern: `lower[k]` lists the columns j < k that row k has entries in, ascending, each once.
     pub(crate) fn analyse(lower: &[Vec<u32>]) -> Self {
@@ -123,10 +134,7 @@ impl<S: Real> Ldl<S> {
                 pivot -= l * y;
                 self.values[at] = l;
             }
-            let is_sound = pivot.abs() > least * diagonal[k].abs() && pivot.is_finite();
-            self.inverse_pivot[k] = if is_sound { S::ONE / pivot } else { S::ZERO };
-            inertia.skipped += u32::from(!is_sound);
-            inertia.negative += u32::from(is_sound && pivot < S::ZERO);
+            self.inverse_pivot[k] = inertia.invert(pivot, diagonal[k], least);
         }
         inertia
     }

@@ -60,12 +60,8 @@ impl<S: Real> Ldl<S> {
         let mut targets = script.targets.iter();
         work.copy_from_slice(diagonal);
         for j in 0..work.len() {
-            let pivot = work[j];
-            let is_sound = pivot.abs() > least * diagonal[j].abs() && pivot.is_finite();
-            let over = if is_sound { S::ONE / pivot } else { S::ZERO };
+            let over = inertia.invert(work[j], diagonal[j], least);
             inverse_pivot[j] = over;
-            inertia.skipped += u32::from(!is_sound);
-            inertia.negative += u32::from(is_sound && pivot < S::ZERO);
             let (start, end) = (column_starts[j] as usize, column_starts[j + 1] as usize);
             for p in start..end {
                 let y = values[p];
