@@ -44,7 +44,7 @@ fn drift(solver: Solver, steps_a_period: f64) -> f64 {
         velocity: vec![[0.0, 0.0], [0.0, 0.5]],
         mass: vec![1.0; 2],
         pinned: vec![PointId(0)],
-        bonds: vec![spring(0, 1, 1.0, 100.0, 0.0)],
+        bonds: [spring(0, 1, 1.0, 100.0, 0.0)].into(),
         method: Method { solver, substep: Some(period / steps_a_period), ..Method::default() },
         ..Model::default()
     };
@@ -81,7 +81,7 @@ fn a_rigid_pendulum_keeps_its_energy() {
         velocity: vec![[0.0; 3], [1.0, 0.4, -1.04]],
         mass: vec![1.0, 0.5],
         pinned: vec![PointId(0)],
-        bonds: vec![Bond::new(PointId(0), PointId(1), 0.65_f64.sqrt())],
+        bonds: [Bond::new(PointId(0), PointId(1), 0.65_f64.sqrt())].into(),
         gravity: [0.0, -9.81, 0.0],
         method: Method { solver: Solver::VelocityVerlet, substep: Some(1e-3), ..Method::default() },
         ..Model::default()
@@ -100,7 +100,7 @@ fn period(h: f64) -> f64 {
         velocity: vec![[0.0; 2]; 2],
         mass: vec![1.0; 2],
         pinned: vec![PointId(0)],
-        bonds: vec![spring(0, 1, 1.0, 100.0, 0.0)],
+        bonds: [spring(0, 1, 1.0, 100.0, 0.0)].into(),
         method: Method { substep: Some(h), solver: Solver::VelocityVerlet, ..Method::default() },
         ..Model::default()
     };
@@ -134,7 +134,7 @@ fn a_weight_sags_by_its_weight_times_the_compliance() {
         velocity: vec![[0.0; 2]; 2],
         mass: vec![1.0, 3.0],
         pinned: vec![PointId(0)],
-        bonds: vec![spring(0, 1, 1.0, 1.0 / compliance, 20.0)],
+        bonds: [spring(0, 1, 1.0, 1.0 / compliance, 20.0)].into(),
         gravity: [0.0, -9.81],
         ..Model::default()
     };

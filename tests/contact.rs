@@ -58,7 +58,7 @@ fn a_slider_turns_back_where_its_velocity_is_zero() {
         velocity: vec![[0.0; 2]; 2],
         mass: vec![1.0; 2],
         pinned: vec![PointId(0)],
-        bonds: vec![spring(0, 1, 1.0, STIFFNESS, 0.0)],
+        bonds: [spring(0, 1, 1.0, STIFFNESS, 0.0)].into(),
         gravity: [0.0, -G],
         bounds: Some(Bounds { min: [-9.0, 0.0], max: [9.0, 9.0], restitution: 0.0, friction: FRICTION }),
         ..Model::default()
@@ -92,7 +92,7 @@ fn events_of_mirror_images_happen_together() {
         position: vec![[-1.0, 0.5], [1.0, 0.5], [0.0, 1.5]],
         velocity: vec![[0.0, -1.0]; 3],
         mass: vec![1.0; 3],
-        bonds: vec![spring(0, 1, 1.5, 3000.0, 5.0), spring(0, 2, 1.2, 3000.0, 5.0), spring(1, 2, 1.2, 3000.0, 5.0)],
+        bonds: [spring(0, 1, 1.5, 3000.0, 5.0), spring(0, 2, 1.2, 3000.0, 5.0), spring(1, 2, 1.2, 3000.0, 5.0)].into(),
         gravity: [0.0, -G],
         bounds: Some(Bounds { min: [-9.0, 0.0], max: [9.0, 9.0], restitution: 0.1, friction: 0.3 }),
         ..Model::default()
@@ -115,7 +115,7 @@ fn a_touch_within_one_step_is_not_missed() {
             velocity: vec![[0.0; 2], [0.0, 1.0]],
             mass: vec![1.0; 2],
             pinned: vec![PointId(0)],
-            bonds: vec![spring(0, 1, 0.0, 1.0, 0.0)],
+            bonds: [spring(0, 1, 0.0, 1.0, 0.0)].into(),
             planes: vec![Plane { point: [0.0, 1.0 - depth], normal: [0.0, -1.0], restitution: 1.0, friction: 0.0 }],
             ..Model::default()
         };

@@ -13,7 +13,7 @@ fn model(position: Vec<[f64; 2]>, velocity: Vec<[f64; 2]>, bonds: Vec<Bond>, pin
         mass: vec![1.0; position.len()],
         position,
         velocity,
-        bonds,
+        bonds: bonds.into(),
         pinned: pinned.iter().map(|&i| PointId(i)).collect(),
         gravity: [0.0, -G],
         ..Model::default()
@@ -263,7 +263,7 @@ fn a_string_at_its_length_does_not_chatter() {
     doubled.bonds.push(string(0, 1, 1.0));
     let elastic = |scene: &Model<2>| {
         let bonds =
-            scene.bonds.iter().map(|bond| Bond { kind: BondKind::Spring { stiffness: 1e3, damping: 1.0 }, ..*bond });
+            scene.bonds.iter().map(|bond| Bond { kind: BondKind::Spring { stiffness: 1e3, damping: 1.0 }, ..bond });
         Model { bonds: bonds.collect(), ..scene.clone() }
     };
     for (name, scene) in [("hung", &hung), ("floating", &floating), ("doubled", &doubled)] {

@@ -63,7 +63,7 @@ fn oscillator_error<S: Real, const D: usize>(h: f64, damping: f64) -> f64 {
         position: vec![along(0.0), along(1.2)],
         velocity: vec![[0.0; D]; 2],
         mass: vec![1.0, 2.0],
-        bonds: vec![spring(0, 1, 1.0, 100.0, damping)],
+        bonds: [spring(0, 1, 1.0, 100.0, damping)].into(),
         method: Method { substep: Some(h), solver: Solver::Verlet, ..Method::default() },
         ..Model::default()
     };
@@ -104,7 +104,7 @@ fn a_rigid_pendulum_keeps_its_length_and_its_period() {
         velocity: vec![[0.0; 2]; 2],
         mass: vec![1.0; 2],
         pinned: vec![PointId(0)],
-        bonds: vec![bond(0, 1, 1.0, BondKind::Rigid)],
+        bonds: [bond(0, 1, 1.0, BondKind::Rigid)].into(),
         gravity: [0.0, -9.81],
         method: Method { substep: Some(1e-3), solver, iterations: Some(1), ..Method::default() },
         ..Model::default()

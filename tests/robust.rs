@@ -19,7 +19,7 @@ fn model(position: Vec<[f64; 2]>, bonds: Vec<Bond>, pinned: &[u32]) -> Model<2> 
         pinned: pinned.iter().map(|&i| PointId(i)).collect(),
         gravity: [0.0, -9.81],
         position,
-        bonds,
+        bonds: bonds.into(),
         ..Model::default()
     }
 }

@@ -9,7 +9,7 @@ use std::process::Command;
 use glam::{DVec2, DVec3};
 use image::RgbaImage;
 use wobble::render::{Camera, Capture, Look, Overlay, Pose, View};
-use wobble::sim::{Bond, Cursor, MouseForce, PointId, Positions, Profile, Region, Track};
+use wobble::sim::{Bond, Bonds, Cursor, MouseForce, PointId, Positions, Profile, Region, Track};
 
 /// The picture that the program itself draws.
 fn rendered(scene: &str, time: &str) -> RgbaImage {
@@ -74,7 +74,10 @@ fn plain() -> Look {
     }
 }
 
-fn view<'a>(positions: &'a [f32], bonds: &'a [Bond], dimensions: usize) -> View<'a> {
+/// For scenes of points alone.
+const NO_BONDS: &Bonds = &Bonds::new();
+
+fn view<'a>(positions: &'a [f32], bonds: &'a Bonds, dimensions: usize) -> View<'a> {
     View {
         dimensions,
         previous: Positions::F32(positions),
@@ -131,7 +134,7 @@ fn a_disc_covers_what_its_formula_says() {
     let center = DVec2::new(3.3, -7.8);
     let positions = [center.x as f32, center.y as f32];
     let mut capture = Capture::new([SIDE, SIDE], 2).unwrap();
-    let picture = capture.picture(&view(&positions, &[], 2), &pixels(), &plain()).unwrap();
+    let picture = capture.picture(&view(&positions, NO_BONDS, 2), &pixels(), &plain()).unwrap();
     assert_coverage(&picture, |at| at.distance(center) <= f64::from(plain().point_radius));
 }
 
@@ -144,7 +147,7 @@ fn a_line_covers_what_its_formula_says() {
     let positions = [a.x as f32, a.y as f32, b.x as f32, b.y as f32];
     let look = Look { point: [0.0; 4], ..plain() };
     let mut capture = Capture::new([SIDE, SIDE], 2).unwrap();
-    let picture = capture.picture(&view(&positions, &[bond(0, 1)], 2), &pixels(), &look).unwrap();
+    let picture = capture.picture(&view(&positions, &[bond(0, 1)].into(), 2), &pixels(), &look).unwrap();
     assert_coverage(&picture, |at| {
         let t = ((at - a).dot(b - a) / (b - a).length_squared()).clamp(0.0, 1.0);
         at.distance(a + (b - a) * t) <= 0.5 * f64::from(look.bond_width)
@@ -157,7 +160,7 @@ fn pictures_have_the_size_asked_for_and_others_are_refused() {
         return;
     }
     for size in [[1, 1], [333, 77], [64, 1]] {
-        let picture = Capture::new(size, 2).unwrap().picture(&view(&[0.0, 0.0], &[], 2), &pixels(), &plain());
+        let picture = Capture::new(size, 2).unwrap().picture(&view(&[0.0, 0.0], NO_BONDS, 2), &pixels(), &plain());
         assert_eq!(picture.unwrap().dimensions(), (size[0], size[1]));
     }
     for size in [[0, 10], [10, 0], [1_000_000, 10]] {
@@ -172,7 +175,7 @@ fn a_still_world_uploads_nothing() {
     }
     let positions = [0.0_f32, 0.0, 5.0, 5.0];
     let mut capture = Capture::new([SIDE, SIDE], 2).unwrap();
-    let seen = view(&positions, &[], 2);
+    let seen = view(&positions, NO_BONDS, 2);
     capture.picture(&seen, &pixels(), &plain()).unwrap();
     let first = *capture.renderer().counters();
     capture.picture(&seen, &pixels(), &plain()).unwrap();
@@ -197,8 +200,11 @@ fn far_from_the_origin_a_world_looks_the_same() {
     }
     let picture = |offset: f64| {
         let positions: Vec<f64> = [-10.0, 3.0, 12.0, -7.0].iter().map(|x| x + offset).collect();
-        let seen =
-            View { previous: Positions::F64(&positions), current: Positions::F64(&positions), ..view(&[], &[], 2) };
+        let seen = View {
+            previous: Positions::F64(&positions),
+            current: Positions::F64(&positions),
+            ..view(&[], NO_BONDS, 2)
+        };
         let pose = Pose::Plane { center: DVec2::splat(offset), height: f64::from(SIDE) };
         Capture::new([SIDE, SIDE], 2).unwrap().picture(&seen, &Camera::new(pose, [SIDE, SIDE]), &plain()).unwrap()
     };
@@ -230,7 +236,7 @@ fn an_animation_is_written_whole() {
 /// A mouse region of 20 px around a cursor that is not in the middle of a pixel.
 fn region_picture(region: Region, radius: f64, at: DVec2) -> RgbaImage {
     let force = MouseForce { strength: 1.0, radius, region, profile: Profile::Smooth, track: Track::default() };
-    let seen = View { mouse: Some((&force, Cursor::at([at.x, at.y]))), ..view(&[], &[], 2) };
+    let seen = View { mouse: Some((&force, Cursor::at([at.x, at.y]))), ..view(&[], NO_BONDS, 2) };
     let look = Look { region: [1.0; 4], outline_width: 2.0, ..plain() };
     Capture::new([SIDE, SIDE], 2).unwrap().picture(&seen, &pixels(), &look).unwrap()
 }
@@ -273,7 +279,7 @@ fn in_space_small_things_look_as_large_ones_do() {
         // The second bond goes past the camera.
         let past = [[-0.4, -0.4, 0.0], [0.6, 0.3, 8.0]].as_flattened().iter().map(|x| x * size);
         let positions: Vec<f32> = positions.into_iter().chain(past).collect();
-        let bonds = [bond(0, 1), bond(2, 3)].map(|bond| Bond { rest_length: f64::from(size), ..bond });
+        let bonds = [bond(0, 1), bond(2, 3)].map(|bond| Bond { rest_length: f64::from(size), ..bond }).into();
         let camera = from_afar(4.0 * f64::from(size));
         Capture::new([SIDE, SIDE], 3).unwrap().picture(&view(&positions, &bonds, 3), &camera, &plain()).unwrap()
     };
@@ -285,7 +291,7 @@ fn in_space_small_things_look_as_large_ones_do() {
 }
 
 /// A zigzag of `count` bonds, and its positions in the plane [px].
-fn zigzag(count: u32) -> (Vec<f32>, Vec<Bond>) {
+fn zigzag(count: u32) -> (Vec<f32>, Bonds) {
     let step = 50.0 / count as f32;
     let flat = (0..=count).flat_map(|i| [i as f32 * step - 25.0, if i % 2 == 0 { -12.0 } else { 9.0 }]);
     (flat.collect(), (0..count).map(|i| bond(i, i + 1)).collect())
@@ -311,11 +317,11 @@ fn a_world_too_large_for_the_gpu_is_refused_and_the_next_is_drawn() {
         return;
     }
     let mut capture = Capture::new([SIDE, SIDE], 2).unwrap();
-    let picture = |capture: &mut Capture, flat: &[f32], bonds: &[Bond], topology| {
+    let picture = |capture: &mut Capture, flat: &[f32], bonds: &Bonds, topology| {
         capture.picture(&View { topology, ..view(flat, bonds, 2) }, &pixels(), &plain())
     };
     let (flat, bonds) = zigzag(40);
-    picture(&mut capture, &flat, &bonds[..3], 0).unwrap();
+    picture(&mut capture, &flat, &bonds.iter().take(3).collect(), 0).unwrap();
     // The bonds get a larger buffer before the positions turn out to be too many. Nothing writes to this memory.
     let many = vec![0.0_f32; capture.gpu().largest_buffer() as usize / 4 + 2];
     let refused = picture(&mut capture, &many, &bonds, 1).unwrap_err();
@@ -347,7 +353,7 @@ fn what_is_drawn_lies_between_two_states() {
                 flat.chunks(2).flat_map(|x| [x[0], x[1], 0.0].into_iter().take(dimensions)).collect()
             };
             let (previous, current) = (lift(previous), lift(current));
-            let bonds = [bond(0, 1)];
+            let bonds = [bond(0, 1)].into();
             let seen = View { previous: Positions::F32(&previous), mix, ..view(&current, &bonds, dimensions) };
             let camera = if dimensions == 2 { pixels() } else { from_afar(80.0) };
             Capture::new([SIDE, SIDE], dimensions).unwrap().picture(&seen, &camera, &plain()).unwrap()
@@ -371,7 +377,7 @@ fn pinned_points_are_larger_and_of_another_colour() {
     let flat: Vec<f32> = (0..40).flat_map(|i| at(i).as_vec2().to_array()).collect();
     let look = Look { point: BLUE, pin: RED, point_radius: 2.0, ..plain() };
     let pinned = [PointId(0), PointId(31), PointId(33)];
-    let seen = View { pinned: &pinned, ..view(&flat, &[], 2) };
+    let seen = View { pinned: &pinned, ..view(&flat, NO_BONDS, 2) };
     let picture = Capture::new([SIDE, SIDE], 2).unwrap().picture(&seen, &pixels(), &look).unwrap();
     for i in 0..40 {
         let is_pinned = pinned.contains(&PointId(i));
@@ -389,7 +395,7 @@ fn strain_is_shown_by_colour() {
     let flat = [-20.0_f32, 0.0, 20.0, 0.0];
     let look = Look { stretch: RED, squeeze: BLUE, bond: [0.0, 1.0, 0.0, 1.0], point: [0.0; 4], ..plain() };
     let color = |overlay, strain: f64| {
-        let bonds = [Bond { rest_length: 40.0 / (1.0 + strain), ..bond(0, 1) }];
+        let bonds = [Bond { rest_length: 40.0 / (1.0 + strain), ..bond(0, 1) }].into();
         let look = Look { overlay, strain_scale: 0.04, ..look };
         let picture = Capture::new([SIDE, SIDE], 2).unwrap().picture(&view(&flat, &bonds, 2), &pixels(), &look);
         pixel_at(&picture.unwrap(), DVec2::new(0.5, 0.5))
@@ -404,7 +410,7 @@ fn strain_is_shown_by_colour() {
         assert!(close(seen, expected), "{strain}: {seen:?}");
         assert_eq!(color(Overlay::None, strain), [0, 255, 0], "without the overlay");
     }
-    let unsized_bond = [Bond { rest_length: 0.0, ..bond(0, 1) }];
+    let unsized_bond = [Bond { rest_length: 0.0, ..bond(0, 1) }].into();
     let look = Look { overlay: Overlay::Strain, ..look };
     let picture = Capture::new([SIDE, SIDE], 2).unwrap().picture(&view(&flat, &unsized_bond, 2), &pixels(), &look);
     assert_eq!(pixel_at(&picture.unwrap(), DVec2::new(0.5, 0.5)), [0, 255, 0], "a rest length of 0 has no strain");
@@ -416,7 +422,7 @@ fn crossing(gap: f32) -> Vec<f32> {
     [[-21.0, -6.0, far], [22.0, 7.0, far], [-5.0, -20.0, near], [8.0, 21.0, near]].concat()
 }
 
-fn in_space(flat: &[f32], bonds: &[Bond], look: &Look) -> RgbaImage {
+fn in_space(flat: &[f32], bonds: &Bonds, look: &Look) -> RgbaImage {
     Capture::new([SIDE, SIDE], 3).unwrap().picture(&view(flat, bonds, 3), &from_afar(75.0), look).unwrap()
 }
 
@@ -429,7 +435,7 @@ fn in_space_what_is_nearer_lies_on_top_in_whatever_order_it_comes() {
     let flat = crossing(4.0);
     let far = Bond { rest_length: 1e3, ..bond(0, 1) };
     let near = Bond { rest_length: 1e-3, ..bond(2, 3) };
-    for bonds in [[far, near], [near, far]] {
+    for bonds in [[far, near], [near, far]].map(Bonds::from) {
         let [r, _, b] = pixel_at(&in_space(&flat, &bonds, &look), DVec2::new(1.4, 0.5));
         assert!(r > 225 && b < 30, "the stretched one is nearer: {r} {b}");
     }
@@ -437,7 +443,7 @@ fn in_space_what_is_nearer_lies_on_top_in_whatever_order_it_comes() {
         Pose::Orbit { target: DVec3::ZERO, distance: 75.0, yaw: std::f64::consts::PI, pitch: 0.0 },
         [SIDE, SIDE],
     );
-    for bonds in [[far, near], [near, far]] {
+    for bonds in [[far, near], [near, far]].map(Bonds::from) {
         let picture = Capture::new([SIDE, SIDE], 3).unwrap().picture(&view(&flat, &bonds, 3), &camera, &look);
         let [r, _, b] = pixel_at(&picture.unwrap(), DVec2::new(-1.4, 0.5));
         assert!(b > r, "from behind, the squeezed one is: {r} {b}");
@@ -452,8 +458,8 @@ fn in_space_an_edge_keeps_nothing_out_that_lies_behind_it() {
     let flat = crossing(4.0);
     for width in [1.5, 1.8, 3.0, 6.0] {
         let look = Look { point: [0.0; 4], bond_width: width, ..plain() };
-        let alone = [bond(0, 1), bond(2, 3)].map(|bond| in_space(&flat, &[bond], &look));
-        for bonds in [[bond(0, 1), bond(2, 3)], [bond(2, 3), bond(0, 1)]] {
+        let alone = [bond(0, 1), bond(2, 3)].map(|bond| in_space(&flat, &[bond].into(), &look));
+        for bonds in [[bond(0, 1), bond(2, 3)], [bond(2, 3), bond(0, 1)]].map(Bonds::from) {
             let both = in_space(&flat, &bonds, &look);
             for (x, y, pixel) in both.enumerate_pixels() {
                 let least = alone.each_ref().map(|picture| picture.get_pixel(x, y)[0]).into_iter().max().unwrap();
@@ -480,7 +486,7 @@ fn in_space_no_bond_cuts_the_disc_of_its_point() {
         let angle = i as f32 * 0.8;
         flat.extend([20.0 * angle.cos(), 20.0 * angle.sin(), if i % 2 == 0 { 12.0 } else { -12.0 }]);
     }
-    let bonds: Vec<Bond> = (1..9).map(|i| Bond { rest_length: 1e3, ..bond(0, i) }).collect();
+    let bonds: Bonds = (1..9).map(|i| Bond { rest_length: 1e3, ..bond(0, i) }).collect();
     let [unseen, black] = [0.0, 1.0]
         .map(|opacity| in_space(&flat, &bonds, &Look { point_radius: 5.0, bond: [0.0, 0.0, 0.0, opacity], ..plain() }));
     let mut filled = 0;

@@ -11,7 +11,7 @@ use super::camera::Camera;
 use super::error::RenderError;
 use super::gpu::Gpu;
 use super::view::View;
-use crate::sim::{Bond, PointId, Positions};
+use crate::sim::{Bonds, PointId, Positions};
 
 /// A bond as the shader reads it: `Bond` in bonds.wgsl.
 #[derive(Clone, Copy, Debug, Pod, Zeroable)]
@@ -177,8 +177,9 @@ impl WorldBuffers {
     ) -> Result<(), RenderError> {
         (self.point_count, self.bond_count) = (0, 0);
         self.typical_bond = median_rest_length(view.bonds);
-        let gpu_bond = |bond: &Bond| GpuBond { a: bond.a.0, b: bond.b.0, rest_length: bond.rest_length as f32 };
-        let bonds: Vec<GpuBond> = view.bonds.iter().map(gpu_bond).collect();
+        let gpu_bond =
+            |(ends, rest): (&[PointId; 2], &f64)| GpuBond { a: ends[0].0, b: ends[1].0, rest_length: *rest as f32 };
+        let bonds: Vec<GpuBond> = view.bonds.ends().iter().zip(view.bonds.rest_lengths()).map(gpu_bond).collect();
         self.bonds.write(gpu, bytemuck::cast_slice(&bonds), counters)?;
         let point_count = (view.current.len() / view.dimensions) as u32;
         let pins = pin_bits(view.pinned, point_count);
@@ -251,10 +252,10 @@ fn pin_bits(pinned: &[PointId], point_count: u32) -> Vec<u32> {
     bits
 }
 
-fn median_rest_length(bonds: &[Bond]) -> f64 {
+fn median_rest_length(bonds: &Bonds) -> f64 {
     // A sample is enough to size points by.
     let step = (bonds.len() / 1000).max(1);
-    let mut lengths: Vec<f64> = bonds.iter().step_by(step).map(|bond| bond.rest_length).collect();
+    let mut lengths: Vec<f64> = bonds.rest_lengths().iter().copied().step_by(step).collect();
     lengths.sort_by(f64::total_cmp);
     lengths.get(lengths.len() / 2).copied().unwrap_or(0.0)
 }

@@ -1,6 +1,6 @@
 //! What a picture shows: a borrowed view of a world at one moment.
 
-use crate::sim::{Bond, Cursor, Dynamics, MouseForce, PointId, Positions};
+use crate::sim::{Bonds, Cursor, Dynamics, MouseForce, PointId, Positions};
 
 /// A borrowed view of a world, between its last two substeps.
 #[derive(Clone, Copy)]
@@ -18,7 +18,7 @@ pub struct View<'a> {
     /// Changes whenever points or bonds came or went.
     pub topology: u64,
     /// The bonds.
-    pub bonds: &'a [Bond],
+    pub bonds: &'a Bonds,
     /// The points that never move.
     pub pinned: &'a [PointId],
     /// Corners of the walls (z = 0 in the plane).

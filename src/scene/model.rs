@@ -8,8 +8,8 @@ use super::support;
 use crate::body::distance;
 use crate::sim::vector::{embed, truncate};
 use crate::sim::{
-    Bond, Bounds, Dynamics, Found, Limit, Model, ModelError, MouseForce, Plane, PointId, Profile, Region, Sample,
-    Track, build, search, settle,
+    Bond, Bonds, Bounds, Dynamics, Found, Limit, Model, ModelError, MouseForce, Plane, PointId, Profile, Region,
+    Sample, Track, build, search, settle,
 };
 
 /// An equilibrium.
@@ -176,9 +176,9 @@ impl Scene {
     }
 
     /// The explicit bonds, then those of the bodies.
-    fn model_bonds(&self, start: &Start) -> Result<Vec<Bond>, Fault> {
+    fn model_bonds(&self, start: &Start) -> Result<Bonds, Fault> {
         let in_bodies: usize = start.bodies.iter().map(|body| body.links.len()).sum();
-        let mut bonds = Vec::with_capacity(self.bonds.len() + in_bodies);
+        let mut bonds = Bonds::with_capacity(self.bonds.len() + in_bodies);
         for (i, keys) in self.bonds.iter().enumerate() {
             bonds.push(bond(keys, &start.position).item(i).at("bonds")?);
         }

@@ -1,6 +1,7 @@
 //! A running world behind one face, whatever its scalar and its dimension.
 
-use super::bond::{Bond, PointId};
+use super::bond::PointId;
+use super::bonds::Bonds;
 use super::command::Command;
 use super::counters::Counters;
 use super::force::mouse::{Cursor, MouseForce};
@@ -77,7 +78,7 @@ pub trait Dynamics: Send {
     /// Positions now, as they lie in memory.
     fn positions(&self) -> Positions<'_>;
     /// The bonds that are left, in the order of the model.
-    fn bonds(&self) -> &[Bond];
+    fn bonds(&self) -> &Bonds;
     /// The points that never move.
     fn pinned(&self) -> &[PointId];
     /// Corners of the walls, if there are any (z = 0 in the plane).

@@ -1,6 +1,7 @@
 //! What can be measured of a state: extent, energy, strain, momentum.
 
 use super::bond::Bond;
+use super::bonds::Bonds;
 use super::force::spring;
 use super::points::Points;
 use super::real::Real;
@@ -26,7 +27,7 @@ pub(crate) fn energy<const D: usize>(
     position: &[[f64; D]],
     velocity: &[[f64; D]],
     w: &[f64],
-    bonds: &[Bond],
+    bonds: &Bonds,
     gravity: [f64; D],
 ) -> f64 {
     let mut sum = spring::energy(bonds, |i| position[i]);
@@ -39,8 +40,8 @@ pub(crate) fn energy<const D: usize>(
 }
 
 /// Largest |length/rest - 1| over the bonds [1], those of rest length 0 left out.
-pub(crate) fn max_strain<const D: usize>(position: &[[f64; D]], bonds: &[Bond]) -> f64 {
-    let of = |bond: &Bond| {
+pub(crate) fn max_strain<const D: usize>(position: &[[f64; D]], bonds: &Bonds) -> f64 {
+    let of = |bond: Bond| {
         let d = sub(position[bond.a.index()], position[bond.b.index()]);
         if bond.rest_length > 0.0 { (length(d) / bond.rest_length - 1.0).abs() } else { 0.0 }
     };

@@ -1,6 +1,7 @@
 //! The world and its step. Nothing here knows of files, windows or clocks.
 
 pub mod bond;
+pub mod bonds;
 pub mod command;
 pub(crate) mod constrain;
 pub mod contact;
@@ -18,6 +19,7 @@ pub(crate) mod pull;
 pub mod real;
 pub mod search;
 pub mod settle;
+pub(crate) mod shared;
 pub mod sleep;
 pub(crate) mod solve;
 pub mod solver;
@@ -28,6 +30,7 @@ pub mod vector;
 pub mod world;
 
 pub use bond::{Bond, BondId, BondKind, Limit, PointId};
+pub use bonds::Bonds;
 pub use command::Command;
 pub use contact::bounds::Bounds;
 pub use contact::surface::Plane;

@@ -1,6 +1,7 @@
 //! What a world is made from: points, bonds, forces, walls and a method, in `f64` and checked.
 
 use super::bond::{Bond, BondKind, PointId};
+use super::bonds::Bonds;
 use super::contact::bounds::Bounds;
 use super::contact::surface::Plane;
 use super::force::mouse::{MouseForce, Track};
@@ -22,7 +23,7 @@ pub struct Model<const D: usize> {
     /// The points that never move, in any order.
     pub pinned: Vec<PointId>,
     /// The bonds, in the order that [`Order::Fixed`] sweeps them.
-    pub bonds: Vec<Bond>,
+    pub bonds: Bonds,
     /// Gravity [m/s^2].
     pub gravity: [f64; D],
     /// Rate at which velocities decay [1/s], >= 0.
@@ -118,7 +119,7 @@ impl<const D: usize> Model<D> {
     pub fn check(&self) -> Result<(), ModelError> {
         self.check_points()?;
         for (i, bond) in self.bonds.iter().enumerate() {
-            self.check_bond(i, bond)?;
+            self.check_bond(i, &bond)?;
         }
         for &pin in &self.pinned {
             self.check_index(|| "pinned".to_owned(), pin)?;
@@ -218,7 +219,7 @@ impl<const D: usize> Default for Model<D> {
             velocity: Vec::new(),
             mass: Vec::new(),
             pinned: Vec::new(),
-            bonds: Vec::new(),
+            bonds: Bonds::new(),
             gravity: [0.0; D],
             drag_rate: 0.0,
             mouse: None,

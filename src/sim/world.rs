@@ -3,6 +3,7 @@
 use std::sync::Arc;
 
 use super::bond::{Bond, BondKind, PointId};
+use super::bonds::Bonds;
 use super::command::Command;
 use super::counters::Counters;
 use super::dynamics::{Dynamics, Positions, Sample};
@@ -24,7 +25,7 @@ pub struct World<S: Real, const D: usize> {
     pub(crate) around: Surroundings<D>,
     pub(crate) counters: Counters,
     /// The bonds that are left.
-    bonds: Vec<Bond>,
+    bonds: Bonds,
     /// Positions in the order of the model; empty where the first group has them so.
     gathered: Vec<[S; D]>,
     warnings: Vec<String>,
@@ -74,7 +75,7 @@ impl<S: Real, const D: usize> World<S, D> {
             bonds: model.bonds.clone(),
             gathered: Vec::new(),
             warnings: Vec::new(),
-            model: Arc::new(Model { position: Vec::new(), velocity: Vec::new(), bonds: Vec::new(), ..model.clone() }),
+            model: Arc::new(Model { position: Vec::new(), velocity: Vec::new(), bonds: Bonds::new(), ..model.clone() }),
         };
         world.warn_of_pins(&w, &model.position);
         world.begin(&state, &w);
@@ -112,14 +113,14 @@ impl<S: Real, const D: usize> World<S, D> {
 
     fn warn_of_pins(&mut self, w: &[f64], position: &[[f64; D]]) {
         let leads = |point: PointId| self.model.pin_motion.iter().any(|(led, _)| *led == point);
-        let stands = |bond: &&(usize, &Bond)| {
+        let stands = |bond: &(usize, Bond)| {
             let (a, b) = (bond.1.a, bond.1.b);
             let d = length(sub(position[a.index()], position[b.index()]));
             let is_off = (d - bond.1.rest_length).abs() > 1e-8 * bond.1.rest_length.max(1.0);
             let is_fixed = w[a.index()] + w[b.index()] == 0.0;
             bond.1.kind == BondKind::Rigid && is_fixed && (is_off || leads(a) || leads(b))
         };
-        let between: Vec<usize> = self.bonds.iter().enumerate().filter(|bond| stands(&bond)).map(|(k, _)| k).collect();
+        let between: Vec<usize> = self.bonds.iter().enumerate().filter(stands).map(|(k, _)| k).collect();
         if !between.is_empty() {
             let text = format!("{} cannot hold: both ends are pinned, and not at that length", list(&between));
             self.warnings.push(text);
@@ -263,7 +264,7 @@ impl<S: Real, const D: usize> Dynamics for World<S, D> {
         S::flat(positions.as_flattened())
     }
 
-    fn bonds(&self) -> &[Bond] {
+    fn bonds(&self) -> &Bonds {
         &self.bonds
     }
 

@@ -23,7 +23,7 @@ fn explicit_points_and_bonds_come_out_as_said() {
     assert_eq!(model.pinned, [PointId(0)]);
     assert_eq!(model.gravity, [0.0, -9.81]);
     assert_eq!((model.drag_rate, model.duration), (0.25, Some(3.0)));
-    let bond = model.bonds[0];
+    let bond = model.bonds.get(0);
     assert_eq!((bond.a, bond.b, bond.rest_length), (PointId(0), PointId(1), 1.25));
     assert_eq!((bond.kind, bond.limit), (BondKind::Spring { stiffness: 200.0, damping: 2.0 }, Limit::Max));
     assert_eq!(scene.sample_times(), [0.75, 1.5, 2.25, 3.0]);
@@ -41,7 +41,7 @@ fn what_is_not_said_has_the_value_of_the_specification() {
     assert_eq!(model.mass, [1.0; 2]);
     assert!(model.pinned.is_empty());
     assert_eq!((model.gravity, model.drag_rate), ([0.0; 2], 0.0));
-    let bond = model.bonds[0];
+    let bond = model.bonds.get(0);
     assert_eq!((bond.rest_length, bond.kind, bond.limit), (5.0, BondKind::Rigid, Limit::Both));
     let mouse = model.mouse.unwrap();
     assert_eq!((mouse.region, mouse.profile), (Region::Round, Profile::Smooth));
@@ -59,7 +59,7 @@ fn a_scene_in_space_needs_a_model_in_space() {
         "bonds":[{"a":0,"b":1}],"gravity":[0,-9.81,1],"mouse":{"strength":1,"radius":1,"track":[[0,1,2],[1,3,4]]}}"#,
     );
     let model: Model<3> = scene.model().unwrap();
-    assert_eq!(model.bonds[0].rest_length, 3.0);
+    assert_eq!(model.bonds.get(0).rest_length, 3.0);
     assert_eq!(model.mass, [3.0, 3.0]);
     let track = model.mouse.unwrap().track;
     assert_eq!(track.knots, [(0.0, [1.0, 2.0]), (1.0, [3.0, 4.0])]);
@@ -82,10 +82,10 @@ fn bodies_follow_the_explicit_points_and_bonds() {
     assert_eq!(model.mass, [1.0, 1.0, 1.0, 2.0, 2.0, 2.0, 2.0]);
     assert_eq!(model.pinned, [PointId(0), PointId(2)]);
     assert_eq!(model.bonds.len(), 1 + 1 + 5);
-    assert_eq!((model.bonds[1].a, model.bonds[1].b), (PointId(1), PointId(2)));
-    assert_eq!((model.bonds[2].a, model.bonds[2].b), (PointId(3), PointId(4)));
-    assert_eq!(model.bonds[1].kind, BondKind::Rigid);
-    assert_eq!(model.bonds[2].kind, BondKind::Spring { stiffness: 2.0, damping: 0.0 });
+    assert_eq!((model.bonds.get(1).a, model.bonds.get(1).b), (PointId(1), PointId(2)));
+    assert_eq!((model.bonds.get(2).a, model.bonds.get(2).b), (PointId(3), PointId(4)));
+    assert_eq!(model.bonds.get(1).kind, BondKind::Rigid);
+    assert_eq!(model.bonds.get(2).kind, BondKind::Spring { stiffness: 2.0, damping: 0.0 });
 }
 
 #[test]

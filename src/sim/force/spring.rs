@@ -1,6 +1,7 @@
 //! Springs with a damper along the bond, as forces.
 
 use crate::sim::bond::{Bond, BondKind, Limit};
+use crate::sim::bonds::Bonds;
 use crate::sim::constrain::colour::by_colour;
 use crate::sim::real::Real;
 use crate::sim::vector::{add, dot, scale, sub};
@@ -221,8 +222,8 @@ impl<S: Real> Spring<S> {
 }
 
 /// Energy of every spring [J]: stiffness (|d| - rest)^2 / 2 where it acts.
-pub(crate) fn energy<const D: usize>(bonds: &[Bond], position: impl Fn(usize) -> [f64; D]) -> f64 {
-    let of = |bond: &Bond| {
+pub(crate) fn energy<const D: usize>(bonds: &Bonds, position: impl Fn(usize) -> [f64; D]) -> f64 {
+    let of = |bond: Bond| {
         let BondKind::Spring { stiffness, .. } = bond.kind else { return 0.0 };
         let d = sub(position(bond.a.index()), position(bond.b.index()));
         let stretch = dot(d, d).sqrt() - bond.rest_length;

@@ -3,6 +3,7 @@
 use super::make::Maker;
 use super::{Lot, Plan, PlanPart};
 use crate::sim::bond::{Bond, PointId};
+use crate::sim::bonds::Bonds;
 use crate::sim::model::Model;
 use crate::sim::points::State;
 use crate::sim::real::Real;
@@ -18,25 +19,25 @@ pub(super) struct Gathered<S, const D: usize> {
     /// Of the points that stand for others: with all of their mass.
     pub(super) w: Vec<f64>,
     pub(super) state: State<S, D>,
-    pub(super) bonds: Vec<Bond>,
+    pub(super) bonds: Bonds,
     /// Which bond of the world each is.
     pub(super) names: Vec<u32>,
 }
 
 impl<S: Real, const D: usize> Gathered<S, D> {
-    pub(super) fn new(model: &Model<D>, bonds: &[Bond], w: &[f64], stand_ins: &[u32], state: &State<S, D>) -> Self {
+    pub(super) fn new(model: &Model<D>, bonds: &Bonds, w: &[f64], stand_ins: &[u32], state: &State<S, D>) -> Self {
         let mut gathered = Gathered {
             stand_ins: stand_ins.to_vec(),
             w: w.to_vec(),
             state: state.clone(),
-            bonds: Vec::with_capacity(bonds.len()),
+            bonds: Bonds::with_capacity(bonds.len()),
             names: Vec::with_capacity(bonds.len()),
         };
         gathered.merge(model, w);
         for (name, bond) in bonds.iter().enumerate() {
             let [a, b] = [bond.a, bond.b].map(|end| PointId(stand_ins[end.index()]));
             if a != b {
-                gathered.bonds.push(Bond { a, b, ..*bond });
+                gathered.bonds.push(Bond { a, b, ..bond });
                 gathered.names.push(name as u32);
             }
         }
@@ -111,8 +112,8 @@ impl<S: Real, const D: usize> Gathered<S, D> {
     fn points_of(&self, lot: &Lot, is_first: bool, lots: &[Lot]) -> Vec<u32> {
         let mut points: Vec<u32> = lot.islands.iter().flat_map(|island| island.points.iter().copied()).collect();
         let pins_of = |lot: &Lot| -> Vec<u32> {
-            let bonds = lot.islands.iter().flat_map(|island| &island.bonds).map(|&k| &self.bonds[k as usize]);
-            let ends = bonds.flat_map(|bond| [bond.a, bond.b]).filter(|end| self.w[end.index()] == 0.0);
+            let bonds = lot.islands.iter().flat_map(|island| &island.bonds).map(|&k| self.bonds.ends()[k as usize]);
+            let ends = bonds.flatten().filter(|end| self.w[end.index()] == 0.0);
             ends.map(|end| end.0).collect()
         };
         points.extend(pins_of(lot));

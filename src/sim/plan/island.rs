@@ -2,6 +2,7 @@
 
 use super::sets::Sets;
 use crate::sim::bond::{Bond, BondKind};
+use crate::sim::bonds::Bonds;
 
 /// Points that hang together by bonds; pinned points belong to every island that is fastened to them.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -28,11 +29,11 @@ pub(crate) struct Island {
 ///
 /// Bounds on oscillation and decay are Gershgorin's: omega^2 <= max over points of 2 w_i sum of stiffness, decay
 /// likewise with damping.
-pub(crate) fn islands(bonds: &[Bond], w: &[f64]) -> Vec<Island> {
+pub(crate) fn islands(bonds: &Bonds, w: &[f64]) -> Vec<Island> {
     let mut sets = Sets::new(w.len());
-    for bond in bonds {
-        if w[bond.a.index()] > 0.0 && w[bond.b.index()] > 0.0 {
-            sets.join(bond.a.0, bond.b.0);
+    for [a, b] in bonds.ends() {
+        if w[a.index()] > 0.0 && w[b.index()] > 0.0 {
+            sets.join(a.0, b.0);
         }
     }
     let mut place = vec![u32::MAX; w.len()];
@@ -51,7 +52,7 @@ pub(crate) fn islands(bonds: &[Bond], w: &[f64]) -> Vec<Island> {
         let Some(free) = free else { continue };
         let island = &mut list[place[sets.find(free.0) as usize] as usize];
         island.bonds.push(k as u32);
-        island.add(bond, &mut sums);
+        island.add(&bond, &mut sums);
     }
     for island in &mut list {
         island.bound(&sums, w);
@@ -104,12 +105,12 @@ mod tests {
     #[test]
     fn a_pin_does_not_join_islands() {
         let spring = BondKind::Spring { stiffness: 8.0, damping: 1.0 };
-        let bonds = [bond(1, 0, spring), bond(2, 0, BondKind::Rigid), bond(2, 3, BondKind::Rigid)];
+        let bonds = Bonds::from([bond(1, 0, spring), bond(2, 0, BondKind::Rigid), bond(2, 3, BondKind::Rigid)]);
         let found = islands(&bonds, &[0.0, 0.25, 1.0, 1.0, 1.0]);
         let points: Vec<&[u32]> = found.iter().map(|island| &island.points[..]).collect();
         assert_eq!(points, [&[1][..], &[2, 3], &[4]]);
         assert_eq!((found[0].springs, found[0].frequency, found[0].decay), (1, 2.0, 0.5));
         assert_eq!((found[1].rigid, found[1].couplings, &found[1].bonds[..]), (2, 1, &[1, 2][..]));
-        assert_eq!(bonds[0].limit, Limit::Both);
+        assert_eq!(bonds.get(0).limit, Limit::Both);
     }
 }

@@ -79,7 +79,7 @@ impl<S: Real, const D: usize> Maker<'_, S, D> {
         let mut list: Vec<u32> = self.lot.islands.iter().flat_map(|island| island.bonds.iter().copied()).collect();
         list.sort_unstable();
         let moved = |k: u32| {
-            let bond = self.gathered.bonds[k as usize];
+            let bond = self.gathered.bonds.get(k as usize);
             let [a, b] = [bond.a, bond.b].map(|end| PointId(self.place[end.index()]));
             (self.gathered.names[k as usize], Bond { a, b, ..bond })
         };

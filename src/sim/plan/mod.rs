@@ -11,6 +11,7 @@ pub(crate) mod sets;
 pub(crate) mod weld;
 
 use super::bond::{Bond, BondKind};
+use super::bonds::Bonds;
 use super::group::Group;
 use super::model::Model;
 use super::points::State;
@@ -62,7 +63,7 @@ struct Lot {
 /// Compiles the plan of a model whose bonds (those that are left) and state are these.
 ///
 /// Shapes: `state` has one entry a point of the model.
-pub(crate) fn compile<S: Real, const D: usize>(model: &Model<D>, bonds: &[Bond], state: &State<S, D>) -> Plan<S, D> {
+pub(crate) fn compile<S: Real, const D: usize>(model: &Model<D>, bonds: &Bonds, state: &State<S, D>) -> Plan<S, D> {
     let w = inverse_masses(model);
     let stand_ins = match model.method.solver {
         Solver::Relaxation => (0..w.len() as u32).collect(),

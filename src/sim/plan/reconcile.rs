@@ -3,7 +3,8 @@
 use rand::{Rng, SeedableRng};
 use rand_pcg::Pcg32;
 
-use crate::sim::bond::{Bond, BondKind, Limit};
+use crate::sim::bond::{Bond, BondKind, Limit, PointId};
+use crate::sim::bonds::Bonds;
 use crate::sim::measure;
 use crate::sim::solve::blocks::Blocks;
 use crate::sim::vector::{add, dot, length, scale, sub};
@@ -19,11 +20,11 @@ const MOST_ROUNDS: u32 = 200;
 /// length they have there. Returns their indices.
 ///
 /// Shapes: `position` and `w` have one entry a point; w = 0 is pinned. Bonds with a limit are left out.
-pub(crate) fn reconcile<const D: usize>(bonds: &mut [Bond], position: &mut [[f64; D]], w: &[f64]) -> Vec<usize> {
+pub(crate) fn reconcile<const D: usize>(bonds: &mut Bonds, position: &mut [[f64; D]], w: &[f64]) -> Vec<usize> {
     let is_held = |bond: &Bond| bond.kind == BondKind::Rigid && bond.limit == Limit::Both;
-    let rigid: Vec<usize> = (0..bonds.len()).filter(|&k| is_held(&bonds[k])).collect();
+    let rigid: Vec<usize> = (0..bonds.len()).filter(|&k| is_held(&bonds.get(k))).collect();
     let is_free: Vec<bool> = w.iter().map(|&w| w > 0.0).collect();
-    let pairs: Vec<[u32; 2]> = rigid.iter().map(|&k| [bonds[k].a.0, bonds[k].b.0]).collect();
+    let pairs: Vec<[u32; 2]> = rigid.iter().map(|&k| bonds.ends()[k].map(|end| end.0)).collect();
     let mut system = Blocks::<f64, D>::new(&is_free, &pairs, &[]);
     let mut best = position.to_vec();
     let mut least = descend(bonds, &rigid, &mut best, &mut system);
@@ -39,10 +40,11 @@ pub(crate) fn reconcile<const D: usize>(bonds: &mut [Bond], position: &mut [[f64
     position.copy_from_slice(&best);
     let mut changed = Vec::new();
     for k in rigid {
-        let found = length(sub(position[bonds[k].a.index()], position[bonds[k].b.index()]));
-        let scale = if bonds[k].rest_length > 0.0 { bonds[k].rest_length } else { 1.0 };
-        if least > AGREES && (found - bonds[k].rest_length).abs() > AGREES * scale {
-            bonds[k].rest_length = found;
+        let bond = bonds.get(k);
+        let found = length(sub(position[bond.a.index()], position[bond.b.index()]));
+        let scale = if bond.rest_length > 0.0 { bond.rest_length } else { 1.0 };
+        if least > AGREES && (found - bond.rest_length).abs() > AGREES * scale {
+            bonds.set(k, Bond { rest_length: found, ..bond });
             changed.push(k);
         }
     }
@@ -63,7 +65,7 @@ fn nudge<const D: usize>(position: &mut [[f64; D]], is_free: &[bool], share: f64
 
 /// Gauss and Newton's method from one start. Returns the largest strain that is left.
 fn descend<const D: usize>(
-    bonds: &[Bond],
+    bonds: &Bonds,
     rigid: &[usize],
     position: &mut [[f64; D]],
     system: &mut Blocks<f64, D>,
@@ -74,7 +76,7 @@ fn descend<const D: usize>(
         system.shift(1e-6);
         force.fill([0.0; D]);
         for (pair, &k) in rigid.iter().enumerate() {
-            let (a, b) = (bonds[k].a.index(), bonds[k].b.index());
+            let [a, b] = bonds.ends()[k].map(PointId::index);
             let d = sub(position[a], position[b]);
             let size = length(d);
             if size == 0.0 {
@@ -85,7 +87,7 @@ fn descend<const D: usize>(
             system.add_own(a, &block);
             system.add_own(b, &block);
             system.add_pair(pair, &block.map(|row| scale(row, -1.0)));
-            let pull = scale(n, bonds[k].rest_length - size);
+            let pull = scale(n, bonds.rest_lengths()[k] - size);
             force[a] = add(force[a], pull);
             force[b] = sub(force[b], pull);
         }
@@ -101,8 +103,9 @@ fn descend<const D: usize>(
         }
     }
     let off = |&k: &usize| {
-        let rest = bonds[k].rest_length;
-        let found = length(sub(position[bonds[k].a.index()], position[bonds[k].b.index()]));
+        let [a, b] = bonds.ends()[k].map(PointId::index);
+        let rest = bonds.rest_lengths()[k];
+        let found = length(sub(position[a], position[b]));
         (found - rest).abs() / if rest > 0.0 { rest } else { 1.0 }
     };
     rigid.iter().map(off).fold(0.0, f64::max)

@@ -1,12 +1,13 @@
 //! Rigid bonds of rest length 0 weld points together: they become one.
 
 use super::sets::Sets;
-use crate::sim::bond::{Bond, BondKind, Limit};
+use crate::sim::bond::{BondKind, Limit};
+use crate::sim::bonds::Bonds;
 
 /// For every point the one that stands for it: the lowest that it is welded to.
 ///
 /// Pinned points (w = 0) that are welded stay pinned; two pinned points are never welded, for they cannot meet.
-pub(crate) fn merge(bonds: &[Bond], w: &[f64]) -> Vec<u32> {
+pub(crate) fn merge(bonds: &Bonds, w: &[f64]) -> Vec<u32> {
     let mut sets = Sets::new(w.len());
     let mut is_pinned: Vec<bool> = w.iter().map(|&w| w == 0.0).collect();
     for bond in bonds {

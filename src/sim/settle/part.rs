@@ -1,7 +1,7 @@
 //! One island with the pins that it hangs from: what acts on it, and its scales.
 
 use super::hold::{Grip, Hold};
-use crate::sim::bond::Bond;
+use crate::sim::bonds::Bonds;
 use crate::sim::contact::surface::Surface;
 use crate::sim::force::spring::Spring;
 use crate::sim::measure;
@@ -19,7 +19,7 @@ pub(super) struct Part<const D: usize> {
     pub(super) is_free: Vec<bool>,
     pub(super) gravity: [f64; D],
     /// The springs as bonds, whose energy is asked for, and as springs, whose force is.
-    pub(super) bonds: Vec<Bond>,
+    pub(super) bonds: Bonds,
     pub(super) springs: Vec<Spring<f64>>,
     /// Rigid bonds, then every pair of a free point and a surface.
     pub(super) holds: Vec<Hold>,

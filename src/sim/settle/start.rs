@@ -3,6 +3,7 @@
 use super::hold::{Grip, Hold};
 use super::part::Part;
 use crate::sim::bond::{Bond, BondKind, Limit, PointId};
+use crate::sim::bonds::Bonds;
 use crate::sim::contact::surface::surfaces;
 use crate::sim::force::spring::Spring;
 use crate::sim::model::Model;
@@ -33,12 +34,9 @@ impl<const D: usize> Start<D> {
                 position[stand_in as usize] = model.position[i];
             }
         }
-        let stands = |bond: &Bond| Bond {
-            a: PointId(stand_ins[bond.a.index()]),
-            b: PointId(stand_ins[bond.b.index()]),
-            ..*bond
-        };
-        let mut bonds: Vec<Bond> = model.bonds.iter().filter(|bond| acts(bond)).map(stands).collect();
+        let stands =
+            |bond: Bond| Bond { a: PointId(stand_ins[bond.a.index()]), b: PointId(stand_ins[bond.b.index()]), ..bond };
+        let mut bonds: Bonds = model.bonds.iter().filter(acts).map(stands).collect();
         bonds.retain(|bond| bond.a != bond.b);
         // Pins, and points that another one stands for, are in no island.
         let is_in = |i: usize| stand_ins[i] as usize == i && !is_pinned[i];
@@ -62,13 +60,13 @@ fn acts(bond: &Bond) -> bool {
 fn part<const D: usize>(
     model: &Model<D>,
     island: &Island,
-    bonds: &[Bond],
+    bonds: &Bonds,
     mass: &[f64],
     position: &[[f64; D]],
     held: &[f64],
 ) -> Part<D> {
     let mut pins: Vec<u32> = Vec::new();
-    let own = || island.bonds.iter().map(|&k| bonds[k as usize]);
+    let own = || island.bonds.iter().map(|&k| bonds.get(k as usize));
     pins.extend(own().flat_map(|bond| [bond.a.0, bond.b.0]).filter(|&i| held[i as usize] == 0.0));
     pins.sort_unstable();
     pins.dedup();
@@ -76,10 +74,10 @@ fn part<const D: usize>(
         let list = if held[i.index()] > 0.0 { (&island.points, 0) } else { (&pins, island.points.len()) };
         PointId((list.1 + list.0.binary_search(&i.0).unwrap_or(0)) as u32)
     };
-    let bonds: Vec<Bond> = own().map(|bond| Bond { a: place(bond.a), b: place(bond.b), ..bond }).collect();
-    let (rigid, springs): (Vec<Bond>, Vec<Bond>) = bonds.into_iter().partition(|bond| bond.kind == BondKind::Rigid);
+    let bonds = own().map(|bond| Bond { a: place(bond.a), b: place(bond.b), ..bond });
+    let (rigid, springs): (Bonds, Bonds) = bonds.partition(|bond| bond.kind == BondKind::Rigid);
     let surfaces = surfaces(model);
-    let bond = |bond: &Bond| {
+    let bond = |bond: Bond| {
         let grip = Grip::Bond { a: bond.a.index(), b: bond.b.index(), rest: bond.rest_length };
         Hold::new(grip, bond.limit)
     };
@@ -92,7 +90,7 @@ fn part<const D: usize>(
         mass: members.iter().map(|&i| mass[i as usize]).collect(),
         is_free: members.iter().map(|&i| held[i as usize] > 0.0).collect(),
         gravity: model.gravity,
-        springs: springs.iter().filter_map(Spring::of).collect(),
+        springs: springs.iter().filter_map(|bond| Spring::of(&bond)).collect(),
         bonds: springs,
         holds,
         surfaces,

@@ -23,7 +23,7 @@ fn model<const D: usize>(position: Vec<[f64; D]>, bonds: Vec<Bond>, pinned: &[u3
         pinned: pinned.iter().map(|&i| PointId(i)).collect(),
         gravity: std::array::from_fn(|k| if k == 1 { -9.81 } else { 0.0 }),
         position,
-        bonds,
+        bonds: bonds.into(),
         ..Model::default()
     }
 }
@@ -98,7 +98,8 @@ fn a_box_on_its_corner_falls_over() {
     let mut scene = square(std::f64::consts::FRAC_PI_4, [0.0, 0.0]);
     scene.planes = vec![plane([0.0, 1.0])];
     lies_flat(&settle(&scene).unwrap());
-    scene.bonds.iter_mut().for_each(|bond| bond.kind = BondKind::Spring { stiffness: 1e4, damping: 0.0 });
+    let kind = BondKind::Spring { stiffness: 1e4, damping: 0.0 };
+    scene.bonds = scene.bonds.iter().map(|bond| Bond { kind, ..bond }).collect();
     let found = settle(&scene).unwrap();
     assert!(found.is_settled && heights(&found)[1].abs() < 1e-12, "{found:?}");
 }
