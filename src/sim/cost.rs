@@ -32,6 +32,7 @@ pub(crate) fn of<S: Real, const D: usize>(group: &Group<S, D>) -> f64 {
         }
         Engine::Projected => force + 20.0 * points + 4.0 * hold,
         Engine::Implicit(implicit) => 5.0 * (force + implicit.work() as f64 + 8.0 * points),
+        Engine::Bulk(bulk) => 40.0 * bulk.bonds() as f64 + 10.0 * points,
         Engine::Xpbd(bonds, sweeps, _) => force + 20.0 * points + 40.0 * bonds.len() as f64 * f64::from(*sweeps),
     }
 }

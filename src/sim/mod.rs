@@ -2,6 +2,7 @@
 
 pub mod bond;
 pub mod bonds;
+pub(crate) mod bulk;
 pub mod command;
 pub(crate) mod constrain;
 pub mod contact;
@@ -11,6 +12,7 @@ pub mod dynamics;
 pub mod force;
 pub(crate) mod group;
 pub(crate) mod integrate;
+pub(crate) mod kernels;
 pub(crate) mod measure;
 pub mod model;
 pub(crate) mod plan;

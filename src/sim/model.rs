@@ -249,6 +249,9 @@ pub struct Method {
     pub precision: Precision,
     /// Largest error at every sample [m], > 0, that a search has to reach; `None`: fixed rules.
     pub tolerance: Option<f64>,
+    /// Largest strain of rigid bonds [1], > 0, that large bodies are held to; `None`: 0.02 for islands of more than 2,000
+    /// rigid bonds, 1e-6 for smaller ones.
+    pub max_strain: Option<f64>,
 }
 
 /// The order in which a sweep takes the bonds.

@@ -3,6 +3,8 @@
 use std::fmt::{Debug, Display};
 use std::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Sub, SubAssign};
 
+use fearless_simd::SimdFloatElement;
+
 use super::dynamics::Positions;
 use super::model::Precision;
 
@@ -20,6 +22,7 @@ pub trait Real:
     + Send
     + Sync
     + bytemuck::Pod
+    + SimdFloatElement
     + Neg<Output = Self>
     + Add<Output = Self>
     + Sub<Output = Self>

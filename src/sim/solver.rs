@@ -46,11 +46,14 @@ pub enum Solver {
     Xpbd,
     /// Every bond swept along its present direction, rigid ones as relaxed with relaxation 1: order 1.
     Relaxation,
+    /// Paths of bonds solved at once, path after path: order 1 in the bonds, stable at any substep, and far stiffer than
+    /// sweeps where paths are long.
+    Path,
 }
 
 impl Solver {
     /// All that can be asked for by name.
-    pub const ALL: [Solver; 15] = [
+    pub const ALL: [Solver; 16] = [
         Solver::Auto,
         Solver::Euler,
         Solver::SymplecticEuler,
@@ -66,6 +69,7 @@ impl Solver {
         Solver::BackwardEuler,
         Solver::Xpbd,
         Solver::Relaxation,
+        Solver::Path,
     ];
 
     /// Its name in scene files and calls.
@@ -87,13 +91,19 @@ impl Solver {
             Solver::BackwardEuler => "backward-euler",
             Solver::Xpbd => "xpbd",
             Solver::Relaxation => "relaxation",
+            Solver::Path => "path",
         }
     }
 
     /// Order of convergence of smooth motion.
     pub fn order(self) -> u32 {
         match self {
-            Solver::Euler | Solver::SymplecticEuler | Solver::BackwardEuler | Solver::Xpbd | Solver::Relaxation => 1,
+            Solver::Euler
+            | Solver::SymplecticEuler
+            | Solver::BackwardEuler
+            | Solver::Xpbd
+            | Solver::Relaxation
+            | Solver::Path => 1,
             Solver::Auto | Solver::Verlet | Solver::VelocityVerlet | Solver::Rk2 | Solver::ImplicitMidpoint => 2,
             Solver::Pefrl | Solver::BlanesMoan4 | Solver::Rk4 => 4,
             Solver::BlanesMoan6 => 6,
@@ -117,7 +127,8 @@ impl Solver {
                 | Solver::Rk8
                 | Solver::ImplicitMidpoint
                 | Solver::BackwardEuler
-                | Solver::Flight,
+                | Solver::Flight
+                | Solver::Path,
             ) => Some(("relaxed", "auto, euler, symplectic-euler, verlet, velocity-verlet, xpbd or relaxation")),
             _ => None,
         }
@@ -125,7 +136,7 @@ impl Solver {
 
     /// Whether rigid bonds are solved together where there are not too many.
     pub(crate) fn solves_directly(self) -> bool {
-        !matches!(self, Solver::Verlet | Solver::Relaxation | Solver::Xpbd)
+        !matches!(self, Solver::Verlet | Solver::Relaxation | Solver::Xpbd | Solver::Path)
     }
 
     /// Whether walls, the edge of the mouse region and turns of bonds are located in time: where the order would be lost

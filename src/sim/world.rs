@@ -147,7 +147,11 @@ impl<S: Real, const D: usize> World<S, D> {
     /// The state in the order of the model.
     fn state_of_all(&self) -> State<S, D> {
         let pick = |list: fn(&super::points::Points<S, D>) -> &[[S; D]]| {
-            let of = |&[group, slot]: &[u32; 2]| list(&self.plan.groups[group as usize].points)[slot as usize];
+            // Large bodies have no list of what rounding takes.
+            let of = |&[group, slot]: &[u32; 2]| {
+                let list = list(&self.plan.groups[group as usize].points);
+                list.get(slot as usize).copied().unwrap_or(zero())
+            };
             self.plan.slots.iter().map(of).collect()
         };
         State {

@@ -6,7 +6,12 @@
 /// locality of the points. Greedy: each bond takes the first colour that is free at both ends, in rounds of 64 colours.
 /// Shapes: `ends` holds point indices below `point_count`. Cost: O(bonds) for each 64 bonds at the fullest point.
 pub(crate) fn by_colour(ends: &[[u32; 2]], point_count: usize) -> Vec<u32> {
-    let mut result = Vec::with_capacity(ends.len());
+    colours(ends, point_count).0
+}
+
+/// As [`by_colour`], and where each colour ends in the list.
+pub(crate) fn colours(ends: &[[u32; 2]], point_count: usize) -> (Vec<u32>, Vec<usize>) {
+    let (mut result, mut stops) = (Vec::with_capacity(ends.len()), Vec::new());
     let mut waiting: Vec<u32> = (0..ends.len() as u32).collect();
     let mut taken = vec![0_u64; point_count];
     while !waiting.is_empty() {
@@ -22,10 +27,13 @@ pub(crate) fn by_colour(ends: &[[u32; 2]], point_count: usize) -> Vec<u32> {
             colours[free as usize].push(bond);
             false
         });
-        result.extend(colours.into_iter().flatten());
+        for colour in colours.into_iter().filter(|colour| !colour.is_empty()) {
+            result.extend(colour);
+            stops.push(result.len());
+        }
         taken.fill(0);
     }
-    result
+    (result, stops)
 }
 
 #[cfg(test)]

@@ -1,5 +1,6 @@
 //! What moves a group: one integrator with what it keeps from step to step.
 
+use crate::sim::bulk::Bulk;
 use crate::sim::constrain::xpbd::{self, CompliantBond};
 use crate::sim::counters::Counters;
 use crate::sim::integrate::implicit::Implicit;
@@ -30,6 +31,8 @@ pub(crate) enum Engine<S: Real, const D: usize> {
     Projected,
     /// Compliant projection with this many sweeps; relaxed bonds are swept after it.
     Xpbd(Vec<CompliantBond<S>>, u32, KickDrift<S>),
+    /// Large bodies.
+    Bulk(Box<Bulk<S, D>>),
 }
 
 /// One step of the method itself.
@@ -106,6 +109,10 @@ impl<S: Real, const D: usize> Engine<S, D> {
                 after.relax(points, h, counters);
                 verlet::follow(points, h);
                 verlet::advance(points);
+                true
+            }
+            Engine::Bulk(bulk) => {
+                bulk.step(points, pull, around, (t, h), counters);
                 true
             }
         }

@@ -76,6 +76,9 @@ impl<S: Real, const D: usize> Group<S, D> {
 
     /// Advances by `h` from time `t` [s].
     pub(crate) fn advance(&mut self, around: &Surroundings<D>, t: f64, h: f64, counters: &mut Counters) {
+        if let Engine::Bulk(bulk) = &mut self.engine {
+            return bulk.step(&mut self.points, &self.pull, around, (t, h), counters);
+        }
         counters.substeps += 1;
         counters.points_moved += self.points.len() as u64;
         if self.may_fail() {
@@ -163,7 +166,9 @@ impl<S: Real, const D: usize> Group<S, D> {
             self.points.velocity[i] = slope;
             if let Some(place) = track.at(t) {
                 self.points.position[i] = convert(place);
-                self.points.position_lost[i] = zero();
+                if let Some(lost) = self.points.position_lost.get_mut(i) {
+                    *lost = zero();
+                }
             }
         }
         if changed {

@@ -1,6 +1,7 @@
 //! Which method an island gets: fixed rules on what it is made of, the same on every machine.
 
 use super::island::Island;
+use crate::sim::bulk::Way;
 use crate::sim::model::Method;
 use crate::sim::solver::Solver;
 
@@ -25,6 +26,12 @@ const MOST_IMPLICIT: usize = 4_000;
 pub(crate) const MOST_DIRECT: usize = 2_000;
 /// Most pairs of rigid bonds that share a point in such a set: a star of many spokes couples all with all.
 const MOST_COUPLINGS: usize = 60_000;
+/// Strain that rigid bonds of a large island may have where nothing is said [1].
+const LARGE_STRAIN: f64 = 0.02;
+/// The same of an island of at most [`MOST_DIRECT`].
+const SMALL_STRAIN: f64 = 1e-6;
+/// Least strain that paths are meant for [1]: below, solving all bonds together is cheaper.
+const LEAST_STRAIN: f64 = 1e-5;
 /// Points above which order 4 is too dear: what is shown of such a mesh is coarser than what Verlet's method errs.
 const LARGE: usize = 20_000;
 
@@ -36,6 +43,16 @@ pub(crate) struct Choice {
     pub(crate) substep: f64,
     /// Rigid bonds are solved together, not swept.
     pub(crate) is_direct: bool,
+    /// Moved as a large body.
+    pub(crate) bulk: Option<Scheme>,
+}
+
+/// How a large body is moved.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Scheme {
+    pub(crate) way: Way,
+    /// Largest strain that substeps follow [1]; `None`: the substep is given.
+    pub(crate) target: Option<f64>,
 }
 
 /// What the rules ask of the surroundings.
@@ -54,8 +71,28 @@ pub(crate) fn choose(island: &Island, method: &Method, setting: Setting) -> Choi
         Solver::Auto => pick(island, setting, is_direct),
         given => given,
     };
-    let substep = method.substep.unwrap_or_else(|| substep(island, solver, setting));
-    Choice { solver, substep, is_direct: is_direct && solver.solves_directly() }
+    let bulk = scheme(island, method, solver, is_direct);
+    let solver = if bulk.is_some() && solver != Solver::Xpbd { Solver::Path } else { solver };
+    let substep = method.substep.unwrap_or_else(|| match bulk {
+        Some(_) => FRAME,
+        None => substep(island, solver, setting),
+    });
+    Choice { solver, substep, is_direct: is_direct && solver.solves_directly() && bulk.is_none(), bulk }
+}
+
+/// Whether and how an island is moved as a large body.
+fn scheme(island: &Island, method: &Method, solver: Solver, is_direct: bool) -> Option<Scheme> {
+    let is_fit = island.relaxed == 0 && !island.has_limits && !island.bonds.is_empty();
+    let is_loose = method.max_strain.is_some_and(|strain| strain >= LEAST_STRAIN);
+    let wanted = match method.solver {
+        Solver::Path => true,
+        Solver::Auto => island.rigid > 0 && (!is_direct || is_loose),
+        _ => false,
+    };
+    let default = if island.rigid > MOST_DIRECT { LARGE_STRAIN } else { SMALL_STRAIN };
+    let target = method.max_strain.unwrap_or(default);
+    let _ = solver;
+    (is_fit && wanted).then(|| Scheme { way: Way::Paths, target: method.substep.is_none().then_some(target) })
 }
 
 fn pick(island: &Island, setting: Setting, is_direct: bool) -> Solver {

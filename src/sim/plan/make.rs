@@ -35,6 +35,9 @@ pub(super) struct Maker<'a, S, const D: usize> {
 impl<S: Real, const D: usize> Maker<'_, S, D> {
     pub(super) fn make(&self) -> Group<S, D> {
         let choice = self.lot.choice;
+        if let Some(scheme) = choice.bulk {
+            return self.make_bulk(scheme);
+        }
         let w: Vec<f64> = self.points.iter().map(|&i| self.gathered.w[i as usize]).collect();
         let bonds = self.bonds();
         let mut points = self.state(&w);
@@ -75,7 +78,7 @@ impl<S: Real, const D: usize> Maker<'_, S, D> {
     }
 
     /// The bonds of the lot as listed, between points of the group, with their names.
-    fn bonds(&self) -> Vec<(u32, Bond)> {
+    pub(super) fn bonds(&self) -> Vec<(u32, Bond)> {
         let mut list: Vec<u32> = self.lot.islands.iter().flat_map(|island| island.bonds.iter().copied()).collect();
         list.sort_unstable();
         let moved = |k: u32| {
@@ -86,7 +89,7 @@ impl<S: Real, const D: usize> Maker<'_, S, D> {
         list.into_iter().map(moved).collect()
     }
 
-    fn state(&self, w: &[f64]) -> Points<S, D> {
+    pub(super) fn state(&self, w: &[f64]) -> Points<S, D> {
         let state = &self.gathered.state;
         let pick = |list: &[[S; D]]| -> Vec<[S; D]> { self.points.iter().map(|&i| list[i as usize]).collect() };
         let picked = State {
@@ -98,7 +101,7 @@ impl<S: Real, const D: usize> Maker<'_, S, D> {
         Points::new(picked, w.iter().map(|&w| S::from_f64(w)).collect())
     }
 
-    fn tracks(&self) -> Vec<(u32, crate::sim::force::mouse::Track<D>)> {
+    pub(super) fn tracks(&self) -> Vec<(u32, crate::sim::force::mouse::Track<D>)> {
         let of = |(point, track): &(PointId, _)| {
             let stand_in = self.gathered.stand_ins[point.index()] as usize;
             let slot = self.place[stand_in];
@@ -160,7 +163,7 @@ fn is_elastic(bond: &Bond) -> bool {
     matches!(bond.kind, BondKind::Spring { .. })
 }
 
-fn breakable<S: Real>(bonds: &[(u32, Bond)], is_meant: impl Fn(&Bond) -> bool) -> Vec<Breakable<S>> {
+pub(super) fn breakable<S: Real>(bonds: &[(u32, Bond)], is_meant: impl Fn(&Bond) -> bool) -> Vec<Breakable<S>> {
     let of = |(name, bond): &(u32, Bond)| {
         let scale = if bond.rest_length > 0.0 { bond.rest_length } else { 1.0 };
         let most = if bond.rest_length > 0.0 { scale * (1.0 + bond.break_strain) } else { bond.break_strain };

@@ -1,6 +1,7 @@
 //! What a scene needs, compiled when bonds or the method change, never in a step: welds, islands, groups of islands
 //! that one method moves, and where every point is found.
 
+mod bulk;
 pub(crate) mod choice;
 mod engines;
 mod gather;
@@ -8,6 +9,7 @@ pub(crate) mod island;
 mod make;
 mod reconcile;
 pub(crate) mod sets;
+pub(crate) mod structure;
 pub(crate) mod weld;
 
 use super::bond::{Bond, BondKind};

@@ -1,0 +1,151 @@
+//! One large body: its points among those of the group, its structure, its state.
+
+use super::Way;
+use super::chain::Chain;
+use super::crowd::Crowd;
+use super::form::Form;
+use super::mesh::Mesh;
+use super::sheet::Sheet;
+use super::spec::Substep;
+use crate::sim::kernels::store::{Drift, Store};
+use crate::sim::points::Points;
+use crate::sim::real::Real;
+use crate::sim::vector::scale;
+
+/// A large body of any form.
+#[derive(Clone, Debug)]
+pub(crate) enum AnyBody<S: Real, const D: usize> {
+    Sheet(Box<Body<S, D, Sheet<S, D>>>),
+    Chain(Box<Body<S, D, Chain<S>>>),
+    Crowd(Box<Body<S, D, Crowd>>),
+    Mesh(Box<Body<S, D, Mesh<S, D>>>),
+}
+
+/// Does the same with a body of whatever form.
+macro_rules! of_any {
+    ($any:expr, $body:ident => $call:expr) => {
+        match $any {
+            AnyBody::Sheet($body) => $call,
+            AnyBody::Chain($body) => $call,
+            AnyBody::Crowd($body) => $call,
+            AnyBody::Mesh($body) => $call,
+        }
+    };
+}
+
+impl<S: Real, const D: usize> AnyBody<S, D> {
+    /// Puts the state of the points into the store: displacements of a substep of `h` that begins with `drift`.
+    pub(crate) fn load(&mut self, points: &Points<S, D>, drift: &Drift<S, D>, h: S) {
+        of_any!(self, body => body.load(points, drift, h));
+    }
+
+    /// From one substep to the next.
+    pub(crate) fn go_on(&mut self, drift: &Drift<S, D>) {
+        of_any!(self, body => body.store.go_on(drift));
+    }
+
+    /// Bonds of one substep.
+    pub(crate) fn project(&mut self, way: Way, step: &Substep) {
+        of_any!(self, body => body.project(way, step));
+    }
+
+    /// The largest |e.e/rest^2 - 1| of any bond.
+    pub(crate) fn stretch(&mut self) -> S {
+        of_any!(self, body => body.form.stretch(&mut body.store))
+    }
+
+    /// Ends the last substep and gives positions and velocities back; `rate` is one over the substep [1/s].
+    pub(crate) fn arrive(&mut self, points: &mut Points<S, D>, rate: S) {
+        of_any!(self, body => body.arrive(points, rate));
+    }
+
+    pub(crate) fn bonds(&self) -> usize {
+        of_any!(self, body => Form::<S, D>::bonds(&body.form))
+    }
+
+    /// The inverse mass that weights are relative to [1/kg].
+    pub(crate) fn reference(&self) -> f64 {
+        of_any!(self, body => body.reference)
+    }
+}
+
+/// Which points of the group are those of a body, in the body's numbering.
+#[derive(Clone, Debug)]
+pub(crate) enum Members {
+    /// One after another from this one on.
+    From(u32),
+    /// These.
+    List(Vec<u32>),
+}
+
+impl Members {
+    #[inline(always)]
+    fn point(&self, i: usize) -> usize {
+        match self {
+            Members::From(first) => *first as usize + i,
+            Members::List(list) => list[i] as usize,
+        }
+    }
+}
+
+/// A large body.
+#[derive(Clone, Debug)]
+pub(crate) struct Body<S: Real, const D: usize, F: Form<S, D>> {
+    form: F,
+    store: F::Store,
+    /// The inverse mass that weights are relative to [1/kg].
+    reference: f64,
+    members: Members,
+}
+
+impl<S: Real, const D: usize, F: Form<S, D>> Body<S, D, F> {
+    /// A body of these points of the group.
+    pub(crate) fn new(mut form: F, members: Members, points: &Points<S, D>) -> Self {
+        let w = &points.inverse_mass;
+        let mut least = f64::INFINITY;
+        form.each(|i, _| {
+            let w = w[members.point(i)].to_f64();
+            if w > 0.0 && w < least {
+                least = w;
+            }
+        });
+        let reference = if least.is_finite() { least } else { 1.0 };
+        let mut store = F::Store::new(form.cells());
+        form.each(|i, cell| *store.weight(cell) = S::from_f64(w[members.point(i)].to_f64() / reference));
+        form.weigh(&mut store);
+        Body { form, store, reference, members }
+    }
+
+    fn load(&mut self, points: &Points<S, D>, drift: &Drift<S, D>, h: S) {
+        let Body { form, store, members, .. } = self;
+        let way = drift.keep * h;
+        form.each(|i, cell| {
+            let point = members.point(i);
+            let mut d = points.velocity[point];
+            for k in 0..D {
+                d[k] = if points.inverse_mass[point] == S::ZERO { d[k] * h } else { d[k] * way + drift.fall[k] };
+            }
+            store.put(cell, points.position[point], d);
+        });
+    }
+
+    fn project(&mut self, way: Way, step: &Substep) {
+        match way {
+            Way::Paths => self.form.solve(&mut self.store, step),
+            Way::Sweeps(sweeps) => (0..sweeps).for_each(|_| self.form.sweep(&mut self.store, step)),
+        }
+    }
+
+    fn arrive(&mut self, points: &mut Points<S, D>, rate: S) {
+        // Without gravity or drag the next substep begins with the motion of this one.
+        self.store.go_on(&Drift { keep: S::ONE, fall: [S::ZERO; D] });
+        let Body { form, store, members, .. } = self;
+        form.each(|i, cell| {
+            let point = members.point(i);
+            points.position[point] = store.get(cell).0;
+            if points.inverse_mass[point] != S::ZERO {
+                points.velocity[point] = scale(store.motion(cell), rate);
+            }
+        });
+    }
+}

@@ -1,0 +1,34 @@
+//! What the bodies of all forms can do.
+
+use super::spec::Substep;
+use crate::sim::kernels::store::Store;
+use crate::sim::real::Real;
+
+/// The structure of a large body: where its points lie in a store, and how its bonds are taken.
+///
+/// A form holds no state of motion: that lies in the store.
+pub(crate) trait Form<S: Real, const D: usize> {
+    /// How it keeps its points.
+    type Store: Store<S, D>;
+
+    /// How many places its points and their padding take.
+    fn cells(&self) -> usize;
+
+    /// Calls `visit` with every point, counted within the body, and its place in the store.
+    fn each(&self, visit: impl FnMut(usize, usize));
+
+    /// Looks at the weights: the store has been given them.
+    fn weigh(&mut self, store: &mut Self::Store);
+
+    /// Moves displacements by one sweep over all bonds.
+    fn sweep(&mut self, store: &mut Self::Store, step: &Substep);
+
+    /// Moves displacements by one pass of the path method over all bonds.
+    fn solve(&mut self, store: &mut Self::Store, step: &Substep);
+
+    /// The largest |e.e/rest^2 - 1| of any bond, about twice its strain.
+    fn stretch(&self, store: &mut Self::Store) -> S;
+
+    /// How many bonds it has.
+    fn bonds(&self) -> usize;
+}

@@ -1,0 +1,232 @@
+//! Any mesh: bonds in colours, and in long paths where there are any.
+
+use fearless_simd::Simd;
+
+use super::form::Form;
+use super::spec::{Spec, Substep};
+use super::trails::{self, Bundle, Segment};
+use crate::sim::bond::BondKind;
+use crate::sim::constrain::colour::colours;
+use crate::sim::kernels::cells::Cells;
+use crate::sim::kernels::lanes::{Lanes, Mask, WIDEST, between, largest, load, splat};
+use crate::sim::kernels::law::{Law, Rigid};
+use crate::sim::kernels::level::vectorized;
+use crate::sim::kernels::mesh::{self, Colour, Rests};
+use crate::sim::kernels::nodes::Nodes;
+use crate::sim::kernels::pair::{Correct, Measure, Work};
+use crate::sim::kernels::path::{self, Scratch, Strip};
+use crate::sim::kernels::store::Store;
+use crate::sim::real::Real;
+
+/// Bonds of one colour and one kind.
+#[derive(Clone, Debug)]
+struct Batch<S> {
+    spec: Spec,
+    /// From and to in the lists of bonds.
+    range: [usize; 2],
+    /// The rest length of all of them, if it is one [m].
+    rest: Option<S>,
+    is_plain: bool,
+}
+
+/// A mesh.
+#[derive(Clone, Debug)]
+pub(crate) struct Mesh<S: Real, const D: usize> {
+    points: usize,
+    /// Bonds as listed, until weights are known.
+    segments: Vec<Segment>,
+    /// Ends of bonds, batch by batch.
+    ends: Vec<[u32; 2]>,
+    /// Rest lengths of bonds [m]; empty where each batch has one.
+    rests: Vec<S>,
+    batches: Vec<Batch<S>>,
+    bundles: Vec<Bundle<S>>,
+    /// A bundle's points side by side.
+    turned: Cells<S, D>,
+    scratch: Scratch<S>,
+}
+
+impl<S: Real, const D: usize> Mesh<S, D> {
+    /// A mesh of so many points.
+    pub(crate) fn new(points: usize, segments: Vec<Segment>) -> Self {
+        Mesh {
+            points,
+            segments,
+            ends: Vec::new(),
+            rests: Vec::new(),
+            batches: Vec::new(),
+            bundles: Vec::new(),
+            turned: Cells::new(0),
+            scratch: Scratch::default(),
+        }
+    }
+
+    /// Looks for long paths. Returns their mean length in bonds.
+    pub(crate) fn lay_trails(&mut self, position: &[[f64; D]], down: [f64; D]) -> f64 {
+        self.bundles = trails::bundles(&self.segments, position, down);
+        let longest = self.bundles.iter().map(|bundle| bundle.len).max().unwrap_or(0);
+        self.turned = Cells::new(longest * WIDEST);
+        trails::mean_length(&self.bundles)
+    }
+
+    /// Forgets the paths: bonds are swept.
+    pub(crate) fn forget_trails(&mut self) {
+        (self.bundles, self.turned) = (Vec::new(), Cells::new(0));
+    }
+
+    fn colour(&self, batch: &Batch<S>) -> Colour<'_, S> {
+        let [from, to] = batch.range;
+        let rests = match batch.rest {
+            Some(rest) => Rests::Same(rest),
+            None => Rests::Each(&self.rests[from..to]),
+        };
+        Colour { ends: &self.ends[from..to], rests, is_plain: batch.is_plain }
+    }
+
+    fn sweep_batch<L: Law<S>>(&self, nodes: &mut Nodes<S, D>, batch: &Batch<S>, law: L) {
+        let colour = self.colour(batch);
+        vectorized!(m => mesh::colour(m, &mut Correct, nodes, &law, &colour));
+    }
+}
+
+/// Whether all of the bonds have one rest length, and which.
+fn rest_of<S: Real>(segments: &[Segment]) -> Option<S> {
+    let first = segments.first()?.spec;
+    segments.iter().all(|segment| segment.spec.is_like(&first)).then(|| S::from_f64(first.rest))
+}
+
+impl<S: Real, const D: usize> Form<S, D> for Mesh<S, D> {
+    type Store = Nodes<S, D>;
+
+    fn cells(&self) -> usize {
+        self.points
+    }
+
+    #[inline(always)]
+    fn each(&self, mut visit: impl FnMut(usize, usize)) {
+        (0..self.points).for_each(|point| visit(point, point));
+    }
+
+    /// Weights decide which bonds need them: batches are made now.
+    fn weigh(&mut self, nodes: &mut Nodes<S, D>) {
+        let is_plain = |ends: [u32; 2]| ends.iter().all(|&end| nodes.w[end as usize] == S::ONE);
+        let pairs: Vec<[u32; 2]> = self.segments.iter().map(|segment| segment.ends).collect();
+        let (order, stops) = colours(&pairs, self.points);
+        let mut kinds: Vec<Spec> = Vec::new();
+        let mut kind_of = |spec: &Spec| {
+            kinds.iter().position(|kind| kind.is_of_kind(spec)).unwrap_or_else(|| {
+                kinds.push(*spec);
+                kinds.len() - 1
+            })
+        };
+        let mut start = 0;
+        for stop in stops {
+            let mut colour: Vec<(usize, bool, u32)> = (order[start..stop].iter())
+                .map(|&k| (kind_of(&self.segments[k as usize].spec), is_plain(pairs[k as usize]), k))
+                .collect();
+            colour.sort_by_key(|&(kind, plain, _)| (kind, plain));
+            for some in colour.chunk_by(|a, b| (a.0, a.1) == (b.0, b.1)) {
+                let bonds: Vec<Segment> = some.iter().map(|&(.., k)| self.segments[k as usize]).collect();
+                let range = [self.ends.len(), self.ends.len() + bonds.len()];
+                self.ends.extend(bonds.iter().map(|bond| bond.ends));
+                self.rests.extend(bonds.iter().map(|bond| S::from_f64(bond.spec.rest)));
+                let rest = rest_of(&bonds);
+                self.batches.push(Batch { spec: bonds[0].spec, range, rest, is_plain: some[0].1 });
+            }
+            start = stop;
+        }
+        if self.batches.iter().all(|batch| batch.rest.is_some()) {
+            self.rests = Vec::new();
+        }
+        self.segments = Vec::new();
+    }
+
+    fn sweep(&mut self, nodes: &mut Nodes<S, D>, step: &Substep) {
+        for batch in &self.batches {
+            match batch.spec.kind {
+                BondKind::Rigid => self.sweep_batch(nodes, batch, Rigid),
+                BondKind::Relaxed { .. } => self.sweep_batch(nodes, batch, batch.spec.relaxed::<S>(step)),
+                BondKind::Spring { .. } => self.sweep_batch(nodes, batch, batch.spec.compliant::<S>(step)),
+            }
+        }
+    }
+
+    fn solve(&mut self, nodes: &mut Nodes<S, D>, step: &Substep) {
+        if self.bundles.is_empty() {
+            return self.sweep(nodes, step);
+        }
+        let Mesh { bundles, turned, scratch, .. } = self;
+        for bundle in bundles.iter() {
+            let law = bundle.spec.path::<S>(step);
+            let cells = bundle.len * WIDEST;
+            for (cell, &point) in bundle.points[..cells].iter().enumerate() {
+                let (x, d) = nodes.get(point as usize);
+                turned.put(cell, x, d);
+                turned.w[cell] = nodes.w[point as usize];
+            }
+            vectorized!(m => {
+                for lane in (0..usize::from(bundle.counts[0])).step_by(crate::sim::kernels::lanes::width::<_, S>(m)) {
+                    path::solve(m, &mut turned.view(), &Side { m, bundle, lane }, &law, scratch);
+                }
+            });
+            for (k, &count) in bundle.counts.iter().enumerate() {
+                for cell in k * WIDEST..k * WIDEST + usize::from(count) {
+                    nodes.points[bundle.points[cell] as usize].d = turned.get(cell).1;
+                }
+            }
+        }
+    }
+
+    fn stretch(&self, nodes: &mut Nodes<S, D>) -> S {
+        vectorized!(m => {
+            let mut measure = Measure { most: splat(m, S::ZERO) };
+            for batch in &self.batches {
+                all(m, &mut measure, nodes, &self.colour(batch));
+            }
+            largest::<_, S>(measure.most)
+        })
+    }
+
+    fn bonds(&self) -> usize {
+        self.ends.len()
+    }
+}
+
+#[inline(always)]
+fn all<M: Simd, S: Real, W: Work<M, S, D, ()>, const D: usize>(
+    m: M,
+    work: &mut W,
+    nodes: &mut Nodes<S, D>,
+    colour: &Colour<'_, S>,
+) {
+    mesh::colour(m, work, nodes, &(), colour);
+}
+
+/// Trails of a bundle from a lane on.
+struct Side<'a, M, S> {
+    m: M,
+    bundle: &'a Bundle<S>,
+    lane: usize,
+}
+
+impl<M: Simd, S: Real> Strip<M, S> for Side<'_, M, S> {
+    #[inline(always)]
+    fn len(&self) -> usize {
+        self.bundle.len
+    }
+
+    #[inline(always)]
+    fn at(&self, k: usize) -> usize {
+        k * WIDEST + self.lane
+    }
+
+    #[inline(always)]
+    fn lanes(&self, k: usize) -> Mask<M, S> {
+        between::<M, S>(self.m, 0, isize::from(self.bundle.counts[k]) - self.lane as isize)
+    }
+
+    #[inline(always)]
+    fn rest(&self, k: usize) -> Lanes<M, S> {
+        load(self.m, &self.bundle.rests, k * WIDEST + self.lane)
+    }
+}

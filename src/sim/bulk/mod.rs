@@ -1,0 +1,137 @@
+//! Large bodies: state in the order of vectors, bonds by the kernel that fits what the body is made of.
+//!
+//! A step of a large body is cut into equal substeps of h. With d the displacement of a point in a substep,
+//!
+//! ```text
+//! d <- keep d + g h^2        gravity and drag, from the middle of one substep to the middle of the next
+//! d <- d + …                 bonds: sweeps or passes of the path method
+//! x <- x + d
+//! ```
+//!
+//! which is Verlet's method with the velocity v = d/h in the middle of substeps: half a substep behind the positions.
+
+pub(crate) mod body;
+pub(crate) mod chain;
+pub(crate) mod control;
+pub(crate) mod crowd;
+pub(crate) mod form;
+pub(crate) mod mesh;
+pub(crate) mod sheet;
+pub(crate) mod spec;
+pub(crate) mod trails;
+
+use super::counters::Counters;
+use super::kernels::store::Drift;
+use super::points::Points;
+use super::pull::Pull;
+use super::real::Real;
+use super::surroundings::Surroundings;
+use body::AnyBody;
+use control::Control;
+use spec::Substep;
+
+/// How bonds are taken in a substep.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Way {
+    /// One pass of the path method.
+    Paths,
+    /// So many sweeps.
+    Sweeps(u32),
+}
+
+/// Large bodies that move in step.
+#[derive(Clone, Debug)]
+pub(crate) struct Bulk<S: Real, const D: usize> {
+    pub(crate) bodies: Vec<AnyBody<S, D>>,
+    pub(crate) way: Way,
+    pub(crate) control: Control,
+    /// The substep that relaxed bonds are relative to [s].
+    pub(crate) nominal: f64,
+    /// How far velocities are behind positions [s].
+    pub(crate) lag: f64,
+}
+
+impl<S: Real, const D: usize> Bulk<S, D> {
+    /// How many bonds the bodies have.
+    pub(crate) fn bonds(&self) -> usize {
+        self.bodies.iter().map(AnyBody::bonds).sum()
+    }
+
+    /// Advances by `h` [s].
+    ///
+    /// Where a strain is asked for and not reached, the step is taken again in more substeps.
+    pub(crate) fn step(
+        &mut self,
+        points: &mut Points<S, D>,
+        pull: &Pull<S, D>,
+        _around: &Surroundings<D>,
+        (_t, h): (f64, f64),
+        counters: &mut Counters,
+    ) {
+        loop {
+            let count = self.control.count(h);
+            let substep = h / f64::from(count);
+            self.run(points, pull, (substep, count), counters);
+            counters.substeps += u64::from(count);
+            counters.points_moved += u64::from(count) * points.len() as u64;
+            let strain = if self.control.follows() { self.strain() } else { 0.0 };
+            if self.control.accepts(strain) {
+                self.arrive(points, substep);
+                self.lag = 0.5 * substep;
+                return;
+            }
+            counters.guard_splits += 1;
+        }
+    }
+
+    /// Takes `count` substeps of `h` [s] from the state of the points: all but the arrival.
+    fn run(&mut self, points: &Points<S, D>, pull: &Pull<S, D>, (h, count): (f64, u32), counters: &mut Counters) {
+        self.load(points, pull, h);
+        let drift = drift(pull, h, h);
+        for substep in 0..count {
+            if substep > 0 {
+                self.bodies.iter_mut().for_each(|body| body.go_on(&drift));
+            }
+            self.project(h, counters);
+        }
+    }
+
+    /// Points go to their cells, with the displacements of the first substep.
+    fn load(&mut self, points: &Points<S, D>, pull: &Pull<S, D>, h: f64) {
+        let drift = drift(pull, h, self.lag + 0.5 * h);
+        for body in &mut self.bodies {
+            body.load(points, &drift, S::from_f64(h));
+        }
+    }
+
+    fn arrive(&mut self, points: &mut Points<S, D>, h: f64) {
+        for body in &mut self.bodies {
+            body.arrive(points, S::from_f64(1.0 / h));
+        }
+    }
+
+    /// Bonds of one substep.
+    fn project(&mut self, h: f64, counters: &mut Counters) {
+        for body in &mut self.bodies {
+            let share = (2.0 * h / self.nominal).powi(2).min(1.0);
+            let step = Substep { h, reference: body.reference(), share, tolerance: self.control.tolerance() };
+            body.project(self.way, &step);
+            let passes = if let Way::Sweeps(sweeps) = self.way { sweeps } else { 1 };
+            counters.sweep(passes, body.bonds());
+        }
+    }
+
+    /// The largest strain, about: half of |e.e/rest^2 - 1|.
+    fn strain(&mut self) -> f64 {
+        0.5 * self.bodies.iter_mut().map(|body| body.stretch().to_f64()).fold(0.0, f64::max)
+    }
+}
+
+/// What gravity and drag do to displacements in substeps of `h` when velocities are taken on by `time`.
+fn drift<S: Real, const D: usize>(pull: &Pull<S, D>, h: f64, time: f64) -> Drift<S, D> {
+    let rate = pull.drag_rate;
+    // v' = g - rate v over `time`: v keep + g gain.
+    let (keep, gain) =
+        if rate == 0.0 { (1.0, time) } else { (libm::exp(-rate * time), -libm::expm1(-rate * time) / rate) };
+    Drift { keep: S::from_f64(keep), fall: pull.gravity.map(|g| S::from_f64(g * gain * h)) }
+}

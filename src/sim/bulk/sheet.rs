@@ -1,0 +1,305 @@
+//! A sheet: rows and columns of points, with the same bonds in every cell.
+
+use fearless_simd::Simd;
+
+use super::form::Form;
+use super::spec::{Spec, Substep};
+use crate::sim::bond::BondKind;
+use crate::sim::kernels::cells::Cells;
+use crate::sim::kernels::lanes::{Lanes, Mask, WIDEST, between, largest, splat, width};
+use crate::sim::kernels::law::{Law, Rigid};
+use crate::sim::kernels::level::vectorized;
+use crate::sim::kernels::pair::{Correct, Measure};
+use crate::sim::kernels::path::{self, PathLaw, Scratch, Strip};
+use crate::sim::kernels::rows::{self, Cut, Kinds, Shape};
+use crate::sim::kernels::store::Store;
+use crate::sim::kernels::turn::Turned;
+use crate::sim::real::Real;
+
+/// A sheet: where its points lie, what its bonds are.
+#[derive(Clone, Debug)]
+pub(crate) struct Sheet<S, const D: usize> {
+    shape: Shape,
+    specs: Kinds<Spec>,
+    /// Rows whose points all have weight 1.
+    is_plain: Vec<bool>,
+    /// Rows are solved after columns: they bear the load.
+    rows_last: bool,
+    scratch: Scratch<S>,
+    /// Rows side by side.
+    turned: Cells<S, D>,
+}
+
+impl<S: Real, const D: usize> Sheet<S, D> {
+    pub(crate) fn new(columns: usize, rows: usize, specs: Kinds<Spec>, rows_last: bool) -> Self {
+        let shape = Shape::new(columns, rows);
+        Sheet {
+            shape,
+            specs,
+            is_plain: vec![true; rows],
+            rows_last,
+            scratch: Scratch::default(),
+            turned: Cells::new(2 * shape.half * WIDEST),
+        }
+    }
+
+    /// One sweep over all bonds.
+    fn sweep_by<L: Law<S>>(&self, cells: &mut Cells<S, D>, law: impl Fn(&Spec) -> L) {
+        let kinds = self.specs.map(|spec| Cut { law: law(spec), rest: S::from_f64(spec.rest) });
+        let Sheet { shape, is_plain, .. } = self;
+        let mut view = cells.view();
+        vectorized!(m => {
+            for parity in 0..2 {
+                for row in (parity..shape.rows).step_by(2) {
+                    let has_next = row + 1 < shape.rows;
+                    let here = (shape.row(row), has_next);
+                    if is_plain[row] && (!has_next || is_plain[row + 1]) {
+                        rows::row::<_, S, L, _, D, false>(m, &mut Correct, &mut view, shape, &kinds, here);
+                    } else {
+                        rows::row::<_, S, L, _, D, true>(m, &mut Correct, &mut view, shape, &kinds, here);
+                    }
+                }
+            }
+        });
+    }
+
+    /// Solves every column.
+    fn solve_columns(&mut self, cells: &mut Cells<S, D>, law: &PathLaw<S>, rest: S) {
+        let Sheet { shape, scratch, .. } = self;
+        let mut view = cells.view();
+        vectorized!(m => {
+            for parity in 0..2.min(shape.columns) {
+                let count = (shape.columns - parity).div_ceil(2);
+                for k in (0..count).step_by(width::<_, S>(m)) {
+                    let strip = Columns { m, shape, parity, k, count, rest };
+                    path::solve(m, &mut view, &strip, law, scratch);
+                }
+            }
+        });
+    }
+
+    /// Solves every row.
+    fn solve_rows(&mut self, cells: &mut Cells<S, D>, law: &PathLaw<S>, rest: S) {
+        let Sheet { shape, scratch, turned, .. } = self;
+        let mut view = cells.view();
+        vectorized!(m => {
+            for first in (0..shape.rows).step_by(width::<_, S>(m)) {
+                let strip = Turned { m, shape, first, rest };
+                strip.read(&view, turned);
+                path::solve(m, &mut turned.view(), &strip, law, scratch);
+                strip.write(turned, &mut view);
+            }
+        });
+    }
+
+    /// Solves every diagonal: those that fall to the right (`slope` = 1) or rise (-1).
+    fn solve_diagonals(&mut self, cells: &mut Cells<S, D>, slope: isize, law: &PathLaw<S>, rest: S) {
+        let Sheet { shape, scratch, .. } = self;
+        let mut view = cells.view();
+        let (rows, columns) = (shape.rows as isize, shape.columns as isize);
+        // Columns where diagonals would meet row 0.
+        let first = if slope > 0 { 1 - rows } else { 0 };
+        let last = if slope > 0 { columns - 1 } else { columns + rows - 2 };
+        vectorized!(m => {
+            let span = 2 * width::<_, S>(m) as isize;
+            for parity in 0..2 {
+                for start in (first + parity..=last).step_by(span as usize) {
+                    if let Some(strip) = Diagonals::new(m, shape, slope, (start, span), rest) {
+                        path::solve(m, &mut view, &strip, law, scratch);
+                    }
+                }
+            }
+        });
+    }
+}
+
+impl<S: Real, const D: usize> Form<S, D> for Sheet<S, D> {
+    type Store = Cells<S, D>;
+
+    fn cells(&self) -> usize {
+        self.shape.count()
+    }
+
+    #[inline(always)]
+    fn each(&self, mut visit: impl FnMut(usize, usize)) {
+        let Shape { columns, rows, half, .. } = self.shape;
+        for row in 0..rows {
+            for parity in 0..2 {
+                let (first, cell) = (row * columns + parity, self.shape.row(row) + parity * half);
+                for k in 0..(columns + 1 - parity) / 2 {
+                    visit(first + 2 * k, cell + k);
+                }
+            }
+        }
+    }
+
+    fn weigh(&mut self, cells: &mut Cells<S, D>) {
+        let Shape { columns, rows, .. } = self.shape;
+        let is_one = |row, column| cells.w[self.shape.at(row, column)] == S::ONE;
+        self.is_plain = (0..rows).map(|row| (0..columns).all(|column| is_one(row, column))).collect();
+    }
+
+    fn sweep(&mut self, cells: &mut Cells<S, D>, step: &Substep) {
+        match self.specs.along.kind {
+            BondKind::Rigid => self.sweep_by(cells, |_| Rigid),
+            BondKind::Relaxed { .. } => self.sweep_by(cells, |spec| spec.relaxed::<S>(step)),
+            BondKind::Spring { .. } => self.sweep_by(cells, |spec| spec.compliant::<S>(step)),
+        }
+    }
+
+    fn solve(&mut self, cells: &mut Cells<S, D>, step: &Substep) {
+        let laws = self.specs.map(|spec| (spec.path::<S>(step), S::from_f64(spec.rest)));
+        if let Some((law, rest)) = &laws.falling {
+            self.solve_diagonals(cells, 1, law, *rest);
+        }
+        if let Some((law, rest)) = &laws.rising {
+            self.solve_diagonals(cells, -1, law, *rest);
+        }
+        let ((along, along_rest), (down, down_rest)) = (&laws.along, &laws.down);
+        if self.rows_last {
+            self.solve_columns(cells, down, *down_rest);
+            self.solve_rows(cells, along, *along_rest);
+        } else {
+            self.solve_rows(cells, along, *along_rest);
+            self.solve_columns(cells, down, *down_rest);
+        }
+    }
+
+    fn stretch(&self, cells: &mut Cells<S, D>) -> S {
+        let kinds = self.specs.map(|spec| Cut { law: (), rest: S::from_f64(spec.rest) });
+        let shape = &self.shape;
+        let mut view = cells.view();
+        vectorized!(m => {
+            let mut measure = Measure { most: splat(m, S::ZERO) };
+            for row in 0..shape.rows {
+                let here = (shape.row(row), row + 1 < shape.rows);
+                rows::row::<_, S, (), _, D, false>(m, &mut measure, &mut view, shape, &kinds, here);
+            }
+            largest::<_, S>(measure.most)
+        })
+    }
+
+    fn bonds(&self) -> usize {
+        let Shape { columns, rows, .. } = self.shape;
+        let diagonals = self.specs.falling.iter().chain(&self.specs.rising).count();
+        (columns - 1) * rows + columns * (rows - 1) + diagonals * (columns - 1) * (rows - 1)
+    }
+}
+
+impl Shape {
+    /// Where the rows of a sheet go.
+    ///
+    /// Both halves of a row have room for the widest vector behind their last column, and rows are an odd number of cache
+    /// lines apart: columns would else share few places of a cache.
+    pub(crate) fn new(columns: usize, rows: usize) -> Self {
+        let half = (columns.div_ceil(2).next_multiple_of(WIDEST) + 1).next_multiple_of(WIDEST);
+        Shape { columns, rows, half, pitch: 2 * half + WIDEST }
+    }
+
+    /// The cell where a row begins.
+    #[inline(always)]
+    pub(crate) fn row(&self, row: usize) -> usize {
+        WIDEST + row * self.pitch
+    }
+
+    /// The cell of a point.
+    #[inline(always)]
+    pub(crate) fn at(&self, row: usize, column: usize) -> usize {
+        self.row(row) + column % 2 * self.half + column / 2
+    }
+
+    /// How many cells all rows take.
+    pub(crate) fn count(&self) -> usize {
+        WIDEST + self.rows * self.pitch
+    }
+}
+
+/// Columns of one parity, side by side.
+struct Columns<'a, M, S> {
+    m: M,
+    shape: &'a Shape,
+    parity: usize,
+    k: usize,
+    count: usize,
+    rest: S,
+}
+
+impl<M: Simd, S: Real> Strip<M, S> for Columns<'_, M, S> {
+    #[inline(always)]
+    fn len(&self) -> usize {
+        self.shape.rows
+    }
+
+    #[inline(always)]
+    fn at(&self, k: usize) -> usize {
+        self.shape.row(k) + self.parity * self.shape.half + self.k
+    }
+
+    #[inline(always)]
+    fn lanes(&self, _: usize) -> Mask<M, S> {
+        between::<M, S>(self.m, 0, self.count as isize - self.k as isize)
+    }
+
+    #[inline(always)]
+    fn rest(&self, _: usize) -> Lanes<M, S> {
+        splat(self.m, self.rest)
+    }
+}
+
+/// Every other diagonal, side by side.
+struct Diagonals<'a, M, S> {
+    m: M,
+    shape: &'a Shape,
+    slope: isize,
+    /// Column where the diagonal of lane 0 would meet row 0.
+    start: isize,
+    /// First row where any lane is in the sheet.
+    first: usize,
+    len: usize,
+    rest: S,
+}
+
+impl<'a, M: Simd, S: Real> Diagonals<'a, M, S> {
+    fn new(m: M, shape: &'a Shape, slope: isize, (start, span): (isize, isize), rest: S) -> Option<Self> {
+        let (rows, columns) = (shape.rows as isize, shape.columns as isize);
+        let end = start + span - 2;
+        // Rows where a lane's column is in [0, columns): from the first lane to enter to the last to leave.
+        let (enter, leave) = if slope > 0 { (-end, columns - 1 - start) } else { (start - columns + 1, end) };
+        let (enter, leave) = (enter.max(0), leave.min(rows - 1));
+        let len = (leave - enter + 1).max(0) as usize;
+        (len > 1).then_some(Diagonals { m, shape, slope, start, first: enter as usize, len, rest })
+    }
+
+    #[inline(always)]
+    fn column(&self, k: usize) -> isize {
+        self.start + self.slope * (self.first + k) as isize
+    }
+}
+
+impl<M: Simd, S: Real> Strip<M, S> for Diagonals<'_, M, S> {
+    #[inline(always)]
+    fn len(&self) -> usize {
+        self.len
+    }
+
+    #[inline(always)]
+    fn at(&self, k: usize) -> usize {
+        let column = self.column(k);
+        let parity = column.rem_euclid(2);
+        let row = self.shape.row(self.first + k) + parity as usize * self.shape.half;
+        (row as isize + column.div_euclid(2)) as usize
+    }
+
+    #[inline(always)]
+    fn lanes(&self, k: usize) -> Mask<M, S> {
+        let column = self.column(k);
+        let place = column.div_euclid(2);
+        let count = (self.shape.columns as isize - column.rem_euclid(2) + 1) / 2;
+        between::<M, S>(self.m, -place, count - place)
+    }
+
+    #[inline(always)]
+    fn rest(&self, _: usize) -> Lanes<M, S> {
+        splat(self.m, self.rest)
+    }
+}

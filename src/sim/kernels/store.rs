@@ -1,0 +1,43 @@
+//! What stores of points have in common, in whatever order they keep them.
+
+use crate::sim::real::Real;
+
+/// What a substep does to displacements of points that are free: d -> keep d + fall.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Drift<S, const D: usize> {
+    /// What drag leaves of a displacement [1].
+    pub(crate) keep: S,
+    /// What gravity adds [m].
+    pub(crate) fall: [S; D],
+}
+
+/// Positions, displacements and weights of points.
+///
+/// A sum x + d is rounded, and what rounding takes from a position would come back as a push: bonds would correct it. So
+/// it is carried over, as a part of the next displacement that is no motion.
+pub(crate) trait Store<S: Real, const D: usize> {
+    /// Room for `count` points, all pinned at the origin.
+    fn new(count: usize) -> Self;
+
+    /// A point gets this position at the start of the substep and this motion of the substep [m].
+    fn put(&mut self, at: usize, x: [S; D], motion: [S; D]);
+
+    /// Position at the start of the substep, and displacement [m].
+    fn get(&self, at: usize) -> ([S; D], [S; D]);
+
+    /// Displacement without what was carried over [m].
+    fn motion(&self, at: usize) -> [S; D];
+
+    /// w/w_0 of a point; 0 = pinned.
+    fn weight(&mut self, at: usize) -> &mut S;
+
+    /// x += d, then d -> keep d + fall for free points: from one substep to the next.
+    fn go_on(&mut self, drift: &Drift<S, D>);
+}
+
+/// The position after a substep, what rounding took from it, and the motion that led there.
+#[inline(always)]
+pub(crate) fn arrive<S: Real>(x: S, d: S, carried: S) -> (S, S, S) {
+    let next = x + d;
+    (next, d - (next - x), d - carried)
+}
