@@ -23,9 +23,7 @@ pub(super) fn check(scene: &Scene) -> Result<(), Fault> {
         None => 0,
     };
     let count = count_points(scene, explicit, dimensions)?;
-    for (i, bond) in scene.bonds.iter().enumerate() {
-        bond::check(bond, count).item(i).at("bonds")?;
-    }
+    bond::check_all(&scene.bonds, count).at("bonds")?;
     surfaces::check(scene, count, dimensions)?;
     surroundings::check(scene, dimensions, &|point| is_pinned(scene, explicit, point))?;
     check_method(scene).at("method")?;

@@ -2,6 +2,7 @@
 
 mod body;
 mod bond;
+mod bonds;
 mod macros;
 mod method;
 mod scene;
@@ -12,6 +13,7 @@ mod view;
 
 pub use body::{BodyKeys, BraceName, DiagonalsName, MakerName, Material};
 pub use bond::{BondKeys, KindName, LimitName};
+pub use bonds::BondList;
 pub use method::{MethodKeys, OrderName, PrecisionName, SolverName};
 pub use scene::{AreaKeys, AreaKindName, MassKeys, PointKeys, Scene, TextureKeys, Version};
 pub use surroundings::{
