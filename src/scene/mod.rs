@@ -28,8 +28,8 @@ pub use gallery::{Entry, gallery};
 pub use keys::{
     AreaKeys, AreaKindName, BodyKeys, BondKeys, BondList, BoundsKeys, BoxKeys, BraceName, CircleKeys, DiagonalsName,
     KindName, LimitName, MakerName, MassKeys, Material, MethodKeys, MouseKeys, ObstacleKeys, OrderName, PinMotionKeys,
-    PlaneKeys, PointKeys, PrecisionName, ProfileName, RegionName, RotationKeys, Row, Scene, SolverName, TextureKeys,
-    Vector, Version, ViewKeys, WindKeys,
+    PlaneKeys, PointKeys, PrecisionName, ProfileName, RegionName, RepeatKeys, RotationKeys, Row, Scene, SolverName,
+    TextureKeys, Vector, Version, ViewKeys, WindKeys,
 };
 pub use model::Settled;
 pub use schema::schema;

@@ -177,7 +177,7 @@ impl Scene {
 
     /// The explicit bonds, then those of the bodies.
     fn model_bonds(&self, start: &Start) -> Result<Bonds, Fault> {
-        let in_bodies: usize = start.bodies.iter().map(|body| body.links.len()).sum();
+        let in_bodies: usize = start.bodies.iter().map(|body| body.len()).sum();
         let mut bonds = Bonds::with_capacity(self.bonds.len() + in_bodies);
         let materials: Vec<Bond> = self.bonds.materials().iter().map(material).collect();
         for k in 0..self.bonds.len() {
