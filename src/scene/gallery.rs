@@ -58,7 +58,7 @@ macro_rules! entry {
     };
 }
 
-static GALLERY: [Entry; 7] = [
+static GALLERY: [Entry; 11] = [
     entry!("points", 10, "Falling points", "Ten loose points fall under unit gravity and bounce between walls."),
     entry!(
         "random-graph",
@@ -96,6 +96,25 @@ static GALLERY: [Entry; 7] = [
         8,
         "Euler's decay",
         "Explicit Euler on v' = -k v, h = 0.1 s: smooth at h k = 0.5, it oscillates at 1.5 and 1.95, and grows at 2.02."
+    ),
+    entry!(
+        "rope",
+        1000,
+        "Rope",
+        "A level rope of a thousand points, held at one end, swings down: rigid bonds, 100 m."
+    ),
+    entry!("net", 10_000, "Net", "A net of ten thousand points hangs from its two upper corners; the mouse moves it."),
+    entry!(
+        "thousand-rims",
+        24_000,
+        "A thousand rims",
+        "Forty columns and twenty-five rows of soft rims, each hung by a point of its rim, swing and wobble."
+    ),
+    entry!(
+        "million-cloth",
+        1_000_000,
+        "A million points",
+        "A cloth of a million points and four million rigid bonds hangs from its upper edge: for patient machines."
     ),
 ];
 
