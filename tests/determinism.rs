@@ -14,7 +14,8 @@ fn run(scene: &Scene, times: &[f64]) -> String {
 
 fn scenes() -> Vec<Scene> {
     let files = ["rim-pushed.json", "cloth-space.json", "rim-still.json"];
-    let gallery = wobble::scene::gallery().iter().map(|entry| entry.scene().unwrap());
+    let small = wobble::scene::gallery().iter().filter(|entry| entry.is_small());
+    let gallery = small.map(|entry| entry.scene().unwrap());
     gallery.chain(files.iter().map(|name| Scene::read(&common::file(name)).unwrap())).collect()
 }
 

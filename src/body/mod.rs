@@ -3,7 +3,7 @@
 //! | maker | its own origin |
 //! |---|---|
 //! | [`Points`], [`RandomGraph`] | the one that `min` and `max` count from |
-//! | [`Rim`], [`BoxFrame`] | the centre |
+//! | [`Rim`], [`BoxFrame`], [`Disc`] | the centre |
 //! | [`Rope`], [`Cloth`], [`Lattice`] | the first point |
 //!
 //! [`Placement`] moves a body into the world. Every maker checks its parameters before it makes anything, and says how
@@ -11,6 +11,7 @@
 
 mod box_frame;
 mod cloth;
+mod disc;
 mod draw;
 mod grid;
 mod lattice;
@@ -22,6 +23,7 @@ mod rope;
 
 pub use box_frame::BoxFrame;
 pub use cloth::{Cloth, Diagonals};
+pub use disc::Disc;
 pub use lattice::Lattice;
 pub use place::Placement;
 pub use points::Points;
@@ -112,6 +114,8 @@ pub enum Maker {
     Cloth(Cloth),
     /// A standing grid.
     Lattice(Lattice),
+    /// A mesh of triangles.
+    Disc(Disc),
 }
 
 impl Maker {
@@ -127,6 +131,7 @@ impl Maker {
             Maker::Rope(maker) => maker.point_count(),
             Maker::Cloth(maker) => maker.point_count(),
             Maker::Lattice(maker) => maker.point_count(),
+            Maker::Disc(maker) => maker.point_count(),
         }
     }
 
@@ -143,6 +148,7 @@ impl Maker {
             Maker::Rope(maker) => maker.make(),
             Maker::Cloth(maker) => maker.make(),
             Maker::Lattice(maker) => maker.make(),
+            Maker::Disc(maker) => maker.make()?,
         };
         let finite = body.positions.iter().flatten().all(|x| x.is_finite())
             && body.links.iter().all(|link| link.rest_length.is_finite());

@@ -1,6 +1,6 @@
 //! `wobble scenes`: lists the gallery, prints scene files and their schema.
 
-use std::io::Write;
+use std::io::{BufWriter, Write};
 
 use clap::Args;
 
@@ -39,9 +39,9 @@ pub(super) fn run(arguments: &Arguments) -> anyhow::Result<()> {
     };
     let scene = Scene::load(name)?;
     if arguments.expanded {
-        write!(out, "{}", scene.expanded()?.to_json()?)?;
+        write_json(&scene.expanded()?, out)?;
     } else if arguments.json {
-        write!(out, "{}", scene.to_json()?)?;
+        write_json(&scene, out)?;
     } else {
         if let Some(entry) = scene::gallery().iter().find(|entry| entry.name == name) {
             writeln!(out, "{}: {}", entry.title, entry.description)?;
@@ -51,4 +51,11 @@ pub(super) fn run(arguments: &Arguments) -> anyhow::Result<()> {
         writeln!(out, "{points} points, {bonds} bonds, {} dimensions", scene.dimensions())?;
     }
     Ok(())
+}
+
+fn write_json(scene: &Scene, to: impl Write) -> std::io::Result<()> {
+    // The terminal's own buffer ends at every line, of which there are millions.
+    let mut buffer = BufWriter::with_capacity(1 << 16, to);
+    scene.write_json(&mut buffer)?;
+    buffer.flush()
 }

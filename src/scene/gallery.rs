@@ -12,11 +12,21 @@ pub struct Entry {
     pub title: &'static str,
     /// One sentence on what it shows.
     pub description: &'static str,
+    /// How many points the scene has.
+    pub point_count: usize,
     /// The scene file's text.
     pub json: &'static str,
 }
 
+/// Most points of a scene that is called small.
+const SMALL: usize = 500;
+
 impl Entry {
+    /// Whether a second of its motion is computed in a moment, so that tests may run it several times.
+    pub fn is_small(&self) -> bool {
+        self.point_count <= SMALL
+    }
+
     /// The scene, read from its text.
     ///
     /// Errors: the text is out of order, which a test excludes.
@@ -37,44 +47,74 @@ pub(super) fn find(name: &str) -> Option<&'static Entry> {
 
 /// An entry, its text embedded from `assets/scenes`.
 macro_rules! entry {
-    ($name:literal, $title:literal, $description:literal) => {
+    ($name:literal, $points:literal, $title:literal, $description:literal) => {
         Entry {
             name: $name,
             title: $title,
             description: $description,
+            point_count: $points,
             json: include_str!(concat!("../../assets/scenes/", $name, ".json")),
         }
     };
 }
 
-static GALLERY: [Entry; 7] = [
-    entry!("points", "Falling points", "Ten loose points fall under unit gravity and bounce between walls."),
+static GALLERY: [Entry; 11] = [
+    entry!("points", 10, "Falling points", "Ten loose points fall under unit gravity and bounce between walls."),
     entry!(
         "random-graph",
+        10,
         "Random graph",
         "Ten points and thirty random bonds, swept by relaxation as in the source: it crumples, shivers and settles."
     ),
-    entry!("rim", "Rim", "A braced rim of springs falls, lands and shies away from the mouse; one second a second."),
+    entry!(
+        "rim",
+        24,
+        "Rim",
+        "A braced rim of springs falls, lands and shies away from the mouse; one second a second."
+    ),
     entry!(
         "rim-relaxed",
+        24,
         "Rim, relaxed",
         "The source's rim: one shuffled sweep a substep, at 3.6 times real time. \
          The square mouse force attracts there, here it repels."
     ),
     entry!(
         "spring-damper",
+        10,
         "Springs and dampers",
         "Weights on springs: undamped, damped a little, damped critically, and three in a chain."
     ),
     entry!(
         "slide-circle",
+        2,
         "Euler's circle",
         "Explicit Euler with steps of 0.1 s on a circle: it spirals out, by a factor of sqrt(1 + h^2) a step."
     ),
     entry!(
         "slide-decay",
+        8,
         "Euler's decay",
         "Explicit Euler on v' = -k v, h = 0.1 s: smooth at h k = 0.5, it oscillates at 1.5 and 1.95, and grows at 2.02."
+    ),
+    entry!(
+        "rope",
+        1000,
+        "Rope",
+        "A level rope of a thousand points, held at one end, swings down: rigid bonds, 100 m."
+    ),
+    entry!("net", 10_000, "Net", "A net of ten thousand points hangs from its two upper corners; the mouse moves it."),
+    entry!(
+        "thousand-rims",
+        24_000,
+        "A thousand rims",
+        "Forty columns and twenty-five rows of soft rims, each hung by a point of its rim, swing and wobble."
+    ),
+    entry!(
+        "million-cloth",
+        1_000_000,
+        "A million points",
+        "A cloth of a million points and four million rigid bonds hangs from its upper edge: for patient machines."
     ),
 ];
 
@@ -94,7 +134,7 @@ mod tests {
                 2 => scene.model::<2>().map(|model| model.position.len()),
                 _ => scene.model::<3>().map(|model| model.position.len()),
             };
-            assert!(made.unwrap_or_else(|error| panic!("{error}")) > 0);
+            assert_eq!(made.unwrap_or_else(|error| panic!("{error}")), entry.point_count, "{}", entry.name);
         }
     }
 

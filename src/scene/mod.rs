@@ -26,10 +26,10 @@ mod write;
 pub use error::{SceneError, SceneErrorKind, Source};
 pub use gallery::{Entry, gallery};
 pub use keys::{
-    AreaKeys, AreaKindName, BodyKeys, BondKeys, BoundsKeys, BoxKeys, BraceName, CircleKeys, DiagonalsName, KindName,
-    LimitName, MakerName, MassKeys, Material, MethodKeys, MouseKeys, ObstacleKeys, OrderName, PinMotionKeys, PlaneKeys,
-    PointKeys, PrecisionName, ProfileName, RegionName, RotationKeys, Row, Scene, SolverName, TextureKeys, Vector,
-    Version, ViewKeys, WindKeys,
+    AreaKeys, AreaKindName, BodyKeys, BondKeys, BondList, BoundsKeys, BoxKeys, BraceName, CircleKeys, DiagonalsName,
+    KindName, LimitName, MakerName, MassKeys, Material, MethodKeys, MouseKeys, ObstacleKeys, OrderName, PinMotionKeys,
+    PlaneKeys, PointKeys, PrecisionName, ProfileName, RegionName, RepeatKeys, RotationKeys, Row, Scene, SolverName,
+    TextureKeys, Vector, Version, ViewKeys, WindKeys,
 };
 pub use model::Settled;
 pub use schema::schema;

@@ -177,10 +177,16 @@ impl Scene {
 
     /// The explicit bonds, then those of the bodies.
     fn model_bonds(&self, start: &Start) -> Result<Bonds, Fault> {
-        let in_bodies: usize = start.bodies.iter().map(|body| body.links.len()).sum();
+        let in_bodies: usize = start.bodies.iter().map(|body| body.len()).sum();
         let mut bonds = Bonds::with_capacity(self.bonds.len() + in_bodies);
-        for (i, keys) in self.bonds.iter().enumerate() {
-            bonds.push(bond(keys, &start.position).item(i).at("bonds")?);
+        let materials: Vec<Bond> = self.bonds.materials().iter().map(material).collect();
+        for k in 0..self.bonds.len() {
+            let [a, b] = self.bonds.ends(k);
+            let rest_length = match self.bonds.rest(k) {
+                Some(rest) => rest,
+                None => rest_length(start.position[a as usize], start.position[b as usize]).item(k).at("bonds")?,
+            };
+            bonds.push(Bond { a: PointId(a), b: PointId(b), rest_length, ..materials[self.bonds.material(k)] });
         }
         for (keys, body) in self.bodies.iter().zip(&start.bodies) {
             let kind = resistance(keys).resolve();
@@ -197,21 +203,20 @@ impl Scene {
     }
 }
 
-/// An explicit bond.
+/// The distance at the start [m], where no rest length is said.
 ///
-/// Errors: its rest length is the distance at the start, and that overflows.
-fn bond(keys: &BondKeys, position: &[[f64; 3]]) -> Result<Bond, Fault> {
-    let rest_length = match keys.rest {
-        Some(rest) => rest,
-        None => distance(position[keys.a as usize], position[keys.b as usize]),
-    };
-    if !rest_length.is_finite() {
-        return Err(Fault::invalid("its points are too far apart for a number: move them together"));
+/// Errors: it overflows.
+fn rest_length(a: [f64; 3], b: [f64; 3]) -> Result<f64, Fault> {
+    let length = distance(a, b);
+    if length.is_finite() {
+        return Ok(length);
     }
-    Ok(Bond {
-        a: PointId(keys.a),
-        b: PointId(keys.b),
-        rest_length,
+    Err(Fault::invalid("its points are too far apart for a number: move them together"))
+}
+
+/// A bond made of what the keys say, its ends and its rest length still open.
+fn material(keys: &BondKeys) -> Bond {
+    Bond {
         kind: Resistance::from(keys).resolve(),
         limit: match keys.limit {
             None | Some(LimitName::Both) => Limit::Both,
@@ -219,7 +224,8 @@ fn bond(keys: &BondKeys, position: &[[f64; 3]]) -> Result<Bond, Fault> {
             Some(LimitName::Min) => Limit::Min,
         },
         break_strain: break_strain(keys.break_strain),
-    })
+        ..Bond::new(PointId(keys.a), PointId(keys.b), 0.0)
+    }
 }
 
 /// What is not said never breaks.

@@ -3,7 +3,7 @@
 use super::check::{self, Resistance};
 use super::error::{Fault, Within};
 use super::keys::{BodyKeys, MassKeys, Scene};
-use crate::body::{Link, Placement};
+use crate::body::{Body, Link, MAX_BONDS, Placement};
 
 /// Points and bonds of a scene with its bodies made and placed.
 ///
@@ -18,19 +18,27 @@ pub(super) struct Start {
     pub(super) bodies: Vec<PlacedBody>,
 }
 
-/// The bonds of a body whose points start at `first`.
+/// The bonds of a body whose points start at `first`, copy by copy.
 pub(super) struct PlacedBody {
-    pub(super) first: u32,
-    pub(super) links: Vec<Link>,
+    first: u32,
+    /// Points of a copy.
+    each: u32,
+    copies: u32,
+    /// Bonds of a copy, counted within it.
+    links: Vec<Link>,
 }
 
 impl PlacedBody {
+    /// How many bonds there are.
+    pub(super) fn len(&self) -> usize {
+        self.copies as usize * self.links.len()
+    }
+
     /// The bonds, their ends counted over the scene.
     pub(super) fn links(&self) -> impl Iterator<Item = Link> {
-        self.links.iter().map(|link| Link {
-            a: self.first + link.a,
-            b: self.first + link.b,
-            rest_length: link.rest_length,
+        (0..self.copies).flat_map(|copy| {
+            let first = self.first + copy * self.each;
+            self.links.iter().map(move |link| Link { a: first + link.a, b: first + link.b, ..*link })
         })
     }
 }
@@ -82,35 +90,54 @@ impl Start {
     fn append(&mut self, keys: &BodyKeys, dimensions: usize) -> Result<(), Fault> {
         let body =
             check::maker(keys, dimensions)?.make().map_err(|error| Fault::invalid(error.message).at(error.key))?;
-        let placement = Placement {
-            origin: keys.origin.map_or([0.0; 3], |x| x.embed()),
-            angle: keys.angle.unwrap_or(0.0),
-            velocity: keys.velocity.map_or([0.0; 3], |v| v.embed()),
-            spin: keys.spin.unwrap_or(0.0),
-        };
-        let (position, velocity) = placement.place(&body);
-        if !position.iter().chain(&velocity).flatten().all(|x| x.is_finite()) {
+        let (each, copies) = (body.positions.len() as u32, check::copies(keys));
+        let bonds = body.links.len() as u64 * u64::from(copies);
+        if bonds > MAX_BONDS {
+            let message = format!("makes {bonds} bonds: {MAX_BONDS} are the most");
+            return Err(Fault::invalid(message).at("repeat"));
+        }
+        let mass = masses(keys, &body)?;
+        let first = self.position.len();
+        let origin = keys.origin.map_or([0.0; 3], |x| x.embed());
+        for offset in check::offsets(keys) {
+            let placement = Placement {
+                origin: std::array::from_fn(|axis| origin[axis] + offset[axis]),
+                angle: keys.angle.unwrap_or(0.0),
+                velocity: keys.velocity.map_or([0.0; 3], |v| v.embed()),
+                spin: keys.spin.unwrap_or(0.0),
+            };
+            let start = self.position.len() as u32;
+            let (position, velocity) = placement.place(&body);
+            self.position.extend(position);
+            self.velocity.extend(velocity);
+            self.mass.extend(&mass);
+            self.pinned.extend(keys.pinned.iter().map(|pin| start + pin));
+        }
+        let made = self.position[first..].iter().chain(&self.velocity[first..]);
+        if !made.flatten().all(|x| x.is_finite()) {
             let message = "its points are too far or too fast for a number: make it smaller";
             return Err(Fault::invalid(message));
         }
-        let material = keys.material.as_ref();
-        let mass = match material.and_then(|material| material.mass) {
-            Some(total) => body.masses(total),
-            None => {
-                let each = material.and_then(|material| material.point_mass);
-                vec![each.unwrap_or(1.0); body.positions.len()]
-            }
-        };
-        if !mass.iter().all(|&m| m > 0.0) {
-            let message = "is too small to be shared by so many points: make it larger";
-            return Err(Fault::invalid(message).at("mass").at("material"));
-        }
-        let first = self.position.len() as u32;
-        self.position.extend(position);
-        self.velocity.extend(velocity);
-        self.mass.extend(mass);
-        self.pinned.extend(keys.pinned.iter().map(|pin| first + pin));
-        self.bodies.push(PlacedBody { first, links: body.links });
+        self.bodies.push(PlacedBody { first: first as u32, each, copies, links: body.links });
         Ok(())
     }
+}
+
+/// The masses of one copy of a body [kg].
+///
+/// Errors: the mass of the body is too small to be shared.
+fn masses(keys: &BodyKeys, body: &Body) -> Result<Vec<f64>, Fault> {
+    let material = keys.material.as_ref();
+    let mass = match material.and_then(|material| material.mass) {
+        Some(total) => body.masses(total),
+        None => {
+            let each = material.and_then(|material| material.point_mass);
+            vec![each.unwrap_or(1.0); body.positions.len()]
+        }
+    };
+    if !mass.iter().all(|&m| m > 0.0) {
+        let message = "is too small to be shared by so many points: make it larger";
+        return Err(Fault::invalid(message).at("mass").at("material"));
+    }
+    Ok(mass)
 }

@@ -103,8 +103,11 @@ impl Found {
 
 /// The first bond, or body with bonds, of a kind.
 fn find(scene: &Scene, is: impl Fn(BondKind) -> bool) -> Option<Found> {
-    let bonds = scene.bonds.iter().map(|bond| Resistance::from(bond).resolve());
-    let bonds = bonds.enumerate().map(|(i, kind)| Found { kind, place: Place::Bond(i) });
+    let kinds: Vec<BondKind> =
+        scene.bonds.materials().iter().map(|material| Resistance::from(material).resolve()).collect();
+    // Most scenes have none of the kind: their bonds need not be looked at.
+    let listed = if kinds.iter().any(|&kind| is(kind)) { scene.bonds.len() } else { 0 };
+    let bonds = (0..listed).map(|i| Found { kind: kinds[scene.bonds.material(i)], place: Place::Bond(i) });
     let bodies = scene.bodies.iter().map(|body| resistance(body).resolve());
     let bodies = bodies.enumerate().map(|(i, kind)| Found { kind, place: Place::Body(i) });
     bonds.chain(bodies).find(|found| is(found.kind))

@@ -20,21 +20,29 @@ impl Scene {
     pub fn to_json(&self) -> Result<String, SceneError> {
         self.check()?;
         let mut text = Vec::new();
-        let mut writer = serde_json::Serializer::with_formatter(&mut text, Layout::default());
-        let written = self.serialize(&mut writer).map_err(io::Error::from);
-        let text = written.and_then(|()| {
-            text.push(b'\n');
-            String::from_utf8(text).map_err(io::Error::other)
-        });
-        text.map_err(|error| self.file_error(&self.source.label, "written", &error))
+        let written = self.lay_out(&mut text).and_then(|()| String::from_utf8(text).map_err(io::Error::other));
+        written.map_err(|error| self.file_error(&self.source.label, "written", &error))
+    }
+
+    /// Writes the text of [`Scene::to_json`] piece by piece: one of a large scene need not be in memory as a whole.
+    ///
+    /// Errors: the writer's; those of [`Scene::check`], as invalid input, before anything is written.
+    pub fn write_json(&self, to: impl Write) -> io::Result<()> {
+        self.check().map_err(|error| io::Error::new(io::ErrorKind::InvalidInput, error))?;
+        self.lay_out(to)
+    }
+
+    fn lay_out(&self, mut to: impl Write) -> io::Result<()> {
+        self.serialize(&mut serde_json::Serializer::with_formatter(&mut to, Layout::default()))?;
+        to.write_all(b"\n")
     }
 
     /// Writes the scene to a file: whole or not at all, in place of what was there.
     ///
     /// Errors: those of [`Scene::to_json`]; the file cannot be written.
     pub fn save(&self, path: &Path) -> Result<(), SceneError> {
-        let text = self.to_json()?;
-        output::replace(path, |to| to.write_all(text.as_bytes()))
+        self.check()?;
+        output::replace(path, |to| self.lay_out(to))
             .map_err(|error| SceneError::whole(SceneErrorKind::File, "", error.to_string()))
     }
 

@@ -56,10 +56,15 @@ impl<T: Bits> Shared<T> {
         &self.table[self.place(k)]
     }
 
-    /// Where the value of entry `k` is in the table.
+    /// Where the value of entry `k` is in [`Shared::table`].
     #[inline]
-    fn place(&self, k: usize) -> usize {
+    pub(crate) fn place(&self, k: usize) -> usize {
         if self.places.is_empty() { 0 } else { self.places[k] as usize }
+    }
+
+    /// The different values; after a change some may have no entry any more.
+    pub(crate) fn table(&self) -> &[T] {
+        &self.table
     }
 
     /// Adds an entry.

@@ -12,7 +12,8 @@ fn seeds() -> Vec<&'static str> {
         "pin_motion":[{"point":0,"track":[[0,1,2,3],[1,1,2,3]]}],"samples":[0,1.5e0],"view":{"target":[0,0,0],"distance":4}}"#);
     seeds.push(
         r#"{"wobble":1,"bodies":[{"make":"rope","count":3,"to":[1,1],"material":{"mass":2}},
-        {"make":"cloth","columns":3,"rows":2,"spacing":0.1,"diagonals":"one"}],"method":{"iterations":2}}"#,
+        {"make":"cloth","columns":3,"rows":2,"spacing":0.1,"diagonals":"one"},
+        {"make":"disc","radius":2,"spacing":0.5,"repeat":{"count":[2,3],"step":[5,5]}}],"method":{"iterations":2}}"#,
     );
     seeds
 }
@@ -30,7 +31,11 @@ fn exercise(text: &str) -> Result<(), TestCaseError> {
             let large = |body: &wobble::scene::BodyKeys| {
                 [body.count, body.columns, body.rows, body.sectors].iter().flatten().any(|&n| n > 1000)
             };
-            if !scene.bodies.iter().any(large) {
+            let many = |body: &wobble::scene::BodyKeys| {
+                let copies = body.repeat.as_ref().map_or(1, |repeat| repeat.count.iter().product());
+                copies > 100 || body.radius.unwrap_or(1.0) > 100.0 * body.spacing.unwrap_or(1.0)
+            };
+            if !scene.bodies.iter().any(|body| large(body) || many(body)) {
                 let planar = scene.model::<2>().is_ok();
                 let spatial = scene.model::<3>().is_ok();
                 prop_assert!(!(planar && spatial));

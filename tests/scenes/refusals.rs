@@ -281,17 +281,46 @@ fn bodies() {
             "\"make\": \"lattice\", \"columns\": 2, \"rows\": 0, \"spacing\": 1",
             ".rows: is 0: give a number from 1 to 20000000",
         ),
+        ("\"make\": \"disc\", \"radius\": 1, \"spacing\": 2", ".spacing: is 2.0: it must be at most radius, 1.0"),
         (
-            "\"make\": \"disc\", \"radius\": 1, \"spacing\": 0.1",
-            ".make: `disc` is not built into this version: use `points`, `random-graph`, `rim`, `box`, `rope`, `cloth` or `lattice`",
+            "\"make\": \"disc\", \"radius\": 1, \"spacing\": 1e-5",
+            ".spacing: is 1e-5, which makes about 3.6e10 points: 20000000 is the most",
         ),
+        ("\"make\": \"disc\", \"radius\": 1", ": `disc` needs `spacing`: add it"),
         (
             "\"make\": \"picture\", \"file\": \"a.png\"",
-            ".make: `picture` is not built into this version: use `points`, `random-graph`, `rim`, `box`, `rope`, `cloth` or `lattice`",
+            ".make: `picture` is not built into this version: use `points`, `random-graph`, `rim`, `box`, `rope`, `cloth`, `lattice` or `disc`",
         ),
         ("\"make\": \"ragdoll\", \"height\": -1", ".height: is -1.0: give a number above 0"),
     ] {
         assert_eq!(refusal(&body(rest)), format!("x.json:3: bodies[0]{message}"), "{rest}");
+    }
+}
+
+#[test]
+fn repeats() {
+    let body =
+        |rest: &str| plane(&format!("\"bodies\": [ {{ \"make\": \"rope\", \"count\": 5, \"spacing\": 1, {rest} }} ]"));
+    for (rest, message) in [
+        ("\"repeat\": 3", "repeat: is integer `3`: give a repeat: an object with the keys `count` and `step`"),
+        ("\"repeat\": { \"count\": [2, 2] }", "repeat: the key `step` is missing: add `step`"),
+        ("\"repeat\": { \"count\": [2], \"step\": [1, 1] }", "repeat.count: has 1 numbers: it is [columns, rows]"),
+        ("\"repeat\": { \"count\": [2, 0], \"step\": [1, 1] }", "repeat.count[1]: is 0: give 1 or more"),
+        (
+            "\"repeat\": { \"count\": [2, 2], \"step\": [1, 1, 1] }",
+            "repeat.step: has 3 numbers: a vector in the plane has 2 (for space set \"dimensions\": 3)",
+        ),
+        ("\"repeat\": { \"count\": [9, 2], \"step\": [1e308, 1] }", "repeat.step[0]: is inf: give a finite number"),
+        (
+            "\"repeat\": { \"count\": [10000, 1000], \"step\": [1, 1] }",
+            "repeat.count: makes 10000000 copies of 5 points: 20000000 points are the most",
+        ),
+        (
+            "\"pinned\": [5], \"repeat\": { \"count\": [2, 2], \"step\": [1, 1] }",
+            "pinned[0]: point 5 does not exist: there are 5 points, so use 0 to 4",
+        ),
+    ] {
+        assert_eq!(refusal(&body(rest)), format!("x.json:3: bodies[0].{message}"), "{rest}");
     }
 }
 

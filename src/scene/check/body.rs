@@ -2,15 +2,16 @@
 
 use super::bond::Resistance;
 use super::number::{self, Range};
+use super::repeat;
 use crate::body::{
-    BodyError, BoxFrame, Brace, Cloth, Diagonals, Lattice, Maker, Points, RandomGraph, Rim, Rope, Stretch,
+    BodyError, BoxFrame, Brace, Cloth, Diagonals, Disc, Lattice, Maker, Points, RandomGraph, Rim, Rope, Stretch,
 };
 use crate::scene::error::{Fault, Within};
 use crate::scene::keys::{BodyKeys, BraceName, DiagonalsName, MakerName, Material, Vector};
 use crate::scene::nearest;
 
 /// Keys that every body has.
-const COMMON: [&str; 5] = ["origin", "angle", "velocity", "spin", "material"];
+const COMMON: [&str; 6] = ["origin", "angle", "velocity", "spin", "material", "repeat"];
 
 /// The parameters of each maker.
 fn parameters(make: MakerName) -> &'static [&'static str] {
@@ -28,7 +29,7 @@ fn parameters(make: MakerName) -> &'static [&'static str] {
     }
 }
 
-/// How many points the body has.
+/// How many points the body has, with all its copies.
 ///
 /// Errors: a key that its maker does not have, a missing parameter, a value out of its range, a pin that is not there.
 pub(super) fn check(body: &BodyKeys, dimensions: usize) -> Result<u32, Fault> {
@@ -55,14 +56,14 @@ pub(super) fn check(body: &BodyKeys, dimensions: usize) -> Result<u32, Fault> {
     if let Some(material) = &body.material {
         check_material(material, body.make).at("material")?;
     }
-    let count = point_count(body, dimensions)?;
+    let each = point_count(body, dimensions)?;
     for (i, &point) in body.pinned.iter().enumerate() {
-        number::index(point, count).item(i).at("pinned")?;
+        number::index(point, each).item(i).at("pinned")?;
     }
-    Ok(count)
+    Ok(each * repeat::check(body, each, dimensions)?)
 }
 
-/// How many points the body has, by its maker's parameters alone.
+/// How many points a copy of the body has, by its maker's parameters alone.
 pub(super) fn point_count(body: &BodyKeys, dimensions: usize) -> Result<u32, Fault> {
     maker(body, dimensions)?.point_count().map_err(fault)
 }
@@ -135,7 +136,11 @@ pub(in crate::scene) fn maker(body: &BodyKeys, dimensions: usize) -> Result<Make
             rows: need(body, "rows", body.rows)?,
             spacing: need(body, "spacing", body.spacing)?,
         }),
-        MakerName::Disc | MakerName::Picture | MakerName::Ragdoll => return Err(not_built(body, dimensions)),
+        MakerName::Disc => Maker::Disc(Disc {
+            radius: need(body, "radius", body.radius)?,
+            spacing: need(body, "spacing", body.spacing)?,
+        }),
+        MakerName::Picture | MakerName::Ragdoll => return Err(not_built(body, dimensions)),
     })
 }
 
@@ -163,7 +168,6 @@ fn cloth(body: &BodyKeys) -> Result<Cloth, Fault> {
 /// The refusal of a maker that the form knows and this version lacks; a fault in its form comes first.
 fn not_built(body: &BodyKeys, dimensions: usize) -> Fault {
     let ranges = [
-        ("radius", body.radius, Range::Positive),
         ("height", body.height, Range::Positive),
         ("spacing", body.spacing, Range::Positive),
         ("threshold", body.threshold, Range::Share),
@@ -177,7 +181,7 @@ fn not_built(body: &BodyKeys, dimensions: usize) -> Fault {
         return Fault::invalid("`picture` makes a body in the plane: leave it out in space").at("make");
     }
     let built: Vec<&str> =
-        MakerName::NAMES.iter().copied().filter(|name| !["disc", "picture", "ragdoll"].contains(name)).collect();
+        MakerName::NAMES.iter().copied().filter(|name| !["picture", "ragdoll"].contains(name)).collect();
     let list = nearest::list(&built);
     Fault::unsupported(format!("`{}` is not built into this version: use {list}", body.make)).at("make")
 }

@@ -2,11 +2,26 @@
 
 use super::number::{self, Range};
 use crate::scene::error::{Fault, Within};
-use crate::scene::keys::{BondKeys, KindName, Material};
+use crate::scene::keys::{BondKeys, BondList, KindName, Material};
 use crate::sim::BondKind;
 
+/// Errors: the first bond that is at fault.
+pub(super) fn check_all(bonds: &BondList, count: u32) -> Result<(), Fault> {
+    // Materials are judged once, ends and lengths in one pass; what is wrong is asked of a faulty bond alone.
+    let is_sound: Vec<bool> = bonds.materials().iter().map(|material| check_material(material).is_ok()).collect();
+    let is_fine = |&k: &usize| {
+        let [a, b] = bonds.ends(k);
+        let rest = bonds.rest(k).unwrap_or(0.0);
+        a < count && b < count && a != b && rest >= 0.0 && rest.is_finite() && is_sound[bonds.material(k)]
+    };
+    match (0..bonds.len()).find(|k| !is_fine(k)) {
+        None => Ok(()),
+        Some(k) => check(&bonds.get(k), count).item(k),
+    }
+}
+
 /// Errors: an end that is not there, both ends the same, and those of [`Resistance::check`].
-pub(super) fn check(bond: &BondKeys, count: u32) -> Result<(), Fault> {
+fn check(bond: &BondKeys, count: u32) -> Result<(), Fault> {
     number::index(bond.a, count).at("a")?;
     number::index(bond.b, count).at("b")?;
     if bond.a == bond.b {
@@ -14,6 +29,11 @@ pub(super) fn check(bond: &BondKeys, count: u32) -> Result<(), Fault> {
         return Err(Fault::invalid(message).at("b"));
     }
     Range::NotNegative.maybe(bond.rest).at("rest")?;
+    check_material(bond)
+}
+
+/// Errors: those of a bond but for its ends and its rest length.
+fn check_material(bond: &BondKeys) -> Result<(), Fault> {
     Range::Positive.maybe(bond.break_strain).at("break_strain")?;
     Resistance::from(bond).check()
 }

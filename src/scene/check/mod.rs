@@ -3,6 +3,7 @@
 mod body;
 mod bond;
 mod number;
+mod repeat;
 mod surfaces;
 mod surroundings;
 
@@ -12,6 +13,7 @@ use number::Range;
 
 pub(super) use body::maker;
 pub(super) use bond::Resistance;
+pub(super) use repeat::{copies, offsets};
 
 /// Refuses what the specification excludes, whether this version could run it or not.
 ///
@@ -23,9 +25,7 @@ pub(super) fn check(scene: &Scene) -> Result<(), Fault> {
         None => 0,
     };
     let count = count_points(scene, explicit, dimensions)?;
-    for (i, bond) in scene.bonds.iter().enumerate() {
-        bond::check(bond, count).item(i).at("bonds")?;
-    }
+    bond::check_all(&scene.bonds, count).at("bonds")?;
     surfaces::check(scene, count, dimensions)?;
     surroundings::check(scene, dimensions, &|point| is_pinned(scene, explicit, point))?;
     check_method(scene).at("method")?;
@@ -107,9 +107,10 @@ fn is_pinned(scene: &Scene, explicit: u32, point: u32) -> bool {
     }
     let mut first = explicit;
     for keys in &scene.bodies {
-        let count = body::point_count(keys, scene.dimensions()).unwrap_or(0);
+        let each = body::point_count(keys, scene.dimensions()).unwrap_or(0);
+        let count = each * copies(keys);
         if point - first < count {
-            return keys.pinned.contains(&(point - first));
+            return keys.pinned.contains(&((point - first) % each));
         }
         first += count;
     }

@@ -86,6 +86,18 @@ object! {
 }
 
 object! {
+    /// Copies of a body side by side.
+    RepeatKeys: "a repeat: an object with the keys `count` and `step`" {
+        required {
+            /// How many along x and y, in space also along z: 1 or more each.
+            count: Vec<u64>,
+            /// From a copy to the next along each axis [m].
+            step: Vector,
+        }
+    }
+}
+
+object! {
     /// A body: points and bonds made from a few parameters. Which of them a maker takes is checked; see `make`.
     BodyKeys: "a body: an object with the key `make`" {
         required {
@@ -147,9 +159,11 @@ object! {
             spin: f64,
             /// What it is made of: rigid bonds and 1 kg a point if not said.
             material: Material,
+            /// Copies of it, the first where it would be alone, then along x, y and z; a mass is that of each copy.
+            repeat: RepeatKeys,
         }
         lists {
-            /// Points that never move, counted within the body.
+            /// Points that never move, counted within the body, and in each copy.
             pinned: u32,
         }
     }

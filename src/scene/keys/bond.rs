@@ -28,6 +28,7 @@ names! {
 
 object! {
     /// A bond between two points. Points are counted over the scene: the explicit ones, then body by body.
+    #[derive(Copy)]
     BondKeys: "a bond: an object with the keys `a` and `b`" {
         required {
             /// Index of one end.

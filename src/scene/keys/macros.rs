@@ -2,8 +2,8 @@
 
 /// Declares an object of the file: its keys, and how each may be missing.
 ///
-/// `required` keys must be there, `optional` ones become `Option`s, `lists` are empty where they are missing (these two
-/// may repeat, for the order in which keys are written), `beside` takes fields as they stand. Unknown and repeated
+/// `required` keys must be there, `optional` ones become `Option`s, `lists` are empty where they are missing, `beside`
+/// takes fields as they stand (these three may repeat, for the order in which keys are written). Unknown and repeated
 /// keys, `null` and arrays in place of the object are refused (derived code alone would take the last two).
 macro_rules! object {
     (
@@ -13,8 +13,8 @@ macro_rules! object {
             $(
                 optional { $( $(#[$ometa:meta])* $okey:ident: $otype:ty, )* }
                 $(lists { $( $(#[$lmeta:meta])* $lkey:ident: $ltype:ty, )* })?
+                $(beside { $( $(#[$bmeta:meta])* $bkey:ident: $btype:ty, )* })?
             )*
-            $(beside { $( $(#[$bmeta:meta])* $bkey:ident: $btype:ty, )* })?
         }
     ) => {
         $(#[$meta])*
@@ -37,8 +37,8 @@ macro_rules! object {
                     #[serde(default, skip_serializing_if = "Vec::is_empty")]
                     pub $lkey: Vec<$ltype>,
                 )*)?
+                $($( $(#[$bmeta])* pub $bkey: $btype, )*)?
             )*
-            $($( $(#[$bmeta])* pub $bkey: $btype, )*)?
         }
 
         impl<'de> serde::Deserialize<'de> for $name {

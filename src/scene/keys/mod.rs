@@ -2,6 +2,7 @@
 
 mod body;
 mod bond;
+mod bonds;
 mod macros;
 mod method;
 mod scene;
@@ -10,8 +11,9 @@ mod surroundings;
 mod vector;
 mod view;
 
-pub use body::{BodyKeys, BraceName, DiagonalsName, MakerName, Material};
+pub use body::{BodyKeys, BraceName, DiagonalsName, MakerName, Material, RepeatKeys};
 pub use bond::{BondKeys, KindName, LimitName};
+pub use bonds::BondList;
 pub use method::{MethodKeys, OrderName, PrecisionName, SolverName};
 pub use scene::{AreaKeys, AreaKindName, MassKeys, PointKeys, Scene, TextureKeys, Version};
 pub use surroundings::{

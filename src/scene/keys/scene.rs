@@ -8,7 +8,7 @@ use serde::de::{Deserialize, Deserializer, Error, SeqAccess, Unexpected, Visitor
 use serde::ser::{Serialize, Serializer};
 
 use super::body::BodyKeys;
-use super::bond::BondKeys;
+use super::bonds::BondList;
 use super::macros::{names, object};
 use super::method::MethodKeys;
 use super::surroundings::{BoundsKeys, MouseKeys, ObstacleKeys, PinMotionKeys, WindKeys};
@@ -172,9 +172,13 @@ object! {
             /// Explicit points.
             points: PointKeys,
         }
-        lists {
+        beside {
             /// Explicit bonds.
-            bonds: BondKeys,
+            #[serde(default, skip_serializing_if = "BondList::is_empty")]
+            bonds: BondList,
+        }
+        optional {}
+        lists {
             /// Bodies: their points and bonds follow the explicit ones, body by body.
             bodies: BodyKeys,
             /// Triangles, by the indices of their points.

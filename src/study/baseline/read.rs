@@ -31,8 +31,8 @@ pub(super) fn program<const D: usize>(scene: &Scene) -> Result<Program<D>, Strin
         is_shuffled: false,
         random: SEED,
     };
-    for bond in &scene.bonds {
-        add(&mut program, bond);
+    for bond in scene.bonds.iter() {
+        add(&mut program, &bond);
     }
     Ok(program)
 }
