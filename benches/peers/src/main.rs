@@ -64,3 +64,31 @@ fn climb<P: Peer>(options: &Options, scene: &Scene) -> Option<Vec<Record>> {
     let budget = Budget { run: options.run_limit.unwrap_or(run), climb: options.climb_limit.unwrap_or(climb) };
     (P::NAME.contains(&options.engine) && P::suits(scene)).then(|| ladder::climb::<P>(scene, budget))
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::peer::Setting;
+    use crate::run::{Limits, run};
+
+    /// Error [m] of rope 50 at so many substeps, in the engine's first way.
+    fn error<P: Peer>(substeps: usize) -> f64 {
+        let scenes = scenes::all(true).unwrap_or_default();
+        let rope = scenes.iter().find(|scene| scene.truth.is_some()).expect("rope 50 is in the list");
+        let limits = Limits { strain: f64::INFINITY, seconds: f64::INFINITY };
+        let world = P::world(rope, Setting { substeps, way: P::WAYS[0] });
+        run(rope, world, limits).error.map_or(f64::INFINITY, |error| error.max)
+    }
+
+    #[test]
+    fn every_engine_comes_closer_to_the_truth_with_more_substeps() {
+        fn check<P: Peer>() {
+            let (coarse, fine) = (error::<P>(12), error::<P>(96));
+            assert!(fine < 0.01 && fine < 0.5 * coarse, "{}: {coarse} m, then {fine} m", P::NAME);
+        }
+        check::<box2d::Box2d>();
+        check::<rapier_soft::RapierSoft>();
+        check::<rapier_joints::RapierJoints>();
+        check::<rapier_multibody::RapierMultibody>();
+    }
+}

@@ -78,11 +78,11 @@ impl Record {
     fn deviations(&self, between: &str, after: &str) -> String {
         let (max, rms) = self.judged();
         let least = if self.is_finished { "" } else { "> " };
-        let unit = if self.measure == Measure::Error { " m" } else { "" };
+        let unit = if self.max_error_m.is_some() { " m" } else { "" };
         format!("{least}{max:.1e}{unit}{between}{rms:.1e}{unit}{after}")
     }
 
-    /// Largest value and root mean square of what the scene is judged by.
+    /// Largest value and root mean square of what the scene is judged by; of strain if the end was not reached.
     fn judged(&self) -> (f64, f64) {
         match (self.max_error_m, self.rms_error_m) {
             (Some(max), Some(rms)) => (max, rms),
@@ -100,11 +100,12 @@ pub(crate) struct Machine {
 }
 
 impl Machine {
-    /// The machine and the command line of this process, without the folder of the program.
+    /// This machine, and the command that started this process as one would type it in this crate's folder.
     pub(crate) fn current() -> Self {
         let info = fs::read_to_string("/proc/cpuinfo").unwrap_or_default();
         let model = info.lines().find_map(|line| line.strip_prefix("model name")?.split_once(": "));
-        let arguments = std::env::args().skip(1).map(|argument| format!(" {argument}"));
+        let quoted = |word: String| if word.contains(char::is_whitespace) { format!("\"{word}\"") } else { word };
+        let arguments = std::env::args().skip(1).map(|argument| format!(" {}", quoted(argument)));
         Machine {
             processor: model.map_or("unknown", |(_, name)| name).trim().to_owned(),
             cores: std::thread::available_parallelism().map_or(1, usize::from),

@@ -210,3 +210,33 @@ struct Sample {
     t: f64,
     position: Vec<[f64; 2]>,
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_hung_sheet_has_rows_columns_and_both_diagonals() {
+        let scene = hung("hung 100^2", 100);
+        assert_eq!((scene.positions.len(), scene.bonds.len(), scene.pinned.len()), (10_000, 39_402, 100));
+    }
+
+    #[test]
+    fn a_rim_has_26_points_62_bonds_and_one_pin() {
+        let scene = rims("3 rims", 3);
+        assert_eq!((scene.positions.len(), scene.bonds.len()), (3 * 26, 3 * 62));
+        assert_eq!(scene.pinned, [0, 26, 52]);
+        assert!(scene.bonds.iter().all(|bond| bond.ends[0] / 26 == bond.ends[1] / 26));
+    }
+
+    #[test]
+    fn bonds_have_their_rest_lengths_at_the_start() -> Result<()> {
+        for scene in all(false)? {
+            for bond in &scene.bonds {
+                let [p, q] = bond.ends.map(|i| scene.positions[i]);
+                assert!(((p[0] - q[0]).hypot(p[1] - q[1]) / bond.rest - 1.0).abs() < 1e-12, "{}", scene.name);
+            }
+        }
+        Ok(())
+    }
+}
