@@ -1,6 +1,7 @@
 //! Box2D 3: a body without shapes for each point, a rigid distance joint for each bond.
 #![allow(unsafe_code, reason = "Box2D is a C library; everything unsafe of this crate is in this file")]
 
+use std::ffi::c_void;
 use std::fmt;
 
 use boxdd_sys::ffi;
@@ -8,6 +9,10 @@ use boxdd_sys::ffi;
 use crate::peer::{FRAME, Peer, Setting, World};
 use crate::scenes::{Bond, Scene};
 
+/// Joints that Box2D can hand to one worker: four blocks, whose sizes are 16 bits wide.
+///
+/// Past it the sizes wrap, and without assertions most joints then do nothing: points fall freely.
+const MOST_JOINTS_A_WORKER: usize = 4 * u16::MAX as usize;
 /// More than Box2D lets pass at any number of substeps used here [Hz].
 const STIFFEST: f32 = 1e6;
 
@@ -84,18 +89,39 @@ impl Drop for Box2dWorld {
     }
 }
 
-/// A world of one worker that never sleeps and looks for no fast collisions.
+/// A world that never sleeps, looks for no fast collisions and does all its work on the thread that steps it.
+///
+/// Where one worker can't hold the joints it has several, whose tasks are run one after another as they are handed out:
+/// Box2D allows that, and lets the first of them do all the work.
 fn create_world(scene: &Scene) -> ffi::b2WorldId {
-    // SAFETY: the definition comes from Box2D itself; its callbacks stay null, which asks for no threads of ours.
+    let workers = scene.bonds.len().div_ceil(MOST_JOINTS_A_WORKER).max(1);
+    // SAFETY: the definition comes from Box2D itself; the callbacks keep the contract stated at their definitions.
     unsafe {
         let mut world = ffi::b2DefaultWorldDef();
         world.gravity = ffi::b2Vec2 { x: 0.0, y: -scene.gravity as f32 };
         world.enableSleep = false;
         world.enableContinuous = false;
-        world.workerCount = 1;
+        world.workerCount = workers as i32;
+        world.enqueueTask = Some(run_task);
+        world.finishTask = Some(finish_task);
         ffi::b2CreateWorld(&world)
     }
 }
+
+/// Runs a task at once; null says that it is finished.
+///
+/// # Safety
+/// Box2D gives a task together with its context, which lives until the task returns.
+unsafe extern "C" fn run_task(task: ffi::b2TaskCallback, context: *mut c_void, _user: *mut c_void) -> *mut c_void {
+    if let Some(task) = task {
+        // SAFETY: Box2D asks for the task to be called once with this context.
+        unsafe { task(context) }
+    }
+    std::ptr::null_mut()
+}
+
+/// Never called: no task outlives [`run_task`]. Box2D takes a task system only whole.
+unsafe extern "C" fn finish_task(_task: *mut c_void, _user: *mut c_void) {}
 
 /// The point `i`: no shape, so no collision; mass without inertia, so it never turns; static if pinned.
 fn create_body(world: ffi::b2WorldId, scene: &Scene, i: usize) -> ffi::b2BodyId {

@@ -36,10 +36,10 @@ struct Options {
     /// Only scenes whose name has this in it.
     #[arg(long, default_value = "", value_name = "TEXT")]
     scene: String,
-    /// Longest run of one setting [s]: 70 if not said, 10 with --quick.
+    /// Longest run of one setting [s]: 80 if not said, 10 with --quick.
     #[arg(long, value_name = "SECONDS")]
     run_limit: Option<f64>,
-    /// Longest climb of one engine on one scene [s], its last run excepted: 100 if not said, 10 with --quick.
+    /// Longest climb of one engine on one scene [s], its last run excepted: 90 if not said, 10 with --quick.
     #[arg(long, value_name = "SECONDS")]
     climb_limit: Option<f64>,
 }
@@ -60,7 +60,7 @@ fn main() -> Result<()> {
 
 /// One engine on one scene, if both were asked for and go together.
 fn climb<P: Peer>(options: &Options, scene: &Scene) -> Option<Vec<Record>> {
-    let (run, climb) = if options.quick { (10.0, 10.0) } else { (70.0, 100.0) };
+    let (run, climb) = if options.quick { (10.0, 10.0) } else { (80.0, 90.0) };
     let budget = Budget { run: options.run_limit.unwrap_or(run), climb: options.climb_limit.unwrap_or(climb) };
     (P::NAME.contains(&options.engine) && P::suits(scene)).then(|| ladder::climb::<P>(scene, budget))
 }

@@ -36,11 +36,10 @@ impl Peer for RapierJoints {
 
     const NAME: &'static str = "rapier2d joints";
     const WAYS: &'static [Passes] = &[
+        Passes { iterations: 4, relaxations: 0 },
         Passes { iterations: 1, relaxations: 1 },
         Passes { iterations: 1, relaxations: 0 },
         Passes { iterations: 4, relaxations: 1 },
-        Passes { iterations: 4, relaxations: 0 },
-        Passes { iterations: 2, relaxations: 0 },
     ];
     const DEFAULT: Setting<Passes> = Setting { substeps: 4, way: Passes { iterations: 1, relaxations: 1 } };
 
