@@ -29,9 +29,6 @@ pub(super) fn check(scene: &Scene) -> Result<(), Fault> {
             }
         }
     }
-    if scene.method.max_strain.is_some() {
-        return Err(lacking("max_strain").at("method"));
-    }
     Ok(())
 }
 
@@ -75,6 +72,7 @@ pub(super) fn method(scene: &Scene) -> Result<sim::Method, Fault> {
         seed: keys.seed.unwrap_or(0),
         precision: keys.precision(),
         tolerance: keys.tolerance,
+        max_strain: keys.max_strain,
     })
 }
 

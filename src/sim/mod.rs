@@ -39,6 +39,7 @@ pub use contact::surface::Plane;
 pub use counters::Counters;
 pub use dynamics::{Dynamics, Positions, Sample};
 pub use force::mouse::{Cursor, MouseForce, Profile, Region, Track};
+pub use kernels::level::InstructionSet;
 pub use model::{Method, Model, ModelError, Order, Precision};
 pub use plan::PlanPart;
 pub use real::Real;

@@ -138,8 +138,10 @@ impl<S: Real, const D: usize> World<S, D> {
             torn.binary_search(&(index - 1)).is_err()
         });
         let state = self.state_of_all();
+        let lag = self.plan.groups.iter().map(|group| group.lag()).fold(0.0, f64::max);
         self.plan = plan::compile(&self.model, &self.bonds, &state);
         for group in &mut self.plan.groups {
+            group.set_lag(lag);
             group.begin(&self.around, t);
         }
     }
@@ -258,6 +260,7 @@ impl<S: Real, const D: usize> Dynamics for World<S, D> {
         }
         for group in &mut copy.plan.groups {
             group.hold_velocity();
+            group.centre_velocity(&copy.around, time);
         }
         copy.state()
     }

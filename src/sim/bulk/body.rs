@@ -5,12 +5,14 @@ use super::chain::Chain;
 use super::crowd::Crowd;
 use super::form::Form;
 use super::mesh::Mesh;
+use super::outside::Outside;
 use super::sheet::Sheet;
 use super::spec::Substep;
+use crate::sim::force::mouse::Push;
 use crate::sim::kernels::store::{Drift, Store};
 use crate::sim::points::Points;
 use crate::sim::real::Real;
-use crate::sim::vector::scale;
+use crate::sim::vector::{add, scale, sub};
 
 /// A large body of any form.
 #[derive(Clone, Debug)]
@@ -42,6 +44,17 @@ impl<S: Real, const D: usize> AnyBody<S, D> {
     /// From one substep to the next.
     pub(crate) fn go_on(&mut self, drift: &Drift<S, D>) {
         of_any!(self, body => body.store.go_on(drift));
+    }
+
+    /// The mouse pushes points that are free: `share` is what an acceleration adds to a displacement [s^2].
+    /// Returns how many points were looked at.
+    pub(crate) fn push(&mut self, push: &Push<S, D>, share: S) -> u64 {
+        of_any!(self, body => body.push(push, share))
+    }
+
+    /// Surfaces turn points back. Returns how many.
+    pub(crate) fn meet(&mut self, outside: &Outside<S, D>, gentle: S) -> u64 {
+        of_any!(self, body => body.meet(outside, gentle))
     }
 
     /// Bonds of one substep.
@@ -127,6 +140,39 @@ impl<S: Real, const D: usize, F: Form<S, D>> Body<S, D, F> {
             }
             store.put(cell, points.position[point], d);
         });
+    }
+
+    fn push(&mut self, push: &Push<S, D>, share: S) -> u64 {
+        let Body { form, store, .. } = self;
+        let mut count = 0;
+        form.each(|_, cell| {
+            count += 1;
+            let (x, _) = store.get(cell);
+            if *store.weight(cell) > S::ZERO
+                && let Some(acceleration) = push.acceleration(x)
+            {
+                let motion = add(store.motion(cell), scale(acceleration, share));
+                store.put(cell, x, motion);
+            }
+        });
+        count
+    }
+
+    fn meet(&mut self, outside: &Outside<S, D>, gentle: S) -> u64 {
+        let Body { form, store, .. } = self;
+        let mut count = 0;
+        form.each(|_, cell| {
+            if *store.weight(cell) == S::ZERO {
+                return;
+            }
+            let (x, d) = store.get(cell);
+            let (start, motion) = (sub(add(x, d), store.motion(cell)), store.motion(cell));
+            if let Some((x, motion)) = outside.meet(start, motion, gentle) {
+                store.set(cell, x, motion);
+                count += 1;
+            }
+        });
+        count
     }
 
     fn project(&mut self, way: Way, step: &Substep) {

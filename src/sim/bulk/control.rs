@@ -10,6 +10,8 @@ const AIM: f64 = 0.6;
 const MEMORY: f64 = 0.85;
 /// Most times that a step is taken again.
 const MOST_TRIES: u32 = 4;
+/// Substeps of the first frame: what too few of them do to a start, later ones cannot mend.
+const START: u32 = 16;
 
 /// Substeps of a frame, and what they are chosen by.
 #[derive(Clone, Debug)]
@@ -29,7 +31,7 @@ pub(crate) struct Control {
 impl Control {
     /// Substeps that follow a strain.
     pub(crate) fn following(target: f64) -> Self {
-        Control { count: 4, target: Some(target), late: 0.5 * AIM * target, tries: 0, longest: FRAME }
+        Control { count: START, target: Some(target), late: 0.5 * AIM * target, tries: 0, longest: FRAME }
     }
 
     /// Substeps of at most `h` [s].

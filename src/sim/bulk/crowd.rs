@@ -1,7 +1,5 @@
 //! A crowd: equal small bodies.
 
-use fearless_simd::Simd;
-
 use super::form::Form;
 use super::spec::{Spec, Substep};
 use crate::sim::bond::BondKind;
@@ -11,7 +9,6 @@ use crate::sim::kernels::lanes::{WIDEST, largest, splat};
 use crate::sim::kernels::law::{Law, Rigid};
 use crate::sim::kernels::level::vectorized;
 use crate::sim::kernels::pair::{Correct, Measure};
-use crate::sim::kernels::store::Store;
 use crate::sim::real::Real;
 
 /// Equal bodies, and the bonds of one of them.

@@ -16,6 +16,7 @@ pub(crate) mod control;
 pub(crate) mod crowd;
 pub(crate) mod form;
 pub(crate) mod mesh;
+pub(crate) mod outside;
 pub(crate) mod sheet;
 pub(crate) mod spec;
 pub(crate) mod trails;
@@ -26,9 +27,14 @@ use super::points::Points;
 use super::pull::Pull;
 use super::real::Real;
 use super::surroundings::Surroundings;
+use super::vector::length;
 use body::AnyBody;
 use control::Control;
+use outside::Outside;
 use spec::Substep;
+
+/// Passes over the bonds that a start gets which violates them.
+const MOST_PASSES: u32 = 200;
 
 /// How bonds are taken in a substep.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -57,6 +63,34 @@ impl<S: Real, const D: usize> Bulk<S, D> {
         self.bodies.iter().map(AnyBody::bonds).sum()
     }
 
+    /// Gives rigid bonds that the start violates their lengths.
+    pub(crate) fn begin(&mut self, points: &mut Points<S, D>, pull: &Pull<S, D>) {
+        const ENOUGH: f64 = 1e-5;
+        if self.strain_of(points) <= ENOUGH {
+            return;
+        }
+        let still = Pull { gravity: [0.0; D], drag_rate: 0.0, ..pull.clone() };
+        let velocity = points.velocity.clone();
+        points.velocity.fill([S::ZERO; D]);
+        for _ in 0..MOST_PASSES {
+            self.load(points, &still, 1.0);
+            self.project(1.0, &mut Counters::default());
+            let strain = self.strain();
+            self.bodies.iter_mut().for_each(|body| body.arrive(points, S::ZERO));
+            if strain <= self.control.tolerance() {
+                break;
+            }
+        }
+        points.velocity = velocity;
+    }
+
+    /// The largest strain of rigid bonds of points as they lie.
+    fn strain_of(&mut self, points: &Points<S, D>) -> f64 {
+        let rest = Drift { keep: S::ZERO, fall: [S::ZERO; D] };
+        self.bodies.iter_mut().for_each(|body| body.load(points, &rest, S::ZERO));
+        self.strain()
+    }
+
     /// Advances by `h` [s].
     ///
     /// Where a strain is asked for and not reached, the step is taken again in more substeps.
@@ -64,14 +98,15 @@ impl<S: Real, const D: usize> Bulk<S, D> {
         &mut self,
         points: &mut Points<S, D>,
         pull: &Pull<S, D>,
-        _around: &Surroundings<D>,
-        (_t, h): (f64, f64),
+        around: &Surroundings<D>,
+        (t, h): (f64, f64),
         counters: &mut Counters,
     ) {
+        let outside = Outside::in_reach(points, pull, around, (t, h));
         loop {
             let count = self.control.count(h);
             let substep = h / f64::from(count);
-            self.run(points, pull, (substep, count), counters);
+            self.run((points, pull, &outside), (substep, count), counters);
             counters.substeps += u64::from(count);
             counters.points_moved += u64::from(count) * points.len() as u64;
             let strain = if self.control.follows() { self.strain() } else { 0.0 };
@@ -85,14 +120,40 @@ impl<S: Real, const D: usize> Bulk<S, D> {
     }
 
     /// Takes `count` substeps of `h` [s] from the state of the points: all but the arrival.
-    fn run(&mut self, points: &Points<S, D>, pull: &Pull<S, D>, (h, count): (f64, u32), counters: &mut Counters) {
+    fn run(
+        &mut self,
+        (points, pull, outside): (&Points<S, D>, &Pull<S, D>, &Outside<S, D>),
+        (h, count): (f64, u32),
+        counters: &mut Counters,
+    ) {
         self.load(points, pull, h);
         let drift = drift(pull, h, h);
         for substep in 0..count {
             if substep > 0 {
                 self.bodies.iter_mut().for_each(|body| body.go_on(&drift));
             }
+            let time = if substep == 0 { self.lag + 0.5 * h } else { h };
+            self.push(outside, h * time, counters);
             self.project(h, counters);
+            self.meet(outside, 4.0 * length(pull.gravity) * h * h, counters);
+        }
+    }
+
+    /// The mouse, where it is in reach.
+    fn push(&mut self, outside: &Outside<S, D>, share: f64, counters: &mut Counters) {
+        let Some(push) = &outside.mouse else { return };
+        for body in &mut self.bodies {
+            counters.mouse_points += body.push(push, S::from_f64(share));
+        }
+    }
+
+    /// Surfaces, where they are in reach.
+    fn meet(&mut self, outside: &Outside<S, D>, gentle: f64, counters: &mut Counters) {
+        if outside.surfaces.is_empty() {
+            return;
+        }
+        for body in &mut self.bodies {
+            counters.events += body.meet(outside, S::from_f64(gentle));
         }
     }
 

@@ -75,6 +75,7 @@ impl Spec {
     /// alpha = 1/(stiffness h^2 w_0) and gamma = damping/(stiffness h); 0 for rigid bonds.
     fn softness(&self, step: &Substep) -> (f64, f64) {
         match self.kind {
+            BondKind::Spring { stiffness: 0.0, .. } => (f64::INFINITY, 0.0),
             BondKind::Spring { stiffness, damping } => {
                 (1.0 / (stiffness * step.h * step.h * step.reference), damping / (stiffness * step.h))
             }

@@ -99,7 +99,7 @@ impl Cursor {
 }
 
 /// The force as the kernel reads it, with its cursor.
-struct Push<S, const D: usize> {
+pub(crate) struct Push<S, const D: usize> {
     origin: [S; D],
     direction: [S; D],
     strength: S,
@@ -109,7 +109,7 @@ struct Push<S, const D: usize> {
 }
 
 impl<S: Real, const D: usize> Push<S, D> {
-    fn new(force: &MouseForce, cursor: Cursor) -> Self {
+    pub(crate) fn new(force: &MouseForce, cursor: Cursor) -> Self {
         Push {
             origin: convert(truncate(cursor.origin)),
             direction: convert(truncate(cursor.direction)),
@@ -138,7 +138,7 @@ impl<S: Real, const D: usize> Push<S, D> {
 
     /// The acceleration of a point [m/s^2]; `None` outside the region.
     #[inline(always)]
-    fn acceleration(&self, position: [S; D]) -> Option<[S; D]> {
+    pub(crate) fn acceleration(&self, position: [S; D]) -> Option<[S; D]> {
         (self.distance(self.offset(position)) < self.radius).then(|| self.along(position))
     }
 
@@ -161,7 +161,7 @@ impl<S: Real, const D: usize> Push<S, D> {
     }
 
     /// Whether the region can reach a box: a sphere about the box stands in for it in space.
-    fn reaches(&self, [low, high]: [[S; D]; 2]) -> bool {
+    pub(crate) fn reaches(&self, [low, high]: [[S; D]; 2]) -> bool {
         if D == 2 {
             return (0..D).all(|k| low[k] - self.origin[k] < self.radius && self.origin[k] - high[k] < self.radius);
         }

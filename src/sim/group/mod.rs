@@ -11,7 +11,7 @@ use super::points::{Points, State};
 use super::pull::Pull;
 use super::real::Real;
 use super::surroundings::Surroundings;
-use super::vector::{convert, dot, sub, zero};
+use super::vector::{add, convert, dot, scale, sub, zero};
 use engine::Engine;
 use events::edge::Edges;
 use guard::Guard;
@@ -61,6 +61,10 @@ impl<S: Real, const D: usize> Group<S, D> {
     /// Returns whether rigid bonds could be held.
     pub(crate) fn begin(&mut self, around: &Surroundings<D>, t: f64) -> bool {
         self.lead_pins(t);
+        if let Engine::Bulk(bulk) = &mut self.engine {
+            bulk.begin(&mut self.points, &self.pull);
+            return true;
+        }
         let mut counters = Counters::default();
         let mut is_held = self.pull.project(&mut self.points, &mut counters);
         if let Engine::KickDrift(method, _) = &mut self.engine {
@@ -174,6 +178,34 @@ impl<S: Real, const D: usize> Group<S, D> {
         if changed {
             self.hold_velocity();
             self.engine.refresh();
+        }
+    }
+
+    /// How far velocities are behind positions [s].
+    pub(crate) fn lag(&self) -> f64 {
+        if let Engine::Bulk(bulk) = &self.engine { bulk.lag } else { 0.0 }
+    }
+
+    /// Velocities that a large body takes over are so far behind its positions [s].
+    pub(crate) fn set_lag(&mut self, lag: f64) {
+        if let Engine::Bulk(bulk) = &mut self.engine {
+            bulk.lag = lag;
+        }
+    }
+
+    /// Velocities of large bodies are half a substep behind: brings them to the time of the positions, as the mean of those
+    /// before and after it.
+    pub(crate) fn centre_velocity(&mut self, around: &Surroundings<D>, t: f64) {
+        let Group { points, pull, engine: Engine::Bulk(bulk), .. } = self else { return };
+        let h = 2.0 * bulk.lag;
+        if h == 0.0 {
+            return;
+        }
+        let (position, before) = (points.position.clone(), points.velocity.clone());
+        bulk.step(points, pull, around, (t, h), &mut Counters::default());
+        points.position = position;
+        for (v, before) in points.velocity.iter_mut().zip(before) {
+            *v = scale(add(*v, before), S::HALF);
         }
     }
 

@@ -60,6 +60,12 @@ impl<S: Real, const D: usize> Store<S, D> for Cells<S, D> {
         std::array::from_fn(|k| self.d[k][at] - self.carried[k][at])
     }
 
+    fn set(&mut self, at: usize, x: [S; D], motion: [S; D]) {
+        for k in 0..D {
+            (self.x[k][at], self.d[k][at], self.carried[k][at]) = (x[k], motion[k], S::ZERO);
+        }
+    }
+
     #[inline(always)]
     fn weight(&mut self, at: usize) -> &mut S {
         &mut self.w[at]

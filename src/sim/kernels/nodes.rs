@@ -48,6 +48,10 @@ impl<S: Real, const D: usize> Store<S, D> for Nodes<S, D> {
         sub(self.points[at].d, self.carried[at])
     }
 
+    fn set(&mut self, at: usize, x: [S; D], motion: [S; D]) {
+        (self.points[at], self.carried[at]) = (Point { x, d: motion }, [S::ZERO; D]);
+    }
+
     #[inline(always)]
     fn weight(&mut self, at: usize) -> &mut S {
         &mut self.w[at]

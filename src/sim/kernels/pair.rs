@@ -1,6 +1,6 @@
 //! Bonds side by side, whose ends lie side by side: one bond a lane.
 
-use fearless_simd::{Simd, SimdBase, SimdFloat};
+use fearless_simd::{Select, Simd, SimdBase};
 
 use super::cells::View;
 use super::lanes::{Lanes, Mask, Vectors, add, dot, each, load, scale, select, splat, store, sub};
@@ -109,7 +109,6 @@ impl<M: Simd, S: Real, const D: usize> Work<M, S, D, ()> for Measure<M, S> {
         b: &mut Node<M, S, D>,
         mask: Mask<M, S>,
     ) {
-        use fearless_simd::Select;
         let e = add::<M, S, D>(sub::<M, S, D>(a.x, b.x), sub::<M, S, D>(a.d, b.d));
         let square = rest * rest;
         let off = (dot::<M, S, D>(e, e) - square).abs() / square;

@@ -11,7 +11,7 @@ use aligned_vec::AVec;
 use fearless_simd::{Select, Simd, SimdBase, SimdFloat, SimdMask};
 
 use super::cells::{Cells, View};
-use super::lanes::{Lanes, Mask, Vectors, WIDEST, add, dot, each, load, scale, select, splat, store, sub};
+use super::lanes::{Lanes, Mask, WIDEST, add, dot, each, load, scale, select, splat, store, sub};
 use super::level::vectorized;
 use super::path::{LEAST_PIVOT, MOST_ROUNDS, PathLaw, node};
 use super::store::Store;
@@ -147,9 +147,8 @@ impl<S: Real> Split<S> {
             }
         }
         for s in 0..PIECES {
-            let mut link = S::ZERO;
             if s > 0 {
-                link = joints[s].beside / joints[s - 1].diagonal;
+                let link = joints[s].beside / joints[s - 1].diagonal;
                 joints[s].diagonal -= link * joints[s].beside;
                 joints[s].error -= link * joints[s - 1].error;
             }

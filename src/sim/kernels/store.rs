@@ -28,6 +28,9 @@ pub(crate) trait Store<S: Real, const D: usize> {
     /// Displacement without what was carried over [m].
     fn motion(&self, at: usize) -> [S; D];
 
+    /// A point starts here and goes by this motion instead: nothing is carried over [m].
+    fn set(&mut self, at: usize, x: [S; D], motion: [S; D]);
+
     /// w/w_0 of a point; 0 = pinned.
     fn weight(&mut self, at: usize) -> &mut S;
 

@@ -1,16 +1,20 @@
 //! A group of large bodies.
 
 use super::choice::Scheme;
+use super::gather::Gathered;
 use super::make::{Maker, breakable};
-use super::structure::Structure;
+use super::structure::{self, Structure};
+use crate::sim::bond::BondKind;
 use crate::sim::bulk::Bulk;
 use crate::sim::bulk::body::{AnyBody, Body, Members};
 use crate::sim::bulk::chain::Chain;
 use crate::sim::bulk::control::Control;
+use crate::sim::bulk::crowd::Crowd;
 use crate::sim::bulk::mesh::Mesh;
 use crate::sim::bulk::sheet::Sheet;
 use crate::sim::bulk::spec::Spec;
 use crate::sim::bulk::trails::Segment;
+use crate::sim::constrain::colour::by_colour;
 use crate::sim::contact::Contacts;
 use crate::sim::contact::surface::surfaces;
 use crate::sim::force::spring::Springs;
@@ -22,6 +26,7 @@ use crate::sim::plan::island::Island;
 use crate::sim::points::{Points, State};
 use crate::sim::pull::Pull;
 use crate::sim::real::Real;
+use crate::sim::solver::Solver;
 use crate::sim::vector::widen;
 
 /// Mean number of bonds of a mesh's paths below which sweeps reach a strain as cheaply.
@@ -34,7 +39,7 @@ impl<S: Real, const D: usize> Maker<'_, S, D> {
         let mut points = self.state(&w);
         points.position_lost = Vec::new();
         points.velocity_lost = Vec::new();
-        let bodies = self.lot.islands.iter().map(|island| self.body(island, &points)).collect();
+        let bodies = self.bodies(&points);
         let control = match scheme.target {
             Some(target) => Control::following(target),
             None => Control::fixed(choice.substep),
@@ -64,43 +69,83 @@ impl<S: Real, const D: usize> Maker<'_, S, D> {
         }
     }
 
-    fn body(&self, island: &Island, points: &Points<S, D>) -> AnyBody<S, D> {
-        match Structure::of(island, &self.gathered.bonds, &self.gathered.w) {
-            Structure::Sheet { first, columns, rows, specs } => {
-                let sheet = Sheet::new(columns, rows, specs, self.rows_last(first, columns));
-                let members = Members::From(self.place[first as usize]);
-                AnyBody::Sheet(Box::new(Body::new(sheet, members, points)))
+    /// Every island as the form that it is made in; equal small ones go together.
+    fn bodies(&self, points: &Points<S, D>) -> Vec<AnyBody<S, D>> {
+        let Gathered { bonds, w, .. } = self.gathered;
+        let islands = &self.lot.islands;
+        let structures: Vec<Structure> = islands.iter().map(|island| Structure::of(island, bonds, w)).collect();
+        let is_mesh = |place: usize| structures[place] == Structure::Mesh;
+        let (crowds, others) = structure::crowds(islands, bonds, is_mesh);
+        let crowds = crowds.into_iter().map(|crowd| {
+            let ends: Vec<[u32; 2]> = crowd.bonds.iter().map(|bond| bond.0).collect();
+            let count = crowd.points.len() / crowd.bodies;
+            let links = by_colour(&ends, count).into_iter().map(|k| crowd.bonds[k as usize]);
+            let links = links.map(|(ends, spec)| (ends, self.meant(spec)));
+            let form = Crowd::new(crowd.bodies, count, links);
+            AnyBody::Crowd(Box::new(Body::new(form, self.members(&crowd.points), points)))
+        });
+        let mut bodies: Vec<AnyBody<S, D>> = crowds.collect();
+        bodies.extend(others.into_iter().map(|place| self.body(&islands[place], &structures[place], points)));
+        bodies
+    }
+
+    fn members(&self, points: &[u32]) -> Members {
+        let places: Vec<u32> = points.iter().map(|&point| self.place[point as usize]).collect();
+        let is_row = places.windows(2).all(|pair| pair[1] == pair[0] + 1);
+        if is_row { Members::From(places[0]) } else { Members::List(places) }
+    }
+
+    /// Under the sources' method a rigid bond is a relaxed one.
+    fn meant(&self, spec: Spec) -> Spec {
+        match (self.model.method.solver, spec.kind) {
+            (Solver::Relaxation, BondKind::Rigid) => {
+                Spec { kind: BondKind::Relaxed { relaxation: 1.0, max_correction: f64::INFINITY }, ..spec }
             }
-            Structure::Chain { points: along, spec, rests } => {
-                let members = Members::List(along.iter().map(|&point| self.place[point as usize]).collect());
-                AnyBody::Chain(Box::new(Body::new(Chain::new(spec, &rests), members, points)))
+            _ => spec,
+        }
+    }
+
+    fn body(&self, island: &Island, structure: &Structure, points: &Points<S, D>) -> AnyBody<S, D> {
+        match structure {
+            &Structure::Sheet { first, columns, rows, specs } => {
+                let all: Vec<u32> = (first..first + (columns * rows) as u32).collect();
+                match self.members(&all) {
+                    // A pin of the sheet that holds nothing is in no group.
+                    Members::List(_) => self.mesh(island, points),
+                    members => {
+                        let specs = specs.map(|&spec| self.meant(spec));
+                        let sheet = Sheet::new(columns, rows, specs, self.rows_last(first, columns));
+                        AnyBody::Sheet(Box::new(Body::new(sheet, members, points)))
+                    }
+                }
             }
-            Structure::Mesh => self.mesh(island, points),
+            Structure::Chain { points: along, spec, rests } if self.lot.choice.solver == Solver::Path => {
+                let chain = Chain::new(*spec, rests);
+                AnyBody::Chain(Box::new(Body::new(chain, self.members(along), points)))
+            }
+            _ => self.mesh(island, points),
         }
     }
 
     fn mesh(&self, island: &Island, points: &Points<S, D>) -> AnyBody<S, D> {
         let bonds = &self.gathered.bonds;
-        let mut members: Vec<u32> =
-            island.bonds.iter().flat_map(|&k| bonds.ends()[k as usize].map(|end| end.0)).collect();
-        members.sort_unstable();
-        members.dedup();
+        let members = structure::members(island, bonds);
         let mut name = vec![0; self.place.len()];
         for (i, &member) in members.iter().enumerate() {
             name[member as usize] = i as u32;
         }
         let segment = |&k: &u32| Segment {
             ends: bonds.ends()[k as usize].map(|end| name[end.index()]),
-            spec: Spec::of(&bonds.get(k as usize)),
+            spec: self.meant(Spec::of(&bonds.get(k as usize))),
         };
         let mut mesh = Mesh::new(members.len(), island.bonds.iter().map(segment).collect());
-        let position: Vec<[f64; D]> =
-            members.iter().map(|&i| widen(self.gathered.state.position[i as usize])).collect();
-        if mesh.lay_trails(&position, self.model.gravity) < SHORTEST_TRAILS {
-            mesh.forget_trails();
+        if self.lot.choice.solver == Solver::Path {
+            let position = members.iter().map(|&i| widen(self.gathered.state.position[i as usize]));
+            if mesh.lay_trails(&position.collect::<Vec<_>>(), self.model.gravity) < SHORTEST_TRAILS {
+                mesh.forget_trails();
+            }
         }
-        let members = Members::List(members.iter().map(|&member| self.place[member as usize]).collect());
-        AnyBody::Mesh(Box::new(Body::new(mesh, members, points)))
+        AnyBody::Mesh(Box::new(Body::new(mesh, self.members(&members), points)))
     }
 
     /// Whether gravity pulls along the rows of a sheet rather than along its columns.

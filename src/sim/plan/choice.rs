@@ -2,7 +2,7 @@
 
 use super::island::Island;
 use crate::sim::bulk::Way;
-use crate::sim::model::Method;
+use crate::sim::model::{Method, Order};
 use crate::sim::solver::Solver;
 
 /// The frame that automatic substeps divide [s].
@@ -71,28 +71,40 @@ pub(crate) fn choose(island: &Island, method: &Method, setting: Setting) -> Choi
         Solver::Auto => pick(island, setting, is_direct),
         given => given,
     };
-    let bulk = scheme(island, method, solver, is_direct);
-    let solver = if bulk.is_some() && solver != Solver::Xpbd { Solver::Path } else { solver };
-    let substep = method.substep.unwrap_or_else(|| match bulk {
-        Some(_) => FRAME,
-        None => substep(island, solver, setting),
-    });
+    let bulk = scheme(island, method, is_direct);
+    let by_paths = bulk.is_some_and(|scheme| scheme.way == Way::Paths);
+    let solver = if by_paths { Solver::Path } else { solver };
+    let substep = method.substep.unwrap_or_else(|| if by_paths { FRAME } else { substep(island, solver, setting) });
     Choice { solver, substep, is_direct: is_direct && solver.solves_directly() && bulk.is_none(), bulk }
 }
 
 /// Whether and how an island is moved as a large body.
-fn scheme(island: &Island, method: &Method, solver: Solver, is_direct: bool) -> Option<Scheme> {
-    let is_fit = island.relaxed == 0 && !island.has_limits && !island.bonds.is_empty();
+fn scheme(island: &Island, method: &Method, is_direct: bool) -> Option<Scheme> {
+    let has_order = matches!(method.order, Order::Auto | Order::Coloured);
+    let is_large = island.bonds.len() > MOST_DIRECT && has_order;
     let is_loose = method.max_strain.is_some_and(|strain| strain >= LEAST_STRAIN);
-    let wanted = match method.solver {
-        Solver::Path => true,
-        Solver::Auto => island.rigid > 0 && (!is_direct || is_loose),
-        _ => false,
+    let sweeps = Way::Sweeps(method.iterations.unwrap_or(1));
+    let follows = |way| {
+        let default = if island.rigid > MOST_DIRECT { LARGE_STRAIN } else { SMALL_STRAIN };
+        let target = method.max_strain.unwrap_or(default);
+        Some(Scheme { way, target: method.substep.is_none().then_some(target) })
     };
-    let default = if island.rigid > MOST_DIRECT { LARGE_STRAIN } else { SMALL_STRAIN };
-    let target = method.max_strain.unwrap_or(default);
-    let _ = solver;
-    (is_fit && wanted).then(|| Scheme { way: Way::Paths, target: method.substep.is_none().then_some(target) })
+    let given = |way| Some(Scheme { way, target: None });
+    match method.solver {
+        _ if island.bonds.is_empty() => None,
+        Solver::Path if !island.has_limits => follows(Way::Paths),
+        Solver::Auto if island.relaxed > 0 => {
+            (is_large && island.relaxed == island.bonds.len()).then(|| given(sweeps))?
+        }
+        Solver::Verlet if island.relaxed == island.bonds.len() => is_large.then(|| given(sweeps))?,
+        Solver::Relaxation => is_large.then(|| given(sweeps))?,
+        Solver::Auto if island.rigid > 0 && !island.has_limits && (!is_direct || is_loose) => follows(Way::Paths),
+        Solver::Xpbd if island.relaxed == 0 && !island.has_limits => {
+            let is_single = sweeps == Way::Sweeps(1) || island.springs == 0;
+            (is_large && is_single).then(|| given(sweeps))?
+        }
+        _ => None,
+    }
 }
 
 fn pick(island: &Island, setting: Setting, is_direct: bool) -> Solver {

@@ -54,7 +54,7 @@ impl<S: Real, const D: usize> Maker<'_, S, D> {
                 let midpoint = solver == Solver::ImplicitMidpoint;
                 Engine::Implicit(Box::new(implicit(midpoint, bonds, points, pull)))
             }
-            Solver::Xpbd => {
+            Solver::Xpbd | Solver::Path => {
                 let compliant = bonds.iter().filter_map(|(_, bond)| CompliantBond::of(bond, &points.inverse_mass));
                 let mut compliant: Vec<CompliantBond<S>> = compliant.collect();
                 let order = match self.model.method.order {

@@ -46,7 +46,7 @@ impl<S: Real, const D: usize> Maker<'_, S, D> {
             .filter(|rows: &Vec<Row<S>>| !rows.is_empty())
             .map(|rows| Direct::new(Shape::new(rows, self.points.len())));
         let springs = match choice.solver {
-            Solver::Xpbd => Springs::none(),
+            Solver::Xpbd | Solver::Path => Springs::none(),
             _ => Springs::new(bonds.iter().map(|(_, bond)| bond), self.points.len()),
         };
         let pull = Pull {
@@ -126,7 +126,7 @@ impl<S: Real, const D: usize> Maker<'_, S, D> {
     /// Bonds whose turns and moves are watched: those of methods that a large substep can break.
     fn guard(&self, bonds: &[(u32, Bond)]) -> Guard<S> {
         let follows_turns = self.lot.choice.solver.order() > 2;
-        if matches!(self.lot.choice.solver, Solver::Relaxation | Solver::Xpbd) {
+        if matches!(self.lot.choice.solver, Solver::Relaxation | Solver::Xpbd | Solver::Path) {
             return Guard { bonds: Vec::new(), follows_turns };
         }
         let is_watched = |bond: &Bond| !matches!(bond.kind, BondKind::Relaxed { .. }) && bond.rest_length > 0.0;

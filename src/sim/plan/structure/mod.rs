@@ -4,6 +4,7 @@
 //! taken alike; whatever does not fit to the last bond is anything else.
 
 mod chain;
+mod crowd;
 mod sheet;
 
 use super::island::Island;
@@ -12,6 +13,7 @@ use crate::sim::bulk::spec::Spec;
 use crate::sim::kernels::rows::Kinds;
 
 pub(crate) use chain::chain;
+pub(crate) use crowd::{crowds, members};
 pub(crate) use sheet::sheet;
 
 /// The structure of an island.
