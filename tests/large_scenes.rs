@@ -244,7 +244,7 @@ fn a_long_thread_hangs_together_from_afar() {
     if common::gpu().is_none() {
         return;
     }
-    // A spiral of 30,000 bonds, 0.3 px each, and the same of 3,000.
+    // A spiral of 40,000 bonds, 0.1 px each, and the same of 3,000.
     let spiral = |count: u32| {
         let at = |i: u32| {
             let turn = (f64::from(i) / f64::from(count)).sqrt() * 60.0;
@@ -258,7 +258,7 @@ fn a_long_thread_hangs_together_from_afar() {
     let camera = camera([0.0, 0.0], f64::from(SIDE));
     let shown =
         |(flat, bonds): &(Vec<f32>, Vec<Bond>)| picture(&mut capture(2), &view(flat, bonds, 2), &camera, &look());
-    let ((fine, done), (coarse, _)) = (shown(&spiral(30_000)), shown(&spiral(3_000)));
+    let ((fine, done), (coarse, _)) = (shown(&spiral(40_000)), shown(&spiral(3_000)));
     assert!(done.bonds_drawn + done.dots_drawn < 25_000, "{done:?}");
     let brightest = |x: u32, y: u32| {
         let around = (x - 1..=x + 1).flat_map(|x| (y - 1..=y + 1).map(move |y| (x, y)));

@@ -17,7 +17,7 @@ pub(super) const CHUNK: usize = 1024;
 /// Points of a group.
 const GROUP: usize = 64;
 /// Bonds or points from which on a scene is large: below, it takes longer to ask than to draw.
-pub(super) const LARGE: usize = 16 * CHUNK;
+pub(super) const LARGE: usize = 32 * CHUNK;
 /// Bonds of a chunk whose length is measured when they moved.
 const SAMPLES: usize = 4;
 /// Groups out of view between two in view that are drawn with them, which is cheaper than another draw call.
