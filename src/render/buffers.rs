@@ -105,7 +105,11 @@ impl WorldBuffers {
 
     /// Whether a buffer is another one since the last call, so that bindings to it are stale.
     pub(super) fn take_unbound(&mut self) -> bool {
-        self.all().into_iter().filter_map(|buffer| buffer.take_unbound().then_some(())).count() > 0
+        let mut any = false;
+        for buffer in self.all() {
+            any |= buffer.take_unbound();
+        }
+        any
     }
 
     /// Bytes of all of them.

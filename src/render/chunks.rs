@@ -325,6 +325,18 @@ mod tests {
     }
 
     #[test]
+    fn a_chunk_is_never_gone_and_a_part_of_one_is_drawn_whole() {
+        let bonds: Vec<GpuBond> = (0..CHUNK as u32 + 9).map(|a| GpuBond { a, b: a + 1, rest_length: 1.0 }).collect();
+        let order: Vec<u32> = (0..=bonds.len() as u32).collect();
+        let chunks = Chunks::new(order.clone(), &order, order.len() as u32, &bonds);
+        let nothing = Detail { strokes: 0.0, dots: 0.0 };
+        assert_eq!(chunks.chunks[0].counts(&nothing), (0, 1));
+        assert_eq!(chunks.chunks[1].counts(&nothing), (9, 0));
+        assert_eq!(chunks.chunks[0].counts(&Detail::ALL), (CHUNK as u32, 0));
+        assert!(!chunks.is_surface(), "a string");
+    }
+
+    #[test]
     fn close_ranges_of_points_are_one() {
         let mut selection = Selection::default();
         for range in [0..64, 64..128, 256..320, 512..576, 576..576, 1000..1000] {
