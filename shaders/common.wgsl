@@ -1,5 +1,5 @@
 // What every pass shares: the frame, the positions of two states, and the way from the world to the screen.
-// Put in front of each of the other shaders, with shapes.wgsl.
+// Put in front of each of the other shaders, with shapes.wgsl and discs.wgsl.
 
 // Numbers a point has in the position buffers: 2 in the plane, 3 in space.
 override DIMENSIONS: u32 = 2u;
@@ -29,6 +29,8 @@ struct Frame {
     outline_width: f32,
     // Least distance from the camera that is seen [m]: what lies nearer is cut off. 0 in the plane.
     near: f32,
+    // Radius of dots that stand for bonds [px].
+    dot_radius: f32,
 }
 
 @group(0) @binding(0) var<uniform> frame: Frame;

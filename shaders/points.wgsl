@@ -1,49 +1,20 @@
 // Points: discs around the positions, pinned ones in another colour.
 
-// A bit a point: 1 = pinned.
-@group(0) @binding(3) var<storage, read> pinned: array<u32>;
+// Marks the pinned ones.
+const PINNED: u32 = 0x80000000u;
 
-struct Disc {
-    @builtin(position) position: vec4<f32>,
-    @location(0) @interpolate(flat) center: vec2<f32>,
-    @location(1) @interpolate(flat) color: vec4<f32>,
-    @location(2) @interpolate(flat) radius: f32,
-}
+// The points in the order that they are drawn in.
+@group(0) @binding(3) var<storage, read> points: array<u32>;
 
 @vertex
 fn vertex(@builtin(vertex_index) index: u32) -> Disc {
-    let point = index / 3u;
-    let clip = frame.clip_from_world * vec4(position_of(point), 1.0);
-    let is_pinned = ((pinned[point / 32u] >> (point % 32u)) & 1u) == 1u;
-    var out: Disc;
-    out.color = select(frame.point_color, frame.pin_color, is_pinned);
-    out.radius = frame.point_radius * select(1.0, 1.35, is_pinned);
-    if clip.w < frame.near {
-        out.position = nowhere();
-        return out;
-    }
-    out.center = pixel_of(clip);
-    // The triangle around a circle: a third more pixels than a square, and half as much to set up, which is what
-    // thousands of small discs cost.
-    let corner = array(vec2(0.0, 2.0), vec2(-sqrt(3.0), -1.0), vec2(sqrt(3.0), -1.0))[index % 3u];
-    let offset = corner * reach(out.radius, vec2(sqrt(0.5)));
-    out.position = clip_of(out.center + offset, in_front(clip, out.radius));
-    return out;
-}
-
-// The depth of the near side of a ball: a disc through its middle would be cut by the bonds that come towards the camera.
-fn in_front(clip: vec4<f32>, radius: f32) -> vec4<f32> {
-    if DIMENSIONS == 2u {
-        return clip;
-    }
-    // Height of the picture in distances from the camera: 2 over the matrix's stretch of y.
-    let row = vec3(frame.clip_from_world[0].y, frame.clip_from_world[1].y, frame.clip_from_world[2].y);
-    let nearer = min(2.0 * radius / (frame.viewport.y * length(row)), 0.5);
-    // 1 - depth is as near/distance, as far as far is much further than near.
-    return vec4(clip.xy, max(clip.w - (clip.w - clip.z) / (1.0 - nearer), 0.0), clip.w);
+    let point = points[index / 3u];
+    let is_pinned = (point & PINNED) != 0u;
+    let color = select(frame.point_color, frame.pin_color, is_pinned);
+    return disc(index % 3u, position_of(point & ~PINNED), color, frame.point_radius * select(1.0, 1.35, is_pinned));
 }
 
 @fragment
 fn fragment(in: Disc) -> @location(0) vec4<f32> {
-    return shown(in.color, coverage(in.position.xy - in.center, in.radius), in.radius);
+    return disc_color(in);
 }

@@ -6,6 +6,7 @@ mod common;
 use std::path::Path;
 use std::process::Command;
 
+use common::picture::{NO_BONDS, bond, plain, view};
 use glam::{DVec2, DVec3};
 use image::RgbaImage;
 use wobble::render::{Camera, Capture, Look, Overlay, Pose, View};
@@ -53,47 +54,6 @@ fn the_rim_pushed_by_a_mouse() {
 #[test]
 fn a_cloth_in_space() {
     golden("cloth-space", common::file("cloth-space.json").to_str().unwrap(), "1.5");
-}
-
-/// White on black, nothing but points and bonds.
-fn plain() -> Look {
-    let white = [1.0; 4];
-    let clear = [0.0; 4];
-    Look {
-        ground: [0.0, 0.0, 0.0, 1.0],
-        grid: clear,
-        axis: clear,
-        wall: clear,
-        bond: white,
-        point: white,
-        pin: white,
-        overlay: Overlay::None,
-        bond_width: 3.0,
-        point_radius: 6.3,
-        ..Look::default()
-    }
-}
-
-/// For scenes of points alone.
-const NO_BONDS: &Bonds = &Bonds::new();
-
-fn view<'a>(positions: &'a [f32], bonds: &'a Bonds, dimensions: usize) -> View<'a> {
-    View {
-        dimensions,
-        previous: Positions::F32(positions),
-        current: Positions::F32(positions),
-        mix: 1.0,
-        motion: 0,
-        topology: 0,
-        bonds,
-        pinned: &[],
-        bounds: None,
-        mouse: None,
-    }
-}
-
-fn bond(a: u32, b: u32) -> Bond {
-    Bond::new(PointId(a), PointId(b), 1.0)
 }
 
 const SIDE: u32 = 64;

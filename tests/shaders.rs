@@ -27,7 +27,7 @@ fn every_file_of_the_folder_is_compiled_into_the_program() {
         assert!(SHADERS.iter().any(|(_, source)| source.contains(&text)), "{} is not used", path.display());
         count += 1;
     }
-    assert_eq!(count, SHADERS.len() + 2, "one file a pass, and two that they share");
+    assert_eq!(count, SHADERS.len() + 3, "one file a pass, and three that they share");
 }
 
 #[test]

@@ -18,6 +18,8 @@ pub(super) struct Figures {
     pub(super) pace: f64,
     pub(super) points: usize,
     pub(super) bonds: usize,
+    /// Strokes and dots that the last picture drew for them.
+    pub(super) drawn: u64,
     /// [J]
     pub(super) energy: f64,
 }
@@ -73,6 +75,9 @@ fn hud(ui: &mut egui::Ui, figures: &Figures) {
         row("step", format!("{:7.3} ms", 1e3 * figures.step));
         row("points", figures.points.to_string());
         row("bonds", figures.bonds.to_string());
+        if figures.drawn != figures.bonds as u64 {
+            row("drawn", figures.drawn.to_string());
+        }
         row("energy", format!("{:9.3} J", figures.energy));
     });
 }

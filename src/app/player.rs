@@ -63,6 +63,9 @@ pub struct Player {
     playing: bool,
     sleep: Sleep,
     motion: u64,
+    topology: u64,
+    /// How many bonds there were when the topology was last looked at.
+    bond_count: usize,
 }
 
 impl Player {
@@ -71,6 +74,7 @@ impl Player {
         Player {
             start: world.boxed_clone(),
             previous: Previous::of(world.positions()),
+            bond_count: world.bonds().len(),
             world,
             due: 0.0,
             rate,
@@ -79,6 +83,7 @@ impl Player {
             playing: true,
             sleep: Sleep::default(),
             motion: 0,
+            topology: 0,
         }
     }
 
@@ -122,6 +127,16 @@ impl Player {
         }
         self.world.step();
         self.motion += 1;
+        self.watch_bonds();
+    }
+
+    /// Bonds that broke are gone: what is drawn is another topology.
+    fn watch_bonds(&mut self) {
+        let bond_count = self.world.bonds().len();
+        if bond_count != self.bond_count {
+            self.bond_count = bond_count;
+            self.topology += 1;
+        }
     }
 
     /// Nothing is due any more: what is drawn is the present state.
@@ -129,6 +144,7 @@ impl Player {
         self.due = 0.0;
         self.previous.copy(self.world.positions());
         self.motion += 1;
+        self.watch_bonds();
     }
 
     /// Pauses and goes on by one frame's worth of substeps, at least one.
@@ -204,6 +220,11 @@ impl Player {
     /// Changes whenever the positions did.
     pub fn motion(&self) -> u64 {
         self.motion
+    }
+
+    /// Changes whenever bonds broke, or came back with the start.
+    pub fn topology(&self) -> u64 {
+        self.topology
     }
 }
 
@@ -316,6 +337,24 @@ mod tests {
         assert_eq!(player.world().time(), 0.0);
         play(&mut player, 1.0, 60);
         assert_eq!(player.world().sample(player.world().time()), first);
+    }
+
+    #[test]
+    fn a_bond_that_breaks_is_another_topology_and_the_start_brings_it_back() {
+        let mut model = model();
+        let bond = crate::sim::Bond {
+            break_strain: 0.2,
+            kind: crate::sim::BondKind::Spring { stiffness: 1.0, damping: 0.0 },
+            ..crate::sim::Bond::new(crate::sim::PointId(0), crate::sim::PointId(1), 1.0)
+        };
+        model.bonds = [bond].into();
+        let mut player = Player::new(build(&model).unwrap(), 1.0, None);
+        play(&mut player, 0.5, 60);
+        assert_eq!((player.world().bonds().len(), player.topology()), (0, 1));
+        play(&mut player, 0.5, 60);
+        assert_eq!(player.topology(), 1, "nothing else broke");
+        player.reset();
+        assert_eq!((player.world().bonds().len(), player.topology()), (1, 2));
     }
 
     #[test]

@@ -39,6 +39,8 @@ pub(super) struct Session {
     step_meter: Meter,
     pace_meter: Meter,
     frames: u64,
+    /// Strokes and dots of the last picture.
+    drawn: u64,
 }
 
 impl Session {
@@ -76,6 +78,7 @@ impl Session {
             step_meter: Meter::default(),
             pace_meter: Meter::default(),
             frames: 0,
+            drawn: 0,
         })
     }
 
@@ -219,14 +222,20 @@ impl Session {
             pace: self.pace_meter.value(),
             points: world.point_count(),
             bonds: world.bonds().len(),
+            drawn: if self.frames == 0 { world.bonds().len() as u64 } else { self.drawn },
             energy: world.energy(),
         }
     }
 
     fn draw(&mut self, paint: Paint) -> Result<(), RenderError> {
         let (previous, mix) = self.player.previous();
-        let view = View { previous, mix, motion: self.player.motion(), ..View::of(self.player.world()) };
-        match self.canvas.draw(&view, &self.camera, &self.look, self.area, paint) {
+        let (motion, topology) = (self.player.motion(), self.player.topology());
+        let view = View { previous, mix, motion, topology, ..View::of(self.player.world()) };
+        let shapes = |counters: &RenderCounters| counters.bonds_drawn + counters.dots_drawn;
+        let before = shapes(self.canvas.counters());
+        let done = self.canvas.draw(&view, &self.camera, &self.look, self.area, paint);
+        self.drawn = shapes(self.canvas.counters()) - before;
+        match done {
             Err(RenderError::Lost { .. }) => self.reopen(),
             done => done,
         }

@@ -14,6 +14,7 @@ use super::AppError;
 use super::input::{Action, action};
 use super::player::Player;
 use super::session::Session;
+use crate::render::RenderCounters;
 use crate::scene::Scene;
 
 /// What the program did when its window closes.
@@ -23,10 +24,8 @@ pub struct Statistics {
     pub frames: u64,
     /// Substeps taken.
     pub substeps: u64,
-    /// Buffers written.
-    pub uploads: u64,
-    /// Command buffers submitted.
-    pub submits: u64,
+    /// What drawing took.
+    pub drawing: RenderCounters,
 }
 
 /// Opens a window on `scene` and runs until it is closed.
@@ -39,8 +38,8 @@ pub(super) fn run(scene: Scene, player: Player) -> Result<Statistics, AppError> 
     match shell {
         Shell::Failed(error) => Err(error),
         Shell::Open { session, .. } => {
-            let (frames, substeps, counters) = session.statistics();
-            Ok(Statistics { frames, substeps, uploads: counters.uploads, submits: counters.submits })
+            let (frames, substeps, drawing) = session.statistics();
+            Ok(Statistics { frames, substeps, drawing })
         }
         Shell::Waiting(_) => Ok(Statistics::default()),
     }

@@ -1,105 +1,70 @@
-//! What lies on the GPU of a world: two states of the positions, the bonds, who is pinned.
+//! What lies on the GPU of a world: two states of the positions, the bonds, the points as they are drawn.
 //!
 //! Positions lie as an `f32` world has them, D numbers a point, and are uploaded without a copy; those of an `f64`
-//! world are taken relative to an origin near the camera, where `f32` has its digits. Bonds and pins are uploaded when
-//! the topology changes, positions when they moved, and nothing otherwise.
+//! world are taken relative to an origin near the camera, where `f32` has its digits. Bonds and points are uploaded when
+//! the topology changes, positions when they moved, and nothing otherwise. Large scenes are drawn in another order than
+//! they were made in, so that what is close together lies together.
 
 use bytemuck::{Pod, Zeroable};
 use glam::DVec3;
 
 use super::camera::Camera;
+use super::chunks::{Chunks, LARGE, Selection, Wanted};
+use super::counters::RenderCounters;
 use super::error::RenderError;
 use super::gpu::Gpu;
+use super::growing::GrowingBuffer;
+use super::order;
 use super::view::View;
-use crate::sim::{Bonds, PointId, Positions};
+use crate::sim::{Bond, PointId, Positions};
 
 /// A bond as the shader reads it: `Bond` in bonds.wgsl.
 #[derive(Clone, Copy, Debug, Pod, Zeroable)]
 #[repr(C)]
 pub(super) struct GpuBond {
-    a: u32,
-    b: u32,
-    rest_length: f32,
+    pub(super) a: u32,
+    pub(super) b: u32,
+    pub(super) rest_length: f32,
 }
 
 const _: () = assert!(size_of::<GpuBond>() == 12);
 
-/// A buffer that grows: contents that fit are written in place.
-pub(super) struct GrowingBuffer {
-    what: &'static str,
-    usage: wgpu::BufferUsages,
-    pub(super) buffer: wgpu::Buffer,
-    /// No binding knows of this buffer yet. Kept here, so that it outlives a later write that fails.
-    is_unbound: bool,
-}
-
-impl GrowingBuffer {
-    pub(super) fn new(gpu: &Gpu, what: &'static str, usage: wgpu::BufferUsages) -> Self {
-        let usage = usage | wgpu::BufferUsages::COPY_DST;
-        GrowingBuffer { what, usage, buffer: make(gpu, what, usage, 64), is_unbound: true }
-    }
-
-    /// Writes `bytes`, to a larger buffer if this one is too small.
-    ///
-    /// Errors: more than the GPU's buffers hold; the contents stay as they were.
-    fn write(&mut self, gpu: &Gpu, bytes: &[u8], counters: &mut RenderCounters) -> Result<(), RenderError> {
-        if bytes.len() as u64 > self.buffer.size() {
-            let most = gpu.largest_buffer();
-            if bytes.len() as u64 > most {
-                return Err(RenderError::TooLarge { what: self.what, bytes: bytes.len() as u64, most });
-            }
-            self.buffer = make(gpu, self.what, self.usage, bytes.len() as u64);
-            self.is_unbound = true;
-        }
-        if !bytes.is_empty() {
-            gpu.queue.write_buffer(&self.buffer, 0, bytes);
-            counters.uploads += 1;
-            counters.bytes_uploaded += bytes.len() as u64;
-        }
-        Ok(())
+impl From<Bond> for GpuBond {
+    fn from(bond: Bond) -> Self {
+        GpuBond { a: bond.a.0, b: bond.b.0, rest_length: bond.rest_length as f32 }
     }
 }
 
-fn make(gpu: &Gpu, label: &str, usage: wgpu::BufferUsages, size: u64) -> wgpu::Buffer {
-    let size = size.next_multiple_of(16);
-    gpu.device.create_buffer(&wgpu::BufferDescriptor { label: Some(label), size, usage, mapped_at_creation: false })
-}
-
-/// Work that drawing did: a still scene adds nothing.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub struct RenderCounters {
-    /// Buffers written.
-    pub uploads: u64,
-    /// Bytes written to them.
-    pub bytes_uploaded: u64,
-    /// Command buffers submitted.
-    pub submits: u64,
-    /// Pictures drawn.
-    pub frames_drawn: u64,
-    /// Draw calls in them.
-    pub draws: u64,
-}
+/// Marks the pinned ones among the points as they are drawn: `PINNED` in points.wgsl.
+const PINNED: u32 = 1 << 31;
 
 /// The buffers of a world, and what of it they hold.
 pub(super) struct WorldBuffers {
     pub(super) previous: GrowingBuffer,
     pub(super) current: GrowingBuffer,
     pub(super) bonds: GrowingBuffer,
-    pub(super) pinned: GrowingBuffer,
+    pub(super) points: GrowingBuffer,
     pub(super) guides: GrowingBuffer,
     pub(super) frame: GrowingBuffer,
-    pub(super) point_count: u32,
-    pub(super) bond_count: u32,
+    point_count: u32,
+    bond_count: u32,
     pub(super) guide_count: u32,
+    has_pins: bool,
     /// What positions are relative to [m].
     pub(super) origin: DVec3,
     /// Middle one of the rest lengths [m]; 0 without bonds.
     pub(super) typical_bond: f64,
+    /// The parts of a large scene.
+    chunks: Option<Chunks>,
+    /// What the present selection was made for: it stands until something moves or something else is wanted.
+    selected: Option<Wanted>,
+    pub(super) selection: Selection,
     motion: Option<u64>,
     topology: Option<u64>,
     last_frame: Vec<u8>,
     last_guides: Vec<u8>,
-    staging: Vec<f32>,
+    /// Positions of an `f64` world as they were uploaded.
+    staging: [Vec<f32>; 2],
 }
 
 /// How many picture heights the camera may stray from the origin of the positions: at 1000, a pixel of a picture of
@@ -108,34 +73,53 @@ const STRAY: f64 = 1000.0;
 
 impl WorldBuffers {
     pub(super) fn new(gpu: &Gpu) -> Self {
-        let storage = |what| GrowingBuffer::new(gpu, what, wgpu::BufferUsages::STORAGE);
-        let mut frame = GrowingBuffer::new(gpu, "frame", wgpu::BufferUsages::UNIFORM);
-        frame.buffer = make(gpu, "frame", frame.usage, 512);
+        let storage = |what| GrowingBuffer::new(gpu, what, wgpu::BufferUsages::STORAGE, 64);
         WorldBuffers {
             previous: storage("positions"),
             current: storage("positions"),
             bonds: storage("bonds"),
-            pinned: storage("pins"),
+            points: storage("points"),
             guides: storage("guides"),
-            frame,
+            frame: GrowingBuffer::new(gpu, "frame", wgpu::BufferUsages::UNIFORM, 512),
             point_count: 0,
             bond_count: 0,
             guide_count: 0,
+            has_pins: false,
             origin: DVec3::ZERO,
             typical_bond: 0.0,
+            chunks: None,
+            selected: None,
+            selection: Selection::default(),
             motion: None,
             topology: None,
             last_frame: Vec::new(),
             last_guides: Vec::new(),
-            staging: Vec::new(),
+            staging: Default::default(),
         }
+    }
+
+    fn all(&mut self) -> [&mut GrowingBuffer; 6] {
+        let WorldBuffers { previous, current, bonds, points, guides, frame, .. } = self;
+        [previous, current, bonds, points, guides, frame]
     }
 
     /// Whether a buffer is another one since the last call, so that bindings to it are stale.
     pub(super) fn take_unbound(&mut self) -> bool {
-        let all = [&mut self.previous, &mut self.current, &mut self.bonds, &mut self.pinned];
-        let all = all.into_iter().chain([&mut self.guides, &mut self.frame]);
-        all.fold(false, |any, buffer| any | std::mem::take(&mut buffer.is_unbound))
+        let mut any = false;
+        for buffer in self.all() {
+            any |= buffer.take_unbound();
+        }
+        any
+    }
+
+    /// Bytes of all of them.
+    pub(super) fn bytes(&mut self) -> u64 {
+        self.all().into_iter().map(|buffer| buffer.buffer.size()).sum()
+    }
+
+    /// Whether the bonds of a large scene are pieces of surfaces.
+    pub(super) fn is_surface(&self) -> bool {
+        self.chunks.as_ref().is_some_and(Chunks::is_surface)
     }
 
     /// Uploads what changed of the world.
@@ -155,7 +139,10 @@ impl WorldBuffers {
         let double = matches!(view.current, Positions::F64(_));
         let origin = if double { self.origin_near(camera) } else { DVec3::ZERO };
         if self.motion != Some(view.motion) || self.origin != origin {
-            (self.origin, self.motion) = (origin, None);
+            (self.origin, self.motion, self.selected) = (origin, None, None);
+            if let Some(chunks) = &mut self.chunks {
+                chunks.forget_motion();
+            }
             self.upload_positions(gpu, view, counters)?;
             self.motion = Some(view.motion);
         }
@@ -176,16 +163,43 @@ impl WorldBuffers {
         counters: &mut RenderCounters,
     ) -> Result<(), RenderError> {
         (self.point_count, self.bond_count) = (0, 0);
-        self.typical_bond = median_rest_length(view.bonds);
-        let gpu_bond =
-            |(ends, rest): (&[PointId; 2], &f64)| GpuBond { a: ends[0].0, b: ends[1].0, rest_length: *rest as f32 };
-        let bonds: Vec<GpuBond> = view.bonds.ends().iter().zip(view.bonds.rest_lengths()).map(gpu_bond).collect();
-        self.bonds.write(gpu, bytemuck::cast_slice(&bonds), counters)?;
+        (self.selected, self.selection) = (None, Selection::default());
+        let mut bonds: Vec<GpuBond> = view.bonds.iter().map(GpuBond::from).collect();
+        self.typical_bond = median_rest_length(&bonds);
         let point_count = (view.current.len() / view.dimensions) as u32;
-        let pins = pin_bits(view.pinned, point_count);
-        self.pinned.write(gpu, bytemuck::cast_slice(&pins), counters)?;
+        let mut points: Vec<u32> = (0..point_count).collect();
+        if bonds.len().max(points.len()) >= LARGE {
+            points = self.sort(view, &mut bonds);
+        } else {
+            self.chunks = None;
+        }
+        self.bonds.write(gpu, bytemuck::cast_slice(&bonds), counters)?;
+        let is_pinned = pins(view.pinned, point_count);
+        points.iter_mut().for_each(|point| *point |= if is_pinned[*point as usize] { PINNED } else { 0 });
+        self.points.write(gpu, bytemuck::cast_slice(&points), counters)?;
+        self.has_pins = is_pinned.contains(&true);
         (self.point_count, self.bond_count) = (point_count, bonds.len() as u32);
         Ok(())
+    }
+
+    /// Sorts the bonds of a large scene along a curve, and returns the points along it, pinned ones last. The curve of
+    /// the last scene will do if it has as many points: bonds that broke leave the others where they are.
+    fn sort(&mut self, view: &View<'_>, bonds: &mut Vec<GpuBond>) -> Vec<u32> {
+        let point_count = view.current.len() / view.dimensions;
+        let is_pinned = pins(view.pinned, point_count as u32);
+        let last = self.chunks.take().map(|chunks| chunks.order().to_vec());
+        let mut points = last
+            .filter(|order| order.len() == point_count)
+            .unwrap_or_else(|| order::along_curve(view.current, view.dimensions));
+        points.sort_by_key(|&point| is_pinned[point as usize]);
+        let mut rank = vec![0; point_count];
+        for (place, &point) in points.iter().enumerate() {
+            rank[point as usize] = place as u32;
+        }
+        *bonds = order::sorted(bonds, &rank);
+        let common = points.partition_point(|&point| !is_pinned[point as usize]) as u32;
+        self.chunks = Some(Chunks::new(points.clone(), &rank, common, bonds));
+        points
     }
 
     fn upload_positions(
@@ -194,20 +208,27 @@ impl WorldBuffers {
         view: &View<'_>,
         counters: &mut RenderCounters,
     ) -> Result<(), RenderError> {
-        for (buffer, positions) in [(&mut self.previous, view.previous), (&mut self.current, view.current)] {
-            let flat = match positions {
-                Positions::F32(x) => x,
-                Positions::F64(x) => {
-                    let origin = self.origin.to_array();
-                    let relative = |(i, x): (usize, &f64)| (x - origin[i % view.dimensions]) as f32;
-                    self.staging.clear();
-                    self.staging.extend(x.iter().enumerate().map(relative));
-                    &self.staging
-                }
-            };
-            buffer.write(gpu, bytemuck::cast_slice(flat), counters)?;
+        for (positions, staging) in [view.previous, view.current].into_iter().zip(&mut self.staging) {
+            if let Positions::F64(x) = positions {
+                relative(x, self.origin, view.dimensions, staging);
+            }
         }
-        Ok(())
+        let [previous, current] = states(view, &self.staging);
+        self.previous.write(gpu, bytemuck::cast_slice(previous), counters)?;
+        self.current.write(gpu, bytemuck::cast_slice(current), counters)
+    }
+
+    /// Finds out what a picture takes of bonds and points, unless that is what the last one took.
+    pub(super) fn select(&mut self, view: &View<'_>, wanted: &Wanted, counters: &mut RenderCounters) {
+        if self.selected.as_ref() == Some(wanted) {
+            return;
+        }
+        self.selection = match &mut self.chunks {
+            Some(chunks) => chunks.select(states(view, &self.staging), view.dimensions, wanted, counters),
+            None if wanted.points_faded && !self.has_pins => Selection::whole(self.bond_count, 0..0),
+            None => Selection::whole(self.bond_count, 0..self.point_count),
+        };
+        self.selected = Some(*wanted);
     }
 
     /// Uploads the uniforms of a picture, unless they are those of the last one.
@@ -241,23 +262,49 @@ impl WorldBuffers {
     }
 }
 
-/// A bit a point: 1 = pinned. Pins of points that there are not are left out.
-fn pin_bits(pinned: &[PointId], point_count: u32) -> Vec<u32> {
-    let mut bits = vec![0_u32; (point_count as usize).div_ceil(32)];
-    for pin in pinned {
-        if let Some(word) = bits.get_mut(pin.index() / 32) {
-            *word |= 1 << (pin.0 % 32);
-        }
-    }
-    bits
+/// The two states as they lie on the GPU.
+fn states<'a>(view: &View<'a>, staging: &'a [Vec<f32>; 2]) -> [&'a [f32]; 2] {
+    let flat = |positions: Positions<'a>, staging: &'a [f32]| match positions {
+        Positions::F32(x) => x,
+        Positions::F64(_) => staging,
+    };
+    [flat(view.previous, &staging[0]), flat(view.current, &staging[1])]
 }
 
-fn median_rest_length(bonds: &Bonds) -> f64 {
+/// Positions relative to an origin.
+fn relative(x: &[f64], origin: DVec3, dimensions: usize, to: &mut Vec<f32>) {
+    to.resize(x.len(), 0.0);
+    let [a, b, c] = origin.to_array();
+    if dimensions == 2 {
+        subtract([a, b], x, to);
+    } else {
+        subtract([a, b, c], x, to);
+    }
+}
+
+fn subtract<const D: usize>(origin: [f64; D], x: &[f64], to: &mut [f32]) {
+    for (to, x) in to.as_chunks_mut::<D>().0.iter_mut().zip(x.as_chunks::<D>().0) {
+        *to = std::array::from_fn(|axis| (x[axis] - origin[axis]) as f32);
+    }
+}
+
+/// Which points are pinned. Pins of points that there are not are left out.
+fn pins(pinned: &[PointId], point_count: u32) -> Vec<bool> {
+    let mut is_pinned = vec![false; point_count as usize];
+    for pin in pinned {
+        if let Some(point) = is_pinned.get_mut(pin.index()) {
+            *point = true;
+        }
+    }
+    is_pinned
+}
+
+fn median_rest_length(bonds: &[GpuBond]) -> f64 {
     // A sample is enough to size points by.
     let step = (bonds.len() / 1000).max(1);
-    let mut lengths: Vec<f64> = bonds.rest_lengths().iter().copied().step_by(step).collect();
-    lengths.sort_by(f64::total_cmp);
-    lengths.get(lengths.len() / 2).copied().unwrap_or(0.0)
+    let mut lengths: Vec<f32> = bonds.iter().step_by(step).map(|bond| bond.rest_length).collect();
+    lengths.sort_by(f32::total_cmp);
+    lengths.get(lengths.len() / 2).copied().map_or(0.0, f64::from)
 }
 
 #[cfg(test)]
@@ -265,10 +312,18 @@ mod tests {
     use super::*;
 
     #[test]
-    fn pins_are_bits() {
-        assert_eq!(pin_bits(&[PointId(0), PointId(33)], 40), [1, 2]);
-        assert!(pin_bits(&[], 0).is_empty());
-        assert_eq!(pin_bits(&[PointId(64), PointId(u32::MAX), PointId(1)], 40), [2, 0]);
-        assert!(pin_bits(&[PointId(0)], 0).is_empty());
+    fn pins_of_points_that_there_are_not_are_left_out() {
+        assert_eq!(pins(&[PointId(0), PointId(2)], 3), [true, false, true]);
+        assert_eq!(pins(&[PointId(3), PointId(u32::MAX), PointId(1)], 3), [false, true, false]);
+        assert!(pins(&[PointId(0)], 0).is_empty());
+    }
+
+    #[test]
+    fn positions_are_relative_to_the_origin() {
+        let mut to = vec![9.0; 7];
+        relative(&[1.0, 2.0, 3.0, 1e9, 5.0, 6.0], DVec3::new(1.0, 1.0, 3.0), 3, &mut to);
+        assert_eq!(to, [0.0, 1.0, 0.0, 999_999_999.0_f64 as f32, 4.0, 3.0]);
+        relative(&[1.0, 2.0, 3.0, 4.0], DVec3::new(1.0, 1.0, 7.0), 2, &mut to);
+        assert_eq!(to, [0.0, 1.0, 2.0, 3.0]);
     }
 }

@@ -3,8 +3,12 @@
 use bytemuck::{Pod, Zeroable};
 use glam::DVec3;
 
+use super::buffers::WorldBuffers;
 use super::camera::{Camera, Pose};
+use super::chunks::Wanted;
+use super::detail::dot_radius;
 use super::look::{Color, Look, Overlay};
+use super::sight::Sight;
 use super::view::View;
 use crate::sim::Region;
 
@@ -26,30 +30,48 @@ pub(super) struct Frame {
     strain_scale: f32,
     outline_width: f32,
     near: f32,
+    dot_radius: f32,
 }
 
-const _: () = assert!(size_of::<Frame>() == 208);
+const _: () = assert!(size_of::<Frame>() == 212);
 
 impl Frame {
-    /// The uniforms of a picture whose positions are relative to `origin` [m].
-    pub(super) fn new(view: &View<'_>, camera: &Camera, look: &Look, origin: DVec3, typical_bond: f64) -> Self {
+    /// The uniforms of a picture of what lies in `buffers`.
+    pub(super) fn new(view: &View<'_>, camera: &Camera, look: &Look, buffers: &WorldBuffers) -> Self {
         let scale = look.scale_factor;
+        let bond_pixels = buffers.typical_bond * camera.pixels_per_metre() / f64::from(scale);
+        let bond_width = look.bond_width * scale;
+        let [r, g, b, opacity] = look.point;
         Frame {
-            clip_from_world: camera.clip_from_world(origin).to_cols_array(),
+            clip_from_world: camera.clip_from_world(buffers.origin).to_cols_array(),
             bond_color: look.bond,
             stretch_color: look.stretch,
             squeeze_color: look.squeeze,
-            point_color: look.point,
+            point_color: [r, g, b, opacity * point_strength(look, bond_pixels)],
             pin_color: look.pin,
             region_color: look.region,
             region: region(view, camera).unwrap_or_default(),
             viewport: camera.viewport(),
             mix: view.mix,
-            bond_width: look.bond_width * scale,
-            point_radius: scale * point_radius(look, typical_bond * camera.pixels_per_metre() / f64::from(scale)),
+            bond_width,
+            point_radius: scale * point_radius(look, bond_pixels),
             strain_scale: if look.overlay == Overlay::Strain { look.strain_scale } else { 0.0 },
             outline_width: look.outline_width * scale,
             near: camera.near() as f32,
+            dot_radius: dot_radius(bond_width, buffers.is_surface()),
+        }
+    }
+
+    /// What the picture wants of bonds and points that are relative to `origin` [m].
+    pub(super) fn wanted(&self, camera: &Camera, origin: DVec3) -> Wanted {
+        let shapes = [0.5 * self.bond_width, self.dot_radius, LARGEST_PIN * self.point_radius];
+        // A shape reaches a pixel beyond itself at most, and its place is rounded.
+        let margin = 2.0 + f64::from(shapes.into_iter().fold(0.0, f32::max));
+        Wanted {
+            sight: Sight::new(camera, origin, margin),
+            width: f64::from(self.bond_width),
+            radius: f64::from(self.dot_radius),
+            points_faded: self.point_color[3] == 0.0,
         }
     }
 
@@ -63,6 +85,22 @@ impl Frame {
 const LEAST_RADIUS: f32 = 1.2;
 /// Radius of a point for each pixel that its bonds are long.
 const RADIUS_OF_BOND: f64 = 0.12;
+
+/// A pinned point is so many times as large as others, at most: points.wgsl.
+const LARGEST_PIN: f32 = 1.35;
+
+/// Lengths of a bond, in radii of its points, at which points are gone and at which they are all there: closer together
+/// they would hide the bonds, and a fine mesh would be a blank.
+const FADE: [f64; 2] = [1.6, 3.2];
+
+/// How much is left of points whose bonds are so long [1].
+fn point_strength(look: &Look, bond_pixels: f64) -> f32 {
+    if bond_pixels == 0.0 {
+        return 1.0;
+    }
+    let radii = bond_pixels / f64::from(point_radius(look, bond_pixels));
+    ((radii - FADE[0]) / (FADE[1] - FADE[0])).clamp(0.0, 1.0) as f32
+}
 
 /// Points shrink with their bonds, so that a fine mesh is not a heap of discs. Logical pixels.
 fn point_radius(look: &Look, bond_pixels: f64) -> f32 {

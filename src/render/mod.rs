@@ -1,23 +1,30 @@
 //! Drawing points and bonds on a GPU, in a window or off-screen.
 //!
 //! Shaders pull positions from the buffer that the simulation fills, and bonds from one that changes with the topology
-//! only; edges are anti-aliased by their signed distance. Nothing here steps a world.
+//! only; edges are anti-aliased by their signed distance. Of large scenes only what is in view is drawn, and where bonds
+//! are too short to be told apart, fewer stand for all. Nothing here steps a world.
 
 mod buffers;
 pub mod camera;
 mod capture;
+mod chunks;
+mod counters;
+mod detail;
 mod error;
 mod frame;
 mod gpu;
+mod growing;
 mod guides;
 mod look;
+mod order;
 mod passes;
 mod renderer;
+mod sight;
 pub mod view;
 
-pub use buffers::RenderCounters;
 pub use camera::{Camera, Pose};
 pub use capture::Capture;
+pub use counters::RenderCounters;
 pub use error::RenderError;
 pub use gpu::{Gpu, backends};
 pub use look::{Color, Look, Overlay};

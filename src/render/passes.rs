@@ -3,7 +3,11 @@
 //! In the plane what is drawn later lies on top. In space the pixels that a shape fills are drawn first and write their
 //! depth; those at its edges, which it shares with what lies behind, are drawn over them and only look at the depth.
 
+use std::ops::Range;
+
 use super::buffers::WorldBuffers;
+use super::chunks::{CHUNK, Run};
+use super::counters::RenderCounters;
 use super::gpu::Gpu;
 
 /// A shader with what all of them share in front.
@@ -12,6 +16,7 @@ macro_rules! shader {
         concat!(
             include_str!("../../shaders/common.wgsl"),
             include_str!("../../shaders/shapes.wgsl"),
+            include_str!("../../shaders/discs.wgsl"),
             include_str!(concat!("../../shaders/", $name, ".wgsl")),
         )
     };
@@ -25,27 +30,59 @@ pub const SHADERS: [(&str, &str); 4] = [
     ("region", shader!("region")),
 ];
 
-/// The passes, as indices of [`SHADERS`].
+/// What is drawn.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Pass {
+enum Pass {
     Guides,
-    Bonds,
+    /// Dots that stand for bonds.
+    Dots,
+    /// Bonds as strokes.
+    Strokes,
     Points,
     Region,
 }
 
-impl Pass {
-    pub(super) const ALL: [Pass; 4] = [Pass::Guides, Pass::Bonds, Pass::Points, Pass::Region];
+/// Vertices of a quad and of a disc.
+const QUAD: u32 = 6;
+const DISC: u32 = 3;
 
-    /// Vertices that the pass draws: six a quad, three a disc.
-    pub(super) fn vertices(self, buffers: &WorldBuffers, has_region: bool) -> u32 {
+impl Pass {
+    /// Its shader, as an index of [`SHADERS`].
+    fn shader(self) -> usize {
         match self {
-            Pass::Guides => 6 * buffers.guide_count,
-            Pass::Bonds => 6 * buffers.bond_count,
-            Pass::Points => 3 * buffers.point_count,
-            Pass::Region => 6 * u32::from(has_region),
+            Pass::Guides => 0,
+            Pass::Dots | Pass::Strokes => 1,
+            Pass::Points => 2,
+            Pass::Region => 3,
         }
     }
+
+    fn entry_points(self) -> [&'static str; 2] {
+        if self == Pass::Dots { ["dot_vertex", "dot_fragment"] } else { ["vertex", "fragment"] }
+    }
+
+    /// Its draw calls: vertices and instances of each.
+    fn calls(self, buffers: &WorldBuffers, has_region: bool) -> Vec<[Range<u32>; 2]> {
+        let selection = &buffers.selection;
+        let mut calls = match self {
+            Pass::Guides => vec![[0..QUAD * buffers.guide_count, 0..1]],
+            Pass::Dots => selection.dots.iter().map(|run| call(run, DISC)).collect(),
+            Pass::Strokes => selection.strokes.iter().map(|run| call(run, QUAD)).collect(),
+            Pass::Points => selection.points.iter().map(|range| [DISC * range.start..DISC * range.end, 0..1]).collect(),
+            Pass::Region => vec![[0..QUAD * u32::from(has_region), 0..1]],
+        };
+        calls.retain(|[vertices, _]| !vertices.is_empty());
+        calls
+    }
+}
+
+/// The draw call of some bonds: instances are chunks, of which each draws its first few.
+fn call(run: &Run, vertices: u32) -> [Range<u32>; 2] {
+    if run.chunks == 1 {
+        return [vertices * run.first..vertices * (run.first + run.count), 0..1];
+    }
+    let chunk = run.first / CHUNK as u32;
+    [0..vertices * run.count, chunk..chunk + run.chunks]
 }
 
 /// Which pixels of a shape a pipeline draws: `PART` in shapes.wgsl.
@@ -61,7 +98,7 @@ enum Part {
 
 /// What is drawn, in order.
 fn layers(dimensions: usize) -> Vec<(Pass, Part)> {
-    let solid = [Pass::Guides, Pass::Bonds, Pass::Points];
+    let solid = [Pass::Guides, Pass::Dots, Pass::Strokes, Pass::Points];
     let parts: &[Part] = if dimensions == 3 { &[Part::Core, Part::Fringe] } else { &[Part::All] };
     let solid = parts.iter().flat_map(|&part| solid.map(|pass| (pass, part)));
     solid.chain([(Pass::Region, Part::All)]).collect()
@@ -82,10 +119,10 @@ impl Passes {
     /// For worlds of `dimensions` drawn to a target of `format`.
     pub(super) fn new(gpu: &Gpu, format: wgpu::TextureFormat, dimensions: usize) -> Self {
         let layout = bindings_layout(&gpu.device);
-        let modules = Pass::ALL.map(|pass| module(&gpu.device, pass));
+        let modules = SHADERS.map(|shader| module(&gpu.device, shader));
         let layers = layers(dimensions).into_iter();
         let pipelines = layers.map(|(pass, part)| {
-            (pass, pipeline(&gpu.device, &layout, &modules[pass as usize], (pass, part), format, dimensions))
+            (pass, pipeline(&gpu.device, &layout, &modules[pass.shader()], (pass, part), format, dimensions))
         });
         let pipelines = pipelines.collect();
         Passes { pipelines, layout, bindings: None }
@@ -93,37 +130,46 @@ impl Passes {
 
     /// Binds the buffers anew: one of them is another than before.
     pub(super) fn rebind(&mut self, gpu: &Gpu, buffers: &WorldBuffers) {
-        self.bindings = Some(Pass::ALL.map(|pass| {
-            let list = match pass {
-                Pass::Guides | Pass::Region => &buffers.guides,
-                Pass::Bonds => &buffers.bonds,
-                Pass::Points => &buffers.pinned,
-            };
+        // The region reads no list.
+        let lists = [&buffers.guides, &buffers.bonds, &buffers.points, &buffers.guides];
+        self.bindings = Some(std::array::from_fn(|shader| {
+            let list = lists[shader];
             let entries = [&buffers.frame, &buffers.previous, &buffers.current, list];
             let entry =
                 |i: usize| wgpu::BindGroupEntry { binding: i as u32, resource: entries[i].buffer.as_entire_binding() };
             gpu.device.create_bind_group(&wgpu::BindGroupDescriptor {
-                label: Some(SHADERS[pass as usize].0),
+                label: Some(SHADERS[shader].0),
                 layout: &self.layout,
                 entries: &[entry(0), entry(1), entry(2), entry(3)],
             })
         }));
     }
 
-    /// Draws the passes that have something to draw; returns how many draw calls that took.
-    pub(super) fn draw(&self, target: &mut wgpu::RenderPass<'_>, buffers: &WorldBuffers, has_region: bool) -> u64 {
-        let Some(bindings) = &self.bindings else { return 0 };
-        let mut draws = 0;
+    /// Draws the passes that have something to draw.
+    pub(super) fn draw(
+        &self,
+        target: &mut wgpu::RenderPass<'_>,
+        buffers: &WorldBuffers,
+        has_region: bool,
+        counters: &mut RenderCounters,
+    ) {
+        let Some(bindings) = &self.bindings else { return };
         for &(pass, ref pipeline) in &self.pipelines {
-            let vertices = pass.vertices(buffers, has_region);
-            if vertices > 0 {
-                target.set_pipeline(pipeline);
-                target.set_bind_group(0, &bindings[pass as usize], &[]);
-                target.draw(0..vertices, 0..1);
-                draws += 1;
+            let calls = pass.calls(buffers, has_region);
+            if calls.is_empty() {
+                continue;
+            }
+            target.set_pipeline(pipeline);
+            target.set_bind_group(0, &bindings[pass.shader()], &[]);
+            counters.draws += calls.len() as u64;
+            for [vertices, instances] in calls {
+                target.draw(vertices, instances);
             }
         }
-        draws
+        let count = |runs: &[Run]| runs.iter().map(|run| u64::from(run.count) * u64::from(run.chunks)).sum::<u64>();
+        counters.bonds_drawn += count(&buffers.selection.strokes);
+        counters.dots_drawn += count(&buffers.selection.dots);
+        counters.points_drawn += buffers.selection.points.iter().map(|range| range.len() as u64).sum::<u64>();
     }
 }
 
@@ -147,8 +193,7 @@ fn bindings_layout(device: &wgpu::Device) -> wgpu::BindGroupLayout {
     })
 }
 
-fn module(device: &wgpu::Device, pass: Pass) -> wgpu::ShaderModule {
-    let (name, source) = SHADERS[pass as usize];
+fn module(device: &wgpu::Device, (name, source): (&str, &str)) -> wgpu::ShaderModule {
     device.create_shader_module(wgpu::ShaderModuleDescriptor {
         label: Some(name),
         source: wgpu::ShaderSource::Wgsl(source.into()),
@@ -163,7 +208,8 @@ fn pipeline(
     format: wgpu::TextureFormat,
     dimensions: usize,
 ) -> wgpu::RenderPipeline {
-    let (name, _) = SHADERS[pass as usize];
+    let (name, _) = SHADERS[pass.shader()];
+    let [vertex, fragment] = pass.entry_points();
     let layout = device.create_pipeline_layout(&wgpu::PipelineLayoutDescriptor {
         label: Some(name),
         bind_group_layouts: &[Some(layout)],
@@ -186,10 +232,10 @@ fn pipeline(
     device.create_render_pipeline(&wgpu::RenderPipelineDescriptor {
         label: Some(name),
         layout: Some(&layout),
-        vertex: wgpu::VertexState { module, entry_point: Some("vertex"), compilation_options: options(), buffers: &[] },
+        vertex: wgpu::VertexState { module, entry_point: Some(vertex), compilation_options: options(), buffers: &[] },
         fragment: Some(wgpu::FragmentState {
             module,
-            entry_point: Some("fragment"),
+            entry_point: Some(fragment),
             compilation_options: options(),
             targets: &[Some(wgpu::ColorTargetState {
                 format,
@@ -203,4 +249,25 @@ fn pipeline(
         multiview_mask: None,
         cache: None,
     })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::render::order::INVERSE;
+
+    #[test]
+    fn the_shader_knows_how_chunks_lie() {
+        let source = SHADERS[Pass::Dots.shader()].1;
+        for line in [format!("const CHUNK: u32 = {CHUNK}u;"), format!("const NEIGHBOR: u32 = {INVERSE}u;")] {
+            assert!(source.contains(&line), "{line}");
+        }
+    }
+
+    #[test]
+    fn a_run_is_a_draw_call() {
+        let [one, many] = [(1, 1024), (3, 64)].map(|(chunks, count)| Run { first: 2048, count, chunks });
+        assert_eq!(call(&one, QUAD), [6 * 2048..6 * 3072, 0..1]);
+        assert_eq!(call(&many, DISC), [0..3 * 64, 2..5]);
+    }
 }

@@ -1,7 +1,8 @@
 //! Draws a world: uploads what changed, then one pass after another into any target.
 
-use super::buffers::{RenderCounters, WorldBuffers};
+use super::buffers::WorldBuffers;
 use super::camera::Camera;
+use super::counters::RenderCounters;
 use super::error::RenderError;
 use super::frame::Frame;
 use super::gpu::Gpu;
@@ -44,9 +45,11 @@ impl Renderer {
         let origin = self.buffers.origin;
         let lines = guides(camera, view.bounds, view.dimensions, origin, look);
         self.buffers.set_guides(gpu, bytemuck::cast_slice(&lines), lines.len(), counters)?;
-        let frame = Frame::new(view, camera, look, origin, self.buffers.typical_bond);
+        let frame = Frame::new(view, camera, look, &self.buffers);
         self.has_region = frame.has_region();
         self.buffers.set_frame(gpu, bytemuck::bytes_of(&frame), counters)?;
+        self.buffers.select(view, &frame.wanted(camera, origin), counters);
+        counters.bytes_held = self.buffers.bytes();
         if self.buffers.take_unbound() {
             self.passes.rebind(gpu, &self.buffers);
         }
@@ -88,7 +91,7 @@ impl Renderer {
         if area[0] > 0 && area[1] > 0 {
             pass.set_viewport(0.0, 0.0, area[0] as f32, area[1] as f32, 0.0, 1.0);
             pass.set_scissor_rect(0, 0, area[0], area[1]);
-            self.counters.draws += self.passes.draw(&mut pass, &self.buffers, self.has_region);
+            self.passes.draw(&mut pass, &self.buffers, self.has_region, &mut self.counters);
         }
         self.counters.frames_drawn += 1;
     }

@@ -28,7 +28,7 @@ pub struct View<'a> {
 }
 
 impl<'a> View<'a> {
-    /// The world as it is now, `motion` and `topology` both 0.
+    /// The world as it is now; `motion` is 0, `topology` the number of bonds that broke.
     pub fn of(world: &'a dyn Dynamics) -> Self {
         View {
             dimensions: world.dimensions(),
@@ -36,7 +36,7 @@ impl<'a> View<'a> {
             current: world.positions(),
             mix: 1.0,
             motion: 0,
-            topology: 0,
+            topology: world.counters().bonds_torn,
             bonds: world.bonds(),
             pinned: world.pinned(),
             bounds: world.bounds(),

@@ -4,6 +4,7 @@
 
 pub mod golden;
 pub mod physics;
+pub mod picture;
 
 use std::io::Write;
 use std::path::PathBuf;

@@ -1,0 +1,26 @@
+//! What drawing cost, counted.
+
+/// Work that drawing did: a still scene adds nothing.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct RenderCounters {
+    /// Buffers written.
+    pub uploads: u64,
+    /// Bytes written to them.
+    pub bytes_uploaded: u64,
+    /// Bytes that the buffers of the world hold now: they grow, and are kept.
+    pub bytes_held: u64,
+    /// Command buffers submitted.
+    pub submits: u64,
+    /// Pictures drawn.
+    pub frames_drawn: u64,
+    /// Draw calls in them.
+    pub draws: u64,
+    /// Bonds that were drawn as strokes.
+    pub bonds_drawn: u64,
+    /// Bonds that were drawn as dots, for themselves and their neighbours.
+    pub dots_drawn: u64,
+    /// Points that were drawn.
+    pub points_drawn: u64,
+    /// Points that were looked at to find out which parts of a scene are in view.
+    pub points_bounded: u64,
+}
