@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 
 /// Each room, the rooms that it may name, and the crates that it may name beside those for every room.
 const ROOMS: [(&str, &[&str], &[&str]); 8] = [
-    ("sim", &[], &["rand", "rand_pcg", "libm"]),
+    ("sim", &[], &["rand", "rand_pcg", "libm", "rayon", "fearless_simd", "aligned_vec"]),
     ("body", &["sim"], &["rand", "rand_pcg", "libm"]),
     (
         "scene",
@@ -31,7 +31,10 @@ const ROOMS: [(&str, &[&str], &[&str]); 8] = [
 const EVERYWHERE: [&str; 6] = ["std", "thiserror", "bytemuck", "glam", "crate", "core"];
 
 /// Crates that are somewhere in the program: a path that starts with one of these is held to the table.
-const KNOWN: [&str; 22] = [
+const KNOWN: [&str; 25] = [
+    "rayon",
+    "fearless_simd",
+    "aligned_vec",
     "rand",
     "rand_pcg",
     "libm",

@@ -1,5 +1,6 @@
 //! The command line: one file a subcommand. Exit codes: 0 done, 1 the work failed, 2 the call is wrong.
 
+mod machine;
 mod progress;
 mod render;
 mod scenes;
@@ -27,6 +28,8 @@ use clap::{Parser, Subcommand};
         wobble simulate rim --samples 0.5,1,2 --out rim.csv"
 )]
 struct Call {
+    #[command(flatten)]
+    machine: machine::Machine,
     #[command(subcommand)]
     command: Option<Command>,
     #[command(flatten)]
@@ -58,13 +61,13 @@ enum Command {
 /// Parses the call, does the work, reports the error in one line.
 pub fn main() -> ExitCode {
     let call = Call::parse();
-    let done = match call.command {
+    let done = call.machine.prepare().and_then(|()| match call.command {
         None => window::run(&call.window),
         Some(Command::Scenes(arguments)) => scenes::run(&arguments),
         Some(Command::Simulate(call)) => simulate::run(&call.arguments, call.quiet),
         Some(Command::Render(call)) => render::run(&call.arguments, call.quiet),
         Some(Command::Study(call)) => study::run(&call.arguments, call.quiet),
-    };
+    });
     match done {
         Ok(()) => ExitCode::SUCCESS,
         // The reader of our output has gone (`wobble scenes | head -1`): that is no failure.

@@ -12,7 +12,7 @@ use super::values::{self, Times};
 use crate::output;
 use crate::scene::record::{RecordedCounters, RecordedSample, Recording, hash, record, seconds};
 use crate::scene::{OrderName, PrecisionName, Scene, SolverName};
-use crate::sim::{Counters, Dynamics, PointId, Precision, Sample};
+use crate::sim::{Counters, Dynamics, InstructionSet, PlanPart, PointId, Precision, Sample};
 
 /// Points that a message names before it counts the rest.
 const NAMED: usize = 5;
@@ -92,10 +92,27 @@ pub(super) fn run(arguments: &Arguments, quiet: bool) -> anyhow::Result<()> {
     recording.search_seconds = found.as_ref().map_or(0.0, |found| found.seconds);
     recording.expected_error = found.as_ref().map(|found| found.expected_error);
     write(arguments, &recording)?;
+    say_kernels(&*start, &samples)?;
     match found {
         Some(found) => found.report(&recording),
         None => Ok(()),
     }
+}
+
+/// Says how large bodies were moved and the strain that was reached; nothing where there are none.
+fn say_kernels(world: &dyn Dynamics, samples: &[Sample]) -> anyhow::Result<()> {
+    let precision = if world.precision() == Precision::F32 { "f32" } else { "f64" };
+    let set = InstructionSet::chosen();
+    for part in world.parts().iter().filter(|part| !part.kernel.is_empty()) {
+        let PlanPart { bonds, kernel, max_strain, .. } = part;
+        let aim = max_strain.map_or_else(String::new, |strain| format!(" for a strain of {strain:?}"));
+        let most = samples.iter().map(|sample| sample.max_strain).fold(0.0, f64::max);
+        writeln!(
+            std::io::stderr(),
+            "wobble: {bonds} bonds as {kernel}{aim} ({precision}, {set}); largest strain at the samples {most:.1e}"
+        )?;
+    }
+    Ok(())
 }
 
 /// Writes the table, then says what the user should know.

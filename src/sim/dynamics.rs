@@ -89,6 +89,8 @@ pub trait Dynamics: Send {
     fn energy(&self) -> f64;
     /// Work done so far.
     fn counters(&self) -> &Counters;
+    /// Bytes that points, bonds, the plan and the state of large bodies take; those of small bodies' solvers are not counted.
+    fn heap_bytes(&self) -> usize;
     /// What moves the parts of the world: a line a group of islands.
     fn parts(&self) -> &[PlanPart];
     /// What the user should know of the scene: lengths that contradict each other, bonds that cannot hold.

@@ -42,6 +42,16 @@ impl<S: Real, const D: usize> Points<S, D> {
         }
     }
 
+    /// Bytes that the lists take.
+    pub(crate) fn heap_bytes(&self) -> usize {
+        let Points {
+            position, velocity, position_lost, velocity_lost, acceleration, velocity_ahead, displacement, ..
+        } = self;
+        let lists = [position, velocity, position_lost, velocity_lost, acceleration, velocity_ahead, displacement];
+        let vectors: usize = lists.map(|list| list.capacity() * size_of::<[S; D]>()).iter().sum();
+        vectors + self.inverse_mass.capacity() * size_of::<S>()
+    }
+
     pub(crate) fn len(&self) -> usize {
         self.position.len()
     }

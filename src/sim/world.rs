@@ -297,6 +297,13 @@ impl<S: Real, const D: usize> Dynamics for World<S, D> {
         &self.counters
     }
 
+    fn heap_bytes(&self) -> usize {
+        let groups: usize = self.plan.groups.iter().map(|group| group.heap_bytes()).sum();
+        let own = self.plan.slots.capacity() * 8 + self.gathered.capacity() * size_of::<[S; D]>();
+        let model = 8 * self.model.mass.capacity() + 4 * self.model.pinned.capacity();
+        groups + own + model + self.bonds.heap_bytes()
+    }
+
     fn parts(&self) -> &[PlanPart] {
         &self.plan.parts
     }

@@ -72,6 +72,24 @@ impl<S: Real, const D: usize> AnyBody<S, D> {
         of_any!(self, body => body.arrive(points, rate));
     }
 
+    /// Its form: a sheet, a chain, a crowd or a mesh.
+    pub(crate) fn place(&self) -> usize {
+        match self {
+            AnyBody::Sheet(_) => 0,
+            AnyBody::Chain(_) => 1,
+            AnyBody::Crowd(_) => 2,
+            AnyBody::Mesh(_) => 3,
+        }
+    }
+
+    /// Bytes that it takes.
+    pub(crate) fn heap_bytes(&self) -> usize {
+        of_any!(self, body => {
+            let members = if let Members::List(list) = &body.members { 4 * list.capacity() } else { 0 };
+            members + Form::<S, D>::heap_bytes(&body.form) + body.store.heap_bytes()
+        })
+    }
+
     pub(crate) fn bonds(&self) -> usize {
         of_any!(self, body => Form::<S, D>::bonds(&body.form))
     }

@@ -60,6 +60,10 @@ impl<S: Real, const D: usize> Form<S, D> for Chain<S> {
         most
     }
 
+    fn heap_bytes(&self) -> usize {
+        self.rests.capacity() * size_of::<S>() + self.path.heap_bytes()
+    }
+
     fn bonds(&self) -> usize {
         self.rests.len()
     }

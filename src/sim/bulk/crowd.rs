@@ -113,6 +113,10 @@ impl<S: Real, const D: usize> Form<S, D> for Crowd {
         })
     }
 
+    fn heap_bytes(&self) -> usize {
+        self.links.capacity() * size_of::<Link<Spec, f64>>()
+    }
+
     fn bonds(&self) -> usize {
         self.bodies * self.links.len()
     }

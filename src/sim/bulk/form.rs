@@ -29,6 +29,9 @@ pub(crate) trait Form<S: Real, const D: usize> {
     /// The largest |e.e/rest^2 - 1| of any bond, about twice its strain.
     fn stretch(&self, store: &mut Self::Store) -> S;
 
+    /// Bytes that it takes, without the store.
+    fn heap_bytes(&self) -> usize;
+
     /// How many bonds it has.
     fn bonds(&self) -> usize;
 }

@@ -187,6 +187,18 @@ impl<S: Real, const D: usize> Form<S, D> for Mesh<S, D> {
         })
     }
 
+    fn heap_bytes(&self) -> usize {
+        let bundle = |bundle: &Bundle<S>| {
+            4 * bundle.points.capacity() + size_of::<S>() * bundle.rests.capacity() + bundle.counts.capacity()
+        };
+        8 * self.ends.capacity()
+            + size_of::<S>() * self.rests.capacity()
+            + size_of::<Batch<S>>() * self.batches.capacity()
+            + self.bundles.iter().map(bundle).sum::<usize>()
+            + self.turned.heap_bytes()
+            + self.scratch.heap_bytes()
+    }
+
     fn bonds(&self) -> usize {
         self.ends.len()
     }

@@ -63,6 +63,31 @@ impl<S: Real, const D: usize> Bulk<S, D> {
         self.bodies.iter().map(AnyBody::bonds).sum()
     }
 
+    /// What the bodies are and how their bonds are taken, in words: "2 sheets and a mesh by paths".
+    pub(crate) fn describe(&self) -> String {
+        let names = ["sheet", "chain", "crowd", "mesh"];
+        let mut counts = [0_usize; 4];
+        for body in &self.bodies {
+            counts[body.place()] += 1;
+        }
+        let plural = |name: &str| if name == "mesh" { "meshes".to_owned() } else { format!("{name}s") };
+        let some = names.iter().zip(counts).filter(|(_, count)| *count > 0).map(|(name, count)| match count {
+            1 => format!("a {name}"),
+            _ => format!("{count} {}", plural(name)),
+        });
+        let way = match self.way {
+            Way::Paths => "paths".to_owned(),
+            Way::Sweeps(1) => "a sweep a substep".to_owned(),
+            Way::Sweeps(sweeps) => format!("{sweeps} sweeps a substep"),
+        };
+        format!("{} by {way}", some.collect::<Vec<_>>().join(" and "))
+    }
+
+    /// Bytes that the bodies take.
+    pub(crate) fn heap_bytes(&self) -> usize {
+        self.bodies.iter().map(AnyBody::heap_bytes).sum()
+    }
+
     /// Gives rigid bonds that the start violates their lengths.
     pub(crate) fn begin(&mut self, points: &mut Points<S, D>, pull: &Pull<S, D>) {
         const ENOUGH: f64 = 1e-5;

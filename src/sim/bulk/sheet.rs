@@ -179,6 +179,10 @@ impl<S: Real, const D: usize> Form<S, D> for Sheet<S, D> {
         })
     }
 
+    fn heap_bytes(&self) -> usize {
+        self.is_plain.capacity() + self.turned.heap_bytes() + self.scratch.heap_bytes()
+    }
+
     fn bonds(&self) -> usize {
         let Shape { columns, rows, .. } = self.shape;
         let diagonals = self.specs.falling.iter().chain(&self.specs.rising).count();

@@ -28,6 +28,11 @@ const MOST_MOVE: f64 = 1.0 / 16.0;
 const LEAST_COSINE: f64 = 0.75;
 
 impl<S: Real> Guard<S> {
+    /// Bytes that the bonds take.
+    pub(crate) fn heap_bytes(&self) -> usize {
+        self.bonds.capacity() * size_of::<Watched<S>>()
+    }
+
     /// Whether no bond turned or moved too far between two states.
     ///
     /// A comparison with NaN is false: a state that is not finite does not pass.

@@ -181,6 +181,21 @@ impl<S: Real, const D: usize> Group<S, D> {
         }
     }
 
+    /// What large bodies are made of and how their bonds are taken, in words.
+    pub(crate) fn kernel(&self) -> String {
+        if let Engine::Bulk(bulk) = &self.engine { bulk.describe() } else { String::new() }
+    }
+
+    /// Bytes that points, bonds that are watched, and large bodies take.
+    pub(crate) fn heap_bytes(&self) -> usize {
+        let before = &self.before;
+        let lists =
+            [&before.position, &before.velocity, &before.position_lost, &before.velocity_lost, &self.acceleration];
+        let state: usize = lists.map(|list| list.capacity() * size_of::<[S; D]>()).iter().sum();
+        let bulk = if let Engine::Bulk(bulk) = &self.engine { bulk.heap_bytes() } else { 0 };
+        self.points.heap_bytes() + state + self.guard.heap_bytes() + bulk
+    }
+
     /// How far velocities are behind positions [s].
     pub(crate) fn lag(&self) -> f64 {
         if let Engine::Bulk(bulk) = &self.engine { bulk.lag } else { 0.0 }

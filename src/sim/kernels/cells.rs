@@ -60,6 +60,10 @@ impl<S: Real, const D: usize> Store<S, D> for Cells<S, D> {
         std::array::from_fn(|k| self.d[k][at] - self.carried[k][at])
     }
 
+    fn heap_bytes(&self) -> usize {
+        (3 * D + 1) * self.w.capacity() * size_of::<S>()
+    }
+
     fn set(&mut self, at: usize, x: [S; D], motion: [S; D]) {
         for k in 0..D {
             (self.x[k][at], self.d[k][at], self.carried[k][at]) = (x[k], motion[k], S::ZERO);

@@ -48,6 +48,10 @@ impl<S: Real, const D: usize> Store<S, D> for Nodes<S, D> {
         sub(self.points[at].d, self.carried[at])
     }
 
+    fn heap_bytes(&self) -> usize {
+        (3 * D + 1) * self.w.capacity() * size_of::<S>()
+    }
+
     fn set(&mut self, at: usize, x: [S; D], motion: [S; D]) {
         (self.points[at], self.carried[at]) = (Point { x, d: motion }, [S::ZERO; D]);
     }

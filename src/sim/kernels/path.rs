@@ -53,6 +53,13 @@ pub(crate) struct PathLaw<S> {
 #[derive(Clone, Debug)]
 pub(crate) struct Scratch<S>(AVec<S>);
 
+impl<S> Scratch<S> {
+    /// Bytes that it takes.
+    pub(crate) fn heap_bytes(&self) -> usize {
+        self.0.capacity() * size_of::<S>()
+    }
+}
+
 impl<S: Real> Default for Scratch<S> {
     fn default() -> Self {
         Scratch(AVec::new(64))

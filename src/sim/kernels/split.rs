@@ -79,6 +79,11 @@ impl<S: Real> Split<S> {
         self.rows * PIECES
     }
 
+    /// Bytes that it takes.
+    pub(crate) fn heap_bytes(&self) -> usize {
+        (self.rest.capacity() + self.kept.capacity()) * size_of::<S>()
+    }
+
     /// Points of the path.
     pub(crate) fn len(&self) -> usize {
         self.count

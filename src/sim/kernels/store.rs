@@ -31,6 +31,9 @@ pub(crate) trait Store<S: Real, const D: usize> {
     /// A point starts here and goes by this motion instead: nothing is carried over [m].
     fn set(&mut self, at: usize, x: [S; D], motion: [S; D]);
 
+    /// Bytes that it takes.
+    fn heap_bytes(&self) -> usize;
+
     /// w/w_0 of a point; 0 = pinned.
     fn weight(&mut self, at: usize) -> &mut S;
 

@@ -95,6 +95,8 @@ impl<S: Real, const D: usize> Gathered<S, D> {
                 bonds: lot.islands.iter().map(|island| island.bonds.len()).sum(),
                 islands: lot.islands.len(),
                 work: super::super::cost::of(&group),
+                kernel: group.kernel(),
+                max_strain: lot.choice.bulk.and_then(|scheme| scheme.target),
             });
             groups.push(group);
         }

@@ -40,7 +40,7 @@ pub(crate) struct Plan<S: Real, const D: usize> {
 }
 
 /// What one group is made of and what moves it.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct PlanPart {
     /// The method.
     pub solver: Solver,
@@ -54,6 +54,10 @@ pub struct PlanPart {
     pub islands: usize,
     /// Multiplications of one substep, about: what settings are compared by.
     pub work: f64,
+    /// What large bodies are made of and how their bonds are taken, in words; empty for others.
+    pub kernel: String,
+    /// Largest strain that substeps follow [1], if they do.
+    pub max_strain: Option<f64>,
 }
 
 /// Islands that go together.
