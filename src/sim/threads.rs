@@ -22,6 +22,21 @@ pub(crate) fn with_each<T: Send>(bonds: usize, parts: impl IntoIterator<Item = T
     }
 }
 
+/// As [`with_each`], with room for what the work needs: `own` for one thread, a new one for each of more.
+pub(crate) fn with_each_in<T: Send, R: Send>(
+    bonds: usize,
+    parts: impl IntoIterator<Item = T>,
+    own: &mut R,
+    room: impl Fn() -> R + Sync + Send,
+    work: impl Fn(&mut R, T) + Sync + Send,
+) {
+    if is_worth(bonds) {
+        parts.into_iter().collect::<Vec<_>>().into_par_iter().for_each_init(room, work);
+    } else {
+        parts.into_iter().for_each(|part| work(own, part));
+    }
+}
+
 /// The largest of what `of` finds for every part.
 pub(crate) fn largest_of<T: Send, S: PartialOrd + Send + Sync + Copy>(
     bonds: usize,

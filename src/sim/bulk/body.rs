@@ -36,9 +36,14 @@ macro_rules! of_any {
 }
 
 impl<S: Real, const D: usize> AnyBody<S, D> {
-    /// Puts the state of the points into the store: displacements of a substep of `h` that begins with `drift`.
-    pub(crate) fn load(&mut self, points: &Points<S, D>, drift: &Drift<S, D>, h: S) {
-        of_any!(self, body => body.load(points, drift, h));
+    /// Puts the state of the points into the store: motions of a substep of `h` [s].
+    pub(crate) fn load(&mut self, points: &Points<S, D>, h: S) {
+        of_any!(self, body => body.load(points, h));
+    }
+
+    /// The first substep of a step begins.
+    pub(crate) fn set_out(&mut self, drift: &Drift<S, D>) {
+        of_any!(self, body => body.store.set_out(drift));
     }
 
     /// From one substep to the next.
@@ -147,16 +152,11 @@ impl<S: Real, const D: usize, F: Form<S, D>> Body<S, D, F> {
         Body { form, store, reference, members }
     }
 
-    fn load(&mut self, points: &Points<S, D>, drift: &Drift<S, D>, h: S) {
+    fn load(&mut self, points: &Points<S, D>, h: S) {
         let Body { form, store, members, .. } = self;
-        let way = drift.keep * h;
         form.each(|i, cell| {
             let point = members.point(i);
-            let mut d = points.velocity[point];
-            for k in 0..D {
-                d[k] = if points.inverse_mass[point] == S::ZERO { d[k] * h } else { d[k] * way + drift.fall[k] };
-            }
-            store.put(cell, points.position[point], d);
+            store.put(cell, points.position[point], scale(points.velocity[point], h));
         });
     }
 
@@ -201,15 +201,30 @@ impl<S: Real, const D: usize, F: Form<S, D>> Body<S, D, F> {
     }
 
     fn arrive(&mut self, points: &mut Points<S, D>, rate: S) {
-        // Without gravity or drag the next substep begins with the motion of this one.
-        self.store.go_on(&Drift { keep: S::ONE, fall: [S::ZERO; D] });
+        self.store.arrive();
         let Body { form, store, members, .. } = self;
-        form.each(|i, cell| {
-            let point = members.point(i);
-            points.position[point] = store.get(cell).0;
-            if points.inverse_mass[point] != S::ZERO {
-                points.velocity[point] = scale(store.motion(cell), rate);
+        let Points { position, velocity, inverse_mass, .. } = points;
+        form.runs(|run| match members {
+            Members::From(first) => {
+                let first = *first as usize + run.point;
+                let end = first + (run.count - 1) * run.point_step + 1;
+                let (position, velocity) = (&mut position[first..end], &mut velocity[first..end]);
+                let w = &inverse_mass[first..end];
+                store.read(&run, |i, x, motion| {
+                    let point = i * run.point_step;
+                    position[point] = x;
+                    if w[point] != S::ZERO {
+                        velocity[point] = scale(motion, rate);
+                    }
+                });
             }
+            Members::List(list) => store.read(&run, |i, x, motion| {
+                let point = list[run.point + i * run.point_step] as usize;
+                position[point] = x;
+                if inverse_mass[point] != S::ZERO {
+                    velocity[point] = scale(motion, rate);
+                }
+            }),
         });
     }
 }

@@ -1,9 +1,9 @@
 //! A chain: one long path.
 
-use super::form::Form;
+use super::form::{Form, Run};
 use super::spec::{Spec, Substep};
 use crate::sim::kernels::cells::Cells;
-use crate::sim::kernels::split::Split;
+use crate::sim::kernels::split::{PIECES, Split};
 use crate::sim::kernels::store::Store;
 use crate::sim::real::Real;
 
@@ -31,8 +31,12 @@ impl<S: Real, const D: usize> Form<S, D> for Chain<S> {
         self.path.cells()
     }
 
-    fn each(&self, mut visit: impl FnMut(usize, usize)) {
-        (0..self.path.len()).for_each(|point| visit(point, self.path.at(point)));
+    #[inline(always)]
+    fn runs(&self, visit: impl FnMut(Run)) {
+        self.path
+            .pieces()
+            .map(|(point, cell, count)| Run { point, point_step: 1, cell, cell_step: PIECES, count })
+            .for_each(visit);
     }
 
     fn weigh(&mut self, _: &mut Cells<S, D>) {}

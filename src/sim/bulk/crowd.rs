@@ -1,15 +1,16 @@
 //! A crowd: equal small bodies.
 
-use super::form::Form;
+use super::form::{Form, Run};
 use super::spec::{Spec, Substep};
 use crate::sim::bond::BondKind;
-use crate::sim::kernels::cells::Cells;
+use crate::sim::kernels::cells::{Cells, View};
 use crate::sim::kernels::crowd::{self, Link};
 use crate::sim::kernels::lanes::{WIDEST, largest, splat};
 use crate::sim::kernels::law::{Law, Rigid};
 use crate::sim::kernels::level::vectorized;
 use crate::sim::kernels::pair::{Correct, Measure};
 use crate::sim::real::Real;
+use crate::sim::threads;
 
 /// Equal bodies, and the bonds of one of them.
 #[derive(Clone, Debug)]
@@ -36,18 +37,21 @@ impl Crowd {
     }
 
     /// Blocks, with the bodies of each.
-    fn blocks(&self) -> impl Iterator<Item = (usize, usize)> {
-        let (block, bodies) = (self.block(), self.bodies);
-        (0..bodies.div_ceil(WIDEST)).map(move |k| (k * block, WIDEST.min(bodies - k * WIDEST)))
+    fn blocks<'a, S, const D: usize>(&self, view: View<'a, S, D>) -> impl Iterator<Item = (View<'a, S, D>, usize)> {
+        let bodies = self.bodies;
+        let count = move |k: usize| WIDEST.min(bodies.saturating_sub(k * WIDEST));
+        let blocks = view.parts(self.block()).into_iter().enumerate().map(move |(k, block)| (block, count(k)));
+        blocks.filter(|(_, count)| *count > 0)
+    }
+
+    fn bond_count(&self) -> usize {
+        self.bodies * self.links.len()
     }
 
     fn sweep_by<S: Real, L: Law<S>, const D: usize>(&self, cells: &mut Cells<S, D>, law: impl Fn(&Spec) -> L) {
         let links = self.links(law);
-        let mut view = cells.view();
-        vectorized!(m => {
-            for (at, count) in self.blocks() {
-                crowd::block(m, &mut Correct, &mut view.part(at, self.block()), &links, count);
-            }
+        threads::with_each(self.bond_count(), self.blocks(cells.view()), |(mut view, count)| {
+            vectorized!(m => crowd::block(m, &mut Correct, &mut view, &links, count));
         });
     }
 
@@ -70,12 +74,10 @@ impl<S: Real, const D: usize> Form<S, D> for Crowd {
     }
 
     #[inline(always)]
-    fn each(&self, mut visit: impl FnMut(usize, usize)) {
+    fn runs(&self, mut visit: impl FnMut(Run)) {
         for body in 0..self.bodies {
-            let cell = body / WIDEST * self.block() + body % WIDEST;
-            for point in 0..self.points {
-                visit(body * self.points + point, cell + point * WIDEST);
-            }
+            let (point, cell) = (body * self.points, body / WIDEST * self.block() + body % WIDEST);
+            visit(Run { point, point_step: 1, cell, cell_step: WIDEST, count: self.points });
         }
     }
 
@@ -103,13 +105,13 @@ impl<S: Real, const D: usize> Form<S, D> for Crowd {
 
     fn stretch(&self, cells: &mut Cells<S, D>) -> S {
         let links = self.links::<S, ()>(|_| ());
-        let mut view = cells.view();
-        vectorized!(m => {
-            let mut measure = Measure { most: splat(m, S::ZERO) };
-            for (at, count) in self.blocks() {
-                crowd::block(m, &mut measure, &mut view.part(at, self.block()), &links, count);
-            }
-            largest::<_, S>(measure.most)
+        let blocks = self.blocks(cells.view()).collect();
+        threads::largest_of(self.bond_count(), blocks, S::ZERO, |(mut view, count): (View<'_, S, D>, usize)| {
+            vectorized!(m => {
+                let mut measure = Measure { most: splat(m, S::ZERO) };
+                crowd::block(m, &mut measure, &mut view, &links, count);
+                largest::<_, S>(measure.most)
+            })
         })
     }
 
@@ -118,6 +120,6 @@ impl<S: Real, const D: usize> Form<S, D> for Crowd {
     }
 
     fn bonds(&self) -> usize {
-        self.bodies * self.links.len()
+        self.bond_count()
     }
 }

@@ -1,6 +1,7 @@
 //! What the bodies of all forms can do.
 
 use super::spec::Substep;
+pub(crate) use crate::sim::kernels::store::Run;
 use crate::sim::kernels::store::Store;
 use crate::sim::real::Real;
 
@@ -14,8 +15,18 @@ pub(crate) trait Form<S: Real, const D: usize> {
     /// How many places its points and their padding take.
     fn cells(&self) -> usize;
 
+    /// Calls `visit` with rows of points that together are all.
+    fn runs(&self, visit: impl FnMut(Run));
+
     /// Calls `visit` with every point, counted within the body, and its place in the store.
-    fn each(&self, visit: impl FnMut(usize, usize));
+    #[inline(always)]
+    fn each(&self, mut visit: impl FnMut(usize, usize)) {
+        self.runs(|run| {
+            for i in 0..run.count {
+                visit(run.point + i * run.point_step, run.cell + i * run.cell_step);
+            }
+        });
+    }
 
     /// Looks at the weights: the store has been given them.
     fn weigh(&mut self, store: &mut Self::Store);

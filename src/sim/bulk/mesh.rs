@@ -2,7 +2,7 @@
 
 use fearless_simd::Simd;
 
-use super::form::Form;
+use super::form::{Form, Run};
 use super::spec::{Spec, Substep};
 use super::trails::{self, Bundle, Segment};
 use crate::sim::bond::BondKind;
@@ -103,8 +103,8 @@ impl<S: Real, const D: usize> Form<S, D> for Mesh<S, D> {
     }
 
     #[inline(always)]
-    fn each(&self, mut visit: impl FnMut(usize, usize)) {
-        (0..self.points).for_each(|point| visit(point, point));
+    fn runs(&self, mut visit: impl FnMut(Run)) {
+        visit(Run { point: 0, point_step: 1, cell: 0, cell_step: 1, count: self.points });
     }
 
     /// Weights decide which bonds need them: batches are made now.

@@ -55,6 +55,8 @@ pub(crate) struct Bulk<S: Real, const D: usize> {
     pub(crate) nominal: f64,
     /// How far velocities are behind positions [s].
     pub(crate) lag: f64,
+    /// The substep that the motions in the stores are of [s]; `None`: they are to be taken from the points.
+    pub(crate) loaded: Option<f64>,
 }
 
 impl<S: Real, const D: usize> Bulk<S, D> {
@@ -89,16 +91,16 @@ impl<S: Real, const D: usize> Bulk<S, D> {
     }
 
     /// Gives rigid bonds that the start violates their lengths.
-    pub(crate) fn begin(&mut self, points: &mut Points<S, D>, pull: &Pull<S, D>) {
+    pub(crate) fn begin(&mut self, points: &mut Points<S, D>) {
+        self.loaded = None;
         const ENOUGH: f64 = 1e-5;
         if self.strain_of(points) <= ENOUGH {
             return;
         }
-        let still = Pull { gravity: [0.0; D], drag_rate: 0.0, ..pull.clone() };
         let velocity = points.velocity.clone();
         points.velocity.fill([S::ZERO; D]);
         for _ in 0..MOST_PASSES {
-            self.load(points, &still, 1.0);
+            self.bodies.iter_mut().for_each(|body| body.load(points, S::ONE));
             self.project(1.0, &mut Counters::default());
             let strain = self.strain();
             self.bodies.iter_mut().for_each(|body| body.arrive(points, S::ZERO));
@@ -111,8 +113,7 @@ impl<S: Real, const D: usize> Bulk<S, D> {
 
     /// The largest strain of rigid bonds of points as they lie.
     fn strain_of(&mut self, points: &Points<S, D>) -> f64 {
-        let rest = Drift { keep: S::ZERO, fall: [S::ZERO; D] };
-        self.bodies.iter_mut().for_each(|body| body.load(points, &rest, S::ZERO));
+        self.bodies.iter_mut().for_each(|body| body.load(points, S::ZERO));
         self.strain()
     }
 
@@ -138,8 +139,11 @@ impl<S: Real, const D: usize> Bulk<S, D> {
             if self.control.accepts(strain) {
                 self.arrive(points, substep);
                 self.lag = 0.5 * substep;
+                self.loaded = Some(substep);
                 return;
             }
+            // The points still have the state before.
+            self.loaded = None;
             counters.guard_splits += 1;
         }
     }
@@ -151,8 +155,13 @@ impl<S: Real, const D: usize> Bulk<S, D> {
         (h, count): (f64, u32),
         counters: &mut Counters,
     ) {
-        self.load(points, pull, h);
-        let drift = drift(pull, h, h);
+        let old = *self.loaded.get_or_insert_with(|| {
+            self.bodies.iter_mut().for_each(|body| body.load(points, S::from_f64(h)));
+            h
+        });
+        let first = drift(pull, (old, h), self.lag + 0.5 * h);
+        self.bodies.iter_mut().for_each(|body| body.set_out(&first));
+        let drift = drift(pull, (h, h), h);
         for substep in 0..count {
             if substep > 0 {
                 self.bodies.iter_mut().for_each(|body| body.go_on(&drift));
@@ -182,14 +191,6 @@ impl<S: Real, const D: usize> Bulk<S, D> {
         }
     }
 
-    /// Points go to their cells, with the displacements of the first substep.
-    fn load(&mut self, points: &Points<S, D>, pull: &Pull<S, D>, h: f64) {
-        let drift = drift(pull, h, self.lag + 0.5 * h);
-        for body in &mut self.bodies {
-            body.load(points, &drift, S::from_f64(h));
-        }
-    }
-
     fn arrive(&mut self, points: &mut Points<S, D>, h: f64) {
         for body in &mut self.bodies {
             body.arrive(points, S::from_f64(1.0 / h));
@@ -213,11 +214,16 @@ impl<S: Real, const D: usize> Bulk<S, D> {
     }
 }
 
-/// What gravity and drag do to displacements in substeps of `h` when velocities are taken on by `time`.
-fn drift<S: Real, const D: usize>(pull: &Pull<S, D>, h: f64, time: f64) -> Drift<S, D> {
+/// What gravity and drag do to displacements of substeps of `old` when velocities are taken on by `time` and the next
+/// substep is `h` [s].
+fn drift<S: Real, const D: usize>(pull: &Pull<S, D>, (old, h): (f64, f64), time: f64) -> Drift<S, D> {
     let rate = pull.drag_rate;
     // v' = g - rate v over `time`: v keep + g gain.
     let (keep, gain) =
         if rate == 0.0 { (1.0, time) } else { (libm::exp(-rate * time), -libm::expm1(-rate * time) / rate) };
-    Drift { keep: S::from_f64(keep), fall: pull.gravity.map(|g| S::from_f64(g * gain * h)) }
+    Drift {
+        keep: S::from_f64(keep * (h / old)),
+        ratio: S::from_f64(h / old),
+        fall: pull.gravity.map(|g| S::from_f64(g * gain * h)),
+    }
 }

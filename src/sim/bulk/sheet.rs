@@ -2,10 +2,10 @@
 
 use fearless_simd::Simd;
 
-use super::form::Form;
+use super::form::{Form, Run};
 use super::spec::{Spec, Substep};
 use crate::sim::bond::BondKind;
-use crate::sim::kernels::cells::Cells;
+use crate::sim::kernels::cells::{Cells, View};
 use crate::sim::kernels::lanes::{Lanes, Mask, WIDEST, between, largest, splat, width};
 use crate::sim::kernels::law::{Law, Rigid};
 use crate::sim::kernels::level::vectorized;
@@ -15,6 +15,10 @@ use crate::sim::kernels::rows::{self, Cut, Kinds, Shape};
 use crate::sim::kernels::store::Store;
 use crate::sim::kernels::turn::Turned;
 use crate::sim::real::Real;
+use crate::sim::threads;
+
+/// Points that one thread takes at a time.
+const PART: usize = 1 << 12;
 
 /// A sheet: where its points lie, what its bonds are.
 #[derive(Clone, Debug)]
@@ -25,9 +29,8 @@ pub(crate) struct Sheet<S, const D: usize> {
     is_plain: Vec<bool>,
     /// Rows are solved after columns: they bear the load.
     rows_last: bool,
-    scratch: Scratch<S>,
-    /// Rows side by side.
-    turned: Cells<S, D>,
+    /// Rows side by side, and what a solve keeps.
+    room: (Cells<S, D>, Scratch<S>),
 }
 
 impl<S: Real, const D: usize> Sheet<S, D> {
@@ -38,8 +41,7 @@ impl<S: Real, const D: usize> Sheet<S, D> {
             specs,
             is_plain: vec![true; rows],
             rows_last,
-            scratch: Scratch::default(),
-            turned: Cells::new(2 * shape.half * WIDEST),
+            room: (Cells::new(2 * shape.half * WIDEST), Scratch::default()),
         }
     }
 
@@ -47,25 +49,50 @@ impl<S: Real, const D: usize> Sheet<S, D> {
     fn sweep_by<L: Law<S>>(&self, cells: &mut Cells<S, D>, law: impl Fn(&Spec) -> L) {
         let kinds = self.specs.map(|spec| Cut { law: law(spec), rest: S::from_f64(spec.rest) });
         let Sheet { shape, is_plain, .. } = self;
-        let mut view = cells.view();
-        vectorized!(m => {
-            for parity in 0..2 {
-                for row in (parity..shape.rows).step_by(2) {
-                    let has_next = row + 1 < shape.rows;
-                    let here = (shape.row(row), has_next);
-                    if is_plain[row] && (!has_next || is_plain[row + 1]) {
-                        rows::row::<_, S, L, _, D, false>(m, &mut Correct, &mut view, shape, &kinds, here);
-                    } else {
-                        rows::row::<_, S, L, _, D, true>(m, &mut Correct, &mut view, shape, &kinds, here);
+        for parity in 0..2 {
+            let parts = self.parts(cells, parity);
+            threads::with_each(self.bond_count(), parts, |(first, mut view)| {
+                vectorized!(m => {
+                    let end = (first + self.rows_of_part()).min(shape.rows);
+                    for row in (first..end).step_by(2) {
+                        let has_next = row + 1 < shape.rows;
+                        let here = ((row - first) * shape.pitch, has_next);
+                        if is_plain[row] && (!has_next || is_plain[row + 1]) {
+                            rows::row::<_, S, L, _, D, false>(m, &mut Correct, &mut view, shape, &kinds, here);
+                        } else {
+                            rows::row::<_, S, L, _, D, true>(m, &mut Correct, &mut view, shape, &kinds, here);
+                        }
                     }
-                }
-            }
-        });
+                });
+            });
+        }
+    }
+
+    /// Rows that one thread takes at a time: an even number.
+    fn rows_of_part(&self) -> usize {
+        2 * (PART / (2 * self.shape.columns)).max(1)
+    }
+
+    /// The rows from `start` on in parts, each with its first row.
+    fn parts<'a>(&self, cells: &'a mut Cells<S, D>, start: usize) -> impl Iterator<Item = (usize, View<'a, S, D>)> {
+        let (rows, all) = (self.rows_of_part(), self.shape.rows);
+        let parts = cells.view().after(self.shape.row(start)).parts(rows * self.shape.pitch);
+        parts
+            .into_iter()
+            .enumerate()
+            .map(move |(k, part)| (start + k * rows, part))
+            .filter(move |(first, _)| *first < all)
+    }
+
+    fn bond_count(&self) -> usize {
+        let Shape { columns, rows, .. } = self.shape;
+        let diagonals = self.specs.falling.iter().chain(&self.specs.rising).count();
+        (columns - 1) * rows + columns * (rows - 1) + diagonals * (columns - 1) * (rows - 1)
     }
 
     /// Solves every column.
     fn solve_columns(&mut self, cells: &mut Cells<S, D>, law: &PathLaw<S>, rest: S) {
-        let Sheet { shape, scratch, .. } = self;
+        let Sheet { shape, room: (_, scratch), .. } = self;
         let mut view = cells.view();
         vectorized!(m => {
             for parity in 0..2.min(shape.columns) {
@@ -80,21 +107,27 @@ impl<S: Real, const D: usize> Sheet<S, D> {
 
     /// Solves every row.
     fn solve_rows(&mut self, cells: &mut Cells<S, D>, law: &PathLaw<S>, rest: S) {
-        let Sheet { shape, scratch, turned, .. } = self;
-        let mut view = cells.view();
-        vectorized!(m => {
-            for first in (0..shape.rows).step_by(width::<_, S>(m)) {
-                let strip = Turned { m, shape, first, rest };
-                strip.read(&view, turned);
-                path::solve(m, &mut turned.view(), &strip, law, scratch);
-                strip.write(turned, &mut view);
-            }
+        let shape = &self.shape;
+        let rows = self.rows_of_part().next_multiple_of(WIDEST);
+        let parts = cells.view().after(shape.row(0)).parts(rows * shape.pitch).into_iter().enumerate();
+        let parts = parts.map(|(k, part)| (shape.rows.saturating_sub(k * rows).min(rows), part));
+        let room = || (Cells::new(2 * shape.half * WIDEST), Scratch::default());
+        threads::with_each_in(self.bond_count(), parts, &mut self.room, room, |(turned, scratch), (rows, mut view)| {
+            let shape = Shape { rows, ..*shape };
+            vectorized!(m => {
+                for first in (0..rows).step_by(width::<_, S>(m)) {
+                    let strip = Turned { m, shape: &shape, first, rest };
+                    strip.read(&view, turned);
+                    path::solve(m, &mut turned.view(), &strip, law, scratch);
+                    strip.write(turned, &mut view);
+                }
+            });
         });
     }
 
     /// Solves every diagonal: those that fall to the right (`slope` = 1) or rise (-1).
     fn solve_diagonals(&mut self, cells: &mut Cells<S, D>, slope: isize, law: &PathLaw<S>, rest: S) {
-        let Sheet { shape, scratch, .. } = self;
+        let Sheet { shape, room: (_, scratch), .. } = self;
         let mut view = cells.view();
         let (rows, columns) = (shape.rows as isize, shape.columns as isize);
         // Columns where diagonals would meet row 0.
@@ -121,14 +154,12 @@ impl<S: Real, const D: usize> Form<S, D> for Sheet<S, D> {
     }
 
     #[inline(always)]
-    fn each(&self, mut visit: impl FnMut(usize, usize)) {
+    fn runs(&self, mut visit: impl FnMut(Run)) {
         let Shape { columns, rows, half, .. } = self.shape;
         for row in 0..rows {
             for parity in 0..2 {
-                let (first, cell) = (row * columns + parity, self.shape.row(row) + parity * half);
-                for k in 0..(columns + 1 - parity) / 2 {
-                    visit(first + 2 * k, cell + k);
-                }
+                let (point, cell) = (row * columns + parity, self.shape.row(row) + parity * half);
+                visit(Run { point, point_step: 2, cell, cell_step: 1, count: (columns + 1 - parity) / 2 });
             }
         }
     }
@@ -168,25 +199,40 @@ impl<S: Real, const D: usize> Form<S, D> for Sheet<S, D> {
     fn stretch(&self, cells: &mut Cells<S, D>) -> S {
         let kinds = self.specs.map(|spec| Cut { law: (), rest: S::from_f64(spec.rest) });
         let shape = &self.shape;
+        // Bonds to the row below the last one of a part are measured one after the other.
+        let rows = self.rows_of_part();
+        let within = threads::largest_of(
+            self.bond_count(),
+            self.parts(cells, 0).collect(),
+            S::ZERO,
+            |(first, mut view): (usize, View<'_, S, D>)| {
+                let end = (first + rows).min(shape.rows);
+                vectorized!(m => {
+                    let mut measure = Measure { most: splat(m, S::ZERO) };
+                    for row in first..end {
+                        let here = ((row - first) * shape.pitch, row + 1 < end);
+                        rows::row::<_, S, (), _, D, false>(m, &mut measure, &mut view, shape, &kinds, here);
+                    }
+                    largest::<_, S>(measure.most)
+                })
+            },
+        );
         let mut view = cells.view();
         vectorized!(m => {
-            let mut measure = Measure { most: splat(m, S::ZERO) };
-            for row in 0..shape.rows {
-                let here = (shape.row(row), row + 1 < shape.rows);
-                rows::row::<_, S, (), _, D, false>(m, &mut measure, &mut view, shape, &kinds, here);
+            let mut measure = Measure { most: splat(m, within) };
+            for row in (rows - 1..shape.rows - 1).step_by(rows) {
+                rows::row::<_, S, (), _, D, false>(m, &mut measure, &mut view, shape, &kinds, (shape.row(row), true));
             }
             largest::<_, S>(measure.most)
         })
     }
 
     fn heap_bytes(&self) -> usize {
-        self.is_plain.capacity() + self.turned.heap_bytes() + self.scratch.heap_bytes()
+        self.is_plain.capacity() + self.room.0.heap_bytes() + self.room.1.heap_bytes()
     }
 
     fn bonds(&self) -> usize {
-        let Shape { columns, rows, .. } = self.shape;
-        let diagonals = self.specs.falling.iter().chain(&self.specs.rising).count();
-        (columns - 1) * rows + columns * (rows - 1) + diagonals * (columns - 1) * (rows - 1)
+        self.bond_count()
     }
 }
 

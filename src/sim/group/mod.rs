@@ -62,7 +62,7 @@ impl<S: Real, const D: usize> Group<S, D> {
     pub(crate) fn begin(&mut self, around: &Surroundings<D>, t: f64) -> bool {
         self.lead_pins(t);
         if let Engine::Bulk(bulk) = &mut self.engine {
-            bulk.begin(&mut self.points, &self.pull);
+            bulk.begin(&mut self.points);
             return true;
         }
         let mut counters = Counters::default();
@@ -175,7 +175,11 @@ impl<S: Real, const D: usize> Group<S, D> {
                 }
             }
         }
-        if changed {
+        if let Engine::Bulk(bulk) = &mut self.engine
+            && !self.tracks.is_empty()
+        {
+            bulk.loaded = None;
+        } else if changed {
             self.hold_velocity();
             self.engine.refresh();
         }
@@ -218,7 +222,7 @@ impl<S: Real, const D: usize> Group<S, D> {
         }
         let (position, before) = (points.position.clone(), points.velocity.clone());
         bulk.step(points, pull, around, (t, h), &mut Counters::default());
-        points.position = position;
+        (points.position, bulk.loaded) = (position, None);
         for (v, before) in points.velocity.iter_mut().zip(before) {
             *v = scale(add(*v, before), S::HALF);
         }

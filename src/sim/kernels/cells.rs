@@ -5,8 +5,12 @@ use fearless_simd::{Select, Simd, SimdBase};
 
 use super::lanes::{self, WIDEST};
 use super::level::vectorized;
-use super::store::{Drift, Store};
+use super::store::{Drift, Run, Store};
 use crate::sim::real::Real;
+use crate::sim::threads;
+
+/// Cells that one thread takes at a time from one substep to the next.
+const PART: usize = 1 << 15;
 
 /// Positions, displacements and weights of points, in the order that a kernel wants: neighbours in a vector are
 /// neighbours in the lists.
@@ -75,11 +79,49 @@ impl<S: Real, const D: usize> Store<S, D> for Cells<S, D> {
         &mut self.w[at]
     }
 
+    fn set_out(&mut self, drift: &Drift<S, D>) {
+        let Cells { d, carried, w, .. } = self;
+        for k in 0..D {
+            let lists = d[k].chunks_mut(PART).zip(carried[k].chunks(PART)).zip(w.chunks(PART));
+            threads::with_each(w.len(), lists, |((d, carried), w)| {
+                vectorized!(m => set_out(m, d, carried, w, (drift.keep, drift.ratio, drift.fall[k])));
+            });
+        }
+    }
+
+    fn arrive(&mut self) {
+        let Cells { x, d, carried, w } = self;
+        for k in 0..D {
+            let lists = x[k].chunks_mut(PART).zip(d[k].chunks_mut(PART)).zip(carried[k].chunks_mut(PART));
+            threads::with_each(w.len(), lists, |((x, d), carried)| {
+                vectorized!(m => arrive(m, x, d, carried));
+            });
+        }
+    }
+
+    #[inline(always)]
+    fn read(&self, run: &Run, mut visit: impl FnMut(usize, [S; D], [S; D])) {
+        let end = run.cell + (run.count - 1) * run.cell_step + 1;
+        let x = self.x.each_ref().map(|list| &list[run.cell..end]);
+        let d = self.d.each_ref().map(|list| &list[run.cell..end]);
+        let carried = self.carried.each_ref().map(|list| &list[run.cell..end]);
+        for i in 0..run.count {
+            let (mut place, mut motion) = ([S::ZERO; D], [S::ZERO; D]);
+            for k in 0..D {
+                place[k] = x[k][i * run.cell_step];
+                motion[k] = d[k][i * run.cell_step] - carried[k][i * run.cell_step];
+            }
+            visit(i, place, motion);
+        }
+    }
+
     fn go_on(&mut self, drift: &Drift<S, D>) {
         let Cells { x, d, carried, w } = self;
         for k in 0..D {
-            let lists = (&mut x[k][..], &mut d[k][..], &mut carried[k][..]);
-            vectorized!(m => go_on(m, lists, w, (drift.keep, drift.fall[k])));
+            let lists = x[k].chunks_mut(PART).zip(d[k].chunks_mut(PART)).zip(carried[k].chunks_mut(PART));
+            threads::with_each(w.len(), lists.zip(w.chunks(PART)), |(((x, d), carried), w)| {
+                vectorized!(m => go_on(m, (x, d, carried), w, (drift.keep, drift.fall[k])));
+            });
         }
     }
 }
@@ -92,14 +134,53 @@ impl<S: Real, const D: usize> Cells<S, D> {
     }
 }
 
-impl<S, const D: usize> View<'_, S, D> {
-    /// `count` cells from `at` on.
-    pub(crate) fn part(&mut self, at: usize, count: usize) -> View<'_, S, D> {
-        View {
-            x: self.x.map(|list| &list[at..at + count]),
-            d: self.d.each_mut().map(|list| &mut list[at..at + count]),
-            w: &self.w[at..at + count],
+impl<'a, S, const D: usize> View<'a, S, D> {
+    /// Leaves out the first cells.
+    pub(crate) fn after(self, count: usize) -> Self {
+        View { x: self.x.map(|list| &list[count..]), d: self.d.map(|list| &mut list[count..]), w: &self.w[count..] }
+    }
+
+    /// Parts of `size` cells each, and what is left over.
+    pub(crate) fn parts(self, size: usize) -> Vec<Self> {
+        let View { mut x, mut d, mut w } = self;
+        let mut parts = Vec::with_capacity(w.len().div_ceil(size));
+        while !w.is_empty() {
+            let count = size.min(w.len());
+            let (here, rest) = w.split_at(count);
+            let mut split = d.map(|list| Some(list.split_at_mut(count)));
+            parts.push(View {
+                x: x.map(|list| &list[..count]),
+                d: split.each_mut().map(|pair| pair.as_mut().map_or(&mut [][..], |pair| std::mem::take(&mut pair.0))),
+                w: here,
+            });
+            x = x.map(|list| &list[count..]);
+            d = split.map(|pair| pair.map_or(&mut [][..], |pair| pair.1));
+            w = rest;
         }
+        parts
+    }
+}
+
+#[inline(always)]
+fn set_out<M: Simd, S: Real>(m: M, d: &mut [S], carried: &[S], w: &[S], (keep, ratio, fall): (S, S, S)) {
+    let [keep, ratio, fall, zero] = [keep, ratio, fall, S::ZERO].map(|value| lanes::splat(m, value));
+    for at in (0..d.len()).step_by(lanes::width::<M, S>(m)) {
+        let owed = lanes::load(m, carried, at);
+        let motion = lanes::load(m, d, at) - owed;
+        let is_free = lanes::load(m, w, at).simd_gt(zero);
+        lanes::store::<M, S>(is_free.select(motion * keep + fall, motion * ratio) + owed, d, at);
+    }
+}
+
+#[inline(always)]
+fn arrive<M: Simd, S: Real>(m: M, x: &mut [S], d: &mut [S], carried: &mut [S]) {
+    for at in (0..x.len()).step_by(lanes::width::<M, S>(m)) {
+        let (from, way, old) = (lanes::load(m, x, at), lanes::load(m, d, at), lanes::load(m, carried, at));
+        let to = from + way;
+        let owed = way - (to - from);
+        lanes::store::<M, S>(to, x, at);
+        lanes::store::<M, S>(owed, carried, at);
+        lanes::store::<M, S>((way - old) + owed, d, at);
     }
 }
 

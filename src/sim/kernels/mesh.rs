@@ -74,10 +74,8 @@ fn some<M: Simd, S: Real, L, W: Work<M, S, D, L>, const D: usize, const WEIGHTED
 ) {
     let ends = &colour.ends[at..at + count];
     let place = |lane: usize| if LAST && lane >= count { 0 } else { lane };
-    let [mut a, mut b] = [0, 1].map(|end| {
-        let (x, d) = nodes.gather(m, |lane| ends[place(lane)][end]);
-        Node { x, d, w: if WEIGHTED { weights(m, nodes, |lane| ends[place(lane)][end]) } else { splat(m, S::ONE) } }
-    });
+    let mut a = gather::<M, S, D, WEIGHTED>(m, nodes, |lane| ends[place(lane)][0]);
+    let mut b = gather::<M, S, D, WEIGHTED>(m, nodes, |lane| ends[place(lane)][1]);
     let rest = match colour.rests {
         Rests::Same(rest) => splat(m, rest),
         Rests::Each(list) if LAST => {
@@ -92,6 +90,17 @@ fn some<M: Simd, S: Real, L, W: Work<M, S, D, L>, const D: usize, const WEIGHTED
         nodes.scatter::<M>(a.d, count, |lane| ends[lane][0]);
         nodes.scatter::<M>(b.d, count, |lane| ends[lane][1]);
     }
+}
+
+#[inline(always)]
+fn gather<M: Simd, S: Real, const D: usize, const WEIGHTED: bool>(
+    m: M,
+    nodes: &Nodes<S, D>,
+    of: impl Fn(usize) -> u32,
+) -> Node<M, S, D> {
+    let w = if WEIGHTED { weights(m, nodes, &of) } else { splat(m, S::ONE) };
+    let (x, d) = nodes.gather(m, of);
+    Node { x, d, w }
 }
 
 #[inline(always)]

@@ -3,7 +3,7 @@
 use fearless_simd::{Simd, SimdBase};
 
 use super::lanes::{Lanes, Vectors, WIDEST, load, splat};
-use super::store::{Drift, Store, arrive};
+use super::store::{Drift, Run, Store, arrive};
 use crate::sim::real::Real;
 use crate::sim::vector::{add, sub};
 
@@ -59,6 +59,33 @@ impl<S: Real, const D: usize> Store<S, D> for Nodes<S, D> {
     #[inline(always)]
     fn weight(&mut self, at: usize) -> &mut S {
         &mut self.w[at]
+    }
+
+    fn set_out(&mut self, drift: &Drift<S, D>) {
+        for ((point, &carried), &w) in self.points.iter_mut().zip(&self.carried).zip(&self.w) {
+            for k in 0..D {
+                let motion = point.d[k] - carried[k];
+                let motion = if w > S::ZERO { motion * drift.keep + drift.fall[k] } else { motion * drift.ratio };
+                point.d[k] = motion + carried[k];
+            }
+        }
+    }
+
+    fn arrive(&mut self) {
+        for (point, carried) in self.points.iter_mut().zip(&mut self.carried) {
+            for k in 0..D {
+                let (to, owed, motion) = arrive(point.x[k], point.d[k], carried[k]);
+                (point.x[k], carried[k], point.d[k]) = (to, owed, motion + owed);
+            }
+        }
+    }
+
+    #[inline(always)]
+    fn read(&self, run: &Run, mut visit: impl FnMut(usize, [S; D], [S; D])) {
+        for i in 0..run.count {
+            let cell = run.cell + i * run.cell_step;
+            visit(i, self.points[cell].x, sub(self.points[cell].d, self.carried[cell]));
+        }
     }
 
     fn go_on(&mut self, drift: &Drift<S, D>) {

@@ -74,6 +74,13 @@ impl<S: Real> Split<S> {
         point % self.rows * PIECES + point / self.rows
     }
 
+    /// The first point of every piece, its cell, and how many points the piece has; they follow each other at [`PIECES`] cells.
+    pub(crate) fn pieces(&self) -> impl Iterator<Item = (usize, usize, usize)> {
+        let (count, rows) = (self.count, self.rows);
+        let of = move |piece: usize| (piece * rows, piece, rows.min(count.saturating_sub(piece * rows)));
+        (0..PIECES).map(of).filter(|piece| piece.2 > 0)
+    }
+
     /// How many cells there are.
     pub(crate) fn cells(&self) -> usize {
         self.rows * PIECES

@@ -8,7 +8,7 @@ use super::path::Strip;
 use super::rows::Shape;
 use crate::sim::real::Real;
 
-/// Rows from `first` on, one a lane, column after column.
+/// Rows from `first` on, one a lane, column after column; the view begins at row 0.
 pub(crate) struct Turned<'a, M, S> {
     pub(crate) m: M,
     pub(crate) shape: &'a Shape,
@@ -75,7 +75,7 @@ impl<M: Simd, S: Real> Turned<'_, M, S> {
 
     #[inline(always)]
     fn cell(&self, lane: usize, parity: usize, k: usize) -> usize {
-        self.shape.row(self.first + lane) + parity * self.shape.half + k
+        (self.first + lane) * self.shape.pitch + parity * self.shape.half + k
     }
 }
 

@@ -44,7 +44,7 @@ impl<S: Real, const D: usize> Maker<'_, S, D> {
             Some(target) => Control::following(target),
             None => Control::fixed(choice.substep),
         };
-        let bulk = Bulk { bodies, way: scheme.way, control, nominal: choice.substep, lag: 0.0 };
+        let bulk = Bulk { bodies, way: scheme.way, control, nominal: choice.substep, lag: 0.0, loaded: None };
         let bonds = self.bonds();
         Group {
             guard: Guard { bonds: Vec::new(), follows_turns: false },
