@@ -64,7 +64,12 @@ impl<S: Real, const D: usize> AnyBody<S, D> {
 
     /// Bonds of one substep.
     pub(crate) fn project(&mut self, way: Way, step: &Substep) {
-        of_any!(self, body => body.project(way, step));
+        of_any!(self, body => body.form.project(&mut body.store, way, step));
+    }
+
+    /// Substeps without anything from outside.
+    pub(crate) fn run(&mut self, way: Way, step: &Substep, drifts: (&Drift<S, D>, &Drift<S, D>), count: u32) {
+        of_any!(self, body => body.form.run(&mut body.store, way, step, drifts, count));
     }
 
     /// The largest |e.e/rest^2 - 1| of any bond.
@@ -191,13 +196,6 @@ impl<S: Real, const D: usize, F: Form<S, D>> Body<S, D, F> {
             }
         });
         count
-    }
-
-    fn project(&mut self, way: Way, step: &Substep) {
-        match way {
-            Way::Paths => self.form.solve(&mut self.store, step),
-            Way::Sweeps(sweeps) => (0..sweeps).for_each(|_| self.form.sweep(&mut self.store, step)),
-        }
     }
 
     fn arrive(&mut self, points: &mut Points<S, D>, rate: S) {

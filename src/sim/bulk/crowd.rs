@@ -1,5 +1,6 @@
 //! A crowd: equal small bodies.
 
+use super::Way;
 use super::form::{Form, Run};
 use super::spec::{Spec, Substep};
 use crate::sim::bond::BondKind;
@@ -9,6 +10,7 @@ use crate::sim::kernels::lanes::{WIDEST, largest, splat};
 use crate::sim::kernels::law::{Law, Rigid};
 use crate::sim::kernels::level::vectorized;
 use crate::sim::kernels::pair::{Correct, Measure};
+use crate::sim::kernels::store::Drift;
 use crate::sim::real::Real;
 use crate::sim::threads;
 
@@ -48,11 +50,45 @@ impl Crowd {
         self.bodies * self.links.len()
     }
 
-    fn sweep_by<S: Real, L: Law<S>, const D: usize>(&self, cells: &mut Cells<S, D>, law: impl Fn(&Spec) -> L) {
+    /// Takes all substeps of one block after the other, while it lies in the innermost cache.
+    fn run_by<S: Real, L: Law<S>, const D: usize>(
+        &self,
+        cells: &mut Cells<S, D>,
+        law: impl Fn(&Spec) -> L,
+        drifts: Option<(&Drift<S, D>, &Drift<S, D>)>,
+        (substeps, sweeps): (u32, u32),
+    ) {
         let links = self.links(law);
-        threads::with_each(self.bond_count(), self.blocks(cells.view()), |(mut view, count)| {
-            vectorized!(m => crowd::block(m, &mut Correct, &mut view, &links, count));
+        let bodies = (0..self.bodies).step_by(WIDEST).map(|first| WIDEST.min(self.bodies - first));
+        let work = self.bond_count() * (substeps * sweeps) as usize;
+        threads::with_each(work, cells.parts(self.block()).zip(bodies), |(mut part, count)| {
+            for substep in 0..substeps {
+                match drifts {
+                    Some((first, _)) if substep == 0 => part.set_out(first),
+                    Some((_, next)) => part.go_on(next),
+                    None => {}
+                }
+                for _ in 0..sweeps {
+                    vectorized!(m => crowd::block(m, &mut Correct, &mut part.view(), &links, count));
+                }
+            }
         });
+    }
+
+    /// As [`Crowd::run_by`], by the law of its bonds.
+    fn run_all<S: Real, const D: usize>(
+        &self,
+        cells: &mut Cells<S, D>,
+        step: &Substep,
+        drifts: Option<(&Drift<S, D>, &Drift<S, D>)>,
+        counts: (u32, u32),
+    ) {
+        match self.links.first().map(|link| link.law.kind) {
+            Some(BondKind::Rigid) => self.run_by(cells, |_| Rigid, drifts, counts),
+            Some(BondKind::Relaxed { .. }) => self.run_by(cells, |spec| spec.relaxed::<S>(step), drifts, counts),
+            Some(BondKind::Spring { .. }) => self.run_by(cells, |spec| spec.compliant::<S>(step), drifts, counts),
+            None => {}
+        }
     }
 
     fn links<S: Real, L>(&self, law: impl Fn(&Spec) -> L) -> Vec<Link<L, S>> {
@@ -89,13 +125,19 @@ impl<S: Real, const D: usize> Form<S, D> for Crowd {
         }
     }
 
+    fn run(
+        &mut self,
+        cells: &mut Cells<S, D>,
+        way: Way,
+        step: &Substep,
+        drifts: (&Drift<S, D>, &Drift<S, D>),
+        count: u32,
+    ) {
+        self.run_all(cells, step, Some(drifts), (count, super::passes(way)));
+    }
+
     fn sweep(&mut self, cells: &mut Cells<S, D>, step: &Substep) {
-        match self.links.first().map(|link| link.law.kind) {
-            Some(BondKind::Rigid) => self.sweep_by(cells, |_| Rigid),
-            Some(BondKind::Relaxed { .. }) => self.sweep_by(cells, |spec| spec.relaxed::<S>(step)),
-            Some(BondKind::Spring { .. }) => self.sweep_by(cells, |spec| spec.compliant::<S>(step)),
-            None => {}
-        }
+        self.run_all(cells, step, None, (1, 1));
     }
 
     /// Paths of small bodies are short: a sweep does as well.

@@ -1,8 +1,9 @@
 //! What the bodies of all forms can do.
 
+use super::Way;
 use super::spec::Substep;
 pub(crate) use crate::sim::kernels::store::Run;
-use crate::sim::kernels::store::Store;
+use crate::sim::kernels::store::{Drift, Store};
 use crate::sim::real::Real;
 
 /// The structure of a large body: where its points lie in a store, and how its bonds are taken.
@@ -30,6 +31,34 @@ pub(crate) trait Form<S: Real, const D: usize> {
 
     /// Looks at the weights: the store has been given them.
     fn weigh(&mut self, store: &mut Self::Store);
+
+    /// Takes `count` substeps without anything from outside: all but the arrival.
+    ///
+    /// The bodies of some forms do not wait for each other.
+    fn run(
+        &mut self,
+        store: &mut Self::Store,
+        way: Way,
+        step: &Substep,
+        (first, next): (&Drift<S, D>, &Drift<S, D>),
+        count: u32,
+    ) {
+        store.set_out(first);
+        for substep in 0..count {
+            if substep > 0 {
+                store.go_on(next);
+            }
+            self.project(store, way, step);
+        }
+    }
+
+    /// The bonds of one substep.
+    fn project(&mut self, store: &mut Self::Store, way: Way, step: &Substep) {
+        match way {
+            Way::Paths => self.solve(store, step),
+            Way::Sweeps(sweeps) => (0..sweeps).for_each(|_| self.sweep(store, step)),
+        }
+    }
 
     /// Moves displacements by one sweep over all bonds.
     fn sweep(&mut self, store: &mut Self::Store, step: &Substep);

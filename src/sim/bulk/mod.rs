@@ -159,18 +159,32 @@ impl<S: Real, const D: usize> Bulk<S, D> {
             self.bodies.iter_mut().for_each(|body| body.load(points, S::from_f64(h)));
             h
         });
-        let first = drift(pull, (old, h), self.lag + 0.5 * h);
+        let (first, next) = (drift(pull, (old, h), self.lag + 0.5 * h), drift(pull, (h, h), h));
+        if outside.is_nothing() {
+            let (way, steps) = (self.way, self.substeps(h));
+            for (body, step) in self.bodies.iter_mut().zip(steps) {
+                body.run(way, &step, (&first, &next), count);
+                counters.sweep(count * passes(way), body.bonds());
+            }
+            return;
+        }
         self.bodies.iter_mut().for_each(|body| body.set_out(&first));
-        let drift = drift(pull, (h, h), h);
         for substep in 0..count {
             if substep > 0 {
-                self.bodies.iter_mut().for_each(|body| body.go_on(&drift));
+                self.bodies.iter_mut().for_each(|body| body.go_on(&next));
             }
             let time = if substep == 0 { self.lag + 0.5 * h } else { h };
             self.push(outside, h * time, counters);
             self.project(h, counters);
             self.meet(outside, 4.0 * length(pull.gravity) * h * h, counters);
         }
+    }
+
+    /// What a substep of `h` [s] gives to the bonds of each body.
+    fn substeps(&self, h: f64) -> Vec<Substep> {
+        let share = (2.0 * h / self.nominal).powi(2).min(1.0);
+        let tolerance = self.control.tolerance();
+        self.bodies.iter().map(|body| Substep { h, reference: body.reference(), share, tolerance }).collect()
     }
 
     /// The mouse, where it is in reach.
@@ -199,12 +213,10 @@ impl<S: Real, const D: usize> Bulk<S, D> {
 
     /// Bonds of one substep.
     fn project(&mut self, h: f64, counters: &mut Counters) {
-        for body in &mut self.bodies {
-            let share = (2.0 * h / self.nominal).powi(2).min(1.0);
-            let step = Substep { h, reference: body.reference(), share, tolerance: self.control.tolerance() };
+        let steps = self.substeps(h);
+        for (body, step) in self.bodies.iter_mut().zip(steps) {
             body.project(self.way, &step);
-            let passes = if let Way::Sweeps(sweeps) = self.way { sweeps } else { 1 };
-            counters.sweep(passes, body.bonds());
+            counters.sweep(passes(self.way), body.bonds());
         }
     }
 
@@ -212,6 +224,11 @@ impl<S: Real, const D: usize> Bulk<S, D> {
     fn strain(&mut self) -> f64 {
         0.5 * self.bodies.iter_mut().map(|body| body.stretch().to_f64()).fold(0.0, f64::max)
     }
+}
+
+/// Passes over the bonds in a substep.
+fn passes(way: Way) -> u32 {
+    if let Way::Sweeps(sweeps) = way { sweeps } else { 1 }
 }
 
 /// What gravity and drag do to displacements of substeps of `old` when velocities are taken on by `time` and the next

@@ -40,6 +40,11 @@ impl<S: Real, const D: usize> Outside<S, D> {
         }
     }
 
+    /// Whether nothing is in reach.
+    pub(crate) fn is_nothing(&self) -> bool {
+        self.mouse.is_none() && self.surfaces.is_empty()
+    }
+
     /// What the surfaces make of a point that is about to go by `motion` from `x`: where it starts and how it goes instead,
     /// so that it ends on the surface with the velocity of the bounce. `None`: it meets none.
     ///

@@ -80,23 +80,18 @@ impl<S: Real, const D: usize> Store<S, D> for Cells<S, D> {
     }
 
     fn set_out(&mut self, drift: &Drift<S, D>) {
-        let Cells { d, carried, w, .. } = self;
-        for k in 0..D {
-            let lists = d[k].chunks_mut(PART).zip(carried[k].chunks(PART)).zip(w.chunks(PART));
-            threads::with_each(w.len(), lists, |((d, carried), w)| {
-                vectorized!(m => set_out(m, d, carried, w, (drift.keep, drift.ratio, drift.fall[k])));
-            });
-        }
+        let work = self.w.len();
+        threads::with_each(work, self.parts(PART), |mut part| part.set_out(drift));
+    }
+
+    fn go_on(&mut self, drift: &Drift<S, D>) {
+        let work = self.w.len();
+        threads::with_each(work, self.parts(PART), |mut part| part.go_on(drift));
     }
 
     fn arrive(&mut self) {
-        let Cells { x, d, carried, w } = self;
-        for k in 0..D {
-            let lists = x[k].chunks_mut(PART).zip(d[k].chunks_mut(PART)).zip(carried[k].chunks_mut(PART));
-            threads::with_each(w.len(), lists, |((x, d), carried)| {
-                vectorized!(m => arrive(m, x, d, carried));
-            });
-        }
+        let work = self.w.len();
+        threads::with_each(work, self.parts(PART), |mut part| part.arrive());
     }
 
     #[inline(always)]
@@ -114,16 +109,6 @@ impl<S: Real, const D: usize> Store<S, D> for Cells<S, D> {
             visit(i, place, motion);
         }
     }
-
-    fn go_on(&mut self, drift: &Drift<S, D>) {
-        let Cells { x, d, carried, w } = self;
-        for k in 0..D {
-            let lists = x[k].chunks_mut(PART).zip(d[k].chunks_mut(PART)).zip(carried[k].chunks_mut(PART));
-            threads::with_each(w.len(), lists.zip(w.chunks(PART)), |(((x, d), carried), w)| {
-                vectorized!(m => go_on(m, (x, d, carried), w, (drift.keep, drift.fall[k])));
-            });
-        }
-    }
 }
 
 impl<S: Real, const D: usize> Cells<S, D> {
@@ -131,6 +116,54 @@ impl<S: Real, const D: usize> Cells<S, D> {
     pub(crate) fn view(&mut self) -> View<'_, S, D> {
         let Cells { x, d, w, .. } = self;
         View { x: x.each_ref().map(|list| &list[..]), d: d.each_mut().map(|list| &mut list[..]), w }
+    }
+
+    /// Parts of `size` cells each, and what is left over.
+    pub(crate) fn parts(&mut self, size: usize) -> impl Iterator<Item = Part<'_, S, D>> {
+        let Cells { x, d, carried, w } = self;
+        let mut lists = [x, d, carried].map(|lists| lists.each_mut().map(|list| list.chunks_mut(size)));
+        w.chunks(size).map(move |w| {
+            let [x, d, carried] =
+                lists.each_mut().map(|lists| lists.each_mut().map(|list| list.next().unwrap_or_default()));
+            Part { x, d, carried, w }
+        })
+    }
+}
+
+/// Some cells, with all that a substep changes.
+pub(crate) struct Part<'a, S, const D: usize> {
+    x: [&'a mut [S]; D],
+    d: [&'a mut [S]; D],
+    carried: [&'a mut [S]; D],
+    w: &'a [S],
+}
+
+impl<S: Real, const D: usize> Part<'_, S, D> {
+    /// For a kernel.
+    pub(crate) fn view(&mut self) -> View<'_, S, D> {
+        View { x: self.x.each_ref().map(|list| &**list), d: self.d.each_mut().map(|list| &mut **list), w: self.w }
+    }
+
+    /// d -> keep d + fall for free points.
+    pub(crate) fn set_out(&mut self, drift: &Drift<S, D>) {
+        for k in 0..D {
+            vectorized!(m => set_out(m, self.d[k], self.carried[k], self.w, (drift.keep, drift.ratio, drift.fall[k])));
+        }
+    }
+
+    /// x += d, then d -> keep d + fall for free points.
+    pub(crate) fn go_on(&mut self, drift: &Drift<S, D>) {
+        for k in 0..D {
+            let lists = (&mut *self.x[k], &mut *self.d[k], &mut *self.carried[k]);
+            vectorized!(m => go_on(m, lists, self.w, (drift.keep, drift.fall[k])));
+        }
+    }
+
+    /// x += d, and d stays.
+    fn arrive(&mut self) {
+        for k in 0..D {
+            vectorized!(m => arrive(m, self.x[k], self.d[k], self.carried[k]));
+        }
     }
 }
 
