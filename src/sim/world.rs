@@ -32,19 +32,12 @@ pub struct World<S: Real, const D: usize> {
     model: Arc<Model<D>>,
 }
 
-/// Points above which an automatic precision is `f32`: there memory rules, below it scalar code gains too little.
-const SMALL: usize = 20_000;
 
 /// A world for a model, its scalar as the method says.
 ///
 /// Errors: as [`Model::check`].
 pub fn build<const D: usize>(model: &Model<D>) -> Result<Box<dyn Dynamics>, ModelError> {
-    let single = match model.method.precision {
-        Precision::Auto => model.position.len() > SMALL,
-        Precision::F32 => true,
-        Precision::F64 => false,
-    };
-    Ok(if single { Box::new(World::<f32, D>::new(model)?) } else { Box::new(World::<f64, D>::new(model)?) })
+    Ok(if plan::is_single(model) { Box::new(World::<f32, D>::new(model)?) } else { Box::new(World::<f64, D>::new(model)?) })
 }
 
 impl<S: Real, const D: usize> World<S, D> {

@@ -69,7 +69,7 @@ pub(crate) fn each<M: Simd, S: Real, const D: usize>(
 #[inline(always)]
 pub(crate) fn add<M: Simd, S: Real, const D: usize>(mut a: Vectors<M, S, D>, b: Vectors<M, S, D>) -> Vectors<M, S, D> {
     for k in 0..D {
-        a[k] = a[k] + b[k];
+        a[k] += b[k];
     }
     a
 }
@@ -78,7 +78,7 @@ pub(crate) fn add<M: Simd, S: Real, const D: usize>(mut a: Vectors<M, S, D>, b: 
 #[inline(always)]
 pub(crate) fn sub<M: Simd, S: Real, const D: usize>(mut a: Vectors<M, S, D>, b: Vectors<M, S, D>) -> Vectors<M, S, D> {
     for k in 0..D {
-        a[k] = a[k] - b[k];
+        a[k] -= b[k];
     }
     a
 }
@@ -87,7 +87,7 @@ pub(crate) fn sub<M: Simd, S: Real, const D: usize>(mut a: Vectors<M, S, D>, b: 
 #[inline(always)]
 pub(crate) fn scale<M: Simd, S: Real, const D: usize>(mut a: Vectors<M, S, D>, s: Lanes<M, S>) -> Vectors<M, S, D> {
     for k in 0..D {
-        a[k] = a[k] * s;
+        a[k] *= s;
     }
     a
 }
@@ -97,7 +97,7 @@ pub(crate) fn scale<M: Simd, S: Real, const D: usize>(mut a: Vectors<M, S, D>, s
 pub(crate) fn dot<M: Simd, S: Real, const D: usize>(a: Vectors<M, S, D>, b: Vectors<M, S, D>) -> Lanes<M, S> {
     let mut sum = a[0] * b[0];
     for k in 1..D {
-        sum = sum + a[k] * b[k];
+        sum += a[k] * b[k];
     }
     sum
 }

@@ -132,7 +132,7 @@ pub(crate) fn solve<M: Simd, S: Real, T: Strip<M, S>, const D: usize>(
             let back_by = is_wild.select(most / jump.sqrt() - one, zero);
             back(m, view, strip, law, back_by, &scratch.0);
         }
-        active = active & (is_off | is_wild);
+        active active &= (is_off | is_wild);= is_off | is_wild;
         if law.alpha > S::ZERO || active.to_bitmask() == 0 {
             return round;
         }
@@ -169,7 +169,7 @@ fn there<M: Simd, S: Real, T: Strip<M, S>, const D: usize>(
         let way = select::<M, S, D>(is_bond, scale::<M, S, D>(e, one / length), [zero; D]);
         let mut error = is_bond.select((length - strip.rest(k)) * share, zero);
         if law.share < S::ONE {
-            error = error + dot::<M, S, D>(way, change) * damped;
+            error += dot::<M, S, D>(way, change) * damped;
         }
         let beside = -(w * dot::<M, S, D>(way_before, way));
         let link = beside * inverse_before;
@@ -227,7 +227,7 @@ fn back<M: Simd, S: Real, T: Strip<M, S>, const D: usize>(
             let square = rest * rest;
             let off = (dot::<M, S, D>(e, e) - square).abs();
             jump = jump.max(dot::<M, S, D>(change, change) / square);
-            is_off = is_off | (length_behind.simd_gt(zero) & off.simd_gt(twice * square));
+            is_off |= length_behind.simd_gt(zero) & off.simd_gt(twice * square);
         }
         (push_behind, move_behind, span_behind) = (push, moved, span);
         (link_behind, length_behind) = (link, length);

@@ -91,11 +91,6 @@ impl<S: Real> Split<S> {
         (self.rest.capacity() + self.kept.capacity()) * size_of::<S>()
     }
 
-    /// Points of the path.
-    pub(crate) fn len(&self) -> usize {
-        self.count
-    }
-
     /// Solves the path: moves the displacements of its points. Returns the rounds taken.
     pub(crate) fn solve<const D: usize>(&mut self, cells: &mut Cells<S, D>, law: &PathLaw<S>) -> u32 {
         self.kept.resize(self.cells() * (D + 4), S::ZERO);
@@ -239,7 +234,7 @@ impl<S: Real> Split<S> {
             let way = select::<M, S, D>(is_bond, scale::<M, S, D>(e, one / length), [zero; D]);
             let mut error = is_bond.select((length - rest) * share, zero);
             if law.share < S::ONE {
-                error = error + dot::<M, S, D>(way, change) * damped;
+                error += dot::<M, S, D>(way, change) * damped;
             }
             let beside = -(w * dot::<M, S, D>(way_before, way));
             let link = beside * inverse_before;
@@ -247,8 +242,8 @@ impl<S: Real> Split<S> {
             let pivot = is_bond.select((sum + alpha - link * beside).max(floor * sum), one);
             let inverse = one / pivot;
             let answer = (error - beside * answer_before) * inverse;
-            taken = taken + side * side * inverse;
-            taken_error = taken_error + side * answer;
+            taken += side * side * inverse;
+            taken_error += side * answer;
             for k in 0..D {
                 let at = self.slot::<D>(row, k) + lane;
                 store::<M, S>(way[k], &mut self.kept, at);
@@ -332,7 +327,7 @@ impl<S: Real> Split<S> {
                 let square = rest_behind * rest_behind;
                 let off = (dot::<M, S, D>(e, e) - square).abs();
                 let is_bond = dot::<M, S, D>(span_behind, span_behind).simd_gt(zero);
-                is_off = is_off | (is_bond & off.simd_gt(twice * square));
+                is_off |= is_bond & off.simd_gt(twice * square);
             }
             if row > 0 {
                 rest_behind = load(m, &self.rest, (row - 1) * PIECES + lane);

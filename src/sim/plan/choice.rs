@@ -27,7 +27,7 @@ pub(crate) const MOST_DIRECT: usize = 2_000;
 /// Most pairs of rigid bonds that share a point in such a set: a star of many spokes couples all with all.
 const MOST_COUPLINGS: usize = 60_000;
 /// Strain that rigid bonds of a large island may have where nothing is said [1].
-const LARGE_STRAIN: f64 = 0.02;
+pub(crate) const LARGE_STRAIN: f64 = 0.02;
 /// The same of an island of at most [`MOST_DIRECT`].
 const SMALL_STRAIN: f64 = 1e-6;
 /// Least strain that paths are meant for [1]: below, solving all bonds together is cheaper.

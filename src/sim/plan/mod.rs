@@ -7,6 +7,7 @@ mod engines;
 mod gather;
 pub(crate) mod island;
 mod make;
+mod precision;
 mod reconcile;
 pub(crate) mod sets;
 pub(crate) mod structure;
@@ -23,6 +24,7 @@ use choice::{Choice, Setting};
 use gather::Gathered;
 use island::Island;
 
+pub(crate) use precision::is_single;
 pub(crate) use reconcile::reconcile;
 
 /// Groups with what moves them, and where every point of the model is.

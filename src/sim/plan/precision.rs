@@ -1,0 +1,68 @@
+//! Which scalar a world is made of, where the scene leaves it open.
+
+use super::choice::{LARGE_STRAIN, MOST_DIRECT};
+use crate::sim::bond::BondKind;
+use crate::sim::model::{Model, Precision};
+
+/// Points above which a world is made of 32 bits: there memory rules, below it scalar code gains too little.
+const LARGE: usize = 20_000;
+/// The same where large rigid bodies are moved by vectors, which take twice as many numbers of 32 bits.
+const LARGE_RIGID: usize = 1_000;
+/// Positions of 32 bits are off by a part in 2^24 of their size; so many times that has to be below the strain that
+/// bonds may have.
+const ROOM: f64 = 8.0 / 16_777_216.0;
+
+/// Whether a world of this model is made of `f32`.
+///
+/// Not where the rounding of positions, over the rest length of the shortest rigid bond, comes near the strain asked for.
+pub(crate) fn is_single<const D: usize>(model: &Model<D>) -> bool {
+    match model.method.precision {
+        Precision::F32 => true,
+        Precision::F64 => false,
+        Precision::Auto => {
+            let rigid = || model.bonds.iter().filter(|bond| bond.kind == BondKind::Rigid && bond.rest_length > 0.0);
+            let is_large_rigid = model.bonds.len() > MOST_DIRECT && rigid().nth(MOST_DIRECT).is_some();
+            if model.position.len() <= if is_large_rigid { LARGE_RIGID } else { LARGE } {
+                return false;
+            }
+            let farthest = model.position.as_flattened().iter().fold(0.0_f64, |most, x| most.max(x.abs()));
+            let shortest = rigid().map(|bond| bond.rest_length).fold(f64::INFINITY, f64::min);
+            farthest * ROOM <= model.method.max_strain.unwrap_or(LARGE_STRAIN) * shortest
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::sim::bond::{Bond, PointId};
+    use crate::sim::bonds::Bonds;
+    use crate::sim::model::Method;
+    use crate::sim::solver::Solver;
+
+    fn rope(count: u32, max_strain: f64) -> Model<2> {
+        let bonds: Bonds = (1..count).map(|i| Bond::new(PointId(i - 1), PointId(i), 0.1)).collect();
+        Model {
+            position: (0..count).map(|i| [0.1 * f64::from(i), 0.0]).collect(),
+            velocity: vec![[0.0; 2]; count as usize],
+            mass: vec![1.0; count as usize],
+            pinned: Vec::new(),
+            bonds,
+            gravity: [0.0, -9.8],
+            drag_rate: 0.0,
+            mouse: None,
+            bounds: None,
+            duration: None,
+            planes: Vec::new(),
+            pin_motion: Vec::new(),
+            method: Method { solver: Solver::Auto, max_strain: Some(max_strain), ..Method::default() },
+        }
+    }
+
+    #[test]
+    fn small_scenes_and_strains_that_32_bits_cannot_tell_are_of_64() {
+        assert!(!is_single(&rope(900, 0.02)), "small");
+        assert!(is_single(&rope(10_000, 0.02)), "large");
+        assert!(!is_single(&rope(10_000, 1e-3)), "a kilometre of decimetres");
+    }
+}
