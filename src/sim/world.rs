@@ -32,12 +32,15 @@ pub struct World<S: Real, const D: usize> {
     model: Arc<Model<D>>,
 }
 
-
 /// A world for a model, its scalar as the method says.
 ///
 /// Errors: as [`Model::check`].
 pub fn build<const D: usize>(model: &Model<D>) -> Result<Box<dyn Dynamics>, ModelError> {
-    Ok(if plan::is_single(model) { Box::new(World::<f32, D>::new(model)?) } else { Box::new(World::<f64, D>::new(model)?) })
+    Ok(if plan::is_single(model) {
+        Box::new(World::<f32, D>::new(model)?)
+    } else {
+        Box::new(World::<f64, D>::new(model)?)
+    })
 }
 
 impl<S: Real, const D: usize> World<S, D> {

@@ -132,7 +132,7 @@ pub(crate) fn solve<M: Simd, S: Real, T: Strip<M, S>, const D: usize>(
             let back_by = is_wild.select(most / jump.sqrt() - one, zero);
             back(m, view, strip, law, back_by, &scratch.0);
         }
-        active active &= (is_off | is_wild);= is_off | is_wild;
+        active &= is_off | is_wild;
         if law.alpha > S::ZERO || active.to_bitmask() == 0 {
             return round;
         }
