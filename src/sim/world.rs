@@ -150,7 +150,10 @@ impl<S: Real, const D: usize> World<S, D> {
                 let list = list(&self.plan.groups[group as usize].points);
                 list.get(slot as usize).copied().unwrap_or(zero())
             };
-            self.plan.slots.iter().map(of).collect()
+            match &self.plan.groups[..] {
+                [only] if self.plan.is_plain => (0..only.points.len() as u32).map(|slot| of(&[0, slot])).collect(),
+                _ => self.plan.slots.iter().map(of).collect(),
+            }
         };
         State {
             position: pick(|points| &points.position),
@@ -215,7 +218,10 @@ impl<S: Real, const D: usize> Dynamics for World<S, D> {
     }
 
     fn point_count(&self) -> usize {
-        self.plan.slots.len()
+        match &self.plan.groups[..] {
+            [only] if self.plan.is_plain => only.points.len(),
+            _ => self.plan.slots.len(),
+        }
     }
 
     fn precision(&self) -> Precision {

@@ -140,9 +140,8 @@ pub(crate) struct Body<S: Real, const D: usize, F: Form<S, D>> {
 }
 
 impl<S: Real, const D: usize, F: Form<S, D>> Body<S, D, F> {
-    /// A body of these points of the group.
-    pub(crate) fn new(mut form: F, members: Members, points: &Points<S, D>) -> Self {
-        let w = &points.inverse_mass;
+    /// A body of these points of the group, whose inverse masses are `w` [1/kg].
+    pub(crate) fn new(mut form: F, members: Members, w: &[S]) -> Self {
         let mut least = f64::INFINITY;
         form.each(|i, _| {
             let w = w[members.point(i)].to_f64();

@@ -14,8 +14,10 @@ pub(crate) mod body;
 pub(crate) mod chain;
 pub(crate) mod control;
 pub(crate) mod crowd;
+pub(crate) mod draft;
 pub(crate) mod form;
 pub(crate) mod mesh;
+pub(crate) mod mover;
 pub(crate) mod outside;
 pub(crate) mod sheet;
 pub(crate) mod spec;
@@ -30,6 +32,8 @@ use super::surroundings::Surroundings;
 use super::vector::length;
 use body::AnyBody;
 use control::Control;
+use draft::Order;
+use mover::Mover;
 use outside::Outside;
 use spec::Substep;
 
@@ -60,13 +64,35 @@ pub(crate) struct Bulk<S: Real, const D: usize> {
 }
 
 impl<S: Real, const D: usize> Bulk<S, D> {
-    /// How many bonds the bodies have.
-    pub(crate) fn bonds(&self) -> usize {
+    pub(crate) fn new(order: Order<S, D>) -> Self {
+        let Order { bodies, inverse_mass, way, control, nominal } = order;
+        let bodies = bodies.into_iter().map(|draft| draft.make(&inverse_mass)).collect();
+        Bulk { bodies, way, control, nominal, lag: 0.0, loaded: None }
+    }
+}
+
+impl<S: Real, const D: usize> Mover<S, D> for Bulk<S, D> {
+    fn lag(&self) -> f64 {
+        self.lag
+    }
+
+    fn set_lag(&mut self, lag: f64) {
+        self.lag = lag;
+    }
+
+    fn reload(&mut self) {
+        self.loaded = None;
+    }
+
+    fn boxed_clone(&self) -> Box<dyn Mover<S, D>> {
+        Box::new(self.clone())
+    }
+
+    fn bonds(&self) -> usize {
         self.bodies.iter().map(AnyBody::bonds).sum()
     }
 
-    /// What the bodies are and how their bonds are taken, in words: "2 sheets and a mesh by paths".
-    pub(crate) fn describe(&self) -> String {
+    fn describe(&self) -> String {
         let names = ["sheet", "chain", "crowd", "mesh"];
         let mut counts = [0_usize; 4];
         for body in &self.bodies {
@@ -85,13 +111,11 @@ impl<S: Real, const D: usize> Bulk<S, D> {
         format!("{} by {way}", some.collect::<Vec<_>>().join(" and "))
     }
 
-    /// Bytes that the bodies take.
-    pub(crate) fn heap_bytes(&self) -> usize {
+    fn heap_bytes(&self) -> usize {
         self.bodies.iter().map(AnyBody::heap_bytes).sum()
     }
 
-    /// Gives rigid bonds that the start violates their lengths.
-    pub(crate) fn begin(&mut self, points: &mut Points<S, D>) {
+    fn begin(&mut self, points: &mut Points<S, D>) {
         self.loaded = None;
         const ENOUGH: f64 = 1e-5;
         if self.strain_of(points) <= ENOUGH {
@@ -111,16 +135,8 @@ impl<S: Real, const D: usize> Bulk<S, D> {
         points.velocity = velocity;
     }
 
-    /// The largest strain of rigid bonds of points as they lie.
-    fn strain_of(&mut self, points: &Points<S, D>) -> f64 {
-        self.bodies.iter_mut().for_each(|body| body.load(points, S::ZERO));
-        self.strain()
-    }
-
-    /// Advances by `h` [s].
-    ///
     /// Where a strain is asked for and not reached, the step is taken again in more substeps.
-    pub(crate) fn step(
+    fn step(
         &mut self,
         points: &mut Points<S, D>,
         pull: &Pull<S, D>,
@@ -146,6 +162,14 @@ impl<S: Real, const D: usize> Bulk<S, D> {
             self.loaded = None;
             counters.guard_splits += 1;
         }
+    }
+}
+
+impl<S: Real, const D: usize> Bulk<S, D> {
+    /// The largest strain of rigid bonds of points as they lie.
+    fn strain_of(&mut self, points: &Points<S, D>) -> f64 {
+        self.bodies.iter_mut().for_each(|body| body.load(points, S::ZERO));
+        self.strain()
     }
 
     /// Takes `count` substeps of `h` [s] from the state of the points: all but the arrival.

@@ -1,6 +1,6 @@
 //! What moves a group: one integrator with what it keeps from step to step.
 
-use crate::sim::bulk::Bulk;
+use crate::sim::bulk::mover::Mover;
 use crate::sim::constrain::xpbd::{self, CompliantBond};
 use crate::sim::counters::Counters;
 use crate::sim::integrate::implicit::Implicit;
@@ -32,7 +32,7 @@ pub(crate) enum Engine<S: Real, const D: usize> {
     /// Compliant projection with this many sweeps; relaxed bonds are swept after it.
     Xpbd(Vec<CompliantBond<S>>, u32, KickDrift<S>),
     /// Large bodies.
-    Bulk(Box<Bulk<S, D>>),
+    Bulk(Box<dyn Mover<S, D>>),
 }
 
 /// One step of the method itself.

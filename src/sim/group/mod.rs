@@ -178,7 +178,7 @@ impl<S: Real, const D: usize> Group<S, D> {
         if let Engine::Bulk(bulk) = &mut self.engine
             && !self.tracks.is_empty()
         {
-            bulk.loaded = None;
+            bulk.reload();
         } else if changed {
             self.hold_velocity();
             self.engine.refresh();
@@ -202,13 +202,13 @@ impl<S: Real, const D: usize> Group<S, D> {
 
     /// How far velocities are behind positions [s].
     pub(crate) fn lag(&self) -> f64 {
-        if let Engine::Bulk(bulk) = &self.engine { bulk.lag } else { 0.0 }
+        if let Engine::Bulk(bulk) = &self.engine { bulk.lag() } else { 0.0 }
     }
 
     /// Velocities that a large body takes over are so far behind its positions [s].
     pub(crate) fn set_lag(&mut self, lag: f64) {
         if let Engine::Bulk(bulk) = &mut self.engine {
-            bulk.lag = lag;
+            bulk.set_lag(lag);
         }
     }
 
@@ -216,13 +216,14 @@ impl<S: Real, const D: usize> Group<S, D> {
     /// before and after it.
     pub(crate) fn centre_velocity(&mut self, around: &Surroundings<D>, t: f64) {
         let Group { points, pull, engine: Engine::Bulk(bulk), .. } = self else { return };
-        let h = 2.0 * bulk.lag;
+        let h = 2.0 * bulk.lag();
         if h == 0.0 {
             return;
         }
         let (position, before) = (points.position.clone(), points.velocity.clone());
         bulk.step(points, pull, around, (t, h), &mut Counters::default());
-        (points.position, bulk.loaded) = (position, None);
+        points.position = position;
+        bulk.reload();
         for (v, before) in points.velocity.iter_mut().zip(before) {
             *v = scale(add(*v, before), S::HALF);
         }

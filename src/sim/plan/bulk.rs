@@ -5,13 +5,10 @@ use super::gather::Gathered;
 use super::make::{Maker, breakable};
 use super::structure::{self, Structure};
 use crate::sim::bond::BondKind;
-use crate::sim::bulk::Bulk;
-use crate::sim::bulk::body::{AnyBody, Body, Members};
-use crate::sim::bulk::chain::Chain;
+use crate::sim::bulk::body::Members;
 use crate::sim::bulk::control::Control;
-use crate::sim::bulk::crowd::Crowd;
-use crate::sim::bulk::mesh::Mesh;
-use crate::sim::bulk::sheet::Sheet;
+use crate::sim::bulk::draft::{Draft, Order, Shape};
+use crate::sim::bulk::mover::mover;
 use crate::sim::bulk::spec::Spec;
 use crate::sim::bulk::trails::Segment;
 use crate::sim::constrain::colour::by_colour;
@@ -23,30 +20,34 @@ use crate::sim::group::engine::Engine;
 use crate::sim::group::events::edge::Edges;
 use crate::sim::group::guard::Guard;
 use crate::sim::plan::island::Island;
-use crate::sim::points::{Points, State};
+use crate::sim::points::State;
 use crate::sim::pull::Pull;
 use crate::sim::real::Real;
 use crate::sim::solver::Solver;
 use crate::sim::vector::widen;
 
-/// Mean number of bonds of a mesh's paths below which sweeps reach a strain as cheaply.
-const SHORTEST_TRAILS: f64 = 8.0;
-
 impl<S: Real, const D: usize> Maker<'_, S, D> {
-    pub(super) fn make_bulk(&self, scheme: Scheme) -> Group<S, D> {
+    /// `None` in a dimension that large bodies are not made for.
+    pub(super) fn make_bulk(&self, scheme: Scheme) -> Option<Group<S, D>> {
         let choice = self.lot.choice;
         let w: Vec<f64> = self.points.iter().map(|&i| self.gathered.w[i as usize]).collect();
         let mut points = self.state(&w);
         points.position_lost = Vec::new();
         points.velocity_lost = Vec::new();
-        let bodies = self.bodies(&points);
         let control = match scheme.target {
             Some(target) => Control::following(target),
             None => Control::fixed(choice.substep),
         };
-        let bulk = Bulk { bodies, way: scheme.way, control, nominal: choice.substep, lag: 0.0, loaded: None };
+        let order = Order {
+            bodies: self.drafts(),
+            inverse_mass: points.inverse_mass.clone(),
+            way: scheme.way,
+            control,
+            nominal: choice.substep,
+        };
         let bonds = self.bonds();
-        Group {
+        let bulk = mover(order)?;
+        Some(Group {
             guard: Guard { bonds: Vec::new(), follows_turns: false },
             breakable: breakable(&bonds, |_| true),
             edges: Edges::none(),
@@ -63,14 +64,14 @@ impl<S: Real, const D: usize> Maker<'_, S, D> {
                 gravity: self.model.gravity,
                 drag_rate: self.model.drag_rate,
             },
-            engine: Engine::Bulk(Box::new(bulk)),
+            engine: Engine::Bulk(bulk),
             robust: None,
             points,
-        }
+        })
     }
 
     /// Every island as the form that it is made in; equal small ones go together.
-    fn bodies(&self, points: &Points<S, D>) -> Vec<AnyBody<S, D>> {
+    fn drafts(&self) -> Vec<Draft<D>> {
         let Gathered { bonds, w, .. } = self.gathered;
         let islands = &self.lot.islands;
         let structures: Vec<Structure> = islands.iter().map(|island| Structure::of(island, bonds, w)).collect();
@@ -78,15 +79,15 @@ impl<S: Real, const D: usize> Maker<'_, S, D> {
         let (crowds, others) = structure::crowds(islands, bonds, is_mesh);
         let crowds = crowds.into_iter().map(|crowd| {
             let ends: Vec<[u32; 2]> = crowd.bonds.iter().map(|bond| bond.0).collect();
-            let count = crowd.points.len() / crowd.bodies;
-            let links = by_colour(&ends, count).into_iter().map(|k| crowd.bonds[k as usize]);
-            let links = links.map(|(ends, spec)| (ends, self.meant(spec)));
-            let form = Crowd::new(crowd.bodies, count, links);
-            AnyBody::Crowd(Box::new(Body::new(form, self.members(&crowd.points), points)))
+            let points = crowd.points.len() / crowd.bodies;
+            let links = by_colour(&ends, points).into_iter().map(|k| crowd.bonds[k as usize]);
+            let links = links.map(|(ends, spec)| (ends, self.meant(spec))).collect();
+            let shape = Shape::Crowd { bodies: crowd.bodies, points, links };
+            Draft { shape, members: self.members(&crowd.points) }
         });
-        let mut bodies: Vec<AnyBody<S, D>> = crowds.collect();
-        bodies.extend(others.into_iter().map(|place| self.body(&islands[place], &structures[place], points)));
-        bodies
+        let mut drafts: Vec<Draft<D>> = crowds.collect();
+        drafts.extend(others.into_iter().map(|place| self.draft(&islands[place], &structures[place])));
+        drafts
     }
 
     fn members(&self, points: &[u32]) -> Members {
@@ -105,29 +106,27 @@ impl<S: Real, const D: usize> Maker<'_, S, D> {
         }
     }
 
-    fn body(&self, island: &Island, structure: &Structure, points: &Points<S, D>) -> AnyBody<S, D> {
+    fn draft(&self, island: &Island, structure: &Structure) -> Draft<D> {
         match structure {
             &Structure::Sheet { first, columns, rows, specs } => {
                 let all: Vec<u32> = (first..first + (columns * rows) as u32).collect();
                 match self.members(&all) {
                     // A pin of the sheet that holds nothing is in no group.
-                    Members::List(_) => self.mesh(island, points),
+                    Members::List(_) => self.mesh(island),
                     members => {
-                        let specs = specs.map(|&spec| self.meant(spec));
-                        let sheet = Sheet::new(columns, rows, specs, self.rows_last(first, columns));
-                        AnyBody::Sheet(Box::new(Body::new(sheet, members, points)))
+                        let (specs, rows_last) = (specs.map(|&spec| self.meant(spec)), self.rows_last(first, columns));
+                        Draft { shape: Shape::Sheet { columns, rows, specs, rows_last }, members }
                     }
                 }
             }
-            Structure::Chain { points: along, spec, rests } if self.lot.choice.solver == Solver::Path => {
-                let chain = Chain::new(*spec, rests);
-                AnyBody::Chain(Box::new(Body::new(chain, self.members(along), points)))
+            Structure::Chain { points, spec, rests } if self.lot.choice.solver == Solver::Path => {
+                Draft { shape: Shape::Chain { spec: *spec, rests: rests.clone() }, members: self.members(points) }
             }
-            _ => self.mesh(island, points),
+            _ => self.mesh(island),
         }
     }
 
-    fn mesh(&self, island: &Island, points: &Points<S, D>) -> AnyBody<S, D> {
+    fn mesh(&self, island: &Island) -> Draft<D> {
         let bonds = &self.gathered.bonds;
         let members = structure::members(island, bonds);
         let mut name = vec![0; self.place.len()];
@@ -138,14 +137,14 @@ impl<S: Real, const D: usize> Maker<'_, S, D> {
             ends: bonds.ends()[k as usize].map(|end| name[end.index()]),
             spec: self.meant(Spec::of(&bonds.get(k as usize))),
         };
-        let mut mesh = Mesh::new(members.len(), island.bonds.iter().map(segment).collect());
-        if self.lot.choice.solver == Solver::Path {
-            let position = members.iter().map(|&i| widen(self.gathered.state.position[i as usize]));
-            if mesh.lay_trails(&position.collect::<Vec<_>>(), self.model.gravity) < SHORTEST_TRAILS {
-                mesh.forget_trails();
-            }
-        }
-        AnyBody::Mesh(Box::new(Body::new(mesh, self.members(&members), points)))
+        let position = |&i: &u32| widen(self.gathered.state.position[i as usize]);
+        let has_trails = self.lot.choice.solver == Solver::Path;
+        let shape = Shape::Mesh {
+            points: members.len(),
+            segments: island.bonds.iter().map(segment).collect(),
+            trails: has_trails.then(|| (members.iter().map(position).collect(), self.model.gravity)),
+        };
+        Draft { shape, members: self.members(&members) }
     }
 
     /// Whether gravity pulls along the rows of a sheet rather than along its columns.

@@ -106,6 +106,9 @@ impl<S: Real, const D: usize> Gathered<S, D> {
         let is_plain = groups.len() == 1 && slots.iter().enumerate().all(|(i, slot)| *slot == [0, i as u32]);
         let longest = lots.iter().map(|lot| lot.choice.substep).fold(0.0, f64::max);
         let substep = model.method.substep.unwrap_or(longest);
+        if is_plain {
+            slots = Vec::new();
+        }
         Plan { groups, slots, is_plain, substep, parts }
     }
 

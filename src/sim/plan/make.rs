@@ -35,8 +35,8 @@ pub(super) struct Maker<'a, S, const D: usize> {
 impl<S: Real, const D: usize> Maker<'_, S, D> {
     pub(super) fn make(&self) -> Group<S, D> {
         let choice = self.lot.choice;
-        if let Some(scheme) = choice.bulk {
-            return self.make_bulk(scheme);
+        if let Some(group) = choice.bulk.and_then(|scheme| self.make_bulk(scheme)) {
+            return group;
         }
         let w: Vec<f64> = self.points.iter().map(|&i| self.gathered.w[i as usize]).collect();
         let bonds = self.bonds();

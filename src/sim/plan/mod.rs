@@ -31,7 +31,7 @@ pub(crate) use reconcile::reconcile;
 #[derive(Clone, Debug)]
 pub(crate) struct Plan<S: Real, const D: usize> {
     pub(crate) groups: Vec<Group<S, D>>,
-    /// For every point of the model: its group and its place there.
+    /// For every point of the model: its group and its place there; empty where the plan is plain.
     pub(crate) slots: Vec<[u32; 2]>,
     /// Every point lies in the first group at its own index.
     pub(crate) is_plain: bool,

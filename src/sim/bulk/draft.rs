@@ -1,0 +1,72 @@
+//! Large bodies as the plan describes them.
+
+use super::Way;
+use super::body::{AnyBody, Body, Members};
+use super::chain::Chain;
+use super::control::Control;
+use super::crowd::Crowd;
+use super::mesh::Mesh;
+use super::sheet::Sheet;
+use super::spec::Spec;
+use super::trails::Segment;
+use crate::sim::kernels::rows::Kinds;
+use crate::sim::real::Real;
+
+/// Mean number of bonds of a mesh's paths below which sweeps reach a strain as cheaply.
+const SHORTEST_TRAILS: f64 = 8.0;
+
+/// The structure of a body.
+#[derive(Clone, Debug)]
+pub(crate) enum Shape<const D: usize> {
+    /// Rows and columns; rows are solved last where they bear the load.
+    Sheet { columns: usize, rows: usize, specs: Kinds<Spec>, rows_last: bool },
+    /// One path, with its rest lengths [m].
+    Chain { spec: Spec, rests: Vec<f64> },
+    /// So many equal bodies of so many points, and the bonds of one.
+    Crowd { bodies: usize, points: usize, links: Vec<([u32; 2], Spec)> },
+    /// Any mesh; with positions [m] and the direction of gravity where long paths are looked for.
+    Mesh { points: usize, segments: Vec<Segment>, trails: Option<(Vec<[f64; D]>, [f64; D])> },
+}
+
+/// A body and its points in the group.
+#[derive(Clone, Debug)]
+pub(crate) struct Draft<const D: usize> {
+    pub(crate) shape: Shape<D>,
+    pub(crate) members: Members,
+}
+
+/// All that large bodies are made from.
+pub(crate) struct Order<S, const D: usize> {
+    pub(crate) bodies: Vec<Draft<D>>,
+    /// Inverse mass of every point of the group [1/kg]; 0 = pinned.
+    pub(crate) inverse_mass: Vec<S>,
+    pub(crate) way: Way,
+    pub(crate) control: Control,
+    /// The substep that relaxed bonds are relative to [s].
+    pub(crate) nominal: f64,
+}
+
+impl<const D: usize> Draft<D> {
+    /// The body.
+    pub(super) fn make<S: Real>(self, w: &[S]) -> AnyBody<S, D> {
+        let members = self.members;
+        match self.shape {
+            Shape::Sheet { columns, rows, specs, rows_last } => {
+                AnyBody::Sheet(Box::new(Body::new(Sheet::new(columns, rows, specs, rows_last), members, w)))
+            }
+            Shape::Chain { spec, rests } => AnyBody::Chain(Box::new(Body::new(Chain::new(spec, &rests), members, w))),
+            Shape::Crowd { bodies, points, links } => {
+                AnyBody::Crowd(Box::new(Body::new(Crowd::new(bodies, points, links), members, w)))
+            }
+            Shape::Mesh { points, segments, trails } => {
+                let mut mesh = Mesh::new(points, segments);
+                if let Some((position, down)) = trails
+                    && mesh.lay_trails(&position, down) < SHORTEST_TRAILS
+                {
+                    mesh.forget_trails();
+                }
+                AnyBody::Mesh(Box::new(Body::new(mesh, members, w)))
+            }
+        }
+    }
+}

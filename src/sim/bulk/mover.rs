@@ -1,0 +1,89 @@
+//! Large bodies behind one face.
+//!
+//! Their kernels are compiled for two scalars, two dimensions and every instruction set: here, once, and not again in
+//! every program that makes a world. So what is generic ends here, and four functions that are not go on.
+
+use std::any::Any;
+use std::fmt::Debug;
+
+use super::Bulk;
+use super::draft::Order;
+use crate::sim::counters::Counters;
+use crate::sim::points::Points;
+use crate::sim::pull::Pull;
+use crate::sim::real::Real;
+use crate::sim::surroundings::Surroundings;
+
+/// Large bodies that move in step.
+pub(crate) trait Mover<S: Real, const D: usize>: Debug + Send + Sync {
+    /// Gives rigid bonds that the start violates their lengths.
+    fn begin(&mut self, points: &mut Points<S, D>);
+
+    /// Advances by `h` from time `t` [s].
+    fn step(
+        &mut self,
+        points: &mut Points<S, D>,
+        pull: &Pull<S, D>,
+        around: &Surroundings<D>,
+        span: (f64, f64),
+        counters: &mut Counters,
+    );
+
+    /// Points were changed from outside: their state is to be taken anew.
+    fn reload(&mut self);
+
+    /// How far velocities are behind positions [s].
+    fn lag(&self) -> f64;
+
+    /// Velocities that are taken over are so far behind positions [s].
+    fn set_lag(&mut self, lag: f64);
+
+    /// What the bodies are and how their bonds are taken, in words.
+    fn describe(&self) -> String;
+
+    /// Bytes that the bodies take.
+    fn heap_bytes(&self) -> usize;
+
+    /// How many bonds the bodies have.
+    fn bonds(&self) -> usize;
+
+    /// A copy that goes on by itself.
+    fn boxed_clone(&self) -> Box<dyn Mover<S, D>>;
+}
+
+impl<S: Real, const D: usize> Clone for Box<dyn Mover<S, D>> {
+    fn clone(&self) -> Self {
+        (**self).boxed_clone()
+    }
+}
+
+/// The large bodies of an order; `None` for a scalar or a dimension that there is not.
+pub(crate) fn mover<S: Real, const D: usize>(order: Order<S, D>) -> Option<Box<dyn Mover<S, D>>> {
+    let order: Box<dyn Any> = Box::new(order);
+    let made: Box<dyn Any> = if order.is::<Order<f32, 2>>() {
+        Box::new(plane_32(*order.downcast().ok()?))
+    } else if order.is::<Order<f64, 2>>() {
+        Box::new(plane_64(*order.downcast().ok()?))
+    } else if order.is::<Order<f32, 3>>() {
+        Box::new(space_32(*order.downcast().ok()?))
+    } else {
+        Box::new(space_64(*order.downcast().ok()?))
+    };
+    made.downcast().ok().map(|made| *made)
+}
+
+fn plane_32(order: Order<f32, 2>) -> Box<dyn Mover<f32, 2>> {
+    Box::new(Bulk::new(order))
+}
+
+fn plane_64(order: Order<f64, 2>) -> Box<dyn Mover<f64, 2>> {
+    Box::new(Bulk::new(order))
+}
+
+fn space_32(order: Order<f32, 3>) -> Box<dyn Mover<f32, 3>> {
+    Box::new(Bulk::new(order))
+}
+
+fn space_64(order: Order<f64, 3>) -> Box<dyn Mover<f64, 3>> {
+    Box::new(Bulk::new(order))
+}
