@@ -85,8 +85,7 @@ impl Crowd {
     ) {
         match self.links.first().map(|link| link.law.kind) {
             Some(BondKind::Rigid) => self.run_by(cells, |_| Rigid, drifts, counts),
-            Some(BondKind::Relaxed { .. }) => self.run_by(cells, |spec| spec.relaxed::<S>(step), drifts, counts),
-            Some(BondKind::Spring { .. }) => self.run_by(cells, |spec| spec.compliant::<S>(step), drifts, counts),
+            Some(_) => self.run_by(cells, |spec| spec.elastic::<S>(step), drifts, counts),
             None => {}
         }
     }

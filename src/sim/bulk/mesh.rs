@@ -145,8 +145,7 @@ impl<S: Real, const D: usize> Form<S, D> for Mesh<S, D> {
         for batch in &self.batches {
             match batch.spec.kind {
                 BondKind::Rigid => self.sweep_batch(nodes, batch, Rigid),
-                BondKind::Relaxed { .. } => self.sweep_batch(nodes, batch, batch.spec.relaxed::<S>(step)),
-                BondKind::Spring { .. } => self.sweep_batch(nodes, batch, batch.spec.compliant::<S>(step)),
+                _ => self.sweep_batch(nodes, batch, batch.spec.elastic::<S>(step)),
             }
         }
     }

@@ -56,12 +56,9 @@ impl<S: Real, const D: usize> Sheet<S, D> {
                     let end = (first + self.rows_of_part()).min(shape.rows);
                     for row in (first..end).step_by(2) {
                         let has_next = row + 1 < shape.rows;
-                        let here = ((row - first) * shape.pitch, has_next);
-                        if is_plain[row] && (!has_next || is_plain[row + 1]) {
-                            rows::row::<_, S, L, _, D, false>(m, &mut Correct, &mut view, shape, &kinds, here);
-                        } else {
-                            rows::row::<_, S, L, _, D, true>(m, &mut Correct, &mut view, shape, &kinds, here);
-                        }
+                        let plain = is_plain[row] && (!has_next || is_plain[row + 1]);
+                        let here = ((row - first) * shape.pitch, has_next, plain);
+                        rows::row::<_, S, L, _, D>(m, &mut Correct, &mut view, shape, &kinds, here);
                     }
                 });
             });
@@ -173,8 +170,7 @@ impl<S: Real, const D: usize> Form<S, D> for Sheet<S, D> {
     fn sweep(&mut self, cells: &mut Cells<S, D>, step: &Substep) {
         match self.specs.along.kind {
             BondKind::Rigid => self.sweep_by(cells, |_| Rigid),
-            BondKind::Relaxed { .. } => self.sweep_by(cells, |spec| spec.relaxed::<S>(step)),
-            BondKind::Spring { .. } => self.sweep_by(cells, |spec| spec.compliant::<S>(step)),
+            _ => self.sweep_by(cells, |spec| spec.elastic::<S>(step)),
         }
     }
 
@@ -210,8 +206,8 @@ impl<S: Real, const D: usize> Form<S, D> for Sheet<S, D> {
                 vectorized!(m => {
                     let mut measure = Measure { most: splat(m, S::ZERO) };
                     for row in first..end {
-                        let here = ((row - first) * shape.pitch, row + 1 < end);
-                        rows::row::<_, S, (), _, D, false>(m, &mut measure, &mut view, shape, &kinds, here);
+                        let here = ((row - first) * shape.pitch, row + 1 < end, true);
+                        rows::row::<_, S, (), _, D>(m, &mut measure, &mut view, shape, &kinds, here);
                     }
                     largest::<_, S>(measure.most)
                 })
@@ -221,7 +217,8 @@ impl<S: Real, const D: usize> Form<S, D> for Sheet<S, D> {
         vectorized!(m => {
             let mut measure = Measure { most: splat(m, within) };
             for row in (rows - 1..shape.rows - 1).step_by(rows) {
-                rows::row::<_, S, (), _, D, false>(m, &mut measure, &mut view, shape, &kinds, (shape.row(row), true));
+                let here = (shape.row(row), true, true);
+                rows::row::<_, S, (), _, D>(m, &mut measure, &mut view, shape, &kinds, here);
             }
             largest::<_, S>(measure.most)
         })

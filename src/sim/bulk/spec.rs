@@ -1,7 +1,7 @@
 //! How the bonds of a large body resist, and what that is in a substep of h.
 
 use crate::sim::bond::{Bond, BondKind, Limit};
-use crate::sim::kernels::law::{Compliant, Relaxed};
+use crate::sim::kernels::law::{Compliant, Elastic, Relaxed};
 use crate::sim::kernels::path::PathLaw;
 use crate::sim::real::Real;
 
@@ -45,7 +45,15 @@ impl Spec {
         self.kind == other.kind && self.limit == other.limit
     }
 
-    pub(crate) fn relaxed<S: Real>(&self, step: &Substep) -> Relaxed<S> {
+    /// The law of a bond that is not rigid.
+    pub(crate) fn elastic<S: Real>(&self, step: &Substep) -> Elastic<S> {
+        match self.kind {
+            BondKind::Spring { .. } => Elastic::Compliant(self.compliant(step)),
+            _ => Elastic::Relaxed(self.relaxed(step)),
+        }
+    }
+
+    fn relaxed<S: Real>(&self, step: &Substep) -> Relaxed<S> {
         let (relaxation, limit) = match self.kind {
             BondKind::Relaxed { relaxation, max_correction } => (relaxation, max_correction),
             _ => (1.0, f64::INFINITY),
@@ -58,7 +66,7 @@ impl Spec {
         }
     }
 
-    pub(crate) fn compliant<S: Real>(&self, step: &Substep) -> Compliant<S> {
+    fn compliant<S: Real>(&self, step: &Substep) -> Compliant<S> {
         let (alpha, gamma) = self.softness(step);
         Compliant { alpha: S::from_f64(alpha), gamma: S::from_f64(gamma) }
     }

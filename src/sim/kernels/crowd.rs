@@ -33,19 +33,17 @@ pub(crate) fn block<M: Simd, S: Real, L, W: Work<M, S, D, L>, const D: usize>(
 ) {
     for link in links {
         for lane in (0..count).step_by(Lanes::<M, S>::LEN) {
-            let here = (lane, count);
-            match (link.is_plain, count == WIDEST) {
-                (true, true) => bond::<M, S, L, W, D, false, false>(m, work, view, link, here),
-                (true, false) => bond::<M, S, L, W, D, false, true>(m, work, view, link, here),
-                (false, true) => bond::<M, S, L, W, D, true, false>(m, work, view, link, here),
-                (false, false) => bond::<M, S, L, W, D, true, true>(m, work, view, link, here),
+            if link.is_plain && count == WIDEST {
+                bond::<M, S, L, W, D, false>(m, work, view, link, (lane, count));
+            } else {
+                bond::<M, S, L, W, D, true>(m, work, view, link, (lane, count));
             }
         }
     }
 }
 
 #[inline(always)]
-fn bond<M: Simd, S: Real, L, W: Work<M, S, D, L>, const D: usize, const WEIGHTED: bool, const LAST: bool>(
+fn bond<M: Simd, S: Real, L, W: Work<M, S, D, L>, const D: usize, const CAREFUL: bool>(
     m: M,
     work: &mut W,
     view: &mut View<'_, S, D>,
@@ -53,10 +51,10 @@ fn bond<M: Simd, S: Real, L, W: Work<M, S, D, L>, const D: usize, const WEIGHTED
     (lane, count): (usize, usize),
 ) {
     let [a, b] = link.ends.map(|end| end as usize * WIDEST + lane);
-    let mut from = Node::<M, S, D>::load::<WEIGHTED>(m, view, a);
-    let mut to = Node::<M, S, D>::load::<WEIGHTED>(m, view, b);
+    let mut from = Node::<M, S, D>::load::<CAREFUL>(m, view, a);
+    let mut to = Node::<M, S, D>::load::<CAREFUL>(m, view, b);
     let bodies = between::<M, S>(m, 0, count as isize - lane as isize);
-    work.bond::<WEIGHTED, LAST>(m, &link.law, splat(m, link.rest), &mut from, &mut to, bodies);
+    work.bond::<CAREFUL>(m, &link.law, splat(m, link.rest), &mut from, &mut to, bodies);
     from.keep::<W, L>(view, a);
     to.keep::<W, L>(view, b);
 }

@@ -94,3 +94,22 @@ impl<S: Real> Law<S> for Compliant<S> {
         bond.square.simd_gt(zero).select(-top / bottom, zero)
     }
 }
+
+/// A relaxed bond or a compliant one: of the two one kernel is compiled.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) enum Elastic<S> {
+    Relaxed(Relaxed<S>),
+    Compliant(Compliant<S>),
+}
+
+impl<S: Real> Law<S> for Elastic<S> {
+    const IS_DAMPED: bool = true;
+
+    #[inline(always)]
+    fn factor<M: Simd>(&self, m: M, bond: &Measured<M, S>) -> Lanes<M, S> {
+        match self {
+            Elastic::Relaxed(law) => law.factor(m, bond),
+            Elastic::Compliant(law) => law.factor(m, bond),
+        }
+    }
+}

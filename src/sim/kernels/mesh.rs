@@ -37,34 +37,20 @@ pub(crate) fn colour<M: Simd, S: Real, L, W: Work<M, S, D, L>, const D: usize>(
     law: &L,
     colour: &Colour<'_, S>,
 ) {
-    if colour.is_plain {
-        all::<M, S, L, W, D, false>(m, work, nodes, law, colour);
-    } else {
-        all::<M, S, L, W, D, true>(m, work, nodes, law, colour);
-    }
-}
-
-#[inline(always)]
-fn all<M: Simd, S: Real, L, W: Work<M, S, D, L>, const D: usize, const WEIGHTED: bool>(
-    m: M,
-    work: &mut W,
-    nodes: &mut Nodes<S, D>,
-    law: &L,
-    colour: &Colour<'_, S>,
-) {
     let width = Lanes::<M, S>::LEN;
-    let whole = colour.ends.len() / width * width;
-    for at in (0..whole).step_by(width) {
-        some::<M, S, L, W, D, WEIGHTED, false>(m, work, nodes, law, colour, (at, width));
-    }
-    if whole < colour.ends.len() {
-        some::<M, S, L, W, D, WEIGHTED, true>(m, work, nodes, law, colour, (whole, colour.ends.len() - whole));
+    for at in (0..colour.ends.len()).step_by(width) {
+        let count = width.min(colour.ends.len() - at);
+        if colour.is_plain && count == width {
+            some::<M, S, L, W, D, false>(m, work, nodes, law, colour, (at, width));
+        } else {
+            some::<M, S, L, W, D, true>(m, work, nodes, law, colour, (at, count));
+        }
     }
 }
 
 /// `count` bonds from `at` on. Lanes beyond take the first one's place, and nothing is done with them.
 #[inline(always)]
-fn some<M: Simd, S: Real, L, W: Work<M, S, D, L>, const D: usize, const WEIGHTED: bool, const LAST: bool>(
+fn some<M: Simd, S: Real, L, W: Work<M, S, D, L>, const D: usize, const CAREFUL: bool>(
     m: M,
     work: &mut W,
     nodes: &mut Nodes<S, D>,
@@ -73,19 +59,19 @@ fn some<M: Simd, S: Real, L, W: Work<M, S, D, L>, const D: usize, const WEIGHTED
     (at, count): (usize, usize),
 ) {
     let ends = &colour.ends[at..at + count];
-    let place = |lane: usize| if LAST && lane >= count { 0 } else { lane };
-    let mut a = gather::<M, S, D, WEIGHTED>(m, nodes, |lane| ends[place(lane)][0]);
-    let mut b = gather::<M, S, D, WEIGHTED>(m, nodes, |lane| ends[place(lane)][1]);
+    let place = |lane: usize| if CAREFUL && lane >= count { 0 } else { lane };
+    let mut a = gather::<M, S, D, CAREFUL>(m, nodes, |lane| ends[place(lane)][0]);
+    let mut b = gather::<M, S, D, CAREFUL>(m, nodes, |lane| ends[place(lane)][1]);
     let rest = match colour.rests {
         Rests::Same(rest) => splat(m, rest),
-        Rests::Each(list) if LAST => {
+        Rests::Each(list) if CAREFUL => {
             let mut padded = [list[at]; super::lanes::WIDEST];
             padded[..count].copy_from_slice(&list[at..at + count]);
             load(m, &padded, 0)
         }
         Rests::Each(list) => load(m, list, at),
     };
-    work.bond::<WEIGHTED, LAST>(m, law, rest, &mut a, &mut b, between::<M, S>(m, 0, count as isize));
+    work.bond::<CAREFUL>(m, law, rest, &mut a, &mut b, between::<M, S>(m, 0, count as isize));
     if W::MOVES {
         nodes.scatter::<M>(a.d, count, |lane| ends[lane][0]);
         nodes.scatter::<M>(b.d, count, |lane| ends[lane][1]);
@@ -93,12 +79,12 @@ fn some<M: Simd, S: Real, L, W: Work<M, S, D, L>, const D: usize, const WEIGHTED
 }
 
 #[inline(always)]
-fn gather<M: Simd, S: Real, const D: usize, const WEIGHTED: bool>(
+fn gather<M: Simd, S: Real, const D: usize, const CAREFUL: bool>(
     m: M,
     nodes: &Nodes<S, D>,
     of: impl Fn(usize) -> u32,
 ) -> Node<M, S, D> {
-    let w = if WEIGHTED { weights(m, nodes, &of) } else { splat(m, S::ONE) };
+    let w = if CAREFUL { weights(m, nodes, &of) } else { splat(m, S::ONE) };
     let (x, d) = nodes.gather(m, of);
     Node { x, d, w }
 }

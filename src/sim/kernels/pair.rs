@@ -16,13 +16,13 @@ pub(crate) struct Node<M: Simd, S: Real, const D: usize> {
 }
 
 impl<M: Simd, S: Real, const D: usize> Node<M, S, D> {
-    /// The points from a cell on; without `WEIGHTED` their weight is 1.
+    /// The points from a cell on; without `CAREFUL` their weight is 1.
     #[inline(always)]
-    pub(crate) fn load<const WEIGHTED: bool>(m: M, view: &View<'_, S, D>, at: usize) -> Self {
+    pub(crate) fn load<const CAREFUL: bool>(m: M, view: &View<'_, S, D>, at: usize) -> Self {
         Node {
             x: each::<M, S, D>(m, |k| load(m, view.x[k], at)),
             d: each::<M, S, D>(m, |k| load(m, &*view.d[k], at)),
-            w: if WEIGHTED { load(m, view.w, at) } else { splat(m, S::ONE) },
+            w: if CAREFUL { load(m, view.w, at) } else { splat(m, S::ONE) },
         }
     }
 
@@ -42,9 +42,9 @@ pub(crate) trait Work<M: Simd, S: Real, const D: usize, L> {
     /// Whether it moves the ends.
     const MOVES: bool;
 
-    /// Does it for the bonds between `a` and `b`, in the lanes of the mask; all of them where the block is not a `LAST`
-    /// one.
-    fn bond<const WEIGHTED: bool, const LAST: bool>(
+    /// Does it for the bonds between `a` and `b`, in the lanes of the mask; without `CAREFUL` in all of them, with weights
+    /// of 1.
+    fn bond<const CAREFUL: bool>(
         &mut self,
         m: M,
         law: &L,
@@ -62,7 +62,7 @@ impl<M: Simd, S: Real, const D: usize, L: Law<S>> Work<M, S, D, L> for Correct {
     const MOVES: bool = true;
 
     #[inline(always)]
-    fn bond<const WEIGHTED: bool, const LAST: bool>(
+    fn bond<const CAREFUL: bool>(
         &mut self,
         m: M,
         law: &L,
@@ -75,14 +75,14 @@ impl<M: Simd, S: Real, const D: usize, L: Law<S>> Work<M, S, D, L> for Correct {
         let change = sub::<M, S, D>(a.d, b.d);
         let e = add::<M, S, D>(sub::<M, S, D>(a.x, b.x), change);
         let closing = if L::IS_DAMPED { dot::<M, S, D>(e, change) } else { zero };
-        let sum = if WEIGHTED { a.w + b.w } else { splat(m, S::ONE + S::ONE) };
+        let sum = if CAREFUL { a.w + b.w } else { splat(m, S::ONE + S::ONE) };
         let factor = law.factor(m, &Measured { rest, square: dot::<M, S, D>(e, e), sum, closing });
-        let (way_a, way_b) = if WEIGHTED { (factor * a.w, factor * b.w) } else { (factor, factor) };
+        let (way_a, way_b) = if CAREFUL { (factor * a.w, factor * b.w) } else { (factor, factor) };
         let to_a = add::<M, S, D>(a.d, scale::<M, S, D>(e, way_a));
         let to_b = sub::<M, S, D>(b.d, scale::<M, S, D>(e, way_b));
-        if LAST || WEIGHTED {
+        if CAREFUL {
             // Two pinned ends have no share in anything.
-            let mask = if WEIGHTED { mask & sum.simd_gt(zero) } else { mask };
+            let mask = mask & sum.simd_gt(zero);
             a.d = select::<M, S, D>(mask, to_a, a.d);
             b.d = select::<M, S, D>(mask, to_b, b.d);
         } else {
@@ -100,7 +100,7 @@ impl<M: Simd, S: Real, const D: usize> Work<M, S, D, ()> for Measure<M, S> {
     const MOVES: bool = false;
 
     #[inline(always)]
-    fn bond<const WEIGHTED: bool, const LAST: bool>(
+    fn bond<const CAREFUL: bool>(
         &mut self,
         _: M,
         _: &(),
@@ -113,6 +113,6 @@ impl<M: Simd, S: Real, const D: usize> Work<M, S, D, ()> for Measure<M, S> {
         let square = rest * rest;
         let off = (dot::<M, S, D>(e, e) - square).abs() / square;
         let most = self.most.max(off);
-        self.most = if LAST { mask.select(most, self.most) } else { most };
+        self.most = if CAREFUL { mask.select(most, self.most) } else { most };
     }
 }

@@ -63,35 +63,36 @@ impl<L> Kinds<L> {
     }
 }
 
-/// The bonds of the row that starts at `at`, and those to the next row if there is one.
+/// The bonds of the row that starts at `at`, and those to the next row if there is one. Where the rows are plain all their
+/// points have weight 1.
 #[inline(always)]
-pub(crate) fn row<M: Simd, S: Real, L, W: Work<M, S, D, L>, const D: usize, const WEIGHTED: bool>(
+pub(crate) fn row<M: Simd, S: Real, L, W: Work<M, S, D, L>, const D: usize>(
     m: M,
     work: &mut W,
     view: &mut View<'_, S, D>,
     shape: &Shape,
     kinds: &Kinds<Cut<L, S>>,
-    (at, has_next): (usize, bool),
+    (at, has_next, is_plain): (usize, bool, bool),
 ) {
     let (even, odd) = (shape.columns.div_ceil(2), shape.columns / 2);
     let pass = Pass { m, shape, kinds, at, has_next };
     let width = width::<M, S>(m);
     let mut k = 0;
-    while k + width <= odd {
-        pass.level::<W, D, WEIGHTED, false>(work, view, k, (even, odd));
+    while is_plain && k + width <= odd {
+        pass.level::<W, D, false>(work, view, k, (even, odd));
         k += width;
     }
     while k < even {
-        pass.level::<W, D, WEIGHTED, true>(work, view, k, (even, odd));
+        pass.level::<W, D, true>(work, view, k, (even, odd));
         k += width;
     }
     k = 0;
-    while k + width < even {
-        pass.onward::<W, D, WEIGHTED, false>(work, view, k, even - 1);
+    while is_plain && k + width < even {
+        pass.onward::<W, D, false>(work, view, k, even - 1);
         k += width;
     }
     while k + 1 < even {
-        pass.onward::<W, D, WEIGHTED, true>(work, view, k, even - 1);
+        pass.onward::<W, D, true>(work, view, k, even - 1);
         k += width;
     }
 }
@@ -108,7 +109,7 @@ struct Pass<'a, M, L, S> {
 impl<M: Simd, L, S: Real> Pass<'_, M, L, S> {
     /// Bonds whose ends lie in the same place of the halves.
     #[inline(always)]
-    fn level<W: Work<M, S, D, L>, const D: usize, const WEIGHTED: bool, const LAST: bool>(
+    fn level<W: Work<M, S, D, L>, const D: usize, const CAREFUL: bool>(
         &self,
         work: &mut W,
         view: &mut View<'_, S, D>,
@@ -120,19 +121,19 @@ impl<M: Simd, L, S: Real> Pass<'_, M, L, S> {
         let up_to = |count: usize| between::<M, S>(m, 0, count as isize - k as isize);
         let (evens, odds) = (up_to(even), up_to(odd));
         let places = [at + k, at + shape.half + k, at + shape.pitch + k, at + shape.pitch + shape.half + k];
-        let mut e = Node::<M, S, D>::load::<WEIGHTED>(m, view, places[0]);
-        let mut o = Node::<M, S, D>::load::<WEIGHTED>(m, view, places[1]);
-        work.bond::<WEIGHTED, LAST>(m, &kinds.along.law, rest(&kinds.along), &mut e, &mut o, odds);
+        let mut e = Node::<M, S, D>::load::<CAREFUL>(m, view, places[0]);
+        let mut o = Node::<M, S, D>::load::<CAREFUL>(m, view, places[1]);
+        work.bond::<CAREFUL>(m, &kinds.along.law, rest(&kinds.along), &mut e, &mut o, odds);
         if has_next {
-            let mut below_e = Node::<M, S, D>::load::<WEIGHTED>(m, view, places[2]);
-            let mut below_o = Node::<M, S, D>::load::<WEIGHTED>(m, view, places[3]);
-            work.bond::<WEIGHTED, LAST>(m, &kinds.down.law, rest(&kinds.down), &mut e, &mut below_e, evens);
-            work.bond::<WEIGHTED, LAST>(m, &kinds.down.law, rest(&kinds.down), &mut o, &mut below_o, odds);
+            let mut below_e = Node::<M, S, D>::load::<CAREFUL>(m, view, places[2]);
+            let mut below_o = Node::<M, S, D>::load::<CAREFUL>(m, view, places[3]);
+            work.bond::<CAREFUL>(m, &kinds.down.law, rest(&kinds.down), &mut e, &mut below_e, evens);
+            work.bond::<CAREFUL>(m, &kinds.down.law, rest(&kinds.down), &mut o, &mut below_o, odds);
             if let Some(falling) = &kinds.falling {
-                work.bond::<WEIGHTED, LAST>(m, &falling.law, rest(falling), &mut e, &mut below_o, odds);
+                work.bond::<CAREFUL>(m, &falling.law, rest(falling), &mut e, &mut below_o, odds);
             }
             if let Some(rising) = &kinds.rising {
-                work.bond::<WEIGHTED, LAST>(m, &rising.law, rest(rising), &mut o, &mut below_e, odds);
+                work.bond::<CAREFUL>(m, &rising.law, rest(rising), &mut o, &mut below_e, odds);
             }
             below_e.keep::<W, L>(view, places[2]);
             below_o.keep::<W, L>(view, places[3]);
@@ -143,7 +144,7 @@ impl<M: Simd, L, S: Real> Pass<'_, M, L, S> {
 
     /// Bonds that reach one place further.
     #[inline(always)]
-    fn onward<W: Work<M, S, D, L>, const D: usize, const WEIGHTED: bool, const LAST: bool>(
+    fn onward<W: Work<M, S, D, L>, const D: usize, const CAREFUL: bool>(
         &self,
         work: &mut W,
         view: &mut View<'_, S, D>,
@@ -154,17 +155,17 @@ impl<M: Simd, L, S: Real> Pass<'_, M, L, S> {
         let rest = |cut: &Cut<L, S>| splat(m, cut.rest);
         let mask = between::<M, S>(m, 0, count as isize - k as isize);
         let places = [at + k + 1, at + shape.half + k, at + shape.pitch + k + 1, at + shape.pitch + shape.half + k];
-        let mut e = Node::<M, S, D>::load::<WEIGHTED>(m, view, places[0]);
-        let mut o = Node::<M, S, D>::load::<WEIGHTED>(m, view, places[1]);
-        work.bond::<WEIGHTED, LAST>(m, &kinds.along.law, rest(&kinds.along), &mut o, &mut e, mask);
+        let mut e = Node::<M, S, D>::load::<CAREFUL>(m, view, places[0]);
+        let mut o = Node::<M, S, D>::load::<CAREFUL>(m, view, places[1]);
+        work.bond::<CAREFUL>(m, &kinds.along.law, rest(&kinds.along), &mut o, &mut e, mask);
         if has_next && let Some(falling) = &kinds.falling {
-            let mut below = Node::<M, S, D>::load::<WEIGHTED>(m, view, places[2]);
-            work.bond::<WEIGHTED, LAST>(m, &falling.law, rest(falling), &mut o, &mut below, mask);
+            let mut below = Node::<M, S, D>::load::<CAREFUL>(m, view, places[2]);
+            work.bond::<CAREFUL>(m, &falling.law, rest(falling), &mut o, &mut below, mask);
             below.keep::<W, L>(view, places[2]);
         }
         if has_next && let Some(rising) = &kinds.rising {
-            let mut below = Node::<M, S, D>::load::<WEIGHTED>(m, view, places[3]);
-            work.bond::<WEIGHTED, LAST>(m, &rising.law, rest(rising), &mut e, &mut below, mask);
+            let mut below = Node::<M, S, D>::load::<CAREFUL>(m, view, places[3]);
+            work.bond::<CAREFUL>(m, &rising.law, rest(rising), &mut e, &mut below, mask);
             below.keep::<W, L>(view, places[3]);
         }
         o.keep::<W, L>(view, places[1]);
