@@ -83,7 +83,7 @@ pub(crate) fn sweeps(rows: &[KernelRow]) -> Figure {
         };
         let look = Look { colour, marker, width: 1.6 };
         series.push(Series { name: name.to_owned(), look, points: of(|row| row.sweep_ns), is_line: true });
-        let look = Look { colour: BLACK, width: 0.8, ..look };
+        let look = Look { colour: GREY, width: 0.8, ..look };
         let name = format!("{name}, plain program");
         series.push(Series { name, look, points: of(|row| row.naive_ns), is_line: true });
     }

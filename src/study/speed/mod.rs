@@ -50,7 +50,7 @@ use run::Limits;
 
 /// Strains that scenes are held to [1].
 const STRAINS: [f64; 2] = [rules::STRAIN, 1e-3];
-/// Points of the largest scene of a quick study.
+/// The scenes of a quick study.
 const FEW: [&str; 3] = ["rope-1000", "hard-32", "rims-40"];
 
 /// A part of the study.
@@ -203,10 +203,15 @@ fn measure_scene(
     settings: &SpeedSettings,
     report: &mut SpeedReport,
 ) -> Result<(), StudyError> {
-    let model = scene.model()?;
     let limits = Limits { seconds: settings.run_seconds, strain: f64::INFINITY };
     let with_rules = settings.has(Part::Rules) && rules::is_compared(scene);
-    if settings.has(Part::Frames) || with_rules {
+    let with_frames = settings.has(Part::Frames) || with_rules;
+    let with_skipping = settings.has(Part::Skipping) && skipping::is_measured(scene);
+    if !with_frames && !with_skipping {
+        return Ok(());
+    }
+    let model = scene.model()?;
+    if with_frames {
         let first = report.frames.len();
         for strain in STRAINS {
             let method = (run::auto(strain), format!("auto, strain {strain}"));
@@ -219,7 +224,7 @@ fn measure_scene(
             report.frames.extend(runs);
         }
     }
-    if settings.has(Part::Skipping) && skipping::is_measured(scene) {
+    if with_skipping {
         report.skipping.extend(skipping::measure(scene, &model, settings.reading_seconds)?);
     }
     Ok(())

@@ -79,7 +79,7 @@ fn climb(
         if a_substep * f64::from(substeps) > DEAR * auto.median_ms {
             break;
         }
-        let label = format!("{name}, {substeps} substeps");
+        let label = format!("{name}, {substeps} substep{}", if substeps == 1 { "" } else { "s" });
         let done = run(scene, model, (fixed(solver, substeps), label), auto.threads, limits)?;
         let holds = done.is_finished && done.max_strain <= STRAIN;
         runs.push(done);

@@ -67,9 +67,15 @@ pub(super) fn measure(
     let failed = |reason: String| StudyError::Program { program: program.display().to_string(), reason };
     let mut scenes: Vec<&str> = runs.iter().map(|run| run.scene).filter(|scene| is_measured(scene)).collect();
     scenes.dedup();
+    if scenes.is_empty() && kernels.is_empty() {
+        return Ok(Vec::new());
+    }
     let mut command = Command::new(program);
+    command.args(["study", "speed"]).args(&scenes).arg("--out").arg(folder);
     command.args(["--threads", &threads.to_string(), "--instruction-set", InstructionSet::chosen().name()]);
-    command.args(["study", "speed", "--part", "frames"]).args(&scenes).arg("--out").arg(folder);
+    if !scenes.is_empty() {
+        command.args(["--part", "frames"]);
+    }
     if !kernels.is_empty() {
         command.args(["--part", "sweeps"]);
     }
@@ -80,7 +86,10 @@ pub(super) fn measure(
     if !done.status.success() {
         return Err(failed(String::from_utf8_lossy(&done.stderr).trim().to_owned()));
     }
-    let mut rows = compare_frames(runs, &read::<Frames>(&folder.join("frames.csv"))?, threads);
+    let mut rows = Vec::new();
+    if !scenes.is_empty() {
+        rows.extend(compare_frames(runs, &read::<Frames>(&folder.join("frames.csv"))?, threads));
+    }
     if !kernels.is_empty() {
         rows.extend(compare_sweeps(kernels, &read::<Sweeps>(&folder.join("kernels.csv"))?, threads));
     }
