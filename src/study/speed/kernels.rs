@@ -40,7 +40,8 @@ pub struct KernelRow {
     /// A sweep, a bond [ns]: the difference between a substep of nine sweeps and one of one, over eight. Of equal small
     /// bodies a substep with its integration, from frames of many substeps and of one.
     pub sweep_ns: f64,
-    /// The rest of a step, a bond [ns]: integration, and the way from the order of the model and back.
+    /// The rest of a step, a bond [ns]: integration, and the way from the order of the model and back. A difference of
+    /// medians: where sweeps are dear, noise may leave less than 0.
     pub rest_ns: f64,
     /// A whole step with one sweep [ms].
     pub step_ms: f64,

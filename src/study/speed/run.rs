@@ -67,7 +67,7 @@ pub struct SpeedRun {
     pub max_strain: f64,
     /// Root of its mean square over the same.
     pub rms_strain: f64,
-    /// Whether the largest is within what was asked for; empty where nothing was.
+    /// Whether the largest is within what was asked for; empty where nothing was, or the run is not finished.
     pub is_within: Option<bool>,
     /// Substeps a frame, in the mean.
     pub substeps: f64,
@@ -136,7 +136,7 @@ pub(super) fn run(
         mean_ms: 1e3 * pass.seconds / f64::from(pass.frames),
         max_strain: pass.strain.largest,
         rms_strain: pass.strain.rms(),
-        is_within: method.max_strain.map(|asked| pass.strain.largest <= asked),
+        is_within: method.max_strain.filter(|_| pass.is_finished).map(|asked| pass.strain.largest <= asked),
         substeps: pass.substeps as f64 / f64::from(pass.frames),
         bond_ns: 1e9 * pass.seconds / pass.bonds_solved as f64,
         splits: pass.splits,
