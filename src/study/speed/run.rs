@@ -114,10 +114,20 @@ pub(super) fn run(
         passes.sort_by(|a, b| a.median.total_cmp(&b.median));
     }
     let pass = passes.swap_remove(passes.len() / 2);
+    Ok(row(scene, (&method, label), (&*start, build_s), &pass, threads))
+}
+
+fn row(
+    scene: &SpeedScene,
+    (method, label): (&Method, String),
+    (start, build_s): (&dyn Dynamics, f64),
+    pass: &Pass,
+    threads: usize,
+) -> SpeedRun {
     let part = start.parts().iter().max_by_key(|part| part.bonds);
     let (points, bonds) = (start.point_count(), start.bonds().len());
     let bytes = start.heap_bytes() as f64;
-    Ok(SpeedRun {
+    SpeedRun {
         scene: scene.name,
         family: scene.family,
         points,
@@ -126,7 +136,7 @@ pub(super) fn run(
         max_strain_asked: method.max_strain,
         solver: part.map_or("none", |part| part.solver.name()),
         kernel: part.map_or(String::new(), |part| part.kernel.clone()),
-        precision: precision(&*start),
+        precision: precision(start),
         instruction_set: InstructionSet::chosen().name(),
         threads,
         build_s,
@@ -142,7 +152,7 @@ pub(super) fn run(
         splits: pass.splits,
         point_bytes: bytes / points as f64,
         bond_bytes: bytes / bonds as f64,
-    })
+    }
 }
 
 /// The scalar of a world, in words.
