@@ -1,11 +1,16 @@
-//! What a substep costs: one relaxation sweep over a mesh, by order, beside the naive program; and the gallery's rim.
+//! What a substep costs: one relaxation sweep over a mesh, by order, beside the naive program; the gallery's rim; and
+//! every kernel of large bodies beside the plain program.
 //!
-//! `cargo bench` prints time a sweep; the throughput is in bonds, so ns a bond = 1 / (elements a second).
+//! `cargo bench` prints time a sweep; the throughput is in bonds, so ns a bond = 1 / (elements a second). For tables at
+//! all sizes, with the strain that a frame reaches: `wobble study speed`.
 #![allow(missing_docs, reason = "criterion's macros make public functions without docs")]
 #![allow(clippy::unwrap_used, reason = "a bench that cannot go on stops")]
 
 use criterion::{Criterion, Throughput, criterion_group, criterion_main};
-use wobble::sim::{Bond, BondKind, Dynamics, Method, Model, Order, PointId, Solver, World};
+use std::time::Duration;
+use wobble::sim::{Bond, BondKind, Dynamics, Method, Model, Order, PointId, Solver, World, build};
+use wobble::study::speed::find_speed_scene;
+use wobble::study::speed::naive::Naive as Plain;
 
 /// A sheet of `n` x `n` points, spacing 0.1 m, rows, columns and one diagonal a cell: 3 n^2 bonds less the edges.
 fn sheet(n: u32, order: Order) -> Model<2> {
@@ -144,9 +149,71 @@ fn mouse(criterion: &mut Criterion) {
     group.finish();
 }
 
+/// A substep of one sweep of 1/960 s.
+fn sweep() -> Method {
+    Method { solver: Solver::Xpbd, substep: Some(1.0 / 960.0), iterations: Some(1), ..Method::default() }
+}
+
+/// A substep of one pass over paths.
+fn pass() -> Method {
+    Method { solver: Solver::Path, ..sweep() }
+}
+
+/// Kernels of large bodies in `f32`: rows of a sheet, equal small bodies in lanes, colours of a mesh, paths; the plain
+/// program's substep on the same scene beside each. Of small bodies a pass over paths is a sweep.
+fn kernels(criterion: &mut Criterion) {
+    let cases = [
+        ("rows", "hard-100", sweep()),
+        ("rows", "hard-316", sweep()),
+        ("lanes", "rims-1000", pass()),
+        ("mesh", "disc-10k", sweep()),
+        ("mesh", "disc-100k", sweep()),
+        ("paths", "rope-10k", pass()),
+        ("paths", "net-100", pass()),
+        ("paths", "hard-100", pass()),
+        ("paths", "hard-316", pass()),
+        ("paths", "disc-10k", pass()),
+    ];
+    for (kernel, scene, method) in cases {
+        let mut model = find_speed_scene(scene).unwrap().model().unwrap();
+        model.method = Method { precision: wobble::sim::Precision::F32, ..method };
+        let mut group = criterion.benchmark_group(format!("{kernel}, {scene}"));
+        group.throughput(Throughput::Elements(model.bonds.len() as u64));
+        let mut world = build(&model).unwrap();
+        group.bench_function("a substep", |b| b.iter(|| world.step()));
+        let mut plain = Plain::<f32>::new(&model, 1.0 / 960.0);
+        group.bench_function("the plain program's", |b| {
+            b.iter(|| {
+                plain.advance();
+                plain.sweep();
+            });
+        });
+        group.finish();
+    }
+}
+
+/// A frame of 1/60 s of scenes that are held to a strain of 0.02, after the first second.
+fn frames(criterion: &mut Criterion) {
+    let mut group = criterion.benchmark_group("a frame, strain 0.02");
+    for scene in ["rope-1000", "rope-10k", "net-100", "hard-100", "hard-corners-100", "rims-1000", "disc-10k"] {
+        let mut model = find_speed_scene(scene).unwrap().model().unwrap();
+        model.method.max_strain = Some(0.02);
+        let mut world = build(&model).unwrap();
+        (0..60).for_each(|_| world.step());
+        group.bench_function(scene, |b| b.iter(|| world.step()));
+    }
+    group.finish();
+}
+
+/// Short readings: the study of speed is for tables, this for a look at a change.
+fn quick() -> Criterion {
+    let criterion = Criterion::default().sample_size(10).without_plots();
+    criterion.warm_up_time(Duration::from_millis(300)).measurement_time(Duration::from_millis(1500))
+}
+
 criterion_group! {
     name = benches;
-    config = Criterion::default().sample_size(20).without_plots();
-    targets = sweeps, rim_frame, mouse
+    config = quick();
+    targets = sweeps, rim_frame, mouse, kernels, frames
 }
 criterion_main!(benches);

@@ -8,7 +8,7 @@ use serde_json::Value;
 
 fn study(arguments: &[&str]) -> Output {
     let mut command = Command::new(env!("CARGO_BIN_EXE_wobble"));
-    command.arg("study").args(arguments).env_remove("WOBBLE_COMMIT").output().unwrap()
+    command.arg("study").args(arguments).env_remove("WOBBLE_COMMIT").env_remove("RAYON_NUM_THREADS").output().unwrap()
 }
 
 fn text(bytes: &[u8]) -> String {
@@ -118,9 +118,112 @@ fn check_plots(out: &Path) {
     }
 }
 
+/// A row of a table by the names of its columns.
+type Row = std::collections::BTreeMap<String, String>;
+
+fn named_rows(folder: &Path, name: &str) -> Vec<Row> {
+    let file = std::fs::File::open(folder.join(name)).unwrap_or_else(|error| panic!("{name}: {error}"));
+    csv::Reader::from_reader(file).deserialize().map(|row| row.unwrap()).collect()
+}
+
+fn number(row: &Row, column: &str) -> f64 {
+    let text = row.get(column).unwrap_or_else(|| panic!("no {column} in {row:?}"));
+    text.parse().unwrap_or_else(|_| panic!("{column} is {text:?} in {row:?}"))
+}
+
+/// Peers as `benches/peers` writes them, with the columns that are read.
+const PEERS: &str = "engine,scene,setting,ms_per_frame,max_strain,max_error_m,is_finished\n\
+                     some engine,\"rope 1,000\",4 substeps,2.5,0.01,,true\n\
+                     some engine,\"rope 1,000\",1 substep,0.5,inf,,false\n\
+                     some engine,rope 50 (F4),8 substeps,0.1,0.001,0.0005,true\n";
+
+#[test]
+fn speed_leaves_tables_and_plots() {
+    let folder = tempfile::tempdir().unwrap();
+    let out = folder.path().join("speed");
+    std::fs::create_dir(&out).unwrap();
+    std::fs::write(out.join("peers.csv"), PEERS).unwrap();
+    let done = study(&["speed", "--quick", "--commit", "abc", "--out", out.to_str().unwrap()]);
+    assert!(done.status.success(), "{}", text(&done.stderr));
+    assert!(done.stdout.is_empty() && done.stderr.is_empty(), "no bar where there is no terminal");
+
+    let report: Value = serde_json::from_str(&read(&out, "speed.json")).unwrap();
+    assert_eq!((&report["commit"], &report["settings"]["threads"]), (&"abc".into(), &1.into()));
+    check_frames(&named_rows(&out, "frames.csv"));
+    check_sweeps(&named_rows(&out, "kernels.csv"));
+    check_comparisons(&out);
+    for name in ["cost-strain-rope-1000", "sweeps"] {
+        assert_well_formed(&read(&out, &format!("{name}.svg")));
+        let image = image::open(out.join(format!("{name}.png"))).unwrap().into_rgb8();
+        assert!(image.pixels().filter(|pixel| pixel.0 != [255; 3]).count() > 5000, "{name} is empty");
+    }
+    assert!(read(&out, "cost-strain-rope-1000.svg").contains("some engine"));
+}
+
+/// Every scene holds the strain that was asked for, and the counters make sense.
+fn check_frames(rows: &[Row]) {
+    let autos: Vec<&Row> = rows.iter().filter(|row| row["method"].starts_with("auto")).collect();
+    assert_eq!(autos.len(), 6, "three scenes at two strains");
+    for row in autos {
+        assert!(number(row, "max_strain") <= number(row, "max_strain_asked"), "{row:?}");
+        assert!(number(row, "rms_strain") <= number(row, "max_strain"), "{row:?}");
+        assert_eq!((row["is_within"].as_str(), row["frames"].as_str(), row["threads"].as_str()), ("true", "120", "1"));
+        assert!(number(row, "substeps") >= 1.0 && number(row, "bond_bytes") > 16.0, "{row:?}");
+        for column in ["median_ms", "mean_ms", "bond_ns", "build_s", "point_bytes"] {
+            assert!(number(row, column) > 0.0, "{column} of {row:?}");
+        }
+        assert!(!row["kernel"].is_empty() && !row["instruction_set"].is_empty());
+    }
+}
+
+/// Every kind of body in both precisions, with every instruction set that this machine has.
+fn check_sweeps(rows: &[Row]) {
+    for family in ["net", "hard", "rope", "rims", "disc"] {
+        for precision in ["f32", "f64"] {
+            let is_same = |row: &&Row| row["family"] == family && row["precision"] == precision;
+            assert!(rows.iter().any(|row| is_same(&row)), "{family} {precision}");
+        }
+    }
+    for row in rows {
+        assert!(!row["kernel"].is_empty() && number(row, "bonds") > 2_000.0, "{row:?}");
+        for column in ["sweep_ns", "rest_ns", "step_ms", "naive_ns", "ratio"] {
+            assert!(number(row, column).is_finite(), "{column} of {row:?}");
+        }
+    }
+}
+
+fn check_comparisons(out: &Path) {
+    let rules = named_rows(out, "rules.csv");
+    assert_eq!(rules[0]["scene"], "rope-1000");
+    assert!(number(&rules[0], "ratio").is_finite() && !rules[0]["cheapest"].is_empty());
+    let errors: Vec<f64> = named_rows(out, "rope50.csv").iter().map(|row| number(row, "error_m")).collect();
+    assert!(errors.iter().any(|error| *error < 5e-5), "{errors:?}");
+    for row in named_rows(out, "skipping.csv").iter().filter(|row| row["what"] != "asleep") {
+        assert!(number(row, "ratio").is_finite(), "{row:?}");
+    }
+    let ratios = named_rows(out, "ratios.csv");
+    let of =
+        |scene: &str, bound: &str| ratios.iter().find(|row| row["scene"] == scene && row["bound"] == bound).unwrap();
+    assert!(number(of("rope-1000", "0.02"), "ratio").is_finite());
+    assert!(number(of("rope-50", "0.001"), "ratio").is_finite());
+    assert_eq!(of("rope-1000", "0.001")["ratio"], "", "it never got there");
+    let targets = named_rows(out, "targets.csv");
+    assert!(targets.len() > 30 && targets.iter().any(|row| !row["is_reached"].is_empty()));
+    let all = std::thread::available_parallelism().unwrap().get();
+    if all > 1 {
+        let others = named_rows(&out.join(format!("threads-{all}")), "frames.csv");
+        assert!(others.iter().all(|row| row["threads"] == all.to_string()), "{others:?}");
+        let threads = named_rows(out, "threads.csv");
+        assert!(threads.iter().any(|row| row["scene"] == "rope-1000"), "{threads:?}");
+        assert!(threads.iter().all(|row| number(row, "ratio").is_finite()), "{threads:?}");
+    }
+}
+
 #[test]
 fn a_wrong_call_ends_with_2_and_a_line_that_helps() {
-    let cases: [(&[&str], &str); 4] = [
+    let cases: [(&[&str], &str); 6] = [
+        (&["speed", "hard-99"], "hard-100, hard-316"),
+        (&["speed", "--part", "all"], "frames, sweeps"),
         (&["accuracy", "b1_ocs", "--out", "x"], "did you mean B1_osc?"),
         (&["accuracy", "rim", "--out", "x"], "I1_rim_free, I3_rim_floor"),
         (&["accuracy", "A2_drag"], "--out"),
@@ -149,5 +252,7 @@ fn a_folder_that_cannot_be_made_is_told_before_the_work() {
 fn help_has_examples_and_the_problems() {
     let help = text(&study(&["accuracy", "--help"]).stdout);
     assert!(help.contains("Examples:") && help.contains("D1_pendulum90"), "{help}");
+    let help = text(&study(&["speed", "--help"]).stdout);
+    assert!(help.contains("Examples:") && help.contains("hard-corners-100") && help.contains("skipping"), "{help}");
     assert!(study(&["--help"]).status.success());
 }

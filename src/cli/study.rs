@@ -2,9 +2,11 @@
 
 use std::path::PathBuf;
 
+use anyhow::Context;
 use clap::{Args, Subcommand};
 
 use super::progress;
+use crate::study::speed::{Part, SpeedScene, SpeedSettings};
 use crate::study::{self, Problem, Report, Settings};
 
 /// What to study.
@@ -18,6 +20,8 @@ pub(super) struct Arguments {
 enum Subject {
     /// What an error costs: every method and the sources' method against known motions.
     Accuracy(Accuracy),
+    /// What a frame costs at a strain, and a sweep beside a plain program.
+    Speed(Speed),
 }
 
 /// What to run and where to write it.
@@ -36,6 +40,55 @@ struct Accuracy {
     /// Commit of the source, to be noted; the variable WOBBLE_COMMIT if not said.
     #[arg(long, value_name = "HASH")]
     commit: Option<String>,
+}
+
+/// What to measure and where to write it.
+#[derive(Args)]
+#[command(after_help = after_speed_help())]
+struct Speed {
+    /// Built-in scenes; all if none is named.
+    #[arg(value_name = "SCENE", value_parser = speed_scene)]
+    scenes: Vec<&'static SpeedScene>,
+    /// Folder to write to; it is made if need be. Other engines' times are read from peers.csv there.
+    #[arg(long, value_name = "DIR", default_value = "speed")]
+    out: PathBuf,
+    /// Small scenes and short readings, for a look.
+    #[arg(long)]
+    quick: bool,
+    /// A part of the study; may be given several times. All if none is named.
+    #[arg(long, value_name = "PART", value_parser = part)]
+    part: Vec<Part>,
+    /// Commit of the source, to be noted; the variable WOBBLE_COMMIT if not said.
+    #[arg(long, value_name = "HASH")]
+    commit: Option<String>,
+    /// Threads that this process uses, with the chosen instruction set only; if left out, one thread and all sets, then
+    /// large scenes again on all processors.
+    // The program's own option under the same name: its value is needed here.
+    #[arg(long, value_name = "N", env = "RAYON_NUM_THREADS", value_parser = clap::value_parser!(u32).range(1..=1024))]
+    threads: Option<u32>,
+}
+
+fn after_speed_help() -> String {
+    let names: Vec<&str> = study::speed::speed_scenes().iter().map(|scene| scene.name).collect();
+    format!(
+        "Writes speed.json, a table each for frames, sweeps (kernels.csv), rules, growth, rope50, skipping, threads,\n\
+         ratios to other engines and targets, and plots as SVG and PNG. Parts: {}.\n\n\
+         Examples:\n  wobble study speed --out speed\n  \
+         wobble study speed hard-100 net-316 --part frames --out speed\n  \
+         wobble study speed --part sweeps --quick --out look\n\n\
+         Built-in scenes:\n  {}",
+        Part::ALL.map(Part::name).join(", "),
+        names.join("\n  ")
+    )
+}
+
+fn speed_scene(text: &str) -> Result<&'static SpeedScene, String> {
+    study::speed::find_speed_scene(text)
+}
+
+fn part(text: &str) -> Result<Part, String> {
+    let found = Part::ALL.into_iter().find(|part| part.name() == text);
+    found.ok_or_else(|| format!("give one of {}", Part::ALL.map(Part::name).join(", ")))
 }
 
 fn after_help() -> String {
@@ -57,6 +110,7 @@ fn problem(text: &str) -> Result<&'static Problem, String> {
 pub(super) fn run(arguments: &Arguments, quiet: bool) -> anyhow::Result<()> {
     match &arguments.subject {
         Subject::Accuracy(accuracy) => accuracy.run(quiet),
+        Subject::Speed(speed) => speed.run(quiet),
     }
 }
 
@@ -75,8 +129,8 @@ impl Accuracy {
         bar.finish_and_clear();
         let report = Report {
             version: env!("CARGO_PKG_VERSION"),
-            commit: self.commit.clone().or_else(|| std::env::var("WOBBLE_COMMIT").ok()),
-            command: std::env::args().collect::<Vec<_>>().join(" "),
+            commit: commit(&self.commit),
+            command: command(),
             machine: study::machine(),
             settings,
             problems: measured,
@@ -92,4 +146,46 @@ impl Accuracy {
         };
         study::problems().iter().filter(is_wanted).collect()
     }
+}
+
+impl Speed {
+    fn run(&self, quiet: bool) -> anyhow::Result<()> {
+        study::make_folder(&self.out)?;
+        let settings = self.settings()?;
+        let scenes = if self.scenes.is_empty() { settings.scenes() } else { self.scenes.clone() };
+        let bar = progress::tasks(quiet);
+        let mut report = study::speed::measure_speed(&scenes, &settings, &self.out, &mut |now| {
+            bar.set_length(now.total);
+            bar.set_position(now.done);
+            bar.set_message(now.problem.to_owned());
+        })?;
+        bar.finish_and_clear();
+        report.commit = commit(&self.commit);
+        report.command = command();
+        Ok(report.write(&self.out)?)
+    }
+
+    /// Where no number of threads is said this process takes one, and starts itself again for the others.
+    fn settings(&self) -> anyhow::Result<SpeedSettings> {
+        let mut settings = SpeedSettings::new(self.quick, self.threads.unwrap_or(1) as usize);
+        match self.threads {
+            Some(_) => settings.all_sets = false,
+            None => {
+                crate::sim::use_threads(1).context("one thread could not be started")?;
+                settings.program = Some(std::env::current_exe().context("this program's own file is not to be found")?);
+            }
+        }
+        if !self.part.is_empty() {
+            settings.parts.clone_from(&self.part);
+        }
+        Ok(settings)
+    }
+}
+
+fn commit(said: &Option<String>) -> Option<String> {
+    said.clone().or_else(|| std::env::var("WOBBLE_COMMIT").ok())
+}
+
+fn command() -> String {
+    std::env::args().collect::<Vec<_>>().join(" ")
 }

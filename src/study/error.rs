@@ -1,7 +1,9 @@
 //! What can stop a study.
 
+use crate::body::BodyError;
 use crate::output::OutputError;
 use crate::scene::SceneError;
+use crate::sim::ModelError;
 
 /// A study that could not be made or written.
 #[derive(Debug, thiserror::Error)]
@@ -15,6 +17,28 @@ pub enum StudyError {
         /// The problem.
         problem: &'static str,
         /// What is wrong.
+        reason: String,
+    },
+    /// A scene of the study of speed cannot be made.
+    #[error(transparent)]
+    Body(#[from] BodyError),
+    /// No world can be made of it.
+    #[error(transparent)]
+    Model(#[from] ModelError),
+    /// A table could not be read.
+    #[error("{file}: cannot be read: {reason}")]
+    Table {
+        /// The file.
+        file: String,
+        /// Why.
+        reason: String,
+    },
+    /// This program, started again with more threads, failed.
+    #[error("{program} on more threads: {reason}")]
+    Program {
+        /// The program.
+        program: String,
+        /// Why.
         reason: String,
     },
     /// A plot could not be drawn.

@@ -7,7 +7,7 @@ use serde::Serialize;
 pub struct Machine {
     /// Model of the processor; `unknown` where the system does not say.
     pub processor: String,
-    /// Threads that the system runs at once; a study uses one.
+    /// Threads that the system runs at once.
     pub threads: usize,
     /// The operating system.
     pub system: &'static str,

@@ -1,4 +1,5 @@
-//! Studies of the methods: what an error costs, with every method and with the baseline.
+//! Studies of the methods: what an error costs, with every method and with the baseline; and how fast they are
+//! ([`speed`]).
 //!
 //! ```text
 //! problems (scene + truth) --accuracy--> runs --fit--> orders, costs --equal--> ratios to the baseline
@@ -18,6 +19,7 @@ pub mod problems;
 mod report;
 mod run;
 mod slides;
+pub mod speed;
 mod tables;
 mod targets;
 mod tolerance;

@@ -4,6 +4,7 @@ mod axes;
 mod figure;
 mod ratios;
 mod slides;
+mod speed;
 mod style;
 mod work;
 
@@ -18,6 +19,7 @@ use crate::output::replace;
 pub(super) use figure::Figure;
 pub(super) use ratios::ratios;
 pub(super) use slides::{circle, decay, orders};
+pub(super) use speed::{frames, sweeps};
 pub(super) use work::work;
 
 /// Writes a figure as NAME.svg and NAME.png.
