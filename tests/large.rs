@@ -10,6 +10,8 @@ mod models;
 mod outside;
 #[path = "large/physics.rs"]
 mod physics;
+#[path = "large/program.rs"]
+mod program;
 #[path = "large/recognition.rs"]
 mod recognition;
 #[path = "large/violence.rs"]

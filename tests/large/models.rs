@@ -2,7 +2,7 @@
 
 use serde_json::json;
 use wobble::scene::Scene;
-use wobble::sim::{Bond, BondKind, Bonds, Bounds, Dynamics, Method, Model, PointId, Precision, Sample, Track};
+use wobble::sim::{Bond, BondKind, Bonds, Bounds, Dynamics, Method, Model, PointId, Precision, Sample, Solver, Track};
 
 /// Gravity of all scenes here [m/s^2].
 pub(crate) const G: f64 = 9.8;
@@ -116,6 +116,11 @@ pub(crate) fn disc(radius: f64) -> Model<2> {
 /// The model with substeps that follow this strain.
 pub(crate) fn to_strain<const D: usize>(model: &Model<D>, strain: f64) -> Model<D> {
     Model { method: Method { max_strain: Some(strain), ..model.method }, ..model.clone() }
+}
+
+/// The model by paths, however small it is.
+pub(crate) fn path<const D: usize>(model: &Model<D>) -> Model<D> {
+    Model { method: Method { solver: Solver::Path, ..model.method }, ..model.clone() }
 }
 
 /// The model in single precision.

@@ -2,7 +2,7 @@
 
 use wobble::sim::{Bond, BondKind, Model, PointId};
 
-use super::models::{Draw, apart, bonded, cells, frames, hung, kernel, rims, rope, to_strain, world};
+use super::models::{Draw, G, apart, bonded, cells, frames, hung, kernel, path, rims, rope, to_strain, world};
 
 const SIZE: [u32; 2] = [40, 30];
 const STRAIN: f64 = 1e-3;
@@ -173,4 +173,27 @@ fn bodies_that_differ_by_rounding_are_a_crowd_and_another_one_is_not() {
     assert_eq!(taken_for(&other), "a crowd and a mesh by paths");
     let seven = to_strain(&rims(7), 1e-3);
     assert_eq!(taken_for(&seven), "7 meshes by paths");
+}
+
+/// A loose point is no part of a large body, wherever it is listed.
+#[test]
+fn a_loose_point_falls_beside_a_rope_by_paths() {
+    let rope = to_strain(&path(&rope::<2>(200)), STRAIN);
+    let mut last = rope.clone();
+    last.position.push([0.0, 5.0]);
+    last.velocity.push([0.0; 2]);
+    last.mass.push(1.0);
+    let mut first = last.clone();
+    first.position.rotate_right(1);
+    first.pinned = vec![PointId(1)];
+    first = with_bonds(&first, |bonds| {
+        bonds.iter_mut().for_each(|bond| (bond.a.0, bond.b.0) = (bond.a.0 + 1, bond.b.0 + 1))
+    });
+    for (place, model) in [(200, last), (0, first)] {
+        let mut world = world(&model);
+        let sample = frames(&mut *world, 60, |sample| assert!(sample.max_strain <= STRAIN, "{}", sample.max_strain));
+        let off = (sample.position[place][1] - (5.0 - 0.5 * G)).abs();
+        // What moves it is of order 1: off by G h t/2.
+        assert!(off < 0.03, "point {place}: {off:e} m");
+    }
 }

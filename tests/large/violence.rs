@@ -1,8 +1,10 @@
 //! Starts and settings that no one should ask for: whatever comes of them is finite.
 
-use wobble::sim::{BondKind, Method, Model, PointId, Solver};
+use wobble::sim::{BondKind, Model, PointId};
 
-use super::models::{Draw, bonded, cells, disc, frames, hung, places, rims, rope, scene, sheet, single, to_strain};
+use super::models::{
+    Draw, bonded, cells, disc, frames, hung, path, places, rims, rope, scene, sheet, single, to_strain,
+};
 
 /// Runs so many frames: nothing may become infinite.
 fn run(what: &str, model: &Model<2>, count: usize) {
@@ -24,10 +26,6 @@ fn bodies() -> Vec<(&'static str, Model<2>)> {
         ("crowd", rims(20)),
         ("mesh", disc(0.9)),
     ]
-}
-
-fn path<const D: usize>(model: &Model<D>) -> Model<D> {
-    Model { method: Method { solver: Solver::Path, ..model.method }, ..model.clone() }
 }
 
 #[test]
