@@ -21,6 +21,8 @@ pub(crate) mod mover;
 pub(crate) mod outside;
 pub(crate) mod sheet;
 pub(crate) mod spec;
+#[cfg(test)]
+mod tests;
 pub(crate) mod trails;
 
 use super::counters::Counters;

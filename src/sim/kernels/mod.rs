@@ -15,4 +15,6 @@ pub(crate) mod path;
 pub(crate) mod rows;
 pub(crate) mod split;
 pub(crate) mod store;
+#[cfg(test)]
+mod tests;
 pub(crate) mod turn;

@@ -94,7 +94,8 @@ pub(crate) fn inverse_masses<const D: usize>(model: &Model<D>) -> Vec<f64> {
 
 /// Islands by method and substep, in the order of their first points.
 ///
-/// A method that was asked for by name moves all islands in one group, at the substep of the fastest.
+/// A method that was asked for by name moves all islands in one group, at the substep of the fastest; large bodies apart
+/// from what is none, and from those that follow another strain.
 fn lots<const D: usize>(model: &Model<D>, islands: Vec<Island>) -> Vec<Lot> {
     let setting = Setting {
         has_surfaces: model.bounds.is_some() || !model.planes.is_empty(),
@@ -106,7 +107,7 @@ fn lots<const D: usize>(model: &Model<D>, islands: Vec<Island>) -> Vec<Lot> {
         let choice = choice::choose(&island, &model.method, setting);
         let fits = |lot: &&mut Lot| match model.method.solver {
             Solver::Auto => lot.choice == choice,
-            _ => true,
+            _ => lot.choice.bulk == choice.bulk,
         };
         match lots.iter_mut().find(fits) {
             Some(lot) => {

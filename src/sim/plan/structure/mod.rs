@@ -6,6 +6,8 @@
 mod chain;
 mod crowd;
 mod sheet;
+#[cfg(test)]
+mod tests;
 
 use super::island::Island;
 use crate::sim::bonds::Bonds;
