@@ -513,13 +513,6 @@ fn what_this_version_lacks() {
             "\"obstacles\": [{ \"circle\": { \"center\": [0,0], \"radius\": 1 } }]",
             "obstacles[0].circle: `circle` is not in this version: leave it out",
         ),
-        ("\"method\": { \"max_strain\": 1 }", "method.max_strain: `max_strain` is not in this version: leave it out"),
-        (
-            "\"method\": { \"solver\": \"path\" }",
-            "method.solver: solver `path` is not in this version: use `auto`, `euler`, `symplectic-euler`, `verlet`, \
-             `velocity-verlet`, `pefrl`, `blanes-moan-4`, `blanes-moan-6`, `rk2`, `rk4`, `rk8`, `implicit-midpoint`, \
-             `backward-euler`, `xpbd` or `relaxation`",
-        ),
     ] {
         let text = format!("{{ \"wobble\": 1,\n{rest} }}");
         let scene = Scene::parse(&text, "x.json").unwrap_or_else(|error| panic!("{error}"));

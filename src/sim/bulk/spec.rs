@@ -53,7 +53,7 @@ impl Spec {
         }
     }
 
-    fn relaxed<S: Real>(&self, step: &Substep) -> Relaxed<S> {
+    pub(crate) fn relaxed<S: Real>(&self, step: &Substep) -> Relaxed<S> {
         let (relaxation, limit) = match self.kind {
             BondKind::Relaxed { relaxation, max_correction } => (relaxation, max_correction),
             _ => (1.0, f64::INFINITY),
@@ -66,7 +66,7 @@ impl Spec {
         }
     }
 
-    fn compliant<S: Real>(&self, step: &Substep) -> Compliant<S> {
+    pub(crate) fn compliant<S: Real>(&self, step: &Substep) -> Compliant<S> {
         let (alpha, gamma) = self.softness(step);
         Compliant { alpha: S::from_f64(alpha), gamma: S::from_f64(gamma) }
     }

@@ -101,7 +101,7 @@ impl<S: Real, const D: usize> Plain<S, D> {
     fn check<F: Form<S, D>>(mut self, form: &mut F, order: &[([usize; 2], Spec)], what: &str) {
         let mut store = self.store(form);
         assert_eq!(form.bonds(), order.len(), "{what}");
-        let drift = Drift { keep: S::from_f64(0.9), fall: [S::from_f64(-0.01); D] };
+        let drift = Drift { keep: S::from_f64(0.9), ratio: S::ONE, fall: [S::from_f64(-0.01); D] };
         for sweep in 0..3 {
             form.sweep(&mut store, &STEP);
             order.iter().for_each(|(ends, spec)| self.correct(*ends, spec));
