@@ -277,7 +277,7 @@ fn turned_and_back<S: Real, const D: usize>() {
         vectorized!(m => {
             for first in (0..rows).step_by(width::<_, S>(m)) {
                 let strip = Turned { m, shape: &shape, first, rest: S::ONE };
-                strip.read(&cells.view(), &mut turned);
+                strip.read(&cells.view().after(shape.row(0)), &mut turned);
                 for lane in 0..width::<_, S>(m).min(rows - first) {
                     for column in 0..columns {
                         let at = Strip::<_, S>::at(&strip, column) + lane;
@@ -286,7 +286,7 @@ fn turned_and_back<S: Real, const D: usize>() {
                         assert_eq!(turned.w[at], v);
                     }
                 }
-                strip.write(&turned, &mut cells.view());
+                strip.write(&turned, &mut cells.view().after(shape.row(0)));
             }
         });
         for row in 0..rows {
