@@ -172,7 +172,8 @@ pub(crate) fn scene<const D: usize>(model: &Model<D>) -> Scene {
         keys["bounds"] = json!({ "min": min, "max": max, "restitution": restitution, "friction": friction });
     }
     let Method { solver, substep, iterations, precision, max_strain, .. } = model.method;
-    let precision = ["auto", "f32", "f64"][precision as usize];
+    // What is not asked for in single precision is held to closed forms, which 32 bits blur.
+    let precision = if precision == Precision::F32 { "f32" } else { "f64" };
     keys["method"] = json!({ "solver": solver.name(), "precision": precision });
     let numbers = [("substep", substep), ("max_strain", max_strain)];
     for (key, value) in numbers.into_iter().filter_map(|(key, value)| Some((key, value?))) {

@@ -22,8 +22,6 @@ pub(crate) struct Crowd {
     points: usize,
     /// In the order in which they are taken.
     links: Vec<Link<Spec, f64>>,
-    /// The next sweep begins with the last of them: the same order every time feeds energy in.
-    is_backward: bool,
 }
 
 impl Crowd {
@@ -32,7 +30,7 @@ impl Crowd {
     /// All bonds are of one kind, but for their numbers.
     pub(crate) fn new(bodies: usize, points: usize, bonds: impl IntoIterator<Item = ([u32; 2], Spec)>) -> Self {
         let link = |(ends, spec): ([u32; 2], Spec)| Link { ends, law: spec, rest: spec.rest, is_plain: false };
-        Crowd { bodies, points, links: bonds.into_iter().map(link).collect(), is_backward: false }
+        Crowd { bodies, points, links: bonds.into_iter().map(link).collect() }
     }
 
     /// Cells of a block.
@@ -60,20 +58,18 @@ impl Crowd {
         drifts: Option<(&Drift<S, D>, &Drift<S, D>)>,
         (substeps, sweeps): (u32, u32),
     ) {
-        let mut both = [self.links(&law), self.links(&law)];
-        both[usize::from(!self.is_backward)].reverse();
+        let links = self.links(law);
         let bodies = (0..self.bodies).step_by(WIDEST).map(|first| WIDEST.min(self.bodies - first));
         let work = self.bond_count() * (substeps * sweeps) as usize;
         threads::with_each(work, cells.parts(self.block()).zip(bodies), |(mut part, count)| {
-            let mut orders = both.iter().cycle();
             for substep in 0..substeps {
                 match drifts {
                     Some((first, _)) if substep == 0 => part.set_out(first),
                     Some((_, next)) => part.go_on(next),
                     None => {}
                 }
-                for links in orders.by_ref().take(sweeps as usize) {
-                    vectorized!(m => crowd::block(m, &mut Correct, &mut part.view(), links, count));
+                for _ in 0..sweeps {
+                    vectorized!(m => crowd::block(m, &mut Correct, &mut part.view(), &links, count));
                 }
             }
         });
@@ -136,14 +132,11 @@ impl<S: Real, const D: usize> Form<S, D> for Crowd {
         drifts: (&Drift<S, D>, &Drift<S, D>),
         count: u32,
     ) {
-        let passes = super::passes(way);
-        self.run_all(cells, step, Some(drifts), (count, passes));
-        self.is_backward ^= !(count * passes).is_multiple_of(2);
+        self.run_all(cells, step, Some(drifts), (count, super::passes(way)));
     }
 
     fn sweep(&mut self, cells: &mut Cells<S, D>, step: &Substep) {
         self.run_all(cells, step, None, (1, 1));
-        self.is_backward = !self.is_backward;
     }
 
     /// Paths of small bodies are short: a sweep does as well.

@@ -41,8 +41,6 @@ pub(crate) struct Mesh<S: Real, const D: usize> {
     rests: Vec<S>,
     batches: Vec<Batch<S>>,
     bundles: Vec<Bundle<S>>,
-    /// The next sweep begins with the last batch.
-    is_backward: bool,
     /// A bundle's points side by side.
     turned: Cells<S, D>,
     scratch: Scratch<S>,
@@ -58,7 +56,6 @@ impl<S: Real, const D: usize> Mesh<S, D> {
             rests: Vec::new(),
             batches: Vec::new(),
             bundles: Vec::new(),
-            is_backward: false,
             turned: Cells::new(0),
             scratch: Scratch::default(),
         }
@@ -144,17 +141,13 @@ impl<S: Real, const D: usize> Form<S, D> for Mesh<S, D> {
         self.segments = Vec::new();
     }
 
-    /// To and fro in turn: the same order every time would feed energy in where every bond has a colour of its own.
     fn sweep(&mut self, nodes: &mut Nodes<S, D>, step: &Substep) {
-        let count = self.batches.len();
-        for k in 0..count {
-            let batch = &self.batches[if self.is_backward { count - 1 - k } else { k }];
+        for batch in &self.batches {
             match batch.spec.kind {
                 BondKind::Rigid => self.sweep_batch(nodes, batch, Rigid),
                 _ => self.sweep_batch(nodes, batch, batch.spec.elastic::<S>(step)),
             }
         }
-        self.is_backward = !self.is_backward;
     }
 
     fn solve(&mut self, nodes: &mut Nodes<S, D>, step: &Substep) {

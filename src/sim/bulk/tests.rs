@@ -97,19 +97,14 @@ impl<S: Real, const D: usize> Plain<S, D> {
         store
     }
 
-    /// Asserts that the form sweeps as `order` says, bond by bond, three times, the second time backwards if it goes
-    /// `to_and_fro`, and measures the same.
-    fn check<F: Form<S, D>>(mut self, form: &mut F, order: &[([usize; 2], Spec)], to_and_fro: bool, what: &str) {
+    /// Asserts that the form sweeps as `order` says, bond by bond, three times, and measures the same.
+    fn check<F: Form<S, D>>(mut self, form: &mut F, order: &[([usize; 2], Spec)], what: &str) {
         let mut store = self.store(form);
         assert_eq!(form.bonds(), order.len(), "{what}");
         let drift = Drift { keep: S::from_f64(0.9), ratio: S::ONE, fall: [S::from_f64(-0.01); D] };
         for sweep in 0..3 {
             form.sweep(&mut store, &STEP);
-            if to_and_fro && sweep == 1 {
-                order.iter().rev().for_each(|(ends, spec)| self.correct(*ends, spec));
-            } else {
-                order.iter().for_each(|(ends, spec)| self.correct(*ends, spec));
-            }
+            order.iter().for_each(|(ends, spec)| self.correct(*ends, spec));
             form.each(|i, cell| assert_eq!(store.get(cell).1, self.d[i], "{what}: point {i} in sweep {sweep}"));
             let most = order.iter().map(|(ends, spec)| self.stretch(*ends, spec)).fold(S::ZERO, S::max);
             assert_eq!(form.stretch(&mut store), most, "{what}: strain");
@@ -180,12 +175,7 @@ fn sheets<S: Real, const D: usize>() {
             for is_weighted in [false, true] {
                 let plain = Plain::<S, D>::random(columns as u64, (columns, columns * rows), is_weighted);
                 let mut sheet = Sheet::new(columns, rows, specs, false);
-                plain.check(
-                    &mut sheet,
-                    &order,
-                    false,
-                    &format!("{columns} x {rows}, {specs:?}, weighted {is_weighted}"),
-                );
+                plain.check(&mut sheet, &order, &format!("{columns} x {rows}, {specs:?}, weighted {is_weighted}"));
             }
         }
     }
@@ -233,7 +223,7 @@ fn crowds<S: Real, const D: usize>() {
                 bonds.iter().map(move |&(ends, spec)| (ends.map(shift), spec))
             });
             let order: Vec<_> = of_all.collect();
-            plain.check(&mut crowd, &order, true, &format!("{bodies} bodies, law {law}, weighted {is_weighted}"));
+            plain.check(&mut crowd, &order, &format!("{bodies} bodies, law {law}, weighted {is_weighted}"));
         }
     }
 }
@@ -257,7 +247,7 @@ fn meshes<S: Real, const D: usize>() {
             let mut mesh = Mesh::new(count, pairs.iter().zip(&bonds).map(segment).collect());
             let order: Vec<_> = colours(&pairs, count).0.into_iter().map(|k| bonds[k as usize]).collect();
             let plain = Plain::<S, D>::random(4, (13, count), is_weighted);
-            plain.check(&mut mesh, &order, true, &format!("{count} points, law {law}, weighted {is_weighted}"));
+            plain.check(&mut mesh, &order, &format!("{count} points, law {law}, weighted {is_weighted}"));
         }
     }
 }
