@@ -5,7 +5,7 @@ use rayon::prelude::*;
 
 /// Work below which one thread is as quick, in bonds that are swept (about 0.3 ns each): others have to be woken and
 /// waited for, which takes some microseconds, and more where the machine is busy.
-const LEAST_WORK: usize = 300_000;
+const LEAST_WORK: usize = 1_000_000;
 
 /// Makes the program use so many threads, once and before any large body moves; all processors otherwise.
 ///

@@ -74,3 +74,16 @@ fn any_number_of_threads_gives_the_same_bits() {
         }
     }
 }
+
+/// A sheet with more than a million bonds, from where on its passes are shared by threads.
+const HUGE: &str = r#"{ "wobble": 1, "gravity": [0, -9.8], "method": { "max_strain": 0.02 },
+    "bodies": [{ "make": "cloth", "columns": 520, "rows": 500, "spacing": 0.1, "pinned": [0, 519] }] }"#;
+
+#[test]
+fn a_huge_sheet_has_the_same_bits_on_any_number_of_threads() {
+    let scene = Scene::parse(HUGE, "huge.json").unwrap();
+    let first = on_threads(1, || bits(&scene, 1));
+    for threads in [2, 3, 5, 8] {
+        assert_eq!(first, on_threads(threads, || bits(&scene, 1)), "{threads} threads");
+    }
+}
