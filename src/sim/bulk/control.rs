@@ -2,8 +2,8 @@
 
 /// Most substeps of a frame.
 const MOST: u32 = 512;
-/// The frame that counts are of [s].
-const FRAME: f64 = 1.0 / 60.0;
+/// The frame that automatic substeps divide [s].
+pub(crate) const FRAME: f64 = 1.0 / 60.0;
 /// Share of the strain asked for that is aimed at: the largest strain of a step swings from step to step.
 const AIM: f64 = 0.6;
 /// What is remembered of the strain of the step before.

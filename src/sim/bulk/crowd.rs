@@ -42,7 +42,7 @@ impl Crowd {
     fn blocks<'a, S, const D: usize>(&self, view: View<'a, S, D>) -> impl Iterator<Item = (View<'a, S, D>, usize)> {
         let bodies = self.bodies;
         let count = move |k: usize| WIDEST.min(bodies.saturating_sub(k * WIDEST));
-        let blocks = view.parts(self.block()).into_iter().enumerate().map(move |(k, block)| (block, count(k)));
+        let blocks = view.parts(self.block()).enumerate().map(move |(k, block)| (block, count(k)));
         blocks.filter(|(_, count)| *count > 0)
     }
 

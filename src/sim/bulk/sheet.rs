@@ -106,7 +106,7 @@ impl<S: Real, const D: usize> Sheet<S, D> {
     fn solve_rows(&mut self, cells: &mut Cells<S, D>, law: &PathLaw<S>, rest: S) {
         let shape = &self.shape;
         let rows = self.rows_of_part().next_multiple_of(WIDEST);
-        let parts = cells.view().after(shape.row(0)).parts(rows * shape.pitch).into_iter().enumerate();
+        let parts = cells.view().after(shape.row(0)).parts(rows * shape.pitch).enumerate();
         let parts = parts.map(|(k, part)| (shape.rows.saturating_sub(k * rows).min(rows), part));
         let room = || (Cells::new(2 * shape.half * WIDEST), Scratch::default());
         threads::with_each_in(self.bond_count(), parts, &mut self.room, room, |(turned, scratch), (rows, mut view)| {

@@ -174,23 +174,14 @@ impl<'a, S, const D: usize> View<'a, S, D> {
     }
 
     /// Parts of `size` cells each, and what is left over.
-    pub(crate) fn parts(self, size: usize) -> Vec<Self> {
-        let View { mut x, mut d, mut w } = self;
-        let mut parts = Vec::with_capacity(w.len().div_ceil(size));
-        while !w.is_empty() {
-            let count = size.min(w.len());
-            let (here, rest) = w.split_at(count);
-            let mut split = d.map(|list| Some(list.split_at_mut(count)));
-            parts.push(View {
-                x: x.map(|list| &list[..count]),
-                d: split.each_mut().map(|pair| pair.as_mut().map_or(&mut [][..], |pair| std::mem::take(&mut pair.0))),
-                w: here,
-            });
-            x = x.map(|list| &list[count..]);
-            d = split.map(|pair| pair.map_or(&mut [][..], |pair| pair.1));
-            w = rest;
-        }
-        parts
+    pub(crate) fn parts(self, size: usize) -> impl Iterator<Item = Self> {
+        let mut x = self.x.map(|list| list.chunks(size));
+        let mut d = self.d.map(|list| list.chunks_mut(size));
+        self.w.chunks(size).map(move |w| View {
+            x: x.each_mut().map(|list| list.next().unwrap_or_default()),
+            d: d.each_mut().map(|list| list.next().unwrap_or_default()),
+            w,
+        })
     }
 }
 

@@ -51,11 +51,10 @@ impl<S: Real, const D: usize> Maker<'_, S, D> {
             control,
             nominal: choice.substep,
         };
-        let bonds = self.bonds();
         let bulk = mover(order)?;
         Some(Group {
             guard: Guard { bonds: Vec::new(), follows_turns: false },
-            breakable: breakable(&bonds, |_| true),
+            breakable: breakable(self.bonds(), |_| true),
             edges: Edges::none(),
             tracks: self.tracks(),
             substep: choice.substep,

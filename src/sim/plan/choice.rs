@@ -2,11 +2,10 @@
 
 use super::island::Island;
 use crate::sim::bulk::Way;
+use crate::sim::bulk::control::FRAME;
 use crate::sim::model::{Method, Order};
 use crate::sim::solver::Solver;
 
-/// The frame that automatic substeps divide [s].
-const FRAME: f64 = 1.0 / 60.0;
 /// Largest substep where nothing is fast [s]: what a thrown point or a swinging rope needs to look smooth.
 const LONGEST: f64 = FRAME / 4.0;
 /// Largest substep with rigid bonds [s]: a rope stays within 1e-3 of its path for a second or two.

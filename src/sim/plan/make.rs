@@ -39,7 +39,7 @@ impl<S: Real, const D: usize> Maker<'_, S, D> {
             return group;
         }
         let w: Vec<f64> = self.points.iter().map(|&i| self.gathered.w[i as usize]).collect();
-        let bonds = self.bonds();
+        let bonds: Vec<(u32, Bond)> = self.bonds().collect();
         let mut points = self.state(&w);
         let rigid = (choice.is_direct && choice.solver.solves_directly())
             .then(|| rows(&bonds, &points.inverse_mass))
@@ -63,8 +63,12 @@ impl<S: Real, const D: usize> Maker<'_, S, D> {
         let locates = choice.solver.locates_events() && self.points.len() <= MOST_LOCATED;
         Group {
             guard: self.guard(&bonds),
-            breakable: breakable(&bonds, |_| true),
-            edges: if locates { Edges::of(&pull, &breakable(&bonds, is_elastic)) } else { Edges::none() },
+            breakable: breakable(bonds.iter().copied(), |_| true),
+            edges: if locates {
+                Edges::of(&pull, &breakable(bonds.iter().copied(), is_elastic))
+            } else {
+                Edges::none()
+            },
             tracks: self.tracks(),
             substep: choice.substep,
             locates,
@@ -78,15 +82,15 @@ impl<S: Real, const D: usize> Maker<'_, S, D> {
     }
 
     /// The bonds of the lot as listed, between points of the group, with their names.
-    pub(super) fn bonds(&self) -> Vec<(u32, Bond)> {
+    pub(super) fn bonds(&self) -> impl Iterator<Item = (u32, Bond)> {
         let mut list: Vec<u32> = self.lot.islands.iter().flat_map(|island| island.bonds.iter().copied()).collect();
         list.sort_unstable();
-        let moved = |k: u32| {
+        let moved = move |k: u32| {
             let bond = self.gathered.bonds.get(k as usize);
             let [a, b] = [bond.a, bond.b].map(|end| PointId(self.place[end.index()]));
             (self.gathered.names[k as usize], Bond { a, b, ..bond })
         };
-        list.into_iter().map(moved).collect()
+        list.into_iter().map(moved)
     }
 
     pub(super) fn state(&self, w: &[f64]) -> Points<S, D> {
@@ -163,16 +167,19 @@ fn is_elastic(bond: &Bond) -> bool {
     matches!(bond.kind, BondKind::Spring { .. })
 }
 
-pub(super) fn breakable<S: Real>(bonds: &[(u32, Bond)], is_meant: impl Fn(&Bond) -> bool) -> Vec<Breakable<S>> {
-    let of = |(name, bond): &(u32, Bond)| {
+pub(super) fn breakable<S: Real>(
+    bonds: impl Iterator<Item = (u32, Bond)>,
+    is_meant: impl Fn(&Bond) -> bool,
+) -> Vec<Breakable<S>> {
+    let of = |(name, bond): (u32, Bond)| {
         let scale = if bond.rest_length > 0.0 { bond.rest_length } else { 1.0 };
         let most = if bond.rest_length > 0.0 { scale * (1.0 + bond.break_strain) } else { bond.break_strain };
-        (bond.break_strain.is_finite() && is_meant(bond)).then(|| Breakable {
+        (bond.break_strain.is_finite() && is_meant(&bond)).then(|| Breakable {
             a: bond.a.0,
             b: bond.b.0,
             most_square: S::from_f64(most * most),
-            bond: *name,
+            bond: name,
         })
     };
-    bonds.iter().filter_map(of).collect()
+    bonds.filter_map(of).collect()
 }
