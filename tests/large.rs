@@ -14,5 +14,7 @@ mod physics;
 mod program;
 #[path = "large/recognition.rs"]
 mod recognition;
+#[path = "large/steady.rs"]
+mod steady;
 #[path = "large/violence.rs"]
 mod violence;

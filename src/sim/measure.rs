@@ -9,15 +9,34 @@ use super::vector::{dot, length, sub};
 
 /// The box around all positions: its lower and upper corner; `None` where there is no point.
 pub(crate) fn extent<S: Real, const D: usize>(position: &[[S; D]]) -> Option<[[S; D]; 2]> {
-    let mut low = *position.first()?;
+    // So many numbers at once, of which a vector takes several: as often each axis.
+    const AT_ONCE: usize = 24;
+    let first = *position.first()?;
+    let mut low: [S; AT_ONCE] = std::array::from_fn(|k| first[k % D]);
     let mut high = low;
-    for x in position {
-        for k in 0..D {
-            low[k] = if x[k] < low[k] { x[k] } else { low[k] };
-            high[k] = if x[k] > high[k] { x[k] } else { high[k] };
+    let mut hold = |numbers: &[S]| {
+        for ((low, high), &x) in low.iter_mut().zip(&mut high).zip(numbers) {
+            *low = if x < *low { x } else { *low };
+            *high = if x > *high { x } else { *high };
         }
-    }
-    Some([low, high])
+    };
+    let (rows, rest) = position.as_flattened().as_chunks::<AT_ONCE>();
+    rows.iter().for_each(|row| hold(row));
+    hold(rest);
+    let of = |list: &[S], pick: fn(S, S) -> S, k: usize| list[k..].iter().step_by(D).copied().fold(first[k], pick);
+    let least = |a: S, b: S| if b < a { b } else { a };
+    let most = |a: S, b: S| if b > a { b } else { a };
+    Some([std::array::from_fn(|k| of(&low, least, k)), std::array::from_fn(|k| of(&high, most, k))])
+}
+
+/// A bound on the speed of all points [m/s]: the fastest is no slower than a share of sqrt(1/D) of it.
+pub(crate) fn speed_bound<S: Real, const D: usize>(velocity: &[[S; D]]) -> S {
+    let Some([low, high]) = extent(velocity) else { return S::ZERO };
+    let most = (0..D).fold([S::ZERO; D], |mut most, k| {
+        most[k] = high[k].max(-low[k]);
+        most
+    });
+    length(most)
 }
 
 /// Kinetic + springs' + gravity's energy of the points that are not pinned [J]; gravity's is 0 at the origin.

@@ -1,11 +1,15 @@
 //! Work on large bodies that is shared by threads. The bits of a run do not depend on how many there are: work is cut by
 //! what it is, never by who does it.
 
-use rayon::prelude::*;
+use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 
-/// Work below which one thread is as quick, in bonds that are swept (about 0.3 ns each): others have to be woken and
-/// waited for, which takes some microseconds, and more where the machine is busy.
+/// Work of a step below which one thread is as quick, in bonds that are swept (about 0.3 ns each): others have to be woken,
+/// which takes a tenth of a millisecond on some machines.
 const LEAST_WORK: usize = 1_000_000;
+/// Work between two waits for each other below which one thread is as quick.
+const LEAST_SHARE: usize = 60_000;
+/// Looks at what others have left to do before one lets the machine do something else.
+const MOST_LOOKS: u32 = 20_000;
 
 /// Makes the program use so many threads, once and before any large body moves; all processors otherwise.
 ///
@@ -14,28 +18,74 @@ pub fn use_threads(count: usize) -> Result<(), rayon::ThreadPoolBuildError> {
     rayon::ThreadPoolBuilder::new().num_threads(count).build_global()
 }
 
-/// Does something with every part, one after another or at once, as `work` makes it worth (bonds that are swept). Parts do not touch each other.
-pub(crate) fn with_each<T: Send>(work: usize, parts: impl IntoIterator<Item = T>, does: impl Fn(T) + Sync + Send) {
-    if is_worth(work) {
-        parts.into_iter().collect::<Vec<_>>().into_par_iter().for_each(does);
-    } else {
-        parts.into_iter().for_each(does);
+/// Does the work of a step (in bonds that are swept), with other threads standing by where it is worth it: they look for parts
+/// all the time, since waking them for each would take longer than the parts do.
+pub(crate) fn together<R: Send>(work: usize, does: impl FnOnce() -> R + Send) -> R {
+    let others = rayon::current_num_threads() - 1;
+    if work < LEAST_WORK || others == 0 || rayon::current_thread_index().is_some() {
+        return does();
     }
+    let is_done = AtomicBool::new(false);
+    let stand_by = || {
+        while !is_done.load(Ordering::Relaxed) {
+            if rayon::yield_now() != Some(rayon::Yield::Executed) {
+                std::hint::spin_loop();
+            }
+        }
+    };
+    rayon::scope(|scope| {
+        (0..others).for_each(|_| scope.spawn(|_| stand_by()));
+        // A panic must not leave them standing.
+        let ended = std::panic::catch_unwind(std::panic::AssertUnwindSafe(does));
+        is_done.store(true, Ordering::Relaxed);
+        ended.unwrap_or_else(|panic| std::panic::resume_unwind(panic))
+    })
 }
 
-/// As [`with_each`], with room for what the work needs: `own` for one thread, a new one for each of more.
+/// Does something with every part, one after another, or several at once within [`together`] as `work` makes it worth (bonds
+/// that are swept). Parts do not touch each other. The same thread gets the same share every time: it has it in its cache.
+pub(crate) fn with_each<T: Send>(work: usize, parts: impl IntoIterator<Item = T>, does: impl Fn(T) + Sync + Send) {
+    with_each_in(work, parts, &mut Vec::new(), || (), |(), part| does(part));
+}
+
+/// As [`with_each`], with room for what the work needs: one for each thread, made where there are too few of them.
 pub(crate) fn with_each_in<T: Send, R: Send>(
     work: usize,
     parts: impl IntoIterator<Item = T>,
-    own: &mut R,
-    room: impl Fn() -> R + Sync + Send,
+    rooms: &mut Vec<R>,
+    room: impl Fn() -> R,
     does: impl Fn(&mut R, T) + Sync + Send,
 ) {
-    if is_worth(work) {
-        parts.into_iter().collect::<Vec<_>>().into_par_iter().for_each_init(room, does);
-    } else {
-        parts.into_iter().for_each(|part| does(own, part));
+    let mut all = |shares: usize| {
+        let missing = shares.saturating_sub(rooms.len());
+        rooms.extend((0..missing).map(|_| room()));
+    };
+    if !is_worth(work) {
+        all(1);
+        return parts.into_iter().for_each(|part| does(&mut rooms[0], part));
     }
+    let mut parts: Vec<T> = parts.into_iter().collect();
+    let (count, shares) = (parts.len(), rayon::current_num_threads().min(parts.len()).max(1));
+    all(shares);
+    let left = AtomicUsize::new(shares - 1);
+    rayon::scope(|scope| {
+        let (does, left) = (&does, &left);
+        let (own, others) = rooms.split_at_mut(1);
+        for (share, room) in (1..shares).zip(others).rev() {
+            let some = parts.split_off(count * share / shares);
+            scope.spawn(move |_| {
+                some.into_iter().for_each(|part| does(room, part));
+                left.fetch_sub(1, Ordering::Release);
+            });
+        }
+        parts.into_iter().for_each(|part| does(&mut own[0], part));
+        for _ in 0..MOST_LOOKS {
+            if left.load(Ordering::Acquire) == 0 {
+                break;
+            }
+            std::hint::spin_loop();
+        }
+    });
 }
 
 /// The largest of what `of` finds for every part.
@@ -45,15 +95,12 @@ pub(crate) fn largest_of<T: Send, S: PartialOrd + Send + Sync + Copy>(
     least: S,
     of: impl Fn(T) -> S + Sync + Send,
 ) -> S {
-    let larger = |a: S, b: S| if b > a { b } else { a };
-    if is_worth(work) {
-        parts.into_par_iter().map(of).reduce(|| least, larger)
-    } else {
-        parts.into_iter().map(of).fold(least, larger)
-    }
+    let mut found = vec![least; parts.len()];
+    with_each(work, parts.into_iter().zip(&mut found), |(part, found)| *found = of(part));
+    found.into_iter().fold(least, |a, b| if b > a { b } else { a })
 }
 
-/// Whether so much work is worth more than one thread.
-pub(crate) fn is_worth(work: usize) -> bool {
-    work >= LEAST_WORK && rayon::current_num_threads() > 1
+/// Whether so much work is worth more than one thread, and others stand by.
+fn is_worth(work: usize) -> bool {
+    work >= LEAST_SHARE && rayon::current_thread_index().is_some() && rayon::current_num_threads() > 1
 }

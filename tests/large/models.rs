@@ -113,6 +113,55 @@ pub(crate) fn disc(radius: f64) -> Model<2> {
     Model { pinned: vec![PointId(top as u32)], ..bonded(position, &ends, BondKind::Rigid) }
 }
 
+/// A hub with so many spokes of 1 m, every third of them thrown up; with a felloe it is a wheel, pinned at its rim.
+pub(crate) fn hub(spokes: u32, has_felloe: bool) -> Model<2> {
+    let place = |i: u32| {
+        let angle = std::f64::consts::TAU * f64::from(i) / f64::from(spokes);
+        [angle.cos(), angle.sin()]
+    };
+    let position = std::iter::once([0.0; 2]).chain((0..spokes).map(place)).collect();
+    let mut ends: Vec<[u32; 2]> = (1..=spokes).map(|i| [0, i]).collect();
+    if has_felloe {
+        ends.extend((0..spokes).map(|i| [1 + i, 1 + (i + 1) % spokes]));
+    }
+    let mut model = bonded(position, &ends, BondKind::Rigid);
+    if has_felloe {
+        model.pinned = vec![PointId(1)];
+    } else {
+        (1..=spokes as usize).for_each(|i| model.velocity[i] = [0.0, if i % 3 == 1 { 3.0 } else { -1.0 }]);
+    }
+    model
+}
+
+/// A tree of bonds of 0.3 m in all directions, its root pinned: so many branches at every point.
+pub(crate) fn tree(branches: usize, points: usize) -> Model<2> {
+    let (mut position, mut ends, mut draw) = (vec![[0.0, 0.0]], Vec::new(), Draw(5));
+    for i in 1..points {
+        let parent = (i - 1) / branches;
+        let angle = std::f64::consts::TAU * draw.next();
+        let [x, y]: [f64; 2] = position[parent];
+        position.push([x + 0.3 * angle.cos(), y + 0.3 * angle.sin()]);
+        ends.push([parent as u32, i as u32]);
+    }
+    Model { pinned: vec![PointId(0)], ..bonded(position, &ends, BondKind::Rigid) }
+}
+
+/// So many copies of a model, 3 m apart.
+pub(crate) fn copies(model: &Model<2>, count: u32) -> Model<2> {
+    let points = model.position.len() as u32;
+    let mut all = Model { position: Vec::new(), velocity: Vec::new(), mass: Vec::new(), ..model.clone() };
+    (all.pinned, all.bonds) = (Vec::new(), Bonds::new());
+    for copy in 0..count {
+        let of = |point: PointId| PointId(point.0 + copy * points);
+        all.position.extend(model.position.iter().map(|[x, y]| [x + 3.0 * f64::from(copy), *y]));
+        all.velocity.extend(&model.velocity);
+        all.mass.extend(&model.mass);
+        all.pinned.extend(model.pinned.iter().map(|&pin| of(pin)));
+        model.bonds.iter().for_each(|bond| all.bonds.push(Bond { a: of(bond.a), b: of(bond.b), ..bond }));
+    }
+    all
+}
+
 /// The model with substeps that follow this strain.
 pub(crate) fn to_strain<const D: usize>(model: &Model<D>, strain: f64) -> Model<D> {
     Model { method: Method { max_strain: Some(strain), ..model.method }, ..model.clone() }

@@ -113,9 +113,7 @@ fn energy_does_not_grow() {
     for (what, model) in scenes {
         for strain in [0.02, 1e-3] {
             let (most, moved, stretched) = gain(&to_strain(&model, strain), 300);
-            // Rims are swept: at 0.02 what a sweep leaves feeds some back.
-            let allowed = if what == "rims" && strain == 0.02 { 0.05 } else { 0.01 };
-            assert!(most < allowed * moved + 1e-3, "{what} at {strain}: gains {most:e} J of {moved:e} J");
+            assert!(most < 0.01 * moved + 1e-3, "{what} at {strain}: gains {most:e} J of {moved:e} J");
             assert!(stretched <= strain, "{what} at {strain}: {stretched:e}");
         }
     }
@@ -134,15 +132,13 @@ fn a_rope_of_ten_thousand_keeps_its_strain_at_every_frame() {
 
 #[test]
 fn a_sheet_that_hangs_at_rest_stays_at_rest() {
-    // With both diagonals it does; with fewer it gets loose at a large strain, and slowly comes to rest again.
-    let scenes = [([true; 2], 0.02, 1e-4), ([true; 2], 1e-3, 1e-4), ([true, false], 1e-3, 1e-4)];
-    let looser = [([true, false], 0.02, 0.4), ([false; 2], 0.02, 0.2), ([false; 2], 1e-3, 0.2)];
-    for (diagonals, strain, allowed) in scenes.into_iter().chain(looser) {
+    let kinds = [[true; 2], [true, false], [false, true], [false; 2]];
+    for (diagonals, strain) in kinds.into_iter().flat_map(|kind| [(kind, 0.02), (kind, 1e-3)]) {
         for model in [hung::<2>([60, 50], diagonals), single(&hung([60, 50], diagonals))] {
             let mut most = 0.0_f64;
             let mut world = world(&to_strain(&model, strain));
-            frames(&mut *world, 150, |sample| most = most.max(if sample.time > 0.2 { fastest(sample) } else { 0.0 }));
-            assert!(most < allowed, "{diagonals:?} at {strain} in {:?}: {most:e} m/s", world.precision());
+            frames(&mut *world, 150, |sample| most = most.max(if sample.time > 1.0 { fastest(sample) } else { 0.0 }));
+            assert!(most < 1e-4, "{diagonals:?} at {strain} in {:?}: {most:e} m/s", world.precision());
         }
     }
 }
@@ -219,7 +215,8 @@ fn a_sheet_dropped_on_a_floor_comes_to_rest_and_does_not_sink() {
             strain = strain.max(sample.max_strain);
         });
         assert!(lowest > -3.0 - 1e-5, "{lowest}");
-        assert!(strain < 0.02 && fastest(&sample) < 5e-3, "{strain:e}, {:e} m/s", fastest(&sample));
+        // A blow may take more than the most substeps that there are.
+        assert!(strain < 0.025 && fastest(&sample) < 5e-3, "{strain:e}, {:e} m/s", fastest(&sample));
     }
 }
 
@@ -234,4 +231,49 @@ fn springs_move_by_paths_as_by_verlet() {
     let truth = end(&by(&model, Solver::VelocityVerlet, FRAME / 64.0), 60);
     let [coarse, fine] = [16.0, 32.0].map(|parts| apart(&truth, &end(&by(&model, Solver::Path, FRAME / parts), 60)));
     assert!(coarse < 4e-3 && fine < 0.65 * coarse, "{coarse:e} {fine:e} m");
+}
+
+/// A soft sheet that swings from two corners: by forces against the general solver of order 4.
+#[test]
+fn springs_move_by_forces_as_by_runge_kutta() {
+    let spring = BondKind::Spring { stiffness: 400.0, damping: 0.3 };
+    for (what, mut model) in [("sheet", sheet::<2>([30, 26], [true; 2])), ("mesh", disc(1.6)), ("crowd", rims(770))] {
+        let bonds: Vec<Bond> = model.bonds.iter().map(|bond| Bond { kind: spring, ..bond }).collect();
+        model.bonds = bonds.into();
+        if model.pinned.is_empty() {
+            model.pinned = vec![PointId(0), PointId(29)];
+        }
+        // Drawn out at the start: no spring is to be given its length.
+        model.position.iter_mut().for_each(|x| x[0] *= 1.1);
+        let truth = end(&by(&model, Solver::Rk4, FRAME / 32.0), 60);
+        let off = |parts: f64| {
+            let model = by(&model, Solver::VelocityVerlet, FRAME / parts);
+            assert!(kernel(&*world(&model)).ends_with("by forces"), "{what}: {}", kernel(&*world(&model)));
+            let sample = end(&model, 60);
+            let faster = sample.velocity.iter().zip(&truth.velocity).map(|(v, u)| (v[0] - u[0]).hypot(v[1] - u[1]));
+            (apart(&truth, &sample), faster.fold(0.0, f64::max), (sample.energy - truth.energy).abs())
+        };
+        let (coarse, fine) = (off(32.0), off(64.0));
+        assert!(coarse.0 < 2e-3 && fine.0 < 0.6 * coarse.0, "{what}: {coarse:?} {fine:?}");
+        assert!(fine.1 < 0.01, "{what}: {fine:?}");
+    }
+}
+
+/// Twenty thousand points and more on springs: `auto` pushes them in substeps that resolve the fastest oscillation.
+#[test]
+fn large_springy_sheets_swing_with_their_energy_kept() {
+    let mut model = hung::<2>([150, 140], [true; 2]);
+    let spring = BondKind::Spring { stiffness: 2e4, damping: 0.0 };
+    let bonds: Vec<Bond> = model.bonds.iter().map(|bond| Bond { kind: spring, ..bond }).collect();
+    model.bonds = bonds.into();
+    let mut world = world(&model);
+    assert_eq!(kernel(&*world), "a sheet by forces");
+    let start = world.sample(0.0).energy;
+    let (mut most, mut moved) = (0.0_f64, 0.0_f64);
+    frames(&mut *world, 30, |sample| {
+        most = most.max((sample.energy - start).abs());
+        moved = moved.max(kinetic(sample));
+    });
+    assert!(moved > 1e3 && most < 5e-3 * moved, "{most:e} of {moved:e} J");
+    assert!(world.counters().substeps > 30 * 8, "{}", world.counters().substeps);
 }

@@ -91,3 +91,18 @@ fn strains_that_are_none_and_relaxed_bonds_on_paths_are_refused() {
     let done = wobble(&["simulate", &name, "--samples", "0.1", "--hash"], &[]);
     assert!(done.status.success(), "{}", error(&done));
 }
+
+/// 64 bytes a point and 32 a bond, whatever a large rigid sheet is made of: of a large one padding is little.
+#[test]
+fn large_sheets_take_little_memory() {
+    use super::models::{hung, kernel, single, to_strain, world};
+    let model = single(&to_strain(&hung::<2>([400, 300], [true; 2]), 0.02));
+    let mut world = world(&model);
+    assert_eq!(kernel(&*world), "a sheet by paths");
+    let allowed = 64 * model.position.len() + 32 * model.bonds.len();
+    let start = world.heap_bytes();
+    assert!(start <= allowed, "{start} of {allowed} bytes");
+    world.step();
+    let moved = world.heap_bytes();
+    assert!(moved <= allowed, "{moved} of {allowed} bytes after a step");
+}

@@ -7,7 +7,7 @@ use super::form::Form;
 use super::mesh::Mesh;
 use super::outside::Outside;
 use super::sheet::Sheet;
-use super::spec::Substep;
+use super::spec::{Start, Substep};
 use crate::sim::force::mouse::Push;
 use crate::sim::kernels::store::{Drift, Store};
 use crate::sim::points::Points;
@@ -62,17 +62,17 @@ impl<S: Real, const D: usize> AnyBody<S, D> {
         of_any!(self, body => body.meet(outside, gentle))
     }
 
-    /// Bonds of one substep.
-    pub(crate) fn project(&mut self, way: Way, step: &Substep) {
-        of_any!(self, body => body.form.project(&mut body.store, way, step));
+    /// Bonds of one substep. Returns the largest pull.
+    pub(crate) fn project(&mut self, way: Way, step: &Substep) -> S {
+        of_any!(self, body => body.form.project(&mut body.store, way, step))
     }
 
-    /// Substeps without anything from outside.
-    pub(crate) fn run(&mut self, way: Way, step: &Substep, drifts: (&Drift<S, D>, &Drift<S, D>), count: u32) {
-        of_any!(self, body => body.form.run(&mut body.store, way, step, drifts, count));
+    /// Substeps without anything from outside. Returns the largest pull.
+    pub(crate) fn run(&mut self, way: Way, starts: (&Start<S, D>, &Start<S, D>), count: u32) -> S {
+        of_any!(self, body => body.form.run(&mut body.store, way, starts, count))
     }
 
-    /// The largest |e.e/rest^2 - 1| of any bond.
+    /// The largest |e.e/rest^2 - 1| of any rigid bond.
     pub(crate) fn stretch(&mut self) -> S {
         of_any!(self, body => body.form.stretch(&mut body.store))
     }
@@ -98,6 +98,11 @@ impl<S: Real, const D: usize> AnyBody<S, D> {
             let members = if let Members::List(list) = &body.members { 4 * list.capacity() } else { 0 };
             members + Form::<S, D>::heap_bytes(&body.form) + body.store.heap_bytes()
         })
+    }
+
+    /// What bonds at pins bear of the weight: mass over rest length times the reference [1/m].
+    pub(crate) fn bears(&mut self) -> f64 {
+        of_any!(self, body => Form::<S, D>::bears(&body.form, &mut body.store))
     }
 
     pub(crate) fn bonds(&self) -> usize {

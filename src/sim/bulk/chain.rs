@@ -2,6 +2,7 @@
 
 use super::form::{Form, Run};
 use super::spec::{Spec, Substep};
+use crate::sim::bond::BondKind;
 use crate::sim::kernels::cells::Cells;
 use crate::sim::kernels::split::{PIECES, Split};
 use crate::sim::kernels::store::Store;
@@ -42,15 +43,18 @@ impl<S: Real, const D: usize> Form<S, D> for Chain<S> {
     fn weigh(&mut self, _: &mut Cells<S, D>) {}
 
     fn sweep(&mut self, cells: &mut Cells<S, D>, step: &Substep) {
-        self.solve(cells, step);
+        self.path.solve(cells, &self.spec.path(step));
     }
 
-    fn solve(&mut self, cells: &mut Cells<S, D>, step: &Substep) {
-        self.path.solve(cells, &self.spec.path(step));
+    fn solve(&mut self, cells: &mut Cells<S, D>, step: &Substep) -> S {
+        self.path.solve(cells, &self.spec.path(step))
     }
 
     fn stretch(&self, cells: &mut Cells<S, D>) -> S {
         let mut most = S::ZERO;
+        if self.spec.kind != BondKind::Rigid {
+            return most;
+        }
         for (i, &rest) in self.rests.iter().enumerate() {
             let ((xa, da), (xb, db)) = (cells.get(self.path.at(i)), cells.get(self.path.at(i + 1)));
             let mut square = S::ZERO;

@@ -1,23 +1,47 @@
 //! How many substeps a step of large bodies takes: as many as a strain needs.
+//!
+//! What a pass over the bonds leaves undone makes them soft: a body under load is strained about in proportion to h^2.
+//! Stiffening it while it is stretched feeds energy in, like a swing that is pumped: so substeps grow and shrink by a few per
+//! cent a step, unless there is little strain that a change could set free.
 
 /// Most substeps of a frame.
-const MOST: u32 = 512;
+const MOST: f64 = 512.0;
 /// The frame that automatic substeps divide [s].
 pub(crate) const FRAME: f64 = 1.0 / 60.0;
 /// Share of the strain asked for that is aimed at: the largest strain of a step swings from step to step.
-const AIM: f64 = 0.6;
+const AIM: f64 = 0.5;
+/// Share of the aim below which substeps shrink.
+const LOW: f64 = 0.5;
+/// Share of the aim below which there is little to set free.
+const LITTLE: f64 = 0.1;
 /// What is remembered of the strain of the step before.
-const MEMORY: f64 = 0.85;
-/// Most times that a step is taken again.
-const MOST_TRIES: u32 = 4;
+const MEMORY: f64 = 0.9;
+/// What substeps grow and shrink by at most, a step.
+const GROWTH: f64 = 1.05;
+const DECAY: f64 = 0.98;
+/// The same where there is little strain.
+const FALL: f64 = 0.7;
+/// What substeps grow by at most where the strain is above what is asked for.
+const QUICK_GROWTH: f64 = 1.1;
+/// A step with more strain than is asked for is taken again, if that comes from an event: nets that hang taut are strained as
+/// they swing, and would be pumped. There it takes so much more strain than of late.
+const SUDDEN: f64 = 3.0;
+/// What substeps then grow by at most, and how often.
+const MOST_GROWTH: f64 = 2.0;
+const MOST_TRIES: u32 = 9;
+/// Most that bonds may pull, as w lambda/rest: directions are those of points as they go on unpushed, so of a row of points
+/// with this between them the shortest wave is multiplied by 1 - 4 w lambda/rest a substep, and grows below -1/3.
+const MOST_PULL: f64 = 0.3;
 /// Substeps of the first frame: what too few of them do to a start, later ones cannot mend.
-const START: u32 = 16;
+const START: f64 = 16.0;
 
 /// Substeps of a frame, and what they are chosen by.
 #[derive(Clone, Debug)]
 pub(crate) struct Control {
-    /// Substeps of a frame, where they follow a strain.
-    count: u32,
+    /// Substeps of a frame, where they follow a strain: as many whole ones as this takes.
+    count: f64,
+    /// Fewest of them.
+    least: f64,
     /// Largest strain [1], where substeps follow it.
     target: Option<f64>,
     /// Largest strain of late [1].
@@ -28,15 +52,31 @@ pub(crate) struct Control {
     longest: f64,
 }
 
+/// What bonds bore in a step.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Load {
+    /// The largest pull in a substep of bonds that nothing holds across their direction, as w lambda/rest [1].
+    pub(crate) pull: f64,
+    /// The mouse or a surface was in reach.
+    pub(crate) is_disturbed: bool,
+}
+
 impl Control {
     /// Substeps that follow a strain.
     pub(crate) fn following(target: f64) -> Self {
-        Control { count: START, target: Some(target), late: 0.5 * AIM * target, tries: 0, longest: FRAME }
+        let late = 0.5 * AIM * target;
+        Control { count: START, least: 1.0, target: Some(target), late, tries: 0, longest: FRAME }
     }
 
     /// Substeps of at most `h` [s].
     pub(crate) fn fixed(h: f64) -> Self {
-        Control { count: 1, target: None, late: 0.0, tries: 0, longest: h }
+        Control { count: 1.0, least: 1.0, target: None, late: 0.0, tries: 0, longest: h }
+    }
+
+    /// Substeps are to be as many as bonds take that pull by this much over a frame, as w lambda/rest.
+    pub(crate) fn bear(&mut self, pull: f64) {
+        self.least = (pull / MOST_PULL).sqrt().clamp(self.least, MOST);
+        self.count = self.count.max(self.least);
     }
 
     /// Whether substeps follow a strain.
@@ -51,33 +91,34 @@ impl Control {
 
     /// Substeps of a step of `h` [s].
     pub(crate) fn count(&self, h: f64) -> u32 {
-        let longest = if self.target.is_some() { FRAME / f64::from(self.count) } else { self.longest };
+        let longest = if self.target.is_some() { FRAME / self.count.ceil() } else { self.longest };
         ((h / longest * (1.0 - 1e-9)).ceil() as u32).max(1)
     }
 
-    /// A step ended with this strain: whether it stands. The next one has more substeps where the strain is above what is
-    /// aimed at, and fewer where it has been far below for a while.
-    ///
-    /// Strain falls with the square of the substep.
-    pub(crate) fn accepts(&mut self, strain: f64) -> bool {
+    /// A step ended with this strain: whether it stands.
+    pub(crate) fn accepts(&mut self, strain: f64, load: Load) -> bool {
         let Some(target) = self.target else { return true };
-        let aim = AIM * target;
-        let count = f64::from(self.count);
-        self.late = strain.max(MEMORY * self.late);
-        if strain > aim {
-            let wanted = (count * (strain / aim).sqrt().min(2.0)).ceil() as u32;
-            let more = wanted.max(self.count + 1).min(MOST);
-            let is_last = more == self.count || self.tries == MOST_TRIES;
-            self.count = more;
-            if strain > target && !is_last {
-                self.tries += 1;
-                return false;
-            }
-        } else if self.late < 0.5 * aim && self.count > 1 {
-            let wanted = (count * (1.2 * (self.late / aim).sqrt()).max(0.85)) as u32;
-            self.count = wanted.clamp(1, self.count - 1);
+        let (count, aim) = (self.count.ceil(), AIM * target);
+        let wanted = (strain / aim).sqrt();
+        let is_event = load.is_disturbed || load.pull == 0.0 || strain > SUDDEN * self.late;
+        if strain > target && is_event && self.tries < MOST_TRIES && count < MOST {
+            self.count = (count * wanted.min(MOST_GROWTH)).min(MOST);
+            self.tries += 1;
+            return false;
         }
         self.tries = 0;
+        self.late = strain.max(MEMORY * self.late);
+        let factor = if strain > aim {
+            wanted.min(if strain > target { QUICK_GROWTH } else { GROWTH })
+        } else if self.late < LITTLE * aim {
+            (self.late / (LITTLE * aim)).sqrt().max(FALL)
+        } else if self.late < LOW * aim {
+            DECAY
+        } else {
+            1.0
+        };
+        let borne = count * (load.pull / MOST_PULL).sqrt().min(GROWTH);
+        self.count = (self.count * factor).max(borne).max(self.least).min(MOST);
         true
     }
 }

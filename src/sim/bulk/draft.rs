@@ -22,8 +22,8 @@ pub(crate) enum Shape<const D: usize> {
     Sheet { columns: usize, rows: usize, specs: Kinds<Spec>, rows_last: bool },
     /// One path, with its rest lengths [m].
     Chain { spec: Spec, rests: Vec<f64> },
-    /// So many equal bodies of so many points, and the bonds of one.
-    Crowd { bodies: usize, points: usize, links: Vec<([u32; 2], Spec)> },
+    /// So many equal bodies of so many points, and the bonds of one; whether these are swept one way in every substep.
+    Crowd { bodies: usize, points: usize, links: Vec<([u32; 2], Spec)>, is_steady: bool },
     /// Any mesh; with positions [m] and the direction of gravity where long paths are looked for.
     Mesh { points: usize, segments: Vec<Segment>, trails: Option<(Vec<[f64; D]>, [f64; D])> },
 }
@@ -42,6 +42,8 @@ pub(crate) struct Order<S, const D: usize> {
     pub(crate) inverse_mass: Vec<S>,
     pub(crate) way: Way,
     pub(crate) control: Control,
+    /// Gravity [m/s^2].
+    pub(crate) gravity: f64,
     /// The substep that relaxed bonds are relative to [s].
     pub(crate) nominal: f64,
 }
@@ -55,8 +57,8 @@ impl<const D: usize> Draft<D> {
                 AnyBody::Sheet(Box::new(Body::new(Sheet::new(columns, rows, specs, rows_last), members, w)))
             }
             Shape::Chain { spec, rests } => AnyBody::Chain(Box::new(Body::new(Chain::new(spec, &rests), members, w))),
-            Shape::Crowd { bodies, points, links } => {
-                AnyBody::Crowd(Box::new(Body::new(Crowd::new(bodies, points, links), members, w)))
+            Shape::Crowd { bodies, points, links, is_steady } => {
+                AnyBody::Crowd(Box::new(Body::new(Crowd::new(bodies, points, links, is_steady), members, w)))
             }
             Shape::Mesh { points, segments, trails } => {
                 let mut mesh = Mesh::new(points, segments);

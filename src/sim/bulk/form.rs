@@ -1,9 +1,9 @@
 //! What the bodies of all forms can do.
 
 use super::Way;
-use super::spec::Substep;
+use super::spec::{Start, Substep};
 pub(crate) use crate::sim::kernels::store::Run;
-use crate::sim::kernels::store::{Drift, Store};
+use crate::sim::kernels::store::Store;
 use crate::sim::real::Real;
 
 /// The structure of a large body: where its points lie in a store, and how its bonds are taken.
@@ -32,41 +32,44 @@ pub(crate) trait Form<S: Real, const D: usize> {
     /// Looks at the weights: the store has been given them.
     fn weigh(&mut self, store: &mut Self::Store);
 
-    /// Takes `count` substeps without anything from outside: all but the arrival.
-    ///
-    /// The bodies of some forms do not wait for each other.
-    fn run(
-        &mut self,
-        store: &mut Self::Store,
-        way: Way,
-        step: &Substep,
-        (first, next): (&Drift<S, D>, &Drift<S, D>),
-        count: u32,
-    ) {
-        store.set_out(first);
-        for substep in 0..count {
-            if substep > 0 {
-                store.go_on(next);
-            }
-            self.project(store, way, step);
-        }
+    /// What bonds at pins bear of the weight, where nothing holds them across their direction: mass over rest length, for
+    /// each pin [1/(w_0 m)]. 0 where there are no pins.
+    fn bears(&self, _: &mut Self::Store) -> f64 {
+        0.0
     }
 
-    /// The bonds of one substep.
-    fn project(&mut self, store: &mut Self::Store, way: Way, step: &Substep) {
+    /// Takes `count` substeps without anything from outside: all but the arrival. Returns the largest pull.
+    ///
+    /// The bodies of some forms do not wait for each other.
+    fn run(&mut self, store: &mut Self::Store, way: Way, (first, next): (&Start<S, D>, &Start<S, D>), count: u32) -> S {
+        store.set_out(&first.drift);
+        let mut pull = self.project(store, way, &first.step);
+        for _ in 1..count {
+            store.go_on(&next.drift);
+            pull = pull.max(self.project(store, way, &next.step));
+        }
+        pull
+    }
+
+    /// The bonds of one substep. Returns the largest pull.
+    fn project(&mut self, store: &mut Self::Store, way: Way, step: &Substep) -> S {
         match way {
             Way::Paths => self.solve(store, step),
-            Way::Sweeps(sweeps) => (0..sweeps).for_each(|_| self.sweep(store, step)),
+            Way::Sweeps(_) | Way::Forces => {
+                (0..super::passes(way)).for_each(|_| self.sweep(store, step));
+                S::ZERO
+            }
         }
     }
 
     /// Moves displacements by one sweep over all bonds.
     fn sweep(&mut self, store: &mut Self::Store, step: &Substep);
 
-    /// Moves displacements by one pass of the path method over all bonds.
-    fn solve(&mut self, store: &mut Self::Store, step: &Substep);
+    /// Moves displacements by one pass of the path method over all bonds. Returns the largest pull of bonds that nothing
+    /// holds across their direction, as [`path::solve`](crate::sim::kernels::path::solve).
+    fn solve(&mut self, store: &mut Self::Store, step: &Substep) -> S;
 
-    /// The largest |e.e/rest^2 - 1| of any bond, about twice its strain.
+    /// The largest |e.e/rest^2 - 1| of any rigid bond, about twice its strain.
     fn stretch(&self, store: &mut Self::Store) -> S;
 
     /// Bytes that it takes, without the store.

@@ -8,7 +8,7 @@ use super::trails::{self, Bundle, Segment};
 use crate::sim::bond::BondKind;
 use crate::sim::constrain::colour::colours;
 use crate::sim::kernels::cells::Cells;
-use crate::sim::kernels::lanes::{Lanes, Mask, WIDEST, between, largest, load, splat};
+use crate::sim::kernels::lanes::{Lanes, Mask, WIDEST, between, largest, load, splat, width};
 use crate::sim::kernels::law::{Law, Rigid};
 use crate::sim::kernels::level::vectorized;
 use crate::sim::kernels::mesh::{self, Colour, Rests};
@@ -40,6 +40,8 @@ pub(crate) struct Mesh<S: Real, const D: usize> {
     /// Rest lengths of bonds [m]; empty where each batch has one.
     rests: Vec<S>,
     batches: Vec<Batch<S>>,
+    /// The first batch of the last colour.
+    last: usize,
     bundles: Vec<Bundle<S>>,
     /// A bundle's points side by side.
     turned: Cells<S, D>,
@@ -55,6 +57,7 @@ impl<S: Real, const D: usize> Mesh<S, D> {
             ends: Vec::new(),
             rests: Vec::new(),
             batches: Vec::new(),
+            last: 0,
             bundles: Vec::new(),
             turned: Cells::new(0),
             scratch: Scratch::default(),
@@ -83,9 +86,41 @@ impl<S: Real, const D: usize> Mesh<S, D> {
         Colour { ends: &self.ends[from..to], rests, is_plain: batch.is_plain }
     }
 
-    fn sweep_batch<L: Law<S>>(&self, nodes: &mut Nodes<S, D>, batch: &Batch<S>, law: L) {
+    fn sweep_batch(&self, nodes: &mut Nodes<S, D>, batch: &Batch<S>, step: &Substep) {
+        match batch.spec.kind {
+            BondKind::Rigid => self.correct(nodes, batch, Rigid),
+            _ => self.correct(nodes, batch, batch.spec.elastic::<S>(step)),
+        }
+    }
+
+    fn correct<L: Law<S>>(&self, nodes: &mut Nodes<S, D>, batch: &Batch<S>, law: L) {
         let colour = self.colour(batch);
         vectorized!(m => mesh::colour(m, &mut Correct, nodes, &law, &colour));
+    }
+
+    /// Solves the trails of a bundle. Returns their largest pull.
+    fn solve_bundle(&mut self, nodes: &mut Nodes<S, D>, place: usize, step: &Substep) -> S {
+        let Mesh { bundles, turned, scratch, .. } = self;
+        let bundle = &bundles[place];
+        let law = bundle.spec.path::<S>(step);
+        let mut pull = S::ZERO;
+        for (cell, &point) in bundle.points[..bundle.len * WIDEST].iter().enumerate() {
+            let (x, d) = nodes.get(point as usize);
+            turned.put(cell, x, d);
+            turned.w[cell] = nodes.w[point as usize];
+        }
+        vectorized!(m => {
+            for lane in (0..usize::from(bundle.counts[0])).step_by(width::<_, S>(m)) {
+                let pulls = path::solve(m, &mut turned.view(), &Side { m, bundle, lane }, &law, scratch);
+                pull = pull.max(largest::<_, S>(pulls));
+            }
+        });
+        for (k, &count) in bundle.counts.iter().enumerate() {
+            for cell in k * WIDEST..k * WIDEST + usize::from(count) {
+                nodes.points[bundle.points[cell] as usize].d = turned.get(cell).1;
+            }
+        }
+        pull
     }
 }
 
@@ -121,6 +156,7 @@ impl<S: Real, const D: usize> Form<S, D> for Mesh<S, D> {
         };
         let mut start = 0;
         for stop in stops {
+            self.last = self.batches.len();
             let mut colour: Vec<(usize, bool, u32)> = (order[start..stop].iter())
                 .map(|&k| (kind_of(&self.segments[k as usize].spec), is_plain(pairs[k as usize]), k))
                 .collect();
@@ -143,43 +179,38 @@ impl<S: Real, const D: usize> Form<S, D> for Mesh<S, D> {
 
     fn sweep(&mut self, nodes: &mut Nodes<S, D>, step: &Substep) {
         for batch in &self.batches {
-            match batch.spec.kind {
-                BondKind::Rigid => self.sweep_batch(nodes, batch, Rigid),
-                _ => self.sweep_batch(nodes, batch, batch.spec.elastic::<S>(step)),
-            }
+            self.sweep_batch(nodes, batch, step);
         }
     }
 
-    fn solve(&mut self, nodes: &mut Nodes<S, D>, step: &Substep) {
+    /// Paths, or sweeps where there are none; rigid bonds forth and back.
+    ///
+    /// A pass over rigid bonds is a product of projections, one for each colour or class. In the same order from substep to
+    /// substep, with three of them or more, it can feed energy in; forth and back it is symmetric and cannot: Verlet's method
+    /// multiplies what a pass multiplies by mu by z, z^2 - 2 mu z + mu = 0, and |z| <= 1 for every real mu in [0, 1].
+    fn solve(&mut self, nodes: &mut Nodes<S, D>, step: &Substep) -> S {
+        let is_rigid = |spec: &Spec| spec.kind == BondKind::Rigid;
         if self.bundles.is_empty() {
-            return self.sweep(nodes, step);
-        }
-        let Mesh { bundles, turned, scratch, .. } = self;
-        for bundle in bundles.iter() {
-            let law = bundle.spec.path::<S>(step);
-            let cells = bundle.len * WIDEST;
-            for (cell, &point) in bundle.points[..cells].iter().enumerate() {
-                let (x, d) = nodes.get(point as usize);
-                turned.put(cell, x, d);
-                turned.w[cell] = nodes.w[point as usize];
+            self.sweep(nodes, step);
+            for batch in self.batches[..self.last].iter().rev().filter(|batch| is_rigid(&batch.spec)) {
+                self.sweep_batch(nodes, batch, step);
             }
-            vectorized!(m => {
-                for lane in (0..usize::from(bundle.counts[0])).step_by(crate::sim::kernels::lanes::width::<_, S>(m)) {
-                    path::solve(m, &mut turned.view(), &Side { m, bundle, lane }, &law, scratch);
-                }
-            });
-            for (k, &count) in bundle.counts.iter().enumerate() {
-                for cell in k * WIDEST..k * WIDEST + usize::from(count) {
-                    nodes.points[bundle.points[cell] as usize].d = turned.get(cell).1;
-                }
-            }
+            return S::ZERO;
         }
+        let mut pull = S::ZERO;
+        let there = (0..self.bundles.len()).filter(|&place| self.bundles[place].class > 0).rev();
+        let there = there.filter(|&place| is_rigid(&self.bundles[place].spec));
+        let places: Vec<usize> = there.chain(0..self.bundles.len()).collect();
+        for place in places {
+            pull = pull.max(self.solve_bundle(nodes, place, step));
+        }
+        pull
     }
 
     fn stretch(&self, nodes: &mut Nodes<S, D>) -> S {
         vectorized!(m => {
             let mut measure = Measure { most: splat(m, S::ZERO) };
-            for batch in &self.batches {
+            for batch in self.batches.iter().filter(|batch| batch.spec.kind == BondKind::Rigid) {
                 all(m, &mut measure, nodes, &self.colour(batch));
             }
             largest::<_, S>(measure.most)
@@ -239,5 +270,10 @@ impl<M: Simd, S: Real> Strip<M, S> for Side<'_, M, S> {
     #[inline(always)]
     fn rest(&self, k: usize) -> Lanes<M, S> {
         load(self.m, &self.bundle.rests, k * WIDEST + self.lane)
+    }
+
+    #[inline(always)]
+    fn inverse_rest(&self, k: usize) -> Lanes<M, S> {
+        splat(self.m, S::ONE) / Strip::<M, S>::rest(self, k)
     }
 }

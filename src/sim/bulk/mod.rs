@@ -31,13 +31,14 @@ use super::points::Points;
 use super::pull::Pull;
 use super::real::Real;
 use super::surroundings::Surroundings;
+use super::threads;
 use super::vector::length;
 use body::AnyBody;
-use control::Control;
+use control::{Control, FRAME, Load};
 use draft::Order;
 use mover::Mover;
 use outside::Outside;
-use spec::Substep;
+use spec::{Start, Substep};
 
 /// Passes over the bonds that a start gets which violates them.
 const MOST_PASSES: u32 = 200;
@@ -49,6 +50,8 @@ pub(crate) enum Way {
     Paths,
     /// So many sweeps.
     Sweeps(u32),
+    /// Springs push: the velocity form of Verlet's method.
+    Forces,
 }
 
 /// Large bodies that move in step.
@@ -67,8 +70,10 @@ pub(crate) struct Bulk<S: Real, const D: usize> {
 
 impl<S: Real, const D: usize> Bulk<S, D> {
     pub(crate) fn new(order: Order<S, D>) -> Self {
-        let Order { bodies, inverse_mass, way, control, nominal } = order;
-        let bodies = bodies.into_iter().map(|draft| draft.make(&inverse_mass)).collect();
+        let Order { bodies, inverse_mass, way, mut control, gravity, nominal } = order;
+        let mut bodies: Vec<AnyBody<S, D>> = bodies.into_iter().map(|draft| draft.make(&inverse_mass)).collect();
+        let borne = bodies.iter_mut().map(AnyBody::bears).fold(0.0, f64::max);
+        control.bear(borne * gravity * FRAME * FRAME);
         Bulk { bodies, way, control, nominal, lag: 0.0, loaded: None }
     }
 }
@@ -107,6 +112,7 @@ impl<S: Real, const D: usize> Mover<S, D> for Bulk<S, D> {
         });
         let way = match self.way {
             Way::Paths => "paths".to_owned(),
+            Way::Forces => "forces".to_owned(),
             Way::Sweeps(1) => "a sweep a substep".to_owned(),
             Way::Sweeps(sweeps) => format!("{sweeps} sweeps a substep"),
         };
@@ -127,7 +133,7 @@ impl<S: Real, const D: usize> Mover<S, D> for Bulk<S, D> {
         points.velocity.fill([S::ZERO; D]);
         for _ in 0..MOST_PASSES {
             self.bodies.iter_mut().for_each(|body| body.load(points, S::ONE));
-            self.project(1.0, &mut Counters::default());
+            self.project((1.0, 1.0), &mut Counters::default());
             let strain = self.strain();
             self.bodies.iter_mut().for_each(|body| body.arrive(points, S::ZERO));
             if strain <= self.control.tolerance() {
@@ -150,11 +156,12 @@ impl<S: Real, const D: usize> Mover<S, D> for Bulk<S, D> {
         loop {
             let count = self.control.count(h);
             let substep = h / f64::from(count);
-            self.run((points, pull, &outside), (substep, count), counters);
+            let work = self.bonds() * (count * passes(self.way)) as usize;
+            let taut = threads::together(work, || self.run((points, pull, &outside), (substep, count), counters));
             counters.substeps += u64::from(count);
             counters.points_moved += u64::from(count) * points.len() as u64;
             let strain = if self.control.follows() { self.strain() } else { 0.0 };
-            if self.control.accepts(strain) {
+            if self.control.accepts(strain, Load { pull: taut.to_f64(), is_disturbed: !outside.is_nothing() }) {
                 self.arrive(points, substep);
                 self.lag = 0.5 * substep;
                 self.loaded = Some(substep);
@@ -174,43 +181,50 @@ impl<S: Real, const D: usize> Bulk<S, D> {
         self.strain()
     }
 
-    /// Takes `count` substeps of `h` [s] from the state of the points: all but the arrival.
+    /// Takes `count` substeps of `h` [s] from the state of the points: all but the arrival. Returns the largest pull of a
+    /// bond, as [`path::solve`](super::kernels::path::solve).
     fn run(
         &mut self,
         (points, pull, outside): (&Points<S, D>, &Pull<S, D>, &Outside<S, D>),
         (h, count): (f64, u32),
         counters: &mut Counters,
-    ) {
+    ) -> S {
+        let mut taut = S::ZERO;
         let old = *self.loaded.get_or_insert_with(|| {
             self.bodies.iter_mut().for_each(|body| body.load(points, S::from_f64(h)));
             h
         });
-        let (first, next) = (drift(pull, (old, h), self.lag + 0.5 * h), drift(pull, (h, h), h));
+        let early = self.lag + 0.5 * h;
+        let (first, next) = (drift(pull, (old, h), early), drift(pull, (h, h), h));
         if outside.is_nothing() {
-            let (way, steps) = (self.way, self.substeps(h));
-            for (body, step) in self.bodies.iter_mut().zip(steps) {
-                body.run(way, &step, (&first, &next), count);
-                counters.sweep(count * passes(way), body.bonds());
+            let starts = self.substeps(h, early).into_iter().zip(self.substeps(h, h));
+            for (body, (early, late)) in self.bodies.iter_mut().zip(starts) {
+                let (first, next) = (Start { drift: first, step: early }, Start { drift: next, step: late });
+                taut = taut.max(body.run(self.way, (&first, &next), count));
+                counters.sweep(count * passes(self.way), body.bonds());
             }
-            return;
+            return taut;
         }
         self.bodies.iter_mut().for_each(|body| body.set_out(&first));
         for substep in 0..count {
             if substep > 0 {
                 self.bodies.iter_mut().for_each(|body| body.go_on(&next));
             }
-            let time = if substep == 0 { self.lag + 0.5 * h } else { h };
+            let time = if substep == 0 { early } else { h };
             self.push(outside, h * time, counters);
-            self.project(h, counters);
+            taut = taut.max(self.project((h, time), counters));
             self.meet(outside, 4.0 * length(pull.gravity) * h * h, counters);
         }
+        taut
     }
 
-    /// What a substep of `h` [s] gives to the bonds of each body.
-    fn substeps(&self, h: f64) -> Vec<Substep> {
+    /// What a substep of `h` [s] gives to the bonds of each body; forces push for `time` [s].
+    fn substeps(&self, h: f64, time: f64) -> Vec<Substep> {
         let share = (2.0 * h / self.nominal).powi(2).min(1.0);
         let tolerance = self.control.tolerance();
-        self.bodies.iter().map(|body| Substep { h, reference: body.reference(), share, tolerance }).collect()
+        let kick = (self.way == Way::Forces).then_some(time);
+        let of = |body: &AnyBody<S, D>| Substep { h, reference: body.reference(), share, tolerance, kick };
+        self.bodies.iter().map(of).collect()
     }
 
     /// The mouse, where it is in reach.
@@ -237,16 +251,18 @@ impl<S: Real, const D: usize> Bulk<S, D> {
         }
     }
 
-    /// Bonds of one substep.
-    fn project(&mut self, h: f64, counters: &mut Counters) {
-        let steps = self.substeps(h);
+    /// Bonds of one substep of `h`, in which forces push for `time` [s]. Returns the largest pull.
+    fn project(&mut self, (h, time): (f64, f64), counters: &mut Counters) -> S {
+        let steps = self.substeps(h, time);
+        let mut taut = S::ZERO;
         for (body, step) in self.bodies.iter_mut().zip(steps) {
-            body.project(self.way, &step);
+            taut = taut.max(body.project(self.way, &step));
             counters.sweep(passes(self.way), body.bonds());
         }
+        taut
     }
 
-    /// The largest strain, about: half of |e.e/rest^2 - 1|.
+    /// The largest strain of rigid bonds, about: half of |e.e/rest^2 - 1|.
     fn strain(&mut self) -> f64 {
         0.5 * self.bodies.iter_mut().map(|body| body.stretch().to_f64()).fold(0.0, f64::max)
     }
@@ -254,7 +270,10 @@ impl<S: Real, const D: usize> Bulk<S, D> {
 
 /// Passes over the bonds in a substep.
 fn passes(way: Way) -> u32 {
-    if let Way::Sweeps(sweeps) = way { sweeps } else { 1 }
+    match way {
+        Way::Sweeps(sweeps) => sweeps,
+        Way::Paths | Way::Forces => 1,
+    }
 }
 
 /// What gravity and drag do to displacements of substeps of `old` when velocities are taken on by `time` and the next

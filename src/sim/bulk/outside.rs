@@ -29,7 +29,7 @@ impl<S: Real, const D: usize> Outside<S, D> {
             return none;
         }
         let Some([low, high]) = measure::extent(&points.position) else { return none };
-        let fastest = points.velocity.iter().fold(S::ZERO, |most, &v| most.max(dot(v, v))).sqrt();
+        let fastest = measure::speed_bound(&points.velocity);
         let fall = length(pull.gravity) * h;
         let reach = (fastest + S::from_f64(fall)) * S::from_f64(2.0 * h);
         let bounds = [low.map(|x| x - reach), high.map(|x| x + reach)];

@@ -6,7 +6,7 @@ use super::form::{Form, Run};
 use super::spec::{Spec, Substep};
 use crate::sim::bond::BondKind;
 use crate::sim::kernels::cells::{Cells, View};
-use crate::sim::kernels::lanes::{Lanes, Mask, WIDEST, between, largest, splat, width};
+use crate::sim::kernels::lanes::{Lanes, Mask, WIDEST, between, largest, splat, store, width};
 use crate::sim::kernels::law::{Law, Rigid};
 use crate::sim::kernels::level::vectorized;
 use crate::sim::kernels::pair::{Correct, Measure};
@@ -20,6 +20,15 @@ use crate::sim::threads;
 /// Points that one thread takes at a time.
 const PART: usize = 1 << 12;
 
+/// The directions in which bonds of a sheet make lines.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Lines {
+    Along,
+    Down,
+    Falling,
+    Rising,
+}
+
 /// A sheet: where its points lie, what its bonds are.
 #[derive(Clone, Debug)]
 pub(crate) struct Sheet<S, const D: usize> {
@@ -29,8 +38,10 @@ pub(crate) struct Sheet<S, const D: usize> {
     is_plain: Vec<bool>,
     /// Rows are solved after columns: they bear the load.
     rows_last: bool,
-    /// Rows side by side, and what a solve keeps.
-    room: (Cells<S, D>, Scratch<S>),
+    /// Rows side by side, and what a solve keeps: for each thread.
+    rooms: Vec<(Cells<S, D>, Scratch<S>)>,
+    /// The pulls of rows or columns.
+    pulls: Vec<S>,
 }
 
 impl<S: Real, const D: usize> Sheet<S, D> {
@@ -41,7 +52,8 @@ impl<S: Real, const D: usize> Sheet<S, D> {
             specs,
             is_plain: vec![true; rows],
             rows_last,
-            room: (Cells::new(2 * shape.half * WIDEST), Scratch::default()),
+            rooms: vec![(Cells::new(2 * shape.half * WIDEST), Scratch::default())],
+            pulls: vec![S::ZERO; rows.max(2 * shape.half).next_multiple_of(WIDEST)],
         }
     }
 
@@ -81,50 +93,95 @@ impl<S: Real, const D: usize> Sheet<S, D> {
             .filter(move |(first, _)| *first < all)
     }
 
+    /// In the plane, diagonals hold rows and columns across their direction.
+    fn is_braced(&self) -> bool {
+        D == 2 && self.specs.falling.is_some() && self.specs.rising.is_some()
+    }
+
     fn bond_count(&self) -> usize {
         let Shape { columns, rows, .. } = self.shape;
         let diagonals = self.specs.falling.iter().chain(&self.specs.rising).count();
         (columns - 1) * rows + columns * (rows - 1) + diagonals * (columns - 1) * (rows - 1)
     }
 
-    /// Solves every column.
-    fn solve_columns(&mut self, cells: &mut Cells<S, D>, law: &PathLaw<S>, rest: S) {
-        let Sheet { shape, room: (_, scratch), .. } = self;
+    /// Solves lines of one direction, if they have bonds. Returns the pull of rows and columns.
+    fn solve_lines(&mut self, lines: Lines, cells: &mut Cells<S, D>, step: &Substep) -> S {
+        let spec = match lines {
+            Lines::Along => Some(self.specs.along),
+            Lines::Down => Some(self.specs.down),
+            Lines::Falling => self.specs.falling,
+            Lines::Rising => self.specs.rising,
+        };
+        let Some(spec) = spec else { return S::ZERO };
+        let (law, rest) = (spec.path::<S>(step), S::from_f64(spec.rest));
+        match lines {
+            Lines::Along => self.solve_rows(cells, &law, rest),
+            Lines::Down => self.solve_columns(cells, &law, rest),
+            Lines::Falling => self.solve_diagonals(cells, 1, &law, rest),
+            Lines::Rising => self.solve_diagonals(cells, -1, &law, rest),
+        }
+    }
+
+    /// Solves every column. Returns their pull.
+    fn solve_columns(&mut self, cells: &mut Cells<S, D>, law: &PathLaw<S>, rest: S) -> S {
+        let Sheet { shape, rooms, pulls, .. } = self;
+        let scratch = &mut rooms[0].1;
         let mut view = cells.view();
         vectorized!(m => {
             for parity in 0..2.min(shape.columns) {
                 let count = (shape.columns - parity).div_ceil(2);
                 for k in (0..count).step_by(width::<_, S>(m)) {
                     let strip = Columns { m, shape, parity, k, count, rest };
-                    path::solve(m, &mut view, &strip, law, scratch);
+                    let pull = path::solve(m, &mut view, &strip, law, scratch);
+                    store::<_, S>(pull, pulls, parity * shape.half + k);
                 }
             }
         });
+        self.pull(self.shape.columns)
     }
 
-    /// Solves every row.
-    fn solve_rows(&mut self, cells: &mut Cells<S, D>, law: &PathLaw<S>, rest: S) {
-        let shape = &self.shape;
+    /// Solves every row. Returns their pull.
+    fn solve_rows(&mut self, cells: &mut Cells<S, D>, law: &PathLaw<S>, rest: S) -> S {
+        let (shape, count) = (self.shape, self.bond_count());
         let rows = self.rows_of_part().next_multiple_of(WIDEST);
         let parts = cells.view().after(shape.row(0)).parts(rows * shape.pitch).enumerate();
-        let parts = parts.map(|(k, part)| (shape.rows.saturating_sub(k * rows).min(rows), part));
+        let parts = parts.zip(self.pulls.chunks_mut(rows));
+        let parts = parts.map(|((k, part), pulls)| (shape.rows.saturating_sub(k * rows).min(rows), part, pulls));
         let room = || (Cells::new(2 * shape.half * WIDEST), Scratch::default());
-        threads::with_each_in(self.bond_count(), parts, &mut self.room, room, |(turned, scratch), (rows, mut view)| {
-            let shape = Shape { rows, ..*shape };
+        threads::with_each_in(count, parts, &mut self.rooms, room, |(turned, scratch), (rows, mut view, pulls)| {
+            let shape = Shape { rows, ..shape };
             vectorized!(m => {
                 for first in (0..rows).step_by(width::<_, S>(m)) {
                     let strip = Turned { m, shape: &shape, first, rest };
                     strip.read(&view, turned);
-                    path::solve(m, &mut turned.view(), &strip, law, scratch);
+                    let pull = path::solve(m, &mut turned.view(), &strip, law, scratch);
+                    store::<_, S>(pull, pulls, first);
                     strip.write(turned, &mut view);
                 }
             });
         });
+        self.pull(shape.rows)
+    }
+
+    /// The pull of so many rows or columns, and none of their padding.
+    ///
+    /// Across its direction a row is held by all columns. In the plane what rows do together counts: of each column they
+    /// move all points, if they move any. In space nothing holds points across both.
+    fn pull(&mut self, count: usize) -> S {
+        let all = self.pulls.iter();
+        let pull = if D == 2 {
+            all.fold(S::ZERO, |sum, &pull| sum + pull) / S::from_f64(count as f64)
+        } else {
+            all.fold(S::ZERO, |most, &pull| most.max(pull))
+        };
+        self.pulls.fill(S::ZERO);
+        pull
     }
 
     /// Solves every diagonal: those that fall to the right (`slope` = 1) or rise (-1).
-    fn solve_diagonals(&mut self, cells: &mut Cells<S, D>, slope: isize, law: &PathLaw<S>, rest: S) {
-        let Sheet { shape, room: (_, scratch), .. } = self;
+    fn solve_diagonals(&mut self, cells: &mut Cells<S, D>, slope: isize, law: &PathLaw<S>, rest: S) -> S {
+        let Sheet { shape, rooms, .. } = self;
+        let scratch = &mut rooms[0].1;
         let mut view = cells.view();
         let (rows, columns) = (shape.rows as isize, shape.columns as isize);
         // Columns where diagonals would meet row 0.
@@ -140,6 +197,7 @@ impl<S: Real, const D: usize> Sheet<S, D> {
                 }
             }
         });
+        S::ZERO
     }
 }
 
@@ -167,6 +225,16 @@ impl<S: Real, const D: usize> Form<S, D> for Sheet<S, D> {
         self.is_plain = (0..rows).map(|row| (0..columns).all(|column| is_one(row, column))).collect();
     }
 
+    fn bears(&self, cells: &mut Cells<S, D>) -> f64 {
+        let (mut mass, mut pins) = (0.0, 0_u32);
+        Form::<S, D>::each(self, |_, cell| match cells.w[cell].to_f64() {
+            0.0 => pins += 1,
+            w => mass += 1.0 / w,
+        });
+        let rest = self.specs.along.rest.min(self.specs.down.rest);
+        if self.is_braced() || pins == 0 { 0.0 } else { mass / f64::from(pins) / rest }
+    }
+
     fn sweep(&mut self, cells: &mut Cells<S, D>, step: &Substep) {
         match self.specs.along.kind {
             BondKind::Rigid => self.sweep_by(cells, |_| Rigid),
@@ -174,25 +242,23 @@ impl<S: Real, const D: usize> Form<S, D> for Sheet<S, D> {
         }
     }
 
-    fn solve(&mut self, cells: &mut Cells<S, D>, step: &Substep) {
-        let laws = self.specs.map(|spec| (spec.path::<S>(step), S::from_f64(spec.rest)));
-        if let Some((law, rest)) = &laws.falling {
-            self.solve_diagonals(cells, 1, law, *rest);
+    fn solve(&mut self, cells: &mut Cells<S, D>, step: &Substep) -> S {
+        let (light, heavy) = if self.rows_last { (Lines::Down, Lines::Along) } else { (Lines::Along, Lines::Down) };
+        let diagonals = [Lines::Falling, Lines::Rising];
+        let is_rigid = self.specs.along.kind == BondKind::Rigid;
+        let both_ways = is_rigid && self.specs.falling.is_some() != self.specs.rising.is_some();
+        let there: &[Lines] = if both_ways { &[heavy, light] } else { &[] };
+        let mut pull = S::ZERO;
+        for lines in there.iter().chain(&diagonals).chain(&[light, heavy]) {
+            pull = pull.max(self.solve_lines(*lines, cells, step));
         }
-        if let Some((law, rest)) = &laws.rising {
-            self.solve_diagonals(cells, -1, law, *rest);
-        }
-        let ((along, along_rest), (down, down_rest)) = (&laws.along, &laws.down);
-        if self.rows_last {
-            self.solve_columns(cells, down, *down_rest);
-            self.solve_rows(cells, along, *along_rest);
-        } else {
-            self.solve_rows(cells, along, *along_rest);
-            self.solve_columns(cells, down, *down_rest);
-        }
+        if self.is_braced() { S::ZERO } else { pull }
     }
 
     fn stretch(&self, cells: &mut Cells<S, D>) -> S {
+        if self.specs.along.kind != BondKind::Rigid {
+            return S::ZERO;
+        }
         let kinds = self.specs.map(|spec| Cut { law: (), rest: S::from_f64(spec.rest) });
         let shape = &self.shape;
         // Bonds to the row below the last one of a part are measured one after the other.
@@ -225,7 +291,8 @@ impl<S: Real, const D: usize> Form<S, D> for Sheet<S, D> {
     }
 
     fn heap_bytes(&self) -> usize {
-        self.is_plain.capacity() + self.room.0.heap_bytes() + self.room.1.heap_bytes()
+        self.is_plain.capacity()
+            + self.rooms.iter().map(|(turned, scratch)| turned.heap_bytes() + scratch.heap_bytes()).sum::<usize>()
     }
 
     fn bonds(&self) -> usize {
@@ -291,6 +358,11 @@ impl<M: Simd, S: Real> Strip<M, S> for Columns<'_, M, S> {
     fn rest(&self, _: usize) -> Lanes<M, S> {
         splat(self.m, self.rest)
     }
+
+    #[inline(always)]
+    fn inverse_rest(&self, _: usize) -> Lanes<M, S> {
+        splat(self.m, S::ONE / self.rest)
+    }
 }
 
 /// Every other diagonal, side by side.
@@ -348,5 +420,10 @@ impl<M: Simd, S: Real> Strip<M, S> for Diagonals<'_, M, S> {
     #[inline(always)]
     fn rest(&self, _: usize) -> Lanes<M, S> {
         splat(self.m, self.rest)
+    }
+
+    #[inline(always)]
+    fn inverse_rest(&self, _: usize) -> Lanes<M, S> {
+        splat(self.m, S::ONE / self.rest)
     }
 }

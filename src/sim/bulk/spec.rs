@@ -1,8 +1,9 @@
 //! How the bonds of a large body resist, and what that is in a substep of h.
 
 use crate::sim::bond::{Bond, BondKind, Limit};
-use crate::sim::kernels::law::{Compliant, Elastic, Relaxed};
+use crate::sim::kernels::law::{Compliant, Elastic, Relaxed, Spring};
 use crate::sim::kernels::path::PathLaw;
+use crate::sim::kernels::store::Drift;
 use crate::sim::real::Real;
 
 /// What bonds of one kind have in common.
@@ -25,6 +26,15 @@ pub(crate) struct Substep {
     pub(crate) share: f64,
     /// Strain above which a path gets another round [1].
     pub(crate) tolerance: f64,
+    /// For how long springs push [s]; `None`: they are projected.
+    pub(crate) kick: Option<f64>,
+}
+
+/// How a substep begins, and what it gives to bonds.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Start<S, const D: usize> {
+    pub(crate) drift: Drift<S, D>,
+    pub(crate) step: Substep,
 }
 
 /// How far two rest lengths may be apart to count as one, relative: what rounding makes of equal distances.
@@ -48,7 +58,13 @@ impl Spec {
     /// The law of a bond that is not rigid.
     pub(crate) fn elastic<S: Real>(&self, step: &Substep) -> Elastic<S> {
         match self.kind {
-            BondKind::Spring { .. } => Elastic::Compliant(self.compliant(step)),
+            BondKind::Spring { stiffness, damping } => match step.kick {
+                Some(time) => Elastic::Spring(Spring {
+                    strength: S::from_f64(stiffness * step.h * time * step.reference),
+                    drag: S::from_f64(damping * time * step.reference),
+                }),
+                None => Elastic::Compliant(self.compliant(step)),
+            },
             _ => Elastic::Relaxed(self.relaxed(step)),
         }
     }

@@ -24,7 +24,9 @@ impl Draw {
     }
 }
 
-const STEP: Substep = Substep { h: 0.01, reference: 1.0, share: 0.8, tolerance: 1e-3 };
+const STEP: Substep = Substep { h: 0.01, reference: 1.0, share: 0.8, tolerance: 1e-3, kick: None };
+/// The same where springs push.
+const PUSH: Substep = Substep { kick: Some(0.007), reference: 0.7, ..STEP };
 
 /// The plain program: points in the order of the body.
 #[derive(Clone)]
@@ -55,20 +57,28 @@ impl<S: Real, const D: usize> Plain<S, D> {
     }
 
     /// One bond, as the laws are written down.
-    fn correct(&mut self, [a, b]: [usize; 2], spec: &Spec) {
+    fn correct(&mut self, [a, b]: [usize; 2], spec: &Spec, step: &Substep) {
         let (rest, sum) = (S::from_f64(spec.rest), self.w[a] + self.w[b]);
         let change = sub(self.d[a], self.d[b]);
-        let e = add(sub(self.x[a], self.x[b]), change);
+        let is_force = step.kick.is_some() && matches!(spec.kind, BondKind::Spring { .. });
+        let start = sub(self.x[a], self.x[b]);
+        let e = if is_force { start } else { add(start, change) };
         let square = dot(e, e);
         let factor = match spec.kind {
             BondKind::Rigid => (rest * rest - square) / ((rest * rest + square) * sum),
             BondKind::Relaxed { .. } => {
-                let law = spec.relaxed::<S>(&STEP);
+                let law = spec.relaxed::<S>(step);
                 let error = law.relaxation * (rest / square.sqrt() - S::ONE);
                 error.max(law.least).min(law.most) * law.share / sum
             }
+            BondKind::Spring { stiffness, damping } if is_force => {
+                let of = |size: f64| S::from_f64(size);
+                let time = step.kick.unwrap_or_default() * step.reference;
+                let pull = of(stiffness * step.h * time) * (S::ONE - rest / square.sqrt());
+                -(pull + of(damping * time) * dot(e, change) / square)
+            }
             BondKind::Spring { .. } => {
-                let law = spec.compliant::<S>(&STEP);
+                let law = spec.compliant::<S>(step);
                 let top = square - rest * square.sqrt() + law.gamma * dot(e, change);
                 -top / (((S::ONE + law.gamma) * sum + law.alpha) * square)
             }
@@ -79,8 +89,11 @@ impl<S: Real, const D: usize> Plain<S, D> {
         }
     }
 
-    /// |e.e - rest^2|/rest^2 of a bond.
+    /// |e.e - rest^2|/rest^2 of a rigid bond.
     fn stretch(&self, [a, b]: [usize; 2], spec: &Spec) -> S {
+        if spec.kind != BondKind::Rigid {
+            return S::ZERO;
+        }
         let e = add(sub(self.x[a], self.x[b]), sub(self.d[a], self.d[b]));
         let square = S::from_f64(spec.rest) * S::from_f64(spec.rest);
         (dot(e, e) - square).abs() / square
@@ -98,13 +111,18 @@ impl<S: Real, const D: usize> Plain<S, D> {
     }
 
     /// Asserts that the form sweeps as `order` says, bond by bond, three times, and measures the same.
-    fn check<F: Form<S, D>>(mut self, form: &mut F, order: &[([usize; 2], Spec)], what: &str) {
+    fn check<F: Form<S, D> + Clone>(self, form: &mut F, order: &[([usize; 2], Spec)], what: &str) {
+        self.clone().check_by(STEP, &mut form.clone(), order, what);
+        self.check_by(PUSH, form, order, &format!("{what}, forces"));
+    }
+
+    fn check_by<F: Form<S, D>>(mut self, step: Substep, form: &mut F, order: &[([usize; 2], Spec)], what: &str) {
         let mut store = self.store(form);
         assert_eq!(form.bonds(), order.len(), "{what}");
         let drift = Drift { keep: S::from_f64(0.9), ratio: S::ONE, fall: [S::from_f64(-0.01); D] };
         for sweep in 0..3 {
-            form.sweep(&mut store, &STEP);
-            order.iter().for_each(|(ends, spec)| self.correct(*ends, spec));
+            form.sweep(&mut store, &step);
+            order.iter().for_each(|(ends, spec)| self.correct(*ends, spec, &step));
             form.each(|i, cell| assert_eq!(store.get(cell).1, self.d[i], "{what}: point {i} in sweep {sweep}"));
             let most = order.iter().map(|(ends, spec)| self.stretch(*ends, spec)).fold(S::ZERO, S::max);
             assert_eq!(form.stretch(&mut store), most, "{what}: strain");
@@ -216,8 +234,8 @@ fn crowds<S: Real, const D: usize>() {
             let points = 9;
             let bonds = tangle(bodies as u64, points, law, false);
             let plain = Plain::<S, D>::random(3, (points, bodies * points), is_weighted);
-            let links = bonds.iter().map(|&(ends, spec)| (ends.map(|end| end as u32), spec));
-            let mut crowd = Crowd::new(bodies, points, links);
+            let links = bonds.iter().map(|&(ends, spec)| (ends.map(|end| end as u32), spec)).collect();
+            let mut crowd = Crowd::new(bodies, points, links, true);
             let of_all = (0..bodies).flat_map(|body| {
                 let shift = move |end: usize| body * points + end;
                 bonds.iter().map(move |&(ends, spec)| (ends.map(shift), spec))

@@ -18,6 +18,8 @@ pub(crate) struct Segment {
 /// Trails side by side: they share no point, their bonds are of one kind, the longest comes first.
 #[derive(Clone, Debug)]
 pub(crate) struct Bundle<S> {
+    /// Bundles of one class share no point.
+    pub(crate) class: usize,
     pub(crate) spec: Spec,
     /// Points of the longest trail.
     pub(crate) len: usize,
@@ -51,10 +53,10 @@ pub(crate) fn bundles<S: Real, const D: usize>(
     let mut classes = classes(&trails, segments, position.len());
     classes.sort_by(|a, b| a.1.total_cmp(&b.1));
     let mut bundles = Vec::new();
-    for (mut class, _) in classes {
+    for (place, (mut class, _)) in classes.into_iter().enumerate() {
         class.sort_by_key(|&trail| std::cmp::Reverse(trails[trail].points.len()));
         for some in class.chunks(WIDEST) {
-            bundles.push(bundle(some.iter().map(|&trail| &trails[trail]).collect(), segments));
+            bundles.push(bundle(place, some.iter().map(|&trail| &trails[trail]).collect(), segments));
         }
     }
     bundles
@@ -100,7 +102,7 @@ fn classes(trails: &[Trail], segments: &[Segment], points: usize) -> Vec<(Vec<us
     classes.into_iter().map(mean).collect()
 }
 
-fn bundle<S: Real>(trails: Vec<&Trail>, segments: &[Segment]) -> Bundle<S> {
+fn bundle<S: Real>(class: usize, trails: Vec<&Trail>, segments: &[Segment]) -> Bundle<S> {
     let len = trails[0].points.len();
     let mut points = vec![0; len * WIDEST];
     let mut rests = vec![S::ONE; len * WIDEST];
@@ -114,7 +116,7 @@ fn bundle<S: Real>(trails: Vec<&Trail>, segments: &[Segment]) -> Bundle<S> {
             rests[k * WIDEST + lane] = S::from_f64(segments[bond as usize].spec.rest);
         }
     }
-    Bundle { spec: segments[trails[0].bonds[0] as usize].spec, len, points, rests, counts }
+    Bundle { spec: segments[trails[0].bonds[0] as usize].spec, class, len, points, rests, counts }
 }
 
 /// Looks for trails.

@@ -7,10 +7,16 @@ use crate::sim::real::Real;
 
 /// A way to correct the length of a bond.
 ///
-/// With e = x_a - x_b at the end of the substep the ends move by w_a f e and -w_b f e; the law says f.
+/// With e = x_a - x_b at the end of the substep (of a force: at its start) the ends move by w_a f e and -w_b f e; the law says f.
 pub(crate) trait Law<S: Real>: Copy + Send + Sync {
     /// Whether the law looks at `closing`.
     const IS_DAMPED: bool;
+
+    /// Whether the bond is looked at as it was at the start of the substep: its law is a force.
+    #[inline(always)]
+    fn is_force(&self) -> bool {
+        false
+    }
 
     /// f, lane by lane.
     ///
@@ -95,21 +101,55 @@ impl<S: Real> Law<S> for Compliant<S> {
     }
 }
 
-/// A relaxed bond or a compliant one: of the two one kernel is compiled.
+/// The force of a spring and its damper for the time of a kick t: f = -h t (stiffness (1 - rest/|e|) + damping v_n/|e|),
+/// v_n = n . (d_a - d_b)/h as the displacements are when the bond's turn comes.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Spring<S> {
+    /// stiffness h t w_0 [1].
+    pub(crate) strength: S,
+    /// damping t w_0 [1].
+    pub(crate) drag: S,
+}
+
+impl<S: Real> Law<S> for Spring<S> {
+    const IS_DAMPED: bool = true;
+
+    #[inline(always)]
+    fn is_force(&self) -> bool {
+        true
+    }
+
+    #[inline(always)]
+    fn factor<M: Simd>(&self, m: M, bond: &Measured<M, S>) -> Lanes<M, S> {
+        let (zero, one) = (splat(m, S::ZERO), splat(m, S::ONE));
+        let pull = splat(m, self.strength) * (one - bond.rest / bond.square.sqrt());
+        let brake = splat(m, self.drag) * bond.closing / bond.square;
+        bond.square.simd_gt(zero).select(-(pull + brake), zero)
+    }
+}
+
+/// A bond that is not rigid: of all such laws one kernel is compiled.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum Elastic<S> {
     Relaxed(Relaxed<S>),
     Compliant(Compliant<S>),
+    Spring(Spring<S>),
 }
 
 impl<S: Real> Law<S> for Elastic<S> {
     const IS_DAMPED: bool = true;
 
     #[inline(always)]
+    fn is_force(&self) -> bool {
+        matches!(self, Elastic::Spring(_))
+    }
+
+    #[inline(always)]
     fn factor<M: Simd>(&self, m: M, bond: &Measured<M, S>) -> Lanes<M, S> {
         match self {
             Elastic::Relaxed(law) => law.factor(m, bond),
             Elastic::Compliant(law) => law.factor(m, bond),
+            Elastic::Spring(law) => law.factor(m, bond),
         }
     }
 }

@@ -73,7 +73,8 @@ impl<M: Simd, S: Real, const D: usize, L: Law<S>> Work<M, S, D, L> for Correct {
     ) {
         let zero = splat(m, S::ZERO);
         let change = sub::<M, S, D>(a.d, b.d);
-        let e = add::<M, S, D>(sub::<M, S, D>(a.x, b.x), change);
+        let start = sub::<M, S, D>(a.x, b.x);
+        let e = if law.is_force() { start } else { add::<M, S, D>(start, change) };
         let closing = if L::IS_DAMPED { dot::<M, S, D>(e, change) } else { zero };
         let sum = if CAREFUL { a.w + b.w } else { splat(m, S::ONE + S::ONE) };
         let factor = law.factor(m, &Measured { rest, square: dot::<M, S, D>(e, e), sum, closing });

@@ -22,7 +22,7 @@ use crate::sim::real::Real;
 /// makes taut paths soft.
 pub(crate) const LEAST_PIVOT: f64 = 1e-3;
 /// Farthest that two neighbours may move against each other in a round, in rest lengths: directions are of no use beyond.
-const MOST_JUMP: f64 = 0.25;
+pub(crate) const MOST_JUMP: f64 = 0.25;
 /// Rounds after which a path goes on with what it has.
 pub(crate) const MOST_ROUNDS: u32 = 8;
 
@@ -36,6 +36,8 @@ pub(crate) trait Strip<M: Simd, S: Real> {
     fn lanes(&self, k: usize) -> Mask<M, S>;
     /// Rest lengths of bond `k` of the paths [m], > 0.
     fn rest(&self, k: usize) -> Lanes<M, S>;
+    /// One over them [1/m].
+    fn inverse_rest(&self, k: usize) -> Lanes<M, S>;
 }
 
 /// How the bonds of paths resist.
@@ -106,7 +108,8 @@ impl<M: Simd, S: Real, const D: usize> Bond<M, S, D> {
     }
 }
 
-/// Solves the paths of a strip: moves the displacements of their points. Returns the rounds taken.
+/// Solves the paths of a strip: moves the displacements of their points. Returns each path's largest pull: w times
+/// multiplier over rest length [1]. Across its direction a bond that pulls holds its ends like a spring of that stiffness.
 #[inline(always)]
 pub(crate) fn solve<M: Simd, S: Real, T: Strip<M, S>, const D: usize>(
     m: M,
@@ -114,17 +117,18 @@ pub(crate) fn solve<M: Simd, S: Real, T: Strip<M, S>, const D: usize>(
     strip: &T,
     law: &PathLaw<S>,
     scratch: &mut Scratch<S>,
-) -> u32 {
+) -> Lanes<M, S> {
     let bonds = strip.len().saturating_sub(1);
     let needed = bonds * Bond::<M, S, D>::SIZE * Lanes::<M, S>::LEN;
     if scratch.0.len() < needed {
         scratch.0.resize(needed, S::ZERO);
     }
     let mut active = Mask::<M, S>::splat(m, true);
-    for round in 1..=MOST_ROUNDS {
+    let mut pull = splat(m, S::ZERO);
+    for _ in 0..MOST_ROUNDS {
         there(m, view, strip, law, &mut scratch.0);
         let [zero, one] = [S::ZERO, S::ONE].map(|value| splat(m, value));
-        let (is_off, jump) = back(m, view, strip, law, active.select(one, zero), &scratch.0);
+        let (is_off, jump, pulled) = back(m, view, strip, law, active.select(one, zero), &scratch.0);
         let most = splat(m, S::from_f64(MOST_JUMP));
         let is_wild = active & jump.simd_gt(most * most);
         if is_wild.to_bitmask() != 0 {
@@ -132,12 +136,13 @@ pub(crate) fn solve<M: Simd, S: Real, T: Strip<M, S>, const D: usize>(
             let back_by = is_wild.select(most / jump.sqrt() - one, zero);
             back(m, view, strip, law, back_by, &scratch.0);
         }
+        pull = pull.max(pulled);
         active &= is_off | is_wild;
         if law.alpha > S::ZERO || active.to_bitmask() == 0 {
-            return round;
+            return pull;
         }
     }
-    MOST_ROUNDS
+    pull
 }
 
 /// Eliminates from the first bond on.
@@ -183,8 +188,8 @@ fn there<M: Simd, S: Real, T: Strip<M, S>, const D: usize>(
 }
 
 /// Puts in from the last bond back and moves points by a factor times what they should. Returns the lanes where a bond is
-/// left with a strain above the tolerance, and the largest square of a move of two neighbours against each other, in rest
-/// lengths.
+/// left with a strain above the tolerance, the largest square of a move of two neighbours against each other, in rest
+/// lengths, and the largest pull.
 #[inline(always)]
 fn back<M: Simd, S: Real, T: Strip<M, S>, const D: usize>(
     m: M,
@@ -193,14 +198,14 @@ fn back<M: Simd, S: Real, T: Strip<M, S>, const D: usize>(
     law: &PathLaw<S>,
     factor: Lanes<M, S>,
     scratch: &[S],
-) -> (Mask<M, S>, Lanes<M, S>) {
+) -> (Mask<M, S>, Lanes<M, S>, Lanes<M, S>) {
     let zero = splat(m, S::ZERO);
     let twice = splat(m, law.tolerance + law.tolerance);
     let last = strip.len() - 1;
     // Of the bond behind: its push on the point before it, how the point behind it moved, how it lay.
     let (mut push_behind, mut move_behind, mut lambda_behind) = ([zero; D], [zero; D], zero);
     let (mut link_behind, mut length_behind, mut span_behind) = (zero, zero, [zero; D]);
-    let (mut is_off, mut jump) = (Mask::<M, S>::splat(m, false), zero);
+    let (mut is_off, mut jump, mut pull) = (Mask::<M, S>::splat(m, false), zero, zero);
     for k in (0..=last).rev() {
         // Point k: behind it lies bond k, before it bond k - 1.
         let (push, span, link, length) = match k {
@@ -215,6 +220,9 @@ fn back<M: Simd, S: Real, T: Strip<M, S>, const D: usize>(
         };
         let at = strip.at(k);
         let w = load(m, view.w, at);
+        if k > 0 {
+            pull = pull.max(-(w * lambda_behind) * strip.inverse_rest(k - 1));
+        }
         let moved = scale::<M, S, D>(sub::<M, S, D>(push_behind, push), w * factor);
         for axis in 0..D {
             let d = load(m, &*view.d[axis], at) + moved[axis];
@@ -232,7 +240,7 @@ fn back<M: Simd, S: Real, T: Strip<M, S>, const D: usize>(
         (push_behind, move_behind, span_behind) = (push, moved, span);
         (link_behind, length_behind) = (link, length);
     }
-    (is_off, jump)
+    (is_off, jump, pull)
 }
 
 /// Position, displacement and weight of points side by side.

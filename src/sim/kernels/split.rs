@@ -11,9 +11,9 @@ use aligned_vec::AVec;
 use fearless_simd::{Select, Simd, SimdBase, SimdFloat, SimdMask};
 
 use super::cells::{Cells, View};
-use super::lanes::{Lanes, Mask, WIDEST, add, dot, each, load, scale, select, splat, store, sub};
+use super::lanes::{Lanes, Mask, WIDEST, add, dot, each, largest, load, scale, select, splat, store, sub};
 use super::level::vectorized;
-use super::path::{LEAST_PIVOT, MOST_ROUNDS, PathLaw, node};
+use super::path::{LEAST_PIVOT, MOST_JUMP, MOST_ROUNDS, PathLaw, node};
 use super::store::Store;
 use crate::sim::real::Real;
 use crate::sim::vector;
@@ -45,6 +45,16 @@ struct Joint<S, const D: usize> {
     /// How the last bond of the piece on its left depends on it.
     link: S,
     lambda: S,
+}
+
+/// How a round left the bonds within the pieces.
+struct Reached<S> {
+    /// One has a strain above the tolerance.
+    is_off: bool,
+    /// The largest pull.
+    pull: S,
+    /// The largest square of a move of two neighbours against each other, in rest lengths.
+    jump: S,
 }
 
 /// What eliminating the pieces leaves, piece by piece.
@@ -91,22 +101,33 @@ impl<S: Real> Split<S> {
         (self.rest.capacity() + self.kept.capacity()) * size_of::<S>()
     }
 
-    /// Solves the path: moves the displacements of its points. Returns the rounds taken.
-    pub(crate) fn solve<const D: usize>(&mut self, cells: &mut Cells<S, D>, law: &PathLaw<S>) -> u32 {
+    /// Solves the path: moves the displacements of its points. Returns its largest pull, as
+    /// [`path::solve`](super::path::solve).
+    pub(crate) fn solve<const D: usize>(&mut self, cells: &mut Cells<S, D>, law: &PathLaw<S>) -> S {
+        let mut pull = S::ZERO;
         self.kept.resize(self.cells() * (D + 4), S::ZERO);
-        for round in 1..=MOST_ROUNDS {
+        for _ in 0..MOST_ROUNDS {
             let mut joints = self.joints(cells, law);
             let mut left = Left { before: [[S::ZERO; PIECES]; 2], last: [[S::ZERO; PIECES]; 3] };
             let view = cells.view();
             vectorized!(m => self.there(m, &view, law, &joints, &mut left));
             self.join(cells, &mut joints, &left);
             let mut view = cells.view();
-            let is_off = vectorized!(m => self.back(m, &mut view, law, &joints));
-            if law.alpha > S::ZERO || !is_off {
-                return round;
+            let mut reached = vectorized!(m => self.back(m, &mut view, law, &joints, S::ONE));
+            pull = pull.max(reached.pull);
+            let most = S::from_f64(MOST_JUMP);
+            let is_wild = reached.jump > most * most;
+            if is_wild {
+                // Back to a part of the way.
+                let back_by = most / reached.jump.sqrt() - S::ONE;
+                vectorized!(m => self.back(m, &mut view, law, &joints, back_by));
+            }
+            reached.is_off |= is_wild || self.are_joints_off(cells, law.tolerance);
+            if law.alpha > S::ZERO || !reached.is_off {
+                break;
             }
         }
-        MOST_ROUNDS
+        pull
     }
 
     /// The bonds between the pieces, as they lie.
@@ -134,6 +155,20 @@ impl<S: Real> Split<S> {
             }
         }
         joints
+    }
+
+    /// Whether a bond between two pieces has a strain above the tolerance.
+    fn are_joints_off<const D: usize>(&self, cells: &Cells<S, D>, tolerance: S) -> bool {
+        let base = (self.rows - 1) * PIECES;
+        (0..PIECES - 1).any(|piece| {
+            let rest = self.rest[base + piece];
+            let ((xa, da), (xb, db)) = (cells.get(base + piece), cells.get(piece + 1));
+            let e = vector::add(vector::sub(xa, xb), vector::sub(da, db));
+            let off = (vector::dot(e, e) - rest * rest).abs();
+            rest > S::ZERO
+                && cells.w[base + piece] + cells.w[piece + 1] > S::ZERO
+                && off > (tolerance + tolerance) * rest * rest
+        })
     }
 
     /// Solves the bonds between the pieces.
@@ -262,7 +297,7 @@ impl<S: Real> Split<S> {
         store::<M, S>(side * inverse_before, &mut left.last[2], lane);
     }
 
-    /// Puts in from the last bonds back. Returns whether a bond within a piece is left with a strain above the tolerance.
+    /// Puts in from the last bonds back and moves points by a factor times what they should.
     #[inline(always)]
     fn back<M: Simd, const D: usize>(
         &self,
@@ -270,12 +305,16 @@ impl<S: Real> Split<S> {
         view: &mut View<'_, S, D>,
         law: &PathLaw<S>,
         joints: &[Joint<S, D>; PIECES],
-    ) -> bool {
-        let mut is_off = false;
+        factor: S,
+    ) -> Reached<S> {
+        let zero = splat(m, S::ZERO);
+        let (mut is_off, mut pull, mut jump) = (false, zero, zero);
         for lane in (0..PIECES).step_by(Lanes::<M, S>::LEN) {
-            is_off |= self.put_in(m, view, law, joints, lane).to_bitmask() != 0;
+            let (off, pulled, jumped) = self.put_in(m, view, law, joints, (lane, factor));
+            is_off |= off.to_bitmask() != 0;
+            (pull, jump) = (pull.max(pulled), jump.max(jumped));
         }
-        is_off
+        Reached { is_off, pull: largest::<M, S>(pull), jump: largest::<M, S>(jump) }
     }
 
     #[inline(always)]
@@ -285,8 +324,8 @@ impl<S: Real> Split<S> {
         view: &mut View<'_, S, D>,
         law: &PathLaw<S>,
         joints: &[Joint<S, D>; PIECES],
-        lane: usize,
-    ) -> Mask<M, S> {
+        (lane, factor): (usize, S),
+    ) -> (Mask<M, S>, Lanes<M, S>, Lanes<M, S>) {
         let zero = splat(m, S::ZERO);
         let twice = splat(m, law.tolerance + law.tolerance);
         let of = |pick: &dyn Fn(usize) -> S| {
@@ -303,7 +342,7 @@ impl<S: Real> Split<S> {
         let mut push_behind = each::<M, S, D>(m, |k| of(&|s| joints[s].way[k] * joints[s].lambda));
         let (mut lambda_behind, mut link_behind) = (of(&|s| joints[s].lambda), of(&|s| joints[s].link));
         let (mut move_behind, mut span_behind, mut rest_behind) = ([zero; D], [zero; D], zero);
-        let mut is_off = Mask::<M, S>::splat(m, false);
+        let (mut is_off, mut pull, mut jump) = (Mask::<M, S>::splat(m, false), zero, zero);
         for row in (0..=last).rev() {
             let at = row * PIECES + lane;
             let (push, span, link) = if row == 0 {
@@ -317,23 +356,27 @@ impl<S: Real> Split<S> {
                 (scale::<M, S, D>(way, lambda), scale::<M, S, D>(way, length), link)
             };
             let w = load(m, view.w, at);
-            let moved = scale::<M, S, D>(sub::<M, S, D>(push_behind, push), w);
+            let moved = scale::<M, S, D>(sub::<M, S, D>(push_behind, push), w * splat(m, factor));
             for k in 0..D {
                 let d = load(m, &*view.d[k], at) + moved[k];
                 store::<M, S>(d, view.d[k], at);
             }
             if row < last {
-                let e = add::<M, S, D>(span_behind, sub::<M, S, D>(moved, move_behind));
+                let change = sub::<M, S, D>(moved, move_behind);
+                let e = add::<M, S, D>(span_behind, change);
                 let square = rest_behind * rest_behind;
                 let off = (dot::<M, S, D>(e, e) - square).abs();
                 let is_bond = dot::<M, S, D>(span_behind, span_behind).simd_gt(zero);
                 is_off |= is_bond & off.simd_gt(twice * square);
+                jump = is_bond.select(jump.max(dot::<M, S, D>(change, change) / square), jump);
             }
             if row > 0 {
                 rest_behind = load(m, &self.rest, (row - 1) * PIECES + lane);
+                let pulled = -(w * lambda_behind) / rest_behind;
+                pull = rest_behind.simd_gt(zero).select(pull.max(pulled), pull);
             }
             (push_behind, move_behind, span_behind, link_behind) = (push, moved, span, link);
         }
-        is_off
+        (is_off, pull, jump)
     }
 }

@@ -148,6 +148,10 @@ impl<M: Simd, S: Real> Strip<M, S> for Side<'_, M, S> {
     fn rest(&self, k: usize) -> Lanes<M, S> {
         load(self.m, self.rests, k * WIDEST + self.lane)
     }
+
+    fn inverse_rest(&self, k: usize) -> Lanes<M, S> {
+        super::lanes::splat(self.m, S::ONE) / Strip::<M, S>::rest(self, k)
+    }
 }
 
 /// One round over paths side by side.
@@ -253,11 +257,11 @@ fn rounds_bring_all_bonds_to_the_tolerance() {
             cells.put(split.at(k), path.x[k], path.d[k]);
             *cells.weight(split.at(k)) = path.w[k];
         }
-        let rounds = split.solve(&mut cells, &law);
+        split.solve(&mut cells, &law);
         for k in 0..79 {
             let [(xa, da), (xb, db)] = [k, k + 1].map(|k| cells.get(split.at(k)));
             let strain = length(add(sub(xa, xb), sub(da, db))) / path.rest[k] - 1.0;
-            assert!(strain.abs() < 1.5e-4, "seed {seed}: bond {k} {strain:e} after {rounds} rounds");
+            assert!(strain.abs() < 1.05e-4, "seed {seed}: bond {k} {strain:e}");
         }
     }
 }

@@ -3,7 +3,7 @@
 use super::choice::Scheme;
 use super::gather::Gathered;
 use super::make::{Maker, breakable};
-use super::structure::{self, Structure};
+use super::structure::{self, Structure, steady};
 use crate::sim::bond::BondKind;
 use crate::sim::bulk::body::Members;
 use crate::sim::bulk::control::Control;
@@ -24,7 +24,7 @@ use crate::sim::points::State;
 use crate::sim::pull::Pull;
 use crate::sim::real::Real;
 use crate::sim::solver::Solver;
-use crate::sim::vector::widen;
+use crate::sim::vector::{length, widen};
 
 /// Share of the strain asked for that chains are held to: they are cheap, and at their free ends, which whip, what is left
 /// comes back as energy.
@@ -42,13 +42,14 @@ impl<S: Real, const D: usize> Maker<'_, S, D> {
         let are_chains = bodies.iter().all(|draft| matches!(draft.shape, Shape::Chain { .. }));
         let control = match scheme.target {
             Some(target) => Control::following(if are_chains { CHAIN_SHARE * target } else { target }),
-            None => Control::fixed(choice.substep),
+            None => Control::fixed(scheme.longest.unwrap_or(choice.substep)),
         };
         let order = Order {
             bodies,
             inverse_mass: points.inverse_mass.clone(),
             way: scheme.way,
             control,
+            gravity: length(self.model.gravity),
             nominal: choice.substep,
         };
         let bulk = mover(order)?;
@@ -86,13 +87,23 @@ impl<S: Real, const D: usize> Maker<'_, S, D> {
             let ends: Vec<[u32; 2]> = crowd.bonds.iter().map(|bond| bond.0).collect();
             let points = crowd.points.len() / crowd.bodies;
             let links = by_colour(&ends, points).into_iter().map(|k| crowd.bonds[k as usize]);
-            let links = links.map(|(ends, spec)| (ends, self.meant(spec))).collect();
-            let shape = Shape::Crowd { bodies: crowd.bodies, points, links };
+            let links: Vec<([u32; 2], Spec)> = links.map(|(ends, spec)| (ends, self.meant(spec))).collect();
+            let is_steady = self.is_steady(&crowd.points[..points], &links);
+            let shape = Shape::Crowd { bodies: crowd.bodies, points, links, is_steady };
             Draft { shape, members: self.members(&crowd.points) }
         });
         let mut drafts: Vec<Draft<D>> = crowds.collect();
         drafts.extend(others.into_iter().map(|place| self.draft(&islands[place], &structures[place])));
         drafts
+    }
+
+    /// Whether rigid bonds of a body with these points may be swept in this order in every substep.
+    fn is_steady(&self, points: &[u32], links: &[([u32; 2], Spec)]) -> bool {
+        let ends: Vec<[u32; 2]> =
+            links.iter().filter(|(_, spec)| spec.kind == BondKind::Rigid).map(|(ends, _)| *ends).collect();
+        let x: Vec<[f64; D]> = points.iter().map(|&i| widen(self.gathered.state.position[i as usize])).collect();
+        let w: Vec<f64> = points.iter().map(|&i| self.gathered.w[i as usize]).collect();
+        steady::is_steady(&x, &w, &ends)
     }
 
     fn members(&self, points: &[u32]) -> Members {

@@ -25,13 +25,16 @@ const MOST_IMPLICIT: usize = 4_000;
 pub(crate) const MOST_DIRECT: usize = 2_000;
 /// Most pairs of rigid bonds that share a point in such a set: a star of many spokes couples all with all.
 const MOST_COUPLINGS: usize = 60_000;
+/// Largest tree of rigid bonds that passes are meant for, where a strain is asked for; paths apart: solving more together is
+/// exact and takes no longer.
+const MOST_SWEPT_TREE: usize = 400;
 /// Strain that rigid bonds of a large island may have where nothing is said [1].
 pub(crate) const LARGE_STRAIN: f64 = 0.02;
 /// The same of an island of at most [`MOST_DIRECT`].
 const SMALL_STRAIN: f64 = 1e-6;
 /// Least strain that paths are meant for [1]: below, solving all bonds together is cheaper.
 const LEAST_STRAIN: f64 = 1e-5;
-/// Points above which order 4 is too dear: what is shown of such a mesh is coarser than what Verlet's method errs.
+/// Points of a scene above which order 4 is too dear: what is shown of such meshes is coarser than what Verlet's method errs.
 const LARGE: usize = 20_000;
 
 /// What moves an island.
@@ -52,6 +55,8 @@ pub(crate) struct Scheme {
     pub(crate) way: Way,
     /// Largest strain that substeps follow [1]; `None`: the substep is given.
     pub(crate) target: Option<f64>,
+    /// Longest substep where a step takes several [s].
+    pub(crate) longest: Option<f64>,
 }
 
 /// What the rules ask of the surroundings.
@@ -61,36 +66,67 @@ pub(crate) struct Setting {
     /// Strength of the mouse force [1/s^2], if there is one.
     pub(crate) mouse: Option<f64>,
     pub(crate) drag_rate: f64,
+    /// Points of the scene.
+    pub(crate) points: usize,
 }
 
 /// The method and the substep of an island.
 pub(crate) fn choose(island: &Island, method: &Method, setting: Setting) -> Choice {
-    let is_direct = island.rigid <= MOST_DIRECT && island.couplings <= MOST_COUPLINGS;
+    let is_direct = can_be_direct(island);
     let solver = match method.solver {
         Solver::Auto => pick(island, setting, is_direct),
         given => given,
     };
-    let bulk = scheme(island, method, is_direct);
-    let by_paths = bulk.is_some_and(|scheme| scheme.way == Way::Paths);
-    let solver = if by_paths { Solver::Path } else { solver };
-    let substep = method.substep.unwrap_or_else(|| if by_paths { FRAME } else { substep(island, solver, setting) });
+    let mut bulk = scheme(island, method, setting, is_direct);
+    let way = bulk.map(|scheme| scheme.way);
+    let solver = if way == Some(Way::Paths) { Solver::Path } else { solver };
+    let longest = || substep(island, solver, setting);
+    let substep = match (way, method.substep) {
+        (_, Some(given)) => given,
+        (Some(Way::Paths), None) => FRAME,
+        // Between the substeps of a frame nobody looks.
+        (Some(Way::Forces), None) => {
+            bulk = bulk.map(|scheme| Scheme { longest: Some(longest()), ..scheme });
+            FRAME
+        }
+        (_, None) => longest(),
+    };
     Choice { solver, substep, is_direct: is_direct && solver.solves_directly() && bulk.is_none(), bulk }
 }
 
+/// Whether the rigid bonds of an island are few enough to be solved together. Those of a tree always are, since eliminating
+/// them from the leaves on leaves nothing behind; a long path is better off by itself.
+fn can_be_direct(island: &Island) -> bool {
+    let has_room = island.rigid <= MOST_DIRECT || (island.is_tree && !is_path(island));
+    let couplings = MOST_COUPLINGS.max(MOST_COUPLINGS / MOST_DIRECT * island.rigid);
+    has_room && island.couplings <= if island.is_tree { couplings } else { MOST_COUPLINGS }
+}
+
+/// Whether the rigid bonds of a tree make a path.
+fn is_path(island: &Island) -> bool {
+    island.fullest <= 2
+}
+
 /// Whether and how an island is moved as a large body.
-fn scheme(island: &Island, method: &Method, is_direct: bool) -> Option<Scheme> {
+fn scheme(island: &Island, method: &Method, setting: Setting, is_direct: bool) -> Option<Scheme> {
     let has_order = matches!(method.order, Order::Auto | Order::Coloured);
     let is_large = island.bonds.len() > MOST_DIRECT && has_order;
-    let is_loose = method.max_strain.is_some_and(|strain| strain >= LEAST_STRAIN);
+    let is_large_tree = island.is_tree && is_direct && !is_path(island) && island.rigid > MOST_SWEPT_TREE;
+    let is_loose = method.max_strain.is_some_and(|strain| strain >= LEAST_STRAIN) && !is_large_tree;
     let sweeps = Way::Sweeps(method.iterations.unwrap_or(1));
     let follows = |way| {
         let default = if island.rigid > MOST_DIRECT { LARGE_STRAIN } else { SMALL_STRAIN };
         let target = method.max_strain.unwrap_or(default);
-        Some(Scheme { way, target: method.substep.is_none().then_some(target) })
+        Some(Scheme { way, target: method.substep.is_none().then_some(target), longest: None })
     };
-    let given = |way| Some(Scheme { way, target: None });
+    let given = |way| Some(Scheme { way, target: None, longest: None });
+    let are_springs = island.springs == island.bonds.len() && !island.has_limits;
     match method.solver {
         _ if island.bonds.is_empty() => None,
+        Solver::Auto if are_springs && setting.points > LARGE => given(Way::Forces),
+        Solver::Verlet | Solver::VelocityVerlet if are_springs => {
+            (is_large || (has_order && setting.points > LARGE)).then(|| given(Way::Forces))?
+        }
         Solver::Path if !island.has_limits => follows(Way::Paths),
         Solver::Auto if island.relaxed > 0 => {
             (is_large && island.relaxed == island.bonds.len()).then(|| given(sweeps))?
@@ -120,7 +156,7 @@ fn pick(island: &Island, setting: Setting, is_direct: bool) -> Solver {
     if is_stiff && island.points.len() <= MOST_IMPLICIT {
         return Solver::ImplicitMidpoint;
     }
-    if island.points.len() > LARGE {
+    if setting.points > LARGE {
         return Solver::VelocityVerlet;
     }
     // A splitting has gravity and drag exactly and no drift; events and dampers need velocities in every stage.

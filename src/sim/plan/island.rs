@@ -23,6 +23,10 @@ pub(crate) struct Island {
     pub(crate) decay: f64,
     /// Pairs of rigid bonds that share a point: what a direct solve has to couple.
     pub(crate) couplings: usize,
+    /// Most rigid bonds at a free point.
+    pub(crate) fullest: usize,
+    /// No way along bonds leads from a free point back to it but the way it went, and at most two bonds end at pins.
+    pub(crate) is_tree: bool,
 }
 
 /// Splits points into islands, in the order of their lowest points.
@@ -47,14 +51,18 @@ pub(crate) fn islands(bonds: &Bonds, w: &[f64]) -> Vec<Island> {
         list[place[root] as usize].points.push(i);
     }
     let mut sums = vec![(0.0, 0.0, 0_usize); w.len()];
+    let mut inner = vec![0_usize; list.len()];
     for (k, bond) in bonds.iter().enumerate() {
         let free = [bond.a, bond.b].into_iter().find(|end| w[end.index()] > 0.0);
         let Some(free) = free else { continue };
-        let island = &mut list[place[sets.find(free.0) as usize] as usize];
+        let place = place[sets.find(free.0) as usize] as usize;
+        inner[place] += usize::from(w[bond.a.index()] > 0.0 && w[bond.b.index()] > 0.0);
+        let island = &mut list[place];
         island.bonds.push(k as u32);
         island.add(&bond, &mut sums);
     }
-    for island in &mut list {
+    for (island, inner) in list.iter_mut().zip(inner) {
+        island.is_tree = inner + 1 == island.points.len() && island.bonds.len() <= inner + 2;
         island.bound(&sums, w);
     }
     list
@@ -85,7 +93,8 @@ impl Island {
 
     fn bound(&mut self, sums: &[(f64, f64, usize)], w: &[f64]) {
         for &i in &self.points {
-            let (stiffness, damping, _) = sums[i as usize];
+            let (stiffness, damping, rigid) = sums[i as usize];
+            self.fullest = self.fullest.max(rigid);
             self.frequency = self.frequency.max(2.0 * w[i as usize] * stiffness);
             self.decay = self.decay.max(2.0 * w[i as usize] * damping);
         }
@@ -112,5 +121,15 @@ mod tests {
         assert_eq!((found[0].springs, found[0].frequency, found[0].decay), (1, 2.0, 0.5));
         assert_eq!((found[1].rigid, found[1].couplings, &found[1].bonds[..]), (2, 1, &[1, 2][..]));
         assert_eq!(bonds.get(0).limit, Limit::Both);
+        assert!(found.iter().all(|island| island.is_tree));
+    }
+
+    #[test]
+    fn a_ring_is_no_tree_and_a_row_between_two_pins_is_one() {
+        let ring = Bonds::from([(0, 1), (1, 2), (2, 0)].map(|(a, b)| bond(a, b, BondKind::Rigid)));
+        assert!(!islands(&ring, &[1.0; 3])[0].is_tree);
+        assert!(islands(&ring, &[0.0, 1.0, 1.0])[0].is_tree, "the ring is cut by the pin");
+        let comb = Bonds::from([(0, 3), (3, 4), (4, 5), (1, 4), (2, 5)].map(|(a, b)| bond(a, b, BondKind::Rigid)));
+        assert!(!islands(&comb, &[0.0, 0.0, 0.0, 1.0, 1.0, 1.0])[0].is_tree, "held at every point");
     }
 }

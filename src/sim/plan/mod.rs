@@ -101,6 +101,7 @@ fn lots<const D: usize>(model: &Model<D>, islands: Vec<Island>) -> Vec<Lot> {
         has_surfaces: model.bounds.is_some() || !model.planes.is_empty(),
         mouse: model.mouse.as_ref().map(|mouse| mouse.strength),
         drag_rate: model.drag_rate,
+        points: model.mass.len(),
     };
     let mut lots: Vec<Lot> = Vec::new();
     for island in islands {

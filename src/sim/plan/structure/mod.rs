@@ -6,6 +6,7 @@
 mod chain;
 mod crowd;
 mod sheet;
+pub(crate) mod steady;
 #[cfg(test)]
 mod tests;
 
