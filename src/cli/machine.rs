@@ -37,8 +37,7 @@ impl Machine {
             bail!("this machine has no {set} instructions: use --instruction-set {best} or leave it out");
         }
         if let Some(threads) = self.threads {
-            crate::sim::use_threads(threads as usize)
-                .with_context(|| format!("{threads} threads could not be started"))?;
+            crate::sim::use_threads(threads as usize).with_context(|| format!("{threads} threads cannot be used"))?;
         }
         Ok(())
     }

@@ -48,5 +48,5 @@ pub use search::{Found, search};
 pub use settle::{Equilibrium, settle};
 pub use sleep::Sleep;
 pub use solver::Solver;
-pub use threads::use_threads;
+pub use threads::{ThreadsInUse, use_threads};
 pub use world::{World, build};

@@ -1,7 +1,11 @@
 //! Work on large bodies that is shared by threads. The bits of a run do not depend on how many there are: work is cut by
 //! what it is, never by who does it.
 
+use std::num::NonZero;
+use std::sync::OnceLock;
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
+
+use rayon::{ThreadPool, ThreadPoolBuilder};
 
 /// Work of a step below which one thread is as quick, in bonds that are swept (about 0.3 ns each): others have to be woken,
 /// which takes a tenth of a millisecond on some machines.
@@ -11,20 +15,45 @@ const LEAST_SHARE: usize = 60_000;
 /// Looks at what others have left to do before one lets the machine do something else.
 const MOST_LOOKS: u32 = 20_000;
 
+/// How many threads were asked for.
+static COUNT: OnceLock<usize> = OnceLock::new();
+/// The others, once a large body has moved.
+static OTHERS: OnceLock<Option<ThreadPool>> = OnceLock::new();
+
+/// Threads are in use already.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
+#[error("threads are in use already")]
+pub struct ThreadsInUse;
+
 /// Makes the program use so many threads, once and before any large body moves; all processors otherwise.
 ///
-/// Errors: threads are in use already, or cannot be started.
-pub fn use_threads(count: usize) -> Result<(), rayon::ThreadPoolBuildError> {
-    rayon::ThreadPoolBuilder::new().num_threads(count).build_global()
+/// The thread that moves the first large body is one of them, and the only one that the others help.
+/// Errors: their number is settled already.
+pub fn use_threads(count: usize) -> Result<(), ThreadsInUse> {
+    COUNT.set(count).map_err(|_| ThreadsInUse)
+}
+
+/// Whether other threads help this one: they are started when they are first asked for.
+fn has_help() -> bool {
+    let start = || {
+        let count = *COUNT.get_or_init(|| std::thread::available_parallelism().map_or(1, NonZero::get));
+        // The thread itself goes on working: handing work over and waiting would cost more than small work takes.
+        let pool = ThreadPoolBuilder::new().num_threads(count).use_current_thread();
+        if count > 1 { pool.build().ok() } else { None }
+    };
+    if rayon::current_thread_index().is_none() {
+        OTHERS.get_or_init(start);
+    }
+    rayon::current_thread_index().is_some() && rayon::current_num_threads() > 1
 }
 
 /// Does the work of a step (in bonds that are swept), with other threads standing by where it is worth it: they look for parts
 /// all the time, since waking them for each would take longer than the parts do.
 pub(crate) fn together<R: Send>(work: usize, does: impl FnOnce() -> R + Send) -> R {
-    let others = rayon::current_num_threads() - 1;
-    if work < LEAST_WORK || others == 0 || rayon::current_thread_index().is_some() {
+    if work < LEAST_WORK || !has_help() {
         return does();
     }
+    let others = rayon::current_num_threads() - 1;
     let is_done = AtomicBool::new(false);
     let stand_by = || {
         while !is_done.load(Ordering::Relaxed) {

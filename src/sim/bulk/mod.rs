@@ -37,7 +37,7 @@ use body::AnyBody;
 use control::{Control, FRAME, Load};
 use draft::Order;
 use mover::Mover;
-use outside::Outside;
+use outside::{Clear, Outside};
 use spec::{Start, Substep};
 
 /// Passes over the bonds that a start gets which violates them.
@@ -66,6 +66,8 @@ pub(crate) struct Bulk<S: Real, const D: usize> {
     pub(crate) lag: f64,
     /// The substep that the motions in the stores are of [s]; `None`: they are to be taken from the points.
     pub(crate) loaded: Option<f64>,
+    /// Nothing from outside is in reach for a while.
+    clear: Option<Clear>,
 }
 
 impl<S: Real, const D: usize> Bulk<S, D> {
@@ -74,7 +76,7 @@ impl<S: Real, const D: usize> Bulk<S, D> {
         let mut bodies: Vec<AnyBody<S, D>> = bodies.into_iter().map(|draft| draft.make(&inverse_mass)).collect();
         let borne = bodies.iter_mut().map(AnyBody::bears).fold(0.0, f64::max);
         control.bear(borne * gravity * FRAME * FRAME);
-        Bulk { bodies, way, control, nominal, lag: 0.0, loaded: None }
+        Bulk { bodies, way, control, nominal, lag: 0.0, loaded: None, clear: None }
     }
 }
 
@@ -88,7 +90,7 @@ impl<S: Real, const D: usize> Mover<S, D> for Bulk<S, D> {
     }
 
     fn reload(&mut self) {
-        self.loaded = None;
+        (self.loaded, self.clear) = (None, None);
     }
 
     fn boxed_clone(&self) -> Box<dyn Mover<S, D>> {
@@ -152,7 +154,7 @@ impl<S: Real, const D: usize> Mover<S, D> for Bulk<S, D> {
         (t, h): (f64, f64),
         counters: &mut Counters,
     ) {
-        let outside = Outside::in_reach(points, pull, around, (t, h));
+        let outside = Outside::in_reach(points, pull, around, (t, h), &mut self.clear);
         loop {
             let count = self.control.count(h);
             let substep = h / f64::from(count);

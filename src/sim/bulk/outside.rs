@@ -1,13 +1,25 @@
 //! What acts on points of large bodies from outside: the mouse and surfaces, where they are in reach.
 
 use crate::sim::contact::surface::Surface;
-use crate::sim::force::mouse::Push;
+use crate::sim::force::mouse::{Cursor, Push};
 use crate::sim::measure;
 use crate::sim::points::Points;
 use crate::sim::pull::Pull;
 use crate::sim::real::Real;
 use crate::sim::surroundings::Surroundings;
 use crate::sim::vector::{add, dot, length, scale, sub};
+
+/// Steps that are looked ahead: where nothing is in reach for so many, it is looked for once in all of them.
+const AHEAD: f64 = 5.0;
+
+/// Until when nothing is in reach, as long as the mouse stays where it is.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Clear {
+    /// [s]
+    until: f64,
+    /// Where the mouse is, and its radius [m].
+    mouse: Option<(Cursor, f64)>,
+}
 
 /// The mouse and the surfaces that some point may meet in a step.
 pub(crate) struct Outside<S: Real, const D: usize> {
@@ -16,28 +28,39 @@ pub(crate) struct Outside<S: Real, const D: usize> {
 }
 
 impl<S: Real, const D: usize> Outside<S, D> {
-    /// What the box around all points can meet in a step of `h` [s]. Looks at no point where the scene has nothing to meet.
+    /// What the box around all points can meet in a step of `h` [s] from `t` on. Looks at no point where the scene has nothing to
+    /// meet, or what was looked at last is clear.
     pub(crate) fn in_reach(
         points: &Points<S, D>,
         pull: &Pull<S, D>,
         around: &Surroundings<D>,
         (t, h): (f64, f64),
+        clear: &mut Option<Clear>,
     ) -> Self {
         let none = Outside { mouse: None, surfaces: Vec::new() };
         let mouse = around.mouse_at(t + 0.5 * h);
         if mouse.is_none() && !pull.contacts.has_surfaces() {
             return none;
         }
+        let place = mouse.map(|(force, cursor)| (cursor, force.radius));
+        if clear.is_some_and(|clear| clear.mouse == place && t + h <= clear.until) {
+            return none;
+        }
         let Some([low, high]) = measure::extent(&points.position) else { return none };
         let fastest = measure::speed_bound(&points.velocity);
-        let fall = length(pull.gravity) * h;
-        let reach = (fastest + S::from_f64(fall)) * S::from_f64(2.0 * h);
-        let bounds = [low.map(|x| x - reach), high.map(|x| x + reach)];
-        let surfaces = pull.contacts.surfaces.iter().filter(|surface| surface.least_gap(bounds) < S::ZERO);
-        Outside {
-            mouse: mouse.map(|(force, cursor)| Push::new(force, cursor)).filter(|push| push.reaches(bounds)),
-            surfaces: surfaces.copied().collect(),
-        }
+        let within = |time: f64| {
+            let fall = length(pull.gravity) * time;
+            let reach = (fastest + S::from_f64(fall)) * S::from_f64(2.0 * time);
+            let bounds = [low.map(|x| x - reach), high.map(|x| x + reach)];
+            let surfaces = pull.contacts.surfaces.iter().filter(|surface| surface.least_gap(bounds) < S::ZERO);
+            Outside {
+                mouse: mouse.map(|(force, cursor)| Push::new(force, cursor)).filter(|push| push.reaches(bounds)),
+                surfaces: surfaces.copied().collect(),
+            }
+        };
+        let is_clear = within(AHEAD * h).is_nothing();
+        *clear = is_clear.then_some(Clear { until: t + (AHEAD + 1e-6) * h, mouse: place });
+        if is_clear { none } else { within(h) }
     }
 
     /// Whether nothing is in reach.
