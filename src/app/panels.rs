@@ -78,6 +78,27 @@ fn hud(ui: &mut egui::Ui, figures: &Figures) {
         if figures.drawn != figures.bonds as u64 {
             row("drawn", figures.drawn.to_string());
         }
-        row("energy", format!("{:9.3} J", figures.energy));
+        row("energy", energy(figures.energy));
     });
+}
+
+/// An energy [J] in at most eleven characters: what is large has no millijoules.
+fn energy(value: f64) -> String {
+    match value.abs() {
+        size if size < 1e4 => format!("{value:9.3} J"),
+        size if size < 1e7 => format!("{value:9.0} J"),
+        _ => format!("{value:9.2e} J"),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::energy;
+
+    #[test]
+    fn energies_of_any_size_are_short() {
+        for (value, text) in [(1.25, "    1.250 J"), (-489_525.175, "  -489525 J"), (-4.8e12, " -4.80e12 J")] {
+            assert_eq!(energy(value), text);
+        }
+    }
 }

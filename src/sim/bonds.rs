@@ -72,6 +72,11 @@ impl Bonds {
         Iter { bonds: self, rest: 0..self.len() }
     }
 
+    /// Whether any may be a spring: looks at kinds, not at bonds.
+    pub(crate) fn may_have_springs(&self) -> bool {
+        self.materials.table().iter().any(|material| matches!(material.kind, BondKind::Spring { .. }))
+    }
+
     /// Both ends of every bond.
     pub fn ends(&self) -> &[[PointId; 2]] {
         &self.ends

@@ -41,17 +41,18 @@ pub(crate) fn speed_bound<S: Real, const D: usize>(velocity: &[[S; D]]) -> S {
 
 /// Kinetic + springs' + gravity's energy of the points that are not pinned [J]; gravity's is 0 at the origin.
 ///
-/// Shapes: `position`, `velocity` and `w` have one entry a point; w = 0 is pinned.
+/// Shapes: `w` has one entry a point, w = 0 is pinned; `position` and `velocity` say the state of each.
 pub(crate) fn energy<const D: usize>(
-    position: &[[f64; D]],
-    velocity: &[[f64; D]],
+    position: impl Fn(usize) -> [f64; D] + Copy,
+    velocity: impl Fn(usize) -> [f64; D],
     w: &[f64],
     bonds: &Bonds,
     gravity: [f64; D],
 ) -> f64 {
-    let mut sum = spring::energy(bonds, |i| position[i]);
-    for ((&x, &v), &w) in position.iter().zip(velocity).zip(w) {
+    let mut sum = spring::energy(bonds, position);
+    for (i, &w) in w.iter().enumerate() {
         if w > 0.0 {
+            let (x, v) = (position(i), velocity(i));
             sum += (0.5 * dot(v, v) - dot(gravity, x)) / w;
         }
     }

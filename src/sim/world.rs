@@ -13,6 +13,7 @@ use super::model::{Model, ModelError, Precision};
 use super::plan::{self, Plan, PlanPart};
 use super::points::State;
 use super::real::Real;
+use super::solver::Solver;
 use super::surroundings::Surroundings;
 use super::timeline::Timeline;
 use super::vector::{convert, embed, length, sub, widen, zero};
@@ -74,6 +75,7 @@ impl<S: Real, const D: usize> World<S, D> {
             model: Arc::new(Model { position: Vec::new(), velocity: Vec::new(), bonds: Bonds::new(), ..model.clone() }),
         };
         world.warn_of_pins(&w, &model.position);
+        world.warn_of_limits();
         world.begin(&state, &w);
         Ok(world)
     }
@@ -119,6 +121,15 @@ impl<S: Real, const D: usize> World<S, D> {
         let between: Vec<usize> = self.bonds.iter().enumerate().filter(stands).map(|(k, _)| k).collect();
         if !between.is_empty() {
             let text = format!("{} cannot hold: both ends are pinned, and not at that length", list(&between));
+            self.warnings.push(text);
+        }
+    }
+
+    fn warn_of_limits(&mut self) {
+        let is_swept = |part: &&PlanPart| part.solver == Solver::Path && part.kernel.is_empty() && part.bonds > 0;
+        let swept: usize = self.plan.parts.iter().filter(is_swept).map(|part| part.bonds).sum();
+        if swept > 0 {
+            let text = format!("bonds with a limit make no paths: {swept} bonds beside them are swept as xpbd does");
             self.warnings.push(text);
         }
     }
@@ -189,7 +200,7 @@ impl<S: Real, const D: usize> World<S, D> {
 
     fn energy_of(&self, position: &[[f64; D]], velocity: &[[f64; D]]) -> f64 {
         let w = plan::inverse_masses(&*self.model);
-        measure::energy(position, velocity, &w, &self.bonds, self.around.gravity)
+        measure::energy(|i| position[i], |i| velocity[i], &w, &self.bonds, self.around.gravity)
     }
 
     /// Something changed from outside: nothing that was worked out before belongs to the present.
@@ -290,9 +301,21 @@ impl<S: Real, const D: usize> Dynamics for World<S, D> {
     }
 
     fn energy(&self) -> f64 {
-        let state = self.state_of_all();
-        let wide = |list: Vec<[S; D]>| list.into_iter().map(widen).collect::<Vec<_>>();
-        self.energy_of(&wide(state.position), &wide(state.velocity))
+        // Shown in every frame: no list is made of the state.
+        let points_of = |i: usize| match self.plan.is_plain {
+            true => (&self.plan.groups[0].points, i),
+            false => (&self.plan.groups[self.plan.slots[i][0] as usize].points, self.plan.slots[i][1] as usize),
+        };
+        let position = |i: usize| {
+            let (points, slot) = points_of(i);
+            widen(points.position[slot])
+        };
+        let velocity = |i: usize| {
+            let (points, slot) = points_of(i);
+            widen(points.velocity[slot])
+        };
+        let w = plan::inverse_masses(&*self.model);
+        measure::energy(position, velocity, &w, &self.bonds, self.around.gravity)
     }
 
     fn counters(&self) -> &Counters {

@@ -2,7 +2,9 @@
 
 use serde_json::json;
 use wobble::scene::Scene;
-use wobble::sim::{Bond, BondKind, Bonds, Bounds, Dynamics, Method, Model, PointId, Precision, Sample, Solver, Track};
+use wobble::sim::{
+    Bond, BondKind, Bonds, Bounds, Dynamics, Limit, Method, Model, PointId, Precision, Sample, Solver, Track,
+};
 
 /// Gravity of all scenes here [m/s^2].
 pub(crate) const G: f64 = 9.8;
@@ -190,6 +192,9 @@ pub(crate) fn scene<const D: usize>(model: &Model<D>) -> Scene {
             BondKind::Relaxed { relaxation, .. } => {
                 (keys["kind"], keys["relaxation"]) = ("relaxed".into(), relaxation.into());
             }
+        }
+        if bond.limit == Limit::Max {
+            keys["limit"] = "max".into();
         }
         if bond.break_strain.is_finite() {
             keys["break_strain"] = bond.break_strain.into();

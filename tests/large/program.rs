@@ -106,3 +106,15 @@ fn large_sheets_take_little_memory() {
     let moved = world.heap_bytes();
     assert!(moved <= allowed, "{moved} of {allowed} bytes after a step");
 }
+
+#[test]
+fn paths_that_cannot_take_a_limit_say_so() {
+    use super::models::{hung, path, world};
+    let mut model = path(&hung::<2>([60, 40], [true; 2]));
+    assert!(world(&model).warnings().is_empty());
+    let mut first = model.bonds.get(5);
+    first.limit = wobble::sim::Limit::Max;
+    model.bonds.set(5, first);
+    let warnings = world(&model).warnings().to_vec();
+    assert!(warnings.iter().any(|text| text.contains("limit")), "{warnings:?}");
+}

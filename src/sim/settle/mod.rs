@@ -93,10 +93,9 @@ pub fn settle<const D: usize>(model: &Model<D>) -> Result<Equilibrium<D>, ModelE
         is_settled &= descent.is_settled();
     }
     let position: Vec<[f64; D]> = start.stand_ins.iter().map(|&i| start.position[i as usize]).collect();
-    let at_rest = vec![[0.0; D]; position.len()];
     let falling = (0..position.len()).filter(|&i| falls[start.stand_ins[i] as usize]);
     Ok(Equilibrium {
-        energy: measure::energy(&position, &at_rest, &inverse_masses(model), &model.bonds, model.gravity),
+        energy: measure::energy(|i| position[i], |_| [0.0; D], &inverse_masses(model), &model.bonds, model.gravity),
         max_strain: measure::max_strain(&position, &model.bonds),
         falling: falling.map(|i| PointId(i as u32)).collect(),
         position,
