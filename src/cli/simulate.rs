@@ -111,6 +111,9 @@ fn say_kernels(world: &dyn Dynamics, samples: &[Sample]) -> anyhow::Result<()> {
             std::io::stderr(),
             "wobble: {bonds} bonds as {kernel}{aim} ({precision}, {set}); largest strain at the samples {most:.1e}"
         )?;
+        if let Some(asked) = max_strain.filter(|asked| most > *asked) {
+            writeln!(std::io::stderr(), "wobble: the strain of {asked:?} was not kept: give these bonds a larger one")?;
+        }
     }
     Ok(())
 }

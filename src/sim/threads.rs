@@ -1,9 +1,11 @@
 //! Work on large bodies that is shared by threads. The bits of a run do not depend on how many there are: work is cut by
 //! what it is, never by who does it.
 
+use std::cell::Cell;
 use std::num::NonZero;
 use std::sync::OnceLock;
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
+use std::time::Instant;
 
 use rayon::{ThreadPool, ThreadPoolBuilder};
 
@@ -19,6 +21,11 @@ const MOST_LOOKS: u32 = 20_000;
 static COUNT: OnceLock<usize> = OnceLock::new();
 /// The others, once a large body has moved.
 static OTHERS: OnceLock<Option<ThreadPool>> = OnceLock::new();
+
+thread_local! {
+    /// Whether others stand by to help this thread.
+    static IS_HELPED: Cell<bool> = const { Cell::new(false) };
+}
 
 /// Threads are in use already.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
@@ -47,12 +54,56 @@ fn has_help() -> bool {
     rayon::current_thread_index().is_some() && rayon::current_num_threads() > 1
 }
 
-/// Does the work of a step (in bonds that are swept), with other threads standing by where it is worth it: they look for parts
-/// all the time, since waking them for each would take longer than the parts do.
-pub(crate) fn together<R: Send>(work: usize, does: impl FnOnce() -> R + Send) -> R {
-    if work < LEAST_WORK || !has_help() {
-        return does();
+/// Share of the time alone that work with help has to beat: it takes other processors' time.
+const WORTH: f64 = 0.85;
+/// Steps after which the way that is not taken is tried again.
+const PATIENCE: u32 = 64;
+
+/// How long work took alone and with help. Where other programs keep the processors busy, help comes late and is waited for.
+///
+/// The one thing that is decided by a clock: the bits of a run do not depend on threads.
+#[derive(Clone, Copy, Debug, Default)]
+pub(crate) struct Pace {
+    /// Alone and with help [s a bond]; 0: not known.
+    seconds: [f64; 2],
+    steps: u32,
+}
+
+impl Pace {
+    /// Does the work of a step (in bonds that are swept): with other threads standing by where that is quicker.
+    pub(crate) fn keep<R: Send>(&mut self, work: usize, does: impl FnOnce() -> R + Send) -> R {
+        if work < LEAST_WORK || !has_help() {
+            return does();
+        }
+        let clock = Instant::now();
+        let is_helped = self.next();
+        let result = if is_helped { together(does) } else { does() };
+        self.learn(is_helped, clock.elapsed().as_secs_f64() / work as f64);
+        result
     }
+
+    /// Whether the next step is to be helped.
+    fn next(&mut self) -> bool {
+        self.steps += 1;
+        let [alone, helped] = self.seconds;
+        let is_better = helped < WORTH * alone;
+        match self.steps {
+            // The first steps start threads and fill caches.
+            1..8 => self.steps.is_multiple_of(2),
+            steps if steps.is_multiple_of(PATIENCE) => !is_better,
+            _ => is_better,
+        }
+    }
+
+    fn learn(&mut self, is_helped: bool, seconds: f64) {
+        let known = &mut self.seconds[usize::from(is_helped)];
+        *known = if *known == 0.0 { seconds } else { 0.5 * (*known + seconds) };
+    }
+}
+
+/// Does something with other threads standing by: they look for parts all the time, since waking them for each would take
+/// longer than the parts do.
+fn together<R: Send>(does: impl FnOnce() -> R + Send) -> R {
     let others = rayon::current_num_threads() - 1;
     let is_done = AtomicBool::new(false);
     let stand_by = || {
@@ -65,13 +116,15 @@ pub(crate) fn together<R: Send>(work: usize, does: impl FnOnce() -> R + Send) ->
     rayon::scope(|scope| {
         (0..others).for_each(|_| scope.spawn(|_| stand_by()));
         // A panic must not leave them standing.
+        IS_HELPED.set(true);
         let ended = std::panic::catch_unwind(std::panic::AssertUnwindSafe(does));
+        IS_HELPED.set(false);
         is_done.store(true, Ordering::Relaxed);
         ended.unwrap_or_else(|panic| std::panic::resume_unwind(panic))
     })
 }
 
-/// Does something with every part, one after another, or several at once within [`together`] as `work` makes it worth (bonds
+/// Does something with every part, one after another, or several at once within [`Pace::keep`] as `work` makes it worth (bonds
 /// that are swept). Parts do not touch each other. The same thread gets the same share every time: it has it in its cache.
 pub(crate) fn with_each<T: Send>(work: usize, parts: impl IntoIterator<Item = T>, does: impl Fn(T) + Sync + Send) {
     with_each_in(work, parts, &mut Vec::new(), || (), |(), part| does(part));
@@ -131,5 +184,5 @@ pub(crate) fn largest_of<T: Send, S: PartialOrd + Send + Sync + Copy>(
 
 /// Whether so much work is worth more than one thread, and others stand by.
 fn is_worth(work: usize) -> bool {
-    work >= LEAST_SHARE && rayon::current_thread_index().is_some() && rayon::current_num_threads() > 1
+    work >= LEAST_SHARE && IS_HELPED.get()
 }

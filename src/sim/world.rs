@@ -144,11 +144,13 @@ impl<S: Real, const D: usize> World<S, D> {
             index += 1;
             torn.binary_search(&(index - 1)).is_err()
         });
+        // Pieces may be moved in other substeps: all start with the velocities of now.
+        for group in &mut self.plan.groups {
+            group.centre_velocity(&self.around, t);
+        }
         let state = self.state_of_all();
-        let lag = self.plan.groups.iter().map(|group| group.lag()).fold(0.0, f64::max);
         self.plan = plan::compile(&self.model, &self.bonds, &state);
         for group in &mut self.plan.groups {
-            group.set_lag(lag);
             group.begin(&self.around, t);
         }
     }

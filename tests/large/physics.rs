@@ -277,3 +277,40 @@ fn large_springy_sheets_swing_with_their_energy_kept() {
     assert!(moved > 1e3 && most < 5e-3 * moved, "{most:e} of {moved:e} J");
     assert!(world.counters().substeps > 30 * 8, "{}", world.counters().substeps);
 }
+
+/// One spring too stiff for explicit steps, in a scene so large that others are pushed by forces.
+#[test]
+fn stiff_springs_stay_implicit_in_large_scenes() {
+    let mut model = sheet::<2>([150, 140], [false; 2]);
+    let spring = |stiffness| BondKind::Spring { stiffness, damping: 0.0 };
+    let bonds: Vec<Bond> = model.bonds.iter().map(|bond| Bond { kind: spring(100.0), ..bond }).collect();
+    model.bonds = bonds.into();
+    for x in [[40.0, 0.0], [41.0, 0.0]] {
+        model.position.push(x);
+        model.velocity.push([0.0; 2]);
+        model.mass.push(1.0);
+    }
+    let pair = Bond { kind: spring(3.1e7), ..Bond::new(PointId(21_000), PointId(21_001), 0.9) };
+    model.bonds.push(pair);
+    let sample = end(&model, 4);
+    let length = sample.position[21_001][0] - sample.position[21_000][0];
+    assert!((0.75..1.05).contains(&length), "{length}");
+}
+
+/// Pieces that other substeps fit fall on as one: breaking gives and takes no momentum.
+#[test]
+fn a_springy_sheet_that_tears_keeps_its_momentum() {
+    let mut model = sheet::<2>([150, 140], [true; 2]);
+    let spring = BondKind::Spring { stiffness: 500.0, damping: 1.0 };
+    let bonds = model.bonds.iter().map(|bond| Bond { kind: spring, break_strain: 0.2, ..bond });
+    model.bonds = bonds.collect::<Vec<_>>().into();
+    let mut draw = Draw(3);
+    model.velocity.iter_mut().for_each(|v| *v = [2.0 * draw.next(), 2.0 * draw.next()]);
+    let mean = |list: &[[f64; 3]]| list.iter().map(|v| v[1]).sum::<f64>() / list.len() as f64;
+    let start = model.velocity.iter().map(|v| v[1]).sum::<f64>() / model.velocity.len() as f64;
+    let mut world = world(&single(&model));
+    let sample = frames(&mut *world, 18, |_| {});
+    assert!(world.counters().bonds_torn > 100, "{}", world.counters().bonds_torn);
+    let off = mean(&sample.velocity) - (start - G * sample.time);
+    assert!(off.abs() < 1e-3, "{off:e} m/s");
+}

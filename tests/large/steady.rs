@@ -1,8 +1,10 @@
 //! What passes over the bonds could feed energy into, and must not.
 
-use wobble::sim::{Method, Model, PointId};
+use wobble::sim::{BondKind, Method, Model, PointId};
 
-use super::models::{FRAME, copies, fastest, frames, hub, kernel, path, rims, sheet, single, to_strain, tree, world};
+use super::models::{
+    Draw, FRAME, bonded, copies, fastest, frames, hub, kernel, path, rims, sheet, single, to_strain, tree, world,
+};
 
 /// The largest energy above the start's over so many frames, the scale that it is held against (what gravity gives to all
 /// of the mass in a second), and the largest strain of the last half [J, J, 1].
@@ -70,6 +72,34 @@ fn with_drag_everything_comes_to_rest() {
         let sample = frames(&mut *world(&model), 900, |_| {});
         assert!(fastest(&sample) < 5e-3, "{what}: {:e} m/s", fastest(&sample));
     }
+}
+
+/// Hubs of even spokes that fold as they fly: how they start says nothing of where they get to.
+#[test]
+fn crowds_that_change_their_shape_gain_nothing() {
+    let mut model = copies(&hub(8, false), 20);
+    let mut draw = Draw(12);
+    model.velocity.iter_mut().for_each(|v| *v = [2.0 * draw.next(), 2.0 * draw.next()]);
+    model.gravity = [0.0; 2];
+    let mut world = world(&to_strain(&path(&model), 0.02));
+    assert!(kernel(&*world).starts_with("a crowd"));
+    let start = world.sample(0.0).energy;
+    frames(&mut *world, 300, |sample| assert!(sample.energy < 1.05 * start, "{} of {start} J", sample.energy));
+}
+
+/// A taut row between two pins with legs is singular: it is no tree that is eliminated.
+#[test]
+fn taut_combs_between_two_pins_are_moved_in_no_time() {
+    let count = 1_100_u32;
+    let row = (0..count).map(|i| [0.1 * f64::from(i), 0.0]);
+    let legs = (1..count - 1).map(|i| [0.1 * f64::from(i), -0.1]);
+    let ends: Vec<[u32; 2]> =
+        (1..count).map(|i| [i - 1, i]).chain((1..count - 1).map(|i| [i, count + i - 1])).collect();
+    let comb = bonded(row.chain(legs).collect(), &ends, BondKind::Rigid);
+    let comb = Model { pinned: vec![PointId(0), PointId(count - 1)], ..comb };
+    let mut world = world(&to_strain(&comb, 0.02));
+    assert!(kernel(&*world).starts_with("a mesh"), "{}", kernel(&*world));
+    assert!(frames(&mut *world, 6, |_| {}).energy.is_finite());
 }
 
 #[test]

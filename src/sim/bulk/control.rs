@@ -24,7 +24,8 @@ const FALL: f64 = 0.7;
 /// What substeps grow by at most where the strain is above what is asked for.
 const QUICK_GROWTH: f64 = 1.1;
 /// A step with more strain than is asked for is taken again, if that comes from an event: nets that hang taut are strained as
-/// they swing, and would be pumped. There it takes so much more strain than of late.
+/// they swing, and would be pumped. There it takes so much more strain than of late, or than is
+/// asked for.
 const SUDDEN: f64 = 3.0;
 /// What substeps then grow by at most, and how often.
 const MOST_GROWTH: f64 = 2.0;
@@ -100,7 +101,7 @@ impl Control {
         let Some(target) = self.target else { return true };
         let (count, aim) = (self.count.ceil(), AIM * target);
         let wanted = (strain / aim).sqrt();
-        let is_event = load.is_disturbed || load.pull == 0.0 || strain > SUDDEN * self.late;
+        let is_event = load.is_disturbed || load.pull == 0.0 || strain > SUDDEN * self.late.min(target);
         if strain > target && is_event && self.tries < MOST_TRIES && count < MOST {
             self.count = (count * wanted.min(MOST_GROWTH)).min(MOST);
             self.tries += 1;

@@ -31,7 +31,7 @@ use super::points::Points;
 use super::pull::Pull;
 use super::real::Real;
 use super::surroundings::Surroundings;
-use super::threads;
+use super::threads::Pace;
 use super::vector::length;
 use body::AnyBody;
 use control::{Control, FRAME, Load};
@@ -68,6 +68,7 @@ pub(crate) struct Bulk<S: Real, const D: usize> {
     pub(crate) loaded: Option<f64>,
     /// Nothing from outside is in reach for a while.
     clear: Option<Clear>,
+    pace: Pace,
 }
 
 impl<S: Real, const D: usize> Bulk<S, D> {
@@ -76,17 +77,13 @@ impl<S: Real, const D: usize> Bulk<S, D> {
         let mut bodies: Vec<AnyBody<S, D>> = bodies.into_iter().map(|draft| draft.make(&inverse_mass)).collect();
         let borne = bodies.iter_mut().map(AnyBody::bears).fold(0.0, f64::max);
         control.bear(borne * gravity * FRAME * FRAME);
-        Bulk { bodies, way, control, nominal, lag: 0.0, loaded: None, clear: None }
+        Bulk { bodies, way, control, nominal, lag: 0.0, loaded: None, clear: None, pace: Pace::default() }
     }
 }
 
 impl<S: Real, const D: usize> Mover<S, D> for Bulk<S, D> {
     fn lag(&self) -> f64 {
         self.lag
-    }
-
-    fn set_lag(&mut self, lag: f64) {
-        self.lag = lag;
     }
 
     fn reload(&mut self) {
@@ -154,12 +151,14 @@ impl<S: Real, const D: usize> Mover<S, D> for Bulk<S, D> {
         (t, h): (f64, f64),
         counters: &mut Counters,
     ) {
-        let outside = Outside::in_reach(points, pull, around, (t, h), &mut self.clear);
+        let outside = Outside::in_reach(points, pull, around, (t, h), (&mut self.clear, self.way == Way::Forces));
         loop {
             let count = self.control.count(h);
             let substep = h / f64::from(count);
             let work = self.bonds() * (count * passes(self.way)) as usize;
-            let taut = threads::together(work, || self.run((points, pull, &outside), (substep, count), counters));
+            let mut pace = self.pace;
+            let taut = pace.keep(work, || self.run((points, pull, &outside), (substep, count), counters));
+            self.pace = pace;
             counters.substeps += u64::from(count);
             counters.points_moved += u64::from(count) * points.len() as u64;
             let strain = if self.control.follows() { self.strain() } else { 0.0 };

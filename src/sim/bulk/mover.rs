@@ -35,9 +35,6 @@ pub(crate) trait Mover<S: Real, const D: usize>: Debug + Send + Sync {
     /// How far velocities are behind positions [s].
     fn lag(&self) -> f64;
 
-    /// Velocities that are taken over are so far behind positions [s].
-    fn set_lag(&mut self, lag: f64);
-
     /// What the bodies are and how their bonds are taken, in words.
     fn describe(&self) -> String;
 

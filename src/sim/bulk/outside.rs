@@ -29,13 +29,13 @@ pub(crate) struct Outside<S: Real, const D: usize> {
 
 impl<S: Real, const D: usize> Outside<S, D> {
     /// What the box around all points can meet in a step of `h` [s] from `t` on. Looks at no point where the scene has nothing to
-    /// meet, or what was looked at last is clear.
+    /// meet, or what was looked at last is clear: not far ahead where bonds push points, whose speeds now say little.
     pub(crate) fn in_reach(
         points: &Points<S, D>,
         pull: &Pull<S, D>,
         around: &Surroundings<D>,
         (t, h): (f64, f64),
-        clear: &mut Option<Clear>,
+        (clear, pushes): (&mut Option<Clear>, bool),
     ) -> Self {
         let none = Outside { mouse: None, surfaces: Vec::new() };
         let mouse = around.mouse_at(t + 0.5 * h);
@@ -58,8 +58,9 @@ impl<S: Real, const D: usize> Outside<S, D> {
                 surfaces: surfaces.copied().collect(),
             }
         };
-        let is_clear = within(AHEAD * h).is_nothing();
-        *clear = is_clear.then_some(Clear { until: t + (AHEAD + 1e-6) * h, mouse: place });
+        let ahead = if pushes { 1.0 } else { AHEAD };
+        let is_clear = within(ahead * h).is_nothing();
+        *clear = is_clear.then_some(Clear { until: t + (ahead + 1e-6) * h, mouse: place });
         if is_clear { none } else { within(h) }
     }
 

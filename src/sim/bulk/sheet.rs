@@ -20,6 +20,9 @@ use crate::sim::threads;
 /// Points that one thread takes at a time.
 const PART: usize = 1 << 12;
 
+/// What a sheet pulls by, in its weight, when it falls into a few pins.
+const FALL_INTO_PINS: f64 = 2.25;
+
 /// The directions in which bonds of a sheet make lines.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Lines {
@@ -232,7 +235,9 @@ impl<S: Real, const D: usize> Form<S, D> for Sheet<S, D> {
             w => mass += 1.0 / w,
         });
         let rest = self.specs.along.rest.min(self.specs.down.rest);
-        if self.is_braced() || pins == 0 { 0.0 } else { mass / f64::from(pins) / rest }
+        // From a few points it falls into its pins.
+        let blow = if 2 * pins as usize >= self.shape.columns.min(self.shape.rows) { 1.0 } else { FALL_INTO_PINS };
+        if self.is_braced() || pins == 0 { 0.0 } else { blow * mass / f64::from(pins) / rest }
     }
 
     fn sweep(&mut self, cells: &mut Cells<S, D>, step: &Substep) {

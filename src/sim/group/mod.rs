@@ -200,18 +200,6 @@ impl<S: Real, const D: usize> Group<S, D> {
         self.points.heap_bytes() + state + self.guard.heap_bytes() + bulk
     }
 
-    /// How far velocities are behind positions [s].
-    pub(crate) fn lag(&self) -> f64 {
-        if let Engine::Bulk(bulk) = &self.engine { bulk.lag() } else { 0.0 }
-    }
-
-    /// Velocities that a large body takes over are so far behind its positions [s].
-    pub(crate) fn set_lag(&mut self, lag: f64) {
-        if let Engine::Bulk(bulk) = &mut self.engine {
-            bulk.set_lag(lag);
-        }
-    }
-
     /// Velocities of large bodies are half a substep behind: brings them to the time of the positions, as the mean of those
     /// before and after it.
     pub(crate) fn centre_velocity(&mut self, around: &Surroundings<D>, t: f64) {

@@ -120,10 +120,10 @@ fn scheme(island: &Island, method: &Method, setting: Setting, is_direct: bool) -
         Some(Scheme { way, target: method.substep.is_none().then_some(target), longest: None })
     };
     let given = |way| Some(Scheme { way, target: None, longest: None });
-    let are_springs = island.springs == island.bonds.len() && !island.has_limits;
+    let are_springs = island.springs == island.bonds.len() && !island.has_limits && !island.has_round_dampers;
     match method.solver {
         _ if island.bonds.is_empty() => None,
-        Solver::Auto if are_springs && setting.points > LARGE => given(Way::Forces),
+        Solver::Auto if are_springs && pick(island, setting, is_direct) == Solver::VelocityVerlet => given(Way::Forces),
         Solver::Verlet | Solver::VelocityVerlet if are_springs => {
             (is_large || (has_order && setting.points > LARGE)).then(|| given(Way::Forces))?
         }

@@ -15,6 +15,8 @@ pub(crate) struct Island {
     pub(crate) rigid: usize,
     pub(crate) relaxed: usize,
     pub(crate) is_damped: bool,
+    /// Some damper has a spring without a length: it acts in all directions.
+    pub(crate) has_round_dampers: bool,
     /// Some bond acts on one side of its rest length only.
     pub(crate) has_limits: bool,
     /// Bound on the fastest oscillation of the springs [rad/s].
@@ -25,7 +27,7 @@ pub(crate) struct Island {
     pub(crate) couplings: usize,
     /// Most rigid bonds at a free point.
     pub(crate) fullest: usize,
-    /// No way along bonds leads from a free point back to it but the way it went, and at most two bonds end at pins.
+    /// No way along bonds leads from a free point back to it but the way it went, and at most one bond ends at a pin: between two it may get taut.
     pub(crate) is_tree: bool,
 }
 
@@ -62,7 +64,7 @@ pub(crate) fn islands(bonds: &Bonds, w: &[f64]) -> Vec<Island> {
         island.add(&bond, &mut sums);
     }
     for (island, inner) in list.iter_mut().zip(inner) {
-        island.is_tree = inner + 1 == island.points.len() && island.bonds.len() <= inner + 2;
+        island.is_tree = inner + 1 == island.points.len() && island.bonds.len() <= inner + 1;
         island.bound(&sums, w);
     }
     list
@@ -75,6 +77,7 @@ impl Island {
             BondKind::Spring { stiffness, damping } => {
                 self.springs += 1;
                 self.is_damped |= damping > 0.0;
+                self.has_round_dampers |= damping > 0.0 && bond.rest_length == 0.0;
                 for end in [bond.a, bond.b] {
                     sums[end.index()].0 += stiffness;
                     sums[end.index()].1 += damping;
@@ -125,10 +128,12 @@ mod tests {
     }
 
     #[test]
-    fn a_ring_is_no_tree_and_a_row_between_two_pins_is_one() {
+    fn a_ring_is_no_tree_and_a_row_between_two_pins_is_none() {
         let ring = Bonds::from([(0, 1), (1, 2), (2, 0)].map(|(a, b)| bond(a, b, BondKind::Rigid)));
         assert!(!islands(&ring, &[1.0; 3])[0].is_tree);
-        assert!(islands(&ring, &[0.0, 1.0, 1.0])[0].is_tree, "the ring is cut by the pin");
+        assert!(!islands(&ring, &[0.0, 1.0, 1.0])[0].is_tree, "the ring is cut by the pin, and may be taut");
+        let row = Bonds::from([(0, 1), (1, 2)].map(|(a, b)| bond(a, b, BondKind::Rigid)));
+        assert!(islands(&row, &[0.0, 1.0, 1.0])[0].is_tree);
         let comb = Bonds::from([(0, 3), (3, 4), (4, 5), (1, 4), (2, 5)].map(|(a, b)| bond(a, b, BondKind::Rigid)));
         assert!(!islands(&comb, &[0.0, 0.0, 0.0, 1.0, 1.0, 1.0])[0].is_tree, "held at every point");
     }

@@ -7,9 +7,9 @@
 use crate::sim::vector::{add, dot, length, scale, sub};
 
 /// Substeps that are tried.
-const TRIALS: u32 = 256;
+const TRIALS: u32 = 1_024;
 /// What a motion may grow by in all of them: bonds that are steady pass motions on, but not without end.
-const MOST_GROWTH: f64 = 4.0;
+const MOST_GROWTH: f64 = 2.0;
 
 /// Whether small motions of points that start at rest stay small when the bonds `ends` are swept in this order.
 ///
