@@ -5,7 +5,6 @@ use std::cell::Cell;
 use std::num::NonZero;
 use std::sync::OnceLock;
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
-use std::time::Instant;
 
 use rayon::{ThreadPool, ThreadPoolBuilder};
 
@@ -25,6 +24,8 @@ static OTHERS: OnceLock<Option<ThreadPool>> = OnceLock::new();
 thread_local! {
     /// Whether others stand by to help this thread.
     static IS_HELPED: Cell<bool> = const { Cell::new(false) };
+    /// How often this thread waited for others, and how often they were late.
+    static WAITS: Cell<[u32; 2]> = const { Cell::new([0; 2]) };
 }
 
 /// Threads are in use already.
@@ -54,50 +55,36 @@ fn has_help() -> bool {
     rayon::current_thread_index().is_some() && rayon::current_num_threads() > 1
 }
 
-/// Share of the time alone that work with help has to beat: it takes other processors' time.
-const WORTH: f64 = 0.85;
-/// Steps after which the way that is not taken is tried again.
+/// Share of the waits for others in which they may be late.
+const MOST_LATE: f64 = 0.1;
+/// Steps that are taken alone when they were late more often.
 const PATIENCE: u32 = 64;
 
-/// How long work took alone and with help. Where other programs keep the processors busy, help comes late and is waited for.
-///
-/// The one thing that is decided by a clock: the bits of a run do not depend on threads.
+/// Whether help is worth it: where other programs keep the processors busy it comes late, and waiting for it takes longer than
+/// doing the work alone.
 #[derive(Clone, Copy, Debug, Default)]
-pub(crate) struct Pace {
-    /// Alone and with help [s a bond]; 0: not known.
-    seconds: [f64; 2],
-    steps: u32,
+pub(crate) struct Help {
+    /// Steps that are still to be taken alone.
+    alone: u32,
 }
 
-impl Pace {
-    /// Does the work of a step (in bonds that are swept): with other threads standing by where that is quicker.
-    pub(crate) fn keep<R: Send>(&mut self, work: usize, does: impl FnOnce() -> R + Send) -> R {
+impl Help {
+    /// Does the work of a step (in bonds that are swept), with other threads standing by where that is worth it.
+    pub(crate) fn with<R: Send>(&mut self, work: usize, does: impl FnOnce() -> R + Send) -> R {
         if work < LEAST_WORK || !has_help() {
             return does();
         }
-        let clock = Instant::now();
-        let is_helped = self.next();
-        let result = if is_helped { together(does) } else { does() };
-        self.learn(is_helped, clock.elapsed().as_secs_f64() / work as f64);
-        result
-    }
-
-    /// Whether the next step is to be helped.
-    fn next(&mut self) -> bool {
-        self.steps += 1;
-        let [alone, helped] = self.seconds;
-        let is_better = helped < WORTH * alone;
-        match self.steps {
-            // The first steps start threads and fill caches.
-            1..8 => self.steps.is_multiple_of(2),
-            steps if steps.is_multiple_of(PATIENCE) => !is_better,
-            _ => is_better,
+        if self.alone > 0 {
+            self.alone -= 1;
+            return does();
         }
-    }
-
-    fn learn(&mut self, is_helped: bool, seconds: f64) {
-        let known = &mut self.seconds[usize::from(is_helped)];
-        *known = if *known == 0.0 { seconds } else { 0.5 * (*known + seconds) };
+        WAITS.set([0; 2]);
+        let result = together(does);
+        let [all, late] = WAITS.get().map(f64::from);
+        if late > MOST_LATE * all {
+            self.alone = PATIENCE;
+        }
+        result
     }
 }
 
@@ -124,7 +111,7 @@ fn together<R: Send>(does: impl FnOnce() -> R + Send) -> R {
     })
 }
 
-/// Does something with every part, one after another, or several at once within [`Pace::keep`] as `work` makes it worth (bonds
+/// Does something with every part, one after another, or several at once within [`Help::with`] as `work` makes it worth (bonds
 /// that are swept). Parts do not touch each other. The same thread gets the same share every time: it has it in its cache.
 pub(crate) fn with_each<T: Send>(work: usize, parts: impl IntoIterator<Item = T>, does: impl Fn(T) + Sync + Send) {
     with_each_in(work, parts, &mut Vec::new(), || (), |(), part| does(part));
@@ -161,12 +148,13 @@ pub(crate) fn with_each_in<T: Send, R: Send>(
             });
         }
         parts.into_iter().for_each(|part| does(&mut own[0], part));
-        for _ in 0..MOST_LOOKS {
-            if left.load(Ordering::Acquire) == 0 {
-                break;
-            }
+        let is_done = || {
             std::hint::spin_loop();
-        }
+            left.load(Ordering::Acquire) == 0
+        };
+        let is_late = !(0..MOST_LOOKS).any(|_| is_done());
+        let [all, late] = WAITS.get();
+        WAITS.set([all + 1, late + u32::from(is_late)]);
     });
 }
 

@@ -31,7 +31,7 @@ use super::points::Points;
 use super::pull::Pull;
 use super::real::Real;
 use super::surroundings::Surroundings;
-use super::threads::Pace;
+use super::threads::Help;
 use super::vector::length;
 use body::AnyBody;
 use control::{Control, FRAME, Load};
@@ -68,7 +68,7 @@ pub(crate) struct Bulk<S: Real, const D: usize> {
     pub(crate) loaded: Option<f64>,
     /// Nothing from outside is in reach for a while.
     clear: Option<Clear>,
-    pace: Pace,
+    help: Help,
 }
 
 impl<S: Real, const D: usize> Bulk<S, D> {
@@ -77,7 +77,7 @@ impl<S: Real, const D: usize> Bulk<S, D> {
         let mut bodies: Vec<AnyBody<S, D>> = bodies.into_iter().map(|draft| draft.make(&inverse_mass)).collect();
         let borne = bodies.iter_mut().map(AnyBody::bears).fold(0.0, f64::max);
         control.bear(borne * gravity * FRAME * FRAME);
-        Bulk { bodies, way, control, nominal, lag: 0.0, loaded: None, clear: None, pace: Pace::default() }
+        Bulk { bodies, way, control, nominal, lag: 0.0, loaded: None, clear: None, help: Help::default() }
     }
 }
 
@@ -156,9 +156,9 @@ impl<S: Real, const D: usize> Mover<S, D> for Bulk<S, D> {
             let count = self.control.count(h);
             let substep = h / f64::from(count);
             let work = self.bonds() * (count * passes(self.way)) as usize;
-            let mut pace = self.pace;
-            let taut = pace.keep(work, || self.run((points, pull, &outside), (substep, count), counters));
-            self.pace = pace;
+            let mut help = self.help;
+            let taut = help.with(work, || self.run((points, pull, &outside), (substep, count), counters));
+            self.help = help;
             counters.substeps += u64::from(count);
             counters.points_moved += u64::from(count) * points.len() as u64;
             let strain = if self.control.follows() { self.strain() } else { 0.0 };
