@@ -24,8 +24,7 @@ const FALL: f64 = 0.7;
 /// What substeps grow by at most where the strain is above what is asked for.
 const QUICK_GROWTH: f64 = 1.1;
 /// A step with more strain than is asked for is taken again, if that comes from an event: nets that hang taut are strained as
-/// they swing, and would be pumped. There it takes so much more strain than of late, or than is
-/// asked for.
+/// they swing, and would be pumped. There it takes so much more strain than of late, or than is asked for.
 const SUDDEN: f64 = 3.0;
 /// What substeps then grow by at most, and how often.
 const MOST_GROWTH: f64 = 2.0;

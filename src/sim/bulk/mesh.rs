@@ -198,10 +198,12 @@ impl<S: Real, const D: usize> Form<S, D> for Mesh<S, D> {
             return S::ZERO;
         }
         let mut pull = S::ZERO;
-        let there = (0..self.bundles.len()).filter(|&place| self.bundles[place].class > 0).rev();
-        let there = there.filter(|&place| is_rigid(&self.bundles[place].spec));
-        let places: Vec<usize> = there.chain(0..self.bundles.len()).collect();
-        for place in places {
+        for place in (0..self.bundles.len()).rev() {
+            if self.bundles[place].class > 0 && is_rigid(&self.bundles[place].spec) {
+                pull = pull.max(self.solve_bundle(nodes, place, step));
+            }
+        }
+        for place in 0..self.bundles.len() {
             pull = pull.max(self.solve_bundle(nodes, place, step));
         }
         pull
@@ -270,10 +272,5 @@ impl<M: Simd, S: Real> Strip<M, S> for Side<'_, M, S> {
     #[inline(always)]
     fn rest(&self, k: usize) -> Lanes<M, S> {
         load(self.m, &self.bundle.rests, k * WIDEST + self.lane)
-    }
-
-    #[inline(always)]
-    fn inverse_rest(&self, k: usize) -> Lanes<M, S> {
-        splat(self.m, S::ONE) / Strip::<M, S>::rest(self, k)
     }
 }

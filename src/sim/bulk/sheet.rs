@@ -120,8 +120,11 @@ impl<S: Real, const D: usize> Sheet<S, D> {
         match lines {
             Lines::Along => self.solve_rows(cells, &law, rest),
             Lines::Down => self.solve_columns(cells, &law, rest),
-            Lines::Falling => self.solve_diagonals(cells, 1, &law, rest),
-            Lines::Rising => self.solve_diagonals(cells, -1, &law, rest),
+            Lines::Falling | Lines::Rising => {
+                let slope = if lines == Lines::Falling { 1 } else { -1 };
+                self.solve_diagonals(cells, slope, &law, rest);
+                S::ZERO
+            }
         }
     }
 
@@ -182,7 +185,7 @@ impl<S: Real, const D: usize> Sheet<S, D> {
     }
 
     /// Solves every diagonal: those that fall to the right (`slope` = 1) or rise (-1).
-    fn solve_diagonals(&mut self, cells: &mut Cells<S, D>, slope: isize, law: &PathLaw<S>, rest: S) -> S {
+    fn solve_diagonals(&mut self, cells: &mut Cells<S, D>, slope: isize, law: &PathLaw<S>, rest: S) {
         let Sheet { shape, rooms, .. } = self;
         let scratch = &mut rooms[0].1;
         let mut view = cells.view();
@@ -200,7 +203,6 @@ impl<S: Real, const D: usize> Sheet<S, D> {
                 }
             }
         });
-        S::ZERO
     }
 }
 
@@ -363,11 +365,6 @@ impl<M: Simd, S: Real> Strip<M, S> for Columns<'_, M, S> {
     fn rest(&self, _: usize) -> Lanes<M, S> {
         splat(self.m, self.rest)
     }
-
-    #[inline(always)]
-    fn inverse_rest(&self, _: usize) -> Lanes<M, S> {
-        splat(self.m, S::ONE / self.rest)
-    }
 }
 
 /// Every other diagonal, side by side.
@@ -425,10 +422,5 @@ impl<M: Simd, S: Real> Strip<M, S> for Diagonals<'_, M, S> {
     #[inline(always)]
     fn rest(&self, _: usize) -> Lanes<M, S> {
         splat(self.m, self.rest)
-    }
-
-    #[inline(always)]
-    fn inverse_rest(&self, _: usize) -> Lanes<M, S> {
-        splat(self.m, S::ONE / self.rest)
     }
 }

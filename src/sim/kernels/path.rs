@@ -36,8 +36,6 @@ pub(crate) trait Strip<M: Simd, S: Real> {
     fn lanes(&self, k: usize) -> Mask<M, S>;
     /// Rest lengths of bond `k` of the paths [m], > 0.
     fn rest(&self, k: usize) -> Lanes<M, S>;
-    /// One over them [1/m].
-    fn inverse_rest(&self, k: usize) -> Lanes<M, S>;
 }
 
 /// How the bonds of paths resist.
@@ -221,7 +219,7 @@ fn back<M: Simd, S: Real, T: Strip<M, S>, const D: usize>(
         let at = strip.at(k);
         let w = load(m, view.w, at);
         if k > 0 {
-            pull = pull.max(-(w * lambda_behind) * strip.inverse_rest(k - 1));
+            pull = pull.max(-(w * lambda_behind) * (splat(m, S::ONE) / strip.rest(k - 1)));
         }
         let moved = scale::<M, S, D>(sub::<M, S, D>(push_behind, push), w * factor);
         for axis in 0..D {

@@ -148,10 +148,6 @@ impl<M: Simd, S: Real> Strip<M, S> for Side<'_, M, S> {
     fn rest(&self, k: usize) -> Lanes<M, S> {
         load(self.m, self.rests, k * WIDEST + self.lane)
     }
-
-    fn inverse_rest(&self, k: usize) -> Lanes<M, S> {
-        super::lanes::splat(self.m, S::ONE) / Strip::<M, S>::rest(self, k)
-    }
 }
 
 /// One round over paths side by side.

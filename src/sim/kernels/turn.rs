@@ -124,9 +124,4 @@ impl<M: Simd, S: Real> Strip<M, S> for Turned<'_, M, S> {
     fn rest(&self, _: usize) -> Lanes<M, S> {
         splat(self.m, self.rest)
     }
-
-    #[inline(always)]
-    fn inverse_rest(&self, _: usize) -> Lanes<M, S> {
-        splat(self.m, S::ONE / self.rest)
-    }
 }

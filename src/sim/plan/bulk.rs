@@ -88,7 +88,7 @@ impl<S: Real, const D: usize> Maker<'_, S, D> {
             let points = crowd.points.len() / crowd.bodies;
             let links = by_colour(&ends, points).into_iter().map(|k| crowd.bonds[k as usize]);
             let links: Vec<([u32; 2], Spec)> = links.map(|(ends, spec)| (ends, self.meant(spec))).collect();
-            let is_steady = self.is_steady(&crowd.points[..points], &links);
+            let is_steady = self.lot.choice.solver == Solver::Path && self.is_steady(&crowd.points[..points], &links);
             let shape = Shape::Crowd { bodies: crowd.bodies, points, links, is_steady };
             Draft { shape, members: self.members(&crowd.points) }
         });

@@ -46,16 +46,9 @@ mod tests {
             position: (0..count).map(|i| [0.1 * f64::from(i), 0.0]).collect(),
             velocity: vec![[0.0; 2]; count as usize],
             mass: vec![1.0; count as usize],
-            pinned: Vec::new(),
             bonds,
-            gravity: [0.0, -9.8],
-            drag_rate: 0.0,
-            mouse: None,
-            bounds: None,
-            duration: None,
-            planes: Vec::new(),
-            pin_motion: Vec::new(),
             method: Method { solver: Solver::Auto, max_strain: Some(max_strain), ..Method::default() },
+            ..Model::default()
         }
     }
 
