@@ -4,6 +4,7 @@ use super::Way;
 use super::chain::Chain;
 use super::crowd::Crowd;
 use super::form::Form;
+use super::impact::Piece;
 use super::mesh::Mesh;
 use super::outside::Outside;
 use super::sheet::Sheet;
@@ -13,6 +14,10 @@ use crate::sim::kernels::store::{Drift, Store};
 use crate::sim::points::Points;
 use crate::sim::real::Real;
 use crate::sim::vector::{add, scale, sub};
+use std::collections::BTreeMap;
+
+/// Impacts that a piece may have in one substep: of corners, one after the other.
+const MOST_BLOWS: u32 = 8;
 
 /// A large body of any form.
 #[derive(Clone, Debug)]
@@ -57,9 +62,9 @@ impl<S: Real, const D: usize> AnyBody<S, D> {
         of_any!(self, body => body.push(push, share))
     }
 
-    /// Surfaces turn points back. Returns how many.
-    pub(crate) fn meet(&mut self, outside: &Outside<S, D>, gentle: S) -> u64 {
-        of_any!(self, body => body.meet(outside, gentle))
+    /// Surfaces turn points back; `fall` is what gravity adds to a motion [m]. Returns how many.
+    pub(crate) fn meet(&mut self, outside: &Outside<S, D>, fall: [S; D]) -> u64 {
+        of_any!(self, body => body.meet(outside, fall))
     }
 
     /// Bonds of one substep. Returns the largest pull.
@@ -142,11 +147,15 @@ pub(crate) struct Body<S: Real, const D: usize, F: Form<S, D>> {
     /// The inverse mass that weights are relative to [1/kg].
     reference: f64,
     members: Members,
+    /// How many points make one piece each: impacts strike it as a whole.
+    piece: Option<usize>,
 }
 
 impl<S: Real, const D: usize, F: Form<S, D>> Body<S, D, F> {
     /// A body of these points of the group, whose inverse masses are `w` [1/kg].
-    pub(crate) fn new(mut form: F, members: Members, w: &[S]) -> Self {
+    ///
+    /// Each `piece` points, where it is given, are held in shape by bonds.
+    pub(crate) fn new(mut form: F, (members, piece): (Members, Option<usize>), w: &[S]) -> Self {
         let mut least = f64::INFINITY;
         form.each(|i, _| {
             let w = w[members.point(i)].to_f64();
@@ -158,7 +167,7 @@ impl<S: Real, const D: usize, F: Form<S, D>> Body<S, D, F> {
         let mut store = F::Store::new(form.cells());
         form.each(|i, cell| *store.weight(cell) = S::from_f64(w[members.point(i)].to_f64() / reference));
         form.weigh(&mut store);
-        Body { form, store, reference, members }
+        Body { form, store, reference, members, piece }
     }
 
     fn load(&mut self, points: &Points<S, D>, h: S) {
@@ -185,21 +194,68 @@ impl<S: Real, const D: usize, F: Form<S, D>> Body<S, D, F> {
         count
     }
 
-    fn meet(&mut self, outside: &Outside<S, D>, gentle: S) -> u64 {
-        let Body { form, store, .. } = self;
-        let mut count = 0;
-        form.each(|_, cell| {
-            if *store.weight(cell) == S::ZERO {
-                return;
+    fn meet(&mut self, outside: &Outside<S, D>, fall: [S; D]) -> u64 {
+        let mut below = self.below(outside);
+        if let Some(size) = self.piece {
+            for _ in 0..MOST_BLOWS {
+                if below.is_empty() || !self.strike(&below, (outside, fall), size) {
+                    break;
+                }
+                below = self.below(outside);
             }
-            let (x, d) = store.get(cell);
-            let (start, motion) = (sub(add(x, d), store.motion(cell)), store.motion(cell));
-            if let Some((x, motion)) = outside.meet(start, motion, gentle) {
+        }
+        let Body { store, .. } = self;
+        for &(_, cell) in &below {
+            if let Some((x, motion)) = outside.meet(start(store, cell), store.motion(cell), fall) {
                 store.set(cell, x, motion);
-                count += 1;
+            }
+        }
+        below.len() as u64
+    }
+
+    /// Points that are about to end below a surface, counted within the body, and their places in the store.
+    fn below(&mut self, outside: &Outside<S, D>) -> Vec<(usize, usize)> {
+        let Body { form, store, .. } = self;
+        let mut below = Vec::new();
+        form.each(|i, cell| {
+            let (x, d) = store.get(cell);
+            if outside.is_below(add(x, d)) && *store.weight(cell) != S::ZERO {
+                below.push((i, cell));
             }
         });
-        count
+        below
+    }
+
+    /// Pieces of so many points with some `below` a surface go on from there by the motion that the impact gives them.
+    /// Returns whether there were any.
+    fn strike(&mut self, below: &[(usize, usize)], (outside, fall): (&Outside<S, D>, [S; D]), size: usize) -> bool {
+        let Body { form, store, .. } = self;
+        let mut pieces: BTreeMap<usize, Piece<D>> = BTreeMap::new();
+        for &(i, cell) in below {
+            let motion = store.motion(cell);
+            let end = add(start(store, cell), motion);
+            let piece = pieces.entry(i / size).or_insert_with(Piece::new);
+            outside.below(end).for_each(|surface| piece.touch((end, motion), surface, fall));
+        }
+        pieces.retain(|_, piece| !piece.is_clear());
+        if pieces.is_empty() {
+            return false;
+        }
+        form.each(|i, cell| {
+            if let Some(piece) = pieces.get_mut(&(i / size)) {
+                let (x, d) = store.get(cell);
+                piece.weigh(add(x, d), *store.weight(cell));
+            }
+        });
+        pieces.values_mut().for_each(|piece| piece.strike(fall));
+        form.each(|i, cell| {
+            let Some(piece) = pieces.get(&(i / size)).filter(|_| *store.weight(cell) > S::ZERO) else { return };
+            let (x, d) = store.get(cell);
+            let (faster, further) = piece.change(add(x, d));
+            let motion = add(store.motion(cell), faster);
+            store.set(cell, sub(add(add(x, d), further), motion), motion);
+        });
+        true
     }
 
     fn arrive(&mut self, points: &mut Points<S, D>, rate: S) {
@@ -229,4 +285,10 @@ impl<S: Real, const D: usize, F: Form<S, D>> Body<S, D, F> {
             }),
         });
     }
+}
+
+/// Where a point would have been at the start of the substep, had it gone by its motion alone.
+fn start<S: Real, const D: usize>(store: &impl Store<S, D>, cell: usize) -> [S; D] {
+    let (x, d) = store.get(cell);
+    sub(add(x, d), store.motion(cell))
 }

@@ -91,8 +91,12 @@ impl Control {
 
     /// Substeps of a step of `h` [s].
     pub(crate) fn count(&self, h: f64) -> u32 {
-        let longest = if self.target.is_some() { FRAME / self.count.ceil() } else { self.longest };
-        ((h / longest * (1.0 - 1e-9)).ceil() as u32).max(1)
+        ((h / self.substep() * (1.0 - 1e-9)).ceil() as u32).max(1)
+    }
+
+    /// The longest substep [s].
+    pub(crate) fn substep(&self) -> f64 {
+        if self.target.is_some() { FRAME / self.count.ceil() } else { self.longest }
     }
 
     /// A step ended with this strain: whether it stands.

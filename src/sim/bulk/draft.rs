@@ -33,6 +33,8 @@ pub(crate) enum Shape<const D: usize> {
 pub(crate) struct Draft<const D: usize> {
     pub(crate) shape: Shape<D>,
     pub(crate) members: Members,
+    /// How many points make one piece each, that bonds hold in shape; `None` where surfaces strike point by point.
+    pub(crate) piece: Option<usize>,
 }
 
 /// All that large bodies are made from.
@@ -51,14 +53,16 @@ pub(crate) struct Order<S, const D: usize> {
 impl<const D: usize> Draft<D> {
     /// The body.
     pub(super) fn make<S: Real>(self, w: &[S]) -> AnyBody<S, D> {
-        let members = self.members;
+        let (members, piece) = (self.members, self.piece);
         match self.shape {
             Shape::Sheet { columns, rows, specs, rows_last } => {
-                AnyBody::Sheet(Box::new(Body::new(Sheet::new(columns, rows, specs, rows_last), members, w)))
+                AnyBody::Sheet(Box::new(Body::new(Sheet::new(columns, rows, specs, rows_last), (members, piece), w)))
             }
-            Shape::Chain { spec, rests } => AnyBody::Chain(Box::new(Body::new(Chain::new(spec, &rests), members, w))),
+            Shape::Chain { spec, rests } => {
+                AnyBody::Chain(Box::new(Body::new(Chain::new(spec, &rests), (members, piece), w)))
+            }
             Shape::Crowd { bodies, points, links, is_steady } => {
-                AnyBody::Crowd(Box::new(Body::new(Crowd::new(bodies, points, links, is_steady), members, w)))
+                AnyBody::Crowd(Box::new(Body::new(Crowd::new(bodies, points, links, is_steady), (members, piece), w)))
             }
             Shape::Mesh { points, segments, trails } => {
                 let mut mesh = Mesh::new(points, segments);
@@ -67,7 +71,7 @@ impl<const D: usize> Draft<D> {
                 {
                     mesh.forget_trails();
                 }
-                AnyBody::Mesh(Box::new(Body::new(mesh, members, w)))
+                AnyBody::Mesh(Box::new(Body::new(mesh, (members, piece), w)))
             }
         }
     }

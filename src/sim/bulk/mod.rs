@@ -16,6 +16,7 @@ pub(crate) mod control;
 pub(crate) mod crowd;
 pub(crate) mod draft;
 pub(crate) mod form;
+pub(crate) mod impact;
 pub(crate) mod mesh;
 pub(crate) mod mover;
 pub(crate) mod outside;
@@ -32,13 +33,16 @@ use super::pull::Pull;
 use super::real::Real;
 use super::surroundings::Surroundings;
 use super::threads::Help;
-use super::vector::length;
+use super::vector::{add, convert, scale, sub};
 use body::AnyBody;
 use control::{Control, FRAME, Load};
 use draft::Order;
 use mover::Mover;
 use outside::{Clear, Outside};
 use spec::{Start, Substep};
+
+/// Share of a substep below which a step is none.
+const SHORTEST: f64 = 0.5;
 
 /// Passes over the bonds that a start gets which violates them.
 const MOST_PASSES: u32 = 200;
@@ -62,8 +66,10 @@ pub(crate) struct Bulk<S: Real, const D: usize> {
     pub(crate) control: Control,
     /// The substep that relaxed bonds are relative to [s].
     pub(crate) nominal: f64,
-    /// How far velocities are behind positions [s].
+    /// How far velocities are behind positions, when they come from the stores [s].
     pub(crate) lag: f64,
+    /// How far the points are ahead of the stores [s].
+    ahead: f64,
     /// The substep that the motions in the stores are of [s]; `None`: they are to be taken from the points.
     pub(crate) loaded: Option<f64>,
     /// Nothing from outside is in reach for a while.
@@ -77,17 +83,18 @@ impl<S: Real, const D: usize> Bulk<S, D> {
         let mut bodies: Vec<AnyBody<S, D>> = bodies.into_iter().map(|draft| draft.make(&inverse_mass)).collect();
         let borne = bodies.iter_mut().map(AnyBody::bears).fold(0.0, f64::max);
         control.bear(borne * gravity * FRAME * FRAME);
-        Bulk { bodies, way, control, nominal, lag: 0.0, loaded: None, clear: None, help: Help::default() }
+        Bulk { bodies, way, control, nominal, lag: 0.0, ahead: 0.0, loaded: None, clear: None, help: Help::default() }
     }
 }
 
 impl<S: Real, const D: usize> Mover<S, D> for Bulk<S, D> {
     fn lag(&self) -> f64 {
-        self.lag
+        self.lag + self.ahead
     }
 
     fn reload(&mut self) {
-        (self.loaded, self.clear) = (None, None);
+        self.clear = None;
+        self.forget();
     }
 
     fn boxed_clone(&self) -> Box<dyn Mover<S, D>> {
@@ -142,6 +149,7 @@ impl<S: Real, const D: usize> Mover<S, D> for Bulk<S, D> {
         points.velocity = velocity;
     }
 
+    /// A step much shorter than a substep waits for the next one: what strain bonds have would be mended within it, at any speed.
     /// Where a strain is asked for and not reached, the step is taken again in more substeps.
     fn step(
         &mut self,
@@ -151,8 +159,13 @@ impl<S: Real, const D: usize> Mover<S, D> for Bulk<S, D> {
         (t, h): (f64, f64),
         counters: &mut Counters,
     ) {
-        let outside = Outside::in_reach(points, pull, around, (t, h), (&mut self.clear, self.way == Way::Forces));
+        if self.way != Way::Forces && self.ahead + h < SHORTEST * self.loaded.unwrap_or(self.control.substep()) {
+            return self.wait(points, pull, h);
+        }
+        let span = (t - self.ahead, self.ahead + h);
+        let outside = Outside::in_reach(points, pull, around, span, (&mut self.clear, self.way == Way::Forces));
         loop {
+            let h = h + self.ahead;
             let count = self.control.count(h);
             let substep = h / f64::from(count);
             let work = self.bonds() * (count * passes(self.way)) as usize;
@@ -164,18 +177,39 @@ impl<S: Real, const D: usize> Mover<S, D> for Bulk<S, D> {
             let strain = if self.control.follows() { self.strain() } else { 0.0 };
             if self.control.accepts(strain, Load { pull: taut.to_f64(), is_disturbed: !outside.is_nothing() }) {
                 self.arrive(points, substep);
-                self.lag = 0.5 * substep;
+                (self.lag, self.ahead) = (0.5 * substep, 0.0);
                 self.loaded = Some(substep);
                 return;
             }
             // The points still have the state before.
-            self.loaded = None;
+            self.forget();
             counters.guard_splits += 1;
         }
     }
 }
 
 impl<S: Real, const D: usize> Bulk<S, D> {
+    /// The points are what counts, not the stores.
+    fn forget(&mut self) {
+        (self.lag, self.ahead, self.loaded) = (self.lag + self.ahead, 0.0, None);
+    }
+
+    /// Points fly for `h` [s], and end on the free side of surfaces; the stores stay behind.
+    fn wait(&mut self, points: &mut Points<S, D>, pull: &Pull<S, D>, h: f64) {
+        let flight = drift(pull, (1.0, 1.0), self.lag() + 0.5 * h);
+        for ((x, &v), &w) in points.position.iter_mut().zip(&points.velocity).zip(&points.inverse_mass) {
+            let way = if w > S::ZERO { add(scale(v, flight.keep), flight.fall) } else { v };
+            *x = add(*x, scale(way, S::from_f64(h)));
+            for surface in pull.contacts.surfaces.iter().filter(|_| w > S::ZERO) {
+                *x = sub(*x, scale(surface.normal, surface.gap(*x).min(S::ZERO)));
+            }
+        }
+        match self.loaded {
+            Some(_) => self.ahead += h,
+            None => self.lag += h,
+        }
+    }
+
     /// The largest strain of rigid bonds of points as they lie.
     fn strain_of(&mut self, points: &Points<S, D>) -> f64 {
         self.bodies.iter_mut().for_each(|body| body.load(points, S::ZERO));
@@ -214,7 +248,7 @@ impl<S: Real, const D: usize> Bulk<S, D> {
             let time = if substep == 0 { early } else { h };
             self.push(outside, h * time, counters);
             taut = taut.max(self.project((h, time), counters));
-            self.meet(outside, 4.0 * length(pull.gravity) * h * h, counters);
+            self.meet(outside, scale(pull.gravity, h * h), counters);
         }
         taut
     }
@@ -236,13 +270,13 @@ impl<S: Real, const D: usize> Bulk<S, D> {
         }
     }
 
-    /// Surfaces, where they are in reach.
-    fn meet(&mut self, outside: &Outside<S, D>, gentle: f64, counters: &mut Counters) {
+    /// Surfaces, where they are in reach; `fall` is what gravity adds to a motion [m].
+    fn meet(&mut self, outside: &Outside<S, D>, fall: [f64; D], counters: &mut Counters) {
         if outside.surfaces.is_empty() {
             return;
         }
         for body in &mut self.bodies {
-            counters.events += body.meet(outside, S::from_f64(gentle));
+            counters.events += body.meet(outside, convert(fall));
         }
     }
 

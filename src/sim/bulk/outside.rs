@@ -69,13 +69,24 @@ impl<S: Real, const D: usize> Outside<S, D> {
         self.mouse.is_none() && self.surfaces.is_empty()
     }
 
+    /// The surfaces that `x` is below.
+    pub(crate) fn below(&self, x: [S; D]) -> impl Iterator<Item = &Surface<S, D>> {
+        self.surfaces.iter().filter(move |surface| surface.gap(x) < S::ZERO)
+    }
+
+    /// Whether `x` is below some surface.
+    pub(crate) fn is_below(&self, x: [S; D]) -> bool {
+        self.below(x).next().is_some()
+    }
+
     /// What the surfaces make of a point that is about to go by `motion` from `x`: where it starts and how it goes instead,
-    /// so that it ends on the surface with the velocity of the bounce. `None`: it meets none.
+    /// so that it ends on the surface with the velocity of the bounce. `None`: it meets none. `fall` is what gravity adds to a
+    /// motion [m].
     ///
-    /// v_n -> -restitution v_n, |change of v_t| <= friction |change of v_n|. Impacts slower than `gentle` [m] a substep do
-    /// not bounce.
-    pub(crate) fn meet(&self, x: [S; D], motion: [S; D], gentle: S) -> Option<([S; D], [S; D])> {
+    /// v_n -> -restitution v_n, |change of v_t| <= friction |change of v_n|. Slow impacts do not bounce.
+    pub(crate) fn meet(&self, x: [S; D], motion: [S; D], fall: [S; D]) -> Option<([S; D], [S; D])> {
         let (mut end, mut motion, mut met) = (add(x, motion), motion, false);
+        let gentle = gentle(fall);
         for surface in &self.surfaces {
             let gap = surface.gap(end);
             if gap >= S::ZERO {
@@ -98,6 +109,11 @@ impl<S: Real, const D: usize> Outside<S, D> {
     }
 }
 
+/// The fastest motion that does not bounce: what gravity gives and takes again while a point rests.
+pub(crate) fn gentle<S: Real, const D: usize>(fall: [S; D]) -> S {
+    S::from_f64(4.0) * length(fall)
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -110,22 +126,22 @@ mod tests {
 
     #[test]
     fn a_point_above_the_floor_meets_nothing() {
-        assert_eq!(floor(0.5, 0.0).meet([0.0, 1.0], [0.1, -0.5], 0.0), None);
+        assert_eq!(floor(0.5, 0.0).meet([0.0, 1.0], [0.1, -0.5], [0.0; 2]), None);
     }
 
     #[test]
     fn a_point_ends_on_the_floor_with_the_velocity_of_the_bounce() {
-        let (x, motion) = floor(0.5, 0.0).meet([0.0, 0.1], [0.2, -0.4], 0.01).unwrap_or_default();
+        let (x, motion) = floor(0.5, 0.0).meet([0.0, 0.1], [0.2, -0.4], [0.0, -0.002]).unwrap_or_default();
         assert_eq!(motion, [0.2, 0.2]);
         assert_eq!(add(x, motion), [0.2, 0.0]);
     }
 
     #[test]
     fn friction_takes_no_more_than_there_is_and_gentle_impacts_stay() {
-        let (x, motion) = floor(0.5, 0.1).meet([0.0, 0.0], [0.3, -0.1], 1.0).unwrap_or_default();
+        let (x, motion) = floor(0.5, 0.1).meet([0.0, 0.0], [0.3, -0.1], [0.0, -0.25]).unwrap_or_default();
         assert!((motion[0] - 0.29).abs() < 1e-15 && motion[1] == 0.0, "{motion:?}");
         assert!((add(x, motion)[0] - 0.29).abs() < 1e-15);
-        let (_, motion) = floor(0.0, 9.0).meet([0.0, 0.0], [0.3, -0.1], 0.0).unwrap_or_default();
+        let (_, motion) = floor(0.0, 9.0).meet([0.0, 0.0], [0.3, -0.1], [0.0; 2]).unwrap_or_default();
         assert_eq!(motion, [0.0, 0.0]);
     }
 }

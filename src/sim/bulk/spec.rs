@@ -55,6 +55,11 @@ impl Spec {
         self.kind == other.kind && self.limit == other.limit
     }
 
+    /// Whether it keeps its length, neither less nor more.
+    pub(crate) fn is_rod(&self) -> bool {
+        self.kind == BondKind::Rigid && self.limit == Limit::Both
+    }
+
     /// The law of a bond that is not rigid.
     pub(crate) fn elastic<S: Real>(&self, step: &Substep) -> Elastic<S> {
         match self.kind {

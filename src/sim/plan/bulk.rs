@@ -3,6 +3,7 @@
 use super::choice::Scheme;
 use super::gather::Gathered;
 use super::make::{Maker, breakable};
+use super::structure::piece::is_one_piece;
 use super::structure::{self, Structure, steady};
 use crate::sim::bond::BondKind;
 use crate::sim::bulk::body::Members;
@@ -19,6 +20,7 @@ use crate::sim::group::Group;
 use crate::sim::group::engine::Engine;
 use crate::sim::group::events::edge::Edges;
 use crate::sim::group::guard::Guard;
+use crate::sim::kernels::rows::Kinds;
 use crate::sim::plan::island::Island;
 use crate::sim::points::State;
 use crate::sim::pull::Pull;
@@ -38,7 +40,12 @@ impl<S: Real, const D: usize> Maker<'_, S, D> {
         let mut points = self.state(&w);
         points.position_lost = Vec::new();
         points.velocity_lost = Vec::new();
-        let bodies = self.drafts();
+        let breakable = breakable(self.bonds(), |_| true);
+        let mut bodies = self.drafts();
+        if !breakable.is_empty() {
+            // What breaks has to be strained first.
+            bodies.iter_mut().for_each(|draft| draft.piece = None);
+        }
         let are_chains = bodies.iter().all(|draft| matches!(draft.shape, Shape::Chain { .. }));
         let control = match scheme.target {
             Some(target) => Control::following(if are_chains { CHAIN_SHARE * target } else { target }),
@@ -55,7 +62,7 @@ impl<S: Real, const D: usize> Maker<'_, S, D> {
         let bulk = mover(order)?;
         Some(Group {
             guard: Guard { bonds: Vec::new(), follows_turns: false },
-            breakable: breakable(self.bonds(), |_| true),
+            breakable,
             edges: Edges::none(),
             tracks: self.tracks(),
             substep: choice.substep,
@@ -89,8 +96,9 @@ impl<S: Real, const D: usize> Maker<'_, S, D> {
             let links = by_colour(&ends, points).into_iter().map(|k| crowd.bonds[k as usize]);
             let links: Vec<([u32; 2], Spec)> = links.map(|(ends, spec)| (ends, self.meant(spec))).collect();
             let is_steady = self.lot.choice.solver == Solver::Path && self.is_steady(&crowd.points[..points], &links);
+            let piece = self.piece(points, &links);
             let shape = Shape::Crowd { bodies: crowd.bodies, points, links, is_steady };
-            Draft { shape, members: self.members(&crowd.points) }
+            Draft { shape, members: self.members(&crowd.points), piece }
         });
         let mut drafts: Vec<Draft<D>> = crowds.collect();
         drafts.extend(others.into_iter().map(|place| self.draft(&islands[place], &structures[place])));
@@ -106,6 +114,26 @@ impl<S: Real, const D: usize> Maker<'_, S, D> {
         // What can be tried is the start: a body with fewer bonds than hold its shape gets into others.
         let keeps_shape = ends.len() + D * (D + 1) / 2 >= D * x.len();
         keeps_shape && steady::is_steady(&x, &w, &ends)
+    }
+
+    /// The number of points again where rigid bonds hold all of them in shape, and surfaces may strike.
+    fn piece(&self, points: usize, links: &[([u32; 2], Spec)]) -> Option<usize> {
+        if !self.strikes_pieces() {
+            return None;
+        }
+        let ends: Vec<[u32; 2]> = links.iter().filter(|(_, spec)| spec.is_rod()).map(|(ends, _)| *ends).collect();
+        is_one_piece(points, &ends).then_some(points)
+    }
+
+    /// The same of a sheet: its cells are triangles where there is a diagonal.
+    fn piece_of_sheet(&self, points: usize, specs: &Kinds<Spec>) -> Option<usize> {
+        let is_braced = [specs.falling, specs.rising].iter().flatten().any(Spec::is_rod);
+        (self.strikes_pieces() && specs.along.is_rod() && specs.down.is_rod() && is_braced).then_some(points)
+    }
+
+    /// Whether there are surfaces, in the plane.
+    fn strikes_pieces(&self) -> bool {
+        D == 2 && (self.model.bounds.is_some() || !self.model.planes.is_empty())
     }
 
     fn members(&self, points: &[u32]) -> Members {
@@ -133,12 +161,14 @@ impl<S: Real, const D: usize> Maker<'_, S, D> {
                     Members::List(_) => self.mesh(island),
                     members => {
                         let (specs, rows_last) = (specs.map(|&spec| self.meant(spec)), self.rows_last(first, columns));
-                        Draft { shape: Shape::Sheet { columns, rows, specs, rows_last }, members }
+                        let piece = self.piece_of_sheet(columns * rows, &specs);
+                        Draft { shape: Shape::Sheet { columns, rows, specs, rows_last }, members, piece }
                     }
                 }
             }
             Structure::Chain { points, spec, rests } if self.lot.choice.solver == Solver::Path => {
-                Draft { shape: Shape::Chain { spec: *spec, rests: rests.clone() }, members: self.members(points) }
+                let shape = Shape::Chain { spec: *spec, rests: rests.clone() };
+                Draft { shape, members: self.members(points), piece: None }
             }
             _ => self.mesh(island),
         }
@@ -157,12 +187,15 @@ impl<S: Real, const D: usize> Maker<'_, S, D> {
         };
         let position = |&i: &u32| widen(self.gathered.state.position[i as usize]);
         let has_trails = self.lot.choice.solver == Solver::Path;
+        let segments: Vec<Segment> = island.bonds.iter().map(segment).collect();
+        let links: Vec<([u32; 2], Spec)> = segments.iter().map(|segment| (segment.ends, segment.spec)).collect();
+        let piece = self.piece(members.len(), &links);
         let shape = Shape::Mesh {
             points: members.len(),
-            segments: island.bonds.iter().map(segment).collect(),
+            segments,
             trails: has_trails.then(|| (members.iter().map(position).collect(), self.model.gravity)),
         };
-        Draft { shape, members: self.members(&members) }
+        Draft { shape, members: self.members(&members), piece }
     }
 
     /// Whether gravity pulls along the rows of a sheet rather than along its columns.

@@ -5,6 +5,7 @@
 
 mod chain;
 mod crowd;
+pub(crate) mod piece;
 mod sheet;
 pub(crate) mod steady;
 #[cfg(test)]
