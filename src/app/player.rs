@@ -1,7 +1,6 @@
 //! Plays a world: wall time in, whole fixed substeps out.
 
-use crate::sim::sleep::STILL_SPEED;
-use crate::sim::{Command, Dynamics, Positions, Sleep};
+use crate::sim::{Command, Dynamics, Positions};
 
 /// Longest wall time that one frame makes up for [s]: after a hitch (a dragged window, a laptop that slept) the rest is
 /// dropped, so that nothing is thrown about.
@@ -61,7 +60,6 @@ pub struct Player {
     /// Whether it has ended there: from then on it goes on without end.
     ended: bool,
     playing: bool,
-    sleep: Sleep,
     motion: u64,
     topology: u64,
     /// How many bonds there were when the topology was last looked at.
@@ -81,7 +79,6 @@ impl Player {
             duration,
             ended: false,
             playing: true,
-            sleep: Sleep::default(),
             motion: 0,
             topology: 0,
         }
@@ -103,8 +100,8 @@ impl Player {
             }
             self.step_once();
             substeps += 1;
-            self.sleep.watch(&*self.world);
-            if self.sleep.is_asleep() {
+            self.world.doze();
+            if self.world.is_asleep() {
                 self.settle();
             } else if !self.ended && self.duration.is_some_and(|end| self.world.time() >= end) {
                 self.playing = false;
@@ -150,7 +147,7 @@ impl Player {
     /// Pauses and goes on by one frame's worth of substeps, at least one.
     pub fn step(&mut self) {
         self.playing = false;
-        self.sleep.wake();
+        self.world.wake();
         self.due = 0.0;
         let substeps = (SINGLE_STEP * self.rate / self.world.substep()).round().max(1.0) as u32;
         for _ in 0..substeps {
@@ -165,30 +162,23 @@ impl Player {
         self.world = self.start.boxed_clone();
         self.world.apply(Command::MoveCursor(cursor));
         self.ended = false;
-        self.sleep.wake();
         self.settle();
     }
 
     /// Plays if paused, pauses if playing.
     pub fn toggle(&mut self) {
         self.playing = !self.playing;
-        self.sleep.wake();
+        self.world.wake();
     }
 
-    /// Applies a command to the world and wakes it.
-    ///
-    /// A cursor that moves where it reaches nothing wakes nothing: nothing would come of it.
+    /// Applies a command to the world: what it reaches wakes.
     pub fn apply(&mut self, command: Command) {
         self.world.apply(command);
-        let idle = matches!(command, Command::MoveCursor(_)) && self.world.is_still(STILL_SPEED);
-        if !idle {
-            self.sleep.wake();
-        }
     }
 
     /// Whether time passes: playing and awake.
     pub fn is_moving(&self) -> bool {
-        self.playing && !self.sleep.is_asleep()
+        self.playing && !self.world.is_asleep()
     }
 
     /// Whether it plays, asleep or not.
@@ -198,7 +188,7 @@ impl Player {
 
     /// Whether the world sleeps.
     pub fn is_asleep(&self) -> bool {
-        self.sleep.is_asleep()
+        self.world.is_asleep()
     }
 
     /// The world.

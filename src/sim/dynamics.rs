@@ -95,6 +95,13 @@ pub trait Dynamics: Send {
     fn parts(&self) -> &[PlanPart];
     /// What the user should know of the scene: lengths that contradict each other, bonds that cannot hold.
     fn warnings(&self) -> &[String];
+    /// Lets groups of islands fall asleep that have been still for a while: to be called after a step by those who let a scene
+    /// rest. What sleeps is not stepped; a mouse that reaches it wakes it.
+    fn doze(&mut self);
+    /// Whether everything sleeps, and nothing that is still to come could wake it.
+    fn is_asleep(&self) -> bool;
+    /// Wakes everything.
+    fn wake(&mut self);
     /// Whether nothing moves faster than `speed` [m/s], no cursor reaches a point and no track moves.
     fn is_still(&self, speed: f64) -> bool;
     /// Whether every position is a finite number.

@@ -46,7 +46,6 @@ pub use plan::PlanPart;
 pub use real::Real;
 pub use search::{Found, search};
 pub use settle::{Equilibrium, settle};
-pub use sleep::Sleep;
 pub use solver::Solver;
 pub use threads::{ThreadsInUse, use_threads};
 pub use world::{World, build};

@@ -8,6 +8,7 @@ use super::command::Command;
 use super::counters::Counters;
 use super::dynamics::{Dynamics, Positions, Sample};
 use super::force::mouse::{self, Cursor, MouseForce};
+use super::group::Group;
 use super::measure;
 use super::model::{Model, ModelError, Precision};
 use super::plan::{self, Plan, PlanPart};
@@ -205,10 +206,17 @@ impl<S: Real, const D: usize> World<S, D> {
         measure::energy(|i| position[i], |i| velocity[i], &w, &self.bonds, self.around.gravity)
     }
 
+    /// Whether the mouse is still to be moved by its track.
+    fn mouse_moves(&self) -> bool {
+        let t = self.timeline.time();
+        self.around.mouse.as_ref().is_some_and(|mouse| mouse.track.moves_after(t))
+    }
+
     /// Something changed from outside: nothing that was worked out before belongs to the present.
     fn refresh(&mut self) {
         let t = self.timeline.time();
         for group in &mut self.plan.groups {
+            group.stir(&self.around, t);
             group.mark_inside(&self.around, t);
         }
     }
@@ -339,10 +347,22 @@ impl<S: Real, const D: usize> Dynamics for World<S, D> {
         &self.warnings
     }
 
+    fn doze(&mut self) {
+        let t = self.timeline.time();
+        self.plan.groups.iter_mut().for_each(|group| group.doze(&self.around, t));
+    }
+
+    fn is_asleep(&self) -> bool {
+        !self.mouse_moves() && self.plan.groups.iter().all(Group::is_asleep)
+    }
+
+    fn wake(&mut self) {
+        self.plan.groups.iter_mut().for_each(Group::wake);
+    }
+
     fn is_still(&self, speed: f64) -> bool {
         let t = self.timeline.time();
-        let track_moves = self.around.mouse.as_ref().is_some_and(|mouse| mouse.track.moves_after(t))
-            || self.model.pin_motion.iter().any(|(_, track)| track.moves_after(t));
+        let track_moves = self.mouse_moves() || self.model.pin_motion.iter().any(|(_, track)| track.moves_after(t));
         let groups = &self.plan.groups;
         let reached = |(force, cursor)| groups.iter().any(|group| mouse::reaches(&group.points, force, cursor));
         !track_moves

@@ -219,7 +219,10 @@ pub(crate) fn scene<const D: usize>(model: &Model<D>) -> Scene {
     }
     if let Some(mouse) = &model.mouse {
         let knots: Vec<[f64; 3]> = mouse.track.knots.iter().map(|&(t, [x, y])| [t, x, y]).collect();
-        keys["mouse"] = json!({ "strength": mouse.strength, "radius": mouse.radius, "track": knots });
+        keys["mouse"] = json!({ "strength": mouse.strength, "radius": mouse.radius });
+        if !knots.is_empty() {
+            keys["mouse"]["track"] = json!(knots);
+        }
     }
     if let Some(Bounds { min, max, restitution, friction }) = &model.bounds {
         let (min, max) = (min.to_vec(), max.to_vec());

@@ -1,6 +1,6 @@
 //! What acts on large bodies: the mouse, led pins, bonds that break.
 
-use wobble::sim::{Bond, Model, MouseForce, PointId, Profile, Region, Track};
+use wobble::sim::{Bond, Command, Cursor, Dynamics, Model, MouseForce, PointId, Profile, Region, Track};
 
 use super::models::{fastest, frames, hung, sheet, to_strain, world};
 
@@ -75,4 +75,49 @@ fn a_cloth_tears_and_falls_apart_without_a_jump() {
         assert!(world.counters().bonds_torn > 50, "{}", world.counters().bonds_torn);
         assert!(most <= start + 1.0, "{most} J of {start} J");
     }
+}
+
+/// Two sheets far apart come to rest; the mouse wakes the one that it reaches.
+#[test]
+fn what_rests_sleeps_and_is_woken_alone() {
+    let one = Model { drag_rate: 4.0, ..hung::<2>([40, 37], [true; 2]) };
+    let points = one.position.len();
+    let mut model = to_strain(&one, 0.02);
+    let far = |[x, y]: [f64; 2]| [x + 100.0, y];
+    model.position.extend(one.position.iter().map(|&x| far(x)));
+    model.velocity.extend(&one.velocity);
+    model.mass.extend(&one.mass);
+    let of = |point: PointId| PointId(point.0 + points as u32);
+    model.pinned.extend(one.pinned.iter().map(|&pin| of(pin)));
+    one.bonds.iter().for_each(|bond| model.bonds.push(Bond { a: of(bond.a), b: of(bond.b), ..bond }));
+    let (region, profile) = (Region::Round, Profile::Smooth);
+    model.mouse = Some(MouseForce { strength: 30.0, radius: 0.9, region, profile, track: Track::default() });
+    let mut world = world(&model);
+    assert_eq!(world.parts().len(), 1);
+    let moved = |world: &mut dyn Dynamics, steps: u32| {
+        let before = *world.counters();
+        for _ in 0..steps {
+            world.step();
+            world.doze();
+        }
+        (world.counters().points_moved - before.points_moved, world.counters().substeps - before.substeps)
+    };
+    let (mut rest, mut tries) = (moved(&mut *world, 60), 0);
+    while !world.is_asleep() && tries < 20 {
+        (rest, tries) = (moved(&mut *world, 60), tries + 1);
+    }
+    assert!(rest.0 > 0 && world.is_asleep(), "after {tries} s");
+    assert_eq!(moved(&mut *world, 60), (0, 0), "asleep");
+    world.apply(Command::MoveCursor(Some(Cursor::at([50.0, 0.0]))));
+    assert!(world.is_asleep(), "the cursor is between them");
+    world.apply(Command::MoveCursor(Some(Cursor::at([102.0, -3.5]))));
+    let (awake, substeps) = moved(&mut *world, 30);
+    assert!(!world.is_asleep() && awake > 0);
+    assert_eq!(awake, substeps * points as u64, "only one of them");
+    world.apply(Command::MoveCursor(None));
+    tries = 0;
+    while !world.is_asleep() && tries < 20 {
+        (rest, tries) = (moved(&mut *world, 60), tries + 1);
+    }
+    assert!(rest.0 > 0 && world.is_asleep(), "again after {tries} s");
 }

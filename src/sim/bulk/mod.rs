@@ -17,6 +17,7 @@ pub(crate) mod crowd;
 pub(crate) mod draft;
 pub(crate) mod form;
 pub(crate) mod impact;
+pub(crate) mod kernel;
 pub(crate) mod mesh;
 pub(crate) mod mover;
 pub(crate) mod outside;
@@ -37,6 +38,7 @@ use super::vector::{add, convert, scale, sub};
 use body::AnyBody;
 use control::{Control, FRAME, Load};
 use draft::Order;
+use kernel::Kernel;
 use mover::Mover;
 use outside::{Clear, Outside};
 use spec::{Start, Substep};
@@ -105,24 +107,10 @@ impl<S: Real, const D: usize> Mover<S, D> for Bulk<S, D> {
         self.bodies.iter().map(AnyBody::bonds).sum()
     }
 
-    fn describe(&self) -> String {
-        let names = ["sheet", "chain", "crowd", "mesh"];
-        let mut counts = [0_usize; 4];
-        for body in &self.bodies {
-            counts[body.place()] += 1;
-        }
-        let plural = |name: &str| if name == "mesh" { "meshes".to_owned() } else { format!("{name}s") };
-        let some = names.iter().zip(counts).filter(|(_, count)| *count > 0).map(|(name, count)| match count {
-            1 => format!("a {name}"),
-            _ => format!("{count} {}", plural(name)),
-        });
-        let way = match self.way {
-            Way::Paths => "paths".to_owned(),
-            Way::Forces => "forces".to_owned(),
-            Way::Sweeps(1) => "a sweep a substep".to_owned(),
-            Way::Sweeps(sweeps) => format!("{sweeps} sweeps a substep"),
-        };
-        format!("{} by {way}", some.collect::<Vec<_>>().join(" and "))
+    fn kernel(&self) -> Kernel {
+        let mut counts = [0; 4];
+        self.bodies.iter().for_each(|body| counts[body.place()] += 1);
+        Kernel { counts, way: self.way }
     }
 
     fn heap_bytes(&self) -> usize {

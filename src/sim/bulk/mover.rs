@@ -8,6 +8,7 @@ use std::fmt::Debug;
 
 use super::Bulk;
 use super::draft::Order;
+use super::kernel::Kernel;
 use crate::sim::counters::Counters;
 use crate::sim::points::Points;
 use crate::sim::pull::Pull;
@@ -35,8 +36,8 @@ pub(crate) trait Mover<S: Real, const D: usize>: Debug + Send + Sync {
     /// How far velocities are behind positions [s].
     fn lag(&self) -> f64;
 
-    /// What the bodies are and how their bonds are taken, in words.
-    fn describe(&self) -> String;
+    /// What the bodies are and how their bonds are taken.
+    fn kernel(&self) -> Kernel;
 
     /// Bytes that the bodies take.
     fn heap_bytes(&self) -> usize;

@@ -4,12 +4,14 @@ pub(crate) mod engine;
 pub(crate) mod events;
 pub(crate) mod guard;
 
+use super::bulk::kernel::Kernel;
 use super::counters::Counters;
 use super::force::mouse::{self, Inside, Track};
 use super::plan::choice::MOST_DIRECT;
 use super::points::{Points, State};
 use super::pull::Pull;
 use super::real::Real;
+use super::sleep::Sleep;
 use super::surroundings::Surroundings;
 use super::vector::{add, convert, dot, scale, sub, zero};
 use engine::Engine;
@@ -53,6 +55,7 @@ pub(crate) struct Group<S: Real, const D: usize> {
     pub(crate) before: State<S, D>,
     /// Accelerations, where events need them.
     pub(crate) acceleration: Vec<[S; D]>,
+    pub(crate) sleep: Sleep<S, D>,
 }
 
 impl<S: Real, const D: usize> Group<S, D> {
@@ -185,9 +188,9 @@ impl<S: Real, const D: usize> Group<S, D> {
         }
     }
 
-    /// What large bodies are made of and how their bonds are taken, in words.
-    pub(crate) fn kernel(&self) -> String {
-        if let Engine::Bulk(bulk) = &self.engine { bulk.describe() } else { String::new() }
+    /// What large bodies are made of and how their bonds are taken.
+    pub(crate) fn kernel(&self) -> Option<Kernel> {
+        if let Engine::Bulk(bulk) = &self.engine { Some(bulk.kernel()) } else { None }
     }
 
     /// Bytes that points, bonds that are watched, and large bodies take.

@@ -25,6 +25,7 @@ use crate::sim::plan::island::Island;
 use crate::sim::points::State;
 use crate::sim::pull::Pull;
 use crate::sim::real::Real;
+use crate::sim::sleep::Sleep;
 use crate::sim::solver::Solver;
 use crate::sim::vector::{length, widen};
 
@@ -69,6 +70,7 @@ impl<S: Real, const D: usize> Maker<'_, S, D> {
             locates: false,
             before: State::default(),
             acceleration: Vec::new(),
+            sleep: Sleep::default(),
             pull: Pull {
                 springs: Springs::none(),
                 contacts: Contacts::new(surfaces(self.model), self.points.len()),

@@ -1,9 +1,11 @@
 //! From islands to groups: points, forces, rigid bonds and the engine of each.
 
+use super::lot::Lot;
 use super::make::Maker;
-use super::{Lot, Plan, PlanPart};
+use super::{Plan, PlanPart};
 use crate::sim::bond::{Bond, PointId};
 use crate::sim::bonds::Bonds;
+use crate::sim::bulk::kernel::Kernel;
 use crate::sim::model::Model;
 use crate::sim::points::State;
 use crate::sim::real::Real;
@@ -77,10 +79,11 @@ impl<S: Real, const D: usize> Gathered<S, D> {
     pub(super) fn plan(&self, model: &Model<D>, lots: Vec<Lot>) -> Plan<S, D> {
         let mut slots = vec![NOWHERE; self.w.len()];
         let mut groups = Vec::with_capacity(lots.len());
-        let mut parts = Vec::with_capacity(lots.len());
+        let mut parts: Vec<PlanPart> = Vec::new();
+        let mut kernels: Vec<Option<Kernel>> = Vec::new();
+        let mut place = vec![u32::MAX; self.w.len()];
         for (g, lot) in lots.iter().enumerate() {
             let points = self.points_of(lot, g == 0, &lots);
-            let mut place = vec![u32::MAX; self.w.len()];
             for (slot, &point) in points.iter().enumerate() {
                 place[point as usize] = slot as u32;
                 if slots[point as usize] == NOWHERE {
@@ -88,17 +91,20 @@ impl<S: Real, const D: usize> Gathered<S, D> {
                 }
             }
             let group = Maker { gathered: self, model, lot, points: &points, place: &place }.make();
-            parts.push(PlanPart {
-                solver: lot.choice.solver,
-                substep: lot.choice.substep,
-                points: lot.islands.iter().map(|island| island.points.len()).sum(),
-                bonds: lot.islands.iter().map(|island| island.bonds.len()).sum(),
-                islands: lot.islands.len(),
-                work: super::super::cost::of(&group),
-                kernel: group.kernel(),
-                max_strain: lot.choice.bulk.and_then(|scheme| scheme.target),
-            });
+            points.iter().for_each(|&point| place[point as usize] = u32::MAX);
+            if lot.class == parts.len() {
+                parts.push(PlanPart::of(lot));
+                kernels.push(None);
+            }
+            let (part, kernel) = (&mut parts[lot.class], &mut kernels[lot.class]);
+            part.bonds += lot.islands.iter().map(|island| island.bonds.len()).sum::<usize>();
+            part.islands += lot.islands.len();
+            part.work += super::super::cost::of(&group);
+            *kernel = group.kernel().map(|of| kernel.map_or(of, |sum| sum.and(of)));
             groups.push(group);
+        }
+        for (part, kernel) in parts.iter_mut().zip(kernels) {
+            part.kernel = kernel.map_or(String::new(), |kernel| kernel.to_string());
         }
         for i in 0..slots.len() {
             slots[i] = slots[self.stand_ins[i] as usize];

@@ -1,7 +1,7 @@
 //! One group: its points, what acts on them, and what watches over them.
 
-use super::Lot;
 use super::gather::Gathered;
+use super::lot::Lot;
 use crate::sim::bond::{Bond, BondKind, PointId};
 use crate::sim::constrain::direct::Direct;
 use crate::sim::constrain::shape::{Row, Shape};
@@ -15,10 +15,11 @@ use crate::sim::model::Model;
 use crate::sim::points::{Points, State};
 use crate::sim::pull::Pull;
 use crate::sim::real::Real;
+use crate::sim::sleep::Sleep;
 use crate::sim::solver::Solver;
 use crate::sim::vector::zero;
 
-/// Points of the largest group in which events are located and violent substeps go to an implicit method.
+/// Most points of one method in which events are located and violent substeps go to an implicit method.
 pub(super) const MOST_LOCATED: usize = 1_000;
 
 /// Makes one group.
@@ -60,7 +61,7 @@ impl<S: Real, const D: usize> Maker<'_, S, D> {
         self.allocate(&mut points, &pull);
         let engine = self.engine(choice.solver, &bonds, &points, &pull);
         let robust = self.robust(&bonds, &points, &pull).map(Box::new);
-        let locates = choice.solver.locates_events() && self.points.len() <= MOST_LOCATED;
+        let locates = choice.solver.locates_events() && self.lot.points <= MOST_LOCATED;
         Group {
             guard: self.guard(&bonds),
             breakable: breakable(bonds.iter().copied(), |_| true),
@@ -74,6 +75,7 @@ impl<S: Real, const D: usize> Maker<'_, S, D> {
             locates,
             before: State::default(),
             acceleration: Vec::new(),
+            sleep: Sleep::default(),
             points,
             pull,
             engine,

@@ -6,6 +6,7 @@ pub(crate) mod choice;
 mod engines;
 mod gather;
 pub(crate) mod island;
+mod lot;
 mod make;
 mod precision;
 mod reconcile;
@@ -20,9 +21,8 @@ use super::model::Model;
 use super::points::State;
 use super::real::Real;
 use super::solver::Solver;
-use choice::{Choice, Setting};
 use gather::Gathered;
-use island::Island;
+use lot::Lot;
 
 pub(crate) use precision::is_single;
 pub(crate) use reconcile::reconcile;
@@ -41,7 +41,7 @@ pub(crate) struct Plan<S: Real, const D: usize> {
     pub(crate) parts: Vec<PlanPart>,
 }
 
-/// What one group is made of and what moves it.
+/// Islands of one method and substep: what they are and what moves them.
 #[derive(Clone, Debug, PartialEq)]
 pub struct PlanPart {
     /// The method.
@@ -62,10 +62,20 @@ pub struct PlanPart {
     pub max_strain: Option<f64>,
 }
 
-/// Islands that go together.
-struct Lot {
-    choice: Choice,
-    islands: Vec<Island>,
+impl PlanPart {
+    /// The class of a lot, whose bonds and islands are still to be counted.
+    fn of(lot: &Lot) -> Self {
+        PlanPart {
+            solver: lot.choice.solver,
+            substep: lot.choice.substep,
+            points: lot.points,
+            bonds: 0,
+            islands: 0,
+            work: 0.0,
+            kernel: String::new(),
+            max_strain: lot.choice.bulk.and_then(|scheme| scheme.target),
+        }
+    }
 }
 
 /// Compiles the plan of a model whose bonds (those that are left) and state are these.
@@ -79,8 +89,7 @@ pub(crate) fn compile<S: Real, const D: usize>(model: &Model<D>, bonds: &Bonds, 
     };
     let gathered = Gathered::new(model, bonds, &w, &stand_ins, state);
     let islands = island::islands(&gathered.bonds, &gathered.w);
-    let lots = lots(model, islands);
-    gathered.plan(model, lots)
+    gathered.plan(model, lot::lots(model, islands))
 }
 
 /// 1/m of every point, 0 where it is pinned.
@@ -90,40 +99,6 @@ pub(crate) fn inverse_masses<const D: usize>(model: &Model<D>) -> Vec<f64> {
         w[point.index()] = 0.0;
     }
     w
-}
-
-/// Islands by method and substep, in the order of their first points.
-///
-/// A method that was asked for by name moves all islands in one group, at the substep of the fastest; large bodies apart
-/// from what is none, and from those that follow another strain.
-fn lots<const D: usize>(model: &Model<D>, islands: Vec<Island>) -> Vec<Lot> {
-    let setting = Setting {
-        has_surfaces: model.bounds.is_some() || !model.planes.is_empty(),
-        mouse: model.mouse.as_ref().map(|mouse| mouse.strength),
-        drag_rate: model.drag_rate,
-        points: model.mass.len(),
-    };
-    let mut lots: Vec<Lot> = Vec::new();
-    for island in islands {
-        let choice = choice::choose(&island, &model.method, setting);
-        let fits = |lot: &&mut Lot| match model.method.solver {
-            Solver::Auto => lot.choice == choice,
-            _ => lot.choice.bulk == choice.bulk,
-        };
-        match lots.iter_mut().find(fits) {
-            Some(lot) => {
-                lot.choice.substep = lot.choice.substep.min(choice.substep);
-                lot.choice.is_direct &= choice.is_direct;
-                lot.islands.push(island);
-            }
-            None => lots.push(Lot { choice, islands: vec![island] }),
-        }
-    }
-    if lots.is_empty() {
-        let choice = choice::choose(&Island::default(), &model.method, setting);
-        lots.push(Lot { choice, islands: Vec::new() });
-    }
-    lots
 }
 
 /// Whether a bond is a rigid one of a group that moves: not between two points that cannot.

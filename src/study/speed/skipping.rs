@@ -6,7 +6,7 @@ use super::super::error::StudyError;
 use super::clock::{in_turn, median};
 use super::run::auto;
 use super::scenes::SpeedScene;
-use crate::sim::{Bounds, Command, Cursor, Dynamics, Model, MouseForce, Profile, Region, Sleep, Track, build};
+use crate::sim::{Bounds, Command, Cursor, Dynamics, Model, MouseForce, Profile, Region, Track, build};
 
 /// The scenes that are measured.
 const SCENES: [&str; 3] = ["hard-32", "hard-100", "rims-1000"];
@@ -80,27 +80,26 @@ fn pair(mut without: Box<dyn Dynamics>, mut with: Box<dyn Dynamics>, seconds: f6
 /// A world that came to rest, played as a player does, beside itself kept awake.
 fn asleep(model: &Model<2>, seconds: f64) -> Result<(f64, Option<f64>, Option<f64>), StudyError> {
     let mut world = build(&Model { drag_rate: DRAG, ..model.clone() })?;
-    let mut sleep = Sleep::default();
     for _ in 0..PATIENCE {
-        play(&mut *world, &mut sleep);
+        play(&mut *world);
     }
     let mut awake = world.boxed_clone();
     let mut keep_awake = || {
-        let mut sleep = Sleep::default();
-        play(&mut *awake, &mut sleep);
+        awake.wake();
+        play(&mut *awake);
     };
-    if !sleep.is_asleep() {
+    if !world.is_asleep() {
         let alone = in_turn(seconds, &mut [&mut keep_awake]).swap_remove(0);
         return Ok((median(alone), None, None));
     }
-    Ok(compare(in_turn(seconds, &mut [&mut keep_awake, &mut || play(&mut *world, &mut sleep)])))
+    Ok(compare(in_turn(seconds, &mut [&mut keep_awake, &mut || play(&mut *world)])))
 }
 
 /// A frame: a step, unless the world sleeps.
-fn play(world: &mut dyn Dynamics, sleep: &mut Sleep) {
-    if !sleep.is_asleep() {
+fn play(world: &mut dyn Dynamics) {
+    if !world.is_asleep() {
         world.step();
-        sleep.watch(world);
+        world.doze();
     }
 }
 

@@ -10,7 +10,7 @@ use crate::sim::plan::island::Island;
 /// Fewest equal bodies that go side by side: of fewer, most lanes of a wide vector would be idle.
 const FEWEST: usize = 8;
 /// Most bonds of one of them: the points of a block of bodies have to stay in the innermost cache.
-const MOST_BONDS: usize = 400;
+pub(crate) const MOST_BONDS: usize = 400;
 
 /// Islands that are equal but for where their points are numbered.
 #[derive(Clone, Debug, PartialEq)]
