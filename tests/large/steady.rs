@@ -3,7 +3,7 @@
 use wobble::sim::{BondKind, Method, Model, PointId};
 
 use super::models::{
-    Draw, FRAME, bonded, copies, fastest, frames, hub, kernel, path, rims, sheet, single, to_strain, tree, world,
+    Draw, FRAME, bonded, copies, fastest, frames, hub, kernel, path, rims, rope, sheet, single, to_strain, tree, world,
 };
 
 /// The largest energy above the start's over so many frames, the scale that it is held against (what gravity gives to all
@@ -53,6 +53,18 @@ fn a_net_between_two_corners_gains_nothing_and_keeps_its_strain() {
             let (most, scale, strain) = gain(&model, 120);
             assert!(most <= 1e-3 * scale, "{size}: gains {most:e} J, scale {scale:e}");
             assert!(strain <= 0.02, "{size}: {strain:e}");
+        }
+    }
+}
+
+/// Its length cannot give way, and gravity would pull it without end: it sags to a share of the strain, and swings.
+#[test]
+fn a_taut_rope_between_two_pins_gains_nothing() {
+    for points in [100, 1_000, 3_000] {
+        let taut = Model { pinned: vec![PointId(0), PointId(points - 1)], ..rope::<2>(points) };
+        for model in [to_strain(&taut, 0.02), single(&to_strain(&taut, 0.02))] {
+            let (most, scale, strain) = gain(&model, 240);
+            assert!(most <= 0.005 * scale && strain < 0.02, "{points} points gain {most:e} J of {scale:e}: {strain:e}");
         }
     }
 }

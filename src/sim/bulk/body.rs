@@ -110,6 +110,11 @@ impl<S: Real, const D: usize> AnyBody<S, D> {
         of_any!(self, body => Form::<S, D>::bears(&body.form, &mut body.store))
     }
 
+    /// The mass of all that is free [kg].
+    pub(crate) fn mass(&mut self) -> f64 {
+        of_any!(self, body => body.mass())
+    }
+
     pub(crate) fn bonds(&self) -> usize {
         of_any!(self, body => Form::<S, D>::bonds(&body.form))
     }
@@ -168,6 +173,16 @@ impl<S: Real, const D: usize, F: Form<S, D>> Body<S, D, F> {
         form.each(|i, cell| *store.weight(cell) = S::from_f64(w[members.point(i)].to_f64() / reference));
         form.weigh(&mut store);
         Body { form, store, reference, members, piece }
+    }
+
+    fn mass(&mut self) -> f64 {
+        let Body { form, store, reference, .. } = self;
+        let mut mass = 0.0;
+        form.each(|_, cell| {
+            let w = store.weight(cell).to_f64();
+            mass += if w > 0.0 { 1.0 / (w * *reference) } else { 0.0 };
+        });
+        mass
     }
 
     fn load(&mut self, points: &Points<S, D>, h: S) {

@@ -32,6 +32,9 @@ const MOST_TRIES: u32 = 9;
 /// Most that bonds may pull, as w lambda/rest: directions are those of points as they go on unpushed, so of a row of points
 /// with this between them the shortest wave is multiplied by 1 - 4 w lambda/rest a substep, and grows below -1/3.
 const MOST_PULL: f64 = 0.3;
+/// A pull that is not waited with: no substeps that grow by a few per cent a step would come in time. A taut rope between two
+/// pins, whose length cannot give way, pulls without end.
+const UNBEARABLE: f64 = 1.0;
 /// Substeps of the first frame: what too few of them do to a start, later ones cannot mend.
 const START: f64 = 16.0;
 
@@ -50,6 +53,10 @@ pub(crate) struct Control {
     tries: u32,
     /// Longest substep [s], where they don't.
     longest: f64,
+    /// The heaviest body's weight [N].
+    weight: f64,
+    /// Bonds give way a little: they pull more than the most substeps can bear.
+    gives: bool,
 }
 
 /// What bonds bore in a step.
@@ -65,16 +72,27 @@ impl Control {
     /// Substeps that follow a strain.
     pub(crate) fn following(target: f64) -> Self {
         let late = 0.5 * AIM * target;
-        Control { count: START, least: 1.0, target: Some(target), late, tries: 0, longest: FRAME }
+        Control {
+            count: START,
+            least: 1.0,
+            target: Some(target),
+            late,
+            tries: 0,
+            longest: FRAME,
+            weight: 0.0,
+            gives: false,
+        }
     }
 
     /// Substeps of at most `h` [s].
     pub(crate) fn fixed(h: f64) -> Self {
-        Control { count: 1.0, least: 1.0, target: None, late: 0.0, tries: 0, longest: h }
+        Control { count: 1.0, least: 1.0, target: None, late: 0.0, tries: 0, longest: h, weight: 0.0, gives: false }
     }
 
-    /// Substeps are to be as many as bonds take that pull by this much over a frame, as w lambda/rest.
-    pub(crate) fn bear(&mut self, pull: f64) {
+    /// Substeps are to be as many as bonds take that pull by this much over a frame, as w lambda/rest; `weight` is that of the
+    /// heaviest body [N].
+    pub(crate) fn bear(&mut self, pull: f64, weight: f64) {
+        self.weight = weight;
         self.least = (pull / MOST_PULL).sqrt().clamp(self.least, MOST);
         self.count = self.count.max(self.least);
     }
@@ -87,6 +105,18 @@ impl Control {
     /// Strain above which a path gets another round.
     pub(crate) fn tolerance(&self) -> f64 {
         self.target.unwrap_or(1e-3).clamp(1e-7, 1e-3)
+    }
+
+    /// Tension over strain of rigid bonds [N]: infinite, unless they have to give way.
+    ///
+    /// Then it is that of a taut string which sags under the weight of all to the strain aimed at: with T = weight/(8 sag) for
+    /// a length of 1 and a strain s = 8/3 sag^2, T/s = weight/(s sqrt(24 s)). It is a stiffness, not a share of a substep's
+    /// correction: substeps that change feed nothing in.
+    pub(crate) fn tautness(&self) -> f64 {
+        match self.target {
+            Some(target) if self.gives => self.weight / (AIM * target * (24.0 * AIM * target).sqrt()),
+            _ => f64::INFINITY,
+        }
     }
 
     /// Substeps of a step of `h` [s].
@@ -121,6 +151,7 @@ impl Control {
         } else {
             1.0
         };
+        self.gives |= load.pull > UNBEARABLE || (load.pull > MOST_PULL && self.count >= MOST);
         let borne = count * (load.pull / MOST_PULL).sqrt().min(GROWTH);
         self.count = (self.count * factor).max(borne).max(self.least).min(MOST);
         true

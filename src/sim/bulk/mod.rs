@@ -84,7 +84,8 @@ impl<S: Real, const D: usize> Bulk<S, D> {
         let Order { bodies, inverse_mass, way, mut control, gravity, nominal } = order;
         let mut bodies: Vec<AnyBody<S, D>> = bodies.into_iter().map(|draft| draft.make(&inverse_mass)).collect();
         let borne = bodies.iter_mut().map(AnyBody::bears).fold(0.0, f64::max);
-        control.bear(borne * gravity * FRAME * FRAME);
+        let mass = bodies.iter_mut().map(AnyBody::mass).fold(0.0, f64::max);
+        control.bear(borne * gravity * FRAME * FRAME, mass * gravity);
         Bulk { bodies, way, control, nominal, lag: 0.0, ahead: 0.0, loaded: None, clear: None, help: Help::default() }
     }
 }
@@ -244,9 +245,9 @@ impl<S: Real, const D: usize> Bulk<S, D> {
     /// What a substep of `h` [s] gives to the bonds of each body; forces push for `time` [s].
     fn substeps(&self, h: f64, time: f64) -> Vec<Substep> {
         let share = (2.0 * h / self.nominal).powi(2).min(1.0);
-        let tolerance = self.control.tolerance();
+        let (tolerance, tautness) = (self.control.tolerance(), self.control.tautness());
         let kick = (self.way == Way::Forces).then_some(time);
-        let of = |body: &AnyBody<S, D>| Substep { h, reference: body.reference(), share, tolerance, kick };
+        let of = |body: &AnyBody<S, D>| Substep { h, reference: body.reference(), share, tolerance, tautness, kick };
         self.bodies.iter().map(of).collect()
     }
 

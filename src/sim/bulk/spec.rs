@@ -26,6 +26,8 @@ pub(crate) struct Substep {
     pub(crate) share: f64,
     /// Strain above which a path gets another round [1].
     pub(crate) tolerance: f64,
+    /// Tension over strain at which rigid bonds give way [N]; infinite: they don't.
+    pub(crate) tautness: f64,
     /// For how long springs push [s]; `None`: they are projected.
     pub(crate) kick: Option<f64>,
 }
@@ -101,14 +103,14 @@ impl Spec {
         }
     }
 
-    /// alpha = 1/(stiffness h^2 w_0) and gamma = damping/(stiffness h); 0 for rigid bonds.
+    /// alpha = 1/(stiffness h^2 w_0) and gamma = damping/(stiffness h).
     fn softness(&self, step: &Substep) -> (f64, f64) {
         match self.kind {
             BondKind::Spring { stiffness: 0.0, .. } => (f64::INFINITY, 0.0),
             BondKind::Spring { stiffness, damping } => {
                 (1.0 / (stiffness * step.h * step.h * step.reference), damping / (stiffness * step.h))
             }
-            _ => (0.0, 0.0),
+            _ => (self.rest / (step.tautness * step.h * step.h * step.reference), 0.0),
         }
     }
 }

@@ -24,7 +24,8 @@ impl Draw {
     }
 }
 
-const STEP: Substep = Substep { h: 0.01, reference: 1.0, share: 0.8, tolerance: 1e-3, kick: None };
+const STEP: Substep =
+    Substep { h: 0.01, reference: 1.0, share: 0.8, tolerance: 1e-3, tautness: f64::INFINITY, kick: None };
 /// The same where springs push.
 const PUSH: Substep = Substep { kick: Some(0.007), reference: 0.7, ..STEP };
 

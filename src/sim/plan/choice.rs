@@ -37,6 +37,14 @@ const LEAST_STRAIN: f64 = 1e-5;
 /// Points of a scene above which order 4 is too dear: what is shown of such meshes is coarser than what Verlet's method errs.
 const LARGE: usize = 20_000;
 
+/// Most springs of an island that meets surfaces by a method of order 4: of more, so many points touch and slip that locating each
+/// costs more than all else.
+const MOST_TOUCHING: usize = 800;
+/// Most substeps a frame of such an island: beyond, an implicit method it is.
+const MOST_TOUCHES: f64 = 2_000.0;
+/// Share of a decay that a substep of Verlet's method may span where springs only push: 2 would be the edge of stability.
+const DECAY_SHARE: f64 = 0.5;
+
 /// What moves an island.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Choice {
@@ -152,6 +160,10 @@ fn pick(island: &Island, setting: Setting, is_direct: bool) -> Solver {
     if island.springs == 0 && setting.mouse.is_none() && !setting.has_surfaces {
         return Solver::Flight;
     }
+    let substeps = FRAME / PHASE * island.frequency.max(island.decay * PHASE / DECAY_SHARE);
+    if setting.has_surfaces && island.springs > MOST_TOUCHING && substeps <= MOST_TOUCHES {
+        return Solver::VelocityVerlet;
+    }
     let is_stiff = FRAME / PHASE_4 * island.frequency > STIFF || FRAME * island.decay > STIFF;
     if is_stiff && island.points.len() <= MOST_IMPLICIT {
         return Solver::ImplicitMidpoint;
@@ -176,6 +188,9 @@ fn substep(island: &Island, solver: Solver, setting: Setting) -> f64 {
         Solver::Flight => (PHASE, 0.0),
         Solver::Rk4 | Solver::Pefrl | Solver::BlanesMoan4 | Solver::BlanesMoan6 | Solver::Rk8 => {
             (PHASE_4, island.frequency.max(push).max(0.5 * island.decay).max(0.5 * setting.drag_rate))
+        }
+        Solver::VelocityVerlet if island.springs > MOST_TOUCHING => {
+            (PHASE, island.frequency.max(push).max(island.decay * PHASE / DECAY_SHARE))
         }
         _ => (PHASE, island.frequency.max(push).max(island.decay)),
     };
