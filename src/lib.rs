@@ -8,6 +8,7 @@ pub mod app;
 pub mod body;
 pub mod cli;
 pub mod output;
+pub mod picture;
 pub mod render;
 pub mod scene;
 pub mod sim;

@@ -60,6 +60,7 @@ fn picture(capture: &mut Capture, view: &View<'_>, camera: &Camera, look: &Look)
     let picture = capture.picture(view, camera, look).unwrap();
     let after = *capture.renderer().counters();
     let counters = RenderCounters {
+        triangles_drawn: after.triangles_drawn - before.triangles_drawn,
         uploads: after.uploads - before.uploads,
         bytes_uploaded: after.bytes_uploaded - before.bytes_uploaded,
         bytes_held: after.bytes_held,

@@ -65,6 +65,11 @@ impl Canvas {
         self.gpu.largest_side()
     }
 
+    /// Another world is to be drawn: whatever its numbers say, all of it is new.
+    pub(super) fn forget_world(&mut self) {
+        self.renderer.forget_world();
+    }
+
     pub(super) fn counters(&self) -> &RenderCounters {
         self.renderer.counters()
     }

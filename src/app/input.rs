@@ -18,6 +18,12 @@ pub enum Action {
     Fit,
     /// The view that the scene opened with.
     Home,
+    /// Shows bonds and points, or hides them.
+    ToggleMesh,
+    /// Cuts the scene's picture out anew.
+    Import,
+    /// Opens a canvas to draw a body on.
+    Paint,
     /// Leaves.
     Quit,
 }
@@ -33,6 +39,9 @@ pub fn action(key: &Key) -> Option<Action> {
             "." => Some(Action::Step),
             "r" => Some(Action::Reset),
             "f" => Some(Action::Fit),
+            "b" => Some(Action::ToggleMesh),
+            "i" => Some(Action::Import),
+            "n" => Some(Action::Paint),
             _ => None,
         },
         _ => None,

@@ -4,6 +4,7 @@
 //! its last two states. When nothing moves, nothing is stepped, uploaded or submitted.
 
 mod canvas;
+mod import;
 pub mod input;
 pub mod meter;
 pub mod opening;
@@ -16,7 +17,7 @@ pub use shell::Statistics;
 
 use crate::render::RenderError;
 use crate::scene::{Scene, SceneError};
-use player::Player;
+use session::Opened;
 
 /// A window that cannot be opened or kept open.
 #[derive(Debug, thiserror::Error)]
@@ -47,7 +48,5 @@ pub enum AppError {
 ///
 /// Errors: a scene that cannot be run, no display, no GPU.
 pub fn run(scene: Scene) -> Result<Statistics, AppError> {
-    let world = scene.world(scene.duration)?;
-    let player = Player::new(world, scene.rate(), scene.duration);
-    shell::run(scene, player)
+    shell::run(Opened::new(scene)?)
 }

@@ -22,6 +22,10 @@ pub(super) struct Figures {
     pub(super) drawn: u64,
     /// [J]
     pub(super) energy: f64,
+    /// Bodies have skins: their bonds can be shown or not.
+    pub(super) has_skin: bool,
+    /// The scene is that of a picture, which can be cut out anew.
+    pub(super) has_picture: bool,
 }
 
 /// Shows the panels; returns what was clicked, and the height that they leave to the world [points].
@@ -38,6 +42,22 @@ pub(super) fn show(ui: &mut egui::Ui, figures: &Figures) -> (Vec<Action>, f32) {
     (actions, ui.available_rect_before_wrap().height())
 }
 
+/// Shows what went wrong. Returns whether it has been read.
+pub(super) fn complain(context: &egui::Context, complaint: &str) -> bool {
+    let mut is_read = false;
+    let place = egui::Area::new(egui::Id::unique("complaint")).anchor(egui::Align2::CENTER_TOP, [0.0, 12.0]);
+    place.show(context, |ui| {
+        egui::Frame::popup(ui.style()).fill(egui::Color32::from_rgb(74, 28, 28)).show(ui, |ui| {
+            ui.set_max_width(640.0);
+            ui.horizontal(|ui| {
+                is_read = ui.button("Close").clicked();
+                ui.add(egui::Label::new(complaint).wrap());
+            });
+        });
+    });
+    is_read
+}
+
 fn transport(ui: &mut egui::Ui, figures: &Figures, actions: &mut Vec<Action>) {
     let play = if figures.playing { "Pause" } else { "Play" };
     let buttons = [
@@ -45,8 +65,14 @@ fn transport(ui: &mut egui::Ui, figures: &Figures, actions: &mut Vec<Action>) {
         ("Step", ".", Action::Step),
         ("Reset", "R", Action::Reset),
         ("Fit", "F", Action::Fit),
+        ("Draw", "N", Action::Paint),
     ];
-    for (label, key, action) in buttons {
+    let of_pictures = [
+        (figures.has_skin, ("Mesh", "B", Action::ToggleMesh)),
+        (figures.has_picture, ("Picture", "I", Action::Import)),
+    ];
+    let wanted = of_pictures.into_iter().filter(|(is_there, _)| *is_there).map(|(_, button)| button);
+    for (label, key, action) in buttons.into_iter().chain(wanted) {
         let button = egui::Button::new(label).min_size(egui::vec2(76.0, 26.0));
         if ui.add(button).on_hover_text(format!("{label} ({key})")).clicked() {
             actions.push(action);

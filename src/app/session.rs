@@ -1,20 +1,45 @@
 //! An open scene in a window: what its frames do.
 
+use std::path::Path;
 use std::sync::Arc;
 use std::time::{Duration, Instant};
 
-use winit::event_loop::OwnedDisplayHandle;
+use winit::event_loop::{EventLoopProxy, OwnedDisplayHandle};
 use winit::window::Window;
 
 use super::canvas::{Canvas, Paint};
+use super::import::{Answer, Import};
 use super::input::{Action, Pointer};
 use super::meter::Meter;
 use super::opening;
 use super::panels::{self, Figures};
 use super::player::Player;
+use crate::picture::Skin;
 use crate::render::{Camera, Look, RenderCounters, RenderError, View};
-use crate::scene::Scene;
+use crate::scene::{Scene, SceneError};
 use crate::sim::Command;
+
+/// The tag of scenes that open on a canvas.
+const BRUSH: &str = "brush";
+
+/// What a session begins with.
+pub(super) struct Opened {
+    pub(super) scene: Scene,
+    pub(super) player: Player,
+    pub(super) skins: Vec<Skin>,
+}
+
+impl Opened {
+    /// A scene at its start.
+    ///
+    /// Errors: a scene that cannot be run, a picture that cannot be had.
+    pub(super) fn new(scene: Scene) -> Result<Self, SceneError> {
+        let world = scene.world(scene.duration)?;
+        let player = Player::new(world, scene.rate(), scene.duration);
+        let skins = scene.skins()?;
+        Ok(Opened { scene, player, skins })
+    }
+}
 
 /// The scene, its player and its window.
 pub(super) struct Session {
@@ -24,6 +49,9 @@ pub(super) struct Session {
     canvas: Canvas,
     player: Player,
     scene: Scene,
+    skins: Vec<Skin>,
+    /// The scene is that of a picture file.
+    has_picture: bool,
     pub(super) camera: Camera,
     /// Width and height of the part of the window that the world is drawn in [px].
     area: [u32; 2],
@@ -33,6 +61,11 @@ pub(super) struct Session {
     dirty: bool,
     /// When the panels want to be shown again by themselves.
     panels_due: Option<Instant>,
+    /// A picture on its way into the world.
+    import: Option<Import>,
+    /// What went wrong, until the user has seen it.
+    complaint: Option<String>,
+    waker: EventLoopProxy<()>,
     /// When the last frame began, if time has passed in the world since.
     last_frame: Option<Instant>,
     frame_meter: Meter,
@@ -49,9 +82,8 @@ impl Session {
     /// Errors: no GPU that can draw to the window.
     pub(super) fn new(
         window: Arc<Window>,
-        display: OwnedDisplayHandle,
-        scene: Scene,
-        player: Player,
+        (display, waker): (OwnedDisplayHandle, EventLoopProxy<()>),
+        Opened { scene, player, skins }: Opened,
     ) -> Result<Self, RenderError> {
         let canvas = Canvas::new(Arc::clone(&window), display.clone(), scene.dimensions())?;
         let size = canvas.size();
@@ -60,10 +92,12 @@ impl Session {
         let scale = window.scale_factor() as f32;
         let side = canvas.largest_side() as usize;
         let panels = egui_winit::State::new(context, egui::ViewportId::ROOT, &*window, Some(scale), None, Some(side));
-        Ok(Session {
+        let mut session = Session {
             camera: opening::camera(&scene, player.world(), size),
             area: size,
-            look: Look { scale_factor: scale, ..Look::default() },
+            look: Look { scale_factor: scale, has_mesh: skins.is_empty(), ..Look::default() },
+            skins,
+            has_picture: scene.picture_path().is_some(),
             window,
             panels,
             display,
@@ -73,18 +107,102 @@ impl Session {
             pointer: Pointer::default(),
             dirty: true,
             panels_due: None,
+            import: None,
+            complaint: None,
+            waker,
             last_frame: None,
             frame_meter: Meter::default(),
             step_meter: Meter::default(),
             pace_meter: Meter::default(),
             frames: 0,
             drawn: 0,
-        })
+        };
+        if session.is_canvas() {
+            session.paint();
+        }
+        Ok(session)
+    }
+
+    /// Whether the scene is one to paint on.
+    fn is_canvas(&self) -> bool {
+        self.scene.tags.iter().any(|tag| tag == BRUSH)
     }
 
     /// Whether another frame is needed: something moves or has changed.
     pub(super) fn wants_frame(&self) -> bool {
         self.dirty || self.player.is_moving()
+    }
+
+    /// A file was dropped on the window: a picture is imported, a scene opens in place of this one.
+    pub(super) fn take_file(&mut self, path: &Path) {
+        let taken = if Scene::is_picture_file(path) {
+            Import::of_file(path, self.wake_up()).map(|import| self.import = Some(import))
+        } else {
+            Scene::read(path).and_then(|scene| self.open(scene))
+        };
+        self.complain(taken);
+    }
+
+    /// Opens a canvas to paint a body on: over the scene's picture, if it is one of the brush.
+    pub(super) fn paint(&mut self) {
+        let on = self.skins.first().filter(|_| self.is_canvas());
+        let painted = Import::of_canvas(on.map(|skin| &*skin.picture), self.wake_up());
+        let painted = painted.map(|import| self.import = Some(import));
+        self.complain(painted.map_err(|error| self.scene.complaint(&error.to_string())));
+    }
+
+    /// What other threads call when they have something to show.
+    fn wake_up(&self) -> impl Fn() + Send + 'static {
+        let waker = self.waker.clone();
+        // A window that has been closed is woken no more.
+        move || waker.send_event(()).unwrap_or_default()
+    }
+
+    /// Something was made elsewhere.
+    pub(super) fn wake(&mut self) {
+        if self.import.as_mut().is_some_and(Import::poll) {
+            self.touch();
+        }
+    }
+
+    /// Opens another scene in place of this one.
+    fn open(&mut self, scene: Scene) -> Result<(), SceneError> {
+        let opened = Opened::new(scene)?;
+        let is_other_space = opened.scene.dimensions() != self.scene.dimensions();
+        (self.scene, self.player, self.skins) = (opened.scene, opened.player, opened.skins);
+        self.look.has_mesh = self.skins.is_empty();
+        self.has_picture = self.scene.picture_path().is_some();
+        self.camera = opening::camera(&self.scene, self.player.world(), self.area);
+        self.window.set_title(&format!("wobble · {}", self.scene.name()));
+        if is_other_space {
+            // Its passes are others.
+            self.reopen().map_err(|error| self.scene.complaint(&error.to_string()))?;
+        }
+        self.canvas.forget_world();
+        self.move_cursor();
+        Ok(())
+    }
+
+    /// Does what the import panel was told.
+    fn answer(&mut self, answer: Answer) {
+        let Some(import) = self.import.take() else { return };
+        let [x, y] = self.camera.focus().truncate().to_array();
+        let scene = match answer {
+            Answer::Cancel => return self.touch(),
+            Answer::Open => import.scene(),
+            Answer::Add => import.added_to(&self.scene, [x, y]),
+        };
+        let opened = scene.and_then(|scene| self.open(scene));
+        if opened.is_err() {
+            self.import = Some(import);
+        }
+        self.complain(opened);
+    }
+
+    /// Tells the user of what went wrong, if anything did.
+    fn complain(&mut self, done: Result<(), SceneError>) {
+        self.complaint = done.err().map(|error| error.to_string());
+        self.touch();
     }
 
     /// When the panels want a frame by themselves.
@@ -131,6 +249,13 @@ impl Session {
             Action::Step => self.player.step(),
             Action::Reset => self.player.reset(),
             Action::Fit => self.camera = opening::fit(self.player.world(), false, self.area),
+            Action::Paint => self.paint(),
+            Action::Import => {
+                if let Some(path) = self.scene.picture_path() {
+                    self.take_file(&path);
+                }
+            }
+            Action::ToggleMesh => self.look.has_mesh = !self.look.has_mesh,
             Action::Home => self.camera = opening::camera(&self.scene, self.player.world(), self.area),
             Action::Quit => return,
         }
@@ -186,7 +311,20 @@ impl Session {
         let context = self.panels.egui_ctx().clone();
         let mut actions = Vec::new();
         let mut height = 0.0;
-        let output = context.run_ui(input, |ui| (actions, height) = panels::show(ui, &figures));
+        let (mut answer, mut is_read) = (None, false);
+        let can_add = self.scene.dimensions() == 2;
+        let output = context.run_ui(input, |ui| {
+            (actions, height) = panels::show(ui, &figures);
+            answer = self.import.as_mut().and_then(|import| import.show(ui.ctx(), can_add));
+            is_read = self.complaint.as_ref().is_some_and(|complaint| panels::complain(ui.ctx(), complaint));
+        });
+        if is_read {
+            self.complaint = None;
+            self.dirty = true;
+        }
+        if let Some(answer) = answer {
+            self.answer(answer);
+        }
         self.give_world((height * output.pixels_per_point).round() as u32);
         self.panels.handle_platform_output(&self.window, output.platform_output);
         let delay = output.viewport_output.values().map(|viewport| viewport.repaint_delay).min();
@@ -224,13 +362,16 @@ impl Session {
             bonds: world.bonds().len(),
             drawn: if self.frames == 0 { world.bonds().len() as u64 } else { self.drawn },
             energy: world.energy(),
+            has_skin: !self.skins.is_empty(),
+            has_picture: self.has_picture,
         }
     }
 
     fn draw(&mut self, paint: Paint) -> Result<(), RenderError> {
         let (previous, mix) = self.player.previous();
         let (motion, topology) = (self.player.motion(), self.player.topology());
-        let view = View { previous, mix, motion, topology, ..View::of(self.player.world()) };
+        let skins = &self.skins;
+        let view = View { previous, mix, motion, topology, skins, ..View::of(self.player.world()) };
         let shapes = |counters: &RenderCounters| counters.bonds_drawn + counters.dots_drawn;
         let before = shapes(self.canvas.counters());
         let done = self.canvas.draw(&view, &self.camera, &self.look, self.area, paint);

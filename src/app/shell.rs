@@ -7,15 +7,13 @@ use winit::application::ApplicationHandler;
 use winit::dpi::LogicalSize;
 use winit::error::EventLoopError;
 use winit::event::{StartCause, WindowEvent};
-use winit::event_loop::{ActiveEventLoop, ControlFlow, EventLoop};
+use winit::event_loop::{ActiveEventLoop, ControlFlow, EventLoop, EventLoopProxy};
 use winit::window::{Window, WindowId};
 
 use super::AppError;
 use super::input::{Action, action};
-use super::player::Player;
-use super::session::Session;
+use super::session::{Opened, Session};
 use crate::render::RenderCounters;
-use crate::scene::Scene;
 
 /// What the program did when its window closes.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -31,9 +29,9 @@ pub struct Statistics {
 /// Opens a window on `scene` and runs until it is closed.
 ///
 /// Errors: no display, no GPU, a GPU that is lost and does not come back.
-pub(super) fn run(scene: Scene, player: Player) -> Result<Statistics, AppError> {
+pub(super) fn run(opened: Opened) -> Result<Statistics, AppError> {
     let event_loop = EventLoop::new().map_err(|error| no_display(&error))?;
-    let mut shell = Shell::Waiting(Some(Box::new((scene, player))));
+    let mut shell = Shell::Waiting(Some(Box::new((opened, event_loop.create_proxy()))));
     event_loop.run_app(&mut shell).map_err(|error| no_display(&error))?;
     match shell {
         Shell::Failed(error) => Err(error),
@@ -55,7 +53,7 @@ fn no_display(error: &EventLoopError) -> AppError {
 /// The program's states.
 enum Shell {
     /// Until the system says that windows may be made.
-    Waiting(Option<Box<(Scene, Player)>>),
+    Waiting(Option<Box<(Opened, EventLoopProxy<()>)>>),
     Open {
         session: Box<Session>,
         /// When the next frame may begin.
@@ -72,14 +70,14 @@ const FRAME_RATE: f64 = 60.0;
 const PATIENCE: f64 = 0.9;
 
 impl Shell {
-    fn open(event_loop: &ActiveEventLoop, scene: Scene, player: Player) -> Result<Self, AppError> {
+    fn open(event_loop: &ActiveEventLoop, opened: Opened, waker: EventLoopProxy<()>) -> Result<Self, AppError> {
         let attributes = Window::default_attributes()
-            .with_title(format!("wobble · {}", scene.name()))
+            .with_title(format!("wobble · {}", opened.scene.name()))
             .with_inner_size(LogicalSize::new(1100.0, 760.0));
         let window =
             event_loop.create_window(attributes).map_err(|error| AppError::NoWindow { reason: error.to_string() })?;
         let window = Arc::new(window);
-        let session = Session::new(Arc::clone(&window), event_loop.owned_display_handle(), scene, player)?;
+        let session = Session::new(Arc::clone(&window), (event_loop.owned_display_handle(), waker), opened)?;
         let rate = window.current_monitor().and_then(|monitor| monitor.refresh_rate_millihertz());
         let rate = rate.map_or(FRAME_RATE, |millihertz| f64::from(millihertz) / 1000.0).clamp(24.0, 1000.0);
         let interval = Duration::from_secs_f64(PATIENCE / rate);
@@ -104,15 +102,21 @@ impl Shell {
 impl ApplicationHandler for Shell {
     fn resumed(&mut self, event_loop: &ActiveEventLoop) {
         let Shell::Waiting(start) = self else { return };
-        let Some(start) = start.take() else { return };
-        let (scene, player) = *start;
-        match Shell::open(event_loop, scene, player) {
+        let Some(opened) = start.take() else { return };
+        let (opened, waker) = *opened;
+        match Shell::open(event_loop, opened, waker) {
             Ok(open) => *self = open,
             Err(error) => self.fail(event_loop, error),
         }
     }
 
     fn new_events(&mut self, _: &ActiveEventLoop, _: StartCause) {}
+
+    fn user_event(&mut self, _: &ActiveEventLoop, (): ()) {
+        if let Shell::Open { session, .. } = self {
+            session.wake();
+        }
+    }
 
     fn window_event(&mut self, event_loop: &ActiveEventLoop, _: WindowId, event: WindowEvent) {
         if matches!(event, WindowEvent::RedrawRequested) {
@@ -125,6 +129,7 @@ impl ApplicationHandler for Shell {
         }
         match event {
             WindowEvent::CloseRequested | WindowEvent::Destroyed => event_loop.exit(),
+            WindowEvent::DroppedFile(path) => session.take_file(&path),
             WindowEvent::Resized(size) => session.resize([size.width, size.height]),
             WindowEvent::ScaleFactorChanged { scale_factor, .. } => session.rescale(scale_factor),
             WindowEvent::KeyboardInput { event, .. } if event.state.is_pressed() && !response.consumed => {

@@ -32,6 +32,7 @@ impl BoxFrame {
             positions: vec![[-x, -y, 0.0], [x, -y, 0.0], [x, y, 0.0], [-x, y, 0.0]],
             links: Vec::new(),
             weights: vec![1.0; 4],
+            ..Body::default()
         };
         for (a, b) in [(0, 1), (1, 2), (2, 3), (3, 0)] {
             body.link(a, b);

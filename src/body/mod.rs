@@ -3,7 +3,7 @@
 //! | maker | its own origin |
 //! |---|---|
 //! | [`Points`], [`RandomGraph`] | the one that `min` and `max` count from |
-//! | [`Rim`], [`BoxFrame`], [`Disc`] | the centre |
+//! | [`Rim`], [`BoxFrame`], [`Disc`], [`Cutout`] | the centre, of a cutout that of its picture |
 //! | [`Rope`], [`Cloth`], [`Lattice`] | the first point |
 //!
 //! [`Placement`] moves a body into the world. Every maker checks its parameters before it makes anything, and says how
@@ -11,6 +11,7 @@
 
 mod box_frame;
 mod cloth;
+mod cutout;
 mod disc;
 mod draw;
 mod grid;
@@ -23,6 +24,7 @@ mod rope;
 
 pub use box_frame::BoxFrame;
 pub use cloth::{Cloth, Diagonals};
+pub use cutout::Cutout;
 pub use disc::Disc;
 pub use lattice::Lattice;
 pub use place::Placement;
@@ -49,6 +51,10 @@ pub struct Body {
     pub links: Vec<Link>,
     /// Each point's share of the body's mass, up to a common factor: by length, by area, or all equal [1], > 0.
     pub weights: Vec<f64>,
+    /// Corners of its triangles, anticlockwise, if it has a skin.
+    pub triangles: Vec<[u32; 3]>,
+    /// Where each point lies in the picture of the skin, (0, 0) to (1, 1) from the upper left; empty without one.
+    pub texture: Vec<[f32; 2]>,
 }
 
 /// A bond of a body, without what it is made of.
@@ -60,13 +66,16 @@ pub struct Link {
     pub b: u32,
     /// Distance of the ends as made [m].
     pub rest_length: f64,
+    /// Share of the material's stiffness and damping that it has, if it is a spring [1]: 1, but 1/2 for the sides at the edge
+    /// of a picture's mesh, which belong to one triangle where others belong to two.
+    pub share: f64,
 }
 
 impl Body {
     /// Bonds the points `a` and `b` at their present distance.
     fn link(&mut self, a: u32, b: u32) {
         let rest_length = distance(self.positions[a as usize], self.positions[b as usize]);
-        self.links.push(Link { a, b, rest_length });
+        self.links.push(Link { a, b, rest_length, share: 1.0 });
     }
 
     /// Masses [kg] that add up to `total`, shared by the weights.
@@ -116,6 +125,8 @@ pub enum Maker {
     Lattice(Lattice),
     /// A mesh of triangles.
     Disc(Disc),
+    /// A picture's mesh.
+    Cutout(Cutout),
 }
 
 impl Maker {
@@ -132,6 +143,7 @@ impl Maker {
             Maker::Cloth(maker) => maker.point_count(),
             Maker::Lattice(maker) => maker.point_count(),
             Maker::Disc(maker) => maker.point_count(),
+            Maker::Cutout(maker) => maker.point_count(),
         }
     }
 
@@ -149,6 +161,7 @@ impl Maker {
             Maker::Cloth(maker) => maker.make(),
             Maker::Lattice(maker) => maker.make(),
             Maker::Disc(maker) => maker.make()?,
+            Maker::Cutout(maker) => maker.make(),
         };
         let finite = body.positions.iter().flatten().all(|x| x.is_finite())
             && body.links.iter().all(|link| link.rest_length.is_finite());

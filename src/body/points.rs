@@ -33,7 +33,7 @@ impl Points {
 /// Points in a box, in the order drawn.
 pub(super) fn scatter(draw: &mut Draw, count: u64, min: [f64; 3], max: [f64; 3]) -> Body {
     let positions: Vec<_> = (0..count).map(|_| draw.point(min, max)).collect();
-    Body { weights: vec![1.0; positions.len()], positions, links: Vec::new() }
+    Body { weights: vec![1.0; positions.len()], positions, ..Body::default() }
 }
 
 /// Corners that a box can be drawn between.

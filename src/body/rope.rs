@@ -51,6 +51,7 @@ impl Rope {
             positions: (0..self.count).map(|i| self.position(i, last)).collect(),
             links: Vec::new(),
             weights: vec![1.0; self.count as usize],
+            ..Body::default()
         };
         // An end point carries half a piece, all others two halves.
         if last > 0 {

@@ -1,6 +1,7 @@
 //! The command line: one file a subcommand. Exit codes: 0 done, 1 the work failed, 2 the call is wrong.
 
 mod machine;
+mod mesh;
 mod progress;
 mod render;
 mod scenes;
@@ -24,6 +25,7 @@ use clap::{Parser, Subcommand};
         wobble                                             the rim, in a window\n  \
         wobble rim-relaxed                                 another scene of the gallery\n  \
         wobble my-scene.json                               a scene file\n  \
+        wobble my-picture.png                              a picture, as a soft body\n  \
         wobble render rim --time 2 --size 1280x720 --out rim.png\n  \
         wobble simulate rim --samples 0.5,1,2 --out rim.csv"
 )]
@@ -54,6 +56,8 @@ enum Command {
     Simulate(Shown<simulate::Arguments>),
     /// Draws a scene off-screen to a PNG or an animated GIF.
     Render(Shown<render::Arguments>),
+    /// Makes a soft body of a picture.
+    Mesh(mesh::Arguments),
     /// Measures the methods: tables and plots.
     Study(Shown<study::Arguments>),
 }
@@ -66,6 +70,7 @@ pub fn main() -> ExitCode {
         Some(Command::Scenes(arguments)) => scenes::run(&arguments),
         Some(Command::Simulate(call)) => simulate::run(&call.arguments, call.quiet),
         Some(Command::Render(call)) => render::run(&call.arguments, call.quiet),
+        Some(Command::Mesh(arguments)) => mesh::run(&arguments),
         Some(Command::Study(call)) => study::run(&call.arguments, call.quiet),
     });
     match done {

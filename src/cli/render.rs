@@ -9,6 +9,7 @@ use image::{Delay, Frame, ImageFormat, RgbaImage};
 use super::{progress, values};
 use crate::app::opening;
 use crate::output;
+use crate::picture::Skin;
 use crate::render::{Camera, Capture, Look, Overlay, View};
 use crate::scene::Scene;
 use crate::scene::record::run_to;
@@ -43,6 +44,9 @@ pub(super) struct Arguments {
     /// What is shown by colour.
     #[arg(long, value_enum, default_value_t = OverlayName::Strain)]
     overlay: OverlayName,
+    /// Whether bonds and points are drawn: by themselves, where there is no skin.
+    #[arg(long, value_name = "on|off", value_parser = switch)]
+    mesh: Option<bool>,
 }
 
 #[derive(Clone, Copy, clap::ValueEnum)]
@@ -51,6 +55,14 @@ enum OverlayName {
     None,
     /// Stretched bonds turn orange, squeezed ones blue.
     Strain,
+}
+
+fn switch(text: &str) -> Result<bool, String> {
+    match text {
+        "on" => Ok(true),
+        "off" => Ok(false),
+        _ => Err("give on or off".to_owned()),
+    }
 }
 
 fn extension(path: &Path) -> String {
@@ -79,7 +91,8 @@ pub(super) fn run(arguments: &Arguments, quiet: bool) -> anyhow::Result<()> {
         OverlayName::None => Overlay::None,
         OverlayName::Strain => Overlay::Strain,
     };
-    let look = Look { overlay, ..Look::default() };
+    let skins = scene.skins()?;
+    let look = Look { overlay, has_mesh: arguments.has_mesh(!skins.is_empty()), ..Look::default() };
     let mut capture = Capture::new(arguments.size, scene.dimensions())?;
     let count = arguments.count();
     let bar = progress::frames(quiet, u64::from(count));
@@ -87,7 +100,7 @@ pub(super) fn run(arguments: &Arguments, quiet: bool) -> anyhow::Result<()> {
     for index in 0..count {
         let time = arguments.time + f64::from(index) / arguments.fps * scene.rate();
         run_to(&mut *world, time, &mut |_| {})?;
-        let picture = draw(&mut capture, &*world, time, u64::from(index), &camera, &look)?;
+        let picture = draw(&mut capture, (&*world, &skins), time, u64::from(index), &camera, &look)?;
         if let Some(path) = arguments.out.as_ref().filter(|path| extension(path) == "png") {
             let path = if count == 1 { path.clone() } else { numbered(path, index) };
             output::replace(&path, |to| write_png(&picture, to))?;
@@ -111,6 +124,11 @@ impl Arguments {
         out.into_iter().chain(&self.gif).collect()
     }
 
+    /// Whether bonds and points are drawn, of a scene with skins or without.
+    fn has_mesh(&self, has_skin: bool) -> bool {
+        self.mesh.unwrap_or(!has_skin)
+    }
+
     fn count(&self) -> u32 {
         self.frames.unwrap_or(if self.animations().is_empty() { 1 } else { 50 })
     }
@@ -119,7 +137,7 @@ impl Arguments {
 /// The state at `time`, which lies in the world's next substep.
 fn draw(
     capture: &mut Capture,
-    world: &dyn Dynamics,
+    (world, skins): (&dyn Dynamics, &[Skin]),
     time: f64,
     index: u64,
     camera: &Camera,
@@ -137,6 +155,7 @@ fn draw(
         current: Positions::F64(&flat),
         motion: index,
         mouse: world.mouse().map(on_track),
+        skins,
         ..View::of(world)
     };
     Ok(capture.picture(&view, camera, look)?)

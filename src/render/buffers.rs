@@ -112,6 +112,11 @@ impl WorldBuffers {
         any
     }
 
+    /// Nothing that was uploaded is of the next world.
+    pub(super) fn forget(&mut self) {
+        (self.topology, self.motion, self.selected) = (None, None, None);
+    }
+
     /// Bytes of all of them.
     pub(super) fn bytes(&mut self) -> u64 {
         self.all().into_iter().map(|buffer| buffer.buffer.size()).sum()

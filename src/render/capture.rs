@@ -17,8 +17,9 @@ pub struct Capture {
     texture: wgpu::Texture,
     readback: wgpu::Buffer,
     row_bytes: u32,
-    /// Colour under the picture that lies in the read-back buffer, if one does. All else of a look is uploaded.
-    ground: Option<Color>,
+    /// Of the picture that lies in the read-back buffer, if one does: the colour under it, and whether it shows the mesh. All
+    /// else of a look is uploaded.
+    drawn: Option<(Color, bool)>,
 }
 
 /// Bytes of a row of the read-back picture, and of all of it.
@@ -67,7 +68,7 @@ impl Capture {
             mapped_at_creation: false,
         });
         let renderer = Renderer::new(&gpu, FORMAT, dimensions);
-        Ok(Capture { gpu, renderer, size, texture, readback, row_bytes, ground: None })
+        Ok(Capture { gpu, renderer, size, texture, readback, row_bytes, drawn: None })
     }
 
     /// The GPU that draws.
@@ -86,12 +87,13 @@ impl Capture {
     pub fn picture(&mut self, view: &View<'_>, camera: &Camera, look: &Look) -> Result<RgbaImage, RenderError> {
         let before = self.renderer.counters().uploads;
         // Gone if this fails halfway: then the next picture is drawn whatever it is.
-        let ground = self.ground.take();
+        let drawn = self.drawn.take();
         self.renderer.prepare(&self.gpu, view, camera, look)?;
-        if self.renderer.counters().uploads != before || ground != Some(look.ground) {
+        let wanted = Some((look.ground, look.has_mesh));
+        if self.renderer.counters().uploads != before || drawn != wanted {
             self.draw(look);
         }
-        self.ground = Some(look.ground);
+        self.drawn = wanted;
         self.read()
     }
 

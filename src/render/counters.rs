@@ -19,6 +19,8 @@ pub struct RenderCounters {
     pub bonds_drawn: u64,
     /// Bonds that were drawn as dots, for themselves and their neighbours.
     pub dots_drawn: u64,
+    /// Triangles of skins that were drawn.
+    pub triangles_drawn: u64,
     /// Points that were drawn.
     pub points_drawn: u64,
     /// Points that were looked at to find out which parts of a scene are in view.

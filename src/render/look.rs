@@ -48,6 +48,8 @@ pub struct Look {
     pub strain_scale: f32,
     /// What is shown by colour.
     pub overlay: Overlay,
+    /// Whether bonds and points are drawn.
+    pub has_mesh: bool,
     /// Physical pixels in a logical one.
     pub scale_factor: f32,
 }
@@ -75,6 +77,7 @@ impl Default for Look {
             outline_width: 1.5,
             strain_scale: 0.04,
             overlay: Overlay::Strain,
+            has_mesh: true,
             scale_factor: 1.0,
         }
     }

@@ -20,6 +20,7 @@ mod order;
 mod passes;
 mod renderer;
 mod sight;
+mod skin;
 pub mod view;
 
 pub use camera::{Camera, Pose};

@@ -1,4 +1,4 @@
-//! The passes of a picture: guides, bonds, points, region, each a shader of its own over the same bindings.
+//! The passes of a picture: guides, skins, bonds, points, region, each a shader of its own over the same bindings.
 //!
 //! In the plane what is drawn later lies on top. In space the pixels that a shape fills are drawn first and write their
 //! depth; those at its edges, which it shares with what lies behind, are drawn over them and only look at the depth.
@@ -9,6 +9,7 @@ use super::buffers::WorldBuffers;
 use super::chunks::{CHUNK, Run};
 use super::counters::RenderCounters;
 use super::gpu::Gpu;
+use super::skin::Skins;
 
 /// A shader with what all of them share in front.
 macro_rules! shader {
@@ -23,11 +24,12 @@ macro_rules! shader {
 }
 
 /// The shaders as they are compiled: name, and source with what all of them share in front.
-pub const SHADERS: [(&str, &str); 4] = [
+pub const SHADERS: [(&str, &str); 5] = [
     ("guides", shader!("guides")),
     ("bonds", shader!("bonds")),
     ("points", shader!("points")),
     ("region", shader!("region")),
+    ("skin", shader!("skin")),
 ];
 
 /// What is drawn.
@@ -40,6 +42,10 @@ enum Pass {
     Strokes,
     Points,
     Region,
+    /// Pictures on triangles.
+    Skin,
+    /// Their free sides.
+    SkinEdges,
 }
 
 /// Vertices of a quad and of a disc.
@@ -54,11 +60,16 @@ impl Pass {
             Pass::Dots | Pass::Strokes => 1,
             Pass::Points => 2,
             Pass::Region => 3,
+            Pass::Skin | Pass::SkinEdges => 4,
         }
     }
 
     fn entry_points(self) -> [&'static str; 2] {
-        if self == Pass::Dots { ["dot_vertex", "dot_fragment"] } else { ["vertex", "fragment"] }
+        match self {
+            Pass::Dots => ["dot_vertex", "dot_fragment"],
+            Pass::SkinEdges => ["edge_vertex", "edge_fragment"],
+            _ => ["vertex", "fragment"],
+        }
     }
 
     /// Its draw calls: vertices and instances of each.
@@ -70,6 +81,7 @@ impl Pass {
             Pass::Strokes => selection.strokes.iter().map(|run| call(run, QUAD)).collect(),
             Pass::Points => selection.points.iter().map(|range| [DISC * range.start..DISC * range.end, 0..1]).collect(),
             Pass::Region => vec![[0..QUAD * u32::from(has_region), 0..1]],
+            Pass::Skin | Pass::SkinEdges => Vec::new(),
         };
         calls.retain(|[vertices, _]| !vertices.is_empty());
         calls
@@ -111,21 +123,34 @@ pub(super) const DEPTH: wgpu::TextureFormat = wgpu::TextureFormat::Depth32Float;
 pub(super) struct Passes {
     /// In the order that they are drawn in.
     pipelines: Vec<(Pass, wgpu::RenderPipeline)>,
+    /// Of the triangles of skins, and of their edges: over the first guides.
+    skin: [wgpu::RenderPipeline; 2],
     layout: wgpu::BindGroupLayout,
     bindings: Option<[wgpu::BindGroup; 4]>,
 }
 
 impl Passes {
     /// For worlds of `dimensions` drawn to a target of `format`.
-    pub(super) fn new(gpu: &Gpu, format: wgpu::TextureFormat, dimensions: usize) -> Self {
+    pub(super) fn new(gpu: &Gpu, format: wgpu::TextureFormat, dimensions: usize, skins: &Skins) -> Self {
         let layout = bindings_layout(&gpu.device);
         let modules = SHADERS.map(|shader| module(&gpu.device, shader));
         let layers = layers(dimensions).into_iter();
         let pipelines = layers.map(|(pass, part)| {
-            (pass, pipeline(&gpu.device, &layout, &modules[pass.shader()], (pass, part), format, dimensions))
+            (pass, pipeline(&gpu.device, &[&layout], &modules[pass.shader()], (pass, part), format, dimensions))
         });
         let pipelines = pipelines.collect();
-        Passes { pipelines, layout, bindings: None }
+        // In space triangles hide what lies behind them.
+        let solid = if dimensions == 3 { Part::Core } else { Part::All };
+        let skin = [(Pass::Skin, solid), (Pass::SkinEdges, Part::All)].map(|(pass, part)| {
+            let layouts = [&layout, skins.layout()];
+            pipeline(&gpu.device, &layouts, &modules[pass.shader()], (pass, part), format, dimensions)
+        });
+        Passes { pipelines, skin, layout, bindings: None }
+    }
+
+    /// How the world's buffers are bound.
+    pub(super) fn layout(&self) -> &wgpu::BindGroupLayout {
+        &self.layout
     }
 
     /// Binds the buffers anew: one of them is another than before.
@@ -149,12 +174,18 @@ impl Passes {
     pub(super) fn draw(
         &self,
         target: &mut wgpu::RenderPass<'_>,
-        buffers: &WorldBuffers,
-        has_region: bool,
+        (buffers, skins): (&WorldBuffers, &Skins),
+        (has_region, has_mesh): (bool, bool),
         counters: &mut RenderCounters,
     ) {
         let Some(bindings) = &self.bindings else { return };
-        for &(pass, ref pipeline) in &self.pipelines {
+        for (place, &(pass, ref pipeline)) in self.pipelines.iter().enumerate() {
+            if place == 1 {
+                skins.draw(target, &self.skin, counters);
+            }
+            if !has_mesh && matches!(pass, Pass::Dots | Pass::Strokes | Pass::Points) {
+                continue;
+            }
             let calls = pass.calls(buffers, has_region);
             if calls.is_empty() {
                 continue;
@@ -165,6 +196,9 @@ impl Passes {
             for [vertices, instances] in calls {
                 target.draw(vertices, instances);
             }
+        }
+        if !has_mesh {
+            return;
         }
         let count = |runs: &[Run]| runs.iter().map(|run| u64::from(run.count) * u64::from(run.chunks)).sum::<u64>();
         counters.bonds_drawn += count(&buffers.selection.strokes);
@@ -202,7 +236,7 @@ fn module(device: &wgpu::Device, (name, source): (&str, &str)) -> wgpu::ShaderMo
 
 fn pipeline(
     device: &wgpu::Device,
-    layout: &wgpu::BindGroupLayout,
+    layouts: &[&wgpu::BindGroupLayout],
     module: &wgpu::ShaderModule,
     (pass, part): (Pass, Part),
     format: wgpu::TextureFormat,
@@ -210,9 +244,10 @@ fn pipeline(
 ) -> wgpu::RenderPipeline {
     let (name, _) = SHADERS[pass.shader()];
     let [vertex, fragment] = pass.entry_points();
+    let layouts: Vec<_> = layouts.iter().copied().map(Some).collect();
     let layout = device.create_pipeline_layout(&wgpu::PipelineLayoutDescriptor {
         label: Some(name),
-        bind_group_layouts: &[Some(layout)],
+        bind_group_layouts: &layouts,
         immediate_size: 0,
     });
     let constants = [("DIMENSIONS", dimensions as f64), ("PART", f64::from(part as u32))];

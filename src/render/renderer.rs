@@ -9,6 +9,7 @@ use super::gpu::Gpu;
 use super::guides::guides;
 use super::look::Look;
 use super::passes::{DEPTH, Passes};
+use super::skin::Skins;
 use super::view::View;
 
 /// A renderer for worlds of one dimension, to targets of one format.
@@ -17,6 +18,7 @@ use super::view::View;
 pub struct Renderer {
     passes: Passes,
     buffers: WorldBuffers,
+    skins: Skins,
     depth: Option<(wgpu::TextureView, [u32; 2])>,
     dimensions: usize,
     has_region: bool,
@@ -26,9 +28,11 @@ pub struct Renderer {
 impl Renderer {
     /// A renderer without a world: the first [`Renderer::prepare`] gives it one.
     pub fn new(gpu: &Gpu, format: wgpu::TextureFormat, dimensions: usize) -> Self {
+        let skins = Skins::new(gpu);
         Renderer {
-            passes: Passes::new(gpu, format, dimensions),
+            passes: Passes::new(gpu, format, dimensions, &skins),
             buffers: WorldBuffers::new(gpu),
+            skins,
             depth: None,
             dimensions,
             has_region: false,
@@ -42,6 +46,7 @@ impl Renderer {
     pub fn prepare(&mut self, gpu: &Gpu, view: &View<'_>, camera: &Camera, look: &Look) -> Result<(), RenderError> {
         let counters = &mut self.counters;
         self.buffers.update(gpu, view, camera, counters)?;
+        self.skins.update(gpu, view, counters)?;
         let origin = self.buffers.origin;
         let lines = guides(camera, view.bounds, view.dimensions, origin, look);
         self.buffers.set_guides(gpu, bytemuck::cast_slice(&lines), lines.len(), counters)?;
@@ -50,10 +55,18 @@ impl Renderer {
         self.buffers.set_frame(gpu, bytemuck::bytes_of(&frame), counters)?;
         self.buffers.select(view, &frame.wanted(camera, origin), counters);
         counters.bytes_held = self.buffers.bytes();
-        if self.buffers.take_unbound() {
+        let is_other = self.buffers.take_unbound();
+        if is_other {
             self.passes.rebind(gpu, &self.buffers);
         }
+        self.skins.rebind(gpu, self.passes.layout(), &self.buffers, is_other);
         Ok(())
+    }
+
+    /// The next picture is of another world: nothing that was uploaded is of it.
+    pub fn forget_world(&mut self) {
+        self.buffers.forget();
+        self.skins.forget();
     }
 
     /// Draws what was prepared into the upper left `area` of `target`, which has `size` [px], over the ground colour.
@@ -91,7 +104,8 @@ impl Renderer {
         if area[0] > 0 && area[1] > 0 {
             pass.set_viewport(0.0, 0.0, area[0] as f32, area[1] as f32, 0.0, 1.0);
             pass.set_scissor_rect(0, 0, area[0], area[1]);
-            self.passes.draw(&mut pass, &self.buffers, self.has_region, &mut self.counters);
+            let shown = (self.has_region, look.has_mesh);
+            self.passes.draw(&mut pass, (&self.buffers, &self.skins), shown, &mut self.counters);
         }
         self.counters.frames_drawn += 1;
     }

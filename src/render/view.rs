@@ -1,5 +1,6 @@
 //! What a picture shows: a borrowed view of a world at one moment.
 
+use crate::picture::Skin;
 use crate::sim::{Bonds, Cursor, Dynamics, MouseForce, PointId, Positions};
 
 /// A borrowed view of a world, between its last two substeps.
@@ -19,6 +20,8 @@ pub struct View<'a> {
     pub topology: u64,
     /// The bonds.
     pub bonds: &'a Bonds,
+    /// What is drawn on triangles. A world of other skins is another topology.
+    pub skins: &'a [Skin],
     /// The points that never move.
     pub pinned: &'a [PointId],
     /// Corners of the walls (z = 0 in the plane).
@@ -38,6 +41,7 @@ impl<'a> View<'a> {
             motion: 0,
             topology: world.counters().bonds_torn,
             bonds: world.bonds(),
+            skins: &[],
             pinned: world.pinned(),
             bounds: world.bounds(),
             mouse: world.mouse(),

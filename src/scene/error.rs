@@ -4,6 +4,7 @@ use std::fmt;
 use std::sync::Arc;
 
 use super::locate;
+use super::pictures::Pictures;
 
 /// Largest text that a scene keeps to say lines by after it was read [bytes]: 16 MiB. A larger one is reported by its
 /// keys alone once it has been read; kept, it would cost its length in memory for a message that may never come.
@@ -18,6 +19,8 @@ pub struct Source {
     /// The file, or what stands for it in messages.
     pub(super) label: String,
     pub(super) text: Option<Arc<str>>,
+    /// What was read of the pictures that it names.
+    pub(super) pictures: Pictures,
 }
 
 impl PartialEq for Source {
@@ -29,7 +32,8 @@ impl PartialEq for Source {
 impl Source {
     /// A source that keeps the text, if it is not too long.
     pub(super) fn new(label: &str, text: &str) -> Self {
-        Source { label: label.to_owned(), text: (text.len() <= KEPT_TEXT).then(|| text.into()) }
+        let text = (text.len() <= KEPT_TEXT).then(|| text.into());
+        Source { label: label.to_owned(), text, pictures: Pictures::default() }
     }
 
     /// The error that a fault in this scene is.

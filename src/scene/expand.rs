@@ -1,8 +1,9 @@
 //! A scene with its bodies turned into explicit points and bonds.
 
 use super::error::SceneError;
-use super::keys::{BondKeys, MassKeys, PointKeys, Scene, Vector};
+use super::keys::{BondKeys, KindName, MassKeys, PointKeys, Scene, Vector};
 use super::start::Start;
+use crate::sim::BondKind;
 
 impl Scene {
     /// The same scene without bodies: every point and bond is listed. Its model is the same, bit for bit.
@@ -28,20 +29,30 @@ impl Scene {
         let mut scene = Scene { points: Some(points), bodies: Vec::new(), ..self.clone() };
         for (keys, body) in self.bodies.iter().zip(&start.bodies) {
             let material = keys.material.clone().unwrap_or_default();
-            scene.bonds.extend(body.links().map(|link| BondKeys {
-                a: link.a,
-                b: link.b,
-                rest: Some(link.rest_length),
-                kind: material.kind,
-                stiffness: material.stiffness,
-                compliance: material.compliance,
-                damping: material.damping,
-                relaxation: material.relaxation,
-                max_correction: material.max_correction,
-                break_strain: material.break_strain,
-                limit: None,
+            scene.bonds.extend(body.links().map(|link| {
+                let said = BondKeys {
+                    a: link.a,
+                    b: link.b,
+                    rest: Some(link.rest_length),
+                    kind: material.kind,
+                    stiffness: material.stiffness,
+                    compliance: material.compliance,
+                    damping: material.damping,
+                    relaxation: material.relaxation,
+                    max_correction: material.max_correction,
+                    break_strain: material.break_strain,
+                    limit: None,
+                };
+                match body.kind(&link) {
+                    BondKind::Spring { stiffness, damping } if link.share != 1.0 || material.young.is_some() => {
+                        let (kind, damping) = (Some(KindName::Spring), (damping > 0.0).then_some(damping));
+                        BondKeys { kind, stiffness: Some(stiffness), compliance: None, damping, ..said }
+                    }
+                    _ => said,
+                }
             }));
         }
+        self.dress(&mut scene).map_err(|fault| self.source.error(fault))?;
         Ok(scene)
     }
 }

@@ -58,7 +58,7 @@ macro_rules! entry {
     };
 }
 
-static GALLERY: [Entry; 11] = [
+static GALLERY: [Entry; 18] = [
     entry!("points", 10, "Falling points", "Ten loose points fall under unit gravity and bounce between walls."),
     entry!(
         "random-graph",
@@ -97,6 +97,28 @@ static GALLERY: [Entry; 11] = [
         "Euler's decay",
         "Explicit Euler on v' = -k v, h = 0.1 s: smooth at h k = 0.5, it oscillates at 1.5 and 1.95, and grows at 2.02."
     ),
+    entry!(
+        "image-mesh",
+        195,
+        "Image mesh",
+        "A letter cut out of a bitmap, its triangles' sides swept by relaxation as in the source: a jelly that the mouse dents."
+    ),
+    entry!(
+        "brush",
+        370,
+        "Brush",
+        "A fish of brush strokes; in the window it lies on a canvas, to be painted over and made a body."
+    ),
+    entry!(
+        "gear",
+        373,
+        "Gear",
+        "A gear with seven holes, cut out of a picture with its own colours, rolls along: rigid bonds."
+    ),
+    entry!("jellyfish", 571, "Jellyfish", "A picture of a jellyfish in thick water, soft down to its tentacles."),
+    entry!("ring", 341, "Ring", "A ring of springs, cut out of a picture, spins, falls and rolls."),
+    entry!("maze", 846, "Maze", "The walls of a round maze are one soft body: it sags, and springs back."),
+    entry!("pebble", 392, "Pebbles", "The same stone twice, once firm and once soft as dough."),
     entry!(
         "rope",
         1000,

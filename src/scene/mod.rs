@@ -14,11 +14,15 @@ mod expand;
 mod gallery;
 mod keys;
 mod locate;
+mod material;
 mod model;
 mod nearest;
+mod of_picture;
+mod pictures;
 mod read;
 pub mod record;
 mod schema;
+mod skin;
 mod start;
 mod support;
 mod write;
@@ -29,7 +33,8 @@ pub use keys::{
     AreaKeys, AreaKindName, BodyKeys, BondKeys, BondList, BoundsKeys, BoxKeys, BraceName, CircleKeys, DiagonalsName,
     KindName, LimitName, MakerName, MassKeys, Material, MethodKeys, MouseKeys, ObstacleKeys, OrderName, PinMotionKeys,
     PlaneKeys, PointKeys, PrecisionName, ProfileName, RegionName, RepeatKeys, RotationKeys, Row, Scene, SolverName,
-    TextureKeys, Vector, Version, ViewKeys, WindKeys,
+    StrokesName, TextureKeys, Vector, Version, ViewKeys, WindKeys,
 };
 pub use model::Settled;
+pub use of_picture::Matter;
 pub use schema::schema;

@@ -3,7 +3,7 @@
 use super::check::{self, Resistance};
 use super::error::{Fault, SceneError, Within};
 use super::keys::{BondKeys, LimitName, MouseKeys, ObstacleKeys, PinMotionKeys, ProfileName, RegionName, Row, Scene};
-use super::start::{Start, resistance};
+use super::start::Start;
 use super::support;
 use crate::body::distance;
 use crate::sim::vector::{embed, truncate};
@@ -189,14 +189,14 @@ impl Scene {
             bonds.push(Bond { a: PointId(a), b: PointId(b), rest_length, ..materials[self.bonds.material(k)] });
         }
         for (keys, body) in self.bodies.iter().zip(&start.bodies) {
-            let kind = resistance(keys).resolve();
+            let breaks = break_strain(keys.material.as_ref().and_then(|material| material.break_strain));
             bonds.extend(body.links().map(|link| Bond {
                 a: PointId(link.a),
                 b: PointId(link.b),
                 rest_length: link.rest_length,
-                kind,
+                kind: body.kind(&link),
                 limit: Limit::Both,
-                break_strain: break_strain(keys.material.as_ref().and_then(|material| material.break_strain)),
+                break_strain: breaks,
             }));
         }
         Ok(bonds)

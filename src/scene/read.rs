@@ -9,6 +9,7 @@ use super::gallery::{self, gallery};
 use super::keys::Scene;
 use super::locate;
 use super::nearest::{list, nearest};
+use super::of_picture;
 
 /// Largest file that is read [bytes]: beyond, it would only fill the memory.
 const LARGEST_FILE: u64 = 4 << 30;
@@ -50,6 +51,9 @@ impl Scene {
             let message = "is UTF-16: save it as UTF-8";
             return Err(SceneError::whole(SceneErrorKind::Syntax, &label, message));
         }
+        if of_picture::is_picture(&bytes) {
+            return of_picture::open(path);
+        }
         let text = String::from_utf8(bytes).map_err(|error| {
             let valid = error.utf8_error().valid_up_to();
             let line = 1 + error.as_bytes()[..valid].iter().filter(|&&c| c == b'\n').count();
@@ -58,7 +62,7 @@ impl Scene {
                 ..SceneError::whole(
                     SceneErrorKind::Syntax,
                     &label,
-                    "is not text in UTF-8: save it as UTF-8, or give a scene file",
+                    "is not text in UTF-8 nor a picture: give a scene file in UTF-8, or a PNG, JPEG, GIF, BMP, WebP or TIFF",
                 )
             }
         })?;

@@ -3,7 +3,9 @@
 use super::check::{self, Resistance};
 use super::error::{Fault, Within};
 use super::keys::{BodyKeys, MassKeys, Scene};
+use super::material;
 use crate::body::{Body, Link, MAX_BONDS, Placement};
+use crate::sim::BondKind;
 
 /// Points and bonds of a scene with its bodies made and placed.
 ///
@@ -26,12 +28,24 @@ pub(super) struct PlacedBody {
     copies: u32,
     /// Bonds of a copy, counted within it.
     links: Vec<Link>,
+    /// How they resist, each by its share.
+    kind: BondKind,
 }
 
 impl PlacedBody {
     /// How many bonds there are.
     pub(super) fn len(&self) -> usize {
         self.copies as usize * self.links.len()
+    }
+
+    /// How a bond of it resists.
+    pub(super) fn kind(&self, link: &Link) -> BondKind {
+        match self.kind {
+            BondKind::Spring { stiffness, damping } if link.share != 1.0 => {
+                BondKind::Spring { stiffness: link.share * stiffness, damping: link.share * damping }
+            }
+            kind => kind,
+        }
     }
 
     /// The bonds, their ends counted over the scene.
@@ -55,7 +69,7 @@ impl Start {
     pub(super) fn new(scene: &Scene) -> Result<Self, Fault> {
         let mut start = Start::explicit(scene);
         for (i, body) in scene.bodies.iter().enumerate() {
-            start.append(body, scene.dimensions()).item(i).at("bodies")?;
+            start.append(body, scene).item(i).at("bodies")?;
         }
         start.pinned.sort_unstable();
         start.pinned.dedup();
@@ -87,9 +101,8 @@ impl Start {
         start
     }
 
-    fn append(&mut self, keys: &BodyKeys, dimensions: usize) -> Result<(), Fault> {
-        let body =
-            check::maker(keys, dimensions)?.make().map_err(|error| Fault::invalid(error.message).at(error.key))?;
+    fn append(&mut self, keys: &BodyKeys, scene: &Scene) -> Result<(), Fault> {
+        let body = make(keys, scene)?;
         let (each, copies) = (body.positions.len() as u32, check::copies(keys));
         let bonds = body.links.len() as u64 * u64::from(copies);
         if bonds > MAX_BONDS {
@@ -118,9 +131,18 @@ impl Start {
             let message = "its points are too far or too fast for a number: make it smaller";
             return Err(Fault::invalid(message));
         }
-        self.bodies.push(PlacedBody { first: first as u32, each, copies, links: body.links });
+        let kind = material::kind(keys, &body, &mass);
+        self.bodies.push(PlacedBody { first: first as u32, each, copies, links: body.links, kind });
         Ok(())
     }
+}
+
+/// A copy of a body about its own origin; the scene has been checked.
+///
+/// Errors: it is too large for a number.
+pub(super) fn make(keys: &BodyKeys, scene: &Scene) -> Result<Body, Fault> {
+    let maker = check::maker(keys, scene.dimensions(), &scene.source)?;
+    maker.make().map_err(|error| Fault::invalid(error.message).at(error.key))
 }
 
 /// The masses of one copy of a body [kg].

@@ -8,12 +8,7 @@ use crate::sim::{self, BondKind};
 
 /// Errors: the first key that this version cannot run.
 pub(super) fn check(scene: &Scene) -> Result<(), Fault> {
-    for (key, said) in [
-        ("triangles", !scene.triangles.is_empty()),
-        ("areas", scene.areas.is_some()),
-        ("texture", scene.texture.is_some()),
-        ("wind", scene.wind.is_some()),
-    ] {
+    for (key, said) in [("areas", scene.areas.is_some()), ("wind", scene.wind.is_some())] {
         if said {
             return Err(lacking(key));
         }

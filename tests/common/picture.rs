@@ -28,6 +28,7 @@ pub const NO_BONDS: &Bonds = &Bonds::new();
 /// A world that rests.
 pub fn view<'a>(positions: &'a [f32], bonds: &'a Bonds, dimensions: usize) -> View<'a> {
     View {
+        skins: &[],
         dimensions,
         previous: Positions::F32(positions),
         current: Positions::F32(positions),

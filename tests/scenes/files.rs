@@ -25,7 +25,7 @@ fn files_that_cannot_be_read_say_why() {
     assert_eq!(refusal(&at("empty.json", b"")), "FILE: is empty: a scene starts with {\"wobble\": 1, …}");
     assert_eq!(
         refusal(&at("latin.json", b"{ \"wobble\": 1,\n\"name\": \"\xe9\" }")),
-        "FILE:2: is not text in UTF-8: save it as UTF-8, or give a scene file"
+        "FILE:2: is not text in UTF-8 nor a picture: give a scene file in UTF-8, or a PNG, JPEG, GIF, BMP, WebP or TIFF"
     );
     assert_eq!(refusal(&at("wide.json", b"\xff\xfe{\0}\0")), "FILE: is UTF-16: save it as UTF-8");
     assert_eq!(

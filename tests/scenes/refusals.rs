@@ -287,9 +287,34 @@ fn bodies() {
             ".spacing: is 1e-5, which makes about 3.6e10 points: 20000000 is the most",
         ),
         ("\"make\": \"disc\", \"radius\": 1", ": `disc` needs `spacing`: add it"),
+        ("\"make\": \"picture\"", ": `picture` needs `file`: add it"),
         (
             "\"make\": \"picture\", \"file\": \"a.png\"",
-            ".make: `picture` is not built into this version: use `points`, `random-graph`, `rim`, `box`, `rope`, `cloth`, `lattice` or `disc`",
+            ".file: `a.png` cannot be read: No such file or directory (os error 2): give a path relative to the scene file",
+        ),
+        (
+            "\"make\": \"picture\", \"file\": \"/a.png\"",
+            ".file: is no image: give a path relative to the scene, or data:image/png;base64,…",
+        ),
+        (
+            "\"make\": \"picture\", \"file\": \"data:image/png;base64,AAAA\"",
+            ".file: not a picture of a known format (PNG, JPEG, GIF, BMP, WebP, TIFF, PNM, TGA, ICO, QOI)",
+        ),
+        (
+            "\"make\": \"picture\", \"file\": \"pictures/ring.png\", \"spacing\": 1e-5",
+            ".file: spacing is 0.0019200000000000003: it must be from 1 to 4096 px",
+        ),
+        (
+            "\"make\": \"picture\", \"file\": \"pictures/ring.png\", \"spacing\": 1, \"max_area\": 50",
+            ".max_area: stands beside `spacing`: give one of them",
+        ),
+        (
+            "\"make\": \"disc\", \"radius\": 1, \"spacing\": 0.5, \"material\": { \"kind\": \"spring\", \"young\": 9 }",
+            ".material.young: is of meshes of pictures, and this is `disc`: give `stiffness`",
+        ),
+        (
+            "\"make\": \"ragdoll\"",
+            ".make: `ragdoll` is not built into this version: use `points`, `random-graph`, `rim`, `box`, `rope`, `cloth`, `lattice`, `disc` or `picture`",
         ),
         ("\"make\": \"ragdoll\", \"height\": -1", ".height: is -1.0: give a number above 0"),
     ] {
@@ -499,15 +524,7 @@ fn surfaces_method_times_and_view() {
 #[test]
 fn what_this_version_lacks() {
     for (rest, message) in [
-        (
-            "\"triangles\": [[0,1,2]], \"points\": { \"position\": [[0,0],[1,0],[0,1]] }",
-            "triangles: `triangles` is not in this version: leave it out",
-        ),
         ("\"areas\": { \"kind\": \"rigid\" }", "areas: `areas` is not in this version: leave it out"),
-        (
-            "\"texture\": { \"image\": \"a.png\", \"uv\": [] }",
-            "texture: `texture` is not in this version: leave it out",
-        ),
         ("\"wind\": { \"velocity\": [1,0] }", "wind: `wind` is not in this version: leave it out"),
         (
             "\"obstacles\": [{ \"circle\": { \"center\": [0,0], \"radius\": 1 } }]",

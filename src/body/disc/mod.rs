@@ -87,7 +87,7 @@ impl Disc {
             side.sort_unstable();
         }
         sides.sort_unstable();
-        let mut body = Body { positions, links: Vec::with_capacity(sides.len()), weights };
+        let mut body = Body { positions, links: Vec::with_capacity(sides.len()), weights, ..Body::default() };
         for [a, b] in sides {
             body.link(a, b);
         }

@@ -1,12 +1,13 @@
 //! Bodies: which keys each maker takes, and the maker that they amount to.
 
 use super::bond::Resistance;
+use super::cutout;
 use super::number::{self, Range};
 use super::repeat;
 use crate::body::{
     BodyError, BoxFrame, Brace, Cloth, Diagonals, Disc, Lattice, Maker, Points, RandomGraph, Rim, Rope, Stretch,
 };
-use crate::scene::error::{Fault, Within};
+use crate::scene::error::{Fault, Source, Within};
 use crate::scene::keys::{BodyKeys, BraceName, DiagonalsName, MakerName, Material, Vector};
 use crate::scene::nearest;
 
@@ -24,7 +25,19 @@ fn parameters(make: MakerName) -> &'static [&'static str] {
         MakerName::Cloth => &["columns", "rows", "spacing", "diagonals", "u", "v"],
         MakerName::Lattice => &["columns", "rows", "spacing"],
         MakerName::Disc => &["radius", "spacing"],
-        MakerName::Picture => &["file", "spacing", "threshold", "invert"],
+        MakerName::Picture => &[
+            "file",
+            "height",
+            "spacing",
+            "max_area",
+            "grading",
+            "threshold",
+            "invert",
+            "blur",
+            "min_area",
+            "holes",
+            "strokes",
+        ],
         MakerName::Ragdoll => &["height"],
     }
 }
@@ -32,7 +45,7 @@ fn parameters(make: MakerName) -> &'static [&'static str] {
 /// How many points the body has, with all its copies.
 ///
 /// Errors: a key that its maker does not have, a missing parameter, a value out of its range, a pin that is not there.
-pub(super) fn check(body: &BodyKeys, dimensions: usize) -> Result<u32, Fault> {
+pub(super) fn check(body: &BodyKeys, dimensions: usize, source: &Source) -> Result<u32, Fault> {
     check_belonging(body)?;
     for (key, vector) in [
         ("min", &body.min),
@@ -56,7 +69,7 @@ pub(super) fn check(body: &BodyKeys, dimensions: usize) -> Result<u32, Fault> {
     if let Some(material) = &body.material {
         check_material(material, body.make).at("material")?;
     }
-    let each = point_count(body, dimensions)?;
+    let each = point_count(body, dimensions, source)?;
     for (i, &point) in body.pinned.iter().enumerate() {
         number::index(point, each).item(i).at("pinned")?;
     }
@@ -64,8 +77,8 @@ pub(super) fn check(body: &BodyKeys, dimensions: usize) -> Result<u32, Fault> {
 }
 
 /// How many points a copy of the body has, by its maker's parameters alone.
-pub(super) fn point_count(body: &BodyKeys, dimensions: usize) -> Result<u32, Fault> {
-    maker(body, dimensions)?.point_count().map_err(fault)
+pub(super) fn point_count(body: &BodyKeys, dimensions: usize, source: &Source) -> Result<u32, Fault> {
+    maker(body, dimensions, source)?.point_count().map_err(fault)
 }
 
 fn fault(error: BodyError) -> Fault {
@@ -92,6 +105,10 @@ fn check_material(material: &Material, make: MakerName) -> Result<(), Fault> {
         let message = "is a key of bonds, and `points` makes none: leave it out";
         return Err(Fault::invalid(message).at(key));
     }
+    if make != MakerName::Picture && material.young.is_some() {
+        let message = format!("is of meshes of pictures, and this is `{make}`: give `stiffness`");
+        return Err(Fault::invalid(message).at("young"));
+    }
     Resistance::from(material).check()?;
     Range::Positive.maybe(material.break_strain).at("break_strain")?;
     Range::Positive.maybe(material.mass).at("mass")?;
@@ -106,7 +123,7 @@ fn check_material(material: &Material, make: MakerName) -> Result<(), Fault> {
 /// The maker with its parameters, those that are not said filled in; their ranges are the maker's to check.
 ///
 /// Errors: a parameter that has to be said is not; a maker that this version does not have.
-pub(in crate::scene) fn maker(body: &BodyKeys, dimensions: usize) -> Result<Maker, Fault> {
+pub(in crate::scene) fn maker(body: &BodyKeys, dimensions: usize, source: &Source) -> Result<Maker, Fault> {
     let corner = |key, corner: Option<Vector>| need(body, key, corner).map(|corner| corner.embed());
     let seed = body.seed.unwrap_or(0);
     Ok(match body.make {
@@ -140,12 +157,13 @@ pub(in crate::scene) fn maker(body: &BodyKeys, dimensions: usize) -> Result<Make
             radius: need(body, "radius", body.radius)?,
             spacing: need(body, "spacing", body.spacing)?,
         }),
-        MakerName::Picture | MakerName::Ragdoll => return Err(not_built(body, dimensions)),
+        MakerName::Picture => Maker::Cutout(cutout::maker(body, dimensions, source)?),
+        MakerName::Ragdoll => return Err(not_built(body)),
     })
 }
 
 /// Errors: the parameter is not said.
-fn need<T>(body: &BodyKeys, key: &str, value: Option<T>) -> Result<T, Fault> {
+pub(super) fn need<T>(body: &BodyKeys, key: &str, value: Option<T>) -> Result<T, Fault> {
     value.ok_or_else(|| Fault::invalid(format!("`{}` needs `{key}`: add it", body.make)))
 }
 
@@ -166,22 +184,11 @@ fn cloth(body: &BodyKeys) -> Result<Cloth, Fault> {
 }
 
 /// The refusal of a maker that the form knows and this version lacks; a fault in its form comes first.
-fn not_built(body: &BodyKeys, dimensions: usize) -> Fault {
-    let ranges = [
-        ("height", body.height, Range::Positive),
-        ("spacing", body.spacing, Range::Positive),
-        ("threshold", body.threshold, Range::Share),
-    ];
-    for (key, value, range) in ranges {
-        if let Err(fault) = range.maybe(value) {
-            return fault.at(key);
-        }
+fn not_built(body: &BodyKeys) -> Fault {
+    if let Err(fault) = Range::Positive.maybe(body.height) {
+        return fault.at("height");
     }
-    if dimensions == 3 && body.make == MakerName::Picture {
-        return Fault::invalid("`picture` makes a body in the plane: leave it out in space").at("make");
-    }
-    let built: Vec<&str> =
-        MakerName::NAMES.iter().copied().filter(|name| !["picture", "ragdoll"].contains(name)).collect();
+    let built: Vec<&str> = MakerName::NAMES.iter().copied().filter(|name| *name != "ragdoll").collect();
     let list = nearest::list(&built);
     Fault::unsupported(format!("`{}` is not built into this version: use {list}", body.make)).at("make")
 }

@@ -38,11 +38,17 @@ fn check_material(bond: &BondKeys) -> Result<(), Fault> {
     Resistance::from(bond).check()
 }
 
+/// Stiffness of the springs of a triangular lattice over its Young's modulus in the plane: sqrt(3)/2, at any spacing.
+///
+/// Source: a lattice of springs k has the Lame constants lambda = mu = sqrt(3)/4 k, and E = 4 mu (lambda + mu)/(lambda + 2 mu).
+const STIFFNESS_OF_YOUNG: f64 = 0.866_025_403_784_438_6;
+
 /// How a bond resists, in the file's keys.
 #[derive(Clone, Copy, Debug)]
 pub(in crate::scene) struct Resistance {
     kind: Option<KindName>,
     stiffness: Option<f64>,
+    young: Option<f64>,
     compliance: Option<f64>,
     damping: Option<f64>,
     relaxation: Option<f64>,
@@ -54,6 +60,7 @@ impl From<&BondKeys> for Resistance {
         Resistance {
             kind: bond.kind,
             stiffness: bond.stiffness,
+            young: None,
             compliance: bond.compliance,
             damping: bond.damping,
             relaxation: bond.relaxation,
@@ -67,6 +74,7 @@ impl From<&Material> for Resistance {
         Resistance {
             kind: material.kind,
             stiffness: material.stiffness,
+            young: material.young,
             compliance: material.compliance,
             damping: material.damping,
             relaxation: material.relaxation,
@@ -89,7 +97,13 @@ impl Resistance {
             let message = "stands beside `stiffness`, its reciprocal: leave one of them out";
             return Err(Fault::invalid(message).at("compliance"));
         }
-        if kind == KindName::Spring && self.stiffness.is_none() && self.compliance.is_none() {
+        Range::Positive.maybe(self.young).at("young")?;
+        if self.young.is_some() && (self.stiffness.is_some() || self.compliance.is_some()) {
+            return Err(
+                Fault::invalid("says how stiff the springs are, as another key does: leave one out").at("young")
+            );
+        }
+        if kind == KindName::Spring && [self.stiffness, self.compliance, self.young] == [None; 3] {
             let message = "a spring needs `stiffness` [N/m] or `compliance` [m/N]: add one of them";
             return Err(Fault::invalid(message));
         }
@@ -107,6 +121,7 @@ impl Resistance {
         let (rigid, spring, relaxed) = (kind == KindName::Rigid, kind == KindName::Spring, kind == KindName::Relaxed);
         for (key, given, belongs, owner) in [
             ("stiffness", self.stiffness.is_some(), spring, "spring"),
+            ("young", self.young.is_some(), spring, "spring"),
             ("compliance", self.compliance.is_some(), rigid || spring, "spring"),
             ("damping", self.damping.is_some(), spring, "spring"),
             ("relaxation", self.relaxation.is_some(), relaxed, "relaxed"),
@@ -132,7 +147,10 @@ impl Resistance {
                 max_correction: self.max_correction.unwrap_or(f64::INFINITY),
             },
             (_, Some(compliance)) if compliance > 0.0 => BondKind::Spring { stiffness: 1.0 / compliance, damping },
-            (KindName::Spring, None) => BondKind::Spring { stiffness: self.stiffness.unwrap_or(0.0), damping },
+            (KindName::Spring, None) => {
+                let of_young = self.young.map(|young| STIFFNESS_OF_YOUNG * young);
+                BondKind::Spring { stiffness: self.stiffness.or(of_young).unwrap_or(0.0), damping }
+            }
             _ => BondKind::Rigid,
         }
     }

@@ -2,6 +2,7 @@
 
 mod body;
 mod bond;
+mod cutout;
 mod number;
 mod repeat;
 mod surfaces;
@@ -86,7 +87,7 @@ fn one_a_point(found: usize, count: u32) -> Result<(), Fault> {
 fn count_points(scene: &Scene, explicit: u32, dimensions: usize) -> Result<u32, Fault> {
     let mut total = explicit;
     for (i, keys) in scene.bodies.iter().enumerate() {
-        let count = body::check(keys, dimensions).item(i).at("bodies")?;
+        let count = body::check(keys, dimensions, &scene.source).item(i).at("bodies")?;
         total = total
             .checked_add(count)
             .filter(|&total| u64::from(total.saturating_sub(explicit)) <= crate::body::MAX_POINTS)
@@ -107,7 +108,7 @@ fn is_pinned(scene: &Scene, explicit: u32, point: u32) -> bool {
     }
     let mut first = explicit;
     for keys in &scene.bodies {
-        let each = body::point_count(keys, scene.dimensions()).unwrap_or(0);
+        let each = body::point_count(keys, scene.dimensions(), &scene.source).unwrap_or(0);
         let count = each * copies(keys);
         if point - first < count {
             return keys.pinned.contains(&((point - first) % each));

@@ -56,7 +56,8 @@ fn check_texture(texture: &TextureKeys, count: u32) -> Result<(), Fault> {
     Ok(())
 }
 
-fn check_image(image: &str) -> Result<(), Fault> {
+/// Errors: what cannot be a picture's name.
+pub(super) fn check_image(image: &str) -> Result<(), Fault> {
     let absolute = image.starts_with(['/', '\\']) || image.as_bytes().get(1) == Some(&b':');
     let foreign = image.starts_with("data:") && !image.starts_with("data:image/png;base64,");
     if image.is_empty() || absolute || foreign {

@@ -6,8 +6,10 @@ use super::vector::Vector;
 
 names! {
     /// What makes a body.
+    #[derive(Default)]
     MakerName: "a maker" {
         /// Loose points.
+        #[default]
         Points = "points",
         /// Points with random bonds.
         RandomGraph = "random-graph",
@@ -58,6 +60,20 @@ names! {
     }
 }
 
+names! {
+    /// What becomes of strokes of a picture that are too thin for triangles.
+    StrokesName: "a choice for thin strokes" {
+        /// Chains of bonds.
+        Ropes = "ropes",
+        /// Drawn wider.
+        Widen = "widen",
+        /// Left out.
+        Drop = "drop",
+        /// Small triangles.
+        Mesh = "mesh",
+    }
+}
+
 object! {
     /// What the bonds and points of a body are made of.
     #[derive(Default)]
@@ -71,6 +87,9 @@ object! {
             compliance: f64,
             /// As of a bond [N s/m].
             damping: f64,
+            /// picture, of springs, in place of `stiffness`: Young's modulus in the plane [N/m]. A mesh of it is as soft at any
+            /// spacing; without `damping` its slowest wobble is damped to a tenth of the critical damping.
+            young: f64,
             /// As of a bond [1].
             relaxation: f64,
             /// As of a bond [1].
@@ -99,6 +118,7 @@ object! {
 
 object! {
     /// A body: points and bonds made from a few parameters. Which of them a maker takes is checked; see `make`.
+    #[derive(Default)]
     BodyKeys: "a body: an object with the key `make`" {
         required {
             /// Its maker.
@@ -125,11 +145,12 @@ object! {
             bracing: Vec<BraceName>,
             /// box: along x [m].
             width: f64,
-            /// box: along y [m]; ragdoll: 1.7 if not said.
+            /// box: along y [m]; picture: of the whole picture [m], 2 if not said; ragdoll: 1.7 if not said.
             height: f64,
             /// box: diagonals, 0, 1 or 2; 1 if not said.
             supports: u64,
-            /// rope, cloth, lattice, disc, picture: distance of neighbours [m].
+            /// rope, cloth, lattice, disc, picture: distance of neighbours [m]; of a picture a fortieth of its longer side if
+            /// not said.
             spacing: f64,
             /// rope, in place of `spacing`: where it ends, seen from the body's origin [m].
             to: Vector,
@@ -143,12 +164,24 @@ object! {
             u: Vector,
             /// cloth in space: direction from row to row, [0,-1,0] if not said.
             v: Vector,
-            /// picture: the bitmap.
+            /// picture: the bitmap, a path relative to the scene or data:image/png;base64,…
             file: String,
-            /// picture: coverage above which a pixel belongs to the body [1].
+            /// picture: coverage above which a pixel belongs to the body [1], 0 to 1; where the picture splits best if not said.
             threshold: f64,
-            /// picture: whether light pixels are the body.
+            /// picture: whether light pixels, or clear ones, are the body.
             invert: bool,
+            /// picture, in place of `spacing`: largest area of a triangle [px^2].
+            max_area: f64,
+            /// picture: specks and holes smaller than this are left out [px^2], 12 if not said.
+            min_area: f64,
+            /// picture: over how many pixels it is blurred first, 0 if not said: for grainy photographs.
+            blur: u32,
+            /// picture: how many times as far apart neighbours may be deep inside as along the boundary, 1 to 9; 1 if not said.
+            grading: f64,
+            /// picture: whether holes stay holes; they do if not said.
+            holes: bool,
+            /// picture: what becomes of strokes too thin for triangles; ropes if not said.
+            strokes: StrokesName,
             /// Where the body's own origin goes [m]; the world's if not said.
             origin: Vector,
             /// Rotation about the body's own origin, anticlockwise, in space about z [rad].

@@ -1,0 +1,106 @@
+//! Meshes a picture beside the window: the newest wish wins, what was asked before and not begun is skipped.
+
+use std::sync::Arc;
+use std::sync::mpsc::{Receiver, Sender, channel};
+
+use super::Wish;
+use crate::picture::{Made, Picture, mesh_picture};
+
+/// What a wish comes to.
+pub(super) struct Forecast {
+    pub(super) made: Made,
+    /// Multiplications that a frame of the body takes, about.
+    pub(super) work: f64,
+}
+
+/// A thread that meshes pictures.
+pub(super) struct Worker {
+    wishes: Sender<(Arc<Picture>, Wish)>,
+    forecasts: Receiver<Result<Forecast, String>>,
+}
+
+/// A frame [s].
+const FRAME: f64 = 1.0 / 60.0;
+
+impl Worker {
+    pub(super) fn new(wake: impl Fn() + Send + 'static) -> Self {
+        let (wishes, asked) = channel();
+        let (answers, forecasts) = channel();
+        std::thread::spawn(move || {
+            while let Ok(first) = asked.recv() {
+                let (picture, wish) = asked.try_iter().last().unwrap_or(first);
+                if answers.send(forecast(&picture, wish)).is_err() {
+                    return;
+                }
+                wake();
+            }
+        });
+        Worker { wishes, forecasts }
+    }
+
+    /// Asks for a mesh. A worker that has gone answers no more.
+    pub(super) fn ask(&self, picture: &Arc<Picture>, wish: Wish) {
+        let _ = self.wishes.send((Arc::clone(picture), wish));
+    }
+
+    /// The newest answer since the last call.
+    pub(super) fn take(&self) -> Option<Result<Forecast, String>> {
+        self.forecasts.try_iter().last()
+    }
+}
+
+fn forecast(picture: &Arc<Picture>, wish: Wish) -> Result<Forecast, String> {
+    let made = mesh_picture(picture, &wish.settings).map_err(|error| error.to_string())?;
+    let world = wish.scene("forecast", picture).and_then(|scene| scene.world(None)).map_err(|error| error.message)?;
+    let work = world.parts().iter().map(|part| part.work * (FRAME / part.substep).max(1.0)).sum();
+    Ok(Forecast { made, work })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::picture::{Settings, Size};
+    use crate::scene::Matter;
+    use std::sync::atomic::{AtomicU32, Ordering};
+
+    #[test]
+    fn the_newest_wish_is_answered_last() {
+        let mut picture = Picture::filled(64, 64, [0; 4]);
+        for i in 0..64 * 64 {
+            let [x, y] = [i % 64, i / 64].map(|at| at as f64 - 31.5);
+            picture.rgba[4 * i + 3] = if x.hypot(y) < 28.0 { 255 } else { 0 };
+        }
+        static WOKEN: AtomicU32 = AtomicU32::new(0);
+        let picture = Arc::new(picture);
+        let worker = Worker::new(|| {
+            WOKEN.fetch_add(1, Ordering::Relaxed);
+        });
+        let wish = |spacing| Wish {
+            settings: Settings { size: Size::Spacing(spacing), ..Settings::default() },
+            matter: Matter::Soft,
+            young: 1e3,
+            height: 1.0,
+        };
+        for spacing in [16.0, 12.0, 8.0, 4.0] {
+            worker.ask(&picture, wish(spacing));
+        }
+        let mut last = None;
+        for _ in 0..1_000 {
+            std::thread::sleep(std::time::Duration::from_millis(5));
+            last = worker.take().or(last);
+            if last.as_ref().is_some_and(|made| made.as_ref().is_ok_and(|made| made.made.mesh.points.len() > 150)) {
+                break;
+            }
+        }
+        let Some(Ok(forecast)) = last else { panic!("no mesh") };
+        assert!(forecast.made.mesh.points.len() > 150 && forecast.work > 0.0);
+        assert!(WOKEN.load(Ordering::Relaxed) >= 1);
+        worker.ask(&picture, wish(0.1));
+        let refused = loop {
+            if let Some(answer) = worker.take() {
+                break answer;
+            }
+        };
+        assert!(refused.is_err_and(|error| error.contains("spacing")));
+    }
+}

@@ -1,0 +1,249 @@
+//! `wobble mesh`: makes a soft body of a picture.
+
+mod preview;
+
+use std::io::Write;
+use std::path::{Path, PathBuf};
+use std::time::Instant;
+
+use anyhow::Context;
+use clap::{Args, ValueEnum};
+use serde_json::{Map, Value, json};
+
+use super::values;
+use crate::output;
+use crate::picture::{self, Made, Picture, Settings, Size, Strokes, Threshold};
+use crate::scene::{BodyKeys, Matter, Scene};
+
+/// How a picture is cut out, and what is made of it.
+#[derive(Args)]
+#[command(
+    after_help = "Examples:\n  wobble mesh gear.png --out gear.json\n  wobble mesh photo.jpg --spacing 8 --threshold 0.4 --preview mesh.png\n  wobble mesh letter.png --material rigid --height 3 --out letter.json\n  wobble mesh scan.png --invert --stats"
+)]
+pub(super) struct Arguments {
+    /// A PNG, JPEG, GIF, BMP, WebP, TIFF, PNM, TGA, ICO or QOI.
+    picture: PathBuf,
+    /// Distance of neighbours [px].
+    #[arg(long, value_name = "PX", default_value = "16", value_parser = values::above_zero, conflicts_with = "max_area")]
+    spacing: f64,
+    /// Largest area of a triangle, in place of the spacing [px^2].
+    #[arg(long, value_name = "PX2", value_parser = values::above_zero)]
+    max_area: Option<f64>,
+    /// How many times as far apart neighbours may be deep inside as along the boundary, 1 to 9.
+    #[arg(long, value_name = "RATIO", value_parser = values::above_zero, conflicts_with = "max_area")]
+    grading: Option<f64>,
+    /// Coverage above which a pixel belongs to the body, 0 to 1; where the picture splits best if left out.
+    #[arg(long, value_name = "T", value_parser = share)]
+    threshold: Option<f64>,
+    /// What is light, or clear, becomes the body.
+    #[arg(long)]
+    invert: bool,
+    /// Specks and holes smaller than this are left out [px^2].
+    #[arg(long, value_name = "PX2", default_value = "12", value_parser = values::at_least_zero)]
+    min_area: f64,
+    /// Blurs the picture first, over so many pixels: for grainy photographs.
+    #[arg(long, value_name = "PX", default_value = "0", value_parser = clap::value_parser!(u32).range(0..=64))]
+    blur: u32,
+    /// Fills holes.
+    #[arg(long)]
+    fill_holes: bool,
+    /// What becomes of strokes too thin for triangles.
+    #[arg(long, value_enum, default_value_t = StrokesArgument::Ropes)]
+    strokes: StrokesArgument,
+    /// What the body is made of.
+    #[arg(long, value_enum, default_value_t = MatterArgument::Soft)]
+    material: MatterArgument,
+    /// Young's modulus in the plane of a soft body [N/m].
+    #[arg(long, value_name = "E", value_parser = values::above_zero)]
+    young: Option<f64>,
+    /// Height of the whole picture in the world [m].
+    #[arg(long, value_name = "M", default_value = "2", value_parser = values::above_zero)]
+    height: f64,
+    /// Writes the scene there, with points, bonds and triangles one by one.
+    #[arg(long, value_name = "FILE.json")]
+    out: Option<PathBuf>,
+    /// Leaves the picture where it is: the scene names its path instead of holding a copy.
+    #[arg(long, requires = "out")]
+    link: bool,
+    /// Draws the mesh over the picture there.
+    #[arg(long, value_name = "FILE.png")]
+    preview: Option<PathBuf>,
+    /// Prints measures and times as JSON, and nothing else.
+    #[arg(long)]
+    stats: bool,
+}
+
+#[derive(Clone, Copy, ValueEnum)]
+enum StrokesArgument {
+    /// Chains of bonds.
+    Ropes,
+    /// Drawn wider.
+    Widen,
+    /// Left out.
+    Drop,
+    /// Small triangles.
+    Mesh,
+}
+
+#[derive(Clone, Copy, ValueEnum)]
+enum MatterArgument {
+    /// Springs.
+    Soft,
+    /// Bonds that keep their lengths.
+    Rigid,
+    /// Bonds relaxed in sweeps.
+    Relaxed,
+}
+
+fn share(text: &str) -> Result<f64, String> {
+    match text.parse::<f64>() {
+        Ok(value) if (0.0..=1.0).contains(&value) => Ok(value),
+        _ => Err("give a number from 0 to 1".to_owned()),
+    }
+}
+
+pub(super) fn run(arguments: &Arguments) -> anyhow::Result<()> {
+    let shown = arguments.picture.display();
+    let bytes = std::fs::read(&arguments.picture).with_context(|| format!("{shown}: cannot be read"))?;
+    let (picture, made, times) = arguments.mesh(&bytes).with_context(|| format!("{shown}"))?;
+    if let Some(path) = &arguments.preview {
+        let drawn = preview::draw(&picture, &made.mesh);
+        output::replace(path, |to| to.write_all(&drawn))?;
+    }
+    if let Some(path) = &arguments.out {
+        arguments.scene(path)?.save(path)?;
+    }
+    let mut out = std::io::stdout().lock();
+    let stats = made.stats();
+    if arguments.stats {
+        let text = serde_json::to_string_pretty(&measures(&stats, times))?;
+        writeln!(out, "{text}")?;
+    } else {
+        let said = format!("{} points, {} triangles, {} bonds", stats.points, stats.triangles, stats.bonds);
+        let written: Vec<String> =
+            [&arguments.out, &arguments.preview].into_iter().flatten().map(|path| path.display().to_string()).collect();
+        let end = if written.is_empty() { String::new() } else { format!(": {}", written.join(", ")) };
+        writeln!(out, "{said}{end}")?;
+    }
+    Ok(())
+}
+
+impl Arguments {
+    fn settings(&self) -> Settings {
+        Settings {
+            threshold: self.threshold.map_or(Threshold::Otsu, Threshold::At),
+            invert: self.invert,
+            blur: self.blur,
+            fill_holes: self.fill_holes,
+            min_area: self.min_area,
+            size: match (self.max_area, self.grading) {
+                (Some(area), _) => Size::MaxArea(area),
+                (None, Some(ratio)) => Size::Graded { spacing: self.spacing, ratio },
+                (None, None) => Size::Spacing(self.spacing),
+            },
+            strokes: match self.strokes {
+                StrokesArgument::Ropes => Strokes::Ropes,
+                StrokesArgument::Widen => Strokes::Widen,
+                StrokesArgument::Drop => Strokes::Drop,
+                StrokesArgument::Mesh => Strokes::Mesh,
+            },
+            ..Settings::default()
+        }
+    }
+
+    /// All stages, with the time that each took [ms].
+    fn mesh(&self, bytes: &[u8]) -> anyhow::Result<(Picture, Made, Map<String, Value>)> {
+        let settings = self.settings();
+        settings.check()?;
+        let mut clock = Clock::new();
+        let picture = picture::decode(bytes)?;
+        clock.lap("decode");
+        let mut coverage = picture::cover(&picture, &settings)?;
+        let threshold = coverage.threshold();
+        clock.lap("cover");
+        let outline = picture::outline(&mut coverage, &settings)?;
+        drop(coverage);
+        clock.lap("contours");
+        let (boundary, mesh) = picture::triangulate(&outline, &settings)?;
+        clock.lap("triangles");
+        let ropes = picture::ropes(&outline.strands, &mesh, settings.spacing());
+        let mesh = picture::assemble([picture.width, picture.height], mesh, ropes);
+        clock.lap("bonds");
+        Ok((picture, Made { mesh, outline, boundary, threshold }, clock.times()))
+    }
+
+    /// The scene as a file: explicit points, bonds and triangles, with the picture inside or named from where it will lie.
+    fn scene(&self, out: &Path) -> anyhow::Result<Scene> {
+        let matter = match self.material {
+            MatterArgument::Soft => Matter::Soft,
+            MatterArgument::Rigid => Matter::Rigid,
+            MatterArgument::Relaxed => Matter::Relaxed,
+        };
+        let picture = Scene::picture_file(&self.picture)?;
+        let material = Some(matter.material(self.young));
+        let keys = BodyKeys { material, ..BodyKeys::cut(&self.settings(), self.height, &picture) };
+        let scene = Scene::of_picture(&self.picture, keys, matter)?.expanded()?;
+        Ok(if self.link {
+            scene.with_picture_at(&relative(out, &self.picture)?)
+        } else {
+            scene.with_pictures_inside()?
+        })
+    }
+}
+
+/// The path of `to` from the folder that the file `from` lies in.
+fn relative(from: &Path, to: &Path) -> anyhow::Result<String> {
+    let folder = from.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."));
+    let (folder, to) = (std::fs::canonicalize(folder)?, std::fs::canonicalize(to)?);
+    let shared = folder.components().zip(to.components()).take_while(|(a, b)| a == b).count();
+    let up = folder.components().skip(shared).map(|_| "..".to_owned());
+    let down = to.components().skip(shared).map(|part| part.as_os_str().to_string_lossy().into_owned());
+    Ok(up.chain(down).collect::<Vec<_>>().join("/"))
+}
+
+fn measures(stats: &picture::Stats, times: Map<String, Value>) -> Value {
+    json!({
+        "points": stats.points,
+        "triangles": stats.triangles,
+        "bonds": stats.bonds,
+        "min_angle_deg": stats.min_angle_deg,
+        "p1_angle_deg": stats.p1_angle_deg,
+        "edge_cv": stats.edge_cv,
+        "area_px": stats.area_px,
+        "ink_px": stats.ink_px,
+        "area_error": stats.area_error,
+        "boundary_deviation_px": stats.boundary_deviation_px,
+        "components": stats.components,
+        "holes": stats.holes,
+        "ms": times,
+    })
+}
+
+/// Times of stages.
+struct Clock {
+    start: Instant,
+    last: Instant,
+    times: Map<String, Value>,
+}
+
+impl Clock {
+    fn new() -> Self {
+        let now = Instant::now();
+        Clock { start: now, last: now, times: Map::new() }
+    }
+
+    fn lap(&mut self, stage: &str) {
+        let now = Instant::now();
+        self.times.insert(stage.to_owned(), milliseconds(now - self.last));
+        self.last = now;
+    }
+
+    fn times(mut self) -> Map<String, Value> {
+        self.times.insert("total".to_owned(), milliseconds(self.last - self.start));
+        self.times
+    }
+}
+
+fn milliseconds(time: std::time::Duration) -> Value {
+    (1e3 * time.as_secs_f64()).into()
+}

@@ -1,0 +1,118 @@
+//! From a picture to a body: its ink as a mesh of even triangles, its thin strokes as ropes.
+//!
+//! Stages, each a function that may be called, and timed, by itself:
+//! [`decode`] reads a file, [`cover`] tells ink from paper, [`outline`] traces it and takes thin strokes off,
+//! [`boundary`] puts points on the contours, [`fill_boundary`] fills them with triangles, [`ropes`] divides
+//! the strokes, [`assemble`] puts all together, [`stats`] measures it. [`mesh_picture`] does all but the first.
+//!
+//! The same picture and settings make the same bits on any machine and any number of threads.
+
+mod bits;
+mod body;
+mod boundary;
+mod brush;
+mod contour;
+mod coverage;
+mod decode;
+mod error;
+mod fill;
+mod mesh;
+mod nest;
+mod outline;
+mod plane;
+mod rope;
+mod settings;
+mod skeleton;
+mod skin;
+mod stats;
+mod strand;
+mod thin;
+
+pub use body::{PictureMesh, assemble};
+pub use boundary::{Boundary, boundary, tolerance};
+pub use brush::{Brush, LEAST_RADIUS, MAX_CANVAS, Mask, Mirror, WIDEST_RADIUS};
+pub use contour::{Loop, contours};
+pub use coverage::{Coverage, cover, otsu};
+pub use decode::{MAX_BYTES, MAX_PIXELS, MAX_SIDE, Picture, decode, encode, is_picture};
+pub use error::PictureError;
+pub use fill::fill_outline;
+pub use mesh::{Mesh, fill_boundary};
+pub use nest::keep;
+pub use outline::{Outline, outline};
+pub use plane::Point;
+pub use rope::{Ropes, ropes};
+pub use settings::{LEAST_SPACING, MAX_POINTS, Settings, Size, Strokes, Threshold, WIDEST_SPACING};
+pub use skin::Skin;
+pub use stats::{Stats, stats};
+pub use strand::{Line, Node, Strands};
+
+use settings::UNIT_TRIANGLE;
+
+/// A mesh with what it was made from.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Made {
+    /// The mesh.
+    pub mesh: PictureMesh,
+    /// The ink's outline.
+    pub outline: Outline,
+    /// The polygons of the mesh.
+    pub boundary: Boundary,
+    /// The threshold that was used, as a share of full coverage.
+    pub threshold: f64,
+}
+
+impl Made {
+    /// Measures the mesh.
+    pub fn stats(&self) -> Stats {
+        stats(&self.mesh, &self.outline, &self.boundary)
+    }
+}
+
+/// The mesh of a picture: all stages after decoding.
+///
+/// Errors: a setting out of range; no ink; nothing large enough; more points than [`MAX_POINTS`]; an outline that
+/// cannot be triangulated even as it is, which no picture is known to have.
+pub fn mesh_picture(picture: &Picture, settings: &Settings) -> Result<Made, PictureError> {
+    settings.check()?;
+    let mut coverage = cover(picture, settings)?;
+    let threshold = coverage.threshold();
+    let outline = outline(&mut coverage, settings)?;
+    drop(coverage);
+    let (boundary, mesh) = triangulate(&outline, settings)?;
+    let ropes = ropes(&outline.strands, &mesh, settings.spacing());
+    let mesh = assemble([picture.width, picture.height], mesh, ropes);
+    Ok(Made { mesh, outline, boundary, threshold })
+}
+
+/// Strictness of the boundary at each attempt to triangulate it: as asked for, closer to the contours, the contours.
+const ATTEMPTS: [u32; 4] = [0, 1, 3, 5];
+
+/// Boundary and triangles of an outline; where triangles cannot be made, the boundary follows the contours closer.
+///
+/// Errors: too many points; the last attempt's.
+pub fn triangulate(outline: &Outline, settings: &Settings) -> Result<(Boundary, Mesh), PictureError> {
+    check_count(outline, settings)?;
+    let mut last = PictureError::Mesh(String::new());
+    for strictness in ATTEMPTS {
+        let boundary = boundary(&outline.loops, settings.spacing(), strictness);
+        match fill_boundary(&boundary, settings) {
+            Ok(mesh) => return Ok((boundary, mesh)),
+            Err(error) => last = error,
+        }
+    }
+    Err(last)
+}
+
+fn check_count(outline: &Outline, settings: &Settings) -> Result<(), PictureError> {
+    let spacing = settings.spacing();
+    let inside = outline.ink_area / (2.0 * UNIT_TRIANGLE * spacing * spacing);
+    let points = inside as u64;
+    if points > MAX_POINTS {
+        return Err(PictureError::TooManyPoints { spacing, points, limit: MAX_POINTS });
+    }
+    Ok(())
+}
+
+#[cfg(test)]
+#[allow(clippy::unwrap_used, clippy::panic, reason = "a test that cannot go on stops")]
+mod tests;

@@ -1,0 +1,4 @@
+//! Whole pictures: figures whose truth is known, and random ones.
+
+mod figures;
+mod robustness;

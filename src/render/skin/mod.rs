@@ -1,0 +1,192 @@
+//! Skins: pictures on the triangles of bodies, drawn under their bonds.
+//!
+//! A triangle is drawn as long as all of its sides are bonds: where one broke, the skin is open. Along the sides that are then
+//! free, and along bonds that are no triangle's, goes a stroke in the picture's colours: triangles alone have ragged edges.
+
+mod sides;
+mod texture;
+
+use std::sync::Arc;
+
+use bytemuck::{Pod, Zeroable};
+
+use super::buffers::WorldBuffers;
+use super::counters::RenderCounters;
+use super::error::RenderError;
+use super::gpu::Gpu;
+use super::growing::GrowingBuffer;
+use super::view::View;
+use crate::picture::{Picture, Skin};
+use sides::Sides;
+
+/// A corner as the shader reads it: `Corner` in skin.wgsl.
+#[derive(Clone, Copy, Debug, Pod, Zeroable)]
+#[repr(C)]
+struct Corner {
+    point: u32,
+    u: f32,
+    v: f32,
+}
+
+const _: () = assert!(size_of::<Corner>() == 12);
+
+/// The skins of a world on the GPU.
+pub(super) struct Skins {
+    layout: wgpu::BindGroupLayout,
+    sampler: wgpu::Sampler,
+    worn: Vec<Worn>,
+    topology: Option<u64>,
+}
+
+/// One skin.
+struct Worn {
+    picture: Arc<Picture>,
+    paint: wgpu::BindGroup,
+    triangles: GrowingBuffer,
+    edges: GrowingBuffer,
+    /// Vertices of both.
+    counts: [u32; 2],
+    /// The world's bindings, with the corners of triangles and of edges.
+    bindings: Option<[wgpu::BindGroup; 2]>,
+}
+
+/// Vertices of a stroke.
+const QUAD: u32 = 6;
+
+impl Skins {
+    pub(super) fn new(gpu: &Gpu) -> Self {
+        let sampler = gpu.device.create_sampler(&wgpu::SamplerDescriptor {
+            label: Some("skin"),
+            mag_filter: wgpu::FilterMode::Linear,
+            min_filter: wgpu::FilterMode::Linear,
+            mipmap_filter: wgpu::MipmapFilterMode::Linear,
+            ..Default::default()
+        });
+        Skins { layout: texture::layout(&gpu.device), sampler, worn: Vec::new(), topology: None }
+    }
+
+    /// Nothing that was uploaded is of the next world.
+    pub(super) fn forget(&mut self) {
+        self.worn.clear();
+        self.topology = None;
+    }
+
+    /// How a skin's picture is bound, beside the world's buffers.
+    pub(super) fn layout(&self) -> &wgpu::BindGroupLayout {
+        &self.layout
+    }
+
+    /// Uploads skins that are new, and the triangles of all when bonds came or went.
+    ///
+    /// Errors: a skin larger than the GPU's buffers, a picture larger than its textures.
+    pub(super) fn update(
+        &mut self,
+        gpu: &Gpu,
+        view: &View<'_>,
+        counters: &mut RenderCounters,
+    ) -> Result<(), RenderError> {
+        let is_same = self.worn.len() == view.skins.len()
+            && self.worn.iter().zip(view.skins).all(|(worn, skin)| Arc::ptr_eq(&worn.picture, &skin.picture));
+        if is_same && self.topology == Some(view.topology) {
+            return Ok(());
+        }
+        self.topology = None;
+        if !is_same {
+            self.worn.clear();
+            for skin in view.skins {
+                self.worn.push(self.wear(gpu, skin, counters)?);
+            }
+        }
+        let sides = Sides::of(view);
+        for (worn, skin) in self.worn.iter_mut().zip(view.skins) {
+            worn.dress(gpu, skin, &sides, counters)?;
+        }
+        self.topology = Some(view.topology);
+        Ok(())
+    }
+
+    fn wear(&self, gpu: &Gpu, skin: &Skin, counters: &mut RenderCounters) -> Result<Worn, RenderError> {
+        let view = texture::upload(gpu, &skin.picture, counters)?;
+        let entries = [
+            wgpu::BindGroupEntry { binding: 0, resource: wgpu::BindingResource::TextureView(&view) },
+            wgpu::BindGroupEntry { binding: 1, resource: wgpu::BindingResource::Sampler(&self.sampler) },
+        ];
+        let paint = gpu.device.create_bind_group(&wgpu::BindGroupDescriptor {
+            label: Some("skin"),
+            layout: &self.layout,
+            entries: &entries,
+        });
+        let list = || GrowingBuffer::new(gpu, "skin", wgpu::BufferUsages::STORAGE, 64);
+        let picture = Arc::clone(&skin.picture);
+        Ok(Worn { picture, paint, triangles: list(), edges: list(), counts: [0; 2], bindings: None })
+    }
+
+    /// Binds the world's buffers anew, where `all` of them or a skin's own are others than before.
+    pub(super) fn rebind(&mut self, gpu: &Gpu, layout: &wgpu::BindGroupLayout, buffers: &WorldBuffers, all: bool) {
+        for worn in &mut self.worn {
+            let is_other = [worn.triangles.take_unbound(), worn.edges.take_unbound()].contains(&true);
+            if !(all || is_other || worn.bindings.is_none()) {
+                continue;
+            }
+            worn.bindings = Some([&worn.triangles, &worn.edges].map(|list| {
+                let entries = [&buffers.frame, &buffers.previous, &buffers.current, list];
+                let entries: Vec<_> = (0..)
+                    .zip(entries)
+                    .map(|(binding, of)| wgpu::BindGroupEntry { binding, resource: of.buffer.as_entire_binding() })
+                    .collect();
+                gpu.device.create_bind_group(&wgpu::BindGroupDescriptor {
+                    label: Some("skin"),
+                    layout,
+                    entries: &entries,
+                })
+            }));
+        }
+    }
+
+    /// Draws all skins: triangles, then edges.
+    pub(super) fn draw(
+        &self,
+        target: &mut wgpu::RenderPass<'_>,
+        pipelines: &[wgpu::RenderPipeline; 2],
+        counters: &mut RenderCounters,
+    ) {
+        for worn in &self.worn {
+            let Some(bindings) = &worn.bindings else { continue };
+            for ((pipeline, binding), count) in pipelines.iter().zip(bindings).zip(worn.counts) {
+                if count > 0 {
+                    target.set_pipeline(pipeline);
+                    target.set_bind_group(0, binding, &[]);
+                    target.set_bind_group(1, &worn.paint, &[]);
+                    target.draw(0..count, 0..1);
+                    counters.draws += 1;
+                }
+            }
+            counters.triangles_drawn += u64::from(worn.counts[0] / 3);
+        }
+    }
+}
+
+impl Worn {
+    /// Uploads the triangles whose sides are all there, and the edges.
+    fn dress(
+        &mut self,
+        gpu: &Gpu,
+        skin: &Skin,
+        sides: &Sides,
+        counters: &mut RenderCounters,
+    ) -> Result<(), RenderError> {
+        let corner = |&point: &u32| {
+            let [u, v] = skin.texture.get((point - skin.first) as usize).copied().unwrap_or_default();
+            Corner { point, u, v }
+        };
+        let whole = sides.whole(&skin.triangles);
+        let triangles: Vec<Corner> = whole.iter().flatten().map(corner).collect();
+        let has_picture = |point: u32| (point.wrapping_sub(skin.first) as usize) < skin.texture.len();
+        let edges = sides.edges(&whole, has_picture);
+        let edges: Vec<Corner> = edges.iter().flatten().map(corner).collect();
+        self.triangles.write(gpu, bytemuck::cast_slice(&triangles), counters)?;
+        self.edges.write(gpu, bytemuck::cast_slice(&edges), counters)?;
+        self.counts = [triangles.len() as u32, QUAD * (edges.len() / 2) as u32];
+        Ok(())
+    }
+}

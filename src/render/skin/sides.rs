@@ -1,0 +1,83 @@
+//! Which sides of triangles are bonds, and which are free.
+
+use crate::render::view::View;
+
+/// The bonds of a world by their ends, to be looked up.
+pub(super) struct Sides {
+    /// Both ends of each, the lower one first, ascending.
+    bonds: Vec<[u32; 2]>,
+}
+
+impl Sides {
+    /// Those of a world; none where no skin asks.
+    pub(super) fn of(view: &View<'_>) -> Self {
+        if view.skins.is_empty() {
+            return Sides { bonds: Vec::new() };
+        }
+        Sides::new(view.bonds.iter().map(|bond| [bond.a.0, bond.b.0]))
+    }
+
+    fn new(ends: impl Iterator<Item = [u32; 2]>) -> Self {
+        let mut bonds: Vec<[u32; 2]> = ends.map(ordered).collect();
+        bonds.sort_unstable();
+        bonds.dedup();
+        Sides { bonds }
+    }
+
+    fn has(&self, side: [u32; 2]) -> bool {
+        self.bonds.binary_search(&ordered(side)).is_ok()
+    }
+
+    /// The triangles of which no side broke. What never was bonded, in a scene that has triangles without bonds, is whole.
+    pub(super) fn whole(&self, triangles: &[[u32; 3]]) -> Vec<[u32; 3]> {
+        if self.bonds.is_empty() {
+            return triangles.to_vec();
+        }
+        triangles.iter().copied().filter(|&corners| sides(corners).into_iter().all(|side| self.has(side))).collect()
+    }
+
+    /// The sides that belong to one of these triangles only, then bonds that belong to none between points that `are_meant`.
+    pub(super) fn edges(&self, triangles: &[[u32; 3]], are_meant: impl Fn(u32) -> bool) -> Vec<[u32; 2]> {
+        let mut all: Vec<[u32; 2]> = triangles.iter().flat_map(|&corners| sides(corners)).map(ordered).collect();
+        all.sort_unstable();
+        let mut edges: Vec<[u32; 2]> =
+            all.chunk_by(|a, b| a == b).filter(|same| same.len() == 1).map(|same| same[0]).collect();
+        let is_loose = |bond: &&[u32; 2]| bond.iter().all(|&end| are_meant(end)) && all.binary_search(bond).is_err();
+        edges.extend(self.bonds.iter().filter(is_loose));
+        edges
+    }
+}
+
+fn ordered([a, b]: [u32; 2]) -> [u32; 2] {
+    [a.min(b), a.max(b)]
+}
+
+fn sides([a, b, c]: [u32; 3]) -> [[u32; 2]; 3] {
+    [[a, b], [b, c], [c, a]]
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Two triangles that share a side, and a tail.
+    const TRIANGLES: [[u32; 3]; 2] = [[0, 1, 2], [2, 1, 3]];
+    const BONDS: [[u32; 2]; 6] = [[0, 1], [1, 2], [0, 2], [1, 3], [3, 2], [3, 4]];
+
+    #[test]
+    fn a_whole_skin_has_its_rim_and_its_ropes_for_edges() {
+        let sides = Sides::new(BONDS.into_iter());
+        assert_eq!(sides.whole(&TRIANGLES), TRIANGLES);
+        assert_eq!(sides.edges(&TRIANGLES, |_| true), [[0, 1], [0, 2], [1, 3], [2, 3], [3, 4]]);
+        assert_eq!(sides.edges(&TRIANGLES, |point| point < 4).len(), 4, "the tail is another's");
+    }
+
+    #[test]
+    fn a_torn_bond_opens_the_triangles_that_it_was_a_side_of() {
+        let torn = BONDS.into_iter().filter(|bond| *bond != [1, 3]);
+        let sides = Sides::new(torn);
+        let whole = sides.whole(&TRIANGLES);
+        assert_eq!(whole, [[0, 1, 2]]);
+        assert_eq!(sides.edges(&whole, |_| true), [[0, 1], [0, 2], [1, 2], [2, 3], [3, 4]], "what is left is drawn");
+    }
+}

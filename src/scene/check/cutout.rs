@@ -1,0 +1,72 @@
+//! Bodies of pictures: the settings of their mesh, in pixels, from the keys, in metres.
+
+use super::body::need;
+use super::number::Range;
+use super::surfaces::check_image;
+use crate::body::Cutout;
+use crate::picture::{Settings, Size, Strokes, Threshold};
+use crate::scene::error::{Fault, Source, Within};
+use crate::scene::keys::{BodyKeys, StrokesName};
+
+/// Height of a picture if not said [m].
+const HEIGHT: f64 = 2.0;
+/// Neighbours along the longer side of a picture if not said.
+const NEIGHBOURS: f64 = 40.0;
+
+/// The maker that a body of kind `picture` amounts to.
+///
+/// Errors: in space; no file, or none that is a picture; a number out of its range; no ink.
+pub(super) fn maker(body: &BodyKeys, dimensions: usize, source: &Source) -> Result<Cutout, Fault> {
+    let height = body.height.unwrap_or(HEIGHT);
+    for (key, value) in [("height", body.height), ("spacing", body.spacing), ("max_area", body.max_area)] {
+        Range::Positive.maybe(value).at(key)?;
+    }
+    Range::Share.maybe(body.threshold).at("threshold")?;
+    Range::NotNegative.maybe(body.min_area).at("min_area")?;
+    if dimensions == 3 {
+        return Err(Fault::invalid("`picture` makes a body in the plane: leave it out in space").at("make"));
+    }
+    let file = need(body, "file", body.file.as_deref())?;
+    check_image(file).at("file")?;
+    let picture = source.picture(file).at("file")?;
+    let side = f64::from(picture.width.max(picture.height));
+    let spacing = match body.spacing {
+        Some(spacing) => spacing * (f64::from(picture.height) / height),
+        None => (side / NEIGHBOURS).max(2.0),
+    };
+    let settings = settings(body, spacing)?;
+    Ok(Cutout { mesh: source.mesh(file, &settings).at("file")?, height })
+}
+
+/// The settings of the mesh at this spacing [px], if nothing else says how large triangles are.
+fn settings(body: &BodyKeys, spacing: f64) -> Result<Settings, Fault> {
+    let size = match (body.max_area, body.grading) {
+        (Some(_), Some(_)) => {
+            let message = "stands beside `max_area`: give one of them";
+            return Err(Fault::invalid(message).at("grading"));
+        }
+        (Some(_), None) if body.spacing.is_some() => {
+            let message = "stands beside `spacing`: give one of them";
+            return Err(Fault::invalid(message).at("max_area"));
+        }
+        (Some(area), None) => Size::MaxArea(area),
+        (None, Some(ratio)) => Size::Graded { spacing, ratio },
+        (None, None) => Size::Spacing(spacing),
+    };
+    let standard = Settings::default();
+    Ok(Settings {
+        threshold: body.threshold.map_or(Threshold::Otsu, Threshold::At),
+        invert: body.invert.unwrap_or(false),
+        blur: body.blur.unwrap_or(0),
+        fill_holes: !body.holes.unwrap_or(true),
+        min_area: body.min_area.unwrap_or(standard.min_area),
+        size,
+        strokes: match body.strokes.unwrap_or(StrokesName::Ropes) {
+            StrokesName::Ropes => Strokes::Ropes,
+            StrokesName::Widen => Strokes::Widen,
+            StrokesName::Drop => Strokes::Drop,
+            StrokesName::Mesh => Strokes::Mesh,
+        },
+        ..standard
+    })
+}

@@ -1,0 +1,252 @@
+//! A scene made of a picture: its body in a box, soft enough to wobble.
+
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+
+use super::error::{Fault, SceneError, SceneErrorKind, Source};
+use super::keys::{
+    BodyKeys, BoundsKeys, KindName, MakerName, Material, MethodKeys, MouseKeys, OrderName, Scene, StrokesName, Vector,
+    ViewKeys,
+};
+use super::pictures::inline;
+use crate::picture::{Picture, Settings, Size, Strokes, Threshold};
+
+/// What a picture's body is made of.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Matter {
+    /// Springs, as soft as Young's modulus says.
+    #[default]
+    Soft,
+    /// Bonds that keep their lengths.
+    Rigid,
+    /// Bonds relaxed in sweeps, as the source of this system has them.
+    Relaxed,
+}
+
+/// Mass of the body [kg].
+const MASS: f64 = 3.0;
+/// Height of the picture above the floor, and half the width of the box, in heights of the picture.
+const DROP: f64 = 0.3;
+const ROOM: f64 = 1.5;
+/// Substep and largest correction of relaxed bonds, as the source has them [s], [1].
+const RELAXED_SUBSTEP: f64 = 0.003;
+const RELAXED_CORRECTION: f64 = 0.8;
+
+impl Matter {
+    /// Young's modulus in the plane if none is said [N/m]: a body 2 m high that falls 1 m is squeezed by about a tenth, and does
+    /// not fold.
+    pub const YOUNG: f64 = 4_000.0;
+
+    /// The material, with Young's modulus [N/m] if it is soft and one is given.
+    pub fn material(self, young: Option<f64>) -> Material {
+        let material = Material { mass: Some(MASS), ..Material::default() };
+        match self {
+            Matter::Soft => {
+                Material { kind: Some(KindName::Spring), young: Some(young.unwrap_or(Matter::YOUNG)), ..material }
+            }
+            Matter::Rigid => Material { kind: Some(KindName::Rigid), ..material },
+            Matter::Relaxed => {
+                Material { kind: Some(KindName::Relaxed), max_correction: Some(RELAXED_CORRECTION), ..material }
+            }
+        }
+    }
+
+    /// The method that its bonds mean nothing without.
+    fn method(self) -> MethodKeys {
+        match self {
+            Matter::Relaxed => MethodKeys {
+                substep: Some(RELAXED_SUBSTEP),
+                iterations: Some(1),
+                order: Some(OrderName::Shuffled),
+                ..MethodKeys::default()
+            },
+            _ => MethodKeys::default(),
+        }
+    }
+}
+
+impl BodyKeys {
+    /// The keys that cut a picture out by these settings; the whole of it is to be `height` [m] high.
+    pub fn cut(settings: &Settings, height: f64, picture: &Picture) -> Self {
+        let (spacing, max_area, grading) = match settings.size {
+            Size::Spacing(spacing) => (Some(spacing), None, None),
+            Size::Graded { spacing, ratio } => (Some(spacing), None, Some(ratio)),
+            Size::MaxArea(area) => (None, Some(area), None),
+        };
+        BodyKeys {
+            make: MakerName::Picture,
+            height: Some(height),
+            spacing: spacing.map(|pixels| pixels * height / f64::from(picture.height)),
+            max_area,
+            grading,
+            threshold: if let Threshold::At(share) = settings.threshold { Some(share) } else { None },
+            invert: settings.invert.then_some(true),
+            min_area: Some(settings.min_area),
+            blur: (settings.blur > 0).then_some(settings.blur),
+            holes: settings.fill_holes.then_some(false),
+            strokes: Some(match settings.strokes {
+                Strokes::Ropes => StrokesName::Ropes,
+                Strokes::Widen => StrokesName::Widen,
+                Strokes::Drop => StrokesName::Drop,
+                Strokes::Mesh => StrokesName::Mesh,
+            }),
+            ..BodyKeys::default()
+        }
+    }
+}
+
+impl Scene {
+    /// The picture of a file.
+    ///
+    /// Errors: it is not there or is none.
+    pub fn picture_file(path: &Path) -> Result<Arc<Picture>, SceneError> {
+        let (source, file) = source_of(path);
+        source.picture(&file).map_err(|fault| source.error(fault))
+    }
+
+    /// Whether a file is a picture, by how it begins.
+    pub fn is_picture_file(path: &Path) -> bool {
+        let mut start = [0; 64];
+        let read = std::fs::File::open(path).and_then(|mut file| std::io::Read::read(&mut file, &mut start));
+        read.is_ok_and(|count| is_picture(&start[..count]))
+    }
+
+    /// The picture file that the scene was made of, if it was.
+    pub fn picture_path(&self) -> Option<PathBuf> {
+        let path = PathBuf::from(&self.source.label);
+        Scene::is_picture_file(&path).then_some(path)
+    }
+
+    /// An error of this scene that is not of its text.
+    pub fn complaint(&self, message: &str) -> SceneError {
+        self.source.error(Fault::invalid(message))
+    }
+
+    /// This scene with the body of a picture, that is in no file, at `origin` [m].
+    ///
+    /// Errors: as of [`Scene::of_picture`]; a scene in space.
+    pub fn with_picture(&self, picture: Arc<Picture>, keys: BodyKeys, origin: [f64; 2]) -> Result<Scene, SceneError> {
+        let (file, origin) = (Some(self.source.keep(picture)), Some(Vector::Plane(origin)));
+        let mut scene = self.clone();
+        scene.bodies.push(BodyKeys { make: MakerName::Picture, file, origin, ..keys });
+        scene.check()?;
+        Ok(scene)
+    }
+
+    /// A scene in which the body of a picture file falls into a box, `keys` saying how it is cut out and what of.
+    ///
+    /// Errors: the file is not there or no picture; keys that are out of order; no ink.
+    pub fn of_picture(path: &Path, keys: BodyKeys, matter: Matter) -> Result<Scene, SceneError> {
+        let (source, file) = source_of(path);
+        let name = path.file_stem().unwrap_or_default().to_string_lossy().into_owned();
+        Scene::around(source, (name, file), keys, matter)
+    }
+
+    /// The same of a picture that is in no file.
+    ///
+    /// Errors: as of [`Scene::of_picture`].
+    pub fn of_drawing(name: &str, picture: Arc<Picture>, keys: BodyKeys, matter: Matter) -> Result<Scene, SceneError> {
+        let source = Source::new(name, "");
+        let file = source.keep(picture);
+        Scene::around(source, (name.to_owned(), file), keys, matter)
+    }
+
+    /// A box around the picture that the source knows as `file`.
+    fn around(
+        source: Source,
+        (name, file): (String, String),
+        keys: BodyKeys,
+        matter: Matter,
+    ) -> Result<Scene, SceneError> {
+        let height = keys.height.unwrap_or(2.0);
+        let picture = source.picture(&file).map_err(|fault| source.error(fault))?;
+        let ratio = f64::from(picture.width) / f64::from(picture.height);
+        let half = ROOM * height * ratio.max(1.0);
+        let (floor, ceiling) = (-(0.5 + DROP) * height, 2.0 * height);
+        let material = keys.material.clone().or_else(|| Some(matter.material(None)));
+        let body = BodyKeys { make: MakerName::Picture, file: Some(file), material, ..keys };
+        let scene = Scene {
+            name: Some(name),
+            tags: vec!["picture".to_owned()],
+            bodies: vec![body],
+            gravity: Some(Vector::Plane([0.0, -9.81])),
+            drag_rate: Some(0.2),
+            mouse: Some(MouseKeys {
+                strength: 800.0,
+                radius: 0.35 * height,
+                region: None,
+                profile: None,
+                track: Vec::new(),
+            }),
+            bounds: Some(BoundsKeys {
+                min: Vector::Plane([-half, floor]),
+                max: Vector::Plane([half, ceiling]),
+                restitution: Some(0.2),
+                friction: Some(0.5),
+            }),
+            view: Some(ViewKeys {
+                center: Some(Vector::Plane([0.0, 0.1 * height])),
+                height: Some(1.9 * height),
+                ..ViewKeys::default()
+            }),
+            method: matter.method(),
+            source,
+            ..Scene::default()
+        };
+        scene.check()?;
+        Ok(scene)
+    }
+
+    /// Puts the pictures that the scene names by path into the scene itself.
+    ///
+    /// Errors: a picture that cannot be read.
+    pub fn with_pictures_inside(mut self) -> Result<Scene, SceneError> {
+        let label = self.source.label.clone();
+        let put = |source: &Source, name: &str| -> Result<String, SceneError> {
+            let png = source.png(name).map_err(|fault| fault.into_error(&label, None))?;
+            Ok(inline(&png))
+        };
+        for body in &mut self.bodies {
+            if let Some(file) = &mut body.file {
+                *file = put(&self.source, file)?;
+            }
+        }
+        if let Some(texture) = &mut self.texture {
+            texture.image = put(&self.source, &texture.image)?;
+        }
+        Ok(self)
+    }
+
+    /// Names the scene's only picture by this path instead: relative to where the scene will lie.
+    pub fn with_picture_at(mut self, path: &str) -> Scene {
+        for body in &mut self.bodies {
+            body.file = body.file.take().map(|_| path.to_owned());
+        }
+        if let Some(texture) = &mut self.texture {
+            path.clone_into(&mut texture.image);
+        }
+        self
+    }
+}
+
+/// A source of scenes beside a picture file, and the file's name from there.
+fn source_of(path: &Path) -> (Source, String) {
+    let file = path.file_name().unwrap_or_default().to_string_lossy().into_owned();
+    (Source::new(&path.display().to_string(), ""), file)
+}
+
+/// A picture file that was taken for a scene, or the other way round, is told by how it begins.
+pub(super) fn is_picture(start: &[u8]) -> bool {
+    crate::picture::is_picture(start)
+}
+
+/// The scene of a picture file as it opens.
+///
+/// Errors: those of [`Scene::of_picture`].
+pub(super) fn open(path: &Path) -> Result<Scene, SceneError> {
+    Scene::of_picture(path, BodyKeys::default(), Matter::Soft).map_err(|error| match error.kind {
+        // The scene is ours: what is wrong is the picture.
+        SceneErrorKind::Invalid => SceneError { key: String::new(), ..error },
+        _ => error,
+    })
+}
