@@ -16,7 +16,6 @@ struct Skin {
     @location(0) at: vec2<f32>,
 }
 
-// A picture has a size in pixels, and a screen that shows it smaller skips some: its mipmaps do not.
 @vertex
 fn vertex(@builtin(vertex_index) index: u32) -> Skin {
     let corner = corners[index];
@@ -29,12 +28,12 @@ fn vertex(@builtin(vertex_index) index: u32) -> Skin {
 @fragment
 fn fragment(in: Skin) -> @location(0) vec4<f32> {
     let color = textureSample(picture, smooth_sampler, in.at);
-    // The triangles are all ink: what is clear at the very edge of the picture's ink takes the colour beside it.
-    return vec4(color.rgb / max(color.a, 1e-3), 1.0);
+    return vec4(color.rgb, 1.0);
 }
 
-// Width of the stroke along free sides [px].
+// Width of the stroke along free sides [px], and how dark it may be.
 const EDGE: f32 = 1.6;
+const DARKEST: f32 = 0.35;
 
 // Free sides follow the triangles in the list: two corners each.
 @vertex
@@ -44,8 +43,9 @@ fn edge_vertex(@builtin(vertex_index) index: u32) -> Stroke {
     let b = corners[first + 1u];
     let middle = 0.5 * vec2(a.u + b.u, a.v + b.v);
     let color = textureSampleLevel(picture, smooth_sampler, middle, 0.0);
-    let opaque = vec4(color.rgb / max(color.a, 1e-3), 1.0);
-    return stroke(index % 6u, position_of(a.point), position_of(b.point), opaque, EDGE);
+    // Dark bodies would be lost on the dark ground.
+    let lift = max(DARKEST - dot(color.rgb, vec3(0.3, 0.6, 0.1)), 0.0);
+    return stroke(index % 6u, position_of(a.point), position_of(b.point), vec4(color.rgb + lift, 1.0), EDGE);
 }
 
 @fragment

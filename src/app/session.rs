@@ -151,6 +151,15 @@ impl Session {
         self.complain(painted.map_err(|error| self.scene.complaint(&error.to_string())));
     }
 
+    /// Closes what lies over the world. Returns whether there was anything.
+    pub(super) fn dismiss(&mut self) -> bool {
+        let was_open = self.complaint.take().is_some() || self.import.take().is_some();
+        if was_open {
+            self.touch();
+        }
+        was_open
+    }
+
     /// What other threads call when they have something to show.
     fn wake_up(&self) -> impl Fn() + Send + 'static {
         let waker = self.waker.clone();

@@ -134,6 +134,7 @@ impl ApplicationHandler for Shell {
             WindowEvent::ScaleFactorChanged { scale_factor, .. } => session.rescale(scale_factor),
             WindowEvent::KeyboardInput { event, .. } if event.state.is_pressed() && !response.consumed => {
                 match action(&event.logical_key) {
+                    Some(Action::Quit) if session.dismiss() => {}
                     Some(Action::Quit) => event_loop.exit(),
                     // A key held down steps on and on, but does not flicker between play and pause.
                     Some(action) if !event.repeat || action == Action::Step => session.act(action),

@@ -17,6 +17,9 @@ pub const MAX_PIXELS: u64 = 64 << 20;
 /// Most memory that decoding may take [bytes]: what the file holds, unpacked, and the pixels made of it.
 pub const MAX_BYTES: u64 = 512 << 20;
 
+/// Bytes at the end of a JPEG in which its end is marked: some programs append a little of their own.
+const JPEG_TAIL: usize = 1 << 16;
+
 /// Pixels of 8 bits a channel.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Picture {
@@ -92,6 +95,11 @@ fn read(bytes: &[u8], format: ImageFormat, damaged: impl Fn(&str) -> PictureErro
     limits.max_alloc = Some(MAX_BYTES);
     reader.limits(limits);
     let wrong = |error: ImageError| damaged(&error.to_string());
+    // Its decoder fills in what is missing, and takes it for a picture.
+    let tail = &bytes[bytes.len().saturating_sub(JPEG_TAIL)..];
+    if format == ImageFormat::Jpeg && !tail.windows(2).any(|pair| pair == [0xFF, 0xD9]) {
+        return Err(damaged("it ends in the middle"));
+    }
     let mut decoder = reader.into_decoder().map_err(wrong)?;
     check_size(decoder.dimensions(), decoder.total_bytes())?;
     let turned = decoder.orientation().map_err(wrong)?;

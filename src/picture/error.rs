@@ -48,7 +48,9 @@ pub enum PictureError {
         limit: u64,
     },
     /// No pixel is above the threshold.
-    #[error("there is nothing in the picture: no pixel is above the threshold {threshold:.3}; try invert, or another")]
+    #[error(
+        "there is nothing in the picture: no pixel is above the threshold {threshold:.3}; try another one, or invert"
+    )]
     Empty {
         /// Share of full coverage.
         threshold: f64,
@@ -59,6 +61,11 @@ pub enum PictureError {
         /// Least area that was kept [px^2].
         min_area: f64,
     },
+    /// There was ink, all of it in strokes that were left out.
+    #[error(
+        "there is nothing in the picture but strokes thinner than the spacing, and these are dropped: make ropes of them"
+    )]
+    Thin,
     /// A setting is no number, or outside its range.
     #[error("{name} is {value}: {range}")]
     Setting {

@@ -29,7 +29,7 @@ const WIDENED: f64 = 0.8;
 ///
 /// The coverage becomes that of what is meshed.
 ///
-/// Errors: nothing was large enough to be kept.
+/// Errors: nothing was large enough to be kept; nothing but strokes, which are dropped.
 pub fn outline(coverage: &mut Coverage, settings: &Settings) -> Result<Outline, PictureError> {
     let ink = Bits::ink(coverage);
     let found = contours_of(coverage, &ink);
@@ -42,6 +42,9 @@ pub fn outline(coverage: &mut Coverage, settings: &Settings) -> Result<Outline, 
     let holes = loops.len() - components;
     let ink = if loops.len() < count { Bits::ink(coverage) } else { ink };
     let (loops, strands) = take_strokes(coverage, loops, ink, settings);
+    if loops.is_empty() && settings.strokes == Strokes::Drop {
+        return Err(PictureError::Thin);
+    }
     let ink_area = loops.iter().map(|one| one.area).sum();
     Ok(Outline { loops, strands, components, holes, ink_area })
 }

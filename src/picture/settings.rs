@@ -118,7 +118,7 @@ impl Settings {
         within("blur", f64::from(self.blur), 0.0, 64.0, "it must be from 0 to 64 px")?;
         within("thin", self.thin, 0.0, 1.0, "it must be from 0 to 1")?;
         if let Size::Graded { ratio, .. } = self.size {
-            within("ratio", ratio, 1.0, 9.0, "it must be from 1 to 9")?;
+            within("grading", ratio, 1.0, 9.0, "it must be from 1 to 9")?;
         }
         match self.size {
             Size::MaxArea(area) => within("max_area", area, 0.7, 1e7, "it must be from 0.7 to 1e7 px^2"),

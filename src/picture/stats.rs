@@ -49,7 +49,8 @@ pub fn stats(mesh: &PictureMesh, outline: &Outline, boundary: &Boundary) -> Stat
     let p1_angle_deg = if angles.is_empty() { 0.0 } else { *angles.select_nth_unstable_by(rank, f64::total_cmp).1 };
     let sides: Vec<f64> = mesh.bonds[..mesh.mesh_bonds].iter().map(|&[a, b]| distance(at(a), at(b))).collect();
     let area_px: f64 = mesh.triangles.iter().map(corners).map(|[a, b, c]| 0.5 * turn(a, c, b)).sum();
-    let ink_px = outline.ink_area;
+    // The sum of nothing is -0.
+    let (area_px, ink_px) = (area_px + 0.0, outline.ink_area + 0.0);
     Stats {
         points: mesh.points.len(),
         triangles: mesh.triangles.len(),

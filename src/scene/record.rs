@@ -57,7 +57,7 @@ pub fn run_to(world: &mut dyn Dynamics, time: f64, progress: &mut dyn FnMut(f64)
             }
         }
     }
-    Ok(())
+    if world.is_finite() { Ok(()) } else { Err(RecordError::NotFinite { time: world.time() }) }
 }
 
 /// Wall seconds that stepping `world` to the last of `times` takes, in the median: short runs are repeated.

@@ -15,8 +15,6 @@ const PREVIEW: f32 = 420.0;
 const MOST_SHOWN: usize = 15_000;
 /// Longest side of the picture as it is shown [px].
 const SHOWN_SIDE: u32 = 1024;
-/// Multiplications a nanosecond, on one core of a present-day machine.
-const PACE: f64 = 1.5;
 
 /// Shows the panel. What is changed in it is changed in the import's wish.
 pub(super) fn show(import: &mut Import, context: &egui::Context, can_add: bool) -> Option<Answer> {
@@ -92,7 +90,7 @@ fn words(ui: &mut egui::Ui, forecast: Option<&Result<Forecast, String>>) {
         Some(Err(error)) => {
             ui.colored_label(Color32::from_rgb(255, 140, 120), error);
         }
-        Some(Ok(Forecast { made, work })) => {
+        Some(Ok(Forecast { made, frame })) => {
             let mesh = &made.mesh;
             let parts =
                 if mesh.components == 1 { "in one part".to_owned() } else { format!("in {} parts", mesh.components) };
@@ -100,7 +98,7 @@ fn words(ui: &mut egui::Ui, forecast: Option<&Result<Forecast, String>>) {
                 [(mesh.points.len(), "points"), (mesh.bonds.len(), "bonds"), (mesh.triangles.len(), "triangles")];
             let counts: Vec<String> = counts.iter().map(|(count, what)| format!("{count} {what}")).collect();
             ui.label(format!("{} {parts}", counts.join(", ")));
-            ui.weak(format!("about {} a frame", time(work / PACE * 1e-6)));
+            ui.weak(format!("about {} a frame", time(1e3 * frame)));
         }
     }
 }

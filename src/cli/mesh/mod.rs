@@ -60,13 +60,13 @@ pub(super) struct Arguments {
     #[arg(long, value_name = "M", default_value = "2", value_parser = values::above_zero)]
     height: f64,
     /// Writes the scene there, with points, bonds and triangles one by one.
-    #[arg(long, value_name = "FILE.json")]
+    #[arg(long, value_name = "FILE.json", value_parser = scene_file)]
     out: Option<PathBuf>,
     /// Leaves the picture where it is: the scene names its path instead of holding a copy.
     #[arg(long, requires = "out")]
     link: bool,
     /// Draws the mesh over the picture there.
-    #[arg(long, value_name = "FILE.png")]
+    #[arg(long, value_name = "FILE.png", value_parser = png_file)]
     preview: Option<PathBuf>,
     /// Prints measures and times as JSON, and nothing else.
     #[arg(long)]
@@ -95,6 +95,22 @@ enum MatterArgument {
     Relaxed,
 }
 
+fn scene_file(text: &str) -> Result<PathBuf, String> {
+    if text.to_lowercase().ends_with(".json") {
+        Ok(text.into())
+    } else {
+        Err("name a file that ends in .json".to_owned())
+    }
+}
+
+fn png_file(text: &str) -> Result<PathBuf, String> {
+    if text.to_lowercase().ends_with(".png") {
+        Ok(text.into())
+    } else {
+        Err("name a file that ends in .png".to_owned())
+    }
+}
+
 fn share(text: &str) -> Result<f64, String> {
     match text.parse::<f64>() {
         Ok(value) if (0.0..=1.0).contains(&value) => Ok(value),
@@ -103,6 +119,7 @@ fn share(text: &str) -> Result<f64, String> {
 }
 
 pub(super) fn run(arguments: &Arguments) -> anyhow::Result<()> {
+    arguments.check()?;
     let shown = arguments.picture.display();
     let bytes = std::fs::read(&arguments.picture).with_context(|| format!("{shown}: cannot be read"))?;
     let (picture, made, times) = arguments.mesh(&bytes).with_context(|| format!("{shown}"))?;
@@ -129,6 +146,20 @@ pub(super) fn run(arguments: &Arguments) -> anyhow::Result<()> {
 }
 
 impl Arguments {
+    /// Errors: what would be written in place of the picture; a stiffness of what is not soft.
+    fn check(&self) -> anyhow::Result<()> {
+        let same = |path: &&PathBuf| {
+            std::fs::canonicalize(path).is_ok_and(|path| Some(path) == std::fs::canonicalize(&self.picture).ok())
+        };
+        if let Some(path) = [&self.out, &self.preview].into_iter().flatten().find(same) {
+            anyhow::bail!("{}: is the picture itself: give another name to write to", path.display());
+        }
+        if self.young.is_some() && !matches!(self.material, MatterArgument::Soft) {
+            anyhow::bail!("--young is of soft bodies: leave it out, or --material");
+        }
+        Ok(())
+    }
+
     fn settings(&self) -> Settings {
         Settings {
             threshold: self.threshold.map_or(Threshold::Otsu, Threshold::At),
