@@ -30,10 +30,10 @@ pub(super) struct Arguments {
     #[arg(long, value_name = "WxH", default_value = "1280x720", value_parser = values::size)]
     size: [u32; 2],
     /// Where to write: .png, or .gif for an animation.
-    #[arg(long, value_name = "FILE", required_unless_present = "gif", value_parser = picture)]
+    #[arg(long, value_name = "FILE", required_unless_present = "gif", value_parser = |text: &str| values::ending(text, &["png", "gif"]))]
     out: Option<PathBuf>,
     /// Writes an animation there.
-    #[arg(long, value_name = "FILE.gif", value_parser = animation)]
+    #[arg(long, value_name = "FILE.gif", value_parser = |text: &str| values::ending(text, &["gif"]))]
     gif: Option<PathBuf>,
     /// How many pictures; several PNGs are numbered. An animation has 50 if this is left out.
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=100_000))]
@@ -65,24 +65,6 @@ fn switch(text: &str) -> Result<bool, String> {
     }
 }
 
-fn extension(path: &Path) -> String {
-    path.extension().map(|ending| ending.to_string_lossy().to_ascii_lowercase()).unwrap_or_default()
-}
-
-fn picture(text: &str) -> Result<PathBuf, String> {
-    match extension(Path::new(text)).as_str() {
-        "png" | "gif" => Ok(PathBuf::from(text)),
-        _ => Err("name a file that ends in .png or .gif".to_owned()),
-    }
-}
-
-fn animation(text: &str) -> Result<PathBuf, String> {
-    match extension(Path::new(text)).as_str() {
-        "gif" => Ok(PathBuf::from(text)),
-        _ => Err("name a file that ends in .gif".to_owned()),
-    }
-}
-
 pub(super) fn run(arguments: &Arguments, quiet: bool) -> anyhow::Result<()> {
     let scene = Scene::load(&arguments.scene)?;
     let mut world = scene.world(scene.duration)?;
@@ -101,7 +83,7 @@ pub(super) fn run(arguments: &Arguments, quiet: bool) -> anyhow::Result<()> {
         let time = arguments.time + f64::from(index) / arguments.fps * scene.rate();
         run_to(&mut *world, time, &mut |_| {})?;
         let picture = draw(&mut capture, (&*world, &skins), time, u64::from(index), &camera, &look)?;
-        if let Some(path) = arguments.out.as_ref().filter(|path| extension(path) == "png") {
+        if let Some(path) = arguments.out.as_ref().filter(|path| values::extension(path) == "png") {
             let path = if count == 1 { path.clone() } else { numbered(path, index) };
             output::replace(&path, |to| write_png(&picture, to))?;
         }
@@ -120,7 +102,7 @@ pub(super) fn run(arguments: &Arguments, quiet: bool) -> anyhow::Result<()> {
 impl Arguments {
     /// The animations to write.
     fn animations(&self) -> Vec<&PathBuf> {
-        let out = self.out.as_ref().filter(|path| extension(path) == "gif");
+        let out = self.out.as_ref().filter(|path| values::extension(path) == "gif");
         out.into_iter().chain(&self.gif).collect()
     }
 

@@ -1,5 +1,7 @@
 //! Values of options, checked while the call is parsed: a wrong one ends with exit code 2.
 
+use std::path::{Path, PathBuf};
+
 use crate::scene::SolverName;
 use crate::sim::Solver;
 
@@ -35,6 +37,20 @@ pub(super) fn size(text: &str) -> Result<[u32; 2], String> {
         Some((Ok(width), Ok(height))) if width > 0 && height > 0 => Ok([width, height]),
         _ => Err("give width and height in pixels, such as 1280x720".to_owned()),
     }
+}
+
+/// A file with one of these extensions.
+pub(super) fn ending(text: &str, known: &[&str]) -> Result<PathBuf, String> {
+    if known.contains(&extension(Path::new(text)).as_str()) {
+        return Ok(PathBuf::from(text));
+    }
+    let list: Vec<String> = known.iter().map(|ending| format!(".{ending}")).collect();
+    Err(format!("name a file that ends in {}", list.join(" or ")))
+}
+
+/// What stands behind the last dot of a file's name, in small letters.
+pub(super) fn extension(path: &Path) -> String {
+    path.extension().map(|ending| ending.to_string_lossy().to_ascii_lowercase()).unwrap_or_default()
 }
 
 /// A solver that this version has.

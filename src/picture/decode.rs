@@ -44,7 +44,8 @@ impl Picture {
     /// The same picture with its longer side at most `side` [px], for a screen.
     pub fn shrunk(&self, side: u32) -> Picture {
         let longer = self.width.max(self.height);
-        let whole = image::RgbaImage::from_raw(self.width, self.height, self.rgba.clone());
+        let whole: Option<image::ImageBuffer<image::Rgba<u8>, &[u8]>> =
+            image::ImageBuffer::from_raw(self.width, self.height, &self.rgba[..]);
         let Some(whole) = whole.filter(|_| longer > side) else { return self.clone() };
         let share = |length: u32| (u64::from(length) * u64::from(side) / u64::from(longer)).max(1) as u32;
         let (width, height) = (share(self.width), share(self.height));

@@ -73,14 +73,29 @@ impl Made {
 /// Errors: a setting out of range; no ink; nothing large enough; more points than [`MAX_POINTS`]; an outline that
 /// cannot be triangulated even as it is, which no picture is known to have.
 pub fn mesh_picture(picture: &Picture, settings: &Settings) -> Result<Made, PictureError> {
+    mesh_in_stages(picture, settings, |_| {})
+}
+
+/// The same; `done` is told the name of each stage when it has ended, so that the caller may time it.
+///
+/// Errors: as of [`mesh_picture`].
+pub fn mesh_in_stages(
+    picture: &Picture,
+    settings: &Settings,
+    mut done: impl FnMut(&'static str),
+) -> Result<Made, PictureError> {
     settings.check()?;
     let mut coverage = cover(picture, settings)?;
     let threshold = coverage.threshold();
+    done("cover");
     let outline = outline(&mut coverage, settings)?;
     drop(coverage);
+    done("contours");
     let (boundary, mesh) = triangulate(&outline, settings)?;
+    done("triangles");
     let ropes = ropes(&outline.strands, &mesh, settings.spacing());
     let mesh = assemble([picture.width, picture.height], mesh, ropes);
+    done("bonds");
     Ok(Made { mesh, outline, boundary, threshold })
 }
 

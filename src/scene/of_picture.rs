@@ -9,7 +9,7 @@ use super::keys::{
     ViewKeys,
 };
 use super::pictures::inline;
-use crate::picture::{Picture, Settings, Size, Strokes, Threshold};
+use crate::picture::{Picture, Settings, Size, Strokes, Threshold, is_picture};
 
 /// What a picture's body is made of.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -233,11 +233,6 @@ impl Scene {
 fn source_of(path: &Path) -> (Source, String) {
     let file = path.file_name().unwrap_or_default().to_string_lossy().into_owned();
     (Source::new(&path.display().to_string(), ""), file)
-}
-
-/// A picture file that was taken for a scene, or the other way round, is told by how it begins.
-pub(super) fn is_picture(start: &[u8]) -> bool {
-    crate::picture::is_picture(start)
 }
 
 /// The scene of a picture file as it opens.

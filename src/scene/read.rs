@@ -51,7 +51,7 @@ impl Scene {
             let message = "is UTF-16: save it as UTF-8";
             return Err(SceneError::whole(SceneErrorKind::Syntax, &label, message));
         }
-        if of_picture::is_picture(&bytes) {
+        if crate::picture::is_picture(&bytes) {
             return of_picture::open(path);
         }
         let text = String::from_utf8(bytes).map_err(|error| {

@@ -1,10 +1,8 @@
 //! What is drawn on triangles: the texture of a scene, and the pictures that its bodies are made of.
 
-use std::sync::Arc;
-
 use super::check;
 use super::error::{Fault, SceneError, Within};
-use super::keys::{MakerName, Row, Scene, TextureKeys};
+use super::keys::{BodyKeys, MakerName, Row, Scene, TextureKeys};
 use super::start::make;
 use crate::picture::Skin;
 
@@ -30,25 +28,27 @@ impl Scene {
         }
         let mut first = self.points.as_ref().map_or(0, |points| points.position.len() as u32);
         for (i, keys) in self.bodies.iter().enumerate() {
-            let body = make(keys, self).item(i).at("bodies")?;
-            let (each, copies) = (body.positions.len() as u32, check::copies(keys));
-            if keys.make == MakerName::Picture
-                && let Some(file) = &keys.file
-            {
-                let of_copy = |copy: u32| {
-                    let first = first + copy * each;
-                    body.triangles.iter().map(move |corners| corners.map(|corner| first + corner))
-                };
-                skins.push(Skin {
-                    picture: Arc::clone(&self.source.picture(file).at("file").item(i).at("bodies")?),
-                    first,
-                    triangles: (0..copies).flat_map(of_copy).collect(),
-                    texture: (0..copies).flat_map(|_| body.texture.iter().copied()).collect(),
-                });
-            }
-            first += each * copies;
+            skins.extend(self.skin(keys, first).item(i).at("bodies")?);
+            first += check::count(keys, self).item(i).at("bodies")?;
         }
         Ok(skins)
+    }
+
+    /// The skin of a body of a picture, whose points begin at `first`; `None` of any other.
+    fn skin(&self, keys: &BodyKeys, first: u32) -> Result<Option<Skin>, Fault> {
+        let Some(file) = keys.file.as_ref().filter(|_| keys.make == MakerName::Picture) else { return Ok(None) };
+        let body = make(keys, self)?;
+        let (each, copies) = (body.positions.len() as u32, check::copies(keys));
+        let of_copy = |copy: u32| {
+            let first = first + copy * each;
+            body.triangles.iter().map(move |corners| corners.map(|corner| first + corner))
+        };
+        Ok(Some(Skin {
+            picture: self.source.picture(file).at("file")?,
+            first,
+            triangles: (0..copies).flat_map(of_copy).collect(),
+            texture: (0..copies).flat_map(|_| body.texture.iter().copied()).collect(),
+        }))
     }
 
     /// Gives `expanded`, this scene without bodies, the triangles of its bodies; and their picture, where all have the same:

@@ -60,13 +60,13 @@ pub(super) struct Arguments {
     #[arg(long, value_name = "M", default_value = "2", value_parser = values::above_zero)]
     height: f64,
     /// Writes the scene there, with points, bonds and triangles one by one.
-    #[arg(long, value_name = "FILE.json", value_parser = scene_file)]
+    #[arg(long, value_name = "FILE.json", value_parser = |text: &str| values::ending(text, &["json"]))]
     out: Option<PathBuf>,
     /// Leaves the picture where it is: the scene names its path instead of holding a copy.
     #[arg(long, requires = "out")]
     link: bool,
     /// Draws the mesh over the picture there.
-    #[arg(long, value_name = "FILE.png", value_parser = png_file)]
+    #[arg(long, value_name = "FILE.png", value_parser = |text: &str| values::ending(text, &["png"]))]
     preview: Option<PathBuf>,
     /// Prints measures and times as JSON, and nothing else.
     #[arg(long)]
@@ -95,22 +95,6 @@ enum MatterArgument {
     Relaxed,
 }
 
-fn scene_file(text: &str) -> Result<PathBuf, String> {
-    if text.to_lowercase().ends_with(".json") {
-        Ok(text.into())
-    } else {
-        Err("name a file that ends in .json".to_owned())
-    }
-}
-
-fn png_file(text: &str) -> Result<PathBuf, String> {
-    if text.to_lowercase().ends_with(".png") {
-        Ok(text.into())
-    } else {
-        Err("name a file that ends in .png".to_owned())
-    }
-}
-
 fn share(text: &str) -> Result<f64, String> {
     match text.parse::<f64>() {
         Ok(value) if (0.0..=1.0).contains(&value) => Ok(value),
@@ -124,11 +108,11 @@ pub(super) fn run(arguments: &Arguments) -> anyhow::Result<()> {
     let bytes = std::fs::read(&arguments.picture).with_context(|| format!("{shown}: cannot be read"))?;
     let (picture, made, times) = arguments.mesh(&bytes).with_context(|| format!("{shown}"))?;
     if let Some(path) = &arguments.preview {
-        let drawn = preview::draw(&picture, &made.mesh);
+        let drawn = picture::encode(&preview::draw(&picture, &made.mesh)?)?;
         output::replace(path, |to| to.write_all(&drawn))?;
     }
     if let Some(path) = &arguments.out {
-        arguments.scene(path)?.save(path)?;
+        arguments.scene(path, &picture)?.save(path)?;
     }
     let mut out = std::io::stdout().lock();
     let stats = made.stats();
@@ -189,30 +173,19 @@ impl Arguments {
         let mut clock = Clock::new();
         let picture = picture::decode(bytes)?;
         clock.lap("decode");
-        let mut coverage = picture::cover(&picture, &settings)?;
-        let threshold = coverage.threshold();
-        clock.lap("cover");
-        let outline = picture::outline(&mut coverage, &settings)?;
-        drop(coverage);
-        clock.lap("contours");
-        let (boundary, mesh) = picture::triangulate(&outline, &settings)?;
-        clock.lap("triangles");
-        let ropes = picture::ropes(&outline.strands, &mesh, settings.spacing());
-        let mesh = picture::assemble([picture.width, picture.height], mesh, ropes);
-        clock.lap("bonds");
-        Ok((picture, Made { mesh, outline, boundary, threshold }, clock.times()))
+        let made = picture::mesh_in_stages(&picture, &settings, |stage| clock.lap(stage))?;
+        Ok((picture, made, clock.times()))
     }
 
     /// The scene as a file: explicit points, bonds and triangles, with the picture inside or named from where it will lie.
-    fn scene(&self, out: &Path) -> anyhow::Result<Scene> {
+    fn scene(&self, out: &Path, picture: &Picture) -> anyhow::Result<Scene> {
         let matter = match self.material {
             MatterArgument::Soft => Matter::Soft,
             MatterArgument::Rigid => Matter::Rigid,
             MatterArgument::Relaxed => Matter::Relaxed,
         };
-        let picture = Scene::picture_file(&self.picture)?;
         let material = Some(matter.material(self.young));
-        let keys = BodyKeys { material, ..BodyKeys::cut(&self.settings(), self.height, &picture) };
+        let keys = BodyKeys { material, ..BodyKeys::cut(&self.settings(), self.height, picture) };
         let scene = Scene::of_picture(&self.picture, keys, matter)?.expanded()?;
         Ok(if self.link {
             scene.with_picture_at(&relative(out, &self.picture)?)

@@ -1,5 +1,6 @@
 //! The mesh drawn over its picture.
 
+use anyhow::Context;
 use tiny_skia::{Color, Paint, PathBuilder, Pixmap, PremultipliedColorU8, Stroke, Transform};
 
 use crate::picture::{Picture, PictureMesh};
@@ -11,12 +12,14 @@ const FAINT: f32 = 0.45;
 /// What the lightest and the clear parts of the picture become.
 const PAPER: f32 = 250.0;
 
-/// The bonds in blue, the boundary in green, ropes in red, as a PNG.
-pub(super) fn draw(picture: &Picture, mesh: &PictureMesh) -> Vec<u8> {
+/// The bonds in blue, the boundary in green, ropes in red.
+///
+/// Errors: no memory for the drawing.
+pub(super) fn draw(picture: &Picture, mesh: &PictureMesh) -> anyhow::Result<Picture> {
     let longer = f64::from(picture.width.max(picture.height));
     let scale = if longer > LONGEST { LONGEST / longer } else { (0.25 * LONGEST / longer).ceil() };
     let size = [picture.width, picture.height].map(|side| ((f64::from(side) * scale).round() as u32).max(1));
-    let Some(mut target) = Pixmap::new(size[0], size[1]) else { return Vec::new() };
+    let mut target = Pixmap::new(size[0], size[1]).context("no memory for the preview")?;
     lay(&mut target, picture, scale);
     let width = 1.0_f32;
     let (sides, ropes) = mesh.bonds.split_at(mesh.mesh_bonds);
@@ -27,7 +30,8 @@ pub(super) fn draw(picture: &Picture, mesh: &PictureMesh) -> Vec<u8> {
     };
     stroke(&mut target, mesh, scale, mesh.loops.iter().flat_map(along), [0, 130, 60], 2.0 * width);
     stroke(&mut target, mesh, scale, ropes.iter().copied(), [215, 40, 40], 2.5 * width);
-    encode(&target)
+    // Opaque all over: nothing is multiplied by its opacity.
+    Ok(Picture { width: size[0], height: size[1], rgba: target.take() })
 }
 
 /// The picture, faint, on light paper.
@@ -68,14 +72,4 @@ fn stroke(
     paint.anti_alias = true;
     let stroke = Stroke { width, ..Stroke::default() };
     target.stroke_path(&path, &paint, &stroke, Transform::identity(), None);
-}
-
-/// A PNG of opaque pixels.
-fn encode(target: &Pixmap) -> Vec<u8> {
-    let mut bytes = std::io::Cursor::new(Vec::new());
-    let image = image::RgbaImage::from_raw(target.width(), target.height(), target.data().to_vec());
-    match image.map(|image| image.write_to(&mut bytes, image::ImageFormat::Png)) {
-        Some(Ok(())) => bytes.into_inner(),
-        _ => Vec::new(),
-    }
 }

@@ -9,7 +9,7 @@ mod surfaces;
 mod surroundings;
 
 use super::error::{Fault, Within};
-use super::keys::{MassKeys, PointKeys, Scene, ViewKeys};
+use super::keys::{BodyKeys, MassKeys, PointKeys, Scene, ViewKeys};
 use number::Range;
 
 pub(super) use body::maker;
@@ -98,6 +98,13 @@ fn count_points(scene: &Scene, explicit: u32, dimensions: usize) -> Result<u32, 
             })?;
     }
     Ok(total)
+}
+
+/// How many points a body that was checked has, with all its copies.
+///
+/// Errors: those of its maker.
+pub(super) fn count(keys: &BodyKeys, scene: &Scene) -> Result<u32, Fault> {
+    Ok(body::point_count(keys, scene.dimensions(), &scene.source)? * copies(keys))
 }
 
 /// Whether a point of the scene is pinned, by its own list or by that of its body. The scene is checked that far.
