@@ -17,7 +17,6 @@ pub(super) fn check(scene: &Scene) -> Result<(), Fault> {
         for (key, said) in [
             ("box", obstacle.r#box.is_some()),
             ("circle", obstacle.circle.is_some()),
-            ("polygon", obstacle.polygon.is_some()),
         ] {
             if said {
                 return Err(lacking(key).item(i).at("obstacles"));

@@ -3,6 +3,7 @@
 use super::bond::PointId;
 use super::bonds::Bonds;
 use super::command::Command;
+use super::contact::polygon::Polygon;
 use super::counters::Counters;
 use super::force::mouse::{Cursor, MouseForce};
 use super::model::Precision;
@@ -83,6 +84,10 @@ pub trait Dynamics: Send {
     fn pinned(&self) -> &[PointId];
     /// Corners of the walls, if there are any (z = 0 in the plane).
     fn bounds(&self) -> Option<[[f64; 3]; 2]>;
+    /// A point and the normal of every plane that points cannot pass (z = 0 in the plane).
+    fn planes(&self) -> Vec<[[f64; 3]; 2]>;
+    /// The polygons that points cannot enter.
+    fn polygons(&self) -> &[Polygon];
     /// The mouse force and where its cursor is now, if the scene has the force and a cursor is there.
     fn mouse(&self) -> Option<(&MouseForce, Cursor)>;
     /// Kinetic + springs' + gravity's energy of the points that are not pinned [J].

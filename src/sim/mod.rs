@@ -36,6 +36,7 @@ pub use bond::{Bond, BondId, BondKind, Limit, PointId};
 pub use bonds::Bonds;
 pub use command::Command;
 pub use contact::bounds::Bounds;
+pub use contact::polygon::Polygon;
 pub use contact::surface::Plane;
 pub use counters::Counters;
 pub use dynamics::{Dynamics, Positions, Sample};

@@ -3,6 +3,7 @@
 use super::bond::{Bond, BondKind, PointId};
 use super::bonds::Bonds;
 use super::contact::bounds::Bounds;
+use super::contact::polygon::Polygon;
 use super::contact::surface::Plane;
 use super::force::mouse::{MouseForce, Track};
 use super::solver::Solver;
@@ -36,6 +37,8 @@ pub struct Model<const D: usize> {
     pub duration: Option<f64>,
     /// Planes that points cannot pass.
     pub planes: Vec<Plane<D>>,
+    /// Polygons that points cannot enter; none in space.
+    pub polygons: Vec<Polygon>,
     /// Pinned points that are led along tracks.
     pub pin_motion: Vec<(PointId, Track<D>)>,
     /// How the motion is computed.
@@ -142,6 +145,12 @@ impl<const D: usize> Model<D> {
                 && plane.normal.iter().any(|&n| n != 0.0);
             require(is_fine, &format!("plane {i}"), plane, "finite, with a normal that is not zero")?;
         }
+        for (i, polygon) in self.polygons.iter().enumerate() {
+            let is_fine = D == 2
+                && polygon.loops.iter().all(|outline| outline.len() >= 3)
+                && polygon.loops.iter().flatten().flatten().all(|c| c.is_finite());
+            require(is_fine, &format!("polygon {i}"), polygon, "in the plane, of three finite corners or more")?;
+        }
         for (point, track) in &self.pin_motion {
             self.check_index(|| "pin_motion".to_owned(), *point)?;
             require(self.pinned.contains(point), "pin_motion", point, "of a pinned point")?;
@@ -226,6 +235,7 @@ impl<const D: usize> Default for Model<D> {
             bounds: None,
             duration: None,
             planes: Vec::new(),
+            polygons: Vec::new(),
             pin_motion: Vec::new(),
             method: Method::default(),
         }

@@ -5,6 +5,7 @@ use std::sync::Arc;
 use super::bond::{Bond, BondKind, PointId};
 use super::bonds::Bonds;
 use super::command::Command;
+use super::contact::polygon::Polygon;
 use super::counters::Counters;
 use super::dynamics::{Dynamics, Positions, Sample};
 use super::force::mouse::{self, Cursor, MouseForce};
@@ -304,6 +305,14 @@ impl<S: Real, const D: usize> Dynamics for World<S, D> {
 
     fn bounds(&self) -> Option<[[f64; 3]; 2]> {
         self.model.bounds.map(|bounds| [embed(bounds.min), embed(bounds.max)])
+    }
+
+    fn planes(&self) -> Vec<[[f64; 3]; 2]> {
+        self.model.planes.iter().map(|plane| [embed(plane.point), embed(plane.normal)]).collect()
+    }
+
+    fn polygons(&self) -> &[Polygon] {
+        &self.model.polygons
     }
 
     fn mouse(&self) -> Option<(&MouseForce, Cursor)> {

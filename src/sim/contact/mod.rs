@@ -2,6 +2,7 @@
 
 pub mod bounds;
 pub(crate) mod impact;
+pub mod polygon;
 pub(crate) mod rest;
 pub mod surface;
 
