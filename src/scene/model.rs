@@ -2,14 +2,16 @@
 
 use super::check::{self, Resistance};
 use super::error::{Fault, SceneError, Within};
-use super::keys::{BondKeys, LimitName, MouseKeys, ObstacleKeys, PinMotionKeys, ProfileName, RegionName, Row, Scene, Vector};
+use super::keys::{
+    BondKeys, LimitName, MouseKeys, ObstacleKeys, PinMotionKeys, ProfileName, RegionName, Row, Scene, Vector,
+};
 use super::start::Start;
 use super::support;
 use crate::body::distance;
 use crate::sim::vector::{embed, truncate};
 use crate::sim::{
-    Bond, Bonds, Bounds, Dynamics, Found, Limit, Model, ModelError, MouseForce, Plane, PointId, Polygon, Profile, Region,
-    Sample, Track, build, search, settle,
+    Bond, Bonds, Bounds, Dynamics, Found, Limit, Model, ModelError, MouseForce, Plane, PointId, Polygon, Profile,
+    Region, Sample, Track, build, search, settle,
 };
 
 /// An equilibrium.

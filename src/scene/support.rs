@@ -14,10 +14,7 @@ pub(super) fn check(scene: &Scene) -> Result<(), Fault> {
         }
     }
     for (i, obstacle) in scene.obstacles.iter().enumerate() {
-        for (key, said) in [
-            ("box", obstacle.r#box.is_some()),
-            ("circle", obstacle.circle.is_some()),
-        ] {
+        for (key, said) in [("box", obstacle.r#box.is_some()), ("circle", obstacle.circle.is_some())] {
             if said {
                 return Err(lacking(key).item(i).at("obstacles"));
             }

@@ -101,6 +101,9 @@ pub enum ModelError {
         /// The bond.
         bond: usize,
     },
+    /// Obstacles among which no equilibrium is looked for.
+    #[error("an equilibrium is not looked for among polygons: leave them out")]
+    Polygons,
     /// A solver and a kind of bond that do not go together.
     #[error("bond {bond} is {kind}, which solver {solver} refuses: use {others}")]
     Refused {
@@ -162,6 +165,11 @@ impl<const D: usize> Model<D> {
             require(mouse.strength.is_finite(), "mouse.strength", mouse.strength, "finite")?;
         }
         Ok(())
+    }
+
+    /// Whether there is anything that points cannot pass.
+    pub(crate) fn has_surfaces(&self) -> bool {
+        self.bounds.is_some() || !self.planes.is_empty() || !self.polygons.is_empty()
     }
 
     fn check_points(&self) -> Result<(), ModelError> {

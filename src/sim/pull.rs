@@ -28,12 +28,12 @@ pub(crate) struct Pull<S: Real, const D: usize> {
 impl<S: Real, const D: usize> Pull<S, D> {
     /// Gravity as kicks give it: where points may rest on surfaces, which take it away.
     pub(crate) fn kicking_gravity(&self) -> [f64; D] {
-        if self.contacts.surfaces.is_empty() { [0.0; D] } else { self.gravity }
+        if self.contacts.obstacles.is_empty() { [0.0; D] } else { self.gravity }
     }
 
     /// Gravity as flights give it.
     pub(crate) fn flying_gravity(&self) -> [f64; D] {
-        if self.contacts.surfaces.is_empty() { self.gravity } else { [0.0; D] }
+        if self.contacts.obstacles.is_empty() { self.gravity } else { [0.0; D] }
     }
 
     /// Accelerations by springs, the mouse and a field of this strength [m/s^2], at these positions and velocities.

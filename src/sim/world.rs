@@ -5,6 +5,7 @@ use std::sync::Arc;
 use super::bond::{Bond, BondKind, PointId};
 use super::bonds::Bonds;
 use super::command::Command;
+use super::contact::obstacles::Obstacles;
 use super::contact::polygon::Polygon;
 use super::counters::Counters;
 use super::dynamics::{Dynamics, Positions, Sample};
@@ -26,6 +27,7 @@ pub struct World<S: Real, const D: usize> {
     pub(crate) plan: Plan<S, D>,
     pub(crate) timeline: Timeline,
     pub(crate) around: Surroundings<D>,
+    obstacles: Obstacles<S, D>,
     pub(crate) counters: Counters,
     /// The bonds that are left.
     bonds: Bonds,
@@ -63,13 +65,15 @@ impl<S: Real, const D: usize> World<S, D> {
             position_lost: vec![zero(); count],
             velocity_lost: vec![zero(); count],
         };
-        let plan = plan::compile(model, &model.bonds, &state);
+        let obstacles = Obstacles::of(model);
+        let plan = plan::compile((model, &obstacles), &model.bonds, &state);
         let tracks = model.pin_motion.iter().flat_map(|(_, track)| track.knots.iter().map(|knot| knot.0));
         let mouse = model.mouse.iter().flat_map(|mouse| mouse.track.knots.iter().map(|knot| knot.0));
         let mut world = World {
             timeline: Timeline::new(plan.substep, tracks.chain(mouse).chain(model.duration)),
             around: Surroundings { gravity: model.gravity, mouse: model.mouse.clone(), cursor: None },
             plan,
+            obstacles,
             counters: Counters::default(),
             bonds: model.bonds.clone(),
             gathered: Vec::new(),
@@ -105,7 +109,7 @@ impl<S: Real, const D: usize> World<S, D> {
             ));
         }
         let state = State { position: position.into_iter().map(convert).collect(), ..state.clone() };
-        self.plan = plan::compile(&self.model, &self.bonds, &state);
+        self.plan = plan::compile((&self.model, &self.obstacles), &self.bonds, &state);
         for group in &mut self.plan.groups {
             group.begin(&self.around, 0.0);
         }
@@ -151,7 +155,7 @@ impl<S: Real, const D: usize> World<S, D> {
             group.centre_velocity(&self.around, t);
         }
         let state = self.state_of_all();
-        self.plan = plan::compile(&self.model, &self.bonds, &state);
+        self.plan = plan::compile((&self.model, &self.obstacles), &self.bonds, &state);
         for group in &mut self.plan.groups {
             group.begin(&self.around, t);
         }

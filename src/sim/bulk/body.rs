@@ -6,7 +6,7 @@ use super::crowd::Crowd;
 use super::form::Form;
 use super::impact::Piece;
 use super::mesh::Mesh;
-use super::outside::Outside;
+use super::outside::{Going, Outside};
 use super::sheet::Sheet;
 use super::spec::{Start, Substep};
 use crate::sim::force::mouse::Push;
@@ -210,47 +210,56 @@ impl<S: Real, const D: usize, F: Form<S, D>> Body<S, D, F> {
     }
 
     fn meet(&mut self, outside: &Outside<S, D>, fall: [S; D]) -> u64 {
-        let mut below = self.below(outside);
+        let mut struck = BTreeMap::new();
+        let mut below = self.below(outside, &struck);
         if let Some(size) = self.piece {
             for _ in 0..MOST_BLOWS {
-                if below.is_empty() || !self.strike(&below, (outside, fall), size) {
+                if below.is_empty() || !self.strike(&below, (outside, fall), size, &mut struck) {
                     break;
                 }
-                below = self.below(outside);
+                below = self.below(outside, &struck);
             }
         }
         let Body { store, .. } = self;
-        for &(_, cell) in &below {
-            if let Some((x, motion)) = outside.meet(start(store, cell), store.motion(cell), fall) {
-                store.set(cell, x, motion);
+        for &(_, cell, going) in &below {
+            if let Some((end, motion)) = outside.meet(going, fall) {
+                store.set(cell, sub(end, motion), motion);
             }
         }
         below.len() as u64
     }
 
-    /// Points that are about to end below a surface, counted within the body, and their places in the store.
-    fn below(&mut self, outside: &Outside<S, D>) -> Vec<(usize, usize)> {
+    /// Points that are about to end behind a surface, counted within the body, their places in the store, and how they go.
+    /// Pieces that were `struck` come from where they were then, the given share of the substep before its end.
+    fn below(&mut self, outside: &Outside<S, D>, struck: &BTreeMap<usize, S>) -> Vec<(usize, usize, Going<S, D>)> {
+        let size = self.piece.unwrap_or(usize::MAX);
         let Body { form, store, .. } = self;
         let mut below = Vec::new();
         form.each(|i, cell| {
             let (x, d) = store.get(cell);
-            if outside.is_below(add(x, d)) && *store.weight(cell) != S::ZERO {
-                below.push((i, cell));
+            let (to, left) = (add(x, d), struck.get(&(i / size)));
+            let from = left.map_or(x, |&left| sub(to, scale(store.motion(cell), left)));
+            if outside.behind(from, to).next().is_some() && *store.weight(cell) != S::ZERO {
+                below.push((i, cell, Going { from, to, motion: store.motion(cell) }));
             }
         });
         below
     }
 
     /// Pieces of so many points with some `below` a surface go on from there by the motion that the impact gives them.
-    /// Returns whether there were any.
-    fn strike(&mut self, below: &[(usize, usize)], (outside, fall): (&Outside<S, D>, [S; D]), size: usize) -> bool {
+    /// Returns whether there were any, and adds them to those that were `struck`.
+    fn strike(
+        &mut self,
+        below: &[(usize, usize, Going<S, D>)],
+        (outside, fall): (&Outside<S, D>, [S; D]),
+        size: usize,
+        struck: &mut BTreeMap<usize, S>,
+    ) -> bool {
         let Body { form, store, .. } = self;
         let mut pieces: BTreeMap<usize, Piece<D>> = BTreeMap::new();
-        for &(i, cell) in below {
-            let motion = store.motion(cell);
-            let end = add(start(store, cell), motion);
+        for &(i, _, Going { from, to, motion }) in below {
             let piece = pieces.entry(i / size).or_insert_with(Piece::new);
-            outside.below(end).for_each(|surface| piece.touch((end, motion), surface, fall));
+            outside.behind(from, to).for_each(|surface| piece.touch((to, motion), surface, fall));
         }
         pieces.retain(|_, piece| !piece.is_clear());
         if pieces.is_empty() {
@@ -263,6 +272,7 @@ impl<S: Real, const D: usize, F: Form<S, D>> Body<S, D, F> {
             }
         });
         pieces.values_mut().for_each(|piece| piece.strike(fall));
+        struck.extend(pieces.iter().map(|(&place, piece)| (place, S::from_f64(piece.left()))));
         form.each(|i, cell| {
             let Some(piece) = pieces.get(&(i / size)).filter(|_| *store.weight(cell) > S::ZERO) else { return };
             let (x, d) = store.get(cell);
@@ -300,10 +310,4 @@ impl<S: Real, const D: usize, F: Form<S, D>> Body<S, D, F> {
             }),
         });
     }
-}
-
-/// Where a point would have been at the start of the substep, had it gone by its motion alone.
-fn start<S: Real, const D: usize>(store: &impl Store<S, D>, cell: usize) -> [S; D] {
-    let (x, d) = store.get(cell);
-    sub(add(x, d), store.motion(cell))
 }

@@ -88,6 +88,11 @@ impl<const D: usize> Piece<D> {
         });
     }
 
+    /// Share of the substep that is left after the first hits [1].
+    pub(crate) fn left(&self) -> f64 {
+        1.0 - self.first
+    }
+
     /// Whether it hits nothing.
     pub(crate) fn is_clear(&self) -> bool {
         self.hits.is_empty()

@@ -188,8 +188,16 @@ impl<S: Real, const D: usize> Bulk<S, D> {
         let flight = drift(pull, (1.0, 1.0), self.lag() + 0.5 * h);
         for ((x, &v), &w) in points.position.iter_mut().zip(&points.velocity).zip(&points.inverse_mass) {
             let way = if w > S::ZERO { add(scale(v, flight.keep), flight.fall) } else { v };
-            *x = add(*x, scale(way, S::from_f64(h)));
-            for surface in pull.contacts.surfaces.iter().filter(|_| w > S::ZERO) {
+            let from = *x;
+            *x = add(from, scale(way, S::from_f64(h)));
+            if w == S::ZERO {
+                continue;
+            }
+            let obstacles = &pull.contacts.obstacles;
+            if let Some(end) = obstacles.led(from, *x, |_| [S::ONE, S::ZERO]) {
+                *x = end;
+            }
+            for surface in obstacles.planes() {
                 *x = sub(*x, scale(surface.normal, surface.gap(*x).min(S::ZERO)));
             }
         }
@@ -261,7 +269,7 @@ impl<S: Real, const D: usize> Bulk<S, D> {
 
     /// Surfaces, where they are in reach; `fall` is what gravity adds to a motion [m].
     fn meet(&mut self, outside: &Outside<S, D>, fall: [f64; D], counters: &mut Counters) {
-        if outside.surfaces.is_empty() {
+        if !outside.has_surfaces() {
             return;
         }
         for body in &mut self.bodies {

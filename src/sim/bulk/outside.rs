@@ -1,5 +1,6 @@
 //! What acts on points of large bodies from outside: the mouse and surfaces, where they are in reach.
 
+use crate::sim::contact::obstacles::Obstacles;
 use crate::sim::contact::surface::Surface;
 use crate::sim::force::mouse::{Cursor, Push};
 use crate::sim::measure;
@@ -7,7 +8,7 @@ use crate::sim::points::Points;
 use crate::sim::pull::Pull;
 use crate::sim::real::Real;
 use crate::sim::surroundings::Surroundings;
-use crate::sim::vector::{add, dot, length, scale, sub};
+use crate::sim::vector::{dot, length, scale, sub};
 
 /// Steps that are looked ahead: where nothing is in reach for so many, it is looked for once in all of them.
 const AHEAD: f64 = 5.0;
@@ -24,7 +25,20 @@ pub(crate) struct Clear {
 /// The mouse and the surfaces that some point may meet in a step.
 pub(crate) struct Outside<S: Real, const D: usize> {
     pub(crate) mouse: Option<Push<S, D>>,
-    pub(crate) surfaces: Vec<Surface<S, D>>,
+    planes: Vec<Surface<S, D>>,
+    /// Where polygons are in reach.
+    walls: Option<Obstacles<S, D>>,
+}
+
+/// A point's substep: from where to where, and its motion in the next one.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Going<S, const D: usize> {
+    /// Where it is before.
+    pub(crate) from: [S; D],
+    /// Where it is about to end.
+    pub(crate) to: [S; D],
+    /// What it has of velocity, as a displacement in a substep.
+    pub(crate) motion: [S; D],
 }
 
 impl<S: Real, const D: usize> Outside<S, D> {
@@ -37,7 +51,7 @@ impl<S: Real, const D: usize> Outside<S, D> {
         (t, h): (f64, f64),
         (clear, pushes): (&mut Option<Clear>, bool),
     ) -> Self {
-        let none = Outside { mouse: None, surfaces: Vec::new() };
+        let none = Outside { mouse: None, planes: Vec::new(), walls: None };
         let mouse = around.mouse_at(t + 0.5 * h);
         if mouse.is_none() && !pull.contacts.has_surfaces() {
             return none;
@@ -52,10 +66,12 @@ impl<S: Real, const D: usize> Outside<S, D> {
             let fall = length(pull.gravity) * time;
             let reach = (fastest + S::from_f64(fall)) * S::from_f64(2.0 * time);
             let bounds = [low.map(|x| x - reach), high.map(|x| x + reach)];
-            let surfaces = pull.contacts.surfaces.iter().filter(|surface| surface.least_gap(bounds) < S::ZERO);
+            let obstacles = &pull.contacts.obstacles;
+            let planes = obstacles.planes().iter().filter(|surface| surface.least_gap(bounds) < S::ZERO);
             Outside {
                 mouse: mouse.map(|(force, cursor)| Push::new(force, cursor)).filter(|push| push.reaches(bounds)),
-                surfaces: surfaces.copied().collect(),
+                planes: planes.copied().collect(),
+                walls: obstacles.has_walls_near(bounds).then(|| obstacles.clone()),
             }
         };
         let ahead = if pushes { 1.0 } else { AHEAD };
@@ -66,46 +82,82 @@ impl<S: Real, const D: usize> Outside<S, D> {
 
     /// Whether nothing is in reach.
     pub(crate) fn is_nothing(&self) -> bool {
-        self.mouse.is_none() && self.surfaces.is_empty()
+        self.mouse.is_none() && !self.has_surfaces()
     }
 
-    /// The surfaces that `x` is below.
-    pub(crate) fn below(&self, x: [S; D]) -> impl Iterator<Item = &Surface<S, D>> {
-        self.surfaces.iter().filter(move |surface| surface.gap(x) < S::ZERO)
+    /// Whether surfaces are in reach.
+    pub(crate) fn has_surfaces(&self) -> bool {
+        !self.planes.is_empty() || self.walls.is_some()
     }
 
-    /// Whether `x` is below some surface.
-    pub(crate) fn is_below(&self, x: [S; D]) -> bool {
-        self.below(x).next().is_some()
+    /// The surfaces that a point on its way from `from` ends behind at `to`: planes, and of the walls of polygons the first that
+    /// it goes through.
+    pub(crate) fn behind(&self, from: [S; D], to: [S; D]) -> impl Iterator<Item = &Surface<S, D>> {
+        let wall = self.walls.as_ref().and_then(|walls| {
+            let met = walls.meeting(from, to, |_| true)?;
+            Some(&walls.surfaces[met.surface]).filter(|surface| surface.gap(to) < S::ZERO)
+        });
+        self.planes.iter().filter(move |surface| surface.gap(to) < S::ZERO).chain(wall)
     }
 
-    /// What the surfaces make of a point that is about to go by `motion` from `x`: where it starts and how it goes instead,
-    /// so that it ends on the surface with the velocity of the bounce. `None`: it meets none. `fall` is what gravity adds to a
-    /// motion [m].
+    /// What the surfaces make of a point's substep: where it ends and its motion then, that of the bounce. `None`: it meets none.
+    /// `fall` is what gravity adds to a motion [m].
     ///
-    /// v_n -> -restitution v_n, |change of v_t| <= friction |change of v_n|. Slow impacts do not bounce.
-    pub(crate) fn meet(&self, x: [S; D], motion: [S; D], fall: [S; D]) -> Option<([S; D], [S; D])> {
-        let (mut end, mut motion, mut met) = (add(x, motion), motion, false);
-        let gentle = gentle(fall);
-        for surface in &self.surfaces {
-            let gap = surface.gap(end);
+    /// v_n -> -restitution v_n, |change of v_t| <= friction |change of v_n|. Slow impacts do not bounce. Of a plane it ends on
+    /// the surface; by the wall of a polygon it is turned where it meets it.
+    pub(crate) fn meet(&self, going: Going<S, D>, fall: [S; D]) -> Option<([S; D], [S; D])> {
+        let Going { from, mut to, mut motion } = going;
+        let (mut met, gentle) = (false, gentle(fall));
+        let led = self.walls.as_ref().and_then(|walls| {
+            walls.led(from, to, |surface| {
+                let bounce = Bounce::of(motion, &walls.surfaces[surface], gentle);
+                motion = bounce.motion;
+                [bounce.keep, bounce.back]
+            })
+        });
+        if let Some(end) = led {
+            (to, met) = (end, true);
+        }
+        for surface in &self.planes {
+            let gap = surface.gap(to);
             if gap >= S::ZERO {
                 continue;
             }
             met = true;
-            end = sub(end, scale(surface.normal, gap));
-            let speed = dot(motion, surface.normal);
-            if speed >= S::ZERO {
-                continue;
-            }
-            let bounce = if -speed > gentle { surface.restitution } else { S::ZERO };
-            let along = sub(motion, scale(surface.normal, speed));
-            let (size, most) = (length(along), surface.friction * (S::ONE + bounce) * -speed);
-            let rubbed = if size > most { scale(along, (size - most) / size) } else { [S::ZERO; D] };
-            end = sub(end, sub(along, rubbed));
-            motion = sub(rubbed, scale(surface.normal, bounce * speed));
+            let bounce = Bounce::of(motion, surface, gentle);
+            to = sub(sub(to, scale(surface.normal, gap)), bounce.rubbed);
+            motion = bounce.motion;
         }
-        met.then(|| (sub(end, motion), motion))
+        met.then_some((to, motion))
+    }
+}
+
+/// What a surface makes of a motion.
+#[derive(Clone, Copy, Debug)]
+struct Bounce<S, const D: usize> {
+    /// The motion afterwards.
+    motion: [S; D],
+    /// What friction took.
+    rubbed: [S; D],
+    /// Share of the part along the surface that is left.
+    keep: S,
+    /// Share of the part across that is turned back.
+    back: S,
+}
+
+impl<S: Real, const D: usize> Bounce<S, D> {
+    fn of(motion: [S; D], surface: &Surface<S, D>, gentle: S) -> Self {
+        let speed = dot(motion, surface.normal);
+        if speed >= S::ZERO {
+            return Bounce { motion, rubbed: [S::ZERO; D], keep: S::ONE, back: S::ZERO };
+        }
+        let back = if -speed > gentle { surface.restitution } else { S::ZERO };
+        let along = sub(motion, scale(surface.normal, speed));
+        let (size, most) = (length(along), surface.friction * (S::ONE + back) * -speed);
+        let keep = if size > most { (size - most) / size } else { S::ZERO };
+        let kept = scale(along, keep);
+        let motion = sub(kept, scale(surface.normal, back * speed));
+        Bounce { motion, rubbed: sub(along, kept), keep, back }
     }
 }
 
@@ -118,30 +170,36 @@ pub(crate) fn gentle<S: Real, const D: usize>(fall: [S; D]) -> S {
 mod tests {
     use super::*;
     use crate::sim::contact::surface::Plane;
+    use crate::sim::vector::add;
 
     fn floor(restitution: f64, friction: f64) -> Outside<f64, 2> {
         let plane = Plane { point: [0.0, 0.0], normal: [0.0, 2.0], restitution, friction };
-        Outside { mouse: None, surfaces: vec![Surface::new(&plane)] }
+        Outside { mouse: None, planes: vec![Surface::new(&plane)], walls: None }
+    }
+
+    /// Where a point at `x` ends that is about to go by `motion`, and how.
+    fn meet(outside: &Outside<f64, 2>, x: [f64; 2], motion: [f64; 2], fall: [f64; 2]) -> Option<([f64; 2], [f64; 2])> {
+        outside.meet(Going { from: x, to: add(x, motion), motion }, fall)
     }
 
     #[test]
     fn a_point_above_the_floor_meets_nothing() {
-        assert_eq!(floor(0.5, 0.0).meet([0.0, 1.0], [0.1, -0.5], [0.0; 2]), None);
+        assert_eq!(meet(&floor(0.5, 0.0), [0.0, 1.0], [0.1, -0.5], [0.0; 2]), None);
     }
 
     #[test]
     fn a_point_ends_on_the_floor_with_the_velocity_of_the_bounce() {
-        let (x, motion) = floor(0.5, 0.0).meet([0.0, 0.1], [0.2, -0.4], [0.0, -0.002]).unwrap_or_default();
+        let (x, motion) = meet(&floor(0.5, 0.0), [0.0, 0.1], [0.2, -0.4], [0.0, -0.002]).unwrap_or_default();
         assert_eq!(motion, [0.2, 0.2]);
-        assert_eq!(add(x, motion), [0.2, 0.0]);
+        assert_eq!(x, [0.2, 0.0]);
     }
 
     #[test]
     fn friction_takes_no_more_than_there_is_and_gentle_impacts_stay() {
-        let (x, motion) = floor(0.5, 0.1).meet([0.0, 0.0], [0.3, -0.1], [0.0, -0.25]).unwrap_or_default();
+        let (x, motion) = meet(&floor(0.5, 0.1), [0.0, 0.0], [0.3, -0.1], [0.0, -0.25]).unwrap_or_default();
         assert!((motion[0] - 0.29).abs() < 1e-15 && motion[1] == 0.0, "{motion:?}");
-        assert!((add(x, motion)[0] - 0.29).abs() < 1e-15);
-        let (_, motion) = floor(0.0, 9.0).meet([0.0, 0.0], [0.3, -0.1], [0.0; 2]).unwrap_or_default();
+        assert!((x[0] - 0.29).abs() < 1e-15);
+        let (_, motion) = meet(&floor(0.0, 9.0), [0.0, 0.0], [0.3, -0.1], [0.0; 2]).unwrap_or_default();
         assert_eq!(motion, [0.0, 0.0]);
     }
 }

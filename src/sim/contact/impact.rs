@@ -29,7 +29,7 @@ pub(crate) fn strike<S: Real, const D: usize>(
 ) {
     let mut targets = Vec::with_capacity(hits.len());
     for &hit in hits {
-        let surface = &contacts.surfaces[hit.surface];
+        let surface = &contacts.obstacles.surfaces[hit.surface];
         let speed = dot(points.velocity[hit.point], surface.normal);
         if speed < S::ZERO {
             let rests = surface.restitution == S::ZERO || gentle(hit, -(surface.restitution * speed));
@@ -105,7 +105,7 @@ fn push_off<S: Real, const D: usize>(
     for _ in 0..MOST_PASSES {
         let mut largest = S::ZERO;
         for target in targets.iter_mut() {
-            let normal = contacts.surfaces[target.hit.surface].normal;
+            let normal = contacts.obstacles.surfaces[target.hit.surface].normal;
             let change = (target.change + target.target - dot(*v, normal)).max(S::ZERO);
             let step = change - target.change;
             *v = add(*v, scale(normal, step));
@@ -118,12 +118,12 @@ fn push_off<S: Real, const D: usize>(
     }
     let v = *v;
     let slow = speed * S::EPSILON * S::from_f64(64.0);
-    targets.retain(|target| dot(v, contacts.surfaces[target.hit.surface].normal) <= target.target + slow);
+    targets.retain(|target| dot(v, contacts.obstacles.surfaces[target.hit.surface].normal) <= target.target + slow);
 }
 
 /// Gives a point its velocity off the surface.
 fn give<S: Real, const D: usize>(points: &mut Points<S, D>, contacts: &Contacts<S, D>, target: &Target<S>) {
-    let normal = contacts.surfaces[target.hit.surface].normal;
+    let normal = contacts.obstacles.surfaces[target.hit.surface].normal;
     let v = &mut points.velocity[target.hit.point];
     let off = dot(*v, normal);
     *v = sub(*v, scale(normal, off - target.target));
@@ -132,7 +132,7 @@ fn give<S: Real, const D: usize>(points: &mut Points<S, D>, contacts: &Contacts<
 /// Friction of the impact.
 fn rub<S: Real, const D: usize>(points: &mut Points<S, D>, contacts: &Contacts<S, D>, targets: &[Target<S>]) {
     for target in targets {
-        let surface = &contacts.surfaces[target.hit.surface];
+        let surface = &contacts.obstacles.surfaces[target.hit.surface];
         let v = &mut points.velocity[target.hit.point];
         let way = sub(*v, scale(surface.normal, dot(*v, surface.normal)));
         let speed = length(way);
@@ -169,7 +169,7 @@ fn strike_bonded<S: Real, const D: usize>(
         let mut worst = (S::ZERO, usize::MAX);
         for (at, target) in targets.iter_mut().enumerate() {
             let i = target.hit.point;
-            let normal = contacts.surfaces[target.hit.surface].normal;
+            let normal = contacts.obstacles.surfaces[target.hit.surface].normal;
             target.change = target.target - dot(before[i], normal) - dot(rigid.push_on(i), normal);
             if target.change < worst.0 {
                 worst = (target.change, at);

@@ -2,6 +2,7 @@
 
 pub mod bounds;
 pub(crate) mod impact;
+pub(crate) mod obstacles;
 pub mod polygon;
 pub(crate) mod rest;
 pub mod surface;
@@ -9,6 +10,7 @@ pub mod surface;
 use super::points::Points;
 use super::real::Real;
 use super::vector::{add, dot, length, scale, sub};
+use obstacles::Obstacles;
 use rest::Rest;
 use surface::Surface;
 
@@ -18,7 +20,7 @@ use surface::Surface;
 /// are projected along them. One that sticks, by friction, has lost all of them.
 #[derive(Clone, Debug)]
 pub(crate) struct Contacts<S: Real, const D: usize> {
-    pub(crate) surfaces: Vec<Surface<S, D>>,
+    pub(crate) obstacles: Obstacles<S, D>,
     /// One entry a resting point.
     pub(crate) rests: Vec<Rest<S, D>>,
     /// For every point 1 + its place in `rests`, 0 if it is in none; empty where there are no surfaces.
@@ -26,9 +28,9 @@ pub(crate) struct Contacts<S: Real, const D: usize> {
 }
 
 impl<S: Real, const D: usize> Contacts<S, D> {
-    pub(crate) fn new(surfaces: Vec<Surface<S, D>>, points: usize) -> Self {
-        let place = if surfaces.is_empty() { Vec::new() } else { vec![0; points] };
-        Contacts { surfaces, rests: Vec::new(), place }
+    pub(crate) fn new(obstacles: &Obstacles<S, D>, points: usize) -> Self {
+        let place = if obstacles.is_empty() { Vec::new() } else { vec![0; points] };
+        Contacts { obstacles: obstacles.clone(), rests: Vec::new(), place }
     }
 
     /// Whether no point rests.
@@ -61,12 +63,12 @@ impl<S: Real, const D: usize> Contacts<S, D> {
             self.place[point] = self.rests.len() as u32;
         }
         let rest = &mut self.rests[self.place[point] as usize - 1];
-        rest.add(surface as u32, &self.surfaces);
+        rest.add(surface as u32, &self.obstacles.surfaces);
     }
 
     /// Keeps the rests that `keep` says, and those of their surfaces that it leaves.
     pub(crate) fn retain(&mut self, mut keep: impl FnMut(&mut Rest<S, D>, &[Surface<S, D>])) {
-        let surfaces = &self.surfaces;
+        let surfaces = &self.obstacles.surfaces;
         for rest in &mut self.rests {
             keep(rest, surfaces);
         }
@@ -133,7 +135,7 @@ impl<S: Real, const D: usize> Contacts<S, D> {
 
     /// Sliding friction [m/s^2]: against the velocity along the surface, as large as friction times what presses.
     fn friction(&self, rest: &Rest<S, D>, v: [S; D], total: [S; D]) -> [S; D] {
-        let mu = rest.grip(&self.surfaces);
+        let mu = rest.grip(&self.obstacles.surfaces);
         let none = [S::ZERO; D];
         if mu == S::ZERO || rest.sticks {
             return none;
@@ -168,7 +170,7 @@ impl<S: Real, const D: usize> Contacts<S, D> {
         for rest in &self.rests {
             let i = rest.point as usize;
             for &surface in rest.surfaces() {
-                place(points, i, &self.surfaces[surface as usize]);
+                place(points, i, &self.obstacles.surfaces[surface as usize]);
             }
             points.velocity[i] = rest.free(points.velocity[i]);
             points.velocity_lost[i] = rest.free(points.velocity_lost[i]);
@@ -177,7 +179,7 @@ impl<S: Real, const D: usize> Contacts<S, D> {
 
     /// Whether there is any surface to meet.
     pub(crate) fn has_surfaces(&self) -> bool {
-        !self.surfaces.is_empty()
+        !self.obstacles.is_empty()
     }
 }
 

@@ -27,15 +27,24 @@ pub(crate) struct Surface<S, const D: usize> {
     offset: S,
     pub(crate) restitution: S,
     pub(crate) friction: S,
+    /// A distance that rounding cannot tell from 0 [m].
+    slack: S,
 }
 
 impl<S: Real, const D: usize> Surface<S, D> {
     pub(crate) fn new(plane: &Plane<D>) -> Self {
+        Surface::within(plane, 0.0)
+    }
+
+    /// The same, to be met at coordinates up to `reach` [m].
+    pub(crate) fn within(plane: &Plane<D>, reach: f64) -> Self {
         let length = plane.normal.iter().fold(0.0, |sum, &n| libm::hypot(sum, n));
         let normal = plane.normal.map(|n| n / length);
+        let offset = dot(normal, plane.point);
         Surface {
             normal: convert(normal),
-            offset: S::from_f64(dot(normal, plane.point)),
+            offset: S::from_f64(offset),
+            slack: S::EPSILON * S::from_f64(64.0 * (1.0 + offset.abs().max(reach))),
             restitution: S::from_f64(plane.restitution),
             friction: S::from_f64(plane.friction),
         }
@@ -59,7 +68,7 @@ impl<S: Real, const D: usize> Surface<S, D> {
 
     /// A distance that rounding cannot tell from 0 [m].
     pub(crate) fn slack(&self) -> S {
-        S::EPSILON * S::from_f64(64.0) * (S::ONE + self.offset.abs())
+        self.slack
     }
 }
 

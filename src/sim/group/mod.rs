@@ -105,9 +105,13 @@ impl<S: Real, const D: usize> Group<S, D> {
             self.points.save(&mut self.before);
             self.pull.contacts.set_out(&self.before.velocity);
             let is_fine = self.take(around, (now, left), counters);
-            if !(is_fine && self.guard.passes(&self.before.position, &self.points.position)) {
+            let mut passes = is_fine && self.guard.passes(&self.before.position, &self.points.position);
+            if !passes {
                 self.points.restore(&self.before);
                 self.engine.refresh();
+                passes = !is_fine && self.take_unheld(around, (now, left), counters);
+            }
+            if !passes {
                 if depth < MOST_SPLITS {
                     counters.guard_splits += 1;
                     self.attempt(around, (now, 0.5 * left), depth + 1, counters);
@@ -143,6 +147,25 @@ impl<S: Real, const D: usize> Group<S, D> {
     fn take(&mut self, around: &Surroundings<D>, (t, h): (f64, f64), counters: &mut Counters) -> bool {
         let Group { points, pull, engine, .. } = self;
         engine.step(points, pull, around, (t, h), counters)
+    }
+
+    /// The step with no point resting: surfaces and rigid bonds may hold points in ways that contradict each other, and what lies
+    /// on a surface meets it again at the end. Returns whether that was so.
+    fn take_unheld(&mut self, around: &Surroundings<D>, (t, h): (f64, f64), counters: &mut Counters) -> bool {
+        if self.pull.contacts.is_idle() || self.pull.rigid.is_none() {
+            return false;
+        }
+        self.pull.contacts.clear();
+        self.engine.refresh();
+        let is_fine =
+            self.take(around, (t, h), counters) && self.guard.passes(&self.before.position, &self.points.position);
+        if is_fine {
+            counters.fallbacks += 1;
+        } else {
+            self.points.restore(&self.before);
+            self.engine.refresh();
+        }
+        is_fine
     }
 
     /// The step by the more robust method, or by the engine again where there is none.

@@ -14,7 +14,6 @@ use crate::sim::bulk::spec::Spec;
 use crate::sim::bulk::trails::Segment;
 use crate::sim::constrain::colour::by_colour;
 use crate::sim::contact::Contacts;
-use crate::sim::contact::surface::surfaces;
 use crate::sim::force::spring::Springs;
 use crate::sim::group::Group;
 use crate::sim::group::engine::Engine;
@@ -73,7 +72,7 @@ impl<S: Real, const D: usize> Maker<'_, S, D> {
             sleep: Sleep::default(),
             pull: Pull {
                 springs: Springs::none(),
-                contacts: Contacts::new(surfaces(self.model), self.points.len()),
+                contacts: Contacts::new(self.obstacles, self.points.len()),
                 rigid: None,
                 inside: None,
                 gravity: self.model.gravity,
@@ -135,7 +134,7 @@ impl<S: Real, const D: usize> Maker<'_, S, D> {
 
     /// Whether there are surfaces, in the plane.
     fn strikes_pieces(&self) -> bool {
-        D == 2 && (self.model.bounds.is_some() || !self.model.planes.is_empty())
+        D == 2 && !self.obstacles.is_empty()
     }
 
     fn members(&self, points: &[u32]) -> Members {

@@ -37,6 +37,11 @@ const LEAST_STRAIN: f64 = 1e-5;
 /// Points of a scene above which order 4 is too dear: what is shown of such meshes is coarser than what Verlet's method errs.
 const LARGE: usize = 20_000;
 
+/// Most rigid bonds of an island that meets surfaces and is solved together, each impact and each lift located in time: of more,
+/// there are so many that hardly any time passes between them.
+const MOST_LOCATED_RODS: usize = 60;
+/// Strain that the rigid bonds of a larger one may have where nothing is said [1].
+const TOUCHING_STRAIN: f64 = 1e-4;
 /// Most springs of an island that meets surfaces by a method of order 4: of more, so many points touch and slip that locating each
 /// costs more than all else.
 const MOST_TOUCHING: usize = 800;
@@ -122,8 +127,13 @@ fn scheme(island: &Island, method: &Method, setting: Setting, is_direct: bool) -
     let is_large_tree = island.is_tree && is_direct && !is_path(island) && island.rigid > MOST_SWEPT_TREE;
     let is_loose = method.max_strain.is_some_and(|strain| strain >= LEAST_STRAIN) && !is_large_tree;
     let sweeps = Way::Sweeps(method.iterations.unwrap_or(1));
+    let touches = setting.has_surfaces && island.rigid > MOST_LOCATED_RODS;
     let follows = |way| {
-        let default = if island.rigid > MOST_DIRECT { LARGE_STRAIN } else { SMALL_STRAIN };
+        let default = match island.rigid {
+            rigid if rigid > MOST_DIRECT => LARGE_STRAIN,
+            _ if touches => TOUCHING_STRAIN,
+            _ => SMALL_STRAIN,
+        };
         let target = method.max_strain.unwrap_or(default);
         Some(Scheme { way, target: method.substep.is_none().then_some(target), longest: None })
     };
@@ -141,7 +151,9 @@ fn scheme(island: &Island, method: &Method, setting: Setting, is_direct: bool) -
         }
         Solver::Verlet if island.relaxed == island.bonds.len() => is_large.then(|| given(sweeps))?,
         Solver::Relaxation => is_large.then(|| given(sweeps))?,
-        Solver::Auto if island.rigid > 0 && !island.has_limits && (!is_direct || is_loose) => follows(Way::Paths),
+        Solver::Auto if island.rigid > 0 && !island.has_limits && (!is_direct || is_loose || touches) => {
+            follows(Way::Paths)
+        }
         Solver::Xpbd if island.relaxed == 0 && !island.has_limits => {
             let is_single = sweeps == Way::Sweeps(1) || island.springs == 0;
             (is_large && is_single).then(|| given(sweeps))?

@@ -6,6 +6,7 @@ use super::{Plan, PlanPart};
 use crate::sim::bond::{Bond, PointId};
 use crate::sim::bonds::Bonds;
 use crate::sim::bulk::kernel::Kernel;
+use crate::sim::contact::obstacles::Obstacles;
 use crate::sim::model::Model;
 use crate::sim::points::State;
 use crate::sim::real::Real;
@@ -76,7 +77,7 @@ impl<S: Real, const D: usize> Gathered<S, D> {
     }
 
     /// The groups of the lots.
-    pub(super) fn plan(&self, model: &Model<D>, lots: Vec<Lot>) -> Plan<S, D> {
+    pub(super) fn plan(&self, (model, obstacles): (&Model<D>, &Obstacles<S, D>), lots: Vec<Lot>) -> Plan<S, D> {
         let mut slots = vec![NOWHERE; self.w.len()];
         let mut groups = Vec::with_capacity(lots.len());
         let mut parts: Vec<PlanPart> = Vec::new();
@@ -90,7 +91,7 @@ impl<S: Real, const D: usize> Gathered<S, D> {
                     slots[point as usize] = [g as u32, slot as u32];
                 }
             }
-            let group = Maker { gathered: self, model, lot, points: &points, place: &place }.make();
+            let group = Maker { gathered: self, model, obstacles, lot, points: &points, place: &place }.make();
             points.iter().for_each(|&point| place[point as usize] = u32::MAX);
             if lot.class == parts.len() {
                 parts.push(PlanPart::of(lot));

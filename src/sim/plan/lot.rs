@@ -26,7 +26,7 @@ pub(super) struct Lot {
 /// none, and from those that follow another strain.
 pub(super) fn lots<const D: usize>(model: &Model<D>, islands: Vec<Island>) -> Vec<Lot> {
     let setting = Setting {
-        has_surfaces: model.bounds.is_some() || !model.planes.is_empty(),
+        has_surfaces: model.has_surfaces(),
         mouse: model.mouse.as_ref().map(|mouse| mouse.strength),
         drag_rate: model.drag_rate,
         points: model.mass.len(),

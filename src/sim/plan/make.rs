@@ -6,7 +6,7 @@ use crate::sim::bond::{Bond, BondKind, PointId};
 use crate::sim::constrain::direct::Direct;
 use crate::sim::constrain::shape::{Row, Shape};
 use crate::sim::contact::Contacts;
-use crate::sim::contact::surface::surfaces;
+use crate::sim::contact::obstacles::Obstacles;
 use crate::sim::force::spring::Springs;
 use crate::sim::group::events::edge::Edges;
 use crate::sim::group::guard::{Guard, Watched};
@@ -26,6 +26,7 @@ pub(super) const MOST_LOCATED: usize = 1_000;
 pub(super) struct Maker<'a, S, const D: usize> {
     pub(super) gathered: &'a Gathered<S, D>,
     pub(super) model: &'a Model<D>,
+    pub(super) obstacles: &'a Obstacles<S, D>,
     pub(super) lot: &'a Lot,
     /// Points of the model, in the order of the group.
     pub(super) points: &'a [u32],
@@ -52,7 +53,7 @@ impl<S: Real, const D: usize> Maker<'_, S, D> {
         };
         let pull = Pull {
             springs,
-            contacts: Contacts::new(surfaces(self.model), self.points.len()),
+            contacts: Contacts::new(self.obstacles, self.points.len()),
             rigid,
             inside: None,
             gravity: self.model.gravity,

@@ -16,6 +16,7 @@ pub(crate) mod weld;
 
 use super::bond::{Bond, BondKind};
 use super::bonds::Bonds;
+use super::contact::obstacles::Obstacles;
 use super::group::Group;
 use super::model::Model;
 use super::points::State;
@@ -81,7 +82,11 @@ impl PlanPart {
 /// Compiles the plan of a model whose bonds (those that are left) and state are these.
 ///
 /// Shapes: `state` has one entry a point of the model.
-pub(crate) fn compile<S: Real, const D: usize>(model: &Model<D>, bonds: &Bonds, state: &State<S, D>) -> Plan<S, D> {
+pub(crate) fn compile<S: Real, const D: usize>(
+    (model, obstacles): (&Model<D>, &Obstacles<S, D>),
+    bonds: &Bonds,
+    state: &State<S, D>,
+) -> Plan<S, D> {
     let w = inverse_masses(model);
     let stand_ins = match model.method.solver {
         Solver::Relaxation => (0..w.len() as u32).collect(),
@@ -89,7 +94,7 @@ pub(crate) fn compile<S: Real, const D: usize>(model: &Model<D>, bonds: &Bonds, 
     };
     let gathered = Gathered::new(model, bonds, &w, &stand_ins, state);
     let islands = island::islands(&gathered.bonds, &gathered.w);
-    gathered.plan(model, lot::lots(model, islands))
+    gathered.plan((model, obstacles), lot::lots(model, islands))
 }
 
 /// 1/m of every point, 0 where it is pinned.

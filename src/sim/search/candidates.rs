@@ -22,7 +22,7 @@ pub(super) fn of<const D: usize>(model: &Model<D>) -> Candidates {
     let is_rigid = is(|kind| *kind == BondKind::Rigid);
     let is_damped = is(|kind| matches!(kind, BondKind::Spring { damping, .. } if *damping > 0.0));
     let has_limits = model.bonds.iter().any(|bond| bond.limit != Limit::Both);
-    let has_surfaces = model.bounds.is_some() || !model.planes.is_empty();
+    let has_surfaces = model.has_surfaces();
     let (references, solvers): (&[Solver], &[Solver]) =
         if model.bonds.is_empty() && !has_surfaces && model.mouse.is_none() {
             (&[Solver::Flight], &[Solver::Flight])

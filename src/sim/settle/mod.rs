@@ -69,11 +69,14 @@ pub struct Equilibrium<const D: usize> {
 /// change of energy stays where it slid to. Points stick to rough surfaces where they come to touch them, as long as
 /// friction can hold them there: of the many shapes that are at rest with friction it is one. Islands that fall or slide
 /// for ever are left where they are and named, and the result is not settled.
-/// Errors: as [`Model::check`]; relaxed bonds are refused, for they have no energy.
+/// Errors: as [`Model::check`]; relaxed bonds are refused, for they have no energy; polygons are.
 pub fn settle<const D: usize>(model: &Model<D>) -> Result<Equilibrium<D>, ModelError> {
     model.check()?;
     if let Some(bond) = model.bonds.iter().position(|bond| matches!(bond.kind, BondKind::Relaxed { .. })) {
         return Err(ModelError::NoEnergy { bond });
+    }
+    if !model.polygons.is_empty() {
+        return Err(ModelError::Polygons);
     }
     let mut start = Start::new(model);
     let mut falls = vec![false; model.position.len()];

@@ -44,6 +44,7 @@ impl<S: Real, const D: usize> Group<S, D> {
             let points = (0..self.points.len()).filter(|&i| self.can_hit(i, surface));
             points.for_each(|point| look(Event::Hit { point, surface }, ROUGH));
         }
+        self.near_walls(h, |point, surface| look(Event::Hit { point, surface }, ROUGH));
         if let (Some(inside), Some((force, cursor))) = (&self.pull.inside, around.mouse_at(t + h))
             && (inside.count > 0 || mouse::reaches(&self.points, force, cursor))
         {
@@ -55,7 +56,7 @@ impl<S: Real, const D: usize> Group<S, D> {
 
     /// Surfaces that a step of `h` may have touched: the box around all points, gone on with as fast as the fastest, tells.
     fn surfaces_near(&self, h: f64) -> impl Iterator<Item = usize> {
-        let surfaces = self.pull.contacts.surfaces.iter().enumerate();
+        let surfaces = self.pull.contacts.obstacles.planes().iter().enumerate();
         let boxes = self
             .pull
             .contacts
@@ -113,7 +114,7 @@ impl<S: Real, const D: usize> Group<S, D> {
         match event {
             Event::Reach { edge } => Some(self.edges.list[edge].gap(x, v)),
             Event::Hit { point, surface } => {
-                let surface = &self.pull.contacts.surfaces[surface];
+                let surface = &self.pull.contacts.obstacles.surfaces[surface];
                 let rate = dot(surface.normal, v[point]).to_f64();
                 Some(Gap { margin: surface.gap(x[point]).to_f64(), rate, slack: surface.slack().to_f64() })
             }

@@ -10,6 +10,9 @@ mod region;
 mod rests;
 mod strings;
 mod surfaces;
+mod walls;
+
+use std::sync::Arc;
 
 use super::Group;
 use crate::sim::contact::impact::{self, Hit};
@@ -30,6 +33,8 @@ enum Event {
     Cross { point: usize },
     /// A resting point is no longer pressed onto a surface.
     Lift { point: u32, surface: u32 },
+    /// A resting point comes to the end of a wall.
+    Leave { point: u32, surface: u32 },
     /// A point that friction holds begins to slide.
     Slip { point: u32 },
     /// A sliding point stops.
@@ -113,6 +118,7 @@ impl<S: Real, const D: usize> Group<S, D> {
         if event.is_some() {
             self.happen(around, (t, taken, h), (event, taken < h || passed.least == 0.0), counters);
         } else if !self.pull.contacts.is_idle() {
+            self.leave(None);
             self.review(around, t + taken, counters);
         }
         taken
@@ -137,11 +143,12 @@ impl<S: Real, const D: usize> Group<S, D> {
         {
             rigid.project(&mut self.points, &self.pull.contacts);
         }
-        let hits = self.hits(is_located);
+        let mut hits = self.hits(is_located);
         counters.events += hits.len() as u64;
-        if !is_located {
-            self.push_out(&hits);
+        if !is_located || self.is_sunk(&hits) {
+            self.push_out(&mut hits);
         }
+        self.leave(event);
         self.bounce(around, (t + taken, if is_located { SHORTEST_FLIGHT * h } else { 4.0 * h }), &hits, counters);
         self.note_strings();
         self.cross(around, t + taken, counters);
@@ -157,7 +164,8 @@ impl<S: Real, const D: usize> Group<S, D> {
     /// come to rest.
     fn bounce(&mut self, around: &Surroundings<D>, (t, shortest): (f64, f64), hits: &[Hit], counters: &mut Counters) {
         self.accelerations(around, t, counters);
-        let (accelerations, surfaces) = (std::mem::take(&mut self.acceleration), self.pull.contacts.surfaces.clone());
+        let (accelerations, surfaces) =
+            (std::mem::take(&mut self.acceleration), Arc::clone(&self.pull.contacts.obstacles.surfaces));
         let gentle = |hit: Hit, speed: S| {
             let pull = dot(accelerations[hit.point], surfaces[hit.surface].normal);
             (speed + speed).to_f64() <= -pull.to_f64() * shortest

@@ -13,14 +13,16 @@ const LOOSE: f64 = 1e-12;
 impl<S: Real, const D: usize> Group<S, D> {
     /// How firmly resting points are pressed, sticking ones held, and how much sliding ones have kept of their speed.
     pub(super) fn see_rests(&self, see: &mut impl FnMut(Event, f64)) {
+        self.see_ends(see);
         let contacts = &self.pull.contacts;
         for rest in &contacts.rests {
             let (point, size) = (rest.point, length(rest.pressing));
             let along = rest.along(rest.pressing);
-            let grip = rest.grip(&contacts.surfaces);
+            let grip = rest.grip(&contacts.obstacles.surfaces);
             if size > S::ZERO {
                 for &surface in rest.surfaces() {
-                    let press = -(dot(rest.pressing, contacts.surfaces[surface as usize].normal) / size).to_f64();
+                    let press =
+                        -(dot(rest.pressing, contacts.obstacles.surfaces[surface as usize].normal) / size).to_f64();
                     see(Event::Lift { point, surface }, at_edge(press, LOOSE, true));
                 }
                 if rest.sticks {
@@ -41,7 +43,7 @@ impl<S: Real, const D: usize> Group<S, D> {
     /// there rests, others lift off or slip.
     pub(super) fn take_due(&mut self, event: Option<Event>) {
         match event {
-            Some(Event::Hit { point, surface }) => {
+            Some(Event::Hit { point, surface }) if self.is_beside(point, surface) => {
                 self.pull.contacts.touch(point, surface);
                 self.pull.contacts.settle(&mut self.points);
                 self.capture();

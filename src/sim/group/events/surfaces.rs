@@ -16,30 +16,33 @@ const MOST_ROUNDS: u32 = 4;
 impl<S: Real, const D: usize> Group<S, D> {
     /// How far points are from surfaces. A surface that the box around all points does not reach has no events.
     pub(super) fn see_surfaces(&self, asked: Option<Event>, see: &mut impl FnMut(Event, f64)) {
-        let surfaces = &self.pull.contacts.surfaces;
-        if surfaces.is_empty() {
+        let obstacles = &self.pull.contacts.obstacles;
+        if obstacles.is_empty() {
             return;
         }
         let Some(bounds) = extent(&self.points.position) else { return };
-        for (s, surface) in surfaces.iter().enumerate() {
+        self.see_walls(bounds, asked, see);
+        for (s, surface) in obstacles.planes().iter().enumerate() {
             let slack = surface.slack();
             let is_asked = matches!(asked, Some(Event::Hit { surface, .. }) if surface == s);
             if !is_asked && surface.least_gap(bounds) > slack + slack {
                 continue;
             }
             for (i, &x) in self.points.position.iter().enumerate() {
-                let gap = surface.gap(x);
                 if self.can_hit(i, s) {
-                    // Within the slack is on the surface: there it counts where the point goes.
-                    let margin = at_edge(gap.to_f64(), slack.to_f64(), self.comes(i, surface));
-                    see(Event::Hit { point: i, surface: s }, margin);
+                    see(Event::Hit { point: i, surface: s }, self.margin_at(i, x, surface));
                 }
             }
         }
     }
 
+    /// How far a point at `x` is from hitting. Within the slack is on the surface: there it counts where the point goes.
+    pub(super) fn margin_at(&self, point: usize, x: [S; D], surface: &Surface<S, D>) -> f64 {
+        at_edge(surface.gap(x).to_f64(), surface.slack().to_f64(), self.comes(point, surface))
+    }
+
     /// Whether a point moves into a surface, faster than rounding does.
-    fn comes(&self, point: usize, surface: &Surface<S, D>) -> bool {
+    pub(super) fn comes(&self, point: usize, surface: &Surface<S, D>) -> bool {
         let off = dot(self.points.velocity[point], surface.normal);
         off * S::from_f64(self.substep) < -surface.slack()
     }
@@ -50,8 +53,8 @@ impl<S: Real, const D: usize> Group<S, D> {
 
     /// At the start: points outside come back to the surface, those that stand on one rest there.
     pub(in crate::sim::group) fn meet_start(&mut self, around: &Surroundings<D>, t: f64, counters: &mut Counters) {
-        let mut hits = Vec::new();
-        for (s, surface) in self.pull.contacts.surfaces.iter().enumerate() {
+        let mut hits = self.walls_at_start();
+        for (s, surface) in self.pull.contacts.obstacles.planes().iter().enumerate() {
             for (i, &x) in self.points.position.iter().enumerate() {
                 if self.points.inverse_mass[i] != S::ZERO && surface.gap(x) <= surface.slack() {
                     hits.push(Hit { point: i, surface: s });
@@ -61,11 +64,16 @@ impl<S: Real, const D: usize> Group<S, D> {
         if hits.is_empty() {
             return;
         }
-        self.push_out(&hits);
+        self.push_out(&mut hits);
+        if self.is_sunk(&hits) {
+            // Bonds hold it over an obstacle: it stays there.
+            self.points.restore(&self.before);
+            hits = self.hits(true);
+        }
         let rigid = self.pull.rigid.as_mut();
         impact::strike(&mut self.points, &mut self.pull.contacts, rigid, &hits, |_, _| false);
         for hit in hits {
-            let off = dot(self.points.velocity[hit.point], self.pull.contacts.surfaces[hit.surface].normal);
+            let off = dot(self.points.velocity[hit.point], self.pull.contacts.obstacles.surfaces[hit.surface].normal);
             if off == S::ZERO {
                 self.pull.contacts.touch(hit.point, hit.surface);
             }
@@ -76,8 +84,8 @@ impl<S: Real, const D: usize> Group<S, D> {
 
     /// Points at or beyond a surface on their way into it.
     pub(super) fn hits(&self, is_located: bool) -> Vec<Hit> {
-        let mut hits = Vec::new();
-        for (s, surface) in self.pull.contacts.surfaces.iter().enumerate() {
+        let mut hits = self.wall_hits(is_located);
+        for (s, surface) in self.pull.contacts.obstacles.planes().iter().enumerate() {
             let slack = surface.slack();
             let reach = if is_located { slack * S::from_f64(16.0) } else { -slack };
             for (i, &x) in self.points.position.iter().enumerate() {
@@ -91,10 +99,15 @@ impl<S: Real, const D: usize> Group<S, D> {
     }
 
     /// Where events are not located: points that went through a surface spend the rest of the way on the way back, at
-    /// `restitution` of their speed, as far as their bonds let them.
-    pub(super) fn push_out(&mut self, hits: &[Hit]) {
-        for hit in hits {
-            let surface = &self.pull.contacts.surfaces[hit.surface];
+    /// `restitution` of their speed, as far as their bonds let them. Adds the walls that they hit then.
+    pub(super) fn push_out(&mut self, hits: &mut Vec<Hit>) {
+        for at in 0..hits.len() {
+            let hit = hits[at];
+            if self.pull.contacts.obstacles.wall(hit.surface).is_some() {
+                self.lead_back(hit, true, |more| hits.push(more));
+                continue;
+            }
+            let surface = &self.pull.contacts.obstacles.surfaces[hit.surface];
             let (gap, start) = (surface.gap(self.points.position[hit.point]), self.before.position.get(hit.point));
             let was_inside = start.is_some_and(|&x| surface.gap(x) >= S::ZERO);
             if gap < S::ZERO && was_inside {
@@ -109,7 +122,10 @@ impl<S: Real, const D: usize> Group<S, D> {
             }
             let mut held = self.pull.contacts.clone();
             for hit in out {
-                place(&mut self.points, hit.point, &self.pull.contacts.surfaces[hit.surface]);
+                match self.pull.contacts.obstacles.wall(hit.surface) {
+                    Some(_) => self.lead_back(hit, false, |_| {}),
+                    None => place(&mut self.points, hit.point, &self.pull.contacts.obstacles.surfaces[hit.surface]),
+                }
                 held.touch(hit.point, hit.surface);
             }
             if let Some(rigid) = &mut self.pull.rigid {

@@ -1,0 +1,137 @@
+//! All that the points of a world cannot enter, shared by its groups.
+
+use std::sync::Arc;
+
+use super::polygon::solids::{Solids, Wall};
+use super::surface::{Surface, surfaces};
+use crate::sim::model::Model;
+use crate::sim::real::Real;
+use crate::sim::vector::{add, dot, length, scale, sub};
+
+/// Depth inside a polygon, in ways of one step, that a point may have got to by its bonds.
+const DEEP: f64 = 4.0;
+/// Walls that a point may bounce off within one way; after so many it stays where it is.
+const MOST_BOUNCES: u32 = 8;
+
+/// Surfaces, by number: walls of the bounds, planes, then the walls of polygons, each as the half-plane of its line.
+#[derive(Clone, Debug)]
+pub(crate) struct Obstacles<S, const D: usize> {
+    pub(crate) surfaces: Arc<[Surface<S, D>]>,
+    /// How many surfaces have no end.
+    planes: usize,
+    solids: Option<Arc<Solids>>,
+}
+
+/// A point that meets the wall of a polygon on its way.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Met {
+    pub(crate) surface: usize,
+    /// Share of the way that was gone until then [1]; 1 where it is found inside without having met a wall.
+    pub(crate) share: f64,
+}
+
+impl<S: Real, const D: usize> Obstacles<S, D> {
+    pub(crate) fn of(model: &Model<D>) -> Self {
+        let mut list = surfaces(model);
+        let planes = list.len();
+        let solids = Solids::new(&model.polygons).map(Arc::new);
+        if let Some(solids) = &solids {
+            let walls = solids.planes(&model.polygons);
+            list.extend(walls.iter().map(|plane| Surface::within(plane, solids.reach())));
+        }
+        Obstacles { surfaces: list.into(), planes, solids }
+    }
+
+    pub(crate) fn is_empty(&self) -> bool {
+        self.surfaces.is_empty()
+    }
+
+    /// The surfaces that have no end.
+    pub(crate) fn planes(&self) -> &[Surface<S, D>] {
+        &self.surfaces[..self.planes]
+    }
+
+    /// Whether there are polygons.
+    pub(crate) fn has_walls(&self) -> bool {
+        self.solids.is_some()
+    }
+
+    /// A surface's ends, if it is the wall of a polygon.
+    pub(crate) fn wall(&self, surface: usize) -> Option<&Wall> {
+        self.solids.as_ref().filter(|_| surface >= self.planes).map(|solids| solids.wall(surface - self.planes))
+    }
+
+    /// Whether a box may touch a polygon.
+    pub(crate) fn has_walls_near(&self, [low, high]: [[S; D]; 2]) -> bool {
+        self.solids.as_ref().is_some_and(|solids| solids.is_near([flat(low), flat(high)]))
+    }
+
+    /// The wall that the way from `a` to `b` goes into first, of those that `may` be met; else the nearest one of a point that
+    /// ends inside a polygon, not much deeper than the way is long.
+    pub(crate) fn meeting(&self, a: [S; D], b: [S; D], mut may: impl FnMut(usize) -> bool) -> Option<Met> {
+        let solids = self.solids.as_ref()?;
+        let (planes, slack) = (self.planes, self.slack());
+        let met = solids.meeting([flat(a), flat(b)], slack, |wall| may(planes + wall));
+        let met = met.map(|met| Met { surface: planes + met.wall, share: met.share });
+        met.or_else(|| {
+            let deep = DEEP * length(sub(b, a)).to_f64() + DEEP * slack;
+            let surface = planes + solids.around(flat(b), slack, deep)?;
+            may(surface).then_some(Met { surface, share: 1.0 })
+        })
+    }
+
+    /// The nearest wall of a point inside a polygon, however deep.
+    pub(crate) fn nearest(&self, x: [S; D]) -> Option<usize> {
+        let wall = self.solids.as_ref()?.around(flat(x), self.slack(), f64::INFINITY)?;
+        Some(self.planes + wall)
+    }
+
+    /// Calls `see` for the walls that a point touches: nearer than `slacks` times what rounding cannot tell from 0.
+    pub(crate) fn touching(&self, x: [S; D], slacks: f64, mut see: impl FnMut(usize)) {
+        if let Some(solids) = &self.solids {
+            solids.touching(flat(x), slacks * self.slack(), |wall| see(self.planes + wall));
+        }
+    }
+
+    /// Calls `see` for the walls near a way, and a few more.
+    pub(crate) fn near(&self, a: [S; D], b: [S; D], margin: f64, mut see: impl FnMut(usize)) {
+        if let Some(solids) = &self.solids {
+            solids.near([flat(a), flat(b)], margin).into_iter().for_each(|wall| see(self.planes + wall as usize));
+        }
+    }
+
+    /// What rounding cannot tell from 0 near polygons [m].
+    pub(crate) fn slack(&self) -> f64 {
+        let reach = self.solids.as_ref().map_or(0.0, |solids| solids.reach());
+        S::EPSILON.to_f64() * 64.0 * (1.0 + reach)
+    }
+
+    /// Where the way from `a` to `b` leads among walls: at each one that it meets, the rest of it goes on with what `turn` says
+    /// of its part along the wall, and turned back with what it says of the part across. `None`: it meets none.
+    pub(crate) fn led(&self, a: [S; D], b: [S; D], mut turn: impl FnMut(usize) -> [S; 2]) -> Option<[S; D]> {
+        let mut met = self.meeting(a, b, |_| true)?;
+        let (mut from, mut to) = (a, b);
+        for _ in 0..MOST_BOUNCES {
+            let surface = &self.surfaces[met.surface];
+            let (way, share) = (sub(to, from), S::from_f64(met.share));
+            let at = add(from, scale(way, share));
+            let at = sub(at, scale(surface.normal, surface.gap(at)));
+            let rest = scale(way, S::ONE - share);
+            let across = scale(surface.normal, dot(rest, surface.normal));
+            let [keep, back] = turn(met.surface);
+            let rest = sub(scale(sub(rest, across), keep), scale(across, back));
+            (from, to) = (at, add(at, rest));
+            let last = met.surface;
+            match self.meeting(from, to, |surface| surface != last) {
+                Some(next) => met = next,
+                None => return Some(to),
+            }
+        }
+        Some(from)
+    }
+}
+
+/// The coordinates in the plane.
+fn flat<S: Real, const D: usize>(x: [S; D]) -> [f64; 2] {
+    [x[0].to_f64(), x[1].to_f64()]
+}

@@ -1,0 +1,270 @@
+//! Points, ropes and bodies among polygons: against closed forms, against planes that are the same, and at speeds at which a
+//! wall is thinner than a substep's way.
+#![allow(clippy::unwrap_used, clippy::panic, reason = "a test that cannot go on stops")]
+
+mod common;
+
+use common::physics::{run_to, spring};
+use wobble::sim::{Bond, Bounds, Dynamics, Method, Model, Plane, PointId, Polygon, Sample, Solver, World};
+
+const G: f64 = 9.81;
+
+fn rod(a: u32, b: u32, length: f64) -> Bond {
+    Bond::new(PointId(a), PointId(b), length)
+}
+
+fn polygon(loops: Vec<Vec<[f64; 2]>>, restitution: f64, friction: f64) -> Polygon {
+    Polygon { loops, restitution, friction }
+}
+
+fn rectangle([left, low]: [f64; 2], [right, high]: [f64; 2]) -> Vec<[f64; 2]> {
+    vec![[left, low], [right, low], [right, high], [left, high]]
+}
+
+/// A room from -1 to 1 in walls that are `thick` [m].
+fn room(thick: f64, restitution: f64, friction: f64) -> Polygon {
+    let outer = 1.0 + thick;
+    polygon(vec![rectangle([-outer; 2], [outer; 2]), rectangle([-1.0; 2], [1.0; 2])], restitution, friction)
+}
+
+fn points(position: Vec<[f64; 2]>, velocity: Vec<[f64; 2]>, polygons: Vec<Polygon>) -> Model<2> {
+    let mass = vec![1.0; position.len()];
+    Model { position, velocity, mass, polygons, gravity: [0.0, -G], ..Model::default() }
+}
+
+fn at(model: &Model<2>, solver: Solver, h: f64, t: f64) -> Sample {
+    let method = Method { solver, substep: Some(h), ..Method::default() };
+    let model = Model { method, duration: Some(t), ..model.clone() };
+    run_to(&mut World::<f64, 2>::new(&model).unwrap(), t)
+}
+
+fn off(sample: &Sample, truth: &[[f64; 2]]) -> f64 {
+    let distance = |(x, y): (&[f64; 3], &[f64; 2])| (x[0] - y[0]).hypot(x[1] - y[1]);
+    sample.position.iter().zip(truth).map(distance).fold(0.0, f64::max)
+}
+
+/// Where a point of a room from -1 to 1 is that flies for `t` without gravity and is reflected by its walls.
+fn reflected(x: f64, v: f64, t: f64) -> f64 {
+    let place = (x + v * t + 1.0).rem_euclid(4.0);
+    if place < 2.0 { place - 1.0 } else { 3.0 - place }
+}
+
+#[test]
+fn a_point_in_a_room_flies_as_if_reflected() {
+    let mut model = points(vec![[0.3, -0.2]], vec![[100.0, 61.7]], vec![room(1e-3, 1.0, 0.0)]);
+    model.gravity = [0.0; 2];
+    for (solver, h) in [(Solver::Auto, 1.0 / 60.0), (Solver::Rk4, 0.1), (Solver::VelocityVerlet, 0.003)] {
+        let end = at(&model, solver, h, 3.0);
+        let truth = [reflected(0.3, 100.0, 3.0), reflected(-0.2, 61.7, 3.0)];
+        assert!(off(&end, &[truth]) < 1e-9, "{solver:?}: {:?} {truth:?}", end.position);
+    }
+}
+
+#[test]
+fn walls_of_a_polygon_are_as_bounds_and_planes_are() {
+    let start = |polygons, bounds, planes| {
+        let mut model = points(vec![[0.2, 0.3], [-0.4, 0.5]], vec![[1.0, 0.3], [-2.0, 0.0]], polygons);
+        model.bonds = [spring(0, 1, 0.5, 200.0, 0.3)].into();
+        Model { bounds, planes, ..model }
+    };
+    let material = (0.6, 0.2);
+    let bounds = Bounds { min: [-1.0; 2], max: [1.0; 2], restitution: material.0, friction: material.1 };
+    let plane = Plane { point: [0.0, -1.0], normal: [-1.0, 2.0], restitution: material.0, friction: material.1 };
+    let inside = polygon(vec![vec![[-3.0, -2.5], [3.0, 0.5], [3.0, -3.0]]], material.0, material.1);
+    let truth = start(vec![], Some(bounds), vec![plane]);
+    let same = start(vec![room(0.5, material.0, material.1), inside], None, vec![]);
+    for (solver, allowed) in [(Solver::Rk8, 1e-8), (Solver::Auto, 1e-6)] {
+        for t in [0.4, 1.0, 2.0, 3.0] {
+            let (a, b) = (at(&truth, solver, 2e-3, t), at(&same, solver, 2e-3, t));
+            let truth: Vec<[f64; 2]> = a.position.iter().map(|x| [x[0], x[1]]).collect();
+            assert!(off(&b, &truth) < allowed, "{solver:?}, t = {t}: {:?} {:?}", a.position, b.position);
+        }
+    }
+}
+
+/// Down a ramp of 30 degrees with friction, then off its end: closed forms of both parts.
+#[test]
+fn a_point_slides_down_a_ramp_and_flies_off_its_end() {
+    let (sin, cos) = (0.5, 0.75_f64.sqrt());
+    for friction in [0.0, 0.2] {
+        let ramp = polygon(vec![vec![[0.0, 0.0], [-2.0 * cos, 1.0], [-2.0 * cos, 0.5], [0.0, -0.5]]], 0.0, friction);
+        let model = points(vec![[-cos, 0.5]], vec![[0.0; 2]], vec![ramp]);
+        let a = G * (sin - friction * cos);
+        let arrival = (2.0 / a).sqrt();
+        let (t, speed) = (0.15, (2.0 * a).sqrt());
+        let truth = [speed * cos * t, -speed * sin * t - 0.5 * G * t * t];
+        for (solver, allowed) in [(Solver::Rk4, 1e-9), (Solver::Auto, 1e-9), (Solver::VelocityVerlet, 0.06)] {
+            let end = at(&model, solver, 0.01, arrival + t);
+            assert!(off(&end, &[truth]) < allowed, "{solver:?}, {friction}: {:?} {truth:?}", end.position);
+        }
+    }
+}
+
+/// A bowl of many sides: without friction, and restitution 0, each corner takes what of the velocity goes across it.
+#[test]
+fn a_point_that_slides_in_a_bowl_loses_what_its_corners_take() {
+    const SIDES: u32 = 200;
+    let corner = |k: u32| {
+        let angle = std::f64::consts::TAU * f64::from(k) / f64::from(SIDES);
+        [angle.cos(), angle.sin()]
+    };
+    let bowl: Vec<[f64; 2]> = (0..SIDES).map(corner).collect();
+    let model = points(
+        vec![[-0.999_8 * 0.75_f64.sqrt(), -0.999_8 * 0.5]],
+        vec![[0.0; 2]],
+        vec![polygon(vec![rectangle([-2.0; 2], [2.0; 2]), bowl], 0.0, 0.0)],
+    );
+    let mut energies = Vec::new();
+    for t in [0.0, 0.5, 1.0, 4.0] {
+        let end = at(&model, Solver::Rk4, 0.005, t);
+        let [x, y, _] = end.position[0];
+        assert!(x.hypot(y) < 1.0 + 1e-9, "inside the bowl: {:?}", end.position);
+        energies.push(end.energy);
+    }
+    let drop = energies[0] + G;
+    assert!(energies.windows(2).all(|pair| pair[1] <= pair[0] + 1e-9), "{energies:?}");
+    // Each corner turns by tau/200 and takes (tau/200)^2 of the energy of motion.
+    let most = drop * (1.0 - (1.0 - (std::f64::consts::TAU / 200.0).powi(2)).powi(80));
+    assert!(energies[0] - energies[1] < most && energies[3] > -G, "{energies:?}, at most {most}");
+}
+
+#[test]
+fn a_point_rests_in_a_corner_of_two_sides_and_on_a_flat_joint() {
+    let v = polygon(vec![vec![[-1.0, 1.0], [0.0, 0.0], [1.0, 1.0], [1.0, -1.0], [-1.0, -1.0]]], 0.3, 0.0);
+    let tile = |left: f64| polygon(vec![rectangle([left, -1.0], [left + 1.0, 0.0])], 0.0, 0.0);
+    for solver in [Solver::Auto, Solver::Rk4, Solver::VelocityVerlet] {
+        let end = at(&points(vec![[0.4, 1.5]], vec![[0.0; 2]], vec![v.clone()]), solver, 0.005, 12.0);
+        assert!(off(&end, &[[0.0, 0.0]]) < 1e-3, "{solver:?}: {:?}", end.position);
+        let tiles = vec![tile(-1.0), tile(0.0), tile(1.0)];
+        let end = at(&points(vec![[-0.9, 0.0]], vec![[1.0, 0.0]], tiles), solver, 0.01, 2.5);
+        assert!(off(&end, &[[1.6, 0.0]]) < 1e-9, "no bump at joints, {solver:?}: {:?}", end.position);
+    }
+}
+
+#[test]
+fn what_starts_inside_is_put_out_to_the_nearest_side() {
+    let block = || vec![polygon(vec![rectangle([-1.0, -1.0], [1.0, 0.0])], 0.0, 0.0)];
+    for solver in [Solver::Auto, Solver::Rk4, Solver::VelocityVerlet] {
+        let end = at(&points(vec![[0.3, -0.1]], vec![[0.0; 2]], block()), solver, 0.01, 0.5);
+        assert!(off(&end, &[[0.3, 0.0]]) < 1e-9, "{solver:?}: {:?}", end.position);
+    }
+}
+
+/// Whether a point lies in the wall of a maze by more than `depth`, by the sides one by one.
+fn depth_inside(polygon: &Polygon, x: [f64; 2]) -> f64 {
+    let (mut inside, mut nearest) = (false, f64::INFINITY);
+    for corners in &polygon.loops {
+        for (k, &a) in corners.iter().enumerate() {
+            let b = corners[(k + 1) % corners.len()];
+            if (a[1] > x[1]) != (b[1] > x[1]) && x[0] < a[0] + (x[1] - a[1]) / (b[1] - a[1]) * (b[0] - a[0]) {
+                inside = !inside;
+            }
+            let (along, from) = ([b[0] - a[0], b[1] - a[1]], [x[0] - a[0], x[1] - a[1]]);
+            let square = along[0] * along[0] + along[1] * along[1];
+            let share = ((along[0] * from[0] + along[1] * from[1]) / square).clamp(0.0, 1.0);
+            nearest = nearest.min((from[0] - share * along[0]).hypot(from[1] - share * along[1]));
+        }
+    }
+    if inside { nearest } else { 0.0 }
+}
+
+/// Bodies of every kind of engine, thrown at 100 m/s about a room with walls of 1 cm and a saw of thin teeth.
+#[test]
+fn nothing_tunnels_at_a_hundred_metres_a_second() {
+    let mut shell = room(0.01, 0.5, 0.1);
+    shell.loops.extend((0..5).map(|k| {
+        let x = -0.8 + 0.35 * f64::from(k);
+        vec![[x, 0.995], [x + 0.01, 0.6], [x + 0.02, 0.995]]
+    }));
+    let grid = |n: usize, spacing: f64| -> Vec<[f64; 2]> {
+        let at = |k: usize| spacing * (k as f64 - 0.5 * (n - 1) as f64);
+        (0..n * n).map(|k| [at(k % n), at(k / n)]).collect()
+    };
+    let lattice = |n: usize, is_rigid: bool| {
+        let mut bonds = Vec::new();
+        for k in 0..n * n {
+            let (column, row) = (k % n, k / n);
+            let mut bond = |other: usize, length: f64| {
+                let (a, b) = (k as u32, other as u32);
+                bonds.push(if is_rigid { rod(a, b, length) } else { spring(a, b, length, 2e3, 0.5) });
+            };
+            let s = 0.3 / (n - 1) as f64;
+            if column + 1 < n {
+                bond(k + 1, s);
+            }
+            if row + 1 < n {
+                bond(k + n, s);
+            }
+            if column + 1 < n && row + 1 < n {
+                bond(k + n + 1, s * 2.0_f64.sqrt());
+            }
+        }
+        bonds
+    };
+    for (name, n, is_bonded, is_rigid) in [
+        ("loose points", 6, false, false),
+        ("a small spring lattice", 3, true, false),
+        ("a small rigid lattice", 3, true, true),
+        ("a large spring lattice", 30, true, false),
+        ("a large rigid lattice", 30, true, true),
+    ] {
+        let position = grid(n, 0.3 / (n - 1) as f64);
+        let mut model = points(position.clone(), vec![[100.0, 57.0]; position.len()], vec![shell.clone()]);
+        if is_bonded {
+            model.bonds = lattice(n, is_rigid).into();
+        }
+        let mut world = wobble::sim::build(&model).unwrap();
+        let mut worst: f64 = 0.0;
+        while world.time() < 1.0 {
+            world.step();
+            let positions = world.positions();
+            for i in 0..world.point_count() {
+                let x = [positions.get(2 * i), positions.get(2 * i + 1)];
+                assert!(
+                    x[0].abs() < 1.01 && x[1].abs() < 1.01,
+                    "{name}: point {i} is out at {x:?}, t = {}",
+                    world.time()
+                );
+                worst = worst.max(depth_inside(&shell, x));
+            }
+        }
+        assert!(worst < 4e-3, "{name}: {worst} m deep in a wall");
+        assert!(world.counters().events > 0, "{name}");
+    }
+}
+
+#[test]
+fn a_polygon_out_of_reach_costs_nothing() {
+    let far = || polygon(vec![rectangle([1e3, 1e3], [1e3 + 1.0, 1e3 + 1.0])], 0.0, 0.0);
+    let model = points(vec![[0.0; 2]; 3], vec![[0.0; 2]; 3], vec![far()]);
+    let mut world = World::<f64, 2>::new(&model).unwrap();
+    (0..100).for_each(|_| world.step());
+    assert_eq!(world.counters().events, 0);
+    let truth = -0.5 * G * world.time().powi(2);
+    assert!((world.positions().get(1) - truth).abs() < 1e-9);
+}
+
+#[test]
+fn a_rigid_box_lands_flat_on_a_tilted_side_and_slides() {
+    let (sin, cos) = (0.5, 0.75_f64.sqrt());
+    let turn = |x: f64, y: f64| [x * cos + y * sin, -x * sin + y * cos];
+    let slope = polygon(vec![vec![turn(-5.0, 0.0), turn(50.0, 0.0), turn(50.0, -1.0), turn(-5.0, -1.0)]], 0.0, 0.0);
+    let n = 20;
+    let position: Vec<[f64; 2]> =
+        (0..n * n).map(|k| turn(0.05 * f64::from(k % n), 1e-6 + 0.05 * f64::from(k / n))).collect();
+    let mut bonds = Vec::new();
+    for k in 0..(n * n) as u32 {
+        let n = n as u32;
+        let (right, up) = (k % n + 1 < n, k / n + 1 < n);
+        bonds.extend(right.then(|| rod(k, k + 1, 0.05)));
+        bonds.extend(up.then(|| rod(k, k + n, 0.05)));
+        bonds.extend((right && up).then(|| rod(k, k + n + 1, 0.05 * 2.0_f64.sqrt())));
+    }
+    let mut model = points(position.clone(), vec![[0.0; 2]; position.len()], vec![slope]);
+    model.bonds = bonds.into();
+    let mut world = wobble::sim::build(&Model { duration: Some(1.0), ..model }).unwrap();
+    let end = run_to(&mut *world, 1.0);
+    let way = 0.5 * G * sin;
+    let truth: Vec<[f64; 2]> = position.iter().map(|x| [x[0] + way * cos, x[1] - way * sin]).collect();
+    assert!(off(&end, &truth) < 0.02 * way, "off by {}", off(&end, &truth));
+}
