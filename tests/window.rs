@@ -257,7 +257,8 @@ fn hold_a_picture_on_the_clipboard() {
     let picture = image::open(path).unwrap().to_rgba8();
     let (width, height) = (picture.width() as usize, picture.height() as usize);
     let bytes = picture.into_raw().into();
-    arboard::Clipboard::new().unwrap().set_image(arboard::ImageData { width, height, bytes }).unwrap();
+    let mut clipboard = arboard::Clipboard::new().unwrap();
+    clipboard.set_image(arboard::ImageData { width, height, bytes }).unwrap();
     std::thread::sleep(Duration::from_secs(600));
 }
 
