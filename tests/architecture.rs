@@ -18,7 +18,7 @@ const ROOMS: [(&str, &[&str], &[&str]); 9] = [
     (
         "app",
         &["sim", "body", "picture", "scene", "render", "output"],
-        &["wgpu", "winit", "egui", "egui_wgpu", "egui_winit"],
+        &["wgpu", "winit", "egui", "egui_wgpu", "egui_winit", "rfd", "arboard", "pollster"],
     ),
     (
         "study",
@@ -36,7 +36,7 @@ const ROOMS: [(&str, &[&str], &[&str]); 9] = [
 const EVERYWHERE: [&str; 6] = ["std", "thiserror", "bytemuck", "glam", "crate", "core"];
 
 /// Crates that are somewhere in the program: a path that starts with one of these is held to the table.
-const KNOWN: [&str; 29] = [
+const KNOWN: [&str; 31] = [
     "earcutr",
     "base64",
     "spade",
@@ -61,6 +61,8 @@ const KNOWN: [&str; 29] = [
     "egui",
     "egui_wgpu",
     "egui_winit",
+    "rfd",
+    "arboard",
     "clap",
     "anyhow",
     "indicatif",

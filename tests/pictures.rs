@@ -5,10 +5,11 @@ mod common;
 
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output};
+use std::sync::Arc;
 
-use wobble::picture::{Picture, Settings, Size, encode};
+use wobble::picture::{Picture, Settings, Size, encode, mesh_picture};
 use wobble::render::{Camera, Capture, Look, View};
-use wobble::scene::{BodyKeys, Matter, Scene, gallery};
+use wobble::scene::{BodyKeys, Matter, PatternName, Scene, Vector, gallery};
 use wobble::sim::Bond;
 
 fn wobble(arguments: &[&str]) -> Output {
@@ -238,4 +239,158 @@ fn a_skin_shows_its_picture_and_opens_where_it_is_torn() {
     let hole =
         open.enumerate_pixels().filter(|(x, y, pixel)| x.abs_diff(100) < 60 && y.abs_diff(100) < 60 && !near(pixel));
     assert!(hole.count() > 100);
+}
+
+/// A strip of 0.2 m by 1.6 m that is pulled at one end: the force over what it makes longer is E width/length.
+#[test]
+fn a_braced_strip_is_as_stiff_as_one_of_edges_alone_and_as_youngs_modulus_says() {
+    let folder = tempfile::tempdir().unwrap();
+    let ink = picture([240, 60], [0; 3], |x, y| (x - 120.0).abs() < 100.0 && (y - 30.0).abs() < 15.0);
+    let path = saved(folder.path(), "strip.png", &ink);
+    let young = 1e3;
+    for (pattern, spacing, share) in [
+        (PatternName::Edges, 3.0, 0.05),
+        (PatternName::Braced, 3.0, 0.05),
+        (PatternName::Braced, 5.0, 0.08),
+        (PatternName::Braced, 8.0, 0.15),
+    ] {
+        let settings = Settings { size: Size::Spacing(spacing), ..Settings::default() };
+        let material = Some(Matter::Soft.material(Some(young)));
+        let keys = BodyKeys { material, pattern: Some(pattern), ..BodyKeys::cut(&settings, 0.48, &ink) };
+        let mut scene = Scene::of_picture(&path, keys, Matter::Soft).unwrap();
+        (scene.bounds, scene.mouse, scene.gravity) = (None, None, None);
+        let start = scene.world(None).unwrap().sample(0.0).position;
+        let end = |side: f64| {
+            let is_at = |i: &u32| side * start[*i as usize][0] > 0.8 - 2e-3;
+            (0..start.len() as u32).filter(is_at).collect::<Vec<_>>()
+        };
+        // Both ends are held, and one of them is pulled out by a hundredth: the energy is E width strain^2 length/2.
+        let (fixed, pulled) = (end(-1.0), end(1.0));
+        assert!(fixed.len() > 2 && pulled.len() > 2);
+        scene.bodies[0].pinned = [&fixed[..], &pulled[..]].concat();
+        let mut scene = scene.expanded().unwrap();
+        let points = scene.points.as_mut().unwrap();
+        for &point in &pulled {
+            let [x, y, _] = points.position[point as usize].embed();
+            points.position[point as usize] = Vector::Plane([x + 0.016, y]);
+        }
+        let settled = scene.settle(1.0).unwrap();
+        assert!(settled.is_settled);
+        let stiffness = 2.0 * settled.sample.energy / (0.016 * 0.016);
+        let truth = young * 0.24 / 1.6;
+        assert!((stiffness / truth - 1.0).abs() < share, "{stiffness} N/m of {truth} N/m, {pattern} at {spacing} px");
+    }
+}
+
+/// Triangles that are turned over, of a bar thrown down so hard that it folds.
+#[test]
+fn braces_keep_a_body_from_folding() {
+    let folder = tempfile::tempdir().unwrap();
+    let turned = |pattern| {
+        let ink = picture([100, 100], [0; 3], |x, y| (x - 50.0).abs() < 40.0 && (y - 50.0).abs() < 40.0);
+        let path = saved(folder.path(), "square.png", &ink);
+        let settings = Settings { size: Size::Spacing(8.0), ..Settings::default() };
+        let material = Some(Matter::Soft.material(Some(400.0)));
+        let velocity = Some(Vector::Plane([0.0, -6.0]));
+        let keys = BodyKeys { material, pattern: Some(pattern), velocity, ..BodyKeys::cut(&settings, 2.0, &ink) };
+        let mut scene = Scene::of_picture(&path, keys, Matter::Soft).unwrap();
+        scene.mouse = None;
+        let triangles = scene.skins().unwrap()[0].triangles.clone();
+        let mut world = scene.world(None).unwrap();
+        while world.time() < 2.5 {
+            world.step();
+        }
+        let at = world.sample(world.time()).position;
+        let is_turned = |corners: &&[u32; 3]| {
+            let [a, b, c] = corners.map(|k| at[k as usize]);
+            (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]) < 0.0
+        };
+        (triangles.iter().filter(is_turned).count(), triangles.len())
+    };
+    let ((edges, all), (braced, _)) = (turned(PatternName::Edges), turned(PatternName::Braced));
+    assert!(edges > all / 20 && braced == 0, "{edges} and {braced} of {all}");
+}
+
+#[test]
+fn braces_come_between_sides_and_strokes_in_the_scene_and_on_the_command_line() {
+    let folder = tempfile::tempdir().unwrap();
+    // A disc on a string.
+    let ink = picture([120, 200], [0; 3], |x, y| (x - 60.0).hypot(y - 140.0) < 45.0 || (x - 60.0).abs() < 1.5);
+    let path = saved(folder.path(), "pendant.png", &ink);
+    let out = folder.path().join("pendant.json");
+    let (path, out) = (path.to_str().unwrap(), out.to_str().unwrap());
+    let done = wobble(&["mesh", path, "--spacing", "12", "--pattern", "braced", "--out", out, "--stats"]);
+    let stats: serde_json::Value = serde_json::from_slice(&done.stdout).unwrap();
+    let settings = Settings { size: Size::Spacing(12.0), ..Settings::default() };
+    let mesh = mesh_picture(&Scene::picture_file(Path::new(path)).unwrap(), &settings).unwrap().mesh;
+    let (sides, ropes) = mesh.bonds.split_at(mesh.mesh_bonds);
+    let braces: Vec<[u32; 2]> = mesh.braces().iter().map(|brace| brace.ends).collect();
+    assert!(!ropes.is_empty() && braces.len() > 20);
+    let world = Scene::read(Path::new(out)).unwrap().world(None).unwrap();
+    let bonds: Vec<[u32; 2]> = world.bonds().iter().map(|bond| [bond.a.0, bond.b.0]).collect();
+    assert_eq!(bonds, [sides, &braces, ropes].concat());
+    assert_eq!(stats["bonds"], bonds.len());
+}
+
+/// The parts of a picture: each lies where it does in the whole, and all together are the whole.
+#[test]
+fn parts_lie_where_they_lie_in_the_whole() {
+    let folder = tempfile::tempdir().unwrap();
+    let ink =
+        picture([200, 100], [0; 3], |x, y| (x - 50.0).hypot(y - 50.0) < 20.0 || (x - 140.0).hypot(y - 40.0) < 30.0);
+    let path = saved(folder.path(), "two.png", &ink);
+    let settings = Settings { size: Size::Spacing(8.0), ..Settings::default() };
+    let whole = Scene::of_picture(&path, BodyKeys::cut(&settings, 2.0, &ink), Matter::Soft).unwrap();
+    let apart = whole.clone().in_parts(0).unwrap();
+    let parts: Vec<Option<u32>> = apart.bodies.iter().map(|body| body.part).collect();
+    assert_eq!(parts, [Some(0), Some(1)]);
+    assert!(apart.bodies[1].part.is_some() && apart.skins().unwrap().len() == 2);
+    let points = |scene: &Scene| {
+        let mut points = scene.world(None).unwrap().sample(0.0).position;
+        points.sort_by(|a, b| a[0].total_cmp(&b[0]).then(a[1].total_cmp(&b[1])));
+        points
+    };
+    assert_eq!(points(&apart), points(&whole));
+    let mass =
+        |scene: &Scene| scene.bodies.iter().map(|body| body.material.as_ref().unwrap().mass.unwrap()).sum::<f64>();
+    assert!((mass(&apart) - mass(&whole)).abs() < 1e-12);
+    let text = apart.with_pictures_inside().unwrap();
+    let text = text.to_json().unwrap();
+    assert_eq!(points(&Scene::parse(&text, "apart.json").unwrap()), points(&whole), "a file of it is the same");
+
+    let specks = picture([400, 400], [0; 3], |x, y| (x % 40.0 - 20.0).hypot(y % 40.0 - 20.0) < 8.0);
+    let path = saved(folder.path(), "specks.png", &specks);
+    let scene = Scene::of_picture(&path, BodyKeys::cut(&settings, 2.0, &specks), Matter::Soft).unwrap();
+    let error = scene.in_parts(0).unwrap_err().to_string();
+    assert!(error.contains("100 parts: 64 are the most"), "{error}");
+}
+
+#[test]
+fn one_more_picture_lies_beside_what_is_there_and_one_cut_anew_in_its_place() {
+    let ink = Arc::new(picture([100, 100], [0; 3], |x, y| (x - 50.0).hypot(y - 50.0) < 40.0));
+    let keys = |spacing, height| {
+        BodyKeys::cut(&Settings { size: Size::Spacing(spacing), ..Settings::default() }, height, &ink)
+    };
+    let mut scene = Scene::of_drawing("disc", Arc::clone(&ink), keys(10.0, 1.0), Matter::Soft).unwrap();
+    let seen = [[-1.4, -0.8], [1.4, 1.0]];
+    let middle = |scene: &Scene, body: usize| scene.bodies[body].origin.unwrap().embed();
+    for count in 1..=2 {
+        scene = scene.with_picture(Arc::clone(&ink), keys(10.0, 1.0), seen).unwrap();
+        let [x, y, _] = middle(&scene, count);
+        assert!(x.abs() > 0.8 && x.abs() < 1.0 && y.abs() < 0.3, "{x} {y}");
+    }
+    assert!(middle(&scene, 1)[0] * middle(&scene, 2)[0] < 0.0, "one to each side");
+    assert_eq!(scene.picture_body(), Some(0));
+    let cut = scene.cut(0).unwrap();
+    assert!(cut.height == 1.0 && (cut.settings.spacing() - 10.0).abs() < 1e-9 && *cut.picture == *ink);
+
+    let before = scene.world(None).unwrap().point_count();
+    let finer = scene.with_picture_anew(1, Arc::clone(&ink), keys(5.0, 1.0)).unwrap();
+    assert!(finer.world(None).unwrap().point_count() > before + 50);
+    assert_eq!(middle(&finer, 1), middle(&scene, 1));
+    assert_eq!(finer.bodies[1].material, scene.bodies[1].material);
+    scene.bodies[2].pinned = vec![0];
+    assert!(scene.with_picture_anew(1, Arc::clone(&ink), keys(5.0, 1.0)).is_ok(), "no number in it changes");
+    let error = scene.with_picture_anew(2, ink.clone(), keys(5.0, 1.0)).unwrap_err().to_string();
+    assert!(error.contains("bodies[2]: pins, bonds or triangles"), "{error}");
 }

@@ -1,7 +1,7 @@
 //! Keys, buttons and the pointer: what they mean.
 
 use winit::event::{ElementState, MouseButton, MouseScrollDelta};
-use winit::keyboard::{Key, NamedKey};
+use winit::keyboard::{Key, ModifiersState, NamedKey};
 
 use crate::render::{Camera, Pose};
 
@@ -24,13 +24,27 @@ pub enum Action {
     Import,
     /// Opens a canvas to draw a body on.
     Paint,
+    /// Opens the system's dialog for a scene or a picture.
+    Open,
+    /// Takes the picture, or the file, that lies on the clipboard.
+    Paste,
     /// Leaves.
     Quit,
 }
 
-/// What a key means, if it means anything.
-pub fn action(key: &Key) -> Option<Action> {
+/// Whether the key is held down that makes commands of others: Ctrl, on a Mac the command key.
+pub fn is_command(held: ModifiersState) -> bool {
+    if cfg!(target_os = "macos") { held.super_key() } else { held.control_key() }
+}
+
+/// What a key means, if it means anything; `is_command` while Ctrl, or its like on a Mac, is held down.
+pub fn action(key: &Key, is_command: bool) -> Option<Action> {
     match key {
+        Key::Character(text) if is_command => match text.to_lowercase().as_str() {
+            "o" => Some(Action::Open),
+            "v" => Some(Action::Paste),
+            _ => None,
+        },
         Key::Named(NamedKey::Space) => Some(Action::TogglePlay),
         Key::Named(NamedKey::Home) => Some(Action::Home),
         Key::Named(NamedKey::Escape) => Some(Action::Quit),
@@ -115,10 +129,14 @@ mod tests {
 
     #[test]
     fn keys_mean_what_the_readme_says() {
-        let character = |text: &str| action(&Key::Character(text.into()));
-        assert_eq!(action(&Key::Named(NamedKey::Space)), Some(Action::TogglePlay));
-        assert_eq!(action(&Key::Named(NamedKey::Home)), Some(Action::Home));
-        assert_eq!(action(&Key::Named(NamedKey::Escape)), Some(Action::Quit));
+        let named = |key| action(&Key::Named(key), false);
+        let character = |text: &str| action(&Key::Character(text.into()), false);
+        let command = |text: &str| action(&Key::Character(text.into()), true);
+        assert_eq!(named(NamedKey::Space), Some(Action::TogglePlay));
+        assert_eq!(named(NamedKey::Home), Some(Action::Home));
+        assert_eq!(named(NamedKey::Escape), Some(Action::Quit));
+        assert_eq!((command("o"), command("V")), (Some(Action::Open), Some(Action::Paste)));
+        assert_eq!((character("o"), command("r")), (None, None), "Ctrl makes another key of a key");
         assert_eq!((character("."), character("R")), (Some(Action::Step), Some(Action::Reset)));
         assert_eq!(
             (character("f"), character("P"), character("x")),

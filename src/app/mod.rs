@@ -4,6 +4,7 @@
 //! its last two states. When nothing moves, nothing is stepped, uploaded or submitted.
 
 mod canvas;
+mod fetch;
 mod import;
 pub mod input;
 pub mod meter;

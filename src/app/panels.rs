@@ -66,6 +66,7 @@ fn transport(ui: &mut egui::Ui, figures: &Figures, actions: &mut Vec<Action>) {
         ("Reset", "R", Action::Reset),
         ("Fit", "F", Action::Fit),
         ("Draw", "N", Action::Paint),
+        ("Open", "Ctrl+O", Action::Open),
     ];
     let of_pictures = [
         (figures.has_skin, ("Mesh", "B", Action::ToggleMesh)),

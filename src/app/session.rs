@@ -1,6 +1,7 @@
 //! An open scene in a window: what its frames do.
 
-use std::path::Path;
+mod arrivals;
+
 use std::sync::Arc;
 use std::time::{Duration, Instant};
 
@@ -8,7 +9,8 @@ use winit::event_loop::{EventLoopProxy, OwnedDisplayHandle};
 use winit::window::Window;
 
 use super::canvas::{Canvas, Paint};
-use super::import::{Answer, Import};
+use super::fetch::Fetch;
+use super::import::Import;
 use super::input::{Action, Pointer};
 use super::meter::Meter;
 use super::opening;
@@ -50,12 +52,14 @@ pub(super) struct Session {
     player: Player,
     scene: Scene,
     skins: Vec<Skin>,
-    /// The scene is that of a picture file.
+    /// A body of the scene is cut out of a picture.
     has_picture: bool,
     pub(super) camera: Camera,
     /// Width and height of the part of the window that the world is drawn in [px].
     area: [u32; 2],
     pub(super) pointer: Pointer,
+    /// Ctrl, or its like on a Mac, is held down.
+    pub(super) holds_command: bool,
     look: Look,
     /// Something that is shown has changed since the last frame.
     dirty: bool,
@@ -63,6 +67,9 @@ pub(super) struct Session {
     panels_due: Option<Instant>,
     /// A picture on its way into the world.
     import: Option<Import>,
+    /// A file that is being chosen in the system's dialog, and what is on its way from the clipboard.
+    dialog: Option<Fetch>,
+    pasted: Option<Fetch>,
     /// What went wrong, until the user has seen it.
     complaint: Option<String>,
     waker: EventLoopProxy<()>,
@@ -95,9 +102,9 @@ impl Session {
         let mut session = Session {
             camera: opening::camera(&scene, player.world(), size),
             area: size,
-            look: Look { scale_factor: scale, has_mesh: skins.is_empty(), ..Look::default() },
+            look: Look { scale_factor: scale, has_mesh: !is_covered(&skins, &player), ..Look::default() },
             skins,
-            has_picture: scene.picture_path().is_some(),
+            has_picture: scene.picture_body().is_some(),
             window,
             panels,
             display,
@@ -105,9 +112,12 @@ impl Session {
             player,
             scene,
             pointer: Pointer::default(),
+            holds_command: false,
             dirty: true,
             panels_due: None,
             import: None,
+            dialog: None,
+            pasted: None,
             complaint: None,
             waker,
             last_frame: None,
@@ -123,32 +133,9 @@ impl Session {
         Ok(session)
     }
 
-    /// Whether the scene is one to paint on.
-    fn is_canvas(&self) -> bool {
-        self.scene.tags.iter().any(|tag| tag == BRUSH)
-    }
-
     /// Whether another frame is needed: something moves or has changed.
     pub(super) fn wants_frame(&self) -> bool {
         self.dirty || self.player.is_moving()
-    }
-
-    /// A file was dropped on the window: a picture is imported, a scene opens in place of this one.
-    pub(super) fn take_file(&mut self, path: &Path) {
-        let taken = if Scene::is_picture_file(path) {
-            Import::of_file(path, self.wake_up()).map(|import| self.import = Some(import))
-        } else {
-            Scene::read(path).and_then(|scene| self.open(scene))
-        };
-        self.complain(taken);
-    }
-
-    /// Opens a canvas to paint a body on: over the scene's picture, if it is one of the brush.
-    pub(super) fn paint(&mut self) {
-        let on = self.skins.first().filter(|_| self.is_canvas());
-        let painted = Import::of_canvas(on.map(|skin| &*skin.picture), self.wake_up());
-        let painted = painted.map(|import| self.import = Some(import));
-        self.complain(painted.map_err(|error| self.scene.complaint(&error.to_string())));
     }
 
     /// Closes what lies over the world. Returns whether there was anything.
@@ -160,27 +147,13 @@ impl Session {
         was_open
     }
 
-    /// What other threads call when they have something to show.
-    fn wake_up(&self) -> impl Fn() + Send + 'static {
-        let waker = self.waker.clone();
-        // A window that has been closed is woken no more.
-        move || waker.send_event(()).unwrap_or_default()
-    }
-
-    /// Something was made elsewhere.
-    pub(super) fn wake(&mut self) {
-        if self.import.as_mut().is_some_and(Import::poll) {
-            self.touch();
-        }
-    }
-
     /// Opens another scene in place of this one.
     fn open(&mut self, scene: Scene) -> Result<(), SceneError> {
         let opened = Opened::new(scene)?;
         let is_other_space = opened.scene.dimensions() != self.scene.dimensions();
         (self.scene, self.player, self.skins) = (opened.scene, opened.player, opened.skins);
-        self.look.has_mesh = self.skins.is_empty();
-        self.has_picture = self.scene.picture_path().is_some();
+        self.look.has_mesh = !is_covered(&self.skins, &self.player);
+        self.has_picture = self.scene.picture_body().is_some();
         self.camera = opening::camera(&self.scene, self.player.world(), self.area);
         self.window.set_title(&format!("wobble · {}", self.scene.name()));
         if is_other_space {
@@ -192,26 +165,24 @@ impl Session {
         Ok(())
     }
 
-    /// Does what the import panel was told.
-    fn answer(&mut self, answer: Answer) {
-        let Some(import) = self.import.take() else { return };
-        let [x, y] = self.camera.focus().truncate().to_array();
-        let scene = match answer {
-            Answer::Cancel => return self.touch(),
-            Answer::Open => import.scene(),
-            Answer::Add => import.added_to(&self.scene, [x, y]),
-        };
-        let opened = scene.and_then(|scene| self.open(scene));
-        if opened.is_err() {
-            self.import = Some(import);
-        }
-        self.complain(opened);
+    /// What of the plane is in view: its lower and upper corner [m].
+    fn seen(&self) -> [[f64; 2]; 2] {
+        let [width, height] = self.area.map(f64::from);
+        [[0.0, height], [width, 0.0]].map(|pixel| self.camera.world_from_screen(pixel).truncate().to_array())
     }
 
-    /// Tells the user of what went wrong, if anything did.
-    fn complain(&mut self, done: Result<(), SceneError>) {
-        self.complaint = done.err().map(|error| error.to_string());
-        self.touch();
+    /// Looks from where one looked before another scene was opened; at all of it, if the points from `first` on are not all
+    /// seen from there.
+    fn look_again(&mut self, camera: Camera, first: usize) {
+        self.camera = camera;
+        self.camera.resize(self.area);
+        let [lower, upper] = self.seen();
+        let is_seen = |[x, y]: [f64; 2]| (lower[0]..=upper[0]).contains(&x) && (lower[1]..=upper[1]).contains(&y);
+        let positions = self.player.world().positions();
+        let mut points = (first..positions.len() / 2).map(|i| [positions.get(2 * i), positions.get(2 * i + 1)]);
+        if !points.all(is_seen) {
+            self.camera = opening::fit(self.player.world(), false, self.area);
+        }
     }
 
     /// When the panels want a frame by themselves.
@@ -259,11 +230,9 @@ impl Session {
             Action::Reset => self.player.reset(),
             Action::Fit => self.camera = opening::fit(self.player.world(), false, self.area),
             Action::Paint => self.paint(),
-            Action::Import => {
-                if let Some(path) = self.scene.picture_path() {
-                    self.take_file(&path);
-                }
-            }
+            Action::Import => self.cut_anew(),
+            Action::Open => self.choose_file(),
+            Action::Paste => self.paste(),
             Action::ToggleMesh => self.look.has_mesh = !self.look.has_mesh,
             Action::Home => self.camera = opening::camera(&self.scene, self.player.world(), self.area),
             Action::Quit => return,
@@ -408,4 +377,10 @@ impl Session {
     pub(super) fn statistics(&self) -> (u64, u64, RenderCounters) {
         (self.frames, self.player.world().counters().substeps, *self.canvas.counters())
     }
+}
+
+/// Whether every point is of a skin: then bonds need not be seen at first.
+fn is_covered(skins: &[Skin], player: &Player) -> bool {
+    let points: usize = skins.iter().map(|skin| skin.texture.len()).sum();
+    !skins.is_empty() && points >= player.world().point_count()
 }

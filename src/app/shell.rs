@@ -11,7 +11,7 @@ use winit::event_loop::{ActiveEventLoop, ControlFlow, EventLoop, EventLoopProxy}
 use winit::window::{Window, WindowId};
 
 use super::AppError;
-use super::input::{Action, action};
+use super::input::{Action, action, is_command};
 use super::session::{Opened, Session};
 use crate::render::RenderCounters;
 
@@ -133,7 +133,7 @@ impl ApplicationHandler for Shell {
             WindowEvent::Resized(size) => session.resize([size.width, size.height]),
             WindowEvent::ScaleFactorChanged { scale_factor, .. } => session.rescale(scale_factor),
             WindowEvent::KeyboardInput { event, .. } if event.state.is_pressed() && !response.consumed => {
-                match action(&event.logical_key) {
+                match action(&event.logical_key, session.holds_command) {
                     Some(Action::Quit) if session.dismiss() => {}
                     Some(Action::Quit) => event_loop.exit(),
                     // A key held down steps on and on, but does not flicker between play and pause.
@@ -141,6 +141,7 @@ impl ApplicationHandler for Shell {
                     _ => {}
                 }
             }
+            WindowEvent::ModifiersChanged(held) => session.holds_command = is_command(held.state()),
             WindowEvent::CursorMoved { position, .. } => {
                 if session.pointer.move_to([position.x, position.y], &mut session.camera) {
                     session.touch();

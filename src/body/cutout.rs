@@ -3,21 +3,46 @@
 use std::sync::Arc;
 
 use super::{Body, BodyError, MAX_POINTS, length};
-use crate::picture::PictureMesh;
+use crate::picture::{Brace, PictureMesh};
+
+/// Which points of a picture's mesh are bonded.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Pattern {
+    /// The sides of triangles.
+    #[default]
+    Edges,
+    /// Those, and the far corners of every two triangles that share a side: the body resists being folded.
+    Braced,
+}
 
 /// A picture's mesh about the middle of the picture, y up: points along its boundary first, then those inside, then those of
 /// strokes.
+///
+/// Bonds are the sides of triangles, then braces, then those of strokes.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Cutout {
     /// The mesh, in pixels.
     pub mesh: Arc<PictureMesh>,
     /// Height of the picture [m].
     pub height: f64,
+    /// Which points are bonded.
+    pub pattern: Pattern,
 }
 
 /// Least share of the mean area that a point counts for: the corner of one small triangle would be so light that the springs
 /// at it cut the substep of the whole body.
 const LEAST_SHARE: f64 = 0.25;
+
+/// Share of a braced body's stiffness that its braces bear. With a half, fewest triangles of a square that is thrown down stay folded;
+/// with more, the sides are too weak.
+const BRACED: f64 = 0.5;
+
+/// Share of the material's stiffness that a brace has.
+///
+/// Model: in a triangular lattice springs k between neighbours, h apart, make Young's modulus 2/sqrt(3) k, and springs k' between
+/// next neighbours, sqrt(3) h apart, of which there are as many, 2/sqrt(3) 3 k': both are isotropic with Poisson's ratio 1/3, so they
+/// add. For k' to bear its part of k, it is a third of that.
+const BRACE_SHARE: f64 = BRACED / 3.0;
 
 impl Cutout {
     /// How many points it makes.
@@ -36,19 +61,33 @@ impl Cutout {
         let [width, height] = mesh.picture.map(f64::from);
         let scale = self.height / height;
         let place = |&[x, y]: &[f64; 2]| [scale * (x - 0.5 * width), scale * (0.5 * height - y), 0.0];
+        let braces = match self.pattern {
+            Pattern::Edges => Vec::new(),
+            Pattern::Braced => mesh.braces(),
+        };
         let mut body = Body {
             positions: mesh.points.iter().map(place).collect(),
-            links: Vec::with_capacity(mesh.bonds.len()),
+            links: Vec::with_capacity(mesh.bonds.len() + braces.len()),
             weights: weights(&mesh.areas),
             triangles: mesh.triangles.clone(),
             texture: mesh.texture.clone(),
         };
-        mesh.bonds.iter().for_each(|&[a, b]| body.link(a, b));
-        for (link, is_edge) in body.links.iter_mut().zip(mesh.edges()) {
-            link.share = if is_edge { 0.5 } else { 1.0 };
-        }
+        let (sides, ropes) = mesh.bonds.split_at(mesh.mesh_bonds);
+        let mut link = |&[a, b]: &[u32; 2], share: f64| body.link_in_part(a, b, share);
+        sides.iter().zip(side_shares(mesh, &braces)).for_each(|(side, share)| link(side, share));
+        braces.iter().for_each(|brace| link(&brace.ends, BRACE_SHARE));
+        ropes.iter().for_each(|rope| link(rope, 1.0));
         body
     }
+}
+
+/// The share of the material's stiffness that each side of a triangle has: half for each triangle that it belongs to, less what
+/// braces across the triangle's sides bear of it. What a triangle at the boundary has no brace for, its sides bear.
+fn side_shares(mesh: &PictureMesh, braces: &[Brace]) -> Vec<f64> {
+    let mut left = vec![1.0; mesh.triangles.len()];
+    braces.iter().flat_map(|brace| brace.triangles).for_each(|triangle| left[triangle as usize] -= BRACED / 3.0);
+    let share = |pair: [Option<u32>; 2]| pair.into_iter().flatten().map(|triangle| 0.5 * left[triangle as usize]).sum();
+    mesh.beside().into_iter().map(share).collect()
 }
 
 /// What points count for, by their areas.

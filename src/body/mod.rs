@@ -24,7 +24,7 @@ mod rope;
 
 pub use box_frame::BoxFrame;
 pub use cloth::{Cloth, Diagonals};
-pub use cutout::Cutout;
+pub use cutout::{Cutout, Pattern};
 pub use disc::Disc;
 pub use lattice::Lattice;
 pub use place::Placement;
@@ -66,16 +66,21 @@ pub struct Link {
     pub b: u32,
     /// Distance of the ends as made [m].
     pub rest_length: f64,
-    /// Share of the material's stiffness and damping that it has, if it is a spring [1]: 1, but 1/2 for the sides at the edge
-    /// of a picture's mesh, which belong to one triangle where others belong to two.
+    /// Share of the material's stiffness and damping that it has, if it is a spring [1]: 1, but in a picture's mesh 1/2 for
+    /// sides at the edge, which belong to one triangle where others belong to two, and less for braces and what is braced.
     pub share: f64,
 }
 
 impl Body {
     /// Bonds the points `a` and `b` at their present distance.
     fn link(&mut self, a: u32, b: u32) {
+        self.link_in_part(a, b, 1.0);
+    }
+
+    /// The same with a share of the material's stiffness.
+    fn link_in_part(&mut self, a: u32, b: u32, share: f64) {
         let rest_length = distance(self.positions[a as usize], self.positions[b as usize]);
-        self.links.push(Link { a, b, rest_length, share: 1.0 });
+        self.links.push(Link { a, b, rest_length, share });
     }
 
     /// Masses [kg] that add up to `total`, shared by the weights.

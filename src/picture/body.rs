@@ -34,21 +34,6 @@ pub struct PictureMesh {
     pub areas: Vec<f64>,
 }
 
-impl PictureMesh {
-    /// For each side of a triangle, in the order of the bonds, whether it belongs to one triangle only.
-    pub fn edges(&self) -> Vec<bool> {
-        let mut counts = vec![0_u8; self.mesh_bonds];
-        for &[a, b, c] in &self.triangles {
-            for [p, q] in [[a, b], [b, c], [c, a]] {
-                if let Ok(side) = self.bonds[..self.mesh_bonds].binary_search(&[p.min(q), p.max(q)]) {
-                    counts[side] += 1;
-                }
-            }
-        }
-        counts.into_iter().map(|count| count == 1).collect()
-    }
-}
-
 /// Puts mesh and ropes together.
 pub fn assemble(picture: [u32; 2], mesh: Mesh, ropes: Ropes) -> PictureMesh {
     let mesh_points = mesh.points.len();

@@ -38,6 +38,20 @@ impl Picture {
     pub fn filled(width: u32, height: u32, colour: [u8; 4]) -> Self {
         Picture { width, height, rgba: colour.repeat(width as usize * height as usize) }
     }
+
+    /// A picture of these pixels.
+    ///
+    /// Shapes: `rgba` has four bytes a pixel, row by row from the top.
+    /// Errors: no pixels; above [`MAX_SIDE`] or [`MAX_PIXELS`]; a list of another length.
+    pub fn new(width: u32, height: u32, rgba: Vec<u8>) -> Result<Self, PictureError> {
+        let bytes = 4 * u64::from(width) * u64::from(height);
+        check_size((width, height), bytes)?;
+        if rgba.len() as u64 != bytes {
+            let reason = format!("it has {} bytes where {width} x {height} pixels are {bytes}", rgba.len());
+            return Err(PictureError::Damaged { format: "RGBA".to_owned(), reason });
+        }
+        Ok(Picture { width, height, rgba })
+    }
 }
 
 impl Picture {

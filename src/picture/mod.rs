@@ -10,6 +10,7 @@
 mod bits;
 mod body;
 mod boundary;
+mod brace;
 mod brush;
 mod contour;
 mod coverage;
@@ -19,6 +20,7 @@ mod fill;
 mod mesh;
 mod nest;
 mod outline;
+mod part;
 mod plane;
 mod rope;
 mod settings;
@@ -30,6 +32,7 @@ mod thin;
 
 pub use body::{PictureMesh, assemble};
 pub use boundary::{Boundary, boundary, tolerance};
+pub use brace::Brace;
 pub use brush::{Brush, LEAST_RADIUS, MAX_CANVAS, Mask, Mirror, WIDEST_RADIUS};
 pub use contour::{Loop, contours};
 pub use coverage::{Coverage, cover, otsu};

@@ -94,6 +94,13 @@ pub(super) const UNIT_TRIANGLE: f64 = 0.433_012_701_892_219_3;
 /// boundary, which vary by a fifth of their sides. At more, many are split; at less, there are more than needed.
 const LATTICE_SHARE: f64 = 0.62;
 
+impl Size {
+    /// Triangles of at most such an area that neighbours are about this far apart [px].
+    pub fn of_area(spacing: f64) -> Self {
+        Size::MaxArea(spacing * spacing * UNIT_TRIANGLE / LATTICE_SHARE)
+    }
+}
+
 impl Settings {
     /// Distance of neighbours along the boundary [px].
     pub fn spacing(&self) -> f64 {

@@ -81,6 +81,12 @@ impl Capture {
         &self.renderer
     }
 
+    /// The next picture is of another world, whatever its numbers say.
+    pub fn forget_world(&mut self) {
+        self.renderer.forget_world();
+        self.drawn = None;
+    }
+
     /// Draws a picture and reads it back, opaque. One that is the same as the last is only read back.
     ///
     /// Errors: a world too large for the GPU, or a GPU that gave up.

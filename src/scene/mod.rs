@@ -8,9 +8,11 @@
 //! [`Scene`] has the keys of the file as fields. Reading refuses what the file's form excludes, [`Scene::model`] what
 //! this version cannot run; both say it in one line ([`SceneError`]).
 
+mod anew;
 mod check;
 mod error;
 mod expand;
+mod free_place;
 mod gallery;
 mod keys;
 mod locate;
@@ -27,13 +29,14 @@ mod start;
 mod support;
 mod write;
 
+pub use anew::Cut;
 pub use error::{SceneError, SceneErrorKind, Source};
 pub use gallery::{Entry, gallery};
 pub use keys::{
     AreaKeys, AreaKindName, BodyKeys, BondKeys, BondList, BoundsKeys, BoxKeys, BraceName, CircleKeys, DiagonalsName,
-    KindName, LimitName, MakerName, MassKeys, Material, MethodKeys, MouseKeys, ObstacleKeys, OrderName, PinMotionKeys,
-    PlaneKeys, PointKeys, PrecisionName, ProfileName, RegionName, RepeatKeys, RotationKeys, Row, Scene, SolverName,
-    StrokesName, TextureKeys, Vector, Version, ViewKeys, WindKeys,
+    KindName, LimitName, MakerName, MassKeys, Material, MethodKeys, MouseKeys, ObstacleKeys, OrderName, PatternName,
+    PinMotionKeys, PlaneKeys, PointKeys, PrecisionName, ProfileName, RegionName, RepeatKeys, RotationKeys, Row, Scene,
+    SolverName, StrokesName, TextureKeys, Vector, Version, ViewKeys, WindKeys,
 };
 pub use model::Settled;
 pub use of_picture::Matter;

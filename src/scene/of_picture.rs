@@ -122,17 +122,6 @@ impl Scene {
         self.source.error(Fault::invalid(message))
     }
 
-    /// This scene with the body of a picture, that is in no file, at `origin` [m].
-    ///
-    /// Errors: as of [`Scene::of_picture`]; a scene in space.
-    pub fn with_picture(&self, picture: Arc<Picture>, keys: BodyKeys, origin: [f64; 2]) -> Result<Scene, SceneError> {
-        let (file, origin) = (Some(self.source.keep(picture)), Some(Vector::Plane(origin)));
-        let mut scene = self.clone();
-        scene.bodies.push(BodyKeys { make: MakerName::Picture, file, origin, ..keys });
-        scene.check()?;
-        Ok(scene)
-    }
-
     /// A scene in which the body of a picture file falls into a box, `keys` saying how it is cut out and what of.
     ///
     /// Errors: the file is not there or no picture; keys that are out of order; no ink.

@@ -7,7 +7,7 @@ use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 use base64::Engine;
 use base64::prelude::BASE64_STANDARD;
 
-use super::error::{Fault, Source};
+use super::error::{Fault, Source, Within};
 use crate::picture::{self, Picture, PictureMesh, Settings};
 
 /// Largest picture file that is read [bytes].
@@ -33,7 +33,15 @@ pub(super) struct Pictures(Arc<Mutex<Kept>>);
 #[derive(Default)]
 struct Kept {
     pictures: Vec<(String, Arc<Picture>)>,
-    meshes: Vec<(String, Settings, Arc<PictureMesh>)>,
+    meshes: Vec<Meshed>,
+}
+
+/// The mesh of a picture, or of a part of it.
+struct Meshed {
+    name: String,
+    settings: Settings,
+    part: Option<u32>,
+    mesh: Arc<PictureMesh>,
 }
 
 impl fmt::Debug for Pictures {
@@ -66,14 +74,44 @@ impl Source {
     ///
     /// Errors: those of [`Source::picture`]; settings out of their ranges; no ink.
     pub(super) fn mesh(&self, name: &str, settings: &Settings) -> Result<Arc<PictureMesh>, Fault> {
-        let is_it = |kept: &&(String, Settings, Arc<PictureMesh>)| kept.0 == name && kept.1 == *settings;
-        if let Some((_, _, mesh)) = self.pictures.kept().meshes.iter().find(is_it) {
-            return Ok(Arc::clone(mesh));
+        if let Some(mesh) = self.kept_mesh(name, settings, None) {
+            return Ok(mesh);
         }
         let made = picture::mesh_picture(&*self.picture(name)?, settings).map_err(|error| fault(&error))?;
-        let mesh = Arc::new(made.mesh);
-        self.pictures.kept().meshes.push((name.to_owned(), *settings, Arc::clone(&mesh)));
-        Ok(mesh)
+        Ok(self.keep_mesh(name, settings, None, made.mesh))
+    }
+
+    /// The mesh of one of the connected parts of such a picture, counted from the largest.
+    ///
+    /// Errors: those of [`Source::mesh`]; there are not so many.
+    pub(super) fn part(&self, name: &str, settings: &Settings, part: u32) -> Result<Arc<PictureMesh>, Fault> {
+        if let Some(mesh) = self.kept_mesh(name, settings, Some(part)) {
+            return Ok(mesh);
+        }
+        let whole = self.mesh(name, settings).at("file")?;
+        match whole.parts().get(part as usize) {
+            Some(&(number, _)) => Ok(self.keep_mesh(name, settings, Some(part), whole.part(number))),
+            None => {
+                let parts = match whole.components {
+                    1 => "one part: give 0, or leave it out".to_owned(),
+                    count => format!("{count} parts: give a number from 0, the largest, to {}", count - 1),
+                };
+                Err(Fault::invalid(format!("is {part}, and the picture has {parts}")).at("part"))
+            }
+        }
+    }
+
+    fn kept_mesh(&self, name: &str, settings: &Settings, part: Option<u32>) -> Option<Arc<PictureMesh>> {
+        let kept = self.pictures.kept();
+        let is_it = |kept: &&Meshed| kept.part == part && kept.settings == *settings && kept.name == name;
+        kept.meshes.iter().find(is_it).map(|kept| Arc::clone(&kept.mesh))
+    }
+
+    fn keep_mesh(&self, name: &str, settings: &Settings, part: Option<u32>, mesh: PictureMesh) -> Arc<PictureMesh> {
+        let mesh = Arc::new(mesh);
+        let meshed = Meshed { name: name.to_owned(), settings: *settings, part, mesh: Arc::clone(&mesh) };
+        self.pictures.kept().meshes.push(meshed);
+        mesh
     }
 
     /// A picture that the scene names, as a PNG: the file itself where it is one.

@@ -309,6 +309,18 @@ fn bodies() {
             ".max_area: stands beside `spacing`: give one of them",
         ),
         (
+            "\"make\": \"picture\", \"file\": \"pictures/ring.png\", \"part\": 1",
+            ".part: is 1, and the picture has one part: give 0, or leave it out",
+        ),
+        (
+            "\"make\": \"picture\", \"file\": \"pictures/ring.png\", \"invert\": true, \"part\": 9",
+            ".part: is 9, and the picture has 2 parts: give a number from 0, the largest, to 1",
+        ),
+        (
+            "\"make\": \"picture\", \"file\": \"pictures/ring.png\", \"pattern\": \"brace\"",
+            ".pattern: `brace` is not a pattern of bonds: did you mean `braced`?",
+        ),
+        (
             "\"make\": \"disc\", \"radius\": 1, \"spacing\": 0.5, \"material\": { \"kind\": \"spring\", \"young\": 9 }",
             ".material.young: is of meshes of pictures, and this is `disc`: give `stiffness`",
         ),

@@ -1,16 +1,18 @@
 //! A picture on its way into the world: how it is cut out, with a live preview, before it becomes a body.
 //!
-//! It comes from a file, or is painted here.
+//! It comes from a file, from the clipboard or from a body of the scene, or is painted here.
 
 mod painting;
 mod panel;
+mod preview;
+mod wishes;
 mod worker;
 
 use std::path::Path;
 use std::sync::Arc;
 
 use crate::picture::{Picture, PictureError, Settings, Size};
-use crate::scene::{BodyKeys, Matter, Scene, SceneError};
+use crate::scene::{BodyKeys, Cut, KindName, Matter, PatternName, Scene, SceneError};
 use painting::Painting;
 use worker::{Forecast, Worker};
 
@@ -21,6 +23,8 @@ pub(super) enum Answer {
     Open,
     /// One more body of the present scene, which begins anew.
     Add,
+    /// In place of the body that it was cut out as.
+    Replace,
     /// Nothing.
     Cancel,
 }
@@ -34,6 +38,9 @@ pub(super) struct Wish {
     pub(super) young: f64,
     /// Height of the picture in the world [m].
     pub(super) height: f64,
+    pub(super) pattern: PatternName,
+    /// Connected parts become bodies of their own.
+    pub(super) apart: bool,
 }
 
 /// A picture that is being imported.
@@ -43,11 +50,13 @@ pub(super) struct Import {
     /// What the picture is painted with, if it is.
     painting: Option<Painting>,
     wish: Wish,
+    /// The body of the present scene that is cut out anew, and what it was made of, if it is one.
+    body: Option<(usize, Matter, f64)>,
     worker: Worker,
     /// The last mesh that was made, or why there is none.
     forecast: Option<Result<Forecast, String>>,
-    /// What is shown, and of which picture.
-    texture: Option<(Arc<Picture>, egui::TextureHandle)>,
+    /// What is shown of a picture that is not painted.
+    texture: Option<egui::TextureHandle>,
 }
 
 /// Neighbours along the longer side of a picture at first.
@@ -59,7 +68,13 @@ impl Import {
     /// Errors: the file is not there or no picture.
     pub(super) fn of_file(path: &Path, wake: impl Fn() + Send + 'static) -> Result<Self, SceneError> {
         let name = path.file_stem().unwrap_or_default().to_string_lossy().into_owned();
-        Ok(Import::new(name, Scene::picture_file(path)?, None, wake))
+        Ok(Import::of_picture(name, Scene::picture_file(path)?, wake))
+    }
+
+    /// Begins with a picture that is in no file.
+    pub(super) fn of_picture(name: String, picture: Arc<Picture>, wake: impl Fn() + Send + 'static) -> Self {
+        let wish = Wish::of(&picture);
+        Import::new(name, picture, wake, wish)
     }
 
     /// Begins with a canvas: an empty one, or one with a picture to paint over.
@@ -68,16 +83,37 @@ impl Import {
     pub(super) fn of_canvas(on: Option<&Picture>, wake: impl Fn() + Send + 'static) -> Result<Self, PictureError> {
         let painting = Painting::new(on)?;
         let picture = Arc::new(painting.picture());
-        Ok(Import::new("drawing".to_owned(), picture, Some(painting), wake))
+        Ok(Import { painting: Some(painting), ..Import::of_picture("drawing".to_owned(), picture, wake) })
     }
 
-    fn new(name: String, picture: Arc<Picture>, painting: Option<Painting>, wake: impl Fn() + Send + 'static) -> Self {
-        let side = f64::from(picture.width.max(picture.height));
-        let settings = Settings { size: Size::Spacing((side / NEIGHBOURS).max(2.0)), ..Settings::default() };
-        let wish = Wish { settings, matter: Matter::Soft, young: Matter::YOUNG, height: 2.0 };
-        let worker = Worker::new(wake);
+    /// Begins with the first body of a scene that is cut out of a picture, as it is; `None` where there is none. A picture file
+    /// that the scene was made of is read again.
+    ///
+    /// Errors: a picture that is not there any more.
+    pub(super) fn of_scene(scene: &Scene, wake: impl Fn() + Send + 'static) -> Result<Option<Self>, SceneError> {
+        let Some(body) = scene.picture_body() else { return Ok(None) };
+        let Cut { mut picture, settings, height } = scene.cut(body)?;
+        if let Some(path) = scene.picture_path() {
+            picture = Scene::picture_file(&path)?;
+        }
+        let keys = &scene.bodies[body];
+        let material = keys.material.clone().unwrap_or_default();
+        let matter = match material.kind {
+            Some(KindName::Spring) => Matter::Soft,
+            Some(KindName::Relaxed) => Matter::Relaxed,
+            _ => Matter::Rigid,
+        };
+        let young = material.young.unwrap_or(Matter::YOUNG);
+        let pattern = keys.pattern.unwrap_or(PatternName::Edges);
+        let wish = Wish { settings, matter, young, height, pattern, apart: false };
+        let body = Some((body, matter, young));
+        Ok(Some(Import { body, ..Import::new(scene.name().to_owned(), picture, wake, wish) }))
+    }
+
+    fn new(name: String, picture: Arc<Picture>, wake: impl Fn() + Send + 'static, wish: Wish) -> Self {
+        let worker = Worker::new(name.clone(), wake);
         worker.ask(&picture, wish);
-        Import { name, picture, painting, wish, worker, forecast: None, texture: None }
+        Import { name, picture, painting: None, wish, body: None, worker, forecast: None, texture: None }
     }
 
     /// Takes what the worker has made. Returns whether there is something new to show.
@@ -102,28 +138,58 @@ impl Import {
         answer
     }
 
-    /// The scene that the body falls into by itself.
+    /// The scene that the body falls into by itself: the one that was tried out, if it is what is wished for now.
     ///
     /// Errors: a picture without ink; settings that make no mesh.
     pub(super) fn scene(&self) -> Result<Scene, SceneError> {
-        self.wish.scene(&self.name, &self.picture)
+        match &self.forecast {
+            Some(Ok(made)) if made.wish == self.wish && Arc::ptr_eq(&made.picture, &self.picture) => {
+                Ok(made.scene.clone())
+            }
+            _ => self.wish.scene(&self.name, &self.picture),
+        }
     }
 
-    /// The present scene with the body in it, at `origin` [m].
+    /// The present scene with the body in it, where there is room, if possible in what is `seen` of it (lower and upper corner [m]).
     ///
     /// Errors: as of [`Import::scene`].
-    pub(super) fn added_to(&self, scene: &Scene, origin: [f64; 2]) -> Result<Scene, SceneError> {
-        scene.with_picture(Arc::clone(&self.picture), self.wish.keys(&self.picture), origin)
+    pub(super) fn added_to(&self, scene: &Scene, seen: [[f64; 2]; 2]) -> Result<Scene, SceneError> {
+        let body = scene.bodies.len();
+        let added = scene.with_picture(Arc::clone(&self.picture), self.wish.keys(&self.picture), seen)?;
+        if self.wish.apart { added.in_parts(body) } else { Ok(added) }
+    }
+
+    /// The present scene with its body cut out as it is wished for now.
+    ///
+    /// Errors: as of [`Import::scene`]; it is no body of the scene.
+    pub(super) fn put_into(&self, scene: &Scene) -> Result<Scene, SceneError> {
+        let (body, matter, young) = self.body.ok_or_else(|| scene.complaint("has no such body"))?;
+        let mut keys = self.wish.keys(&self.picture);
+        if (self.wish.matter, self.wish.young) == (matter, young) {
+            keys.material = None;
+        }
+        let changed = scene.with_picture_anew(body, Arc::clone(&self.picture), keys)?;
+        if self.wish.apart { changed.in_parts(body) } else { Ok(changed) }
     }
 }
 
 impl Wish {
+    /// What is wished for at first.
+    fn of(picture: &Picture) -> Self {
+        let side = f64::from(picture.width.max(picture.height));
+        let settings = Settings { size: Size::Spacing((side / NEIGHBOURS).max(2.0)), ..Settings::default() };
+        let (matter, young, pattern) = (Matter::Soft, Matter::YOUNG, PatternName::Edges);
+        Wish { settings, matter, young, height: 2.0, pattern, apart: false }
+    }
+
     fn keys(&self, picture: &Picture) -> BodyKeys {
         let material = self.matter.material((self.matter == Matter::Soft).then_some(self.young));
-        BodyKeys { material: Some(material), ..BodyKeys::cut(&self.settings, self.height, picture) }
+        let pattern = (self.pattern != PatternName::Edges).then_some(self.pattern);
+        BodyKeys { material: Some(material), pattern, ..BodyKeys::cut(&self.settings, self.height, picture) }
     }
 
     fn scene(&self, name: &str, picture: &Arc<Picture>) -> Result<Scene, SceneError> {
-        Scene::of_drawing(name, Arc::clone(picture), self.keys(picture), self.matter)
+        let scene = Scene::of_drawing(name, Arc::clone(picture), self.keys(picture), self.matter)?;
+        if self.apart { scene.in_parts(0) } else { Ok(scene) }
     }
 }

@@ -5,12 +5,20 @@ use std::sync::mpsc::{Receiver, Sender, channel};
 use std::time::Instant;
 
 use super::Wish;
-use crate::picture::{Made, Picture, mesh_picture};
+use crate::picture::{Picture, PictureMesh};
+use crate::scene::{Scene, SceneError};
 use crate::sim::Dynamics;
 
 /// What a wish comes to.
 pub(super) struct Forecast {
-    pub(super) made: Made,
+    /// What was wished for, and of which picture.
+    pub(super) wish: Wish,
+    pub(super) picture: Arc<Picture>,
+    pub(super) mesh: Arc<PictureMesh>,
+    /// Bonds of the body.
+    pub(super) bonds: usize,
+    /// The scene that the body falls into by itself: its mesh is made.
+    pub(super) scene: Scene,
     /// Time that a frame of the body takes, falling freely [s].
     pub(super) frame: f64,
 }
@@ -26,13 +34,14 @@ const FRAME: f64 = 1.0 / 60.0;
 const FRAMES: u32 = 3;
 
 impl Worker {
-    pub(super) fn new(wake: impl Fn() + Send + 'static) -> Self {
+    /// One for a picture of this name; it calls `wake` when it has an answer.
+    pub(super) fn new(name: String, wake: impl Fn() + Send + 'static) -> Self {
         let (wishes, asked) = channel();
         let (answers, forecasts) = channel();
         std::thread::spawn(move || {
             while let Ok(first) = asked.recv() {
                 let (picture, wish) = asked.try_iter().last().unwrap_or(first);
-                if answers.send(forecast(&picture, wish)).is_err() {
+                if answers.send(forecast(&name, &picture, wish)).is_err() {
                     return;
                 }
                 wake();
@@ -64,17 +73,21 @@ fn frame_time(mut world: Box<dyn Dynamics>) -> f64 {
     (0..FRAMES).map(frame).fold(f64::INFINITY, f64::min)
 }
 
-fn forecast(picture: &Arc<Picture>, wish: Wish) -> Result<Forecast, String> {
-    let made = mesh_picture(picture, &wish.settings).map_err(|error| error.to_string())?;
-    let world = wish.scene("forecast", picture).and_then(|scene| scene.world(None)).map_err(|error| error.message)?;
-    Ok(Forecast { made, frame: frame_time(world) })
+/// Errors: the line that the panel shows.
+fn forecast(name: &str, picture: &Arc<Picture>, wish: Wish) -> Result<Forecast, String> {
+    let said = |error: SceneError| error.message;
+    let scene = wish.scene(name, picture).map_err(said)?;
+    let mesh = scene.picture_mesh(0).map_err(said)?;
+    let world = scene.world(None).map_err(said)?;
+    let (bonds, frame) = (world.bonds().len(), frame_time(world));
+    Ok(Forecast { wish, picture: Arc::clone(picture), mesh, bonds, scene, frame })
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
     use crate::picture::{Settings, Size};
-    use crate::scene::Matter;
+    use crate::scene::{Matter, PatternName};
     use std::sync::atomic::{AtomicU32, Ordering};
 
     #[test]
@@ -86,7 +99,7 @@ mod tests {
         }
         static WOKEN: AtomicU32 = AtomicU32::new(0);
         let picture = Arc::new(picture);
-        let worker = Worker::new(|| {
+        let worker = Worker::new("disc".to_owned(), || {
             WOKEN.fetch_add(1, Ordering::Relaxed);
         });
         let wish = |spacing| Wish {
@@ -94,6 +107,8 @@ mod tests {
             matter: Matter::Soft,
             young: 1e3,
             height: 1.0,
+            pattern: PatternName::Edges,
+            apart: false,
         };
         for spacing in [16.0, 12.0, 8.0, 4.0] {
             worker.ask(&picture, wish(spacing));
@@ -102,12 +117,14 @@ mod tests {
         for _ in 0..1_000 {
             std::thread::sleep(std::time::Duration::from_millis(5));
             last = worker.take().or(last);
-            if last.as_ref().is_some_and(|made| made.as_ref().is_ok_and(|made| made.made.mesh.points.len() > 150)) {
+            if last.as_ref().is_some_and(|made| made.as_ref().is_ok_and(|made| made.mesh.points.len() > 150)) {
                 break;
             }
         }
         let Some(Ok(forecast)) = last else { panic!("no mesh") };
-        assert!(forecast.made.mesh.points.len() > 150 && forecast.frame > 0.0);
+        assert!(forecast.mesh.points.len() > 150 && forecast.frame > 0.0);
+        let of_scene = forecast.scene.picture_mesh(0);
+        assert!(of_scene.is_ok_and(|mesh| Arc::ptr_eq(&mesh, &forecast.mesh)), "what is shown was made once");
         assert!(WOKEN.load(Ordering::Relaxed) >= 1);
         worker.ask(&picture, wish(0.1));
         let refused = loop {

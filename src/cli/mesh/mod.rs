@@ -13,7 +13,7 @@ use serde_json::{Map, Value, json};
 use super::values;
 use crate::output;
 use crate::picture::{self, Made, Picture, Settings, Size, Strokes, Threshold};
-use crate::scene::{BodyKeys, Matter, Scene};
+use crate::scene::{BodyKeys, Matter, PatternName, Scene};
 
 /// How a picture is cut out, and what is made of it.
 #[derive(Args)]
@@ -50,6 +50,9 @@ pub(super) struct Arguments {
     /// What becomes of strokes too thin for triangles.
     #[arg(long, value_enum, default_value_t = StrokesArgument::Ropes)]
     strokes: StrokesArgument,
+    /// Which points are bonded.
+    #[arg(long, value_enum, default_value_t = PatternArgument::Edges)]
+    pattern: PatternArgument,
     /// What the body is made of.
     #[arg(long, value_enum, default_value_t = MatterArgument::Soft)]
     material: MatterArgument,
@@ -86,6 +89,14 @@ enum StrokesArgument {
 }
 
 #[derive(Clone, Copy, ValueEnum)]
+enum PatternArgument {
+    /// The sides of triangles.
+    Edges,
+    /// Those, and the far corners of every two triangles that share a side: the body resists folding.
+    Braced,
+}
+
+#[derive(Clone, Copy, ValueEnum)]
 enum MatterArgument {
     /// Springs.
     Soft,
@@ -107,8 +118,12 @@ pub(super) fn run(arguments: &Arguments) -> anyhow::Result<()> {
     let shown = arguments.picture.display();
     let bytes = std::fs::read(&arguments.picture).with_context(|| format!("{shown}: cannot be read"))?;
     let (picture, made, times) = arguments.mesh(&bytes).with_context(|| format!("{shown}"))?;
+    let braces = match arguments.pattern {
+        PatternArgument::Edges => Vec::new(),
+        PatternArgument::Braced => made.mesh.braces(),
+    };
     if let Some(path) = &arguments.preview {
-        let drawn = picture::encode(&preview::draw(&picture, &made.mesh)?)?;
+        let drawn = picture::encode(&preview::draw(&picture, &made.mesh, &braces)?)?;
         output::replace(path, |to| to.write_all(&drawn))?;
     }
     if let Some(path) = &arguments.out {
@@ -116,11 +131,12 @@ pub(super) fn run(arguments: &Arguments) -> anyhow::Result<()> {
     }
     let mut out = std::io::stdout().lock();
     let stats = made.stats();
+    let bonds = stats.bonds + braces.len();
     if arguments.stats {
-        let text = serde_json::to_string_pretty(&measures(&stats, times))?;
+        let text = serde_json::to_string_pretty(&measures(&stats, bonds, times))?;
         writeln!(out, "{text}")?;
     } else {
-        let said = format!("{} points, {} triangles, {} bonds", stats.points, stats.triangles, stats.bonds);
+        let said = format!("{} points, {} triangles, {bonds} bonds", stats.points, stats.triangles);
         let written: Vec<String> =
             [&arguments.out, &arguments.preview].into_iter().flatten().map(|path| path.display().to_string()).collect();
         let end = if written.is_empty() { String::new() } else { format!(": {}", written.join(", ")) };
@@ -185,7 +201,11 @@ impl Arguments {
             MatterArgument::Relaxed => Matter::Relaxed,
         };
         let material = Some(matter.material(self.young));
-        let keys = BodyKeys { material, ..BodyKeys::cut(&self.settings(), self.height, picture) };
+        let pattern = match self.pattern {
+            PatternArgument::Edges => None,
+            PatternArgument::Braced => Some(PatternName::Braced),
+        };
+        let keys = BodyKeys { material, pattern, ..BodyKeys::cut(&self.settings(), self.height, picture) };
         let scene = Scene::of_picture(&self.picture, keys, matter)?.expanded()?;
         Ok(if self.link {
             scene.with_picture_at(&relative(out, &self.picture)?)
@@ -205,11 +225,11 @@ fn relative(from: &Path, to: &Path) -> anyhow::Result<String> {
     Ok(up.chain(down).collect::<Vec<_>>().join("/"))
 }
 
-fn measures(stats: &picture::Stats, times: Map<String, Value>) -> Value {
+fn measures(stats: &picture::Stats, bonds: usize, times: Map<String, Value>) -> Value {
     json!({
         "points": stats.points,
         "triangles": stats.triangles,
-        "bonds": stats.bonds,
+        "bonds": bonds,
         "min_angle_deg": stats.min_angle_deg,
         "p1_angle_deg": stats.p1_angle_deg,
         "edge_cv": stats.edge_cv,

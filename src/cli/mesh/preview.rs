@@ -3,7 +3,7 @@
 use anyhow::Context;
 use tiny_skia::{Color, Paint, PathBuilder, Pixmap, PremultipliedColorU8, Stroke, Transform};
 
-use crate::picture::{Picture, PictureMesh};
+use crate::picture::{Brace, Picture, PictureMesh};
 
 /// Longest side of the drawing [px]: a small picture is enlarged to a quarter of that at least.
 const LONGEST: f64 = 2400.0;
@@ -12,10 +12,10 @@ const FAINT: f32 = 0.45;
 /// What the lightest and the clear parts of the picture become.
 const PAPER: f32 = 250.0;
 
-/// The bonds in blue, the boundary in green, ropes in red.
+/// The bonds in blue, braces in a lighter one, the boundary in green, ropes in red.
 ///
 /// Errors: no memory for the drawing.
-pub(super) fn draw(picture: &Picture, mesh: &PictureMesh) -> anyhow::Result<Picture> {
+pub(super) fn draw(picture: &Picture, mesh: &PictureMesh, braces: &[Brace]) -> anyhow::Result<Picture> {
     let longer = f64::from(picture.width.max(picture.height));
     let scale = if longer > LONGEST { LONGEST / longer } else { (0.25 * LONGEST / longer).ceil() };
     let size = [picture.width, picture.height].map(|side| ((f64::from(side) * scale).round() as u32).max(1));
@@ -23,6 +23,7 @@ pub(super) fn draw(picture: &Picture, mesh: &PictureMesh) -> anyhow::Result<Pict
     lay(&mut target, picture, scale);
     let width = 1.0_f32;
     let (sides, ropes) = mesh.bonds.split_at(mesh.mesh_bonds);
+    stroke(&mut target, mesh, scale, braces.iter().map(|brace| brace.ends), [150, 185, 235], 0.8 * width);
     stroke(&mut target, mesh, scale, sides.iter().copied(), [30, 80, 190], width);
     let along = |points: &Vec<u32>| {
         let next = points.iter().copied().skip(1).chain(points.first().copied());

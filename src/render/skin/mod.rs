@@ -105,20 +105,34 @@ impl Skins {
         Ok(())
     }
 
+    /// A picture that another skin has already is not uploaded again.
     fn wear(&self, gpu: &Gpu, skin: &Skin, counters: &mut RenderCounters) -> Result<Worn, RenderError> {
-        let view = texture::upload(gpu, &skin.picture, counters)?;
+        let same = self.worn.iter().find(|worn| Arc::ptr_eq(&worn.picture, &skin.picture));
+        let paint = match same {
+            Some(worn) => worn.paint.clone(),
+            None => self.paint(gpu, &skin.picture, counters)?,
+        };
+        let list = || GrowingBuffer::new(gpu, "skin", wgpu::BufferUsages::STORAGE, 64);
+        let picture = Arc::clone(&skin.picture);
+        Ok(Worn { picture, paint, triangles: list(), edges: list(), counts: [0; 2], bindings: None })
+    }
+
+    fn paint(
+        &self,
+        gpu: &Gpu,
+        picture: &Picture,
+        counters: &mut RenderCounters,
+    ) -> Result<wgpu::BindGroup, RenderError> {
+        let view = texture::upload(gpu, picture, counters)?;
         let entries = [
             wgpu::BindGroupEntry { binding: 0, resource: wgpu::BindingResource::TextureView(&view) },
             wgpu::BindGroupEntry { binding: 1, resource: wgpu::BindingResource::Sampler(&self.sampler) },
         ];
-        let paint = gpu.device.create_bind_group(&wgpu::BindGroupDescriptor {
+        Ok(gpu.device.create_bind_group(&wgpu::BindGroupDescriptor {
             label: Some("skin"),
             layout: &self.layout,
             entries: &entries,
-        });
-        let list = || GrowingBuffer::new(gpu, "skin", wgpu::BufferUsages::STORAGE, 64);
-        let picture = Arc::clone(&skin.picture);
-        Ok(Worn { picture, paint, triangles: list(), edges: list(), counts: [0; 2], bindings: None })
+        }))
     }
 
     /// Binds the world's buffers anew, where `all` of them or a skin's own are others than before.
@@ -182,7 +196,7 @@ impl Worn {
         let whole = sides.whole(&skin.triangles);
         let triangles: Vec<Corner> = whole.iter().flatten().map(corner).collect();
         let has_picture = |point: u32| (point.wrapping_sub(skin.first) as usize) < skin.texture.len();
-        let edges = sides.edges(&whole, has_picture);
+        let edges = sides.edges(&skin.triangles, &whole, has_picture);
         let edges: Vec<Corner> = edges.iter().flatten().map(corner).collect();
         self.triangles.write(gpu, bytemuck::cast_slice(&triangles), counters)?;
         self.edges.write(gpu, bytemuck::cast_slice(&edges), counters)?;

@@ -36,16 +36,34 @@ impl Sides {
         triangles.iter().copied().filter(|&corners| sides(corners).into_iter().all(|side| self.has(side))).collect()
     }
 
-    /// The sides that belong to one of these triangles only, then bonds that belong to none between points that `are_meant`.
-    pub(super) fn edges(&self, triangles: &[[u32; 3]], are_meant: impl Fn(u32) -> bool) -> Vec<[u32; 2]> {
-        let mut all: Vec<[u32; 2]> = triangles.iter().flat_map(|&corners| sides(corners)).map(ordered).collect();
-        all.sort_unstable();
+    /// The sides that belong to one of the `whole` triangles only, then bonds that belong to none between points that `are_meant`:
+    /// strands, but not what braces two of `all` triangles that share a side.
+    pub(super) fn edges(&self, all: &[[u32; 3]], whole: &[[u32; 3]], are_meant: impl Fn(u32) -> bool) -> Vec<[u32; 2]> {
+        let mut of_whole: Vec<[u32; 2]> = whole.iter().flat_map(|&corners| sides(corners)).map(ordered).collect();
+        of_whole.sort_unstable();
         let mut edges: Vec<[u32; 2]> =
-            all.chunk_by(|a, b| a == b).filter(|same| same.len() == 1).map(|same| same[0]).collect();
-        let is_loose = |bond: &&[u32; 2]| bond.iter().all(|&end| are_meant(end)) && all.binary_search(bond).is_err();
-        edges.extend(self.bonds.iter().filter(is_loose));
+            of_whole.chunk_by(|a, b| a == b).filter(|same| same.len() == 1).map(|same| same[0]).collect();
+        let is_loose =
+            |bond: &&[u32; 2]| bond.iter().all(|&end| are_meant(end)) && of_whole.binary_search(bond).is_err();
+        let mut loose: Vec<[u32; 2]> = self.bonds.iter().filter(is_loose).copied().collect();
+        if !loose.is_empty() {
+            let braces = braces(all);
+            loose.retain(|bond| braces.binary_search(bond).is_err());
+        }
+        edges.extend(loose);
         edges
     }
+}
+
+/// The far corners of every two triangles that share a side, sorted.
+fn braces(triangles: &[[u32; 3]]) -> Vec<[u32; 2]> {
+    let with_far = |&[a, b, c]: &[u32; 3]| [(ordered([a, b]), c), (ordered([b, c]), a), (ordered([c, a]), b)];
+    let mut sides: Vec<([u32; 2], u32)> = triangles.iter().flat_map(with_far).collect();
+    sides.sort_unstable();
+    let pairs = sides.array_windows().filter(|[p, q]| p.0 == q.0);
+    let mut braces: Vec<[u32; 2]> = pairs.map(|[p, q]| ordered([p.1, q.1])).collect();
+    braces.sort_unstable();
+    braces
 }
 
 fn ordered([a, b]: [u32; 2]) -> [u32; 2] {
@@ -68,8 +86,19 @@ mod tests {
     fn a_whole_skin_has_its_rim_and_its_ropes_for_edges() {
         let sides = Sides::new(BONDS.into_iter());
         assert_eq!(sides.whole(&TRIANGLES), TRIANGLES);
-        assert_eq!(sides.edges(&TRIANGLES, |_| true), [[0, 1], [0, 2], [1, 3], [2, 3], [3, 4]]);
-        assert_eq!(sides.edges(&TRIANGLES, |point| point < 4).len(), 4, "the tail is another's");
+        assert_eq!(sides.edges(&TRIANGLES, &TRIANGLES, |_| true), [[0, 1], [0, 2], [1, 3], [2, 3], [3, 4]]);
+        assert_eq!(sides.edges(&TRIANGLES, &TRIANGLES, |point| point < 4).len(), 4, "the tail is another's");
+    }
+
+    #[test]
+    fn a_brace_is_no_edge() {
+        let braced = BONDS.into_iter().chain([[0, 3]]);
+        let sides = Sides::new(braced.clone());
+        assert_eq!(sides.edges(&TRIANGLES, &TRIANGLES, |_| true), [[0, 1], [0, 2], [1, 3], [2, 3], [3, 4]]);
+        let torn = Sides::new(braced.filter(|bond| *bond != [1, 2]));
+        let whole = torn.whole(&TRIANGLES);
+        let edges = torn.edges(&TRIANGLES, &whole, |_| true);
+        assert!(whole.is_empty() && !edges.contains(&[0, 3]), "nor where it is all that is left");
     }
 
     #[test]
@@ -78,6 +107,10 @@ mod tests {
         let sides = Sides::new(torn);
         let whole = sides.whole(&TRIANGLES);
         assert_eq!(whole, [[0, 1, 2]]);
-        assert_eq!(sides.edges(&whole, |_| true), [[0, 1], [0, 2], [1, 2], [2, 3], [3, 4]], "what is left is drawn");
+        assert_eq!(
+            sides.edges(&TRIANGLES, &whole, |_| true),
+            [[0, 1], [0, 2], [1, 2], [2, 3], [3, 4]],
+            "what is left is drawn"
+        );
     }
 }

@@ -37,6 +37,8 @@ fn parameters(make: MakerName) -> &'static [&'static str] {
             "min_area",
             "holes",
             "strokes",
+            "pattern",
+            "part",
         ],
         MakerName::Ragdoll => &["height"],
     }

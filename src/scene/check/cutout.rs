@@ -3,10 +3,10 @@
 use super::body::need;
 use super::number::Range;
 use super::surfaces::check_image;
-use crate::body::Cutout;
-use crate::picture::{Settings, Size, Strokes, Threshold};
+use crate::body::{Cutout, Pattern};
+use crate::picture::{Picture, Settings, Size, Strokes, Threshold};
 use crate::scene::error::{Fault, Source, Within};
-use crate::scene::keys::{BodyKeys, StrokesName};
+use crate::scene::keys::{BodyKeys, PatternName, StrokesName};
 
 /// Height of a picture if not said [m].
 const HEIGHT: f64 = 2.0;
@@ -15,9 +15,8 @@ const NEIGHBOURS: f64 = 40.0;
 
 /// The maker that a body of kind `picture` amounts to.
 ///
-/// Errors: in space; no file, or none that is a picture; a number out of its range; no ink.
+/// Errors: in space; no file, or none that is a picture; a number out of its range; no ink; a part that is not there.
 pub(super) fn maker(body: &BodyKeys, dimensions: usize, source: &Source) -> Result<Cutout, Fault> {
-    let height = body.height.unwrap_or(HEIGHT);
     for (key, value) in [("height", body.height), ("spacing", body.spacing), ("max_area", body.max_area)] {
         Range::Positive.maybe(value).at(key)?;
     }
@@ -28,14 +27,29 @@ pub(super) fn maker(body: &BodyKeys, dimensions: usize, source: &Source) -> Resu
     }
     let file = need(body, "file", body.file.as_deref())?;
     check_image(file).at("file")?;
-    let picture = source.picture(file).at("file")?;
+    let (height, settings) = wanted(body, &*source.picture(file).at("file")?)?;
+    let mesh = match body.part {
+        None => source.mesh(file, &settings).at("file")?,
+        Some(part) => source.part(file, &settings, part)?,
+    };
+    let pattern = match body.pattern.unwrap_or(PatternName::Edges) {
+        PatternName::Edges => Pattern::Edges,
+        PatternName::Braced => Pattern::Braced,
+    };
+    Ok(Cutout { mesh, height, pattern })
+}
+
+/// The height of the picture [m] and the settings of its mesh that the keys amount to.
+///
+/// Errors: keys that exclude each other.
+pub(in crate::scene) fn wanted(body: &BodyKeys, picture: &Picture) -> Result<(f64, Settings), Fault> {
+    let height = body.height.unwrap_or(HEIGHT);
     let side = f64::from(picture.width.max(picture.height));
     let spacing = match body.spacing {
         Some(spacing) => spacing * (f64::from(picture.height) / height),
         None => (side / NEIGHBOURS).max(2.0),
     };
-    let settings = settings(body, spacing)?;
-    Ok(Cutout { mesh: source.mesh(file, &settings).at("file")?, height })
+    Ok((height, settings(body, spacing)?))
 }
 
 /// The settings of the mesh at this spacing [px], if nothing else says how large triangles are.

@@ -74,6 +74,16 @@ names! {
     }
 }
 
+names! {
+    /// Which points of a picture's mesh are bonded.
+    PatternName: "a pattern of bonds" {
+        /// The sides of triangles.
+        Edges = "edges",
+        /// Those, and the far corners of triangles side by side.
+        Braced = "braced",
+    }
+}
+
 object! {
     /// What the bonds and points of a body are made of.
     #[derive(Default)]
@@ -182,6 +192,11 @@ object! {
             holes: bool,
             /// picture: what becomes of strokes too thin for triangles; ropes if not said.
             strokes: StrokesName,
+            /// picture: which points are bonded: the sides of triangles if not said; "braced" bonds the far corners of every
+            /// two triangles that share a side too, which resists folding. `young` means the same stiffness with either.
+            pattern: PatternName,
+            /// picture: only this of its connected parts, from 0, the largest first; it lies where it does in the whole.
+            part: u32,
             /// Where the body's own origin goes [m]; the world's if not said.
             origin: Vector,
             /// Rotation about the body's own origin, anticlockwise, in space about z [rad].

@@ -11,7 +11,7 @@ mod surroundings;
 mod vector;
 mod view;
 
-pub use body::{BodyKeys, BraceName, DiagonalsName, MakerName, Material, RepeatKeys, StrokesName};
+pub use body::{BodyKeys, BraceName, DiagonalsName, MakerName, Material, PatternName, RepeatKeys, StrokesName};
 pub use bond::{BondKeys, KindName, LimitName};
 pub use bonds::BondList;
 pub use method::{MethodKeys, OrderName, PrecisionName, SolverName};

@@ -1,0 +1,93 @@
+//! What lies on the clipboard: a file, a picture, or the path of one.
+
+use std::path::{Path, PathBuf};
+
+use arboard::{Clipboard, Error, ImageData};
+
+use super::{Fetch, Found};
+use crate::picture::{Picture, PictureError};
+
+/// What is said where there is nothing of use.
+const EMPTY: &str = "there is no picture on the clipboard: copy one, or a picture file, or its path";
+
+/// Looks what lies on the clipboard.
+///
+/// Errors: nothing that is a picture or names a file; a picture that is too large or damaged; no clipboard.
+pub(in crate::app) fn paste(wake: impl Fn() + Send + 'static) -> Fetch {
+    Fetch::new(wake, || {
+        let mut clipboard = Clipboard::new().map_err(|error| format!("the clipboard cannot be read: {error}"))?;
+        // Files come first: where one is copied, some systems add a picture of its icon.
+        let files = clipboard.get().file_list().unwrap_or_default();
+        if let Some(file) = files.into_iter().find(|file| file.is_file()) {
+            return Ok(Found::File(file));
+        }
+        match clipboard.get_image() {
+            Ok(image) => return picture(image).map(Found::Picture).map_err(|error| error.to_string()),
+            Err(Error::ConversionFailure) => return Err("the picture on the clipboard cannot be read".to_owned()),
+            Err(_) => {}
+        }
+        let text = clipboard.get_text().unwrap_or_default();
+        path(&text).filter(|path| path.is_file()).map(Found::File).ok_or_else(|| EMPTY.to_owned())
+    })
+}
+
+/// Errors: no pixels; too many.
+fn picture(image: ImageData<'_>) -> Result<Picture, PictureError> {
+    let side = |length: usize| u32::try_from(length).unwrap_or(u32::MAX);
+    Picture::new(side(image.width), side(image.height), image.bytes.into_owned())
+}
+
+/// The path that a text of one line is, as such or as a file's address.
+fn path(text: &str) -> Option<PathBuf> {
+    let line = text.trim();
+    if line.is_empty() || line.lines().count() > 1 {
+        return None;
+    }
+    match line.strip_prefix("file://") {
+        Some(address) => decoded(address).map(PathBuf::from),
+        None => Some(Path::new(line.trim_matches('"')).to_owned()),
+    }
+}
+
+/// An address with its %20 and the like as the characters that they stand for; `None` if they make no text.
+fn decoded(address: &str) -> Option<String> {
+    let mut bytes = Vec::with_capacity(address.len());
+    let mut rest = address.as_bytes();
+    while let Some((&first, after)) = rest.split_first() {
+        let digits = after.get(..2).filter(|_| first == b'%').and_then(|digits| std::str::from_utf8(digits).ok());
+        let byte = digits.and_then(|digits| u8::from_str_radix(digits, 16).ok());
+        bytes.push(byte.unwrap_or(first));
+        rest = if byte.is_some() { &after[2..] } else { after };
+    }
+    String::from_utf8(bytes).ok()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_path_is_one_line_as_it_stands_or_an_address() {
+        for (text, meant) in [
+            ("/tmp/a b.png\n", Some("/tmp/a b.png")),
+            ("\"C:\\x.png\"", Some("C:\\x.png")),
+            ("file:///tmp/a%20b%C3%A9.png", Some("/tmp/a bé.png")),
+            ("file:///tmp/100%.png", Some("/tmp/100%.png")),
+            ("file:///tmp/%ff.png", None),
+            ("two\nlines", None),
+            (" \n", None),
+        ] {
+            assert_eq!(path(text), meant.map(PathBuf::from), "{text}");
+        }
+    }
+
+    #[test]
+    fn pictures_of_bad_sizes_are_refused_in_the_usual_words() {
+        let of = |width, height, bytes: usize| picture(ImageData { width, height, bytes: vec![0; bytes].into() });
+        assert_eq!(of(0, 3, 0), Err(PictureError::NoPixels { width: 0, height: 3 }));
+        assert!(matches!(of(16_385, 1, 4 * 16_385), Err(PictureError::TooLarge { width: 16_385, .. })));
+        assert!(matches!(of(usize::MAX, 1, 0), Err(PictureError::TooLarge { .. })));
+        assert!(matches!(of(2, 2, 15), Err(PictureError::Damaged { .. })));
+        assert_eq!(of(2, 1, 8).map(|picture| picture.rgba.len()), Ok(8));
+    }
+}

@@ -1,0 +1,37 @@
+//! The system's dialog for opening a file.
+
+use std::time::{Duration, Instant};
+
+use rfd::AsyncFileDialog;
+use winit::window::Window;
+
+use super::{Fetch, Found};
+
+/// Endings of scenes and pictures. What a file is, its content says.
+const ENDINGS: [&str; 17] = [
+    "json", "png", "jpg", "jpeg", "gif", "bmp", "webp", "tif", "tiff", "pnm", "pbm", "pgm", "ppm", "pam", "tga", "ico",
+    "qoi",
+];
+
+/// Nobody closes a dialog sooner [s]: one that ends within this time was never shown.
+const LEAST_SHOWN: Duration = Duration::from_millis(250);
+
+/// Opens the dialog over `window`. One that is closed without a choice finds nothing.
+///
+/// Errors: no program that could show it.
+pub(in crate::app) fn open(window: &Window, wake: impl Fn() + Send + 'static) -> Fetch {
+    let upper = ENDINGS.map(str::to_uppercase);
+    let endings: Vec<&str> = ENDINGS.into_iter().chain(upper.iter().map(String::as_str)).collect();
+    let dialog = AsyncFileDialog::new().set_title("Open a scene or a picture").set_parent(window);
+    let chosen = dialog.add_filter("Scenes and pictures", &endings).add_filter("All files", &["*"]).pick_file();
+    let start = Instant::now();
+    Fetch::new(wake, move || match pollster::block_on(chosen) {
+        Some(file) => Ok(Found::File(file.path().to_owned())),
+        None if start.elapsed() < LEAST_SHOWN => {
+            Err("no dialog can be shown here (neither a desktop portal nor zenity \
+             answers): drop the file on the window, paste it (Ctrl+V), or name it when you start wobble"
+                .to_owned())
+        }
+        None => Ok(Found::Nothing),
+    })
+}

@@ -1,0 +1,70 @@
+//! The picture in the import panel, with its mesh over it; the canvas, if it is painted.
+
+use egui::{Color32, Pos2, Rect, Sense, Stroke, Vec2};
+
+use super::Import;
+use crate::picture::{Picture, PictureMesh};
+use crate::scene::PatternName;
+
+/// Side of the square that the preview fits into [points].
+const PREVIEW: f32 = 420.0;
+/// Most bonds that are drawn one by one: of more the boundary says enough.
+const MOST_SHOWN: usize = 15_000;
+/// Longest side of the picture as it is shown [px].
+const SHOWN_SIDE: u32 = 1024;
+
+/// Shows both.
+pub(super) fn show(ui: &mut egui::Ui, import: &mut Import) {
+    let size = Vec2::new(import.picture.width as f32, import.picture.height as f32);
+    let scale = PREVIEW / size.max_elem();
+    let (outer, response) = ui.allocate_exact_size(Vec2::splat(PREVIEW), Sense::click_and_drag());
+    let place = Rect::from_center_size(outer.center(), size * scale);
+    let painter = ui.painter_at(outer);
+    let texture = match &mut import.painting {
+        Some(painting) => {
+            painting.paint(&response, place);
+            painting.texture(ui.ctx())
+        }
+        None => import.texture.get_or_insert_with(|| load(ui.ctx(), &import.picture)).id(),
+    };
+    painter.rect_filled(place, 0.0, Color32::from_gray(60));
+    painter.image(texture, place, Rect::from_min_max(Pos2::ZERO, Pos2::new(1.0, 1.0)), Color32::from_gray(150));
+    if let Some(painting) = &import.painting {
+        painting.outline(&painter, &response, place);
+    }
+    if let Some(Ok(forecast)) = &import.forecast {
+        let is_braced = forecast.wish.pattern == PatternName::Braced;
+        mesh(&painter, &forecast.mesh, is_braced, place.min, scale);
+    }
+}
+
+fn load(context: &egui::Context, picture: &Picture) -> egui::TextureHandle {
+    let small = picture.shrunk(SHOWN_SIDE);
+    let size = [small.width as usize, small.height as usize];
+    let image = egui::ColorImage::from_rgba_unmultiplied(size, &small.rgba);
+    context.load_texture("import", image, egui::TextureOptions::LINEAR)
+}
+
+/// Sides in blue, braces fainter, the boundary in green, strokes in red.
+fn mesh(painter: &egui::Painter, mesh: &PictureMesh, is_braced: bool, corner: Pos2, scale: f32) {
+    let at = |k: u32| {
+        let [x, y] = mesh.points[k as usize];
+        corner + Vec2::new(x as f32, y as f32) * scale
+    };
+    let line = |[a, b]: [u32; 2], stroke: Stroke| egui::Shape::line_segment([at(a), at(b)], stroke);
+    let (sides, ropes) = mesh.bonds.split_at(mesh.mesh_bonds);
+    if sides.len() <= MOST_SHOWN {
+        if is_braced {
+            let stroke = Stroke::new(0.5, Color32::from_rgba_unmultiplied(120, 210, 255, 90));
+            painter.extend(mesh.braces().into_iter().map(|brace| line(brace.ends, stroke)));
+        }
+        let stroke = Stroke::new(0.7, Color32::from_rgb(120, 210, 255));
+        painter.extend(sides.iter().map(|&side| line(side, stroke)));
+    }
+    for points in &mesh.loops {
+        let outline = points.iter().map(|&k| at(k)).collect();
+        painter.add(egui::Shape::closed_line(outline, Stroke::new(1.4, Color32::from_rgb(120, 255, 170))));
+    }
+    let stroke = Stroke::new(2.0, Color32::from_rgb(255, 120, 120));
+    painter.extend(ropes.iter().map(|&rope| line(rope, stroke)));
+}

@@ -1,0 +1,129 @@
+//! What comes into a session from outside: files that are dropped, chosen or pasted, pictures on their way into the world.
+
+use std::path::Path;
+use std::sync::Arc;
+
+use super::super::fetch::{self, Fetch, Found};
+use super::super::import::{Answer, Import};
+use super::{BRUSH, Session};
+use crate::scene::{Scene, SceneError};
+
+/// What a picture is called that was pasted.
+const PASTED: &str = "pasted picture";
+
+impl Session {
+    /// Whether the scene is one to paint on.
+    pub(super) fn is_canvas(&self) -> bool {
+        self.scene.tags.iter().any(|tag| tag == BRUSH)
+    }
+
+    /// A file was dropped on the window, chosen or pasted: a picture is imported, a scene opens in place of this one.
+    pub(in crate::app) fn take_file(&mut self, path: &Path) {
+        let taken = if Scene::is_picture_file(path) {
+            Import::of_file(path, self.wake_up()).map(|import| self.import = Some(import))
+        } else {
+            Scene::read(path).and_then(|scene| self.open(scene))
+        };
+        self.complain(taken);
+    }
+
+    /// Opens a canvas to paint a body on: over the scene's picture, if it is one of the brush.
+    pub(super) fn paint(&mut self) {
+        let on = self.skins.first().filter(|_| self.is_canvas());
+        let painted = Import::of_canvas(on.map(|skin| &*skin.picture), self.wake_up());
+        let painted = painted.map(|import| self.import = Some(import));
+        self.complain(painted.map_err(|error| self.scene.complaint(&error.to_string())));
+    }
+
+    /// Cuts the scene's first picture out anew.
+    pub(super) fn cut_anew(&mut self) {
+        match Import::of_scene(&self.scene, self.wake_up()) {
+            Ok(Some(import)) => self.import = Some(import),
+            Ok(None) => self.say(
+                "no body of this scene is cut out of a picture: drop a picture on the window, open one (Ctrl+O), paste \
+                 one (Ctrl+V) or draw one (N)",
+            ),
+            Err(error) => self.complain(Err(error)),
+        }
+    }
+
+    /// Opens the system's dialog for a file, unless it is open.
+    pub(super) fn choose_file(&mut self) {
+        self.wake();
+        match self.dialog {
+            Some(_) => self.say("the dialog for files is open already"),
+            None => self.dialog = Some(fetch::open(&self.window, self.wake_up())),
+        }
+    }
+
+    /// Takes what lies on the clipboard.
+    pub(super) fn paste(&mut self) {
+        self.wake();
+        if self.pasted.is_none() {
+            self.pasted = Some(fetch::paste(self.wake_up()));
+        }
+    }
+
+    /// What other threads call when they have something to show.
+    fn wake_up(&self) -> impl Fn() + Send + 'static {
+        let waker = self.waker.clone();
+        // A window that has been closed is woken no more.
+        move || waker.send_event(()).unwrap_or_default()
+    }
+
+    /// Something was made or found elsewhere.
+    pub(in crate::app) fn wake(&mut self) {
+        if self.import.as_mut().is_some_and(Import::poll) {
+            self.touch();
+        }
+        let fetched = [&mut self.dialog, &mut self.pasted].map(|fetch| {
+            let found = fetch.as_ref().and_then(Fetch::take);
+            fetch.take_if(|_| found.is_some());
+            found
+        });
+        for found in fetched.into_iter().flatten() {
+            match found {
+                Ok(Found::File(path)) => self.take_file(&path),
+                Ok(Found::Picture(picture)) => {
+                    let import = Import::of_picture(PASTED.to_owned(), Arc::new(picture), self.wake_up());
+                    self.import = Some(import);
+                    self.complain(Ok(()));
+                }
+                Ok(Found::Nothing) => {}
+                Err(why) => self.say(&why),
+            }
+        }
+    }
+
+    /// Does what the import panel was told.
+    pub(super) fn answer(&mut self, answer: Answer) {
+        let Some(import) = self.import.take() else { return };
+        let scene = match answer {
+            Answer::Cancel => return self.touch(),
+            Answer::Open => import.scene(),
+            Answer::Add => import.added_to(&self.scene, self.seen()),
+            Answer::Replace => import.put_into(&self.scene),
+        };
+        let (camera, points) = (self.camera, self.player.world().point_count());
+        let opened = scene.and_then(|scene| self.open(scene));
+        match (&opened, answer) {
+            (Err(_), _) => self.import = Some(import),
+            // What one looked at is still there.
+            (Ok(()), Answer::Add) => self.look_again(camera, points),
+            (Ok(()), Answer::Replace) => self.look_again(camera, usize::MAX),
+            _ => {}
+        }
+        self.complain(opened);
+    }
+
+    /// Tells the user of what went wrong, if anything did.
+    fn complain(&mut self, done: Result<(), SceneError>) {
+        self.complaint = done.err().map(|error| error.to_string());
+        self.touch();
+    }
+
+    fn say(&mut self, line: &str) {
+        self.complaint = Some(line.to_owned());
+        self.touch();
+    }
+}
