@@ -27,7 +27,7 @@ pub use cloth::{Cloth, Diagonals};
 pub use cutout::{Cutout, Pattern};
 pub use disc::Disc;
 pub use lattice::Lattice;
-pub use place::Placement;
+pub use place::{Placement, turned};
 pub use points::Points;
 pub use random_graph::RandomGraph;
 pub use rim::{Brace, Rim};

@@ -23,16 +23,22 @@ impl Placement {
     ///
     /// Numbers too large come out as not finite, which the caller refuses.
     pub fn place(&self, body: &Body) -> (Vec<[f64; 3]>, Vec<[f64; 3]>) {
-        let (sin, cos) = (libm::sin(self.angle), libm::cos(self.angle));
         body.positions
             .iter()
             .map(|p| {
-                let r = [cos * p[0] - sin * p[1], sin * p[0] + cos * p[1], p[2]];
+                let [x, y] = turned([p[0], p[1]], self.angle);
+                let r = [x, y, p[2]];
                 let turn = [-self.spin * r[1], self.spin * r[0], 0.0];
                 (std::array::from_fn(|k| self.origin[k] + r[k]), std::array::from_fn(|k| self.velocity[k] + turn[k]))
             })
             .unzip()
     }
+}
+
+/// A vector of the plane turned anticlockwise by an angle [rad].
+pub fn turned([x, y]: [f64; 2], angle: f64) -> [f64; 2] {
+    let (sin, cos) = (libm::sin(angle), libm::cos(angle));
+    [cos * x - sin * y, sin * x + cos * y]
 }
 
 #[cfg(test)]

@@ -102,6 +102,17 @@ pub fn mesh_in_stages(
     Ok(Made { mesh, outline, boundary, threshold })
 }
 
+/// The outlines and holes of a picture's ink [px], y down, with as few corners as the spacing asks for; thin strokes are ink as any.
+///
+/// Errors: a setting out of range; no ink; nothing large enough.
+pub fn trace_picture(picture: &Picture, settings: &Settings) -> Result<Vec<Vec<Point>>, PictureError> {
+    settings.check()?;
+    let settings = Settings { strokes: Strokes::Mesh, ..*settings };
+    let mut coverage = cover(picture, &settings)?;
+    let outline = outline(&mut coverage, &settings)?;
+    Ok(boundary(&outline.loops, settings.spacing(), 0).loops)
+}
+
 /// Strictness of the boundary at each attempt to triangulate it: as asked for, closer to the contours, the contours.
 const ATTEMPTS: [u32; 4] = [0, 1, 3, 5];
 

@@ -11,8 +11,10 @@ impl Scene {
     /// Errors: those of [`Scene::check`]; numbers that overflow.
     pub fn expanded(&self) -> Result<Scene, SceneError> {
         self.check()?;
+        let mut scene = self.clone();
+        scene.with_polygons().map_err(|fault| self.source.error(fault))?;
         if self.bodies.is_empty() {
-            return Ok(self.clone());
+            return Ok(scene);
         }
         let start = Start::new(self).map_err(|fault| self.source.error(fault))?;
         let vectors = |list: &[[f64; 3]]| {
@@ -26,7 +28,7 @@ impl Scene {
             mass: masses(&start.mass),
             pinned: start.pinned.clone(),
         };
-        let mut scene = Scene { points: Some(points), bodies: Vec::new(), ..self.clone() };
+        let mut scene = Scene { points: Some(points), bodies: Vec::new(), ..scene };
         for (keys, body) in self.bodies.iter().zip(&start.bodies) {
             let material = keys.material.clone().unwrap_or_default();
             scene.bonds.extend(body.links().map(|link| {

@@ -10,7 +10,7 @@ const DAMPING_RATIO: f64 = 0.1;
 
 /// Fastest decay that such a damper may give to a point [1/s]: a faster one is over within a thousandth of a second, and costs as many
 /// substeps as it is fast.
-const MOST_DECAY: f64 = 10_000.0;
+const MOST_DECAY: f64 = 6_000.0;
 
 /// How the bonds of a body resist; `mass` [kg] has an entry a point.
 ///

@@ -19,6 +19,7 @@ mod locate;
 mod material;
 mod model;
 mod nearest;
+mod obstacle;
 mod of_picture;
 mod pictures;
 mod read;
@@ -35,8 +36,8 @@ pub use gallery::{Entry, gallery};
 pub use keys::{
     AreaKeys, AreaKindName, BodyKeys, BondKeys, BondList, BoundsKeys, BoxKeys, BraceName, CircleKeys, DiagonalsName,
     KindName, LimitName, MakerName, MassKeys, Material, MethodKeys, MouseKeys, ObstacleKeys, OrderName, PatternName,
-    PinMotionKeys, PlaneKeys, PointKeys, PrecisionName, ProfileName, RegionName, RepeatKeys, RotationKeys, Row, Scene,
-    SolverName, StrokesName, TextureKeys, Vector, Version, ViewKeys, WindKeys,
+    PictureKeys, PinMotionKeys, PlaneKeys, PointKeys, PrecisionName, ProfileName, RegionName, RepeatKeys, RotationKeys,
+    Row, Scene, SolverName, StrokesName, TextureKeys, Vector, Version, ViewKeys, WindKeys,
 };
 pub use model::Settled;
 pub use of_picture::Matter;

@@ -2,16 +2,14 @@
 
 use super::check::{self, Resistance};
 use super::error::{Fault, SceneError, Within};
-use super::keys::{
-    BondKeys, LimitName, MouseKeys, ObstacleKeys, PinMotionKeys, ProfileName, RegionName, Row, Scene, Vector,
-};
+use super::keys::{BondKeys, LimitName, MouseKeys, ObstacleKeys, PinMotionKeys, ProfileName, RegionName, Row, Scene};
 use super::start::Start;
 use super::support;
 use crate::body::distance;
 use crate::sim::vector::{embed, truncate};
 use crate::sim::{
-    Bond, Bonds, Bounds, Dynamics, Found, Limit, Model, ModelError, MouseForce, Plane, PointId, Polygon, Profile,
-    Region, Sample, Track, build, search, settle,
+    Bond, Bonds, Bounds, Dynamics, Found, Limit, Model, ModelError, MouseForce, Plane, PointId, Profile, Region,
+    Sample, Track, build, search, settle,
 };
 
 /// An equilibrium.
@@ -172,7 +170,7 @@ impl Scene {
             }),
             duration: self.duration,
             planes: planes(self),
-            polygons: polygons(self),
+            polygons: super::obstacle::polygons(self)?,
             pin_motion: pin_motion(self),
             method,
         })
@@ -243,19 +241,6 @@ fn planes<const D: usize>(scene: &Scene) -> Vec<Plane<D>> {
         Some(Plane {
             point: truncate(plane.point.embed()),
             normal: truncate(plane.normal.embed()),
-            restitution: keys.restitution.unwrap_or(0.0),
-            friction: keys.friction.unwrap_or(0.0),
-        })
-    };
-    scene.obstacles.iter().filter_map(of).collect()
-}
-
-/// Polygons among the obstacles.
-fn polygons(scene: &Scene) -> Vec<Polygon> {
-    let corners = |outline: &Vec<Vector>| outline.iter().map(|corner| truncate(corner.embed())).collect();
-    let of = |keys: &ObstacleKeys| {
-        Some(Polygon {
-            loops: keys.polygon.as_ref()?.iter().map(corners).collect(),
             restitution: keys.restitution.unwrap_or(0.0),
             friction: keys.friction.unwrap_or(0.0),
         })

@@ -200,6 +200,9 @@ impl Scene {
                 *file = put(&self.source, file)?;
             }
         }
+        for picture in self.obstacles.iter_mut().filter_map(|obstacle| obstacle.picture.as_mut()) {
+            picture.file = put(&self.source, &picture.file)?;
+        }
         if let Some(texture) = &mut self.texture {
             texture.image = put(&self.source, &texture.image)?;
         }
@@ -210,6 +213,9 @@ impl Scene {
     pub fn with_picture_at(mut self, path: &str) -> Scene {
         for body in &mut self.bodies {
             body.file = body.file.take().map(|_| path.to_owned());
+        }
+        for picture in self.obstacles.iter_mut().filter_map(|obstacle| obstacle.picture.as_mut()) {
+            path.clone_into(&mut picture.file);
         }
         if let Some(texture) = &mut self.texture {
             path.clone_into(&mut texture.image);

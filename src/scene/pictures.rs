@@ -34,6 +34,17 @@ pub(super) struct Pictures(Arc<Mutex<Kept>>);
 struct Kept {
     pictures: Vec<(String, Arc<Picture>)>,
     meshes: Vec<Meshed>,
+    traced: Vec<Traced>,
+}
+
+/// Outlines and holes.
+pub(super) type Loops = Vec<Vec<[f64; 2]>>;
+
+/// The outlines of a picture's ink [px].
+struct Traced {
+    name: String,
+    settings: Settings,
+    loops: Arc<Loops>,
 }
 
 /// The mesh of a picture, or of a part of it.
@@ -79,6 +90,21 @@ impl Source {
         }
         let made = picture::mesh_picture(&*self.picture(name)?, settings).map_err(|error| fault(&error))?;
         Ok(self.keep_mesh(name, settings, None, made.mesh))
+    }
+
+    /// The outlines of the ink of a picture that the scene names [px].
+    ///
+    /// Errors: those of [`Source::mesh`].
+    pub(super) fn traced(&self, name: &str, settings: &Settings) -> Result<Arc<Loops>, Fault> {
+        let is_it = |kept: &&Traced| kept.settings == *settings && kept.name == name;
+        if let Some(traced) = self.pictures.kept().traced.iter().find(is_it) {
+            return Ok(Arc::clone(&traced.loops));
+        }
+        let loops = picture::trace_picture(&*self.picture(name)?, settings).map_err(|error| fault(&error))?;
+        let loops = Arc::new(loops);
+        let traced = Traced { name: name.to_owned(), settings: *settings, loops: Arc::clone(&loops) };
+        self.pictures.kept().traced.push(traced);
+        Ok(loops)
     }
 
     /// The mesh of one of the connected parts of such a picture, counted from the largest.

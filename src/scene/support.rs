@@ -14,7 +14,8 @@ pub(super) fn check(scene: &Scene) -> Result<(), Fault> {
         }
     }
     for (i, obstacle) in scene.obstacles.iter().enumerate() {
-        for (key, said) in [("box", obstacle.r#box.is_some()), ("circle", obstacle.circle.is_some())] {
+        let is_space = scene.dimensions() == 3;
+        for (key, said) in [("box", obstacle.r#box.is_some() && is_space), ("circle", obstacle.circle.is_some())] {
             if said {
                 return Err(lacking(key).item(i).at("obstacles"));
             }

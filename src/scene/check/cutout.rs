@@ -17,16 +17,11 @@ const NEIGHBOURS: f64 = 40.0;
 ///
 /// Errors: in space; no file, or none that is a picture; a number out of its range; no ink; a part that is not there.
 pub(super) fn maker(body: &BodyKeys, dimensions: usize, source: &Source) -> Result<Cutout, Fault> {
-    for (key, value) in [("height", body.height), ("spacing", body.spacing), ("max_area", body.max_area)] {
-        Range::Positive.maybe(value).at(key)?;
-    }
-    Range::Share.maybe(body.threshold).at("threshold")?;
-    Range::NotNegative.maybe(body.min_area).at("min_area")?;
+    check_cut(body)?;
     if dimensions == 3 {
         return Err(Fault::invalid("`picture` makes a body in the plane: leave it out in space").at("make"));
     }
     let file = need(body, "file", body.file.as_deref())?;
-    check_image(file).at("file")?;
     let (height, settings) = wanted(body, &*source.picture(file).at("file")?)?;
     let mesh = match body.part {
         None => source.mesh(file, &settings).at("file")?,
@@ -37,6 +32,16 @@ pub(super) fn maker(body: &BodyKeys, dimensions: usize, source: &Source) -> Resu
         PatternName::Braced => Pattern::Braced,
     };
     Ok(Cutout { mesh, height, pattern })
+}
+
+/// Errors: a number out of its range; a file that cannot be an image.
+pub(in crate::scene) fn check_cut(body: &BodyKeys) -> Result<(), Fault> {
+    for (key, value) in [("height", body.height), ("spacing", body.spacing), ("max_area", body.max_area)] {
+        Range::Positive.maybe(value).at(key)?;
+    }
+    Range::Share.maybe(body.threshold).at("threshold")?;
+    Range::NotNegative.maybe(body.min_area).at("min_area")?;
+    body.file.as_deref().map_or(Ok(()), check_image).at("file")
 }
 
 /// The height of the picture [m] and the settings of its mesh that the keys amount to.

@@ -1,9 +1,9 @@
 //! What acts on the points from outside: gravity, wind, mouse, moving pins, walls, obstacles.
 
 use super::number::{self, Range};
-use crate::scene::error::{Fault, Within};
-use crate::scene::keys::{BoxKeys, MouseKeys, ObstacleKeys, PinMotionKeys, RegionName, Scene, Vector};
-use crate::scene::nearest;
+use crate::scene::error::{Fault, Source, Within};
+use crate::scene::keys::{BoxKeys, MouseKeys, ObstacleKeys, PictureKeys, PinMotionKeys, RegionName, Scene, Vector};
+use crate::scene::{nearest, obstacle};
 
 /// Errors: the first fault. `is_pinned` says whether a point of the scene is pinned.
 pub(super) fn check(scene: &Scene, dimensions: usize, is_pinned: &dyn Fn(u32) -> bool) -> Result<(), Fault> {
@@ -28,7 +28,7 @@ pub(super) fn check(scene: &Scene, dimensions: usize, is_pinned: &dyn Fn(u32) ->
         check_surface(bounds.restitution, bounds.friction).at("bounds")?;
     }
     for (i, obstacle) in scene.obstacles.iter().enumerate() {
-        check_obstacle(obstacle, dimensions).item(i).at("obstacles")?;
+        check_obstacle(obstacle, dimensions, &scene.source).item(i).at("obstacles")?;
     }
     Ok(())
 }
@@ -66,8 +66,8 @@ fn check_surface(restitution: Option<f64>, friction: Option<f64>) -> Result<(), 
     Range::NotNegative.maybe(friction).at("friction")
 }
 
-fn check_obstacle(obstacle: &ObstacleKeys, dimensions: usize) -> Result<(), Fault> {
-    const SHAPES: [&str; 4] = ["plane", "box", "circle", "polygon"];
+fn check_obstacle(obstacle: &ObstacleKeys, dimensions: usize, source: &Source) -> Result<(), Fault> {
+    const SHAPES: [&str; 5] = ["plane", "box", "circle", "polygon", "picture"];
     let shapes: Vec<&str> = obstacle.given().filter(|key| SHAPES.contains(key)).collect();
     match shapes[..] {
         [_] => {}
@@ -92,10 +92,24 @@ fn check_obstacle(obstacle: &ObstacleKeys, dimensions: usize) -> Result<(), Faul
         number::vector(&circle.center, dimensions).at("center").at("circle")?;
         Range::Positive.check(circle.radius).at("radius").at("circle")?;
     }
-    match &obstacle.polygon {
-        Some(loops) => check_polygon(loops, dimensions).at("polygon"),
+    if let Some(loops) = &obstacle.polygon {
+        check_polygon(loops, dimensions).at("polygon")?;
+    }
+    match &obstacle.picture {
+        Some(_) if dimensions == 3 => {
+            Err(Fault::invalid("lies in the plane: in space use `plane`, `box` or `circle`").at("picture"))
+        }
+        Some(keys) => check_picture(keys, source).at("picture"),
         None => Ok(()),
     }
+}
+
+fn check_picture(keys: &PictureKeys, source: &Source) -> Result<(), Fault> {
+    if let Some(origin) = &keys.origin {
+        number::vector(origin, 2).at("origin")?;
+    }
+    Range::Finite.maybe(keys.angle).at("angle")?;
+    obstacle::outlines(keys, source).map(|_| ())
 }
 
 fn check_box(keys: &BoxKeys, dimensions: usize) -> Result<(), Fault> {

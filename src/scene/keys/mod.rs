@@ -17,8 +17,8 @@ pub use bonds::BondList;
 pub use method::{MethodKeys, OrderName, PrecisionName, SolverName};
 pub use scene::{AreaKeys, AreaKindName, MassKeys, PointKeys, Scene, TextureKeys, Version};
 pub use surroundings::{
-    BoundsKeys, BoxKeys, CircleKeys, MouseKeys, ObstacleKeys, PinMotionKeys, PlaneKeys, ProfileName, RegionName,
-    RotationKeys, WindKeys,
+    BoundsKeys, BoxKeys, CircleKeys, MouseKeys, ObstacleKeys, PictureKeys, PinMotionKeys, PlaneKeys, ProfileName,
+    RegionName, RotationKeys, WindKeys,
 };
 pub use vector::{Row, Vector};
 pub use view::ViewKeys;

@@ -80,9 +80,9 @@ object! {
 }
 
 object! {
-    /// Something that points cannot enter: exactly one of the four shapes.
+    /// Something that points cannot enter: exactly one of the shapes.
     #[derive(Default)]
-    ObstacleKeys: "an obstacle: an object with one of the keys `plane`, `box`, `circle` and `polygon`" {
+    ObstacleKeys: "an obstacle: an object with one of the keys `plane`, `box`, `circle`, `polygon` and `picture`" {
         optional {
             /// A half-space; the free side is where its normal points.
             plane: PlaneKeys,
@@ -92,10 +92,42 @@ object! {
             circle: CircleKeys,
             /// An outline and its holes, even-odd; in the plane only.
             polygon: Vec<Vec<Vector>>,
+            /// The ink of a picture; in the plane only.
+            picture: PictureKeys,
             /// As of the bounds.
             restitution: f64,
             /// As of the bounds.
             friction: f64,
+        }
+    }
+}
+
+object! {
+    /// The ink of a picture as polygons. The keys mean what they mean of a body of a picture.
+    PictureKeys: "a picture: an object with the key `file`" {
+        required {
+            /// The bitmap, a path relative to the scene or data:image/png;base64,…
+            file: String,
+        }
+        optional {
+            /// Where the middle of the picture lies [m]: (0, 0) if not said.
+            origin: Vector,
+            /// Anticlockwise about it [rad]: 0 if not said.
+            angle: f64,
+            /// Of the whole picture [m], > 0: 2 if not said.
+            height: f64,
+            /// Distance of corners along smooth outlines [m], > 0: a fortieth of its longer side if not said.
+            spacing: f64,
+            /// Coverage above which a pixel is solid [1], 0 to 1; where the picture splits best if not said.
+            threshold: f64,
+            /// Whether light pixels, or clear ones, are solid.
+            invert: bool,
+            /// Specks and holes smaller than this are left out [px^2], 12 if not said.
+            min_area: f64,
+            /// Over how many pixels it is blurred first, 0 if not said.
+            blur: u32,
+            /// Whether holes stay holes; they do if not said.
+            holes: bool,
         }
     }
 }

@@ -1,0 +1,127 @@
+//! Obstacles that are polygons: given as such, boxes in the plane, and the ink of pictures.
+
+use super::check;
+use super::error::{Fault, Source, Within};
+use super::keys::{BodyKeys, BoxKeys, MakerName, ObstacleKeys, PictureKeys, Scene, StrokesName, Vector};
+use super::pictures::Loops;
+use crate::body::turned;
+use crate::picture::{Picture, Settings};
+use crate::sim::Polygon;
+use crate::sim::vector::truncate;
+
+/// The polygons among a scene's obstacles.
+///
+/// Errors: those of [`outlines`].
+pub(super) fn polygons(scene: &Scene) -> Result<Vec<Polygon>, Fault> {
+    let mut list = Vec::new();
+    if scene.dimensions() == 3 {
+        return Ok(list);
+    }
+    for (i, keys) in scene.obstacles.iter().enumerate() {
+        if let Some(loops) = loops(keys, &scene.source).item(i).at("obstacles")? {
+            let (restitution, friction) = (keys.restitution.unwrap_or(0.0), keys.friction.unwrap_or(0.0));
+            list.push(Polygon { loops, restitution, friction });
+        }
+    }
+    Ok(list)
+}
+
+/// The corners of an obstacle; `None` of planes and circles.
+fn loops(keys: &ObstacleKeys, source: &Source) -> Result<Option<Loops>, Fault> {
+    let corners = |outline: &Vec<Vector>| outline.iter().map(|corner| truncate(corner.embed())).collect();
+    if let Some(polygon) = &keys.polygon {
+        return Ok(Some(polygon.iter().map(corners).collect()));
+    }
+    if let Some(keys) = &keys.picture {
+        return outlines(keys, source).at("picture").map(Some);
+    }
+    Ok(keys.r#box.as_ref().map(|keys| vec![rectangle(keys)]))
+}
+
+/// The corners of a box in the plane, which is turned about its centre.
+fn rectangle(keys: &BoxKeys) -> Vec<[f64; 2]> {
+    let [low, high]: [[f64; 2]; 2] = [keys.min, keys.max].map(|corner| truncate(corner.embed()));
+    let centre = [0, 1].map(|k| 0.5 * (low[k] + high[k]));
+    let corners = [low, [high[0], low[1]], high, [low[0], high[1]]];
+    let angle = keys.angle.unwrap_or(0.0);
+    corners.map(|x| shifted(turned([x[0] - centre[0], x[1] - centre[1]], angle), centre)).to_vec()
+}
+
+/// The outlines of a picture's ink, where they lie.
+///
+/// Errors: no such file, no picture; a number out of its range; no ink.
+pub(super) fn outlines(keys: &PictureKeys, source: &Source) -> Result<Loops, Fault> {
+    let as_body = BodyKeys {
+        make: MakerName::Picture,
+        file: Some(keys.file.clone()),
+        height: keys.height,
+        spacing: keys.spacing,
+        threshold: keys.threshold,
+        invert: keys.invert,
+        min_area: keys.min_area,
+        blur: keys.blur,
+        holes: keys.holes,
+        strokes: Some(StrokesName::Mesh),
+        ..BodyKeys::default()
+    };
+    check::check_cut(&as_body)?;
+    let picture = source.picture(&keys.file).at("file")?;
+    let (height, settings) = check::wanted(&as_body, &picture)?;
+    let origin = keys.origin.map_or([0.0; 2], |origin| truncate(origin.embed()));
+    let scale = height / f64::from(picture.height);
+    let middle = [picture.width, picture.height].map(|side| 0.5 * f64::from(side));
+    let angle = keys.angle.unwrap_or(0.0);
+    let place = |&[x, y]: &[f64; 2]| shifted(turned([scale * (x - middle[0]), scale * (middle[1] - y)], angle), origin);
+    let traced = source.traced(&keys.file, &settings).at("file")?;
+    Ok(traced.iter().map(|corners| corners.iter().map(place).collect()).collect())
+}
+
+fn shifted(x: [f64; 2], by: [f64; 2]) -> [f64; 2] {
+    [x[0] + by[0], x[1] + by[1]]
+}
+
+impl Scene {
+    /// Obstacles that are boxes or pictures become polygons, corner by corner: in the plane.
+    ///
+    /// Errors: those of [`outlines`].
+    pub(super) fn with_polygons(&mut self) -> Result<(), Fault> {
+        if self.dimensions() == 3 {
+            return Ok(());
+        }
+        for i in 0..self.obstacles.len() {
+            let keys = &self.obstacles[i];
+            if keys.polygon.is_some() {
+                continue;
+            }
+            if let Some(loops) = loops(keys, &self.source).item(i).at("obstacles")? {
+                let polygon = loops.into_iter().map(|corners| corners.into_iter().map(Vector::Plane).collect());
+                self.obstacles[i] = ObstacleKeys {
+                    polygon: Some(polygon.collect()),
+                    restitution: keys.restitution,
+                    friction: keys.friction,
+                    ..ObstacleKeys::default()
+                };
+            }
+        }
+        Ok(())
+    }
+}
+
+impl PictureKeys {
+    /// The keys that trace a picture by these settings.
+    pub fn trace(settings: &Settings, height: f64, picture: &Picture) -> Self {
+        let keys = BodyKeys::cut(settings, height, picture);
+        PictureKeys {
+            file: String::new(),
+            origin: None,
+            angle: None,
+            height: keys.height,
+            spacing: keys.spacing,
+            threshold: keys.threshold,
+            invert: keys.invert,
+            min_area: keys.min_area,
+            blur: keys.blur,
+            holes: keys.holes,
+        }
+    }
+}
