@@ -35,7 +35,7 @@ pub use contour::{Loop, contours};
 pub use coverage::{Coverage, cover, otsu};
 pub use decode::{MAX_BYTES, MAX_PIXELS, MAX_SIDE, Picture, decode, encode, is_picture};
 pub use error::PictureError;
-pub use fill::fill_outline;
+pub use fill::{Filling, fill_outline};
 pub use mesh::{Mesh, fill_boundary};
 pub use nest::keep;
 pub use outline::{Outline, outline};

@@ -20,8 +20,8 @@ struct Level {
     pixels: Vec<Pixel>,
 }
 
-/// How the picture and its sampler are bound.
-pub(super) fn layout(device: &wgpu::Device) -> wgpu::BindGroupLayout {
+/// How a picture and its sampler are bound.
+pub(in crate::render) fn layout(device: &wgpu::Device) -> wgpu::BindGroupLayout {
     let visibility = wgpu::ShaderStages::VERTEX_FRAGMENT;
     let picture = wgpu::BindingType::Texture {
         sample_type: wgpu::TextureSampleType::Float { filterable: true },
@@ -31,7 +31,7 @@ pub(super) fn layout(device: &wgpu::Device) -> wgpu::BindGroupLayout {
     let sampler = wgpu::BindingType::Sampler(wgpu::SamplerBindingType::Filtering);
     let entry = |binding, ty| wgpu::BindGroupLayoutEntry { binding, visibility, ty, count: None };
     device.create_bind_group_layout(&wgpu::BindGroupLayoutDescriptor {
-        label: Some("skin"),
+        label: Some("picture"),
         entries: &[entry(0, picture), entry(1, sampler)],
     })
 }
