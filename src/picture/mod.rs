@@ -7,6 +7,7 @@
 //!
 //! The same picture and settings make the same bits on any machine and any number of threads.
 
+mod atlas;
 mod bits;
 mod body;
 mod boundary;
@@ -16,6 +17,7 @@ mod coverage;
 mod decode;
 mod error;
 mod fill;
+mod ink;
 mod mesh;
 mod nest;
 mod outline;
@@ -28,6 +30,7 @@ mod stats;
 mod strand;
 mod thin;
 
+pub use atlas::Atlas;
 pub use body::{PictureMesh, assemble};
 pub use boundary::{Boundary, boundary, tolerance};
 pub use brush::{Brush, LEAST_RADIUS, MAX_CANVAS, Mask, Mirror, WIDEST_RADIUS};
@@ -36,6 +39,7 @@ pub use coverage::{Coverage, cover, otsu};
 pub use decode::{MAX_BYTES, MAX_PIXELS, MAX_SIDE, Picture, decode, encode, is_picture};
 pub use error::PictureError;
 pub use fill::{Filling, fill_outline};
+pub use ink::without_paper;
 pub use mesh::{Mesh, fill_boundary};
 pub use nest::keep;
 pub use outline::{Outline, outline};

@@ -34,6 +34,7 @@ pub(super) struct Pictures(Arc<Mutex<Kept>>);
 struct Kept {
     pictures: Vec<(String, Arc<Picture>)>,
     meshes: Vec<(String, Settings, Arc<PictureMesh>)>,
+    inks: Vec<(String, Settings, Arc<Picture>)>,
 }
 
 impl fmt::Debug for Pictures {
@@ -74,6 +75,19 @@ impl Source {
         let mesh = Arc::new(made.mesh);
         self.pictures.kept().meshes.push((name.to_owned(), *settings, Arc::clone(&mesh)));
         Ok(mesh)
+    }
+
+    /// A picture that the scene names, without the paper that its ink stands on if it has any.
+    ///
+    /// Errors: those of [`Source::picture`].
+    pub(super) fn ink(&self, name: &str, settings: &Settings) -> Result<Arc<Picture>, Fault> {
+        if let Some((.., ink)) = self.pictures.kept().inks.iter().find(|kept| kept.0 == name && kept.1 == *settings) {
+            return Ok(Arc::clone(ink));
+        }
+        let picture = self.picture(name)?;
+        let ink = picture::without_paper(&picture, settings).map_or(picture, Arc::new);
+        self.pictures.kept().inks.push((name.to_owned(), *settings, Arc::clone(&ink)));
+        Ok(ink)
     }
 
     /// A picture that the scene names, as a PNG: the file itself where it is one.
@@ -127,6 +141,13 @@ impl Source {
 /// A picture that cannot be taken, at the key that names it.
 fn fault(error: &picture::PictureError) -> Fault {
     Fault::invalid(error.to_string())
+}
+
+/// The same of a picture that is in no file.
+///
+/// Errors: more memory than there is.
+pub(super) fn inline_picture(picture: &Picture) -> Result<String, Fault> {
+    Ok(inline(&picture::encode(picture).map_err(|error| fault(&error))?))
 }
 
 /// A picture as it stands in a scene file itself.

@@ -239,6 +239,6 @@ mod tests {
             cut.in_view(&here).0.is_empty(),
             "the plane fills the square's lower half, all of it below the picture"
         );
-        assert_eq!(cut.in_view(&camera([10.0, 1.0], 4.0)).1[0..3], [0.0, 73.0, 200.0]);
+        assert_eq!(cut.in_view(&camera([10.0, 1.0], 4.0)).1[0..3], [0.0, 85.0, 123.0]);
     }
 }

@@ -1,10 +1,12 @@
 //! Bodies of pictures: the settings of their mesh, in pixels, from the keys, in metres.
 
+use std::sync::Arc;
+
 use super::body::need;
 use super::number::Range;
 use super::surfaces::check_image;
 use crate::body::Cutout;
-use crate::picture::{Settings, Size, Strokes, Threshold};
+use crate::picture::{Picture, Settings, Size, Strokes, Threshold};
 use crate::scene::error::{Fault, Source, Within};
 use crate::scene::keys::{BodyKeys, StrokesName};
 
@@ -26,16 +28,29 @@ pub(super) fn maker(body: &BodyKeys, dimensions: usize, source: &Source) -> Resu
     if dimensions == 3 {
         return Err(Fault::invalid("`picture` makes a body in the plane: leave it out in space").at("make"));
     }
+    let (file, settings) = cutting(body, source)?;
+    Ok(Cutout { mesh: source.mesh(file, &settings).at("file")?, height })
+}
+
+/// What is drawn on the triangles of a body of kind `picture`.
+///
+/// Errors: no file, or none that is a picture; settings that stand against each other.
+pub(in crate::scene) fn skin(body: &BodyKeys, source: &Source) -> Result<Arc<Picture>, Fault> {
+    let (file, settings) = cutting(body, source)?;
+    source.ink(file, &settings).at("file")
+}
+
+/// The file of a body of kind `picture`, and how it is cut out.
+fn cutting<'a>(body: &'a BodyKeys, source: &Source) -> Result<(&'a str, Settings), Fault> {
     let file = need(body, "file", body.file.as_deref())?;
     check_image(file).at("file")?;
     let picture = source.picture(file).at("file")?;
     let side = f64::from(picture.width.max(picture.height));
     let spacing = match body.spacing {
-        Some(spacing) => spacing * (f64::from(picture.height) / height),
+        Some(spacing) => spacing * (f64::from(picture.height) / body.height.unwrap_or(HEIGHT)),
         None => (side / NEIGHBOURS).max(2.0),
     };
-    let settings = settings(body, spacing)?;
-    Ok(Cutout { mesh: source.mesh(file, &settings).at("file")?, height })
+    Ok((file, settings(body, spacing)?))
 }
 
 /// The settings of the mesh at this spacing [px], if nothing else says how large triangles are.
