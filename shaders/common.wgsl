@@ -13,6 +13,10 @@ struct Frame {
     point_color: vec4<f32>,
     pin_color: vec4<f32>,
     region_color: vec4<f32>,
+    obstacle_color: vec4<f32>,
+    rim_color: vec4<f32>,
+    // Left, top, right, bottom of what obstacles may cover [px].
+    obstacles: vec4<f32>,
     // Centre and radius of the mouse region [px], and its shape: 1 round, 2 square.
     region: vec4<f32>,
     // Size of the target [px].

@@ -69,6 +69,7 @@ fn picture(capture: &mut Capture, view: &View<'_>, camera: &Camera, look: &Look)
         draws: after.draws - before.draws,
         bonds_drawn: after.bonds_drawn - before.bonds_drawn,
         dots_drawn: after.dots_drawn - before.dots_drawn,
+        obstacle_triangles_drawn: after.obstacle_triangles_drawn - before.obstacle_triangles_drawn,
         points_drawn: after.points_drawn - before.points_drawn,
         points_bounded: after.points_bounded - before.points_bounded,
     };

@@ -394,3 +394,83 @@ fn one_more_picture_lies_beside_what_is_there_and_one_cut_anew_in_its_place() {
     let error = scene.with_picture_anew(2, ink.clone(), keys(5.0, 1.0)).unwrap_err().to_string();
     assert!(error.contains("bodies[2]: pins, bonds or triangles"), "{error}");
 }
+
+/// Only skins, on black.
+fn skins_alone() -> Look {
+    let clear = [0.0; 4];
+    Look { has_mesh: false, ground: [0.0, 0.0, 0.0, 1.0], grid: clear, axis: clear, wall: clear, ..Look::default() }
+}
+
+fn shown(scene: &Scene) -> image::RgbaImage {
+    let (world, skins) = (scene.world(None).unwrap(), scene.skins().unwrap());
+    let camera = Camera::fit([[-1.2, -1.0, 0.0], [1.2, 1.0, 0.0]], 2, [240, 200]);
+    let view = View { skins: &skins, mouse: None, ..View::of(&*world) };
+    Capture::new([240, 200], 2).unwrap().picture(&view, &camera, &skins_alone()).unwrap()
+}
+
+/// Ink on white paper, with smooth edges as a pen leaves them: a blot, and a line that becomes a rope.
+fn on_paper(colour: [u8; 3]) -> Picture {
+    let mut picture = Picture::filled(160, 120, [255; 4]);
+    for (i, pixel) in picture.rgba.chunks_exact_mut(4).enumerate() {
+        let [x, y] = [i % 160, i / 160].map(|at| at as f64 + 0.5);
+        let (blot, line) = (22.0 - (x - 40.0).hypot(y - 60.0), 1.6 - (x - x.clamp(60.0, 140.0)).hypot(y - 61.3));
+        let share = (blot.max(line) + 0.5).clamp(0.0, 1.0);
+        (0..3).for_each(|k| pixel[k] = (255.0 + share * (f64::from(colour[k]) - 255.0)) as u8);
+    }
+    picture
+}
+
+#[test]
+fn a_drawing_wears_nothing_of_its_paper() {
+    if common::gpu().is_none() {
+        return;
+    }
+    let folder = tempfile::tempdir().unwrap();
+    let drawing = on_paper([190, 30, 40]);
+    let path = saved(folder.path(), "drawing.png", &drawing);
+    for (spacing, is_written_out) in [(10.0, false), (6.0, false), (10.0, true)] {
+        let settings = Settings { size: Size::Spacing(spacing), ..Settings::default() };
+        let scene = Scene::of_picture(&path, BodyKeys::cut(&settings, 2.0, &drawing), Matter::Soft).unwrap();
+        let scene = if is_written_out { scene.expanded().unwrap() } else { scene };
+        let picture = shown(&scene);
+        let inked = picture.pixels().filter(|pixel| pixel[0] > 100).count();
+        let palest = picture.pixels().map(|pixel| pixel[1].max(pixel[2])).max().unwrap();
+        assert!(inked > 2000, "it is there: {inked}");
+        assert!(palest < 75, "paper shines through at spacing {spacing}: {palest}");
+    }
+}
+
+#[test]
+fn bodies_of_several_pictures_look_the_same_written_out() {
+    if common::gpu().is_none() {
+        return;
+    }
+    let folder = tempfile::tempdir().unwrap();
+    let blot = |size: [u32; 2], colour| {
+        picture(size, colour, |x, y| {
+            (2.2 * (x / f64::from(size[0]) - 0.5)).hypot(2.2 * (y / f64::from(size[1]) - 0.5)) < 1.0
+        })
+    };
+    saved(folder.path(), "red.png", &blot([90, 60], [220, 40, 30]));
+    saved(folder.path(), "green.png", &blot([40, 80], [30, 200, 60]));
+    let body = |file: &str, [x, y]: [f64; 2]| {
+        format!(
+            r#"{{ "make": "picture", "file": "{file}", "height": 1, "spacing": 0.12, "origin": [{x}, {y}], "material": {{ "kind": "spring", "young": 1000 }} }}"#
+        )
+    };
+    let bodies = [body("red.png", [-0.5, 0.0]), body("green.png", [0.5, 0.0]), body("red.png", [0.9, 1.2])].join(", ");
+    let path = folder.path().join("three.json");
+    std::fs::write(&path, format!(r#"{{ "wobble": 1, "bodies": [{bodies}] }}"#)).unwrap();
+    let scene = Scene::read(&path).unwrap();
+    let expanded = scene.expanded().unwrap();
+    let [skins, one] = [&scene, &expanded].map(|scene| scene.skins().unwrap());
+    assert_eq!((skins.len(), one.len()), (3, 1));
+    assert_eq!(one[0].triangles.len(), skins.iter().map(|skin| skin.triangles.len()).sum::<usize>());
+    let [before, after] = [&scene, &expanded].map(shown);
+    for colour in [[220, 40, 30], [30, 200, 60]] {
+        let near = |pixel: &image::Rgba<u8>| (0..3).all(|k| pixel.0[k].abs_diff(colour[k]) <= 3);
+        assert!(before.pixels().filter(|pixel| near(pixel)).count() > 1000, "{colour:?} is in the picture");
+    }
+    let differ = |(a, b): &(&image::Rgba<u8>, &image::Rgba<u8>)| (0..3).any(|k| a.0[k].abs_diff(b.0[k]) > 8);
+    assert!(before.pixels().zip(after.pixels()).filter(differ).count() < 20, "the same colours in the same places");
+}

@@ -6,28 +6,15 @@ mod common;
 use std::path::Path;
 use std::process::Command;
 
-use common::picture::{NO_BONDS, bond, plain, view};
+use common::picture::{NO_BONDS, SIDE, assert_coverage, bond, pixels, plain, sampled, view};
 use glam::{DVec2, DVec3};
 use image::RgbaImage;
 use wobble::render::{Camera, Capture, Look, Overlay, Pose, View};
 use wobble::sim::{Bond, Bonds, Cursor, MouseForce, PointId, Positions, Profile, Region, Track};
 
-/// The picture that the program itself draws.
-fn rendered(scene: &str, time: &str) -> RgbaImage {
-    let folder = tempfile::tempdir().unwrap();
-    let out = folder.path().join("x.png");
-    let done = Command::new(env!("CARGO_BIN_EXE_wobble"))
-        .args(["render", scene, "--time", time, "--size", "320x240", "--out"])
-        .arg(&out)
-        .output()
-        .unwrap();
-    assert!(done.status.success(), "{}", String::from_utf8_lossy(&done.stderr));
-    image::open(out).unwrap().to_rgba8()
-}
-
 fn golden(name: &str, scene: &str, time: &str) {
     if let Some(gpu) = common::gpu() {
-        common::golden::check(name, &rendered(scene, time), &gpu.info);
+        common::golden::check(name, &common::rendered(scene, time, "320x240"), &gpu.info);
     }
 }
 
@@ -56,36 +43,6 @@ fn a_cloth_in_space() {
     golden("cloth-space", common::file("cloth-space.json").to_str().unwrap(), "1.5");
 }
 
-const SIDE: u32 = 64;
-
-/// A camera under which a metre is a pixel and the origin is the middle of the picture.
-fn pixels() -> Camera {
-    Camera::new(Pose::Plane { center: DVec2::ZERO, height: f64::from(SIDE) }, [SIDE, SIDE])
-}
-
-/// Holds the picture against the share of each pixel that lies within a shape, by 16 x 16 samples a pixel.
-fn assert_coverage(picture: &RgbaImage, inside: impl Fn(DVec2) -> bool) {
-    const FINE: u32 = 16;
-    let (mut worst, mut sum, mut edge) = (0.0_f64, 0.0, 0);
-    for (x, y, pixel) in picture.enumerate_pixels() {
-        let sample = |i: u32| {
-            let offset = |k: u32| (f64::from(k) + 0.5) / f64::from(FINE);
-            let at = DVec2::new(f64::from(x) + offset(i % FINE), f64::from(y) + offset(i / FINE));
-            let from_middle = at - 0.5 * f64::from(SIDE);
-            inside(DVec2::new(from_middle.x, -from_middle.y))
-        };
-        let truth = (0..FINE * FINE).filter(|&i| sample(i)).count() as f64 / f64::from(FINE * FINE);
-        let error = (f64::from(pixel[0]) / 255.0 - truth).abs();
-        worst = worst.max(error);
-        sum += error;
-        edge += u32::from(truth > 0.0);
-    }
-    assert!(edge > 50, "the shape is in the picture");
-    let mean = sum / f64::from(edge);
-    assert!(mean <= 0.01, "mean error {mean} over the {edge} pixels that it touches");
-    assert!(worst <= 0.1, "largest error {worst}");
-}
-
 #[test]
 fn a_disc_covers_what_its_formula_says() {
     if common::gpu().is_none() {
@@ -95,7 +52,7 @@ fn a_disc_covers_what_its_formula_says() {
     let positions = [center.x as f32, center.y as f32];
     let mut capture = Capture::new([SIDE, SIDE], 2).unwrap();
     let picture = capture.picture(&view(&positions, NO_BONDS, 2), &pixels(), &plain()).unwrap();
-    assert_coverage(&picture, |at| at.distance(center) <= f64::from(plain().point_radius));
+    assert_coverage(&picture, sampled(|at| at.distance(center) <= f64::from(plain().point_radius)));
 }
 
 #[test]
@@ -108,10 +65,11 @@ fn a_line_covers_what_its_formula_says() {
     let look = Look { point: [0.0; 4], ..plain() };
     let mut capture = Capture::new([SIDE, SIDE], 2).unwrap();
     let picture = capture.picture(&view(&positions, &[bond(0, 1)].into(), 2), &pixels(), &look).unwrap();
-    assert_coverage(&picture, |at| {
+    let near = |at: DVec2| {
         let t = ((at - a).dot(b - a) / (b - a).length_squared()).clamp(0.0, 1.0);
         at.distance(a + (b - a) * t) <= 0.5 * f64::from(look.bond_width)
-    });
+    };
+    assert_coverage(&picture, sampled(near));
 }
 
 #[test]

@@ -6,6 +6,11 @@ use crate::render::{Camera, Pose};
 use crate::scene::Scene;
 use crate::sim::Dynamics;
 
+/// Width of the pictures that views are made for, in heights: what is seen to both sides there is seen in narrower ones too.
+const MADE_FOR: f64 = 16.0 / 9.0;
+/// Room beside what a narrower picture would cut off [1].
+const ROOM: f64 = 1.03;
+
 /// The camera of a scene's `view`; what that leaves out fits the scene.
 pub fn camera(scene: &Scene, world: &dyn Dynamics, size: [u32; 2]) -> Camera {
     let mut camera = fit(world, true, size);
@@ -14,8 +19,7 @@ pub fn camera(scene: &Scene, world: &dyn Dynamics, size: [u32; 2]) -> Camera {
     match &mut camera.pose {
         Pose::Plane { center, height } => {
             *center = view.center.map_or(*center, |at| DVec3::from(at.embed()).truncate());
-            // In a picture higher than wide the same stretch is seen across.
-            *height = view.height.map_or(*height, |height| height / (width / tall).min(1.0));
+            *height = view.height.map_or(*height, |height| height_for(height, width / tall, center.x, world));
         }
         Pose::Orbit { target, distance, yaw, pitch } => {
             *target = view.target.map_or(*target, |at| DVec3::from(at.embed()));
@@ -27,22 +31,57 @@ pub fn camera(scene: &Scene, world: &dyn Dynamics, size: [u32; 2]) -> Camera {
     camera
 }
 
-/// A camera that shows all points, with the walls too or without.
+/// The height [m] of a picture `aspect` times as wide as high, in which nothing of points and walls is cut off to the sides
+/// that one of `height` shows which is as wide as views are made for.
+fn height_for(height: f64, aspect: f64, center: f64, world: &dyn Dynamics) -> f64 {
+    let sides = [points(world), surroundings(world)].map(|extent| extent.map(|corner| (corner[0] - center).abs()));
+    let shown = sides.into_iter().flatten().filter(|&side| side <= 0.5 * MADE_FOR * height).fold(0.0, f64::max);
+    // In a picture higher than wide the same stretch is seen across.
+    (height / aspect.min(1.0)).max(2.0 * ROOM * shown / aspect)
+}
+
+/// A camera that shows all points, with walls and polygons too or without. Where there are no points it shows those anyway.
 pub fn fit(world: &dyn Dynamics, with_walls: bool, size: [u32; 2]) -> Camera {
-    let mut corners = [[f64::INFINITY; 3], [f64::NEG_INFINITY; 3]];
-    let mut include = |axis: usize, value: f64| {
-        corners[0][axis] = corners[0][axis].min(value);
-        corners[1][axis] = corners[1][axis].max(value);
-    };
-    let (positions, dimensions) = (world.positions(), world.dimensions());
-    for i in 0..positions.len() {
-        include(i % dimensions, positions.get(i));
-    }
-    for corner in world.bounds().filter(|_| with_walls).iter().flatten() {
-        (0..dimensions).for_each(|axis| include(axis, corner[axis]));
+    let dimensions = world.dimensions();
+    let mut corners = points(world);
+    if with_walls || world.point_count() == 0 {
+        surroundings(world).iter().for_each(|corner| include(&mut corners, corner));
     }
     let seen = (0..dimensions).all(|axis| corners[0][axis].is_finite() && corners[1][axis].is_finite());
     let corners = if seen { corners } else { [[-1.0; 3], [1.0; 3]] };
     let flat = |corner: [f64; 3]| corner.map(|c| if c.is_finite() { c } else { 0.0 });
     Camera::fit(corners.map(flat), dimensions, size)
+}
+
+/// Corners of a box that nothing is in.
+const EMPTY: [[f64; 3]; 2] = [[f64::INFINITY; 3], [f64::NEG_INFINITY; 3]];
+
+/// Takes in a place. What has no number along an axis has no place there.
+fn include(corners: &mut [[f64; 3]; 2], place: &[f64]) {
+    for (axis, &value) in place.iter().enumerate().filter(|(_, value)| value.is_finite()) {
+        corners[0][axis] = corners[0][axis].min(value);
+        corners[1][axis] = corners[1][axis].max(value);
+    }
+}
+
+/// The box about all points [m].
+fn points(world: &dyn Dynamics) -> [[f64; 3]; 2] {
+    let (positions, dimensions) = (world.positions(), world.dimensions());
+    let mut corners = EMPTY;
+    for first in (0..positions.len()).step_by(dimensions) {
+        let place: [f64; 3] =
+            std::array::from_fn(|axis| if axis < dimensions { positions.get(first + axis) } else { 0.0 });
+        include(&mut corners, &place[..dimensions]);
+    }
+    corners
+}
+
+/// The box about walls and polygons [m].
+fn surroundings(world: &dyn Dynamics) -> [[f64; 3]; 2] {
+    let mut corners = EMPTY;
+    world.bounds().iter().flatten().for_each(|corner| include(&mut corners, &corner[..world.dimensions()]));
+    for corner in world.polygons().iter().flat_map(|polygon| &polygon.loops).flatten() {
+        include(&mut corners, corner);
+    }
+    corners
 }

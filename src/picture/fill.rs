@@ -1,5 +1,7 @@
 //! Outlines with holes to triangles that fill them, for drawing: as few as there can be, of any shape.
 
+mod crossed;
+
 use std::panic::{AssertUnwindSafe, catch_unwind};
 
 use super::Point;
@@ -22,19 +24,31 @@ struct Ring<'a> {
     inside: Point,
 }
 
-/// Triangles that fill the outlines by the even-odd rule: a loop in a loop is a hole, one in a hole is filled again.
+/// Triangles that fill outlines.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Filling {
+    /// The points of all loops in their order, `loops.concat()`, then those where edges cross [px].
+    pub points: Vec<Point>,
+    /// Triangles, by the numbers of their points. How they turn is not defined.
+    pub triangles: Vec<[u32; 3]>,
+}
+
+/// Triangles that fill the outlines by the even-odd rule: a loop in a loop is a hole, one in a hole is filled again, and
+/// of loops that cross each other or themselves what an odd number of them runs around is filled.
 ///
-/// Shapes: triangles are of points, numbered through all loops in their order, also through loops that are left out:
-/// `loops.concat()[k]` is point k. How triangles turn is not defined.
-/// Valid range: loops that neither cross each other nor themselves; they may touch in points. Where they cross, what is
-/// filled is not defined, and the holes of an outline that they cross are left out. Loops of fewer than 3 points,
-/// without area, or with a coordinate that is no number or infinite are left out, and so is an outline that cannot be
-/// divided.
-/// Accuracy: the areas of triangles sum up to that of the outline but for rounding, see the tests.
+/// Valid range: any loops; they may touch. Loops of fewer than 3 points, along a line, or with a coordinate that is no
+/// number or infinite are left out, and so is an outline that cannot be divided.
+/// Accuracy: the areas of triangles sum up to that of the outline but for rounding, and they do not overlap, see the tests.
 /// Cost: n log n for n points of an outline with its holes as a rule, n^2 at worst; m^2 for m loops, to tell what lies
-/// in what.
-pub fn fill_outline(loops: &[Vec<Point>]) -> Vec<[u32; 3]> {
+/// in what. Where edges cross, n for each part that they cut the plane into, too.
+pub fn fill_outline(loops: &[Vec<Point>]) -> Filling {
     let rings = rings(loops);
+    let points = loops.concat();
+    if cross(&rings) {
+        // Should it ever panic on numbers that are next to each other, that is no reason for us to.
+        let filled = catch_unwind(AssertUnwindSafe(|| crossed::fill(&rings, points.clone())));
+        return filled.ok().flatten().unwrap_or(Filling { points, triangles: Vec::new() });
+    }
     let around = containers(&rings);
     let mut triangles = Vec::new();
     for (k, outer) in rings.iter().enumerate().filter(|&(k, _)| around[k].0.is_multiple_of(2)) {
@@ -42,7 +56,7 @@ pub fn fill_outline(loops: &[Vec<Point>]) -> Vec<[u32; 3]> {
         let family: Vec<&Ring> = std::iter::once(outer).chain(holes.map(|(ring, _)| ring)).collect();
         triangles.extend(divide(&family));
     }
-    triangles
+    Filling { points, triangles }
 }
 
 /// The loops that have area, largest first.
@@ -67,8 +81,10 @@ fn ring(points: &[Point], first: usize) -> Option<Ring<'_>> {
     }
     let area = 0.5 * doubled_area(points).abs();
     let side = (bounds[2] - bounds[0]).max(bounds[3] - bounds[1]);
-    // A product that overflows is no number or infinite, and fails too.
-    let has_area = area.is_finite() && area > LEAST_SHARE * side * side;
+    // Of a loop that crosses itself parts may cancel each other: their sizes count. A product that overflows is no
+    // number or infinite, and fails too.
+    let swept: f64 = points.windows(2).map(|pair| 0.5 * turn(points[0], pair[0], pair[1]).abs()).sum();
+    let has_area = swept.is_finite() && swept > LEAST_SHARE * side * side;
     let inside = has_area.then(|| inside(points, bounds)).flatten()?;
     Some(Ring { points, first, area, bounds, inside })
 }
@@ -118,12 +134,12 @@ fn contains(ring: &Ring, [x, y]: Point) -> bool {
 const LEAST_CROSSING: f64 = 1e-9;
 
 /// Whether any two edges of some rings cross: each is compared with those that start above its end.
-fn cross(family: &[&Ring]) -> bool {
-    let edges_of = |ring: &&Ring| {
+fn cross(rings: &[Ring]) -> bool {
+    let edges_of = |ring: &Ring| {
         let before = ring.points.iter().cycle().skip(ring.points.len() - 1);
         before.zip(ring.points).map(|(&a, &b)| if a[1] <= b[1] { [a, b] } else { [b, a] }).collect::<Vec<_>>()
     };
-    let mut edges: Vec<[Point; 2]> = family.iter().flat_map(edges_of).collect();
+    let mut edges: Vec<[Point; 2]> = rings.iter().flat_map(edges_of).collect();
     edges.sort_by(|a, b| a[0][1].total_cmp(&b[0][1]));
     let mut active: Vec<[Point; 2]> = Vec::new();
     edges.iter().any(|&edge| {
@@ -146,8 +162,6 @@ fn do_cross([a, b]: [Point; 2], [c, d]: [Point; 2]) -> bool {
 
 /// Triangles of a ring without its holes.
 fn divide(family: &[&Ring]) -> Vec<[u32; 3]> {
-    // Rings that cross may keep it busy for ever when it ties holes to the outline.
-    let family = if family.len() > 1 && cross(family) { &family[..1] } else { family };
     let coordinates: Vec<f64> = family.iter().flat_map(|ring| ring.points.as_flattened()).copied().collect();
     let numbers: Vec<u32> =
         family.iter().flat_map(|ring| (ring.first..ring.first + ring.points.len()).map(|k| k as u32)).collect();
@@ -156,7 +170,7 @@ fn divide(family: &[&Ring]) -> Vec<[u32; 3]> {
         Some(*sum)
     });
     let holes: Vec<usize> = ends.take(family.len() - 1).collect();
-    // It gives up with an error; should it ever panic on what crosses itself, that is no reason for us to.
+    // It gives up with an error; should it ever panic, that is no reason for us to.
     let ears = catch_unwind(AssertUnwindSafe(|| earcutr::earcut(&coordinates, &holes, 2)));
     let ears = ears.ok().and_then(Result::ok).unwrap_or_default();
     ears.as_chunks::<3>().0.iter().map(|ear| ear.map(|k| numbers[k])).collect()

@@ -7,6 +7,7 @@
 //!
 //! The same picture and settings make the same bits on any machine and any number of threads.
 
+mod atlas;
 mod bits;
 mod body;
 mod boundary;
@@ -17,6 +18,7 @@ mod coverage;
 mod decode;
 mod error;
 mod fill;
+mod ink;
 mod mesh;
 mod nest;
 mod outline;
@@ -30,6 +32,7 @@ mod stats;
 mod strand;
 mod thin;
 
+pub use atlas::Atlas;
 pub use body::{PictureMesh, assemble};
 pub use boundary::{Boundary, boundary, tolerance};
 pub use brace::Brace;
@@ -38,7 +41,8 @@ pub use contour::{Loop, contours};
 pub use coverage::{Coverage, cover, otsu};
 pub use decode::{MAX_BYTES, MAX_PIXELS, MAX_SIDE, Picture, decode, encode, is_picture};
 pub use error::PictureError;
-pub use fill::fill_outline;
+pub use fill::{Filling, fill_outline};
+pub use ink::without_paper;
 pub use mesh::{Mesh, fill_boundary};
 pub use nest::keep;
 pub use outline::{Outline, outline};

@@ -21,6 +21,8 @@ pub struct RenderCounters {
     pub dots_drawn: u64,
     /// Triangles of skins that were drawn.
     pub triangles_drawn: u64,
+    /// Triangles of obstacles whose cover was added up: none where obstacles and camera are as they were.
+    pub obstacle_triangles_drawn: u64,
     /// Points that were drawn.
     pub points_drawn: u64,
     /// Points that were looked at to find out which parts of a scene are in view.

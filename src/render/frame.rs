@@ -22,6 +22,9 @@ pub(super) struct Frame {
     point_color: Color,
     pin_color: Color,
     region_color: Color,
+    obstacle_color: Color,
+    rim_color: Color,
+    obstacles: [f32; 4],
     region: [f32; 4],
     viewport: [f32; 2],
     mix: f32,
@@ -33,7 +36,7 @@ pub(super) struct Frame {
     dot_radius: f32,
 }
 
-const _: () = assert!(size_of::<Frame>() == 212);
+const _: () = assert!(size_of::<Frame>() == 260);
 
 impl Frame {
     /// The uniforms of a picture of what lies in `buffers`.
@@ -50,6 +53,9 @@ impl Frame {
             point_color: [r, g, b, opacity * point_strength(look, bond_pixels)],
             pin_color: look.pin,
             region_color: look.region,
+            obstacle_color: look.obstacle,
+            rim_color: look.wall,
+            obstacles: [0.0; 4],
             region: region(view, camera).unwrap_or_default(),
             viewport: camera.viewport(),
             mix: view.mix,
@@ -73,6 +79,13 @@ impl Frame {
             radius: f64::from(self.dot_radius),
             points_faded: self.point_color[3] == 0.0,
         }
+    }
+
+    /// The same picture of obstacles that are relative to `origin` [m], and may cover this much of it [px].
+    pub(super) fn of_obstacles(&self, camera: &Camera, origin: DVec3, obstacles: [f32; 4]) -> Self {
+        // Nothing else of it moves them: what changes from picture to picture is left out.
+        let clip_from_world = camera.clip_from_world(origin).to_cols_array();
+        Frame { clip_from_world, obstacles, mix: 0.0, region: [0.0; 4], point_color: [0.0; 4], ..*self }
     }
 
     /// Whether there is a region to draw.

@@ -1,10 +1,11 @@
-//! Guides: the grid of the plane and the walls, as strokes.
+//! Guides: the grid of the plane, the walls, and planes in space, as strokes.
 
 use bytemuck::{Pod, Zeroable};
 use glam::{DVec2, DVec3};
 
 use super::camera::{Camera, Pose};
 use super::look::{Color, Look};
+use super::obstacles::{Patch, RIM};
 
 /// A stroke as the shader reads it: `Guide` in guides.wgsl.
 #[derive(Clone, Copy, Debug, PartialEq, Pod, Zeroable)]
@@ -20,10 +21,13 @@ const _: () = assert!(size_of::<Guide>() == 48);
 /// Least distance between lines of the grid [px].
 const CLOSEST: f64 = 45.0;
 
+/// Opacity of a plane's rim in space, where it ends nowhere, beside that of walls [1].
+const PATCH_RIM: f32 = 0.6;
+
 /// The guides of a picture, those below first. Positions relative to `origin` [m].
 pub(super) fn guides(
     camera: &Camera,
-    bounds: Option<[[f64; 3]; 2]>,
+    (bounds, patches): (Option<[[f64; 3]; 2]>, &[Patch]),
     dimensions: usize,
     origin: DVec3,
     look: &Look,
@@ -34,6 +38,11 @@ pub(super) fn guides(
     }
     if let Some(bounds) = bounds {
         walls(&mut list, bounds, dimensions, origin, look);
+    }
+    for (k, [a, b]) in patches.iter().flat_map(|patch| patch.lines.iter().enumerate()) {
+        let [red, green, blue, opacity] = look.wall;
+        let color = if k < RIM { [red, green, blue, PATCH_RIM * opacity] } else { look.axis };
+        list.push(guide(a - origin, b - origin, look.scale_factor, color));
     }
     list
 }
@@ -102,7 +111,7 @@ mod tests {
     fn there_is_no_grid_where_numbers_end() {
         let count = |center: DVec2, height: f64| {
             let camera = Camera::new(Pose::Plane { center, height }, [640, 480]);
-            guides(&camera, None, 2, camera.focus(), &Look::default()).len()
+            guides(&camera, (None, &[]), 2, camera.focus(), &Look::default()).len()
         };
         assert!((10..50).contains(&count(DVec2::splat(1e3), 1e-3)));
         assert_eq!(count(DVec2::splat(1e20), 1e-6), 0, "both edges are the same number");
@@ -122,6 +131,6 @@ mod tests {
             list.len()
         };
         assert_eq!((count(2), count(3)), (4, 12));
-        assert!(guides(&camera, None, 3, DVec3::ZERO, &Look::default()).is_empty());
+        assert!(guides(&camera, (None, &[]), 3, DVec3::ZERO, &Look::default()).is_empty());
     }
 }

@@ -24,8 +24,10 @@ pub struct Look {
     pub grid: Color,
     /// Axes of the grid.
     pub axis: Color,
-    /// Walls.
+    /// Walls, and the rims of obstacles.
     pub wall: Color,
+    /// The inside of obstacles.
+    pub obstacle: Color,
     /// Bonds at rest.
     pub bond: Color,
     /// Stretched bonds.
@@ -66,6 +68,7 @@ impl Default for Look {
             grid: hex(0xff_ff_ff, 0.035),
             axis: hex(0xff_ff_ff, 0.09),
             wall: hex(0x5b_6b_84, 1.0),
+            obstacle: hex(0x26_30_41, 1.0),
             bond: hex(0x8f_a6_c2, 1.0),
             stretch: hex(0xff_8f_2e, 1.0),
             squeeze: hex(0x2f_9b_ff, 1.0),

@@ -16,6 +16,7 @@ mod gpu;
 mod growing;
 mod guides;
 mod look;
+mod obstacles;
 mod order;
 mod passes;
 mod renderer;

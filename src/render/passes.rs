@@ -1,4 +1,4 @@
-//! The passes of a picture: guides, skins, bonds, points, region, each a shader of its own over the same bindings.
+//! The passes of a picture: guides, obstacles, skins, bonds, points, region, each a shader of its own over the same bindings.
 //!
 //! In the plane what is drawn later lies on top. In space the pixels that a shape fills are drawn first and write their
 //! depth; those at its edges, which it shares with what lies behind, are drawn over them and only look at the depth.
@@ -9,6 +9,7 @@ use super::buffers::WorldBuffers;
 use super::chunks::{CHUNK, Run};
 use super::counters::RenderCounters;
 use super::gpu::Gpu;
+use super::obstacles::{COVER, Obstacles, SHARES};
 use super::skin::Skins;
 
 /// A shader with what all of them share in front.
@@ -24,12 +25,13 @@ macro_rules! shader {
 }
 
 /// The shaders as they are compiled: name, and source with what all of them share in front.
-pub const SHADERS: [(&str, &str); 5] = [
+pub const SHADERS: [(&str, &str); 6] = [
     ("guides", shader!("guides")),
     ("bonds", shader!("bonds")),
     ("points", shader!("points")),
     ("region", shader!("region")),
     ("skin", shader!("skin")),
+    ("obstacles", shader!("obstacles")),
 ];
 
 /// What is drawn.
@@ -46,6 +48,12 @@ enum Pass {
     Skin,
     /// Their free sides.
     SkinEdges,
+    /// How much of each pixel obstacles cover.
+    Cover,
+    /// And their rims.
+    Rim,
+    /// Obstacles, from that.
+    Obstacles,
 }
 
 /// Vertices of a quad and of a disc.
@@ -61,6 +69,7 @@ impl Pass {
             Pass::Points => 2,
             Pass::Region => 3,
             Pass::Skin | Pass::SkinEdges => 4,
+            Pass::Cover | Pass::Rim | Pass::Obstacles => 5,
         }
     }
 
@@ -68,7 +77,20 @@ impl Pass {
         match self {
             Pass::Dots => ["dot_vertex", "dot_fragment"],
             Pass::SkinEdges => ["edge_vertex", "edge_fragment"],
+            Pass::Cover => ["cover_vertex", "cover_fragment"],
+            Pass::Rim => ["vertex", "rim_fragment"],
             _ => ["vertex", "fragment"],
+        }
+    }
+
+    /// How what it draws is put on what is there: cover is added up, rims take their place, all else lies on top.
+    fn blend(self) -> wgpu::BlendState {
+        let one = wgpu::BlendFactor::One;
+        let sum = wgpu::BlendComponent { src_factor: one, dst_factor: one, operation: wgpu::BlendOperation::Add };
+        match self {
+            Pass::Cover => wgpu::BlendState { color: sum, alpha: sum },
+            Pass::Rim => wgpu::BlendState::REPLACE,
+            _ => wgpu::BlendState::ALPHA_BLENDING,
         }
     }
 
@@ -81,7 +103,7 @@ impl Pass {
             Pass::Strokes => selection.strokes.iter().map(|run| call(run, QUAD)).collect(),
             Pass::Points => selection.points.iter().map(|range| [DISC * range.start..DISC * range.end, 0..1]).collect(),
             Pass::Region => vec![[0..QUAD * u32::from(has_region), 0..1]],
-            Pass::Skin | Pass::SkinEdges => Vec::new(),
+            _ => Vec::new(),
         };
         calls.retain(|[vertices, _]| !vertices.is_empty());
         calls
@@ -125,13 +147,22 @@ pub(super) struct Passes {
     pipelines: Vec<(Pass, wgpu::RenderPipeline)>,
     /// Of the triangles of skins, and of their edges: over the first guides.
     skin: [wgpu::RenderPipeline; 2],
+    /// What obstacles cover, their rims, and both as they are shown: below the skins. In the plane alone.
+    obstacles: Option<[wgpu::RenderPipeline; 3]>,
     layout: wgpu::BindGroupLayout,
     bindings: Option<[wgpu::BindGroup; 4]>,
 }
 
 impl Passes {
     /// For worlds of `dimensions` drawn to a target of `format`.
-    pub(super) fn new(gpu: &Gpu, format: wgpu::TextureFormat, dimensions: usize, skins: &Skins) -> Self {
+    ///
+    /// `own` are the layouts of what skins and obstacles bind beside the world's buffers.
+    pub(super) fn new(
+        gpu: &Gpu,
+        format: wgpu::TextureFormat,
+        dimensions: usize,
+        own: [&wgpu::BindGroupLayout; 2],
+    ) -> Self {
         let layout = bindings_layout(&gpu.device);
         let modules = SHADERS.map(|shader| module(&gpu.device, shader));
         let layers = layers(dimensions).into_iter();
@@ -141,11 +172,18 @@ impl Passes {
         let pipelines = pipelines.collect();
         // In space triangles hide what lies behind them.
         let solid = if dimensions == 3 { Part::Core } else { Part::All };
+        let [worn, covered] = own.map(|own| [&layout, own]);
         let skin = [(Pass::Skin, solid), (Pass::SkinEdges, Part::All)].map(|(pass, part)| {
-            let layouts = [&layout, skins.layout()];
-            pipeline(&gpu.device, &layouts, &modules[pass.shader()], (pass, part), format, dimensions)
+            pipeline(&gpu.device, &worn, &modules[pass.shader()], (pass, part), format, dimensions)
         });
-        Passes { pipelines, skin, layout, bindings: None }
+        let obstacles = (dimensions == 2).then(|| {
+            let passes = [(Pass::Cover, COVER, 1), (Pass::Rim, SHARES, 2), (Pass::Obstacles, format, 2)];
+            passes.map(|(pass, format, groups)| {
+                let layouts = &covered[..groups];
+                pipeline(&gpu.device, layouts, &modules[pass.shader()], (pass, Part::All), format, dimensions)
+            })
+        });
+        Passes { pipelines, skin, obstacles, layout, bindings: None }
     }
 
     /// How the world's buffers are bound.
@@ -170,17 +208,34 @@ impl Passes {
         }));
     }
 
+    /// Finds out what obstacles cover of a picture of `size` [px], before it is drawn.
+    pub(super) fn cover(
+        &self,
+        gpu: &Gpu,
+        encoder: &mut wgpu::CommandEncoder,
+        obstacles: &mut Obstacles,
+        size: [u32; 2],
+        counters: &mut RenderCounters,
+    ) {
+        if let Some(pipelines) = &self.obstacles {
+            obstacles.cover(gpu, encoder, pipelines, size, counters);
+        }
+    }
+
     /// Draws the passes that have something to draw.
     pub(super) fn draw(
         &self,
         target: &mut wgpu::RenderPass<'_>,
-        (buffers, skins): (&WorldBuffers, &Skins),
+        (buffers, skins, obstacles): (&WorldBuffers, &Skins, &Obstacles),
         (has_region, has_mesh): (bool, bool),
         counters: &mut RenderCounters,
     ) {
         let Some(bindings) = &self.bindings else { return };
         for (place, &(pass, ref pipeline)) in self.pipelines.iter().enumerate() {
             if place == 1 {
+                if let Some(pipelines) = &self.obstacles {
+                    obstacles.draw(target, pipelines, counters);
+                }
                 skins.draw(target, &self.skin, counters);
             }
             if !has_mesh && matches!(pass, Pass::Dots | Pass::Strokes | Pass::Points) {
@@ -274,7 +329,7 @@ fn pipeline(
             compilation_options: options(),
             targets: &[Some(wgpu::ColorTargetState {
                 format,
-                blend: Some(wgpu::BlendState::ALPHA_BLENDING),
+                blend: Some(pass.blend()),
                 write_mask: wgpu::ColorWrites::ALL,
             })],
         }),

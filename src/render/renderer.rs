@@ -8,6 +8,7 @@ use super::frame::Frame;
 use super::gpu::Gpu;
 use super::guides::guides;
 use super::look::Look;
+use super::obstacles::Obstacles;
 use super::passes::{DEPTH, Passes};
 use super::skin::Skins;
 use super::view::View;
@@ -19,6 +20,7 @@ pub struct Renderer {
     passes: Passes,
     buffers: WorldBuffers,
     skins: Skins,
+    obstacles: Obstacles,
     depth: Option<(wgpu::TextureView, [u32; 2])>,
     dimensions: usize,
     has_region: bool,
@@ -28,11 +30,12 @@ pub struct Renderer {
 impl Renderer {
     /// A renderer without a world: the first [`Renderer::prepare`] gives it one.
     pub fn new(gpu: &Gpu, format: wgpu::TextureFormat, dimensions: usize) -> Self {
-        let skins = Skins::new(gpu);
+        let (skins, obstacles) = (Skins::new(gpu), Obstacles::new(gpu));
         Renderer {
-            passes: Passes::new(gpu, format, dimensions, &skins),
+            passes: Passes::new(gpu, format, dimensions, [skins.layout(), obstacles.layout()]),
             buffers: WorldBuffers::new(gpu),
             skins,
+            obstacles,
             depth: None,
             dimensions,
             has_region: false,
@@ -48,9 +51,11 @@ impl Renderer {
         self.buffers.update(gpu, view, camera, counters)?;
         self.skins.update(gpu, view, counters)?;
         let origin = self.buffers.origin;
-        let lines = guides(camera, view.bounds, view.dimensions, origin, look);
-        self.buffers.set_guides(gpu, bytemuck::cast_slice(&lines), lines.len(), counters)?;
         let frame = Frame::new(view, camera, look, &self.buffers);
+        self.obstacles.update(gpu, (view, camera, &frame), counters)?;
+        let solid = (view.bounds, self.obstacles.patches());
+        let lines = guides(camera, solid, view.dimensions, origin, look);
+        self.buffers.set_guides(gpu, bytemuck::cast_slice(&lines), lines.len(), counters)?;
         self.has_region = frame.has_region();
         self.buffers.set_frame(gpu, bytemuck::bytes_of(&frame), counters)?;
         self.buffers.select(view, &frame.wanted(camera, origin), counters);
@@ -60,6 +65,7 @@ impl Renderer {
             self.passes.rebind(gpu, &self.buffers);
         }
         self.skins.rebind(gpu, self.passes.layout(), &self.buffers, is_other);
+        self.obstacles.rebind(gpu, self.passes.layout(), &self.buffers, is_other);
         Ok(())
     }
 
@@ -67,6 +73,7 @@ impl Renderer {
     pub fn forget_world(&mut self) {
         self.buffers.forget();
         self.skins.forget();
+        self.obstacles.forget();
     }
 
     /// Draws what was prepared into the upper left `area` of `target`, which has `size` [px], over the ground colour.
@@ -81,6 +88,7 @@ impl Renderer {
     ) {
         let [r, g, b, a] = look.ground.map(f64::from);
         let depth = self.depth_view(gpu, size);
+        self.passes.cover(gpu, encoder, &mut self.obstacles, area, &mut self.counters);
         let mut pass = encoder.begin_render_pass(&wgpu::RenderPassDescriptor {
             label: Some("world"),
             color_attachments: &[Some(wgpu::RenderPassColorAttachment {
@@ -105,7 +113,8 @@ impl Renderer {
             pass.set_viewport(0.0, 0.0, area[0] as f32, area[1] as f32, 0.0, 1.0);
             pass.set_scissor_rect(0, 0, area[0], area[1]);
             let shown = (self.has_region, look.has_mesh);
-            self.passes.draw(&mut pass, (&self.buffers, &self.skins), shown, &mut self.counters);
+            let shapes = (&self.buffers, &self.skins, &self.obstacles);
+            self.passes.draw(&mut pass, shapes, shown, &mut self.counters);
         }
         self.counters.frames_drawn += 1;
     }

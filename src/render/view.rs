@@ -1,10 +1,10 @@
 //! What a picture shows: a borrowed view of a world at one moment.
 
 use crate::picture::Skin;
-use crate::sim::{Bonds, Cursor, Dynamics, MouseForce, PointId, Positions};
+use crate::sim::{Bonds, Cursor, Dynamics, MouseForce, PointId, Polygon, Positions};
 
 /// A borrowed view of a world, between its last two substeps.
-#[derive(Clone, Copy)]
+#[derive(Clone)]
 pub struct View<'a> {
     /// 2 in the plane, 3 in space.
     pub dimensions: usize,
@@ -26,6 +26,11 @@ pub struct View<'a> {
     pub pinned: &'a [PointId],
     /// Corners of the walls (z = 0 in the plane).
     pub bounds: Option<[[f64; 3]; 2]>,
+    /// A point of each plane that nothing goes through [m], and the normal that leads away from what is solid (z = 0 in
+    /// the plane).
+    pub planes: Vec<[[f64; 3]; 2]>,
+    /// What else is solid, in the plane. Other obstacles are another topology.
+    pub polygons: &'a [Polygon],
     /// The mouse force and where its cursor is.
     pub mouse: Option<(&'a MouseForce, Cursor)>,
 }
@@ -44,6 +49,8 @@ impl<'a> View<'a> {
             skins: &[],
             pinned: world.pinned(),
             bounds: world.bounds(),
+            planes: world.planes(),
+            polygons: world.polygons(),
             mouse: world.mouse(),
         }
     }

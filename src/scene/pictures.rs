@@ -35,6 +35,7 @@ struct Kept {
     pictures: Vec<(String, Arc<Picture>)>,
     meshes: Vec<Meshed>,
     traced: Vec<Traced>,
+    inks: Vec<(String, Settings, Arc<Picture>)>,
 }
 
 /// Outlines and holes.
@@ -140,6 +141,19 @@ impl Source {
         mesh
     }
 
+    /// A picture that the scene names, without the paper that its ink stands on if it has any.
+    ///
+    /// Errors: those of [`Source::picture`].
+    pub(super) fn ink(&self, name: &str, settings: &Settings) -> Result<Arc<Picture>, Fault> {
+        if let Some((.., ink)) = self.pictures.kept().inks.iter().find(|kept| kept.0 == name && kept.1 == *settings) {
+            return Ok(Arc::clone(ink));
+        }
+        let picture = self.picture(name)?;
+        let ink = picture::without_paper(&picture, settings).map_or(picture, Arc::new);
+        self.pictures.kept().inks.push((name.to_owned(), *settings, Arc::clone(&ink)));
+        Ok(ink)
+    }
+
     /// A picture that the scene names, as a PNG: the file itself where it is one.
     ///
     /// Errors: those of [`Source::picture`].
@@ -191,6 +205,13 @@ impl Source {
 /// A picture that cannot be taken, at the key that names it.
 fn fault(error: &picture::PictureError) -> Fault {
     Fault::invalid(error.to_string())
+}
+
+/// The same of a picture that is in no file.
+///
+/// Errors: more memory than there is.
+pub(super) fn inline_picture(picture: &Picture) -> Result<String, Fault> {
+    Ok(inline(&picture::encode(picture).map_err(|error| fault(&error))?))
 }
 
 /// A picture as it stands in a scene file itself.

@@ -3,8 +3,9 @@
 use super::check;
 use super::error::{Fault, SceneError, Within};
 use super::keys::{BodyKeys, MakerName, Row, Scene, TextureKeys};
+use super::pictures::inline_picture;
 use super::start::make;
-use crate::picture::Skin;
+use crate::picture::{Atlas, Picture, Skin};
 
 impl Scene {
     /// The skins of its triangles: that of the scene's texture, then one for each body of a picture.
@@ -36,7 +37,9 @@ impl Scene {
 
     /// The skin of a body of a picture, whose points begin at `first`; `None` of any other.
     fn skin(&self, keys: &BodyKeys, first: u32) -> Result<Option<Skin>, Fault> {
-        let Some(file) = keys.file.as_ref().filter(|_| keys.make == MakerName::Picture) else { return Ok(None) };
+        if keys.make != MakerName::Picture {
+            return Ok(None);
+        }
         let body = make(keys, self)?;
         let (each, copies) = (body.positions.len() as u32, check::copies(keys));
         let of_copy = |copy: u32| {
@@ -44,32 +47,45 @@ impl Scene {
             body.triangles.iter().map(move |corners| corners.map(|corner| first + corner))
         };
         Ok(Some(Skin {
-            picture: self.source.picture(file).at("file")?,
+            picture: check::skin(keys, &self.source)?,
             first,
             triangles: (0..copies).flat_map(of_copy).collect(),
             texture: (0..copies).flat_map(|_| body.texture.iter().copied()).collect(),
         }))
     }
 
-    /// Gives `expanded`, this scene without bodies, the triangles of its bodies; and their picture, where all have the same:
-    /// a scene has one texture.
+    /// Gives `expanded`, this scene without bodies, the triangles of its bodies, and what is drawn on all of them: a scene has one
+    /// texture, so several pictures become one, side by side.
     pub(super) fn dress(&self, expanded: &mut Scene) -> Result<(), Fault> {
-        let of_pictures = self.bodies.iter().filter(|keys| keys.make == MakerName::Picture);
-        let mut files: Vec<&str> = of_pictures.filter_map(|keys| keys.file.as_deref()).collect();
-        files.dedup();
-        let Some(&file) = files.first().filter(|_| self.texture.is_none()) else { return Ok(()) };
-        let count = expanded.points.as_ref().map_or(0, |points| points.position.len());
-        let mut uv = vec![Row([0.0; 2]); count];
+        let Some(keys) = self.bodies.iter().find(|keys| keys.make == MakerName::Picture) else { return Ok(()) };
         let skins = self.all_skins()?;
+        let mut pictures: Vec<&Picture> = Vec::new();
         for skin in &skins {
-            expanded.triangles.extend(skin.triangles.iter().map(|&corners| Row(corners)));
-            for (k, at) in skin.texture.iter().enumerate() {
-                uv[skin.first as usize + k] = Row(at.map(f64::from));
+            if !pictures.contains(&&*skin.picture) {
+                pictures.push(&skin.picture);
             }
         }
-        if files.len() == 1 {
-            expanded.texture = Some(TextureKeys { image: file.to_owned(), uv });
+        let atlas = Atlas::new(&pictures);
+        let count = expanded.points.as_ref().map_or(0, |points| points.position.len());
+        let mut uv = vec![Row([0.0; 2]); count];
+        let has_own = self.texture.is_some() && !self.triangles.is_empty();
+        for (k, skin) in skins.iter().enumerate() {
+            let number = pictures.iter().position(|&picture| *picture == *skin.picture).unwrap_or(0);
+            for (at, to) in skin.texture.iter().zip(uv.iter_mut().skip(skin.first as usize)) {
+                *to = Row(atlas.place(number, *at));
+            }
+            // The scene's own triangles are there already.
+            if !(has_own && k == 0) {
+                expanded.triangles.extend(skin.triangles.iter().map(|&corners| Row(corners)));
+            }
         }
+        let file = keys.file.as_deref().unwrap_or_default();
+        let image = match pictures[..] {
+            // A file that is drawn as it is need not be in the scene.
+            [one] if *one == *self.source.picture(file)? => file.to_owned(),
+            _ => inline_picture(&atlas.picture)?,
+        };
+        expanded.texture = Some(TextureKeys { image, uv });
         Ok(())
     }
 }

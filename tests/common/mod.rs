@@ -34,3 +34,16 @@ pub fn gpu() -> Option<wobble::render::Gpu> {
         }
     }
 }
+
+/// The picture that the program itself draws.
+pub fn rendered(scene: &str, time: &str, size: &str) -> image::RgbaImage {
+    let folder = tempfile::tempdir().unwrap();
+    let out = folder.path().join("x.png");
+    let done = std::process::Command::new(env!("CARGO_BIN_EXE_wobble"))
+        .args(["render", scene, "--time", time, "--size", size, "--out"])
+        .arg(&out)
+        .output()
+        .unwrap();
+    assert!(done.status.success(), "{}", String::from_utf8_lossy(&done.stderr));
+    image::open(out).unwrap().to_rgba8()
+}

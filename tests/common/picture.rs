@@ -1,6 +1,8 @@
 //! Scenes of a few lines for tests of pictures.
 
-use wobble::render::{Look, Overlay, View};
+use glam::DVec2;
+use image::RgbaImage;
+use wobble::render::{Camera, Look, Overlay, Pose, View};
 use wobble::sim::{Bond, Bonds, PointId, Positions};
 
 /// White on black, nothing but points and bonds.
@@ -12,6 +14,7 @@ pub fn plain() -> Look {
         grid: clear,
         axis: clear,
         wall: clear,
+        obstacle: white,
         bond: white,
         point: white,
         pin: white,
@@ -38,6 +41,8 @@ pub fn view<'a>(positions: &'a [f32], bonds: &'a Bonds, dimensions: usize) -> Vi
         bonds,
         pinned: &[],
         bounds: None,
+        planes: Vec::new(),
+        polygons: &[],
         mouse: None,
     }
 }
@@ -45,4 +50,40 @@ pub fn view<'a>(positions: &'a [f32], bonds: &'a Bonds, dimensions: usize) -> Vi
 /// A bond of a metre.
 pub fn bond(a: u32, b: u32) -> Bond {
     Bond::new(PointId(a), PointId(b), 1.0)
+}
+
+/// Width and height of the pictures that are held against formulas.
+pub const SIDE: u32 = 64;
+
+/// A camera under which a metre is a pixel and the origin is the middle of the picture.
+pub fn pixels() -> Camera {
+    Camera::new(Pose::Plane { center: DVec2::ZERO, height: f64::from(SIDE) }, [SIDE, SIDE])
+}
+
+/// The share of a pixel, by its lower left corner [m], that lies within a shape, by 16 x 16 samples.
+pub fn sampled(inside: impl Fn(DVec2) -> bool) -> impl Fn(DVec2) -> f64 {
+    const FINE: u32 = 16;
+    move |corner| {
+        let offset = |k: u32| (f64::from(k) + 0.5) / f64::from(FINE);
+        let sample = |i: u32| inside(corner + DVec2::new(offset(i % FINE), offset(i / FINE)));
+        (0..FINE * FINE).filter(|&i| sample(i)).count() as f64 / f64::from(FINE * FINE)
+    }
+}
+
+/// Holds the picture against the share of each pixel, by its lower left corner [m], that is covered in truth.
+pub fn assert_coverage(picture: &RgbaImage, truth: impl Fn(DVec2) -> f64) {
+    let (mut worst, mut sum, mut edge) = ((0.0_f64, 0, 0), 0.0, 0);
+    for (x, y, pixel) in picture.enumerate_pixels() {
+        let half = 0.5 * f64::from(SIDE);
+        let truth = truth(DVec2::new(f64::from(x) - half, half - 1.0 - f64::from(y)));
+        let error = (f64::from(pixel[0]) / 255.0 - truth).abs();
+        worst = if error > worst.0 { (error, x, y) } else { worst };
+        sum += error;
+        edge += u32::from(truth > 0.0);
+    }
+    assert!(edge > 50, "the shape is in the picture");
+    let mean = sum / f64::from(edge);
+    assert!(mean <= 0.01, "mean error {mean} over the {edge} pixels that it touches");
+    let (worst, x, y) = worst;
+    assert!(worst <= 0.1, "largest error {worst} at {x} {y}");
 }

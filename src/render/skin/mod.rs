@@ -4,7 +4,7 @@
 //! free, and along bonds that are no triangle's, goes a stroke in the picture's colours: triangles alone have ragged edges.
 
 mod sides;
-mod texture;
+pub(super) mod texture;
 
 use std::sync::Arc;
 

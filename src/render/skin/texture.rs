@@ -20,8 +20,8 @@ struct Level {
     pixels: Vec<Pixel>,
 }
 
-/// How the picture and its sampler are bound.
-pub(super) fn layout(device: &wgpu::Device) -> wgpu::BindGroupLayout {
+/// How a picture and its sampler are bound.
+pub(in crate::render) fn layout(device: &wgpu::Device) -> wgpu::BindGroupLayout {
     let visibility = wgpu::ShaderStages::VERTEX_FRAGMENT;
     let picture = wgpu::BindingType::Texture {
         sample_type: wgpu::TextureSampleType::Float { filterable: true },
@@ -31,7 +31,7 @@ pub(super) fn layout(device: &wgpu::Device) -> wgpu::BindGroupLayout {
     let sampler = wgpu::BindingType::Sampler(wgpu::SamplerBindingType::Filtering);
     let entry = |binding, ty| wgpu::BindGroupLayoutEntry { binding, visibility, ty, count: None };
     device.create_bind_group_layout(&wgpu::BindGroupLayoutDescriptor {
-        label: Some("skin"),
+        label: Some("picture"),
         entries: &[entry(0, picture), entry(1, sampler)],
     })
 }
@@ -123,8 +123,15 @@ fn push(levels: &mut [Level]) {
     for number in (0..count.saturating_sub(1)).rev() {
         let (fine, coarse) = levels.split_at_mut(number + 1);
         let (fine, coarse) = (&mut fine[number], &coarse[0]);
+        // As much as one opaque pixel below is enough to know a colour: else it would be mixed with those from far away.
+        let below = 4.0_f32.powi(number as i32);
         for i in 0..fine.pixels.len() {
-            let missing = 1.0 - fine.pixels[i][3];
+            let opacity = fine.pixels[i][3];
+            let known = (opacity * below).min(1.0);
+            if opacity > 0.0 {
+                fine.pixels[i] = fine.pixels[i].map(|part| part * known / opacity);
+            }
+            let missing = 1.0 - known;
             if missing > 0.0 {
                 let [x, y] = [(i % fine.width) / 2, (i / fine.width) / 2];
                 let from = coarse.pixels[y.min(coarse.height - 1) * coarse.width + x.min(coarse.width - 1)];
@@ -150,6 +157,21 @@ mod tests {
                 assert_eq!(stored(pixel), [200, 100, 50, 255]);
             }
         }
+    }
+
+    #[test]
+    fn what_is_far_away_does_not_colour_what_is_near() {
+        let mut picture = Picture::filled(64, 64, [0, 0, 0, 0]);
+        for i in 0..64 * 64 {
+            let colour = if i % 64 < 8 { [0, 200, 0, 255] } else { [200, 0, 0, 255] };
+            if i % 64 < 8 || i % 64 >= 32 {
+                picture.rgba[4 * i..][..4].copy_from_slice(&colour);
+            }
+        }
+        let mut levels = pull(&picture);
+        push(&mut levels);
+        let [red, green, ..] = stored(&levels[0].pixels[64 * 30 + 9]);
+        assert!(red < 5 && green > 195, "two pixels from the green: {red} {green}");
     }
 
     #[test]

@@ -1,5 +1,7 @@
 //! Bodies of pictures: the settings of their mesh, in pixels, from the keys, in metres.
 
+use std::sync::Arc;
+
 use super::body::need;
 use super::number::Range;
 use super::surfaces::check_image;
@@ -55,6 +57,15 @@ pub(in crate::scene) fn wanted(body: &BodyKeys, picture: &Picture) -> Result<(f6
         None => (side / NEIGHBOURS).max(2.0),
     };
     Ok((height, settings(body, spacing)?))
+}
+
+/// What is drawn on the triangles of a body of kind `picture`.
+///
+/// Errors: no file, or none that is a picture; settings that stand against each other.
+pub(in crate::scene) fn skin(body: &BodyKeys, source: &Source) -> Result<Arc<Picture>, Fault> {
+    let file = need(body, "file", body.file.as_deref())?;
+    let (_, settings) = wanted(body, &*source.picture(file).at("file")?)?;
+    source.ink(file, &settings).at("file")
 }
 
 /// The settings of the mesh at this spacing [px], if nothing else says how large triangles are.

@@ -14,7 +14,7 @@ use number::Range;
 
 pub(super) use body::maker;
 pub(super) use bond::Resistance;
-pub(super) use cutout::{check_cut, wanted};
+pub(super) use cutout::{check_cut, skin, wanted};
 pub(super) use repeat::{copies, offsets};
 
 /// Refuses what the specification excludes, whether this version could run it or not.
