@@ -5,7 +5,7 @@ use std::sync::Arc;
 use super::check;
 use super::error::{Fault, SceneError, Within};
 use super::free_place::free_place;
-use super::keys::{BodyKeys, MakerName, Material, Scene, Vector};
+use super::keys::{BodyKeys, MakerName, Material, ObstacleKeys, PictureKeys, Scene, Vector};
 use super::start::Start;
 use crate::picture::{Picture, PictureMesh, Settings};
 
@@ -74,6 +74,25 @@ impl Scene {
         if let Some(body) = scene.bodies.last_mut() {
             body.origin = Some(Vector::Plane(origin));
         }
+        Ok(scene)
+    }
+
+    /// This scene with the ink of a picture, that is in no file, as an obstacle in the middle of what is `seen` (lower and upper
+    /// corner [m]); `keys` say how a body of it would be cut out.
+    ///
+    /// Errors: as of [`Scene::of_picture`]; a scene in space.
+    pub fn with_obstacle(
+        &self,
+        picture: Arc<Picture>,
+        keys: &BodyKeys,
+        seen: [[f64; 2]; 2],
+    ) -> Result<Scene, SceneError> {
+        let file = self.source.keep(picture);
+        let origin = Some(Vector::Plane([0, 1].map(|axis| 0.5 * (seen[0][axis] + seen[1][axis]))));
+        let picture = PictureKeys { file, origin, ..PictureKeys::of_body(keys) };
+        let mut scene = self.clone();
+        scene.obstacles.push(ObstacleKeys { picture: Some(picture), ..ObstacleKeys::default() });
+        scene.check()?;
         Ok(scene)
     }
 

@@ -125,6 +125,12 @@ static GALLERY: [Entry; 18] = [
         "Rope",
         "A level rope of a thousand points, held at one end, swings down: rigid bonds, 100 m."
     ),
+    entry!(
+        "picture-obstacle",
+        999,
+        "Rain on a gear",
+        "A picture stands as an obstacle: a soft stone, a rope and loose points fall on it, and down through its holes."
+    ),
     entry!("net", 10_000, "Net", "A net of ten thousand points hangs from its two upper corners; the mouse moves it."),
     entry!(
         "thousand-rims",

@@ -5,7 +5,6 @@ use super::error::{Fault, Source, Within};
 use super::keys::{BodyKeys, BoxKeys, MakerName, ObstacleKeys, PictureKeys, Scene, StrokesName, Vector};
 use super::pictures::Loops;
 use crate::body::turned;
-use crate::picture::{Picture, Settings};
 use crate::sim::Polygon;
 use crate::sim::vector::truncate;
 
@@ -108,13 +107,12 @@ impl Scene {
 }
 
 impl PictureKeys {
-    /// The keys that trace a picture by these settings.
-    pub fn trace(settings: &Settings, height: f64, picture: &Picture) -> Self {
-        let keys = BodyKeys::cut(settings, height, picture);
+    /// The keys that trace a picture as a body of it would be cut out; its file is still to be said.
+    pub fn of_body(keys: &BodyKeys) -> Self {
         PictureKeys {
             file: String::new(),
-            origin: None,
-            angle: None,
+            origin: keys.origin,
+            angle: keys.angle,
             height: keys.height,
             spacing: keys.spacing,
             threshold: keys.threshold,

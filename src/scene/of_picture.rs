@@ -5,8 +5,8 @@ use std::sync::Arc;
 
 use super::error::{Fault, SceneError, SceneErrorKind, Source};
 use super::keys::{
-    BodyKeys, BoundsKeys, KindName, MakerName, Material, MethodKeys, MouseKeys, OrderName, Scene, StrokesName, Vector,
-    ViewKeys,
+    BodyKeys, BoundsKeys, KindName, MakerName, Material, MethodKeys, MouseKeys, ObstacleKeys, OrderName, PatternName,
+    PictureKeys, Scene, StrokesName, Vector, ViewKeys,
 };
 use super::pictures::inline;
 use crate::picture::{Picture, Settings, Size, Strokes, Threshold, is_picture};
@@ -21,6 +21,8 @@ pub enum Matter {
     Rigid,
     /// Bonds relaxed in sweeps, as the source of this system has them.
     Relaxed,
+    /// Nothing that moves: an obstacle.
+    Fixed,
 }
 
 /// Mass of the body [kg].
@@ -31,10 +33,15 @@ const ROOM: f64 = 1.5;
 /// Substep and largest correction of relaxed bonds, as the source has them [s], [1].
 const RELAXED_SUBSTEP: f64 = 0.003;
 const RELAXED_CORRECTION: f64 = 0.8;
+/// Gravity [m/s^2]; and of relaxed bodies, which under their own weight would crumple.
+const GRAVITY: f64 = 9.81;
+const RELAXED_GRAVITY: f64 = 1.0;
+/// Points that rain on an obstacle.
+const DROPS: u64 = 300;
 
 impl Matter {
-    /// Young's modulus in the plane if none is said [N/m]: a body 2 m high that falls 1 m is squeezed by about a tenth, and does
-    /// not fold.
+    /// Young's modulus in the plane if none is said [N/m]: a body 2 m high that falls 1 m is squeezed by about a tenth, and, braced,
+    /// does not fold.
     pub const YOUNG: f64 = 4_000.0;
 
     /// The material, with Young's modulus [N/m] if it is soft and one is given.
@@ -44,6 +51,7 @@ impl Matter {
             Matter::Soft => {
                 Material { kind: Some(KindName::Spring), young: Some(young.unwrap_or(Matter::YOUNG)), ..material }
             }
+            Matter::Fixed => Material::default(),
             Matter::Rigid => Material { kind: Some(KindName::Rigid), ..material },
             Matter::Relaxed => {
                 Material { kind: Some(KindName::Relaxed), max_correction: Some(RELAXED_CORRECTION), ..material }
@@ -122,7 +130,8 @@ impl Scene {
         self.source.error(Fault::invalid(message))
     }
 
-    /// A scene in which the body of a picture file falls into a box, `keys` saying how it is cut out and what of.
+    /// A scene in which the body of a picture file falls into a box, `keys` saying how it is cut out and what of; of fixed matter
+    /// points rain on it.
     ///
     /// Errors: the file is not there or no picture; keys that are out of order; no ink.
     pub fn of_picture(path: &Path, keys: BodyKeys, matter: Matter) -> Result<Scene, SceneError> {
@@ -152,13 +161,34 @@ impl Scene {
         let ratio = f64::from(picture.width) / f64::from(picture.height);
         let half = ROOM * height * ratio.max(1.0);
         let (floor, ceiling) = (-(0.5 + DROP) * height, 2.0 * height);
-        let material = keys.material.clone().or_else(|| Some(matter.material(None)));
-        let body = BodyKeys { make: MakerName::Picture, file: Some(file), material, ..keys };
+        let is_fixed = matter == Matter::Fixed;
+        let bodies = if is_fixed {
+            let (low, high) = ([-0.5 * height * ratio, 0.6 * height], [0.5 * height * ratio, 1.9 * height]);
+            vec![BodyKeys {
+                make: MakerName::Points,
+                count: Some(DROPS),
+                min: Some(Vector::Plane(low)),
+                max: Some(Vector::Plane(high)),
+                seed: Some(1),
+                ..BodyKeys::default()
+            }]
+        } else {
+            let material = keys.material.clone().or_else(|| Some(matter.material(None)));
+            vec![BodyKeys { make: MakerName::Picture, file: Some(file.clone()), material, ..keys.clone() }]
+        };
+        let obstacle = || ObstacleKeys {
+            picture: Some(PictureKeys { file, ..PictureKeys::of_body(&keys) }),
+            restitution: Some(0.2),
+            friction: Some(0.5),
+            ..ObstacleKeys::default()
+        };
+        let gravity = if matter == Matter::Relaxed { RELAXED_GRAVITY } else { GRAVITY };
         let scene = Scene {
             name: Some(name),
             tags: vec!["picture".to_owned()],
-            bodies: vec![body],
-            gravity: Some(Vector::Plane([0.0, -9.81])),
+            bodies,
+            obstacles: if is_fixed { vec![obstacle()] } else { Vec::new() },
+            gravity: Some(Vector::Plane([0.0, -gravity])),
             drag_rate: Some(0.2),
             mouse: Some(MouseKeys {
                 strength: 800.0,
@@ -234,7 +264,8 @@ fn source_of(path: &Path) -> (Source, String) {
 ///
 /// Errors: those of [`Scene::of_picture`].
 pub(super) fn open(path: &Path) -> Result<Scene, SceneError> {
-    Scene::of_picture(path, BodyKeys::default(), Matter::Soft).map_err(|error| match error.kind {
+    let keys = BodyKeys { pattern: Some(PatternName::Braced), ..BodyKeys::default() };
+    Scene::of_picture(path, keys, Matter::Soft).map_err(|error| match error.kind {
         // The scene is ours: what is wrong is the picture.
         SceneErrorKind::Invalid => SceneError { key: String::new(), ..error },
         _ => error,

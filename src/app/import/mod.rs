@@ -155,6 +155,9 @@ impl Import {
     /// Errors: as of [`Import::scene`].
     pub(super) fn added_to(&self, scene: &Scene, seen: [[f64; 2]; 2]) -> Result<Scene, SceneError> {
         let body = scene.bodies.len();
+        if self.wish.matter == Matter::Fixed {
+            return scene.with_obstacle(Arc::clone(&self.picture), &self.wish.keys(&self.picture), seen);
+        }
         let added = scene.with_picture(Arc::clone(&self.picture), self.wish.keys(&self.picture), seen)?;
         if self.wish.apart { added.in_parts(body) } else { Ok(added) }
     }
@@ -164,6 +167,9 @@ impl Import {
     /// Errors: as of [`Import::scene`]; it is no body of the scene.
     pub(super) fn put_into(&self, scene: &Scene) -> Result<Scene, SceneError> {
         let (body, matter, young) = self.body.ok_or_else(|| scene.complaint("has no such body"))?;
+        if self.wish.matter == Matter::Fixed {
+            return Err(scene.complaint("an obstacle does not take the place of a body: add it to the scene"));
+        }
         let mut keys = self.wish.keys(&self.picture);
         if (self.wish.matter, self.wish.young) == (matter, young) {
             keys.material = None;
@@ -178,7 +184,7 @@ impl Wish {
     fn of(picture: &Picture) -> Self {
         let side = f64::from(picture.width.max(picture.height));
         let settings = Settings { size: Size::Spacing((side / NEIGHBOURS).max(2.0)), ..Settings::default() };
-        let (matter, young, pattern) = (Matter::Soft, Matter::YOUNG, PatternName::Edges);
+        let (matter, young, pattern) = (Matter::Soft, Matter::YOUNG, PatternName::Braced);
         Wish { settings, matter, young, height: 2.0, pattern, apart: false }
     }
 
@@ -190,6 +196,11 @@ impl Wish {
 
     fn scene(&self, name: &str, picture: &Arc<Picture>) -> Result<Scene, SceneError> {
         let scene = Scene::of_drawing(name, Arc::clone(picture), self.keys(picture), self.matter)?;
-        if self.apart { scene.in_parts(0) } else { Ok(scene) }
+        if self.is_apart() { scene.in_parts(0) } else { Ok(scene) }
+    }
+
+    /// Parts that move become bodies of their own.
+    fn is_apart(&self) -> bool {
+        self.apart && self.matter != Matter::Fixed
     }
 }

@@ -78,8 +78,13 @@ fn cut(ui: &mut egui::Ui, settings: &mut Settings) {
 fn body(ui: &mut egui::Ui, wish: &mut Wish) {
     ui.horizontal(|ui| {
         ui.label("made of");
-        for (matter, label) in [(Matter::Soft, "springs"), (Matter::Rigid, "rigid bonds"), (Matter::Relaxed, "relaxed")]
-        {
+        let kinds = [
+            (Matter::Soft, "springs"),
+            (Matter::Rigid, "rigid bonds"),
+            (Matter::Relaxed, "relaxed"),
+            (Matter::Fixed, "obstacle"),
+        ];
+        for (matter, label) in kinds {
             ui.selectable_value(&mut wish.matter, matter, label);
         }
     });

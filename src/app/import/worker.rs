@@ -6,7 +6,7 @@ use std::time::Instant;
 
 use super::Wish;
 use crate::picture::{Picture, PictureMesh};
-use crate::scene::{Scene, SceneError};
+use crate::scene::{Matter, Scene, SceneError};
 use crate::sim::Dynamics;
 
 /// What a wish comes to.
@@ -77,7 +77,11 @@ fn frame_time(mut world: Box<dyn Dynamics>) -> f64 {
 fn forecast(name: &str, picture: &Arc<Picture>, wish: Wish) -> Result<Forecast, String> {
     let said = |error: SceneError| error.message;
     let scene = wish.scene(name, picture).map_err(said)?;
-    let mesh = scene.picture_mesh(0).map_err(said)?;
+    let mesh = match wish.matter {
+        Matter::Fixed => Wish { matter: Matter::Soft, apart: false, ..wish }.scene(name, picture),
+        _ => Ok(scene.clone()),
+    };
+    let mesh = mesh.and_then(|scene| scene.picture_mesh(0)).map_err(said)?;
     let world = scene.world(None).map_err(said)?;
     let (bonds, frame) = (world.bonds().len(), frame_time(world));
     Ok(Forecast { wish, picture: Arc::clone(picture), mesh, bonds, scene, frame })
@@ -87,7 +91,7 @@ fn forecast(name: &str, picture: &Arc<Picture>, wish: Wish) -> Result<Forecast, 
 mod tests {
     use super::*;
     use crate::picture::{Settings, Size};
-    use crate::scene::{Matter, PatternName};
+    use crate::scene::PatternName;
     use std::sync::atomic::{AtomicU32, Ordering};
 
     #[test]

@@ -104,6 +104,8 @@ enum MatterArgument {
     Rigid,
     /// Bonds relaxed in sweeps.
     Relaxed,
+    /// Nothing that moves: an obstacle, with points that rain on it.
+    Fixed,
 }
 
 fn share(text: &str) -> Result<f64, String> {
@@ -199,6 +201,7 @@ impl Arguments {
             MatterArgument::Soft => Matter::Soft,
             MatterArgument::Rigid => Matter::Rigid,
             MatterArgument::Relaxed => Matter::Relaxed,
+            MatterArgument::Fixed => Matter::Fixed,
         };
         let material = Some(matter.material(self.young));
         let pattern = match self.pattern {
