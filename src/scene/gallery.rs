@@ -58,7 +58,7 @@ macro_rules! entry {
     };
 }
 
-static GALLERY: [Entry; 18] = [
+static GALLERY: [Entry; 19] = [
     entry!("points", 10, "Falling points", "Ten loose points fall under unit gravity and bounce between walls."),
     entry!(
         "random-graph",
