@@ -11,6 +11,7 @@
 mod check;
 mod error;
 mod expand;
+mod file;
 mod gallery;
 mod keys;
 mod locate;

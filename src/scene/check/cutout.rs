@@ -4,7 +4,7 @@ use super::body::need;
 use super::number::Range;
 use super::surfaces::check_image;
 use crate::body::Cutout;
-use crate::picture::{Settings, Size, Strokes, Threshold};
+use crate::picture::{LEAST_SPACING, Settings, Size, Strokes, Threshold, WIDEST_SPACING};
 use crate::scene::error::{Fault, Source, Within};
 use crate::scene::keys::{BodyKeys, StrokesName};
 
@@ -21,7 +21,7 @@ pub(super) fn maker(body: &BodyKeys, dimensions: usize, source: &Source) -> Resu
     for (key, value) in [("height", body.height), ("spacing", body.spacing), ("max_area", body.max_area)] {
         Range::Positive.maybe(value).at(key)?;
     }
-    Range::Share.maybe(body.threshold).at("threshold")?;
+    Range::Fraction.maybe(body.threshold).at("threshold")?;
     Range::NotNegative.maybe(body.min_area).at("min_area")?;
     if dimensions == 3 {
         return Err(Fault::invalid("`picture` makes a body in the plane: leave it out in space").at("make"));
@@ -31,11 +31,19 @@ pub(super) fn maker(body: &BodyKeys, dimensions: usize, source: &Source) -> Resu
     let picture = source.picture(file).at("file")?;
     let side = f64::from(picture.width.max(picture.height));
     let spacing = match body.spacing {
-        Some(spacing) => spacing * (f64::from(picture.height) / height),
+        Some(spacing) => in_pixels(spacing, f64::from(picture.height) / height),
         None => (side / NEIGHBOURS).max(2.0),
     };
     let settings = settings(body, spacing)?;
     Ok(Cutout { mesh: source.mesh(file, &settings).at("file")?, height })
+}
+
+/// A spacing [m] in pixels. What is beyond the ends of its range by rounding alone lies at them: a spacing that was pixels
+/// before it was metres is not refused.
+fn in_pixels(spacing: f64, pixels: f64) -> f64 {
+    let spacing = spacing * pixels;
+    let inside = spacing.clamp(LEAST_SPACING, WIDEST_SPACING);
+    if (spacing - inside).abs() <= 1e-12 * inside { inside } else { spacing }
 }
 
 /// The settings of the mesh at this spacing [px], if nothing else says how large triangles are.
@@ -69,4 +77,20 @@ fn settings(body: &BodyKeys, spacing: f64) -> Result<Settings, Fault> {
         },
         ..standard
     })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_ends_of_the_range_survive_the_way_to_metres_and_back() {
+        for rows in 1..3000 {
+            let pixels = f64::from(rows) / 2.0;
+            for end in [LEAST_SPACING, WIDEST_SPACING] {
+                assert_eq!(in_pixels(end * 2.0 / f64::from(rows), pixels), end);
+            }
+        }
+        assert!(in_pixels(0.999, 1.0) < LEAST_SPACING && in_pixels(4097.0, 1.0) > WIDEST_SPACING);
+    }
 }
