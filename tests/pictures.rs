@@ -251,7 +251,7 @@ fn an_outline_that_is_mere_grain_is_refused() {
     }
     let folder = tempfile::tempdir().unwrap();
     let path = saved(folder.path(), "noise.png", &noise);
-    let error = complaint(&["mesh", path.to_str().unwrap()]);
+    let error = complaint(&["mesh", path.to_str().unwrap(), "--strokes", "mesh"]);
     assert!(error.contains("blur it, give a wider spacing or a larger least area"), "{error}");
 }
 

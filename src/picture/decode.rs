@@ -100,7 +100,8 @@ fn read(bytes: &[u8], format: ImageFormat, damaged: impl Fn(&str) -> PictureErro
     reader.limits(limits);
     let wrong = |error: ImageError| damaged(&error.to_string());
     let mut decoder = reader.into_decoder().map_err(wrong)?;
-    check_size(decoder.dimensions(), decoder.total_bytes())?;
+    let is_rgba = decoder.color_type() == image::ColorType::Rgba8;
+    check_size(decoder.dimensions(), decoder.total_bytes(), is_rgba)?;
     let turned = decoder.orientation().map_err(wrong)?;
     let mut image = DynamicImage::from_decoder(decoder).map_err(wrong)?;
     image.apply_orientation(turned);
@@ -108,7 +109,7 @@ fn read(bytes: &[u8], format: ImageFormat, damaged: impl Fn(&str) -> PictureErro
     Ok(Picture { width, height, rgba: into_rgba(image) })
 }
 
-fn check_size((width, height): (u32, u32), bytes: u64) -> Result<(), PictureError> {
+fn check_size((width, height): (u32, u32), bytes: u64, is_rgba: bool) -> Result<(), PictureError> {
     if width == 0 || height == 0 {
         return Err(PictureError::NoPixels { width, height });
     }
@@ -117,7 +118,7 @@ fn check_size((width, height): (u32, u32), bytes: u64) -> Result<(), PictureErro
         return Err(PictureError::TooLarge { width, height, side: MAX_SIDE, megapixels: MAX_PIXELS >> 20 });
     }
     // Pixels that are RGBA already are taken over, others stand beside what they are made of.
-    let needed = if bytes == 4 * pixels { bytes } else { bytes.saturating_add(4 * pixels) };
+    let needed = if is_rgba { bytes } else { bytes.saturating_add(4 * pixels) };
     if needed > MAX_BYTES {
         return Err(PictureError::TooHeavy { needed: needed.div_ceil(1 << 20), limit: MAX_BYTES >> 20 });
     }

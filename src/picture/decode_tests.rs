@@ -103,10 +103,12 @@ fn large_pictures_are_refused_by_their_header() {
     );
     assert!(matches!(decode(&header(16_000, 16_000)), Err(PictureError::TooLarge { .. })));
     assert!(matches!(decode(&header(8_000, 8_000)), Err(PictureError::Damaged { .. })));
-    assert!(matches!(check_size((0, 7), 0), Err(PictureError::NoPixels { .. })));
+    assert!(matches!(check_size((0, 7), 0, false), Err(PictureError::NoPixels { .. })));
     // 8192^2 pixels of four times 16 bits are 512 MiB, and 256 MiB more as RGBA.
-    assert_eq!(check_size((8192, 8192), 8 << 26), Err(PictureError::TooHeavy { needed: 768, limit: 480 }));
-    assert_eq!(check_size((8192, 8192), 4 << 26), Ok(()));
+    assert_eq!(check_size((8192, 8192), 8 << 26, false), Err(PictureError::TooHeavy { needed: 768, limit: 480 }));
+    assert_eq!(check_size((8192, 8192), 4 << 26, true), Ok(()));
+    // Grey and alpha of 16 bits have four bytes a pixel too, and are not taken over.
+    assert!(check_size((8192, 8192), 4 << 26, false).is_err());
 }
 
 #[test]

@@ -137,7 +137,7 @@ fn enclosed(pixels: &[Pixel]) -> f64 {
 }
 
 /// Most joined nodes that are searched for a way: in noise nearly all are joined, and the ways between them long.
-const FARTHEST: usize = 64;
+const FARTHEST: usize = 16;
 
 /// The pixels from one node to another that it is joined with, along the chains that join them; both ends among them.
 /// Where more than [`FARTHEST`] are joined, the ends alone.
