@@ -474,3 +474,116 @@ fn bodies_of_several_pictures_look_the_same_written_out() {
     let differ = |(a, b): &(&image::Rgba<u8>, &image::Rgba<u8>)| (0..3).any(|k| a.0[k].abs_diff(b.0[k]) > 8);
     assert!(before.pixels().zip(after.pixels()).filter(differ).count() < 20, "the same colours in the same places");
 }
+
+/// Noise is told by the length of its outline, before minutes are spent on it.
+#[test]
+fn an_outline_that_is_mere_grain_is_refused() {
+    let mut state = 1_u64;
+    let mut noise = Picture::filled(1500, 1500, [0, 0, 0, 255]);
+    for pixel in noise.rgba.chunks_exact_mut(4) {
+        state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+        pixel[..3].fill((state >> 56) as u8);
+    }
+    let folder = tempfile::tempdir().unwrap();
+    let path = saved(folder.path(), "noise.png", &noise);
+    let error = complaint(&["mesh", path.to_str().unwrap(), "--strokes", "mesh"]);
+    assert!(error.contains("blur it, give a wider spacing or a larger least area"), "{error}");
+}
+
+#[test]
+fn the_ends_of_ranges_are_taken_on_the_command_line_and_in_scenes() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = saved(folder.path(), "dot.png", &picture([37, 53], [0; 3], |x, y| (x - 18.0).hypot(y - 26.0) < 15.0));
+    let out = folder.path().join("dot.json");
+    let (path, out) = (path.to_str().unwrap(), out.to_str().unwrap());
+    for extra in [["--threshold", "0"], ["--threshold", "0.9"], ["--spacing", "1"], ["--young", "1e-3"]] {
+        let done = wobble(&[&["mesh", path, "--out", out][..], &extra].concat());
+        assert!(done.status.success(), "{extra:?}: {}", String::from_utf8_lossy(&done.stderr));
+    }
+    for young in ["1e-4", "1e10", "nan"] {
+        assert_eq!(wobble(&["mesh", path, "--young", young]).status.code(), Some(2));
+    }
+}
+
+#[test]
+fn nothing_is_written_when_the_scene_fails() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = saved(folder.path(), "dot.png", &picture([64, 64], [0; 3], |x, _| x < 30.0));
+    let preview = folder.path().join("preview.png");
+    let arguments = ["mesh", path.to_str().unwrap(), "--link", "--preview", preview.to_str().unwrap(), "--out"];
+    complaint(&[&arguments[..], &["/nowhere/at/all/x.json"]].concat());
+    assert!(!preview.exists());
+}
+
+#[test]
+fn what_is_no_regular_file_is_not_read() {
+    let folder = tempfile::tempdir().unwrap();
+    let here = folder.path().to_str().unwrap();
+    assert!(complaint(&["mesh", here]).contains("is a directory"));
+    if cfg!(unix) {
+        let scene = folder.path().join("scene.json");
+        let text = r#"{"wobble": 1, "bodies": [{"make": "picture", "file": "pipe.png"}]}"#;
+        std::fs::write(&scene, text).unwrap();
+        let pipe = folder.path().join("pipe.png");
+        assert!(Command::new("mkfifo").arg(&pipe).status().unwrap().success());
+        for arguments in [
+            &["mesh", "/dev/zero"][..],
+            &["mesh", pipe.to_str().unwrap()],
+            &["render", pipe.to_str().unwrap(), "--out", "x.png"],
+            &["render", "/dev/zero", "--out", "x.png"],
+            &["render", scene.to_str().unwrap(), "--out", "x.png"],
+        ] {
+            let error = complaint(arguments);
+            assert!(error.contains("is no regular file but a pipe or a device"), "{error}");
+        }
+    }
+}
+
+#[test]
+fn names_with_colons_and_a_targa_are_taken() {
+    let folder = tempfile::tempdir().unwrap();
+    let ink = picture([64, 64], [0; 3], |x, _| x < 30.0);
+    let out = folder.path().join("out.json");
+    let names = if cfg!(unix) { &["a:b.png", "data:x.png", "\\d.png"][..] } else { &["plain.png"] };
+    for name in names {
+        let path = saved(folder.path(), name, &ink);
+        for extra in [&["--link"][..], &[]] {
+            let arguments = ["mesh", path.to_str().unwrap(), "--out", out.to_str().unwrap()];
+            let done = wobble(&[&arguments[..], extra].concat());
+            assert!(done.status.success(), "{name}: {}", String::from_utf8_lossy(&done.stderr));
+            assert!(Scene::read(&out).unwrap().skins().unwrap().len() == 1);
+        }
+    }
+    let targa = folder.path().join("x.tga");
+    image::RgbaImage::from_raw(64, 64, ink.rgba).unwrap().save(&targa).unwrap();
+    assert_eq!(Scene::load(targa.to_str().unwrap()).unwrap().skins().unwrap().len(), 1);
+}
+
+/// Strokes count by their area, so that what is all of them is damped by Young's modulus as others are.
+#[test]
+fn a_picture_of_ropes_alone_is_damped_by_youngs_modulus() {
+    let folder = tempfile::tempdir().unwrap();
+    let line = picture([200, 40], [0; 3], |x, y| (10.0..190.0).contains(&x) && (y - 20.0).abs() < 2.0);
+    let path = saved(folder.path(), "line.png", &line);
+    let damping = [1e2, 1e4].map(|young| {
+        let keys = BodyKeys {
+            material: Some(Matter::Soft.material(Some(young))),
+            ..BodyKeys::cut(&Settings::default(), 2.0, &line)
+        };
+        let world = Scene::of_picture(&path, keys, Matter::Soft).unwrap().world(None).unwrap();
+        let kind = world.bonds().iter().next().unwrap().kind;
+        assert!(scene_is_of_ropes(&path));
+        match kind {
+            wobble::sim::BondKind::Spring { damping, .. } => damping,
+            other => panic!("{other:?}"),
+        }
+    });
+    // c = k 2 ratio/omega, and omega grows as the root of k.
+    assert!((damping[1] / damping[0] - 10.0).abs() < 0.01, "{damping:?}");
+}
+
+fn scene_is_of_ropes(path: &Path) -> bool {
+    let done = wobble(&["mesh", path.to_str().unwrap(), "--stats"]);
+    let stats: serde_json::Value = serde_json::from_slice(&done.stdout).unwrap();
+    stats["triangles"] == 0
+}

@@ -69,6 +69,7 @@ impl Cutout {
             positions: mesh.points.iter().map(place).collect(),
             links: Vec::with_capacity(mesh.bonds.len() + braces.len()),
             weights: weights(&mesh.areas),
+            area: scale * scale * mesh.areas.iter().sum::<f64>(),
             triangles: mesh.triangles.clone(),
             texture: mesh.texture.clone(),
         };

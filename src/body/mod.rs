@@ -51,6 +51,8 @@ pub struct Body {
     pub links: Vec<Link>,
     /// Each point's share of the body's mass, up to a common factor: by length, by area, or all equal [1], > 0.
     pub weights: Vec<f64>,
+    /// Area that it covers [m^2]: its triangles, and its strokes by length and width; 0 of what has neither.
+    pub area: f64,
     /// Corners of its triangles, anticlockwise, if it has a skin.
     pub triangles: Vec<[u32; 3]>,
     /// Where each point lies in the picture of the skin, (0, 0) to (1, 1) from the upper left; empty without one.

@@ -30,19 +30,33 @@ impl Coverage {
     }
 }
 
-/// Coverage of a picture: alpha where any pixel is not opaque, else darkness; averaged, if asked for; then the threshold.
+/// Alpha below which a pixel is clear: half.
+const CLEAR: u8 = 128;
+
+/// Coverage of a picture: alpha where any pixel is clear by half or more, else darkness on white paper; averaged, if asked
+/// for; then the threshold.
 ///
-/// Model: darkness = 1 - (54 red + 183 green + 19 blue) / 256, the weights of Rec. 709 on the stored values.
+/// Model: darkness = alpha (1 - (54 red + 183 green + 19 blue) / 256), the weights of Rec. 709 on the stored values. Pixels
+/// that are nearly opaque tell nothing of a shape: programs leave some behind.
 /// A picture of one value is all ink when that is above 1/2 (or the given threshold), else it is empty.
 ///
 /// Errors: nothing is above the threshold.
 pub fn cover(picture: &Picture, settings: &Settings) -> Result<Coverage, PictureError> {
     let flip = if settings.invert { 255 } else { 0 };
     let (pixels, _) = picture.rgba.as_chunks::<4>();
-    let is_opaque = pixels.par_chunks(1 << 16).all(|part| part.iter().fold(255, |all, pixel| all & pixel[3]) == 255);
-    let value = |[red, green, blue, alpha]: [u8; 4]| {
+    let least = pixels.par_chunks(1 << 16).map(|part| part.iter().fold(255, |least, pixel| pixel[3].min(least)));
+    let least = least.min().unwrap_or(255);
+    let dark = |[red, green, blue, _]: [u8; 4]| {
         let light = 54 * u16::from(red) + 183 * u16::from(green) + 19 * u16::from(blue);
-        (if is_opaque { 255 - (light >> 8) as u8 } else { alpha }) ^ flip
+        255 - (light >> 8) as u8
+    };
+    let value = |pixel: [u8; 4]| {
+        let over_white = |pixel: [u8; 4]| ((u16::from(dark(pixel)) * u16::from(pixel[3]) + 127) / 255) as u8;
+        flip ^ match least {
+            255 => dark(pixel),
+            CLEAR.. => over_white(pixel),
+            _ => pixel[3],
+        }
     };
     let mut values = vec![0; pixels.len()];
     let parts = values.par_chunks_mut(1 << 16).zip(pixels.par_chunks(1 << 16));
@@ -192,11 +206,15 @@ mod tests {
     }
 
     #[test]
-    fn alpha_counts_when_any_pixel_is_not_opaque() {
+    fn alpha_counts_when_any_pixel_is_clear() {
         let mut picture = Picture::filled(3, 1, [0, 0, 0, 255]);
         picture.rgba[4..8].copy_from_slice(&[255, 255, 255, 255]);
         let ink = cover(&picture, &settings(Threshold::Otsu, false)).unwrap();
         assert_eq!((ink.values, ink.level), (vec![255, 0, 255], 127));
+        for (alpha, dark) in [(254, 254), (128, 128)] {
+            picture.rgba[11] = alpha;
+            assert_eq!(cover(&picture, &settings(Threshold::Otsu, false)).unwrap().values, [255, 0, dark]);
+        }
         picture.rgba[11] = 10;
         assert_eq!(cover(&picture, &settings(Threshold::Otsu, false)).unwrap().values, [255, 255, 10]);
         assert_eq!(cover(&picture, &settings(Threshold::Otsu, true)).unwrap().values, [0, 0, 245]);

@@ -5,7 +5,7 @@ use std::panic::{AssertUnwindSafe, catch_unwind};
 
 use image::{DynamicImage, ImageDecoder, ImageEncoder, ImageError, ImageFormat, ImageReader, Limits};
 
-use super::PictureError;
+use super::{PictureError, jpeg, png};
 
 /// Longest side that is taken [px].
 pub const MAX_SIDE: u32 = 16_384;
@@ -15,10 +15,8 @@ pub const MAX_SIDE: u32 = 16_384;
 pub const MAX_PIXELS: u64 = 64 << 20;
 
 /// Most memory that decoding may take [bytes]: what the file holds, unpacked, and the pixels made of it.
-pub const MAX_BYTES: u64 = 512 << 20;
-
-/// Bytes at the end of a JPEG in which its end is marked: some programs append a little of their own.
-const JPEG_TAIL: usize = 1 << 16;
+/// With the program itself, and what it makes of the pixels, this stays within 512 MiB.
+pub const MAX_BYTES: u64 = 480 << 20;
 
 /// Pixels of 8 bits a channel.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -45,7 +43,7 @@ impl Picture {
     /// Errors: no pixels; above [`MAX_SIDE`] or [`MAX_PIXELS`]; a list of another length.
     pub fn new(width: u32, height: u32, rgba: Vec<u8>) -> Result<Self, PictureError> {
         let bytes = 4 * u64::from(width) * u64::from(height);
-        check_size((width, height), bytes)?;
+        check_size((width, height), bytes, true)?;
         if rgba.len() as u64 != bytes {
             let reason = format!("it has {} bytes where {width} x {height} pixels are {bytes}", rgba.len());
             return Err(PictureError::Damaged { format: "RGBA".to_owned(), reason });
@@ -69,6 +67,7 @@ impl Picture {
 
 /// Reads a picture file; the format is told by its content.
 ///
+/// A colour profile is not applied, nor read.
 /// The first frame of an animation is taken, 16 bits a channel are rounded to 8, and a picture that is stored turned
 /// (EXIF) is turned upright.
 ///
@@ -105,18 +104,18 @@ pub fn encode(picture: &Picture) -> Result<Vec<u8>, PictureError> {
 }
 
 fn read(bytes: &[u8], format: ImageFormat, damaged: impl Fn(&str) -> PictureError) -> Result<Picture, PictureError> {
-    let mut reader = ImageReader::with_format(Cursor::new(bytes), format);
+    if format == ImageFormat::Jpeg && !jpeg::is_whole(bytes) {
+        return Err(damaged("it ends in the middle"));
+    }
+    let bytes = if format == ImageFormat::Png { png::bare(bytes) } else { bytes.into() };
+    let mut reader = ImageReader::with_format(Cursor::new(&*bytes), format);
     let mut limits = Limits::no_limits();
     limits.max_alloc = Some(MAX_BYTES);
     reader.limits(limits);
     let wrong = |error: ImageError| damaged(&error.to_string());
-    // Its decoder fills in what is missing, and takes it for a picture.
-    let tail = &bytes[bytes.len().saturating_sub(JPEG_TAIL)..];
-    if format == ImageFormat::Jpeg && !tail.windows(2).any(|pair| pair == [0xFF, 0xD9]) {
-        return Err(damaged("it ends in the middle"));
-    }
     let mut decoder = reader.into_decoder().map_err(wrong)?;
-    check_size(decoder.dimensions(), decoder.total_bytes())?;
+    let is_rgba = decoder.color_type() == image::ColorType::Rgba8;
+    check_size(decoder.dimensions(), decoder.total_bytes(), is_rgba)?;
     let turned = decoder.orientation().map_err(wrong)?;
     let mut image = DynamicImage::from_decoder(decoder).map_err(wrong)?;
     image.apply_orientation(turned);
@@ -124,7 +123,7 @@ fn read(bytes: &[u8], format: ImageFormat, damaged: impl Fn(&str) -> PictureErro
     Ok(Picture { width, height, rgba: into_rgba(image) })
 }
 
-fn check_size((width, height): (u32, u32), bytes: u64) -> Result<(), PictureError> {
+fn check_size((width, height): (u32, u32), bytes: u64, is_rgba: bool) -> Result<(), PictureError> {
     if width == 0 || height == 0 {
         return Err(PictureError::NoPixels { width, height });
     }
@@ -133,7 +132,7 @@ fn check_size((width, height): (u32, u32), bytes: u64) -> Result<(), PictureErro
         return Err(PictureError::TooLarge { width, height, side: MAX_SIDE, megapixels: MAX_PIXELS >> 20 });
     }
     // Pixels that are RGBA already are taken over, others stand beside what they are made of.
-    let needed = if bytes == 4 * pixels { bytes } else { bytes.saturating_add(4 * pixels) };
+    let needed = if is_rgba { bytes } else { bytes.saturating_add(4 * pixels) };
     if needed > MAX_BYTES {
         return Err(PictureError::TooHeavy { needed: needed.div_ceil(1 << 20), limit: MAX_BYTES >> 20 });
     }

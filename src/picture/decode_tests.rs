@@ -103,10 +103,12 @@ fn large_pictures_are_refused_by_their_header() {
     );
     assert!(matches!(decode(&header(16_000, 16_000)), Err(PictureError::TooLarge { .. })));
     assert!(matches!(decode(&header(8_000, 8_000)), Err(PictureError::Damaged { .. })));
-    assert!(matches!(check_size((0, 7), 0), Err(PictureError::NoPixels { .. })));
+    assert!(matches!(check_size((0, 7), 0, false), Err(PictureError::NoPixels { .. })));
     // 8192^2 pixels of four times 16 bits are 512 MiB, and 256 MiB more as RGBA.
-    assert_eq!(check_size((8192, 8192), 8 << 26), Err(PictureError::TooHeavy { needed: 768, limit: 512 }));
-    assert_eq!(check_size((8192, 8192), 4 << 26), Ok(()));
+    assert_eq!(check_size((8192, 8192), 8 << 26, false), Err(PictureError::TooHeavy { needed: 768, limit: 480 }));
+    assert_eq!(check_size((8192, 8192), 4 << 26, true), Ok(()));
+    // Grey and alpha of 16 bits have four bytes a pixel too, and are not taken over.
+    assert!(check_size((8192, 8192), 4 << 26, false).is_err());
 }
 
 #[test]
@@ -128,4 +130,29 @@ fn a_palette_and_bits_are_spread() {
     assert_eq!(decode(&bytes).unwrap().rgba, [0, 0, 0, 255, 255, 255, 255, 255, 128, 128, 128, 255]);
     let bits = decode(b"P4\n8 1\n\xA5").unwrap();
     assert_eq!(bits.rgba.iter().step_by(4).copied().collect::<Vec<_>>(), [0, 255, 0, 255, 255, 0, 255, 0]);
+}
+
+/// A profile of a few bytes that would unpack to gigabytes was unpacked, whatever the limits.
+#[test]
+fn the_colour_profile_of_a_png_is_not_unpacked() {
+    let plain = encoded(&sample(), ImageFormat::Png);
+    let content = [&b"name\0\0"[..], &[0x5A; 100]].concat();
+    let mut wrong = plain[..33].to_vec();
+    wrong.extend((content.len() as u32).to_be_bytes());
+    wrong.extend(b"iCCP");
+    wrong.extend(content);
+    // The sum is wrong too: the part is not even looked at.
+    wrong.extend([0; 4]);
+    wrong.extend(&plain[33..]);
+    assert_eq!(decode(&wrong), decode(&plain));
+}
+
+/// The mark of an end in a thumbnail was taken for the picture's, and one far from the end of the file was not found.
+#[test]
+fn a_jpeg_with_a_thumbnail_is_whole_when_the_picture_itself_is() {
+    let plain = encoded(&DynamicImage::ImageRgb8(sample().to_rgb8()), ImageFormat::Jpeg);
+    let thumbnail = [0xFF, 0xEC, 0, 6, 0xFF, 0xD8, 0xFF, 0xD9];
+    let whole = [&plain[..2], &thumbnail, &plain[2..], &[7; 100_000]].concat();
+    assert_eq!(decode(&whole), decode(&plain));
+    assert!(decode(&whole[..plain.len() + thumbnail.len() - 2]).is_err());
 }

@@ -66,6 +66,9 @@ pub enum PictureError {
         "there is nothing in the picture but strokes thinner than the spacing, and these are dropped: make ropes of them"
     )]
     Thin,
+    /// All that was left are points without a bond.
+    #[error("there is nothing to make a body of but lone points: give a closer spacing")]
+    NoBody,
     /// A setting is no number, or outside its range.
     #[error("{name} is {value}: {range}")]
     Setting {
@@ -94,6 +97,17 @@ pub enum PictureError {
         /// Estimate.
         points: u64,
         /// Most points.
+        limit: u64,
+    },
+    /// The boundary of the mesh would be too long.
+    #[error(
+        "the outline has about {points} points, more points than the {limit} that are taken: blur it, give a wider \
+         spacing or a larger least area"
+    )]
+    TooLongEdge {
+        /// Estimate.
+        points: u64,
+        /// Most points along the boundary.
         limit: u64,
     },
     /// Neither the fine outline nor coarser ones could be triangulated.

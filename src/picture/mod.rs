@@ -19,11 +19,13 @@ mod decode;
 mod error;
 mod fill;
 mod ink;
+mod jpeg;
 mod mesh;
 mod nest;
 mod outline;
 mod part;
 mod plane;
+mod png;
 mod rope;
 mod settings;
 mod skeleton;
@@ -53,7 +55,7 @@ pub use skin::Skin;
 pub use stats::{Stats, stats};
 pub use strand::{Line, Node, Strands};
 
-use settings::UNIT_TRIANGLE;
+use settings::{MAX_EDGE_POINTS, UNIT_TRIANGLE};
 
 /// A mesh with what it was made from.
 #[derive(Clone, Debug, PartialEq)]
@@ -77,8 +79,9 @@ impl Made {
 
 /// The mesh of a picture: all stages after decoding.
 ///
-/// Errors: a setting out of range; no ink; nothing large enough; more points than [`MAX_POINTS`]; an outline that
-/// cannot be triangulated even as it is, which no picture is known to have.
+/// Errors: a setting out of range; no ink; nothing large enough; nothing but points that no bond holds; more points than
+/// [`MAX_POINTS`]; an outline too long or too grainy; one that cannot be triangulated even as it is, which no picture is known
+/// to have.
 pub fn mesh_picture(picture: &Picture, settings: &Settings) -> Result<Made, PictureError> {
     mesh_in_stages(picture, settings, |_| {})
 }
@@ -103,6 +106,9 @@ pub fn mesh_in_stages(
     let ropes = ropes(&outline.strands, &mesh, settings.spacing());
     let mesh = assemble([picture.width, picture.height], mesh, ropes);
     done("bonds");
+    if mesh.bonds.is_empty() {
+        return Err(PictureError::NoBody);
+    }
     Ok(Made { mesh, outline, boundary, threshold })
 }
 
@@ -136,12 +142,16 @@ pub fn triangulate(outline: &Outline, settings: &Settings) -> Result<(Boundary, 
     Err(last)
 }
 
+/// Errors: more points than [`MAX_POINTS`], by the area and by the length and the grain of the contours.
 fn check_count(outline: &Outline, settings: &Settings) -> Result<(), PictureError> {
     let spacing = settings.spacing();
-    let inside = outline.ink_area / (2.0 * UNIT_TRIANGLE * spacing * spacing);
-    let points = inside as u64;
-    if points > MAX_POINTS {
-        return Err(PictureError::TooManyPoints { spacing, points, limit: MAX_POINTS });
+    let inside = (outline.ink_area / (2.0 * UNIT_TRIANGLE * spacing * spacing)) as u64;
+    if inside > MAX_POINTS {
+        return Err(PictureError::TooManyPoints { spacing, points: inside, limit: MAX_POINTS });
+    }
+    let edge = boundary::about_points(&outline.loops, spacing);
+    if edge > MAX_EDGE_POINTS {
+        return Err(PictureError::TooLongEdge { points: edge, limit: MAX_EDGE_POINTS });
     }
     Ok(())
 }

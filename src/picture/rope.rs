@@ -29,9 +29,13 @@ pub fn ropes(strands: &Strands, mesh: &Mesh, spacing: f64) -> Ropes {
     let first = mesh.points.len() as u32;
     let roots = roots(strands, mesh, spacing);
     let mut numbers = vec![u32::MAX; strands.nodes.len()];
+    // Most pictures have no strokes.
+    let sides = if strands.lines.is_empty() { Sides(Vec::new()) } else { Sides::new(mesh) };
+    let mut places = Places::default();
+    mesh.loops.iter().flatten().for_each(|&k| places.take(mesh.points[k as usize]));
     for (k, node) in strands.nodes.iter().enumerate() {
         numbers[k] = roots[k].unwrap_or_else(|| {
-            ropes.points.push(node.place);
+            ropes.points.push(places.apart(node.place, node.place));
             first + ropes.points.len() as u32 - 1
         });
     }
@@ -43,14 +47,16 @@ pub fn ropes(strands: &Strands, mesh: &Mesh, spacing: f64) -> Ropes {
         let is_in_mesh = ends.iter().all(|&end| end < first);
         // What is this short and ends where the mesh connects anyway would be a bond of next to no length.
         let is_short = is_in_mesh && line.length() < SHORTEST * spacing;
-        if is_short && (ends[0] == ends[1] || is_bonded(mesh, pair)) {
+        if is_short && (ends[0] == ends[1] || sides.has(pair)) {
             continue;
         }
         if ends[0] == ends[1] && inner.len() < 2 {
             inner = evenly(&line.points, 3);
-        } else if inner.is_empty() && (is_in_mesh && is_bonded(mesh, pair) || !taken.insert(pair)) {
+        } else if inner.is_empty() && (is_in_mesh && sides.has(pair) || !taken.insert(pair)) {
             inner = evenly(&line.points, 2);
         }
+        let middle = middle(&line.points);
+        inner.iter_mut().for_each(|point| *point = places.apart(*point, middle));
         ropes.add(line, ends, &inner, first);
     }
     ropes
@@ -75,8 +81,60 @@ impl Ropes {
     }
 }
 
-fn is_bonded(mesh: &Mesh, pair: [u32; 2]) -> bool {
-    mesh.triangles.iter().any(|corners| pair.iter().all(|k| corners.contains(k)))
+/// Where points are, so that no two are in one place: strokes that join share pixels, and so may their points.
+#[derive(Default)]
+struct Places(BTreeSet<[i64; 2]>);
+
+/// Steps by which points in one place are told from those that are apart [1/px].
+const STEPS: f64 = 256.0;
+
+/// How far a point gives way at a time [px].
+const GIVES_WAY: f64 = 0.125;
+
+/// How often it does at most: where so many points are in one place, a few more do no harm.
+const MOST_STEPS: usize = 64;
+
+impl Places {
+    fn take(&mut self, point: Point) {
+        self.0.insert(point.map(|x| (x * STEPS).round() as i64));
+    }
+
+    /// A place for a point that no other has: its own, or the nearest that is free towards another.
+    fn apart(&mut self, point: Point, towards: Point) -> Point {
+        let way = minus(towards, point);
+        let length = dot(way, way).sqrt();
+        let step = if length > GIVES_WAY { way.map(|x| GIVES_WAY * x / length) } else { [GIVES_WAY, 0.0] };
+        let mut place = point;
+        for _ in 0..MOST_STEPS {
+            if !self.0.contains(&place.map(|x| (x * STEPS).round() as i64)) {
+                break;
+            }
+            place = [place[0] + step[0], place[1] + step[1]];
+        }
+        self.take(place);
+        place
+    }
+}
+
+/// The mean of some places.
+fn middle(points: &[Point]) -> Point {
+    [0, 1].map(|k| points.iter().map(|point| point[k]).sum::<f64>() / points.len() as f64)
+}
+
+/// The sides of a mesh's triangles.
+struct Sides(Vec<[u32; 2]>);
+
+impl Sides {
+    fn new(mesh: &Mesh) -> Self {
+        let of = |&[a, b, c]: &[u32; 3]| [[a, b], [b, c], [c, a]].map(|[p, q]| [p.min(q), p.max(q)]);
+        let mut sides: Vec<[u32; 2]> = mesh.triangles.iter().flat_map(of).collect();
+        sides.sort_unstable();
+        Sides(sides)
+    }
+
+    fn has(&self, pair: [u32; 2]) -> bool {
+        self.0.binary_search(&pair).is_ok()
+    }
 }
 
 /// Least turn of a rope that gets a point: its cosine, of 45 degrees.

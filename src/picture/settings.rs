@@ -87,6 +87,10 @@ pub const WIDEST_SPACING: f64 = 4096.0;
 /// Most points of a mesh, by an estimate before it is made.
 pub const MAX_POINTS: u64 = 4_000_000;
 
+/// Most points along the boundary, by an estimate too: each costs many times what one inside does, and what has more is
+/// grain. A smooth outline of four million pixels has as many at the usual spacing.
+pub(super) const MAX_EDGE_POINTS: u64 = 250_000;
+
 /// Area of an equilateral triangle with sides of 1: sqrt(3) / 4.
 pub(super) const UNIT_TRIANGLE: f64 = 0.433_012_701_892_219_3;
 

@@ -1,7 +1,7 @@
 //! Strokes as lines: the graph of their medial pixels without spurs, its chains smoothed.
 
 use super::bits::Bits;
-use super::plane::{Point, between, distance};
+use super::plane::{Point, between, distance, doubled_area};
 use super::skeleton::{self, Chain, Graph, graph, peel};
 use super::thin::Pixel;
 
@@ -88,6 +88,8 @@ impl Strands {
         let mut joined: Vec<usize> = (0..graph.nodes.len()).collect();
         let roots: Vec<Vec<Pixel>> = graph.nodes.iter().map(|node| node.roots.clone()).collect();
         let mut is_gone = vec![false; graph.chains.len()];
+        // The chains that join each node to others.
+        let mut links: Vec<Vec<usize>> = vec![Vec::new(); graph.nodes.len()];
         for (k, chain) in graph.chains.iter().enumerate() {
             let [a, b] = chain.ends.map(|end| first(&joined, end));
             let is_link =
@@ -96,6 +98,7 @@ impl Strands {
                 let (to, from) = if roots[a].is_empty() { (b, a) } else { (a, b) };
                 joined[from] = to;
                 is_gone[k] = true;
+                chain.ends.iter().for_each(|&end| links[end].push(k));
             }
         }
         let mut numbers = vec![u32::MAX; graph.nodes.len()];
@@ -109,16 +112,61 @@ impl Strands {
         }
         let length: f64 = graph.chains.iter().map(Chain::length).sum::<f64>().max(1.0);
         for (chain, _) in graph.chains.iter().zip(is_gone).filter(|(_, is_gone)| !is_gone) {
-            let ends = chain.ends.map(|end| numbers[first(&joined, end)]);
-            if ends[0] == ends[1] && chain.length() < limit {
+            let joints = chain.ends.map(|end| first(&joined, end));
+            // To the joint along what was joined, not straight: a ring would run out and back.
+            let mut pixels = way(graph, &links, joints[0], chain.ends[0]);
+            pixels.extend(&chain.pixels[1..]);
+            pixels.extend(&way(graph, &links, chain.ends[1], joints[1])[1..]);
+            if joints[0] == joints[1] && enclosed(&pixels) < LEAST_RING {
                 continue;
             }
-            let mut points: Vec<Point> = chain.pixels.iter().map(|&pixel| place(pixel)).collect();
-            let last = points.len() - 1;
-            (points[0], points[last]) = (self.nodes[ends[0] as usize].place, self.nodes[ends[1] as usize].place);
-            self.lines.push(Line { ends, points: smooth(points), width: area as f64 / length });
+            let points = smooth(pixels.into_iter().map(place).collect());
+            let ends = joints.map(|joint| numbers[joint]);
+            self.lines.push(Line { ends, points, width: area as f64 / length });
         }
     }
+}
+
+/// Least area inside a ring of pixel centres [px^2]: four pixels about a hole of one have 2, four in a square 1.
+const LEAST_RING: f64 = 1.5;
+
+/// Area inside a closed line of pixels [px^2].
+fn enclosed(pixels: &[Pixel]) -> f64 {
+    let points: Vec<Point> = pixels.iter().copied().map(place).collect();
+    0.5 * doubled_area(&points).abs()
+}
+
+/// Most joined nodes that are searched for a way: in noise nearly all are joined, and the ways between them long.
+const FARTHEST: usize = 16;
+
+/// The pixels from one node to another that it is joined with, along the chains that join them; both ends among them.
+/// Where more than [`FARTHEST`] are joined, the ends alone.
+fn way(graph: &Graph, links: &[Vec<usize>], from: usize, to: usize) -> Vec<Pixel> {
+    // Joined nodes are a tree: the way back from each node leads over the one that it was found from.
+    let mut found = vec![(to, usize::MAX, usize::MAX)];
+    let mut at = 0;
+    while at < found.len() && found[at].0 != from {
+        if found.len() > FARTHEST {
+            return vec![graph.nodes[from].pixel, graph.nodes[to].pixel];
+        }
+        let (node, _, through) = found[at];
+        for &k in links[node].iter().filter(|&&k| k != through) {
+            let [a, b] = graph.chains[k].ends;
+            found.push((if a == node { b } else { a }, at, k));
+        }
+        at += 1;
+    }
+    let mut pixels = vec![graph.nodes[from].pixel];
+    while let Some(&(node, before, k)) = found.get(at).filter(|(node, ..)| *node != to) {
+        let chain = &graph.chains[k];
+        if chain.ends[0] == node {
+            pixels.extend(&chain.pixels[1..]);
+        } else {
+            pixels.extend(chain.pixels.iter().rev().skip(1));
+        }
+        at = before;
+    }
+    pixels
 }
 
 impl Strands {
@@ -145,8 +193,16 @@ fn place([x, y]: Pixel) -> Point {
     [x as f64 - 0.5, y as f64 - 0.5]
 }
 
+/// Fewest pixels of a line that is smoothed.
+const FEW: usize = 8;
+
 /// Levels the steps of a line of pixels: each point to the mean of its neighbours, four times.
+///
+/// A line of a few pixels stays: smoothed, two of them about a hole of one pixel would fall onto each other.
 fn smooth(mut points: Vec<Point>) -> Vec<Point> {
+    if points.len() < FEW {
+        return points;
+    }
     for _ in 0..4 {
         let old = points.clone();
         for k in 1..old.len() - 1 {

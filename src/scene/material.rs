@@ -20,7 +20,7 @@ pub(super) fn kind(keys: &BodyKeys, body: &Body, mass: &[f64]) -> BondKind {
     let kind = resistance(keys).resolve();
     match (kind, keys.material.as_ref()) {
         (BondKind::Spring { stiffness, .. }, Some(Material { young: Some(young), damping: None, .. })) => {
-            let density = mass.iter().sum::<f64>() / area(body).max(f64::MIN_POSITIVE);
+            let density = mass.iter().sum::<f64>() / body.area.max(f64::MIN_POSITIVE);
             let omega = std::f64::consts::PI / longer_side(body) * (young / density).sqrt();
             let damping = stiffness * (2.0 * DAMPING_RATIO / omega).min(MOST_DECAY / fastest(body, mass, stiffness));
             BondKind::Spring { stiffness, damping: if damping.is_finite() { damping } else { 0.0 } }
@@ -37,15 +37,6 @@ fn fastest(body: &Body, mass: &[f64], stiffness: f64) -> f64 {
         pull[link.b as usize] += stiffness * link.share;
     }
     pull.iter().zip(mass).map(|(pull, mass)| 2.0 * pull / mass).fold(f64::MIN_POSITIVE, f64::max)
-}
-
-/// Area of the triangles of a body [m^2].
-fn area(body: &Body) -> f64 {
-    let twice = |&[a, b, c]: &[u32; 3]| {
-        let [p, q, r] = [a, b, c].map(|k| body.positions[k as usize]);
-        (q[0] - p[0]) * (r[1] - p[1]) - (q[1] - p[1]) * (r[0] - p[0])
-    };
-    0.5 * body.triangles.iter().map(twice).sum::<f64>()
 }
 
 fn longer_side(body: &Body) -> f64 {

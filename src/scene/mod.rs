@@ -12,6 +12,7 @@ mod anew;
 mod check;
 mod error;
 mod expand;
+mod file;
 mod free_place;
 mod gallery;
 mod keys;

@@ -4,12 +4,13 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use super::error::{Fault, SceneError, SceneErrorKind, Source};
+use super::file::file_bytes;
 use super::keys::{
     BodyKeys, BoundsKeys, KindName, MakerName, Material, MethodKeys, MouseKeys, ObstacleKeys, OrderName, PatternName,
     PictureKeys, Scene, StrokesName, Vector, ViewKeys,
 };
-use super::pictures::inline;
-use crate::picture::{Picture, Settings, Size, Strokes, Threshold, is_picture};
+use super::pictures::{LARGEST_FILE, inline};
+use crate::picture::{self, Picture, Settings, Size, Strokes, Threshold};
 
 /// What a picture's body is made of.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -112,11 +113,23 @@ impl Scene {
         source.picture(&file).map_err(|fault| source.error(fault))
     }
 
-    /// Whether a file is a picture, by how it begins.
+    /// A picture file as it is, before its pixels are decoded.
+    ///
+    /// Errors: it is not there or cannot be read; it is no regular file; it is larger than 512 MiB.
+    pub fn picture_bytes(path: &Path) -> Result<Vec<u8>, SceneError> {
+        let error = |reason| SceneError::whole(SceneErrorKind::File, &path.display().to_string(), reason);
+        file_bytes(path, LARGEST_FILE).map_err(error)
+    }
+
+    /// Whether a file is a picture, by how it begins; of a Targa, which begins in any way, by how its name ends.
     pub fn is_picture_file(path: &Path) -> bool {
+        // A pipe would be waited for.
+        if !path.is_file() {
+            return false;
+        }
         let mut start = [0; 64];
         let read = std::fs::File::open(path).and_then(|mut file| std::io::Read::read(&mut file, &mut start));
-        read.is_ok_and(|count| is_picture(&start[..count]))
+        read.is_ok_and(|count| is_picture(path, &start[..count]))
     }
 
     /// The picture file that the scene was made of, if it was.
@@ -136,8 +149,21 @@ impl Scene {
     /// Errors: the file is not there or no picture; keys that are out of order; no ink.
     pub fn of_picture(path: &Path, keys: BodyKeys, matter: Matter) -> Result<Scene, SceneError> {
         let (source, file) = source_of(path);
-        let name = path.file_stem().unwrap_or_default().to_string_lossy().into_owned();
-        Scene::around(source, (name, file), keys, matter)
+        Scene::around(source, (stem(path), file), keys, matter)
+    }
+
+    /// The same of a picture file that was read.
+    ///
+    /// Errors: as of [`Scene::of_picture`].
+    pub fn of_picture_read(
+        path: &Path,
+        picture: Arc<Picture>,
+        keys: BodyKeys,
+        matter: Matter,
+    ) -> Result<Scene, SceneError> {
+        let (source, file) = source_of(path);
+        source.keep_as(&file, picture);
+        Scene::around(source, (stem(path), file), keys, matter)
     }
 
     /// The same of a picture that is in no file.
@@ -252,6 +278,16 @@ impl Scene {
         }
         self
     }
+}
+
+/// The name of a scene of this file.
+fn stem(path: &Path) -> String {
+    path.file_stem().unwrap_or_default().to_string_lossy().into_owned()
+}
+
+/// Whether a file that begins with these bytes is a picture.
+pub(super) fn is_picture(path: &Path, start: &[u8]) -> bool {
+    picture::is_picture(start) || path.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("tga"))
 }
 
 /// A source of scenes beside a picture file, and the file's name from there.

@@ -8,10 +8,11 @@ use base64::Engine;
 use base64::prelude::BASE64_STANDARD;
 
 use super::error::{Fault, Source, Within};
+use super::file::file_bytes;
 use crate::picture::{self, Picture, PictureMesh, Settings};
 
 /// Largest picture file that is read [bytes].
-const LARGEST_FILE: u64 = 512 << 20;
+pub(super) const LARGEST_FILE: u64 = 512 << 20;
 
 /// What a picture begins with that stands in the scene itself.
 const INLINE: &str = "data:image/png;base64,";
@@ -172,6 +173,11 @@ impl Source {
         name
     }
 
+    /// Keeps a picture that was read, by the name that the scene has for it.
+    pub(super) fn keep_as(&self, name: &str, picture: Arc<Picture>) {
+        self.pictures.kept().pictures.push((name.to_owned(), picture));
+    }
+
     fn bytes(&self, name: &str) -> Result<Vec<u8>, Fault> {
         if let Some(text) = name.strip_prefix(INLINE) {
             return BASE64_STANDARD.decode(text.trim()).map_err(|error| {
@@ -179,19 +185,14 @@ impl Source {
             });
         }
         let path = self.folder().join(name);
-        let unread = |error: std::io::Error| {
-            let shown = path.display();
-            Fault::invalid(format!("`{shown}` cannot be read: {error}: give a path relative to the scene file"))
-        };
-        match std::fs::metadata(&path) {
-            Ok(about) if about.len() > LARGEST_FILE => {
-                let most = LARGEST_FILE >> 20;
-                Err(Fault::invalid(format!("`{}` is larger than {most} MiB: make it smaller", path.display())))
-            }
-            Ok(_) => std::fs::read(&path).map_err(unread),
-            Err(error) => match OWN.iter().find(|(own, _)| *own == name) {
+        match file_bytes(&path, LARGEST_FILE) {
+            Ok(bytes) => Ok(bytes),
+            Err(reason) => match OWN.iter().find(|(own, _)| *own == name && !path.exists()) {
                 Some((_, bytes)) => Ok(bytes.to_vec()),
-                None => Err(unread(error)),
+                None => Err(Fault::invalid(format!(
+                    "`{}` {reason}: give a path relative to the scene file",
+                    path.display()
+                ))),
             },
         }
     }

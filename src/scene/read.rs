@@ -5,11 +5,12 @@ use std::path::Path;
 use serde::Deserialize;
 
 use super::error::{SceneError, SceneErrorKind, Source, Step, path_name};
+use super::file::file_bytes;
 use super::gallery::{self, gallery};
 use super::keys::Scene;
 use super::locate;
 use super::nearest::{list, nearest};
-use super::of_picture;
+use super::of_picture::{self, is_picture};
 
 /// Largest file that is read [bytes]: beyond, it would only fill the memory.
 const LARGEST_FILE: u64 = 4 << 30;
@@ -39,19 +40,13 @@ impl Scene {
     /// Errors: the file is not there, cannot be read or is not UTF-8; those of [`Scene::parse`].
     pub fn read(path: &Path) -> Result<Scene, SceneError> {
         let label = path.display().to_string();
-        if std::fs::metadata(path).is_ok_and(|about| about.len() > LARGEST_FILE) {
-            let message = format!("is larger than {} GiB: no scene is", LARGEST_FILE >> 30);
-            return Err(SceneError::whole(SceneErrorKind::File, &label, message));
-        }
-        let bytes = std::fs::read(path).map_err(|error| {
-            let message = format!("cannot be read: {error}");
-            SceneError::whole(SceneErrorKind::File, &label, message)
-        })?;
+        let bytes =
+            file_bytes(path, LARGEST_FILE).map_err(|reason| SceneError::whole(SceneErrorKind::File, &label, reason))?;
         if bytes.starts_with(&[0xFF, 0xFE]) || bytes.starts_with(&[0xFE, 0xFF]) {
             let message = "is UTF-16: save it as UTF-8";
             return Err(SceneError::whole(SceneErrorKind::Syntax, &label, message));
         }
-        if crate::picture::is_picture(&bytes) {
+        if is_picture(path, &bytes) {
             return of_picture::open(path);
         }
         let text = String::from_utf8(bytes).map_err(|error| {

@@ -4,6 +4,7 @@ mod preview;
 
 use std::io::Write;
 use std::path::{Path, PathBuf};
+use std::sync::Arc;
 use std::time::Instant;
 
 use anyhow::Context;
@@ -56,8 +57,8 @@ pub(super) struct Arguments {
     /// What the body is made of.
     #[arg(long, value_enum, default_value_t = MatterArgument::Soft)]
     material: MatterArgument,
-    /// Young's modulus in the plane of a soft body [N/m].
-    #[arg(long, value_name = "E", value_parser = values::above_zero)]
+    /// Young's modulus in the plane of a soft body, 1e-3 to 1e9 [N/m].
+    #[arg(long, value_name = "E", value_parser = stiffness)]
     young: Option<f64>,
     /// Height of the whole picture in the world [m].
     #[arg(long, value_name = "M", default_value = "2", value_parser = values::above_zero)]
@@ -115,25 +116,37 @@ fn share(text: &str) -> Result<f64, String> {
     }
 }
 
+fn stiffness(text: &str) -> Result<f64, String> {
+    match text.parse::<f64>() {
+        Ok(value) if (1e-3..=1e9).contains(&value) => Ok(value),
+        _ => Err("give a number from 1e-3 to 1e9 N/m".to_owned()),
+    }
+}
+
 pub(super) fn run(arguments: &Arguments) -> anyhow::Result<()> {
     arguments.check()?;
-    let shown = arguments.picture.display();
-    let bytes = std::fs::read(&arguments.picture).with_context(|| format!("{shown}: cannot be read"))?;
-    let (picture, made, times) = arguments.mesh(&bytes).with_context(|| format!("{shown}"))?;
+    let (picture, made, times) = arguments.mesh()?;
+    let stats = made.stats();
     let braces = match arguments.pattern {
         PatternArgument::Edges => Vec::new(),
         PatternArgument::Braced => made.mesh.braces(),
     };
+    let bonds = stats.bonds + braces.len();
+    // Whatever can fail is done before the first file is written.
+    let mut preview = None;
     if let Some(path) = &arguments.preview {
-        let drawn = picture::encode(&preview::draw(&picture, &made.mesh, &braces)?)?;
-        output::replace(path, |to| to.write_all(&drawn))?;
+        preview = Some((path, picture::encode(&preview::draw(&picture, &made.mesh, &braces)?)?));
     }
-    if let Some(path) = &arguments.out {
-        arguments.scene(path, &picture)?.save(path)?;
+    drop(made);
+    let scene = arguments.out.as_ref().map(|path| Ok::<_, anyhow::Error>((path, arguments.scene(path, picture)?)));
+    let scene = scene.transpose()?;
+    if let Some((path, drawn)) = &preview {
+        output::replace(path, |to| to.write_all(drawn))?;
+    }
+    if let Some((path, scene)) = &scene {
+        scene.save(path)?;
     }
     let mut out = std::io::stdout().lock();
-    let stats = made.stats();
-    let bonds = stats.bonds + braces.len();
     if arguments.stats {
         let text = serde_json::to_string_pretty(&measures(&stats, bonds, times))?;
         writeln!(out, "{text}")?;
@@ -185,18 +198,22 @@ impl Arguments {
     }
 
     /// All stages, with the time that each took [ms].
-    fn mesh(&self, bytes: &[u8]) -> anyhow::Result<(Picture, Made, Map<String, Value>)> {
+    fn mesh(&self) -> anyhow::Result<(Arc<Picture>, Made, Map<String, Value>)> {
         let settings = self.settings();
-        settings.check()?;
+        let shown = self.picture.display();
+        settings.check().with_context(|| format!("{shown}"))?;
+        let bytes = Scene::picture_bytes(&self.picture)?;
         let mut clock = Clock::new();
-        let picture = picture::decode(bytes)?;
+        let picture = picture::decode(&bytes).with_context(|| format!("{shown}"))?;
+        drop(bytes);
         clock.lap("decode");
-        let made = picture::mesh_in_stages(&picture, &settings, |stage| clock.lap(stage))?;
-        Ok((picture, made, clock.times()))
+        let made = picture::mesh_in_stages(&picture, &settings, |stage| clock.lap(stage));
+        Ok((Arc::new(picture), made.with_context(|| format!("{shown}"))?, clock.times()))
     }
 
     /// The scene as a file: explicit points, bonds and triangles, with the picture inside or named from where it will lie.
-    fn scene(&self, out: &Path, picture: &Picture) -> anyhow::Result<Scene> {
+    fn scene(&self, out: &Path, picture: Arc<Picture>) -> anyhow::Result<Scene> {
+        let link = if self.link { Some(relative(out, &self.picture)?) } else { None };
         let matter = match self.material {
             MatterArgument::Soft => Matter::Soft,
             MatterArgument::Rigid => Matter::Rigid,
@@ -208,24 +225,30 @@ impl Arguments {
             PatternArgument::Edges => None,
             PatternArgument::Braced => Some(PatternName::Braced),
         };
-        let keys = BodyKeys { material, pattern, ..BodyKeys::cut(&self.settings(), self.height, picture) };
-        let scene = Scene::of_picture(&self.picture, keys, matter)?.expanded()?;
-        Ok(if self.link {
-            scene.with_picture_at(&relative(out, &self.picture)?)
-        } else {
-            scene.with_pictures_inside()?
+        let keys = BodyKeys { material, pattern, ..BodyKeys::cut(&self.settings(), self.height, &picture) };
+        let scene = Scene::of_picture_read(&self.picture, picture, keys, matter)?.expanded()?;
+        Ok(match link {
+            Some(path) => scene.with_picture_at(&path),
+            None => scene.with_pictures_inside()?,
         })
     }
 }
 
 /// The path of `to` from the folder that the file `from` lies in.
+///
+/// Errors: a file that is not there; a name that no scene can hold.
 fn relative(from: &Path, to: &Path) -> anyhow::Result<String> {
     let folder = from.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."));
-    let (folder, to) = (std::fs::canonicalize(folder)?, std::fs::canonicalize(to)?);
+    let real =
+        |path: &Path| std::fs::canonicalize(path).with_context(|| format!("{}: cannot be found", path.display()));
+    let (folder, to) = (real(folder)?, real(to)?);
     let shared = folder.components().zip(to.components()).take_while(|(a, b)| a == b).count();
-    let up = folder.components().skip(shared).map(|_| "..".to_owned());
-    let down = to.components().skip(shared).map(|part| part.as_os_str().to_string_lossy().into_owned());
-    Ok(up.chain(down).collect::<Vec<_>>().join("/"))
+    let up = folder.components().skip(shared).map(|_| Some("..".to_owned()));
+    let down = to.components().skip(shared).map(|part| part.as_os_str().to_str().map(str::to_owned));
+    let parts: Option<Vec<String>> = up.chain(down).collect();
+    let unsaid =
+        || format!("{}: its path is not UTF-8, which a scene is: rename it, or leave --link out", to.display());
+    Ok(parts.with_context(unsaid)?.join("/"))
 }
 
 fn measures(stats: &picture::Stats, bonds: usize, times: Map<String, Value>) -> Value {

@@ -1,10 +1,13 @@
 //! Contours to polygons: as few points as the spacing asks for, as close to the contour as the tolerance.
 
 mod corners;
+mod count;
 mod crossing;
 mod path;
 mod sample;
+mod settle;
 
+pub(super) use count::about_points;
 pub(super) use crossing::Bins;
 
 use super::contour::Loop;

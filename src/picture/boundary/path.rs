@@ -8,6 +8,9 @@ pub(super) struct Path<'a> {
     pub(super) points: &'a [Point],
     /// Distance along the contour to each point, and, one more, its length [px].
     pub(super) arc: Vec<f64>,
+    /// How many points lie before each of as many equal parts of the contour as it has points, and, one more, all of them:
+    /// a long contour is not searched from end to end for each place.
+    before: Vec<u32>,
 }
 
 impl<'a> Path<'a> {
@@ -19,7 +22,26 @@ impl<'a> Path<'a> {
             length += distance(points[k], points[(k + 1) % points.len()]);
         }
         arc.push(length);
-        Path { points, arc }
+        let mut path = Path { points, arc, before: vec![0; points.len() + 1] };
+        for k in 0..points.len() {
+            let part = path.part(path.arc[k]);
+            path.before[part + 1] += 1;
+        }
+        (0..points.len()).for_each(|part| path.before[part + 1] += path.before[part]);
+        path
+    }
+
+    /// The part of the contour that a distance lies in, of as many as it has points.
+    fn part(&self, along: f64) -> usize {
+        let count = self.points.len();
+        ((along / self.length() * count as f64) as usize).min(count - 1)
+    }
+
+    /// How many points are passed at a distance along the contour; `is_passed` says of the distance of one whether it is.
+    fn passed(&self, along: f64, is_passed: impl Fn(f64) -> bool) -> usize {
+        let part = self.part(along);
+        let [from, to] = [self.before[part], self.before[part + 1]].map(|k| k as usize);
+        from + self.arc[from..to].partition_point(|&arc| is_passed(arc))
     }
 
     /// Length around [px].
@@ -77,18 +99,18 @@ impl<'a> Path<'a> {
 
     /// The segment in which a distance from 0 to the length lies.
     fn span(&self, along: f64) -> usize {
-        self.arc.partition_point(|&arc| arc <= along).clamp(1, self.points.len()) - 1
+        self.passed(along, |arc| arc <= along).clamp(1, self.points.len()) - 1
     }
 
     /// The points strictly between two distances, less than a turn apart, that may be up to a turn beyond the length.
     pub(super) fn inside(&self, from: f64, to: f64) -> impl Iterator<Item = Point> + '_ {
         let length = self.length();
         let (from, to) = if from >= length { (from - length, to - length) } else { (from, to) };
-        let first = self.arc[..self.points.len()].partition_point(|&arc| arc <= from);
+        let first = self.passed(from, |arc| arc <= from);
         let last = if to > length {
-            self.points.len() + self.arc[..self.points.len()].partition_point(|&arc| arc < to - length)
+            self.points.len() + self.passed(to - length, |arc| arc < to - length)
         } else {
-            self.arc[..self.points.len()].partition_point(|&arc| arc < to)
+            self.passed(to, |arc| arc < to)
         };
         (first..last.max(first)).map(|k| self.points[k % self.points.len()])
     }

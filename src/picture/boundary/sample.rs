@@ -1,9 +1,9 @@
 //! Points along one contour: evenly between corners, closer where it bends, and shifted to keep its area.
 
-use super::super::plane::{Point, distance, dot, doubled_area, minus, to_segment};
+use super::super::plane::{Point, distance, to_segment};
 use super::corners::{corners, tip};
-use super::crossing::middle;
 use super::path::Path;
+use super::settle::settled;
 
 /// Finest points, in spacings, that bends alone bring about; beyond that a point is put where the contour is farthest.
 const FINEST: f64 = 0.35;
@@ -13,9 +13,6 @@ const GROWTH: f64 = 0.3;
 
 /// Rounds of making points closer where the polygon is too far off.
 const ROUNDS: usize = 8;
-
-/// Rounds of shifting points to keep the area: each leaves about a tenth of the error.
-const SHIFTS: usize = 3;
 
 /// The polygon of a contour, and the largest distance between the two [px].
 ///
@@ -56,11 +53,11 @@ const MOST_REACH: f64 = 4.0;
 
 /// A point of the polygon.
 #[derive(Clone, Copy, Debug)]
-struct Cut {
+pub(super) struct Cut {
     /// Where it cuts the contour, as a distance along it.
-    along: f64,
-    place: Point,
-    is_corner: bool,
+    pub(super) along: f64,
+    pub(super) place: Point,
+    pub(super) is_corner: bool,
 }
 
 /// A part of a contour between two corners, or all of it.
@@ -72,36 +69,6 @@ struct Part<'a> {
     is_ring: bool,
     /// How far the contour is averaged [px].
     reach: f64,
-}
-
-/// Shifts points to keep the area; those at edges that get too far off go back, and at last onto the contour.
-fn settled(path: &Path<'_>, cuts: &[Cut], tolerance: f64) -> (Vec<Point>, f64) {
-    let count = cuts.len();
-    let mut placed: Vec<Point> = cuts.iter().map(|cut| cut.place).collect();
-    let mut is_fixed: Vec<bool> = cuts.iter().map(|cut| cut.is_corner).collect();
-    loop {
-        let mut points = placed.clone();
-        for _ in 0..SHIFTS {
-            shift(path, cuts, &is_fixed, &mut points, tolerance);
-        }
-        let offs = deviations(path, cuts, &points);
-        let mut is_done = true;
-        let was_fixed = is_fixed.clone();
-        for k in (0..count).filter(|&k| offs[k] > tolerance) {
-            for end in [k, (k + 1) % count] {
-                if was_fixed[end] {
-                    let on_contour = path.at(cuts[end].along);
-                    is_done &= placed[end] == on_contour;
-                    placed[end] = on_contour;
-                } else {
-                    (is_done, is_fixed[end]) = (false, true);
-                }
-            }
-        }
-        if is_done {
-            return (points, offs.into_iter().fold(0.0, f64::max));
-        }
-    }
 }
 
 impl Part<'_> {
@@ -219,71 +186,4 @@ fn spread(from: f64, cell: f64, lengths: &[f64], least: usize) -> Vec<f64> {
     }
     cuts.push(from + cell * lengths.len() as f64);
     cuts
-}
-
-/// Moves points that are not fixed across the contour, to bring back the area that the chords beside them cut off.
-///
-/// Model: moved by d across the line between its neighbours, a point adds half of d times their distance.
-fn shift(path: &Path<'_>, cuts: &[Cut], is_fixed: &[bool], points: &mut [Point], tolerance: f64) {
-    let count = points.len();
-    let lost: Vec<f64> = (0..count).map(|k| lost_area(path, cuts, points, k)).collect();
-    let share = |edge: usize, other: usize| if is_fixed[other] { lost[edge] } else { 0.5 * lost[edge] };
-    let old = points.to_vec();
-    for k in (0..count).filter(|&k| !is_fixed[k]) {
-        let (before, after) = ((k + count - 1) % count, (k + 1) % count);
-        let along = minus(old[after], old[before]);
-        let length = dot(along, along).sqrt();
-        if length > 0.0 {
-            let area = share(before, before) + share(k, after);
-            let by = (2.0 * area / length).clamp(-0.5 * tolerance, 0.5 * tolerance) / length;
-            points[k] = [old[k][0] + by * along[1], old[k][1] - by * along[0]];
-        }
-    }
-}
-
-/// Area between the contour and the edge after point `k`, positive where the edge cuts ink off.
-fn lost_area(path: &Path<'_>, cuts: &[Cut], points: &[Point], k: usize) -> f64 {
-    let next = (k + 1) % points.len();
-    let (from, to) = piece(path, cuts, k);
-    let mut ring = vec![points[k], path.at(from)];
-    ring.extend(path.inside(from, to));
-    ring.extend([path.at(to), points[next]]);
-    0.5 * doubled_area(&ring)
-}
-
-/// From where to where along the contour the piece after cut `k` runs.
-fn piece(path: &Path<'_>, cuts: &[Cut], k: usize) -> (f64, f64) {
-    let length = path.length();
-    let along = cuts[k].along;
-    let from = if along >= length { along - length } else { along };
-    let to = cuts.get(k + 1).map_or(cuts[0].along + length, |cut| cut.along) - (along - from);
-    (from, if to > from { to } else { to + length })
-}
-
-/// The larger, for each edge, of the distance of the contour's points from it, and of its ends and middle from the
-/// contour; each is sought only in the pieces that belong together, so it may be overestimated.
-fn deviations(path: &Path<'_>, cuts: &[Cut], points: &[Point]) -> Vec<f64> {
-    let count = points.len();
-    let mut offs = vec![0.0_f64; count];
-    // How far the two ends of each edge are from its piece of the contour.
-    let mut ends = vec![[0.0_f64; 2]; count];
-    let mut arc = Vec::new();
-    for k in 0..count {
-        let chord = [points[k], points[(k + 1) % count]];
-        let (from, to) = piece(path, cuts, k);
-        arc.clear();
-        arc.push(path.at(from));
-        arc.extend(path.inside(from, to));
-        arc.push(path.at(to));
-        let to_arc = |point: Point| {
-            arc.windows(2).map(|pair| to_segment(point, [pair[0], pair[1]]).0).fold(f64::INFINITY, f64::min)
-        };
-        offs[k] = arc.iter().map(|&point| to_segment(point, chord).0).fold(to_arc(middle(chord)), f64::max);
-        ends[k] = chord.map(to_arc);
-    }
-    for k in 0..count {
-        let before = (k + count - 1) % count;
-        offs[k] = offs[k].max(ends[k][0].min(ends[before][1]));
-    }
-    offs
 }

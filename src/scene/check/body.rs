@@ -8,7 +8,7 @@ use crate::body::{
     BodyError, BoxFrame, Brace, Cloth, Diagonals, Disc, Lattice, Maker, Points, RandomGraph, Rim, Rope, Stretch,
 };
 use crate::scene::error::{Fault, Source, Within};
-use crate::scene::keys::{BodyKeys, BraceName, DiagonalsName, MakerName, Material, Vector};
+use crate::scene::keys::{BodyKeys, BraceName, DiagonalsName, KindName, MakerName, Material, Vector};
 use crate::scene::nearest;
 
 /// Keys that every body has.
@@ -110,6 +110,11 @@ fn check_material(material: &Material, make: MakerName) -> Result<(), Fault> {
     if make != MakerName::Picture && material.young.is_some() {
         let message = format!("is of meshes of pictures, and this is `{make}`: give `stiffness`");
         return Err(Fault::invalid(message).at("young"));
+    }
+    let is_stiff = material.stiffness.is_some() || material.compliance.is_some() || material.young.is_some();
+    if make == MakerName::Picture && material.kind == Some(KindName::Spring) && !is_stiff {
+        let message = "a spring needs `young` or `stiffness` [N/m], or `compliance` [m/N]: add one of them";
+        return Err(Fault::invalid(message));
     }
     Resistance::from(material).check()?;
     Range::Positive.maybe(material.break_strain).at("break_strain")?;

@@ -97,7 +97,7 @@ impl Resistance {
             let message = "stands beside `stiffness`, its reciprocal: leave one of them out";
             return Err(Fault::invalid(message).at("compliance"));
         }
-        Range::Positive.maybe(self.young).at("young")?;
+        Range::Young.maybe(self.young).at("young")?;
         if self.young.is_some() && (self.stiffness.is_some() || self.compliance.is_some()) {
             return Err(
                 Fault::invalid("says how stiff the springs are, as another key does: leave one out").at("young")

@@ -6,7 +6,7 @@ use super::body::need;
 use super::number::Range;
 use super::surfaces::check_image;
 use crate::body::{Cutout, Pattern};
-use crate::picture::{Picture, Settings, Size, Strokes, Threshold};
+use crate::picture::{LEAST_SPACING, Picture, Settings, Size, Strokes, Threshold, WIDEST_SPACING};
 use crate::scene::error::{Fault, Source, Within};
 use crate::scene::keys::{BodyKeys, PatternName, StrokesName};
 
@@ -41,7 +41,7 @@ pub(in crate::scene) fn check_cut(body: &BodyKeys) -> Result<(), Fault> {
     for (key, value) in [("height", body.height), ("spacing", body.spacing), ("max_area", body.max_area)] {
         Range::Positive.maybe(value).at(key)?;
     }
-    Range::Share.maybe(body.threshold).at("threshold")?;
+    Range::Fraction.maybe(body.threshold).at("threshold")?;
     Range::NotNegative.maybe(body.min_area).at("min_area")?;
     body.file.as_deref().map_or(Ok(()), check_image).at("file")
 }
@@ -53,7 +53,7 @@ pub(in crate::scene) fn wanted(body: &BodyKeys, picture: &Picture) -> Result<(f6
     let height = body.height.unwrap_or(HEIGHT);
     let side = f64::from(picture.width.max(picture.height));
     let spacing = match body.spacing {
-        Some(spacing) => spacing * (f64::from(picture.height) / height),
+        Some(spacing) => in_pixels(spacing, f64::from(picture.height) / height),
         None => (side / NEIGHBOURS).max(2.0),
     };
     Ok((height, settings(body, spacing)?))
@@ -66,6 +66,14 @@ pub(in crate::scene) fn skin(body: &BodyKeys, source: &Source) -> Result<Arc<Pic
     let file = need(body, "file", body.file.as_deref())?;
     let (_, settings) = wanted(body, &*source.picture(file).at("file")?)?;
     source.ink(file, &settings).at("file")
+}
+
+/// A spacing [m] in pixels. What is beyond the ends of its range by rounding alone lies at them: a spacing that was pixels
+/// before it was metres is not refused.
+fn in_pixels(spacing: f64, pixels: f64) -> f64 {
+    let spacing = spacing * pixels;
+    let inside = spacing.clamp(LEAST_SPACING, WIDEST_SPACING);
+    if (spacing - inside).abs() <= 1e-12 * inside { inside } else { spacing }
 }
 
 /// The settings of the mesh at this spacing [px], if nothing else says how large triangles are.
@@ -99,4 +107,20 @@ fn settings(body: &BodyKeys, spacing: f64) -> Result<Settings, Fault> {
         },
         ..standard
     })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_ends_of_the_range_survive_the_way_to_metres_and_back() {
+        for rows in 1..3000 {
+            let pixels = f64::from(rows) / 2.0;
+            for end in [LEAST_SPACING, WIDEST_SPACING] {
+                assert_eq!(in_pixels(end * 2.0 / f64::from(rows), pixels), end);
+            }
+        }
+        assert!(in_pixels(0.999, 1.0) < LEAST_SPACING && in_pixels(4097.0, 1.0) > WIDEST_SPACING);
+    }
 }

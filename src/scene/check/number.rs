@@ -14,6 +14,10 @@ pub(super) enum Range {
     Positive,
     /// In (0, 1].
     Share,
+    /// In [0, 1].
+    Fraction,
+    /// Young's modulus in the plane [N/m]: softer than a soap film, stiffer than a plate of steel, no body is.
+    Young,
 }
 
 impl Range {
@@ -23,6 +27,8 @@ impl Range {
             Range::Finite => (true, "a finite number"),
             Range::NotNegative => (value >= 0.0, "a number of 0 or more"),
             Range::Positive => (value > 0.0, "a number above 0"),
+            Range::Fraction => ((0.0..=1.0).contains(&value), "a number from 0 to 1"),
+            Range::Young => ((1e-3..=1e9).contains(&value), "a number from 1e-3 to 1e9 N/m"),
             Range::Share => (value > 0.0 && value <= 1.0, "a number above 0, at most 1"),
         };
         if inside && value.is_finite() { Ok(()) } else { Err(Fault::invalid(format!("is {value:?}: give {range}"))) }

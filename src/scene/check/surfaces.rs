@@ -1,5 +1,7 @@
 //! Triangles, and what hangs on them: areas and a texture.
 
+use std::path::Path;
+
 use super::number::{self, Range};
 use super::one_a_point;
 use crate::scene::error::{Fault, Within};
@@ -58,8 +60,10 @@ fn check_texture(texture: &TextureKeys, count: u32) -> Result<(), Fault> {
 
 /// Errors: what cannot be a picture's name.
 pub(super) fn check_image(image: &str) -> Result<(), Fault> {
-    let absolute = image.starts_with(['/', '\\']) || image.as_bytes().get(1) == Some(&b':');
-    let foreign = image.starts_with("data:") && !image.starts_with("data:image/png;base64,");
+    // A letter, a colon and a slash begin a path of Windows; without the slash it may be any file's name.
+    let drive = matches!(image.as_bytes(), [letter, b':', b'/' | b'\\', ..] if letter.is_ascii_alphabetic());
+    let absolute = drive || Path::new(image).has_root();
+    let foreign = image.starts_with("data:image/") && !image.starts_with("data:image/png;base64,");
     if image.is_empty() || absolute || foreign {
         return Err(Fault::invalid("is no image: give a path relative to the scene, or data:image/png;base64,…"));
     }
