@@ -102,7 +102,7 @@ impl Session {
         let mut session = Session {
             camera: opening::camera(&scene, player.world(), size),
             area: size,
-            look: Look { scale_factor: scale, has_mesh: !is_covered(&skins, &player), ..Look::default() },
+            look: Look { scale_factor: scale, has_mesh: skins.is_empty(), ..Look::default() },
             skins,
             has_picture: scene.picture_body().is_some(),
             window,
@@ -152,7 +152,7 @@ impl Session {
         let opened = Opened::new(scene)?;
         let is_other_space = opened.scene.dimensions() != self.scene.dimensions();
         (self.scene, self.player, self.skins) = (opened.scene, opened.player, opened.skins);
-        self.look.has_mesh = !is_covered(&self.skins, &self.player);
+        self.look.has_mesh = self.skins.is_empty();
         self.has_picture = self.scene.picture_body().is_some();
         self.camera = opening::camera(&self.scene, self.player.world(), self.area);
         self.window.set_title(&format!("wobble · {}", self.scene.name()));
@@ -377,10 +377,4 @@ impl Session {
     pub(super) fn statistics(&self) -> (u64, u64, RenderCounters) {
         (self.frames, self.player.world().counters().substeps, *self.canvas.counters())
     }
-}
-
-/// Whether every point is of a skin: then bonds need not be seen at first.
-fn is_covered(skins: &[Skin], player: &Player) -> bool {
-    let points: usize = skins.iter().map(|skin| skin.texture.len()).sum();
-    !skins.is_empty() && points >= player.world().point_count()
 }

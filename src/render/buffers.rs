@@ -49,6 +49,8 @@ pub(super) struct WorldBuffers {
     point_count: u32,
     bond_count: u32,
     pub(super) guide_count: u32,
+    /// Bonds and points that no skin covers, which come first: of small scenes.
+    bare: [u32; 2],
     has_pins: bool,
     /// What positions are relative to [m].
     pub(super) origin: DVec3,
@@ -84,6 +86,7 @@ impl WorldBuffers {
             point_count: 0,
             bond_count: 0,
             guide_count: 0,
+            bare: [0, 0],
             has_pins: false,
             origin: DVec3::ZERO,
             typical_bond: 0.0,
@@ -175,8 +178,10 @@ impl WorldBuffers {
         let mut points: Vec<u32> = (0..point_count).collect();
         if bonds.len().max(points.len()) >= LARGE {
             points = self.sort(view, &mut bonds);
+            self.bare = [0, 0];
         } else {
             self.chunks = None;
+            self.bare = bare_first(view, &mut bonds, &mut points);
         }
         self.bonds.write(gpu, bytemuck::cast_slice(&bonds), counters)?;
         let is_pinned = pins(view.pinned, point_count);
@@ -229,7 +234,9 @@ impl WorldBuffers {
             return;
         }
         self.selection = match &mut self.chunks {
+            Some(_) if !wanted.has_mesh => Selection::default(),
             Some(chunks) => chunks.select(states(view, &self.staging), view.dimensions, wanted, counters),
+            None if !wanted.has_mesh => Selection::whole(self.bare[0], 0..self.bare[1]),
             None if wanted.points_faded && !self.has_pins => Selection::whole(self.bond_count, 0..0),
             None => Selection::whole(self.bond_count, 0..self.point_count),
         };
@@ -291,6 +298,25 @@ fn subtract<const D: usize>(origin: [f64; D], x: &[f64], to: &mut [f32]) {
     for (to, x) in to.as_chunks_mut::<D>().0.iter_mut().zip(x.as_chunks::<D>().0) {
         *to = std::array::from_fn(|axis| (x[axis] - origin[axis]) as f32);
     }
+}
+
+/// Puts bonds and points that no skin covers first, and returns how many there are of each.
+fn bare_first(view: &View<'_>, bonds: &mut [GpuBond], points: &mut [u32]) -> [u32; 2] {
+    let mut is_covered = vec![false; points.len()];
+    for skin in view.skins {
+        let range = skin.first as usize..(skin.first as usize + skin.texture.len()).min(points.len());
+        if let Some(covered) = is_covered.get_mut(range) {
+            covered.fill(true);
+        }
+    }
+    let is_hidden = |bond: &GpuBond| is_covered[bond.a as usize] && is_covered[bond.b as usize];
+    bonds.sort_by_key(is_hidden);
+    points.sort_by_key(|&point| is_covered[point as usize]);
+    let count = |shown: usize| shown as u32;
+    [
+        count(bonds.partition_point(|bond| !is_hidden(bond))),
+        count(points.partition_point(|&point| !is_covered[point as usize])),
+    ]
 }
 
 /// Which points are pinned. Pins of points that there are not are left out.

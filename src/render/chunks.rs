@@ -123,6 +123,8 @@ pub(super) struct Wanted {
     pub(super) radius: f64,
     /// Points that are not pinned are too faint to be seen.
     pub(super) points_faded: bool,
+    /// Bonds and points are shown that skins cover.
+    pub(super) has_mesh: bool,
 }
 
 impl Chunks {

@@ -69,7 +69,7 @@ impl Frame {
     }
 
     /// What the picture wants of bonds and points that are relative to `origin` [m].
-    pub(super) fn wanted(&self, camera: &Camera, origin: DVec3) -> Wanted {
+    pub(super) fn wanted(&self, camera: &Camera, origin: DVec3, has_mesh: bool) -> Wanted {
         let shapes = [0.5 * self.bond_width, self.dot_radius, LARGEST_PIN * self.point_radius];
         // A shape reaches a pixel beyond itself at most, and its place is rounded.
         let margin = 2.0 + f64::from(shapes.into_iter().fold(0.0, f32::max));
@@ -78,6 +78,7 @@ impl Frame {
             width: f64::from(self.bond_width),
             radius: f64::from(self.dot_radius),
             points_faded: self.point_color[3] == 0.0,
+            has_mesh,
         }
     }
 

@@ -50,7 +50,7 @@ pub struct Look {
     pub strain_scale: f32,
     /// What is shown by colour.
     pub overlay: Overlay,
-    /// Whether bonds and points are drawn.
+    /// Whether bonds and points that a skin covers are drawn; others are in any case, but in large scenes.
     pub has_mesh: bool,
     /// Physical pixels in a logical one.
     pub scale_factor: f32,

@@ -227,7 +227,7 @@ impl Passes {
         &self,
         target: &mut wgpu::RenderPass<'_>,
         (buffers, skins, obstacles): (&WorldBuffers, &Skins, &Obstacles),
-        (has_region, has_mesh): (bool, bool),
+        has_region: bool,
         counters: &mut RenderCounters,
     ) {
         let Some(bindings) = &self.bindings else { return };
@@ -237,9 +237,6 @@ impl Passes {
                     obstacles.draw(target, pipelines, counters);
                 }
                 skins.draw(target, &self.skin, counters);
-            }
-            if !has_mesh && matches!(pass, Pass::Dots | Pass::Strokes | Pass::Points) {
-                continue;
             }
             let calls = pass.calls(buffers, has_region);
             if calls.is_empty() {
@@ -251,9 +248,6 @@ impl Passes {
             for [vertices, instances] in calls {
                 target.draw(vertices, instances);
             }
-        }
-        if !has_mesh {
-            return;
         }
         let count = |runs: &[Run]| runs.iter().map(|run| u64::from(run.count) * u64::from(run.chunks)).sum::<u64>();
         counters.bonds_drawn += count(&buffers.selection.strokes);

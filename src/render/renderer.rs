@@ -58,7 +58,7 @@ impl Renderer {
         self.buffers.set_guides(gpu, bytemuck::cast_slice(&lines), lines.len(), counters)?;
         self.has_region = frame.has_region();
         self.buffers.set_frame(gpu, bytemuck::bytes_of(&frame), counters)?;
-        self.buffers.select(view, &frame.wanted(camera, origin), counters);
+        self.buffers.select(view, &frame.wanted(camera, origin, look.has_mesh), counters);
         counters.bytes_held = self.buffers.bytes();
         let is_other = self.buffers.take_unbound();
         if is_other {
@@ -112,9 +112,8 @@ impl Renderer {
         if area[0] > 0 && area[1] > 0 {
             pass.set_viewport(0.0, 0.0, area[0] as f32, area[1] as f32, 0.0, 1.0);
             pass.set_scissor_rect(0, 0, area[0], area[1]);
-            let shown = (self.has_region, look.has_mesh);
             let shapes = (&self.buffers, &self.skins, &self.obstacles);
-            self.passes.draw(&mut pass, shapes, shown, &mut self.counters);
+            self.passes.draw(&mut pass, shapes, self.has_region, &mut self.counters);
         }
         self.counters.frames_drawn += 1;
     }

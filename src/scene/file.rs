@@ -9,13 +9,22 @@ use std::path::Path;
 /// Errors, as what follows the file's name on the line: it is not there or may not be read; it is no file but a folder, a
 /// pipe or a device, which might never end; it has more than `most` bytes, whatever it says of itself.
 pub(super) fn file_bytes(path: &Path, most: u64) -> Result<Vec<u8>, String> {
+    bytes(path, most, false)
+}
+
+/// The same; a pipe is read to its end.
+pub(super) fn stream_bytes(path: &Path, most: u64) -> Result<Vec<u8>, String> {
+    bytes(path, most, true)
+}
+
+fn bytes(path: &Path, most: u64, takes_streams: bool) -> Result<Vec<u8>, String> {
     let unread = |error: std::io::Error| format!("cannot be read: {error}");
     // Opening a pipe would already wait for its writer.
     let about = std::fs::metadata(path).map_err(unread)?;
     if about.is_dir() {
         return Err("is a directory: name a file in it".to_owned());
     }
-    if !about.is_file() {
+    if !about.is_file() && !takes_streams {
         return Err("is no regular file but a pipe or a device: save what comes from it in a file".to_owned());
     }
     let mut bytes = Vec::with_capacity(usize::try_from(about.len().min(most)).unwrap_or(0));

@@ -410,7 +410,7 @@ fn surroundings() {
             ),
             (
                 "\"obstacles\": [{ \"restitution\": 1 }]",
-                "obstacles[0]: has no shape: give `plane`, `box`, `circle` or `polygon`",
+                "obstacles[0]: has no shape: give `plane`, `box`, `circle`, `polygon` or `picture`",
             ),
             (
                 "\"obstacles\": [{ \"circle\": { \"center\": [0,0], \"radius\": 1 }, \"plane\": { \"point\": [0,0], \"normal\": [0,1] } }]",

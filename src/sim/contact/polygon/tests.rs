@@ -50,7 +50,7 @@ fn inside_is_even_odd_whatever_crosses() {
             assert_eq!(solids.around(x, 0.0, f64::INFINITY).is_some(), is_in, "{x:?}");
             count[usize::from(is_in)] += 1;
         }
-        assert!(count[0] > 2_000 && count[1] > 2_000, "{count:?}");
+        assert!(count[0] > 1_000 && count[1] > 1_000, "{count:?}");
     }
 }
 
