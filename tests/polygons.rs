@@ -4,7 +4,11 @@
 
 mod common;
 
+use std::path::{Path, PathBuf};
+
 use common::physics::{run_to, spring};
+use wobble::picture::{Picture, encode};
+use wobble::scene::Scene;
 use wobble::sim::{Bond, Bounds, Dynamics, Method, Model, Plane, PointId, Polygon, Sample, Solver, World};
 
 const G: f64 = 9.81;
@@ -267,4 +271,96 @@ fn a_rigid_box_lands_flat_on_a_tilted_side_and_slides() {
     let way = 0.5 * G * sin;
     let truth: Vec<[f64; 2]> = position.iter().map(|x| [x[0] + way * cos, x[1] - way * sin]).collect();
     assert!(off(&end, &truth) < 0.02 * way, "off by {}", off(&end, &truth));
+}
+
+/// A ring of ink, radii 20 and 40 px, in a picture of 100 px.
+fn ring(folder: &Path) -> PathBuf {
+    let mut picture = Picture::filled(100, 100, [0, 0, 0, 0]);
+    for i in 0..100 * 100 {
+        let from = (i as f64 % 100.0 - 49.5).hypot((i / 100) as f64 - 49.5);
+        picture.rgba[4 * i + 3] = if (20.0..40.0).contains(&from) { 255 } else { 0 };
+    }
+    let path = folder.join("ring.png");
+    std::fs::write(&path, encode(&picture).unwrap()).unwrap();
+    path
+}
+
+fn area(corners: &[[f64; 2]]) -> f64 {
+    let side = |k: usize| {
+        let ([a, b], [c, d]) = (corners[k], corners[(k + 1) % corners.len()]);
+        0.5 * (a * d - b * c)
+    };
+    (0..corners.len()).map(side).sum::<f64>().abs()
+}
+
+#[test]
+fn a_picture_stands_as_the_outlines_of_its_ink() {
+    let folder = tempfile::tempdir().unwrap();
+    ring(folder.path());
+    let text = r#"{ "wobble": 1,
+        "points": { "position": [[1, 2], [1.1, 3.5]], "mass": 1 }, "gravity": [0, -9.81],
+        "obstacles": [
+            { "picture": { "file": "ring.png", "height": 2, "origin": [1, 2], "angle": 0.3, "spacing": 0.05 }, "friction": 0.5 },
+            { "box": { "min": [4, 0], "max": [6, 2], "angle": 0.7853981633974483 }, "restitution": 0.25 } ] }"#;
+    let path = folder.path().join("scene.json");
+    std::fs::write(&path, text).unwrap();
+    let scene = Scene::read(&path).unwrap();
+    let model: Model<2> = scene.model().unwrap();
+    let [ring, square] = &model.polygons[..] else { panic!("{:?}", model.polygons) };
+    assert_eq!((ring.loops.len(), ring.friction, square.restitution), (2, 0.5, 0.25));
+    for (corners, radius) in ring.loops.iter().zip([0.8, 0.4]) {
+        let truth = std::f64::consts::PI * radius * radius;
+        assert!((area(corners) / truth - 1.0).abs() < 0.01, "{} of {truth}", area(corners));
+        assert!(corners.iter().all(|x| ((x[0] - 1.0).hypot(x[1] - 2.0) - radius).abs() < 0.02));
+    }
+    let top = square.loops[0].iter().map(|x| x[1]).fold(f64::NEG_INFINITY, f64::max);
+    assert!((top - 1.0 - 2.0_f64.sqrt()).abs() < 1e-12, "turned about its middle");
+
+    // One point falls within the hole, one on the ring and down its side.
+    let mut world = scene.world(None).unwrap();
+    let end = run_to(&mut *world, 1.5);
+    let from = |i: usize| (end.position[i][0] - 1.0).hypot(end.position[i][1] - 2.0);
+    assert!(from(0) < 0.41 && end.position[0][1] < 1.65, "{:?}", end.position);
+    assert!(from(1) > 0.79, "{:?}", end.position);
+
+    let expanded = scene.expanded().unwrap();
+    assert!(expanded.obstacles.iter().all(|obstacle| obstacle.polygon.is_some()));
+    assert_eq!(expanded.model::<2>().unwrap().polygons, model.polygons, "corner by corner");
+}
+
+#[test]
+fn a_picture_becomes_a_scene_with_an_obstacle_on_the_command_line() {
+    let folder = tempfile::tempdir().unwrap();
+    let (picture, out) = (ring(folder.path()), folder.path().join("out.json"));
+    let done = std::process::Command::new(env!("CARGO_BIN_EXE_wobble"))
+        .args(["mesh", "--spacing", "6", "--material", "fixed", "--out"])
+        .args([&out, &picture])
+        .output()
+        .unwrap();
+    assert!(done.status.success(), "{}", String::from_utf8_lossy(&done.stderr));
+    let scene = Scene::read(&out).unwrap();
+    let mut world = scene.world(None).unwrap();
+    assert_eq!((world.polygons().len(), world.bonds().len()), (1, 0));
+    let polygon = world.polygons()[0].clone();
+    let end = run_to(&mut *world, 2.0);
+    assert!(end.position.len() > 100 && world.counters().events > 100);
+    assert!(end.position.iter().all(|x| depth_inside(&polygon, [x[0], x[1]]) < 1e-6), "none inside");
+}
+
+#[test]
+fn obstacles_that_cannot_be_are_refused_at_their_key() {
+    let error = |keys: &str, dimensions: u32| {
+        let text =
+            format!(r#"{{ "wobble": 1, "dimensions": {dimensions}, "obstacles": [{{ "picture": {{ {keys} }} }}] }}"#);
+        Scene::parse(&text, "x.json").unwrap_err().to_string()
+    };
+    assert!(error(r#""file": "none.png""#, 2).contains("obstacles[0].picture.file: `none.png` cannot be read"));
+    assert!(error(r#""file": "pictures/gear.png", "height": 0"#, 2).contains("obstacles[0].picture.height"));
+    assert!(error(r#""file": "pictures/gear.png", "threshold": 2"#, 2).contains("obstacles[0].picture.threshold"));
+    assert!(error(r#""file": "pictures/gear.png""#, 3).contains("obstacles[0].picture: lies in the plane"));
+    assert!(error(r#""height": 1"#, 2).contains("file"));
+    let model = points(vec![[0.0; 2]], vec![[0.0; 2]], vec![room(0.1, 0.0, 0.0)]);
+    assert!(wobble::sim::settle(&model).unwrap_err().to_string().contains("polygons"));
+    let model = points(vec![[0.0; 2]], vec![[0.0; 2]], vec![polygon(vec![vec![[0.0; 2]; 2]], 0.0, 0.0)]);
+    assert!(model.check().is_err());
 }

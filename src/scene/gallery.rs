@@ -120,16 +120,16 @@ static GALLERY: [Entry; 19] = [
     entry!("maze", 846, "Maze", "The walls of a round maze are one soft body: it sags, and springs back."),
     entry!("pebble", 392, "Pebbles", "The same stone twice, once firm and once soft as dough."),
     entry!(
+        "picture-obstacle",
+        320,
+        "Rain on a gear",
+        "A picture stands as an obstacle: a soft stone, a rope and loose points fall on it, and down through its holes."
+    ),
+    entry!(
         "rope",
         1000,
         "Rope",
         "A level rope of a thousand points, held at one end, swings down: rigid bonds, 100 m."
-    ),
-    entry!(
-        "picture-obstacle",
-        999,
-        "Rain on a gear",
-        "A picture stands as an obstacle: a soft stone, a rope and loose points fall on it, and down through its holes."
     ),
     entry!("net", 10_000, "Net", "A net of ten thousand points hangs from its two upper corners; the mouse moves it."),
     entry!(
