@@ -1,6 +1,6 @@
 //! Files whole in memory.
 
-use std::fs::File;
+use std::fs::{File, Metadata};
 use std::io::Read;
 use std::path::Path;
 
@@ -9,22 +9,32 @@ use std::path::Path;
 /// Errors, as what follows the file's name on the line: it is not there or may not be read; it is no file but a folder, a
 /// pipe or a device, which might never end; it has more than `most` bytes, whatever it says of itself.
 pub(super) fn file_bytes(path: &Path, most: u64) -> Result<Vec<u8>, String> {
-    bytes(path, most, false)
+    bytes(path, most, |_| false)
 }
 
-/// The same; a pipe is read to its end.
-pub(super) fn stream_bytes(path: &Path, most: u64) -> Result<Vec<u8>, String> {
-    bytes(path, most, true)
+/// The same of a scene, which may come from a pipe: one that bears no name, or a scene's.
+pub(super) fn scene_bytes(path: &Path, most: u64) -> Result<Vec<u8>, String> {
+    bytes(path, most, |about| is_pipe(about) && path.extension().is_none_or(|ending| ending == "json"))
 }
 
-fn bytes(path: &Path, most: u64, takes_streams: bool) -> Result<Vec<u8>, String> {
+#[cfg(unix)]
+fn is_pipe(about: &Metadata) -> bool {
+    std::os::unix::fs::FileTypeExt::is_fifo(&about.file_type())
+}
+
+#[cfg(not(unix))]
+fn is_pipe(_: &Metadata) -> bool {
+    false
+}
+
+fn bytes(path: &Path, most: u64, is_stream: impl Fn(&Metadata) -> bool) -> Result<Vec<u8>, String> {
     let unread = |error: std::io::Error| format!("cannot be read: {error}");
     // Opening a pipe would already wait for its writer.
     let about = std::fs::metadata(path).map_err(unread)?;
     if about.is_dir() {
         return Err("is a directory: name a file in it".to_owned());
     }
-    if !about.is_file() && !takes_streams {
+    if !about.is_file() && !is_stream(&about) {
         return Err("is no regular file but a pipe or a device: save what comes from it in a file".to_owned());
     }
     let mut bytes = Vec::with_capacity(usize::try_from(about.len().min(most)).unwrap_or(0));

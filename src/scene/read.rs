@@ -5,7 +5,7 @@ use std::path::Path;
 use serde::Deserialize;
 
 use super::error::{SceneError, SceneErrorKind, Source, Step, path_name};
-use super::file::stream_bytes;
+use super::file::scene_bytes;
 use super::gallery::{self, gallery};
 use super::keys::Scene;
 use super::locate;
@@ -40,7 +40,7 @@ impl Scene {
     /// Errors: the file is not there, cannot be read or is not UTF-8; those of [`Scene::parse`].
     pub fn read(path: &Path) -> Result<Scene, SceneError> {
         let label = path.display().to_string();
-        let bytes = stream_bytes(path, LARGEST_FILE)
+        let bytes = scene_bytes(path, LARGEST_FILE)
             .map_err(|reason| SceneError::whole(SceneErrorKind::File, &label, reason))?;
         if bytes.starts_with(&[0xFF, 0xFE]) || bytes.starts_with(&[0xFE, 0xFF]) {
             let message = "is UTF-16: save it as UTF-8";
