@@ -41,8 +41,8 @@ const RELAXED_GRAVITY: f64 = 1.0;
 const DROPS: u64 = 300;
 
 impl Matter {
-    /// Young's modulus in the plane if none is said [N/m]: a body 2 m high that falls 1 m is squeezed by about a tenth, and, braced,
-    /// does not fold.
+    /// Young's modulus in the plane if none is said [N/m]: a body 2 m high that falls 1 m is squeezed by about a tenth; braced, it hardly
+    /// folds.
     pub const YOUNG: f64 = 4_000.0;
 
     /// The material, with Young's modulus [N/m] if it is soft and one is given.

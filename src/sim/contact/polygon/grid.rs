@@ -5,7 +5,7 @@ use super::Segment;
 /// Cells along a side at most.
 const MOST_CELLS: f64 = 2048.0;
 /// Cells for each segment, about.
-const CELLS_EACH: f64 = 2.0;
+const CELLS_EACH: f64 = 8.0;
 /// What is added to ways on both sides, so that rounding loses no cell, as a share of a cell.
 const MARGIN: f64 = 1e-6;
 
@@ -85,7 +85,7 @@ impl Cells {
     /// Column and row of a point's cell, if it is in one.
     #[inline]
     pub(super) fn place(&self, x: [f64; 2]) -> Option<[usize; 2]> {
-        let at = [0, 1].map(|k| ((x[k] - self.low[k]) / self.side).floor());
+        let at = [0, 1].map(|k| (x[k] - self.low[k]) / self.side);
         let is_in = (0..2).all(|k| at[k] >= 0.0 && at[k] < self.counts[k] as f64);
         is_in.then(|| at.map(|at| at as usize))
     }
@@ -123,9 +123,9 @@ impl Cells {
     /// First and last cell along an axis between two places [m]; `None` where all lie outside.
     #[inline]
     fn range(&self, axis: usize, from: f64, to: f64) -> Option<[usize; 2]> {
-        let last = (self.counts[axis] - 1) as f64;
-        let [from, to] = [from, to].map(|x| ((x - self.low[axis]) / self.side).floor());
-        (to >= 0.0 && from <= last).then(|| [from.max(0.0) as usize, to.min(last) as usize])
+        let count = self.counts[axis];
+        let [from, to] = [from, to].map(|x| (x - self.low[axis]) / self.side);
+        (to >= 0.0 && from < count as f64).then(|| [from.max(0.0) as usize, (to as usize).min(count - 1)])
     }
 }
 

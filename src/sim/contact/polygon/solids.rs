@@ -129,7 +129,7 @@ impl Solids {
     /// cannot tell from 0.
     pub(crate) fn meeting(&self, [a, b]: Segment, slack: f64, mut may: impl FnMut(usize) -> bool) -> Option<Meeting> {
         let way = minus(b, a);
-        let tie = slack / libm::hypot(way[0], way[1]);
+        let tie = slack / dot(way, way).sqrt();
         let mut first: Option<(Meeting, f64)> = None;
         self.grid.cells.along(a, b, slack, |cell| {
             for &k in self.grid.of(cell) {
@@ -208,7 +208,7 @@ impl Solids {
                 return 0;
             }
             let at = from[0] + (x[1] - from[1]) * (wall.along[0] / wall.along[1]);
-            let place = ((at - cells.low[0]) / cells.side).floor().max(0.0) as usize;
+            let place = ((at - cells.low[0]) / cells.side).max(0.0) as usize;
             // A wall that goes up has the solid on its right: there it is entered.
             let entered = if rise > 0.0 { 1 } else { -1 };
             if place.min(cells.counts[0] - 1) == column && at < x[0] { entered } else { 0 }
