@@ -114,12 +114,13 @@ pub fn mesh_in_stages(
 
 /// The outlines and holes of a picture's ink [px], y down, with as few corners as the spacing asks for; thin strokes are ink as any.
 ///
-/// Errors: a setting out of range; no ink; nothing large enough.
+/// Errors: a setting out of range; no ink; nothing large enough; an outline that is mere grain.
 pub fn trace_picture(picture: &Picture, settings: &Settings) -> Result<Vec<Vec<Point>>, PictureError> {
     settings.check()?;
     let settings = Settings { strokes: Strokes::Mesh, ..*settings };
     let mut coverage = cover(picture, &settings)?;
     let outline = outline(&mut coverage, &settings)?;
+    check_edge(&outline, &settings)?;
     Ok(boundary(&outline.loops, settings.spacing(), 0).loops)
 }
 
@@ -149,9 +150,13 @@ fn check_count(outline: &Outline, settings: &Settings) -> Result<(), PictureErro
     if inside > MAX_POINTS {
         return Err(PictureError::TooManyPoints { spacing, points: inside, limit: MAX_POINTS });
     }
-    let edge = boundary::about_points(&outline.loops, spacing);
-    if edge > MAX_EDGE_POINTS {
-        return Err(PictureError::TooLongEdge { points: edge, limit: MAX_EDGE_POINTS });
+    check_edge(outline, settings)
+}
+
+fn check_edge(outline: &Outline, settings: &Settings) -> Result<(), PictureError> {
+    let points = boundary::about_points(&outline.loops, settings.spacing());
+    if points > MAX_EDGE_POINTS {
+        return Err(PictureError::TooLongEdge { points, limit: MAX_EDGE_POINTS });
     }
     Ok(())
 }

@@ -132,6 +132,6 @@ impl<S: Real, const D: usize> Obstacles<S, D> {
 }
 
 /// The coordinates in the plane.
-fn flat<S: Real, const D: usize>(x: [S; D]) -> [f64; 2] {
+pub(crate) fn flat<S: Real, const D: usize>(x: [S; D]) -> [f64; 2] {
     [x[0].to_f64(), x[1].to_f64()]
 }

@@ -4,6 +4,7 @@
 
 use super::{Event, Group, at_edge};
 use crate::sim::contact::impact::Hit;
+use crate::sim::contact::obstacles::flat;
 use crate::sim::contact::place;
 use crate::sim::measure::extent;
 use crate::sim::real::Real;
@@ -141,7 +142,7 @@ impl<S: Real, const D: usize> Group<S, D> {
             for &surface in rest.surfaces() {
                 let Some(wall) = obstacles.wall(surface as usize) else { continue };
                 let i = rest.point as usize;
-                let [x, v] = [self.points.position[i], self.points.velocity[i]].map(|x| flat(x));
+                let [x, v] = [self.points.position[i], self.points.velocity[i]].map(flat);
                 let slack = obstacles.slack();
                 let leaves = wall.goes_within(x, v) < 0.0;
                 let margin = if leaves { at_edge(wall.within(x) + BEYOND * slack, slack, true) } else { slack };
@@ -193,9 +194,4 @@ impl<S: Real, const D: usize> Group<S, D> {
             });
         }
     }
-}
-
-/// The coordinates in the plane.
-fn flat<S: Real, const D: usize>(x: [S; D]) -> [f64; 2] {
-    [x[0].to_f64(), x[1].to_f64()]
 }
