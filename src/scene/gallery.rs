@@ -121,7 +121,7 @@ static GALLERY: [Entry; 19] = [
     entry!("pebble", 392, "Pebbles", "The same stone twice, once firm and once soft as dough."),
     entry!(
         "picture-obstacle",
-        320,
+        376,
         "Rain on a gear",
         "A picture stands as an obstacle: a soft stone, a rope and loose points fall on it, and down through its holes."
     ),

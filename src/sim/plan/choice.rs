@@ -44,7 +44,7 @@ const MOST_LOCATED_RODS: usize = 60;
 const TOUCHING_STRAIN: f64 = 1e-4;
 /// Most springs of an island that meets surfaces by a method of order 4: of more, so many points touch and slip that locating each
 /// costs more than all else.
-const MOST_TOUCHING: usize = 400;
+const MOST_TOUCHING: usize = 800;
 /// Most substeps a frame of such an island: beyond, an implicit method it is.
 const MOST_TOUCHES: f64 = 2_000.0;
 /// What [`PHASE`] is for large meshes of springs: their fastest oscillations are of single cells, which nobody follows.
