@@ -123,7 +123,7 @@ static GALLERY: [Entry; 19] = [
         "picture-obstacle",
         376,
         "Rain on a gear",
-        "A picture stands as an obstacle: a soft stone, a rope and loose points fall on it, and down through its holes."
+        "A picture stands as an obstacle: a soft stone, a rope and loose points fall on it and off its teeth."
     ),
     entry!(
         "rope",

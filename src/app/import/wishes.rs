@@ -88,7 +88,11 @@ fn body(ui: &mut egui::Ui, wish: &mut Wish) {
             ui.selectable_value(&mut wish.matter, matter, label);
         }
     });
+    let moves = wish.matter != Matter::Fixed;
     ui.horizontal(|ui| {
+        if !moves {
+            ui.disable();
+        }
         ui.label("bonds");
         let patterns = [
             (PatternName::Edges, "sides of triangles", "the body may fold where it is squeezed hard"),
@@ -101,7 +105,7 @@ fn body(ui: &mut egui::Ui, wish: &mut Wish) {
     let young = Slider::new(&mut wish.young, 100.0..=100_000.0).logarithmic(true).suffix(" N/m").text("stiffness");
     ui.add_enabled(wish.matter == Matter::Soft, young);
     ui.add(Slider::new(&mut wish.height, 0.2..=10.0).logarithmic(true).suffix(" m").text("height"));
-    ui.checkbox(&mut wish.apart, "parts as bodies of their own");
+    ui.add_enabled(moves, egui::Checkbox::new(&mut wish.apart, "parts as bodies of their own"));
 }
 
 /// A length [m] in words.

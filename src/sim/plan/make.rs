@@ -22,6 +22,9 @@ use crate::sim::vector::zero;
 /// Most points of one method in which events are located and violent substeps go to an implicit method.
 pub(super) const MOST_LOCATED: usize = 1_000;
 
+/// The same of points without rigid bonds among the walls of polygons, which are met and left all the time, by each for itself.
+const MOST_AMONG_WALLS: usize = 40;
+
 /// Makes one group.
 pub(super) struct Maker<'a, S, const D: usize> {
     pub(super) gathered: &'a Gathered<S, D>,
@@ -62,7 +65,9 @@ impl<S: Real, const D: usize> Maker<'_, S, D> {
         self.allocate(&mut points, &pull);
         let engine = self.engine(choice.solver, &bonds, &points, &pull);
         let robust = self.robust(&bonds, &points, &pull).map(Box::new);
-        let locates = choice.solver.locates_events() && self.lot.points <= MOST_LOCATED;
+        let is_soft = self.lot.islands.iter().all(|island| island.rigid == 0);
+        let most = if is_soft && self.obstacles.has_walls() { MOST_AMONG_WALLS } else { MOST_LOCATED };
+        let locates = choice.solver.locates_events() && self.lot.points <= most;
         Group {
             guard: self.guard(&bonds),
             breakable: breakable(bonds.iter().copied(), |_| true),
