@@ -4,6 +4,7 @@ use std::sync::Arc;
 
 use super::{Body, BodyError, MAX_POINTS, length};
 use crate::picture::{Brace, PictureMesh};
+use crate::sim::vector::embed;
 
 /// Which points of a picture's mesh are bonded.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -58,9 +59,9 @@ impl Cutout {
 
     pub(super) fn make(&self) -> Body {
         let mesh = &*self.mesh;
-        let [width, height] = mesh.picture.map(f64::from);
-        let scale = self.height / height;
-        let place = |&[x, y]: &[f64; 2]| [scale * (x - 0.5 * width), scale * (0.5 * height - y), 0.0];
+        let scale = self.height / f64::from(mesh.picture[1]);
+        let to_metres = in_metres(mesh.picture, self.height);
+        let place = |&pixel: &[f64; 2]| embed(to_metres(pixel));
         let braces = match self.pattern {
             Pattern::Edges => Vec::new(),
             Pattern::Braced => mesh.braces(),
@@ -80,6 +81,13 @@ impl Cutout {
         ropes.iter().for_each(|rope| link(rope, 1.0));
         body
     }
+}
+
+/// From places of a picture [px], y down, to the body's own [m]: about the middle of the picture, y up.
+pub fn in_metres(picture: [u32; 2], height: f64) -> impl Fn([f64; 2]) -> [f64; 2] {
+    let [columns, rows] = picture.map(f64::from);
+    let scale = height / rows;
+    move |[x, y]| [scale * (x - 0.5 * columns), scale * (0.5 * rows - y)]
 }
 
 /// The share of the material's stiffness that each side of a triangle has: half for each triangle that it belongs to, less what

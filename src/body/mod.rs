@@ -24,7 +24,7 @@ mod rope;
 
 pub use box_frame::BoxFrame;
 pub use cloth::{Cloth, Diagonals};
-pub use cutout::{Cutout, Pattern};
+pub use cutout::{Cutout, Pattern, in_metres};
 pub use disc::Disc;
 pub use lattice::Lattice;
 pub use place::{Placement, turned};

@@ -4,9 +4,9 @@ use super::check;
 use super::error::{Fault, Source, Within};
 use super::keys::{BodyKeys, BoxKeys, MakerName, ObstacleKeys, PictureKeys, Scene, StrokesName, Vector};
 use super::pictures::Loops;
-use crate::body::turned;
+use crate::body::{in_metres, turned};
 use crate::sim::Polygon;
-use crate::sim::vector::truncate;
+use crate::sim::vector::{add, scale, sub, truncate};
 
 /// The polygons among a scene's obstacles.
 ///
@@ -40,10 +40,10 @@ fn loops(keys: &ObstacleKeys, source: &Source) -> Result<Option<Loops>, Fault> {
 /// The corners of a box in the plane, which is turned about its centre.
 fn rectangle(keys: &BoxKeys) -> Vec<[f64; 2]> {
     let [low, high]: [[f64; 2]; 2] = [keys.min, keys.max].map(|corner| truncate(corner.embed()));
-    let centre = [0, 1].map(|k| 0.5 * (low[k] + high[k]));
+    let centre = scale(add(low, high), 0.5);
     let corners = [low, [high[0], low[1]], high, [low[0], high[1]]];
     let angle = keys.angle.unwrap_or(0.0);
-    corners.map(|x| shifted(turned([x[0] - centre[0], x[1] - centre[1]], angle), centre)).to_vec()
+    corners.map(|x| add(turned(sub(x, centre), angle), centre)).to_vec()
 }
 
 /// The outlines of a picture's ink, where they lie.
@@ -67,16 +67,11 @@ pub(super) fn outlines(keys: &PictureKeys, source: &Source) -> Result<Loops, Fau
     let picture = source.picture(&keys.file).at("file")?;
     let (height, settings) = check::wanted(&as_body, &picture)?;
     let origin = keys.origin.map_or([0.0; 2], |origin| truncate(origin.embed()));
-    let scale = height / f64::from(picture.height);
-    let middle = [picture.width, picture.height].map(|side| 0.5 * f64::from(side));
+    let to_metres = in_metres([picture.width, picture.height], height);
     let angle = keys.angle.unwrap_or(0.0);
-    let place = |&[x, y]: &[f64; 2]| shifted(turned([scale * (x - middle[0]), scale * (middle[1] - y)], angle), origin);
+    let place = |&pixel: &[f64; 2]| add(turned(to_metres(pixel), angle), origin);
     let traced = source.traced(&keys.file, &settings).at("file")?;
     Ok(traced.iter().map(|corners| corners.iter().map(place).collect()).collect())
-}
-
-fn shifted(x: [f64; 2], by: [f64; 2]) -> [f64; 2] {
-    [x[0] + by[0], x[1] + by[1]]
 }
 
 impl Scene {

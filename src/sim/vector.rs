@@ -42,6 +42,12 @@ pub fn length<S: Real, const D: usize>(a: [S; D]) -> S {
     dot(a, a).sqrt()
 }
 
+/// The part of the vector product across the plane: above 0 where `b` is anticlockwise of `a`.
+#[inline(always)]
+pub fn cross(a: [f64; 2], b: [f64; 2]) -> f64 {
+    a[0] * b[1] - a[1] * b[0]
+}
+
 /// The vector in another scalar, each component rounded to nearest.
 #[inline(always)]
 pub fn convert<S: Real, const D: usize>(a: [f64; D]) -> [S; D] {
@@ -52,6 +58,12 @@ pub fn convert<S: Real, const D: usize>(a: [f64; D]) -> [S; D] {
 #[inline(always)]
 pub fn widen<S: Real, const D: usize>(a: [S; D]) -> [f64; D] {
     a.map(S::to_f64)
+}
+
+/// The components in the plane, in `f64`, exactly.
+#[inline(always)]
+pub fn flat<S: Real, const D: usize>(a: [S; D]) -> [f64; 2] {
+    [a[0].to_f64(), a[1].to_f64()]
 }
 
 /// The first D components of a vector in space: a plane drops z.

@@ -16,7 +16,7 @@
 use super::outside;
 use crate::sim::contact::surface::Surface;
 use crate::sim::real::Real;
-use crate::sim::vector::{add, dot, scale, sub, widen};
+use crate::sim::vector::{add, cross, dot, flat, scale, sub};
 
 /// Most times that the impulses of an impact are gone through, one after the other (Gauss and Seidel's method).
 const MOST_PASSES: u32 = 200;
@@ -78,9 +78,9 @@ impl<const D: usize> Piece<D> {
         self.first = self.first.min(share);
         self.hits.push(Hit {
             share,
-            x: plane(x),
-            motion: plane(motion),
-            normal: plane(surface.normal),
+            x: flat(x),
+            motion: flat(motion),
+            normal: flat(surface.normal),
             friction: surface.friction.to_f64(),
             bounce: if -speed > gentle { surface.restitution.to_f64() } else { 0.0 },
             target: 0.0,
@@ -100,7 +100,7 @@ impl<const D: usize> Piece<D> {
 
     /// A point of the body lies at `x`; w = 0 is pinned.
     pub(crate) fn weigh<S: Real>(&mut self, x: [S; D], w: S) {
-        let x = plane(x);
+        let x = flat(x);
         if w > S::ZERO {
             let mass = 1.0 / w.to_f64();
             self.mass += mass;
@@ -113,7 +113,7 @@ impl<const D: usize> Piece<D> {
     /// Finds what the impact changes, when all points have been weighed: that of the hits which come first.
     pub(crate) fn strike<S: Real>(&mut self, fall: [S; D]) {
         let Some((ease, swing)) = self.mobility() else { return };
-        self.aim(plane(fall));
+        self.aim(flat(fall));
         let fastest = self.hits.iter().map(|hit| dot(hit.motion, hit.motion)).fold(0.0, f64::max).sqrt();
         for _ in 0..MOST_PASSES {
             let mut largest: f64 = 0.0;
@@ -156,7 +156,7 @@ impl<const D: usize> Piece<D> {
     /// What the impact adds to the motion of a point at `x`, and to the place where it then ends.
     pub(crate) fn change<S: Real>(&self, x: [S; D]) -> ([S; D], [S; D]) {
         let (v, omega) = self.change;
-        let arm = sub(plane(x), self.centre);
+        let arm = sub(flat(x), self.centre);
         let mut motion = [S::ZERO; D];
         motion[0] = S::from_f64(v[0] - omega * arm[1]);
         motion[1] = S::from_f64(v[1] + omega * arm[0]);
@@ -180,15 +180,6 @@ impl<const D: usize> Piece<D> {
     fn push(&mut self, impulse: [f64; 2], turn: f64, (ease, swing): (f64, f64)) {
         self.change = (add(self.change.0, scale(impulse, ease)), self.change.1 + swing * turn);
     }
-}
-
-fn plane<S: Real, const D: usize>(x: [S; D]) -> [f64; 2] {
-    let x = widen(x);
-    [x[0], x[1]]
-}
-
-fn cross(a: [f64; 2], b: [f64; 2]) -> f64 {
-    a[0] * b[1] - a[1] * b[0]
 }
 
 #[cfg(test)]

@@ -6,7 +6,7 @@ use super::polygon::solids::{Solids, Wall};
 use super::surface::{Surface, surfaces};
 use crate::sim::model::Model;
 use crate::sim::real::Real;
-use crate::sim::vector::{add, dot, length, scale, sub};
+use crate::sim::vector::{add, dot, flat, length, scale, sub};
 
 /// Depth inside a polygon, in ways of one step, that a point may have got to by its bonds.
 const DEEP: f64 = 4.0;
@@ -129,9 +129,4 @@ impl<S: Real, const D: usize> Obstacles<S, D> {
         }
         Some(from)
     }
-}
-
-/// The coordinates in the plane.
-pub(crate) fn flat<S: Real, const D: usize>(x: [S; D]) -> [f64; 2] {
-    [x[0].to_f64(), x[1].to_f64()]
 }

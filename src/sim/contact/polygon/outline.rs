@@ -4,7 +4,8 @@
 //! both sides, or on none, is no side.
 
 use super::grid::Grid;
-use super::{Polygon, Segment, Side, cross, minus};
+use super::{Polygon, Segment, Side};
+use crate::sim::vector::{cross, dot, sub};
 use std::collections::BTreeMap;
 
 /// Crossings for each segment, and in all, of which an outline is cut: drawings have fewer.
@@ -81,13 +82,13 @@ fn cut(segments: &[Segment]) -> Vec<Segment> {
 
 /// Adds the shares of a segment at which another one crosses it, or ends on it.
 fn meetings([a, b]: Segment, [c, d]: Segment, cuts: &mut Vec<f64>) {
-    let (along, other, apart) = (minus(b, a), minus(d, c), minus(c, a));
+    let (along, other, apart) = (sub(b, a), sub(d, c), sub(c, a));
     let across = cross(along, other);
     let square = along[0] * along[0] + along[1] * along[1];
     let is_inner = |share: f64| (END..=1.0 - END).contains(&share);
     if across * across <= (END * END) * square * (other[0] * other[0] + other[1] * other[1]) {
         if cross(along, apart).abs() <= END * square {
-            let share = |x: [f64; 2]| (minus(x, a)[0] * along[0] + minus(x, a)[1] * along[1]) / square;
+            let share = |x: [f64; 2]| dot(sub(x, a), along) / square;
             cuts.extend([share(c), share(d)].into_iter().filter(|&share| is_inner(share)));
         }
         return;
@@ -119,7 +120,7 @@ fn key([a, b]: Segment) -> ([u64; 4], bool) {
 /// Whether the solid lies to the left of the way from `a` to `b`: by how many segments a ray from its middle crosses, along x
 /// where the segment is steep, else along y.
 fn is_solid_on_the_left(segments: &[Segment], grid: &Grid, [a, b]: Segment) -> bool {
-    let [dx, dy] = minus(b, a);
+    let [dx, dy] = sub(b, a);
     // Along x the ray goes to the left of the picture, along y down: which side of the segment is that?
     let (axis, is_left) = if dy.abs() >= dx.abs() { (0, dy > 0.0) } else { (1, dx < 0.0) };
     let from = [0.5 * (a[0] + b[0]), 0.5 * (a[1] + b[1])];

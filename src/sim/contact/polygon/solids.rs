@@ -6,8 +6,9 @@
 
 use super::grid::{Grid, extent};
 use super::outline::sides;
-use super::{Polygon, Segment, cross, dot, minus};
+use super::{Polygon, Segment};
 use crate::sim::contact::surface::Plane;
+use crate::sim::vector::{cross, dot, sub};
 
 /// A side of a solid.
 #[derive(Clone, Copy, Debug)]
@@ -42,7 +43,7 @@ pub(crate) struct Solids {
 
 impl Wall {
     fn of([start, end]: Segment, polygon: u32) -> Self {
-        let way = minus(end, start);
+        let way = sub(end, start);
         let length = libm::hypot(way[0], way[1]);
         Wall { start, along: way.map(|w| w / length), length, polygon }
     }
@@ -56,28 +57,28 @@ impl Wall {
     /// How far a point is from the wall's line [m]; below 0 on the solid side.
     #[inline(always)]
     fn gap(&self, x: [f64; 2]) -> f64 {
-        cross(self.along, minus(x, self.start))
+        cross(self.along, sub(x, self.start))
     }
 
     /// How far within its ends a point lies beside it [m]; below 0 beyond them.
     #[inline(always)]
     pub(crate) fn within(&self, x: [f64; 2]) -> f64 {
-        let at = dot(self.along, minus(x, self.start));
+        let at = dot(self.along, sub(x, self.start));
         at.min(self.length - at)
     }
 
     /// How much further within its ends a point gets by going `way` [m].
     pub(crate) fn goes_within(&self, x: [f64; 2], way: [f64; 2]) -> f64 {
-        let at = dot(self.along, minus(x, self.start));
+        let at = dot(self.along, sub(x, self.start));
         let on = dot(self.along, way);
         if at < self.length - at { on } else { -on }
     }
 
     /// Square of the distance of a point [m^2].
     pub(super) fn square_distance(&self, x: [f64; 2]) -> f64 {
-        let from = minus(x, self.start);
+        let from = sub(x, self.start);
         let at = dot(self.along, from).clamp(0.0, self.length);
-        let off = minus(from, self.along.map(|a| a * at));
+        let off = sub(from, self.along.map(|a| a * at));
         dot(off, off)
     }
 }
@@ -128,7 +129,7 @@ impl Solids {
     /// The first wall that the way from `a` to `b` goes into, and where, of those that `may` be met; `slack` [m] is what rounding
     /// cannot tell from 0.
     pub(crate) fn meeting(&self, [a, b]: Segment, slack: f64, mut may: impl FnMut(usize) -> bool) -> Option<Meeting> {
-        let way = minus(b, a);
+        let way = sub(b, a);
         let tie = slack / dot(way, way).sqrt();
         let mut first: Option<(Meeting, f64)> = None;
         self.grid.cells.along(a, b, slack, |cell| {

@@ -1,5 +1,6 @@
+use super::Polygon;
 use super::solids::Solids;
-use super::{Polygon, cross, minus};
+use crate::sim::vector::{cross, sub};
 use rand::{RngExt as _, SeedableRng};
 use rand_pcg::Pcg64;
 
@@ -97,7 +98,7 @@ fn the_nearest_wall_is_the_nearest_of_all() {
         let least = shape.loops.iter().flat_map(|corners| {
             corners.iter().enumerate().map(|(k, &a)| {
                 let b = corners[(k + 1) % corners.len()];
-                let (along, from) = (minus(b, a), minus(x, a));
+                let (along, from) = (sub(b, a), sub(x, a));
                 let length = along[0].hypot(along[1]);
                 let at = ((along[0] * from[0] + along[1] * from[1]) / length).clamp(0.0, length);
                 (from[0] - along[0] / length * at).hypot(from[1] - along[1] / length * at)

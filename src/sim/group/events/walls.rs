@@ -4,11 +4,10 @@
 
 use super::{Event, Group, at_edge};
 use crate::sim::contact::impact::Hit;
-use crate::sim::contact::obstacles::flat;
 use crate::sim::contact::place;
 use crate::sim::measure::extent;
 use crate::sim::real::Real;
-use crate::sim::vector::{sub, widen, zero};
+use crate::sim::vector::{flat, sub, widen, zero};
 
 /// Slacks within which a point that hits is on a wall.
 const TOUCH: f64 = 16.0;
