@@ -146,6 +146,34 @@ fn a_point_rests_in_a_corner_of_two_sides_and_on_a_flat_joint() {
 }
 
 #[test]
+fn crowds_that_are_not_located_keep_their_energy() {
+    let side = 24;
+    let place = |k: i32| {
+        [k % side, k / side].map(|i| -0.9 + 1.8 * (f64::from(i) + 0.3 * (f64::from(k) * 1.7).sin()) / f64::from(side))
+    };
+    let thrown = |k: i32| [3.0 * (f64::from(k) * 2.3).cos(), 3.0 * (f64::from(k) * 3.1).sin()];
+    let few = points(
+        (0..side * side).map(place).collect(),
+        (0..side * side).map(thrown).collect(),
+        vec![room(0.1, 1.0, 0.0)],
+    );
+    let many = (0..2 * side * side).map(|k| (place(k / 2), thrown(k)));
+    let (position, velocity) = many.unzip();
+    let bounds = Some(Bounds { min: [-1.0; 2], max: [1.0; 2], restitution: 1.0, friction: 0.0 });
+    let many = Model { bounds, ..points(position, velocity, Vec::new()) };
+    let energy = |sample: &Sample| -> f64 {
+        sample.position.iter().zip(&sample.velocity).map(|(x, v)| G * x[1] + 0.5 * (v[0] * v[0] + v[1] * v[1])).sum()
+    };
+    for model in [few, many] {
+        let start = energy(&World::<f64, 2>::new(&model).unwrap().sample(0.0)) + G * model.position.len() as f64;
+        for solver in [Solver::Auto, Solver::VelocityVerlet] {
+            let end = energy(&at(&model, solver, 1.0 / 60.0, 4.0)) + G * model.position.len() as f64;
+            assert!((end / start - 1.0).abs() < 5e-3, "{solver:?}: {}", end / start);
+        }
+    }
+}
+
+#[test]
 fn what_starts_inside_is_put_out_to_the_nearest_side() {
     let block = || vec![polygon(vec![rectangle([-1.0, -1.0], [1.0, 0.0])], 0.0, 0.0)];
     for solver in [Solver::Auto, Solver::Rk4, Solver::VelocityVerlet] {

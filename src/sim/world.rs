@@ -13,13 +13,13 @@ use super::force::mouse::{self, Cursor, MouseForce};
 use super::group::Group;
 use super::measure;
 use super::model::{Model, ModelError, Precision};
-use super::plan::{self, Plan, PlanPart};
+use super::plan::{self, Cleared, Plan, PlanPart};
 use super::points::State;
 use super::real::Real;
 use super::solver::Solver;
 use super::surroundings::Surroundings;
 use super::timeline::Timeline;
-use super::vector::{convert, embed, length, sub, widen, zero};
+use super::vector::{add, convert, embed, length, sub, widen, zero};
 
 /// A running scene, generic over its scalar and its dimension: one source for all four.
 #[derive(Clone, Debug)]
@@ -51,6 +51,7 @@ pub fn build<const D: usize>(model: &Model<D>) -> Result<Box<dyn Dynamics>, Mode
 impl<S: Real, const D: usize> World<S, D> {
     /// A world at the start of a model.
     ///
+    /// Bodies that start inside obstacles are moved out, each as a whole, with a warning.
     /// Rigid bonds that the start violates are projected, positions first, then velocities, weighted by mass; lengths
     /// that contradict each other are met in least squares, with a warning.
     /// Errors: as [`Model::check`].
@@ -58,14 +59,18 @@ impl<S: Real, const D: usize> World<S, D> {
         model.check()?;
         let count = model.position.len();
         let w = plan::inverse_masses(model);
+        let obstacles = Obstacles::of(model);
+        let cleared = plan::clear(&obstacles.widened(model), &model.bonds, &model.position, &w);
         let velocity = model.velocity.iter().zip(&w).map(|(&v, &w)| if w == 0.0 { zero() } else { convert(v) });
-        let state = State {
+        let mut state = State {
             position: model.position.iter().map(|&x| convert(x)).collect(),
             velocity: velocity.collect(),
             position_lost: vec![zero(); count],
             velocity_lost: vec![zero(); count],
         };
-        let obstacles = Obstacles::of(model);
+        for (points, way) in &cleared.moves {
+            points.iter().for_each(|&i| state.position[i as usize] = convert(add(model.position[i as usize], *way)));
+        }
         let plan = plan::compile((model, &obstacles), &model.bonds, &state);
         let tracks = model.pin_motion.iter().flat_map(|(_, track)| track.knots.iter().map(|knot| knot.0));
         let mouse = model.mouse.iter().flat_map(|mouse| mouse.track.knots.iter().map(|knot| knot.0));
@@ -80,6 +85,7 @@ impl<S: Real, const D: usize> World<S, D> {
             warnings: Vec::new(),
             model: Arc::new(Model { position: Vec::new(), velocity: Vec::new(), bonds: Bonds::new(), ..model.clone() }),
         };
+        world.warn_of_overlap(&cleared);
         world.warn_of_pins(&w, &model.position);
         world.warn_of_limits();
         world.begin(&state, &w);
@@ -112,6 +118,27 @@ impl<S: Real, const D: usize> World<S, D> {
         self.plan = plan::compile((&self.model, &self.obstacles), &self.bonds, &state);
         for group in &mut self.plan.groups {
             group.begin(&self.around, 0.0);
+        }
+    }
+
+    fn warn_of_overlap(&mut self, cleared: &Cleared<D>) {
+        let several = |count: usize| match count {
+            1 => "a body".to_owned(),
+            _ => format!("{count} bodies"),
+        };
+        if !cleared.moves.is_empty() {
+            self.warnings.push(format!(
+                "{} started inside an obstacle: moved out as a whole, by up to {:.3} m",
+                several(cleared.moves.len()),
+                cleared.furthest()
+            ));
+        }
+        if cleared.stuck > 0 {
+            self.warnings.push(format!(
+                "{} started inside an obstacle without a way out, or pinned: only points are put out, one by one, as far \
+                 as bonds let them",
+                several(cleared.stuck)
+            ));
         }
     }
 

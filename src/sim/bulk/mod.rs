@@ -194,7 +194,7 @@ impl<S: Real, const D: usize> Bulk<S, D> {
                 continue;
             }
             let obstacles = &pull.contacts.obstacles;
-            if let Some(end) = obstacles.led(from, *x, |_| [S::ONE, S::ZERO]) {
+            if let Some(end) = obstacles.led(from, *x, [S::ZERO; D], |_, _| [S::ONE, S::ZERO]) {
                 *x = end;
             }
             for surface in obstacles.planes() {

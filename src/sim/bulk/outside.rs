@@ -8,7 +8,7 @@ use crate::sim::points::Points;
 use crate::sim::pull::Pull;
 use crate::sim::real::Real;
 use crate::sim::surroundings::Surroundings;
-use crate::sim::vector::{dot, length, scale, sub};
+use crate::sim::vector::{add, dot, length, scale, sub};
 
 /// Steps that are looked ahead: where nothing is in reach for so many, it is looked for once in all of them.
 const AHEAD: f64 = 5.0;
@@ -109,8 +109,8 @@ impl<S: Real, const D: usize> Outside<S, D> {
         let Going { from, mut to, mut motion } = going;
         let (mut met, gentle) = (false, gentle(fall));
         let led = self.walls.as_ref().and_then(|walls| {
-            walls.led(from, to, |surface| {
-                let bounce = Bounce::of(motion, &walls.surfaces[surface], gentle);
+            walls.led(from, to, fall, |surface, left| {
+                let bounce = Bounce::of(motion, &walls.surfaces[surface], gentle, scale(fall, left));
                 motion = bounce.motion;
                 [bounce.keep, bounce.back]
             })
@@ -124,7 +124,7 @@ impl<S: Real, const D: usize> Outside<S, D> {
                 continue;
             }
             met = true;
-            let bounce = Bounce::of(motion, surface, gentle);
+            let bounce = Bounce::of(motion, surface, gentle, [S::ZERO; D]);
             to = sub(sub(to, scale(surface.normal, gap)), bounce.rubbed);
             motion = bounce.motion;
         }
@@ -146,17 +146,21 @@ struct Bounce<S, const D: usize> {
 }
 
 impl<S: Real, const D: usize> Bounce<S, D> {
-    fn of(motion: [S; D], surface: &Surface<S, D>, gentle: S) -> Self {
+    /// `late` is what gravity added to the motion since [m]: what bounces did so without it.
+    fn of(motion: [S; D], surface: &Surface<S, D>, gentle: S, late: [S; D]) -> Self {
         let speed = dot(motion, surface.normal);
         if speed >= S::ZERO {
             return Bounce { motion, rubbed: [S::ZERO; D], keep: S::ONE, back: S::ZERO };
         }
         let back = if -speed > gentle { surface.restitution } else { S::ZERO };
+        let late = if back > S::ZERO { late } else { [S::ZERO; D] };
+        let motion = sub(motion, late);
+        let speed = dot(motion, surface.normal).min(S::ZERO);
         let along = sub(motion, scale(surface.normal, speed));
         let (size, most) = (length(along), surface.friction * (S::ONE + back) * -speed);
         let keep = if size > most { (size - most) / size } else { S::ZERO };
         let kept = scale(along, keep);
-        let motion = sub(kept, scale(surface.normal, back * speed));
+        let motion = add(sub(kept, scale(surface.normal, back * speed)), late);
         Bounce { motion, rubbed: sub(along, kept), keep, back }
     }
 }
@@ -170,7 +174,6 @@ pub(crate) fn gentle<S: Real, const D: usize>(fall: [S; D]) -> S {
 mod tests {
     use super::*;
     use crate::sim::contact::surface::Plane;
-    use crate::sim::vector::add;
 
     fn floor(restitution: f64, friction: f64) -> Outside<f64, 2> {
         let plane = Plane { point: [0.0, 0.0], normal: [0.0, 2.0], restitution, friction };

@@ -3,6 +3,7 @@
 pub mod bounds;
 pub(crate) mod impact;
 pub(crate) mod obstacles;
+pub(crate) mod passage;
 pub mod polygon;
 pub(crate) mod rest;
 pub mod surface;

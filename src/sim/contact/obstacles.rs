@@ -2,11 +2,12 @@
 
 use std::sync::Arc;
 
+use super::passage::Passage;
 use super::polygon::solids::{Solids, Wall};
 use super::surface::{Surface, surfaces};
 use crate::sim::model::Model;
 use crate::sim::real::Real;
-use crate::sim::vector::{add, dot, flat, length, scale, sub};
+use crate::sim::vector::{flat, length, scale, sub};
 
 /// Depth inside a polygon, in ways of one step, that a point may have got to by its bonds.
 const DEEP: f64 = 4.0;
@@ -32,9 +33,17 @@ pub(crate) struct Met {
 
 impl<S: Real, const D: usize> Obstacles<S, D> {
     pub(crate) fn of(model: &Model<D>) -> Self {
+        Obstacles::around(model, Solids::new(&model.polygons).map(Arc::new))
+    }
+
+    /// The same for another scalar.
+    pub(crate) fn widened(&self, model: &Model<D>) -> Obstacles<f64, D> {
+        Obstacles::around(model, self.solids.clone())
+    }
+
+    fn around(model: &Model<D>, solids: Option<Arc<Solids>>) -> Self {
         let mut list = surfaces(model);
         let planes = list.len();
-        let solids = Solids::new(&model.polygons).map(Arc::new);
         if let Some(solids) = &solids {
             let walls = solids.planes(&model.polygons);
             list.extend(walls.iter().map(|plane| Surface::within(plane, solids.reach())));
@@ -80,10 +89,26 @@ impl<S: Real, const D: usize> Obstacles<S, D> {
         })
     }
 
-    /// The nearest wall of a point inside a polygon, however deep.
-    pub(crate) fn nearest(&self, x: [S; D]) -> Option<usize> {
-        let wall = self.solids.as_ref()?.around(flat(x), self.slack(), f64::INFINITY)?;
+    /// The nearest wall of a point inside a polygon, deeper than `least` [m].
+    pub(crate) fn nearest(&self, x: [S; D], least: f64) -> Option<usize> {
+        let solids = self.solids.as_ref().filter(|_| self.is_inside(x))?;
+        let wall = solids.around(flat(x), least.max(self.slack()), f64::INFINITY)?;
         Some(self.planes + wall)
+    }
+
+    /// Whether a point is inside a polygon; of one on a wall that is not sure.
+    pub(crate) fn is_inside(&self, x: [S; D]) -> bool {
+        self.solids.as_ref().is_some_and(|solids| solids.is_solid(flat(x)))
+    }
+
+    /// Whether a box may be behind a plane or touch a polygon.
+    pub(crate) fn may_touch(&self, bounds: [[S; D]; 2]) -> bool {
+        self.planes().iter().any(|plane| plane.least_gap(bounds) < S::ZERO) || self.has_walls_near(bounds)
+    }
+
+    /// Length of the diagonal of the box around all polygons [m].
+    pub(crate) fn breadth(&self) -> f64 {
+        self.solids.as_ref().map_or(0.0, |solids| solids.breadth())
     }
 
     /// Calls `see` for the walls that a point touches: nearer than `slacks` times what rounding cannot tell from 0.
@@ -107,20 +132,23 @@ impl<S: Real, const D: usize> Obstacles<S, D> {
     }
 
     /// Where the way from `a` to `b` leads among walls: at each one that it meets, the rest of it goes on with what `turn` says
-    /// of its part along the wall, and turned back with what it says of the part across. `None`: it meets none.
-    pub(crate) fn led(&self, a: [S; D], b: [S; D], mut turn: impl FnMut(usize) -> [S; 2]) -> Option<[S; D]> {
+    /// of its part along the wall, and turned back with what it says of the part across. `turn` is told the share of the way that
+    /// is left. `None`: it meets none.
+    ///
+    /// `fall` is what gravity adds to a motion on such a way [m].
+    pub(crate) fn led(
+        &self,
+        a: [S; D],
+        b: [S; D],
+        fall: [S; D],
+        mut turn: impl FnMut(usize, S) -> [S; 2],
+    ) -> Option<[S; D]> {
         let mut met = self.meeting(a, b, |_| true)?;
-        let (mut from, mut to) = (a, b);
+        let (mut from, mut to, mut left) = (a, b, S::ONE);
         for _ in 0..MOST_BOUNCES {
-            let surface = &self.surfaces[met.surface];
-            let (way, share) = (sub(to, from), S::from_f64(met.share));
-            let at = add(from, scale(way, share));
-            let at = sub(at, scale(surface.normal, surface.gap(at)));
-            let rest = scale(way, S::ONE - share);
-            let across = scale(surface.normal, dot(rest, surface.normal));
-            let [keep, back] = turn(met.surface);
-            let rest = sub(scale(sub(rest, across), keep), scale(across, back));
-            (from, to) = (at, add(at, rest));
+            let passage = Passage::new(&self.surfaces[met.surface], [from, to], scale(fall, left * left), met.share);
+            left *= passage.left;
+            [from, to] = passage.turned(turn(met.surface, left));
             let last = met.surface;
             match self.meeting(from, to, |surface| surface != last) {
                 Some(next) => met = next,

@@ -3,6 +3,7 @@
 
 mod bulk;
 pub(crate) mod choice;
+mod clear;
 mod engines;
 mod gather;
 pub(crate) mod island;
@@ -25,6 +26,7 @@ use super::solver::Solver;
 use gather::Gathered;
 use lot::Lot;
 
+pub(crate) use clear::{Cleared, clear};
 pub(crate) use precision::is_single;
 pub(crate) use reconcile::reconcile;
 

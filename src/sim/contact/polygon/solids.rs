@@ -120,6 +120,12 @@ impl Solids {
         self.reach
     }
 
+    /// Length of the diagonal of the box around all [m].
+    pub(crate) fn breadth(&self) -> f64 {
+        let way = sub(self.extent[1], self.extent[0]);
+        libm::hypot(way[0], way[1])
+    }
+
     /// Whether a box may touch any.
     pub(crate) fn is_near(&self, [low, high]: Segment) -> bool {
         let [from, to] = self.extent;
@@ -179,7 +185,7 @@ impl Solids {
     }
 
     /// Whether a point is inside a solid; of one on a wall that is not sure.
-    fn is_solid(&self, x: [f64; 2]) -> bool {
+    pub(crate) fn is_solid(&self, x: [f64; 2]) -> bool {
         let cells = self.grid.cells;
         let Some([column, row]) = cells.place(x) else { return false };
         let first = row * cells.counts[0];

@@ -19,7 +19,7 @@ use crate::sim::contact::impact::{self, Hit};
 use crate::sim::counters::Counters;
 use crate::sim::real::Real;
 use crate::sim::surroundings::Surroundings;
-use crate::sim::vector::dot;
+use crate::sim::vector::{add, dot, zero};
 
 /// Share of a substep below which a flight between two bounces counts as rest, where events are located.
 const SHORTEST_FLIGHT: f64 = 1e-4;
@@ -145,11 +145,17 @@ impl<S: Real, const D: usize> Group<S, D> {
         }
         let mut hits = self.hits(is_located);
         counters.events += hits.len() as u64;
+        let mut late = Vec::new();
         if !is_located || self.is_sunk(&hits) {
-            self.push_out(&mut hits);
+            let fall = around.gravity.map(|g| S::from_f64(g * taken * taken));
+            late = self.push_out(&mut hits, if is_located { zero() } else { fall });
         }
+        let is_loose = !is_located && self.pull.rigid.is_none();
+        late.retain(|(point, _)| is_loose && self.pull.contacts.of(*point).is_none());
         self.leave(event);
+        self.add_gravity(around, &late, -taken);
         self.bounce(around, (t + taken, if is_located { SHORTEST_FLIGHT * h } else { 4.0 * h }), &hits, counters);
+        self.add_gravity(around, &late, taken);
         self.note_strings();
         self.cross(around, t + taken, counters);
         self.review(around, t + taken, counters);
@@ -172,6 +178,15 @@ impl<S: Real, const D: usize> Group<S, D> {
         };
         impact::strike(&mut self.points, &mut self.pull.contacts, self.pull.rigid.as_mut(), hits, gentle);
         self.acceleration = accelerations;
+    }
+
+    /// Points are as fast as gravity makes them in shares of `h` [s].
+    fn add_gravity(&mut self, around: &Surroundings<D>, shares: &[(usize, S)], h: f64) {
+        for &(point, share) in shares {
+            let gained = around.gravity.map(|g| S::from_f64(g * h) * share);
+            let gained = self.pull.contacts.of(point).map_or(gained, |rest| rest.free(gained));
+            self.points.velocity[point] = add(self.points.velocity[point], gained);
+        }
     }
 
     /// The whole acceleration of every point at the present state, into `self.acceleration`.

@@ -2,13 +2,14 @@
 
 use super::{Event, Group, at_edge};
 use crate::sim::contact::impact::{self, Hit};
+use crate::sim::contact::passage::Passage;
 use crate::sim::contact::place;
 use crate::sim::contact::surface::Surface;
 use crate::sim::counters::Counters;
 use crate::sim::measure::extent;
 use crate::sim::real::Real;
 use crate::sim::surroundings::Surroundings;
-use crate::sim::vector::{add, dot, scale};
+use crate::sim::vector::{dot, zero};
 
 /// Rounds in which points outside are put back to surfaces, and their bonds to their lengths.
 const MOST_ROUNDS: u32 = 4;
@@ -64,7 +65,7 @@ impl<S: Real, const D: usize> Group<S, D> {
         if hits.is_empty() {
             return;
         }
-        self.push_out(&mut hits);
+        self.push_out(&mut hits, zero());
         if self.is_sunk(&hits) {
             // Bonds hold it over an obstacle: it stays there.
             self.points.restore(&self.before);
@@ -99,31 +100,40 @@ impl<S: Real, const D: usize> Group<S, D> {
     }
 
     /// Where events are not located: points that went through a surface spend the rest of the way on the way back, at
-    /// `restitution` of their speed, as far as their bonds let them. Adds the walls that they hit then.
-    pub(super) fn push_out(&mut self, hits: &mut Vec<Hit>) {
+    /// `restitution` of their speed, as far as their bonds let them. Adds the walls that they hit then; returns of points that
+    /// bounced what share of the step was left.
+    ///
+    /// `fall` is what gravity adds to a motion in the step [m].
+    pub(super) fn push_out(&mut self, hits: &mut Vec<Hit>, fall: [S; D]) -> Vec<(usize, S)> {
+        let mut late = Vec::new();
         for at in 0..hits.len() {
             let hit = hits[at];
             if self.pull.contacts.obstacles.wall(hit.surface).is_some() {
-                self.lead_back(hit, true, |more| hits.push(more));
+                let left = self.lead_back(hit, Some(fall), |more| hits.push(more));
+                late.extend(left.map(|left| (hit.point, left)));
                 continue;
             }
             let surface = &self.pull.contacts.obstacles.surfaces[hit.surface];
-            let (gap, start) = (surface.gap(self.points.position[hit.point]), self.before.position.get(hit.point));
-            let was_inside = start.is_some_and(|&x| surface.gap(x) >= S::ZERO);
-            if gap < S::ZERO && was_inside {
-                let back = scale(surface.normal, -(surface.restitution * gap));
-                self.points.position[hit.point] = add(self.points.position[hit.point], back);
+            let end = self.points.position[hit.point];
+            let start = self.before.position.get(hit.point).copied().unwrap_or(end);
+            let (before, gap) = (surface.gap(start), surface.gap(end));
+            if gap < S::ZERO && before >= S::ZERO {
+                let passage = Passage::new(surface, [start, end], fall, (before / (before - gap)).to_f64());
+                late.push((hit.point, passage.left));
+                [_, self.points.position[hit.point]] = passage.turned([S::ONE, surface.restitution]);
             }
         }
         for _ in 0..MOST_ROUNDS {
             let out = self.hits(false);
             if out.is_empty() {
-                return;
+                break;
             }
             let mut held = self.pull.contacts.clone();
             for hit in out {
                 match self.pull.contacts.obstacles.wall(hit.surface) {
-                    Some(_) => self.lead_back(hit, false, |_| {}),
+                    Some(_) => {
+                        self.lead_back(hit, None, |_| {});
+                    }
                     None => place(&mut self.points, hit.point, &self.pull.contacts.obstacles.surfaces[hit.surface]),
                 }
                 held.touch(hit.point, hit.surface);
@@ -132,5 +142,6 @@ impl<S: Real, const D: usize> Group<S, D> {
                 rigid.project(&mut self.points, &held);
             }
         }
+        late
     }
 }

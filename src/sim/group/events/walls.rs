@@ -60,7 +60,7 @@ impl<S: Real, const D: usize> Group<S, D> {
                 continue;
             }
             obstacles.touching(x, 1.0, |surface| hits.push(Hit { point, surface }));
-            hits.extend(obstacles.nearest(x).map(|surface| Hit { point, surface }));
+            hits.extend(obstacles.nearest(x, 0.0).map(|surface| Hit { point, surface }));
         }
         hits
     }
@@ -108,27 +108,30 @@ impl<S: Real, const D: usize> Group<S, D> {
         })
     }
 
-    /// A point that went into a wall goes on along it from where it met it, and back from it where it bounces; calls `see` for
-    /// other walls that it meets then.
-    pub(super) fn lead_back(&mut self, hit: Hit, bounces: bool, mut see: impl FnMut(Hit)) {
+    /// A point that went into a wall goes on along it from where it met it, and back from it if it `bounces`: then gravity adds
+    /// so much to a motion in the step [m]. Calls `see` for other walls that it meets then; returns what share of the way was left.
+    pub(super) fn lead_back(&mut self, hit: Hit, bounces: Option<[S; D]>, mut see: impl FnMut(Hit)) -> Option<S> {
         let obstacles = &self.pull.contacts.obstacles;
         let now = self.points.position[hit.point];
         let before = self.before.position.get(hit.point).copied().unwrap_or(now);
-        let turn = |surface: usize| {
+        let mut first = None;
+        let turn = |surface: usize, left: S| {
             if surface != hit.surface {
                 see(Hit { point: hit.point, surface });
             }
-            [S::ONE, if bounces { obstacles.surfaces[surface].restitution } else { S::ZERO }]
+            first.get_or_insert(left);
+            [S::ONE, if bounces.is_some() { obstacles.surfaces[surface].restitution } else { S::ZERO }]
         };
-        match obstacles.led(before, now, turn) {
+        match obstacles.led(before, now, bounces.unwrap_or(zero()), turn) {
             Some(end) => {
                 self.points.position[hit.point] = end;
                 if let Some(lost) = self.points.position_lost.get_mut(hit.point) {
                     *lost = zero();
                 }
             }
-            None => place(&mut self.points, hit.point, &obstacles.surfaces[hit.surface]),
+            None => place(&mut self.points, hit.point, &self.pull.contacts.obstacles.surfaces[hit.surface]),
         }
+        first
     }
 
     /// How far points that rest on walls are from leaving them at their ends.

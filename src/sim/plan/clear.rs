@@ -1,0 +1,237 @@
+//! Bodies that start inside obstacles are put beside them, each as a whole: put out point by point they would be crushed.
+
+use super::sets::Sets;
+use crate::sim::bonds::Bonds;
+use crate::sim::contact::obstacles::Obstacles;
+use crate::sim::measure;
+use crate::sim::vector::{add, dot, length, scale, sub, zero};
+
+/// Depth, as a share of the body's extent, that is left to the first step.
+const SHALLOW: f64 = 1e-6;
+/// Steps in which a way out is looked for, in each direction, along a way as long as the body; further out they grow with the way.
+const STEPS: f64 = 128.0;
+/// Directions that are tried, beside those of the walls that points are behind.
+const DIRECTIONS: u32 = 32;
+/// Most of the walls that points are behind whose directions are tried.
+const MOST_NORMALS: usize = 16;
+/// Halvings of the last step to where the way out ends.
+const HALVINGS: u32 = 12;
+/// Rounds in which the shortest way out of planes is found.
+const MOST_ROUNDS: u32 = 400;
+
+/// What was done about bodies that start inside obstacles.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub(crate) struct Cleared<const D: usize> {
+    /// Bodies that are to be moved: their points, and how far [m].
+    pub(crate) moves: Vec<(Vec<u32>, [f64; D])>,
+    /// Bodies that are held by pins, or for which there is no way out.
+    pub(crate) stuck: usize,
+}
+
+impl<const D: usize> Cleared<D> {
+    /// The longest way [m].
+    pub(crate) fn furthest(&self) -> f64 {
+        self.moves.iter().map(|(_, way)| length(*way)).fold(0.0, f64::max)
+    }
+}
+
+/// How what hangs together by bonds gets out of the obstacles, each body by the shortest way found and without turning it: to where
+/// none of its points is inside and, if there is such a place, no bond goes through a wall.
+///
+/// Shapes: `position` and `w` have one entry a point; w = 0 is pinned, and what hangs on a pin stays. Points without bonds are left
+/// to the first step.
+pub(crate) fn clear<const D: usize>(
+    obstacles: &Obstacles<f64, D>,
+    bonds: &Bonds,
+    position: &[[f64; D]],
+    w: &[f64],
+) -> Cleared<D> {
+    let mut cleared = Cleared::default();
+    if !measure::extent(position).is_some_and(|around| obstacles.may_touch(around)) {
+        return cleared;
+    }
+    for body in bodies(bonds, w) {
+        let placed = body.points.iter().map(|&i| position[i as usize]).collect();
+        let Some(search) = Search::new(obstacles, placed, &body.bonds) else { continue };
+        match if body.is_pinned { None } else { search.way_out() } {
+            Some(way) => cleared.moves.push((body.points, way)),
+            None => cleared.stuck += 1,
+        }
+    }
+    cleared
+}
+
+/// Points that hang together.
+#[derive(Default)]
+struct Hanging {
+    /// Ascending.
+    points: Vec<u32>,
+    /// Its bonds, their ends counted within it.
+    bonds: Vec<[u32; 2]>,
+    is_pinned: bool,
+}
+
+/// All that hangs together by bonds, in the order of the lowest points.
+fn bodies(bonds: &Bonds, w: &[f64]) -> Vec<Hanging> {
+    let mut sets = Sets::new(w.len());
+    bonds.ends().iter().for_each(|[a, b]| sets.join(a.0, b.0));
+    let mut place = vec![[u32::MAX; 2]; w.len()];
+    let mut list: Vec<Hanging> = Vec::new();
+    for [a, b] in bonds.ends() {
+        let root = sets.find(a.0) as usize;
+        if place[root][0] == u32::MAX {
+            place[root][0] = list.len() as u32;
+            list.push(Hanging::default());
+        }
+        // Here the bonds still name the points of the scene.
+        list[place[root][0] as usize].bonds.push([a.0, b.0]);
+    }
+    for i in 0..w.len() as u32 {
+        let body = place[sets.find(i) as usize][0];
+        if let Some(body) = list.get_mut(body as usize) {
+            place[i as usize][1] = body.points.len() as u32;
+            body.points.push(i);
+            body.is_pinned |= w[i as usize] == 0.0;
+        }
+    }
+    let within = |end: &mut u32| *end = place[*end as usize][1];
+    list.iter_mut().for_each(|body| body.bonds.iter_mut().flatten().for_each(within));
+    list
+}
+
+/// The end of the way that halving finds between one that is not far enough and one that is.
+fn last_step([mut short, mut far]: [f64; 2], mut is_out: impl FnMut(f64) -> bool) -> f64 {
+    for _ in 0..HALVINGS {
+        let middle = 0.5 * (short + far);
+        *(if is_out(middle) { &mut far } else { &mut short }) = middle;
+    }
+    far
+}
+
+/// A body that starts inside, and what it must get out of.
+struct Search<'a, const D: usize> {
+    obstacles: &'a Obstacles<f64, D>,
+    points: Vec<[f64; D]>,
+    bonds: &'a [[u32; 2]],
+    /// Of each plane its normal, and how far the body has to go along it [m].
+    planes: Vec<([f64; D], f64)>,
+    /// Length of the diagonal of the box around it [m].
+    extent: f64,
+}
+
+impl<'a, const D: usize> Search<'a, D> {
+    /// `None` where the body is free.
+    fn new(obstacles: &'a Obstacles<f64, D>, points: Vec<[f64; D]>, bonds: &'a [[u32; 2]]) -> Option<Self> {
+        let around = measure::extent(&points)?;
+        if !obstacles.may_touch(around) {
+            return None;
+        }
+        let extent = length(sub(around[1], around[0]));
+        let least = |of: &dyn Fn([f64; D]) -> f64| points.iter().fold(f64::INFINITY, |least, &x| least.min(of(x)));
+        let planes: Vec<_> = obstacles.planes().iter().map(|plane| (plane.normal, -least(&|x| plane.gap(x)))).collect();
+        let shallow = SHALLOW * extent + obstacles.slack();
+        let is_deep = planes.iter().any(|(_, depth)| *depth > shallow)
+            || points.iter().any(|&x| obstacles.nearest(x, shallow).is_some());
+        is_deep.then_some(Search { obstacles, points, bonds, planes, extent })
+    }
+
+    /// The shortest way out that is found.
+    fn way_out(&self) -> Option<[f64; D]> {
+        let start = self.out_of_planes()?;
+        let mut blocking = 0;
+        if self.is_free(start, &mut blocking) && !self.crosses(start) {
+            return Some(start);
+        }
+        let step = self.extent / STEPS;
+        let most = self.extent + self.obstacles.breadth();
+        let directions = self.directions();
+        let mut second = None;
+        let mut before = 0.0;
+        while before < most {
+            let way = before + step.max(before / STEPS);
+            for &direction in &directions {
+                let out = add(start, scale(direction, way));
+                if !self.is_free(out, &mut blocking) {
+                    continue;
+                }
+                if !self.crosses(out) {
+                    let is_out = |way| {
+                        let out = add(start, scale(direction, way));
+                        self.is_free(out, &mut blocking) && !self.crosses(out)
+                    };
+                    return Some(add(start, scale(direction, last_step([before, way], is_out))));
+                }
+                second = second.or(Some(out));
+            }
+            before = way;
+        }
+        second
+    }
+
+    /// The shortest way to where all planes have the body on their free side (Hildreth's method).
+    fn out_of_planes(&self) -> Option<[f64; D]> {
+        let margin = SHALLOW * self.extent;
+        let mut way = zero::<f64, D>();
+        let mut pushes = vec![0.0; self.planes.len()];
+        for _ in 0..MOST_ROUNDS {
+            for (push, &(normal, depth)) in pushes.iter_mut().zip(&self.planes) {
+                let more = (depth + margin.min(depth.max(0.0)) - dot(normal, way)).max(-*push);
+                *push += more;
+                way = add(way, scale(normal, more));
+            }
+            if self.keeps_planes(way) {
+                return Some(way);
+            }
+        }
+        None
+    }
+
+    fn keeps_planes(&self, way: [f64; D]) -> bool {
+        self.planes.iter().all(|&(normal, depth)| dot(normal, way) >= depth - self.obstacles.slack())
+    }
+
+    /// Whether no point is inside anything; the one that was found inside, which is looked at first the next time, goes to `blocking`.
+    fn is_free(&self, way: [f64; D], blocking: &mut usize) -> bool {
+        let is_inside = |i: usize| self.obstacles.is_inside(add(self.points[i], way));
+        if !self.keeps_planes(way) || is_inside(*blocking) {
+            return false;
+        }
+        match (0..self.points.len()).find(|&i| is_inside(i)) {
+            Some(inside) => {
+                *blocking = inside;
+                false
+            }
+            None => true,
+        }
+    }
+
+    /// Whether a bond goes through a wall.
+    fn crosses(&self, way: [f64; D]) -> bool {
+        self.obstacles.has_walls()
+            && self.bonds.iter().any(|ends| {
+                let [a, b] = ends.map(|end| add(self.points[end as usize], way));
+                self.obstacles.meeting(a, b, |_| true).is_some_and(|met| met.share < 1.0)
+            })
+    }
+
+    /// Unit vectors in the plane, all around, and off the walls that points are behind.
+    fn directions(&self) -> Vec<[f64; D]> {
+        let turn = std::f64::consts::TAU / f64::from(DIRECTIONS);
+        let around = (0..DIRECTIONS).map(|k| {
+            let angle = turn * f64::from(k);
+            let mut direction = zero();
+            // Upwards first: of two ways that are equally long that one is taken.
+            (direction[0], direction[1]) = (libm::sin(angle), libm::cos(angle));
+            direction
+        });
+        let mut normals: Vec<[f64; D]> = Vec::new();
+        for &x in &self.points {
+            let normal = self.obstacles.nearest(x, 0.0).map(|wall| self.obstacles.surfaces[wall].normal);
+            match normal {
+                Some(normal) if normals.len() < MOST_NORMALS && !normals.contains(&normal) => normals.push(normal),
+                _ => {}
+            }
+        }
+        normals.into_iter().chain(around).collect()
+    }
+}
