@@ -135,7 +135,12 @@ impl Session {
 
     /// Whether another frame is needed: something moves or has changed.
     pub(super) fn wants_frame(&self) -> bool {
-        self.dirty || self.player.is_moving()
+        self.dirty || self.moves()
+    }
+
+    /// Whether the world goes on: it waits while a picture is being imported, which takes its place on the screen.
+    fn moves(&self) -> bool {
+        self.player.is_moving() && self.import.is_none()
     }
 
     /// Closes what lies over the world. Returns whether there was anything.
@@ -261,7 +266,7 @@ impl Session {
         }
         self.draw(paint)?;
         self.frames += 1;
-        if !self.player.is_moving() {
+        if !self.moves() {
             self.last_frame = None;
         }
         Ok(())
@@ -269,7 +274,7 @@ impl Session {
 
     /// Lets the world's time pass. A world that did not move since the last frame does not make up for the pause.
     fn advance(&mut self, start: Instant) {
-        if !self.player.is_moving() {
+        if !self.moves() {
             self.last_frame = None;
             return;
         }

@@ -21,7 +21,7 @@ use crate::sim::{Cursor, Dynamics, Positions};
     after_help = "Examples:\n  wobble render rim --time 2 --size 1280x720 --out rim.png\n  wobble render rim-relaxed --frames 75 --size 480x480 --out rim.gif\n  wobble render my-scene.json --frames 10 --fps 5 --out frame.png    (frame-0000.png, …)"
 )]
 pub(super) struct Arguments {
-    /// A scene of the gallery, or a scene file.
+    /// A scene of the gallery, a scene file, or a picture.
     scene: String,
     /// When the first picture is taken [s].
     #[arg(long, value_name = "T", default_value = "0", allow_negative_numbers = true, value_parser = values::at_least_zero)]

@@ -23,10 +23,10 @@ const NAMED: usize = 5;
     after_help = "Examples:\n  wobble simulate rim --samples 0.5,1,2 --out rim.json\n  wobble simulate rim-relaxed --order coloured --iterations 4 --samples 10 --out rim.csv\n  wobble simulate rim --samples 1 --hash"
 )]
 pub(super) struct Arguments {
-    /// A scene of the gallery, or a scene file.
+    /// A scene of the gallery, a scene file, or a picture.
     scene: String,
     /// auto, euler, symplectic-euler, verlet, velocity-verlet, pefrl, blanes-moan-4, blanes-moan-6, rk2, rk4, rk8,
-    /// implicit-midpoint, backward-euler, xpbd or relaxation.
+    /// implicit-midpoint, backward-euler, xpbd, path or relaxation.
     #[arg(long, value_parser = values::solver)]
     solver: Option<SolverName>,
     /// Longest substep [s].

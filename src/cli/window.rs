@@ -11,7 +11,7 @@ use crate::scene::Scene;
 /// What to open.
 #[derive(Args)]
 pub(super) struct Arguments {
-    /// A scene of the gallery, or a scene file; the rim if left out.
+    /// A scene of the gallery, a scene file, or a picture; the rim if left out.
     scene: Option<String>,
     /// Prints what was done when the window closes: frames, substeps, and what drawing them took.
     #[arg(long)]

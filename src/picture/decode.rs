@@ -90,6 +90,11 @@ pub fn is_picture(bytes: &[u8]) -> bool {
     image::guess_format(bytes).is_ok()
 }
 
+/// Whether a file of this name should be a picture.
+pub fn is_picture_name(path: &std::path::Path) -> bool {
+    ImageFormat::from_path(path).is_ok()
+}
+
 /// A picture as a PNG file.
 ///
 /// Errors: more memory than there is.

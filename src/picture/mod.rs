@@ -41,7 +41,7 @@ pub use brace::Brace;
 pub use brush::{Brush, LEAST_RADIUS, MAX_CANVAS, Mask, Mirror, WIDEST_RADIUS};
 pub use contour::{Loop, contours};
 pub use coverage::{Coverage, cover, otsu};
-pub use decode::{MAX_BYTES, MAX_PIXELS, MAX_SIDE, Picture, decode, encode, is_picture};
+pub use decode::{MAX_BYTES, MAX_PIXELS, MAX_SIDE, Picture, decode, encode, is_picture, is_picture_name};
 pub use error::PictureError;
 pub use fill::{Filling, fill_outline};
 pub use ink::without_paper;

@@ -4,10 +4,12 @@ use std::sync::Arc;
 
 use super::check;
 use super::error::{Fault, SceneError, Within};
-use super::free_place::free_place;
+use super::free_place::{Extent, around, free_place};
 use super::keys::{BodyKeys, MakerName, Material, ObstacleKeys, PictureKeys, Scene, Vector};
+use super::obstacle::{outlines, polygons};
 use super::start::Start;
 use crate::picture::{Picture, PictureMesh, Settings};
+use crate::sim::Polygon;
 
 /// Most parts that become bodies of their own: a picture of more has specks that nobody meant.
 const MOST_PARTS: usize = 64;
@@ -70,15 +72,16 @@ impl Scene {
         scene.bodies.push(BodyKeys { make: MakerName::Picture, file, ..keys });
         scene.check()?;
         let start = Start::new(&scene).map_err(|fault| self.source.error(fault))?;
-        let origin = free_place(&scene, &start.extents(), seen);
+        let polygons = polygons(self).map_err(|fault| self.source.error(fault))?;
+        let origin = free_place(&scene, &polygons, &start.extents(), seen);
         if let Some(body) = scene.bodies.last_mut() {
             body.origin = Some(Vector::Plane(origin));
         }
         Ok(scene)
     }
 
-    /// This scene with the ink of a picture, that is in no file, as an obstacle in the middle of what is `seen` (lower and upper
-    /// corner [m]); `keys` say how a body of it would be cut out.
+    /// This scene with the ink of a picture, that is in no file, as an obstacle: where nothing is yet, as near to the middle of
+    /// what is `seen` (lower and upper corner [m]) as may be; `keys` say how a body of it would be cut out.
     ///
     /// Errors: as of [`Scene::of_picture`]; a scene in space.
     pub fn with_obstacle(
@@ -88,12 +91,23 @@ impl Scene {
         seen: [[f64; 2]; 2],
     ) -> Result<Scene, SceneError> {
         let file = self.source.keep(picture);
-        let origin = Some(Vector::Plane([0, 1].map(|axis| 0.5 * (seen[0][axis] + seen[1][axis]))));
-        let picture = PictureKeys { file, origin, ..PictureKeys::of_body(keys) };
+        let picture = PictureKeys { file, origin: None, ..PictureKeys::of_body(keys) };
+        let origin = self.place_of(&picture, seen).map_err(|fault| self.source.error(fault))?;
+        let picture = PictureKeys { origin: Some(Vector::Plane(origin)), ..picture };
         let mut scene = self.clone();
         scene.obstacles.push(ObstacleKeys { picture: Some(picture), ..ObstacleKeys::default() });
         scene.check()?;
         Ok(scene)
+    }
+
+    /// Where the ink of a picture finds room.
+    ///
+    /// Errors: those of [`outlines`] and of bodies that cannot be made.
+    fn place_of(&self, picture: &PictureKeys, seen: Extent) -> Result<[f64; 2], Fault> {
+        let ink = Polygon { loops: outlines(picture, &self.source)?, restitution: 0.0, friction: 0.0 };
+        let mut things = Start::new(self)?.extents();
+        things.extend(around(&ink));
+        Ok(free_place(self, &polygons(self)?, &things, seen))
     }
 
     /// This scene with another body in place of one of a picture: it lies and moves as that did. A material that `keys` do not

@@ -11,6 +11,7 @@ use super::keys::Scene;
 use super::locate;
 use super::nearest::{list, nearest};
 use super::of_picture::{self, is_picture};
+use crate::picture::{PictureError, is_picture_name};
 
 /// Largest file that is read [bytes]: beyond, it would only fill the memory.
 const LARGEST_FILE: u64 = 4 << 30;
@@ -61,7 +62,14 @@ impl Scene {
                 )
             }
         })?;
-        Scene::parse(&text, &label)
+        let scene = Scene::parse(&text, &label);
+        match scene {
+            // Text by the name of a picture.
+            Err(error) if error.kind == SceneErrorKind::Syntax && is_picture_name(path) => {
+                Err(SceneError::whole(SceneErrorKind::Syntax, &label, PictureError::Unknown.to_string()))
+            }
+            scene => scene,
+        }
     }
 
     /// The scene of a text; `label` stands for the file in messages.

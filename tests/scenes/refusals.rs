@@ -302,7 +302,7 @@ fn bodies() {
         ),
         (
             "\"make\": \"picture\", \"file\": \"pictures/ring.png\", \"spacing\": 1e-5",
-            ".file: spacing is 0.0019200000000000003: it must be from 1 to 4096 px",
+            ".spacing: a spacing of 0.00001 m is 0.0019 px of the picture: give one from 0.0052083 to 21.3333333 m (1 to 4096 px)",
         ),
         (
             "\"make\": \"picture\", \"file\": \"pictures/ring.png\", \"spacing\": 1, \"max_area\": 50",
@@ -410,7 +410,7 @@ fn surroundings() {
             ),
             (
                 "\"obstacles\": [{ \"restitution\": 1 }]",
-                "obstacles[0]: has no shape: give `plane`, `box`, `circle`, `polygon` or `picture`",
+                "obstacles[0]: has no shape: give `plane`, `box`, `polygon` or `picture`",
             ),
             (
                 "\"obstacles\": [{ \"circle\": { \"center\": [0,0], \"radius\": 1 }, \"plane\": { \"point\": [0,0], \"normal\": [0,1] } }]",
@@ -438,6 +438,10 @@ fn surroundings() {
             ),
             ("\"obstacles\": [{ \"polygon\": [] }]", "obstacles[0].polygon: has no outline: give a list of corners"),
             (
+                "\"obstacles\": [{ \"polygon\": [[[0.1,0.1],[0.2,0.2],[0.7,0.7],[0.1,0.1]]] }]",
+                "obstacles[0].polygon[0]: encloses nothing, for its corners lie on a line: move one of them",
+            ),
+            (
                 "\"obstacles\": [{ \"circle\": { \"center\": [0,0], \"radius\": 1 }, \"friction\": -1 }]",
                 "obstacles[0].friction: is -1.0: give a number of 0 or more",
             ),
@@ -456,7 +460,7 @@ fn surroundings() {
             ),
             (
                 "\"obstacles\": [{ \"polygon\": [] }]",
-                "obstacles[0].polygon: lies in the plane: in space use `plane`, `box` or `circle`",
+                "obstacles[0].polygon: lies in the plane: in space use `plane`",
             ),
             (
                 "\"bodies\": [{ \"make\": \"cloth\", \"columns\": 2, \"rows\": 2, \"spacing\": 1, \"v\": [2,0,0] }]",

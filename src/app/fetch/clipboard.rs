@@ -27,8 +27,15 @@ pub(in crate::app) fn paste(wake: impl Fn() + Send + 'static) -> Fetch {
             Err(_) => {}
         }
         let text = clipboard.get_text().unwrap_or_default();
-        path(&text).filter(|path| path.is_file()).map(Found::File).ok_or_else(|| EMPTY.to_owned())
+        let path = path(&text).ok_or_else(|| EMPTY.to_owned())?;
+        if path.is_file() { Ok(Found::File(path)) } else { Err(no_file(&path)) }
     })
+}
+
+/// What is said of text that names no file: of a path that there is none, of anything else that it is no picture.
+fn no_file(path: &Path) -> String {
+    let is_path = path.is_absolute() || path.extension().is_some() && path.components().count() > 1;
+    if is_path { format!("`{}` on the clipboard is no file: check the path", path.display()) } else { EMPTY.to_owned() }
 }
 
 /// Errors: no pixels; too many.
@@ -79,6 +86,14 @@ mod tests {
         ] {
             assert_eq!(path(text), meant.map(PathBuf::from), "{text}");
         }
+    }
+
+    #[test]
+    fn what_is_said_of_text_depends_on_whether_it_is_a_path() {
+        assert!(no_file(Path::new("/tmp/none.png")).contains("`/tmp/none.png`"));
+        assert!(no_file(Path::new("pictures/none.png")).contains("no file"));
+        assert_eq!(no_file(Path::new("hello there")), EMPTY);
+        assert_eq!(no_file(Path::new("Mr. Smith")), EMPTY);
     }
 
     #[test]

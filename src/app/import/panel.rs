@@ -4,6 +4,7 @@ use egui::Color32;
 
 use super::worker::Forecast;
 use super::{Answer, Import, preview, wishes};
+use crate::scene::Matter;
 
 /// Shows the panel. What is changed in it is changed in the import's wish.
 pub(super) fn show(import: &mut Import, context: &egui::Context, can_add: bool) -> Option<Answer> {
@@ -49,7 +50,12 @@ fn words(ui: &mut egui::Ui, forecast: Option<&Result<Forecast, String>>) {
         Some(Err(error)) => {
             ui.colored_label(Color32::from_rgb(255, 140, 120), error);
         }
-        Some(Ok(Forecast { mesh, bonds, frame, scene, .. })) => {
+        Some(Ok(Forecast { outlines, corners, .. })) if *corners > 0 => {
+            let outlines = if *outlines == 1 { "one outline".to_owned() } else { format!("{outlines} outlines") };
+            ui.label(format!("{corners} corners in {outlines}"));
+            ui.weak("points meet its ink and its holes");
+        }
+        Some(Ok(Forecast { mesh, bonds, frames: [falling, landing], scene, .. })) => {
             let parts = match (mesh.components, scene.bodies.len()) {
                 (1, _) => "in one part".to_owned(),
                 (count, 1) => format!("in {count} parts"),
@@ -58,7 +64,11 @@ fn words(ui: &mut egui::Ui, forecast: Option<&Result<Forecast, String>>) {
             let counts = [(mesh.points.len(), "points"), (*bonds, "bonds"), (mesh.triangles.len(), "triangles")];
             let counts: Vec<String> = counts.iter().map(|(count, what)| format!("{count} {what}")).collect();
             ui.label(format!("{} {parts}", counts.join(", ")));
-            ui.weak(format!("about {} a frame", time(1e3 * frame)));
+            ui.weak(format!(
+                "about {} a frame in the air, {} where it lands",
+                time(1e3 * falling),
+                time(1e3 * landing)
+            ));
         }
     }
 }
@@ -78,10 +88,11 @@ fn buttons(ui: &mut egui::Ui, import: &Import, can_add: bool) -> Option<Answer> 
         Some(_) => ("Put in its place", Answer::Replace, is_ready),
         None => ("Add to this scene", Answer::Add, is_ready && can_add),
     };
+    let alone = if import.wish.matter == Matter::Fixed { "Make it an obstacle" } else { "Make it a body" };
     let mut answer = None;
     ui.horizontal(|ui| {
         for (label, choice, is_enabled) in
-            [("Make it a body", Answer::Open, is_ready), into_scene, ("Cancel", Answer::Cancel, true)]
+            [(alone, Answer::Open, is_ready), into_scene, ("Cancel", Answer::Cancel, true)]
         {
             if ui.add_enabled(is_enabled, egui::Button::new(label)).clicked() {
                 answer = Some(choice);

@@ -6,7 +6,7 @@ use std::time::Instant;
 
 use super::Wish;
 use crate::picture::{Picture, PictureMesh};
-use crate::scene::{Matter, Scene, SceneError};
+use crate::scene::{Matter, Scene, SceneError, Vector};
 use crate::sim::Dynamics;
 
 /// What a wish comes to.
@@ -19,8 +19,11 @@ pub(super) struct Forecast {
     pub(super) bonds: usize,
     /// The scene that the body falls into by itself: its mesh is made.
     pub(super) scene: Scene,
-    /// Time that a frame of the body takes, falling freely [s].
-    pub(super) frame: f64,
+    /// Outlines and corners of the obstacle that it becomes; none of a body.
+    pub(super) outlines: usize,
+    pub(super) corners: usize,
+    /// Time that a frame of the body takes, falling freely, and as it lands [s].
+    pub(super) frames: [f64; 2],
 }
 
 /// A thread that meshes pictures.
@@ -61,7 +64,7 @@ impl Worker {
     }
 }
 
-/// The quickest of a few frames [s].
+/// The middle one of a few frames [s].
 fn frame_time(mut world: Box<dyn Dynamics>) -> f64 {
     let frame = |_| {
         let (start, end) = (Instant::now(), world.time() + FRAME * (1.0 - 1e-9));
@@ -70,7 +73,26 @@ fn frame_time(mut world: Box<dyn Dynamics>) -> f64 {
         }
         start.elapsed().as_secs_f64()
     };
-    (0..FRAMES).map(frame).fold(f64::INFINITY, f64::min)
+    let mut times: Vec<f64> = (0..FRAMES).map(frame).collect();
+    times.sort_by(f64::total_cmp);
+    times[times.len() / 2]
+}
+
+/// The scene as its bodies land: on the floor, as fast as the fall to it makes them. `None` where there is no floor.
+fn landing(scene: &Scene, start: &dyn Dynamics) -> Option<Scene> {
+    let floor = scene.bounds.as_ref()?.min.embed()[1];
+    let positions = start.positions();
+    let lowest = (0..start.point_count()).map(|i| positions.get(2 * i + 1)).fold(f64::INFINITY, f64::min);
+    let drop = lowest - floor;
+    let gravity = scene.gravity.map_or(0.0, |gravity| -gravity.embed()[1]);
+    let speed = (2.0 * gravity * drop).max(0.0).sqrt();
+    let mut landing = scene.clone();
+    for body in &mut landing.bodies {
+        let [x, y, _] = body.origin.map_or([0.0; 3], |origin| origin.embed());
+        body.origin = Some(Vector::Plane([x, y - drop]));
+        body.velocity = Some(Vector::Plane([0.0, -speed]));
+    }
+    Some(landing)
 }
 
 /// Errors: the line that the panel shows.
@@ -83,8 +105,13 @@ fn forecast(name: &str, picture: &Arc<Picture>, wish: Wish) -> Result<Forecast, 
     };
     let mesh = mesh.and_then(|scene| scene.picture_mesh(0)).map_err(said)?;
     let world = scene.world(None).map_err(said)?;
-    let (bonds, frame) = (world.bonds().len(), frame_time(world));
-    Ok(Forecast { wish, picture: Arc::clone(picture), mesh, bonds, scene, frame })
+    let bonds = world.bonds().len();
+    let loops = || world.polygons().iter().flat_map(|polygon| &polygon.loops);
+    let (outlines, corners) = (loops().count(), loops().map(Vec::len).sum());
+    let landed = landing(&scene, &*world).and_then(|landing| landing.world(None).ok()).map(frame_time);
+    let falling = frame_time(world);
+    let frames = [falling, landed.unwrap_or(falling)];
+    Ok(Forecast { wish, picture: Arc::clone(picture), mesh, bonds, outlines, corners, scene, frames })
 }
 
 #[cfg(test)]
@@ -126,10 +153,15 @@ mod tests {
             }
         }
         let Some(Ok(forecast)) = last else { panic!("no mesh") };
-        assert!(forecast.mesh.points.len() > 150 && forecast.frame > 0.0);
+        assert!(forecast.mesh.points.len() > 150 && forecast.frames.iter().all(|&frame| frame > 0.0));
         let of_scene = forecast.scene.picture_mesh(0);
         assert!(of_scene.is_ok_and(|mesh| Arc::ptr_eq(&mesh, &forecast.mesh)), "what is shown was made once");
         assert!(WOKEN.load(Ordering::Relaxed) >= 1);
+        let lands = forecast.scene.world(None).ok().and_then(|start| landing(&forecast.scene, &*start));
+        let Some(landing) = lands.and_then(|scene| scene.world(None).ok()) else { panic!("no landing") };
+        let (start, floor) = (landing.sample(0.0), -0.8);
+        let lowest = start.position.iter().map(|x| x[1]).fold(f64::INFINITY, f64::min);
+        assert!((lowest - floor).abs() < 1e-9 && start.velocity[0][1] < -1.0, "{lowest}, {:?}", start.velocity[0]);
         worker.ask(&picture, wish(0.1));
         let refused = loop {
             if let Some(answer) = worker.take() {

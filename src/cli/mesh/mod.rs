@@ -14,7 +14,7 @@ use serde_json::{Map, Value, json};
 use super::values;
 use crate::output;
 use crate::picture::{self, Made, Picture, Settings, Size, Strokes, Threshold};
-use crate::scene::{BodyKeys, Matter, PatternName, Scene};
+use crate::scene::{BodyKeys, Matter, PatternName, Scene, SceneError};
 
 /// How a picture is cut out, and what is made of it.
 #[derive(Args)]
@@ -25,25 +25,25 @@ pub(super) struct Arguments {
     /// A PNG, JPEG, GIF, BMP, WebP, TIFF, PNM, TGA, ICO or QOI.
     picture: PathBuf,
     /// Distance of neighbours [px].
-    #[arg(long, value_name = "PX", default_value = "16", value_parser = values::above_zero, conflicts_with = "max_area")]
+    #[arg(long, value_name = "PX", default_value = "16", allow_negative_numbers = true, value_parser = values::above_zero, conflicts_with = "max_area")]
     spacing: f64,
     /// Largest area of a triangle, in place of the spacing [px^2].
-    #[arg(long, value_name = "PX2", value_parser = values::above_zero)]
+    #[arg(long, value_name = "PX2", allow_negative_numbers = true, value_parser = values::above_zero)]
     max_area: Option<f64>,
     /// How many times as far apart neighbours may be deep inside as along the boundary, 1 to 9.
-    #[arg(long, value_name = "RATIO", value_parser = values::above_zero, conflicts_with = "max_area")]
+    #[arg(long, value_name = "RATIO", allow_negative_numbers = true, value_parser = values::above_zero, conflicts_with = "max_area")]
     grading: Option<f64>,
     /// Coverage above which a pixel belongs to the body, 0 to 1; where the picture splits best if left out.
-    #[arg(long, value_name = "T", value_parser = share)]
+    #[arg(long, value_name = "T", allow_negative_numbers = true, value_parser = share)]
     threshold: Option<f64>,
     /// What is light, or clear, becomes the body.
     #[arg(long)]
     invert: bool,
     /// Specks and holes smaller than this are left out [px^2].
-    #[arg(long, value_name = "PX2", default_value = "12", value_parser = values::at_least_zero)]
+    #[arg(long, value_name = "PX2", default_value = "12", allow_negative_numbers = true, value_parser = values::at_least_zero)]
     min_area: f64,
     /// Blurs the picture first, over so many pixels: for grainy photographs.
-    #[arg(long, value_name = "PX", default_value = "0", value_parser = clap::value_parser!(u32).range(0..=64))]
+    #[arg(long, value_name = "PX", default_value = "0", allow_negative_numbers = true, value_parser = clap::value_parser!(u32).range(0..=64))]
     blur: u32,
     /// Fills holes.
     #[arg(long)]
@@ -58,10 +58,10 @@ pub(super) struct Arguments {
     #[arg(long, value_enum, default_value_t = MatterArgument::Soft)]
     material: MatterArgument,
     /// Young's modulus in the plane of a soft body, 1e-3 to 1e9 [N/m].
-    #[arg(long, value_name = "E", value_parser = stiffness)]
+    #[arg(long, value_name = "E", allow_negative_numbers = true, value_parser = stiffness)]
     young: Option<f64>,
     /// Height of the whole picture in the world [m].
-    #[arg(long, value_name = "M", default_value = "2", value_parser = values::above_zero)]
+    #[arg(long, value_name = "M", default_value = "2", allow_negative_numbers = true, value_parser = values::above_zero)]
     height: f64,
     /// Writes the scene there, with points, bonds and triangles one by one.
     #[arg(long, value_name = "FILE.json", value_parser = |text: &str| values::ending(text, &["json"]))]
@@ -226,7 +226,9 @@ impl Arguments {
             PatternArgument::Braced => Some(PatternName::Braced),
         };
         let keys = BodyKeys { material, pattern, ..BodyKeys::cut(&self.settings(), self.height, &picture) };
-        let scene = Scene::of_picture_read(&self.picture, picture, keys, matter)?.expanded()?;
+        let made = Scene::of_picture_read(&self.picture, picture, keys, matter).and_then(|scene| scene.expanded());
+        // The scene is ours: what is wrong is what was asked for.
+        let scene = made.map_err(|error| SceneError { key: String::new(), ..error })?;
         Ok(match link {
             Some(path) => scene.with_picture_at(&path),
             None => scene.with_pictures_inside()?,

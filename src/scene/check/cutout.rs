@@ -6,7 +6,7 @@ use super::body::need;
 use super::number::Range;
 use super::surfaces::check_image;
 use crate::body::{Cutout, Pattern};
-use crate::picture::{LEAST_SPACING, Picture, Settings, Size, Strokes, Threshold, WIDEST_SPACING};
+use crate::picture::{LEAST_SPACING, Picture, PictureError, Settings, Size, Strokes, Threshold, WIDEST_SPACING};
 use crate::scene::error::{Fault, Source, Within};
 use crate::scene::keys::{BodyKeys, PatternName, StrokesName};
 
@@ -48,7 +48,7 @@ pub(in crate::scene) fn check_cut(body: &BodyKeys) -> Result<(), Fault> {
 
 /// The height of the picture [m] and the settings of its mesh that the keys amount to.
 ///
-/// Errors: keys that exclude each other.
+/// Errors: keys that exclude each other, or are out of their ranges.
 pub(in crate::scene) fn wanted(body: &BodyKeys, picture: &Picture) -> Result<(f64, Settings), Fault> {
     let height = body.height.unwrap_or(HEIGHT);
     let side = f64::from(picture.width.max(picture.height));
@@ -56,7 +56,25 @@ pub(in crate::scene) fn wanted(body: &BodyKeys, picture: &Picture) -> Result<(f6
         Some(spacing) => in_pixels(spacing, f64::from(picture.height) / height),
         None => (side / NEIGHBOURS).max(2.0),
     };
-    Ok((height, settings(body, spacing)?))
+    let settings = settings(body, spacing)?;
+    settings.check().map_err(|error| out_of_range(&error, height / f64::from(picture.height)))?;
+    Ok((height, settings))
+}
+
+/// What is wrong with a setting, at its key and in its unit; a pixel is so long [m].
+fn out_of_range(error: &PictureError, pixel: f64) -> Fault {
+    match *error {
+        PictureError::Setting { name: name @ "spacing", value, .. } => {
+            let [spacing, least, most] = [value, LEAST_SPACING, WIDEST_SPACING].map(|length| (1e7 * length * pixel).round() / 1e7);
+            let message = format!(
+                "a spacing of {spacing} m is {value:.4} px of the picture: give one from {least} to {most} m \
+                 ({LEAST_SPACING} to {WIDEST_SPACING} px)"
+            );
+            Fault::invalid(message).at(name)
+        }
+        PictureError::Setting { name, value, range } => Fault::invalid(format!("is {value}: {range}")).at(name),
+        _ => Fault::invalid(error.to_string()),
+    }
 }
 
 /// What is drawn on the triangles of a body of kind `picture`.

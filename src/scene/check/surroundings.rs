@@ -4,6 +4,7 @@ use super::number::{self, Range};
 use crate::scene::error::{Fault, Source, Within};
 use crate::scene::keys::{BoxKeys, MouseKeys, ObstacleKeys, PictureKeys, PinMotionKeys, RegionName, Scene, Vector};
 use crate::scene::{nearest, obstacle};
+use crate::sim::vector::{cross, sub, truncate};
 
 /// Errors: the first fault. `is_pinned` says whether a point of the scene is pinned.
 pub(super) fn check(scene: &Scene, dimensions: usize, is_pinned: &dyn Fn(u32) -> bool) -> Result<(), Fault> {
@@ -67,12 +68,13 @@ fn check_surface(restitution: Option<f64>, friction: Option<f64>) -> Result<(), 
 }
 
 fn check_obstacle(obstacle: &ObstacleKeys, dimensions: usize, source: &Source) -> Result<(), Fault> {
-    const SHAPES: [&str; 5] = ["plane", "box", "circle", "polygon", "picture"];
+    const SHAPES: [&str; 5] = ["plane", "box", "polygon", "picture", "circle"];
     let shapes: Vec<&str> = obstacle.given().filter(|key| SHAPES.contains(key)).collect();
     match shapes[..] {
         [_] => {}
         [] => {
-            let list = nearest::list(&SHAPES);
+            // Those that this version can run.
+            let list = nearest::list(if dimensions == 3 { &SHAPES[..1] } else { &SHAPES[..4] });
             return Err(Fault::invalid(format!("has no shape: give {list}")));
         }
         [first, second, ..] => {
@@ -97,7 +99,7 @@ fn check_obstacle(obstacle: &ObstacleKeys, dimensions: usize, source: &Source) -
     }
     match &obstacle.picture {
         Some(_) if dimensions == 3 => {
-            Err(Fault::invalid("lies in the plane: in space use `plane`, `box` or `circle`").at("picture"))
+            Err(Fault::invalid("lies in the plane: in space use `plane`").at("picture"))
         }
         Some(keys) => check_picture(keys, source).at("picture"),
         None => Ok(()),
@@ -128,7 +130,7 @@ fn check_box(keys: &BoxKeys, dimensions: usize) -> Result<(), Fault> {
 
 fn check_polygon(loops: &[Vec<Vector>], dimensions: usize) -> Result<(), Fault> {
     if dimensions == 3 {
-        let message = "lies in the plane: in space use `plane`, `box` or `circle`";
+        let message = "lies in the plane: in space use `plane`";
         return Err(Fault::invalid(message));
     }
     if loops.is_empty() {
@@ -142,6 +144,19 @@ fn check_polygon(loops: &[Vec<Vector>], dimensions: usize) -> Result<(), Fault> 
         for (k, corner) in corners.iter().enumerate() {
             number::vector(corner, dimensions).item(k).item(i)?;
         }
+        if lies_on_a_line(corners) {
+            return Err(Fault::invalid("encloses nothing, for its corners lie on a line: move one of them").item(i));
+        }
     }
     Ok(())
+}
+
+/// Whether no corner lies further from the line through the first and the one furthest from it than rounding puts it.
+fn lies_on_a_line(corners: &[Vector]) -> bool {
+    let flat = |corner: &Vector| truncate::<2>(corner.embed());
+    let from_first: Vec<[f64; 2]> = corners.iter().map(|corner| sub(flat(corner), flat(&corners[0]))).collect();
+    let size = |x: [f64; 2]| x[0].hypot(x[1]);
+    let Some(&way) = from_first.iter().max_by(|a, b| size(**a).total_cmp(&size(**b))) else { return true };
+    let reach = corners.iter().map(|corner| size(flat(corner))).fold(size(way), f64::max);
+    from_first.iter().all(|&x| cross(way, x).abs() <= 1e-15 * size(way) * reach)
 }
