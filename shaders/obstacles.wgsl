@@ -102,7 +102,7 @@ fn vertex(@builtin(vertex_index) index: u32) -> @builtin(position) vec4<f32> {
     return clip_of(pixel, vec4(0.0, 0.0, 0.0, 1.0));
 }
 
-// Least width that is shown [px]: a wall that is thinner is drawn as if it had that.
+// Width of a wall [px] below which it is drawn as if it had that, where there are rims.
 const LEAST_WIDTH: f32 = 0.9;
 
 // How many times as wide as it is what is covered about a pixel must be drawn: 1 where it is wide enough. Of a straight wall a
@@ -112,7 +112,7 @@ fn widening(at: vec2<i32>) -> f32 {
     for (var k = 0; k < 9; k++) {
         sum += min(textureLoad(covered, at + vec2(k % 3 - 1, k / 3 - 1), 0).r, 1.0);
     }
-    return clamp(3.0 * LEAST_WIDTH / max(sum, 1e-3), 1.0, 64.0);
+    return clamp(3.0 * min(LEAST_WIDTH, frame.outline_width) / max(sum, 1e-4), 1.0, 1024.0);
 }
 
 // Directions in which the rim looks for what is free.

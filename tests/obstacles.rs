@@ -34,9 +34,9 @@ fn square([x, y]: [f64; 2], half: f64) -> Loop {
     vec![[x - half, y - half], [x + half, y - half], [x + half, y + half], [x - half, y + half]]
 }
 
-/// A look with nothing but the inside of obstacles, or their rims: white on black.
+/// A look with nothing but the inside of obstacles, white on black, and no rims.
 fn bare() -> Look {
-    Look { wall: [1.0; 4], ..plain() }
+    Look { wall: [1.0; 4], outline_width: 0.0, ..plain() }
 }
 
 fn picture_of(polygons: &[Polygon], planes: &[[[f64; 3]; 2]], camera: &Camera, look: &Look) -> RgbaImage {
@@ -152,6 +152,24 @@ fn a_plane_with_a_slope_is_solid_on_one_side() {
     let solid = [corners[0], (point - along).to_array(), corners[1], corners[2]];
     let sign = area_in(&solid, DVec2::new(0.0, -30.0)).signum();
     assert_coverage(&picture, |corner| sign * area_in(&solid, corner));
+}
+
+#[test]
+fn a_wall_far_thinner_than_a_pixel_is_seen_and_a_wide_one_keeps_its_edges() {
+    if common::gpu().is_none() {
+        return;
+    }
+    let look = Look { obstacle: [1.0; 4], outline_width: 1.0, ..bare() };
+    for width in [1e-3, 0.02, 0.3] {
+        let wall = vec![[-25.0, -20.3], [25.0, 14.2], [25.0, 14.2 + width]];
+        let picture = picture_of(&[polygon(vec![wall])], &[], &pixels(), &look);
+        // Where it is half as thick as at its end.
+        let sum: f64 = (0..SIDE).map(|y| f64::from(picture.get_pixel(32, y)[0]) / 255.0).sum();
+        assert!((0.5..1.5).contains(&sum), "a wall of {width} px is {sum} px wide to the eye");
+    }
+    let edge = [square([0.3, -0.2], 20.0)];
+    let picture = picture_of(&[polygon(edge.to_vec())], &[], &pixels(), &look);
+    assert_coverage(&picture, exact(&edge));
 }
 
 #[test]

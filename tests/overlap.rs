@@ -26,7 +26,11 @@ fn square(corner: [f64; 2], is_rigid: bool) -> Model<2> {
     let mut join = |a: u32, b: u32| {
         let [x, y] = [a, b].map(|i| model.position[i as usize]);
         let length = (x[0] - y[0]).hypot(x[1] - y[1]);
-        model.bonds.push(if is_rigid { Bond::new(PointId(a), PointId(b), length) } else { spring(a, b, length, 1e3, 1.0) });
+        model.bonds.push(if is_rigid {
+            Bond::new(PointId(a), PointId(b), length)
+        } else {
+            spring(a, b, length, 1e3, 1.0)
+        });
     };
     for k in 0..SIDE * SIDE {
         let (column, row) = (k % SIDE, k / SIDE);

@@ -458,10 +458,7 @@ fn surroundings() {
                 "\"obstacles\": [{ \"box\": { \"min\": [0,0,0], \"max\": [1,1,1], \"angle\": 1 } }]",
                 "obstacles[0].box.angle: turns a box in the plane: in space give `rotation`",
             ),
-            (
-                "\"obstacles\": [{ \"polygon\": [] }]",
-                "obstacles[0].polygon: lies in the plane: in space use `plane`",
-            ),
+            ("\"obstacles\": [{ \"polygon\": [] }]", "obstacles[0].polygon: lies in the plane: in space use `plane`"),
             (
                 "\"bodies\": [{ \"make\": \"cloth\", \"columns\": 2, \"rows\": 2, \"spacing\": 1, \"v\": [2,0,0] }]",
                 "bodies[0].v: is parallel to u: give another direction",

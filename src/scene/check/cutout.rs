@@ -65,7 +65,8 @@ pub(in crate::scene) fn wanted(body: &BodyKeys, picture: &Picture) -> Result<(f6
 fn out_of_range(error: &PictureError, pixel: f64) -> Fault {
     match *error {
         PictureError::Setting { name: name @ "spacing", value, .. } => {
-            let [spacing, least, most] = [value, LEAST_SPACING, WIDEST_SPACING].map(|length| (1e7 * length * pixel).round() / 1e7);
+            let [spacing, least, most] =
+                [value, LEAST_SPACING, WIDEST_SPACING].map(|length| (1e7 * length * pixel).round() / 1e7);
             let message = format!(
                 "a spacing of {spacing} m is {value:.4} px of the picture: give one from {least} to {most} m \
                  ({LEAST_SPACING} to {WIDEST_SPACING} px)"

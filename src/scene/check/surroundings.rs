@@ -98,9 +98,7 @@ fn check_obstacle(obstacle: &ObstacleKeys, dimensions: usize, source: &Source) -
         check_polygon(loops, dimensions).at("polygon")?;
     }
     match &obstacle.picture {
-        Some(_) if dimensions == 3 => {
-            Err(Fault::invalid("lies in the plane: in space use `plane`").at("picture"))
-        }
+        Some(_) if dimensions == 3 => Err(Fault::invalid("lies in the plane: in space use `plane`").at("picture")),
         Some(keys) => check_picture(keys, source).at("picture"),
         None => Ok(()),
     }
