@@ -175,6 +175,11 @@ fn what_is_no_picture_is_refused_in_one_line() {
     assert!(wobble(&["mesh", &whole, "--stats"]).status.success(), "told by its content");
     assert!(complaint(&["mesh", &whole, "--spacing", "0.01"]).contains("it must be from 1 to 4096 px"));
     assert!(complaint(&["mesh", &whole, "--min-area", "99999"]).contains("lower min_area"));
+    let error = complaint(&["mesh", &whole, "--height", "1e300", "--out", &at("x.json", b"")]);
+    assert!(error.contains("too large for a number") && !error.contains("bodies"), "{error}");
+    assert!(
+        complaint(&["render", &at("text.png", b"hello"), "--out", "x.png"]).contains("not a picture of a known format")
+    );
     assert!(
         complaint(&["simulate", &at("t.png", b"GIF89a"), "--samples", "1", "--out", "x.json"])
             .contains("cannot be read")

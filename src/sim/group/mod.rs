@@ -159,9 +159,7 @@ impl<S: Real, const D: usize> Group<S, D> {
         self.engine.refresh();
         let is_fine =
             self.take(around, (t, h), counters) && self.guard.passes(&self.before.position, &self.points.position);
-        if is_fine {
-            counters.fallbacks += 1;
-        } else {
+        if !is_fine {
             self.points.restore(&self.before);
             self.engine.refresh();
         }
