@@ -148,18 +148,26 @@ fn check_size((width, height): (u32, u32), bytes: u64, is_rgba: bool) -> Result<
 fn into_rgba(image: DynamicImage) -> Vec<u8> {
     match image {
         DynamicImage::ImageRgba8(image) => image.into_raw(),
-        DynamicImage::ImageLuma8(image) => spread::<1>(image.as_raw(), |[l]| [l, l, l, 255]),
-        DynamicImage::ImageLumaA8(image) => spread::<2>(image.as_raw(), |[l, a]| [l, l, l, a]),
-        DynamicImage::ImageRgb8(image) => spread::<3>(image.as_raw(), |[r, g, b]| [r, g, b, 255]),
+        DynamicImage::ImageLuma8(image) => spread(image.as_raw(), |&[l]| [l, l, l, 255]),
+        DynamicImage::ImageLumaA8(image) => spread(image.as_raw(), |&[l, a]| [l, l, l, a]),
+        DynamicImage::ImageRgb8(image) => spread(image.as_raw(), |&[r, g, b]| [r, g, b, 255]),
+        DynamicImage::ImageLuma16(image) => spread(image.as_raw(), |&[l]| [narrow(l), narrow(l), narrow(l), 255]),
+        DynamicImage::ImageRgb16(image) => spread(image.as_raw(), |&[r, g, b]| [narrow(r), narrow(g), narrow(b), 255]),
+        DynamicImage::ImageRgba16(image) => spread(image.as_raw(), |pixel: &[u16; 4]| pixel.map(narrow)),
         other => other.into_rgba8().into_raw(),
     }
 }
 
-fn spread<const N: usize>(raw: &[u8], pixel: impl Fn([u8; N]) -> [u8; 4]) -> Vec<u8> {
+fn spread<T, const N: usize>(raw: &[T], pixel: impl Fn(&[T; N]) -> [u8; 4]) -> Vec<u8> {
     let (pixels, _) = raw.as_chunks::<N>();
     let mut rgba: Vec<[u8; 4]> = Vec::with_capacity(pixels.len());
-    rgba.extend(pixels.iter().map(|&p| pixel(p)));
+    rgba.extend(pixels.iter().map(pixel));
     rgba.into_flattened()
+}
+
+/// The nearest of 256 values.
+fn narrow(value: u16) -> u8 {
+    ((u32::from(value) + 128) / 257) as u8
 }
 
 /// A Targa file has no mark at its start: the newer kind has one at its end, the older a header that must make sense.

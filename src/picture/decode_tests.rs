@@ -63,6 +63,17 @@ fn every_depth_becomes_eight_bits_of_four_channels() {
 }
 
 #[test]
+fn sixteen_bits_are_rounded_to_the_nearest_of_eight() {
+    let values: Vec<u16> = (0..=u16::MAX).collect();
+    let all = image::ImageBuffer::<image::Luma<u16>, _>::from_raw(256, 256, values).unwrap();
+    let rgba = decode(&encoded(&DynamicImage::ImageLuma16(all), ImageFormat::Png)).unwrap().rgba;
+    for (value, pixel) in rgba.as_chunks::<4>().0.iter().enumerate() {
+        let nearest = (value as f64 / 257.0).round() as u8;
+        assert_eq!(*pixel, [nearest, nearest, nearest, 255], "{value}");
+    }
+}
+
+#[test]
 fn cut_off_and_damaged_files_are_errors_of_one_line() {
     for format in FORMATS {
         let image = if format == ImageFormat::Jpeg { DynamicImage::ImageRgb8(sample().to_rgb8()) } else { sample() };
