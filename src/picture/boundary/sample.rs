@@ -8,6 +8,10 @@ use super::settle::settled;
 /// Finest points, in spacings, that bends alone bring about; beyond that a point is put where the contour is farthest.
 const FINEST: f64 = 0.35;
 
+/// Points that were put where the contour is farthest are joined with neighbours closer than this, in spacings, if that leaves
+/// the polygon near enough: a short side makes a thin triangle.
+const CLOSE: f64 = 0.3;
+
 /// Growth of the distance between points along the contour, a pixel: neighbours differ by a third at most.
 const GROWTH: f64 = 0.3;
 
@@ -93,7 +97,41 @@ impl Part<'_> {
             all.push(pair[0]);
             self.split([pair[0], pair[1]], tolerance, &mut all);
         }
+        all.push(self.ends[1]);
+        self.join(&mut all, CLOSE * spacing, tolerance);
+        all.pop();
         all
+    }
+
+    /// Joins neighbours that are closer than `close` [px] in the middle between them, or in the end of the part, where the polygon
+    /// stays within the tolerance.
+    fn join(&self, cuts: &mut Vec<Cut>, close: f64, tolerance: f64) {
+        let mut k = 0;
+        while k + 1 < cuts.len() {
+            let ([from, to], last) = ([cuts[k], cuts[k + 1]], cuts.len() - 1);
+            let is_end = [k == 0, k + 1 == last];
+            k += 1;
+            if is_end == [true; 2] || cuts.len() <= self.least + 1 || distance(from.place, to.place) >= close {
+                continue;
+            }
+            let along = 0.5 * (from.along + to.along);
+            let joined = match is_end {
+                [true, _] => from,
+                [_, true] => to,
+                _ => Cut { along, place: self.path.at(along), is_corner: false },
+            };
+            let around = [k.checked_sub(2), Some(k + 1)].map(|at| at.and_then(|at| cuts.get(at)).copied());
+            let is_near = |other: Option<Cut>, is_before: bool| {
+                other.is_none_or(|other| {
+                    self.farthest(if is_before { [other, joined] } else { [joined, other] }).1 <= tolerance
+                })
+            };
+            if is_near(around[0], true) && is_near(around[1], false) {
+                cuts[k - 1] = joined;
+                cuts.remove(k);
+                k -= 1;
+            }
+        }
     }
 
     /// Lowers the lengths where pieces are too far off; whether any was.

@@ -209,6 +209,21 @@ fn graded_meshes_are_coarser_inside() {
 }
 
 #[test]
+fn pictures_of_the_gallery_have_no_thin_triangles() {
+    let folder = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("assets/pictures");
+    for name in ["brush", "gear", "jellyfish", "letter", "maze", "pebble", "ring"] {
+        let picture = decode(&std::fs::read(folder.join(name).with_extension("png")).unwrap()).unwrap();
+        for spacing in [6.0, 8.0, 11.0, 16.0] {
+            let (_, stats) = make(&picture, spacing);
+            // Where the maze's walls meet, corners that pixels rounded off are met by short sides.
+            let least = if name == "maze" && spacing < 10.0 { 20.0 } else { 29.5 };
+            assert!(stats.min_angle_deg >= least, "{name}, {spacing} px: {stats:?}");
+            assert!(stats.boundary_deviation_px <= tolerance(spacing), "{name}, {spacing} px: {stats:?}");
+        }
+    }
+}
+
+#[test]
 fn no_triangle_is_larger_than_asked_for() {
     let picture = draw(256, |x, y| hypot(x - 128.0, y - 128.0) - 100.0);
     for max_area in [10.0, 50.0, 300.0] {
