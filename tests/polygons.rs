@@ -200,6 +200,32 @@ fn depth_inside(polygon: &Polygon, x: [f64; 2]) -> f64 {
     if inside { nearest } else { 0.0 }
 }
 
+#[test]
+fn points_in_a_notch_come_to_rest_in_its_tip() {
+    for degrees in [8.0_f64, 16.0, 30.0, 44.0, 60.0, 90.0, 140.0] {
+        let half = (0.5 * degrees).to_radians().tan();
+        let hole = vec![[0.0, -1.0], [2.0 * half, 1.0], [-2.0 * half, 1.0]];
+        let outer = 2.0 * half + 1.0;
+        for (restitution, friction) in [(0.0, 0.0), (0.5, 0.0), (0.5, 0.3)] {
+            let notch = polygon(vec![rectangle([-outer, -2.0], [outer, 2.0]), hole.clone()], restitution, friction);
+            for count in [1, 60] {
+                for seed in 0..if count == 1 { 20 } else { 1 } {
+                    let place = |k: i32| [half * ((f64::from(k + seed)) * 1.9).sin() * 0.8, 0.2 + 0.01 * f64::from(k)];
+                    let thrown = |k: i32| [2.0 * (f64::from(k + seed) * 2.3).cos(), (f64::from(k + seed) * 3.1).sin()];
+                    let model =
+                        points((0..count).map(place).collect(), (0..count).map(thrown).collect(), vec![notch.clone()]);
+                    for t in [0.7, 2.0, 4.0] {
+                        let end = at(&model, Solver::Auto, 1.0 / 60.0, t);
+                        let deepest =
+                            end.position.iter().map(|x| depth_inside(&notch, [x[0], x[1]])).fold(0.0, f64::max);
+                        assert!(deepest < 1e-9, "{degrees} {restitution} {friction} {count} {seed}: {deepest} at {t}");
+                    }
+                }
+            }
+        }
+    }
+}
+
 /// Bodies of every kind of engine, thrown at 100 m/s about a room with walls of 1 cm and a saw of thin teeth.
 #[test]
 fn nothing_tunnels_at_a_hundred_metres_a_second() {

@@ -101,6 +101,9 @@ pub enum ModelError {
         /// The bond.
         bond: usize,
     },
+    /// Outlines of obstacles that cross so often that they are no drawing.
+    #[error("the outlines of the polygons cross each other or themselves more than 200000 times: make them simpler")]
+    Crossings,
     /// Obstacles among which no equilibrium is looked for.
     #[error("an equilibrium is not looked for among polygons: leave them out")]
     Polygons,

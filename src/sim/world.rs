@@ -54,12 +54,12 @@ impl<S: Real, const D: usize> World<S, D> {
     /// Bodies that start inside obstacles are moved out, each as a whole, with a warning.
     /// Rigid bonds that the start violates are projected, positions first, then velocities, weighted by mass; lengths
     /// that contradict each other are met in least squares, with a warning.
-    /// Errors: as [`Model::check`].
+    /// Errors: as [`Model::check`]; outlines of polygons that cross too often.
     pub fn new(model: &Model<D>) -> Result<Self, ModelError> {
         model.check()?;
         let count = model.position.len();
         let w = plan::inverse_masses(model);
-        let obstacles = Obstacles::of(model);
+        let obstacles = Obstacles::of(model).map_err(|_| ModelError::Crossings)?;
         let cleared = plan::clear(&obstacles.widened(model), &model.bonds, &model.position, &w);
         let velocity = model.velocity.iter().zip(&w).map(|(&v, &w)| if w == 0.0 { zero() } else { convert(v) });
         let mut state = State {

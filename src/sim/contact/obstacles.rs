@@ -3,6 +3,7 @@
 use std::sync::Arc;
 
 use super::passage::Passage;
+use super::polygon::TooManyCrossings;
 use super::polygon::solids::{Solids, Wall};
 use super::surface::{Surface, surfaces};
 use crate::sim::model::Model;
@@ -29,11 +30,14 @@ pub(crate) struct Met {
     pub(crate) surface: usize,
     /// Share of the way that was gone until then [1]; 1 where it is found inside without having met a wall.
     pub(crate) share: f64,
+    /// It is found inside.
+    is_inside: bool,
 }
 
 impl<S: Real, const D: usize> Obstacles<S, D> {
-    pub(crate) fn of(model: &Model<D>) -> Self {
-        Obstacles::around(model, Solids::new(&model.polygons).map(Arc::new))
+    /// Errors: outlines of polygons cross too often.
+    pub(crate) fn of(model: &Model<D>) -> Result<Self, TooManyCrossings> {
+        Ok(Obstacles::around(model, Solids::new(&model.polygons)?.map(Arc::new)))
     }
 
     /// The same for another scalar.
@@ -81,11 +85,11 @@ impl<S: Real, const D: usize> Obstacles<S, D> {
         let solids = self.solids.as_ref()?;
         let (planes, slack) = (self.planes, self.slack());
         let met = solids.meeting([flat(a), flat(b)], slack, |wall| may(planes + wall));
-        let met = met.map(|met| Met { surface: planes + met.wall, share: met.share });
+        let met = met.map(|met| Met { surface: planes + met.wall, share: met.share, is_inside: false });
         met.or_else(|| {
             let deep = DEEP * length(sub(b, a)).to_f64() + DEEP * slack;
             let surface = planes + solids.around(flat(b), slack, deep)?;
-            may(surface).then_some(Met { surface, share: 1.0 })
+            may(surface).then_some(Met { surface, share: 1.0, is_inside: true })
         })
     }
 
@@ -96,9 +100,21 @@ impl<S: Real, const D: usize> Obstacles<S, D> {
         Some(self.planes + wall)
     }
 
-    /// Whether a point is inside a polygon; of one on a wall that is not sure.
+    /// Whether a point is inside a polygon, not on a wall of it.
     pub(crate) fn is_inside(&self, x: [S; D]) -> bool {
-        self.solids.as_ref().is_some_and(|solids| solids.is_solid(flat(x)))
+        let (slack, x) = (self.slack(), flat(x));
+        self.solids.as_ref().is_some_and(|solids| solids.is_solid(x) && !solids.is_on_a_wall(x, slack))
+    }
+
+    /// The place on a surface that is nearest to a point: of a wall, between its ends.
+    pub(crate) fn onto(&self, surface: usize, x: [S; D]) -> [S; D] {
+        match self.wall(surface) {
+            None => sub(x, scale(self.surfaces[surface].normal, self.surfaces[surface].gap(x))),
+            Some(wall) => {
+                let place = wall.nearest(flat(x));
+                std::array::from_fn(|k| if k < 2 { S::from_f64(place[k]) } else { x[k] })
+            }
+        }
     }
 
     /// Whether a box may be behind a plane or touch a polygon.
@@ -146,6 +162,10 @@ impl<S: Real, const D: usize> Obstacles<S, D> {
         let mut met = self.meeting(a, b, |_| true)?;
         let (mut from, mut to, mut left) = (a, b, S::ONE);
         for _ in 0..MOST_BOUNCES {
+            if met.is_inside {
+                turn(met.surface, S::ZERO);
+                return Some(self.onto(met.surface, to));
+            }
             let passage = Passage::new(&self.surfaces[met.surface], [from, to], scale(fall, left * left), met.share);
             left *= passage.left;
             [from, to] = passage.turned(turn(met.surface, left));

@@ -10,12 +10,18 @@ use crate::sim::vector::{add, dot, length, scale, sub, zero};
 const SHALLOW: f64 = 1e-6;
 /// Steps in which a way out is looked for, in each direction, along a way as long as the body; further out they grow with the way.
 const STEPS: f64 = 128.0;
+/// Shortest body whose extent says how long the steps are, as a share of all polygons' extent.
+const LEAST_STEP: f64 = 1e-3;
 /// Directions that are tried, beside those of the walls that points are behind.
 const DIRECTIONS: u32 = 32;
 /// Most of the walls that points are behind whose directions are tried.
 const MOST_NORMALS: usize = 16;
 /// Halvings of the last step to where the way out ends.
 const HALVINGS: u32 = 12;
+/// Points and bonds that are looked at for a way out, at most: so many take a second.
+const MOST_LOOKS: usize = 10_000_000;
+/// How much further than the first place that is free, but for bonds through walls, another one is looked for.
+const BEYOND: f64 = 2.0;
 /// Rounds in which the shortest way out of planes is found.
 const MOST_ROUNDS: u32 = 400;
 
@@ -108,6 +114,25 @@ fn last_step([mut short, mut far]: [f64; 2], mut is_out: impl FnMut(f64) -> bool
     far
 }
 
+/// What stood in the way last, and is looked at first the next time: a point that was inside, and a bond that went through a wall.
+#[derive(Default)]
+struct Blocking {
+    last: [usize; 2],
+    looks: usize,
+}
+
+impl Blocking {
+    /// Whether something stands in the way: of points (0) or bonds (1), so many.
+    fn finds(&mut self, kind: usize, count: usize, stands: impl Fn(usize) -> bool) -> bool {
+        let found = std::iter::once(self.last[kind]).chain(0..count).find(|&k| {
+            self.looks += 1;
+            stands(k)
+        });
+        self.last[kind] = found.unwrap_or(self.last[kind]);
+        found.is_some()
+    }
+}
+
 /// A body that starts inside, and what it must get out of.
 struct Search<'a, const D: usize> {
     obstacles: &'a Obstacles<f64, D>,
@@ -138,30 +163,32 @@ impl<'a, const D: usize> Search<'a, D> {
     /// The shortest way out that is found.
     fn way_out(&self) -> Option<[f64; D]> {
         let start = self.out_of_planes()?;
-        let mut blocking = 0;
-        if self.is_free(start, &mut blocking) && !self.crosses(start) {
+        let mut blocking = Blocking::default();
+        if self.is_free(start, &mut blocking) && !self.crosses(start, &mut blocking) {
             return Some(start);
         }
-        let step = self.extent / STEPS;
+        let step = self.extent.max(LEAST_STEP * self.obstacles.breadth()) / STEPS;
         let most = self.extent + self.obstacles.breadth();
         let directions = self.directions();
         let mut second = None;
-        let mut before = 0.0;
-        while before < most {
+        let (mut before, mut end) = (0.0, most);
+        while before < end && blocking.looks < MOST_LOOKS {
             let way = before + step.max(before / STEPS);
             for &direction in &directions {
                 let out = add(start, scale(direction, way));
                 if !self.is_free(out, &mut blocking) {
                     continue;
                 }
-                if !self.crosses(out) {
+                if !self.crosses(out, &mut blocking) {
                     let is_out = |way| {
                         let out = add(start, scale(direction, way));
-                        self.is_free(out, &mut blocking) && !self.crosses(out)
+                        self.is_free(out, &mut blocking) && !self.crosses(out, &mut blocking)
                     };
                     return Some(add(start, scale(direction, last_step([before, way], is_out))));
                 }
-                second = second.or(Some(out));
+                if second.is_none() {
+                    (second, end) = (Some(out), most.min(BEYOND * way + self.extent));
+                }
             }
             before = way;
         }
@@ -190,28 +217,20 @@ impl<'a, const D: usize> Search<'a, D> {
         self.planes.iter().all(|&(normal, depth)| dot(normal, way) >= depth - self.obstacles.slack())
     }
 
-    /// Whether no point is inside anything; the one that was found inside, which is looked at first the next time, goes to `blocking`.
-    fn is_free(&self, way: [f64; D], blocking: &mut usize) -> bool {
+    /// Whether no point is inside anything.
+    fn is_free(&self, way: [f64; D], blocking: &mut Blocking) -> bool {
         let is_inside = |i: usize| self.obstacles.is_inside(add(self.points[i], way));
-        if !self.keeps_planes(way) || is_inside(*blocking) {
-            return false;
-        }
-        match (0..self.points.len()).find(|&i| is_inside(i)) {
-            Some(inside) => {
-                *blocking = inside;
-                false
-            }
-            None => true,
-        }
+        self.keeps_planes(way) && !blocking.finds(0, self.points.len(), is_inside)
     }
 
     /// Whether a bond goes through a wall.
-    fn crosses(&self, way: [f64; D]) -> bool {
-        self.obstacles.has_walls()
-            && self.bonds.iter().any(|ends| {
-                let [a, b] = ends.map(|end| add(self.points[end as usize], way));
-                self.obstacles.meeting(a, b, |_| true).is_some_and(|met| met.share < 1.0)
-            })
+    fn crosses(&self, way: [f64; D], blocking: &mut Blocking) -> bool {
+        let is_crossed = |k: usize| {
+            let [a, b] = self.bonds[k].map(|end| add(self.points[end as usize], way));
+            let met = self.obstacles.meeting(a, b, |_| true);
+            met.is_some_and(|met| self.obstacles.surfaces[met.surface].gap(b) < -self.obstacles.slack())
+        };
+        self.obstacles.has_walls() && blocking.finds(1, self.bonds.len(), is_crossed)
     }
 
     /// Unit vectors in the plane, all around, and off the walls that points are behind.

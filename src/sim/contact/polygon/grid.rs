@@ -82,6 +82,12 @@ impl Cells {
         self.counts[0] * self.counts[1]
     }
 
+    /// How many cells a square of half side `reach` [m] touches, about and at most.
+    pub(super) fn many(&self, reach: f64) -> usize {
+        let along = 2.0 * reach / self.side + 2.0;
+        (along.min(self.counts[0] as f64) * along.min(self.counts[1] as f64)) as usize
+    }
+
     /// Column and row of a point's cell, if it is in one.
     #[inline]
     pub(super) fn place(&self, x: [f64; 2]) -> Option<[usize; 2]> {

@@ -1,10 +1,13 @@
 //! Polygons that points cannot enter.
 
+mod cut;
 mod grid;
 mod outline;
 pub(crate) mod solids;
 #[cfg(test)]
 mod tests;
+
+pub(crate) use cut::TooManyCrossings;
 
 /// What lies inside its outlines by the even-odd rule is solid, in the plane.
 ///

@@ -6,7 +6,7 @@
 
 use super::grid::{Grid, extent};
 use super::outline::sides;
-use super::{Polygon, Segment};
+use super::{Polygon, Segment, TooManyCrossings};
 use crate::sim::contact::surface::Plane;
 use crate::sim::vector::{cross, dot, sub};
 
@@ -14,6 +14,7 @@ use crate::sim::vector::{cross, dot, sub};
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Wall {
     start: [f64; 2],
+    end: [f64; 2],
     /// Unit vector along it; the solid is on the right.
     along: [f64; 2],
     length: f64,
@@ -28,6 +29,9 @@ pub(crate) struct Meeting {
     /// Share of the way that was gone until then [1].
     pub(crate) share: f64,
 }
+
+/// Share by which squares of distances may differ that are one.
+const TIE: f64 = 1e-9;
 
 /// All sides of all polygons.
 #[derive(Clone, Debug)]
@@ -45,7 +49,7 @@ impl Wall {
     fn of([start, end]: Segment, polygon: u32) -> Self {
         let way = sub(end, start);
         let length = libm::hypot(way[0], way[1]);
-        Wall { start, along: way.map(|w| w / length), length, polygon }
+        Wall { start, end, along: way.map(|w| w / length), length, polygon }
     }
 
     /// Unit normal, towards the free side.
@@ -74,21 +78,30 @@ impl Wall {
         if at < self.length - at { on } else { -on }
     }
 
+    /// The place on it that is nearest to a point.
+    pub(crate) fn nearest(&self, x: [f64; 2]) -> [f64; 2] {
+        match dot(self.along, sub(x, self.start)) {
+            at if at <= 0.0 => self.start,
+            at if at >= self.length => self.end,
+            at => [self.start[0] + self.along[0] * at, self.start[1] + self.along[1] * at],
+        }
+    }
+
     /// Square of the distance of a point [m^2].
     pub(super) fn square_distance(&self, x: [f64; 2]) -> f64 {
-        let from = sub(x, self.start);
-        let at = dot(self.along, from).clamp(0.0, self.length);
-        let off = sub(from, self.along.map(|a| a * at));
+        let off = sub(x, self.nearest(x));
         dot(off, off)
     }
 }
 
 impl Solids {
     /// `None` where there is no side.
-    pub(crate) fn new(polygons: &[Polygon]) -> Option<Self> {
-        let sides = sides(polygons);
+    ///
+    /// Errors: outlines cross too often.
+    pub(crate) fn new(polygons: &[Polygon]) -> Result<Option<Self>, TooManyCrossings> {
+        let sides = sides(polygons)?;
         if sides.is_empty() {
-            return None;
+            return Ok(None);
         }
         let segments: Vec<Segment> = sides.iter().map(|side| side.ends).collect();
         let walls = sides.iter().map(|side| Wall::of(side.ends, side.polygon)).collect();
@@ -96,7 +109,7 @@ impl Solids {
         let reach = extent.iter().flatten().fold(0.0, |most: f64, x| most.max(x.abs()));
         let mut solids = Solids { walls, grid: Grid::new(&segments), solid: Vec::new(), extent, reach };
         solids.solid = solids.solid_cells();
-        Some(solids)
+        Ok(Some(solids))
     }
 
     /// Every wall as the half-plane of its line.
@@ -132,12 +145,12 @@ impl Solids {
         (0..2).all(|k| low[k] <= to[k] && high[k] >= from[k])
     }
 
-    /// The first wall that the way from `a` to `b` goes into, and where, of those that `may` be met; `slack` [m] is what rounding
-    /// cannot tell from 0.
+    /// The first wall that the way from `a` to `b` goes into, and where, of those that `may` be met; else one that it ends on.
+    /// `slack` [m] is what rounding cannot tell from 0.
     pub(crate) fn meeting(&self, [a, b]: Segment, slack: f64, mut may: impl FnMut(usize) -> bool) -> Option<Meeting> {
         let way = sub(b, a);
         let tie = slack / dot(way, way).sqrt();
-        let mut first: Option<(Meeting, f64)> = None;
+        let mut first: Option<(Meeting, f64, bool)> = None;
         self.grid.cells.along(a, b, slack, |cell| {
             for &k in self.grid.of(cell) {
                 let wall = &self.walls[k as usize];
@@ -151,16 +164,18 @@ impl Solids {
                 if wall.within(at) < -slack || !may(k as usize) {
                     continue;
                 }
+                let crosses = to < -slack;
                 // Of walls that meet in a corner the one that the way goes into more.
-                let is_first = first.is_none_or(|(first, steepest)| {
-                    share < first.share - tie || (share < first.share + tie && into > steepest)
+                let is_first = first.is_none_or(|(first, steepest, crossed)| {
+                    let is_before = share < first.share - tie || (share < first.share + tie && into > steepest);
+                    if crosses == crossed { is_before } else { crosses }
                 });
                 if is_first {
-                    first = Some((Meeting { wall: k as usize, share }, into));
+                    first = Some((Meeting { wall: k as usize, share }, into, crosses));
                 }
             }
         });
-        first.map(|(meeting, _)| meeting)
+        first.map(|(meeting, ..)| meeting)
     }
 
     /// The walls that may be nearer to a way than `margin` [m].
@@ -176,6 +191,11 @@ impl Solids {
                 see(k as usize);
             }
         }
+    }
+
+    /// Whether a point is no further from some wall than `reach` [m].
+    pub(crate) fn is_on_a_wall(&self, x: [f64; 2], reach: f64) -> bool {
+        self.nearest(x, reach).is_some_and(|(_, square)| square <= reach * reach)
     }
 
     /// The nearest wall of a point that is inside a solid, deeper than `slack` but not than `deep` [m].
@@ -209,9 +229,8 @@ impl Solids {
         let cells = self.grid.cells;
         let count = |&k: &u32| {
             let wall = &self.walls[k as usize];
-            let (from, rise) = (wall.start, wall.along[1] * wall.length);
-            let (low, high) = if rise > 0.0 { (from[1], from[1] + rise) } else { (from[1] + rise, from[1]) };
-            if !(low <= x[1] && x[1] < high) {
+            let (from, rise) = (wall.start, wall.end[1] - wall.start[1]);
+            if (wall.start[1] > x[1]) == (wall.end[1] > x[1]) {
                 return 0;
             }
             let at = from[0] + (x[1] - from[1]) * (wall.along[0] / wall.along[1]);
@@ -239,20 +258,28 @@ impl Solids {
         solid
     }
 
-    /// The nearest wall of a point and the square of its distance [m^2]; of those further than `far` [m] any or none.
+    /// The nearest wall of a point and the square of its distance [m^2]; of those further than `far` [m] any or none. Of walls
+    /// whose common corner is nearest, the one whose line the point is further behind.
     fn nearest(&self, x: [f64; 2], far: f64) -> Option<(usize, f64)> {
         let side = self.grid.cells.side;
         let mut reach = far.min(side);
         loop {
             let mut nearest: Option<(usize, f64)> = None;
-            self.grid.cells.around(x, reach, |cell| {
-                for &k in self.grid.of(cell) {
-                    let square = self.walls[k as usize].square_distance(x);
-                    if nearest.is_none_or(|(_, least)| square < least) {
-                        nearest = Some((k as usize, square));
-                    }
+            let mut look = |k: usize| {
+                let square = self.walls[k].square_distance(x);
+                let is_nearer = nearest.is_none_or(|(other, least)| {
+                    square < least * (1.0 - TIE)
+                        || square <= least * (1.0 + TIE) && self.walls[k].gap(x) < self.walls[other].gap(x)
+                });
+                if is_nearer {
+                    nearest = Some((k, square));
                 }
-            });
+            };
+            if self.grid.cells.many(reach) > self.walls.len() {
+                (0..self.walls.len()).for_each(look);
+                return nearest;
+            }
+            self.grid.cells.around(x, reach, |cell| self.grid.of(cell).iter().for_each(|&k| look(k as usize)));
             let is_far = reach >= far || reach > side * (self.grid.cells.counts[0] + self.grid.cells.counts[1]) as f64;
             if is_far || nearest.is_some_and(|(_, least)| least <= reach * reach) {
                 return nearest;

@@ -67,8 +67,7 @@ impl<S: Real, const D: usize> Group<S, D> {
         }
         self.push_out(&mut hits, zero());
         if self.is_sunk(&hits) {
-            // Bonds hold it over an obstacle: it stays there.
-            self.points.restore(&self.before);
+            self.stay_inside(&hits);
             hits = self.hits(true);
         }
         let rigid = self.pull.rigid.as_mut();
@@ -81,6 +80,18 @@ impl<S: Real, const D: usize> Group<S, D> {
         }
         self.points.save(&mut self.before);
         self.review(around, t, counters);
+    }
+
+    /// What bonds hold over an obstacle stays there: with rigid ones all do, for one moves the other.
+    fn stay_inside(&mut self, hits: &[Hit]) {
+        if self.pull.rigid.is_some() {
+            return self.points.restore(&self.before);
+        }
+        for hit in hits {
+            if self.is_sunk(std::slice::from_ref(hit)) {
+                self.points.position[hit.point] = self.before.position[hit.point];
+            }
+        }
     }
 
     /// Points at or beyond a surface on their way into it.

@@ -4,7 +4,6 @@
 
 use super::{Event, Group, at_edge};
 use crate::sim::contact::impact::Hit;
-use crate::sim::contact::place;
 use crate::sim::measure::extent;
 use crate::sim::real::Real;
 use crate::sim::vector::{flat, sub, widen, zero};
@@ -129,7 +128,7 @@ impl<S: Real, const D: usize> Group<S, D> {
                     *lost = zero();
                 }
             }
-            None => place(&mut self.points, hit.point, &self.pull.contacts.obstacles.surfaces[hit.surface]),
+            None => self.points.position[hit.point] = obstacles.onto(hit.surface, now),
         }
         first
     }
