@@ -102,6 +102,8 @@ fn push_off<S: Real, const D: usize>(
     let v = &mut points.velocity[first.hit.point];
     let speed = length(*v);
     targets.iter_mut().for_each(|target| target.change = S::ZERO);
+    let several = targets.len() > 1 && targets.iter().any(|target| !target.rests);
+    let bounced = if several { bounce_about(v, contacts, targets) } else { vec![S::ZERO; targets.len()] };
     for _ in 0..MOST_PASSES {
         let mut largest = S::ZERO;
         for target in targets.iter_mut() {
@@ -116,9 +118,39 @@ fn push_off<S: Real, const D: usize>(
             break;
         }
     }
+    targets.iter_mut().zip(bounced).for_each(|(target, bounced)| target.change += bounced);
     let v = *v;
     let slow = speed * S::EPSILON * S::from_f64(64.0);
-    targets.retain(|target| dot(v, contacts.obstacles.surfaces[target.hit.surface].normal) <= target.target + slow);
+    targets.retain(|target| {
+        let off = dot(v, contacts.obstacles.surfaces[target.hit.surface].normal);
+        off <= target.target + slow || !target.rests && target.change > S::ZERO
+    });
+}
+
+/// Bounces that one point makes in a corner at most.
+const MOST_BOUNCES: u32 = 256;
+
+/// A point that hits several surfaces at once bounces off one after the other, the one that it goes into most first: so it keeps
+/// its energy where they do. What is left then is for those that it comes to rest on. Returns the change that each one gave.
+fn bounce_about<S: Real, const D: usize>(
+    v: &mut [S; D],
+    contacts: &Contacts<S, D>,
+    targets: &mut [Target<S>],
+) -> Vec<S> {
+    let mut changes = vec![S::ZERO; targets.len()];
+    let surface = |target: &Target<S>| &contacts.obstacles.surfaces[target.hit.surface];
+    for _ in 0..MOST_BOUNCES {
+        let off = targets.iter().map(|target| dot(*v, surface(target).normal)).enumerate();
+        let deepest = off.min_by(|a, b| a.1.to_f64().total_cmp(&b.1.to_f64()));
+        let Some((at, off)) = deepest.filter(|(_, off)| *off < S::ZERO) else { break };
+        let target = &targets[at];
+        let restitution = if target.rests { S::ZERO } else { surface(target).restitution };
+        let step = -(off + restitution * off);
+        *v = add(*v, scale(surface(target).normal, step));
+        changes[at] += step;
+    }
+    targets.iter_mut().for_each(|target| target.target = S::ZERO);
+    changes
 }
 
 /// Gives a point its velocity off the surface.

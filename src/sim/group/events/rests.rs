@@ -40,10 +40,10 @@ impl<S: Real, const D: usize> Group<S, D> {
     }
 
     /// An event of a contact that is due where a step begins happens whatever rounding says: a point whose flight ends
-    /// there rests, others lift off or slip.
+    /// there rests, unless it has bounced off, others lift off or slip.
     pub(super) fn take_due(&mut self, event: Option<Event>) {
         match event {
-            Some(Event::Hit { point, surface }) if self.is_beside(point, surface) => {
+            Some(Event::Hit { point, surface }) if self.is_beside(point, surface) && !self.goes(point, surface) => {
                 self.pull.contacts.touch(point, surface);
                 self.pull.contacts.settle(&mut self.points);
                 self.capture();

@@ -11,6 +11,8 @@ use crate::sim::real::Real;
 use crate::sim::surroundings::Surroundings;
 use crate::sim::vector::{dot, zero};
 
+/// Flight, in substeps, that counts as rest where it begins with no time gone since the last.
+const REST: f64 = 0.05;
 /// Rounds in which points outside are put back to surfaces, and their bonds to their lengths.
 const MOST_ROUNDS: u32 = 4;
 
@@ -46,6 +48,15 @@ impl<S: Real, const D: usize> Group<S, D> {
     pub(super) fn comes(&self, point: usize, surface: &Surface<S, D>) -> bool {
         let off = dot(self.points.velocity[point], surface.normal);
         off * S::from_f64(self.substep) < -surface.slack()
+    }
+
+    /// Whether a point moves off a surface, faster than rounding does and for longer than a small part of a substep.
+    pub(super) fn goes(&self, point: usize, surface: usize) -> bool {
+        let surface = &self.pull.contacts.obstacles.surfaces[surface];
+        let off = dot(self.points.velocity[point], surface.normal);
+        let pull = self.acceleration.get(point).map_or(S::ZERO, |&pull| dot(pull, surface.normal));
+        let shortest = S::from_f64(REST * self.substep);
+        off * S::from_f64(self.substep) > surface.slack() && off + off > -(pull * shortest)
     }
 
     pub(super) fn can_hit(&self, point: usize, surface: usize) -> bool {
