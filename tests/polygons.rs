@@ -231,6 +231,34 @@ fn points_that_bounce_in_a_notch_keep_their_energy() {
     }
 }
 
+#[test]
+fn points_among_scraps_that_overlap_keep_their_speeds() {
+    // Numbers that look random: 0 to 1.
+    let number_at = |seed: i32, k: i32| (43_758.545_3 * (f64::from(seed * 131 + k) * 12.9898).sin()).rem_euclid(1.0);
+    for seed in 0..40 {
+        let mut scraps = vec![room(0.3, 1.0, 0.0)];
+        for scrap in 0..3 + seed % 5 {
+            let number = |k: i32| 2.0 * number_at(seed, 100 * scrap + k) - 1.0;
+            let corner = |k: i32| [0, 1].map(|axis| 0.8 * number(axis) + 0.5 * number(2 + 2 * k + axis));
+            scraps.push(polygon(vec![(0..3 + scrap % 4).map(corner).collect()], 1.0, 0.0));
+        }
+        let place = |k: i32| [0, 1].map(|axis| 1.8 * number_at(seed, 2_000 + 2 * k + axis) - 0.9);
+        let free: Vec<i32> =
+            (0..60).filter(|&k| scraps.iter().all(|scrap| depth_inside(scrap, place(k)) == 0.0)).take(20).collect();
+        let thrown = |k: i32| [0, 1].map(|axis| 40.0 * number_at(seed, 3_000 + 2 * k + axis) - 20.0);
+        let velocity: Vec<[f64; 2]> = free.iter().map(|&k| thrown(k)).collect();
+        let mut model = points(free.iter().map(|&k| place(k)).collect(), velocity.clone(), scraps.clone());
+        model.gravity = [0.0; 2];
+        let end = run_to(&mut World::<f64, 2>::new(&Model { duration: Some(2.0), ..model.clone() }).unwrap(), 2.0);
+        for (k, (now, before)) in end.velocity.iter().zip(&velocity).enumerate() {
+            let change = now[0].hypot(now[1]) / before[0].hypot(before[1]) - 1.0;
+            assert!(change.abs() < 1e-6, "scene {seed}, point {k}: {change}");
+            let deepest = scraps.iter().map(|scrap| depth_inside(scrap, [end.position[k][0], end.position[k][1]]));
+            assert!(deepest.fold(0.0, f64::max) < 1e-9, "scene {seed}, point {k} is inside");
+        }
+    }
+}
+
 /// No point of `model` gets into the polygon: deeper than settling in a tip takes it for a moment.
 fn assert_outside(model: &Model<2>, polygon: &Polygon, case: &str) {
     for t in [0.7, 4.0] {

@@ -144,6 +144,7 @@ impl<S: Real, const D: usize> Group<S, D> {
             rigid.project(&mut self.points, &self.pull.contacts);
         }
         let mut hits = self.hits(is_located);
+        hits.extend(self.due(event).filter(|due| is_located && !hits.contains(due)));
         counters.events += hits.len() as u64;
         let mut late = Vec::new();
         if !is_located || self.is_sunk(&hits) {

@@ -105,6 +105,13 @@ impl<S: Real, const D: usize> Group<S, D> {
         }
     }
 
+    /// The hit that an event is, where the point comes: whatever else it meets there, and rounding says.
+    pub(super) fn due(&self, event: Option<Event>) -> Option<Hit> {
+        let Some(Event::Hit { point, surface }) = event else { return None };
+        let comes = self.comes(point, &self.pull.contacts.obstacles.surfaces[surface]);
+        (comes && self.can_hit(point, surface) && self.is_beside(point, surface)).then_some(Hit { point, surface })
+    }
+
     /// Points at or beyond a surface on their way into it.
     pub(super) fn hits(&self, is_located: bool) -> Vec<Hit> {
         let mut hits = self.wall_hits(is_located);
