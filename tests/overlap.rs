@@ -122,3 +122,28 @@ fn what_is_pinned_or_free_or_has_no_way_out_stays() {
     let world = World::<f64, 2>::new(&Model { bounds: Some(small), ..square([0.0, 0.0], false) }).unwrap();
     assert!(world.warnings()[0].contains("without a way out"), "{:?}", world.warnings());
 }
+
+#[test]
+fn a_pinned_rope_over_an_obstacle_is_not_torn_apart() {
+    let triangle = solid(vec![vec![[-1.0, -1.0], [1.0, -1.0], [0.0, 1.0]]]);
+    for is_rigid in [true, false] {
+        let mut model = Model::<2> { gravity: [0.0, -9.81], polygons: vec![triangle.clone()], ..Model::default() };
+        model.position = (0..30).map(|k| [-1.0 + 2.0 / 29.0 * f64::from(k), 0.0]).collect();
+        (model.velocity, model.mass) = (vec![[0.0; 2]; 30], vec![1.0; 30]);
+        model.pinned = vec![PointId(15)];
+        for k in 1..30 {
+            let length = 2.0 / 29.0;
+            let bond = if is_rigid {
+                Bond::new(PointId(k - 1), PointId(k), length)
+            } else {
+                spring(k - 1, k, length, 1e4, 1.0)
+            };
+            model.bonds.push(bond);
+        }
+        let mut world = World::<f64, 2>::new(&model).unwrap();
+        let start = world.sample(0.0);
+        assert!(start.max_strain < 1e-9, "{}", start.max_strain);
+        let end = run_to(&mut world, 2.0);
+        assert!(end.energy < start.energy + 1e-3 && end.max_strain < 1.0, "{} from {}", end.energy, start.energy);
+    }
+}

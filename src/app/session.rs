@@ -99,6 +99,7 @@ impl Session {
         let scale = window.scale_factor() as f32;
         let side = canvas.largest_side() as usize;
         let panels = egui_winit::State::new(context, egui::ViewportId::ROOT, &*window, Some(scale), None, Some(side));
+        let warning = player.world().warnings().first().cloned();
         let mut session = Session {
             camera: opening::camera(&scene, player.world(), size),
             area: size,
@@ -118,7 +119,7 @@ impl Session {
             import: None,
             dialog: None,
             pasted: None,
-            complaint: None,
+            complaint: warning,
             waker,
             last_frame: None,
             frame_meter: Meter::default(),
@@ -167,6 +168,7 @@ impl Session {
         }
         self.canvas.forget_world();
         self.move_cursor();
+        self.complaint = self.player.world().warnings().first().cloned();
         Ok(())
     }
 
@@ -176,17 +178,20 @@ impl Session {
         [[0.0, height], [width, 0.0]].map(|pixel| self.camera.world_from_screen(pixel).truncate().to_array())
     }
 
-    /// Looks from where one looked before another scene was opened; at all of it, if the points from `first` on are not all
-    /// seen from there.
-    fn look_again(&mut self, camera: Camera, first: usize) {
+    /// Looks from where one looked before another scene was opened; at all of it, if the points and polygons from the `first` on are
+    /// not all seen from there.
+    fn look_again(&mut self, camera: Camera, first: [usize; 2]) {
         self.camera = camera;
         self.camera.resize(self.area);
         let [lower, upper] = self.seen();
         let is_seen = |[x, y]: [f64; 2]| (lower[0]..=upper[0]).contains(&x) && (lower[1]..=upper[1]).contains(&y);
-        let positions = self.player.world().positions();
-        let mut points = (first..positions.len() / 2).map(|i| [positions.get(2 * i), positions.get(2 * i + 1)]);
-        if !points.all(is_seen) {
-            self.camera = opening::fit(self.player.world(), false, self.area);
+        let world = self.player.world();
+        let positions = world.positions();
+        let mut points = (first[0]..positions.len() / 2).map(|i| [positions.get(2 * i), positions.get(2 * i + 1)]);
+        let mut corners = world.polygons().iter().skip(first[1]).flat_map(|polygon| &polygon.loops).flatten().copied();
+        let has_all = [points.all(is_seen), corners.all(is_seen)];
+        if has_all.contains(&false) {
+            self.camera = opening::fit(world, world.polygons().len() > first[1], self.area);
         }
     }
 

@@ -1,5 +1,6 @@
 //! `wobble render`: draws a scene off-screen.
 
+use std::io::Write;
 use std::path::{Path, PathBuf};
 
 use clap::Args;
@@ -68,6 +69,9 @@ fn switch(text: &str) -> Result<bool, String> {
 pub(super) fn run(arguments: &Arguments, quiet: bool) -> anyhow::Result<()> {
     let scene = Scene::load(&arguments.scene)?;
     let mut world = scene.world(scene.duration)?;
+    for warning in world.warnings() {
+        writeln!(std::io::stderr(), "wobble: warning: {warning}")?;
+    }
     let camera = opening::camera(&scene, &*world, arguments.size);
     let overlay = match arguments.overlay {
         OverlayName::None => Overlay::None,
@@ -148,7 +152,7 @@ fn numbered(path: &Path, index: u32) -> PathBuf {
     path.with_file_name(format!("{stem}-{index:04}.png"))
 }
 
-fn write_png(picture: &RgbaImage, to: &mut dyn std::io::Write) -> std::io::Result<()> {
+fn write_png(picture: &RgbaImage, to: &mut dyn Write) -> std::io::Result<()> {
     let mut bytes = std::io::Cursor::new(Vec::new());
     picture.write_to(&mut bytes, ImageFormat::Png).map_err(std::io::Error::other)?;
     to.write_all(bytes.get_ref())
@@ -157,7 +161,7 @@ fn write_png(picture: &RgbaImage, to: &mut dyn std::io::Write) -> std::io::Resul
 /// How hard the palette of an animation is searched for: 1 is slow and best, 30 fast.
 const PALETTE_SPEED: i32 = 10;
 
-fn write_gif(pictures: &[RgbaImage], fps: f64, to: &mut dyn std::io::Write) -> std::io::Result<()> {
+fn write_gif(pictures: &[RgbaImage], fps: f64, to: &mut dyn Write) -> std::io::Result<()> {
     let delay = Delay::from_saturating_duration(std::time::Duration::from_secs_f64((1.0 / fps).clamp(0.01, 600.0)));
     let mut encoder = GifEncoder::new_with_speed(to, PALETTE_SPEED);
     encoder.set_repeat(Repeat::Infinite).map_err(std::io::Error::other)?;

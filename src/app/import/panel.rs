@@ -33,7 +33,7 @@ pub(super) fn show(import: &mut Import, context: &egui::Context, can_add: bool) 
                     ui.set_width(290.0);
                     wishes::show(ui, &mut import.wish, &import.picture);
                     ui.separator();
-                    words(ui, import.forecast.as_ref());
+                    words(ui, import.forecast.as_ref(), import.painting.is_some());
                     ui.separator();
                     answer = buttons(ui, import, can_add);
                 });
@@ -42,10 +42,13 @@ pub(super) fn show(import: &mut Import, context: &egui::Context, can_add: bool) 
     if is_open { answer } else { Some(Answer::Cancel) }
 }
 
-fn words(ui: &mut egui::Ui, forecast: Option<&Result<Forecast, String>>) {
+fn words(ui: &mut egui::Ui, forecast: Option<&Result<Forecast, String>>, is_painted: bool) {
     match forecast {
         None => {
             ui.weak("cutting it out …");
+        }
+        Some(Err(error)) if is_painted && error.starts_with("there is nothing in the picture") => {
+            ui.weak("draw something on the canvas");
         }
         Some(Err(error)) => {
             ui.colored_label(Color32::from_rgb(255, 140, 120), error);
@@ -84,11 +87,13 @@ fn time(ms: f64) -> String {
 
 fn buttons(ui: &mut egui::Ui, import: &Import, can_add: bool) -> Option<Answer> {
     let is_ready = matches!(import.forecast, Some(Ok(_)));
+    let is_obstacle = import.wish.matter == Matter::Fixed;
     let into_scene = match import.body {
-        Some(_) => ("Put in its place", Answer::Replace, is_ready),
-        None => ("Add to this scene", Answer::Add, is_ready && can_add),
+        // An obstacle is no body.
+        Some(_) if !is_obstacle => ("Put in its place", Answer::Replace, is_ready),
+        _ => ("Add to this scene", Answer::Add, is_ready && can_add),
     };
-    let alone = if import.wish.matter == Matter::Fixed { "Make it an obstacle" } else { "Make it a body" };
+    let alone = if is_obstacle { "Make it an obstacle" } else { "Make it a body" };
     let mut answer = None;
     ui.horizontal(|ui| {
         for (label, choice, is_enabled) in

@@ -105,12 +105,13 @@ impl Session {
             Answer::Replace => import.put_into(&self.scene),
         };
         let (camera, points) = (self.camera, self.player.world().point_count());
+        let polygons = self.player.world().polygons().len();
         let opened = scene.and_then(|scene| self.open(scene));
         match (&opened, answer) {
             (Err(_), _) => self.import = Some(import),
             // What one looked at is still there.
-            (Ok(()), Answer::Add) => self.look_again(camera, points),
-            (Ok(()), Answer::Replace) => self.look_again(camera, usize::MAX),
+            (Ok(()), Answer::Add) => self.look_again(camera, [points, polygons]),
+            (Ok(()), Answer::Replace) => self.look_again(camera, [usize::MAX; 2]),
             _ => {}
         }
         self.complain(opened);
@@ -118,7 +119,8 @@ impl Session {
 
     /// Tells the user of what went wrong, if anything did.
     fn complain(&mut self, done: Result<(), SceneError>) {
-        self.complaint = done.err().map(|error| error.to_string());
+        let warned = self.complaint.take().filter(|complaint| self.player.world().warnings().contains(complaint));
+        self.complaint = done.err().map(|error| error.to_string()).or(warned);
         self.touch();
     }
 

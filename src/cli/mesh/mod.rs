@@ -151,7 +151,12 @@ pub(super) fn run(arguments: &Arguments) -> anyhow::Result<()> {
         let text = serde_json::to_string_pretty(&measures(&stats, bonds, times))?;
         writeln!(out, "{text}")?;
     } else {
-        let said = format!("{} points, {} triangles, {bonds} bonds", stats.points, stats.triangles);
+        let corners =
+            scene.iter().flat_map(|(_, scene)| &scene.obstacles).filter_map(|obstacle| obstacle.polygon.as_ref());
+        let said = match corners.flatten().map(Vec::len).sum::<usize>() {
+            0 => format!("{} points, {} triangles, {bonds} bonds", stats.points, stats.triangles),
+            corners => format!("an obstacle of {corners} corners"),
+        };
         let written: Vec<String> =
             [&arguments.out, &arguments.preview].into_iter().flatten().map(|path| path.display().to_string()).collect();
         let end = if written.is_empty() { String::new() } else { format!(": {}", written.join(", ")) };

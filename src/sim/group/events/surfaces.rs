@@ -77,7 +77,7 @@ impl<S: Real, const D: usize> Group<S, D> {
             return;
         }
         self.push_out(&mut hits, zero());
-        if self.is_sunk(&hits) {
+        if self.is_sunk(&hits) || !self.guard.passes(&self.before.position, &self.points.position) {
             self.stay_inside(&hits);
             hits = self.hits(true);
         }
@@ -93,9 +93,10 @@ impl<S: Real, const D: usize> Group<S, D> {
         self.review(around, t, counters);
     }
 
-    /// What bonds hold over an obstacle stays there: with rigid ones all do, for one moves the other.
+    /// What bonds hold over an obstacle stays there until it is out by itself: all of it where they are rigid, for one moves the
+    /// other, or would be stretched by far.
     fn stay_inside(&mut self, hits: &[Hit]) {
-        if self.pull.rigid.is_some() {
+        if self.pull.rigid.is_some() || !self.guard.passes(&self.before.position, &self.points.position) {
             return self.points.restore(&self.before);
         }
         for hit in hits {
