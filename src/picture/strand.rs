@@ -83,7 +83,8 @@ fn prune(lines: &mut Bits, pixels: &mut Vec<Pixel>, graph: &Graph, limit: f64) -
 }
 
 impl Strands {
-    /// Adds the graph of one stroke. Junctions with next to no length between them become one.
+    /// Adds the graph of one stroke. Junctions with next to no length between them become one, as long as that lies near all of
+    /// them: in grain nearly every pixel is a junction.
     fn add(&mut self, graph: &Graph, area: usize, limit: f64) {
         let mut joined: Vec<usize> = (0..graph.nodes.len()).collect();
         let roots: Vec<Vec<Pixel>> = graph.nodes.iter().map(|node| node.roots.clone()).collect();
@@ -94,7 +95,11 @@ impl Strands {
             let [a, b] = chain.ends.map(|end| first(&joined, end));
             let is_link =
                 chain.ends.iter().all(|&end| graph.nodes[end].degree > 1 || !graph.nodes[end].roots.is_empty());
-            if a != b && is_link && chain.length() < limit && (roots[a].is_empty() || roots[b].is_empty()) {
+            let is_near = || {
+                let [a, b] = [a, b].map(|node| place(graph.nodes[node].pixel));
+                chain.length() < limit && distance(a, b) < limit
+            };
+            if a != b && is_link && is_near() && (roots[a].is_empty() || roots[b].is_empty()) {
                 let (to, from) = if roots[a].is_empty() { (b, a) } else { (a, b) };
                 joined[from] = to;
                 is_gone[k] = true;
