@@ -103,7 +103,7 @@ fn push_off<S: Real, const D: usize>(
     let speed = length(*v);
     targets.iter_mut().for_each(|target| target.change = S::ZERO);
     let several = targets.len() > 1 && targets.iter().any(|target| !target.rests);
-    let bounced = if several { bounce_about(v, contacts, targets) } else { vec![S::ZERO; targets.len()] };
+    let bounced = if several { bounce_about(v, contacts, targets) } else { Vec::new() };
     for _ in 0..MOST_PASSES {
         let mut largest = S::ZERO;
         for target in targets.iter_mut() {

@@ -95,9 +95,11 @@ impl<S: Real, const D: usize> Obstacles<S, D> {
 
     /// The nearest wall of a point inside a polygon, deeper than `least` [m].
     pub(crate) fn nearest(&self, x: [S; D], least: f64) -> Option<usize> {
-        let solids = self.solids.as_ref().filter(|_| self.is_inside(x))?;
-        let wall = solids.around(flat(x), least.max(self.slack()), f64::INFINITY)?;
-        Some(self.planes + wall)
+        // That it is inside is found out sooner than what is nearest, however far.
+        let solids = self.solids.as_ref().filter(|solids| solids.is_solid(flat(x)))?;
+        let (wall, square) = solids.nearest(flat(x), f64::INFINITY)?;
+        let least = least.max(self.slack());
+        (square > least * least).then_some(self.planes + wall)
     }
 
     /// Whether a point is inside a polygon, not on a wall of it.

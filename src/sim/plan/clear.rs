@@ -53,7 +53,7 @@ pub(crate) fn clear<const D: usize>(
     w: &[f64],
 ) -> Cleared<D> {
     let mut cleared = Cleared::default();
-    if !measure::extent(position).is_some_and(|around| obstacles.may_touch(around)) {
+    if obstacles.is_empty() || !measure::extent(position).is_some_and(|around| obstacles.may_touch(around)) {
         return cleared;
     }
     for body in bodies(bonds, w) {

@@ -2,7 +2,7 @@
 
 use super::Segment;
 use super::grid::{Grid, extent};
-use crate::sim::vector::{cross, dot, sub};
+use crate::sim::vector::{cross, dot, length, scale, sub};
 use std::collections::BTreeMap;
 
 /// Crossings at most: drawings have fewer, and more would take seconds.
@@ -32,7 +32,7 @@ impl Places {
     fn of_segments(segments: &[(Segment, u32)]) -> Self {
         let plain: Vec<Segment> = segments.iter().map(|(ends, _)| *ends).collect();
         let [low, high] = extent(&plain);
-        let size = libm::hypot(high[0] - low[0], high[1] - low[1]);
+        let size = length(sub(high, low));
         let reach = [low, high].iter().flatten().fold(0.0, |most: f64, x| most.max(x.abs()));
         let near = (NEAR * size).max(ROUNDINGS * f64::EPSILON * reach).max(f64::MIN_POSITIVE);
         Places { list: Vec::new(), near, cells: BTreeMap::new() }
@@ -44,7 +44,7 @@ impl Places {
         for dx in -1..=1 {
             for dy in -1..=1 {
                 let around = self.cells.get(&[cell[0].saturating_add(dx), cell[1].saturating_add(dy)]);
-                let is_it = |k: &&u32| distance(self.list[**k as usize], x) <= self.near;
+                let is_it = |k: &&u32| length(sub(self.list[**k as usize], x)) <= self.near;
                 if let Some(&known) = around.and_then(|list| list.iter().find(is_it)) {
                     return known;
                 }
@@ -121,8 +121,7 @@ fn touch(places: &Places, ends: [[u32; 2]; 2], mut see: impl FnMut(usize, (f64, 
             }
             let from = sub(places.list[end as usize], a);
             let share = dot(from, along) / square;
-            let is_on =
-                (0.0..=1.0).contains(&share) && distance(from, [share * along[0], share * along[1]]) <= places.near;
+            let is_on = (0.0..=1.0).contains(&share) && length(sub(from, scale(along, share))) <= places.near;
             if is_on {
                 touches = true;
                 see(which, (share, end));
@@ -138,8 +137,4 @@ fn crossing([[a, b], [c, d]]: [Segment; 2]) -> Option<[f64; 2]> {
     let across = cross(along, other);
     let shares = [cross(apart, other) / across, cross(apart, along) / across];
     shares.iter().all(|share| (0.0..=1.0).contains(share)).then_some(shares)
-}
-
-fn distance(a: [f64; 2], b: [f64; 2]) -> f64 {
-    libm::hypot(a[0] - b[0], a[1] - b[1])
 }

@@ -260,7 +260,7 @@ impl Solids {
 
     /// The nearest wall of a point and the square of its distance [m^2]; of those further than `far` [m] any or none. Of walls
     /// whose common corner is nearest, the one whose line the point is further behind.
-    fn nearest(&self, x: [f64; 2], far: f64) -> Option<(usize, f64)> {
+    pub(crate) fn nearest(&self, x: [f64; 2], far: f64) -> Option<(usize, f64)> {
         let side = self.grid.cells.side;
         let mut reach = far.min(side);
         loop {

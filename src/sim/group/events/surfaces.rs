@@ -77,8 +77,7 @@ impl<S: Real, const D: usize> Group<S, D> {
             return;
         }
         self.push_out(&mut hits, zero());
-        if self.is_sunk(&hits) || !self.guard.passes(&self.before.position, &self.points.position) {
-            self.stay_inside(&hits);
+        if self.stay_inside(&hits) {
             hits = self.hits(true);
         }
         let rigid = self.pull.rigid.as_mut();
@@ -94,16 +93,20 @@ impl<S: Real, const D: usize> Group<S, D> {
     }
 
     /// What bonds hold over an obstacle stays there until it is out by itself: all of it where they are rigid, for one moves the
-    /// other, or would be stretched by far.
-    fn stay_inside(&mut self, hits: &[Hit]) {
-        if self.pull.rigid.is_some() || !self.guard.passes(&self.before.position, &self.points.position) {
-            return self.points.restore(&self.before);
-        }
-        for hit in hits {
-            if self.is_sunk(std::slice::from_ref(hit)) {
-                self.points.position[hit.point] = self.before.position[hit.point];
+    /// other, or would be stretched by far. Returns whether there is any.
+    fn stay_inside(&mut self, hits: &[Hit]) -> bool {
+        let is_stretched = !self.guard.passes(&self.before.position, &self.points.position);
+        let is_sunk = self.is_sunk(hits);
+        if is_stretched || is_sunk && self.pull.rigid.is_some() {
+            self.points.restore(&self.before);
+        } else if is_sunk {
+            for hit in hits {
+                if self.is_sunk(std::slice::from_ref(hit)) {
+                    self.points.position[hit.point] = self.before.position[hit.point];
+                }
             }
         }
+        is_stretched || is_sunk
     }
 
     /// The hit that an event is, where the point comes: whatever else it meets there, and rounding says.

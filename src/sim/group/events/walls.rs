@@ -121,14 +121,10 @@ impl<S: Real, const D: usize> Group<S, D> {
             first.get_or_insert(left);
             [S::ONE, if bounces.is_some() { obstacles.surfaces[surface].restitution } else { S::ZERO }]
         };
-        match obstacles.led(before, now, bounces.unwrap_or(zero()), turn) {
-            Some(end) => {
-                self.points.position[hit.point] = end;
-                if let Some(lost) = self.points.position_lost.get_mut(hit.point) {
-                    *lost = zero();
-                }
-            }
-            None => self.points.position[hit.point] = obstacles.onto(hit.surface, now),
+        let end = obstacles.led(before, now, bounces.unwrap_or(zero()), turn);
+        self.points.position[hit.point] = end.unwrap_or_else(|| obstacles.onto(hit.surface, now));
+        if let Some(lost) = self.points.position_lost.get_mut(hit.point) {
+            *lost = zero();
         }
         first
     }
