@@ -143,7 +143,7 @@ fn mouse(criterion: &mut Criterion) {
     for (name, at) in cursors {
         model.mouse = at.map(|_| force.clone());
         let mut world = World::<f64, 2>::new(&model).unwrap();
-        world.apply(Command::MoveCursor(at.map(Cursor::at)));
+        world.apply(&Command::Cursor { to: at.map(Cursor::at), by: 0.0 }).unwrap();
         group.bench_function(name, |b| b.iter(|| world.step()));
     }
     group.finish();

@@ -100,7 +100,6 @@ impl Player {
             }
             self.step_once();
             substeps += 1;
-            self.world.doze();
             if self.world.is_asleep() {
                 self.settle();
             } else if !self.ended && self.duration.is_some_and(|end| self.world.time() >= end) {
@@ -160,7 +159,7 @@ impl Player {
     pub fn reset(&mut self) {
         let cursor = self.world.mouse().map(|(_, cursor)| cursor);
         self.world = self.start.boxed_clone();
-        self.world.apply(Command::MoveCursor(cursor));
+        let _ = self.world.apply(&Command::Cursor { to: cursor, by: 0.0 });
         self.ended = false;
         self.settle();
     }
@@ -173,7 +172,7 @@ impl Player {
 
     /// Applies a command to the world: what it reaches wakes.
     pub fn apply(&mut self, command: Command) {
-        self.world.apply(command);
+        let _ = self.world.apply(&command);
     }
 
     /// Whether time passes: playing and awake.
@@ -299,21 +298,21 @@ mod tests {
         assert!(player.is_asleep());
         let asleep = (player.world().counters().substeps, player.motion());
         play(&mut player, 10.0, 60);
-        player.apply(Command::MoveCursor(Some(Cursor::at([4.9, 4.9]))));
+        player.apply(Command::Cursor { to: Some(Cursor::at([4.9, 4.9])), by: 0.0 });
         play(&mut player, 10.0, 60);
         assert_eq!((player.world().counters().substeps, player.motion()), asleep, "asleep, and the cursor is far away");
         let at = [player.world().positions().get(0) + 0.1, -4.9];
-        player.apply(Command::MoveCursor(Some(Cursor::at(at))));
+        player.apply(Command::Cursor { to: Some(Cursor::at(at)), by: 0.0 });
         assert!(play(&mut player, 0.1, 60) > 0);
     }
 
     #[test]
     fn a_far_cursor_costs_no_mouse_force() {
         let mut player = player();
-        player.apply(Command::MoveCursor(Some(Cursor::at([100.0, 100.0]))));
+        player.apply(Command::Cursor { to: Some(Cursor::at([100.0, 100.0])), by: 0.0 });
         play(&mut player, 0.2, 60);
         assert_eq!(player.world().counters().mouse_points, 0);
-        player.apply(Command::MoveCursor(Some(Cursor::at([0.0, 1.0]))));
+        player.apply(Command::Cursor { to: Some(Cursor::at([0.0, 1.0])), by: 0.0 });
         play(&mut player, 0.2, 60);
         assert!(player.world().counters().mouse_points > 0);
     }

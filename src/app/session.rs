@@ -227,7 +227,7 @@ impl Session {
         let cursor = self.pointer.at.filter(is_inside).filter(|_| is_free).map(|at| self.camera.cursor(at));
         let shown = self.player.world().mouse().map(|(_, cursor)| cursor);
         if cursor != shown {
-            self.player.apply(Command::MoveCursor(cursor));
+            self.player.apply(Command::Cursor { to: cursor, by: 0.0 });
             self.touch();
         }
     }

@@ -1,17 +1,268 @@
-//! What can be done to a running world, between two substeps.
+//! What can be done to a running world, between two of its steps.
+//!
+//! A world changes by steps and by these alone: a list of them with their times replays a session without a window.
+//! Numbers of points, bonds and obstacles are those of the world: the next one is one above the highest that was ever given,
+//! and what is deleted leaves a gap.
 
-use super::force::mouse::Cursor;
+use std::ops::Range;
 
-/// One action on a world. A list of them with their times replays a session without a window.
-#[derive(Clone, Copy, Debug, PartialEq)]
+use super::bond::{Bond, BondId, Limit, PointId};
+use super::contact::polygon::Polygon;
+use super::force::mouse::{Cursor, Profile, Region};
+use super::model::Method;
+
+/// One action on a world. Places have three components, z = 0 in the plane.
+#[derive(Clone, Debug, PartialEq)]
 pub enum Command {
-    /// The live cursor is here; `None`: it left. A mouse force with a track of its own ignores it.
-    MoveCursor(Option<Cursor>),
-    /// The mouse force takes this strength [1/s^2] and radius [m].
-    ShapeMouse {
-        /// Strength [1/s^2], positive repels.
-        strength: f64,
-        /// Radius [m], > 0.
-        radius: f64,
+    /// The live cursor goes along a straight line from where it is to `to`, from now to `by`; where there was none it is at `to` at
+    /// once. `None`: it leaves. A mouse force with a track of its own ignores it.
+    Cursor {
+        /// Where it goes.
+        to: Option<Cursor>,
+        /// When it is there [s], not before now.
+        by: f64,
     },
+    /// The mouse force changes, and its own track ends. A world without one gets it from strength and radius.
+    Mouse(MouseChange),
+    /// A spring leads the middle of points to the cursor.
+    Grab(Reach),
+    /// What was grabbed keeps the velocity that it has.
+    Release,
+    /// Points are held where they are, at rest.
+    Pin(Vec<PointId>),
+    /// Points are let go, at rest.
+    Unpin(Vec<PointId>),
+    /// Bonds that the segment crosses go: in the plane.
+    Cut {
+        /// [m]
+        from: [f64; 2],
+        /// [m]
+        to: [f64; 2],
+    },
+    /// Points, bonds and obstacles come.
+    Add(Box<Addition>),
+    /// Points with all that hangs on them, bonds, obstacles go.
+    Delete(Selection),
+    /// All points, bonds and obstacles go.
+    Clear,
+    /// Points and obstacles change their place.
+    Move(Motion),
+    /// Something gets other numbers, from now on.
+    Set(Change),
+}
+
+/// What of the mouse force changes.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct MouseChange {
+    /// Strength [1/s^2], positive repels.
+    pub strength: Option<f64>,
+    /// Radius [m], > 0.
+    pub radius: Option<f64>,
+    /// Shape of the region.
+    pub region: Option<Region>,
+    /// How the force falls off.
+    pub profile: Option<Profile>,
+}
+
+/// Which points a grab takes.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Reach {
+    /// These.
+    Points(Vec<PointId>),
+    /// All that are no further from the cursor (in space: from its ray) [m], > 0.
+    Within(f64),
+}
+
+/// What comes: points follow the last number that was given, in this order, and so do bonds and obstacles.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Addition {
+    /// Positions [m].
+    pub position: Vec<[f64; 3]>,
+    /// Velocities [m/s], one a point.
+    pub velocity: Vec<[f64; 3]>,
+    /// Masses [kg], > 0, one a point.
+    pub mass: Vec<f64>,
+    /// Points of the world, new ones included, that are held from now on.
+    pub pinned: Vec<PointId>,
+    /// Bonds between points of the world, new ones included.
+    pub bonds: Vec<Bond>,
+    /// Obstacles, in order.
+    pub obstacles: Vec<Obstacle>,
+    /// Pinned points that are led along tracks: (t [s], place [m]), times ascending.
+    pub pin_motion: Vec<(PointId, Vec<(f64, [f64; 3])>)>,
+}
+
+/// An obstacle, as commands name it.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Obstacle {
+    /// A plane.
+    Plane {
+        /// Any point of it [m].
+        point: [f64; 3],
+        /// Its normal, of any length above 0, towards the free side.
+        normal: [f64; 3],
+        /// Restitution [1], >= 0.
+        restitution: f64,
+        /// Friction [1], >= 0.
+        friction: f64,
+    },
+    /// A polygon, in the plane.
+    Polygon(Polygon),
+}
+
+/// Some points, bonds and obstacles by their numbers.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Selection {
+    /// Points.
+    pub points: Vec<PointId>,
+    /// Bonds.
+    pub bonds: Vec<BondId>,
+    /// Obstacles.
+    pub obstacles: Vec<u32>,
+}
+
+/// Places change: scaled and turned about a place, then moved. Velocities turn and do not scale; rest lengths of bonds with both ends moved
+/// scale; masses and stiffness stay.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Motion {
+    /// Points.
+    pub points: Vec<PointId>,
+    /// Obstacles.
+    pub obstacles: Vec<u32>,
+    /// How far [m].
+    pub by: [f64; 3],
+    /// About z, anticlockwise [rad].
+    pub turn: f64,
+    /// Factor [1], > 0.
+    pub scale: f64,
+    /// About this place [m]; `None`: the mean of the points, of the corners of the obstacles where there are none.
+    pub about: Option<[f64; 3]>,
+}
+
+/// One number for all, or one each.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Values {
+    /// The same for all that are named.
+    Same(f64),
+    /// One each, in the order in which they are named.
+    Each(Vec<f64>),
+}
+
+/// What is set.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Change {
+    /// Numbers of points.
+    Points {
+        /// Which.
+        points: Vec<PointId>,
+        /// Masses [kg], > 0; velocities stay.
+        mass: Option<Values>,
+        /// Velocities [m/s]: one for all, or one each.
+        velocity: Option<Vec<[f64; 3]>>,
+    },
+    /// Numbers of bonds.
+    Bonds {
+        /// Which.
+        bonds: Vec<BondId>,
+        /// To what.
+        to: Box<BondChange>,
+    },
+    /// Numbers of obstacles.
+    Obstacles {
+        /// Which.
+        obstacles: Vec<u32>,
+        /// Restitution [1], >= 0.
+        restitution: Option<f64>,
+        /// Friction [1], >= 0.
+        friction: Option<f64>,
+    },
+    /// Keys of the scene: they touch all islands.
+    Scene(Box<SceneChange>),
+}
+
+/// What of bonds changes. A number that the kind of a bond has not is refused.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct BondChange {
+    /// The kind: numbers that it has and that are not set start from those of a new bond of it.
+    pub kind: Option<Kind>,
+    /// Rest lengths [m], >= 0.
+    pub rest_length: Option<Values>,
+    /// Stiffness of springs [N/m], >= 0.
+    pub stiffness: Option<Values>,
+    /// Damping of springs [N s/m], >= 0.
+    pub damping: Option<Values>,
+    /// Relaxation of relaxed bonds [1], in (0, 1].
+    pub relaxation: Option<Values>,
+    /// Largest correction of relaxed bonds [m], >= 0.
+    pub max_correction: Option<Values>,
+    /// Strain at which they break [1], > 0, infinite: never.
+    pub break_strain: Option<Values>,
+    /// On which side of the rest length they act.
+    pub limit: Option<Limit>,
+}
+
+/// A kind of bond, without its numbers.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Kind {
+    /// |d| = rest.
+    Rigid,
+    /// A force.
+    Spring,
+    /// Defined by sweeps.
+    Relaxed,
+}
+
+/// Which keys of the scene change.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct SceneChange {
+    /// Gravity [m/s^2].
+    pub gravity: Option<[f64; 3]>,
+    /// Rate at which velocities decay [1/s], >= 0.
+    pub drag_rate: Option<f64>,
+    /// Walls: lower corner, upper corner [m], restitution, friction [1]; `Some(None)`: no more.
+    pub bounds: Option<Option<BoundsChange>>,
+    /// The method, but for the precision and the step of the world, which are fixed when a history begins.
+    pub method: Option<Method>,
+}
+
+/// Walls around the world.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct BoundsChange {
+    /// Lower corner [m].
+    pub min: [f64; 3],
+    /// Upper corner [m], above `min` on every axis.
+    pub max: [f64; 3],
+    /// Restitution [1], >= 0.
+    pub restitution: f64,
+    /// Friction [1], >= 0.
+    pub friction: f64,
+}
+
+/// What a command did.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Applied {
+    /// Something changed.
+    pub is_something: bool,
+    /// Numbers given to new points.
+    pub points: Range<u32>,
+    /// Numbers given to new bonds.
+    pub bonds: Range<u32>,
+    /// Numbers given to new obstacles.
+    pub obstacles: Range<u32>,
+}
+
+/// A command that cannot be done where it stands: the world is whole, as it was before.
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+pub enum CommandError {
+    /// A number that nothing has.
+    #[error("there is no {kind} {number}")]
+    NoSuch {
+        /// "point", "bond" or "obstacle".
+        kind: &'static str,
+        /// The number.
+        number: u32,
+    },
+    /// A number outside its range, or anything else that the command excludes.
+    #[error("{0}")]
+    Invalid(String),
 }

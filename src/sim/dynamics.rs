@@ -2,7 +2,7 @@
 
 use super::bond::PointId;
 use super::bonds::Bonds;
-use super::command::Command;
+use super::command::{Applied, Command, CommandError};
 use super::contact::polygon::Polygon;
 use super::counters::Counters;
 use super::force::mouse::{Cursor, MouseForce};
@@ -56,6 +56,19 @@ pub struct Sample {
     pub max_strain: f64,
 }
 
+/// What is grabbed, to be drawn.
+#[derive(Clone, Debug, PartialEq)]
+pub struct GrabView {
+    /// The points that are left of those grabbed.
+    pub points: Vec<PointId>,
+    /// Their middle [m].
+    pub middle: [f64; 3],
+    /// Where it is led to [m].
+    pub target: [f64; 3],
+    /// The force now [N].
+    pub force: [f64; 3],
+}
+
 /// What the app, the command line and the renderer see of a world.
 ///
 /// Implemented by `World<S, D>` for `f32` and `f64` in the plane and in space.
@@ -72,8 +85,26 @@ pub trait Dynamics: Send {
     fn substep(&self) -> f64;
     /// Advances by one substep.
     fn step(&mut self);
-    /// Applies a command between two substeps.
-    fn apply(&mut self, command: Command);
+    /// Takes one substep, or a shorter one that ends at `time` [s] where it would go beyond: the grid of substeps begins anew there.
+    fn step_until(&mut self, time: f64);
+    /// Does a command between two substeps.
+    ///
+    /// Errors: it cannot be done where it stands; the world is as it was.
+    fn apply(&mut self, command: &Command) -> Result<Applied, CommandError>;
+    /// Changes whenever points, bonds, pins or obstacles came, went or changed, other than by a step without breaks.
+    fn topology(&self) -> u64;
+    /// Points that were deleted, ascending: their numbers stay, their positions are NaN.
+    fn gone(&self) -> &[PointId];
+    /// The numbers of the bonds that are left, ascending, in the order of [`Dynamics::bonds`]; `None`: each has its own place.
+    fn bond_numbers(&self) -> Option<&[u32]>;
+    /// The numbers of the obstacles that are left: planes in the order of [`Dynamics::planes`], then polygons.
+    fn obstacle_numbers(&self) -> [&[u32]; 2];
+    /// The numbers that the next point, bond and obstacle get.
+    fn next_numbers(&self) -> [u32; 3];
+    /// Where the live cursor is now.
+    fn cursor(&self) -> Option<Cursor>;
+    /// What is grabbed.
+    fn grab(&self) -> Option<GrabView>;
     /// State at `time`, in [time reached, time reached + substep], by a step on a copy: the motion is not changed.
     fn sample(&self, time: f64) -> Sample;
     /// Positions now, as they lie in memory.
@@ -100,9 +131,6 @@ pub trait Dynamics: Send {
     fn parts(&self) -> &[PlanPart];
     /// What the user should know of the scene: lengths that contradict each other, bonds that cannot hold.
     fn warnings(&self) -> &[String];
-    /// Lets groups of islands fall asleep that have been still for a while: to be called after a step by those who let a scene
-    /// rest. What sleeps is not stepped; a mouse that reaches it wakes it.
-    fn doze(&mut self);
     /// Whether everything sleeps, and nothing that is still to come could wake it.
     fn is_asleep(&self) -> bool;
     /// Wakes everything.

@@ -7,7 +7,7 @@ use super::force::mouse::{self, Inside};
 use super::force::spring::Springs;
 use super::points::Points;
 use super::real::Real;
-use super::surroundings::Surroundings;
+use super::environment::Environment;
 use super::vector::{add, convert, scale, sub, zero};
 
 /// Forces and holds of one group.
@@ -39,7 +39,7 @@ impl<S: Real, const D: usize> Pull<S, D> {
     /// Accelerations by springs, the mouse and a field of this strength [m/s^2], at these positions and velocities.
     pub(crate) fn forces(
         &self,
-        around: &Surroundings<D>,
+        around: &Environment<D>,
         t: f64,
         (x, v, w): (&[[S; D]], &[[S; D]], &[S]),
         (field, a): ([S; D], &mut [[S; D]]),
@@ -63,7 +63,7 @@ impl<S: Real, const D: usize> Pull<S, D> {
     }
 
     /// `points.acceleration`: springs and the mouse at the present state, less what held points cannot follow.
-    pub(crate) fn push(&self, around: &Surroundings<D>, t: f64, points: &mut Points<S, D>, counters: &mut Counters) {
+    pub(crate) fn push(&self, around: &Environment<D>, t: f64, points: &mut Points<S, D>, counters: &mut Counters) {
         let Points { position, velocity, inverse_mass, acceleration, .. } = points;
         if acceleration.is_empty() {
             return;
@@ -76,7 +76,7 @@ impl<S: Real, const D: usize> Pull<S, D> {
     /// of a kick. It is foretold from the last accelerations, which is enough for order 2.
     pub(crate) fn push_ahead(
         &mut self,
-        around: &Surroundings<D>,
+        around: &Environment<D>,
         (t, h): (f64, f64),
         gravity: [f64; D],
         points: &mut Points<S, D>,
@@ -100,7 +100,7 @@ impl<S: Real, const D: usize> Pull<S, D> {
     /// All of the acceleration [m/s^2]: forces, gravity, drag, what rigid bonds and surfaces answer with.
     pub(crate) fn accelerate(
         &mut self,
-        around: &Surroundings<D>,
+        around: &Environment<D>,
         t: f64,
         (x, v, w): (&[[S; D]], &[[S; D]], &[S]),
         a: &mut [[S; D]],

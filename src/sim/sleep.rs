@@ -4,7 +4,7 @@ use super::force::mouse::{self, Push};
 use super::group::Group;
 use super::measure;
 use super::real::Real;
-use super::surroundings::Surroundings;
+use super::environment::Environment;
 
 /// Speed below which a point counts as still [m/s].
 pub const STILL_SPEED: f64 = 1e-4;
@@ -30,7 +30,7 @@ impl<S, const D: usize> Default for Sleep<S, D> {
 
 impl<S: Real, const D: usize> Group<S, D> {
     /// Looks at the group at time `t` [s], after a step. Costs one point where the first one moves.
-    pub(crate) fn doze(&mut self, around: &Surroundings<D>, t: f64) {
+    pub(crate) fn doze(&mut self, around: &Environment<D>, t: f64) {
         if self.is_asleep() {
             return;
         }
@@ -52,7 +52,7 @@ impl<S: Real, const D: usize> Group<S, D> {
     }
 
     /// Wakes if the mouse at time `t` [s] can reach it.
-    pub(crate) fn stir(&mut self, around: &Surroundings<D>, t: f64) {
+    pub(crate) fn stir(&mut self, around: &Environment<D>, t: f64) {
         let is_reached = |bounds| around.mouse_at(t).is_some_and(|(force, at)| Push::new(force, at).reaches(bounds));
         if self.sleep.asleep.is_some_and(is_reached) {
             self.wake();

@@ -4,11 +4,11 @@ use std::sync::Arc;
 
 use super::bond::{Bond, BondKind, PointId};
 use super::bonds::Bonds;
-use super::command::Command;
+use super::command::{Applied, Command, CommandError, MouseChange};
 use super::contact::obstacles::Obstacles;
 use super::contact::polygon::Polygon;
 use super::counters::Counters;
-use super::dynamics::{Dynamics, Positions, Sample};
+use super::dynamics::{Dynamics, GrabView, Positions, Sample};
 use super::force::mouse::{self, Cursor, MouseForce};
 use super::group::Group;
 use super::measure;
@@ -17,7 +17,7 @@ use super::plan::{self, Cleared, Plan, PlanPart};
 use super::points::State;
 use super::real::Real;
 use super::solver::Solver;
-use super::surroundings::Surroundings;
+use super::environment::{CursorPath, Environment};
 use super::timeline::Timeline;
 use super::vector::{add, convert, embed, length, sub, widen, zero};
 
@@ -26,7 +26,7 @@ use super::vector::{add, convert, embed, length, sub, widen, zero};
 pub struct World<S: Real, const D: usize> {
     pub(crate) plan: Plan<S, D>,
     pub(crate) timeline: Timeline,
-    pub(crate) around: Surroundings<D>,
+    pub(crate) around: Environment<D>,
     obstacles: Obstacles<S, D>,
     pub(crate) counters: Counters,
     /// The bonds that are left.
@@ -34,6 +34,7 @@ pub struct World<S: Real, const D: usize> {
     /// Positions in the order of the model; empty where the first group has them so.
     gathered: Vec<[S; D]>,
     warnings: Vec<String>,
+    topology: u64,
     model: Arc<Model<D>>,
 }
 
@@ -76,13 +77,14 @@ impl<S: Real, const D: usize> World<S, D> {
         let mouse = model.mouse.iter().flat_map(|mouse| mouse.track.knots.iter().map(|knot| knot.0));
         let mut world = World {
             timeline: Timeline::new(plan.substep, tracks.chain(mouse).chain(model.duration)),
-            around: Surroundings { gravity: model.gravity, mouse: model.mouse.clone(), cursor: None },
+            around: Environment { gravity: model.gravity, mouse: model.mouse.clone(), cursor: None },
             plan,
             obstacles,
             counters: Counters::default(),
             bonds: model.bonds.clone(),
             gathered: Vec::new(),
             warnings: Vec::new(),
+            topology: 0,
             model: Arc::new(Model { position: Vec::new(), velocity: Vec::new(), bonds: Bonds::new(), ..model.clone() }),
         };
         world.warn_of_overlap(&cleared);
@@ -172,6 +174,7 @@ impl<S: Real, const D: usize> World<S, D> {
         torn.sort_unstable();
         torn.dedup();
         self.counters.bonds_torn += torn.len() as u64;
+        self.topology += 1;
         let mut index = 0;
         self.bonds.retain(|_| {
             index += 1;
@@ -244,6 +247,25 @@ impl<S: Real, const D: usize> World<S, D> {
         self.around.mouse.as_ref().is_some_and(|mouse| mouse.track.moves_after(t))
     }
 
+    /// Does a command: see [`Dynamics::apply`].
+    fn edit(&mut self, command: &Command) -> Result<Applied, CommandError> {
+        match command {
+            Command::Cursor { to, by } => {
+                let t = self.timeline.time();
+                self.around.cursor = to.map(|to| CursorPath::onwards(self.around.cursor, to, t, *by));
+            }
+            Command::Mouse(MouseChange { strength, radius, .. }) => {
+                if let Some(mouse) = &mut self.around.mouse {
+                    mouse.strength = strength.unwrap_or(mouse.strength);
+                    mouse.radius = radius.unwrap_or(mouse.radius);
+                }
+            }
+            _ => return Err(CommandError::Invalid("not built yet".to_owned())),
+        }
+        self.refresh();
+        Ok(Applied { is_something: true, ..Applied::default() })
+    }
+
     /// Something changed from outside: nothing that was worked out before belongs to the present.
     fn refresh(&mut self) {
         let t = self.timeline.time();
@@ -294,16 +316,45 @@ impl<S: Real, const D: usize> Dynamics for World<S, D> {
         self.timeline.advance();
     }
 
-    fn apply(&mut self, command: Command) {
-        match (command, &mut self.around.mouse) {
-            (Command::MoveCursor(cursor), _) => self.around.cursor = cursor,
-            (Command::ShapeMouse { strength, radius }, Some(mouse)) => {
-                mouse.strength = strength;
-                mouse.radius = radius;
-            }
-            (Command::ShapeMouse { .. }, None) => return,
+    fn step_until(&mut self, time: f64) {
+        let (t, h) = (self.timeline.time(), self.timeline.substep());
+        if t + h <= time + 1e-9 * h {
+            return self.step();
         }
-        self.refresh();
+        self.step_by(time - t);
+        self.timeline.advance_to(time);
+    }
+
+    fn apply(&mut self, command: &Command) -> Result<Applied, CommandError> {
+        self.edit(command)
+    }
+
+    fn topology(&self) -> u64 {
+        self.topology
+    }
+
+    fn gone(&self) -> &[PointId] {
+        &[]
+    }
+
+    fn bond_numbers(&self) -> Option<&[u32]> {
+        None
+    }
+
+    fn obstacle_numbers(&self) -> [&[u32]; 2] {
+        [&[], &[]]
+    }
+
+    fn next_numbers(&self) -> [u32; 3] {
+        [0; 3]
+    }
+
+    fn cursor(&self) -> Option<Cursor> {
+        self.around.cursor.map(|path| path.at(self.timeline.time()))
+    }
+
+    fn grab(&self) -> Option<GrabView> {
+        None
     }
 
     fn sample(&self, time: f64) -> Sample {
@@ -385,11 +436,6 @@ impl<S: Real, const D: usize> Dynamics for World<S, D> {
 
     fn warnings(&self) -> &[String] {
         &self.warnings
-    }
-
-    fn doze(&mut self) {
-        let t = self.timeline.time();
-        self.plan.groups.iter_mut().for_each(|group| group.doze(&self.around, t));
     }
 
     fn is_asleep(&self) -> bool {

@@ -98,7 +98,6 @@ fn what_rests_sleeps_and_is_woken_alone() {
         let before = *world.counters();
         for _ in 0..steps {
             world.step();
-            world.doze();
         }
         (world.counters().points_moved - before.points_moved, world.counters().substeps - before.substeps)
     };
@@ -108,13 +107,13 @@ fn what_rests_sleeps_and_is_woken_alone() {
     }
     assert!(rest.0 > 0 && world.is_asleep(), "after {tries} s");
     assert_eq!(moved(&mut *world, 60), (0, 0), "asleep");
-    world.apply(Command::MoveCursor(Some(Cursor::at([50.0, 0.0]))));
+    world.apply(&Command::Cursor { to: Some(Cursor::at([50.0, 0.0])), by: 0.0 }).unwrap();
     assert!(world.is_asleep(), "the cursor is between them");
-    world.apply(Command::MoveCursor(Some(Cursor::at([102.0, -3.5]))));
+    world.apply(&Command::Cursor { to: Some(Cursor::at([102.0, -3.5])), by: 0.0 }).unwrap();
     let (awake, substeps) = moved(&mut *world, 30);
     assert!(!world.is_asleep() && awake > 0);
     assert_eq!(awake, substeps * points as u64, "only one of them");
-    world.apply(Command::MoveCursor(None));
+    world.apply(&Command::Cursor { to: None, by: 0.0 }).unwrap();
     tries = 0;
     while !world.is_asleep() && tries < 20 {
         (rest, tries) = (moved(&mut *world, 60), tries + 1);

@@ -32,7 +32,7 @@ use super::kernels::store::Drift;
 use super::points::Points;
 use super::pull::Pull;
 use super::real::Real;
-use super::surroundings::Surroundings;
+use super::environment::Environment;
 use super::threads::Help;
 use super::vector::{add, convert, scale, sub};
 use body::AnyBody;
@@ -144,7 +144,7 @@ impl<S: Real, const D: usize> Mover<S, D> for Bulk<S, D> {
         &mut self,
         points: &mut Points<S, D>,
         pull: &Pull<S, D>,
-        around: &Surroundings<D>,
+        around: &Environment<D>,
         (t, h): (f64, f64),
         counters: &mut Counters,
     ) {

@@ -13,7 +13,7 @@ use crate::sim::counters::Counters;
 use crate::sim::points::Points;
 use crate::sim::pull::Pull;
 use crate::sim::real::Real;
-use crate::sim::surroundings::Surroundings;
+use crate::sim::environment::Environment;
 
 /// Large bodies that move in step.
 pub(crate) trait Mover<S: Real, const D: usize>: Debug + Send + Sync {
@@ -25,7 +25,7 @@ pub(crate) trait Mover<S: Real, const D: usize>: Debug + Send + Sync {
         &mut self,
         points: &mut Points<S, D>,
         pull: &Pull<S, D>,
-        around: &Surroundings<D>,
+        around: &Environment<D>,
         span: (f64, f64),
         counters: &mut Counters,
     );

@@ -7,7 +7,7 @@ use crate::sim::measure;
 use crate::sim::points::Points;
 use crate::sim::pull::Pull;
 use crate::sim::real::Real;
-use crate::sim::surroundings::Surroundings;
+use crate::sim::environment::Environment;
 use crate::sim::vector::{add, dot, length, scale, sub};
 
 /// Steps that are looked ahead: where nothing is in reach for so many, it is looked for once in all of them.
@@ -47,7 +47,7 @@ impl<S: Real, const D: usize> Outside<S, D> {
     pub(crate) fn in_reach(
         points: &Points<S, D>,
         pull: &Pull<S, D>,
-        around: &Surroundings<D>,
+        around: &Environment<D>,
         (t, h): (f64, f64),
         (clear, pushes): (&mut Option<Clear>, bool),
     ) -> Self {

@@ -12,7 +12,7 @@ use crate::sim::integrate::verlet;
 use crate::sim::points::Points;
 use crate::sim::pull::Pull;
 use crate::sim::real::Real;
-use crate::sim::surroundings::Surroundings;
+use crate::sim::environment::Environment;
 use crate::sim::vector::{scale, sub, zero};
 
 /// An integrator.
@@ -63,7 +63,7 @@ impl<S: Real, const D: usize> Engine<S, D> {
         &mut self,
         points: &mut Points<S, D>,
         pull: &mut Pull<S, D>,
-        around: &Surroundings<D>,
+        around: &Environment<D>,
         (t, h): (f64, f64),
         counters: &mut Counters,
     ) -> bool {
@@ -132,7 +132,7 @@ impl<S: Real, const D: usize> Engine<S, D> {
 fn set_out<S: Real, const D: usize>(
     points: &mut Points<S, D>,
     pull: &Pull<S, D>,
-    around: &Surroundings<D>,
+    around: &Environment<D>,
     (t, h): (f64, f64),
     counters: &mut Counters,
 ) {

@@ -12,7 +12,7 @@ use super::points::{Points, State};
 use super::pull::Pull;
 use super::real::Real;
 use super::sleep::Sleep;
-use super::surroundings::Surroundings;
+use super::environment::Environment;
 use super::vector::{add, convert, dot, scale, sub, zero};
 use engine::Engine;
 use events::edge::Edges;
@@ -62,7 +62,7 @@ impl<S: Real, const D: usize> Group<S, D> {
     /// Makes the start fit the bonds and the surfaces: rigid bonds get their lengths, points outside come back.
     ///
     /// Returns whether rigid bonds could be held.
-    pub(crate) fn begin(&mut self, around: &Surroundings<D>, t: f64) -> bool {
+    pub(crate) fn begin(&mut self, around: &Environment<D>, t: f64) -> bool {
         self.lead_pins(t);
         if let Engine::Bulk(bulk) = &mut self.engine {
             bulk.begin(&mut self.points);
@@ -82,7 +82,7 @@ impl<S: Real, const D: usize> Group<S, D> {
     }
 
     /// Advances by `h` from time `t` [s].
-    pub(crate) fn advance(&mut self, around: &Surroundings<D>, t: f64, h: f64, counters: &mut Counters) {
+    pub(crate) fn advance(&mut self, around: &Environment<D>, t: f64, h: f64, counters: &mut Counters) {
         if let Engine::Bulk(bulk) = &mut self.engine {
             return bulk.step(&mut self.points, &self.pull, around, (t, h), counters);
         }
@@ -96,7 +96,7 @@ impl<S: Real, const D: usize> Group<S, D> {
     }
 
     /// A substep, in halves where the guard says so, in parts where events cut it.
-    fn attempt(&mut self, around: &Surroundings<D>, (t, h): (f64, f64), depth: u32, counters: &mut Counters) {
+    fn attempt(&mut self, around: &Environment<D>, (t, h): (f64, f64), depth: u32, counters: &mut Counters) {
         let mut done = 0.0;
         let mut events = 0;
         let most_events = 64 + 4 * self.points.len() as u32;
@@ -144,14 +144,14 @@ impl<S: Real, const D: usize> Group<S, D> {
         self.pull.contacts.has_surfaces() || self.pull.inside.is_some() || !self.edges.is_empty()
     }
 
-    fn take(&mut self, around: &Surroundings<D>, (t, h): (f64, f64), counters: &mut Counters) -> bool {
+    fn take(&mut self, around: &Environment<D>, (t, h): (f64, f64), counters: &mut Counters) -> bool {
         let Group { points, pull, engine, .. } = self;
         engine.step(points, pull, around, (t, h), counters)
     }
 
     /// The step with no point resting: surfaces and rigid bonds may hold points in ways that contradict each other, and what lies
     /// on a surface meets it again at the end. Returns whether that was so.
-    fn take_unheld(&mut self, around: &Surroundings<D>, (t, h): (f64, f64), counters: &mut Counters) -> bool {
+    fn take_unheld(&mut self, around: &Environment<D>, (t, h): (f64, f64), counters: &mut Counters) -> bool {
         if self.pull.contacts.is_idle() || self.pull.rigid.is_none() {
             return false;
         }
@@ -167,7 +167,7 @@ impl<S: Real, const D: usize> Group<S, D> {
     }
 
     /// The step by the more robust method, or by the engine again where there is none.
-    fn take_robustly(&mut self, around: &Surroundings<D>, (t, h): (f64, f64), counters: &mut Counters) {
+    fn take_robustly(&mut self, around: &Environment<D>, (t, h): (f64, f64), counters: &mut Counters) {
         let Group { points, pull, engine, robust, .. } = self;
         match robust {
             Some(robust) => {
@@ -226,7 +226,7 @@ impl<S: Real, const D: usize> Group<S, D> {
 
     /// Velocities of large bodies are half a substep behind: brings them to the time of the positions, as the mean of those
     /// before and after it.
-    pub(crate) fn centre_velocity(&mut self, around: &Surroundings<D>, t: f64) {
+    pub(crate) fn centre_velocity(&mut self, around: &Environment<D>, t: f64) {
         let Group { points, pull, engine: Engine::Bulk(bulk), .. } = self else { return };
         let h = 2.0 * bulk.lag();
         if h == 0.0 {
@@ -257,7 +257,7 @@ impl<S: Real, const D: usize> Group<S, D> {
     }
 
     /// Decides anew which points are inside the mouse region: at the start, and when the cursor is moved from outside.
-    pub(crate) fn mark_inside(&mut self, around: &Surroundings<D>, t: f64) {
+    pub(crate) fn mark_inside(&mut self, around: &Environment<D>, t: f64) {
         self.pull.inside = match around.mouse_at(t) {
             Some((force, cursor)) if self.locates => {
                 let depth_of = mouse::gauge(force, cursor);

@@ -17,7 +17,7 @@ use crate::sim::points::Points;
 use crate::sim::pull::Pull;
 use crate::sim::real::Real;
 use crate::sim::solve::blocks::Blocks;
-use crate::sim::surroundings::Surroundings;
+use crate::sim::environment::Environment;
 use crate::sim::vector::{add, convert, dot, scale, sub, zero};
 
 /// Rounds of Newton's method after which a step has not converged.
@@ -66,7 +66,7 @@ impl<S: Real, const D: usize> Implicit<S, D> {
         &mut self,
         points: &mut Points<S, D>,
         pull: &mut Pull<S, D>,
-        around: &Surroundings<D>,
+        around: &Environment<D>,
         (t, h): (f64, f64),
         counters: &mut Counters,
     ) -> bool {
@@ -112,7 +112,7 @@ impl<S: Real, const D: usize> Implicit<S, D> {
         &mut self,
         points: &Points<S, D>,
         pull: &Pull<S, D>,
-        around: &Surroundings<D>,
+        around: &Environment<D>,
         time: f64,
         (rate, reach): (S, S),
         counters: &mut Counters,

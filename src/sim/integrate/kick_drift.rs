@@ -13,7 +13,7 @@ use crate::sim::counters::Counters;
 use crate::sim::points::Points;
 use crate::sim::pull::Pull;
 use crate::sim::real::Real;
-use crate::sim::surroundings::Surroundings;
+use crate::sim::environment::Environment;
 use crate::sim::vector::{add, scale, zero};
 
 /// Bonds that are swept one after the other.
@@ -50,7 +50,7 @@ impl<S: Real> KickDrift<S> {
         &mut self,
         points: &mut Points<S, D>,
         pull: &mut Pull<S, D>,
-        around: &Surroundings<D>,
+        around: &Environment<D>,
         (t, h): (f64, f64),
         counters: &mut Counters,
     ) -> bool {
@@ -76,7 +76,7 @@ impl<S: Real> KickDrift<S> {
         &mut self,
         points: &mut Points<S, D>,
         pull: &mut Pull<S, D>,
-        around: &Surroundings<D>,
+        around: &Environment<D>,
         (t, h): (f64, f64),
         counters: &mut Counters,
     ) {

@@ -11,7 +11,7 @@ use crate::sim::counters::Counters;
 use crate::sim::points::Points;
 use crate::sim::pull::Pull;
 use crate::sim::real::Real;
-use crate::sim::surroundings::Surroundings;
+use crate::sim::environment::Environment;
 
 /// The state at the start of a step, of the stage under way, and the slopes of all stages: rows of numbers, first those
 /// of the positions, then those of the velocities.
@@ -37,7 +37,7 @@ pub(crate) fn step<S: Real, const D: usize>(
     pull: &mut Pull<S, D>,
     Stages { start, state, slopes }: &mut Stages<S>,
     table: &Tableau,
-    around: &Surroundings<D>,
+    around: &Environment<D>,
     (t, h): (f64, f64),
     counters: &mut Counters,
 ) -> bool {

@@ -10,7 +10,7 @@ use crate::sim::counters::Counters;
 use crate::sim::points::Points;
 use crate::sim::pull::Pull;
 use crate::sim::real::Real;
-use crate::sim::surroundings::Surroundings;
+use crate::sim::environment::Environment;
 
 /// One part of a substep, as a share of h.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -141,7 +141,7 @@ impl<S: Real, const D: usize> Splitting<S, D> {
         &mut self,
         points: &mut Points<S, D>,
         pull: &mut Pull<S, D>,
-        around: &Surroundings<D>,
+        around: &Environment<D>,
         (t, h): (f64, f64),
         counters: &mut Counters,
     ) {

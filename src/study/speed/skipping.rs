@@ -52,7 +52,7 @@ pub(super) fn measure(scene: &SpeedScene, model: &Model<2>, seconds: f64) -> Res
         ratio,
     };
     let mut mouse = build(&Model { mouse: Some(force()), ..plain.clone() })?;
-    mouse.apply(Command::MoveCursor(Some(Cursor::at([FAR, FAR]))));
+    mouse.apply(&Command::Cursor { to: Some(Cursor::at([FAR, FAR])), by: 0.0 }).unwrap();
     let walls = Bounds { min: [-FAR; 2], max: [FAR; 2], restitution: 0.3, friction: 0.4 };
     let walls = build(&Model { bounds: Some(walls), ..plain.clone() })?;
     Ok(vec![
@@ -99,7 +99,6 @@ fn asleep(model: &Model<2>, seconds: f64) -> Result<(f64, Option<f64>, Option<f6
 fn play(world: &mut dyn Dynamics) {
     if !world.is_asleep() {
         world.step();
-        world.doze();
     }
 }
 

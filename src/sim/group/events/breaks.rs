@@ -4,7 +4,7 @@ use super::edge::Broken;
 use crate::sim::counters::Counters;
 use crate::sim::group::Group;
 use crate::sim::real::Real;
-use crate::sim::surroundings::Surroundings;
+use crate::sim::environment::Environment;
 
 impl<S: Real, const D: usize> Group<S, D> {
     /// A bond is gone at a time [s].
@@ -16,7 +16,7 @@ impl<S: Real, const D: usize> Group<S, D> {
     /// time when a bond breaks. Returns how far it came [s].
     pub(crate) fn go(
         &mut self,
-        around: &Surroundings<D>,
+        around: &Environment<D>,
         (t, h): (f64, f64),
         stops: bool,
         counters: &mut Counters,

@@ -6,7 +6,7 @@ use crate::sim::counters::Counters;
 use crate::sim::force::mouse;
 use crate::sim::measure::extent;
 use crate::sim::real::Real;
-use crate::sim::surroundings::Surroundings;
+use crate::sim::environment::Environment;
 use crate::sim::vector::{add, dot, scale};
 
 /// Share of the margins at the ends of a step that a cubic between them may be wrong by.
@@ -20,7 +20,7 @@ type At<'a, S, const D: usize> = (f64, &'a [[S; D]], &'a [[S; D]]);
 impl<S: Real, const D: usize> Group<S, D> {
     /// The event whose margin, at no end of a step of `h` below 0, seems to come nearest to it first, and when: by the
     /// cubics through margins and rates at both ends.
-    pub(super) fn graze(&self, around: &Surroundings<D>, (t, h): (f64, f64)) -> Option<(Event, f64)> {
+    pub(super) fn graze(&self, around: &Environment<D>, (t, h): (f64, f64)) -> Option<(Event, f64)> {
         let mut first: Option<(Event, f64)> = None;
         let mut look = |event: Event, share: f64| {
             let (Some(old), Some(new)) = (self.gap_before(around, t, event), self.gap_now(around, t + h, event)) else {
@@ -74,7 +74,7 @@ impl<S: Real, const D: usize> Group<S, D> {
     /// locates it; takes the whole of the step where it was not.
     pub(super) fn look_between(
         &mut self,
-        around: &Surroundings<D>,
+        around: &Environment<D>,
         (t, h): (f64, f64),
         (event, mut at): (Event, f64),
         counters: &mut Counters,
@@ -101,16 +101,16 @@ impl<S: Real, const D: usize> Group<S, D> {
         (h, None)
     }
 
-    fn gap_before(&self, around: &Surroundings<D>, t: f64, event: Event) -> Option<Gap> {
+    fn gap_before(&self, around: &Environment<D>, t: f64, event: Event) -> Option<Gap> {
         self.gap_of(around, event, (t, &self.before.position, &self.before.velocity))
     }
 
-    fn gap_now(&self, around: &Surroundings<D>, t: f64, event: Event) -> Option<Gap> {
+    fn gap_now(&self, around: &Environment<D>, t: f64, event: Event) -> Option<Gap> {
         self.gap_of(around, event, (t, &self.points.position, &self.points.velocity))
     }
 
     /// The margin of an event that depends on places alone, and how it changes.
-    fn gap_of(&self, around: &Surroundings<D>, event: Event, (t, x, v): At<'_, S, D>) -> Option<Gap> {
+    fn gap_of(&self, around: &Environment<D>, event: Event, (t, x, v): At<'_, S, D>) -> Option<Gap> {
         match event {
             Event::Reach { edge } => Some(self.edges.list[edge].gap(x, v)),
             Event::Hit { point, surface } => {

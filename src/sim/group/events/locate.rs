@@ -4,7 +4,7 @@ use super::{Event, Group, Margins, SHORTEST_FLIGHT};
 use crate::sim::counters::Counters;
 use crate::sim::real::Real;
 use crate::sim::solve::root::Root;
-use crate::sim::surroundings::Surroundings;
+use crate::sim::environment::Environment;
 
 /// Evaluations after which a root counts as found.
 const MOST_GUESSES: u32 = 60;
@@ -29,7 +29,7 @@ impl<S: Real, const D: usize> Group<S, D> {
     /// cannot be told.
     pub(super) fn locate(
         &mut self,
-        around: &Surroundings<D>,
+        around: &Environment<D>,
         (t, h): (f64, f64),
         (event, high): (Event, (f64, f64)),
         counters: &mut Counters,
@@ -58,7 +58,7 @@ impl<S: Real, const D: usize> Group<S, D> {
     /// it, comes nearer.
     fn start_of(
         &mut self,
-        around: &Surroundings<D>,
+        around: &Environment<D>,
         (t, h): (f64, f64),
         event: Event,
         high: &mut (f64, f64),
@@ -87,7 +87,7 @@ impl<S: Real, const D: usize> Group<S, D> {
     /// The root of an event's margin; or where another event was found to have been passed already.
     fn close_in(
         &mut self,
-        around: &Surroundings<D>,
+        around: &Environment<D>,
         t: f64,
         event: Event,
         (low, high): ((f64, f64), (f64, f64)),
@@ -115,7 +115,7 @@ impl<S: Real, const D: usize> Group<S, D> {
     /// Takes a step of `h` from the state before. Returns the margins that it ends with.
     pub(super) fn retake(
         &mut self,
-        around: &Surroundings<D>,
+        around: &Environment<D>,
         (t, h): (f64, f64),
         event: Event,
         counters: &mut Counters,

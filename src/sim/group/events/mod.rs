@@ -18,7 +18,7 @@ use super::Group;
 use crate::sim::contact::impact::{self, Hit};
 use crate::sim::counters::Counters;
 use crate::sim::real::Real;
-use crate::sim::surroundings::Surroundings;
+use crate::sim::environment::Environment;
 use crate::sim::vector::{add, dot, zero};
 
 /// Share of a substep below which a flight between two bounces counts as rest, where events are located.
@@ -75,7 +75,7 @@ impl Margins {
 
 impl<S: Real, const D: usize> Group<S, D> {
     /// How far the state is from its events: below 0 one has been passed. Points that rest hit nothing.
-    fn margins(&mut self, around: &Surroundings<D>, t: f64, asked: Option<Event>, counters: &mut Counters) -> Margins {
+    fn margins(&mut self, around: &Environment<D>, t: f64, asked: Option<Event>, counters: &mut Counters) -> Margins {
         let mut margins = Margins { least: f64::INFINITY, next: None, asked: f64::INFINITY };
         let mut see = |event, margin| margins.see(event, margin, asked);
         if self.locates && (!self.pull.contacts.is_idle() || self.has_taut()) {
@@ -94,7 +94,7 @@ impl<S: Real, const D: usize> Group<S, D> {
     /// Returns how much of the step was taken: events are located, and what follows is another step.
     pub(super) fn meet(
         &mut self,
-        around: &Surroundings<D>,
+        around: &Environment<D>,
         (t, h): (f64, f64),
         may_locate: bool,
         counters: &mut Counters,
@@ -127,7 +127,7 @@ impl<S: Real, const D: usize> Group<S, D> {
     /// Deals with all events at the state reached.
     fn happen(
         &mut self,
-        around: &Surroundings<D>,
+        around: &Environment<D>,
         (t, taken, h): (f64, f64, f64),
         (event, is_located): (Option<Event>, bool),
         counters: &mut Counters,
@@ -169,7 +169,7 @@ impl<S: Real, const D: usize> Group<S, D> {
 
     /// Points that hit surfaces get their velocities off them; those whose flight would be shorter than `shortest` [s]
     /// come to rest.
-    fn bounce(&mut self, around: &Surroundings<D>, (t, shortest): (f64, f64), hits: &[Hit], counters: &mut Counters) {
+    fn bounce(&mut self, around: &Environment<D>, (t, shortest): (f64, f64), hits: &[Hit], counters: &mut Counters) {
         self.accelerations(around, t, counters);
         let (accelerations, surfaces) =
             (std::mem::take(&mut self.acceleration), Arc::clone(&self.pull.contacts.obstacles.surfaces));
@@ -182,7 +182,7 @@ impl<S: Real, const D: usize> Group<S, D> {
     }
 
     /// Points are as fast as gravity makes them in shares of `h` [s].
-    fn add_gravity(&mut self, around: &Surroundings<D>, shares: &[(usize, S)], h: f64) {
+    fn add_gravity(&mut self, around: &Environment<D>, shares: &[(usize, S)], h: f64) {
         for &(point, share) in shares {
             let gained = around.gravity.map(|g| S::from_f64(g * h) * share);
             let gained = self.pull.contacts.of(point).map_or(gained, |rest| rest.free(gained));
@@ -191,7 +191,7 @@ impl<S: Real, const D: usize> Group<S, D> {
     }
 
     /// The whole acceleration of every point at the present state, into `self.acceleration`.
-    fn accelerations(&mut self, around: &Surroundings<D>, t: f64, counters: &mut Counters) {
+    fn accelerations(&mut self, around: &Environment<D>, t: f64, counters: &mut Counters) {
         let Group { points, pull, acceleration, .. } = self;
         acceleration.resize(points.len(), [S::ZERO; D]);
         let state = (&points.position[..], &points.velocity[..], &points.inverse_mass[..]);

@@ -5,7 +5,7 @@ use super::{Event, Group, at_edge};
 use crate::sim::counters::Counters;
 use crate::sim::group::guard::Watched;
 use crate::sim::real::Real;
-use crate::sim::surroundings::Surroundings;
+use crate::sim::environment::Environment;
 
 /// Share of a substep over which it is told where a bond goes that is at its edge and does not move yet.
 const AHEAD: f64 = 1e-3;
@@ -97,7 +97,7 @@ impl<S: Real, const D: usize> Group<S, D> {
     }
 
     /// At the start: decides on which side of its edge every bond is. One that is just there is where it goes.
-    pub(in crate::sim::group) fn begin_edges(&mut self, around: &Surroundings<D>, t: f64, counters: &mut Counters) {
+    pub(in crate::sim::group) fn begin_edges(&mut self, around: &Environment<D>, t: f64, counters: &mut Counters) {
         if self.edges.is_empty() {
             return;
         }

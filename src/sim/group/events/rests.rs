@@ -4,7 +4,7 @@ use super::{Event, Group, at_edge};
 use crate::sim::counters::Counters;
 use crate::sim::points::Points;
 use crate::sim::real::Real;
-use crate::sim::surroundings::Surroundings;
+use crate::sim::environment::Environment;
 use crate::sim::vector::{dot, length, sub};
 
 /// Share of its acceleration that presses a point so little that it counts as let go.
@@ -61,7 +61,7 @@ impl<S: Real, const D: usize> Group<S, D> {
     }
 
     /// Lets go of points that are no longer pressed, and decides who sticks and who slides.
-    pub(super) fn review(&mut self, around: &Surroundings<D>, t: f64, counters: &mut Counters) {
+    pub(super) fn review(&mut self, around: &Environment<D>, t: f64, counters: &mut Counters) {
         if self.pull.contacts.is_idle() && self.edges.is_empty() {
             return;
         }

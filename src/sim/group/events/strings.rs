@@ -5,7 +5,7 @@ use crate::sim::bond::Limit;
 use crate::sim::contact::impact;
 use crate::sim::counters::Counters;
 use crate::sim::real::Real;
-use crate::sim::surroundings::Surroundings;
+use crate::sim::environment::Environment;
 use crate::sim::vector::{dot, length, sub};
 
 /// Share of the accelerations around it below which a tension counts as none, in units of the last place.
@@ -62,7 +62,7 @@ impl<S: Real, const D: usize> Group<S, D> {
     /// Works out accelerations, and which strings at their lengths act: none pushes, and none that does not act gets longer.
     ///
     /// One by one, the worst first, for each changes what the others have to do; a string that comes back is the last.
-    pub(super) fn decide_strings(&mut self, around: &Surroundings<D>, t: f64, counters: &mut Counters) {
+    pub(super) fn decide_strings(&mut self, around: &Environment<D>, t: f64, counters: &mut Counters) {
         let mut was_let_go = vec![false; if self.has_strings() { self.edges.list.len() } else { 0 }];
         self.accelerations(around, t, counters);
         for _ in 0..2 * was_let_go.len() {

@@ -8,7 +8,7 @@ use crate::sim::contact::surface::Surface;
 use crate::sim::counters::Counters;
 use crate::sim::measure::extent;
 use crate::sim::real::Real;
-use crate::sim::surroundings::Surroundings;
+use crate::sim::environment::Environment;
 use crate::sim::vector::{dot, zero};
 
 /// Flight, in substeps, that counts as rest where it begins with no time gone since the last.
@@ -64,7 +64,7 @@ impl<S: Real, const D: usize> Group<S, D> {
     }
 
     /// At the start: points outside come back to the surface, those that stand on one rest there.
-    pub(in crate::sim::group) fn meet_start(&mut self, around: &Surroundings<D>, t: f64, counters: &mut Counters) {
+    pub(in crate::sim::group) fn meet_start(&mut self, around: &Environment<D>, t: f64, counters: &mut Counters) {
         let mut hits = self.walls_at_start();
         for (s, surface) in self.pull.contacts.obstacles.planes().iter().enumerate() {
             for (i, &x) in self.points.position.iter().enumerate() {
