@@ -7,6 +7,7 @@
 pub mod app;
 pub mod body;
 pub mod cli;
+pub mod history;
 pub mod output;
 pub mod picture;
 pub mod render;

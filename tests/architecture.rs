@@ -4,7 +4,7 @@
 use std::path::{Path, PathBuf};
 
 /// Each room, the rooms that it may name, and the crates that it may name beside those for every room.
-const ROOMS: [(&str, &[&str], &[&str]); 9] = [
+const ROOMS: [(&str, &[&str], &[&str]); 10] = [
     ("sim", &[], &["rand", "rand_pcg", "libm", "rayon", "fearless_simd", "aligned_vec"]),
     ("body", &["sim", "picture"], &["rand", "rand_pcg", "libm", "spade"]),
     ("picture", &[], &["image", "spade", "earcutr", "libm", "rayon"]),
@@ -13,21 +13,26 @@ const ROOMS: [(&str, &[&str], &[&str]); 9] = [
         &["sim", "body", "picture", "output"],
         &["base64", "serde", "serde_json", "serde_path_to_error", "schemars", "xxhash_rust", "csv"],
     ),
+    (
+        "history",
+        &["sim", "body", "picture", "scene", "output"],
+        &["base64", "flate2", "serde", "serde_json", "schemars", "tempfile"],
+    ),
     ("render", &["sim", "picture"], &["wgpu", "image", "pollster"]),
     ("output", &[], &["tempfile"]),
     (
         "app",
-        &["sim", "body", "picture", "scene", "render", "output"],
+        &["sim", "body", "picture", "scene", "history", "render", "output"],
         &["wgpu", "winit", "egui", "egui_wgpu", "egui_winit", "rfd", "arboard", "pollster"],
     ),
     (
         "study",
-        &["sim", "body", "scene", "output"],
+        &["sim", "body", "scene", "history", "output"],
         &["serde", "serde_json", "csv", "plotters", "epaint_default_fonts", "image"],
     ),
     (
         "cli",
-        &["sim", "body", "picture", "scene", "render", "output", "app", "study"],
+        &["sim", "body", "picture", "scene", "history", "render", "output", "app", "study"],
         &["clap", "anyhow", "indicatif", "image", "serde_json", "tiny_skia"],
     ),
 ];
@@ -36,9 +41,10 @@ const ROOMS: [(&str, &[&str], &[&str]); 9] = [
 const EVERYWHERE: [&str; 6] = ["std", "thiserror", "bytemuck", "glam", "crate", "core"];
 
 /// Crates that are somewhere in the program: a path that starts with one of these is held to the table.
-const KNOWN: [&str; 31] = [
+const KNOWN: [&str; 32] = [
     "earcutr",
     "base64",
+    "flate2",
     "spade",
     "tiny_skia",
     "rayon",

@@ -8,6 +8,7 @@
 //! [`Scene`] has the keys of the file as fields. Reading refuses what the file's form excludes, [`Scene::model`] what
 //! this version cannot run; both say it in one line ([`SceneError`]).
 
+mod addition;
 mod anew;
 mod check;
 mod error;
@@ -31,15 +32,18 @@ mod start;
 mod support;
 mod write;
 
+pub(crate) use addition::Made;
 pub use anew::Cut;
 pub use error::{SceneError, SceneErrorKind, Source};
 pub use gallery::{Entry, gallery};
+pub(crate) use keys::macros::object;
 pub use keys::{
-    AreaKeys, AreaKindName, BodyKeys, BondKeys, BondList, BoundsKeys, BoxKeys, BraceName, CircleKeys, DiagonalsName,
-    KindName, LimitName, MakerName, MassKeys, Material, MethodKeys, MouseKeys, ObstacleKeys, OrderName, PatternName,
-    PictureKeys, PinMotionKeys, PlaneKeys, PointKeys, PrecisionName, ProfileName, RegionName, RepeatKeys, RotationKeys,
-    Row, Scene, SolverName, StrokesName, TextureKeys, Vector, Version, ViewKeys, WindKeys,
+    AddKeys, AreaKeys, AreaKindName, BodyKeys, BondKeys, BondList, BoundsKeys, BoxKeys, BraceName, CircleKeys,
+    DiagonalsName, KindName, LimitName, MakerName, MassKeys, Material, MethodKeys, MouseKeys, ObstacleKeys, OrderName,
+    PatternName, PictureKeys, PinMotionKeys, PlaneKeys, PointKeys, PrecisionName, ProfileName, RegionName, RepeatKeys,
+    RotationKeys, Row, Scene, SolverName, StrokesName, TextureKeys, Vector, Version, ViewKeys, WindKeys,
 };
+pub(crate) use keys::{ObjectOnly, present};
 pub use model::Settled;
 pub use of_picture::Matter;
 pub use schema::schema;

@@ -144,7 +144,7 @@ impl Scene {
         found.map_err(|error| self.source.error(Fault::invalid(error.to_string())))
     }
 
-    fn to_model<const D: usize>(&self) -> Result<Model<D>, Fault> {
+    pub(super) fn to_model<const D: usize>(&self) -> Result<Model<D>, Fault> {
         if D != self.dimensions() {
             let message = format!("the scene has {} dimensions, not {D}", self.dimensions());
             return Err(Fault::invalid(message).at("dimensions"));
@@ -207,7 +207,7 @@ impl Scene {
 /// The distance at the start [m], where no rest length is said.
 ///
 /// Errors: it overflows.
-fn rest_length(a: [f64; 3], b: [f64; 3]) -> Result<f64, Fault> {
+pub(super) fn rest_length(a: [f64; 3], b: [f64; 3]) -> Result<f64, Fault> {
     let length = distance(a, b);
     if length.is_finite() {
         return Ok(length);
@@ -216,7 +216,7 @@ fn rest_length(a: [f64; 3], b: [f64; 3]) -> Result<f64, Fault> {
 }
 
 /// A bond made of what the keys say, its ends and its rest length still open.
-fn material(keys: &BondKeys) -> Bond {
+pub(super) fn material(keys: &BondKeys) -> Bond {
     Bond {
         kind: Resistance::from(keys).resolve(),
         limit: match keys.limit {
@@ -249,7 +249,7 @@ fn planes<const D: usize>(scene: &Scene) -> Vec<Plane<D>> {
 }
 
 /// The tracks of pinned points.
-fn pin_motion<const D: usize>(scene: &Scene) -> Vec<(PointId, Track<D>)> {
+pub(super) fn pin_motion<const D: usize>(scene: &Scene) -> Vec<(PointId, Track<D>)> {
     let knot = |row: &Vec<f64>| (row[0], std::array::from_fn(|k| row[k + 1]));
     let of = |keys: &PinMotionKeys| (PointId(keys.point), Track { knots: keys.track.iter().map(knot).collect() });
     scene.pin_motion.iter().map(of).collect()

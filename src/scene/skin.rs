@@ -15,7 +15,7 @@ impl Scene {
         self.all_skins().map_err(|fault| self.source.error(fault))
     }
 
-    fn all_skins(&self) -> Result<Vec<Skin>, Fault> {
+    pub(super) fn all_skins(&self) -> Result<Vec<Skin>, Fault> {
         let mut skins = Vec::new();
         if let Some(texture) = &self.texture
             && !self.triangles.is_empty()

@@ -1,7 +1,7 @@
 //! What this version of the engine runs of what a scene can say: the rest is refused by name, never ignored.
 
 use super::check::Resistance;
-use super::error::Fault;
+use super::error::{Fault, SceneError, Source};
 use super::keys::{Scene, SolverName};
 use super::start::resistance;
 use crate::sim::{self, BondKind};
@@ -101,4 +101,13 @@ fn find(scene: &Scene, is: impl Fn(BondKind) -> bool) -> Option<Found> {
     let bodies = scene.bodies.iter().map(|body| resistance(body).resolve());
     let bodies = bodies.enumerate().map(|(i, kind)| Found { kind, place: Place::Body(i) });
     bonds.chain(bodies).find(|found| is(found.kind))
+}
+
+impl Scene {
+    /// The method in the engine's words, for what the scene has at its start.
+    ///
+    /// Errors: those of [`Scene::model`] that are the method's.
+    pub(crate) fn engine_method(&self) -> Result<sim::Method, SceneError> {
+        method(self).map_err(|fault| Source::default().error(fault))
+    }
 }

@@ -34,7 +34,10 @@ pub mod world;
 
 pub use bond::{Bond, BondId, BondKind, Limit, PointId};
 pub use bonds::Bonds;
-pub use command::{Addition, Applied, BondChange, BoundsChange, Change, Command, CommandError, Kind, Motion, MouseChange, Obstacle, Reach, SceneChange, Selection, Values};
+pub use command::{
+    Addition, Applied, BondChange, BoundsChange, Change, Command, CommandError, Kind, Motion, MouseChange, Obstacle,
+    Reach, SceneChange, Selection, Values,
+};
 pub use contact::bounds::Bounds;
 pub use contact::polygon::Polygon;
 pub use contact::surface::Plane;

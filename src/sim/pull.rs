@@ -3,11 +3,11 @@
 use super::constrain::direct::{Direct, Held};
 use super::contact::Contacts;
 use super::counters::Counters;
+use super::environment::Environment;
 use super::force::mouse::{self, Inside};
 use super::force::spring::Springs;
 use super::points::Points;
 use super::real::Real;
-use super::environment::Environment;
 use super::vector::{add, convert, scale, sub, zero};
 
 /// Forces and holds of one group.

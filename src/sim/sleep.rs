@@ -1,10 +1,10 @@
 //! Groups of islands that have come to rest sleep: they are not stepped until something reaches them.
 
+use super::environment::Environment;
 use super::force::mouse::{self, Push};
 use super::group::Group;
 use super::measure;
 use super::real::Real;
-use super::environment::Environment;
 
 /// Speed below which a point counts as still [m/s].
 pub const STILL_SPEED: f64 = 1e-4;

@@ -9,6 +9,7 @@ use super::contact::obstacles::Obstacles;
 use super::contact::polygon::Polygon;
 use super::counters::Counters;
 use super::dynamics::{Dynamics, GrabView, Positions, Sample};
+use super::environment::{CursorPath, Environment};
 use super::force::mouse::{self, Cursor, MouseForce};
 use super::group::Group;
 use super::measure;
@@ -17,7 +18,6 @@ use super::plan::{self, Cleared, Plan, PlanPart};
 use super::points::State;
 use super::real::Real;
 use super::solver::Solver;
-use super::environment::{CursorPath, Environment};
 use super::timeline::Timeline;
 use super::vector::{add, convert, embed, length, sub, widen, zero};
 

@@ -6,7 +6,7 @@ use crate::scene::keys::{BondKeys, BondList, KindName, Material};
 use crate::sim::BondKind;
 
 /// Errors: the first bond that is at fault.
-pub(super) fn check_all(bonds: &BondList, count: u32) -> Result<(), Fault> {
+pub(in crate::scene) fn check_all(bonds: &BondList, count: u32) -> Result<(), Fault> {
     // Materials are judged once, ends and lengths in one pass; what is wrong is asked of a faulty bond alone.
     let is_sound: Vec<bool> = bonds.materials().iter().map(|material| check_material(material).is_ok()).collect();
     let is_fine = |&k: &usize| {

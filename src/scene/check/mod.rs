@@ -14,8 +14,10 @@ use number::Range;
 
 pub(super) use body::maker;
 pub(super) use bond::Resistance;
+pub(super) use bond::check_all as check_bonds;
 pub(super) use cutout::{check_cut, skin, wanted};
 pub(super) use repeat::{copies, offsets};
+pub(super) use surroundings::check_pin_motion;
 
 /// Refuses what the specification excludes, whether this version could run it or not.
 ///

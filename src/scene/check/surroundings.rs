@@ -44,7 +44,11 @@ fn check_mouse(mouse: &MouseKeys, dimensions: usize) -> Result<(), Fault> {
     number::track(mouse.track.iter().map(|knot| &knot.0[..])).at("track")
 }
 
-fn check_pin_motion(motion: &PinMotionKeys, dimensions: usize, is_pinned: &dyn Fn(u32) -> bool) -> Result<(), Fault> {
+pub(in crate::scene) fn check_pin_motion(
+    motion: &PinMotionKeys,
+    dimensions: usize,
+    is_pinned: &dyn Fn(u32) -> bool,
+) -> Result<(), Fault> {
     if !is_pinned(motion.point) {
         let message = format!("point {} is not pinned: add it to `pinned`, or give a pinned one", motion.point);
         return Err(Fault::invalid(message).at("point"));

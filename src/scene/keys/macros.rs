@@ -27,7 +27,7 @@ macro_rules! object {
                     $(#[$ometa])*
                     #[serde(
                         default,
-                        deserialize_with = "crate::scene::keys::present",
+                        deserialize_with = "crate::scene::present",
                         skip_serializing_if = "Option::is_none"
                     )]
                     pub $okey: Option<$otype>,
@@ -43,7 +43,7 @@ macro_rules! object {
 
         impl<'de> serde::Deserialize<'de> for $name {
             fn deserialize<T: serde::Deserializer<'de>>(from: T) -> Result<Self, T::Error> {
-                $name::deserialize(crate::scene::keys::ObjectOnly(from))
+                $name::deserialize(crate::scene::ObjectOnly(from))
             }
         }
 
@@ -56,7 +56,7 @@ macro_rules! object {
         impl $name {
             /// The optional keys that are there, in the order of the specification.
             #[allow(dead_code, reason = "only objects whose keys exclude each other ask")]
-            pub(in crate::scene) fn given(&self) -> impl Iterator<Item = &'static str> {
+            pub(crate) fn given(&self) -> impl Iterator<Item = &'static str> {
                 [$($( (stringify!($okey), self.$okey.is_some()), )*)*]
                     .into_iter()
                     .filter(|(_, given)| *given)
@@ -133,4 +133,4 @@ macro_rules! names {
     };
 }
 
-pub(super) use {names, object};
+pub(crate) use {names, object};

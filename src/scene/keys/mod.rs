@@ -1,9 +1,10 @@
 //! The keys of the scene file as types: what may stand where. Their ranges are held by `check`.
 
+mod addition;
 mod body;
 mod bond;
 mod bonds;
-mod macros;
+pub(crate) mod macros;
 mod method;
 mod scene;
 mod strict;
@@ -11,6 +12,7 @@ mod surroundings;
 mod vector;
 mod view;
 
+pub use addition::AddKeys;
 pub use body::{BodyKeys, BraceName, DiagonalsName, MakerName, Material, PatternName, RepeatKeys, StrokesName};
 pub use bond::{BondKeys, KindName, LimitName};
 pub use bonds::BondList;
@@ -23,4 +25,4 @@ pub use surroundings::{
 pub use vector::{Row, Vector};
 pub use view::ViewKeys;
 
-pub(in crate::scene) use strict::{Name, ObjectOnly, present};
+pub(crate) use strict::{Name, ObjectOnly, present};

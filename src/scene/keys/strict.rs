@@ -8,7 +8,7 @@ use serde::de::{Deserialize, Deserializer, Error, MapAccess, Visitor};
 use serde::forward_to_deserialize_any;
 
 /// Reads the value of an optional key that is there: `null` is a wrong type like any other.
-pub(in crate::scene) fn present<'de, T, D>(from: D) -> Result<Option<T>, D::Error>
+pub(crate) fn present<'de, T, D>(from: D) -> Result<Option<T>, D::Error>
 where
     T: Deserialize<'de>,
     D: Deserializer<'de>,
@@ -19,7 +19,7 @@ where
 /// A deserializer that reads structs from objects alone.
 ///
 /// Derived code also takes an array and fills the keys in their order, which would make `[0, 1]` a bond.
-pub(in crate::scene) struct ObjectOnly<D>(pub(in crate::scene) D);
+pub(crate) struct ObjectOnly<D>(pub(crate) D);
 
 impl<'de, D: Deserializer<'de>> Deserializer<'de> for ObjectOnly<D> {
     type Error = D::Error;
@@ -59,14 +59,14 @@ impl<'de, V: Visitor<'de>> Visitor<'de> for MapOnly<V> {
 }
 
 /// Reads one of a set of names from a string.
-pub(in crate::scene) struct Name<T> {
+pub(crate) struct Name<T> {
     what: &'static str,
     names: PhantomData<T>,
 }
 
 impl<T> Name<T> {
     /// `what` stands in the message where something else than a string is found.
-    pub(in crate::scene) fn new(what: &'static str) -> Self {
+    pub(crate) fn new(what: &'static str) -> Self {
         Name { what, names: PhantomData }
     }
 }

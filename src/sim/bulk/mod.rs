@@ -28,11 +28,11 @@ mod tests;
 pub(crate) mod trails;
 
 use super::counters::Counters;
+use super::environment::Environment;
 use super::kernels::store::Drift;
 use super::points::Points;
 use super::pull::Pull;
 use super::real::Real;
-use super::environment::Environment;
 use super::threads::Help;
 use super::vector::{add, convert, scale, sub};
 use body::AnyBody;

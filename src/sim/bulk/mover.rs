@@ -10,10 +10,10 @@ use super::Bulk;
 use super::draft::Order;
 use super::kernel::Kernel;
 use crate::sim::counters::Counters;
+use crate::sim::environment::Environment;
 use crate::sim::points::Points;
 use crate::sim::pull::Pull;
 use crate::sim::real::Real;
-use crate::sim::environment::Environment;
 
 /// Large bodies that move in step.
 pub(crate) trait Mover<S: Real, const D: usize>: Debug + Send + Sync {

@@ -2,12 +2,12 @@
 
 use crate::sim::contact::obstacles::Obstacles;
 use crate::sim::contact::surface::Surface;
+use crate::sim::environment::Environment;
 use crate::sim::force::mouse::{Cursor, Push};
 use crate::sim::measure;
 use crate::sim::points::Points;
 use crate::sim::pull::Pull;
 use crate::sim::real::Real;
-use crate::sim::environment::Environment;
 use crate::sim::vector::{add, dot, length, scale, sub};
 
 /// Steps that are looked ahead: where nothing is in reach for so many, it is looked for once in all of them.

@@ -3,6 +3,7 @@
 use crate::sim::bulk::mover::Mover;
 use crate::sim::constrain::xpbd::{self, CompliantBond};
 use crate::sim::counters::Counters;
+use crate::sim::environment::Environment;
 use crate::sim::integrate::implicit::Implicit;
 use crate::sim::integrate::kick_drift::KickDrift;
 use crate::sim::integrate::runge_kutta::{self, Stages};
@@ -12,7 +13,6 @@ use crate::sim::integrate::verlet;
 use crate::sim::points::Points;
 use crate::sim::pull::Pull;
 use crate::sim::real::Real;
-use crate::sim::environment::Environment;
 use crate::sim::vector::{scale, sub, zero};
 
 /// An integrator.

@@ -6,13 +6,13 @@ pub(crate) mod guard;
 
 use super::bulk::kernel::Kernel;
 use super::counters::Counters;
+use super::environment::Environment;
 use super::force::mouse::{self, Inside, Track};
 use super::plan::choice::MOST_DIRECT;
 use super::points::{Points, State};
 use super::pull::Pull;
 use super::real::Real;
 use super::sleep::Sleep;
-use super::environment::Environment;
 use super::vector::{add, convert, dot, scale, sub, zero};
 use engine::Engine;
 use events::edge::Edges;

@@ -12,12 +12,12 @@
 
 use crate::sim::bond::PointId;
 use crate::sim::counters::Counters;
+use crate::sim::environment::Environment;
 use crate::sim::force::spring::Springs;
 use crate::sim::points::Points;
 use crate::sim::pull::Pull;
 use crate::sim::real::Real;
 use crate::sim::solve::blocks::Blocks;
-use crate::sim::environment::Environment;
 use crate::sim::vector::{add, convert, dot, scale, sub, zero};
 
 /// Rounds of Newton's method after which a step has not converged.

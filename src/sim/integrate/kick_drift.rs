@@ -10,10 +10,10 @@ use crate::sim::constrain::order::Sweeper;
 use crate::sim::constrain::relaxed::{self, RelaxedBond};
 use crate::sim::constrain::rigid::{self, RigidBond};
 use crate::sim::counters::Counters;
+use crate::sim::environment::Environment;
 use crate::sim::points::Points;
 use crate::sim::pull::Pull;
 use crate::sim::real::Real;
-use crate::sim::environment::Environment;
 use crate::sim::vector::{add, scale, zero};
 
 /// Bonds that are swept one after the other.

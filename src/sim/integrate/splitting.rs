@@ -7,10 +7,10 @@
 use super::flight::Flight;
 use super::verlet::Kick;
 use crate::sim::counters::Counters;
+use crate::sim::environment::Environment;
 use crate::sim::points::Points;
 use crate::sim::pull::Pull;
 use crate::sim::real::Real;
-use crate::sim::environment::Environment;
 
 /// One part of a substep, as a share of h.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -2,9 +2,9 @@
 
 use super::edge::Broken;
 use crate::sim::counters::Counters;
+use crate::sim::environment::Environment;
 use crate::sim::group::Group;
 use crate::sim::real::Real;
-use crate::sim::environment::Environment;
 
 impl<S: Real, const D: usize> Group<S, D> {
     /// A bond is gone at a time [s].

@@ -3,10 +3,10 @@
 use super::edge::Gap;
 use super::{Event, Group};
 use crate::sim::counters::Counters;
+use crate::sim::environment::Environment;
 use crate::sim::force::mouse;
 use crate::sim::measure::extent;
 use crate::sim::real::Real;
-use crate::sim::environment::Environment;
 use crate::sim::vector::{add, dot, scale};
 
 /// Share of the margins at the ends of a step that a cubic between them may be wrong by.

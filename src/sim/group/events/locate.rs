@@ -2,9 +2,9 @@
 
 use super::{Event, Group, Margins, SHORTEST_FLIGHT};
 use crate::sim::counters::Counters;
+use crate::sim::environment::Environment;
 use crate::sim::real::Real;
 use crate::sim::solve::root::Root;
-use crate::sim::environment::Environment;
 
 /// Evaluations after which a root counts as found.
 const MOST_GUESSES: u32 = 60;

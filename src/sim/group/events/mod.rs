@@ -17,8 +17,8 @@ use std::sync::Arc;
 use super::Group;
 use crate::sim::contact::impact::{self, Hit};
 use crate::sim::counters::Counters;
-use crate::sim::real::Real;
 use crate::sim::environment::Environment;
+use crate::sim::real::Real;
 use crate::sim::vector::{add, dot, zero};
 
 /// Share of a substep below which a flight between two bounces counts as rest, where events are located.

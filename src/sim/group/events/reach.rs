@@ -3,9 +3,9 @@
 use super::edge::{Change, Edge, Gap};
 use super::{Event, Group, at_edge};
 use crate::sim::counters::Counters;
+use crate::sim::environment::Environment;
 use crate::sim::group::guard::Watched;
 use crate::sim::real::Real;
-use crate::sim::environment::Environment;
 
 /// Share of a substep over which it is told where a bond goes that is at its edge and does not move yet.
 const AHEAD: f64 = 1e-3;

@@ -2,9 +2,9 @@
 
 use super::{Event, Group, at_edge};
 use crate::sim::counters::Counters;
+use crate::sim::environment::Environment;
 use crate::sim::force::mouse;
 use crate::sim::real::Real;
-use crate::sim::environment::Environment;
 use crate::sim::vector::{add, scale};
 
 impl<S: Real, const D: usize> Group<S, D> {

@@ -2,9 +2,9 @@
 
 use super::{Event, Group, at_edge};
 use crate::sim::counters::Counters;
+use crate::sim::environment::Environment;
 use crate::sim::points::Points;
 use crate::sim::real::Real;
-use crate::sim::environment::Environment;
 use crate::sim::vector::{dot, length, sub};
 
 /// Share of its acceleration that presses a point so little that it counts as let go.

@@ -4,8 +4,8 @@ use super::{Event, Group};
 use crate::sim::bond::Limit;
 use crate::sim::contact::impact;
 use crate::sim::counters::Counters;
-use crate::sim::real::Real;
 use crate::sim::environment::Environment;
+use crate::sim::real::Real;
 use crate::sim::vector::{dot, length, sub};
 
 /// Share of the accelerations around it below which a tension counts as none, in units of the last place.

@@ -6,9 +6,9 @@ use crate::sim::contact::passage::Passage;
 use crate::sim::contact::place;
 use crate::sim::contact::surface::Surface;
 use crate::sim::counters::Counters;
+use crate::sim::environment::Environment;
 use crate::sim::measure::extent;
 use crate::sim::real::Real;
-use crate::sim::environment::Environment;
 use crate::sim::vector::{dot, zero};
 
 /// Flight, in substeps, that counts as rest where it begins with no time gone since the last.

@@ -1,0 +1,159 @@
+//! Commands as files have them.
+
+use crate::scene::{AddKeys, BoundsKeys, KindName, LimitName, MethodKeys, Vector, object};
+use crate::sim::{Cursor, Motion, MouseChange, PointId, Reach};
+
+/// A command with its time.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Entry {
+    /// When it is done [s]: at the end of the step that reaches it.
+    pub at: f64,
+    /// What is done.
+    pub act: Do,
+    /// Commands of one number are undone as one; `None`: no edit.
+    pub edit: Option<u64>,
+    /// What they are called then.
+    pub name: Option<String>,
+}
+
+/// One action on a world, as a file has it: numbers are those of the world, and bodies are still to be made.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Do {
+    /// The live cursor goes along a straight line from where it is to `to`, until `by`; where there was none it is at `to` at
+    /// once. `None`: it leaves.
+    Cursor {
+        /// Where it goes.
+        to: Option<Cursor>,
+        /// When it is there [s]; at once if not said.
+        by: Option<f64>,
+    },
+    /// The mouse force changes, and its own track ends.
+    Mouse(MouseChange),
+    /// A spring leads the middle of points to the cursor.
+    Grab(Reach),
+    /// What was grabbed keeps the velocity that it has.
+    Release,
+    /// Points are held where they are, at rest.
+    Pin(Vec<PointId>),
+    /// Points are let go, at rest.
+    Unpin(Vec<PointId>),
+    /// Bonds that the segment crosses go.
+    Cut {
+        /// [m]
+        from: [f64; 2],
+        /// [m]
+        to: [f64; 2],
+    },
+    /// Points, bonds, bodies and obstacles come.
+    Add(Box<AddKeys>),
+    /// Things go, by their numbers, with all that hangs on them.
+    Delete(DeleteKeys),
+    /// All points, bonds and obstacles go.
+    Clear,
+    /// Points and obstacles change their place.
+    Move(Box<Motion>),
+    /// Something gets other numbers, from now on.
+    Set(Box<SetKeys>),
+    /// Points that are selected and deleted as one; the world doesn't know of it.
+    Group {
+        /// Which.
+        points: Vec<PointId>,
+        /// What they are called.
+        name: String,
+    },
+}
+
+object! {
+    /// Things by their numbers.
+    #[derive(Default)]
+    DeleteKeys: "what is deleted: an object with keys such as `points` and `bonds`" {
+        optional {}
+        lists {
+            /// Points.
+            points: u32,
+            /// Bonds.
+            bonds: u32,
+            /// Obstacles.
+            obstacles: u32,
+        }
+    }
+}
+
+object! {
+    /// What is set: numbers of points, bonds or obstacles, or keys of the scene.
+    #[derive(Default)]
+    SetKeys: "what is set: an object with one of the keys `points`, `bonds` and `obstacles`, or keys of the scene" {
+        optional {
+            /// Points that get other masses or velocities.
+            points: Vec<u32>,
+            /// Bonds that get other numbers.
+            bonds: Vec<u32>,
+            /// Obstacles that get others.
+            obstacles: Vec<u32>,
+            /// Of points [kg], > 0.
+            mass: OneOrEach,
+            /// Of points [m/s]: one for all or one each.
+            velocity: VectorOrEach,
+            /// Of bonds.
+            kind: KindName,
+            /// Of bonds [m], >= 0.
+            rest: OneOrEach,
+            /// Of springs [N/m], >= 0.
+            stiffness: OneOrEach,
+            /// Of springs, in place of the stiffness [m/N], > 0.
+            compliance: OneOrEach,
+            /// Of springs [N s/m], >= 0.
+            damping: OneOrEach,
+            /// Of relaxed bonds [1], in (0, 1].
+            relaxation: OneOrEach,
+            /// Of relaxed bonds [1], > 0.
+            max_correction: OneOrEach,
+            /// Of bonds [1], > 0.
+            break_strain: OneOrEach,
+            /// Of bonds.
+            limit: LimitName,
+            /// Of obstacles [1], >= 0.
+            restitution: f64,
+            /// Of obstacles [1], >= 0.
+            friction: f64,
+            /// Of the scene [m/s^2].
+            gravity: Vector,
+            /// Of the scene [1/s], >= 0.
+            drag_rate: f64,
+            /// Of the scene: the walls, or none any more.
+            bounds: Walls,
+            /// Of the scene, in place of what was said of it before.
+            method: MethodKeys,
+        }
+    }
+}
+
+/// One number for all, or one each.
+#[derive(Clone, Debug, PartialEq, serde::Serialize, serde::Deserialize, schemars::JsonSchema)]
+#[serde(untagged)]
+pub enum OneOrEach {
+    /// The same for all that are named.
+    One(f64),
+    /// One each, in the order in which they are named.
+    Each(Vec<f64>),
+}
+
+/// One vector for all, or one each.
+#[derive(Clone, Debug, PartialEq, serde::Serialize, serde::Deserialize, schemars::JsonSchema)]
+#[serde(untagged)]
+pub enum VectorOrEach {
+    /// The same for all that are named.
+    One(Vector),
+    /// One each.
+    Each(Vec<Vector>),
+}
+
+/// Walls, or none any more.
+#[derive(Clone, Debug, PartialEq, serde::Serialize, serde::Deserialize, schemars::JsonSchema)]
+#[serde(untagged)]
+pub enum Walls {
+    /// These, in place of those before.
+    These(BoundsKeys),
+    /// No more.
+    None(()),
+}

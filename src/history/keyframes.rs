@@ -1,0 +1,93 @@
+//! Keyframes: copies of the world that going back starts from, in a bounded number of bytes.
+
+use super::branch::{Spot, Tree};
+use super::frame::Frame;
+
+/// Bytes that keyframes may take unless another bound is set.
+pub(super) const MOST_BYTES: usize = 512 << 20;
+
+/// A copy with its place.
+pub(super) struct Keyframe {
+    pub(super) branch: usize,
+    pub(super) time: f64,
+    pub(super) frame: Frame,
+    bytes: usize,
+    /// The last step was cut short for the command that comes next: another branch has not been here.
+    is_cut: bool,
+}
+
+/// Copies, in the order in which they were taken.
+pub(super) struct Keyframes {
+    list: Vec<Keyframe>,
+    bytes: usize,
+    most_bytes: usize,
+}
+
+impl Keyframes {
+    pub(super) fn new() -> Self {
+        Keyframes { list: Vec::new(), bytes: 0, most_bytes: MOST_BYTES }
+    }
+
+    /// Bytes that all copies take.
+    pub(super) fn bytes(&self) -> usize {
+        self.bytes
+    }
+
+    /// Another bound of the bytes.
+    pub(super) fn bound(&mut self, most_bytes: usize, now: f64) {
+        self.most_bytes = most_bytes;
+        self.thin(now);
+    }
+
+    /// Keeps a copy of a frame of a branch.
+    pub(super) fn keep(&mut self, branch: usize, frame: Frame, is_cut: bool) {
+        let (time, place) = (frame.world.time(), frame.place);
+        let is_same = |kept: &Keyframe| kept.branch == branch && kept.time == time && kept.frame.place == place;
+        if self.list.iter().rev().take(16).any(is_same) {
+            return;
+        }
+        let bytes = frame.world.heap_bytes() + size_of::<Keyframe>();
+        self.bytes += bytes;
+        self.list.push(Keyframe { branch, time, frame, bytes, is_cut });
+        self.thin(time);
+    }
+
+    /// Drops copies until the bytes are within their bound: those first whose neighbours are near, and long ago. The first of all
+    /// stays.
+    fn thin(&mut self, now: f64) {
+        while self.bytes > self.most_bytes && self.list.len() > 2 {
+            let times: Vec<f64> = self.list.iter().map(|kept| kept.time).collect();
+            let score = |k: &usize| {
+                let next = times.get(k + 1).copied().unwrap_or(now);
+                let gap = (next - times[k - 1]).abs();
+                gap / (now - times[*k]).abs().max(RECENT)
+            };
+            let Some(least) = (1..self.list.len()).min_by(|a, b| score(a).total_cmp(&score(b))) else { return };
+            self.bytes -= self.list.remove(least).bytes;
+        }
+    }
+
+    /// The last copy that a branch has been at, at or before a spot of it.
+    pub(super) fn before(&self, tree: &Tree, spot: Spot) -> Option<&Keyframe> {
+        let is_before = |kept: &&Keyframe| kept.time <= spot.time && kept.frame.place <= spot.place;
+        let fits = self.list.iter().filter(is_before).filter(|kept| kept.is_on(tree, spot.branch));
+        fits.max_by(|a, b| a.time.total_cmp(&b.time).then(a.frame.place.cmp(&b.frame.place)))
+    }
+}
+
+/// Times that lie no longer back than this are all as near [s].
+const RECENT: f64 = 60.0;
+
+impl Keyframe {
+    /// Whether a branch came through this state.
+    fn is_on(&self, tree: &Tree, branch: usize) -> bool {
+        let place = self.frame.place;
+        if self.branch != branch {
+            let common = tree.common(self.branch, branch);
+            if common < place || (self.is_cut && common == place) {
+                return false;
+            }
+        }
+        tree.entry(branch, place).is_none_or(|next| next.at >= self.time)
+    }
+}

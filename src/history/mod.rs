@@ -1,0 +1,30 @@
+//! A running world with its past: a start, the commands that were given with their times, and keyframes.
+//!
+//! ```text
+//! Start (scene or recording) --> World --step--> World --give(Do)--> World …
+//!                                   \ keyframes: copies, each with its place in the log
+//! log: a tree of branches; undo, redo and going back are a keyframe, then the same steps and commands again
+//! ```
+//! Nothing changes a world but a step and a command, and both do the same bits again: whatever time is gone back to is worked
+//! out from the nearest copy. This room knows no window and no clock.
+
+mod branch;
+mod command;
+mod dress;
+mod error;
+mod frame;
+mod keyframes;
+mod mark;
+mod resolve;
+mod session;
+mod start;
+mod undo;
+
+pub use branch::BranchView;
+pub use command::{DeleteKeys, Do, Entry, OneOrEach, SetKeys, VectorOrEach, Walls};
+pub use dress::Group;
+pub use error::{HistoryError, Refusal};
+pub use mark::{Mark, hash_now};
+pub use session::History;
+pub use start::{Recording, Start};
+pub use undo::Undone;

@@ -1,0 +1,194 @@
+//! From commands as files have them to those of the engine.
+
+use super::command::{DeleteKeys, Do, OneOrEach, SetKeys, VectorOrEach, Walls};
+use crate::scene::{KindName, LimitName, Made, Scene, Vector};
+use crate::sim::{
+    BondChange, BondId, BoundsChange, Change, Command, Dynamics, Kind, Limit, PointId, SceneChange, Selection, Values,
+};
+
+/// What a command comes to in a world as it is now.
+pub(super) enum Resolved {
+    /// It is the engine's.
+    Engine(Command),
+    /// Something comes, with what is drawn on it.
+    Made(Box<Made>),
+    /// It is the history's own.
+    Group,
+}
+
+/// A command in the engine's words.
+///
+/// Errors: in words, what of it cannot be meant.
+pub(super) fn resolve(act: &Do, scene: &Scene, world: &dyn Dynamics) -> Result<Resolved, String> {
+    let command = match act {
+        Do::Cursor { to, by } => Command::Cursor { to: *to, by: until(*by, world.time())? },
+        Do::Mouse(change) => Command::Mouse(*change),
+        Do::Grab(reach) => Command::Grab(reach.clone()),
+        Do::Release => Command::Release,
+        Do::Pin(points) => Command::Pin(points.clone()),
+        Do::Unpin(points) => Command::Unpin(points.clone()),
+        Do::Cut { from, to } => Command::Cut { from: *from, to: *to },
+        Do::Add(keys) => {
+            let made = keys.make(scene, world).map_err(|error| error.to_string())?;
+            return Ok(Resolved::Made(Box::new(made)));
+        }
+        Do::Delete(keys) => Command::Delete(selection(keys)),
+        Do::Clear => Command::Clear,
+        Do::Move(motion) => Command::Move((**motion).clone()),
+        Do::Set(keys) => Command::Set(change(keys, scene)?),
+        Do::Group { points, .. } => {
+            let most = world.next_numbers()[0].max(world.point_count() as u32);
+            let is_there = |point: &&PointId| point.0 < most && world.gone().binary_search(point).is_err();
+            if let Some(point) = points.iter().find(|point| !is_there(point)) {
+                return Err(format!("there is no point {}: name points that are there", point.0));
+            }
+            return Ok(Resolved::Group);
+        }
+    };
+    Ok(Resolved::Engine(command))
+}
+
+/// When a cursor arrives [s]: now if not said.
+fn until(by: Option<f64>, now: f64) -> Result<f64, String> {
+    match by {
+        None => Ok(now),
+        Some(by) if by >= now && by.is_finite() => Ok(by),
+        // Times of commands are those of steps, but for rounding.
+        Some(by) if (now - by).abs() <= 1e-12 * now.abs() => Ok(now),
+        Some(by) => Err(format!("by: {by:?} s is before its own time: give one that comes after, or leave it out")),
+    }
+}
+
+fn selection(keys: &DeleteKeys) -> Selection {
+    Selection { points: points(&keys.points), bonds: bonds(&keys.bonds), obstacles: keys.obstacles.clone() }
+}
+
+fn points(numbers: &[u32]) -> Vec<PointId> {
+    numbers.iter().map(|&number| PointId(number)).collect()
+}
+
+fn bonds(numbers: &[u32]) -> Vec<BondId> {
+    numbers.iter().map(|&number| BondId(number)).collect()
+}
+
+/// The keys that go with each thing that is set.
+const OF_POINTS: [&str; 2] = ["mass", "velocity"];
+const OF_BONDS: [&str; 9] =
+    ["kind", "rest", "stiffness", "compliance", "damping", "relaxation", "max_correction", "break_strain", "limit"];
+const OF_OBSTACLES: [&str; 2] = ["restitution", "friction"];
+const OF_SCENE: [&str; 4] = ["gravity", "drag_rate", "bounds", "method"];
+
+fn change(keys: &SetKeys, scene: &Scene) -> Result<Change, String> {
+    let lists = ["points", "bonds", "obstacles"];
+    let named: Vec<&str> = keys.given().filter(|key| lists.contains(key)).collect();
+    let (what, allowed): (&str, &[&str]) = match named[..] {
+        [] => ("the scene", &OF_SCENE),
+        ["points"] => ("points", &OF_POINTS),
+        ["bonds"] => ("bonds", &OF_BONDS),
+        ["obstacles"] => ("obstacles", &OF_OBSTACLES),
+        [first, second, ..] => return Err(format!("{second}: stands beside `{first}`: make it two commands")),
+        [other] => return Err(format!("{other}: is not set by number")),
+    };
+    if let Some(key) = keys.given().find(|key| !lists.contains(key) && !allowed.contains(key)) {
+        return Err(format!("{key}: is no key of {what}, which have {}: leave it out", allowed.join(", ")));
+    }
+    Ok(match what {
+        "points" => Change::Points {
+            points: points(keys.points.as_deref().unwrap_or_default()),
+            mass: keys.mass.as_ref().map(values),
+            velocity: keys.velocity.as_ref().map(|list| velocities(list, scene)).transpose()?,
+        },
+        "bonds" => {
+            Change::Bonds { bonds: bonds(keys.bonds.as_deref().unwrap_or_default()), to: Box::new(bond_change(keys)?) }
+        }
+        "obstacles" => Change::Obstacles {
+            obstacles: keys.obstacles.clone().unwrap_or_default(),
+            restitution: keys.restitution,
+            friction: keys.friction,
+        },
+        _ => Change::Scene(Box::new(scene_change(keys, scene)?)),
+    })
+}
+
+fn values(numbers: &OneOrEach) -> Values {
+    match numbers {
+        OneOrEach::One(one) => Values::Same(*one),
+        OneOrEach::Each(list) => Values::Each(list.clone()),
+    }
+}
+
+fn velocities(list: &VectorOrEach, scene: &Scene) -> Result<Vec<[f64; 3]>, String> {
+    let of = |v: &Vector| vector("velocity", v, scene);
+    match list {
+        VectorOrEach::One(one) => Ok(vec![of(one)?]),
+        VectorOrEach::Each(list) => list.iter().map(of).collect(),
+    }
+}
+
+/// Errors: a vector of another dimension.
+fn vector(key: &str, vector: &Vector, scene: &Scene) -> Result<[f64; 3], String> {
+    let (found, needed) = (vector.components().len(), scene.dimensions());
+    if found == needed {
+        return Ok(vector.embed());
+    }
+    Err(format!("{key}: has {found} numbers: a vector of this scene has {needed}"))
+}
+
+fn bond_change(keys: &SetKeys) -> Result<BondChange, String> {
+    let compliance = keys.compliance.as_ref().map(reciprocal).transpose()?;
+    if compliance.is_some() && keys.stiffness.is_some() {
+        return Err("compliance: stands beside `stiffness`, its reciprocal: leave one of them out".to_owned());
+    }
+    Ok(BondChange {
+        kind: keys.kind.map(|kind| match kind {
+            KindName::Rigid => Kind::Rigid,
+            KindName::Spring => Kind::Spring,
+            KindName::Relaxed => Kind::Relaxed,
+        }),
+        rest_length: keys.rest.as_ref().map(values),
+        stiffness: keys.stiffness.as_ref().map(values).or(compliance),
+        damping: keys.damping.as_ref().map(values),
+        relaxation: keys.relaxation.as_ref().map(values),
+        max_correction: keys.max_correction.as_ref().map(values),
+        break_strain: keys.break_strain.as_ref().map(values),
+        limit: keys.limit.map(|limit| match limit {
+            LimitName::Both => Limit::Both,
+            LimitName::Max => Limit::Max,
+            LimitName::Min => Limit::Min,
+        }),
+    })
+}
+
+/// Errors: a compliance without a stiffness.
+fn reciprocal(compliance: &OneOrEach) -> Result<Values, String> {
+    let of = |c: f64| {
+        let is_fine = c > 0.0 && (1.0 / c).is_finite();
+        is_fine
+            .then_some(1.0 / c)
+            .ok_or_else(|| format!("compliance: is {c:?}: give a number above 0, or \"kind\": \"rigid\""))
+    };
+    Ok(match compliance {
+        OneOrEach::One(one) => Values::Same(of(*one)?),
+        OneOrEach::Each(list) => Values::Each(list.iter().map(|&c| of(c)).collect::<Result<_, _>>()?),
+    })
+}
+
+fn scene_change(keys: &SetKeys, scene: &Scene) -> Result<SceneChange, String> {
+    let bounds = match &keys.bounds {
+        None => None,
+        Some(Walls::None(())) => Some(None),
+        Some(Walls::These(bounds)) => Some(Some(BoundsChange {
+            min: vector("bounds.min", &bounds.min, scene)?,
+            max: vector("bounds.max", &bounds.max, scene)?,
+            restitution: bounds.restitution.unwrap_or(0.0),
+            friction: bounds.friction.unwrap_or(0.0),
+        })),
+    };
+    let method = keys.method.clone().map(|method| Scene { method, ..scene.clone() }.engine_method()).transpose();
+    Ok(SceneChange {
+        gravity: keys.gravity.as_ref().map(|g| vector("gravity", g, scene)).transpose()?,
+        drag_rate: keys.drag_rate,
+        bounds,
+        method: method.map_err(|error| error.to_string())?,
+    })
+}

@@ -1,0 +1,313 @@
+//! The history of a running world.
+
+use super::branch::{BranchView, Spot, Tree};
+use super::command::{Do, Entry};
+use super::dress::{Dress, Group};
+use super::error::{HistoryError, Refusal};
+use super::frame::Frame;
+use super::keyframes::Keyframes;
+use super::mark::{Mark, hash_now};
+use super::start::{Recording, Start};
+use super::undo::Redo;
+use crate::picture::Skin;
+use crate::scene::Scene;
+use crate::sim::{Applied, Dynamics};
+
+/// Work between two keyframes, in steps of a point.
+const WORK_BETWEEN: u64 = 200_000;
+/// Scene time between two keyframes at most [s].
+const TIME_BETWEEN: f64 = 1.0;
+/// Steps between two keyframes at least: copying a point costs as much as moving it a few times.
+const STEPS_BETWEEN: u64 = 200;
+
+/// A running world with its past: a start, the commands that were given with their times, keyframes; undo, redo, going back,
+/// branches.
+pub struct History {
+    pub(super) scene: Scene,
+    pub(super) frame: Frame,
+    pub(super) tree: Tree,
+    /// The branch that the world is on.
+    pub(super) branch: usize,
+    /// The commands that come next on the branch are not followed: they were undone.
+    pub(super) is_free: bool,
+    pub(super) keyframes: Keyframes,
+    pub(super) undone: Vec<Redo>,
+    skins: Vec<Skin>,
+    /// The topology that the skins are of.
+    dressed: u64,
+    /// Time of the start [s].
+    from: f64,
+    next_edit: u64,
+    last_edit: Option<u64>,
+    /// Whole second that is marked already, or was passed over.
+    second: f64,
+    /// Substeps and points moved when the last keyframe was taken, and when [s].
+    kept: (u64, u64, f64),
+    refused: Vec<Refusal>,
+}
+
+impl History {
+    /// The world at its start; the commands of a recording are followed as it steps, until something new is given.
+    ///
+    /// Errors: a scene that cannot be run, a state that cannot be gone on from.
+    pub fn new(start: Start) -> Result<Self, HistoryError> {
+        let Start { recording } = start;
+        let world = recording.scene.world(recording.scene.duration)?;
+        let dress = Dress::new(&recording.scene, &*world)?;
+        let from = world.time();
+        let end = recording.end().max(from);
+        let next_edit = recording.commands.iter().filter_map(|entry| entry.edit).max().map_or(0, |edit| edit + 1);
+        let mut history = History {
+            frame: Frame { world, dress, place: 0 },
+            tree: Tree::new(recording.commands, recording.marks, from, end),
+            scene: recording.scene,
+            branch: 0,
+            is_free: false,
+            keyframes: Keyframes::new(),
+            undone: Vec::new(),
+            skins: Vec::new(),
+            dressed: 0,
+            from,
+            next_edit,
+            last_edit: None,
+            second: f64::NEG_INFINITY,
+            kept: (0, 0, from),
+            refused: Vec::new(),
+        };
+        history.keyframes.keep(0, history.frame.clone(), false);
+        history.follow_due();
+        history.arrive();
+        Ok(history)
+    }
+
+    /// The world as it is now.
+    pub fn world(&self) -> &dyn Dynamics {
+        &*self.frame.world
+    }
+
+    /// The scene that it began with.
+    pub fn scene(&self) -> &Scene {
+        &self.scene
+    }
+
+    /// What is drawn on triangles now, on bodies that were added too. A triangle with a deleted corner is gone, and one of whose
+    /// sides was a bond that is gone.
+    pub fn skins(&self) -> &[Skin] {
+        &self.skins
+    }
+
+    /// The groups of points that have a name, of the points that are left.
+    pub fn groups(&self) -> Vec<Group> {
+        self.frame.dress.groups(&*self.frame.world)
+    }
+
+    /// How far the present branch goes [s].
+    pub fn end(&self) -> f64 {
+        let time = self.world().time();
+        if self.is_free { time } else { self.tree.end(self.branch).max(time) }
+    }
+
+    /// Whether commands of the log are still to come, which steps follow.
+    pub fn has_future(&self) -> bool {
+        !self.is_free
+            && (self.frame.place < self.tree.len(self.branch) || self.tree.end(self.branch) > self.world().time())
+    }
+
+    /// Bytes that the keyframes take.
+    pub fn keyframe_bytes(&self) -> usize {
+        self.keyframes.bytes()
+    }
+
+    /// Another bound of the bytes that keyframes take: 512 MiB unless set.
+    pub fn bound_keyframes(&mut self, most_bytes: usize) {
+        self.keyframes.bound(most_bytes, self.frame.world.time());
+    }
+
+    /// Commands of the log that could not be done as it was followed, since they were last asked for.
+    pub fn take_refused(&mut self) -> Vec<Refusal> {
+        std::mem::take(&mut self.refused)
+    }
+
+    /// One step of the world, with the commands of the log that it reaches; keyframes and marks.
+    pub fn step(&mut self) {
+        self.depart();
+        self.mark_second();
+        let next = self.tree.entry(self.branch, self.frame.place).map(|entry| entry.at);
+        let is_cut = next.is_some_and(|at| self.frame.is_cut_at(at));
+        self.frame.step(next);
+        self.tree.extend_to(self.branch, self.frame.world.time());
+        self.keep_before_edit(is_cut);
+        self.follow_due();
+        self.keep_now_and_then();
+        self.dress();
+    }
+
+    /// Does commands at the time reached, all or none. `edit`: what they are called when they are undone as one, such as "Draw a
+    /// body"; `None`: for cursor, grab and release, which are not undone.
+    ///
+    /// Errors: the first that cannot be done; the world before it is whole.
+    pub fn give(&mut self, commands: Vec<Do>, edit: Option<&str>) -> Result<Vec<Applied>, Refusal> {
+        let edit = edit.map(|name| (self.next_edit, name.to_owned()));
+        self.give_as(commands, edit)
+    }
+
+    /// Does commands that belong to the last edit: a drag, a stroke or a slider is undone as one.
+    ///
+    /// Errors: as of [`History::give`].
+    pub fn give_on(&mut self, commands: Vec<Do>, name: &str) -> Result<Vec<Applied>, Refusal> {
+        let edit = self.last_edit.unwrap_or(self.next_edit);
+        self.give_as(commands, Some((edit, name.to_owned())))
+    }
+
+    fn give_as(&mut self, commands: Vec<Do>, edit: Option<(u64, String)>) -> Result<Vec<Applied>, Refusal> {
+        if commands.is_empty() {
+            return Ok(Vec::new());
+        }
+        let at = self.frame.world.time();
+        let before = (edit.is_some() || commands.len() > 1).then(|| self.frame.clone());
+        let mut done = Vec::with_capacity(commands.len());
+        for (number, act) in commands.iter().enumerate() {
+            match self.frame.apply(act, &self.scene) {
+                Ok(applied) => done.push(applied),
+                Err(reason) => {
+                    self.frame = before.unwrap_or_else(|| self.frame.clone());
+                    return Err(Refusal { number, at, reason });
+                }
+            }
+        }
+        // What does nothing is nothing to undo.
+        let edit = edit.filter(|_| done.iter().any(|applied| applied.is_something));
+        if let Some((number, _)) = &edit {
+            if self.last_edit != Some(*number)
+                && let Some(before) = before
+            {
+                self.keyframes.keep(self.branch, before, false);
+            }
+            self.next_edit = self.next_edit.max(number + 1);
+            self.last_edit = Some(*number);
+            self.undone.clear();
+        }
+        self.fork();
+        let (number, name) = edit.map_or((None, None), |(number, name)| (Some(number), Some(name)));
+        for act in commands {
+            self.tree.push(self.branch, Entry { at, act, edit: number, name: name.clone() });
+            self.frame.place += 1;
+        }
+        self.dress();
+        Ok(done)
+    }
+
+    /// Leaves what is to come: what was undone is not done again by itself.
+    fn depart(&mut self) {
+        if self.is_free {
+            self.fork();
+        }
+    }
+
+    /// A new branch, where the present one has commands that are still to come.
+    fn fork(&mut self) {
+        let time = self.frame.world.time();
+        let has_future = self.frame.place < self.tree.len(self.branch) || self.tree.end(self.branch) > time;
+        if has_future {
+            self.branch = self.tree.fork(self.spot(), None);
+        }
+        self.is_free = false;
+    }
+
+    /// Where the world is.
+    pub(super) fn spot(&self) -> Spot {
+        Spot { branch: self.branch, place: self.frame.place, time: self.frame.world.time() }
+    }
+
+    /// Does the commands of the log that are due.
+    fn follow_due(&mut self) {
+        while let Some(entry) = self.tree.entry(self.branch, self.frame.place)
+            && self.frame.is_due(entry.at)
+        {
+            let (number, at) = (self.frame.place, entry.at);
+            if let Err(reason) = self.frame.follow(entry, &self.scene) {
+                self.refused.push(Refusal { number, at, reason });
+            }
+        }
+    }
+
+    /// The present is another: skins are those of its world.
+    pub(super) fn arrive(&mut self) {
+        let world = &*self.frame.world;
+        self.skins = if self.frame.dress.has_skins() { self.frame.dress.skins(world) } else { Vec::new() };
+        self.dressed = world.topology();
+        self.second = world.time().floor();
+        self.kept = (world.counters().substeps, world.counters().points_moved, world.time());
+        self.last_edit = None;
+    }
+
+    fn dress(&mut self) {
+        let topology = self.frame.world.topology();
+        if topology != self.dressed && self.frame.dress.has_skins() {
+            self.skins = self.frame.dress.skins(&*self.frame.world);
+        }
+        self.dressed = topology;
+    }
+
+    /// Marks the state after all commands of its time, once a second.
+    fn mark_second(&mut self) {
+        let time = self.frame.world.time();
+        if time.floor() <= self.second {
+            return;
+        }
+        self.second = time.floor();
+        let is_new = self.tree.last_mark(self.branch).is_none_or(|last| last < self.second);
+        if is_new && self.frame.place == self.tree.len(self.branch) {
+            let hash = hash_now(&*self.frame.world, time);
+            self.tree.mark(self.branch, Mark { at: time, hash });
+        }
+    }
+
+    /// A keyframe before an edit of the log, so that it is undone at once.
+    fn keep_before_edit(&mut self, is_cut: bool) {
+        let next = self.tree.entry(self.branch, self.frame.place);
+        if next.is_some_and(|entry| entry.edit.is_some() && self.frame.is_due(entry.at)) {
+            self.keyframes.keep(self.branch, self.frame.clone(), is_cut);
+        }
+    }
+
+    /// A keyframe where enough was done since the last one that a copy costs little beside it.
+    fn keep_now_and_then(&mut self) {
+        let counters = self.frame.world.counters();
+        let (steps, work) = (counters.substeps, counters.points_moved);
+        let since = (steps.saturating_sub(self.kept.0), work.saturating_sub(self.kept.1));
+        let time = self.frame.world.time();
+        let is_due = time - self.kept.2 >= TIME_BETWEEN || since.1 >= WORK_BETWEEN;
+        if is_due && since.0 >= STEPS_BETWEEN {
+            self.kept = (steps, work, time);
+            self.keyframes.keep(self.branch, self.frame.clone(), false);
+        }
+    }
+
+    /// The branches that can be returned to, and the present one.
+    pub fn branches(&self) -> Vec<BranchView> {
+        self.tree.views(self.branch)
+    }
+
+    /// All of the present branch as a file has it.
+    pub fn recording(&self) -> Recording {
+        let entries = self.tree.entries(self.branch);
+        let (commands, end): (Vec<Entry>, f64) = if self.is_free {
+            (entries.take(self.frame.place).cloned().collect(), self.frame.world.time())
+        } else {
+            (entries.cloned().collect(), self.end())
+        };
+        let mut marks = self.tree.marks(self.branch);
+        marks.retain(|mark| mark.at <= end);
+        let is_at_end = self.frame.place == commands.len() && self.frame.world.time() >= end;
+        if is_at_end && marks.last().is_none_or(|mark| mark.at < end) {
+            marks.push(Mark { at: end, hash: hash_now(&*self.frame.world, end) });
+        }
+        Recording { scene: self.scene.clone(), commands, end: Some(end), marks }
+    }
+
+    /// Time of the start [s].
+    pub fn from(&self) -> f64 {
+        self.from
+    }
+}

@@ -1,0 +1,184 @@
+//! Undo, redo, going back and going on.
+
+use super::branch::Spot;
+use super::session::History;
+use crate::sim::Dynamics;
+
+/// What was undone or done again.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Undone {
+    /// What it is called.
+    pub name: String,
+    /// How far time went [s]: below 0 back.
+    pub seconds: f64,
+}
+
+/// Where doing again leads to.
+#[derive(Clone, Debug)]
+pub(super) struct Redo {
+    spot: Spot,
+    name: String,
+}
+
+/// What going back to the start is called.
+const RESET: &str = "Reset";
+
+impl History {
+    /// Goes back to just before the last edit. Nothing to undo is no error.
+    pub fn undo(&mut self) -> Option<Undone> {
+        let before = self.world().time();
+        let (branch, place) = (self.branch, self.frame.place);
+        let edit_of = |place: usize| self.tree.entry(branch, place).and_then(|entry| entry.edit);
+        let (name, again, back) = match (0..place).rev().find(|&place| edit_of(place).is_some()) {
+            Some(last) => {
+                let edit = edit_of(last);
+                let same = |&place: &usize| edit_of(place).is_none() || edit_of(place) == edit;
+                let first = (0..=last).rev().take_while(same).filter(|&place| edit_of(place) == edit).last();
+                let first = first.unwrap_or(last);
+                let after = (last..self.tree.len(branch)).take_while(same).filter(|&place| edit_of(place) == edit);
+                let last = after.last().unwrap_or(last);
+                (self.name(branch, first), self.after(branch, last), self.before(branch, first))
+            }
+            None => {
+                let back = self.tree.origin(branch)?;
+                let again = Spot { branch: self.tree.root(branch), place: 0, time: self.from() };
+                (RESET.to_owned(), again, back)
+            }
+        };
+        self.undone.push(Redo { spot: again, name: name.clone() });
+        self.go(back);
+        Some(Undone { name, seconds: self.world().time() - before })
+    }
+
+    /// Goes to just after what was undone last, or else after the edit that comes next in the log. Nothing to do again is no
+    /// error.
+    pub fn redo(&mut self) -> Option<Undone> {
+        let before = self.world().time();
+        let Redo { spot, name } = match self.undone.pop() {
+            Some(redo) => redo,
+            None => self.next_edit()?,
+        };
+        self.go(spot);
+        Some(Undone { name, seconds: self.world().time() - before })
+    }
+
+    /// The edit that comes next in the log, if that is followed.
+    fn next_edit(&self) -> Option<Redo> {
+        if self.is_free {
+            return None;
+        }
+        let edit_of = |place: usize| self.tree.entry(self.branch, place).and_then(|entry| entry.edit);
+        let to_come = self.frame.place..self.tree.len(self.branch);
+        let first = to_come.clone().find(|&place| edit_of(place).is_some())?;
+        let same = |&place: &usize| edit_of(place).is_none() || edit_of(place) == edit_of(first);
+        let last = (first..to_come.end).take_while(same).filter(|&place| edit_of(place).is_some()).last()?;
+        Some(Redo { spot: self.after(self.branch, last), name: self.name(self.branch, first) })
+    }
+
+    fn name(&self, branch: usize, place: usize) -> String {
+        self.tree.entry(branch, place).and_then(|entry| entry.name.clone()).unwrap_or_default()
+    }
+
+    fn before(&self, branch: usize, place: usize) -> Spot {
+        let time = self.tree.entry(branch, place).map_or(self.from(), |entry| entry.at);
+        Spot { branch, place, time }
+    }
+
+    fn after(&self, branch: usize, place: usize) -> Spot {
+        Spot { place: place + 1, ..self.before(branch, place) }
+    }
+
+    /// To the start of all; undone as one.
+    pub fn reset(&mut self) {
+        let here = self.spot();
+        self.keyframes.keep(self.branch, self.frame.clone(), false);
+        let start = Spot { branch: self.branch, place: 0, time: self.from() };
+        self.leave(start.branch, false);
+        self.restore(start);
+        self.branch = self.tree.fork(start, Some(here));
+        self.is_free = false;
+        self.undone.clear();
+        self.arrive();
+    }
+
+    /// The state at the step that ends at or before `t` [s], exactly. What comes after stays and is followed, until something
+    /// new is given: then that is another branch.
+    pub fn go_to(&mut self, t: f64) {
+        let t = if t.is_nan() { self.from() } else { t.clamp(self.from(), self.end().max(self.tree.end(self.branch))) };
+        self.is_free = false;
+        self.restore(Spot { branch: self.branch, place: usize::MAX, time: t });
+        loop {
+            let next = self.tree.entry(self.branch, self.frame.place).map(|entry| entry.at);
+            match next {
+                Some(at) if self.frame.is_due(at) => self.pass(),
+                Some(at) if at <= t => self.frame.step(Some(at)),
+                _ if self.frame.ends_by(t) => self.frame.step(next),
+                _ => break,
+            }
+        }
+        self.arrive();
+    }
+
+    /// The keyframe at or before `t` [s], to be shown at once.
+    pub fn nearest(&self, t: f64) -> Option<(f64, &dyn Dynamics)> {
+        let spot = Spot { branch: self.branch, place: usize::MAX, time: t };
+        let kept = self.keyframes.before(&self.tree, spot)?;
+        Some((kept.time, &*kept.frame.world))
+    }
+
+    /// To the end of another branch.
+    pub fn to_branch(&mut self, number: usize) {
+        if number >= self.tree.count() || number == self.branch {
+            return;
+        }
+        self.undone.clear();
+        self.leave(number, true);
+        self.branch = number;
+        self.go_to(self.tree.end(number));
+    }
+
+    /// To a spot that the history was at, exactly; what comes after it is not followed.
+    fn go(&mut self, spot: Spot) {
+        self.leave(spot.branch, true);
+        self.restore(spot);
+        self.branch = spot.branch;
+        self.is_free = true;
+        loop {
+            let next = self.tree.entry(self.branch, self.frame.place).map(|entry| entry.at);
+            match next {
+                Some(at) if self.frame.place < spot.place => {
+                    if self.frame.is_due(at) {
+                        self.pass()
+                    } else {
+                        self.frame.step(Some(at))
+                    }
+                }
+                _ if self.frame.is_due(spot.time) => break,
+                _ => self.frame.step(Some(spot.time)),
+            }
+        }
+        self.arrive();
+    }
+
+    /// The last keyframe at or before a spot becomes the present.
+    fn restore(&mut self, spot: Spot) {
+        if let Some(kept) = self.keyframes.before(&self.tree, spot) {
+            self.frame = kept.frame.clone();
+        }
+    }
+
+    /// Does the next command of the log; what could not be done then cannot be done now.
+    fn pass(&mut self) {
+        if let Some(entry) = self.tree.entry(self.branch, self.frame.place) {
+            let _ = self.frame.follow(entry, &self.scene);
+        }
+    }
+
+    /// The present branch is left for another.
+    fn leave(&mut self, to: usize, forgets: bool) {
+        if to != self.branch && forgets {
+            self.tree.leave(self.branch);
+        }
+        self.tree.enter(to);
+    }
+}

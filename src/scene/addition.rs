@@ -1,0 +1,135 @@
+//! What is added to a running world, made: bodies become points and bonds, numbers those of the world.
+
+use super::check;
+use super::error::{Fault, SceneError, Source, Within};
+use super::keys::{AddKeys, BondList, ObstacleKeys, PointKeys, Scene};
+use super::model::{material, rest_length};
+use super::support;
+use crate::picture::Skin;
+use crate::sim::vector::embed;
+use crate::sim::{self, Addition, Bond, Dynamics, Model, PointId};
+
+/// What keys of an addition come to.
+#[derive(Clone, Debug)]
+pub(crate) struct Made {
+    /// For the world.
+    pub(crate) addition: Addition,
+    /// What is drawn on new bodies, by the numbers of the world.
+    pub(crate) skins: Vec<Skin>,
+}
+
+impl AddKeys {
+    /// Makes what the keys say, for a world of `scene` as it is now.
+    ///
+    /// Errors: as of a scene with these keys; bonds between points that the world will not have.
+    pub(crate) fn make(&self, scene: &Scene, world: &dyn Dynamics) -> Result<Made, SceneError> {
+        let made = match scene.dimensions() {
+            2 => self.made::<2>(scene, world),
+            _ => self.made::<3>(scene, world),
+        };
+        // The place is that of a command, not of the scene's file.
+        made.map_err(|fault| Source::default().error(fault))
+    }
+
+    fn made<const D: usize>(&self, scene: &Scene, world: &dyn Dynamics) -> Result<Made, Fault> {
+        let [first, ..] = world.next_numbers();
+        let alone = self.alone(scene);
+        let model: Model<D> = alone.to_model()?;
+        let count = first.checked_add(model.position.len() as u32);
+        let count = count.ok_or_else(|| Fault::invalid("would be more points than 32 bits can count"))?;
+        let offset = |point: PointId| PointId(first + point.0);
+        let position: Vec<[f64; 3]> = model.position.iter().map(|&x| embed(x)).collect();
+        let of_bodies = model.bonds.iter().map(|bond| Bond { a: offset(bond.a), b: offset(bond.b), ..bond });
+        let mut bonds = self.explicit_bonds(&alone, (world, first, count), &position)?;
+        bonds.extend(of_bodies);
+        let mut pinned: Vec<PointId> = model.pinned.iter().copied().map(offset).collect();
+        pinned.extend(self.points.iter().flat_map(|points| &points.pinned).map(|&point| PointId(point)));
+        for (i, motion) in self.pin_motion.iter().enumerate() {
+            check::check_pin_motion(motion, D, &|_| true).item(i).at("pin_motion")?;
+        }
+        Ok(Made {
+            skins: self.skins(&alone, first)?,
+            addition: Addition {
+                position,
+                velocity: model.velocity.iter().map(|&v| embed(v)).collect(),
+                obstacles: self.solids(&model),
+                mass: model.mass,
+                pinned,
+                bonds,
+                pin_motion: self.tracks(D),
+            },
+        })
+    }
+
+    /// The scene of the new points, bodies and obstacles alone, under the method of `scene`.
+    fn alone(&self, scene: &Scene) -> Scene {
+        let points = self.points.clone();
+        Scene {
+            dimensions: scene.dimensions,
+            points: points.map(|points| PointKeys { pinned: Vec::new(), ..points }),
+            bodies: self.bodies.clone(),
+            obstacles: self.obstacles.clone(),
+            method: scene.method.clone(),
+            source: Source { text: None, label: scene.source.label.clone(), pictures: scene.source.pictures.clone() },
+            ..Scene::default()
+        }
+    }
+
+    /// The bonds of the keys: between points of the world below `first` and new ones at `new`, `count` in all.
+    fn explicit_bonds(
+        &self,
+        alone: &Scene,
+        (world, first, count): (&dyn Dynamics, u32, u32),
+        new: &[[f64; 3]],
+    ) -> Result<Vec<Bond>, Fault> {
+        let list: BondList = self.bonds.clone().into();
+        check::check_bonds(&list, count).at("bonds")?;
+        let with_bonds = Scene { bonds: list, ..alone.clone() };
+        support::method(&with_bonds)?;
+        let (positions, dimensions) = (world.positions(), world.dimensions());
+        let place = |point: u32| {
+            if point >= first {
+                return new[(point - first) as usize];
+            }
+            let start = point as usize * dimensions;
+            std::array::from_fn(|axis| if axis < dimensions { positions.get(start + axis) } else { 0.0 })
+        };
+        let bond = |(k, keys): (usize, &super::keys::BondKeys)| {
+            let rest_length = match keys.rest {
+                Some(rest) => rest,
+                None => rest_length(place(keys.a), place(keys.b)).item(k).at("bonds")?,
+            };
+            Ok(Bond { a: PointId(keys.a), b: PointId(keys.b), rest_length, ..material(keys) })
+        };
+        self.bonds.iter().enumerate().map(bond).collect()
+    }
+
+    /// The obstacles in the order of the keys; a model has planes and polygons apart.
+    fn solids<const D: usize>(&self, model: &Model<D>) -> Vec<sim::Obstacle> {
+        let mut planes = model.planes.iter().map(|plane| sim::Obstacle::Plane {
+            point: embed(plane.point),
+            normal: embed(plane.normal),
+            restitution: plane.restitution,
+            friction: plane.friction,
+        });
+        let mut polygons = model.polygons.iter().cloned().map(sim::Obstacle::Polygon);
+        let is_plane = |keys: &ObstacleKeys| keys.plane.is_some();
+        let next = |keys| if is_plane(keys) { planes.next() } else { polygons.next() };
+        self.obstacles.iter().filter_map(next).collect()
+    }
+
+    fn tracks(&self, dimensions: usize) -> Vec<(PointId, Vec<(f64, [f64; 3])>)> {
+        let place = |row: &Vec<f64>| std::array::from_fn(|axis| if axis < dimensions { row[axis + 1] } else { 0.0 });
+        let knots = |track: &Vec<Vec<f64>>| track.iter().map(|row| (row[0], place(row))).collect();
+        self.pin_motion.iter().map(|motion| (PointId(motion.point), knots(&motion.track))).collect()
+    }
+
+    fn skins(&self, alone: &Scene, first: u32) -> Result<Vec<Skin>, Fault> {
+        let mut skins = alone.all_skins()?;
+        for skin in &mut skins {
+            skin.first += first;
+            skin.triangles.iter_mut().flatten().for_each(|corner| *corner += first);
+        }
+        Ok(skins)
+    }
+}

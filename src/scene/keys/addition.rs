@@ -1,0 +1,29 @@
+//! The keys of what is added to a running world.
+
+use super::body::BodyKeys;
+use super::bond::BondKeys;
+use super::macros::object;
+use super::scene::PointKeys;
+use super::surroundings::{ObstacleKeys, PinMotionKeys};
+
+object! {
+    /// What comes, in the keys of scenes. Numbers of points under `pinned` of the points and under `bonds` are those of the world, in
+    /// which new points follow the last number.
+    #[derive(Default)]
+    AddKeys: "what is added: an object with keys such as `points` and `bodies`" {
+        optional {
+            /// Points, one by one.
+            points: PointKeys,
+        }
+        lists {
+            /// Bonds between points of the world, new ones included.
+            bonds: BondKeys,
+            /// Bodies: their points and bonds follow those above.
+            bodies: BodyKeys,
+            /// Obstacles.
+            obstacles: ObstacleKeys,
+            /// Pins that move; times are those of the scene.
+            pin_motion: PinMotionKeys,
+        }
+    }
+}
