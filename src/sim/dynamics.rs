@@ -6,40 +6,8 @@ use super::command::{Applied, Command, CommandError};
 use super::contact::polygon::Polygon;
 use super::counters::Counters;
 use super::force::mouse::{Cursor, MouseForce};
-use super::model::Precision;
-use super::plan::PlanPart;
-
-/// Positions of all points as they lie in memory: D numbers a point, one point after another [m].
-#[derive(Clone, Copy, Debug)]
-pub enum Positions<'a> {
-    /// Of an `f32` world.
-    F32(&'a [f32]),
-    /// Of an `f64` world.
-    F64(&'a [f64]),
-}
-
-impl Positions<'_> {
-    /// How many numbers there are: D for every point.
-    pub fn len(&self) -> usize {
-        match self {
-            Positions::F32(x) => x.len(),
-            Positions::F64(x) => x.len(),
-        }
-    }
-
-    /// Whether there is no point.
-    pub fn is_empty(&self) -> bool {
-        self.len() == 0
-    }
-
-    /// Component `index` of the flat list.
-    pub fn get(&self, index: usize) -> f64 {
-        match self {
-            Positions::F32(x) => f64::from(x[index]),
-            Positions::F64(x) => x[index],
-        }
-    }
-}
+use super::plan_part::PlanPart;
+use super::real::{Positions, Precision};
 
 /// Position and velocity of every point at one time, in `f64`, three components a point (z = 0 in the plane).
 #[derive(Clone, Debug, PartialEq)]

@@ -1,8 +1,7 @@
 //! What can be measured of a state: extent, energy, strain, momentum.
 
-use super::bond::Bond;
+use super::bond::{Bond, BondKind, Limit};
 use super::bonds::Bonds;
-use super::force::spring;
 use super::points::Points;
 use super::real::Real;
 use super::vector::{dot, length, sub};
@@ -49,7 +48,7 @@ pub(crate) fn energy<const D: usize>(
     bonds: &Bonds,
     gravity: [f64; D],
 ) -> f64 {
-    let mut sum = spring::energy(bonds, position);
+    let mut sum = springs_energy(bonds, position);
     for (i, &w) in w.iter().enumerate() {
         if w > 0.0 {
             let (x, v) = (position(i), velocity(i));
@@ -57,6 +56,21 @@ pub(crate) fn energy<const D: usize>(
         }
     }
     sum
+}
+
+/// Energy of every spring [J]: stiffness (|d| - rest)^2 / 2 where it acts.
+pub(crate) fn springs_energy<const D: usize>(bonds: &Bonds, position: impl Fn(usize) -> [f64; D]) -> f64 {
+    let of = |bond: Bond| {
+        let BondKind::Spring { stiffness, .. } = bond.kind else { return 0.0 };
+        let d = sub(position(bond.a.index()), position(bond.b.index()));
+        let stretch = dot(d, d).sqrt() - bond.rest_length;
+        match bond.limit {
+            Limit::Max if stretch < 0.0 => 0.0,
+            Limit::Min if stretch > 0.0 => 0.0,
+            _ => 0.5 * stiffness * stretch * stretch,
+        }
+    };
+    if bonds.may_have_springs() { bonds.iter().map(of).sum() } else { 0.0 }
 }
 
 /// Largest |length/rest - 1| over the bonds [1], those of rest length 0 left out.

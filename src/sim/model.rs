@@ -3,10 +3,12 @@
 use super::bond::{Bond, BondKind, PointId};
 use super::bonds::Bonds;
 use super::contact::bounds::Bounds;
+use super::contact::geometry::Geometry;
 use super::contact::polygon::Polygon;
 use super::contact::surface::Plane;
 use super::force::mouse::{MouseForce, Track};
-use super::solver::Solver;
+use super::real::Precision;
+use super::solver::{Order, Solver};
 
 /// A start: everything that decides a motion. The same model runs bit for bit as it did before.
 ///
@@ -224,6 +226,12 @@ impl<const D: usize> Model<D> {
     }
 }
 
+impl<'a, const D: usize> From<&'a Model<D>> for Geometry<'a, D> {
+    fn from(model: &'a Model<D>) -> Self {
+        Geometry { bounds: model.bounds.as_ref(), planes: &model.planes, polygons: &model.polygons }
+    }
+}
+
 fn require(fine: bool, place: &str, value: impl std::fmt::Debug, range: &'static str) -> Result<(), ModelError> {
     if fine {
         return Ok(());
@@ -273,32 +281,4 @@ pub struct Method {
     /// Largest strain of rigid bonds [1], > 0, that large bodies are held to; `None`: 0.02 for islands of more than 2,000
     /// rigid bonds, 1e-6 for smaller ones.
     pub max_strain: Option<f64>,
-}
-
-/// The order in which a sweep takes the bonds.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum Order {
-    /// As [`Order::Coloured`].
-    #[default]
-    Auto,
-    /// As listed, every sweep: feeds energy into over-determined meshes, and exists to show that.
-    Fixed,
-    /// As listed and backwards, sweep by sweep in turn.
-    Symmetric,
-    /// By colours: no two bonds of one colour share a point.
-    Coloured,
-    /// Shuffled anew for every sweep, from the seed.
-    Shuffled,
-}
-
-/// The scalar of a world.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum Precision {
-    /// `f64` for small scenes, `f32` for large ones.
-    #[default]
-    Auto,
-    /// 32 bits, compensated.
-    F32,
-    /// 64 bits.
-    F64,
 }

@@ -5,9 +5,6 @@ use std::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Sub, SubAssi
 
 use fearless_simd::SimdFloatElement;
 
-use super::dynamics::Positions;
-use super::model::Precision;
-
 /// A real number with the exactly rounded operations that the kernels need.
 ///
 /// Only operations that IEEE 754 rounds correctly are here (+, -, *, /, square root, comparison), so that a run
@@ -112,3 +109,47 @@ macro_rules! real {
 
 real!(f32, F32);
 real!(f64, F64);
+
+/// The scalar of a world.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Precision {
+    /// `f64` for small scenes, `f32` for large ones.
+    #[default]
+    Auto,
+    /// 32 bits, compensated.
+    F32,
+    /// 64 bits.
+    F64,
+}
+
+/// Positions of all points as they lie in memory: D numbers a point, one point after another [m].
+#[derive(Clone, Copy, Debug)]
+pub enum Positions<'a> {
+    /// Of an `f32` world.
+    F32(&'a [f32]),
+    /// Of an `f64` world.
+    F64(&'a [f64]),
+}
+
+impl Positions<'_> {
+    /// How many numbers there are: D for every point.
+    pub fn len(&self) -> usize {
+        match self {
+            Positions::F32(x) => x.len(),
+            Positions::F64(x) => x.len(),
+        }
+    }
+
+    /// Whether there is no point.
+    pub fn is_empty(&self) -> bool {
+        self.len() == 0
+    }
+
+    /// Component `index` of the flat list.
+    pub fn get(&self, index: usize) -> f64 {
+        match self {
+            Positions::F32(x) => f64::from(x[index]),
+            Positions::F64(x) => x[index],
+        }
+    }
+}

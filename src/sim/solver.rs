@@ -151,3 +151,19 @@ impl fmt::Display for Solver {
         f.write_str(self.name())
     }
 }
+
+/// The order in which a sweep takes the bonds.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Order {
+    /// As [`Order::Coloured`].
+    #[default]
+    Auto,
+    /// As listed, every sweep: feeds energy into over-determined meshes, and exists to show that.
+    Fixed,
+    /// As listed and backwards, sweep by sweep in turn.
+    Symmetric,
+    /// By colours: no two bonds of one colour share a point.
+    Coloured,
+    /// Shuffled anew for every sweep, from the seed.
+    Shuffled,
+}

@@ -77,3 +77,30 @@ pub fn truncate<const D: usize>(a: [f64; 3]) -> [f64; D] {
 pub fn embed<const D: usize>(a: [f64; D]) -> [f64; 3] {
     std::array::from_fn(|k| if k < D { a[k] } else { 0.0 })
 }
+
+/// sum += increment, with what rounding took from earlier sums paid back first (Kahan).
+///
+/// Source: W. Kahan, Comm. ACM 8, 40 (1965).
+#[inline(always)]
+pub(crate) fn accumulate<S: Real, const D: usize>(sum: &mut [S; D], lost: &mut [S; D], increment: [S; D]) {
+    for k in 0..D {
+        let owed = increment[k] + lost[k];
+        let next = sum[k] + owed;
+        lost[k] = owed - (next - sum[k]);
+        sum[k] = next;
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_million_small_increments_add_up() {
+        let (mut sum, mut lost) = ([100.0_f32], [0.0]);
+        for _ in 0..1_000_000 {
+            accumulate(&mut sum, &mut lost, [1e-6]);
+        }
+        assert!((sum[0] - 101.0).abs() < 1e-5, "{}", sum[0]);
+    }
+}

@@ -6,7 +6,7 @@ use super::form::{Form, Run};
 use super::spec::{Spec, Substep};
 use super::trails::{self, Bundle, Segment};
 use crate::sim::bond::BondKind;
-use crate::sim::constrain::colour::colours;
+use crate::sim::colour::colours;
 use crate::sim::kernels::cells::Cells;
 use crate::sim::kernels::lanes::{Lanes, Mask, WIDEST, between, largest, load, splat, width};
 use crate::sim::kernels::law::{Law, Rigid};

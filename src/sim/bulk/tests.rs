@@ -7,7 +7,7 @@ use super::sheet::Sheet;
 use super::spec::{Spec, Substep};
 use super::trails::Segment;
 use crate::sim::bond::{BondKind, Limit};
-use crate::sim::constrain::colour::colours;
+use crate::sim::colour::colours;
 use crate::sim::kernels::level::InstructionSet;
 use crate::sim::kernels::rows::Kinds;
 use crate::sim::kernels::store::{Drift, Store};

@@ -3,7 +3,6 @@
 //! All of it works on the displacements of the substep under way, x(t+h) - x(t), never on the new positions: a
 //! difference of displacements is small and exact where a difference of positions far from the origin is neither.
 
-pub(crate) mod colour;
 pub(crate) mod direct;
 pub(crate) mod order;
 pub(crate) mod relaxed;

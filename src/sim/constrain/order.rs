@@ -4,8 +4,8 @@ use rand::SeedableRng;
 use rand::seq::SliceRandom;
 use rand_pcg::Pcg32;
 
-use super::colour::by_colour;
-use crate::sim::model::Order;
+use crate::sim::colour::by_colour;
+use crate::sim::solver::Order;
 
 /// Hands out the bonds of a sweep one by one.
 ///

@@ -1,7 +1,7 @@
-//! Points on surfaces: who rests on which, what that takes from forces and velocities, and impacts.
+//! Points on surfaces: who rests on which, and what that takes from forces and velocities.
 
 pub mod bounds;
-pub(crate) mod impact;
+pub(crate) mod geometry;
 pub(crate) mod obstacles;
 pub(crate) mod passage;
 pub mod polygon;

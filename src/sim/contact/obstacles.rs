@@ -2,11 +2,11 @@
 
 use std::sync::Arc;
 
+use super::geometry::Geometry;
 use super::passage::Passage;
 use super::polygon::TooManyCrossings;
 use super::polygon::solids::{Solids, Wall};
-use super::surface::{Surface, surfaces};
-use crate::sim::model::Model;
+use super::surface::Surface;
 use crate::sim::real::Real;
 use crate::sim::vector::{flat, length, scale, sub};
 
@@ -36,20 +36,21 @@ pub(crate) struct Met {
 
 impl<S: Real, const D: usize> Obstacles<S, D> {
     /// Errors: outlines of polygons cross too often.
-    pub(crate) fn of(model: &Model<D>) -> Result<Self, TooManyCrossings> {
-        Ok(Obstacles::around(model, Solids::new(&model.polygons)?.map(Arc::new)))
+    pub(crate) fn of<'a>(geometry: impl Into<Geometry<'a, D>>) -> Result<Self, TooManyCrossings> {
+        let geometry = geometry.into();
+        Ok(Obstacles::around(geometry, Solids::new(geometry.polygons)?.map(Arc::new)))
     }
 
     /// The same for another scalar.
-    pub(crate) fn widened(&self, model: &Model<D>) -> Obstacles<f64, D> {
-        Obstacles::around(model, self.solids.clone())
+    pub(crate) fn widened<'a>(&self, geometry: impl Into<Geometry<'a, D>>) -> Obstacles<f64, D> {
+        Obstacles::around(geometry.into(), self.solids.clone())
     }
 
-    fn around(model: &Model<D>, solids: Option<Arc<Solids>>) -> Self {
-        let mut list = surfaces(model);
+    fn around(geometry: Geometry<D>, solids: Option<Arc<Solids>>) -> Self {
+        let mut list = geometry.surfaces();
         let planes = list.len();
         if let Some(solids) = &solids {
-            let walls = solids.planes(&model.polygons);
+            let walls = solids.planes(geometry.polygons);
             list.extend(walls.iter().map(|plane| Surface::within(plane, solids.reach())));
         }
         Obstacles { surfaces: list.into(), planes, solids }

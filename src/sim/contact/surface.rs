@@ -1,7 +1,5 @@
-//! Surfaces that points cannot pass: planes, and the walls of the bounds as planes.
+//! Surfaces that points cannot pass, as the kernels read them.
 
-use super::bounds::Bounds;
-use crate::sim::model::Model;
 use crate::sim::real::Real;
 use crate::sim::vector::{convert, dot};
 
@@ -70,23 +68,4 @@ impl<S: Real, const D: usize> Surface<S, D> {
     pub(crate) fn slack(&self) -> S {
         self.slack
     }
-}
-
-/// All surfaces of a model: the walls of its bounds, then its planes.
-pub(crate) fn surfaces<S: Real, const D: usize>(model: &Model<D>) -> Vec<Surface<S, D>> {
-    let walls = model.bounds.iter().flat_map(walls);
-    walls.chain(model.planes.iter().copied()).map(|plane| Surface::new(&plane)).collect()
-}
-
-/// The walls of the bounds, as planes.
-fn walls<const D: usize>(bounds: &Bounds<D>) -> Vec<Plane<D>> {
-    let mut planes = Vec::with_capacity(2 * D);
-    for k in 0..D {
-        for (point, side) in [(bounds.min, 1.0), (bounds.max, -1.0)] {
-            let mut normal = [0.0; D];
-            normal[k] = side;
-            planes.push(Plane { point, normal, restitution: bounds.restitution, friction: bounds.friction });
-        }
-    }
-    planes
 }

@@ -1,8 +1,7 @@
 //! Springs with a damper along the bond, as forces.
 
 use crate::sim::bond::{Bond, BondKind, Limit};
-use crate::sim::bonds::Bonds;
-use crate::sim::constrain::colour::by_colour;
+use crate::sim::colour::by_colour;
 use crate::sim::real::Real;
 use crate::sim::vector::{add, dot, scale, sub};
 
@@ -219,19 +218,4 @@ impl<S: Real> Spring<S> {
             Limit::Min => length >= self.rest_length,
         }
     }
-}
-
-/// Energy of every spring [J]: stiffness (|d| - rest)^2 / 2 where it acts.
-pub(crate) fn energy<const D: usize>(bonds: &Bonds, position: impl Fn(usize) -> [f64; D]) -> f64 {
-    let of = |bond: Bond| {
-        let BondKind::Spring { stiffness, .. } = bond.kind else { return 0.0 };
-        let d = sub(position(bond.a.index()), position(bond.b.index()));
-        let stretch = dot(d, d).sqrt() - bond.rest_length;
-        match bond.limit {
-            Limit::Max if stretch < 0.0 => 0.0,
-            Limit::Min if stretch > 0.0 => 0.0,
-            _ => 0.5 * stiffness * stretch * stretch,
-        }
-    };
-    if bonds.may_have_springs() { bonds.iter().map(of).sum() } else { 0.0 }
 }

@@ -3,12 +3,13 @@
 pub(crate) mod engine;
 pub(crate) mod events;
 pub(crate) mod guard;
+mod impact;
 
 use super::bulk::kernel::Kernel;
+use super::constrain::direct::MOST_DIRECT;
 use super::counters::Counters;
 use super::environment::Environment;
 use super::force::mouse::{self, Inside, Track};
-use super::plan::choice::MOST_DIRECT;
 use super::points::{Points, State};
 use super::pull::Pull;
 use super::real::Real;

@@ -1,9 +1,9 @@
 //! Flights: the exact motion of points under gravity and drag alone.
 
-use super::verlet::{Kick, Split, accumulate, parts};
+use super::verlet::{Kick, Split, parts};
 use crate::sim::points::Points;
 use crate::sim::real::Real;
-use crate::sim::vector::{add, scale};
+use crate::sim::vector::{accumulate, add, scale};
 
 /// Constants of a flight over one stretch of time.
 #[derive(Clone, Copy, Debug)]

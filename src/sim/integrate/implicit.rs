@@ -18,7 +18,7 @@ use crate::sim::points::Points;
 use crate::sim::pull::Pull;
 use crate::sim::real::Real;
 use crate::sim::solve::blocks::Blocks;
-use crate::sim::vector::{add, convert, dot, scale, sub, zero};
+use crate::sim::vector::{accumulate, add, convert, dot, scale, sub, zero};
 
 /// Rounds of Newton's method after which a step has not converged.
 const MOST_ROUNDS: u32 = 40;
@@ -180,7 +180,7 @@ impl<S: Real, const D: usize> Implicit<S, D> {
             } else {
                 (way, speed)
             };
-            super::verlet::accumulate(&mut points.position[i], &mut points.position_lost[i], x);
+            accumulate(&mut points.position[i], &mut points.position_lost[i], x);
             if points.inverse_mass[i] != S::ZERO {
                 points.velocity[i] = v;
                 points.velocity_lost[i] = zero();

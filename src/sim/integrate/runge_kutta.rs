@@ -5,13 +5,13 @@
 //! Source: E. Hairer and G. Wanner, Solving Ordinary Differential Equations II, 2nd ed. 1996, VII.2.
 
 use super::tableau::{LONGEST_ROW, Tableau};
-use super::verlet::accumulate;
 use crate::sim::constrain::direct::Direct;
 use crate::sim::counters::Counters;
 use crate::sim::environment::Environment;
 use crate::sim::points::Points;
 use crate::sim::pull::Pull;
 use crate::sim::real::Real;
+use crate::sim::vector::accumulate;
 
 /// The state at the start of a step, of the stage under way, and the slopes of all stages: rows of numbers, first those
 /// of the positions, then those of the velocities.

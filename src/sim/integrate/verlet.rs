@@ -12,10 +12,9 @@
 //! same time, and adds small increments to large numbers only by [`accumulate`]. Second order, symplectic.
 //! Source: L. Verlet, Phys. Rev. 159, 98 (1967); W. C. Swope et al., J. Chem. Phys. 76, 637 (1982).
 
-use crate::sim::model::Precision;
 use crate::sim::points::Points;
-use crate::sim::real::Real;
-use crate::sim::vector::{add, convert, scale, sub, widen, zero};
+use crate::sim::real::{Precision, Real};
+use crate::sim::vector::{accumulate, add, convert, scale, sub, widen, zero};
 
 /// A number in two parts, so that a constant of the substep loses nothing to the world's scalar.
 #[derive(Clone, Copy, Debug)]
@@ -53,19 +52,6 @@ impl<S: Real> Split<S> {
             fine = add(scale(v, self.low), fine);
         }
         add(scale(v, self.high), fine)
-    }
-}
-
-/// sum += increment, with what rounding took from earlier sums paid back first (Kahan).
-///
-/// Source: W. Kahan, Comm. ACM 8, 40 (1965).
-#[inline(always)]
-pub(crate) fn accumulate<S: Real, const D: usize>(sum: &mut [S; D], lost: &mut [S; D], increment: [S; D]) {
-    for k in 0..D {
-        let owed = increment[k] + lost[k];
-        let next = sum[k] + owed;
-        lost[k] = owed - (next - sum[k]);
-        sum[k] = next;
     }
 }
 
@@ -169,15 +155,6 @@ fn shift<S: Real, const D: usize>(points: &mut Points<S, D>, i: usize, d: [S; D]
 #[cfg(test)]
 mod tests {
     use super::*;
-
-    #[test]
-    fn a_million_small_increments_add_up() {
-        let (mut sum, mut lost) = ([100.0_f32], [0.0]);
-        for _ in 0..1_000_000 {
-            accumulate(&mut sum, &mut lost, [1e-6]);
-        }
-        assert!((sum[0] - 101.0).abs() < 1e-5, "{}", sum[0]);
-    }
 
     #[test]
     fn the_parts_of_a_split_make_the_whole() {

@@ -12,7 +12,7 @@ use crate::sim::bulk::draft::{Draft, Order, Shape};
 use crate::sim::bulk::mover::mover;
 use crate::sim::bulk::spec::Spec;
 use crate::sim::bulk::trails::Segment;
-use crate::sim::constrain::colour::by_colour;
+use crate::sim::colour::by_colour;
 use crate::sim::contact::Contacts;
 use crate::sim::force::spring::Springs;
 use crate::sim::group::Group;

@@ -3,8 +3,9 @@
 use super::island::Island;
 use crate::sim::bulk::Way;
 use crate::sim::bulk::control::FRAME;
-use crate::sim::model::{Method, Order};
-use crate::sim::solver::Solver;
+use crate::sim::constrain::direct::MOST_DIRECT;
+use crate::sim::model::Method;
+use crate::sim::solver::{Order, Solver};
 
 /// Largest substep where nothing is fast [s]: what a thrown point or a swinging rope needs to look smooth.
 const LONGEST: f64 = FRAME / 4.0;
@@ -21,9 +22,7 @@ const MOST_SUBSTEPS: f64 = 100_000.0;
 const STIFF: f64 = 256.0;
 /// Largest island with an implicit method: beyond, factors of its system no longer fit a cache.
 const MOST_IMPLICIT: usize = 4_000;
-/// Largest set of rigid bonds that is solved directly.
-pub(crate) const MOST_DIRECT: usize = 2_000;
-/// Most pairs of rigid bonds that share a point in such a set: a star of many spokes couples all with all.
+/// Most pairs of rigid bonds that share a point in a set that is solved directly: a star of many spokes couples all with all.
 const MOST_COUPLINGS: usize = 60_000;
 /// Largest tree of rigid bonds that passes are meant for, where a strain is asked for; paths apart: solving more together is
 /// exact and takes no longer.

@@ -13,10 +13,10 @@ use crate::sim::integrate::kick_drift::{KickDrift, Swept};
 use crate::sim::integrate::runge_kutta::Stages;
 use crate::sim::integrate::splitting::{self, Part, Splitting};
 use crate::sim::integrate::tableau::{EULER, RK2, RK4, RK8, Tableau};
-use crate::sim::model::Order;
 use crate::sim::points::Points;
 use crate::sim::pull::Pull;
 use crate::sim::real::Real;
+use crate::sim::solver::Order;
 use crate::sim::solver::Solver;
 
 impl<S: Real, const D: usize> Maker<'_, S, D> {

@@ -100,7 +100,7 @@ impl<S: Real, const D: usize> Gathered<S, D> {
             let (part, kernel) = (&mut parts[lot.class], &mut kernels[lot.class]);
             part.bonds += lot.islands.iter().map(|island| island.bonds.len()).sum::<usize>();
             part.islands += lot.islands.len();
-            part.work += super::super::cost::of(&group);
+            part.work += super::cost::of(&group);
             *kernel = group.kernel().map(|of| kernel.map_or(of, |sum| sum.and(of)));
             groups.push(group);
         }

@@ -3,8 +3,8 @@
 use super::choice::{self, Choice, Setting};
 use super::island::Island;
 use super::structure::MOST_OF_A_CROWD;
-use crate::sim::model::{Model, Order};
-use crate::sim::solver::Solver;
+use crate::sim::model::Model;
+use crate::sim::solver::{Order, Solver};
 
 /// Points from which on a group of small islands is full: one that sleeps should not be woken by too many others, and a group
 /// costs about as much as a few points.

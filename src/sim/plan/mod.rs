@@ -4,6 +4,7 @@
 mod bulk;
 pub(crate) mod choice;
 mod clear;
+mod cost;
 mod engines;
 mod gather;
 pub(crate) mod island;
@@ -20,6 +21,7 @@ use super::bonds::Bonds;
 use super::contact::obstacles::Obstacles;
 use super::group::Group;
 use super::model::Model;
+use super::plan_part::PlanPart;
 use super::points::State;
 use super::real::Real;
 use super::solver::Solver;
@@ -42,27 +44,6 @@ pub(crate) struct Plan<S: Real, const D: usize> {
     pub(crate) substep: f64,
     /// What the groups are, for those who ask.
     pub(crate) parts: Vec<PlanPart>,
-}
-
-/// Islands of one method and substep: what they are and what moves them.
-#[derive(Clone, Debug, PartialEq)]
-pub struct PlanPart {
-    /// The method.
-    pub solver: Solver,
-    /// Longest substep [s].
-    pub substep: f64,
-    /// Points that can move.
-    pub points: usize,
-    /// Bonds.
-    pub bonds: usize,
-    /// Islands.
-    pub islands: usize,
-    /// Multiplications of one substep, about: what settings are compared by.
-    pub work: f64,
-    /// What large bodies are made of and how their bonds are taken, in words; empty for others.
-    pub kernel: String,
-    /// Largest strain that substeps follow [1], if they do.
-    pub max_strain: Option<f64>,
 }
 
 impl PlanPart {

@@ -1,8 +1,10 @@
 //! Which scalar a world is made of, where the scene leaves it open.
 
-use super::choice::{LARGE_STRAIN, MOST_DIRECT};
+use super::choice::LARGE_STRAIN;
 use crate::sim::bond::BondKind;
-use crate::sim::model::{Model, Precision};
+use crate::sim::constrain::direct::MOST_DIRECT;
+use crate::sim::model::Model;
+use crate::sim::real::Precision;
 
 /// Points above which a world is made of 32 bits: there memory rules, below it scalar code gains too little.
 const LARGE: usize = 20_000;

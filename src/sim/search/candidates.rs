@@ -1,8 +1,9 @@
 //! Methods that fit what a scene is made of.
 
 use crate::sim::bond::{BondKind, Limit};
+use crate::sim::constrain::direct::MOST_DIRECT;
 use crate::sim::model::Model;
-use crate::sim::plan::{choice::MOST_DIRECT, inverse_masses, island::islands};
+use crate::sim::plan::{inverse_masses, island::islands};
 use crate::sim::solver::Solver;
 
 /// What a search tries.

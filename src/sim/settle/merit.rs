@@ -5,7 +5,7 @@ use super::friction::Rub;
 use super::hold::Hold;
 use super::part::{extent, grain};
 use crate::sim::bond::Limit;
-use crate::sim::force::spring;
+use crate::sim::measure;
 use crate::sim::vector::{dot, sub};
 
 impl<const D: usize> Descent<D> {
@@ -13,7 +13,7 @@ impl<const D: usize> Descent<D> {
     pub(super) fn energy(&self, x: &[[f64; D]]) -> f64 {
         let part = &self.part;
         let lift = |i: usize| if part.is_free[i] { -part.mass[i] * dot(part.gravity, x[i]) } else { 0.0 };
-        spring::energy(&part.bonds, |i| x[i]) + (0..x.len()).map(lift).sum::<f64>()
+        measure::springs_energy(&part.bonds, |i| x[i]) + (0..x.len()).map(lift).sum::<f64>()
     }
 
     /// Energy and what holds add to it: lambda C + C^2/2e, whose least value along the step is where the system leads to.

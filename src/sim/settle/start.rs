@@ -4,7 +4,7 @@ use super::hold::{Grip, Hold};
 use super::part::Part;
 use crate::sim::bond::{Bond, BondKind, Limit, PointId};
 use crate::sim::bonds::Bonds;
-use crate::sim::contact::surface::surfaces;
+use crate::sim::contact::geometry::Geometry;
 use crate::sim::force::spring::Spring;
 use crate::sim::model::Model;
 use crate::sim::plan::island::{Island, islands};
@@ -76,7 +76,7 @@ fn part<const D: usize>(
     };
     let bonds = own().map(|bond| Bond { a: place(bond.a), b: place(bond.b), ..bond });
     let (rigid, springs): (Bonds, Bonds) = bonds.partition(|bond| bond.kind == BondKind::Rigid);
-    let surfaces = surfaces(model);
+    let surfaces = Geometry::from(model).surfaces();
     let bond = |bond: Bond| {
         let grip = Grip::Bond { a: bond.a.index(), b: bond.b.index(), rest: bond.rest_length };
         Hold::new(grip, bond.limit)

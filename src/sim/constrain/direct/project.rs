@@ -2,10 +2,9 @@
 
 use super::{Direct, Held, MOST_SOLVES, enough, least_pivot, tolerance};
 use crate::sim::contact::Contacts;
-use crate::sim::integrate::verlet::accumulate;
 use crate::sim::points::Points;
 use crate::sim::real::Real;
-use crate::sim::vector::{add, dot, scale, sub, zero};
+use crate::sim::vector::{accumulate, add, dot, scale, sub, zero};
 
 impl<S: Real, const D: usize> Direct<S, D> {
     /// Puts bonds back to their lengths, then takes from velocities what would change them.

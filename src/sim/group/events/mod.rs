@@ -15,9 +15,9 @@ mod walls;
 use std::sync::Arc;
 
 use super::Group;
-use crate::sim::contact::impact::{self, Hit};
 use crate::sim::counters::Counters;
 use crate::sim::environment::Environment;
+use crate::sim::group::impact::{self, Hit};
 use crate::sim::real::Real;
 use crate::sim::vector::{add, dot, zero};
 

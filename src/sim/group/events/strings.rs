@@ -2,9 +2,9 @@
 
 use super::{Event, Group};
 use crate::sim::bond::Limit;
-use crate::sim::contact::impact;
 use crate::sim::counters::Counters;
 use crate::sim::environment::Environment;
+use crate::sim::group::impact;
 use crate::sim::real::Real;
 use crate::sim::vector::{dot, length, sub};
 

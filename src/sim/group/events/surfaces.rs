@@ -1,12 +1,12 @@
 //! Points that reach surfaces: when they do, which ones hit, and how those that went through come back.
 
 use super::{Event, Group, at_edge};
-use crate::sim::contact::impact::{self, Hit};
 use crate::sim::contact::passage::Passage;
 use crate::sim::contact::place;
 use crate::sim::contact::surface::Surface;
 use crate::sim::counters::Counters;
 use crate::sim::environment::Environment;
+use crate::sim::group::impact::{self, Hit};
 use crate::sim::measure::extent;
 use crate::sim::real::Real;
 use crate::sim::vector::{dot, zero};

@@ -3,7 +3,7 @@
 //! A wall is met by a point whose way since the start of the step crosses it, however short or fast.
 
 use super::{Event, Group, at_edge};
-use crate::sim::contact::impact::Hit;
+use crate::sim::group::impact::Hit;
 use crate::sim::measure::extent;
 use crate::sim::real::Real;
 use crate::sim::vector::{flat, sub, widen, zero};

@@ -1,9 +1,9 @@
 //! What a substep of a group costs, by counting: settings are compared by it, never by a clock.
 
-use super::group::Group;
-use super::group::engine::Engine;
-use super::integrate::splitting::Part;
-use super::real::Real;
+use crate::sim::group::Group;
+use crate::sim::group::engine::Engine;
+use crate::sim::integrate::splitting::Part;
+use crate::sim::real::Real;
 
 /// Multiplications, additions and the like of one substep, about.
 ///

@@ -1,7 +1,7 @@
 //! Impacts: points that reach a surface get their velocities back from it, at once, bonds and all.
 
-use super::Contacts;
 use crate::sim::constrain::direct::Direct;
+use crate::sim::contact::Contacts;
 use crate::sim::points::Points;
 use crate::sim::real::Real;
 use crate::sim::vector::{add, dot, length, scale, sub};
