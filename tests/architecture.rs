@@ -16,7 +16,7 @@ const ROOMS: [(&str, &[&str], &[&str]); 10] = [
     (
         "history",
         &["sim", "body", "picture", "scene", "output"],
-        &["base64", "flate2", "serde", "serde_json", "schemars", "tempfile"],
+        &["base64", "flate2", "serde", "serde_json", "serde_path_to_error", "schemars"],
     ),
     ("render", &["sim", "picture"], &["wgpu", "image", "pollster"]),
     ("output", &[], &["tempfile"]),

@@ -4,6 +4,7 @@ mod machine;
 mod mesh;
 mod progress;
 mod render;
+mod replay;
 mod scenes;
 mod simulate;
 mod study;
@@ -56,6 +57,10 @@ enum Command {
     Simulate(Shown<simulate::Arguments>),
     /// Draws a scene off-screen to a PNG or an animated GIF.
     Render(Shown<render::Arguments>),
+    /// Runs a recording again.
+    Replay(Shown<replay::Arguments>),
+    /// Runs recordings again and compares them with their marks.
+    Verify(replay::Verified),
     /// Makes a soft body of a picture.
     Mesh(mesh::Arguments),
     /// Measures the methods: tables and plots.
@@ -70,6 +75,8 @@ pub fn main() -> ExitCode {
         Some(Command::Scenes(arguments)) => scenes::run(&arguments),
         Some(Command::Simulate(call)) => simulate::run(&call.arguments, call.quiet),
         Some(Command::Render(call)) => render::run(&call.arguments, call.quiet),
+        Some(Command::Replay(call)) => replay::run(&call.arguments, call.quiet),
+        Some(Command::Verify(arguments)) => replay::verify(&arguments),
         Some(Command::Mesh(arguments)) => mesh::run(&arguments),
         Some(Command::Study(call)) => study::run(&call.arguments, call.quiet),
     });
@@ -80,10 +87,15 @@ pub fn main() -> ExitCode {
         Err(error) => {
             let line = format!("{error:#}").replace('\n', " ");
             let _ = writeln!(std::io::stderr(), "wobble: {line}");
-            ExitCode::FAILURE
+            if error.is::<WrongCall>() { ExitCode::from(2) } else { ExitCode::FAILURE }
         }
     }
 }
+
+/// A call that turns out to be wrong when the file is known.
+#[derive(Debug, thiserror::Error)]
+#[error("{0}")]
+struct WrongCall(String);
 
 fn is_broken_pipe(error: &anyhow::Error) -> bool {
     error.downcast_ref::<std::io::Error>().is_some_and(|error| error.kind() == std::io::ErrorKind::BrokenPipe)

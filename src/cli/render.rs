@@ -9,11 +9,10 @@ use image::{Delay, Frame, ImageFormat, RgbaImage};
 
 use super::{progress, values};
 use crate::app::opening;
+use crate::history::{Recording, Replay, Start, chunk};
 use crate::output;
 use crate::picture::Skin;
 use crate::render::{Camera, Capture, Look, Overlay, View};
-use crate::scene::Scene;
-use crate::scene::record::run_to;
 use crate::sim::{Cursor, Dynamics, Positions};
 
 /// What to draw and where to write it.
@@ -22,7 +21,7 @@ use crate::sim::{Cursor, Dynamics, Positions};
     after_help = "Examples:\n  wobble render rim --time 2 --size 1280x720 --out rim.png\n  wobble render rim-relaxed --frames 75 --size 480x480 --out rim.gif\n  wobble render my-scene.json --frames 10 --fps 5 --out frame.png    (frame-0000.png, …)"
 )]
 pub(super) struct Arguments {
-    /// A scene of the gallery, a scene file, or a picture.
+    /// A scene of the gallery, a scene file, a recording, or a picture.
     scene: String,
     /// When the first picture is taken [s].
     #[arg(long, value_name = "T", default_value = "0", allow_negative_numbers = true, value_parser = values::at_least_zero)]
@@ -67,12 +66,13 @@ fn switch(text: &str) -> Result<bool, String> {
 }
 
 pub(super) fn run(arguments: &Arguments, quiet: bool) -> anyhow::Result<()> {
-    let scene = Scene::load(&arguments.scene)?;
-    let mut world = scene.world(scene.duration)?;
-    for warning in world.warnings() {
+    let start = Start::load(&arguments.scene)?;
+    let (scene, commands) = (start.scene(), &start.recording().commands);
+    let mut run = Replay::new(start.recording(), &arguments.scene)?;
+    for warning in run.world().warnings() {
         writeln!(std::io::stderr(), "wobble: warning: {warning}")?;
     }
-    let camera = opening::camera(&scene, &*world, arguments.size);
+    let camera = opening::camera(scene, run.world(), arguments.size);
     let overlay = match arguments.overlay {
         OverlayName::None => Overlay::None,
         OverlayName::Strain => Overlay::Strain,
@@ -85,11 +85,13 @@ pub(super) fn run(arguments: &Arguments, quiet: bool) -> anyhow::Result<()> {
     let mut animation = Vec::new();
     for index in 0..count {
         let time = arguments.time + f64::from(index) / arguments.fps * scene.rate();
-        run_to(&mut *world, time, &mut |_| {})?;
-        let picture = draw(&mut capture, (&*world, &skins), time, u64::from(index), &camera, &look)?;
+        run.advance(commands, time)?;
+        let skins = run.skins();
+        let picture = draw(&mut capture, (run.world(), &skins), time, u64::from(index), &camera, &look)?;
         if let Some(path) = arguments.out.as_ref().filter(|path| values::extension(path) == "png") {
             let path = if count == 1 { path.clone() } else { numbered(path, index) };
-            output::replace(&path, |to| write_png(&picture, to))?;
+            let scene = inside(start.recording(), time)?;
+            output::replace(&path, |to| write_png(&picture, &scene, to))?;
         }
         if !arguments.animations().is_empty() {
             animation.push(picture);
@@ -152,10 +154,21 @@ fn numbered(path: &Path, index: u32) -> PathBuf {
     path.with_file_name(format!("{stem}-{index:04}.png"))
 }
 
-fn write_png(picture: &RgbaImage, to: &mut dyn Write) -> std::io::Result<()> {
+/// The text of a recording up to `time` [s], which a picture carries.
+fn inside(recording: &Recording, time: f64) -> std::io::Result<String> {
+    let mut shown = recording.clone();
+    shown.commands.retain(|entry| entry.at <= time);
+    shown.marks.retain(|mark| mark.at <= time);
+    shown.end = Some(time);
+    let mut text = Vec::new();
+    shown.write_json(&mut text)?;
+    String::from_utf8(text).map_err(std::io::Error::other)
+}
+
+fn write_png(picture: &RgbaImage, scene: &str, to: &mut dyn Write) -> std::io::Result<()> {
     let mut bytes = std::io::Cursor::new(Vec::new());
     picture.write_to(&mut bytes, ImageFormat::Png).map_err(std::io::Error::other)?;
-    to.write_all(bytes.get_ref())
+    to.write_all(&chunk::insert(bytes.get_ref(), scene)?)
 }
 
 /// How hard the palette of an animation is searched for: 1 is slow and best, 30 fast.

@@ -1,5 +1,7 @@
 //! `wobble simulate`: runs a scene to a table.
 
+mod led;
+
 use std::io::Write;
 use std::path::{Path, PathBuf};
 use std::time::Instant;
@@ -9,6 +11,7 @@ use clap::Args;
 
 use super::progress;
 use super::values::{self, Times};
+use crate::history::Start;
 use crate::output;
 use crate::scene::record::{RecordedCounters, RecordedSample, Recording, hash, record, seconds};
 use crate::scene::{OrderName, PrecisionName, Scene, SolverName};
@@ -23,7 +26,7 @@ const NAMED: usize = 5;
     after_help = "Examples:\n  wobble simulate rim --samples 0.5,1,2 --out rim.json\n  wobble simulate rim-relaxed --order coloured --iterations 4 --samples 10 --out rim.csv\n  wobble simulate rim --samples 1 --hash"
 )]
 pub(super) struct Arguments {
-    /// A scene of the gallery, a scene file, or a picture.
+    /// A scene of the gallery, a scene file, a recording, or a picture.
     scene: String,
     /// auto, euler, symplectic-euler, verlet, velocity-verlet, pefrl, blanes-moan-4, blanes-moan-6, rk2, rk4, rk8,
     /// implicit-midpoint, backward-euler, xpbd, path or relaxation.
@@ -50,18 +53,24 @@ pub(super) struct Arguments {
     /// The equilibrium that the start rolls down to instead of the motion: one sample.
     #[arg(long, conflicts_with_all = ["tolerance", "solver", "substep", "iterations"])]
     settle: bool,
+    /// Commands that lead the world: a list of them, or a recording, whose scene is not looked at.
+    #[arg(long, value_name = "FILE", conflicts_with_all = ["tolerance", "settle"])]
+    commands: Option<PathBuf>,
+    /// Writes the run as a recording: .json or .jsonl.
+    #[arg(long, value_name = "FILE", conflicts_with_all = ["tolerance", "settle"], value_parser = |text: &str| values::ending(text, &["json", "jsonl"]))]
+    record: Option<PathBuf>,
     /// Times to sample at [s], ascending, such as 0.5,1,2; the last one ends the run.
     #[arg(long, value_name = "T,…", allow_hyphen_values = true, value_parser = values::times)]
     samples: Option<Times>,
     /// Where to write: .json or .csv.
-    #[arg(long, value_name = "FILE", required_unless_present = "hash", value_parser = table)]
+    #[arg(long, value_name = "FILE", required_unless_present_any = ["hash", "record"], value_parser = table)]
     out: Option<PathBuf>,
     /// Prints the hash of all samples.
     #[arg(long)]
     hash: bool,
 }
 
-fn table(text: &str) -> Result<PathBuf, String> {
+pub(super) fn table(text: &str) -> Result<PathBuf, String> {
     let path = PathBuf::from(text);
     match extension(&path).as_deref() {
         Some("json" | "csv") => Ok(path),
@@ -74,7 +83,11 @@ fn extension(path: &Path) -> Option<String> {
 }
 
 pub(super) fn run(arguments: &Arguments, quiet: bool) -> anyhow::Result<()> {
-    let mut scene = Scene::load(&arguments.scene)?;
+    let start = Start::load(&arguments.scene)?;
+    if start.is_recording() || arguments.commands.is_some() || arguments.record.is_some() {
+        return led::run(arguments, start, quiet);
+    }
+    let mut scene = start.scene().clone();
     arguments.change(&mut scene);
     let times = arguments.times(&scene)?;
     let end = times.last().copied();
@@ -120,9 +133,13 @@ fn say_kernels(world: &dyn Dynamics, samples: &[Sample]) -> anyhow::Result<()> {
     Ok(())
 }
 
-/// Writes the table, then says what the user should know.
 fn write(arguments: &Arguments, recording: &Recording) -> anyhow::Result<()> {
-    if let Some(path) = &arguments.out {
+    write_table(arguments.out.as_deref(), arguments.hash, recording)
+}
+
+/// Writes the table, then says what the user should know.
+fn write_table(out: Option<&Path>, has_hash: bool, recording: &Recording) -> anyhow::Result<()> {
+    if let Some(path) = out {
         output::replace(path, |to| match extension(path).as_deref() {
             Some("csv") => recording.write_csv(to),
             _ => recording.write_json(to),
@@ -131,7 +148,7 @@ fn write(arguments: &Arguments, recording: &Recording) -> anyhow::Result<()> {
     for warning in &recording.warnings {
         writeln!(std::io::stderr(), "wobble: warning: {warning}")?;
     }
-    if arguments.hash {
+    if has_hash {
         writeln!(std::io::stdout(), "{}", recording.hash)?;
     }
     Ok(())
@@ -255,7 +272,19 @@ impl Arguments {
 }
 
 fn recording(scene: &Scene, start: &dyn Dynamics, times: &[f64], samples: &[Sample], counters: &Counters) -> Recording {
-    let mut warnings = start.warnings().to_vec();
+    let about = About { substep: start.substep(), precision: start.precision(), warnings: start.warnings().to_vec() };
+    made(scene, about, seconds(start, times), samples, counters)
+}
+
+/// What is written of the world that a run began with.
+struct About {
+    substep: f64,
+    precision: Precision,
+    warnings: Vec<String>,
+}
+
+fn made(scene: &Scene, about: About, seconds: f64, samples: &[Sample], counters: &Counters) -> Recording {
+    let mut warnings = about.warnings;
     if counters.fallbacks > 0 {
         warnings.push(format!(
             "{} parts of {} substeps were too violent for the solver and went to a more robust one: use a smaller substep",
@@ -265,10 +294,10 @@ fn recording(scene: &Scene, start: &dyn Dynamics, times: &[f64], samples: &[Samp
     Recording {
         scene: scene.name().to_owned(),
         solver: scene.method.solver.unwrap_or(SolverName::Auto).name(),
-        substep: start.substep(),
-        precision: if start.precision() == Precision::F32 { "f32" } else { "f64" },
+        substep: about.substep,
+        precision: if about.precision == Precision::F32 { "f32" } else { "f64" },
         samples: samples.iter().map(|sample| RecordedSample::new(sample, scene.dimensions())).collect(),
-        seconds: seconds(start, times),
+        seconds,
         search_seconds: 0.0,
         expected_error: None,
         counters: RecordedCounters {
@@ -283,5 +312,37 @@ fn recording(scene: &Scene, start: &dyn Dynamics, times: &[f64], samples: &[Samp
         },
         warnings,
         hash: hash(samples, scene.dimensions()),
+    }
+}
+
+/// The table of a world that is led: samples as they come.
+pub(super) struct Table {
+    scene: Scene,
+    clock: Instant,
+    about: Option<About>,
+    samples: Vec<Sample>,
+    counters: Counters,
+}
+
+impl Table {
+    /// An empty one; the wall time of the run is counted from now.
+    pub(super) fn new(scene: &Scene) -> Self {
+        let (clock, counters) = (Instant::now(), Counters::default());
+        Table { scene: scene.clone(), clock, about: None, samples: Vec::new(), counters }
+    }
+
+    /// Takes a sample at `time` [s], which lies within the world's next step.
+    pub(super) fn sample(&mut self, world: &dyn Dynamics, time: f64) {
+        let warnings = world.warnings().to_vec();
+        self.about = Some(About { substep: world.substep(), precision: world.precision(), warnings });
+        self.samples.push(world.sample(time.max(world.time())));
+        self.counters = *world.counters();
+    }
+
+    /// Writes it.
+    pub(super) fn write(self, out: Option<&Path>, has_hash: bool) -> anyhow::Result<()> {
+        let seconds = self.clock.elapsed().as_secs_f64();
+        let Some(about) = self.about else { return Ok(()) };
+        write_table(out, has_hash, &made(&self.scene, about, seconds, &self.samples, &self.counters))
     }
 }

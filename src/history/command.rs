@@ -130,7 +130,7 @@ object! {
 
 /// One number for all, or one each.
 #[derive(Clone, Debug, PartialEq, serde::Serialize, serde::Deserialize, schemars::JsonSchema)]
-#[serde(untagged)]
+#[serde(untagged, expecting = "a number, or a list of one number each")]
 pub enum OneOrEach {
     /// The same for all that are named.
     One(f64),
@@ -140,7 +140,7 @@ pub enum OneOrEach {
 
 /// One vector for all, or one each.
 #[derive(Clone, Debug, PartialEq, serde::Serialize, serde::Deserialize, schemars::JsonSchema)]
-#[serde(untagged)]
+#[serde(untagged, expecting = "a vector, or a list of one vector each")]
 pub enum VectorOrEach {
     /// The same for all that are named.
     One(Vector),
@@ -150,7 +150,7 @@ pub enum VectorOrEach {
 
 /// Walls, or none any more.
 #[derive(Clone, Debug, PartialEq, serde::Serialize, serde::Deserialize, schemars::JsonSchema)]
-#[serde(untagged)]
+#[serde(untagged, expecting = "bounds: an object with the keys `min` and `max`, or null")]
 pub enum Walls {
     /// These, in place of those before.
     These(BoundsKeys),

@@ -1,6 +1,7 @@
-//! What cannot be done: commands that are refused, histories that cannot begin.
+//! What cannot be done: commands that are refused, files that cannot be read, histories that cannot begin.
 
 use crate::scene::SceneError;
+use crate::scene::record::RecordError;
 
 /// A command that cannot be done where it stands; the world before it is whole.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
@@ -14,13 +15,46 @@ pub struct Refusal {
     pub reason: String,
 }
 
-/// A history that cannot begin.
+/// A history that cannot begin or go on as its file says.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum HistoryError {
     /// The scene.
     #[error(transparent)]
     Scene(#[from] SceneError),
-    /// The state of a snapshot.
-    #[error("{0}")]
-    State(String),
+    /// The motion.
+    #[error(transparent)]
+    Motion(#[from] RecordError),
+    /// The file, or what it says.
+    #[error("{label}: {message}")]
+    File {
+        /// The file, or what stands for it.
+        label: String,
+        /// What is wrong and what to do.
+        message: String,
+    },
+    /// A file that ends in the middle of something.
+    #[error(
+        "{label}: the text ends in the middle: {whole} commands are whole; `wobble replay --partial` replays those"
+    )]
+    Cut {
+        /// The file.
+        label: String,
+        /// How many commands are whole.
+        whole: usize,
+    },
+    /// A command that cannot be done.
+    #[error("{label}: {refusal}")]
+    Refused {
+        /// The file.
+        label: String,
+        /// Which, and why.
+        refusal: Refusal,
+    },
+}
+
+impl HistoryError {
+    /// Something about a file.
+    pub(super) fn file(label: &str, message: impl Into<String>) -> Self {
+        HistoryError::File { label: label.to_owned(), message: message.into() }
+    }
 }

@@ -13,22 +13,7 @@ pub struct Mark {
     pub hash: String,
 }
 
-/// The hash that a mark at `time` holds, which lies in the world's next substep: see [`record::hash`]; points that were deleted
-/// are left out.
+/// The hash that a mark at `time` holds, which lies in the world's next substep: see [`record::hash`].
 pub fn hash_now(world: &dyn Dynamics, time: f64) -> String {
-    let mut sample = world.sample(time);
-    let gone = world.gone();
-    if !gone.is_empty() {
-        let is_left = |index: usize| gone.binary_search_by_key(&index, |point| point.index()).is_err();
-        let keep = |list: &mut Vec<[f64; 3]>| {
-            let mut index = 0;
-            list.retain(|_| {
-                index += 1;
-                is_left(index - 1)
-            });
-        };
-        keep(&mut sample.position);
-        keep(&mut sample.velocity);
-    }
-    record::hash(std::slice::from_ref(&sample), world.dimensions())
+    record::hash(&[world.sample(time)], world.dimensions())
 }

@@ -9,22 +9,31 @@
 //! out from the nearest copy. This room knows no window and no clock.
 
 mod branch;
+pub mod chunk;
 mod command;
 mod dress;
 mod error;
 mod frame;
 mod keyframes;
+#[allow(unreachable_pub, reason = "a macro makes all objects of files public")]
+mod keys;
+mod log;
 mod mark;
+mod parse;
+mod replay;
 mod resolve;
 mod session;
 mod start;
 mod undo;
+mod write;
 
 pub use branch::BranchView;
 pub use command::{DeleteKeys, Do, Entry, OneOrEach, SetKeys, VectorOrEach, Walls};
 pub use dress::Group;
 pub use error::{HistoryError, Refusal};
+pub use log::Log;
 pub use mark::{Mark, hash_now};
+pub use replay::{Replay, Visit, replay};
 pub use session::History;
-pub use start::{Recording, Start};
+pub use start::{About, Recording, Start};
 pub use undo::Undone;

@@ -52,7 +52,7 @@ impl History {
     /// Errors: a scene that cannot be run, a state that cannot be gone on from.
     pub fn new(start: Start) -> Result<Self, HistoryError> {
         let Start { recording } = start;
-        let world = recording.scene.world(recording.scene.duration)?;
+        let world = recording.world(recording.scene.name())?;
         let dress = Dress::new(&recording.scene, &*world)?;
         let from = world.time();
         let end = recording.end().max(from);
@@ -303,7 +303,7 @@ impl History {
         if is_at_end && marks.last().is_none_or(|mark| mark.at < end) {
             marks.push(Mark { at: end, hash: hash_now(&*self.frame.world, end) });
         }
-        Recording { scene: self.scene.clone(), commands, end: Some(end), marks }
+        Recording { commands, end: Some(end), marks, ..self.scene.clone().into() }
     }
 
     /// Time of the start [s].

@@ -1,23 +1,79 @@
 //! What a history begins with: a scene, or a recording.
 
+use std::fs::File;
+use std::io::Read;
+use std::path::Path;
+
+use serde_json::Value;
+
+use super::chunk;
 use super::command::Entry;
+use super::error::HistoryError;
+use super::log::{self, Log};
 use super::mark::Mark;
 use crate::scene::Scene;
+use crate::sim::Dynamics;
 
 /// A start scene and the commands that were given, with their times.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Recording {
     /// The start.
     pub scene: Scene,
+    /// A running state of it that it begins from, as a file has it: then it is a snapshot.
+    pub state: Option<Value>,
     /// The commands, times ascending.
     pub commands: Vec<Entry>,
     /// How far it goes [s]: to the last command if not said.
     pub end: Option<f64>,
     /// What the motion came to, to be compared with.
     pub marks: Vec<Mark>,
+    /// What made it.
+    pub about: About,
+}
+
+/// What made a recording.
+#[derive(Clone, Debug, PartialEq, serde::Serialize)]
+pub struct About {
+    /// The version of this program.
+    pub wobble: String,
+    /// When or by whom, in words.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub made: Option<String>,
+}
+
+impl Default for About {
+    /// This version.
+    fn default() -> Self {
+        About { wobble: env!("CARGO_PKG_VERSION").to_owned(), made: None }
+    }
+}
+
+impl About {
+    /// Whether this version made it, which comes to the same bits.
+    pub fn is_ours(&self) -> bool {
+        self.wobble == env!("CARGO_PKG_VERSION")
+    }
+
+    /// What a file says; nothing said is ours.
+    pub(super) fn read(value: Option<&Value>) -> Self {
+        let word = |key: &str| value.and_then(|about| about.get(key)).and_then(Value::as_str).map(str::to_owned);
+        let ours = About::default();
+        About { wobble: word("wobble").unwrap_or(ours.wobble), made: word("made") }
+    }
 }
 
 impl Recording {
+    /// The world that it begins with.
+    ///
+    /// Errors: a scene that cannot be run; a state, which this version cannot go on from.
+    pub(super) fn world(&self, label: &str) -> Result<Box<dyn Dynamics>, HistoryError> {
+        if self.state.is_some() {
+            let message = "state: is not in this version: leave it out, and the scene begins at its start";
+            return Err(HistoryError::file(label, message));
+        }
+        Ok(self.scene.world(self.scene.duration)?)
+    }
+
     /// How far it goes [s].
     pub fn end(&self) -> f64 {
         let last = self.commands.last().map_or(0.0, |entry| entry.at);
@@ -33,15 +89,60 @@ pub struct Start {
 }
 
 impl Start {
+    /// What a file or a name means: a recording, a scene, a PNG with a scene in it, a picture, a scene of the gallery.
+    ///
+    /// Errors: those of [`Scene::load`] and [`Log::open`]; a recording that was cut off.
+    pub fn load(file_or_name: &str) -> Result<Start, HistoryError> {
+        let path = Path::new(file_or_name);
+        // A pipe is read once: it may hold a scene.
+        if std::fs::metadata(path).is_ok_and(|about| about.is_file()) {
+            if log::is_recording(path) {
+                return Ok(Log::open(path)?.whole()?.recording()?.into());
+            }
+            if let Some(text) = inside_picture(path) {
+                return Ok(Log::of_text(&text, file_or_name)?.whole()?.recording()?.into());
+            }
+        }
+        Ok(Scene::load(file_or_name)?.into())
+    }
+
+    /// The recording that it is.
+    pub fn recording(&self) -> &Recording {
+        &self.recording
+    }
+
+    /// Whether there is more than the start of a scene.
+    pub fn is_recording(&self) -> bool {
+        !self.recording.commands.is_empty() || self.recording.state.is_some() || self.recording.end.is_some()
+    }
+
     /// The scene that it begins with.
     pub fn scene(&self) -> &Scene {
         &self.recording.scene
     }
 }
 
+/// The recording in a picture's file, if it is a PNG with one.
+fn inside_picture(path: &Path) -> Option<String> {
+    let mut start = [0; 8];
+    File::open(path).ok()?.read_exact(&mut start).ok()?;
+    if start != chunk::MARK {
+        return None;
+    }
+    chunk::find(&std::fs::read(path).ok()?)
+}
+
+impl From<Scene> for Recording {
+    /// The start alone.
+    fn from(scene: Scene) -> Self {
+        let (commands, marks, about) = (Vec::new(), Vec::new(), About::default());
+        Recording { scene, state: None, commands, end: None, marks, about }
+    }
+}
+
 impl From<Scene> for Start {
     fn from(scene: Scene) -> Self {
-        Start { recording: Recording { scene, commands: Vec::new(), end: None, marks: Vec::new() } }
+        Start { recording: scene.into() }
     }
 }
 

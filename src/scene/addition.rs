@@ -18,6 +18,9 @@ pub(crate) struct Made {
     pub(crate) skins: Vec<Skin>,
 }
 
+/// Pinned points with the knots of their tracks.
+type Tracks = Vec<(PointId, Vec<(f64, [f64; 3])>)>;
+
 impl AddKeys {
     /// Makes what the keys say, for a world of `scene` as it is now.
     ///
@@ -118,7 +121,7 @@ impl AddKeys {
         self.obstacles.iter().filter_map(next).collect()
     }
 
-    fn tracks(&self, dimensions: usize) -> Vec<(PointId, Vec<(f64, [f64; 3])>)> {
+    fn tracks(&self, dimensions: usize) -> Tracks {
         let place = |row: &Vec<f64>| std::array::from_fn(|axis| if axis < dimensions { row[axis + 1] } else { 0.0 });
         let knots = |track: &Vec<Vec<f64>>| track.iter().map(|row| (row[0], place(row))).collect();
         self.pin_motion.iter().map(|motion| (PointId(motion.point), knots(&motion.track))).collect()

@@ -1,6 +1,6 @@
 //! The gallery: one catalogue of scenes for the app, the command line, tests and benches.
 
-use super::error::SceneError;
+use super::error::{SceneError, SceneErrorKind};
 use super::keys::Scene;
 
 /// A scene of the gallery.
@@ -43,6 +43,23 @@ pub fn gallery() -> &'static [Entry] {
 /// The scene of a name.
 pub(super) fn find(name: &str) -> Option<&'static Entry> {
     GALLERY.iter().find(|entry| entry.name == name)
+}
+
+impl Scene {
+    /// The scene of a name that stands in a file.
+    ///
+    /// Errors: the gallery has none of this name.
+    pub(crate) fn of_gallery(name: &str, label: &str) -> Result<Scene, SceneError> {
+        let lacking = || SceneError {
+            key: "scene".to_owned(),
+            ..SceneError::whole(
+                SceneErrorKind::NotFound,
+                label,
+                format!("`{name}` is no scene of the gallery: `wobble scenes` lists them"),
+            )
+        };
+        find(name).ok_or_else(lacking)?.scene()
+    }
 }
 
 /// An entry, its text embedded from `assets/scenes`.

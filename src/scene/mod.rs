@@ -46,4 +46,5 @@ pub use keys::{
 pub(crate) use keys::{ObjectOnly, present};
 pub use model::Settled;
 pub use of_picture::Matter;
+pub(crate) use read::translate;
 pub use schema::schema;

@@ -6,8 +6,8 @@ use std::sync::Arc;
 use super::error::{Fault, SceneError, SceneErrorKind, Source};
 use super::file::file_bytes;
 use super::keys::{
-    BodyKeys, BoundsKeys, KindName, MakerName, Material, MethodKeys, MouseKeys, ObstacleKeys, OrderName, PatternName,
-    PictureKeys, Scene, StrokesName, Vector, ViewKeys,
+    AddKeys, BodyKeys, BoundsKeys, KindName, MakerName, Material, MethodKeys, MouseKeys, ObstacleKeys, OrderName,
+    PatternName, PictureKeys, Scene, StrokesName, Vector, ViewKeys,
 };
 use super::pictures::{LARGEST_FILE, inline};
 use crate::picture::{self, Picture, Settings, Size, Strokes, Threshold};
@@ -263,6 +263,16 @@ impl Scene {
             texture.image = put(&self.source, &texture.image)?;
         }
         Ok(self)
+    }
+
+    /// What is added to this scene, with the pictures that it names by path inside.
+    ///
+    /// Errors: a picture that cannot be read.
+    pub(crate) fn addition_with_pictures_inside(&self, keys: &AddKeys) -> Result<AddKeys, SceneError> {
+        let (bodies, obstacles) = (keys.bodies.clone(), keys.obstacles.clone());
+        let alone = Scene { bodies, obstacles, source: self.source.clone(), ..Scene::default() };
+        let Scene { bodies, obstacles, .. } = alone.with_pictures_inside()?;
+        Ok(AddKeys { bodies, obstacles, ..keys.clone() })
     }
 
     /// Names the scene's only picture by this path instead: relative to where the scene will lie.

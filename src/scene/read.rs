@@ -72,6 +72,19 @@ impl Scene {
         }
     }
 
+    /// The scene of a text that stands in another: places are keys, for lines would be those of the whole.
+    ///
+    /// Errors: those of [`Scene::parse`].
+    pub(crate) fn parse_within(text: &str, label: &str) -> Result<Scene, SceneError> {
+        let within = |error: SceneError| {
+            let key = if error.key.is_empty() { "scene".to_owned() } else { format!("scene.{}", error.key) };
+            SceneError { line: None, key, ..error }
+        };
+        let mut scene = Scene::parse(text, label).map_err(within)?;
+        scene.source.text = None;
+        Ok(scene)
+    }
+
     /// The scene of a text; `label` stands for the file in messages.
     ///
     /// Errors: the text is not JSON, or not a scene by the specification; with line and key.
@@ -193,7 +206,7 @@ fn syntax(error: &serde_json::Error, text: &str) -> String {
 }
 
 /// What is wrong with a value, in the words of the scene file, with the cure.
-fn translate(error: &serde_json::Error) -> String {
+pub(crate) fn translate(error: &serde_json::Error) -> String {
     let message = bare(error);
     let quoted = |text: &str| text.split('`').nth(1).unwrap_or("").to_owned();
     if let Some(rest) = message.strip_prefix("unknown field ") {

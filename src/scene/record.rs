@@ -77,17 +77,26 @@ pub fn seconds(world: &dyn Dynamics, times: &[f64]) -> f64 {
     runs[runs.len() / 2]
 }
 
-/// Hash of the bits of all samples' positions and velocities, in order: 32 hexadecimal digits (XXH3, 128 bits).
+/// Hash of the bits of all samples' positions and velocities, in order, but of points that were deleted: 32 hexadecimal digits
+/// (XXH3, 128 bits).
 pub fn hash(samples: &[Sample], dimensions: usize) -> String {
     let mut hasher = Xxh3::new();
     for sample in samples {
-        for vector in sample.position.iter().chain(&sample.velocity) {
+        let is_left = |point: &usize| !is_gone(&sample.position[*point]);
+        let points = || (0..sample.position.len()).filter(is_left);
+        let vectors = points().map(|k| &sample.position[k]).chain(points().map(|k| &sample.velocity[k]));
+        for vector in vectors {
             for component in &vector[..dimensions] {
                 hasher.update(&component.to_le_bytes());
             }
         }
     }
     format!("{:032x}", hasher.digest128())
+}
+
+/// Whether a position is that of a point that was deleted: a motion that leaves the numbers is no sample.
+fn is_gone(position: &[f64; 3]) -> bool {
+    position[0].is_nan()
 }
 
 /// A recorded motion with what made it.
@@ -123,10 +132,10 @@ pub struct Recording {
 pub struct RecordedSample {
     /// Time [s].
     pub t: f64,
-    /// Positions [m].
-    pub position: Vec<Vec<f64>>,
-    /// Velocities [m/s].
-    pub velocity: Vec<Vec<f64>>,
+    /// Positions [m]; `None` of points that were deleted.
+    pub position: Vec<Option<Vec<f64>>>,
+    /// Velocities [m/s], likewise.
+    pub velocity: Vec<Option<Vec<f64>>>,
     /// Kinetic + springs' + gravity's energy of the points that are not pinned [J].
     pub energy: f64,
     /// Largest strain [1].
@@ -136,7 +145,11 @@ pub struct RecordedSample {
 impl RecordedSample {
     /// A sample of a scene in `dimensions`.
     pub fn new(sample: &Sample, dimensions: usize) -> Self {
-        let cut = |list: &[[f64; 3]]| list.iter().map(|x| x[..dimensions].to_vec()).collect();
+        let is_left = |point: usize| !is_gone(&sample.position[point]);
+        let cut = |list: &[[f64; 3]]| {
+            let vector = |(point, x): (usize, &[f64; 3])| is_left(point).then(|| x[..dimensions].to_vec());
+            list.iter().enumerate().map(vector).collect()
+        };
         RecordedSample {
             t: sample.time,
             position: cut(&sample.position),
@@ -181,7 +194,8 @@ impl Recording {
     ///
     /// Errors: the writer's.
     pub fn write_csv(&self, to: impl Write) -> std::io::Result<()> {
-        let space = self.samples.iter().flat_map(|sample| sample.position.first()).any(|x| x.len() == 3);
+        let space =
+            self.samples.iter().flat_map(|sample| sample.position.iter().flatten().next()).any(|x| x.len() == 3);
         let mut rows = csv::Writer::from_writer(to);
         rows.write_record(if space {
             &["t", "point", "x", "y", "z", "vx", "vy", "vz"][..]
@@ -190,6 +204,7 @@ impl Recording {
         })?;
         for sample in &self.samples {
             for (point, (x, v)) in sample.position.iter().zip(&sample.velocity).enumerate() {
+                let (Some(x), Some(v)) = (x, v) else { continue };
                 rows.write_field(number(sample.t))?;
                 rows.write_field(point.to_string())?;
                 for &component in x.iter().chain(v) {

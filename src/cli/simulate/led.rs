@@ -1,0 +1,44 @@
+//! A scene that is led by commands.
+
+use anyhow::bail;
+
+use super::{Arguments, Table};
+use crate::cli::progress;
+use crate::history::{Log, Mark, Recording, Replay, Start, hash_now};
+
+/// Runs a recording, or a scene with commands, to a table, a hash or another recording.
+pub(super) fn run(arguments: &Arguments, start: Start, quiet: bool) -> anyhow::Result<()> {
+    let mut recording = start.recording().clone();
+    let is_scene = !start.is_recording();
+    if let Some(path) = &arguments.commands {
+        recording.commands = Log::open(path)?.whole()?.commands()?;
+        (recording.end, recording.marks) = (None, Vec::new());
+    }
+    arguments.change(&mut recording.scene);
+    let mut times = arguments.samples.as_ref().map_or_else(|| recording.scene.sample_times(), |times| times.0.clone());
+    if times.is_empty() && !(is_scene && recording.commands.is_empty()) {
+        times.push(recording.end());
+    }
+    let Some(&end) = times.last() else {
+        bail!("{}: the scene has no duration: give --samples", arguments.scene);
+    };
+    let bar = progress::bar(quiet, end);
+    let label = arguments.commands.as_ref().map_or(arguments.scene.clone(), |path| path.display().to_string());
+    let mut run = Replay::new(&recording, &label)?;
+    let mut table = Table::new(&recording.scene);
+    let mut marks = Vec::new();
+    for time in times {
+        run.advance(&recording.commands, time)?;
+        table.sample(run.world(), time);
+        marks.push(Mark { at: time, hash: hash_now(run.world(), time.max(run.world().time())) });
+        bar.set_position((time * progress::SCALE) as u64);
+    }
+    bar.finish_and_clear();
+    if let Some(path) = &arguments.record {
+        recording.commands.retain(|entry| entry.at <= end);
+        marks.dedup_by(|a, b| a.at == b.at);
+        let made = Recording { end: Some(end), marks, ..recording };
+        made.save(path)?;
+    }
+    table.write(arguments.out.as_deref(), arguments.hash)
+}

@@ -1,0 +1,329 @@
+//! Commands to and from the objects of a file.
+
+use serde::{Serialize, de::DeserializeOwned};
+use serde_json::{Map, Value};
+
+use super::command::{Do, Entry};
+use crate::scene::{ProfileName, RegionName, Row, Vector, object, translate};
+use crate::sim::{Cursor, Motion, MouseChange, PointId, Profile, Reach, Region};
+
+/// Names of what is done, in the order of the table.
+const NAMES: [&str; 13] =
+    ["cursor", "mouse", "grab", "release", "pin", "unpin", "cut", "add", "delete", "clear", "move", "set", "group"];
+
+/// Keys that a later version brings.
+const LATER: [&str; 8] = ["triangles", "angles", "forces", "drives", "wind", "contact", "areas", "skins"];
+
+object! {
+    CursorKeys: "a cursor: an object with the key `to`" {
+        required {
+            to: Place,
+        }
+        optional {
+            by: f64,
+        }
+    }
+}
+
+/// Where a cursor goes: a place of the plane, a ray of space, or nowhere.
+#[derive(Clone, Debug, PartialEq, serde::Serialize, serde::Deserialize, schemars::JsonSchema)]
+#[serde(untagged, expecting = "a place [x, y], a ray {\"origin\": […], \"direction\": […]}, or null")]
+pub enum Place {
+    Plane([f64; 2]),
+    Ray(RayKeys),
+    Gone(()),
+}
+
+object! {
+    RayKeys: "a ray: an object with the keys `origin` and `direction`" {
+        required {
+            origin: Row<f64, 3>,
+            direction: Row<f64, 3>,
+        }
+    }
+}
+
+object! {
+    #[derive(Default)]
+    MouseKeys: "a mouse: an object with keys such as `strength`" {
+        optional {
+            strength: f64,
+            radius: f64,
+            region: RegionName,
+            profile: ProfileName,
+            track: (),
+        }
+    }
+}
+
+object! {
+    GrabKeys: "a grab: an object with one of the keys `points` and `within`" {
+        optional {
+            points: Vec<u32>,
+            within: f64,
+        }
+    }
+}
+
+object! {
+    PointsKeys: "an object with the key `points`" {
+        required {
+            points: Vec<u32>,
+        }
+    }
+}
+
+object! {
+    CutKeys: "a cut: an object with the keys `from` and `to`" {
+        required {
+            from: Row<f64, 2>,
+            to: Row<f64, 2>,
+        }
+    }
+}
+
+object! {
+    MoveKeys: "a move: an object with keys such as `points` and `by`" {
+        optional {
+            by: Vector,
+            turn: f64,
+            scale: f64,
+            about: Vector,
+        }
+        lists {
+            points: u32,
+            obstacles: u32,
+        }
+    }
+}
+
+object! {
+    GroupKeys: "a group: an object with the keys `points` and `name`" {
+        required {
+            points: Vec<u32>,
+            name: String,
+        }
+    }
+}
+
+object! {
+    Nothing: "no keys" {
+        optional {}
+    }
+}
+
+impl Entry {
+    /// The object of a file.
+    pub(super) fn to_object(&self) -> Map<String, Value> {
+        let (name, mut object) = keys_of(&self.act);
+        let called = self.name.clone();
+        // A group has a name of its own.
+        if let Some(called) = called.filter(|_| name != "group") {
+            object.insert("name".to_owned(), called.into());
+        }
+        object.insert("at".to_owned(), self.at.into());
+        object.insert("do".to_owned(), name.into());
+        if let Some(edit) = self.edit {
+            object.insert("edit".to_owned(), edit.into());
+        }
+        object
+    }
+
+    /// The command of an object of a file.
+    ///
+    /// Errors: in words, what of it no command has.
+    pub(super) fn from_value(value: Value) -> Result<Self, String> {
+        let Value::Object(mut object) = value else {
+            return Err("is no command: give an object with the keys `at` and `do`".to_owned());
+        };
+        let at = object.remove("at").ok_or("the key `at` is missing: add its time [s]")?;
+        let at = at.as_f64().filter(|at| at.is_finite() && *at >= 0.0);
+        let at = at.ok_or("at: give a time of 0 s or more")?;
+        let name = object.remove("do").ok_or("the key `do` is missing: add what is done")?;
+        let name = name.as_str().ok_or("do: give a name")?;
+        let edit = match object.remove("edit") {
+            None => None,
+            Some(edit) => Some(edit.as_u64().ok_or("edit: give a whole number of 0 or more")?),
+        };
+        let called = match object.get("name") {
+            Some(Value::String(text)) => Some(text.clone()),
+            Some(_) => return Err("name: give words".to_owned()),
+            None => None,
+        };
+        if name != "group" {
+            object.remove("name");
+        }
+        if let Some(key) = object.keys().find(|key| LATER.contains(&key.as_str())) {
+            return Err(format!("`{key}` is not in this version: leave it out"));
+        }
+        let act = act(name, object)?;
+        if let Do::Cursor { by: Some(by), .. } = act
+            && by < at
+        {
+            return Err(format!("by: {by:?} s is before its time: give one that comes after, or leave it out"));
+        }
+        Ok(Entry { at, act, edit, name: called })
+    }
+}
+
+fn numbers(points: &[PointId]) -> Vec<u32> {
+    points.iter().map(|point| point.0).collect()
+}
+
+fn points(numbers: Vec<u32>) -> Vec<PointId> {
+    numbers.into_iter().map(PointId).collect()
+}
+
+/// The name and the keys of what is done.
+fn keys_of(act: &Do) -> (&'static str, Map<String, Value>) {
+    match act {
+        Do::Cursor { to, by } => ("cursor", object(&CursorKeys { to: place(*to), by: *by })),
+        Do::Mouse(change) => ("mouse", object(&mouse_keys(change))),
+        Do::Grab(Reach::Points(list)) => ("grab", object(&GrabKeys { points: Some(numbers(list)), within: None })),
+        Do::Grab(Reach::Within(within)) => ("grab", object(&GrabKeys { points: None, within: Some(*within) })),
+        Do::Release => ("release", Map::new()),
+        Do::Pin(list) => ("pin", object(&PointsKeys { points: numbers(list) })),
+        Do::Unpin(list) => ("unpin", object(&PointsKeys { points: numbers(list) })),
+        Do::Cut { from, to } => ("cut", object(&CutKeys { from: Row(*from), to: Row(*to) })),
+        Do::Add(keys) => ("add", object(&**keys)),
+        Do::Delete(keys) => ("delete", object(keys)),
+        Do::Clear => ("clear", Map::new()),
+        Do::Move(motion) => ("move", object(&move_keys(motion))),
+        Do::Set(keys) => ("set", object(&**keys)),
+        Do::Group { points, name } => ("group", object(&GroupKeys { points: numbers(points), name: name.clone() })),
+    }
+}
+
+fn object(keys: &impl Serialize) -> Map<String, Value> {
+    match serde_json::to_value(keys) {
+        Ok(Value::Object(object)) => object,
+        // Keys are objects of finite numbers, which can always be said.
+        _ => Map::new(),
+    }
+}
+
+/// What is done, by its name and its keys.
+fn act(name: &str, object: Map<String, Value>) -> Result<Do, String> {
+    Ok(match name {
+        "cursor" => {
+            let CursorKeys { to, by } = read(object)?;
+            Do::Cursor { to: cursor(to)?, by }
+        }
+        "mouse" => Do::Mouse(mouse_change(read(object)?)),
+        "grab" => Do::Grab(reach(read(object)?)?),
+        "release" => read::<Nothing>(object).map(|_| Do::Release)?,
+        "pin" => Do::Pin(points(read::<PointsKeys>(object)?.points)),
+        "unpin" => Do::Unpin(points(read::<PointsKeys>(object)?.points)),
+        "cut" => {
+            let CutKeys { from, to } = read(object)?;
+            Do::Cut { from: from.0, to: to.0 }
+        }
+        "add" => Do::Add(Box::new(read(object)?)),
+        "delete" => Do::Delete(read(object)?),
+        "clear" => read::<Nothing>(object).map(|_| Do::Clear)?,
+        "move" => Do::Move(Box::new(motion(read(object)?))),
+        "set" => Do::Set(Box::new(read(object)?)),
+        "group" => {
+            let GroupKeys { points: list, name } = read(object)?;
+            Do::Group { points: points(list), name }
+        }
+        _ => return Err(format!("do: `{name}` is nothing that is done here: give one of {}", NAMES.join(", "))),
+    })
+}
+
+/// Errors: in words, with the key.
+fn read<T: DeserializeOwned>(object: Map<String, Value>) -> Result<T, String> {
+    serde_path_to_error::deserialize(Value::Object(object)).map_err(|error| {
+        let (path, message) = (error.path().to_string(), translate(error.inner()));
+        if path == "." { message } else { format!("{path}: {message}") }
+    })
+}
+
+fn place(to: Option<Cursor>) -> Place {
+    match to {
+        None => Place::Gone(()),
+        Some(Cursor { origin: [x, y, _], .. }) if to == Some(Cursor::at([x, y])) => Place::Plane([x, y]),
+        Some(Cursor { origin, direction }) => Place::Ray(RayKeys { origin: Row(origin), direction: Row(direction) }),
+    }
+}
+
+/// How far from 1 the length of a direction may be.
+const UNIT: f64 = 1e-6;
+
+fn cursor(to: Place) -> Result<Option<Cursor>, String> {
+    Ok(match to {
+        Place::Gone(()) => None,
+        Place::Plane(at) => Some(Cursor::at(at)),
+        Place::Ray(RayKeys { origin: Row(origin), direction: Row(direction) }) => {
+            let length = direction.iter().map(|d| d * d).sum::<f64>().sqrt();
+            if (length - 1.0).abs() > UNIT {
+                return Err(format!("to.direction: has length {length:?}: give a unit vector"));
+            }
+            Some(Cursor { origin, direction })
+        }
+    })
+}
+
+fn mouse_keys(change: &MouseChange) -> MouseKeys {
+    MouseKeys {
+        strength: change.strength,
+        radius: change.radius,
+        region: change.region.map(|region| match region {
+            Region::Round => RegionName::Round,
+            Region::Square => RegionName::Square,
+        }),
+        profile: change.profile.map(|profile| match profile {
+            Profile::Smooth => ProfileName::Smooth,
+            Profile::Linear => ProfileName::Linear,
+        }),
+        track: None,
+    }
+}
+
+fn mouse_change(keys: MouseKeys) -> MouseChange {
+    MouseChange {
+        strength: keys.strength,
+        radius: keys.radius,
+        region: keys.region.map(|region| match region {
+            RegionName::Round => Region::Round,
+            RegionName::Square => Region::Square,
+        }),
+        profile: keys.profile.map(|profile| match profile {
+            ProfileName::Smooth => Profile::Smooth,
+            ProfileName::Linear => Profile::Linear,
+        }),
+    }
+}
+
+fn reach(keys: GrabKeys) -> Result<Reach, String> {
+    match (keys.points, keys.within) {
+        (Some(list), None) => Ok(Reach::Points(points(list))),
+        (None, Some(within)) => Ok(Reach::Within(within)),
+        (None, None) => Err("takes nothing: give `points` or `within`".to_owned()),
+        (Some(_), Some(_)) => Err("within: stands beside `points`: leave one of them out".to_owned()),
+    }
+}
+
+fn move_keys(motion: &Motion) -> MoveKeys {
+    // A vector of three is read in the plane too, where z is 0.
+    let vector = |v: [f64; 3]| if v[2] == 0.0 { Vector::Plane([v[0], v[1]]) } else { Vector::Space(v) };
+    MoveKeys {
+        by: (motion.by != [0.0; 3]).then(|| vector(motion.by)),
+        turn: (motion.turn != 0.0).then_some(motion.turn),
+        scale: (motion.scale != 1.0).then_some(motion.scale),
+        about: motion.about.map(vector),
+        points: numbers(&motion.points),
+        obstacles: motion.obstacles.clone(),
+    }
+}
+
+fn motion(keys: MoveKeys) -> Motion {
+    Motion {
+        points: points(keys.points),
+        obstacles: keys.obstacles,
+        by: keys.by.map_or([0.0; 3], |by| by.embed()),
+        turn: keys.turn.unwrap_or(0.0),
+        scale: keys.scale.unwrap_or(1.0),
+        about: keys.about.map(|about| about.embed()),
+    }
+}

@@ -1,0 +1,124 @@
+//! A recording run again, without a past of its own.
+
+use super::command::Entry;
+use super::dress::Dress;
+use super::error::{HistoryError, Refusal};
+use super::frame::Frame;
+use super::log::Log;
+use super::start::Recording;
+use crate::picture::Skin;
+use crate::scene::Scene;
+use crate::scene::record::RecordError;
+use crate::sim::Dynamics;
+
+/// Steps between two looks at whether the motion is finite.
+const LOOK_EVERY: u32 = 256;
+
+/// A world that is led by commands, one after another.
+pub struct Replay {
+    frame: Frame,
+    scene: Scene,
+    label: String,
+    steps: u32,
+}
+
+impl Replay {
+    /// The world at the start of a recording, whatever its commands; `label` stands for the file in messages.
+    ///
+    /// Errors: a scene that cannot be run, a state that cannot be gone on from.
+    pub fn new(head: &Recording, label: &str) -> Result<Self, HistoryError> {
+        let world = head.world(label)?;
+        let dress = Dress::new(&head.scene, &*world)?;
+        let frame = Frame { world, dress, place: 0 };
+        Ok(Replay { frame, scene: head.scene.clone(), label: label.to_owned(), steps: 0 })
+    }
+
+    /// The world as it is now.
+    pub fn world(&self) -> &dyn Dynamics {
+        &*self.frame.world
+    }
+
+    /// What is drawn on triangles now.
+    pub fn skins(&self) -> Vec<Skin> {
+        self.frame.dress.skins(&*self.frame.world)
+    }
+
+    /// Steps to the time of a command, which ends a step, and does it.
+    ///
+    /// Errors: it cannot be done; the motion leaves the finite numbers.
+    pub fn follow(&mut self, number: usize, entry: &Entry) -> Result<(), HistoryError> {
+        while !self.frame.is_due(entry.at) {
+            self.frame.step(Some(entry.at));
+            self.look(LOOK_EVERY)?;
+        }
+        self.frame.follow(entry, &self.scene).map_err(|reason| {
+            let refusal = Refusal { number, at: entry.at, reason };
+            HistoryError::Refused { label: self.label.clone(), refusal }
+        })?;
+        Ok(())
+    }
+
+    /// Takes the steps that end at or before `time` [s], the next command being at `next` [s]: what is at `time` is then within
+    /// the next step.
+    ///
+    /// Errors: the motion leaves the finite numbers.
+    pub fn reach(&mut self, time: f64, next: Option<f64>) -> Result<(), HistoryError> {
+        while self.frame.ends_by(time) {
+            self.frame.step(next);
+            self.look(LOOK_EVERY)?;
+        }
+        self.look(1)
+    }
+
+    /// Does the commands up to `time` [s], that one's too, and takes the steps that end by then.
+    ///
+    /// Errors: those of [`Replay::follow`].
+    pub fn advance(&mut self, commands: &[Entry], time: f64) -> Result<(), HistoryError> {
+        while let Some(entry) = commands.get(self.frame.place).filter(|entry| entry.at <= time) {
+            self.follow(self.frame.place, entry)?;
+        }
+        self.reach(time, commands.get(self.frame.place).map(|entry| entry.at))
+    }
+
+    /// Looks whether the motion is finite, every so many times.
+    fn look(&mut self, every: u32) -> Result<(), HistoryError> {
+        self.steps = self.steps.wrapping_add(1);
+        if self.steps.is_multiple_of(every) && !self.frame.world.is_finite() {
+            return Err(RecordError::NotFinite { time: self.frame.world.time() }.into());
+        }
+        Ok(())
+    }
+}
+
+/// What is done with a world at a time that was asked for, which lies within its next step; true to go on.
+pub type Visit<'a> = &'a mut dyn FnMut(&Replay, f64) -> Result<bool, HistoryError>;
+
+/// Runs a recording and visits it at `times` [s], which ascend: after all commands of each. Commands are read one by one from
+/// `commands`, those of `head` are not looked at.
+///
+/// Errors: those of [`Replay::follow`], and of `visit`.
+pub fn replay(head: &Recording, commands: &Log, times: &[f64], visit: Visit<'_>) -> Result<(), HistoryError> {
+    let mut run = Replay::new(head, commands.label())?;
+    let mut left = times;
+    let mut goes_on = true;
+    commands.each(&mut |number, entry| {
+        while let Some((&time, after)) = left.split_first().filter(|(time, _)| **time < entry.at) {
+            run.reach(time, Some(entry.at))?;
+            left = after;
+            goes_on = visit(&run, time)? && !left.is_empty();
+            if !goes_on {
+                return Ok(false);
+            }
+        }
+        run.follow(number, &entry)?;
+        Ok(true)
+    })?;
+    for &time in left {
+        if !goes_on {
+            break;
+        }
+        run.reach(time, None)?;
+        goes_on = visit(&run, time)?;
+    }
+    Ok(())
+}
