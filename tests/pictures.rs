@@ -381,7 +381,9 @@ fn one_more_picture_lies_beside_what_is_there_and_one_cut_anew_in_its_place() {
     let seen = [[-1.4, -0.8], [1.4, 1.0]];
     let middle = |scene: &Scene, body: usize| scene.bodies[body].origin.unwrap().embed();
     for count in 1..=2 {
-        scene = scene.with_picture(Arc::clone(&ink), keys(10.0, 1.0), seen).unwrap();
+        let start = scene.world(None).unwrap();
+        let added = scene.body_to_add(&*start, (&ink, keys(10.0, 1.0)), seen, false).unwrap();
+        scene = scene.with(added).unwrap();
         let [x, y, _] = middle(&scene, count);
         assert!(x.abs() > 0.8 && x.abs() < 1.0 && y.abs() < 0.3, "{x} {y}");
     }

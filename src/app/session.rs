@@ -67,6 +67,8 @@ pub(super) struct Session {
     panels_due: Option<Instant>,
     /// A picture on its way into the world.
     import: Option<Import>,
+    /// A drawing that was closed before anything was made of it.
+    kept: Option<Import>,
     /// A file that is being chosen in the system's dialog, and what is on its way from the clipboard.
     dialog: Option<Fetch>,
     pasted: Option<Fetch>,
@@ -117,6 +119,7 @@ impl Session {
             dirty: true,
             panels_due: None,
             import: None,
+            kept: None,
             dialog: None,
             pasted: None,
             complaint: warning,
@@ -146,7 +149,7 @@ impl Session {
 
     /// Closes what lies over the world. Returns whether there was anything.
     pub(super) fn dismiss(&mut self) -> bool {
-        let was_open = self.complaint.take().is_some() || self.import.take().is_some();
+        let was_open = self.complaint.take().is_some() || self.put_away();
         if was_open {
             self.touch();
         }

@@ -1,15 +1,11 @@
-//! Bodies of pictures in a scene that is open: one more, one cut out anew, one in its parts.
+//! Bodies of pictures in a scene that is open: one cut out anew, one in its parts.
 
 use std::sync::Arc;
 
 use super::check;
 use super::error::{Fault, SceneError, Within};
-use super::free_place::{Extent, around, free_place};
-use super::keys::{BodyKeys, MakerName, Material, ObstacleKeys, PictureKeys, Scene, Vector};
-use super::obstacle::{outlines, polygons};
-use super::start::Start;
+use super::keys::{BodyKeys, MakerName, Material, Scene};
 use crate::picture::{Picture, PictureMesh, Settings};
-use crate::sim::Polygon;
 
 /// Most parts that become bodies of their own: a picture of more has specks that nobody meant.
 const MOST_PARTS: usize = 64;
@@ -55,59 +51,6 @@ impl Scene {
             self.source.mesh(file, &cut.settings).at("file")
         });
         mesh.item(body).at("bodies").map_err(|fault| self.source.error(fault))
-    }
-
-    /// This scene with one more body, of a picture that is in no file: where nothing is yet, inside the walls and of what is
-    /// `seen` (lower and upper corner [m]) if it fits there.
-    ///
-    /// Errors: as of [`Scene::of_picture`]; a scene in space.
-    pub fn with_picture(
-        &self,
-        picture: Arc<Picture>,
-        keys: BodyKeys,
-        seen: [[f64; 2]; 2],
-    ) -> Result<Scene, SceneError> {
-        let file = Some(self.source.keep(picture));
-        let mut scene = self.clone();
-        scene.bodies.push(BodyKeys { make: MakerName::Picture, file, ..keys });
-        scene.check()?;
-        let start = Start::new(&scene).map_err(|fault| self.source.error(fault))?;
-        let polygons = polygons(self).map_err(|fault| self.source.error(fault))?;
-        let origin = free_place(&scene, &polygons, &start.extents(), seen);
-        if let Some(body) = scene.bodies.last_mut() {
-            body.origin = Some(Vector::Plane(origin));
-        }
-        Ok(scene)
-    }
-
-    /// This scene with the ink of a picture, that is in no file, as an obstacle: where nothing is yet, as near to the middle of
-    /// what is `seen` (lower and upper corner [m]) as may be; `keys` say how a body of it would be cut out.
-    ///
-    /// Errors: as of [`Scene::of_picture`]; a scene in space.
-    pub fn with_obstacle(
-        &self,
-        picture: Arc<Picture>,
-        keys: &BodyKeys,
-        seen: [[f64; 2]; 2],
-    ) -> Result<Scene, SceneError> {
-        let file = self.source.keep(picture);
-        let picture = PictureKeys { file, origin: None, ..PictureKeys::of_body(keys) };
-        let origin = self.place_of(&picture, seen).map_err(|fault| self.source.error(fault))?;
-        let picture = PictureKeys { origin: Some(Vector::Plane(origin)), ..picture };
-        let mut scene = self.clone();
-        scene.obstacles.push(ObstacleKeys { picture: Some(picture), ..ObstacleKeys::default() });
-        scene.check()?;
-        Ok(scene)
-    }
-
-    /// Where the ink of a picture finds room.
-    ///
-    /// Errors: those of [`outlines`] and of bodies that cannot be made.
-    fn place_of(&self, picture: &PictureKeys, seen: Extent) -> Result<[f64; 2], Fault> {
-        let ink = Polygon { loops: outlines(picture, &self.source)?, restitution: 0.0, friction: 0.0 };
-        let mut things = Start::new(self)?.extents();
-        things.extend(around(&ink));
-        Ok(free_place(self, &polygons(self)?, &things, seen))
     }
 
     /// This scene with another body in place of one of a picture: it lies and moves as that did. A material that `keys` do not

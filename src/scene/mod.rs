@@ -8,6 +8,7 @@
 //! [`Scene`] has the keys of the file as fields. Reading refuses what the file's form excludes, [`Scene::model`] what
 //! this version cannot run; both say it in one line ([`SceneError`]).
 
+mod add;
 mod addition;
 mod anew;
 mod check;

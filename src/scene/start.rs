@@ -2,7 +2,6 @@
 
 use super::check::{self, Resistance};
 use super::error::{Fault, Within};
-use super::free_place::Extent;
 use super::keys::{BodyKeys, MassKeys, Scene};
 use super::material;
 use crate::body::{Body, Link, MAX_BONDS, Placement};
@@ -75,22 +74,6 @@ impl Start {
         start.pinned.sort_unstable();
         start.pinned.dedup();
         Ok(start)
-    }
-
-    /// What the explicit points take up in the plane, if there are any, then each body with its copies: lower and upper corner [m].
-    pub(super) fn extents(&self) -> Vec<Extent> {
-        let in_bodies = self.bodies.iter().map(|body| {
-            let first = body.first as usize;
-            first..first + body.copies as usize * body.each as usize
-        });
-        let explicit = 0..self.bodies.first().map_or(self.position.len(), |body| body.first as usize);
-        let extent = |range: std::ops::Range<usize>| {
-            let points = &self.position[range];
-            let end =
-                |of: fn(f64, f64) -> f64, start: f64| [0, 1].map(|axis| points.iter().map(|x| x[axis]).fold(start, of));
-            (!points.is_empty()).then(|| [end(f64::min, f64::INFINITY), end(f64::max, f64::NEG_INFINITY)])
-        };
-        std::iter::once(explicit).chain(in_bodies).filter_map(extent).collect()
     }
 
     fn explicit(scene: &Scene) -> Self {

@@ -12,7 +12,8 @@ use std::path::Path;
 use std::sync::Arc;
 
 use crate::picture::{Picture, PictureError, Settings, Size};
-use crate::scene::{BodyKeys, Cut, KindName, Matter, PatternName, Scene, SceneError};
+use crate::scene::{AddKeys, BodyKeys, Cut, KindName, Matter, PatternName, Scene, SceneError};
+use crate::sim::Dynamics;
 use painting::Painting;
 use worker::{Forecast, Worker};
 
@@ -77,13 +78,24 @@ impl Import {
         Import::new(name, picture, wake, wish)
     }
 
-    /// Begins with a canvas: an empty one, or one with a picture to paint over.
+    /// Begins with an empty canvas.
     ///
-    /// Errors: a picture too large for a canvas.
-    pub(super) fn of_canvas(on: Option<&Picture>, wake: impl Fn() + Send + 'static) -> Result<Self, PictureError> {
-        let painting = Painting::new(on)?;
+    /// Errors: none that is known.
+    pub(super) fn of_canvas(wake: impl Fn() + Send + 'static) -> Result<Self, PictureError> {
+        let painting = Painting::new(None)?;
         let picture = Arc::new(painting.picture());
         Ok(Import { painting: Some(painting), ..Import::of_picture("drawing".to_owned(), picture, wake) })
+    }
+
+    /// Begins with a canvas to paint over the picture of a scene's first body that is cut out of one, as it is.
+    ///
+    /// Errors: no such body; a picture that is not there any more, or is too large for a canvas.
+    pub(super) fn of_canvas_over(scene: &Scene, wake: impl Fn() + Send + 'static) -> Result<Self, SceneError> {
+        let (body, wish, picture) = of_body(scene)?.ok_or_else(|| scene.complaint("has no picture to paint over"))?;
+        let painting = Painting::new(Some(&picture)).map_err(|error| scene.complaint(&error.to_string()))?;
+        let picture = Arc::new(painting.picture());
+        let import = Import::new("drawing".to_owned(), picture, wake, wish);
+        Ok(Import { painting: Some(painting), body: Some(body), ..import })
     }
 
     /// Begins with the first body of a scene that is cut out of a picture, as it is; `None` where there is none. A picture file
@@ -91,23 +103,26 @@ impl Import {
     ///
     /// Errors: a picture that is not there any more.
     pub(super) fn of_scene(scene: &Scene, wake: impl Fn() + Send + 'static) -> Result<Option<Self>, SceneError> {
-        let Some(body) = scene.picture_body() else { return Ok(None) };
-        let Cut { mut picture, settings, height } = scene.cut(body)?;
-        if let Some(path) = scene.picture_path() {
-            picture = Scene::picture_file(&path)?;
+        let Some((body, wish, picture)) = of_body(scene)? else { return Ok(None) };
+        Ok(Some(Import { body: Some(body), ..Import::new(scene.name().to_owned(), picture, wake, wish) }))
+    }
+
+    /// Whether it is a canvas.
+    pub(super) fn is_canvas(&self) -> bool {
+        self.painting.is_some()
+    }
+
+    /// Whether something was painted that would be lost with the import.
+    pub(super) fn has_work(&self) -> bool {
+        self.painting.as_ref().is_some_and(Painting::has_work)
+    }
+
+    /// It is put away for a while: a stroke under way ends, and what it was to take the place of may be another when it comes back.
+    pub(super) fn put_away(&mut self) {
+        if let Some(painting) = &mut self.painting {
+            painting.lift();
         }
-        let keys = &scene.bodies[body];
-        let material = keys.material.clone().unwrap_or_default();
-        let matter = match material.kind {
-            Some(KindName::Spring) => Matter::Soft,
-            Some(KindName::Relaxed) => Matter::Relaxed,
-            _ => Matter::Rigid,
-        };
-        let young = material.young.unwrap_or(Matter::YOUNG);
-        let pattern = keys.pattern.unwrap_or(PatternName::Edges);
-        let wish = Wish { settings, matter, young, height, pattern, apart: false };
-        let body = Some((body, matter, young));
-        Ok(Some(Import { body, ..Import::new(scene.name().to_owned(), picture, wake, wish) }))
+        self.body = None;
     }
 
     fn new(name: String, picture: Arc<Picture>, wake: impl Fn() + Send + 'static, wish: Wish) -> Self {
@@ -150,16 +165,21 @@ impl Import {
         }
     }
 
-    /// The present scene with the body in it, where there is room, if possible in what is `seen` of it (lower and upper corner [m]).
+    /// What the running `world` of a scene gets: bodies or an obstacle, where there is room now, if possible in what is `seen` of it
+    /// (lower and upper corner [m]).
     ///
     /// Errors: as of [`Import::scene`].
-    pub(super) fn added_to(&self, scene: &Scene, seen: [[f64; 2]; 2]) -> Result<Scene, SceneError> {
-        let body = scene.bodies.len();
+    pub(super) fn addition(
+        &self,
+        scene: &Scene,
+        world: &dyn Dynamics,
+        seen: [[f64; 2]; 2],
+    ) -> Result<AddKeys, SceneError> {
+        let keys = self.wish.keys(&self.picture);
         if self.wish.matter == Matter::Fixed {
-            return scene.with_obstacle(Arc::clone(&self.picture), &self.wish.keys(&self.picture), seen);
+            return scene.obstacle_to_add(world, (&self.picture, &keys), seen);
         }
-        let added = scene.with_picture(Arc::clone(&self.picture), self.wish.keys(&self.picture), seen)?;
-        if self.wish.apart { added.in_parts(body) } else { Ok(added) }
+        scene.body_to_add(world, (&self.picture, keys), seen, self.wish.apart)
     }
 
     /// The present scene with its body cut out as it is wished for now.
@@ -177,6 +197,28 @@ impl Import {
         let changed = scene.with_picture_anew(body, Arc::clone(&self.picture), keys)?;
         if self.wish.apart { changed.in_parts(body) } else { Ok(changed) }
     }
+}
+
+/// The first body of a scene that is cut out of a picture: its number, with what it is made of, how it is cut out, and the picture.
+type Body = ((usize, Matter, f64), Wish, Arc<Picture>);
+
+/// Errors: a picture that is not there any more.
+fn of_body(scene: &Scene) -> Result<Option<Body>, SceneError> {
+    let Some(body) = scene.picture_body() else { return Ok(None) };
+    let Cut { mut picture, settings, height } = scene.cut(body)?;
+    if let Some(path) = scene.picture_path() {
+        picture = Scene::picture_file(&path)?;
+    }
+    let keys = &scene.bodies[body];
+    let material = keys.material.clone().unwrap_or_default();
+    let matter = match material.kind {
+        Some(KindName::Spring) => Matter::Soft,
+        Some(KindName::Relaxed) => Matter::Relaxed,
+        _ => Matter::Rigid,
+    };
+    let young = material.young.unwrap_or(Matter::YOUNG);
+    let pattern = keys.pattern.unwrap_or(PatternName::Edges);
+    Ok(Some(((body, matter, young), Wish { settings, matter, young, height, pattern, apart: false }, picture)))
 }
 
 impl Wish {

@@ -1,6 +1,7 @@
 //! The brush canvas: a mask that is painted by hand, and its tools.
 
-use egui::{Color32, ColorImage, Pos2, Rect, Response, Slider, Stroke, TextureHandle, TextureId, TextureOptions};
+use egui::{Color32, ColorImage, Event, Key, Modifiers, PointerButton, Pos2, Rect, Response, Slider, Stroke};
+use egui::{TextureHandle, TextureId, TextureOptions};
 
 use crate::picture::{Brush, Mask, Mirror, Picture, PictureError};
 
@@ -27,6 +28,8 @@ pub(super) struct Painting {
     is_down: bool,
     /// The version of the mask that was last handed out.
     seen: u64,
+    /// Where it was on the screen when it was shown last.
+    place: Rect,
     /// The canvas as it is shown.
     texture: Option<TextureHandle>,
 }
@@ -38,7 +41,15 @@ impl Painting {
     pub(super) fn new(on: Option<&Picture>) -> Result<Self, PictureError> {
         let mask = on.map_or_else(|| Mask::new(SIDE, SIDE), Mask::from_picture)?;
         let seen = mask.version();
-        Ok(Painting { mask, tool: Tool::Paint, radius: 16.0, is_down: false, seen, texture: None })
+        Ok(Painting {
+            mask,
+            tool: Tool::Paint,
+            radius: 16.0,
+            is_down: false,
+            seen,
+            place: Rect::NOTHING,
+            texture: None,
+        })
     }
 
     /// What is painted, on clear ground.
@@ -77,16 +88,16 @@ impl Painting {
 
     /// The tools, in two rows.
     pub(super) fn tools(&mut self, ui: &mut egui::Ui) {
-        ui.horizontal(|ui| {
+        ui.horizontal_wrapped(|ui| {
             for (tool, label) in [(Tool::Paint, "Paint"), (Tool::Erase, "Erase"), (Tool::Fill, "Fill")] {
                 ui.selectable_value(&mut self.tool, tool, label);
             }
             ui.separator();
-            if ui.add_enabled(self.mask.can_undo(), egui::Button::new("Undo")).clicked() {
-                self.mask.undo();
+            if ui.add_enabled(self.mask.can_undo(), egui::Button::new("Undo")).on_hover_text("Ctrl+Z").clicked() {
+                self.undo();
             }
-            if ui.add_enabled(self.mask.can_redo(), egui::Button::new("Redo")).clicked() {
-                self.mask.redo();
+            if ui.add_enabled(self.mask.can_redo(), egui::Button::new("Redo")).on_hover_text("Ctrl+Y").clicked() {
+                self.redo();
             }
             if ui.button("Clear").clicked() {
                 self.mask.clear();
@@ -95,7 +106,7 @@ impl Painting {
                 self.mask.invert();
             }
         });
-        ui.horizontal(|ui| {
+        ui.horizontal_wrapped(|ui| {
             ui.add(Slider::new(&mut self.radius, 1.0..=128.0).logarithmic(true).suffix(" px").text("brush"));
             ui.separator();
             ui.label("mirror");
@@ -111,28 +122,68 @@ impl Painting {
         });
     }
 
-    /// The pointer on the canvas, which lies at `place` on the screen.
-    pub(super) fn paint(&mut self, response: &Response, place: Rect) {
+    /// What the pointer did to the canvas, which lies at `place` on the screen now: each of its events since the last frame counts,
+    /// however many there were. `is_here` tells whether a press is one on the canvas.
+    pub(super) fn paint(&mut self, events: &[Event], place: Rect, is_here: impl Fn(Pos2) -> bool) {
+        // What was pressed is what was seen: the canvas may lie elsewhere now.
+        let seen = std::mem::replace(&mut self.place, place);
+        let place = if seen.is_positive() { seen } else { place };
         let scale = f64::from(place.width()) / f64::from(self.mask.size()[0]);
         let at = |screen: Pos2| [screen.x - place.min.x, screen.y - place.min.y].map(|x| f64::from(x) / scale);
         let brush = Brush { radius: self.radius, erases: self.tool == Tool::Erase };
-        let Some(at) = response.interact_pointer_pos().map(at) else { return self.lift() };
-        if self.tool == Tool::Fill {
-            if response.clicked() {
-                self.mask.fill(brush, at);
+        for event in events {
+            match *event {
+                Event::PointerButton { pos, button: PointerButton::Primary, pressed: true, .. } if is_here(pos) => {
+                    if self.tool == Tool::Fill {
+                        self.mask.fill(brush, at(pos));
+                    } else {
+                        self.mask.begin(brush, at(pos));
+                        self.is_down = true;
+                    }
+                }
+                Event::PointerMoved(pos) if self.is_down => self.mask.drag_to(at(pos)),
+                Event::PointerButton { pos, button: PointerButton::Primary, pressed: false, .. } if self.is_down => {
+                    self.mask.drag_to(at(pos));
+                    self.lift();
+                }
+                Event::WindowFocused(false) => self.lift(),
+                _ => {}
             }
+        }
+    }
+
+    /// Takes steps back and does them again by their usual keys, unless a number is being typed.
+    pub(super) fn keys(&mut self, context: &egui::Context) {
+        if context.text_edit_focused() {
             return;
         }
-        match (response.is_pointer_button_down_on(), self.is_down) {
-            (true, false) => self.mask.begin(brush, at),
-            (true, true) => self.mask.drag_to(at),
-            (false, _) => return self.lift(),
-        }
-        self.is_down = true;
+        let (redone, undone) = context.input_mut(|input| {
+            // With Shift first: without it the key would match both.
+            let redone = input.count_and_consume_key(Modifiers::COMMAND | Modifiers::SHIFT, Key::Z)
+                + input.count_and_consume_key(Modifiers::COMMAND, Key::Y);
+            (redone, input.count_and_consume_key(Modifiers::COMMAND, Key::Z))
+        });
+        (0..undone).for_each(|_| self.undo());
+        (0..redone).for_each(|_| self.redo());
+    }
+
+    /// Whether anything was painted, or taken back.
+    pub(super) fn has_work(&self) -> bool {
+        self.is_down || self.mask.can_undo() || self.mask.can_redo()
+    }
+
+    fn undo(&mut self) {
+        self.is_down = false;
+        self.mask.undo();
+    }
+
+    fn redo(&mut self) {
+        self.is_down = false;
+        self.mask.redo();
     }
 
     /// Ends the stroke, if there is one.
-    fn lift(&mut self) {
+    pub(super) fn lift(&mut self) {
         if std::mem::take(&mut self.is_down) {
             self.mask.end();
         }
@@ -160,6 +211,7 @@ fn image(mask: &Mask, [left, top, width, height]: [u32; 4]) -> ColorImage {
 #[cfg(test)]
 #[allow(clippy::unwrap_used, reason = "a test that cannot go on stops")]
 mod tests {
+    use super::super::{Answer, Import};
     use super::*;
 
     /// Left, top, width and height of each piece that is uploaded of the canvas.
@@ -194,5 +246,150 @@ mod tests {
         let shown = image(&painting.mask, [100, 195, 3, 2]);
         assert_eq!((shown.size, shown.pixels[0]), ([3, 2], Color32::from_rgb(INK[0], INK[1], INK[2])));
         assert_eq!(image(&painting.mask, [0, 0, 2, 2]).pixels, [Color32::TRANSPARENT; 4]);
+    }
+
+    /// An import's panel on a screen of this size, led by events.
+    struct Led {
+        context: egui::Context,
+        import: Import,
+        size: egui::Vec2,
+    }
+
+    impl Led {
+        fn new(size: [f32; 2]) -> Self {
+            let import = Import::of_canvas(|| ()).unwrap();
+            let mut led = Led { context: egui::Context::default(), import, size: size.into() };
+            // A window is measured first, then placed.
+            (0..3).for_each(|_| assert_eq!(led.frame(Vec::new()), None));
+            led
+        }
+
+        fn frame(&mut self, events: Vec<Event>) -> Option<Answer> {
+            let screen_rect = Some(Rect::from_min_size(Pos2::ZERO, self.size));
+            let input = egui::RawInput { screen_rect, events, ..Default::default() };
+            let mut answer = None;
+            let mut output = self.context.run_ui(input, |ui| answer = self.import.show(ui.ctx(), true));
+            output.textures_delta.clear();
+            answer
+        }
+
+        fn painting(&mut self) -> &mut Painting {
+            self.import.painting.as_mut().unwrap()
+        }
+
+        /// Where a place of the canvas [px] is on the screen.
+        fn screen(&mut self, [x, y]: [f64; 2]) -> Pos2 {
+            let painting = self.painting();
+            let scale = f64::from(painting.place.width()) / f64::from(SIDE);
+            painting.place.min + egui::vec2((x * scale) as f32, (y * scale) as f32)
+        }
+
+        fn key(&mut self, key: Key, modifiers: Modifiers) -> Option<Answer> {
+            let event = |pressed| Event::Key { key, physical_key: None, pressed, repeat: false, modifiers };
+            self.frame(vec![event(true), event(false)])
+        }
+    }
+
+    fn button(pos: Pos2, pressed: bool) -> Event {
+        Event::PointerButton { pos, button: PointerButton::Primary, pressed, modifiers: Modifiers::NONE }
+    }
+
+    /// A star of 130 places, two of them at each of its tips and notches.
+    fn star() -> Vec<[f64; 2]> {
+        let corner = |k: usize| {
+            let (angle, radius) = (std::f64::consts::PI * k as f64 / 5.0, if k % 2 == 0 { 200.0 } else { 80.0 });
+            [256.0 + radius * angle.sin(), 256.0 - radius * angle.cos()]
+        };
+        let between = |k: usize, share: f64| {
+            let (a, b) = (corner(k), corner(k + 1));
+            [0, 1].map(|axis| a[axis] + share * (b[axis] - a[axis]))
+        };
+        (0..10).flat_map(|k| (0..13).map(move |j| between(k, f64::from(j) / 12.0))).collect()
+    }
+
+    #[test]
+    fn every_event_of_the_pointer_counts_however_many_a_frame_has() {
+        let star = star();
+        let mut alone = Mask::new(SIDE, SIDE).unwrap();
+        alone.begin(Brush { radius: 16.0, erases: false }, star[0]);
+        star[1..].iter().for_each(|&place| alone.drag_to(place));
+        alone.end();
+        for each in [131, 10] {
+            let mut led = Led::new([1100.0, 760.0]);
+            let places: Vec<Pos2> = star.iter().map(|&place| led.screen(place)).collect();
+            let mut events = vec![Event::PointerMoved(places[0]), button(places[0], true)];
+            events.extend(places[1..].iter().map(|&place| Event::PointerMoved(place)));
+            events.push(button(places[129], false));
+            // A pointer that has left the canvas draws no more.
+            events.push(Event::PointerMoved(Pos2::new(3.0, 3.0)));
+            for some in events.chunks(each) {
+                led.frame(some.to_vec());
+            }
+            let painted = led.painting();
+            let differing = painted.mask.coverage().iter().zip(alone.coverage()).filter(|(a, b)| a.abs_diff(**b) > 2);
+            assert_eq!(differing.count(), 0, "{each} events a frame");
+            assert!(painted.mask.can_undo(), "a step");
+        }
+    }
+
+    #[test]
+    fn a_press_beside_the_canvas_paints_nothing() {
+        let mut led = Led::new([1100.0, 760.0]);
+        let [outside, inside] = [[-60.0, 256.0], [256.0, 256.0]].map(|place| led.screen(place));
+        led.frame(vec![button(outside, true), Event::PointerMoved(inside), button(inside, false)]);
+        assert!(!led.import.has_work());
+        led.frame(vec![button(inside, true), Event::WindowFocused(false), Event::PointerMoved(outside)]);
+        assert_eq!(led.painting().mask.coverage()[256 * 512 + 100], 0, "a window that lost the focus ends the stroke");
+        assert!(led.import.has_work());
+    }
+
+    #[test]
+    fn steps_are_taken_back_and_done_again_by_keys() {
+        let mut led = Led::new([1100.0, 760.0]);
+        let mut ink = Vec::new();
+        for x in [100.0, 250.0, 400.0] {
+            let place = led.screen([x, 256.0]);
+            led.frame(vec![button(place, true), button(place, false)]);
+            ink.push(led.painting().mask.coverage().to_vec());
+        }
+        let both = Modifiers::COMMAND | Modifiers::SHIFT;
+        let ctrl = Modifiers::COMMAND;
+        let steps = [(Key::Z, ctrl, 1), (Key::Z, ctrl, 0), (Key::Z, both, 1), (Key::Y, ctrl, 2), (Key::Y, ctrl, 2)];
+        for (key, held, shown) in steps {
+            led.key(key, held);
+            assert!(led.painting().mask.coverage() == ink[shown], "{key:?} {held:?}");
+        }
+    }
+
+    #[test]
+    fn a_drawing_that_is_put_away_comes_back_with_its_steps() {
+        let mut led = Led::new([1100.0, 760.0]);
+        let [a, b] = [[100.0, 256.0], [300.0, 256.0]].map(|place| led.screen(place));
+        led.frame(vec![button(a, true), Event::PointerMoved(b)]);
+        led.import.put_away();
+        led.frame(vec![Event::PointerMoved(Pos2::new(3.0, 3.0)), button(Pos2::new(3.0, 3.0), false)]);
+        assert_eq!(led.painting().mask.coverage()[100 * 512 + 100], 0, "the stroke under way has ended");
+        assert!(led.painting().mask.can_undo());
+    }
+
+    #[test]
+    fn every_button_is_reached_on_a_small_screen() {
+        for size in [[400.0, 300.0], [320.0, 240.0], [600.0, 900.0], [1280.0, 640.0]] {
+            let mut led = Led::new(size);
+            let panel = led.context.memory(|memory| memory.area_rect(egui::Id::unique("import")));
+            let panel = panel.unwrap();
+            let screen = Rect::from_min_size(Pos2::ZERO, led.size);
+            assert!(screen.expand(1.0).contains_rect(panel), "{size:?}: {panel:?}");
+            // Along the lower edge of the panel lies the button that closes it.
+            let y = panel.max.y - 20.0;
+            let mut places = (panel.min.x as i32..panel.max.x as i32).step_by(16);
+            let answer = places.find_map(|x| {
+                let at = Pos2::new(x as f32, y);
+                led.frame(vec![Event::PointerMoved(at)]);
+                led.frame(vec![button(at, true)]);
+                led.frame(vec![button(at, false)])
+            });
+            assert_eq!(answer, Some(Answer::Cancel), "{size:?}");
+        }
     }
 }

@@ -6,6 +6,17 @@ use super::worker::Forecast;
 use super::{Answer, Import, preview, wishes};
 use crate::scene::Matter;
 
+/// Width of the screen from which on the sliders stand beside the picture [points].
+const WIDE: f32 = 780.0;
+/// Height of what stands over and under the part that scrolls: title, buttons, margins [points].
+const BESIDE: f32 = 130.0;
+/// Height of that part at least [points].
+const LEAST_TALL: f32 = 60.0;
+/// Height of a canvas's tools [points].
+const TOOLS: f32 = 60.0;
+/// Width of margins and of the bar that scrolls [points].
+const MARGINS: f32 = 48.0;
+
 /// Shows the panel. What is changed in it is changed in the import's wish.
 pub(super) fn show(import: &mut Import, context: &egui::Context, can_add: bool) -> Option<Answer> {
     let mut answer = None;
@@ -15,6 +26,8 @@ pub(super) fn show(import: &mut Import, context: &egui::Context, can_add: bool) 
         (None, Some(_)) => format!("The picture in {}", import.name),
         (None, None) => format!("Import {}", import.name),
     };
+    let room = context.content_rect().size();
+    let is_wide = room.x >= WIDE;
     egui::Window::new(title)
         .id(egui::Id::unique("import"))
         .open(&mut is_open)
@@ -22,24 +35,43 @@ pub(super) fn show(import: &mut Import, context: &egui::Context, can_add: bool) 
         .resizable(false)
         .anchor(egui::Align2::CENTER_CENTER, [0.0, 0.0])
         .show(context, |ui| {
-            ui.horizontal_top(|ui| {
-                ui.vertical(|ui| {
-                    if let Some(painting) = &mut import.painting {
-                        painting.tools(ui);
-                    }
-                    preview::show(ui, import);
-                });
-                ui.vertical(|ui| {
-                    ui.set_width(290.0);
-                    wishes::show(ui, &mut import.wish, &import.picture);
-                    ui.separator();
-                    words(ui, import.forecast.as_ref(), import.painting.is_some());
-                    ui.separator();
-                    answer = buttons(ui, import, can_add);
-                });
+            if let Some(painting) = &mut import.painting {
+                painting.keys(ui.ctx());
+            }
+            let tall = (room.y - BESIDE).max(LEAST_TALL);
+            let broad = room.x - MARGINS;
+            let place = egui::ScrollArea::both().max_height(tall).max_width(broad);
+            place.min_scrolled_height(tall).min_scrolled_width(broad).show(ui, |ui| {
+                ui.set_max_width(broad);
+                if is_wide {
+                    ui.horizontal_top(|ui| {
+                        ui.vertical(|ui| picture(ui, import, preview::LARGEST.min(tall - TOOLS)));
+                        ui.vertical(|ui| sliders(ui, import));
+                    });
+                } else {
+                    picture(ui, import, preview::LARGEST.min(broad));
+                    sliders(ui, import);
+                }
             });
+            ui.separator();
+            answer = buttons(ui, import, can_add);
         });
     if is_open { answer } else { Some(Answer::Cancel) }
+}
+
+/// The picture with its mesh, at most so large [points]; the tools over it, if it is painted.
+fn picture(ui: &mut egui::Ui, import: &mut Import, side: f32) {
+    if let Some(painting) = &mut import.painting {
+        painting.tools(ui);
+    }
+    preview::show(ui, import, side.max(preview::LEAST));
+}
+
+fn sliders(ui: &mut egui::Ui, import: &mut Import) {
+    ui.set_width(290.0);
+    wishes::show(ui, &mut import.wish, &import.picture);
+    ui.separator();
+    words(ui, import.forecast.as_ref(), import.painting.is_some());
 }
 
 fn words(ui: &mut egui::Ui, forecast: Option<&Result<Forecast, String>>, is_painted: bool) {
@@ -85,23 +117,32 @@ fn time(ms: f64) -> String {
     }
 }
 
+/// The first choice stands out: what leaves the scene as it is, and gives it the body.
 fn buttons(ui: &mut egui::Ui, import: &Import, can_add: bool) -> Option<Answer> {
     let is_ready = matches!(import.forecast, Some(Ok(_)));
     let is_obstacle = import.wish.matter == Matter::Fixed;
-    let into_scene = match import.body {
+    let add = ("Add to this scene", "it goes where there is room", Answer::Add, can_add);
+    let place = ("Put in its place", "the body of the scene is cut out like this", Answer::Replace, true);
+    let alone = ("Open by itself", "a scene of its own, in place of this one", Answer::Open, true);
+    let choices = match import.body {
         // An obstacle is no body.
-        Some(_) if !is_obstacle => ("Put in its place", Answer::Replace, is_ready),
-        _ => ("Add to this scene", Answer::Add, is_ready && can_add),
+        Some(_) if !is_obstacle => [place, add, alone],
+        _ if can_add => [add, alone, place],
+        _ => [alone, add, place],
     };
-    let alone = if is_obstacle { "Make it an obstacle" } else { "Make it a body" };
+    let count = if import.body.is_some() && !is_obstacle { 3 } else { 2 };
     let mut answer = None;
-    ui.horizontal(|ui| {
-        for (label, choice, is_enabled) in
-            [(alone, Answer::Open, is_ready), into_scene, ("Cancel", Answer::Cancel, true)]
-        {
-            if ui.add_enabled(is_enabled, egui::Button::new(label)).clicked() {
+    ui.horizontal_wrapped(|ui| {
+        for (k, &(label, hint, choice, is_enabled)) in choices[..count].iter().enumerate() {
+            let button = egui::Button::new(label);
+            let button = if k == 0 { button.fill(ui.visuals().selection.bg_fill) } else { button };
+            if ui.add_enabled(is_ready && is_enabled, button).on_hover_text(hint).clicked() {
                 answer = Some(choice);
             }
+        }
+        let close = if import.has_work() { ("Close", "Esc; N brings the drawing back") } else { ("Cancel", "Esc") };
+        if ui.button(close.0).on_hover_text(close.1).clicked() {
+            answer = Some(Answer::Cancel);
         }
     });
     answer

@@ -6,23 +6,27 @@ use super::Import;
 use crate::picture::{Picture, PictureMesh};
 use crate::scene::PatternName;
 
-/// Side of the square that the preview fits into [points].
-const PREVIEW: f32 = 420.0;
+/// Side of the square that the preview fits into, at most and at least [points].
+pub(super) const LARGEST: f32 = 420.0;
+pub(super) const LEAST: f32 = 160.0;
 /// Most bonds that are drawn one by one: of more the boundary says enough.
 const MOST_SHOWN: usize = 15_000;
 /// Longest side of the picture as it is shown [px].
 const SHOWN_SIDE: u32 = 1024;
 
-/// Shows both.
-pub(super) fn show(ui: &mut egui::Ui, import: &mut Import) {
+/// Shows both, in a square of this side [points].
+pub(super) fn show(ui: &mut egui::Ui, import: &mut Import, side: f32) {
     let size = Vec2::new(import.picture.width as f32, import.picture.height as f32);
-    let scale = PREVIEW / size.max_elem();
-    let (outer, response) = ui.allocate_exact_size(Vec2::splat(PREVIEW), Sense::click_and_drag());
+    let scale = side / size.max_elem();
+    let (outer, response) = ui.allocate_exact_size(Vec2::splat(side), Sense::click_and_drag());
     let place = Rect::from_center_size(outer.center(), size * scale);
     let painter = ui.painter_at(outer);
     let texture = match &mut import.painting {
         Some(painting) => {
-            painting.paint(&response, place);
+            let layer = ui.layer_id();
+            let is_here =
+                |at: Pos2| outer.contains(at) && ui.clip_rect().contains(at) && ui.ctx().layer_id_at(at) == Some(layer);
+            painting.paint(&ui.input(|input| input.events.clone()), place, is_here);
             painting.texture(ui.ctx())
         }
         None => import.texture.get_or_insert_with(|| load(ui.ctx(), &import.picture)).id(),

@@ -20,25 +20,48 @@ impl Session {
     /// A file was dropped on the window, chosen or pasted: a picture is imported, a scene opens in place of this one.
     pub(in crate::app) fn take_file(&mut self, path: &Path) {
         let taken = if Scene::is_picture_file(path) {
-            Import::of_file(path, self.wake_up()).map(|import| self.import = Some(import))
+            Import::of_file(path, self.wake_up()).map(|import| self.begin(import))
         } else {
             Scene::read(path).and_then(|scene| self.open(scene))
         };
         self.complain(taken);
     }
 
-    /// Opens a canvas to paint a body on: over the scene's picture, if it is one of the brush.
+    /// Opens a canvas to paint a body on: with the drawing that was put away, if there is one; else over the scene's picture, if
+    /// it is one of the brush.
     pub(super) fn paint(&mut self) {
-        let on = self.skins.first().filter(|_| self.is_canvas());
-        let painted = Import::of_canvas(on.map(|skin| &*skin.picture), self.wake_up());
-        let painted = painted.map(|import| self.import = Some(import));
-        self.complain(painted.map_err(|error| self.scene.complaint(&error.to_string())));
+        if self.import.as_ref().is_some_and(Import::is_canvas) {
+            return;
+        }
+        let opened = match self.kept.take() {
+            Some(kept) => Ok(kept),
+            None if self.is_canvas() && self.has_picture => Import::of_canvas_over(&self.scene, self.wake_up()),
+            None => Import::of_canvas(self.wake_up()).map_err(|error| self.scene.complaint(&error.to_string())),
+        };
+        let opened = opened.map(|import| self.begin(import));
+        self.complain(opened);
+    }
+
+    /// Opens an import; a drawing that lay there is put away.
+    fn begin(&mut self, import: Import) {
+        self.put_away();
+        self.import = Some(import);
+    }
+
+    /// Closes the import, if one is open, and returns whether one was. A drawing is kept: the next canvas has it, with all its steps.
+    pub(super) fn put_away(&mut self) -> bool {
+        let Some(mut import) = self.import.take() else { return false };
+        if import.has_work() {
+            import.put_away();
+            self.kept = Some(import);
+        }
+        true
     }
 
     /// Cuts the scene's first picture out anew.
     pub(super) fn cut_anew(&mut self) {
         match Import::of_scene(&self.scene, self.wake_up()) {
-            Ok(Some(import)) => self.import = Some(import),
+            Ok(Some(import)) => self.begin(import),
             Ok(None) => self.say(
                 "no body of this scene is cut out of a picture: drop a picture on the window, open one (Ctrl+O), paste \
                  one (Ctrl+V) or draw one (N)",
@@ -86,7 +109,7 @@ impl Session {
                 Ok(Found::File(path)) => self.take_file(&path),
                 Ok(Found::Picture(picture)) => {
                     let import = Import::of_picture(PASTED.to_owned(), Arc::new(picture), self.wake_up());
-                    self.import = Some(import);
+                    self.begin(import);
                     self.complain(Ok(()));
                 }
                 Ok(Found::Nothing) => {}
@@ -97,11 +120,15 @@ impl Session {
 
     /// Does what the import panel was told.
     pub(super) fn answer(&mut self, answer: Answer) {
+        if answer == Answer::Cancel {
+            self.put_away();
+            return self.touch();
+        }
         let Some(import) = self.import.take() else { return };
         let scene = match answer {
-            Answer::Cancel => return self.touch(),
+            Answer::Cancel => return,
             Answer::Open => import.scene(),
-            Answer::Add => import.added_to(&self.scene, self.seen()),
+            Answer::Add => self.with_import(&import),
             Answer::Replace => import.put_into(&self.scene),
         };
         let (camera, points) = (self.camera, self.player.world().point_count());
@@ -115,6 +142,12 @@ impl Session {
             _ => {}
         }
         self.complain(opened);
+    }
+
+    /// The scene with what an import adds, at its start.
+    fn with_import(&self, import: &Import) -> Result<Scene, SceneError> {
+        let start = self.scene.world(None)?;
+        self.scene.with(import.addition(&self.scene, &*start, self.seen())?)
     }
 
     /// Tells the user of what went wrong, if anything did.
