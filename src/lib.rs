@@ -7,10 +7,12 @@
 pub mod app;
 pub mod body;
 pub mod cli;
+pub mod equilibrium;
 pub mod history;
 pub mod output;
 pub mod picture;
 pub mod render;
 pub mod scene;
+pub mod search;
 pub mod sim;
 pub mod study;

@@ -22,7 +22,7 @@ fn run(scene: &Scene, truth: &Truth) -> f64 {
 fn with_tolerance(problem: &Problem, tolerance: f64) {
     let (mut scene, truth) = (problem.scene().unwrap(), problem.truth().unwrap());
     scene.method.tolerance = Some(tolerance);
-    let found = scene.tune(&truth.times()).unwrap().unwrap();
+    let found = wobble::study::tune(&mut scene, &truth.times()).unwrap().unwrap();
     assert!(found.is_reached && found.expected_error <= tolerance, "{}: {found:?}", problem.name);
     let error = run(&scene, &truth);
     assert!(error <= tolerance, "{} by {:?}: {error} m", problem.name, scene.method);
@@ -56,7 +56,7 @@ fn equilibria_are_exact() {
     for problem in problems::problems() {
         let (scene, truth) = (problem.scene().unwrap(), problem.truth().unwrap());
         if truth.kind == Kind::Static {
-            let found = scene.settle(0.0).unwrap();
+            let found = wobble::study::settle(&scene, 0.0).unwrap();
             let error = errors(&[found.sample], &truth)[0];
             assert!(found.is_settled && error <= 1e-12, "{}: {error} m after {} rounds", problem.name, found.rounds);
         }

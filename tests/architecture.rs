@@ -4,7 +4,7 @@
 use std::path::{Path, PathBuf};
 
 /// Each room, the rooms that it may name, and the crates that it may name beside those for every room.
-const ROOMS: [(&str, &[&str], &[&str]); 10] = [
+const ROOMS: [(&str, &[&str], &[&str]); 12] = [
     ("sim", &[], &["rand", "rand_pcg", "libm", "rayon", "fearless_simd", "aligned_vec"]),
     ("body", &["sim", "picture"], &["rand", "rand_pcg", "libm", "spade"]),
     ("picture", &[], &["image", "spade", "earcutr", "libm", "rayon"]),
@@ -13,6 +13,8 @@ const ROOMS: [(&str, &[&str], &[&str]); 10] = [
         &["sim", "body", "picture", "output"],
         &["base64", "serde", "serde_json", "serde_path_to_error", "schemars", "xxhash_rust", "csv"],
     ),
+    ("equilibrium", &["sim"], &["rand", "rand_pcg"]),
+    ("search", &["sim"], &[]),
     (
         "history",
         &["sim", "body", "picture", "scene", "output"],
@@ -22,17 +24,17 @@ const ROOMS: [(&str, &[&str], &[&str]); 10] = [
     ("output", &[], &["tempfile"]),
     (
         "app",
-        &["sim", "body", "picture", "scene", "history", "render", "output"],
+        &["sim", "equilibrium", "search", "body", "picture", "scene", "history", "render", "output"],
         &["wgpu", "winit", "egui", "egui_wgpu", "egui_winit", "rfd", "arboard", "pollster"],
     ),
     (
         "study",
-        &["sim", "body", "scene", "history", "output"],
+        &["sim", "equilibrium", "search", "body", "scene", "history", "output"],
         &["serde", "serde_json", "csv", "plotters", "epaint_default_fonts", "image"],
     ),
     (
         "cli",
-        &["sim", "body", "picture", "scene", "history", "render", "output", "app", "study"],
+        &["sim", "equilibrium", "search", "body", "picture", "scene", "history", "render", "output", "app", "study"],
         &["clap", "anyhow", "indicatif", "image", "serde_json", "tiny_skia"],
     ),
 ];

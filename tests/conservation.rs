@@ -4,7 +4,8 @@
 mod common;
 
 use common::physics::{angular_momentum, momentum, rim, run_to, spring};
-use wobble::sim::{Bond, BondKind, Dynamics, Method, Model, PointId, Solver, World, settle};
+use wobble::equilibrium::settle;
+use wobble::sim::{Bond, BondKind, Dynamics, Method, Model, PointId, Solver, World};
 
 fn spinning(kind: BondKind, solver: Solver, h: f64) -> Model<2> {
     let mut model = rim(12, kind);

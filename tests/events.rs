@@ -4,7 +4,8 @@
 mod common;
 
 use common::physics::{run_to, spring};
-use wobble::sim::{Bond, BondKind, Dynamics, Limit, Method, Model, PointId, Sample, Solver, World, search};
+use wobble::search::search;
+use wobble::sim::{Bond, BondKind, Dynamics, Limit, Method, Model, PointId, Sample, Solver, World};
 
 const G: f64 = 9.81;
 

@@ -65,7 +65,7 @@ fn a_picture_is_as_soft_at_any_spacing_and_as_youngs_modulus_says() {
         let scene = bar(folder.path(), spacing);
         let lowest = |positions: &[[f64; 3]]| positions.iter().map(|x| x[1]).fold(f64::INFINITY, f64::min);
         let start = lowest(&scene.world(None).unwrap().sample(0.0).position);
-        let settled = scene.settle(1.0).unwrap();
+        let settled = wobble::study::settle(&scene, 1.0).unwrap();
         let sag = start - lowest(&settled.sample.position);
         assert!(settled.is_settled && (sag - truth).abs() < 0.3 * truth, "{sag} m at {spacing} px for {truth} m");
     }
@@ -78,7 +78,7 @@ fn a_picture_is_damped_alike_at_any_spacing() {
     let left = [13.0, 17.0].map(|spacing| {
         let scene = bar(folder.path(), spacing);
         let mut world = scene.world(None).unwrap();
-        let rest = scene.settle(1.0).unwrap().sample.energy;
+        let rest = wobble::study::settle(&scene, 1.0).unwrap().sample.energy;
         let start = world.sample(0.0).energy - rest;
         while world.time() < 0.5 {
             world.step();
@@ -280,7 +280,7 @@ fn a_braced_strip_is_as_stiff_as_one_of_edges_alone_and_as_youngs_modulus_says()
             let [x, y, _] = points.position[point as usize].embed();
             points.position[point as usize] = Vector::Plane([x + 0.016, y]);
         }
-        let settled = scene.settle(1.0).unwrap();
+        let settled = wobble::study::settle(&scene, 1.0).unwrap();
         assert!(settled.is_settled);
         let stiffness = 2.0 * settled.sample.energy / (0.016 * 0.016);
         let truth = young * 0.24 / 1.6;

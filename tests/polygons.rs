@@ -476,7 +476,7 @@ fn obstacles_that_cannot_be_are_refused_at_their_key() {
     assert!(error(r#""file": "pictures/gear.png""#, 3).contains("obstacles[0].picture: lies in the plane"));
     assert!(error(r#""height": 1"#, 2).contains("file"));
     let model = points(vec![[0.0; 2]], vec![[0.0; 2]], vec![room(0.1, 0.0, 0.0)]);
-    assert!(wobble::sim::settle(&model).unwrap_err().to_string().contains("polygons"));
+    assert!(wobble::equilibrium::settle(&model).unwrap_err().to_string().contains("polygons"));
     let model = points(vec![[0.0; 2]], vec![[0.0; 2]], vec![polygon(vec![vec![[0.0; 2]; 2]], 0.0, 0.0)]);
     assert!(model.check().is_err());
 }

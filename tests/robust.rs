@@ -4,9 +4,8 @@
 mod common;
 
 use common::physics::{run_to, spring};
-use wobble::sim::{
-    Bond, BondKind, Bounds, Dynamics, Limit, Method, Model, Plane, PointId, Solver, Track, World, settle,
-};
+use wobble::equilibrium::settle;
+use wobble::sim::{Bond, BondKind, Bounds, Dynamics, Limit, Method, Model, Plane, PointId, Solver, Track, World};
 
 fn rigid(a: u32, b: u32, rest_length: f64) -> Bond {
     Bond::new(PointId(a), PointId(b), rest_length)

@@ -16,6 +16,7 @@ use crate::output;
 use crate::scene::record::{RecordedCounters, RecordedSample, Recording, hash, record, seconds};
 use crate::scene::{OrderName, PrecisionName, Scene, SolverName};
 use crate::sim::{BondKind, Counters, Dynamics, InstructionSet, PlanPart, PointId, Precision, Sample};
+use crate::study;
 
 /// Points that a message names before it counts the rest.
 const NAMED: usize = 5;
@@ -158,11 +159,11 @@ fn write_table(out: Option<&Path>, has_hash: bool, recording: &Recording) -> any
 ///
 /// Errors: forces do not balance, or something falls for ever (it is written all the same).
 fn settle(arguments: &Arguments, scene: &Scene, time: f64) -> anyhow::Result<()> {
-    let found = scene.settle(time)?;
+    let found = study::settle(scene, time)?;
     let mut runs: Vec<f64> = Vec::new();
     while runs.iter().sum::<f64>() < 0.010 && runs.len() < 15 {
         let clock = Instant::now();
-        scene.settle(time)?;
+        study::settle(scene, time)?;
         runs.push(clock.elapsed().as_secs_f64());
     }
     runs.sort_by(f64::total_cmp);
@@ -221,7 +222,7 @@ struct Searched {
 fn search(scene: &mut Scene, times: &[f64]) -> anyhow::Result<Option<Searched>> {
     let clock = Instant::now();
     let tolerance = scene.method.tolerance.unwrap_or(f64::INFINITY);
-    let found = scene.tune(times)?;
+    let found = study::tune(scene, times)?;
     let seconds = clock.elapsed().as_secs_f64();
     Ok(found.map(|found| Searched {
         tolerance,

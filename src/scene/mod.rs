@@ -45,7 +45,6 @@ pub use keys::{
     RotationKeys, Row, Scene, SolverName, StrokesName, TextureKeys, Vector, Version, ViewKeys, WindKeys,
 };
 pub(crate) use keys::{ObjectOnly, present};
-pub use model::Settled;
 pub use of_picture::Matter;
 pub(crate) use read::translate;
 pub use schema::schema;

@@ -6,26 +6,10 @@ use super::keys::{BondKeys, LimitName, MouseKeys, ObstacleKeys, PinMotionKeys, P
 use super::start::Start;
 use super::support;
 use crate::body::distance;
-use crate::sim::vector::{embed, truncate};
+use crate::sim::vector::truncate;
 use crate::sim::{
-    Bond, Bonds, Bounds, Dynamics, Found, Limit, Model, ModelError, MouseForce, Plane, PointId, Profile, Region,
-    Sample, Track, build, search, settle,
+    Bond, Bonds, Bounds, Dynamics, Limit, Model, ModelError, MouseForce, Plane, PointId, Profile, Region, Track, build,
 };
-
-/// An equilibrium.
-#[derive(Clone, Debug)]
-pub struct Settled {
-    /// The shape, at rest.
-    pub sample: Sample,
-    /// Largest force that is left on a point, as a share of the largest single force on one [1].
-    pub residual: f64,
-    /// Rounds of Newton's method.
-    pub rounds: u32,
-    /// Points that fall for ever, ascending.
-    pub falling: Vec<PointId>,
-    /// Whether forces balance, at a minimum of the energy, and nothing falls.
-    pub is_settled: bool,
-}
 
 impl Scene {
     /// Its name, else that of its file without the ending, else "scene".
@@ -85,63 +69,12 @@ impl Scene {
             2 => made(self.model::<2>()?, duration),
             _ => made(self.model::<3>()?, duration),
         };
-        world.map_err(|error| self.source.error(Fault::invalid(error.to_string())))
+        world.map_err(|error| self.refused(&error))
     }
 
-    /// Puts the cheapest setting that reaches the `tolerance` of the scene's method at every one of `times` [s] in its
-    /// place. A scene without a tolerance stays as it is.
-    ///
-    /// Errors: those of [`Scene::search`].
-    pub fn tune(&mut self, times: &[f64]) -> Result<Option<Found>, SceneError> {
-        let Some(tolerance) = self.method.tolerance else { return Ok(None) };
-        let found = self.search(tolerance, times)?;
-        // Closed form has no name of its own: it is what `auto` takes where nothing but gravity and drag acts.
-        self.method.solver = found.method.solver.name().parse().ok();
-        self.method.substep = found.method.substep;
-        self.method.tolerance = None;
-        Ok(Some(found))
-    }
-
-    /// The cheapest setting that reaches an error of `tolerance` [m] at every one of `times` [s].
-    ///
-    /// Errors: those of [`Scene::model`]; relaxed bonds, which have no error, being defined by their algorithm.
-    pub fn search(&self, tolerance: f64, times: &[f64]) -> Result<Found, SceneError> {
-        let said = |found: Result<Found, ModelError>| {
-            found.map_err(|error| self.source.error(Fault::invalid(error.to_string())))
-        };
-        let duration = times.last().copied();
-        match self.dimensions() {
-            2 => said(search(&Model { duration, ..self.model::<2>()? }, tolerance, times)),
-            _ => said(search(&Model { duration, ..self.model::<3>()? }, tolerance, times)),
-        }
-    }
-
-    /// The equilibrium that the start rolls down to, as a sample at time `t` [s] at rest.
-    ///
-    /// Errors: those of [`Scene::model`]; relaxed bonds, which have no energy.
-    pub fn settle(&self, t: f64) -> Result<Settled, SceneError> {
-        fn of<const D: usize>(model: &Model<D>, t: f64) -> Result<Settled, ModelError> {
-            let found = settle(model)?;
-            let sample = Sample {
-                time: t,
-                velocity: vec![[0.0; 3]; found.position.len()],
-                position: found.position.into_iter().map(embed).collect(),
-                energy: found.energy,
-                max_strain: found.max_strain,
-            };
-            Ok(Settled {
-                sample,
-                residual: found.residual,
-                rounds: found.rounds,
-                falling: found.falling,
-                is_settled: found.is_settled,
-            })
-        }
-        let found = match self.dimensions() {
-            2 => of(&self.model::<2>()?, t),
-            _ => of(&self.model::<3>()?, t),
-        };
-        found.map_err(|error| self.source.error(Fault::invalid(error.to_string())))
+    /// What the engine says of this scene's model, with the place that the scene came from.
+    pub fn refused(&self, error: &ModelError) -> SceneError {
+        self.source.error(Fault::invalid(error.to_string()))
     }
 
     pub(super) fn to_model<const D: usize>(&self) -> Result<Model<D>, Fault> {

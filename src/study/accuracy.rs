@@ -10,6 +10,7 @@ use super::error::StudyError;
 use super::fit;
 use super::methods::{self, Variant, errors};
 use super::problems::{Kind, Problem, Truth};
+use super::rest::settle;
 use super::run::{Run, Settings, ladder};
 use super::tolerance::{self, TOLERANCES, ToleranceReport};
 use crate::scene::{Scene, SceneError, SolverName};
@@ -145,10 +146,10 @@ fn measure_problem(
 fn measure_settle(scene: &Scene, truth: &Truth) -> Result<SettleReport, StudyError> {
     const RUNS: usize = 9;
     let mut seconds = Vec::with_capacity(RUNS);
-    let mut last = scene.settle(0.0)?;
+    let mut last = settle(scene, 0.0)?;
     for _ in 0..RUNS {
         let clock = Instant::now();
-        last = scene.settle(0.0)?;
+        last = settle(scene, 0.0)?;
         seconds.push(clock.elapsed().as_secs_f64());
     }
     seconds.sort_by(f64::total_cmp);

@@ -6,6 +6,7 @@ use serde::Serialize;
 
 use super::methods::errors;
 use super::problems::Truth;
+use super::setting::tune;
 use crate::scene::record::{record, seconds};
 use crate::scene::{PrecisionName, Scene, SolverName};
 
@@ -54,7 +55,7 @@ pub(super) fn measure(scene: &Scene, truth: &Truth, tolerance: f64) -> Tolerance
     scene.method.tolerance = Some(tolerance);
     let times = truth.times();
     let begun = Instant::now();
-    let start = scene.tune(&times).and_then(|found| Ok((found, scene.world(times.last().copied())?)));
+    let start = tune(&mut scene, &times).and_then(|found| Ok((found, scene.world(times.last().copied())?)));
     let (found, start) = match start {
         Ok(start) => start,
         Err(error) => {

@@ -6,7 +6,7 @@ use crate::sim::plan::{inverse_masses, island::islands};
 use crate::sim::solver::Solver;
 use crate::sim::world::build;
 
-/// Most work of a whole search, in the units of `sim::cost`: about ten seconds.
+/// Most work of a whole search, in the units of `sim::plan`: about ten seconds.
 const MOST_WORK: f64 = 2e10;
 /// Longest substep that is tried [s].
 const LONGEST: f64 = 0.25;

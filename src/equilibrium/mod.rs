@@ -30,10 +30,10 @@ mod system;
 #[cfg(test)]
 mod tests;
 
-use super::bond::{BondKind, PointId};
-use super::measure;
-use super::model::{Model, ModelError};
-use super::plan::inverse_masses;
+use crate::sim::bond::{BondKind, PointId};
+use crate::sim::measure;
+use crate::sim::model::{Model, ModelError};
+use crate::sim::plan::inverse_masses;
 use descent::Descent;
 use start::Start;
 

@@ -6,9 +6,9 @@
 mod candidates;
 mod trial;
 
-use super::bond::BondKind;
-use super::model::{Method, Model, ModelError};
-use super::solver::Solver;
+use crate::sim::bond::BondKind;
+use crate::sim::model::{Method, Model, ModelError};
+use crate::sim::solver::Solver;
 use trial::{Trial, Trials};
 
 /// What a search found.
