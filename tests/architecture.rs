@@ -1,36 +1,40 @@
 //! Holds the arrows between rooms that ARCHITECTURE.md draws, by the paths that the code names.
 #![allow(clippy::unwrap_used, clippy::panic, reason = "a test that cannot go on stops")]
 
+#[path = "architecture/paths.rs"]
+mod paths;
+
 use std::path::{Path, PathBuf};
 
-/// Each room, the rooms that it may name, and the crates that it may name beside those for every room.
+/// Each room, the rooms that it may name, which all stand above it here, and the crates that it may name beside those for every
+/// room.
 const ROOMS: [(&str, &[&str], &[&str]); 12] = [
-    ("sim", &[], &["rand", "rand_pcg", "libm", "rayon", "fearless_simd", "aligned_vec"]),
-    ("body", &["sim", "picture"], &["rand", "rand_pcg", "libm", "spade"]),
+    ("output", &[], &["tempfile"]),
     ("picture", &[], &["image", "spade", "earcutr", "libm", "rayon"]),
+    ("sim", &[], &["rand", "rand_pcg", "libm", "rayon", "fearless_simd", "aligned_vec"]),
+    ("equilibrium", &["sim"], &["rand", "rand_pcg"]),
+    ("search", &["sim"], &[]),
+    ("body", &["sim", "picture"], &["rand", "rand_pcg", "libm", "spade"]),
+    ("render", &["sim", "picture"], &["wgpu", "image", "pollster"]),
     (
         "scene",
         &["sim", "body", "picture", "output"],
         &["base64", "serde", "serde_json", "serde_path_to_error", "schemars", "xxhash_rust", "csv"],
     ),
-    ("equilibrium", &["sim"], &["rand", "rand_pcg"]),
-    ("search", &["sim"], &[]),
     (
         "history",
         &["sim", "body", "picture", "scene", "output"],
         &["base64", "flate2", "serde", "serde_json", "serde_path_to_error", "schemars"],
     ),
-    ("render", &["sim", "picture"], &["wgpu", "image", "pollster"]),
-    ("output", &[], &["tempfile"]),
-    (
-        "app",
-        &["sim", "equilibrium", "search", "body", "picture", "scene", "history", "render", "output"],
-        &["wgpu", "winit", "egui", "egui_wgpu", "egui_winit", "rfd", "arboard", "pollster"],
-    ),
     (
         "study",
         &["sim", "equilibrium", "search", "body", "scene", "history", "output"],
         &["serde", "serde_json", "csv", "plotters", "epaint_default_fonts", "image"],
+    ),
+    (
+        "app",
+        &["sim", "equilibrium", "search", "body", "picture", "scene", "history", "render", "output"],
+        &["wgpu", "winit", "egui", "egui_wgpu", "egui_winit", "rfd", "arboard", "pollster"],
     ),
     (
         "cli",
@@ -39,44 +43,157 @@ const ROOMS: [(&str, &[&str], &[&str]); 12] = [
     ),
 ];
 
-/// Crates that every room may name.
-const EVERYWHERE: [&str; 6] = ["std", "thiserror", "bytemuck", "glam", "crate", "core"];
-
-/// Crates that are somewhere in the program: a path that starts with one of these is held to the table.
-const KNOWN: [&str; 32] = [
-    "earcutr",
-    "base64",
-    "flate2",
-    "spade",
-    "tiny_skia",
-    "rayon",
-    "fearless_simd",
-    "aligned_vec",
-    "rand",
-    "rand_pcg",
-    "libm",
-    "serde",
-    "serde_json",
-    "serde_path_to_error",
-    "schemars",
-    "xxhash_rust",
-    "csv",
-    "wgpu",
-    "image",
-    "pollster",
-    "tempfile",
-    "winit",
-    "egui",
-    "egui_wgpu",
-    "egui_winit",
-    "rfd",
-    "arboard",
-    "clap",
-    "anyhow",
-    "indicatif",
-    "plotters",
-    "epaint_default_fonts",
+/// Each module of `sim` and those that it may name, which all stand above it here: so there is no circle.
+const SIM: [(&str, &[&str]); 31] = [
+    ("real", &[]),
+    ("shared", &[]),
+    ("threads", &[]),
+    ("timeline", &[]),
+    ("counters", &[]),
+    ("colour", &[]),
+    ("bond", &["real"]),
+    ("bonds", &["bond", "shared"]),
+    ("solver", &["bond"]),
+    ("vector", &["real"]),
+    ("points", &["real"]),
+    ("solve", &["real", "vector"]),
+    ("kernels", &["real", "threads", "vector"]),
+    ("measure", &["bond", "bonds", "points", "real", "vector"]),
+    ("contact", &["points", "real", "vector"]),
+    ("force", &["bond", "colour", "measure", "points", "real", "vector"]),
+    ("environment", &["force", "vector"]),
+    ("constrain", &["bond", "colour", "contact", "points", "real", "solve", "solver", "vector"]),
+    ("pull", &["constrain", "contact", "counters", "environment", "force", "points", "real", "vector"]),
+    (
+        "integrate",
+        &["bond", "constrain", "counters", "environment", "force", "points", "pull", "real", "solve", "vector"],
+    ),
+    (
+        "bulk",
+        &[
+            "bond",
+            "colour",
+            "contact",
+            "counters",
+            "environment",
+            "force",
+            "kernels",
+            "measure",
+            "points",
+            "pull",
+            "real",
+            "threads",
+            "vector",
+        ],
+    ),
+    ("model", &["bond", "bonds", "contact", "force", "real", "solver"]),
+    (
+        "group",
+        &[
+            "bond",
+            "bulk",
+            "constrain",
+            "contact",
+            "counters",
+            "environment",
+            "force",
+            "integrate",
+            "measure",
+            "points",
+            "pull",
+            "real",
+            "solve",
+            "vector",
+        ],
+    ),
+    ("plan_part", &["solver"]),
+    (
+        "plan",
+        &[
+            "bond",
+            "bonds",
+            "bulk",
+            "colour",
+            "constrain",
+            "contact",
+            "force",
+            "group",
+            "integrate",
+            "kernels",
+            "measure",
+            "model",
+            "plan_part",
+            "points",
+            "pull",
+            "real",
+            "solve",
+            "solver",
+            "vector",
+        ],
+    ),
+    ("command", &["bond", "contact", "force", "model"]),
+    ("saved", &["bond", "force", "model", "real"]),
+    ("dynamics", &["bond", "bonds", "command", "contact", "counters", "force", "model", "plan_part", "real", "saved"]),
+    (
+        "world",
+        &[
+            "bond",
+            "bonds",
+            "command",
+            "contact",
+            "counters",
+            "dynamics",
+            "environment",
+            "force",
+            "group",
+            "measure",
+            "model",
+            "plan",
+            "plan_part",
+            "points",
+            "real",
+            "saved",
+            "solver",
+            "timeline",
+            "vector",
+        ],
+    ),
+    (
+        "edit",
+        &[
+            "bond",
+            "bonds",
+            "command",
+            "contact",
+            "dynamics",
+            "environment",
+            "force",
+            "group",
+            "model",
+            "plan",
+            "plan_part",
+            "points",
+            "real",
+            "vector",
+            "world",
+        ],
+    ),
+    ("step", &["group", "real", "world"]),
 ];
+
+/// Files of `sim` that are part of one of its modules, and of which.
+const PARTS: [(&str, &str); 1] = [("sleep", "group")];
+
+/// Crates that every room may name.
+const EVERYWHERE: [&str; 5] = ["std", "core", "thiserror", "bytemuck", "glam"];
+
+/// The crates that Cargo.toml names, as code does, but for those of tests alone.
+fn crates() -> Vec<String> {
+    let text = include_str!("../Cargo.toml");
+    let lines =
+        text.lines().skip_while(|line| *line != "[dependencies]").skip(1).take_while(|line| !line.starts_with('['));
+    lines.filter_map(|line| Some(line.split_once('=')?.0.trim().replace('-', "_"))).collect()
+}
 
 fn files(folder: &Path) -> Vec<PathBuf> {
     let mut list = Vec::new();
@@ -88,86 +205,173 @@ fn files(folder: &Path) -> Vec<PathBuf> {
     list
 }
 
-/// The code of a file: no comments, nothing of its test module.
-fn code(path: &Path) -> String {
-    let text = std::fs::read_to_string(path).unwrap();
-    let text = text.split("#[cfg(test)]").next().unwrap();
-    let lines = text.lines().filter(|line| !line.trim_start().starts_with("//"));
-    lines.collect::<Vec<_>>().join("\n")
-}
-
-/// Names before `::` at the start of a path.
-fn heads(code: &str) -> Vec<String> {
-    let bytes = code.as_bytes();
-    let is_name = |byte: u8| byte.is_ascii_alphanumeric() || byte == b'_';
+/// Every source file that is not of tests alone: its place in `src`, its module and its text.
+fn sources() -> Vec<(String, Vec<String>, String)> {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("src");
     let mut list = Vec::new();
-    for (at, _) in code.match_indices("::") {
-        let start = (0..at).rev().take_while(|&i| is_name(bytes[i])).last().unwrap_or(at);
-        if !code[..start].ends_with("::") {
-            list.push(code[start..at].to_owned());
+    for path in files(&root) {
+        let place = path.strip_prefix(&root).unwrap().to_str().unwrap().replace('\\', "/");
+        if !place.contains("/tests/") && !place.ends_with("tests.rs") {
+            let stem = place.strip_suffix(".rs").unwrap();
+            let module = stem.strip_suffix("/mod").unwrap_or(stem).split('/').map(str::to_owned).collect();
+            list.push((place, module, std::fs::read_to_string(&path).unwrap()));
         }
     }
     list
 }
 
-/// Rooms named by `crate::room` in a path, grouped imports included.
-fn rooms_named(code: &str) -> Vec<String> {
-    let names = |part: &str| {
-        let part = part.trim_start();
-        part.chars().take_while(|c| c.is_alphanumeric() || *c == '_').collect::<String>()
+/// What a text of this module names that it may not.
+fn forbidden(text: &str, module: &[&str], crates: &[String]) -> Vec<String> {
+    let room = module[0];
+    let (_, rooms, own) =
+        ROOMS.iter().find(|(name, ..)| *name == room).unwrap_or_else(|| panic!("room {room} is not drawn"));
+    let may_name = |path: &[String]| match path.first().map(String::as_str) {
+        Some("crate") => {
+            let Some(named) = path.get(1).map(String::as_str) else { return false };
+            if room == "sim" && named == "sim" {
+                within_sim(module, path)
+            } else {
+                named == room || rooms.contains(&named)
+            }
+        }
+        Some(head) => !crates.iter().any(|known| known == head) || EVERYWHERE.contains(&head) || own.contains(&head),
+        None => true,
     };
-    let mut list = Vec::new();
-    for part in code.split("crate::").skip(1) {
-        match part.strip_prefix('{') {
-            Some(group) => list.extend(group.split('}').next().unwrap().split(',').map(names)),
-            None => list.push(names(part)),
-        }
-    }
-    list
+    paths::named(text, module).iter().filter(|path| !may_name(path)).map(|path| path.join("::")).collect()
+}
+
+/// The module of `sim` that one of its files belongs to.
+fn whole(file: &str) -> &str {
+    PARTS.iter().find(|(part, _)| *part == file).map_or(file, |(_, whole)| whole)
+}
+
+/// Whether a module of `sim` may name a path in it. What `sim` shows to other rooms is not for its own modules.
+fn within_sim(module: &[&str], path: &[String]) -> bool {
+    let Some(own) = module.get(1).map(|own| whole(own)) else { return true };
+    let Some(named) = path.get(2).map(|named| whole(named)) else { return false };
+    let may = SIM.iter().find(|(name, _)| *name == own).map_or(&[][..], |(_, may)| *may);
+    named == own || may.contains(&named)
 }
 
 #[test]
 fn rooms_name_only_what_stands_below_them() {
-    let source = Path::new(env!("CARGO_MANIFEST_DIR")).join("src");
-    let mut seen = 0;
-    for path in files(&source) {
-        let inside = path.strip_prefix(&source).unwrap().to_str().unwrap().to_owned();
-        let room = inside.split(['/', '.']).next().unwrap();
-        // Of tests alone.
-        if matches!(room, "lib" | "main") || inside.contains("/tests/") || inside.ends_with("tests.rs") {
+    let (crates, mut seen) = (crates(), 0);
+    let mut wrong = Vec::new();
+    for (place, module, text) in sources() {
+        if matches!(place.as_str(), "lib.rs" | "main.rs") {
             continue;
         }
-        let (_, rooms, crates) =
-            ROOMS.iter().find(|(name, ..)| *name == room).unwrap_or_else(|| panic!("room {room} is not drawn"));
-        let code = code(&path);
-        for named in rooms_named(&code) {
-            let known = ROOMS.iter().any(|(name, ..)| *name == named);
-            assert!(!known || named == room || rooms.contains(&named.as_str()), "{inside} names {named}");
-        }
-        for head in heads(&code) {
-            let held = KNOWN.contains(&head.as_str()) && !EVERYWHERE.contains(&head.as_str());
-            assert!(!held || crates.contains(&head.as_str()), "{inside} names the crate {head}");
-        }
+        let module: Vec<&str> = module.iter().map(String::as_str).collect();
+        wrong.extend(forbidden(&text, &module, &crates).into_iter().map(|path| format!("{place} names {path}")));
         seen += 1;
     }
-    assert!(seen > 30);
+    assert!(wrong.is_empty(), "{}", wrong.join("\n"));
+    assert!(seen > 30 && crates.len() > 20);
+}
+
+/// The rooms without their crates.
+fn rooms() -> Vec<(&'static str, &'static [&'static str])> {
+    ROOMS.iter().map(|&(room, may, _)| (room, may)).collect()
+}
+
+#[test]
+fn rooms_and_modules_stand_in_no_circle() {
+    for table in [&rooms()[..], &SIM] {
+        for (at, (own, may)) in table.iter().enumerate() {
+            for named in *may {
+                let is_above = table[..at].iter().any(|(above, _)| above == named);
+                assert!(is_above, "{own} may name {named}, which does not stand above it in the table");
+            }
+        }
+    }
+}
+
+#[test]
+fn the_table_has_every_module_of_the_simulation() {
+    for (place, module, _) in sources().iter().filter(|(_, module, _)| module[0] == "sim") {
+        let is_listed = module.get(1).is_none_or(|file| SIM.iter().any(|(name, _)| *name == whole(file)));
+        assert!(is_listed, "{place} is in no module of the table");
+    }
+}
+
+/// Each kind of path that leads where it may not, in a made-up file.
+#[test]
+fn every_kind_of_forbidden_path_is_found() {
+    let crates = crates();
+    let found = |text: &str, module: &[&str]| forbidden(text, module, &crates);
+    let deep = ["sim", "force", "spring"];
+    for (text, path) in [
+        ("use crate::scene::Scene;", "crate::scene::Scene"),
+        ("use crate::{body, sim::real::Real};", "crate::body"),
+        ("use crate::{sim::{real::Real, world::{self}}};", "crate::sim::world"),
+        ("use crate::sim::group as g;", "crate::sim::group"),
+        ("use super::super::group::Group;", "crate::sim::group::Group"),
+        ("use super::super::super::render;", "crate::render"),
+        ("use super::{super::plan::Plan};", "crate::sim::plan::Plan"),
+        ("use super::super::*;", "crate::sim::*"),
+        ("use crate::sim::Bond;", "crate::sim::Bond"),
+        ("use crate::*;", "crate::*"),
+        ("use crate as root;", "crate"),
+        ("use wgpu as gpu;", "wgpu"),
+        ("fn f() -> Vec<super::super::world::World> { Vec::<u8>::new() }", "crate::sim::world::World"),
+        ("const N: usize = 2 * crate::sim::plan::MOST as usize;", "crate::sim::plan::MOST"),
+        ("fn f(x: u8) { let y = A::B as crate::app::C; }", "crate::app::C"),
+        ("mod inner { use super::super::super::step; }", "crate::sim::step"),
+        ("#[cfg(test)] mod tests { fn f() { let brace = '}'; } }\nuse super::super::edit;", "crate::sim::edit"),
+        ("#[cfg(test)]\n#[path = \"x;{.rs\"]\nmod tests;\nfn f() { ::egui::warn(\"//\"); }", "egui::warn"),
+        ("/* use crate::bonds; /* */ */ const C: char = '\"'; const D: u8 = crate::app::D; // \"", "crate::app::D"),
+    ] {
+        assert_eq!(found(text, &deep), [path], "{text}");
+    }
+    assert_eq!(found("use super::world::World;", &["sim", "group"]), ["crate::sim::world::World"]);
+    assert_eq!(found("use super::super::app::App;", &["render", "gpu"]), ["crate::app::App"]);
+    assert_eq!(found("use self::super::super::cli;", &["app", "input"]), ["crate::cli"]);
+}
+
+#[test]
+fn what_is_no_path_of_the_code_is_not_found() {
+    let crates = crates();
+    for text in [
+        "use super::mouse::{self, Push}; use crate::sim::{real::Real, vector::{add, sub}}; use std::fmt;",
+        "// use crate::app::App;\n/// [`World`](crate::sim::world::World)\n/* crate::cli */ fn f() {}",
+        "const A: &str = \"crate::app::App\"; const B: &str = r#\"crate::\"app::B\"#; const C: &[u8] = br\"crate::cli\";",
+        "#[cfg(test)]\nmod tests {\n    use crate::sim::world::World;\n    fn f() { let _ = \"}\"; use crate::scene::Scene; }\n}",
+        "#[cfg(test)]\n#[allow(dead_code, reason = \"{\")]\nfn only() { crate::app::run() }",
+        "pub(in crate::sim) fn f<'a>(x: &'a str) -> Self { Self::new::<u8>(x) }",
+        "mod inner { use super::Spring; use super::super::mouse; }",
+    ] {
+        assert_eq!(forbidden(text, &["sim", "force", "spring"], &crates), [] as [&str; 0], "{text}");
+    }
 }
 
 #[test]
 fn the_simulation_knows_no_clock_and_no_file() {
-    let source = Path::new(env!("CARGO_MANIFEST_DIR")).join("src/sim");
-    for path in files(&source) {
-        let code = code(&path);
+    for (place, _, text) in sources().into_iter().filter(|(_, module, _)| module[0] == "sim") {
+        let code = paths::without_tests(&paths::bare(&text));
         for word in ["std::time", "std::fs", "std::env", "Instant", "HashMap", "HashSet"] {
-            assert!(!code.contains(word), "{} names {word}", path.display());
+            assert!(!code.contains(word), "{place} names {word}");
         }
     }
 }
 
+/// A table as ARCHITECTURE.md draws it, top down: of what each may name, what it may not name through another.
+fn drawing(table: &[(&str, &[&str])]) -> String {
+    let may = |own: &str| table.iter().find(|(name, _)| *name == own).map_or(&[][..], |(_, may)| *may);
+    let line = |(own, named): &(&str, &[&str])| {
+        let direct = named.iter().filter(|name| !named.iter().any(|other| may(other).contains(name)));
+        let direct: Vec<&str> = direct.copied().collect();
+        if direct.is_empty() { (*own).to_owned() } else { format!("{own:<12}──► {}", direct.join(", ")) }
+    };
+    table.iter().rev().map(line).collect::<Vec<_>>().join("\n")
+}
+
 #[test]
-fn the_page_draws_every_room() {
+fn the_page_draws_both_tables() {
     let page = include_str!("../ARCHITECTURE.md");
+    for drawing in [drawing(&rooms()), drawing(&SIM)] {
+        assert!(page.contains(&format!("```\n{drawing}\n```")), "ARCHITECTURE.md should draw:\n{drawing}");
+    }
     for (room, ..) in ROOMS {
-        assert!(page.contains(&format!("`{room}`")), "{room}");
+        assert!(page.contains(&format!("| `{room}` |")), "{room} is not in the list of rooms");
     }
 }
