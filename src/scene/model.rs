@@ -104,6 +104,7 @@ impl Scene {
             duration: self.duration,
             planes: planes(self),
             polygons: super::obstacle::polygons(self)?,
+            obstacle_numbers: obstacle_numbers(self),
             pin_motion: pin_motion(self),
             method,
         })
@@ -179,6 +180,14 @@ fn planes<const D: usize>(scene: &Scene) -> Vec<Plane<D>> {
         })
     };
     scene.obstacles.iter().filter_map(of).collect()
+}
+
+/// The places of planes, then of all others, among the obstacles.
+fn obstacle_numbers(scene: &Scene) -> [Vec<u32>; 2] {
+    let numbered = || scene.obstacles.iter().zip(0..);
+    let planes = numbered().filter(|(keys, _)| keys.plane.is_some()).map(|(_, number)| number);
+    let others = numbered().filter(|(keys, _)| keys.plane.is_none()).map(|(_, number)| number);
+    [planes.collect(), others.collect()]
 }
 
 /// The tracks of pinned points.

@@ -6,17 +6,19 @@ use super::command::{Applied, Command, CommandError};
 use super::contact::polygon::Polygon;
 use super::counters::Counters;
 use super::force::mouse::{Cursor, MouseForce};
+use super::model::ModelError;
 use super::plan_part::PlanPart;
 use super::real::{Positions, Precision};
+use super::saved::SavedWorld;
 
 /// Position and velocity of every point at one time, in `f64`, three components a point (z = 0 in the plane).
 #[derive(Clone, Debug, PartialEq)]
 pub struct Sample {
     /// Time [s].
     pub time: f64,
-    /// Positions [m].
+    /// Positions [m]; of points that are gone NaN.
     pub position: Vec<[f64; 3]>,
-    /// Velocities [m/s].
+    /// Velocities [m/s]; of points that are gone NaN.
     pub velocity: Vec<[f64; 3]>,
     /// Kinetic + springs' + gravity's energy of the points that are not pinned [J].
     pub energy: f64,
@@ -81,6 +83,8 @@ pub trait Dynamics: Send {
     fn bonds(&self) -> &Bonds;
     /// The points that never move.
     fn pinned(&self) -> &[PointId];
+    /// The masses of all points [kg].
+    fn masses(&self) -> &[f64];
     /// Corners of the walls, if there are any (z = 0 in the plane).
     fn bounds(&self) -> Option<[[f64; 3]; 2]>;
     /// A point and the normal of every plane that points cannot pass (z = 0 in the plane).
@@ -89,6 +93,8 @@ pub trait Dynamics: Send {
     fn polygons(&self) -> &[Polygon];
     /// The mouse force and where its cursor is now, if the scene has the force and a cursor is there.
     fn mouse(&self) -> Option<(&MouseForce, Cursor)>;
+    /// The mouse force, if the scene has it, wherever its cursor is.
+    fn mouse_force(&self) -> Option<&MouseForce>;
     /// Kinetic + springs' + gravity's energy of the points that are not pinned [J].
     fn energy(&self) -> f64;
     /// Work done so far.
@@ -107,6 +113,12 @@ pub trait Dynamics: Send {
     fn is_still(&self, speed: f64) -> bool;
     /// Whether every position is a finite number.
     fn is_finite(&self) -> bool;
+    /// The world as it stands, to be kept; `None` of a dimension that there is not.
+    fn save(&self) -> Option<SavedWorld>;
+    /// Goes on as the world will that [`Dynamics::save`] keeps now, once it is resumed: to the bit.
+    ///
+    /// Errors: a state that no world can be made from, such as one that is not finite; the world is as it was.
+    fn rebase(&mut self) -> Result<(), ModelError>;
     /// A copy that runs on by itself.
     fn boxed_clone(&self) -> Box<dyn Dynamics>;
 }

@@ -1,7 +1,7 @@
 //! What surrounds all points of a world: gravity, the mouse force and its cursor.
 
 use super::force::mouse::{Cursor, MouseForce};
-use super::vector::{add, length, scale, sub};
+use super::vector::{add, dot, length, scale, sub, truncate};
 
 /// The same for every group of points.
 #[derive(Clone, Debug)]
@@ -12,6 +12,17 @@ pub(crate) struct Environment<const D: usize> {
     pub(crate) mouse: Option<MouseForce>,
     /// The live cursor.
     pub(crate) cursor: Option<CursorPath>,
+    /// The plane in which the cursor leads what is grabbed, in space.
+    pub(crate) lead: Option<Lead>,
+}
+
+/// The plane across the ray of the moment when something was grabbed, in which the cursor leads it: in space.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Lead {
+    /// A point of the plane [m].
+    pub(crate) point: [f64; 3],
+    /// Its normal.
+    pub(crate) normal: [f64; 3],
 }
 
 /// Where the live cursor goes: along a straight line, then it stays.
@@ -27,6 +38,16 @@ impl CursorPath {
     /// On from where it is at time `t` [s] to `to`, until `by` [s]; at `to` at once where it was nowhere.
     pub(crate) fn onwards(path: Option<CursorPath>, to: Cursor, t: f64, by: f64) -> Self {
         CursorPath { from: path.map_or(to, |path| path.at(t)), to, span: [t, by] }
+    }
+
+    /// From where to where, and from when to when [s].
+    pub(crate) fn parts(&self) -> ([Cursor; 2], [f64; 2]) {
+        ([self.from, self.to], self.span)
+    }
+
+    /// The path that has these parts.
+    pub(crate) fn of(([from, to], span): ([Cursor; 2], [f64; 2])) -> Self {
+        CursorPath { from, to, span }
     }
 
     /// Where it is at time `t` [s].
@@ -71,5 +92,21 @@ impl<const D: usize> Environment<D> {
             _ => self.cursor.map_or(0.0, |path| path.way(t, h)),
         };
         way / mouse.radius
+    }
+
+    /// Where the cursor leads to at time `t` [s].
+    pub(crate) fn target(&self, t: f64) -> Option<[f64; D]> {
+        let cursor = self.cursor?.at(t);
+        if D == 2 {
+            return Some(truncate(cursor.origin));
+        }
+        let lead = self.lead?;
+        let slope = dot(cursor.direction, lead.normal);
+        // A ray along the plane does not meet it.
+        if slope.abs() < 1e-9 {
+            return None;
+        }
+        let way = dot(sub(lead.point, cursor.origin), lead.normal) / slope;
+        Some(truncate(add(cursor.origin, scale(cursor.direction, way))))
     }
 }

@@ -41,6 +41,8 @@ pub struct Model<const D: usize> {
     pub planes: Vec<Plane<D>>,
     /// Polygons that points cannot enter; none in space.
     pub polygons: Vec<Polygon>,
+    /// The numbers that commands know planes and polygons by, in the order of each list; empty: planes first, then polygons.
+    pub obstacle_numbers: [Vec<u32>; 2],
     /// Pinned points that are led along tracks.
     pub pin_motion: Vec<(PointId, Track<D>)>,
     /// How the motion is computed.
@@ -135,6 +137,14 @@ impl<const D: usize> Model<D> {
         for &pin in &self.pinned {
             self.check_index(|| "pinned".to_owned(), pin)?;
         }
+        for (point, _) in &self.pin_motion {
+            self.check_index(|| "pin_motion".to_owned(), *point)?;
+        }
+        self.check_surroundings()
+    }
+
+    /// The same of all but points and bonds.
+    pub(crate) fn check_surroundings(&self) -> Result<(), ModelError> {
         require(self.gravity.iter().all(|g| g.is_finite()), "gravity", self.gravity, "finite")?;
         require(self.drag_rate >= 0.0 && self.drag_rate.is_finite(), "drag_rate", self.drag_rate, "finite and >= 0")?;
         if let Some(h) = self.method.substep {
@@ -160,7 +170,6 @@ impl<const D: usize> Model<D> {
             require(is_fine, &format!("polygon {i}"), polygon, "in the plane, of three finite corners or more")?;
         }
         for (point, track) in &self.pin_motion {
-            self.check_index(|| "pin_motion".to_owned(), *point)?;
             require(self.pinned.contains(point), "pin_motion", point, "of a pinned point")?;
             let ascends = track.knots.windows(2).all(|pair| pair[0].0 < pair[1].0);
             require(ascends, "pin_motion", point, "along times that ascend")?;
@@ -198,6 +207,11 @@ impl<const D: usize> Model<D> {
     fn check_bond(&self, i: usize, bond: &Bond) -> Result<(), ModelError> {
         self.check_index(|| format!("bond {i}"), bond.a)?;
         self.check_index(|| format!("bond {i}"), bond.b)?;
+        self.check_added_bond(i, bond)
+    }
+
+    /// Whether a bond between points that are there is one that this model can have.
+    pub(crate) fn check_added_bond(&self, i: usize, bond: &Bond) -> Result<(), ModelError> {
         if bond.a == bond.b {
             return Err(ModelError::Loop { bond: i, point: bond.a.0 });
         }
@@ -255,6 +269,7 @@ impl<const D: usize> Default for Model<D> {
             duration: None,
             planes: Vec::new(),
             polygons: Vec::new(),
+            obstacle_numbers: [Vec::new(), Vec::new()],
             pin_motion: Vec::new(),
             method: Method::default(),
         }
@@ -281,4 +296,6 @@ pub struct Method {
     /// Largest strain of rigid bonds [1], > 0, that large bodies are held to; `None`: 0.02 for islands of more than 2,000
     /// rigid bonds, 1e-6 for smaller ones.
     pub max_strain: Option<f64>,
+    /// What stays where it is falls asleep, and is not stepped until something reaches it.
+    pub sleeps: bool,
 }

@@ -21,6 +21,9 @@ pub(crate) struct Pull<S: Real, const D: usize> {
     pub(crate) contacts: Contacts<S, D>,
     /// Which points the mouse force acts on, where that is decided by located events instead of positions.
     pub(crate) inside: Option<Inside>,
+    /// Points that a grab leads, and the acceleration that it gives them [m/s^2].
+    pub(crate) led: Vec<u32>,
+    pub(crate) lead: [S; D],
     pub(crate) gravity: [f64; D],
     pub(crate) drag_rate: f64,
 }
@@ -56,6 +59,9 @@ impl<S: Real, const D: usize> Pull<S, D> {
             for (a, &w) in a.iter_mut().zip(w) {
                 *a = if w == S::ZERO { zero() } else { add(scale(*a, w), field) };
             }
+        }
+        for &i in &self.led {
+            a[i as usize] = add(a[i as usize], self.lead);
         }
         if let Some((force, cursor)) = around.mouse_at(t) {
             counters.mouse_points += mouse::push(force, cursor, self.inside.as_ref(), x, w, a);

@@ -34,6 +34,18 @@ impl Timeline {
         timeline
     }
 
+    /// The same from `time` [s] on.
+    pub(crate) fn resumed(nominal: f64, knots: impl IntoIterator<Item = f64>, time: f64) -> Self {
+        let mut timeline = Timeline::new(nominal, knots.into_iter().filter(|&t| t > time));
+        timeline.advance_to(time);
+        timeline
+    }
+
+    /// The substep asked for [s].
+    pub(crate) fn nominal(&self) -> f64 {
+        self.nominal
+    }
+
     /// Cuts the stretch from `start` to the next knot.
     fn cut(&mut self) {
         self.done = 0;

@@ -3,7 +3,7 @@
 use crate::body::BodyError;
 use crate::output::OutputError;
 use crate::scene::SceneError;
-use crate::sim::ModelError;
+use crate::sim::{CommandError, ModelError};
 
 /// A study that could not be made or written.
 #[derive(Debug, thiserror::Error)]
@@ -25,6 +25,9 @@ pub enum StudyError {
     /// No world can be made of it.
     #[error(transparent)]
     Model(#[from] ModelError),
+    /// A world did not take a command.
+    #[error(transparent)]
+    Command(CommandError),
     /// A table could not be read.
     #[error("{file}: cannot be read: {reason}")]
     Table {

@@ -70,11 +70,13 @@ impl TruthSample {
 }
 
 impl Problem {
-    /// The scene, read from its text.
+    /// The scene, in which nothing sleeps, read from its text.
     ///
     /// Errors: the text is out of order, which a test excludes.
     pub fn scene(&self) -> Result<Scene, SceneError> {
-        Scene::parse(self.scene, &format!("{}.scene.json", self.name))
+        let mut scene = Scene::parse(self.scene, &format!("{}.scene.json", self.name))?;
+        scene.method.sleep = Some(false);
+        Ok(scene)
     }
 
     /// The truth, read from its text.

@@ -20,5 +20,7 @@ pub fn tune(scene: &mut Scene, times: &[f64]) -> Result<Option<Found>, SceneErro
     scene.method.solver = found.method.solver.name().parse().ok();
     scene.method.substep = found.method.substep;
     scene.method.tolerance = None;
+    // What was searched for was found without.
+    scene.method.sleep = scene.method.sleep.or(Some(false));
     Ok(Some(found))
 }

@@ -90,6 +90,8 @@ object! {
             tolerance: f64,
             /// Largest strain [1], > 0.
             max_strain: f64,
+            /// Whether what stays where it is falls asleep: true if not said, but under a tolerance.
+            sleep: bool,
         }
     }
 }

@@ -2,22 +2,27 @@
 
 pub(crate) mod engine;
 pub(crate) mod events;
+pub(crate) mod grab;
 pub(crate) mod guard;
 mod impact;
+pub(crate) mod sleep;
 
 use super::bulk::kernel::Kernel;
 use super::constrain::direct::MOST_DIRECT;
+use super::contact::Contacts;
 use super::counters::Counters;
 use super::environment::Environment;
 use super::force::mouse::{self, Inside, Track};
+use super::force::spring::Springs;
 use super::points::{Points, State};
 use super::pull::Pull;
 use super::real::Real;
-use super::sleep::Sleep;
 use super::vector::{add, convert, dot, scale, sub, zero};
 use engine::Engine;
 use events::edge::Edges;
+use grab::Grabbed;
 use guard::Guard;
+use sleep::Sleep;
 
 /// Times that a substep is halved before it goes to a more robust method.
 const MOST_SPLITS: u32 = 5;
@@ -57,6 +62,8 @@ pub(crate) struct Group<S: Real, const D: usize> {
     /// Accelerations, where events need them.
     pub(crate) acceleration: Vec<[S; D]>,
     pub(crate) sleep: Sleep<S, D>,
+    /// Points that are led to the cursor.
+    pub(crate) grabbed: Option<Grabbed<D>>,
 }
 
 impl<S: Real, const D: usize> Group<S, D> {
@@ -207,6 +214,30 @@ impl<S: Real, const D: usize> Group<S, D> {
         } else if changed {
             self.hold_velocity();
             self.engine.refresh();
+        }
+    }
+
+    /// A group without points, whose place is free.
+    pub(crate) fn emptied(&self) -> Self {
+        let mut pull = self.pull.clone();
+        (pull.springs, pull.rigid, pull.inside) = (Springs::none(), None, None);
+        pull.contacts = Contacts::new(&pull.contacts.obstacles, 0);
+        pull.led.clear();
+        Group {
+            points: Points::new(State::default(), Vec::new()),
+            pull,
+            engine: Engine::Projected,
+            robust: None,
+            guard: Guard { bonds: Vec::new(), follows_turns: false },
+            breakable: Vec::new(),
+            edges: Edges::none(),
+            tracks: Vec::new(),
+            substep: self.substep,
+            locates: false,
+            before: State::default(),
+            acceleration: Vec::new(),
+            sleep: Sleep::default(),
+            grabbed: None,
         }
     }
 

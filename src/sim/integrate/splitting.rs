@@ -136,6 +136,11 @@ impl<S: Real, const D: usize> Splitting<S, D> {
         &self.parts
     }
 
+    /// Whether forces act on the points at all.
+    pub(crate) fn has_kicks(&self) -> bool {
+        self.parts.iter().any(|part| matches!(part, Part::Kick(_)))
+    }
+
     /// Advances by `h` from time `t`.
     pub(crate) fn step(
         &mut self,

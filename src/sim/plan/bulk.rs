@@ -19,14 +19,14 @@ use crate::sim::group::Group;
 use crate::sim::group::engine::Engine;
 use crate::sim::group::events::edge::Edges;
 use crate::sim::group::guard::Guard;
+use crate::sim::group::sleep::Sleep;
 use crate::sim::kernels::rows::Kinds;
 use crate::sim::plan::island::Island;
 use crate::sim::points::State;
 use crate::sim::pull::Pull;
 use crate::sim::real::Real;
-use crate::sim::sleep::Sleep;
 use crate::sim::solver::Solver;
-use crate::sim::vector::{length, widen};
+use crate::sim::vector::{length, widen, zero};
 
 /// Share of the strain asked for that chains are held to: they are cheap, and at their free ends, which whip, what is left
 /// comes back as energy.
@@ -70,11 +70,14 @@ impl<S: Real, const D: usize> Maker<'_, S, D> {
             before: State::default(),
             acceleration: Vec::new(),
             sleep: Sleep::default(),
+            grabbed: None,
             pull: Pull {
                 springs: Springs::none(),
                 contacts: Contacts::new(self.obstacles, self.points.len()),
                 rigid: None,
                 inside: None,
+                led: Vec::new(),
+                lead: zero(),
                 gravity: self.model.gravity,
                 drag_rate: self.model.drag_rate,
             },

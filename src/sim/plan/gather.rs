@@ -12,8 +12,8 @@ use crate::sim::points::State;
 use crate::sim::real::Real;
 use crate::sim::vector::{add, scale, widen, zero};
 
-/// Place of a point that is in no group yet.
-const NOWHERE: [u32; 2] = [u32::MAX; 2];
+/// Place of a point that is in no group.
+pub(crate) const NOWHERE: [u32; 2] = [u32::MAX; 2];
 
 /// Points with welds merged, and the bonds between them.
 pub(super) struct Gathered<S, const D: usize> {
@@ -28,7 +28,13 @@ pub(super) struct Gathered<S, const D: usize> {
 }
 
 impl<S: Real, const D: usize> Gathered<S, D> {
-    pub(super) fn new(model: &Model<D>, bonds: &Bonds, w: &[f64], stand_ins: &[u32], state: &State<S, D>) -> Self {
+    pub(super) fn new(
+        model: &Model<D>,
+        (bonds, numbers): (&Bonds, Option<&[u32]>),
+        w: &[f64],
+        stand_ins: &[u32],
+        state: &State<S, D>,
+    ) -> Self {
         let mut gathered = Gathered {
             stand_ins: stand_ins.to_vec(),
             w: w.to_vec(),
@@ -37,11 +43,11 @@ impl<S: Real, const D: usize> Gathered<S, D> {
             names: Vec::with_capacity(bonds.len()),
         };
         gathered.merge(model, w);
-        for (name, bond) in bonds.iter().enumerate() {
+        for (k, bond) in bonds.iter().enumerate() {
             let [a, b] = [bond.a, bond.b].map(|end| PointId(stand_ins[end.index()]));
             if a != b {
                 gathered.bonds.push(Bond { a, b, ..bond });
-                gathered.names.push(name as u32);
+                gathered.names.push(numbers.map_or(k as u32, |numbers| numbers[k]));
             }
         }
         gathered
@@ -81,6 +87,7 @@ impl<S: Real, const D: usize> Gathered<S, D> {
         let mut slots = vec![NOWHERE; self.w.len()];
         let mut groups = Vec::with_capacity(lots.len());
         let mut parts: Vec<PlanPart> = Vec::new();
+        let mut own = Vec::with_capacity(lots.len());
         let mut kernels: Vec<Option<Kernel>> = Vec::new();
         let mut place = vec![u32::MAX; self.w.len()];
         for (g, lot) in lots.iter().enumerate() {
@@ -93,15 +100,22 @@ impl<S: Real, const D: usize> Gathered<S, D> {
             }
             let group = Maker { gathered: self, model, obstacles, lot, points: &points, place: &place }.make();
             points.iter().for_each(|&point| place[point as usize] = u32::MAX);
+            let part = PlanPart {
+                points: lot.islands.iter().map(|island| island.points.len()).sum(),
+                bonds: lot.islands.iter().map(|island| island.bonds.len()).sum(),
+                islands: lot.islands.len(),
+                work: super::cost::of(&group),
+                kernel: group.kernel().map_or(String::new(), |kernel| kernel.to_string()),
+                ..PlanPart::of(lot)
+            };
             if lot.class == parts.len() {
                 parts.push(PlanPart::of(lot));
                 kernels.push(None);
             }
-            let (part, kernel) = (&mut parts[lot.class], &mut kernels[lot.class]);
-            part.bonds += lot.islands.iter().map(|island| island.bonds.len()).sum::<usize>();
-            part.islands += lot.islands.len();
-            part.work += super::cost::of(&group);
+            parts[lot.class].include(&part);
+            let kernel = &mut kernels[lot.class];
             *kernel = group.kernel().map(|of| kernel.map_or(of, |sum| sum.and(of)));
+            own.push(part);
             groups.push(group);
         }
         for (part, kernel) in parts.iter_mut().zip(kernels) {
@@ -116,7 +130,7 @@ impl<S: Real, const D: usize> Gathered<S, D> {
         if is_plain {
             slots = Vec::new();
         }
-        Plan { groups, slots, is_plain, substep, parts }
+        Plan { groups, slots, is_plain, substep, parts, own }
     }
 
     /// The points of a lot, ascending: those of its islands, the pins that they are fastened to, and in the first lot

@@ -1,4 +1,4 @@
-//! Islands that go together: what one method moves at one substep, in groups that fall asleep each for itself.
+//! Islands that go together: what one method moves at one substep, in groups that step and sleep each for itself.
 
 use super::choice::{self, Choice, Setting};
 use super::island::Island;
@@ -6,7 +6,7 @@ use super::structure::MOST_OF_A_CROWD;
 use crate::sim::model::Model;
 use crate::sim::solver::{Order, Solver};
 
-/// Points from which on a group of small islands is full: one that sleeps should not be woken by too many others, and a group
+/// Points without bonds from which on a group of them is full: one that sleeps should not be woken by too many others, and a group
 /// costs about as much as a few points.
 const FULL: usize = 256;
 
@@ -16,7 +16,7 @@ pub(super) struct Lot {
     pub(super) islands: Vec<Island>,
     /// Which islands have one method and substep: groups of one class count as one for those who ask.
     pub(super) class: usize,
-    /// Points of the islands of its class that can move.
+    /// Points that can move: its own; of loose points those of all of its class.
     pub(super) points: usize,
 }
 
@@ -24,12 +24,18 @@ pub(super) struct Lot {
 ///
 /// A method that was asked for by name moves all islands at the substep of the fastest; large bodies apart from what is
 /// none, and from those that follow another strain.
-pub(super) fn lots<const D: usize>(model: &Model<D>, islands: Vec<Island>) -> Vec<Lot> {
+///
+/// `scene_points` is how many points the scene had when the world began: what is added elsewhere later changes no choice.
+pub(super) fn lots<const D: usize>(
+    model: &Model<D>,
+    (has_surfaces, scene_points): (bool, usize),
+    islands: Vec<Island>,
+) -> Vec<Lot> {
     let setting = Setting {
-        has_surfaces: model.has_surfaces(),
+        has_surfaces,
         mouse: model.mouse.as_ref().map(|mouse| mouse.strength),
         drag_rate: model.drag_rate,
-        points: model.mass.len(),
+        points: scene_points,
     };
     let mut classes: Vec<(Choice, Vec<Island>)> = Vec::new();
     for island in islands {
@@ -56,33 +62,28 @@ pub(super) fn lots<const D: usize>(model: &Model<D>, islands: Vec<Island>) -> Ve
     classes.flat_map(|(class, (choice, islands))| divide(class, choice, islands, is_divided)).collect()
 }
 
-/// The groups of a class: large bodies one by one, but for crowds; small islands by the handful.
+/// The groups of a class: bodies one by one, but for crowds and loose points, so that what happens to one leaves the others as they are.
 fn divide(class: usize, choice: Choice, islands: Vec<Island>, is_divided: bool) -> Vec<Lot> {
-    let points = islands.iter().map(|island| island.points.len()).sum();
-    let lot = |islands| Lot { choice, islands, class, points };
+    let count = |islands: &[Island]| islands.iter().map(|island| island.points.len()).sum();
+    let lot = |islands: Vec<Island>| Lot { choice, points: count(&islands), islands, class };
     if !is_divided {
         return vec![lot(islands)];
     }
-    let (mut alone, mut together) = (Vec::new(), Vec::new());
-    for island in islands {
-        let is_alone = choice.bulk.is_some() && island.bonds.len() > MOST_OF_A_CROWD;
-        if is_alone { alone.push(lot(vec![island])) } else { together.push(island) }
-    }
+    let is_alone = |island: &Island| match choice.bulk {
+        Some(_) => island.bonds.len() > MOST_OF_A_CROWD,
+        None => !island.bonds.is_empty(),
+    };
+    let (alone, together): (Vec<Island>, Vec<Island>) = islands.into_iter().partition(is_alone);
+    let mut lots: Vec<Lot> = alone.into_iter().map(|island| lot(vec![island])).collect();
     if choice.bulk.is_some() {
-        alone.extend((!together.is_empty()).then(|| lot(together)));
-        return alone;
+        lots.extend((!together.is_empty()).then(|| lot(together)));
+        return lots;
     }
-    let mut lots = vec![lot(Vec::new())];
-    let mut count = 0;
-    for island in together {
-        if count >= FULL {
-            lots.push(lot(Vec::new()));
-            count = 0;
-        }
-        count += island.points.len();
-        if let Some(last) = lots.last_mut() {
-            last.islands.push(island);
-        }
+    let points = count(&together);
+    // Loose points are islands of one: handed out in order.
+    let mut together = together.into_iter().peekable();
+    while together.peek().is_some() {
+        lots.push(Lot { points, ..lot(together.by_ref().take(FULL).collect()) });
     }
-    lots
+    if lots.is_empty() { vec![lot(Vec::new())] } else { lots }
 }

@@ -10,12 +10,12 @@ use crate::sim::contact::obstacles::Obstacles;
 use crate::sim::force::spring::Springs;
 use crate::sim::group::events::edge::Edges;
 use crate::sim::group::guard::{Guard, Watched};
+use crate::sim::group::sleep::Sleep;
 use crate::sim::group::{Breakable, Group};
 use crate::sim::model::Model;
 use crate::sim::points::{Points, State};
 use crate::sim::pull::Pull;
 use crate::sim::real::Real;
-use crate::sim::sleep::Sleep;
 use crate::sim::solver::Solver;
 use crate::sim::vector::zero;
 
@@ -59,6 +59,8 @@ impl<S: Real, const D: usize> Maker<'_, S, D> {
             contacts: Contacts::new(self.obstacles, self.points.len()),
             rigid,
             inside: None,
+            led: Vec::new(),
+            lead: zero(),
             gravity: self.model.gravity,
             drag_rate: self.model.drag_rate,
         };
@@ -82,6 +84,7 @@ impl<S: Real, const D: usize> Maker<'_, S, D> {
             before: State::default(),
             acceleration: Vec::new(),
             sleep: Sleep::default(),
+            grabbed: None,
             points,
             pull,
             engine,

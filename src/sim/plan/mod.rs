@@ -29,8 +29,10 @@ use gather::Gathered;
 use lot::Lot;
 
 pub(crate) use clear::{Cleared, clear};
+pub(crate) use gather::NOWHERE;
 pub(crate) use precision::is_single;
 pub(crate) use reconcile::reconcile;
+pub(crate) use sets::Sets;
 
 /// Groups with what moves them, and where every point of the model is.
 #[derive(Clone, Debug)]
@@ -44,6 +46,8 @@ pub(crate) struct Plan<S: Real, const D: usize> {
     pub(crate) substep: f64,
     /// What the groups are, for those who ask.
     pub(crate) parts: Vec<PlanPart>,
+    /// The same of each group by itself.
+    pub(crate) own: Vec<PlanPart>,
 }
 
 impl PlanPart {
@@ -52,7 +56,7 @@ impl PlanPart {
         PlanPart {
             solver: lot.choice.solver,
             substep: lot.choice.substep,
-            points: lot.points,
+            points: 0,
             bonds: 0,
             islands: 0,
             work: 0.0,
@@ -60,14 +64,39 @@ impl PlanPart {
             max_strain: lot.choice.bulk.and_then(|scheme| scheme.target),
         }
     }
+
+    /// Counts another part of the same class in.
+    fn include(&mut self, other: &PlanPart) {
+        self.points += other.points;
+        self.bonds += other.bonds;
+        self.islands += other.islands;
+        self.work += other.work;
+    }
+
+    fn is_like(&self, other: &PlanPart) -> bool {
+        (self.solver, &self.kernel, self.max_strain) == (other.solver, &other.kernel, other.max_strain)
+            && self.substep.to_bits() == other.substep.to_bits()
+    }
+
+    /// The parts of groups, those that are alike as one, in the order of the first of each.
+    pub(crate) fn sum(own: &[PlanPart]) -> Vec<PlanPart> {
+        let mut parts: Vec<PlanPart> = Vec::new();
+        for part in own.iter().filter(|part| part.points > 0) {
+            match parts.iter_mut().find(|sum| sum.is_like(part)) {
+                Some(sum) => sum.include(part),
+                None => parts.push(part.clone()),
+            }
+        }
+        parts
+    }
 }
 
-/// Compiles the plan of a model whose bonds (those that are left) and state are these.
+/// Compiles the plan of a model whose bonds (those that are left, with their numbers in the world) and state are these.
 ///
-/// Shapes: `state` has one entry a point of the model.
+/// Shapes: `state` has one entry a point of the model, `numbers` one a bond; `None`: a bond has its own place for a number.
 pub(crate) fn compile<S: Real, const D: usize>(
-    (model, obstacles): (&Model<D>, &Obstacles<S, D>),
-    bonds: &Bonds,
+    (model, obstacles, scene_points): (&Model<D>, &Obstacles<S, D>, usize),
+    (bonds, numbers): (&Bonds, Option<&[u32]>),
     state: &State<S, D>,
 ) -> Plan<S, D> {
     let w = inverse_masses(model);
@@ -75,9 +104,9 @@ pub(crate) fn compile<S: Real, const D: usize>(
         Solver::Relaxation => (0..w.len() as u32).collect(),
         _ => weld::merge(bonds, &w),
     };
-    let gathered = Gathered::new(model, bonds, &w, &stand_ins, state);
+    let gathered = Gathered::new(model, (bonds, numbers), &w, &stand_ins, state);
     let islands = island::islands(&gathered.bonds, &gathered.w);
-    gathered.plan((model, obstacles), lot::lots(model, islands))
+    gathered.plan((model, obstacles), lot::lots(model, (!obstacles.is_empty(), scene_points), islands))
 }
 
 /// 1/m of every point, 0 where it is pinned.

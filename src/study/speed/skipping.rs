@@ -6,7 +6,7 @@ use super::super::error::StudyError;
 use super::clock::{in_turn, median};
 use super::run::auto;
 use super::scenes::SpeedScene;
-use crate::sim::{Bounds, Command, Cursor, Dynamics, Model, MouseForce, Profile, Region, Track, build};
+use crate::sim::{Bounds, Command, Cursor, Dynamics, Method, Model, MouseForce, Profile, Region, Track, build};
 
 /// The scenes that are measured.
 const SCENES: [&str; 3] = ["hard-32", "hard-100", "rims-1000"];
@@ -44,6 +44,7 @@ pub(super) fn is_measured(scene: &SpeedScene) -> bool {
 /// Errors: the model is out of order.
 pub(super) fn measure(scene: &SpeedScene, model: &Model<2>, seconds: f64) -> Result<Vec<SkipRow>, StudyError> {
     let plain = Model { method: auto(STRAIN), ..model.clone() };
+    let sleepy = Model { method: Method { sleeps: true, ..plain.method }, ..plain.clone() };
     let row = |what, (without, with, ratio): (f64, Option<f64>, Option<f64>)| SkipRow {
         scene: scene.name,
         what,
@@ -52,11 +53,11 @@ pub(super) fn measure(scene: &SpeedScene, model: &Model<2>, seconds: f64) -> Res
         ratio,
     };
     let mut mouse = build(&Model { mouse: Some(force()), ..plain.clone() })?;
-    mouse.apply(&Command::Cursor { to: Some(Cursor::at([FAR, FAR])), by: 0.0 }).unwrap();
+    mouse.apply(&Command::Cursor { to: Some(Cursor::at([FAR, FAR])), by: 0.0 }).map_err(StudyError::Command)?;
     let walls = Bounds { min: [-FAR; 2], max: [FAR; 2], restitution: 0.3, friction: 0.4 };
     let walls = build(&Model { bounds: Some(walls), ..plain.clone() })?;
     Ok(vec![
-        row("asleep", asleep(&plain, seconds)?),
+        row("asleep", asleep(&sleepy, seconds)?),
         row("mouse away", pair(build(&plain)?, mouse, seconds)),
         row("walls far", pair(build(&plain)?, walls, seconds)),
     ])

@@ -23,10 +23,12 @@ impl<S: Real, const D: usize> Group<S, D> {
     ) -> f64 {
         self.edges.stops = stops;
         self.lead_pins(t);
-        let count = (h / self.substep * (1.0 - 1e-9)).ceil().max(1.0);
+        let count = (h / self.longest() * (1.0 - 1e-9)).ceil().max(1.0);
         for k in 0..count as u64 {
             self.edges.turns = 0;
-            self.advance(around, t + h * (k as f64 / count), h / count, counters);
+            let (now, substep) = (t + h * (k as f64 / count), h / count);
+            self.lead_grabbed(around, (now, substep));
+            self.advance(around, now, substep, counters);
             if let Some(broken) = &self.edges.broken {
                 return (broken.at - t).clamp(0.0, h);
             }

@@ -1,0 +1,198 @@
+//! Points, bonds and obstacles come.
+
+use std::sync::Arc;
+
+use super::check::finite;
+use super::{Applied, CommandError, done, invalid};
+use crate::sim::bond::{Bond, PointId};
+use crate::sim::bonds::Bonds;
+use crate::sim::command::{Addition, Obstacle};
+use crate::sim::contact::surface::Plane;
+use crate::sim::force::mouse::Track;
+use crate::sim::model::Model;
+use crate::sim::plan::{self, Cleared};
+use crate::sim::real::Real;
+use crate::sim::vector::{add, convert, truncate, zero};
+use crate::sim::world::World;
+
+impl<S: Real, const D: usize> World<S, D> {
+    pub(super) fn add(&mut self, addition: &Addition) -> Result<Applied, CommandError> {
+        let (first, count) = (self.count() as u32, addition.position.len() as u32);
+        self.check_addition(addition)?;
+        let mut model = Model::clone(&self.model);
+        self.add_obstacles(&mut model, &addition.obstacles)?;
+        self.add_points(&mut model, addition);
+        model.check_surroundings().map_err(|error| invalid(error.to_string()))?;
+        if addition.position.is_empty()
+            && addition.bonds.is_empty()
+            && addition.obstacles.is_empty()
+            && addition.pinned.is_empty()
+            && addition.pin_motion.is_empty()
+        {
+            return Ok(done(false));
+        }
+        let obstacles = if addition.obstacles.is_empty() { None } else { Some(Self::obstacles_of(&model)?) };
+        let is_old = |point: &PointId| point.0 < first;
+        let ends = addition.bonds.iter().flat_map(|bond| [bond.a, bond.b]);
+        let led = addition.pin_motion.iter().map(|(point, _)| *point);
+        let touched: Vec<u32> =
+            ends.chain(addition.pinned.iter().copied()).chain(led).filter(is_old).map(|point| point.0).collect();
+        let mut detached = self.detach(&touched, obstacles.is_some());
+        let applied = self.number(addition);
+        self.obstacles = obstacles.unwrap_or_else(|| self.obstacles.clone());
+        self.model = Arc::new(model);
+        self.weigh((first..first + count).chain(touched));
+        let cleared = self.clear_new(first, addition);
+        self.warn_of_overlap(&cleared);
+        for (k, (x, v)) in addition.position.iter().zip(&addition.velocity).enumerate() {
+            let is_pinned = self.inverse_mass[first as usize + k] == 0.0;
+            detached.points.push(first + k as u32);
+            detached.state.position.push(convert(truncate(*x)));
+            detached.state.velocity.push(if is_pinned { zero() } else { convert(truncate(*v)) });
+            detached.state.position_lost.push(zero());
+            detached.state.velocity_lost.push(zero());
+        }
+        for (points, way) in &cleared.moves {
+            for place in detached.places(points.iter().map(|&point| first + point)) {
+                let x = &mut detached.state.position[place];
+                *x = add(*x, convert(*way));
+            }
+        }
+        // Points that were pinned are at rest from now on.
+        for place in detached.places(addition.pinned.iter().map(|point| point.0)) {
+            detached.state.velocity[place] = zero();
+        }
+        self.spread();
+        self.attach(detached);
+        Ok(applied)
+    }
+
+    fn check_addition(&self, addition: &Addition) -> Result<(), CommandError> {
+        let Addition { position, velocity, mass, pinned, bonds, obstacles, pin_motion } = addition;
+        let count = position.len();
+        if velocity.len() != count || mass.len() != count {
+            return Err(invalid(format!(
+                "{count} points have {} velocities and {} masses",
+                velocity.len(),
+                mass.len()
+            )));
+        }
+        if self.count() + count > u32::MAX as usize {
+            return Err(invalid("there are more points than numbers for them"));
+        }
+        finite("positions and velocities", position.iter().chain(velocity).flatten())?;
+        if let Some(m) = mass.iter().find(|&&m| !(m > 0.0 && m.is_finite() && (1.0 / m).is_finite())) {
+            return Err(invalid(format!("a mass is {m}: it must be finite and > 0")));
+        }
+        let named = pinned.iter().copied().chain(pin_motion.iter().map(|(point, _)| *point));
+        for point in named.chain(bonds.iter().flat_map(|bond| [bond.a, bond.b])) {
+            let is_new = (self.count()..self.count() + count).contains(&point.index());
+            if !is_new {
+                self.check_points(&[point])?;
+            }
+        }
+        for (point, track) in pin_motion {
+            if !pinned.contains(point) && !self.model.pinned.contains(point) {
+                return Err(invalid(format!("`pin_motion` leads point {}, which is not pinned", point.0)));
+            }
+            finite("tracks", track.iter().flat_map(|(t, x)| std::iter::once(t).chain(x)))?;
+            if track.is_empty() || !track.windows(2).all(|pair| pair[0].0 < pair[1].0) {
+                return Err(invalid("a track needs a place or more, along times that ascend"));
+            }
+        }
+        for (k, bond) in bonds.iter().enumerate() {
+            self.model.check_added_bond(k, bond).map_err(|error| invalid(error.to_string()))?;
+        }
+        let is_polygon = |obstacle: &Obstacle| matches!(obstacle, Obstacle::Polygon(_));
+        if D != 2 && obstacles.iter().any(is_polygon) {
+            return Err(invalid("polygons are of the plane"));
+        }
+        Ok(())
+    }
+
+    fn add_points(&self, model: &mut Model<D>, addition: &Addition) {
+        model.mass.extend(&addition.mass);
+        for &point in &addition.pinned {
+            if !model.pinned.contains(&point) {
+                model.pinned.push(point);
+            }
+        }
+        for (point, knots) in &addition.pin_motion {
+            model.pin_motion.retain(|(led, _)| led != point);
+            let knots = knots.iter().map(|&(t, x)| (t, truncate(x))).collect();
+            model.pin_motion.push((*point, Track { knots }));
+        }
+    }
+
+    fn add_obstacles(&self, model: &mut Model<D>, obstacles: &[Obstacle]) -> Result<(), CommandError> {
+        for obstacle in obstacles {
+            match obstacle {
+                &Obstacle::Plane { point, normal, restitution, friction } => {
+                    check_surface(restitution, friction)?;
+                    model.planes.push(Plane {
+                        point: truncate(point),
+                        normal: truncate(normal),
+                        restitution,
+                        friction,
+                    });
+                }
+                Obstacle::Polygon(polygon) => {
+                    check_surface(polygon.restitution, polygon.friction)?;
+                    model.polygons.push(polygon.clone());
+                }
+            }
+        }
+        Ok(())
+    }
+
+    /// Gives numbers to what comes, and takes the bonds in.
+    fn number(&mut self, addition: &Addition) -> Applied {
+        let first = self.count() as u32;
+        let (bond, obstacle) = (self.numbers.next_bond, self.numbers.next_obstacle);
+        let count = addition.bonds.len() as u32;
+        if count > 0 {
+            if let Some(numbers) = &mut self.numbers.bonds {
+                Arc::make_mut(numbers).extend(bond..bond + count);
+            }
+            Arc::make_mut(&mut self.bonds).extend(addition.bonds.iter().copied());
+            self.numbers.next_bond += count;
+        }
+        for made in &addition.obstacles {
+            let list = usize::from(matches!(made, Obstacle::Polygon(_)));
+            self.numbers.obstacles[list].push(self.numbers.next_obstacle);
+            self.numbers.next_obstacle += 1;
+        }
+        Applied {
+            is_something: true,
+            points: first..first + addition.position.len() as u32,
+            bonds: bond..self.numbers.next_bond,
+            obstacles: obstacle..self.numbers.next_obstacle,
+        }
+    }
+
+    /// New bodies that would start inside obstacles, counted from the `first` new point on; what is bonded to older points stays.
+    fn clear_new(&self, first: u32, addition: &Addition) -> Cleared<D> {
+        if self.obstacles.is_empty() || addition.position.is_empty() {
+            return Cleared::default();
+        }
+        let mut w = self.inverse_mass[first as usize..].to_vec();
+        let mut bonds = Bonds::new();
+        for bond in &addition.bonds {
+            match [bond.a, bond.b].map(|end| end.0.checked_sub(first)) {
+                [Some(a), Some(b)] => bonds.push(Bond { a: PointId(a), b: PointId(b), ..*bond }),
+                ends => ends.into_iter().flatten().for_each(|end| w[end as usize] = 0.0),
+            }
+        }
+        let position: Vec<[f64; D]> = addition.position.iter().map(|&x| truncate(x)).collect();
+        plan::clear(&self.obstacles.widened(&*self.model), &bonds, &position, &w)
+    }
+}
+
+/// Errors: restitution or friction below 0 or not finite.
+pub(super) fn check_surface(restitution: f64, friction: f64) -> Result<(), CommandError> {
+    let is_fine = |x: f64| x >= 0.0 && x.is_finite();
+    if is_fine(restitution) && is_fine(friction) {
+        return Ok(());
+    }
+    Err(invalid("restitution and friction must be finite and >= 0"))
+}

@@ -1,0 +1,162 @@
+//! Points, bonds and obstacles go: deleted, cut, or torn.
+
+use std::sync::Arc;
+
+use super::{done, invalid};
+use crate::sim::bond::PointId;
+use crate::sim::command::{Applied, CommandError, Selection};
+use crate::sim::contact::obstacles::Obstacles;
+use crate::sim::model::Model;
+use crate::sim::real::Real;
+use crate::sim::vector::{cross, flat, sub};
+use crate::sim::world::World;
+
+impl<S: Real, const D: usize> World<S, D> {
+    pub(super) fn delete(&mut self, selection: &Selection) -> Result<Applied, CommandError> {
+        let Selection { points, bonds, obstacles } = selection;
+        self.check_points(points)?;
+        self.check_obstacles(obstacles)?;
+        let mut goes = vec![false; self.bonds.len()];
+        self.bond_places(bonds)?.into_iter().for_each(|place| goes[place] = true);
+        if points.is_empty() && bonds.is_empty() && obstacles.is_empty() {
+            return Ok(done(false));
+        }
+        let mut is_gone = vec![false; self.count()];
+        points.iter().for_each(|point| is_gone[point.index()] = true);
+        for (goes, ends) in goes.iter_mut().zip(self.bonds.ends()) {
+            *goes |= ends.iter().any(|end| is_gone[end.index()]);
+        }
+        let mut touched: Vec<u32> = points.iter().map(|point| point.0).collect();
+        touched.extend(self.ends_of(&goes));
+        let detached = self.detach(&touched, !obstacles.is_empty());
+        self.remove_bonds(&goes);
+        self.remove_points(points);
+        if !obstacles.is_empty() {
+            self.remove_obstacles(obstacles);
+        }
+        self.attach(detached);
+        Ok(done(true))
+    }
+
+    /// Bonds that the segment crosses go.
+    pub(super) fn cut(&mut self, from: [f64; 2], to: [f64; 2]) -> Result<Applied, CommandError> {
+        if D != 2 {
+            return Err(invalid("a cut is a stroke in the plane: delete bonds by their numbers in space"));
+        }
+        super::check::finite("from and to", from.iter().chain(&to))?;
+        let place = |point: PointId| flat(self.place(point.index()));
+        let is_crossed = |ends: &[PointId; 2]| crosses([from, to], ends.map(place));
+        let goes: Vec<bool> = self.bonds.ends().iter().map(is_crossed).collect();
+        if !goes.contains(&true) {
+            return Ok(done(false));
+        }
+        let detached = self.detach(&self.ends_of(&goes), false);
+        self.remove_bonds(&goes);
+        self.attach(detached);
+        Ok(done(true))
+    }
+
+    /// Bonds that are overstretched at time `t` [s], by their numbers, are gone.
+    pub(crate) fn tear(&mut self, torn: &[u32], t: f64) {
+        let mut goes = vec![false; self.bonds.len()];
+        for place in torn.iter().filter_map(|&number| self.numbers.place_of_bond(number)) {
+            self.counters.bonds_torn += u64::from(!goes[place]);
+            goes[place] = true;
+        }
+        let detached = self.detach_at(&self.ends_of(&goes), false, t);
+        self.remove_bonds(&goes);
+        self.attach(detached);
+    }
+
+    /// The ends of bonds.
+    fn ends_of(&self, goes: &[bool]) -> Vec<u32> {
+        let ends = self.bonds.ends().iter().zip(goes).filter(|(_, goes)| **goes);
+        ends.flat_map(|(ends, _)| ends.map(|end| end.0)).collect()
+    }
+
+    fn remove_bonds(&mut self, goes: &[bool]) {
+        if !goes.contains(&true) {
+            return;
+        }
+        let left = |place: &usize| !goes[*place];
+        let numbers = (0..goes.len()).filter(left).map(|place| self.numbers.of_bond(place)).collect();
+        self.numbers.bonds = Some(Arc::new(numbers));
+        let mut place = 0;
+        Arc::make_mut(&mut self.bonds).retain(|_| {
+            place += 1;
+            !goes[place - 1]
+        });
+    }
+
+    fn remove_points(&mut self, points: &[PointId]) {
+        if points.is_empty() {
+            return;
+        }
+        let gone = Arc::make_mut(&mut self.numbers.gone);
+        gone.extend(points);
+        gone.sort_unstable();
+        gone.dedup();
+        let numbers = &self.numbers;
+        let model = Arc::make_mut(&mut self.model);
+        model.pinned.retain(|pin| !numbers.is_gone(pin.0));
+        model.pin_motion.retain(|(pin, _)| !numbers.is_gone(pin.0));
+        self.weigh(points.iter().map(|point| point.0));
+    }
+
+    fn remove_obstacles(&mut self, obstacles: &[u32]) {
+        let model = Arc::make_mut(&mut self.model);
+        let [planes, polygons] = &mut self.numbers.obstacles;
+        keep(&mut model.planes, planes, obstacles);
+        keep(&mut model.polygons, polygons, obstacles);
+        // Fewer outlines cross no more often.
+        if let Ok(left) = Obstacles::of(&*model) {
+            self.obstacles = left;
+        }
+    }
+}
+
+impl<S: Real, const D: usize> World<S, D> {
+    /// The obstacles that a changed model has.
+    ///
+    /// Errors: outlines of polygons cross too often.
+    pub(super) fn obstacles_of(model: &Model<D>) -> Result<Obstacles<S, D>, CommandError> {
+        let message =
+            "the outlines of the polygons cross each other or themselves more than 200000 times: make them simpler";
+        Obstacles::of(model).map_err(|_| invalid(message))
+    }
+}
+
+/// Leaves out what has one of these numbers.
+fn keep<T>(list: &mut Vec<T>, numbers: &mut Vec<u32>, without: &[u32]) {
+    let mut of = numbers.iter();
+    list.retain(|_| of.next().is_none_or(|number| !without.contains(number)));
+    numbers.retain(|number| !without.contains(number));
+}
+
+/// Whether two segments have a point in common.
+fn crosses([a, b]: [[f64; 2]; 2], [c, d]: [[f64; 2]; 2]) -> bool {
+    let side = |from: [f64; 2], to: [f64; 2], x: [f64; 2]| cross(sub(to, from), sub(x, from));
+    let (c_side, d_side) = (side(a, b, c), side(a, b, d));
+    let (a_side, b_side) = (side(c, d, a), side(c, d, b));
+    let apart = |p: f64, q: f64| (p > 0.0 && q > 0.0) || (p < 0.0 && q < 0.0);
+    if apart(c_side, d_side) || apart(a_side, b_side) {
+        return false;
+    }
+    // In one line they may lie side by side.
+    (0..2).all(|k| a[k].min(b[k]) <= c[k].max(d[k]) && c[k].min(d[k]) <= a[k].max(b[k]))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::crosses;
+
+    #[test]
+    fn segments_meet_or_do_not() {
+        let stroke = [[0.0, 0.0], [2.0, 0.0]];
+        assert!(crosses(stroke, [[1.0, -1.0], [1.0, 1.0]]));
+        assert!(crosses(stroke, [[2.0, 0.0], [3.0, 1.0]]), "they touch");
+        assert!(!crosses(stroke, [[3.0, -1.0], [3.0, 1.0]]));
+        assert!(!crosses(stroke, [[3.0, 0.0], [4.0, 0.0]]), "in one line, side by side");
+        assert!(!crosses([[1.0, 1.0]; 2], [[0.0, 0.0], [2.0, 0.0]]), "a stroke of no length beside it");
+    }
+}

@@ -1,0 +1,136 @@
+//! What is grabbed: which points, of which groups, and where the cursor leads them.
+
+use super::{Applied, CommandError, DONE, done, invalid};
+use crate::sim::bond::PointId;
+use crate::sim::command::Reach;
+use crate::sim::dynamics::GrabView;
+use crate::sim::environment::Lead;
+use crate::sim::group::grab::Grabbed;
+use crate::sim::plan::Sets;
+use crate::sim::real::Real;
+use crate::sim::vector::{add, dot, embed, length, scale, sub, zero};
+use crate::sim::world::World;
+
+impl<S: Real, const D: usize> World<S, D> {
+    pub(super) fn take_hold(&mut self, reach: &Reach) -> Result<Applied, CommandError> {
+        let Some(cursor) = self.around.cursor.map(|path| path.at(self.timeline.time())) else {
+            return Err(invalid("there is no cursor to lead what is grabbed: give a `cursor` command first"));
+        };
+        let mut points = match reach {
+            Reach::Points(points) => {
+                self.check_points(points)?;
+                points.clone()
+            }
+            Reach::Within(radius) if *radius > 0.0 && radius.is_finite() => {
+                let is_near = |i: &u32| {
+                    let from = sub(embed(self.place(*i as usize)), cursor.origin);
+                    let across = match D {
+                        2 => [from[0], from[1], 0.0],
+                        _ => sub(from, scale(cursor.direction, dot(from, cursor.direction))),
+                    };
+                    length(across) <= *radius
+                };
+                (0..self.count() as u32).filter(is_near).map(PointId).collect()
+            }
+            Reach::Within(radius) => return Err(invalid(format!("`within` is {radius}: it must be finite and > 0"))),
+        };
+        // A pin holds.
+        points.retain(|point| self.inverse_mass[point.index()] > 0.0);
+        points.sort_unstable();
+        points.dedup();
+        if points.is_empty() {
+            return Err(invalid("nothing that can move is in reach"));
+        }
+        self.release();
+        if D == 3 {
+            let middle = self.middle(&points);
+            self.around.lead = Some(Lead { point: middle, normal: cursor.direction });
+        }
+        self.grabbed = points;
+        self.hold_on();
+        Ok(DONE)
+    }
+
+    pub(super) fn release(&mut self) -> Applied {
+        let was_held = !self.grabbed.is_empty();
+        self.grabbed.clear();
+        self.around.lead = None;
+        self.plan.groups.iter_mut().filter(|group| group.grabbed.is_some()).for_each(|group| group.let_go());
+        done(was_held)
+    }
+
+    /// Groups that were compiled anew hold on to what is grabbed of them.
+    pub(crate) fn hold_on(&mut self) {
+        if self.grabbed.is_empty() {
+            return;
+        }
+        let living = |point: &PointId| !self.numbers.is_gone(point.0) && self.inverse_mass[point.index()] > 0.0;
+        let points: Vec<PointId> = self.grabbed.iter().copied().filter(living).collect();
+        let middle = self.middle(&points);
+        let mut parts: Vec<(usize, Vec<PointId>)> = Vec::new();
+        for &point in &points {
+            let Some([group, _]) = self.slot(point.index()) else { continue };
+            match parts.iter_mut().find(|part| part.0 == group) {
+                Some(part) => part.1.push(point),
+                None => parts.push((group, vec![point])),
+            }
+        }
+        for (group, own) in &parts {
+            if self.plan.groups[*group].grabbed.is_some() {
+                continue;
+            }
+            let is_only = parts.len() == 1;
+            let offset = if is_only { zero() } else { sub(self.middle(own), middle) };
+            let mut slots: Vec<u32> = own.iter().filter_map(|p| Some(self.slot(p.index())?[1] as u32)).collect();
+            slots.sort_unstable();
+            slots.dedup();
+            let body_mass = self.mass_around(own);
+            self.plan.groups[*group].grabbed = Some(Grabbed {
+                slots,
+                body_mass,
+                offset: crate::sim::vector::truncate(offset),
+                steady: zero(),
+                acceleration: zero(),
+            });
+        }
+        self.grabbed = points;
+    }
+
+    /// Mean place of points [m].
+    fn middle(&self, points: &[PointId]) -> [f64; 3] {
+        let sum = points.iter().fold([0.0; 3], |sum, point| add(sum, embed(self.place(point.index()))));
+        scale(sum, 1.0 / points.len().max(1) as f64)
+    }
+
+    /// Mass of all that hangs together with points by bonds, but for pins [kg].
+    fn mass_around(&self, points: &[PointId]) -> f64 {
+        let w = &self.inverse_mass;
+        let mut sets = Sets::new(self.count());
+        for [a, b] in self.bonds.ends() {
+            if w[a.index()] > 0.0 && w[b.index()] > 0.0 {
+                sets.join(a.0, b.0);
+            }
+        }
+        let mut roots: Vec<u32> = points.iter().map(|point| sets.find(point.0)).collect();
+        roots.sort_unstable();
+        roots.dedup();
+        let is_of = |&i: &usize| w[i] > 0.0 && roots.binary_search(&sets.find(i as u32)).is_ok();
+        (0..self.count()).filter(is_of).map(|i| self.model.mass[i]).sum()
+    }
+
+    /// What is grabbed, to be drawn.
+    pub(crate) fn grab_view(&self) -> Option<GrabView> {
+        if self.grabbed.is_empty() {
+            return None;
+        }
+        let target = self.around.target(self.timeline.time()).map_or([f64::NAN; 3], embed);
+        let mut force = [0.0; D];
+        for group in &self.plan.groups {
+            if let Some(grabbed) = &group.grabbed {
+                let (.., mass) = grabbed.middle(&group.points);
+                force = add(force, scale(grabbed.acceleration, mass));
+            }
+        }
+        Some(GrabView { points: self.grabbed.clone(), middle: self.middle(&self.grabbed), target, force: embed(force) })
+    }
+}

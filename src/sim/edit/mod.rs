@@ -1,0 +1,79 @@
+//! Commands that change what a world is made of, between two of its steps.
+//!
+//! A command is looked at first and done afterwards: one that cannot be done leaves the world whole. Islands that it touches are compiled
+//! anew from the state that they have ([`recompile`]); all others stay as they are, bit for bit.
+
+mod add;
+mod check;
+mod delete;
+mod grab;
+mod pins;
+mod recompile;
+mod set;
+mod shift;
+
+use super::bond::PointId;
+use super::command::{Applied, Command, CommandError, Selection};
+use super::environment::CursorPath;
+use super::real::Real;
+use super::world::World;
+
+/// A command that was done and changed something.
+const DONE: Applied = Applied { is_something: true, points: 0..0, bonds: 0..0, obstacles: 0..0 };
+
+/// The same, or one that had nothing to do.
+fn done(is_something: bool) -> Applied {
+    Applied { is_something, ..DONE }
+}
+
+fn invalid(message: impl Into<String>) -> CommandError {
+    CommandError::Invalid(message.into())
+}
+
+impl<S: Real, const D: usize> World<S, D> {
+    /// Does a command, or says why it cannot be done: see [`Dynamics::apply`](super::Dynamics::apply).
+    pub(crate) fn edit(&mut self, command: &Command) -> Result<Applied, CommandError> {
+        match command {
+            Command::Cursor { to, by } => self.lead_cursor(*to, *by),
+            Command::Mouse(change) => self.change_mouse(change),
+            Command::Grab(reach) => self.take_hold(reach),
+            Command::Release => Ok(self.release()),
+            Command::Pin(points) => self.pin(points),
+            Command::Unpin(points) => self.unpin(points),
+            Command::Cut { from, to } => self.cut(*from, *to),
+            Command::Add(addition) => self.add(addition),
+            Command::Delete(selection) => self.delete(selection),
+            Command::Clear => self.delete(&self.everything()),
+            Command::Move(motion) => self.shift(motion),
+            Command::Set(change) => self.set(change),
+        }
+    }
+
+    fn everything(&self) -> Selection {
+        Selection {
+            points: (0..self.count() as u32).filter(|&i| !self.numbers.is_gone(i)).map(PointId).collect(),
+            bonds: Vec::new(),
+            obstacles: self.numbers.obstacles.iter().flatten().copied().collect(),
+        }
+    }
+
+    fn lead_cursor(&mut self, to: Option<super::Cursor>, by: f64) -> Result<Applied, CommandError> {
+        let t = self.timeline.time();
+        let numbers = to.iter().flat_map(|to| to.origin.iter().chain(&to.direction));
+        if by.is_nan() || !numbers.copied().all(f64::is_finite) {
+            return Err(invalid("`to` and `by` must be finite numbers"));
+        }
+        self.around.cursor = to.map(|to| CursorPath::onwards(self.around.cursor, to, t, by));
+        self.refresh();
+        Ok(DONE)
+    }
+
+    /// The cursor or its force changed: nothing that was worked out before belongs to the present.
+    fn refresh(&mut self) {
+        let t = self.timeline.time();
+        for group in &mut self.plan.groups {
+            group.wake_if_reached(&self.around, t);
+            group.mark_inside(&self.around, t);
+        }
+    }
+}

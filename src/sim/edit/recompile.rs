@@ -1,0 +1,297 @@
+//! Islands that a command touches are compiled anew, from the state that they have.
+
+use std::sync::Arc;
+
+use crate::sim::bond::{Bond, PointId};
+use crate::sim::bonds::Bonds;
+use crate::sim::model::Model;
+use crate::sim::plan::{self, NOWHERE};
+use crate::sim::plan_part::PlanPart;
+use crate::sim::points::State;
+use crate::sim::real::Real;
+use crate::sim::vector::{convert, widen};
+use crate::sim::world::World;
+
+/// Points whose groups were taken out of a world, with their state.
+pub(super) struct Detached<S, const D: usize> {
+    /// By their numbers, ascending: all that can move of the groups, their pins, and what was named beside.
+    pub(super) points: Vec<u32>,
+    /// One entry a point.
+    pub(super) state: State<S, D>,
+    groups: Vec<usize>,
+    /// When [s].
+    time: f64,
+}
+
+impl<S: Real, const D: usize> Detached<S, D> {
+    /// The place of a point, if it is among them.
+    pub(super) fn place(&self, point: u32) -> Option<usize> {
+        self.points.binary_search(&point).ok()
+    }
+
+    /// The places of those points that are among them.
+    pub(super) fn places(&self, points: impl IntoIterator<Item = u32>) -> Vec<usize> {
+        points.into_iter().filter_map(|point| self.place(point)).collect()
+    }
+}
+
+impl<S: Real, const D: usize> World<S, D> {
+    /// The groups that points belong to, and those of free points that bonds fasten to pins among them; ascending.
+    fn groups_of(&self, points: &[u32]) -> Vec<usize> {
+        let mut is_pin = Vec::new();
+        let mut groups = Vec::new();
+        for &point in points {
+            let i = point as usize;
+            match self.slot(i) {
+                Some([group, _]) if self.inverse_mass[i] > 0.0 => groups.push(group),
+                Some(_) => {
+                    is_pin.resize(self.count(), false);
+                    is_pin[i] = true;
+                }
+                None => {}
+            }
+        }
+        if !is_pin.is_empty() {
+            for &[a, b] in self.bonds.ends() {
+                for (pin, other) in [(a, b), (b, a)] {
+                    if is_pin[pin.index()] && self.inverse_mass[other.index()] > 0.0 {
+                        groups.extend(self.slot(other.index()).map(|[group, _]| group));
+                    }
+                }
+            }
+        }
+        groups.sort_unstable();
+        groups.dedup();
+        groups
+    }
+
+    /// Takes out the groups that points belong to, these points included; of all where `is_all`.
+    pub(super) fn detach(&mut self, touched: &[u32], is_all: bool) -> Detached<S, D> {
+        self.detach_at(touched, is_all, self.timeline.time())
+    }
+
+    /// The same at a time `t` [s] within a step.
+    pub(super) fn detach_at(&mut self, touched: &[u32], is_all: bool, t: f64) -> Detached<S, D> {
+        self.spread();
+        let groups = if is_all { (0..self.plan.groups.len()).collect() } else { self.groups_of(touched) };
+        let mut is_out = vec![false; self.plan.groups.len()];
+        for &group in &groups {
+            is_out[group] = true;
+            // Velocities of large bodies are behind: what comes next starts with those of now.
+            self.plan.groups[group].centre_velocity(&self.around, t);
+            self.plan.groups[group].hold_velocity();
+        }
+        let mut points: Vec<u32> = if groups.is_empty() {
+            Vec::new()
+        } else {
+            let slots = self.plan.slots.iter().zip(0..);
+            slots.filter(|([group, _], _)| is_out.get(*group as usize) == Some(&true)).map(|(_, i)| i).collect()
+        };
+        points.extend(touched.iter().copied().filter(|&point| !self.numbers.is_gone(point)));
+        points.sort_unstable();
+        points.dedup();
+        let state = self.state_of(points.iter().map(|&i| i as usize));
+        Detached { points, state, groups, time: t }
+    }
+
+    /// Every point has a slot of its own, and every new one none.
+    pub(crate) fn spread(&mut self) {
+        if self.plan.is_plain {
+            self.plan.slots = (0..self.plan.groups[0].points.len() as u32).map(|slot| [0, slot]).collect();
+            self.plan.is_plain = false;
+        }
+        self.plan.slots.resize(self.count(), NOWHERE);
+    }
+
+    /// Compiles what was taken out, as model and bonds are now, and puts it in place of it.
+    pub(super) fn attach(&mut self, detached: Detached<S, D>) {
+        let Detached { mut points, state, groups, time: t } = detached;
+        for &group in &groups {
+            self.plan.groups[group] = self.plan.groups[group].emptied();
+            self.plan.own[group].points = 0;
+        }
+        let mut state = self.keep_living(&mut points, state);
+        let mut local = vec![u32::MAX; self.count()];
+        points.iter().zip(0..).for_each(|(&point, place)| local[point as usize] = place);
+        self.include_pins(&mut points, &mut state, &mut local);
+        let model = self.part_of_model(&points, &local);
+        let (bonds, numbers) = self.bonds_among(&points, &local);
+        let mut plan = self.compile_part(&model, (&bonds, &numbers), &state);
+        let is_held = plan.groups.iter_mut().fold(true, |is_held, group| is_held & group.begin(&self.around, t));
+        if !is_held {
+            plan = self.reconcile_part(&model, (bonds, &numbers), &mut state);
+            plan.groups.iter_mut().for_each(|group| _ = group.begin(&self.around, t));
+        }
+        self.put_in(plan, &points);
+        self.hold_on();
+        self.gather();
+        self.topology += 1;
+    }
+
+    /// Leaves out points that are gone.
+    fn keep_living(&mut self, points: &mut Vec<u32>, state: State<S, D>) -> State<S, D> {
+        let keeps: Vec<bool> = points.iter().map(|&point| !self.numbers.is_gone(point)).collect();
+        for (&point, keeps) in points.iter().zip(&keeps) {
+            if !keeps {
+                self.plan.slots[point as usize] = NOWHERE;
+            }
+        }
+        let pick =
+            |list: Vec<[S; D]>| list.into_iter().zip(&keeps).filter(|(_, keeps)| **keeps).map(|(x, _)| x).collect();
+        let State { position, velocity, position_lost, velocity_lost } = state;
+        let state = State {
+            position: pick(position),
+            velocity: pick(velocity),
+            position_lost: pick(position_lost),
+            velocity_lost: pick(velocity_lost),
+        };
+        points.retain(|&point| !self.numbers.is_gone(point));
+        state
+    }
+
+    /// Pins that free points here are fastened to come along, though others may be fastened to them too.
+    fn include_pins(&self, points: &mut Vec<u32>, state: &mut State<S, D>, local: &mut [u32]) {
+        if points.is_empty() {
+            return;
+        }
+        let w = &self.inverse_mass;
+        for &[a, b] in self.bonds.ends() {
+            for (pin, other) in [(a, b), (b, a)] {
+                let is_missing = w[pin.index()] == 0.0 && local[pin.index()] == u32::MAX;
+                if is_missing && local[other.index()] != u32::MAX && w[other.index()] > 0.0 {
+                    local[pin.index()] = points.len() as u32;
+                    points.push(pin.0);
+                    let own = self.state_of(std::iter::once(pin.index()));
+                    state.position.extend(own.position);
+                    state.velocity.extend(own.velocity);
+                    state.position_lost.extend(own.position_lost);
+                    state.velocity_lost.extend(own.velocity_lost);
+                }
+            }
+        }
+        let mut order: Vec<usize> = (0..points.len()).collect();
+        order.sort_unstable_by_key(|&place| points[place]);
+        let sorted = |list: &[[S; D]]| order.iter().map(|&place| list[place]).collect();
+        *state = State {
+            position: sorted(&state.position),
+            velocity: sorted(&state.velocity),
+            position_lost: sorted(&state.position_lost),
+            velocity_lost: sorted(&state.velocity_lost),
+        };
+        points.sort_unstable();
+        points.iter().zip(0..).for_each(|(&point, place)| local[point as usize] = place);
+    }
+
+    /// The model of some points alone.
+    fn part_of_model(&self, points: &[u32], local: &[u32]) -> Model<D> {
+        let within = |point: &PointId| local[point.index()];
+        let pinned: Vec<PointId> = points
+            .iter()
+            .zip(0..)
+            .filter(|(i, _)| self.inverse_mass[**i as usize] == 0.0)
+            .map(|(_, k)| PointId(k))
+            .collect();
+        let tracks = self.model.pin_motion.iter().filter(|(point, _)| within(point) != u32::MAX);
+        Model {
+            position: Vec::new(),
+            velocity: Vec::new(),
+            mass: points.iter().map(|&i| self.model.mass[i as usize]).collect(),
+            pinned,
+            bonds: Bonds::new(),
+            gravity: self.model.gravity,
+            drag_rate: self.model.drag_rate,
+            mouse: self.model.mouse.clone(),
+            bounds: self.model.bounds,
+            duration: None,
+            planes: Vec::new(),
+            polygons: Vec::new(),
+            obstacle_numbers: Default::default(),
+            pin_motion: tracks.map(|(point, track)| (PointId(within(point)), track.clone())).collect(),
+            method: self.model.method,
+        }
+    }
+
+    /// The bonds with a free end among some points, and their numbers.
+    fn bonds_among(&self, points: &[u32], local: &[u32]) -> (Bonds, Vec<u32>) {
+        let (mut bonds, mut numbers) = (Bonds::new(), Vec::new());
+        if points.is_empty() {
+            return (bonds, numbers);
+        }
+        for (k, ends) in self.bonds.ends().iter().enumerate() {
+            let [a, b] = ends.map(|end| local[end.index()]);
+            if a != u32::MAX && b != u32::MAX {
+                bonds.push(Bond { a: PointId(a), b: PointId(b), ..self.bonds.get(k) });
+                numbers.push(self.numbers.of_bond(k));
+            }
+        }
+        (bonds, numbers)
+    }
+
+    fn compile_part(
+        &self,
+        model: &Model<D>,
+        (bonds, numbers): (&Bonds, &[u32]),
+        state: &State<S, D>,
+    ) -> plan::Plan<S, D> {
+        plan::compile((model, &self.obstacles, self.scene_points), (bonds, Some(numbers)), state)
+    }
+
+    /// Lengths that contradict each other give way to those of the nearest shape.
+    fn reconcile_part(
+        &mut self,
+        model: &Model<D>,
+        (mut bonds, numbers): (Bonds, &[u32]),
+        state: &mut State<S, D>,
+    ) -> plan::Plan<S, D> {
+        let mut position: Vec<[f64; D]> = state.position.iter().map(|&x| widen(x)).collect();
+        let changed = plan::reconcile(&mut bonds, &mut position, &plan::inverse_masses(model));
+        let own = Arc::make_mut(&mut self.bonds);
+        for &k in &changed {
+            if let Some(place) = self.numbers.place_of_bond(numbers[k]) {
+                own.set(place, Bond { rest_length: bonds.rest_lengths()[k], ..own.get(place) });
+            }
+        }
+        let names: Vec<usize> = changed.iter().map(|&k| numbers[k] as usize).collect();
+        self.warn_of_lengths(&names);
+        state.position = position.into_iter().map(convert).collect();
+        self.compile_part(model, (&bonds, numbers), state)
+    }
+
+    /// New groups take the places of those that are empty.
+    fn put_in(&mut self, part: plan::Plan<S, D>, points: &[u32]) {
+        let mut places = Vec::with_capacity(part.groups.len());
+        let mut free = (0..self.plan.groups.len()).filter(|&place| self.plan.groups[place].points.len() == 0);
+        let taken: Vec<usize> = free.by_ref().take(part.groups.len()).collect();
+        let slots: Vec<[u32; 2]> =
+            if part.is_plain { (0..points.len() as u32).map(|slot| [0, slot]).collect() } else { part.slots };
+        for (g, (group, own)) in part.groups.into_iter().zip(part.own).enumerate() {
+            match taken.get(g) {
+                Some(&place) => {
+                    (self.plan.groups[place], self.plan.own[place]) = (group, own);
+                    places.push(place as u32);
+                }
+                None => {
+                    places.push(self.plan.groups.len() as u32);
+                    self.plan.groups.push(group);
+                    self.plan.own.push(own);
+                }
+            }
+        }
+        for (&point, &[group, slot]) in points.iter().zip(&slots) {
+            self.plan.slots[point as usize] = places.get(group as usize).map_or(NOWHERE, |&place| [place, slot]);
+        }
+        self.plan.parts = PlanPart::sum(&self.plan.own);
+    }
+
+    /// What of inverse masses follows from masses, pins and what is gone, of some points.
+    pub(super) fn weigh(&mut self, points: impl IntoIterator<Item = u32>) {
+        let mut is_pinned = vec![false; self.model.mass.len()];
+        self.model.pinned.iter().for_each(|pin| is_pinned[pin.index()] = true);
+        let w = Arc::make_mut(&mut self.inverse_mass);
+        w.resize(self.model.mass.len(), 0.0);
+        for point in points {
+            let i = point as usize;
+            w[i] = if is_pinned[i] || self.numbers.is_gone(point) { 0.0 } else { 1.0 / self.model.mass[i] };
+        }
+    }
+}

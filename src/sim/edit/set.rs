@@ -1,0 +1,252 @@
+//! Points, bonds, obstacles, the mouse force and the scene get other numbers.
+
+use std::sync::Arc;
+
+use super::add::check_surface;
+use super::check::{finite, value, values};
+use super::{Applied, CommandError, DONE, done, invalid};
+use crate::sim::bond::{Bond, BondKind};
+use crate::sim::bonds::Bonds;
+use crate::sim::command::{BondChange, Change, Kind, MouseChange, SceneChange, Values};
+use crate::sim::contact::bounds::Bounds;
+use crate::sim::force::mouse::{MouseForce, Profile, Region, Track};
+use crate::sim::model::Model;
+use crate::sim::real::Real;
+use crate::sim::vector::{convert, truncate, zero};
+use crate::sim::world::World;
+
+/// Stiffness of a spring that nothing is said of [N/m].
+const STIFFNESS: f64 = 1000.0;
+
+impl<S: Real, const D: usize> World<S, D> {
+    pub(super) fn set(&mut self, change: &Change) -> Result<Applied, CommandError> {
+        match change {
+            Change::Points { points, mass, velocity } => self.set_points(points, (mass.as_ref(), velocity.as_deref())),
+            Change::Bonds { bonds, to } => self.set_bonds(bonds, to),
+            Change::Obstacles { obstacles, restitution, friction } => {
+                self.set_obstacles(obstacles, (*restitution, *friction))
+            }
+            Change::Scene(change) => self.set_scene(change),
+        }
+    }
+
+    fn set_points(
+        &mut self,
+        points: &[crate::sim::PointId],
+        (mass, velocity): (Option<&Values>, Option<&[[f64; 3]]>),
+    ) -> Result<Applied, CommandError> {
+        self.check_points(points)?;
+        if let Some(mass) = mass {
+            let fits = |m: f64| m > 0.0 && m.is_finite() && (1.0 / m).is_finite();
+            values("mass", mass, points.len(), (fits, "finite and > 0"))?;
+        }
+        if let Some(list) = velocity {
+            finite("velocity", list.iter().flatten())?;
+            if list.len() != 1 && list.len() != points.len() {
+                let (found, count) = (list.len(), points.len());
+                return Err(invalid(format!(
+                    "velocity has {found} values for {count} that are named: give one, or one each"
+                )));
+            }
+        }
+        if points.is_empty() || (mass.is_none() && velocity.is_none()) {
+            return Ok(done(false));
+        }
+        let touched: Vec<u32> = points.iter().map(|point| point.0).collect();
+        let mut detached = self.detach(&touched, false);
+        if let Some(mass) = mass {
+            let model = Arc::make_mut(&mut self.model);
+            points.iter().enumerate().for_each(|(k, point)| model.mass[point.index()] = value(mass, k));
+            self.weigh(touched.iter().copied());
+        }
+        for (k, &point) in touched.iter().enumerate().filter(|_| velocity.is_some()) {
+            let given = velocity.and_then(|list| list.get(k).or(list.first()));
+            if let (Some(place), Some(&v)) = (detached.place(point), given)
+                && self.inverse_mass[point as usize] > 0.0
+            {
+                detached.state.velocity[place] = convert(truncate(v));
+                detached.state.velocity_lost[place] = zero();
+            }
+        }
+        self.attach(detached);
+        Ok(done(true))
+    }
+
+    fn set_bonds(&mut self, bonds: &[crate::sim::BondId], to: &BondChange) -> Result<Applied, CommandError> {
+        let places = self.bond_places(bonds)?;
+        if places.is_empty() || *to == BondChange::default() {
+            return Ok(done(false));
+        }
+        check_change(to, places.len())?;
+        let mut changed = Bonds::clone(&self.bonds);
+        for (k, &place) in places.iter().enumerate() {
+            let bond =
+                to.applied(changed.get(place), k).map_err(|why| invalid(format!("bond {} {why}", bonds[k].0)))?;
+            self.model.check_added_bond(bonds[k].index(), &bond).map_err(|error| invalid(error.to_string()))?;
+            changed.set(place, bond);
+        }
+        let ends = places.iter().flat_map(|&place| self.bonds.ends()[place]).map(|end| end.0);
+        let detached = self.detach(&ends.collect::<Vec<u32>>(), false);
+        self.bonds = Arc::new(changed);
+        self.attach(detached);
+        Ok(done(true))
+    }
+
+    fn set_obstacles(
+        &mut self,
+        obstacles: &[u32],
+        (restitution, friction): (Option<f64>, Option<f64>),
+    ) -> Result<Applied, CommandError> {
+        self.check_obstacles(obstacles)?;
+        check_surface(restitution.unwrap_or(0.0), friction.unwrap_or(0.0))?;
+        if obstacles.is_empty() || (restitution.is_none() && friction.is_none()) {
+            return Ok(done(false));
+        }
+        let detached = self.detach(&[], true);
+        let model = Arc::make_mut(&mut self.model);
+        let [planes, polygons] = &self.numbers.obstacles;
+        let planes = model.planes.iter_mut().zip(planes).map(|(on, n)| (&mut on.restitution, &mut on.friction, n));
+        let polygons =
+            model.polygons.iter_mut().zip(polygons).map(|(on, n)| (&mut on.restitution, &mut on.friction, n));
+        for (own_restitution, own_friction, _) in planes.chain(polygons).filter(|(.., n)| obstacles.contains(n)) {
+            *own_restitution = restitution.unwrap_or(*own_restitution);
+            *own_friction = friction.unwrap_or(*own_friction);
+        }
+        self.obstacles = Self::obstacles_of(&self.model)?;
+        self.attach(detached);
+        Ok(done(true))
+    }
+
+    fn set_scene(&mut self, change: &SceneChange) -> Result<Applied, CommandError> {
+        if *change == SceneChange::default() {
+            return Ok(done(false));
+        }
+        let mut model = Model::clone(&self.model);
+        if let Some(gravity) = change.gravity {
+            model.gravity = truncate(gravity);
+        }
+        model.drag_rate = change.drag_rate.unwrap_or(model.drag_rate);
+        if let Some(bounds) = change.bounds {
+            model.bounds = bounds.map(|bounds| Bounds {
+                min: truncate(bounds.min),
+                max: truncate(bounds.max),
+                restitution: bounds.restitution,
+                friction: bounds.friction,
+            });
+        }
+        if let Some(method) = change.method {
+            model.method = crate::sim::Method { precision: model.method.precision, ..method };
+        }
+        model.check_surroundings().map_err(|error| invalid(error.to_string()))?;
+        for (k, bond) in self.bonds.iter().enumerate() {
+            model.check_added_bond(k, &bond).map_err(|error| invalid(error.to_string()))?;
+        }
+        if let Some(bounds) = &model.bounds {
+            check_surface(bounds.restitution, bounds.friction)?;
+        }
+        let obstacles = Self::obstacles_of(&model)?;
+        let detached = self.detach(&[], true);
+        self.around.gravity = model.gravity;
+        self.model = Arc::new(model);
+        self.obstacles = obstacles;
+        self.attach(detached);
+        Ok(done(true))
+    }
+
+    /// The mouse force is so from now on. Islands are compiled anew where it is stronger than any that they were made for.
+    pub(super) fn change_mouse(&mut self, change: &MouseChange) -> Result<Applied, CommandError> {
+        let old = self.around.mouse.clone();
+        let given = |name: &str, said: Option<f64>, old: Option<f64>| {
+            said.or(old).ok_or_else(|| invalid(format!("the scene has no mouse force yet: give `{name}`")))
+        };
+        let mouse = MouseForce {
+            strength: given("strength", change.strength, old.as_ref().map(|old| old.strength))?,
+            radius: given("radius", change.radius, old.as_ref().map(|old| old.radius))?,
+            region: change.region.or(old.as_ref().map(|old| old.region)).unwrap_or_default(),
+            profile: change.profile.or(old.as_ref().map(|old| old.profile)).unwrap_or(Profile::Smooth),
+            track: Track::default(),
+        };
+        if !(mouse.strength.is_finite() && mouse.radius.is_finite() && mouse.radius > 0.0) {
+            return Err(invalid("`strength` must be finite, `radius` finite and > 0"));
+        }
+        if D == 3 && mouse.region == Region::Square {
+            return Err(invalid("a square region is of the plane"));
+        }
+        let most = self.model.mouse.as_ref().map(|made_for| made_for.strength.abs());
+        let is_new = most.is_none_or(|most| mouse.strength.abs() > most);
+        let detached = is_new.then(|| self.detach(&[], true));
+        if is_new {
+            Arc::make_mut(&mut self.model).mouse = Some(mouse.clone());
+        }
+        self.around.mouse = Some(mouse);
+        detached.into_iter().for_each(|detached| self.attach(detached));
+        self.refresh();
+        Ok(DONE)
+    }
+}
+
+/// Errors: a number outside its range, or lists of another length than that of what is named.
+fn check_change(to: &BondChange, count: usize) -> Result<(), CommandError> {
+    let at_least_0 = |x: f64| x >= 0.0 && x.is_finite();
+    let lists = [
+        ("rest", &to.rest_length, "finite and >= 0"),
+        ("stiffness", &to.stiffness, "finite and >= 0"),
+        ("damping", &to.damping, "finite and >= 0"),
+    ];
+    for (name, list, range) in lists {
+        list.iter().try_for_each(|list| values(name, list, count, (at_least_0, range)))?;
+    }
+    if let Some(list) = &to.relaxation {
+        values("relaxation", list, count, (|x| x > 0.0 && x <= 1.0, "above 0 and at most 1"))?;
+    }
+    if let Some(list) = &to.max_correction {
+        values("max_correction", list, count, (|x| x >= 0.0, ">= 0"))?;
+    }
+    if let Some(list) = &to.break_strain {
+        values("break_strain", list, count, (|x| x > 0.0, "> 0"))?;
+    }
+    Ok(())
+}
+
+impl BondChange {
+    /// What the k-th bond that is named becomes.
+    ///
+    /// Errors: a number that its kind has not.
+    fn applied(&self, bond: Bond, k: usize) -> Result<Bond, &'static str> {
+        let of = |values: &Option<Values>| values.as_ref().map(|values| value(values, k));
+        let kind = match (self.kind, bond.kind) {
+            (None, kind) => kind,
+            (Some(Kind::Rigid), _) => BondKind::Rigid,
+            (Some(Kind::Spring), kind @ BondKind::Spring { .. }) => kind,
+            (Some(Kind::Spring), _) => BondKind::Spring { stiffness: STIFFNESS, damping: 0.0 },
+            (Some(Kind::Relaxed), kind @ BondKind::Relaxed { .. }) => kind,
+            (Some(Kind::Relaxed), _) => BondKind::Relaxed { relaxation: 1.0, max_correction: f64::INFINITY },
+        };
+        let is_spring = matches!(kind, BondKind::Spring { .. });
+        let is_relaxed = matches!(kind, BondKind::Relaxed { .. });
+        if !is_spring && (self.stiffness.is_some() || self.damping.is_some()) {
+            return Err("is no spring: it has no stiffness and no damping");
+        }
+        if !is_relaxed && (self.relaxation.is_some() || self.max_correction.is_some()) {
+            return Err("is not relaxed: it has no relaxation and no largest correction");
+        }
+        let kind = match kind {
+            BondKind::Rigid => BondKind::Rigid,
+            BondKind::Spring { stiffness, damping } => BondKind::Spring {
+                stiffness: of(&self.stiffness).unwrap_or(stiffness),
+                damping: of(&self.damping).unwrap_or(damping),
+            },
+            BondKind::Relaxed { relaxation, max_correction } => BondKind::Relaxed {
+                relaxation: of(&self.relaxation).unwrap_or(relaxation),
+                max_correction: of(&self.max_correction).unwrap_or(max_correction),
+            },
+        };
+        Ok(Bond {
+            kind,
+            rest_length: of(&self.rest_length).unwrap_or(bond.rest_length),
+            break_strain: of(&self.break_strain).unwrap_or(bond.break_strain),
+            limit: self.limit.unwrap_or(bond.limit),
+            ..bond
+        })
+    }
+}

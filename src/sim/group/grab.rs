@@ -1,0 +1,128 @@
+//! A grab: a critically damped spring that leads the middle of some points to the cursor, by a bounded force.
+//!
+//! With e = target - x, the acceleration that the middle of the points is to have is
+//!
+//! ```text
+//! a = w^2 e + 2 w (v_target - v) + i,   i' = w^3/8 e
+//! ```
+//!
+//! where the last term feeds a steady load forward, so that nothing sags. The force is that of the mass that is led: the body's, as
+//! far as a substep can bear it, and at most [`MOST_G`] times the weight of what is held. It is the same for all points
+//! per mass, constant within a substep.
+
+use super::Group;
+use super::engine::Engine;
+use crate::sim::environment::Environment;
+use crate::sim::points::Points;
+use crate::sim::real::Real;
+use crate::sim::vector::{add, convert, length, scale, sub, widen, zero};
+
+/// The grab's frequency w [rad/s]: it follows the hand within a tenth of a second.
+const FREQUENCY: f64 = 20.0;
+/// Most of w times a substep: beyond, the spring itself would be unstable.
+const MOST_PHASE: f64 = 0.3;
+/// Longest substep of a group that is grabbed [s].
+const LONGEST: f64 = 1.0 / 480.0;
+/// Most force, in weights of the points that are held: they are neither flung nor torn out.
+const MOST_G: f64 = 50.0;
+/// Gravity that the bound is measured in [m/s^2].
+const G: f64 = 9.81;
+/// Most of what the damper changes of a velocity in a substep: 2 would be the edge of stability.
+const MOST_DAMPING: f64 = 0.5;
+
+/// Points of a group that are grabbed.
+#[derive(Clone, Debug)]
+pub(crate) struct Grabbed<const D: usize> {
+    /// Places of free points in the group, ascending.
+    pub(crate) slots: Vec<u32>,
+    /// Mass of what hangs together with them [kg].
+    pub(crate) body_mass: f64,
+    /// From the cursor to where these points belong [m]: 0 where all that is grabbed is of one group.
+    pub(crate) offset: [f64; D],
+    /// What a steady load takes [m/s^2].
+    pub(crate) steady: [f64; D],
+    /// Acceleration of the points now [m/s^2].
+    pub(crate) acceleration: [f64; D],
+}
+
+impl<S: Real, const D: usize> Group<S, D> {
+    /// Longest substep [s].
+    pub(crate) fn longest(&self) -> f64 {
+        if self.grabbed.is_some() { self.substep.min(LONGEST) } else { self.substep }
+    }
+
+    /// Works out the grab's force for the substep of `h` from `t` [s], and gives it to engines that know no forces as a kick.
+    pub(crate) fn lead_grabbed(&mut self, around: &Environment<D>, (t, h): (f64, f64)) {
+        let Some(mut grabbed) = self.grabbed.take() else { return };
+        grabbed.aim(&self.points, around, (t, h));
+        let change: [S; D] = convert(grabbed.acceleration);
+        let kicks = match &mut self.engine {
+            Engine::Bulk(bulk) => {
+                bulk.reload();
+                true
+            }
+            Engine::Splitting(splitting) => !splitting.has_kicks(),
+            _ => false,
+        };
+        if kicks {
+            let gain = scale(change, S::from_f64(h));
+            for &slot in &grabbed.slots {
+                let v = &mut self.points.velocity[slot as usize];
+                *v = add(*v, gain);
+            }
+        } else {
+            if self.points.acceleration.is_empty() {
+                self.points.acceleration = vec![zero(); self.points.len()];
+            }
+            self.pull.led.clone_from(&grabbed.slots);
+            self.pull.lead = change;
+            self.engine.refresh();
+        }
+        self.grabbed = Some(grabbed);
+    }
+
+    /// Nothing is grabbed any more: what was keeps its velocity.
+    pub(crate) fn let_go(&mut self) {
+        self.grabbed = None;
+        self.pull.led.clear();
+        self.engine.refresh();
+    }
+}
+
+impl<const D: usize> Grabbed<D> {
+    /// Mean place and velocity of the points by mass, and their mass [m, m/s, kg].
+    pub(crate) fn middle<S: Real>(&self, points: &Points<S, D>) -> ([f64; D], [f64; D], f64) {
+        let (mut place, mut velocity, mut mass) = (zero(), zero(), 0.0);
+        for &slot in &self.slots {
+            let i = slot as usize;
+            let m = 1.0 / points.inverse_mass[i].to_f64();
+            place = add(place, scale(widen(points.position[i]), m));
+            velocity = add(velocity, scale(widen(points.velocity[i]), m));
+            mass += m;
+        }
+        (scale(place, 1.0 / mass), scale(velocity, 1.0 / mass), mass)
+    }
+
+    fn aim<S: Real>(&mut self, points: &Points<S, D>, around: &Environment<D>, (t, h): (f64, f64)) {
+        let (Some(now), Some(soon)) = (around.target(t), around.target(t + h)) else {
+            self.acceleration = zero();
+            return;
+        };
+        let (place, velocity, mass) = self.middle(points);
+        let w = FREQUENCY.min(MOST_PHASE / h);
+        // The whole body is to follow: of its mass as much as the damper can bear on the points that are held.
+        let share = (self.body_mass / mass).clamp(1.0, (MOST_DAMPING / (2.0 * w * h)).max(1.0));
+        let away = sub(add(now, self.offset), place);
+        let slower = sub(scale(sub(soon, now), 1.0 / h), velocity);
+        let wanted = add(add(scale(away, w * w), scale(slower, 2.0 * w)), self.steady);
+        let wanted = scale(wanted, share);
+        let size = length(wanted);
+        let most = MOST_G * G;
+        if size <= most {
+            self.acceleration = wanted;
+            self.steady = add(self.steady, scale(away, 0.125 * w * w * w * h));
+        } else {
+            self.acceleration = scale(wanted, most / size);
+        }
+    }
+}

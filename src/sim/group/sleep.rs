@@ -1,0 +1,111 @@
+//! Groups of islands that have come to rest sleep: they are not stepped until something reaches them.
+//!
+//! Sleep is a part of the step: it goes by the world's own time and by where points were, never by a clock, so that a run that
+//! is replayed sleeps and wakes as it did.
+
+use super::Group;
+use super::engine::Engine;
+use crate::sim::environment::Environment;
+use crate::sim::force::mouse::{self, Push};
+use crate::sim::measure;
+use crate::sim::real::Real;
+use crate::sim::vector::zero;
+
+/// How long all points must have stayed where they are before a group falls asleep [s].
+pub(crate) const STILL_TIME: f64 = 0.5;
+/// How far a point may be, within that time, from where it was at its beginning [m], along each axis: what moves more slowly than
+/// 0.1 mm/s for long is seen by nobody.
+pub(crate) const STILL_EXTENT: f64 = 5e-5;
+/// Times that a group which moves is looked at in [`STILL_TIME`]: the places of its points are copied as often.
+const LOOKS: f64 = 8.0;
+
+/// What a group knows of its own rest.
+///
+/// It falls asleep when no point has left the place that it had [`STILL_TIME`] ago by more than [`STILL_EXTENT`] at any step since,
+/// no cursor was in reach, nothing of it is grabbed and none of its pins is led any more. Speeds say nothing of that: one that
+/// turns around has none, and what rests on a floor may report some.
+#[derive(Clone, Debug)]
+pub(crate) struct Sleep<S, const D: usize> {
+    /// Where the points were at `since`; empty: that is still to be noted, not before `since`.
+    anchor: Vec<[S; D]>,
+    /// [s]
+    since: f64,
+    /// The point that moved last: it is looked at first.
+    mover: usize,
+    /// The box around its points, while it sleeps.
+    asleep: Option<[[S; D]; 2]>,
+}
+
+impl<S, const D: usize> Default for Sleep<S, D> {
+    fn default() -> Self {
+        Sleep { anchor: Vec::new(), since: f64::NEG_INFINITY, mover: 0, asleep: None }
+    }
+}
+
+impl<S: Real, const D: usize> Sleep<S, D> {
+    /// Whether all points stayed about where they were, and the place of one that did not.
+    fn left(&self, position: &[[S; D]]) -> Option<usize> {
+        let most = S::from_f64(STILL_EXTENT);
+        // A position that is not finite has left.
+        let has_left = |&i: &usize| {
+            let is_near = |k: usize| (position[i][k] - self.anchor[i][k]).abs() <= most;
+            !(0..D).all(is_near)
+        };
+        std::iter::once(self.mover).chain(0..position.len()).find(has_left)
+    }
+}
+
+impl<S: Real, const D: usize> Group<S, D> {
+    /// Looks at the group at time `t` [s], after a step. Costs one point where the one that moved last moves on.
+    pub(crate) fn doze(&mut self, around: &Environment<D>, t: f64) {
+        if self.is_asleep() {
+            return;
+        }
+        let is_disturbed = self.grabbed.is_some()
+            || self.tracks.iter().any(|(_, track)| track.moves_after(t))
+            || around.mouse_at(t).is_some_and(|(force, cursor)| mouse::reaches(&self.points, force, cursor));
+        if is_disturbed {
+            return self.wake();
+        }
+        let Group { points, sleep, .. } = self;
+        if sleep.anchor.is_empty() {
+            if t >= sleep.since {
+                sleep.anchor.clone_from(&points.position);
+                sleep.since = t;
+            }
+        } else if let Some(mover) = sleep.left(&points.position) {
+            *sleep = Sleep { since: t + STILL_TIME / LOOKS, mover, ..Sleep::default() };
+        } else if t - sleep.since >= STILL_TIME {
+            self.fall_asleep();
+        }
+    }
+
+    /// Its points are at rest where they are.
+    fn fall_asleep(&mut self) {
+        self.sleep = Sleep { asleep: measure::extent(&self.points.position), ..Sleep::default() };
+        self.points.velocity.fill(zero());
+        self.points.velocity_lost.fill(zero());
+        if let Engine::Bulk(bulk) = &mut self.engine {
+            bulk.reload();
+        }
+        self.engine.refresh();
+    }
+
+    /// Whether it sleeps, as one without points always does.
+    pub(crate) fn is_asleep(&self) -> bool {
+        self.sleep.asleep.is_some() || self.points.len() == 0
+    }
+
+    /// Wakes if the mouse at time `t` [s] can reach it, or it is grabbed.
+    pub(crate) fn wake_if_reached(&mut self, around: &Environment<D>, t: f64) {
+        let is_reached = |bounds| around.mouse_at(t).is_some_and(|(force, at)| Push::new(force, at).reaches(bounds));
+        if self.sleep.asleep.is_some_and(is_reached) || (self.grabbed.is_some() && self.is_asleep()) {
+            self.wake();
+        }
+    }
+
+    /// Wakes, or goes on being awake.
+    pub(crate) fn wake(&mut self) {
+        self.sleep = Sleep::default();
+    }
+}

@@ -1,0 +1,219 @@
+//! A world as the rest of the program sees it.
+
+use super::World;
+use super::saved::of_any;
+use crate::sim::bond::PointId;
+use crate::sim::bonds::Bonds;
+use crate::sim::command::{Applied, Command, CommandError};
+use crate::sim::contact::polygon::Polygon;
+use crate::sim::counters::Counters;
+use crate::sim::dynamics::{Dynamics, GrabView, Sample};
+use crate::sim::force::mouse::{self, Cursor, MouseForce};
+use crate::sim::group::Group;
+use crate::sim::measure;
+use crate::sim::model::ModelError;
+use crate::sim::plan_part::PlanPart;
+use crate::sim::points::Points;
+use crate::sim::real::{Positions, Precision, Real};
+use crate::sim::saved::SavedWorld;
+use crate::sim::vector::{embed, widen};
+
+impl<S: Real, const D: usize> World<S, D> {
+    /// Whether the mouse is still to be moved by its track, or the cursor along its line.
+    fn mouse_moves(&self) -> bool {
+        let t = self.timeline.time();
+        self.around.mouse.as_ref().is_some_and(|mouse| match mouse.track.knots.is_empty() {
+            true => self.around.cursor.is_some_and(|path| path.moves_after(t)),
+            false => mouse.track.moves_after(t),
+        })
+    }
+}
+
+impl<S: Real, const D: usize> Dynamics for World<S, D> {
+    fn dimensions(&self) -> usize {
+        D
+    }
+
+    fn point_count(&self) -> usize {
+        self.count()
+    }
+
+    fn precision(&self) -> Precision {
+        S::PRECISION
+    }
+
+    fn time(&self) -> f64 {
+        self.timeline.time()
+    }
+
+    fn substep(&self) -> f64 {
+        self.timeline.substep()
+    }
+
+    fn step(&mut self) {
+        self.step_by(self.timeline.substep());
+        self.timeline.advance();
+        self.rest();
+    }
+
+    fn step_until(&mut self, time: f64) {
+        let (t, h) = (self.timeline.time(), self.timeline.substep());
+        if t + h <= time + 1e-9 * h {
+            return self.step();
+        }
+        if time <= t {
+            return;
+        }
+        self.step_by(time - t);
+        self.timeline.advance_to(time);
+        self.rest();
+    }
+
+    fn apply(&mut self, command: &Command) -> Result<Applied, CommandError> {
+        self.edit(command)
+    }
+
+    fn topology(&self) -> u64 {
+        self.topology
+    }
+
+    fn gone(&self) -> &[PointId] {
+        &self.numbers.gone
+    }
+
+    fn bond_numbers(&self) -> Option<&[u32]> {
+        self.numbers.bonds.as_ref().map(|numbers| &numbers[..])
+    }
+
+    fn obstacle_numbers(&self) -> [&[u32]; 2] {
+        self.numbers.obstacles.each_ref().map(|list| &list[..])
+    }
+
+    fn next_numbers(&self) -> [u32; 3] {
+        [self.count() as u32, self.numbers.next_bond, self.numbers.next_obstacle]
+    }
+
+    fn cursor(&self) -> Option<Cursor> {
+        self.around.cursor.map(|path| path.at(self.timeline.time()))
+    }
+
+    fn grab(&self) -> Option<GrabView> {
+        self.grab_view()
+    }
+
+    fn sample(&self, time: f64) -> Sample {
+        let rest = time - self.timeline.time();
+        let mut copy = self.clone();
+        if rest > self.timeline.substep() * 1e-9 {
+            copy.step_by(rest);
+            copy.timeline.advance_to(time);
+        }
+        for group in &mut copy.plan.groups {
+            group.hold_velocity();
+            group.centre_velocity(&copy.around, time);
+        }
+        copy.present()
+    }
+
+    fn positions(&self) -> Positions<'_> {
+        let own = || self.plan.groups.first().map_or(&[][..], |group| &group.points.position);
+        let positions: &[[S; D]] = if self.plan.is_plain { own() } else { &self.gathered };
+        S::flat(positions.as_flattened())
+    }
+
+    fn bonds(&self) -> &Bonds {
+        &self.bonds
+    }
+
+    fn pinned(&self) -> &[PointId] {
+        &self.model.pinned
+    }
+
+    fn masses(&self) -> &[f64] {
+        &self.model.mass
+    }
+
+    fn bounds(&self) -> Option<[[f64; 3]; 2]> {
+        self.model.bounds.map(|bounds| [embed(bounds.min), embed(bounds.max)])
+    }
+
+    fn planes(&self) -> Vec<[[f64; 3]; 2]> {
+        self.model.planes.iter().map(|plane| [embed(plane.point), embed(plane.normal)]).collect()
+    }
+
+    fn polygons(&self) -> &[Polygon] {
+        &self.model.polygons
+    }
+
+    fn mouse(&self) -> Option<(&MouseForce, Cursor)> {
+        self.around.mouse_at(self.timeline.time())
+    }
+
+    fn mouse_force(&self) -> Option<&MouseForce> {
+        self.around.mouse.as_ref()
+    }
+
+    fn energy(&self) -> f64 {
+        let of = |list: fn(&Points<S, D>) -> &[[S; D]]| {
+            move |i: usize| {
+                self.slot(i).map_or([0.0; D], |[group, slot]| widen(list(&self.plan.groups[group].points)[slot]))
+            }
+        };
+        let (position, velocity) = (of(|points| &points.position), of(|points| &points.velocity));
+        measure::energy(position, velocity, &self.inverse_mass, &self.bonds, self.around.gravity)
+    }
+
+    fn counters(&self) -> &Counters {
+        &self.counters
+    }
+
+    fn heap_bytes(&self) -> usize {
+        let groups: usize = self.plan.groups.iter().map(|group| group.heap_bytes()).sum();
+        let own = self.plan.slots.capacity() * 8 + self.gathered.capacity() * size_of::<[S; D]>();
+        let model = 16 * self.model.mass.capacity() + 4 * self.model.pinned.capacity();
+        groups + own + model + self.bonds.heap_bytes()
+    }
+
+    fn parts(&self) -> &[PlanPart] {
+        &self.plan.parts
+    }
+
+    fn warnings(&self) -> &[String] {
+        &self.warnings
+    }
+
+    fn is_asleep(&self) -> bool {
+        !self.mouse_moves() && self.plan.groups.iter().all(Group::is_asleep)
+    }
+
+    fn wake(&mut self) {
+        self.plan.groups.iter_mut().for_each(Group::wake);
+    }
+
+    fn is_still(&self, speed: f64) -> bool {
+        let t = self.timeline.time();
+        let track_moves = self.mouse_moves() || self.model.pin_motion.iter().any(|(_, track)| track.moves_after(t));
+        let groups = &self.plan.groups;
+        let reached = |(force, cursor)| groups.iter().any(|group| mouse::reaches(&group.points, force, cursor));
+        !track_moves
+            && groups.iter().all(|group| measure::is_slower(&group.points, speed))
+            && !self.mouse().is_some_and(reached)
+    }
+
+    fn is_finite(&self) -> bool {
+        let is_fine = |points: &[[S; D]]| points.as_flattened().iter().all(|x| x.is_finite());
+        self.plan.groups.iter().all(|group| is_fine(&group.points.position))
+    }
+
+    fn save(&self) -> Option<SavedWorld> {
+        of_any(self.saved())
+    }
+
+    fn rebase(&mut self) -> Result<(), ModelError> {
+        self.restart()
+    }
+
+    fn boxed_clone(&self) -> Box<dyn Dynamics> {
+        Box::new(self.clone())
+    }
+}

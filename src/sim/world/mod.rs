@@ -1,0 +1,107 @@
+//! A world: the state of a scene and the plan that moves it.
+//!
+//! What a world is made of (the model that is left, its bonds and numbers) and what moves it (the plan) change together, by
+//! [`edit`](super::edit) alone; what is large and seldom changes is shared by the copies of a world.
+
+mod face;
+pub(crate) mod saved;
+mod start;
+mod state;
+
+use std::sync::Arc;
+
+use super::bond::PointId;
+use super::bonds::Bonds;
+use super::contact::obstacles::Obstacles;
+use super::counters::Counters;
+use super::dynamics::Dynamics;
+use super::environment::Environment;
+use super::model::{Model, ModelError};
+use super::plan::{self, Plan};
+use super::real::Real;
+use super::timeline::Timeline;
+
+/// A running scene, generic over its scalar and its dimension: one source for all four.
+#[derive(Clone, Debug)]
+pub struct World<S: Real, const D: usize> {
+    pub(crate) plan: Plan<S, D>,
+    pub(crate) timeline: Timeline,
+    pub(crate) around: Environment<D>,
+    pub(crate) obstacles: Obstacles<S, D>,
+    pub(crate) counters: Counters,
+    /// The bonds that are left.
+    pub(crate) bonds: Arc<Bonds>,
+    /// What is left of the model, but for positions, velocities and bonds.
+    pub(crate) model: Arc<Model<D>>,
+    /// 1/m of every point, 0 where it is pinned or gone [1/kg].
+    pub(crate) inverse_mass: Arc<Vec<f64>>,
+    pub(crate) numbers: Numbers,
+    /// Points of the scene when the world began, which rules go by.
+    pub(crate) scene_points: usize,
+    /// Positions in the order of the model; empty where the first group has them so.
+    gathered: Vec<[S; D]>,
+    pub(crate) warnings: Vec<String>,
+    /// How often points, bonds, pins or obstacles came, went or changed.
+    pub(crate) topology: u64,
+    /// Whether what is grabbed is to be looked for again.
+    pub(crate) grabbed: Vec<PointId>,
+}
+
+/// The numbers that commands know things by.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Numbers {
+    /// Of the bonds that are left, ascending; `None`: each has its own place.
+    pub(crate) bonds: Option<Arc<Vec<u32>>>,
+    /// Of the planes and the polygons that are left.
+    pub(crate) obstacles: [Vec<u32>; 2],
+    /// Points that are gone, ascending.
+    pub(crate) gone: Arc<Vec<PointId>>,
+    /// What the next bond and the next obstacle get.
+    pub(crate) next_bond: u32,
+    pub(crate) next_obstacle: u32,
+}
+
+impl Numbers {
+    fn of<const D: usize>(model: &Model<D>) -> Self {
+        let [planes, polygons] = [model.planes.len() as u32, model.polygons.len() as u32];
+        let obstacles = match &model.obstacle_numbers {
+            [a, b] if a.len() == planes as usize && b.len() == polygons as usize => model.obstacle_numbers.clone(),
+            _ => [(0..planes).collect(), (planes..planes + polygons).collect()],
+        };
+        Numbers {
+            bonds: None,
+            obstacles,
+            gone: Arc::default(),
+            next_bond: model.bonds.len() as u32,
+            next_obstacle: planes + polygons,
+        }
+    }
+
+    /// The place of a bond among those that are left.
+    pub(crate) fn place_of_bond(&self, number: u32) -> Option<usize> {
+        match &self.bonds {
+            Some(numbers) => numbers.binary_search(&number).ok(),
+            None => (number < self.next_bond).then_some(number as usize),
+        }
+    }
+
+    /// The number of the bond at a place.
+    pub(crate) fn of_bond(&self, place: usize) -> u32 {
+        self.bonds.as_ref().map_or(place as u32, |numbers| numbers[place])
+    }
+
+    pub(crate) fn is_gone(&self, point: u32) -> bool {
+        self.gone.binary_search(&PointId(point)).is_ok()
+    }
+}
+
+/// A world for a model, its scalar as the method says.
+///
+/// Errors: as [`Model::check`].
+pub fn build<const D: usize>(model: &Model<D>) -> Result<Box<dyn Dynamics>, ModelError> {
+    Ok(if plan::is_single(model) {
+        Box::new(World::<f32, D>::new(model)?)
+    } else {
+        Box::new(World::<f64, D>::new(model)?)
+    })
+}

@@ -1,0 +1,84 @@
+//! The state of a world in the order of the model, gathered from its groups.
+
+use super::World;
+use crate::sim::dynamics::Sample;
+use crate::sim::measure;
+use crate::sim::plan::NOWHERE;
+use crate::sim::points::{Points, State};
+use crate::sim::real::Real;
+use crate::sim::vector::{embed, widen, zero};
+
+impl<S: Real, const D: usize> World<S, D> {
+    /// How many points there are, those that are gone counted too.
+    pub(crate) fn count(&self) -> usize {
+        self.inverse_mass.len()
+    }
+
+    /// Where a point is: its group and its place there; `None` where it is gone.
+    pub(crate) fn slot(&self, point: usize) -> Option<[usize; 2]> {
+        if self.plan.is_plain {
+            return Some([0, point]);
+        }
+        let slot = self.plan.slots[point];
+        (slot != NOWHERE).then(|| slot.map(|place| place as usize))
+    }
+
+    /// The state of some points.
+    pub(crate) fn state_of(&self, points: impl Iterator<Item = usize> + Clone) -> State<S, D> {
+        let pick = |list: fn(&Points<S, D>) -> &[[S; D]]| {
+            // Large bodies have no list of what rounding takes; what is gone has nothing.
+            let of = |point: usize| {
+                let [group, slot] = self.slot(point)?;
+                list(&self.plan.groups[group].points).get(slot).copied()
+            };
+            points.clone().map(|point| of(point).unwrap_or(zero())).collect()
+        };
+        State {
+            position: pick(|points| &points.position),
+            velocity: pick(|points| &points.velocity),
+            position_lost: pick(|points| &points.position_lost),
+            velocity_lost: pick(|points| &points.velocity_lost),
+        }
+    }
+
+    /// Where a point is [m].
+    pub(crate) fn place(&self, point: usize) -> [f64; D] {
+        self.slot(point).map_or([f64::NAN; D], |[group, slot]| widen(self.plan.groups[group].points.position[slot]))
+    }
+
+    /// Copies positions into the order of the model, where the groups have another. Those of points that are gone are no numbers.
+    pub(crate) fn gather(&mut self) {
+        if self.plan.is_plain {
+            return self.gathered.clear();
+        }
+        let World { plan, gathered, .. } = self;
+        let of = |&[group, slot]: &[u32; 2]| match plan.groups.get(group as usize) {
+            Some(group) => group.points.position[slot as usize],
+            None => [S::from_f64(f64::NAN); D],
+        };
+        gathered.clear();
+        gathered.extend(plan.slots.iter().map(of));
+    }
+
+    /// The state now, in `f64`.
+    pub(super) fn present(&self) -> Sample {
+        let state = self.state_of(0..self.count());
+        let position: Vec<[f64; D]> = state.position.iter().map(|&x| widen(x)).collect();
+        let velocity: Vec<[f64; D]> = state.velocity.iter().map(|&v| widen(v)).collect();
+        let is_gone = |i: usize| self.slot(i).is_none();
+        let said = |(i, x): (usize, [f64; D])| if is_gone(i) { [f64::NAN; 3] } else { embed(x) };
+        Sample {
+            time: self.timeline.time(),
+            energy: measure::energy(
+                |i| position[i],
+                |i| velocity[i],
+                &self.inverse_mass,
+                &self.bonds,
+                self.around.gravity,
+            ),
+            max_strain: measure::max_strain(&position, &self.bonds),
+            position: position.into_iter().enumerate().map(said).collect(),
+            velocity: velocity.into_iter().enumerate().map(said).collect(),
+        }
+    }
+}

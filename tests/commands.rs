@@ -1,0 +1,495 @@
+//! What commands do to a running world: what they name changes, all else keeps its bits, and a refused one changes nothing.
+#![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic, reason = "a test that cannot go on stops")]
+
+#[path = "common/commands.rs"]
+mod random;
+
+use random::Generator;
+use wobble::scene::Scene;
+use wobble::sim::{
+    Addition, Bond, BondChange, BondId, BondKind, Bounds, Change, Command, CommandError, Cursor, Dynamics, Method,
+    Model, Motion, MouseForce, Obstacle, PointId, Polygon, Profile, Reach, Region, Sample, SceneChange, Selection,
+    Track, Values, build,
+};
+
+fn spring(a: u32, b: u32, rest: f64) -> Bond {
+    Bond { kind: BondKind::Spring { stiffness: 400.0, damping: 2.0 }, ..Bond::new(PointId(a), PointId(b), rest) }
+}
+
+/// Braced squares of side 1 side by side, 4 m apart: springs, rigid ones in turn.
+fn boxes(count: u32) -> Model<2> {
+    let mut model = Model {
+        gravity: [0.0, -9.81],
+        bounds: Some(Bounds { min: [-10.0, 0.0], max: [100.0, 20.0], restitution: 0.3, friction: 0.4 }),
+        ..Model::default()
+    };
+    for k in 0..count {
+        let (x, first) = (4.0 * f64::from(k), 4 * k);
+        model.position.extend([[x, 1.0], [x + 1.0, 1.1], [x + 1.0, 2.1], [x, 2.0]]);
+        for (a, b) in [(0, 1), (1, 2), (2, 3), (3, 0), (0, 2), (1, 3)] {
+            let rest = if a + 2 == b { 2.0_f64.sqrt() } else { 1.0 };
+            let bond = spring(first + a, first + b, rest);
+            let is_rigid = k % 2 == 1 && (a, b) != (1, 3);
+            model.bonds.push(if is_rigid { Bond { kind: BondKind::Rigid, ..bond } } else { bond });
+        }
+    }
+    model.velocity = vec![[0.5, 0.0]; model.position.len()];
+    model.mass = vec![1.0; model.position.len()];
+    model
+}
+
+fn steps(world: &mut dyn Dynamics, seconds: f64) {
+    let end = world.time() + seconds;
+    while world.time() + 0.5 * world.substep() < end {
+        world.step();
+    }
+}
+
+fn now(world: &dyn Dynamics) -> Sample {
+    world.sample(world.time())
+}
+
+/// Bits of points' positions and velocities.
+fn bits(sample: &Sample, points: std::ops::Range<usize>) -> Vec<[u64; 3]> {
+    let both = points.clone().map(|i| sample.position[i]).chain(points.map(|i| sample.velocity[i]));
+    both.map(|x| x.map(f64::to_bits)).collect()
+}
+
+fn numbers(range: std::ops::Range<u32>) -> Vec<PointId> {
+    range.map(PointId).collect()
+}
+
+/// A braced square as an addition.
+fn square(first: u32, [x, y]: [f64; 2]) -> Command {
+    let bonds = [(0, 1), (1, 2), (2, 3), (3, 0), (0, 2)];
+    let length = |a: u32, b: u32| if a + 2 == b { 2.0_f64.sqrt() } else { 1.0 };
+    Command::Add(Box::new(Addition {
+        position: vec![[x, y, 0.0], [x + 1.0, y, 0.0], [x + 1.0, y + 1.0, 0.0], [x, y + 1.0, 0.0]],
+        velocity: vec![[0.0; 3]; 4],
+        mass: vec![1.0; 4],
+        bonds: bonds.iter().map(|&(a, b)| spring(first + a, first + b, length(a, b))).collect(),
+        ..Addition::default()
+    }))
+}
+
+#[test]
+fn islands_that_an_edit_does_not_name_keep_their_bits() {
+    let edits: Vec<(&str, Command)> = vec![
+        ("pin", Command::Pin(vec![PointId(9)])),
+        ("cut", Command::Cut { from: [7.5, 1.2], to: [10.0, 1.3] }),
+        ("delete a point", Command::Delete(Selection { points: vec![PointId(10)], ..Selection::default() })),
+        ("delete a bond", Command::Delete(Selection { bonds: vec![BondId(13)], ..Selection::default() })),
+        ("add", square(24, [40.0, 3.0])),
+        (
+            "move",
+            Command::Move(Motion {
+                points: numbers(8..12),
+                obstacles: Vec::new(),
+                by: [0.3, 2.0, 0.0],
+                turn: 0.4,
+                scale: 1.2,
+                about: None,
+            }),
+        ),
+        (
+            "mass",
+            Command::Set(Change::Points { points: vec![PointId(8)], mass: Some(Values::Same(3.0)), velocity: None }),
+        ),
+        (
+            "stiffness",
+            Command::Set(Change::Bonds {
+                bonds: vec![BondId(12)],
+                to: Box::new(BondChange { stiffness: Some(Values::Same(50.0)), ..BondChange::default() }),
+            }),
+        ),
+    ];
+    let model = boxes(6);
+    for (name, edit) in edits {
+        let mut plain = build(&model).unwrap();
+        let mut edited = build(&model).unwrap();
+        steps(&mut *plain, 0.3);
+        steps(&mut *edited, 0.3);
+        assert!(edited.apply(&edit).unwrap().is_something, "{name}");
+        steps(&mut *plain, 0.7);
+        steps(&mut *edited, 0.7);
+        let (plain, edited) = (now(&*plain), now(&*edited));
+        for far in [0..8, 12..24] {
+            assert_eq!(bits(&plain, far.clone()), bits(&edited, far), "{name}");
+        }
+        if name != "add" {
+            assert_ne!(bits(&plain, 8..12), bits(&edited, 8..12), "{name} does something");
+        }
+    }
+}
+
+#[test]
+fn numbers_are_stable_and_never_used_again() {
+    let mut world = build(&boxes(2)).unwrap();
+    world
+        .apply(&Command::Delete(Selection { points: vec![PointId(1)], bonds: vec![BondId(4)], ..Selection::default() }))
+        .unwrap();
+    assert_eq!(world.gone(), [PointId(1)]);
+    // Three bonds ended at the point.
+    let left = [2, 3, 6, 7, 8, 9, 10, 11];
+    assert_eq!(world.bond_numbers().unwrap(), left);
+    assert!(world.bonds().iter().all(|bond| bond.a != PointId(1) && bond.b != PointId(1)));
+    let applied = world.apply(&square(8, [20.0, 5.0])).unwrap();
+    assert_eq!((applied.points, applied.bonds), (8..12, 12..17));
+    assert_eq!(world.next_numbers(), [12, 17, 0]);
+    assert!(world.positions().get(2).is_nan() && world.positions().get(4).is_finite());
+    steps(&mut *world, 0.5);
+    assert!(world.is_finite());
+    let gone = world.apply(&Command::Pin(vec![PointId(1)]));
+    assert_eq!(gone, Err(CommandError::NoSuch { kind: "point", number: 1 }));
+    let gone = world.apply(&Command::Delete(Selection { bonds: vec![BondId(4)], ..Selection::default() }));
+    assert_eq!(gone, Err(CommandError::NoSuch { kind: "bond", number: 4 }));
+}
+
+#[test]
+fn a_pin_holds_and_lets_go_at_rest() {
+    let mut world = build(&boxes(1)).unwrap();
+    steps(&mut *world, 0.1);
+    world.apply(&Command::Pin(vec![PointId(3)])).unwrap();
+    let place = now(&*world).position[3];
+    assert_eq!(world.pinned(), [PointId(3)]);
+    steps(&mut *world, 0.5);
+    assert_eq!(now(&*world).position[3], place);
+    assert!(!world.apply(&Command::Pin(vec![PointId(3)])).unwrap().is_something, "it is held already");
+    world.apply(&Command::Unpin(vec![PointId(3)])).unwrap();
+    assert_eq!(now(&*world).velocity[3], [0.0; 3]);
+    steps(&mut *world, 0.5);
+    assert!(now(&*world).position[3][1] < place[1] - 0.1, "it falls");
+}
+
+#[test]
+fn a_cut_takes_what_it_crosses_and_leaves_the_mass() {
+    // A rope of six, cut between the third and the fourth.
+    let mut model = Model { gravity: [0.0, -9.81], ..Model::default() };
+    for i in 0..6_u32 {
+        model.position.push([f64::from(i), 0.0]);
+        if i > 0 {
+            model.bonds.push(Bond::new(PointId(i - 1), PointId(i), 1.0));
+        }
+    }
+    model.velocity = vec![[0.0; 2]; 6];
+    model.mass = vec![1.0; 6];
+    model.pinned = vec![PointId(0)];
+    let mut world = build(&model).unwrap();
+    assert!(!world.apply(&Command::Cut { from: [2.5, 1.0], to: [2.5, 0.5] }).unwrap().is_something);
+    world.apply(&Command::Cut { from: [2.5, 1.0], to: [2.5, -1.0] }).unwrap();
+    assert_eq!(world.bond_numbers().unwrap(), [0, 1, 3, 4]);
+    steps(&mut *world, 0.5);
+    let sample = now(&*world);
+    for i in 3..6 {
+        assert!((sample.position[i][1] + 0.5 * 9.81 * 0.25).abs() < 1e-9, "{i} falls freely");
+    }
+    let apart =
+        |i: usize, j: usize| (0..2).map(|k| (sample.position[i][k] - sample.position[j][k]).powi(2)).sum::<f64>();
+    assert!((apart(0, 1) - 1.0).abs() < 1e-9 && (apart(1, 2) - 1.0).abs() < 1e-9, "the rest hangs on");
+}
+
+#[test]
+fn obstacles_come_move_and_go() {
+    let drop = Model {
+        position: vec![[0.0, 2.0]],
+        velocity: vec![[0.0; 2]],
+        mass: vec![1.0],
+        gravity: [0.0, -10.0],
+        ..Model::default()
+    };
+    let slab = |y: f64| {
+        let loops = vec![vec![[-1.0, y - 0.5], [1.0, y - 0.5], [1.0, y], [-1.0, y]]];
+        Obstacle::Polygon(Polygon { loops, restitution: 0.0, friction: 0.5 })
+    };
+    let mut world = build(&drop).unwrap();
+    let added =
+        world.apply(&Command::Add(Box::new(Addition { obstacles: vec![slab(0.0)], ..Addition::default() }))).unwrap();
+    assert_eq!((added.obstacles, world.obstacle_numbers()), (0..1, [&[][..], &[0][..]]));
+    steps(&mut *world, 1.5);
+    assert!(now(&*world).position[0][1].abs() < 1e-6, "it lies on the slab");
+    let down =
+        Motion { points: Vec::new(), obstacles: vec![0], by: [0.0, -1.0, 0.0], turn: 0.0, scale: 1.0, about: None };
+    world.apply(&Command::Move(down)).unwrap();
+    steps(&mut *world, 1.5);
+    assert!((now(&*world).position[0][1] + 1.0).abs() < 1e-6, "and where that went");
+    world.apply(&Command::Delete(Selection { obstacles: vec![0], ..Selection::default() })).unwrap();
+    assert_eq!(world.polygons().len(), 0);
+    steps(&mut *world, 1.0);
+    assert!((now(&*world).position[0][1] + 6.0).abs() < 0.1, "then it falls freely: {:?}", now(&*world).position);
+}
+
+#[test]
+fn what_is_set_counts_from_now_on() {
+    let mut world = build(&boxes(1)).unwrap();
+    let scene = SceneChange { gravity: Some([1.0, 2.0, 0.0]), bounds: Some(None), ..SceneChange::default() };
+    world.apply(&Command::Set(Change::Scene(Box::new(scene)))).unwrap();
+    assert_eq!(world.bounds(), None);
+    let mean = |world: &dyn Dynamics, axis: usize| now(world).position.iter().map(|x| x[axis]).sum::<f64>() / 4.0;
+    let (x, y) = (mean(&*world, 0), mean(&*world, 1));
+    steps(&mut *world, 1.0);
+    let (t, h) = (world.time(), 1e-3);
+    assert!((mean(&*world, 0) - (x + 0.5 * t + 0.5 * t * t)).abs() < h && (mean(&*world, 1) - (y + t * t)).abs() < h);
+    let refused = world.apply(&Command::Set(Change::Bonds {
+        bonds: vec![BondId(0)],
+        to: Box::new(BondChange { relaxation: Some(Values::Same(0.5)), ..BondChange::default() }),
+    }));
+    assert!(matches!(refused, Err(CommandError::Invalid(why)) if why.contains("not relaxed")));
+}
+
+#[test]
+fn a_refused_command_leaves_the_world_whole() {
+    let mut world = build(&boxes(2)).unwrap();
+    steps(&mut *world, 0.2);
+    let before = now(&*world);
+    let bad = Addition {
+        position: vec![[f64::NAN, 0.0, 0.0]],
+        velocity: vec![[0.0; 3]],
+        mass: vec![1.0],
+        ..Addition::default()
+    };
+    let nowhere =
+        Motion { points: vec![PointId(99)], obstacles: Vec::new(), by: [0.0; 3], turn: 0.0, scale: 1.0, about: None };
+    let flat = Motion { points: vec![PointId(0)], scale: 0.0, ..nowhere.clone() };
+    for command in [
+        Command::Add(Box::new(bad)),
+        Command::Move(nowhere),
+        Command::Move(flat),
+        Command::Grab(Reach::Within(1.0)),
+        Command::Cursor { to: Some(Cursor::at([f64::INFINITY, 0.0])), by: 0.0 },
+        Command::Delete(Selection { obstacles: vec![7], ..Selection::default() }),
+        Command::Set(Change::Points { points: numbers(0..2), mass: Some(Values::Each(vec![1.0])), velocity: None }),
+    ] {
+        assert!(world.apply(&command).is_err(), "{command:?}");
+    }
+    assert_eq!(now(&*world), before);
+    assert_eq!(world.topology(), 0);
+}
+
+/// A point with a cursor at the origin, grabbed.
+fn grabbed(model: &Model<2>, points: Vec<PointId>, at: [f64; 2]) -> Box<dyn Dynamics> {
+    let mut world = build(model).unwrap();
+    world.apply(&Command::Cursor { to: Some(Cursor::at(at)), by: 0.0 }).unwrap();
+    world.apply(&Command::Grab(Reach::Points(points))).unwrap();
+    world
+}
+
+#[test]
+fn a_grab_leads_to_the_cursor_without_overshoot_and_holds_without_sag() {
+    let rope = |pinned: Vec<PointId>, kind: BondKind| {
+        let mut model = Model { gravity: [0.0, -9.81], drag_rate: 0.5, pinned, ..Model::default() };
+        for i in 0..8_u32 {
+            model.position.push([0.25 * f64::from(i), 0.0]);
+            if i > 0 {
+                model.bonds.push(Bond { kind, ..Bond::new(PointId(i - 1), PointId(i), 0.25) });
+            }
+        }
+        model.velocity = vec![[0.0; 2]; 8];
+        model.mass = vec![1.0; 8];
+        model
+    };
+    let loose = Model {
+        position: vec![[0.0, 0.0]],
+        velocity: vec![[0.0; 2]],
+        mass: vec![2.0],
+        gravity: [0.0, -9.81],
+        ..Model::default()
+    };
+    let spring = BondKind::Spring { stiffness: 2000.0, damping: 20.0 };
+    let cases = [
+        ("a loose point", loose.clone(), 0, [0.5, 0.5]),
+        ("a hung rope's end", rope(vec![PointId(0)], BondKind::Rigid), 7, [1.2, -0.3]),
+        ("a loose rope's end", rope(Vec::new(), BondKind::Rigid), 7, [1.75, 1.0]),
+        ("a soft rope's end", rope(vec![PointId(0)], spring), 7, [1.4, -0.3]),
+        ("a box on the floor", boxes(1), 0, [0.0, 3.0]),
+        (
+            "a rigid box",
+            Model { bonds: boxes(2).bonds.iter().filter(|bond| bond.a.0 >= 4).collect(), ..boxes(2) },
+            4,
+            [4.0, 4.0],
+        ),
+    ];
+    for (name, model, point, at) in cases {
+        let mut world = grabbed(&model, vec![PointId(point)], at);
+        steps(&mut *world, 6.0);
+        let mut worst = 0.0_f64;
+        for _ in 0..60 {
+            steps(&mut *world, 1.0 / 60.0);
+            let place = now(&*world).position[point as usize];
+            worst = worst.max((place[0] - at[0]).hypot(place[1] - at[1]));
+        }
+        let force = world.grab().unwrap().force;
+        assert!(worst < 0.02, "{name}: {worst} m off the cursor, force {force:?}");
+    }
+    // A loose point follows the closed form of the critically damped spring, gravity fed forward once it is known.
+    let still = Model { gravity: [0.0; 2], ..loose };
+    let mut world = grabbed(&still, vec![PointId(0)], [0.2, 0.0]);
+    let mut furthest = 0.0_f64;
+    for _ in 0..120 {
+        steps(&mut *world, 1.0 / 60.0);
+        furthest = furthest.max(now(&*world).position[0][0]);
+    }
+    assert!(furthest < 0.2 * 1.2, "it overshoots to {furthest}");
+}
+
+#[test]
+fn what_is_let_go_keeps_its_velocity_and_flies() {
+    let mut world = grabbed(&boxes(1), numbers(0..4), [0.5, 1.55]);
+    steps(&mut *world, 0.5);
+    world.apply(&Command::Cursor { to: Some(Cursor::at([4.5, 3.55])), by: world.time() + 0.5 }).unwrap();
+    steps(&mut *world, 0.5);
+    let before = now(&*world).velocity;
+    assert!(world.apply(&Command::Release).unwrap().is_something);
+    assert_eq!(now(&*world).velocity, before);
+    let speed = before.iter().map(|v| v[0]).sum::<f64>() / 4.0;
+    assert!((speed - 8.0).abs() < 1.0, "it goes with the hand, 8 m/s: {speed}");
+    assert!(world.grab().is_none() && !world.apply(&Command::Release).unwrap().is_something);
+    let from = now(&*world).position[0][0];
+    steps(&mut *world, 0.3);
+    assert!(now(&*world).position[0][0] - from > 1.5, "it flies");
+}
+
+#[test]
+fn a_grab_is_bounded_and_holds_on_through_edits() {
+    let mut world = grabbed(&boxes(2), vec![PointId(0)], [500.0, 0.5]);
+    steps(&mut *world, 0.05);
+    let force = world.grab().unwrap().force;
+    assert!(force[0].hypot(force[1]) <= 50.0 * 9.81 + 1e-6, "{force:?}");
+    world.apply(&Command::Cursor { to: Some(Cursor::at([1.0, 3.0])), by: 0.0 }).unwrap();
+    world.apply(&Command::Delete(Selection { bonds: vec![BondId(1)], ..Selection::default() })).unwrap();
+    steps(&mut *world, 5.0);
+    let place = now(&*world).position[0];
+    assert!((place[0] - 1.0).hypot(place[1] - 3.0) < 0.05, "{place:?}");
+    world.apply(&Command::Delete(Selection { points: vec![PointId(0)], ..Selection::default() })).unwrap();
+    assert!(world.grab().is_none(), "what is grabbed is gone");
+    steps(&mut *world, 0.5);
+    assert!(world.is_finite());
+}
+
+fn hovered(radius: f64) -> Model<2> {
+    let mouse =
+        MouseForce { strength: 60.0, radius, region: Region::Round, profile: Profile::Smooth, track: Track::default() };
+    Model { mouse: Some(mouse), gravity: [0.0; 2], bounds: None, ..boxes(1) }
+}
+
+#[test]
+fn the_cursor_goes_along_a_line_so_that_frame_rates_agree() {
+    let ends: Vec<Sample> = [30_u32, 60, 120]
+        .into_iter()
+        .map(|rate| {
+            let mut world = build(&hovered(1.0)).unwrap();
+            world.apply(&Command::Cursor { to: Some(Cursor::at([-3.0, 1.2])), by: 0.0 }).unwrap();
+            for frame in 1..=rate {
+                let t = f64::from(frame) / f64::from(rate);
+                world.apply(&Command::Cursor { to: Some(Cursor::at([-3.0 + 6.0 * t, 1.2])), by: t }).unwrap();
+                steps(&mut *world, 1.0 / f64::from(rate));
+            }
+            now(&*world)
+        })
+        .collect();
+    let apart = |a: &Sample, b: &Sample| {
+        let of = |(x, y): (&[f64; 3], &[f64; 3])| (x[0] - y[0]).hypot(x[1] - y[1]);
+        a.position.iter().zip(&b.position).map(of).fold(0.0, f64::max)
+    };
+    assert!(apart(&ends[0], &ends[1]) < 1e-9 && apart(&ends[0], &ends[2]) < 1e-9, "{}", apart(&ends[0], &ends[1]));
+    let still = now(&*build(&hovered(1.0)).unwrap());
+    assert!(apart(&ends[0], &still) > 0.3, "it moved");
+}
+
+#[test]
+fn a_fast_cursor_is_swept() {
+    // Across the body within one step: with the cursor's ends alone looked at, nothing would be pushed.
+    let mut model = hovered(0.4);
+    model.method = Method { substep: Some(1.0 / 60.0), ..Method::default() };
+    let mut world = build(&model).unwrap();
+    world.apply(&Command::Cursor { to: Some(Cursor::at([-4.0, 1.2])), by: 0.0 }).unwrap();
+    steps(&mut *world, 1.0 / 60.0);
+    let before = now(&*world).velocity;
+    world.apply(&Command::Cursor { to: Some(Cursor::at([6.0, 1.2])), by: world.time() + 1.0 / 60.0 }).unwrap();
+    steps(&mut *world, 1.0 / 60.0);
+    assert!(world.counters().mouse_points > 0);
+    let after = now(&*world).velocity;
+    assert!((0..4).any(|i| (after[i][1] - before[i][1]).abs() > 1e-3), "{after:?}");
+}
+
+#[test]
+fn a_turning_point_is_no_rest_and_what_rests_sleeps() {
+    // A pendulum of 4 s starts at its turning point, where it has no speed; one that hangs, still.
+    let swing = |angle: f64| Model {
+        position: vec![[0.0, 0.0], [4.0 * angle.sin(), -4.0 * angle.cos()]],
+        velocity: vec![[0.0; 2]; 2],
+        mass: vec![1.0; 2],
+        pinned: vec![PointId(0)],
+        bonds: [Bond::new(PointId(0), PointId(1), 4.0)].into(),
+        gravity: [0.0, -9.81],
+        method: Method { sleeps: true, ..Method::default() },
+        ..Model::default()
+    };
+    let mut world = build(&swing(0.01)).unwrap();
+    for _ in 0..600 {
+        steps(&mut *world, 1.0 / 60.0);
+        assert!(!world.is_asleep(), "at {} s", world.time());
+    }
+    let mut world = build(&swing(0.0)).unwrap();
+    steps(&mut *world, 1.0);
+    assert!(world.is_asleep());
+    let (substeps, place) = (world.counters().substeps, now(&*world).position);
+    steps(&mut *world, 1.0);
+    assert_eq!((world.counters().substeps, now(&*world).position), (substeps, place));
+    world.apply(&Command::Cursor { to: Some(Cursor::at([1.0, -4.0])), by: 0.0 }).unwrap();
+    assert!(world.is_asleep(), "there is no mouse force");
+    world.apply(&Command::Grab(Reach::Points(vec![PointId(1)]))).unwrap();
+    steps(&mut *world, 0.5);
+    assert!(now(&*world).position[1][0] > 0.5, "a grab wakes it");
+}
+
+#[test]
+fn skins_at_rest_on_the_floor_sleep() {
+    for name in ["ring", "pebble"] {
+        let scene = Scene::load(name).unwrap();
+        let mut world = scene.world(None).unwrap();
+        for _ in 0..30 {
+            if world.is_asleep() {
+                break;
+            }
+            steps(&mut *world, 1.0);
+        }
+        assert!(world.is_asleep(), "{name} is awake after 30 s");
+    }
+}
+
+#[test]
+fn random_commands_leave_a_world_that_agrees_with_itself() {
+    for seed in 0..40 {
+        let mut generator = Generator::new(seed);
+        let mut world = build(&boxes(3)).unwrap();
+        let (mut done, mut refused) = (0, 0);
+        for _ in 0..60 {
+            let command = generator.command(&*world);
+            match world.apply(&command) {
+                Ok(_) => done += 1,
+                Err(_) => refused += 1,
+            }
+            steps(&mut *world, 1.0 / 120.0);
+            agrees(&*world, &format!("seed {seed} after {command:?}"));
+        }
+        assert!(done > 20 && refused < 40, "seed {seed}: {done} done, {refused} refused");
+    }
+}
+
+/// Lists of a world that must fit each other.
+fn agrees(world: &dyn Dynamics, when: &str) {
+    let (points, dimensions) = (world.point_count(), world.dimensions());
+    assert_eq!(world.positions().len(), dimensions * points, "{when}");
+    assert_eq!(world.masses().len(), points, "{when}");
+    let is_gone = |i: usize| world.gone().binary_search(&PointId(i as u32)).is_ok();
+    for i in 0..points {
+        let is_number = (0..dimensions).all(|k| world.positions().get(dimensions * i + k).is_finite());
+        assert_eq!(is_number, !is_gone(i), "point {i}, {when}");
+    }
+    assert!(world.bonds().ends().iter().flatten().all(|end| end.index() < points && !is_gone(end.index())), "{when}");
+    assert!(world.pinned().iter().all(|pin| !is_gone(pin.index())), "{when}");
+    if let Some(numbers) = world.bond_numbers() {
+        assert_eq!(numbers.len(), world.bonds().len(), "{when}");
+        assert!(numbers.windows(2).all(|pair| pair[0] < pair[1]), "{when}");
+    }
+}
