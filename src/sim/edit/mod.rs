@@ -15,6 +15,7 @@ mod shift;
 use super::bond::PointId;
 use super::command::{Applied, Command, CommandError, Selection};
 use super::environment::CursorPath;
+use super::force::mouse::Cursor;
 use super::real::Real;
 use super::world::World;
 
@@ -31,7 +32,7 @@ fn invalid(message: impl Into<String>) -> CommandError {
 }
 
 impl<S: Real, const D: usize> World<S, D> {
-    /// Does a command, or says why it cannot be done: see [`Dynamics::apply`](super::Dynamics::apply).
+    /// Does a command, or says why it cannot be done: see [`Dynamics::apply`](super::dynamics::Dynamics::apply).
     pub(crate) fn edit(&mut self, command: &Command) -> Result<Applied, CommandError> {
         match command {
             Command::Cursor { to, by } => self.lead_cursor(*to, *by),
@@ -57,7 +58,7 @@ impl<S: Real, const D: usize> World<S, D> {
         }
     }
 
-    fn lead_cursor(&mut self, to: Option<super::Cursor>, by: f64) -> Result<Applied, CommandError> {
+    fn lead_cursor(&mut self, to: Option<Cursor>, by: f64) -> Result<Applied, CommandError> {
         let t = self.timeline.time();
         let numbers = to.iter().flat_map(|to| to.origin.iter().chain(&to.direction));
         if by.is_nan() || !numbers.copied().all(f64::is_finite) {

@@ -5,12 +5,12 @@ use std::sync::Arc;
 use super::add::check_surface;
 use super::check::{finite, value, values};
 use super::{Applied, CommandError, DONE, done, invalid};
-use crate::sim::bond::{Bond, BondKind};
+use crate::sim::bond::{Bond, BondId, BondKind, PointId};
 use crate::sim::bonds::Bonds;
 use crate::sim::command::{BondChange, Change, Kind, MouseChange, SceneChange, Values};
 use crate::sim::contact::bounds::Bounds;
 use crate::sim::force::mouse::{MouseForce, Profile, Region, Track};
-use crate::sim::model::Model;
+use crate::sim::model::{Method, Model};
 use crate::sim::real::Real;
 use crate::sim::vector::{convert, truncate, zero};
 use crate::sim::world::World;
@@ -32,7 +32,7 @@ impl<S: Real, const D: usize> World<S, D> {
 
     fn set_points(
         &mut self,
-        points: &[crate::sim::PointId],
+        points: &[PointId],
         (mass, velocity): (Option<&Values>, Option<&[[f64; 3]]>),
     ) -> Result<Applied, CommandError> {
         self.check_points(points)?;
@@ -72,7 +72,7 @@ impl<S: Real, const D: usize> World<S, D> {
         Ok(done(true))
     }
 
-    fn set_bonds(&mut self, bonds: &[crate::sim::BondId], to: &BondChange) -> Result<Applied, CommandError> {
+    fn set_bonds(&mut self, bonds: &[BondId], to: &BondChange) -> Result<Applied, CommandError> {
         let places = self.bond_places(bonds)?;
         if places.is_empty() || *to == BondChange::default() {
             return Ok(done(false));
@@ -135,7 +135,7 @@ impl<S: Real, const D: usize> World<S, D> {
             });
         }
         if let Some(method) = change.method {
-            model.method = crate::sim::Method { precision: model.method.precision, ..method };
+            model.method = Method { precision: model.method.precision, ..method };
         }
         model.check_surroundings().map_err(|error| invalid(error.to_string()))?;
         for (k, bond) in self.bonds.iter().enumerate() {
