@@ -3,7 +3,7 @@
 use super::friction::{Rub, rubs};
 use super::hold::{Grip, Hold};
 use super::part::{Part, extent, grain};
-use super::stride::way;
+use super::stride::largest_displacement;
 use super::system::{NEUTRAL, pattern};
 use super::{BALANCED, BALANCED_ENOUGH};
 use crate::sim::solve::blocks::Blocks;
@@ -89,7 +89,7 @@ impl<const D: usize> Descent<D> {
         while self.rounds < MOST_ROUNDS && !self.is_done {
             self.round();
             self.rounds += 1;
-            if way(&start, &self.x) > farthest {
+            if largest_displacement(&start, &self.x) > farthest {
                 (self.falls, self.is_done) = (true, true);
             }
         }
@@ -106,13 +106,13 @@ impl<const D: usize> Descent<D> {
         let (force, largest) = self.forces(&self.x);
         self.touch();
         self.factor();
-        let mut step = self.aim(force.clone());
+        let mut step = self.newton_step(force.clone());
         for _ in 0..MOST_REVISIONS {
             if !self.revise(&step) {
                 break;
             }
             self.factor();
-            step = self.aim(force.clone());
+            step = self.newton_step(force.clone());
         }
         let left = self.largest(&self.rubbed(self.left(force, &step.lambda, &self.x), &step.rubs));
         let tension =

@@ -32,7 +32,7 @@ impl<const D: usize> Part<D> {
             return;
         }
         let down = scale(self.gravity, 1.0 / g);
-        let mut way = f64::INFINITY;
+        let mut distance = f64::INFINITY;
         for surface in &self.surfaces {
             let lowest = self.position.iter().map(|&x| surface.gap(x)).fold(f64::INFINITY, f64::min);
             let closing = -dot(surface.normal, down);
@@ -40,11 +40,11 @@ impl<const D: usize> Part<D> {
                 return;
             }
             if closing > ALONG {
-                way = way.min(lowest.max(0.0) / closing);
+                distance = distance.min(lowest.max(0.0) / closing);
             }
         }
-        if way.is_finite() {
-            self.position.iter_mut().for_each(|x| *x = add(*x, scale(down, way)));
+        if distance.is_finite() {
+            self.position.iter_mut().for_each(|x| *x = add(*x, scale(down, distance)));
         }
     }
 }
@@ -55,12 +55,12 @@ impl<const D: usize> Part<D> {
 /// `across` are the directions that those chosen take away, orthonormal.
 fn can_fall<const D: usize>(down: [f64; D], surfaces: &[Surface<f64, D>], across: &mut Vec<[f64; D]>) -> bool {
     let along = |v: [f64; D], across: &[[f64; D]]| across.iter().fold(v, |v, n| sub(v, scale(*n, dot(v, *n))));
-    let way = along(down, across);
-    let steep = length(way);
+    let steepest = along(down, across);
+    let steep = length(steepest);
     if steep <= ALONG {
         return false;
     }
-    if surfaces.iter().all(|surface| dot(surface.normal, way) >= -ALONG * steep) {
+    if surfaces.iter().all(|surface| dot(surface.normal, steepest) >= -ALONG * steep) {
         return true;
     }
     if across.len() + 1 == D {

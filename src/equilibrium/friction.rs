@@ -80,15 +80,15 @@ impl<const D: usize> Rub<D> {
         })
     }
 
-    /// The force when the point has moved by `way` [N].
-    pub(super) fn force_after(&self, way: [f64; D], firm: f64) -> [f64; D] {
-        add(self.force, scale(self.along(way), self.grip(firm)))
+    /// The force when the point has moved by `displacement` [N].
+    pub(super) fn force_after(&self, displacement: [f64; D], firm: f64) -> [f64; D] {
+        add(self.force, scale(self.along(displacement), self.grip(firm)))
     }
 
-    /// What it adds to the merit when the point has moved by `way` [J].
-    pub(super) fn work(&self, way: [f64; D], firm: f64) -> f64 {
-        let along = self.along(way);
-        dot(self.force, way) + 0.5 * self.grip(firm) * dot(along, along)
+    /// What it adds to the merit when the point has moved by `displacement` [J].
+    pub(super) fn work(&self, displacement: [f64; D], firm: f64) -> f64 {
+        let along = self.along(displacement);
+        dot(self.force, displacement) + 0.5 * self.grip(firm) * dot(along, along)
     }
 }
 

@@ -95,8 +95,8 @@ pub fn settle<const D: usize>(model: &Model<D>) -> Result<Equilibrium<D>, ModelE
         residual = residual.max(if descent.falls { 0.0 } else { descent.residual });
         is_settled &= descent.is_settled();
     }
-    let position: Vec<[f64; D]> = start.stand_ins.iter().map(|&i| start.position[i as usize]).collect();
-    let falling = (0..position.len()).filter(|&i| falls[start.stand_ins[i] as usize]);
+    let position: Vec<[f64; D]> = start.representatives.iter().map(|&i| start.position[i as usize]).collect();
+    let falling = (0..position.len()).filter(|&i| falls[start.representatives[i] as usize]);
     Ok(Equilibrium {
         energy: measure::energy(|i| position[i], |_| [0.0; D], &inverse_masses(model), &model.bonds, model.gravity),
         max_strain: measure::max_strain(&position, &model.bonds),

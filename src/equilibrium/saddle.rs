@@ -29,10 +29,10 @@ impl<const D: usize> Descent<D> {
             return;
         }
         self.pushes += 1;
-        let way = self.falling_away();
+        let direction = self.falling_away();
         let to = |sign: f64| -> Vec<[f64; D]> {
             let size = sign * PUSH * extent(&self.x);
-            self.x.iter().zip(&way).map(|(&x, &way)| add(x, scale(way, size))).collect()
+            self.x.iter().zip(&direction).map(|(&x, &direction)| add(x, scale(direction, size))).collect()
         };
         let (one, other) = (to(1.0), to(-1.0));
         self.x = if self.merit(&one) <= self.merit(&other) { one } else { other };
@@ -42,12 +42,12 @@ impl<const D: usize> Descent<D> {
     fn falling_away(&mut self) -> Vec<[f64; D]> {
         let mut generator = Pcg32::seed_from_u64(1);
         let mut draw = || f64::from(generator.next_u32()) / f64::from(u32::MAX) - 0.5;
-        let mut way: Vec<[f64; D]> = self.x.iter().map(|_| std::array::from_fn(|_| draw())).collect();
+        let mut direction: Vec<[f64; D]> = self.x.iter().map(|_| std::array::from_fn(|_| draw())).collect();
         for _ in 0..ITERATIONS {
-            way = self.solve(way);
-            let size = way.iter().map(|&v| length(v)).fold(f64::MIN_POSITIVE, f64::max);
-            way.iter_mut().for_each(|v| *v = scale(*v, 1.0 / size));
+            direction = self.solve(direction);
+            let size = direction.iter().map(|&v| length(v)).fold(f64::MIN_POSITIVE, f64::max);
+            direction.iter_mut().for_each(|v| *v = scale(*v, 1.0 / size));
         }
-        way
+        direction
     }
 }

@@ -13,7 +13,7 @@ use crate::sim::plan::{inverse_masses, reconcile, weld};
 /// A model in parts.
 pub(super) struct Start<const D: usize> {
     /// For every point of the model the one that it is welded to.
-    pub(super) stand_ins: Vec<u32>,
+    pub(super) representatives: Vec<u32>,
     /// Positions of those at the start [m].
     pub(super) position: Vec<[f64; D]>,
     /// The islands.
@@ -23,28 +23,31 @@ pub(super) struct Start<const D: usize> {
 impl<const D: usize> Start<D> {
     pub(super) fn new(model: &Model<D>) -> Self {
         let w = inverse_masses(model);
-        let stand_ins = weld::merge(&model.bonds, &w);
+        let representatives = weld::merge(&model.bonds, &w);
         let mut mass = vec![0.0; w.len()];
         let mut is_pinned = vec![false; w.len()];
         let mut position = model.position.clone();
-        for (i, &stand_in) in stand_ins.iter().enumerate() {
-            mass[stand_in as usize] += model.mass[i];
+        for (i, &representative) in representatives.iter().enumerate() {
+            mass[representative as usize] += model.mass[i];
             if w[i] == 0.0 {
-                is_pinned[stand_in as usize] = true;
-                position[stand_in as usize] = model.position[i];
+                is_pinned[representative as usize] = true;
+                position[representative as usize] = model.position[i];
             }
         }
-        let stands =
-            |bond: Bond| Bond { a: PointId(stand_ins[bond.a.index()]), b: PointId(stand_ins[bond.b.index()]), ..bond };
-        let mut bonds: Bonds = model.bonds.iter().filter(acts).map(stands).collect();
+        let merged = |bond: Bond| Bond {
+            a: PointId(representatives[bond.a.index()]),
+            b: PointId(representatives[bond.b.index()]),
+            ..bond
+        };
+        let mut bonds: Bonds = model.bonds.iter().filter(acts).map(merged).collect();
         bonds.retain(|bond| bond.a != bond.b);
         // Pins, and points that another one stands for, are in no island.
-        let is_in = |i: usize| stand_ins[i] as usize == i && !is_pinned[i];
+        let is_in = |i: usize| representatives[i] as usize == i && !is_pinned[i];
         let held: Vec<f64> = (0..w.len()).map(|i| f64::from(u8::from(is_in(i)))).collect();
         reconcile(&mut bonds, &mut position.clone(), &held);
         let list = islands(&bonds, &held);
         let parts = list.iter().map(|island| part(model, island, &bonds, &mass, &position, &held)).collect();
-        Start { parts, stand_ins, position }
+        Start { parts, representatives, position }
     }
 }
 

@@ -52,7 +52,7 @@ impl<const D: usize> Descent<D> {
                 return true;
             }
             if bends < MOST_BENDS {
-                self.bend(&mut x, step, share);
+                self.project_displacements(&mut x, step, share);
             }
         }
         false
@@ -60,7 +60,7 @@ impl<const D: usize> Descent<D> {
 
     /// Moves points from where a straight step led to where bonds have the lengths that it was to bring: along the
     /// directions that they had before it, so that nothing turns once more.
-    fn bend(&mut self, x: &mut [[f64; D]], step: &Step<D>, share: f64) {
+    fn project_displacements(&mut self, x: &mut [[f64; D]], step: &Step<D>, share: f64) {
         let mut force = vec![[0.0; D]; x.len()];
         for spring in self.part.springs.iter().filter(|spring| spring.rest_length > 0.0) {
             let (a, b) = (spring.a as usize, spring.b as usize);
@@ -80,12 +80,12 @@ impl<const D: usize> Descent<D> {
             if hold.is_active { hold.grip_by(self.scale) * excess } else { 0.0 }
         };
         let pulls: Vec<f64> = self.holds.iter().map(excess).collect();
-        let back = self.solve(self.left(force, &pulls, &self.x));
-        x.iter_mut().zip(back).for_each(|(x, back)| *x = add(*x, back));
+        let corrections = self.solve(self.left(force, &pulls, &self.x));
+        x.iter_mut().zip(corrections).for_each(|(x, correction)| *x = add(*x, correction));
     }
 }
 
-/// The longest way of any point [m].
-pub(super) fn way<const D: usize>(from: &[[f64; D]], to: &[[f64; D]]) -> f64 {
+/// The largest displacement of any point [m].
+pub(super) fn largest_displacement<const D: usize>(from: &[[f64; D]], to: &[[f64; D]]) -> f64 {
     from.iter().zip(to).map(|(&a, &b)| length(sub(a, b))).fold(0.0, f64::max)
 }

@@ -94,7 +94,7 @@ impl<const D: usize> Descent<D> {
     }
 
     /// The step to where forces balance and holds are kept, by the matrix as it was last factored.
-    pub(super) fn aim(&mut self, force: Vec<[f64; D]>) -> Step<D> {
+    pub(super) fn newton_step(&mut self, force: Vec<[f64; D]>) -> Step<D> {
         let pulls = self.pulls(&self.x);
         let before: Vec<[f64; D]> = self.rubs.iter().map(|rub| rub.force).collect();
         let displacement = self.solve(self.rubbed(self.left(force, &pulls, &self.x), &before));
