@@ -75,11 +75,6 @@ impl Tree {
         self.branches[branch].own.get(place - self.shared(branch))
     }
 
-    /// All commands of a branch, in order.
-    pub(super) fn entries(&self, branch: usize) -> impl DoubleEndedIterator<Item = &Entry> {
-        (0..self.len(branch)).filter_map(move |place| self.entry(branch, place))
-    }
-
     /// How far a branch goes [s].
     pub(super) fn end(&self, branch: usize) -> f64 {
         self.branches[branch].end

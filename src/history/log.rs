@@ -71,10 +71,10 @@ impl Log {
             return wrong(format!("marks[{}]: times do not ascend: sort them", k + 1));
         }
         let last_mark = head.marks.last().map_or(0.0, |mark| mark.at);
+        let last = if head.is_end_open { last_mark } else { self.last.max(last_mark) };
         match head.end {
             Some(end) if !is_time(end) => wrong(format!("end: is {end:?}: give a time of 0 s or more")),
-            Some(end) if end < self.last.max(last_mark) && !self.is_cut => {
-                let last = self.last.max(last_mark);
+            Some(end) if end < last && !self.is_cut => {
                 wrong(format!("end: {end:?} s is before the last command or mark at {last:?} s: give a later one"))
             }
             _ => Ok(()),

@@ -8,6 +8,7 @@
 //! Nothing changes a world but a step and a command, and both do the same bits again: whatever time is gone back to is worked
 //! out from the nearest copy. This room knows no window and no clock.
 
+mod autosave;
 mod branch;
 pub mod chunk;
 mod command;
@@ -27,6 +28,7 @@ mod start;
 mod undo;
 mod write;
 
+pub use autosave::{Autosave, EVERY, Left};
 pub use branch::BranchView;
 pub use command::{DeleteKeys, Do, Entry, OneOrEach, SetKeys, VectorOrEach, Walls};
 pub use dress::Group;

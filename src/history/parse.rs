@@ -18,6 +18,8 @@ pub(super) struct Head {
     pub(super) scene: Option<Box<RawValue>>,
     pub(super) state: Option<Value>,
     pub(super) end: Option<f64>,
+    /// The end stands on a line of its own, as far as was known then: commands may follow it.
+    pub(super) is_end_open: bool,
     pub(super) view: Option<ViewKeys>,
     pub(super) marks: Vec<Mark>,
     pub(super) about: Option<Value>,
@@ -148,10 +150,12 @@ impl<'de> Visitor<'de> for Top<'_, '_> {
     fn visit_map<A: MapAccess<'de>>(self, mut map: A) -> Result<(), A::Error> {
         let reading = self.0;
         let mut command = Map::new();
+        let mut end = None;
+        let mut is_header = false;
         while let Some(key) = map.next_key::<String>()? {
             match key.as_str() {
                 "wobble_recording" => {
-                    reading.head.is_recording = true;
+                    (reading.head.is_recording, is_header) = (true, true);
                     let version: Value = map.next_value()?;
                     if version.as_u64() != Some(1) {
                         let message = format!(
@@ -162,7 +166,7 @@ impl<'de> Visitor<'de> for Top<'_, '_> {
                 }
                 "scene" => reading.head.scene = Some(map.next_value()?),
                 "state" => reading.head.state = Some(map.next_value()?),
-                "end" => reading.head.end = Some(map.next_value()?),
+                "end" => end = Some(map.next_value::<f64>()?),
                 "view" => reading.head.view = Some(map.next_value()?),
                 "marks" => reading.head.marks.append(&mut map.next_value()?),
                 "about" => reading.head.about = Some(map.next_value()?),
@@ -171,6 +175,14 @@ impl<'de> Visitor<'de> for Top<'_, '_> {
                     let value = map.next_value()?;
                     command.insert(key, value);
                 }
+            }
+        }
+        if let Some(end) = end {
+            (reading.head.end, reading.head.is_end_open) = (Some(end), !is_header);
+            if !is_header && end < reading.last {
+                let message =
+                    format!("end: {end:?} s is before the last command at {:?} s: give a later one", reading.last);
+                return Err(reading.stop(Stop::Wrong(message)));
             }
         }
         if command.contains_key("do") {

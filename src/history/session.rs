@@ -190,7 +190,12 @@ impl History {
         self.fork();
         let (number, name) = edit.map_or((None, None), |(number, name)| (Some(number), Some(name)));
         for act in commands {
-            self.tree.push(self.branch, Entry { at, act, edit: number, name: name.clone() });
+            let name = match &act {
+                // What a file calls a group is the name of its edit too.
+                Do::Group { name, .. } => number.map(|_| name.clone()),
+                _ => name.clone(),
+            };
+            self.tree.push(self.branch, Entry { at, act, edit: number, name });
             self.frame.place += 1;
         }
         self.dress();
@@ -291,19 +296,31 @@ impl History {
 
     /// All of the present branch as a file has it.
     pub fn recording(&self) -> Recording {
-        let entries = self.tree.entries(self.branch);
-        let (commands, end): (Vec<Entry>, f64) = if self.is_free {
-            (entries.take(self.frame.place).cloned().collect(), self.frame.world.time())
-        } else {
-            (entries.cloned().collect(), self.end())
-        };
+        let recording = self.unmarked();
+        let end = recording.end();
         let mut marks = self.tree.marks(self.branch);
         marks.retain(|mark| mark.at <= end);
-        let is_at_end = self.frame.place == commands.len() && self.frame.world.time() >= end;
+        let is_at_end = self.frame.place == recording.commands.len() && self.frame.world.time() >= end;
         if is_at_end && marks.last().is_none_or(|mark| mark.at < end) {
             marks.push(Mark { at: end, hash: hash_now(&*self.frame.world, end) });
         }
-        Recording { commands, end: Some(end), marks, ..self.scene.clone().into() }
+        Recording { marks, ..recording }
+    }
+
+    /// The same without marks.
+    pub(super) fn unmarked(&self) -> Recording {
+        let commands = self.entries(0..self.log().1).cloned().collect();
+        Recording { commands, end: Some(self.end()), ..self.scene.clone().into() }
+    }
+
+    /// The branch that a file has of it, and how many of its commands: of what was undone it has none.
+    pub(super) fn log(&self) -> (usize, usize) {
+        (self.branch, if self.is_free { self.frame.place } else { self.tree.len(self.branch) })
+    }
+
+    /// Some commands of the present branch.
+    pub(super) fn entries(&self, places: std::ops::Range<usize>) -> impl Iterator<Item = &Entry> {
+        places.filter_map(|place| self.tree.entry(self.branch, place))
     }
 
     /// Time of the start [s].

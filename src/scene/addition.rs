@@ -35,7 +35,7 @@ impl AddKeys {
     }
 
     fn made<const D: usize>(&self, scene: &Scene, world: &dyn Dynamics) -> Result<Made, Fault> {
-        let [first, ..] = world.next_numbers();
+        let first = world.next_numbers()[0].max(world.point_count() as u32);
         let alone = self.alone(scene);
         let model: Model<D> = alone.to_model()?;
         let count = first.checked_add(model.position.len() as u32);

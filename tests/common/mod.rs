@@ -2,9 +2,11 @@
 #![allow(dead_code, unreachable_pub, reason = "each test binary uses its part of this")]
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic, reason = "a test that cannot go on stops")]
 
+pub mod commands;
 pub mod golden;
 pub mod physics;
 pub mod picture;
+pub mod session;
 
 use std::io::Write;
 use std::path::PathBuf;
