@@ -8,8 +8,8 @@ use random::Generator;
 use wobble::scene::Scene;
 use wobble::sim::{
     Addition, Bond, BondChange, BondId, BondKind, Bounds, Change, Command, CommandError, Cursor, Dynamics, Method,
-    Model, Motion, MouseForce, Obstacle, PointId, Polygon, Profile, Reach, Region, Sample, SceneChange, Selection,
-    Track, Values, build,
+    Model, Motion, MouseChange, MouseForce, Obstacle, PointId, Polygon, Profile, Reach, Region, Sample, SceneChange,
+    Selection, Track, Values, build,
 };
 
 fn spring(a: u32, b: u32, rest: f64) -> Bond {
@@ -393,6 +393,25 @@ fn the_cursor_goes_along_a_line_so_that_frame_rates_agree() {
     assert!(apart(&ends[0], &ends[1]) < 1e-9 && apart(&ends[0], &ends[2]) < 1e-9, "{}", apart(&ends[0], &ends[1]));
     let still = now(&*build(&hovered(1.0)).unwrap());
     assert!(apart(&ends[0], &still) > 0.3, "it moved");
+}
+
+#[test]
+fn the_mouse_force_is_so_from_now_on_and_its_track_may_end() {
+    let mut model = hovered(1.0);
+    model.mouse.as_mut().unwrap().track = Track { knots: vec![(0.0, [-3.0, 1.2]), (10.0, [9.0, 1.2])] };
+    let mut world = build(&model).unwrap();
+    steps(&mut *world, 1.0);
+    let stronger = MouseChange { strength: Some(200.0), ..MouseChange::default() };
+    world.apply(&Command::Mouse(stronger)).unwrap();
+    let (force, at) = world.mouse().unwrap();
+    assert_eq!((force.strength, force.radius), (200.0, 1.0));
+    assert!((at.origin[0] + 3.0 - 1.2 * world.time()).abs() < 1e-9, "it goes on along its track");
+    world.apply(&Command::Mouse(MouseChange { ends_track: true, ..MouseChange::default() })).unwrap();
+    assert!(world.mouse().is_none(), "there is no live cursor");
+    let mut plain = build(&boxes(1)).unwrap();
+    assert!(plain.apply(&Command::Mouse(stronger)).is_err(), "without a radius there is none");
+    let whole = MouseChange { radius: Some(0.5), ..stronger };
+    assert!(plain.apply(&Command::Mouse(whole)).unwrap().is_something && plain.mouse_force().is_some());
 }
 
 #[test]

@@ -27,7 +27,7 @@ pub enum Do {
         /// When it is there [s]; at once if not said.
         by: Option<f64>,
     },
-    /// The mouse force changes, and its own track ends.
+    /// The mouse force changes.
     Mouse(MouseChange),
     /// A spring leads the middle of points to the cursor.
     Grab(Reach),

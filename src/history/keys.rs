@@ -276,7 +276,7 @@ fn mouse_keys(change: &MouseChange) -> MouseKeys {
             Profile::Smooth => ProfileName::Smooth,
             Profile::Linear => ProfileName::Linear,
         }),
-        track: None,
+        track: change.ends_track.then_some(()),
     }
 }
 
@@ -292,6 +292,7 @@ fn mouse_change(keys: MouseKeys) -> MouseChange {
             ProfileName::Smooth => Profile::Smooth,
             ProfileName::Linear => Profile::Linear,
         }),
+        ends_track: keys.track.is_some(),
     }
 }
 

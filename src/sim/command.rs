@@ -22,7 +22,7 @@ pub enum Command {
         /// When it is there [s], not before now.
         by: f64,
     },
-    /// The mouse force changes, and its own track ends. A world without one gets it from strength and radius.
+    /// The mouse force changes. A world without one gets it from strength and radius.
     Mouse(MouseChange),
     /// A spring leads the middle of points to the cursor.
     Grab(Reach),
@@ -62,6 +62,8 @@ pub struct MouseChange {
     pub region: Option<Region>,
     /// How the force falls off.
     pub profile: Option<Profile>,
+    /// Its own track ends: it goes with the live cursor.
+    pub ends_track: bool,
 }
 
 /// Which points a grab takes.

@@ -8,12 +8,12 @@ use wobble::sim::{
 };
 
 /// Draws commands.
-pub struct Generator {
+pub(crate) struct Generator {
     random: Pcg32,
 }
 
 impl Generator {
-    pub fn new(seed: u64) -> Self {
+    pub(crate) fn new(seed: u64) -> Self {
         Generator { random: Pcg32::seed_from_u64(seed) }
     }
 
@@ -86,7 +86,7 @@ impl Generator {
     }
 
     /// One command.
-    pub fn command(&mut self, world: &dyn Dynamics) -> Command {
+    pub(crate) fn command(&mut self, world: &dyn Dynamics) -> Command {
         match self.below(18) {
             0..4 => {
                 let to = if self.below(6) == 0 { None } else { Some(Cursor::at(self.place())) };

@@ -164,7 +164,7 @@ impl<S: Real, const D: usize> World<S, D> {
             radius: given("radius", change.radius, old.as_ref().map(|old| old.radius))?,
             region: change.region.or(old.as_ref().map(|old| old.region)).unwrap_or_default(),
             profile: change.profile.or(old.as_ref().map(|old| old.profile)).unwrap_or(Profile::Smooth),
-            track: Track::default(),
+            track: old.filter(|_| !change.ends_track).map_or(Track::default(), |old| old.track),
         };
         if !(mouse.strength.is_finite() && mouse.radius.is_finite() && mouse.radius > 0.0) {
             return Err(invalid("`strength` must be finite, `radius` finite and > 0"));
