@@ -278,3 +278,62 @@ fn a_disk_that_cannot_be_written_is_a_note_and_what_was_undone_is_not_saved() {
     saved.write(&history).unwrap();
     assert!(Log::open(saved.path()).unwrap().recording().unwrap().commands == history.recording().commands);
 }
+
+/// Positions and velocities now.
+fn motion(history: &History) -> (Vec<[f64; 3]>, Vec<[f64; 3]>) {
+    let sample = history.world().sample(history.world().time());
+    (sample.position, sample.velocity)
+}
+
+#[test]
+fn a_snapshot_goes_on_from_its_state_the_same_way_every_time() {
+    for name in ["rim", "spring-damper", "points"] {
+        let mut live = history(name);
+        play_at_random(&mut live, &mut Dice::new(3), 1.0);
+        live.give(vec![Do::Group { points: vec![PointId(0)], name: "first".into() }], Some("Group")).unwrap();
+        let mut text = Vec::new();
+        live.snapshot().unwrap().write_json(&mut text).unwrap();
+        let log = Log::of_text(std::str::from_utf8(&text).unwrap(), name).unwrap();
+        let open = || History::new(Start::from(log.recording().unwrap())).unwrap();
+        let mut first = open();
+        assert_eq!(first.world().time().to_bits(), live.world().time().to_bits());
+        // What is not a number is of points that are gone.
+        assert_eq!(format!("{:?}", motion(&first)), format!("{:?}", motion(&live)), "{name}");
+        assert_eq!(first.groups(), live.groups());
+        let mut second = open();
+        play(&mut first, 300);
+        play(&mut second, 300);
+        assert_eq!(hash(&first), hash(&second), "{name}");
+        // A session that began with a state is a recording like any other.
+        first.give(vec![strength(33.0)], Some("Mouse")).ok();
+        play(&mut first, 100);
+        let (late, made) = (hash(&first), first.recording());
+        let mut again = History::new(Start::from(made)).unwrap();
+        again.go_to(f64::from_bits(late.1));
+        assert_eq!(hash(&again), late, "{name}");
+    }
+}
+
+#[test]
+fn a_damaged_state_is_refused() {
+    let mut live = history("rim");
+    play(&mut live, 100);
+    let whole = live.snapshot().unwrap();
+    let state = whole.state.clone().unwrap();
+    let data = state["data"].as_str().unwrap();
+    let mut dice = Dice::new(5);
+    for _ in 0..200 {
+        let mut bytes = data.as_bytes().to_vec();
+        let at = dice.below(bytes.len() as u64) as usize;
+        if dice.below(2) == 0 {
+            bytes.truncate(at)
+        } else {
+            bytes[at] = b'A' + (dice.below(26) as u8)
+        }
+        let mut damaged = whole.clone();
+        damaged.state = Some(serde_json::json!({ "layout": 1, "data": String::from_utf8(bytes).unwrap() }));
+        // Whatever is damaged is noticed by the sum of the compressed bytes.
+        let opened = History::new(Start::from(damaged.clone()));
+        assert!(opened.is_err() || damaged.state.unwrap()["data"] == state["data"]);
+    }
+}

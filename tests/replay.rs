@@ -205,6 +205,8 @@ fn bad_commands_are_refused_with_number_time_and_reason() {
             "scene.gravty: unknown key: did you mean `gravity`?",
         ),
         (recording(THREE, "").replace("\"scene\": \"rim\",", ""), "the key `scene` is missing"),
+        (recording(THREE, ", \"state\": {\"layout\": 9, \"data\": \"\"}"), "state: has layout 9"),
+        (recording(THREE, ", \"state\": {\"layout\": 1, \"data\": \"AAAA\"}"), "state: is damaged"),
     ] {
         let path = file(&folder, "x.json", &whole);
         let line = refused(1, &["replay", text(&path), "--hash"]);
@@ -245,11 +247,30 @@ fn a_picture_that_was_drawn_carries_its_scene() {
     let path = file(&folder, "x.json", &recording(THREE, ", \"end\": 0.6"));
     let out = folder.path().join("shot.png");
     said(&["render", text(&path), "--time", "0.5", "--size", "160x120", "--out", text(&out)]);
-    let expected = said(&["replay", text(&path), "--time", "0.5", "--hash"]);
-    assert_eq!(said(&["simulate", text(&out), "--samples", "0.5", "--hash"]), expected);
+    // Its state is that of the last step before, and goes on from there.
+    let positions = |source: &Path, name: &str| {
+        let out = folder.path().join(name);
+        said(&["simulate", text(source), "--samples", "0.5", "--out", text(&out)]);
+        let table: serde_json::Value = serde_json::from_slice(&std::fs::read(&out).unwrap()).unwrap();
+        let rows = table["samples"][0]["position"].as_array().unwrap().clone();
+        rows.iter().flat_map(|x| [x[0].as_f64().unwrap(), x[1].as_f64().unwrap()]).collect::<Vec<f64>>()
+    };
+    let (shot, expected) = (positions(&out, "a.json"), positions(&path, "b.json"));
+    assert_eq!(shot.len(), expected.len());
+    assert!(shot.iter().zip(&expected).all(|(a, b)| (a - b).abs() < 1e-6), "{shot:?} {expected:?}");
     let png = std::fs::read(&out).unwrap();
     assert!(chunk::find(&png).unwrap().starts_with("{\n\"wobble_recording\""));
     assert_eq!(image::open(&out).unwrap().width(), 160);
+}
+
+#[test]
+fn the_readmes_recording_runs() {
+    let readme = include_str!("../README.md");
+    let text_of = readme.split("```json\n").find(|text| text.starts_with("{ \"wobble_recording\"")).unwrap();
+    let folder = tempfile::tempdir().unwrap();
+    let path = file(&folder, "x.json", text_of.split("```").next().unwrap());
+    let start = said(&["replay", text(&path), "--time", "0", "--hash"]);
+    assert_ne!(said(&["replay", text(&path), "--hash"]), start);
 }
 
 /// Damages a text: bytes go, come, change or are doubled.

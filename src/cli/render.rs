@@ -9,7 +9,7 @@ use image::{Delay, Frame, ImageFormat, RgbaImage};
 
 use super::{progress, values};
 use crate::app::opening;
-use crate::history::{Recording, Replay, Start, chunk};
+use crate::history::{Replay, Start, chunk};
 use crate::output;
 use crate::picture::Skin;
 use crate::render::{Camera, Capture, Look, Overlay, View};
@@ -90,7 +90,7 @@ pub(super) fn run(arguments: &Arguments, quiet: bool) -> anyhow::Result<()> {
         let picture = draw(&mut capture, (run.world(), &skins), time, u64::from(index), &camera, &look)?;
         if let Some(path) = arguments.out.as_ref().filter(|path| values::extension(path) == "png") {
             let path = if count == 1 { path.clone() } else { numbered(path, index) };
-            let scene = inside(start.recording(), time)?;
+            let scene = inside(&run)?;
             output::replace(&path, |to| write_png(&picture, &scene, to))?;
         }
         if !arguments.animations().is_empty() {
@@ -154,15 +154,11 @@ fn numbered(path: &Path, index: u32) -> PathBuf {
     path.with_file_name(format!("{stem}-{index:04}.png"))
 }
 
-/// The text of a recording up to `time` [s], which a picture carries.
-fn inside(recording: &Recording, time: f64) -> std::io::Result<String> {
-    let mut shown = recording.clone();
-    shown.commands.retain(|entry| entry.at <= time);
-    shown.marks.retain(|mark| mark.at <= time);
-    shown.end = Some(time);
+/// The text of the state that a picture shows, which it carries.
+fn inside(run: &Replay) -> anyhow::Result<String> {
     let mut text = Vec::new();
-    shown.write_json(&mut text)?;
-    String::from_utf8(text).map_err(std::io::Error::other)
+    run.snapshot().map_err(anyhow::Error::msg)?.write_json(&mut text)?;
+    Ok(String::from_utf8(text)?)
 }
 
 fn write_png(picture: &RgbaImage, scene: &str, to: &mut dyn Write) -> std::io::Result<()> {

@@ -20,11 +20,13 @@ mod keyframes;
 mod keys;
 mod log;
 mod mark;
+mod pack;
 mod parse;
 mod replay;
 mod resolve;
 mod session;
 mod start;
+mod state;
 mod undo;
 mod write;
 

@@ -1,7 +1,6 @@
 //! A recording run again, without a past of its own.
 
 use super::command::Entry;
-use super::dress::Dress;
 use super::error::{HistoryError, Refusal};
 use super::frame::Frame;
 use super::log::Log;
@@ -27,10 +26,7 @@ impl Replay {
     ///
     /// Errors: a scene that cannot be run, a state that cannot be gone on from.
     pub fn new(head: &Recording, label: &str) -> Result<Self, HistoryError> {
-        let world = head.world(label)?;
-        let dress = Dress::new(&head.scene, &*world)?;
-        let frame = Frame { world, dress, place: 0 };
-        Ok(Replay { frame, scene: head.scene.clone(), label: label.to_owned(), steps: 0 })
+        Ok(Replay { frame: head.begin(label)?, scene: head.scene.clone(), label: label.to_owned(), steps: 0 })
     }
 
     /// The world as it is now.
@@ -41,6 +37,13 @@ impl Replay {
     /// What is drawn on triangles now.
     pub fn skins(&self) -> Vec<Skin> {
         self.frame.dress.skins(&*self.frame.world)
+    }
+
+    /// A recording that begins at the present state.
+    ///
+    /// Errors: in words, why the state cannot be kept.
+    pub fn snapshot(&self) -> Result<Recording, String> {
+        Recording::snapshot(&self.scene, &self.frame)
     }
 
     /// Steps to the time of a command, which ends a step, and does it.

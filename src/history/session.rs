@@ -1,8 +1,10 @@
 //! The history of a running world.
 
+use serde_json::Value;
+
 use super::branch::{BranchView, Spot, Tree};
 use super::command::{Do, Entry};
-use super::dress::{Dress, Group};
+use super::dress::Group;
 use super::error::{HistoryError, Refusal};
 use super::frame::Frame;
 use super::keyframes::Keyframes;
@@ -24,6 +26,8 @@ const STEPS_BETWEEN: u64 = 200;
 /// branches.
 pub struct History {
     pub(super) scene: Scene,
+    /// The state that it began with, if not with the start of the scene.
+    state: Option<Value>,
     pub(super) frame: Frame,
     pub(super) tree: Tree,
     /// The branch that the world is on.
@@ -52,15 +56,15 @@ impl History {
     /// Errors: a scene that cannot be run, a state that cannot be gone on from.
     pub fn new(start: Start) -> Result<Self, HistoryError> {
         let Start { recording } = start;
-        let world = recording.world(recording.scene.name())?;
-        let dress = Dress::new(&recording.scene, &*world)?;
-        let from = world.time();
+        let frame = recording.begin(recording.scene.name())?;
+        let from = frame.world.time();
         let end = recording.end().max(from);
         let next_edit = recording.commands.iter().filter_map(|entry| entry.edit).max().map_or(0, |edit| edit + 1);
         let mut history = History {
-            frame: Frame { world, dress, place: 0 },
+            frame,
             tree: Tree::new(recording.commands, recording.marks, from, end),
             scene: recording.scene,
+            state: recording.state,
             branch: 0,
             is_free: false,
             keyframes: Keyframes::new(),
@@ -307,10 +311,17 @@ impl History {
         Recording { marks, ..recording }
     }
 
+    /// A recording that begins at the present state.
+    ///
+    /// Errors: in words, why the state cannot be kept.
+    pub fn snapshot(&self) -> Result<Recording, String> {
+        Recording::snapshot(&self.scene, &self.frame)
+    }
+
     /// The same without marks.
     pub(super) fn unmarked(&self) -> Recording {
         let commands = self.entries(0..self.log().1).cloned().collect();
-        Recording { commands, end: Some(self.end()), ..self.scene.clone().into() }
+        Recording { state: self.state.clone(), commands, end: Some(self.end()), ..self.scene.clone().into() }
     }
 
     /// The branch that a file has of it, and how many of its commands: of what was undone it has none.

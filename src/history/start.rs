@@ -7,12 +7,14 @@ use std::path::Path;
 use serde_json::Value;
 
 use super::chunk;
-use super::command::Entry;
+use super::command::{Do, Entry};
+use super::dress::{Dress, Group};
 use super::error::HistoryError;
+use super::frame::Frame;
 use super::log::{self, Log};
 use super::mark::Mark;
+use super::state;
 use crate::scene::Scene;
-use crate::sim::Dynamics;
 
 /// A start scene and the commands that were given, with their times.
 #[derive(Clone, Debug, PartialEq)]
@@ -63,15 +65,37 @@ impl About {
 }
 
 impl Recording {
-    /// The world that it begins with.
+    /// The world that it begins with, and what belongs to it.
     ///
-    /// Errors: a scene that cannot be run; a state, which this version cannot go on from.
-    pub(super) fn world(&self, label: &str) -> Result<Box<dyn Dynamics>, HistoryError> {
-        if self.state.is_some() {
-            let message = "state: is not in this version: leave it out, and the scene begins at its start";
-            return Err(HistoryError::file(label, message));
+    /// Errors: a scene that cannot be run; a state that is damaged or of a layout that is not known.
+    pub(super) fn begin(&self, label: &str) -> Result<Frame, HistoryError> {
+        let first = || self.scene.world(self.scene.duration);
+        let Some(state) = &self.state else {
+            let world = first()?;
+            return Ok(Frame { dress: Dress::new(&self.scene, &*world)?, world, place: 0 });
+        };
+        let world = state::go_on(state).map_err(|message| HistoryError::file(label, message))?;
+        if world.dimensions() != self.scene.dimensions() {
+            return Err(HistoryError::file(label, "state: has other dimensions than the scene: get the file anew"));
         }
-        Ok(self.scene.world(self.scene.duration)?)
+        // Triangles know the bonds of the scene's start, of which some may be gone by now.
+        let has_skins = !self.scene.skins()?.is_empty();
+        let dress = if has_skins { Dress::new(&self.scene, &*first()?)? } else { Dress::default() };
+        Ok(Frame { world, dress, place: 0 })
+    }
+
+    /// A recording that begins at the state of a frame and ends there.
+    ///
+    /// Errors: in words, why the state cannot be kept.
+    pub(super) fn snapshot(scene: &Scene, frame: &Frame) -> Result<Recording, String> {
+        let at = frame.world.time();
+        let group = |group: Group| {
+            let Group { name, points } = group;
+            Entry { at, act: Do::Group { points, name }, edit: None, name: None }
+        };
+        let commands = frame.dress.groups(&*frame.world).into_iter().map(group).collect();
+        let state = Some(state::keep(&*frame.world)?);
+        Ok(Recording { state, commands, end: Some(at), ..scene.clone().into() })
     }
 
     /// How far it goes [s].

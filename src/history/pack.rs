@@ -1,0 +1,261 @@
+//! Values as little-endian bytes, one after another, each type's fields in their order.
+
+use crate::sim::{
+    Bond, BondKind, Bonds, Bounds, Cursor, Limit, Method, Model, MouseForce, Order, Plane, PointId, Polygon, Precision,
+    Profile, Region, Saved, SavedWorld, Solver, Track,
+};
+
+/// What can be put behind some bytes and taken from there again.
+pub(super) trait Packed: Sized {
+    /// Puts it behind the bytes.
+    fn put(&self, to: &mut Vec<u8>);
+    /// Takes it from the front; `None` where the bytes are not enough, or none of it.
+    fn take(from: &mut &[u8]) -> Option<Self>;
+}
+
+macro_rules! numbers {
+    ($($number:ty),*) => {
+        $(impl Packed for $number {
+            fn put(&self, to: &mut Vec<u8>) {
+                to.extend(self.to_le_bytes());
+            }
+
+            fn take(from: &mut &[u8]) -> Option<Self> {
+                let (bytes, rest) = from.split_first_chunk()?;
+                *from = rest;
+                Some(Self::from_le_bytes(*bytes))
+            }
+        })*
+    };
+}
+
+numbers!(u8, u32, u64, f64);
+
+impl Packed for usize {
+    fn put(&self, to: &mut Vec<u8>) {
+        (*self as u64).put(to);
+    }
+
+    fn take(from: &mut &[u8]) -> Option<Self> {
+        usize::try_from(u64::take(from)?).ok()
+    }
+}
+
+impl Packed for bool {
+    fn put(&self, to: &mut Vec<u8>) {
+        u8::from(*self).put(to);
+    }
+
+    fn take(from: &mut &[u8]) -> Option<Self> {
+        match u8::take(from)? {
+            0 => Some(false),
+            1 => Some(true),
+            _ => None,
+        }
+    }
+}
+
+impl<T: Packed> Packed for Vec<T> {
+    fn put(&self, to: &mut Vec<u8>) {
+        self.len().put(to);
+        self.iter().for_each(|item| item.put(to));
+    }
+
+    fn take(from: &mut &[u8]) -> Option<Self> {
+        let count = usize::take(from)?;
+        // A damaged count must not ask for more than there is.
+        let mut list = Vec::with_capacity(count.min(from.len()));
+        for _ in 0..count {
+            list.push(T::take(from)?);
+        }
+        Some(list)
+    }
+}
+
+impl<T: Packed, const N: usize> Packed for [T; N] {
+    fn put(&self, to: &mut Vec<u8>) {
+        self.iter().for_each(|item| item.put(to));
+    }
+
+    fn take(from: &mut &[u8]) -> Option<Self> {
+        let mut items = Vec::with_capacity(N);
+        for _ in 0..N {
+            items.push(T::take(from)?);
+        }
+        items.try_into().ok()
+    }
+}
+
+impl<T: Packed> Packed for Option<T> {
+    fn put(&self, to: &mut Vec<u8>) {
+        u8::from(self.is_some()).put(to);
+        self.iter().for_each(|item| item.put(to));
+    }
+
+    fn take(from: &mut &[u8]) -> Option<Self> {
+        match u8::take(from)? {
+            0 => Some(None),
+            1 => T::take(from).map(Some),
+            _ => None,
+        }
+    }
+}
+
+impl<A: Packed, B: Packed> Packed for (A, B) {
+    fn put(&self, to: &mut Vec<u8>) {
+        self.0.put(to);
+        self.1.put(to);
+    }
+
+    fn take(from: &mut &[u8]) -> Option<Self> {
+        Some((A::take(from)?, B::take(from)?))
+    }
+}
+
+/// The fields of a type, in order.
+macro_rules! fields {
+    ($name:ident $(<$d:ident>)? { $($field:ident),* $(,)? }) => {
+        impl $(<const $d: usize>)? Packed for $name $(<$d>)? {
+            fn put(&self, to: &mut Vec<u8>) {
+                let $name { $($field),* } = self;
+                $($field.put(to);)*
+            }
+
+            fn take(from: &mut &[u8]) -> Option<Self> {
+                $(let $field = Packed::take(from)?;)*
+                Some($name { $($field),* })
+            }
+        }
+    };
+}
+
+fields!(Saved<D> {
+    model, precision, time, substep, scene_points, lost, gone, bond_numbers, next_numbers, cursor, grabbed, lead,
+});
+fields!(Model<D> {
+    position, velocity, mass, pinned, bonds, gravity, drag_rate, mouse, bounds, duration, planes, polygons,
+    obstacle_numbers, pin_motion, method,
+});
+fields!(Method { solver, substep, iterations, order, seed, precision, tolerance, max_strain, sleeps });
+fields!(MouseForce { strength, radius, region, profile, track });
+fields!(Track<D> { knots });
+fields!(Bounds<D> { min, max, restitution, friction });
+fields!(Plane<D> { point, normal, restitution, friction });
+fields!(Polygon { loops, restitution, friction });
+fields!(Cursor { origin, direction });
+fields!(Bond { a, b, rest_length, kind, limit, break_strain });
+
+impl Packed for PointId {
+    fn put(&self, to: &mut Vec<u8>) {
+        self.0.put(to);
+    }
+
+    fn take(from: &mut &[u8]) -> Option<Self> {
+        u32::take(from).map(PointId)
+    }
+}
+
+impl Packed for Bonds {
+    fn put(&self, to: &mut Vec<u8>) {
+        self.len().put(to);
+        self.iter().for_each(|bond| bond.put(to));
+    }
+
+    fn take(from: &mut &[u8]) -> Option<Self> {
+        let count = usize::take(from)?;
+        let mut bonds = Bonds::new();
+        for _ in 0..count {
+            bonds.push(Bond::take(from)?);
+        }
+        Some(bonds)
+    }
+}
+
+/// One of a few, by its place in a list that only ever grows.
+macro_rules! one_of {
+    ($($name:ident: $list:expr;)*) => {
+        $(impl Packed for $name {
+            fn put(&self, to: &mut Vec<u8>) {
+                let place = $list.iter().position(|one| one == self);
+                place.map_or(u8::MAX, |place| place as u8).put(to);
+            }
+
+            fn take(from: &mut &[u8]) -> Option<Self> {
+                $list.get(usize::from(u8::take(from)?)).copied()
+            }
+        })*
+    };
+}
+
+one_of! {
+    Limit: [Limit::Both, Limit::Max, Limit::Min];
+    Region: [Region::Round, Region::Square];
+    Profile: [Profile::Smooth, Profile::Linear];
+    Precision: [Precision::Auto, Precision::F32, Precision::F64];
+    Order: [Order::Auto, Order::Fixed, Order::Symmetric, Order::Coloured, Order::Shuffled];
+}
+
+impl Packed for Solver {
+    fn put(&self, to: &mut Vec<u8>) {
+        self.name().as_bytes().to_vec().put(to);
+    }
+
+    fn take(from: &mut &[u8]) -> Option<Self> {
+        let name = Vec::<u8>::take(from)?;
+        Solver::ALL.into_iter().find(|solver| solver.name().as_bytes() == name)
+    }
+}
+
+impl Packed for BondKind {
+    fn put(&self, to: &mut Vec<u8>) {
+        match *self {
+            BondKind::Rigid => 0u8.put(to),
+            BondKind::Spring { stiffness, damping } => {
+                1u8.put(to);
+                [stiffness, damping].put(to);
+            }
+            BondKind::Relaxed { relaxation, max_correction } => {
+                2u8.put(to);
+                [relaxation, max_correction].put(to);
+            }
+        }
+    }
+
+    fn take(from: &mut &[u8]) -> Option<Self> {
+        Some(match u8::take(from)? {
+            0 => BondKind::Rigid,
+            1 => {
+                let [stiffness, damping] = Packed::take(from)?;
+                BondKind::Spring { stiffness, damping }
+            }
+            2 => {
+                let [relaxation, max_correction] = Packed::take(from)?;
+                BondKind::Relaxed { relaxation, max_correction }
+            }
+            _ => return None,
+        })
+    }
+}
+
+impl Packed for SavedWorld {
+    fn put(&self, to: &mut Vec<u8>) {
+        match self {
+            SavedWorld::Plane(saved) => {
+                2u8.put(to);
+                saved.put(to);
+            }
+            SavedWorld::Space(saved) => {
+                3u8.put(to);
+                saved.put(to);
+            }
+        }
+    }
+
+    fn take(from: &mut &[u8]) -> Option<Self> {
+        match u8::take(from)? {
+            2 => Saved::take(from).map(SavedWorld::Plane),
+            3 => Saved::take(from).map(SavedWorld::Space),
+            _ => None,
+        }
+    }
+}
