@@ -11,7 +11,7 @@ use std::sync::Arc;
 use std::time::Duration;
 
 use criterion::{Criterion, criterion_group, criterion_main};
-use wobble::picture::{Picture, Settings, Size, Skin, decode, encode, mesh_picture};
+use wobble::picture::{Picture, Settings, Size, Skin, Watch, decode, encode, mesh_picture};
 use wobble::render::{Camera, Capture, Look, RenderError, View};
 use wobble::scene::{BodyKeys, Matter, PatternName, Scene};
 use wobble::sim::Dynamics;
@@ -42,7 +42,7 @@ fn file() -> Vec<u8> {
 fn scene(picture: &Arc<Picture>, settings: &Settings, pattern: PatternName) -> Scene {
     let material = Some(Matter::Soft.material(None));
     let keys = BodyKeys { material, pattern: Some(pattern), ..BodyKeys::cut(settings, 2.0, picture) };
-    Scene::of_drawing("dropped", Arc::clone(picture), keys, Matter::Soft).unwrap()
+    Scene::of_drawing("dropped", Arc::clone(picture), keys, Matter::Soft, &Watch::default()).unwrap()
 }
 
 fn step(world: &mut dyn Dynamics) {

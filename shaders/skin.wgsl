@@ -31,9 +31,14 @@ fn fragment(in: Skin) -> @location(0) vec4<f32> {
     return vec4(color.rgb, 1.0);
 }
 
-// Width of the stroke along free sides [px], and how dark it may be.
+// Width of the stroke along free sides [px].
 const EDGE: f32 = 1.6;
-const DARKEST: f32 = 0.35;
+// Along dark ink, which would be lost on the dark ground, it is a light rim: its width [px] and colour.
+const RIM: f32 = 2.4;
+const LIGHT: vec3<f32> = vec3(0.60, 0.67, 0.76);
+// Ink is dark below the first luminance [1], and not at all from the second on: the ground has 0.007, and 0.121 stands out
+// from it by a contrast of 3 : 1.
+const DARK: vec2<f32> = vec2(0.09, 0.17);
 
 // Free sides follow the triangles in the list: two corners each.
 @vertex
@@ -43,9 +48,11 @@ fn edge_vertex(@builtin(vertex_index) index: u32) -> Stroke {
     let b = corners[first + 1u];
     let middle = 0.5 * vec2(a.u + b.u, a.v + b.v);
     let color = textureSampleLevel(picture, smooth_sampler, middle, 0.0);
-    // Dark bodies would be lost on the dark ground.
-    let lift = max(DARKEST - dot(color.rgb, vec3(0.3, 0.6, 0.1)), 0.0);
-    return stroke(index % 6u, position_of(a.point), position_of(b.point), vec4(color.rgb + lift, 1.0), EDGE);
+    // About the luminance of a colour in sRGB.
+    let luminance = dot(color.rgb * color.rgb * (0.3 * color.rgb + 0.7), vec3(0.2126, 0.7152, 0.0722));
+    let rim = 1.0 - smoothstep(DARK.x, DARK.y, luminance);
+    let shown = vec4(mix(color.rgb, LIGHT, rim), 1.0);
+    return stroke(index % 6u, position_of(a.point), position_of(b.point), shown, mix(EDGE, RIM, rim));
 }
 
 @fragment

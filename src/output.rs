@@ -2,6 +2,7 @@
 
 use std::io::{BufWriter, Write};
 use std::path::{Path, PathBuf};
+use std::sync::{Mutex, MutexGuard, PoisonError};
 
 /// A file that could not be written; what stood there before is untouched.
 #[derive(Debug, thiserror::Error)]
@@ -13,10 +14,19 @@ pub struct OutputError {
     reason: String,
 }
 
+/// Held while a file is written.
+static WRITING: Mutex<()> = Mutex::new(());
+
+/// Waits until the file that is being written is whole; while what is returned lives, none is begun. For a program that is about to end.
+pub fn pause() -> MutexGuard<'static, ()> {
+    WRITING.lock().unwrap_or_else(PoisonError::into_inner)
+}
+
 /// Writes a file beside `path` and renames it to `path` when all of it is on the disk.
 ///
 /// Errors: whatever `write` or the file system answers; an older file at `path` then stays as it was.
 pub fn replace(path: &Path, write: impl FnOnce(&mut dyn Write) -> std::io::Result<()>) -> Result<(), OutputError> {
+    let _writing = pause();
     let attempt = || {
         // Through a link the file behind it is meant; a rename would put a file in the link's place.
         let target = std::fs::canonicalize(path).unwrap_or_else(|_| path.to_owned());

@@ -40,7 +40,7 @@ const ROOMS: [(&str, &[&str], &[&str]); 12] = [
     (
         "cli",
         &["sim", "equilibrium", "search", "body", "picture", "scene", "history", "render", "output", "app", "study"],
-        &["clap", "anyhow", "indicatif", "image", "serde_json", "tiny_skia"],
+        &["clap", "anyhow", "indicatif", "image", "serde_json", "signal_hook", "tiny_skia"],
     ),
 ];
 

@@ -258,3 +258,111 @@ fn the_readmes_scene_runs() {
     std::fs::write(&path, scene).unwrap();
     assert!(wobble(&["simulate", path.to_str().unwrap(), "--hash"]).status.success());
 }
+
+#[test]
+fn a_slip_of_a_command_is_told_from_a_scene() {
+    for call in [&["rendr", "rim"][..], &["rendr", "rim", "--time", "2"], &["rendr"]] {
+        let said = refused(call);
+        assert!(said.contains("did you mean `wobble render`?") && said.lines().count() == 1, "{call:?}: {said}");
+    }
+    assert!(refused(&["simulat", "rim", "--samples", "1"]).contains("`wobble simulate`"));
+    assert!(failure(&["rimm"]).contains("did you mean `rim`?"), "a scene's name");
+    assert!(refused(&["rim", "net"]).contains("net"), "two scenes are no command");
+}
+
+/// A picture of one colour.
+fn plain_picture(path: &Path, colour: [u8; 4]) {
+    let picture = wobble::picture::Picture::filled(60, 40, colour);
+    std::fs::write(path, wobble::picture::encode(&picture).unwrap()).unwrap();
+}
+
+#[test]
+fn pictures_that_cannot_be_had_are_refused_in_our_words() {
+    let folder = tempfile::tempdir().unwrap();
+    let [nothing, drawing, white] = ["nothere.png", "logo.svg", "white.png"].map(|name| folder.path().join(name));
+    std::fs::write(&drawing, "<?xml version=\"1.0\"?>\n<!-- mine -->\n<svg width=\"9\" height=\"9\"/>").unwrap();
+    plain_picture(&white, [255; 4]);
+    let [nothing, drawing, white] = [&nothing, &drawing, &white].map(|path| path.to_str().unwrap());
+    let said = failure(&["mesh", nothing, "--stats"]);
+    assert!(said.contains("nothere.png: cannot be found: check the path") && !said.contains("os error"), "{said}");
+    for call in [&["mesh", drawing, "--stats"][..], &["simulate", drawing, "--samples", "1", "--hash"], &[drawing]] {
+        let said = failure(call);
+        assert!(said.contains("logo.svg: is an SVG") && said.contains("export it as a PNG"), "{said}");
+    }
+    let said = failure(&["simulate", white, "--samples", "1", "--hash"]);
+    assert!(said.contains("nothing in the picture") && said.contains("`wobble mesh` has options for that"), "{said}");
+    let said = failure(&["mesh", white, "--stats"]);
+    assert!(said.contains("or invert") && !said.contains("wobble mesh"), "the options are there: {said}");
+    success(&["mesh", white, "--invert", "--stats"]);
+}
+
+#[test]
+fn grain_and_too_close_a_spacing_are_said_before_points_are_made() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("grain.png");
+    let mut picture = wobble::picture::Picture::filled(1600, 1200, [255; 4]);
+    let mut state = 1_u32;
+    for pixel in picture.rgba.chunks_exact_mut(4) {
+        state = state.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);
+        pixel[..3].fill((state >> 24) as u8);
+    }
+    std::fs::write(&path, wobble::picture::encode(&picture).unwrap()).unwrap();
+    let start = std::time::Instant::now();
+    let said = failure(&["mesh", path.to_str().unwrap(), "--stats"]);
+    assert!(said.contains("points") && said.contains("blur it"), "{said}");
+    assert!(start.elapsed().as_secs() < 30, "{:?}", start.elapsed());
+    let black = folder.path().join("black.png");
+    let picture = wobble::picture::Picture::filled(4000, 3000, [0, 0, 0, 255]);
+    std::fs::write(&black, wobble::picture::encode(&picture).unwrap()).unwrap();
+    let said = failure(&["mesh", black.to_str().unwrap(), "--spacing", "1", "--stats"]);
+    let advice = said.split("the most; ").nth(1).unwrap().split(" px would do").next().unwrap();
+    let spacing: f64 = advice.parse().unwrap_or_else(|_| panic!("{said}"));
+    assert!(spacing > 1.0 && spacing < 4.0, "{said}");
+}
+
+#[cfg(unix)]
+#[test]
+fn an_interrupt_ends_work_cleanly() {
+    let folder = tempfile::tempdir().unwrap();
+    let out = folder.path().join("x.json");
+    let mut running = Command::new(env!("CARGO_BIN_EXE_wobble"))
+        .args(["simulate", "net", "--samples", "10000", "--out", out.to_str().unwrap()])
+        .stderr(std::process::Stdio::piped())
+        .spawn()
+        .unwrap();
+    std::thread::sleep(std::time::Duration::from_millis(1500));
+    let interrupted = Command::new("kill").args(["-INT", &running.id().to_string()]).status().unwrap();
+    assert!(interrupted.success());
+    let start = std::time::Instant::now();
+    while running.try_wait().unwrap().is_none() {
+        assert!(start.elapsed().as_secs() < 10, "it goes on");
+        std::thread::sleep(std::time::Duration::from_millis(20));
+    }
+    let done = running.wait_with_output().unwrap();
+    assert_eq!(done.status.code(), Some(130));
+    assert!(text(&done.stderr).contains("wobble: stopped"));
+    assert_eq!(std::fs::read_dir(folder.path()).unwrap().count(), 0, "nothing is left");
+}
+
+#[test]
+fn a_tolerance_is_answered_in_few_digits() {
+    let done = wobble(&["simulate", "rim", "--samples", "0.05", "--tolerance", "1e-3", "--hash"]);
+    assert!(done.status.success(), "{}", text(&done.stderr));
+    let said = text(&done.stderr);
+    let digits = said.split("a substep of ").nth(1).unwrap().split(" s").next().unwrap();
+    assert!(digits.parse::<f64>().is_ok() && digits.len() <= 9, "{said}");
+}
+
+#[cfg(unix)]
+#[test]
+fn the_run_script_knows_every_command() {
+    let script = include_str!("../scripts/run");
+    let help = text(&wobble(&["--help"]).stdout);
+    let commands = help.split("Commands:").nth(1).unwrap().split("\n\n").next().unwrap();
+    let names: Vec<&str> = commands.lines().filter_map(|line| line.split_whitespace().next()).collect();
+    assert!(names.contains(&"mesh") && names.len() >= 7, "{names:?}");
+    for name in names {
+        let is_case = |line: &&str| line.contains(" kind=") && line.split([' ', ')']).any(|word| word == name);
+        assert_eq!(script.lines().filter(is_case).count(), 1, "{name} opens no window");
+    }
+}

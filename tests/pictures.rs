@@ -7,7 +7,7 @@ use std::path::{Path, PathBuf};
 use std::process::{Command, Output};
 use std::sync::Arc;
 
-use wobble::picture::{Picture, Settings, Size, encode, mesh_picture};
+use wobble::picture::{Picture, Settings, Size, Watch, encode, mesh_picture};
 use wobble::render::{Camera, Capture, Look, View};
 use wobble::scene::{BodyKeys, Matter, PatternName, Scene, Vector, gallery};
 use wobble::sim::Bond;
@@ -377,7 +377,8 @@ fn one_more_picture_lies_beside_what_is_there_and_one_cut_anew_in_its_place() {
     let keys = |spacing, height| {
         BodyKeys::cut(&Settings { size: Size::Spacing(spacing), ..Settings::default() }, height, &ink)
     };
-    let mut scene = Scene::of_drawing("disc", Arc::clone(&ink), keys(10.0, 1.0), Matter::Soft).unwrap();
+    let mut scene =
+        Scene::of_drawing("disc", Arc::clone(&ink), keys(10.0, 1.0), Matter::Soft, &Watch::default()).unwrap();
     let seen = [[-1.4, -0.8], [1.4, 1.0]];
     let middle = |scene: &Scene, body: usize| scene.bodies[body].origin.unwrap().embed();
     for count in 1..=2 {
@@ -414,6 +415,50 @@ fn shown(scene: &Scene) -> image::RgbaImage {
     let camera = Camera::fit([[-1.2, -1.0, 0.0], [1.2, 1.0, 0.0]], 2, [240, 200]);
     let view = View { skins: &skins, mouse: None, ..View::of(&*world) };
     Capture::new([240, 200], 2).unwrap().picture(&view, &camera, &skins_alone()).unwrap()
+}
+
+/// Relative luminance of a colour in sRGB [1].
+fn luminance(pixel: &image::Rgba<u8>) -> f64 {
+    let linear = |k: usize| {
+        let c = f64::from(pixel[k]) / 255.0;
+        if c <= 0.04045 { c / 12.92 } else { ((c + 0.055) / 1.055).powf(2.4) }
+    };
+    0.2126 * linear(0) + 0.7152 * linear(1) + 0.0722 * linear(2)
+}
+
+#[test]
+fn dark_ink_is_seen_on_the_dark_ground_and_light_ink_has_no_rim() {
+    if common::gpu().is_none() {
+        return;
+    }
+    let shown = |ink: [u8; 3]| {
+        let disc = Arc::new(picture([120, 120], ink, |x, y| (x - 60.0).hypot(y - 60.0) < 50.0));
+        let keys = BodyKeys::cut(&Settings::default(), 2.0, &disc);
+        let scene = Scene::of_drawing("disc", disc, keys, Matter::Soft, &Watch::default()).unwrap();
+        let (world, skins) = (scene.world(None).unwrap(), scene.skins().unwrap());
+        let camera = Camera::fit([[-1.2, -1.0, 0.0], [1.2, 1.0, 0.0]], 2, [240, 200]);
+        let view = View { skins: &skins, mouse: None, ..View::of(&*world) };
+        let look = Look { has_mesh: false, grid: [0.0; 4], axis: [0.0; 4], wall: [0.0; 4], ..Look::default() };
+        Capture::new([240, 200], 2).unwrap().picture(&view, &camera, &look).unwrap()
+    };
+    // From the middle outwards the lightest pixel, all around.
+    let edges = |drawn: &image::RgbaImage| -> Vec<f64> {
+        let along = |degrees: u32| {
+            let (sin, cos) = f64::from(degrees).to_radians().sin_cos();
+            let at = |r: u32| drawn.get_pixel((120.0 + f64::from(r) * cos) as u32, (100.0 + f64::from(r) * sin) as u32);
+            (20..99).map(|r| luminance(at(r))).fold(0.0, f64::max)
+        };
+        (0..360).step_by(5).map(along).collect()
+    };
+    let ground = luminance(shown([0; 3]).get_pixel(1, 1));
+    for ink in [[0; 3], [28, 30, 34], [70, 0, 0], [0, 40, 90], [20, 60, 20], [96, 96, 96]] {
+        let least = edges(&shown(ink)).into_iter().fold(f64::INFINITY, f64::min);
+        let contrast = (least + 0.05) / (ground + 0.05);
+        assert!(contrast >= 3.0, "{ink:?}: {contrast} : 1");
+    }
+    let light = shown([240, 150, 80]);
+    let own = luminance(light.get_pixel(120, 100));
+    assert!(edges(&light).iter().all(|&edge| (edge - own).abs() < 0.02), "nothing lighter than the ink itself");
 }
 
 /// Ink on white paper, with smooth edges as a pen leaves them: a blot, and a line that becomes a rope.

@@ -7,6 +7,7 @@ mod canvas;
 mod fetch;
 mod import;
 pub mod input;
+mod loading;
 pub mod meter;
 pub mod opening;
 mod panels;
@@ -15,6 +16,8 @@ mod session;
 mod shell;
 
 pub use shell::Statistics;
+
+use std::path::Path;
 
 use crate::render::RenderError;
 use crate::scene::{Scene, SceneError};
@@ -50,4 +53,16 @@ pub enum AppError {
 /// Errors: a scene that cannot be run, no display, no GPU.
 pub fn run(scene: Scene) -> Result<Statistics, AppError> {
     shell::run(Opened::new(scene)?)
+}
+
+/// The scene that a picture is waited for in.
+const WAITING: &str = r#"{"wobble": 1, "name": "picture", "view": {"center": [0, 0], "height": 4}}"#;
+
+/// Opens a window at once and a picture in it as soon as it is read: its scene, or the panel to cut it out by hand where it would have
+/// too many points.
+///
+/// Errors: no display, no GPU.
+pub fn run_picture(path: &Path) -> Result<Statistics, AppError> {
+    let waiting = Opened::new(Scene::parse(WAITING, "")?)?;
+    shell::run(Opened { picture: Some(path.to_owned()), ..waiting })
 }

@@ -62,6 +62,8 @@ pub struct Player {
     playing: bool,
     motion: u64,
     topology: u64,
+    /// Substeps taken before the last return to the start.
+    past_substeps: u64,
     /// How many bonds there were when the topology was last looked at.
     bond_count: usize,
 }
@@ -81,6 +83,7 @@ impl Player {
             playing: true,
             motion: 0,
             topology: 0,
+            past_substeps: 0,
         }
     }
 
@@ -158,6 +161,7 @@ impl Player {
     /// Back to the start, with the cursor where it is. Playing or paused stays as it is.
     pub fn reset(&mut self) {
         let cursor = self.world.mouse().map(|(_, cursor)| cursor);
+        self.past_substeps += self.world.counters().substeps;
         self.world = self.start.boxed_clone();
         let _ = self.world.apply(&Command::Cursor { to: cursor, by: 0.0 });
         self.ended = false;
@@ -188,6 +192,11 @@ impl Player {
     /// Whether the world sleeps.
     pub fn is_asleep(&self) -> bool {
         self.world.is_asleep()
+    }
+
+    /// Substeps taken since the scene was opened, whatever was returned from.
+    pub fn substeps(&self) -> u64 {
+        self.past_substeps + self.world.counters().substeps
     }
 
     /// The world.
@@ -322,8 +331,9 @@ mod tests {
         let mut player = player();
         play(&mut player, 1.0, 60);
         let first = player.world().sample(player.world().time());
+        let taken = player.substeps();
         player.reset();
-        assert_eq!(player.world().time(), 0.0);
+        assert_eq!((player.world().time(), player.substeps()), (0.0, taken), "what was done is not forgotten");
         play(&mut player, 1.0, 60);
         assert_eq!(player.world().sample(player.world().time()), first);
     }

@@ -2,6 +2,7 @@
 
 mod arrivals;
 
+use std::path::PathBuf;
 use std::sync::Arc;
 use std::time::{Duration, Instant};
 
@@ -12,6 +13,7 @@ use super::canvas::{Canvas, Paint};
 use super::fetch::Fetch;
 use super::import::Import;
 use super::input::{Action, Pointer};
+use super::loading::Loading;
 use super::meter::Meter;
 use super::opening;
 use super::panels::{self, Figures};
@@ -29,6 +31,8 @@ pub(super) struct Opened {
     pub(super) scene: Scene,
     pub(super) player: Player,
     pub(super) skins: Vec<Skin>,
+    /// A picture that is to be opened in its place.
+    pub(super) picture: Option<PathBuf>,
 }
 
 impl Opened {
@@ -39,7 +43,7 @@ impl Opened {
         let world = scene.world(scene.duration)?;
         let player = Player::new(world, scene.rate(), scene.duration);
         let skins = scene.skins()?;
-        Ok(Opened { scene, player, skins })
+        Ok(Opened { scene, player, skins, picture: None })
     }
 }
 
@@ -69,6 +73,8 @@ pub(super) struct Session {
     import: Option<Import>,
     /// A drawing that was closed before anything was made of it.
     kept: Option<Import>,
+    /// A picture that is being read and meshed.
+    loading: Option<Loading>,
     /// A file that is being chosen in the system's dialog, and what is on its way from the clipboard.
     dialog: Option<Fetch>,
     pasted: Option<Fetch>,
@@ -92,7 +98,7 @@ impl Session {
     pub(super) fn new(
         window: Arc<Window>,
         (display, waker): (OwnedDisplayHandle, EventLoopProxy<()>),
-        Opened { scene, player, skins }: Opened,
+        Opened { scene, player, skins, picture }: Opened,
     ) -> Result<Self, RenderError> {
         let canvas = Canvas::new(Arc::clone(&window), display.clone(), scene.dimensions())?;
         let size = canvas.size();
@@ -120,6 +126,7 @@ impl Session {
             panels_due: None,
             import: None,
             kept: None,
+            loading: None,
             dialog: None,
             pasted: None,
             complaint: warning,
@@ -133,6 +140,9 @@ impl Session {
         };
         if session.is_canvas() {
             session.paint();
+        }
+        if let Some(path) = picture {
+            session.loading = Some(Loading::scene(&path, session.wake_up()));
         }
         Ok(session)
     }
@@ -149,7 +159,7 @@ impl Session {
 
     /// Closes what lies over the world. Returns whether there was anything.
     pub(super) fn dismiss(&mut self) -> bool {
-        let was_open = self.complaint.take().is_some() || self.put_away();
+        let was_open = self.complaint.take().is_some() || self.loading.take().is_some() || self.put_away();
         if was_open {
             self.touch();
         }
@@ -307,6 +317,9 @@ impl Session {
         let output = context.run_ui(input, |ui| {
             (actions, height) = panels::show(ui, &figures);
             answer = self.import.as_mut().and_then(|import| import.show(ui.ctx(), can_add));
+            if self.loading.as_ref().is_some_and(|loading| loading.show(ui.ctx())) {
+                self.loading = None;
+            }
             is_read = self.complaint.as_ref().is_some_and(|complaint| panels::complain(ui.ctx(), complaint));
         });
         if is_read {
@@ -388,6 +401,6 @@ impl Session {
 
     /// Frames made, and what drawing them took.
     pub(super) fn statistics(&self) -> (u64, u64, RenderCounters) {
-        (self.frames, self.player.world().counters().substeps, *self.canvas.counters())
+        (self.frames, self.player.substeps(), *self.canvas.counters())
     }
 }

@@ -7,6 +7,7 @@ mod render;
 mod replay;
 mod scenes;
 mod simulate;
+mod stop;
 mod study;
 mod values;
 mod window;
@@ -14,7 +15,10 @@ mod window;
 use std::io::Write;
 use std::process::ExitCode;
 
-use clap::{Parser, Subcommand};
+use clap::error::ErrorKind;
+use clap::{CommandFactory, Parser, Subcommand};
+
+use crate::scene::nearest;
 
 /// Soft-body sandbox: points and bonds under Verlet's method.
 #[derive(Parser)]
@@ -63,22 +67,27 @@ enum Command {
     /// Runs recordings again and compares them with their marks.
     Verify(replay::Verified),
     /// Makes a soft body of a picture.
-    Mesh(mesh::Arguments),
+    Mesh(Shown<mesh::Arguments>),
     /// Measures the methods: tables and plots.
     Study(Shown<study::Arguments>),
 }
 
 /// Parses the call, does the work, reports the error in one line.
 pub fn main() -> ExitCode {
-    let call = Call::parse();
-    let done = call.machine.prepare().and_then(|()| match call.command {
+    let call = match Call::try_parse() {
+        Ok(call) => call,
+        Err(error) => return refuse(&error),
+    };
+    // A window has ways of its own to be closed.
+    let ready = if call.command.is_some() { stop::on_interrupt() } else { Ok(()) };
+    let done = ready.and_then(|()| call.machine.prepare()).and_then(|()| match call.command {
         None => window::run(&call.window),
         Some(Command::Scenes(arguments)) => scenes::run(&arguments),
         Some(Command::Simulate(call)) => simulate::run(&call.arguments, call.quiet),
         Some(Command::Render(call)) => render::run(&call.arguments, call.quiet),
         Some(Command::Replay(call)) => replay::run(&call.arguments, call.quiet),
         Some(Command::Verify(arguments)) => replay::verify(&arguments),
-        Some(Command::Mesh(arguments)) => mesh::run(&arguments),
+        Some(Command::Mesh(call)) => mesh::run(&call.arguments, call.quiet),
         Some(Command::Study(call)) => study::run(&call.arguments, call.quiet),
     });
     match done {
@@ -91,6 +100,29 @@ pub fn main() -> ExitCode {
             if error.is::<WrongCall>() { ExitCode::from(2) } else { ExitCode::FAILURE }
         }
     }
+}
+
+/// Says what is wrong with a call; a slip of a command's name is taken for a scene otherwise.
+fn refuse(error: &clap::Error) -> ExitCode {
+    let words: Vec<String> = std::env::args().skip(1).collect();
+    let first = words.iter().find(|word| !word.starts_with('-'));
+    match first.and_then(|word| Some((word, meant(word)?))) {
+        Some((word, meant)) if matches!(error.kind(), ErrorKind::UnknownArgument | ErrorKind::ArgumentConflict) => {
+            let _ = writeln!(std::io::stderr(), "wobble: `{word}` is no command: did you mean `wobble {meant}`?");
+            ExitCode::from(2)
+        }
+        _ => error.exit(),
+    }
+}
+
+/// The command that a word is a slip of.
+fn meant(word: &str) -> Option<String> {
+    let call = Call::command();
+    let names: Vec<&str> = call.get_subcommands().map(clap::Command::get_name).collect();
+    if names.contains(&word) {
+        return None;
+    }
+    nearest(word, &names).map(str::to_owned)
 }
 
 /// A call that turns out to be wrong when the file is known.

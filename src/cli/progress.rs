@@ -20,6 +20,16 @@ pub(super) fn tasks(quiet: bool) -> ProgressBar {
     counted(quiet, 0, "{wide_bar} {pos}/{len} {msg} {elapsed}")
 }
 
+/// Says what is being done, for how long it has been, where nobody can say for how long it will be.
+pub(super) fn waiting(quiet: bool, words: &str) -> ProgressBar {
+    let bar = counted(quiet, 0, "{spinner} {msg} {elapsed}").with_message(words.to_owned());
+    bar.enable_steady_tick(TICK);
+    bar
+}
+
+/// Time between two looks of a bar that turns.
+const TICK: std::time::Duration = std::time::Duration::from_millis(120);
+
 fn counted(quiet: bool, length: u64, template: &str) -> ProgressBar {
     // A bar on standard error hides itself where that is no terminal.
     let target = if quiet { ProgressDrawTarget::hidden() } else { ProgressDrawTarget::stderr() };

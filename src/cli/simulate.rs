@@ -96,7 +96,7 @@ pub(super) fn run(arguments: &Arguments, quiet: bool) -> anyhow::Result<()> {
     if arguments.settle {
         return settle(arguments, &scene, end.unwrap_or(0.0));
     }
-    let found = search(&mut scene, &times)?;
+    let found = search(&mut scene, &times, quiet)?;
     let start = scene.world(duration)?;
     let mut world = start.boxed_clone();
     let bar = progress::bar(quiet, end.unwrap_or(0.0));
@@ -219,10 +219,13 @@ struct Searched {
 }
 
 /// Finds the setting that the scene's tolerance asks for, if it has one, and puts it into the scene.
-fn search(scene: &mut Scene, times: &[f64]) -> anyhow::Result<Option<Searched>> {
+fn search(scene: &mut Scene, times: &[f64], quiet: bool) -> anyhow::Result<Option<Searched>> {
     let clock = Instant::now();
+    let is_asked = scene.method.tolerance.is_some();
+    let bar = is_asked.then(|| progress::waiting(quiet, "searching for the cheapest setting"));
     let tolerance = scene.method.tolerance.unwrap_or(f64::INFINITY);
     let found = study::tune(scene, times)?;
+    bar.iter().for_each(|bar| bar.finish_and_clear());
     let seconds = clock.elapsed().as_secs_f64();
     Ok(found.map(|found| Searched {
         tolerance,
@@ -232,12 +235,18 @@ fn search(scene: &mut Scene, times: &[f64]) -> anyhow::Result<Option<Searched>> 
     }))
 }
 
+/// A number with three digits that count, as one would write it.
+fn short(value: f64) -> String {
+    let rounded: f64 = format!("{value:.2e}").parse().unwrap_or(value);
+    format!("{rounded:?}")
+}
+
 impl Searched {
     /// Says what was taken and what error to expect.
     ///
     /// Errors: the tolerance was not reached.
     fn report(&self, recording: &Recording) -> anyhow::Result<()> {
-        let taken = format!("{} with a substep of {:?} s", recording.solver, recording.substep);
+        let taken = format!("{} with a substep of {} s", recording.solver, short(recording.substep));
         if !self.is_reached {
             bail!(
                 "an error of {:?} m was not reached: {taken} comes to {:.1e} m (written all the same)",

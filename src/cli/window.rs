@@ -1,12 +1,14 @@
 //! `wobble [SCENE]`: opens the window.
 
 use std::io::Write;
+use std::path::Path;
 
 use clap::Args;
 
+use super::WrongCall;
 use crate::app;
 use crate::render::RenderCounters;
-use crate::scene::Scene;
+use crate::scene::{Scene, SceneErrorKind};
 
 /// What to open.
 #[derive(Args)]
@@ -19,8 +21,9 @@ pub(super) struct Arguments {
 }
 
 pub(super) fn run(arguments: &Arguments) -> anyhow::Result<()> {
-    let scene = Scene::load(arguments.scene.as_deref().unwrap_or("rim"))?;
-    let done = app::run(scene)?;
+    let name = arguments.scene.as_deref().unwrap_or("rim");
+    let path = Path::new(name);
+    let done = if Scene::is_picture_file(path) { app::run_picture(path)? } else { app::run(scene(name)?)? };
     if arguments.stats {
         let app::Statistics { frames, substeps, drawing } = done;
         let RenderCounters { uploads, bytes_uploaded, bytes_held, submits, draws, .. } = drawing;
@@ -34,4 +37,14 @@ pub(super) fn run(arguments: &Arguments) -> anyhow::Result<()> {
         )?;
     }
     Ok(())
+}
+
+/// Errors: those of [`Scene::load`]; a slip of a command's name.
+fn scene(name: &str) -> anyhow::Result<Scene> {
+    Scene::load(name).map_err(|error| match super::meant(name) {
+        Some(meant) if error.kind == SceneErrorKind::NotFound => anyhow::Error::from(WrongCall(format!(
+            "`{name}` is no file, gallery scene or command: did you mean `wobble {meant}`?"
+        ))),
+        _ => error.into(),
+    })
 }

@@ -75,7 +75,7 @@ impl Picture {
 /// [`MAX_BYTES`], which is known before the pixels are decoded.
 pub fn decode(bytes: &[u8]) -> Result<Picture, PictureError> {
     let format = image::guess_format(bytes).ok().or_else(|| is_targa(bytes).then_some(ImageFormat::Tga));
-    let format = format.ok_or(PictureError::Unknown)?;
+    let format = format.ok_or(if is_svg(bytes) { PictureError::Drawing } else { PictureError::Unknown })?;
     let damaged = |reason: &str| PictureError::Damaged {
         format: format!("{format:?}").to_uppercase(),
         reason: reason.split_whitespace().collect::<Vec<_>>().join(" "),
@@ -89,6 +89,17 @@ pub fn decode(bytes: &[u8]) -> Result<Picture, PictureError> {
 pub fn is_picture(bytes: &[u8]) -> bool {
     image::guess_format(bytes).is_ok()
 }
+
+/// Whether a file with these bytes, of which the first few are enough, is an SVG: lines and areas instead of pixels.
+pub fn is_svg(bytes: &[u8]) -> bool {
+    let start = String::from_utf8_lossy(&bytes[..bytes.len().min(SVG_START)]);
+    let start = start.trim_start_matches('\u{feff}').trim_start();
+    let is_markup = ["<svg", "<?xml", "<!--", "<!DOCTYPE"].iter().any(|tag| start.starts_with(tag));
+    is_markup && start.contains("<svg")
+}
+
+/// Bytes within which an SVG says that it is one: comments and the document's type may stand before [bytes].
+const SVG_START: usize = 4096;
 
 /// Whether a file of this name should be a picture.
 pub fn is_picture_name(path: &std::path::Path) -> bool {

@@ -95,8 +95,11 @@ fn cut_off_and_damaged_files_are_errors_of_one_line() {
 
 #[test]
 fn what_is_no_picture_is_told() {
-    for bytes in [&b""[..], b"hello, this is no picture at all", &[0; 100], b"<svg></svg>"] {
+    for bytes in [&b""[..], b"hello, this is no picture at all", &[0; 100], b"<?xml version='1.0'?><html/>"] {
         assert_eq!(decode(bytes), Err(PictureError::Unknown));
+    }
+    for bytes in [&b"<svg></svg>"[..], b"\xEF\xBB\xBF <?xml version='1.0'?>\n<!-- by hand -->\n<svg/>"] {
+        assert_eq!(decode(bytes), Err(PictureError::Drawing));
     }
 }
 

@@ -8,6 +8,9 @@ pub enum PictureError {
     /// The bytes begin like no format that is read here.
     #[error("not a picture of a known format (PNG, JPEG, GIF, BMP, WebP, TIFF, PNM, TGA, ICO, QOI)")]
     Unknown,
+    /// An SVG.
+    #[error("is an SVG, a drawing of lines and areas, and pixels are needed: export it as a PNG, 1000 px or so wide")]
+    Drawing,
     /// The format is known, the content is cut off or wrong.
     #[error("the {format} picture cannot be read: {reason}")]
     Damaged {
@@ -90,7 +93,7 @@ pub enum PictureError {
         side: u32,
     },
     /// The mesh would be too large.
-    #[error("spacing {spacing} px makes about {points} points: {limit} is the most; use a wider one")]
+    #[error("spacing {spacing} px makes about {points} points: {limit} are the most; {}", cure(*would_do))]
     TooManyPoints {
         /// Distance of neighbours [px].
         spacing: f64,
@@ -98,6 +101,8 @@ pub enum PictureError {
         points: u64,
         /// Most points.
         limit: u64,
+        /// A spacing that makes few enough [px]; none where there is too much grain for any.
+        would_do: Option<f64>,
     },
     /// The boundary of the mesh would be too long.
     #[error(
@@ -110,7 +115,17 @@ pub enum PictureError {
         /// Most points along the boundary.
         limit: u64,
     },
+    /// Whoever asked for the mesh wants it no more.
+    #[error("was stopped")]
+    Stopped,
     /// Neither the fine outline nor coarser ones could be triangulated.
     #[error("the outline cannot be triangulated: {0}")]
     Mesh(String),
+}
+
+fn cure(would_do: Option<f64>) -> String {
+    match would_do {
+        Some(spacing) => format!("{spacing} px would do"),
+        None => "it is mere grain: blur it, or give a larger least area".to_owned(),
+    }
 }

@@ -33,6 +33,7 @@ mod skin;
 mod stats;
 mod strand;
 mod thin;
+mod watch;
 
 pub use atlas::Atlas;
 pub use body::{PictureMesh, assemble};
@@ -41,7 +42,7 @@ pub use brace::Brace;
 pub use brush::{Brush, LEAST_RADIUS, MAX_CANVAS, Mask, Mirror, WIDEST_RADIUS};
 pub use contour::{Loop, contours};
 pub use coverage::{Coverage, cover, otsu};
-pub use decode::{MAX_BYTES, MAX_PIXELS, MAX_SIDE, Picture, decode, encode, is_picture, is_picture_name};
+pub use decode::{MAX_BYTES, MAX_PIXELS, MAX_SIDE, Picture, decode, encode, is_picture, is_picture_name, is_svg};
 pub use error::PictureError;
 pub use fill::{Filling, fill_outline};
 pub use ink::without_paper;
@@ -54,6 +55,7 @@ pub use settings::{LEAST_SPACING, MAX_POINTS, Settings, Size, Strokes, Threshold
 pub use skin::Skin;
 pub use stats::{Stats, stats};
 pub use strand::{Line, Node, Strands};
+pub use watch::{Stage, Watch};
 
 use settings::{MAX_EDGE_POINTS, UNIT_TRIANGLE};
 
@@ -83,26 +85,33 @@ impl Made {
 /// [`MAX_POINTS`]; an outline too long or too grainy; one that cannot be triangulated even as it is, which no picture is known
 /// to have.
 pub fn mesh_picture(picture: &Picture, settings: &Settings) -> Result<Made, PictureError> {
-    mesh_in_stages(picture, settings, |_| {})
+    mesh_in_stages(picture, settings, &Watch::default(), |_| {})
 }
 
-/// The same; `done` is told the name of each stage when it has ended, so that the caller may time it.
+/// The same; `watch` is told each stage before it begins and may stop it, `done` the name of each when it has ended, so that the caller
+/// may time it.
 ///
-/// Errors: as of [`mesh_picture`].
+/// Errors: as of [`mesh_picture`]; more points than `watch` wants; it was stopped.
 pub fn mesh_in_stages(
     picture: &Picture,
     settings: &Settings,
+    watch: &Watch,
     mut done: impl FnMut(&'static str),
 ) -> Result<Made, PictureError> {
     settings.check()?;
+    watch.enter(Stage::Ink)?;
     let mut coverage = cover(picture, settings)?;
     let threshold = coverage.threshold();
     done("cover");
+    watch.enter(Stage::Outlines)?;
     let outline = outline(&mut coverage, settings)?;
     drop(coverage);
     done("contours");
+    watch.enter(Stage::Triangles)?;
+    check_count(&outline, settings, watch.most_points()).inspect_err(|error| watch.note(error))?;
     let (boundary, mesh) = triangulate(&outline, settings)?;
     done("triangles");
+    watch.enter(Stage::Bonds)?;
     let ropes = ropes(&outline.strands, &mesh, settings.spacing());
     let mesh = assemble([picture.width, picture.height], mesh, ropes);
     done("bonds");
@@ -131,7 +140,7 @@ const ATTEMPTS: [u32; 4] = [0, 1, 3, 5];
 ///
 /// Errors: too many points; the last attempt's.
 pub fn triangulate(outline: &Outline, settings: &Settings) -> Result<(Boundary, Mesh), PictureError> {
-    check_count(outline, settings)?;
+    check_count(outline, settings, MAX_POINTS)?;
     let mut last = PictureError::Mesh(String::new());
     for strictness in ATTEMPTS {
         let boundary = boundary(&outline.loops, settings.spacing(), strictness);
@@ -143,14 +152,29 @@ pub fn triangulate(outline: &Outline, settings: &Settings) -> Result<(Boundary, 
     Err(last)
 }
 
-/// Errors: more points than [`MAX_POINTS`], by the area and by the length and the grain of the contours.
-fn check_count(outline: &Outline, settings: &Settings) -> Result<(), PictureError> {
-    let spacing = settings.spacing();
+/// About how many points a mesh has: by the area, the length and the grain of the contours, and the strokes.
+fn about_points(outline: &Outline, spacing: f64) -> u64 {
     let inside = (outline.ink_area / (2.0 * UNIT_TRIANGLE * spacing * spacing)) as u64;
-    if inside > MAX_POINTS {
-        return Err(PictureError::TooManyPoints { spacing, points: inside, limit: MAX_POINTS });
+    let lines = outline.strands.lines.iter().map(|line| (line.points.len() as f64 / spacing) as u64);
+    let strokes = outline.strands.nodes.len() as u64 + lines.sum::<u64>();
+    inside + boundary::about_points(&outline.loops, spacing) + strokes
+}
+
+/// How much wider a spacing is than the one that was tried before it.
+const WIDER: f64 = 1.25;
+
+/// Errors: more points than `limit`; a boundary that is mere grain.
+fn check_count(outline: &Outline, settings: &Settings, limit: u64) -> Result<(), PictureError> {
+    let spacing = settings.spacing();
+    let points = about_points(outline, spacing);
+    if points <= limit {
+        return check_edge(outline, settings);
     }
-    check_edge(outline, settings)
+    let spacings = std::iter::successors(Some(WIDER * spacing), |spacing| Some(WIDER * spacing));
+    let mut few_enough = spacings.take_while(|&spacing| spacing < WIDEST_SPACING).map(f64::ceil);
+    let would_do = few_enough.find(|&spacing| about_points(outline, spacing) <= limit);
+    let spacing = (100.0 * spacing).round() / 100.0;
+    Err(PictureError::TooManyPoints { spacing, points, limit, would_do })
 }
 
 fn check_edge(outline: &Outline, settings: &Settings) -> Result<(), PictureError> {

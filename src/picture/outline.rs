@@ -1,6 +1,7 @@
 //! From coverage to what is meshed: contours that were kept, and the lines of thin strokes.
 
 use super::bits::Bits;
+use super::boundary::about_points;
 use super::contour::{Loop, contours_of};
 use super::nest::keep;
 use super::strand::{Strands, strands};
@@ -39,6 +40,7 @@ pub fn outline(coverage: &mut Coverage, settings: &Settings) -> Result<Outline, 
     if components == 0 {
         return Err(PictureError::Dropped { min_area: settings.min_area });
     }
+    check_grain(&loops, settings)?;
     let holes = loops.len() - components;
     let ink = if loops.len() < count { Bits::ink(coverage) } else { ink };
     let (loops, strands) = take_strokes(coverage, loops, ink, settings);
@@ -47,6 +49,18 @@ pub fn outline(coverage: &mut Coverage, settings: &Settings) -> Result<Outline, 
     }
     let ink_area = loops.iter().map(|one| one.area).sum();
     Ok(Outline { loops, strands, components, holes, ink_area })
+}
+
+/// Most points along all contours, strokes included, by an estimate: what has more is grain, and its strokes alone would take minutes.
+const MOST_GRAIN: u64 = 1_000_000;
+
+/// Errors: contours that are mere grain.
+fn check_grain(loops: &[Loop], settings: &Settings) -> Result<(), PictureError> {
+    let points = about_points(loops, settings.spacing());
+    if points > MOST_GRAIN {
+        return Err(PictureError::TooLongEdge { points, limit: MOST_GRAIN });
+    }
+    Ok(())
 }
 
 /// Deals with thin strokes; the loops are traced again where there were any.

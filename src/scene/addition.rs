@@ -73,7 +73,7 @@ impl AddKeys {
             bodies: self.bodies.clone(),
             obstacles: self.obstacles.clone(),
             method: scene.method.clone(),
-            source: Source { text: None, label: scene.source.label.clone(), pictures: scene.source.pictures.clone() },
+            source: Source { text: None, ..scene.source.clone() },
             ..Scene::default()
         }
     }

@@ -5,6 +5,7 @@ use std::sync::Arc;
 
 use super::locate;
 use super::pictures::Pictures;
+use crate::picture::Watch;
 
 /// Largest text that a scene keeps to say lines by after it was read [bytes]: 16 MiB. A larger one is reported by its
 /// keys alone once it has been read; kept, it would cost its length in memory for a message that may never come.
@@ -21,6 +22,8 @@ pub struct Source {
     pub(super) text: Option<Arc<str>>,
     /// What was read of the pictures that it names.
     pub(super) pictures: Pictures,
+    /// Whoever waits for its meshes.
+    pub(super) watch: Watch,
 }
 
 impl PartialEq for Source {
@@ -33,7 +36,7 @@ impl Source {
     /// A source that keeps the text, if it is not too long.
     pub(super) fn new(label: &str, text: &str) -> Self {
         let text = (text.len() <= KEPT_TEXT).then(|| text.into());
-        Source { label: label.to_owned(), text, pictures: Pictures::default() }
+        Source { label: label.to_owned(), text, pictures: Pictures::default(), watch: Watch::default() }
     }
 
     /// The error that a fault in this scene is.

@@ -1,7 +1,7 @@
 //! Files whole in memory.
 
 use std::fs::{File, Metadata};
-use std::io::Read;
+use std::io::{ErrorKind, Read};
 use std::path::Path;
 
 /// The bytes of a file.
@@ -28,7 +28,12 @@ fn is_pipe(_: &Metadata) -> bool {
 }
 
 fn bytes(path: &Path, most: u64, is_stream: impl Fn(&Metadata) -> bool) -> Result<Vec<u8>, String> {
-    let unread = |error: std::io::Error| format!("cannot be read: {error}");
+    let unread = |error: std::io::Error| match error.kind() {
+        ErrorKind::NotFound => "cannot be found: check the path".to_owned(),
+        ErrorKind::PermissionDenied => "may not be read: change its permissions".to_owned(),
+        // The system's words, without its number of them.
+        _ => format!("cannot be read: {}", error.to_string().split(" (os error").next().unwrap_or_default()),
+    };
     // Opening a pipe would already wait for its writer.
     let about = std::fs::metadata(path).map_err(unread)?;
     if about.is_dir() {
@@ -57,7 +62,7 @@ mod tests {
         assert_eq!(file_bytes(&path, 10), Ok(vec![7; 10]));
         assert!(file_bytes(&path, 9).unwrap_err().starts_with("is larger than"));
         assert!(file_bytes(folder.path(), 10).unwrap_err().starts_with("is a directory"));
-        assert!(file_bytes(&folder.path().join("none"), 10).unwrap_err().starts_with("cannot be read"));
+        assert!(file_bytes(&folder.path().join("none"), 10).unwrap_err().starts_with("cannot be found"));
         if cfg!(unix) {
             assert!(file_bytes(Path::new("/dev/zero"), 10).unwrap_err().starts_with("is no regular file"));
         }

@@ -45,6 +45,7 @@ pub use keys::{
     RotationKeys, Row, Scene, SolverName, StrokesName, TextureKeys, Vector, Version, ViewKeys, WindKeys,
 };
 pub(crate) use keys::{ObjectOnly, present};
+pub(crate) use nearest::nearest;
 pub use of_picture::Matter;
 pub(crate) use read::translate;
 pub use schema::schema;

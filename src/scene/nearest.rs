@@ -1,7 +1,7 @@
 //! The name that was probably meant.
 
 /// The candidate that `text` is a slip of, if one is near enough: a third of its letters at most are wrong.
-pub(super) fn nearest<'a>(text: &str, candidates: &[&'a str]) -> Option<&'a str> {
+pub(crate) fn nearest<'a>(text: &str, candidates: &[&'a str]) -> Option<&'a str> {
     // Longer words are no slip of a name here, and the distance grows with the square of the length.
     const LONGEST: usize = 64;
     if text.len() > LONGEST {

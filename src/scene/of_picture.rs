@@ -10,7 +10,7 @@ use super::keys::{
     PatternName, PictureKeys, Scene, StrokesName, Vector, ViewKeys,
 };
 use super::pictures::{LARGEST_FILE, inline};
-use crate::picture::{self, Picture, Settings, Size, Strokes, Threshold};
+use crate::picture::{self, Picture, Settings, Size, Stage, Strokes, Threshold, Watch};
 
 /// What a picture's body is made of.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -166,11 +166,33 @@ impl Scene {
         Scene::around(source, (stem(path), file), keys, matter)
     }
 
-    /// The same of a picture that is in no file.
+    /// The scene of a picture file as it opens; `watch` sees how far it is.
     ///
-    /// Errors: as of [`Scene::of_picture`].
-    pub fn of_drawing(name: &str, picture: Arc<Picture>, keys: BodyKeys, matter: Matter) -> Result<Scene, SceneError> {
-        let source = Source::new(name, "");
+    /// Errors: as of [`Scene::of_picture`]; more points than `watch` wants; it was stopped.
+    pub fn open_picture(path: &Path, watch: &Watch) -> Result<Scene, SceneError> {
+        let keys = BodyKeys { pattern: Some(PatternName::Braced), ..BodyKeys::default() };
+        let (source, file) = source_of(path);
+        let source = Source { watch: watch.clone(), ..source };
+        let read = watch.enter(Stage::Read).map_err(|error| Fault::invalid(error.to_string()));
+        read.and_then(|()| source.picture(&file)).map_err(|fault| source.error(fault))?;
+        // The scene is ours: what is wrong is how the picture is cut out, which nobody could say here.
+        Scene::around(source, (stem(path), file), keys, Matter::Soft).map_err(|error| {
+            let message = format!("{}: `wobble mesh` has options for that", error.message);
+            SceneError { message, key: String::new(), ..error }
+        })
+    }
+
+    /// The same of a picture that is in no file; `watch` sees how far it is.
+    ///
+    /// Errors: as of [`Scene::of_picture`]; more points than `watch` wants; it was stopped.
+    pub fn of_drawing(
+        name: &str,
+        picture: Arc<Picture>,
+        keys: BodyKeys,
+        matter: Matter,
+        watch: &Watch,
+    ) -> Result<Scene, SceneError> {
+        let source = Source { watch: watch.clone(), ..Source::new(name, "") };
         let file = source.keep(picture);
         Scene::around(source, (name.to_owned(), file), keys, matter)
     }
@@ -304,16 +326,4 @@ pub(super) fn is_picture(path: &Path, start: &[u8]) -> bool {
 fn source_of(path: &Path) -> (Source, String) {
     let file = path.file_name().unwrap_or_default().to_string_lossy().into_owned();
     (Source::new(&path.display().to_string(), ""), file)
-}
-
-/// The scene of a picture file as it opens.
-///
-/// Errors: those of [`Scene::of_picture`].
-pub(super) fn open(path: &Path) -> Result<Scene, SceneError> {
-    let keys = BodyKeys { pattern: Some(PatternName::Braced), ..BodyKeys::default() };
-    Scene::of_picture(path, keys, Matter::Soft).map_err(|error| match error.kind {
-        // The scene is ours: what is wrong is the picture.
-        SceneErrorKind::Invalid => SceneError { key: String::new(), ..error },
-        _ => error,
-    })
 }

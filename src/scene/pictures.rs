@@ -90,7 +90,8 @@ impl Source {
         if let Some(mesh) = self.kept_mesh(name, settings, None) {
             return Ok(mesh);
         }
-        let made = picture::mesh_picture(&*self.picture(name)?, settings).map_err(|error| fault(&error))?;
+        let made = picture::mesh_in_stages(&*self.picture(name)?, settings, &self.watch, |_| {})
+            .map_err(|error| fault(&error))?;
         Ok(self.keep_mesh(name, settings, None, made.mesh))
     }
 

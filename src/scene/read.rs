@@ -10,8 +10,8 @@ use super::gallery::{self, gallery};
 use super::keys::Scene;
 use super::locate;
 use super::nearest::{list, nearest};
-use super::of_picture::{self, is_picture};
-use crate::picture::{PictureError, is_picture_name};
+use super::of_picture::is_picture;
+use crate::picture::{PictureError, Watch, is_picture_name, is_svg};
 
 /// Largest file that is read [bytes]: beyond, it would only fill the memory.
 const LARGEST_FILE: u64 = 4 << 30;
@@ -48,7 +48,10 @@ impl Scene {
             return Err(SceneError::whole(SceneErrorKind::Syntax, &label, message));
         }
         if is_picture(path, &bytes) {
-            return of_picture::open(path);
+            return Scene::open_picture(path, &Watch::default());
+        }
+        if is_svg(&bytes) {
+            return Err(SceneError::whole(SceneErrorKind::Syntax, &label, PictureError::Drawing.to_string()));
         }
         let text = String::from_utf8(bytes).map_err(|error| {
             let valid = error.utf8_error().valid_up_to();

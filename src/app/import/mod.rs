@@ -8,10 +8,9 @@ mod preview;
 mod wishes;
 mod worker;
 
-use std::path::Path;
 use std::sync::Arc;
 
-use crate::picture::{Picture, PictureError, Settings, Size};
+use crate::picture::{Picture, PictureError, Settings, Size, Watch};
 use crate::scene::{AddKeys, BodyKeys, Cut, KindName, Matter, PatternName, Scene, SceneError};
 use crate::sim::Dynamics;
 use painting::Painting;
@@ -64,18 +63,17 @@ pub(super) struct Import {
 const NEIGHBOURS: f64 = 40.0;
 
 impl Import {
-    /// Begins with a picture file; `wake` is called from another thread when there is something new to show.
-    ///
-    /// Errors: the file is not there or no picture.
-    pub(super) fn of_file(path: &Path, wake: impl Fn() + Send + 'static) -> Result<Self, SceneError> {
-        let name = path.file_stem().unwrap_or_default().to_string_lossy().into_owned();
-        Ok(Import::of_picture(name, Scene::picture_file(path)?, wake))
-    }
-
-    /// Begins with a picture that is in no file.
+    /// Begins with a picture; `wake` is called from another thread when there is something new to show.
     pub(super) fn of_picture(name: String, picture: Arc<Picture>, wake: impl Fn() + Send + 'static) -> Self {
         let wish = Wish::of(&picture);
         Import::new(name, picture, wake, wish)
+    }
+
+    /// The same with points this far apart at first [px].
+    pub(super) fn spaced(mut self, spacing: f64) -> Self {
+        self.wish.settings.size = Size::Spacing(spacing);
+        self.worker.ask(&self.picture, self.wish);
+        self
     }
 
     /// Begins with an empty canvas.
@@ -126,7 +124,7 @@ impl Import {
     }
 
     fn new(name: String, picture: Arc<Picture>, wake: impl Fn() + Send + 'static, wish: Wish) -> Self {
-        let worker = Worker::new(name.clone(), wake);
+        let mut worker = Worker::new(name.clone(), wake);
         worker.ask(&picture, wish);
         Import { name, picture, painting: None, wish, body: None, worker, forecast: None, texture: None }
     }
@@ -161,7 +159,7 @@ impl Import {
             Some(Ok(made)) if made.wish == self.wish && Arc::ptr_eq(&made.picture, &self.picture) => {
                 Ok(made.scene.clone())
             }
-            _ => self.wish.scene(&self.name, &self.picture),
+            _ => self.wish.scene(&self.name, &self.picture, &Watch::default()),
         }
     }
 
@@ -236,8 +234,8 @@ impl Wish {
         BodyKeys { material: Some(material), pattern, ..BodyKeys::cut(&self.settings, self.height, picture) }
     }
 
-    fn scene(&self, name: &str, picture: &Arc<Picture>) -> Result<Scene, SceneError> {
-        let scene = Scene::of_drawing(name, Arc::clone(picture), self.keys(picture), self.matter)?;
+    fn scene(&self, name: &str, picture: &Arc<Picture>, watch: &Watch) -> Result<Scene, SceneError> {
+        let scene = Scene::of_drawing(name, Arc::clone(picture), self.keys(picture), self.matter, watch)?;
         if self.is_apart() { scene.in_parts(0) } else { Ok(scene) }
     }
 

@@ -1,11 +1,17 @@
 //! The import panel: sliders on one side, the picture with its mesh on the other.
 
+use std::time::Duration;
+
 use egui::Color32;
 
 use super::worker::Forecast;
 use super::{Answer, Import, preview, wishes};
+use crate::app::loading;
 use crate::scene::Matter;
 
+/// What takes less time than this is not worth a bar; and the time between two looks at it.
+const PATIENCE: Duration = Duration::from_millis(400);
+const LOOK: Duration = Duration::from_millis(100);
 /// Width of the screen from which on the sliders stand beside the picture [points].
 const WIDE: f32 = 780.0;
 /// Height of what stands over and under the part that scrolls: title, buttons, margins [points].
@@ -72,6 +78,16 @@ fn sliders(ui: &mut egui::Ui, import: &mut Import) {
     wishes::show(ui, &mut import.wish, &import.picture);
     ui.separator();
     words(ui, import.forecast.as_ref(), import.painting.is_some());
+    // Always there, so that nothing moves under the pointer.
+    let at_work = import.worker.at_work.as_ref().map(|(watch, since)| (watch.stage(), since.elapsed()));
+    let bar = match at_work.filter(|(_, since)| *since > PATIENCE) {
+        Some((stage, since)) => egui::ProgressBar::new(stage.share()).text(loading::words(stage, since)),
+        None => egui::ProgressBar::new(0.0),
+    };
+    ui.add_visible(at_work.is_some_and(|(_, since)| since > PATIENCE), bar);
+    if at_work.is_some() {
+        ui.ctx().request_repaint_after(LOOK);
+    }
 }
 
 fn words(ui: &mut egui::Ui, forecast: Option<&Result<Forecast, String>>, is_painted: bool) {

@@ -5,7 +5,7 @@ use std::sync::mpsc::{Receiver, Sender, channel};
 use std::time::Instant;
 
 use super::Wish;
-use crate::picture::{Picture, PictureMesh};
+use crate::picture::{Picture, PictureMesh, Watch};
 use crate::scene::{Matter, Scene, SceneError, Vector};
 use crate::sim::Dynamics;
 
@@ -28,9 +28,20 @@ pub(super) struct Forecast {
 
 /// A thread that meshes pictures.
 pub(super) struct Worker {
-    wishes: Sender<(Arc<Picture>, Wish)>,
+    wishes: Sender<(Arc<Picture>, Wish, Watch)>,
     forecasts: Receiver<Result<Forecast, String>>,
+    /// Of the newest wish, until it is answered: how far it is, and when it was asked for.
+    pub(super) at_work: Option<(Watch, Instant)>,
 }
+
+impl Drop for Worker {
+    fn drop(&mut self) {
+        self.at_work.iter().for_each(|(watch, _)| watch.stop());
+    }
+}
+
+/// Most points of a body that is made in a window: more would stand still there.
+const MOST_POINTS: u64 = 100_000;
 
 /// A frame [s], and how many are tried.
 const FRAME: f64 = 1.0 / 60.0;
@@ -43,24 +54,34 @@ impl Worker {
         let (answers, forecasts) = channel();
         std::thread::spawn(move || {
             while let Ok(first) = asked.recv() {
-                let (picture, wish) = asked.try_iter().last().unwrap_or(first);
-                if answers.send(forecast(&name, &picture, wish)).is_err() {
+                let (picture, wish, watch) = asked.try_iter().last().unwrap_or(first);
+                let made = forecast(&name, &picture, wish, &watch);
+                if watch.is_stopped() {
+                    continue;
+                }
+                if answers.send(made).is_err() {
                     return;
                 }
                 wake();
             }
         });
-        Worker { wishes, forecasts }
+        Worker { wishes, forecasts, at_work: None }
     }
 
-    /// Asks for a mesh. A worker that has gone answers no more.
-    pub(super) fn ask(&self, picture: &Arc<Picture>, wish: Wish) {
-        let _ = self.wishes.send((Arc::clone(picture), wish));
+    /// Asks for a mesh; one that is under way is given up. A worker that has gone answers no more.
+    pub(super) fn ask(&mut self, picture: &Arc<Picture>, wish: Wish) {
+        let watch = Watch::default().with_most_points(MOST_POINTS);
+        let _ = self.wishes.send((Arc::clone(picture), wish, watch.clone()));
+        if let Some((old, _)) = self.at_work.replace((watch, Instant::now())) {
+            old.stop();
+        }
     }
 
     /// The newest answer since the last call.
-    pub(super) fn take(&self) -> Option<Result<Forecast, String>> {
-        self.forecasts.try_iter().last()
+    pub(super) fn take(&mut self) -> Option<Result<Forecast, String>> {
+        let made = self.forecasts.try_iter().last()?;
+        self.at_work = None;
+        Some(made)
     }
 }
 
@@ -96,11 +117,11 @@ fn landing(scene: &Scene, start: &dyn Dynamics) -> Option<Scene> {
 }
 
 /// Errors: the line that the panel shows.
-fn forecast(name: &str, picture: &Arc<Picture>, wish: Wish) -> Result<Forecast, String> {
+fn forecast(name: &str, picture: &Arc<Picture>, wish: Wish, watch: &Watch) -> Result<Forecast, String> {
     let said = |error: SceneError| error.message;
-    let scene = wish.scene(name, picture).map_err(said)?;
+    let scene = wish.scene(name, picture, watch).map_err(said)?;
     let mesh = match wish.matter {
-        Matter::Fixed => Wish { matter: Matter::Soft, apart: false, ..wish }.scene(name, picture),
+        Matter::Fixed => Wish { matter: Matter::Soft, apart: false, ..wish }.scene(name, picture, watch),
         _ => Ok(scene.clone()),
     };
     let mesh = mesh.and_then(|scene| scene.picture_mesh(0)).map_err(said)?;
@@ -130,7 +151,7 @@ mod tests {
         }
         static WOKEN: AtomicU32 = AtomicU32::new(0);
         let picture = Arc::new(picture);
-        let worker = Worker::new("disc".to_owned(), || {
+        let mut worker = Worker::new("disc".to_owned(), || {
             WOKEN.fetch_add(1, Ordering::Relaxed);
         });
         let wish = |spacing| Wish {

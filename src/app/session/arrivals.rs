@@ -5,6 +5,7 @@ use std::sync::Arc;
 
 use super::super::fetch::{self, Fetch, Found};
 use super::super::import::{Answer, Import};
+use super::super::loading::{Loaded, Loading};
 use super::{BRUSH, Session};
 use crate::scene::{Scene, SceneError};
 
@@ -19,11 +20,11 @@ impl Session {
 
     /// A file was dropped on the window, chosen or pasted: a picture is imported, a scene opens in place of this one.
     pub(in crate::app) fn take_file(&mut self, path: &Path) {
-        let taken = if Scene::is_picture_file(path) {
-            Import::of_file(path, self.wake_up()).map(|import| self.begin(import))
-        } else {
-            Scene::read(path).and_then(|scene| self.open(scene))
-        };
+        if Scene::is_picture_file(path) {
+            self.loading = Some(Loading::picture(path, self.wake_up()));
+            return self.touch();
+        }
+        let taken = Scene::read(path).and_then(|scene| self.open(scene));
         self.complain(taken);
     }
 
@@ -88,7 +89,7 @@ impl Session {
     }
 
     /// What other threads call when they have something to show.
-    fn wake_up(&self) -> impl Fn() + Send + 'static {
+    pub(super) fn wake_up(&self) -> impl Fn() + Send + 'static {
         let waker = self.waker.clone();
         // A window that has been closed is woken no more.
         move || waker.send_event(()).unwrap_or_default()
@@ -98,6 +99,12 @@ impl Session {
     pub(in crate::app) fn wake(&mut self) {
         if self.import.as_mut().is_some_and(Import::poll) {
             self.touch();
+        }
+        if let Some((name, loaded)) =
+            self.loading.as_ref().and_then(|loading| Some((loading.name.clone(), loading.take()?)))
+        {
+            self.loading = None;
+            self.take_loaded(name, loaded);
         }
         let fetched = [&mut self.dialog, &mut self.pasted].map(|fetch| {
             let found = fetch.as_ref().and_then(Fetch::take);
@@ -115,6 +122,24 @@ impl Session {
                 Ok(Found::Nothing) => {}
                 Err(why) => self.say(&why),
             }
+        }
+    }
+
+    /// A picture was read: it opens as a scene, or to be cut out by hand.
+    fn take_loaded(&mut self, name: String, loaded: Result<Loaded, SceneError>) {
+        let mut why = None;
+        let opened = loaded.and_then(|loaded| match loaded {
+            Loaded::Scene(scene) => self.open(*scene),
+            Loaded::Picture(picture, spacing, reason) => {
+                why = reason;
+                let import = Import::of_picture(name, picture, self.wake_up());
+                self.begin(if let Some(spacing) = spacing { import.spaced(spacing) } else { import });
+                Ok(())
+            }
+        });
+        self.complain(opened);
+        if let Some(why) = why {
+            self.say(&why);
         }
     }
 

@@ -11,9 +11,9 @@ use anyhow::Context;
 use clap::{Args, ValueEnum};
 use serde_json::{Map, Value, json};
 
-use super::values;
+use super::{progress, values};
 use crate::output;
-use crate::picture::{self, Made, Picture, Settings, Size, Strokes, Threshold};
+use crate::picture::{self, Made, Picture, Settings, Size, Stage, Strokes, Threshold, Watch};
 use crate::scene::{BodyKeys, Matter, PatternName, Scene, SceneError};
 
 /// How a picture is cut out, and what is made of it.
@@ -123,9 +123,9 @@ fn stiffness(text: &str) -> Result<f64, String> {
     }
 }
 
-pub(super) fn run(arguments: &Arguments) -> anyhow::Result<()> {
+pub(super) fn run(arguments: &Arguments, quiet: bool) -> anyhow::Result<()> {
     arguments.check()?;
-    let (picture, made, times) = arguments.mesh()?;
+    let (picture, made, times) = arguments.mesh(quiet)?;
     let stats = made.stats();
     let braces = match arguments.pattern {
         PatternArgument::Edges => Vec::new(),
@@ -203,16 +203,18 @@ impl Arguments {
     }
 
     /// All stages, with the time that each took [ms].
-    fn mesh(&self) -> anyhow::Result<(Arc<Picture>, Made, Map<String, Value>)> {
+    fn mesh(&self, quiet: bool) -> anyhow::Result<(Arc<Picture>, Made, Map<String, Value>)> {
         let settings = self.settings();
         let shown = self.picture.display();
         settings.check().with_context(|| format!("{shown}"))?;
         let bytes = Scene::picture_bytes(&self.picture)?;
+        let bar = progress::waiting(quiet, Stage::Read.words());
         let mut clock = Clock::new();
         let picture = picture::decode(&bytes).with_context(|| format!("{shown}"))?;
         drop(bytes);
         clock.lap("decode");
-        let made = picture::mesh_in_stages(&picture, &settings, |stage| clock.lap(stage));
+        let watch = Watch::default().with_word(move |stage| bar.set_message(stage.words()));
+        let made = picture::mesh_in_stages(&picture, &settings, &watch, |stage| clock.lap(stage));
         Ok((Arc::new(picture), made.with_context(|| format!("{shown}"))?, clock.times()))
     }
 

@@ -277,7 +277,7 @@ fn settings_out_of_range_and_too_many_points_are_told() {
     assert!(with(|s| s.min_area = -1.0).starts_with("min_area is -1"));
     assert!(with(|s| s.thin = 2.0).starts_with("thin is 2"));
     assert!(with(|s| s.size = Size::Graded { spacing: 5.0, ratio: 0.0 }).starts_with("grading is 0"));
-    assert!(with(|s| s.size = Size::Spacing(1.0)).contains("4000000 is the most"));
+    assert!(with(|s| s.size = Size::Spacing(1.0)).contains("4000000 are the most; 3 px would do"));
 }
 
 #[test]
