@@ -181,6 +181,27 @@ impl<const D: usize> Model<D> {
         Ok(())
     }
 
+    /// The same without positions, velocities and bonds, which a world keeps apart.
+    pub(crate) fn bare(&self) -> Self {
+        Model {
+            position: Vec::new(),
+            velocity: Vec::new(),
+            mass: self.mass.clone(),
+            pinned: self.pinned.clone(),
+            bonds: Bonds::new(),
+            gravity: self.gravity,
+            drag_rate: self.drag_rate,
+            mouse: self.mouse.clone(),
+            bounds: self.bounds,
+            duration: self.duration,
+            planes: self.planes.clone(),
+            polygons: self.polygons.clone(),
+            obstacle_numbers: self.obstacle_numbers.clone(),
+            pin_motion: self.pin_motion.clone(),
+            method: self.method,
+        }
+    }
+
     /// Whether there is anything that points cannot pass.
     pub(crate) fn has_surfaces(&self) -> bool {
         self.bounds.is_some() || !self.planes.is_empty() || !self.polygons.is_empty()

@@ -111,7 +111,7 @@ impl<S: Real, const D: usize> World<S, D> {
             warnings: Vec::new(),
             topology: 0,
             grabbed: saved.grabbed.clone(),
-            model: Arc::new(Model { position: Vec::new(), velocity: Vec::new(), bonds: Bonds::new(), ..model.clone() }),
+            model: Arc::new(model.bare()),
         };
         world.spread_gone();
         for group in &mut world.plan.groups {

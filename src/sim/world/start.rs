@@ -4,7 +4,6 @@ use std::sync::Arc;
 
 use super::{Numbers, World};
 use crate::sim::bond::{Bond, BondKind, PointId};
-use crate::sim::bonds::Bonds;
 use crate::sim::contact::obstacles::Obstacles;
 use crate::sim::counters::Counters;
 use crate::sim::environment::Environment;
@@ -57,7 +56,7 @@ impl<S: Real, const D: usize> World<S, D> {
             warnings: Vec::new(),
             topology: 0,
             grabbed: Vec::new(),
-            model: Arc::new(Model { position: Vec::new(), velocity: Vec::new(), bonds: Bonds::new(), ..model.clone() }),
+            model: Arc::new(model.bare()),
         };
         world.warn_of_overlap(&cleared);
         world.warn_of_pins(&model.position);
