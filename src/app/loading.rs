@@ -2,7 +2,7 @@
 
 use std::path::Path;
 use std::sync::Arc;
-use std::sync::mpsc::{Receiver, TryRecvError, channel};
+use std::sync::mpsc::{Receiver, channel};
 use std::time::{Duration, Instant};
 
 use crate::picture::{Picture, Stage, Watch};
@@ -73,10 +73,7 @@ impl Loading {
 
     /// What came of it; `None` while it is under way, or where it came to nothing.
     pub(super) fn take(&self) -> Option<Result<Loaded, SceneError>> {
-        match self.answer.try_recv() {
-            Ok(answer) => Some(answer),
-            Err(TryRecvError::Empty | TryRecvError::Disconnected) => None,
-        }
+        self.answer.try_recv().ok()
     }
 
     /// Says how far it is. Returns whether it is to be stopped.
