@@ -75,6 +75,9 @@ pub enum Reach {
     Within(f64),
 }
 
+/// A track: (t [s], place [m]), times ascending.
+pub type Knots = Vec<(f64, [f64; 3])>;
+
 /// What comes: points follow the last number that was given, in this order, and so do bonds and obstacles.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Addition {
@@ -90,8 +93,8 @@ pub struct Addition {
     pub bonds: Vec<Bond>,
     /// Obstacles, in order.
     pub obstacles: Vec<Obstacle>,
-    /// Pinned points that are led along tracks: (t [s], place [m]), times ascending.
-    pub pin_motion: Vec<(PointId, Vec<(f64, [f64; 3])>)>,
+    /// Pinned points that are led along tracks.
+    pub pin_motion: Vec<(PointId, Knots)>,
 }
 
 /// An obstacle, as commands name it.

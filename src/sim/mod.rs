@@ -35,8 +35,8 @@ pub mod world;
 pub use bond::{Bond, BondId, BondKind, Limit, PointId};
 pub use bonds::Bonds;
 pub use command::{
-    Addition, Applied, BondChange, BoundsChange, Change, Command, CommandError, Kind, Motion, MouseChange, Obstacle,
-    Reach, SceneChange, Selection, Values,
+    Addition, Applied, BondChange, BoundsChange, Change, Command, CommandError, Kind, Knots, Motion, MouseChange,
+    Obstacle, Reach, SceneChange, Selection, Values,
 };
 pub use contact::bounds::Bounds;
 pub use contact::polygon::Polygon;

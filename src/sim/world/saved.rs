@@ -89,7 +89,7 @@ impl<S: Real, const D: usize> World<S, D> {
         let knots = tracks.chain(mouse).chain(model.duration);
         let mut inverse_mass = plan::inverse_masses(&without_gone);
         saved.gone.iter().for_each(|point| inverse_mass[point.index()] = 0.0);
-        let cursor = saved.cursor.map(|parts| CursorPath::of(parts));
+        let cursor = saved.cursor.map(CursorPath::of);
         let lead = saved.lead.map(|[point, normal]| Lead { point, normal });
         let mut world = World {
             timeline: Timeline::resumed(saved.substep, knots, saved.time),
