@@ -21,11 +21,12 @@ pub(super) struct Keyframes {
     list: Vec<Keyframe>,
     bytes: usize,
     most_bytes: usize,
+    taken: u64,
 }
 
 impl Keyframes {
     pub(super) fn new() -> Self {
-        Keyframes { list: Vec::new(), bytes: 0, most_bytes: MOST_BYTES }
+        Keyframes { list: Vec::new(), bytes: 0, most_bytes: MOST_BYTES, taken: 0 }
     }
 
     /// Bytes that all copies take.
@@ -49,6 +50,10 @@ impl Keyframes {
         let bytes = frame.world.heap_bytes() + size_of::<Keyframe>();
         self.bytes += bytes;
         self.list.push(Keyframe { branch, time, frame, bytes, is_cut });
+        self.taken += 1;
+        if self.taken.is_multiple_of(SPREAD_EVERY) {
+            self.spread(time);
+        }
         self.thin(time);
     }
 
@@ -67,6 +72,21 @@ impl Keyframes {
         }
     }
 
+    /// Of times long ago fewer copies do: those are dropped whose neighbours are near.
+    fn spread(&mut self, now: f64) {
+        let mut k = 1;
+        while k + 1 < self.list.len() {
+            let [before, this, after] = [&self.list[k - 1], &self.list[k], &self.list[k + 1]];
+            let is_between = before.branch == this.branch && this.branch == after.branch && before.time <= this.time;
+            let gap = after.time - before.time;
+            if now - this.time > RECENT && is_between && (0.0..=LONG_AGO_BETWEEN).contains(&gap) {
+                self.bytes -= self.list.remove(k).bytes;
+            } else {
+                k += 1;
+            }
+        }
+    }
+
     /// The last copy that a branch has been at, at or before a spot of it.
     pub(super) fn before(&self, tree: &Tree, spot: Spot) -> Option<&Keyframe> {
         let is_before = |kept: &&Keyframe| kept.time <= spot.time && kept.frame.place <= spot.place;
@@ -74,6 +94,12 @@ impl Keyframes {
         fits.max_by(|a, b| a.time.total_cmp(&b.time).then(a.frame.place.cmp(&b.frame.place)))
     }
 }
+
+/// Time between copies of long ago at most that are dropped [s]: it takes a second at most to run through in real time.
+const LONG_AGO_BETWEEN: f64 = 0.8;
+
+/// Copies that are taken between two times that old ones are dropped.
+const SPREAD_EVERY: u64 = 64;
 
 /// Times that lie no longer back than this are all as near [s].
 const RECENT: f64 = 60.0;

@@ -15,12 +15,12 @@ use crate::picture::Skin;
 use crate::scene::Scene;
 use crate::sim::{Applied, Dynamics};
 
-/// Work between two keyframes, in steps of a point.
-const WORK_BETWEEN: u64 = 200_000;
-/// Scene time between two keyframes at most [s].
-const TIME_BETWEEN: f64 = 1.0;
-/// Steps between two keyframes at least: copying a point costs as much as moving it a few times.
-const STEPS_BETWEEN: u64 = 200;
+/// Scene time between two keyframes at least [s]: what is gone back to is shown in a tenth of a second where a world runs in real time.
+const TIME_BETWEEN: f64 = 0.1;
+/// Points of a world from which on steps are so cheap beside a copy that more must lie between two.
+const MANY: usize = 2000;
+/// Substeps between two keyframes at least, in a world of few points and of many: copies then cost less than a hundredth of them.
+const STEPS_BETWEEN: [u64; 2] = [100, 1000];
 
 /// A running world with its past: a start, the commands that were given with their times, keyframes; undo, redo, going back,
 /// branches.
@@ -45,8 +45,8 @@ pub struct History {
     last_edit: Option<u64>,
     /// Whole second that is marked already, or was passed over.
     second: f64,
-    /// Substeps and points moved when the last keyframe was taken, and when [s].
-    kept: (u64, u64, f64),
+    /// Substeps taken when the last keyframe was, and when that was [s].
+    kept: (u64, f64),
     refused: Vec<Refusal>,
 }
 
@@ -75,7 +75,7 @@ impl History {
             next_edit,
             last_edit: None,
             second: f64::NEG_INFINITY,
-            kept: (0, 0, from),
+            kept: (0, from),
             refused: Vec::new(),
         };
         history.keyframes.keep(0, history.frame.clone(), false);
@@ -246,7 +246,7 @@ impl History {
         self.skins = if self.frame.dress.has_skins() { self.frame.dress.skins(world) } else { Vec::new() };
         self.dressed = world.topology();
         self.second = world.time().floor();
-        self.kept = (world.counters().substeps, world.counters().points_moved, world.time());
+        self.kept = (world.counters().substeps, world.time());
         self.last_edit = None;
     }
 
@@ -282,13 +282,11 @@ impl History {
 
     /// A keyframe where enough was done since the last one that a copy costs little beside it.
     fn keep_now_and_then(&mut self) {
-        let counters = self.frame.world.counters();
-        let (steps, work) = (counters.substeps, counters.points_moved);
-        let since = (steps.saturating_sub(self.kept.0), work.saturating_sub(self.kept.1));
+        let steps = self.frame.world.counters().substeps;
         let time = self.frame.world.time();
-        let is_due = time - self.kept.2 >= TIME_BETWEEN || since.1 >= WORK_BETWEEN;
-        if is_due && since.0 >= STEPS_BETWEEN {
-            self.kept = (steps, work, time);
+        let least = STEPS_BETWEEN[usize::from(self.frame.world.point_count() >= MANY)];
+        if time - self.kept.1 >= TIME_BETWEEN && steps.saturating_sub(self.kept.0) >= least {
+            self.kept = (steps, time);
             self.keyframes.keep(self.branch, self.frame.clone(), false);
         }
     }
