@@ -7,9 +7,13 @@ use winit::window::Window;
 
 use crate::render::{Camera, Gpu, Look, RenderCounters, RenderError, Renderer, View};
 
-/// Panels ready to be painted.
+/// Panels ready to be painted, again and again.
+#[derive(Default)]
 pub(super) struct Paint {
     pub(super) jobs: Vec<egui::ClippedPrimitive>,
+    /// What is drawn over the world, under the panels: other in every picture.
+    pub(super) marks: Vec<egui::ClippedPrimitive>,
+    /// Textures that are new; none once they were given to the GPU.
     pub(super) textures: egui::TexturesDelta,
     pub(super) pixels_per_point: f32,
 }
@@ -22,6 +26,7 @@ pub(super) struct Canvas {
     gpu: Gpu,
     config: wgpu::SurfaceConfiguration,
     renderer: Renderer,
+    dimensions: usize,
     panels: egui_wgpu::Renderer,
     /// The surface must be configured before it is drawn to.
     outdated: bool,
@@ -44,7 +49,7 @@ impl Canvas {
         let config = configuration(&gpu, &surface, &window)?;
         let renderer = Renderer::new(&gpu, config.format, dimensions);
         let panels = egui_wgpu::Renderer::new(&gpu.device, config.format, egui_wgpu::RendererOptions::default());
-        Ok(Canvas { window, instance, surface, gpu, config, renderer, panels, outdated: true })
+        Ok(Canvas { window, instance, surface, gpu, config, renderer, dimensions, panels, outdated: true })
     }
 
     /// The window has another size [px]. One of no size (minimised) is remembered as nothing to draw on.
@@ -65,9 +70,26 @@ impl Canvas {
         self.gpu.largest_side()
     }
 
-    /// Another world is to be drawn: whatever its numbers say, all of it is new.
-    pub(super) fn forget_world(&mut self) {
-        self.renderer.forget_world();
+    /// Another world is to be drawn, of `dimensions`: whatever its numbers say, all of it is new.
+    pub(super) fn forget_world(&mut self, dimensions: usize) {
+        if dimensions == self.dimensions {
+            return self.renderer.forget_world();
+        }
+        // Its passes are others.
+        let counters = *self.renderer.counters();
+        self.renderer = Renderer::new(&self.gpu, self.config.format, dimensions);
+        self.renderer.count_from(counters);
+        self.dimensions = dimensions;
+    }
+
+    /// Of the worlds that it draws.
+    pub(super) fn dimensions(&self) -> usize {
+        self.dimensions
+    }
+
+    /// The GPU that draws.
+    pub(super) fn gpu(&self) -> &Gpu {
+        &self.gpu
     }
 
     pub(super) fn counters(&self) -> &RenderCounters {
@@ -83,14 +105,14 @@ impl Canvas {
         camera: &Camera,
         look: &Look,
         area: [u32; 2],
-        mut paint: Paint,
+        paint: &mut Paint,
     ) -> Result<(), RenderError> {
-        self.apply_textures(&mut paint);
+        self.apply_textures(paint);
         let drawn = match self.next_texture()? {
-            Some(texture) => self.draw_to(texture, view, camera, look, area, &paint),
+            Some(texture) => self.draw_to(texture, view, camera, look, area, paint),
             None => Ok(()),
         };
-        self.free_textures(&mut paint);
+        self.free_textures(paint);
         drawn?;
         self.gpu.check()
     }
@@ -157,7 +179,8 @@ impl Canvas {
         self.renderer.draw(&self.gpu, &mut encoder, &target, size, area, look);
         let screen = egui_wgpu::ScreenDescriptor { size_in_pixels: size, pixels_per_point: paint.pixels_per_point };
         let (device, queue) = (&self.gpu.device, &self.gpu.queue);
-        let mut commands = self.panels.update_buffers(device, queue, &mut encoder, &paint.jobs, &screen);
+        let jobs: Vec<egui::ClippedPrimitive> = paint.marks.iter().chain(&paint.jobs).cloned().collect();
+        let mut commands = self.panels.update_buffers(device, queue, &mut encoder, &jobs, &screen);
         let pass = encoder.begin_render_pass(&wgpu::RenderPassDescriptor {
             label: Some("panels"),
             color_attachments: &[Some(wgpu::RenderPassColorAttachment {
@@ -168,7 +191,7 @@ impl Canvas {
             })],
             ..Default::default()
         });
-        self.panels.render(&mut pass.forget_lifetime(), &paint.jobs, &screen);
+        self.panels.render(&mut pass.forget_lifetime(), &jobs, &screen);
         commands.push(encoder.finish());
         self.renderer.submit(&self.gpu, commands);
         self.window.pre_present_notify();

@@ -1,27 +1,32 @@
 //! The interactive program: window, clock, input, panels.
 //!
-//! Input becomes actions and commands; the player turns wall time into whole substeps; a frame draws the world between
-//! its last two states. When nothing moves, nothing is stepped, uploaded or submitted.
+//! Keys, clicks and panels become actions; actions become orders to the thread that steps, which alone has the history; the window
+//! draws the last two states that it was handed. When nothing moves, nothing is stepped, uploaded or submitted.
 
+pub mod action;
 mod canvas;
 mod fetch;
 mod import;
-pub mod input;
+pub mod keys;
 mod loading;
 pub mod meter;
 pub mod opening;
 mod panels;
 pub mod player;
+pub mod pointer;
+mod saving;
 mod session;
 mod shell;
+mod thumbnails;
+mod tools;
 
 pub use shell::Statistics;
 
 use std::path::Path;
 
+use crate::history::{HistoryError, Start, chunk};
 use crate::render::RenderError;
-use crate::scene::{Scene, SceneError};
-use session::Opened;
+use crate::scene::Scene;
 
 /// A window that cannot be opened or kept open.
 #[derive(Debug, thiserror::Error)]
@@ -43,16 +48,16 @@ pub enum AppError {
     /// The GPU.
     #[error(transparent)]
     Render(#[from] RenderError),
-    /// The scene.
+    /// The scene, or the recording.
     #[error(transparent)]
-    Scene(#[from] SceneError),
+    History(#[from] HistoryError),
 }
 
-/// Opens a window on `scene` and runs until it is closed.
+/// Opens a window on a scene or a recording and runs until it is closed.
 ///
 /// Errors: a scene that cannot be run, no display, no GPU.
-pub fn run(scene: Scene) -> Result<Statistics, AppError> {
-    shell::run(Opened::new(scene)?)
+pub fn run(start: Start) -> Result<Statistics, AppError> {
+    shell::run(start, None)
 }
 
 /// The scene that a picture is waited for in.
@@ -63,6 +68,11 @@ const WAITING: &str = r#"{"wobble": 1, "name": "picture", "view": {"center": [0,
 ///
 /// Errors: no display, no GPU.
 pub fn run_picture(path: &Path) -> Result<Statistics, AppError> {
-    let waiting = Opened::new(Scene::parse(WAITING, "")?)?;
-    shell::run(Opened { picture: Some(path.to_owned()), ..waiting })
+    let waiting = Scene::parse(WAITING, "").map_err(HistoryError::from)?;
+    shell::run(waiting.into(), Some(path.to_owned()))
+}
+
+/// Whether a picture holds the scene that it was taken of.
+pub fn holds_scene(path: &Path) -> bool {
+    std::fs::read(path).is_ok_and(|bytes| chunk::find(&bytes).is_some())
 }

@@ -2,9 +2,8 @@
 
 use glam::DVec3;
 
-use crate::render::{Camera, Pose};
+use crate::render::{Camera, Pose, View};
 use crate::scene::Scene;
-use crate::sim::Dynamics;
 
 /// Width of the pictures that views are made for, in heights: what is seen to both sides there is seen in narrower ones too.
 const MADE_FOR: f64 = 16.0 / 9.0;
@@ -12,14 +11,14 @@ const MADE_FOR: f64 = 16.0 / 9.0;
 const ROOM: f64 = 1.03;
 
 /// The camera of a scene's `view`; what that leaves out fits the scene.
-pub fn camera(scene: &Scene, world: &dyn Dynamics, size: [u32; 2]) -> Camera {
-    let mut camera = fit(world, true, size);
+pub fn camera(scene: &Scene, seen: &View<'_>, size: [u32; 2]) -> Camera {
+    let mut camera = fit(seen, true, size);
     let Some(view) = &scene.view else { return camera };
     let [width, tall] = camera.viewport().map(f64::from);
     match &mut camera.pose {
         Pose::Plane { center, height } => {
             *center = view.center.map_or(*center, |at| DVec3::from(at.embed()).truncate());
-            *height = view.height.map_or(*height, |height| height_for(height, width / tall, center.x, world));
+            *height = view.height.map_or(*height, |height| height_for(height, width / tall, center.x, seen));
         }
         Pose::Orbit { target, distance, yaw, pitch } => {
             *target = view.target.map_or(*target, |at| DVec3::from(at.embed()));
@@ -33,19 +32,19 @@ pub fn camera(scene: &Scene, world: &dyn Dynamics, size: [u32; 2]) -> Camera {
 
 /// The height [m] of a picture `aspect` times as wide as high, in which nothing of points and walls is cut off to the sides
 /// that one of `height` shows which is as wide as views are made for.
-fn height_for(height: f64, aspect: f64, center: f64, world: &dyn Dynamics) -> f64 {
-    let sides = [points(world), surroundings(world)].map(|extent| extent.map(|corner| (corner[0] - center).abs()));
+fn height_for(height: f64, aspect: f64, center: f64, view: &View<'_>) -> f64 {
+    let sides = [points(view), surroundings(view)].map(|extent| extent.map(|corner| (corner[0] - center).abs()));
     let shown = sides.into_iter().flatten().filter(|&side| side <= 0.5 * MADE_FOR * height).fold(0.0, f64::max);
     // In a picture higher than wide the same stretch is seen across.
     (height / aspect.min(1.0)).max(2.0 * ROOM * shown / aspect)
 }
 
 /// A camera that shows all points, with walls and polygons too or without. Where there are no points it shows those anyway.
-pub fn fit(world: &dyn Dynamics, with_walls: bool, size: [u32; 2]) -> Camera {
-    let dimensions = world.dimensions();
-    let mut corners = points(world);
-    if with_walls || world.point_count() == 0 {
-        surroundings(world).iter().for_each(|corner| include(&mut corners, corner));
+pub fn fit(view: &View<'_>, with_walls: bool, size: [u32; 2]) -> Camera {
+    let dimensions = view.dimensions;
+    let mut corners = points(view);
+    if with_walls || view.current.is_empty() {
+        surroundings(view).iter().for_each(|corner| include(&mut corners, corner));
     }
     let seen = (0..dimensions).all(|axis| corners[0][axis].is_finite() && corners[1][axis].is_finite());
     let corners = if seen { corners } else { [[-1.0; 3], [1.0; 3]] };
@@ -65,10 +64,10 @@ fn include(corners: &mut [[f64; 3]; 2], place: &[f64]) {
 }
 
 /// The box about all points [m].
-fn points(world: &dyn Dynamics) -> [[f64; 3]; 2] {
-    let (positions, dimensions) = (world.positions(), world.dimensions());
+fn points(view: &View<'_>) -> [[f64; 3]; 2] {
+    let (positions, dimensions) = (view.current, view.dimensions);
     let mut corners = EMPTY;
-    for first in (0..positions.len()).step_by(dimensions) {
+    for first in (0..positions.len()).step_by(dimensions.max(1)) {
         let place: [f64; 3] =
             std::array::from_fn(|axis| if axis < dimensions { positions.get(first + axis) } else { 0.0 });
         include(&mut corners, &place[..dimensions]);
@@ -77,10 +76,10 @@ fn points(world: &dyn Dynamics) -> [[f64; 3]; 2] {
 }
 
 /// The box about walls and polygons [m].
-fn surroundings(world: &dyn Dynamics) -> [[f64; 3]; 2] {
+fn surroundings(view: &View<'_>) -> [[f64; 3]; 2] {
     let mut corners = EMPTY;
-    world.bounds().iter().flatten().for_each(|corner| include(&mut corners, &corner[..world.dimensions()]));
-    for corner in world.polygons().iter().flat_map(|polygon| &polygon.loops).flatten() {
+    view.bounds.iter().flatten().for_each(|corner| include(&mut corners, &corner[..view.dimensions]));
+    for corner in view.polygons.iter().flat_map(|polygon| &polygon.loops).flatten() {
         include(&mut corners, corner);
     }
     corners

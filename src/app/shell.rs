@@ -1,18 +1,23 @@
 //! The window and its events: hands them on, and decides when the next frame is.
 
+use std::path::PathBuf;
 use std::sync::Arc;
 use std::time::{Duration, Instant};
 
 use winit::application::ApplicationHandler;
 use winit::dpi::LogicalSize;
 use winit::error::EventLoopError;
-use winit::event::{StartCause, WindowEvent};
+use winit::event::{ElementState, KeyEvent, StartCause, WindowEvent};
 use winit::event_loop::{ActiveEventLoop, ControlFlow, EventLoop, EventLoopProxy};
+use winit::keyboard::{Key, NamedKey};
 use winit::window::{Window, WindowId};
 
 use super::AppError;
-use super::input::{Action, action, is_command};
-use super::session::{Opened, Session};
+use super::action::Action;
+use super::keys::{self, Held};
+use super::player::Player;
+use super::session::Session;
+use crate::history::Start;
 use crate::render::RenderCounters;
 
 /// What the program did when its window closes.
@@ -20,24 +25,26 @@ use crate::render::RenderCounters;
 pub struct Statistics {
     /// Frames made.
     pub frames: u64,
+    /// Frames' times that the worlds were asked to pass.
+    pub advances: u64,
     /// Substeps taken.
     pub substeps: u64,
     /// What drawing took.
     pub drawing: RenderCounters,
 }
 
-/// Opens a window on `scene` and runs until it is closed.
+/// Opens a window on a scene or a recording and runs until it is closed.
 ///
-/// Errors: no display, no GPU, a GPU that is lost and does not come back.
-pub(super) fn run(opened: Opened) -> Result<Statistics, AppError> {
+/// Errors: no display, a scene that cannot be run, no GPU, a GPU that is lost and does not come back.
+pub(super) fn run(start: Start, picture: Option<PathBuf>) -> Result<Statistics, AppError> {
     let event_loop = EventLoop::new().map_err(|error| no_display(&error))?;
-    let mut shell = Shell::Waiting(Some(Box::new((opened, event_loop.create_proxy()))));
+    let mut shell = Shell::Waiting(Some(Box::new((start, picture, event_loop.create_proxy()))));
     event_loop.run_app(&mut shell).map_err(|error| no_display(&error))?;
     match shell {
         Shell::Failed(error) => Err(error),
         Shell::Open { session, .. } => {
-            let (frames, substeps, drawing) = session.statistics();
-            Ok(Statistics { frames, substeps, drawing })
+            let ([frames, advances, substeps], drawing) = session.statistics();
+            Ok(Statistics { frames, advances, substeps, drawing })
         }
         Shell::Waiting(_) => Ok(Statistics::default()),
     }
@@ -53,13 +60,15 @@ fn no_display(error: &EventLoopError) -> AppError {
 /// The program's states.
 enum Shell {
     /// Until the system says that windows may be made.
-    Waiting(Option<Box<(Opened, EventLoopProxy<()>)>>),
+    Waiting(Option<Box<(Start, Option<PathBuf>, EventLoopProxy<()>)>>),
     Open {
         session: Box<Session>,
         /// When the next frame may begin.
         next_frame: Instant,
         /// Least time from frame to frame: a little less than the screen's, which paces by itself where it can.
         interval: Duration,
+        /// Nothing of the window can be seen: it is minimised, not mapped, or lies behind others.
+        is_hidden: bool,
     },
     Failed(AppError),
 }
@@ -68,20 +77,47 @@ enum Shell {
 const FRAME_RATE: f64 = 60.0;
 /// Share of the screen's frame time that must pass: more would miss a frame now and then.
 const PATIENCE: f64 = 0.9;
+/// Size of a window where there is room [logical px], its share of the screen where there is not, and the least that it can have.
+const SIZE: [f64; 2] = [1180.0, 800.0];
+const SHARE: [f64; 2] = [0.92, 0.84];
+const LEAST: [f64; 2] = [400.0, 300.0];
+/// A scene that is made sooner than this needs no window to wait in.
+const QUICK: Duration = Duration::from_millis(300);
+/// How often it is looked whether a hidden window can be seen again: not all systems tell.
+const LOOK_AGAIN: Duration = Duration::from_millis(250);
+
+/// The size of a window on a screen of this size [logical px].
+fn size_on(screen: Option<[f64; 2]>) -> [f64; 2] {
+    let Some(screen) = screen else { return SIZE };
+    std::array::from_fn(|k| SIZE[k].min(SHARE[k] * screen[k]).max(LEAST[k].min(screen[k])))
+}
 
 impl Shell {
-    fn open(event_loop: &ActiveEventLoop, opened: Opened, waker: EventLoopProxy<()>) -> Result<Self, AppError> {
+    fn open(event_loop: &ActiveEventLoop, start: Start, waker: EventLoopProxy<()>) -> Result<Self, AppError> {
+        let scene = Arc::new(start.scene().clone());
+        let proxy = waker.clone();
+        // A window that has been closed is woken no more.
+        let mut player = Player::open(start, move || proxy.send_event(()).unwrap_or_default());
+        let news = player.wait_until_open(QUICK);
+        if let Some(failure) = news.failure {
+            return Err(failure.into());
+        }
+        let monitor = event_loop.primary_monitor().or_else(|| event_loop.available_monitors().next());
+        let screen = monitor.map(|monitor| monitor.size().to_logical::<f64>(monitor.scale_factor()));
+        let [width, height] = size_on(screen.map(|size| [size.width, size.height]));
         let attributes = Window::default_attributes()
-            .with_title(format!("wobble · {}", opened.scene.name()))
-            .with_inner_size(LogicalSize::new(1100.0, 760.0));
+            .with_title(format!("wobble · {}", scene.name()))
+            .with_min_inner_size(LogicalSize::new(LEAST[0].min(width), LEAST[1].min(height)))
+            .with_inner_size(LogicalSize::new(width, height));
         let window =
             event_loop.create_window(attributes).map_err(|error| AppError::NoWindow { reason: error.to_string() })?;
         let window = Arc::new(window);
-        let session = Session::new(Arc::clone(&window), (event_loop.owned_display_handle(), waker), opened)?;
+        let display = event_loop.owned_display_handle();
+        let session = Session::new(Arc::clone(&window), (display, waker), (player, scene))?;
         let rate = window.current_monitor().and_then(|monitor| monitor.refresh_rate_millihertz());
         let rate = rate.map_or(FRAME_RATE, |millihertz| f64::from(millihertz) / 1000.0).clamp(24.0, 1000.0);
         let interval = Duration::from_secs_f64(PATIENCE / rate);
-        Ok(Shell::Open { session: Box::new(session), next_frame: Instant::now(), interval })
+        Ok(Shell::Open { session: Box::new(session), next_frame: Instant::now(), interval, is_hidden: false })
     }
 
     fn fail(&mut self, event_loop: &ActiveEventLoop, error: AppError) {
@@ -89,24 +125,66 @@ impl Shell {
         event_loop.exit();
     }
 
-    /// Draws a frame now.
+    /// Draws a frame now, if anything of it can be seen.
     fn redraw(&mut self, event_loop: &ActiveEventLoop) {
-        let Shell::Open { session, next_frame, interval } = self else { return };
+        let Shell::Open { session, next_frame, interval, is_hidden } = self else { return };
         *next_frame = Instant::now() + *interval;
-        if let Err(error) = session.frame() {
-            self.fail(event_loop, error.into());
+        *is_hidden = is_out_of_sight(session);
+        if *is_hidden {
+            return session.rest();
         }
+        if let Err(error) = session.frame() {
+            return self.fail(event_loop, error.into());
+        }
+        if let Some(failure) = session.take_failure() {
+            self.fail(event_loop, failure.into());
+        }
+    }
+}
+
+/// Whether nothing of the window can be seen.
+fn is_out_of_sight(session: &Session) -> bool {
+    let window = &session.window;
+    session.is_occluded
+        || session.has_no_size()
+        || window.is_minimized() == Some(true)
+        || window.is_visible() == Some(false)
+}
+
+/// A key went down or up.
+fn press_key(session: &mut Session, event: &KeyEvent, event_loop: &ActiveEventLoop) {
+    let is_pressed = event.state == ElementState::Pressed;
+    let Some(action) = keys::action(&event.logical_key, session.held) else { return };
+    if !is_pressed {
+        return session.let_go_of(action);
+    }
+    let is_writing = session.egui.egui_ctx().text_edit_focused();
+    // What is written goes into the field; keys with Ctrl are the field's own there, but for those that close or leave.
+    if is_writing && !matches!(action, Action::Cancel | Action::Quit | Action::FullScreen | Action::Help) {
+        return;
+    }
+    if session.is_covered() && !action.reaches_through() {
+        return;
+    }
+    match action {
+        Action::Quit => event_loop.exit(),
+        // A key held down steps on and on, but does not flicker between play and pause.
+        action if !event.repeat || action.repeats() => session.act(action),
+        _ => {}
     }
 }
 
 impl ApplicationHandler for Shell {
     fn resumed(&mut self, event_loop: &ActiveEventLoop) {
         let Shell::Waiting(start) = self else { return };
-        let Some(opened) = start.take() else { return };
-        let (opened, waker) = *opened;
-        match Shell::open(event_loop, opened, waker) {
+        let Some(start) = start.take() else { return };
+        let (start, picture, waker) = *start;
+        match Shell::open(event_loop, start, waker) {
             Ok(open) => *self = open,
             Err(error) => self.fail(event_loop, error),
+        }
+        if let (Shell::Open { session, .. }, Some(path)) = (self, picture) {
+            session.load(&path);
         }
     }
 
@@ -123,51 +201,40 @@ impl ApplicationHandler for Shell {
             return self.redraw(event_loop);
         }
         let Shell::Open { session, .. } = self else { return };
-        let response = session.panels.on_window_event(&session.window, &event);
-        if response.repaint {
-            session.touch();
-        }
+        session.tell_panels(&event);
         match event {
             WindowEvent::CloseRequested | WindowEvent::Destroyed => event_loop.exit(),
             WindowEvent::DroppedFile(path) => session.take_file(&path),
             WindowEvent::Resized(size) => session.resize([size.width, size.height]),
             WindowEvent::ScaleFactorChanged { scale_factor, .. } => session.rescale(scale_factor),
-            WindowEvent::KeyboardInput { event, .. } if event.state.is_pressed() && !response.consumed => {
-                match action(&event.logical_key, session.holds_command) {
-                    Some(Action::Quit) if session.dismiss() => {}
-                    Some(Action::Quit) => event_loop.exit(),
-                    // A key held down steps on and on, but does not flicker between play and pause.
-                    Some(action) if !event.repeat || action == Action::Step => session.act(action),
-                    _ => {}
-                }
-            }
-            WindowEvent::ModifiersChanged(held) => session.holds_command = is_command(held.state()),
-            WindowEvent::CursorMoved { position, .. } => {
-                if session.pointer.move_to([position.x, position.y], &mut session.camera) {
-                    session.touch();
-                }
-                session.move_cursor();
-            }
-            WindowEvent::CursorLeft { .. } => {
-                session.pointer.leave();
-                session.move_cursor();
-            }
-            WindowEvent::MouseInput { state, button, .. } if !response.consumed || !state.is_pressed() => {
-                session.pointer.press(button, state);
-                session.move_cursor();
-            }
-            WindowEvent::MouseWheel { delta, .. } if !response.consumed => {
-                session.pointer.scroll(delta, &mut session.camera);
+            WindowEvent::Occluded(is_occluded) => {
+                session.is_occluded = is_occluded;
                 session.touch();
-                session.move_cursor();
             }
+            WindowEvent::Focused(false) => session.lose_focus(),
+            WindowEvent::KeyboardInput { event, is_synthetic: false, .. } => press_key(session, &event, event_loop),
+            WindowEvent::ModifiersChanged(held) => session.held = Held::of(held.state()),
+            WindowEvent::CursorMoved { position, .. } => session.point_at([position.x, position.y]),
+            WindowEvent::CursorLeft { .. } => session.point_away(),
+            WindowEvent::MouseInput { state, button, .. } => session.press(button, state),
+            WindowEvent::MouseWheel { delta, .. } => session.scroll(delta),
             _ => {}
         }
     }
 
     fn about_to_wait(&mut self, event_loop: &ActiveEventLoop) {
-        let Shell::Open { session, next_frame, .. } = self else { return };
+        let Shell::Open { session, next_frame, is_hidden, .. } = self else { return };
         let now = Instant::now();
+        if *is_hidden {
+            // Something may have happened that shows it.
+            *is_hidden = is_out_of_sight(session);
+        }
+        if *is_hidden {
+            return match session.wants_frame() {
+                true => event_loop.set_control_flow(ControlFlow::WaitUntil(now + LOOK_AGAIN)),
+                false => event_loop.set_control_flow(ControlFlow::Wait),
+            };
+        }
         let due = match (session.wants_frame(), session.panels_due()) {
             (true, _) => Some(*next_frame),
             (false, panels) => panels.map(|due| due.max(*next_frame)),
@@ -178,5 +245,27 @@ impl ApplicationHandler for Shell {
             None => {}
         }
         event_loop.set_control_flow(ControlFlow::Wait);
+    }
+}
+
+/// Whether the panels' library is to know of a key: Tab would move its focus about, and keys that mean something here are not for
+/// buttons.
+pub(super) fn is_for_panels(event: &KeyEvent, is_writing: bool) -> bool {
+    is_writing || !matches!(event.logical_key, Key::Named(NamedKey::Tab | NamedKey::Space | NamedKey::Enter))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_window_fits_its_screen() {
+        assert_eq!(size_on(None), SIZE);
+        assert_eq!(size_on(Some([2560.0, 1440.0])), SIZE);
+        let [width, height] = size_on(Some([1280.0, 720.0]));
+        assert!(width <= 1280.0 && height <= 0.85 * 720.0, "room for a bar and a title");
+        let [width, height] = size_on(Some([800.0, 500.0]));
+        assert!(width <= 800.0 && height <= 500.0);
+        assert_eq!(size_on(Some([320.0, 200.0])), [320.0, 200.0]);
     }
 }

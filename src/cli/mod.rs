@@ -27,7 +27,7 @@ use crate::scene::nearest;
     version,
     args_conflicts_with_subcommands = true,
     after_help = "Examples:\n  \
-        wobble                                             the rim, in a window\n  \
+        wobble                                             the jelly, in a window\n  \
         wobble rim-relaxed                                 another scene of the gallery\n  \
         wobble my-scene.json                               a scene file\n  \
         wobble my-picture.png                              a picture, as a soft body\n  \

@@ -72,7 +72,7 @@ pub(super) fn run(arguments: &Arguments, quiet: bool) -> anyhow::Result<()> {
     for warning in run.world().warnings() {
         writeln!(std::io::stderr(), "wobble: warning: {warning}")?;
     }
-    let camera = opening::camera(scene, run.world(), arguments.size);
+    let camera = opening::camera(scene, &View::of(run.world()), arguments.size);
     let overlay = match arguments.overlay {
         OverlayName::None => Overlay::None,
         OverlayName::Strain => Overlay::Strain,

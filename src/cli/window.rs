@@ -7,13 +7,14 @@ use clap::Args;
 
 use super::WrongCall;
 use crate::app;
+use crate::history::{HistoryError, Start};
 use crate::render::RenderCounters;
 use crate::scene::{Scene, SceneErrorKind};
 
 /// What to open.
 #[derive(Args)]
 pub(super) struct Arguments {
-    /// A scene of the gallery, a scene file, or a picture; the rim if left out.
+    /// A scene of the gallery, a scene file, a recording, or a picture; the jelly if left out.
     scene: Option<String>,
     /// Prints what was done when the window closes: frames, substeps, and what drawing them took.
     #[arg(long)]
@@ -21,16 +22,17 @@ pub(super) struct Arguments {
 }
 
 pub(super) fn run(arguments: &Arguments) -> anyhow::Result<()> {
-    let name = arguments.scene.as_deref().unwrap_or("rim");
+    let name = arguments.scene.as_deref().unwrap_or("jelly");
     let path = Path::new(name);
-    let done = if Scene::is_picture_file(path) { app::run_picture(path)? } else { app::run(scene(name)?)? };
+    let is_plain = Scene::is_picture_file(path) && !app::holds_scene(path);
+    let done = if is_plain { app::run_picture(path)? } else { app::run(start(name)?)? };
     if arguments.stats {
-        let app::Statistics { frames, substeps, drawing } = done;
+        let app::Statistics { frames, advances, substeps, drawing } = done;
         let RenderCounters { uploads, bytes_uploaded, bytes_held, submits, draws, .. } = drawing;
         let RenderCounters { bonds_drawn, dots_drawn, points_drawn, points_bounded, .. } = drawing;
         writeln!(
             std::io::stdout(),
-            "frames {frames}  substeps {substeps}  uploads {uploads}  submits {submits}  draws {draws}\n\
+            "frames {frames}  advances {advances}  substeps {substeps}  uploads {uploads}  submits {submits}  draws {draws}\n\
              bonds-drawn {bonds_drawn}  dots-drawn {dots_drawn}  points-drawn {points_drawn}  \
              points-bounded {points_bounded}\n\
              bytes-uploaded {bytes_uploaded}  bytes-held {bytes_held}"
@@ -39,12 +41,12 @@ pub(super) fn run(arguments: &Arguments) -> anyhow::Result<()> {
     Ok(())
 }
 
-/// Errors: those of [`Scene::load`]; a slip of a command's name.
-fn scene(name: &str) -> anyhow::Result<Scene> {
-    Scene::load(name).map_err(|error| match super::meant(name) {
-        Some(meant) if error.kind == SceneErrorKind::NotFound => anyhow::Error::from(WrongCall(format!(
-            "`{name}` is no file, gallery scene or command: did you mean `wobble {meant}`?"
-        ))),
+/// Errors: those of [`Start::load`]; a slip of a command's name.
+fn start(name: &str) -> anyhow::Result<Start> {
+    Start::load(name).map_err(|error| match (super::meant(name), &error) {
+        (Some(meant), HistoryError::Scene(fault)) if fault.kind == SceneErrorKind::NotFound => anyhow::Error::from(
+            WrongCall(format!("`{name}` is no file, gallery scene or command: did you mean `wobble {meant}`?")),
+        ),
         _ => error.into(),
     })
 }

@@ -173,9 +173,10 @@ impl WorldBuffers {
         (self.point_count, self.bond_count) = (0, 0);
         (self.selected, self.selection) = (None, Selection::default());
         let mut bonds: Vec<GpuBond> = view.bonds.iter().map(GpuBond::from).collect();
-        self.typical_bond = median_rest_length(&bonds);
         let point_count = (view.current.len() / view.dimensions) as u32;
-        let mut points: Vec<u32> = (0..point_count).collect();
+        // Points that were deleted have no place.
+        let is_there = |point: &u32| view.current.get(view.dimensions * *point as usize).is_finite();
+        let mut points: Vec<u32> = (0..point_count).filter(is_there).collect();
         if bonds.len().max(points.len()) >= LARGE {
             points = self.sort(view, &mut bonds);
             self.bare = [0, 0];
@@ -183,12 +184,16 @@ impl WorldBuffers {
             self.chunks = None;
             self.bare = bare_first(view, &mut bonds, &mut points);
         }
+        // Points are sized by the bonds beside them: those under a skin say nothing of others.
+        let bare = self.bare[0] as usize;
+        let beside = if bare > 0 && !view.skins.is_empty() { &bonds[..bare] } else { &bonds[..] };
+        self.typical_bond = median_rest_length(beside);
         self.bonds.write(gpu, bytemuck::cast_slice(&bonds), counters)?;
         let is_pinned = pins(view.pinned, point_count);
         points.iter_mut().for_each(|point| *point |= if is_pinned[*point as usize] { PINNED } else { 0 });
         self.points.write(gpu, bytemuck::cast_slice(&points), counters)?;
         self.has_pins = is_pinned.contains(&true);
-        (self.point_count, self.bond_count) = (point_count, bonds.len() as u32);
+        (self.point_count, self.bond_count) = (points.len() as u32, bonds.len() as u32);
         Ok(())
     }
 
@@ -302,9 +307,10 @@ fn subtract<const D: usize>(origin: [f64; D], x: &[f64], to: &mut [f32]) {
 
 /// Puts bonds and points that no skin covers first, and returns how many there are of each.
 fn bare_first(view: &View<'_>, bonds: &mut [GpuBond], points: &mut [u32]) -> [u32; 2] {
-    let mut is_covered = vec![false; points.len()];
+    let count = view.current.len() / view.dimensions;
+    let mut is_covered = vec![false; count];
     for skin in view.skins {
-        let range = skin.first as usize..(skin.first as usize + skin.texture.len()).min(points.len());
+        let range = skin.first as usize..(skin.first as usize + skin.texture.len()).min(count);
         if let Some(covered) = is_covered.get_mut(range) {
             covered.fill(true);
         }

@@ -187,6 +187,14 @@ impl Camera {
         Some(((ndc * DVec2::new(0.5, -0.5) + 0.5) * self.viewport).to_array())
     }
 
+    /// How far a point lies ahead of the camera [m]; in the plane 0.
+    pub fn depth(&self, point: DVec3) -> f64 {
+        match self.pose {
+            Pose::Plane { .. } => 0.0,
+            Pose::Orbit { target, distance, .. } => distance - (point - target).dot(self.back()),
+        }
+    }
+
     /// Where a pixel points.
     pub fn cursor(&self, pixel: [f64; 2]) -> Cursor {
         let at = self.world_from_screen(pixel);

@@ -48,7 +48,13 @@ impl Capture {
     ///
     /// Errors: no GPU; a size of 0 or beyond what the GPU draws.
     pub fn new(size: [u32; 2], dimensions: usize) -> Result<Self, RenderError> {
-        let gpu = Gpu::headless()?;
+        Capture::on(Gpu::headless()?, size, dimensions)
+    }
+
+    /// The same on a GPU that is open already.
+    ///
+    /// Errors: a size of 0 or beyond what the GPU draws.
+    pub fn on(gpu: Gpu, size: [u32; 2], dimensions: usize) -> Result<Self, RenderError> {
         let [width, height] = size;
         let (row_bytes, bytes) = layout(size, &gpu.device.limits())?;
         let texture = gpu.device.create_texture(&wgpu::TextureDescriptor {

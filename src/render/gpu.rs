@@ -4,7 +4,8 @@ use std::sync::{Arc, Mutex, PoisonError};
 
 use super::error::RenderError;
 
-/// An open GPU, real or in software.
+/// An open GPU, real or in software. Copies are of the same one.
+#[derive(Clone)]
 pub struct Gpu {
     /// The device.
     pub device: wgpu::Device,

@@ -145,6 +145,11 @@ impl Renderer {
         self.depth.as_ref().map(|(view, _)| view.clone())
     }
 
+    /// Goes on counting from what another renderer did before.
+    pub fn count_from(&mut self, counters: RenderCounters) {
+        self.counters = counters;
+    }
+
     /// Work done since the renderer was made.
     pub fn counters(&self) -> &RenderCounters {
         &self.counters

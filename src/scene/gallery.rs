@@ -10,8 +10,10 @@ pub struct Entry {
     pub name: &'static str,
     /// A few words for a list.
     pub title: &'static str,
-    /// One sentence on what it shows.
+    /// One sentence on what is seen.
     pub description: &'static str,
+    /// A few words on what to try in the window.
+    pub to_try: &'static str,
     /// How many points the scene has.
     pub point_count: usize,
     /// The scene file's text.
@@ -64,102 +66,159 @@ impl Scene {
 
 /// An entry, its text embedded from `assets/scenes`.
 macro_rules! entry {
-    ($name:literal, $points:literal, $title:literal, $description:literal) => {
+    ($name:literal, $points:literal, $title:literal, $description:literal, $to_try:literal) => {
         Entry {
             name: $name,
             title: $title,
             description: $description,
+            to_try: $to_try,
             point_count: $points,
             json: include_str!(concat!("../../assets/scenes/", $name, ".json")),
         }
     };
 }
 
-static GALLERY: [Entry; 19] = [
-    entry!("points", 10, "Falling points", "Ten loose points fall under unit gravity and bounce between walls."),
+static GALLERY: [Entry; 20] = [
+    entry!(
+        "jelly",
+        168,
+        "Jelly",
+        "A soft body cut out of a picture falls, lands and wobbles.",
+        "press on it and throw it; move the mouse into it; pin an eye and shake it."
+    ),
+    entry!(
+        "points",
+        10,
+        "Falling points",
+        "Ten loose points fall under unit gravity and bounce between walls.",
+        "push them about; grab one and throw it at the others."
+    ),
     entry!(
         "random-graph",
         10,
         "Random graph",
-        "Ten points and thirty random bonds, swept by relaxation as in the source: it crumples, shivers and settles."
+        "Ten points and thirty random bonds, swept by relaxation as in the source: it crumples, shivers and settles.",
+        "pull it apart by a point, let go, and see what shape it takes next."
     ),
     entry!(
         "rim",
         24,
         "Rim",
-        "A braced rim of springs falls, lands and shies away from the mouse; one second a second."
+        "A braced rim of springs falls, lands and shies away from the mouse; one second a second.",
+        "lift it, throw it against a wall, sweep the mouse through it."
     ),
     entry!(
         "rim-relaxed",
         24,
         "Rim, relaxed",
         "The source's rim: one shuffled sweep a substep, at 3.6 times real time. \
-         The square mouse force attracts there, here it repels."
+         The square mouse force attracts there, here it repels.",
+        "dent it and compare with the rim: here stiffness hangs on the step."
     ),
     entry!(
         "spring-damper",
         10,
         "Springs and dampers",
-        "Weights on springs: undamped, damped a little, damped critically, and three in a chain."
+        "Weights on springs: undamped, damped a little, damped critically, and three in a chain.",
+        "pull a weight down and let go: four dampings side by side."
     ),
     entry!(
         "slide-circle",
         2,
         "Euler's circle",
-        "Explicit Euler with steps of 0.1 s on a circle: it spirals out, by a factor of sqrt(1 + h^2) a step."
+        "Explicit Euler with steps of 0.1 s on a circle: it spirals out, by a factor of sqrt(1 + h^2) a step.",
+        "R, then halve the pace: the turns grow all the same."
     ),
     entry!(
         "slide-decay",
         8,
         "Euler's decay",
-        "Explicit Euler on v' = -k v, h = 0.1 s: smooth at h k = 0.5, it oscillates at 1.5 and 1.95, and grows at 2.02."
+        "Explicit Euler on v' = -k v, h = 0.1 s: smooth at h k = 0.5, it oscillates at 1.5 and 1.95, and grows at 2.02.",
+        "R, and watch which of the four points comes to rest."
     ),
     entry!(
         "image-mesh",
         195,
         "Image mesh",
-        "A letter cut out of a bitmap, its triangles' sides swept by relaxation as in the source: a jelly that the mouse dents."
+        "A letter cut out of a bitmap, its triangles' sides swept by relaxation as in the source: a jelly that the mouse dents.",
+        "dent the letter with the mouse, then cut it in two."
     ),
     entry!(
         "brush",
         370,
         "Brush",
-        "A fish of brush strokes; in the window it lies on a canvas, to be painted over and made a body."
+        "A fish of brush strokes; in the window it lies on a canvas, to be painted over and made a body.",
+        "paint eyes or fins, then add the fish to a scene."
     ),
     entry!(
         "gear",
         373,
         "Gear",
-        "A gear with seven holes, cut out of a picture with its own colours, rolls along: rigid bonds."
+        "A gear with seven holes, cut out of a picture with its own colours, rolls along: rigid bonds.",
+        "stop it, lift it, and drop it on its rim."
     ),
-    entry!("jellyfish", 571, "Jellyfish", "A picture of a jellyfish in thick water, soft down to its tentacles."),
-    entry!("ring", 341, "Ring", "A ring of springs, cut out of a picture, spins, falls and rolls."),
-    entry!("maze", 846, "Maze", "The walls of a round maze are one soft body: it sags, and springs back."),
-    entry!("pebble", 392, "Pebbles", "The same stone twice, once firm and once soft as dough."),
+    entry!(
+        "jellyfish",
+        571,
+        "Jellyfish",
+        "A picture of a jellyfish in thick water, soft down to its tentacles.",
+        "stroke its tentacles; pin its bell and let it hang."
+    ),
+    entry!(
+        "ring",
+        341,
+        "Ring",
+        "A ring of springs, cut out of a picture, spins, falls and rolls.",
+        "throw it hard at the wall; squeeze it flat and let go."
+    ),
+    entry!(
+        "maze",
+        846,
+        "Maze",
+        "The walls of a round maze are one soft body: it sags, and springs back.",
+        "cut one of its walls open and shake it."
+    ),
+    entry!(
+        "pebble",
+        392,
+        "Pebbles",
+        "The same stone twice, once firm and once soft as dough.",
+        "drop the firm stone and the soft one from the same height."
+    ),
     entry!(
         "picture-obstacle",
         376,
         "Rain on a gear",
-        "A picture stands as an obstacle: a soft stone, a rope and loose points fall on it and off its teeth."
+        "A picture stands as an obstacle: a soft stone, a rope and loose points fall on it and off its teeth.",
+        "throw the stone back up; erase the gear under it."
     ),
     entry!(
         "rope",
         1000,
         "Rope",
-        "A level rope of a thousand points, held at one end, swings down: rigid bonds, 100 m."
+        "A level rope of a thousand points, held at one end, swings down: rigid bonds, 100 m.",
+        "grab its free end and crack it like a whip; cut it."
     ),
-    entry!("net", 10_000, "Net", "A net of ten thousand points hangs from its two upper corners; the mouse moves it."),
+    entry!(
+        "net",
+        10_000,
+        "Net",
+        "A net of ten thousand points hangs from its two upper corners; the mouse moves it.",
+        "grab it in the middle; unpin a corner; cut a hole."
+    ),
     entry!(
         "thousand-rims",
         24_000,
         "A thousand rims",
-        "Forty columns and twenty-five rows of soft rims, each hung by a point of its rim, swing and wobble."
+        "Forty columns and twenty-five rows of soft rims, each hung by a point of its rim, swing and wobble.",
+        "sweep through it, zoom in on one, cut it off its pin."
     ),
     entry!(
         "million-cloth",
         1_000_000,
         "A million points",
-        "A cloth of a million points and four million rigid bonds hangs from its upper edge: for patient machines."
+        "A cloth of a million points and four million rigid bonds hangs from its upper edge: for patient machines.",
+        "zoom in to the threads; be patient."
     ),
 ];
 

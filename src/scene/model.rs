@@ -94,7 +94,7 @@ impl Scene {
             pinned: start.pinned.into_iter().map(PointId).collect(),
             gravity: self.gravity.map_or([0.0; D], |g| truncate(g.embed())),
             drag_rate: self.drag_rate.unwrap_or(0.0),
-            mouse: self.mouse.as_ref().map(mouse_force),
+            mouse: self.mouse_force(),
             bounds: self.bounds.as_ref().map(|bounds| Bounds {
                 min: truncate(bounds.min.embed()),
                 max: truncate(bounds.max.embed()),
@@ -195,6 +195,13 @@ pub(super) fn pin_motion<const D: usize>(scene: &Scene) -> Vec<(PointId, Track<D
     let knot = |row: &Vec<f64>| (row[0], std::array::from_fn(|k| row[k + 1]));
     let of = |keys: &PinMotionKeys| (PointId(keys.point), Track { knots: keys.track.iter().map(knot).collect() });
     scene.pin_motion.iter().map(of).collect()
+}
+
+impl Scene {
+    /// The mouse force that it begins with.
+    pub fn mouse_force(&self) -> Option<MouseForce> {
+        self.mouse.as_ref().map(mouse_force)
+    }
 }
 
 fn mouse_force(keys: &MouseKeys) -> MouseForce {

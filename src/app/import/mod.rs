@@ -163,21 +163,22 @@ impl Import {
         }
     }
 
-    /// What the running `world` of a scene gets: bodies or an obstacle, where there is room now, if possible in what is `seen` of it
-    /// (lower and upper corner [m]).
+    /// What the running world of a scene gets: bodies or an obstacle, where there is room when it is asked, if possible in what is
+    /// `seen` of it (lower and upper corner [m]).
     ///
-    /// Errors: as of [`Import::scene`].
-    pub(super) fn addition(
+    /// Errors, then: as of [`Import::scene`].
+    pub(super) fn adder(
         &self,
-        scene: &Scene,
-        world: &dyn Dynamics,
         seen: [[f64; 2]; 2],
-    ) -> Result<AddKeys, SceneError> {
-        let keys = self.wish.keys(&self.picture);
-        if self.wish.matter == Matter::Fixed {
-            return scene.obstacle_to_add(world, (&self.picture, &keys), seen);
+    ) -> impl FnOnce(&Scene, &dyn Dynamics) -> Result<AddKeys, SceneError> + Send + 'static {
+        let (wish, picture) = (self.wish, Arc::clone(&self.picture));
+        move |scene, world| {
+            let keys = wish.keys(&picture);
+            if wish.matter == Matter::Fixed {
+                return scene.obstacle_to_add(world, (&picture, &keys), seen);
+            }
+            scene.body_to_add(world, (&picture, keys), seen, wish.apart)
         }
-        scene.body_to_add(world, (&self.picture, keys), seen, self.wish.apart)
     }
 
     /// The present scene with its body cut out as it is wished for now.

@@ -6,7 +6,10 @@ use std::sync::Arc;
 use super::super::fetch::{self, Fetch, Found};
 use super::super::import::{Answer, Import};
 use super::super::loading::{Loaded, Loading};
-use super::{BRUSH, Session};
+use super::{BRUSH, Session, Thumbnails};
+use crate::app::holds_scene;
+use crate::app::player::Order;
+use crate::history::Start;
 use crate::scene::{Scene, SceneError};
 
 /// What a picture is called that was pasted.
@@ -20,12 +23,34 @@ impl Session {
 
     /// A file was dropped on the window, chosen or pasted: a picture is imported, a scene opens in place of this one.
     pub(in crate::app) fn take_file(&mut self, path: &Path) {
-        if Scene::is_picture_file(path) {
+        // A picture may hold the scene that it was taken of.
+        let is_picture = Scene::is_picture_file(path) && !holds_scene(path);
+        if is_picture {
             self.loading = Some(Loading::picture(path, self.wake_up()));
             return self.touch();
         }
-        let taken = Scene::read(path).and_then(|scene| self.open(scene));
-        self.complain(taken);
+        match Start::load(&path.to_string_lossy()) {
+            Ok(start) => self.open(start),
+            Err(error) => self.complain(&error.to_string()),
+        }
+    }
+
+    /// Opens an import; a drawing that lay there is put away.
+    fn bring_in(&mut self, import: Import) {
+        self.put_away();
+        self.panels.sheet = None;
+        self.import = Some(import);
+        self.touch();
+    }
+
+    /// Closes the import, if one is open. A drawing is kept: the next canvas has it, with all its steps.
+    pub(super) fn put_away(&mut self) {
+        let Some(mut import) = self.import.take() else { return };
+        if import.has_work() {
+            import.put_away();
+            self.kept = Some(import);
+        }
+        self.touch();
     }
 
     /// Opens a canvas to paint a body on: with the drawing that was put away, if there is one; else over the scene's picture, if
@@ -39,35 +64,19 @@ impl Session {
             None if self.is_canvas() && self.has_picture => Import::of_canvas_over(&self.scene, self.wake_up()),
             None => Import::of_canvas(self.wake_up()).map_err(|error| self.scene.complaint(&error.to_string())),
         };
-        let opened = opened.map(|import| self.begin(import));
-        self.complain(opened);
-    }
-
-    /// Opens an import; a drawing that lay there is put away.
-    fn begin(&mut self, import: Import) {
-        self.put_away();
-        self.import = Some(import);
-    }
-
-    /// Closes the import, if one is open, and returns whether one was. A drawing is kept: the next canvas has it, with all its steps.
-    pub(super) fn put_away(&mut self) -> bool {
-        let Some(mut import) = self.import.take() else { return false };
-        if import.has_work() {
-            import.put_away();
-            self.kept = Some(import);
-        }
-        true
+        let opened = opened.map(|import| self.bring_in(import));
+        self.complain_of(opened);
     }
 
     /// Cuts the scene's first picture out anew.
     pub(super) fn cut_anew(&mut self) {
         match Import::of_scene(&self.scene, self.wake_up()) {
-            Ok(Some(import)) => self.begin(import),
-            Ok(None) => self.say(
+            Ok(Some(import)) => self.bring_in(import),
+            Ok(None) => self.complain(
                 "no body of this scene is cut out of a picture: drop a picture on the window, open one (Ctrl+O), paste \
                  one (Ctrl+V) or draw one (N)",
             ),
-            Err(error) => self.complain(Err(error)),
+            Err(error) => self.complain_of(Err(error)),
         }
     }
 
@@ -75,7 +84,7 @@ impl Session {
     pub(super) fn choose_file(&mut self) {
         self.wake();
         match self.dialog {
-            Some(_) => self.say("the dialog for files is open already"),
+            Some(_) => self.say("the dialog for files is open already".to_owned()),
             None => self.dialog = Some(fetch::open(&self.window, self.wake_up())),
         }
     }
@@ -100,9 +109,8 @@ impl Session {
         if self.import.as_mut().is_some_and(Import::poll) {
             self.touch();
         }
-        if let Some((name, loaded)) =
-            self.loading.as_ref().and_then(|loading| Some((loading.name.clone(), loading.take()?)))
-        {
+        let loaded = self.loading.as_ref().and_then(|loading| Some((loading.name.clone(), loading.take()?)));
+        if let Some((name, loaded)) = loaded {
             self.loading = None;
             self.take_loaded(name, loaded);
         }
@@ -116,74 +124,76 @@ impl Session {
                 Ok(Found::File(path)) => self.take_file(&path),
                 Ok(Found::Picture(picture)) => {
                     let import = Import::of_picture(PASTED.to_owned(), Arc::new(picture), self.wake_up());
-                    self.begin(import);
-                    self.complain(Ok(()));
+                    self.bring_in(import);
                 }
                 Ok(Found::Nothing) => {}
-                Err(why) => self.say(&why),
+                Err(why) => self.complain(&why),
             }
         }
+        if self.thumbnails.as_mut().is_some_and(Thumbnails::poll) {
+            self.panels_dirty = true;
+        }
+        self.hear_of_saving();
+        let news = self.player.poll();
+        self.hear(news);
+    }
+
+    /// Makes a scene of a picture, which opens when it is there.
+    pub(in crate::app) fn load(&mut self, path: &Path) {
+        self.loading = Some(Loading::scene(path, self.wake_up()));
+        self.touch();
     }
 
     /// A picture was read: it opens as a scene, or to be cut out by hand.
     fn take_loaded(&mut self, name: String, loaded: Result<Loaded, SceneError>) {
-        let mut why = None;
-        let opened = loaded.and_then(|loaded| match loaded {
-            Loaded::Scene(scene) => self.open(*scene),
-            Loaded::Picture(picture, spacing, reason) => {
-                why = reason;
+        match loaded {
+            Ok(Loaded::Scene(scene)) => self.open((*scene).into()),
+            Ok(Loaded::Picture(picture, spacing, why)) => {
                 let import = Import::of_picture(name, picture, self.wake_up());
-                self.begin(if let Some(spacing) = spacing { import.spaced(spacing) } else { import });
-                Ok(())
+                self.bring_in(if let Some(spacing) = spacing { import.spaced(spacing) } else { import });
+                if let Some(why) = why {
+                    self.complain(&why);
+                }
             }
-        });
-        self.complain(opened);
-        if let Some(why) = why {
-            self.say(&why);
+            Err(error) => self.complain_of(Err(error)),
         }
     }
 
     /// Does what the import panel was told.
     pub(super) fn answer(&mut self, answer: Answer) {
-        if answer == Answer::Cancel {
-            self.put_away();
-            return self.touch();
-        }
-        let Some(import) = self.import.take() else { return };
+        let Some(import) = &self.import else { return };
         let scene = match answer {
-            Answer::Cancel => return,
+            Answer::Cancel => return self.put_away(),
+            Answer::Add => {
+                self.player.ask(Order::Add(Box::new(import.adder(self.seen()))));
+                self.adding = self.import.take();
+                return;
+            }
             Answer::Open => import.scene(),
-            Answer::Add => self.with_import(&import),
             Answer::Replace => import.put_into(&self.scene),
         };
-        let (camera, points) = (self.camera, self.player.world().point_count());
-        let polygons = self.player.world().polygons().len();
-        let opened = scene.and_then(|scene| self.open(scene));
-        match (&opened, answer) {
-            (Err(_), _) => self.import = Some(import),
-            // What one looked at is still there.
-            (Ok(()), Answer::Add) => self.look_again(camera, [points, polygons]),
-            (Ok(()), Answer::Replace) => self.look_again(camera, [usize::MAX; 2]),
-            _ => {}
+        match scene {
+            Ok(scene) => {
+                self.import = None;
+                // What one looked at is still there.
+                self.looks_again = (answer == Answer::Replace).then_some(self.camera);
+                self.open(scene.into());
+            }
+            Err(error) => self.complain_of(Err(error)),
         }
-        self.complain(opened);
     }
 
-    /// The scene with what an import adds, at its start.
-    fn with_import(&self, import: &Import) -> Result<Scene, SceneError> {
-        let start = self.scene.world(None)?;
-        self.scene.with(import.addition(&self.scene, &*start, self.seen())?)
+    /// What of the plane is in view: its lower and upper corner [m].
+    fn seen(&self) -> [[f64; 2]; 2] {
+        let [width, height] = self.area.map(f64::from);
+        [[0.0, height], [width, 0.0]].map(|pixel| self.camera.world_from_screen(pixel).truncate().to_array())
     }
 
     /// Tells the user of what went wrong, if anything did.
-    fn complain(&mut self, done: Result<(), SceneError>) {
-        let warned = self.complaint.take().filter(|complaint| self.player.world().warnings().contains(complaint));
-        self.complaint = done.err().map(|error| error.to_string()).or(warned);
-        self.touch();
-    }
-
-    fn say(&mut self, line: &str) {
-        self.complaint = Some(line.to_owned());
+    pub(super) fn complain_of(&mut self, done: Result<(), SceneError>) {
+        if let Err(error) = done {
+            self.complain(&error.to_string());
+        }
         self.touch();
     }
 }

@@ -1,66 +1,8 @@
-//! Keys, buttons and the pointer: what they mean.
+//! The pointer: where it is, and how it drags and zooms the picture.
 
 use winit::event::{ElementState, MouseButton, MouseScrollDelta};
-use winit::keyboard::{Key, ModifiersState, NamedKey};
 
 use crate::render::{Camera, Pose};
-
-/// What the user asks of the program. Panels return these too: a click and a key do the same.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Action {
-    /// Plays or pauses.
-    TogglePlay,
-    /// Pauses and goes on by one frame.
-    Step,
-    /// Back to the start.
-    Reset,
-    /// Shows all points.
-    Fit,
-    /// The view that the scene opened with.
-    Home,
-    /// Shows bonds and points, or hides them.
-    ToggleMesh,
-    /// Cuts the scene's picture out anew.
-    Import,
-    /// Opens a canvas to draw a body on.
-    Paint,
-    /// Opens the system's dialog for a scene or a picture.
-    Open,
-    /// Takes the picture, or the file, that lies on the clipboard.
-    Paste,
-    /// Leaves.
-    Quit,
-}
-
-/// Whether the key is held down that makes commands of others: Ctrl, on a Mac the command key.
-pub fn is_command(held: ModifiersState) -> bool {
-    if cfg!(target_os = "macos") { held.super_key() } else { held.control_key() }
-}
-
-/// What a key means, if it means anything; `is_command` while Ctrl, or its like on a Mac, is held down.
-pub fn action(key: &Key, is_command: bool) -> Option<Action> {
-    match key {
-        Key::Character(text) if is_command => match text.to_lowercase().as_str() {
-            "o" => Some(Action::Open),
-            "v" => Some(Action::Paste),
-            _ => None,
-        },
-        Key::Named(NamedKey::Space) => Some(Action::TogglePlay),
-        Key::Named(NamedKey::Home) => Some(Action::Home),
-        Key::Named(NamedKey::Escape) => Some(Action::Quit),
-        Key::Character(text) => match text.to_lowercase().as_str() {
-            "p" | " " => Some(Action::TogglePlay),
-            "." => Some(Action::Step),
-            "r" => Some(Action::Reset),
-            "f" => Some(Action::Fit),
-            "b" => Some(Action::ToggleMesh),
-            "i" => Some(Action::Import),
-            "n" => Some(Action::Paint),
-            _ => None,
-        },
-        _ => None,
-    }
-}
 
 /// Zoom of one notch of the wheel.
 const NOTCH: f64 = 1.15;
@@ -126,23 +68,6 @@ impl Pointer {
 mod tests {
     use super::*;
     use glam::DVec2;
-
-    #[test]
-    fn keys_mean_what_the_readme_says() {
-        let named = |key| action(&Key::Named(key), false);
-        let character = |text: &str| action(&Key::Character(text.into()), false);
-        let command = |text: &str| action(&Key::Character(text.into()), true);
-        assert_eq!(named(NamedKey::Space), Some(Action::TogglePlay));
-        assert_eq!(named(NamedKey::Home), Some(Action::Home));
-        assert_eq!(named(NamedKey::Escape), Some(Action::Quit));
-        assert_eq!((command("o"), command("V")), (Some(Action::Open), Some(Action::Paste)));
-        assert_eq!((character("o"), command("r")), (None, None), "Ctrl makes another key of a key");
-        assert_eq!((character("."), character("R")), (Some(Action::Step), Some(Action::Reset)));
-        assert_eq!(
-            (character("f"), character("P"), character("x")),
-            (Some(Action::Fit), Some(Action::TogglePlay), None)
-        );
-    }
 
     #[test]
     fn a_drag_takes_the_plane_along() {

@@ -1,0 +1,108 @@
+//! What the user can ask of the program: keys, buttons and panels ask for the same.
+
+/// What the left button does.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Tool {
+    /// Grabs what is pressed; pressed beside all bodies, the hover force pushes on.
+    #[default]
+    Hand,
+    /// Holds points where they are, or lets them go.
+    Pin,
+    /// Cuts the bonds that a stroke crosses.
+    Cut,
+    /// Takes away what is clicked.
+    Erase,
+}
+
+impl Tool {
+    /// All of them, in the order of the palette.
+    pub const ALL: [Tool; 4] = [Tool::Hand, Tool::Pin, Tool::Cut, Tool::Erase];
+}
+
+/// What the user asks of the program. Panels return these too: a click and a key do the same.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Action {
+    /// Plays or pauses.
+    TogglePlay,
+    /// Pauses and goes on by one frame.
+    Step,
+    /// Time runs back as long as the key is held.
+    Rewind,
+    /// Back to the start.
+    Reset,
+    /// Half the pace, down to an eighth.
+    Slower,
+    /// Twice the pace, up to four times.
+    Faster,
+    /// The scene before this one in the gallery.
+    PreviousScene,
+    /// The scene after this one in the gallery.
+    NextScene,
+    /// Opens or closes the gallery.
+    Gallery,
+    /// Goes back to just before the last edit.
+    Undo,
+    /// Goes to just after the edit that was undone.
+    Redo,
+    /// Takes another tool.
+    Take(Tool),
+    /// The tool for pins as long as the key is held.
+    PinWhileHeld,
+    /// Takes away what is under the cursor or grabbed.
+    Delete,
+    /// A smaller region of the hover force.
+    SmallerRegion,
+    /// A larger region of the hover force.
+    LargerRegion,
+    /// A weaker hover force.
+    Weaker,
+    /// A stronger hover force.
+    Stronger,
+    /// Shows all points.
+    Fit,
+    /// The view that the scene opened with.
+    Home,
+    /// Shows bonds and points, or hides them.
+    ToggleMesh,
+    /// Cuts the scene's picture out anew.
+    Import,
+    /// Opens a canvas to draw a body on.
+    Paint,
+    /// Opens the system's dialog for a scene or a picture.
+    Open,
+    /// Takes the picture, or the file, that lies on the clipboard.
+    Paste,
+    /// Writes all that was done to a file.
+    Save,
+    /// Writes the picture to a file.
+    Screenshot,
+    /// Hides the panels, or shows them.
+    TogglePanels,
+    /// Hides the figures, or shows them.
+    ToggleHud,
+    /// Shows the keys.
+    Help,
+    /// All of the screen, or a window.
+    FullScreen,
+    /// Ends what is under way; closes what lies over the world.
+    Cancel,
+    /// Leaves.
+    Quit,
+}
+
+impl Action {
+    /// Whether it is asked for again and again while its key is held down.
+    pub fn repeats(self) -> bool {
+        use Action::{LargerRegion, NextScene, PreviousScene, Redo, SmallerRegion, Step, Stronger, Undo, Weaker};
+        matches!(
+            self,
+            Step | SmallerRegion | LargerRegion | Weaker | Stronger | Undo | Redo | PreviousScene | NextScene
+        )
+    }
+
+    /// Whether it is done while a panel lies over the world: nothing there reaches the world.
+    pub fn reaches_through(self) -> bool {
+        use Action::{Cancel, FullScreen, Gallery, Help, Open, Paste, Quit, Screenshot};
+        matches!(self, Cancel | FullScreen | Gallery | Help | Open | Paste | Quit | Screenshot)
+    }
+}

@@ -1,0 +1,144 @@
+//! Keys and what they do: one table, which the program shows (F1), the README prints and the tests compare.
+
+mod table;
+
+use winit::keyboard::{Key, ModifiersState, NamedKey};
+
+use super::action::Action;
+pub use table::{TABLE, by_mouse};
+
+/// A key as it is pressed.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Stroke {
+    /// One without a letter, by its name.
+    Named(NamedKey),
+    /// One that writes this, whatever the layout; Shift may be needed for it.
+    Writes(&'static str),
+    /// The same while Ctrl is held (the command key on a Mac).
+    Ctrl(&'static str),
+    /// The same while Ctrl and Shift are held.
+    CtrlShift(&'static str),
+}
+
+/// What some keys do.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Binding {
+    /// The keys as they are printed.
+    pub keys: &'static str,
+    /// Each of them.
+    pub strokes: &'static [(Stroke, Action)],
+    /// What they do.
+    pub words: &'static str,
+}
+
+/// Which keys are held down beside another.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Held {
+    /// Ctrl, or its like on a Mac.
+    pub command: bool,
+    /// Shift.
+    pub shift: bool,
+}
+
+impl Held {
+    /// What the system says is held down.
+    pub fn of(held: ModifiersState) -> Self {
+        let command = if cfg!(target_os = "macos") { held.super_key() } else { held.control_key() };
+        Held { command, shift: held.shift_key() }
+    }
+}
+
+impl Stroke {
+    fn is(self, key: &Key, held: Held) -> bool {
+        match (self, key) {
+            (Stroke::Named(name), Key::Named(pressed)) => name == *pressed && !held.command,
+            // Where the space bar writes a letter like others.
+            (Stroke::Named(NamedKey::Space), Key::Character(text)) => text == " " && !held.command,
+            (Stroke::Writes(letter), Key::Character(text)) => !held.command && text.to_lowercase() == letter,
+            (Stroke::Ctrl(letter), Key::Character(text)) => {
+                held.command && !held.shift && text.to_lowercase() == letter
+            }
+            (Stroke::CtrlShift(letter), Key::Character(text)) => {
+                held.command && held.shift && text.to_lowercase() == letter
+            }
+            _ => false,
+        }
+    }
+}
+
+/// What a key means, if it means anything.
+pub fn action(key: &Key, held: Held) -> Option<Action> {
+    let strokes = TABLE.iter().flat_map(|binding| binding.strokes);
+    strokes.clone().find(|(stroke, _)| stroke.is(key, held)).map(|&(_, action)| action)
+}
+
+/// The keys for an action, as they are printed beside its button.
+pub fn keys_of(action: Action) -> Option<&'static str> {
+    let binding = TABLE.iter().find(|binding| binding.strokes.iter().any(|&(_, does)| does == action))?;
+    let place = binding.strokes.iter().position(|&(_, does)| does == action)?;
+    match binding.keys.split(", ").count() == binding.strokes.len() {
+        true => binding.keys.split(", ").nth(place),
+        false => Some(binding.keys),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::app::action::Tool;
+
+    const PLAIN: Held = Held { command: false, shift: false };
+    const CTRL: Held = Held { command: true, shift: false };
+    const CTRL_SHIFT: Held = Held { command: true, shift: true };
+
+    fn writes(text: &str, held: Held) -> Option<Action> {
+        action(&Key::Character(text.into()), held)
+    }
+
+    #[test]
+    fn keys_mean_what_the_table_says() {
+        assert_eq!(action(&Key::Named(NamedKey::Escape), PLAIN), Some(Action::Cancel));
+        assert_eq!(action(&Key::Named(NamedKey::PageDown), PLAIN), Some(Action::NextScene));
+        assert_eq!((writes("r", PLAIN), writes("R", PLAIN)), (Some(Action::Reset), Some(Action::Reset)));
+        assert_eq!((writes("r", CTRL), writes("o", PLAIN)), (None, None), "Ctrl makes another key of a key");
+        assert_eq!((writes("z", CTRL), writes("y", CTRL)), (Some(Action::Undo), Some(Action::Redo)));
+        assert_eq!((writes("Z", CTRL_SHIFT), writes("q", CTRL)), (Some(Action::Redo), Some(Action::Quit)));
+        assert_eq!((writes("[", PLAIN), writes("{", PLAIN)), (Some(Action::SmallerRegion), Some(Action::Weaker)));
+        assert_eq!((writes(" ", PLAIN), writes("x", PLAIN)), (Some(Action::TogglePlay), None));
+        assert_eq!(writes("3", PLAIN), Some(Action::Take(Tool::Cut)));
+    }
+
+    #[test]
+    fn no_key_has_two_meanings() {
+        let strokes: Vec<_> = TABLE.iter().flat_map(|binding| binding.strokes).collect();
+        for (place, (stroke, _)) in strokes.iter().enumerate() {
+            assert!(strokes[..place].iter().all(|(other, _)| other != stroke), "{stroke:?}");
+        }
+    }
+
+    #[test]
+    fn the_readme_has_the_table() {
+        let readme = include_str!("../../../README.md");
+        let rows: Vec<[&str; 2]> = readme
+            .lines()
+            .skip_while(|line| !line.starts_with("| key |"))
+            .skip(2)
+            .take_while(|line| line.starts_with('|'))
+            .filter_map(|line| {
+                let mut cells = line.trim_matches('|').split(" | ").map(str::trim);
+                Some([cells.next()?, cells.next()?])
+            })
+            .collect();
+        let keys = TABLE.iter().map(|binding| [binding.keys, binding.words]);
+        let expected: Vec<[&str; 2]> = keys.chain(by_mouse()).collect();
+        assert_eq!(rows, expected, "the README's table of keys is that of src/app/keys/table.rs, row by row");
+    }
+
+    #[test]
+    fn buttons_name_their_keys() {
+        assert_eq!(keys_of(Action::TogglePlay), Some("Space"));
+        assert_eq!(keys_of(Action::Redo), Some("Ctrl+Shift+Z"));
+        assert_eq!(keys_of(Action::LargerRegion), Some("]"));
+        assert_eq!(keys_of(Action::Take(Tool::Hand)), Some("1"));
+    }
+}

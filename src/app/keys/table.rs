@@ -1,0 +1,96 @@
+//! The table of keys.
+
+use winit::keyboard::NamedKey;
+
+use super::{Binding, Stroke};
+use crate::app::action::{Action, Tool};
+use Stroke::{Ctrl, CtrlShift, Named, Writes};
+
+const fn binding(keys: &'static str, words: &'static str, strokes: &'static [(Stroke, Action)]) -> Binding {
+    Binding { keys, strokes, words }
+}
+
+/// What every key does.
+pub static TABLE: &[Binding] = &[
+    binding(
+        "Space, P",
+        "play or pause",
+        &[(Named(NamedKey::Space), Action::TogglePlay), (Writes("p"), Action::TogglePlay)],
+    ),
+    binding(".", "one frame on", &[(Writes("."), Action::Step)]),
+    binding(",", "held: time runs back", &[(Writes(","), Action::Rewind)]),
+    binding("R", "back to the start", &[(Writes("r"), Action::Reset)]),
+    binding("-, +", "half or twice the pace", &[(Writes("-"), Action::Slower), (Writes("+"), Action::Faster)]),
+    binding(
+        "PgUp, PgDn",
+        "the scene before or after this one",
+        &[(Named(NamedKey::PageUp), Action::PreviousScene), (Named(NamedKey::PageDown), Action::NextScene)],
+    ),
+    binding("Ctrl+K", "the gallery", &[(Ctrl("k"), Action::Gallery)]),
+    binding(
+        "Ctrl+Z, Ctrl+Shift+Z, Ctrl+Y",
+        "undo, redo",
+        &[(Ctrl("z"), Action::Undo), (CtrlShift("z"), Action::Redo), (Ctrl("y"), Action::Redo)],
+    ),
+    binding(
+        "1, 2, 3, 4",
+        "the tools: hand, pin, cut, erase",
+        &[
+            (Writes("1"), Action::Take(Tool::Hand)),
+            (Writes("2"), Action::Take(Tool::Pin)),
+            (Writes("3"), Action::Take(Tool::Cut)),
+            (Writes("4"), Action::Take(Tool::Erase)),
+        ],
+    ),
+    binding("T", "held: a click pins points or lets them go", &[(Writes("t"), Action::PinWhileHeld)]),
+    binding("Del", "take away what is under the cursor or grabbed", &[(Named(NamedKey::Delete), Action::Delete)]),
+    binding(
+        "[, ]",
+        "a smaller or larger reach of the push",
+        &[(Writes("["), Action::SmallerRegion), (Writes("]"), Action::LargerRegion)],
+    ),
+    binding(
+        "Shift+[, Shift+]",
+        "a weaker or stronger push",
+        &[(Writes("{"), Action::Weaker), (Writes("}"), Action::Stronger)],
+    ),
+    binding("F", "fit all points", &[(Writes("f"), Action::Fit)]),
+    binding("Home", "the view that the scene opened with", &[(Named(NamedKey::Home), Action::Home)]),
+    binding("B", "bonds and points, of bodies with a skin", &[(Writes("b"), Action::ToggleMesh)]),
+    binding("N", "draw a body on a canvas", &[(Writes("n"), Action::Paint)]),
+    binding("I", "cut the scene's first picture out anew", &[(Writes("i"), Action::Import)]),
+    binding("Ctrl+O", "open a scene, a recording or a picture", &[(Ctrl("o"), Action::Open)]),
+    binding("Ctrl+V", "paste a picture, or a file", &[(Ctrl("v"), Action::Paste)]),
+    binding("Ctrl+S", "save all that was done", &[(Ctrl("s"), Action::Save)]),
+    binding(
+        "F2",
+        "a screenshot, in the folder that wobble was started in",
+        &[(Named(NamedKey::F2), Action::Screenshot)],
+    ),
+    binding(
+        "Tab, M",
+        "hide the panels, the figures",
+        &[(Named(NamedKey::Tab), Action::TogglePanels), (Writes("m"), Action::ToggleHud)],
+    ),
+    binding(
+        "F1, F11",
+        "these keys, full screen",
+        &[(Named(NamedKey::F1), Action::Help), (Named(NamedKey::F11), Action::FullScreen)],
+    ),
+    binding(
+        "Esc",
+        "end what is under way, close what is open; it never leaves",
+        &[(Named(NamedKey::Escape), Action::Cancel)],
+    ),
+    binding("Ctrl+Q", "leave", &[(Ctrl("q"), Action::Quit)]),
+];
+
+/// What the mouse does, in the same form.
+pub fn by_mouse() -> [[&'static str; 2]; 4] {
+    [
+        ["left button on a body", "grab it; let go and it flies"],
+        ["left button beside it", "push through bodies"],
+        ["right or middle drag", "pan; in space the right button orbits"],
+        ["wheel", "zoom at the cursor"],
+    ]
+}

@@ -1,0 +1,57 @@
+//! Figures in the upper right corner.
+
+use egui::{Align, Align2, Area, Id, Layout, Rect};
+
+use super::Facts;
+use super::theme::floating;
+
+pub(super) fn show(context: &egui::Context, room: Rect, facts: &Facts) {
+    // Below what floats at the top, where that takes all of the width.
+    let down = if room.width() < 900.0 { 62.0 } else { 10.0 };
+    let place = Area::new(Id::unique("figures")).anchor(Align2::RIGHT_TOP, [-10.0, down]).interactable(false);
+    place.show(context, |ui| {
+        floating().show(ui, |ui| {
+            egui::Grid::new("figures").num_columns(2).spacing([14.0, 1.0]).show(ui, |ui| {
+                for (name, value) in rows(facts) {
+                    ui.weak(name);
+                    ui.with_layout(Layout::right_to_left(Align::Center), |ui| ui.monospace(value));
+                    ui.end_row();
+                }
+            });
+        });
+    });
+}
+
+fn rows(facts: &Facts) -> [(&'static str, String); 5] {
+    let figures = &facts.figures;
+    [
+        ("frame", format!("{:.1} ms", 1e3 * facts.frame)),
+        ("stepping", format!("{:.2} ms", 1e3 * figures.step)),
+        ("points", figures.points.to_string()),
+        ("bonds", figures.bonds.to_string()),
+        ("energy", energy(figures.energy)),
+    ]
+}
+
+/// An energy [J] in at most eleven characters: what is large has no millijoules, and what is nothing no sign.
+fn energy(value: f64) -> String {
+    match value.abs() {
+        size if size < 5e-4 => "0.000 J".to_owned(),
+        size if size < 1e4 => format!("{value:.3} J"),
+        size if size < 1e7 => format!("{value:.0} J"),
+        _ => format!("{value:.2e} J"),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::energy;
+
+    #[test]
+    fn energies_of_any_size_are_short() {
+        let all = [(1.25, "1.250 J"), (-489_525.175, "-489525 J"), (-4.8e12, "-4.80e12 J"), (-1e-5, "0.000 J")];
+        for (value, text) in all {
+            assert_eq!(energy(value), text);
+        }
+    }
+}

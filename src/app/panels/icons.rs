@@ -1,0 +1,136 @@
+//! Signs on buttons, drawn as strokes: no font has all of them everywhere.
+
+use std::f32::consts::{PI, TAU};
+
+use egui::epaint::PathShape;
+use egui::{Color32, Painter, Pos2, Rect, Response, Role, Sense, Shape, Stroke, Ui, Vec2, WidgetInfo, vec2};
+
+use super::theme::{ACCENT, ON_ACCENT};
+
+/// What is drawn.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Icon {
+    Play,
+    Pause,
+    Step,
+    Reset,
+    Before,
+    After,
+    Undo,
+    Redo,
+    Hand,
+    Pin,
+    Cut,
+    Erase,
+}
+
+/// A button with a sign in place of words; it is called `name` by what reads aloud. `is_on`: it is lit.
+pub(super) fn button(ui: &mut Ui, icon: Icon, name: &str, size: Vec2, is_on: bool) -> Response {
+    let (rect, response) = ui.allocate_exact_size(size, Sense::click());
+    let is_enabled = ui.is_enabled();
+    response.widget_info(|| WidgetInfo::labeled(Role::Button, is_enabled, name));
+    let visuals = ui.style().interact(&response);
+    let fill = match (is_on, response.hovered()) {
+        (true, true) => ACCENT.gamma_multiply(0.85),
+        (true, false) => ACCENT,
+        _ => visuals.weak_bg_fill,
+    };
+    let color = if is_on { ON_ACCENT } else { visuals.fg_stroke.color };
+    ui.painter().rect_filled(rect, visuals.corner_radius, fill);
+    paint(ui.painter(), icon, rect, color);
+    response
+}
+
+/// Draws a sign into the middle of a rectangle.
+fn paint(painter: &Painter, icon: Icon, rect: Rect, color: Color32) {
+    // All signs lie in a square from -1 to 1, y down.
+    let unit = 0.27 * rect.height();
+    let at = |x: f32, y: f32| rect.center() + unit * vec2(x, y);
+    let stroke = Stroke::new(1.8, color);
+    let line = |points: &[(f32, f32)]| {
+        painter.add(Shape::line(points.iter().map(|&(x, y)| at(x, y)).collect(), stroke));
+    };
+    let filled = |points: &[(f32, f32)]| {
+        let points: Vec<Pos2> = points.iter().map(|&(x, y)| at(x, y)).collect();
+        painter.add(Shape::Path(PathShape::convex_polygon(points, color, Stroke::NONE)));
+    };
+    let ring = |x: f32, y: f32, radius: f32| {
+        painter.circle_stroke(at(x, y), radius * unit, stroke);
+    };
+    match icon {
+        Icon::Play => filled(&[(-0.7, -1.0), (1.0, 0.0), (-0.7, 1.0)]),
+        Icon::Pause => {
+            filled(&[(-0.8, -0.95), (-0.25, -0.95), (-0.25, 0.95), (-0.8, 0.95)]);
+            filled(&[(0.25, -0.95), (0.8, -0.95), (0.8, 0.95), (0.25, 0.95)]);
+        }
+        Icon::Step => {
+            filled(&[(-0.9, -0.9), (0.5, 0.0), (-0.9, 0.9)]);
+            filled(&[(0.55, -0.9), (0.9, -0.9), (0.9, 0.9), (0.55, 0.9)]);
+        }
+        Icon::Reset => {
+            filled(&[(0.9, -0.9), (-0.5, 0.0), (0.9, 0.9)]);
+            filled(&[(-0.9, -0.9), (-0.55, -0.9), (-0.55, 0.9), (-0.9, 0.9)]);
+        }
+        Icon::Before => line(&[(0.4, -0.9), (-0.5, 0.0), (0.4, 0.9)]),
+        Icon::After => line(&[(-0.4, -0.9), (0.5, 0.0), (-0.4, 0.9)]),
+        Icon::Undo => turn(painter, &at, stroke, color, 1.0),
+        Icon::Redo => turn(painter, &at, stroke, color, -1.0),
+        Icon::Hand => {
+            // A hand that points: a finger, the back of the hand, a thumb.
+            line(&[(-0.35, 0.1), (-0.35, -1.1), (0.0, -1.1), (0.0, -0.15), (0.85, 0.05), (0.85, 0.6), (0.55, 1.1)]);
+            line(&[(0.55, 1.1), (-0.3, 1.1), (-0.95, 0.25), (-0.7, -0.05), (-0.35, 0.3)]);
+        }
+        Icon::Pin => {
+            painter.circle_filled(at(0.0, -0.45), 0.62 * unit, color);
+            line(&[(0.0, 0.1), (0.0, 1.2)]);
+        }
+        Icon::Cut => {
+            line(&[(-0.75, -1.1), (0.45, 0.55)]);
+            line(&[(0.75, -1.1), (-0.45, 0.55)]);
+            ring(-0.65, 0.85, 0.36);
+            ring(0.65, 0.85, 0.36);
+        }
+        Icon::Erase => {
+            line(&[(-0.95, -0.75), (0.95, -0.75)]);
+            line(&[(-0.35, -0.75), (-0.35, -1.1), (0.35, -1.1), (0.35, -0.75)]);
+            line(&[(-0.7, -0.75), (-0.55, 1.1), (0.55, 1.1), (0.7, -0.75)]);
+        }
+    }
+}
+
+/// An arrow that turns back, to the left (`side` 1) or to the right (-1).
+fn turn(painter: &Painter, at: &impl Fn(f32, f32) -> Pos2, stroke: Stroke, color: Color32, side: f32) {
+    let arc = (0..=14).map(|step| {
+        let angle = -0.42 * TAU + step as f32 / 14.0 * (0.42 * TAU + 0.25 * PI);
+        at(side * 0.85 * angle.cos(), 0.2 + 0.85 * angle.sin())
+    });
+    painter.add(Shape::line(arc.collect(), stroke));
+    let head = [(-1.25, 0.05), (-0.35, -0.05), (-0.95, -0.85)].map(|(x, y)| at(side * x, y));
+    painter.add(Shape::Path(PathShape::convex_polygon(head.to_vec(), color, Stroke::NONE)));
+}
+
+/// The size of a small button.
+pub(super) const SMALL: Vec2 = vec2(30.0, 28.0);
+/// The size of a tool.
+pub(super) const TOOL: Vec2 = vec2(38.0, 36.0);
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use egui::pos2;
+
+    #[test]
+    fn every_sign_draws_something() {
+        let context = egui::Context::default();
+        let all = [Icon::Play, Icon::Pause, Icon::Step, Icon::Reset, Icon::Before, Icon::After];
+        let more = [Icon::Undo, Icon::Redo, Icon::Hand, Icon::Pin, Icon::Cut, Icon::Erase];
+        for icon in all.into_iter().chain(more) {
+            let mut output = context.run_ui(egui::RawInput::default(), |ui| {
+                let rect = Rect::from_min_size(pos2(0.0, 0.0), vec2(30.0, 30.0));
+                paint(ui.painter(), icon, rect, Color32::WHITE);
+            });
+            output.textures_delta.clear();
+            assert!(!output.shapes.is_empty(), "{icon:?}");
+        }
+    }
+}

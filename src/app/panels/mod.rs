@@ -1,0 +1,129 @@
+//! The panels: a bar below, tools at the left, figures, what is said, and sheets over the world. They return wishes and change
+//! nothing of the world.
+
+mod gallery;
+mod help;
+mod hud;
+mod icons;
+mod notes;
+mod palette;
+pub(super) mod theme;
+mod top;
+mod transport;
+
+use std::collections::BTreeMap;
+
+use super::action::{Action, Tool};
+use super::player::Figures;
+pub(super) use gallery::THUMBNAIL;
+use icons::Icon;
+pub(super) use notes::Notes;
+
+/// What the panels ask for.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) enum Wish {
+    /// The same as a key.
+    Act(Action),
+    /// A scene of the gallery.
+    OpenScene(&'static str),
+    /// Seconds of the scene a second of wall time, in those of the scene itself.
+    Pace(f64),
+    /// A time that was seen already [s].
+    GoTo(f64),
+}
+
+/// What lies over the world.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Sheet {
+    /// Scenes to choose from.
+    Gallery,
+    /// The keys.
+    Help,
+}
+
+/// What the panels keep from frame to frame.
+#[derive(Default)]
+pub(super) struct PanelState {
+    pub(super) sheet: Option<Sheet>,
+    pub(super) hides_panels: bool,
+    pub(super) hides_hud: bool,
+    /// What is looked for in the gallery.
+    pub(super) search: String,
+    /// The search has just been opened: it gets the focus.
+    pub(super) is_fresh: bool,
+    pub(super) notes: Notes,
+    /// Thumbnails by the names of scenes.
+    pub(super) thumbnails: BTreeMap<&'static str, egui::TextureHandle>,
+}
+
+/// What the panels show.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub(super) struct Facts {
+    /// The name of the scene, as it is called in a list.
+    pub(super) title: String,
+    /// What is seen, and what to try: of scenes of the gallery.
+    pub(super) caption: Option<[&'static str; 2]>,
+    pub(super) figures: Figures,
+    /// Seconds of the scene a second of wall time, in those of the scene itself.
+    pub(super) pace: f64,
+    /// Time from frame to frame [s].
+    pub(super) frame: f64,
+    pub(super) tool: Tool,
+    /// Bodies have skins: their bonds can be shown or not.
+    pub(super) has_skin: bool,
+    /// Bonds of bodies with a skin are shown.
+    pub(super) has_mesh: bool,
+    /// The scene is that of a picture, which can be cut out anew.
+    pub(super) has_picture: bool,
+    /// The world waits: something lies over it.
+    pub(super) waits: bool,
+    /// Another scene is being made.
+    pub(super) is_opening: bool,
+    /// A step takes long.
+    pub(super) is_busy: bool,
+    pub(super) dimensions: usize,
+}
+
+/// Shows the panels; returns what was asked for, and the height that they leave to the world [points].
+pub(super) fn show(ui: &mut egui::Ui, state: &mut PanelState, facts: &Facts) -> (Vec<Wish>, f32) {
+    let mut wishes = Vec::new();
+    if !state.hides_panels {
+        transport::show(ui, facts, &mut wishes);
+    }
+    let room = ui.available_rect_before_wrap();
+    if !state.hides_panels {
+        top::show(ui.ctx(), room, facts, &mut wishes);
+        palette::show(ui.ctx(), room, facts, &mut wishes);
+    }
+    if !state.hides_hud && room.width() > 560.0 {
+        hud::show(ui.ctx(), room, facts);
+    }
+    state.notes.show(ui.ctx(), room, facts);
+    match state.sheet {
+        Some(Sheet::Gallery) => gallery::show(ui.ctx(), room, state, facts, &mut wishes),
+        Some(Sheet::Help) => help::show(ui.ctx(), room, state),
+        None => {}
+    }
+    (wishes, room.height())
+}
+
+/// A button that says its name and its key when the pointer rests on it.
+fn button(ui: &mut egui::Ui, text: &str, name: &str, action: Action, wishes: &mut Vec<Wish>) {
+    let said = described(name, action);
+    if ui.button(text).on_hover_text(said).clicked() {
+        wishes.push(Wish::Act(action));
+    }
+}
+
+/// The same with a sign in place of words.
+fn icon(ui: &mut egui::Ui, icon: Icon, name: &str, action: Action, wishes: &mut Vec<Wish>) {
+    let said = described(name, action);
+    if icons::button(ui, icon, name, icons::SMALL, false).on_hover_text(said).clicked() {
+        wishes.push(Wish::Act(action));
+    }
+}
+
+/// A name with the key beside it.
+fn described(name: &str, action: Action) -> String {
+    super::keys::keys_of(action).map_or_else(|| name.to_owned(), |keys| format!("{name} ({keys})"))
+}

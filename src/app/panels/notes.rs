@@ -1,0 +1,86 @@
+//! What the program says: faults until they are read, what was just done for a moment, what to try until something is tried.
+
+use std::time::{Duration, Instant};
+
+use egui::{Align2, Area, Id, Label, Rect, RichText};
+
+use super::Facts;
+use super::theme::{ACCENT, AWAY, TEXT, WEAK, floating};
+
+/// What was just done is said so long.
+const MOMENT: Duration = Duration::from_secs(4);
+
+/// What is to be said.
+#[derive(Debug, Default)]
+pub(in crate::app) struct Notes {
+    /// What went wrong, or should be known: until it is closed.
+    pub(in crate::app) complaint: Option<String>,
+    /// What was just done, and when.
+    done: Option<(String, Instant)>,
+    /// Nobody has touched this scene yet: its caption is shown.
+    pub(in crate::app) has_caption: bool,
+    /// Nobody has touched anything yet: a line at the cursor says how, where the cursor is [points].
+    pub(in crate::app) hint_at: Option<egui::Pos2>,
+}
+
+/// The line at the cursor.
+const HINT: &str = "press and drag: grab it, throw it";
+
+impl Notes {
+    /// Says what was just done.
+    pub(in crate::app) fn say(&mut self, line: String) {
+        self.done = Some((line, Instant::now()));
+    }
+
+    /// When something that is said is to go by itself.
+    pub(in crate::app) fn until(&self) -> Option<Instant> {
+        self.done.as_ref().and_then(|(_, since)| since.checked_add(MOMENT))
+    }
+
+    pub(super) fn show(&mut self, context: &egui::Context, room: Rect, facts: &Facts) {
+        self.done.take_if(|(_, since)| since.elapsed() >= MOMENT);
+        let width = (room.width() - 120.0).clamp(160.0, 640.0);
+        let mut is_read = false;
+        let up = room.height() - context.content_rect().height() - 12.0;
+        if let Some(complaint) = &self.complaint {
+            Area::new(Id::unique("complaint")).anchor(Align2::CENTER_BOTTOM, [0.0, up]).show(context, |ui| {
+                floating().show(ui, |ui| {
+                    ui.set_max_width(width);
+                    ui.horizontal(|ui| {
+                        is_read = ui.button("Close").clicked();
+                        ui.label(RichText::new("!").color(AWAY).strong());
+                        ui.add(Label::new(RichText::new(complaint).color(TEXT)).wrap());
+                    });
+                });
+            });
+        } else if let Some((line, _)) = &self.done {
+            line_below(context, up, width, "done", |ui| {
+                ui.label(RichText::new(line).color(ACCENT));
+            });
+        } else if let Some([seen, to_try]) = facts.caption.filter(|_| self.has_caption) {
+            line_below(context, up, width, "caption", |ui| {
+                ui.add(Label::new(RichText::new(seen).color(TEXT)).wrap());
+                ui.add(Label::new(RichText::new(format!("Try: {to_try}")).color(WEAK)).wrap());
+            });
+        }
+        if is_read {
+            self.complaint = None;
+        }
+        if let Some(at) = self.hint_at {
+            let place = Area::new(Id::unique("hint")).fixed_pos(at + egui::vec2(18.0, 18.0)).interactable(false);
+            place.show(context, |ui| {
+                floating().show(ui, |ui| ui.label(RichText::new(HINT).color(TEXT)));
+            });
+        }
+    }
+}
+
+fn line_below(context: &egui::Context, up: f32, width: f32, name: &str, add: impl FnOnce(&mut egui::Ui)) {
+    let place = Area::new(Id::unique(name)).anchor(Align2::CENTER_BOTTOM, [0.0, up]).interactable(false);
+    place.show(context, |ui| {
+        floating().show(ui, |ui| {
+            ui.set_max_width(width);
+            ui.vertical_centered(add);
+        });
+    });
+}

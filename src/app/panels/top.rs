@@ -1,0 +1,41 @@
+//! What floats at the top: the scene with those before and after it, and what can be brought in or saved.
+
+use egui::{Area, Id, Rect, RichText};
+
+use super::icons::Icon;
+use super::theme::{TEXT, floating};
+use super::{Facts, Wish, button, described, icon};
+use crate::app::action::Action;
+
+pub(super) fn show(context: &egui::Context, room: Rect, facts: &Facts, wishes: &mut Vec<Wish>) {
+    Area::new(Id::unique("scene")).fixed_pos([10.0, 10.0]).show(context, |ui| {
+        floating().show(ui, |ui| {
+            ui.set_max_width(room.width() - 36.0);
+            ui.horizontal_wrapped(|ui| {
+                icon(ui, Icon::Before, "the scene before", Action::PreviousScene, wishes);
+                let name = egui::Button::new(RichText::new(&facts.title).color(TEXT).strong());
+                if ui.add(name).on_hover_text(described("the gallery", Action::Gallery)).clicked() {
+                    wishes.push(Wish::Act(Action::Gallery));
+                }
+                icon(ui, Icon::After, "the scene after", Action::NextScene, wishes);
+                ui.separator();
+                button(ui, "Draw", "draw a body", Action::Paint, wishes);
+                button(ui, "Open", "open a scene, a recording or a picture", Action::Open, wishes);
+                button(ui, "Save", "save all that was done", Action::Save, wishes);
+                ui.separator();
+                icon(ui, Icon::Undo, "undo", Action::Undo, wishes);
+                icon(ui, Icon::Redo, "redo", Action::Redo, wishes);
+                ui.separator();
+                button(ui, "Fit", "fit all points", Action::Fit, wishes);
+                if facts.has_skin {
+                    let name = if facts.has_mesh { "Hide mesh" } else { "Mesh" };
+                    button(ui, name, "bonds and points of bodies with a skin", Action::ToggleMesh, wishes);
+                }
+                if facts.has_picture {
+                    button(ui, "Picture", "cut the scene's first picture out anew", Action::Import, wishes);
+                }
+                button(ui, "?", "the keys", Action::Help, wishes);
+            });
+        });
+    });
+}

@@ -1,0 +1,120 @@
+//! The bar at the bottom: play, step, back; the pace; the time, and the line of what was seen.
+
+use egui::{Align, Layout, RichText, Slider, vec2};
+
+use super::icons::{self, Icon};
+use super::theme::{ACCENT, PANEL, WEAK};
+use super::{Facts, Wish, described, icon};
+use crate::app::action::Action;
+
+/// The paces that can be chosen.
+pub(in crate::app) const PACES: [(f64, &str); 6] =
+    [(0.125, "1/8"), (0.25, "1/4"), (0.5, "1/2"), (1.0, "1"), (2.0, "2"), (4.0, "4")];
+
+pub(super) fn show(ui: &mut egui::Ui, facts: &Facts, wishes: &mut Vec<Wish>) {
+    let frame = egui::Frame::new().fill(PANEL).inner_margin(egui::Margin::symmetric(12, 7));
+    egui::Panel::bottom("transport").resizable(false).frame(frame).show_separator_line(false).show(ui, |ui| {
+        ui.horizontal(|ui| {
+            play(ui, facts, wishes);
+            icon(ui, Icon::Step, "one frame on", Action::Step, wishes);
+            icon(ui, Icon::Reset, "back to the start", Action::Reset, wishes);
+            ui.add_space(4.0);
+            pace(ui, facts, wishes);
+            ui.add_space(4.0);
+            ui.monospace(format!("{:7.2} s", facts.figures.time));
+            ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
+                let (words, matters) = state(facts);
+                if !words.is_empty() {
+                    ui.label(RichText::new(words).color(if matters { ACCENT } else { WEAK }));
+                }
+                timeline(ui, facts, wishes);
+            });
+        });
+    });
+}
+
+fn play(ui: &mut egui::Ui, facts: &Facts, wishes: &mut Vec<Wish>) {
+    let (sign, name) = if facts.figures.playing { (Icon::Pause, "pause") } else { (Icon::Play, "play") };
+    let button = icons::button(ui, sign, name, vec2(46.0, 30.0), true);
+    if button.on_hover_text(described(name, Action::TogglePlay)).clicked() {
+        wishes.push(Wish::Act(Action::TogglePlay));
+    }
+}
+
+fn pace(ui: &mut egui::Ui, facts: &Facts, wishes: &mut Vec<Wish>) {
+    let name = |pace: f64| {
+        let known = PACES.iter().find(|(value, _)| *value == pace);
+        known.map_or_else(|| format!("{pace:.2} x"), |(_, name)| format!("{name} x"))
+    };
+    egui::ComboBox::from_id_salt("pace").selected_text(name(facts.pace)).width(58.0).show_ui(ui, |ui| {
+        for (value, _) in PACES {
+            if ui.selectable_label(value == facts.pace, name(value)).clicked() {
+                wishes.push(Wish::Pace(value));
+            }
+        }
+    });
+}
+
+/// The line of what was seen already; dragging on it goes back.
+fn timeline(ui: &mut egui::Ui, facts: &Facts, wishes: &mut Vec<Wish>) {
+    let end = facts.figures.end.max(facts.figures.time);
+    let room = ui.available_width() - 12.0;
+    if end <= 0.0 || room < 60.0 {
+        return;
+    }
+    ui.spacing_mut().slider_width = room;
+    let mut time = facts.figures.time;
+    let slider = Slider::new(&mut time, 0.0..=end).show_value(false).trailing_fill(true);
+    let line = ui.add(slider).on_hover_text("what was seen: drag to go back");
+    if line.dragged() || line.clicked() {
+        wishes.push(Wish::GoTo(time));
+    }
+}
+
+/// In words how it stands, and whether that matters.
+fn state(facts: &Facts) -> (String, bool) {
+    let figures = &facts.figures;
+    if facts.is_opening {
+        return ("opening ...".to_owned(), true);
+    }
+    if facts.waits {
+        return ("waits".to_owned(), false);
+    }
+    match (figures.playing, figures.asleep) {
+        (false, _) if figures.ended => (format!("the end of its {:.4} s: R plays it again", figures.time), true),
+        (false, _) => ("paused".to_owned(), true),
+        (true, _) if facts.is_busy => ("computing a long step".to_owned(), false),
+        (true, true) => ("at rest".to_owned(), false),
+        (true, false) if figures.pace > 0.0 && figures.pace < 0.95 => {
+            let percent = 100.0 * figures.pace;
+            let percent = if percent < 1.0 { "less than 1".to_owned() } else { format!("{percent:.0}") };
+            (format!("{percent} % of its pace: {:.0} ms of work a frame", 1e3 * figures.step), false)
+        }
+        (true, false) => (String::new(), false),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::app::player::Figures;
+
+    #[test]
+    fn the_end_of_a_duration_is_said() {
+        let figures = Figures { time: 31.415_926, ended: true, playing: false, ..Figures::default() };
+        let facts = Facts { figures, ..Facts::default() };
+        assert_eq!(state(&facts).0, "the end of its 31.4159 s: R plays it again");
+    }
+
+    #[test]
+    fn a_world_behind_a_panel_waits_and_has_no_pace() {
+        let figures = Figures { playing: true, pace: 0.0, ..Figures::default() };
+        let facts = Facts { figures, waits: true, ..Facts::default() };
+        assert_eq!(state(&facts).0, "waits");
+        let slow = Facts { waits: false, ..facts };
+        assert_eq!(
+            state(&Facts { figures: Figures { pace: 0.004, ..slow.figures.clone() }, ..slow }).0,
+            "less than 1 % of its pace: 0 ms of work a frame"
+        );
+    }
+}

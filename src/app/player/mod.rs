@@ -1,0 +1,190 @@
+//! A history on a thread of its own, and the window's side of it.
+//!
+//! The window asks ([`Order`]) and draws the last state that it was handed ([`Shown`]); it never waits for a step. What it
+//! gave up on (another scene, a reset while a step takes long) runs out by itself and is not looked at any more.
+
+mod order;
+mod pace;
+mod save;
+mod shown;
+mod stage;
+#[cfg(test)]
+mod tests;
+mod thread;
+
+use std::sync::Arc;
+use std::sync::mpsc::{Sender, channel};
+use std::time::{Duration, Instant};
+
+pub use order::{Note, Order};
+pub use pace::{LONGEST_FRAME, Pace, SINGLE_STEP, STEPPING_BUDGET};
+pub use shown::{Figures, Places, Scenery, Shown};
+pub use stage::Stage;
+
+use crate::history::{Do, HistoryError, Start};
+use crate::scene::Scene;
+use crate::sim::Cursor;
+use thread::Desk;
+
+/// The window waits so long for a frame's steps before it draws what there was: most are done by then, and the picture is of
+/// this frame instead of the last one.
+const PATIENCE: Duration = Duration::from_millis(5);
+/// An order that is not done by then: a step takes long.
+const LONG: Duration = Duration::from_millis(100);
+
+/// What is new of a history.
+#[derive(Debug, Default)]
+pub struct News {
+    /// There is another state to draw.
+    pub is_new: bool,
+    /// The history is there now.
+    pub opened: Option<Arc<Scene>>,
+    /// What became of orders.
+    pub notes: Vec<Note>,
+    /// Why there is no history.
+    pub failure: Option<HistoryError>,
+}
+
+/// A history that is played on a thread of its own.
+pub struct Player {
+    start: Start,
+    orders: Sender<(u64, Order)>,
+    desk: Arc<Desk>,
+    shown: Box<Shown>,
+    /// The last order, and since when one has not been done.
+    serial: u64,
+    waiting_since: Option<Instant>,
+    /// Whether it is to play, and the order that said so last.
+    playing: bool,
+    played_by: u64,
+    advances: u64,
+}
+
+impl Player {
+    /// Begins; `wake` is called from the thread when there is something new.
+    pub fn open(start: Start, wake: impl Fn() + Send + 'static) -> Self {
+        let (orders, asked) = channel();
+        let desk = Arc::new(Desk::default());
+        let (its, begin) = (Arc::clone(&desk), start.clone());
+        std::thread::spawn(move || thread::run(begin, &asked, &its, wake));
+        Player {
+            start,
+            orders,
+            desk,
+            shown: Box::default(),
+            serial: 0,
+            waiting_since: None,
+            playing: true,
+            played_by: 0,
+            advances: 0,
+        }
+    }
+
+    /// What it began with.
+    pub fn start(&self) -> &Start {
+        &self.start
+    }
+
+    /// Waits for the first state, so long at most.
+    pub fn wait_until_open(&mut self, most: Duration) -> News {
+        let deadline = Instant::now() + most;
+        while Instant::now() < deadline {
+            let news = self.poll();
+            if news.opened.is_some() || news.failure.is_some() {
+                return news;
+            }
+            std::thread::sleep(Duration::from_millis(2));
+        }
+        News::default()
+    }
+
+    /// Takes what is new.
+    pub fn poll(&mut self) -> News {
+        let desk = Arc::clone(&self.desk);
+        let mut papers = desk.lock();
+        self.take(&mut papers)
+    }
+
+    /// The same, after a little patience with what was asked last.
+    pub fn poll_patiently(&mut self) -> News {
+        let desk = Arc::clone(&self.desk);
+        let mut papers = desk.wait_for(self.serial, PATIENCE);
+        self.take(&mut papers)
+    }
+
+    fn take(&mut self, papers: &mut thread::Papers) -> News {
+        let fresh = papers.fresh.take();
+        let is_new = fresh.is_some();
+        if let Some(fresh) = fresh {
+            papers.spare = Some(std::mem::replace(&mut self.shown, fresh));
+        }
+        if papers.done >= self.serial {
+            self.waiting_since = None;
+        }
+        if is_new && self.shown.serial >= self.played_by {
+            self.playing = self.shown.figures.playing;
+        }
+        let notes = std::mem::take(&mut papers.notes);
+        // The scene is told of when there is something of it to draw.
+        let opened = if self.is_open() { papers.scene.take() } else { None };
+        News { is_new, opened, notes, failure: papers.failure.take() }
+    }
+
+    /// Asks for something.
+    pub fn ask(&mut self, order: Order) {
+        self.serial += 1;
+        self.waiting_since.get_or_insert_with(Instant::now);
+        if let Order::Play(_) | Order::Step(_) | Order::Reset = order {
+            self.played_by = self.serial;
+        }
+        // One whose history could not begin does nothing.
+        let _ = self.orders.send((self.serial, order));
+    }
+
+    /// A frame's time passes: once for every animation frame.
+    pub fn advance(&mut self, wall: f64, cursor: Option<Cursor>, back: bool) {
+        self.advances += 1;
+        self.ask(Order::Advance { wall, cursor, back });
+    }
+
+    /// Commands at the time reached, undone as one if they have a name.
+    pub fn give(&mut self, commands: Vec<Do>, edit: Option<&'static str>) {
+        self.ask(Order::Give(commands, edit));
+    }
+
+    /// Plays, or pauses: at once, whatever step is under way.
+    pub fn play(&mut self, playing: bool) {
+        self.playing = playing;
+        self.ask(Order::Play(playing));
+    }
+
+    /// The last state.
+    pub fn shown(&self) -> &Shown {
+        &self.shown
+    }
+
+    /// Whether it plays, asleep or not.
+    pub fn is_playing(&self) -> bool {
+        self.playing
+    }
+
+    /// Whether time passes: playing and awake.
+    pub fn is_moving(&self) -> bool {
+        self.playing && self.is_open() && !self.shown.figures.asleep
+    }
+
+    /// Whether there is a state to draw.
+    pub fn is_open(&self) -> bool {
+        self.shown.dimensions > 0
+    }
+
+    /// Whether something that was asked for has not been done for long.
+    pub fn is_busy(&self) -> bool {
+        self.waiting_since.is_some_and(|since| since.elapsed() > LONG)
+    }
+
+    /// Frames' times that were asked for.
+    pub fn advances(&self) -> u64 {
+        self.advances
+    }
+}

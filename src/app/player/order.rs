@@ -1,0 +1,71 @@
+//! What the window asks of the stepping thread.
+
+use std::path::PathBuf;
+
+use crate::history::Do;
+use crate::scene::{AddKeys, Scene, SceneError};
+use crate::sim::{Cursor, Dynamics};
+
+/// Works out what is added to a running world.
+pub(super) type Adder = Box<dyn FnOnce(&Scene, &dyn Dynamics) -> Result<AddKeys, SceneError> + Send>;
+
+/// What is to be done, in order.
+pub enum Order {
+    /// A frame's time passes while the cursor goes to where it is now.
+    Advance {
+        /// Wall time since the last frame [s].
+        wall: f64,
+        /// Where the cursor is; `None`: it is away.
+        cursor: Option<Cursor>,
+        /// Time runs back.
+        back: bool,
+    },
+    /// It plays from now on, or not.
+    Play(bool),
+    /// Pauses and goes on by one frame.
+    Step(Option<Cursor>),
+    /// Commands at the time reached; with a name they are an edit, undone as one.
+    Give(Vec<Do>, Option<&'static str>),
+    /// Something comes, where there is room for it now.
+    Add(Adder),
+    /// Back to just before the last edit, with the cursor where it is.
+    Undo(Option<Cursor>),
+    /// To just after the edit that was undone.
+    Redo(Option<Cursor>),
+    /// To a time that was seen already [s].
+    GoTo(f64, Option<Cursor>),
+    /// Back to the start.
+    Reset,
+    /// Seconds of the scene a second of wall time.
+    Rate(f64),
+    /// All that was done is written to a file.
+    Save(PathBuf),
+    /// A snapshot of this moment is put into the picture, which is written to a file.
+    Picture(PathBuf, Box<image::RgbaImage>),
+}
+
+/// Tells what became of an order.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Note {
+    /// What was undone is called so, and time went back so far [s].
+    Undone(String, f64),
+    /// What was redone, and how far time went on [s].
+    Redone(String, f64),
+    /// There was nothing to undo.
+    NothingToUndo,
+    /// There was nothing to redo.
+    NothingToRedo,
+    /// Something was added.
+    Added,
+    /// A command could not be done where it stood.
+    Refused(String),
+    /// A file was written.
+    Written(PathBuf),
+    /// A file was not.
+    NotWritten(String),
+}
+
+/// The cursor goes to a place, and is there at a time [s].
+pub(super) fn cursor_to(to: Option<Cursor>, by: f64) -> Do {
+    Do::Cursor { to, by: to.map(|_| by) }
+}

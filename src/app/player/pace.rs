@@ -1,0 +1,190 @@
+//! From wall time to whole substeps: how many are due, and where the cursor goes meanwhile.
+
+use crate::history::{Do, History};
+use crate::sim::{Cursor, Dynamics};
+
+use super::order::cursor_to;
+use super::shown::Places;
+
+/// Longest wall time that one frame makes up for [s]: after a hitch (a dragged window, a laptop that slept) the rest is
+/// dropped, so that nothing is thrown about.
+pub const LONGEST_FRAME: f64 = 0.1;
+/// Wall time that one frame may spend on stepping [s]: a scene too slow for real time plays slower, at a usable frame
+/// rate, instead of falling behind ever more.
+pub const STEPPING_BUDGET: f64 = 0.025;
+/// What a single step by hand advances [s of wall time at the scene's rate].
+pub const SINGLE_STEP: f64 = 1.0 / 60.0;
+/// A substep is due when all but this share of it has passed: sums of frame times round.
+const ROUNDING: f64 = 1e-9;
+
+/// The clock of a history: it plays or not, at some rate, until an end if it has one.
+///
+/// The physics does not depend on the frame rate: frames only decide how many substeps are due.
+#[derive(Clone, Debug)]
+pub struct Pace {
+    /// Scene time that is due but not stepped yet [s].
+    due: f64,
+    /// Seconds of the scene a second of wall time.
+    pub rate: f64,
+    /// Where the scene ends by itself [s].
+    duration: Option<f64>,
+    /// Whether it has ended there: from then on it goes on without end.
+    pub ended: bool,
+    /// Whether time passes.
+    pub playing: bool,
+    /// Where the live cursor was told to go last.
+    told: Option<Option<Cursor>>,
+    /// Positions before the last substep.
+    pub previous: Places,
+    /// Changes whenever positions did.
+    pub motion: u64,
+}
+
+impl Pace {
+    /// Plays `history` from where it is at `rate` seconds a second, until `duration` [s] if there is one.
+    pub fn new(history: &History, rate: f64, duration: Option<f64>) -> Self {
+        let mut previous = Places::default();
+        previous.copy(history.world().positions());
+        Pace { due: 0.0, rate, duration, ended: false, playing: true, told: None, previous, motion: 1 }
+    }
+
+    /// Lets `wall` seconds pass while the cursor goes to where it is now, and takes the substeps that are due; returns how many.
+    ///
+    /// The cursor's way is that of the frame's own time, the part of it included that is shorter than a substep: so the way
+    /// does not depend on where frames cut it.
+    /// `elapsed` tells the wall time [s] spent since the frame began: past [`STEPPING_BUDGET`] the rest is dropped.
+    pub fn advance(
+        &mut self,
+        history: &mut History,
+        wall: f64,
+        cursor: Option<Cursor>,
+        mut elapsed: impl FnMut() -> f64,
+    ) -> u32 {
+        if !self.playing {
+            return 0;
+        }
+        let wall = wall.clamp(0.0, LONGEST_FRAME) * self.rate;
+        let is_told = self.tell(history, cursor, history.world().time() + self.due + wall);
+        if history.world().is_asleep() {
+            // A world that did not move does not make up for the pause.
+            self.due = 0.0;
+            self.motion += u64::from(is_told);
+            return 0;
+        }
+        self.due += wall;
+        let mut substeps = 0;
+        while self.is_due(history) {
+            if substeps > 0 && elapsed() > STEPPING_BUDGET {
+                self.settle(history);
+                break;
+            }
+            self.step_once(history);
+            substeps += 1;
+            if history.world().is_asleep() {
+                self.settle(history);
+            } else if !self.ended && self.duration.is_some_and(|end| history.world().time() >= end) {
+                self.playing = false;
+                self.ended = true;
+                self.settle(history);
+            }
+        }
+        substeps
+    }
+
+    /// Sends the cursor on its way, unless it has been told to. Returns whether it was told something new.
+    fn tell(&mut self, history: &mut History, cursor: Option<Cursor>, by: f64) -> bool {
+        if self.told == Some(cursor) {
+            return false;
+        }
+        self.told = Some(cursor);
+        if cursor.is_none() && history.world().cursor().is_none() {
+            return false;
+        }
+        let mut commands = vec![cursor_to(cursor, by.max(history.world().time()))];
+        if history.has_future() && history.world().grab().is_some() {
+            // What was led when it was done first is led by nobody now.
+            commands.insert(0, Do::Release);
+        }
+        // A world that refuses a cursor goes on without.
+        history.give(commands, None).is_ok()
+    }
+
+    /// The cursor stays where the history has it until it moves again: what was done once is not done anew because a cursor
+    /// rests elsewhere now.
+    pub fn forget_cursor(&mut self, cursor: Option<Cursor>) {
+        self.told = Some(cursor);
+    }
+
+    fn is_due(&self, history: &History) -> bool {
+        self.due >= history.world().substep() * (1.0 - ROUNDING)
+    }
+
+    /// One substep. Only the last one of a frame needs the positions before it.
+    fn step_once(&mut self, history: &mut History) {
+        self.due -= history.world().substep();
+        if self.due < history.world().substep() {
+            self.previous.copy(history.world().positions());
+        }
+        history.step();
+        self.motion += 1;
+    }
+
+    /// Nothing is due any more: what is drawn is the present state.
+    pub fn settle(&mut self, history: &History) {
+        self.due = 0.0;
+        self.previous.copy(history.world().positions());
+        self.motion += 1;
+    }
+
+    /// Pauses and goes on by one frame's worth of substeps, at least one. Returns how many.
+    pub fn step(&mut self, history: &mut History, cursor: Option<Cursor>) -> u64 {
+        self.playing = false;
+        let substeps = (SINGLE_STEP * self.rate / history.world().substep()).round().max(1.0) as u32;
+        let span = f64::from(substeps) * history.world().substep();
+        self.tell(history, cursor, history.world().time() + span);
+        for _ in 0..substeps {
+            history.step();
+        }
+        self.settle(history);
+        u64::from(substeps)
+    }
+
+    /// Time runs back by so much wall time.
+    pub fn rewind(&mut self, history: &mut History, wall: f64, cursor: Option<Cursor>) {
+        let back = wall.clamp(0.0, LONGEST_FRAME) * self.rate;
+        self.go_to(history, history.world().time() - back.max(history.world().substep()), cursor);
+    }
+
+    /// The state at a time that was seen already.
+    pub fn go_to(&mut self, history: &mut History, time: f64, cursor: Option<Cursor>) {
+        history.go_to(time.max(0.0));
+        self.gone_to(history, cursor);
+    }
+
+    /// The history went elsewhere: what is drawn is where it is now.
+    pub fn gone_to(&mut self, history: &History, cursor: Option<Cursor>) {
+        self.ended = self.duration.is_some_and(|end| history.world().time() >= end);
+        self.forget_cursor(cursor);
+        self.settle(history);
+    }
+
+    /// Back to the start. What came to its end plays again.
+    pub fn reset(&mut self, history: &mut History) {
+        history.reset();
+        self.playing |= self.ended;
+        self.ended = false;
+        self.told = None;
+        self.settle(history);
+    }
+
+    /// Whether time passes: playing and awake.
+    pub fn is_moving(&self, history: &History) -> bool {
+        self.playing && !history.world().is_asleep()
+    }
+
+    /// How far between the last two states the picture lies, 0 to 1.
+    pub fn mix(&self, world: &dyn Dynamics) -> f32 {
+        let mix = if self.due > 0.0 { self.due / world.substep() } else { 1.0 };
+        mix.clamp(0.0, 1.0) as f32
+    }
+}

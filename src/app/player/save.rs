@@ -1,0 +1,36 @@
+//! What is written of a history, on its own thread: files are whole or not there.
+
+use std::path::PathBuf;
+
+use image::{ImageFormat, RgbaImage};
+
+use super::order::Note;
+use crate::history::{History, chunk};
+use crate::output::replace;
+
+/// Writes all that was done.
+pub(super) fn recording(history: &History, path: PathBuf) -> Note {
+    match history.recording().save(&path) {
+        Ok(()) => Note::Written(path),
+        Err(error) => Note::NotWritten(error.to_string()),
+    }
+}
+
+/// Writes a picture with a snapshot of its moment in it: it opens as that.
+pub(super) fn picture(history: &History, path: PathBuf, picture: &RgbaImage) -> Note {
+    match encoded(history, picture)
+        .and_then(|bytes| replace(&path, |file| file.write_all(&bytes)).map_err(|error| error.to_string()))
+    {
+        Ok(()) => Note::Written(path),
+        Err(why) => Note::NotWritten(why),
+    }
+}
+
+/// The bytes of a PNG.
+fn encoded(history: &History, picture: &RgbaImage) -> Result<Vec<u8>, String> {
+    let mut bytes = std::io::Cursor::new(Vec::new());
+    picture.write_to(&mut bytes, ImageFormat::Png).map_err(|error| error.to_string())?;
+    let mut recording = Vec::new();
+    history.snapshot()?.write_json(&mut recording).map_err(|error| error.to_string())?;
+    chunk::insert(bytes.get_ref(), &String::from_utf8_lossy(&recording)).map_err(|error| error.to_string())
+}

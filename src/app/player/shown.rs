@@ -1,0 +1,193 @@
+//! What the stepping thread hands to the window: two states of the positions, what stands about them, and figures.
+
+use std::sync::Arc;
+
+use crate::picture::Skin;
+use crate::render::View;
+use crate::sim::{Bonds, Cursor, Dynamics, GrabView, MouseForce, PointId, Polygon, Positions};
+
+/// Positions in the scalar of their world, copied.
+#[derive(Clone, Debug)]
+pub enum Places {
+    /// Of an `f32` world.
+    F32(Vec<f32>),
+    /// Of an `f64` world.
+    F64(Vec<f64>),
+}
+
+impl Default for Places {
+    fn default() -> Self {
+        Places::F64(Vec::new())
+    }
+}
+
+impl Places {
+    /// Takes over positions; the memory that is there is used again.
+    pub fn copy(&mut self, positions: Positions<'_>) {
+        match (self, positions) {
+            (Places::F32(to), Positions::F32(x)) => x.clone_into(to),
+            (Places::F64(to), Positions::F64(x)) => x.clone_into(to),
+            (places, Positions::F32(x)) => *places = Places::F32(x.to_vec()),
+            (places, Positions::F64(x)) => *places = Places::F64(x.to_vec()),
+        }
+    }
+
+    /// How many numbers there are.
+    pub fn len(&self) -> usize {
+        self.view().len()
+    }
+
+    /// As a renderer reads them.
+    pub fn view(&self) -> Positions<'_> {
+        match self {
+            Places::F32(x) => Positions::F32(x),
+            Places::F64(x) => Positions::F64(x),
+        }
+    }
+}
+
+/// What changes with the topology only.
+#[derive(Clone, Debug, Default)]
+pub struct Scenery {
+    /// The bonds that are left.
+    pub bonds: Bonds,
+    /// Their numbers; `None`: each has its own place.
+    pub bond_numbers: Option<Vec<u32>>,
+    /// The points that never move.
+    pub pinned: Vec<PointId>,
+    /// Points that were deleted, ascending.
+    pub gone: Vec<PointId>,
+    /// Corners of the walls.
+    pub bounds: Option<[[f64; 3]; 2]>,
+    /// A point and the normal of each plane.
+    pub planes: Vec<[[f64; 3]; 2]>,
+    /// The polygons.
+    pub polygons: Vec<Polygon>,
+    /// The numbers of the polygons.
+    pub polygon_numbers: Vec<u32>,
+    /// What is drawn on triangles.
+    pub skins: Vec<Skin>,
+    /// What the user should know of the scene.
+    pub warnings: Vec<String>,
+}
+
+impl Scenery {
+    /// That of a world with these skins.
+    pub fn of(world: &dyn Dynamics, skins: &[Skin]) -> Self {
+        Scenery {
+            bonds: world.bonds().clone(),
+            bond_numbers: world.bond_numbers().map(<[u32]>::to_vec),
+            pinned: world.pinned().to_vec(),
+            gone: world.gone().to_vec(),
+            bounds: world.bounds(),
+            planes: world.planes(),
+            polygons: world.polygons().to_vec(),
+            polygon_numbers: world.obstacle_numbers()[1].to_vec(),
+            skins: skins.to_vec(),
+            warnings: world.warnings().to_vec(),
+        }
+    }
+
+    /// The number of the bond at this place of the list.
+    pub fn bond_number(&self, place: usize) -> u32 {
+        self.bond_numbers.as_ref().map_or(place as u32, |numbers| numbers.get(place).copied().unwrap_or(u32::MAX))
+    }
+}
+
+/// What panels show of a world.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Figures {
+    /// Time reached [s].
+    pub time: f64,
+    /// How far the motion goes that was seen already [s].
+    pub end: f64,
+    /// It plays.
+    pub playing: bool,
+    /// It sleeps.
+    pub asleep: bool,
+    /// It came to the end of its duration.
+    pub ended: bool,
+    /// Seconds of the scene a second of wall time.
+    pub rate: f64,
+    /// Share of its pace that is reached [1].
+    pub pace: f64,
+    /// Time that stepping took of a frame [s].
+    pub step: f64,
+    /// Points that are left.
+    pub points: usize,
+    /// Bonds that are left.
+    pub bonds: usize,
+    /// [J], as it was when figures were last taken.
+    pub energy: f64,
+    /// Substeps taken since the program began.
+    pub substeps: u64,
+}
+
+/// A moment of a world, as it is drawn.
+#[derive(Clone, Debug, Default)]
+pub struct Shown {
+    /// The last order that had been done then.
+    pub serial: u64,
+    /// 2 or 3.
+    pub dimensions: usize,
+    /// Positions before the last substep.
+    pub previous: Places,
+    /// Positions after it.
+    pub current: Places,
+    /// How far between the two the picture lies, 0 to 1.
+    pub mix: f32,
+    /// Changes whenever positions did.
+    pub motion: u64,
+    /// Changes whenever the scenery did.
+    pub topology: u64,
+    /// What stands about them.
+    pub scenery: Arc<Scenery>,
+    /// The mouse force, and where its own track is if it has one.
+    pub mouse: Option<MouseForce>,
+    /// Where its cursor is.
+    pub cursor: Option<Cursor>,
+    /// What is grabbed.
+    pub grab: Option<GrabView>,
+    /// What panels show.
+    pub figures: Figures,
+}
+
+impl Shown {
+    /// As the renderer reads it.
+    pub fn view(&self) -> View<'_> {
+        let Scenery { bonds, pinned, bounds, planes, polygons, skins, .. } = &*self.scenery;
+        View {
+            dimensions: self.dimensions,
+            previous: self.previous.view(),
+            current: self.current.view(),
+            mix: self.mix,
+            motion: self.motion,
+            topology: self.topology,
+            bonds,
+            skins,
+            pinned,
+            bounds: *bounds,
+            planes: planes.clone(),
+            polygons,
+            mouse: self.mouse.as_ref().zip(self.cursor),
+        }
+    }
+
+    /// Where a point is drawn [m], z = 0 in the plane.
+    pub fn place(&self, point: usize) -> [f64; 3] {
+        let (from, to) = (self.previous.view(), self.current.view());
+        let mix = f64::from(self.mix);
+        std::array::from_fn(|axis| {
+            let at = self.dimensions * point + axis;
+            if axis >= self.dimensions || at >= to.len() || at >= from.len() {
+                return 0.0;
+            }
+            from.get(at) + mix * (to.get(at) - from.get(at))
+        })
+    }
+
+    /// How many numbers were given to points; some of them may be gone.
+    pub fn point_count(&self) -> usize {
+        if self.dimensions == 0 { 0 } else { self.current.len() / self.dimensions }
+    }
+}

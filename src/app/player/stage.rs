@@ -1,0 +1,206 @@
+//! The stepping thread's own: a history with its clock, and what orders do to them.
+
+use std::sync::Arc;
+use std::time::{Duration, Instant};
+
+use super::order::{Adder, Note, Order};
+use super::pace::Pace;
+use super::shown::{Figures, Scenery, Shown};
+use crate::app::meter::Meter;
+use crate::history::{Do, History, HistoryError, Start};
+use crate::sim::{Cursor, Dynamics, MouseForce};
+
+/// How often figures are taken that cost something: nobody reads faster.
+const FIGURES_EVERY: Duration = Duration::from_millis(100);
+
+/// A history that is played.
+pub struct Stage {
+    history: History,
+    pace: Pace,
+    scenery: Arc<Scenery>,
+    /// The topology of the scenery, as the world counts it, and how often it was another one.
+    topology: Option<u64>,
+    sceneries: u64,
+    energy: f64,
+    figures_at: Option<Instant>,
+    steps: Meter,
+    reached: Meter,
+    /// The hover force as it was last seen: without a cursor the world doesn't tell.
+    force: Option<MouseForce>,
+    substeps: u64,
+}
+
+impl Stage {
+    /// A history at its start.
+    ///
+    /// Errors: as of [`History::new`].
+    pub fn new(start: Start) -> Result<Self, HistoryError> {
+        let history = History::new(start)?;
+        let scene = history.scene();
+        let pace = Pace::new(&history, scene.rate(), scene.duration);
+        let force = scene.mouse_force();
+        let mut stage = Stage {
+            history,
+            pace,
+            scenery: Arc::default(),
+            topology: None,
+            sceneries: 0,
+            energy: 0.0,
+            figures_at: None,
+            steps: Meter::default(),
+            reached: Meter::default(),
+            force,
+            substeps: 0,
+        };
+        stage.look();
+        Ok(stage)
+    }
+
+    /// The history.
+    pub fn history(&self) -> &History {
+        &self.history
+    }
+
+    /// Does what is asked. Returns what is to be said of it.
+    pub fn obey(&mut self, order: Order) -> Option<Note> {
+        let goes = matches!(
+            order,
+            Order::Undo(_) | Order::Redo(_) | Order::GoTo(..) | Order::Reset | Order::Advance { back: true, .. }
+        );
+        let note = match order {
+            Order::Advance { wall, cursor, back: false } => {
+                self.advance(wall, cursor);
+                None
+            }
+            Order::Advance { wall, cursor, back: true } => {
+                self.pace.rewind(&mut self.history, wall, cursor);
+                None
+            }
+            Order::Play(playing) => {
+                self.pace.playing = playing;
+                self.pace.settle(&self.history);
+                None
+            }
+            Order::Step(cursor) => {
+                self.substeps += self.pace.step(&mut self.history, cursor);
+                None
+            }
+            Order::Give(commands, edit) => {
+                let given = self.history.give(commands, edit);
+                self.pace.motion += 1;
+                given.err().map(|refusal| Note::Refused(refusal.reason))
+            }
+            Order::Add(adder) => Some(self.add(adder)),
+            Order::Undo(cursor) => {
+                let undone = self.history.undo();
+                self.pace.gone_to(&self.history, cursor);
+                Some(undone.map_or(Note::NothingToUndo, |undone| Note::Undone(undone.name, undone.seconds)))
+            }
+            Order::Redo(cursor) => {
+                let redone = self.history.redo();
+                self.pace.gone_to(&self.history, cursor);
+                Some(redone.map_or(Note::NothingToRedo, |redone| Note::Redone(redone.name, redone.seconds)))
+            }
+            Order::GoTo(time, cursor) => {
+                self.pace.go_to(&mut self.history, time, cursor);
+                None
+            }
+            Order::Reset => {
+                self.pace.reset(&mut self.history);
+                None
+            }
+            Order::Rate(rate) => {
+                self.pace.rate = rate;
+                None
+            }
+            Order::Save(path) => Some(super::save::recording(&self.history, path)),
+            Order::Picture(path, picture) => Some(super::save::picture(&self.history, path, &picture)),
+        };
+        if goes {
+            // Of another past, whatever its number says.
+            self.topology = None;
+        }
+        self.look();
+        note
+    }
+
+    /// Lets time pass.
+    fn advance(&mut self, wall: f64, cursor: Option<Cursor>) {
+        let (start, before) = (Instant::now(), self.history.world().time());
+        let substeps = self.pace.advance(&mut self.history, wall, cursor, || start.elapsed().as_secs_f64());
+        self.substeps += u64::from(substeps);
+        if substeps > 0 {
+            self.steps.push(start.elapsed().as_secs_f64());
+        }
+        if wall > 0.0 && self.pace.is_moving(&self.history) {
+            self.reached.push((self.history.world().time() - before) / (wall * self.pace.rate));
+        }
+    }
+
+    /// Adds something as one edit.
+    fn add(&mut self, adder: Adder) -> Note {
+        let keys = match adder(self.history.scene(), self.history.world()) {
+            Ok(keys) => keys,
+            Err(error) => return Note::Refused(error.to_string()),
+        };
+        let given = self.history.give(vec![Do::Add(Box::new(keys))], Some("add a body"));
+        self.pace.settle(&self.history);
+        given.map_or_else(|refusal| Note::Refused(refusal.reason), |_| Note::Added)
+    }
+
+    /// What stands about the points is looked at again if it changed.
+    fn look(&mut self) {
+        let world = self.history.world();
+        if self.topology != Some(world.topology()) {
+            self.topology = Some(world.topology());
+            self.sceneries += 1;
+            self.scenery = Arc::new(Scenery::of(world, self.history.skins()));
+        }
+    }
+
+    /// Puts the present moment into `shown`, whose memory is used again.
+    pub fn show(&mut self, shown: &mut Shown) {
+        let moves = self.pace.is_moving(&self.history);
+        let world = self.history.world();
+        if !moves || self.figures_at.is_none_or(|at| at.elapsed() >= FIGURES_EVERY) {
+            self.energy = world.energy();
+            self.figures_at = Some(Instant::now());
+        }
+        shown.dimensions = world.dimensions();
+        shown.current.copy(world.positions());
+        shown.previous.clone_from(&self.pace.previous);
+        // What was added since has no place before.
+        if shown.previous.len() != shown.current.len() {
+            shown.previous.clone_from(&shown.current);
+        }
+        shown.mix = self.pace.mix(world);
+        (shown.motion, shown.topology) = (self.pace.motion, self.sceneries);
+        shown.scenery = Arc::clone(&self.scenery);
+        let mouse = world.mouse();
+        if let Some((force, _)) = mouse
+            && self.force.as_ref() != Some(force)
+        {
+            self.force = Some(force.clone());
+        }
+        shown.mouse.clone_from(&self.force);
+        (shown.cursor, shown.grab) = (mouse.map(|(_, cursor)| cursor), world.grab());
+        shown.figures = self.figures(world);
+    }
+
+    fn figures(&self, world: &dyn Dynamics) -> Figures {
+        Figures {
+            time: world.time(),
+            end: self.history.end(),
+            playing: self.pace.playing,
+            asleep: world.is_asleep(),
+            ended: self.pace.ended,
+            rate: self.pace.rate,
+            pace: self.reached.value(),
+            step: self.steps.value(),
+            points: world.point_count() - world.gone().len(),
+            bonds: world.bonds().len(),
+            energy: self.energy,
+            substeps: self.substeps,
+        }
+    }
+}

@@ -1,0 +1,264 @@
+//! Time without a window: a clock that is nobody's, a history, and what comes of both.
+#![allow(clippy::unwrap_used, clippy::panic, reason = "a test that cannot go on stops")]
+
+use std::time::{Duration, Instant};
+
+use super::{Order, Pace, Player, Stage};
+use crate::history::{Do, History};
+use crate::scene::Scene;
+use crate::sim::{Cursor, MouseChange, PointId, Reach};
+
+/// Loose points and a soft disc between walls, in substeps of 1/700 s.
+const SCENE: &str = r#"{
+    "wobble": 1, "name": "test",
+    "points": { "position": [[0, 1], [0.5, 2]], "velocity": [[1, 0], [0, 3]] },
+    "gravity": [0, -9.81],
+    "mouse": { "strength": 20, "radius": 1 },
+    "bounds": { "min": [-5, -5], "max": [5, 5], "restitution": 0.3, "friction": 0.4 },
+    "method": { "substep": 0.00142857142857142857 }
+}"#;
+
+fn scene() -> Scene {
+    Scene::parse(SCENE, "test.json").unwrap()
+}
+
+fn played() -> (History, Pace) {
+    let history = History::new(scene().into()).unwrap();
+    let pace = Pace::new(&history, 1.0, None);
+    (history, pace)
+}
+
+/// Plays `seconds` at a frame rate while the cursor is where `path` says.
+fn play(
+    (history, pace): &mut (History, Pace),
+    seconds: f64,
+    frame_rate: u32,
+    path: impl Fn(f64) -> Option<Cursor>,
+) -> u32 {
+    let frames = (seconds * f64::from(frame_rate)).round() as u32;
+    let wall = 1.0 / f64::from(frame_rate);
+    (1..=frames).map(|frame| pace.advance(history, wall, path(f64::from(frame) * wall), || 0.0)).sum()
+}
+
+fn strength(strength: f64) -> Do {
+    Do::Mouse(MouseChange { strength: Some(strength), ..MouseChange::default() })
+}
+
+fn away(_: f64) -> Option<Cursor> {
+    None
+}
+
+fn positions(history: &History) -> Vec<f64> {
+    let x = history.world().positions();
+    (0..x.len()).map(|k| x.get(k)).collect()
+}
+
+#[test]
+fn the_motion_is_the_same_at_30_60_and_144_hz() {
+    let run = |frame_rate| {
+        let mut played = played();
+        assert_eq!(play(&mut played, 2.0, frame_rate, away), 1400, "{frame_rate} Hz");
+        positions(&played.0)
+    };
+    let first = run(30);
+    assert_eq!(first, run(60));
+    assert_eq!(first, run(144));
+}
+
+#[test]
+fn under_a_cursor_in_even_motion_too_to_rounding() {
+    // Through both points as they fall; it is where the first frame of all rates has it.
+    let path = |t: f64| Some(Cursor::at([-2.0 + 3.0 * t, 1.2 - 0.5 * t]));
+    let run = |frame_rate| {
+        let mut played = played();
+        let start = Do::Cursor { to: path(0.0), by: None };
+        played.0.give(vec![start], None).unwrap();
+        play(&mut played, 1.5, frame_rate, path);
+        (positions(&played.0), played.0.world().counters().mouse_points)
+    };
+    let (still, pushed) = (
+        positions(&{
+            let mut played = played();
+            play(&mut played, 1.5, 60, away);
+            played.0
+        }),
+        run(60),
+    );
+    assert!(pushed.1 > 0);
+    let differs = |a: &[f64], b: &[f64]| a.iter().zip(b).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
+    assert!(differs(&still, &pushed.0) > 0.01, "the push is felt");
+    for frame_rate in [30, 144] {
+        let other = run(frame_rate);
+        assert!(differs(&other.0, &pushed.0) < 1e-9, "{frame_rate} Hz: {}", differs(&other.0, &pushed.0));
+    }
+}
+
+#[test]
+fn a_run_by_hand_is_replayed_to_the_bit() {
+    let mut played = played();
+    let path = |t: f64| Some(Cursor::at([(7.0 * t).sin(), 1.0 + (5.0 * t).cos()]));
+    play(&mut played, 0.5, 60, path);
+    let grab = vec![strength(0.0), Do::Grab(Reach::Points(vec![PointId(0)]))];
+    played.0.give(grab, None).unwrap();
+    play(&mut played, 0.5, 144, path);
+    played.0.give(vec![Do::Release, strength(20.0)], None).unwrap();
+    play(&mut played, 0.5, 30, path);
+    let (history, _) = &played;
+    let mut again = History::new(history.recording().into()).unwrap();
+    while again.world().time() < history.world().time() - 1e-9 {
+        again.step();
+    }
+    assert_eq!(positions(&again), positions(history));
+}
+
+#[test]
+fn what_is_drawn_lies_between_the_last_two_states() {
+    let (mut history, mut pace) = played();
+    pace.advance(&mut history, 1.5 / 700.0, None, || 0.0);
+    assert_eq!(pace.previous.view().get(0), 0.0);
+    assert!((pace.mix(history.world()) - 0.5).abs() < 1e-6);
+    assert!(history.world().positions().get(0) > 0.0);
+}
+
+#[test]
+fn a_long_hitch_is_clamped_and_a_slow_world_drops_time() {
+    let (mut history, mut pace) = played();
+    assert_eq!(pace.advance(&mut history, 60.0, None, || 0.0), 70);
+    assert_eq!(pace.advance(&mut history, 0.1, None, || 1.0), 1, "the budget is spent after one substep");
+    assert_eq!(pace.advance(&mut history, 0.0, None, || 0.0), 0, "and the rest is not owed");
+}
+
+#[test]
+fn paused_nothing_is_stepped() {
+    let (mut history, mut pace) = played();
+    pace.playing = false;
+    assert_eq!(pace.advance(&mut history, 1.0, Some(Cursor::at([0.0, 1.0])), || 0.0), 0);
+    assert_eq!(history.world().time(), 0.0);
+    assert_eq!(pace.step(&mut history, None), 12, "1/60 s in substeps of 1/700 s");
+}
+
+#[test]
+fn a_cursor_at_rest_gives_no_commands_and_a_far_one_costs_nothing() {
+    let mut played = played();
+    let at = |_: f64| Some(Cursor::at([100.0, 100.0]));
+    play(&mut played, 0.2, 60, at);
+    assert_eq!(played.0.recording().commands.len(), 1, "it is told once where it is");
+    assert_eq!(played.0.world().counters().mouse_points, 0);
+}
+
+#[test]
+fn a_scene_with_a_duration_stops_there_and_can_go_on() {
+    let history = History::new(scene().into()).unwrap();
+    let pace = Pace::new(&history, 1.0, Some(0.5));
+    let mut played = (history, pace);
+    assert_eq!(play(&mut played, 1.0, 60, away), 350);
+    assert!(!played.1.playing && played.1.ended);
+    played.1.playing = true;
+    assert_eq!(play(&mut played, 0.5, 60, away), 350);
+    played.1.reset(&mut played.0);
+    assert_eq!(played.0.world().time(), 0.0);
+    assert_eq!(play(&mut played, 1.0, 60, away), 350, "it plays again from the start, to its end");
+    played.1.reset(&mut played.0);
+    assert!(played.1.playing, "and does not wait at 0");
+}
+
+/// The strength of the hover force of what is shown.
+fn force(stage: &Stage) -> f64 {
+    stage.history().world().mouse().unwrap().0.strength
+}
+
+#[test]
+fn undo_takes_an_edit_back_and_plays_on() {
+    let mut stage = Stage::new(scene().into()).unwrap();
+    let frames = |stage: &mut Stage, count: u32| {
+        for _ in 0..count {
+            stage.obey(Order::Advance { wall: 0.1, cursor: Some(Cursor::at([9.0, 9.0])), back: false });
+        }
+    };
+    frames(&mut stage, 3);
+    let before = stage.history().world().time();
+    stage.obey(Order::Give(vec![strength(7.0)], Some("calm")));
+    frames(&mut stage, 2);
+    assert_eq!(force(&stage), 7.0);
+    let Some(super::Note::Undone(name, seconds)) = stage.obey(Order::Undo(None)) else { panic!("nothing undone") };
+    assert_eq!(name, "calm");
+    assert!((0.15..0.25).contains(&seconds.abs()), "{seconds}");
+    assert_eq!(stage.history().world().time(), before);
+    frames(&mut stage, 2);
+    assert_eq!(force(&stage), 20.0, "what was undone does not come back by itself");
+    assert!(stage.history().world().time() > before, "and it plays on");
+    assert!(matches!(stage.obey(Order::Redo(None)), Some(super::Note::Redone(..))));
+    assert_eq!(force(&stage), 7.0);
+}
+
+#[test]
+fn time_runs_back_to_states_that_were_seen() {
+    let mut played = played();
+    play(&mut played, 0.5, 60, away);
+    let (history, pace) = &mut played;
+    let seen = positions(history);
+    let time = history.world().time();
+    pace.advance(history, 0.05, None, || 0.0);
+    pace.rewind(history, 0.05, None);
+    assert!((history.world().time() - time).abs() < 1e-9, "{}", history.world().time());
+    assert_eq!(positions(history), seen);
+}
+
+fn wait_for(player: &mut Player, mut is_so: impl FnMut(&Player) -> bool) {
+    let start = Instant::now();
+    while !is_so(player) {
+        player.poll();
+        assert!(start.elapsed() < Duration::from_secs(20), "it never comes");
+        std::thread::sleep(Duration::from_millis(1));
+    }
+}
+
+#[test]
+fn a_player_steps_beside_and_answers() {
+    let mut player = Player::open(scene().into(), || {});
+    wait_for(&mut player, Player::is_open);
+    for _ in 0..5 {
+        player.advance(0.1, None, false);
+        wait_for(&mut player, |player| !player.is_busy() && player.shown().figures.time > 0.0);
+    }
+    assert_eq!(player.advances(), 5);
+    player.play(false);
+    assert!(!player.is_playing(), "at once");
+    wait_for(&mut player, |player| !player.shown().figures.playing);
+    player.ask(Order::Reset);
+    wait_for(&mut player, |player| player.shown().figures.time == 0.0);
+}
+
+#[test]
+fn asking_never_waits_for_a_step() {
+    // A hundred frames of work lie before what is asked: nothing here waits for them.
+    let text = SCENE.replace("0.00142857142857142857", "0.000001");
+    let mut player = Player::open(Scene::parse(&text, "slow.json").unwrap().into(), || {});
+    wait_for(&mut player, Player::is_open);
+    let start = Instant::now();
+    for _ in 0..100 {
+        player.advance(0.1, None, false);
+        player.poll();
+    }
+    player.play(false);
+    player.poll();
+    assert!(start.elapsed() < Duration::from_millis(100), "{:?}", start.elapsed());
+    wait_for(&mut player, |player| !player.shown().figures.playing);
+    assert!(player.shown().figures.time < 1.0, "what could not be done in time is dropped");
+}
+
+#[test]
+fn what_was_led_is_let_go_where_one_goes_back_and_on_another_way() {
+    let mut played = played();
+    let path = |t: f64| Some(Cursor::at([t.sin(), 1.0]));
+    play(&mut played, 0.1, 60, path);
+    played.0.give(vec![Do::Grab(Reach::Points(vec![PointId(0)]))], None).unwrap();
+    play(&mut played, 0.4, 60, path);
+    played.0.give(vec![Do::Release], None).unwrap();
+    play(&mut played, 0.1, 60, path);
+    let (history, pace) = &mut played;
+    pace.go_to(history, 0.3, Some(Cursor::at([0.0, 1.0])));
+    assert!(history.world().grab().is_some(), "it is led there");
+    pace.advance(history, 0.02, Some(Cursor::at([3.0, 3.0])), || 0.0);
+    assert!(history.world().grab().is_none(), "but not by a cursor that never took it");
+}

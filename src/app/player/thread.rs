@@ -1,0 +1,136 @@
+//! The thread that steps: takes orders, hands out what there is to see, and never waits for the window.
+
+use std::sync::mpsc::{Receiver, TryRecvError};
+use std::sync::{Arc, Condvar, Mutex, MutexGuard, PoisonError};
+use std::time::Duration;
+
+use super::order::{Note, Order};
+use super::shown::Shown;
+use super::stage::Stage;
+use crate::history::{HistoryError, Start};
+use crate::scene::Scene;
+
+/// What thread and window share: the last state, and what is to be said.
+#[derive(Default)]
+pub(super) struct Desk {
+    papers: Mutex<Papers>,
+    answered: Condvar,
+}
+
+/// What lies on the desk.
+#[derive(Default)]
+pub(super) struct Papers {
+    /// The last state, until the window takes it.
+    pub(super) fresh: Option<Box<Shown>>,
+    /// One that the window has done with.
+    pub(super) spare: Option<Box<Shown>>,
+    /// What became of orders.
+    pub(super) notes: Vec<Note>,
+    /// The start scene, once the history is there.
+    pub(super) scene: Option<Arc<Scene>>,
+    /// Why there is none.
+    pub(super) failure: Option<HistoryError>,
+    /// The last order that was done.
+    pub(super) done: u64,
+}
+
+impl Desk {
+    pub(super) fn lock(&self) -> MutexGuard<'_, Papers> {
+        self.papers.lock().unwrap_or_else(PoisonError::into_inner)
+    }
+
+    /// Waits until an order is done, so long at most.
+    pub(super) fn wait_for(&self, serial: u64, most: Duration) -> MutexGuard<'_, Papers> {
+        let is_open = |papers: &mut Papers| papers.done < serial && papers.failure.is_none();
+        let waited = self.answered.wait_timeout_while(self.lock(), most, is_open);
+        waited.unwrap_or_else(PoisonError::into_inner).0
+    }
+
+    /// Lays a state down. Returns whether the one before had been taken: else the window knows already that there is something.
+    fn lay(&self, stage: &mut Stage, (done, notes): (u64, Vec<Note>)) -> bool {
+        let mut shown = self.lock().spare.take().unwrap_or_default();
+        stage.show(&mut shown);
+        shown.serial = done;
+        let mut papers = self.lock();
+        papers.done = done;
+        let is_news = papers.fresh.is_none() || !notes.is_empty();
+        papers.notes.extend(notes);
+        papers.spare = papers.fresh.replace(shown);
+        drop(papers);
+        self.answered.notify_all();
+        is_news
+    }
+}
+
+/// Makes the history and plays it until nobody asks any more.
+pub(super) fn run(start: Start, orders: &Receiver<(u64, Order)>, desk: &Desk, wake: impl Fn()) {
+    let mut stage = match Stage::new(start) {
+        Ok(stage) => stage,
+        Err(error) => {
+            desk.lock().failure = Some(error);
+            desk.answered.notify_all();
+            return wake();
+        }
+    };
+    desk.lock().scene = Some(Arc::new(stage.history().scene().clone()));
+    desk.lay(&mut stage, (0, Vec::new()));
+    wake();
+    while let Some(list) = next(orders) {
+        let mut notes = Vec::new();
+        let mut done = 0;
+        for (serial, order) in list {
+            notes.extend(stage.obey(order));
+            done = serial;
+        }
+        if desk.lay(&mut stage, (done, notes)) {
+            wake();
+        }
+    }
+}
+
+/// Waits for orders; `None` when there will be no more. What was left undone for too long is not all made up for: of several
+/// frames' time the last frame has all.
+fn next(orders: &Receiver<(u64, Order)>) -> Option<Vec<(u64, Order)>> {
+    let mut list = vec![orders.recv().ok()?];
+    loop {
+        match orders.try_recv() {
+            Ok(order) => list.push(order),
+            Err(TryRecvError::Empty) => break,
+            // A window that has gone sees no more of it.
+            Err(TryRecvError::Disconnected) => return None,
+        }
+    }
+    Some(merged(list))
+}
+
+/// The same orders with one frame's time at most, the last one.
+fn merged(list: Vec<(u64, Order)>) -> Vec<(u64, Order)> {
+    let frames = list.iter().filter(|(_, order)| matches!(order, Order::Advance { .. })).count();
+    if frames < 2 {
+        return list;
+    }
+    let (mut left, mut passed) = (frames, 0.0);
+    let last_one = |(serial, order)| match order {
+        Order::Advance { wall, cursor, back } => {
+            left -= 1;
+            passed += wall;
+            (left == 0).then_some((serial, Order::Advance { wall: passed, cursor, back }))
+        }
+        order => Some((serial, order)),
+    };
+    list.into_iter().filter_map(last_one).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn frames_that_came_too_late_are_one() {
+        let frame = |serial, wall| (serial, Order::Advance { wall, cursor: None, back: false });
+        let list = merged(vec![frame(1, 0.25), (2, Order::Reset), frame(3, 0.5), (4, Order::Rate(2.0))]);
+        let serials: Vec<u64> = list.iter().map(|(serial, _)| *serial).collect();
+        assert_eq!(serials, [2, 3, 4]);
+        assert!(matches!(list[1].1, Order::Advance { wall: 0.75, .. }));
+    }
+}

@@ -1,0 +1,218 @@
+//! What actions do.
+
+use winit::window::Fullscreen;
+
+use super::{Framing, Session};
+use crate::app::action::Action;
+use crate::app::opening;
+use crate::app::panels::{Sheet, Wish};
+use crate::app::player::{Order, Player};
+use crate::app::thumbnails::Thumbnails;
+use crate::app::tools::{Deed, strength};
+use crate::history::Do;
+use crate::scene::{Entry, gallery};
+use crate::sim::MouseChange;
+
+/// The least and the greatest pace, in seconds of the scene itself.
+const PACES: [f64; 2] = [0.125, 4.0];
+/// What one press of a key makes the hover force larger by.
+const LARGER: f64 = 1.15;
+
+impl Session {
+    /// Does what the user asks; leaving is the window's affair.
+    pub(in crate::app) fn act(&mut self, action: Action) {
+        match action {
+            Action::TogglePlay => self.player.play(!self.player.is_playing()),
+            Action::Step => self.player.ask(Order::Step(self.told)),
+            Action::Rewind => self.rewinds = true,
+            Action::Reset => self.reset(),
+            Action::Slower => self.set_pace(0.5 * self.pace()),
+            Action::Faster => self.set_pace(2.0 * self.pace()),
+            Action::PreviousScene => self.open_beside(-1),
+            Action::NextScene => self.open_beside(1),
+            Action::Gallery => self.toggle_sheet(Sheet::Gallery),
+            Action::Help => self.toggle_sheet(Sheet::Help),
+            Action::Undo => self.player.ask(Order::Undo(self.told)),
+            Action::Redo => self.player.ask(Order::Redo(self.told)),
+            Action::Take(tool) => self.hand.take(tool),
+            Action::PinWhileHeld => self.hand.hold_pins(true),
+            Action::Delete => self.delete(),
+            Action::SmallerRegion => self.change_force(1.0, 1.0 / LARGER),
+            Action::LargerRegion => self.change_force(1.0, LARGER),
+            Action::Weaker => self.change_force(1.0 / LARGER, 1.0),
+            Action::Stronger => self.change_force(LARGER, 1.0),
+            Action::Fit => self.frame_as(Framing::Fit),
+            Action::Home => self.frame_as(Framing::Opening),
+            Action::ToggleMesh => self.look.has_mesh = !self.look.has_mesh,
+            Action::Paint => self.paint(),
+            Action::Import => self.cut_anew(),
+            Action::Open => self.choose_file(),
+            Action::Paste => self.paste(),
+            Action::Save => self.save(),
+            Action::Screenshot => self.take_screenshot(),
+            Action::TogglePanels => self.panels.hides_panels = !self.panels.hides_panels,
+            Action::ToggleHud => self.panels.hides_hud = !self.panels.hides_hud,
+            Action::FullScreen => self.toggle_full_screen(),
+            Action::Cancel => self.cancel(),
+            Action::Quit => return,
+        }
+        self.touch();
+    }
+
+    /// A key that is held was let go.
+    pub(in crate::app) fn let_go_of(&mut self, action: Action) {
+        match action {
+            Action::Rewind => self.rewinds = false,
+            Action::PinWhileHeld => self.hand.hold_pins(false),
+            _ => return,
+        }
+        self.touch();
+    }
+
+    /// Does what the panels ask for.
+    pub(super) fn grant(&mut self, wish: Wish) {
+        match wish {
+            Wish::Act(action) => self.act(action),
+            Wish::OpenScene(name) => self.open_named(name),
+            Wish::Pace(pace) => self.set_pace(pace),
+            Wish::GoTo(time) => self.player.ask(Order::GoTo(time, self.told)),
+        }
+        self.touch();
+    }
+
+    /// Ends what is under way; else closes the topmost of what lies over the world; it never leaves.
+    fn cancel(&mut self) {
+        let (was_busy, deed) = self.hand.cancel();
+        self.do_deed(deed);
+        if was_busy {
+            return;
+        }
+        let is_closed = self.panels.notes.complaint.take().is_some()
+            || self.panels.sheet.take().is_some()
+            || self.loading.take().is_some();
+        if !is_closed {
+            self.put_away();
+        }
+    }
+
+    fn toggle_sheet(&mut self, sheet: Sheet) {
+        self.panels.sheet = (self.panels.sheet != Some(sheet)).then_some(sheet);
+        self.panels.is_fresh = true;
+        if self.panels.sheet == Some(Sheet::Gallery) && self.thumbnails.is_none() {
+            self.thumbnails = Some(Thumbnails::new(self.canvas.gpu().clone(), self.wake_up()));
+        }
+    }
+
+    /// Back to the start. While a step takes long it is left to itself, and the start is played anew at once.
+    fn reset(&mut self) {
+        if self.player.is_busy() {
+            let start = self.player.start().clone();
+            let playing = self.player.is_playing();
+            let camera = self.camera;
+            self.put_on(Player::open(start, self.wake_up()));
+            self.player.play(playing);
+            self.camera = camera;
+        } else {
+            self.player.ask(Order::Reset);
+        }
+        self.hand.let_go();
+        self.hand.set_strength(self.scene.mouse_force().map(|force| force.strength));
+    }
+
+    fn delete(&mut self) {
+        let at = self.pixel();
+        let deed = self.with_scope(|hand, scope| hand.delete(scope, at));
+        self.do_deed(deed);
+    }
+
+    /// Gives commands to the world, if there are any.
+    pub(super) fn do_deed(&mut self, deed: Deed) {
+        if !deed.is_empty() {
+            self.player.give(deed.commands, deed.edit);
+            self.dirty = true;
+        }
+    }
+
+    /// The hover force gets stronger and larger by these factors.
+    fn change_force(&mut self, stronger: f64, larger: f64) {
+        let Some(force) = self.live_force() else {
+            return self.say("this scene has no push of the mouse".to_owned());
+        };
+        let radius = force.radius * larger;
+        let base = self.hand.strength().unwrap_or(force.strength) * stronger;
+        self.hand.set_strength(Some(base));
+        let is_calm = self.hand.is_calm();
+        let mut commands = vec![Do::Mouse(MouseChange { radius: Some(radius), ..MouseChange::default() })];
+        if !is_calm {
+            commands.push(strength(base));
+        }
+        self.player.give(commands, None);
+        self.say(format!("push: {base:.0} /s² within {radius:.2} m"));
+    }
+
+    /// Seconds of the scene a second of wall time, in those of the scene itself.
+    pub(super) fn pace(&self) -> f64 {
+        self.shown().figures.rate / self.scene.rate()
+    }
+
+    fn set_pace(&mut self, pace: f64) {
+        let pace = pace.clamp(PACES[0], PACES[1]);
+        self.player.ask(Order::Rate(pace * self.scene.rate()));
+        self.say(format!("pace: {pace} x"));
+    }
+
+    /// The camera as the scene opens, or on all points, also when the window gets another size.
+    pub(super) fn frame_as(&mut self, framing: Framing) {
+        self.framing = framing;
+        if !self.player.is_open() {
+            return;
+        }
+        let view = self.player.shown().view();
+        match framing {
+            Framing::Opening => self.camera = opening::camera(&self.scene, &view, self.area),
+            Framing::Fit => self.camera = opening::fit(&view, false, self.area),
+            Framing::Free => self.camera.resize(self.area),
+        }
+    }
+
+    /// The scene of the gallery that is open, by its place.
+    fn place(&self) -> Option<usize> {
+        gallery().iter().position(|entry| entry.name == self.scene.name())
+    }
+
+    /// What the gallery says of the scene.
+    pub(super) fn entry(&self) -> Option<&'static Entry> {
+        self.place().map(|place| &gallery()[place])
+    }
+
+    fn open_beside(&mut self, by: isize) {
+        let count = gallery().len() as isize;
+        let place = self.place().map_or(0, |place| (place as isize + by).rem_euclid(count));
+        self.open_named(gallery()[place as usize].name);
+    }
+
+    fn open_named(&mut self, name: &str) {
+        let Some(entry) = gallery().iter().find(|entry| entry.name == name) else { return };
+        match entry.scene() {
+            Ok(scene) => self.open(scene.into()),
+            Err(error) => self.complain(&error.to_string()),
+        }
+    }
+
+    fn toggle_full_screen(&mut self) {
+        let is_full = self.window.fullscreen().is_some();
+        self.window.set_fullscreen((!is_full).then_some(Fullscreen::Borderless(None)));
+    }
+
+    /// Says what was just done.
+    pub(super) fn say(&mut self, line: String) {
+        self.panels.notes.say(line);
+        self.touch();
+    }
+
+    /// Says what went wrong, until it is read.
+    pub(super) fn complain(&mut self, line: &str) {
+        self.panels.notes.complaint = Some(line.to_owned());
+        self.touch();
+    }
+}

@@ -1,0 +1,184 @@
+//! What a session shows: panels, when they have something new, and the world with what tools mark in it.
+
+use std::sync::Arc;
+use std::time::{Duration, Instant};
+
+use egui::epaint::{ClippedShape, Shape};
+use egui::{Color32, Pos2, Rect, Stroke};
+
+use super::{Framing, Session, panels_for};
+use crate::app::canvas::{Canvas, Paint};
+use crate::app::panels::{self, Facts, theme};
+use crate::app::tools::{Mark, Role, Scope};
+use crate::render::{RenderError, View};
+use crate::sim::{Cursor, MouseForce};
+
+/// Marks are looked for among so many points: more would take longer than a frame.
+const MOST_MARKED: usize = 100_000;
+
+impl Session {
+    /// Shows the panels, and does what they ask for.
+    pub(super) fn show_panels(&mut self) {
+        self.panels_dirty = false;
+        self.panels_at = Some(Instant::now());
+        let facts = self.facts();
+        self.figures = self.shown().figures.clone();
+        let input = self.egui.take_egui_input(&self.window);
+        let context = self.egui.egui_ctx().clone();
+        if let Some(thumbnails) = &mut self.thumbnails {
+            thumbnails.load(&context, &mut self.panels.thumbnails);
+        }
+        let mut wishes = Vec::new();
+        let mut height = 0.0;
+        let mut answer = None;
+        let can_add = self.scene.dimensions() == 2;
+        let output = context.run_ui(input, |ui| {
+            (wishes, height) = panels::show(ui, &mut self.panels, &facts);
+            answer = self.import.as_mut().and_then(|import| import.show(ui.ctx(), can_add));
+            if self.loading.as_ref().is_some_and(|loading| loading.show(ui.ctx())) {
+                self.loading = None;
+            }
+        });
+        self.give_world((height * output.pixels_per_point).round() as u32);
+        self.egui.handle_platform_output(&self.window, output.platform_output);
+        let delay = output.viewport_output.values().map(|viewport| viewport.repaint_delay).min();
+        match delay {
+            Some(Duration::ZERO) => self.panels_dirty = true,
+            Some(delay) => self.panels_due = Instant::now().checked_add(delay),
+            None => {}
+        }
+        let mut textures = std::mem::take(&mut self.paint.textures);
+        textures.append(output.textures_delta);
+        self.paint = Paint {
+            jobs: context.tessellate(output.shapes, output.pixels_per_point),
+            marks: Vec::new(),
+            textures,
+            pixels_per_point: output.pixels_per_point,
+        };
+        for wish in wishes {
+            self.grant(wish);
+        }
+        if let Some(answer) = answer {
+            self.answer(answer);
+        }
+    }
+
+    /// The world is drawn above the panels: so many pixels high.
+    fn give_world(&mut self, height: u32) {
+        let [width, whole] = self.canvas.size();
+        let area = [width, height.min(whole)];
+        if area != self.area {
+            self.area = area;
+            self.frame_as(self.framing);
+        }
+    }
+
+    fn facts(&self) -> Facts {
+        let entry = self.entry();
+        let mut figures = self.shown().figures.clone();
+        figures.playing = self.player.is_playing();
+        Facts {
+            title: entry.map_or_else(|| self.scene.name().to_owned(), |entry| entry.title.to_owned()),
+            caption: entry.map(|entry| [entry.description, entry.to_try]),
+            figures,
+            pace: self.pace(),
+            frame: self.frame_meter.value(),
+            tool: self.hand.tool(),
+            has_skin: !self.shown().scenery.skins.is_empty(),
+            has_mesh: self.look.has_mesh,
+            has_picture: self.has_picture,
+            waits: self.waits(),
+            is_opening: !self.player.is_open(),
+            is_busy: self.player.is_busy(),
+            dimensions: self.scene.dimensions(),
+        }
+    }
+
+    /// Draws the world and the panels.
+    pub(super) fn draw(&mut self) -> Result<(), RenderError> {
+        self.paint.marks = self.marks();
+        let region = self.region();
+        let empty = crate::app::player::Shown { dimensions: self.canvas.dimensions(), ..Default::default() };
+        let shown = if self.player.is_open() { self.player.shown() } else { &empty };
+        let view = View { mouse: region.as_ref().map(|(force, at)| (force, *at)), ..shown.view() };
+        let done = self.canvas.draw(&view, &self.camera, &self.look, self.area, &mut self.paint);
+        match done {
+            Err(RenderError::Lost { .. }) => self.reopen(),
+            done => done,
+        }
+    }
+
+    /// The region of the hover force: where the pointer is now, however long a step takes.
+    pub(super) fn region(&self) -> Option<(MouseForce, Cursor)> {
+        if self.hand.is_calm() || self.is_covered() {
+            return None;
+        }
+        match self.live_force() {
+            Some(force) => self.world_cursor().map(|at| (force.clone(), at)),
+            None => self.shown().mouse.clone().zip(self.shown().cursor),
+        }
+    }
+
+    /// What tools mark, ready to be painted.
+    fn marks(&self) -> Vec<egui::ClippedPrimitive> {
+        let is_idle =
+            !self.hand.is_busy() && (self.is_covered() || self.is_over_panels() || self.pointer.is_dragging());
+        if is_idle || self.shown().point_count() > MOST_MARKED || !self.player.is_open() {
+            return Vec::new();
+        }
+        let scope = Scope { shown: self.shown(), camera: &self.camera, scale: f64::from(self.look.scale_factor) };
+        let marks = self.hand.marks(scope, self.pixel());
+        if marks.is_empty() {
+            return Vec::new();
+        }
+        let context = self.egui.egui_ctx();
+        let scale = context.pixels_per_point();
+        let [width, height] = self.area.map(|side| side as f32 / scale);
+        let clip_rect = Rect::from_min_max(Pos2::ZERO, Pos2::new(width, height));
+        let shapes = marks
+            .iter()
+            .map(|mark| ClippedShape {
+                clip_rect,
+                shape: shape(mark, scale),
+                transform_after_tessellation: egui::emath::TSTransform::IDENTITY,
+            })
+            .collect();
+        context.tessellate(shapes, scale)
+    }
+
+    /// The GPU was lost (a driver's update, a card pulled out): opens what there is now. The world is not touched.
+    fn reopen(&mut self) -> Result<(), RenderError> {
+        self.canvas = Canvas::new(Arc::clone(&self.window), self.display.clone(), self.scene.dimensions())?;
+        // The panels' textures went with the GPU: a fresh context sends them again.
+        self.egui = panels_for(&self.window, &self.canvas);
+        self.paint = Paint::default();
+        self.panels.thumbnails.clear();
+        self.thumbnails = None;
+        self.framing = if self.framing == Framing::Free { Framing::Free } else { Framing::Opening };
+        self.touch();
+        Ok(())
+    }
+}
+
+/// A mark as the panels' painter draws it, with a dark edge so that it is seen on any ground.
+fn shape(mark: &Mark, scale: f32) -> Shape {
+    let color = |role: &Role| match role {
+        Role::Lead => theme::LEAD,
+        Role::Hold => theme::ACCENT,
+        Role::Away => theme::AWAY,
+    };
+    let at = |pixel: &glam::DVec2| Pos2::new(pixel.x as f32 / scale, pixel.y as f32 / scale);
+    let edge = Color32::from_black_alpha(150);
+    match mark {
+        Mark::Line(role, from, to, width) => {
+            let (ends, width) = ([at(from), at(to)], *width as f32 / scale);
+            let line = |width, color| Shape::line_segment(ends, Stroke::new(width, color));
+            Shape::Vec(vec![line(width + 2.0, edge), line(width, color(role))])
+        }
+        Mark::Ring(role, middle, radius) => {
+            let ring =
+                |width, color| Shape::circle_stroke(at(middle), *radius as f32 / scale, Stroke::new(width, color));
+            Shape::Vec(vec![ring(4.0, edge), ring(2.0, color(role))])
+        }
+    }
+}

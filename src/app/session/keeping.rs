@@ -1,0 +1,48 @@
+//! What leaves a session: recordings and pictures, written to files.
+
+use std::path::Path;
+
+use super::Session;
+use crate::app::player::Order;
+use crate::app::saving::{Saving, free_name};
+use crate::render::{Camera, Capture, View};
+
+impl Session {
+    /// Asks where all that was done is to be saved.
+    pub(super) fn save(&mut self) {
+        if self.saving.is_none() {
+            self.saving = Some(Saving::new(&self.window, self.scene.name(), self.wake_up()));
+        }
+    }
+
+    /// Saves it there.
+    pub(super) fn hear_of_saving(&mut self) {
+        let chosen = self.saving.as_ref().and_then(Saving::take);
+        if let Some(chosen) = chosen {
+            self.saving = None;
+            if let Some(path) = chosen {
+                self.player.ask(Order::Save(path));
+            }
+            self.touch();
+        }
+    }
+
+    /// Draws the world as it is seen, without panels, and has it written with a snapshot in it.
+    pub(super) fn take_screenshot(&mut self) {
+        if !self.player.is_open() || self.area.contains(&0) {
+            return;
+        }
+        let region = self.region();
+        let view = View { mouse: region.as_ref().map(|(force, at)| (force, *at)), ..self.player.shown().view() };
+        let camera = Camera::new(self.camera.pose, self.area);
+        let capture = Capture::on(self.canvas.gpu().clone(), self.area, view.dimensions);
+        let drawn = capture.and_then(|mut capture| capture.picture(&view, &camera, &self.look));
+        match drawn {
+            Ok(picture) => {
+                let path = free_name(Path::new("."), self.scene.name(), "png");
+                self.player.ask(Order::Picture(path, Box::new(picture)));
+            }
+            Err(error) => self.complain(&error.to_string()),
+        }
+    }
+}

@@ -1,0 +1,435 @@
+//! An open scene in a window: what its frames do.
+
+mod acts;
+mod arrivals;
+mod drawing;
+mod keeping;
+mod pointing;
+mod shelf;
+
+use std::sync::Arc;
+use std::time::{Duration, Instant};
+
+use winit::event::WindowEvent;
+use winit::event_loop::{EventLoopProxy, OwnedDisplayHandle};
+use winit::window::Window;
+
+use super::canvas::{Canvas, Paint};
+use super::fetch::Fetch;
+use super::import::Import;
+use super::keys::Held;
+use super::loading::Loading;
+use super::meter::Meter;
+use super::panels::{PanelState, theme};
+use super::player::{Figures, News, Note, Player, Shown};
+use super::pointer::Pointer;
+use super::saving::Saving;
+use super::shell::is_for_panels;
+use super::thumbnails::Thumbnails;
+use super::tools::Hand;
+use crate::history::{HistoryError, Start};
+use crate::render::{Camera, Look, RenderCounters, RenderError};
+use crate::scene::{Scene, gallery};
+use crate::sim::{Cursor, MouseForce};
+use shelf::Shelf;
+
+/// The tag of scenes that open on a canvas.
+const BRUSH: &str = "brush";
+/// A frame's time where there was none before it [s].
+const FIRST_FRAME: f64 = 1.0 / 60.0;
+/// Figures are shown anew so often at most: nobody reads faster.
+const FIGURES_EVERY: Duration = Duration::from_millis(100);
+
+/// How the camera came to be where it is: it is put there again when the window gets another size.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Framing {
+    /// As the scene opens.
+    Opening,
+    /// All points.
+    Fit,
+    /// By hand.
+    Free,
+}
+
+/// The scene, its player and its window.
+pub(super) struct Session {
+    pub(super) window: Arc<Window>,
+    pub(super) egui: egui_winit::State,
+    display: OwnedDisplayHandle,
+    canvas: Canvas,
+    player: Player,
+    shelf: Shelf,
+    scene: Arc<Scene>,
+    /// A body of the scene is cut out of a picture.
+    has_picture: bool,
+    pub(super) camera: Camera,
+    framing: Framing,
+    /// Width and height of the part of the window that the world is drawn in [px].
+    area: [u32; 2],
+    pub(super) pointer: Pointer,
+    hand: Hand,
+    /// Which keys are held down beside others.
+    pub(super) held: Held,
+    /// Time runs back.
+    rewinds: bool,
+    look: Look,
+    panels: PanelState,
+    paint: Paint,
+    /// Something that is shown has changed since the last frame; so has something that panels show.
+    dirty: bool,
+    panels_dirty: bool,
+    /// When the panels want to be shown again by themselves, and when they were last.
+    panels_due: Option<Instant>,
+    panels_at: Option<Instant>,
+    /// The pointer was over a panel when it last moved.
+    was_over_panels: bool,
+    /// Nobody has pressed on anything yet: the first scene says how.
+    wants_hint: bool,
+    /// The system says that nothing of the window is seen.
+    pub(super) is_occluded: bool,
+    /// The first history could not begin: there is nothing to show.
+    failure: Option<HistoryError>,
+    /// A picture on its way into the world.
+    import: Option<Import>,
+    /// A drawing that was closed before anything was made of it.
+    kept: Option<Import>,
+    /// A picture that is being read and meshed.
+    loading: Option<Loading>,
+    /// What is just being added to the world: it comes back if it cannot be.
+    adding: Option<Import>,
+    /// A file that is being chosen in the system's dialog, and what is on its way from the clipboard.
+    dialog: Option<Fetch>,
+    pasted: Option<Fetch>,
+    saving: Option<Saving>,
+    thumbnails: Option<Thumbnails>,
+    waker: EventLoopProxy<()>,
+    /// When the last frame began, if time has passed in the world since.
+    last_frame: Option<Instant>,
+    /// Where the cursor was told to be last.
+    told: Option<Cursor>,
+    frame_meter: Meter,
+    frames: u64,
+    /// Where to look from when the next history is there.
+    looks_again: Option<Camera>,
+    /// The figures that panels show.
+    figures: Figures,
+}
+
+impl Session {
+    /// Shows what `player` plays, in `window`.
+    ///
+    /// Errors: no GPU that can draw to the window.
+    pub(super) fn new(
+        window: Arc<Window>,
+        (display, waker): (OwnedDisplayHandle, EventLoopProxy<()>),
+        (player, scene): (Player, Arc<Scene>),
+    ) -> Result<Self, RenderError> {
+        let canvas = Canvas::new(Arc::clone(&window), display.clone(), scene.dimensions())?;
+        let size = canvas.size();
+        let egui = panels_for(&window, &canvas);
+        let mut session = Session {
+            // Until the scene is there.
+            camera: Camera::fit([[-1.0; 3], [1.0; 3]], scene.dimensions(), size),
+            framing: Framing::Opening,
+            area: size,
+            look: Look { scale_factor: window.scale_factor() as f32, ..Look::default() },
+            has_picture: false,
+            window,
+            egui,
+            display,
+            canvas,
+            player,
+            shelf: Shelf::default(),
+            scene,
+            pointer: Pointer::default(),
+            hand: Hand::default(),
+            held: Held::default(),
+            rewinds: false,
+            panels: PanelState::default(),
+            paint: Paint::default(),
+            dirty: true,
+            panels_dirty: true,
+            panels_due: None,
+            panels_at: None,
+            was_over_panels: false,
+            wants_hint: true,
+            is_occluded: false,
+            failure: None,
+            import: None,
+            kept: None,
+            loading: None,
+            adding: None,
+            dialog: None,
+            pasted: None,
+            saving: None,
+            thumbnails: None,
+            waker,
+            last_frame: None,
+            told: None,
+            frame_meter: Meter::default(),
+            frames: 0,
+            looks_again: None,
+            figures: Figures::default(),
+        };
+        if session.player.is_open() {
+            session.arrive(Arc::clone(&session.scene));
+        }
+        Ok(session)
+    }
+
+    /// Whether another frame is needed: something moves or has changed.
+    pub(super) fn wants_frame(&self) -> bool {
+        self.dirty || self.panels_dirty || self.moves()
+    }
+
+    /// Whether time goes on: the world waits while a picture is being imported, which takes its place on the screen.
+    fn moves(&self) -> bool {
+        let fades = self.hand.is_calm() && !self.hand.is_grabbing() && self.player.is_playing();
+        !self.waits() && (self.player.is_moving() || self.rewinds || fades)
+    }
+
+    /// Whether the world waits for what lies over it.
+    fn waits(&self) -> bool {
+        self.import.is_some()
+    }
+
+    /// Whether something lies over the world that keys and the mouse are for.
+    pub(super) fn is_covered(&self) -> bool {
+        self.import.is_some() || self.panels.sheet.is_some()
+    }
+
+    /// Opens another scene, or a recording, in place of this one, which can be gone back to.
+    fn open(&mut self, start: Start) {
+        let player = Player::open(start, self.wake_up());
+        self.put_on(player);
+    }
+
+    /// Plays another history; the present one goes onto the shelf.
+    fn put_on(&mut self, player: Player) {
+        let mut last = std::mem::replace(&mut self.player, player);
+        last.play(false);
+        self.shelf.keep(last, self.camera);
+        self.begin();
+    }
+
+    /// Another history is shown: nothing of the last one is under way any more.
+    fn begin(&mut self) {
+        self.hand.let_go();
+        self.panels.sheet = None;
+        (self.rewinds, self.last_frame, self.told) = (false, None, None);
+        self.touch();
+        let news = self.player.poll();
+        self.hear(news);
+    }
+
+    /// The history is there: its scene is shown as it opens.
+    fn arrive(&mut self, scene: Arc<Scene>) {
+        self.canvas.forget_world(scene.dimensions());
+        self.window.set_title(&format!("wobble · {}", scene.name()));
+        self.has_picture = scene.picture_body().is_some();
+        self.look.has_mesh = self.player.shown().scenery.skins.is_empty();
+        self.scene = scene;
+        self.frame_as(Framing::Opening);
+        if let Some(camera) = self.looks_again.take() {
+            (self.camera, self.framing) = (camera, Framing::Free);
+            self.camera.resize(self.area);
+        }
+        self.hand.set_strength(self.live_force().map(|force| force.strength));
+        self.panels.notes.complaint = self.player.shown().scenery.warnings.first().cloned();
+        self.panels.notes.has_caption = true;
+        self.wants_hint &= self.scene.name() == gallery()[0].name;
+        if self.is_canvas() {
+            self.paint();
+        }
+        self.touch();
+    }
+
+    /// Takes what the player has to tell.
+    fn hear(&mut self, news: News) {
+        if let Some(scene) = news.opened {
+            self.arrive(scene);
+        }
+        if news.is_new {
+            self.dirty = true;
+        }
+        if let Some(failure) = news.failure {
+            // What was there before is there again.
+            match self.shelf.back() {
+                Some((player, camera)) => {
+                    self.bring_back(player, camera);
+                    self.complain(&failure.to_string());
+                }
+                None => self.failure = Some(failure),
+            }
+        }
+        for note in news.notes {
+            self.note(note);
+        }
+    }
+
+    /// Something became of what was asked.
+    fn note(&mut self, note: Note) {
+        match note {
+            Note::Undone(name, seconds) => self.say(format!("Undid: {name} ({:.1} s back)", seconds.abs())),
+            Note::Redone(name, seconds) => self.say(format!("Redid: {name} ({:.1} s on)", seconds.abs())),
+            Note::NothingToUndo => self.go_back(),
+            Note::NothingToRedo => self.go_on(),
+            Note::Added => {
+                self.adding = None;
+                self.say("it is in the scene: Ctrl+Z takes it away again".to_owned());
+            }
+            Note::Refused(why) => {
+                self.import = self.adding.take().or_else(|| self.import.take());
+                self.complain(&why);
+            }
+            Note::Written(path) => self.say(format!("written: {}", path.display())),
+            Note::NotWritten(why) => self.complain(&why),
+        }
+        self.touch();
+    }
+
+    /// Time ran on since the last frame: asks for it, once a frame.
+    fn advance(&mut self, start: Instant) {
+        let is_asked = self.player.is_playing() || self.rewinds;
+        let cursor = self.world_cursor();
+        let is_new = cursor != self.told && self.player.is_open();
+        if self.waits() || !is_asked || !(self.moves() || is_new) {
+            self.last_frame = None;
+            return;
+        }
+        let wall = self.last_frame.replace(start).map_or(FIRST_FRAME, |last| (start - last).as_secs_f64());
+        self.frame_meter.push(wall);
+        if self.lacks_force() {
+            self.hand.calm_down();
+        }
+        let deed = self.hand.pass(wall);
+        self.do_deed(deed);
+        self.told = cursor;
+        self.player.advance(wall, cursor, self.rewinds);
+    }
+
+    /// Whether the hover force is away though nothing is led: the world went back to a moment of a grab, and on from there.
+    fn lacks_force(&self) -> bool {
+        let figures = &self.shown().figures;
+        let is_away = self.live_force().is_some_and(|force| force.strength == 0.0);
+        let is_wanted = self.hand.strength().is_some_and(|strength| strength != 0.0);
+        is_away && is_wanted && !self.hand.is_calm() && !self.rewinds && figures.end <= figures.time
+    }
+
+    /// One frame: the time that passed, the panels if they changed, the picture. Draws nothing if nothing has changed.
+    ///
+    /// Errors: a GPU that gave up and cannot be had again.
+    pub(super) fn frame(&mut self) -> Result<(), RenderError> {
+        let start = Instant::now();
+        if self.panels_due().is_some_and(|due| due <= start) {
+            (self.panels_dirty, self.panels_due) = (true, None);
+        }
+        if !self.wants_frame() {
+            return Ok(());
+        }
+        self.advance(start);
+        self.dirty = false;
+        let is_time = self.panels_at.is_none_or(|at| at.elapsed() >= FIGURES_EVERY);
+        if self.panels_dirty || is_time {
+            self.show_panels();
+        }
+        let news = self.player.poll_patiently();
+        self.hear(news);
+        // What was heard is drawn now; what moves on is drawn in the next frame anyway.
+        self.dirty &= self.panels_dirty;
+        self.draw()?;
+        self.frames += 1;
+        if !self.moves() {
+            self.last_frame = None;
+            // The last figures are those of the rest.
+            if self.shown().figures != self.figures {
+                self.panels_due.get_or_insert(start + FIGURES_EVERY);
+            }
+        }
+        Ok(())
+    }
+
+    /// Nothing is seen: no time passes meanwhile.
+    pub(super) fn rest(&mut self) {
+        self.last_frame = None;
+    }
+
+    /// Why there is nothing to show, if the first scene could not be opened.
+    pub(super) fn take_failure(&mut self) -> Option<HistoryError> {
+        self.failure.take()
+    }
+
+    /// Hands an event to the panels: keys only where they write or nothing else is meant by them.
+    pub(super) fn tell_panels(&mut self, event: &WindowEvent) {
+        let is_writing = self.egui.egui_ctx().text_edit_focused();
+        if let WindowEvent::KeyboardInput { event, .. } = event
+            && !is_for_panels(event, is_writing)
+        {
+            return;
+        }
+        let response = self.egui.on_window_event(&self.window, event);
+        let is_move = matches!(event, WindowEvent::CursorMoved { .. });
+        self.panels_dirty |= response.repaint && !is_move;
+    }
+
+    /// Keys and buttons that were held down are let go elsewhere.
+    pub(super) fn lose_focus(&mut self) {
+        self.rewinds = false;
+        self.hand.hold_pins(false);
+        self.held = Held::default();
+        self.touch();
+    }
+
+    /// When the panels want a frame by themselves.
+    pub(super) fn panels_due(&self) -> Option<Instant> {
+        [self.panels_due, self.panels.notes.until()].into_iter().flatten().min()
+    }
+
+    /// Something that is shown has changed, on the panels too.
+    pub(super) fn touch(&mut self) {
+        (self.dirty, self.panels_dirty) = (true, true);
+    }
+
+    pub(super) fn resize(&mut self, size: [u32; 2]) {
+        self.canvas.resize(size);
+        self.touch();
+    }
+
+    pub(super) fn rescale(&mut self, scale_factor: f64) {
+        self.look.scale_factor = scale_factor as f32;
+        self.touch();
+    }
+
+    /// Whether the window has no size to draw on.
+    pub(super) fn has_no_size(&self) -> bool {
+        self.canvas.size().contains(&0)
+    }
+
+    /// The state that is drawn.
+    fn shown(&self) -> &Shown {
+        self.player.shown()
+    }
+
+    /// The hover force, where it follows the cursor: one with a track of its own doesn't.
+    fn live_force(&self) -> Option<&MouseForce> {
+        self.shown().mouse.as_ref().filter(|force| force.track.knots.is_empty())
+    }
+
+    /// Frames made, times asked for, substeps taken, and what drawing took.
+    pub(super) fn statistics(&self) -> ([u64; 3], RenderCounters) {
+        let players = self.shelf.players().chain([&self.player]);
+        let work = players.fold([0; 2], |[advances, substeps], player| {
+            [advances + player.advances(), substeps + player.shown().figures.substeps]
+        });
+        ([self.frames, work[0], work[1]], *self.canvas.counters())
+    }
+}
+
+/// A context for the panels of a window.
+fn panels_for(window: &Arc<Window>, canvas: &Canvas) -> egui_winit::State {
+    let context = egui::Context::default();
+    theme::apply(&context);
+    let scale = Some(window.scale_factor() as f32);
+    let side = Some(canvas.largest_side() as usize);
+    egui_winit::State::new(context, egui::ViewportId::ROOT, &**window, scale, None, side)
+}

@@ -1,0 +1,123 @@
+//! The pointer in the window: over a panel, over the world, pressing, dragging.
+
+use egui::Order;
+use glam::DVec2;
+use winit::event::{ElementState, MouseButton, MouseScrollDelta};
+
+use super::{Framing, Session};
+use crate::app::tools::{Hand, Scope};
+use crate::history::Do;
+use crate::sim::Cursor;
+
+impl Session {
+    /// The pointer moved [px].
+    pub(in crate::app) fn point_at(&mut self, at: [f64; 2]) {
+        if self.pointer.move_to(at, &mut self.camera) {
+            self.framing = Framing::Free;
+        }
+        let is_over = self.is_over_panels();
+        if is_over || self.was_over_panels || self.wants_hint || self.egui.egui_ctx().egui_is_using_pointer() {
+            self.panels_dirty = true;
+        }
+        self.place_hint();
+        self.was_over_panels = is_over;
+        self.dirty = true;
+    }
+
+    /// The pointer left the window.
+    pub(in crate::app) fn point_away(&mut self) {
+        self.pointer.leave();
+        self.place_hint();
+        self.touch();
+    }
+
+    /// A button went down or up.
+    pub(in crate::app) fn press(&mut self, button: MouseButton, state: ElementState) {
+        self.panels_dirty = true;
+        self.dirty = true;
+        let is_pressed = state == ElementState::Pressed;
+        if is_pressed && (self.is_over_panels() || self.is_covered()) {
+            return;
+        }
+        self.pointer.press(button, state);
+        if button != MouseButton::Left {
+            return;
+        }
+        let Some(at) = self.pixel() else { return };
+        let deed = match is_pressed {
+            true => {
+                self.used();
+                let mut deed = self.with_scope(|hand, scope| hand.press(scope, at));
+                if self.hand.is_grabbing() {
+                    // What is grabbed follows the cursor, so it is there first.
+                    let to = Some(self.camera.cursor(at.to_array()));
+                    deed.commands.insert(0, Do::Cursor { to, by: None });
+                    self.told = to;
+                }
+                deed
+            }
+            false => self.with_scope(|hand, scope| hand.release(scope, at)),
+        };
+        self.do_deed(deed);
+    }
+
+    /// The wheel turned.
+    pub(in crate::app) fn scroll(&mut self, delta: MouseScrollDelta) {
+        self.panels_dirty = true;
+        if !self.is_over_panels() && !self.is_covered() {
+            self.pointer.scroll(delta, &mut self.camera);
+            self.framing = Framing::Free;
+        }
+        self.dirty = true;
+    }
+
+    /// Someone has found out what to do: nothing more is said of it.
+    fn used(&mut self) {
+        (self.wants_hint, self.panels.notes.hint_at) = (false, None);
+        self.panels.notes.has_caption = false;
+    }
+
+    /// Where the pointer is on the world [px].
+    pub(super) fn pixel(&self) -> Option<DVec2> {
+        self.pointer.at.map(DVec2::from)
+    }
+
+    /// Calls a tool with what is drawn.
+    pub(super) fn with_scope<T>(&mut self, call: impl FnOnce(&mut Hand, Scope<'_>) -> T) -> T {
+        let scale = f64::from(self.look.scale_factor);
+        let scope = Scope { shown: self.player.shown(), camera: &self.camera, scale };
+        call(&mut self.hand, scope)
+    }
+
+    /// Where the pointer is for the panels [points].
+    pub(super) fn place_of_pointer(&self) -> Option<egui::Pos2> {
+        let scale = self.egui.egui_ctx().pixels_per_point();
+        self.pointer.at.map(|at| egui::pos2(at[0] as f32 / scale, at[1] as f32 / scale))
+    }
+
+    /// The hint goes with the pointer.
+    pub(super) fn place_hint(&mut self) {
+        let is_wanted = self.wants_hint && !self.is_over_panels() && !self.is_covered();
+        self.panels.notes.hint_at = self.place_of_pointer().filter(|_| is_wanted);
+    }
+
+    /// Whether the pointer is over a panel, or over what floats over the world.
+    pub(super) fn is_over_panels(&self) -> bool {
+        let Some(at) = self.place_of_pointer() else { return false };
+        let [_, height] = self.area;
+        let is_below = self.pointer.at.is_some_and(|at| at[1] >= f64::from(height));
+        let layer = self.egui.egui_ctx().layer_id_at(at);
+        is_below || layer.is_some_and(|layer| layer.order != Order::Background)
+    }
+
+    /// Where the cursor is in the world: nowhere while it is over a panel, drags the camera or has left. What is led follows it
+    /// over panels too.
+    pub(super) fn world_cursor(&self) -> Option<Cursor> {
+        let leads = self.hand.is_busy();
+        let is_free = !self.pointer.is_dragging() && !self.is_covered() && (leads || !self.is_over_panels());
+        // A window that gets the focus is told of a pointer that may be anywhere.
+        let [width, height] = self.area.map(f64::from);
+        let is_inside = |at: &[f64; 2]| (0.0..width).contains(&at[0]) && (0.0..height).contains(&at[1]);
+        self.pointer.at.filter(|at| leads || is_inside(at)).filter(|_| is_free).map(|at| self.camera.cursor(at))
+    }
+}

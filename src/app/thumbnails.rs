@@ -1,0 +1,124 @@
+//! Pictures of the gallery's scenes, drawn beside the window by the renderer that draws in it.
+
+use std::collections::BTreeMap;
+use std::sync::mpsc::{Receiver, channel};
+use std::time::{Duration, Instant};
+
+use image::RgbaImage;
+
+use super::opening;
+use super::panels::THUMBNAIL;
+use crate::render::{Capture, Gpu, Look, View};
+use crate::scene::{BodyKeys, Entry, MakerName, Scene, gallery};
+
+/// A scene is shown after so much of its time [s], or what of it is stepped in this time.
+const SHOWN_AT: f64 = 0.8;
+const STEPPED_FOR: Duration = Duration::from_millis(40);
+/// Columns and rows of a cloth at most: more are not told apart.
+const MOST_THREADS: u64 = 120;
+/// Thumbnails have twice the pixels of what they are shown as on a plain screen.
+const FINE: f32 = 2.0;
+
+/// Thumbnails on their way.
+pub(super) struct Thumbnails {
+    drawn: Receiver<(&'static str, RgbaImage)>,
+    ready: Vec<(&'static str, RgbaImage)>,
+}
+
+impl Thumbnails {
+    /// Draws all of the gallery, one after another, on a thread of its own, which calls `wake` after each.
+    pub(super) fn new(gpu: Gpu, wake: impl Fn() + Send + 'static) -> Self {
+        let (sender, drawn) = channel();
+        std::thread::spawn(move || {
+            let mut captures: [Option<Capture>; 2] = [None, None];
+            let size = THUMBNAIL.map(|side| (FINE * side) as u32);
+            for entry in gallery() {
+                let Some(picture) = thumbnail(entry, &gpu, size, &mut captures) else { continue };
+                if sender.send((entry.name, picture)).is_err() {
+                    return;
+                }
+                wake();
+            }
+        });
+        Thumbnails { drawn, ready: Vec::new() }
+    }
+
+    /// Takes what was drawn. Returns whether there is something new.
+    pub(super) fn poll(&mut self) -> bool {
+        self.ready.extend(self.drawn.try_iter());
+        !self.ready.is_empty()
+    }
+
+    /// Gives what was drawn to the panels.
+    pub(super) fn load(&mut self, context: &egui::Context, to: &mut BTreeMap<&'static str, egui::TextureHandle>) {
+        for (name, picture) in self.ready.drain(..) {
+            let size = [picture.width() as usize, picture.height() as usize];
+            let picture = egui::ColorImage::from_rgba_unmultiplied(size, picture.as_raw());
+            to.insert(name, context.load_texture(name, picture, egui::TextureOptions::LINEAR));
+        }
+    }
+}
+
+/// A picture of a scene. One that cannot be drawn has none.
+fn thumbnail(entry: &Entry, gpu: &Gpu, size: [u32; 2], captures: &mut [Option<Capture>; 2]) -> Option<RgbaImage> {
+    let scene = coarser(entry.scene().ok()?);
+    let mut world = scene.world(None).ok()?;
+    let skins = scene.skins().ok()?;
+    let start = Instant::now();
+    while world.time() < SHOWN_AT && start.elapsed() < STEPPED_FOR {
+        world.step();
+    }
+    let capture = &mut captures[scene.dimensions() - 2];
+    if capture.is_none() {
+        *capture = Capture::on(gpu.clone(), size, scene.dimensions()).ok();
+    }
+    let capture = capture.as_mut()?;
+    capture.forget_world();
+    let view = View { skins: &skins, ..View::of(&*world) };
+    let camera = opening::camera(&scene, &view, size);
+    let look = Look { has_mesh: skins.is_empty(), scale_factor: 1.0, ..Look::default() };
+    capture.picture(&view, &camera, &look).ok()
+}
+
+/// The same scene with fewer threads in its cloths: as large, and hung as before.
+fn coarser(mut scene: Scene) -> Scene {
+    for body in &mut scene.bodies {
+        if body.make == MakerName::Cloth {
+            thin_out(body);
+        }
+    }
+    scene
+}
+
+fn thin_out(cloth: &mut BodyKeys) {
+    let (Some(columns), Some(rows), Some(spacing)) = (cloth.columns, cloth.rows, cloth.spacing) else { return };
+    let by = columns.max(rows).div_ceil(MOST_THREADS).max(1);
+    if by == 1 {
+        return;
+    }
+    let [fewer_columns, fewer_rows] = [columns, rows].map(|count| (count - 1) / by + 1);
+    let thinned = |pin: &u32| {
+        let (row, column) = (u64::from(*pin) / columns, u64::from(*pin) % columns);
+        (row % by == 0 && column % by == 0).then_some((row / by * fewer_columns + column / by) as u32)
+    };
+    cloth.pinned = cloth.pinned.iter().filter_map(thinned).collect();
+    (cloth.columns, cloth.rows) = (Some(fewer_columns), Some(fewer_rows));
+    cloth.spacing = Some(spacing * by as f64);
+}
+
+#[cfg(test)]
+#[allow(clippy::unwrap_used, reason = "a test that cannot go on stops")]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_cloth_of_a_million_is_drawn_as_one_of_thousands_of_the_same_size() {
+        let entry = gallery().iter().find(|entry| entry.name == "million-cloth").unwrap();
+        let scene = coarser(entry.scene().unwrap());
+        let world = scene.world(None).unwrap();
+        assert!((5_000..20_000).contains(&world.point_count()), "{}", world.point_count());
+        assert!(world.pinned().len() > 50, "its upper row");
+        let small = gallery().iter().find(|entry| entry.name == "rim").unwrap().scene().unwrap();
+        assert_eq!(coarser(small.clone()), small);
+    }
+}

@@ -1,0 +1,102 @@
+//! What is drawn over the world for the tools: what is led, and what a click would do.
+
+use glam::{DVec2, DVec3};
+
+use super::pick::Scope;
+use super::{Doing, Target, target};
+use crate::app::action::Tool;
+use crate::sim::PointId;
+
+/// What a mark says.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(in crate::app) enum Role {
+    /// It is led.
+    Lead,
+    /// It will be held.
+    Hold,
+    /// It will be let go, cut or taken away.
+    Away,
+}
+
+/// A line or a ring over the world [px].
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(in crate::app) enum Mark {
+    /// From, to, width.
+    Line(Role, DVec2, DVec2, f64),
+    /// Middle, radius.
+    Ring(Role, DVec2, f64),
+}
+
+/// Width of a line for the least and the greatest force [logical px].
+const WIDTHS: [f64; 2] = [1.5, 7.0];
+/// A force that is drawn at half the way between both [N]: the weight of three kilograms.
+const HALF_FORCE: f64 = 30.0;
+/// Bonds of a body that are drawn at most.
+const MOST: usize = 4000;
+
+pub(super) fn of(tool: Tool, doing: &Doing, scope: Scope<'_>, at: Option<DVec2>) -> Vec<Mark> {
+    match (doing, tool) {
+        (Doing::Grabbing(points), _) => led(scope, points, at),
+        (Doing::Cutting(from), _) => {
+            at.map(|at| Mark::Line(Role::Away, *from, at, 2.0 * scope.scale)).into_iter().collect()
+        }
+        (_, Tool::Pin) => at.and_then(|at| would_pin(scope, at)).into_iter().collect(),
+        (_, Tool::Erase) => at.map_or_else(Vec::new, |at| would_go(scope, at)),
+        _ => Vec::new(),
+    }
+}
+
+/// From the middle of what is led to the cursor, as wide as the force is large; thin until the world has felt it.
+fn led(scope: Scope<'_>, points: &[PointId], at: Option<DVec2>) -> Vec<Mark> {
+    let Some(at) = at else { return Vec::new() };
+    let places = points.iter().map(|point| DVec3::from(scope.shown.place(point.index())));
+    let mean = places.sum::<DVec3>() / points.len().max(1) as f64;
+    let (middle, force) = match &scope.shown.grab {
+        Some(grab) => (DVec3::from(grab.middle), DVec3::from(grab.force).length()),
+        None => (mean, 0.0),
+    };
+    let Some(middle) = scope.camera.screen_from_world(middle).map(DVec2::from) else { return Vec::new() };
+    let share = force / (force + HALF_FORCE);
+    let width = WIDTHS[0] + share * (WIDTHS[1] - WIDTHS[0]);
+    let scale = scope.scale;
+    vec![Mark::Line(Role::Lead, middle, at, width * scale), Mark::Ring(Role::Lead, middle, 5.0 * scale)]
+}
+
+fn would_pin(scope: Scope<'_>, at: DVec2) -> Option<Mark> {
+    let point = scope.nearest(at)?.point;
+    let role = if scope.is_pinned(point) { Role::Away } else { Role::Hold };
+    Some(Mark::Ring(role, scope.pixel(point)?, 8.0 * scope.scale))
+}
+
+fn would_go(scope: Scope<'_>, at: DVec2) -> Vec<Mark> {
+    let line = |[a, b]: [PointId; 2]| Some(Mark::Line(Role::Away, scope.pixel(a)?, scope.pixel(b)?, 1.5 * scope.scale));
+    match target(scope, at) {
+        Some(Target::Body(points)) => {
+            let is_its = |ends: &&[PointId; 2]| points.binary_search(&ends[0]).is_ok();
+            let bonds = scope.shown.scenery.bonds.ends().iter().filter(is_its).take(MOST);
+            let lines: Vec<Mark> = bonds.filter_map(|&ends| line(ends)).collect();
+            let ring = |&point| Some(Mark::Ring(Role::Away, scope.pixel(point)?, 6.0 * scope.scale));
+            if lines.is_empty() { points.first().and_then(ring).into_iter().collect() } else { lines }
+        }
+        Some(Target::Bond(_, ends)) => line(ends).into_iter().collect(),
+        Some(Target::Obstacle(number)) => obstacle(scope, number),
+        None => Vec::new(),
+    }
+}
+
+fn obstacle(scope: Scope<'_>, number: u32) -> Vec<Mark> {
+    let scenery = &scope.shown.scenery;
+    let place = scenery.polygon_numbers.iter().position(|&other| other == number);
+    let Some(polygon) = place.and_then(|place| scenery.polygons.get(place)) else { return Vec::new() };
+    let pixel = |[x, y]: [f64; 2]| scope.camera.screen_from_world([x, y, 0.0].into()).map(DVec2::from);
+    let side = |corners: &[[f64; 2]], k: usize| {
+        let [from, to] = [corners[k], corners[(k + 1) % corners.len()]];
+        Some(Mark::Line(Role::Away, pixel(from)?, pixel(to)?, 2.0 * scope.scale))
+    };
+    polygon
+        .loops
+        .iter()
+        .flat_map(|corners| (0..corners.len()).filter_map(move |k| side(corners, k)))
+        .take(MOST)
+        .collect()
+}

@@ -1,0 +1,262 @@
+//! Tools: what presses and strokes of the left button become. They return commands and change nothing.
+
+mod marks;
+mod pick;
+#[cfg(test)]
+mod tests;
+
+use glam::DVec2;
+
+use super::action::Tool;
+use crate::history::{DeleteKeys, Do};
+use crate::sim::{MouseChange, PointId, Reach};
+pub(super) use marks::{Mark, Role};
+pub(super) use pick::Scope;
+
+/// The hover force stays away so long after a grab [s]: what was thrown is not blown off its way.
+const CALM: f64 = 0.2;
+
+/// Commands, and what they are called when they are undone.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub(super) struct Deed {
+    pub(super) commands: Vec<Do>,
+    pub(super) edit: Option<&'static str>,
+}
+
+impl Deed {
+    fn edit(name: &'static str, command: Do) -> Self {
+        Deed { commands: vec![command], edit: Some(name) }
+    }
+
+    /// Whether there is nothing to do.
+    pub(super) fn is_empty(&self) -> bool {
+        self.commands.is_empty()
+    }
+}
+
+/// What the left button is doing.
+#[derive(Clone, Debug, Default, PartialEq)]
+enum Doing {
+    #[default]
+    Nothing,
+    /// These points are led.
+    Grabbing(Vec<PointId>),
+    /// The hover force pushes through bodies.
+    Pushing,
+    /// A stroke from here [px], to cut what it crosses.
+    Cutting(DVec2),
+}
+
+/// The left button's tool and what it is doing.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Hand {
+    tool: Tool,
+    /// The tool for pins is held by its key.
+    pins: bool,
+    doing: Doing,
+    /// What the hover force is when nothing is grabbed; `None`: the scene has none, or it goes along a track.
+    strength: Option<f64>,
+    /// How long the hover force stays away yet [s]; infinite while something is grabbed.
+    calm: Option<f64>,
+}
+
+impl Hand {
+    /// The tool that the next press uses.
+    pub(super) fn tool(&self) -> Tool {
+        if self.pins { Tool::Pin } else { self.tool }
+    }
+
+    /// Takes another tool.
+    pub(super) fn take(&mut self, tool: Tool) {
+        self.tool = tool;
+    }
+
+    /// The key that takes the tool for pins is held, or let go.
+    pub(super) fn hold_pins(&mut self, is_held: bool) {
+        self.pins = is_held;
+    }
+
+    /// Another scene, or another strength by hand.
+    pub(super) fn set_strength(&mut self, strength: Option<f64>) {
+        self.strength = strength;
+    }
+
+    /// What the hover force is when nothing is grabbed.
+    pub(super) fn strength(&self) -> Option<f64> {
+        self.strength
+    }
+
+    /// A history begins: nothing is held any more.
+    pub(super) fn let_go(&mut self) {
+        (self.doing, self.calm) = (Doing::Nothing, None);
+    }
+
+    /// Whether something is led.
+    pub(super) fn is_grabbing(&self) -> bool {
+        matches!(self.doing, Doing::Grabbing(_))
+    }
+
+    /// Whether the button is doing anything.
+    pub(super) fn is_busy(&self) -> bool {
+        self.doing != Doing::Nothing
+    }
+
+    /// Whether the hover force stays away.
+    pub(super) fn is_calm(&self) -> bool {
+        self.calm.is_some()
+    }
+
+    /// The left button went down at a pixel.
+    pub(super) fn press(&mut self, scope: Scope<'_>, at: DVec2) -> Deed {
+        match self.tool() {
+            Tool::Hand => self.grab(scope.grip(at)),
+            Tool::Pin => pin(scope, at),
+            Tool::Cut => {
+                self.doing = Doing::Cutting(at);
+                Deed::default()
+            }
+            Tool::Erase => erase(scope, at),
+        }
+    }
+
+    fn grab(&mut self, points: Vec<PointId>) -> Deed {
+        if points.is_empty() {
+            self.doing = Doing::Pushing;
+            return Deed::default();
+        }
+        let mut commands = Vec::new();
+        if self.strength.is_some() && self.calm.is_none() {
+            commands.push(strength(0.0));
+        }
+        self.calm = Some(f64::INFINITY);
+        commands.push(Do::Grab(Reach::Points(points.clone())));
+        self.doing = Doing::Grabbing(points);
+        Deed { commands, edit: None }
+    }
+
+    /// The left button was let go at a pixel.
+    pub(super) fn release(&mut self, scope: Scope<'_>, at: DVec2) -> Deed {
+        match std::mem::take(&mut self.doing) {
+            Doing::Grabbing(_) => {
+                self.calm = Some(CALM);
+                Deed { commands: vec![Do::Release], edit: None }
+            }
+            Doing::Cutting(from) if from.distance(at) > 1.0 => cut(scope, from, at),
+            _ => Deed::default(),
+        }
+    }
+
+    /// Ends what is under way without doing it. Returns whether anything was.
+    pub(super) fn cancel(&mut self) -> (bool, Deed) {
+        let was = self.is_busy();
+        let deed = match std::mem::take(&mut self.doing) {
+            Doing::Grabbing(_) => {
+                self.calm = Some(CALM);
+                Deed { commands: vec![Do::Release], edit: None }
+            }
+            _ => Deed::default(),
+        };
+        (was, deed)
+    }
+
+    /// A frame passes: after a while the hover force comes back.
+    pub(super) fn pass(&mut self, seconds: f64) -> Deed {
+        let Some(calm) = &mut self.calm else { return Deed::default() };
+        *calm -= seconds;
+        if *calm > 0.0 {
+            return Deed::default();
+        }
+        self.calm = None;
+        Deed { commands: self.strength.map(strength).into_iter().collect(), edit: None }
+    }
+
+    /// The world went back to a moment at which the hover force was away: it comes back as after a grab.
+    pub(super) fn calm_down(&mut self) {
+        self.calm.get_or_insert(CALM);
+    }
+
+    /// Takes away what is led, or what lies under the pixel.
+    pub(super) fn delete(&mut self, scope: Scope<'_>, at: Option<DVec2>) -> Deed {
+        if let Doing::Grabbing(points) = &self.doing {
+            let Some(&point) = points.first() else { return Deed::default() };
+            let deed = delete_points(scope.body(point));
+            self.calm = Some(CALM);
+            self.doing = Doing::Nothing;
+            return deed;
+        }
+        at.map_or_else(Deed::default, |at| erase(scope, at))
+    }
+
+    /// What a click at the pixel would do, to be drawn.
+    pub(super) fn marks(&self, scope: Scope<'_>, at: Option<DVec2>) -> Vec<Mark> {
+        marks::of(self.tool(), &self.doing, scope, at)
+    }
+}
+
+/// The hover force gets another strength.
+pub(super) fn strength(strength: f64) -> Do {
+    Do::Mouse(MouseChange { strength: Some(strength), ..MouseChange::default() })
+}
+
+/// Holds the point under a pixel, or lets it go.
+fn pin(scope: Scope<'_>, at: DVec2) -> Deed {
+    match scope.nearest(at).map(|hit| hit.point) {
+        Some(point) if scope.is_pinned(point) => Deed::edit("unpin", Do::Unpin(vec![point])),
+        Some(point) => Deed::edit("pin", Do::Pin(vec![point])),
+        None => Deed::default(),
+    }
+}
+
+/// Cuts along a stroke: in the plane.
+fn cut(scope: Scope<'_>, from: DVec2, to: DVec2) -> Deed {
+    if scope.shown.dimensions != 2 {
+        return Deed::default();
+    }
+    let [from, to] = [from, to].map(|at| scope.camera.world_from_screen(at.to_array()).truncate().to_array());
+    Deed::edit("cut", Do::Cut { from, to })
+}
+
+/// What goes when a pixel is clicked.
+#[derive(Clone, Debug, PartialEq)]
+enum Target {
+    Body(Vec<PointId>),
+    Bond(u32, [PointId; 2]),
+    Obstacle(u32),
+}
+
+/// A point is meant before a bond, and what lies on top before an obstacle.
+fn target(scope: Scope<'_>, at: DVec2) -> Option<Target> {
+    // Of a point with a skin about it the body is meant, wherever it is clicked.
+    let hit = scope.nearest(at);
+    let is_bare = |point: PointId| {
+        let has = |skin: &crate::picture::Skin| skin.triangles.iter().any(|corners| corners.contains(&point.0));
+        !scope.shown.scenery.skins.iter().any(has)
+    };
+    match hit {
+        Some(hit) if hit.distance > 8.0 * scope.scale && is_bare(hit.point) => {
+            let bond = scope.bond(at).map(|(place, ends)| Target::Bond(scope.shown.scenery.bond_number(place), ends));
+            bond.or_else(|| Some(Target::Body(scope.body(hit.point))))
+        }
+        Some(hit) => Some(Target::Body(scope.body(hit.point))),
+        None => scope.polygon(at).map(Target::Obstacle),
+    }
+}
+
+fn erase(scope: Scope<'_>, at: DVec2) -> Deed {
+    match target(scope, at) {
+        Some(Target::Body(points)) => delete_points(points),
+        Some(Target::Bond(number, _)) => {
+            Deed::edit("delete a bond", Do::Delete(DeleteKeys { bonds: vec![number], ..DeleteKeys::default() }))
+        }
+        Some(Target::Obstacle(number)) => {
+            let keys = DeleteKeys { obstacles: vec![number], ..DeleteKeys::default() };
+            Deed::edit("delete an obstacle", Do::Delete(keys))
+        }
+        None => Deed::default(),
+    }
+}
+
+fn delete_points(points: Vec<PointId>) -> Deed {
+    let points = points.into_iter().map(|point| point.0).collect();
+    Deed::edit("delete", Do::Delete(DeleteKeys { points, ..DeleteKeys::default() }))
+}

@@ -1,0 +1,183 @@
+//! What lies under a pixel: points, bonds, bodies, obstacles, as they are drawn.
+
+use glam::{DVec2, DVec3};
+
+use crate::app::player::Shown;
+use crate::render::{Camera, Pose};
+use crate::sim::PointId;
+
+/// What is taken by a press: how near its points are to the pixel at least [logical px].
+const GRIP: f64 = 14.0;
+/// The farthest that the nearest point may be [logical px].
+const REACH: f64 = 12.0;
+/// A bond is hit so near [logical px].
+const BOND_REACH: f64 = 6.0;
+
+/// The picture that is picked from.
+#[derive(Clone, Copy)]
+pub(in crate::app) struct Scope<'a> {
+    pub(in crate::app) shown: &'a Shown,
+    pub(in crate::app) camera: &'a Camera,
+    /// Physical pixels in a logical one.
+    pub(in crate::app) scale: f64,
+}
+
+/// A point under a pixel.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(in crate::app) struct Hit {
+    pub(in crate::app) point: PointId,
+    /// How far from the pixel [px].
+    pub(in crate::app) distance: f64,
+    /// How far from the camera, in the plane 0 [m].
+    depth: f64,
+}
+
+impl Scope<'_> {
+    /// Where a point is seen [px]; `None` of one that was deleted, or is behind the camera.
+    pub(in crate::app) fn pixel(&self, point: PointId) -> Option<DVec2> {
+        self.camera.screen_from_world(DVec3::from(self.shown.place(point.index()))).map(DVec2::from)
+    }
+
+    fn depth(&self, place: [f64; 3]) -> f64 {
+        match self.camera.pose {
+            Pose::Plane { .. } => 0.0,
+            Pose::Orbit { .. } => self.camera.depth(DVec3::from(place)),
+        }
+    }
+
+    /// All points within so many pixels of a pixel.
+    fn near(&self, at: DVec2, most: f64) -> Vec<Hit> {
+        let hit = |index: usize| {
+            let place = self.shown.place(index);
+            let pixel = DVec2::from(self.camera.screen_from_world(DVec3::from(place))?);
+            let distance = pixel.distance(at);
+            let point = PointId(index as u32);
+            (distance <= most).then(|| Hit { point, distance, depth: self.depth(place) })
+        };
+        (0..self.shown.point_count()).filter_map(hit).collect()
+    }
+
+    /// The point that a pixel means: the nearest in reach, in space the foremost; else of the triangle or the bond that the pixel
+    /// lies on the nearest corner.
+    pub(in crate::app) fn nearest(&self, at: DVec2) -> Option<Hit> {
+        let near = self.near(at, REACH * self.scale);
+        if let Some(foremost) = near.iter().map(|hit| hit.depth).min_by(f64::total_cmp) {
+            // What lies behind by more than is seen across is not meant.
+            let across = 4.0 * REACH * self.scale / self.camera.pixels_per_metre();
+            let front = near.into_iter().filter(|hit| hit.depth <= foremost + across);
+            return front.min_by(|a, b| a.distance.total_cmp(&b.distance));
+        }
+        let corners = self.triangle(at).map(|corners| corners.to_vec());
+        let corners = corners.or_else(|| self.bond(at).map(|(_, ends)| ends.to_vec()))?;
+        let hit = |point: PointId| {
+            Some(Hit {
+                point,
+                distance: self.pixel(point)?.distance(at),
+                depth: self.depth(self.shown.place(point.index())),
+            })
+        };
+        corners.into_iter().filter_map(hit).min_by(|a, b| a.distance.total_cmp(&b.distance))
+    }
+
+    /// The points that a press takes: those around the pixel, as deep as the nearest one, or the corners of what it lies on.
+    pub(in crate::app) fn grip(&self, at: DVec2) -> Vec<PointId> {
+        let Some(nearest) = self.nearest(at) else { return Vec::new() };
+        let across = 4.0 * GRIP * self.scale / self.camera.pixels_per_metre();
+        let mut points: Vec<PointId> = self
+            .near(at, GRIP * self.scale)
+            .into_iter()
+            .filter(|hit| (hit.depth - nearest.depth).abs() <= across)
+            .map(|hit| hit.point)
+            .collect();
+        if points.is_empty() {
+            points = self.triangle(at).map_or_else(Vec::new, |corners| corners.to_vec());
+        }
+        if points.is_empty() {
+            points.push(nearest.point);
+        }
+        // One body is grabbed, not what lies under it too.
+        let body = self.body(nearest.point);
+        points.retain(|point| body.binary_search(point).is_ok());
+        points
+    }
+
+    /// The triangle that a pixel lies on.
+    fn triangle(&self, at: DVec2) -> Option<[PointId; 3]> {
+        let triangles = self.shown.scenery.skins.iter().rev().flat_map(|skin| &skin.triangles);
+        let mut corners = triangles.map(|corners| corners.map(PointId));
+        corners.find(|corners| {
+            let [Some(a), Some(b), Some(c)] = corners.map(|corner| self.pixel(corner)) else { return false };
+            let sides = [(b - a).perp_dot(at - a), (c - b).perp_dot(at - b), (a - c).perp_dot(at - c)];
+            sides.iter().all(|&side| side >= 0.0) || sides.iter().all(|&side| side <= 0.0)
+        })
+    }
+
+    /// The bond that a pixel lies on, by its place in the list, and its ends.
+    pub(in crate::app) fn bond(&self, at: DVec2) -> Option<(usize, [PointId; 2])> {
+        let ends = self.shown.scenery.bonds.ends().iter().enumerate();
+        let far = |(place, &[a, b]): (usize, &[PointId; 2])| {
+            let (from, to) = (self.pixel(a)?, self.pixel(b)?);
+            Some((distance_to_segment(at, from, to), place, [a, b]))
+        };
+        let near = ends.filter_map(far).filter(|(distance, ..)| *distance <= BOND_REACH * self.scale);
+        near.min_by(|a, b| a.0.total_cmp(&b.0)).map(|(_, place, ends)| (place, ends))
+    }
+
+    /// All points that bonds hold together with `point`, ascending.
+    pub(in crate::app) fn body(&self, point: PointId) -> Vec<PointId> {
+        let count = self.shown.point_count();
+        let mut parent: Vec<u32> = (0..count as u32).collect();
+        let root = |parent: &mut Vec<u32>, mut at: u32| {
+            while parent[at as usize] != at {
+                parent[at as usize] = parent[parent[at as usize] as usize];
+                at = parent[at as usize];
+            }
+            at
+        };
+        for &[a, b] in self.shown.scenery.bonds.ends() {
+            if a.index().max(b.index()) < count {
+                let (a, b) = (root(&mut parent, a.0), root(&mut parent, b.0));
+                parent[a.max(b) as usize] = a.min(b);
+            }
+        }
+        if point.index() >= count {
+            return Vec::new();
+        }
+        let wanted = root(&mut parent, point.0);
+        (0..count as u32).filter(|&other| root(&mut parent, other) == wanted).map(PointId).collect()
+    }
+
+    /// The number of the polygon that a pixel lies in.
+    pub(in crate::app) fn polygon(&self, at: DVec2) -> Option<u32> {
+        let place = self.camera.world_from_screen(at.to_array()).truncate();
+        let polygons = self.shown.scenery.polygons.iter().zip(&self.shown.scenery.polygon_numbers);
+        let mut inside = polygons.filter(|(polygon, _)| is_inside(&polygon.loops, place.to_array()));
+        inside.next_back().map(|(_, &number)| number)
+    }
+
+    /// Whether a point is held.
+    pub(in crate::app) fn is_pinned(&self, point: PointId) -> bool {
+        self.shown.scenery.pinned.contains(&point)
+    }
+}
+
+/// How far a pixel is from a stretch [px].
+fn distance_to_segment(at: DVec2, from: DVec2, to: DVec2) -> f64 {
+    let along = to - from;
+    let share = ((at - from).dot(along) / along.length_squared().max(1e-12)).clamp(0.0, 1.0);
+    at.distance(from + share * along)
+}
+
+/// Whether a place lies within loops by the even-odd rule.
+fn is_inside(loops: &[Vec<[f64; 2]>], [x, y]: [f64; 2]) -> bool {
+    let mut inside = false;
+    for corners in loops {
+        for (k, &[x1, y1]) in corners.iter().enumerate() {
+            let [x0, y0] = corners[(k + corners.len() - 1) % corners.len()];
+            if (y0 > y) != (y1 > y) && x < x0 + (y - y0) / (y1 - y0) * (x1 - x0) {
+                inside = !inside;
+            }
+        }
+    }
+    inside
+}

@@ -1,0 +1,188 @@
+//! Presses and strokes without a window.
+#![allow(clippy::unwrap_used, clippy::panic, reason = "a test that cannot go on stops")]
+
+use glam::{DVec2, DVec3};
+
+use super::{Deed, Hand, Scope};
+use crate::app::action::Tool;
+use crate::app::opening;
+use crate::app::player::{Shown, Stage};
+use crate::history::Do;
+use crate::render::Camera;
+use crate::scene::{Scene, gallery};
+use crate::sim::{MouseChange, PointId, Reach};
+
+const SIZE: [u32; 2] = [1000, 700];
+
+/// A scene as it opens.
+fn opened(name: &str) -> (Shown, Camera, Scene) {
+    let entry = gallery().iter().find(|entry| entry.name == name).unwrap();
+    let scene = entry.scene().unwrap();
+    shown(scene)
+}
+
+fn shown(scene: Scene) -> (Shown, Camera, Scene) {
+    let mut shown = Shown::default();
+    Stage::new(scene.clone().into()).unwrap().show(&mut shown);
+    let camera = opening::camera(&scene, &shown.view(), SIZE);
+    (shown, camera, scene)
+}
+
+fn scope((shown, camera, _): &(Shown, Camera, Scene)) -> Scope<'_> {
+    Scope { shown, camera, scale: 1.0 }
+}
+
+fn pixel(of: &(Shown, Camera, Scene), point: usize) -> DVec2 {
+    of.1.screen_from_world(DVec3::from(of.0.place(point))).unwrap().into()
+}
+
+/// The points that a deed grabs.
+fn grabbed(deed: &Deed) -> Vec<PointId> {
+    let points = deed.commands.iter().find_map(|command| match command {
+        Do::Grab(Reach::Points(points)) => Some(points.clone()),
+        _ => None,
+    });
+    points.unwrap_or_default()
+}
+
+#[test]
+fn a_press_on_a_body_grabs_it_on_all_kinds_of_scenes() {
+    for (name, point) in [("rim", 3), ("rope", 900), ("ring", 40), ("net", 5050)] {
+        let opened = opened(name);
+        let mut hand = Hand::default();
+        let at = pixel(&opened, point);
+        let deed = hand.press(scope(&opened), at + DVec2::new(4.0, -3.0));
+        let points = grabbed(&deed);
+        assert!(!points.is_empty() && hand.is_grabbing(), "{name}");
+        let near = |point: &PointId| pixel(&opened, point.index()).distance(at) < 40.0;
+        assert!(points.iter().all(near), "{name}: {points:?}");
+        assert_eq!(deed.edit, None, "a grab is no edit");
+        assert_eq!(hand.release(scope(&opened), at).commands, [Do::Release], "{name}");
+    }
+}
+
+#[test]
+fn a_press_beside_all_bodies_pushes() {
+    let opened = opened("rim");
+    let mut hand = Hand::default();
+    hand.set_strength(Some(3000.0));
+    let deed = hand.press(scope(&opened), DVec2::new(30.0, 30.0));
+    assert!(deed.is_empty() && hand.is_busy() && !hand.is_grabbing());
+    assert!(!hand.is_calm(), "the hover force is what pushes");
+    assert!(hand.release(scope(&opened), DVec2::new(400.0, 300.0)).is_empty());
+}
+
+#[test]
+fn the_hover_force_is_away_while_something_is_led_and_a_little_longer() {
+    let opened = opened("rim");
+    let mut hand = Hand::default();
+    hand.set_strength(Some(3000.0));
+    let mouse = |strength| Do::Mouse(MouseChange { strength: Some(strength), ..MouseChange::default() });
+    let at = pixel(&opened, 0);
+    assert_eq!(hand.press(scope(&opened), at).commands[0], mouse(0.0), "within the frame of the press");
+    assert!(hand.pass(10.0).is_empty(), "as long as the button is down");
+    hand.release(scope(&opened), at);
+    assert!(hand.pass(0.15).is_empty() && hand.is_calm());
+    assert_eq!(hand.pass(0.06).commands, [mouse(3000.0)], "0.2 s later it is back");
+    assert!(!hand.is_calm() && hand.pass(1.0).is_empty());
+}
+
+#[test]
+fn a_second_press_while_it_is_calm_does_not_forget_the_strength() {
+    let opened = opened("rim");
+    let mut hand = Hand::default();
+    hand.set_strength(Some(3000.0));
+    let at = pixel(&opened, 0);
+    for _ in 0..3 {
+        hand.press(scope(&opened), at);
+        hand.release(scope(&opened), at);
+        assert!(hand.pass(0.1).is_empty());
+    }
+    assert_eq!(hand.pass(0.2).commands.len(), 1);
+}
+
+#[test]
+fn the_tool_for_pins_holds_and_lets_go() {
+    let opened = opened("rope");
+    let mut hand = Hand::default();
+    hand.hold_pins(true);
+    assert_eq!(hand.tool(), Tool::Pin);
+    let deed = hand.press(scope(&opened), pixel(&opened, 0));
+    assert_eq!((deed.commands, deed.edit), (vec![Do::Unpin(vec![PointId(0)])], Some("unpin")));
+    let deed = hand.press(scope(&opened), pixel(&opened, 999));
+    assert_eq!((deed.commands, deed.edit), (vec![Do::Pin(vec![PointId(999)])], Some("pin")));
+    hand.hold_pins(false);
+    assert_eq!(hand.tool(), Tool::Hand);
+}
+
+#[test]
+fn a_stroke_cuts_from_where_it_began_and_a_click_does_not() {
+    let opened = opened("rim");
+    let mut hand = Hand::default();
+    hand.take(Tool::Cut);
+    let [from, to] = [DVec2::new(200.0, 350.0), DVec2::new(800.0, 360.0)];
+    assert!(hand.press(scope(&opened), from).is_empty());
+    assert_eq!(hand.marks(scope(&opened), Some(to)).len(), 1, "the stroke is seen");
+    let deed = hand.release(scope(&opened), to);
+    let [Do::Cut { from: start, to: end }] = deed.commands[..] else { panic!("{deed:?}") };
+    assert!(start[0] < -1.0 && end[0] > 1.0 && deed.edit == Some("cut"));
+    hand.press(scope(&opened), from);
+    assert!(hand.release(scope(&opened), from).is_empty());
+    hand.press(scope(&opened), from);
+    assert!(hand.cancel().0 && !hand.is_busy(), "Esc leaves it uncut");
+}
+
+#[test]
+fn what_is_erased_is_a_body_a_bond_or_an_obstacle() {
+    let opened_rims = opened("pebble");
+    let mut hand = Hand::default();
+    hand.take(Tool::Erase);
+    let deed = hand.press(scope(&opened_rims), pixel(&opened_rims, 0));
+    let [Do::Delete(keys)] = &deed.commands[..] else { panic!("{deed:?}") };
+    let count = opened_rims.0.point_count();
+    assert!(keys.points.len() > 50 && keys.points.len() < count, "one of two stones: {} of {count}", keys.points.len());
+    let springs = opened("spring-damper");
+    let middle = 0.5 * (pixel(&springs, 0) + pixel(&springs, 1));
+    let deed = hand.press(scope(&springs), middle);
+    let [Do::Delete(keys)] = &deed.commands[..] else { panic!("{deed:?}") };
+    assert_eq!((keys.bonds.as_slice(), keys.points.len()), (&[0][..], 0));
+    let text = r#"{"wobble": 1, "points": {"position": [[5, 5]]},
+        "obstacles": [{"box": {"min": [-1, -1], "max": [1, 1]}}], "view": {"center": [0, 0], "height": 12}}"#;
+    let solid = shown(Scene::parse(text, "x.json").unwrap());
+    let deed = hand.press(scope(&solid), DVec2::new(500.0, 350.0));
+    let [Do::Delete(keys)] = &deed.commands[..] else { panic!("{deed:?}") };
+    assert_eq!(keys.obstacles, [0]);
+    assert!(hand.press(scope(&solid), DVec2::new(20.0, 600.0)).is_empty(), "nothing is there");
+}
+
+#[test]
+fn in_space_the_foremost_is_picked_by_the_ray() {
+    let text = r#"{"wobble": 1, "dimensions": 3, "gravity": [0, 0, 0],
+        "points": {"position": [[0, 0, -3], [0, 0, 3], [2, 0, 0]]},
+        "view": {"target": [0, 0, 0], "distance": 12, "yaw": 0, "pitch": 0}}"#;
+    let space = shown(Scene::parse(text, "x.json").unwrap());
+    let mut hand = Hand::default();
+    let deed = hand.press(scope(&space), DVec2::new(502.0, 351.0));
+    assert_eq!(grabbed(&deed), [PointId(1)], "the nearer of two in a line");
+    hand.release(scope(&space), DVec2::ZERO);
+    hand.take(Tool::Cut);
+    hand.press(scope(&space), DVec2::new(100.0, 100.0));
+    assert!(hand.release(scope(&space), DVec2::new(900.0, 600.0)).is_empty(), "cuts are of the plane");
+}
+
+#[test]
+fn a_press_between_the_points_of_a_skin_takes_its_triangle() {
+    let opened = opened("ring");
+    let corners = opened.0.scenery.skins[0].triangles[100];
+    let middle = corners.iter().map(|&corner| pixel(&opened, corner as usize)).sum::<DVec2>() / 3.0;
+    // From near by the points are far apart on the screen.
+    let mut near = opened.1;
+    near.zoom_at(middle.to_array(), 30.0);
+    let opened = (opened.0, near, opened.2);
+    let deed = Hand::default().press(scope(&opened), middle);
+    let mut points = grabbed(&deed);
+    points.sort_unstable();
+    let mut expected = corners.map(PointId);
+    expected.sort_unstable();
+    assert_eq!(points, expected);
+}
