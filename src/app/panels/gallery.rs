@@ -36,7 +36,7 @@ pub(super) fn show(context: &egui::Context, room: Rect, state: &mut PanelState, 
                 wishes.push(Wish::OpenScene(first.name));
             }
             ui.add_space(4.0);
-            ScrollArea::vertical().max_height(room.height() - 130.0).auto_shrink([false, true]).show(ui, |ui| {
+            ScrollArea::vertical().max_height((room.height() - 130.0).max(40.0)).auto_shrink([false, true]).show(ui, |ui| {
                 for row in found.chunks(columns) {
                     ui.horizontal_top(|ui| {
                         ui.spacing_mut().item_spacing.x = GAP;

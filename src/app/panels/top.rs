@@ -10,7 +10,7 @@ use crate::app::action::Action;
 pub(super) fn show(context: &egui::Context, room: Rect, facts: &Facts, wishes: &mut Vec<Wish>) {
     Area::new(Id::unique("scene")).fixed_pos([10.0, 10.0]).show(context, |ui| {
         floating().show(ui, |ui| {
-            ui.set_max_width(room.width() - 36.0);
+            ui.set_max_width((room.width() - 36.0).max(40.0));
             ui.horizontal_wrapped(|ui| {
                 icon(ui, Icon::Before, "the scene before", Action::PreviousScene, wishes);
                 let name = egui::Button::new(RichText::new(&facts.title).color(TEXT).strong());
