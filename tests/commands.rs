@@ -462,18 +462,21 @@ fn a_turning_point_is_no_rest_and_what_rests_sleeps() {
 }
 
 #[test]
-fn skins_at_rest_on_the_floor_sleep() {
-    for name in ["ring", "pebble"] {
-        let scene = Scene::load(name).unwrap();
-        let mut world = scene.world(None).unwrap();
-        for _ in 0..30 {
-            if world.is_asleep() {
-                break;
-            }
-            steps(&mut *world, 1.0);
-        }
-        assert!(world.is_asleep(), "{name} is awake after 30 s");
+fn bodies_of_springs_at_rest_on_the_floor_sleep_and_report_no_speed() {
+    let scene = r#"{ "wobble": 1, "gravity": [0, -9.81], "drag_rate": 2,
+        "bodies": [{ "make": "disc", "radius": 0.5, "spacing": 0.08, "origin": [0, 0.7],
+            "material": { "kind": "spring", "stiffness": 4000, "damping": 2, "mass": 3 } }],
+        "bounds": { "min": [-4, 0], "max": [4, 5], "restitution": 0.3, "friction": 0.6 } }"#;
+    let mut world = Scene::parse(scene, "disc.json").unwrap().world(None).unwrap();
+    let mut seconds = 0;
+    while !world.is_asleep() {
+        assert!(seconds < 20, "it is awake after {seconds} s");
+        steps(&mut *world, 1.0);
+        seconds += 1;
     }
+    let sample = now(&*world);
+    assert!(sample.velocity.iter().flatten().all(|&v| v == 0.0), "{:?}", sample.velocity);
+    assert!(sample.position.iter().any(|x| x[1].abs() < 1e-3), "it lies on the floor");
 }
 
 #[test]

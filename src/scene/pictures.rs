@@ -25,8 +25,7 @@ macro_rules! own {
 }
 
 /// The gallery's pictures, which are there wherever the program runs.
-static OWN: [(&str, &[u8]); 9] =
-    own!["brush", "gear", "jelly", "jellyfish", "letter", "maze", "pebble", "rim", "ring"];
+static OWN: [(&str, &[u8]); 9] = own!["brush", "gear", "jelly", "jellyfish", "letter", "maze", "pebble", "rim", "ring"];
 
 /// What was read and made. Copies of a scene share it.
 #[derive(Clone, Default)]
