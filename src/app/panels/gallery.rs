@@ -36,22 +36,25 @@ pub(super) fn show(context: &egui::Context, room: Rect, state: &mut PanelState, 
                 wishes.push(Wish::OpenScene(first.name));
             }
             ui.add_space(4.0);
-            ScrollArea::vertical().max_height((room.height() - 130.0).max(40.0)).auto_shrink([false, true]).show(ui, |ui| {
-                for row in found.chunks(columns) {
-                    ui.horizontal_top(|ui| {
-                        ui.spacing_mut().item_spacing.x = GAP;
-                        for entry in row {
-                            if card(ui, entry, state, entry.title == facts.title) {
-                                wishes.push(Wish::OpenScene(entry.name));
+            ScrollArea::vertical().max_height((room.height() - 130.0).max(40.0)).auto_shrink([false, true]).show(
+                ui,
+                |ui| {
+                    for row in found.chunks(columns) {
+                        ui.horizontal_top(|ui| {
+                            ui.spacing_mut().item_spacing.x = GAP;
+                            for entry in row {
+                                if card(ui, entry, state, entry.title == facts.title) {
+                                    wishes.push(Wish::OpenScene(entry.name));
+                                }
                             }
-                        }
-                    });
-                    ui.add_space(8.0);
-                }
-                if found.is_empty() {
-                    ui.weak("no scene is called so");
-                }
-            });
+                        });
+                        ui.add_space(8.0);
+                    }
+                    if found.is_empty() {
+                        ui.weak("no scene is called so");
+                    }
+                },
+            );
         });
     if !is_open {
         state.sheet = None;
