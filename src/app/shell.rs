@@ -57,10 +57,13 @@ fn no_display(error: &EventLoopError) -> AppError {
     AppError::NoDisplay { reason: reason.trim_end_matches(['.', ')']).to_owned() }
 }
 
+/// What is opened, where its recording is kept if so, and what wakes the loop.
+type Beginning = (Start, Option<PathBuf>, EventLoopProxy<()>);
+
 /// The program's states.
 enum Shell {
     /// Until the system says that windows may be made.
-    Waiting(Option<Box<(Start, Option<PathBuf>, EventLoopProxy<()>)>>),
+    Waiting(Option<Box<Beginning>>),
     Open {
         session: Box<Session>,
         /// When the next frame may begin.

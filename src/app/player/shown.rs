@@ -32,11 +32,6 @@ impl Places {
         }
     }
 
-    /// How many numbers there are.
-    pub fn len(&self) -> usize {
-        self.view().len()
-    }
-
     /// As a renderer reads them.
     pub fn view(&self) -> Positions<'_> {
         match self {
@@ -188,6 +183,6 @@ impl Shown {
 
     /// How many numbers were given to points; some of them may be gone.
     pub fn point_count(&self) -> usize {
-        if self.dimensions == 0 { 0 } else { self.current.len() / self.dimensions }
+        self.current.view().len().checked_div(self.dimensions).unwrap_or(0)
     }
 }
