@@ -62,7 +62,7 @@ impl Session {
     /// A key that is held was let go.
     pub(in crate::app) fn let_go_of(&mut self, action: Action) {
         match action {
-            Action::Rewind => self.rewinds = false,
+            Action::Rewind => (self.rewinds, self.has_gone) = (false, true),
             Action::PinWhileHeld => self.hand.hold_pins(false),
             _ => return,
         }
@@ -75,7 +75,10 @@ impl Session {
             Wish::Act(action) => self.act(action),
             Wish::OpenScene(name) => self.open_named(name),
             Wish::Pace(pace) => self.set_pace(pace),
-            Wish::GoTo(time) => self.player.ask(Order::GoTo(time, self.told)),
+            Wish::GoTo(time) => {
+                self.player.ask(Order::GoTo(time, self.told));
+                self.has_gone = true;
+            }
         }
         self.touch();
     }

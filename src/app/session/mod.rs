@@ -72,6 +72,8 @@ pub(super) struct Session {
     pub(super) held: Held,
     /// Time runs back.
     rewinds: bool,
+    /// The world went to another time, and has not gone on from there yet.
+    has_gone: bool,
     look: Look,
     panels: PanelState,
     paint: Paint,
@@ -145,6 +147,7 @@ impl Session {
             hand: Hand::default(),
             held: Held::default(),
             rewinds: false,
+            has_gone: false,
             panels: PanelState::default(),
             paint: Paint::default(),
             dirty: true,
@@ -270,8 +273,8 @@ impl Session {
     /// Something became of what was asked.
     fn note(&mut self, note: Note) {
         match note {
-            Note::Undone(name, seconds) => self.say(format!("Undid: {name} ({:.1} s back)", seconds.abs())),
-            Note::Redone(name, seconds) => self.say(format!("Redid: {name} ({:.1} s on)", seconds.abs())),
+            Note::Undone(name, seconds) => self.have_gone(format!("Undid: {name} ({:.1} s back)", seconds.abs())),
+            Note::Redone(name, seconds) => self.have_gone(format!("Redid: {name} ({:.1} s on)", seconds.abs())),
             Note::NothingToUndo => self.go_back(),
             Note::NothingToRedo => self.go_on(),
             Note::Added => {
@@ -288,6 +291,12 @@ impl Session {
         self.touch();
     }
 
+    /// The world went to another time.
+    fn have_gone(&mut self, line: String) {
+        self.has_gone = true;
+        self.say(line);
+    }
+
     /// Time ran on since the last frame: asks for it, once a frame.
     fn advance(&mut self, start: Instant) {
         let is_asked = self.player.is_playing() || self.rewinds;
@@ -299,8 +308,11 @@ impl Session {
         }
         let wall = self.last_frame.replace(start).map_or(FIRST_FRAME, |last| (start - last).as_secs_f64());
         self.frame_meter.push(wall);
-        if self.lacks_force() {
-            self.hand.calm_down();
+        if self.has_gone && self.player.is_moving() {
+            self.has_gone = false;
+            if self.lacks_force() {
+                self.hand.calm_down();
+            }
         }
         let deed = self.hand.pass(wall);
         self.do_deed(deed);
