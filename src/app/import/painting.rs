@@ -297,7 +297,7 @@ mod tests {
     /// A star of 130 places, two of them at each of its tips and notches.
     fn star() -> Vec<[f64; 2]> {
         let corner = |k: usize| {
-            let (angle, radius) = (std::f64::consts::PI * k as f64 / 5.0, [200.0, 80.0][k as usize % 2]);
+            let (angle, radius) = (std::f64::consts::PI * k as f64 / 5.0, [200.0, 80.0][k % 2]);
             [256.0 + radius * angle.sin(), 256.0 - radius * angle.cos()]
         };
         let between = |k: usize, share: f64| {

@@ -170,7 +170,7 @@ impl Stage {
         shown.current.copy(world.positions());
         shown.previous.clone_from(&self.pace.previous);
         // What was added since has no place before.
-        if shown.previous.len() != shown.current.len() {
+        if shown.previous.view().len() != shown.current.view().len() {
             shown.previous.clone_from(&shown.current);
         }
         shown.mix = self.pace.mix(world);
