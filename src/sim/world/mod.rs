@@ -1,7 +1,7 @@
 //! A world: the state of a scene and the plan that moves it.
 //!
 //! What a world is made of (the model that is left, its bonds and numbers) and what moves it (the plan) change together, by
-//! [`edit`](super::edit) alone; what is large and seldom changes is shared by the copies of a world.
+//! `sim::edit` alone; what is large and seldom changes is shared by the copies of a world.
 
 mod face;
 pub(crate) mod saved;
