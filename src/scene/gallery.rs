@@ -91,7 +91,7 @@ static GALLERY: [Entry; 20] = [
         10,
         "Falling points",
         "Ten loose points fall under unit gravity and bounce between walls.",
-        "push them about; grab one and throw it at the others."
+        "push them about; grab one and throw it against a wall."
     ),
     entry!(
         "random-graph",

@@ -54,11 +54,12 @@ impl Notes {
                 });
             });
         } else if let Some((line, _)) = &self.done {
-            line_below(context, up, width, "done", |ui| {
+            words(context, (Align2::CENTER_BOTTOM, up), width, "done", |ui| {
                 ui.label(RichText::new(line).color(ACCENT));
             });
         } else if let Some([seen, to_try]) = facts.caption.filter(|_| self.has_caption) {
-            line_below(context, up, width, "caption", |ui| {
+            // Bodies lie below: the caption stands above them.
+            words(context, (Align2::CENTER_TOP, BELOW_BUTTONS), width, "caption", |ui| {
                 ui.add(Label::new(RichText::new(seen).color(TEXT)).wrap());
                 ui.add(Label::new(RichText::new(format!("Try: {to_try}")).color(WEAK)).wrap());
             });
@@ -75,8 +76,12 @@ impl Notes {
     }
 }
 
-fn line_below(context: &egui::Context, up: f32, width: f32, name: &str, add: impl FnOnce(&mut egui::Ui)) {
-    let place = Area::new(Id::unique(name)).anchor(Align2::CENTER_BOTTOM, [0.0, up]).interactable(false);
+/// How far below the upper edge the buttons end, with some room [points].
+const BELOW_BUTTONS: f32 = 64.0;
+
+/// A few words, so far from an edge of the window.
+fn words(context: &egui::Context, (edge, off): (Align2, f32), width: f32, name: &str, add: impl FnOnce(&mut egui::Ui)) {
+    let place = Area::new(Id::unique(name)).anchor(edge, [0.0, off]).interactable(false);
     place.show(context, |ui| {
         floating().show(ui, |ui| {
             ui.set_max_width(width);
