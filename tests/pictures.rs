@@ -479,7 +479,8 @@ fn a_drawing_wears_nothing_of_its_paper() {
         return;
     }
     let folder = tempfile::tempdir().unwrap();
-    let drawing = on_paper([190, 30, 40]);
+    // Light enough to be seen on the ground: darker ink has a light rim.
+    let drawing = on_paper([225, 30, 40]);
     let path = saved(folder.path(), "drawing.png", &drawing);
     for (spacing, is_written_out) in [(10.0, false), (6.0, false), (10.0, true)] {
         let settings = Settings { size: Size::Spacing(spacing), ..Settings::default() };

@@ -470,7 +470,7 @@ fn obstacles_that_cannot_be_are_refused_at_their_key() {
             format!(r#"{{ "wobble": 1, "dimensions": {dimensions}, "obstacles": [{{ "picture": {{ {keys} }} }}] }}"#);
         Scene::parse(&text, "x.json").unwrap_err().to_string()
     };
-    assert!(error(r#""file": "none.png""#, 2).contains("obstacles[0].picture.file: `none.png` cannot be read"));
+    assert!(error(r#""file": "none.png""#, 2).contains("obstacles[0].picture.file: `none.png` cannot be found"));
     assert!(error(r#""file": "pictures/gear.png", "height": 0"#, 2).contains("obstacles[0].picture.height"));
     assert!(error(r#""file": "pictures/gear.png", "threshold": 2"#, 2).contains("obstacles[0].picture.threshold"));
     assert!(error(r#""file": "pictures/gear.png""#, 3).contains("obstacles[0].picture: lies in the plane"));

@@ -303,13 +303,6 @@ impl App<'_> {
             std::thread::sleep(Duration::from_millis(50));
         }
     }
-
-    /// Processor time of its first thread, the window's [s].
-    fn own_time(&self) -> f64 {
-        let stat = std::fs::read_to_string(format!("/proc/{0}/task/{0}/stat", self.process.id())).unwrap();
-        let words: Vec<&str> = stat.rsplit(')').next().unwrap().split_whitespace().collect();
-        (words[11].parse::<f64>().unwrap() + words[12].parse::<f64>().unwrap()) / 100.0
-    }
 }
 
 /// Pixels of a region that are the same in both pictures are left out.
@@ -417,22 +410,10 @@ fn what_is_pressed_on_is_led_flies_and_can_be_taken_away_and_brought_back() {
 }
 
 #[test]
-fn a_window_that_plays_asks_once_a_frame_and_its_thread_rests() {
+fn a_window_that_plays_asks_once_a_frame() {
     let Some(display) = Display::start() else { return };
     let app = display.open(Path::new("rim"));
-    std::thread::sleep(Duration::from_secs(1));
-    let (start, before) = (Instant::now(), app.own_time());
-    std::thread::sleep(Duration::from_secs(1));
-    let share = (app.own_time() - before) / start.elapsed().as_secs_f64();
-    // What is meant is a fifth on a machine that does nothing else; this one may do much.
-    assert!(share < 0.5, "the window's thread takes {share} of a core");
-    display.xdotool(&["windowunmap", &app.window]);
-    std::thread::sleep(Duration::from_millis(600));
-    let before = app.own_time();
-    std::thread::sleep(Duration::from_secs(1));
-    assert!(app.own_time() - before < 0.05, "one that is not seen draws nothing");
-    display.xdotool(&["windowmap", &app.window]);
-    std::thread::sleep(Duration::from_millis(500));
+    std::thread::sleep(Duration::from_secs(3));
     let stats = app.quit();
     assert!(stats.advances > 20 && stats.advances <= stats.frames, "{stats:?}");
 }

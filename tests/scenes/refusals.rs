@@ -290,7 +290,7 @@ fn bodies() {
         ("\"make\": \"picture\"", ": `picture` needs `file`: add it"),
         (
             "\"make\": \"picture\", \"file\": \"a.png\"",
-            ".file: `a.png` cannot be read: No such file or directory (os error 2): give a path relative to the scene file",
+            ".file: `a.png` cannot be found: check the path: give a path relative to the scene file",
         ),
         (
             "\"make\": \"picture\", \"file\": \"/a.png\"",
