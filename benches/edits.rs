@@ -48,7 +48,8 @@ fn edits(c: &mut Criterion) {
         edit(c, &format!("{name}: a box comes"), &*world, &a_box(&*world));
         let bond = Selection { bonds: vec![BondId(world.bonds().len() as u32 / 2)], ..Selection::default() };
         edit(c, &format!("{name}: a bond goes"), &*world, &Command::Delete(bond));
-        let middle = PointId(world.point_count() as u32 / 2);
+        // One beside a pin, where there are any.
+        let middle = PointId(world.point_count() as u32 / 2 + 1);
         edit(c, &format!("{name}: a grab"), &*world, &Command::Grab(Reach::Points(vec![middle])));
         c.bench_function(&format!("{name}: a copy"), |b| b.iter_with_large_drop(|| world.boxed_clone()));
     }
