@@ -181,6 +181,13 @@ impl<const D: usize> Model<D> {
         Ok(())
     }
 
+    /// Times at which a step has to end [s]: knots of tracks, and the duration; in any order.
+    pub(crate) fn knots(&self) -> impl Iterator<Item = f64> {
+        let tracks = self.pin_motion.iter().flat_map(|(_, track)| track.knots.iter().map(|knot| knot.0));
+        let mouse = self.mouse.iter().flat_map(|mouse| mouse.track.knots.iter().map(|knot| knot.0));
+        tracks.chain(mouse).chain(self.duration)
+    }
+
     /// The same without positions, velocities and bonds, which a world keeps apart.
     pub(crate) fn bare(&self) -> Self {
         Model {

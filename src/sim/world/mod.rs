@@ -43,7 +43,7 @@ pub struct World<S: Real, const D: usize> {
     pub(crate) warnings: Vec<String>,
     /// How often points, bonds, pins or obstacles came, went or changed.
     pub(crate) topology: u64,
-    /// Whether what is grabbed is to be looked for again.
+    /// The points that are grabbed; the groups that they are in lead them.
     pub(crate) grabbed: Vec<PointId>,
 }
 

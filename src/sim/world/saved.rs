@@ -84,15 +84,12 @@ impl<S: Real, const D: usize> World<S, D> {
         without_gone.pinned.extend(&saved.gone);
         let numbers = saved.bond_numbers.as_deref();
         let plan = plan::compile((&without_gone, &obstacles, saved.scene_points), (&model.bonds, numbers), &state);
-        let tracks = model.pin_motion.iter().flat_map(|(_, track)| track.knots.iter().map(|knot| knot.0));
-        let mouse = model.mouse.iter().flat_map(|mouse| mouse.track.knots.iter().map(|knot| knot.0));
-        let knots = tracks.chain(mouse).chain(model.duration);
         let mut inverse_mass = plan::inverse_masses(&without_gone);
         saved.gone.iter().for_each(|point| inverse_mass[point.index()] = 0.0);
         let cursor = saved.cursor.map(CursorPath::of);
         let lead = saved.lead.map(|[point, normal]| Lead { point, normal });
         let mut world = World {
-            timeline: Timeline::resumed(saved.substep, knots, saved.time),
+            timeline: Timeline::resumed(saved.substep, model.knots(), saved.time),
             around: Environment { gravity: model.gravity, mouse: model.mouse.clone(), cursor, lead },
             plan,
             obstacles,

@@ -40,10 +40,8 @@ impl<S: Real, const D: usize> World<S, D> {
             points.iter().for_each(|&i| state.position[i as usize] = convert(add(model.position[i as usize], *way)));
         }
         let plan = plan::compile((model, &obstacles, count), (&model.bonds, None), &state);
-        let tracks = model.pin_motion.iter().flat_map(|(_, track)| track.knots.iter().map(|knot| knot.0));
-        let mouse = model.mouse.iter().flat_map(|mouse| mouse.track.knots.iter().map(|knot| knot.0));
         let mut world = World {
-            timeline: Timeline::new(plan.substep, tracks.chain(mouse).chain(model.duration)),
+            timeline: Timeline::new(plan.substep, model.knots()),
             around: Environment { gravity: model.gravity, mouse: model.mouse.clone(), cursor: None, lead: None },
             plan,
             obstacles,
