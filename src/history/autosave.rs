@@ -4,15 +4,14 @@
 //! program ends, however it does: a file whose lock is free was left behind.
 
 use std::fs::{self, File, OpenOptions};
-use std::io::{self, Write};
+use std::io;
 use std::path::{Path, PathBuf};
 
 use super::error::HistoryError;
+use super::lines::Lines;
 use super::log::Log;
 use super::session::History;
-use super::start::{Recording, Start};
-use super::write::write_entry;
-use crate::output;
+use super::start::Start;
 
 /// Seconds of the caller's clock between two writes.
 pub const EVERY: f64 = 2.0;
@@ -22,16 +21,10 @@ const MOST: u32 = 1000;
 
 /// The file of a session that goes on.
 pub struct Autosave {
-    path: PathBuf,
+    lines: Lines,
     /// Held as long as this lives.
     lock: File,
     lock_path: PathBuf,
-    /// The file that commands are appended to; `None`: it is to be written whole.
-    file: Option<File>,
-    /// The branch in it, and how many of its commands.
-    written: (usize, usize),
-    /// How far it goes [s].
-    end: f64,
     due: f64,
 }
 
@@ -54,15 +47,14 @@ impl Autosave {
                 continue;
             }
             lock.lock()?;
-            let (file, written, end, due) = (None, (0, 0), f64::NEG_INFINITY, f64::NEG_INFINITY);
-            return Ok(Autosave { path, lock, lock_path, file, written, end, due });
+            return Ok(Autosave { lines: Lines::new(path), lock, lock_path, due: f64::NEG_INFINITY });
         }
         Err(io::Error::other(format!("{} holds {MOST} sessions of this process: empty it", folder.display())))
     }
 
     /// The file.
     pub fn path(&self) -> &Path {
-        &self.path
+        self.lines.path()
     }
 
     /// Writes what is new, if the last time is two seconds ago by the caller's clock `now` [s]; true if it did.
@@ -82,54 +74,16 @@ impl Autosave {
     ///
     /// Errors: those of [`Autosave::tick`].
     pub fn write(&mut self, history: &History) -> io::Result<()> {
-        let (branch, count) = history.log();
-        let goes_on = branch == self.written.0 && count >= self.written.1;
-        let done = match self.file.take().filter(|_| goes_on) {
-            Some(file) => self.append(file, history, count),
-            None => self.begin_anew(history),
-        };
-        // What was begun and not ended would stand in the middle of the next line.
-        self.file = Some(done?);
-        self.written = (branch, count);
-        self.end = history.world().time();
-        Ok(())
-    }
-
-    fn append(&self, mut file: File, history: &History, count: usize) -> io::Result<File> {
-        let mut lines = Vec::new();
-        for entry in history.entries(self.written.1..count) {
-            write_entry(&mut lines, entry, history.scene())?;
-            lines.push(b'\n');
-        }
-        if history.world().time() != self.end {
-            write_end(&mut lines, history)?;
-        }
-        file.write_all(&lines)?;
-        file.flush()?;
-        Ok(file)
-    }
-
-    /// All of the branch that the world is on, in place of what was there.
-    fn begin_anew(&self, history: &History) -> io::Result<File> {
-        let recording = Recording { marks: Vec::new(), ..history.unmarked() };
-        let written = output::replace(&self.path, |to| {
-            recording.write_header(&mut *to)?;
-            for entry in &recording.commands {
-                write_entry(&mut *to, entry, &recording.scene)?;
-                to.write_all(b"\n")?;
-            }
-            write_end(to, history)
-        });
-        written.map_err(io::Error::other)?;
-        OpenOptions::new().append(true).open(&self.path)
+        self.lines.write(history)
     }
 
     /// The session ended as it should: its file goes.
     ///
     /// Errors: the file cannot be removed.
     pub fn end(self) -> io::Result<()> {
-        let Autosave { path, lock, lock_path, file, .. } = self;
-        drop((file, lock));
+        let Autosave { lines, lock, lock_path, .. } = self;
+        let path = lines.path().to_owned();
+        drop((lines, lock));
         remove(&path)?;
         remove(&lock_path)
     }
@@ -144,13 +98,6 @@ impl Autosave {
         left.sort_by(|a, b| b.changed.cmp(&a.changed).then_with(|| a.path.cmp(&b.path)));
         left
     }
-}
-
-/// How far a session went: nothing else says so where no command is given.
-fn write_end(mut to: impl Write, history: &History) -> io::Result<()> {
-    let (_, count) = history.log();
-    let last = count.checked_sub(1).and_then(|last| history.entries(last..count).next()).map_or(0.0, |entry| entry.at);
-    writeln!(to, "{{\"end\":{}}}", serde_json::Value::from(history.world().time().max(last)))
 }
 
 fn remove(path: &Path) -> io::Result<()> {

@@ -18,6 +18,7 @@ mod frame;
 mod keyframes;
 #[allow(unreachable_pub, reason = "a macro makes all objects of files public")]
 mod keys;
+mod lines;
 mod log;
 mod mark;
 mod pack;
@@ -35,6 +36,7 @@ pub use branch::BranchView;
 pub use command::{DeleteKeys, Do, Entry, OneOrEach, SetKeys, VectorOrEach, Walls};
 pub use dress::Group;
 pub use error::{HistoryError, Refusal};
+pub use lines::Lines;
 pub use log::Log;
 pub use mark::{Mark, hash_now};
 pub use replay::{Replay, Visit, replay};
