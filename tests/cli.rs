@@ -81,6 +81,7 @@ fn a_recording_has_every_key() {
         "precision",
         "samples",
         "seconds",
+        "frames",
         "search_seconds",
         "counters",
         "warnings",
@@ -93,6 +94,13 @@ fn a_recording_has_every_key() {
     {
         assert!(recording["counters"][key].is_u64(), "{key}");
     }
+    let frames = &recording["frames"];
+    assert_eq!(frames["count"], 15, "0.25 s");
+    let of = |key: &str| frames[key].as_f64().unwrap();
+    assert!(0.0 < of("median_ms") && of("median_ms") <= of("p99_ms") && of("p99_ms") <= of("worst_ms"));
+    let again = simulated(&["rim", "--samples", "0,0.1,0.25", "--precision", "f32"]);
+    assert!(of("worst_work_ms") > 0.0, "by counting, and so");
+    assert_eq!(frames["worst_work_ms"], again["frames"]["worst_work_ms"], "the same in every run");
     assert_eq!(recording["precision"], "f32");
     let samples = recording["samples"].as_array().unwrap();
     assert_eq!(samples.len(), 3);

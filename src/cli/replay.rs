@@ -49,7 +49,7 @@ pub(super) fn run(arguments: &Arguments, quiet: bool) -> anyhow::Result<()> {
         Ok(true)
     })?;
     bar.finish_and_clear();
-    table.write(arguments.out.as_deref(), arguments.hash)
+    table.write(arguments.out.as_deref(), arguments.hash, None)
 }
 
 /// What to compare.

@@ -13,7 +13,10 @@ use super::progress;
 use super::values::{self, Times};
 use crate::history::Start;
 use crate::output;
-use crate::scene::record::{RecordedCounters, RecordedSample, Recording, hash, record, seconds};
+use crate::scene::frames::Frames;
+use crate::scene::record::{
+    RecordedCounters, RecordedFrames, RecordedSample, Recording, hash, record, seconds_and_frames,
+};
 use crate::scene::{OrderName, PrecisionName, Scene, SolverName};
 use crate::sim::{BondKind, Counters, Dynamics, InstructionSet, PlanPart, PointId, Precision, Sample};
 use crate::study;
@@ -175,6 +178,7 @@ fn settle(arguments: &Arguments, scene: &Scene, time: f64) -> anyhow::Result<()>
         precision: "f64",
         samples: samples.iter().map(|sample| RecordedSample::new(sample, scene.dimensions())).collect(),
         seconds: runs[runs.len() / 2],
+        frames: None,
         search_seconds: 0.0,
         expected_error: None,
         counters: RecordedCounters { iterations: found.rounds.into(), ..RecordedCounters::default() },
@@ -283,7 +287,8 @@ impl Arguments {
 
 fn recording(scene: &Scene, start: &dyn Dynamics, times: &[f64], samples: &[Sample], counters: &Counters) -> Recording {
     let about = About { substep: start.substep(), precision: start.precision(), warnings: start.warnings().to_vec() };
-    made(scene, about, seconds(start, times), samples, counters)
+    let (seconds, frames) = seconds_and_frames(start, times);
+    made(scene, about, (seconds, Some(&frames)), samples, counters)
 }
 
 /// What is written of the world that a run began with.
@@ -293,7 +298,13 @@ struct About {
     warnings: Vec<String>,
 }
 
-fn made(scene: &Scene, about: About, seconds: f64, samples: &[Sample], counters: &Counters) -> Recording {
+fn made(
+    scene: &Scene,
+    about: About,
+    (seconds, frames): (f64, Option<&Frames>),
+    samples: &[Sample],
+    counters: &Counters,
+) -> Recording {
     let mut warnings = about.warnings;
     if counters.fallbacks > 0 {
         warnings.push(format!(
@@ -308,6 +319,7 @@ fn made(scene: &Scene, about: About, seconds: f64, samples: &[Sample], counters:
         precision: if about.precision == Precision::F32 { "f32" } else { "f64" },
         samples: samples.iter().map(|sample| RecordedSample::new(sample, scene.dimensions())).collect(),
         seconds,
+        frames: frames.map(RecordedFrames::from),
         search_seconds: 0.0,
         expected_error: None,
         counters: RecordedCounters {
@@ -350,9 +362,9 @@ impl Table {
     }
 
     /// Writes it.
-    pub(super) fn write(self, out: Option<&Path>, has_hash: bool) -> anyhow::Result<()> {
-        let seconds = self.clock.elapsed().as_secs_f64();
+    pub(super) fn write(self, out: Option<&Path>, has_hash: bool, frames: Option<&Frames>) -> anyhow::Result<()> {
+        let seconds = frames.map_or_else(|| self.clock.elapsed().as_secs_f64(), Frames::seconds);
         let Some(about) = self.about else { return Ok(()) };
-        write_table(out, has_hash, &made(&self.scene, about, seconds, &self.samples, &self.counters))
+        write_table(out, has_hash, &made(&self.scene, about, (seconds, frames), &self.samples, &self.counters))
     }
 }

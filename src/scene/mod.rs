@@ -15,6 +15,7 @@ mod check;
 mod error;
 mod expand;
 mod file;
+pub mod frames;
 mod free_place;
 mod gallery;
 mod keys;

@@ -6,6 +6,7 @@ use std::time::Instant;
 use serde::Serialize;
 use xxhash_rust::xxh3::Xxh3;
 
+use super::frames::Frames;
 use crate::sim::{Dynamics, Sample};
 
 /// A motion that cannot be recorded.
@@ -62,19 +63,41 @@ pub fn run_to(world: &mut dyn Dynamics, time: f64, progress: &mut dyn FnMut(f64)
 
 /// Wall seconds that stepping `world` to the last of `times` takes, in the median: short runs are repeated.
 pub fn seconds(world: &dyn Dynamics, times: &[f64]) -> f64 {
-    let end = times.last().copied().unwrap_or(0.0);
-    let mut runs: Vec<f64> = Vec::new();
-    // A clock's reading of less than 10 ms says more of the machine's noise than of the work.
-    while runs.is_empty() || (runs[0] < 0.010 && runs.len() < 15) {
-        let mut copy = world.boxed_clone();
+    median(|| {
+        let (mut copy, end) = (world.boxed_clone(), last(times));
         let start = Instant::now();
         while copy.time() + copy.substep() * (1.0 - 1e-9) <= end {
             copy.step();
         }
-        runs.push(start.elapsed().as_secs_f64());
+        (start.elapsed().as_secs_f64(), ())
+    })
+    .0
+}
+
+/// The same with the time and the counted work of every frame.
+pub fn seconds_and_frames(world: &dyn Dynamics, times: &[f64]) -> (f64, Frames) {
+    // Shorter ones are told apart from reading the clock in each only by a run that does not read it.
+    const SHORT: f64 = 1e-5;
+    let (sum, frames) = median(|| {
+        let frames = Frames::of(&mut *world.boxed_clone(), last(times));
+        (frames.seconds(), frames)
+    });
+    (if sum < SHORT * frames.count() as f64 { seconds(world, times) } else { sum }, frames)
+}
+
+/// The median of runs that return their wall seconds and something else: one alone, where it is not short.
+fn median<T>(mut run: impl FnMut() -> (f64, T)) -> (f64, T) {
+    let mut runs = vec![run()];
+    // A clock's reading of less than 10 ms says more of the machine's noise than of the work.
+    while runs[0].0 < 0.010 && runs.len() < 15 {
+        runs.push(run());
     }
-    runs.sort_by(f64::total_cmp);
-    runs[runs.len() / 2]
+    runs.sort_by(|a, b| a.0.total_cmp(&b.0));
+    runs.swap_remove(runs.len() / 2)
+}
+
+fn last(times: &[f64]) -> f64 {
+    times.last().copied().unwrap_or(0.0)
 }
 
 /// Hash of the bits of all samples' positions and velocities, in order, but of points that were deleted: 32 hexadecimal digits
@@ -114,6 +137,9 @@ pub struct Recording {
     pub samples: Vec<RecordedSample>,
     /// Wall time of the stepping [s].
     pub seconds: f64,
+    /// The same by frames, with their counted work; `None` where nothing was stepped, or by another hand.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub frames: Option<RecordedFrames>,
     /// Wall time that finding the setting took [s].
     pub search_seconds: f64,
     /// The error that the setting is expected to have at every sample [m], where it was searched for.
@@ -156,6 +182,33 @@ impl RecordedSample {
             velocity: cut(&sample.velocity),
             energy: sample.energy,
             max_strain: sample.max_strain,
+        }
+    }
+}
+
+/// Frames of 1/60 s of the scene: time and counted work of the steps that end in each.
+#[derive(Clone, Copy, Debug, Serialize)]
+pub struct RecordedFrames {
+    /// How many.
+    pub count: u64,
+    /// Wall time of the median one [ms].
+    pub median_ms: f64,
+    /// Wall time that one in a hundred exceeds [ms].
+    pub p99_ms: f64,
+    /// Wall time of the slowest one [ms].
+    pub worst_ms: f64,
+    /// Counted work of the dearest one [ms on the reference machine]: the same on every machine.
+    pub worst_work_ms: f64,
+}
+
+impl From<&Frames> for RecordedFrames {
+    fn from(frames: &Frames) -> Self {
+        RecordedFrames {
+            count: frames.count(),
+            median_ms: frames.quantile_ms(0.5),
+            p99_ms: frames.quantile_ms(0.99),
+            worst_ms: frames.quantile_ms(1.0),
+            worst_work_ms: frames.worst_work_ms(),
         }
     }
 }

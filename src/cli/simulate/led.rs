@@ -1,10 +1,13 @@
 //! A scene that is led by commands.
 
+use std::time::Instant;
+
 use anyhow::bail;
 
 use super::{Arguments, Table};
 use crate::cli::progress;
-use crate::history::{Log, Mark, Recording, Replay, Start, hash_now};
+use crate::history::{Entry, Log, Mark, Recording, Replay, Start, hash_now};
+use crate::scene::frames::{Frames, next_close};
 
 /// Runs a recording, or a scene with commands, to a table, a hash or another recording.
 pub(super) fn run(arguments: &Arguments, start: Start, quiet: bool) -> anyhow::Result<()> {
@@ -26,9 +29,10 @@ pub(super) fn run(arguments: &Arguments, start: Start, quiet: bool) -> anyhow::R
     let label = arguments.commands.as_ref().map_or(arguments.scene.clone(), |path| path.display().to_string());
     let mut run = Replay::new(&recording, &label)?;
     let mut table = Table::new(&recording.scene);
+    let mut frames = Frames::between(run.world().time(), end);
     let mut marks = Vec::new();
     for time in times {
-        run.advance(&recording.commands, time)?;
+        advance(&mut run, (&recording.commands, time), &mut frames)?;
         table.sample(run.world(), time);
         marks.push(Mark { at: time, hash: hash_now(run.world(), time.max(run.world().time())) });
         bar.set_position((time * progress::SCALE) as u64);
@@ -40,5 +44,20 @@ pub(super) fn run(arguments: &Arguments, start: Start, quiet: bool) -> anyhow::R
         let made = Recording { end: Some(end), marks, ..recording };
         made.save(path)?;
     }
-    table.write(arguments.out.as_deref(), arguments.hash)
+    table.write(arguments.out.as_deref(), arguments.hash, Some(&frames))
+}
+
+/// Advances to `time` [s], frame by frame: that is the same motion.
+fn advance(run: &mut Replay, (commands, time): (&[Entry], f64), frames: &mut Frames) -> anyhow::Result<()> {
+    let mut reached = run.world().time();
+    while reached < time {
+        let stop = next_close(reached).min(time);
+        let (clock, work, before) = (Instant::now(), run.world().counters().work_ms(), run.world().time());
+        run.advance(commands, stop)?;
+        if run.world().time() > before {
+            frames.add(stop, clock.elapsed().as_secs_f64(), run.world().counters().work_ms() - work);
+        }
+        reached = stop;
+    }
+    Ok(run.advance(commands, time)?)
 }

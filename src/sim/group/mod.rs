@@ -64,6 +64,18 @@ pub(crate) struct Group<S: Real, const D: usize> {
     pub(crate) sleep: Sleep<S, D>,
     /// Points that are led to the cursor.
     pub(crate) grabbed: Option<Grabbed<D>>,
+    pub(crate) work: Work,
+}
+
+/// Operations, about, of what a group does.
+#[derive(Clone, Copy, Debug, Default)]
+pub(crate) struct Work {
+    /// A substep by its own method.
+    pub(crate) step: u64,
+    /// One by the more robust method.
+    pub(crate) robust: u64,
+    /// A look for events.
+    pub(crate) look: u64,
 }
 
 impl<S: Real, const D: usize> Group<S, D> {
@@ -92,7 +104,9 @@ impl<S: Real, const D: usize> Group<S, D> {
     /// Advances by `h` from time `t` [s].
     pub(crate) fn advance(&mut self, around: &Environment<D>, t: f64, h: f64, counters: &mut Counters) {
         if let Engine::Bulk(bulk) = &mut self.engine {
-            return bulk.step(&mut self.points, &self.pull, around, (t, h), counters);
+            let before = *counters;
+            bulk.step(&mut self.points, &self.pull, around, (t, h), counters);
+            return counters.count_batches(&before, D);
         }
         counters.substeps += 1;
         counters.points_moved += self.points.len() as u64;
@@ -153,7 +167,8 @@ impl<S: Real, const D: usize> Group<S, D> {
     }
 
     fn take(&mut self, around: &Environment<D>, (t, h): (f64, f64), counters: &mut Counters) -> bool {
-        let Group { points, pull, engine, .. } = self;
+        let Group { points, pull, engine, work, .. } = self;
+        counters.work += work.step;
         engine.step(points, pull, around, (t, h), counters)
     }
 
@@ -176,7 +191,8 @@ impl<S: Real, const D: usize> Group<S, D> {
 
     /// The step by the more robust method, or by the engine again where there is none.
     fn take_robustly(&mut self, around: &Environment<D>, (t, h): (f64, f64), counters: &mut Counters) {
-        let Group { points, pull, engine, robust, .. } = self;
+        let Group { points, pull, engine, robust, work, .. } = self;
+        counters.work += work.robust;
         match robust {
             Some(robust) => {
                 robust.refresh();
@@ -238,6 +254,7 @@ impl<S: Real, const D: usize> Group<S, D> {
             acceleration: Vec::new(),
             sleep: Sleep::default(),
             grabbed: None,
+            work: Work::default(),
         }
     }
 

@@ -15,11 +15,11 @@ use crate::sim::bulk::trails::Segment;
 use crate::sim::colour::by_colour;
 use crate::sim::contact::Contacts;
 use crate::sim::force::spring::Springs;
-use crate::sim::group::Group;
 use crate::sim::group::engine::Engine;
 use crate::sim::group::events::edge::Edges;
 use crate::sim::group::guard::Guard;
 use crate::sim::group::sleep::Sleep;
+use crate::sim::group::{Group, Work};
 use crate::sim::kernels::rows::Kinds;
 use crate::sim::plan::island::Island;
 use crate::sim::points::State;
@@ -71,6 +71,7 @@ impl<S: Real, const D: usize> Maker<'_, S, D> {
             acceleration: Vec::new(),
             sleep: Sleep::default(),
             grabbed: None,
+            work: Work::default(),
             pull: Pull {
                 springs: Springs::none(),
                 contacts: Contacts::new(self.obstacles, self.points.len()),

@@ -1,7 +1,7 @@
 //! What a substep of a group costs, by counting: settings are compared by it, never by a clock.
 
-use crate::sim::group::Group;
 use crate::sim::group::engine::Engine;
+use crate::sim::group::{Group, Work};
 use crate::sim::integrate::splitting::Part;
 use crate::sim::real::Real;
 
@@ -10,11 +10,28 @@ use crate::sim::real::Real;
 /// Weights were fitted to measured times of small scenes: a spring costs as much as about 30 multiplications (a square
 /// root and a division), a point that is moved about 8 for each dimension, a call about 20.
 pub(crate) fn of<S: Real, const D: usize>(group: &Group<S, D>) -> f64 {
+    of_engine(group, &group.engine)
+}
+
+/// The same of all that a group does.
+pub(crate) fn work<S: Real, const D: usize>(group: &Group<S, D>) -> Work {
+    let contacts = &group.pull.contacts;
+    // To each surface a distance is looked at; walls are in a grid, and cost as much as one more.
+    let surfaces = contacts.obstacles.planes().len() + usize::from(contacts.obstacles.has_walls());
+    let looks = surfaces + usize::from(!group.edges.is_empty());
+    Work {
+        step: of(group) as u64,
+        robust: of_engine(group, group.robust.as_deref().unwrap_or(&group.engine)) as u64,
+        look: (20 + 4 * D * group.points.len() * looks) as u64,
+    }
+}
+
+fn of_engine<S: Real, const D: usize>(group: &Group<S, D>, engine: &Engine<S, D>) -> f64 {
     let pull = &group.pull;
     let points = group.points.len() as f64 * D as f64;
     let force = 20.0 + 30.0 * pull.springs.len() as f64 + 4.0 * points;
     let hold = pull.rigid.as_ref().map_or(0.0, |rigid| 12.0 * rigid.work() as f64 + 40.0);
-    match &group.engine {
+    match engine {
         Engine::Splitting(splitting) => splitting.parts().iter().fold(40.0, |sum, part| {
             sum + match part {
                 Part::Kick(_) => force + 4.0 * points,

@@ -98,7 +98,8 @@ impl<S: Real, const D: usize> Gathered<S, D> {
                     slots[point as usize] = [g as u32, slot as u32];
                 }
             }
-            let group = Maker { gathered: self, model, obstacles, lot, points: &points, place: &place }.make();
+            let mut group = Maker { gathered: self, model, obstacles, lot, points: &points, place: &place }.make();
+            group.work = super::cost::work(&group);
             points.iter().for_each(|&point| place[point as usize] = u32::MAX);
             let part = PlanPart {
                 points: lot.islands.iter().map(|island| island.points.len()).sum(),

@@ -11,7 +11,7 @@ use crate::sim::force::spring::Springs;
 use crate::sim::group::events::edge::Edges;
 use crate::sim::group::guard::{Guard, Watched};
 use crate::sim::group::sleep::Sleep;
-use crate::sim::group::{Breakable, Group};
+use crate::sim::group::{Breakable, Group, Work};
 use crate::sim::model::Model;
 use crate::sim::points::{Points, State};
 use crate::sim::pull::Pull;
@@ -85,6 +85,7 @@ impl<S: Real, const D: usize> Maker<'_, S, D> {
             acceleration: Vec::new(),
             sleep: Sleep::default(),
             grabbed: None,
+            work: Work::default(),
             points,
             pull,
             engine,

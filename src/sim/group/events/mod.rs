@@ -76,6 +76,7 @@ impl Margins {
 impl<S: Real, const D: usize> Group<S, D> {
     /// How far the state is from its events: below 0 one has been passed. Points that rest hit nothing.
     fn margins(&mut self, around: &Environment<D>, t: f64, asked: Option<Event>, counters: &mut Counters) -> Margins {
+        counters.work += self.work.look;
         let mut margins = Margins { least: f64::INFINITY, next: None, asked: f64::INFINITY };
         let mut see = |event, margin| margins.see(event, margin, asked);
         if self.locates && (!self.pull.contacts.is_idle() || self.has_taut()) {
