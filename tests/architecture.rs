@@ -35,7 +35,7 @@ const ROOMS: [(&str, &[&str], &[&str]); 12] = [
     (
         "app",
         &["sim", "equilibrium", "search", "body", "picture", "scene", "history", "render", "output"],
-        &["wgpu", "winit", "egui", "egui_wgpu", "egui_winit", "rfd", "arboard", "pollster", "image"],
+        &["wgpu", "winit", "egui", "egui_wgpu", "egui_winit", "rfd", "arboard", "pollster", "image", "etcetera"],
     ),
     (
         "cli",

@@ -15,6 +15,8 @@ use image::RgbaImage;
 struct Display {
     server: Child,
     name: String,
+    /// Where its programs keep what is to outlive them.
+    state: tempfile::TempDir,
 }
 
 impl Drop for Display {
@@ -45,7 +47,7 @@ impl Display {
             .unwrap();
         let mut number = String::new();
         BufReader::new(server.stdout.take().unwrap()).read_line(&mut number).unwrap();
-        let display = Display { server, name: format!(":{}", number.trim()) };
+        let display = Display { server, name: format!(":{}", number.trim()), state: tempfile::tempdir().unwrap() };
         // Out of every window's way until a test wants it.
         display.xdotool(&["mousemove", "1279", "799"]);
         Some(display)
@@ -53,7 +55,8 @@ impl Display {
 
     fn command(&self, program: impl AsRef<std::ffi::OsStr>) -> Command {
         let mut command = Command::new(program);
-        command.env("DISPLAY", &self.name).env_remove("WAYLAND_DISPLAY").env_remove("WAYLAND_SOCKET");
+        command.env("DISPLAY", &self.name).env("WOBBLE_STATE_DIR", self.state.path());
+        command.env_remove("WAYLAND_DISPLAY").env_remove("WAYLAND_SOCKET");
         command
     }
 
@@ -76,7 +79,15 @@ impl Display {
 
     /// Opens a scene where programs are looked for in `programs`, if it is given, and no portal is there.
     fn open_with(&self, scene: &Path, programs: Option<&Path>) -> App<'_> {
+        self.open_recorded(scene, programs, None)
+    }
+
+    /// The same, recorded to a file.
+    fn open_recorded(&self, scene: &Path, programs: Option<&Path>, record: Option<&Path>) -> App<'_> {
         let mut command = self.command(env!("CARGO_BIN_EXE_wobble"));
+        if let Some(record) = record {
+            command.arg("--record").arg(record);
+        }
         command.env("DBUS_SESSION_BUS_ADDRESS", "unix:path=/nowhere");
         if let Some(programs) = programs {
             command.env("PATH", format!("{}:/usr/bin:/bin", programs.display()));
@@ -407,6 +418,71 @@ fn what_is_pressed_on_is_led_flies_and_can_be_taken_away_and_brought_back() {
     // The mouse has touched it on its way to the click.
     assert!(changed(&before, &again) < 500, "and comes back: {} pixels differ", changed(&before, &again));
     app.quit();
+}
+
+/// Pixels of exactly the colour of the button that is wanted most, above the bar and right of the tools: their middle.
+fn wanted_button(picture: &RgbaImage) -> Option<[u32; 2]> {
+    let is_its = |x: u32, y: u32| picture.get_pixel(x, y).0 == [125, 240, 200, 255];
+    let all: Vec<[u32; 2]> =
+        (100..1000).flat_map(|x| (60..200).map(move |y| [x, y])).filter(|&[x, y]| is_its(x, y)).collect();
+    let mean = |k: usize| all.iter().map(|at| at[k]).sum::<u32>() / all.len().max(1) as u32;
+    (all.len() > 500).then(|| [mean(0), mean(1)])
+}
+
+#[test]
+fn what_a_killed_program_left_is_offered_and_gone_on_with() {
+    let Some(display) = Display::start() else { return };
+    let files = || std::fs::read_dir(display.state.path()).unwrap().count();
+    let mut app = display.open(&common::file("rim-still.json"));
+    app.move_mouse(1090, 300);
+    app.wait_until_still();
+    assert_eq!(files(), 0, "nothing was done yet");
+    app.press([715, 315]);
+    app.move_mouse(800, 250);
+    std::thread::sleep(Duration::from_millis(300));
+    app.let_go();
+    app.move_mouse(1090, 300);
+    std::thread::sleep(Duration::from_millis(2500));
+    assert_eq!(files(), 2, "a log and its lock");
+    app.process.kill().unwrap();
+    app.process.wait().unwrap();
+    let again = display.open(Path::new("spring-damper"));
+    again.wait_for_title("wobble · spring-damper");
+    let start = Instant::now();
+    let button = loop {
+        if let Some(at) = wanted_button(&display.screenshot()) {
+            break at;
+        }
+        assert!(start.elapsed() < Duration::from_secs(20), "nothing is offered");
+        std::thread::sleep(Duration::from_millis(100));
+    };
+    again.press(button);
+    again.let_go();
+    again.wait_for_title("wobble · rim-still");
+    again.move_mouse(1090, 300);
+    assert_eq!(wanted_button(&again.wait_until_still()), None, "it is offered once");
+    assert_eq!(files(), 2, "it is kept on");
+    again.quit();
+    assert_eq!(files(), 0, "and leaves nothing when it ends as it should");
+}
+
+#[test]
+fn a_session_is_recorded_and_replays_to_its_marks() {
+    let Some(display) = Display::start() else { return };
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("session.jsonl");
+    let app = display.open_recorded(&common::file("rim-still.json"), None, Some(&path));
+    app.press([715, 315]);
+    app.move_mouse(800, 250);
+    std::thread::sleep(Duration::from_millis(1500));
+    app.let_go();
+    app.move_mouse(1090, 300);
+    std::thread::sleep(Duration::from_millis(300));
+    app.quit();
+    let done = Command::new(env!("CARGO_BIN_EXE_wobble")).arg("verify").arg(&path).output().unwrap();
+    assert!(done.status.success(), "{}", String::from_utf8_lossy(&done.stderr));
+    let text = std::fs::read_to_string(&path).unwrap();
+    assert!(text.contains("\"grab\"") && text.contains("\"release\""));
 }
 
 #[test]

@@ -8,6 +8,7 @@ mod canvas;
 mod fetch;
 mod import;
 pub mod keys;
+mod leftovers;
 mod loading;
 pub mod meter;
 pub mod opening;
@@ -22,7 +23,7 @@ mod tools;
 
 pub use shell::Statistics;
 
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 use crate::history::{HistoryError, Start, chunk};
 use crate::render::RenderError;
@@ -51,25 +52,33 @@ pub enum AppError {
     /// The scene, or the recording.
     #[error(transparent)]
     History(#[from] HistoryError),
+    /// The file that the session is recorded to.
+    #[error("{}: the recording is not whole: {reason}", path.display())]
+    Record {
+        /// The file.
+        path: PathBuf,
+        /// Why, in words.
+        reason: String,
+    },
 }
 
-/// Opens a window on a scene or a recording and runs until it is closed.
+/// Opens a window on a scene or a recording and runs until it is closed. What is done in it is written to `record`, if that is given.
 ///
-/// Errors: a scene that cannot be run, no display, no GPU.
-pub fn run(start: Start) -> Result<Statistics, AppError> {
-    shell::run(start, None)
+/// Errors: a scene that cannot be run, no display, no GPU, a recording that cannot be written.
+pub fn run(start: Start, record: Option<PathBuf>) -> Result<Statistics, AppError> {
+    shell::run(start, None, record)
 }
 
 /// The scene that a picture is waited for in.
 const WAITING: &str = r#"{"wobble": 1, "name": "picture", "view": {"center": [0, 0], "height": 4}}"#;
 
 /// Opens a window at once and a picture in it as soon as it is read: its scene, or the panel to cut it out by hand where it would have
-/// too many points.
+/// too many points. What is done in that scene is written to `record`, if that is given.
 ///
-/// Errors: no display, no GPU.
-pub fn run_picture(path: &Path) -> Result<Statistics, AppError> {
+/// Errors: no display, no GPU, a recording that cannot be written.
+pub fn run_picture(path: &Path, record: Option<PathBuf>) -> Result<Statistics, AppError> {
     let waiting = Scene::parse(WAITING, "").map_err(HistoryError::from)?;
-    shell::run(waiting.into(), Some(path.to_owned()))
+    shell::run(waiting.into(), Some(path.to_owned()), record)
 }
 
 /// Whether a picture holds the scene that it was taken of.

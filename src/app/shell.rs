@@ -15,7 +15,8 @@ use winit::window::{Window, WindowId};
 use super::AppError;
 use super::action::Action;
 use super::keys::{self, Held};
-use super::player::Player;
+use super::leftovers::state_folder;
+use super::player::{Keeping, Player};
 use super::session::Session;
 use crate::history::Start;
 use crate::render::RenderCounters;
@@ -36,13 +37,15 @@ pub struct Statistics {
 /// Opens a window on a scene or a recording and runs until it is closed.
 ///
 /// Errors: no display, a scene that cannot be run, no GPU, a GPU that is lost and does not come back.
-pub(super) fn run(start: Start, picture: Option<PathBuf>) -> Result<Statistics, AppError> {
+pub(super) fn run(start: Start, picture: Option<PathBuf>, record: Option<PathBuf>) -> Result<Statistics, AppError> {
     let event_loop = EventLoop::new().map_err(|error| no_display(&error))?;
-    let mut shell = Shell::Waiting(Some(Box::new((start, picture, event_loop.create_proxy()))));
+    let mut shell =
+        Shell::Waiting(Some(Box::new(Beginning { start, picture, record, waker: event_loop.create_proxy() })));
     event_loop.run_app(&mut shell).map_err(|error| no_display(&error))?;
     match shell {
         Shell::Failed(error) => Err(error),
-        Shell::Open { session, .. } => {
+        Shell::Open { mut session, .. } => {
+            session.end()?;
             let ([frames, advances, substeps], drawing) = session.statistics();
             Ok(Statistics { frames, advances, substeps, drawing })
         }
@@ -57,8 +60,16 @@ fn no_display(error: &EventLoopError) -> AppError {
     AppError::NoDisplay { reason: reason.trim_end_matches(['.', ')']).to_owned() }
 }
 
-/// What is opened, where its recording is kept if so, and what wakes the loop.
-type Beginning = (Start, Option<PathBuf>, EventLoopProxy<()>);
+/// What the program begins with.
+struct Beginning {
+    start: Start,
+    /// A picture that opens as a scene when it is read.
+    picture: Option<PathBuf>,
+    /// What the session is recorded to.
+    record: Option<PathBuf>,
+    /// Wakes the loop.
+    waker: EventLoopProxy<()>,
+}
 
 /// The program's states.
 enum Shell {
@@ -96,11 +107,16 @@ fn size_on(screen: Option<[f64; 2]>) -> [f64; 2] {
 }
 
 impl Shell {
-    fn open(event_loop: &ActiveEventLoop, start: Start, waker: EventLoopProxy<()>) -> Result<Self, AppError> {
+    fn open(event_loop: &ActiveEventLoop, beginning: Beginning) -> Result<Self, AppError> {
+        let Beginning { start, picture, record, waker } = beginning;
         let scene = Arc::new(start.scene().clone());
         let proxy = waker.clone();
         // A window that has been closed is woken no more.
-        let mut player = Player::open(start, move || proxy.send_event(()).unwrap_or_default());
+        let state_folder = state_folder();
+        // What a picture is made into is what is recorded.
+        let (now, later) = if picture.is_some() { (None, record) } else { (record, None) };
+        let keeping = Keeping { folder: state_folder.clone(), record: now, heir_of: None };
+        let mut player = Player::open(start, keeping, move || proxy.send_event(()).unwrap_or_default());
         let news = player.wait_until_open(QUICK);
         if let Some(failure) = news.failure {
             return Err(failure.into());
@@ -116,7 +132,11 @@ impl Shell {
             event_loop.create_window(attributes).map_err(|error| AppError::NoWindow { reason: error.to_string() })?;
         let window = Arc::new(window);
         let display = event_loop.owned_display_handle();
-        let session = Session::new(Arc::clone(&window), (display, waker), (player, scene))?;
+        let mut session = Session::new(Arc::clone(&window), (display, waker), (player, scene))?;
+        session.keep_in(state_folder, later);
+        if let Some(path) = picture {
+            session.load(&path);
+        }
         let rate = window.current_monitor().and_then(|monitor| monitor.refresh_rate_millihertz());
         let rate = rate.map_or(FRAME_RATE, |millihertz| f64::from(millihertz) / 1000.0).clamp(24.0, 1000.0);
         let interval = Duration::from_secs_f64(PATIENCE / rate);
@@ -124,6 +144,9 @@ impl Shell {
     }
 
     fn fail(&mut self, event_loop: &ActiveEventLoop, error: AppError) {
+        if let Shell::Open { session, .. } = self {
+            session.leave();
+        }
         *self = Shell::Failed(error);
         event_loop.exit();
     }
@@ -181,13 +204,9 @@ impl ApplicationHandler for Shell {
     fn resumed(&mut self, event_loop: &ActiveEventLoop) {
         let Shell::Waiting(start) = self else { return };
         let Some(start) = start.take() else { return };
-        let (start, picture, waker) = *start;
-        match Shell::open(event_loop, start, waker) {
+        match Shell::open(event_loop, *start) {
             Ok(open) => *self = open,
             Err(error) => self.fail(event_loop, error),
-        }
-        if let (Shell::Open { session, .. }, Some(path)) = (self, picture) {
-            session.load(&path);
         }
     }
 

@@ -31,6 +31,7 @@ use crate::scene::nearest;
         wobble rim-relaxed                                 another scene of the gallery\n  \
         wobble my-scene.json                               a scene file\n  \
         wobble my-picture.png                              a picture, as a soft body\n  \
+        wobble --record session.jsonl rim                  the rim, and all that is done to it in a file\n  \
         wobble replay session.json --hash                  a recording, run again\n  \
         wobble render rim --time 2 --size 1280x720 --out rim.png\n  \
         wobble simulate rim --samples 0.5,1,2 --out rim.csv"

@@ -1,7 +1,7 @@
 //! `wobble [SCENE]`: opens the window.
 
 use std::io::Write;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 use clap::Args;
 
@@ -19,13 +19,18 @@ pub(super) struct Arguments {
     /// Prints what was done when the window closes: frames, substeps, and what drawing them took.
     #[arg(long)]
     stats: bool,
+    /// Writes what is done in the scene to a file, as a recording: one that ends in .jsonl grows as the session goes on, another is written
+    /// when it is saved (Ctrl+S) and at the end.
+    #[arg(long, value_name = "FILE")]
+    record: Option<PathBuf>,
 }
 
 pub(super) fn run(arguments: &Arguments) -> anyhow::Result<()> {
     let name = arguments.scene.as_deref().unwrap_or("jelly");
     let path = Path::new(name);
     let is_plain = Scene::is_picture_file(path) && !app::holds_scene(path);
-    let done = if is_plain { app::run_picture(path)? } else { app::run(start(name)?)? };
+    let record = arguments.record.clone();
+    let done = if is_plain { app::run_picture(path, record)? } else { run_start(start(name)?, record)? };
     if arguments.stats {
         let app::Statistics { frames, advances, substeps, drawing } = done;
         let RenderCounters { uploads, bytes_uploaded, bytes_held, submits, draws, .. } = drawing;
@@ -39,6 +44,14 @@ pub(super) fn run(arguments: &Arguments) -> anyhow::Result<()> {
         )?;
     }
     Ok(())
+}
+
+/// Errors: the recording cannot be written, which is tried before a window opens; those of the window.
+fn run_start(start: Start, record: Option<PathBuf>) -> anyhow::Result<app::Statistics> {
+    if let Some(path) = &record {
+        start.recording().save(path)?;
+    }
+    Ok(app::run(start, record)?)
 }
 
 /// Errors: those of [`Start::load`]; a slip of a command's name.

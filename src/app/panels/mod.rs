@@ -30,6 +30,12 @@ pub(super) enum Wish {
     Pace(f64),
     /// A time that was seen already [s].
     GoTo(f64),
+    /// The end of another branch.
+    ToBranch(usize),
+    /// The session that is offered is gone on with.
+    GoOnWithLeftover,
+    /// It is not wanted.
+    DiscardLeftover,
 }
 
 /// What lies over the world.
@@ -98,7 +104,7 @@ pub(super) fn show(ui: &mut egui::Ui, state: &mut PanelState, facts: &Facts) -> 
     if !state.hides_hud && room.width() > 560.0 {
         hud::show(ui.ctx(), room, facts);
     }
-    state.notes.show(ui.ctx(), room, facts);
+    state.notes.show(ui.ctx(), room, facts, &mut wishes);
     match state.sheet {
         Some(Sheet::Gallery) => gallery::show(ui.ctx(), room, state, facts, &mut wishes),
         Some(Sheet::Help) => help::show(ui.ctx(), room, state),

@@ -2,10 +2,10 @@
 
 use std::time::{Duration, Instant};
 
-use egui::{Align2, Area, Id, Label, Rect, RichText};
+use egui::{Align2, Area, Button, Id, Label, Rect, RichText};
 
-use super::Facts;
-use super::theme::{ACCENT, AWAY, TEXT, WEAK, floating};
+use super::theme::{ACCENT, AWAY, ON_ACCENT, TEXT, WEAK, floating};
+use super::{Facts, Wish};
 
 /// What was just done is said so long.
 const MOMENT: Duration = Duration::from_secs(4);
@@ -15,6 +15,8 @@ const MOMENT: Duration = Duration::from_secs(4);
 pub(in crate::app) struct Notes {
     /// What went wrong, or should be known: until it is closed.
     pub(in crate::app) complaint: Option<String>,
+    /// A session that was cut off, which can be gone on with.
+    pub(in crate::app) offer: Option<String>,
     /// What was just done, and when.
     done: Option<(String, Instant)>,
     /// Nobody has touched this scene yet: its caption is shown.
@@ -37,7 +39,7 @@ impl Notes {
         self.done.as_ref().and_then(|(_, since)| since.checked_add(MOMENT))
     }
 
-    pub(super) fn show(&mut self, context: &egui::Context, room: Rect, facts: &Facts) {
+    pub(super) fn show(&mut self, context: &egui::Context, room: Rect, facts: &Facts, wishes: &mut Vec<Wish>) {
         self.done.take_if(|(_, since)| since.elapsed() >= MOMENT);
         let width = (room.width() - 120.0).clamp(160.0, 640.0);
         let mut is_read = false;
@@ -57,7 +59,7 @@ impl Notes {
             words(context, (Align2::CENTER_BOTTOM, up), width, "done", |ui| {
                 ui.label(RichText::new(line).color(ACCENT));
             });
-        } else if let Some([seen, to_try]) = facts.caption.filter(|_| self.has_caption) {
+        } else if let Some([seen, to_try]) = facts.caption.filter(|_| self.has_caption && self.offer.is_none()) {
             // Bodies lie below: the caption stands above them.
             words(context, (Align2::CENTER_TOP, BELOW_BUTTONS), width, "caption", |ui| {
                 ui.add(Label::new(RichText::new(seen).color(TEXT)).wrap());
@@ -66,6 +68,9 @@ impl Notes {
         }
         if is_read {
             self.complaint = None;
+        }
+        if let Some(line) = &self.offer {
+            offer(context, width, line, wishes);
         }
         if let Some(at) = self.hint_at {
             let place = Area::new(Id::unique("hint")).fixed_pos(at + egui::vec2(18.0, 18.0)).interactable(false);
@@ -78,6 +83,25 @@ impl Notes {
 
 /// How far below the upper edge the buttons end, with some room [points].
 const BELOW_BUTTONS: f32 = 64.0;
+
+/// A session that was cut off: above, in place of the caption.
+fn offer(context: &egui::Context, width: f32, line: &str, wishes: &mut Vec<Wish>) {
+    Area::new(Id::unique("offer")).anchor(Align2::CENTER_TOP, [0.0, BELOW_BUTTONS]).show(context, |ui| {
+        floating().show(ui, |ui| {
+            ui.set_max_width(width);
+            ui.horizontal(|ui| {
+                ui.add(Label::new(RichText::new(line).color(TEXT)).wrap());
+                let go_on = Button::new(RichText::new("Go on with it").color(ON_ACCENT)).fill(ACCENT);
+                if ui.add(go_on).clicked() {
+                    wishes.push(Wish::GoOnWithLeftover);
+                }
+                if ui.button("Discard").clicked() {
+                    wishes.push(Wish::DiscardLeftover);
+                }
+            });
+        });
+    });
+}
 
 /// A few words, so far from an edge of the window.
 fn words(context: &egui::Context, (edge, off): (Align2, f32), width: f32, name: &str, add: impl FnOnce(&mut egui::Ui)) {

@@ -6,6 +6,7 @@ use super::icons::{self, Icon};
 use super::theme::{ACCENT, PANEL, WEAK};
 use super::{Facts, Wish, described, icon};
 use crate::app::action::Action;
+use crate::history::BranchView;
 
 /// The paces that can be chosen.
 pub(in crate::app) const PACES: [(f64, &str); 6] =
@@ -27,6 +28,7 @@ pub(super) fn show(ui: &mut egui::Ui, facts: &Facts, wishes: &mut Vec<Wish>) {
                 if !words.is_empty() {
                     ui.label(RichText::new(words).color(if matters { ACCENT } else { WEAK }));
                 }
+                branches(ui, facts, wishes);
                 timeline(ui, facts, wishes);
             });
         });
@@ -53,6 +55,27 @@ fn pace(ui: &mut egui::Ui, facts: &Facts, wishes: &mut Vec<Wish>) {
             }
         }
     });
+}
+
+/// The ways that time went, where there are several.
+fn branches(ui: &mut egui::Ui, facts: &Facts, wishes: &mut Vec<Wish>) {
+    let list = &facts.figures.branches;
+    let Some(present) = list.iter().position(|branch| branch.is_present).filter(|_| list.len() > 1) else { return };
+    let shown = format!("branch {} of {}", present + 1, list.len());
+    let menu = egui::ComboBox::from_id_salt("branches").selected_text(shown).width(104.0).show_ui(ui, |ui| {
+        for (place, branch) in list.iter().enumerate() {
+            if ui.selectable_label(branch.is_present, words(place, branch)).clicked() && !branch.is_present {
+                wishes.push(Wish::ToBranch(branch.number));
+            }
+        }
+    });
+    menu.response.on_hover_text("where time went another way: to the end of it");
+}
+
+/// What a branch is called: its last edit, and from when to when it is its own.
+fn words(place: usize, branch: &BranchView) -> String {
+    let name = if branch.name.is_empty() { String::new() } else { format!("{}, ", branch.name) };
+    format!("{}: {name}{:.1} to {:.1} s", place + 1, branch.from, branch.end)
 }
 
 /// The line of what was seen already; dragging on it goes back.

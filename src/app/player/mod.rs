@@ -3,6 +3,9 @@
 //! The window asks ([`Order`]) and draws the last state that it was handed ([`Shown`]); it never waits for a step. What it
 //! gave up on (another scene, a reset while a step takes long) runs out by itself and is not looked at any more.
 
+mod keep;
+#[cfg(test)]
+mod keep_tests;
 mod order;
 mod pace;
 mod save;
@@ -12,10 +15,13 @@ mod stage;
 mod tests;
 mod thread;
 
+use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use std::sync::mpsc::{Sender, channel};
+use std::thread::JoinHandle;
 use std::time::{Duration, Instant};
 
+pub use keep::Keeping;
 pub use order::{Note, Order};
 pub use pace::{LONGEST_FRAME, Pace, SINGLE_STEP, STEPPING_BUDGET};
 pub use shown::{Figures, Places, Scenery, Shown};
@@ -24,6 +30,7 @@ pub use stage::Stage;
 use crate::history::{Do, HistoryError, Start};
 use crate::scene::Scene;
 use crate::sim::Cursor;
+use keep::Keeper;
 use thread::Desk;
 
 /// The window waits so long for a frame's steps before it draws what there was: most are done by then, and the picture is of
@@ -31,6 +38,8 @@ use thread::Desk;
 const PATIENCE: Duration = Duration::from_millis(5);
 /// An order that is not done by then: a step takes long.
 const LONG: Duration = Duration::from_millis(100);
+/// A program that ends waits so long for the step under way, after which its recording is written.
+const LAST: Duration = Duration::from_secs(60);
 
 /// What is new of a history.
 #[derive(Debug, Default)]
@@ -48,6 +57,9 @@ pub struct News {
 /// A history that is played on a thread of its own.
 pub struct Player {
     start: Start,
+    /// What it is recorded to.
+    record: Option<PathBuf>,
+    thread: JoinHandle<()>,
     orders: Sender<(u64, Order)>,
     desk: Arc<Desk>,
     shown: Box<Shown>,
@@ -62,13 +74,16 @@ pub struct Player {
 
 impl Player {
     /// Begins; `wake` is called from the thread when there is something new.
-    pub fn open(start: Start, wake: impl Fn() + Send + 'static) -> Self {
+    pub fn open(start: Start, keeping: Keeping, wake: impl Fn() + Send + 'static) -> Self {
         let (orders, asked) = channel();
-        let desk = Arc::new(Desk::default());
+        let record = keeping.record.clone();
+        let desk = Arc::new(Desk::new(Keeper::new(keeping)));
         let (its, begin) = (Arc::clone(&desk), start.clone());
-        std::thread::spawn(move || thread::run(begin, &asked, &its, wake));
+        let thread = std::thread::spawn(move || thread::run(begin, &asked, &its, wake));
         Player {
             start,
+            record,
+            thread,
             orders,
             desk,
             shown: Box::default(),
@@ -183,8 +198,57 @@ impl Player {
         self.waiting_since.is_some_and(|since| since.elapsed() > LONG)
     }
 
+    /// What it is recorded to.
+    pub fn record(&self) -> Option<&Path> {
+        self.record.as_deref()
+    }
+
+    /// The program ends as it should: what it is recorded to is made whole, and nothing is left behind.
+    ///
+    /// Errors: in words, why the recording is not whole.
+    pub fn end(&mut self) -> Result<(), String> {
+        let recorded = match self.record.clone() {
+            Some(path) => self.save_at_last(path),
+            None => Ok(()),
+        };
+        // A thread that came to grief left something that may be wanted.
+        if !self.thread.is_finished() {
+            // A file that cannot be removed is offered at the next start.
+            let _ = self.desk.keeper().end();
+        }
+        recorded
+    }
+
+    fn save_at_last(&mut self, path: PathBuf) -> Result<(), String> {
+        self.ask(Order::Save(path));
+        let papers = self.desk.wait_for(self.serial, LAST);
+        let failed = papers.notes.iter().rev().find_map(|note| match note {
+            Note::NotWritten(why) => Some(why.clone()),
+            _ => None,
+        });
+        match failed {
+            Some(why) => Err(why),
+            None if papers.done < self.serial => Err("a step takes too long".to_owned()),
+            None => Ok(()),
+        }
+    }
+
+    /// The program gives up: what was written of the session stays.
+    pub fn leave(&self) {
+        self.desk.keeper().leave();
+    }
+
     /// Frames' times that were asked for.
     pub fn advances(&self) -> u64 {
         self.advances
+    }
+}
+
+impl Drop for Player {
+    /// Nobody goes back to it any more; a program that breaks down leaves it as it is.
+    fn drop(&mut self) {
+        if !std::thread::panicking() {
+            self.desk.dismiss();
+        }
     }
 }

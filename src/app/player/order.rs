@@ -26,6 +26,8 @@ pub enum Order {
     Step(Option<Cursor>),
     /// Commands at the time reached; with a name they are an edit, undone as one.
     Give(Vec<Do>, Option<&'static str>),
+    /// Commands that belong to the last edit, which is called so.
+    GiveOn(Vec<Do>, &'static str),
     /// Something comes, where there is room for it now.
     Add(Adder),
     /// Back to just before the last edit, with the cursor where it is.
@@ -40,6 +42,8 @@ pub enum Order {
     Rate(f64),
     /// All that was done is written to a file.
     Save(PathBuf),
+    /// To the end of another branch.
+    ToBranch(usize, Option<Cursor>),
     /// A snapshot of this moment is put into the picture, which is written to a file.
     Picture(PathBuf, Box<image::RgbaImage>),
 }
@@ -63,6 +67,8 @@ pub enum Note {
     Written(PathBuf),
     /// A file was not.
     NotWritten(String),
+    /// What would outlive a killed program, or what it is recorded to, could not be written; it is tried again.
+    NotKept(String),
 }
 
 /// The cursor goes to a place, and is there at a time [s].

@@ -2,6 +2,7 @@
 
 use std::sync::Arc;
 
+use crate::history::BranchView;
 use crate::picture::Skin;
 use crate::render::View;
 use crate::sim::{Bonds, Cursor, Dynamics, GrabView, MouseForce, PointId, Polygon, Positions};
@@ -116,6 +117,8 @@ pub struct Figures {
     pub energy: f64,
     /// Substeps taken since the program began.
     pub substeps: u64,
+    /// The branches that can be gone to; empty where there never was more than one.
+    pub branches: Arc<[BranchView]>,
 }
 
 /// A moment of a world, as it is drawn.

@@ -7,7 +7,7 @@ use super::order::{Adder, Note, Order};
 use super::pace::Pace;
 use super::shown::{Figures, Scenery, Shown};
 use crate::app::meter::Meter;
-use crate::history::{Do, History, HistoryError, Start};
+use crate::history::{BranchView, Do, History, HistoryError, Start};
 use crate::sim::{Cursor, Dynamics, MouseForce};
 
 /// How often figures are taken that cost something: nobody reads faster.
@@ -28,6 +28,9 @@ pub struct Stage {
     /// The hover force as it was last seen: without a cursor the world doesn't tell.
     force: Option<MouseForce>,
     substeps: u64,
+    /// It went back once: from then on there may be branches.
+    has_gone: bool,
+    branches: Arc<[BranchView]>,
 }
 
 impl Stage {
@@ -51,6 +54,8 @@ impl Stage {
             reached: Meter::default(),
             force,
             substeps: 0,
+            has_gone: false,
+            branches: Arc::default(),
         };
         stage.look();
         Ok(stage)
@@ -65,7 +70,12 @@ impl Stage {
     pub fn obey(&mut self, order: Order) -> Option<Note> {
         let goes = matches!(
             order,
-            Order::Undo(_) | Order::Redo(_) | Order::GoTo(..) | Order::Reset | Order::Advance { back: true, .. }
+            Order::Undo(_)
+                | Order::Redo(_)
+                | Order::GoTo(..)
+                | Order::ToBranch(..)
+                | Order::Reset
+                | Order::Advance { back: true, .. }
         );
         let note = match order {
             Order::Advance { wall, cursor, back: false } => {
@@ -90,6 +100,11 @@ impl Stage {
                 self.pace.motion += 1;
                 given.err().map(|refusal| Note::Refused(refusal.reason))
             }
+            Order::GiveOn(commands, name) => {
+                let given = self.history.give_on(commands, name);
+                self.pace.motion += 1;
+                given.err().map(|refusal| Note::Refused(refusal.reason))
+            }
             Order::Add(adder) => Some(self.add(adder)),
             Order::Undo(cursor) => {
                 let undone = self.history.undo();
@@ -103,6 +118,11 @@ impl Stage {
             }
             Order::GoTo(time, cursor) => {
                 self.pace.go_to(&mut self.history, time, cursor);
+                None
+            }
+            Order::ToBranch(number, cursor) => {
+                self.history.to_branch(number);
+                self.pace.gone_to(&self.history, cursor);
                 None
             }
             Order::Reset => {
@@ -119,6 +139,7 @@ impl Stage {
         if goes {
             // Of another past, whatever its number says.
             self.topology = None;
+            (self.has_gone, self.figures_at) = (true, None);
         }
         self.look();
         note
@@ -165,6 +186,9 @@ impl Stage {
         if !moves || self.figures_at.is_none_or(|at| at.elapsed() >= FIGURES_EVERY) {
             self.energy = world.energy();
             self.figures_at = Some(Instant::now());
+            if self.has_gone {
+                self.branches = self.history.branches().into();
+            }
         }
         shown.dimensions = world.dimensions();
         shown.current.copy(world.positions());
@@ -201,6 +225,7 @@ impl Stage {
             bonds: world.bonds().len(),
             energy: self.energy,
             substeps: self.substeps,
+            branches: Arc::clone(&self.branches),
         }
     }
 }

@@ -3,7 +3,7 @@
 
 use std::time::{Duration, Instant};
 
-use super::{Order, Pace, Player, Stage};
+use super::{Keeping, Order, Pace, Player, Stage};
 use crate::history::{Do, History};
 use crate::scene::Scene;
 use crate::sim::{Cursor, MouseChange, PointId, Reach};
@@ -18,7 +18,7 @@ const SCENE: &str = r#"{
     "method": { "substep": 0.00142857142857142857 }
 }"#;
 
-fn scene() -> Scene {
+pub(super) fn scene() -> Scene {
     Scene::parse(SCENE, "test.json").unwrap()
 }
 
@@ -40,7 +40,7 @@ fn play(
     (1..=frames).map(|frame| pace.advance(history, wall, path(f64::from(frame) * wall), || 0.0)).sum()
 }
 
-fn strength(strength: f64) -> Do {
+pub(super) fn strength(strength: f64) -> Do {
     Do::Mouse(MouseChange { strength: Some(strength), ..MouseChange::default() })
 }
 
@@ -204,7 +204,7 @@ fn time_runs_back_to_states_that_were_seen() {
     assert_eq!(positions(history), seen);
 }
 
-fn wait_for(player: &mut Player, mut is_so: impl FnMut(&Player) -> bool) {
+pub(super) fn wait_for(player: &mut Player, mut is_so: impl FnMut(&Player) -> bool) {
     let start = Instant::now();
     while !is_so(player) {
         player.poll();
@@ -215,7 +215,7 @@ fn wait_for(player: &mut Player, mut is_so: impl FnMut(&Player) -> bool) {
 
 #[test]
 fn a_player_steps_beside_and_answers() {
-    let mut player = Player::open(scene().into(), || {});
+    let mut player = Player::open(scene().into(), Keeping::default(), || {});
     wait_for(&mut player, Player::is_open);
     for _ in 0..5 {
         player.advance(0.1, None, false);
@@ -233,7 +233,7 @@ fn a_player_steps_beside_and_answers() {
 fn asking_never_waits_for_a_step() {
     // A hundred frames of work lie before what is asked: nothing here waits for them.
     let text = SCENE.replace("0.00142857142857142857", "0.000001");
-    let mut player = Player::open(Scene::parse(&text, "slow.json").unwrap().into(), || {});
+    let mut player = Player::open(Scene::parse(&text, "slow.json").unwrap().into(), Keeping::default(), || {});
     wait_for(&mut player, Player::is_open);
     let start = Instant::now();
     for _ in 0..100 {

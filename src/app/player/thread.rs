@@ -1,9 +1,11 @@
 //! The thread that steps: takes orders, hands out what there is to see, and never waits for the window.
 
-use std::sync::mpsc::{Receiver, TryRecvError};
+use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::mpsc::{Receiver, RecvTimeoutError, TryRecvError};
 use std::sync::{Arc, Condvar, Mutex, MutexGuard, PoisonError};
 use std::time::Duration;
 
+use super::keep::Keeper;
 use super::order::{Note, Order};
 use super::shown::Shown;
 use super::stage::Stage;
@@ -15,6 +17,10 @@ use crate::scene::Scene;
 pub(super) struct Desk {
     papers: Mutex<Papers>,
     answered: Condvar,
+    /// What writes the log. It is held while it writes, never while a step is taken.
+    keeper: Mutex<Keeper>,
+    /// The window has done with the history: nothing of it need be left.
+    is_dismissed: AtomicBool,
 }
 
 /// What lies on the desk.
@@ -35,6 +41,18 @@ pub(super) struct Papers {
 }
 
 impl Desk {
+    pub(super) fn new(keeper: Keeper) -> Self {
+        Desk { keeper: Mutex::new(keeper), ..Desk::default() }
+    }
+
+    pub(super) fn keeper(&self) -> MutexGuard<'_, Keeper> {
+        self.keeper.lock().unwrap_or_else(PoisonError::into_inner)
+    }
+
+    pub(super) fn dismiss(&self) {
+        self.is_dismissed.store(true, Ordering::Release);
+    }
+
     pub(super) fn lock(&self) -> MutexGuard<'_, Papers> {
         self.papers.lock().unwrap_or_else(PoisonError::into_inner)
     }
@@ -73,12 +91,23 @@ pub(super) fn run(start: Start, orders: &Receiver<(u64, Order)>, desk: &Desk, wa
         }
     };
     desk.lock().scene = Some(Arc::new(stage.history().scene().clone()));
-    desk.lay(&mut stage, (0, Vec::new()));
+    let mut done = 0;
+    desk.lay(&mut stage, (done, Vec::new()));
     wake();
-    while let Some(list) = next(orders) {
+    loop {
+        let note = desk.keeper().keep(stage.history());
+        if note.is_some() && desk.lay(&mut stage, (done, note.into_iter().collect())) {
+            wake();
+        }
+        let wait = desk.keeper().wait();
+        let list = match next(orders, wait) {
+            Next::Orders(list) => list,
+            Next::Late => continue,
+            Next::Nobody => break,
+        };
         let mut notes = Vec::new();
-        let mut done = 0;
         for (serial, order) in list {
+            desk.keeper().hear(&order);
             notes.extend(stage.obey(order));
             done = serial;
         }
@@ -86,21 +115,41 @@ pub(super) fn run(start: Start, orders: &Receiver<(u64, Order)>, desk: &Desk, wa
             wake();
         }
     }
+    if desk.is_dismissed.load(Ordering::Acquire) {
+        // A file that cannot be removed is offered at the next start: nobody is there to be told now.
+        let _ = desk.keeper().end();
+    }
 }
 
-/// Waits for orders; `None` when there will be no more. What was left undone for too long is not all made up for: of several
-/// frames' time the last frame has all.
-fn next(orders: &Receiver<(u64, Order)>) -> Option<Vec<(u64, Order)>> {
-    let mut list = vec![orders.recv().ok()?];
+/// What comes next.
+enum Next {
+    Orders(Vec<(u64, Order)>),
+    /// Nothing came in the time given.
+    Late,
+    /// Nobody asks any more.
+    Nobody,
+}
+
+/// Waits for orders, so long at most. What was left undone for too long is not all made up for: of several frames' time the last
+/// frame has all.
+fn next(orders: &Receiver<(u64, Order)>, most: Option<Duration>) -> Next {
+    let first = match most {
+        None => orders.recv().map_err(|_| RecvTimeoutError::Disconnected),
+        Some(most) => orders.recv_timeout(most),
+    };
+    let mut list = match first {
+        Ok(order) => vec![order],
+        Err(RecvTimeoutError::Timeout) => return Next::Late,
+        Err(RecvTimeoutError::Disconnected) => return Next::Nobody,
+    };
     loop {
         match orders.try_recv() {
             Ok(order) => list.push(order),
-            Err(TryRecvError::Empty) => break,
+            Err(TryRecvError::Empty) => return Next::Orders(merged(list)),
             // A window that has gone sees no more of it.
-            Err(TryRecvError::Disconnected) => return None,
+            Err(TryRecvError::Disconnected) => return Next::Nobody,
         }
     }
-    Some(merged(list))
 }
 
 /// The same orders with one frame's time at most, the last one.

@@ -79,6 +79,12 @@ impl Session {
                 self.player.ask(Order::GoTo(time, self.told));
                 self.has_gone = true;
             }
+            Wish::ToBranch(number) => {
+                self.player.ask(Order::ToBranch(number, self.told));
+                self.has_gone = true;
+            }
+            Wish::GoOnWithLeftover => self.go_on_with_leftover(),
+            Wish::DiscardLeftover => self.discard_leftover(),
         }
         self.touch();
     }
@@ -112,7 +118,8 @@ impl Session {
             let start = self.player.start().clone();
             let playing = self.player.is_playing();
             let camera = self.camera;
-            self.put_on(Player::open(start, self.wake_up()));
+            let keeping = self.keeping();
+            self.put_on(Player::open(start, keeping, self.wake_up()));
             self.player.play(playing);
             self.camera = camera;
         } else {

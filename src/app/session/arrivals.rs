@@ -134,6 +134,7 @@ impl Session {
             self.panels_dirty = true;
         }
         self.hear_of_saving();
+        self.hear_of_leftovers();
         let news = self.player.poll();
         self.hear(news);
     }

@@ -8,8 +8,12 @@ use crate::app::saving::{Saving, free_name};
 use crate::render::{Camera, Capture, View};
 
 impl Session {
-    /// Asks where all that was done is to be saved.
+    /// Asks where all that was done is to be saved, unless it is recorded to a file: then there.
     pub(super) fn save(&mut self) {
+        if let Some(record) = self.player.record() {
+            let path = record.to_owned();
+            return self.player.ask(Order::Save(path));
+        }
         if self.saving.is_none() {
             self.saving = Some(Saving::new(&self.window, self.scene.name(), self.wake_up()));
         }

@@ -4,20 +4,25 @@ mod acts;
 mod arrivals;
 mod drawing;
 mod keeping;
+mod leftovers;
 mod pointing;
 mod shelf;
 
+use std::path::{Path, PathBuf};
 use std::sync::Arc;
+use std::sync::mpsc::Receiver;
 use std::time::{Duration, Instant};
 
 use winit::event::WindowEvent;
 use winit::event_loop::{EventLoopProxy, OwnedDisplayHandle};
 use winit::window::Window;
 
+use super::AppError;
 use super::canvas::{Canvas, Paint};
 use super::fetch::Fetch;
 use super::import::Import;
 use super::keys::Held;
+use super::leftovers::{Leftover, look};
 use super::loading::Loading;
 use super::meter::Meter;
 use super::panels::{PanelState, theme};
@@ -103,6 +108,12 @@ pub(super) struct Session {
     dialog: Option<Fetch>,
     pasted: Option<Fetch>,
     saving: Option<Saving>,
+    /// Where sessions outlive a killed program, what the next history is recorded to, what is found of earlier ones, and what is offered
+    /// of them yet, the newest last.
+    state_folder: Option<PathBuf>,
+    record: Option<PathBuf>,
+    search: Option<Receiver<Vec<Leftover>>>,
+    leftovers: Vec<Leftover>,
     thumbnails: Option<Thumbnails>,
     waker: EventLoopProxy<()>,
     /// When the last frame began, if time has passed in the world since.
@@ -165,6 +176,10 @@ impl Session {
             dialog: None,
             pasted: None,
             saving: None,
+            state_folder: None,
+            record: None,
+            search: None,
+            leftovers: Vec::new(),
             thumbnails: None,
             waker,
             last_frame: None,
@@ -178,6 +193,30 @@ impl Session {
             session.arrive(Arc::clone(&session.scene));
         }
         Ok(session)
+    }
+
+    /// Sessions outlive a killed program in `folder`, where earlier ones are looked for; the next history is recorded to `record`.
+    pub(super) fn keep_in(&mut self, folder: Option<PathBuf>, record: Option<PathBuf>) {
+        self.search = folder.clone().map(|folder| look(folder, self.wake_up()));
+        (self.state_folder, self.record) = (folder, record);
+    }
+
+    /// The program ends as it should.
+    ///
+    /// Errors: a recording that could not be made whole.
+    pub(super) fn end(&mut self) -> Result<(), AppError> {
+        let mut done = Ok(());
+        for player in self.shelf.players_mut().chain([&mut self.player]) {
+            let ended = player.end();
+            let path = player.record().map(Path::to_owned).unwrap_or_default();
+            done = done.and(ended.map_err(|reason| AppError::Record { path, reason }));
+        }
+        done
+    }
+
+    /// The program gives up: what was kept of its sessions stays.
+    pub(super) fn leave(&self) {
+        self.shelf.players().chain([&self.player]).for_each(Player::leave);
     }
 
     /// Whether another frame is needed: something moves or has changed.
@@ -203,7 +242,8 @@ impl Session {
 
     /// Opens another scene, or a recording, in place of this one, which can be gone back to.
     fn open(&mut self, start: Start) {
-        let player = Player::open(start, self.wake_up());
+        let keeping = self.keeping();
+        let player = Player::open(start, keeping, self.wake_up());
         self.put_on(player);
     }
 
@@ -287,6 +327,9 @@ impl Session {
             }
             Note::Written(path) => self.say(format!("written: {}", path.display())),
             Note::NotWritten(why) => self.complain(&why),
+            Note::NotKept(why) => self.complain(&format!(
+                "what you do here would be lost if the program were killed, until this can be written again: {why}"
+            )),
         }
         self.touch();
     }

@@ -34,6 +34,11 @@ impl Shelf {
         self.before.iter().chain(&self.after).map(|(player, _)| player)
     }
 
+    /// The same, to be ended.
+    pub(super) fn players_mut(&mut self) -> impl Iterator<Item = &mut Player> {
+        self.before.iter_mut().chain(&mut self.after).map(|(player, _)| player)
+    }
+
     /// The history after.
     fn on(&mut self) -> Option<(Player, Camera)> {
         self.after.pop()

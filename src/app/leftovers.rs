@@ -1,0 +1,112 @@
+//! The folder in which sessions outlive a killed program, and what is found there at the next start.
+
+use std::path::{Path, PathBuf};
+use std::sync::mpsc::{Receiver, channel};
+use std::time::Duration;
+
+use etcetera::BaseStrategy;
+
+use crate::history::{Autosave, Left, Start};
+
+/// Names the folder in place of the user's own.
+const VARIABLE: &str = "WOBBLE_STATE_DIR";
+
+/// The folder for what is kept between two starts: `wobble` in XDG_STATE_HOME (~/.local/state), or where the system keeps such things.
+/// `None` where the user has no home.
+pub(super) fn state_folder() -> Option<PathBuf> {
+    if let Some(named) = std::env::var_os(VARIABLE).filter(|named| !named.is_empty()) {
+        return Some(named.into());
+    }
+    let user = etcetera::choose_base_strategy().ok()?;
+    Some(user.state_dir().unwrap_or_else(|| user.data_dir()).join("wobble"))
+}
+
+/// A session that was cut off, read as far as it is whole.
+pub(super) struct Leftover {
+    pub(super) left: Left,
+    pub(super) start: Start,
+    /// What is said of it.
+    pub(super) line: String,
+}
+
+/// Looks for sessions that were cut off, on another thread, which calls `wake` when it is done: the newest last.
+pub(super) fn look(folder: PathBuf, wake: impl Fn() + Send + 'static) -> Receiver<Vec<Leftover>> {
+    let (sender, receiver) = channel();
+    std::thread::spawn(move || {
+        let found = found(&folder);
+        if !found.is_empty() {
+            // A window that has been closed wants none of it.
+            let _ = sender.send(found);
+            wake();
+        }
+    });
+    receiver
+}
+
+fn found(folder: &Path) -> Vec<Leftover> {
+    let mut found = Vec::new();
+    for left in Autosave::left(folder) {
+        match left.start() {
+            Ok(start) => {
+                let line = line(&start, age(left.path()));
+                found.push(Leftover { left, start, line });
+            }
+            // Not even its beginning is whole: nobody can go on with it.
+            Err(_) => left.discard().unwrap_or_default(),
+        }
+    }
+    found.reverse();
+    found
+}
+
+/// How long ago a file was written.
+fn age(path: &Path) -> Option<Duration> {
+    std::fs::metadata(path).and_then(|about| about.modified()).ok()?.elapsed().ok()
+}
+
+fn line(start: &Start, age: Option<Duration>) -> String {
+    let (name, end) = (start.scene().name(), start.recording().end());
+    let ago = age.map_or_else(String::new, |age| format!(", {} ago", words(age)));
+    format!("a session was cut off: {name}, {end:.0} s long{ago}")
+}
+
+/// A span of time, as one says it.
+fn words(age: Duration) -> String {
+    let counted = |count: u64, unit: &str| format!("{count} {unit}{}", if count == 1 { "" } else { "s" });
+    match age.as_secs() / 60 {
+        0 => "less than a minute".to_owned(),
+        minutes @ 1..=119 => counted(minutes, "minute"),
+        minutes @ 120..=2879 => counted(minutes / 60, "hour"),
+        minutes => counted(minutes / 1440, "day"),
+    }
+}
+
+#[cfg(test)]
+#[allow(clippy::unwrap_used, reason = "a test that cannot go on stops")]
+mod tests {
+    use super::*;
+    use crate::history::History;
+    use crate::scene::Scene;
+
+    #[test]
+    fn spans_are_said_in_words() {
+        let said = [5, 60, 119 * 60, 3 * 3600, 50 * 3600].map(|seconds| words(Duration::from_secs(seconds)));
+        assert_eq!(said, ["less than a minute", "1 minute", "119 minutes", "3 hours", "2 days"]);
+    }
+
+    #[test]
+    fn what_is_not_whole_is_not_offered_and_goes() {
+        let folder = tempfile::tempdir().unwrap();
+        let scene =
+            Scene::parse(r#"{"wobble": 1, "name": "two", "points": {"position": [[0, 0]]}}"#, "two.json").unwrap();
+        let history = History::new(scene.into()).unwrap();
+        let mut autosave = Autosave::begin(folder.path()).unwrap();
+        autosave.write(&history).unwrap();
+        drop(autosave);
+        std::fs::write(folder.path().join("session-1-0.jsonl"), "{\"wobble_rec").unwrap();
+        let found = found(folder.path());
+        assert_eq!(found.len(), 1);
+        assert_eq!(found[0].line, "a session was cut off: two, 0 s long, less than a minute ago");
+        assert!(!folder.path().join("session-1-0.jsonl").exists());
+    }
+}
