@@ -8,7 +8,7 @@ use std::process::{Command, Output};
 
 use common::session::{Dice, play};
 use tempfile::TempDir;
-use wobble::history::{History, Log, Replay, Start, chunk};
+use wobble::history::{History, Log, Start, chunk};
 use wobble::scene::Scene;
 
 fn wobble(arguments: &[&str]) -> Command {
@@ -271,69 +271,4 @@ fn the_readmes_recording_runs() {
     let path = file(&folder, "x.json", text_of.split("```").next().unwrap());
     let start = said(&["replay", text(&path), "--time", "0", "--hash"]);
     assert_ne!(said(&["replay", text(&path), "--hash"]), start);
-}
-
-/// Damages a text: bytes go, come, change or are doubled.
-fn damaged(text: &str, dice: &mut Dice) -> String {
-    let mut bytes = text.as_bytes().to_vec();
-    for _ in 0..dice.below(3) {
-        let at = dice.below(bytes.len() as u64) as usize;
-        match dice.below(5) {
-            0 => bytes[at] = b"0123456789-.eE,:[]{}\"ntx "[dice.below(25) as usize],
-            1 => drop(bytes.remove(at)),
-            2 => bytes.truncate(at.max(1)),
-            3 => {
-                let end = (at + 1 + dice.below(40) as usize).min(bytes.len());
-                let part = bytes[at..end].to_vec();
-                bytes.splice(at..at, part);
-            }
-            _ => {
-                let word = ["null", "1e308", "-1", "4294967295", "[]", "{}", "0.1", "true"][dice.below(8) as usize];
-                bytes.splice(at..at, word.bytes());
-            }
-        }
-    }
-    String::from_utf8_lossy(&bytes).into_owned()
-}
-
-#[test]
-fn no_command_file_makes_the_program_panic() {
-    let mut history = History::new(Start::from(Scene::load("spring-damper").unwrap())).unwrap();
-    let mut dice = Dice::new(11);
-    let mut list = Vec::new();
-    // All kinds, whether they can be done or not.
-    for _ in 0..60 {
-        let (act, _) = common::session::any(&history, &mut dice);
-        let _ = history.give(vec![act], None);
-        history.step();
-    }
-    let mut bytes = Vec::new();
-    let mut made = history.recording();
-    for number in 0..40 {
-        let (act, _) = common::session::any(&history, &mut dice);
-        let at = history.world().time() + 0.001 * f64::from(number);
-        made.commands.push(wobble::history::Entry { at, act, edit: None, name: None });
-    }
-    (made.end, made.marks) = (None, Vec::new());
-    made.write_lines(&mut bytes).unwrap();
-    let text = String::from_utf8(bytes).unwrap();
-    let (header, commands) = text.split_once('\n').unwrap();
-    list.extend(commands.lines());
-    let head = Log::of_text(&format!("{header}\n"), "x").unwrap();
-    let (mut read, mut done) = (0, 0);
-    for _ in 0..1000 {
-        let mut some: Vec<usize> = (0..6).map(|_| dice.below(list.len() as u64) as usize).collect();
-        some.sort_unstable();
-        let some: Vec<&str> = some.into_iter().map(|line| list[line]).collect();
-        let Ok(log) = Log::of_text(&damaged(&some.join("\n"), &mut dice), "x") else { continue };
-        read += 1;
-        let mut run = Replay::new(head.head().unwrap(), "x").unwrap();
-        let _ = log.each(&mut |number, entry| {
-            if entry.at < 0.2 && run.follow(number, &entry).is_ok() {
-                done += 1;
-            }
-            Ok(true)
-        });
-    }
-    assert!(read > 50 && done > 50, "{read} read, {done} done");
 }

@@ -3,6 +3,7 @@
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic, reason = "a test that cannot go on stops")]
 
 pub mod commands;
+pub mod damage;
 pub mod golden;
 pub mod physics;
 pub mod picture;
