@@ -4,6 +4,8 @@
 
 #[path = "large/bits.rs"]
 mod bits;
+#[path = "large/idle.rs"]
+mod idle;
 #[path = "large/impacts.rs"]
 mod impacts;
 #[path = "large/models.rs"]

@@ -55,7 +55,8 @@ pub trait Dynamics: Send {
     fn substep(&self) -> f64;
     /// Advances by one substep.
     fn step(&mut self);
-    /// Takes one substep, or a shorter one that ends at `time` [s] where it would go beyond: the grid of substeps begins anew there.
+    /// Takes one substep, or goes to `time` [s] within it where it would go beyond. What no command touches there takes the substep
+    /// whole afterwards, bit for bit as if it had not been cut; the grid of substeps stays.
     fn step_until(&mut self, time: f64);
     /// Does a command between two substeps.
     ///

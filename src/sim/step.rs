@@ -1,34 +1,97 @@
 //! One step of a world, phase by phase.
 //!
 //! ```text
-//! wake      what the cursor reaches or a grab holds
-//! sweep     a cursor that goes far is followed in parts of the step
-//! advance   every group that is awake takes its substeps, pins led, grabs pulled
-//! tear      bonds that are overstretched go, and what they held together is compiled anew
-//! gather    positions in the order of the points
-//! rest      what stays where it is falls asleep
+//! take back   groups that no command touched since the step was cut take it whole
+//! wake        what the cursor reaches or a grab holds
+//! sweep       a cursor that goes far is followed in parts of the step, by the groups on its way
+//! advance     every group that is awake takes its substeps, pins led, grabs pulled
+//! tear        bonds that are overstretched go, and what they held together is compiled anew
+//! gather      positions in the order of the points
+//! rest        what stays where it is falls asleep
 //! ```
+//!
+//! Groups do not act on each other: each goes its own way to the end of the step, in equal substeps no longer than its own, and a
+//! command, a cursor or a break cuts the step of those alone that it touches.
 
-use super::group::Group;
 use super::real::Real;
 use super::world::World;
 
-/// Times that a step ends early where a bond breaks: bonds that break after that do so where it ends.
+/// Times that the step of a group ends early where a bond breaks: bonds that break after that do so where it ends.
 const MOST_STOPS: u32 = 16;
 /// Share of its radius that the cursor goes in a part of a step: a point that it passes is pushed on its way.
 const SWEEP: f64 = 0.25;
 /// Most parts of a step, however fast the cursor goes.
 const MOST_SWEEPS: f64 = 64.0;
 
+/// What a group has before it in a step: `h` from time `from` [s].
+#[derive(Clone, Copy)]
+struct Due {
+    place: usize,
+    from: f64,
+    h: f64,
+    /// How often it ended early.
+    stops: u32,
+}
+
 impl<S: Real, const D: usize> World<S, D> {
-    /// Advances by `h` [s] from the time reached, in a step that no knot interrupts.
-    pub(crate) fn step_by(&mut self, h: f64) {
+    /// Takes what is left of the step under way.
+    pub(crate) fn finish_step(&mut self) {
+        let kept = self.take_back();
+        self.advance(&kept, |world, from| world.timeline.left(from));
+        self.timeline.advance();
+    }
+
+    /// Goes to `time` [s] within the step under way. What no command touches there takes the step whole afterwards, as if it had
+    /// not been cut.
+    pub(crate) fn cut_step(&mut self, time: f64) {
+        let kept = self.take_back();
+        self.keep(&kept);
+        self.advance_to(&kept, time);
+    }
+
+    /// Goes to `time` [s] within the step under way, for good: of a copy that is looked at.
+    pub(crate) fn look_ahead(&mut self, time: f64) {
+        let kept = self.take_back();
+        self.advance_to(&kept, time);
+    }
+
+    fn advance_to(&mut self, kept: &[(usize, f64)], time: f64) {
+        self.advance(kept, |_, from| time - from);
+        self.timeline.advance_within(time);
+    }
+
+    /// Advances all groups by as much as `span` says for the time that each has reached.
+    fn advance(&mut self, kept: &[(usize, f64)], span: impl Fn(&Self, f64) -> f64) {
         let t = self.timeline.time();
+        let h = span(self, t);
+        // Places of groups that are where the step ends already.
+        let mut done: Vec<usize> = Vec::new();
+        for &(place, from) in kept {
+            done.push(place);
+            self.take(Due { place, from, h: span(self, from), stops: 0 }, &mut done);
+        }
         let parts = (self.around.sweep(t, h) / SWEEP).ceil().clamp(1.0, MOST_SWEEPS);
+        if parts > 1.0 {
+            let is_aside = |world: &Self, place: usize| {
+                !done.contains(&place) && !world.plan.groups[place].may_be_reached(&world.around, (t, h))
+            };
+            let aside: Vec<usize> = (0..self.plan.groups.len()).filter(|&place| is_aside(self, place)).collect();
+            for place in aside.into_iter().filter(|&place| !self.plan.groups[place].is_asleep()).collect::<Vec<_>>() {
+                done.push(place);
+                self.take(Due { place, from: t, h, stops: 0 }, &mut done);
+            }
+        }
+        done.sort_unstable();
         for part in 0..parts as u32 {
             let [start, end] = [part, part + 1].map(|part| h * (f64::from(part) / parts));
             self.wake_reached([t + start, t + end]);
-            self.follow(t + start, end - start);
+            let mut made: Vec<usize> = Vec::new();
+            for place in 0..self.plan.groups.len() {
+                let is_done = done.binary_search(&place).is_ok() || made.contains(&place);
+                if !is_done && !self.plan.groups[place].is_asleep() {
+                    self.take(Due { place, from: t + start, h: end - start, stops: 0 }, &mut made);
+                }
+            }
         }
         self.gather();
     }
@@ -40,58 +103,22 @@ impl<S: Real, const D: usize> World<S, D> {
         }
     }
 
-    /// Advances by `h` [s] from `t`. Where breaks are located, what follows one is made with the plan without that bond.
-    fn follow(&mut self, t: f64, h: f64) {
-        let (mut done, mut stops) = (0.0, 0);
-        while done < h {
-            let taken = self.advance((t + done, h - done), stops < MOST_STOPS);
-            done = if taken < h - done - 1e-12 * h { done + taken } else { h };
-            stops += 1;
-            let torn: Vec<u32> = self.plan.groups.iter().flat_map(|group| group.torn()).collect();
-            if !torn.is_empty() {
-                self.tear(&torn, t + done);
+    /// A group takes what is due. What follows the break of a bond is made with the plan without it; `made`: the groups that come so.
+    fn take(&mut self, due: Due, made: &mut Vec<usize>) {
+        let Due { place, from, h, stops } = due;
+        let group = &mut self.plan.groups[place];
+        let locates = stops < MOST_STOPS && group.edges.has_breaks();
+        let came = group.go(&self.around, (from, h), locates, &mut self.counters);
+        let torn: Vec<u32> = group.torn().collect();
+        if torn.is_empty() {
+            return;
+        }
+        for place in self.tear(&torn, from + came) {
+            made.push(place);
+            if came < h - 1e-12 * h {
+                self.take(Due { place, from: from + came, h: h - came, stops: stops + 1 }, made);
             }
         }
-    }
-
-    /// Advances all groups by `h` from time `t`, or, where it `stops`, to the first time when a bond of any breaks.
-    /// Returns how far they came [s].
-    ///
-    /// Groups that sleep stay where they are. Groups do not act on each other: each cuts the step into equal substeps no longer than its own.
-    fn advance(&mut self, (t, h): (f64, f64), stops: bool) -> f64 {
-        if stops && self.plan.groups.iter().any(|group| group.edges.has_breaks() && !group.is_asleep()) {
-            return self.advance_to_break((t, h));
-        }
-        for group in self.plan.groups.iter_mut().filter(|group| !group.is_asleep()) {
-            group.go(&self.around, (t, h), false, &mut self.counters);
-        }
-        h
-    }
-
-    /// As [`World::advance`], with groups that came further than another's break taken back to it.
-    fn advance_to_break(&mut self, (t, h): (f64, f64)) -> f64 {
-        let World { plan, around, counters, .. } = self;
-        let awake = (0..plan.groups.len()).filter(|&place| !plan.groups[place].is_asleep());
-        let (first, rest): (Vec<usize>, Vec<usize>) = awake.partition(|&place| plan.groups[place].edges.has_breaks());
-        // Only a group that is not the last one may have to be taken back.
-        let starts = first.len().saturating_sub(1);
-        let starts: Vec<Group<S, D>> = first[..starts].iter().map(|&place| plan.groups[place].clone()).collect();
-        let mut reached = h;
-        let mut came = Vec::with_capacity(first.len());
-        for &place in &first {
-            reached = plan.groups[place].go(around, (t, reached), true, counters);
-            came.push(reached);
-        }
-        for ((&place, came), start) in first.iter().zip(came).zip(starts) {
-            if came > reached {
-                plan.groups[place] = start;
-                plan.groups[place].go(around, (t, reached), false, counters);
-            }
-        }
-        for place in rest {
-            plan.groups[place].go(around, (t, reached), false, counters);
-        }
-        reached
     }
 
     /// Groups that stay where they are fall asleep.

@@ -18,6 +18,8 @@ pub(crate) struct Timeline {
     count: Option<u64>,
     /// How many are done.
     done: u64,
+    /// How far a command has cut into the substep under way [s].
+    within: Option<f64>,
 }
 
 /// A stretch that is a whole number of substeps but for rounding gets that number.
@@ -29,7 +31,8 @@ impl Timeline {
         let mut knots: Vec<f64> = knots.into_iter().filter(|&t| t > 0.0).collect();
         knots.sort_by(|a, b| b.total_cmp(a));
         knots.dedup();
-        let mut timeline = Timeline { nominal, knots, start: 0.0, substep: nominal, count: None, done: 0 };
+        let mut timeline =
+            Timeline { nominal, knots, start: 0.0, substep: nominal, count: None, done: 0, within: None };
         timeline.cut();
         timeline
     }
@@ -37,7 +40,8 @@ impl Timeline {
     /// The same from `time` [s] on.
     pub(crate) fn resumed(nominal: f64, knots: impl IntoIterator<Item = f64>, time: f64) -> Self {
         let mut timeline = Timeline::new(nominal, knots.into_iter().filter(|&t| t > time));
-        timeline.advance_to(time);
+        timeline.start = time;
+        timeline.cut();
         timeline
     }
 
@@ -65,16 +69,26 @@ impl Timeline {
 
     /// Time reached [s].
     pub(crate) fn time(&self) -> f64 {
-        self.start + self.done as f64 * self.substep
+        self.within.unwrap_or_else(|| self.after(self.done))
     }
 
-    /// Length of the next substep [s].
+    fn after(&self, done: u64) -> f64 {
+        self.start + done as f64 * self.substep
+    }
+
+    /// Length of the next substep, or of what is left of the one under way [s].
     pub(crate) fn substep(&self) -> f64 {
-        self.substep
+        self.left(self.time())
     }
 
-    /// Takes a substep.
+    /// What is left of the substep under way for what has come to `from` [s].
+    pub(crate) fn left(&self, from: f64) -> f64 {
+        if from == self.after(self.done) { self.substep } else { self.after(self.done + 1) - from }
+    }
+
+    /// Ends the substep under way.
     pub(crate) fn advance(&mut self) {
+        self.within = None;
         self.done += 1;
         if self.count == Some(self.done)
             && let Some(end) = self.knots.pop()
@@ -84,10 +98,9 @@ impl Timeline {
         }
     }
 
-    /// Takes a shorter substep, to `time` [s]: what follows starts there.
-    pub(crate) fn advance_to(&mut self, time: f64) {
-        self.start = time;
-        self.cut();
+    /// Goes to `time` [s] within the substep under way: the grid stays.
+    pub(crate) fn advance_within(&mut self, time: f64) {
+        self.within = Some(time);
     }
 }
 
@@ -106,6 +119,18 @@ mod tests {
         assert!(times.contains(&0.25) && times.contains(&1.0), "{times:?}");
         assert_eq!(times[10], 1.0, "3 substeps to 0.25, 8 to 1");
         assert!((times[12] - 1.2).abs() < 1e-15);
+    }
+
+    #[test]
+    fn a_cut_leaves_the_grid_as_it_is() {
+        let mut timeline = Timeline::new(0.1, [0.5]);
+        timeline.advance();
+        timeline.advance_within(0.13);
+        assert_eq!(timeline.time(), 0.13);
+        assert!((timeline.substep() - 0.07).abs() < 1e-15, "{}", timeline.substep());
+        assert_eq!(timeline.left(0.1), 0.1, "of what was not cut");
+        timeline.advance();
+        assert_eq!((timeline.time(), timeline.substep()), (0.2, 0.1));
     }
 
     #[test]

@@ -87,6 +87,18 @@ impl<S: Real, const D: usize> AnyBody<S, D> {
         of_any!(self, body => body.arrive(points, rate));
     }
 
+    /// The bond between two points of the group goes. Returns whether that was so: see [`Form::lose`].
+    pub(crate) fn lose(&mut self, ends: [u32; 2], rest: f64) -> bool {
+        of_any!(self, body => {
+            let own = ends.map(|end| body.members.own(end));
+            // What surfaces strike as one piece may be one no more.
+            let ([Some(a), Some(b)], None) = (own, body.piece) else { return false };
+            let mut count = 0;
+            Form::<S, D>::runs(&body.form, |run| count += run.count);
+            (a.max(b) as usize) < count && Form::<S, D>::lose(&mut body.form, [a, b], rest)
+        })
+    }
+
     /// Its form: a sheet, a chain, a crowd or a mesh.
     pub(crate) fn place(&self) -> usize {
         match self {
@@ -135,6 +147,14 @@ pub(crate) enum Members {
 }
 
 impl Members {
+    /// The number within the body of a point of the group.
+    fn own(&self, point: u32) -> Option<u32> {
+        match self {
+            Members::From(first) => point.checked_sub(*first),
+            Members::List(list) => list.iter().position(|&member| member == point).map(|place| place as u32),
+        }
+    }
+
     #[inline(always)]
     fn point(&self, i: usize) -> usize {
         match self {

@@ -6,6 +6,9 @@ pub(crate) use crate::sim::kernels::store::Run;
 use crate::sim::kernels::store::Store;
 use crate::sim::real::Real;
 
+/// Share of the bonds of a body that may be idle.
+pub(crate) const MOST_IDLE: f64 = 0.125;
+
 /// The structure of a large body: where its points lie in a store, and how its bonds are taken.
 ///
 /// A form holds no state of motion: that lies in the store.
@@ -71,6 +74,12 @@ pub(crate) trait Form<S: Real, const D: usize> {
 
     /// The largest |e.e/rest^2 - 1| of any rigid bond, about twice its strain.
     fn stretch(&self, store: &mut Self::Store) -> S;
+
+    /// The bond between two points of the body, that has this rest length [m], goes: its lane is idle from now on. Returns whether
+    /// that was so: a form that has no idle lanes, or too many already, has to be made anew.
+    fn lose(&mut self, _ends: [u32; 2], _rest: f64) -> bool {
+        false
+    }
 
     /// Bytes that it takes, without the store.
     fn heap_bytes(&self) -> usize;

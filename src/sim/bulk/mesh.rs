@@ -2,9 +2,9 @@
 
 use fearless_simd::Simd;
 
-use super::form::{Form, Run};
+use super::form::{Form, MOST_IDLE, Run};
 use super::spec::{Spec, Substep};
-use super::trails::{self, Bundle, Segment};
+use super::trails::{self, Bundle, Segment, is_about};
 use crate::sim::bond::BondKind;
 use crate::sim::colour::colours;
 use crate::sim::kernels::cells::Cells;
@@ -40,6 +40,8 @@ pub(crate) struct Mesh<S: Real, const D: usize> {
     /// Rest lengths of bonds [m]; empty where each batch has one.
     rests: Vec<S>,
     batches: Vec<Batch<S>>,
+    /// Bonds that are gone.
+    gone: usize,
     /// The first batch of the last colour.
     last: usize,
     bundles: Vec<Bundle<S>>,
@@ -57,6 +59,7 @@ impl<S: Real, const D: usize> Mesh<S, D> {
             ends: Vec::new(),
             rests: Vec::new(),
             batches: Vec::new(),
+            gone: 0,
             last: 0,
             bundles: Vec::new(),
             turned: Cells::new(0),
@@ -231,8 +234,35 @@ impl<S: Real, const D: usize> Form<S, D> for Mesh<S, D> {
             + self.scratch.heap_bytes()
     }
 
+    fn lose(&mut self, ends: [u32; 2], rest: f64) -> bool {
+        if self.gone as f64 >= MOST_IDLE * self.ends.len() as f64 {
+            return false;
+        }
+        let rest = S::from_f64(rest);
+        let is_meant = |[a, b]: [u32; 2]| [a, b] == ends || [b, a] == ends;
+        let of_batch = |batch: &Batch<S>| {
+            let [from, to] = batch.range;
+            let has_rest = |k: usize| is_about(batch.rest.unwrap_or_else(|| self.rests[k]), rest);
+            (from..to).find(|&k| is_meant(self.ends[k]) && has_rest(k))
+        };
+        let found = self.batches.iter().enumerate().find_map(|(place, batch)| Some((place, of_batch(batch)?)));
+        let Some((place, k)) = found else { return false };
+        if !self.bundles.is_empty() && !self.bundles.iter_mut().any(|bundle| bundle.lose(is_meant, rest)) {
+            return false;
+        }
+        // Bonds of a batch share no point: their order is nothing. What is gone lies behind its end.
+        let last = self.batches[place].range[1] - 1;
+        self.ends.swap(k, last);
+        if !self.rests.is_empty() {
+            self.rests.swap(k, last);
+        }
+        self.batches[place].range[1] = last;
+        self.gone += 1;
+        true
+    }
+
     fn bonds(&self) -> usize {
-        self.ends.len()
+        self.ends.len() - self.gone
     }
 }
 

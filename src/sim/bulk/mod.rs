@@ -100,6 +100,10 @@ impl<S: Real, const D: usize> Mover<S, D> for Bulk<S, D> {
         self.forget();
     }
 
+    fn lose(&mut self, ends: [u32; 2], rest: f64) -> bool {
+        self.bodies.iter_mut().any(|body| body.lose(ends, rest))
+    }
+
     fn boxed_clone(&self) -> Box<dyn Mover<S, D>> {
         Box::new(self.clone())
     }

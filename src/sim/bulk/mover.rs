@@ -30,6 +30,10 @@ pub(crate) trait Mover<S: Real, const D: usize>: Debug + Send + Sync {
         counters: &mut Counters,
     );
 
+    /// A bond between two points of the group, of this rest length [m], goes. Returns whether that was so: large bodies that cannot
+    /// leave its lane idle are as they were.
+    fn lose(&mut self, ends: [u32; 2], rest: f64) -> bool;
+
     /// Points were changed from outside: their state is to be taken anew.
     fn reload(&mut self);
 

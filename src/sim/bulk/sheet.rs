@@ -2,15 +2,15 @@
 
 use fearless_simd::Simd;
 
-use super::form::{Form, Run};
+use super::form::{Form, MOST_IDLE, Run};
 use super::spec::{Spec, Substep};
 use crate::sim::bond::BondKind;
 use crate::sim::kernels::cells::{Cells, View};
-use crate::sim::kernels::lanes::{Lanes, Mask, WIDEST, between, largest, splat, store, width};
+use crate::sim::kernels::lanes::{Lanes, Mask, WIDEST, between, largest, load, splat, store, width};
 use crate::sim::kernels::law::{Law, Rigid};
 use crate::sim::kernels::level::vectorized;
 use crate::sim::kernels::pair::{Correct, Measure};
-use crate::sim::kernels::path::{self, PathLaw, Scratch, Strip};
+use crate::sim::kernels::path::{self, GONE, PathLaw, Scratch, Strip};
 use crate::sim::kernels::rows::{self, Cut, Kinds, Shape};
 use crate::sim::kernels::store::Store;
 use crate::sim::kernels::turn::Turned;
@@ -39,12 +39,25 @@ pub(crate) struct Sheet<S, const D: usize> {
     specs: Kinds<Spec>,
     /// Rows whose points all have weight 1.
     is_plain: Vec<bool>,
+    /// Where bonds are gone.
+    holes: Option<Box<Holes<S>>>,
     /// Rows are solved after columns: they bear the load.
     rows_last: bool,
     /// Rows side by side, and what a solve keeps: for each thread.
     rooms: Vec<(Cells<S, D>, Scratch<S>)>,
     /// The pulls of rows or columns.
     pulls: Vec<S>,
+}
+
+/// What a sheet knows of bonds that are gone.
+#[derive(Clone, Debug)]
+struct Holes<S> {
+    /// Rest length of each bond at the cell of its first point [m]: [`GONE`] of those that are gone.
+    rests: Kinds<Vec<S>>,
+    /// Rows with such a bond, of their own or to the next row.
+    is_in: Vec<bool>,
+    /// How many are gone.
+    count: usize,
 }
 
 impl<S: Real, const D: usize> Sheet<S, D> {
@@ -54,6 +67,7 @@ impl<S: Real, const D: usize> Sheet<S, D> {
             shape,
             specs,
             is_plain: vec![true; rows],
+            holes: None,
             rows_last,
             rooms: vec![(Cells::new(2 * shape.half * WIDEST), Scratch::default())],
             pulls: vec![S::ZERO; rows.max(2 * shape.half).next_multiple_of(WIDEST)],
@@ -61,17 +75,17 @@ impl<S: Real, const D: usize> Sheet<S, D> {
     }
 
     /// One sweep over all bonds.
-    fn sweep_by<L: Law<S>>(&self, cells: &mut Cells<S, D>, law: impl Fn(&Spec) -> L) {
-        let kinds = self.specs.map(|spec| Cut { law: law(spec), rest: S::from_f64(spec.rest) });
+    fn sweep_by<L: Law<S>>(&self, cells: &mut Cells<S, D>, law: impl Fn(&Spec) -> L + Sync) {
         let Sheet { shape, is_plain, .. } = self;
         for parity in 0..2 {
             let parts = self.parts(cells, parity);
             threads::with_each(self.bond_count(), parts, |(first, mut view)| {
+                let kinds = self.cuts(&law, shape.row(first));
                 vectorized!(m => {
-                    let end = (first + self.rows_of_part()).min(shape.rows);
+                    let end = (first + self.shape.rows_of_part()).min(shape.rows);
                     for row in (first..end).step_by(2) {
                         let has_next = row + 1 < shape.rows;
-                        let plain = is_plain[row] && (!has_next || is_plain[row + 1]);
+                        let plain = is_plain[row] && (!has_next || is_plain[row + 1]) && !self.has_hole(row);
                         let here = ((row - first) * shape.pitch, has_next, plain);
                         rows::row::<_, S, L, _, D>(m, &mut Correct, &mut view, shape, &kinds, here);
                     }
@@ -80,14 +94,23 @@ impl<S: Real, const D: usize> Sheet<S, D> {
         }
     }
 
-    /// Rows that one thread takes at a time: an even number.
-    fn rows_of_part(&self) -> usize {
-        2 * (PART / (2 * self.shape.columns)).max(1)
+    /// The bonds of each kind, for a view that begins at a cell.
+    fn cuts<L>(&self, law: impl Fn(&Spec) -> L, from: usize) -> Kinds<Cut<'_, L, S>> {
+        let rests = self.holes.as_ref().map(|holes| &holes.rests);
+        self.specs.with(rests, |spec, rests| Cut {
+            law: law(spec),
+            rest: S::from_f64(spec.rest),
+            rests: rests.map(|list| &list[from..]),
+        })
+    }
+
+    fn has_hole(&self, row: usize) -> bool {
+        self.holes.as_ref().is_some_and(|holes| holes.is_in[row])
     }
 
     /// The rows from `start` on in parts, each with its first row.
     fn parts<'a>(&self, cells: &'a mut Cells<S, D>, start: usize) -> impl Iterator<Item = (usize, View<'a, S, D>)> {
-        let (rows, all) = (self.rows_of_part(), self.shape.rows);
+        let (rows, all) = (self.shape.rows_of_part(), self.shape.rows);
         let parts = cells.view().after(self.shape.row(start)).parts(rows * self.shape.pitch);
         parts
             .into_iter()
@@ -109,20 +132,13 @@ impl<S: Real, const D: usize> Sheet<S, D> {
 
     /// Solves lines of one direction, if they have bonds. Returns the pull of rows and columns.
     fn solve_lines(&mut self, lines: Lines, cells: &mut Cells<S, D>, step: &Substep) -> S {
-        let spec = match lines {
-            Lines::Along => Some(self.specs.along),
-            Lines::Down => Some(self.specs.down),
-            Lines::Falling => self.specs.falling,
-            Lines::Rising => self.specs.rising,
-        };
-        let Some(spec) = spec else { return S::ZERO };
+        let Some(spec) = self.specs.of(lines) else { return S::ZERO };
         let (law, rest) = (spec.path::<S>(step), S::from_f64(spec.rest));
         match lines {
             Lines::Along => self.solve_rows(cells, &law, rest),
             Lines::Down => self.solve_columns(cells, &law, rest),
             Lines::Falling | Lines::Rising => {
-                let slope = if lines == Lines::Falling { 1 } else { -1 };
-                self.solve_diagonals(cells, slope, &law, rest);
+                self.solve_diagonals(cells, lines, &law, rest);
                 S::ZERO
             }
         }
@@ -130,14 +146,15 @@ impl<S: Real, const D: usize> Sheet<S, D> {
 
     /// Solves every column. Returns their pull.
     fn solve_columns(&mut self, cells: &mut Cells<S, D>, law: &PathLaw<S>, rest: S) -> S {
-        let Sheet { shape, rooms, pulls, .. } = self;
+        let Sheet { shape, rooms, pulls, holes, .. } = self;
+        let rests = rests_of(holes, Lines::Down);
         let scratch = &mut rooms[0].1;
         let mut view = cells.view();
         vectorized!(m => {
             for parity in 0..2.min(shape.columns) {
                 let count = (shape.columns - parity).div_ceil(2);
                 for k in (0..count).step_by(width::<_, S>(m)) {
-                    let strip = Columns { m, shape, parity, k, count, rest };
+                    let strip = Columns { m, shape, parity, k, count, rest, rests };
                     let pull = path::solve(m, &mut view, &strip, law, scratch);
                     store::<_, S>(pull, pulls, parity * shape.half + k);
                 }
@@ -149,16 +166,20 @@ impl<S: Real, const D: usize> Sheet<S, D> {
     /// Solves every row. Returns their pull.
     fn solve_rows(&mut self, cells: &mut Cells<S, D>, law: &PathLaw<S>, rest: S) -> S {
         let (shape, count) = (self.shape, self.bond_count());
-        let rows = self.rows_of_part().next_multiple_of(WIDEST);
+        let Sheet { rooms, pulls, holes, .. } = self;
+        let rests = rests_of(holes, Lines::Along);
+        let rows = shape.rows_of_part().next_multiple_of(WIDEST);
         let parts = cells.view().after(shape.row(0)).parts(rows * shape.pitch).enumerate();
-        let parts = parts.zip(self.pulls.chunks_mut(rows));
-        let parts = parts.map(|((k, part), pulls)| (shape.rows.saturating_sub(k * rows).min(rows), part, pulls));
+        let parts = parts.zip(pulls.chunks_mut(rows));
+        let parts = parts.map(|((k, part), pulls)| (k * rows, part, pulls));
         let room = || (Cells::new(2 * shape.half * WIDEST), Scratch::default());
-        threads::with_each_in(count, parts, &mut self.rooms, room, |(turned, scratch), (rows, mut view, pulls)| {
+        threads::with_each_in(count, parts, rooms, room, |(turned, scratch), (first, mut view, pulls)| {
+            let rests = rests.map(|list| &list[shape.row(first).min(list.len())..]);
+            let rows = shape.rows.saturating_sub(first).min(rows);
             let shape = Shape { rows, ..shape };
             vectorized!(m => {
                 for first in (0..rows).step_by(width::<_, S>(m)) {
-                    let strip = Turned { m, shape: &shape, first, rest };
+                    let strip = Turned { m, shape: &shape, first, rest, rests };
                     strip.read(&view, turned);
                     let pull = path::solve(m, &mut turned.view(), &strip, law, scratch);
                     store::<_, S>(pull, pulls, first);
@@ -184,9 +205,11 @@ impl<S: Real, const D: usize> Sheet<S, D> {
         pull
     }
 
-    /// Solves every diagonal: those that fall to the right (`slope` = 1) or rise (-1).
-    fn solve_diagonals(&mut self, cells: &mut Cells<S, D>, slope: isize, law: &PathLaw<S>, rest: S) {
-        let Sheet { shape, rooms, .. } = self;
+    /// Solves every diagonal of those that fall to the right, or of those that rise.
+    fn solve_diagonals(&mut self, cells: &mut Cells<S, D>, lines: Lines, law: &PathLaw<S>, rest: S) {
+        let slope = if lines == Lines::Falling { 1 } else { -1 };
+        let Sheet { shape, rooms, holes, .. } = self;
+        let rests = rests_of(holes, lines);
         let scratch = &mut rooms[0].1;
         let mut view = cells.view();
         let (rows, columns) = (shape.rows as isize, shape.columns as isize);
@@ -197,7 +220,7 @@ impl<S: Real, const D: usize> Sheet<S, D> {
             let span = 2 * width::<_, S>(m) as isize;
             for parity in 0..2 {
                 for start in (first + parity..=last).step_by(span as usize) {
-                    if let Some(strip) = Diagonals::new(m, shape, slope, (start, span), rest) {
+                    if let Some(strip) = Diagonals::new(m, shape, slope, (start, span), (rest, rests)) {
                         path::solve(m, &mut view, &strip, law, scratch);
                     }
                 }
@@ -266,20 +289,20 @@ impl<S: Real, const D: usize> Form<S, D> for Sheet<S, D> {
         if self.specs.along.kind != BondKind::Rigid {
             return S::ZERO;
         }
-        let kinds = self.specs.map(|spec| Cut { law: (), rest: S::from_f64(spec.rest) });
         let shape = &self.shape;
         // Bonds to the row below the last one of a part are measured one after the other.
-        let rows = self.rows_of_part();
+        let rows = self.shape.rows_of_part();
         let within = threads::largest_of(
             self.bond_count(),
             self.parts(cells, 0).collect(),
             S::ZERO,
             |(first, mut view): (usize, View<'_, S, D>)| {
                 let end = (first + rows).min(shape.rows);
+                let kinds = self.cuts(|_| (), shape.row(first));
                 vectorized!(m => {
                     let mut measure = Measure { most: splat(m, S::ZERO) };
                     for row in first..end {
-                        let here = ((row - first) * shape.pitch, row + 1 < end, true);
+                        let here = ((row - first) * shape.pitch, row + 1 < end, !self.has_hole(row));
                         rows::row::<_, S, (), _, D>(m, &mut measure, &mut view, shape, &kinds, here);
                     }
                     largest::<_, S>(measure.most)
@@ -287,24 +310,80 @@ impl<S: Real, const D: usize> Form<S, D> for Sheet<S, D> {
             },
         );
         let mut view = cells.view();
+        let kinds = self.cuts(|_| (), 0);
         vectorized!(m => {
             let mut measure = Measure { most: splat(m, within) };
             for row in (rows - 1..shape.rows - 1).step_by(rows) {
-                let here = (shape.row(row), true, true);
+                let here = (shape.row(row), true, !self.has_hole(row));
                 rows::row::<_, S, (), _, D>(m, &mut measure, &mut view, shape, &kinds, here);
             }
             largest::<_, S>(measure.most)
         })
     }
 
+    fn lose(&mut self, [a, b]: [u32; 2], _: f64) -> bool {
+        let Shape { columns, .. } = self.shape;
+        let [row, column] = [a.min(b), a.max(b)].map(|i| i as usize).map(|i| [i / columns, i % columns])[0];
+        let lines = match (a.abs_diff(b) as usize, column) {
+            (1, _) if column + 1 < columns => Lines::Along,
+            (step, _) if step == columns => Lines::Down,
+            (step, _) if step == columns + 1 => Lines::Falling,
+            _ => Lines::Rising,
+        };
+        let most = MOST_IDLE * self.bond_count() as f64;
+        if self.specs.of(lines).is_none() || self.holes.as_ref().is_some_and(|holes| holes.count as f64 >= most) {
+            return false;
+        }
+        let Sheet { holes, shape, specs, .. } = self;
+        let holes = holes.get_or_insert_with(|| {
+            let all = |spec: &Spec| vec![S::from_f64(spec.rest); shape.count() + WIDEST];
+            Box::new(Holes { rests: specs.map(all), is_in: vec![false; shape.rows], count: 0 })
+        });
+        let Some(rests) = holes.rests.of_mut(lines) else { return false };
+        let rest = &mut rests[shape.at(row, column)];
+        let was_there = *rest > S::ZERO;
+        *rest = S::from_f64(GONE);
+        holes.is_in[row] = true;
+        holes.count += usize::from(was_there);
+        was_there
+    }
+
     fn heap_bytes(&self) -> usize {
-        self.is_plain.capacity()
+        let holes = self.holes.as_ref().map_or(0, |holes| 4 * size_of::<S>() * holes.rests.along.capacity());
+        holes
+            + self.is_plain.capacity()
             + self.rooms.iter().map(|(turned, scratch)| turned.heap_bytes() + scratch.heap_bytes()).sum::<usize>()
     }
 
     fn bonds(&self) -> usize {
-        self.bond_count()
+        self.bond_count() - self.holes.as_ref().map_or(0, |holes| holes.count)
     }
+}
+
+impl<T> Kinds<T> {
+    /// The kind of bonds that lie along lines.
+    fn of(&self, lines: Lines) -> Option<&T> {
+        match lines {
+            Lines::Along => Some(&self.along),
+            Lines::Down => Some(&self.down),
+            Lines::Falling => self.falling.as_ref(),
+            Lines::Rising => self.rising.as_ref(),
+        }
+    }
+
+    fn of_mut(&mut self, lines: Lines) -> Option<&mut T> {
+        match lines {
+            Lines::Along => Some(&mut self.along),
+            Lines::Down => Some(&mut self.down),
+            Lines::Falling => self.falling.as_mut(),
+            Lines::Rising => self.rising.as_mut(),
+        }
+    }
+}
+
+/// Rest lengths of the bonds along lines, where some are gone.
+fn rests_of<S>(holes: &Option<Box<Holes<S>>>, lines: Lines) -> Option<&[S]> {
+    holes.as_ref()?.rests.of(lines).map(Vec::as_slice)
 }
 
 impl Shape {
@@ -329,6 +408,11 @@ impl Shape {
         self.row(row) + column % 2 * self.half + column / 2
     }
 
+    /// Rows that one thread takes at a time: an even number.
+    fn rows_of_part(&self) -> usize {
+        2 * (PART / (2 * self.columns)).max(1)
+    }
+
     /// How many cells all rows take.
     pub(crate) fn count(&self) -> usize {
         WIDEST + self.rows * self.pitch
@@ -343,6 +427,8 @@ struct Columns<'a, M, S> {
     k: usize,
     count: usize,
     rest: S,
+    /// Where bonds are gone: of each, at the cell of its upper point.
+    rests: Option<&'a [S]>,
 }
 
 impl<M: Simd, S: Real> Strip<M, S> for Columns<'_, M, S> {
@@ -362,8 +448,11 @@ impl<M: Simd, S: Real> Strip<M, S> for Columns<'_, M, S> {
     }
 
     #[inline(always)]
-    fn rest(&self, _: usize) -> Lanes<M, S> {
-        splat(self.m, self.rest)
+    fn rest(&self, k: usize) -> Lanes<M, S> {
+        match self.rests {
+            Some(rests) => load(self.m, rests, Strip::<M, S>::at(self, k)),
+            None => splat(self.m, self.rest),
+        }
     }
 }
 
@@ -378,17 +467,25 @@ struct Diagonals<'a, M, S> {
     first: usize,
     len: usize,
     rest: S,
+    /// Where bonds are gone: of each, at the cell of its upper point.
+    rests: Option<&'a [S]>,
 }
 
 impl<'a, M: Simd, S: Real> Diagonals<'a, M, S> {
-    fn new(m: M, shape: &'a Shape, slope: isize, (start, span): (isize, isize), rest: S) -> Option<Self> {
+    fn new(
+        m: M,
+        shape: &'a Shape,
+        slope: isize,
+        (start, span): (isize, isize),
+        (rest, rests): (S, Option<&'a [S]>),
+    ) -> Option<Self> {
         let (rows, columns) = (shape.rows as isize, shape.columns as isize);
         let end = start + span - 2;
         // Rows where a lane's column is in [0, columns): from the first lane to enter to the last to leave.
         let (enter, leave) = if slope > 0 { (-end, columns - 1 - start) } else { (start - columns + 1, end) };
         let (enter, leave) = (enter.max(0), leave.min(rows - 1));
         let len = (leave - enter + 1).max(0) as usize;
-        (len > 1).then_some(Diagonals { m, shape, slope, start, first: enter as usize, len, rest })
+        (len > 1).then_some(Diagonals { m, shape, slope, start, first: enter as usize, len, rest, rests })
     }
 
     #[inline(always)]
@@ -420,7 +517,10 @@ impl<M: Simd, S: Real> Strip<M, S> for Diagonals<'_, M, S> {
     }
 
     #[inline(always)]
-    fn rest(&self, _: usize) -> Lanes<M, S> {
-        splat(self.m, self.rest)
+    fn rest(&self, k: usize) -> Lanes<M, S> {
+        match self.rests {
+            Some(rests) => load(self.m, rests, Strip::<M, S>::at(self, k)),
+            None => splat(self.m, self.rest),
+        }
     }
 }

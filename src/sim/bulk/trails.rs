@@ -2,6 +2,7 @@
 
 use super::spec::Spec;
 use crate::sim::kernels::lanes::WIDEST;
+use crate::sim::kernels::path::GONE;
 use crate::sim::real::Real;
 use crate::sim::vector::{dot, length, scale, sub};
 
@@ -29,6 +30,25 @@ pub(crate) struct Bundle<S> {
     pub(crate) rests: Vec<S>,
     /// How many trails have a point k.
     pub(crate) counts: Vec<u8>,
+}
+
+impl<S: Real> Bundle<S> {
+    /// The bond between points that are meant, of this rest length, goes. Returns whether there was one.
+    pub(crate) fn lose(&mut self, is_meant: impl Fn([u32; 2]) -> bool, rest: S) -> bool {
+        let lanes = |k: usize| (0..usize::from(self.counts[k + 1])).map(move |lane| k * WIDEST + lane);
+        let is_it =
+            |&at: &usize| is_meant([self.points[at], self.points[at + WIDEST]]) && is_about(self.rests[at], rest);
+        let found = (0..self.len - 1).flat_map(lanes).find(is_it);
+        if let Some(at) = found {
+            self.rests[at] = S::from_f64(GONE);
+        }
+        found.is_some()
+    }
+}
+
+/// Whether a rest length is the one meant: those that differ by rounding are one.
+pub(crate) fn is_about<S: Real>(rest: S, meant: S) -> bool {
+    (rest - meant).abs() <= S::from_f64(1e-5) * meant
 }
 
 /// A trail while it is made.

@@ -33,7 +33,9 @@ impl<S: Real, const D: usize> World<S, D> {
         }
         let obstacles = if addition.obstacles.is_empty() { None } else { Some(Self::obstacles_of(&model)?) };
         let is_old = |point: &PointId| point.0 < first;
-        let ends = addition.bonds.iter().flat_map(|bond| [bond.a, bond.b]);
+        // What else is fastened to a pin is not touched.
+        let is_free = |point: &PointId| self.inverse_mass.get(point.index()).is_some_and(|&w| w > 0.0);
+        let ends = addition.bonds.iter().flat_map(|bond| [bond.a, bond.b]).filter(is_free);
         let led = addition.pin_motion.iter().map(|(point, _)| *point);
         let touched: Vec<u32> =
             ends.chain(addition.pinned.iter().copied()).chain(led).filter(is_old).map(|point| point.0).collect();

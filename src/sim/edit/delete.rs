@@ -7,6 +7,7 @@ use crate::sim::bond::PointId;
 use crate::sim::command::{Applied, CommandError, Selection};
 use crate::sim::contact::obstacles::Obstacles;
 use crate::sim::model::Model;
+use crate::sim::plan_part::PlanPart;
 use crate::sim::real::Real;
 use crate::sim::vector::{cross, flat, sub};
 use crate::sim::world::World;
@@ -26,8 +27,12 @@ impl<S: Real, const D: usize> World<S, D> {
         for (goes, ends) in goes.iter_mut().zip(self.bonds.ends()) {
             *goes |= ends.iter().any(|end| is_gone[end.index()]);
         }
+        if points.is_empty() && obstacles.is_empty() {
+            self.part(&goes, self.timeline.time());
+            return Ok(done(true));
+        }
         let mut touched: Vec<u32> = points.iter().map(|point| point.0).collect();
-        touched.extend(self.ends_of(&goes));
+        touched.extend(self.free_ends(&goes));
         let detached = self.detach(&touched, !obstacles.is_empty());
         self.remove_bonds(&goes);
         self.remove_points(points);
@@ -50,28 +55,62 @@ impl<S: Real, const D: usize> World<S, D> {
         if !goes.contains(&true) {
             return Ok(done(false));
         }
-        let detached = self.detach(&self.ends_of(&goes), false);
-        self.remove_bonds(&goes);
-        self.attach(detached);
+        self.part(&goes, self.timeline.time());
         Ok(done(true))
     }
 
-    /// Bonds that are overstretched at time `t` [s], by their numbers, are gone.
-    pub(crate) fn tear(&mut self, torn: &[u32], t: f64) {
+    /// Bonds that are overstretched at time `t` [s], by their numbers, are gone. Returns the places of the groups of what they held.
+    pub(crate) fn tear(&mut self, torn: &[u32], t: f64) -> Vec<usize> {
         let mut goes = vec![false; self.bonds.len()];
         for place in torn.iter().filter_map(|&number| self.numbers.place_of_bond(number)) {
             self.counters.bonds_torn += u64::from(!goes[place]);
             goes[place] = true;
         }
-        let detached = self.detach_at(&self.ends_of(&goes), false, t);
-        self.remove_bonds(&goes);
-        self.attach(detached);
+        self.part(&goes, t)
     }
 
-    /// The ends of bonds.
-    fn ends_of(&self, goes: &[bool]) -> Vec<u32> {
+    /// Bonds go at time `t` [s]. What they held is compiled anew, but for large bodies that leave their lanes idle. Returns the places
+    /// of the groups that come of it.
+    fn part(&mut self, goes: &[bool], t: f64) -> Vec<usize> {
+        let rest = self.leave_idle(goes);
+        let touched = self.free_ends(&rest);
+        if touched.is_empty() {
+            self.remove_bonds(goes);
+            self.weigh_held();
+            self.plan.parts = PlanPart::sum(&self.plan.own);
+            self.topology += 1;
+            return Vec::new();
+        }
+        let detached = self.detach_at(&touched, false, t);
+        self.remove_bonds(goes);
+        self.attach(detached)
+    }
+
+    /// Leaves the lanes of bonds idle that belong to large bodies which can. Returns which of the bonds do not.
+    fn leave_idle(&mut self, goes: &[bool]) -> Vec<bool> {
+        let mut left = goes.to_vec();
+        for k in (0..goes.len()).filter(|&k| goes[k]) {
+            let bond = self.bonds.get(k);
+            let slots = [bond.a, bond.b].map(|end| self.slot(end.index()));
+            let [Some([group, a]), Some([other, b])] = slots else { continue };
+            // The place of a pin may be that in another group.
+            if group != other
+                || !self.plan.groups[group].lose([a as u32, b as u32], bond.rest_length, self.numbers.of_bond(k))
+            {
+                continue;
+            }
+            left[k] = false;
+            self.plan.own[group].bonds -= 1;
+            self.touch(group);
+        }
+        left
+    }
+
+    /// The ends of these bonds that can move: what else is fastened to their pins is not touched.
+    pub(super) fn free_ends(&self, goes: &[bool]) -> Vec<u32> {
         let ends = self.bonds.ends().iter().zip(goes).filter(|(_, goes)| **goes);
-        ends.flat_map(|(ends, _)| ends.map(|end| end.0)).collect()
+        let free = |end: &PointId| self.inverse_mass[end.index()] > 0.0;
+        ends.flat_map(|(ends, _)| *ends).filter(free).map(|end| end.0).collect()
     }
 
     fn remove_bonds(&mut self, goes: &[bool]) {

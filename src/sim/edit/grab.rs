@@ -55,7 +55,12 @@ impl<S: Real, const D: usize> World<S, D> {
         let was_held = !self.grabbed.is_empty();
         self.grabbed.clear();
         self.around.lead = None;
-        self.plan.groups.iter_mut().filter(|group| group.grabbed.is_some()).for_each(|group| group.let_go());
+        for place in 0..self.plan.groups.len() {
+            if self.plan.groups[place].grabbed.is_some() {
+                self.touch(place);
+                self.plan.groups[place].let_go();
+            }
+        }
         done(was_held)
     }
 
@@ -85,6 +90,7 @@ impl<S: Real, const D: usize> World<S, D> {
             slots.sort_unstable();
             slots.dedup();
             let body_mass = self.mass_around(own);
+            self.touch(*group);
             self.plan.groups[*group].grabbed = Some(Grabbed {
                 slots,
                 body_mass,
@@ -94,6 +100,20 @@ impl<S: Real, const D: usize> World<S, D> {
             });
         }
         self.grabbed = points;
+    }
+
+    /// What hangs together with what is grabbed may have become less.
+    pub(super) fn weigh_held(&mut self) {
+        for place in 0..self.plan.groups.len() {
+            let slot = |point: &PointId| self.slot(point.index()).is_some_and(|[group, _]| group == place);
+            if self.plan.groups[place].grabbed.is_some() {
+                let own: Vec<PointId> = self.grabbed.iter().copied().filter(slot).collect();
+                let mass = self.mass_around(&own);
+                if let Some(grabbed) = &mut self.plan.groups[place].grabbed {
+                    grabbed.body_mass = mass;
+                }
+            }
+        }
     }
 
     /// Mean place of points [m].

@@ -64,14 +64,18 @@ impl<S: Real, const D: usize> World<S, D> {
         if by.is_nan() || !numbers.copied().all(f64::is_finite) {
             return Err(invalid("`to` and `by` must be finite numbers"));
         }
+        let was_reached = self.kept_in_reach();
         self.around.cursor = to.map(|to| CursorPath::onwards(self.around.cursor, to, t, by));
-        self.refresh();
+        self.refresh(was_reached);
         Ok(DONE)
     }
 
-    /// The cursor or its force changed: nothing that was worked out before belongs to the present.
-    fn refresh(&mut self) {
+    /// The cursor or its force changed: nothing that was worked out before belongs to the present. `was_reached`: the kept groups that
+    /// the mouse could reach before.
+    fn refresh(&mut self, was_reached: Vec<usize>) {
         let t = self.timeline.time();
+        was_reached.into_iter().chain(self.kept_in_reach()).for_each(|place| self.touch(place));
+        self.tell_kept();
         for group in &mut self.plan.groups {
             group.wake_if_reached(&self.around, t);
             group.mark_inside(&self.around, t);

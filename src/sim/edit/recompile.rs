@@ -77,6 +77,7 @@ impl<S: Real, const D: usize> World<S, D> {
         let mut is_out = vec![false; self.plan.groups.len()];
         for &group in &groups {
             is_out[group] = true;
+            self.touch(group);
             // Velocities of large bodies are behind: what comes next starts with those of now.
             self.plan.groups[group].centre_velocity(&self.around, t);
             self.plan.groups[group].hold_velocity();
@@ -103,8 +104,8 @@ impl<S: Real, const D: usize> World<S, D> {
         self.plan.slots.resize(self.count(), NOWHERE);
     }
 
-    /// Compiles what was taken out, as model and bonds are now, and puts it in place of it.
-    pub(super) fn attach(&mut self, detached: Detached<S, D>) {
+    /// Compiles what was taken out, as model and bonds are now, and puts it in place of it. Returns the places of the groups.
+    pub(super) fn attach(&mut self, detached: Detached<S, D>) -> Vec<usize> {
         let Detached { mut points, state, groups, time: t } = detached;
         for &group in &groups {
             self.plan.groups[group] = self.plan.groups[group].emptied();
@@ -117,15 +118,16 @@ impl<S: Real, const D: usize> World<S, D> {
         let model = self.part_of_model(&points, &local);
         let (bonds, numbers) = self.bonds_among(&points, &local);
         let mut plan = self.compile_part(&model, (&bonds, &numbers), &state);
-        let is_held = plan.groups.iter_mut().fold(true, |is_held, group| is_held & group.begin(&self.around, t));
+        let is_held = plan.groups.iter_mut().fold(true, |is_held, group| is_held & group.resume(&self.around, t));
         if !is_held {
             plan = self.reconcile_part(&model, (bonds, &numbers), &mut state);
-            plan.groups.iter_mut().for_each(|group| _ = group.begin(&self.around, t));
+            plan.groups.iter_mut().for_each(|group| _ = group.resume(&self.around, t));
         }
-        self.put_in(plan, &points);
+        let places = self.put_in(plan, &points);
         self.hold_on();
         self.gather();
         self.topology += 1;
+        places
     }
 
     /// Leaves out points that are gone.
@@ -257,9 +259,9 @@ impl<S: Real, const D: usize> World<S, D> {
         self.compile_part(model, (&bonds, numbers), state)
     }
 
-    /// New groups take the places of those that are empty.
-    fn put_in(&mut self, part: plan::Plan<S, D>, points: &[u32]) {
-        let mut places = Vec::with_capacity(part.groups.len());
+    /// New groups take the places of those that are empty. Returns which.
+    fn put_in(&mut self, part: plan::Plan<S, D>, points: &[u32]) -> Vec<usize> {
+        let mut places: Vec<usize> = Vec::with_capacity(part.groups.len());
         let mut free = (0..self.plan.groups.len()).filter(|&place| self.plan.groups[place].points.len() == 0);
         let taken: Vec<usize> = free.by_ref().take(part.groups.len()).collect();
         let slots: Vec<[u32; 2]> =
@@ -268,19 +270,20 @@ impl<S: Real, const D: usize> World<S, D> {
             match taken.get(g) {
                 Some(&place) => {
                     (self.plan.groups[place], self.plan.own[place]) = (group, own);
-                    places.push(place as u32);
+                    places.push(place);
                 }
                 None => {
-                    places.push(self.plan.groups.len() as u32);
+                    places.push(self.plan.groups.len());
                     self.plan.groups.push(group);
                     self.plan.own.push(own);
                 }
             }
         }
         for (&point, &[group, slot]) in points.iter().zip(&slots) {
-            self.plan.slots[point as usize] = places.get(group as usize).map_or(NOWHERE, |&place| [place, slot]);
+            self.plan.slots[point as usize] = places.get(group as usize).map_or(NOWHERE, |&place| [place as u32, slot]);
         }
         self.plan.parts = PlanPart::sum(&self.plan.own);
+        places
     }
 
     /// What of inverse masses follows from masses, pins and what is gone, of some points.

@@ -85,8 +85,9 @@ impl<S: Real, const D: usize> World<S, D> {
             self.model.check_added_bond(bonds[k].index(), &bond).map_err(|error| invalid(error.to_string()))?;
             changed.set(place, bond);
         }
-        let ends = places.iter().flat_map(|&place| self.bonds.ends()[place]).map(|end| end.0);
-        let detached = self.detach(&ends.collect::<Vec<u32>>(), false);
+        let mut changes = vec![false; self.bonds.len()];
+        places.iter().for_each(|&place| changes[place] = true);
+        let detached = self.detach(&self.free_ends(&changes), false);
         self.bonds = Arc::new(changed);
         self.attach(detached);
         Ok(done(true))
@@ -174,13 +175,14 @@ impl<S: Real, const D: usize> World<S, D> {
         }
         let most = self.model.mouse.as_ref().map(|made_for| made_for.strength.abs());
         let is_new = most.is_none_or(|most| mouse.strength.abs() > most);
+        let was_reached = self.kept_in_reach();
         let detached = is_new.then(|| self.detach(&[], true));
         if is_new {
             Arc::make_mut(&mut self.model).mouse = Some(mouse.clone());
         }
         self.around.mouse = Some(mouse);
-        detached.into_iter().for_each(|detached| self.attach(detached));
-        self.refresh();
+        detached.into_iter().for_each(|detached| _ = self.attach(detached));
+        self.refresh(was_reached);
         Ok(DONE)
     }
 }

@@ -101,6 +101,28 @@ impl<S: Real, const D: usize> Group<S, D> {
         is_held
     }
 
+    /// Goes on at time `t` [s] from a state in the middle of a run, as [`Group::begin`]; bonds of large bodies keep the strain that
+    /// they have.
+    pub(crate) fn resume(&mut self, around: &Environment<D>, t: f64) -> bool {
+        if matches!(self.engine, Engine::Bulk(_)) {
+            self.lead_pins(t);
+            return true;
+        }
+        self.begin(around, t)
+    }
+
+    /// A bond between two of its points, of this rest length [m] and this number in the world, goes. Returns whether that was so: only
+    /// large bodies can leave its lane idle.
+    pub(crate) fn lose(&mut self, ends: [u32; 2], rest: f64, bond: u32) -> bool {
+        let Engine::Bulk(bulk) = &mut self.engine else { return false };
+        let is_lost = bulk.lose(ends, rest);
+        if is_lost {
+            self.breakable.retain(|breakable| breakable.bond != bond);
+            self.wake();
+        }
+        is_lost
+    }
+
     /// Advances by `h` from time `t` [s].
     pub(crate) fn advance(&mut self, around: &Environment<D>, t: f64, h: f64, counters: &mut Counters) {
         if let Engine::Bulk(bulk) = &mut self.engine {

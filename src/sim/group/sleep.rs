@@ -9,7 +9,7 @@ use crate::sim::environment::Environment;
 use crate::sim::force::mouse::{self, Push};
 use crate::sim::measure;
 use crate::sim::real::Real;
-use crate::sim::vector::zero;
+use crate::sim::vector::{length, zero};
 
 /// How long all points must have stayed where they are before a group falls asleep [s].
 pub(crate) const STILL_TIME: f64 = 0.5;
@@ -102,6 +102,24 @@ impl<S: Real, const D: usize> Group<S, D> {
         if self.sleep.asleep.is_some_and(is_reached) || (self.grabbed.is_some() && self.is_asleep()) {
             self.wake();
         }
+    }
+
+    /// Whether the cursor may reach it at some time of the `h` from `t` on [s], or leads it.
+    pub(crate) fn may_be_reached(&self, around: &Environment<D>, (t, h): (f64, f64)) -> bool {
+        // Where the cursor is looked for: a fast one is followed as finely.
+        const LOOKS: u32 = 64;
+        if self.grabbed.is_some() {
+            return true;
+        }
+        let Some([low, high]) = measure::extent(&self.points.position) else { return false };
+        let fastest = measure::speed_bound(&self.points.velocity) + S::from_f64(h * length(around.gravity));
+        let way = S::from_f64(2.0 * h) * fastest;
+        let bounds = [low.map(|x| x - way), high.map(|x| x + way)];
+        let looks = if around.sweep(t, h) > 0.0 { LOOKS } else { 0 };
+        (0..=looks).any(|look| {
+            let time = t + h * (f64::from(look) / f64::from(looks.max(1)));
+            around.mouse_at(time).is_some_and(|(force, at)| Push::new(force, at).reaches(bounds))
+        })
     }
 
     /// Wakes, or goes on being awake.

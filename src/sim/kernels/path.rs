@@ -26,6 +26,9 @@ pub(crate) const MOST_JUMP: f64 = 0.25;
 /// Rounds after which a path goes on with what it has.
 pub(crate) const MOST_ROUNDS: u32 = 8;
 
+/// The rest length of a bond that is gone: its lane is idle.
+pub(crate) const GONE: f64 = f64::NEG_INFINITY;
+
 /// Where the points of paths lie that are solved side by side.
 pub(crate) trait Strip<M: Simd, S: Real> {
     /// Points of the longest path.
@@ -34,7 +37,7 @@ pub(crate) trait Strip<M: Simd, S: Real> {
     fn at(&self, k: usize) -> usize;
     /// The lanes whose path has a point `k`.
     fn lanes(&self, k: usize) -> Mask<M, S>;
-    /// Rest lengths of bond `k` of the paths [m], > 0.
+    /// Rest lengths of bond `k` of the paths [m], > 0; [`GONE`] where there is none any more.
     fn rest(&self, k: usize) -> Lanes<M, S>;
 }
 
@@ -166,11 +169,12 @@ fn there<M: Simd, S: Real, T: Strip<M, S>, const D: usize>(
         let e = add::<M, S, D>(sub::<M, S, D>(x, x_next), change);
         let square = dot::<M, S, D>(e, e);
         let sum = w + w_next;
-        // No bond where there is no point, where two pins leave nothing to move, and where length 0 has no direction.
-        let is_bond = lanes & lanes_next & square.simd_gt(zero) & sum.simd_gt(zero);
+        let rest = strip.rest(k);
+        // No bond where there is no point, where two pins leave nothing to move, where length 0 has no direction, and where it is gone.
+        let is_bond = lanes & lanes_next & square.simd_gt(zero) & sum.simd_gt(zero) & rest.simd_gt(zero);
         let length = is_bond.select(square.sqrt(), zero);
         let way = select::<M, S, D>(is_bond, scale::<M, S, D>(e, one / length), [zero; D]);
-        let mut error = is_bond.select((length - strip.rest(k)) * share, zero);
+        let mut error = is_bond.select((length - rest) * share, zero);
         if law.share < S::ONE {
             error += dot::<M, S, D>(way, change) * damped;
         }

@@ -13,10 +13,10 @@
 //!
 //! A sweep takes the even rows, each with the next one, then the odd ones: pairs of rows do not touch each other.
 
-use fearless_simd::Simd;
+use fearless_simd::{Simd, SimdBase};
 
 use super::cells::View;
-use super::lanes::{between, splat, width};
+use super::lanes::{Lanes, Mask, between, load, splat, width};
 use super::pair::{Node, Work};
 use crate::sim::real::Real;
 
@@ -33,9 +33,25 @@ pub(crate) struct Shape {
 
 /// Bonds of one kind: how they resist, and their rest length [m].
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct Cut<L, S> {
+pub(crate) struct Cut<'a, L, S> {
     pub(crate) law: L,
     pub(crate) rest: S,
+    /// Where bonds are gone: the rest length of each at the cell of its first point, from the first cell of the view on.
+    pub(crate) rests: Option<&'a [S]>,
+}
+
+impl<L, S: Real> Cut<'_, L, S> {
+    /// Rest lengths of the bonds whose first points lie from a cell on, and which of them there are. Without `CAREFUL` all are.
+    #[inline(always)]
+    fn rest<M: Simd, const CAREFUL: bool>(&self, m: M, at: usize, mask: Mask<M, S>) -> (Lanes<M, S>, Mask<M, S>) {
+        match self.rests {
+            Some(rests) if CAREFUL => {
+                let rest = load(m, rests, at);
+                (rest, mask & rest.simd_gt(splat(m, S::ZERO)))
+            }
+            _ => (splat(m, self.rest), mask),
+        }
+    }
 }
 
 /// The bonds of a sheet: each kind is there for all cells that it fits, or for none.
@@ -52,26 +68,34 @@ pub(crate) struct Kinds<L> {
 }
 
 impl<L> Kinds<L> {
+    /// Something of each kind and of the same kind of another, if there is another.
+    pub(crate) fn with<'a, A, T>(&self, other: Option<&'a Kinds<A>>, of: impl Fn(&L, Option<&'a A>) -> T) -> Kinds<T> {
+        let beside = |kind: &Option<L>, beside: Option<&'a Option<A>>| {
+            kind.as_ref().map(|kind| of(kind, beside.and_then(Option::as_ref)))
+        };
+        Kinds {
+            along: of(&self.along, other.map(|other| &other.along)),
+            down: of(&self.down, other.map(|other| &other.down)),
+            falling: beside(&self.falling, other.map(|other| &other.falling)),
+            rising: beside(&self.rising, other.map(|other| &other.rising)),
+        }
+    }
+
     /// The same of each kind.
     pub(crate) fn map<T>(&self, of: impl Fn(&L) -> T) -> Kinds<T> {
-        Kinds {
-            along: of(&self.along),
-            down: of(&self.down),
-            falling: self.falling.as_ref().map(&of),
-            rising: self.rising.as_ref().map(&of),
-        }
+        self.with(None::<&Kinds<()>>, |kind, _| of(kind))
     }
 }
 
 /// The bonds of the row that starts at `at`, and those to the next row if there is one. Where the rows are plain all their
-/// points have weight 1.
+/// points have weight 1, and no bond is gone.
 #[inline(always)]
 pub(crate) fn row<M: Simd, S: Real, L, W: Work<M, S, D, L>, const D: usize>(
     m: M,
     work: &mut W,
     view: &mut View<'_, S, D>,
     shape: &Shape,
-    kinds: &Kinds<Cut<L, S>>,
+    kinds: &Kinds<Cut<'_, L, S>>,
     (at, has_next, is_plain): (usize, bool, bool),
 ) {
     let (even, odd) = (shape.columns.div_ceil(2), shape.columns / 2);
@@ -100,7 +124,7 @@ pub(crate) fn row<M: Simd, S: Real, L, W: Work<M, S, D, L>, const D: usize>(
 struct Pass<'a, M, L, S> {
     m: M,
     shape: &'a Shape,
-    kinds: &'a Kinds<Cut<L, S>>,
+    kinds: &'a Kinds<Cut<'a, L, S>>,
     /// First cell of the row.
     at: usize,
     has_next: bool,
@@ -117,23 +141,26 @@ impl<M: Simd, L, S: Real> Pass<'_, M, L, S> {
         (even, odd): (usize, usize),
     ) {
         let Pass { m, shape, kinds, at, has_next } = *self;
-        let rest = |cut: &Cut<L, S>| splat(m, cut.rest);
         let up_to = |count: usize| between::<M, S>(m, 0, count as isize - k as isize);
         let (evens, odds) = (up_to(even), up_to(odd));
         let places = [at + k, at + shape.half + k, at + shape.pitch + k, at + shape.pitch + shape.half + k];
+        let mut bond = |cut: &Cut<'_, L, S>, from: usize, a: &mut Node<M, S, D>, b: &mut Node<M, S, D>, mask| {
+            let (rest, mask) = cut.rest::<M, CAREFUL>(m, from, mask);
+            work.bond::<CAREFUL>(m, &cut.law, rest, a, b, mask);
+        };
         let mut e = Node::<M, S, D>::load::<CAREFUL>(m, view, places[0]);
         let mut o = Node::<M, S, D>::load::<CAREFUL>(m, view, places[1]);
-        work.bond::<CAREFUL>(m, &kinds.along.law, rest(&kinds.along), &mut e, &mut o, odds);
+        bond(&kinds.along, places[0], &mut e, &mut o, odds);
         if has_next {
             let mut below_e = Node::<M, S, D>::load::<CAREFUL>(m, view, places[2]);
             let mut below_o = Node::<M, S, D>::load::<CAREFUL>(m, view, places[3]);
-            work.bond::<CAREFUL>(m, &kinds.down.law, rest(&kinds.down), &mut e, &mut below_e, evens);
-            work.bond::<CAREFUL>(m, &kinds.down.law, rest(&kinds.down), &mut o, &mut below_o, odds);
+            bond(&kinds.down, places[0], &mut e, &mut below_e, evens);
+            bond(&kinds.down, places[1], &mut o, &mut below_o, odds);
             if let Some(falling) = &kinds.falling {
-                work.bond::<CAREFUL>(m, &falling.law, rest(falling), &mut e, &mut below_o, odds);
+                bond(falling, places[0], &mut e, &mut below_o, odds);
             }
             if let Some(rising) = &kinds.rising {
-                work.bond::<CAREFUL>(m, &rising.law, rest(rising), &mut o, &mut below_e, odds);
+                bond(rising, places[1], &mut o, &mut below_e, odds);
             }
             below_e.keep::<W, L>(view, places[2]);
             below_o.keep::<W, L>(view, places[3]);
@@ -152,20 +179,23 @@ impl<M: Simd, L, S: Real> Pass<'_, M, L, S> {
         count: usize,
     ) {
         let Pass { m, shape, kinds, at, has_next } = *self;
-        let rest = |cut: &Cut<L, S>| splat(m, cut.rest);
         let mask = between::<M, S>(m, 0, count as isize - k as isize);
         let places = [at + k + 1, at + shape.half + k, at + shape.pitch + k + 1, at + shape.pitch + shape.half + k];
+        let mut bond = |cut: &Cut<'_, L, S>, from: usize, a: &mut Node<M, S, D>, b: &mut Node<M, S, D>| {
+            let (rest, mask) = cut.rest::<M, CAREFUL>(m, from, mask);
+            work.bond::<CAREFUL>(m, &cut.law, rest, a, b, mask);
+        };
         let mut e = Node::<M, S, D>::load::<CAREFUL>(m, view, places[0]);
         let mut o = Node::<M, S, D>::load::<CAREFUL>(m, view, places[1]);
-        work.bond::<CAREFUL>(m, &kinds.along.law, rest(&kinds.along), &mut o, &mut e, mask);
+        bond(&kinds.along, places[1], &mut o, &mut e);
         if has_next && let Some(falling) = &kinds.falling {
             let mut below = Node::<M, S, D>::load::<CAREFUL>(m, view, places[2]);
-            work.bond::<CAREFUL>(m, &falling.law, rest(falling), &mut o, &mut below, mask);
+            bond(falling, places[1], &mut o, &mut below);
             below.keep::<W, L>(view, places[2]);
         }
         if has_next && let Some(rising) = &kinds.rising {
             let mut below = Node::<M, S, D>::load::<CAREFUL>(m, view, places[3]);
-            work.bond::<CAREFUL>(m, &rising.law, rest(rising), &mut e, &mut below, mask);
+            bond(rising, places[0], &mut e, &mut below);
             below.keep::<W, L>(view, places[3]);
         }
         o.keep::<W, L>(view, places[1]);

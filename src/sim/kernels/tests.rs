@@ -276,7 +276,7 @@ fn turned_and_back<S: Real, const D: usize>() {
         let mut turned = Cells::<S, D>::new(2 * shape.half * WIDEST);
         vectorized!(m => {
             for first in (0..rows).step_by(width::<_, S>(m)) {
-                let strip = Turned { m, shape: &shape, first, rest: S::ONE };
+                let strip = Turned { m, shape: &shape, first, rest: S::ONE, rests: None };
                 strip.read(&cells.view().after(shape.row(0)), &mut turned);
                 for lane in 0..width::<_, S>(m).min(rows - first) {
                     for column in 0..columns {

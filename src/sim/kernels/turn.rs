@@ -15,6 +15,8 @@ pub(crate) struct Turned<'a, M, S> {
     pub(crate) first: usize,
     /// Of every bond [m].
     pub(crate) rest: S,
+    /// Where bonds are gone: that of each, at the cell of its first point.
+    pub(crate) rests: Option<&'a [S]>,
 }
 
 impl<M: Simd, S: Real> Turned<'_, M, S> {
@@ -121,7 +123,12 @@ impl<M: Simd, S: Real> Strip<M, S> for Turned<'_, M, S> {
     }
 
     #[inline(always)]
-    fn rest(&self, _: usize) -> Lanes<M, S> {
-        splat(self.m, self.rest)
+    fn rest(&self, k: usize) -> Lanes<M, S> {
+        let Some(rests) = self.rests else { return splat(self.m, self.rest) };
+        let mut list = [self.rest; WIDEST];
+        for lane in 0..self.count() {
+            list[lane] = rests[self.cell(lane, k % 2, k / 2)];
+        }
+        load(self.m, &list, 0)
     }
 }

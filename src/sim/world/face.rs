@@ -51,22 +51,17 @@ impl<S: Real, const D: usize> Dynamics for World<S, D> {
     }
 
     fn step(&mut self) {
-        self.step_by(self.timeline.substep());
-        self.timeline.advance();
+        self.finish_step();
         self.rest();
     }
 
     fn step_until(&mut self, time: f64) {
         let (t, h) = (self.timeline.time(), self.timeline.substep());
         if t + h <= time + 1e-9 * h {
-            return self.step();
+            self.step();
+        } else if time > t {
+            self.cut_step(time);
         }
-        if time <= t {
-            return;
-        }
-        self.step_by(time - t);
-        self.timeline.advance_to(time);
-        self.rest();
     }
 
     fn apply(&mut self, command: &Command) -> Result<Applied, CommandError> {
@@ -105,8 +100,7 @@ impl<S: Real, const D: usize> Dynamics for World<S, D> {
         let rest = time - self.timeline.time();
         let mut copy = self.clone();
         if rest > self.timeline.substep() * 1e-9 {
-            copy.step_by(rest);
-            copy.timeline.advance_to(time);
+            copy.look_ahead(time);
         }
         for group in &mut copy.plan.groups {
             group.hold_velocity();
@@ -168,7 +162,8 @@ impl<S: Real, const D: usize> Dynamics for World<S, D> {
     }
 
     fn heap_bytes(&self) -> usize {
-        let groups: usize = self.plan.groups.iter().map(|group| group.heap_bytes()).sum();
+        let kept = self.kept.iter().map(|kept| &kept.group);
+        let groups: usize = self.plan.groups.iter().chain(kept).map(|group| group.heap_bytes()).sum();
         let own = self.plan.slots.capacity() * 8 + self.gathered.capacity() * size_of::<[S; D]>();
         let model = 16 * self.model.mass.capacity() + 4 * self.model.pinned.capacity();
         groups + own + model + self.bonds.heap_bytes()
@@ -187,7 +182,8 @@ impl<S: Real, const D: usize> Dynamics for World<S, D> {
     }
 
     fn wake(&mut self) {
-        self.plan.groups.iter_mut().for_each(Group::wake);
+        let kept = self.kept.iter_mut().map(|kept| &mut kept.group);
+        self.plan.groups.iter_mut().chain(kept).for_each(Group::wake);
     }
 
     fn is_still(&self, speed: f64) -> bool {

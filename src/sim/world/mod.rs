@@ -4,6 +4,7 @@
 //! `sim::edit` alone; what is large and seldom changes is shared by the copies of a world.
 
 mod face;
+mod kept;
 pub(crate) mod saved;
 mod start;
 mod state;
@@ -20,6 +21,7 @@ use super::model::{Model, ModelError};
 use super::plan::{self, Plan};
 use super::real::Real;
 use super::timeline::Timeline;
+use kept::Kept;
 
 /// A running scene, generic over its scalar and its dimension: one source for all four.
 #[derive(Clone, Debug)]
@@ -43,6 +45,8 @@ pub struct World<S: Real, const D: usize> {
     pub(crate) warnings: Vec<String>,
     /// How often points, bonds, pins or obstacles came, went or changed.
     pub(crate) topology: u64,
+    /// Groups as they were before the step under way was cut, but for those that commands touched since.
+    pub(crate) kept: Vec<Kept<S, D>>,
     /// The points that are grabbed; the groups that they are in lead them.
     pub(crate) grabbed: Vec<PointId>,
 }

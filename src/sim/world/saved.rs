@@ -107,12 +107,13 @@ impl<S: Real, const D: usize> World<S, D> {
             gathered: Vec::new(),
             warnings: Vec::new(),
             topology: 0,
+            kept: Vec::new(),
             grabbed: saved.grabbed.clone(),
             model: Arc::new(model.bare()),
         };
         world.spread_gone();
         for group in &mut world.plan.groups {
-            group.begin(&world.around, saved.time);
+            group.resume(&world.around, saved.time);
         }
         world.hold_on();
         world.gather();

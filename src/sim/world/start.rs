@@ -53,6 +53,7 @@ impl<S: Real, const D: usize> World<S, D> {
             gathered: Vec::new(),
             warnings: Vec::new(),
             topology: 0,
+            kept: Vec::new(),
             grabbed: Vec::new(),
             model: Arc::new(model.bare()),
         };
