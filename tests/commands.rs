@@ -7,9 +7,9 @@ mod random;
 use random::Generator;
 use wobble::scene::Scene;
 use wobble::sim::{
-    Addition, Bond, BondChange, BondId, BondKind, Bounds, Change, Command, CommandError, Cursor, Dynamics, Method,
-    Model, Motion, MouseChange, MouseForce, Obstacle, PointId, Polygon, Profile, Reach, Region, Sample, SceneChange,
-    Selection, Track, Values, build,
+    Addition, Bond, BondChange, BondId, BondKind, Bounds, BoundsChange, Change, Command, CommandError, Cursor,
+    Dynamics, Method, Model, Motion, MouseChange, MouseForce, Obstacle, PointId, Polygon, Profile, Reach, Region,
+    Sample, SceneChange, Selection, Track, Values, build,
 };
 
 fn spring(a: u32, b: u32, rest: f64) -> Bond {
@@ -536,6 +536,180 @@ fn a_fast_cursor_is_swept() {
     assert!(world.counters().mouse_points > 0);
     let after = now(&*world).velocity;
     assert!((0..4).any(|i| (after[i][1] - before[i][1]).abs() > 1e-3), "{after:?}");
+}
+
+#[test]
+fn a_ray_that_turns_fast_is_swept_too() {
+    // A point in space, 5 m from the eye, between the rays of two frames.
+    let mouse = MouseForce {
+        strength: 60.0,
+        radius: 0.3,
+        region: Region::Round,
+        profile: Profile::Smooth,
+        track: Track::default(),
+    };
+    let model = Model::<3> {
+        position: vec![[0.1, 0.0, 0.0]],
+        velocity: vec![[0.0; 3]],
+        mass: vec![1.0],
+        mouse: Some(mouse),
+        method: Method { substep: Some(1.0 / 60.0), ..Method::default() },
+        ..Model::default()
+    };
+    let ray = |x: f64| {
+        let length = x.hypot(5.0);
+        Some(Cursor { origin: [0.0, 0.0, 5.0], direction: [x / length, 0.0, -5.0 / length] })
+    };
+    let mut world = build(&model).unwrap();
+    world.apply(&Command::Cursor { to: ray(-4.0), by: 0.0 }).unwrap();
+    world.step();
+    assert_eq!(world.counters().mouse_points, 0, "out of reach");
+    world.apply(&Command::Cursor { to: ray(4.5), by: world.time() + 1.0 / 60.0 }).unwrap();
+    world.step();
+    assert!(world.counters().mouse_points > 0, "it is passed on the way");
+    assert!(now(&*world).velocity[0].iter().any(|v| v.abs() > 1e-5), "{:?}", now(&*world).velocity);
+}
+
+#[test]
+fn of_two_bodies_that_are_grabbed_the_one_that_is_left_goes_to_the_cursor() {
+    let mut model = boxes(2);
+    model.bounds = None;
+    let mut world = grabbed(&model, vec![PointId(0), PointId(4)], [0.5, 1.5]);
+    steps(&mut *world, 1.0);
+    let apart = now(&*world).position[4][0] - now(&*world).position[0][0];
+    assert!(apart > 3.0, "each keeps its side: {apart}");
+    world.apply(&Command::Delete(Selection { points: numbers(4..8), ..Selection::default() })).unwrap();
+    steps(&mut *world, 2.0);
+    let at = now(&*world).position[0];
+    assert!((at[0] - 0.5).hypot(at[1] - 1.5) < 1e-2, "{at:?}");
+}
+
+#[test]
+fn what_is_set_to_what_it_was_or_to_a_little_more_makes_nothing_anew() {
+    let mut world = build(&Model { bounds: boxes(0).bounds, gravity: [0.0, -9.81], ..hovered(0.5) }).unwrap();
+    let before = world.topology();
+    let same = Change::Scene(Box::new(SceneChange { drag_rate: Some(0.0), ..SceneChange::default() }));
+    assert!(!world.apply(&Command::Set(same)).unwrap().is_something);
+    let strength = |strength| Command::Mouse(MouseChange { strength: Some(strength), ..MouseChange::default() });
+    world.apply(&strength(61.0)).unwrap();
+    let after = world.topology();
+    assert!(after > before, "made for a stronger one");
+    world.apply(&strength(70.0)).unwrap();
+    world.apply(&strength(100.0)).unwrap();
+    assert_eq!(world.topology(), after, "there is room");
+    assert_eq!(world.mouse_force().unwrap().strength, 100.0);
+}
+
+#[test]
+fn a_body_that_an_obstacle_is_put_onto_is_moved_out_as_a_whole() {
+    let mut model = boxes(2);
+    model.gravity = [0.0; 2];
+    model.velocity.fill([0.0; 2]);
+    let floor = Obstacle::Plane { point: [0.0, 1.6, 0.0], normal: [0.0, 1.0, 0.0], restitution: 0.0, friction: 0.0 };
+    let walls = BoundsChange { min: [-10.0, 1.6, 0.0], max: [100.0, 20.0, 0.0], restitution: 0.0, friction: 0.0 };
+    let bounds = Change::Scene(Box::new(SceneChange { bounds: Some(Some(walls)), ..SceneChange::default() }));
+    let put: [Command; 2] =
+        [Command::Add(Box::new(Addition { obstacles: vec![floor], ..Addition::default() })), Command::Set(bounds)];
+    for command in put {
+        let mut world = build(&model).unwrap();
+        steps(&mut *world, 0.1);
+        let start = now(&*world);
+        world.apply(&command).unwrap();
+        let after = now(&*world);
+        for i in 0..8 {
+            let [dx, dy] = [0, 1].map(|k| after.position[i][k] - start.position[i][k]);
+            let body = 4 * (i / 4);
+            let first = after.position[body][1] - start.position[body][1];
+            assert!(dx.abs() < 1e-9 && (dy - first).abs() < 1e-9 && dy > 0.4, "{dx} {dy}");
+            assert!(after.position[i][1] > 1.6 - 1e-3);
+        }
+        assert!(world.warnings().iter().any(|warning| warning.contains("moved out")));
+        steps(&mut *world, 0.5);
+        assert_eq!(world.counters().fallbacks, 0);
+        let velocity = now(&*world).velocity;
+        for body in [0..4, 4..8] {
+            let mean = velocity[body].iter().map(|v| v[1]).sum::<f64>() / 4.0;
+            assert!(mean.abs() < 0.3, "nothing is thrown: {mean}");
+        }
+    }
+}
+
+#[test]
+fn a_part_of_a_rigid_body_is_not_moved_against_its_lengths() {
+    // A strip of rigid braced cells; some points of its middle are to go far to the side.
+    let mut model = Model { bounds: None, ..boxes(0) };
+    for column in 0..12 {
+        model.position.extend([[f64::from(column), 0.0], [f64::from(column), 1.0]]);
+        let first = 2 * column;
+        model.bonds.push(Bond::new(PointId(first), PointId(first + 1), 1.0));
+        if column > 0 {
+            for (a, b) in [(first - 2, first), (first - 1, first + 1), (first - 2, first + 1), (first - 1, first)] {
+                model.bonds.push(Bond::new(
+                    PointId(a),
+                    PointId(b),
+                    if (a + b) % 2 == 0 { 1.0 } else { 2.0_f64.sqrt() },
+                ));
+            }
+        }
+    }
+    model.velocity = vec![[0.0; 2]; 24];
+    model.mass = vec![1.0; 24];
+    let mut world = build(&model).unwrap();
+    steps(&mut *world, 0.1);
+    let (before, lengths) = (now(&*world), world.bonds().rest_lengths().to_vec());
+    let mut refusals = 0;
+    for (points, by) in [(8..14, [0.3, 0.8, 0.0]), (8..14, [-3.0, 2.0, 0.0]), (0..9, [6.0, 0.5, 0.0])] {
+        let motion = Motion { points: numbers(points), obstacles: Vec::new(), by, turn: 0.0, scale: 1.0, about: None };
+        let mut copy = world.boxed_clone();
+        match copy.apply(&Command::Move(motion)) {
+            Err(CommandError::Invalid(why)) => {
+                refusals += 1;
+                assert!(why.contains("move the whole body"), "{why}");
+                assert_eq!(bits(&now(&*copy), 0..24), bits(&before, 0..24), "the world is whole");
+            }
+            other => assert!(other.is_ok() && now(&*copy).max_strain < 1e-6, "the rest follows"),
+        }
+        assert_eq!(copy.bonds().rest_lengths(), lengths, "no length gives way");
+    }
+    assert!(refusals > 0);
+    world
+        .apply(&Command::Move(Motion {
+            points: numbers(0..24),
+            obstacles: Vec::new(),
+            by: [5.0, 1.0, 0.0],
+            turn: 1.0,
+            scale: 1.5,
+            about: None,
+        }))
+        .unwrap();
+    assert!(now(&*world).max_strain < 1e-6, "the whole body may be moved");
+}
+
+#[test]
+fn small_motions_of_small_things_are_no_rest() {
+    // Two points 1 mm apart on a spring that swings by a hundredth of it, once a second: x = 1 mm + 10 um cos(2 pi t).
+    let k = 0.5 * std::f64::consts::TAU.powi(2);
+    let model = Model::<2> {
+        position: vec![[0.0; 2], [1.01e-3, 0.0]],
+        velocity: vec![[0.0; 2]; 2],
+        mass: vec![1.0; 2],
+        bonds: [Bond {
+            kind: BondKind::Spring { stiffness: k, damping: 0.0 },
+            ..Bond::new(PointId(0), PointId(1), 1e-3)
+        }]
+        .into_iter()
+        .collect(),
+        ..Model::default()
+    };
+    let mut world = build(&model).unwrap();
+    for half in 1..=6 {
+        steps(&mut *world, 0.5);
+        let now = now(&*world);
+        let meant = 1e-3 + 1e-5 * (std::f64::consts::TAU * world.time()).cos();
+        let found = now.position[1][0] - now.position[0][0];
+        assert!((found - meant).abs() < 1e-7, "after {half} halves: {found:e} {meant:e}");
+    }
+    assert!(!world.is_asleep());
 }
 
 #[test]

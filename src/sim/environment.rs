@@ -16,6 +16,9 @@ pub(crate) struct Environment<const D: usize> {
     pub(crate) lead: Option<Lead>,
 }
 
+/// How far a ray is followed to what is led, in distances from the eye when it was grabbed: one along the plane would lead it away.
+const FARTHEST: f64 = 4.0;
+
 /// The plane across the ray of the moment when something was grabbed, in which the cursor leads it: in space.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Lead {
@@ -70,9 +73,13 @@ impl CursorPath {
         t < self.span[1] && self.from != self.to
     }
 
-    /// How far it goes in the plane of its start from `t` to `t + h` [m].
-    pub(crate) fn way(&self, t: f64, h: f64) -> f64 {
-        if self.moves_after(t) { length(sub(self.at(t + h).origin, self.at(t).origin)) } else { 0.0 }
+    /// How far it goes from `t` to `t + h` [m]; in space that of its ray at the distance `far` [m].
+    pub(crate) fn way(&self, t: f64, h: f64, far: f64) -> f64 {
+        if !self.moves_after(t) {
+            return 0.0;
+        }
+        let [from, to] = [self.at(t), self.at(t + h)];
+        length(sub(to.origin, from.origin)) + far * length(sub(to.direction, from.direction))
     }
 }
 
@@ -84,14 +91,24 @@ impl<const D: usize> Environment<D> {
         Some((mouse, cursor))
     }
 
-    /// How far the cursor of the mouse force goes from `t` to `t + h`, in radii of it [1]; 0 where there is none.
-    pub(crate) fn sweep(&self, t: f64, h: f64) -> f64 {
+    /// How far the cursor of the mouse force goes from `t` to `t + h`, in radii of it [1]; 0 where there is none. `far` says for a ray
+    /// from a place how far away the last of the points is [m].
+    pub(crate) fn sweep(&self, t: f64, h: f64, far: impl FnOnce([f64; 3]) -> f64) -> f64 {
         let Some(mouse) = &self.mouse else { return 0.0 };
         let way = match (mouse.track.at(t), mouse.track.at(t + h)) {
             (Some(from), Some(to)) => length(sub(to, from)),
-            _ => self.cursor.map_or(0.0, |path| path.way(t, h)),
+            _ => match self.cursor.filter(|path| path.moves_after(t)) {
+                Some(path) if D == 3 => path.way(t, h, far(path.at(t).origin)),
+                Some(path) => path.way(t, h, 0.0),
+                None => 0.0,
+            },
         };
         way / mouse.radius
+    }
+
+    /// Whether the cursor of the mouse force moves from `t` to `t + h`.
+    pub(crate) fn moves(&self, t: f64, h: f64) -> bool {
+        self.sweep(t, h, |_| 1.0) > 0.0
     }
 
     /// Where the cursor leads to at time `t` [s].
@@ -106,7 +123,9 @@ impl<const D: usize> Environment<D> {
         if slope.abs() < 1e-9 {
             return None;
         }
-        let way = dot(sub(lead.point, cursor.origin), lead.normal) / slope;
+        let from = sub(lead.point, cursor.origin);
+        let most = FARTHEST * length(from);
+        let way = (dot(from, lead.normal) / slope).clamp(-most, most);
         Some(truncate(add(cursor.origin, scale(cursor.direction, way))))
     }
 }

@@ -70,7 +70,8 @@ impl<S: Real, const D: usize> World<S, D> {
             done.push(place);
             self.take(Due { place, from, h: span(self, from), stops: 0 }, &mut done);
         }
-        let parts = (self.around.sweep(t, h) / SWEEP).ceil().clamp(1.0, MOST_SWEEPS);
+        let sweep = self.around.sweep(t, h, |eye| self.farthest_from(eye));
+        let parts = (sweep / SWEEP).ceil().clamp(1.0, MOST_SWEEPS);
         if parts > 1.0 {
             let is_aside = |world: &Self, place: usize| {
                 !done.contains(&place) && !world.plan.groups[place].may_be_reached(&world.around, (t, h))

@@ -40,6 +40,11 @@ impl<S: Real, const D: usize> World<S, D> {
         let touched: Vec<u32> =
             ends.chain(addition.pinned.iter().copied()).chain(led).filter(is_old).map(|point| point.0).collect();
         let mut detached = self.detach(&touched, obstacles.is_some());
+        if let Some(obstacles) = &obstacles {
+            let mut fresh = Model::default();
+            self.add_obstacles(&mut fresh, &addition.obstacles)?;
+            self.clear_of(&fresh, (&model, obstacles), &mut detached);
+        }
         let applied = self.number(addition);
         self.obstacles = obstacles.unwrap_or_else(|| self.obstacles.clone());
         self.model = Arc::new(model);

@@ -71,6 +71,7 @@ impl<S: Real, const D: usize> World<S, D> {
         }
         let living = |point: &PointId| !self.numbers.is_gone(point.0) && self.inverse_mass[point.index()] > 0.0;
         let points: Vec<PointId> = self.grabbed.iter().copied().filter(living).collect();
+        let is_less = points.len() < self.grabbed.len();
         let middle = self.middle(&points);
         let mut parts: Vec<(usize, Vec<PointId>)> = Vec::new();
         for &point in &points {
@@ -81,11 +82,15 @@ impl<S: Real, const D: usize> World<S, D> {
             }
         }
         for (group, own) in &parts {
-            if self.plan.groups[*group].grabbed.is_some() {
-                continue;
-            }
             let is_only = parts.len() == 1;
             let offset = if is_only { zero() } else { sub(self.middle(own), middle) };
+            if let Some(grabbed) = &mut self.plan.groups[*group].grabbed {
+                // Of several bodies that were grabbed one may be gone.
+                if is_less {
+                    grabbed.offset = crate::sim::vector::truncate(offset);
+                }
+                continue;
+            }
             let mut slots: Vec<u32> = own.iter().filter_map(|p| Some(self.slot(p.index())?[1] as u32)).collect();
             slots.sort_unstable();
             slots.dedup();

@@ -7,6 +7,7 @@ mod add;
 mod check;
 mod delete;
 mod grab;
+mod overlap;
 mod pins;
 mod recompile;
 mod set;

@@ -15,6 +15,9 @@ use crate::sim::real::Real;
 use crate::sim::vector::{convert, truncate, zero};
 use crate::sim::world::World;
 
+/// How much stronger than asked for the mouse force is that islands are made for, where it is stronger than any before: not every
+/// turn at its knob is to make all of them anew.
+const HEADROOM: f64 = 2.0;
 /// Stiffness of a spring that nothing is said of [N/m].
 const STIFFNESS: f64 = 1000.0;
 
@@ -138,6 +141,9 @@ impl<S: Real, const D: usize> World<S, D> {
         if let Some(method) = change.method {
             model.method = Method { precision: model.method.precision, ..method };
         }
+        if model == *self.model {
+            return Ok(done(false));
+        }
         model.check_surroundings().map_err(|error| invalid(error.to_string()))?;
         for (k, bond) in self.bonds.iter().enumerate() {
             model.check_added_bond(k, &bond).map_err(|error| invalid(error.to_string()))?;
@@ -146,8 +152,12 @@ impl<S: Real, const D: usize> World<S, D> {
             check_surface(bounds.restitution, bounds.friction)?;
         }
         let obstacles = Self::obstacles_of(&model)?;
-        let detached = self.detach(&[], true);
+        let mut detached = self.detach(&[], true);
         self.around.gravity = model.gravity;
+        if model.bounds != self.model.bounds {
+            let fresh = Model { bounds: model.bounds, ..Model::default() };
+            self.clear_of(&fresh, (&model, &obstacles), &mut detached);
+        }
         self.model = Arc::new(model);
         self.obstacles = obstacles;
         self.attach(detached);
@@ -178,7 +188,8 @@ impl<S: Real, const D: usize> World<S, D> {
         let was_reached = self.kept_in_reach();
         let detached = is_new.then(|| self.detach(&[], true));
         if is_new {
-            Arc::make_mut(&mut self.model).mouse = Some(mouse.clone());
+            let strength = HEADROOM * mouse.strength;
+            Arc::make_mut(&mut self.model).mouse = Some(MouseForce { strength, ..mouse.clone() });
         }
         self.around.mouse = Some(mouse);
         detached.into_iter().for_each(|detached| _ = self.attach(detached));

@@ -4,9 +4,12 @@ use std::sync::Arc;
 
 use super::check::finite;
 use super::{Applied, CommandError, done, invalid};
-use crate::sim::bond::Bond;
+use crate::sim::bond::{Bond, BondKind, Limit, PointId};
+use crate::sim::bonds::Bonds;
 use crate::sim::command::Motion;
+use crate::sim::constrain::direct::MOST_DIRECT;
 use crate::sim::model::Model;
+use crate::sim::plan::{self, Sets};
 use crate::sim::real::Real;
 use crate::sim::vector::{add, convert, embed, scale, sub, truncate, widen};
 use crate::sim::world::World;
@@ -61,14 +64,13 @@ impl<S: Real, const D: usize> World<S, D> {
         self.place_obstacles(&mut model, obstacles, &placement);
         model.check_surroundings().map_err(|error| invalid(error.to_string()))?;
         let moved = if obstacles.is_empty() { None } else { Some(Self::obstacles_of(&model)?) };
+        self.check_lengths(&numbers, &placement)?;
         let mut detached = self.detach(&numbers, moved.is_some());
         for (point, track) in &mut model.pin_motion {
             if numbers.binary_search(&point.0).is_ok() {
                 track.knots.iter_mut().for_each(|(_, x)| *x = placement.place(*x));
             }
         }
-        self.model = Arc::new(model);
-        self.obstacles = moved.unwrap_or_else(|| self.obstacles.clone());
         for place in detached.places(numbers.iter().copied()) {
             let state = &mut detached.state;
             state.position[place] = convert(placement.place(widen(state.position[place])));
@@ -76,6 +78,12 @@ impl<S: Real, const D: usize> World<S, D> {
             state.position_lost[place] = [S::ZERO; D];
             state.velocity_lost[place] = [S::ZERO; D];
         }
+        if let Some(moved) = moved {
+            let fresh = self.only(&model, obstacles);
+            self.clear_of(&fresh, (&model, &moved), &mut detached);
+            self.obstacles = moved;
+        }
+        self.model = Arc::new(model);
         if *factor != 1.0 {
             self.scale_bonds(&numbers, *factor);
         }
@@ -104,6 +112,71 @@ impl<S: Real, const D: usize> World<S, D> {
             places.extend(self.model.polygons[place].loops.iter().flatten().map(|&x| embed(x)));
         }
         mean(&places)
+    }
+
+    /// The surroundings of a model, with these obstacles of it alone.
+    fn only(&self, model: &Model<D>, obstacles: &[u32]) -> Model<D> {
+        let [planes, polygons] = &self.numbers.obstacles;
+        let is_meant = |number: &u32| obstacles.contains(number);
+        Model {
+            planes: model
+                .planes
+                .iter()
+                .zip(planes)
+                .filter(|(_, n)| is_meant(n))
+                .map(|(plane, _)| plane.clone())
+                .collect(),
+            polygons: model
+                .polygons
+                .iter()
+                .zip(polygons)
+                .filter(|(_, n)| is_meant(n))
+                .map(|(on, _)| on.clone())
+                .collect(),
+            ..Model::default()
+        }
+    }
+
+    /// Errors: a part of a body is moved whose rigid bonds to the rest of it hold it where it is.
+    fn check_lengths(&self, points: &[u32], placement: &Placement) -> Result<(), CommandError> {
+        let is_moved = |end: &PointId| points.binary_search(&end.0).is_ok();
+        let is_rigid = |bond: &Bond| bond.kind == BondKind::Rigid && bond.limit == Limit::Both;
+        let is_torn = |ends: &[PointId; 2]| is_moved(&ends[0]) != is_moved(&ends[1]);
+        let torn: Vec<u32> = (0..self.bonds.len())
+            .filter(|&k| is_torn(&self.bonds.ends()[k]) && is_rigid(&self.bonds.get(k)))
+            .flat_map(|k| self.bonds.ends()[k].map(|end| end.0))
+            .collect();
+        if torn.is_empty() {
+            return Ok(());
+        }
+        let mut sets = Sets::new(self.count());
+        self.bonds.ends().iter().for_each(|[a, b]| sets.join(a.0, b.0));
+        let mut roots: Vec<u32> = torn.iter().map(|&point| sets.find(point)).collect();
+        roots.sort_unstable();
+        roots.dedup();
+        let mut local = vec![u32::MAX; self.count()];
+        let (mut position, mut w) = (Vec::new(), Vec::new());
+        for i in 0..self.count() as u32 {
+            if roots.binary_search(&sets.find(i)).is_ok() {
+                local[i as usize] = position.len() as u32;
+                let place = self.place(i as usize);
+                position.push(if points.binary_search(&i).is_ok() { placement.place(place) } else { place });
+                w.push(self.inverse_mass[i as usize]);
+            }
+        }
+        let mut bonds = Bonds::new();
+        for bond in self.bonds.iter().filter(|bond| is_rigid(bond) && local[bond.a.index()] != u32::MAX) {
+            let scale = if is_moved(&bond.a) && is_moved(&bond.b) { placement.scale } else { 1.0 };
+            let [a, b] = [bond.a, bond.b].map(|end| PointId(local[end.index()]));
+            bonds.push(Bond { a, b, rest_length: scale * bond.rest_length, ..bond });
+        }
+        // Larger bodies keep their lengths to a strain, and find back to it by themselves.
+        if bonds.len() > MOST_DIRECT || plan::reconcile(&mut bonds, &mut position, &w).is_empty() {
+            return Ok(());
+        }
+        Err(invalid(
+            "rigid bonds to the rest of the body do not let these points be moved so: move the whole body, or grab it",
+        ))
     }
 
     fn place_obstacles(&self, model: &mut Model<D>, obstacles: &[u32], placement: &Placement) {

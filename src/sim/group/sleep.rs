@@ -9,25 +9,34 @@ use crate::sim::environment::Environment;
 use crate::sim::force::mouse::{self, Push};
 use crate::sim::measure;
 use crate::sim::real::Real;
-use crate::sim::vector::{length, zero};
+use crate::sim::vector::{length, sub, zero};
 
 /// How long all points must have stayed where they are before a group falls asleep [s].
 pub(crate) const STILL_TIME: f64 = 0.5;
-/// How far a point may be, within that time, from where it was at its beginning [m], along each axis: what moves more slowly than
-/// 0.1 mm/s for long is seen by nobody.
+/// How far a point may be, within that time, from where it was at its beginning, along each axis: as a share of the extent of its
+/// group, or of 1 m where that is larger or the group is one point. What moves more slowly than 0.1 mm/s for long is seen by nobody.
 pub(crate) const STILL_EXTENT: f64 = 5e-5;
 /// Times that a group which moves is looked at in [`STILL_TIME`]: the places of its points are copied as often.
 const LOOKS: f64 = 8.0;
 
+/// How far points may be from where they were and count as still [m].
+fn still_extent<S: Real, const D: usize>(position: &[[S; D]]) -> S {
+    let size = measure::extent(position)
+        .map_or(0.0, |[low, high]| sub(high, low).into_iter().fold(0.0, |most: f64, side| most.max(side.to_f64())));
+    S::from_f64(STILL_EXTENT * if size > 0.0 { size.min(1.0) } else { 1.0 })
+}
+
 /// What a group knows of its own rest.
 ///
-/// It falls asleep when no point has left the place that it had [`STILL_TIME`] ago by more than [`STILL_EXTENT`] at any step since,
+/// It falls asleep when no point has left the place that it had [`STILL_TIME`] ago by more than [`STILL_EXTENT`] says at any step since,
 /// no cursor was in reach, nothing of it is grabbed and none of its pins is led any more. Speeds say nothing of that: one that
 /// turns around has none, and what rests on a floor may report some.
 #[derive(Clone, Debug)]
 pub(crate) struct Sleep<S, const D: usize> {
     /// Where the points were at `since`; empty: that is still to be noted, not before `since`.
     anchor: Vec<[S; D]>,
+    /// How far they may be from there [m].
+    most: S,
     /// [s]
     since: f64,
     /// The point that moved last: it is looked at first.
@@ -36,16 +45,16 @@ pub(crate) struct Sleep<S, const D: usize> {
     asleep: Option<[[S; D]; 2]>,
 }
 
-impl<S, const D: usize> Default for Sleep<S, D> {
+impl<S: Real, const D: usize> Default for Sleep<S, D> {
     fn default() -> Self {
-        Sleep { anchor: Vec::new(), since: f64::NEG_INFINITY, mover: 0, asleep: None }
+        Sleep { anchor: Vec::new(), most: S::ZERO, since: f64::NEG_INFINITY, mover: 0, asleep: None }
     }
 }
 
 impl<S: Real, const D: usize> Sleep<S, D> {
     /// Whether all points stayed about where they were, and the place of one that did not.
     fn left(&self, position: &[[S; D]]) -> Option<usize> {
-        let most = S::from_f64(STILL_EXTENT);
+        let most = self.most;
         // A position that is not finite has left.
         let has_left = |&i: &usize| {
             let is_near = |k: usize| (position[i][k] - self.anchor[i][k]).abs() <= most;
@@ -72,6 +81,7 @@ impl<S: Real, const D: usize> Group<S, D> {
             if t >= sleep.since {
                 sleep.anchor.clone_from(&points.position);
                 sleep.since = t;
+                sleep.most = still_extent(&points.position);
             }
         } else if let Some(mover) = sleep.left(&points.position) {
             *sleep = Sleep { since: t + STILL_TIME / LOOKS, mover, ..Sleep::default() };
@@ -115,7 +125,7 @@ impl<S: Real, const D: usize> Group<S, D> {
         let fastest = measure::speed_bound(&self.points.velocity) + S::from_f64(h * length(around.gravity));
         let way = S::from_f64(2.0 * h) * fastest;
         let bounds = [low.map(|x| x - way), high.map(|x| x + way)];
-        let looks = if around.sweep(t, h) > 0.0 { LOOKS } else { 0 };
+        let looks = if around.moves(t, h) { LOOKS } else { 0 };
         (0..=looks).any(|look| {
             let time = t + h * (f64::from(look) / f64::from(looks.max(1)));
             around.mouse_at(time).is_some_and(|(force, at)| Push::new(force, at).reaches(bounds))

@@ -6,7 +6,7 @@ use crate::sim::measure;
 use crate::sim::plan::NOWHERE;
 use crate::sim::points::{Points, State};
 use crate::sim::real::Real;
-use crate::sim::vector::{embed, widen, zero};
+use crate::sim::vector::{embed, length, widen, zero};
 
 impl<S: Real, const D: usize> World<S, D> {
     /// How many points there are, those that are gone counted too.
@@ -44,6 +44,17 @@ impl<S: Real, const D: usize> World<S, D> {
     /// Where a point is [m].
     pub(crate) fn place(&self, point: usize) -> [f64; D] {
         self.slot(point).map_or([f64::NAN; D], |[group, slot]| widen(self.plan.groups[group].points.position[slot]))
+    }
+
+    /// The distance from a place to the farthest corner of the boxes about the groups [m].
+    pub(crate) fn farthest_from(&self, place: [f64; 3]) -> f64 {
+        let corners = self.plan.groups.iter().filter_map(|group| measure::extent(&group.points.position));
+        let of = |[low, high]: [[S; D]; 2]| {
+            let [low, high] = [low, high].map(|corner| embed(widen(corner)));
+            let side = |k: usize| (low[k] - place[k]).abs().max((high[k] - place[k]).abs());
+            length([side(0), side(1), side(2)])
+        };
+        corners.map(of).fold(0.0, f64::max)
     }
 
     /// Copies positions into the order of the model, where the groups have another. Those of points that are gone are no numbers.
