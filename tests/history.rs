@@ -1,12 +1,16 @@
 //! A world with its past: undo, redo, going back and branches come to the same bits.
 #![allow(clippy::unwrap_used, clippy::panic, reason = "a test that cannot go on stops")]
 
+#[path = "history/autosave.rs"]
+mod autosave;
 mod common;
+#[path = "history/keyframes.rs"]
+mod keyframes;
 
 use common::session::{Dice, play as play_at_random};
-use wobble::history::{Autosave, Do, History, Left, Log, Start, hash_now, replay};
-use wobble::scene::Scene;
-use wobble::sim::{Cursor, MouseChange, PointId};
+use wobble::history::{DeleteKeys, Do, History, Log, Recording, Start, hash_now, replay};
+use wobble::scene::{AddKeys, Scene};
+use wobble::sim::{Cursor, MouseChange, PointId, Reach};
 
 fn history(name: &str) -> History {
     History::new(Start::from(Scene::load(name).unwrap())).unwrap()
@@ -14,6 +18,13 @@ fn history(name: &str) -> History {
 
 fn hash(history: &History) -> (String, u64) {
     (hash_now(history.world(), history.world().time()), history.world().time().to_bits())
+}
+
+/// A recording as its file is read.
+fn as_log(recording: &Recording) -> Log {
+    let mut text = Vec::new();
+    recording.write_json(&mut text).unwrap();
+    Log::of_text(std::str::from_utf8(&text).unwrap(), "x").unwrap()
 }
 
 fn cursor(x: f64, y: f64) -> Do {
@@ -104,9 +115,7 @@ fn random_sessions_replay_to_the_same_bits_from_the_start_and_from_keyframes() {
         assert!(live.take_refused().is_empty(), "{name}");
         let recording = live.recording();
         assert!(recording.commands.len() > 10, "{name}: {}", recording.commands.len());
-        let mut text = Vec::new();
-        recording.write_json(&mut text).unwrap();
-        let log = Log::of_text(std::str::from_utf8(&text).unwrap(), name).unwrap();
+        let log = as_log(&recording);
         assert_eq!(log.count(), recording.commands.len());
         assert!(log.recording().unwrap().commands == recording.commands, "{name}");
         // From the file, without keyframes and without a window.
@@ -184,8 +193,70 @@ fn commands_are_done_all_or_none_and_refused_with_number_and_reason() {
     assert_eq!(refused.number, 1);
     assert!(refused.to_string().contains("before its own time"), "{refused}");
     assert_eq!((hash(&history), history.recording().commands.len()), (before, count));
+    // What does nothing is no error and nothing to undo.
+    let path = || Do::Cut { from: [50.0, 50.0], to: [51.0, 50.0] };
+    let nothing =
+        [Do::Delete(DeleteKeys::default()), path(), Do::Pin(Vec::new()), Do::Unpin(vec![PointId(0)]), Do::Release];
     assert_eq!(history.give(Vec::new(), Some("Nothing")), Ok(Vec::new()));
+    for nothing in nothing {
+        let done = history.give(vec![nothing.clone()], Some("Nothing")).unwrap();
+        assert!(done.iter().all(|applied| !applied.is_something), "{nothing:?}");
+    }
     assert!(history.undo().is_none() && history.redo().is_none());
+}
+
+#[test]
+fn what_is_grabbed_may_be_deleted_and_so_may_all_points() {
+    let mut live = history("rim");
+    play(&mut live, 50);
+    live.give(vec![Do::Grab(Reach::Points(vec![PointId(3), PointId(4)]))], None).unwrap();
+    play(&mut live, 50);
+    live.give(vec![Do::Delete(DeleteKeys { points: vec![3], ..DeleteKeys::default() })], Some("Delete")).unwrap();
+    assert!(live.world().grab().is_some(), "the other one is still held");
+    live.give(vec![Do::Delete(DeleteKeys { points: vec![4], ..DeleteKeys::default() })], Some("Delete")).unwrap();
+    assert!(live.world().grab().is_none());
+    play(&mut live, 50);
+    let gone: Vec<u32> = live.world().gone().iter().map(|point| point.0).collect();
+    let points = (0..live.world().point_count() as u32).filter(|point| !gone.contains(point)).collect();
+    live.give(vec![Do::Delete(DeleteKeys { points, ..DeleteKeys::default() })], Some("Delete all")).unwrap();
+    play(&mut live, 50);
+    let late = hash(&live);
+    for reach in [Reach::Points(vec![PointId(4)]), Reach::Within(5.0), Reach::Points(Vec::new())] {
+        let refused = live.give(vec![Do::Grab(reach.clone())], None).unwrap_err();
+        assert_eq!((refused.number, hash(&live)), (0, late.clone()), "{reach:?}");
+    }
+    let mut again = History::new(Start::from(live.recording())).unwrap();
+    again.go_to(f64::from_bits(late.1));
+    assert_eq!((hash(&again), again.take_refused().len()), (late, 0));
+    live.undo().unwrap();
+    assert_eq!(live.world().gone(), [PointId(3), PointId(4)]);
+}
+
+#[test]
+fn what_is_led_at_any_rate_of_frames_replays_to_its_own_hash() {
+    let uneven = [0.004, 0.031, 0.0167, 0.09, 0.0011];
+    for frames in [&[1.0 / 30.0][..], &[1.0 / 60.0], &[1.0 / 144.0], &uneven] {
+        let mut live = history("rim");
+        let mut seen = 0.0;
+        for frame in frames.iter().cycle().take((1.5 * frames.len() as f64 / frames.iter().sum::<f64>()) as usize) {
+            seen += frame;
+            let (now, phase) = (live.world().time(), 2.0 * seen);
+            let to = Some(Cursor::at([1.5 * phase.sin(), phase.cos()]));
+            live.give(vec![Do::Cursor { to, by: Some(now.max(seen)) }], None).unwrap();
+            while live.world().time() + live.world().substep() <= seen {
+                live.step();
+            }
+        }
+        let log = as_log(&live.recording());
+        let end = live.world().time();
+        let mut found = None;
+        replay(log.head().unwrap(), &log, &[end], &mut |run, time| {
+            found = Some((hash_now(run.world(), time), time.to_bits()));
+            Ok(true)
+        })
+        .unwrap();
+        assert_eq!(found, Some(hash(&live)), "{frames:?}");
+    }
 }
 
 #[test]
@@ -204,81 +275,6 @@ fn groups_are_the_historys_own_and_undone_like_the_rest() {
     assert!(history.give(vec![group(&[99])], Some("Group")).unwrap_err().reason.contains("no point 99"));
 }
 
-#[test]
-fn keyframes_stay_within_their_bytes_and_going_back_stays_exact() {
-    let mut history = history("rim");
-    let each = history.keyframe_bytes();
-    history.bound_keyframes(8 * each);
-    let mut states = Vec::new();
-    for _ in 0..12 {
-        play(&mut history, 1500);
-        states.push(hash(&history));
-        assert!(history.keyframe_bytes() <= 8 * each + each / 2);
-    }
-    let (time, _) = history.nearest(f64::from_bits(states[5].1)).unwrap();
-    assert!(time <= f64::from_bits(states[5].1));
-    for index in [10, 2, 11, 6] {
-        history.go_to(f64::from_bits(states[index].1));
-        assert_eq!(hash(&history), states[index], "{index}");
-    }
-}
-
-#[test]
-fn what_was_left_behind_is_found_and_what_goes_on_is_left_alone() {
-    let folder = tempfile::tempdir().unwrap();
-    let mut history = history("rim");
-    let mut saved = Autosave::begin(folder.path()).unwrap();
-    assert!(saved.tick(0.0, &history).unwrap());
-    play(&mut history, 200);
-    assert!(!saved.tick(1.9, &history).unwrap() && saved.tick(2.1, &history).unwrap());
-    history.give(vec![strength(50.0)], Some("Mouse")).unwrap();
-    play(&mut history, 100);
-    saved.tick(4.2, &history).unwrap();
-    assert!(Autosave::left(folder.path()).is_empty(), "its program still runs");
-    let (path, whole) = (saved.path().to_owned(), hash(&history));
-    let other = Autosave::begin(folder.path()).unwrap();
-    // The program is killed: its lock is free, its file stays.
-    drop(saved);
-    let mut left = Autosave::left(folder.path());
-    assert_eq!(left.iter().map(|left| left.path()).collect::<Vec<_>>(), [&path]);
-    let again = |left: &Left| {
-        let mut again = History::new(left.start().unwrap()).unwrap();
-        again.go_to(again.end());
-        again
-    };
-    assert_eq!(hash(&again(&left[0])), whole);
-    // In the middle of a write.
-    let bytes = std::fs::read(&path).unwrap();
-    std::fs::write(&path, &bytes[..bytes.len() - 40]).unwrap();
-    let commands = again(&left[0]).recording().commands.len();
-    assert!(commands > 10 && commands <= history.recording().commands.len());
-    left.pop().unwrap().discard().unwrap();
-    assert!(Autosave::left(folder.path()).is_empty());
-    other.end().unwrap();
-    assert_eq!(std::fs::read_dir(folder.path()).unwrap().count(), 0);
-}
-
-#[test]
-fn a_disk_that_cannot_be_written_is_a_note_and_what_was_undone_is_not_saved() {
-    let folder = tempfile::tempdir().unwrap();
-    let inner = folder.path().join("state");
-    let mut history = history("rim");
-    let mut saved = Autosave::begin(&inner).unwrap();
-    play(&mut history, 50);
-    history.give(vec![strength(50.0)], Some("Mouse")).unwrap();
-    saved.write(&history).unwrap();
-    history.undo().unwrap();
-    saved.write(&history).unwrap();
-    let log = Log::open(saved.path()).unwrap();
-    assert_eq!(log.count(), history.recording().commands.len());
-    std::fs::remove_dir_all(&inner).unwrap();
-    history.give(vec![strength(60.0)], Some("Mouse")).unwrap();
-    assert!(saved.write(&history).is_err());
-    std::fs::create_dir(&inner).unwrap();
-    saved.write(&history).unwrap();
-    assert!(Log::open(saved.path()).unwrap().recording().unwrap().commands == history.recording().commands);
-}
-
 /// Positions and velocities now.
 fn motion(history: &History) -> (Vec<[f64; 3]>, Vec<[f64; 3]>) {
     let sample = history.world().sample(history.world().time());
@@ -291,9 +287,7 @@ fn a_snapshot_goes_on_from_its_state_the_same_way_every_time() {
         let mut live = history(name);
         play_at_random(&mut live, &mut Dice::new(3), 1.0);
         live.give(vec![Do::Group { points: vec![PointId(0)], name: "first".into() }], Some("Group")).unwrap();
-        let mut text = Vec::new();
-        live.snapshot().unwrap().write_json(&mut text).unwrap();
-        let log = Log::of_text(std::str::from_utf8(&text).unwrap(), name).unwrap();
+        let log = as_log(&live.snapshot().unwrap());
         let open = || History::new(Start::from(log.recording().unwrap())).unwrap();
         let mut first = open();
         assert_eq!(first.world().time().to_bits(), live.world().time().to_bits());
@@ -331,9 +325,68 @@ fn a_damaged_state_is_refused() {
             bytes[at] = b'A' + (dice.below(26) as u8)
         }
         let mut damaged = whole.clone();
-        damaged.state = Some(serde_json::json!({ "layout": 1, "data": String::from_utf8(bytes).unwrap() }));
+        damaged.state =
+            Some(serde_json::json!({ "layout": state["layout"], "data": String::from_utf8(bytes).unwrap() }));
         // Whatever is damaged is noticed by the sum of the compressed bytes.
         let opened = History::new(Start::from(damaged.clone()));
         assert!(opened.is_err() || damaged.state.unwrap()["data"] == state["data"]);
     }
+}
+
+#[test]
+fn a_state_of_another_layout_or_version_is_gone_on_from_and_said() {
+    let mut live = history("rim");
+    play(&mut live, 200);
+    live.give(vec![Do::Delete(DeleteKeys { points: vec![3], ..DeleteKeys::default() })], Some("Delete")).unwrap();
+    live.give(vec![strength(70.0), Do::Grab(Reach::Points(vec![PointId(0)]))], None).unwrap();
+    play(&mut live, 100);
+    let whole = live.snapshot().unwrap();
+    assert!(whole.notes().is_empty());
+    let as_is = History::new(Start::from(whole.clone())).unwrap();
+    let of = |key: &str, value: serde_json::Value| {
+        let mut other = whole.clone();
+        other.state.as_mut().unwrap()[key] = value;
+        other
+    };
+    // Of another version the layout may still be known: then nothing is lost.
+    let other = of("wobble", "0.0.9".into());
+    assert!(other.notes()[0].contains("0.0.9") && other.notes().len() == 1, "{:?}", other.notes());
+    assert_eq!(hash(&History::new(Start::from(other)).unwrap()), hash(&as_is));
+    // Of another layout positions, velocities, bonds and time are.
+    let other = of("layout", 9.into());
+    assert!(other.notes()[0].contains("layout 9"), "{:?}", other.notes());
+    let mut taken = History::new(Start::from(other)).unwrap();
+    assert_eq!(taken.notes().len(), 1);
+    assert_eq!(hash(&taken), hash(&as_is));
+    let bonds = |history: &History| history.world().bonds().iter().collect::<Vec<_>>();
+    assert_eq!(bonds(&taken), bonds(&live));
+    assert_eq!(taken.world().gone(), [PointId(3)]);
+    let force = |history: &History| history.world().mouse_force().unwrap().strength;
+    assert_eq!((force(&taken), force(&as_is)), (force(&history("rim")), 70.0));
+    assert!(as_is.world().grab().is_some() && taken.world().grab().is_none());
+    play(&mut taken, 100);
+    let late = hash(&taken);
+    let mut again = History::new(Start::from(taken.recording())).unwrap();
+    again.go_to(f64::from_bits(late.1));
+    assert_eq!(hash(&again), late);
+    let refused = History::new(Start::from(of("layout", 1.into()))).err().unwrap();
+    assert!(refused.to_string().contains("layout 1"), "{refused}");
+}
+
+#[test]
+fn skins_of_the_scene_and_of_what_was_added_are_in_a_snapshot() {
+    let mut live = history("pebble");
+    let gear = Scene::load("gear").unwrap().with_pictures_inside().unwrap();
+    let body = gear.bodies[0].clone();
+    live.give(vec![Do::Add(Box::new(AddKeys { bodies: vec![body], ..AddKeys::default() }))], Some("Add")).unwrap();
+    let first = live.skins().last().unwrap().first;
+    let gone = vec![0, first, first + 1];
+    live.give(vec![Do::Delete(DeleteKeys { points: gone, ..DeleteKeys::default() })], Some("Delete")).unwrap();
+    let before = live.skins().to_vec();
+    assert_eq!(before.len(), 3);
+    let open = |recording: &Recording| History::new(Start::from(as_log(recording).recording().unwrap())).unwrap();
+    let again = open(&live.snapshot().unwrap());
+    assert!(again.skins() == before);
+    // A snapshot of what began with one has them too.
+    assert!(open(&again.snapshot().unwrap()).skins() == before);
 }

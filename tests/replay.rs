@@ -3,13 +3,16 @@
 
 mod common;
 
+use std::io::Write;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output};
 
 use common::session::{Dice, play};
+use common::{asked, say};
 use tempfile::TempDir;
-use wobble::history::{History, Log, Start, chunk};
+use wobble::history::{Autosave, History, Log, Recording, Replay, Start, chunk, hash_now};
 use wobble::scene::Scene;
+use wobble::sim::InstructionSet;
 
 fn wobble(arguments: &[&str]) -> Command {
     let mut command = Command::new(env!("CARGO_BIN_EXE_wobble"));
@@ -189,6 +192,24 @@ fn bad_commands_are_refused_with_number_time_and_reason() {
         ),
         (r#"{"at": 0.1, "do": "set", "bonds": [0], "mass": 2}"#, "", "mass: is no key of bonds"),
         (r#"{"at": 0.1, "do": "set", "gravity": [0, 0, 1]}"#, "", "gravity: has 3 numbers"),
+        (r#"{"at": 0.1, "do": "pin", "points": [77]}"#, "", "commands[0] at t = 0.1 s: there is no point 77"),
+        (r#"{"at": 0.1, "do": "delete", "bonds": [9999]}"#, "", "commands[0] at t = 0.1 s: there is no bond 9999"),
+        (r#"{"at": 0.1, "do": "delete", "obstacles": [5]}"#, "", "commands[0] at t = 0.1 s: there is no obstacle 5"),
+        (
+            r#"{"at": 0.1, "do": "set", "bonds": [0], "relaxation": 0.5}"#,
+            "",
+            "commands[0] at t = 0.1 s: bond 0 is not relaxed",
+        ),
+        (
+            r#"{"at": 0.1, "do": "cursor", "to": [50, 50]}, {"at": 0.2, "do": "grab", "within": 0.5}"#,
+            "",
+            "commands[1] at t = 0.2 s: nothing that can move is in reach",
+        ),
+        (
+            r#"{"at": 0.1, "do": "cursor", "to": [0, 0]}, {"at": 0.1, "do": "delete", "points": [3]}, {"at": 0.2, "do": "grab", "points": [3]}"#,
+            "",
+            "commands[2] at t = 0.2 s: there is no point 3",
+        ),
         (THREE, ", \"end\": 0.2", "end: 0.2 s is before the last command or mark at 0.3 s"),
         (THREE, ", \"marks\": [{\"at\": 2, \"hash\": \"\"}], \"end\": 1", "before the last command or mark at 2.0 s"),
         (THREE, ", \"ends\": 1", "unknown key `ends`"),
@@ -205,8 +226,9 @@ fn bad_commands_are_refused_with_number_time_and_reason() {
             "scene.gravty: unknown key: did you mean `gravity`?",
         ),
         (recording(THREE, "").replace("\"scene\": \"rim\",", ""), "the key `scene` is missing"),
-        (recording(THREE, ", \"state\": {\"layout\": 9, \"data\": \"\"}"), "state: has layout 9"),
-        (recording(THREE, ", \"state\": {\"layout\": 1, \"data\": \"AAAA\"}"), "state: is damaged"),
+        (recording(THREE, ", \"state\": {\"layout\": 1, \"data\": \"\"}"), "state: has layout 1"),
+        (recording(THREE, ", \"state\": {\"layout\": 2, \"data\": \"AAAA\"}"), "state: is damaged"),
+        (recording(THREE, ", \"state\": {\"layout\": 9, \"data\": \"AAAA\"}"), "state: is damaged"),
     ] {
         let path = file(&folder, "x.json", &whole);
         let line = refused(1, &["replay", text(&path), "--hash"]);
@@ -271,4 +293,121 @@ fn the_readmes_recording_runs() {
     let path = file(&folder, "x.json", text_of.split("```").next().unwrap());
     let start = said(&["replay", text(&path), "--time", "0", "--hash"]);
     assert_ne!(said(&["replay", text(&path), "--hash"]), start);
+}
+
+/// Resident memory at most so far [kB], where the system tells.
+fn peak_memory() -> Option<u64> {
+    let text = std::fs::read_to_string("/proc/self/status").ok()?;
+    text.lines().find_map(|line| line.strip_prefix("VmHWM:")?.trim().strip_suffix(" kB")?.trim().parse().ok())
+}
+
+/// Far fewer bytes are in memory than a file has. WOBBLE_COMMANDS says how many commands there are.
+#[test]
+fn commands_are_streamed() {
+    let count = asked("WOBBLE_COMMANDS", 400_000.0) as usize;
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("long.jsonl");
+    let mut lines = std::io::BufWriter::new(std::fs::File::create(&path).unwrap());
+    writeln!(lines, "{{\"wobble_recording\":1,\"scene\":\"points\"}}").unwrap();
+    for k in 0..count {
+        let at = 1e-3 * (k * 100 / count) as f64;
+        writeln!(
+            lines,
+            "{{\"at\":{at:?},\"do\":\"cursor\",\"to\":[{}.5,1],\"edit\":{k},\"name\":\"a long name\"}}",
+            k % 7
+        )
+        .unwrap();
+    }
+    lines.into_inner().unwrap();
+    let size = std::fs::metadata(&path).unwrap().len() >> 10;
+    let before = peak_memory();
+    let log = Log::open(&path).unwrap();
+    let mut run = Replay::new(log.head().unwrap(), "x").unwrap();
+    log.each(&mut |number, entry| run.follow(number, &entry).map(|()| true)).unwrap();
+    assert_eq!(log.count(), count);
+    if let (Some(before), Some(after)) = (before, peak_memory()) {
+        say(&format!("{count} commands of {size} kB: {} kB more in memory", after - before));
+        // Other tests run beside this one.
+        assert!(after - before < size, "{} kB of {size}", after - before);
+    }
+}
+
+/// A session of all kinds of commands, and its file.
+fn session(name: &str, seconds: f64, folder: &TempDir) -> (Recording, PathBuf) {
+    let mut live = History::new(Start::from(Scene::load(name).unwrap())).unwrap();
+    play(&mut live, &mut Dice::new(name.len() as u64), seconds);
+    live.go_to(live.end());
+    assert!(live.take_refused().is_empty(), "{name}");
+    let made = live.recording();
+    let path = folder.path().join(format!("{name}.json"));
+    made.save(&path).unwrap();
+    (made, path)
+}
+
+/// From some keyframes on to the end: the same hash.
+fn from_keyframes(name: &str, made: &Recording, count: usize) {
+    let mut again = History::new(Start::from(made.clone())).unwrap();
+    let (end, mut dice) = (made.end(), Dice::new(9));
+    again.go_to(end);
+    for _ in 0..count {
+        let at = dice.within(0.0, end);
+        again.go_to(at);
+        while again.world().time() < end {
+            again.step();
+        }
+        let hash = hash_now(again.world(), again.world().time());
+        assert_eq!(Some(&hash), made.marks.last().map(|mark| &mark.hash), "{name} from {at} s on");
+        assert!(again.take_refused().is_empty(), "{name}");
+    }
+}
+
+/// Each varied alone from one base run: threads, vectors, where it is begun, and the build. Whole by WOBBLE_SCENES=10 WOBBLE_SECONDS=60
+/// WOBBLE_KEYFRAMES=20 WOBBLE_OTHER=(the program of another build).
+#[test]
+fn random_sessions_come_to_the_same_bits_whatever_is_varied() {
+    let (scenes, seconds) = (asked("WOBBLE_SCENES", 3.0) as usize, asked("WOBBLE_SECONDS", 10.0));
+    let keyframes = asked("WOBBLE_KEYFRAMES", 2.0) as usize;
+    let names =
+        ["rim", "points", "spring-damper", "net", "gear", "jelly", "random-graph", "ring", "rope", "picture-obstacle"];
+    let folder = tempfile::tempdir().unwrap();
+    for name in names.into_iter().take(scenes) {
+        let (made, path) = session(name, seconds, &folder);
+        assert!(made.commands.len() as f64 > 5.0 * seconds, "{name}: {}", made.commands.len());
+        let verify = |program: &str, variable: &str, value: &str| {
+            let done = Command::new(program).args(["verify", text(&path)]).env(variable, value).output().unwrap();
+            let said = String::from_utf8_lossy(&done.stderr);
+            assert!(done.status.success(), "{name} with {variable}={value} by {program}: {said}");
+        };
+        let program = env!("CARGO_BIN_EXE_wobble");
+        ["1", "2", "3", "8"].into_iter().for_each(|threads| verify(program, "RAYON_NUM_THREADS", threads));
+        let narrower =
+            InstructionSet::ALL.into_iter().filter(|set| set.is_available() && *set != InstructionSet::best());
+        narrower.for_each(|set| verify(program, "WOBBLE_INSTRUCTION_SET", set.name()));
+        if let Ok(other) = std::env::var("WOBBLE_OTHER") {
+            verify(&other, "RAYON_NUM_THREADS", "2");
+        }
+        from_keyframes(name, &made, keyframes);
+    }
+}
+
+#[test]
+fn what_a_session_left_is_compared_with_its_last_state() {
+    let folder = tempfile::tempdir().unwrap();
+    let mut live = History::new(Start::from(Scene::load("spring-damper").unwrap())).unwrap();
+    play(&mut live, &mut Dice::new(3), 0.5);
+    let mut saved = Autosave::begin(folder.path()).unwrap();
+    saved.write(&live).unwrap();
+    let path = saved.path().to_owned();
+    assert!(said(&["verify", text(&path)]).contains("the state that was kept at t = "));
+    // Another motion than the one that was kept: nothing was done but a push.
+    let lines = std::fs::read_to_string(&path).unwrap();
+    let (header, rest) = lines.split_once('\n').unwrap();
+    let push = r#"{"at": 0, "do": "set", "points": [9], "velocity": [0, 1]}"#;
+    let ends: Vec<&str> = rest.lines().filter(|line| line.starts_with("{\"end\"")).collect();
+    std::fs::write(&path, format!("{header}\n{push}\n{}\n", ends.join("\n"))).unwrap();
+    let line = refused(1, &["verify", text(&path)]);
+    assert!(
+        line.contains("the island of point ") && line.contains(" m from the state that was kept at t = "),
+        "{line}"
+    );
 }

@@ -443,7 +443,7 @@ fn what_a_killed_program_left_is_offered_and_gone_on_with() {
     app.let_go();
     app.move_mouse(1090, 300);
     std::thread::sleep(Duration::from_millis(2500));
-    assert_eq!(files(), 2, "a log and its lock");
+    assert_eq!(files(), 3, "a log, its last state and a lock");
     app.process.kill().unwrap();
     app.process.wait().unwrap();
     let again = display.open(Path::new("spring-damper"));
@@ -461,7 +461,7 @@ fn what_a_killed_program_left_is_offered_and_gone_on_with() {
     again.wait_for_title("wobble · rim-still");
     again.move_mouse(1090, 300);
     assert_eq!(wanted_button(&again.wait_until_still()), None, "it is offered once");
-    assert_eq!(files(), 2, "it is kept on");
+    assert_eq!(files(), 3, "it is kept on");
     again.quit();
     assert_eq!(files(), 0, "and leaves nothing when it ends as it should");
 }

@@ -7,6 +7,7 @@ use clap::Args;
 use image::codecs::gif::{GifEncoder, Repeat};
 use image::{Delay, Frame, ImageFormat, RgbaImage};
 
+use super::replay::say_notes;
 use super::{progress, values};
 use crate::app::opening;
 use crate::history::{Replay, Start, chunk};
@@ -69,6 +70,7 @@ pub(super) fn run(arguments: &Arguments, quiet: bool) -> anyhow::Result<()> {
     let start = Start::load(&arguments.scene)?;
     let (scene, commands) = (start.scene(), &start.recording().commands);
     let mut run = Replay::new(start.recording(), &arguments.scene)?;
+    say_notes(start.recording(), &arguments.scene);
     for warning in run.world().warnings() {
         writeln!(std::io::stderr(), "wobble: warning: {warning}")?;
     }

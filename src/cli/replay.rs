@@ -8,7 +8,7 @@ use clap::Args;
 
 use super::simulate::{self, Table};
 use super::{WrongCall, progress, values};
-use crate::history::{HistoryError, Log, Mark, hash_now, replay};
+use crate::history::{Difference, Log, Mark, Recording, apart_from_last, hash_now, replay};
 
 /// What to run again and what to write of it.
 #[derive(Args)]
@@ -41,7 +41,6 @@ pub(super) fn run(arguments: &Arguments, quiet: bool) -> anyhow::Result<()> {
         let file = log.label();
         bail!(WrongCall(format!("{file}: --time {time:?} is beyond its end at {end:?} s: give a time up to that")));
     }
-    say_version(&log)?;
     let bar = progress::bar(quiet, time);
     let mut table = Table::new(&head.scene);
     replay(head, &log, &[time], &mut |run, time| {
@@ -49,6 +48,7 @@ pub(super) fn run(arguments: &Arguments, quiet: bool) -> anyhow::Result<()> {
         Ok(true)
     })?;
     bar.finish_and_clear();
+    say_notes(head, log.label());
     table.write(arguments.out.as_deref(), arguments.hash, None)
 }
 
@@ -69,47 +69,56 @@ pub(super) fn verify(arguments: &Verified) -> anyhow::Result<()> {
     Ok(())
 }
 
-/// Errors: a mark that differs; nothing to compare.
+/// Errors: a mark that differs, or the state that was kept beside the file; nothing to compare.
 fn verify_one(log: &Log) -> anyhow::Result<String> {
     let (head, label) = (log.head()?, log.label());
     let marks = &head.marks;
-    if marks.is_empty() {
+    let last = apart_from_last(log)?;
+    if marks.is_empty() && last.is_none() {
         bail!("{label}: nothing to compare: it has no marks");
     }
+    let island = last.and_then(|(time, apart)| Some((time, apart?))).map(|(time, Difference { island, apart })| {
+        format!("the island of point {} is {apart:.1e} m from the state that was kept at t = {time:?} s", island.0)
+    });
+    let (count, made) = (marks.len(), &head.about.wobble);
+    match (first_that_differs(log, marks)?, island) {
+        (Some((Mark { at, hash }, found)), island) if head.about.is_ours() => {
+            let island = island.map_or_else(String::new, |words| format!("; {words}"));
+            bail!("{label}: differs from t = {at:?} s on: {found}, marked {hash}{island}")
+        }
+        (Some((Mark { at, .. }, _)), _) => bail!(
+            "{label}: differs from t = {at:?} s on: it was made by wobble {made}, and only the same version comes to the same bits"
+        ),
+        (None, Some(island)) => bail!("{label}: {island}"),
+        (None, None) if !head.about.is_ours() => bail!(
+            "{label}: all {count} marks are the same, but it was made by wobble {made}: only the same version promises that"
+        ),
+        (None, None) => Ok(match (marks.last(), last) {
+            (None, Some((time, _))) => format!("{label}: the state that was kept at t = {time:?} s is the same"),
+            (last, _) => {
+                format!("{label}: {count} marks are the same, to t = {:?} s", last.map_or(0.0, |mark| mark.at))
+            }
+        }),
+    }
+}
+
+/// The first mark that differs, and the hash in its place.
+fn first_that_differs(log: &Log, marks: &[Mark]) -> anyhow::Result<Option<(Mark, String)>> {
     let times: Vec<f64> = marks.iter().map(|mark| mark.at).collect();
     let mut left = marks.iter();
-    let mut different: Option<(Mark, String)> = None;
-    replay(head, log, &times, &mut |run, time| {
+    let mut different = None;
+    replay(log.head()?, log, &times, &mut |run, time| {
         let found = hash_now(run.world(), time);
         different = left.next().filter(|mark| mark.hash != found).map(|mark| (mark.clone(), found));
         Ok(different.is_none())
     })?;
-    let (count, made) = (marks.len(), &head.about.wobble);
-    match different {
-        Some((Mark { at, hash }, found)) if head.about.is_ours() => {
-            bail!("{label}: differs from t = {at:?} s on: {found}, marked {hash}")
-        }
-        Some((Mark { at, .. }, _)) => bail!(
-            "{label}: differs from t = {at:?} s on: it was made by wobble {made}, and only the same version comes to the same bits"
-        ),
-        None if !head.about.is_ours() => bail!(
-            "{label}: all {count} marks are the same, but it was made by wobble {made}: only the same version promises that"
-        ),
-        None => Ok(format!("{label}: {count} marks are the same, to t = {:?} s", times.last().copied().unwrap_or(0.0))),
-    }
+    Ok(different)
 }
 
-/// Says where the motion is worked out anew, by another version than made the recording.
-fn say_version(log: &Log) -> Result<(), HistoryError> {
-    let about = &log.head()?.about;
-    if !about.is_ours() {
-        let (made, ours) = (&about.wobble, env!("CARGO_PKG_VERSION"));
-        let label = log.label();
+/// Says what is to be known of a recording that another version made.
+pub(super) fn say_notes(recording: &Recording, label: &str) {
+    for note in recording.notes() {
         // Who reads no messages misses nothing else.
-        let _ = writeln!(
-            std::io::stderr(),
-            "wobble: {label}: was made by wobble {made}: {ours} replays the motion anew, which may differ"
-        );
+        let _ = writeln!(std::io::stderr(), "wobble: {label}: {note}");
     }
-    Ok(())
 }

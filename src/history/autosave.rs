@@ -1,15 +1,18 @@
 //! What is kept of a session while it goes on, so that a killed program loses two seconds at most.
 //!
 //! A session has a file of lines, to which its commands are appended, and a lock beside it, which the system lets go when the
-//! program ends, however it does: a file whose lock is free was left behind.
+//! program ends, however it does: a file whose lock is free was left behind. The state of the last write lies there too, to be shown while
+//! the lines are run through.
 
 use std::fs::{self, File, OpenOptions};
 use std::io;
 use std::path::{Path, PathBuf};
 
 use super::error::HistoryError;
+use super::last::{self, LastState};
 use super::lines::Lines;
 use super::log::Log;
+use super::replay::Replay;
 use super::session::History;
 use super::start::Start;
 
@@ -22,6 +25,7 @@ const MOST: u32 = 1000;
 /// The file of a session that goes on.
 pub struct Autosave {
     lines: Lines,
+    last: LastState,
     /// Held as long as this lives.
     lock: File,
     lock_path: PathBuf,
@@ -47,7 +51,8 @@ impl Autosave {
                 continue;
             }
             lock.lock()?;
-            return Ok(Autosave { lines: Lines::new(path), lock, lock_path, due: f64::NEG_INFINITY });
+            let last = LastState::new(&path);
+            return Ok(Autosave { lines: Lines::new(path), last, lock, lock_path, due: f64::NEG_INFINITY });
         }
         Err(io::Error::other(format!("{} holds {MOST} sessions of this process: empty it", folder.display())))
     }
@@ -74,7 +79,8 @@ impl Autosave {
     ///
     /// Errors: those of [`Autosave::tick`].
     pub fn write(&mut self, history: &History) -> io::Result<()> {
-        self.lines.write(history)
+        self.lines.write(history)?;
+        self.last.write(history)
     }
 
     /// The session ended as it should: its file goes.
@@ -84,8 +90,7 @@ impl Autosave {
         let Autosave { lines, lock, lock_path, .. } = self;
         let path = lines.path().to_owned();
         drop((lines, lock));
-        remove(&path)?;
-        remove(&lock_path)
+        remove_all(&path, &lock_path)
     }
 
     /// What sessions that did not end as they should have left in a folder, the newest first. Files of programs that still run are
@@ -98,6 +103,12 @@ impl Autosave {
         left.sort_by(|a, b| b.changed.cmp(&a.changed).then_with(|| a.path.cmp(&b.path)));
         left
     }
+}
+
+/// Removes a session's files, the one that it is found by last but for the lock.
+fn remove_all(path: &Path, lock_path: &Path) -> io::Result<()> {
+    let [state, new] = last::files(path);
+    [&new, &state, path, lock_path].into_iter().try_for_each(remove)
 }
 
 fn remove(path: &Path) -> io::Result<()> {
@@ -139,12 +150,16 @@ impl Left {
         Ok(Log::open(&self.path)?.recording()?.into())
     }
 
+    /// Its state when it was last written, to be shown until [`Left::start`] has been run through; `None` where there is none, or it is damaged.
+    pub fn last(&self) -> Option<Replay> {
+        Log::open(&self.path).ok()?.last().map(|(last, _)| last)
+    }
+
     /// It is not wanted any more.
     ///
     /// Errors: the file cannot be removed.
     pub fn discard(self) -> io::Result<()> {
         drop(self.lock);
-        remove(&self.path)?;
-        remove(&self.path.with_extension("lock"))
+        remove_all(&self.path, &self.path.with_extension("lock"))
     }
 }

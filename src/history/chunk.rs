@@ -1,6 +1,6 @@
 //! A recording inside a PNG: a compressed iTXt chunk with the keyword `wobble`.
 //!
-//! Source: the PNG specification, third edition, 5.3 (chunks), 11.3.3.4 (iTXt).
+//! Source: the PNG specification, third edition, 11.3.3.4 (iTXt).
 
 use std::io::{Read, Write};
 
@@ -8,17 +8,13 @@ use flate2::read::ZlibDecoder;
 use flate2::write::ZlibEncoder;
 use flate2::{Compression, Crc};
 
-/// What a PNG begins with.
-pub(super) const MARK: [u8; 8] = *b"\x89PNG\r\n\x1a\n";
+use crate::picture::{PNG_MARK, png_parts};
 
 /// Keyword, compressed by deflate, no language, no translated keyword.
 const HEAD: &[u8] = b"wobble\0\x01\0\0\0";
 
 /// Largest text that is unpacked [bytes]: some bytes may unpack to any size.
 const LARGEST: u64 = 1 << 30;
-
-/// Bytes of length, name and sum around what a chunk holds.
-const AROUND: usize = 12;
 
 /// A PNG with a text in it, in place of one that it had; what is no PNG stays as it is.
 ///
@@ -32,9 +28,9 @@ pub fn insert(png: &[u8], text: &str) -> std::io::Result<Vec<u8>> {
     let mut sum = Crc::new();
     sum.update(b"iTXt");
     sum.update(&content);
-    let mut out = MARK.to_vec();
-    let mut end = MARK.len();
-    for (at, (name, part)) in chunks(png).enumerate() {
+    let mut out = PNG_MARK.to_vec();
+    let mut end = PNG_MARK.len();
+    for (at, (name, part)) in png_parts(png).enumerate() {
         end += part.len();
         if !is_ours(name, part) {
             out.extend(part);
@@ -47,7 +43,7 @@ pub fn insert(png: &[u8], text: &str) -> std::io::Result<Vec<u8>> {
             out.extend(sum.sum().to_be_bytes());
         }
     }
-    if end == MARK.len() {
+    if end == PNG_MARK.len() {
         return Ok(png.to_vec());
     }
     out.extend(&png[end..]);
@@ -56,7 +52,7 @@ pub fn insert(png: &[u8], text: &str) -> std::io::Result<Vec<u8>> {
 
 /// The text in a PNG; `None` where there is none, or it is damaged.
 pub fn find(png: &[u8]) -> Option<String> {
-    let (_, part) = chunks(png).find(|(name, part)| is_ours(name, part))?;
+    let (_, part) = png_parts(png).find(|(name, part)| is_ours(name, part))?;
     let packed = &part[8 + HEAD.len()..part.len() - 4];
     let mut text = Vec::new();
     ZlibDecoder::new(packed).take(LARGEST + 1).read_to_end(&mut text).ok()?;
@@ -65,17 +61,6 @@ pub fn find(png: &[u8]) -> Option<String> {
 
 fn is_ours(name: &[u8], part: &[u8]) -> bool {
     name == b"iTXt" && part[8..part.len() - 4].starts_with(HEAD)
-}
-
-/// The chunks of a PNG that are whole, each with its name.
-fn chunks(png: &[u8]) -> impl Iterator<Item = (&[u8], &[u8])> {
-    let mut rest = png.strip_prefix(&MARK).unwrap_or_default();
-    std::iter::from_fn(move || {
-        let length = u32::from_be_bytes(*rest.first_chunk::<4>()?) as usize;
-        let (part, after) = rest.split_at_checked(length.checked_add(AROUND)?)?;
-        rest = after;
-        Some((&part[4..8], part))
-    })
 }
 
 #[cfg(test)]

@@ -2,7 +2,8 @@
 
 use std::sync::Arc;
 
-use crate::picture::Skin;
+use super::pack::Packed;
+use crate::picture::{self, Picture, Skin};
 use crate::scene::{Scene, SceneError};
 use crate::sim::{Dynamics, PointId};
 
@@ -30,6 +31,8 @@ struct Worn {
 #[derive(Clone, Debug, Default)]
 pub(super) struct Dress {
     worn: Arc<Vec<Worn>>,
+    /// So many of them are the scene's own.
+    of_scene: usize,
     /// Numbers of points and names, newest last.
     groups: Arc<Vec<Group>>,
 }
@@ -41,6 +44,7 @@ impl Dress {
     pub(super) fn new(scene: &Scene, world: &dyn Dynamics) -> Result<Self, SceneError> {
         let mut dress = Dress::default();
         dress.wear(scene.skins()?, world);
+        dress.of_scene = dress.worn.len();
         Ok(dress)
     }
 
@@ -103,5 +107,53 @@ impl Dress {
             points: group.points.iter().copied().filter(is_left).collect(),
         };
         self.groups.iter().map(left).filter(|group| !group.points.is_empty()).collect()
+    }
+
+    /// Puts what came after the start of the scene behind the bytes: each picture once, then what is drawn of them.
+    ///
+    /// Errors: in words, a picture that cannot be written.
+    pub(super) fn put_added(&self, to: &mut Vec<u8>) -> Result<(), String> {
+        let added = &self.worn[self.of_scene..];
+        let mut pictures: Vec<&Arc<Picture>> = Vec::new();
+        for worn in added {
+            if !pictures.iter().any(|other| Arc::ptr_eq(other, &worn.skin.picture)) {
+                pictures.push(&worn.skin.picture);
+            }
+        }
+        pictures.len().put(to);
+        for one in &pictures {
+            picture::encode(one).map_err(|error| error.to_string())?.put(to);
+        }
+        added.len().put(to);
+        for Worn { skin, sides } in added {
+            let Skin { picture, first, triangles, texture } = skin;
+            pictures.iter().position(|other| Arc::ptr_eq(other, picture)).unwrap_or_default().put(to);
+            first.put(to);
+            texture.put(to);
+            triangles.put(to);
+            sides.put(to);
+        }
+        Ok(())
+    }
+
+    /// Takes what came after the start of the scene from the front of the bytes, of a world of `points` points; `None` where they are not
+    /// enough, or none of it.
+    pub(super) fn take_added(&mut self, from: &mut &[u8], points: usize) -> Option<()> {
+        let mut pictures = Vec::new();
+        for _ in 0..usize::take(from)? {
+            pictures.push(Arc::new(picture::decode(&Vec::take(from)?).ok()?));
+        }
+        for _ in 0..usize::take(from)? {
+            let picture = Arc::clone(pictures.get(usize::take(from)?)?);
+            let (first, texture) = (u32::take(from)?, Vec::<[f32; 2]>::take(from)?);
+            let (triangles, sides) = (Vec::<[u32; 3]>::take(from)?, Vec::<[u32; 3]>::take(from)?);
+            let end = (first as usize).checked_add(texture.len())?.min(points);
+            let fits = |corner: &u32| (first as usize..end).contains(&(*corner as usize));
+            if sides.len() != triangles.len() || !triangles.iter().flatten().all(fits) {
+                return None;
+            }
+            Arc::make_mut(&mut self.worn).push(Worn { skin: Skin { picture, first, triangles, texture }, sides });
+        }
+        Some(())
     }
 }

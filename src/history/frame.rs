@@ -2,6 +2,7 @@
 
 use super::command::{Do, Entry};
 use super::dress::Dress;
+use super::effort::Effort;
 use super::resolve::{Resolved, resolve};
 use crate::scene::Scene;
 use crate::sim::{Applied, Command, Dynamics};
@@ -14,15 +15,23 @@ pub(super) struct Frame {
     pub(super) world: Box<dyn Dynamics>,
     pub(super) dress: Dress,
     pub(super) place: usize,
+    /// What the steps to here cost.
+    pub(super) effort: Effort,
 }
 
 impl Clone for Frame {
     fn clone(&self) -> Self {
-        Frame { world: self.world.boxed_clone(), dress: self.dress.clone(), place: self.place }
+        let Frame { world, dress, place, effort } = self;
+        Frame { world: world.boxed_clone(), dress: dress.clone(), place: *place, effort: effort.clone() }
     }
 }
 
 impl Frame {
+    /// A world before the first command of its branch.
+    pub(super) fn new(world: Box<dyn Dynamics>, dress: Dress) -> Self {
+        Frame { world, dress, place: 0, effort: Effort::default() }
+    }
+
     /// Whether what is to be done at `at` [s] is to be done now.
     pub(super) fn is_due(&self, at: f64) -> bool {
         at <= self.world.time() + SLACK * self.world.substep()
@@ -70,9 +79,11 @@ impl Frame {
 
     /// Takes a step, which ends at the time of the next command [s] where it would go beyond.
     pub(super) fn step(&mut self, next: Option<f64>) {
+        let before = *self.world.counters();
         match next {
             Some(at) => self.world.step_until(at),
             None => self.world.step(),
         }
+        self.effort.add(&before, &*self.world);
     }
 }

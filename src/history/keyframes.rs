@@ -34,6 +34,11 @@ impl Keyframes {
         self.bytes
     }
 
+    /// Bytes of the last copy that was taken.
+    pub(super) fn last_bytes(&self) -> usize {
+        self.list.last().map_or(0, |kept| kept.bytes)
+    }
+
     /// Another bound of the bytes.
     pub(super) fn bound(&mut self, most_bytes: usize, now: f64) {
         self.most_bytes = most_bytes;
@@ -79,7 +84,9 @@ impl Keyframes {
             let [before, this, after] = [&self.list[k - 1], &self.list[k], &self.list[k + 1]];
             let is_between = before.branch == this.branch && this.branch == after.branch && before.time <= this.time;
             let gap = after.time - before.time;
-            if now - this.time > RECENT && is_between && (0.0..=LONG_AGO_BETWEEN).contains(&gap) {
+            let effort = after.frame.effort.seconds() - before.frame.effort.seconds();
+            let is_near = (0.0..=LONG_AGO_BETWEEN).contains(&gap) && effort <= LONG_AGO_EFFORT;
+            if now - this.time > RECENT && is_between && is_near {
                 self.bytes -= self.list.remove(k).bytes;
             } else {
                 k += 1;
@@ -95,8 +102,11 @@ impl Keyframes {
     }
 }
 
-/// Time between copies of long ago at most that are dropped [s]: it takes a second at most to run through in real time.
-const LONG_AGO_BETWEEN: f64 = 0.8;
+/// Time between the neighbours of a copy of long ago at most that is dropped [s]: what is shown at once is not far from what is meant.
+const LONG_AGO_BETWEEN: f64 = 2.0;
+
+/// Counted work between them at most [s]: the exact state of any time is there in a second.
+const LONG_AGO_EFFORT: f64 = 0.8;
 
 /// Copies that are taken between two times that old ones are dropped.
 const SPREAD_EVERY: u64 = 64;

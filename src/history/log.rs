@@ -6,7 +6,9 @@ use std::path::{Path, PathBuf};
 
 use super::command::Entry;
 use super::error::HistoryError;
+use super::last;
 use super::parse::{self, Head, Stop};
+use super::replay::Replay;
 use super::start::{About, Recording};
 use crate::scene::Scene;
 
@@ -106,6 +108,14 @@ impl Log {
             marks: head.marks,
             about: About::read(head.about.as_ref()),
         }))
+    }
+
+    /// The state that a session left beside its file, and after how many commands; `None` where there is none, or it is damaged.
+    pub fn last(&self) -> Option<(Replay, usize)> {
+        let Text::File(path) = &self.text else { return None };
+        let last::Kept { place, state } = last::read(path)?;
+        let head = Recording { state: Some(state), ..self.head.clone()? };
+        Some((Replay::new(&head, &self.label).ok()?, place))
     }
 
     /// How many commands are whole.

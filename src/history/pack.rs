@@ -29,7 +29,7 @@ macro_rules! numbers {
     };
 }
 
-numbers!(u8, u32, u64, f64);
+numbers!(u8, u32, u64, f32, f64);
 
 impl Packed for usize {
     fn put(&self, to: &mut Vec<u8>) {
@@ -129,13 +129,53 @@ macro_rules! fields {
     };
 }
 
-fields!(Saved<D> {
-    model, precision, time, substep, scene_points, lost, gone, bond_numbers, next_numbers, cursor, grabbed, lead,
-});
-fields!(Model<D> {
-    position, velocity, mass, pinned, bonds, gravity, drag_rate, mouse, bounds, duration, planes, polygons,
-    obstacle_numbers, pin_motion, method,
-});
+/// What of a kept world every layout begins with, so that any version can go on from it.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct Core<const D: usize> {
+    pub(super) time: f64,
+    pub(super) position: Vec<[f64; D]>,
+    pub(super) velocity: Vec<[f64; D]>,
+    pub(super) mass: Vec<f64>,
+    pub(super) pinned: Vec<PointId>,
+    pub(super) bonds: Bonds,
+    pub(super) gone: Vec<PointId>,
+    pub(super) bond_numbers: Option<Vec<u32>>,
+    pub(super) next_numbers: [u32; 2],
+}
+
+fields!(Core<D> { time, position, velocity, mass, pinned, bonds, gone, bond_numbers, next_numbers });
+
+/// A kept world is its core, and then what this layout has besides.
+macro_rules! saved {
+    (core: $($core:ident)*; of its model: $($model:ident)*; model: $($more:ident)*; rest: $($rest:ident)*) => {
+        impl<const D: usize> Packed for Saved<D> {
+            fn put(&self, to: &mut Vec<u8>) {
+                let Saved { model, $($core,)* $($rest,)* } = self;
+                let Model { $($model,)* $($more,)* } = model;
+                let core = Core { $($core: $core.clone(),)* $($model: $model.clone(),)* };
+                core.put(to);
+                $($more.put(to);)*
+                $($rest.put(to);)*
+            }
+
+            fn take(from: &mut &[u8]) -> Option<Self> {
+                let Core { $($core,)* $($model,)* } = Core::take(from)?;
+                $(let $more = Packed::take(from)?;)*
+                $(let $rest = Packed::take(from)?;)*
+                let model = Model { $($model,)* $($more,)* };
+                Some(Saved { model, $($core,)* $($rest,)* })
+            }
+        }
+    };
+}
+
+saved! {
+    core: time gone bond_numbers next_numbers;
+    of its model: position velocity mass pinned bonds;
+    model: gravity drag_rate mouse bounds duration planes polygons obstacle_numbers pin_motion method;
+    rest: precision substep scene_points lost cursor grabbed lead
+}
+
 fields!(Method { solver, substep, iterations, order, seed, precision, tolerance, max_strain, sleeps });
 fields!(MouseForce { strength, radius, region, profile, track });
 fields!(Track<D> { knots });
@@ -237,15 +277,36 @@ impl Packed for BondKind {
     }
 }
 
+/// A core of any dimension.
+pub(super) enum AnyCore {
+    Plane(Core<2>),
+    Space(Core<3>),
+}
+
+/// What a world of each dimension begins with.
+const PLANE: u8 = 2;
+const SPACE: u8 = 3;
+
+impl AnyCore {
+    /// Takes it from the front of a kept world of whatever layout, and leaves what follows.
+    pub(super) fn take(from: &mut &[u8]) -> Option<Self> {
+        match u8::take(from)? {
+            PLANE => Core::take(from).map(AnyCore::Plane),
+            SPACE => Core::take(from).map(AnyCore::Space),
+            _ => None,
+        }
+    }
+}
+
 impl Packed for SavedWorld {
     fn put(&self, to: &mut Vec<u8>) {
         match self {
             SavedWorld::Plane(saved) => {
-                2u8.put(to);
+                PLANE.put(to);
                 saved.put(to);
             }
             SavedWorld::Space(saved) => {
-                3u8.put(to);
+                SPACE.put(to);
                 saved.put(to);
             }
         }
@@ -253,8 +314,8 @@ impl Packed for SavedWorld {
 
     fn take(from: &mut &[u8]) -> Option<Self> {
         match u8::take(from)? {
-            2 => Saved::take(from).map(SavedWorld::Plane),
-            3 => Saved::take(from).map(SavedWorld::Space),
+            PLANE => Saved::take(from).map(SavedWorld::Plane),
+            SPACE => Saved::take(from).map(SavedWorld::Space),
             _ => None,
         }
     }

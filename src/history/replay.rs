@@ -4,6 +4,7 @@ use super::command::Entry;
 use super::error::{HistoryError, Refusal};
 use super::frame::Frame;
 use super::log::Log;
+use super::mark::{Difference, difference};
 use super::start::Recording;
 use crate::picture::Skin;
 use crate::scene::Scene;
@@ -124,4 +125,25 @@ pub fn replay(head: &Recording, commands: &Log, times: &[f64], visit: Visit<'_>)
         goes_on = visit(&run, time)?;
     }
     Ok(())
+}
+
+/// Runs a session's file to where its last state was kept beside it: when that was [s], and where the two differ most, if they do.
+/// `None`: there is no such state.
+///
+/// Errors: those of [`replay`].
+pub fn apart_from_last(log: &Log) -> Result<Option<(f64, Option<Difference>)>, HistoryError> {
+    let Some((last, place)) = log.last() else { return Ok(None) };
+    let time = last.world().time();
+    let mut run = Replay::new(log.head()?, log.label())?;
+    let mut next = None;
+    log.each(&mut |number, entry| {
+        if number < place {
+            run.follow(number, &entry)?;
+        } else {
+            next = Some(entry.at);
+        }
+        Ok(number < place)
+    })?;
+    run.reach(time, next)?;
+    Ok(Some((time, difference(run.world(), last.world()))))
 }

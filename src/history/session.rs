@@ -15,12 +15,14 @@ use crate::picture::Skin;
 use crate::scene::Scene;
 use crate::sim::{Applied, Dynamics};
 
-/// Scene time between two keyframes at least [s]: what is gone back to is shown in a tenth of a second where a world runs in real time.
+/// Scene time between two keyframes at most, where copies are cheap [s]: what is gone back to is shown as if it ran.
 const TIME_BETWEEN: f64 = 0.1;
-/// Points of a world from which on steps are so cheap beside a copy that more must lie between two.
-const MANY: usize = 2000;
-/// Substeps between two keyframes at least, in a world of few points and of many: copies then cost less than a hundredth of them.
-const STEPS_BETWEEN: [u64; 2] = [100, 1000];
+/// Counted work between two keyframes at most, where copies are cheap [s]: the exact state of any time is there in a tenth of a second.
+const EFFORT_BETWEEN: f64 = 0.08;
+/// Work beside a copy, at least: recording takes a hundredth of it.
+const WORK_FOR_A_COPY: f64 = 100.0;
+/// What a copy takes [s] for each byte.
+const COPY: f64 = 2.5e-10;
 
 /// A running world with its past: a start, the commands that were given with their times, keyframes; undo, redo, going back,
 /// branches.
@@ -28,6 +30,7 @@ pub struct History {
     pub(super) scene: Scene,
     /// The state that it began with, if not with the start of the scene.
     state: Option<Value>,
+    notes: Vec<String>,
     pub(super) frame: Frame,
     pub(super) tree: Tree,
     /// The branch that the world is on.
@@ -45,8 +48,8 @@ pub struct History {
     last_edit: Option<u64>,
     /// Whole second that is marked already, or was passed over.
     second: f64,
-    /// Substeps taken when the last keyframe was, and when that was [s].
-    kept: (u64, f64),
+    /// The work when the last keyframe was taken, and when that was [s].
+    kept: (f64, f64),
     refused: Vec<Refusal>,
 }
 
@@ -61,6 +64,7 @@ impl History {
         let end = recording.end().max(from);
         let next_edit = recording.commands.iter().filter_map(|entry| entry.edit).max().map_or(0, |edit| edit + 1);
         let mut history = History {
+            notes: recording.notes(),
             frame,
             tree: Tree::new(recording.commands, recording.marks, from, end),
             scene: recording.scene,
@@ -75,7 +79,7 @@ impl History {
             next_edit,
             last_edit: None,
             second: f64::NEG_INFINITY,
-            kept: (0, from),
+            kept: (0.0, from),
             refused: Vec::new(),
         };
         history.keyframes.keep(0, history.frame.clone(), false);
@@ -92,6 +96,11 @@ impl History {
     /// The scene that it began with.
     pub fn scene(&self) -> &Scene {
         &self.scene
+    }
+
+    /// What is to be known of the recording that it began with, if another version made it: see [`Recording::notes`].
+    pub fn notes(&self) -> &[String] {
+        &self.notes
     }
 
     /// What is drawn on triangles now, on bodies that were added too. A triangle with a deleted corner is gone, and one of whose
@@ -246,7 +255,7 @@ impl History {
         self.skins = if self.frame.dress.has_skins() { self.frame.dress.skins(world) } else { Vec::new() };
         self.dressed = world.topology();
         self.second = world.time().floor();
-        self.kept = (world.counters().substeps, world.time());
+        self.kept = (self.frame.effort.seconds(), world.time());
         self.last_edit = None;
     }
 
@@ -282,11 +291,11 @@ impl History {
 
     /// A keyframe where enough was done since the last one that a copy costs little beside it.
     fn keep_now_and_then(&mut self) {
-        let steps = self.frame.world.counters().substeps;
-        let time = self.frame.world.time();
-        let least = STEPS_BETWEEN[usize::from(self.frame.world.point_count() >= MANY)];
-        if time - self.kept.1 >= TIME_BETWEEN && steps.saturating_sub(self.kept.0) >= least {
-            self.kept = (steps, time);
+        let (effort, time) = (self.frame.effort.seconds(), self.frame.world.time());
+        let (done, passed) = (effort - self.kept.0, time - self.kept.1);
+        let is_due = passed >= TIME_BETWEEN || done >= EFFORT_BETWEEN;
+        if is_due && done >= WORK_FOR_A_COPY * COPY * self.keyframes.last_bytes() as f64 {
+            self.kept = (effort, time);
             self.keyframes.keep(self.branch, self.frame.clone(), false);
         }
     }

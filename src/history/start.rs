@@ -14,6 +14,7 @@ use super::frame::Frame;
 use super::log::{self, Log};
 use super::mark::Mark;
 use super::state;
+use crate::picture::PNG_MARK;
 use crate::scene::Scene;
 
 /// A start scene and the commands that were given, with their times.
@@ -69,19 +70,31 @@ impl Recording {
     ///
     /// Errors: a scene that cannot be run; a state that is damaged or of a layout that is not known.
     pub(super) fn begin(&self, label: &str) -> Result<Frame, HistoryError> {
-        let first = || self.scene.world(self.scene.duration);
-        let Some(state) = &self.state else {
-            let world = first()?;
-            return Ok(Frame { dress: Dress::new(&self.scene, &*world)?, world, place: 0 });
-        };
-        let world = state::go_on(state).map_err(|message| HistoryError::file(label, message))?;
-        if world.dimensions() != self.scene.dimensions() {
-            return Err(HistoryError::file(label, "state: has other dimensions than the scene: get the file anew"));
-        }
+        let first = self.scene.world(self.scene.duration)?;
         // Triangles know the bonds of the scene's start, of which some may be gone by now.
-        let has_skins = !self.scene.skins()?.is_empty();
-        let dress = if has_skins { Dress::new(&self.scene, &*first()?)? } else { Dress::default() };
-        Ok(Frame { world, dress, place: 0 })
+        let mut dress = Dress::new(&self.scene, &*first)?;
+        let Some(state) = &self.state else {
+            return Ok(Frame::new(first, dress));
+        };
+        let world = state::go_on(state, &*first, &mut dress).map_err(|message| HistoryError::file(label, message))?;
+        Ok(Frame::new(world, dress))
+    }
+
+    /// What is to be known of a recording that another version made: that its motion is worked out anew, and what of its state is
+    /// taken. Empty: it is ours, and comes to the same bits.
+    pub fn notes(&self) -> Vec<String> {
+        let ours = env!("CARGO_PKG_VERSION");
+        let mut notes = Vec::new();
+        let by_state = self.state.as_ref().and_then(state::version);
+        if let Some(made) = [Some(&*self.about.wobble), by_state].into_iter().flatten().find(|made| *made != ours) {
+            notes.push(format!("was made by wobble {made}: {ours} replays the motion anew, which may differ"));
+        }
+        let other = |layout: &u64| *layout > state::LAYOUT;
+        if let Some(layout) = self.state.as_ref().and_then(state::layout).filter(other) {
+            let taken = "positions, velocities, bonds and time are taken, all else is as at the start of the scene";
+            notes.push(format!("its state has layout {layout}, which this version does not know: {taken}"));
+        }
+        notes
     }
 
     /// A recording that begins at the state of a frame and ends there.
@@ -94,7 +107,7 @@ impl Recording {
             Entry { at, act: Do::Group { points, name }, edit: None, name: None }
         };
         let commands = frame.dress.groups(&*frame.world).into_iter().map(group).collect();
-        let state = Some(state::keep(&*frame.world)?);
+        let state = Some(state::keep(frame)?);
         Ok(Recording { state, commands, end: Some(at), ..scene.clone().into() })
     }
 
@@ -150,7 +163,7 @@ impl Start {
 fn inside_picture(path: &Path) -> Option<String> {
     let mut start = [0; 8];
     File::open(path).ok()?.read_exact(&mut start).ok()?;
-    if start != chunk::MARK {
+    if start != PNG_MARK {
         return None;
     }
     chunk::find(&std::fs::read(path).ok()?)

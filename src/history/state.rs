@@ -1,6 +1,7 @@
-//! Running states in files: compressed little-endian numbers in base64, layout 1.
+//! Running states in files: compressed little-endian numbers in base64.
 //!
-//! Every type says its fields once, in order; a field that comes or goes breaks the build here and needs another layout.
+//! Every type says its fields once, in order; a field that comes or goes breaks the build here and needs another layout. Every
+//! layout begins with the same core, positions, velocities, bonds and time, which a version that knows no more goes on from.
 
 use std::io::{Read, Write};
 
@@ -11,44 +12,117 @@ use flate2::read::ZlibDecoder;
 use flate2::write::ZlibEncoder;
 use serde_json::{Value, json};
 
-use super::pack::Packed;
-use crate::sim::{Dynamics, SavedWorld, resume};
+use super::dress::Dress;
+use super::frame::Frame;
+use super::pack::{AnyCore, Core, Packed};
+use crate::sim::{Dynamics, Saved, SavedWorld, resume};
 
 /// How the numbers are laid out.
-const LAYOUT: u64 = 1;
+pub(super) const LAYOUT: u64 = 2;
+
+/// The first layout that begins with the core.
+const FIRST_WITH_CORE: u64 = 2;
 
 /// Largest state that is unpacked [bytes]: some bytes may unpack to any size.
 const LARGEST: u64 = 4 << 30;
 
-/// A running world as a file has it.
+/// A frame as bytes.
 ///
 /// Errors: in words, why it cannot be kept.
-pub(super) fn keep(world: &dyn Dynamics) -> Result<Value, String> {
-    let saved = world.save().ok_or("a world of these dimensions cannot be kept")?;
+pub(super) fn pack(frame: &Frame, compression: Compression) -> Result<Vec<u8>, String> {
+    let saved = frame.world.save().ok_or("a world of these dimensions cannot be kept")?;
     let mut bytes = Vec::new();
     saved.put(&mut bytes);
-    let mut packed = ZlibEncoder::new(Vec::new(), Compression::default());
-    let packed = packed.write_all(&bytes).and_then(|()| packed.finish()).map_err(|error| error.to_string())?;
-    let version = env!("CARGO_PKG_VERSION");
-    Ok(json!({ "wobble": version, "layout": LAYOUT, "data": BASE64_STANDARD.encode(packed) }))
+    frame.dress.put_added(&mut bytes)?;
+    let mut packed = ZlibEncoder::new(Vec::new(), compression);
+    packed.write_all(&bytes).and_then(|()| packed.finish()).map_err(|error| error.to_string())
 }
 
-/// The world of a file goes on.
+/// The state of a frame as a file has it.
 ///
-/// Errors: in words, what of it is damaged or unknown.
-pub(super) fn go_on(state: &Value) -> Result<Box<dyn Dynamics>, String> {
-    let layout = state.get("layout").and_then(Value::as_u64).ok_or("state: the key `layout` is missing")?;
-    if layout != LAYOUT {
-        let message = format!("state: has layout {layout}: this program reads layout {LAYOUT}, so get a newer wobble");
-        return Err(message);
+/// Errors: in words, why it cannot be kept.
+pub(super) fn keep(frame: &Frame) -> Result<Value, String> {
+    let data = text(&pack(frame, Compression::default())?);
+    Ok(json!({ "wobble": env!("CARGO_PKG_VERSION"), "layout": LAYOUT, "data": data }))
+}
+
+/// Packed bytes as a text has them.
+pub(super) fn text(packed: &[u8]) -> String {
+    BASE64_STANDARD.encode(packed)
+}
+
+/// The version that wrote a state, if it says so.
+pub(super) fn version(state: &Value) -> Option<&str> {
+    state.get("wobble").and_then(Value::as_str)
+}
+
+/// How a state is laid out.
+pub(super) fn layout(state: &Value) -> Option<u64> {
+    state.get("layout").and_then(Value::as_u64)
+}
+
+/// The world of a file goes on, with the skins that came after the start put on `dress`. `start`: the world at the start of its scene, from
+/// which a state of another layout takes all but positions, velocities, bonds and time.
+///
+/// Errors: in words, what of it is damaged or unknown, or has other dimensions than the start.
+pub(super) fn go_on(state: &Value, start: &dyn Dynamics, dress: &mut Dress) -> Result<Box<dyn Dynamics>, String> {
+    let layout = layout(state).ok_or("state: the key `layout` is missing")?;
+    if layout < FIRST_WITH_CORE {
+        return Err(format!("state: has layout {layout}, which no release of wobble wrote: get the file anew"));
     }
+    let damaged = || "state: is damaged: get the file anew".to_owned();
+    let bytes = unpack(state)?;
+    let mut rest = &bytes[..];
+    let saved = if layout == LAYOUT {
+        let saved = SavedWorld::take(&mut rest).ok_or_else(damaged)?;
+        let points = match &saved {
+            SavedWorld::Plane(saved) => saved.model.position.len(),
+            SavedWorld::Space(saved) => saved.model.position.len(),
+        };
+        dress.take_added(&mut rest, points).filter(|()| rest.is_empty()).ok_or_else(damaged)?;
+        saved
+    } else {
+        let core = AnyCore::take(&mut rest).ok_or_else(damaged)?;
+        at_start(core, start)?
+    };
+    let world = resume(&saved).map_err(|error| format!("state: {error}"))?;
+    if world.dimensions() == start.dimensions() { Ok(world) } else { Err(OTHER_DIMENSIONS.to_owned()) }
+}
+
+const OTHER_DIMENSIONS: &str = "state: has other dimensions than the scene: get the file anew";
+
+/// Errors: in words, what is damaged.
+fn unpack(state: &Value) -> Result<Vec<u8>, String> {
     let data = state.get("data").and_then(Value::as_str).ok_or("state: the key `data` is missing")?;
     let damaged = |_| "state: is damaged: get the file anew".to_owned();
     let packed = BASE64_STANDARD.decode(data).map_err(|error| damaged(error.to_string()))?;
     let mut bytes = Vec::new();
     let unpacked = ZlibDecoder::new(&packed[..]).take(LARGEST).read_to_end(&mut bytes);
     unpacked.map_err(|error| damaged(error.to_string()))?;
-    let mut rest = &bytes[..];
-    let saved = SavedWorld::take(&mut rest).filter(|_| rest.is_empty()).ok_or_else(|| damaged(String::new()))?;
-    resume(&saved).map_err(|error| format!("state: {error}"))
+    Ok(bytes)
+}
+
+/// A core in the world of a start: what it does not say is as it was there.
+///
+/// Errors: in words: other dimensions.
+fn at_start(core: AnyCore, start: &dyn Dynamics) -> Result<SavedWorld, String> {
+    match (core, start.save()) {
+        (AnyCore::Plane(core), Some(SavedWorld::Plane(saved))) => Ok(SavedWorld::Plane(replaced(core, saved))),
+        (AnyCore::Space(core), Some(SavedWorld::Space(saved))) => Ok(SavedWorld::Space(replaced(core, saved))),
+        _ => Err(OTHER_DIMENSIONS.to_owned()),
+    }
+}
+
+fn replaced<const D: usize>(core: Core<D>, start: Saved<D>) -> Saved<D> {
+    let Core { time, position, velocity, mass, pinned, bonds, gone, bond_numbers, next_numbers } = core;
+    let mut model = start.model;
+    // Points that were let go or deleted are led no more.
+    model.pin_motion.retain(|(point, _)| pinned.contains(point));
+    (model.position, model.velocity, model.mass) = (position, velocity, mass);
+    (model.pinned, model.bonds) = (pinned, bonds);
+    let next_obstacle = next_numbers[1].max(start.next_numbers[1]);
+    let lost = [(); 2].map(|()| vec![[0.0; D]; model.position.len()]);
+    let next_numbers = [next_numbers[0], next_obstacle];
+    let (cursor, grabbed, lead) = (None, Vec::new(), None);
+    Saved { model, time, gone, bond_numbers, next_numbers, lost, cursor, grabbed, lead, ..start }
 }

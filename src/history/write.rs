@@ -52,7 +52,9 @@ impl Recording {
             write_entry(&mut to, entry, &self.scene)?;
             to.write_all(b"\n")?;
         }
-        let tail: Map<String, Value> = self.tail().into_iter().map(|(key, value)| (key.to_owned(), value)).collect();
+        // What made it stands in the header, which is there when the rest is cut off.
+        let tail = self.tail().into_iter().filter(|(key, _)| *key != "about");
+        let tail: Map<String, Value> = tail.map(|(key, value)| (key.to_owned(), value)).collect();
         serde_json::to_writer(&mut to, &tail)?;
         to.write_all(b"\n")
     }
@@ -65,7 +67,7 @@ impl Recording {
             to.write_all(b",\"state\":")?;
             serde_json::to_writer(&mut to, state)?;
         }
-        to.write_all(b"}\n")
+        writeln!(to, ",\"about\":{}}}", said(&self.about))
     }
 
     /// The scene with its pictures, so that the file is all that is needed.

@@ -50,6 +50,7 @@ pub use mesh::{Mesh, fill_boundary};
 pub use nest::keep;
 pub use outline::{Outline, outline};
 pub use plane::Point;
+pub(crate) use png::{PNG_MARK, png_parts};
 pub use rope::{Ropes, ropes};
 pub use settings::{LEAST_SPACING, MAX_POINTS, Settings, Size, Strokes, Threshold, WIDEST_SPACING};
 pub use skin::Skin;

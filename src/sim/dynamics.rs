@@ -6,7 +6,6 @@ use super::command::{Applied, Command, CommandError};
 use super::contact::polygon::Polygon;
 use super::counters::Counters;
 use super::force::mouse::{Cursor, MouseForce};
-use super::model::ModelError;
 use super::plan_part::PlanPart;
 use super::real::{Positions, Precision};
 use super::saved::SavedWorld;
@@ -116,10 +115,6 @@ pub trait Dynamics: Send {
     fn is_finite(&self) -> bool;
     /// The world as it stands, to be kept; `None` of a dimension that there is not.
     fn save(&self) -> Option<SavedWorld>;
-    /// Goes on as the world will that [`Dynamics::save`] keeps now, once it is resumed: to the bit.
-    ///
-    /// Errors: a state that no world can be made from, such as one that is not finite; the world is as it was.
-    fn rebase(&mut self) -> Result<(), ModelError>;
     /// A copy that runs on by itself.
     fn boxed_clone(&self) -> Box<dyn Dynamics>;
 }

@@ -22,9 +22,14 @@ pub fn skip(what: &str, reason: &str) {
     let required = std::env::var("WOBBLE_REQUIRE").unwrap_or_default();
     assert!(!required.split(',').any(|name| name == what), "WOBBLE_REQUIRE names {what}, but {reason}");
     let test = std::thread::current().name().unwrap_or("test").to_owned();
-    // Not eprintln!, which the test runner keeps to itself when a test passes.
+    say(&format!("skipped: {test}: {reason}"));
+}
+
+/// Says something of a test that passes.
+pub fn say(line: &str) {
+    // Not eprintln!, which the test runner keeps to itself then.
     let mut stderr = std::io::stderr();
-    writeln!(stderr, "skipped: {test}: {reason}").unwrap();
+    writeln!(stderr, "{line}").unwrap();
 }
 
 /// A GPU, or nothing and a word that the test was skipped.
@@ -49,4 +54,9 @@ pub fn rendered(scene: &str, time: &str, size: &str) -> image::RgbaImage {
         .unwrap();
     assert!(done.status.success(), "{}", String::from_utf8_lossy(&done.stderr));
     image::open(out).unwrap().to_rgba8()
+}
+
+/// A number from a variable of the environment: figures that take long are run whole by it.
+pub fn asked(variable: &str, otherwise: f64) -> f64 {
+    std::env::var(variable).map_or(otherwise, |text| text.parse().unwrap())
 }

@@ -33,7 +33,7 @@ fn left(folder: &Path) -> Left {
     wait_for(&mut player, |player| player.shown().figures.time > 0.0);
     assert!(is_empty(folder), "nobody would miss a look");
     player.give(vec![strength(7.0)], Some("calm"));
-    until(|| !is_empty(folder) && std::fs::read_dir(folder).unwrap().count() == 2);
+    until(|| !is_empty(folder) && std::fs::read_dir(folder).unwrap().count() == 3);
     assert!(Autosave::left(folder).is_empty(), "nobody else is offered what goes on");
     player.leave();
     drop(player);
@@ -49,7 +49,7 @@ fn what_was_done_outlives_a_killed_program_and_goes_when_its_heir_ends() {
     assert_eq!(edits.count(), 1);
     let keeping = Keeping { heir_of: Some(left), ..kept_in(folder.path()) };
     let mut heir = Player::open(start, keeping, || {});
-    until(|| !path.exists() && std::fs::read_dir(folder.path()).unwrap().count() == 2);
+    until(|| !path.exists() && std::fs::read_dir(folder.path()).unwrap().count() == 3);
     heir.end().unwrap();
     assert!(is_empty(folder.path()), "what ended as it should leaves nothing");
 }

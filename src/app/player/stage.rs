@@ -175,7 +175,9 @@ impl Stage {
         if self.topology != Some(world.topology()) {
             self.topology = Some(world.topology());
             self.sceneries += 1;
-            self.scenery = Arc::new(Scenery::of(world, self.history.skins()));
+            let mut scenery = Scenery::of(world, self.history.skins());
+            scenery.warnings.splice(0..0, self.history.notes().iter().cloned());
+            self.scenery = Arc::new(scenery);
         }
     }
 

@@ -6,6 +6,7 @@ use anyhow::bail;
 
 use super::{Arguments, Table};
 use crate::cli::progress;
+use crate::cli::replay::say_notes;
 use crate::history::{Entry, Log, Mark, Recording, Replay, Start, hash_now};
 use crate::scene::frames::{Frames, next_close};
 
@@ -28,6 +29,7 @@ pub(super) fn run(arguments: &Arguments, start: Start, quiet: bool) -> anyhow::R
     let bar = progress::bar(quiet, end);
     let label = arguments.commands.as_ref().map_or(arguments.scene.clone(), |path| path.display().to_string());
     let mut run = Replay::new(&recording, &label)?;
+    say_notes(&recording, &arguments.scene);
     let mut table = Table::new(&recording.scene);
     let mut frames = Frames::between(run.world().time(), end);
     let mut marks = Vec::new();

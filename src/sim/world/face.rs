@@ -11,7 +11,6 @@ use crate::sim::dynamics::{Dynamics, GrabView, Sample};
 use crate::sim::force::mouse::{self, Cursor, MouseForce};
 use crate::sim::group::Group;
 use crate::sim::measure;
-use crate::sim::model::ModelError;
 use crate::sim::plan_part::PlanPart;
 use crate::sim::points::Points;
 use crate::sim::real::{Positions, Precision, Real};
@@ -203,10 +202,6 @@ impl<S: Real, const D: usize> Dynamics for World<S, D> {
 
     fn save(&self) -> Option<SavedWorld> {
         of_any(self.saved())
-    }
-
-    fn rebase(&mut self) -> Result<(), ModelError> {
-        self.restart()
     }
 
     fn boxed_clone(&self) -> Box<dyn Dynamics> {

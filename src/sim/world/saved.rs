@@ -1,7 +1,7 @@
 //! A running world that is kept, and gone on with.
 //!
-//! A world that goes on is compiled anew from what was kept, and runs the same way every time that it does;
-//! [`Dynamics::rebase`] makes a running world go on as the kept one will.
+//! A world that goes on is compiled anew from what was kept, and runs the same way every time that it does. The one that it was
+//! kept of goes on undisturbed: the two are the same but for what rounding makes of another order of the same numbers.
 
 use std::any::Any;
 use std::sync::Arc;
@@ -128,14 +128,6 @@ impl<S: Real, const D: usize> World<S, D> {
         self.spread();
         let World { plan, numbers, .. } = self;
         numbers.gone.iter().for_each(|point| plan.slots[point.index()] = NOWHERE);
-    }
-
-    /// Goes on as the world will that is kept now.
-    pub(super) fn restart(&mut self) -> Result<(), ModelError> {
-        let (counters, warnings, topology) = (self.counters, std::mem::take(&mut self.warnings), self.topology + 1);
-        let next = Self::resumed(&self.saved())?;
-        *self = World { counters, warnings, topology, ..next };
-        Ok(())
     }
 }
 
