@@ -116,7 +116,8 @@ pub(super) fn words(stage: Stage, since: Duration) -> String {
 #[allow(clippy::unwrap_used, clippy::panic, reason = "a test that cannot go on stops")]
 mod tests {
     use super::*;
-    use crate::picture::encode;
+    use crate::picture::{Settings, encode};
+    use crate::scene::BodyKeys;
 
     /// A file with a picture of dots, so close that they make too many points, as they are or at any spacing.
     fn dots(folder: &Path, side: u32, each: u32) -> std::path::PathBuf {
@@ -151,6 +152,12 @@ mod tests {
         let Ok(Loaded::Scene(scene)) = wait(&loading) else { panic!("no scene") };
         assert_eq!((scene.name(), &*loading.name), ("dots-200", "dots-200"));
         assert!(woken.recv_timeout(Duration::from_secs(10)).is_ok());
+        drop(loading);
+        let world = scene.world(None).unwrap();
+        let picture = Arc::new(Picture::filled(40, 40, [0, 0, 0, 255]));
+        let keys = BodyKeys::cut(&Settings::default(), 1.0, &picture);
+        let added = scene.body_to_add(&*world, (&picture, keys), [[-5.0, -5.0], [5.0, 5.0]], false);
+        assert!(added.is_ok(), "whoever waited for the scene does not end what is added to it: {added:?}");
 
         let loading = Loading::scene(&dots(folder.path(), 1600, 8), || ());
         let Ok(Loaded::Picture(picture, _, Some(why))) = wait(&loading) else { panic!("no picture") };

@@ -16,6 +16,7 @@ mod dress;
 mod effort;
 mod error;
 mod frame;
+mod hand;
 mod keyframes;
 #[allow(unreachable_pub, reason = "a macro makes all objects of files public")]
 mod keys;

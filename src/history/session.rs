@@ -29,7 +29,7 @@ const COPY: f64 = 2.5e-10;
 pub struct History {
     pub(super) scene: Scene,
     /// The state that it began with, if not with the start of the scene.
-    state: Option<Value>,
+    pub(super) state: Option<Value>,
     notes: Vec<String>,
     pub(super) frame: Frame,
     pub(super) tree: Tree,

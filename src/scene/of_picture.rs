@@ -261,7 +261,8 @@ impl Scene {
             ..Scene::default()
         };
         scene.check()?;
-        Ok(scene)
+        // It is there: what is made of it later has its own bounds, and is not ended by whoever waited for it.
+        Ok(Scene { source: Source { watch: Watch::default(), ..scene.source.clone() }, ..scene })
     }
 
     /// Puts the pictures that the scene names by path into the scene itself.

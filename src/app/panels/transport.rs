@@ -108,6 +108,7 @@ fn state(facts: &Facts) -> (String, bool) {
         (false, _) => ("paused".to_owned(), true),
         (true, _) if facts.is_busy => ("computing a long step".to_owned(), false),
         (true, true) => ("at rest".to_owned(), false),
+        (true, false) if figures.follows => ("replay: press to take over".to_owned(), false),
         (true, false) if figures.pace > 0.0 && figures.pace < 0.95 => {
             let percent = 100.0 * figures.pace;
             let percent = if percent < 1.0 { "less than 1".to_owned() } else { format!("{percent:.0}") };

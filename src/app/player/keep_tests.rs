@@ -5,7 +5,7 @@ use std::path::Path;
 use std::time::{Duration, Instant};
 
 use super::tests::{scene, strength, wait_for};
-use super::{Keeping, Note, Player};
+use super::{Keeping, Note, Order, Player};
 use crate::history::{Autosave, Left, Log, Replay, hash_now};
 use crate::sim::Cursor;
 
@@ -113,6 +113,24 @@ fn a_recording_grows_as_lines_or_is_written_at_the_end_and_comes_to_its_marks() 
         let mut again = Replay::new(&recording, name).unwrap();
         again.advance(&recording.commands, mark.at).unwrap();
         assert_eq!(hash_now(again.world(), mark.at), mark.hash, "{name}");
+    }
+}
+
+#[test]
+fn files_that_were_asked_for_are_written_before_the_program_ends() {
+    let folder = tempfile::tempdir().unwrap();
+    for number in 0..8 {
+        let [first, second] = ["a", "b"].map(|name| folder.path().join(format!("{name}{number}.json")));
+        let mut player = Player::open(scene().into(), Keeping::default(), || {});
+        wait_for(&mut player, Player::is_open);
+        player.ask(Order::Save(first.clone()));
+        player.ask(Order::Save(second.clone()));
+        player.end().unwrap();
+        assert!(first.exists() && second.exists(), "{number}");
+        let later = folder.path().join(format!("c{number}.json"));
+        player.ask(Order::Save(later.clone()));
+        drop(player);
+        until(|| later.exists());
     }
 }
 

@@ -6,6 +6,8 @@
 mod keep;
 #[cfg(test)]
 mod keep_tests;
+#[cfg(test)]
+mod led_tests;
 mod order;
 mod pace;
 mod save;
@@ -38,7 +40,7 @@ use thread::Desk;
 const PATIENCE: Duration = Duration::from_millis(5);
 /// An order that is not done by then: a step takes long.
 const LONG: Duration = Duration::from_millis(100);
-/// A program that ends waits so long for the step under way, after which its recording is written.
+/// A program that ends waits so long for the step under way, after which its files are written.
 const LAST: Duration = Duration::from_secs(60);
 
 /// What is new of a history.
@@ -66,6 +68,8 @@ pub struct Player {
     /// The last order, and since when one has not been done.
     serial: u64,
     waiting_since: Option<Instant>,
+    /// The last file that was asked for, and by which order.
+    written: Option<(u64, PathBuf)>,
     /// Whether it is to play, and the order that said so last.
     playing: bool,
     played_by: u64,
@@ -89,6 +93,7 @@ impl Player {
             shown: Box::default(),
             serial: 0,
             waiting_since: None,
+            written: None,
             playing: true,
             played_by: 0,
             advances: 0,
@@ -152,6 +157,9 @@ impl Player {
         if let Order::Play(_) | Order::Step(_) | Order::Reset = order {
             self.played_by = self.serial;
         }
+        if let Order::Save(path) | Order::Picture(path, _) = &order {
+            self.written = Some((self.serial, path.clone()));
+        }
         // One whose history could not begin does nothing.
         let _ = self.orders.send((self.serial, order));
     }
@@ -171,6 +179,11 @@ impl Player {
     pub fn play(&mut self, playing: bool) {
         self.playing = playing;
         self.ask(Order::Play(playing));
+    }
+
+    /// The number of the last order: what is shown is after it once it has that number.
+    pub fn serial(&self) -> u64 {
+        self.serial
     }
 
     /// The last state.
@@ -203,32 +216,33 @@ impl Player {
         self.record.as_deref()
     }
 
-    /// The program ends as it should: what it is recorded to is made whole, and nothing is left behind.
+    /// The program ends as it should: what it is recorded to is made whole, what was to be written is, and nothing is left behind.
     ///
-    /// Errors: in words, why the recording is not whole.
-    pub fn end(&mut self) -> Result<(), String> {
-        let recorded = match self.record.clone() {
-            Some(path) => self.save_at_last(path),
-            None => Ok(()),
-        };
+    /// Errors: a file that is not whole, and in words why.
+    pub fn end(&mut self) -> Result<(), (PathBuf, String)> {
+        if let Some(path) = self.record.clone() {
+            self.ask(Order::Save(path));
+        }
+        let written = self.wait_for_files();
         // A thread that came to grief left something that may be wanted.
         if !self.thread.is_finished() {
             // A file that cannot be removed is offered at the next start.
             let _ = self.desk.keeper().end();
         }
-        recorded
+        written
     }
 
-    fn save_at_last(&mut self, path: PathBuf) -> Result<(), String> {
-        self.ask(Order::Save(path));
-        let papers = self.desk.wait_for(self.serial, LAST);
+    /// Waits until the last file that was asked for is written. What came of those before it was told, or is now.
+    fn wait_for_files(&mut self) -> Result<(), (PathBuf, String)> {
+        let Some((serial, path)) = self.written.take() else { return Ok(()) };
+        let papers = self.desk.wait_for(serial, LAST);
         let failed = papers.notes.iter().rev().find_map(|note| match note {
             Note::NotWritten(why) => Some(why.clone()),
             _ => None,
         });
         match failed {
-            Some(why) => Err(why),
-            None if papers.done < self.serial => Err("a step takes too long".to_owned()),
+            Some(why) => Err((path, why)),
+            None if papers.done < serial && papers.failure.is_none() => Err((path, "a step takes too long".to_owned())),
             None => Ok(()),
         }
     }

@@ -30,6 +30,8 @@ pub enum Order {
     GiveOn(Vec<Do>, &'static str),
     /// Something comes, where there is room for it now.
     Add(Adder),
+    /// The hand presses beside all bodies, or does not any more: a log that is followed is left when the cursor moves meanwhile.
+    Press(bool),
     /// Back to just before the last edit, with the cursor where it is.
     Undo(Option<Cursor>),
     /// To just after the edit that was undone.
@@ -51,14 +53,16 @@ pub enum Order {
 /// Tells what became of an order.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Note {
-    /// What was undone is called so, and time went back so far [s].
+    /// What was undone is called so, and time went so far [s], below 0 back.
     Undone(String, f64),
-    /// What was redone, and how far time went on [s].
+    /// What was redone, and how far time went [s], below 0 back.
     Redone(String, f64),
     /// There was nothing to undo.
     NothingToUndo,
     /// There was nothing to redo.
     NothingToRedo,
+    /// A log was followed until now; what is done from here on is another branch.
+    Branched,
     /// Something was added.
     Added,
     /// A command could not be done where it stood.
@@ -69,9 +73,4 @@ pub enum Note {
     NotWritten(String),
     /// What would outlive a killed program, or what it is recorded to, could not be written; it is tried again.
     NotKept(String),
-}
-
-/// The cursor goes to a place, and is there at a time [s].
-pub(super) fn cursor_to(to: Option<Cursor>, by: f64) -> Do {
-    Do::Cursor { to, by: to.map(|_| by) }
 }

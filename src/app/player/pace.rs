@@ -3,7 +3,6 @@
 use crate::history::{Do, History};
 use crate::sim::{Cursor, Dynamics};
 
-use super::order::cursor_to;
 use super::shown::Places;
 
 /// Longest wall time that one frame makes up for [s]: after a hitch (a dragged window, a laptop that slept) the rest is
@@ -34,6 +33,12 @@ pub struct Pace {
     pub playing: bool,
     /// Where the live cursor was told to go last.
     told: Option<Option<Cursor>>,
+    /// It is elsewhere in the world than it was told last: it is where it goes at once.
+    jumps: bool,
+    /// The hand presses: what was done before is not followed any more when the cursor moves.
+    pub presses: bool,
+    /// The hand leads since the history came here: nothing that it held in the log is held any more.
+    pub is_taken: bool,
     /// Positions before the last substep.
     pub previous: Places,
     /// Changes whenever positions did.
@@ -45,7 +50,19 @@ impl Pace {
     pub fn new(history: &History, rate: f64, duration: Option<f64>) -> Self {
         let mut previous = Places::default();
         previous.copy(history.world().positions());
-        Pace { due: 0.0, rate, duration, ended: false, playing: true, told: None, previous, motion: 1 }
+        Pace {
+            due: 0.0,
+            rate,
+            duration,
+            ended: false,
+            playing: true,
+            told: None,
+            jumps: false,
+            presses: false,
+            is_taken: false,
+            previous,
+            motion: 1,
+        }
     }
 
     /// Lets `wall` seconds pass while the cursor goes to where it is now, and takes the substeps that are due; returns how many.
@@ -64,6 +81,7 @@ impl Pace {
             return 0;
         }
         let wall = wall.clamp(0.0, LONGEST_FRAME) * self.rate;
+        self.take_over(history);
         let is_told = self.tell(history, cursor, history.world().time() + self.due + wall);
         if history.world().is_asleep() {
             // A world that did not move does not make up for the pause.
@@ -91,8 +109,22 @@ impl Pace {
         substeps
     }
 
-    /// Sends the cursor on its way, unless it has been told to. Returns whether it was told something new.
+    /// The hand leads from here on, unless the log is followed: what was led when it was done first is led by nobody now.
+    pub fn take_over(&mut self, history: &mut History) {
+        if !self.is_taken && !history.has_future() {
+            self.is_taken = true;
+            // A world that refuses it goes on as it is.
+            self.motion += u64::from(history.give(history.letting_go(), None).is_ok_and(|done| !done.is_empty()));
+        }
+    }
+
+    /// Sends the cursor on its way, unless it has been told to. Returns whether it was told something new. A log that is followed has
+    /// the cursor of its own, until the hand presses.
     fn tell(&mut self, history: &mut History, cursor: Option<Cursor>, by: f64) -> bool {
+        if history.has_future() && !self.presses {
+            self.jumps = true;
+            return false;
+        }
         if self.told == Some(cursor) {
             return false;
         }
@@ -100,11 +132,10 @@ impl Pace {
         if cursor.is_none() && history.world().cursor().is_none() {
             return false;
         }
-        let mut commands = vec![cursor_to(cursor, by.max(history.world().time()))];
-        if history.has_future() && history.world().grab().is_some() {
-            // What was led when it was done first is led by nobody now.
-            commands.insert(0, Do::Release);
-        }
+        let by = (!std::mem::take(&mut self.jumps)).then(|| by.max(history.world().time()));
+        let mut commands = if history.has_future() { history.letting_go() } else { Vec::new() };
+        commands.push(Do::Cursor { to: cursor, by: by.filter(|_| cursor.is_some()) });
+        self.is_taken = true;
         // A world that refuses a cursor goes on without.
         history.give(commands, None).is_ok()
     }
@@ -141,6 +172,7 @@ impl Pace {
         self.playing = false;
         let substeps = (SINGLE_STEP * self.rate / history.world().substep()).round().max(1.0) as u32;
         let span = f64::from(substeps) * history.world().substep();
+        self.take_over(history);
         self.tell(history, cursor, history.world().time() + span);
         for _ in 0..substeps {
             history.step();
@@ -165,6 +197,7 @@ impl Pace {
     pub fn gone_to(&mut self, history: &History, cursor: Option<Cursor>) {
         self.ended = self.duration.is_some_and(|end| history.world().time() >= end);
         self.forget_cursor(cursor);
+        (self.jumps, self.is_taken) = (true, false);
         self.settle(history);
     }
 
@@ -173,7 +206,7 @@ impl Pace {
         history.reset();
         self.playing |= self.ended;
         self.ended = false;
-        self.told = None;
+        (self.told, self.jumps, self.is_taken) = (None, true, false);
         self.settle(history);
     }
 

@@ -5,7 +5,7 @@ use std::path::PathBuf;
 use image::{ImageFormat, RgbaImage};
 
 use super::order::Note;
-use crate::history::{History, chunk};
+use crate::history::{Entry, History, chunk};
 use crate::output::replace;
 
 /// Writes all that was done.
@@ -30,7 +30,12 @@ pub(super) fn picture(history: &History, path: PathBuf, picture: &RgbaImage) -> 
 fn encoded(history: &History, picture: &RgbaImage) -> Result<Vec<u8>, String> {
     let mut bytes = std::io::Cursor::new(Vec::new());
     picture.write_to(&mut bytes, ImageFormat::Png).map_err(|error| error.to_string())?;
-    let mut recording = Vec::new();
-    history.snapshot()?.write_json(&mut recording).map_err(|error| error.to_string())?;
-    chunk::insert(bytes.get_ref(), &String::from_utf8_lossy(&recording)).map_err(|error| error.to_string())
+    let mut recording = history.snapshot()?;
+    // Whoever opens it has nothing in hand.
+    let at = history.world().time();
+    let free = history.letting_go().into_iter().map(|act| Entry { at, act, edit: None, name: None });
+    recording.commands.extend(free);
+    let mut text = Vec::new();
+    recording.write_json(&mut text).map_err(|error| error.to_string())?;
+    chunk::insert(bytes.get_ref(), &String::from_utf8_lossy(&text)).map_err(|error| error.to_string())
 }

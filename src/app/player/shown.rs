@@ -97,6 +97,8 @@ pub struct Figures {
     pub time: f64,
     /// How far the motion goes that was seen already [s].
     pub end: f64,
+    /// What was done before is done again, until something new is done.
+    pub follows: bool,
     /// It plays.
     pub playing: bool,
     /// It sleeps.
@@ -142,6 +144,8 @@ pub struct Shown {
     pub scenery: Arc<Scenery>,
     /// The mouse force, and where its own track is if it has one.
     pub mouse: Option<MouseForce>,
+    /// Its strength when nothing is led [1/s^2]; `None`: there is none, or it goes along a track.
+    pub base: Option<f64>,
     /// Where its cursor is.
     pub cursor: Option<Cursor>,
     /// What is grabbed.

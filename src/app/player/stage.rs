@@ -25,6 +25,8 @@ pub struct Stage {
     figures_at: Option<Instant>,
     steps: Meter,
     reached: Meter,
+    /// Strength of the hover force when nothing is led [1/s^2].
+    base: Option<f64>,
     /// The hover force as it was last seen: without a cursor the world doesn't tell.
     force: Option<MouseForce>,
     substeps: u64,
@@ -42,6 +44,7 @@ impl Stage {
         let scene = history.scene();
         let pace = Pace::new(&history, scene.rate(), scene.duration);
         let force = scene.mouse_force();
+        let base = history.base_strength();
         let mut stage = Stage {
             history,
             pace,
@@ -52,6 +55,7 @@ impl Stage {
             figures_at: None,
             steps: Meter::default(),
             reached: Meter::default(),
+            base,
             force,
             substeps: 0,
             has_gone: false,
@@ -77,6 +81,8 @@ impl Stage {
                 | Order::Reset
                 | Order::Advance { back: true, .. }
         );
+        let (is_followed, branch) = (self.history.has_future(), self.history.branch());
+        let was_taken = self.pace.is_taken;
         let note = match order {
             Order::Advance { wall, cursor, back: false } => {
                 self.advance(wall, cursor);
@@ -95,10 +101,10 @@ impl Stage {
                 self.substeps += self.pace.step(&mut self.history, cursor);
                 None
             }
-            Order::Give(commands, edit) => {
-                let given = self.history.give(commands, edit);
-                self.pace.motion += 1;
-                given.err().map(|refusal| Note::Refused(refusal.reason))
+            Order::Give(commands, edit) => self.give(commands, edit),
+            Order::Press(presses) => {
+                self.pace.presses = presses;
+                None
             }
             Order::GiveOn(commands, name) => {
                 let given = self.history.give_on(commands, name);
@@ -108,12 +114,16 @@ impl Stage {
             Order::Add(adder) => Some(self.add(adder)),
             Order::Undo(cursor) => {
                 let undone = self.history.undo();
-                self.pace.gone_to(&self.history, cursor);
+                if undone.is_some() {
+                    self.pace.gone_to(&self.history, cursor);
+                }
                 Some(undone.map_or(Note::NothingToUndo, |undone| Note::Undone(undone.name, undone.seconds)))
             }
             Order::Redo(cursor) => {
                 let redone = self.history.redo();
-                self.pace.gone_to(&self.history, cursor);
+                if redone.is_some() {
+                    self.pace.gone_to(&self.history, cursor);
+                }
                 Some(redone.map_or(Note::NothingToRedo, |redone| Note::Redone(redone.name, redone.seconds)))
             }
             Order::GoTo(time, cursor) => {
@@ -141,8 +151,30 @@ impl Stage {
             self.topology = None;
             (self.has_gone, self.figures_at) = (true, None);
         }
+        if self.pace.is_taken && !was_taken {
+            self.base = self.history.base_strength();
+        }
         self.look();
-        note
+        let is_left = is_followed && !goes && self.history.branch() != branch;
+        if is_left {
+            (self.has_gone, self.figures_at) = (true, None);
+        }
+        note.or(is_left.then_some(Note::Branched))
+    }
+
+    /// Does commands that the hand gives.
+    fn give(&mut self, commands: Vec<Do>, edit: Option<&'static str>) -> Option<Note> {
+        self.pace.take_over(&mut self.history);
+        let has = |is_it: fn(&Do) -> bool| commands.iter().any(is_it);
+        let (grabs, changes) = (has(|act| matches!(act, Do::Grab(_))), has(|act| matches!(act, Do::Mouse(_))));
+        let given = self.history.give(commands, edit);
+        self.pace.motion += 1;
+        if given.is_ok() && (grabs || changes) {
+            // What is grabbed now is led by the hand, whatever the log led.
+            self.pace.is_taken |= grabs;
+            self.base = self.history.base_strength();
+        }
+        given.err().map(|refusal| Note::Refused(refusal.reason))
     }
 
     /// Lets time pass.
@@ -210,6 +242,7 @@ impl Stage {
         }
         shown.mouse.clone_from(&self.force);
         (shown.cursor, shown.grab) = (mouse.map(|(_, cursor)| cursor), world.grab());
+        shown.base = self.base;
         shown.figures = self.figures(world);
     }
 
@@ -217,6 +250,7 @@ impl Stage {
         Figures {
             time: world.time(),
             end: self.history.end(),
+            follows: self.history.has_future(),
             playing: self.pace.playing,
             asleep: world.is_asleep(),
             ended: self.pace.ended,

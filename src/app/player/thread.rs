@@ -130,8 +130,7 @@ enum Next {
     Nobody,
 }
 
-/// Waits for orders, so long at most. What was left undone for too long is not all made up for: of several frames' time the last
-/// frame has all.
+/// Waits for orders, so long at most.
 fn next(orders: &Receiver<(u64, Order)>, most: Option<Duration>) -> Next {
     let first = match most {
         None => orders.recv().map_err(|_| RecvTimeoutError::Disconnected),
@@ -146,40 +145,72 @@ fn next(orders: &Receiver<(u64, Order)>, most: Option<Duration>) -> Next {
         match orders.try_recv() {
             Ok(order) => list.push(order),
             Err(TryRecvError::Empty) => return Next::Orders(merged(list)),
-            // A window that has gone sees no more of it.
-            Err(TryRecvError::Disconnected) => return Next::Nobody,
+            Err(TryRecvError::Disconnected) => {
+                // A window that has gone sees no more of it, but its files are wanted.
+                let writes = |(_, order): &(u64, Order)| matches!(order, Order::Save(_) | Order::Picture(..));
+                list.truncate(list.iter().rposition(writes).map_or(0, |last| last + 1));
+                return if list.is_empty() { Next::Nobody } else { Next::Orders(merged(list)) };
+            }
         }
     }
 }
 
-/// The same orders with one frame's time at most, the last one.
+/// The same orders, of which frames' times that follow on each other are one: what was left undone for too long is not all made up for.
+/// What comes between two frames stays between them.
 fn merged(list: Vec<(u64, Order)>) -> Vec<(u64, Order)> {
-    let frames = list.iter().filter(|(_, order)| matches!(order, Order::Advance { .. })).count();
-    if frames < 2 {
-        return list;
-    }
-    let (mut left, mut passed) = (frames, 0.0);
-    let last_one = |(serial, order)| match order {
-        Order::Advance { wall, cursor, back } => {
-            left -= 1;
-            passed += wall;
-            (left == 0).then_some((serial, Order::Advance { wall: passed, cursor, back }))
+    let mut orders: Vec<(u64, Order)> = Vec::with_capacity(list.len());
+    for (serial, order) in list {
+        match (orders.last_mut(), order) {
+            (
+                Some((last, Order::Advance { wall, cursor, back })),
+                Order::Advance { wall: more, cursor: to, back: goes_back },
+            ) if *back == goes_back => {
+                (*last, *wall, *cursor) = (serial, *wall + more, to);
+            }
+            (_, order) => orders.push((serial, order)),
         }
-        order => Some((serial, order)),
-    };
-    list.into_iter().filter_map(last_one).collect()
+    }
+    orders
 }
 
 #[cfg(test)]
+#[allow(clippy::panic, reason = "a test that cannot go on stops")]
 mod tests {
     use super::*;
 
+    fn frame(serial: u64, wall: f64, back: bool) -> (u64, Order) {
+        (serial, Order::Advance { wall, cursor: None, back })
+    }
+
     #[test]
-    fn frames_that_came_too_late_are_one() {
-        let frame = |serial, wall| (serial, Order::Advance { wall, cursor: None, back: false });
-        let list = merged(vec![frame(1, 0.25), (2, Order::Reset), frame(3, 0.5), (4, Order::Rate(2.0))]);
-        let serials: Vec<u64> = list.iter().map(|(serial, _)| *serial).collect();
-        assert_eq!(serials, [2, 3, 4]);
-        assert!(matches!(list[1].1, Order::Advance { wall: 0.75, .. }));
+    fn frames_that_came_too_late_are_one_but_for_what_was_done_between_them() {
+        let list = merged(vec![
+            frame(1, 0.25, false),
+            frame(2, 0.25, false),
+            (3, Order::Reset),
+            frame(4, 0.5, false),
+            frame(5, 1.0, true),
+            frame(6, 2.0, true),
+        ]);
+        let walls: Vec<(u64, f64)> = list
+            .iter()
+            .map(|(serial, order)| match order {
+                Order::Advance { wall, .. } => (*serial, *wall),
+                _ => (*serial, 0.0),
+            })
+            .collect();
+        assert_eq!(walls, [(2, 0.5), (3, 0.0), (4, 0.5), (6, 3.0)]);
+    }
+
+    #[test]
+    fn what_is_to_be_written_is_written_though_nobody_asks_any_more() {
+        let (orders, asked) = std::sync::mpsc::channel();
+        for order in [frame(1, 0.1, false), (2, Order::Save("x.json".into())), frame(3, 0.1, false)] {
+            orders.send(order).unwrap_or_default();
+        }
+        drop(orders);
+        let Next::Orders(list) = next(&asked, None) else { panic!("the file is forgotten") };
+        assert_eq!(list.iter().map(|(serial, _)| *serial).collect::<Vec<_>>(), [1, 2]);
+        assert!(matches!(next(&asked, None), Next::Nobody));
     }
 }

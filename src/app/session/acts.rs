@@ -24,7 +24,10 @@ impl Session {
         match action {
             Action::TogglePlay => self.player.play(!self.player.is_playing()),
             Action::Step => self.player.ask(Order::Step(self.told)),
-            Action::Rewind => self.rewinds = true,
+            Action::Rewind => {
+                self.hand.let_go();
+                self.rewinds = true;
+            }
             Action::Reset => self.reset(),
             Action::Slower => self.set_pace(0.5 * self.pace()),
             Action::Faster => self.set_pace(2.0 * self.pace()),
@@ -62,7 +65,7 @@ impl Session {
     /// A key that is held was let go.
     pub(in crate::app) fn let_go_of(&mut self, action: Action) {
         match action {
-            Action::Rewind => (self.rewinds, self.has_gone) = (false, true),
+            Action::Rewind => (self.rewinds, self.gone_by) = (false, Some(self.player.serial())),
             Action::PinWhileHeld => self.hand.hold_pins(false),
             _ => return,
         }
@@ -76,12 +79,10 @@ impl Session {
             Wish::OpenScene(name) => self.open_named(name),
             Wish::Pace(pace) => self.set_pace(pace),
             Wish::GoTo(time) => {
-                self.player.ask(Order::GoTo(time, self.told));
-                self.has_gone = true;
+                self.go(Order::GoTo(time, self.told));
             }
             Wish::ToBranch(number) => {
-                self.player.ask(Order::ToBranch(number, self.told));
-                self.has_gone = true;
+                self.go(Order::ToBranch(number, self.told));
             }
             Wish::GoOnWithLeftover => self.go_on_with_leftover(),
             Wish::DiscardLeftover => self.discard_leftover(),
@@ -123,10 +124,8 @@ impl Session {
             self.player.play(playing);
             self.camera = camera;
         } else {
-            self.player.ask(Order::Reset);
+            self.go(Order::Reset);
         }
-        self.hand.let_go();
-        self.hand.set_strength(self.scene.mouse_force().map(|force| force.strength));
     }
 
     fn delete(&mut self) {

@@ -114,6 +114,8 @@ impl Session {
             return None;
         }
         match self.live_force() {
+            // What is done again has the cursor of its own.
+            Some(force) if self.shown().figures.follows => self.shown().cursor.map(|at| (force.clone(), at)),
             Some(force) => self.world_cursor().map(|at| (force.clone(), at)),
             None => self.shown().mouse.clone().zip(self.shown().cursor),
         }

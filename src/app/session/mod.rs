@@ -8,7 +8,7 @@ mod leftovers;
 mod pointing;
 mod shelf;
 
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 use std::sync::Arc;
 use std::sync::mpsc::Receiver;
 use std::time::{Duration, Instant};
@@ -26,7 +26,7 @@ use super::leftovers::{Leftover, look};
 use super::loading::Loading;
 use super::meter::Meter;
 use super::panels::{PanelState, theme};
-use super::player::{Figures, News, Note, Player, Shown};
+use super::player::{Figures, News, Note, Order, Player, Shown};
 use super::pointer::Pointer;
 use super::saving::Saving;
 use super::shell::is_for_panels;
@@ -77,8 +77,12 @@ pub(super) struct Session {
     pub(super) held: Held,
     /// Time runs back.
     rewinds: bool,
-    /// The world went to another time, and has not gone on from there yet.
-    has_gone: bool,
+    /// The order by which the world goes to another time, until it is there.
+    gone_by: Option<u64>,
+    /// The stepping thread was told that the hand pushes.
+    pushes: bool,
+    /// Strength of the hover force when nothing is led, as the world told it last.
+    base: Option<f64>,
     look: Look,
     panels: PanelState,
     paint: Paint,
@@ -158,7 +162,9 @@ impl Session {
             hand: Hand::default(),
             held: Held::default(),
             rewinds: false,
-            has_gone: false,
+            gone_by: None,
+            pushes: false,
+            base: None,
             panels: PanelState::default(),
             paint: Paint::default(),
             dirty: true,
@@ -208,8 +214,7 @@ impl Session {
         let mut done = Ok(());
         for player in self.shelf.players_mut().chain([&mut self.player]) {
             let ended = player.end();
-            let path = player.record().map(Path::to_owned).unwrap_or_default();
-            done = done.and(ended.map_err(|reason| AppError::Record { path, reason }));
+            done = done.and(ended.map_err(|(path, reason)| AppError::Record { path, reason }));
         }
         done
     }
@@ -249,17 +254,45 @@ impl Session {
 
     /// Plays another history; the present one goes onto the shelf.
     fn put_on(&mut self, player: Player) {
+        self.take_leave();
         let mut last = std::mem::replace(&mut self.player, player);
         last.play(false);
         self.shelf.keep(last, self.camera);
         self.begin();
     }
 
+    /// The present history is left for another: nothing hangs on the hand in it.
+    pub(super) fn take_leave(&mut self) {
+        let deed = self.hand.leave();
+        self.do_deed(deed);
+        self.tell_press();
+    }
+
+    /// The stepping thread is told whether the hand pushes.
+    fn tell_press(&mut self) {
+        let pushes = self.hand.is_pushing();
+        if std::mem::replace(&mut self.pushes, pushes) != pushes {
+            self.player.ask(Order::Press(pushes));
+        }
+    }
+
+    /// The world goes to another time: what the hand leads here stays here.
+    pub(super) fn go(&mut self, order: Order) {
+        self.hand.let_go();
+        self.player.ask(order);
+        self.gone_by = Some(self.player.serial());
+    }
+
+    /// Whether the log leads the world, not the hand.
+    fn is_led(&self) -> bool {
+        self.shown().figures.follows || self.rewinds || self.gone_by.is_some()
+    }
+
     /// Another history is shown: nothing of the last one is under way any more.
     fn begin(&mut self) {
         self.hand.let_go();
         self.panels.sheet = None;
-        (self.rewinds, self.last_frame, self.told) = (false, None, None);
+        (self.rewinds, self.last_frame, self.told, self.gone_by) = (false, None, None, None);
         self.touch();
         let news = self.player.poll();
         self.hear(news);
@@ -277,7 +310,7 @@ impl Session {
             (self.camera, self.framing) = (camera, Framing::Free);
             self.camera.resize(self.area);
         }
-        self.hand.set_strength(self.live_force().map(|force| force.strength));
+        self.take_base();
         self.panels.notes.complaint = self.player.shown().scenery.warnings.first().cloned();
         self.panels.notes.has_caption = true;
         self.wants_hint &= self.scene.name() == gallery()[0].name;
@@ -294,6 +327,10 @@ impl Session {
         }
         if news.is_new {
             self.dirty = true;
+            self.gone_by.take_if(|serial| *serial <= self.player.shown().serial);
+            if self.base != self.shown().base {
+                self.take_base();
+            }
         }
         if let Some(failure) = news.failure {
             // What was there before is there again.
@@ -310,13 +347,21 @@ impl Session {
         }
     }
 
+    /// The hover force comes back after a grab as scene and log have it.
+    fn take_base(&mut self) {
+        self.base = self.shown().base;
+        self.hand.set_strength(self.base);
+    }
+
     /// Something became of what was asked.
     fn note(&mut self, note: Note) {
         match note {
-            Note::Undone(name, seconds) => self.have_gone(format!("Undid: {name} ({:.1} s back)", seconds.abs())),
-            Note::Redone(name, seconds) => self.have_gone(format!("Redid: {name} ({:.1} s on)", seconds.abs())),
+            Note::Undone(name, seconds) => self.have_gone(format!("Undid: {name}{}", far(seconds))),
+            Note::Redone(name, seconds) => self.have_gone(format!("Redid: {name}{}", far(seconds))),
             Note::NothingToUndo => self.go_back(),
             Note::NothingToRedo => self.go_on(),
+            Note::Branched => self
+                .say("a branch begins here: the list beside the timeline leads back to what was recorded".to_owned()),
             Note::Added => {
                 self.adding = None;
                 self.say("it is in the scene: Ctrl+Z takes it away again".to_owned());
@@ -336,7 +381,7 @@ impl Session {
 
     /// The world went to another time.
     fn have_gone(&mut self, line: String) {
-        self.has_gone = true;
+        self.hand.let_go();
         self.say(line);
     }
 
@@ -351,24 +396,13 @@ impl Session {
         }
         let wall = self.last_frame.replace(start).map_or(FIRST_FRAME, |last| (start - last).as_secs_f64());
         self.frame_meter.push(wall);
-        if self.has_gone && self.player.is_moving() {
-            self.has_gone = false;
-            if self.lacks_force() {
-                self.hand.calm_down();
-            }
+        self.tell_press();
+        if !self.is_led() {
+            let deed = self.hand.pass(wall);
+            self.do_deed(deed);
         }
-        let deed = self.hand.pass(wall);
-        self.do_deed(deed);
         self.told = cursor;
         self.player.advance(wall, cursor, self.rewinds);
-    }
-
-    /// Whether the hover force is away though nothing is led: the world went back to a moment of a grab, and on from there.
-    fn lacks_force(&self) -> bool {
-        let figures = &self.shown().figures;
-        let is_away = self.live_force().is_some_and(|force| force.strength == 0.0);
-        let is_wanted = self.hand.strength().is_some_and(|strength| strength != 0.0);
-        is_away && is_wanted && !self.hand.is_calm() && !self.rewinds && figures.end <= figures.time
     }
 
     /// One frame: the time that passed, the panels if they changed, the picture. Draws nothing if nothing has changed.
@@ -480,6 +514,15 @@ impl Session {
     }
 }
 
+/// How far time went, as one says it; below 0 back [s].
+fn far(seconds: f64) -> String {
+    match seconds {
+        some if some.abs() < 0.05 => String::new(),
+        back if back < 0.0 => format!(" ({:.1} s back)", -back),
+        on => format!(" ({on:.1} s on)"),
+    }
+}
+
 /// A context for the panels of a window.
 fn panels_for(window: &Arc<Window>, canvas: &Canvas) -> egui_winit::State {
     let context = egui::Context::default();
@@ -487,4 +530,14 @@ fn panels_for(window: &Arc<Window>, canvas: &Canvas) -> egui_winit::State {
     let scale = Some(window.scale_factor() as f32);
     let side = Some(canvas.largest_side() as usize);
     egui_winit::State::new(context, egui::ViewportId::ROOT, &**window, scale, None, side)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::far;
+
+    #[test]
+    fn how_far_time_went_is_said_with_its_direction() {
+        assert_eq!([-33.1, 33.1, 0.0].map(far), [" (33.1 s back)", " (33.1 s on)", ""]);
+    }
 }

@@ -75,6 +75,7 @@ impl Session {
     pub(super) fn bring_back(&mut self, player: Player, camera: Camera) -> (Player, Camera) {
         let playing = self.player.is_playing();
         let its = self.camera;
+        self.take_leave();
         let mut last = std::mem::replace(&mut self.player, player);
         last.play(false);
         let scene = self.player.start().scene().clone();

@@ -91,6 +91,24 @@ impl Hand {
         (self.doing, self.calm) = (Doing::Nothing, None);
     }
 
+    /// Another history is gone to: what this one has in hand is let go first, and the hover force comes back at once.
+    pub(super) fn leave(&mut self) -> Deed {
+        let mut commands = Vec::new();
+        if self.is_grabbing() {
+            commands.push(Do::Release);
+        }
+        if self.calm.is_some() {
+            commands.extend(self.strength.map(strength));
+        }
+        self.let_go();
+        Deed { commands, edit: None }
+    }
+
+    /// Whether the hover force pushes while the button is down.
+    pub(super) fn is_pushing(&self) -> bool {
+        self.doing == Doing::Pushing
+    }
+
     /// Whether something is led.
     pub(super) fn is_grabbing(&self) -> bool {
         matches!(self.doing, Doing::Grabbing(_))
@@ -168,11 +186,6 @@ impl Hand {
         }
         self.calm = None;
         Deed { commands: self.strength.map(strength).into_iter().collect(), edit: None }
-    }
-
-    /// The world went back to a moment at which the hover force was away: it comes back as after a grab.
-    pub(super) fn calm_down(&mut self) {
-        self.calm.get_or_insert(CALM);
     }
 
     /// Takes away what is led, or what lies under the pixel.

@@ -88,6 +88,22 @@ fn the_hover_force_is_away_while_something_is_led_and_a_little_longer() {
 }
 
 #[test]
+fn a_history_that_is_left_has_nothing_on_the_hand() {
+    let opened = opened("rim");
+    let mut hand = Hand::default();
+    hand.set_strength(Some(3000.0));
+    assert!(hand.leave().is_empty());
+    let at = pixel(&opened, 0);
+    hand.press(scope(&opened), at);
+    let mouse = Do::Mouse(MouseChange { strength: Some(3000.0), ..MouseChange::default() });
+    assert_eq!(hand.leave().commands, [Do::Release, mouse.clone()]);
+    assert!(!hand.is_busy() && !hand.is_calm());
+    hand.press(scope(&opened), at);
+    hand.release(scope(&opened), at);
+    assert_eq!(hand.leave().commands, [mouse], "within a moment after letting go too");
+}
+
+#[test]
 fn a_second_press_while_it_is_calm_does_not_forget_the_strength() {
     let opened = opened("rim");
     let mut hand = Hand::default();
