@@ -45,13 +45,14 @@ const ROOMS: [(&str, &[&str], &[&str]); 12] = [
 ];
 
 /// Each module of `sim` and those that it may name, which all stand above it here: so there is no circle.
-const SIM: [(&str, &[&str]); 31] = [
+const SIM: [(&str, &[&str]); 33] = [
     ("real", &[]),
     ("shared", &[]),
     ("threads", &[]),
     ("timeline", &[]),
     ("counters", &[]),
     ("colour", &[]),
+    ("ledger", &[]),
     ("bond", &["real"]),
     ("bonds", &["bond", "shared"]),
     ("solver", &["bond"]),
@@ -59,12 +60,13 @@ const SIM: [(&str, &[&str]); 31] = [
     ("points", &["real"]),
     ("solve", &["real", "vector"]),
     ("kernels", &["real", "threads", "vector"]),
-    ("measure", &["bond", "bonds", "points", "real", "vector"]),
+    ("measure", &["bond", "bonds", "ledger", "points", "real", "vector"]),
     ("contact", &["points", "real", "vector"]),
     ("force", &["bond", "colour", "measure", "points", "real", "vector"]),
     ("environment", &["force", "vector"]),
     ("constrain", &["bond", "colour", "contact", "points", "real", "solve", "solver", "vector"]),
     ("pull", &["constrain", "contact", "counters", "environment", "force", "points", "real", "vector"]),
+    ("account", &["bond", "environment", "force", "ledger", "points", "pull", "real", "vector"]),
     (
         "integrate",
         &["bond", "constrain", "counters", "environment", "force", "points", "pull", "real", "solve", "vector"],
@@ -72,6 +74,7 @@ const SIM: [(&str, &[&str]); 31] = [
     (
         "bulk",
         &[
+            "account",
             "bond",
             "colour",
             "contact",
@@ -91,6 +94,7 @@ const SIM: [(&str, &[&str]); 31] = [
     (
         "group",
         &[
+            "account",
             "bond",
             "bulk",
             "constrain",
@@ -99,6 +103,7 @@ const SIM: [(&str, &[&str]); 31] = [
             "environment",
             "force",
             "integrate",
+            "ledger",
             "measure",
             "points",
             "pull",
@@ -111,6 +116,7 @@ const SIM: [(&str, &[&str]); 31] = [
     (
         "plan",
         &[
+            "account",
             "bond",
             "bonds",
             "bulk",
@@ -134,10 +140,14 @@ const SIM: [(&str, &[&str]); 31] = [
     ),
     ("command", &["bond", "contact", "force", "model"]),
     ("saved", &["bond", "force", "model", "real"]),
-    ("dynamics", &["bond", "bonds", "command", "contact", "counters", "force", "model", "plan_part", "real", "saved"]),
+    (
+        "dynamics",
+        &["bond", "bonds", "command", "contact", "counters", "force", "ledger", "model", "plan_part", "real", "saved"],
+    ),
     (
         "world",
         &[
+            "account",
             "bond",
             "bonds",
             "command",
@@ -147,6 +157,7 @@ const SIM: [(&str, &[&str]); 31] = [
             "environment",
             "force",
             "group",
+            "ledger",
             "measure",
             "model",
             "plan",

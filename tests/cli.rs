@@ -110,6 +110,26 @@ fn a_recording_has_every_key() {
 }
 
 #[test]
+fn a_ledger_is_written_where_it_is_asked_for() {
+    let plain = simulated(&["rim", "--samples", "0.1,0.2"]);
+    assert!(plain["balance"].is_null() && plain["samples"][0]["ledger"].is_null());
+    let folder = tempfile::tempdir().unwrap();
+    let commands = folder.path().join("none.json");
+    std::fs::write(&commands, "[]").unwrap();
+    for more in [&[][..], &["--commands", commands.to_str().unwrap()]] {
+        let kept = simulated(&[&["rim", "--samples", "0.1,0.2", "--ledger"], more].concat());
+        assert_eq!(kept["hash"], plain["hash"], "the same motion");
+        let ledger = &kept["samples"][1]["ledger"];
+        let of = |key: &str| ledger[key].as_f64().unwrap();
+        let brought = of("mouse") + of("grab") + of("pins") + of("commands");
+        let taken = of("dampers") + of("drag") + of("friction") + of("impacts") + of("breaks");
+        let now = of("kinetic") + of("springs") + of("gravity");
+        assert!((now - of("start") - (brought - taken + of("left_over"))).abs() < 1e-9 * now.abs());
+        assert!(of("kinetic") > 1.0 && kept["balance"]["is_kept"] == true, "{}", kept["balance"]);
+    }
+}
+
+#[test]
 fn a_table_has_a_row_a_sample_and_point() {
     let folder = tempfile::tempdir().unwrap();
     let out = folder.path().join("x.csv");

@@ -15,10 +15,12 @@ use crate::history::Start;
 use crate::output;
 use crate::scene::frames::Frames;
 use crate::scene::record::{
-    RecordedCounters, RecordedFrames, RecordedSample, Recording, hash, record, seconds_and_frames,
+    RecordedBalance, RecordedCounters, RecordedFrames, RecordedSample, Recording, hash, ledgers, record,
+    seconds_and_frames,
 };
 use crate::scene::{OrderName, PrecisionName, Scene, SolverName};
-use crate::sim::{BondKind, Counters, Dynamics, InstructionSet, PlanPart, PointId, Precision, Sample};
+use crate::sim::judge;
+use crate::sim::{BondKind, Counters, Dynamics, InstructionSet, PlanPart, PointId, Precision, Sample, Verdict};
 use crate::study;
 
 /// Points that a message names before it counts the rest.
@@ -69,6 +71,9 @@ pub(super) struct Arguments {
     /// Where to write: .json or .csv.
     #[arg(long, value_name = "FILE", required_unless_present_any = ["hash", "record"], value_parser = table)]
     out: Option<PathBuf>,
+    /// Keeps a ledger of the energy: each sample says where it came from and went, and the whole whether it was kept.
+    #[arg(long, conflicts_with = "settle")]
+    ledger: bool,
     /// Prints the hash of all samples.
     #[arg(long)]
     hash: bool,
@@ -105,7 +110,13 @@ pub(super) fn run(arguments: &Arguments, quiet: bool) -> anyhow::Result<()> {
     let bar = progress::bar(quiet, end.unwrap_or(0.0));
     let samples = record(&mut *world, &times, |time| bar.set_position((time * progress::SCALE) as u64))?;
     bar.finish_and_clear();
-    let mut recording = recording(&scene, &*start, &times, &samples, world.counters());
+    let is_kept = scene.method.ledger.is_some_and(|is_kept| is_kept);
+    let entries = ledgers(&mut *start.boxed_clone(), if is_kept { end.unwrap_or(0.0) } else { 0.0 })?;
+    // What a ledger takes is not the time of the stepping.
+    scene.method.ledger = None;
+    let timed = if is_kept { scene.world(duration)? } else { start.boxed_clone() };
+    let mut recording = recording(&scene, &*timed, &times, &samples, world.counters());
+    recording.balance = is_kept.then(|| judge(&entries).into());
     recording.search_seconds = found.as_ref().map_or(0.0, |found| found.seconds);
     recording.expected_error = found.as_ref().map(|found| found.expected_error);
     write(arguments, &recording)?;
@@ -181,6 +192,7 @@ fn settle(arguments: &Arguments, scene: &Scene, time: f64) -> anyhow::Result<()>
         frames: None,
         search_seconds: 0.0,
         expected_error: None,
+        balance: None,
         counters: RecordedCounters { iterations: found.rounds.into(), ..RecordedCounters::default() },
         warnings: Vec::new(),
         hash: hash(&samples, scene.dimensions()),
@@ -274,6 +286,7 @@ impl Arguments {
         method.seed = self.seed.or(method.seed);
         method.precision = self.precision.or(method.precision);
         method.tolerance = self.tolerance.or(method.tolerance);
+        method.ledger = self.ledger.then_some(true).or(method.ledger);
     }
 
     fn times(&self, scene: &Scene) -> anyhow::Result<Vec<f64>> {
@@ -322,6 +335,7 @@ fn made(
         frames: frames.map(RecordedFrames::from),
         search_seconds: 0.0,
         expected_error: None,
+        balance: None,
         counters: RecordedCounters {
             substeps: counters.substeps,
             bonds_solved: counters.bonds_solved,
@@ -344,13 +358,14 @@ pub(super) struct Table {
     about: Option<About>,
     samples: Vec<Sample>,
     counters: Counters,
+    balance: Option<Verdict>,
 }
 
 impl Table {
     /// An empty one; the wall time of the run is counted from now.
     pub(super) fn new(scene: &Scene) -> Self {
         let (clock, counters) = (Instant::now(), Counters::default());
-        Table { scene: scene.clone(), clock, about: None, samples: Vec::new(), counters }
+        Table { scene: scene.clone(), clock, about: None, samples: Vec::new(), counters, balance: None }
     }
 
     /// Takes a sample at `time` [s], which lies within the world's next step.
@@ -361,10 +376,17 @@ impl Table {
         self.counters = *world.counters();
     }
 
+    /// How the energy was kept, where a ledger was.
+    pub(super) fn balance(&mut self, balance: Option<Verdict>) {
+        self.balance = balance;
+    }
+
     /// Writes it.
     pub(super) fn write(self, out: Option<&Path>, has_hash: bool, frames: Option<&Frames>) -> anyhow::Result<()> {
         let seconds = frames.map_or_else(|| self.clock.elapsed().as_secs_f64(), Frames::seconds);
         let Some(about) = self.about else { return Ok(()) };
-        write_table(out, has_hash, &made(&self.scene, about, (seconds, frames), &self.samples, &self.counters))
+        let recording = made(&self.scene, about, (seconds, frames), &self.samples, &self.counters);
+        let balance = self.balance.map(RecordedBalance::from);
+        write_table(out, has_hash, &Recording { balance, ..recording })
     }
 }

@@ -98,7 +98,8 @@ pub fn settle<const D: usize>(model: &Model<D>) -> Result<Equilibrium<D>, ModelE
     let position: Vec<[f64; D]> = start.representatives.iter().map(|&i| start.position[i as usize]).collect();
     let falling = (0..position.len()).filter(|&i| falls[start.representatives[i] as usize]);
     Ok(Equilibrium {
-        energy: measure::energy(|i| position[i], |_| [0.0; D], &inverse_masses(model), &model.bonds, model.gravity),
+        energy: measure::energies(|i| position[i], |_| [0.0; D], &inverse_masses(model), &model.bonds, model.gravity)
+            .sum(),
         max_strain: measure::max_strain(&position, &model.bonds),
         falling: falling.map(|i| PointId(i as u32)).collect(),
         position,

@@ -112,18 +112,18 @@ impl<A: Packed, B: Packed> Packed for (A, B) {
     }
 }
 
-/// The fields of a type, in order.
+/// The fields of a type, in order; `without` those that are not kept and then have these values.
 macro_rules! fields {
-    ($name:ident $(<$d:ident>)? { $($field:ident),* $(,)? }) => {
+    ($name:ident $(<$d:ident>)? { $($field:ident),* $(,)? } $(without { $($left:ident: $value:expr),* })?) => {
         impl $(<const $d: usize>)? Packed for $name $(<$d>)? {
             fn put(&self, to: &mut Vec<u8>) {
-                let $name { $($field),* } = self;
+                let $name { $($field,)* $($($left: _),*)? } = self;
                 $($field.put(to);)*
             }
 
             fn take(from: &mut &[u8]) -> Option<Self> {
                 $(let $field = Packed::take(from)?;)*
-                Some($name { $($field),* })
+                Some($name { $($field,)* $($($left: $value),*)? })
             }
         }
     };
@@ -176,7 +176,7 @@ saved! {
     rest: precision substep scene_points lost cursor grabbed lead
 }
 
-fields!(Method { solver, substep, iterations, order, seed, precision, tolerance, max_strain, sleeps });
+fields!(Method { solver, substep, iterations, order, seed, precision, tolerance, max_strain, sleeps } without { ledger: false });
 fields!(MouseForce { strength, radius, region, profile, track });
 fields!(Track<D> { knots });
 fields!(Bounds<D> { min, max, restitution, friction });

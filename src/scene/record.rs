@@ -6,8 +6,8 @@ use std::time::Instant;
 use serde::Serialize;
 use xxhash_rust::xxh3::Xxh3;
 
-use super::frames::Frames;
-use crate::sim::{Dynamics, Sample};
+use super::frames::{Frames, next_close};
+use crate::sim::{Book, Dynamics, Energies, Ledger, Sample, Verdict};
 
 /// A motion that cannot be recorded.
 #[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
@@ -59,6 +59,24 @@ pub fn run_to(world: &mut dyn Dynamics, time: f64, progress: &mut dyn FnMut(f64)
         }
     }
     if world.is_finite() { Ok(()) } else { Err(RecordError::NotFinite { time: world.time() }) }
+}
+
+/// Runs `world` on to `end` [s] and takes its ledger now and at the end of every frame of 1/60 s: what
+/// [`judge`](crate::sim::judge) judges. Empty where none is kept.
+///
+/// Errors: [`RecordError::NotFinite`].
+pub fn ledgers(world: &mut dyn Dynamics, end: f64) -> Result<Vec<Ledger>, RecordError> {
+    let mut entries = Vec::new();
+    let mut time = world.time();
+    loop {
+        let Some(ledger) = world.sample(time).ledger else { return Ok(entries) };
+        entries.push(ledger);
+        if time >= end {
+            return Ok(entries);
+        }
+        time = next_close(time).min(end);
+        run_to(world, time, &mut |_| {})?;
+    }
 }
 
 /// Wall seconds that stepping `world` to the last of `times` takes, in the median: short runs are repeated.
@@ -145,6 +163,9 @@ pub struct Recording {
     /// The error that the setting is expected to have at every sample [m], where it was searched for.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub expected_error: Option<f64>,
+    /// How the energy was kept, where a ledger was.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub balance: Option<RecordedBalance>,
     /// Work done.
     pub counters: RecordedCounters,
     /// What the user should know.
@@ -166,6 +187,89 @@ pub struct RecordedSample {
     pub energy: f64,
     /// Largest strain [1].
     pub max_strain: f64,
+    /// Where the energy came from and went since the start, if that was asked for.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub ledger: Option<RecordedLedger>,
+}
+
+/// The ledger of a sample [J]: now - start = brought - taken + left over.
+#[derive(Clone, Copy, Debug, Serialize)]
+pub struct RecordedLedger {
+    /// Kinetic, springs' and gravity's energy now.
+    pub kinetic: f64,
+    /// See [`RecordedLedger::kinetic`].
+    pub springs: f64,
+    /// See [`RecordedLedger::kinetic`].
+    pub gravity: f64,
+    /// The sum of these at the start.
+    pub start: f64,
+    /// Brought by the mouse force, a grab, pins that are led, and commands.
+    pub mouse: f64,
+    /// See [`RecordedLedger::mouse`].
+    pub grab: f64,
+    /// See [`RecordedLedger::mouse`].
+    pub pins: f64,
+    /// See [`RecordedLedger::mouse`].
+    pub commands: f64,
+    /// Taken by dampers, drag, friction, impacts, and bonds that broke.
+    pub dampers: f64,
+    /// See [`RecordedLedger::dampers`].
+    pub drag: f64,
+    /// See [`RecordedLedger::dampers`].
+    pub friction: f64,
+    /// See [`RecordedLedger::dampers`].
+    pub impacts: f64,
+    /// See [`RecordedLedger::dampers`].
+    pub breaks: f64,
+    /// What none of them explains: the method's own error.
+    pub left_over: f64,
+}
+
+impl From<&Ledger> for RecordedLedger {
+    fn from(ledger: &Ledger) -> Self {
+        let Ledger { now: Energies { kinetic, springs, gravity }, start, .. } = *ledger;
+        let Book { mouse, grab, pins, commands, dampers, drag, friction, impacts, breaks, .. } = ledger.book;
+        RecordedLedger {
+            kinetic,
+            springs,
+            gravity,
+            start,
+            mouse,
+            grab,
+            pins,
+            commands,
+            dampers,
+            drag,
+            friction,
+            impacts,
+            breaks,
+            left_over: ledger.left_over(),
+        }
+    }
+}
+
+/// How the energy was kept, judged once a frame.
+#[derive(Clone, Copy, Debug, Serialize)]
+pub struct RecordedBalance {
+    /// The most that came from nowhere, as a share of the largest kinetic energy until then [1], and when [s].
+    pub gain: f64,
+    /// See [`RecordedBalance::gain`].
+    pub gain_at: f64,
+    /// The most that went without a reason within 10 s, likewise.
+    pub loss: f64,
+    /// See [`RecordedBalance::loss`].
+    pub loss_at: f64,
+    /// Whether these can be told from the work at pins that are led.
+    pub is_told: bool,
+    /// Whether both are small.
+    pub is_kept: bool,
+}
+
+impl From<Verdict> for RecordedBalance {
+    fn from(verdict: Verdict) -> Self {
+        let Verdict { gain, gain_at, loss, loss_at, is_told } = verdict;
+        RecordedBalance { gain, gain_at, loss, loss_at, is_told, is_kept: verdict.passes() }
+    }
 }
 
 impl RecordedSample {
@@ -182,6 +286,7 @@ impl RecordedSample {
             velocity: cut(&sample.velocity),
             energy: sample.energy,
             max_strain: sample.max_strain,
+            ledger: sample.ledger.as_ref().map(RecordedLedger::from),
         }
     }
 }

@@ -65,6 +65,7 @@ pub(super) fn method(scene: &Scene) -> Result<sim::Method, Fault> {
         precision: keys.precision(),
         tolerance: keys.tolerance,
         max_strain: keys.max_strain,
+        ledger: keys.ledger.unwrap_or(false),
         sleeps: keys.sleep.unwrap_or(keys.tolerance.is_none()),
     })
 }

@@ -6,6 +6,7 @@ use super::command::{Applied, Command, CommandError};
 use super::contact::polygon::Polygon;
 use super::counters::Counters;
 use super::force::mouse::{Cursor, MouseForce};
+use super::ledger::Ledger;
 use super::plan_part::PlanPart;
 use super::real::{Positions, Precision};
 use super::saved::SavedWorld;
@@ -23,6 +24,8 @@ pub struct Sample {
     pub energy: f64,
     /// Largest |length/rest - 1| over the bonds [1] (rest 0 left out).
     pub max_strain: f64,
+    /// Where the energy came from and went, if [`Method::ledger`](super::model::Method::ledger) asks for it.
+    pub ledger: Option<Ledger>,
 }
 
 /// What is grabbed, to be drawn.

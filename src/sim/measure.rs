@@ -2,6 +2,7 @@
 
 use super::bond::{Bond, BondKind, Limit};
 use super::bonds::Bonds;
+use super::ledger::Energies;
 use super::points::Points;
 use super::real::Real;
 use super::vector::{dot, length, sub};
@@ -38,24 +39,25 @@ pub(crate) fn speed_bound<S: Real, const D: usize>(velocity: &[[S; D]]) -> S {
     length(most)
 }
 
-/// Kinetic + springs' + gravity's energy of the points that are not pinned [J]; gravity's is 0 at the origin.
+/// Kinetic, springs' and gravity's energy of the points that are not pinned [J]; gravity's is 0 at the origin.
 ///
 /// Shapes: `w` has one entry a point, w = 0 is pinned; `position` and `velocity` say the state of each.
-pub(crate) fn energy<const D: usize>(
+pub(crate) fn energies<const D: usize>(
     position: impl Fn(usize) -> [f64; D] + Copy,
     velocity: impl Fn(usize) -> [f64; D],
     w: &[f64],
     bonds: &Bonds,
     gravity: [f64; D],
-) -> f64 {
-    let mut sum = springs_energy(bonds, position);
+) -> Energies {
+    let mut energies = Energies { springs: springs_energy(bonds, position), ..Energies::default() };
     for (i, &w) in w.iter().enumerate() {
         if w > 0.0 {
             let (x, v) = (position(i), velocity(i));
-            sum += (0.5 * dot(v, v) - dot(gravity, x)) / w;
+            energies.kinetic += 0.5 * dot(v, v) / w;
+            energies.gravity -= dot(gravity, x) / w;
         }
     }
-    sum
+    energies
 }
 
 /// Energy of every spring [J]: stiffness (|d| - rest)^2 / 2 where it acts.

@@ -1,5 +1,6 @@
 //! The world and its step. Nothing here knows of files, windows or clocks.
 
+pub(crate) mod account;
 pub mod bond;
 pub mod bonds;
 pub(crate) mod bulk;
@@ -15,6 +16,7 @@ pub mod force;
 pub(crate) mod group;
 pub(crate) mod integrate;
 pub(crate) mod kernels;
+pub mod ledger;
 pub(crate) mod measure;
 pub mod model;
 pub(crate) mod plan;
@@ -45,6 +47,7 @@ pub use counters::Counters;
 pub use dynamics::{Dynamics, GrabView, Sample};
 pub use force::mouse::{Cursor, MouseForce, Profile, Region, Track};
 pub use kernels::level::InstructionSet;
+pub use ledger::{Book, Energies, Ledger, Verdict, judge};
 pub use model::{Method, Model, ModelError};
 pub use plan_part::PlanPart;
 pub use real::{Positions, Precision, Real};

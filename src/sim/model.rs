@@ -326,4 +326,6 @@ pub struct Method {
     pub max_strain: Option<f64>,
     /// What stays where it is falls asleep, and is not stepped until something reaches it.
     pub sleeps: bool,
+    /// Keeps a [`Ledger`](super::ledger::Ledger) of the world's energy. It changes nothing of the motion, and takes time.
+    pub ledger: bool,
 }

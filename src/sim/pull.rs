@@ -112,6 +112,19 @@ impl<S: Real, const D: usize> Pull<S, D> {
         a: &mut [[S; D]],
         counters: &mut Counters,
     ) {
+        self.act(around, t, (x, v, w), a, counters);
+        self.react((x, v), a, counters);
+    }
+
+    /// Forces, gravity and drag [m/s^2].
+    pub(crate) fn act(
+        &self,
+        around: &Environment<D>,
+        t: f64,
+        (x, v, w): (&[[S; D]], &[[S; D]], &[S]),
+        a: &mut [[S; D]],
+        counters: &mut Counters,
+    ) {
         self.forces(around, t, (x, v, w), (convert(self.gravity), a), counters);
         if self.drag_rate != 0.0 {
             let rate = S::from_f64(self.drag_rate);
@@ -119,6 +132,10 @@ impl<S: Real, const D: usize> Pull<S, D> {
                 *a = if w[i] == S::ZERO { zero() } else { sub(*a, scale(v[i], rate)) };
             }
         }
+    }
+
+    /// Adds to these accelerations what rigid bonds and surfaces answer with.
+    pub(crate) fn react(&mut self, (x, v): (&[[S; D]], &[[S; D]]), a: &mut [[S; D]], counters: &mut Counters) {
         let Pull { rigid, contacts, .. } = self;
         if let Some(rigid) = rigid {
             rigid.answer(x, v, a, contacts);

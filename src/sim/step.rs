@@ -95,6 +95,7 @@ impl<S: Real, const D: usize> World<S, D> {
             }
         }
         self.gather();
+        self.note_kinetic();
     }
 
     /// Groups that are reached wake.
@@ -114,7 +115,7 @@ impl<S: Real, const D: usize> World<S, D> {
         if torn.is_empty() {
             return;
         }
-        for place in self.tear(&torn, from + came) {
+        for place in self.tear_booked(&torn, from + came) {
             made.push(place);
             if came < h - 1e-12 * h {
                 self.take(Due { place, from: from + came, h: h - came, stops: stops + 1 }, made);

@@ -39,6 +39,7 @@ fn settle_model<const D: usize>(model: &Model<D>, t: f64) -> Result<Settled, Mod
         position: found.position.into_iter().map(embed).collect(),
         energy: found.energy,
         max_strain: found.max_strain,
+        ledger: None,
     };
     Ok(Settled {
         sample,

@@ -9,6 +9,7 @@ use crate::cli::progress;
 use crate::cli::replay::say_notes;
 use crate::history::{Entry, Log, Mark, Recording, Replay, Start, hash_now};
 use crate::scene::frames::{Frames, next_close};
+use crate::sim::{Ledger, judge};
 
 /// Runs a recording, or a scene with commands, to a table, a hash or another recording.
 pub(super) fn run(arguments: &Arguments, start: Start, quiet: bool) -> anyhow::Result<()> {
@@ -32,14 +33,16 @@ pub(super) fn run(arguments: &Arguments, start: Start, quiet: bool) -> anyhow::R
     say_notes(&recording, &arguments.scene);
     let mut table = Table::new(&recording.scene);
     let mut frames = Frames::between(run.world().time(), end);
+    let mut entries: Option<Vec<Ledger>> = run.world().sample(run.world().time()).ledger.map(|first| vec![first]);
     let mut marks = Vec::new();
     for time in times {
-        advance(&mut run, (&recording.commands, time), &mut frames)?;
+        advance(&mut run, (&recording.commands, time), (&mut frames, entries.as_mut()))?;
         table.sample(run.world(), time);
         marks.push(Mark { at: time, hash: hash_now(run.world(), time.max(run.world().time())) });
         bar.set_position((time * progress::SCALE) as u64);
     }
     bar.finish_and_clear();
+    table.balance(entries.map(|entries| judge(&entries)));
     if let Some(path) = &arguments.record {
         recording.commands.retain(|entry| entry.at <= end);
         marks.dedup_by(|a, b| a.at == b.at);
@@ -49,8 +52,12 @@ pub(super) fn run(arguments: &Arguments, start: Start, quiet: bool) -> anyhow::R
     table.write(arguments.out.as_deref(), arguments.hash, Some(&frames))
 }
 
-/// Advances to `time` [s], frame by frame: that is the same motion.
-fn advance(run: &mut Replay, (commands, time): (&[Entry], f64), frames: &mut Frames) -> anyhow::Result<()> {
+/// Advances to `time` [s], frame by frame: that is the same motion. The ledger, if one is kept, gets an entry a frame.
+fn advance(
+    run: &mut Replay,
+    (commands, time): (&[Entry], f64),
+    (frames, mut entries): (&mut Frames, Option<&mut Vec<Ledger>>),
+) -> anyhow::Result<()> {
     let mut reached = run.world().time();
     while reached < time {
         let stop = next_close(reached).min(time);
@@ -58,6 +65,9 @@ fn advance(run: &mut Replay, (commands, time): (&[Entry], f64), frames: &mut Fra
         run.advance(commands, stop)?;
         if run.world().time() > before {
             frames.add(stop, clock.elapsed().as_secs_f64(), run.world().counters().work_ms() - work);
+        }
+        if let Some(entries) = &mut entries {
+            entries.extend(run.world().sample(stop.max(run.world().time())).ledger);
         }
         reached = stop;
     }

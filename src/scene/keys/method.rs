@@ -92,6 +92,8 @@ object! {
             max_strain: f64,
             /// Whether what stays where it is falls asleep: true if not said, but under a tolerance.
             sleep: bool,
+            /// Whether a ledger of the energy is kept: false if not said.
+            ledger: bool,
         }
     }
 }

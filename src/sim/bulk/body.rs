@@ -6,18 +6,21 @@ use super::crowd::Crowd;
 use super::form::Form;
 use super::impact::Piece;
 use super::mesh::Mesh;
-use super::outside::{Going, Outside};
+use super::outside::{Going, Outside, Toll};
 use super::sheet::Sheet;
 use super::spec::{Start, Substep};
 use crate::sim::force::mouse::Push;
 use crate::sim::kernels::store::{Drift, Store};
 use crate::sim::points::Points;
 use crate::sim::real::Real;
-use crate::sim::vector::{add, scale, sub};
+use crate::sim::vector::{add, dot, scale, sub, widen};
 use std::collections::BTreeMap;
 
 /// Impacts that a piece may have in one substep: of corners, one after the other.
 const MOST_BLOWS: u32 = 8;
+
+/// Places and velocities of the points of a group in the middle of a substep [m, m/s].
+pub(crate) type Middle<S, const D: usize> = (Vec<[S; D]>, Vec<[S; D]>);
 
 /// A large body of any form.
 #[derive(Clone, Debug)]
@@ -62,9 +65,21 @@ impl<S: Real, const D: usize> AnyBody<S, D> {
         of_any!(self, body => body.push(push, share))
     }
 
-    /// Surfaces turn points back; `fall` is what gravity adds to a motion [m]. Returns how many.
-    pub(crate) fn meet(&mut self, outside: &Outside<S, D>, fall: [S; D]) -> u64 {
-        of_any!(self, body => body.meet(outside, fall))
+    /// Surfaces turn points back; `fall` is what gravity adds to a motion [m]. Returns how many, and adds what that took to
+    /// `toll`, of masses in those of the reference.
+    pub(crate) fn meet(&mut self, outside: &Outside<S, D>, fall: [S; D], toll: Option<&mut Toll>) -> u64 {
+        of_any!(self, body => body.meet(outside, fall, toll))
+    }
+
+    /// Where points are in the middle of the substep and how fast, in the order of the group; `rate` is one over the substep [1/s].
+    pub(crate) fn read_middle(&mut self, rate: S, middle: &mut Middle<S, D>) {
+        of_any!(self, body => body.read_middle(rate, middle));
+    }
+
+    /// The work at pins of a body whose points had the velocities `before` when its bonds began to pull; `None`: its pins go
+    /// different ways.
+    pub(crate) fn work_at_pins(&mut self, rate: S, before: &[[S; D]]) -> Option<f64> {
+        of_any!(self, body => body.work_at_pins(rate, before))
     }
 
     /// Bonds of one substep. Returns the largest pull.
@@ -229,12 +244,12 @@ impl<S: Real, const D: usize, F: Form<S, D>> Body<S, D, F> {
         count
     }
 
-    fn meet(&mut self, outside: &Outside<S, D>, fall: [S; D]) -> u64 {
+    fn meet(&mut self, outside: &Outside<S, D>, fall: [S; D], mut toll: Option<&mut Toll>) -> u64 {
         let mut struck = BTreeMap::new();
         let mut below = self.below(outside, &struck);
         if let Some(size) = self.piece {
             for _ in 0..MOST_BLOWS {
-                if below.is_empty() || !self.strike(&below, (outside, fall), size, &mut struck) {
+                if below.is_empty() || !self.strike(&below, (outside, fall), size, (&mut struck, toll.as_deref_mut())) {
                     break;
                 }
                 below = self.below(outside, &struck);
@@ -242,8 +257,12 @@ impl<S: Real, const D: usize, F: Form<S, D>> Body<S, D, F> {
         }
         let Body { store, .. } = self;
         for &(_, cell, going) in &below {
-            if let Some((end, motion)) = outside.meet(going, fall) {
+            let mut own = toll.is_some().then(Toll::default);
+            if let Some((end, motion)) = outside.meet(going, fall, own.as_mut()) {
                 store.set(cell, sub(end, motion), motion);
+            }
+            if let (Some(toll), Some(own)) = (&mut toll, own) {
+                toll.add(own, 1.0 / store.weight(cell).to_f64());
             }
         }
         below.len() as u64
@@ -273,7 +292,7 @@ impl<S: Real, const D: usize, F: Form<S, D>> Body<S, D, F> {
         below: &[(usize, usize, Going<S, D>)],
         (outside, fall): (&Outside<S, D>, [S; D]),
         size: usize,
-        struck: &mut BTreeMap<usize, S>,
+        (struck, toll): (&mut BTreeMap<usize, S>, Option<&mut Toll>),
     ) -> bool {
         let Body { form, store, .. } = self;
         let mut pieces: BTreeMap<usize, Piece<D>> = BTreeMap::new();
@@ -292,6 +311,9 @@ impl<S: Real, const D: usize, F: Form<S, D>> Body<S, D, F> {
             }
         });
         pieces.values_mut().for_each(|piece| piece.strike(fall));
+        if let Some(toll) = toll {
+            pieces.values().for_each(|piece| toll.add(piece.toll(), 1.0));
+        }
         struck.extend(pieces.iter().map(|(&place, piece)| (place, S::from_f64(piece.left()))));
         form.each(|i, cell| {
             let Some(piece) = pieces.get(&(i / size)).filter(|_| *store.weight(cell) > S::ZERO) else { return };
@@ -301,6 +323,29 @@ impl<S: Real, const D: usize, F: Form<S, D>> Body<S, D, F> {
             store.set(cell, sub(add(add(x, d), further), motion), motion);
         });
         true
+    }
+
+    fn read_middle(&mut self, rate: S, (position, velocity): &mut Middle<S, D>) {
+        let Body { form, store, members, .. } = self;
+        form.each(|i, cell| {
+            let (point, (x, d)) = (members.point(i), store.get(cell));
+            position[point] = add(x, scale(d, S::HALF));
+            velocity[point] = scale(store.motion(cell), rate);
+        });
+    }
+
+    fn work_at_pins(&mut self, rate: S, before: &[[S; D]]) -> Option<f64> {
+        let Body { form, store, members, reference, .. } = self;
+        let (mut impulse, mut pin, mut is_one) = ([0.0; D], None, true);
+        form.each(|i, cell| {
+            let (v, w) = (scale(store.motion(cell), rate), store.weight(cell).to_f64() * *reference);
+            if w > 0.0 {
+                impulse = add(impulse, scale(widen(sub(v, before[members.point(i)])), 1.0 / w));
+            } else {
+                is_one &= *pin.get_or_insert(v) == v;
+            }
+        });
+        is_one.then(|| pin.map_or(0.0, |v| dot(impulse, widen(v))))
     }
 
     fn arrive(&mut self, points: &mut Points<S, D>, rate: S) {

@@ -13,7 +13,7 @@
 //! of the substep, and by the new one from there on. What lies on the floor is hit in every substep by as much as gravity
 //! gave it: so it lies still, and is not squeezed by its weight.
 
-use super::outside;
+use super::outside::{self, Toll};
 use crate::sim::contact::surface::Surface;
 use crate::sim::real::Real;
 use crate::sim::vector::{add, cross, dot, flat, scale, sub};
@@ -56,6 +56,8 @@ struct Hit {
     target: f64,
     /// Along the normal, and across it.
     impulse: [f64; 2],
+    /// Restitution takes something of it, and it did not lie there.
+    takes: bool,
 }
 
 impl<const D: usize> Piece<D> {
@@ -85,6 +87,7 @@ impl<const D: usize> Piece<D> {
             bounce: if -speed > gentle { surface.restitution.to_f64() } else { 0.0 },
             target: 0.0,
             impulse: [0.0; 2],
+            takes: -speed > gentle && surface.restitution < S::ONE && share > outside::LAY,
         });
     }
 
@@ -153,6 +156,21 @@ impl<const D: usize> Piece<D> {
         }
     }
 
+    /// What the impact took: each impulse times the mean of the motions before and after it.
+    pub(crate) fn toll(&self) -> Toll {
+        let mut toll = Toll::default();
+        let (v, omega) = self.change;
+        for Hit { x, motion, normal, impulse: [push, rub], takes, .. } in &self.hits {
+            let arm = sub(*x, self.centre);
+            let gained = add(v, scale([-arm[1], arm[0]], omega));
+            let mean = add(*motion, scale(gained, 0.5));
+            let along = dot(mean, [-normal[1], normal[0]]);
+            toll.impacts -= if *takes { push * dot(mean, *normal) } else { 0.0 };
+            toll.friction -= rub * along;
+        }
+        Toll { impacts: toll.impacts.max(0.0), friction: toll.friction.max(0.0) }
+    }
+
     /// What the impact adds to the motion of a point at `x`, and to the place where it then ends.
     pub(crate) fn change<S: Real>(&self, x: [S; D]) -> ([S; D], [S; D]) {
         let (v, omega) = self.change;
@@ -213,6 +231,20 @@ mod tests {
         let [hit, free] = [[0.0, 0.0], [2.0, 0.0]].map(|x| moved(&piece, x, motion));
         assert!((hit[1] - 0.5).abs() < 1e-12 && (free[1] + 1.0).abs() < 1e-12, "{hit:?} {free:?}");
         assert!((hit[0] - 0.3).abs() < 1e-12, "no friction");
+    }
+
+    #[test]
+    fn what_an_impact_takes_is_what_the_rod_has_less() {
+        for (restitution, friction) in [(0.5, 0.0), (0.5, 0.1), (0.0, 9.0)] {
+            let motion = [1.0, -1.0];
+            let piece = rod(restitution, friction, motion);
+            let left: f64 =
+                [[0.0, 0.0], [2.0, 0.0]].map(|x| moved(&piece, x, motion)).map(|v| 0.5 * dot(v, v)).iter().sum();
+            let Toll { impacts, friction } = piece.toll();
+            assert!((impacts + friction - (2.0 - left)).abs() < 1e-9, "{impacts} {friction} {left}");
+            assert!(impacts > 0.0);
+        }
+        assert_eq!(rod(1.0, 0.0, [1.0, -1.0]).toll(), Toll::default());
     }
 
     #[test]

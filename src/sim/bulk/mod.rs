@@ -27,6 +27,7 @@ pub(crate) mod spec;
 mod tests;
 pub(crate) mod trails;
 
+use super::account::Account;
 use super::counters::Counters;
 use super::environment::Environment;
 use super::kernels::store::Drift;
@@ -35,12 +36,12 @@ use super::pull::Pull;
 use super::real::Real;
 use super::threads::Help;
 use super::vector::{add, convert, scale, sub};
-use body::AnyBody;
+use body::{AnyBody, Middle};
 use control::{Control, FRAME, Load};
 use draft::Order;
 use kernel::Kernel;
 use mover::Mover;
-use outside::{Clear, Outside};
+use outside::{Clear, Outside, Toll};
 use spec::{Start, Substep};
 
 /// Share of a substep below which a step is none.
@@ -151,19 +152,22 @@ impl<S: Real, const D: usize> Mover<S, D> for Bulk<S, D> {
         around: &Environment<D>,
         (t, h): (f64, f64),
         counters: &mut Counters,
+        mut account: Option<&mut Account>,
     ) {
         if self.way != Way::Forces && self.ahead + h < SHORTEST * self.loaded.unwrap_or(self.control.substep()) {
             return self.wait(points, pull, h);
         }
         let span = (t - self.ahead, self.ahead + h);
         let outside = Outside::in_reach(points, pull, around, span, (&mut self.clear, self.way == Way::Forces));
+        let booked = account.as_ref().map(|account| account.book);
         loop {
             let h = h + self.ahead;
             let count = self.control.count(h);
             let substep = h / f64::from(count);
             let work = self.bonds() * (count * passes(self.way)) as usize;
             let mut help = self.help;
-            let taut = help.with(work, || self.run((points, pull, &outside), (substep, count), counters));
+            let ledger = account.as_deref_mut().map(|account| (account, around, span.0));
+            let taut = help.with(work, || self.run((points, pull, &outside), (substep, count), counters, ledger));
             self.help = help;
             counters.substeps += u64::from(count);
             counters.points_moved += u64::from(count) * points.len() as u64;
@@ -175,6 +179,9 @@ impl<S: Real, const D: usize> Mover<S, D> for Bulk<S, D> {
                 return;
             }
             // The points still have the state before.
+            if let (Some(account), Some(booked)) = (&mut account, booked) {
+                account.book = booked;
+            }
             self.forget();
             counters.guard_splits += 1;
         }
@@ -218,12 +225,13 @@ impl<S: Real, const D: usize> Bulk<S, D> {
     }
 
     /// Takes `count` substeps of `h` [s] from the state of the points: all but the arrival. Returns the largest pull of a
-    /// bond, as [`path::solve`](super::kernels::path::solve).
+    /// bond, as [`path::solve`](super::kernels::path::solve). A ledger, where one is kept, is with what is around and the start [s].
     fn run(
         &mut self,
         (points, pull, outside): (&Points<S, D>, &Pull<S, D>, &Outside<S, D>),
         (h, count): (f64, u32),
         counters: &mut Counters,
+        mut ledger: Option<(&mut Account, &Environment<D>, f64)>,
     ) -> S {
         let mut taut = S::ZERO;
         let old = *self.loaded.get_or_insert_with(|| {
@@ -232,7 +240,7 @@ impl<S: Real, const D: usize> Bulk<S, D> {
         });
         let early = self.lag + 0.5 * h;
         let (first, next) = (drift(pull, (old, h), early), drift(pull, (h, h), h));
-        if outside.is_nothing() {
+        if outside.is_nothing() && ledger.is_none() {
             let starts = self.substeps(h, early).into_iter().zip(self.substeps(h, h));
             for (body, (early, late)) in self.bodies.iter_mut().zip(starts) {
                 let (first, next) = (Start { drift: first, step: early }, Start { drift: next, step: late });
@@ -248,10 +256,43 @@ impl<S: Real, const D: usize> Bulk<S, D> {
             }
             let time = if substep == 0 { early } else { h };
             self.push(outside, h * time, counters);
+            let before = ledger.as_ref().filter(|ledger| ledger.0.pulls_rigid).map(|_| self.middle(points, h));
             taut = taut.max(self.project((h, time), counters));
-            self.meet(outside, scale(pull.gravity, h * h), counters);
+            if let Some((account, around, start)) = &mut ledger {
+                let middle = *start + (f64::from(substep) + 0.5) * h;
+                self.book((points, pull, around), (middle, h), before, account);
+            }
+            let account = ledger.as_mut().map(|(account, ..)| &mut **account);
+            self.meet(outside, (scale(pull.gravity, h * h), h), counters, account);
         }
         taut
+    }
+
+    /// Places and velocities of the points in the middle of the substep of `h` [s] under way.
+    fn middle(&mut self, points: &Points<S, D>, h: f64) -> Middle<S, D> {
+        let mut middle = (points.position.clone(), points.velocity.clone());
+        self.bodies.iter_mut().for_each(|body| body.read_middle(S::from_f64(1.0 / h), &mut middle));
+        middle
+    }
+
+    /// Books a substep of `h` whose middle is at a time [s]; `before` is its middle as it was before bonds pulled, where they pull at
+    /// pins that are led.
+    fn book(
+        &mut self,
+        (points, pull, around): (&Points<S, D>, &Pull<S, D>, &Environment<D>),
+        (time, h): (f64, f64),
+        before: Option<Middle<S, D>>,
+        account: &mut Account,
+    ) {
+        let (x, v) = self.middle(points, h);
+        account.book_middle((pull, around), (time, h), (&x, &v, &points.inverse_mass));
+        for body in self.bodies.iter_mut().filter(|_| before.is_some()) {
+            let before = before.as_ref().map_or(&[][..], |before| &before.1);
+            match body.work_at_pins(S::from_f64(1.0 / h), before) {
+                Some(work) => account.book.pins += work,
+                None => account.book.untold += 1,
+            }
+        }
     }
 
     /// What a substep of `h` [s] gives to the bonds of each body; forces push for `time` [s].
@@ -271,13 +312,26 @@ impl<S: Real, const D: usize> Bulk<S, D> {
         }
     }
 
-    /// Surfaces, where they are in reach; `fall` is what gravity adds to a motion [m].
-    fn meet(&mut self, outside: &Outside<S, D>, fall: [f64; D], counters: &mut Counters) {
+    /// Surfaces, where they are in reach; `fall` is what gravity adds to a motion [m] in a substep of `h` [s].
+    fn meet(
+        &mut self,
+        outside: &Outside<S, D>,
+        (fall, h): ([f64; D], f64),
+        counters: &mut Counters,
+        mut account: Option<&mut Account>,
+    ) {
         if !outside.has_surfaces() {
             return;
         }
         for body in &mut self.bodies {
-            counters.events += body.meet(outside, convert(fall));
+            let mut toll = account.is_some().then(Toll::default);
+            counters.events += body.meet(outside, convert(fall), toll.as_mut());
+            if let (Some(account), Some(toll)) = (&mut account, toll) {
+                // Masses are those of the reference, motions are of a substep.
+                let scale = 1.0 / (body.reference() * h * h);
+                account.book.impacts += scale * toll.impacts;
+                account.book.friction += scale * toll.friction;
+            }
         }
     }
 

@@ -9,6 +9,7 @@ use std::fmt::Debug;
 use super::Bulk;
 use super::draft::Order;
 use super::kernel::Kernel;
+use crate::sim::account::Account;
 use crate::sim::counters::Counters;
 use crate::sim::environment::Environment;
 use crate::sim::points::Points;
@@ -20,7 +21,7 @@ pub(crate) trait Mover<S: Real, const D: usize>: Debug + Send + Sync {
     /// Gives rigid bonds that the start violates their lengths.
     fn begin(&mut self, points: &mut Points<S, D>);
 
-    /// Advances by `h` from time `t` [s].
+    /// Advances by `h` from time `t` [s], and books the energy that came and went, where there is an account.
     fn step(
         &mut self,
         points: &mut Points<S, D>,
@@ -28,6 +29,7 @@ pub(crate) trait Mover<S: Real, const D: usize>: Debug + Send + Sync {
         around: &Environment<D>,
         span: (f64, f64),
         counters: &mut Counters,
+        account: Option<&mut Account>,
     );
 
     /// A bond between two points of the group, of this rest length [m], goes. Returns whether that was so: large bodies that cannot

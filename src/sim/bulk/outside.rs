@@ -10,6 +10,8 @@ use crate::sim::pull::Pull;
 use crate::sim::real::Real;
 use crate::sim::vector::{add, dot, length, scale, sub};
 
+/// Share of its motion by which a point may be off a surface that it lies on: so much of what impacts take is not told from that.
+pub(crate) const LAY: f64 = 0.02;
 /// Steps that are looked ahead: where nothing is in reach for so many, it is looked for once in all of them.
 const AHEAD: f64 = 5.0;
 
@@ -28,6 +30,21 @@ pub(crate) struct Outside<S: Real, const D: usize> {
     planes: Vec<Surface<S, D>>,
     /// Where polygons are in reach.
     walls: Option<Obstacles<S, D>>,
+}
+
+/// What surfaces took of a motion: by restitution, and by friction [m^2, of a point of mass 1].
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub(crate) struct Toll {
+    pub(crate) impacts: f64,
+    pub(crate) friction: f64,
+}
+
+impl Toll {
+    /// Adds `share` times another.
+    pub(crate) fn add(&mut self, other: Toll, share: f64) {
+        self.impacts += share * other.impacts;
+        self.friction += share * other.friction;
+    }
 }
 
 /// A point's substep: from where to where, and its motion in the next one.
@@ -105,13 +122,25 @@ impl<S: Real, const D: usize> Outside<S, D> {
     ///
     /// v_n -> -restitution v_n, |change of v_t| <= friction |change of v_n|. Slow impacts do not bounce. Of a plane it ends on
     /// the surface; by the wall of a polygon it is turned where it meets it.
-    pub(crate) fn meet(&self, going: Going<S, D>, fall: [S; D]) -> Option<([S; D], [S; D])> {
+    /// What is taken of the motion is added to `toll`, if there is one.
+    pub(crate) fn meet(
+        &self,
+        going: Going<S, D>,
+        fall: [S; D],
+        mut toll: Option<&mut Toll>,
+    ) -> Option<([S; D], [S; D])> {
         let Going { from, mut to, mut motion } = going;
         let (mut met, gentle) = (false, gentle(fall));
+        let mut count = |bounce: &Bounce<S, D>, surface: &Surface<S, D>| {
+            if let Some(toll) = &mut toll {
+                toll.add(bounce.toll(surface, from, gentle), 1.0);
+            }
+        };
         let led = self.walls.as_ref().and_then(|walls| {
             walls.led(from, to, fall, |surface, left| {
                 let bounce = Bounce::of(motion, &walls.surfaces[surface], gentle, scale(fall, left));
                 motion = bounce.motion;
+                count(&bounce, &walls.surfaces[surface]);
                 [bounce.keep, bounce.back]
             })
         });
@@ -127,6 +156,7 @@ impl<S: Real, const D: usize> Outside<S, D> {
             let bounce = Bounce::of(motion, surface, gentle, [S::ZERO; D]);
             to = sub(sub(to, scale(surface.normal, gap)), bounce.rubbed);
             motion = bounce.motion;
+            count(&bounce, surface);
         }
         met.then_some((to, motion))
     }
@@ -143,6 +173,8 @@ struct Bounce<S, const D: usize> {
     keep: S,
     /// Share of the part across that is turned back.
     back: S,
+    /// The parts across and along that it had.
+    parts: [S; 2],
 }
 
 impl<S: Real, const D: usize> Bounce<S, D> {
@@ -150,7 +182,7 @@ impl<S: Real, const D: usize> Bounce<S, D> {
     fn of(motion: [S; D], surface: &Surface<S, D>, gentle: S, late: [S; D]) -> Self {
         let speed = dot(motion, surface.normal);
         if speed >= S::ZERO {
-            return Bounce { motion, rubbed: [S::ZERO; D], keep: S::ONE, back: S::ZERO };
+            return Bounce { motion, rubbed: [S::ZERO; D], keep: S::ONE, back: S::ZERO, parts: [S::ZERO; 2] };
         }
         let back = if -speed > gentle { surface.restitution } else { S::ZERO };
         let late = if back > S::ZERO { late } else { [S::ZERO; D] };
@@ -161,7 +193,17 @@ impl<S: Real, const D: usize> Bounce<S, D> {
         let keep = if size > most { (size - most) / size } else { S::ZERO };
         let kept = scale(along, keep);
         let motion = add(sub(kept, scale(surface.normal, back * speed)), late);
-        Bounce { motion, rubbed: sub(along, kept), keep, back }
+        Bounce { motion, rubbed: sub(along, kept), keep, back, parts: [speed, size] }
+    }
+
+    /// What is taken of a motion that began at `from`. A gentle impact is none, nor is one of what lay there: that has by it as much as
+    /// gravity or bonds gave it in the substep.
+    fn toll(&self, surface: &Surface<S, D>, from: [S; D], gentle: S) -> Toll {
+        let [across, along] = self.parts.map(|part| 0.5 * (part * part).to_f64());
+        let left = |share: S| 1.0 - (share * share).to_f64();
+        let lay = surface.gap(from) <= -(S::from_f64(LAY) * self.parts[0]);
+        let is_impact = -self.parts[0] > gentle && surface.restitution < S::ONE && !lay;
+        Toll { impacts: if is_impact { across * left(self.back) } else { 0.0 }, friction: along * left(self.keep) }
     }
 }
 
@@ -182,7 +224,7 @@ mod tests {
 
     /// Where a point at `x` ends that is about to go by `motion`, and how.
     fn meet(outside: &Outside<f64, 2>, x: [f64; 2], motion: [f64; 2], fall: [f64; 2]) -> Option<([f64; 2], [f64; 2])> {
-        outside.meet(Going { from: x, to: add(x, motion), motion }, fall)
+        outside.meet(Going { from: x, to: add(x, motion), motion }, fall, None)
     }
 
     #[test]
@@ -204,5 +246,25 @@ mod tests {
         assert!((x[0] - 0.29).abs() < 1e-15);
         let (_, motion) = meet(&floor(0.0, 9.0), [0.0, 0.0], [0.3, -0.1], [0.0; 2]).unwrap_or_default();
         assert_eq!(motion, [0.0, 0.0]);
+    }
+
+    #[test]
+    fn what_surfaces_take_is_told() {
+        let toll = |restitution: f64, friction: f64, motion: [f64; 2], fall: [f64; 2]| {
+            let mut toll = Toll::default();
+            let going = Going { from: [0.0, 0.1], to: add([0.0, 0.1], motion), motion };
+            let met = floor(restitution, friction).meet(going, fall, Some(&mut toll));
+            let (_, after) = met.unwrap_or_default();
+            (toll, 0.5 * (dot(motion, motion) - dot(after, after)))
+        };
+        let (both, all) = toll(0.5, 0.1, [0.3, -0.4], [0.0, -0.001]);
+        assert!((both.impacts - 0.5 * 0.16 * 0.75).abs() < 1e-15 && both.friction > 0.0, "{both:?}");
+        assert!((both.impacts + both.friction - all).abs() < 1e-15, "{both:?} {all}");
+        assert_eq!(toll(1.0, 0.0, [0.3, -0.4], [0.0; 2]).0, Toll::default());
+        assert_eq!(toll(0.0, 0.0, [0.3, -0.4], [0.0, -0.2]).0, Toll::default(), "as fast as gravity makes it");
+        let mut pressed = Toll::default();
+        let going = Going { from: [0.0, 0.0], to: [0.3, -0.4], motion: [0.3, -0.4] };
+        floor(0.0, 0.1).meet(going, [0.0; 2], Some(&mut pressed));
+        assert!(pressed.impacts == 0.0 && pressed.friction > 0.0, "it lay there: {pressed:?}");
     }
 }

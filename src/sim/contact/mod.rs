@@ -135,7 +135,7 @@ impl<S: Real, const D: usize> Contacts<S, D> {
     }
 
     /// Sliding friction [m/s^2]: against the velocity along the surface, as large as friction times what presses.
-    fn friction(&self, rest: &Rest<S, D>, v: [S; D], total: [S; D]) -> [S; D] {
+    pub(crate) fn friction(&self, rest: &Rest<S, D>, v: [S; D], total: [S; D]) -> [S; D] {
         let mu = rest.grip(&self.obstacles.surfaces);
         let none = [S::ZERO; D];
         if mu == S::ZERO || rest.sticks {

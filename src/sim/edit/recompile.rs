@@ -108,6 +108,7 @@ impl<S: Real, const D: usize> World<S, D> {
     pub(super) fn attach(&mut self, detached: Detached<S, D>) -> Vec<usize> {
         let Detached { mut points, state, groups, time: t } = detached;
         for &group in &groups {
+            self.close_account(group);
             self.plan.groups[group] = self.plan.groups[group].emptied();
             self.plan.own[group].points = 0;
         }

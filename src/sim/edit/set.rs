@@ -139,7 +139,8 @@ impl<S: Real, const D: usize> World<S, D> {
             });
         }
         if let Some(method) = change.method {
-            model.method = Method { precision: model.method.precision, ..method };
+            let Method { precision, ledger, .. } = model.method;
+            model.method = Method { precision, ledger, ..method };
         }
         if model == *self.model {
             return Ok(done(false));

@@ -150,6 +150,11 @@ fn push<S: Real, const D: usize>(spring: &Spring<S>, pull: [S; D], force: &mut [
 }
 
 impl<S: Real> Spring<S> {
+    /// The forces on end a [N]: with its damper, and without.
+    pub(crate) fn forces<const D: usize>(&self, d: [S; D], closing: [S; D]) -> [[S; D]; 2] {
+        [self.force::<D, true>(d, || closing), self.force::<D, false>(d, || closing)]
+    }
+
     /// The force on end a [N].
     #[inline(always)]
     fn force<const D: usize, const DAMPED: bool>(&self, d: [S; D], closing: impl Fn() -> [S; D]) -> [S; D] {

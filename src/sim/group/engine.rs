@@ -112,7 +112,7 @@ impl<S: Real, const D: usize> Engine<S, D> {
                 true
             }
             Engine::Bulk(bulk) => {
-                bulk.step(points, pull, around, (t, h), counters);
+                bulk.step(points, pull, around, (t, h), counters, None);
                 true
             }
         }

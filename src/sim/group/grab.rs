@@ -11,6 +11,7 @@
 //! per mass, constant within a substep.
 
 use super::Group;
+use super::booking::Cause;
 use super::engine::Engine;
 use crate::sim::environment::Environment;
 use crate::sim::points::Points;
@@ -66,10 +67,12 @@ impl<S: Real, const D: usize> Group<S, D> {
         };
         if kicks {
             let gain = scale(change, S::from_f64(h));
+            let before = self.energy_if_kept();
             for &slot in &grabbed.slots {
                 let v = &mut self.points.velocity[slot as usize];
                 *v = add(*v, gain);
             }
+            self.book_change(before, Cause::Grab);
         } else {
             if self.points.acceleration.is_empty() {
                 self.points.acceleration = vec![zero(); self.points.len()];

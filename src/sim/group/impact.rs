@@ -1,7 +1,9 @@
 //! Impacts: points that reach a surface get their velocities back from it, at once, bonds and all.
 
+use crate::sim::account::kinetic;
 use crate::sim::constrain::direct::Direct;
 use crate::sim::contact::Contacts;
+use crate::sim::ledger::Book;
 use crate::sim::points::Points;
 use crate::sim::real::Real;
 use crate::sim::vector::{add, dot, length, scale, sub};
@@ -19,6 +21,7 @@ pub(crate) struct Hit {
 /// never pulls; found by leaving out, one by one, the hits that would have to pull. Friction takes at most `friction`
 /// times the change across the surface from the velocity along it. Points that rest already take part: they are not
 /// pushed into their surface.
+/// What the impact and its friction take is written into `book`, if there is one.
 /// `gentle(hit, speed)` tells which hits are too slow to bounce: those points come to rest.
 pub(crate) fn strike<S: Real, const D: usize>(
     points: &mut Points<S, D>,
@@ -26,7 +29,11 @@ pub(crate) fn strike<S: Real, const D: usize>(
     rigid: Option<&mut Direct<S, D>>,
     hits: &[Hit],
     gentle: impl Fn(Hit, S) -> bool,
+    book: Option<&mut Book>,
 ) {
+    let start = book.is_some().then(|| kinetic(&points.velocity, &points.inverse_mass));
+    // The kinetic energy before friction.
+    let mut pressed = start;
     let mut targets = Vec::with_capacity(hits.len());
     for &hit in hits {
         let surface = &contacts.obstacles.surfaces[hit.surface];
@@ -38,8 +45,14 @@ pub(crate) fn strike<S: Real, const D: usize>(
         }
     }
     match rigid {
-        Some(rigid) => strike_bonded(points, contacts, rigid, &mut targets),
-        None => strike_loose(points, contacts, &mut targets),
+        Some(rigid) => strike_bonded(points, contacts, rigid, &mut targets, &mut pressed),
+        None => strike_loose(points, contacts, &mut targets, &mut pressed),
+    }
+    if let (Some(book), Some(start), Some(pressed)) = (book, start, pressed) {
+        let takes = hits.iter().any(|hit| contacts.obstacles.surfaces[hit.surface].restitution < S::ONE);
+        // What an elastic impact takes, or any gives, is the method's own.
+        book.impacts += if takes { (start - pressed).max(0.0) } else { 0.0 };
+        book.friction += (pressed - kinetic(&points.velocity, &points.inverse_mass)).max(0.0);
     }
     for target in targets.iter().filter(|target| target.rests) {
         contacts.touch(target.hit.point, target.hit.surface);
@@ -62,6 +75,7 @@ fn strike_loose<S: Real, const D: usize>(
     points: &mut Points<S, D>,
     contacts: &mut Contacts<S, D>,
     targets: &mut Vec<Target<S>>,
+    pressed: &mut Option<f64>,
 ) {
     let mut struck: Vec<usize> = targets.iter().map(|target| target.hit.point).collect();
     struck.sort_unstable();
@@ -74,7 +88,15 @@ fn strike_loose<S: Real, const D: usize>(
         push_off(points, contacts, &mut own);
         targets.append(&mut own);
     }
+    note(points, pressed);
     rub(points, contacts, targets);
+}
+
+/// Notes the kinetic energy, where that is kept.
+fn note<S: Real, const D: usize>(points: &Points<S, D>, energy: &mut Option<f64>) {
+    if let Some(energy) = energy {
+        *energy = kinetic(&points.velocity, &points.inverse_mass);
+    }
 }
 
 /// A point that rests takes part with its surfaces: they may have to push harder, or to let go.
@@ -182,6 +204,7 @@ fn strike_bonded<S: Real, const D: usize>(
     contacts: &mut Contacts<S, D>,
     rigid: &mut Direct<S, D>,
     targets: &mut Vec<Target<S>>,
+    pressed: &mut Option<f64>,
 ) {
     let before = points.velocity.clone();
     for point in contacts.rests.iter().map(|rest| rest.point as usize).collect::<Vec<_>>() {
@@ -214,6 +237,7 @@ fn strike_bonded<S: Real, const D: usize>(
             continue;
         }
         if worst.1 == usize::MAX {
+            note(points, pressed);
             rub(points, contacts, targets);
             rigid.project_velocity(points, &held);
             return;

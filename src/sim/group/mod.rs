@@ -1,5 +1,6 @@
 //! A group: islands that one method moves together, with their state.
 
+mod booking;
 pub(crate) mod engine;
 pub(crate) mod events;
 pub(crate) mod grab;
@@ -7,6 +8,7 @@ pub(crate) mod guard;
 mod impact;
 pub(crate) mod sleep;
 
+use super::account::Account;
 use super::bulk::kernel::Kernel;
 use super::constrain::direct::MOST_DIRECT;
 use super::contact::Contacts;
@@ -18,6 +20,7 @@ use super::points::{Points, State};
 use super::pull::Pull;
 use super::real::Real;
 use super::vector::{add, convert, dot, scale, sub, zero};
+use booking::Cause;
 use engine::Engine;
 use events::edge::Edges;
 use grab::Grabbed;
@@ -65,6 +68,8 @@ pub(crate) struct Group<S: Real, const D: usize> {
     /// Points that are led to the cursor.
     pub(crate) grabbed: Option<Grabbed<D>>,
     pub(crate) work: Work,
+    /// Where a ledger is kept.
+    pub(crate) account: Option<Box<Account>>,
 }
 
 /// Operations, about, of what a group does.
@@ -118,6 +123,7 @@ impl<S: Real, const D: usize> Group<S, D> {
         let is_lost = bulk.lose(ends, rest);
         if is_lost {
             self.breakable.retain(|breakable| breakable.bond != bond);
+            self.account.iter_mut().for_each(|account| account.lose(ends, rest));
             self.wake();
         }
         is_lost
@@ -127,7 +133,7 @@ impl<S: Real, const D: usize> Group<S, D> {
     pub(crate) fn advance(&mut self, around: &Environment<D>, t: f64, h: f64, counters: &mut Counters) {
         if let Engine::Bulk(bulk) = &mut self.engine {
             let before = *counters;
-            bulk.step(&mut self.points, &self.pull, around, (t, h), counters);
+            bulk.step(&mut self.points, &self.pull, around, (t, h), counters, self.account.as_deref_mut());
             return counters.count_batches(&before, D);
         }
         counters.substeps += 1;
@@ -135,7 +141,9 @@ impl<S: Real, const D: usize> Group<S, D> {
         if self.may_fail() {
             self.attempt(around, (t, h), 0, counters);
         } else {
+            self.note_start();
             self.take(around, (t, h), counters);
+            self.book_path(around, (t, h));
         }
     }
 
@@ -168,7 +176,7 @@ impl<S: Real, const D: usize> Group<S, D> {
                 self.take_robustly(around, (now, left), counters);
             }
             if !self.has_events() {
-                return;
+                return self.book_path(around, (now, left));
             }
             events += 1;
             done += self.meet(around, (now, left), events < most_events, counters);
@@ -250,7 +258,9 @@ impl<S: Real, const D: usize> Group<S, D> {
         {
             bulk.reload();
         } else if changed {
+            let before = self.energy_if_kept();
             self.hold_velocity();
+            self.book_change(before, Cause::Pins);
             self.engine.refresh();
         }
     }
@@ -277,6 +287,7 @@ impl<S: Real, const D: usize> Group<S, D> {
             sleep: Sleep::default(),
             grabbed: None,
             work: Work::default(),
+            account: None,
         }
     }
 
@@ -313,7 +324,7 @@ impl<S: Real, const D: usize> Group<S, D> {
             return;
         }
         let (position, before) = (points.position.clone(), points.velocity.clone());
-        bulk.step(points, pull, around, (t, h), &mut Counters::default());
+        bulk.step(points, pull, around, (t, h), &mut Counters::default(), None);
         points.position = position;
         bulk.reload();
         for (v, before) in points.velocity.iter_mut().zip(before) {

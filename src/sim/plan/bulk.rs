@@ -72,6 +72,7 @@ impl<S: Real, const D: usize> Maker<'_, S, D> {
             sleep: Sleep::default(),
             grabbed: None,
             work: Work::default(),
+            account: self.account(),
             pull: Pull {
                 springs: Springs::none(),
                 contacts: Contacts::new(self.obstacles, self.points.len()),

@@ -2,6 +2,7 @@
 
 use super::gather::Gathered;
 use super::lot::Lot;
+use crate::sim::account::Account;
 use crate::sim::bond::{Bond, BondKind, PointId};
 use crate::sim::constrain::direct::Direct;
 use crate::sim::constrain::shape::{Row, Shape};
@@ -86,6 +87,7 @@ impl<S: Real, const D: usize> Maker<'_, S, D> {
             sleep: Sleep::default(),
             grabbed: None,
             work: Work::default(),
+            account: self.account(),
             points,
             pull,
             engine,
@@ -103,6 +105,12 @@ impl<S: Real, const D: usize> Maker<'_, S, D> {
             (self.gathered.names[k as usize], Bond { a, b, ..bond })
         };
         list.into_iter().map(moved)
+    }
+
+    /// An empty account, where a ledger is kept.
+    pub(super) fn account(&self) -> Option<Box<Account>> {
+        let bonds: Vec<Bond> = self.model.method.ledger.then(|| self.bonds().map(|(_, bond)| bond).collect())?;
+        Some(Box::new(Account::new(bonds.iter(), &self.tracks())))
     }
 
     pub(super) fn state(&self, w: &[f64]) -> Points<S, D> {

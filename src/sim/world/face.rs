@@ -64,7 +64,7 @@ impl<S: Real, const D: usize> Dynamics for World<S, D> {
     }
 
     fn apply(&mut self, command: &Command) -> Result<Applied, CommandError> {
-        self.edit(command)
+        self.edit_booked(command)
     }
 
     fn topology(&self) -> u64 {
@@ -153,7 +153,7 @@ impl<S: Real, const D: usize> Dynamics for World<S, D> {
             }
         };
         let (position, velocity) = (of(|points| &points.position), of(|points| &points.velocity));
-        measure::energy(position, velocity, &self.inverse_mass, &self.bonds, self.around.gravity)
+        measure::energies(position, velocity, &self.inverse_mass, &self.bonds, self.around.gravity).sum()
     }
 
     fn counters(&self) -> &Counters {

@@ -3,6 +3,7 @@
 //! What a world is made of (the model that is left, its bonds and numbers) and what moves it (the plan) change together, by
 //! `sim::edit` alone; what is large and seldom changes is shared by the copies of a world.
 
+mod account;
 mod face;
 mod kept;
 pub(crate) mod saved;
@@ -17,6 +18,7 @@ use super::contact::obstacles::Obstacles;
 use super::counters::Counters;
 use super::dynamics::Dynamics;
 use super::environment::Environment;
+use super::ledger::Totals;
 use super::model::{Model, ModelError};
 use super::plan::{self, Plan};
 use super::real::Real;
@@ -49,6 +51,8 @@ pub struct World<S: Real, const D: usize> {
     pub(crate) kept: Vec<Kept<S, D>>,
     /// The points that are grabbed; the groups that they are in lead them.
     pub(crate) grabbed: Vec<PointId>,
+    /// Energy that came and went, where a ledger is kept.
+    pub(crate) ledger: Option<Totals>,
 }
 
 /// The numbers that commands know things by.

@@ -109,6 +109,7 @@ impl<S: Real, const D: usize> World<S, D> {
             topology: 0,
             kept: Vec::new(),
             grabbed: saved.grabbed.clone(),
+            ledger: None,
             model: Arc::new(model.bare()),
         };
         world.spread_gone();
@@ -117,6 +118,7 @@ impl<S: Real, const D: usize> World<S, D> {
         }
         world.hold_on();
         world.gather();
+        world.begin_ledger();
         Ok(world)
     }
 

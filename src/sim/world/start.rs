@@ -55,12 +55,14 @@ impl<S: Real, const D: usize> World<S, D> {
             topology: 0,
             kept: Vec::new(),
             grabbed: Vec::new(),
+            ledger: None,
             model: Arc::new(model.bare()),
         };
         world.warn_of_overlap(&cleared);
         world.warn_of_pins(&model.position);
         world.warn_of_limits();
         world.begin(&state);
+        world.begin_ledger();
         Ok(world)
     }
 

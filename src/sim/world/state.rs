@@ -2,6 +2,7 @@
 
 use super::World;
 use crate::sim::dynamics::Sample;
+use crate::sim::ledger::Totals;
 use crate::sim::measure;
 use crate::sim::plan::NOWHERE;
 use crate::sim::points::{Points, State};
@@ -78,15 +79,15 @@ impl<S: Real, const D: usize> World<S, D> {
         let velocity: Vec<[f64; D]> = state.velocity.iter().map(|&v| widen(v)).collect();
         let is_gone = |i: usize| self.slot(i).is_none();
         let said = |(i, x): (usize, [f64; D])| if is_gone(i) { [f64::NAN; 3] } else { embed(x) };
+        let gravity = self.around.gravity;
+        let energies = measure::energies(|i| position[i], |i| velocity[i], &self.inverse_mass, &self.bonds, gravity);
+        let time = self.timeline.time();
         Sample {
-            time: self.timeline.time(),
-            energy: measure::energy(
-                |i| position[i],
-                |i| velocity[i],
-                &self.inverse_mass,
-                &self.bonds,
-                self.around.gravity,
-            ),
+            time,
+            energy: energies.sum(),
+            ledger: self
+                .ledger
+                .map(|totals| Totals { book: self.book(), ..totals }.at(time, energies, S::EPSILON.to_f64())),
             max_strain: measure::max_strain(&position, &self.bonds),
             position: position.into_iter().enumerate().map(said).collect(),
             velocity: velocity.into_iter().enumerate().map(said).collect(),

@@ -15,6 +15,7 @@ mod walls;
 use std::sync::Arc;
 
 use super::Group;
+use super::booking::Cause;
 use crate::sim::counters::Counters;
 use crate::sim::environment::Environment;
 use crate::sim::group::impact::{self, Hit};
@@ -113,6 +114,7 @@ impl<S: Real, const D: usize> Group<S, D> {
                 (taken, event) = self.look_between(around, (t, h), grazed, counters);
             }
         }
+        self.book_path(around, (t, taken));
         self.edges.restarts = if taken == 0.0 { self.edges.restarts + 1 } else { 0 };
         self.edges.turns += u32::from(event.is_some_and(Event::is_of_bond));
         self.pull.contacts.settle(&mut self.points);
@@ -134,6 +136,7 @@ impl<S: Real, const D: usize> Group<S, D> {
         counters: &mut Counters,
     ) {
         let returns = taken == 0.0 && self.recedes(event);
+        let before = self.energy_if_kept();
         let jerks = self.turn_edges(event, is_located, t + taken, counters);
         if returns {
             self.capture();
@@ -143,6 +146,9 @@ impl<S: Real, const D: usize> Group<S, D> {
             && let Some(rigid) = &mut self.pull.rigid
         {
             rigid.project(&mut self.points, &self.pull.contacts);
+        }
+        if jerks || returns {
+            self.book_change(before, Cause::Jerk);
         }
         let mut hits = self.hits(is_located);
         hits.extend(self.due(event).filter(|due| is_located && !hits.contains(due)));
@@ -178,7 +184,8 @@ impl<S: Real, const D: usize> Group<S, D> {
             let pull = dot(accelerations[hit.point], surfaces[hit.surface].normal);
             (speed + speed).to_f64() <= -pull.to_f64() * shortest
         };
-        impact::strike(&mut self.points, &mut self.pull.contacts, self.pull.rigid.as_mut(), hits, gentle);
+        let book = self.account.as_mut().map(|account| &mut account.book);
+        impact::strike(&mut self.points, &mut self.pull.contacts, self.pull.rigid.as_mut(), hits, gentle, book);
         self.acceleration = accelerations;
     }
 
