@@ -62,9 +62,19 @@ pub(super) struct Verified {
 }
 
 pub(super) fn verify(arguments: &Verified) -> anyhow::Result<()> {
+    let mut failed = 0;
     for file in &arguments.files {
-        let line = verify_one(&Log::open(file)?.whole()?)?;
-        writeln!(std::io::stdout(), "{line}")?;
+        match Log::open(file).and_then(Log::whole).map_err(anyhow::Error::from).and_then(|log| verify_one(&log)) {
+            Ok(line) => writeln!(std::io::stdout(), "{line}")?,
+            Err(error) if arguments.files.len() == 1 => return Err(error),
+            Err(error) => {
+                failed += 1;
+                writeln!(std::io::stderr(), "wobble: {error:#}")?;
+            }
+        }
+    }
+    if failed > 0 {
+        bail!("{failed} of {} files are not what they were, or cannot be compared", arguments.files.len());
     }
     Ok(())
 }

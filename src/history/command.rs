@@ -1,7 +1,7 @@
 //! Commands as files have them.
 
 use crate::scene::{AddKeys, BoundsKeys, KindName, LimitName, MethodKeys, Vector, object};
-use crate::sim::{Cursor, Motion, MouseChange, PointId, Reach};
+use crate::sim::{Cursor, MouseChange, PointId, Reach};
 
 /// A command with its time.
 #[derive(Clone, Debug, PartialEq)]
@@ -51,7 +51,7 @@ pub enum Do {
     /// All points, bonds and obstacles go.
     Clear,
     /// Points and obstacles change their place.
-    Move(Box<Motion>),
+    Move(Box<MoveKeys>),
     /// Something gets other numbers, from now on.
     Set(Box<SetKeys>),
     /// Points that are selected and deleted as one; the world doesn't know of it.
@@ -73,6 +73,29 @@ object! {
             points: u32,
             /// Bonds.
             bonds: u32,
+            /// Obstacles.
+            obstacles: u32,
+        }
+    }
+}
+
+object! {
+    /// What is moved, and how: scaled and turned about a place, then shifted.
+    #[derive(Default)]
+    MoveKeys: "a move: an object with keys such as `points` and `by`" {
+        optional {
+            /// How far [m], 0 if not said.
+            by: Vector,
+            /// Anticlockwise about z [rad], 0 if not said.
+            turn: f64,
+            /// > 0, 1 if not said.
+            scale: f64,
+            /// The place that stays where it is but for `by` [m]: the middle of what is moved if not said.
+            about: Vector,
+        }
+        lists {
+            /// Points.
+            points: u32,
             /// Obstacles.
             obstacles: u32,
         }

@@ -32,15 +32,23 @@ pub enum HistoryError {
         /// What is wrong and what to do.
         message: String,
     },
-    /// A file that ends in the middle of something.
-    #[error(
-        "{label}: the text ends in the middle: {whole} commands are whole; `wobble replay --partial` replays those"
-    )]
+    /// A file that ends in the middle of something, after something that can be replayed.
+    #[error("{label}: {how}: {whole} commands are whole; `wobble replay --partial` replays those")]
     Cut {
         /// The file.
         label: String,
+        /// How it ends.
+        how: String,
         /// How many commands are whole.
         whole: usize,
+    },
+    /// The same before there is a scene.
+    #[error("{label}: {how}, before its scene is whole: there is nothing to replay")]
+    CutAtOnce {
+        /// The file.
+        label: String,
+        /// How it ends.
+        how: String,
     },
     /// A command that cannot be done.
     #[error("{label}: {refusal}")]

@@ -96,9 +96,16 @@ impl Keyframes {
 
     /// The last copy that a branch has been at, at or before a spot of it.
     pub(super) fn before(&self, tree: &Tree, spot: Spot) -> Option<&Keyframe> {
-        let is_before = |kept: &&Keyframe| kept.time <= spot.time && kept.frame.place <= spot.place;
-        let fits = self.list.iter().filter(is_before).filter(|kept| kept.is_on(tree, spot.branch));
-        fits.max_by(|a, b| a.time.total_cmp(&b.time).then(a.frame.place.cmp(&b.frame.place)))
+        let mut best: Option<&Keyframe> = None;
+        // The newest first: of others only those are looked at along their branches that would be better.
+        for kept in self.list.iter().rev() {
+            let (place, most) = (kept.frame.place, spot.place);
+            let is_before = kept.time <= spot.time && place + usize::from(kept.is_cut) <= most;
+            if is_before && best.is_none_or(|best| kept.is_after(best)) && kept.is_on(tree, spot.branch) {
+                best = Some(kept);
+            }
+        }
+        best
     }
 }
 
@@ -115,6 +122,10 @@ const SPREAD_EVERY: u64 = 64;
 const RECENT: f64 = 60.0;
 
 impl Keyframe {
+    fn is_after(&self, other: &Keyframe) -> bool {
+        (self.time, self.frame.place) > (other.time, other.frame.place)
+    }
+
     /// Whether a branch came through this state.
     fn is_on(&self, tree: &Tree, branch: usize) -> bool {
         let place = self.frame.place;

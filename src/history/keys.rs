@@ -4,12 +4,15 @@ use serde::{Serialize, de::DeserializeOwned};
 use serde_json::{Map, Value};
 
 use super::command::{Do, Entry};
-use crate::scene::{ProfileName, RegionName, Row, Vector, object, translate};
-use crate::sim::{Cursor, Motion, MouseChange, PointId, Profile, Reach, Region};
+use crate::scene::{ProfileName, RegionName, Row, object, translate};
+use crate::sim::{Cursor, MouseChange, PointId, Profile, Reach, Region};
 
 /// Names of what is done, in the order of the table.
 const NAMES: [&str; 13] =
     ["cursor", "mouse", "grab", "release", "pin", "unpin", "cut", "add", "delete", "clear", "move", "set", "group"];
+
+/// Largest number of an edit: those that follow have room above, and any reader of JSON knows it exactly.
+const LARGEST_EDIT: u64 = 1 << 53;
 
 /// Keys that a later version brings.
 const LATER: [&str; 8] = ["triangles", "angles", "forces", "drives", "wind", "contact", "areas", "skins"];
@@ -83,21 +86,6 @@ object! {
 }
 
 object! {
-    MoveKeys: "a move: an object with keys such as `points` and `by`" {
-        optional {
-            by: Vector,
-            turn: f64,
-            scale: f64,
-            about: Vector,
-        }
-        lists {
-            points: u32,
-            obstacles: u32,
-        }
-    }
-}
-
-object! {
     GroupKeys: "a group: an object with the keys `points` and `name`" {
         required {
             points: Vec<u32>,
@@ -143,7 +131,10 @@ impl Entry {
         let name = name.as_str().ok_or("do: give a name")?;
         let edit = match object.remove("edit") {
             None => None,
-            Some(edit) => Some(edit.as_u64().ok_or("edit: give a whole number of 0 or more")?),
+            Some(edit) => {
+                let edit = edit.as_u64().filter(|&edit| edit <= LARGEST_EDIT);
+                Some(edit.ok_or_else(|| format!("edit: give a whole number from 0 to {LARGEST_EDIT}"))?)
+            }
         };
         let called = match object.get("name") {
             Some(Value::String(text)) => Some(text.clone()),
@@ -188,7 +179,7 @@ fn keys_of(act: &Do) -> (&'static str, Map<String, Value>) {
         Do::Add(keys) => ("add", object(&**keys)),
         Do::Delete(keys) => ("delete", object(keys)),
         Do::Clear => ("clear", Map::new()),
-        Do::Move(motion) => ("move", object(&move_keys(motion))),
+        Do::Move(keys) => ("move", object(&**keys)),
         Do::Set(keys) => ("set", object(&**keys)),
         Do::Group { points, name } => ("group", object(&GroupKeys { points: numbers(points), name: name.clone() })),
     }
@@ -221,7 +212,7 @@ fn act(name: &str, object: Map<String, Value>) -> Result<Do, String> {
         "add" => Do::Add(Box::new(read(object)?)),
         "delete" => Do::Delete(read(object)?),
         "clear" => read::<Nothing>(object).map(|_| Do::Clear)?,
-        "move" => Do::Move(Box::new(motion(read(object)?))),
+        "move" => Do::Move(Box::new(read(object)?)),
         "set" => Do::Set(Box::new(read(object)?)),
         "group" => {
             let GroupKeys { points: list, name } = read(object)?;
@@ -302,29 +293,5 @@ fn reach(keys: GrabKeys) -> Result<Reach, String> {
         (None, Some(within)) => Ok(Reach::Within(within)),
         (None, None) => Err("takes nothing: give `points` or `within`".to_owned()),
         (Some(_), Some(_)) => Err("within: stands beside `points`: leave one of them out".to_owned()),
-    }
-}
-
-fn move_keys(motion: &Motion) -> MoveKeys {
-    // A vector of three is read in the plane too, where z is 0.
-    let vector = |v: [f64; 3]| if v[2] == 0.0 { Vector::Plane([v[0], v[1]]) } else { Vector::Space(v) };
-    MoveKeys {
-        by: (motion.by != [0.0; 3]).then(|| vector(motion.by)),
-        turn: (motion.turn != 0.0).then_some(motion.turn),
-        scale: (motion.scale != 1.0).then_some(motion.scale),
-        about: motion.about.map(vector),
-        points: numbers(&motion.points),
-        obstacles: motion.obstacles.clone(),
-    }
-}
-
-fn motion(keys: MoveKeys) -> Motion {
-    Motion {
-        points: points(keys.points),
-        obstacles: keys.obstacles,
-        by: keys.by.map_or([0.0; 3], |by| by.embed()),
-        turn: keys.turn.unwrap_or(0.0),
-        scale: keys.scale.unwrap_or(1.0),
-        about: keys.about.map(|about| about.embed()),
     }
 }

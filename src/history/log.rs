@@ -26,7 +26,8 @@ pub struct Log {
     head: Option<Recording>,
     count: usize,
     last: f64,
-    is_cut: bool,
+    /// How it ends, where that is in the middle of something.
+    cut: Option<String>,
 }
 
 impl Log {
@@ -53,13 +54,12 @@ impl Log {
             last = entry.at;
             Ok(())
         });
-        let is_cut = match stop {
-            None => false,
-            Some(Stop::Cut) => true,
+        let cut = match stop {
+            None | Some(Stop::Enough) => None,
+            Some(Stop::Cut(how)) => Some(how),
             Some(Stop::Wrong(message)) => return Err(HistoryError::file(label, message)),
-            Some(Stop::Enough) => false,
         };
-        let mut log = Log { label: label.to_owned(), text, head: None, count, last, is_cut };
+        let mut log = Log { label: label.to_owned(), text, head: None, count, last, cut };
         log.check(&head)?;
         log.head = log.recording_of(head)?;
         Ok(log)
@@ -76,7 +76,7 @@ impl Log {
         let last = if head.is_end_open { last_mark } else { self.last.max(last_mark) };
         match head.end {
             Some(end) if !is_time(end) => wrong(format!("end: is {end:?}: give a time of 0 s or more")),
-            Some(end) if end < last && !self.is_cut => {
+            Some(end) if end < last && !self.is_cut() => {
                 wrong(format!("end: {end:?} s is before the last command or mark at {last:?} s: give a later one"))
             }
             _ => Ok(()),
@@ -85,13 +85,14 @@ impl Log {
 
     /// Errors: a scene that is none; a version that is not there.
     fn recording_of(&self, head: Head) -> Result<Option<Recording>, HistoryError> {
-        let cut = || HistoryError::Cut { label: self.label.clone(), whole: self.count };
+        let at_once = |how: &String| HistoryError::CutAtOnce { label: self.label.clone(), how: how.clone() };
         if !head.is_recording {
-            return if self.is_cut && self.count == 0 { Err(cut()) } else { Ok(None) };
+            let nothing = self.cut.as_ref().filter(|_| self.count == 0);
+            return nothing.map_or(Ok(None), |how| Err(at_once(how)));
         }
         let Some(scene) = head.scene else {
-            if self.is_cut {
-                return Err(cut());
+            if let Some(how) = &self.cut {
+                return Err(at_once(how));
             }
             return Err(HistoryError::file(&self.label, "the key `scene` is missing: add a scene or the name of one"));
         };
@@ -100,12 +101,15 @@ impl Log {
             Ok(name) => Scene::of_gallery(&name, &self.label)?,
             Err(_) => Scene::parse_within(text, &self.label)?,
         };
+        // Of what was cut off only lines know how far it went.
+        let end = head.end.filter(|_| !self.is_cut() || head.is_end_open);
+        let marks = if self.is_cut() { Vec::new() } else { head.marks };
         Ok(Some(Recording {
             scene: Scene { view: head.view.or(scene.view), ..scene },
             state: head.state,
             commands: Vec::new(),
-            end: head.end.or_else(|| head.marks.last().map(|mark| mark.at.max(self.last))),
-            marks: head.marks,
+            end: end.or_else(|| marks.last().map(|mark| mark.at.max(self.last))),
+            marks,
             about: About::read(head.about.as_ref()),
         }))
     }
@@ -123,14 +127,17 @@ impl Log {
         self.count
     }
 
-    /// Whether the text ends in the middle.
+    /// Whether the text ends in the middle, or in something that is no JSON, after lines that are.
     pub fn is_cut(&self) -> bool {
-        self.is_cut
+        self.cut.is_some()
     }
 
     /// Errors: the text ends in the middle.
     pub fn whole(self) -> Result<Log, HistoryError> {
-        if self.is_cut { Err(HistoryError::Cut { label: self.label, whole: self.count }) } else { Ok(self) }
+        match self.cut {
+            Some(how) => Err(HistoryError::Cut { label: self.label, how, whole: self.count }),
+            None => Ok(self),
+        }
     }
 
     /// What stands for the file in messages.
@@ -140,7 +147,7 @@ impl Log {
 
     /// How far it goes [s].
     pub fn end(&self) -> f64 {
-        let said = self.head.as_ref().and_then(|head| head.end).filter(|_| !self.is_cut);
+        let said = self.head.as_ref().and_then(|head| head.end);
         said.unwrap_or(self.last).max(self.last)
     }
 

@@ -11,6 +11,9 @@ use super::command::Entry;
 use super::mark::Mark;
 use crate::scene::ViewKeys;
 
+/// The keys of a recording.
+const OF_RECORDINGS: [&str; 8] = ["wobble_recording", "scene", "state", "commands", "end", "view", "marks", "about"];
+
 /// The keys of a recording but for its commands.
 #[derive(Debug, Default)]
 pub(super) struct Head {
@@ -31,8 +34,8 @@ pub(super) struct Head {
 pub(super) enum Stop {
     /// Whoever was given the commands wants no more.
     Enough,
-    /// The text ends in the middle.
-    Cut,
+    /// The text ends in the middle, or in something that is no JSON, after lines that are; in words.
+    Cut(String),
     /// In words.
     Wrong(String),
 }
@@ -47,23 +50,28 @@ struct Reading<'a> {
     count: usize,
     last: f64,
     stop: Option<Stop>,
+    /// Objects of the text that are whole.
+    whole: usize,
 }
 
 /// Reads a text; returns how many commands are whole, and why it ended before the end of the text, if so.
 ///
 /// Nothing but the header and one command is in memory at a time.
 pub(super) fn parse(from: impl Read, head: &mut Head, taker: Taker<'_>) -> (usize, Option<Stop>) {
-    let mut reading = Reading { head, taker, count: 0, last: 0.0, stop: None };
+    let mut reading = Reading { head, taker, count: 0, last: 0.0, stop: None, whole: 0 };
     let mut text = Deserializer::from_reader(from);
     let mut done = text.deserialize_any(Top(&mut reading));
     // What follows the first object are lines.
     while done.is_ok() && reading.stop.is_none() && text.end().is_err() {
+        reading.whole += 1;
         done = text.deserialize_any(Top(&mut reading));
     }
     let stop = match (reading.stop.take(), done) {
         (Some(stop), _) => Some(stop),
         (None, Ok(())) => None,
-        (None, Err(error)) if error.is_eof() => Some(Stop::Cut),
+        (None, Err(error)) if error.is_eof() => Some(Stop::Cut("the text ends in the middle".to_owned())),
+        // A machine that lost its power may leave anything behind what was written.
+        (None, Err(error)) if error.is_syntax() && reading.whole > 0 => Some(Stop::Cut(worded(&error))),
         (None, Err(error)) => Some(Stop::Wrong(worded(&error))),
     };
     (reading.count, stop)
@@ -152,7 +160,21 @@ impl<'de> Visitor<'de> for Top<'_, '_> {
         let mut command = Map::new();
         let mut end = None;
         let mut is_header = false;
+        let mut about: Option<Value> = None;
+        let mut of_recording: Option<String> = None;
         while let Some(key) = map.next_key::<String>()? {
+            let is_twice = match key.as_str() {
+                "scene" => reading.head.scene.is_some(),
+                "state" => reading.head.state.is_some(),
+                _ => false,
+            };
+            if is_twice {
+                return Err(reading.stop(Stop::Wrong(format!("{key}: stands twice: leave one of them out"))));
+            }
+            // The place that things are moved about is another `about`.
+            if OF_RECORDINGS.contains(&key.as_str()) && key != "about" {
+                of_recording = Some(key.clone());
+            }
             match key.as_str() {
                 "wobble_recording" => {
                     (reading.head.is_recording, is_header) = (true, true);
@@ -169,7 +191,7 @@ impl<'de> Visitor<'de> for Top<'_, '_> {
                 "end" => end = Some(map.next_value::<f64>()?),
                 "view" => reading.head.view = Some(map.next_value()?),
                 "marks" => reading.head.marks.append(&mut map.next_value()?),
-                "about" => reading.head.about = Some(map.next_value()?),
+                "about" => about = Some(map.next_value()?),
                 "commands" => map.next_value_seed(Commands(reading))?,
                 _ => {
                     let value = map.next_value()?;
@@ -186,12 +208,20 @@ impl<'de> Visitor<'de> for Top<'_, '_> {
             }
         }
         if command.contains_key("do") {
+            if let Some(key) = of_recording {
+                let message = format!(
+                    "commands[{}]: `{key}` is a key of a recording and not of a command: leave it out",
+                    reading.count
+                );
+                return Err(reading.stop(Stop::Wrong(message)));
+            }
+            command.extend(about.map(|about| ("about".to_owned(), about)));
             reading.take(Value::Object(command)).map_err(|stop| reading.stop(stop))?;
         } else if let Some(key) = command.keys().next() {
-            let message = format!(
-                "unknown key `{key}`: a recording has wobble_recording, scene, state, commands, end, view, marks and about"
-            );
+            let message = format!("unknown key `{key}`: a recording has {}", OF_RECORDINGS.join(", "));
             return Err(reading.stop(Stop::Wrong(message)));
+        } else if about.is_some() {
+            reading.head.about = about;
         }
         Ok(())
     }

@@ -1,9 +1,10 @@
 //! From commands as files have them to those of the engine.
 
-use super::command::{DeleteKeys, Do, OneOrEach, SetKeys, VectorOrEach, Walls};
-use crate::scene::{KindName, LimitName, Made, Scene, Vector};
+use super::command::{DeleteKeys, Do, MoveKeys, OneOrEach, SetKeys, VectorOrEach, Walls};
+use crate::scene::{KindName, LimitName, Made, MethodKeys, Scene, Vector};
 use crate::sim::{
-    BondChange, BondId, BoundsChange, Change, Command, Dynamics, Kind, Limit, PointId, SceneChange, Selection, Values,
+    BondChange, BondId, BoundsChange, Change, Command, Dynamics, Kind, Limit, Motion, PointId, SceneChange, Selection,
+    Values,
 };
 
 /// What a command comes to in a world as it is now.
@@ -34,7 +35,7 @@ pub(super) fn resolve(act: &Do, scene: &Scene, world: &dyn Dynamics) -> Result<R
         }
         Do::Delete(keys) => Command::Delete(selection(keys)),
         Do::Clear => Command::Clear,
-        Do::Move(motion) => Command::Move((**motion).clone()),
+        Do::Move(keys) => Command::Move(motion(keys, scene)?),
         Do::Set(keys) => Command::Set(change(keys, scene)?),
         Do::Group { points, .. } => {
             let most = world.next_numbers()[0].max(world.point_count() as u32);
@@ -63,6 +64,19 @@ fn selection(keys: &DeleteKeys) -> Selection {
     Selection { points: points(&keys.points), bonds: bonds(&keys.bonds), obstacles: keys.obstacles.clone() }
 }
 
+/// Errors: a vector of another dimension.
+fn motion(keys: &MoveKeys, scene: &Scene) -> Result<Motion, String> {
+    let MoveKeys { by, turn, scale, about, points: list, obstacles } = keys;
+    Ok(Motion {
+        points: points(list),
+        obstacles: obstacles.clone(),
+        by: by.map_or(Ok([0.0; 3]), |by| vector("by", &by, scene))?,
+        turn: turn.unwrap_or(0.0),
+        scale: scale.unwrap_or(1.0),
+        about: about.map(|about| vector("about", &about, scene)).transpose()?,
+    })
+}
+
 fn points(numbers: &[u32]) -> Vec<PointId> {
     numbers.iter().map(|&number| PointId(number)).collect()
 }
@@ -77,6 +91,9 @@ const OF_BONDS: [&str; 9] =
     ["kind", "rest", "stiffness", "compliance", "damping", "relaxation", "max_correction", "break_strain", "limit"];
 const OF_OBSTACLES: [&str; 2] = ["restitution", "friction"];
 const OF_SCENE: [&str; 4] = ["gravity", "drag_rate", "bounds", "method"];
+
+/// Keys of a method that a running world cannot get otherwise.
+const FIXED: [&str; 2] = ["precision", "tolerance"];
 
 fn change(keys: &SetKeys, scene: &Scene) -> Result<Change, String> {
     let lists = ["points", "bonds", "obstacles"];
@@ -184,6 +201,10 @@ fn scene_change(keys: &SetKeys, scene: &Scene) -> Result<SceneChange, String> {
             friction: bounds.friction.unwrap_or(0.0),
         })),
     };
+    let fixed = keys.method.iter().flat_map(MethodKeys::given).find(|key| FIXED.contains(key));
+    if let Some(key) = fixed {
+        return Err(format!("method.{key}: is fixed when a history begins: leave it out, and say it in the scene"));
+    }
     let method = keys.method.clone().map(|method| Scene { method, ..scene.clone() }.engine_method()).transpose();
     Ok(SceneChange {
         gravity: keys.gravity.as_ref().map(|g| vector("gravity", g, scene)).transpose()?,

@@ -62,7 +62,8 @@ impl History {
         let frame = recording.begin(recording.scene.name())?;
         let from = frame.world.time();
         let end = recording.end().max(from);
-        let next_edit = recording.commands.iter().filter_map(|entry| entry.edit).max().map_or(0, |edit| edit + 1);
+        let next_edit =
+            recording.commands.iter().filter_map(|entry| entry.edit).max().map_or(0, |edit| edit.saturating_add(1));
         let mut history = History {
             notes: recording.notes(),
             frame,
@@ -196,7 +197,7 @@ impl History {
             {
                 self.keyframes.keep(self.branch, before, false);
             }
-            self.next_edit = self.next_edit.max(number + 1);
+            self.next_edit = self.next_edit.max(number.saturating_add(1));
             self.last_edit = Some(*number);
             self.undone.clear();
         }
@@ -310,7 +311,9 @@ impl History {
         let recording = self.unmarked();
         let end = recording.end();
         let mut marks = self.tree.marks(self.branch);
-        marks.retain(|mark| mark.at <= end);
+        // A mark is after the commands of its time: those of what was undone are of another motion.
+        let undone = self.tree.entry(self.branch, recording.commands.len()).map_or(f64::INFINITY, |entry| entry.at);
+        marks.retain(|mark| mark.at <= end && mark.at < undone);
         let is_at_end = self.frame.place == recording.commands.len() && self.frame.world.time() >= end;
         if is_at_end && marks.last().is_none_or(|mark| mark.at < end) {
             marks.push(Mark { at: end, hash: hash_now(&*self.frame.world, end) });

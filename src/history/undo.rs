@@ -153,8 +153,9 @@ impl History {
                         self.frame.step(Some(at))
                     }
                 }
-                _ if self.frame.is_due(spot.time) => break,
-                _ => self.frame.step(Some(spot.time)),
+                // A step that was cut short for what was undone is not: no file knows why.
+                _ if self.frame.ends_by(spot.time) => self.frame.step(None),
+                _ => break,
             }
         }
         self.arrive();

@@ -70,7 +70,12 @@ impl<const D: usize> Saved<D> {
         let numbers = self.bond_numbers.as_ref();
         let fits = numbers.is_none_or(|numbers| numbers.len() == bonds && ascends(numbers, self.next_numbers[0]));
         range(fits, "bond_numbers", "ascending, one a bond")?;
-        range(self.next_numbers[0] as usize >= bonds, "next_numbers", "above those that were given")?;
+        let [next_bond, next_obstacle] = self.next_numbers;
+        let is_bond = if numbers.is_none() { next_bond as usize == bonds } else { next_bond as usize >= bonds };
+        let obstacles = self.model.planes.len() + self.model.polygons.len();
+        let given = self.model.obstacle_numbers.iter().flatten();
+        let is_obstacle = next_obstacle as usize >= obstacles && given.max().is_none_or(|&last| last < next_obstacle);
+        range(is_bond && is_obstacle, "next_numbers", "above those that were given")?;
         let finite = self.lost.iter().flatten().flatten().all(|x| x.is_finite());
         range(finite && self.time.is_finite() && self.substep > 0.0 && self.substep.is_finite(), "time", "finite")?;
         range(self.grabbed.iter().all(|point| point.index() < points), "grabbed", "numbers of points")

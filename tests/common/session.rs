@@ -1,8 +1,8 @@
 //! Random commands of all kinds, seeded.
 
-use wobble::history::{DeleteKeys, Do, History, OneOrEach, SetKeys};
+use wobble::history::{DeleteKeys, Do, History, MoveKeys, OneOrEach, SetKeys};
 use wobble::scene::{AddKeys, BodyKeys, BondKeys, MakerName, ObstacleKeys, PlaneKeys, PointKeys, Vector};
-use wobble::sim::{Cursor, Motion, MouseChange, PointId, Reach};
+use wobble::sim::{Cursor, MouseChange, PointId, Reach};
 
 /// A source of numbers that depends on nothing but its seed (splitmix64).
 pub struct Dice(u64);
@@ -74,7 +74,7 @@ pub fn any(history: &History, dice: &mut Dice) -> (Do, Option<&'static str>) {
             Some("Delete points"),
         ),
         10 => (Do::Delete(DeleteKeys { bonds: numbers(bonds, dice), ..DeleteKeys::default() }), Some("Delete bonds")),
-        11 => (Do::Move(Box::new(motion(history, dice))), Some("Move")),
+        11 => (Do::Move(Box::new(motion(history, dice, dimensions))), Some("Move")),
         12 | 13 => (Do::Set(Box::new(setting(history, dice, dimensions))), Some("Set")),
         _ => (Do::Group { points: points(history, dice), name: format!("group {}", dice.below(4)) }, Some("Group")),
     }
@@ -126,14 +126,13 @@ fn addition(history: &History, dice: &mut Dice, dimensions: usize) -> AddKeys {
     }
 }
 
-fn motion(history: &History, dice: &mut Dice) -> Motion {
-    Motion {
-        points: points(history, dice),
-        obstacles: Vec::new(),
-        by: [dice.within(-0.2, 0.2), dice.within(-0.2, 0.2), 0.0],
-        turn: dice.within(-0.5, 0.5),
-        scale: dice.within(0.9, 1.1),
-        about: None,
+fn motion(history: &History, dice: &mut Dice, dimensions: usize) -> MoveKeys {
+    MoveKeys {
+        points: points(history, dice).iter().map(|point| point.0).collect(),
+        by: Some(Vector::new([dice.within(-0.2, 0.2), dice.within(-0.2, 0.2), 0.0], dimensions)),
+        turn: Some(dice.within(-0.5, 0.5)),
+        scale: Some(dice.within(0.9, 1.1)),
+        ..MoveKeys::default()
     }
 }
 

@@ -84,8 +84,12 @@ impl<S: Real, const D: usize> World<S, D> {
                 mass.len()
             )));
         }
-        if self.count() + count > u32::MAX as usize {
-            return Err(invalid("there are more points than numbers for them"));
+        let next = [self.count(), self.numbers.next_bond as usize, self.numbers.next_obstacle as usize];
+        let counts = [count, bonds.len(), obstacles.len()];
+        for ((next, count), what) in next.into_iter().zip(counts).zip(["points", "bonds", "obstacles"]) {
+            if next + count > u32::MAX as usize {
+                return Err(invalid(format!("there are more {what} than numbers for them")));
+            }
         }
         finite("positions and velocities", position.iter().chain(velocity).flatten())?;
         if let Some(m) = mass.iter().find(|&&m| !(m > 0.0 && m.is_finite() && (1.0 / m).is_finite())) {
