@@ -30,7 +30,7 @@ const ROOMS: [(&str, &[&str], &[&str]); 12] = [
     (
         "study",
         &["sim", "equilibrium", "search", "body", "scene", "history", "output"],
-        &["serde", "serde_json", "csv", "plotters", "epaint_default_fonts", "image"],
+        &["serde", "serde_json", "csv", "plotters", "epaint_default_fonts", "image", "libm"],
     ),
     (
         "app",

@@ -8,16 +8,16 @@ use rand_pcg::rand_core::{Rng, SeedableRng};
 /// The bits come from PCG (M. E. O'Neill, "PCG: A Family of Simple Fast Space-Efficient Statistically Good Algorithms
 /// for Random Number Generation", 2014); numbers are formed here and not by a crate's distributions, which may change
 /// between releases.
-pub(super) struct Draw(Pcg64);
+pub(crate) struct Draw(Pcg64);
 
 impl Draw {
     /// The stream of a seed.
-    pub(super) fn new(seed: u64) -> Self {
+    pub(crate) fn new(seed: u64) -> Self {
         Draw(Pcg64::seed_from_u64(seed))
     }
 
     /// A number in [0, 1), a multiple of 2^-53.
-    pub(super) fn unit(&mut self) -> f64 {
+    pub(crate) fn unit(&mut self) -> f64 {
         const STEP: f64 = 1.0 / (1_u64 << 53) as f64;
         (self.0.next_u64() >> 11) as f64 * STEP
     }
@@ -25,14 +25,14 @@ impl Draw {
     /// A whole number in [0, bound); `bound` > 0.
     ///
     /// Accuracy: the high half of a product; a value is off its share by less than bound/2^64.
-    pub(super) fn below(&mut self, bound: u64) -> u64 {
+    pub(crate) fn below(&mut self, bound: u64) -> u64 {
         debug_assert!(bound > 0, "nothing can be drawn from an empty range");
         ((u128::from(self.0.next_u64()) * u128::from(bound)) >> 64) as u64
     }
 
     /// A point in the box between two corners, one draw an axis: an axis without extent draws too, so that the plane
     /// takes three numbers a point as space does.
-    pub(super) fn point(&mut self, min: [f64; 3], max: [f64; 3]) -> [f64; 3] {
+    pub(crate) fn point(&mut self, min: [f64; 3], max: [f64; 3]) -> [f64; 3] {
         std::array::from_fn(|k| min[k] + (max[k] - min[k]) * self.unit())
     }
 }

@@ -13,7 +13,7 @@ mod box_frame;
 mod cloth;
 mod cutout;
 mod disc;
-mod draw;
+pub(crate) mod draw;
 mod grid;
 mod lattice;
 mod place;

@@ -1,5 +1,7 @@
 //! `wobble study`: measures the program's methods.
 
+mod stability;
+
 use std::path::PathBuf;
 
 use anyhow::Context;
@@ -22,6 +24,8 @@ enum Subject {
     Accuracy(Accuracy),
     /// What a frame costs at a strain, and a sweep beside a plain program.
     Speed(Speed),
+    /// Where each method breaks, how often and why: sweeps, and a battery of random scenes.
+    Stability(stability::Stability),
 }
 
 /// What to run and where to write it.
@@ -111,6 +115,7 @@ pub(super) fn run(arguments: &Arguments, quiet: bool) -> anyhow::Result<()> {
     match &arguments.subject {
         Subject::Accuracy(accuracy) => accuracy.run(quiet),
         Subject::Speed(speed) => speed.run(quiet),
+        Subject::Stability(stability) => stability.run(quiet),
     }
 }
 

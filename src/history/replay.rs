@@ -84,6 +84,16 @@ impl Replay {
         self.reach(time, commands.get(self.frame.place).map(|entry| entry.at))
     }
 
+    /// Whether what is to be done at `at` [s] is to be done now.
+    pub fn is_due(&self, at: f64) -> bool {
+        self.frame.is_due(at)
+    }
+
+    /// Takes one step; where it would go beyond the next command, at `next` [s], it ends there.
+    pub fn step(&mut self, next: Option<f64>) {
+        self.frame.step(next);
+    }
+
     /// Looks whether the motion is finite, every so many times.
     fn look(&mut self, every: u32) -> Result<(), HistoryError> {
         self.steps = self.steps.wrapping_add(1);

@@ -22,6 +22,7 @@ mod run;
 mod setting;
 mod slides;
 pub mod speed;
+pub mod stability;
 mod tables;
 mod targets;
 mod tolerance;

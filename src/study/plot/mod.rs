@@ -5,6 +5,7 @@ mod figure;
 mod ratios;
 mod slides;
 mod speed;
+mod stability;
 mod style;
 mod work;
 
@@ -20,6 +21,7 @@ pub(super) use figure::Figure;
 pub(super) use ratios::ratios;
 pub(super) use slides::{circle, decay, orders};
 pub(super) use speed::{frames, sweeps};
+pub(super) use stability::{outcomes, rates, shares};
 pub(super) use work::work;
 
 /// Writes a figure as NAME.svg and NAME.png.

@@ -1,0 +1,155 @@
+//! What is a fault: one place for all limits.
+
+use serde::Serialize;
+
+use super::run::{Ended, Findings};
+
+/// What is wrong with a run.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Fault {
+    /// Positions left the finite numbers.
+    NotFinite,
+    /// It was stopped, for it would take too much counted work.
+    TooDear,
+    /// It was stopped by the clock, which no other judgement goes by.
+    TooLong,
+    /// Energy that nothing brought.
+    Gain,
+    /// Energy is missing that nothing took.
+    Loss,
+    /// Rigid bonds do not keep their lengths.
+    Strain,
+    /// Triangles stay inside out.
+    Inverted,
+    /// Points are inside what they cannot enter.
+    Through,
+    /// What slides isn't slowed by friction times what presses it.
+    Friction,
+    /// What rested moves, or what had to come to rest does not.
+    Restless,
+    /// Stepping takes more than half of the time that it simulates.
+    Slow,
+    /// A frame takes too long.
+    Frame,
+}
+
+impl Fault {
+    /// All.
+    pub const ALL: [Fault; 12] = [
+        Fault::NotFinite,
+        Fault::TooDear,
+        Fault::TooLong,
+        Fault::Gain,
+        Fault::Loss,
+        Fault::Strain,
+        Fault::Inverted,
+        Fault::Through,
+        Fault::Friction,
+        Fault::Restless,
+        Fault::Slow,
+        Fault::Frame,
+    ];
+
+    /// In words.
+    pub fn name(self) -> &'static str {
+        match self {
+            Fault::NotFinite => "not finite",
+            Fault::TooDear => "too much work",
+            Fault::TooLong => "too long",
+            Fault::Gain => "energy gained",
+            Fault::Loss => "energy lost",
+            Fault::Strain => "rigid strain",
+            Fault::Inverted => "inside out",
+            Fault::Through => "through a surface",
+            Fault::Friction => "friction",
+            Fault::Restless => "restless",
+            Fault::Slow => "rate",
+            Fault::Frame => "frame",
+        }
+    }
+
+    /// What is measured, and what it must not exceed.
+    pub fn figure(self) -> (&'static str, f64) {
+        match self {
+            Fault::NotFinite => ("not finite [0 or 1]", 0.0),
+            Fault::TooDear | Fault::Slow => ("counted work a simulated second [s]", MOST_RATE),
+            Fault::TooLong => ("stopped by the clock [0 or 1]", 0.0),
+            Fault::Gain => ("energy above start and work, of the largest so far", MOST_GAIN),
+            Fault::Loss => ("energy missing, of the largest so far", MOST_LOSS),
+            Fault::Strain => ("largest strain of a rigid bond", MOST_STRAIN),
+            Fault::Inverted => ("triangles inside out at the end, of all", MOST_INVERTED),
+            Fault::Through => ("deepest point behind a surface [m]", MOST_DEPTH),
+            Fault::Friction => ("share that friction is off by while something slides", MOST_FRICTION),
+            Fault::Restless => ("way from where it rested [m], or speed at the end [m/s]", MOST_UNREST),
+            Fault::Frame => ("counted work of the dearest frame [ms]", MOST_FRAME),
+        }
+    }
+
+    /// How large the figure of a run is; infinite where the run left the numbers.
+    pub fn measured(self, found: &Findings) -> f64 {
+        match self {
+            Fault::NotFinite => f64::from(u8::from(found.ended == Ended::NotFinite)),
+            Fault::TooDear | Fault::Slow => found.work_rate,
+            Fault::TooLong => f64::from(u8::from(found.ended == Ended::OutOfTime)),
+            Fault::Gain => found.gain,
+            Fault::Loss => found.loss.unwrap_or(0.0),
+            Fault::Strain => found.strain,
+            Fault::Inverted => found.inverted,
+            Fault::Through => found.depth,
+            Fault::Friction => found.friction.unwrap_or(0.0),
+            Fault::Restless => found.unrest.unwrap_or(0.0),
+            Fault::Frame => found.worst_work_ms,
+        }
+    }
+
+    /// How bad it is: a number to sort by, without a unit.
+    pub fn weight(self, found: &Findings) -> f64 {
+        let base = match self {
+            Fault::NotFinite => 1e6,
+            Fault::Gain | Fault::Strain => 10.0,
+            Fault::TooDear
+            | Fault::TooLong
+            | Fault::Inverted
+            | Fault::Through
+            | Fault::Loss
+            | Fault::Friction
+            | Fault::Restless => 1.0,
+            Fault::Slow | Fault::Frame => 0.1,
+        };
+        let (_, most) = self.figure();
+        base * (self.measured(found).min(1e12) / most.max(1e-3)).max(1.0).ln_1p()
+    }
+}
+
+/// Energy above what was there and was brought, as a share of the largest kinetic and elastic energy so far [1].
+const MOST_GAIN: f64 = 0.01;
+/// The same where the work of the mouse is estimated from ends of steps.
+const MOST_PUSHED_GAIN: f64 = 0.25;
+/// Energy that is missing without a reason [1].
+const MOST_LOSS: f64 = 0.05;
+/// Strain of rigid bonds in any frame [1].
+const MOST_STRAIN: f64 = 0.05;
+/// Share of triangles that are inside out at the end [1].
+const MOST_INVERTED: f64 = 0.02;
+/// Depth of a point behind a surface [m].
+const MOST_DEPTH: f64 = 1e-3;
+/// Share that friction is off by [1].
+const MOST_FRICTION: f64 = 0.1;
+/// Way of a point that started at rest [m], speed at the end of what has to come to rest [m/s].
+const MOST_UNREST: f64 = 1e-3;
+/// Counted work a simulated second [s].
+const MOST_RATE: f64 = 0.5;
+/// Counted work of a frame of 1/60 s [ms].
+const MOST_FRAME: f64 = 8.0;
+
+/// What is wrong with a run, ascending.
+pub(super) fn faults(found: &Findings, is_pushed: bool) -> Vec<Fault> {
+    let most_gain = if is_pushed { MOST_PUSHED_GAIN } else { MOST_GAIN };
+    let is_there = |fault: &Fault| match fault {
+        Fault::TooDear => found.ended == Ended::OutOfWork,
+        Fault::Gain => found.gain > most_gain,
+        other => other.measured(found) > other.figure().1,
+    };
+    Fault::ALL.into_iter().filter(is_there).collect()
+}

@@ -1,0 +1,383 @@
+//! One subject run step by step, within bounds, and looked at frame by frame.
+
+use std::collections::BTreeSet;
+use std::time::Instant;
+
+use serde::Serialize;
+
+use super::energy::Energy;
+use super::frames::{FrameCost, Frames, RATE};
+use super::friction::Friction;
+use super::judge::{Fault, faults};
+use super::shape::Shape;
+use super::subject::{Rest, Subject};
+use super::surfaces::Surfaces;
+use super::work::Meter;
+use crate::history::{Do, Entry, HistoryError, Replay};
+use crate::sim::{BondKind, Counters, Dynamics, Limit, Sample};
+
+/// When a run is given up.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+pub struct Bounds {
+    /// Counted work of a run [s]: a judgement.
+    pub work: f64,
+    /// Wall time of a run [s]: looked at between steps, and so far above the other that it hardly ever counts.
+    pub seconds: f64,
+}
+
+/// How a run ended.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Ended {
+    /// At its end.
+    Done,
+    /// Positions left the finite numbers.
+    NotFinite,
+    /// It cost more counted work than it may.
+    OutOfWork,
+    /// It took longer than it may.
+    OutOfTime,
+    /// The scene is not taken: why.
+    Refused(String),
+}
+
+/// What a run was found to do: nothing here depends on a clock, but for a run that the clock ended.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Findings {
+    /// How it ended.
+    pub ended: Ended,
+    /// How far it came [s].
+    pub simulated: f64,
+    /// Its points.
+    pub points: usize,
+    /// Its bonds.
+    pub bonds: usize,
+    /// What moved it: the solvers of its parts.
+    pub path: String,
+    /// Energy above what was there and was brought, as a share of the largest kinetic and elastic energy so far [1].
+    pub gain: f64,
+    /// The same of what is missing; `None` where something takes energy.
+    pub loss: Option<f64>,
+    /// Largest strain of a rigid bond in any frame [1].
+    pub strain: f64,
+    /// Share of triangles that are inside out at the end [1].
+    pub inverted: f64,
+    /// Sides of outlines that cross at the end, counted in pairs.
+    pub crossings: u32,
+    /// Deepest place of a point behind a surface in any frame [m].
+    pub depth: f64,
+    /// Share that friction is off by while something slides [1]; `None` where nothing did.
+    pub friction: Option<f64>,
+    /// Speed of all points at the end, root of the mean square [m/s].
+    pub speed: f64,
+    /// Of what has to stay at rest, the largest way from there in any frame [m]; of what has to come to rest, the speed at the end
+    /// [m/s].
+    pub unrest: Option<f64>,
+    /// Counted work a simulated second [s].
+    pub work_rate: f64,
+    /// Counted work of the dearest frame [ms].
+    pub worst_work_ms: f64,
+    /// Commands that could not be done.
+    pub refused_commands: u32,
+    /// Work done.
+    pub counters: Counted,
+    /// What is wrong, ascending.
+    pub faults: Vec<Fault>,
+}
+
+/// The counters of a run.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize)]
+pub struct Counted {
+    /// Substeps taken.
+    pub substeps: u64,
+    /// Bonds evaluated or swept.
+    pub bonds_solved: u64,
+    /// Points advanced.
+    pub points_moved: u64,
+    /// Sweeps, and rounds of Newton's method.
+    pub iterations: u64,
+    /// Touches and other events.
+    pub events: u64,
+    /// Substeps that were split.
+    pub guard_splits: u64,
+    /// Substeps that went to a more robust method.
+    pub fallbacks: u64,
+    /// Bonds that broke.
+    pub bonds_torn: u64,
+}
+
+impl From<&Counters> for Counted {
+    fn from(counters: &Counters) -> Self {
+        let &Counters { substeps, bonds_solved, points_moved, iterations, .. } = counters;
+        let &Counters { events, guard_splits, fallbacks, bonds_torn, .. } = counters;
+        Counted { substeps, bonds_solved, points_moved, iterations, events, guard_splits, fallbacks, bonds_torn }
+    }
+}
+
+/// What the clock says of a run.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize)]
+pub struct Timing {
+    /// Wall time of the stepping [s].
+    pub seconds: f64,
+    /// The same a simulated second [1].
+    pub rate: f64,
+    /// Of frames.
+    pub frames: FrameCost,
+}
+
+/// Runs a subject.
+pub(super) fn run(subject: &Subject, bounds: Bounds) -> (Findings, Timing) {
+    let shape = Shape::of(&subject.recording.scene);
+    let replay = Replay::new(&subject.recording, &subject.name);
+    match (shape, replay) {
+        (Ok(shape), Ok(replay)) => Drive::new(subject, shape, replay).finish(bounds),
+        (Err(error), _) => refused(error.message),
+        (_, Err(HistoryError::Scene(error))) => refused(error.message),
+        (_, Err(error)) => refused(error.to_string()),
+    }
+}
+
+fn refused(reason: String) -> (Findings, Timing) {
+    let found = Findings {
+        ended: Ended::Refused(reason),
+        simulated: 0.0,
+        points: 0,
+        bonds: 0,
+        path: String::new(),
+        gain: 0.0,
+        loss: None,
+        strain: 0.0,
+        inverted: 0.0,
+        crossings: 0,
+        depth: 0.0,
+        friction: None,
+        speed: 0.0,
+        unrest: None,
+        work_rate: 0.0,
+        worst_work_ms: 0.0,
+        refused_commands: 0,
+        counters: Counted::default(),
+        faults: Vec::new(),
+    };
+    (found, Timing::default())
+}
+
+/// A run under way.
+struct Drive<'a> {
+    subject: &'a Subject,
+    replay: Replay,
+    /// Commands done.
+    place: usize,
+    refused: u32,
+    frames: Frames,
+    meter: Meter,
+    energy: Energy,
+    friction: Friction,
+    shape: Shape,
+    surfaces: Surfaces,
+    start: Vec<[f64; 3]>,
+    /// Where all were at the start of the step, where something pushes.
+    before: Vec<[f64; 3]>,
+    strain: f64,
+    depth: f64,
+    moved: f64,
+}
+
+impl<'a> Drive<'a> {
+    fn new(subject: &'a Subject, shape: Shape, replay: Replay) -> Self {
+        let sample = replay.world().sample(replay.world().time());
+        let mut energy = Energy::new(&subject.recording.scene);
+        energy.look(replay.world(), &sample);
+        let (frames, meter, surfaces) = (Frames::default(), Meter::default(), Surfaces::default());
+        let (place, refused, before) = (0, 0, Vec::new());
+        let (strain, depth, moved) = (0.0, 0.0, 0.0);
+        let friction = Friction::of(&subject.recording.scene);
+        let start = sample.position;
+        Drive {
+            subject,
+            replay,
+            place,
+            refused,
+            frames,
+            meter,
+            energy,
+            friction,
+            shape,
+            surfaces,
+            start,
+            before,
+            strain,
+            depth,
+            moved,
+        }
+    }
+
+    fn finish(mut self, bounds: Bounds) -> (Findings, Timing) {
+        let (world, clock) = (self.replay.world(), Instant::now());
+        let (points, bonds, path) = (world.point_count(), world.bonds().len(), path(world));
+        let mut looked = 0;
+        let ended = loop {
+            self.command();
+            let world = self.replay.world();
+            if world.time() >= self.subject.duration * (1.0 - 1e-9) {
+                break Ended::Done;
+            }
+            self.step();
+            let world = self.replay.world();
+            let frame = (world.time() * RATE + 1e-6) as u64;
+            if frame > looked {
+                looked = frame;
+                if !self.look() {
+                    break Ended::NotFinite;
+                }
+            }
+            if self.frames.work() > 1e3 * bounds.work {
+                break Ended::OutOfWork;
+            }
+            if clock.elapsed().as_secs_f64() > bounds.seconds {
+                break Ended::OutOfTime;
+            }
+        };
+        let is_finite = self.look();
+        let ended = if is_finite { ended } else { Ended::NotFinite };
+        self.findings(ended, (points, bonds, path))
+    }
+
+    /// Does the commands that are due.
+    fn command(&mut self) {
+        let commands = &self.subject.recording.commands;
+        while let Some(entry) = commands.get(self.place).filter(|entry| self.replay.is_due(entry.at)) {
+            match self.replay.follow(self.place, entry) {
+                Ok(()) if is_edit(entry) => self.energy.restart(),
+                Ok(()) => {}
+                Err(_) => self.refused += 1,
+            }
+            self.place += 1;
+        }
+    }
+
+    fn step(&mut self) {
+        let next = self.subject.recording.commands.get(self.place).map_or(self.subject.duration, |entry| entry.at);
+        let is_pushed = self.energy.follows(self.replay.world());
+        if is_pushed {
+            places(self.replay.world(), &mut self.before);
+        }
+        let clock = Instant::now();
+        self.replay.step(Some(next.min(self.subject.duration)));
+        let time = 1e3 * clock.elapsed().as_secs_f64();
+        let world = self.replay.world();
+        self.frames.step(world.time(), time, self.meter.read(world));
+        if is_pushed {
+            let mut after = Vec::new();
+            places(world, &mut after);
+            self.energy.step(world, &self.before, &after);
+        }
+    }
+
+    /// Looks at the state at the end of a frame; false where it is no state any more.
+    fn look(&mut self) -> bool {
+        let world = self.replay.world();
+        let sample = world.sample(world.time());
+        if !world.is_finite() || !sample.energy.is_finite() {
+            return false;
+        }
+        self.strain = self.strain.max(rigid_strain(world, &sample));
+        self.depth = self.depth.max(self.surfaces.depth(world, &sample.position));
+        self.moved = self.moved.max(furthest(&self.start, &sample.position));
+        self.energy.look(world, &sample);
+        self.friction.look(world, &sample);
+        true
+    }
+
+    fn findings(self, ended: Ended, (points, bonds, path): (usize, usize, String)) -> (Findings, Timing) {
+        let world = self.replay.world();
+        let (sample, simulated) = (world.sample(world.time()), world.time());
+        let (balance, each) = (self.energy.balance(), 1.0 / simulated.max(1e-9));
+        let has_shape = ended != Ended::NotFinite && !self.shape.is_empty();
+        let mut found = Findings {
+            ended,
+            simulated,
+            points,
+            bonds,
+            path,
+            gain: balance.gain,
+            loss: balance.loss,
+            strain: self.strain,
+            inverted: if has_shape { self.shape.inverted(&sample.position) } else { 0.0 },
+            crossings: if has_shape { self.shape.crossings(&sample.position) } else { 0 },
+            depth: self.depth,
+            friction: self.friction.error(),
+            speed: speed(&sample),
+            unrest: match self.subject.rest {
+                Rest::Free => None,
+                Rest::Stays => Some(self.moved),
+                Rest::Comes => Some(speed(&sample)),
+            },
+            work_rate: 1e-3 * self.frames.work() * each,
+            worst_work_ms: self.frames.worst_work(),
+            refused_commands: self.refused,
+            counters: world.counters().into(),
+            faults: Vec::new(),
+        };
+        found.faults = faults(&found, balance.is_pushed);
+        let seconds = self.frames.seconds();
+        (found, Timing { seconds, rate: seconds * each, frames: self.frames.cost() })
+    }
+}
+
+/// Whether a command changes what a world has by more than the force of the mouse.
+fn is_edit(entry: &Entry) -> bool {
+    !matches!(entry.act, Do::Cursor { .. } | Do::Group { .. })
+}
+
+/// The solvers of a world's parts, each once.
+fn path(world: &dyn Dynamics) -> String {
+    let name = |part: &crate::sim::PlanPart| match part.kernel.is_empty() {
+        true => part.solver.name().to_owned(),
+        false => format!("{} of a large body", part.solver.name()),
+    };
+    world.parts().iter().map(name).collect::<BTreeSet<String>>().into_iter().collect::<Vec<_>>().join(" + ")
+}
+
+/// Where all points are, z = 0 in the plane.
+fn places(world: &dyn Dynamics, to: &mut Vec<[f64; 3]>) {
+    let (positions, axes) = (world.positions(), world.dimensions());
+    to.clear();
+    to.extend(
+        (0..world.point_count())
+            .map(|i| std::array::from_fn(|k| if k < axes { positions.get(i * axes + k) } else { 0.0 })),
+    );
+}
+
+/// Largest strain of the rigid bonds that something can give way for [1].
+fn rigid_strain(world: &dyn Dynamics, sample: &Sample) -> f64 {
+    let is_held = |point: crate::sim::PointId| world.pinned().contains(&point);
+    let mut most = 0.0_f64;
+    for bond in world.bonds().iter().filter(|bond| bond.kind == BondKind::Rigid && bond.rest_length > 0.0) {
+        let (a, b) = (sample.position[bond.a.index()], sample.position[bond.b.index()]);
+        let length = (0..3).map(|k| (a[k] - b[k]).powi(2)).sum::<f64>().sqrt();
+        let stretch = length / bond.rest_length - 1.0;
+        let strain = match bond.limit {
+            Limit::Both => stretch.abs(),
+            Limit::Max => stretch.max(0.0),
+            Limit::Min => (-stretch).max(0.0),
+        };
+        if strain > most && !(is_held(bond.a) && is_held(bond.b)) {
+            most = strain;
+        }
+    }
+    most
+}
+
+fn furthest(start: &[[f64; 3]], now: &[[f64; 3]]) -> f64 {
+    let way = |(a, b): (&[f64; 3], &[f64; 3])| (0..3).map(|k| (a[k] - b[k]).powi(2)).sum::<f64>();
+    start.iter().zip(now).map(way).fold(0.0, f64::max).sqrt()
+}
+
+/// Root of the mean square speed of all points that are there [m/s].
+fn speed(sample: &Sample) -> f64 {
+    let squares =
+        sample.velocity.iter().map(|v| v.iter().map(|v| v * v).sum::<f64>()).filter(|square| !square.is_nan());
+    let (sum, count) = squares.fold((0.0, 0.0), |(sum, count), square| (sum + square, count + 1.0));
+    if count > 0.0 { (sum / count).sqrt() } else { 0.0 }
+}

@@ -1,0 +1,168 @@
+//! What of a scene has an inside: its triangles, and the outlines around them.
+
+use std::collections::BTreeMap;
+
+use crate::scene::{BondList, MakerName, Scene, SceneError};
+
+/// The triangles of a scene in the plane, and their outlines.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Shape {
+    /// Corners, anticlockwise at the start.
+    triangles: Vec<[u32; 3]>,
+    /// Sides that belong to one triangle alone.
+    outline: Vec<[u32; 2]>,
+}
+
+/// Most sides of outlines that are looked at for crossings: more would take longer than the run.
+const MOST_SIDES: usize = 2_000;
+
+impl Shape {
+    /// Of a scene whose bodies are made: triangles that it lists, and those that the bonds of meshed bodies make.
+    ///
+    /// Errors: those of [`Scene::expanded`].
+    pub(super) fn of(scene: &Scene) -> Result<Shape, SceneError> {
+        if scene.dimensions() != 2 {
+            return Ok(Shape::default());
+        }
+        let whole = scene.expanded()?;
+        let position: Vec<[f64; 2]> = whole.points.iter().flat_map(|points| &points.position).map(plane).collect();
+        let mut triangles: Vec<[u32; 3]> = whole.triangles.iter().map(|row| row.0).collect();
+        let mut first = scene.points.as_ref().map_or(0, |points| points.position.len() as u32);
+        for body in &scene.bodies {
+            let alone = Scene { bodies: vec![body.clone()], ..bare(scene) }.expanded()?;
+            if matches!(body.make, MakerName::Lattice | MakerName::Disc | MakerName::Rim) {
+                triangles.extend(of_bonds(&alone.bonds).map(|corners| corners.map(|corner| corner + first)));
+            }
+            first += alone.points.as_ref().map_or(0, |points| points.position.len() as u32);
+        }
+        triangles.retain_mut(|corners| turn(corners, &position));
+        let outline = outline(&triangles);
+        Ok(Shape { triangles, outline })
+    }
+
+    /// Whether there is nothing to look at.
+    pub(super) fn is_empty(&self) -> bool {
+        self.triangles.is_empty()
+    }
+
+    /// The share of triangles that are inside out [1]; those with a corner that is gone count as none.
+    pub(super) fn inverted(&self, position: &[[f64; 3]]) -> f64 {
+        let areas = self.triangles.iter().map(|&corners| area(corners, position)).filter(|area| !area.is_nan());
+        let (count, inverted) =
+            areas.fold((0, 0), |(count, inverted), area| (count + 1, inverted + u32::from(area < 0.0)));
+        if count == 0 { 0.0 } else { f64::from(inverted) / f64::from(count) }
+    }
+
+    /// How many pairs of sides of outlines cross; 0 where there are too many sides to look.
+    pub(super) fn crossings(&self, position: &[[f64; 3]]) -> u32 {
+        if self.outline.len() > MOST_SIDES {
+            return 0;
+        }
+        let sides: Vec<_> = self.outline.iter().map(|side| (*side, side.map(|end| position[end as usize]))).collect();
+        let pairs = sides.iter().enumerate().flat_map(|(i, one)| sides[..i].iter().map(move |other| (one, other)));
+        let meets =
+            |((a, p), (b, q)): &(&([u32; 2], _), &([u32; 2], _))| !a.iter().any(|end| b.contains(end)) && crosses(p, q);
+        pairs.filter(meets).count() as u32
+    }
+}
+
+fn plane(vector: &crate::scene::Vector) -> [f64; 2] {
+    let [x, y, _] = vector.embed();
+    [x, y]
+}
+
+/// A scene without points, bonds and bodies.
+fn bare(scene: &Scene) -> Scene {
+    let (points, bonds) = (None, BondList::new());
+    let lists = Scene { points, bonds, bodies: Vec::new(), triangles: Vec::new(), ..scene.clone() };
+    Scene { pin_motion: Vec::new(), texture: None, areas: None, ..lists }
+}
+
+/// Triples of points that are bonded pairwise.
+fn of_bonds(bonds: &BondList) -> impl Iterator<Item = [u32; 3]> {
+    let mut above: BTreeMap<u32, Vec<u32>> = BTreeMap::new();
+    for bond in bonds.iter() {
+        above.entry(bond.a.min(bond.b)).or_default().push(bond.a.max(bond.b));
+    }
+    for list in above.values_mut() {
+        list.sort_unstable();
+        list.dedup();
+    }
+    let mut found = Vec::new();
+    for (&a, list) in &above {
+        for (i, &b) in list.iter().enumerate() {
+            let of_b = above.get(&b).map_or(&[][..], |list| list);
+            found.extend(list[i + 1..].iter().filter(|c| of_b.contains(c)).map(|&c| [a, b, c]));
+        }
+    }
+    found.into_iter()
+}
+
+/// Turns a triangle anticlockwise; false where it has no area to speak of.
+fn turn(corners: &mut [u32; 3], position: &[[f64; 2]]) -> bool {
+    let [a, b, c] = corners.map(|corner| position[corner as usize]);
+    let (u, v) = ([b[0] - a[0], b[1] - a[1]], [c[0] - a[0], c[1] - a[1]]);
+    let area = u[0] * v[1] - u[1] * v[0];
+    if area < 0.0 {
+        corners.swap(1, 2);
+    }
+    area.abs() > 1e-6 * (u[0] * u[0] + u[1] * u[1] + v[0] * v[0] + v[1] * v[1])
+}
+
+/// Twice the area [m^2], positive anticlockwise.
+fn area(corners: [u32; 3], position: &[[f64; 3]]) -> f64 {
+    let [a, b, c] = corners.map(|corner| position[corner as usize]);
+    (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0])
+}
+
+fn outline(triangles: &[[u32; 3]]) -> Vec<[u32; 2]> {
+    let mut count: BTreeMap<[u32; 2], u32> = BTreeMap::new();
+    for &[a, b, c] in triangles {
+        for [p, q] in [[a, b], [b, c], [c, a]] {
+            *count.entry([p.min(q), p.max(q)]).or_default() += 1;
+        }
+    }
+    count.into_iter().filter(|(_, count)| *count == 1).map(|(side, _)| side).collect()
+}
+
+/// Whether two segments without a common end cross.
+fn crosses([a, b]: &[[f64; 3]; 2], [c, d]: &[[f64; 3]; 2]) -> bool {
+    let side = |p: &[f64; 3], q: &[f64; 3], r: &[f64; 3]| (q[0] - p[0]) * (r[1] - p[1]) - (q[1] - p[1]) * (r[0] - p[0]);
+    side(a, b, c) * side(a, b, d) < 0.0 && side(c, d, a) * side(c, d, b) < 0.0
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn lattice() -> Shape {
+        let text = r#"{"wobble": 1, "bodies": [{"make": "lattice", "columns": 3, "rows": 2, "spacing": 1,
+            "origin": [5, 5], "material": {"kind": "spring", "stiffness": 1}}]}"#;
+        Shape::of(&Scene::parse(text, "test").unwrap()).unwrap()
+    }
+
+    #[test]
+    fn a_lattice_has_four_triangles_a_cell_and_no_outline_of_its_own() {
+        let shape = lattice();
+        assert_eq!(shape.triangles.len(), 8);
+    }
+
+    #[test]
+    fn what_is_mirrored_is_inside_out() {
+        let shape = lattice();
+        let at = |sign: f64| (0..6).map(|i| [sign * f64::from(i % 3), f64::from(i / 3), 0.0]).collect::<Vec<_>>();
+        assert_eq!((shape.inverted(&at(1.0)), shape.inverted(&at(-1.0))), (0.0, 1.0));
+        let mut gone = at(1.0);
+        gone[1] = [f64::NAN; 3];
+        assert_eq!(shape.inverted(&gone), 0.0);
+    }
+
+    #[test]
+    fn sides_that_cross_are_counted_once() {
+        let shape = Shape { triangles: Vec::new(), outline: vec![[0, 1], [2, 3], [1, 2]] };
+        let crossed = [[0.0, 0.0, 0.0], [1.0, 1.0, 0.0], [0.0, 1.0, 0.0], [1.0, 0.0, 0.0]];
+        assert_eq!(shape.crossings(&crossed), 1);
+        let apart = [[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [1.0, 1.0, 0.0], [0.0, 1.0, 0.0]];
+        assert_eq!(shape.crossings(&apart), 0);
+    }
+}

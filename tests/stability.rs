@@ -1,0 +1,231 @@
+//! The study of stability: its quick form as a process, and the scenes that are known to fail.
+#![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic, reason = "a test that cannot go on stops")]
+
+use std::path::Path;
+use std::process::{Command, Output};
+
+use serde_json::Value;
+use wobble::history::Start;
+use wobble::study::stability::{Bounds, Ended, Fault, StabilitySettings, Subject, battery, judge};
+
+fn study(arguments: &[&str]) -> Output {
+    let mut command = Command::new(env!("CARGO_BIN_EXE_wobble"));
+    command.args(["study", "stability"]).args(arguments).env_remove("WOBBLE_COMMIT").output().unwrap()
+}
+
+fn text(bytes: &[u8]) -> String {
+    String::from_utf8(bytes.to_vec()).unwrap()
+}
+
+fn read(folder: &Path, name: &str) -> String {
+    std::fs::read_to_string(folder.join(name)).unwrap_or_else(|error| panic!("{name}: {error}"))
+}
+
+/// The rows of a table by the names of its columns.
+fn rows(folder: &Path, name: &str) -> Vec<std::collections::BTreeMap<String, String>> {
+    let table = csv::Reader::from_path(folder.join(name)).unwrap_or_else(|error| panic!("{name}: {error}"));
+    table.into_deserialize().map(|row| row.unwrap()).collect()
+}
+
+/// The bounds of a quick study's cases.
+fn quick() -> StabilitySettings {
+    StabilitySettings::new(true, None, &[])
+}
+
+#[test]
+fn a_quick_study_judges_sixty_cases_and_two_runs_agree() {
+    let folder = tempfile::tempdir().unwrap();
+    let out = folder.path().join("a/new/folder");
+    let done =
+        study(&["--quick", "--commit", "abc", "--out", out.to_str().unwrap(), "--cases", "60", "--family", "rope"]);
+    assert!(done.status.success(), "{}", text(&done.stderr));
+    let out = out.as_path();
+    assert_eq!(rows(out, "cases.csv").len(), 60);
+    assert!(rows(out, "cases.csv").iter().all(|row| row["family"] == "rope"));
+
+    let done = study(&["--quick", "--sweep", "stiffness", "--cases", "60", "--out", out.to_str().unwrap()]);
+    assert!(done.status.success() && done.stdout.is_empty(), "{}", text(&done.stderr));
+    let report: Value = serde_json::from_str(&read(out, "stability.json")).unwrap();
+    assert_eq!(report["is_finished"], true);
+    let judged = report["judged"].as_array().unwrap();
+    assert_eq!(judged.len(), 60);
+    let settings = quick();
+    for one in &judged[..28] {
+        let case = one["case"].as_u64().unwrap();
+        let subject = Subject { duration: settings.case_seconds, ..battery::subject(case).unwrap() };
+        let again = serde_json::to_value(judge(&subject, settings.case_bounds).found).unwrap();
+        assert_eq!(one["found"], again, "case {case}");
+    }
+    check_tables(out);
+    check_files(out);
+}
+
+fn check_tables(out: &Path) {
+    let cases = rows(out, "cases.csv");
+    let faulty = cases.iter().filter(|row| !row["faults"].is_empty()).count();
+    assert!((1..60).contains(&faulty), "{faulty} of 60 have a fault");
+    for row in &cases {
+        assert_ne!(row["ended"], "refused", "{row:?}");
+        assert!(
+            row["work_rate_s"].parse::<f64>().unwrap() >= 0.0 && row["points"].parse::<u32>().unwrap() > 0,
+            "{row:?}"
+        );
+    }
+    let groups = rows(out, "groups.csv");
+    for by in ["all", "family", "path", "cause"] {
+        assert!(groups.iter().any(|row| row["by"] == by), "{by}");
+    }
+    let sum: u32 =
+        groups.iter().filter(|row| row["by"] == "family").map(|row| row["cases"].parse::<u32>().unwrap()).sum();
+    assert_eq!(sum, 60, "families take turns and leave nothing out");
+    let sweeps = rows(out, "sweeps.csv");
+    assert_eq!(sweeps.len(), 5 * 3, "five methods at three values");
+    let limits = rows(out, "limits.csv");
+    let of = |method: &str| limits.iter().find(|row| row["method"] == method).unwrap();
+    assert_eq!(of("rk4")["breaks_above"], "1000000000000.0");
+    assert_eq!(of("auto")["breaks_above"], "");
+}
+
+fn check_files(out: &Path) {
+    for name in ["sweeps", "faults", "rates"] {
+        let image = image::open(out.join(format!("{name}.png"))).unwrap().into_rgb8();
+        assert!(image.pixels().filter(|pixel| pixel.0 != [255; 3]).count() > 5000, "{name} is empty");
+        assert!(read(out, &format!("{name}.svg")).trim_end().ends_with("</svg>"));
+    }
+    let page = read(out, "README.md");
+    for word in ["## What fails", "## By family", "## Where methods hold", "| family | rope |", "| stiffness:"] {
+        assert!(page.contains(word), "{word} in {page}");
+    }
+    let worst: Vec<_> = std::fs::read_dir(out.join("worst")).unwrap().map(|file| file.unwrap().path()).collect();
+    assert!(worst.len() >= 5, "{worst:?}");
+    for file in worst {
+        Start::load(file.to_str().unwrap()).unwrap_or_else(|error| panic!("{error}"));
+    }
+}
+
+#[test]
+fn a_scene_of_ones_own_and_a_single_case_are_judged_alike() {
+    let folder = tempfile::tempdir().unwrap();
+    let out = folder.path().to_str().unwrap();
+    let done = study(&["rim", "--out", out]);
+    assert!(done.status.success(), "{}", text(&done.stderr));
+    assert!(text(&done.stdout).starts_with("rim: "), "{}", text(&done.stdout));
+    let done = study(&["--case", "4", "--quick", "--out", out]);
+    assert!(text(&done.stdout).starts_with("case-4: "), "{}", text(&done.stdout));
+    let scene = folder.path().join("free.json");
+    std::fs::write(&scene, r#"{"wobble": 1, "points": {"position": [[0, 0]]}, "gravity": [0, -9.81]}"#).unwrap();
+    let done = study(&[scene.to_str().unwrap(), "--out", out]);
+    assert_eq!(text(&done.stdout), "free: holds\n");
+}
+
+#[test]
+fn a_wrong_call_ends_with_2_and_names_what_there_is() {
+    let cases: [(&[&str], &str); 6] = [
+        (&["--family", "ropes"], "rope, heavy-end"),
+        (&["--sweep", "stifness"], "stiffness, mass ratio"),
+        (&["--case", "-1"], "--case"),
+        (&["--cases", "many"], "invalid digit"),
+        (&["rim", "--case", "3"], "cannot be used with"),
+        (&["--case", "3", "--cases", "9"], "cannot be used with"),
+    ];
+    for (arguments, line) in cases {
+        let done = study(arguments);
+        assert_eq!(done.status.code(), Some(2), "{}", text(&done.stderr));
+        assert!(text(&done.stderr).contains(line), "{}", text(&done.stderr));
+    }
+}
+
+#[test]
+fn a_folder_or_a_scene_that_cannot_be_had_is_told_before_the_work() {
+    let folder = tempfile::tempdir().unwrap();
+    let file = folder.path().join("file");
+    std::fs::write(&file, "").unwrap();
+    for arguments in [["--out", file.to_str().unwrap()], ["no-such-scene", "--quick"]] {
+        let done = Command::new(env!("CARGO_BIN_EXE_wobble"))
+            .args(["study", "stability"])
+            .args(arguments)
+            .current_dir(folder.path())
+            .output()
+            .unwrap();
+        let error = text(&done.stderr);
+        assert_eq!(done.status.code(), Some(1), "{error}");
+        assert!(error.starts_with("wobble: ") && error.lines().count() == 1, "{error}");
+    }
+}
+
+/// What was done before an interrupt is on the disk, whole.
+#[cfg(unix)]
+#[test]
+fn an_interrupt_keeps_what_is_done() {
+    let folder = tempfile::tempdir().unwrap();
+    let mut running = Command::new(env!("CARGO_BIN_EXE_wobble"))
+        .args(["study", "stability", "--cases", "100000", "--family", "points", "--out"])
+        .arg(folder.path())
+        .stderr(std::process::Stdio::null())
+        .spawn()
+        .unwrap();
+    let table = folder.path().join("stability.json");
+    let is_there = (0..600).any(|_| {
+        std::thread::sleep(std::time::Duration::from_millis(100));
+        table.exists()
+    });
+    let told = Command::new("kill").args(["-INT", &running.id().to_string()]).status().unwrap();
+    let ended = running.wait().unwrap();
+    assert!(is_there && told.success());
+    assert_eq!(ended.code(), Some(130));
+    let report: Value = serde_json::from_str(&read(folder.path(), "stability.json")).unwrap();
+    assert_eq!(report["is_finished"], false);
+    assert!(!report["judged"].as_array().unwrap().is_empty());
+    assert!(read(folder.path(), "README.md").contains("was not finished"));
+}
+
+/// A scene of `tests/files/known` that fails, as its list has it.
+#[derive(serde::Deserialize)]
+struct Known {
+    file: String,
+    /// What is wrong with it, by the name that tables have.
+    fault: String,
+    /// What it comes to now.
+    now: f64,
+    /// What the figure must come to for the mark to be taken away.
+    must: f64,
+    /// What happens, in words.
+    why: String,
+}
+
+fn known() -> Vec<Known> {
+    serde_json::from_str(include_str!("files/known/known.json")).unwrap()
+}
+
+#[test]
+fn scenes_that_are_known_to_fail_still_do() {
+    let mut passed = Vec::new();
+    for Known { file, fault, must, why, .. } in known() {
+        let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/files/known").join(&file);
+        let subject = Subject::of_start(&Start::load(path.to_str().unwrap()).unwrap());
+        let judged = judge(&subject, Bounds { work: 3.0, seconds: 120.0 });
+        let named = Fault::ALL.into_iter().find(|one| one.name() == fault).unwrap_or_else(|| panic!("{fault}"));
+        assert!(!matches!(judged.found.ended, Ended::Refused(_)), "{file}: {:?}", judged.found.ended);
+        assert_eq!(named.figure().1, must, "{file}: the figure that it must reach is that of the meter");
+        if !judged.found.faults.contains(&named) {
+            passed.push(format!("{file}: {fault} is {}, at most {must} ({why})", named.measured(&judged.found)));
+        }
+    }
+    assert!(
+        passed.is_empty(),
+        "these do not fail any more: take them off known.json, well done\n{}",
+        passed.join("\n")
+    );
+}
+
+#[test]
+fn every_scene_that_is_known_to_fail_is_listed_once() {
+    let mut listed: Vec<String> = known().into_iter().map(|known| known.file).collect();
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/files/known");
+    let names = std::fs::read_dir(folder).unwrap().map(|file| file.unwrap().file_name().into_string().unwrap());
+    let mut there: Vec<String> = names.filter(|name| name != "known.json").collect();
+    listed.sort();
+    there.sort();
+    assert_eq!(listed, there);
+    assert!(known().iter().all(|known| known.now > known.must && !known.why.is_empty()));
+}
