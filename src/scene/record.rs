@@ -292,7 +292,7 @@ impl RecordedSample {
 }
 
 /// Frames of 1/60 s of the scene: time and counted work of the steps that end in each.
-#[derive(Clone, Copy, Debug, Serialize)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize)]
 pub struct RecordedFrames {
     /// How many.
     pub count: u64,

@@ -3,13 +3,19 @@
 //! Model: E(t) <= E(0) + W(t) + 1 % of the largest kinetic and elastic energy so far, where W is the work of the mouse. What led
 //! pins and grabs bring is not known: while they act energy is not judged, and afterwards it is counted from where it stands.
 
+use super::quantile::{quantile, sorted};
 use crate::scene::{KindName, MakerName, Scene};
 use crate::sim::force::mouse::Push;
 use crate::sim::vector::truncate;
-use crate::sim::{Dynamics, Sample};
+use crate::sim::{Dynamics, Precision, Sample};
 
 /// Samples whose median counts: velocities of large bodies are means over an impact, and one sample may be off by a third.
 const MEDIAN: usize = 5;
+
+/// What rounding makes of energies, as a share of their terms [1].
+const ROUNDING: f64 = 1e-9;
+/// The same in 32 bits.
+const ROUNDING_F32: f64 = 1e-5;
 
 /// What a run gained and lost, as shares of the largest kinetic and elastic energy so far [1].
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -27,8 +33,10 @@ pub(super) struct Energy {
     gravity: [f64; 3],
     /// 1 where a point moves.
     mass: Vec<f64>,
-    /// Something in the scene takes energy, or is not judged.
+    /// Something in the scene takes energy.
     is_lossy: bool,
+    /// Pins are led: what they bring is not known.
+    is_led: bool,
     /// Energy at the start, and what was brought since [J].
     start: Option<f64>,
     work: f64,
@@ -44,6 +52,7 @@ impl Energy {
             gravity: scene.gravity.map_or([0.0; 3], |g| g.embed()),
             mass: Vec::new(),
             is_lossy: takes_energy(scene),
+            is_led: !scene.pin_motion.is_empty(),
             start: None,
             work: 0.0,
             largest: 0.0,
@@ -75,15 +84,17 @@ impl Energy {
 
     /// A sample of the run.
     pub(super) fn look(&mut self, world: &dyn Dynamics, sample: &Sample) {
-        if world.grab().is_some() {
+        if self.is_led || world.grab().is_some() {
             return self.restart();
         }
         self.weigh(world);
-        let (mut kinetic, mut fallen) = (0.0, 0.0);
+        let (mut kinetic, mut fallen, mut size) = (0.0, 0.0, sample.energy.abs());
         for ((mass, x), v) in self.mass.iter().zip(&sample.position).zip(&sample.velocity) {
             if *mass > 0.0 && x[0].is_finite() {
                 kinetic += 0.5 * mass * v.iter().map(|v| v * v).sum::<f64>();
-                fallen -= mass * (0..3).map(|k| self.gravity[k] * x[k]).sum::<f64>();
+                let terms = (0..3).map(|k| mass * self.gravity[k] * x[k]);
+                fallen -= terms.clone().sum::<f64>();
+                size += terms.map(f64::abs).sum::<f64>();
             }
         }
         let moving = sample.energy - fallen;
@@ -92,24 +103,22 @@ impl Energy {
         self.recent.push(sample.energy - start - self.work);
         let from = self.recent.len().saturating_sub(MEDIAN);
         self.recent.drain(..from);
-        let over = super::frames::quantile(&super::frames::sorted(&self.recent), 0.5);
+        let over = quantile(&sorted(&self.recent), 0.5);
         let scale = self.largest.max(f64::MIN_POSITIVE);
-        if over > self.rounding(sample.energy) {
+        // Energies are sums of many terms of either sign.
+        let rounding = if world.precision() == Precision::F32 { ROUNDING_F32 } else { ROUNDING };
+        let rounding = rounding * (size + self.largest);
+        if over > rounding {
             self.balance.gain = self.balance.gain.max(over / scale);
         }
         if !self.is_lossy {
-            self.balance.loss = Some((-over - self.rounding(sample.energy)).max(0.0) / scale);
+            self.balance.loss = Some((-over - rounding).max(0.0) / scale);
         }
     }
 
     /// What was found.
     pub(super) fn balance(&self) -> Balance {
         self.balance
-    }
-
-    /// What rounding may come to: energies are differences of larger ones far from the origin [J].
-    fn rounding(&self, energy: f64) -> f64 {
-        1e-6 * energy.abs().min(1e6 * self.largest) * 1e-3
     }
 
     /// The masses of points that move.

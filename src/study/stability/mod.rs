@@ -10,10 +10,10 @@
 pub mod battery;
 mod causes;
 mod energy;
-mod frames;
 mod friction;
 mod judge;
 mod page;
+mod quantile;
 mod report;
 mod run;
 mod shape;
@@ -21,7 +21,6 @@ mod subject;
 mod summary;
 mod surfaces;
 mod sweeps;
-mod work;
 
 use serde::Serialize;
 
@@ -29,7 +28,6 @@ use super::accuracy::Progress;
 use super::machine::machine;
 use crate::history::Recording;
 
-pub use frames::FrameCost;
 pub use judge::Fault;
 pub use report::StabilityReport;
 pub use run::{Bounds, Counted, Ended, Findings, Timing};
@@ -72,8 +70,8 @@ impl StabilitySettings {
         StabilitySettings {
             sweeps: sweeps().iter().map(|sweep| sweep.name).collect(),
             cases: (0..).filter(is_wanted).take(count as usize).collect(),
-            sweep_bounds: Bounds { work: if is_quick { 0.1 } else { 5.0 }, seconds: 60.0 },
-            case_bounds: Bounds { work: if is_quick { 0.3 } else { 20.0 }, seconds: 120.0 },
+            sweep_bounds: Bounds { work: if is_quick { 0.1 } else { 5.0 }, seconds: 300.0 },
+            case_bounds: Bounds { work: if is_quick { 0.3 } else { 20.0 }, seconds: 300.0 },
             case_seconds: if is_quick { 0.5 } else { battery::SECONDS },
             is_quick,
             kept: 20,

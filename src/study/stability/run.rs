@@ -6,14 +6,14 @@ use std::time::Instant;
 use serde::Serialize;
 
 use super::energy::Energy;
-use super::frames::{FrameCost, Frames, RATE};
 use super::friction::Friction;
 use super::judge::{Fault, faults};
 use super::shape::Shape;
 use super::subject::{Rest, Subject};
 use super::surfaces::Surfaces;
-use super::work::Meter;
 use crate::history::{Do, Entry, HistoryError, Replay};
+use crate::scene::frames::{Frames, next_close};
+use crate::scene::record::RecordedFrames;
 use crate::sim::{BondKind, Counters, Dynamics, Limit, Sample};
 
 /// When a run is given up.
@@ -122,7 +122,7 @@ pub struct Timing {
     /// The same a simulated second [1].
     pub rate: f64,
     /// Of frames.
-    pub frames: FrameCost,
+    pub frames: RecordedFrames,
 }
 
 /// Runs a subject.
@@ -169,8 +169,8 @@ struct Drive<'a> {
     /// Commands done.
     place: usize,
     refused: u32,
-    frames: Frames,
-    meter: Meter,
+    /// When each step ended [s], what it took [s], and its counted work [ms].
+    steps: Vec<(f64, f64, f64)>,
     energy: Energy,
     friction: Friction,
     shape: Shape,
@@ -188,7 +188,7 @@ impl<'a> Drive<'a> {
         let sample = replay.world().sample(replay.world().time());
         let mut energy = Energy::new(&subject.recording.scene);
         energy.look(replay.world(), &sample);
-        let (frames, meter, surfaces) = (Frames::default(), Meter::default(), Surfaces::default());
+        let (steps, surfaces) = (Vec::new(), Surfaces::default());
         let (place, refused, before) = (0, 0, Vec::new());
         let (strain, depth, moved) = (0.0, 0.0, 0.0);
         let friction = Friction::of(&subject.recording.scene);
@@ -198,8 +198,7 @@ impl<'a> Drive<'a> {
             replay,
             place,
             refused,
-            frames,
-            meter,
+            steps,
             energy,
             friction,
             shape,
@@ -215,7 +214,7 @@ impl<'a> Drive<'a> {
     fn finish(mut self, bounds: Bounds) -> (Findings, Timing) {
         let (world, clock) = (self.replay.world(), Instant::now());
         let (points, bonds, path) = (world.point_count(), world.bonds().len(), path(world));
-        let mut looked = 0;
+        let mut close = next_close(0.0);
         let ended = loop {
             self.command();
             let world = self.replay.world();
@@ -224,14 +223,14 @@ impl<'a> Drive<'a> {
             }
             self.step();
             let world = self.replay.world();
-            let frame = (world.time() * RATE + 1e-6) as u64;
-            if frame > looked {
-                looked = frame;
+            let (time, work) = (world.time(), world.counters().work_ms());
+            if time >= close * (1.0 - 1e-9) {
+                close = next_close(time);
                 if !self.look() {
                     break Ended::NotFinite;
                 }
             }
-            if self.frames.work() > 1e3 * bounds.work {
+            if work > 1e3 * bounds.work {
                 break Ended::OutOfWork;
             }
             if clock.elapsed().as_secs_f64() > bounds.seconds {
@@ -262,11 +261,12 @@ impl<'a> Drive<'a> {
         if is_pushed {
             places(self.replay.world(), &mut self.before);
         }
+        let work = self.replay.world().counters().work_ms();
         let clock = Instant::now();
         self.replay.step(Some(next.min(self.subject.duration)));
-        let time = 1e3 * clock.elapsed().as_secs_f64();
+        let seconds = clock.elapsed().as_secs_f64();
         let world = self.replay.world();
-        self.frames.step(world.time(), time, self.meter.read(world));
+        self.steps.push((world.time(), seconds, world.counters().work_ms() - work));
         if is_pushed {
             let mut after = Vec::new();
             places(world, &mut after);
@@ -293,6 +293,8 @@ impl<'a> Drive<'a> {
         let world = self.replay.world();
         let (sample, simulated) = (world.sample(world.time()), world.time());
         let (balance, each) = (self.energy.balance(), 1.0 / simulated.max(1e-9));
+        let mut frames = Frames::between(0.0, simulated);
+        self.steps.iter().for_each(|&(time, seconds, work)| frames.add(time, seconds, work));
         let has_shape = ended != Ended::NotFinite && !self.shape.is_empty();
         let mut found = Findings {
             ended,
@@ -313,15 +315,15 @@ impl<'a> Drive<'a> {
                 Rest::Stays => Some(self.moved),
                 Rest::Comes => Some(speed(&sample)),
             },
-            work_rate: 1e-3 * self.frames.work() * each,
-            worst_work_ms: self.frames.worst_work(),
+            work_rate: 1e-3 * world.counters().work_ms() * each,
+            worst_work_ms: frames.worst_work_ms(),
             refused_commands: self.refused,
             counters: world.counters().into(),
             faults: Vec::new(),
         };
         found.faults = faults(&found, balance.is_pushed);
-        let seconds = self.frames.seconds();
-        (found, Timing { seconds, rate: seconds * each, frames: self.frames.cost() })
+        let seconds = frames.seconds();
+        (found, Timing { seconds, rate: seconds * each, frames: (&frames).into() })
     }
 }
 

@@ -3,8 +3,8 @@
 use serde::Serialize;
 
 use super::Judged;
-use super::frames::{quantile, sorted};
 use super::judge::Fault;
+use super::quantile::{quantile, sorted};
 use super::run::Ended;
 use super::subject::Cause;
 

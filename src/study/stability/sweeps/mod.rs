@@ -54,18 +54,26 @@ impl Outcome {
         }
     }
 
-    /// What findings come to. What a small scene costs is no judgement here, but where it has no end.
-    fn of(found: &Findings) -> Outcome {
-        let cost = [Fault::Slow, Fault::Frame];
+    /// What findings come to. What a small scene costs is no judgement here, but where it has no end; and soft bodies may fold where
+    /// folding is not what is swept.
+    fn of(found: &Findings, may_fold: bool) -> Outcome {
+        let is_counted = |fault: &Fault| match fault {
+            Fault::Slow | Fault::Frame => false,
+            Fault::Inverted => !may_fold,
+            _ => true,
+        };
         match found.ended {
             Ended::Refused(_) => Outcome::Refused,
             Ended::NotFinite | Ended::OutOfWork | Ended::OutOfTime => Outcome::Breaks,
-            Ended::Done if found.gain > 1.0 || found.strain > 1.0 => Outcome::Breaks,
-            Ended::Done if found.faults.iter().any(|fault| !cost.contains(fault)) => Outcome::Degrades,
+            Ended::Done if found.gain > DOUBLED || found.strain > 1.0 => Outcome::Breaks,
+            Ended::Done if found.faults.iter().any(is_counted) => Outcome::Degrades,
             Ended::Done => Outcome::Holds,
         }
     }
 }
+
+/// Gain, as a share of the largest energy so far, at which the energy has doubled [1].
+const DOUBLED: f64 = 0.5;
 
 /// A value of a sweep by a method.
 #[derive(Clone, Debug, PartialEq, Serialize)]
@@ -129,8 +137,9 @@ impl Sweep {
 
     /// Runs a value by a solver.
     pub(super) fn run(&self, value: f64, solver: SolverName, bounds: Bounds) -> Option<SweepRun> {
-        let (found, _) = run(&self.subject(value, solver)?, bounds);
-        let outcome = Outcome::of(&found);
+        let subject = self.subject(value, solver)?;
+        let (found, _) = run(&subject, bounds);
+        let outcome = Outcome::of(&found, subject.recording.scene.triangles.is_empty());
         Some(SweepRun { sweep: self.name, method: solver.name(), value, outcome, found })
     }
 }
@@ -168,7 +177,8 @@ mod tests {
         assert_eq!(outcome("substep of springs", 1e-3, Verlet), Outcome::Holds);
         assert_eq!(outcome("substep of springs", 1.0 / 16.0, Verlet), Outcome::Breaks);
         assert_ne!(outcome("substep of springs", 4e-3, Euler), Outcome::Holds);
-        assert_eq!(outcome("stiffness", 1e12, Rk4), Outcome::Breaks);
+        assert_eq!(outcome("stiffness", 1e3, Rk4), Outcome::Breaks);
+        assert_eq!(outcome("stiffness", 1e12, ImplicitMidpoint), Outcome::Holds);
         assert_eq!(outcome("stiffness", 100.0, Relaxation), Outcome::Refused);
         // It damps what it does not resolve.
         assert_eq!(outcome("minutes of springs", 10.0, BackwardEuler), Outcome::Degrades);
