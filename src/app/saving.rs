@@ -10,38 +10,49 @@ use winit::window::Window;
 /// Nobody closes a dialog sooner: one that ends within this time was never shown.
 const LEAST_SHOWN: Duration = Duration::from_millis(250);
 
+/// What became of a dialog.
+#[derive(Debug, PartialEq, Eq)]
+pub(super) enum Chosen {
+    /// The name.
+    File(PathBuf),
+    /// The user thought better of it.
+    Nothing,
+    /// No dialog can be shown here: neither a desktop portal nor zenity answers.
+    NoDialog,
+}
+
 /// A name that is being chosen.
 pub(super) struct Saving {
-    chosen: Receiver<Option<PathBuf>>,
+    chosen: Receiver<Chosen>,
 }
 
 impl Saving {
-    /// Opens the dialog over `window` for a recording of a scene. Where none can be shown, the file gets a name that is free.
+    /// Opens the dialog over `window` for a recording of a scene.
     pub(super) fn new(window: &Window, scene: &str, wake: impl Fn() + Send + 'static) -> Self {
         let name = format!("{}.json", plain(scene));
         let dialog = AsyncFileDialog::new().set_title("Save all that was done").set_parent(window);
         let chosen = dialog.set_file_name(name).add_filter("Recordings", &["json"]).save_file();
         let (sender, receiver) = channel();
-        let (start, scene) = (Instant::now(), scene.to_owned());
+        let start = Instant::now();
         std::thread::spawn(move || {
-            let path = match pollster::block_on(chosen) {
-                Some(file) => Some(file.path().to_owned()),
-                None if start.elapsed() < LEAST_SHOWN => Some(free_name(Path::new("."), &scene, "json")),
-                None => None,
+            let chosen = match pollster::block_on(chosen) {
+                Some(file) => Chosen::File(file.path().to_owned()),
+                None if start.elapsed() < LEAST_SHOWN => Chosen::NoDialog,
+                None => Chosen::Nothing,
             };
             // A window that has been closed saves nothing more.
-            let _ = sender.send(path);
+            let _ = sender.send(chosen);
             wake();
         });
         Saving { chosen: receiver }
     }
 
-    /// The name, once it is chosen; the inner `None` where nothing is to be saved.
-    pub(super) fn take(&self) -> Option<Option<PathBuf>> {
+    /// What became of it, once it is closed.
+    pub(super) fn take(&self) -> Option<Chosen> {
         match self.chosen.try_recv() {
-            Ok(path) => Some(path),
+            Ok(chosen) => Some(chosen),
             Err(TryRecvError::Empty) => None,
-            Err(TryRecvError::Disconnected) => Some(None),
+            Err(TryRecvError::Disconnected) => Some(Chosen::Nothing),
         }
     }
 }

@@ -86,10 +86,11 @@ pub static TABLE: &[Binding] = &[
 ];
 
 /// What the mouse does, in the same form.
-pub fn by_mouse() -> [[&'static str; 2]; 4] {
+pub fn by_mouse() -> [[&'static str; 2]; 5] {
     [
-        ["left button on a body", "grab it; let go and it flies"],
-        ["left button beside it", "push through bodies"],
+        ["left button on a body, or with one in the circle", "grab it; let go and it flies"],
+        ["left button on a pin", "lead it elsewhere"],
+        ["left button beside all bodies", "push through them"],
         ["right or middle drag", "pan; in space the right button orbits"],
         ["wheel", "zoom at the cursor"],
     ]

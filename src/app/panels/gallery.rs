@@ -29,21 +29,30 @@ pub(super) fn show(context: &egui::Context, room: Rect, state: &mut PanelState, 
                 field.request_focus();
             }
             let found = found(&state.search);
+            if field.changed() {
+                state.chosen = 0;
+            }
+            let is_moved = choose(ui, state, found.len(), columns);
             if field.lost_focus()
                 && ui.input(|input| input.key_pressed(Key::Enter))
-                && let Some(first) = found.first()
+                && let Some(chosen) = found.get(state.chosen)
             {
-                wishes.push(Wish::OpenScene(first.name));
+                wishes.push(Wish::OpenScene(chosen.name));
             }
             ui.add_space(4.0);
             ScrollArea::vertical().max_height((room.height() - 130.0).max(40.0)).auto_shrink([false, true]).show(
                 ui,
                 |ui| {
-                    for row in found.chunks(columns) {
+                    for (number, row) in found.chunks(columns).enumerate() {
                         ui.horizontal_top(|ui| {
                             ui.spacing_mut().item_spacing.x = GAP;
-                            for entry in row {
-                                if card(ui, entry, state, entry.title == facts.title) {
+                            for (column, entry) in row.iter().enumerate() {
+                                let is_chosen = number * columns + column == state.chosen;
+                                let card = card(ui, entry, state, (entry.title == facts.title, is_chosen));
+                                if is_chosen && is_moved {
+                                    card.scroll_to_me(None);
+                                }
+                                if card.clicked() {
                                     wishes.push(Wish::OpenScene(entry.name));
                                 }
                             }
@@ -71,8 +80,19 @@ fn found(search: &str) -> Vec<&'static Entry> {
     gallery().iter().filter(has).collect()
 }
 
-/// A scene; returns whether it was clicked.
-fn card(ui: &mut egui::Ui, entry: &Entry, state: &PanelState, is_open: bool) -> bool {
+/// The arrow keys choose another scene of those that are found, along the rows while nothing is written. Returns whether they did.
+fn choose(ui: &egui::Ui, state: &mut PanelState, count: usize, columns: usize) -> bool {
+    let is_pressed = |key| usize::from(ui.input(|input| input.key_pressed(key)));
+    let along = usize::from(state.search.is_empty());
+    let on = columns * is_pressed(Key::ArrowDown) + along * is_pressed(Key::ArrowRight);
+    let back = columns * is_pressed(Key::ArrowUp) + along * is_pressed(Key::ArrowLeft);
+    let last = count.saturating_sub(1);
+    let chosen = (state.chosen + on).saturating_sub(back).min(last);
+    std::mem::replace(&mut state.chosen, chosen) != chosen
+}
+
+/// A scene, which may be open, and chosen by the keys.
+fn card(ui: &mut egui::Ui, entry: &Entry, state: &PanelState, (is_open, is_chosen): (bool, bool)) -> egui::Response {
     let card = ui.scope_builder(egui::UiBuilder::new().sense(Sense::click()), |ui| {
         ui.set_width(THUMBNAIL[0]);
         ui.vertical(|ui| {
@@ -85,8 +105,13 @@ fn card(ui: &mut egui::Ui, entry: &Entry, state: &PanelState, is_open: bool) -> 
                 painter.image(texture.id(), rect, whole, egui::Color32::WHITE);
             }
             let is_hovered = ui.response().hovered();
-            if is_open || is_hovered {
-                let stroke = egui::Stroke::new(2.0, if is_open { ACCENT } else { WEAK });
+            if is_open || is_chosen || is_hovered {
+                let color = match (is_chosen, is_open) {
+                    (true, _) => TEXT,
+                    (_, true) => ACCENT,
+                    _ => WEAK,
+                };
+                let stroke = egui::Stroke::new(if is_chosen { 3.0 } else { 2.0 }, color);
                 painter.rect_stroke(rect, 8.0, stroke, egui::StrokeKind::Inside);
             }
             ui.add(Label::new(RichText::new(entry.title).color(TEXT).strong()).selectable(false));
@@ -95,7 +120,7 @@ fn card(ui: &mut egui::Ui, entry: &Entry, state: &PanelState, is_open: bool) -> 
             ui.add(Label::new(to_try).wrap().selectable(false));
         });
     });
-    card.response.clicked()
+    card.response
 }
 
 #[cfg(test)]

@@ -7,11 +7,13 @@ mod hud;
 mod icons;
 mod notes;
 mod palette;
+mod save_to;
 pub(super) mod theme;
 mod top;
 mod transport;
 
 use std::collections::BTreeMap;
+use std::path::PathBuf;
 
 use super::action::{Action, Tool};
 use super::player::Figures;
@@ -32,6 +34,8 @@ pub(super) enum Wish {
     GoTo(f64),
     /// The end of another branch.
     ToBranch(usize),
+    /// All that was done is saved to a file.
+    SaveTo(PathBuf),
     /// The session that is offered is gone on with.
     GoOnWithLeftover,
     /// It is not wanted.
@@ -45,6 +49,8 @@ pub(super) enum Sheet {
     Gallery,
     /// The keys.
     Help,
+    /// A name for a file, where the system has no dialog for it.
+    SaveTo,
 }
 
 /// What the panels keep from frame to frame.
@@ -55,7 +61,11 @@ pub(super) struct PanelState {
     pub(super) hides_hud: bool,
     /// What is looked for in the gallery.
     pub(super) search: String,
-    /// The search has just been opened: it gets the focus.
+    /// The scene that Enter opens in the gallery, by its place among those that are found.
+    pub(super) chosen: usize,
+    /// The name of a file that is to be written.
+    pub(super) path: String,
+    /// The sheet has just been opened: what one writes in gets the focus.
     pub(super) is_fresh: bool,
     pub(super) notes: Notes,
     /// Thumbnails by the names of scenes.
@@ -108,6 +118,7 @@ pub(super) fn show(ui: &mut egui::Ui, state: &mut PanelState, facts: &Facts) -> 
     match state.sheet {
         Some(Sheet::Gallery) => gallery::show(ui.ctx(), room, state, facts, &mut wishes),
         Some(Sheet::Help) => help::show(ui.ctx(), room, state),
+        Some(Sheet::SaveTo) => save_to::show(ui.ctx(), state, &mut wishes),
         None => {}
     }
     (wishes, room.height())

@@ -4,7 +4,7 @@ use std::path::PathBuf;
 
 use crate::history::Do;
 use crate::scene::{AddKeys, Scene, SceneError};
-use crate::sim::{Cursor, Dynamics};
+use crate::sim::{Cursor, Dynamics, PointId};
 
 /// Works out what is added to a running world.
 pub(super) type Adder = Box<dyn FnOnce(&Scene, &dyn Dynamics) -> Result<AddKeys, SceneError> + Send>;
@@ -26,8 +26,15 @@ pub enum Order {
     Step(Option<Cursor>),
     /// Commands at the time reached; with a name they are an edit, undone as one.
     Give(Vec<Do>, Option<&'static str>),
-    /// Commands that belong to the last edit, which is called so.
-    GiveOn(Vec<Do>, &'static str),
+    /// A pin goes to a place [m] on a straight way from where it is. `goes_on`: this belongs to the last edit.
+    LeadPin {
+        /// The pin.
+        point: PointId,
+        /// [m]
+        to: [f64; 3],
+        /// It was sent on a way just before.
+        goes_on: bool,
+    },
     /// Something comes, where there is room for it now.
     Add(Adder),
     /// The hand presses beside all bodies, or does not any more: a log that is followed is left when the cursor moves meanwhile.

@@ -201,6 +201,12 @@ impl Pace {
         self.settle(history);
     }
 
+    /// The history went elsewhere, and goes on by hand: the live cursor takes the place of the log's, though it rests.
+    pub fn gone_for_good(&mut self, history: &History, cursor: Option<Cursor>) {
+        self.gone_to(history, cursor);
+        self.told = None;
+    }
+
     /// Back to the start. What came to its end plays again.
     pub fn reset(&mut self, history: &mut History) {
         history.reset();

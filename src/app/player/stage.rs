@@ -8,10 +8,16 @@ use super::pace::Pace;
 use super::shown::{Figures, Scenery, Shown};
 use crate::app::meter::Meter;
 use crate::history::{BranchView, Do, History, HistoryError, Start};
-use crate::sim::{Cursor, Dynamics, MouseForce};
+use crate::scene::{AddKeys, PinMotionKeys};
+use crate::sim::{Cursor, Dynamics, MouseForce, PointId};
 
 /// How often figures are taken that cost something: nobody reads faster.
 const FIGURES_EVERY: Duration = Duration::from_millis(100);
+
+/// A pin that is led takes so long to the place where the cursor was [s]: a little longer than until it is sent on.
+const PIN_TIME: f64 = 0.15;
+/// What leading a pin is called.
+const LEAD_PIN: &str = "move a pin";
 
 /// A history that is played.
 pub struct Stage {
@@ -106,23 +112,19 @@ impl Stage {
                 self.pace.presses = presses;
                 None
             }
-            Order::GiveOn(commands, name) => {
-                let given = self.history.give_on(commands, name);
-                self.pace.motion += 1;
-                given.err().map(|refusal| Note::Refused(refusal.reason))
-            }
+            Order::LeadPin { point, to, goes_on } => self.lead_pin(point, to, goes_on),
             Order::Add(adder) => Some(self.add(adder)),
             Order::Undo(cursor) => {
                 let undone = self.history.undo();
                 if undone.is_some() {
-                    self.pace.gone_to(&self.history, cursor);
+                    self.pace.gone_for_good(&self.history, cursor);
                 }
                 Some(undone.map_or(Note::NothingToUndo, |undone| Note::Undone(undone.name, undone.seconds)))
             }
             Order::Redo(cursor) => {
                 let redone = self.history.redo();
                 if redone.is_some() {
-                    self.pace.gone_to(&self.history, cursor);
+                    self.pace.gone_for_good(&self.history, cursor);
                 }
                 Some(redone.map_or(Note::NothingToRedo, |redone| Note::Redone(redone.name, redone.seconds)))
             }
@@ -132,7 +134,7 @@ impl Stage {
             }
             Order::ToBranch(number, cursor) => {
                 self.history.to_branch(number);
-                self.pace.gone_to(&self.history, cursor);
+                self.pace.gone_for_good(&self.history, cursor);
                 None
             }
             Order::Reset => {
@@ -199,6 +201,27 @@ impl Stage {
         let given = self.history.give(vec![Do::Add(Box::new(keys))], Some("add a body"));
         self.pace.settle(&self.history);
         given.map_or_else(|refusal| Note::Refused(refusal.reason), |_| Note::Added)
+    }
+
+    /// Sends a pin on its way. One that is none by now stays where it is.
+    fn lead_pin(&mut self, point: PointId, to: [f64; 3], goes_on: bool) -> Option<Note> {
+        let world = self.history.world();
+        if !world.pinned().contains(&point) {
+            return None;
+        }
+        let (time, dimensions) = (world.time(), world.dimensions());
+        let here = (0..dimensions).map(|axis| world.positions().get(point.index() * dimensions + axis));
+        let knot = |time: f64, place: &mut dyn Iterator<Item = f64>| std::iter::once(time).chain(place).collect();
+        let there = &mut to.into_iter().take(dimensions);
+        let track = vec![knot(time, &mut here.into_iter()), knot(time + PIN_TIME, there)];
+        let keys = AddKeys { pin_motion: vec![PinMotionKeys { point: point.0, track }], ..AddKeys::default() };
+        let way = vec![Do::Add(Box::new(keys))];
+        if !goes_on {
+            return self.give(way, Some(LEAD_PIN));
+        }
+        let given = self.history.give_on(way, LEAD_PIN);
+        self.pace.motion += 1;
+        given.err().map(|refusal| Note::Refused(refusal.reason))
     }
 
     /// What stands about the points is looked at again if it changed.

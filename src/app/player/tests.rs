@@ -129,6 +129,25 @@ fn a_long_hitch_is_clamped_and_a_slow_world_drops_time() {
 }
 
 #[test]
+fn a_flick_through_the_rim_at_five_metres_a_second_moves_it() {
+    let entry = crate::scene::gallery().iter().find(|entry| entry.name == "rim").unwrap();
+    let history = History::new(entry.scene().unwrap().into()).unwrap();
+    let pace = Pace::new(&history, 1.0, None);
+    let mut played = (history, pace);
+    let middle = |history: &History| {
+        let x = positions(history);
+        x.iter().step_by(2).sum::<f64>() / (x.len() / 2) as f64
+    };
+    play(&mut played, 0.5, 60, away);
+    let before = middle(&played.0);
+    let height = positions(&played.0).iter().skip(1).step_by(2).sum::<f64>() / played.0.world().point_count() as f64;
+    let flick = |t: f64| Some(Cursor::at([-4.0 + 5.0 * t, height]));
+    play(&mut played, 1.0, 60, flick);
+    let moved = (middle(&played.0) - before).abs();
+    assert!(moved > 0.5, "a quarter of its radius is seen: {moved} m");
+}
+
+#[test]
 fn paused_nothing_is_stepped() {
     let (mut history, mut pace) = played();
     pace.playing = false;
@@ -189,6 +208,29 @@ fn undo_takes_an_edit_back_and_plays_on() {
     assert!(stage.history().world().time() > before, "and it plays on");
     assert!(matches!(stage.obey(Order::Redo(None)), Some(super::Note::Redone(..))));
     assert_eq!(force(&stage), 7.0);
+}
+
+#[test]
+fn what_was_erased_comes_back_to_where_it_was_and_no_cursor_of_the_log_pushes_it() {
+    let text = SCENE.replace("[0, -9.81]", "[0, 0]").replace("[[1, 0], [0, 3]]", "[[0, 0], [0, 0]]");
+    let mut stage = Stage::new(Scene::parse(&text, "still.json").unwrap().into()).unwrap();
+    let (far, over) = (Some(Cursor::at([4.0, -4.0])), Some(Cursor::at([0.2, 1.0])));
+    let frame = |stage: &mut Stage, cursor| {
+        stage.obey(Order::Advance { wall: 0.02, cursor, back: false });
+    };
+    frame(&mut stage, far);
+    let before = positions(stage.history());
+    let keys = crate::history::DeleteKeys { points: vec![0], ..Default::default() };
+    // The click comes with the cursor, as it does where both lie in one frame.
+    let click = vec![Do::Cursor { to: over, by: None }];
+    stage.obey(Order::Give(click, None));
+    stage.obey(Order::Give(vec![Do::Delete(keys)], Some("delete")));
+    frame(&mut stage, far);
+    assert!(matches!(stage.obey(Order::Undo(None)), Some(super::Note::Undone(..))));
+    for _ in 0..5 {
+        frame(&mut stage, far);
+    }
+    assert_eq!(positions(stage.history()), before, "nothing but a cursor that is there pushes");
 }
 
 #[test]

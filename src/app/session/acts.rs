@@ -84,6 +84,10 @@ impl Session {
             Wish::ToBranch(number) => {
                 self.go(Order::ToBranch(number, self.told));
             }
+            Wish::SaveTo(path) => {
+                self.panels.sheet = None;
+                self.player.ask(Order::Save(path));
+            }
             Wish::GoOnWithLeftover => self.go_on_with_leftover(),
             Wish::DiscardLeftover => self.discard_leftover(),
         }
@@ -108,6 +112,7 @@ impl Session {
     fn toggle_sheet(&mut self, sheet: Sheet) {
         self.panels.sheet = (self.panels.sheet != Some(sheet)).then_some(sheet);
         self.panels.is_fresh = true;
+        self.panels.chosen = if self.panels.search.is_empty() { self.place().unwrap_or(0) } else { 0 };
         if self.panels.sheet == Some(Sheet::Gallery) && self.thumbnails.is_none() {
             self.thumbnails = Some(Thumbnails::new(self.canvas.gpu().clone(), self.wake_up()));
         }

@@ -3,8 +3,9 @@
 use std::path::Path;
 
 use super::Session;
+use crate::app::panels::Sheet;
 use crate::app::player::Order;
-use crate::app::saving::{Saving, free_name};
+use crate::app::saving::{Chosen, Saving, free_name};
 use crate::render::{Camera, Capture, View};
 
 impl Session {
@@ -22,13 +23,18 @@ impl Session {
     /// Saves it there.
     pub(super) fn hear_of_saving(&mut self) {
         let chosen = self.saving.as_ref().and_then(Saving::take);
-        if let Some(chosen) = chosen {
-            self.saving = None;
-            if let Some(path) = chosen {
-                self.player.ask(Order::Save(path));
+        let Some(chosen) = chosen else { return };
+        self.saving = None;
+        match chosen {
+            Chosen::File(path) => self.player.ask(Order::Save(path)),
+            Chosen::Nothing => {}
+            Chosen::NoDialog => {
+                let folder = std::env::current_dir().unwrap_or_default();
+                self.panels.path = free_name(&folder, self.scene.name(), "json").display().to_string();
+                (self.panels.sheet, self.panels.is_fresh) = (Some(Sheet::SaveTo), true);
             }
-            self.touch();
         }
+        self.touch();
     }
 
     /// Draws the world as it is seen, without panels, and has it written with a snapshot in it.

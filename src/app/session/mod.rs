@@ -232,7 +232,7 @@ impl Session {
     /// Whether time goes on: the world waits while a picture is being imported, which takes its place on the screen.
     fn moves(&self) -> bool {
         let fades = self.hand.is_calm() && !self.hand.is_grabbing() && self.player.is_playing();
-        !self.waits() && (self.player.is_moving() || self.rewinds || fades)
+        !self.waits() && (self.player.is_moving() || self.rewinds || fades || self.hand.is_leading())
     }
 
     /// Whether the world waits for what lies over it.
@@ -401,6 +401,7 @@ impl Session {
             let deed = self.hand.pass(wall);
             self.do_deed(deed);
         }
+        self.lead_pin(wall);
         self.told = cursor;
         self.player.advance(wall, cursor, self.rewinds);
     }

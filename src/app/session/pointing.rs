@@ -5,7 +5,8 @@ use glam::DVec2;
 use winit::event::{ElementState, MouseButton, MouseScrollDelta};
 
 use super::{Framing, Session};
-use crate::app::tools::{Hand, Scope};
+use crate::app::player;
+use crate::app::tools::{Hand, PinWay, Scope};
 use crate::history::Do;
 use crate::sim::Cursor;
 
@@ -56,9 +57,21 @@ impl Session {
                 }
                 deed
             }
-            false => self.with_scope(|hand, scope| hand.release(scope, at)),
+            false => {
+                self.lead_pin(f64::INFINITY);
+                self.with_scope(|hand, scope| hand.release(scope, at))
+            }
         };
         self.do_deed(deed);
+    }
+
+    /// A pin that is led goes after the cursor, `seconds` after the last time.
+    pub(super) fn lead_pin(&mut self, seconds: f64) {
+        let Some(at) = self.pixel() else { return };
+        if let Some(PinWay { point, to, goes_on }) = self.with_scope(|hand, scope| hand.lead(scope, at, seconds)) {
+            self.player.ask(player::Order::LeadPin { point, to, goes_on });
+            self.dirty = true;
+        }
     }
 
     /// The wheel turned.

@@ -37,6 +37,7 @@ const MOST: usize = 4000;
 pub(super) fn of(tool: Tool, doing: &Doing, scope: Scope<'_>, at: Option<DVec2>) -> Vec<Mark> {
     match (doing, tool) {
         (Doing::Grabbing(points), _) => led(scope, points, at),
+        (Doing::Leading(lead), _) => led(scope, &[lead.point()], at),
         (Doing::Cutting(from), _) => {
             at.map(|at| Mark::Line(Role::Away, *from, at, 2.0 * scope.scale)).into_iter().collect()
         }

@@ -1,5 +1,8 @@
 //! Tools: what presses and strokes of the left button become. They return commands and change nothing.
 
+#[cfg(test)]
+mod grab_tests;
+mod lead;
 mod marks;
 mod pick;
 #[cfg(test)]
@@ -10,6 +13,8 @@ use glam::DVec2;
 use super::action::Tool;
 use crate::history::{DeleteKeys, Do};
 use crate::sim::{MouseChange, PointId, Reach};
+use lead::Lead;
+pub(super) use lead::PinWay;
 pub(super) use marks::{Mark, Role};
 pub(super) use pick::Scope;
 
@@ -41,6 +46,8 @@ enum Doing {
     Nothing,
     /// These points are led.
     Grabbing(Vec<PointId>),
+    /// A pin is led.
+    Leading(Lead),
     /// The hover force pushes through bodies.
     Pushing,
     /// A stroke from here [px], to cut what it crosses.
@@ -114,6 +121,11 @@ impl Hand {
         matches!(self.doing, Doing::Grabbing(_))
     }
 
+    /// Whether a pin is led.
+    pub(super) fn is_leading(&self) -> bool {
+        matches!(self.doing, Doing::Leading(_))
+    }
+
     /// Whether the button is doing anything.
     pub(super) fn is_busy(&self) -> bool {
         self.doing != Doing::Nothing
@@ -127,7 +139,7 @@ impl Hand {
     /// The left button went down at a pixel.
     pub(super) fn press(&mut self, scope: Scope<'_>, at: DVec2) -> Deed {
         match self.tool() {
-            Tool::Hand => self.grab(scope.grip(at)),
+            Tool::Hand => self.take_hold(scope, at),
             Tool::Pin => pin(scope, at),
             Tool::Cut => {
                 self.doing = Doing::Cutting(at);
@@ -137,19 +149,41 @@ impl Hand {
         }
     }
 
-    fn grab(&mut self, points: Vec<PointId>) -> Deed {
+    /// What lies under the pixel is led: a pin along its way, all else by its points. Where nothing does, what the hover force has
+    /// pushed away comes to the hand; where nothing is in its reach, it pushes on.
+    fn take_hold(&mut self, scope: Scope<'_>, at: DVec2) -> Deed {
+        if let Some(lead) = Lead::of_pin(scope, at) {
+            let commands = self.calm_now();
+            self.doing = Doing::Leading(lead);
+            return Deed { commands, edit: None };
+        }
+        let mut points = scope.grip(at);
+        if points.is_empty() && self.strength.is_some_and(|strength| strength > 0.0) {
+            points = scope.pushed(at);
+        }
         if points.is_empty() {
             self.doing = Doing::Pushing;
             return Deed::default();
         }
-        let mut commands = Vec::new();
-        if self.strength.is_some() && self.calm.is_none() {
-            commands.push(strength(0.0));
-        }
-        self.calm = Some(f64::INFINITY);
+        let mut commands = self.calm_now();
         commands.push(Do::Grab(Reach::Points(points.clone())));
         self.doing = Doing::Grabbing(points);
         Deed { commands, edit: None }
+    }
+
+    /// The hover force goes away, if it is there.
+    fn calm_now(&mut self) -> Vec<Do> {
+        let is_there = self.strength.is_some() && self.calm.is_none();
+        self.calm = Some(f64::INFINITY);
+        if is_there { vec![strength(0.0)] } else { Vec::new() }
+    }
+
+    /// Where the pin that is led is to go now, `seconds` after the last time.
+    pub(super) fn lead(&mut self, scope: Scope<'_>, at: DVec2, seconds: f64) -> Option<PinWay> {
+        match &mut self.doing {
+            Doing::Leading(lead) => lead.pass(scope, at, seconds),
+            _ => None,
+        }
     }
 
     /// The left button was let go at a pixel.
@@ -158,6 +192,10 @@ impl Hand {
             Doing::Grabbing(_) => {
                 self.calm = Some(CALM);
                 Deed { commands: vec![Do::Release], edit: None }
+            }
+            Doing::Leading(_) => {
+                self.calm = Some(CALM);
+                Deed::default()
             }
             Doing::Cutting(from) if from.distance(at) > 1.0 => cut(scope, from, at),
             _ => Deed::default(),
@@ -171,6 +209,10 @@ impl Hand {
             Doing::Grabbing(_) => {
                 self.calm = Some(CALM);
                 Deed { commands: vec![Do::Release], edit: None }
+            }
+            Doing::Leading(_) => {
+                self.calm = Some(CALM);
+                Deed::default()
             }
             _ => Deed::default(),
         };

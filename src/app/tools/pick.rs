@@ -10,6 +10,8 @@ use crate::sim::PointId;
 const GRIP: f64 = 14.0;
 /// The farthest that the nearest point may be [logical px].
 const REACH: f64 = 12.0;
+/// What the hover force pushed away is within so many of its radii.
+const BEYOND: f64 = 1.1;
 /// A bond is hit so near [logical px].
 const BOND_REACH: f64 = 6.0;
 
@@ -97,8 +99,26 @@ impl Scope<'_> {
         }
         // One body is grabbed, not what lies under it too.
         let body = self.body(nearest.point);
-        points.retain(|point| body.binary_search(point).is_ok());
+        points.retain(|point| body.binary_search(point).is_ok() && !self.is_pinned(*point));
         points
+    }
+
+    /// What the hover force around a pixel has pushed away: of the free point that is nearest within its reach, those that a press on
+    /// it would take. It stands at the edge of the region, or a little beyond.
+    pub(in crate::app) fn pushed(&self, at: DVec2) -> Vec<PointId> {
+        let Some(force) = self.shown.mouse.as_ref().filter(|force| force.track.knots.is_empty()) else {
+            return Vec::new();
+        };
+        let cursor = self.camera.cursor(at.to_array());
+        let (origin, direction) = (DVec3::from(cursor.origin), DVec3::from(cursor.direction));
+        let far = |index: usize| {
+            let from = DVec3::from(self.shown.place(index)) - origin;
+            let across = (from - from.dot(direction) * direction).length();
+            (across <= BEYOND * force.radius).then_some((across, PointId(index as u32)))
+        };
+        let reached = (0..self.shown.point_count()).filter_map(far).filter(|(_, point)| !self.is_pinned(*point));
+        let nearest = reached.min_by(|a, b| a.0.total_cmp(&b.0));
+        nearest.and_then(|(_, point)| self.pixel(point)).map_or_else(Vec::new, |pixel| self.grip(pixel))
     }
 
     /// The triangle that a pixel lies on.

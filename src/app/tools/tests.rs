@@ -12,7 +12,7 @@ use crate::render::Camera;
 use crate::scene::{Scene, gallery};
 use crate::sim::{MouseChange, PointId, Reach};
 
-const SIZE: [u32; 2] = [1000, 700];
+pub(super) const SIZE: [u32; 2] = [1000, 700];
 
 /// A scene as it opens.
 fn opened(name: &str) -> (Shown, Camera, Scene) {
@@ -28,16 +28,16 @@ fn shown(scene: Scene) -> (Shown, Camera, Scene) {
     (shown, camera, scene)
 }
 
-fn scope((shown, camera, _): &(Shown, Camera, Scene)) -> Scope<'_> {
+pub(super) fn scope((shown, camera, _): &(Shown, Camera, Scene)) -> Scope<'_> {
     Scope { shown, camera, scale: 1.0 }
 }
 
-fn pixel(of: &(Shown, Camera, Scene), point: usize) -> DVec2 {
+pub(super) fn pixel(of: &(Shown, Camera, Scene), point: usize) -> DVec2 {
     of.1.screen_from_world(DVec3::from(of.0.place(point))).unwrap().into()
 }
 
 /// The points that a deed grabs.
-fn grabbed(deed: &Deed) -> Vec<PointId> {
+pub(super) fn grabbed(deed: &Deed) -> Vec<PointId> {
     let points = deed.commands.iter().find_map(|command| match command {
         Do::Grab(Reach::Points(points)) => Some(points.clone()),
         _ => None,

@@ -1,0 +1,190 @@
+//! Presses on worlds that run, at the strengths that the scenes have: what was pushed away, pins, cloth in space.
+#![allow(clippy::unwrap_used, clippy::panic, reason = "a test that cannot go on stops")]
+
+use glam::{DVec2, DVec3};
+
+use super::tests::{SIZE, grabbed, pixel, scope};
+use super::{Hand, PinWay};
+use crate::app::opening;
+use crate::app::player::{Note, Order, Shown, Stage};
+use crate::history::{Do, History};
+use crate::render::Camera;
+use crate::scene::{Scene, gallery};
+use crate::sim::{Cursor, PointId};
+
+/// A scene that is played.
+struct Played {
+    stage: Stage,
+    hand: Hand,
+    /// What is drawn.
+    seen: (Shown, Camera, Scene),
+}
+
+impl Played {
+    fn new(scene: Scene) -> Self {
+        let mut stage = Stage::new(scene.clone().into()).unwrap();
+        let mut shown = Shown::default();
+        stage.show(&mut shown);
+        let camera = opening::camera(&scene, &shown.view(), SIZE);
+        let mut hand = Hand::default();
+        hand.set_strength(scene.mouse_force().map(|force| force.strength));
+        Played { stage, hand, seen: (shown, camera, scene) }
+    }
+
+    fn named(name: &str) -> Self {
+        Played::new(gallery().iter().find(|entry| entry.name == name).unwrap().scene().unwrap())
+    }
+
+    fn text(text: &str) -> Self {
+        Played::new(Scene::parse(text, "x.json").unwrap())
+    }
+
+    /// A frame with the cursor at a pixel.
+    fn frame(&mut self, at: DVec2) {
+        let cursor = Some(self.seen.1.cursor(at.to_array()));
+        let note = self.stage.obey(Order::Advance { wall: 1.0 / 60.0, cursor, back: false });
+        assert_eq!(note, None);
+        self.stage.show(&mut self.seen.0);
+    }
+
+    /// The button goes down at a pixel, as the window has it. Returns what is grabbed.
+    fn press(&mut self, at: DVec2) -> Vec<PointId> {
+        let deed = self.hand.press(scope(&self.seen), at);
+        let points = grabbed(&deed);
+        let to = Some(self.seen.1.cursor(at.to_array()));
+        let commands = std::iter::once(Do::Cursor { to, by: None }).chain(deed.commands).collect();
+        assert_eq!(self.stage.obey(Order::Give(commands, deed.edit)), None, "nothing is refused");
+        points
+    }
+
+    /// A pin is led to a pixel, for a frame.
+    fn lead(&mut self, at: DVec2) -> Option<PinWay> {
+        let way = self.hand.lead(scope(&self.seen), at, 0.2);
+        if let Some(PinWay { point, to, goes_on }) = way {
+            assert_eq!(self.stage.obey(Order::LeadPin { point, to, goes_on }), None);
+        }
+        way
+    }
+
+    fn place(&self, point: u32) -> DVec3 {
+        DVec3::from(self.seen.0.place(point as usize))
+    }
+
+    /// Plays until something is so.
+    fn until(&mut self, at: DVec2, mut is_so: impl FnMut(&Self) -> bool) {
+        for _ in 0..2000 {
+            if is_so(self) {
+                return;
+            }
+            self.frame(at);
+        }
+        panic!("it never comes");
+    }
+}
+
+#[test]
+fn what_the_hover_force_holds_off_is_grabbed_all_the_same() {
+    let mut played = Played::text(
+        r#"{"wobble": 1, "gravity": [0, 0], "drag_rate": 20, "points": {"position": [[0, 0]]},
+            "mouse": {"strength": 900, "radius": 0.8}, "view": {"center": [0, 0], "height": 8}}"#,
+    );
+    // Slowly up to it: it flees.
+    let start = pixel(&played.seen, 0);
+    for step in 0..60 {
+        played.frame(start - DVec2::new(90.0 - f64::from(step), 0.0));
+    }
+    let at = start - DVec2::new(30.0, 0.0);
+    assert!(pixel(&played.seen, 0).distance(at) > 20.0, "it is out of reach of the press itself");
+    played.until(at, |played| pixel(&played.seen, 0).distance(at) > 60.0);
+    assert_eq!(played.press(at), [PointId(0)]);
+    played.until(at, |played| pixel(&played.seen, 0).distance(at) < 2.0);
+    let far = at + DVec2::new(-300.0, 0.0);
+    played.hand.release(scope(&played.seen), at);
+    assert_eq!(played.press(far), [], "what is out of the circle is not meant");
+}
+
+#[test]
+fn bodies_are_grabbed_at_the_scenes_own_strengths() {
+    for (name, point) in [("rim", 3), ("rope", 900), ("ring", 40), ("net", 5050)] {
+        let mut played = Played::named(name);
+        let at = pixel(&played.seen, point);
+        for step in 0..12 {
+            played.frame(at + DVec2::new(60.0 - 5.0 * f64::from(step), 0.0));
+        }
+        let points = played.press(at);
+        assert!(!points.is_empty(), "{name}");
+        let away = at + DVec2::new(0.0, -40.0);
+        let before = played.stage.history().world().time();
+        played.until(away, |played| played.stage.history().world().time() > before);
+        let grab = played.seen.0.grab.clone().unwrap();
+        assert_eq!(grab.points.len(), points.len(), "{name}");
+        assert!(DVec3::from(grab.force).length() > 0.0, "{name} is led");
+    }
+}
+
+#[test]
+fn a_pin_that_is_pressed_on_is_led_as_one_edit_and_bears_its_load() {
+    // Twenty points hang from one: far more than a grab of it could hold.
+    let text = r#"{"wobble": 1, "bodies": [{"make": "rope", "count": 21, "to": [0, -2], "pinned": [0]}],
+        "view": {"center": [0, 0], "height": 8}}"#;
+    let mut played = Played::text(text);
+    let at = pixel(&played.seen, 0);
+    assert_eq!(played.press(at), [], "it is no grab");
+    assert!(played.hand.is_leading());
+    assert_eq!(played.lead(at + DVec2::new(1.0, 0.0)), None, "a click moves no pin");
+    let to = at + DVec2::new(100.0, -50.0);
+    let first = played.lead(0.5 * (at + to)).unwrap();
+    assert!(!first.goes_on);
+    for _ in 0..3 {
+        played.frame(to);
+    }
+    assert!(played.lead(to).unwrap().goes_on);
+    played.hand.release(scope(&played.seen), to);
+    assert!(!played.hand.is_busy());
+    let goal = played.seen.1.world_from_screen(to.to_array());
+    played.until(to, |played| played.place(0).distance(goal) < 1e-9);
+    assert!(played.place(20).distance(goal) < 2.01, "the rope still hangs on it");
+    let recording = played.stage.history().recording();
+    let mut again = History::new(recording.into()).unwrap();
+    while again.world().time() < played.stage.history().world().time() {
+        again.step();
+    }
+    let hash = |history: &History| crate::history::hash_now(history.world(), history.world().time());
+    assert_eq!(hash(&again), hash(played.stage.history()), "a file leads it as the hand did");
+    let Some(Note::Undone(name, _)) = played.stage.obey(Order::Undo(None)) else { panic!("nothing undone") };
+    assert_eq!(name, "move a pin");
+    played.stage.show(&mut played.seen.0);
+    assert_eq!(played.place(0), DVec3::ZERO, "one undo for all of its way");
+}
+
+#[test]
+fn a_cloth_in_space_is_picked_by_the_ray_and_led_in_the_view_plane() {
+    let text = std::fs::read_to_string("tests/files/cloth-space.json").unwrap();
+    let mut played = Played::text(&text);
+    let point = played.seen.0.point_count() as u32 / 2;
+    let at = pixel(&played.seen, point as usize);
+    let points = played.press(at);
+    assert!(points.contains(&PointId(point)) || !points.is_empty());
+    let Cursor { direction, .. } = played.seen.1.cursor(at.to_array());
+    let to = at + DVec2::new(60.0, 30.0);
+    let middle = |played: &Played| DVec3::from(played.seen.0.grab.as_ref().unwrap().middle);
+    played.frame(at);
+    let before = middle(&played);
+    let pixel_of = |played: &Played| DVec2::from(played.seen.1.screen_from_world(middle(played)).unwrap());
+    played.until(to, |played| pixel_of(played).distance(to) < 3.0);
+    let along = (middle(&played) - before).dot(DVec3::from(direction));
+    assert!(along.abs() < 0.1 * middle(&played).distance(before), "it stays as deep: {along}");
+    // A pin of it, led in the same plane.
+    played.hand.release(scope(&played.seen), to);
+    played.stage.obey(Order::Give(vec![Do::Release], None));
+    let pin = played.seen.0.scenery.pinned[0];
+    let (place, at) = (played.place(pin.0), pixel(&played.seen, pin.index()));
+    played.press(at);
+    let to = at + DVec2::new(40.0, 40.0);
+    let way = played.lead(to).unwrap();
+    let Cursor { direction, .. } = played.seen.1.cursor(at.to_array());
+    let moved = DVec3::from(way.to) - place;
+    assert!(moved.length() > 0.01 && moved.dot(DVec3::from(direction)).abs() < 1e-9 * moved.length());
+    let on_screen = DVec2::from(played.seen.1.screen_from_world(DVec3::from(way.to)).unwrap());
+    assert!(on_screen.distance(to) < 1e-3, "{on_screen} {to}");
+}
