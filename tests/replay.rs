@@ -285,16 +285,6 @@ fn a_picture_that_was_drawn_carries_its_scene() {
     assert_eq!(image::open(&out).unwrap().width(), 160);
 }
 
-#[test]
-fn the_readmes_recording_runs() {
-    let readme = include_str!("../README.md");
-    let text_of = readme.split("```json\n").find(|text| text.starts_with("{ \"wobble_recording\"")).unwrap();
-    let folder = tempfile::tempdir().unwrap();
-    let path = file(&folder, "x.json", text_of.split("```").next().unwrap());
-    let start = said(&["replay", text(&path), "--time", "0", "--hash"]);
-    assert_ne!(said(&["replay", text(&path), "--hash"]), start);
-}
-
 /// Resident memory at most so far [kB], where the system tells.
 fn peak_memory() -> Option<u64> {
     let text = std::fs::read_to_string("/proc/self/status").ok()?;

