@@ -87,7 +87,7 @@ impl Energies {
 ///
 /// Accuracy: line integrals along cubics through the places and velocities at both ends of each part of a substep, by Simpson's rule: of
 /// order 4; of large bodies by the midpoint rule over their substeps: of order 2. An impact that the sample time falls into shows
-/// for one substep in the kinetic energy of large bodies, whose velocities are means over it: judge by medians, as [`judge`] does.
+/// for one substep in the kinetic energy of large bodies, whose velocities are means over it: judge by medians, as [`judge()`] does.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Ledger {
     /// Time [s].
