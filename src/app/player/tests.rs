@@ -226,7 +226,7 @@ fn what_was_erased_comes_back_to_where_it_was_and_no_cursor_of_the_log_pushes_it
     stage.obey(Order::Give(click, None));
     stage.obey(Order::Give(vec![Do::Delete(keys)], Some("delete")));
     frame(&mut stage, far);
-    assert!(matches!(stage.obey(Order::Undo(None)), Some(super::Note::Undone(..))));
+    assert!(matches!(stage.obey(Order::Undo(far)), Some(super::Note::Undone(..))));
     for _ in 0..5 {
         frame(&mut stage, far);
     }
