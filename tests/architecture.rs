@@ -375,7 +375,36 @@ fn the_page_draws_both_tables() {
     for drawing in [drawing(&rooms()), drawing(&SIM)] {
         assert!(page.contains(&format!("```\n{drawing}\n```")), "ARCHITECTURE.md should draw:\n{drawing}");
     }
-    for (room, ..) in ROOMS {
-        assert!(page.contains(&format!("| `{room}` |")), "{room} is not in the list of rooms");
+    let listed: Vec<(String, Vec<String>)> =
+        page.lines().skip_while(|line| !line.starts_with("| room |")).skip(2).map_while(row).collect();
+    let mut expected: Vec<&str> = ROOMS.iter().map(|(room, ..)| *room).collect();
+    let mut found: Vec<&str> = listed.iter().map(|(room, _)| room.as_str()).collect();
+    expected.sort_unstable();
+    found.sort_unstable();
+    assert_eq!(found, expected, "the rooms that ARCHITECTURE.md lists");
+    for (room, may, _) in ROOMS {
+        let (_, named) = listed.iter().find(|(name, _)| name == room).unwrap();
+        let mut may = may.to_vec();
+        may.sort_unstable();
+        assert_eq!(named, &may, "what ARCHITECTURE.md says that {room} may name");
     }
+}
+
+/// A room of the page's list and the rooms that it may name, in the order of the alphabet.
+fn row(line: &str) -> Option<(String, Vec<String>)> {
+    let cells: Vec<&str> = line.strip_prefix("| `")?.trim_end_matches(" |").split(" | ").collect();
+    let (room, may) = (cells[0].trim_end_matches('`').to_owned(), *cells.last()?);
+    let quoted = |text: &str| text.split('`').skip(1).step_by(2).map(str::to_owned).collect::<Vec<String>>();
+    let all = || rooms().iter().map(|(name, _)| (*name).to_owned()).filter(|name| *name != room).collect::<Vec<_>>();
+    let mut named: Vec<String> = match may {
+        "nothing else" => Vec::new(),
+        "all" => all(),
+        _ if may.starts_with("all but ") => {
+            let without = quoted(may);
+            all().into_iter().filter(|name| !without.contains(name)).collect()
+        }
+        _ => quoted(may),
+    };
+    named.sort_unstable();
+    Some((room, named))
 }

@@ -46,6 +46,7 @@ fn steps(world: &mut dyn Dynamics, seconds: f64) {
 }
 
 fn now(world: &dyn Dynamics) -> Sample {
+    assert!(world.is_finite(), "the motion left the finite numbers");
     world.sample(world.time())
 }
 

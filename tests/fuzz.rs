@@ -16,6 +16,8 @@ mod pictures;
 mod recordings;
 #[path = "fuzz/scenes.rs"]
 mod scenes;
+#[path = "fuzz/soak.rs"]
+mod soak;
 
 /// Counts the bytes on the heap.
 #[global_allocator]

@@ -18,6 +18,8 @@ mod physics;
 mod program;
 #[path = "large/recognition.rs"]
 mod recognition;
+#[path = "large/sizes.rs"]
+mod sizes;
 #[path = "large/steady.rs"]
 mod steady;
 #[path = "large/violence.rs"]

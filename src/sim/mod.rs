@@ -53,6 +53,6 @@ pub use plan_part::PlanPart;
 pub use real::{Positions, Precision, Real};
 pub use saved::{Saved, SavedWorld};
 pub use solver::{Order, Solver};
-pub use threads::{ThreadsInUse, use_threads};
+pub use threads::{ThreadsInUse, shared_passes, use_threads};
 pub use world::saved::resume;
 pub use world::{World, build};

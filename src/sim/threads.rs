@@ -26,6 +26,14 @@ thread_local! {
     static IS_HELPED: Cell<bool> = const { Cell::new(false) };
     /// How often this thread waited for others, and how often they were late.
     static WAITS: Cell<[u32; 2]> = const { Cell::new([0; 2]) };
+    /// Passes that this thread has shared.
+    static SHARED: Cell<u64> = const { Cell::new(0) };
+}
+
+/// How many passes over large bodies this thread has shared with others so far: it proves that what runs alike on any number of
+/// threads ran on more than one. No result depends on it.
+pub fn shared_passes() -> u64 {
+    SHARED.get()
 }
 
 /// Threads are in use already.
@@ -136,6 +144,7 @@ pub(crate) fn with_each_in<T: Send, R: Send>(
     let mut parts: Vec<T> = parts.into_iter().collect();
     let (count, shares) = (parts.len(), rayon::current_num_threads().min(parts.len()).max(1));
     all(shares);
+    SHARED.set(SHARED.get() + u64::from(shares > 1));
     let left = AtomicUsize::new(shares - 1);
     rayon::scope(|scope| {
         let (does, left) = (&does, &left);

@@ -3,10 +3,13 @@
 use wobble::sim::{Bond, BondKind, Dynamics, Model, PointId, Sample};
 
 /// Runs substeps until `t` lies in the next one, and samples there.
+///
+/// What is no number would pass for the least of all errors, so it is looked for here.
 pub fn run_to(world: &mut dyn Dynamics, t: f64) -> Sample {
     while world.time() + world.substep() <= t + 1e-12 {
         world.step();
     }
+    assert!(world.is_finite(), "the motion left the finite numbers before {t} s");
     world.sample(t.max(world.time()))
 }
 

@@ -18,7 +18,7 @@ const SLOW: f64 = 5.0;
 const ENOUGH: usize = 20;
 
 /// The heap is counted for the whole program, so that one test at a time has it.
-static TURN: Mutex<()> = Mutex::new(());
+pub(crate) static TURN: Mutex<()> = Mutex::new(());
 
 /// What is tried.
 pub(crate) struct Trial {
@@ -29,7 +29,8 @@ pub(crate) struct Trial {
     pub(crate) most_bytes: usize,
 }
 
-fn number(variable: &str) -> Option<u64> {
+/// A number of the environment.
+pub(crate) fn number(variable: &str) -> Option<u64> {
     std::env::var(variable).ok().map(|text| text.parse().unwrap())
 }
 
@@ -91,6 +92,9 @@ fn run_all(trial: &Trial, cases: std::ops::Range<u64>, now: &AtomicU64, case: &i
         let seconds = start.elapsed().as_secs_f64();
         if seconds > SLOW {
             found.slow.push((number, seconds));
+        }
+        if number % 10_000 == 9_999 {
+            eprintln!("{}: to {number}: {:?}, failed: {:?}", trial.name, found.ended, found.failed);
         }
         if found.failed.len() >= ENOUGH {
             break;

@@ -276,6 +276,8 @@ pub(crate) fn frames(world: &mut dyn Dynamics, count: usize, mut look: impl FnMu
         while world.time() + 0.5 * world.substep() < end {
             world.step();
         }
+        // What is no number would pass for the least of all errors.
+        assert!(world.is_finite(), "the motion left the finite numbers before {end} s");
         look(&world.sample(world.time()));
     }
     world.sample(world.time())

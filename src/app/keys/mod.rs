@@ -116,6 +116,34 @@ mod tests {
         }
     }
 
+    /// A stroke as it is printed.
+    fn printed(stroke: Stroke) -> String {
+        let upper = |letter: &str| letter.to_uppercase();
+        match stroke {
+            Stroke::Named(NamedKey::PageUp) => "PgUp".to_owned(),
+            Stroke::Named(NamedKey::PageDown) => "PgDn".to_owned(),
+            Stroke::Named(NamedKey::Delete) => "Del".to_owned(),
+            Stroke::Named(NamedKey::Escape) => "Esc".to_owned(),
+            Stroke::Named(name) => format!("{name:?}"),
+            Stroke::Writes("{") => "Shift+[".to_owned(),
+            Stroke::Writes("}") => "Shift+]".to_owned(),
+            Stroke::Writes(letter) => upper(letter),
+            Stroke::Ctrl(letter) => format!("Ctrl+{}", upper(letter)),
+            Stroke::CtrlShift(letter) => format!("Ctrl+Shift+{}", upper(letter)),
+        }
+    }
+
+    #[test]
+    fn keys_are_printed_as_they_are_pressed() {
+        for binding in TABLE {
+            let strokes: Vec<String> = binding.strokes.iter().map(|&(stroke, _)| printed(stroke)).collect();
+            let keys: Vec<&str> = binding.keys.split(", ").collect();
+            // A comma is a key too.
+            let keys = if binding.keys == "," { vec![","] } else { keys };
+            assert_eq!(keys, strokes, "{}", binding.words);
+        }
+    }
+
     #[test]
     fn the_readme_has_the_table() {
         let readme = include_str!("../../../README.md");

@@ -1,7 +1,4 @@
 //! The gallery's rim: it stands, a quick pass of the mouse dents it, and it recovers.
-#![allow(clippy::unwrap_used, reason = "a test that cannot go on stops")]
-
-mod common;
 
 use wobble::scene::Scene;
 use wobble::scene::record::record;
@@ -21,7 +18,7 @@ fn dent(sample: &Sample) -> f64 {
 #[test]
 fn the_rim_stands_is_dented_by_a_third_and_recovers() {
     // The mouse comes from far away at 8 s and goes through the rim, from wall to wall, at 8 m/s.
-    let text = include_str!("../assets/scenes/rim.json").replace(
+    let text = include_str!("../../assets/scenes/rim.json").replace(
         "\"radius\": 1 }",
         "\"radius\": 1, \"track\": [[0, -50, 50], [7.999, -50, 50], [8, -5, -2], [9.25, 5, -2], [9.251, 50, 50]] }",
     );

@@ -1,12 +1,9 @@
 //! Points, ropes and bodies among polygons: against closed forms, against planes that are the same, and at speeds at which a
 //! wall is thinner than a substep's way.
-#![allow(clippy::unwrap_used, clippy::panic, reason = "a test that cannot go on stops")]
-
-mod common;
 
 use std::path::{Path, PathBuf};
 
-use common::physics::{run_to, spring};
+use super::common::physics::{run_to, spring};
 use wobble::picture::{Picture, encode};
 use wobble::scene::Scene;
 use wobble::sim::{Bond, Bounds, Dynamics, Method, Model, Plane, PointId, Polygon, Sample, Solver, World};

@@ -1,9 +1,6 @@
 //! Bonds that get taut, go slack or break do so at their moment, not at the end of a substep: against closed forms.
-#![allow(clippy::unwrap_used, reason = "a test that cannot go on stops")]
 
-mod common;
-
-use common::physics::{run_to, spring};
+use super::common::physics::{run_to, spring};
 use wobble::search::search;
 use wobble::sim::{Bond, BondKind, Dynamics, Limit, Method, Model, PointId, Sample, Solver, World};
 

@@ -1,9 +1,6 @@
 //! Points that rest, slide and pass from one surface to another: against closed forms, at any substep.
-#![allow(clippy::unwrap_used, reason = "a test that cannot go on stops")]
 
-mod common;
-
-use common::physics::{run_to, spring};
+use super::common::physics::{run_to, spring};
 use wobble::sim::{Bounds, Method, Model, Plane, PointId, Sample, Solver, World};
 
 const G: f64 = 9.81;

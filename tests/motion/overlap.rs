@@ -1,9 +1,6 @@
 //! Bodies that start inside obstacles: each is moved out as a whole, and nothing is crushed or thrown.
-#![allow(clippy::unwrap_used, clippy::panic, reason = "a test that cannot go on stops")]
 
-mod common;
-
-use common::physics::{run_to, spring};
+use super::common::physics::{run_to, spring};
 use wobble::sim::{Bond, Bounds, Dynamics, Model, Plane, PointId, Polygon, Sample, World};
 
 fn rectangle([left, low]: [f64; 2], [right, high]: [f64; 2]) -> Vec<[f64; 2]> {

@@ -1,9 +1,6 @@
 //! Violent, contradictory and degenerate scenes: they stay finite, keep what can be kept, and say what cannot.
-#![allow(clippy::unwrap_used, reason = "a test that cannot go on stops")]
 
-mod common;
-
-use common::physics::{run_to, spring};
+use super::common::physics::{run_to, spring};
 use wobble::equilibrium::settle;
 use wobble::sim::{Bond, BondKind, Bounds, Dynamics, Limit, Method, Model, Plane, PointId, Solver, Track, World};
 

@@ -1,9 +1,6 @@
 //! What undamped motion must keep: energy without drift, momentum, the phase of an oscillation.
-#![allow(clippy::unwrap_used, reason = "a test that cannot go on stops")]
 
-mod common;
-
-use common::physics::{angular_momentum, momentum, rim, run_to, spring};
+use super::common::physics::{angular_momentum, momentum, rim, run_to, spring};
 use wobble::equilibrium::settle;
 use wobble::sim::{Bond, BondKind, Dynamics, Method, Model, PointId, Solver, World};
 
