@@ -306,6 +306,33 @@ fn numbers_of_a_state_that_do_not_fit_what_has_them_are_refused() {
 }
 
 #[test]
+fn a_state_under_another_scene_is_refused_where_points_do_not_fit_and_said_otherwise() {
+    let folder = tempfile::tempdir().unwrap();
+    let mut history = rim();
+    steps(&mut history, 5);
+    let mut whole = Vec::new();
+    history.snapshot().unwrap().write_json(&mut whole).unwrap();
+    let whole: Value = serde_json::from_slice(&whole).unwrap();
+    let under = |scene: Value| {
+        let mut other = whole.clone();
+        other["scene"] = scene;
+        file(&folder, "x.json", other.to_string())
+    };
+    let line = refused(&["replay", text(&under("spring-damper".into())), "--hash"]);
+    assert!(line.contains("state: is of a scene of 24 points, and this has 10"), "{line}");
+    let told = |scene: Value| {
+        let output = run(&["replay", text(&under(scene)), "--hash"]);
+        assert!(output.status.success());
+        String::from_utf8(output.stderr).unwrap()
+    };
+    let mut renamed = whole["scene"].clone();
+    renamed["name"] = "wheel".into();
+    let note = told(renamed);
+    assert!(note.contains("its state is of the scene `rim` and goes on under `wheel`"), "{note}");
+    assert_eq!(told(whole["scene"].clone()), "");
+}
+
+#[test]
 fn a_strain_that_was_not_kept_is_said_of_worlds_that_are_led_too() {
     let folder = tempfile::tempdir().unwrap();
     let net = |strain: f64| {

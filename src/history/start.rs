@@ -81,7 +81,7 @@ impl Recording {
     }
 
     /// What is to be known of a recording that another version made: that its motion is worked out anew, and what of its state is
-    /// taken. Empty: it is ours, and comes to the same bits.
+    /// taken; that its state is of another scene. Empty: it is ours, and comes to the same bits.
     pub fn notes(&self) -> Vec<String> {
         let ours = env!("CARGO_PKG_VERSION");
         let mut notes = Vec::new();
@@ -93,6 +93,10 @@ impl Recording {
         if let Some(layout) = self.state.as_ref().and_then(state::layout).filter(other) {
             let taken = "positions, velocities, bonds and time are taken, all else is as at the start of the scene";
             notes.push(format!("its state has layout {layout}, which this version does not know: {taken}"));
+        }
+        let of = self.state.as_ref().and_then(state::scene);
+        if let Some((of, here)) = of.zip(self.scene.name.as_deref()).filter(|(of, here)| of != here) {
+            notes.push(format!("its state is of the scene `{of}` and goes on under `{here}`"));
         }
         notes
     }
@@ -107,7 +111,7 @@ impl Recording {
             Entry { at, act: Do::Group { points, name }, edit: None, name: None }
         };
         let commands = frame.dress.groups(&*frame.world).into_iter().map(group).collect();
-        let state = Some(state::keep(frame)?);
+        let state = Some(state::keep(frame, scene.name.as_deref())?);
         Ok(Recording { state, commands, end: Some(at), ..scene.clone().into() })
     }
 

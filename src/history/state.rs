@@ -38,12 +38,16 @@ pub(super) fn pack(frame: &Frame, compression: Compression) -> Result<Vec<u8>, S
     packed.write_all(&bytes).and_then(|()| packed.finish()).map_err(|error| error.to_string())
 }
 
-/// The state of a frame as a file has it.
+/// The state of a frame as a file has it; `scene` is what its scene is called, if it has a name.
 ///
 /// Errors: in words, why it cannot be kept.
-pub(super) fn keep(frame: &Frame) -> Result<Value, String> {
+pub(super) fn keep(frame: &Frame, scene: Option<&str>) -> Result<Value, String> {
     let data = text(&pack(frame, Compression::default())?);
-    Ok(json!({ "wobble": env!("CARGO_PKG_VERSION"), "layout": LAYOUT, "data": data }))
+    let mut state = json!({ "wobble": env!("CARGO_PKG_VERSION"), "layout": LAYOUT, "data": data });
+    if let Some(scene) = scene {
+        state["scene"] = scene.into();
+    }
+    Ok(state)
 }
 
 /// Packed bytes as a text has them.
@@ -56,6 +60,11 @@ pub(super) fn version(state: &Value) -> Option<&str> {
     state.get("wobble").and_then(Value::as_str)
 }
 
+/// What the scene is called that a state is of, if it says so.
+pub(super) fn scene(state: &Value) -> Option<&str> {
+    state.get("scene").and_then(Value::as_str)
+}
+
 /// How a state is laid out.
 pub(super) fn layout(state: &Value) -> Option<u64> {
     state.get("layout").and_then(Value::as_u64)
@@ -64,7 +73,7 @@ pub(super) fn layout(state: &Value) -> Option<u64> {
 /// The world of a file goes on, with the skins that came after the start put on `dress`. `start`: the world at the start of its scene, from
 /// which a state of another layout takes all but positions, velocities, bonds and time.
 ///
-/// Errors: in words, what of it is damaged or unknown, or has other dimensions than the start.
+/// Errors: in words, what of it is damaged or unknown, or has other dimensions or points than the start.
 pub(super) fn go_on(state: &Value, start: &dyn Dynamics, dress: &mut Dress) -> Result<Box<dyn Dynamics>, String> {
     let layout = layout(state).ok_or("state: the key `layout` is missing")?;
     if layout < FIRST_WITH_CORE {
@@ -75,10 +84,16 @@ pub(super) fn go_on(state: &Value, start: &dyn Dynamics, dress: &mut Dress) -> R
     let mut rest = &bytes[..];
     let saved = if layout == LAYOUT {
         let saved = SavedWorld::take(&mut rest).ok_or_else(damaged)?;
-        let points = match &saved {
-            SavedWorld::Plane(saved) => saved.model.position.len(),
-            SavedWorld::Space(saved) => saved.model.position.len(),
+        let (points, of_scene) = match &saved {
+            SavedWorld::Plane(saved) => (saved.model.position.len(), saved.scene_points),
+            SavedWorld::Space(saved) => (saved.model.position.len(), saved.scene_points),
         };
+        let here = start.point_count();
+        if of_scene != here {
+            let message =
+                format!("state: is of a scene of {of_scene} points, and this has {here}: name the one it is of");
+            return Err(message);
+        }
         dress.take_added(&mut rest, points).filter(|()| rest.is_empty()).ok_or_else(damaged)?;
         saved
     } else {
