@@ -119,13 +119,7 @@ impl<S: Real, const D: usize> World<S, D> {
         let [planes, polygons] = &self.numbers.obstacles;
         let is_meant = |number: &u32| obstacles.contains(number);
         Model {
-            planes: model
-                .planes
-                .iter()
-                .zip(planes)
-                .filter(|(_, n)| is_meant(n))
-                .map(|(plane, _)| plane.clone())
-                .collect(),
+            planes: model.planes.iter().zip(planes).filter(|(_, n)| is_meant(n)).map(|(plane, _)| *plane).collect(),
             polygons: model
                 .polygons
                 .iter()
