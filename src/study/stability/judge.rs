@@ -3,6 +3,7 @@
 use serde::Serialize;
 
 use super::run::{Ended, Findings};
+use crate::sim::ledger::{MOST_GAIN, MOST_LOSS};
 
 /// What is wrong with a run.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize)]
@@ -75,8 +76,8 @@ impl Fault {
             Fault::NotFinite => ("not finite [0 or 1]", 0.0),
             Fault::TooDear | Fault::Slow => ("counted work a simulated second [s]", MOST_RATE),
             Fault::TooLong => ("stopped by the clock [0 or 1]", 0.0),
-            Fault::Gain => ("energy above start and work, of the largest so far", MOST_GAIN),
-            Fault::Loss => ("energy missing, of the largest so far", MOST_LOSS),
+            Fault::Gain => ("energy from nowhere, of the largest kinetic so far", MOST_GAIN),
+            Fault::Loss => ("energy gone without a reason in 10 s, of the largest kinetic so far", MOST_LOSS),
             Fault::Strain => ("largest strain of a rigid bond", MOST_STRAIN),
             Fault::Inverted => ("triangles inside out at the end, of all", MOST_INVERTED),
             Fault::Through => ("deepest point behind a surface [m]", MOST_DEPTH),
@@ -92,7 +93,7 @@ impl Fault {
             Fault::NotFinite => f64::from(u8::from(found.ended == Ended::NotFinite)),
             Fault::TooDear | Fault::Slow => found.work_rate,
             Fault::TooLong => f64::from(u8::from(found.ended == Ended::OutOfTime)),
-            Fault::Gain => found.gain,
+            Fault::Gain => found.gain.unwrap_or(0.0),
             Fault::Loss => found.loss.unwrap_or(0.0),
             Fault::Strain => found.strain,
             Fault::Inverted => found.inverted,
@@ -122,12 +123,6 @@ impl Fault {
     }
 }
 
-/// Energy above what was there and was brought, as a share of the largest kinetic and elastic energy so far [1].
-const MOST_GAIN: f64 = 0.01;
-/// The same where the work of the mouse is estimated from ends of steps.
-const MOST_PUSHED_GAIN: f64 = 0.25;
-/// Energy that is missing without a reason [1].
-const MOST_LOSS: f64 = 0.05;
 /// Strain of rigid bonds in any frame [1].
 const MOST_STRAIN: f64 = 0.05;
 /// Share of triangles that are inside out at the end [1].
@@ -144,11 +139,9 @@ const MOST_RATE: f64 = 0.5;
 const MOST_FRAME: f64 = 8.0;
 
 /// What is wrong with a run, ascending.
-pub(super) fn faults(found: &Findings, is_pushed: bool) -> Vec<Fault> {
-    let most_gain = if is_pushed { MOST_PUSHED_GAIN } else { MOST_GAIN };
+pub(super) fn faults(found: &Findings) -> Vec<Fault> {
     let is_there = |fault: &Fault| match fault {
         Fault::TooDear => found.ended == Ended::OutOfWork,
-        Fault::Gain => found.gain > most_gain,
         other => other.measured(found) > other.figure().1,
     };
     Fault::ALL.into_iter().filter(is_there).collect()

@@ -9,7 +9,6 @@
 
 pub mod battery;
 mod causes;
-mod energy;
 mod friction;
 mod judge;
 mod page;
@@ -54,6 +53,8 @@ pub struct StabilitySettings {
     pub is_quick: bool,
     /// How many of the worst scenes are kept.
     pub kept: usize,
+    /// Whether times come from a run of their own, without the ledger that energy is judged by.
+    pub is_timed_apart: bool,
 }
 
 /// Cases of a study.
@@ -75,6 +76,7 @@ impl StabilitySettings {
             case_seconds: if is_quick { 0.5 } else { battery::SECONDS },
             is_quick,
             kept: 20,
+            is_timed_apart: !is_quick,
         }
     }
 }
@@ -101,7 +103,7 @@ pub struct Judged {
 
 /// Runs a subject within bounds and judges it.
 pub fn judge(subject: &Subject, bounds: Bounds) -> Judged {
-    let (found, timing) = run::run(subject, bounds);
+    let (found, timing) = run::run(subject, bounds, true);
     let Subject { name, family, case, causes, .. } = subject.clone();
     Judged { name, family, case, causes, found, timing, kept: None }
 }
@@ -198,7 +200,12 @@ impl<E> Study<'_, E> {
     }
 
     fn take(&mut self, subject: &Subject, report: &mut StabilityReport) -> Result<(), E> {
-        report.judged.push(judge(subject, self.settings.case_bounds));
+        let bounds = self.settings.case_bounds;
+        let mut judged = judge(subject, bounds);
+        if self.settings.is_timed_apart {
+            judged.timing = run::run(subject, bounds, false).1;
+        }
+        report.judged.push(judged);
         (self.keep)(report)
     }
 }

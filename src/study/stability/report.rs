@@ -123,7 +123,7 @@ fn sweeps(runs: &[SweepRun], to: &mut dyn Write) -> std::io::Result<()> {
             number(*value),
             outcome.name().to_owned(),
             names(&found.faults),
-            number(found.gain),
+            maybe(found.gain),
             maybe(found.loss),
             number(found.strain),
             number(found.depth),
@@ -199,10 +199,8 @@ fn cases(judged: &[Judged], to: &mut dyn Write) -> std::io::Result<()> {
         table.write_field(found.bonds.to_string())?;
         table.write_field(ended(&found.ended))?;
         table.write_field(names(&found.faults))?;
-        let loss = found.loss.unwrap_or(f64::NAN);
-        for value in
-            [found.simulated, found.work_rate, found.worst_work_ms, found.gain, loss, found.strain, found.inverted]
-        {
+        let [gain, loss] = [found.gain, found.loss].map(|share| share.unwrap_or(f64::NAN));
+        for value in [found.simulated, found.work_rate, found.worst_work_ms, gain, loss, found.strain, found.inverted] {
             table.write_field(if value.is_nan() { String::new() } else { number(value) })?;
         }
         table.write_field(found.crossings.to_string())?;

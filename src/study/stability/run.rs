@@ -5,16 +5,15 @@ use std::time::Instant;
 
 use serde::Serialize;
 
-use super::energy::Energy;
 use super::friction::Friction;
 use super::judge::{Fault, faults};
 use super::shape::Shape;
 use super::subject::{Rest, Subject};
 use super::surfaces::Surfaces;
-use crate::history::{Do, Entry, HistoryError, Replay};
+use crate::history::{HistoryError, Replay};
 use crate::scene::frames::{Frames, next_close};
 use crate::scene::record::RecordedFrames;
-use crate::sim::{BondKind, Counters, Dynamics, Limit, Sample};
+use crate::sim::{BondKind, Counters, Dynamics, Ledger, Limit, Sample, judge};
 
 /// When a run is given up.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
@@ -54,9 +53,9 @@ pub struct Findings {
     pub bonds: usize,
     /// What moved it: the solvers of its parts.
     pub path: String,
-    /// Energy above what was there and was brought, as a share of the largest kinetic and elastic energy so far [1].
-    pub gain: f64,
-    /// The same of what is missing; `None` where something takes energy.
+    /// Energy that came from nowhere, as a share of the largest kinetic energy so far [1]; `None` where its ledger cannot tell.
+    pub gain: Option<f64>,
+    /// The same of what went without a reason within 10 s.
     pub loss: Option<f64>,
     /// Largest strain of a rigid bond in any frame [1].
     pub strain: f64,
@@ -125,10 +124,12 @@ pub struct Timing {
     pub frames: RecordedFrames,
 }
 
-/// Runs a subject.
-pub(super) fn run(subject: &Subject, bounds: Bounds) -> (Findings, Timing) {
+/// Runs a subject, with the ledger that energy is judged by, or without, which takes less time.
+pub(super) fn run(subject: &Subject, bounds: Bounds, has_ledger: bool) -> (Findings, Timing) {
     let shape = Shape::of(&subject.recording.scene);
-    let replay = Replay::new(&subject.recording, &subject.name);
+    let mut recording = subject.recording.clone();
+    recording.scene.method.ledger = Some(has_ledger);
+    let replay = Replay::new(&recording, &subject.name);
     match (shape, replay) {
         (Ok(shape), Ok(replay)) => Drive::new(subject, shape, replay).finish(bounds),
         (Err(error), _) => refused(error.message),
@@ -144,7 +145,7 @@ fn refused(reason: String) -> (Findings, Timing) {
         points: 0,
         bonds: 0,
         path: String::new(),
-        gain: 0.0,
+        gain: None,
         loss: None,
         strain: 0.0,
         inverted: 0.0,
@@ -171,13 +172,12 @@ struct Drive<'a> {
     refused: u32,
     /// When each step ended [s], what it took [s], and its counted work [ms].
     steps: Vec<(f64, f64, f64)>,
-    energy: Energy,
+    /// The ledger at the start and at the end of every frame.
+    ledger: Vec<Ledger>,
     friction: Friction,
     shape: Shape,
     surfaces: Surfaces,
     start: Vec<[f64; 3]>,
-    /// Where all were at the start of the step, where something pushes.
-    before: Vec<[f64; 3]>,
     strain: f64,
     depth: f64,
     moved: f64,
@@ -186,29 +186,13 @@ struct Drive<'a> {
 impl<'a> Drive<'a> {
     fn new(subject: &'a Subject, shape: Shape, replay: Replay) -> Self {
         let sample = replay.world().sample(replay.world().time());
-        let mut energy = Energy::new(&subject.recording.scene);
-        energy.look(replay.world(), &sample);
+        let ledger = sample.ledger.into_iter().collect();
         let (steps, surfaces) = (Vec::new(), Surfaces::default());
-        let (place, refused, before) = (0, 0, Vec::new());
+        let (place, refused) = (0, 0);
         let (strain, depth, moved) = (0.0, 0.0, 0.0);
         let friction = Friction::of(&subject.recording.scene);
         let start = sample.position;
-        Drive {
-            subject,
-            replay,
-            place,
-            refused,
-            steps,
-            energy,
-            friction,
-            shape,
-            surfaces,
-            start,
-            before,
-            strain,
-            depth,
-            moved,
-        }
+        Drive { subject, replay, place, refused, steps, ledger, friction, shape, surfaces, start, strain, depth, moved }
     }
 
     fn finish(mut self, bounds: Bounds) -> (Findings, Timing) {
@@ -247,7 +231,6 @@ impl<'a> Drive<'a> {
         let commands = &self.subject.recording.commands;
         while let Some(entry) = commands.get(self.place).filter(|entry| self.replay.is_due(entry.at)) {
             match self.replay.follow(self.place, entry) {
-                Ok(()) if is_edit(entry) => self.energy.restart(),
                 Ok(()) => {}
                 Err(_) => self.refused += 1,
             }
@@ -257,21 +240,12 @@ impl<'a> Drive<'a> {
 
     fn step(&mut self) {
         let next = self.subject.recording.commands.get(self.place).map_or(self.subject.duration, |entry| entry.at);
-        let is_pushed = self.energy.follows(self.replay.world());
-        if is_pushed {
-            places(self.replay.world(), &mut self.before);
-        }
         let work = self.replay.world().counters().work_ms();
         let clock = Instant::now();
         self.replay.step(Some(next.min(self.subject.duration)));
         let seconds = clock.elapsed().as_secs_f64();
         let world = self.replay.world();
         self.steps.push((world.time(), seconds, world.counters().work_ms() - work));
-        if is_pushed {
-            let mut after = Vec::new();
-            places(world, &mut after);
-            self.energy.step(world, &self.before, &after);
-        }
     }
 
     /// Looks at the state at the end of a frame; false where it is no state any more.
@@ -284,7 +258,7 @@ impl<'a> Drive<'a> {
         self.strain = self.strain.max(rigid_strain(world, &sample));
         self.depth = self.depth.max(self.surfaces.depth(world, &sample.position));
         self.moved = self.moved.max(furthest(&self.start, &sample.position));
-        self.energy.look(world, &sample);
+        self.ledger.extend(sample.ledger);
         self.friction.look(world, &sample);
         true
     }
@@ -292,7 +266,8 @@ impl<'a> Drive<'a> {
     fn findings(self, ended: Ended, (points, bonds, path): (usize, usize, String)) -> (Findings, Timing) {
         let world = self.replay.world();
         let (sample, simulated) = (world.sample(world.time()), world.time());
-        let (balance, each) = (self.energy.balance(), 1.0 / simulated.max(1e-9));
+        let (energy, each) = (judge(&self.ledger), 1.0 / simulated.max(1e-9));
+        let is_told = energy.is_told && !self.ledger.is_empty();
         let mut frames = Frames::between(0.0, simulated);
         self.steps.iter().for_each(|&(time, seconds, work)| frames.add(time, seconds, work));
         let has_shape = ended != Ended::NotFinite && !self.shape.is_empty();
@@ -302,8 +277,8 @@ impl<'a> Drive<'a> {
             points,
             bonds,
             path,
-            gain: balance.gain,
-            loss: balance.loss,
+            gain: is_told.then_some(energy.gain),
+            loss: is_told.then_some(energy.loss),
             strain: self.strain,
             inverted: if has_shape { self.shape.inverted(&sample.position) } else { 0.0 },
             crossings: if has_shape { self.shape.crossings(&sample.position) } else { 0 },
@@ -321,15 +296,10 @@ impl<'a> Drive<'a> {
             counters: world.counters().into(),
             faults: Vec::new(),
         };
-        found.faults = faults(&found, balance.is_pushed);
+        found.faults = faults(&found);
         let seconds = frames.seconds();
         (found, Timing { seconds, rate: seconds * each, frames: (&frames).into() })
     }
-}
-
-/// Whether a command changes what a world has by more than the force of the mouse.
-fn is_edit(entry: &Entry) -> bool {
-    !matches!(entry.act, Do::Cursor { .. } | Do::Group { .. })
 }
 
 /// The solvers of a world's parts, each once.
@@ -339,16 +309,6 @@ fn path(world: &dyn Dynamics) -> String {
         false => format!("{} of a large body", part.solver.name()),
     };
     world.parts().iter().map(name).collect::<BTreeSet<String>>().into_iter().collect::<Vec<_>>().join(" + ")
-}
-
-/// Where all points are, z = 0 in the plane.
-fn places(world: &dyn Dynamics, to: &mut Vec<[f64; 3]>) {
-    let (positions, axes) = (world.positions(), world.dimensions());
-    to.clear();
-    to.extend(
-        (0..world.point_count())
-            .map(|i| std::array::from_fn(|k| if k < axes { positions.get(i * axes + k) } else { 0.0 })),
-    );
 }
 
 /// Largest strain of the rigid bonds that something can give way for [1].

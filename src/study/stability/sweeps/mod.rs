@@ -65,14 +65,14 @@ impl Outcome {
         match found.ended {
             Ended::Refused(_) => Outcome::Refused,
             Ended::NotFinite | Ended::OutOfWork | Ended::OutOfTime => Outcome::Breaks,
-            Ended::Done if found.gain > DOUBLED || found.strain > 1.0 => Outcome::Breaks,
+            Ended::Done if found.gain.is_some_and(|gain| gain > DOUBLED) || found.strain > 1.0 => Outcome::Breaks,
             Ended::Done if found.faults.iter().any(is_counted) => Outcome::Degrades,
             Ended::Done => Outcome::Holds,
         }
     }
 }
 
-/// Gain, as a share of the largest energy so far, at which the energy has doubled [1].
+/// Gain, as a share of the largest kinetic energy so far, at which half of that came from nowhere [1].
 const DOUBLED: f64 = 0.5;
 
 /// A value of a sweep by a method.
@@ -138,7 +138,7 @@ impl Sweep {
     /// Runs a value by a solver.
     pub(super) fn run(&self, value: f64, solver: SolverName, bounds: Bounds) -> Option<SweepRun> {
         let subject = self.subject(value, solver)?;
-        let (found, _) = run(&subject, bounds);
+        let (found, _) = run(&subject, bounds, true);
         let outcome = Outcome::of(&found, subject.recording.scene.triangles.is_empty());
         Some(SweepRun { sweep: self.name, method: solver.name(), value, outcome, found })
     }
