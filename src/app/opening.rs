@@ -1,9 +1,9 @@
 //! How a scene opens: its camera.
 
-use glam::DVec3;
+use glam::{DVec2, DVec3};
 
 use crate::render::{Camera, Pose, View};
-use crate::scene::Scene;
+use crate::scene::{Scene, Vector, ViewKeys};
 
 /// Width of the pictures that views are made for, in heights: what is seen to both sides there is seen in narrower ones too.
 const MADE_FOR: f64 = 16.0 / 9.0;
@@ -12,13 +12,23 @@ const ROOM: f64 = 1.03;
 
 /// The camera of a scene's `view`; what that leaves out fits the scene.
 pub fn camera(scene: &Scene, seen: &View<'_>, size: [u32; 2]) -> Camera {
+    let [width, tall] = size.map(f64::from);
+    let height = |height: f64, center: DVec2| height_for(height, width / tall, center.x, seen);
+    look(scene.view.as_ref(), height, seen, size)
+}
+
+/// The camera as it stood when something was saved.
+pub fn saved(view: &ViewKeys, seen: &View<'_>, size: [u32; 2]) -> Camera {
+    look(Some(view), |height, _| height, seen, size)
+}
+
+fn look(view: Option<&ViewKeys>, height_at: impl Fn(f64, DVec2) -> f64, seen: &View<'_>, size: [u32; 2]) -> Camera {
     let mut camera = fit(seen, true, size);
-    let Some(view) = &scene.view else { return camera };
-    let [width, tall] = camera.viewport().map(f64::from);
+    let Some(view) = view else { return camera };
     match &mut camera.pose {
         Pose::Plane { center, height } => {
             *center = view.center.map_or(*center, |at| DVec3::from(at.embed()).truncate());
-            *height = view.height.map_or(*height, |height| height_for(height, width / tall, center.x, seen));
+            *height = view.height.map_or(*height, |height| height_at(height, *center));
         }
         Pose::Orbit { target, distance, yaw, pitch } => {
             *target = view.target.map_or(*target, |at| DVec3::from(at.embed()));
@@ -28,6 +38,22 @@ pub fn camera(scene: &Scene, seen: &View<'_>, size: [u32; 2]) -> Camera {
         }
     }
     camera
+}
+
+/// A camera as a file has it.
+pub fn keys(camera: &Camera) -> ViewKeys {
+    match camera.pose {
+        Pose::Plane { center, height } => {
+            ViewKeys { center: Some(Vector::Plane(center.to_array())), height: Some(height), ..ViewKeys::default() }
+        }
+        Pose::Orbit { target, distance, yaw, pitch } => ViewKeys {
+            target: Some(Vector::Space(target.to_array())),
+            distance: Some(distance),
+            yaw: Some(yaw),
+            pitch: Some(pitch),
+            ..ViewKeys::default()
+        },
+    }
 }
 
 /// The height [m] of a picture `aspect` times as wide as high, in which nothing of points and walls is cut off to the sides
@@ -83,4 +109,23 @@ fn surroundings(view: &View<'_>) -> [[f64; 3]; 2] {
         include(&mut corners, corner);
     }
     corners
+}
+
+#[cfg(test)]
+#[allow(clippy::unwrap_used, reason = "a test that cannot go on stops")]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_camera_that_was_saved_is_the_same_again() {
+        let plane = r#"{"wobble": 1, "points": {"position": [[-9, 0], [9, 0]]}}"#;
+        let space = r#"{"wobble": 1, "dimensions": 3, "points": {"position": [[0, 0, 0], [1, 0, 2]]}}"#;
+        for (text, size) in [(plane, [700, 900]), (plane, [1000, 400]), (space, [800, 600])] {
+            let world = Scene::parse(text, "x.json").unwrap().world(None).unwrap();
+            let mut camera = fit(&View::of(&*world), true, size);
+            camera.pan([33.0, -20.0]);
+            camera.zoom_at([200.0, 100.0], 1.7);
+            assert_eq!(saved(&keys(&camera), &View::of(&*world), size).pose, camera.pose, "{size:?}");
+        }
+    }
 }

@@ -179,12 +179,11 @@ fn is_out_of_sight(session: &Session) -> bool {
 
 /// A key went down or up.
 fn press_key(session: &mut Session, event: &KeyEvent, event_loop: &ActiveEventLoop) {
-    let is_pressed = event.state == ElementState::Pressed;
-    let Some(action) = keys::action(&event.logical_key, session.held) else { return };
-    if !is_pressed {
-        return session.let_go_of(action);
+    if event.state == ElementState::Released {
+        return session.down.release(event.physical_key).into_iter().for_each(|action| session.let_go_of(action));
     }
-    let is_writing = session.egui.egui_ctx().text_edit_focused();
+    let Some(action) = keys::action(&event.logical_key, session.held) else { return };
+    let is_writing = session.is_writing();
     // What is written goes into the field; keys with Ctrl are the field's own there, but for those that close or leave.
     if is_writing && !matches!(action, Action::Cancel | Action::Quit | Action::FullScreen | Action::Help) {
         return;
@@ -195,7 +194,10 @@ fn press_key(session: &mut Session, event: &KeyEvent, event_loop: &ActiveEventLo
     match action {
         Action::Quit => event_loop.exit(),
         // A key held down steps on and on, but does not flicker between play and pause.
-        action if !event.repeat || action.repeats() => session.act(action),
+        action if !event.repeat || action.repeats() => {
+            session.down.press(event.physical_key, action);
+            session.act(action);
+        }
         _ => {}
     }
 }

@@ -105,7 +105,8 @@ impl Log {
         let end = head.end.filter(|_| !self.is_cut() || head.is_end_open);
         let marks = if self.is_cut() { Vec::new() } else { head.marks };
         Ok(Some(Recording {
-            scene: Scene { view: head.view.or(scene.view), ..scene },
+            scene: Scene { view: head.view.clone().or(scene.view), ..scene },
+            view: head.view,
             state: head.state,
             commands: Vec::new(),
             end: end.or_else(|| marks.last().map(|mark| mark.at.max(self.last))),

@@ -15,7 +15,7 @@ use super::log::{self, Log};
 use super::mark::Mark;
 use super::state;
 use crate::picture::PNG_MARK;
-use crate::scene::Scene;
+use crate::scene::{Scene, ViewKeys};
 
 /// A start scene and the commands that were given, with their times.
 #[derive(Clone, Debug, PartialEq)]
@@ -28,6 +28,8 @@ pub struct Recording {
     pub commands: Vec<Entry>,
     /// How far it goes [s]: to the last command if not said.
     pub end: Option<f64>,
+    /// What a picture of it shows at first, if not what one of the scene does.
+    pub view: Option<ViewKeys>,
     /// What the motion came to, to be compared with.
     pub marks: Vec<Mark>,
     /// What made it.
@@ -177,7 +179,7 @@ impl From<Scene> for Recording {
     /// The start alone.
     fn from(scene: Scene) -> Self {
         let (commands, marks, about) = (Vec::new(), Vec::new(), About::default());
-        Recording { scene, state: None, commands, end: None, marks, about }
+        Recording { scene, state: None, commands, end: None, view: None, marks, about }
     }
 }
 

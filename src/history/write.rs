@@ -78,6 +78,9 @@ impl Recording {
     /// What stands after the commands.
     fn tail(&self) -> Vec<(&'static str, Value)> {
         let mut tail = vec![("end", self.end().into())];
+        if let Some(view) = &self.view {
+            tail.push(("view", said(view)));
+        }
         if !self.marks.is_empty() {
             tail.push(("marks", said(&self.marks)));
         }

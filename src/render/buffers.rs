@@ -239,7 +239,7 @@ impl WorldBuffers {
             return;
         }
         self.selection = match &mut self.chunks {
-            Some(_) if !wanted.has_mesh => Selection::default(),
+            Some(chunks) if !wanted.has_mesh => Selection::whole(0, chunks.pins()),
             Some(chunks) => chunks.select(states(view, &self.staging), view.dimensions, wanted, counters),
             None if !wanted.has_mesh => Selection::whole(self.bare[0], 0..self.bare[1]),
             None if wanted.points_faded && !self.has_pins => Selection::whole(self.bond_count, 0..0),
@@ -305,7 +305,7 @@ fn subtract<const D: usize>(origin: [f64; D], x: &[f64], to: &mut [f32]) {
     }
 }
 
-/// Puts bonds and points that no skin covers first, and returns how many there are of each.
+/// Puts bonds and points that no skin covers first, and returns how many there are of each. Pins are seen on skins too.
 fn bare_first(view: &View<'_>, bonds: &mut [GpuBond], points: &mut [u32]) -> [u32; 2] {
     let count = view.current.len() / view.dimensions;
     let mut is_covered = vec![false; count];
@@ -317,12 +317,11 @@ fn bare_first(view: &View<'_>, bonds: &mut [GpuBond], points: &mut [u32]) -> [u3
     }
     let is_hidden = |bond: &GpuBond| is_covered[bond.a as usize] && is_covered[bond.b as usize];
     bonds.sort_by_key(is_hidden);
-    points.sort_by_key(|&point| is_covered[point as usize]);
+    let is_pinned = pins(view.pinned, count as u32);
+    let is_under = |point: &u32| is_covered[*point as usize] && !is_pinned[*point as usize];
+    points.sort_by_key(is_under);
     let count = |shown: usize| shown as u32;
-    [
-        count(bonds.partition_point(|bond| !is_hidden(bond))),
-        count(points.partition_point(|&point| !is_covered[point as usize])),
-    ]
+    [count(bonds.partition_point(|bond| !is_hidden(bond))), count(points.partition_point(|point| !is_under(point)))]
 }
 
 /// Which points are pinned. Pins of points that there are not are left out.
@@ -347,12 +346,45 @@ fn median_rest_length(bonds: &[GpuBond]) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::picture::{Picture, Skin};
+    use crate::sim::Bonds;
+    use std::sync::Arc;
 
     #[test]
     fn pins_of_points_that_there_are_not_are_left_out() {
         assert_eq!(pins(&[PointId(0), PointId(2)], 3), [true, false, true]);
         assert_eq!(pins(&[PointId(3), PointId(u32::MAX), PointId(1)], 3), [false, true, false]);
         assert!(pins(&[PointId(0)], 0).is_empty());
+    }
+
+    #[test]
+    fn pins_are_seen_on_skins_and_other_points_are_not() {
+        let skin = Skin {
+            picture: Arc::new(Picture::filled(2, 2, [255; 4])),
+            first: 0,
+            triangles: vec![[0, 1, 2]],
+            texture: vec![[0.0; 2]; 3],
+        };
+        let bonds = Bonds::default();
+        let places = [0.0; 10];
+        let view = View {
+            dimensions: 2,
+            previous: Positions::F64(&places),
+            current: Positions::F64(&places),
+            mix: 1.0,
+            motion: 0,
+            topology: 0,
+            bonds: &bonds,
+            skins: &[skin],
+            pinned: &[PointId(1), PointId(4)],
+            bounds: None,
+            planes: Vec::new(),
+            polygons: &[],
+            mouse: None,
+        };
+        let mut points: Vec<u32> = (0..5).collect();
+        assert_eq!(bare_first(&view, &mut [], &mut points), [0, 3]);
+        assert_eq!(points, [1, 3, 4, 0, 2]);
     }
 
     #[test]

@@ -229,6 +229,11 @@ impl Chunks {
         self.order.chunks(GROUP).map(of_group).collect()
     }
 
+    /// The pinned points: they are shown where nothing else is.
+    pub(super) fn pins(&self) -> Range<u32> {
+        self.common..self.order.len() as u32
+    }
+
     /// Takes what is in view by the boxes of the groups; without them, everything.
     fn pick(&self, groups: Option<&[Extent]>, lengths: &[f64], whole: &Extent, wanted: &Wanted) -> Selection {
         let mut selection = Selection::default();

@@ -2,7 +2,7 @@
 
 mod table;
 
-use winit::keyboard::{Key, ModifiersState, NamedKey};
+use winit::keyboard::{Key, ModifiersState, NamedKey, PhysicalKey};
 
 use super::action::Action;
 pub use table::{TABLE, by_mouse};
@@ -45,6 +45,24 @@ impl Held {
     pub fn of(held: ModifiersState) -> Self {
         let command = if cfg!(target_os = "macos") { held.super_key() } else { held.control_key() };
         Held { command, shift: held.shift_key() }
+    }
+}
+
+/// Keys that are held down, with what they were pressed for: other keys may be held beside them when they are let go.
+#[derive(Clone, Debug, Default)]
+pub struct Down(Vec<(PhysicalKey, Action)>);
+
+impl Down {
+    /// A key went down.
+    pub fn press(&mut self, key: PhysicalKey, action: Action) {
+        self.release(key);
+        self.0.push((key, action));
+    }
+
+    /// A key went up. Returns what it was pressed for.
+    pub fn release(&mut self, key: PhysicalKey) -> Option<Action> {
+        let place = self.0.iter().position(|(held, _)| *held == key)?;
+        Some(self.0.swap_remove(place).1)
     }
 }
 
@@ -106,6 +124,17 @@ mod tests {
         assert_eq!((writes("[", PLAIN), writes("{", PLAIN)), (Some(Action::SmallerRegion), Some(Action::Weaker)));
         assert_eq!((writes(" ", PLAIN), writes("x", PLAIN)), (Some(Action::TogglePlay), None));
         assert_eq!(writes("3", PLAIN), Some(Action::Take(Tool::Cut)));
+    }
+
+    #[test]
+    fn a_key_is_let_go_by_its_place_whatever_else_is_held() {
+        let comma = PhysicalKey::Code(winit::keyboard::KeyCode::Comma);
+        let mut down = Down::default();
+        assert_eq!(down.release(comma), None);
+        down.press(comma, Action::Rewind);
+        down.press(comma, Action::Rewind);
+        assert_eq!(writes("<", CTRL_SHIFT), None, "by what it writes now it would be held for ever");
+        assert_eq!((down.release(comma), down.release(comma)), (Some(Action::Rewind), None));
     }
 
     #[test]

@@ -23,7 +23,10 @@ pub(super) fn show(context: &egui::Context, room: Rect, state: &mut PanelState, 
         .anchor(Align2::CENTER_CENTER, [0.0, 0.0])
         .show(context, |ui| {
             ui.set_width(width);
-            let search = TextEdit::singleline(&mut state.search).hint_text("search").desired_width(f32::INFINITY);
+            let search = TextEdit::singleline(&mut state.search)
+                .id(search_id())
+                .hint_text("search")
+                .desired_width(f32::INFINITY);
             let field = ui.add(search);
             if std::mem::take(&mut state.is_fresh) {
                 field.request_focus();
@@ -70,14 +73,32 @@ pub(super) fn show(context: &egui::Context, room: Rect, state: &mut PanelState, 
     }
 }
 
-/// The scenes in whose words all words of a search are.
+/// The field that a search is written in.
+pub(in crate::app) fn search_id() -> egui::Id {
+    egui::Id::unique("search")
+}
+
+/// The scenes in whose words all words of a search are: first the one that is called so, then those whose names begin so or hold them.
 fn found(search: &str) -> Vec<&'static Entry> {
     let words: Vec<String> = search.split_whitespace().map(str::to_lowercase).collect();
     let has = |entry: &&Entry| {
         let text = [entry.name, entry.title, entry.description, entry.to_try].join(" ").to_lowercase();
         words.iter().all(|word| text.contains(word.as_str()))
     };
-    gallery().iter().filter(has).collect()
+    let wanted = words.join(" ");
+    let rank = |entry: &&Entry| {
+        let names = [entry.name, entry.title].map(str::to_lowercase);
+        let is_any = |is_it: &dyn Fn(&str) -> bool| names.iter().any(|name| is_it(name));
+        match () {
+            () if is_any(&|name| name == wanted) => 0,
+            () if is_any(&|name| name.starts_with(&wanted)) => 1,
+            () if is_any(&|name| words.iter().all(|word| name.contains(word.as_str()))) => 2,
+            () => 3,
+        }
+    };
+    let mut found: Vec<&'static Entry> = gallery().iter().filter(has).collect();
+    found.sort_by_key(rank);
+    found
 }
 
 /// The arrow keys choose another scene of those that are found, along the rows while nothing is written. Returns whether they did.
@@ -130,7 +151,7 @@ mod tests {
     #[test]
     fn a_search_finds_words_anywhere_in_any_order() {
         assert_eq!(found("").len(), gallery().len());
-        assert!(found("ROPE").iter().any(|entry| entry.name == "rope"));
+        assert_eq!(found("ROPE").first().map(|entry| entry.name), Some("rope"), "its own name before others' words");
         assert_eq!(found("shuffled rim source").first().map(|entry| entry.name), Some("rim-relaxed"));
         assert!(found("no such scene at all").is_empty());
     }

@@ -17,7 +17,7 @@ use std::path::PathBuf;
 
 use super::action::{Action, Tool};
 use super::player::Figures;
-pub(super) use gallery::THUMBNAIL;
+pub(super) use gallery::{THUMBNAIL, search_id};
 use icons::Icon;
 pub(super) use notes::Notes;
 

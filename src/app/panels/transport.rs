@@ -1,20 +1,23 @@
 //! The bar at the bottom: play, step, back; the pace; the time, and the line of what was seen.
 
-use egui::{Align, Layout, RichText, Slider, vec2};
+use egui::{Align, Label, Layout, Rect, RichText, Slider, vec2};
 
 use super::icons::{self, Icon};
 use super::theme::{ACCENT, PANEL, WEAK};
 use super::{Facts, Wish, described, icon};
 use crate::app::action::Action;
+use crate::app::player::LONGEST_FRAME;
 use crate::history::BranchView;
 
 /// The paces that can be chosen.
 pub(in crate::app) const PACES: [(f64, &str); 6] =
     [(0.125, "1/8"), (0.25, "1/4"), (0.5, "1/2"), (1.0, "1"), (2.0, "2"), (4.0, "4")];
 
-pub(super) fn show(ui: &mut egui::Ui, facts: &Facts, wishes: &mut Vec<Wish>) {
+/// Returns where the line of what was seen is, if there is room for it.
+pub(super) fn show(ui: &mut egui::Ui, facts: &Facts, wishes: &mut Vec<Wish>) -> Option<Rect> {
     let frame = egui::Frame::new().fill(PANEL).inner_margin(egui::Margin::symmetric(12, 7));
-    egui::Panel::bottom("transport").resizable(false).frame(frame).show_separator_line(false).show(ui, |ui| {
+    let panel = egui::Panel::bottom("transport").resizable(false).frame(frame).show_separator_line(false);
+    let panel = panel.show(ui, |ui| {
         ui.horizontal(|ui| {
             play(ui, facts, wishes);
             icon(ui, Icon::Step, "one frame on", Action::Step, wishes);
@@ -24,16 +27,27 @@ pub(super) fn show(ui: &mut egui::Ui, facts: &Facts, wishes: &mut Vec<Wish>) {
             ui.add_space(4.0);
             ui.monospace(format!("{:7.2} s", facts.figures.time));
             ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
-                let (words, matters) = state(facts);
-                if !words.is_empty() {
-                    ui.label(RichText::new(words).color(if matters { ACCENT } else { WEAK }));
-                }
+                // Always of one width, so that the line stays where it is while it is pressed on.
+                let width = STATE.min(0.45 * ui.available_width());
+                let size = vec2(width, ui.spacing().interact_size.y);
+                ui.allocate_ui_with_layout(size, Layout::right_to_left(Align::Center), |ui| {
+                    ui.set_min_width(width);
+                    let (words, matters) = state(facts);
+                    let words = RichText::new(words).color(if matters { ACCENT } else { WEAK });
+                    ui.add(Label::new(words).truncate());
+                });
                 branches(ui, facts, wishes);
-                timeline(ui, facts, wishes);
-            });
-        });
+                timeline(ui, facts, wishes)
+            })
+            .inner
+        })
+        .inner
     });
+    panel.inner
 }
+
+/// Width of the words on how it stands [points].
+const STATE: f32 = 290.0;
 
 fn play(ui: &mut egui::Ui, facts: &Facts, wishes: &mut Vec<Wish>) {
     let (sign, name) = if facts.figures.playing { (Icon::Pause, "pause") } else { (Icon::Play, "play") };
@@ -79,11 +93,11 @@ fn words(place: usize, branch: &BranchView) -> String {
 }
 
 /// The line of what was seen already; dragging on it goes back.
-fn timeline(ui: &mut egui::Ui, facts: &Facts, wishes: &mut Vec<Wish>) {
+fn timeline(ui: &mut egui::Ui, facts: &Facts, wishes: &mut Vec<Wish>) -> Option<Rect> {
     let end = facts.figures.end.max(facts.figures.time);
     let room = ui.available_width() - 12.0;
     if end <= 0.0 || room < 60.0 {
-        return;
+        return None;
     }
     ui.spacing_mut().slider_width = room;
     let mut time = facts.figures.time;
@@ -92,6 +106,7 @@ fn timeline(ui: &mut egui::Ui, facts: &Facts, wishes: &mut Vec<Wish>) {
     if line.dragged() || line.clicked() {
         wishes.push(Wish::GoTo(time));
     }
+    Some(line.rect)
 }
 
 /// In words how it stands, and whether that matters.
@@ -112,7 +127,14 @@ fn state(facts: &Facts) -> (String, bool) {
         (true, false) if figures.pace > 0.0 && figures.pace < 0.95 => {
             let percent = 100.0 * figures.pace;
             let percent = if percent < 1.0 { "less than 1".to_owned() } else { format!("{percent:.0}") };
-            (format!("{percent} % of its pace: {:.0} ms of work a frame", 1e3 * figures.step), false)
+            // A picture that takes longer than time is made up for drops time, however quick steps are.
+            let drawing = facts.frame - figures.step;
+            let (what, time) = if facts.frame > LONGEST_FRAME && drawing > figures.step {
+                ("drawing", drawing)
+            } else {
+                ("stepping", figures.step)
+            };
+            (format!("{percent} % of its pace: {:.0} ms of {what} a frame", 1e3 * time), false)
         }
         (true, false) => (String::new(), false),
     }
@@ -138,7 +160,35 @@ mod tests {
         let slow = Facts { waits: false, ..facts };
         assert_eq!(
             state(&Facts { figures: Figures { pace: 0.004, ..slow.figures.clone() }, ..slow }).0,
-            "less than 1 % of its pace: 0 ms of work a frame"
+            "less than 1 % of its pace: 0 ms of stepping a frame"
         );
+    }
+
+    #[test]
+    fn it_is_said_whether_steps_or_pictures_take_long() {
+        let figures = Figures { playing: true, pace: 0.5, step: 0.025, ..Figures::default() };
+        let words = |frame: f64| state(&Facts { figures: figures.clone(), frame, ..Facts::default() }).0;
+        assert_eq!(words(0.05), "50 % of its pace: 25 ms of stepping a frame");
+        assert_eq!(words(0.2), "50 % of its pace: 175 ms of drawing a frame");
+    }
+
+    #[test]
+    fn the_line_of_what_was_seen_stays_where_it_is() {
+        let line = |pace: f64, asleep: bool| {
+            let figures = Figures { time: 3.0, end: 9.0, playing: true, pace, asleep, ..Figures::default() };
+            let facts = Facts { figures, pace: 1.0, ..Facts::default() };
+            let screen = Rect::from_min_size(egui::Pos2::ZERO, vec2(1180.0, 800.0));
+            let input = egui::RawInput { screen_rect: Some(screen), ..egui::RawInput::default() };
+            let mut rect = None;
+            let context = egui::Context::default();
+            for _ in 0..2 {
+                let mut shown = context.run_ui(input.clone(), |ui| rect = show(ui, &facts, &mut Vec::new()));
+                shown.textures_delta.clear();
+            }
+            rect
+        };
+        assert!(line(1.0, false).is_some_and(|rect| rect.width() > 250.0), "{:?}", line(1.0, false));
+        assert_eq!(line(1.0, false), line(0.71, false));
+        assert_eq!(line(1.0, false), line(1.0, true));
     }
 }

@@ -74,6 +74,12 @@ impl Keeper {
         done.err().filter(|_| !was_said).map(Note::NotKept)
     }
 
+    /// Writes what is new, whenever the last time was.
+    pub(super) fn keep_now(&mut self, history: &History) -> Option<Note> {
+        self.written_at = None;
+        self.keep(history)
+    }
+
     /// Errors: in words, what cannot be written. All of it is tried again the next time.
     fn write(&mut self, history: &History) -> Result<(), String> {
         let recorded = match &mut self.record {

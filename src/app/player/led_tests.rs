@@ -4,6 +4,7 @@
 use super::tests::{scene, strength};
 use super::{Note, Order, Pace, Shown, Stage};
 use crate::history::{DeleteKeys, Do, History, Start};
+use crate::scene::{Vector, ViewKeys};
 use crate::sim::{Cursor, PointId, Reach};
 
 fn at(x: f64, y: f64) -> Option<Cursor> {
@@ -124,8 +125,16 @@ fn what_is_opened_in_the_middle_of_a_grab_is_let_go_and_pushes_again() {
     frames(&mut stage, 2, at(1.0, 1.0));
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path().join("held.png");
+    let view = ViewKeys { center: Some(Vector::Plane([3.0, 4.0])), height: Some(5.0), ..ViewKeys::default() };
+    stage.obey(Order::Look(view.clone()));
+    let recording = folder.path().join("all.json");
+    stage.obey(Order::Save(recording.clone()));
     stage.obey(Order::Picture(path.clone(), Box::new(image::RgbaImage::new(4, 4))));
     let snapshot = stage.history().snapshot().unwrap().into();
+    for file in [&path, &recording] {
+        let start = Start::load(file.to_str().unwrap()).unwrap();
+        assert_eq!(start.recording().view.as_ref(), Some(&view), "the camera is where it was");
+    }
     for start in [Start::load(path.to_str().unwrap()).unwrap(), stage.history().recording().into(), snapshot] {
         let mut opened = Stage::new(start).unwrap();
         assert_eq!(shown(&mut opened).base, Some(20.0), "never the faded one");

@@ -70,6 +70,8 @@ pub struct Player {
     waiting_since: Option<Instant>,
     /// The last file that was asked for, and by which order.
     written: Option<(u64, PathBuf)>,
+    /// Only its start and its log are kept.
+    is_folded: bool,
     /// Whether it is to play, and the order that said so last.
     playing: bool,
     played_by: u64,
@@ -94,6 +96,7 @@ impl Player {
             serial: 0,
             waiting_since: None,
             written: None,
+            is_folded: false,
             playing: true,
             played_by: 0,
             advances: 0,
@@ -153,6 +156,7 @@ impl Player {
     /// Asks for something.
     pub fn ask(&mut self, order: Order) {
         self.serial += 1;
+        self.is_folded = matches!(order, Order::Fold);
         self.waiting_since.get_or_insert_with(Instant::now);
         if let Order::Play(_) | Order::Step(_) | Order::Reset = order {
             self.played_by = self.serial;
@@ -184,6 +188,15 @@ impl Player {
     /// The number of the last order: what is shown is after it once it has that number.
     pub fn serial(&self) -> u64 {
         self.serial
+    }
+
+    /// It is left for long: only its start and its log are kept until something is asked of it again.
+    pub fn fold(&mut self) {
+        if !self.is_folded {
+            self.ask(Order::Fold);
+            let figures = self.shown.figures.clone();
+            *self.shown = Shown { figures, ..Shown::default() };
+        }
     }
 
     /// The last state.

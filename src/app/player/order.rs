@@ -3,7 +3,7 @@
 use std::path::PathBuf;
 
 use crate::history::Do;
-use crate::scene::{AddKeys, Scene, SceneError};
+use crate::scene::{AddKeys, Scene, SceneError, ViewKeys};
 use crate::sim::{Cursor, Dynamics, PointId};
 
 /// Works out what is added to a running world.
@@ -47,8 +47,14 @@ pub enum Order {
     GoTo(f64, Option<Cursor>),
     /// Back to the start.
     Reset,
+    /// Copies of the world may take so many bytes.
+    Bound(usize),
+    /// It is left for long: only its start and its log are kept. The next order brings it back to where it was.
+    Fold,
     /// Seconds of the scene a second of wall time.
     Rate(f64),
+    /// What is written from now on is looked at like this.
+    Look(ViewKeys),
     /// All that was done is written to a file.
     Save(PathBuf),
     /// To the end of another branch.

@@ -5,19 +5,20 @@ use std::path::PathBuf;
 use image::{ImageFormat, RgbaImage};
 
 use super::order::Note;
-use crate::history::{Entry, History, chunk};
+use crate::history::{Entry, History, Recording, chunk};
 use crate::output::replace;
+use crate::scene::ViewKeys;
 
 /// Writes all that was done.
-pub(super) fn recording(history: &History, path: PathBuf) -> Note {
-    match history.recording().save(&path) {
+pub(super) fn recording(recording: &Recording, path: PathBuf) -> Note {
+    match recording.save(&path) {
         Ok(()) => Note::Written(path),
         Err(error) => Note::NotWritten(error.to_string()),
     }
 }
 
 /// Writes a picture with a snapshot of its moment in it: it opens as that.
-pub(super) fn picture(history: &History, path: PathBuf, picture: &RgbaImage) -> Note {
+pub(super) fn picture(history: &History, path: PathBuf, picture: (&RgbaImage, Option<ViewKeys>)) -> Note {
     match encoded(history, picture)
         .and_then(|bytes| replace(&path, |file| file.write_all(&bytes)).map_err(|error| error.to_string()))
     {
@@ -27,10 +28,10 @@ pub(super) fn picture(history: &History, path: PathBuf, picture: &RgbaImage) -> 
 }
 
 /// The bytes of a PNG.
-fn encoded(history: &History, picture: &RgbaImage) -> Result<Vec<u8>, String> {
+fn encoded(history: &History, (picture, view): (&RgbaImage, Option<ViewKeys>)) -> Result<Vec<u8>, String> {
     let mut bytes = std::io::Cursor::new(Vec::new());
     picture.write_to(&mut bytes, ImageFormat::Png).map_err(|error| error.to_string())?;
-    let mut recording = history.snapshot()?;
+    let mut recording = Recording { view, ..history.snapshot()? };
     // Whoever opens it has nothing in hand.
     let at = history.world().time();
     let free = history.letting_go().into_iter().map(|act| Entry { at, act, edit: None, name: None });

@@ -5,10 +5,11 @@ use std::time::{Duration, Instant};
 
 use super::order::{Adder, Note, Order};
 use super::pace::Pace;
+use super::save;
 use super::shown::{Figures, Scenery, Shown};
 use crate::app::meter::Meter;
-use crate::history::{BranchView, Do, History, HistoryError, Start};
-use crate::scene::{AddKeys, PinMotionKeys};
+use crate::history::{BranchView, Do, History, HistoryError, Recording, Start};
+use crate::scene::{AddKeys, PinMotionKeys, ViewKeys};
 use crate::sim::{Cursor, Dynamics, MouseForce, PointId};
 
 /// How often figures are taken that cost something: nobody reads faster.
@@ -38,7 +39,19 @@ pub struct Stage {
     substeps: u64,
     /// It went back once: from then on there may be branches.
     has_gone: bool,
+    /// How it is looked at.
+    view: Option<ViewKeys>,
     branches: Arc<[BranchView]>,
+}
+
+/// A history without its worlds.
+pub struct Folded {
+    /// Start and log.
+    pub recording: Recording,
+    /// Where it was [s].
+    time: f64,
+    rate: f64,
+    playing: bool,
 }
 
 impl Stage {
@@ -65,10 +78,31 @@ impl Stage {
             force,
             substeps: 0,
             has_gone: false,
+            view: None,
             branches: Arc::default(),
         };
         stage.look();
         Ok(stage)
+    }
+
+    /// Start and log, to be played on from here some time.
+    pub fn folded(&self) -> Folded {
+        let Pace { rate, playing, .. } = self.pace;
+        Folded { recording: self.recording(), time: self.history.world().time(), rate, playing }
+    }
+
+    /// The same history again, where it was folded: worked out from its start.
+    ///
+    /// Errors: as of [`History::new`].
+    pub fn unfolded(folded: Folded) -> Result<Self, HistoryError> {
+        let mut stage = Stage::new(folded.recording.into())?;
+        stage.pace.go_to(&mut stage.history, folded.time, None);
+        (stage.pace.rate, stage.pace.playing) = (folded.rate, folded.playing);
+        Ok(stage)
+    }
+
+    fn recording(&self) -> Recording {
+        Recording { view: self.view.clone(), ..self.history.recording() }
     }
 
     /// The history.
@@ -141,12 +175,22 @@ impl Stage {
                 self.pace.reset(&mut self.history);
                 None
             }
+            Order::Bound(bytes) => {
+                self.history.bound_keyframes(bytes);
+                None
+            }
+            // The thread does that.
+            Order::Fold => None,
             Order::Rate(rate) => {
                 self.pace.rate = rate;
                 None
             }
-            Order::Save(path) => Some(super::save::recording(&self.history, path)),
-            Order::Picture(path, picture) => Some(super::save::picture(&self.history, path, &picture)),
+            Order::Look(view) => {
+                self.view = Some(view);
+                None
+            }
+            Order::Save(path) => Some(save::recording(&self.recording(), path)),
+            Order::Picture(path, picture) => Some(save::picture(&self.history, path, (&picture, self.view.clone()))),
         };
         if goes {
             // Of another past, whatever its number says.
@@ -166,14 +210,15 @@ impl Stage {
 
     /// Does commands that the hand gives.
     fn give(&mut self, commands: Vec<Do>, edit: Option<&'static str>) -> Option<Note> {
+        let changes = commands.iter().any(|act| matches!(act, Do::Mouse(_)));
         self.pace.take_over(&mut self.history);
-        let has = |is_it: fn(&Do) -> bool| commands.iter().any(is_it);
-        let (grabs, changes) = (has(|act| matches!(act, Do::Grab(_))), has(|act| matches!(act, Do::Mouse(_))));
-        let given = self.history.give(commands, edit);
+        // Where a log is left, what it leads is let go with it.
+        let mut all = if self.history.has_future() { self.history.letting_go() } else { Vec::new() };
+        all.extend(commands);
+        let given = self.history.give(all, edit);
         self.pace.motion += 1;
-        if given.is_ok() && (grabs || changes) {
-            // What is grabbed now is led by the hand, whatever the log led.
-            self.pace.is_taken |= grabs;
+        self.pace.is_taken |= given.is_ok();
+        if given.is_ok() && changes {
             self.base = self.history.base_strength();
         }
         given.err().map(|refusal| Note::Refused(refusal.reason))

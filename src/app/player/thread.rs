@@ -7,8 +7,9 @@ use std::time::Duration;
 
 use super::keep::Keeper;
 use super::order::{Note, Order};
+use super::save;
 use super::shown::Shown;
-use super::stage::Stage;
+use super::stage::{Folded, Stage};
 use crate::history::{HistoryError, Start};
 use crate::scene::Scene;
 
@@ -64,16 +65,40 @@ impl Desk {
         waited.unwrap_or_else(PoisonError::into_inner).0
     }
 
-    /// Lays a state down. Returns whether the one before had been taken: else the window knows already that there is something.
-    fn lay(&self, stage: &mut Stage, (done, notes): (u64, Vec<Note>)) -> bool {
-        let mut shown = self.lock().spare.take().unwrap_or_default();
-        stage.show(&mut shown);
-        shown.serial = done;
+    /// Tells of a history that is there now, or of why there is none.
+    fn open(&self, stage: Result<Stage, HistoryError>) -> Option<Stage> {
+        let mut papers = self.lock();
+        match stage {
+            Ok(stage) => {
+                papers.scene = Some(Arc::new(stage.history().scene().clone()));
+                Some(stage)
+            }
+            Err(error) => {
+                papers.failure = Some(error);
+                drop(papers);
+                self.answered.notify_all();
+                None
+            }
+        }
+    }
+
+    /// Lays a state down, if there is one. Returns whether the one before had been taken: else the window knows already that there is
+    /// something.
+    fn lay(&self, seat: &mut Seat, (done, notes): (u64, Vec<Note>)) -> bool {
+        let shown = match seat {
+            Seat::Played(stage) => {
+                let mut shown = self.lock().spare.take().unwrap_or_default();
+                stage.show(&mut shown);
+                shown.serial = done;
+                Some(shown)
+            }
+            Seat::Folded(_) => None,
+        };
         let mut papers = self.lock();
         papers.done = done;
-        let is_news = papers.fresh.is_none() || !notes.is_empty();
+        let is_news = shown.is_some() && papers.fresh.is_none() || !notes.is_empty();
         papers.notes.extend(notes);
-        papers.spare = papers.fresh.replace(shown);
+        papers.spare = if shown.is_some() { std::mem::replace(&mut papers.fresh, shown) } else { None };
         drop(papers);
         self.answered.notify_all();
         is_news
@@ -82,22 +107,17 @@ impl Desk {
 
 /// Makes the history and plays it until nobody asks any more.
 pub(super) fn run(start: Start, orders: &Receiver<(u64, Order)>, desk: &Desk, wake: impl Fn()) {
-    let mut stage = match Stage::new(start) {
-        Ok(stage) => stage,
-        Err(error) => {
-            desk.lock().failure = Some(error);
-            desk.answered.notify_all();
-            return wake();
-        }
-    };
-    desk.lock().scene = Some(Arc::new(stage.history().scene().clone()));
+    let Some(stage) = desk.open(Stage::new(start)) else { return wake() };
+    let mut seat = Seat::Played(Box::new(stage));
     let mut done = 0;
-    desk.lay(&mut stage, (done, Vec::new()));
+    desk.lay(&mut seat, (done, Vec::new()));
     wake();
     loop {
-        let note = desk.keeper().keep(stage.history());
-        if note.is_some() && desk.lay(&mut stage, (done, note.into_iter().collect())) {
-            wake();
+        if let Seat::Played(stage) = &mut seat {
+            let note = desk.keeper().keep(stage.history());
+            if note.is_some() && desk.lay(&mut seat, (done, note.into_iter().collect())) {
+                wake();
+            }
         }
         let wait = desk.keeper().wait();
         let list = match next(orders, wait) {
@@ -108,16 +128,45 @@ pub(super) fn run(start: Start, orders: &Receiver<(u64, Order)>, desk: &Desk, wa
         let mut notes = Vec::new();
         for (serial, order) in list {
             desk.keeper().hear(&order);
-            notes.extend(stage.obey(order));
+            let Some(next) = seat.obey(order, desk, &mut notes) else { return wake() };
+            seat = next;
             done = serial;
         }
-        if desk.lay(&mut stage, (done, notes)) {
+        if desk.lay(&mut seat, (done, notes)) {
             wake();
         }
     }
     if desk.is_dismissed.load(Ordering::Acquire) {
         // A file that cannot be removed is offered at the next start: nobody is there to be told now.
         let _ = desk.keeper().end();
+    }
+}
+
+/// A history on its thread.
+enum Seat {
+    Played(Box<Stage>),
+    Folded(Box<Folded>),
+}
+
+impl Seat {
+    /// Does what is asked. `None`: what was folded cannot be played any more.
+    fn obey(self, order: Order, desk: &Desk, notes: &mut Vec<Note>) -> Option<Seat> {
+        let mut stage = match (self, &order) {
+            (seat @ Seat::Folded(_), Order::Fold) => return Some(seat),
+            (Seat::Folded(folded), Order::Save(path)) => {
+                notes.push(save::recording(&folded.recording, path.clone()));
+                return Some(Seat::Folded(folded));
+            }
+            (Seat::Played(stage), Order::Fold) => {
+                notes.extend(desk.keeper().keep_now(stage.history()));
+                desk.lock().fresh = None;
+                return Some(Seat::Folded(Box::new(stage.folded())));
+            }
+            (Seat::Folded(folded), _) => Box::new(desk.open(Stage::unfolded(*folded))?),
+            (Seat::Played(stage), _) => stage,
+        };
+        notes.extend(stage.obey(order));
+        Some(Seat::Played(stage))
     }
 }
 

@@ -5,7 +5,7 @@ use winit::window::Fullscreen;
 use super::{Framing, Session};
 use crate::app::action::Action;
 use crate::app::opening;
-use crate::app::panels::{Sheet, Wish};
+use crate::app::panels::{Sheet, Wish, search_id};
 use crate::app::player::{Order, Player};
 use crate::app::thumbnails::Thumbnails;
 use crate::app::tools::{Deed, strength};
@@ -86,7 +86,7 @@ impl Session {
             }
             Wish::SaveTo(path) => {
                 self.panels.sheet = None;
-                self.player.ask(Order::Save(path));
+                self.save_to(path);
             }
             Wish::GoOnWithLeftover => self.go_on_with_leftover(),
             Wish::DiscardLeftover => self.discard_leftover(),
@@ -112,6 +112,12 @@ impl Session {
     fn toggle_sheet(&mut self, sheet: Sheet) {
         self.panels.sheet = (self.panels.sheet != Some(sheet)).then_some(sheet);
         self.panels.is_fresh = true;
+        if self.panels.sheet == Some(Sheet::Gallery) {
+            // What is typed from now on is looked for, and what lay over the world is put away with it.
+            self.panels.search.clear();
+            self.egui.egui_ctx().memory_mut(|memory| memory.request_focus(search_id()));
+            self.put_away();
+        }
         self.panels.chosen = if self.panels.search.is_empty() { self.place().unwrap_or(0) } else { 0 };
         if self.panels.sheet == Some(Sheet::Gallery) && self.thumbnails.is_none() {
             self.thumbnails = Some(Thumbnails::new(self.canvas.gpu().clone(), self.wake_up()));
@@ -183,7 +189,13 @@ impl Session {
         }
         let view = self.player.shown().view();
         match framing {
-            Framing::Opening => self.camera = opening::camera(&self.scene, &view, self.area),
+            Framing::Opening => {
+                let start = self.player.start().recording();
+                self.camera = match &start.view {
+                    Some(saved) => opening::saved(saved, &view, self.area),
+                    None => opening::camera(&self.scene, &view, self.area),
+                };
+            }
             Framing::Fit => self.camera = opening::fit(&view, false, self.area),
             Framing::Free => self.camera.resize(self.area),
         }

@@ -1,8 +1,9 @@
 //! What leaves a session: recordings and pictures, written to files.
 
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 use super::Session;
+use crate::app::opening::keys;
 use crate::app::panels::Sheet;
 use crate::app::player::Order;
 use crate::app::saving::{Chosen, Saving, free_name};
@@ -13,7 +14,7 @@ impl Session {
     pub(super) fn save(&mut self) {
         if let Some(record) = self.player.record() {
             let path = record.to_owned();
-            return self.player.ask(Order::Save(path));
+            return self.save_to(path);
         }
         if self.saving.is_none() {
             self.saving = Some(Saving::new(&self.window, self.scene.name(), self.wake_up()));
@@ -26,7 +27,7 @@ impl Session {
         let Some(chosen) = chosen else { return };
         self.saving = None;
         match chosen {
-            Chosen::File(path) => self.player.ask(Order::Save(path)),
+            Chosen::File(path) => self.save_to(path),
             Chosen::Nothing => {}
             Chosen::NoDialog => {
                 let folder = std::env::current_dir().unwrap_or_default();
@@ -35,6 +36,17 @@ impl Session {
             }
         }
         self.touch();
+    }
+
+    /// Saves all that was done, and how it is looked at.
+    pub(super) fn save_to(&mut self, path: PathBuf) {
+        self.tell_view();
+        self.player.ask(Order::Save(path));
+    }
+
+    /// What is written from now on is looked at as it is seen now.
+    pub(super) fn tell_view(&mut self) {
+        self.player.ask(Order::Look(keys(&self.camera)));
     }
 
     /// Draws the world as it is seen, without panels, and has it written with a snapshot in it.
@@ -50,6 +62,7 @@ impl Session {
         match drawn {
             Ok(picture) => {
                 let path = free_name(Path::new("."), self.scene.name(), "png");
+                self.tell_view();
                 self.player.ask(Order::Picture(path, Box::new(picture)));
             }
             Err(error) => self.complain(&error.to_string()),

@@ -21,11 +21,11 @@ use super::AppError;
 use super::canvas::{Canvas, Paint};
 use super::fetch::Fetch;
 use super::import::Import;
-use super::keys::Held;
+use super::keys::{Down, Held};
 use super::leftovers::{Leftover, look};
 use super::loading::Loading;
 use super::meter::Meter;
-use super::panels::{PanelState, theme};
+use super::panels::{PanelState, Sheet, theme};
 use super::player::{Figures, News, Note, Order, Player, Shown};
 use super::pointer::Pointer;
 use super::saving::Saving;
@@ -75,6 +75,8 @@ pub(super) struct Session {
     hand: Hand,
     /// Which keys are held down beside others.
     pub(super) held: Held,
+    /// Which keys were pressed, and for what.
+    pub(super) down: Down,
     /// Time runs back.
     rewinds: bool,
     /// The order by which the world goes to another time, until it is there.
@@ -128,6 +130,8 @@ pub(super) struct Session {
     frames: u64,
     /// Where to look from when the next history is there.
     looks_again: Option<Camera>,
+    /// It is one that was there already.
+    comes_back: bool,
     /// The figures that panels show.
     figures: Figures,
 }
@@ -161,6 +165,7 @@ impl Session {
             pointer: Pointer::default(),
             hand: Hand::default(),
             held: Held::default(),
+            down: Down::default(),
             rewinds: false,
             gone_by: None,
             pushes: false,
@@ -193,6 +198,7 @@ impl Session {
             frame_meter: Meter::default(),
             frames: 0,
             looks_again: None,
+            comes_back: false,
             figures: Figures::default(),
         };
         if session.player.is_open() {
@@ -211,6 +217,9 @@ impl Session {
     ///
     /// Errors: a recording that could not be made whole.
     pub(super) fn end(&mut self) -> Result<(), AppError> {
+        if self.player.record().is_some() {
+            self.tell_view();
+        }
         let mut done = Ok(());
         for player in self.shelf.players_mut().chain([&mut self.player]) {
             let ended = player.end();
@@ -231,7 +240,7 @@ impl Session {
 
     /// Whether time goes on: the world waits while a picture is being imported, which takes its place on the screen.
     fn moves(&self) -> bool {
-        let fades = self.hand.is_calm() && !self.hand.is_grabbing() && self.player.is_playing();
+        let fades = self.hand.is_fading() && self.player.is_playing();
         !self.waits() && (self.player.is_moving() || self.rewinds || fades || self.hand.is_leading())
     }
 
@@ -259,6 +268,7 @@ impl Session {
         last.play(false);
         self.shelf.keep(last, self.camera);
         self.begin();
+        self.settle();
     }
 
     /// The present history is left for another: nothing hangs on the hand in it.
@@ -306,6 +316,7 @@ impl Session {
         self.look.has_mesh = self.player.shown().scenery.skins.is_empty();
         self.scene = scene;
         self.frame_as(Framing::Opening);
+        let comes_back = std::mem::take(&mut self.comes_back);
         if let Some(camera) = self.looks_again.take() {
             (self.camera, self.framing) = (camera, Framing::Free);
             self.camera.resize(self.area);
@@ -314,7 +325,7 @@ impl Session {
         self.panels.notes.complaint = self.player.shown().scenery.warnings.first().cloned();
         self.panels.notes.has_caption = true;
         self.wants_hint &= self.scene.name() == gallery()[0].name;
-        if self.is_canvas() {
+        if self.is_canvas() && !comes_back {
             self.paint();
         }
         self.touch();
@@ -451,7 +462,7 @@ impl Session {
 
     /// Hands an event to the panels: keys only where they write or nothing else is meant by them.
     pub(super) fn tell_panels(&mut self, event: &WindowEvent) {
-        let is_writing = self.egui.egui_ctx().text_edit_focused();
+        let is_writing = self.is_writing();
         if let WindowEvent::KeyboardInput { event, .. } = event
             && !is_for_panels(event, is_writing)
         {
@@ -462,11 +473,17 @@ impl Session {
         self.panels_dirty |= response.repaint && !is_move;
     }
 
+    /// Whether what is typed goes into a field: also into one that is only about to be shown.
+    pub(super) fn is_writing(&self) -> bool {
+        let is_coming = self.panels.is_fresh && self.panels.sheet.is_some_and(|sheet| sheet != Sheet::Help);
+        is_coming || self.egui.egui_ctx().text_edit_focused()
+    }
+
     /// Keys and buttons that were held down are let go elsewhere.
     pub(super) fn lose_focus(&mut self) {
         self.rewinds = false;
         self.hand.hold_pins(false);
-        self.held = Held::default();
+        (self.held, self.down) = (Held::default(), Down::default());
         self.touch();
     }
 

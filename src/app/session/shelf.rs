@@ -1,11 +1,14 @@
 //! Histories that were left for another scene: undo goes back to them, redo forth again.
 
 use super::{Framing, Session};
-use crate::app::player::Player;
+use crate::app::player::{Order, Player};
 use crate::render::Camera;
 
-/// So many are kept: each may hold its keyframes.
+/// So many on each side are kept with their worlds; of those further away start and log are, from which they are worked out anew.
 const MOST: usize = 3;
+/// Bytes that the copies of all worlds may take together, and of each that was left.
+const BYTES: usize = 512 << 20;
+const BYTES_LEFT: usize = 32 << 20;
 
 /// Histories before the present one and after it, the nearest last.
 #[derive(Default)]
@@ -19,9 +22,22 @@ impl Shelf {
     pub(super) fn keep(&mut self, player: Player, camera: Camera) {
         self.after.clear();
         self.before.push((player, camera));
-        if self.before.len() > MOST {
-            self.before.remove(0);
+    }
+
+    /// Those that are far away are folded. Returns the bytes that copies of the present world may take.
+    fn settle(&mut self) -> usize {
+        let mut bytes = BYTES;
+        for list in [&mut self.before, &mut self.after] {
+            for (place, (player, _)) in list.iter_mut().rev().enumerate() {
+                if place < MOST {
+                    bytes -= BYTES_LEFT;
+                    player.ask(Order::Bound(BYTES_LEFT));
+                } else {
+                    player.fold();
+                }
+            }
         }
+        bytes
     }
 
     /// The history before.
@@ -53,6 +69,7 @@ impl Session {
             Some((player, camera)) => {
                 let left = self.bring_back(player, camera);
                 self.shelf.after.push(left);
+                self.settle();
                 self.say(format!("Undid: open {name}"));
             }
             None => self.say("there is nothing to undo".to_owned()),
@@ -65,10 +82,17 @@ impl Session {
             Some((player, camera)) => {
                 let left = self.bring_back(player, camera);
                 self.shelf.before.push(left);
+                self.settle();
                 self.say(format!("Redid: open {}", self.scene.name()));
             }
             None => self.say("there is nothing to redo".to_owned()),
         }
+    }
+
+    /// Memory is shared out among the histories.
+    pub(super) fn settle(&mut self) {
+        let bytes = self.shelf.settle();
+        self.player.ask(Order::Bound(bytes));
     }
 
     /// Plays a history that was left, as it was left; returns the one before it.
@@ -82,9 +106,75 @@ impl Session {
         self.begin();
         self.arrive(std::sync::Arc::new(scene));
         self.import = None;
+        if !self.player.is_open() {
+            (self.looks_again, self.comes_back) = (Some(camera), true);
+        }
         (self.camera, self.framing) = (camera, Framing::Free);
         self.camera.resize(self.area);
         self.player.play(playing);
         (last, its)
+    }
+}
+
+#[cfg(test)]
+#[allow(clippy::unwrap_used, reason = "a test that cannot go on stops")]
+mod tests {
+    use std::time::{Duration, Instant};
+
+    use super::*;
+    use crate::app::player::{Keeping, Note};
+    use crate::history::Do;
+    use crate::scene::Scene;
+    use crate::sim::{Cursor, PointId};
+
+    const SCENE: &str = r#"{"wobble": 1, "points": {"position": [[0, 1], [0.5, 2]], "velocity": [[1, 0], [0, 3]]},
+        "gravity": [0, -9.81], "method": {"substep": 0.001}}"#;
+
+    fn wait_for(player: &mut Player, mut is_so: impl FnMut(&Player, &[Note]) -> bool) {
+        let (start, mut notes) = (Instant::now(), Vec::new());
+        while !is_so(player, &notes) {
+            notes.extend(player.poll().notes);
+            assert!(start.elapsed() < Duration::from_secs(20), "it never comes");
+            std::thread::sleep(Duration::from_millis(1));
+        }
+    }
+
+    fn place(player: &Player) -> [f64; 2] {
+        let [x, y, _] = player.shown().place(1);
+        [x, y]
+    }
+
+    #[test]
+    fn however_many_scenes_were_opened_since_what_was_done_is_gone_back_to() {
+        let mut shelf = Shelf::default();
+        let camera = Camera::fit([[-1.0; 3], [1.0; 3]], 2, [100, 100]);
+        let open = || {
+            let scene = Scene::parse(SCENE, "x.json").unwrap();
+            let mut player = Player::open(scene.into(), Keeping::default(), || {});
+            wait_for(&mut player, |player, _| player.is_open());
+            player
+        };
+        let mut first = open();
+        first.advance(0.1, Some(Cursor::at([3.0, 3.0])), false);
+        first.give(vec![Do::Pin(vec![PointId(0)])], Some("pin"));
+        first.advance(0.1, None, false);
+        first.play(false);
+        let last = first.serial();
+        wait_for(&mut first, |player, _| player.shown().serial == last);
+        let (time, seen) = (first.shown().figures.time, place(&first));
+        shelf.keep(first, camera);
+        for _ in 0..7 {
+            shelf.keep(open(), camera);
+            assert!(shelf.settle() >= BYTES / 2);
+        }
+        let folded = shelf.players().filter(|player| !player.is_open()).count();
+        assert_eq!(folded, 5, "their worlds are gone");
+        let back = std::iter::from_fn(|| shelf.back()).last();
+        let mut player = back.unwrap().0;
+        player.play(false);
+        wait_for(&mut player, |player, _| player.is_open());
+        assert_eq!((player.shown().figures.time, place(&player)), (time, seen));
+        player.ask(Order::Undo(None));
+        wait_for(&mut player, |_, notes| matches!(notes, [Note::Undone(name, _)] if name == "pin"));
     }
 }

@@ -219,8 +219,29 @@ impl Hand {
         (was, deed)
     }
 
-    /// A frame passes: after a while the hover force comes back.
+    /// Whether the hover force is about to come or go.
+    pub(super) fn is_fading(&self) -> bool {
+        match (self.tool(), self.calm) {
+            (Tool::Hand, Some(_)) => !self.leads(),
+            (Tool::Hand, None) => false,
+            (_, calm) => self.strength.is_some() && calm.is_none_or(f64::is_finite),
+        }
+    }
+
+    /// Whether anything follows the cursor.
+    fn leads(&self) -> bool {
+        self.is_grabbing() || self.is_leading()
+    }
+
+    /// A frame passes. The hover force is the hand's: with another tool it goes, and a while after a grab it comes back.
     pub(super) fn pass(&mut self, seconds: f64) -> Deed {
+        if self.tool() != Tool::Hand {
+            return Deed { commands: self.calm_now(), edit: None };
+        }
+        if !self.leads() {
+            // Nothing keeps it away any more.
+            self.calm = self.calm.map(|calm| calm.min(CALM));
+        }
         let Some(calm) = &mut self.calm else { return Deed::default() };
         *calm -= seconds;
         if *calm > 0.0 {

@@ -132,6 +132,22 @@ fn the_tool_for_pins_holds_and_lets_go() {
 }
 
 #[test]
+fn only_the_hand_pushes() {
+    let mut hand = Hand::default();
+    hand.set_strength(Some(3000.0));
+    let mouse = |strength| Do::Mouse(MouseChange { strength: Some(strength), ..MouseChange::default() });
+    assert!(hand.pass(0.1).is_empty() && !hand.is_fading());
+    hand.take(Tool::Erase);
+    assert!(hand.is_fading());
+    assert_eq!(hand.pass(0.1).commands, [mouse(0.0)], "what is to be erased stays where it is");
+    assert!(hand.pass(9.0).is_empty() && hand.is_calm() && !hand.is_fading(), "at rest");
+    hand.take(Tool::Hand);
+    assert!(hand.is_fading() && hand.pass(0.15).is_empty());
+    assert_eq!(hand.pass(0.06).commands, [mouse(3000.0)]);
+    assert!(!hand.is_calm());
+}
+
+#[test]
 fn a_stroke_cuts_from_where_it_began_and_a_click_does_not() {
     let opened = opened("rim");
     let mut hand = Hand::default();
