@@ -4,7 +4,7 @@ use plotters::prelude::RGBColor;
 
 use super::axes::{Panel, Scale};
 use super::figure::{Anchor, Figure};
-use super::style::{BLACK, BLUE, GREEN, GREY, LABEL, Look, MAJOR, Marker, ORANGE, SMALL, TEXT, TITLE, VERMILION};
+use super::style::{BLACK, BLUE, GREEN, GREY, LABEL, Look, MAJOR, Marker, ORANGE, SMALL, TEXT, TITLE, VERMILION, mark};
 use super::work::entry;
 use crate::study::stability::{Cause, Ended, Fault, Group, Judged, Outcome, SweepRun};
 
@@ -64,13 +64,19 @@ fn legend(figure: &mut Figure, [mut x, y]: [f64; 2]) {
     figure.text([x, y], "values from small on the left to large on the right", SMALL, Anchor::Start, TEXT);
 }
 
+/// Room between rows of two kinds, of a row's height [1].
+const GAP: f64 = 0.5;
+
 /// A row a family, a column a fault: the share of cases that have it.
 pub(crate) fn shares(groups: &[Group]) -> Figure {
     const CELL: f64 = 64.0;
     let shown: Vec<&Group> = groups.iter().filter(|group| matches!(group.by, "all" | "family" | "cause")).collect();
     let (left, top) = (196.0, 150.0);
     let columns = Fault::ALL.len() + 1;
-    let mut figure = Figure::new(left + CELL * columns as f64 + 24.0, top + ROW * shown.len() as f64 + 24.0);
+    // All, families and causes stand apart.
+    let gaps = |row: usize| (1..=row).filter(|&k| shown[k].by != shown[k - 1].by).count() as f64;
+    let height = top + ROW * (shown.len() as f64 + GAP * gaps(shown.len().saturating_sub(1))) + 24.0;
+    let mut figure = Figure::new(left + CELL * columns as f64 + 24.0, height);
     figure.text(
         [18.0, 24.0],
         "Share of cases with a fault [%], by family and by what a scene has",
@@ -83,7 +89,7 @@ pub(crate) fn shares(groups: &[Group]) -> Figure {
         figure.climbing_text([left + CELL * (column as f64 + 0.5), top - 56.0], name, SMALL, TEXT);
     }
     for (row, group) in shown.iter().enumerate() {
-        let y = top + ROW * row as f64;
+        let y = top + ROW * (row as f64 + GAP * gaps(row));
         let name = format!("{} ({})", group.name, group.cases);
         figure.text([left - 10.0, y + 0.5 * ROW], name, SMALL, Anchor::End, TEXT);
         let own = group.faults.iter().map(|&count| count as f64 / group.cases as f64);
@@ -131,7 +137,8 @@ pub(crate) fn rates(judged: &[Judged]) -> Figure {
     for (_, points, look) in &series {
         let line: Vec<[f64; 2]> =
             points.iter().filter(|point| point[1] > 0.0).map(|&point| panel.place(point)).collect();
-        figure.line(line, look.colour, look.width);
+        figure.line(line.clone(), look.colour, look.width);
+        line.iter().step_by((line.len() / 10).max(1)).for_each(|&at| mark(&mut figure, at, *look));
     }
     figure.text([panel.left, 24.0], "What the cases of the battery cost", TITLE, Anchor::Start, TEXT);
     panel.frame(&mut figure, "cases that cost no more [%]", "stepping time a simulated second [s]");

@@ -267,7 +267,8 @@ impl<'a> Drive<'a> {
         let world = self.replay.world();
         let (sample, simulated) = (world.sample(world.time()), world.time());
         let (energy, each) = (judge(&self.ledger), 1.0 / simulated.max(1e-9));
-        let is_told = energy.is_told && !self.ledger.is_empty();
+        // Shares of the speed that rounding gives to what rests say nothing: whether it stays is judged by its way.
+        let is_told = energy.is_told && !self.ledger.is_empty() && self.subject.rest != Rest::Stays;
         let mut frames = Frames::between(0.0, simulated);
         self.steps.iter().for_each(|&(time, seconds, work)| frames.add(time, seconds, work));
         let has_shape = ended != Ended::NotFinite && !self.shape.is_empty();
