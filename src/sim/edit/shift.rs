@@ -7,7 +7,6 @@ use super::{Applied, CommandError, done, invalid};
 use crate::sim::bond::{Bond, BondKind, Limit, PointId};
 use crate::sim::bonds::Bonds;
 use crate::sim::command::Motion;
-use crate::sim::constrain::direct::MOST_DIRECT;
 use crate::sim::model::Model;
 use crate::sim::plan::{self, Sets};
 use crate::sim::real::Real;
@@ -165,7 +164,7 @@ impl<S: Real, const D: usize> World<S, D> {
             bonds.push(Bond { a, b, rest_length: scale * bond.rest_length, ..bond });
         }
         // Larger bodies keep their lengths to a strain, and find back to it by themselves.
-        if bonds.len() > MOST_DIRECT || plan::reconcile(&mut bonds, &mut position, &w).is_empty() {
+        if !plan::is_direct(bonds.len()) || plan::reconcile(&mut bonds, &mut position, &w).is_empty() {
             return Ok(());
         }
         Err(invalid(

@@ -18,6 +18,7 @@ pub(crate) mod weld;
 
 use super::bond::{Bond, BondKind};
 use super::bonds::Bonds;
+use super::constrain::direct::MOST_DIRECT;
 use super::contact::obstacles::Obstacles;
 use super::group::Group;
 use super::model::Model;
@@ -107,6 +108,11 @@ pub(crate) fn compile<S: Real, const D: usize>(
     let gathered = Gathered::new(model, (bonds, numbers), &w, &stand_ins, state);
     let islands = island::islands(&gathered.bonds, &gathered.w);
     gathered.plan((model, obstacles), lot::lots(model, (!obstacles.is_empty(), scene_points), islands))
+}
+
+/// Whether a body of so many rigid bonds is solved for directly, which keeps their lengths to rounding.
+pub(crate) const fn is_direct(rigid: usize) -> bool {
+    rigid <= MOST_DIRECT
 }
 
 /// 1/m of every point, 0 where it is pinned.

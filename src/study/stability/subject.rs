@@ -110,7 +110,7 @@ pub enum Rest {
 }
 
 impl Subject {
-    /// A scene of the user's own, judged like the others: as long as it says, [`SECONDS`] at the most.
+    /// A scene of the user's own, judged like the others: as long as it says, ten seconds at the most.
     pub fn of_start(start: &Start) -> Subject {
         let recording = start.recording().clone();
         let said = if start.is_recording() { Some(recording.end()) } else { recording.scene.duration };
