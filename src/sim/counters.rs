@@ -46,6 +46,11 @@ impl Counters {
         self.work += bond * (self.bonds_solved - before.bonds_solved) + coordinate * coordinates;
     }
 
+    /// What may be counted once `seconds` more were spent.
+    pub(crate) fn work_after(&self, seconds: f64) -> u64 {
+        self.work + (1e3 * seconds / OPERATION) as u64
+    }
+
     /// The time that the work counted so far takes, by counting: the same on every machine [ms].
     pub fn work_ms(&self) -> f64 {
         self.work as f64 * OPERATION

@@ -16,6 +16,7 @@ use super::counters::Counters;
 use super::environment::Environment;
 use super::force::mouse::{self, Inside, Track};
 use super::force::spring::Springs;
+use super::integrate::implicit::USUAL_ROUNDS;
 use super::points::{Points, State};
 use super::pull::Pull;
 use super::real::Real;
@@ -29,6 +30,11 @@ use sleep::Sleep;
 
 /// Times that a substep is halved before it goes to a more robust method.
 const MOST_SPLITS: u32 = 5;
+/// Seconds of counted work for a second of the scene after which a substep goes on without being taken back: what is left of it is
+/// taken by the more robust method, and events are dealt with where it ends.
+const MOST_EFFORT: f64 = 100.0;
+/// Steps of the method that a substep may take before that, however short it is.
+const LEAST_TRIES: u64 = 256;
 
 /// A bond that breaks.
 #[derive(Clone, Copy, Debug)]
@@ -68,6 +74,8 @@ pub(crate) struct Group<S: Real, const D: usize> {
     /// Points that are led to the cursor.
     pub(crate) grabbed: Option<Grabbed<D>>,
     pub(crate) work: Work,
+    /// Counted work at which the substep under way is not taken back any more.
+    pub(crate) patience: u64,
     /// Where a ledger is kept.
     pub(crate) account: Option<Box<Account>>,
 }
@@ -139,6 +147,7 @@ impl<S: Real, const D: usize> Group<S, D> {
         counters.substeps += 1;
         counters.points_moved += self.points.len() as u64;
         if self.may_fail() {
+            self.patience = counters.work_after(MOST_EFFORT * h) + LEAST_TRIES * self.work.step;
             self.attempt(around, (t, h), 0, counters);
         } else {
             self.note_start();
@@ -164,7 +173,7 @@ impl<S: Real, const D: usize> Group<S, D> {
                 passes = !is_fine && self.take_unheld(around, (now, left), counters);
             }
             if !passes {
-                if depth < MOST_SPLITS {
+                if depth < MOST_SPLITS && self.is_patient(counters) {
                     counters.guard_splits += 1;
                     self.attempt(around, (now, 0.5 * left), depth + 1, counters);
                     if self.edges.broken.is_some() {
@@ -179,11 +188,17 @@ impl<S: Real, const D: usize> Group<S, D> {
                 return self.book_path(around, (now, left));
             }
             events += 1;
-            done += self.meet(around, (now, left), events < most_events, counters);
+            let may_locate = events < most_events && self.is_patient(counters);
+            done += self.meet(around, (now, left), may_locate, counters);
             if h - done < 1e-12 * h || self.edges.broken.is_some() {
                 return;
             }
         }
+    }
+
+    /// Whether parts of the substep under way may still be taken back.
+    fn is_patient(&self, counters: &Counters) -> bool {
+        counters.work < self.patience
     }
 
     /// Whether a substep may have to be taken back or cut. Kicks and flights alone converge always.
@@ -199,7 +214,12 @@ impl<S: Real, const D: usize> Group<S, D> {
     fn take(&mut self, around: &Environment<D>, (t, h): (f64, f64), counters: &mut Counters) -> bool {
         let Group { points, pull, engine, work, .. } = self;
         counters.work += work.step;
-        engine.step(points, pull, around, (t, h), counters)
+        let rounds = counters.iterations;
+        let is_fine = engine.step(points, pull, around, (t, h), counters);
+        if matches!(engine, Engine::Implicit(_)) {
+            counters.work += work.step / USUAL_ROUNDS * (counters.iterations - rounds).saturating_sub(USUAL_ROUNDS);
+        }
+        is_fine
     }
 
     /// The step with no point resting: surfaces and rigid bonds may hold points in ways that contradict each other, and what lies
@@ -287,6 +307,7 @@ impl<S: Real, const D: usize> Group<S, D> {
             sleep: Sleep::default(),
             grabbed: None,
             work: Work::default(),
+            patience: 0,
             account: None,
         }
     }

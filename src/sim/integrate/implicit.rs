@@ -22,6 +22,8 @@ use crate::sim::vector::{accumulate, add, convert, dot, scale, sub, zero};
 
 /// Rounds of Newton's method after which a step has not converged.
 const MOST_ROUNDS: u32 = 40;
+/// Rounds that a step usually takes.
+pub(crate) const USUAL_ROUNDS: u64 = 5;
 
 /// An implicit method with its system.
 #[derive(Clone, Debug)]

@@ -2,6 +2,7 @@
 
 use crate::sim::group::engine::Engine;
 use crate::sim::group::{Group, Work};
+use crate::sim::integrate::implicit::USUAL_ROUNDS;
 use crate::sim::integrate::splitting::Part;
 use crate::sim::real::Real;
 
@@ -48,7 +49,7 @@ fn of_engine<S: Real, const D: usize>(group: &Group<S, D>, engine: &Engine<S, D>
             stages * (force + hold + 2.0 * points) + 2.0 * terms as f64 * points + 2.0 * hold
         }
         Engine::Projected => force + 20.0 * points + 4.0 * hold,
-        Engine::Implicit(implicit) => 5.0 * (force + implicit.work() as f64 + 8.0 * points),
+        Engine::Implicit(implicit) => USUAL_ROUNDS as f64 * (force + implicit.work() as f64 + 8.0 * points),
         Engine::Bulk(bulk) => 40.0 * bulk.bonds() as f64 + 10.0 * points,
         Engine::Xpbd(bonds, sweeps, _) => force + 20.0 * points + 40.0 * bonds.len() as f64 * f64::from(*sweeps),
     }
