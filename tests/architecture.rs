@@ -45,7 +45,7 @@ const ROOMS: [(&str, &[&str], &[&str]); 12] = [
 ];
 
 /// Each module of `sim` and those that it may name, which all stand above it here: so there is no circle.
-const SIM: [(&str, &[&str]); 33] = [
+const SIM: [(&str, &[&str]); 34] = [
     ("real", &[]),
     ("shared", &[]),
     ("threads", &[]),
@@ -90,6 +90,23 @@ const SIM: [(&str, &[&str]); 33] = [
             "vector",
         ],
     ),
+    (
+        "live",
+        &[
+            "account",
+            "bond",
+            "bulk",
+            "contact",
+            "counters",
+            "environment",
+            "force",
+            "kernels",
+            "points",
+            "pull",
+            "real",
+            "vector",
+        ],
+    ),
     ("model", &["bond", "bonds", "contact", "force", "real", "solver"]),
     (
         "group",
@@ -127,6 +144,7 @@ const SIM: [(&str, &[&str]); 33] = [
             "group",
             "integrate",
             "kernels",
+            "live",
             "measure",
             "model",
             "plan_part",

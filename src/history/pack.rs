@@ -1,8 +1,8 @@
 //! Values as little-endian bytes, one after another, each type's fields in their order.
 
 use crate::sim::{
-    Bond, BondKind, Bonds, Bounds, Cursor, Limit, Method, Model, MouseForce, Order, Plane, PointId, Polygon, Precision,
-    Profile, Region, Saved, SavedWorld, Solver, Track,
+    Bond, BondKind, Bonds, Bounds, Contact, Cursor, Limit, Method, Model, MouseForce, Order, Plane, PointId, Polygon,
+    Precision, Profile, Region, Saved, SavedWorld, Solver, Track,
 };
 
 /// What can be put behind some bytes and taken from there again.
@@ -145,24 +145,41 @@ pub(super) struct Core<const D: usize> {
 
 fields!(Core<D> { time, position, velocity, mass, pinned, bonds, gone, bond_numbers, next_numbers });
 
-/// A kept world is its core, and then what this layout has besides.
+/// The layout from which on a kept world has the last of its fields.
+const FIRST_WITH_TRIANGLES: u64 = 3;
+
+/// A kept world of any layout that is known.
+trait KeptWorld: Sized {
+    /// Puts it behind the bytes, in the present layout.
+    fn put(&self, to: &mut Vec<u8>);
+    /// Takes one of a layout from the front; `None` where the bytes are not enough, or none of it.
+    fn take(from: &mut &[u8], layout: u64) -> Option<Self>;
+}
+
+/// A kept world is its core, then what the first layout has besides, then what came later: missing in earlier layouts.
 macro_rules! saved {
-    (core: $($core:ident)*; of its model: $($model:ident)*; model: $($more:ident)*; rest: $($rest:ident)*) => {
-        impl<const D: usize> Packed for Saved<D> {
+    (
+        core: $($core:ident)*; of its model: $($model:ident)*; model: $($more:ident)*; rest: $($rest:ident)*;
+        model, later: $($later:ident)*
+    ) => {
+        impl<const D: usize> KeptWorld for Saved<D> {
             fn put(&self, to: &mut Vec<u8>) {
                 let Saved { model, $($core,)* $($rest,)* } = self;
-                let Model { $($model,)* $($more,)* } = model;
+                let Model { $($model,)* $($more,)* $($later,)* } = model;
                 let core = Core { $($core: $core.clone(),)* $($model: $model.clone(),)* };
                 core.put(to);
                 $($more.put(to);)*
                 $($rest.put(to);)*
+                $($later.put(to);)*
             }
 
-            fn take(from: &mut &[u8]) -> Option<Self> {
+            fn take(from: &mut &[u8], layout: u64) -> Option<Self> {
+                let has_later = layout >= FIRST_WITH_TRIANGLES;
                 let Core { $($core,)* $($model,)* } = Core::take(from)?;
                 $(let $more = Packed::take(from)?;)*
                 $(let $rest = Packed::take(from)?;)*
-                let model = Model { $($model,)* $($more,)* };
+                $(let $later = if has_later { Packed::take(from)? } else { Default::default() };)*
+                let model = Model { $($model,)* $($more,)* $($later,)* };
                 Some(Saved { model, $($core,)* $($rest,)* })
             }
         }
@@ -173,10 +190,12 @@ saved! {
     core: time gone bond_numbers next_numbers;
     of its model: position velocity mass pinned bonds;
     model: gravity drag_rate mouse bounds duration planes polygons obstacle_numbers pin_motion method;
-    rest: precision substep scene_points lost cursor grabbed lead
+    rest: precision substep scene_points lost cursor grabbed lead;
+    model, later: triangles contact
 }
 
 fields!(Method { solver, substep, iterations, order, seed, precision, tolerance, max_strain, sleeps } without { ledger: false });
+fields!(Contact { friction, restitution, radius, with_itself, with_others });
 fields!(MouseForce { strength, radius, region, profile, track });
 fields!(Track<D> { knots });
 fields!(Bounds<D> { min, max, restitution, friction });
@@ -298,25 +317,25 @@ impl AnyCore {
     }
 }
 
-impl Packed for SavedWorld {
-    fn put(&self, to: &mut Vec<u8>) {
-        match self {
-            SavedWorld::Plane(saved) => {
-                PLANE.put(to);
-                saved.put(to);
-            }
-            SavedWorld::Space(saved) => {
-                SPACE.put(to);
-                saved.put(to);
-            }
+/// Puts a kept world behind the bytes, in the present layout.
+pub(super) fn put_world(world: &SavedWorld, to: &mut Vec<u8>) {
+    match world {
+        SavedWorld::Plane(saved) => {
+            PLANE.put(to);
+            saved.put(to);
+        }
+        SavedWorld::Space(saved) => {
+            SPACE.put(to);
+            saved.put(to);
         }
     }
+}
 
-    fn take(from: &mut &[u8]) -> Option<Self> {
-        match u8::take(from)? {
-            PLANE => Saved::take(from).map(SavedWorld::Plane),
-            SPACE => Saved::take(from).map(SavedWorld::Space),
-            _ => None,
-        }
+/// Takes a kept world of a layout that is known from the front of the bytes; `None` where they are none of it.
+pub(super) fn take_world(from: &mut &[u8], layout: u64) -> Option<SavedWorld> {
+    match u8::take(from)? {
+        PLANE => Saved::take(from, layout).map(SavedWorld::Plane),
+        SPACE => Saved::take(from, layout).map(SavedWorld::Space),
+        _ => None,
     }
 }

@@ -14,11 +14,11 @@ use serde_json::{Value, json};
 
 use super::dress::Dress;
 use super::frame::Frame;
-use super::pack::{AnyCore, Core, Packed};
+use super::pack::{AnyCore, Core, put_world, take_world};
 use crate::sim::{Dynamics, Saved, SavedWorld, resume};
 
 /// How the numbers are laid out.
-pub(super) const LAYOUT: u64 = 2;
+pub(super) const LAYOUT: u64 = 3;
 
 /// The first layout that begins with the core.
 const FIRST_WITH_CORE: u64 = 2;
@@ -32,7 +32,7 @@ const LARGEST: u64 = 4 << 30;
 pub(super) fn pack(frame: &Frame, compression: Compression) -> Result<Vec<u8>, String> {
     let saved = frame.world.save().ok_or("a world of these dimensions cannot be kept")?;
     let mut bytes = Vec::new();
-    saved.put(&mut bytes);
+    put_world(&saved, &mut bytes);
     frame.dress.put_added(&mut bytes)?;
     let mut packed = ZlibEncoder::new(Vec::new(), compression);
     packed.write_all(&bytes).and_then(|()| packed.finish()).map_err(|error| error.to_string())
@@ -82,8 +82,8 @@ pub(super) fn go_on(state: &Value, start: &dyn Dynamics, dress: &mut Dress) -> R
     let damaged = || "state: is damaged: get the file anew".to_owned();
     let bytes = unpack(state)?;
     let mut rest = &bytes[..];
-    let saved = if layout == LAYOUT {
-        let saved = SavedWorld::take(&mut rest).ok_or_else(damaged)?;
+    let saved = if layout <= LAYOUT {
+        let saved = take_world(&mut rest, layout).ok_or_else(damaged)?;
         let (points, of_scene) = match &saved {
             SavedWorld::Plane(saved) => (saved.model.position.len(), saved.scene_points),
             SavedWorld::Space(saved) => (saved.model.position.len(), saved.scene_points),

@@ -88,6 +88,8 @@ impl Scene {
         let start = Start::new(self)?;
         Ok(Model {
             bonds: self.model_bonds(&start)?,
+            triangles: Vec::new(),
+            contact: None,
             position: start.position.into_iter().map(truncate).collect(),
             velocity: start.velocity.into_iter().map(truncate).collect(),
             mass: start.mass,

@@ -17,6 +17,7 @@ pub(crate) mod group;
 pub(crate) mod integrate;
 pub(crate) mod kernels;
 pub mod ledger;
+pub(crate) mod live;
 pub(crate) mod measure;
 pub mod model;
 pub(crate) mod plan;
@@ -42,6 +43,7 @@ pub use command::{
 };
 pub use contact::bounds::Bounds;
 pub use contact::polygon::Polygon;
+pub use contact::skin::Contact;
 pub use contact::surface::Plane;
 pub use counters::Counters;
 pub use dynamics::{Dynamics, GrabView, Sample};

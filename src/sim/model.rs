@@ -5,6 +5,7 @@ use super::bonds::Bonds;
 use super::contact::bounds::Bounds;
 use super::contact::geometry::Geometry;
 use super::contact::polygon::Polygon;
+use super::contact::skin::Contact;
 use super::contact::surface::Plane;
 use super::force::mouse::{MouseForce, Track};
 use super::real::Precision;
@@ -27,6 +28,10 @@ pub struct Model<const D: usize> {
     pub pinned: Vec<PointId>,
     /// The bonds, in the order that [`Order::Fixed`] sweeps them.
     pub bonds: Bonds,
+    /// What bodies cover: corners that differ, anticlockwise where nothing is inside out.
+    pub triangles: Vec<[PointId; 3]>,
+    /// How bodies meet, in the plane; `None`: they pass through each other.
+    pub contact: Option<Contact>,
     /// Gravity [m/s^2].
     pub gravity: [f64; D],
     /// Rate at which velocities decay [1/s], >= 0.
@@ -93,6 +98,21 @@ pub enum ModelError {
         /// The point.
         point: u32,
     },
+    /// Something of the plane in space.
+    #[error("`{what}` is of the plane: leave it out in space")]
+    Planar {
+        /// What it is.
+        what: &'static str,
+    },
+    /// A solver by which bodies cannot meet.
+    #[error("solver {solver} knows no contact: leave `solver` out")]
+    NoContact {
+        /// The solver.
+        solver: Solver,
+    },
+    /// A tolerance where bodies meet.
+    #[error("no tolerance is held to where bodies meet: leave `tolerance` or `contact` out")]
+    Unbounded,
     /// A bond that has no error, where a tolerance is asked for.
     #[error("bond {bond} is relaxed: it is defined by its sweeps and has no error to bound: leave `tolerance` out")]
     NoError {
@@ -134,6 +154,12 @@ impl<const D: usize> Model<D> {
         for (i, bond) in self.bonds.iter().enumerate() {
             self.check_bond(i, &bond)?;
         }
+        for (i, corners) in self.triangles.iter().enumerate() {
+            for &corner in corners {
+                self.check_index(|| format!("triangle {i}"), corner)?;
+            }
+            check_triangle(i, *corners)?;
+        }
         for &pin in &self.pinned {
             self.check_index(|| "pinned".to_owned(), pin)?;
         }
@@ -147,6 +173,7 @@ impl<const D: usize> Model<D> {
     pub(crate) fn check_surroundings(&self) -> Result<(), ModelError> {
         require(self.gravity.iter().all(|g| g.is_finite()), "gravity", self.gravity, "finite")?;
         require(self.drag_rate >= 0.0 && self.drag_rate.is_finite(), "drag_rate", self.drag_rate, "finite and >= 0")?;
+        self.check_contact()?;
         if let Some(h) = self.method.substep {
             require((SHORTEST..f64::INFINITY).contains(&h), "substep", h, "finite and at least 1e-12")?;
         }
@@ -181,6 +208,30 @@ impl<const D: usize> Model<D> {
         Ok(())
     }
 
+    fn check_contact(&self) -> Result<(), ModelError> {
+        let solver = self.method.solver;
+        if D != 2 && solver == Solver::Live {
+            return Err(ModelError::Planar { what: "live" });
+        }
+        let Some(contact) = &self.contact else { return Ok(()) };
+        let Contact { friction, restitution, radius, .. } = *contact;
+        require(friction >= 0.0 && friction.is_finite(), "contact.friction", friction, "finite and >= 0")?;
+        require((0.0..=1.0).contains(&restitution), "contact.restitution", restitution, "from 0 to 1")?;
+        let is_size = |radius: f64| radius >= 0.0 && radius.is_finite();
+        require(radius.is_none_or(is_size), "contact.radius", radius.unwrap_or_default(), "finite and >= 0")?;
+        match solver {
+            _ if D != 2 => Err(ModelError::Planar { what: "contact" }),
+            Solver::Auto | Solver::Live if self.method.tolerance.is_some() => Err(ModelError::Unbounded),
+            Solver::Auto | Solver::Live => Ok(()),
+            solver => Err(ModelError::NoContact { solver }),
+        }
+    }
+
+    /// Whether all that can move is moved together by the live step.
+    pub(crate) fn is_live(&self) -> bool {
+        D == 2 && (self.contact.is_some() || self.method.solver == Solver::Live)
+    }
+
     /// Times at which a step has to end [s]: knots of tracks, and the duration; in any order.
     pub(crate) fn knots(&self) -> impl Iterator<Item = f64> {
         let tracks = self.pin_motion.iter().flat_map(|(_, track)| track.knots.iter().map(|knot| knot.0));
@@ -196,6 +247,8 @@ impl<const D: usize> Model<D> {
             mass: self.mass.clone(),
             pinned: self.pinned.clone(),
             bonds: Bonds::new(),
+            triangles: self.triangles.clone(),
+            contact: self.contact,
             gravity: self.gravity,
             drag_rate: self.drag_rate,
             mouse: self.mouse.clone(),
@@ -274,6 +327,12 @@ impl<'a, const D: usize> From<&'a Model<D>> for Geometry<'a, D> {
     }
 }
 
+/// Errors: two corners of triangle `i` are one.
+pub(crate) fn check_triangle(i: usize, [a, b, c]: [PointId; 3]) -> Result<(), ModelError> {
+    let differ = a != b && b != c && c != a;
+    if differ { Ok(()) } else { require(false, &format!("triangle {i}"), [a.0, b.0, c.0], "of three points") }
+}
+
 fn require(fine: bool, place: &str, value: impl std::fmt::Debug, range: &'static str) -> Result<(), ModelError> {
     if fine {
         return Ok(());
@@ -290,6 +349,8 @@ impl<const D: usize> Default for Model<D> {
             mass: Vec::new(),
             pinned: Vec::new(),
             bonds: Bonds::new(),
+            triangles: Vec::new(),
+            contact: None,
             gravity: [0.0; D],
             drag_rate: 0.0,
             mouse: None,

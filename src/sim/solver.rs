@@ -49,11 +49,13 @@ pub enum Solver {
     /// Paths of bonds solved at once, path after path: order 1 in the bonds, stable at any substep, and far stiffer than
     /// sweeps where paths are long.
     Path,
+    /// Fixed work in every substep, order 1; bodies may meet.
+    Live,
 }
 
 impl Solver {
     /// All that can be asked for by name.
-    pub const ALL: [Solver; 16] = [
+    pub const ALL: [Solver; 17] = [
         Solver::Auto,
         Solver::Euler,
         Solver::SymplecticEuler,
@@ -70,6 +72,7 @@ impl Solver {
         Solver::Xpbd,
         Solver::Relaxation,
         Solver::Path,
+        Solver::Live,
     ];
 
     /// Its name in scene files and calls.
@@ -92,6 +95,7 @@ impl Solver {
             Solver::Xpbd => "xpbd",
             Solver::Relaxation => "relaxation",
             Solver::Path => "path",
+            Solver::Live => "live",
         }
     }
 
@@ -103,7 +107,8 @@ impl Solver {
             | Solver::BackwardEuler
             | Solver::Xpbd
             | Solver::Relaxation
-            | Solver::Path => 1,
+            | Solver::Path
+            | Solver::Live => 1,
             Solver::Auto | Solver::Verlet | Solver::VelocityVerlet | Solver::Rk2 | Solver::ImplicitMidpoint => 2,
             Solver::Pefrl | Solver::BlanesMoan4 | Solver::Rk4 => 4,
             Solver::BlanesMoan6 => 6,
@@ -129,14 +134,14 @@ impl Solver {
                 | Solver::BackwardEuler
                 | Solver::Flight
                 | Solver::Path,
-            ) => Some(("relaxed", "auto, euler, symplectic-euler, verlet, velocity-verlet, xpbd or relaxation")),
+            ) => Some(("relaxed", "auto, euler, symplectic-euler, verlet, velocity-verlet, xpbd, relaxation or live")),
             _ => None,
         }
     }
 
     /// Whether rigid bonds are solved together where there are not too many.
     pub(crate) fn solves_directly(self) -> bool {
-        !matches!(self, Solver::Verlet | Solver::Relaxation | Solver::Xpbd | Solver::Path)
+        !matches!(self, Solver::Verlet | Solver::Relaxation | Solver::Xpbd | Solver::Path | Solver::Live)
     }
 
     /// Whether walls, the edge of the mouse region and turns of bonds are located in time: where the order would be lost

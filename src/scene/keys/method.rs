@@ -38,6 +38,8 @@ names! {
         Relaxation = "relaxation",
         /// Tridiagonal, path by path.
         Path = "path",
+        /// Bodies may meet.
+        Live = "live",
     }
 }
 

@@ -4,34 +4,37 @@ use std::fmt;
 
 use super::Way;
 
-/// How many large bodies there are of each form, and how their bonds are taken.
+/// What a group of large bodies is.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Kernel {
-    /// Sheets, chains, crowds and meshes.
-    pub(crate) counts: [usize; 4],
-    pub(crate) way: Way,
+pub(crate) enum Kernel {
+    /// How many there are of each form (sheets, chains, crowds and meshes), and how their bonds are taken.
+    Forms([usize; 4], Way),
+    /// Bodies of any form that may meet.
+    Live,
 }
 
 impl Kernel {
     /// Those of both.
-    pub(crate) fn and(mut self, other: Kernel) -> Self {
-        for (count, more) in self.counts.iter_mut().zip(other.counts) {
-            *count += more;
+    pub(crate) fn and(self, other: Kernel) -> Self {
+        match (self, other) {
+            (Kernel::Forms(counts, way), Kernel::Forms(more, _)) => {
+                Kernel::Forms(std::array::from_fn(|form| counts[form] + more[form]), way)
+            }
+            _ => Kernel::Live,
         }
-        self
     }
 }
 
 impl fmt::Display for Kernel {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let &Kernel::Forms(counts, way) = self else { return f.write_str("live bodies") };
         let plurals = [("sheet", "sheets"), ("chain", "chains"), ("crowd", "crowds"), ("mesh", "meshes")];
-        let some =
-            plurals.iter().zip(self.counts).filter(|(_, count)| *count > 0).map(|((one, many), count)| match count {
-                1 => format!("a {one}"),
-                _ => format!("{count} {many}"),
-            });
+        let some = plurals.iter().zip(counts).filter(|(_, count)| *count > 0).map(|((one, many), count)| match count {
+            1 => format!("a {one}"),
+            _ => format!("{count} {many}"),
+        });
         write!(f, "{} by ", some.collect::<Vec<_>>().join(" and "))?;
-        match self.way {
+        match way {
             Way::Paths => f.write_str("paths"),
             Way::Forces => f.write_str("forces"),
             Way::Sweeps(1) => f.write_str("a sweep a substep"),

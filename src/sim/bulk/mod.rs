@@ -116,7 +116,7 @@ impl<S: Real, const D: usize> Mover<S, D> for Bulk<S, D> {
     fn kernel(&self) -> Kernel {
         let mut counts = [0; 4];
         self.bodies.iter().for_each(|body| counts[body.place()] += 1);
-        Kernel { counts, way: self.way }
+        Kernel::Forms(counts, self.way)
     }
 
     fn heap_bytes(&self) -> usize {

@@ -6,6 +6,7 @@ pub(crate) mod obstacles;
 pub(crate) mod passage;
 pub mod polygon;
 pub(crate) mod rest;
+pub mod skin;
 pub mod surface;
 
 use super::points::Points;

@@ -73,6 +73,8 @@ impl<S: Real, const D: usize> World<S, D> {
     /// The same at a time `t` [s] within a step.
     pub(super) fn detach_at(&mut self, touched: &[u32], is_all: bool, t: f64) -> Detached<S, D> {
         self.spread();
+        // Bodies that may meet move together.
+        let is_all = is_all || self.model.is_live();
         let groups = if is_all { (0..self.plan.groups.len()).collect() } else { self.groups_of(touched) };
         let mut is_out = vec![false; self.plan.groups.len()];
         for &group in &groups {
@@ -201,6 +203,8 @@ impl<S: Real, const D: usize> World<S, D> {
             mass: points.iter().map(|&i| self.model.mass[i as usize]).collect(),
             pinned,
             bonds: Bonds::new(),
+            triangles: self.triangles_among(local),
+            contact: self.model.contact,
             gravity: self.model.gravity,
             drag_rate: self.model.drag_rate,
             mouse: self.model.mouse.clone(),
@@ -212,6 +216,15 @@ impl<S: Real, const D: usize> World<S, D> {
             pin_motion: tracks.map(|(point, track)| (PointId(within(point)), track.clone())).collect(),
             method: self.model.method,
         }
+    }
+
+    /// The triangles whose corners are all among some points.
+    fn triangles_among(&self, local: &[u32]) -> Vec<[PointId; 3]> {
+        let of = |corners: &[PointId; 3]| {
+            let own = corners.map(|corner| PointId(local[corner.index()]));
+            (!own.contains(&PointId(u32::MAX))).then_some(own)
+        };
+        self.model.triangles.iter().filter_map(of).collect()
     }
 
     /// The bonds with a free end among some points, and their numbers.

@@ -9,7 +9,7 @@ use crate::sim::bond::BondKind;
 use crate::sim::bulk::body::Members;
 use crate::sim::bulk::control::Control;
 use crate::sim::bulk::draft::{Draft, Order, Shape};
-use crate::sim::bulk::mover::mover;
+use crate::sim::bulk::mover::{Mover, mover};
 use crate::sim::bulk::spec::Spec;
 use crate::sim::bulk::trails::Segment;
 use crate::sim::colour::by_colour;
@@ -19,10 +19,10 @@ use crate::sim::group::engine::Engine;
 use crate::sim::group::events::edge::Edges;
 use crate::sim::group::guard::Guard;
 use crate::sim::group::sleep::Sleep;
-use crate::sim::group::{Group, Work};
+use crate::sim::group::{Breakable, Group, Work};
 use crate::sim::kernels::rows::Kinds;
 use crate::sim::plan::island::Island;
-use crate::sim::points::State;
+use crate::sim::points::{Points, State};
 use crate::sim::pull::Pull;
 use crate::sim::real::Real;
 use crate::sim::solver::Solver;
@@ -36,10 +36,7 @@ impl<S: Real, const D: usize> Maker<'_, S, D> {
     /// `None` in a dimension that large bodies are not made for.
     pub(super) fn make_bulk(&self, scheme: Scheme) -> Option<Group<S, D>> {
         let choice = self.lot.choice;
-        let w: Vec<f64> = self.points.iter().map(|&i| self.gathered.w[i as usize]).collect();
-        let mut points = self.state(&w);
-        points.position_lost = Vec::new();
-        points.velocity_lost = Vec::new();
+        let points = self.batched_state();
         let breakable = breakable(self.bonds(), |_| true);
         let mut bodies = self.drafts();
         if !breakable.is_empty() {
@@ -60,33 +57,59 @@ impl<S: Real, const D: usize> Maker<'_, S, D> {
             nominal: choice.substep,
         };
         let bulk = mover(order)?;
-        Some(Group {
+        Some(self.batched(points, self.batched_pull(), bulk, breakable))
+    }
+
+    /// The points of a group whose engine keeps what rounding takes by itself.
+    pub(super) fn batched_state(&self) -> Points<S, D> {
+        let w: Vec<f64> = self.points.iter().map(|&i| self.gathered.w[i as usize]).collect();
+        let mut points = self.state(&w);
+        points.position_lost = Vec::new();
+        points.velocity_lost = Vec::new();
+        points
+    }
+
+    /// What acts on such points but for bonds.
+    pub(super) fn batched_pull(&self) -> Pull<S, D> {
+        Pull {
+            springs: Springs::none(),
+            contacts: Contacts::new(self.obstacles, self.points.len()),
+            rigid: None,
+            inside: None,
+            led: Vec::new(),
+            lead: zero(),
+            gravity: self.model.gravity,
+            drag_rate: self.model.drag_rate,
+        }
+    }
+
+    /// The group of such points.
+    pub(super) fn batched(
+        &self,
+        points: Points<S, D>,
+        pull: Pull<S, D>,
+        mover: Box<dyn Mover<S, D>>,
+        breakable: Vec<Breakable<S>>,
+    ) -> Group<S, D> {
+        Group {
             guard: Guard { bonds: Vec::new(), follows_turns: false },
             breakable,
             edges: Edges::none(),
             tracks: self.tracks(),
-            substep: choice.substep,
+            substep: self.lot.choice.substep,
             locates: false,
             before: State::default(),
             acceleration: Vec::new(),
             sleep: Sleep::default(),
             grabbed: None,
             work: Work::default(),
+            patience: 0,
             account: self.account(),
-            pull: Pull {
-                springs: Springs::none(),
-                contacts: Contacts::new(self.obstacles, self.points.len()),
-                rigid: None,
-                inside: None,
-                led: Vec::new(),
-                lead: zero(),
-                gravity: self.model.gravity,
-                drag_rate: self.model.drag_rate,
-            },
-            engine: Engine::Bulk(bulk),
+            pull,
+            engine: Engine::Bulk(mover),
             robust: None,
             points,
-        })
+        }
     }
 
     /// Every island as the form that it is made in; equal small ones go together.

@@ -54,7 +54,7 @@ impl<S: Real, const D: usize> Maker<'_, S, D> {
                 let midpoint = solver == Solver::ImplicitMidpoint;
                 Engine::Implicit(Box::new(implicit(midpoint, bonds, points, pull)))
             }
-            Solver::Xpbd | Solver::Path => {
+            Solver::Xpbd | Solver::Path | Solver::Live => {
                 let compliant = bonds.iter().filter_map(|(_, bond)| CompliantBond::of(bond, &points.inverse_mass));
                 let mut compliant: Vec<CompliantBond<S>> = compliant.collect();
                 let order = match self.model.method.order {
@@ -113,7 +113,8 @@ impl<S: Real, const D: usize> Maker<'_, S, D> {
         points: &Points<S, D>,
         pull: &Pull<S, D>,
     ) -> Option<Engine<S, D>> {
-        let is_robust = matches!(self.lot.choice.solver, Solver::BackwardEuler | Solver::Xpbd | Solver::Relaxation);
+        let is_robust =
+            matches!(self.lot.choice.solver, Solver::BackwardEuler | Solver::Xpbd | Solver::Relaxation | Solver::Live);
         if pull.rigid.is_some() {
             return Some(Engine::Projected);
         }

@@ -3,7 +3,8 @@
 use super::choice::{self, Choice, Setting};
 use super::island::Island;
 use super::structure::MOST_OF_A_CROWD;
-use crate::sim::model::Model;
+use crate::sim::bulk::control::FRAME;
+use crate::sim::model::{Method, Model};
 use crate::sim::solver::{Order, Solver};
 
 /// Points without bonds from which on a group of them is full: one that sleeps should not be woken by too many others, and a group
@@ -23,7 +24,7 @@ pub(super) struct Lot {
 /// Islands by method and substep, in the order of their first points.
 ///
 /// A method that was asked for by name moves all islands at the substep of the fastest; large bodies apart from what is
-/// none, and from those that follow another strain.
+/// none, and from those that follow another strain. Where bodies may meet, all islands go together.
 ///
 /// `scene_points` is how many points the scene had when the world began: what is added elsewhere later changes no choice.
 pub(super) fn lots<const D: usize>(
@@ -31,6 +32,9 @@ pub(super) fn lots<const D: usize>(
     (has_surfaces, scene_points): (bool, usize),
     islands: Vec<Island>,
 ) -> Vec<Lot> {
+    if model.is_live() {
+        return vec![live(model.method, islands)];
+    }
     let setting = Setting {
         has_surfaces,
         mouse: model.mouse.as_ref().map(|mouse| mouse.strength),
@@ -60,6 +64,13 @@ pub(super) fn lots<const D: usize>(
     let is_divided = !matches!(model.method.order, Order::Shuffled);
     let classes = classes.into_iter().enumerate();
     classes.flat_map(|(class, (choice, islands))| divide(class, choice, islands, is_divided)).collect()
+}
+
+/// All islands together: they may meet.
+fn live(method: Method, islands: Vec<Island>) -> Lot {
+    let substep = method.substep.map_or(FRAME, |given| given.min(FRAME));
+    let choice = Choice { solver: Solver::Live, substep, is_direct: false, bulk: None };
+    Lot { choice, points: islands.iter().map(|island| island.points.len()).sum(), islands, class: 0 }
 }
 
 /// The groups of a class: bodies one by one, but for crowds and loose points, so that what happens to one leaves the others as they are.

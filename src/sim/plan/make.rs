@@ -41,7 +41,11 @@ pub(super) struct Maker<'a, S, const D: usize> {
 impl<S: Real, const D: usize> Maker<'_, S, D> {
     pub(super) fn make(&self) -> Group<S, D> {
         let choice = self.lot.choice;
-        if let Some(group) = choice.bulk.and_then(|scheme| self.make_bulk(scheme)) {
+        let batched = match choice.solver {
+            Solver::Live => self.make_live(),
+            _ => choice.bulk.and_then(|scheme| self.make_bulk(scheme)),
+        };
+        if let Some(group) = batched {
             return group;
         }
         let w: Vec<f64> = self.points.iter().map(|&i| self.gathered.w[i as usize]).collect();
@@ -52,7 +56,7 @@ impl<S: Real, const D: usize> Maker<'_, S, D> {
             .filter(|rows: &Vec<Row<S>>| !rows.is_empty())
             .map(|rows| Direct::new(Shape::new(rows, self.points.len())));
         let springs = match choice.solver {
-            Solver::Xpbd | Solver::Path => Springs::none(),
+            Solver::Xpbd | Solver::Path | Solver::Live => Springs::none(),
             _ => Springs::new(bonds.iter().map(|(_, bond)| bond), self.points.len()),
         };
         let pull = Pull {
@@ -87,6 +91,7 @@ impl<S: Real, const D: usize> Maker<'_, S, D> {
             sleep: Sleep::default(),
             grabbed: None,
             work: Work::default(),
+            patience: 0,
             account: self.account(),
             points,
             pull,
@@ -150,7 +155,7 @@ impl<S: Real, const D: usize> Maker<'_, S, D> {
     /// Bonds whose turns and moves are watched: those of methods that a large substep can break.
     fn guard(&self, bonds: &[(u32, Bond)]) -> Guard<S> {
         let follows_turns = self.lot.choice.solver.order() > 2;
-        if matches!(self.lot.choice.solver, Solver::Relaxation | Solver::Xpbd | Solver::Path) {
+        if matches!(self.lot.choice.solver, Solver::Relaxation | Solver::Xpbd | Solver::Path | Solver::Live) {
             return Guard { bonds: Vec::new(), follows_turns };
         }
         let is_watched = |bond: &Bond| !matches!(bond.kind, BondKind::Relaxed { .. }) && bond.rest_length > 0.0;

@@ -8,6 +8,7 @@ mod cost;
 mod engines;
 mod gather;
 pub(crate) mod island;
+mod live;
 mod lot;
 mod make;
 mod precision;

@@ -66,6 +66,7 @@ pub(super) fn look(solver: &str) -> Look {
         "backward-euler" => (PURPLE, Marker::Square),
         "xpbd" => (VERMILION, Marker::Plus),
         "relaxation" => (VERMILION, Marker::Cross),
+        "live" => (VERMILION, Marker::Diamond),
         _ => (GREY, Marker::Plus),
     };
     Look { colour, marker, width: if solver == "baseline" { 2.0 } else { 1.3 } }

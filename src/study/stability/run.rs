@@ -13,7 +13,7 @@ use super::surfaces::Surfaces;
 use crate::history::{HistoryError, Replay};
 use crate::scene::frames::{Frames, next_close};
 use crate::scene::record::RecordedFrames;
-use crate::sim::{BondKind, Counters, Dynamics, Ledger, Limit, Sample, judge};
+use crate::sim::{BondKind, Counters, Dynamics, Ledger, Limit, Sample, Solver, judge};
 
 /// When a run is given up.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
@@ -305,7 +305,7 @@ impl<'a> Drive<'a> {
 
 /// The solvers of a world's parts, each once.
 fn path(world: &dyn Dynamics) -> String {
-    let name = |part: &crate::sim::PlanPart| match part.kernel.is_empty() {
+    let name = |part: &crate::sim::PlanPart| match part.kernel.is_empty() || part.solver == Solver::Live {
         true => part.solver.name().to_owned(),
         false => format!("{} of a large body", part.solver.name()),
     };
