@@ -45,7 +45,7 @@ const ROOMS: [(&str, &[&str], &[&str]); 12] = [
 ];
 
 /// Each module of `sim` and those that it may name, which all stand above it here: so there is no circle.
-const SIM: [(&str, &[&str]); 34] = [
+const SIM: [(&str, &[&str]); 35] = [
     ("real", &[]),
     ("shared", &[]),
     ("threads", &[]),
@@ -55,6 +55,7 @@ const SIM: [(&str, &[&str]); 34] = [
     ("ledger", &[]),
     ("bond", &["real"]),
     ("bonds", &["bond", "shared"]),
+    ("triangles", &["bond"]),
     ("solver", &["bond"]),
     ("vector", &["real"]),
     ("points", &["real"]),
@@ -204,6 +205,7 @@ const SIM: [(&str, &[&str]); 34] = [
             "plan_part",
             "points",
             "real",
+            "triangles",
             "vector",
             "world",
         ],

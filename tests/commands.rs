@@ -1,6 +1,8 @@
 //! What commands do to a running world: what they name changes, all else keeps its bits, and a refused one changes nothing.
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic, reason = "a test that cannot go on stops")]
 
+#[path = "commands/meeting.rs"]
+mod meeting;
 #[path = "common/commands.rs"]
 mod random;
 
@@ -793,6 +795,7 @@ fn agrees(world: &dyn Dynamics, when: &str) {
     }
     assert!(world.bonds().ends().iter().flatten().all(|end| end.index() < points && !is_gone(end.index())), "{when}");
     assert!(world.pinned().iter().all(|pin| !is_gone(pin.index())), "{when}");
+    assert!(world.triangles().iter().flatten().all(|corner| !is_gone(corner.index())), "{when}");
     if let Some(numbers) = world.bond_numbers() {
         assert_eq!(numbers.len(), world.bonds().len(), "{when}");
         assert!(numbers.windows(2).all(|pair| pair[0] < pair[1]), "{when}");

@@ -8,9 +8,9 @@ mod common;
 mod keyframes;
 
 use common::session::{Dice, play as play_at_random};
-use wobble::history::{DeleteKeys, Do, History, Log, Recording, Start, hash_now, replay};
+use wobble::history::{DeleteKeys, Do, History, Log, Recording, SetKeys, Start, hash_now, replay};
 use wobble::scene::{AddKeys, Scene};
-use wobble::sim::{Cursor, MouseChange, PointId, Reach};
+use wobble::sim::{Contact, Cursor, MouseChange, PointId, Reach, Solver};
 
 fn history(name: &str) -> History {
     History::new(Start::from(Scene::load(name).unwrap())).unwrap()
@@ -361,6 +361,10 @@ fn a_state_of_another_layout_or_version_is_gone_on_from_and_said() {
     let bonds = |history: &History| history.world().bonds().iter().collect::<Vec<_>>();
     assert_eq!(bonds(&taken), bonds(&live));
     assert_eq!(taken.world().gone(), [PointId(3)]);
+    // A sector of the rim on either side of the point, and the half of one that it is no corner of.
+    let covered = |history: &History| history.world().triangles().to_vec();
+    assert_eq!(covered(&live).len() + 3, covered(&history("rim")).len());
+    assert_eq!((covered(&taken), covered(&as_is)), (covered(&live), covered(&live)));
     let force = |history: &History| history.world().mouse_force().unwrap().strength;
     assert_eq!((force(&taken), force(&as_is)), (force(&history("rim")), 70.0));
     assert!(as_is.world().grab().is_some() && taken.world().grab().is_none());
@@ -371,6 +375,79 @@ fn a_state_of_another_layout_or_version_is_gone_on_from_and_said() {
     assert_eq!(hash(&again), late);
     let refused = History::new(Start::from(of("layout", 1.into()))).err().unwrap();
     assert!(refused.to_string().contains("layout 1"), "{refused}");
+}
+
+/// A state as it was laid out before worlds knew of triangles, of a scene of a picture's body to which another was added; then a point
+/// went, and some bonds by a stroke.
+#[test]
+fn a_state_that_says_nothing_of_triangles_is_gone_on_from_whole() {
+    let old = Log::of_text(include_str!("files/state-2.json"), "state-2.json").unwrap().recording().unwrap();
+    assert_eq!(old.state.as_ref().unwrap()["layout"], 2);
+    assert_eq!(old.notes(), [] as [&str; 0]);
+    let scene = old.scene.clone();
+    let mut body = scene.bodies[0].clone();
+    body.origin = Some(wobble::scene::Vector::Plane([3.0, 0.0]));
+    let mut live = History::new(Start::from(scene)).unwrap();
+    let mut give = |at: f64, act: Do| {
+        while live.world().time() < at - 1e-9 {
+            live.step();
+        }
+        live.give(vec![act], Some("Edit")).unwrap();
+    };
+    give(0.1, Do::Add(Box::new(AddKeys { bodies: vec![body], ..AddKeys::default() })));
+    let whole = 2 * 18;
+    give(0.2, Do::Delete(DeleteKeys { points: vec![0], ..DeleteKeys::default() }));
+    give(0.2, Do::Cut { from: [2.0, 0.05], to: [3.05, 0.05] });
+    let opened = History::new(Start::from(old)).unwrap();
+    assert_eq!(opened.world().triangles(), live.world().triangles());
+    assert!(opened.skins() == live.skins() && opened.skins().len() == 2);
+    let left: Vec<usize> = opened.skins().iter().map(|skin| skin.triangles.len()).collect();
+    assert_eq!(left.iter().sum::<usize>(), opened.world().triangles().len());
+    assert!(left.iter().all(|&left| left < whole / 2), "{left:?}");
+}
+
+#[test]
+fn bodies_meet_from_a_command_on_in_copies_and_snapshots_too() {
+    let mut live = history("rim");
+    play(&mut live, 100);
+    let keys = |text: &str| -> SetKeys { serde_json::from_str(text).unwrap() };
+    let set = |text: &str| Do::Set(Box::new(keys(text)));
+    for (wrong, why) in [
+        (r#"{"contact": {"friction": -1}}"#, "contact.friction is -1.0"),
+        (r#"{"contact": {"restitution": 2}}"#, "contact.restitution is 2.0"),
+        (r#"{"contact": true, "method": {"solver": "rk4"}}"#, "solver rk4 knows no contact"),
+        (r#"{"contact": true, "points": [0]}"#, "contact: is no key of points"),
+    ] {
+        let error = live.give(vec![set(wrong)], Some("Set")).unwrap_err().to_string();
+        assert!(error.contains(why), "{error}");
+    }
+    assert!(serde_json::from_str::<SetKeys>(r#"{"contact": null}"#).is_err());
+    live.give(vec![set(r#"{"contact": {"friction": 0.2, "self": false}}"#)], Some("Meet")).unwrap();
+    let contact = Some(Contact { friction: 0.2, with_itself: false, ..Contact::default() });
+    let meets = |history: &History| {
+        assert_eq!(history.world().contact(), contact);
+        assert!(history.world().parts().iter().all(|part| part.solver == Solver::Live));
+        history.world().triangles().to_vec()
+    };
+    let all = meets(&live);
+    let rope = r#"{"points": {"position": [[3, 3], [4, 3], [4, 4]]}, "bonds": [{"a": 24, "b": 25}], "triangles": [[24, 26, 25]]}"#;
+    live.give(vec![Do::Add(Box::new(serde_json::from_str(rope).unwrap()))], Some("Add")).unwrap();
+    let more = meets(&live);
+    assert_eq!(more[..all.len()], all);
+    assert_eq!(more[all.len()..], [[24, 25, 26].map(PointId)], "turned anticlockwise");
+    play(&mut live, 50);
+    let (late, again) = (hash(&live), as_log(&live.snapshot().unwrap()).recording().unwrap());
+    assert_eq!(meets(&History::new(Start::from(again)).unwrap()), more);
+    let mut anew = History::new(Start::from(as_log(&live.recording()).recording().unwrap())).unwrap();
+    anew.go_to(f64::from_bits(late.1));
+    assert_eq!((hash(&anew), meets(&anew)), (late, more));
+    live.give(vec![set(r#"{"contact": false}"#), set(r#"{"method": {"solver": "rk4"}}"#)], Some("Part")).unwrap();
+    assert!(live.world().contact().is_none());
+    live.undo().unwrap();
+    live.undo().unwrap();
+    assert_eq!(meets(&live), all);
+    live.undo().unwrap();
+    assert!(live.world().contact().is_none() && live.world().triangles() == all);
 }
 
 #[test]

@@ -9,7 +9,7 @@ use std::sync::Arc;
 
 use wobble::picture::{Picture, Settings, Size, Watch, encode, mesh_picture};
 use wobble::render::{Camera, Capture, Look, View};
-use wobble::scene::{BodyKeys, Matter, PatternName, Scene, Vector, gallery};
+use wobble::scene::{BodyKeys, Matter, Meeting, PatternName, Scene, Vector, gallery};
 use wobble::sim::Bond;
 
 fn wobble(arguments: &[&str]) -> Output {
@@ -529,6 +529,33 @@ fn bodies_of_several_pictures_look_the_same_written_out() {
     let others = before.pixels().zip(after.pixels()).filter(differ).count();
     // Edges between pixels of a picture fall elsewhere between those of a larger one.
     assert!(others < 300, "the same colours in the same places, but for {others} pixels");
+}
+
+/// Where bodies meet, what they cover is written out too, and is not drawn on if it was not before.
+#[test]
+fn what_is_drawn_on_stays_so_where_bodies_that_meet_are_written_out() {
+    let with_box = |place: usize| {
+        let mut scene = Scene::load("gear").unwrap();
+        let frame = r#"{"make": "box", "width": 1, "height": 1, "origin": [9, 9], "repeat": {"count": [2, 1], "step": [2, 0]}}"#;
+        scene.bodies.insert(place, serde_json::from_str(frame).unwrap());
+        scene
+    };
+    for scene in [with_box(0), with_box(1), Scene::load("rim").unwrap()] {
+        let mut meeting = scene.clone();
+        meeting.contact = Some(Meeting::Is(true));
+        let [alone, together] = [&scene, &meeting].map(|scene| scene.expanded().unwrap());
+        let drawn = |scene: &Scene| {
+            let corners = scene.skins().unwrap().into_iter().flat_map(|skin| skin.triangles);
+            corners.collect::<Vec<[u32; 3]>>()
+        };
+        assert!(!drawn(&scene).is_empty() && drawn(&meeting) == drawn(&scene));
+        assert!(drawn(&alone) == drawn(&scene) && drawn(&together) == drawn(&scene));
+        let covered = |scene: &Scene| scene.model::<2>().unwrap().triangles;
+        assert_eq!(covered(&together), covered(&meeting));
+        assert_eq!(covered(&meeting), covered(&scene));
+        let is_all_drawn = covered(&scene).len() == drawn(&scene).len();
+        assert_eq!(is_all_drawn, scene.bodies.len() == 1);
+    }
 }
 
 /// Noise is told by the length of its outline, before minutes are spent on it.

@@ -40,6 +40,7 @@ impl BoxFrame {
         for (a, b) in [(0, 2), (1, 3)].into_iter().take(self.supports as usize) {
             body.link(a, b);
         }
+        body.cover([0, 1, 2, 3]);
         body
     }
 }

@@ -65,6 +65,7 @@ impl Cloth {
                 Diagonals::One => [true, false],
                 Diagonals::Both => [true, true],
             },
+            is_covered: false,
         }
         .make()
     }

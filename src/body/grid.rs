@@ -14,6 +14,8 @@ pub(super) struct Grid {
     pub(super) across: [f64; 3],
     /// Whether each cell has the diagonal from its first point, and the other one.
     pub(super) diagonals: [bool; 2],
+    /// Whether cells are covered; then `across` is to the left of `along`.
+    pub(super) is_covered: bool,
 }
 
 /// How many points a grid has.
@@ -63,6 +65,9 @@ impl Grid {
                 }
                 if self.diagonals[1] {
                     body.link(at(column, row - 1), at(column - 1, row));
+                }
+                if self.is_covered {
+                    body.cover([at(column - 1, row - 1), at(column, row - 1), at(column, row), at(column - 1, row)]);
                 }
             }
         }

@@ -30,6 +30,7 @@ impl Lattice {
             along: [self.spacing, 0.0, 0.0],
             across: [0.0, self.spacing, 0.0],
             diagonals: [true, true],
+            is_covered: true,
         }
         .make()
     }

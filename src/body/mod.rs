@@ -53,7 +53,7 @@ pub struct Body {
     pub weights: Vec<f64>,
     /// Area that it covers [m^2]: its triangles, and its strokes by length and width; 0 of what has neither.
     pub area: f64,
-    /// Corners of its triangles, anticlockwise, if it has a skin.
+    /// Corners of the triangles that it covers, anticlockwise; none of what is made of lines.
     pub triangles: Vec<[u32; 3]>,
     /// Where each point lies in the picture of the skin, (0, 0) to (1, 1) from the upper left; empty without one.
     pub texture: Vec<[f32; 2]>,
@@ -83,6 +83,11 @@ impl Body {
     fn link_in_part(&mut self, a: u32, b: u32, share: f64) {
         let rest_length = distance(self.positions[a as usize], self.positions[b as usize]);
         self.links.push(Link { a, b, rest_length, share });
+    }
+
+    /// Covers a quadrilateral by two triangles: corners anticlockwise, cut from the first one to the third.
+    fn cover(&mut self, [a, b, c, d]: [u32; 4]) {
+        self.triangles.extend([[a, b, c], [a, c, d]]);
     }
 
     /// Masses [kg] that add up to `total`, shared by the weights.

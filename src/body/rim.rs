@@ -90,6 +90,10 @@ impl Rim {
                 };
                 body.link(a, b);
             }
+            // Along the diagonal that is bonded, if there is one.
+            let is_falling = self.bracing.contains(&Brace::Falling) && !self.bracing.contains(&Brace::Rising);
+            let (inner, inner_next) = (sectors + i, sectors + next);
+            body.cover(if is_falling { [i, next, inner_next, inner] } else { [next, inner_next, inner, i] });
         }
         body
     }

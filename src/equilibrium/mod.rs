@@ -69,7 +69,7 @@ pub struct Equilibrium<const D: usize> {
 /// change of energy stays where it slid to. Points stick to rough surfaces where they come to touch them, as long as
 /// friction can hold them there: of the many shapes that are at rest with friction it is one. Islands that fall or slide
 /// for ever are left where they are and named, and the result is not settled.
-/// Errors: as [`Model::check`]; relaxed bonds are refused, for they have no energy; polygons are.
+/// Errors: as [`Model::check`]; relaxed bonds are refused, for they have no energy; polygons are, and bodies that meet.
 pub fn settle<const D: usize>(model: &Model<D>) -> Result<Equilibrium<D>, ModelError> {
     model.check()?;
     if let Some(bond) = model.bonds.iter().position(|bond| matches!(bond.kind, BondKind::Relaxed { .. })) {
@@ -77,6 +77,9 @@ pub fn settle<const D: usize>(model: &Model<D>) -> Result<Equilibrium<D>, ModelE
     }
     if !model.polygons.is_empty() {
         return Err(ModelError::Polygons);
+    }
+    if model.contact.is_some() {
+        return Err(ModelError::Meets);
     }
     let mut start = Start::new(model);
     let mut falls = vec![false; model.position.len()];

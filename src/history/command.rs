@@ -1,6 +1,6 @@
 //! Commands as files have them.
 
-use crate::scene::{AddKeys, BoundsKeys, KindName, LimitName, MethodKeys, Vector, object};
+use crate::scene::{AddKeys, BoundsKeys, KindName, LimitName, Meeting, MethodKeys, Vector, object};
 use crate::sim::{Cursor, MouseChange, PointId, Reach};
 
 /// A command with its time.
@@ -145,6 +145,8 @@ object! {
             drag_rate: f64,
             /// Of the scene: the walls, or none any more.
             bounds: Walls,
+            /// Of the scene: whether bodies meet from now on, and how.
+            contact: Meeting,
             /// Of the scene, in place of what was said of it before.
             method: MethodKeys,
         }

@@ -16,21 +16,10 @@ pub struct Group {
     pub points: Vec<PointId>,
 }
 
-/// No bond: a side of a triangle that was never held.
-const FREE: u32 = u32::MAX;
-
-/// A skin with the bonds along the sides of its triangles.
-#[derive(Clone, Debug)]
-struct Worn {
-    skin: Skin,
-    /// One a triangle: bonds by their numbers, or [`FREE`].
-    sides: Vec<[u32; 3]>,
-}
-
 /// Skins and groups of a world. Copies share what they have.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Dress {
-    worn: Arc<Vec<Worn>>,
+    worn: Arc<Vec<Skin>>,
     /// So many of them are the scene's own.
     of_scene: usize,
     /// Numbers of points and names, newest last.
@@ -41,34 +30,18 @@ impl Dress {
     /// That of a scene at its start.
     ///
     /// Errors: a picture that is not there or is none.
-    pub(super) fn new(scene: &Scene, world: &dyn Dynamics) -> Result<Self, SceneError> {
+    pub(super) fn new(scene: &Scene) -> Result<Self, SceneError> {
         let mut dress = Dress::default();
-        dress.wear(scene.skins()?, world);
+        dress.wear(scene.skins()?);
         dress.of_scene = dress.worn.len();
         Ok(dress)
     }
 
-    /// Skins come, with the bonds that the world has now.
-    pub(super) fn wear(&mut self, skins: Vec<Skin>, world: &dyn Dynamics) {
-        if skins.is_empty() {
-            return;
+    /// Skins come.
+    pub(super) fn wear(&mut self, skins: Vec<Skin>) {
+        if !skins.is_empty() {
+            Arc::make_mut(&mut self.worn).extend(skins);
         }
-        let bonds = world.bonds();
-        let numbers = world.bond_numbers();
-        let of = |(place, [a, b]): (usize, &[PointId; 2])| {
-            let number = numbers.map_or(place as u32, |numbers| numbers[place]);
-            ([a.0.min(b.0), a.0.max(b.0)], number)
-        };
-        let mut by_ends: Vec<([u32; 2], u32)> = bonds.ends().iter().enumerate().map(of).collect();
-        by_ends.sort_unstable();
-        let side = |a: u32, b: u32| {
-            let ends = [a.min(b), a.max(b)];
-            let place = by_ends.partition_point(|(other, _)| *other < ends);
-            by_ends.get(place).filter(|(other, _)| *other == ends).map_or(FREE, |(_, number)| *number)
-        };
-        let sides = |&[a, b, c]: &[u32; 3]| [side(a, b), side(b, c), side(c, a)];
-        let worn = |skin: Skin| Worn { sides: skin.triangles.iter().map(sides).collect(), skin };
-        Arc::make_mut(&mut self.worn).extend(skins.into_iter().map(worn));
     }
 
     /// Whether anything is drawn on triangles.
@@ -76,20 +49,30 @@ impl Dress {
         !self.worn.is_empty()
     }
 
-    /// The skins as they are now: a triangle with a deleted corner is gone, and one of whose sides was a bond that is gone.
+    /// The skins as they are now, on the triangles that the world has left.
     pub(super) fn skins(&self, world: &dyn Dynamics) -> Vec<Skin> {
-        let (gone, numbers) = (world.gone(), world.bond_numbers());
-        let is_point = |corner: &u32| gone.binary_search(&PointId(*corner)).is_err();
-        let is_bond =
-            |&number: &u32| number == FREE || numbers.is_none_or(|numbers| numbers.binary_search(&number).is_ok());
-        let left = |worn: &Worn| {
-            let both = worn.skin.triangles.iter().zip(&worn.sides);
-            let is_left =
-                |(corners, sides): &(&[u32; 3], &[u32; 3])| corners.iter().all(is_point) && sides.iter().all(is_bond);
-            let triangles: Vec<[u32; 3]> = both.filter(is_left).map(|(corners, _)| *corners).collect();
-            (!triangles.is_empty()).then(|| Skin { triangles, ..worn.skin.clone() })
+        if !self.has_skins() {
+            return Vec::new();
+        }
+        // Whichever corner is named first, and whichever way round.
+        let key = |mut corners: [u32; 3]| {
+            corners.sort_unstable();
+            corners
         };
-        self.worn.iter().filter_map(left).collect()
+        let mut left: Vec<[u32; 3]> =
+            world.triangles().iter().map(|corners| key(corners.map(|corner| corner.0))).collect();
+        left.sort_unstable();
+        let is_left = |corners: &[u32; 3]| left.binary_search(&key(*corners)).is_ok();
+        let of = |skin: &Skin| {
+            let triangles: Vec<[u32; 3]> = skin.triangles.iter().copied().filter(is_left).collect();
+            (!triangles.is_empty()).then(|| Skin { triangles, ..skin.clone() })
+        };
+        self.worn.iter().filter_map(of).collect()
+    }
+
+    /// What skins that came after the start of the scene are drawn on.
+    pub(super) fn added_triangles(&self) -> impl Iterator<Item = [u32; 3]> {
+        self.worn[self.of_scene..].iter().flat_map(|skin| skin.triangles.iter().copied())
     }
 
     /// Points get a name; what was called so before is no more.
@@ -115,9 +98,9 @@ impl Dress {
     pub(super) fn put_added(&self, to: &mut Vec<u8>) -> Result<(), String> {
         let added = &self.worn[self.of_scene..];
         let mut pictures: Vec<&Arc<Picture>> = Vec::new();
-        for worn in added {
-            if !pictures.iter().any(|other| Arc::ptr_eq(other, &worn.skin.picture)) {
-                pictures.push(&worn.skin.picture);
+        for skin in added {
+            if !pictures.iter().any(|other| Arc::ptr_eq(other, &skin.picture)) {
+                pictures.push(&skin.picture);
             }
         }
         pictures.len().put(to);
@@ -125,20 +108,18 @@ impl Dress {
             picture::encode(one).map_err(|error| error.to_string())?.put(to);
         }
         added.len().put(to);
-        for Worn { skin, sides } in added {
-            let Skin { picture, first, triangles, texture } = skin;
+        for Skin { picture, first, triangles, texture } in added {
             pictures.iter().position(|other| Arc::ptr_eq(other, picture)).unwrap_or_default().put(to);
             first.put(to);
             texture.put(to);
             triangles.put(to);
-            sides.put(to);
         }
         Ok(())
     }
 
-    /// Takes what came after the start of the scene from the front of the bytes, of a world of `points` points; `None` where they are not
-    /// enough, or none of it.
-    pub(super) fn take_added(&mut self, from: &mut &[u8], points: usize) -> Option<()> {
+    /// Takes what came after the start of the scene from the front of the bytes, of a world of `points` points; `has_sides`: behind the
+    /// triangles are the bonds along their sides, which are passed over. `None` where the bytes are not enough, or none of it.
+    pub(super) fn take_added(&mut self, from: &mut &[u8], points: usize, has_sides: bool) -> Option<()> {
         let mut pictures = Vec::new();
         for _ in 0..usize::take(from)? {
             pictures.push(Arc::new(picture::decode(&Vec::take(from)?).ok()?));
@@ -146,13 +127,16 @@ impl Dress {
         for _ in 0..usize::take(from)? {
             let picture = Arc::clone(pictures.get(usize::take(from)?)?);
             let (first, texture) = (u32::take(from)?, Vec::<[f32; 2]>::take(from)?);
-            let (triangles, sides) = (Vec::<[u32; 3]>::take(from)?, Vec::<[u32; 3]>::take(from)?);
-            let end = (first as usize).checked_add(texture.len())?.min(points);
-            let fits = |corner: &u32| (first as usize..end).contains(&(*corner as usize));
-            if sides.len() != triangles.len() || !triangles.iter().flatten().all(fits) {
+            let triangles = Vec::<[u32; 3]>::take(from)?;
+            if has_sides && Vec::<[u32; 3]>::take(from)?.len() != triangles.len() {
                 return None;
             }
-            Arc::make_mut(&mut self.worn).push(Worn { skin: Skin { picture, first, triangles, texture }, sides });
+            let end = (first as usize).checked_add(texture.len())?.min(points);
+            let fits = |corner: &u32| (first as usize..end).contains(&(*corner as usize));
+            if !triangles.iter().flatten().all(fits) {
+                return None;
+            }
+            Arc::make_mut(&mut self.worn).push(Skin { picture, first, triangles, texture });
         }
         Some(())
     }

@@ -57,7 +57,7 @@ impl Frame {
             Resolved::Made(made) => {
                 let command = Command::Add(Box::new(made.addition));
                 let applied = self.world.apply(&command).map_err(|error| error.to_string())?;
-                self.dress.wear(made.skins, &*self.world);
+                self.dress.wear(made.skins);
                 Ok(applied)
             }
             Resolved::Group => {

@@ -4,7 +4,7 @@ use serde::{Serialize, de::DeserializeOwned};
 use serde_json::{Map, Value};
 
 use super::command::{Do, Entry};
-use crate::scene::{ProfileName, RegionName, Row, object, translate};
+use crate::scene::{LATER, ProfileName, RegionName, Row, object, translate};
 use crate::sim::{Cursor, MouseChange, PointId, Profile, Reach, Region};
 
 /// Names of what is done, in the order of the table.
@@ -13,9 +13,6 @@ const NAMES: [&str; 13] =
 
 /// Largest number of an edit: those that follow have room above, and any reader of JSON knows it exactly.
 const LARGEST_EDIT: u64 = 1 << 53;
-
-/// Keys that a later version brings.
-const LATER: [&str; 8] = ["triangles", "angles", "forces", "drives", "wind", "contact", "areas", "skins"];
 
 object! {
     CursorKeys: "a cursor: an object with the key `to`" {

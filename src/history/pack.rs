@@ -146,7 +146,7 @@ pub(super) struct Core<const D: usize> {
 fields!(Core<D> { time, position, velocity, mass, pinned, bonds, gone, bond_numbers, next_numbers });
 
 /// The layout from which on a kept world has the last of its fields.
-const FIRST_WITH_TRIANGLES: u64 = 3;
+pub(super) const FIRST_WITH_TRIANGLES: u64 = 3;
 
 /// A kept world of any layout that is known.
 trait KeptWorld: Sized {

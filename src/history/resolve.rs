@@ -1,7 +1,7 @@
 //! From commands as files have them to those of the engine.
 
 use super::command::{DeleteKeys, Do, MoveKeys, OneOrEach, SetKeys, VectorOrEach, Walls};
-use crate::scene::{KindName, LimitName, Made, MethodKeys, Scene, Vector};
+use crate::scene::{KindName, LimitName, Made, Meeting, MethodKeys, Scene, Vector};
 use crate::sim::{
     BondChange, BondId, BoundsChange, Change, Command, Dynamics, Kind, Limit, Motion, PointId, SceneChange, Selection,
     Values,
@@ -90,7 +90,7 @@ const OF_POINTS: [&str; 2] = ["mass", "velocity"];
 const OF_BONDS: [&str; 9] =
     ["kind", "rest", "stiffness", "compliance", "damping", "relaxation", "max_correction", "break_strain", "limit"];
 const OF_OBSTACLES: [&str; 2] = ["restitution", "friction"];
-const OF_SCENE: [&str; 4] = ["gravity", "drag_rate", "bounds", "method"];
+const OF_SCENE: [&str; 5] = ["gravity", "drag_rate", "bounds", "contact", "method"];
 
 /// Keys of a method that a running world cannot get otherwise.
 const FIXED: [&str; 2] = ["precision", "tolerance"];
@@ -210,6 +210,7 @@ fn scene_change(keys: &SetKeys, scene: &Scene) -> Result<SceneChange, String> {
         gravity: keys.gravity.as_ref().map(|g| vector("gravity", g, scene)).transpose()?,
         drag_rate: keys.drag_rate,
         bounds,
+        contact: keys.contact.map(Meeting::resolve),
         method: method.map_err(|error| error.to_string())?,
     })
 }

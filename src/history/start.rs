@@ -73,8 +73,7 @@ impl Recording {
     /// Errors: a scene that cannot be run; a state that is damaged or of a layout that is not known.
     pub(super) fn begin(&self, label: &str) -> Result<Frame, HistoryError> {
         let first = self.scene.world(self.scene.duration)?;
-        // Triangles know the bonds of the scene's start, of which some may be gone by now.
-        let mut dress = Dress::new(&self.scene, &*first)?;
+        let mut dress = Dress::new(&self.scene)?;
         let Some(state) = &self.state else {
             return Ok(Frame::new(first, dress));
         };

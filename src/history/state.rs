@@ -14,8 +14,8 @@ use serde_json::{Value, json};
 
 use super::dress::Dress;
 use super::frame::Frame;
-use super::pack::{AnyCore, Core, put_world, take_world};
-use crate::sim::{Dynamics, Saved, SavedWorld, resume};
+use super::pack::{AnyCore, Core, FIRST_WITH_TRIANGLES, put_world, take_world};
+use crate::sim::{Bonds, Dynamics, PointId, Saved, SavedWorld, borne, resume};
 
 /// How the numbers are laid out.
 pub(super) const LAYOUT: u64 = 3;
@@ -83,7 +83,7 @@ pub(super) fn go_on(state: &Value, start: &dyn Dynamics, dress: &mut Dress) -> R
     let bytes = unpack(state)?;
     let mut rest = &bytes[..];
     let saved = if layout <= LAYOUT {
-        let saved = take_world(&mut rest, layout).ok_or_else(damaged)?;
+        let mut saved = take_world(&mut rest, layout).ok_or_else(damaged)?;
         let (points, of_scene) = match &saved {
             SavedWorld::Plane(saved) => (saved.model.position.len(), saved.scene_points),
             SavedWorld::Space(saved) => (saved.model.position.len(), saved.scene_points),
@@ -94,7 +94,14 @@ pub(super) fn go_on(state: &Value, start: &dyn Dynamics, dress: &mut Dress) -> R
                 format!("state: is of a scene of {of_scene} points, and this has {here}: name the one it is of");
             return Err(message);
         }
-        dress.take_added(&mut rest, points).filter(|()| rest.is_empty()).ok_or_else(damaged)?;
+        let has_triangles = layout >= FIRST_WITH_TRIANGLES;
+        dress.take_added(&mut rest, points, !has_triangles).filter(|()| rest.is_empty()).ok_or_else(damaged)?;
+        if !has_triangles {
+            match &mut saved {
+                SavedWorld::Plane(saved) => cover(saved, start, dress),
+                SavedWorld::Space(saved) => cover(saved, start, dress),
+            }
+        }
         saved
     } else {
         let core = AnyCore::take(&mut rest).ok_or_else(damaged)?;
@@ -128,7 +135,32 @@ fn at_start(core: AnyCore, start: &dyn Dynamics) -> Result<SavedWorld, String> {
     }
 }
 
+/// Gives a kept world that says nothing of triangles those of the start and of the skins that came later, as far as they are left.
+fn cover<const D: usize>(saved: &mut Saved<D>, start: &dyn Dynamics, dress: &Dress) {
+    let mut all = left_of(start.triangles(), start.bonds(), saved);
+    // What came later is of pictures: every side is a bond.
+    let mut bonded: Vec<[PointId; 2]> = saved.model.bonds.ends().iter().copied().map(sorted).collect();
+    bonded.sort_unstable();
+    let is_left = |[a, b, c]: &[PointId; 3]| {
+        [[*a, *b], [*b, *c], [*c, *a]].into_iter().all(|side| bonded.binary_search(&sorted(side)).is_ok())
+    };
+    all.extend(dress.added_triangles().map(|corners| corners.map(PointId)).filter(is_left));
+    saved.model.triangles = all;
+}
+
+fn sorted([a, b]: [PointId; 2]) -> [PointId; 2] {
+    [a.min(b), a.max(b)]
+}
+
+/// The triangles of a start that are left in a kept world, which began with these bonds.
+fn left_of<const D: usize>(triangles: &[[PointId; 3]], bonds: &Bonds, saved: &Saved<D>) -> Vec<[PointId; 3]> {
+    let is_gone = |number: u32| saved.bond_numbers.as_ref().is_some_and(|left| left.binary_search(&number).is_err());
+    let cut = bonds.ends().iter().zip(0..).filter(|(_, number)| is_gone(*number)).map(|(ends, _)| *ends);
+    borne(triangles, &saved.gone, cut).unwrap_or_else(|| triangles.to_vec())
+}
+
 fn replaced<const D: usize>(core: Core<D>, start: Saved<D>) -> Saved<D> {
+    let bonds_at_start = start.model.bonds.clone();
     let Core { time, position, velocity, mass, pinned, bonds, gone, bond_numbers, next_numbers } = core;
     let mut model = start.model;
     // Points that were let go or deleted are led no more.
@@ -139,5 +171,7 @@ fn replaced<const D: usize>(core: Core<D>, start: Saved<D>) -> Saved<D> {
     let lost = [(); 2].map(|()| vec![[0.0; D]; model.position.len()]);
     let next_numbers = [next_numbers[0], next_obstacle];
     let (cursor, grabbed, lead) = (None, Vec::new(), None);
-    Saved { model, time, gone, bond_numbers, next_numbers, lost, cursor, grabbed, lead, ..start }
+    let mut saved = Saved { model, time, gone, bond_numbers, next_numbers, lost, cursor, grabbed, lead, ..start };
+    saved.model.triangles = left_of(&saved.model.triangles, &bonds_at_start, &saved);
+    saved
 }

@@ -3,7 +3,7 @@
 use super::check;
 use super::error::{Fault, SceneError, Source, Within};
 use super::keys::{AddKeys, BondList, ObstacleKeys, PointKeys, Scene};
-use super::model::{material, rest_length};
+use super::model::{anticlockwise, material, rest_length};
 use super::support;
 use crate::picture::Skin;
 use crate::sim::vector::embed;
@@ -50,6 +50,13 @@ impl AddKeys {
         for (i, motion) in self.pin_motion.iter().enumerate() {
             check::check_pin_motion(motion, D, &|_| true).item(i).at("pin_motion")?;
         }
+        check::check_triangles(&self.triangles, count)?;
+        let explicit = self.triangles.iter().map(|corners| {
+            let own = |corner: u32| place(world, (first, &position), corner);
+            anticlockwise(corners.0, own).map(PointId)
+        });
+        let of_bodies = model.triangles.iter().map(|corners| corners.map(offset));
+        let triangles = explicit.chain(of_bodies).collect();
         Ok(Made {
             skins: self.skins(&alone, first)?,
             addition: Addition {
@@ -60,6 +67,7 @@ impl AddKeys {
                 pinned,
                 bonds,
                 pin_motion: self.tracks(D),
+                triangles,
             },
         })
     }
@@ -89,14 +97,7 @@ impl AddKeys {
         check::check_bonds(&list, count).at("bonds")?;
         let with_bonds = Scene { bonds: list, ..alone.clone() };
         support::method(&with_bonds)?;
-        let (positions, dimensions) = (world.positions(), world.dimensions());
-        let place = |point: u32| {
-            if point >= first {
-                return new[(point - first) as usize];
-            }
-            let start = point as usize * dimensions;
-            std::array::from_fn(|axis| if axis < dimensions { positions.get(start + axis) } else { 0.0 })
-        };
+        let place = |point: u32| place(world, (first, new), point);
         let bond = |(k, keys): (usize, &super::keys::BondKeys)| {
             let rest_length = match keys.rest {
                 Some(rest) => rest,
@@ -135,4 +136,14 @@ impl AddKeys {
         }
         Ok(skins)
     }
+}
+
+/// Where a point of the world is, or a new one from number `first` on [m].
+fn place(world: &dyn Dynamics, (first, new): (u32, &[[f64; 3]]), point: u32) -> [f64; 3] {
+    if point >= first {
+        return new[(point - first) as usize];
+    }
+    let (positions, dimensions) = (world.positions(), world.dimensions());
+    let start = point as usize * dimensions;
+    std::array::from_fn(|axis| if axis < dimensions { positions.get(start + axis) } else { 0.0 })
 }

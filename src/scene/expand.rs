@@ -6,7 +6,8 @@ use super::start::Start;
 use crate::sim::BondKind;
 
 impl Scene {
-    /// The same scene without bodies: every point and bond is listed. Its model is the same, bit for bit.
+    /// The same scene without bodies: every point and bond is listed. Its model is the same, bit for bit, but for triangles of bodies
+    /// that neither meet others nor are drawn on: these are left out.
     ///
     /// Errors: those of [`Scene::check`]; numbers that overflow.
     pub fn expanded(&self) -> Result<Scene, SceneError> {
@@ -54,7 +55,7 @@ impl Scene {
                 }
             }));
         }
-        self.dress(&mut scene).map_err(|fault| self.source.error(fault))?;
+        self.dress(&mut scene, &start.bodies).map_err(|fault| self.source.error(fault))?;
         Ok(scene)
     }
 }

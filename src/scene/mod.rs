@@ -41,12 +41,14 @@ pub use gallery::{Entry, gallery};
 pub(crate) use keys::macros::object;
 pub use keys::{
     AddKeys, AreaKeys, AreaKindName, BodyKeys, BondKeys, BondList, BoundsKeys, BoxKeys, BraceName, CircleKeys,
-    DiagonalsName, KindName, LimitName, MakerName, MassKeys, Material, MethodKeys, MouseKeys, ObstacleKeys, OrderName,
-    PatternName, PictureKeys, PinMotionKeys, PlaneKeys, PointKeys, PrecisionName, ProfileName, RegionName, RepeatKeys,
-    RotationKeys, Row, Scene, SolverName, StrokesName, TextureKeys, Vector, Version, ViewKeys, WindKeys,
+    ContactKeys, DiagonalsName, KindName, LimitName, MakerName, MassKeys, Material, Meeting, MethodKeys, MouseKeys,
+    ObstacleKeys, OrderName, PatternName, PictureKeys, PinMotionKeys, PlaneKeys, PointKeys, PrecisionName, ProfileName,
+    RegionName, RepeatKeys, RotationKeys, Row, Scene, SolverName, StrokesName, TextureKeys, Vector, Version, ViewKeys,
+    WindKeys,
 };
 pub(crate) use keys::{ObjectOnly, present};
 pub(crate) use nearest::nearest;
 pub use of_picture::Matter;
 pub(crate) use read::translate;
 pub use schema::schema;
+pub(crate) use support::LATER;

@@ -2,11 +2,13 @@
 
 use super::check::{self, Resistance};
 use super::error::{Fault, SceneError, Within};
-use super::keys::{BondKeys, LimitName, MouseKeys, ObstacleKeys, PinMotionKeys, ProfileName, RegionName, Row, Scene};
+use super::keys::{
+    BondKeys, LimitName, Meeting, MouseKeys, ObstacleKeys, PinMotionKeys, ProfileName, RegionName, Row, Scene,
+};
 use super::start::Start;
 use super::support;
 use crate::body::distance;
-use crate::sim::vector::truncate;
+use crate::sim::vector::{cross, sub, truncate};
 use crate::sim::{
     Bond, Bonds, Bounds, Dynamics, Limit, Model, ModelError, MouseForce, Plane, PointId, Profile, Region, Track, build,
 };
@@ -88,8 +90,8 @@ impl Scene {
         let start = Start::new(self)?;
         Ok(Model {
             bonds: self.model_bonds(&start)?,
-            triangles: Vec::new(),
-            contact: None,
+            triangles: triangles(&self.triangles, &start),
+            contact: self.contact.and_then(Meeting::resolve),
             position: start.position.into_iter().map(truncate).collect(),
             velocity: start.velocity.into_iter().map(truncate).collect(),
             mass: start.mass,
@@ -138,6 +140,20 @@ impl Scene {
         }
         Ok(bonds)
     }
+}
+
+/// The explicit triangles, then those of the bodies.
+fn triangles(explicit: &[Row<u32, 3>], start: &Start) -> Vec<[PointId; 3]> {
+    let place = |corner: u32| start.position[corner as usize];
+    let explicit = explicit.iter().map(|corners| anticlockwise(corners.0, place));
+    explicit.chain(start.bodies.iter().flat_map(|body| body.triangles())).map(|corners| corners.map(PointId)).collect()
+}
+
+/// A triangle with its corners anticlockwise, seen along z.
+pub(super) fn anticlockwise([a, b, c]: [u32; 3], place: impl Fn(u32) -> [f64; 3]) -> [u32; 3] {
+    let [from, to, other] = [a, b, c].map(|corner| truncate::<2>(place(corner)));
+    let twice_area = cross(sub(to, from), sub(other, from));
+    if twice_area < 0.0 { [a, c, b] } else { [a, b, c] }
 }
 
 /// The distance at the start [m], where no rest length is said.

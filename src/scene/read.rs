@@ -11,6 +11,7 @@ use super::keys::Scene;
 use super::locate;
 use super::nearest::{list, nearest};
 use super::of_picture::is_picture;
+use super::support::LATER;
 use crate::picture::{PictureError, Watch, is_picture_name, is_svg};
 
 /// Largest file that is read [bytes]: beyond, it would only fill the memory.
@@ -215,7 +216,11 @@ pub(crate) fn translate(error: &serde_json::Error) -> String {
     if let Some(rest) = message.strip_prefix("unknown field ") {
         let (key, known) = rest.split_once(", expected ").unwrap_or((rest, ""));
         let names: Vec<&str> = known.split('`').skip(1).step_by(2).collect();
-        return match nearest(&quoted(key), &names) {
+        let key = quoted(key);
+        if LATER.contains(&&*key) && names.contains(&"wobble") {
+            return format!("`{key}` is not in this version: leave it out");
+        }
+        return match nearest(&key, &names) {
             Some(name) => format!("unknown key: did you mean `{name}`?"),
             None => format!("unknown key: the keys here are {}", list(&names).replace(" or ", " and ")),
         };

@@ -2,10 +2,13 @@
 
 use super::check;
 use super::error::{Fault, SceneError, Within};
-use super::keys::{BodyKeys, MakerName, Row, Scene, TextureKeys};
+use super::keys::{BodyKeys, MakerName, Meeting, Row, Scene, TextureKeys};
 use super::pictures::inline_picture;
-use super::start::make;
+use super::start::{PlacedBody, make};
 use crate::picture::{Atlas, Picture, Skin};
+
+/// Where a corner lies in a texture of which its triangles are not drawn.
+const NOWHERE: [f64; 2] = [-1.0; 2];
 
 impl Scene {
     /// The skins of its triangles: that of the scene's texture, then one for each body of a picture.
@@ -20,10 +23,12 @@ impl Scene {
         if let Some(texture) = &self.texture
             && !self.triangles.is_empty()
         {
+            let is_there = |corner: &u32| texture.uv.get(*corner as usize).is_none_or(|uv| uv.0 != NOWHERE);
+            let is_drawn = |corners: &[u32; 3]| corners.iter().all(is_there);
             skins.push(Skin {
                 picture: self.source.picture(&texture.image).at("image").at("texture")?,
                 first: 0,
-                triangles: self.triangles.iter().map(|corners| corners.0).collect(),
+                triangles: self.triangles.iter().map(|corners| corners.0).filter(is_drawn).collect(),
                 texture: texture.uv.iter().map(|uv| uv.0.map(|x| x as f32)).collect(),
             });
         }
@@ -54,9 +59,36 @@ impl Scene {
         }))
     }
 
-    /// Gives `expanded`, this scene without bodies, the triangles of its bodies, and what is drawn on all of them: a scene has one
-    /// texture, so several pictures become one, side by side.
-    pub(super) fn dress(&self, expanded: &mut Scene) -> Result<(), Fault> {
+    /// Gives `expanded`, this scene without bodies, the triangles of its bodies as they were made, where bodies meet or are drawn on, and
+    /// what is drawn on them: a scene has one texture, so several pictures become one, side by side.
+    pub(super) fn dress(&self, expanded: &mut Scene, made: &[PlacedBody]) -> Result<(), Fault> {
+        let meets = self.contact.and_then(Meeting::resolve).is_some();
+        let count = expanded.points.as_ref().map_or(0, |points| points.position.len());
+        let mut is_drawn = vec![false; count];
+        let mut draw = |corners: [u32; 3]| corners.into_iter().for_each(|corner| is_drawn[corner as usize] = true);
+        if self.texture.is_some() {
+            self.triangles.iter().for_each(|corners| draw(corners.0));
+        }
+        for (keys, body) in self.bodies.iter().zip(made) {
+            let is_picture = keys.make == MakerName::Picture;
+            if is_picture {
+                body.triangles().for_each(&mut draw);
+            }
+            if meets || is_picture {
+                expanded.triangles.extend(body.triangles().map(Row));
+            }
+        }
+        self.paint(expanded)?;
+        let has_undrawn = meets || (self.texture.is_none() && !self.triangles.is_empty());
+        if let Some(texture) = expanded.texture.as_mut().filter(|_| has_undrawn) {
+            let undrawn = texture.uv.iter_mut().zip(is_drawn).filter(|(_, is_drawn)| !is_drawn);
+            undrawn.for_each(|(at, _)| *at = Row(NOWHERE));
+        }
+        Ok(())
+    }
+
+    /// Gives `expanded` one texture for all that is drawn, if bodies of pictures are.
+    fn paint(&self, expanded: &mut Scene) -> Result<(), Fault> {
         let Some(keys) = self.bodies.iter().find(|keys| keys.make == MakerName::Picture) else { return Ok(()) };
         let skins = self.all_skins()?;
         let mut pictures: Vec<&Picture> = Vec::new();
@@ -68,15 +100,10 @@ impl Scene {
         let atlas = Atlas::new(&pictures);
         let count = expanded.points.as_ref().map_or(0, |points| points.position.len());
         let mut uv = vec![Row([0.0; 2]); count];
-        let has_own = self.texture.is_some() && !self.triangles.is_empty();
-        for (k, skin) in skins.iter().enumerate() {
+        for skin in &skins {
             let number = pictures.iter().position(|&picture| *picture == *skin.picture).unwrap_or(0);
             for (at, to) in skin.texture.iter().zip(uv.iter_mut().skip(skin.first as usize)) {
                 *to = Row(atlas.place(number, *at));
-            }
-            // The scene's own triangles are there already.
-            if !(has_own && k == 0) {
-                expanded.triangles.extend(skin.triangles.iter().map(|&corners| Row(corners)));
             }
         }
         let file = keys.file.as_deref().unwrap_or_default();

@@ -2,7 +2,7 @@
 
 use super::check::{self, Resistance};
 use super::error::{Fault, Within};
-use super::keys::{BodyKeys, MassKeys, Scene};
+use super::keys::{BodyKeys, MakerName, MassKeys, Scene};
 use super::material;
 use crate::body::{Body, Link, MAX_BONDS, Placement};
 use crate::sim::BondKind;
@@ -16,11 +16,11 @@ pub(super) struct Start {
     pub(super) mass: Vec<f64>,
     /// Ascending, each once.
     pub(super) pinned: Vec<u32>,
-    /// Bonds of the bodies, body by body, counted within the body.
+    /// Bonds and triangles of the bodies, body by body, counted within the body.
     pub(super) bodies: Vec<PlacedBody>,
 }
 
-/// The bonds of a body whose points start at `first`, copy by copy.
+/// Bonds and triangles of a body whose points start at `first`, copy by copy.
 pub(super) struct PlacedBody {
     first: u32,
     /// Points of a copy.
@@ -28,6 +28,8 @@ pub(super) struct PlacedBody {
     copies: u32,
     /// Bonds of a copy, counted within it.
     links: Vec<Link>,
+    /// What a copy covers, counted within it.
+    triangles: Vec<[u32; 3]>,
     /// How they resist, each by its share.
     kind: BondKind,
 }
@@ -53,6 +55,14 @@ impl PlacedBody {
         (0..self.copies).flat_map(|copy| {
             let first = self.first + copy * self.each;
             self.links.iter().map(move |link| Link { a: first + link.a, b: first + link.b, ..*link })
+        })
+    }
+
+    /// The triangles, their corners counted over the scene.
+    pub(super) fn triangles(&self) -> impl Iterator<Item = [u32; 3]> {
+        (0..self.copies).flat_map(|copy| {
+            let first = self.first + copy * self.each;
+            self.triangles.iter().map(move |corners| corners.map(|corner| first + corner))
         })
     }
 }
@@ -132,7 +142,13 @@ impl Start {
             return Err(Fault::invalid(message));
         }
         let kind = material::kind(keys, &body, &mass);
-        self.bodies.push(PlacedBody { first: first as u32, each, copies, links: body.links, kind });
+        let Body { links, mut triangles, .. } = body;
+        let is_own = |corner: &u32| (first..self.position.len()).contains(&(*corner as usize));
+        if keys.make != MakerName::Picture && scene.triangles.iter().any(|corners| corners.0.iter().all(is_own)) {
+            // What the scene lists stands in place of them.
+            triangles.clear();
+        }
+        self.bodies.push(PlacedBody { first: first as u32, each, copies, links, triangles, kind });
         Ok(())
     }
 }

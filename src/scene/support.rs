@@ -2,9 +2,12 @@
 
 use super::check::Resistance;
 use super::error::{Fault, SceneError, Source};
-use super::keys::{Scene, SolverName};
+use super::keys::{Meeting, Scene, SolverName};
 use super::start::resistance;
 use crate::sim::{self, BondKind};
+
+/// Keys of a scene that a later version brings.
+pub(crate) const LATER: [&str; 6] = ["skins", "areas", "angles", "forces", "drives", "wind"];
 
 /// Errors: the first key that this version cannot run.
 pub(super) fn check(scene: &Scene) -> Result<(), Fault> {
@@ -13,6 +16,7 @@ pub(super) fn check(scene: &Scene) -> Result<(), Fault> {
             return Err(lacking(key));
         }
     }
+    check_contact(scene)?;
     for (i, obstacle) in scene.obstacles.iter().enumerate() {
         let is_space = scene.dimensions() == 3;
         for (key, said) in [("box", obstacle.r#box.is_some() && is_space), ("circle", obstacle.circle.is_some())] {
@@ -20,6 +24,32 @@ pub(super) fn check(scene: &Scene) -> Result<(), Fault> {
                 return Err(lacking(key).item(i).at("obstacles"));
             }
         }
+    }
+    Ok(())
+}
+
+/// Errors: bodies cannot meet in space, by this solver or within a tolerance.
+fn check_contact(scene: &Scene) -> Result<(), Fault> {
+    let is_space = scene.dimensions() == 3;
+    let solver = scene.method.solver.unwrap_or(SolverName::Auto);
+    if solver == SolverName::Live && is_space {
+        let message = "solver `live` is of the plane in this version: leave `solver` out in space";
+        return Err(Fault::unsupported(message).at("solver").at("method"));
+    }
+    if scene.contact.and_then(Meeting::resolve).is_none() {
+        return Ok(());
+    }
+    if is_space {
+        let message = "`contact` is of the plane in this version: leave it out in space";
+        return Err(Fault::unsupported(message).at("contact"));
+    }
+    if !matches!(solver, SolverName::Auto | SolverName::Live) {
+        let message = format!("solver `{solver}` knows no contact: leave `solver` or `contact` out");
+        return Err(Fault::invalid(message).at("solver").at("method"));
+    }
+    if scene.method.tolerance.is_some() {
+        let message = "no tolerance is held to where bodies meet in this version: leave `tolerance` or `contact` out";
+        return Err(Fault::unsupported(message).at("tolerance").at("method"));
     }
     Ok(())
 }

@@ -8,6 +8,7 @@ use std::ops::Range;
 
 use super::bond::{Bond, BondId, Limit, PointId};
 use super::contact::polygon::Polygon;
+use super::contact::skin::Contact;
 use super::force::mouse::{Cursor, Profile, Region};
 use super::model::Method;
 
@@ -95,6 +96,8 @@ pub struct Addition {
     pub obstacles: Vec<Obstacle>,
     /// Pinned points that are led along tracks.
     pub pin_motion: Vec<(PointId, Knots)>,
+    /// What is covered from now on, between points of the world, new ones included: corners that differ, anticlockwise.
+    pub triangles: Vec<[PointId; 3]>,
 }
 
 /// An obstacle, as commands name it.
@@ -226,6 +229,8 @@ pub struct SceneChange {
     pub drag_rate: Option<f64>,
     /// Walls: lower corner, upper corner [m], restitution, friction [1]; `Some(None)`: no more.
     pub bounds: Option<Option<BoundsChange>>,
+    /// How bodies meet; `Some(None)`: they pass through each other.
+    pub contact: Option<Option<Contact>>,
     /// The method, but for the precision and the step of the world, which are fixed when a history begins.
     pub method: Option<Method>,
 }

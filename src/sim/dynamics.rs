@@ -4,6 +4,7 @@ use super::bond::PointId;
 use super::bonds::Bonds;
 use super::command::{Applied, Command, CommandError};
 use super::contact::polygon::Polygon;
+use super::contact::skin::Contact;
 use super::counters::Counters;
 use super::force::mouse::{Cursor, MouseForce};
 use super::ledger::Ledger;
@@ -84,6 +85,10 @@ pub trait Dynamics: Send {
     fn positions(&self) -> Positions<'_>;
     /// The bonds that are left, in the order of the model.
     fn bonds(&self) -> &Bonds;
+    /// What bodies cover, of the points and bonds that are left.
+    fn triangles(&self) -> &[[PointId; 3]];
+    /// How bodies meet; `None`: they pass through each other.
+    fn contact(&self) -> Option<Contact>;
     /// The points that never move.
     fn pinned(&self) -> &[PointId];
     /// The masses of all points [kg].

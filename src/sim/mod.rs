@@ -32,6 +32,7 @@ pub mod solver;
 mod step;
 pub(crate) mod threads;
 pub(crate) mod timeline;
+pub(crate) mod triangles;
 pub mod vector;
 pub mod world;
 
@@ -56,5 +57,6 @@ pub use real::{Positions, Precision, Real};
 pub use saved::{Saved, SavedWorld};
 pub use solver::{Order, Solver};
 pub use threads::{ThreadsInUse, shared_passes, use_threads};
+pub use triangles::borne;
 pub use world::saved::resume;
 pub use world::{World, build};

@@ -131,6 +131,9 @@ pub enum ModelError {
     /// Obstacles among which no equilibrium is looked for.
     #[error("an equilibrium is not looked for among polygons: leave them out")]
     Polygons,
+    /// Bodies that meet, for which no equilibrium is looked for.
+    #[error("an equilibrium is not looked for where bodies meet: leave `contact` out")]
+    Meets,
     /// A solver and a kind of bond that do not go together.
     #[error("bond {bond} is {kind}, which solver {solver} refuses: use {others}")]
     Refused {

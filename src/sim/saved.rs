@@ -66,6 +66,7 @@ impl<const D: usize> Saved<D> {
         range(ascends(&gone, points as u32), "gone", "ascending numbers of points")?;
         let is_gone = |point: &PointId| self.gone.binary_search(point).is_ok();
         range(!self.model.bonds.ends().iter().flatten().any(is_gone), "bonds", "between points that are left")?;
+        range(!self.model.triangles.iter().flatten().any(is_gone), "triangles", "between points that are left")?;
         range(!self.model.pinned.iter().any(is_gone), "pinned", "of points that are left")?;
         let numbers = self.bond_numbers.as_ref();
         let fits = numbers.is_none_or(|numbers| numbers.len() == bonds && ascends(numbers, self.next_numbers[0]));

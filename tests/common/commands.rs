@@ -72,6 +72,10 @@ impl Generator {
         if self.below(3) == 0 {
             bonds.push(Bond { kind: kinds[1], ..Bond::new(self.point(world), PointId(first), 1.0) });
         }
+        let triangles = match count {
+            0..3 => Vec::new(),
+            _ => vec![[first, first + 1, first + 2].map(PointId)],
+        };
         let corners = vec![[x - 1.0, y - 2.0], [x + 1.0, y - 2.2], [x, y - 1.0]];
         let polygon = Obstacle::Polygon(Polygon { loops: vec![corners], restitution: 0.2, friction: 0.3 });
         Addition {
@@ -82,6 +86,7 @@ impl Generator {
             pinned: if self.below(3) == 0 { vec![PointId(first)] } else { Vec::new() },
             obstacles: if self.below(4) == 0 { vec![polygon] } else { Vec::new() },
             pin_motion: Vec::new(),
+            triangles,
         }
     }
 

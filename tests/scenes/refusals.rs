@@ -1,6 +1,7 @@
 //! What is refused, and in which words: file, line, key, fault and cure.
 
 use wobble::scene::{Scene, SceneErrorKind};
+use wobble::sim::Contact;
 
 /// A scene in the plane with two points on line 2 and the rest on line 3.
 fn plane(rest: &str) -> String {
@@ -481,6 +482,27 @@ fn surfaces_method_times_and_view() {
                 "\"areas\": { \"kind\": \"rigid\", \"stiffness\": 1 }",
                 "areas.stiffness: is a key of areas of kind spring, and these are rigid: leave it out",
             ),
+            ("\"contact\": { \"friction\": -0.1 }", "contact.friction: is -0.1: give a number of 0 or more"),
+            ("\"contact\": { \"friction\": 1e999 }", "contact.friction: the number is too large: give a finite one"),
+            ("\"contact\": { \"restitution\": 2 }", "contact.restitution: is 2.0: give a number from 0 to 1"),
+            ("\"contact\": { \"restitution\": -1 }", "contact.restitution: is -1.0: give a number from 0 to 1"),
+            ("\"contact\": { \"radius\": -1 }", "contact.radius: is -1.0: give a number of 0 or more"),
+            (
+                "\"contact\": { \"radius\": NaN }",
+                "contact.radius: NaN and infinity are no numbers of JSON: give a finite one",
+            ),
+            ("\"contact\": { \"self\": 1 }", "contact.self: is integer `1`: give true or false"),
+            (
+                "\"contact\": { \"with_itself\": true }",
+                "contact.with_itself: unknown key: the keys here are `friction`, `restitution`, `radius`, `self` and `bodies`",
+            ),
+            (
+                "\"contact\": 0.5",
+                "contact: is floating point `0.5`: give true, or an object with keys such as `friction`",
+            ),
+            ("\"contact\": null", "contact: is null: give true, or an object with keys such as `friction`"),
+            ("\"skins\": []", "skins: `skins` is not in this version: leave it out"),
+            ("\"angles\": []", "angles: `angles` is not in this version: leave it out"),
             (
                 "\"texture\": { \"image\": \"/a.png\", \"uv\": [[0,0],[1,0]] }",
                 "texture.image: is no image: give a path relative to the scene, or data:image/png;base64,…",
@@ -549,6 +571,52 @@ fn what_this_version_lacks() {
         let error = scene.model::<2>().unwrap_err();
         assert_eq!(error.to_string(), format!("x.json:2: {message}"), "{rest}");
         assert_eq!(error.kind, SceneErrorKind::Unsupported);
+    }
+}
+
+#[test]
+fn bodies_meet_in_the_plane_by_the_solvers_that_know_of_it() {
+    let scene = |text: &str| Scene::parse(text, "x.json").unwrap_or_else(|error| panic!("{error}"));
+    for (contact, method, message) in [
+        (
+            "true",
+            "\"solver\": \"rk4\"",
+            "method.solver: solver `rk4` knows no contact: leave `solver` or `contact` out",
+        ),
+        (
+            "{ \"friction\": 0 }",
+            "\"tolerance\": 0.1",
+            "method.tolerance: no tolerance is held to where bodies meet in this version: leave `tolerance` or `contact` out",
+        ),
+    ] {
+        let text = |contact: &str| plane(&format!("\"contact\": {contact}, \"method\": {{ {method} }}"));
+        let error = scene(&text(contact)).model::<2>().unwrap_err().to_string();
+        assert_eq!(error, format!("x.json:3: {message}"));
+        scene(&text("false")).model::<2>().unwrap();
+    }
+    for (rest, message) in [
+        ("\"contact\": true", "contact: `contact` is of the plane in this version: leave it out in space"),
+        (
+            "\"method\": { \"solver\": \"live\" }",
+            "method.solver: solver `live` is of the plane in this version: leave `solver` out in space",
+        ),
+    ] {
+        let error = scene(&space(rest)).model::<3>().unwrap_err();
+        assert_eq!(error.to_string(), format!("x.json:3: {message}"));
+        assert_eq!(error.kind, SceneErrorKind::Unsupported);
+    }
+    for (keys, contact) in [
+        ("true", Contact::default()),
+        ("{}", Contact::default()),
+        (
+            "{ \"friction\": 0.1, \"restitution\": 1, \"radius\": 0, \"self\": false, \"bodies\": false }",
+            Contact { friction: 0.1, restitution: 1.0, radius: Some(0.0), with_itself: false, with_others: false },
+        ),
+    ] {
+        for solver in ["auto", "live"] {
+            let text = plane(&format!("\"contact\": {keys}, \"method\": {{ \"solver\": \"{solver}\" }}"));
+            assert_eq!(scene(&text).model::<2>().unwrap().contact, Some(contact));
+        }
     }
 }
 

@@ -18,6 +18,7 @@ const PLANE: &str = r#"{ "wobble": 1, "name": "all \"keys\"\n", "tags": ["a", "b
     { "make": "cloth", "columns": 2, "rows": 2, "spacing": 1, "diagonals": "none" },
     { "make": "lattice", "columns": 2, "rows": 2, "spacing": 1, "material": { "point_mass": 2, "break_strain": 1 } } ],
   "triangles": [[0,1,2]], "areas": { "kind": "spring", "stiffness": 3 },
+  "contact": { "friction": 0.1, "restitution": 0.2, "radius": 0.01, "self": false, "bodies": true },
   "gravity": [0,-9.81], "drag_rate": 0.1, "wind": { "velocity": [1,0], "turbulence": 0.1, "seed": 3 },
   "mouse": { "strength": 3, "radius": 1, "region": "square", "profile": "linear", "track": [[0,1,2],[1,2,3]] },
   "pin_motion": [ { "point": 0, "track": [[0,1,2],[1,2,3]] } ],

@@ -33,6 +33,8 @@ pub(super) struct Band {
     pub(super) added: Vec<[f64; 2]>,
     /// Sides of triangles with an end that is not deep, by the numbers of points: the rim, the lattice, those added.
     pub(super) sides: Vec<[u32; 2]>,
+    /// Triangles with a corner that is not deep, anticlockwise.
+    pub(super) triangles: Vec<[u32; 3]>,
     /// Number of each point that is not deep, with a third of the area of the triangles around it.
     pub(super) shares: Vec<(u32, f64)>,
 }
@@ -66,13 +68,16 @@ impl Band {
         let sides = mesh.undirected_edges().map(|side| side.vertices().map(|end| end.index()));
         let sides = sides.filter(|side| !side.iter().all(|&k| is_deep(k)));
         let sides = sides.map(|side| side.map(|k| numbers[k])).collect();
+        let triangles = mesh.inner_faces().map(|face| face.vertices().map(|corner| corner.index()));
+        let triangles = triangles.filter(|corners| !corners.iter().all(|&k| is_deep(k)));
+        let triangles = triangles.map(|corners| corners.map(|k| numbers[k])).collect();
         let mut area = vec![0.0; mesh.num_vertices()];
         for face in mesh.inner_faces() {
             let third = face.area() / 3.0;
             face.vertices().iter().for_each(|corner| area[corner.index()] += third);
         }
         let shares = (0..area.len()).filter(|&k| !is_deep(k)).map(|k| (numbers[k], area[k])).collect();
-        Ok(Band { added, sides, shares })
+        Ok(Band { added, sides, triangles, shares })
     }
 }
 

@@ -7,7 +7,7 @@ use std::f64::consts::TAU;
 
 use super::{Body, BodyError, MAX_POINTS, length};
 use band::{Band, DEEP_SHARE, WIDEST, is_deep};
-use rows::{ROW_HEIGHT, Rows, later_neighbours, position};
+use rows::{Cell, ROW_HEIGHT, Rows, later_neighbours, position};
 
 /// A full circle about the origin: points evenly on the rim, a triangular lattice inside, and every side of a triangle
 /// a bond. No angle of a triangle is below 30 degrees.
@@ -87,7 +87,15 @@ impl Disc {
             side.sort_unstable();
         }
         sides.sort_unstable();
-        let mut body = Body { positions, links: Vec::with_capacity(sides.len()), weights, ..Body::default() };
+        let mut triangles = band.triangles;
+        triangles.extend(deep_triangles(&rows, rim.len() as u32, size));
+        for corners in &mut triangles {
+            let least = (0..3).min_by_key(|&k| corners[k]).unwrap_or(0);
+            corners.rotate_left(least);
+        }
+        triangles.sort_unstable();
+        let mut body =
+            Body { positions, triangles, links: Vec::with_capacity(sides.len()), weights, ..Body::default() };
         for [a, b] in sides {
             body.link(a, b);
         }
@@ -111,6 +119,19 @@ fn deep_sides(rows: &Rows, first: u32, radius: f64) -> impl Iterator<Item = [u32
     deep.flat_map(move |(cell, number)| {
         let others = later_neighbours(cell).into_iter().filter(move |other| is_deep(position(*other), radius));
         others.filter_map(move |other| rows.number(other).map(|other| [number, first + other]))
+    })
+}
+
+/// Triangles of the lattice between deep points alone, by their numbers from `first` on.
+fn deep_triangles(rows: &Rows, first: u32, radius: f64) -> impl Iterator<Item = [u32; 3]> + '_ {
+    let number = move |cell: Cell| rows.number(cell).filter(|_| is_deep(position(cell), radius));
+    rows.cells().flat_map(move |cell| {
+        let [right, above_left, above_right] = later_neighbours(cell);
+        let of = move |corners: [Cell; 3]| {
+            let [a, b, c] = corners.map(number);
+            Some([first + a?, first + b?, first + c?])
+        };
+        [[cell, right, above_right], [cell, above_right, above_left]].into_iter().filter_map(of)
     })
 }
 

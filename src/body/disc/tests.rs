@@ -46,6 +46,10 @@ fn angles_are_30_degrees_at_least_in_every_size() {
         assert!(worst >= 30.0 - 1e-9, "{worst} degrees in a disc of {size}");
         // Euler's formula: the mesh is one piece without holes.
         assert_eq!(body.positions.len() + all.len(), body.links.len() + 1, "size {size}");
+        let mut covered: Vec<[usize; 3]> = body.triangles.iter().map(|corners| corners.map(|k| k as usize)).collect();
+        covered.iter_mut().for_each(|corners| corners.sort_unstable());
+        covered.sort_unstable();
+        assert_eq!(covered, all, "size {size}");
     }
 }
 

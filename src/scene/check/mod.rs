@@ -17,6 +17,7 @@ pub(super) use bond::Resistance;
 pub(super) use bond::check_all as check_bonds;
 pub(super) use cutout::{check_cut, skin, wanted};
 pub(super) use repeat::{copies, offsets};
+pub(super) use surfaces::check_triangles;
 pub(super) use surroundings::check_pin_motion;
 
 /// Refuses what the specification excludes, whether this version could run it or not.

@@ -1,24 +1,33 @@
-//! Triangles, and what hangs on them: areas and a texture.
+//! Triangles, and what hangs on them: areas, contact and a texture.
 
 use std::path::Path;
 
 use super::number::{self, Range};
 use super::one_a_point;
 use crate::scene::error::{Fault, Within};
-use crate::scene::keys::{AreaKeys, AreaKindName, Scene, TextureKeys};
+use crate::scene::keys::{AreaKeys, AreaKindName, ContactKeys, Meeting, Row, Scene, TextureKeys};
 
 /// Errors: the first fault; `count` is how many points there are.
 pub(super) fn check(scene: &Scene, count: u32, dimensions: usize) -> Result<(), Fault> {
-    for (i, triangle) in scene.triangles.iter().enumerate() {
-        check_triangle(triangle.0, count).item(i).at("triangles")?;
-    }
+    check_triangles(&scene.triangles, count)?;
     if let Some(areas) = &scene.areas {
         check_areas(areas, dimensions).at("areas")?;
+    }
+    if let Some(Meeting::As(contact)) = &scene.contact {
+        check_contact(contact).at("contact")?;
     }
     match &scene.texture {
         Some(texture) => check_texture(texture, count).at("texture"),
         None => Ok(()),
     }
+}
+
+/// Errors: the first triangle with a corner that is not there, or one that stands there twice.
+pub(in crate::scene) fn check_triangles(triangles: &[Row<u32, 3>], count: u32) -> Result<(), Fault> {
+    for (i, triangle) in triangles.iter().enumerate() {
+        check_triangle(triangle.0, count).item(i).at("triangles")?;
+    }
+    Ok(())
 }
 
 fn check_triangle(corners: [u32; 3], count: u32) -> Result<(), Fault> {
@@ -30,6 +39,12 @@ fn check_triangle(corners: [u32; 3], count: u32) -> Result<(), Fault> {
         return Err(Fault::invalid("names a point twice: give three points"));
     }
     Ok(())
+}
+
+fn check_contact(contact: &ContactKeys) -> Result<(), Fault> {
+    Range::NotNegative.maybe(contact.friction).at("friction")?;
+    Range::Fraction.maybe(contact.restitution).at("restitution")?;
+    Range::NotNegative.maybe(contact.radius).at("radius")
 }
 
 fn check_areas(areas: &AreaKeys, dimensions: usize) -> Result<(), Fault> {

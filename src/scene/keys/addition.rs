@@ -5,9 +5,10 @@ use super::bond::BondKeys;
 use super::macros::object;
 use super::scene::PointKeys;
 use super::surroundings::{ObstacleKeys, PinMotionKeys};
+use super::vector::Row;
 
 object! {
-    /// What comes, in the keys of scenes. Numbers of points under `pinned` of the points and under `bonds` are those of the world, in
+    /// What comes, in the keys of scenes. Numbers of points under `pinned` of the points, `bonds` and `triangles` are those of the world, in
     /// which new points follow the last number.
     #[derive(Default)]
     AddKeys: "what is added: an object with keys such as `points` and `bodies`" {
@@ -20,6 +21,8 @@ object! {
             bonds: BondKeys,
             /// Bodies: their points and bonds follow those above.
             bodies: BodyKeys,
+            /// Triangles between points of the world, new ones included.
+            triangles: Row<u32, 3>,
             /// Obstacles.
             obstacles: ObstacleKeys,
             /// Pins that move; times are those of the scene.

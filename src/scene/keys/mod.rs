@@ -4,6 +4,7 @@ mod addition;
 mod body;
 mod bond;
 mod bonds;
+mod contact;
 pub(crate) mod macros;
 mod method;
 mod scene;
@@ -16,6 +17,7 @@ pub use addition::AddKeys;
 pub use body::{BodyKeys, BraceName, DiagonalsName, MakerName, Material, PatternName, RepeatKeys, StrokesName};
 pub use bond::{BondKeys, KindName, LimitName};
 pub use bonds::BondList;
+pub use contact::{ContactKeys, Meeting};
 pub use method::{MethodKeys, OrderName, PrecisionName, SolverName};
 pub use scene::{AreaKeys, AreaKindName, MassKeys, PointKeys, Scene, TextureKeys, Version};
 pub use surroundings::{

@@ -9,6 +9,7 @@ use serde::ser::{Serialize, Serializer};
 
 use super::body::BodyKeys;
 use super::bonds::BondList;
+use super::contact::Meeting;
 use super::macros::{names, object};
 use super::method::MethodKeys;
 use super::surroundings::{BoundsKeys, MouseKeys, ObstacleKeys, PinMotionKeys, WindKeys};
@@ -137,7 +138,7 @@ object! {
 }
 
 object! {
-    /// A picture drawn on the triangles.
+    /// A picture drawn on the triangles, but for those with a corner at [-1, -1] in it.
     TextureKeys: "a texture: an object with the keys `image` and `uv`" {
         required {
             /// A relative path, or data:image/png;base64,…
@@ -181,12 +182,15 @@ object! {
         lists {
             /// Bodies: their points and bonds follow the explicit ones, body by body.
             bodies: BodyKeys,
-            /// Triangles, by the indices of their points.
+            /// Triangles, by the indices of their points. Where they lie on a body, but one of a picture, they stand in place of what it covers
+            /// of itself.
             triangles: Row<u32, 3>,
         }
         optional {
             /// How triangles resist.
             areas: AreaKeys,
+            /// Whether bodies meet, and how: they pass through each other if not said.
+            contact: Meeting,
             /// What is drawn on triangles.
             texture: TextureKeys,
             /// [m/s^2]: 0 if not said.

@@ -9,7 +9,7 @@ use crate::sim::bonds::Bonds;
 use crate::sim::command::{Addition, Obstacle};
 use crate::sim::contact::surface::Plane;
 use crate::sim::force::mouse::Track;
-use crate::sim::model::Model;
+use crate::sim::model::{Model, check_triangle};
 use crate::sim::plan::{self, Cleared};
 use crate::sim::real::Real;
 use crate::sim::vector::{add, convert, truncate, zero};
@@ -28,6 +28,7 @@ impl<S: Real, const D: usize> World<S, D> {
             && addition.obstacles.is_empty()
             && addition.pinned.is_empty()
             && addition.pin_motion.is_empty()
+            && addition.triangles.is_empty()
         {
             return Ok(done(false));
         }
@@ -75,7 +76,7 @@ impl<S: Real, const D: usize> World<S, D> {
     }
 
     fn check_addition(&self, addition: &Addition) -> Result<(), CommandError> {
-        let Addition { position, velocity, mass, pinned, bonds, obstacles, pin_motion } = addition;
+        let Addition { position, velocity, mass, pinned, bonds, obstacles, pin_motion, triangles } = addition;
         let count = position.len();
         if velocity.len() != count || mass.len() != count {
             return Err(invalid(format!(
@@ -96,6 +97,7 @@ impl<S: Real, const D: usize> World<S, D> {
             return Err(invalid(format!("a mass is {m}: it must be finite and > 0")));
         }
         let named = pinned.iter().copied().chain(pin_motion.iter().map(|(point, _)| *point));
+        let named = named.chain(triangles.iter().flatten().copied());
         for point in named.chain(bonds.iter().flat_map(|bond| [bond.a, bond.b])) {
             let is_new = (self.count()..self.count() + count).contains(&point.index());
             if !is_new {
@@ -114,6 +116,9 @@ impl<S: Real, const D: usize> World<S, D> {
         for (k, bond) in bonds.iter().enumerate() {
             self.model.check_added_bond(k, bond).map_err(|error| invalid(error.to_string()))?;
         }
+        for (k, corners) in triangles.iter().enumerate() {
+            check_triangle(k, *corners).map_err(|error| invalid(error.to_string()))?;
+        }
         let is_polygon = |obstacle: &Obstacle| matches!(obstacle, Obstacle::Polygon(_));
         if D != 2 && obstacles.iter().any(is_polygon) {
             return Err(invalid("polygons are of the plane"));
@@ -123,6 +128,7 @@ impl<S: Real, const D: usize> World<S, D> {
 
     fn add_points(&self, model: &mut Model<D>, addition: &Addition) {
         model.mass.extend(&addition.mass);
+        model.triangles.extend(&addition.triangles);
         for &point in &addition.pinned {
             if !model.pinned.contains(&point) {
                 model.pinned.push(point);

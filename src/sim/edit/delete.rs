@@ -9,6 +9,7 @@ use crate::sim::contact::obstacles::Obstacles;
 use crate::sim::model::Model;
 use crate::sim::plan_part::PlanPart;
 use crate::sim::real::Real;
+use crate::sim::triangles::borne;
 use crate::sim::vector::{cross, flat, sub};
 use crate::sim::world::World;
 
@@ -120,6 +121,9 @@ impl<S: Real, const D: usize> World<S, D> {
         let left = |place: &usize| !goes[*place];
         let numbers = (0..goes.len()).filter(left).map(|place| self.numbers.of_bond(place)).collect();
         self.numbers.bonds = Some(Arc::new(numbers));
+        let cut = self.bonds.ends().iter().zip(goes).filter(|(_, goes)| **goes).map(|(ends, _)| *ends);
+        let borne = borne(&self.model.triangles, &[], cut);
+        self.keep_triangles(borne);
         let mut place = 0;
         Arc::make_mut(&mut self.bonds).retain(|_| {
             place += 1;
@@ -135,11 +139,20 @@ impl<S: Real, const D: usize> World<S, D> {
         gone.extend(points);
         gone.sort_unstable();
         gone.dedup();
+        let borne = borne(&self.model.triangles, &self.numbers.gone, []);
+        self.keep_triangles(borne);
         let numbers = &self.numbers;
         let model = Arc::make_mut(&mut self.model);
         model.pinned.retain(|pin| !numbers.is_gone(pin.0));
         model.pin_motion.retain(|(pin, _)| !numbers.is_gone(pin.0));
         self.weigh(points.iter().map(|point| point.0));
+    }
+
+    /// Of triangles those are left which these are, if not all.
+    fn keep_triangles(&mut self, left: Option<Vec<[PointId; 3]>>) {
+        if let Some(left) = left {
+            Arc::make_mut(&mut self.model).triangles = left;
+        }
     }
 
     fn remove_obstacles(&mut self, obstacles: &[u32]) {

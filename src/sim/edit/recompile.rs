@@ -312,3 +312,27 @@ impl<S: Real, const D: usize> World<S, D> {
         }
     }
 }
+
+#[cfg(test)]
+#[allow(clippy::unwrap_used, reason = "a test that cannot go on stops")]
+mod tests {
+    use super::*;
+    use crate::sim::contact::skin::Contact;
+
+    #[test]
+    fn a_part_has_the_triangles_between_its_points_and_how_they_meet() {
+        let position: Vec<[f64; 2]> = (0..5).map(|i| [f64::from(i), f64::from(i * i)]).collect();
+        let model = Model {
+            velocity: vec![[0.0; 2]; 5],
+            mass: vec![1.0; 5],
+            triangles: [[0, 1, 2], [4, 2, 1], [1, 3, 4]].map(|corners| corners.map(PointId)).to_vec(),
+            contact: Some(Contact { friction: 0.1, ..Contact::default() }),
+            position,
+            ..Model::default()
+        };
+        let world = World::<f64, 2>::new(&model).unwrap();
+        let part = world.part_of_model(&[1, 2, 4], &[u32::MAX, 0, 1, u32::MAX, 2]);
+        assert_eq!(part.triangles, [[2, 1, 0].map(PointId)]);
+        assert_eq!(part.contact, model.contact);
+    }
+}

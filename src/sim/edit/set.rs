@@ -138,6 +138,7 @@ impl<S: Real, const D: usize> World<S, D> {
                 friction: bounds.friction,
             });
         }
+        model.contact = change.contact.unwrap_or(model.contact);
         if let Some(method) = change.method {
             let Method { precision, ledger, .. } = model.method;
             model.method = Method { precision, ledger, ..method };

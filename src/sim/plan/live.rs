@@ -9,14 +9,17 @@ impl<S: Real, const D: usize> Maker<'_, S, D> {
     /// `None` in a dimension that the live step is not made for.
     pub(super) fn make_live(&self) -> Option<Group<S, D>> {
         let (points, pull) = (self.batched_state(), self.batched_pull());
-        let draft = Draft {
+        let mover = mover(self.live_draft(), &points, &pull)?;
+        Some(self.batched(points, pull, mover, breakable(self.bonds(), |_| true)))
+    }
+
+    fn live_draft(&self) -> Draft {
+        Draft {
             bonds: self.bonds().map(|(_, bond)| bond).collect(),
             body_of: self.body_of(),
             triangles: self.triangles(),
             contact: self.model.contact,
-        };
-        let mover = mover(draft, &points, &pull)?;
-        Some(self.batched(points, pull, mover, breakable(self.bonds(), |_| true)))
+        }
     }
 
     /// The island of every point of the group; a pin belongs to the first that is fastened to it, one that nothing is fastened to is a
@@ -41,5 +44,102 @@ impl<S: Real, const D: usize> Maker<'_, S, D> {
         let slot = |corner: u32| self.place[self.gathered.stand_ins[corner as usize] as usize];
         let slots = self.model.triangles.iter().map(|corners| corners.map(|corner| slot(corner.0)));
         slots.filter(|&[a, b, c]| a.max(b).max(c) != u32::MAX && a != b && b != c && c != a).collect()
+    }
+}
+
+#[cfg(test)]
+#[allow(clippy::unwrap_used, reason = "a test that cannot go on stops")]
+mod tests {
+    use crate::sim::bond::{Bond, BondId, PointId};
+    use crate::sim::command::{Addition, Command, Selection};
+    use crate::sim::contact::obstacles::Obstacles;
+    use crate::sim::contact::skin::Contact;
+    use crate::sim::dynamics::Dynamics;
+    use crate::sim::model::Model;
+    use crate::sim::plan::gather::Gathered;
+    use crate::sim::plan::make::Maker;
+    use crate::sim::plan::{inverse_masses, island, lot, weld};
+    use crate::sim::points::State;
+    use crate::sim::world::World;
+
+    /// Two triangles that hang from one pin, a pin beside them, a loose point, and a pair of points that is welded to a triangle.
+    fn model() -> Model<2> {
+        let position = [
+            [0.0, 0.0],
+            [-1.0, -1.0],
+            [-1.0, 0.0],
+            [1.0, -1.0],
+            [1.0, 0.0],
+            [5.0, 5.0],
+            [9.0, 9.0],
+            [1.0, 0.0],
+            [2.0, 0.0],
+        ];
+        let bonds = [(0, 1), (1, 2), (2, 0), (0, 3), (3, 4), (4, 0), (7, 8)];
+        let weld = Bond::new(PointId(7), PointId(4), 0.0);
+        Model {
+            position: position.to_vec(),
+            velocity: vec![[0.0; 2]; position.len()],
+            mass: vec![1.0; position.len()],
+            pinned: vec![PointId(0), PointId(5)],
+            bonds: bonds.into_iter().map(|(a, b)| Bond::new(PointId(a), PointId(b), 1.0)).chain([weld]).collect(),
+            triangles: [[0, 2, 1], [0, 3, 4], [3, 8, 7], [4, 7, 8]].map(|corners| corners.map(PointId)).to_vec(),
+            contact: Some(Contact { friction: 0.1, ..Contact::default() }),
+            ..Model::default()
+        }
+    }
+
+    #[test]
+    fn islands_are_bodies_and_what_is_fastened_to_nothing_is_one_each() {
+        let model = model();
+        let w = inverse_masses(&model);
+        let obstacles = Obstacles::<f64, 2>::of(&model).unwrap();
+        let state = State {
+            position: model.position.clone(),
+            velocity: model.velocity.clone(),
+            position_lost: vec![[0.0; 2]; w.len()],
+            velocity_lost: vec![[0.0; 2]; w.len()],
+        };
+        let gathered = Gathered::new(&model, (&model.bonds, None), &w, &weld::merge(&model.bonds, &w), &state);
+        let lots = lot::lots(&model, (false, w.len()), island::islands(&gathered.bonds, &gathered.w));
+        let [lot] = &lots[..] else { unreachable!("all islands go together") };
+        // As the plan has them: the one of two that are welded whose number is higher is no point of its own.
+        let points = [0, 1, 2, 3, 4, 5, 6, 8];
+        let mut place = vec![u32::MAX; w.len()];
+        points.iter().zip(0..).for_each(|(&point, slot)| place[point as usize] = slot);
+        let maker =
+            Maker { gathered: &gathered, model: &model, obstacles: &obstacles, lot, points: &points, place: &place };
+        let draft = maker.live_draft();
+        assert_eq!(draft.body_of, [0, 0, 0, 1, 1, 3, 2, 1]);
+        // The last one is flat where points are welded.
+        assert_eq!(draft.triangles, [[0, 2, 1], [0, 3, 4], [3, 7, 4]]);
+        assert_eq!((draft.bonds.len(), draft.bonds[6].a, draft.bonds[6].b), (7, PointId(4), PointId(7)));
+        assert_eq!(draft.contact, model.contact);
+    }
+
+    #[test]
+    fn what_meets_stays_in_one_group_whatever_is_edited() {
+        let mut world = World::<f64, 2>::new(&model()).unwrap();
+        let addition = Addition {
+            position: vec![[3.0, 3.0, 0.0], [4.0, 3.0, 0.0]],
+            velocity: vec![[0.0; 3]; 2],
+            mass: vec![1.0; 2],
+            ..Addition::default()
+        };
+        let bonds = Selection { bonds: vec![BondId(3), BondId(5)], ..Selection::default() };
+        let commands = [
+            Command::Add(Box::new(addition)),
+            Command::Pin(vec![PointId(6)]),
+            Command::Delete(bonds),
+            Command::Unpin(vec![PointId(0)]),
+        ];
+        for command in commands {
+            world.apply(&command).unwrap();
+            let full = world.plan.groups.iter().filter(|group| group.points.len() > 0);
+            let points: Vec<usize> = full.map(|group| group.points.len()).collect();
+            let merged = 1;
+            assert_eq!(points, [world.count() - merged], "{command:?}");
+            world.step();
+        }
     }
 }

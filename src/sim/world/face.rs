@@ -6,11 +6,13 @@ use crate::sim::bond::PointId;
 use crate::sim::bonds::Bonds;
 use crate::sim::command::{Applied, Command, CommandError};
 use crate::sim::contact::polygon::Polygon;
+use crate::sim::contact::skin::Contact;
 use crate::sim::counters::Counters;
 use crate::sim::dynamics::{Dynamics, GrabView, Sample};
 use crate::sim::force::mouse::{self, Cursor, MouseForce};
 use crate::sim::group::Group;
 use crate::sim::measure;
+use crate::sim::model::Model;
 use crate::sim::plan_part::PlanPart;
 use crate::sim::points::Points;
 use crate::sim::real::{Positions, Precision, Real};
@@ -118,6 +120,14 @@ impl<S: Real, const D: usize> Dynamics for World<S, D> {
         &self.bonds
     }
 
+    fn triangles(&self) -> &[[PointId; 3]] {
+        &self.model.triangles
+    }
+
+    fn contact(&self) -> Option<Contact> {
+        self.model.contact
+    }
+
     fn pinned(&self) -> &[PointId] {
         &self.model.pinned
     }
@@ -164,7 +174,8 @@ impl<S: Real, const D: usize> Dynamics for World<S, D> {
         let kept = self.kept.iter().map(|kept| &kept.group);
         let groups: usize = self.plan.groups.iter().chain(kept).map(|group| group.heap_bytes()).sum();
         let own = self.plan.slots.capacity() * 8 + self.gathered.capacity() * size_of::<[S; D]>();
-        let model = 16 * self.model.mass.capacity() + 4 * self.model.pinned.capacity();
+        let Model { mass, pinned, triangles, .. } = &*self.model;
+        let model = 16 * mass.capacity() + 4 * pinned.capacity() + 12 * triangles.capacity();
         groups + own + model + self.bonds.heap_bytes()
     }
 

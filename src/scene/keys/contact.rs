@@ -1,0 +1,81 @@
+//! The keys of how bodies meet.
+
+use std::fmt;
+
+use serde::de::value::MapAccessDeserializer;
+use serde::de::{Deserialize, Deserializer, MapAccess, Visitor};
+
+use super::macros::object;
+use crate::sim::Contact;
+
+object! {
+    /// How bodies meet.
+    #[derive(Default, Copy)]
+    ContactKeys: "contact: true, or an object with keys such as `friction`" {
+        optional {
+            /// Between two skins [1], >= 0: 0.5 if not said.
+            friction: f64,
+            /// Between two skins [1], from 0 to 1: 0 if not said.
+            restitution: f64,
+            /// What a skin keeps from the middle of its edges [m], >= 0: 0.05 of the mean edge of each skin if not said.
+            radius: f64,
+            /// Whether bodies meet themselves: true if not said.
+            #[serde(rename = "self")]
+            with_itself: bool,
+            /// Whether bodies meet each other: true if not said.
+            bodies: bool,
+        }
+    }
+}
+
+/// Whether bodies meet, and how.
+#[derive(Clone, Copy, Debug, PartialEq, serde::Serialize, schemars::JsonSchema)]
+#[serde(untagged)]
+pub enum Meeting {
+    /// As nothing more is said, or not at all.
+    Is(bool),
+    /// As the keys say.
+    As(ContactKeys),
+}
+
+impl<'de> Deserialize<'de> for Meeting {
+    // Not derived: an untagged enum loses the place of a wrong key.
+    fn deserialize<D: Deserializer<'de>>(from: D) -> Result<Self, D::Error> {
+        struct Form;
+
+        impl<'de> Visitor<'de> for Form {
+            type Value = Meeting;
+
+            fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+                f.write_str("true, or an object with keys such as `friction`")
+            }
+
+            fn visit_bool<E>(self, is: bool) -> Result<Meeting, E> {
+                Ok(Meeting::Is(is))
+            }
+
+            fn visit_map<A: MapAccess<'de>>(self, map: A) -> Result<Meeting, A::Error> {
+                ContactKeys::deserialize(MapAccessDeserializer::new(map)).map(Meeting::As)
+            }
+        }
+
+        from.deserialize_any(Form)
+    }
+}
+
+impl Meeting {
+    /// The same in the engine's words; `None`: bodies do not meet.
+    pub(crate) fn resolve(self) -> Option<Contact> {
+        let usual = Contact::default();
+        match self {
+            Meeting::Is(is) => is.then_some(usual),
+            Meeting::As(keys) => Some(Contact {
+                friction: keys.friction.unwrap_or(usual.friction),
+                restitution: keys.restitution.unwrap_or(usual.restitution),
+                radius: keys.radius.or(usual.radius),
+                with_itself: keys.with_itself.unwrap_or(usual.with_itself),
+                with_others: keys.bodies.unwrap_or(usual.with_others),
+            }),
+        }
+    }
+}

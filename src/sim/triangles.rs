@@ -1,0 +1,43 @@
+//! What bodies cover: triangles between points, which go with what bears them.
+
+use super::bond::PointId;
+
+/// The triangles none of whose corners is gone and along none of whose sides a bond went; `None`: all are left.
+///
+/// Shapes: `gone` ascends; `cut` has the ends of the bonds that went, in any order.
+pub fn borne(
+    triangles: &[[PointId; 3]],
+    gone: &[PointId],
+    cut: impl IntoIterator<Item = [PointId; 2]>,
+) -> Option<Vec<[PointId; 3]>> {
+    let sorted = |[a, b]: [PointId; 2]| [a.min(b), a.max(b)];
+    let mut cut: Vec<[PointId; 2]> = cut.into_iter().map(sorted).collect();
+    cut.sort_unstable();
+    let is_cut = |a: PointId, b: PointId| cut.binary_search(&sorted([a, b])).is_ok();
+    let is_gone = |corner: &PointId| gone.binary_search(corner).is_ok();
+    let is_borne = |corners: &&[PointId; 3]| {
+        let [a, b, c] = **corners;
+        !(corners.iter().any(is_gone) || is_cut(a, b) || is_cut(b, c) || is_cut(c, a))
+    };
+    let is_whole = triangles.iter().all(|corners| is_borne(&corners));
+    (!is_whole).then(|| triangles.iter().filter(is_borne).copied().collect())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_triangle_goes_with_a_corner_and_with_a_bond_along_a_side() {
+        let of = |list: &[[u32; 3]]| -> Vec<[PointId; 3]> { list.iter().map(|corners| corners.map(PointId)).collect() };
+        let all = of(&[[0, 1, 2], [0, 2, 3], [4, 5, 6], [7, 8, 9]]);
+        let left = |gone: &[u32], cut: &[[u32; 2]]| {
+            let gone: Vec<PointId> = gone.iter().map(|&point| PointId(point)).collect();
+            borne(&all, &gone, cut.iter().map(|ends| ends.map(PointId)))
+        };
+        assert_eq!(left(&[], &[]), None);
+        assert_eq!(left(&[], &[[2, 4], [0, 7]]), None, "no side");
+        assert_eq!(left(&[], &[[2, 0]]).as_deref(), Some(&all[2..]), "both that share it");
+        assert_eq!(left(&[1, 9], &[[6, 4]]).as_deref(), Some(&all[1..2]));
+    }
+}
