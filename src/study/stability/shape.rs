@@ -24,7 +24,8 @@ impl Shape {
         if scene.dimensions() != 2 {
             return Ok(Shape::default());
         }
-        let whole = scene.expanded()?;
+        // Those that bodies cover are told by their bonds.
+        let whole = Scene { contact: None, ..scene.clone() }.expanded()?;
         let position: Vec<[f64; 2]> = whole.points.iter().flat_map(|points| &points.position).map(plane).collect();
         let mut triangles: Vec<[u32; 3]> = whole.triangles.iter().map(|row| row.0).collect();
         let mut first = scene.points.as_ref().map_or(0, |points| points.position.len() as u32);
