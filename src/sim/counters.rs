@@ -21,6 +21,12 @@ pub struct Counters {
     pub fallbacks: u64,
     /// Bonds that broke.
     pub bonds_torn: u64,
+    /// Points and edges of bodies that pressed each other, once a substep; obstacles without corners apart.
+    pub contacts: u64,
+    /// Motions that were cut where a point would have passed an edge.
+    pub truncations: u64,
+    /// Steps after which energy was taken from bodies that had got it from nowhere.
+    pub guarded: u64,
     /// Operations, about: what substeps cost, those too that were taken again or only tried, and looks for events.
     pub work: u64,
 }

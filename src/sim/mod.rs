@@ -26,6 +26,7 @@ pub(crate) mod points;
 pub(crate) mod pull;
 pub mod real;
 mod saved;
+pub(crate) mod sets;
 pub(crate) mod shared;
 pub(crate) mod solve;
 pub mod solver;

@@ -1,9 +1,9 @@
 //! Bodies that start inside obstacles are put beside them, each as a whole: put out point by point they would be crushed.
 
-use super::sets::Sets;
 use crate::sim::bonds::Bonds;
 use crate::sim::contact::obstacles::Obstacles;
 use crate::sim::measure;
+use crate::sim::sets::Sets;
 use crate::sim::vector::{add, dot, length, scale, sub, zero};
 
 /// Depth, as a share of the body's extent, that is left to the first step.

@@ -1,8 +1,8 @@
 //! Islands: points that bonds hold together, and what each island is made of.
 
-use super::sets::Sets;
 use crate::sim::bond::{Bond, BondKind};
 use crate::sim::bonds::Bonds;
+use crate::sim::sets::Sets;
 
 /// Points that hang together by bonds; pinned points belong to every island that is fastened to them.
 #[derive(Clone, Debug, Default, PartialEq)]

@@ -4,11 +4,13 @@ use super::make::{Maker, breakable};
 use crate::sim::group::Group;
 use crate::sim::live::{Draft, mover};
 use crate::sim::real::Real;
+use crate::sim::sets::Sets;
 
 impl<S: Real, const D: usize> Maker<'_, S, D> {
     /// `None` in a dimension that the live step is not made for.
     pub(super) fn make_live(&self) -> Option<Group<S, D>> {
-        let (points, pull) = (self.batched_state(), self.batched_pull());
+        let w: Vec<f64> = self.points.iter().map(|&i| self.gathered.w[i as usize]).collect();
+        let (points, pull) = (self.state(&w), self.batched_pull());
         let mover = mover(self.live_draft(), &points, &pull)?;
         Some(self.batched(points, pull, mover, breakable(self.bonds(), |_| true)))
     }
@@ -22,20 +24,20 @@ impl<S: Real, const D: usize> Maker<'_, S, D> {
         }
     }
 
-    /// The island of every point of the group; a pin belongs to the first that is fastened to it, one that nothing is fastened to is a
-    /// body of its own.
+    /// Which points of the group hang together, pins included: a number each.
     fn body_of(&self) -> Vec<u32> {
-        let mut body_of = vec![u32::MAX; self.points.len()];
-        for (island, body) in self.lot.islands.iter().zip(0..) {
-            let bonds = island.bonds.iter().map(|&k| self.gathered.bonds.ends()[k as usize]);
-            let ends = bonds.flatten().map(|end| end.0);
-            for point in island.points.iter().copied().chain(ends) {
-                let of = &mut body_of[self.place[point as usize] as usize];
-                *of = body.min(*of);
-            }
+        let mut sets = Sets::new(self.points.len());
+        for (_, bond) in self.bonds() {
+            sets.join(bond.a.0, bond.b.0);
         }
-        let alone = body_of.iter_mut().filter(|of| **of == u32::MAX);
-        alone.zip(self.lot.islands.len() as u32..).for_each(|(of, next)| *of = next);
+        let mut bodies = 0;
+        let mut body_of: Vec<u32> = Vec::with_capacity(self.points.len());
+        for i in 0..self.points.len() as u32 {
+            // The lowest of a body comes first.
+            let lowest = sets.find(i);
+            body_of.push(if lowest == i { bodies } else { body_of[lowest as usize] });
+            bodies += u32::from(lowest == i);
+        }
         body_of
     }
 

@@ -13,7 +13,6 @@ mod lot;
 mod make;
 mod precision;
 mod reconcile;
-pub(crate) mod sets;
 pub(crate) mod structure;
 pub(crate) mod weld;
 
@@ -30,11 +29,11 @@ use super::solver::Solver;
 use gather::Gathered;
 use lot::Lot;
 
+pub(crate) use super::sets::Sets;
 pub(crate) use clear::{Cleared, clear};
 pub(crate) use gather::NOWHERE;
 pub(crate) use precision::is_single;
 pub(crate) use reconcile::reconcile;
-pub(crate) use sets::Sets;
 
 /// Groups with what moves them, and where every point of the model is.
 #[derive(Clone, Debug)]

@@ -1,8 +1,8 @@
 //! Rigid bonds of rest length 0 weld points together: they become one.
 
-use super::sets::Sets;
 use crate::sim::bond::{BondKind, Limit};
 use crate::sim::bonds::Bonds;
+use crate::sim::sets::Sets;
 
 /// For every point the one that stands for it: the lowest that it is welded to.
 ///

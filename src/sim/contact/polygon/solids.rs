@@ -52,6 +52,11 @@ impl Wall {
         Wall { start, end, along: way.map(|w| w / length), length, polygon }
     }
 
+    /// From where to where it goes [m]; the solid is on the right.
+    pub(crate) fn ends(&self) -> [[f64; 2]; 2] {
+        [self.start, self.end]
+    }
+
     /// Unit normal, towards the free side.
     #[inline(always)]
     fn normal(&self) -> [f64; 2] {

@@ -1,0 +1,75 @@
+//! Bodies as the live step knows them: each one's points, bonds, triangles and skin, one after the other.
+
+use crate::sim::bond::Limit;
+
+/// Where the things of one body lie in the lists of all.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Span {
+    pub(super) first: u32,
+    pub(super) end: u32,
+}
+
+impl Span {
+    pub(super) fn range(&self) -> std::ops::Range<usize> {
+        self.first as usize..self.end as usize
+    }
+
+    pub(super) fn len(&self) -> usize {
+        (self.end - self.first) as usize
+    }
+}
+
+/// One body. Its points are numbered within it.
+#[derive(Clone, Debug)]
+pub(super) struct Body<S> {
+    pub(super) points: Span,
+    pub(super) springs: Span,
+    pub(super) holds: Span,
+    pub(super) areas: Span,
+    pub(super) edges: Span,
+    pub(super) corners: Span,
+    /// Its rigid bonds make one open path: their order is that of the path.
+    pub(super) is_path: bool,
+    /// Mean length of its edges at the start [m]; 0 without any.
+    pub(super) edge_length: S,
+    /// Distance that its skin keeps [m].
+    pub(super) radius: S,
+    /// Bound on the square of the fastest oscillation of its springs [1/s^2], dampers apart.
+    pub(super) stiffness: S,
+    /// Bound on the fastest decay by its dampers [1/s].
+    pub(super) decay: S,
+    /// Fewest substeps in a frame that it bears.
+    pub(super) least_substeps: u32,
+}
+
+/// A bond between two points of a body.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Link<S> {
+    pub(super) a: u32,
+    pub(super) b: u32,
+    pub(super) rest: S,
+    /// [N/m]; infinite: rigid.
+    pub(super) stiffness: S,
+    /// [N s/m]
+    pub(super) damping: S,
+    /// Share of an error that a sweep takes away [1], and the most of it, as relaxed bonds have it.
+    pub(super) share: S,
+    pub(super) most: S,
+    pub(super) limit: Limit,
+}
+
+/// A triangle that must not turn inside out.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Area<S> {
+    pub(super) corners: [u32; 3],
+    /// Its area at the start [m^2].
+    pub(super) rest: S,
+}
+
+/// An edge of a skin, the free side on its left.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Edge {
+    pub(super) ends: [u32; 2],
+    /// There is something on its right: otherwise both sides are free.
+    pub(super) is_closed: bool,
+}

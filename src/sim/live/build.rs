@@ -1,0 +1,271 @@
+//! From bonds and triangles to bodies with skins.
+
+use super::body::{Area, Body, Edge, Link, Span};
+use super::cluster::Cluster;
+use super::{Draft, bonds};
+use crate::sim::bond::{Bond, BondKind};
+use crate::sim::colour::by_colour;
+use crate::sim::contact::skin::Contact;
+use crate::sim::points::Points;
+use crate::sim::real::Real;
+use crate::sim::vector::{length, sub};
+
+/// Share of the mean edge of a skin that its radius is where nothing is said.
+const RADIUS: f64 = 0.05;
+/// Triangles of less than this share of the square of their longest side have no inside.
+const LEAST_AREA: f64 = 1e-6;
+/// Bonds of a path from which on it is solved as one.
+const LEAST_PATH: usize = 4;
+
+/// All bodies of a group.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Bodies<S> {
+    pub(super) list: Vec<Body<S>>,
+    /// Places of points in the group, body by body.
+    pub(super) order: Vec<u32>,
+    /// Bonds that may be forces.
+    pub(super) springs: Vec<Link<S>>,
+    /// Bonds that are held whatever the substep.
+    pub(super) holds: Vec<Link<S>>,
+    pub(super) areas: Vec<Area<S>>,
+    pub(super) edges: Vec<Edge>,
+    /// Points of skins.
+    pub(super) corners: Vec<u32>,
+    /// Points of a body that bonds join, by the places of points in `order`: where the list of each begins, and all lists.
+    neighbours: (Vec<u32>, Vec<u32>),
+}
+
+impl<S: Real> Bodies<S> {
+    pub(super) fn new(draft: &Draft, points: &Points<S, 2>) -> Self {
+        let mut bodies = Bodies::default();
+        let count = draft.body_of.iter().map(|&body| body as usize + 1).max().unwrap_or(0);
+        let mut own = vec![Own::default(); count];
+        let mut local = vec![0; points.len()];
+        for (i, &body) in draft.body_of.iter().enumerate() {
+            local[i] = own[body as usize].points.len() as u32;
+            own[body as usize].points.push(i as u32);
+        }
+        for bond in &draft.bonds {
+            // A pin that several bodies hang on belongs to one of them: its bonds go with their free ends.
+            own[draft.body_of[bond.a.index()] as usize].bonds.push(*bond);
+        }
+        for corners in &draft.triangles {
+            let [a, b, c] = corners.map(|corner| draft.body_of[corner as usize]);
+            if a == b && b == c {
+                own[a as usize].triangles.push(*corners);
+            }
+        }
+        for own in own {
+            bodies.push(own, &local, points, draft.contact.as_ref());
+        }
+        bodies.note_neighbours(draft, points.len());
+        bodies
+    }
+
+    fn note_neighbours(&mut self, draft: &Draft, count: usize) {
+        let mut place = vec![0; count];
+        self.order.iter().zip(0..).for_each(|(&slot, at)| place[slot as usize] = at);
+        let mut ends: Vec<[u32; 2]> = Vec::with_capacity(2 * draft.bonds.len());
+        for bond in &draft.bonds {
+            let [a, b] = [bond.a, bond.b].map(|end| place[end.index()]);
+            ends.extend([[a, b], [b, a]]);
+        }
+        ends.sort_unstable();
+        ends.dedup();
+        let starts = (0..=count as u32).map(|at| ends.partition_point(|pair| pair[0] < at) as u32).collect();
+        self.neighbours = (starts, ends.into_iter().map(|pair| pair[1]).collect());
+    }
+
+    /// Whether a point of a cluster is joined to one of two others of its body.
+    pub(super) fn are_neighbours(&self, state: &Cluster<S>, (p, others): (usize, [usize; 2])) -> bool {
+        let body = state.body_of[p] as usize;
+        let (base, first) = (state.bases[body] as usize, self.list[state.bodies[body]].points.first as usize);
+        let at = p - base + first;
+        let (starts, list) = &self.neighbours;
+        let own = &list[starts[at] as usize..starts[at + 1] as usize];
+        others.into_iter().any(|other| own.contains(&((other - base + first) as u32)))
+    }
+
+    fn push(&mut self, own: Own, local: &[u32], points: &Points<S, 2>, contact: Option<&Contact>) {
+        let place = |i: u32| points.position[i as usize];
+        let w = |i: u32| points.inverse_mass[i as usize];
+        let starts = self.ends();
+        let (path, others): (Vec<Bond>, Vec<Bond>) = match path_of(&own.bonds) {
+            Some(path) => (path, own.bonds.iter().copied().filter(|bond| !is_held(bond)).collect()),
+            None => (Vec::new(), own.bonds.clone()),
+        };
+        let link = |bond: &Bond| link(bond, local);
+        self.holds.extend(path.iter().map(link));
+        let (springs, holds): (Vec<&Bond>, Vec<&Bond>) = others.iter().partition(|bond| is_spring(bond));
+        let [springs, holds] = [springs, holds].map(|list| in_turn(list, local, own.points.len()));
+        self.springs.extend(springs.iter().map(|bond| link(bond)));
+        self.holds.extend(holds.iter().map(|bond| link(bond)));
+        self.areas.extend(own.triangles.iter().filter_map(|&corners| area(corners, corners.map(place), local)));
+        let edges = skin(&own);
+        let mut corners: Vec<u32> = edges.iter().flat_map(|edge| edge.ends).collect();
+        if edges.is_empty() {
+            corners.extend(&own.points);
+        }
+        corners.sort_unstable();
+        corners.dedup();
+        let total = edges.iter().fold(S::ZERO, |sum, edge| sum + length(sub(place(edge.ends[0]), place(edge.ends[1]))));
+        let edge_length = if edges.is_empty() { S::ZERO } else { total / S::from_f64(edges.len() as f64) };
+        let radius = contact.and_then(|contact| contact.radius);
+        let radius = radius.map_or(edge_length * S::from_f64(RADIUS), S::from_f64);
+        self.edges.extend(edges.iter().map(|edge| Edge { ends: edge.ends.map(|end| local[end as usize]), ..*edge }));
+        self.corners.extend(corners.iter().map(|&corner| local[corner as usize]));
+        self.order.extend(&own.points);
+        let ends = self.ends();
+        let span = |k: usize| Span { first: starts[k], end: ends[k] };
+        let [stiffness, decay] = bounds(&springs, w);
+        self.list.push(Body {
+            points: span(0),
+            springs: span(1),
+            holds: span(2),
+            areas: span(3),
+            edges: span(4),
+            corners: span(5),
+            is_path: !path.is_empty(),
+            edge_length,
+            radius,
+            stiffness: S::from_f64(stiffness),
+            decay: S::from_f64(decay),
+            least_substeps: bonds::substeps(stiffness, decay),
+        });
+    }
+
+    fn ends(&self) -> [u32; 6] {
+        [self.order.len(), self.springs.len(), self.holds.len(), self.areas.len(), self.edges.len(), self.corners.len()]
+            .map(|count| count as u32)
+    }
+}
+
+/// What is of one body, points numbered as in the group.
+#[derive(Clone, Debug, Default)]
+struct Own {
+    points: Vec<u32>,
+    bonds: Vec<Bond>,
+    triangles: Vec<[u32; 3]>,
+}
+
+/// In an order in which bonds that follow on each other share no point: none waits for the one before.
+fn in_turn<'a>(list: Vec<&'a Bond>, local: &[u32], points: usize) -> Vec<&'a Bond> {
+    let ends: Vec<[u32; 2]> = list.iter().map(|bond| [bond.a, bond.b].map(|end| local[end.index()])).collect();
+    by_colour(&ends, points).into_iter().map(|k| list[k as usize]).collect()
+}
+
+fn is_spring(bond: &Bond) -> bool {
+    matches!(bond.kind, BondKind::Spring { .. })
+}
+
+/// Rigid, both ways.
+fn is_held(bond: &Bond) -> bool {
+    bond.kind == BondKind::Rigid && bond.limit == crate::sim::bond::Limit::Both
+}
+
+fn link<S: Real>(bond: &Bond, local: &[u32]) -> Link<S> {
+    let (stiffness, damping, share, most) = match bond.kind {
+        BondKind::Rigid => (f64::INFINITY, 0.0, 1.0, f64::INFINITY),
+        BondKind::Spring { stiffness, damping } => (stiffness, damping, 1.0, f64::INFINITY),
+        BondKind::Relaxed { relaxation, max_correction } => (f64::INFINITY, 0.0, relaxation, max_correction),
+    };
+    Link {
+        a: local[bond.a.index()],
+        b: local[bond.b.index()],
+        rest: S::from_f64(bond.rest_length),
+        stiffness: S::from_f64(stiffness),
+        damping: S::from_f64(damping),
+        share: S::from_f64(share),
+        most: S::from_f64(most),
+        limit: bond.limit,
+    }
+}
+
+/// The rigid bonds in the order of the one open path that they make, if they do: no point has more than two.
+fn path_of(bonds: &[Bond]) -> Option<Vec<Bond>> {
+    let mut rigid: Vec<Bond> = bonds.iter().copied().filter(is_held).collect();
+    if rigid.len() < LEAST_PATH {
+        return None;
+    }
+    let mut at: Vec<(u32, usize)> =
+        rigid.iter().enumerate().flat_map(|(k, bond)| [(bond.a.0, k), (bond.b.0, k)]).collect();
+    at.sort_unstable();
+    let of = |point: u32| {
+        let start = at.partition_point(|entry| entry.0 < point);
+        at[start..].iter().take_while(move |entry| entry.0 == point).map(|entry| entry.1)
+    };
+    if at.windows(3).any(|three| three[0].0 == three[2].0) {
+        return None;
+    }
+    let mut point = at.iter().map(|entry| entry.0).find(|&point| of(point).count() == 1)?;
+    let mut path = Vec::with_capacity(rigid.len());
+    let mut last = usize::MAX;
+    while let Some(next) = of(point).find(|&k| k != last) {
+        let bond = &mut rigid[next];
+        if bond.a.0 != point {
+            (bond.a, bond.b) = (bond.b, bond.a);
+        }
+        path.push(*bond);
+        (point, last) = (bond.b.0, next);
+    }
+    (path.len() == rigid.len()).then_some(path)
+}
+
+fn area<S: Real>(corners: [u32; 3], [a, b, c]: [[S; 2]; 3], local: &[u32]) -> Option<Area<S>> {
+    let (u, v) = (sub(b, a), sub(c, a));
+    let twice = u[0] * v[1] - u[1] * v[0];
+    let longest = crate::sim::vector::dot(u, u).max(crate::sim::vector::dot(v, v));
+    let corners = corners.map(|corner| local[corner as usize]);
+    let corners = if twice < S::ZERO { [corners[0], corners[2], corners[1]] } else { corners };
+    (twice.abs() > S::from_f64(LEAST_AREA) * longest).then(|| Area { corners, rest: S::HALF * twice.abs() })
+}
+
+/// The skin of a body: the sides that one triangle has alone, its inside on their right, and bonds at points of no triangle.
+fn skin(own: &Own) -> Vec<Edge> {
+    let mut sides: Vec<([u32; 2], [u32; 2])> = Vec::with_capacity(3 * own.triangles.len());
+    for &[a, b, c] in &own.triangles {
+        for [from, to] in [[a, b], [b, c], [c, a]] {
+            sides.push(([from.min(to), from.max(to)], [to, from]));
+        }
+    }
+    sides.sort_unstable();
+    let mut edges: Vec<Edge> = Vec::new();
+    for group in sides.chunk_by(|a, b| a.0 == b.0) {
+        if let [(_, ends)] = group {
+            edges.push(Edge { ends: *ends, is_closed: true });
+        }
+    }
+    let mut covered: Vec<u32> = own.triangles.iter().flatten().copied().collect();
+    covered.sort_unstable();
+    covered.dedup();
+    let is_covered = |point: u32| covered.binary_search(&point).is_ok();
+    let mut open: Vec<[u32; 2]> = own
+        .bonds
+        .iter()
+        .map(|bond| [bond.a.0.min(bond.b.0), bond.a.0.max(bond.b.0)])
+        .filter(|[a, b]| !(is_covered(*a) && is_covered(*b)))
+        .collect();
+    open.sort_unstable();
+    open.dedup();
+    edges.extend(open.into_iter().map(|ends| Edge { ends, is_closed: false }));
+    edges
+}
+
+/// Gershgorin's bounds on the square of the fastest oscillation [1/s^2] and on the fastest decay [1/s] of springs.
+fn bounds<S: Real>(springs: &[&Bond], w: impl Fn(u32) -> S) -> [f64; 2] {
+    let mut sums: Vec<(u32, [f64; 2])> = Vec::with_capacity(2 * springs.len());
+    for bond in springs {
+        if let BondKind::Spring { stiffness, damping } = bond.kind {
+            sums.extend([bond.a.0, bond.b.0].map(|end| (end, [stiffness, damping])));
+        }
+    }
+    sums.sort_unstable_by_key(|entry| entry.0);
+    let mut most = [0.0; 2];
+    for group in sums.chunk_by(|a, b| a.0 == b.0) {
+        let w = w(group[0].0).to_f64();
+        for (k, most) in most.iter_mut().enumerate() {
+            *most = f64::max(*most, 2.0 * w * group.iter().map(|entry| entry.1[k]).sum::<f64>());
+        }
+    }
+    most
+}

@@ -1,0 +1,129 @@
+//! Bodies that may touch each other within a step: their state, side by side, and what is near what.
+
+use super::body::{Area, Body, Edge, Link};
+use super::bonds::Hold;
+use super::build::Bodies;
+use super::pair::{OnPlane, Pair, Sides};
+use super::walls::Walls;
+use crate::sim::contact::skin::Contact;
+use crate::sim::contact::surface::Surface;
+use crate::sim::real::Real;
+
+/// Bodies that go together, in lists of their own: nothing else is read or written while they move.
+///
+/// Shapes: one entry a point, body after body; corners of obstacles come behind them.
+#[derive(Clone, Debug)]
+pub(super) struct Cluster<S: Real> {
+    /// Which bodies, ascending.
+    pub(super) bodies: Vec<usize>,
+    /// Where the points of each begin here; one more entry at the end.
+    pub(super) bases: Vec<u32>,
+    /// Which of its bodies touched something in the last step.
+    pub(super) touches: Vec<bool>,
+    /// Positions at the start of the substep [m].
+    pub(super) start: Vec<[S; 2]>,
+    /// Positions as far as the substep is solved [m].
+    pub(super) now: Vec<[S; 2]>,
+    /// From one to the other [m]: exact where the difference of both is not.
+    pub(super) way: Vec<[S; 2]>,
+    pub(super) velocity: Vec<[S; 2]>,
+    /// What rounding has taken from positions [m].
+    pub(super) lost: Vec<[S; 2]>,
+    pub(super) w: Vec<S>,
+    /// Which of its bodies every point is of; corners of obstacles: of none.
+    pub(super) body_of: Vec<u32>,
+    /// Edges of skins and of obstacles near by, ends counted here.
+    pub(super) edges: Vec<Side>,
+    /// Points of skins and corners of obstacles: place here, and number for ever.
+    pub(super) corners: Vec<(u32, u32)>,
+    /// Bonds that are projected.
+    pub(super) holds: Vec<Hold<S>>,
+    pub(super) pairs: Vec<Pair<S>>,
+    pub(super) on_planes: Vec<OnPlane<S>>,
+    /// How far points may go until what is near what is looked for anew [m], and the least of that.
+    pub(super) promise: S,
+    pub(super) least_promise: S,
+    /// The largest radius of its skins [m].
+    pub(super) widest: S,
+    /// How far the fastest has gone since [m].
+    pub(super) gone: S,
+    /// Work that mouse and other forces did in this step [J].
+    pub(super) work: S,
+    pub(super) counts: Counts,
+}
+
+/// What a cluster did in a step.
+#[derive(Clone, Copy, Debug, Default)]
+pub(super) struct Counts {
+    pub(super) substeps: u64,
+    pub(super) points: u64,
+    pub(super) bonds: u64,
+    pub(super) contacts: u64,
+    pub(super) truncations: u64,
+    pub(super) guarded: u64,
+    pub(super) mouse_points: u64,
+    pub(super) detections: u64,
+    pub(super) work: u64,
+}
+
+/// An edge near which points may come.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Side {
+    pub(super) ends: [u32; 2],
+    /// Number for ever.
+    pub(super) number: u32,
+    /// Of which of the cluster's bodies; `u32::MAX`: of an obstacle.
+    pub(super) body: u32,
+    pub(super) is_closed: bool,
+}
+
+/// No body.
+pub(super) const OBSTACLE: u32 = u32::MAX;
+
+/// What all clusters share.
+pub(super) struct Common<'a, S: Real> {
+    pub(super) bodies: &'a Bodies<S>,
+    pub(super) walls: &'a Walls<S>,
+    pub(super) contact: Option<&'a Contact>,
+    /// All surfaces, planes first.
+    pub(super) surfaces: &'a [Surface<S, 2>],
+    pub(super) planes: &'a [Surface<S, 2>],
+    /// Sides that points had of edges, from before.
+    pub(super) sides: &'a Sides,
+}
+
+impl<S: Real> Common<'_, S> {
+    pub(super) fn springs(&self, body: &Body<S>) -> &[Link<S>] {
+        &self.bodies.springs[body.springs.range()]
+    }
+
+    pub(super) fn holds(&self, body: &Body<S>) -> &[Link<S>] {
+        &self.bodies.holds[body.holds.range()]
+    }
+
+    pub(super) fn areas(&self, body: &Body<S>) -> &[Area<S>] {
+        &self.bodies.areas[body.areas.range()]
+    }
+
+    pub(super) fn edges(&self, body: &Body<S>) -> &[Edge] {
+        &self.bodies.edges[body.edges.range()]
+    }
+}
+
+impl<S: Real> Cluster<S> {
+    /// Its bodies with the places at which their points begin.
+    pub(super) fn members<'a>(
+        &self,
+        common: &Common<'a, S>,
+    ) -> impl Iterator<Item = (&'a Body<S>, usize)> + use<'a, S> {
+        let list = &common.bodies.list;
+        let pairs: Vec<(usize, usize)> =
+            self.bodies.iter().zip(&self.bases).map(|(&body, &base)| (body, base as usize)).collect();
+        pairs.into_iter().map(move |(body, base)| (&list[body], base))
+    }
+
+    /// How many points its bodies have.
+    pub(super) fn own(&self) -> usize {
+        self.bases.last().map_or(0, |&end| end as usize)
+    }
+}

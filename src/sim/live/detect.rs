@@ -1,0 +1,305 @@
+//! What is near what: points of skins near edges, by a grid of the edges, and points near planes.
+//!
+//! What is found holds as long as no point goes further than was promised.
+
+use super::FRAMES;
+use super::cluster::{Cluster, Common, OBSTACLE, Side};
+use super::pair::{OnPlane, Pair, wedge};
+use crate::sim::real::Real;
+use crate::sim::vector::{add, dot, scale, sub};
+
+/// Cells that an edge may touch before it is looked at by every point instead.
+const MOST_CELLS: usize = 64;
+
+/// Share of a frame after which it is looked anew at the soonest, however fast points are.
+const LEAST_TIME: f64 = 0.25;
+
+/// An edge as points look at it.
+struct Line<S> {
+    from: [S; 2],
+    along: [S; 2],
+    square: S,
+    /// How far a point without a radius may be from it [m].
+    reach: S,
+    body: u32,
+    ends: [u32; 2],
+}
+
+/// Where a point lies of an edge.
+#[derive(Clone, Copy)]
+struct Found<S> {
+    edge: usize,
+    /// Square of the distance [m^2].
+    square: S,
+    /// > 0 on the left of the edge.
+    across: S,
+    /// The nearest place is an end.
+    is_end: bool,
+}
+
+/// A grid over a box.
+struct Cells<S> {
+    low: [S; 2],
+    side: S,
+    counts: [usize; 2],
+}
+
+/// Finds pairs of points and edges anew; those that were there keep their sides.
+pub(super) fn look<S: Real>(state: &mut Cluster<S>, common: &Common<S>) {
+    state.gone = S::ZERO;
+    state.counts.detections += 1;
+    let far = super::substep::fastest(state) * S::from_f64(LEAST_TIME / FRAMES);
+    state.promise = state.least_promise.max(far);
+    near_planes(state, common);
+    if state.edges.is_empty() {
+        return;
+    }
+    let old = known(&state.pairs);
+    let mut pairs = std::mem::take(&mut state.pairs);
+    pairs.clear();
+    let reach = state.promise + state.promise;
+    let lines = lines(state, common, reach);
+    let (cells, starts, entries, long) = grid(state, &lines, reach);
+    let mut near: Vec<Found<S>> = Vec::new();
+    for &(p, number) in &state.corners {
+        near.clear();
+        let (x, body) = (state.now[p as usize], state.body_of[p as usize]);
+        let radius = if body == OBSTACLE { S::ZERO } else { common.bodies.list[state.bodies[body as usize]].radius };
+        let mut see = |edge: usize| {
+            let found = find(&lines[edge], edge, x, radius);
+            near.extend(found.filter(|_| may_meet(state, common, (p, body), &lines[edge])));
+        };
+        if let Some(cell) = cells.place(x) {
+            entries[starts[cell] as usize..starts[cell + 1] as usize].iter().for_each(|&edge| see(edge as usize));
+        }
+        long.iter().for_each(|&edge| see(edge));
+        near.sort_unstable_by_key(|found| state.edges[found.edge].number);
+        for found in &near {
+            let key = u64::from(number) << 32 | u64::from(state.edges[found.edge].number);
+            let before = side_of(&old, key).or_else(|| side_of(common.sides, key));
+            if let Some(side) = before.or_else(|| side(state, p, found, &near)) {
+                pairs.push(pair(state, common, (p, found.edge, key), side));
+            }
+        }
+    }
+    pairs.sort_unstable_by_key(|pair| pair.key);
+    state.counts.work += 30 * (state.edges.len() + state.corners.len()) as u64 + 20 * pairs.len() as u64;
+    state.pairs = pairs;
+}
+
+/// Sides of pairs, by their numbers.
+pub(super) fn known<S: Real>(pairs: &[Pair<S>]) -> Vec<(u64, i8)> {
+    let of = |pair: &Pair<S>| (pair.side != S::ZERO).then_some((pair.key, if pair.side > S::ZERO { 1 } else { -1 }));
+    pairs.iter().filter_map(of).collect()
+}
+
+fn side_of(sides: &[(u64, i8)], key: u64) -> Option<i8> {
+    sides.binary_search_by_key(&key, |side| side.0).ok().map(|found| sides[found].1)
+}
+
+/// The side that a point belongs to of an edge that it was not near before.
+///
+/// In front of what is closed it stays in front. Behind it is inside only if no other edge of that body is nearer; then it is to come
+/// out there.
+fn side<S: Real>(state: &Cluster<S>, p: u32, found: &Found<S>, near: &[Found<S>]) -> Option<i8> {
+    let edge = &state.edges[found.edge];
+    if !edge.is_closed {
+        return Some(if found.across >= S::ZERO { 1 } else { -1 });
+    }
+    if found.across >= S::ZERO {
+        return Some(1);
+    }
+    if found.is_end {
+        return None;
+    }
+    if state.body_of[p as usize] == edge.body {
+        return Some(-1);
+    }
+    let is_nearer = |other: &Found<S>| state.edges[other.edge].body == edge.body && other.square < found.square;
+    (!near.iter().any(is_nearer)).then_some(1)
+}
+
+fn pair<S: Real>(state: &Cluster<S>, common: &Common<S>, (p, edge, key): (u32, usize, u64), side: i8) -> Pair<S> {
+    let of = &state.edges[edge];
+    let contact = common.contact.copied().unwrap_or_default();
+    let body = state.body_of[p as usize];
+    let surface = match (of.body, body) {
+        (OBSTACLE, _) => Some(common.walls.surface_of_side(of.number - common.bodies.edges.len() as u32)),
+        (_, OBSTACLE) => Some(common.walls.surface_of_corner((key >> 32) as u32 - common.bodies.order.len() as u32)),
+        _ => None,
+    };
+    let (friction, restitution) = match surface {
+        Some(surface) => (common.surfaces[surface].friction, common.surfaces[surface].restitution),
+        None => (S::from_f64(contact.friction), S::from_f64(contact.restitution)),
+    };
+    Pair {
+        p,
+        a: of.ends[0],
+        b: of.ends[1],
+        key,
+        side: if side > 0 { S::ONE } else { -S::ONE },
+        is_closed: of.is_closed,
+        distance: distance(state, common, body, of),
+        friction,
+        restitution,
+        pressed: S::ZERO,
+        rubbed: S::ZERO,
+        old: S::ZERO,
+        approach: S::ZERO,
+        is_met: false,
+    }
+}
+
+/// The distance that a point keeps from an edge [m]: the sum of the radii; from and to obstacles none.
+fn distance<S: Real>(state: &Cluster<S>, common: &Common<S>, body: u32, edge: &Side) -> S {
+    if body == OBSTACLE || edge.body == OBSTACLE {
+        return S::ZERO;
+    }
+    let radius = |body: u32| common.bodies.list[state.bodies[body as usize]].radius;
+    radius(body) + radius(edge.body)
+}
+
+/// Where a point lies of an edge, if that is near.
+#[inline(always)]
+fn find<S: Real>(line: &Line<S>, edge: usize, x: [S; 2], radius: S) -> Option<Found<S>> {
+    let (u, r) = (line.along, sub(x, line.from));
+    let most = line.reach + radius;
+    let along = dot(r, u);
+    let is_end = along < S::ZERO || along > line.square;
+    let from = match is_end {
+        true if along < S::ZERO => r,
+        true => sub(r, u),
+        false if line.square > S::ZERO => sub(r, scale(u, along / line.square)),
+        false => r,
+    };
+    let far = dot(from, from);
+    (far <= most * most).then(|| Found { edge, square: far, across: wedge(u, r), is_end })
+}
+
+/// Whether a point and an edge are of those that meet.
+fn may_meet<S: Real>(state: &Cluster<S>, common: &Common<S>, (p, body): (u32, u32), line: &Line<S>) -> bool {
+    if body == OBSTACLE || line.body == OBSTACLE {
+        return body != line.body;
+    }
+    let Some(contact) = common.contact else { return false };
+    if body != line.body {
+        return contact.with_others;
+    }
+    let ends = line.ends.map(|end| end as usize);
+    contact.with_itself && !line.ends.contains(&p) && !common.bodies.are_neighbours(state, (p as usize, ends))
+}
+
+/// All edges, to be met within `reach` [m].
+fn lines<S: Real>(state: &Cluster<S>, common: &Common<S>, reach: S) -> Vec<Line<S>> {
+    let line = |edge: &Side| {
+        let [a, b] = edge.ends.map(|end| state.now[end as usize]);
+        let along = sub(b, a);
+        let own =
+            if edge.body == OBSTACLE { S::ZERO } else { common.bodies.list[state.bodies[edge.body as usize]].radius };
+        Line { from: a, along, square: dot(along, along), reach: reach + own, body: edge.body, ends: edge.ends }
+    };
+    state.edges.iter().map(line).collect()
+}
+
+type Grid<S> = (Cells<S>, Vec<u32>, Vec<u32>, Vec<usize>);
+
+/// The edges in cells, each in all that it may be near to, and those that are too long for it.
+fn grid<S: Real>(state: &Cluster<S>, lines: &[Line<S>], reach: S) -> Grid<S> {
+    let mut low = [S::INFINITY; 2];
+    let mut high = [-S::INFINITY; 2];
+    for &(p, _) in &state.corners {
+        for k in 0..2 {
+            low[k] = low[k].min(state.now[p as usize][k]);
+            high[k] = high[k].max(state.now[p as usize][k]);
+        }
+    }
+    let own = lines.iter().filter(|line| line.body != OBSTACLE);
+    let (sum, count) = own.fold((S::ZERO, 0), |(sum, count), line| (sum + line.square.sqrt(), count + 1));
+    let mean = if count > 0 { sum / S::from_f64(f64::from(count)) } else { S::ONE };
+    let cells = Cells::over(low, high, mean + reach, state.edges.len());
+    let mut starts = vec![0_u32; cells.counts[0] * cells.counts[1] + 1];
+    let mut long = Vec::new();
+    let mut ranges = Vec::with_capacity(state.edges.len());
+    for (k, line) in lines.iter().enumerate() {
+        let (a, b) = (line.from, add(line.from, line.along));
+        let grown = line.reach + state.widest;
+        let from = [0, 1].map(|k| a[k].min(b[k]) - grown);
+        let to = [0, 1].map(|k| a[k].max(b[k]) + grown);
+        let range = cells.range(from, to);
+        let many = range.as_ref().map_or(0, |[x, y]| x.len() * y.len());
+        if many > MOST_CELLS {
+            long.push(k);
+            ranges.push(None);
+            continue;
+        }
+        if let Some([x, y]) = &range {
+            for row in y.clone() {
+                for column in x.clone() {
+                    starts[row * cells.counts[0] + column + 1] += 1;
+                }
+            }
+        }
+        ranges.push(range);
+    }
+    for cell in 1..starts.len() {
+        starts[cell] += starts[cell - 1];
+    }
+    let mut next = starts.clone();
+    let mut entries = vec![0_u32; starts.last().map_or(0, |&end| end as usize)];
+    for (k, range) in ranges.iter().enumerate() {
+        let Some([x, y]) = range else { continue };
+        for row in y.clone() {
+            for column in x.clone() {
+                let place = &mut next[row * cells.counts[0] + column];
+                entries[*place as usize] = k as u32;
+                *place += 1;
+            }
+        }
+    }
+    (cells, starts, entries, long)
+}
+
+impl<S: Real> Cells<S> {
+    /// Cells of about `side` over a box, about as many as there are edges at most.
+    fn over(low: [S; 2], high: [S; 2], side: S, edges: usize) -> Self {
+        let size = [0, 1].map(|k| (high[k] - low[k]).max(S::ZERO).to_f64());
+        let most = 4.0 * edges as f64 + 16.0;
+        let mut side = side.to_f64().max(1e-12);
+        let many = |side: f64| (size[0] / side + 1.0) * (size[1] / side + 1.0);
+        while many(side) > most && side.is_finite() {
+            side *= 1.5;
+        }
+        let counts = size.map(|size| (size / side) as usize + 1);
+        Cells { low, side: S::from_f64(side), counts }
+    }
+
+    fn place(&self, x: [S; 2]) -> Option<usize> {
+        let at = [0, 1].map(|k| ((x[k] - self.low[k]) / self.side).to_f64());
+        let is_in = (0..2).all(|k| at[k] >= 0.0 && at[k] < self.counts[k] as f64 + 0.5);
+        let [column, row] = [0, 1].map(|k| (at[k] as usize).min(self.counts[k] - 1));
+        is_in.then_some(row * self.counts[0] + column)
+    }
+
+    fn range(&self, from: [S; 2], to: [S; 2]) -> Option<[std::ops::Range<usize>; 2]> {
+        let of = |k: usize| {
+            let [first, last] = [from[k], to[k]].map(|x| ((x - self.low[k]) / self.side).to_f64());
+            let end = (last + 1.0).max(0.0).min(self.counts[k] as f64) as usize;
+            let start = first.max(0.0).min(self.counts[k] as f64) as usize;
+            (start < end).then_some(start..end)
+        };
+        Some([of(0)?, of(1)?])
+    }
+}
+
+/// Finds which points are near planes.
+fn near_planes<S: Real>(state: &mut Cluster<S>, common: &Common<S>) {
+    state.on_planes.clear();
+    for (number, surface) in common.planes.iter().enumerate() {
+        for i in 0..state.own() {
+            if state.w[i] != S::ZERO && surface.gap(state.now[i]) < state.promise {
+                state.on_planes.push(OnPlane::new(i as u32, number as u32));
+            }
+        }
+    }
+    state.on_planes.sort_unstable_by_key(|on| (on.p, on.surface));
+}

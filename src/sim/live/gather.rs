@@ -1,0 +1,219 @@
+//! Which bodies go together, and their state: copied for the step and back.
+
+use super::Live;
+use super::cluster::{Cluster, Common, Counts, OBSTACLE, Side};
+use crate::sim::counters::Counters;
+use crate::sim::environment::Environment;
+use crate::sim::measure;
+use crate::sim::points::Points;
+use crate::sim::pull::Pull;
+use crate::sim::real::Real;
+use crate::sim::vector::{length, zero};
+
+/// Share of the shortest mean edge that points may go until what is near what is looked for anew.
+const PROMISE: f64 = 0.25;
+/// Share of it that the fastest point may go in a substep.
+const WAY: f64 = 0.5;
+/// Substeps of a frame: one of these numbers.
+const SUBSTEPS: [u32; 4] = [16, 32, 64, 128];
+
+/// What a body may reach within a step.
+struct Reach<S> {
+    body: usize,
+    low: [S; 2],
+    high: [S; 2],
+}
+
+impl<S: Real> Live<S> {
+    /// The clusters of what is awake, in the order of their lowest bodies.
+    pub(super) fn gather(
+        &self,
+        points: &Points<S, 2>,
+        common: &Common<S>,
+        (around, h): (&Environment<2>, f64),
+    ) -> Vec<Cluster<S>> {
+        let mut reaches: Vec<Reach<S>> = (0..self.bodies.list.len())
+            .filter(|&body| self.bodies.list[body].points.len() > 0)
+            .map(|body| self.reach(body, points, (around, h)))
+            .collect();
+        let mut together = crate::sim::sets::Sets::new(self.bodies.list.len());
+        if self.contact.is_some_and(|contact| contact.with_others) {
+            reaches.sort_by(|a, b| a.low[0].partial_cmp(&b.low[0]).unwrap_or(std::cmp::Ordering::Equal));
+            let mut open: Vec<&Reach<S>> = Vec::new();
+            for reach in &reaches {
+                open.retain(|other| other.high[0] >= reach.low[0]);
+                for other in &open {
+                    if other.low[1] <= reach.high[1] && other.high[1] >= reach.low[1] {
+                        together.join(other.body as u32, reach.body as u32);
+                    }
+                }
+                open.push(reach);
+            }
+        }
+        let mut members: Vec<Vec<usize>> = vec![Vec::new(); self.bodies.list.len()];
+        for body in 0..self.bodies.list.len() {
+            if self.bodies.list[body].points.len() > 0 {
+                members[together.find(body as u32) as usize].push(body);
+            }
+        }
+        let is_awake = |bodies: &Vec<usize>| bodies.iter().any(|&body| !self.rests[body].is_asleep);
+        members.into_iter().filter(is_awake).map(|bodies| self.cluster(bodies, points, common)).collect()
+    }
+
+    /// Where the points of a body may get to in `h` [s], and what is near.
+    fn reach(&self, body: usize, points: &Points<S, 2>, (around, h): (&Environment<2>, f64)) -> Reach<S> {
+        let of = &self.bodies.list[body];
+        let mut reach = Reach { body, low: [S::INFINITY; 2], high: [-S::INFINITY; 2] };
+        let mut fastest = S::ZERO;
+        for &slot in &self.bodies.order[of.points.range()] {
+            let (x, v) = (points.position[slot as usize], points.velocity[slot as usize]);
+            for k in 0..2 {
+                reach.low[k] = reach.low[k].min(x[k]);
+                reach.high[k] = reach.high[k].max(x[k]);
+                fastest = fastest.max(v[k].abs());
+            }
+        }
+        let pushed = around.mouse.as_ref().map_or(0.0, |mouse| mouse.strength.abs() * mouse.radius);
+        let pulled = S::from_f64(h * h * (length(around.gravity) + pushed));
+        let margin = of.edge_length * S::from_f64(2.0 * PROMISE) + of.radius;
+        let way = (S::ONE + S::HALF) * (fastest * S::from_f64(h) + pulled) + margin;
+        (reach.low, reach.high) = (reach.low.map(|x| x - way), reach.high.map(|x| x + way));
+        reach
+    }
+
+    fn cluster(&self, bodies: Vec<usize>, points: &Points<S, 2>, common: &Common<S>) -> Cluster<S> {
+        let own: usize = bodies.iter().map(|&body| self.bodies.list[body].points.len()).sum();
+        let mut cluster = Cluster {
+            touches: bodies.iter().map(|&body| self.rests[body].touches).collect(),
+            bases: Vec::with_capacity(bodies.len() + 1),
+            start: Vec::with_capacity(own),
+            now: Vec::with_capacity(own),
+            way: Vec::new(),
+            velocity: Vec::with_capacity(own),
+            lost: Vec::with_capacity(own),
+            w: Vec::with_capacity(own),
+            body_of: Vec::with_capacity(own),
+            edges: Vec::new(),
+            corners: Vec::new(),
+            holds: Vec::new(),
+            pairs: Vec::new(),
+            on_planes: Vec::new(),
+            promise: S::ZERO,
+            least_promise: S::INFINITY,
+            widest: S::ZERO,
+            gone: S::ZERO,
+            work: S::ZERO,
+            counts: Counts::default(),
+            bodies,
+        };
+        for k in 0..cluster.bodies.len() {
+            let body = &self.bodies.list[cluster.bodies[k]];
+            let base = cluster.now.len() as u32;
+            cluster.bases.push(base);
+            for &slot in &self.bodies.order[body.points.range()] {
+                let i = slot as usize;
+                cluster.now.push(points.position[i]);
+                cluster.velocity.push(points.velocity[i]);
+                cluster.lost.push(points.position_lost.get(i).copied().unwrap_or(zero()));
+                cluster.w.push(points.inverse_mass[i]);
+                cluster.body_of.push(k as u32);
+            }
+            let number = |local: u32| (base + local, body.points.first + local);
+            cluster.corners.extend(self.bodies.corners[body.corners.range()].iter().map(|&corner| number(corner)));
+            for (edge, number) in common.edges(body).iter().zip(body.edges.first..) {
+                let ends = edge.ends.map(|end| base + end);
+                cluster.edges.push(Side { ends, number, body: k as u32, is_closed: edge.is_closed });
+            }
+            if body.edge_length > S::ZERO {
+                cluster.least_promise = cluster.least_promise.min(body.edge_length * S::from_f64(PROMISE));
+            }
+            cluster.widest = cluster.widest.max(body.radius);
+        }
+        cluster.bases.push(cluster.now.len() as u32);
+        if !cluster.least_promise.is_finite() {
+            cluster.least_promise = S::from_f64(PROMISE * 0.1);
+        }
+        if self.contact.is_none() {
+            (cluster.edges, cluster.corners) = (Vec::new(), (0..cluster.now.len() as u32).map(|i| (i, i)).collect());
+        }
+        cluster.include_walls(common);
+        cluster.start.clone_from(&cluster.now);
+        cluster.way = vec![zero(); cluster.now.len()];
+        cluster
+    }
+
+    /// Writes the state of a cluster back.
+    pub(super) fn scatter(&self, cluster: &Cluster<S>, points: &mut Points<S, 2>) {
+        for (k, &body) in cluster.bodies.iter().enumerate() {
+            let base = cluster.bases[k] as usize;
+            for (i, &slot) in (base..).zip(&self.bodies.order[self.bodies.list[body].points.range()]) {
+                points.position[slot as usize] = cluster.now[i];
+                points.velocity[slot as usize] = cluster.velocity[i];
+                if let Some(lost) = points.position_lost.get_mut(slot as usize) {
+                    *lost = cluster.lost[i];
+                }
+            }
+        }
+    }
+}
+
+impl<S: Real> Cluster<S> {
+    /// Sides of polygons near by, their corners behind the points.
+    fn include_walls(&mut self, common: &Common<S>) {
+        if common.walls.sides.is_empty() {
+            return;
+        }
+        let Some([low, high]) = measure::extent(&self.now) else { return };
+        let size = [0, 1].map(|k| high[k] - low[k]);
+        // What is fast gets further than the box is wide: those walls are looked for again in the next step.
+        let way = super::substep::fastest(self) * S::from_f64(1.0 / 30.0)
+            + self.least_promise * S::from_f64(8.0)
+            + size[0].max(size[1]) * S::HALF;
+        let sides: Vec<u32> = common.walls.near([low.map(|x| x - way), high.map(|x| x + way)]).collect();
+        let mut corners: Vec<u32> = sides.iter().flat_map(|&side| common.walls.sides[side as usize].0).collect();
+        corners.sort_unstable();
+        corners.dedup();
+        let first = self.now.len() as u32;
+        let place = |corner: u32| first + corners.binary_search(&corner).unwrap_or_default() as u32;
+        for &side in &sides {
+            let ends = common.walls.sides[side as usize].0.map(place);
+            let number = common.bodies.edges.len() as u32 + side;
+            self.edges.push(Side { ends, number, body: OBSTACLE, is_closed: true });
+        }
+        for &corner in &corners {
+            self.now.push(common.walls.corners[corner as usize]);
+            self.velocity.push(zero());
+            self.w.push(S::ZERO);
+            self.body_of.push(OBSTACLE);
+            if common.contact.is_some() {
+                self.corners.push((place(corner), common.bodies.order.len() as u32 + corner));
+            }
+        }
+    }
+
+    /// Substeps of a frame that the fastest point needs.
+    pub(super) fn substeps(&self, common: &Common<S>, pull: &Pull<S, 2>, around: &Environment<2>, t: f64) -> u32 {
+        let frame = 1.0 / super::FRAMES;
+        let pushed = around.mouse_at(t).map_or(0.0, |(force, _)| force.strength.abs() * force.radius);
+        let speed = super::substep::fastest(self).to_f64() + frame * (length(pull.gravity) + pushed);
+        let shortest = self.least_promise.to_f64() / PROMISE;
+        let wanted = speed * frame / (WAY * shortest);
+        let flying = self.members(common).zip(&self.touches).filter(|(_, touches)| !**touches);
+        let least = flying.map(|((body, _), _)| body.least_substeps).max().unwrap_or_default();
+        let is_enough = |count: &u32| f64::from(*count) >= wanted && *count >= least;
+        SUBSTEPS.into_iter().find(is_enough).unwrap_or(SUBSTEPS[3])
+    }
+
+    /// Adds what it did.
+    pub(super) fn count(&self, counters: &mut Counters) {
+        let counts = &self.counts;
+        counters.substeps += counts.substeps;
+        counters.points_moved += counts.points;
+        counters.bonds_solved += counts.bonds;
+        counters.mouse_points += counts.mouse_points;
+        counters.contacts += counts.contacts;
+        counters.truncations += counts.truncations;
+        counters.guarded += counts.guarded;
+        counters.work += counts.work;
+    }
+}

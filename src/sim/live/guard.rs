@@ -1,0 +1,83 @@
+//! The last line: a cluster has no more energy after a step than before, and what was done to it.
+
+use super::cluster::{Cluster, Common};
+use crate::sim::real::Real;
+use crate::sim::vector::{add, dot, scale, sub, zero};
+
+/// Share of the kinetic and elastic energy that contacts may make in a step without being seen: overlaps that are mended load springs.
+const SLACK: f64 = 1e-3;
+
+/// Kinetic, elastic and gravity's energy [J].
+pub(super) fn energy<S: Real>(state: &Cluster<S>, common: &Common<S>, gravity: [f64; 2]) -> S {
+    let (kinetic, fall) = moving(state, gravity);
+    kinetic + fall + elastic(state, common)
+}
+
+fn moving<S: Real>(state: &Cluster<S>, gravity: [f64; 2]) -> (S, S) {
+    let gravity = gravity.map(S::from_f64);
+    let (mut kinetic, mut fall) = (S::ZERO, S::ZERO);
+    let middle = state.now.first().copied().unwrap_or(zero());
+    for i in 0..state.own() {
+        if state.w[i] != S::ZERO {
+            let mass = S::ONE / state.w[i];
+            kinetic += S::HALF * mass * dot(state.velocity[i], state.velocity[i]);
+            fall = fall - mass * dot(gravity, sub(state.now[i], middle));
+        }
+    }
+    let mass = (0..state.own()).filter(|&i| state.w[i] != S::ZERO).fold(S::ZERO, |sum, i| sum + S::ONE / state.w[i]);
+    (kinetic, fall - mass * dot(gravity, middle))
+}
+
+fn elastic<S: Real>(state: &Cluster<S>, common: &Common<S>) -> S {
+    let mut sum = S::ZERO;
+    for (body, base) in state.members(common) {
+        for link in common.springs(body) {
+            let d = sub(state.now[base + link.a as usize], state.now[base + link.b as usize]);
+            let error = dot(d, d).sqrt() - link.rest;
+            let acts = match link.limit {
+                crate::sim::bond::Limit::Both => true,
+                crate::sim::bond::Limit::Max => error > S::ZERO,
+                crate::sim::bond::Limit::Min => error < S::ZERO,
+            };
+            if acts {
+                sum += S::HALF * link.stiffness * error * error;
+            }
+        }
+    }
+    sum
+}
+
+/// Slows points down until the energy fits: about their mean velocity, whose momentum stays, unless something holds them.
+pub(super) fn hold<S: Real>(state: &mut Cluster<S>, common: &Common<S>, (before, gravity): (S, [f64; 2])) {
+    // Pins that are led do work that nobody counts.
+    let is_led = (0..state.own()).any(|i| state.w[i] == S::ZERO && dot(state.velocity[i], state.velocity[i]) > S::ZERO);
+    if is_led {
+        return;
+    }
+    let (kinetic, fall) = moving(state, gravity);
+    let elastic = elastic(state, common);
+    let excess = kinetic + fall + elastic - before - state.work;
+    if excess <= S::from_f64(SLACK) * (kinetic + elastic) || kinetic == S::ZERO {
+        return;
+    }
+    let leans = state.on_planes.iter().any(|on| on.pressed > S::ZERO)
+        || state
+            .pairs
+            .iter()
+            .any(|pair| pair.pressed > S::ZERO && [pair.p, pair.a].iter().any(|&i| i as usize >= state.own()));
+    let is_held = leans || (0..state.own()).any(|i| state.w[i] == S::ZERO);
+    let (mut momentum, mut mass) = (zero::<S, 2>(), S::ZERO);
+    for i in (0..state.own()).filter(|&i| state.w[i] != S::ZERO && !is_held) {
+        momentum = add(momentum, scale(state.velocity[i], S::ONE / state.w[i]));
+        mass += S::ONE / state.w[i];
+    }
+    let mean = if mass > S::ZERO { scale(momentum, S::ONE / mass) } else { zero() };
+    let own = kinetic - S::HALF * mass * dot(mean, mean);
+    let kept = if own > S::ZERO { (S::ONE - excess / own).max(S::ZERO).sqrt() } else { S::ONE };
+    for i in 0..state.own() {
+        if state.w[i] != S::ZERO {
+            state.velocity[i] = add(mean, scale(sub(state.velocity[i], mean), kept));
+        }
+    }
+    state.counts.guarded += 1;
+}

@@ -1,0 +1,224 @@
+//! A point near an edge: on which side it belongs, how hard they press each other, how they rub.
+
+use super::cluster::Cluster;
+use crate::sim::real::Real;
+use crate::sim::vector::{add, dot, scale, sub};
+
+/// Share of an overlap that was there before a substep that is mended in it, without speed.
+const MENDED: f64 = 0.2;
+
+/// The side of an edge that a point belongs to: +1 on its left, -1 on its right, by the numbers of both.
+pub(super) type Sides = Vec<(u64, i8)>;
+
+/// A point near an edge.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Pair<S> {
+    /// Places in the cluster.
+    pub(super) p: u32,
+    pub(super) a: u32,
+    pub(super) b: u32,
+    /// Numbers of point and edge for ever.
+    pub(super) key: u64,
+    /// +1: the point belongs on the left of the edge; -1: on its right; 0: it left what is closed around an end.
+    pub(super) side: S,
+    pub(super) is_closed: bool,
+    /// Distance that they keep [m].
+    pub(super) distance: S,
+    pub(super) friction: S,
+    pub(super) restitution: S,
+    /// What presses them apart in this substep [kg m].
+    pub(super) pressed: S,
+    /// What rubs [kg m].
+    pub(super) rubbed: S,
+    /// Overlap from before the substep, which is not to become speed [m].
+    pub(super) old: S,
+    /// Normal speed before they were solved [m/s].
+    pub(super) approach: S,
+    pub(super) is_met: bool,
+}
+
+/// A point near a plane.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct OnPlane<S> {
+    pub(super) p: u32,
+    pub(super) surface: u32,
+    pub(super) pressed: S,
+    pub(super) rubbed: S,
+    /// It slides on.
+    pub(super) slips: bool,
+    pub(super) old: S,
+    pub(super) approach: S,
+    pub(super) is_met: bool,
+}
+
+/// Where a point is beside an edge.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Beside<S> {
+    /// Share of the edge from its first end on.
+    pub(super) at: S,
+    /// From the edge to the point.
+    pub(super) normal: [S; 2],
+    pub(super) gap: S,
+}
+
+#[inline(always)]
+pub(super) fn wedge<S: Real>(a: [S; 2], b: [S; 2]) -> S {
+    a[0] * b[1] - a[1] * b[0]
+}
+
+#[inline(always)]
+pub(super) fn left<S: Real>(a: [S; 2]) -> [S; 2] {
+    [-a[1], a[0]]
+}
+
+/// Where `p` is beside the edge from `a` to `b`; `None`: beyond an end on the wrong side, or the edge has no length.
+#[inline(always)]
+pub(super) fn beside<S: Real>([p, a, b]: [[S; 2]; 3], side: S) -> Option<Beside<S>> {
+    let (u, r) = (sub(b, a), sub(p, a));
+    let square = dot(u, u);
+    if square == S::ZERO {
+        return None;
+    }
+    let along = dot(r, u);
+    let across = side * wedge(u, r);
+    if along >= S::ZERO && along <= square {
+        let length = square.sqrt();
+        let scale_by = side / length;
+        return Some(Beside { at: along / square, normal: scale(left(u), scale_by), gap: across / length });
+    }
+    if across < S::ZERO {
+        return None;
+    }
+    let (at, from) = if along < S::ZERO { (S::ZERO, r) } else { (S::ONE, sub(p, b)) };
+    let gap = dot(from, from).sqrt();
+    (gap > S::ZERO).then(|| Beside { at, normal: scale(from, S::ONE / gap), gap })
+}
+
+impl<S: Real> Pair<S> {
+    /// The substep begins anew.
+    #[inline(always)]
+    pub(super) fn clear(&mut self) {
+        (self.pressed, self.rubbed, self.old, self.is_met) = (S::ZERO, S::ZERO, S::ZERO, false);
+    }
+
+    /// Parts point and edge where they are nearer than they may be.
+    #[inline(always)]
+    pub(super) fn press(&mut self, state: &mut Cluster<S>) {
+        let [p, a, b] = [self.p as usize, self.a as usize, self.b as usize];
+        if self.side == S::ZERO {
+            return;
+        }
+        let Some(found) = beside([state.now[p], state.now[a], state.now[b]], self.side) else { return };
+        if found.gap >= self.distance && self.pressed == S::ZERO {
+            return;
+        }
+        let Beside { at, normal, gap } = found;
+        let rest = S::ONE - at;
+        let [w_p, w_a, w_b] = [state.w[p], state.w[a], state.w[b]];
+        let w = w_p + rest * rest * w_a + at * at * w_b;
+        if w == S::ZERO {
+            return;
+        }
+        let mut gap = gap;
+        if !self.is_met {
+            // What comes from behind, around an end, is no contact.
+            let Some(before) = beside([state.start[p], state.start[a], state.start[b]], self.side) else { return };
+            self.is_met = true;
+            let v = sub(state.velocity[p], add(scale(state.velocity[a], rest), scale(state.velocity[b], at)));
+            self.approach = dot(v, normal);
+            let overlap = (self.distance - before.gap).max(S::ZERO);
+            if overlap > S::ZERO {
+                let mended = overlap * S::from_f64(MENDED);
+                let push = mended / w;
+                for (i, share) in [(p, w_p), (a, -rest * w_a), (b, -at * w_b)] {
+                    let shift = scale(normal, share * push);
+                    state.start[i] = add(state.start[i], shift);
+                    state.now[i] = add(state.now[i], shift);
+                }
+                gap += mended;
+                self.old = overlap - mended;
+            }
+        }
+        let before = self.pressed;
+        self.pressed = (before + (self.distance - self.old - gap) / w).max(S::ZERO);
+        let push = self.pressed - before;
+        let along = left(normal);
+        let d = sub(state.way[p], add(scale(state.way[a], rest), scale(state.way[b], at)));
+        let most = self.friction * self.pressed;
+        let was = self.rubbed;
+        self.rubbed = (was - dot(d, along) / w).max(-most).min(most);
+        let rub = self.rubbed - was;
+        let impulse = add(scale(normal, push), scale(along, rub));
+        for (i, share) in [(p, w_p), (a, -rest * w_a), (b, -at * w_b)] {
+            let shift = scale(impulse, share);
+            state.now[i] = add(state.now[i], shift);
+            state.way[i] = add(state.way[i], shift);
+        }
+    }
+
+    /// Where the point went around an end of the edge in this substep the side is the other one; of what is closed, none until it is
+    /// looked for anew.
+    pub(super) fn follow(&mut self, state: &Cluster<S>) {
+        let [p, a, b] = [self.p as usize, self.a as usize, self.b as usize];
+        let across = |x: &[[S; 2]]| self.side * wedge(sub(x[b], x[a]), sub(x[p], x[a]));
+        if across(&state.now) >= S::ZERO || across(&state.start) < S::ZERO {
+            return;
+        }
+        if let Some(at) = crossing([p, a, b], state)
+            && !(at >= S::ZERO && at <= S::ONE)
+        {
+            self.side = if self.is_closed { S::ZERO } else { -self.side };
+        }
+    }
+
+    /// Gives the normal velocity that restitution asks for, where they pressed each other and came faster than `least` [m/s].
+    pub(super) fn bounce(&self, state: &mut Cluster<S>, least: S) {
+        if self.restitution == S::ZERO || self.pressed == S::ZERO || self.approach > -least {
+            return;
+        }
+        let [p, a, b] = [self.p as usize, self.a as usize, self.b as usize];
+        let Some(Beside { at, normal, .. }) = beside([state.now[p], state.now[a], state.now[b]], self.side) else {
+            return;
+        };
+        let rest = S::ONE - at;
+        let [w_p, w_a, w_b] = [state.w[p], state.w[a], state.w[b]];
+        let w = w_p + rest * rest * w_a + at * at * w_b;
+        let v = sub(state.velocity[p], add(scale(state.velocity[a], rest), scale(state.velocity[b], at)));
+        let lacking = -self.restitution * self.approach - dot(v, normal);
+        if lacking > S::ZERO {
+            let push = scale(normal, lacking / w);
+            for (i, share) in [(p, w_p), (a, -rest * w_a), (b, -at * w_b)] {
+                state.velocity[i] = add(state.velocity[i], scale(push, share));
+            }
+        }
+    }
+}
+
+/// Where along the edge a point crosses its line between the start of a substep and now: a share of the edge, outside [0, 1]
+/// beyond its ends.
+fn crossing<S: Real>([p, a, b]: [usize; 3], state: &Cluster<S>) -> Option<S> {
+    let (u, r) = (sub(state.start[b], state.start[a]), sub(state.start[p], state.start[a]));
+    let (du, dr) = (sub(state.way[b], state.way[a]), sub(state.way[p], state.way[a]));
+    // cross(u + s du, r + s dr) = c + s m + s^2 q
+    let c = wedge(u, r);
+    let m = wedge(u, dr) + wedge(du, r);
+    let q = wedge(du, dr);
+    let two = S::ONE + S::ONE;
+    let root = (m * m - two * two * q * c).max(S::ZERO).sqrt();
+    let half = -S::HALF * (if m < S::ZERO { m - root } else { m + root });
+    let is_within = |s: &S| *s >= S::ZERO && *s <= S::ONE;
+    let mut roots = [S::INFINITY; 2];
+    if q != S::ZERO {
+        roots[0] = half / q;
+    }
+    if half != S::ZERO {
+        roots[1] = c / half;
+    }
+    let first = roots.into_iter().filter(is_within).fold(S::INFINITY, S::min);
+    if !first.is_finite() {
+        return None;
+    }
+    let (u, r) = (add(u, scale(du, first)), add(r, scale(dr, first)));
+    let square = dot(u, u);
+    (square > S::ZERO).then(|| dot(r, u) / square)
+}

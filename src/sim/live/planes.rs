@@ -1,0 +1,81 @@
+//! Points on planes and on the walls of the bounds, by the same rules as points on edges.
+
+use super::cluster::Cluster;
+use super::pair::OnPlane;
+use crate::sim::contact::surface::Surface;
+use crate::sim::real::Real;
+use crate::sim::vector::{add, dot, scale, sub};
+
+/// Share of a depth from before a substep that is mended in it, without speed.
+const MENDED: f64 = 0.2;
+
+impl<S: Real> OnPlane<S> {
+    pub(super) fn new(p: u32, surface: u32) -> Self {
+        OnPlane {
+            p,
+            surface,
+            pressed: S::ZERO,
+            rubbed: S::ZERO,
+            slips: false,
+            old: S::ZERO,
+            approach: S::ZERO,
+            is_met: false,
+        }
+    }
+
+    #[inline(always)]
+    pub(super) fn clear(&mut self) {
+        (self.pressed, self.rubbed, self.old, self.is_met) = (S::ZERO, S::ZERO, S::ZERO, false);
+    }
+
+    /// Puts the point out.
+    #[inline(always)]
+    pub(super) fn press(&mut self, state: &mut Cluster<S>, surface: &Surface<S, 2>) {
+        let (p, normal) = (self.p as usize, surface.normal);
+        let mut gap = surface.gap(state.now[p]);
+        if gap >= S::ZERO && self.pressed == S::ZERO {
+            return;
+        }
+        if !self.is_met {
+            self.is_met = true;
+            self.approach = dot(state.velocity[p], normal);
+            let depth = (-surface.gap(state.start[p])).max(S::ZERO);
+            if depth > S::ZERO {
+                let mended = depth * S::from_f64(MENDED);
+                let shift = scale(normal, mended);
+                state.start[p] = add(state.start[p], shift);
+                state.now[p] = add(state.now[p], shift);
+                gap += mended;
+                self.old = depth - mended;
+            }
+        }
+        let before = self.pressed;
+        self.pressed = (before - self.old - gap).max(S::ZERO);
+        let push = self.pressed - before;
+        let d = state.way[p];
+        let along = sub(d, scale(normal, dot(normal, d)));
+        let slide = dot(along, along).sqrt();
+        let mut shift = scale(normal, push);
+        // What is still to be rubbed of what pressed so far.
+        self.slips = slide > surface.friction * self.pressed - self.rubbed;
+        let most = (surface.friction * self.pressed - self.rubbed).max(S::ZERO).min(slide);
+        if most > S::ZERO {
+            self.rubbed += most;
+            shift = sub(shift, scale(along, most / slide));
+        }
+        state.now[p] = add(state.now[p], shift);
+        state.way[p] = add(state.way[p], shift);
+    }
+
+    /// Gives the velocity that restitution asks for, where the point came faster than `least` [m/s].
+    pub(super) fn bounce(&self, state: &mut Cluster<S>, surface: &Surface<S, 2>, least: S) {
+        if surface.restitution == S::ZERO || self.pressed == S::ZERO || self.approach > -least {
+            return;
+        }
+        let p = self.p as usize;
+        let lacking = -surface.restitution * self.approach - dot(state.velocity[p], surface.normal);
+        if lacking > S::ZERO {
+            state.velocity[p] = add(state.velocity[p], scale(surface.normal, lacking));
+        }
+    }
+}

@@ -1,0 +1,55 @@
+//! No point passes an edge within a substep: motion across a line between both is cut where they would.
+//!
+//! Source: the planar divide-and-truncate of offset contact (A. Chen et al. 2025): each side keeps to its part of the gap.
+
+use super::cluster::Cluster;
+use super::pair::beside;
+use crate::sim::real::Real;
+use crate::sim::vector::{add, dot, scale};
+
+/// Share of the gap that both sides may use up.
+const USED: f64 = 0.9;
+/// Least share of it that one of them is left.
+const LEAST: f64 = 0.05;
+
+/// Cuts what would pass.
+pub(super) fn cut<S: Real>(state: &mut Cluster<S>) {
+    let pairs = std::mem::take(&mut state.pairs);
+    let used = S::from_f64(USED);
+    for pair in &pairs {
+        let [p, a, b] = [pair.p as usize, pair.a as usize, pair.b as usize];
+        let Some(found) = beside([state.start[p], state.start[a], state.start[b]], pair.side) else { continue };
+        if found.gap <= S::ZERO {
+            continue;
+        }
+        let n = found.normal;
+        // How fast the point comes down, and how fast the edge comes up.
+        let down = (-dot(state.way[p], n)).max(S::ZERO);
+        let [up_a, up_b] = [a, b].map(|end| dot(state.way[end], n).max(S::ZERO));
+        let up = up_a.max(up_b);
+        if down + up <= used * found.gap {
+            continue;
+        }
+        // Turning edges and points that run along with them come nearer in other ways: only what ends near is cut.
+        let end = beside([state.now[p], state.now[a], state.now[b]], pair.side);
+        if end.is_some_and(|end| end.gap > S::HALF * found.gap.min(pair.distance)) {
+            continue;
+        }
+        let share = (down / (down + up)).max(S::from_f64(LEAST)).min(S::from_f64(1.0 - LEAST));
+        let room = used * found.gap;
+        let mut is_cut = false;
+        for (i, most, goes) in
+            [(p, room * share, -S::ONE), (a, room * (S::ONE - share), S::ONE), (b, room * (S::ONE - share), S::ONE)]
+        {
+            let along = goes * dot(state.way[i], n);
+            if along > most && state.w[i] != S::ZERO {
+                let back = scale(n, goes * (most - along));
+                state.way[i] = add(state.way[i], back);
+                state.now[i] = add(state.now[i], back);
+                is_cut = true;
+            }
+        }
+        state.counts.truncations += u64::from(is_cut);
+    }
+    state.pairs = pairs;
+}
