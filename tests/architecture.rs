@@ -45,9 +45,10 @@ const ROOMS: [(&str, &[&str], &[&str]); 12] = [
 ];
 
 /// Each module of `sim` and those that it may name, which all stand above it here: so there is no circle.
-const SIM: [(&str, &[&str]); 35] = [
+const SIM: [(&str, &[&str]); 36] = [
     ("real", &[]),
     ("shared", &[]),
+    ("sets", &[]),
     ("threads", &[]),
     ("timeline", &[]),
     ("counters", &[]),
@@ -97,14 +98,16 @@ const SIM: [(&str, &[&str]); 35] = [
             "account",
             "bond",
             "bulk",
+            "colour",
             "contact",
             "counters",
             "environment",
             "force",
-            "kernels",
+            "measure",
             "points",
             "pull",
             "real",
+            "sets",
             "vector",
         ],
     ),
@@ -152,6 +155,7 @@ const SIM: [(&str, &[&str]); 35] = [
             "points",
             "pull",
             "real",
+            "sets",
             "solve",
             "solver",
             "vector",

@@ -21,7 +21,7 @@ fn moving<S: Real>(state: &Cluster<S>, gravity: [f64; 2]) -> (S, S) {
         if state.w[i] != S::ZERO {
             let mass = S::ONE / state.w[i];
             kinetic += S::HALF * mass * dot(state.velocity[i], state.velocity[i]);
-            fall = fall - mass * dot(gravity, sub(state.now[i], middle));
+            fall -= mass * dot(gravity, sub(state.now[i], middle));
         }
     }
     let mass = (0..state.own()).filter(|&i| state.w[i] != S::ZERO).fold(S::ZERO, |sum, i| sum + S::ONE / state.w[i]);

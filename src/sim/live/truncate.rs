@@ -37,19 +37,29 @@ pub(super) fn cut<S: Real>(state: &mut Cluster<S>) {
         }
         let share = (down / (down + up)).max(S::from_f64(LEAST)).min(S::from_f64(1.0 - LEAST));
         let room = used * found.gap;
-        let mut is_cut = false;
-        for (i, most, goes) in
-            [(p, room * share, -S::ONE), (a, room * (S::ONE - share), S::ONE), (b, room * (S::ONE - share), S::ONE)]
-        {
+        let mut taken = [S::ZERO; 3];
+        let limits =
+            [(p, room * share, -S::ONE), (a, room * (S::ONE - share), S::ONE), (b, room * (S::ONE - share), S::ONE)];
+        for (taken, (i, most, goes)) in taken.iter_mut().zip(limits) {
             let along = goes * dot(state.way[i], n);
             if along > most && state.w[i] != S::ZERO {
-                let back = scale(n, goes * (most - along));
-                state.way[i] = add(state.way[i], back);
-                state.now[i] = add(state.now[i], back);
-                is_cut = true;
+                *taken = goes * (most - along);
             }
         }
-        state.counts.truncations += u64::from(is_cut);
+        if taken == [S::ZERO; 3] {
+            continue;
+        }
+        state.counts.truncations += 1;
+        // What is taken from one goes to all three, so that their momentum stays, unless something holds them.
+        let mass = [p, a, b].map(|i| if state.w[i] > S::ZERO { S::ONE / state.w[i] } else { S::INFINITY });
+        let sum = mass[0] + mass[1] + mass[2];
+        let lost = (0..3).fold(S::ZERO, |sum, k| if taken[k] == S::ZERO { sum } else { sum + mass[k] * taken[k] });
+        let common = if sum.is_finite() { lost / sum } else { S::ZERO };
+        for (i, taken) in [p, a, b].into_iter().zip(taken) {
+            let back = scale(n, taken - common);
+            state.way[i] = add(state.way[i], back);
+            state.now[i] = add(state.now[i], back);
+        }
     }
     state.pairs = pairs;
 }
