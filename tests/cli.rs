@@ -48,8 +48,18 @@ fn simulated(arguments: &[&str]) -> Value {
 fn the_gallery_is_listed_a_name_first_on_each_line() {
     let list = text(&wobble(&["scenes"]).stdout);
     let names: Vec<&str> = list.lines().map(|line| line.split_whitespace().next().unwrap()).collect();
-    let small =
-        ["jelly", "points", "random-graph", "rim", "rim-relaxed", "spring-damper", "slide-circle", "slide-decay"];
+    let small = [
+        "jelly",
+        "jelly-stack",
+        "pegs",
+        "points",
+        "random-graph",
+        "rim",
+        "rim-relaxed",
+        "spring-damper",
+        "slide-circle",
+        "slide-decay",
+    ];
     let pictures = ["image-mesh", "brush", "gear", "jellyfish", "ring", "maze", "pebble", "picture-obstacle"];
     assert_eq!(names, [&small[..], &pictures, &["rope", "net", "thousand-rims", "million-cloth"]].concat());
     assert!(list.lines().all(|line| line.ends_with('.') && line.split_whitespace().count() > 5), "{list}");

@@ -78,13 +78,27 @@ macro_rules! entry {
     };
 }
 
-static GALLERY: [Entry; 20] = [
+static GALLERY: [Entry; 22] = [
     entry!(
         "jelly",
         168,
         "Jelly",
         "A soft body cut out of a picture falls, lands and wobbles.",
         "press on it and throw it; move the mouse into it; pin an eye and shake it."
+    ),
+    entry!(
+        "jelly-stack",
+        711,
+        "Stack of jellies",
+        "Nine soft bodies fall onto each other, sway, topple and come to rest as a heap.",
+        "pull one out from below; throw one into the heap; drop a picture on it."
+    ),
+    entry!(
+        "pegs",
+        421,
+        "Pegs",
+        "Soft discs and a rope fall between pegs, off each other and around the corners.",
+        "catch a disc on the rope; lift one back onto a peg; cut the rope."
     ),
     entry!(
         "points",

@@ -8,8 +8,8 @@ use super::pace::Pace;
 use super::save;
 use super::shown::{Figures, Scenery, Shown};
 use crate::app::meter::Meter;
-use crate::history::{BranchView, Do, History, HistoryError, Recording, Start};
-use crate::scene::{AddKeys, PinMotionKeys, ViewKeys};
+use crate::history::{BranchView, Do, History, HistoryError, Recording, SetKeys, Start};
+use crate::scene::{AddKeys, Meeting, PinMotionKeys, ViewKeys};
 use crate::sim::{Cursor, Dynamics, MouseForce, PointId};
 
 /// How often figures are taken that cost something: nobody reads faster.
@@ -17,6 +17,10 @@ const FIGURES_EVERY: Duration = Duration::from_millis(100);
 
 /// A pin that is led takes so long to the place where the cursor was [s]: a little longer than until it is sent on.
 const PIN_TIME: f64 = 0.15;
+/// Bonds of a scene up to which bodies that are added meet those that are there: of more, meeting would take too long for a frame.
+const MOST_MEETING: usize = 20_000;
+/// What adding a body is called.
+const ADD: &str = "add a body";
 /// What leading a pin is called.
 const LEAD_PIN: &str = "move a pin";
 
@@ -243,9 +247,20 @@ impl Stage {
             Ok(keys) => keys,
             Err(error) => return Note::Refused(error.to_string()),
         };
-        let given = self.history.give(vec![Do::Add(Box::new(keys))], Some("add a body"));
+        let add = Do::Add(Box::new(keys));
+        let mut given = self.history.give(self.meeting().into_iter().chain([add.clone()]).collect(), Some(ADD));
+        if given.is_err() {
+            given = self.history.give(vec![add], Some(ADD));
+        }
         self.pace.settle(&self.history);
         given.map_or_else(|refusal| Note::Refused(refusal.reason), |_| Note::Added)
+    }
+
+    /// What makes bodies meet from now on, where they do not and are not too many: whoever adds one wants it to lie on the others.
+    fn meeting(&self) -> Option<Do> {
+        let world = self.history.world();
+        let is_meant = world.dimensions() == 2 && world.contact().is_none() && world.bonds().len() <= MOST_MEETING;
+        is_meant.then(|| Do::Set(Box::new(SetKeys { contact: Some(Meeting::Is(true)), ..SetKeys::default() })))
     }
 
     /// Sends a pin on its way. One that is none by now stays where it is.
