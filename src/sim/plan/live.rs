@@ -92,7 +92,7 @@ mod tests {
     }
 
     #[test]
-    fn islands_are_bodies_and_what_is_fastened_to_nothing_is_one_each() {
+    fn what_hangs_together_is_a_body_pins_included_and_what_hangs_on_nothing_is_one_each() {
         let model = model();
         let w = inverse_masses(&model);
         let obstacles = Obstacles::<f64, 2>::of(&model).unwrap();
@@ -112,7 +112,7 @@ mod tests {
         let maker =
             Maker { gathered: &gathered, model: &model, obstacles: &obstacles, lot, points: &points, place: &place };
         let draft = maker.live_draft();
-        assert_eq!(draft.body_of, [0, 0, 0, 1, 1, 3, 2, 1]);
+        assert_eq!(draft.body_of, [0, 0, 0, 0, 0, 1, 2, 0]);
         // The last one is flat where points are welded.
         assert_eq!(draft.triangles, [[0, 2, 1], [0, 3, 4], [3, 7, 4]]);
         assert_eq!((draft.bonds.len(), draft.bonds[6].a, draft.bonds[6].b), (7, PointId(4), PointId(7)));
