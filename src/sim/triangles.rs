@@ -1,6 +1,7 @@
 //! What bodies cover: triangles between points, which go with what bears them.
 
 use super::bond::PointId;
+use super::vector::sub;
 
 /// The triangles none of whose corners is gone and along none of whose sides a bond went; `None`: all are left.
 ///
@@ -23,9 +24,44 @@ pub fn borne(
     (!is_whole).then(|| triangles.iter().filter(is_borne).copied().collect())
 }
 
+/// The triangles with their corners anticlockwise, in the plane; `None`: they are.
+///
+/// Shapes: `place` says where every corner is [m].
+pub(crate) fn turned<const D: usize>(
+    triangles: &[[PointId; 3]],
+    place: impl Fn(PointId) -> [f64; D],
+) -> Option<Vec<[PointId; 3]>> {
+    let is_clockwise = |corners: &[PointId; 3]| {
+        let [a, b, c] = corners.map(&place);
+        let (u, v) = (sub(b, a), sub(c, a));
+        D == 2 && u[0] * v[1] - u[1] * v[0] < 0.0
+    };
+    let turn = |corners: &[PointId; 3]| {
+        let [a, b, c] = *corners;
+        if is_clockwise(corners) { [a, c, b] } else { [a, b, c] }
+    };
+    triangles.iter().any(is_clockwise).then(|| triangles.iter().map(turn).collect())
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn what_is_clockwise_is_turned_in_the_plane() {
+        let places = [[0.0, 0.0], [1.0, 0.0], [0.0, 1.0]];
+        let of = |list: [u32; 3]| vec![list.map(PointId)];
+        let found = |list: [u32; 3]| turned(&of(list), |point| places[point.index()]);
+        assert_eq!((found([0, 1, 2]), found([1, 2, 0])), (None, None));
+        assert_eq!(found([0, 2, 1]), Some(of([0, 1, 2])));
+        assert_eq!(
+            turned(&of([0, 2, 1]), |point| {
+                let [x, y] = places[point.index()];
+                [x, y, 0.0]
+            }),
+            None
+        );
+    }
 
     #[test]
     fn a_triangle_goes_with_a_corner_and_with_a_bond_along_a_side() {

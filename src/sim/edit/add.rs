@@ -12,6 +12,7 @@ use crate::sim::force::mouse::Track;
 use crate::sim::model::{Model, check_triangle};
 use crate::sim::plan::{self, Cleared};
 use crate::sim::real::Real;
+use crate::sim::triangles::turned;
 use crate::sim::vector::{add, convert, truncate, zero};
 use crate::sim::world::World;
 
@@ -128,7 +129,13 @@ impl<S: Real, const D: usize> World<S, D> {
 
     fn add_points(&self, model: &mut Model<D>, addition: &Addition) {
         model.mass.extend(&addition.mass);
-        model.triangles.extend(&addition.triangles);
+        let first = self.count();
+        let place = |point: PointId| match point.index().checked_sub(first) {
+            Some(new) => truncate(addition.position[new]),
+            None => self.place(point.index()),
+        };
+        let turned = turned(&addition.triangles, place);
+        model.triangles.extend(turned.as_ref().unwrap_or(&addition.triangles));
         for &point in &addition.pinned {
             if !model.pinned.contains(&point) {
                 model.pinned.push(point);

@@ -8,7 +8,7 @@ use crate::sim::colour::by_colour;
 use crate::sim::contact::skin::Contact;
 use crate::sim::points::Points;
 use crate::sim::real::Real;
-use crate::sim::vector::{length, sub};
+use crate::sim::vector::{dot, length, sub};
 
 /// Share of the mean edge of a skin that its radius is where nothing is said.
 const RADIUS: f64 = 0.05;
@@ -100,7 +100,9 @@ impl<S: Real> Bodies<S> {
         let [springs, holds] = [springs, holds].map(|list| in_turn(list, local, own.points.len()));
         self.springs.extend(springs.iter().map(|bond| link(bond)));
         self.holds.extend(holds.iter().map(|bond| link(bond)));
-        self.areas.extend(own.triangles.iter().filter_map(|&corners| area(corners, corners.map(place), local)));
+        let lengths = lengths(&own.bonds);
+        self.areas
+            .extend(own.triangles.iter().filter_map(|&corners| area(corners, corners.map(place), (&lengths, local))));
         let edges = skin(&own);
         let mut corners: Vec<u32> = edges.iter().flat_map(|edge| edge.ends).collect();
         if edges.is_empty() {
@@ -211,13 +213,36 @@ fn path_of(bonds: &[Bond]) -> Option<Vec<Bond>> {
     (path.len() == rigid.len()).then_some(path)
 }
 
-fn area<S: Real>(corners: [u32; 3], [a, b, c]: [[S; 2]; 3], local: &[u32]) -> Option<Area<S>> {
+/// Rest lengths of bonds by their ends, ascending.
+fn lengths(bonds: &[Bond]) -> Vec<([u32; 2], f64)> {
+    let of = |bond: &Bond| ([bond.a.0.min(bond.b.0), bond.a.0.max(bond.b.0)], bond.rest_length);
+    let mut list: Vec<([u32; 2], f64)> = bonds.iter().map(of).collect();
+    list.sort_unstable_by_key(|entry| entry.0);
+    list
+}
+
+/// A triangle with the area that the rest lengths of its sides make, by Heron's formula, or that it has now; `None` of what has no inside.
+fn area<S: Real>(
+    corners: [u32; 3],
+    [a, b, c]: [[S; 2]; 3],
+    (lengths, local): (&[([u32; 2], f64)], &[u32]),
+) -> Option<Area<S>> {
     let (u, v) = (sub(b, a), sub(c, a));
-    let twice = u[0] * v[1] - u[1] * v[0];
-    let longest = crate::sim::vector::dot(u, u).max(crate::sim::vector::dot(v, v));
+    let now = 0.5 * (u[0] * v[1] - u[1] * v[0]).abs().to_f64();
+    let side = |from: u32, to: u32| {
+        let ends = [from.min(to), from.max(to)];
+        lengths.binary_search_by_key(&ends, |entry| entry.0).ok().map(|found| lengths[found].1)
+    };
+    let [p, q, r] = corners;
+    let (size, longest) = match (side(p, q), side(q, r), side(r, p)) {
+        (Some(x), Some(y), Some(z)) => {
+            let half = 0.5 * (x + y + z);
+            ((half * (half - x) * (half - y) * (half - z)).max(0.0).sqrt(), x.max(y).max(z))
+        }
+        _ => (now, dot(u, u).max(dot(v, v)).to_f64().sqrt()),
+    };
     let corners = corners.map(|corner| local[corner as usize]);
-    let corners = if twice < S::ZERO { [corners[0], corners[2], corners[1]] } else { corners };
-    (twice.abs() > S::from_f64(LEAST_AREA) * longest).then(|| Area { corners, rest: S::HALF * twice.abs() })
+    (size > LEAST_AREA * longest * longest).then(|| Area { corners, rest: S::from_f64(size) })
 }
 
 /// The skin of a body: the sides that one triangle has alone, its inside on their right, and bonds at points of no triangle.

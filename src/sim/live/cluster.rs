@@ -47,6 +47,8 @@ pub(super) struct Cluster<S: Real> {
     pub(super) widest: S,
     /// How far the fastest has gone since [m].
     pub(super) gone: S,
+    /// Something pressed something in this step.
+    pub(super) has_pressed: bool,
     /// Work that mouse and other forces did in this step [J].
     pub(super) work: S,
     pub(super) counts: Counts,

@@ -102,6 +102,7 @@ impl<S: Real> Live<S> {
             least_promise: S::INFINITY,
             widest: S::ZERO,
             gone: S::ZERO,
+            has_pressed: false,
             work: S::ZERO,
             counts: Counts::default(),
             bodies,

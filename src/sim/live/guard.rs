@@ -49,6 +49,10 @@ fn elastic<S: Real>(state: &Cluster<S>, common: &Common<S>) -> S {
 
 /// Slows points down until the energy fits: about their mean velocity, whose momentum stays, unless something holds them.
 pub(super) fn hold<S: Real>(state: &mut Cluster<S>, common: &Common<S>, (before, gravity): (S, [f64; 2])) {
+    // Springs alone keep their energy, which swings about its mean within a substep.
+    if !state.has_pressed {
+        return;
+    }
     // Pins that are led do work that nobody counts.
     let is_led = (0..state.own()).any(|i| state.w[i] == S::ZERO && dot(state.velocity[i], state.velocity[i]) > S::ZERO);
     if is_led {

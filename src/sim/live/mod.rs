@@ -139,7 +139,7 @@ impl<S: Real> Mover<S, 2> for Live<S> {
         around: &Environment<2>,
         (t, h): (f64, f64),
         counters: &mut Counters,
-        _account: Option<&mut Account>,
+        account: Option<&mut Account>,
     ) {
         let obstacles = &pull.contacts.obstacles;
         let sides = std::mem::take(&mut self.sides);
@@ -159,9 +159,13 @@ impl<S: Real> Mover<S, 2> for Live<S> {
             }
             clusters
         };
+        if let Some(account) = account.filter(|_| !clusters.is_empty()) {
+            account.book.untold += 1;
+        }
         self.sides = kept(sides, &clusters);
         for cluster in &mut clusters {
             self.scatter(cluster, points);
+            cluster.bodies.iter().for_each(|&body| self.rests[body].is_asleep = false);
             self.settle(cluster, h);
             cluster.count(counters);
         }

@@ -11,8 +11,11 @@ use crate::sim::vector::{dot, zero};
 
 /// How long a cluster stays where it is before it sleeps [s].
 const STILL_TIME: f64 = 0.5;
-/// How far its points may get from where they were within that time, in mean edges of their skins.
-const STILL_WAY: f64 = 0.1;
+/// How far its points may get from where they were within that time, in mean edges of their skins: of bodies that touch something, and
+/// of others, which nothing stops.
+const STILL_WAY: [f64; 2] = [0.1, 5e-4];
+/// The same at most [m]: 1 cm/s.
+const MOST_WAY: f64 = 5e-3;
 /// Mean speed below which what touches settles [m/s].
 const SLOW: f64 = 1.0;
 /// How soon after it became slow [s], how quickly the drag grows [1/s^2], and how large it gets [1/s].
@@ -106,7 +109,8 @@ impl<S: Real> Live<S> {
     fn is_still(&mut self, body: usize, points: &Points<S, 2>, t: f64) -> bool {
         let of = &self.bodies.list[body];
         let scale = if of.edge_length > S::ZERO { of.edge_length } else { S::from_f64(0.1) };
-        let most = scale * S::from_f64(STILL_WAY);
+        let share = S::from_f64(STILL_WAY[usize::from(!self.rests[body].touches)]);
+        let most = (scale * share).min(S::from_f64(MOST_WAY));
         let slots = &self.bodies.order[of.points.range()];
         let anchor = &mut self.anchor[of.points.range()];
         let is_near =

@@ -134,6 +134,7 @@ impl<S: Real> Cluster<S> {
         }
         let pressed = pairs.iter().filter(|pair| pair.pressed > S::ZERO).count();
         self.counts.contacts += pressed as u64;
+        self.has_pressed |= pressed > 0 || on_planes.iter().any(|on| on.pressed > S::ZERO);
         self.counts.work += 40 * pairs.len() as u64 + 20 * on_planes.len() as u64 + 20 * self.own() as u64;
         (self.pairs, self.on_planes) = (pairs, on_planes);
     }

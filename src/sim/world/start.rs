@@ -14,6 +14,7 @@ use crate::sim::points::State;
 use crate::sim::real::Real;
 use crate::sim::solver::Solver;
 use crate::sim::timeline::Timeline;
+use crate::sim::triangles::turned;
 use crate::sim::vector::{add, convert, length, sub, widen, zero};
 
 impl<S: Real, const D: usize> World<S, D> {
@@ -25,6 +26,9 @@ impl<S: Real, const D: usize> World<S, D> {
     /// Errors: as [`Model::check`]; outlines of polygons that cross too often.
     pub fn new(model: &Model<D>) -> Result<Self, ModelError> {
         model.check()?;
+        if let Some(triangles) = turned(&model.triangles, |point| model.position[point.index()]) {
+            return World::new(&Model { triangles, ..model.clone() });
+        }
         let count = model.position.len();
         let w = plan::inverse_masses(model);
         let obstacles = Obstacles::of(model).map_err(|_| ModelError::Crossings)?;
