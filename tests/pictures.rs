@@ -201,7 +201,7 @@ fn the_pictures_of_the_gallery_have_skins_of_all_their_triangles() {
         }
         seen += 1;
     }
-    assert_eq!(seen, 9);
+    assert_eq!(seen, 10);
 }
 
 /// A square of one colour fills the middle of the picture with it, opens where a bond is missing, and a still one costs nothing.

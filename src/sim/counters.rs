@@ -54,7 +54,7 @@ impl Counters {
 
     /// What may be counted once `seconds` more were spent.
     pub(crate) fn work_after(&self, seconds: f64) -> u64 {
-        self.work + (1e3 * seconds / OPERATION) as u64
+        self.work.saturating_add((1e3 * seconds / OPERATION) as u64)
     }
 
     /// The time that the work counted so far takes, by counting: the same on every machine [ms].

@@ -8,6 +8,8 @@ use crate::sim::PointId;
 
 /// What is taken by a press: how near its points are to the pixel at least [logical px].
 const GRIP: f64 = 14.0;
+/// A press on a picture takes so many of the points of its body, in parts of all: fewer could not lift it, for the force on each is bounded.
+const HANDFUL: usize = 12;
 /// The farthest that the nearest point may be [logical px].
 const REACH: f64 = 12.0;
 /// What the hover force pushed away is within so many of its radii.
@@ -100,7 +102,22 @@ impl Scope<'_> {
         // One body is grabbed, not what lies under it too.
         let body = self.body(nearest.point);
         points.retain(|point| body.binary_search(point).is_ok() && !self.is_pinned(*point));
+        let handful = body.len() / HANDFUL;
+        if points.len() < handful && self.triangle(at).is_some() {
+            points = self.nearest_of(&body, at, handful);
+        }
         points
+    }
+
+    /// So many of some points, those nearest to the pixel, ascending; no pins.
+    fn nearest_of(&self, points: &[PointId], at: DVec2, count: usize) -> Vec<PointId> {
+        let far = |&point: &PointId| Some((self.pixel(point)?.distance(at), point));
+        let mut list: Vec<(f64, PointId)> =
+            points.iter().filter(|point| !self.is_pinned(**point)).filter_map(far).collect();
+        list.sort_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
+        let mut nearest: Vec<PointId> = list.into_iter().take(count).map(|(_, point)| point).collect();
+        nearest.sort_unstable();
+        nearest
     }
 
     /// What the hover force around a pixel has pushed away: of the free point that is nearest within its reach, those that a press on

@@ -54,7 +54,7 @@ fn a_press_on_a_body_grabs_it_on_all_kinds_of_scenes() {
         let deed = hand.press(scope(&opened), at + DVec2::new(4.0, -3.0));
         let points = grabbed(&deed);
         assert!(!points.is_empty() && hand.is_grabbing(), "{name}");
-        let near = |point: &PointId| pixel(&opened, point.index()).distance(at) < 40.0;
+        let near = |point: &PointId| pixel(&opened, point.index()).distance(at) < 90.0;
         assert!(points.iter().all(near), "{name}: {points:?}");
         assert_eq!(deed.edit, None, "a grab is no edit");
         assert_eq!(hand.release(scope(&opened), at).commands, [Do::Release], "{name}");
@@ -203,7 +203,7 @@ fn in_space_the_foremost_is_picked_by_the_ray() {
 }
 
 #[test]
-fn a_press_between_the_points_of_a_skin_takes_its_triangle() {
+fn a_press_between_the_points_of_a_skin_takes_a_handful_of_it() {
     let opened = opened("ring");
     let corners = opened.0.scenery.skins[0].triangles[100];
     let middle = corners.iter().map(|&corner| pixel(&opened, corner as usize)).sum::<DVec2>() / 3.0;
@@ -214,7 +214,7 @@ fn a_press_between_the_points_of_a_skin_takes_its_triangle() {
     let deed = Hand::default().press(scope(&opened), middle);
     let mut points = grabbed(&deed);
     points.sort_unstable();
-    let mut expected = corners.map(PointId);
-    expected.sort_unstable();
-    assert_eq!(points, expected);
+    // A handful about it, which is enough to lift the ring by.
+    assert!(corners.iter().all(|&corner| points.contains(&PointId(corner))), "{points:?}");
+    assert_eq!(points.len(), opened.0.point_count() / 12);
 }

@@ -332,7 +332,8 @@ mod tests {
         };
         let world = World::<f64, 2>::new(&model).unwrap();
         let part = world.part_of_model(&[1, 2, 4], &[u32::MAX, 0, 1, u32::MAX, 2]);
-        assert_eq!(part.triangles, [[2, 1, 0].map(PointId)]);
+        // It was clockwise.
+        assert_eq!(part.triangles, [[2, 0, 1].map(PointId)]);
         assert_eq!(part.contact, model.contact);
     }
 }

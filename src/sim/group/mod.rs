@@ -147,7 +147,8 @@ impl<S: Real, const D: usize> Group<S, D> {
         counters.substeps += 1;
         counters.points_moved += self.points.len() as u64;
         if self.may_fail() {
-            self.patience = counters.work_after(MOST_EFFORT * h) + LEAST_TRIES * self.work.step;
+            self.patience =
+                counters.work_after(MOST_EFFORT * h).saturating_add(LEAST_TRIES.saturating_mul(self.work.step));
             self.attempt(around, (t, h), 0, counters);
         } else {
             self.note_start();
