@@ -56,6 +56,8 @@ impl Frames {
         while ends_by(world, end) {
             let work = world.counters().work_ms();
             let close = close_of(world.time() + world.substep());
+            // A step may be too short to be seen in the time.
+            world.step();
             while ends_by(world, close.min(end)) {
                 world.step();
             }
@@ -109,7 +111,7 @@ impl Frames {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::sim::{Method, Model, World};
+    use crate::sim::{Method, Model, MouseForce, Profile, Region, Track, World};
 
     fn falling(substep: f64) -> World<f64, 2> {
         let model = Model::<2> {
@@ -137,6 +139,22 @@ mod tests {
             .collect();
         assert!(own[0] > 0.0);
         assert_eq!(work, own.iter().map(|work| work.to_bits()).collect::<Vec<_>>(), "four steps each");
+    }
+
+    #[test]
+    fn a_step_too_short_to_be_seen_in_the_time_ends_too() {
+        let track = Track { knots: vec![(0.0, [-4.0, 0.5]), (2e-312, [-1.0, 0.5])] };
+        let mouse = MouseForce { strength: 10.0, radius: 1.0, region: Region::Round, profile: Profile::Smooth, track };
+        let mut world = World::<f64, 2>::new(&Model {
+            position: vec![[0.0, 0.0]],
+            velocity: vec![[0.0, 0.0]],
+            mass: vec![1.0],
+            mouse: Some(mouse),
+            ..Model::default()
+        })
+        .unwrap();
+        let frames = Frames::of(&mut world, 0.05);
+        assert!(frames.count() == 3 && world.time() > 0.04, "{}", world.time());
     }
 
     #[test]

@@ -34,7 +34,7 @@ const MOST_SPLITS: u32 = 5;
 /// taken by the more robust method, and events are dealt with where it ends.
 const MOST_EFFORT: f64 = 100.0;
 /// Steps of the method that a substep may take before that, however short it is.
-const LEAST_TRIES: u64 = 256;
+const LEAST_TRIES: u64 = 32;
 
 /// A bond that breaks.
 #[derive(Clone, Copy, Debug)]
