@@ -22,7 +22,7 @@ use crate::scene::record::{
 };
 use crate::scene::{OrderName, PrecisionName, Scene, SolverName};
 use crate::sim::judge;
-use crate::sim::{Counters, Dynamics, InstructionSet, PlanPart, PointId, Precision, Sample, Verdict};
+use crate::sim::{Counters, Dynamics, InstructionSet, MOST_ITERATIONS, PlanPart, PointId, Precision, Sample, Verdict};
 use crate::study;
 
 /// Points that a message names before it counts the rest.
@@ -44,7 +44,7 @@ pub(super) struct Arguments {
     #[arg(long, value_name = "H", allow_negative_numbers = true, value_parser = values::above_zero)]
     substep: Option<f64>,
     /// Sweeps over relaxed bonds in a substep.
-    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..))]
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=MOST_ITERATIONS.into()))]
     iterations: Option<u32>,
     /// Order of the bonds in a sweep: fixed, symmetric, coloured or shuffled.
     #[arg(long)]

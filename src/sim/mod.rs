@@ -52,7 +52,7 @@ pub use dynamics::{Dynamics, GrabView, Sample};
 pub use force::mouse::{Cursor, MouseForce, Profile, Region, Track};
 pub use kernels::level::InstructionSet;
 pub use ledger::{Book, Energies, Ledger, Verdict, judge};
-pub use model::{Method, Model, ModelError};
+pub use model::{MOST_ITERATIONS, Method, Model, ModelError};
 pub use plan_part::PlanPart;
 pub use real::{Positions, Precision, Real};
 pub use saved::{Saved, SavedWorld};

@@ -54,6 +54,9 @@ pub struct Model<const D: usize> {
     pub method: Method,
 }
 
+/// Most sweeps over the bonds in a substep: a step has to end.
+pub const MOST_ITERATIONS: u32 = 100_000;
+
 /// Shortest substep [s]: a run of shorter ones would not end in a lifetime.
 const SHORTEST: f64 = 1e-12;
 
@@ -179,6 +182,9 @@ impl<const D: usize> Model<D> {
         self.check_contact()?;
         if let Some(h) = self.method.substep {
             require((SHORTEST..f64::INFINITY).contains(&h), "substep", h, "finite and at least 1e-12")?;
+        }
+        if let Some(sweeps) = self.method.iterations {
+            require((1..=MOST_ITERATIONS).contains(&sweeps), "iterations", sweeps, "from 1 to 100000")?;
         }
         if let Some(t) = self.duration {
             require(t >= 0.0 && t.is_finite(), "duration", t, "finite and >= 0")?;
@@ -375,7 +381,7 @@ pub struct Method {
     pub solver: Solver,
     /// Substep h [s], > 0; `None`: chosen from the fastest motion of the scene.
     pub substep: Option<f64>,
-    /// Sweeps over the bonds in a substep, >= 1.
+    /// Sweeps over the bonds in a substep, from 1 to [`MOST_ITERATIONS`].
     pub iterations: Option<u32>,
     /// The order in which a sweep takes the bonds.
     pub order: Order,

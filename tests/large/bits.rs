@@ -96,6 +96,31 @@ fn a_huge_sheet_has_the_same_bits_on_any_number_of_threads() {
     is_shared_alike(&cloth(520, 500), 1, "a huge sheet");
 }
 
+/// Above a million bonds of one body, or of equal ones.
+fn huge(body: &str) -> Scene {
+    let text = format!(
+        r#"{{ "wobble": 1, "gravity": [0, -9.8], "method": {{ "max_strain": 0.02 }}, "bodies": [{{ {body}, "pinned": [0] }}] }}"#
+    );
+    Scene::parse(&text, "huge.json").unwrap()
+}
+
+#[test]
+fn huge_chains_crowds_and_meshes_have_the_same_bits_on_any_number_of_threads() {
+    let forms = [
+        ("chain", r#""make": "rope", "count": 1100000, "spacing": 0.1"#),
+        ("crowd", r#""make": "rim", "repeat": { "count": [220, 100], "step": [5, 5] }"#),
+        ("mesh", r#""make": "disc", "radius": 33.5, "spacing": 0.1"#),
+    ];
+    for (form, body) in forms {
+        let scene = huge(body);
+        let world = scene.world(Some(FRAME)).unwrap();
+        assert!(kernel(&*world).contains(form), "{form}: {}", kernel(&*world));
+        assert!(world.bonds().len() > 1_000_000, "{form}: {} bonds", world.bonds().len());
+        drop(world);
+        is_shared_alike(&scene, 1, form);
+    }
+}
+
 #[test]
 fn a_pass_is_shared_from_sixty_thousand_bonds_on() {
     // Four bonds a point, less the rims: so small a sheet is done before others are awake, however many passes a frame has.

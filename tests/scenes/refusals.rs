@@ -517,6 +517,7 @@ fn surfaces_method_times_and_view() {
             ),
             ("\"method\": { \"substep\": 0 }", "method.substep: is 0.0: give a number above 0"),
             ("\"method\": { \"iterations\": 0 }", "method.iterations: is 0: give 1 or more"),
+            ("\"method\": { \"iterations\": 1000000000 }", "method.iterations: is 1000000000: give 100000 or less"),
             (
                 "\"method\": { \"iterations\": 1.5 }",
                 "method.iterations: is floating point `1.5`: give a whole number from 0 to 4294967295",

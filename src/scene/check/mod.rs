@@ -10,6 +10,7 @@ mod surroundings;
 
 use super::error::{Fault, Within};
 use super::keys::{BodyKeys, MassKeys, PointKeys, Scene, ViewKeys};
+use crate::sim::MOST_ITERATIONS;
 use number::Range;
 
 pub(super) use body::maker;
@@ -132,8 +133,12 @@ fn is_pinned(scene: &Scene, explicit: u32, point: u32) -> bool {
 fn check_method(scene: &Scene) -> Result<(), Fault> {
     let method = &scene.method;
     Range::Positive.maybe(method.substep).at("substep")?;
-    if method.iterations == Some(0) {
-        return Err(Fault::invalid("is 0: give 1 or more").at("iterations"));
+    match method.iterations {
+        Some(0) => return Err(Fault::invalid("is 0: give 1 or more").at("iterations")),
+        Some(many) if many > MOST_ITERATIONS => {
+            return Err(Fault::invalid(format!("is {many}: give {MOST_ITERATIONS} or less")).at("iterations"));
+        }
+        _ => {}
     }
     Range::Positive.maybe(method.tolerance).at("tolerance")?;
     Range::Positive.maybe(method.max_strain).at("max_strain")

@@ -80,7 +80,7 @@ object! {
             solver: SolverName,
             /// h [s], > 0; chosen if not said.
             substep: f64,
-            /// Sweeps in a substep, >= 1; chosen if not said.
+            /// Sweeps in a substep, from 1 to 100000; chosen if not said.
             iterations: u32,
             /// auto if not said.
             order: OrderName,
