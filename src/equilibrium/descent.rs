@@ -29,6 +29,8 @@ pub(super) struct Descent<const D: usize> {
     pub(super) x: Vec<[f64; D]>,
     pub(super) holds: Vec<Hold>,
     pub(super) rubs: Vec<Rub<D>>,
+    /// What torques give to points [N], as they lay when the round began.
+    pub(super) twist: Vec<[f64; D]>,
     pub(super) system: Blocks<f64, D>,
     pub(super) work: Vec<f64>,
     /// The scale of stiffness [N/m].
@@ -68,6 +70,7 @@ impl<const D: usize> Descent<D> {
             scale,
             system: pattern(&part),
             rubs: rubs(&part),
+            twist: part.twist(&part.position),
             reach: REACH * extent(&x),
             work: Vec::new(),
             pushes: 0,
@@ -103,6 +106,9 @@ impl<const D: usize> Descent<D> {
     /// One step of Newton's method, shortened where it has to be.
     fn round(&mut self) {
         let scale = self.scale;
+        if !self.part.torques.is_empty() {
+            self.twist = self.part.twist(&self.x);
+        }
         let (force, largest) = self.forces(&self.x);
         self.touch();
         self.factor();

@@ -16,22 +16,21 @@ impl<const D: usize> Part<D> {
     /// Whether the whole can go down for ever without entering a surface. Where some are rough that is not sure before it
     /// has been tried: it may stick.
     pub(super) fn falls_for_ever(&self) -> bool {
-        let g = length(self.gravity);
+        let drift = self.drift();
+        let g = length(drift);
         let is_smooth = self.surfaces.iter().all(|surface| surface.friction == 0.0);
-        g > 0.0
-            && is_smooth
-            && !self.is_hung()
-            && can_fall(scale(self.gravity, 1.0 / g), &self.surfaces, &mut Vec::new())
+        g > 0.0 && is_smooth && !self.is_hung() && can_fall(scale(drift, 1.0 / g), &self.surfaces, &mut Vec::new())
     }
 
-    /// Moves the whole along gravity until its first point touches a surface: nothing but weight acts on it until then,
+    /// Moves the whole along gravity and the forces on it until its first point touches a surface: nothing but weight acts on it until then,
     /// and weight does not change its shape. What is in a surface already stays.
     pub(super) fn drop_down(&mut self) {
-        let g = length(self.gravity);
+        let drift = self.drift();
+        let g = length(drift);
         if self.is_hung() || g == 0.0 {
             return;
         }
-        let down = scale(self.gravity, 1.0 / g);
+        let down = scale(drift, 1.0 / g);
         let mut distance = f64::INFINITY;
         for surface in &self.surfaces {
             let lowest = self.position.iter().map(|&x| surface.gap(x)).fold(f64::INFINITY, f64::min);

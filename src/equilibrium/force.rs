@@ -6,7 +6,7 @@ use crate::sim::force::spring;
 use crate::sim::vector::{add, length, scale, sub};
 
 impl<const D: usize> Descent<D> {
-    /// Forces of springs and gravity on free points [N], and the largest single force on one.
+    /// Forces of springs, gravity and tools on free points [N], and the largest single force on one.
     pub(super) fn forces(&self, x: &[[f64; D]]) -> (Vec<[f64; D]>, f64) {
         let part = &self.part;
         let mut force = vec![[0.0; D]; x.len()];
@@ -20,8 +20,9 @@ impl<const D: usize> Descent<D> {
         }
         for i in 0..x.len() {
             let weight = scale(part.gravity, part.mass[i]);
-            force[i] = if part.is_free[i] { add(force[i], weight) } else { [0.0; D] };
-            largest = if part.is_free[i] { largest.max(length(weight)) } else { largest };
+            let push = add(part.pushes[i], self.twist[i]);
+            force[i] = if part.is_free[i] { add(add(force[i], weight), push) } else { [0.0; D] };
+            largest = if part.is_free[i] { largest.max(length(weight)).max(length(push)) } else { largest };
         }
         (force, largest)
     }

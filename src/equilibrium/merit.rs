@@ -6,13 +6,16 @@ use super::hold::Hold;
 use super::part::{extent, grain};
 use crate::sim::bond::Limit;
 use crate::sim::measure;
-use crate::sim::vector::{dot, sub};
+use crate::sim::vector::{add, dot, sub};
 
 impl<const D: usize> Descent<D> {
-    /// Energy of springs and gravity [J].
+    /// Energy of springs and gravity, and that of forces as they are in this round [J].
     pub(super) fn energy(&self, x: &[[f64; D]]) -> f64 {
         let part = &self.part;
-        let lift = |i: usize| if part.is_free[i] { -part.mass[i] * dot(part.gravity, x[i]) } else { 0.0 };
+        let lift = |i: usize| match part.is_free[i] {
+            true => -part.mass[i] * dot(part.gravity, x[i]) - dot(add(part.pushes[i], self.twist[i]), x[i]),
+            false => 0.0,
+        };
         measure::springs_energy(&part.bonds, |i| x[i]) + (0..x.len()).map(lift).sum::<f64>()
     }
 

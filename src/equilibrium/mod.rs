@@ -64,7 +64,8 @@ pub struct Equilibrium<const D: usize> {
 
 /// Finds the equilibrium that the start rolls down to, with damping that is strong.
 ///
-/// Model: the least energy of springs and gravity under rigid bonds, pins and surfaces; mouse force and drag are left out.
+/// Model: the least energy of springs and gravity under rigid bonds, pins and surfaces; constant forces and what the mean wind gives by drag push too; the mouse force and gusts are left out.
+/// A torque turns with its points, and has no energy: it is taken as it is when a round begins.
 /// Islands that hang from no pin drop along gravity to the first surface, and go on from there. What can slide without a
 /// change of energy stays where it slid to. Points stick to rough surfaces where they come to touch them, as long as
 /// friction can hold them there: of the many shapes that are at rest with friction it is one. Islands that fall or slide

@@ -6,9 +6,11 @@ use crate::sim::bond::{Bond, BondKind, Limit, PointId};
 use crate::sim::bonds::Bonds;
 use crate::sim::contact::geometry::Geometry;
 use crate::sim::force::spring::Spring;
+use crate::sim::force::steady::{Force, Thrust};
 use crate::sim::model::Model;
-use crate::sim::plan::island::{Island, islands};
+use crate::sim::plan::island::{Island, islands_joined};
 use crate::sim::plan::{inverse_masses, reconcile, weld};
+use crate::sim::vector::{add, scale};
 
 /// A model in parts.
 pub(super) struct Start<const D: usize> {
@@ -45,10 +47,40 @@ impl<const D: usize> Start<D> {
         let is_in = |i: usize| representatives[i] as usize == i && !is_pinned[i];
         let held: Vec<f64> = (0..w.len()).map(|i| f64::from(u8::from(is_in(i)))).collect();
         reconcile(&mut bonds, &mut position.clone(), &held);
-        let list = islands(&bonds, &held);
-        let parts = list.iter().map(|island| part(model, island, &bonds, &mass, &position, &held)).collect();
+        let (drives, pairs) = drives(model, &w, &representatives);
+        let list = islands_joined(&bonds, &held, &pairs);
+        let parts = list.iter().map(|island| part((model, &drives), island, &bonds, &mass, &position, &held)).collect();
         Start { parts, representatives, position }
     }
+}
+
+/// A constant force: on the masses [kg] of these points [m/s^2], and its torque [N m].
+struct Drive<const D: usize> {
+    masses: Vec<(u32, f64)>,
+    acceleration: [f64; D],
+    torque: f64,
+}
+
+/// The constant forces, on points that stand for others, and which of these torques hold together.
+fn drives<const D: usize>(model: &Model<D>, w: &[f64], representatives: &[u32]) -> (Vec<Drive<D>>, Vec<[u32; 2]>) {
+    let of = |force: &Force<D>| {
+        let members = force.members();
+        let free = members.iter().map(|point| point.index()).filter(|&i| w[i] > 0.0);
+        let mut masses: Vec<(u32, f64)> = free.map(|i| (representatives[i], model.mass[i])).collect();
+        masses.sort_unstable_by_key(|entry| entry.0);
+        masses.dedup_by(|other, kept| {
+            let is_one = other.0 == kept.0;
+            kept.1 += if is_one { other.1 } else { 0.0 };
+            is_one
+        });
+        let mass: f64 = masses.iter().map(|entry| entry.1).sum();
+        let acceleration = if mass > 0.0 { scale(force.force, 1.0 / mass) } else { [0.0; D] };
+        Drive { masses, acceleration, torque: force.torque }
+    };
+    let drives: Vec<Drive<D>> = model.forces.iter().map(of).collect();
+    let turned = drives.iter().filter(|drive| drive.torque != 0.0);
+    let pairs = turned.flat_map(|drive| drive.masses.windows(2).map(|pair| [pair[0].0, pair[1].0])).collect();
+    (drives, pairs)
 }
 
 /// Whether a bond does anything at some length.
@@ -61,7 +93,7 @@ fn acts(bond: &Bond) -> bool {
 
 /// One island: its free points first, then the pins that it hangs from.
 fn part<const D: usize>(
-    model: &Model<D>,
+    (model, drives): (&Model<D>, &[Drive<D>]),
     island: &Island,
     bonds: &Bonds,
     mass: &[f64],
@@ -88,11 +120,26 @@ fn part<const D: usize>(
         |point: usize| (0..surfaces.len()).map(move |surface| Hold::new(Grip::Surface { point, surface }, Limit::Min));
     let holds = rigid.iter().map(bond).chain((0..island.points.len()).flat_map(touch)).collect();
     let members: Vec<u32> = island.points.iter().chain(&pins).copied().collect();
+    let mut pushes = vec![[0.0; D]; members.len()];
+    let mut torques = Vec::new();
+    for drive in drives {
+        let mut torque = Thrust { slots: vec![], shares: vec![], acceleration: [0.0; D], torque: drive.torque };
+        for &(point, own) in &drive.masses {
+            if let Ok(place) = island.points.binary_search(&point) {
+                pushes[place] = add(pushes[place], scale(drive.acceleration, own));
+                torque.slots.push(place as u32);
+                torque.shares.push(own / mass[point as usize]);
+            }
+        }
+        torques.extend((torque.torque != 0.0 && !torque.slots.is_empty()).then_some(torque));
+    }
     Part {
+        pushes,
+        torques,
         position: members.iter().map(|&i| position[i as usize]).collect(),
         mass: members.iter().map(|&i| mass[i as usize]).collect(),
         is_free: members.iter().map(|&i| held[i as usize] > 0.0).collect(),
-        gravity: model.gravity,
+        gravity: model.field(),
         springs: springs.iter().filter_map(|bond| Spring::of(&bond)).collect(),
         bonds: springs,
         holds,

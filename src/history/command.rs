@@ -1,6 +1,6 @@
 //! Commands as files have them.
 
-use crate::scene::{AddKeys, BoundsKeys, KindName, LimitName, Meeting, MethodKeys, Vector, object};
+use crate::scene::{AddKeys, BoundsKeys, KindName, LimitName, Meeting, MethodKeys, Vector, WindKeys, object};
 use crate::sim::{Cursor, MouseChange, PointId, Reach};
 
 /// A command with its time.
@@ -75,6 +75,8 @@ object! {
             bonds: u32,
             /// Obstacles.
             obstacles: u32,
+            /// Constant forces.
+            forces: u32,
         }
     }
 }
@@ -103,9 +105,9 @@ object! {
 }
 
 object! {
-    /// What is set: numbers of points, bonds or obstacles, or keys of the scene.
+    /// What is set: numbers of points, bonds, obstacles or forces, or keys of the scene.
     #[derive(Default)]
-    SetKeys: "what is set: an object with one of the keys `points`, `bonds` and `obstacles`, or keys of the scene" {
+    SetKeys: "what is set: an object with one of the keys `points`, `bonds`, `obstacles` and `forces`, or keys of the scene" {
         optional {
             /// Points that get other masses or velocities.
             points: Vec<u32>,
@@ -113,6 +115,8 @@ object! {
             bonds: Vec<u32>,
             /// Obstacles that get others.
             obstacles: Vec<u32>,
+            /// Constant forces that get others.
+            forces: Vec<u32>,
             /// Of points [kg], > 0.
             mass: OneOrEach,
             /// Of points [m/s]: one for all or one each.
@@ -135,14 +139,22 @@ object! {
             break_strain: OneOrEach,
             /// Of bonds.
             limit: LimitName,
-            /// Of obstacles [1], >= 0.
+            /// Of obstacles [1], >= 0; of the skins of points, to 1.
             restitution: f64,
-            /// Of obstacles [1], >= 0.
+            /// Of obstacles, or of the skins of points [1], >= 0.
             friction: f64,
+            /// Of the skins of points [m], >= 0.
+            radius: f64,
+            /// Of constant forces [N].
+            force: Vector,
+            /// Of constant forces [N m].
+            torque: f64,
             /// Of the scene [m/s^2].
             gravity: Vector,
             /// Of the scene [1/s], >= 0.
             drag_rate: f64,
+            /// Of the scene: air that moves, or rests again.
+            wind: Weather,
             /// Of the scene: the walls, or none any more.
             bounds: Walls,
             /// Of the scene: whether bodies meet from now on, and how.
@@ -171,6 +183,16 @@ pub enum VectorOrEach {
     One(Vector),
     /// One each.
     Each(Vec<Vector>),
+}
+
+/// Wind, or none any more.
+#[derive(Clone, Debug, PartialEq, serde::Serialize, serde::Deserialize, schemars::JsonSchema)]
+#[serde(untagged, expecting = "a wind: an object with the key `velocity`, or null")]
+pub enum Weather {
+    /// This, in place of that before.
+    This(WindKeys),
+    /// No more.
+    None(()),
 }
 
 /// Walls, or none any more.

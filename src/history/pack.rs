@@ -1,8 +1,9 @@
 //! Values as little-endian bytes, one after another, each type's fields in their order.
 
+use crate::body::MAX_POINTS;
 use crate::sim::{
-    Bond, BondKind, Bonds, Bounds, Contact, Cursor, Limit, Method, Model, MouseForce, Order, Plane, PointId, Polygon,
-    Precision, Profile, Region, Saved, SavedWorld, Solver, Track,
+    Bond, BondKind, Bonds, Bounds, Contact, Cursor, Force, Limit, Method, Model, MouseForce, Order, Plane, PointId,
+    Polygon, Precision, Profile, Region, Saved, SavedWorld, SkinMaterial, SkinMaterials, Solver, Track, Wind,
 };
 
 /// What can be put behind some bytes and taken from there again.
@@ -145,8 +146,9 @@ pub(super) struct Core<const D: usize> {
 
 fields!(Core<D> { time, position, velocity, mass, pinned, bonds, gone, bond_numbers, next_numbers });
 
-/// The layout from which on a kept world has the last of its fields.
+/// The layouts from which on a kept world has what came later.
 pub(super) const FIRST_WITH_TRIANGLES: u64 = 3;
+pub(super) const FIRST_WITH_FORCES: u64 = 4;
 
 /// A kept world of any layout that is known.
 trait KeptWorld: Sized {
@@ -160,27 +162,29 @@ trait KeptWorld: Sized {
 macro_rules! saved {
     (
         core: $($core:ident)*; of its model: $($model:ident)*; model: $($more:ident)*; rest: $($rest:ident)*;
-        model, later: $($later:ident)*
+        $(from $first:ident on: model: $($later:ident)*; rest: $($last:ident)*;)*
     ) => {
         impl<const D: usize> KeptWorld for Saved<D> {
             fn put(&self, to: &mut Vec<u8>) {
-                let Saved { model, $($core,)* $($rest,)* } = self;
-                let Model { $($model,)* $($more,)* $($later,)* } = model;
+                let Saved { model, $($core,)* $($rest,)* $($($last,)*)* } = self;
+                let Model { $($model,)* $($more,)* $($($later,)*)* } = model;
                 let core = Core { $($core: $core.clone(),)* $($model: $model.clone(),)* };
                 core.put(to);
                 $($more.put(to);)*
                 $($rest.put(to);)*
-                $($later.put(to);)*
+                $($($later.put(to);)* $($last.put(to);)*)*
             }
 
             fn take(from: &mut &[u8], layout: u64) -> Option<Self> {
-                let has_later = layout >= FIRST_WITH_TRIANGLES;
                 let Core { $($core,)* $($model,)* } = Core::take(from)?;
                 $(let $more = Packed::take(from)?;)*
                 $(let $rest = Packed::take(from)?;)*
-                $(let $later = if has_later { Packed::take(from)? } else { Default::default() };)*
-                let model = Model { $($model,)* $($more,)* $($later,)* };
-                Some(Saved { model, $($core,)* $($rest,)* })
+                $(
+                    $(let $later = if layout >= $first { Packed::take(from)? } else { Default::default() };)*
+                    $(let $last = if layout >= $first { Packed::take(from)? } else { Default::default() };)*
+                )*
+                let model = Model { $($model,)* $($more,)* $($($later,)*)* };
+                Some(Saved { model, $($core,)* $($rest,)* $($($last,)*)* })
             }
         }
     };
@@ -191,11 +195,15 @@ saved! {
     of its model: position velocity mass pinned bonds;
     model: gravity drag_rate mouse bounds duration planes polygons obstacle_numbers pin_motion method;
     rest: precision substep scene_points lost cursor grabbed lead;
-    model, later: triangles contact
+    from FIRST_WITH_TRIANGLES on: model: triangles contact; rest: ;
+    from FIRST_WITH_FORCES on: model: skins forces wind; rest: force_numbers next_force;
 }
 
 fields!(Method { solver, substep, iterations, order, seed, precision, tolerance, max_strain, sleeps } without { ledger: false });
 fields!(Contact { friction, restitution, radius, with_itself, with_others });
+fields!(Force<D> { points, force, torque });
+fields!(Wind<D> { velocity, turbulence, seed });
+fields!(SkinMaterial { friction, restitution, radius });
 fields!(MouseForce { strength, radius, region, profile, track });
 fields!(Track<D> { knots });
 fields!(Bounds<D> { min, max, restitution, friction });
@@ -211,6 +219,21 @@ impl Packed for PointId {
 
     fn take(from: &mut &[u8]) -> Option<Self> {
         u32::take(from).map(PointId)
+    }
+}
+
+impl Packed for SkinMaterials {
+    fn put(&self, to: &mut Vec<u8>) {
+        self.lists().put(to);
+    }
+
+    fn take(from: &mut &[u8]) -> Option<Self> {
+        let mut skins = SkinMaterials::default();
+        for (material, points) in Vec::<(SkinMaterial, Vec<u32>)>::take(from)? {
+            // A damaged number must not ask for more than there can be.
+            skins.set(points.into_iter().filter(|&point| u64::from(point) < MAX_POINTS).map(PointId), material);
+        }
+        Some(skins)
     }
 }
 

@@ -1,10 +1,10 @@
 //! From commands as files have them to those of the engine.
 
-use super::command::{DeleteKeys, Do, MoveKeys, OneOrEach, SetKeys, VectorOrEach, Walls};
+use super::command::{DeleteKeys, Do, MoveKeys, OneOrEach, SetKeys, VectorOrEach, Walls, Weather};
 use crate::scene::{KindName, LimitName, Made, Meeting, MethodKeys, Scene, Vector};
 use crate::sim::{
     BondChange, BondId, BoundsChange, Change, Command, Dynamics, Kind, Limit, Motion, PointId, SceneChange, Selection,
-    Values,
+    SkinMaterial, Values, Wind,
 };
 
 /// What a command comes to in a world as it is now.
@@ -61,7 +61,12 @@ fn until(by: Option<f64>, now: f64) -> Result<f64, String> {
 }
 
 fn selection(keys: &DeleteKeys) -> Selection {
-    Selection { points: points(&keys.points), bonds: bonds(&keys.bonds), obstacles: keys.obstacles.clone() }
+    Selection {
+        points: points(&keys.points),
+        bonds: bonds(&keys.bonds),
+        obstacles: keys.obstacles.clone(),
+        forces: keys.forces.clone(),
+    }
 }
 
 /// Errors: a vector of another dimension.
@@ -86,23 +91,25 @@ fn bonds(numbers: &[u32]) -> Vec<BondId> {
 }
 
 /// The keys that go with each thing that is set.
-const OF_POINTS: [&str; 2] = ["mass", "velocity"];
+const OF_POINTS: [&str; 5] = ["mass", "velocity", "friction", "restitution", "radius"];
 const OF_BONDS: [&str; 9] =
     ["kind", "rest", "stiffness", "compliance", "damping", "relaxation", "max_correction", "break_strain", "limit"];
 const OF_OBSTACLES: [&str; 2] = ["restitution", "friction"];
-const OF_SCENE: [&str; 5] = ["gravity", "drag_rate", "bounds", "contact", "method"];
+const OF_FORCES: [&str; 2] = ["force", "torque"];
+const OF_SCENE: [&str; 6] = ["gravity", "drag_rate", "wind", "bounds", "contact", "method"];
 
 /// Keys of a method that a running world cannot get otherwise.
 const FIXED: [&str; 2] = ["precision", "tolerance"];
 
 fn change(keys: &SetKeys, scene: &Scene) -> Result<Change, String> {
-    let lists = ["points", "bonds", "obstacles"];
+    let lists = ["points", "bonds", "obstacles", "forces"];
     let named: Vec<&str> = keys.given().filter(|key| lists.contains(key)).collect();
     let (what, allowed): (&str, &[&str]) = match named[..] {
         [] => ("the scene", &OF_SCENE),
         ["points"] => ("points", &OF_POINTS),
         ["bonds"] => ("bonds", &OF_BONDS),
         ["obstacles"] => ("obstacles", &OF_OBSTACLES),
+        ["forces"] => ("forces", &OF_FORCES),
         [first, second, ..] => return Err(format!("{second}: stands beside `{first}`: make it two commands")),
         [other] => return Err(format!("{other}: is not set by number")),
     };
@@ -114,6 +121,7 @@ fn change(keys: &SetKeys, scene: &Scene) -> Result<Change, String> {
             points: points(keys.points.as_deref().unwrap_or_default()),
             mass: keys.mass.as_ref().map(values),
             velocity: keys.velocity.as_ref().map(|list| velocities(list, scene)).transpose()?,
+            skin: SkinMaterial { friction: keys.friction, restitution: keys.restitution, radius: keys.radius },
         },
         "bonds" => {
             Change::Bonds { bonds: bonds(keys.bonds.as_deref().unwrap_or_default()), to: Box::new(bond_change(keys)?) }
@@ -122,6 +130,11 @@ fn change(keys: &SetKeys, scene: &Scene) -> Result<Change, String> {
             obstacles: keys.obstacles.clone().unwrap_or_default(),
             restitution: keys.restitution,
             friction: keys.friction,
+        },
+        "forces" => Change::Forces {
+            forces: keys.forces.clone().unwrap_or_default(),
+            force: keys.force.as_ref().map(|force| vector("force", force, scene)).transpose()?,
+            torque: keys.torque,
         },
         _ => Change::Scene(Box::new(scene_change(keys, scene)?)),
     })
@@ -209,6 +222,15 @@ fn scene_change(keys: &SetKeys, scene: &Scene) -> Result<SceneChange, String> {
     Ok(SceneChange {
         gravity: keys.gravity.as_ref().map(|g| vector("gravity", g, scene)).transpose()?,
         drag_rate: keys.drag_rate,
+        wind: match &keys.wind {
+            None => None,
+            Some(Weather::None(())) => Some(None),
+            Some(Weather::This(wind)) => Some(Some(Wind {
+                velocity: vector("wind.velocity", &wind.velocity, scene)?,
+                turbulence: wind.turbulence.unwrap_or(0.0),
+                seed: wind.seed.unwrap_or(0),
+            })),
+        },
         bounds,
         contact: keys.contact.map(Meeting::resolve),
         method: method.map_err(|error| error.to_string())?,

@@ -18,7 +18,7 @@ use super::pack::{AnyCore, Core, FIRST_WITH_TRIANGLES, put_world, take_world};
 use crate::sim::{Bonds, Dynamics, PointId, Saved, SavedWorld, borne, resume};
 
 /// How the numbers are laid out.
-pub(super) const LAYOUT: u64 = 3;
+pub(super) const LAYOUT: u64 = 4;
 
 /// The first layout that begins with the core.
 const FIRST_WITH_CORE: u64 = 2;
@@ -165,13 +165,20 @@ fn replaced<const D: usize>(core: Core<D>, start: Saved<D>) -> Saved<D> {
     let mut model = start.model;
     // Points that were let go or deleted are led no more.
     model.pin_motion.retain(|(point, _)| pinned.contains(point));
+    let is_left = |point: &PointId| gone.binary_search(point).is_err();
+    model.forces.iter_mut().for_each(|force| force.points.retain(is_left));
+    let mut force_numbers = start.force_numbers;
+    let mut forces = model.forces.iter();
+    force_numbers.retain(|_| forces.next().is_none_or(|force| !force.points.is_empty()));
+    model.forces.retain(|force| !force.points.is_empty());
     (model.position, model.velocity, model.mass) = (position, velocity, mass);
     (model.pinned, model.bonds) = (pinned, bonds);
     let next_obstacle = next_numbers[1].max(start.next_numbers[1]);
     let lost = [(); 2].map(|()| vec![[0.0; D]; model.position.len()]);
     let next_numbers = [next_numbers[0], next_obstacle];
     let (cursor, grabbed, lead) = (None, Vec::new(), None);
-    let mut saved = Saved { model, time, gone, bond_numbers, next_numbers, lost, cursor, grabbed, lead, ..start };
+    let mut saved =
+        Saved { model, time, gone, bond_numbers, next_numbers, force_numbers, lost, cursor, grabbed, lead, ..start };
     saved.model.triangles = left_of(&saved.model.triangles, &bonds_at_start, &saved);
     saved
 }

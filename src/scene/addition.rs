@@ -3,11 +3,11 @@
 use super::check;
 use super::error::{Fault, SceneError, Source, Within};
 use super::keys::{AddKeys, BondList, ObstacleKeys, PointKeys, Scene};
-use super::model::{anticlockwise, material, rest_length};
+use super::model::{anticlockwise, force, material, rest_length, skin};
 use super::support;
 use crate::picture::Skin;
 use crate::sim::vector::embed;
-use crate::sim::{self, Addition, Bond, Dynamics, Model, PointId};
+use crate::sim::{self, Addition, Bond, Dynamics, Model, PointId, SkinMaterial};
 
 /// What keys of an addition come to.
 #[derive(Clone, Debug)]
@@ -51,6 +51,13 @@ impl AddKeys {
             check::check_pin_motion(motion, D, &|_| true).item(i).at("pin_motion")?;
         }
         check::check_triangles(&self.triangles, count)?;
+        check::check_skins(&self.skins, count)?;
+        check::check_forces(&self.forces, count, D)?;
+        let mut skins: Vec<(SkinMaterial, Vec<PointId>)> = Vec::new();
+        for (material, points) in model.skins.lists() {
+            skins.push((material, points.into_iter().map(|point| offset(PointId(point))).collect()));
+        }
+        skins.extend(self.skins.iter().map(skin));
         let explicit = self.triangles.iter().map(|corners| {
             let own = |corner: u32| place(world, (first, &position), corner);
             anticlockwise(corners.0, own).map(PointId)
@@ -68,6 +75,8 @@ impl AddKeys {
                 bonds,
                 pin_motion: self.tracks(D),
                 triangles,
+                forces: self.forces.iter().map(force).collect(),
+                skins,
             },
         })
     }

@@ -54,7 +54,7 @@ impl Scene {
     }
 
     /// This scene with another body in place of one of a picture: it lies and moves as that did. A material that `keys` do not
-    /// give stays too; of one that they give, masses and breaking stay.
+    /// give stays too; of one that they give, masses, breaking and how its skin meets others stay.
     ///
     /// Errors: as of [`Scene::of_picture`]; something in the scene names points by numbers that would be others.
     pub fn with_picture_anew(&self, body: usize, picture: Arc<Picture>, keys: BodyKeys) -> Result<Scene, SceneError> {
@@ -74,7 +74,8 @@ impl Scene {
             material: match (keys.material, &old.material) {
                 (Some(new), Some(old)) => {
                     let (mass, point_mass, break_strain) = (old.mass, old.point_mass, old.break_strain);
-                    Some(Material { mass, point_mass, break_strain, ..new })
+                    let (friction, restitution, radius) = (old.friction, old.restitution, old.radius);
+                    Some(Material { mass, point_mass, break_strain, friction, restitution, radius, ..new })
                 }
                 (new, old) => new.or_else(|| old.clone()),
             },
@@ -94,9 +95,11 @@ impl Scene {
         let is_named = !self.bodies[body].pinned.is_empty()
             || (0..self.bonds.len()).any(|k| self.bonds.ends(k).iter().any(|&end| end >= first))
             || self.triangles.iter().any(|corners| corners.0.iter().any(|&corner| corner >= first))
-            || self.pin_motion.iter().any(|motion| motion.point >= first);
+            || self.pin_motion.iter().any(|motion| motion.point >= first)
+            || self.forces.iter().any(|force| force.points.iter().any(|&point| point >= first))
+            || self.skins.iter().any(|skin| skin.points.iter().any(|&point| point >= first));
         if is_named {
-            let message = "pins, bonds or triangles of the scene name its points or later ones by number, and cut out \
+            let message = "pins, bonds, triangles, skins or forces of the scene name its points or later ones by number, and cut out \
                            anew it has others: make it a body of its own";
             return Err(Fault::invalid(message));
         }

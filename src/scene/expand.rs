@@ -1,9 +1,10 @@
 //! A scene with its bodies turned into explicit points and bonds.
 
 use super::error::SceneError;
-use super::keys::{BondKeys, KindName, MassKeys, PointKeys, Scene, Vector};
+use super::keys::{BondKeys, KindName, MassKeys, PointKeys, Scene, SkinKeys, Vector};
+use super::model::skins;
 use super::start::Start;
-use crate::sim::BondKind;
+use crate::sim::{BondKind, SkinMaterial};
 
 impl Scene {
     /// The same scene without bodies: every point and bond is listed. Its model is the same, bit for bit, but for triangles of bodies
@@ -55,6 +56,16 @@ impl Scene {
                 }
             }));
         }
+        scene.skins = skins(&self.skins, &start)
+            .lists()
+            .into_iter()
+            .map(|(SkinMaterial { friction, restitution, radius }, points)| SkinKeys {
+                points,
+                friction,
+                restitution,
+                radius,
+            })
+            .collect();
         self.dress(&mut scene, &start.bodies).map_err(|fault| self.source.error(fault))?;
         Ok(scene)
     }

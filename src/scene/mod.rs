@@ -41,10 +41,10 @@ pub use gallery::{Entry, gallery};
 pub(crate) use keys::macros::object;
 pub use keys::{
     AddKeys, AreaKeys, AreaKindName, BodyKeys, BondKeys, BondList, BoundsKeys, BoxKeys, BraceName, CircleKeys,
-    ContactKeys, DiagonalsName, KindName, LimitName, MakerName, MassKeys, Material, Meeting, MethodKeys, MouseKeys,
-    ObstacleKeys, OrderName, PatternName, PictureKeys, PinMotionKeys, PlaneKeys, PointKeys, PrecisionName, ProfileName,
-    RegionName, RepeatKeys, RotationKeys, Row, Scene, SolverName, StrokesName, TextureKeys, Vector, Version, ViewKeys,
-    WindKeys,
+    ContactKeys, DiagonalsName, ForceKeys, KindName, LimitName, MakerName, MassKeys, Material, Meeting, MethodKeys,
+    MouseKeys, ObstacleKeys, OrderName, PatternName, PictureKeys, PinMotionKeys, PlaneKeys, PointKeys, PrecisionName,
+    ProfileName, RegionName, RepeatKeys, RotationKeys, Row, Scene, SkinKeys, SolverName, StrokesName, TextureKeys,
+    Vector, Version, ViewKeys, WindKeys,
 };
 pub(crate) use keys::{ObjectOnly, present};
 pub(crate) use nearest::nearest;

@@ -3,14 +3,16 @@
 use super::check::{self, Resistance};
 use super::error::{Fault, SceneError, Within};
 use super::keys::{
-    BondKeys, LimitName, Meeting, MouseKeys, ObstacleKeys, PinMotionKeys, ProfileName, RegionName, Row, Scene,
+    BondKeys, ForceKeys, LimitName, Meeting, MouseKeys, ObstacleKeys, PinMotionKeys, ProfileName, RegionName, Row,
+    Scene, SkinKeys, WindKeys,
 };
 use super::start::Start;
 use super::support;
 use crate::body::distance;
 use crate::sim::vector::{cross, sub, truncate};
 use crate::sim::{
-    Bond, Bonds, Bounds, Dynamics, Limit, Model, ModelError, MouseForce, Plane, PointId, Profile, Region, Track, build,
+    Bond, Bonds, Bounds, Dynamics, Force, Limit, Model, ModelError, MouseForce, Plane, PointId, Profile, Region,
+    SkinMaterial, SkinMaterials, Track, Wind, build,
 };
 
 impl Scene {
@@ -92,12 +94,15 @@ impl Scene {
             bonds: self.model_bonds(&start)?,
             triangles: triangles(&self.triangles, &start),
             contact: self.contact.and_then(Meeting::resolve),
+            skins: skins(&self.skins, &start),
+            forces: self.forces.iter().map(force).collect(),
             position: start.position.into_iter().map(truncate).collect(),
             velocity: start.velocity.into_iter().map(truncate).collect(),
             mass: start.mass,
             pinned: start.pinned.into_iter().map(PointId).collect(),
             gravity: self.gravity.map_or([0.0; D], |g| truncate(g.embed())),
             drag_rate: self.drag_rate.unwrap_or(0.0),
+            wind: self.wind.as_ref().map(wind),
             mouse: self.mouse_force(),
             bounds: self.bounds.as_ref().map(|bounds| Bounds {
                 min: truncate(bounds.min.embed()),
@@ -139,6 +144,43 @@ impl Scene {
             }));
         }
         Ok(bonds)
+    }
+}
+
+/// What skins are made of: as bodies say it, then as is listed.
+pub(super) fn skins(explicit: &[SkinKeys], start: &Start) -> SkinMaterials {
+    let mut skins = SkinMaterials::default();
+    for (material, points) in start.bodies.iter().filter_map(|body| body.skin()) {
+        skins.set(points.map(PointId), material);
+    }
+    for (material, points) in explicit.iter().map(skin) {
+        points.into_iter().for_each(|point| skins.set([point], skins.of(point).overlaid(material)));
+    }
+    skins
+}
+
+/// What a listed skin is made of, and its points.
+pub(super) fn skin(keys: &SkinKeys) -> (SkinMaterial, Vec<PointId>) {
+    let SkinKeys { points, friction, restitution, radius } = keys;
+    let material = SkinMaterial { friction: *friction, restitution: *restitution, radius: *radius };
+    (material, points.iter().copied().map(PointId).collect())
+}
+
+/// A constant force; one of other dimensions was refused.
+pub(super) fn force<const D: usize>(keys: &ForceKeys) -> Force<D> {
+    Force {
+        points: keys.points.iter().copied().map(PointId).collect(),
+        force: keys.force.map_or([0.0; D], |force| truncate(force.embed())),
+        torque: keys.torque.unwrap_or(0.0),
+    }
+}
+
+/// The wind; one of other dimensions was refused.
+pub(super) fn wind<const D: usize>(keys: &WindKeys) -> Wind<D> {
+    Wind {
+        velocity: truncate(keys.velocity.embed()),
+        turbulence: keys.turbulence.unwrap_or(0.0),
+        seed: keys.seed.unwrap_or(0),
     }
 }
 

@@ -203,12 +203,16 @@ pub struct RecordedLedger {
     pub gravity: f64,
     /// The sum of these at the start.
     pub start: f64,
-    /// Brought by the mouse force, a grab, pins that are led, and commands.
+    /// Brought by the mouse force, a grab, pins that are led, constant forces, the wind, and commands.
     pub mouse: f64,
     /// See [`RecordedLedger::mouse`].
     pub grab: f64,
     /// See [`RecordedLedger::mouse`].
     pub pins: f64,
+    /// See [`RecordedLedger::mouse`].
+    pub forces: f64,
+    /// See [`RecordedLedger::mouse`].
+    pub wind: f64,
     /// See [`RecordedLedger::mouse`].
     pub commands: f64,
     /// Taken by dampers, drag, friction, impacts, and bonds that broke.
@@ -228,7 +232,8 @@ pub struct RecordedLedger {
 impl From<&Ledger> for RecordedLedger {
     fn from(ledger: &Ledger) -> Self {
         let Ledger { now: Energies { kinetic, springs, gravity }, start, .. } = *ledger;
-        let Book { mouse, grab, pins, commands, dampers, drag, friction, impacts, breaks, .. } = ledger.book;
+        let Book { mouse, grab, pins, forces, wind, commands, dampers, drag, friction, impacts, breaks, .. } =
+            ledger.book;
         RecordedLedger {
             kinetic,
             springs,
@@ -237,6 +242,8 @@ impl From<&Ledger> for RecordedLedger {
             mouse,
             grab,
             pins,
+            forces,
+            wind,
             commands,
             dampers,
             drag,

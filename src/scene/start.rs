@@ -2,10 +2,10 @@
 
 use super::check::{self, Resistance};
 use super::error::{Fault, Within};
-use super::keys::{BodyKeys, MakerName, MassKeys, Scene};
+use super::keys::{BodyKeys, MakerName, MassKeys, Material, Scene};
 use super::material;
 use crate::body::{Body, Link, MAX_BONDS, Placement};
-use crate::sim::BondKind;
+use crate::sim::{BondKind, SkinMaterial};
 
 /// Points and bonds of a scene with its bodies made and placed.
 ///
@@ -32,12 +32,20 @@ pub(super) struct PlacedBody {
     triangles: Vec<[u32; 3]>,
     /// How they resist, each by its share.
     kind: BondKind,
+    /// What its skin is made of.
+    skin: SkinMaterial,
 }
 
 impl PlacedBody {
     /// How many bonds there are.
     pub(super) fn len(&self) -> usize {
         self.copies as usize * self.links.len()
+    }
+
+    /// What its skin is made of, where it says so, with its points, counted over the scene.
+    pub(super) fn skin(&self) -> Option<(SkinMaterial, std::ops::Range<u32>)> {
+        let points = self.first..self.first + self.copies * self.each;
+        (self.skin != SkinMaterial::default()).then_some((self.skin, points))
     }
 
     /// How a bond of it resists.
@@ -148,7 +156,13 @@ impl Start {
             // What the scene lists stands in place of them.
             triangles.clear();
         }
-        self.bodies.push(PlacedBody { first: first as u32, each, copies, links, triangles, kind });
+        let of_skin = |material: &Material| SkinMaterial {
+            friction: material.friction,
+            restitution: material.restitution,
+            radius: material.radius,
+        };
+        let skin = keys.material.as_ref().map_or(SkinMaterial::default(), of_skin);
+        self.bodies.push(PlacedBody { first: first as u32, each, copies, links, triangles, kind, skin });
         Ok(())
     }
 }

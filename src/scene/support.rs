@@ -7,14 +7,12 @@ use super::start::resistance;
 use crate::sim::{self, BondKind};
 
 /// Keys of a scene that a later version brings.
-pub(crate) const LATER: [&str; 6] = ["skins", "areas", "angles", "forces", "drives", "wind"];
+pub(crate) const LATER: [&str; 3] = ["areas", "angles", "drives"];
 
 /// Errors: the first key that this version cannot run.
 pub(super) fn check(scene: &Scene) -> Result<(), Fault> {
-    for (key, said) in [("areas", scene.areas.is_some()), ("wind", scene.wind.is_some())] {
-        if said {
-            return Err(lacking(key));
-        }
+    if scene.areas.is_some() {
+        return Err(lacking("areas"));
     }
     check_contact(scene)?;
     for (i, obstacle) in scene.obstacles.iter().enumerate() {

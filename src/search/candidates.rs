@@ -25,7 +25,7 @@ pub(super) fn of<const D: usize>(model: &Model<D>) -> Candidates {
     let has_limits = model.bonds.iter().any(|bond| bond.limit != Limit::Both);
     let has_surfaces = model.has_surfaces();
     let (references, solvers): (&[Solver], &[Solver]) =
-        if model.bonds.is_empty() && !has_surfaces && model.mouse.is_none() {
+        if model.bonds.is_empty() && !has_surfaces && model.mouse.is_none() && !model.has_fields() {
             (&[Solver::Flight], &[Solver::Flight])
         } else if is_rigid {
             let is_large =

@@ -2,7 +2,7 @@
 
 use crate::sim::dynamics::Dynamics;
 use crate::sim::model::{Method, Model, ModelError};
-use crate::sim::plan::{inverse_masses, island::islands};
+use crate::sim::plan::{gust_rate, inverse_masses, island::islands};
 use crate::sim::solver::Solver;
 use crate::sim::world::build;
 
@@ -53,7 +53,7 @@ impl<'a, const D: usize> Trials<'a, D> {
         let most = |of: fn(&crate::sim::plan::island::Island) -> f64| islands.iter().map(of).fold(0.0, f64::max);
         let mouse = model.mouse.as_ref().map_or(0.0, |mouse| mouse.strength.abs().sqrt());
         Trials {
-            frequency: most(|island| island.frequency).max(mouse),
+            frequency: most(|island| island.frequency).max(mouse).max(gust_rate(model).unwrap_or(0.0)),
             decay: most(|island| island.decay) + model.drag_rate,
             model,
             times,

@@ -88,6 +88,7 @@ impl Account {
         let mut power = Book::default();
         self.add_bonds((x, v, w), pull.drag_rate, &mut power);
         power.mouse = pushed(pull, around, time, (x, v, w));
+        driven(pull, time, (x, v, w), &mut power);
         if self.pulls_rigid {
             // The impulses of all bonds are booked, those of springs too.
             power.pins = 0.0;
@@ -125,6 +126,23 @@ pub(crate) fn pushed<S: Real, const D: usize>(
     let mut a = vec![zero(); x.len()];
     mouse::push(force, cursor, pull.inside.as_ref(), x, w, &mut a);
     power_of(&a, v, w)
+}
+
+/// Adds the power of constant forces and of the wind [W].
+pub(crate) fn driven<S: Real, const D: usize>(
+    pull: &Pull<S, D>,
+    t: f64,
+    (x, v, w): (&[[S; D]], &[[S; D]], &[S]),
+    power: &mut Book,
+) {
+    for thrust in &pull.thrusts {
+        thrust.each(x, w, |i, push| power.forces += dot(widen(push), widen(v[i])) / w[i].to_f64());
+    }
+    if let Some(air) = &pull.air {
+        for i in (0..x.len()).filter(|&i| w[i] != S::ZERO) {
+            power.wind += pull.drag_rate * dot(air.at(widen(x[i]), t), widen(v[i])) / w[i].to_f64();
+        }
+    }
 }
 
 /// The middle of the cubic between two states that are `h` [s] apart.

@@ -1,15 +1,17 @@
 //! What can be done to a running world, between two of its steps.
 //!
 //! A world changes by steps and by these alone: a list of them with their times replays a session without a window.
-//! Numbers of points, bonds and obstacles are those of the world: the next one is one above the highest that was ever given,
+//! Numbers of points, bonds, obstacles and forces are those of the world: the next one is one above the highest that was ever given,
 //! and what is deleted leaves a gap.
 
 use std::ops::Range;
 
 use super::bond::{Bond, BondId, Limit, PointId};
 use super::contact::polygon::Polygon;
-use super::contact::skin::Contact;
+use super::contact::skin::{Contact, SkinMaterial};
 use super::force::mouse::{Cursor, Profile, Region};
+use super::force::steady::Force;
+use super::force::wind::Wind;
 use super::model::Method;
 
 /// One action on a world. Places have three components, z = 0 in the plane.
@@ -40,9 +42,9 @@ pub enum Command {
         /// [m]
         to: [f64; 2],
     },
-    /// Points, bonds and obstacles come.
+    /// Points, bonds, obstacles and forces come.
     Add(Box<Addition>),
-    /// Points with all that hangs on them, bonds, obstacles go.
+    /// Points with all that hangs on them, bonds, obstacles, forces go.
     Delete(Selection),
     /// All points, bonds and obstacles go.
     Clear,
@@ -98,6 +100,10 @@ pub struct Addition {
     pub pin_motion: Vec<(PointId, Knots)>,
     /// What is covered from now on, between points of the world, new ones included: corners that differ, anticlockwise.
     pub triangles: Vec<[PointId; 3]>,
+    /// Constant forces and torques on points of the world, new ones included.
+    pub forces: Vec<Force<3>>,
+    /// What skins of points of the world, new ones included, are made of from now on.
+    pub skins: Vec<(SkinMaterial, Vec<PointId>)>,
 }
 
 /// An obstacle, as commands name it.
@@ -118,7 +124,7 @@ pub enum Obstacle {
     Polygon(Polygon),
 }
 
-/// Some points, bonds and obstacles by their numbers.
+/// Some points, bonds, obstacles and forces by their numbers.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Selection {
     /// Points.
@@ -127,6 +133,8 @@ pub struct Selection {
     pub bonds: Vec<BondId>,
     /// Obstacles.
     pub obstacles: Vec<u32>,
+    /// Constant forces.
+    pub forces: Vec<u32>,
 }
 
 /// Places change: scaled and turned about a place, then moved. Velocities turn and do not scale; rest lengths of bonds with both ends moved
@@ -167,6 +175,8 @@ pub enum Change {
         mass: Option<Values>,
         /// Velocities [m/s]: one for all, or one each.
         velocity: Option<Vec<[f64; 3]>>,
+        /// What their skins are made of, as far as it is said.
+        skin: SkinMaterial,
     },
     /// Numbers of bonds.
     Bonds {
@@ -183,6 +193,15 @@ pub enum Change {
         restitution: Option<f64>,
         /// Friction [1], >= 0.
         friction: Option<f64>,
+    },
+    /// Numbers of constant forces.
+    Forces {
+        /// Which.
+        forces: Vec<u32>,
+        /// [N]
+        force: Option<[f64; 3]>,
+        /// [N m]
+        torque: Option<f64>,
     },
     /// Keys of the scene: they touch all islands.
     Scene(Box<SceneChange>),
@@ -227,6 +246,8 @@ pub struct SceneChange {
     pub gravity: Option<[f64; 3]>,
     /// Rate at which velocities decay [1/s], >= 0.
     pub drag_rate: Option<f64>,
+    /// Air that moves; `Some(None)`: it is still.
+    pub wind: Option<Option<Wind<3>>>,
     /// Walls: lower corner, upper corner [m], restitution, friction [1]; `Some(None)`: no more.
     pub bounds: Option<Option<BoundsChange>>,
     /// How bodies meet; `Some(None)`: they pass through each other.
@@ -259,6 +280,8 @@ pub struct Applied {
     pub bonds: Range<u32>,
     /// Numbers given to new obstacles.
     pub obstacles: Range<u32>,
+    /// Numbers given to new constant forces.
+    pub forces: Range<u32>,
 }
 
 /// A command that cannot be done where it stands: the world is whole, as it was before.
@@ -267,7 +290,7 @@ pub enum CommandError {
     /// A number that nothing has.
     #[error("there is no {kind} {number}")]
     NoSuch {
-        /// "point", "bond" or "obstacle".
+        /// "point", "bond", "obstacle" or "force".
         kind: &'static str,
         /// The number.
         number: u32,

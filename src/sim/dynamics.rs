@@ -42,6 +42,19 @@ pub struct GrabView {
     pub force: [f64; 3],
 }
 
+/// A constant force, to be drawn or asked for.
+#[derive(Clone, Debug, PartialEq)]
+pub struct ForceView {
+    /// Its number.
+    pub number: u32,
+    /// The points that it acts on.
+    pub points: Vec<PointId>,
+    /// [N]
+    pub force: [f64; 3],
+    /// About their middle [N m].
+    pub torque: f64,
+}
+
 /// What the app, the command line and the renderer see of a world.
 ///
 /// Implemented by `World<S, D>` for `f32` and `f64` in the plane and in space.
@@ -75,6 +88,8 @@ pub trait Dynamics: Send {
     fn obstacle_numbers(&self) -> [&[u32]; 2];
     /// The numbers that the next point, bond and obstacle get.
     fn next_numbers(&self) -> [u32; 3];
+    /// The constant forces that are left.
+    fn forces(&self) -> Vec<ForceView>;
     /// Where the live cursor is now.
     fn cursor(&self) -> Option<Cursor>;
     /// What is grabbed.

@@ -4,7 +4,7 @@
 //! energy now - energy at the start = brought - taken + left over
 //! ```
 //!
-//! Energy is kinetic + springs' + gravity's. What mouse, grab, led pins and commands brought, and what dampers, drag, friction,
+//! Energy is kinetic + springs' + gravity's. What mouse, grab, led pins, forces, wind and commands brought, and what dampers, drag, friction,
 //! impacts and breaking bonds took, are line integrals of their forces along the ways of the points, and changes of velocities
 //! where these change at once. What is left over is the method's own error.
 
@@ -21,6 +21,11 @@ pub struct Book {
     pub grab: f64,
     /// Work at pins that are led along tracks: what holds them times their velocity.
     pub pins: f64,
+    /// Work of constant forces and torques: the integral of their force times the velocity of each point.
+    pub forces: f64,
+    /// Work of the air that moves: the integral of m drag_rate u . v, u its velocity where the point is. What air at rest would take is
+    /// [`Book::drag`].
+    pub wind: f64,
     /// What commands changed: points and bonds that came and went, velocities that were set.
     pub commands: f64,
     /// Taken by dampers: the integral of c u^2, u the rate of a bond's length (at rest length 0 the whole relative velocity).
@@ -42,7 +47,7 @@ pub struct Book {
 impl Book {
     /// What came from outside [J].
     pub fn brought(&self) -> f64 {
-        self.mouse + self.grab + self.pins + self.commands
+        self.mouse + self.grab + self.pins + self.forces + self.wind + self.commands
     }
 
     /// What is explained of what went [J].
@@ -55,6 +60,8 @@ impl Book {
         self.mouse += share * other.mouse;
         self.grab += share * other.grab;
         self.pins += share * other.pins;
+        self.forces += share * other.forces;
+        self.wind += share * other.wind;
         self.commands += share * other.commands;
         self.dampers += share * other.dampers;
         self.drag += share * other.drag;

@@ -45,11 +45,13 @@ pub use command::{
 };
 pub use contact::bounds::Bounds;
 pub use contact::polygon::Polygon;
-pub use contact::skin::Contact;
+pub use contact::skin::{Contact, SkinMaterial, SkinMaterials};
 pub use contact::surface::Plane;
 pub use counters::Counters;
-pub use dynamics::{Dynamics, GrabView, Sample};
+pub use dynamics::{Dynamics, ForceView, GrabView, Sample};
 pub use force::mouse::{Cursor, MouseForce, Profile, Region, Track};
+pub use force::steady::Force;
+pub use force::wind::Wind;
 pub use kernels::level::InstructionSet;
 pub use ledger::{Book, Energies, Ledger, Verdict, judge};
 pub use model::{MOST_ITERATIONS, Method, Model, ModelError};

@@ -5,11 +5,14 @@ use super::bonds::Bonds;
 use super::contact::bounds::Bounds;
 use super::contact::geometry::Geometry;
 use super::contact::polygon::Polygon;
-use super::contact::skin::Contact;
+use super::contact::skin::{Contact, SkinMaterials};
 use super::contact::surface::Plane;
 use super::force::mouse::{MouseForce, Track};
+use super::force::steady::Force;
+use super::force::wind::Wind;
 use super::real::Precision;
 use super::solver::{Order, Solver};
+use super::vector::{add, scale};
 
 /// A start: everything that decides a motion. The same model runs bit for bit as it did before.
 ///
@@ -32,10 +35,16 @@ pub struct Model<const D: usize> {
     pub triangles: Vec<[PointId; 3]>,
     /// How bodies meet, in the plane; `None`: they pass through each other.
     pub contact: Option<Contact>,
+    /// What skins are made of, where bodies have their own.
+    pub skins: SkinMaterials,
+    /// Constant forces and torques on chosen points.
+    pub forces: Vec<Force<D>>,
     /// Gravity [m/s^2].
     pub gravity: [f64; D],
-    /// Rate at which velocities decay [1/s], >= 0.
+    /// Rate at which velocities relative to the air decay [1/s], >= 0.
     pub drag_rate: f64,
+    /// Air that moves; `None`: it is still.
+    pub wind: Option<Wind<D>>,
     /// The force around the cursor, if the scene has one.
     pub mouse: Option<MouseForce>,
     /// The walls around the world, if any.
@@ -172,6 +181,11 @@ impl<const D: usize> Model<D> {
         for (point, _) in &self.pin_motion {
             self.check_index(|| "pin_motion".to_owned(), *point)?;
         }
+        for (i, force) in self.forces.iter().enumerate() {
+            for &point in &force.points {
+                self.check_index(|| format!("force {i}"), point)?;
+            }
+        }
         self.check_surroundings()
     }
 
@@ -179,6 +193,18 @@ impl<const D: usize> Model<D> {
     pub(crate) fn check_surroundings(&self) -> Result<(), ModelError> {
         require(self.gravity.iter().all(|g| g.is_finite()), "gravity", self.gravity, "finite")?;
         require(self.drag_rate >= 0.0 && self.drag_rate.is_finite(), "drag_rate", self.drag_rate, "finite and >= 0")?;
+        if let Some(Wind { velocity, turbulence, .. }) = self.wind {
+            require(velocity.iter().all(|u| u.is_finite()), "wind.velocity", velocity, "finite")?;
+            let is_fine = turbulence >= 0.0 && turbulence.is_finite();
+            require(is_fine, "wind.turbulence", turbulence, "finite and >= 0")?;
+        }
+        for (i, force) in self.forces.iter().enumerate() {
+            check_force(i, force)?;
+        }
+        for (material, _) in self.skins.lists() {
+            let range = "of friction and radius finite and >= 0, restitution from 0 to 1";
+            require(material.is_fine(), "the material of a skin", material, range)?;
+        }
         self.check_contact()?;
         if let Some(h) = self.method.substep {
             require((SHORTEST..f64::INFINITY).contains(&h), "substep", h, "finite and at least 1e-12")?;
@@ -236,6 +262,22 @@ impl<const D: usize> Model<D> {
         }
     }
 
+    /// The acceleration that is the same everywhere and for ever [m/s^2]: gravity, and what the mean wind gives by drag.
+    pub(crate) fn field(&self) -> [f64; D] {
+        self.wind.map_or(self.gravity, |wind| add(self.gravity, scale(wind.velocity, self.drag_rate)))
+    }
+
+    /// Whether forces on some points, or gusts, push what would fly otherwise.
+    pub(crate) fn has_fields(&self) -> bool {
+        let has_gusts = |wind: &Wind<D>| wind.turbulence > 0.0 && self.drag_rate > 0.0;
+        !self.forces.is_empty() || self.wind.as_ref().is_some_and(has_gusts)
+    }
+
+    /// Whether there is a wind that pushes nothing.
+    pub(crate) fn has_idle_wind(&self) -> bool {
+        self.drag_rate == 0.0 && self.wind.is_some_and(|wind| wind.velocity.iter().any(|&u| u != 0.0))
+    }
+
     /// Whether all that can move is moved together by the live step.
     pub(crate) fn is_live(&self) -> bool {
         D == 2 && (self.contact.is_some() || self.method.solver == Solver::Live)
@@ -258,8 +300,11 @@ impl<const D: usize> Model<D> {
             bonds: Bonds::new(),
             triangles: self.triangles.clone(),
             contact: self.contact,
+            skins: self.skins.clone(),
+            forces: self.forces.clone(),
             gravity: self.gravity,
             drag_rate: self.drag_rate,
+            wind: self.wind,
             mouse: self.mouse.clone(),
             bounds: self.bounds,
             duration: self.duration,
@@ -342,6 +387,14 @@ pub(crate) fn check_triangle(i: usize, [a, b, c]: [PointId; 3]) -> Result<(), Mo
     if differ { Ok(()) } else { require(false, &format!("triangle {i}"), [a.0, b.0, c.0], "of three points") }
 }
 
+/// Errors: force `i` has no point, a number that is not finite, or a torque in space.
+pub(crate) fn check_force<const D: usize>(i: usize, force: &Force<D>) -> Result<(), ModelError> {
+    let is_fine = force.force.iter().all(|f| f.is_finite()) && force.torque.is_finite();
+    require(is_fine, &format!("force {i}"), (force.force, force.torque), "finite")?;
+    require(!force.points.is_empty(), &format!("force {i}"), "on no point", "on one point or more")?;
+    if D == 2 || force.torque == 0.0 { Ok(()) } else { Err(ModelError::Planar { what: "torque" }) }
+}
+
 fn require(fine: bool, place: &str, value: impl std::fmt::Debug, range: &'static str) -> Result<(), ModelError> {
     if fine {
         return Ok(());
@@ -360,8 +413,11 @@ impl<const D: usize> Default for Model<D> {
             bonds: Bonds::new(),
             triangles: Vec::new(),
             contact: None,
+            skins: SkinMaterials::default(),
+            forces: Vec::new(),
             gravity: [0.0; D],
             drag_rate: 0.0,
+            wind: None,
             mouse: None,
             bounds: None,
             duration: None,

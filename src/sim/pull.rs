@@ -1,4 +1,6 @@
-//! What acts on the points of a group: springs, the mouse, gravity and drag, rigid bonds and contacts.
+//! What acts on the points of a group: springs, the mouse, forces, gravity, drag and wind, rigid bonds and contacts.
+
+use std::sync::Arc;
 
 use super::constrain::direct::{Direct, Held};
 use super::contact::Contacts;
@@ -6,9 +8,11 @@ use super::counters::Counters;
 use super::environment::Environment;
 use super::force::mouse::{self, Inside};
 use super::force::spring::Springs;
+use super::force::steady::Thrust;
+use super::force::wind::Air;
 use super::points::Points;
 use super::real::Real;
-use super::vector::{add, convert, scale, sub, zero};
+use super::vector::{add, convert, scale, sub, widen, zero};
 
 /// Forces and holds of one group.
 #[derive(Clone, Debug)]
@@ -24,8 +28,13 @@ pub(crate) struct Pull<S: Real, const D: usize> {
     /// Points that a grab leads, and the acceleration that it gives them [m/s^2].
     pub(crate) led: Vec<u32>,
     pub(crate) lead: [S; D],
+    /// Constant forces and torques on some of the points.
+    pub(crate) thrusts: Vec<Thrust<S, D>>,
+    /// What is the same everywhere and for ever: gravity, and what the mean wind gives by drag [m/s^2].
     pub(crate) gravity: [f64; D],
     pub(crate) drag_rate: f64,
+    /// Air that moves, where there is drag.
+    pub(crate) air: Option<Arc<Air<D>>>,
 }
 
 impl<S: Real, const D: usize> Pull<S, D> {
@@ -39,7 +48,37 @@ impl<S: Real, const D: usize> Pull<S, D> {
         if self.contacts.obstacles.is_empty() { self.gravity } else { [0.0; D] }
     }
 
-    /// Accelerations by springs, the mouse and a field of this strength [m/s^2], at these positions and velocities.
+    /// Whether anything but springs, the mouse and what is the same everywhere pushes points.
+    pub(crate) fn has_fields(&self) -> bool {
+        !self.thrusts.is_empty() || self.gusts().is_some()
+    }
+
+    /// Air with gusts, where there is drag.
+    pub(crate) fn gusts(&self) -> Option<&Air<D>> {
+        self.air.as_deref().filter(|air| air.has_gusts())
+    }
+
+    /// A bound on what forces and gusts give [m/s^2], torques apart.
+    pub(crate) fn most_push(&self) -> f64 {
+        let gusts = self.gusts().map_or(0.0, |air| self.drag_rate * air.bounds()[0]);
+        self.thrusts.iter().map(Thrust::size).sum::<f64>() + gusts
+    }
+
+    /// Adds to `a` what forces and gusts give [m/s^2] at time `t` [s].
+    pub(crate) fn drive(&self, t: f64, (x, w): (&[[S; D]], &[S]), a: &mut [[S; D]]) {
+        for thrust in &self.thrusts {
+            thrust.each(x, w, |i, push| a[i] = add(a[i], push));
+        }
+        if let Some(air) = self.gusts() {
+            for i in 0..x.len() {
+                if w[i] != S::ZERO {
+                    a[i] = add(a[i], convert(scale(air.gust(widen(x[i]), t), self.drag_rate)));
+                }
+            }
+        }
+    }
+
+    /// Accelerations by springs, the mouse, forces, gusts and a field of this strength [m/s^2], at these positions and velocities.
     pub(crate) fn forces(
         &self,
         around: &Environment<D>,
@@ -63,6 +102,7 @@ impl<S: Real, const D: usize> Pull<S, D> {
         for &i in &self.led {
             a[i as usize] = add(a[i as usize], self.lead);
         }
+        self.drive(t, (x, w), a);
         if let Some((force, cursor)) = around.mouse_at(t) {
             counters.mouse_points += mouse::push(force, cursor, self.inside.as_ref(), x, w, a);
         }

@@ -37,6 +37,10 @@ pub struct Saved<const D: usize> {
     pub bond_numbers: Option<Vec<u32>>,
     /// What the next bond and the next obstacle get.
     pub next_numbers: [u32; 2],
+    /// Numbers of the constant forces that are left, ascending, and what the next one gets.
+    pub force_numbers: Vec<u32>,
+    /// See [`Saved::force_numbers`].
+    pub next_force: u32,
     /// Where the live cursor goes: from, to, and from when to when [s].
     pub cursor: Option<([Cursor; 2], [f64; 2])>,
     /// What is grabbed.
@@ -68,6 +72,10 @@ impl<const D: usize> Saved<D> {
         range(!self.model.bonds.ends().iter().flatten().any(is_gone), "bonds", "between points that are left")?;
         range(!self.model.triangles.iter().flatten().any(is_gone), "triangles", "between points that are left")?;
         range(!self.model.pinned.iter().any(is_gone), "pinned", "of points that are left")?;
+        let pushed = self.model.forces.iter().flat_map(|force| &force.points);
+        range(!pushed.into_iter().any(is_gone), "forces", "on points that are left")?;
+        let fits = self.force_numbers.len() == self.model.forces.len() && ascends(&self.force_numbers, self.next_force);
+        range(fits, "force_numbers", "ascending, one a force")?;
         let numbers = self.bond_numbers.as_ref();
         let fits = numbers.is_none_or(|numbers| numbers.len() == bonds && ascends(numbers, self.next_numbers[0]));
         range(fits, "bond_numbers", "ascending, one a bond")?;

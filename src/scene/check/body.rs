@@ -101,7 +101,7 @@ fn check_belonging(body: &BodyKeys) -> Result<(), Fault> {
 }
 
 fn check_material(material: &Material, make: MakerName) -> Result<(), Fault> {
-    let masses = ["mass", "point_mass"];
+    let masses = ["mass", "point_mass", "friction", "restitution", "radius"];
     let of_bonds = material.given().find(|key| !masses.contains(key));
     if let (MakerName::Points, Some(key)) = (make, of_bonds) {
         let message = "is a key of bonds, and `points` makes none: leave it out";
@@ -118,6 +118,7 @@ fn check_material(material: &Material, make: MakerName) -> Result<(), Fault> {
     }
     Resistance::from(material).check()?;
     Range::Positive.maybe(material.break_strain).at("break_strain")?;
+    super::surfaces::check_skin([material.friction, material.restitution, material.radius])?;
     Range::Positive.maybe(material.mass).at("mass")?;
     Range::Positive.maybe(material.point_mass).at("point_mass")?;
     if material.mass.is_some() && material.point_mass.is_some() {

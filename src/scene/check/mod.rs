@@ -18,8 +18,8 @@ pub(super) use bond::Resistance;
 pub(super) use bond::check_all as check_bonds;
 pub(super) use cutout::{check_cut, skin, wanted};
 pub(super) use repeat::{copies, offsets};
-pub(super) use surfaces::check_triangles;
-pub(super) use surroundings::check_pin_motion;
+pub(super) use surfaces::{check_skins, check_triangles};
+pub(super) use surroundings::{check_forces, check_pin_motion};
 
 /// Refuses what the specification excludes, whether this version could run it or not.
 ///
@@ -33,7 +33,7 @@ pub(super) fn check(scene: &Scene) -> Result<(), Fault> {
     let count = count_points(scene, explicit, dimensions)?;
     bond::check_all(&scene.bonds, count).at("bonds")?;
     surfaces::check(scene, count, dimensions)?;
-    surroundings::check(scene, dimensions, &|point| is_pinned(scene, explicit, point))?;
+    surroundings::check(scene, (count, dimensions), &|point| is_pinned(scene, explicit, point))?;
     check_method(scene).at("method")?;
     check_times(scene)?;
     match &scene.view {

@@ -80,6 +80,11 @@ pub(super) fn index(point: u32, count: u32) -> Result<(), Fault> {
     }))
 }
 
+/// Errors: the first of some points that is not there.
+pub(super) fn indices(points: &[u32], count: u32) -> Result<(), Fault> {
+    points.iter().enumerate().try_for_each(|(i, &point)| index(point, count).item(i))
+}
+
 /// Errors: a corner is no vector of the scene, or `min` is not below `max` on every axis.
 pub(super) fn corners(min: &Vector, max: &Vector, dimensions: usize) -> Result<(), Fault> {
     vector(min, dimensions).at("min")?;

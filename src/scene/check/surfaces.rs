@@ -5,11 +5,12 @@ use std::path::Path;
 use super::number::{self, Range};
 use super::one_a_point;
 use crate::scene::error::{Fault, Within};
-use crate::scene::keys::{AreaKeys, AreaKindName, ContactKeys, Meeting, Row, Scene, TextureKeys};
+use crate::scene::keys::{AreaKeys, AreaKindName, ContactKeys, Meeting, Row, Scene, SkinKeys, TextureKeys};
 
 /// Errors: the first fault; `count` is how many points there are.
 pub(super) fn check(scene: &Scene, count: u32, dimensions: usize) -> Result<(), Fault> {
     check_triangles(&scene.triangles, count)?;
+    check_skins(&scene.skins, count)?;
     if let Some(areas) = &scene.areas {
         check_areas(areas, dimensions).at("areas")?;
     }
@@ -42,9 +43,24 @@ fn check_triangle(corners: [u32; 3], count: u32) -> Result<(), Fault> {
 }
 
 fn check_contact(contact: &ContactKeys) -> Result<(), Fault> {
-    Range::NotNegative.maybe(contact.friction).at("friction")?;
-    Range::Fraction.maybe(contact.restitution).at("restitution")?;
-    Range::NotNegative.maybe(contact.radius).at("radius")
+    check_skin([contact.friction, contact.restitution, contact.radius])
+}
+
+/// Errors: friction, restitution or radius outside its range.
+pub(super) fn check_skin([friction, restitution, radius]: [Option<f64>; 3]) -> Result<(), Fault> {
+    Range::NotNegative.maybe(friction).at("friction")?;
+    Range::Fraction.maybe(restitution).at("restitution")?;
+    Range::NotNegative.maybe(radius).at("radius")
+}
+
+/// Errors: the first skin with a point that is not there, or a number outside its range.
+pub(in crate::scene) fn check_skins(skins: &[SkinKeys], count: u32) -> Result<(), Fault> {
+    for (i, skin) in skins.iter().enumerate() {
+        let SkinKeys { points, friction, restitution, radius } = skin;
+        number::indices(points, count).at("points").item(i).at("skins")?;
+        check_skin([*friction, *restitution, *radius]).item(i).at("skins")?;
+    }
+    Ok(())
 }
 
 fn check_areas(areas: &AreaKeys, dimensions: usize) -> Result<(), Fault> {

@@ -2,21 +2,25 @@
 
 use super::number::{self, Range};
 use crate::scene::error::{Fault, Source, Within};
-use crate::scene::keys::{BoxKeys, MouseKeys, ObstacleKeys, PictureKeys, PinMotionKeys, RegionName, Scene, Vector};
+use crate::scene::keys::{
+    BoxKeys, ForceKeys, MouseKeys, ObstacleKeys, PictureKeys, PinMotionKeys, RegionName, Scene, Vector, WindKeys,
+};
 use crate::scene::{nearest, obstacle};
 use crate::sim::vector::{cross, sub, truncate};
 
 /// Errors: the first fault. `is_pinned` says whether a point of the scene is pinned.
-pub(super) fn check(scene: &Scene, dimensions: usize, is_pinned: &dyn Fn(u32) -> bool) -> Result<(), Fault> {
+pub(super) fn check(
+    scene: &Scene,
+    (count, dimensions): (u32, usize),
+    is_pinned: &dyn Fn(u32) -> bool,
+) -> Result<(), Fault> {
+    check_forces(&scene.forces, count, dimensions)?;
     if let Some(gravity) = &scene.gravity {
         number::vector(gravity, dimensions).at("gravity")?;
     }
     Range::NotNegative.maybe(scene.drag_rate).at("drag_rate")?;
     if let Some(wind) = &scene.wind {
-        let velocity = number::vector(&wind.velocity, dimensions);
-        velocity.at("velocity").at("wind")?;
-        let turbulence = Range::NotNegative.maybe(wind.turbulence);
-        turbulence.at("turbulence").at("wind")?;
+        check_wind(wind, dimensions).at("wind")?;
     }
     if let Some(mouse) = &scene.mouse {
         check_mouse(mouse, dimensions).at("mouse")?;
@@ -30,6 +34,42 @@ pub(super) fn check(scene: &Scene, dimensions: usize, is_pinned: &dyn Fn(u32) ->
     }
     for (i, obstacle) in scene.obstacles.iter().enumerate() {
         check_obstacle(obstacle, dimensions, &scene.source).item(i).at("obstacles")?;
+    }
+    Ok(())
+}
+
+/// Errors: a velocity or a turbulence outside its range.
+fn check_wind(wind: &WindKeys, dimensions: usize) -> Result<(), Fault> {
+    number::vector(&wind.velocity, dimensions).at("velocity")?;
+    Range::NotNegative.maybe(wind.turbulence).at("turbulence")
+}
+
+/// Errors: the first force on no point, on one that is not there, that pushes nothing, or with a torque that has nothing to turn.
+pub(in crate::scene) fn check_forces(forces: &[ForceKeys], count: u32, dimensions: usize) -> Result<(), Fault> {
+    for (i, force) in forces.iter().enumerate() {
+        check_force(force, count, dimensions).item(i).at("forces")?;
+    }
+    Ok(())
+}
+
+fn check_force(keys: &ForceKeys, count: u32, dimensions: usize) -> Result<(), Fault> {
+    number::indices(&keys.points, count).at("points")?;
+    let Some(first) = keys.points.first() else {
+        return Err(Fault::invalid("names no point: give one or more").at("points"));
+    };
+    if let Some(force) = &keys.force {
+        number::vector(force, dimensions).at("force")?;
+    }
+    let Some(torque) = keys.torque else {
+        let is_said = keys.force.is_some();
+        return if is_said { Ok(()) } else { Err(Fault::invalid("pushes nothing: give `force` or `torque`")) };
+    };
+    Range::Finite.check(torque).at("torque")?;
+    if dimensions == 3 {
+        return Err(Fault::invalid("turns in the plane: leave it out in space").at("torque"));
+    }
+    if torque != 0.0 && keys.points.iter().all(|point| point == first) {
+        return Err(Fault::invalid("turns nothing, for there is one point: give two or more").at("torque"));
     }
     Ok(())
 }

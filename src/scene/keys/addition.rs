@@ -2,9 +2,10 @@
 
 use super::body::BodyKeys;
 use super::bond::BondKeys;
+use super::contact::SkinKeys;
 use super::macros::object;
 use super::scene::PointKeys;
-use super::surroundings::{ObstacleKeys, PinMotionKeys};
+use super::surroundings::{ForceKeys, ObstacleKeys, PinMotionKeys};
 use super::vector::Row;
 
 object! {
@@ -23,6 +24,10 @@ object! {
             bodies: BodyKeys,
             /// Triangles between points of the world, new ones included.
             triangles: Row<u32, 3>,
+            /// What skins are made of, of points of the world, new ones included.
+            skins: SkinKeys,
+            /// Constant forces and torques on points of the world, new ones included.
+            forces: ForceKeys,
             /// Obstacles.
             obstacles: ObstacleKeys,
             /// Pins that move; times are those of the scene.

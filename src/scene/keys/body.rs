@@ -110,6 +110,12 @@ object! {
             mass: f64,
             /// Of each point [kg], > 0: 1 if not said.
             point_mass: f64,
+            /// Of its skin [1], >= 0: that of `contact` if not said.
+            friction: f64,
+            /// Of its skin [1], from 0 to 1: that of `contact` if not said.
+            restitution: f64,
+            /// Of its skin [m], >= 0: that of `contact` if not said.
+            radius: f64,
         }
     }
 }

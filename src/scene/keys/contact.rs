@@ -28,6 +28,26 @@ object! {
     }
 }
 
+object! {
+    /// What the skins of points are made of, where it is not as `contact` says. Between two skins friction is the root of the product of both,
+    /// restitution the larger one, and radii add up.
+    #[derive(Default)]
+    SkinKeys: "a skin: an object with the key `points`" {
+        required {
+            /// The points, counted over the scene.
+            points: Vec<u32>,
+        }
+        optional {
+            /// [1], >= 0.
+            friction: f64,
+            /// [1], from 0 to 1.
+            restitution: f64,
+            /// [m], >= 0.
+            radius: f64,
+        }
+    }
+}
+
 /// Whether bodies meet, and how.
 #[derive(Clone, Copy, Debug, PartialEq, serde::Serialize, schemars::JsonSchema)]
 #[serde(untagged)]

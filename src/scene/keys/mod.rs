@@ -17,12 +17,12 @@ pub use addition::AddKeys;
 pub use body::{BodyKeys, BraceName, DiagonalsName, MakerName, Material, PatternName, RepeatKeys, StrokesName};
 pub use bond::{BondKeys, KindName, LimitName};
 pub use bonds::BondList;
-pub use contact::{ContactKeys, Meeting};
+pub use contact::{ContactKeys, Meeting, SkinKeys};
 pub use method::{MethodKeys, OrderName, PrecisionName, SolverName};
 pub use scene::{AreaKeys, AreaKindName, MassKeys, PointKeys, Scene, TextureKeys, Version};
 pub use surroundings::{
-    BoundsKeys, BoxKeys, CircleKeys, MouseKeys, ObstacleKeys, PictureKeys, PinMotionKeys, PlaneKeys, ProfileName,
-    RegionName, RotationKeys, WindKeys,
+    BoundsKeys, BoxKeys, CircleKeys, ForceKeys, MouseKeys, ObstacleKeys, PictureKeys, PinMotionKeys, PlaneKeys,
+    ProfileName, RegionName, RotationKeys, WindKeys,
 };
 pub use vector::{Row, Vector};
 pub use view::ViewKeys;

@@ -9,10 +9,10 @@ use serde::ser::{Serialize, Serializer};
 
 use super::body::BodyKeys;
 use super::bonds::BondList;
-use super::contact::Meeting;
+use super::contact::{Meeting, SkinKeys};
 use super::macros::{names, object};
 use super::method::MethodKeys;
-use super::surroundings::{BoundsKeys, MouseKeys, ObstacleKeys, PinMotionKeys, WindKeys};
+use super::surroundings::{BoundsKeys, ForceKeys, MouseKeys, ObstacleKeys, PinMotionKeys, WindKeys};
 use super::vector::{Row, Vector};
 use super::view::ViewKeys;
 use crate::scene::error::Source;
@@ -186,6 +186,11 @@ object! {
             /// of itself.
             triangles: Row<u32, 3>,
         }
+        optional {}
+        lists {
+            /// What skins are made of, where bodies do not say it.
+            skins: SkinKeys,
+        }
         optional {
             /// How triangles resist.
             areas: AreaKeys,
@@ -193,6 +198,12 @@ object! {
             contact: Meeting,
             /// What is drawn on triangles.
             texture: TextureKeys,
+        }
+        lists {
+            /// Constant forces and torques on chosen points.
+            forces: ForceKeys,
+        }
+        optional {
             /// [m/s^2]: 0 if not said.
             gravity: Vector,
             /// Rate at which velocities decay [1/s], >= 0: 0 if not said.

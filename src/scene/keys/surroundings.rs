@@ -46,17 +46,33 @@ object! {
 }
 
 object! {
-    /// Moving air.
+    /// Moving air: drag is relative to it, so without `drag_rate` it pushes nothing.
     WindKeys: "a wind: an object with the key `velocity`" {
         required {
             /// Mean velocity [m/s].
             velocity: Vector,
         }
         optional {
-            /// Strength of the gusts [1], >= 0: 0 if not said.
+            /// Root mean square of the gusts as a share of the mean speed [1], >= 0: 0 if not said.
             turbulence: f64,
             /// Seed of the gusts, 0 if not said.
             seed: u64,
+        }
+    }
+}
+
+object! {
+    /// A constant force, a torque, or both, on chosen points. Points are counted over the scene.
+    ForceKeys: "a force: an object with the key `points`" {
+        required {
+            /// The points that it acts on, one or more: pinned ones take none.
+            points: Vec<u32>,
+        }
+        optional {
+            /// Shared by mass [N]: 0 if not said.
+            force: Vector,
+            /// About the middle of the points, anticlockwise [N m]: 0 if not said. In the plane only.
+            torque: f64,
         }
     }
 }

@@ -65,6 +65,16 @@ impl<S: Real, const D: usize> AnyBody<S, D> {
         of_any!(self, body => body.push(push, share))
     }
 
+    /// Where points are at the start of the substep, in the order of the group.
+    pub(crate) fn read_places(&mut self, places: &mut [[S; D]]) {
+        of_any!(self, body => body.read_places(places));
+    }
+
+    /// Adds `share` of accelerations, in the order of the group, to the motions of points that are free.
+    pub(crate) fn give(&mut self, accelerations: &[[S; D]], share: S) {
+        of_any!(self, body => body.give(accelerations, share));
+    }
+
     /// Surfaces turn points back; `fall` is what gravity adds to a motion [m]. Returns how many, and adds what that took to
     /// `toll`, of masses in those of the reference.
     pub(crate) fn meet(&mut self, outside: &Outside<S, D>, fall: [S; D], toll: Option<&mut Toll>) -> u64 {
@@ -242,6 +252,22 @@ impl<S: Real, const D: usize, F: Form<S, D>> Body<S, D, F> {
             }
         });
         count
+    }
+
+    fn read_places(&mut self, places: &mut [[S; D]]) {
+        let Body { form, store, members, .. } = self;
+        form.each(|i, cell| places[members.point(i)] = store.get(cell).0);
+    }
+
+    fn give(&mut self, accelerations: &[[S; D]], share: S) {
+        let Body { form, store, members, .. } = self;
+        form.each(|i, cell| {
+            if *store.weight(cell) > S::ZERO {
+                let (x, _) = store.get(cell);
+                let motion = add(store.motion(cell), scale(accelerations[members.point(i)], share));
+                store.put(cell, x, motion);
+            }
+        });
     }
 
     fn meet(&mut self, outside: &Outside<S, D>, fall: [S; D], mut toll: Option<&mut Toll>) -> u64 {

@@ -166,8 +166,9 @@ impl<S: Real, const D: usize> Mover<S, D> for Bulk<S, D> {
             let substep = h / f64::from(count);
             let work = self.bonds() * (count * passes(self.way)) as usize;
             let mut help = self.help;
-            let ledger = account.as_deref_mut().map(|account| (account, around, span.0));
-            let taut = help.with(work, || self.run((points, pull, &outside), (substep, count), counters, ledger));
+            let ledger = account.as_deref_mut().map(|account| (account, around));
+            let taut =
+                help.with(work, || self.run((points, pull, &outside), (span.0, substep, count), counters, ledger));
             self.help = help;
             counters.substeps += u64::from(count);
             counters.points_moved += u64::from(count) * points.len() as u64;
@@ -225,13 +226,13 @@ impl<S: Real, const D: usize> Bulk<S, D> {
     }
 
     /// Takes `count` substeps of `h` [s] from the state of the points: all but the arrival. Returns the largest pull of a
-    /// bond, as [`path::solve`](super::kernels::path::solve). A ledger, where one is kept, is with what is around and the start [s].
+    /// bond, as [`path::solve`](super::kernels::path::solve). `begin` is when the first begins [s]. A ledger, where one is kept, is with what is around.
     fn run(
         &mut self,
         (points, pull, outside): (&Points<S, D>, &Pull<S, D>, &Outside<S, D>),
-        (h, count): (f64, u32),
+        (begin, h, count): (f64, f64, u32),
         counters: &mut Counters,
-        mut ledger: Option<(&mut Account, &Environment<D>, f64)>,
+        mut ledger: Option<(&mut Account, &Environment<D>)>,
     ) -> S {
         let mut taut = S::ZERO;
         let old = *self.loaded.get_or_insert_with(|| {
@@ -240,7 +241,8 @@ impl<S: Real, const D: usize> Bulk<S, D> {
         });
         let early = self.lag + 0.5 * h;
         let (first, next) = (drift(pull, (old, h), early), drift(pull, (h, h), h));
-        if outside.is_nothing() && ledger.is_none() {
+        let mut fields = pull.has_fields().then(|| (points.position.clone(), vec![[S::ZERO; D]; points.len()]));
+        if outside.is_nothing() && ledger.is_none() && fields.is_none() {
             let starts = self.substeps(h, early).into_iter().zip(self.substeps(h, h));
             for (body, (early, late)) in self.bodies.iter_mut().zip(starts) {
                 let (first, next) = (Start { drift: first, step: early }, Start { drift: next, step: late });
@@ -256,10 +258,14 @@ impl<S: Real, const D: usize> Bulk<S, D> {
             }
             let time = if substep == 0 { early } else { h };
             self.push(outside, h * time, counters);
+            if let Some(room) = &mut fields {
+                let now = begin + f64::from(substep) * h;
+                self.drive((pull, &points.inverse_mass), now, h * gain(pull.drag_rate, time), room);
+            }
             let before = ledger.as_ref().filter(|ledger| ledger.0.pulls_rigid).map(|_| self.middle(points, h));
             taut = taut.max(self.project((h, time), counters));
-            if let Some((account, around, start)) = &mut ledger {
-                let middle = *start + (f64::from(substep) + 0.5) * h;
+            if let Some((account, around)) = &mut ledger {
+                let middle = begin + (f64::from(substep) + 0.5) * h;
                 self.book((points, pull, around), (middle, h), before, account);
             }
             let account = ledger.as_mut().map(|(account, ..)| &mut **account);
@@ -310,6 +316,21 @@ impl<S: Real, const D: usize> Bulk<S, D> {
         for body in &mut self.bodies {
             counters.mouse_points += body.push(push, S::from_f64(share));
         }
+    }
+
+    /// Forces and gusts at time `t` [s] change the motions of points: `share` is what an acceleration adds to a displacement [s^2].
+    /// `room`: places and accelerations, one entry a point of the group.
+    fn drive(
+        &mut self,
+        (pull, w): (&Pull<S, D>, &[S]),
+        t: f64,
+        share: f64,
+        (places, pushes): &mut (Vec<[S; D]>, Vec<[S; D]>),
+    ) {
+        self.bodies.iter_mut().for_each(|body| body.read_places(places));
+        pushes.fill([S::ZERO; D]);
+        pull.drive(t, (places, w), pushes);
+        self.bodies.iter_mut().for_each(|body| body.give(pushes, S::from_f64(share)));
     }
 
     /// Surfaces, where they are in reach; `fall` is what gravity adds to a motion [m] in a substep of `h` [s].
@@ -371,11 +392,16 @@ fn passes(way: Way) -> u32 {
 fn drift<S: Real, const D: usize>(pull: &Pull<S, D>, (old, h): (f64, f64), time: f64) -> Drift<S, D> {
     let rate = pull.drag_rate;
     // v' = g - rate v over `time`: v keep + g gain.
-    let (keep, gain) =
-        if rate == 0.0 { (1.0, time) } else { (libm::exp(-rate * time), -libm::expm1(-rate * time) / rate) };
+    let keep = if rate == 0.0 { 1.0 } else { libm::exp(-rate * time) };
+    let gain = gain(rate, time);
     Drift {
         keep: S::from_f64(keep * (h / old)),
         ratio: S::from_f64(h / old),
         fall: pull.gravity.map(|g| S::from_f64(g * gain * h)),
     }
+}
+
+/// What an acceleration adds to a velocity over `time`, over that acceleration [s], under a drag of this rate [1/s].
+fn gain(rate: f64, time: f64) -> f64 {
+    if rate == 0.0 { time } else { -libm::expm1(-rate * time) / rate }
 }

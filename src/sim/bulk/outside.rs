@@ -80,7 +80,7 @@ impl<S: Real, const D: usize> Outside<S, D> {
         let Some([low, high]) = measure::extent(&points.position) else { return none };
         let fastest = measure::speed_bound(&points.velocity);
         let within = |time: f64| {
-            let fall = length(pull.gravity) * time;
+            let fall = (length(pull.gravity) + pull.most_push()) * time;
             let reach = (fastest + S::from_f64(fall)) * S::from_f64(2.0 * time);
             let bounds = [low.map(|x| x - reach), high.map(|x| x + reach)];
             let obstacles = &pull.contacts.obstacles;

@@ -1,5 +1,7 @@
 //! How bodies meet each other, as a model says it.
 
+use crate::sim::bond::PointId;
+
 /// What happens between the skins of bodies: the edges of what their triangles cover, and bonds that belong to no triangle.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Contact {
@@ -18,5 +20,108 @@ pub struct Contact {
 impl Default for Contact {
     fn default() -> Self {
         Contact { friction: 0.5, restitution: 0.0, radius: None, with_itself: true, with_others: true }
+    }
+}
+
+/// What the skin of a point's body is made of, where it differs from what [`Contact`] says for all.
+///
+/// Between two skins friction is the root of the product of both, restitution the larger one, the distance the sum of both radii.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct SkinMaterial {
+    /// [1], >= 0; `None`: that of [`Contact`].
+    pub friction: Option<f64>,
+    /// [1], from 0 to 1; `None`: that of [`Contact`].
+    pub restitution: Option<f64>,
+    /// [m], >= 0; `None`: that of [`Contact`].
+    pub radius: Option<f64>,
+}
+
+impl SkinMaterial {
+    /// Whether all is in its range.
+    pub(crate) fn is_fine(&self) -> bool {
+        let is_size = |x: &f64| *x >= 0.0 && x.is_finite();
+        self.friction.iter().chain(&self.radius).all(is_size)
+            && self.restitution.is_none_or(|e| (0.0..=1.0).contains(&e))
+    }
+
+    /// This, with what another one says in place of it.
+    pub(crate) fn overlaid(self, other: SkinMaterial) -> Self {
+        SkinMaterial {
+            friction: other.friction.or(self.friction),
+            restitution: other.restitution.or(self.restitution),
+            radius: other.radius.or(self.radius),
+        }
+    }
+}
+
+/// The materials of skins by their points; nothing is listed where all are as [`Contact`] says.
+#[derive(Clone, Debug, Default)]
+pub struct SkinMaterials {
+    /// Each once; the first is that of nothing said.
+    kinds: Vec<SkinMaterial>,
+    /// For every point the place of its own among these; empty, or shorter than there are points: the first.
+    of_point: Vec<u32>,
+}
+
+impl SkinMaterials {
+    /// Whether all are as [`Contact`] says.
+    pub fn is_empty(&self) -> bool {
+        self.of_point.is_empty()
+    }
+
+    /// That of a point.
+    pub fn of(&self, point: PointId) -> SkinMaterial {
+        let kind = self.of_point.get(point.index()).and_then(|&kind| self.kinds.get(kind as usize));
+        kind.copied().unwrap_or_default()
+    }
+
+    /// Gives it to points.
+    pub fn set(&mut self, points: impl IntoIterator<Item = PointId>, material: SkinMaterial) {
+        let mut place = None;
+        for point in points {
+            if self.of(point) == material {
+                continue;
+            }
+            if self.kinds.is_empty() {
+                self.kinds.push(SkinMaterial::default());
+            }
+            let place = *place.get_or_insert_with(|| match self.kinds.iter().position(|kind| *kind == material) {
+                Some(place) => place as u32,
+                None => {
+                    self.kinds.push(material);
+                    self.kinds.len() as u32 - 1
+                }
+            });
+            if self.of_point.len() <= point.index() {
+                self.of_point.resize(point.index() + 1, 0);
+            }
+            self.of_point[point.index()] = place;
+        }
+    }
+
+    /// Those of some points, which are counted anew in this order.
+    pub(crate) fn among(&self, points: impl Iterator<Item = PointId>) -> Self {
+        let mut own = SkinMaterials::default();
+        if !self.is_empty() {
+            points.zip(0..).for_each(|(point, place)| own.set([PointId(place)], self.of(point)));
+        }
+        own
+    }
+
+    /// All that differ from nothing said, with their points, ascending, in the order of the first point of each.
+    pub fn lists(&self) -> Vec<(SkinMaterial, Vec<u32>)> {
+        let mut points: Vec<Vec<u32>> = vec![Vec::new(); self.kinds.len()];
+        self.of_point.iter().zip(0..).for_each(|(&kind, point)| points[kind as usize].push(point));
+        let mut lists: Vec<(SkinMaterial, Vec<u32>)> = self.kinds.iter().copied().zip(points).collect();
+        lists.retain(|(kind, points)| *kind != SkinMaterial::default() && !points.is_empty());
+        lists.sort_unstable_by_key(|(_, points)| points.first().copied());
+        lists
+    }
+}
+
+impl PartialEq for SkinMaterials {
+    /// Whether all points have the same, however it is listed.
+    fn eq(&self, other: &Self) -> bool {
+        self.lists() == other.lists()
     }
 }

@@ -9,6 +9,7 @@ use crate::sim::bonds::Bonds;
 use crate::sim::command::{Addition, Obstacle};
 use crate::sim::contact::surface::Plane;
 use crate::sim::force::mouse::Track;
+use crate::sim::force::steady::Force;
 use crate::sim::model::{Model, check_triangle};
 use crate::sim::plan::{self, Cleared};
 use crate::sim::real::Real;
@@ -30,6 +31,8 @@ impl<S: Real, const D: usize> World<S, D> {
             && addition.pinned.is_empty()
             && addition.pin_motion.is_empty()
             && addition.triangles.is_empty()
+            && addition.forces.is_empty()
+            && addition.skins.is_empty()
         {
             return Ok(done(false));
         }
@@ -39,9 +42,12 @@ impl<S: Real, const D: usize> World<S, D> {
         let is_free = |point: &PointId| self.inverse_mass.get(point.index()).is_some_and(|&w| w > 0.0);
         let ends = addition.bonds.iter().flat_map(|bond| [bond.a, bond.b]).filter(is_free);
         let led = addition.pin_motion.iter().map(|(point, _)| *point);
+        let pushed = addition.forces.iter().flat_map(|force| &force.points).copied().filter(is_free);
+        let covered = addition.skins.iter().flat_map(|(_, points)| points).copied().filter(is_free);
+        let pinned = addition.pinned.iter().copied();
         let touched: Vec<u32> =
-            ends.chain(addition.pinned.iter().copied()).chain(led).filter(is_old).map(|point| point.0).collect();
-        let mut detached = self.detach(&touched, obstacles.is_some());
+            ends.chain(pinned).chain(led).chain(pushed).chain(covered).filter(is_old).map(|point| point.0).collect();
+        let mut detached = self.detach(&self.with_mates(touched.clone()), obstacles.is_some());
         if let Some(obstacles) = &obstacles {
             let mut fresh = Model::default();
             self.add_obstacles(&mut fresh, &addition.obstacles)?;
@@ -77,7 +83,8 @@ impl<S: Real, const D: usize> World<S, D> {
     }
 
     fn check_addition(&self, addition: &Addition) -> Result<(), CommandError> {
-        let Addition { position, velocity, mass, pinned, bonds, obstacles, pin_motion, triangles } = addition;
+        let Addition { position, velocity, mass, pinned, bonds, obstacles, pin_motion, triangles, forces, skins } =
+            addition;
         let count = position.len();
         if velocity.len() != count || mass.len() != count {
             return Err(invalid(format!(
@@ -99,6 +106,8 @@ impl<S: Real, const D: usize> World<S, D> {
         }
         let named = pinned.iter().copied().chain(pin_motion.iter().map(|(point, _)| *point));
         let named = named.chain(triangles.iter().flatten().copied());
+        let named = named.chain(forces.iter().flat_map(|force| force.points.iter().copied()));
+        let named = named.chain(skins.iter().flat_map(|(_, points)| points.iter().copied()));
         for point in named.chain(bonds.iter().flat_map(|bond| [bond.a, bond.b])) {
             let is_new = (self.count()..self.count() + count).contains(&point.index());
             if !is_new {
@@ -119,6 +128,12 @@ impl<S: Real, const D: usize> World<S, D> {
         }
         for (k, corners) in triangles.iter().enumerate() {
             check_triangle(k, *corners).map_err(|error| invalid(error.to_string()))?;
+        }
+        for (k, force) in forces.iter().enumerate() {
+            self.force_of(k, force)?;
+        }
+        if self.numbers.next_force as usize + forces.len() > u32::MAX as usize {
+            return Err(invalid("there are more forces than numbers for them"));
         }
         let is_polygon = |obstacle: &Obstacle| matches!(obstacle, Obstacle::Polygon(_));
         if D != 2 && obstacles.iter().any(is_polygon) {
@@ -145,6 +160,13 @@ impl<S: Real, const D: usize> World<S, D> {
             model.pin_motion.retain(|(led, _)| led != point);
             let knots = knots.iter().map(|&(t, x)| (t, truncate(x))).collect();
             model.pin_motion.push((*point, Track { knots }));
+        }
+        for force in &addition.forces {
+            let Force { points, force, torque } = force;
+            model.forces.push(Force { points: points.clone(), force: truncate(*force), torque: *torque });
+        }
+        for (material, points) in &addition.skins {
+            points.iter().for_each(|&point| model.skins.set([point], model.skins.of(point).overlaid(*material)));
         }
     }
 
@@ -186,11 +208,15 @@ impl<S: Real, const D: usize> World<S, D> {
             self.numbers.obstacles[list].push(self.numbers.next_obstacle);
             self.numbers.next_obstacle += 1;
         }
+        let force = self.numbers.next_force;
+        self.numbers.next_force += addition.forces.len() as u32;
+        self.numbers.forces.extend(force..self.numbers.next_force);
         Applied {
             is_something: true,
             points: first..first + addition.position.len() as u32,
             bonds: bond..self.numbers.next_bond,
             obstacles: obstacle..self.numbers.next_obstacle,
+            forces: force..self.numbers.next_force,
         }
     }
 

@@ -30,6 +30,17 @@ impl<S: Real, const D: usize> World<S, D> {
         let missing = obstacles.iter().find(|number| !is_there(number));
         missing.map_or(Ok(()), |&number| Err(CommandError::NoSuch { kind: "obstacle", number }))
     }
+
+    /// The places of constant forces among those that are left.
+    ///
+    /// Errors: a number that no force has.
+    pub(super) fn force_places(&self, forces: &[u32]) -> Result<Vec<usize>, CommandError> {
+        let of = |number: &u32| {
+            let missing = CommandError::NoSuch { kind: "force", number: *number };
+            self.numbers.forces.binary_search(number).map_err(|_| missing)
+        };
+        forces.iter().map(of).collect()
+    }
 }
 
 /// Errors: a number that is not finite.

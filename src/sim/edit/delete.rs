@@ -15,12 +15,13 @@ use crate::sim::world::World;
 
 impl<S: Real, const D: usize> World<S, D> {
     pub(super) fn delete(&mut self, selection: &Selection) -> Result<Applied, CommandError> {
-        let Selection { points, bonds, obstacles } = selection;
+        let Selection { points, bonds, obstacles, forces } = selection;
         self.check_points(points)?;
         self.check_obstacles(obstacles)?;
+        let forces = self.force_places(forces)?;
         let mut goes = vec![false; self.bonds.len()];
         self.bond_places(bonds)?.into_iter().for_each(|place| goes[place] = true);
-        if points.is_empty() && bonds.is_empty() && obstacles.is_empty() {
+        if points.is_empty() && bonds.is_empty() && obstacles.is_empty() && forces.is_empty() {
             return Ok(done(false));
         }
         let mut is_gone = vec![false; self.count()];
@@ -28,13 +29,15 @@ impl<S: Real, const D: usize> World<S, D> {
         for (goes, ends) in goes.iter_mut().zip(self.bonds.ends()) {
             *goes |= ends.iter().any(|end| is_gone[end.index()]);
         }
-        if points.is_empty() && obstacles.is_empty() {
+        if points.is_empty() && obstacles.is_empty() && forces.is_empty() {
             self.part(&goes, self.timeline.time());
             return Ok(done(true));
         }
         let mut touched: Vec<u32> = points.iter().map(|point| point.0).collect();
         touched.extend(self.free_ends(&goes));
-        let detached = self.detach(&touched, !obstacles.is_empty());
+        touched.extend(self.pushed_by(&forces));
+        let detached = self.detach(&self.with_mates(touched), !obstacles.is_empty());
+        self.remove_forces(&forces);
         self.remove_bonds(&goes);
         self.remove_points(points);
         if !obstacles.is_empty() {
@@ -146,6 +149,7 @@ impl<S: Real, const D: usize> World<S, D> {
         model.pinned.retain(|pin| !numbers.is_gone(pin.0));
         model.pin_motion.retain(|(pin, _)| !numbers.is_gone(pin.0));
         self.weigh(points.iter().map(|point| point.0));
+        self.free_forces();
     }
 
     /// Of triangles those are left which these are, if not all.

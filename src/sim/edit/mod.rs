@@ -6,6 +6,7 @@
 mod add;
 mod check;
 mod delete;
+mod forces;
 mod grab;
 mod overlap;
 mod pins;
@@ -21,7 +22,7 @@ use super::real::Real;
 use super::world::World;
 
 /// A command that was done and changed something.
-const DONE: Applied = Applied { is_something: true, points: 0..0, bonds: 0..0, obstacles: 0..0 };
+const DONE: Applied = Applied { is_something: true, points: 0..0, bonds: 0..0, obstacles: 0..0, forces: 0..0 };
 
 /// The same, or one that had nothing to do.
 fn done(is_something: bool) -> Applied {
@@ -56,6 +57,7 @@ impl<S: Real, const D: usize> World<S, D> {
             points: (0..self.count() as u32).filter(|&i| !self.numbers.is_gone(i)).map(PointId).collect(),
             bonds: Vec::new(),
             obstacles: self.numbers.obstacles.iter().flatten().copied().collect(),
+            forces: self.numbers.forces.clone(),
         }
     }
 

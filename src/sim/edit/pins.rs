@@ -34,7 +34,7 @@ impl<S: Real, const D: usize> World<S, D> {
             return Ok(done(false));
         }
         let touched: Vec<u32> = list.iter().map(|point| point.0).collect();
-        let mut detached = self.detach(&touched, false);
+        let mut detached = self.detach(&self.with_mates(touched.clone()), false);
         for place in detached.places(touched.iter().copied()) {
             detached.state.velocity[place] = zero();
             detached.state.velocity_lost[place] = zero();

@@ -9,7 +9,9 @@ use crate::sim::bond::{Bond, BondId, BondKind, PointId};
 use crate::sim::bonds::Bonds;
 use crate::sim::command::{BondChange, Change, Kind, MouseChange, SceneChange, Values};
 use crate::sim::contact::bounds::Bounds;
+use crate::sim::contact::skin::SkinMaterial;
 use crate::sim::force::mouse::{MouseForce, Profile, Region, Track};
+use crate::sim::force::wind::Wind;
 use crate::sim::model::{Method, Model};
 use crate::sim::real::Real;
 use crate::sim::vector::{convert, truncate, zero};
@@ -24,11 +26,14 @@ const STIFFNESS: f64 = 1000.0;
 impl<S: Real, const D: usize> World<S, D> {
     pub(super) fn set(&mut self, change: &Change) -> Result<Applied, CommandError> {
         match change {
-            Change::Points { points, mass, velocity } => self.set_points(points, (mass.as_ref(), velocity.as_deref())),
+            Change::Points { points, mass, velocity, skin } => {
+                self.set_points(points, (mass.as_ref(), velocity.as_deref(), *skin))
+            }
             Change::Bonds { bonds, to } => self.set_bonds(bonds, to),
             Change::Obstacles { obstacles, restitution, friction } => {
                 self.set_obstacles(obstacles, (*restitution, *friction))
             }
+            Change::Forces { forces, force, torque } => self.set_forces(forces, (*force, *torque)),
             Change::Scene(change) => self.set_scene(change),
         }
     }
@@ -36,7 +41,7 @@ impl<S: Real, const D: usize> World<S, D> {
     fn set_points(
         &mut self,
         points: &[PointId],
-        (mass, velocity): (Option<&Values>, Option<&[[f64; 3]]>),
+        (mass, velocity, skin): (Option<&Values>, Option<&[[f64; 3]]>, SkinMaterial),
     ) -> Result<Applied, CommandError> {
         self.check_points(points)?;
         if let Some(mass) = mass {
@@ -52,11 +57,19 @@ impl<S: Real, const D: usize> World<S, D> {
                 )));
             }
         }
-        if points.is_empty() || (mass.is_none() && velocity.is_none()) {
+        if !skin.is_fine() {
+            return Err(invalid("friction and radius of skins must be finite and >= 0, restitution from 0 to 1"));
+        }
+        let has_skin = skin != SkinMaterial::default();
+        if points.is_empty() || (mass.is_none() && velocity.is_none() && !has_skin) {
             return Ok(done(false));
         }
         let touched: Vec<u32> = points.iter().map(|point| point.0).collect();
-        let mut detached = self.detach(&touched, false);
+        let mut detached = self.detach(&self.with_mates(touched.clone()), false);
+        if has_skin {
+            let skins = &mut Arc::make_mut(&mut self.model).skins;
+            points.iter().for_each(|&point| skins.set([point], skins.of(point).overlaid(skin)));
+        }
         if let Some(mass) = mass {
             let model = Arc::make_mut(&mut self.model);
             points.iter().enumerate().for_each(|(k, point)| model.mass[point.index()] = value(mass, k));
@@ -130,6 +143,13 @@ impl<S: Real, const D: usize> World<S, D> {
             model.gravity = truncate(gravity);
         }
         model.drag_rate = change.drag_rate.unwrap_or(model.drag_rate);
+        if let Some(wind) = change.wind {
+            model.wind = wind.map(|wind| Wind {
+                velocity: truncate(wind.velocity),
+                turbulence: wind.turbulence,
+                seed: wind.seed,
+            });
+        }
         if let Some(bounds) = change.bounds {
             model.bounds = bounds.map(|bounds| Bounds {
                 min: truncate(bounds.min),
@@ -163,6 +183,9 @@ impl<S: Real, const D: usize> World<S, D> {
         self.model = Arc::new(model);
         self.obstacles = obstacles;
         self.attach(detached);
+        if change.wind.is_some() {
+            self.warn_of_wind();
+        }
         Ok(done(true))
     }
 

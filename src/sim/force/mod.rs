@@ -2,3 +2,5 @@
 
 pub mod mouse;
 pub(crate) mod spring;
+pub mod steady;
+pub mod wind;

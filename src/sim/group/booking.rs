@@ -1,7 +1,7 @@
 //! What a group books: along its way, and where velocities change at once.
 
 use super::Group;
-use crate::sim::account::{Account, kinetic, middle, power_of, pushed};
+use crate::sim::account::{Account, driven, kinetic, middle, power_of, pushed};
 use crate::sim::counters::Counters;
 use crate::sim::environment::Environment;
 use crate::sim::ledger::Book;
@@ -81,6 +81,7 @@ impl<S: Real, const D: usize> Group<S, D> {
         let mut power = Book::default();
         account.add_bonds((x, v, w), self.pull.drag_rate, &mut power);
         power.mouse = pushed(&self.pull, around, t, (x, v, w));
+        driven(&self.pull, t, (x, v, w), &mut power);
         for &i in &self.pull.led {
             power.grab += dot(widen(self.pull.lead), widen(v[i as usize])) / w[i as usize].to_f64();
         }

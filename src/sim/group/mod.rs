@@ -292,6 +292,7 @@ impl<S: Real, const D: usize> Group<S, D> {
         (pull.springs, pull.rigid, pull.inside) = (Springs::none(), None, None);
         pull.contacts = Contacts::new(&pull.contacts.obstacles, 0);
         pull.led.clear();
+        pull.thrusts.clear();
         Group {
             points: Points::new(State::default(), Vec::new()),
             pull,

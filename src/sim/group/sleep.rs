@@ -29,7 +29,7 @@ fn still_extent<S: Real, const D: usize>(position: &[[S; D]]) -> S {
 /// What a group knows of its own rest.
 ///
 /// It falls asleep when no point has left the place that it had [`STILL_TIME`] ago by more than [`STILL_EXTENT`] says at any step since,
-/// no cursor was in reach, nothing of it is grabbed and none of its pins is led any more. Speeds say nothing of that: one that
+/// no cursor was in reach, nothing of it is grabbed, none of its pins is led any more, and no gust may come. Speeds say nothing of that: one that
 /// turns around has none, and what rests on a floor may report some.
 #[derive(Clone, Debug)]
 pub(crate) struct Sleep<S, const D: usize> {
@@ -71,6 +71,7 @@ impl<S: Real, const D: usize> Group<S, D> {
             return;
         }
         let is_disturbed = self.grabbed.is_some()
+            || self.pull.gusts().is_some()
             || self.tracks.iter().any(|(_, track)| track.moves_after(t))
             || around.mouse_at(t).is_some_and(|(force, cursor)| mouse::reaches(&self.points, force, cursor));
         if is_disturbed {
@@ -122,7 +123,8 @@ impl<S: Real, const D: usize> Group<S, D> {
             return true;
         }
         let Some([low, high]) = measure::extent(&self.points.position) else { return false };
-        let fastest = measure::speed_bound(&self.points.velocity) + S::from_f64(h * length(around.gravity));
+        let pulled = length(self.pull.gravity) + self.pull.most_push();
+        let fastest = measure::speed_bound(&self.points.velocity) + S::from_f64(h * pulled);
         let way = S::from_f64(2.0 * h) * fastest;
         let bounds = [low.map(|x| x - way), high.map(|x| x + way)];
         let looks = if around.moves(t, h) { LOOKS } else { 0 };

@@ -2,10 +2,10 @@
 
 use super::body::{Area, Body, Edge, Link, Span};
 use super::cluster::Cluster;
+use super::skins::Skin;
 use super::{Draft, bonds};
 use crate::sim::bond::{Bond, BondKind};
 use crate::sim::colour::by_colour;
-use crate::sim::contact::skin::Contact;
 use crate::sim::points::Points;
 use crate::sim::real::Real;
 use crate::sim::vector::{dot, length, sub};
@@ -31,6 +31,8 @@ pub(super) struct Bodies<S> {
     pub(super) edges: Vec<Edge>,
     /// Points of skins.
     pub(super) corners: Vec<u32>,
+    /// What skins are made of, in the order of `order`; empty where no body has its own.
+    pub(super) skins: Vec<Skin<S>>,
     /// Points of a body that bonds join, by the places of points in `order`: where the list of each begins, and all lists.
     neighbours: (Vec<u32>, Vec<u32>),
 }
@@ -56,7 +58,7 @@ impl<S: Real> Bodies<S> {
             }
         }
         for own in own {
-            bodies.push(own, &local, points, draft.contact.as_ref());
+            bodies.push(own, &local, points, draft);
         }
         bodies.note_neighbours(draft, points.len());
         bodies
@@ -86,7 +88,7 @@ impl<S: Real> Bodies<S> {
         others.into_iter().any(|other| own.contains(&((other - base + first) as u32)))
     }
 
-    fn push(&mut self, own: Own, local: &[u32], points: &Points<S, 2>, contact: Option<&Contact>) {
+    fn push(&mut self, own: Own, local: &[u32], points: &Points<S, 2>, draft: &Draft) {
         let place = |i: u32| points.position[i as usize];
         let w = |i: u32| points.inverse_mass[i as usize];
         let starts = self.ends();
@@ -112,12 +114,15 @@ impl<S: Real> Bodies<S> {
         corners.dedup();
         let total = edges.iter().fold(S::ZERO, |sum, edge| sum + length(sub(place(edge.ends[0]), place(edge.ends[1]))));
         let edge_length = if edges.is_empty() { S::ZERO } else { total / S::from_f64(edges.len() as f64) };
-        let radius = contact.and_then(|contact| contact.radius);
+        let contact = draft.contact.unwrap_or_default();
+        let radius = draft.contact.and(contact.radius);
         let radius = radius.map_or(edge_length * S::from_f64(RADIUS), S::from_f64);
         self.edges.extend(edges.iter().map(|edge| Edge { ends: edge.ends.map(|end| local[end as usize]), ..*edge }));
         self.corners.extend(corners.iter().map(|&corner| local[corner as usize]));
         self.order.extend(&own.points);
         let ends = self.ends();
+        let corners = Span { first: starts[5], end: ends[5] };
+        let radius = self.note_skins((&own.points, corners), &draft.skins, (&contact, radius));
         let span = |k: usize| Span { first: starts[k], end: ends[k] };
         let [stiffness, decay] = bounds(&springs, w);
         self.list.push(Body {

@@ -7,6 +7,7 @@ use super::pair::{OnPlane, Pair, Sides};
 use super::walls::Walls;
 use crate::sim::contact::skin::Contact;
 use crate::sim::contact::surface::Surface;
+use crate::sim::force::steady::Thrust;
 use crate::sim::real::Real;
 
 /// Bodies that go together, in lists of their own: nothing else is read or written while they move.
@@ -38,6 +39,8 @@ pub(super) struct Cluster<S: Real> {
     pub(super) corners: Vec<(u32, u32)>,
     /// Bonds that are projected.
     pub(super) holds: Vec<Hold<S>>,
+    /// Forces on some of its points.
+    pub(super) thrusts: Vec<Thrust<S, 2>>,
     pub(super) pairs: Vec<Pair<S>>,
     pub(super) on_planes: Vec<OnPlane<S>>,
     /// How far points may go until what is near what is looked for anew [m], and the least of that.
@@ -90,6 +93,8 @@ pub(super) struct Common<'a, S: Real> {
     /// All surfaces, planes first.
     pub(super) surfaces: &'a [Surface<S, 2>],
     pub(super) planes: &'a [Surface<S, 2>],
+    /// A bound on what gravity, forces and wind give, torques apart [m/s^2].
+    pub(super) most_push: f64,
     /// Sides that points had of edges, from before.
     pub(super) sides: &'a Sides,
 }

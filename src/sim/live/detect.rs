@@ -128,9 +128,13 @@ fn pair<S: Real>(state: &Cluster<S>, common: &Common<S>, (p, edge, key): (u32, u
         (_, OBSTACLE) => Some(common.walls.surface_of_corner((key >> 32) as u32 - common.bodies.order.len() as u32)),
         _ => None,
     };
-    let (friction, restitution) = match surface {
-        Some(surface) => (common.surfaces[surface].friction, common.surfaces[surface].restitution),
-        None => (S::from_f64(contact.friction), S::from_f64(contact.restitution)),
+    let own = || common.bodies.between([(key >> 32) as u32, number(state, common, of)]);
+    let [friction, restitution, distance] = match surface {
+        Some(surface) => [common.surfaces[surface].friction, common.surfaces[surface].restitution, S::ZERO],
+        None => own().unwrap_or_else(|| {
+            let [friction, restitution] = [contact.friction, contact.restitution].map(S::from_f64);
+            [friction, restitution, distance(state, common, body, of)]
+        }),
     };
     Pair {
         p,
@@ -139,7 +143,7 @@ fn pair<S: Real>(state: &Cluster<S>, common: &Common<S>, (p, edge, key): (u32, u
         key,
         side: if side > 0 { S::ONE } else { -S::ONE },
         is_closed: of.is_closed,
-        distance: distance(state, common, body, of),
+        distance,
         friction,
         restitution,
         pressed: S::ZERO,
@@ -148,6 +152,12 @@ fn pair<S: Real>(state: &Cluster<S>, common: &Common<S>, (p, edge, key): (u32, u
         approach: S::ZERO,
         is_met: false,
     }
+}
+
+/// The number for ever of the first end of an edge of a skin.
+fn number<S: Real>(state: &Cluster<S>, common: &Common<S>, edge: &Side) -> u32 {
+    let body = edge.body as usize;
+    edge.ends[0] - state.bases[body] + common.bodies.list[state.bodies[body]].points.first
 }
 
 /// The distance that a point keeps from an edge [m]: the sum of the radii; from and to obstacles none.

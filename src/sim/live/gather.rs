@@ -6,9 +6,8 @@ use crate::sim::counters::Counters;
 use crate::sim::environment::Environment;
 use crate::sim::measure;
 use crate::sim::points::Points;
-use crate::sim::pull::Pull;
 use crate::sim::real::Real;
-use crate::sim::vector::{length, zero};
+use crate::sim::vector::zero;
 
 /// Share of the shortest mean edge that points may go until what is near what is looked for anew.
 const PROMISE: f64 = 0.25;
@@ -34,7 +33,7 @@ impl<S: Real> Live<S> {
     ) -> Vec<Cluster<S>> {
         let mut reaches: Vec<Reach<S>> = (0..self.bodies.list.len())
             .filter(|&body| self.bodies.list[body].points.len() > 0)
-            .map(|body| self.reach(body, points, (around, h)))
+            .map(|body| self.reach(body, points, (around, common.most_push, h)))
             .collect();
         let mut together = crate::sim::sets::Sets::new(self.bodies.list.len());
         if self.contact.is_some_and(|contact| contact.with_others) {
@@ -50,6 +49,7 @@ impl<S: Real> Live<S> {
                 open.push(reach);
             }
         }
+        self.fields.iter().for_each(|field| field.join(&mut together));
         let mut members: Vec<Vec<usize>> = vec![Vec::new(); self.bodies.list.len()];
         for body in 0..self.bodies.list.len() {
             if self.bodies.list[body].points.len() > 0 {
@@ -61,7 +61,12 @@ impl<S: Real> Live<S> {
     }
 
     /// Where the points of a body may get to in `h` [s], and what is near.
-    fn reach(&self, body: usize, points: &Points<S, 2>, (around, h): (&Environment<2>, f64)) -> Reach<S> {
+    fn reach(
+        &self,
+        body: usize,
+        points: &Points<S, 2>,
+        (around, most_push, h): (&Environment<2>, f64, f64),
+    ) -> Reach<S> {
         let of = &self.bodies.list[body];
         let mut reach = Reach { body, low: [S::INFINITY; 2], high: [-S::INFINITY; 2] };
         let mut fastest = S::ZERO;
@@ -74,7 +79,7 @@ impl<S: Real> Live<S> {
             }
         }
         let pushed = around.mouse.as_ref().map_or(0.0, |mouse| mouse.strength.abs() * mouse.radius);
-        let pulled = S::from_f64(h * h * (length(around.gravity) + pushed));
+        let pulled = S::from_f64(h * h * (most_push + pushed));
         let margin = of.edge_length * S::from_f64(2.0 * PROMISE) + of.radius;
         let way = (S::ONE + S::HALF) * (fastest * S::from_f64(h) + pulled) + margin;
         (reach.low, reach.high) = (reach.low.map(|x| x - way), reach.high.map(|x| x + way));
@@ -96,6 +101,7 @@ impl<S: Real> Live<S> {
             edges: Vec::new(),
             corners: Vec::new(),
             holds: Vec::new(),
+            thrusts: Vec::new(),
             pairs: Vec::new(),
             on_planes: Vec::new(),
             promise: S::ZERO,
@@ -131,6 +137,8 @@ impl<S: Real> Live<S> {
             cluster.widest = cluster.widest.max(body.radius);
         }
         cluster.bases.push(cluster.now.len() as u32);
+        let Cluster { bodies, bases, .. } = &cluster;
+        cluster.thrusts = self.fields.iter().filter_map(|field| field.within(bodies, bases)).collect();
         if !cluster.least_promise.is_finite() {
             cluster.least_promise = S::from_f64(PROMISE * 0.1);
         }
@@ -193,10 +201,10 @@ impl<S: Real> Cluster<S> {
     }
 
     /// Substeps of a frame that the fastest point needs.
-    pub(super) fn substeps(&self, common: &Common<S>, pull: &Pull<S, 2>, around: &Environment<2>, t: f64) -> u32 {
+    pub(super) fn substeps(&self, common: &Common<S>, around: &Environment<2>, t: f64) -> u32 {
         let frame = 1.0 / super::FRAMES;
         let pushed = around.mouse_at(t).map_or(0.0, |(force, _)| force.strength.abs() * force.radius);
-        let speed = super::substep::fastest(self).to_f64() + frame * (length(pull.gravity) + pushed);
+        let speed = super::substep::fastest(self).to_f64() + frame * (common.most_push + pushed);
         let shortest = self.least_promise.to_f64() / PROMISE;
         let wanted = speed * frame / (WAY * shortest);
         let flying = self.members(common).zip(&self.touches).filter(|(_, touches)| !**touches);

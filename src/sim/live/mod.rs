@@ -18,12 +18,14 @@ mod bonds;
 mod build;
 mod cluster;
 mod detect;
+mod fields;
 mod gather;
 mod guard;
 mod pair;
 mod path;
 mod planes;
 mod rest;
+mod skins;
 mod substep;
 mod truncate;
 mod walls;
@@ -34,14 +36,16 @@ use super::account::Account;
 use super::bond::Bond;
 use super::bulk::kernel::Kernel;
 use super::bulk::mover::Mover;
-use super::contact::skin::Contact;
+use super::contact::skin::{Contact, SkinMaterial};
 use super::counters::Counters;
 use super::environment::Environment;
 use super::points::Points;
 use super::pull::Pull;
 use super::real::Real;
+use super::vector::length;
 use build::Bodies;
 use cluster::{Cluster, Common};
+use fields::Field;
 use pair::Sides;
 use rest::Rest;
 use substep::Outside;
@@ -60,6 +64,8 @@ pub(crate) struct Draft {
     pub(crate) triangles: Vec<[u32; 3]>,
     /// How they meet; `None`: they do not.
     pub(crate) contact: Option<Contact>,
+    /// What skins are made of, one entry a point; empty where no body has its own.
+    pub(crate) skins: Vec<SkinMaterial>,
 }
 
 /// Bodies in the live step.
@@ -77,6 +83,7 @@ struct Live<S: Real> {
     /// How much what settles is slowed down [1/s], one a body.
     settling: Vec<S>,
     bond_count: usize,
+    fields: Vec<Field<S>>,
 }
 
 /// The live step of these bodies; `None` in space.
@@ -87,7 +94,9 @@ pub(crate) fn mover<S: Real, const D: usize>(
 ) -> Option<Box<dyn Mover<S, D>>> {
     let (points, pull): (&dyn Any, &dyn Any) = (points, pull);
     let (points, pull) = (points.downcast_ref::<Points<S, 2>>()?, pull.downcast_ref::<Pull<S, 2>>()?);
-    let live: Box<dyn Mover<S, 2>> = Box::new(Live::new(&draft, points, Walls::of(&pull.contacts.obstacles)));
+    let mut live = Live::new(&draft, points, Walls::of(&pull.contacts.obstacles));
+    live.fields = Field::list(&pull.thrusts, &live.bodies);
+    let live: Box<dyn Mover<S, 2>> = Box::new(live);
     let live: Box<dyn Any> = Box::new(live);
     live.downcast::<Box<dyn Mover<S, D>>>().ok().map(|live| *live)
 }
@@ -104,6 +113,7 @@ impl<S: Real> Live<S> {
             anchor: Vec::new(),
             settling: vec![S::ZERO; count],
             bond_count: draft.bonds.len(),
+            fields: Vec::new(),
             bodies,
         }
     }
@@ -116,7 +126,7 @@ impl<S: Real> Live<S> {
         (pull, around): (&Pull<S, 2>, &Environment<2>),
         (t, h): (f64, f64),
     ) {
-        let count = (h * FRAMES * f64::from(cluster.substeps(common, pull, around, t))).ceil().max(1.0);
+        let count = (h * FRAMES * f64::from(cluster.substeps(common, around, t))).ceil().max(1.0);
         let own = h / count;
         let outside = Outside { pull, around, settling: &self.settling };
         let before = guard::energy(cluster, common, pull.gravity);
@@ -152,6 +162,7 @@ impl<S: Real> Mover<S, 2> for Live<S> {
                 surfaces: &obstacles.surfaces,
                 planes: obstacles.planes(),
                 sides: &sides,
+                most_push: length(pull.gravity) + pull.most_push(),
             };
             let mut clusters = self.gather(points, &common, (around, h));
             for cluster in &mut clusters {
@@ -169,7 +180,10 @@ impl<S: Real> Mover<S, 2> for Live<S> {
             self.settle(cluster, h);
             cluster.count(counters);
         }
-        self.doze(&clusters, points, t + h);
+        // A gust may come at any time.
+        if pull.gusts().is_none() {
+            self.doze(&clusters, points, t + h);
+        }
     }
 
     fn lose(&mut self, _ends: [u32; 2], _rest: f64) -> bool {

@@ -4,6 +4,7 @@ use super::areas;
 use super::bonds;
 use super::cluster::{Cluster, Common};
 use super::detect;
+use super::fields;
 use crate::sim::environment::Environment;
 use crate::sim::force::mouse::Push;
 use crate::sim::pull::Pull;
@@ -49,7 +50,7 @@ fn kick<S: Real>(state: &mut Cluster<S>, common: &Common<S>, outside: Outside<S>
     let Outside { pull, around, settling } = outside;
     let time = S::from_f64(h);
     bonds::pull(state, common, time);
-    let fall: [S; 2] = convert(pull.gravity.map(|g| g * h));
+    let fall: [S; 2] = convert(around.gravity.map(|g| g * h));
     for (k, &body) in state.bodies.iter().enumerate() {
         let kept = S::from_f64(libm::exp(-h * (pull.drag_rate + settling[body].to_f64())));
         for i in state.bases[k] as usize..state.bases[k + 1] as usize {
@@ -58,6 +59,7 @@ fn kick<S: Real>(state: &mut Cluster<S>, common: &Common<S>, outside: Outside<S>
             }
         }
     }
+    fields::blow(state, outside, (t, h));
     if let Some((force, cursor)) = around.mouse_at(t + h) {
         let push = Push::<S, 2>::new(force, cursor);
         let own = state.own();

@@ -53,7 +53,7 @@ impl<S: Real, const D: usize> Maker<'_, S, D> {
             inverse_mass: points.inverse_mass.clone(),
             way: scheme.way,
             control,
-            gravity: length(self.model.gravity),
+            gravity: length(self.model.field()),
             nominal: choice.substep,
         };
         let bulk = mover(order)?;
@@ -78,8 +78,10 @@ impl<S: Real, const D: usize> Maker<'_, S, D> {
             inside: None,
             led: Vec::new(),
             lead: zero(),
-            gravity: self.model.gravity,
+            thrusts: self.thrusts(),
+            gravity: self.model.field(),
             drag_rate: self.model.drag_rate,
+            air: self.gathered.drives.air.clone(),
         }
     }
 
@@ -222,7 +224,7 @@ impl<S: Real, const D: usize> Maker<'_, S, D> {
         let shape = Shape::Mesh {
             points: members.len(),
             segments,
-            trails: has_trails.then(|| (members.iter().map(position).collect(), self.model.gravity)),
+            trails: has_trails.then(|| (members.iter().map(position).collect(), self.model.field())),
         };
         Draft { shape, members: self.members(&members), piece }
     }

@@ -80,6 +80,8 @@ pub(crate) struct Setting {
     /// Strength of the mouse force [1/s^2], if there is one.
     pub(crate) mouse: Option<f64>,
     pub(crate) drag_rate: f64,
+    /// How fast gusts of wind change where a point is [rad/s], if there are any.
+    pub(crate) gusts: Option<f64>,
     /// Points of the scene.
     pub(crate) points: usize,
 }
@@ -170,7 +172,8 @@ fn pick(island: &Island, setting: Setting, is_direct: bool) -> Solver {
     if island.rigid > 0 {
         return if is_direct { Solver::VelocityVerlet } else { Solver::Verlet };
     }
-    if island.springs == 0 && setting.mouse.is_none() && !setting.has_surfaces {
+    let is_driven = island.is_driven || setting.gusts.is_some();
+    if island.springs == 0 && setting.mouse.is_none() && !setting.has_surfaces && !is_driven {
         return Solver::Flight;
     }
     let substeps = FRAME / PHASE * island.frequency.max(island.decay * PHASE / DECAY_SHARE);
@@ -195,7 +198,7 @@ fn pick(island: &Island, setting: Setting, is_direct: bool) -> Solver {
 /// The substep that resolves the fastest motion of an island: a whole part of 1/60 s.
 fn substep(island: &Island, solver: Solver, setting: Setting) -> f64 {
     let longest = if island.rigid > 0 { LONGEST_RIGID } else { LONGEST };
-    let push = setting.mouse.map_or(0.0, |strength| strength.abs().sqrt());
+    let push = setting.mouse.map_or(0.0, |strength| strength.abs().sqrt()).max(setting.gusts.unwrap_or(0.0));
     let (phase, rate) = match solver {
         Solver::ImplicitMidpoint | Solver::BackwardEuler => (PHASE, push),
         Solver::Flight => (PHASE, 0.0),

@@ -43,8 +43,10 @@ impl<S: Real, const D: usize> Maker<'_, S, D> {
             Solver::Rk4 => runge_kutta(&RK4),
             Solver::Rk8 => runge_kutta(&RK8),
             Solver::SymplecticEuler if !projects => split(splitting::symplectic_euler()),
-            Solver::Flight if !projects => split(splitting::flight()),
-            Solver::Auto | Solver::Verlet | Solver::VelocityVerlet if !projects => split(splitting::verlet()),
+            Solver::Flight if !projects && !pull.has_fields() => split(splitting::flight()),
+            Solver::Auto | Solver::Flight | Solver::Verlet | Solver::VelocityVerlet if !projects => {
+                split(splitting::verlet())
+            }
             Solver::Pefrl if !projects => split(splitting::pefrl()),
             Solver::BlanesMoan4 if !projects => split(splitting::blanes_moan_4()),
             Solver::BlanesMoan6 if !projects => split(splitting::blanes_moan_6()),

@@ -1,5 +1,6 @@
 //! From islands to groups: points, forces, rigid bonds and the engine of each.
 
+use super::drive::Drives;
 use super::lot::Lot;
 use super::make::Maker;
 use super::{Plan, PlanPart};
@@ -25,6 +26,8 @@ pub(super) struct Gathered<S, const D: usize> {
     pub(super) bonds: Bonds,
     /// Which bond of the world each is.
     pub(super) names: Vec<u32>,
+    /// Forces and the wind.
+    pub(super) drives: Drives<D>,
 }
 
 impl<S: Real, const D: usize> Gathered<S, D> {
@@ -41,6 +44,7 @@ impl<S: Real, const D: usize> Gathered<S, D> {
             state: state.clone(),
             bonds: Bonds::with_capacity(bonds.len()),
             names: Vec::with_capacity(bonds.len()),
+            drives: Drives::new(model, w, stand_ins),
         };
         gathered.merge(model, w);
         for (k, bond) in bonds.iter().enumerate() {

@@ -29,6 +29,8 @@ pub(crate) struct Island {
     pub(crate) fullest: usize,
     /// No way along bonds leads from a free point back to it but the way it went, and at most one bond ends at a pin: between two it may get taut.
     pub(crate) is_tree: bool,
+    /// A constant force or torque acts on some of its points.
+    pub(crate) is_driven: bool,
 }
 
 /// Splits points into islands, in the order of their lowest points.
@@ -36,7 +38,17 @@ pub(crate) struct Island {
 /// Bounds on oscillation and decay are Gershgorin's: omega^2 <= max over points of 2 w_i sum of stiffness, decay
 /// likewise with damping.
 pub(crate) fn islands(bonds: &Bonds, w: &[f64]) -> Vec<Island> {
+    islands_joined(bonds, w, &[])
+}
+
+/// The same where these pairs of points hang together too, as by a torque.
+pub(crate) fn islands_joined(bonds: &Bonds, w: &[f64], pairs: &[[u32; 2]]) -> Vec<Island> {
     let mut sets = Sets::new(w.len());
+    for &[a, b] in pairs {
+        if w[a as usize] > 0.0 && w[b as usize] > 0.0 {
+            sets.join(a, b);
+        }
+    }
     for [a, b] in bonds.ends() {
         if w[a.index()] > 0.0 && w[b.index()] > 0.0 {
             sets.join(a.0, b.0);

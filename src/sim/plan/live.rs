@@ -1,6 +1,8 @@
 //! A group of bodies that may meet.
 
 use super::make::{Maker, breakable};
+use crate::sim::bond::PointId;
+use crate::sim::contact::skin::SkinMaterial;
 use crate::sim::group::Group;
 use crate::sim::live::{Draft, mover};
 use crate::sim::real::Real;
@@ -21,7 +23,15 @@ impl<S: Real, const D: usize> Maker<'_, S, D> {
             body_of: self.body_of(),
             triangles: self.triangles(),
             contact: self.model.contact,
+            skins: self.skins(),
         }
+    }
+
+    /// What the skins of the points of the group are made of; none where no body has its own.
+    fn skins(&self) -> Vec<SkinMaterial> {
+        let skins = &self.model.skins;
+        let points = if skins.is_empty() { &[] } else { self.points };
+        points.iter().map(|&point| skins.of(PointId(point))).collect()
     }
 
     /// Which points of the group hang together, pins included: a number each.

@@ -1,6 +1,7 @@
 //! Islands that go together: what one method moves at one substep, in groups that step and sleep each for itself.
 
 use super::choice::{self, Choice, Setting};
+use super::drive::gust_rate;
 use super::island::Island;
 use super::structure::MOST_OF_A_CROWD;
 use crate::sim::bulk::control::FRAME;
@@ -39,6 +40,7 @@ pub(super) fn lots<const D: usize>(
         has_surfaces,
         mouse: model.mouse.as_ref().map(|mouse| mouse.strength),
         drag_rate: model.drag_rate,
+        gusts: gust_rate(model),
         points: scene_points,
     };
     let mut classes: Vec<(Choice, Vec<Island>)> = Vec::new();

@@ -66,8 +66,10 @@ impl<S: Real, const D: usize> Maker<'_, S, D> {
             inside: None,
             led: Vec::new(),
             lead: zero(),
-            gravity: self.model.gravity,
+            thrusts: self.thrusts(),
+            gravity: self.model.field(),
             drag_rate: self.model.drag_rate,
+            air: self.gathered.drives.air.clone(),
         };
         self.allocate(&mut points, &pull);
         let engine = self.engine(choice.solver, &bonds, &points, &pull);
@@ -142,7 +144,8 @@ impl<S: Real, const D: usize> Maker<'_, S, D> {
     /// Gives the group the lists that its phases need, and no others.
     fn allocate(&self, points: &mut Points<S, D>, pull: &Pull<S, D>) {
         let count = points.len();
-        let has_forces = !pull.springs.is_empty() || self.model.mouse.is_some() || pull.contacts.has_surfaces();
+        let is_pushed = self.model.mouse.is_some() || pull.has_fields();
+        let has_forces = !pull.springs.is_empty() || is_pushed || pull.contacts.has_surfaces();
         if has_forces {
             points.acceleration = vec![zero(); count];
         }

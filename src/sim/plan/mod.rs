@@ -5,6 +5,7 @@ mod bulk;
 pub(crate) mod choice;
 mod clear;
 mod cost;
+mod drive;
 mod engines;
 mod gather;
 pub(crate) mod island;
@@ -31,6 +32,7 @@ use lot::Lot;
 
 pub(crate) use super::sets::Sets;
 pub(crate) use clear::{Cleared, clear};
+pub(crate) use drive::gust_rate;
 pub(crate) use gather::NOWHERE;
 pub(crate) use precision::is_single;
 pub(crate) use reconcile::reconcile;
@@ -106,7 +108,9 @@ pub(crate) fn compile<S: Real, const D: usize>(
         _ => weld::merge(bonds, &w),
     };
     let gathered = Gathered::new(model, (bonds, numbers), &w, &stand_ins, state);
-    let islands = island::islands(&gathered.bonds, &gathered.w);
+    let pairs = gathered.drives.pairs(model);
+    let mut islands = island::islands_joined(&gathered.bonds, &gathered.w, &pairs);
+    gathered.drives.mark(&mut islands);
     gathered.plan((model, obstacles), lot::lots(model, (!obstacles.is_empty(), scene_points), islands))
 }
 

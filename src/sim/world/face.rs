@@ -8,8 +8,9 @@ use crate::sim::command::{Applied, Command, CommandError};
 use crate::sim::contact::polygon::Polygon;
 use crate::sim::contact::skin::Contact;
 use crate::sim::counters::Counters;
-use crate::sim::dynamics::{Dynamics, GrabView, Sample};
+use crate::sim::dynamics::{Dynamics, ForceView, GrabView, Sample};
 use crate::sim::force::mouse::{self, Cursor, MouseForce};
+use crate::sim::force::steady::Force;
 use crate::sim::group::Group;
 use crate::sim::measure;
 use crate::sim::model::Model;
@@ -87,6 +88,17 @@ impl<S: Real, const D: usize> Dynamics for World<S, D> {
 
     fn next_numbers(&self) -> [u32; 3] {
         [self.count() as u32, self.numbers.next_bond, self.numbers.next_obstacle]
+    }
+
+    fn forces(&self) -> Vec<ForceView> {
+        let numbered = self.model.forces.iter().zip(&self.numbers.forces);
+        let view = |(force, &number): (&Force<D>, &u32)| ForceView {
+            number,
+            points: force.points.clone(),
+            force: embed(force.force),
+            torque: force.torque,
+        };
+        numbered.map(view).collect()
     }
 
     fn cursor(&self) -> Option<Cursor> {

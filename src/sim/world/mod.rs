@@ -67,6 +67,9 @@ pub(crate) struct Numbers {
     /// What the next bond and the next obstacle get.
     pub(crate) next_bond: u32,
     pub(crate) next_obstacle: u32,
+    /// Of the constant forces that are left, in the order of the model, and what the next one gets.
+    pub(crate) forces: Vec<u32>,
+    pub(crate) next_force: u32,
 }
 
 impl Numbers {
@@ -82,6 +85,8 @@ impl Numbers {
             gone: Arc::default(),
             next_bond: model.bonds.len() as u32,
             next_obstacle: planes + polygons,
+            forces: (0..model.forces.len() as u32).collect(),
+            next_force: model.forces.len() as u32,
         }
     }
 

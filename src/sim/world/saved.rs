@@ -60,6 +60,8 @@ impl<S: Real, const D: usize> World<S, D> {
             gone: self.numbers.gone.to_vec(),
             bond_numbers: self.numbers.bonds.as_ref().map(|numbers| numbers.to_vec()),
             next_numbers: [self.numbers.next_bond, self.numbers.next_obstacle],
+            force_numbers: self.numbers.forces.clone(),
+            next_force: self.numbers.next_force,
             cursor: self.around.cursor.map(|path| path.parts()),
             grabbed: self.grabbed.clone(),
             lead: self.around.lead.map(|lead| [lead.point, lead.normal]),
@@ -100,6 +102,8 @@ impl<S: Real, const D: usize> World<S, D> {
                 gone: Arc::new(saved.gone.clone()),
                 next_bond: saved.next_numbers[0],
                 next_obstacle: saved.next_numbers[1],
+                forces: saved.force_numbers.clone(),
+                next_force: saved.next_force,
                 ..Numbers::of(model)
             },
             inverse_mass: Arc::new(inverse_mass),

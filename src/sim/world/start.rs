@@ -65,6 +65,7 @@ impl<S: Real, const D: usize> World<S, D> {
         world.warn_of_overlap(&cleared);
         world.warn_of_pins(&model.position);
         world.warn_of_limits();
+        world.warn_of_wind();
         world.begin(&state);
         world.begin_ledger();
         Ok(world)
@@ -139,6 +140,13 @@ impl<S: Real, const D: usize> World<S, D> {
         if !between.is_empty() {
             let text = format!("{} cannot hold: both ends are pinned, and not at that length", list(&between));
             self.warnings.push(text);
+        }
+    }
+
+    /// Tells of a wind that pushes nothing.
+    pub(crate) fn warn_of_wind(&mut self) {
+        if self.model.has_idle_wind() {
+            self.warnings.push("the wind pushes nothing, for there is no drag: give `drag_rate`".to_owned());
         }
     }
 

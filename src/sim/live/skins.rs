@@ -1,0 +1,50 @@
+//! What skins are made of, where bodies have their own.
+
+use super::body::Span;
+use super::build::Bodies;
+use crate::sim::contact::skin::{Contact, SkinMaterial};
+use crate::sim::real::Real;
+
+/// The material of a skin at a point.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Skin<S> {
+    friction: S,
+    restitution: S,
+    radius: S,
+}
+
+impl<S: Real> Skin<S> {
+    /// What a material says, and where it says nothing what holds for all; `radius`: that of the body [m].
+    pub(super) fn new(material: SkinMaterial, contact: &Contact, radius: S) -> Self {
+        Skin {
+            friction: S::from_f64(material.friction.unwrap_or(contact.friction)),
+            restitution: S::from_f64(material.restitution.unwrap_or(contact.restitution)),
+            radius: material.radius.map_or(radius, S::from_f64),
+        }
+    }
+}
+
+impl<S: Real> Bodies<S> {
+    /// Friction, restitution and distance [m] between two skins at points that are numbered for ever; `None`: nothing is said of any.
+    pub(super) fn between(&self, points: [u32; 2]) -> Option<[S; 3]> {
+        let [a, b] = [self.skins.get(points[0] as usize)?, self.skins.get(points[1] as usize)?];
+        let friction = (a.friction * b.friction).sqrt();
+        Some([friction, a.restitution.max(b.restitution), a.radius + b.radius])
+    }
+
+    /// Notes the materials of the points of a new body, which begin at `first` of all. Returns the largest radius of its skin [m].
+    pub(super) fn note_skins(
+        &mut self,
+        (points, corners): (&[u32], Span),
+        materials: &[SkinMaterial],
+        (contact, radius): (&Contact, S),
+    ) -> S {
+        if materials.is_empty() {
+            return radius;
+        }
+        let first = self.skins.len();
+        self.skins.extend(points.iter().map(|&slot| Skin::new(materials[slot as usize], contact, radius)));
+        let of = |&corner: &u32| self.skins[first + corner as usize].radius;
+        self.corners[corners.range()].iter().map(of).fold(S::ZERO, S::max)
+    }
+}
