@@ -63,7 +63,7 @@ const SIM: [(&str, &[&str]); 36] = [
     ("solve", &["real", "vector"]),
     ("kernels", &["real", "threads", "vector"]),
     ("measure", &["bond", "bonds", "ledger", "points", "real", "vector"]),
-    ("contact", &["points", "real", "vector"]),
+    ("contact", &["bond", "points", "real", "vector"]),
     ("force", &["bond", "colour", "measure", "points", "real", "vector"]),
     ("environment", &["force", "vector"]),
     ("constrain", &["bond", "colour", "contact", "points", "real", "solve", "solver", "vector"]),
@@ -111,7 +111,7 @@ const SIM: [(&str, &[&str]); 36] = [
             "vector",
         ],
     ),
-    ("model", &["bond", "bonds", "contact", "force", "real", "solver"]),
+    ("model", &["bond", "bonds", "contact", "force", "real", "solver", "vector"]),
     (
         "group",
         &[

@@ -78,7 +78,7 @@ macro_rules! entry {
     };
 }
 
-static GALLERY: [Entry; 22] = [
+static GALLERY: [Entry; 23] = [
     entry!(
         "jelly",
         168,
@@ -219,6 +219,13 @@ static GALLERY: [Entry; 22] = [
         "Net",
         "A net of ten thousand points hangs from its two upper corners; the mouse moves it.",
         "grab it in the middle; unpin a corner; cut a hole."
+    ),
+    entry!(
+        "cloth-wind",
+        884,
+        "Cloth in the wind",
+        "A cloth on a line sways, bulges and flaps in gusts.",
+        "cut it from a few of its pegs; hold a corner down and let it go; roll it up with the mouse."
     ),
     entry!(
         "thousand-rims",

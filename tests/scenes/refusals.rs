@@ -501,7 +501,7 @@ fn surfaces_method_times_and_view() {
                 "contact: is floating point `0.5`: give true, or an object with keys such as `friction`",
             ),
             ("\"contact\": null", "contact: is null: give true, or an object with keys such as `friction`"),
-            ("\"skins\": []", "skins: `skins` is not in this version: leave it out"),
+            ("\"drives\": []", "drives: `drives` is not in this version: leave it out"),
             ("\"angles\": []", "angles: `angles` is not in this version: leave it out"),
             (
                 "\"texture\": { \"image\": \"/a.png\", \"uv\": [[0,0],[1,0]] }",
@@ -561,7 +561,6 @@ fn surfaces_method_times_and_view() {
 fn what_this_version_lacks() {
     for (rest, message) in [
         ("\"areas\": { \"kind\": \"rigid\" }", "areas: `areas` is not in this version: leave it out"),
-        ("\"wind\": { \"velocity\": [1,0] }", "wind: `wind` is not in this version: leave it out"),
         (
             "\"obstacles\": [{ \"circle\": { \"center\": [0,0], \"radius\": 1 } }]",
             "obstacles[0].circle: `circle` is not in this version: leave it out",

@@ -42,6 +42,11 @@ pub(crate) trait Mover<S: Real, const D: usize>: Debug + Send + Sync {
     /// How far velocities are behind positions [s].
     fn lag(&self) -> f64;
 
+    /// The fastest that a point of the group may be led [m/s]; `None`: it may be led anyhow.
+    fn most_lead(&self, _slot: u32) -> Option<f64> {
+        None
+    }
+
     /// What the bodies are and how their bonds are taken.
     fn kernel(&self) -> Kernel;
 

@@ -11,6 +11,9 @@ use crate::sim::real::Real;
 use crate::sim::vector::{add, dot, embed, length, scale, sub, zero};
 use crate::sim::world::World;
 
+/// What is grabbed is led no faster than this share of the speed that a pin may have.
+const GRAB_LEAD: f64 = 0.5;
+
 impl<S: Real, const D: usize> World<S, D> {
     pub(super) fn take_hold(&mut self, reach: &Reach) -> Result<Applied, CommandError> {
         let Some(cursor) = self.around.cursor.map(|path| path.at(self.timeline.time())) else {
@@ -95,11 +98,15 @@ impl<S: Real, const D: usize> World<S, D> {
             slots.sort_unstable();
             slots.dedup();
             let body_mass = self.mass_around(own);
+            let lead = |slot: &u32| self.plan.groups[*group].most_lead(*slot);
+            let most_lead = slots.first().and_then(lead).map_or(f64::INFINITY, |most| GRAB_LEAD * most);
             self.touch(*group);
             self.plan.groups[*group].grabbed = Some(Grabbed {
                 slots,
                 body_mass,
                 offset: crate::sim::vector::truncate(offset),
+                most_lead,
+                lead: None,
                 steady: zero(),
                 acceleration: zero(),
             });

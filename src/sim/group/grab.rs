@@ -8,7 +8,8 @@
 //!
 //! where the last term feeds a steady load forward, so that nothing sags. The force is that of the mass that is led: the body's, as
 //! far as a substep can bear it, and at most [`MOST_G`] times the weight of what is held. It is the same for all points
-//! per mass, constant within a substep.
+//! per mass, constant within a substep. Bodies that may meet are led no faster than half an edge in the longest of their substeps,
+//! so that what is grabbed finds what is in its way.
 
 use super::Group;
 use super::booking::Cause;
@@ -40,6 +41,9 @@ pub(crate) struct Grabbed<const D: usize> {
     pub(crate) body_mass: f64,
     /// From the cursor to where these points belong [m]: 0 where all that is grabbed is of one group.
     pub(crate) offset: [f64; D],
+    /// The fastest that it is led [m/s], and where it is led to now [m]: a jump of the cursor is followed no faster.
+    pub(crate) most_lead: f64,
+    pub(crate) lead: Option<[f64; D]>,
     /// What a steady load takes [m/s^2].
     pub(crate) steady: [f64; D],
     /// Acceleration of the points now [m/s^2].
@@ -50,6 +54,11 @@ impl<S: Real, const D: usize> Group<S, D> {
     /// Longest substep [s].
     pub(crate) fn longest(&self) -> f64 {
         if self.grabbed.is_some() { self.substep.min(LONGEST) } else { self.substep }
+    }
+
+    /// The fastest that a point may be led [m/s], where there is such a bound.
+    pub(crate) fn most_lead(&self, slot: u32) -> Option<f64> {
+        if let Engine::Bulk(bulk) = &self.engine { bulk.most_lead(slot) } else { None }
     }
 
     /// Works out the grab's force for the substep of `h` from `t` [s], and gives it to engines that know no forces as a kick.
@@ -106,11 +115,28 @@ impl<const D: usize> Grabbed<D> {
         (scale(place, 1.0 / mass), scale(velocity, 1.0 / mass), mass)
     }
 
+    /// Where it is led from and to in a substep of `h` [s] in which the cursor goes as it does: straight behind it, no faster than may be.
+    fn led(&mut self, (now, soon): ([f64; D], [f64; D]), h: f64) -> ([f64; D], [f64; D]) {
+        /// Share of that way by which it may be off the cursor and count as there.
+        const NEAR: f64 = 1e-6;
+        if self.most_lead == f64::INFINITY {
+            return (now, soon);
+        }
+        let (from, most) = (self.lead.unwrap_or(now), self.most_lead * h);
+        let way = sub(soon, from);
+        let size = length(way);
+        let is_there = size <= most && length(sub(now, from)) <= NEAR * most;
+        let led = if is_there { (now, soon) } else { (from, add(from, scale(way, (most / size).min(1.0)))) };
+        self.lead = Some(led.1);
+        led
+    }
+
     fn aim<S: Real>(&mut self, points: &Points<S, D>, around: &Environment<D>, (t, h): (f64, f64)) {
         let (Some(now), Some(soon)) = (around.target(t), around.target(t + h)) else {
             self.acceleration = zero();
             return;
         };
+        let (now, soon) = self.led((now, soon), h);
         let (place, velocity, mass) = self.middle(points);
         let w = FREQUENCY.min(MOST_PHASE / h);
         // The whole body is to follow: of its mass as much as the damper can bear on the points that are held.

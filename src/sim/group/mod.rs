@@ -20,7 +20,7 @@ use super::integrate::implicit::USUAL_ROUNDS;
 use super::points::{Points, State};
 use super::pull::Pull;
 use super::real::Real;
-use super::vector::{add, convert, dot, scale, sub, zero};
+use super::vector::{add, convert, dot, length, scale, sub, widen, zero};
 use booking::Cause;
 use engine::Engine;
 use events::edge::Edges;
@@ -96,7 +96,7 @@ impl<S: Real, const D: usize> Group<S, D> {
     ///
     /// Returns whether rigid bonds could be held.
     pub(crate) fn begin(&mut self, around: &Environment<D>, t: f64) -> bool {
-        self.lead_pins(t);
+        self.lead_pins(t, 0.0);
         if let Engine::Bulk(bulk) = &mut self.engine {
             bulk.begin(&mut self.points);
             return true;
@@ -118,7 +118,7 @@ impl<S: Real, const D: usize> Group<S, D> {
     /// they have.
     pub(crate) fn resume(&mut self, around: &Environment<D>, t: f64) -> bool {
         if matches!(self.engine, Engine::Bulk(_)) {
-            self.lead_pins(t);
+            self.lead_pins(t, 0.0);
             return true;
         }
         self.begin(around, t)
@@ -257,13 +257,18 @@ impl<S: Real, const D: usize> Group<S, D> {
         self.engine.refresh();
     }
 
-    /// Pinned points go along their tracks: their velocity is the slope of the stretch that begins at `t`.
+    /// Pinned points go along their tracks: their velocity is the slope of the stretch that begins at `t`. One that may not be led so
+    /// fast lags, and is on its way to where it should be `h` later.
     ///
     /// Rigid bonds to a pin that changes its velocity pass that on at once.
-    pub(crate) fn lead_pins(&mut self, t: f64) {
+    pub(crate) fn lead_pins(&mut self, t: f64, h: f64) {
         let mut changed = false;
         for (point, track) in &self.tracks {
             let i = *point as usize;
+            if let Some(lag) = self.lag(*point, track, (t, h)) {
+                self.points.velocity[i] = lag;
+                continue;
+            }
             let slope: [S; D] = convert(track.slope(t));
             changed |= slope != self.points.velocity[i];
             self.points.velocity[i] = slope;
@@ -284,6 +289,24 @@ impl<S: Real, const D: usize> Group<S, D> {
             self.book_change(before, Cause::Pins);
             self.engine.refresh();
         }
+    }
+
+    /// The velocity of a pin that is too far from where its track is at `t`, or would have to be too fast to be there `h` later.
+    fn lag(&self, point: u32, track: &Track<D>, (t, h): (f64, f64)) -> Option<[S; D]> {
+        // Share of the way that it may be led in a frame within which it is where it should be.
+        const NEAR: f64 = 1e-6;
+        let Engine::Bulk(bulk) = &self.engine else { return None };
+        let most = bulk.most_lead(point)?;
+        let (now, soon) = (track.at(t)?, track.at(t + h)?);
+        let place = widen(self.points.position[point as usize]);
+        if h == 0.0 {
+            // At the start of a scene it is where its track begins; a world that goes on left it where it is.
+            return (t > 0.0 && length(sub(now, place)) > NEAR * most).then_some(zero());
+        }
+        let way = sub(soon, place);
+        let speed = length(way) / h;
+        let is_late = length(sub(now, place)) > NEAR * most || length(track.slope(t)) > most;
+        is_late.then(|| convert(scale(way, if speed > most { most / (speed * h) } else { 1.0 / h })))
     }
 
     /// A group without points, whose place is free.

@@ -54,6 +54,9 @@ use walls::Walls;
 /// Frames of which substeps are whole parts [1/s].
 const FRAMES: f64 = 60.0;
 
+/// Edges that a point may be led by in a second: one in each of the longest substeps.
+const LEAD: f64 = 960.0;
+
 /// What live bodies are made of. Points are numbered as in their group.
 pub(crate) struct Draft {
     /// The bonds, rest lengths and stiffness included.
@@ -194,6 +197,12 @@ impl<S: Real> Mover<S, 2> for Live<S> {
 
     fn lag(&self) -> f64 {
         0.0
+    }
+
+    fn most_lead(&self, slot: u32) -> Option<f64> {
+        let place = self.bodies.order.iter().position(|&own| own == slot)? as u32;
+        let body = self.bodies.list.iter().find(|body| (body.points.first..body.points.end).contains(&place))?;
+        (body.edge_length > S::ZERO).then(|| body.edge_length.to_f64() * LEAD)
     }
 
     fn kernel(&self) -> Kernel {

@@ -22,7 +22,7 @@ impl<S: Real, const D: usize> Group<S, D> {
         counters: &mut Counters,
     ) -> f64 {
         self.edges.stops = stops;
-        self.lead_pins(t);
+        self.lead_pins(t, h);
         let count = (h / self.longest() * (1.0 - 1e-9)).ceil().max(1.0);
         for k in 0..count as u64 {
             self.edges.turns = 0;
