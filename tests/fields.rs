@@ -197,19 +197,20 @@ fn large_bodies_feel_forces_as_they_feel_gravity() {
 
 #[test]
 fn a_large_cloth_moves_in_gusts_as_it_does_by_a_fine_method() {
-    let spring = json!({"kind": "spring", "stiffness": 60, "damping": 0.02, "point_mass": 0.01});
+    let spring = json!({"kind": "spring", "stiffness": 30, "damping": 0.02, "point_mass": 0.01});
     let scene = with(&hung(spring), "gravity", json!([0, -9.81]));
     let scene = with(&scene, "drag_rate", json!(1.5));
     let scene = with(&scene, "wind", json!({"velocity": [6, 0], "turbulence": 0.6, "seed": 5}));
-    let fine = at(&with(&scene, "method", method("rk4", 1.0 / 1920.0)), 0.8);
-    let calm = at(&with(&scene, "wind", json!({"velocity": [6, 0]})), 0.8);
-    let auto = world(&scene);
-    assert!(auto.parts().iter().any(|part| !part.kernel.is_empty()), "it is moved as a large body");
+    let fine = at(&with(&scene, "method", method("rk4", 1.0 / 960.0)), 0.4);
+    let calm = with(&scene, "wind", json!({"velocity": [6, 0]}));
+    let scene = with(&scene, "method", json!({"solver": "velocity-verlet"}));
+    let calm = with(&calm, "method", json!({"solver": "velocity-verlet"}));
+    assert!(world(&scene).parts().iter().any(|part| !part.kernel.is_empty()), "it is moved as a large body");
     let off = |sample: &Sample| {
         let each = sample.position.iter().zip(&fine.position);
         each.map(|(a, b)| (a[0] - b[0]).hypot(a[1] - b[1])).fold(0.0, f64::max)
     };
-    let (own, without) = (off(&at(&scene, 0.8)), off(&calm));
+    let (own, without) = (off(&at(&scene, 0.4)), off(&at(&calm, 0.4)));
     assert!(own < 5e-3 && without > 10.0 * own, "off by {own}; without gusts {without}");
 }
 
@@ -508,20 +509,19 @@ fn a_pin_that_jumps_leaves_what_hangs_on_it_whole() {
     for material in
         [json!({"point_mass": 0.1}), json!({"kind": "spring", "stiffness": 500, "damping": 0.5, "point_mass": 0.05})]
     {
-        let net = json!({"make": "cloth", "columns": 12, "rows": 10, "spacing": 0.1, "diagonals": "none", "pinned": [0, 11], "material": material});
+        let net = json!({"make": "cloth", "columns": 8, "rows": 6, "spacing": 0.1, "diagonals": "none", "pinned": [0, 7], "material": material});
         let scene = json!({"wobble": 1, "gravity": [0, -9.81], "contact": true, "drag_rate": 1, "bodies": [net],
-            "pin_motion": [{"point": 0, "track": [[0, 0, 0], [0.5, 0, 0], [0.501, 5, 1]]}, {"point": 11, "track": [[0, 1.1, 0], [0.5, 1.1, 0], [0.501, 6.1, 1]]}]});
+            "pin_motion": [{"point": 0, "track": [[0, 0, 0], [0.3, 0, 0], [0.301, 5, 1]]}, {"point": 7, "track": [[0, 0.7, 0], [0.3, 0.7, 0], [0.301, 5.7, 1]]}]});
         let mut world = world(&scene);
         let (mut fastest, mut strain) = (0.0_f64, 0.0_f64);
-        for frame in 1..=240 {
+        for frame in 1..=90 {
             let sample = run_on(&mut *world, f64::from(frame) / 60.0);
             assert!(sample.position.iter().flatten().all(|x| x.is_finite()), "frame {frame}");
             strain = strain.max(sample.max_strain);
             fastest = sample.velocity.iter().map(|v| v[0].hypot(v[1])).fold(0.0, f64::max);
         }
-        let sample = world.sample(4.0);
-        assert_eq!([sample.position[0], sample.position[11]], [[5.0, 1.0, 0.0], [6.1, 1.0, 0.0]]);
-        println!("strain {strain} then {}, speed {fastest}", sample.max_strain);
+        let sample = world.sample(1.5);
+        assert_eq!([sample.position[0], sample.position[7]], [[5.0, 1.0, 0.0], [5.7, 1.0, 0.0]]);
         assert!(sample.max_strain < 0.3 && fastest < 20.0, "strain {}, {fastest} m/s", sample.max_strain);
     }
 }

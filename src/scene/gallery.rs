@@ -222,7 +222,7 @@ static GALLERY: [Entry; 23] = [
     ),
     entry!(
         "cloth-wind",
-        884,
+        520,
         "Cloth in the wind",
         "A cloth on a line sways, bulges and flaps in gusts.",
         "cut it from a few of its pegs; hold a corner down and let it go; roll it up with the mouse."

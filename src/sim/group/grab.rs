@@ -27,6 +27,8 @@ const MOST_PHASE: f64 = 0.3;
 const LONGEST: f64 = 1.0 / 480.0;
 /// Most force, in weights of the points that are held: they are neither flung nor torn out.
 const MOST_G: f64 = 50.0;
+/// The same of bodies that may meet others, in weights of all that hangs together with them.
+const MOST_G_OF_BODY: f64 = 10.0;
 /// Gravity that the bound is measured in [m/s^2].
 const G: f64 = 9.81;
 /// Most of what the damper changes of a velocity in a substep: 2 would be the edge of stability.
@@ -146,7 +148,9 @@ impl<const D: usize> Grabbed<D> {
         let wanted = add(add(scale(away, w * w), scale(slower, 2.0 * w)), self.steady);
         let wanted = scale(wanted, share);
         let size = length(wanted);
-        let most = MOST_G * G;
+        // What may press others is not to press them flat.
+        let of_body = if self.most_lead.is_finite() { MOST_G_OF_BODY * self.body_mass / mass } else { f64::INFINITY };
+        let most = MOST_G.min(of_body) * G;
         if size <= most {
             self.acceleration = wanted;
             self.steady = add(self.steady, scale(away, 0.125 * w * w * w * h));

@@ -40,6 +40,12 @@ impl<S: Real, const D: usize> Maker<'_, S, D> {
         for (_, bond) in self.bonds() {
             sets.join(bond.a.0, bond.b.0);
         }
+        // Bonds between pins are in no island: what is pinned all over has a skin by its triangles.
+        let is_pinned = |slot: &u32| self.gathered.w[self.points[*slot as usize] as usize] == 0.0;
+        for [a, b, c] in self.triangles().into_iter().filter(|corners| corners.iter().all(is_pinned)) {
+            sets.join(a, b);
+            sets.join(b, c);
+        }
         let mut bodies = 0;
         let mut body_of: Vec<u32> = Vec::with_capacity(self.points.len());
         for i in 0..self.points.len() as u32 {
