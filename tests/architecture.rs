@@ -45,7 +45,7 @@ const ROOMS: [(&str, &[&str], &[&str]); 12] = [
 ];
 
 /// Each module of `sim` and those that it may name, which all stand above it here: so there is no circle.
-const SIM: [(&str, &[&str]); 36] = [
+const SIM: [(&str, &[&str]); 38] = [
     ("real", &[]),
     ("shared", &[]),
     ("sets", &[]),
@@ -57,6 +57,7 @@ const SIM: [(&str, &[&str]); 36] = [
     ("bond", &["real"]),
     ("bonds", &["bond", "shared"]),
     ("solver", &["bond"]),
+    ("moved", &["bond", "solver"]),
     ("vector", &["real"]),
     ("triangles", &["bond", "vector"]),
     ("points", &["real"]),
@@ -103,6 +104,7 @@ const SIM: [(&str, &[&str]); 36] = [
             "counters",
             "environment",
             "force",
+            "ledger",
             "measure",
             "points",
             "pull",
@@ -126,10 +128,12 @@ const SIM: [(&str, &[&str]); 36] = [
             "integrate",
             "ledger",
             "measure",
+            "moved",
             "points",
             "pull",
             "real",
             "solve",
+            "timeline",
             "vector",
         ],
     ),
@@ -151,6 +155,7 @@ const SIM: [(&str, &[&str]); 36] = [
             "live",
             "measure",
             "model",
+            "moved",
             "plan_part",
             "points",
             "pull",
@@ -162,10 +167,23 @@ const SIM: [(&str, &[&str]); 36] = [
         ],
     ),
     ("command", &["bond", "contact", "force", "model"]),
-    ("saved", &["bond", "force", "model", "real"]),
+    ("saved", &["bond", "force", "model", "moved", "real"]),
     (
         "dynamics",
-        &["bond", "bonds", "command", "contact", "counters", "force", "ledger", "model", "plan_part", "real", "saved"],
+        &[
+            "bond",
+            "bonds",
+            "command",
+            "contact",
+            "counters",
+            "force",
+            "ledger",
+            "model",
+            "moved",
+            "plan_part",
+            "real",
+            "saved",
+        ],
     ),
     (
         "world",
@@ -183,6 +201,7 @@ const SIM: [(&str, &[&str]); 36] = [
             "ledger",
             "measure",
             "model",
+            "moved",
             "plan",
             "plan_part",
             "points",
@@ -199,6 +218,7 @@ const SIM: [(&str, &[&str]); 36] = [
         &[
             "bond",
             "bonds",
+            "bulk",
             "command",
             "contact",
             "dynamics",
@@ -206,6 +226,7 @@ const SIM: [(&str, &[&str]); 36] = [
             "force",
             "group",
             "model",
+            "moved",
             "plan",
             "plan_part",
             "points",
@@ -215,7 +236,25 @@ const SIM: [(&str, &[&str]); 36] = [
             "world",
         ],
     ),
-    ("step", &["group", "real", "world"]),
+    (
+        "handover",
+        &[
+            "bond",
+            "bulk",
+            "counters",
+            "environment",
+            "group",
+            "live",
+            "measure",
+            "moved",
+            "plan",
+            "real",
+            "timeline",
+            "vector",
+            "world",
+        ],
+    ),
+    ("step", &["group", "handover", "real", "world"]),
 ];
 
 /// Crates that every room may name.

@@ -72,7 +72,7 @@ fn check_tables(out: &Path) {
         );
     }
     let groups = rows(out, "groups.csv");
-    for by in ["all", "family", "path", "cause"] {
+    for by in ["all", "family", "path", "moved", "cause"] {
         assert!(groups.iter().any(|row| row["by"] == by), "{by}");
     }
     let sum: u32 =

@@ -17,10 +17,10 @@ use crate::history::Start;
 use crate::output;
 use crate::scene::frames::Frames;
 use crate::scene::record::{
-    RecordedBalance, RecordedCounters, RecordedFrames, RecordedSample, Recording, hash, ledgers, record,
+    RecordedBalance, RecordedCounters, RecordedFrames, RecordedMover, RecordedSample, Recording, hash, ledgers, record,
     seconds_and_frames,
 };
-use crate::scene::{OrderName, PrecisionName, Scene, SolverName};
+use crate::scene::{BudgetKeys, OrderName, PrecisionName, Scene, SolverName};
 use crate::sim::judge;
 use crate::sim::{Counters, Dynamics, InstructionSet, MOST_ITERATIONS, PlanPart, PointId, Precision, Sample, Verdict};
 use crate::study;
@@ -58,6 +58,9 @@ pub(super) struct Arguments {
     /// Largest error at every sample [m]: the cheapest setting that reaches it is searched for.
     #[arg(long, value_name = "E", allow_negative_numbers = true, value_parser = values::above_zero)]
     tolerance: Option<f64>,
+    /// Counted work a frame of 1/60 s [ms] beyond which islands are handed over to the live step, or `none`.
+    #[arg(long, value_name = "MS", allow_negative_numbers = true)]
+    budget: Option<BudgetKeys>,
     /// The equilibrium that the start rolls down to instead of the motion: one sample.
     #[arg(long, conflicts_with_all = ["tolerance", "solver", "substep", "iterations"])]
     settle: bool,
@@ -120,6 +123,7 @@ pub(super) fn run(arguments: &Arguments, quiet: bool) -> anyhow::Result<()> {
     scene.method.ledger = None;
     let timed = if is_kept { scene.world(duration)? } else { start.boxed_clone() };
     let mut recording = recording(&scene, &*timed, &times, &samples, world.counters());
+    recording.moved_by = movers(&*world);
     recording.balance = is_kept.then(|| judge(&entries).into());
     recording.warnings.extend(strain.warning());
     recording.search_seconds = found.as_ref().map_or(0.0, |found| found.seconds);
@@ -193,6 +197,7 @@ fn settle(arguments: &Arguments, scene: &Scene, time: f64) -> anyhow::Result<()>
         search_seconds: 0.0,
         expected_error: None,
         balance: None,
+        moved_by: Vec::new(),
         counters: RecordedCounters { iterations: found.rounds.into(), ..RecordedCounters::default() },
         warnings: Vec::new(),
         hash: hash(&samples, scene.dimensions()),
@@ -286,6 +291,7 @@ impl Arguments {
         method.seed = self.seed.or(method.seed);
         method.precision = self.precision.or(method.precision);
         method.tolerance = self.tolerance.or(method.tolerance);
+        method.budget = self.budget.or(method.budget);
         method.ledger = self.ledger.then_some(true).or(method.ledger);
     }
 
@@ -296,6 +302,11 @@ impl Arguments {
         }
         Ok(times)
     }
+}
+
+/// What moves the islands of a world now.
+fn movers(world: &dyn Dynamics) -> Vec<RecordedMover> {
+    world.moved_by().iter().map(RecordedMover::from).collect()
 }
 
 fn recording(scene: &Scene, start: &dyn Dynamics, times: &[f64], samples: &[Sample], counters: &Counters) -> Recording {
@@ -336,6 +347,7 @@ fn made(
         search_seconds: 0.0,
         expected_error: None,
         balance: None,
+        moved_by: Vec::new(),
         counters: RecordedCounters {
             substeps: counters.substeps,
             bonds_solved: counters.bonds_solved,
@@ -345,6 +357,8 @@ fn made(
             guard_splits: counters.guard_splits,
             fallbacks: counters.fallbacks,
             bonds_torn: counters.bonds_torn,
+            hand_overs: counters.hand_overs,
+            returns: counters.returns,
         },
         warnings,
         hash: hash(samples, scene.dimensions()),
@@ -359,6 +373,7 @@ pub(super) struct Table {
     strain: Strain,
     samples: Vec<Sample>,
     counters: Counters,
+    movers: Vec<RecordedMover>,
     balance: Option<Verdict>,
 }
 
@@ -366,8 +381,9 @@ impl Table {
     /// An empty one; the wall time of the run is counted from now.
     pub(super) fn new(scene: &Scene) -> Self {
         let (clock, counters) = (Instant::now(), Counters::default());
-        let strain = Strain::default();
-        Table { scene: scene.clone(), clock, about: None, strain, samples: Vec::new(), counters, balance: None }
+        let (strain, scene) = (Strain::default(), scene.clone());
+        let (samples, movers) = (Vec::new(), Vec::new());
+        Table { scene, clock, about: None, strain, samples, counters, movers, balance: None }
     }
 
     /// Takes a sample at `time` [s], which lies within the world's next step.
@@ -378,6 +394,7 @@ impl Table {
         self.strain.look(world, &sample);
         self.samples.push(sample);
         self.counters = *world.counters();
+        self.movers = movers(world);
     }
 
     /// How the energy was kept, where a ledger was.
@@ -392,6 +409,6 @@ impl Table {
         about.warnings.extend(self.strain.warning());
         let recording = made(&self.scene, about, (seconds, frames), &self.samples, &self.counters);
         let balance = self.balance.map(RecordedBalance::from);
-        write_table(out, has_hash, &Recording { balance, ..recording })
+        write_table(out, has_hash, &Recording { balance, moved_by: self.movers, ..recording })
     }
 }

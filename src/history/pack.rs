@@ -2,8 +2,9 @@
 
 use crate::body::MAX_POINTS;
 use crate::sim::{
-    Bond, BondKind, Bonds, Bounds, Contact, Cursor, Force, Limit, Method, Model, MouseForce, Order, Plane, PointId,
-    Polygon, Precision, Profile, Region, Saved, SavedWorld, SkinMaterial, SkinMaterials, Solver, Track, Wind,
+    Bond, BondKind, Bonds, Bounds, Contact, Cursor, Force, HandedOver, Limit, Method, Model, MouseForce, Order, Plane,
+    PointId, Polygon, Precision, Profile, Region, Saved, SavedWorld, SkinMaterial, SkinMaterials, Solver, Track, Why,
+    Wind,
 };
 
 /// What can be put behind some bytes and taken from there again.
@@ -149,6 +150,7 @@ fields!(Core<D> { time, position, velocity, mass, pinned, bonds, gone, bond_numb
 /// The layouts from which on a kept world has what came later.
 pub(super) const FIRST_WITH_TRIANGLES: u64 = 3;
 pub(super) const FIRST_WITH_FORCES: u64 = 4;
+pub(super) const FIRST_WITH_HAND_OVERS: u64 = 5;
 
 /// A kept world of any layout that is known.
 trait KeptWorld: Sized {
@@ -173,6 +175,7 @@ macro_rules! saved {
                 $($more.put(to);)*
                 $($rest.put(to);)*
                 $($($later.put(to);)* $($last.put(to);)*)*
+                model.method.budget.put(to);
             }
 
             fn take(from: &mut &[u8], layout: u64) -> Option<Self> {
@@ -183,7 +186,10 @@ macro_rules! saved {
                     $(let $later = if layout >= $first { Packed::take(from)? } else { Default::default() };)*
                     $(let $last = if layout >= $first { Packed::take(from)? } else { Default::default() };)*
                 )*
-                let model = Model { $($model,)* $($more,)* $($($later,)*)* };
+                let mut model = Model { $($model,)* $($more,)* $($($later,)*)* };
+                if layout >= FIRST_WITH_HAND_OVERS {
+                    model.method.budget = Packed::take(from)?;
+                }
                 Some(Saved { model, $($core,)* $($rest,)* $($($last,)*)* })
             }
         }
@@ -197,9 +203,11 @@ saved! {
     rest: precision substep scene_points lost cursor grabbed lead;
     from FIRST_WITH_TRIANGLES on: model: triangles contact; rest: ;
     from FIRST_WITH_FORCES on: model: skins forces wind; rest: force_numbers next_force;
+    from FIRST_WITH_HAND_OVERS on: model: ; rest: handed_over;
 }
 
-fields!(Method { solver, substep, iterations, order, seed, precision, tolerance, max_strain, sleeps } without { ledger: false });
+fields!(Method { solver, substep, iterations, order, seed, precision, tolerance, max_strain, sleeps } without { ledger: false, budget: None });
+fields!(HandedOver { first, since, why, until, times });
 fields!(Contact { friction, restitution, radius, with_itself, with_others });
 fields!(Force<D> { points, force, torque });
 fields!(Wind<D> { velocity, turbulence, seed });
@@ -274,6 +282,7 @@ one_of! {
     Region: [Region::Round, Region::Square];
     Profile: [Profile::Smooth, Profile::Linear];
     Precision: [Precision::Auto, Precision::F32, Precision::F64];
+    Why: Why::ALL;
     Order: [Order::Auto, Order::Fixed, Order::Symmetric, Order::Coloured, Order::Shuffled];
 }
 

@@ -14,11 +14,11 @@ use serde_json::{Value, json};
 
 use super::dress::Dress;
 use super::frame::Frame;
-use super::pack::{AnyCore, Core, FIRST_WITH_TRIANGLES, put_world, take_world};
+use super::pack::{AnyCore, Core, FIRST_WITH_HAND_OVERS, FIRST_WITH_TRIANGLES, put_world, take_world};
 use crate::sim::{Bonds, Dynamics, PointId, Saved, SavedWorld, borne, resume};
 
 /// How the numbers are laid out.
-pub(super) const LAYOUT: u64 = 4;
+pub(super) const LAYOUT: u64 = 5;
 
 /// The first layout that begins with the core.
 const FIRST_WITH_CORE: u64 = 2;
@@ -102,6 +102,13 @@ pub(super) fn go_on(state: &Value, start: &dyn Dynamics, dress: &mut Dress) -> R
                 SavedWorld::Space(saved) => cover(saved, start, dress),
             }
         }
+        if layout < FIRST_WITH_HAND_OVERS {
+            match (&mut saved, start.save()) {
+                (SavedWorld::Plane(saved), Some(SavedWorld::Plane(start))) => budget_of(saved, &start),
+                (SavedWorld::Space(saved), Some(SavedWorld::Space(start))) => budget_of(saved, &start),
+                _ => {}
+            }
+        }
         saved
     } else {
         let core = AnyCore::take(&mut rest).ok_or_else(damaged)?;
@@ -148,6 +155,11 @@ fn cover<const D: usize>(saved: &mut Saved<D>, start: &dyn Dynamics, dress: &Dre
     saved.model.triangles = all;
 }
 
+/// Gives a kept world that says nothing of a budget that of the start.
+fn budget_of<const D: usize>(saved: &mut Saved<D>, start: &Saved<D>) {
+    saved.model.method.budget = start.model.method.budget;
+}
+
 fn sorted([a, b]: [PointId; 2]) -> [PointId; 2] {
     [a.min(b), a.max(b)]
 }
@@ -177,8 +189,21 @@ fn replaced<const D: usize>(core: Core<D>, start: Saved<D>) -> Saved<D> {
     let lost = [(); 2].map(|()| vec![[0.0; D]; model.position.len()]);
     let next_numbers = [next_numbers[0], next_obstacle];
     let (cursor, grabbed, lead) = (None, Vec::new(), None);
-    let mut saved =
-        Saved { model, time, gone, bond_numbers, next_numbers, force_numbers, lost, cursor, grabbed, lead, ..start };
+    let handed_over = Vec::new();
+    let mut saved = Saved {
+        model,
+        time,
+        gone,
+        bond_numbers,
+        next_numbers,
+        force_numbers,
+        lost,
+        cursor,
+        grabbed,
+        lead,
+        handed_over,
+        ..start
+    };
     saved.model.triangles = left_of(&saved.model.triangles, &bonds_at_start, &saved);
     saved
 }

@@ -2,13 +2,10 @@
 
 use std::time::Instant;
 
-use crate::sim::Dynamics;
+use crate::sim::{Dynamics, frame_of};
 
 /// Frames a second of the scene [1/s].
 const RATE: f64 = 60.0;
-/// Share of a frame by which a step may end after it, for rounding, and still be of it.
-const SLACK: f64 = 1e-9;
-
 /// Time and counted work of the frames of a run: frame k is of the steps that end in (k/60, (k+1)/60] s.
 #[derive(Clone, Debug, Default)]
 pub struct Frames {
@@ -27,20 +24,15 @@ struct Spent {
     work: f64,
 }
 
-/// The number of frames that end at `time` [s] or before, the one that it lies in too.
-fn frame(time: f64) -> u64 {
-    (time * RATE - SLACK).ceil().max(0.0) as u64
-}
-
 /// When the frame ends that `time` [s] lies in.
 fn close_of(time: f64) -> f64 {
-    frame(time) as f64 / RATE
+    frame_of(time) as f64 / RATE
 }
 
 /// The first end of a frame after `time` [s].
 pub fn next_close(time: f64) -> f64 {
     let close = close_of(time);
-    if close > time { close } else { (frame(time) + 1) as f64 / RATE }
+    if close > time { close } else { (frame_of(time) + 1) as f64 / RATE }
 }
 
 /// Whether the next step ends at `time` [s] or before, but for rounding.
@@ -70,12 +62,12 @@ impl Frames {
 
     /// No step is known yet of a run from `start` to `end` [s].
     pub fn between(start: f64, end: f64) -> Self {
-        Frames { spent: Vec::new(), count: frame(end).saturating_sub(frame(start)) }
+        Frames { spent: Vec::new(), count: frame_of(end).saturating_sub(frame_of(start)) }
     }
 
     /// Steps that ended in the frame of `time` [s] took wall `seconds`, and `work` by counting [ms].
     pub fn add(&mut self, time: f64, seconds: f64, work: f64) {
-        let frame = frame(time);
+        let frame = frame_of(time);
         match self.spent.last_mut().filter(|last| last.frame == frame) {
             Some(last) => (last.seconds, last.work) = (last.seconds + seconds, last.work + work),
             None => self.spent.push(Spent { frame, seconds, work }),

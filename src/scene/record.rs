@@ -7,7 +7,7 @@ use serde::Serialize;
 use xxhash_rust::xxh3::Xxh3;
 
 use super::frames::{Frames, next_close};
-use crate::sim::{Book, Dynamics, Energies, Ledger, Sample, Verdict};
+use crate::sim::{Book, Dynamics, Energies, Ledger, MovedBy, Sample, Verdict};
 
 /// A motion that cannot be recorded.
 #[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
@@ -166,6 +166,8 @@ pub struct Recording {
     /// How the energy was kept, where a ledger was.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub balance: Option<RecordedBalance>,
+    /// What moves the islands at the end of the run, in the order of their lowest points.
+    pub moved_by: Vec<RecordedMover>,
     /// Work done.
     pub counters: RecordedCounters,
     /// What the user should know.
@@ -325,6 +327,28 @@ impl From<&Frames> for RecordedFrames {
     }
 }
 
+/// Islands that step together, and what moves them.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+pub struct RecordedMover {
+    /// The lowest of their points that can move.
+    pub first: u32,
+    /// Points that can move.
+    pub count: usize,
+    /// The method.
+    pub method: &'static str,
+    /// Since when [s].
+    pub since: f64,
+    /// `plan`, `budget`, `contact` or `alarm`.
+    pub why: &'static str,
+}
+
+impl From<&MovedBy> for RecordedMover {
+    fn from(moved: &MovedBy) -> Self {
+        let MovedBy { first, count, method, since, why } = *moved;
+        RecordedMover { first: first.0, count, method: method.name(), since, why: why.name() }
+    }
+}
+
 /// The counters of a recording.
 #[derive(Clone, Copy, Debug, Default, Serialize)]
 pub struct RecordedCounters {
@@ -344,6 +368,10 @@ pub struct RecordedCounters {
     pub fallbacks: u64,
     /// Bonds torn.
     pub bonds_torn: u64,
+    /// Groups of islands that were handed over to the live step.
+    pub hand_overs: u64,
+    /// Those that went back to their own methods.
+    pub returns: u64,
 }
 
 impl Recording {

@@ -2,12 +2,15 @@
 
 use super::check::Resistance;
 use super::error::{Fault, SceneError, Source};
-use super::keys::{Meeting, Scene, SolverName};
+use super::keys::{BudgetKeys, Meeting, Scene, SolverName};
 use super::start::resistance;
 use crate::sim::{self, BondKind};
 
 /// Keys of a scene that a later version brings.
 pub(crate) const LATER: [&str; 3] = ["areas", "angles", "drives"];
+
+/// Counted work of a frame of 1/60 s where nothing is said [ms]: the rest of a frame is for drawing it.
+const BUDGET: f64 = 6.0;
 
 /// Errors: the first key that this version cannot run.
 pub(super) fn check(scene: &Scene) -> Result<(), Fault> {
@@ -94,6 +97,7 @@ pub(super) fn method(scene: &Scene) -> Result<sim::Method, Fault> {
         tolerance: keys.tolerance,
         max_strain: keys.max_strain,
         ledger: keys.ledger.unwrap_or(false),
+        budget: if keys.tolerance.is_some() { None } else { keys.budget.map_or(Some(BUDGET), BudgetKeys::ms) },
         sleeps: keys.sleep.unwrap_or(keys.tolerance.is_none()),
     })
 }

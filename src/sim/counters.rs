@@ -27,6 +27,10 @@ pub struct Counters {
     pub truncations: u64,
     /// Steps after which energy was taken from bodies that had got it from nowhere.
     pub guarded: u64,
+    /// Groups of islands that were handed over to the live step.
+    pub hand_overs: u64,
+    /// Those that went back to their own methods.
+    pub returns: u64,
     /// Operations, about: what substeps cost, those too that were taken again or only tried, and looks for events.
     pub work: u64,
 }
@@ -37,6 +41,11 @@ pub struct Counters {
 const OPERATION: f64 = 0.17e-6;
 /// Operations of a bond that a large body takes once, and of each coordinate of its points that a substep moves.
 const OF_A_BATCH: [u64; 2] = [12, 2];
+
+/// Operations that so much time is counted for [ms].
+pub(crate) fn operations(ms: f64) -> u64 {
+    (ms / OPERATION) as u64
+}
 
 impl Counters {
     /// Counts `sweeps` over `bonds`.
@@ -54,7 +63,7 @@ impl Counters {
 
     /// What may be counted once `seconds` more were spent.
     pub(crate) fn work_after(&self, seconds: f64) -> u64 {
-        self.work.saturating_add((1e3 * seconds / OPERATION) as u64)
+        self.work.saturating_add(operations(1e3 * seconds))
     }
 
     /// The time that the work counted so far takes, by counting: the same on every machine [ms].

@@ -8,6 +8,7 @@ use super::contact::skin::Contact;
 use super::counters::Counters;
 use super::force::mouse::{Cursor, MouseForce};
 use super::ledger::Ledger;
+use super::moved::MovedBy;
 use super::plan_part::PlanPart;
 use super::real::{Positions, Precision};
 use super::saved::SavedWorld;
@@ -126,6 +127,8 @@ pub trait Dynamics: Send {
     fn heap_bytes(&self) -> usize;
     /// What moves the parts of the world: a line a group of islands.
     fn parts(&self) -> &[PlanPart];
+    /// What moves the islands, since when and why: those that step together as one, in the order of their lowest points.
+    fn moved_by(&self) -> Vec<MovedBy>;
     /// What the user should know of the scene: lengths that contradict each other, bonds that cannot hold.
     fn warnings(&self) -> &[String];
     /// Whether everything sleeps, and nothing that is still to come could wake it.

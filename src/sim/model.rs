@@ -212,6 +212,9 @@ impl<const D: usize> Model<D> {
         if let Some(sweeps) = self.method.iterations {
             require((1..=MOST_ITERATIONS).contains(&sweeps), "iterations", sweeps, "from 1 to 100000")?;
         }
+        if let Some(ms) = self.method.budget {
+            require(ms > 0.0 && ms.is_finite(), "budget", ms, "finite and > 0")?;
+        }
         if let Some(t) = self.duration {
             require(t >= 0.0 && t.is_finite(), "duration", t, "finite and >= 0")?;
         }
@@ -260,6 +263,13 @@ impl<const D: usize> Model<D> {
             Solver::Auto | Solver::Live => Ok(()),
             solver => Err(ModelError::NoContact { solver }),
         }
+    }
+
+    /// The counted work of a frame beyond which islands are handed over to the live step [ms]; `None`: none ever is.
+    pub(crate) fn budget(&self) -> Option<f64> {
+        let Method { solver, tolerance, budget, .. } = self.method;
+        let is_meant = D == 2 && solver == Solver::Auto && tolerance.is_none() && self.contact.is_none();
+        budget.filter(|_| is_meant)
     }
 
     /// The acceleration that is the same everywhere and for ever [m/s^2]: gravity, and what the mean wind gives by drag.
@@ -450,6 +460,9 @@ pub struct Method {
     /// Largest strain of rigid bonds [1], > 0, that large bodies are held to; `None`: 0.02 for islands of more than 2,000
     /// rigid bonds, 1e-6 for smaller ones.
     pub max_strain: Option<f64>,
+    /// Counted work a frame of 1/60 s [ms], > 0, beyond which islands that [`Solver::Auto`] moves exactly are handed over to the
+    /// live step, in the plane, as they are where their method fails; `None`: they never are. A tolerance means `None`.
+    pub budget: Option<f64>,
     /// What stays where it is falls asleep, and is not stepped until something reaches it.
     pub sleeps: bool,
     /// Keeps a [`Ledger`](super::ledger::Ledger) of the world's energy. It changes nothing of the motion, and takes time.

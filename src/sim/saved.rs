@@ -3,6 +3,7 @@
 use super::bond::PointId;
 use super::force::mouse::Cursor;
 use super::model::{Model, ModelError};
+use super::moved::HandedOver;
 use super::real::Precision;
 
 /// A running world as it stands.
@@ -47,6 +48,8 @@ pub struct Saved<const D: usize> {
     pub grabbed: Vec<PointId>,
     /// The plane that a grab leads in, in space: a point of it [m] and its normal.
     pub lead: Option<[[f64; 3]; 2]>,
+    /// Islands that are moved by the live step for a while, by their lowest points.
+    pub handed_over: Vec<HandedOver>,
 }
 
 impl<const D: usize> Saved<D> {
@@ -87,6 +90,9 @@ impl<const D: usize> Saved<D> {
         range(is_bond && is_obstacle, "next_numbers", "above those that were given")?;
         let finite = self.lost.iter().flatten().flatten().all(|x| x.is_finite());
         range(finite && self.time.is_finite() && self.substep > 0.0 && self.substep.is_finite(), "time", "finite")?;
-        range(self.grabbed.iter().all(|point| point.index() < points), "grabbed", "numbers of points")
+        range(self.grabbed.iter().all(|point| point.index() < points), "grabbed", "numbers of points")?;
+        let is_known =
+            |handed: &HandedOver| handed.first.index() < points && handed.since.is_finite() && handed.until.is_finite();
+        range(self.handed_over.iter().all(is_known), "handed_over", "numbers of points and finite times")
     }
 }

@@ -8,11 +8,13 @@
 //! tear        bonds that are overstretched go, and what they held together is compiled anew
 //! gather      positions in the order of the points
 //! rest        what stays where it is falls asleep
+//! hand over   what costs too much or fails goes to the live step, and back (`handover`)
 //! ```
 //!
 //! Groups do not act on each other: each goes its own way to the end of the step, in equal substeps no longer than its own, and a
 //! command, a cursor or a break cuts the step of those alone that it touches.
 
+use super::handover::most_work;
 use super::real::Real;
 use super::world::World;
 
@@ -105,14 +107,30 @@ impl<S: Real, const D: usize> World<S, D> {
         }
     }
 
+    /// Groups take `h` from time `from` on [s], though the world has come further.
+    pub(crate) fn take_again(&mut self, places: &[usize], (from, h): (f64, f64)) {
+        places.iter().for_each(|&place| self.take(Due { place, from, h, stops: 0 }, &mut Vec::new()));
+    }
+
     /// A group takes what is due. What follows the break of a bond is made with the plan without it; `made`: the groups that come so.
     fn take(&mut self, due: Due, made: &mut Vec<usize>) {
         let Due { place, from, h, stops } = due;
         let group = &mut self.plan.groups[place];
         let locates = stops < MOST_STOPS && group.edges.has_breaks();
+        group.watch_start(&self.around, from);
+        group.limit = most_work(group, self.model.budget(), (from, h), &self.counters);
+        let before = self.counters;
         let came = group.go(&self.around, (from, h), locates, &mut self.counters);
+        let spent = (self.counters.work - before.work, self.counters.fallbacks - before.fallbacks);
+        group.watch_end(&self.around, (from, came), spent);
         let torn: Vec<u32> = group.torn().collect();
         if torn.is_empty() {
+            if group.gave_up.is_some() {
+                for place in self.give_up(place, from + came) {
+                    made.push(place);
+                    self.take(Due { place, from: from + came, h: h - came, stops }, made);
+                }
+            }
             return;
         }
         for place in self.tear_booked(&torn, from + came) {

@@ -22,6 +22,17 @@ pub(crate) struct Timeline {
     within: Option<f64>,
 }
 
+/// Frames a second [1/s].
+const FRAMES: f64 = 60.0;
+/// Share of a frame by which a step may end after it, for rounding, and still be of it.
+const FRAME_SLACK: f64 = 1e-9;
+
+/// The number of frames of 1/60 s that end at `time` [s] or before, the one that it lies in too: frame k is of the steps that end in
+/// ((k-1)/60, k/60].
+pub fn frame_of(time: f64) -> u64 {
+    (time * FRAMES - FRAME_SLACK).ceil().max(0.0) as u64
+}
+
 /// A stretch that is a whole number of substeps but for rounding gets that number.
 const SLACK: f64 = 1e-9;
 
@@ -48,6 +59,13 @@ impl Timeline {
     /// The substep asked for [s].
     pub(crate) fn nominal(&self) -> f64 {
         self.nominal
+    }
+
+    /// Substeps from now on are `factor` times as long, > 0: between two of them.
+    pub(crate) fn stretch(&mut self, factor: f64) {
+        self.start = self.time();
+        self.nominal *= factor;
+        self.cut();
     }
 
     /// Cuts the stretch from `start` to the next knot.
@@ -131,6 +149,23 @@ mod tests {
         assert_eq!(timeline.left(0.1), 0.1, "of what was not cut");
         timeline.advance();
         assert_eq!((timeline.time(), timeline.substep()), (0.2, 0.1));
+    }
+
+    #[test]
+    fn substeps_get_longer_from_where_it_stands() {
+        let mut timeline = Timeline::new(0.125, [2.0]);
+        timeline.advance();
+        timeline.stretch(2.0);
+        assert_eq!((timeline.time(), timeline.nominal()), (0.125, 0.25));
+        assert_eq!(timeline.count, Some(8), "1.875 s in parts of no more than 0.25");
+        (0..8).for_each(|_| timeline.advance());
+        assert_eq!((timeline.time(), timeline.substep()), (2.0, 0.25));
+    }
+
+    #[test]
+    fn frames_are_counted_by_what_ends_in_them() {
+        let times = [0.0, 1.0 / 240.0, 1.0 / 60.0, 1.0 / 60.0 + 1e-3, 0.1];
+        assert_eq!(times.map(frame_of), [0, 1, 1, 2, 6]);
     }
 
     #[test]

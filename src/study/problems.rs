@@ -3,7 +3,7 @@
 use serde::{Deserialize, Serialize};
 
 use super::error::StudyError;
-use crate::scene::{Scene, SceneError};
+use crate::scene::{BudgetKeys, Scene, SceneError};
 
 /// A scene with its truth.
 #[derive(Clone, Copy, Debug)]
@@ -70,12 +70,13 @@ impl TruthSample {
 }
 
 impl Problem {
-    /// The scene, in which nothing sleeps, read from its text.
+    /// The scene, in which nothing sleeps or is handed over, read from its text.
     ///
     /// Errors: the text is out of order, which a test excludes.
     pub fn scene(&self) -> Result<Scene, SceneError> {
         let mut scene = Scene::parse(self.scene, &format!("{}.scene.json", self.name))?;
         scene.method.sleep = Some(false);
+        scene.method.budget = Some(BudgetKeys::None);
         Ok(scene)
     }
 

@@ -1,6 +1,6 @@
 //! The setting that a scene's tolerance asks for.
 
-use crate::scene::{Scene, SceneError};
+use crate::scene::{BudgetKeys, Scene, SceneError};
 use crate::search::{Found, search};
 use crate::sim::Model;
 
@@ -22,5 +22,6 @@ pub fn tune(scene: &mut Scene, times: &[f64]) -> Result<Option<Found>, SceneErro
     scene.method.tolerance = None;
     // What was searched for was found without.
     scene.method.sleep = scene.method.sleep.or(Some(false));
+    scene.method.budget = Some(BudgetKeys::None);
     Ok(Some(found))
 }

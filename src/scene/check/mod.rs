@@ -9,7 +9,7 @@ mod surfaces;
 mod surroundings;
 
 use super::error::{Fault, Within};
-use super::keys::{BodyKeys, MassKeys, PointKeys, Scene, ViewKeys};
+use super::keys::{BodyKeys, BudgetKeys, MassKeys, PointKeys, Scene, ViewKeys};
 use crate::sim::MOST_ITERATIONS;
 use number::Range;
 
@@ -141,7 +141,8 @@ fn check_method(scene: &Scene) -> Result<(), Fault> {
         _ => {}
     }
     Range::Positive.maybe(method.tolerance).at("tolerance")?;
-    Range::Positive.maybe(method.max_strain).at("max_strain")
+    Range::Positive.maybe(method.max_strain).at("max_strain")?;
+    Range::Positive.maybe(method.budget.and_then(BudgetKeys::ms)).at("budget")
 }
 
 fn check_times(scene: &Scene) -> Result<(), Fault> {

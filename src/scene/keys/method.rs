@@ -1,5 +1,6 @@
 //! The keys of the method, and the names of all solvers.
 
+use super::budget::BudgetKeys;
 use super::macros::{names, object};
 use crate::sim;
 
@@ -92,6 +93,9 @@ object! {
             tolerance: f64,
             /// Largest strain [1], > 0.
             max_strain: f64,
+            /// Milliseconds of counted work a frame of 1/60 s, > 0, or "none": beyond, islands that auto moves are handed over to the
+            /// live step. 6 if not said, but under a tolerance.
+            budget: BudgetKeys,
             /// Whether what stays where it is falls asleep: true if not said, but under a tolerance.
             sleep: bool,
             /// Whether a ledger of the energy is kept: false if not said.

@@ -4,23 +4,41 @@ use std::sync::Arc;
 
 use crate::sim::bond::{Bond, PointId};
 use crate::sim::bonds::Bonds;
+use crate::sim::bulk::kernel::Kernel;
+use crate::sim::group::Group;
 use crate::sim::model::Model;
+use crate::sim::moved::Moved;
 use crate::sim::plan::{self, NOWHERE};
 use crate::sim::plan_part::PlanPart;
 use crate::sim::points::State;
 use crate::sim::real::Real;
-use crate::sim::vector::{convert, widen};
+use crate::sim::vector::{convert, length, sub, widen};
 use crate::sim::world::World;
 
 /// Points whose groups were taken out of a world, with their state.
-pub(super) struct Detached<S, const D: usize> {
+pub(crate) struct Detached<S, const D: usize> {
     /// By their numbers, ascending: all that can move of the groups, their pins, and what was named beside.
     pub(super) points: Vec<u32>,
     /// One entry a point.
     pub(super) state: State<S, D>,
     groups: Vec<usize>,
+    /// Who moved each of the groups, and which of these moved each of the points that were there.
+    pub(crate) moved: Vec<Moved>,
+    moved_of: Vec<u32>,
     /// When [s].
     time: f64,
+}
+
+/// Points compiled anew, not in a world yet.
+struct Remade<S: Real, const D: usize> {
+    plan: plan::Plan<S, D>,
+    /// The pins that they are fastened to among them.
+    points: Vec<u32>,
+    state: State<S, D>,
+    model: Model<D>,
+    bonds: (Bonds, Vec<u32>),
+    /// Rigid bonds could be held.
+    is_held: bool,
 }
 
 impl<S: Real, const D: usize> Detached<S, D> {
@@ -71,7 +89,7 @@ impl<S: Real, const D: usize> World<S, D> {
     }
 
     /// The same at a time `t` [s] within a step.
-    pub(super) fn detach_at(&mut self, touched: &[u32], is_all: bool, t: f64) -> Detached<S, D> {
+    pub(crate) fn detach_at(&mut self, touched: &[u32], is_all: bool, t: f64) -> Detached<S, D> {
         self.spread();
         // Bodies that may meet move together.
         let is_all = is_all || self.model.is_live();
@@ -94,7 +112,11 @@ impl<S: Real, const D: usize> World<S, D> {
         points.sort_unstable();
         points.dedup();
         let state = self.state_of(points.iter().map(|&i| i as usize));
-        Detached { points, state, groups, time: t }
+        let moved = groups.iter().map(|&group| self.plan.groups[group].moved).collect();
+        let number = |group: usize| groups.binary_search(&group).map_or(u32::MAX, |found| found as u32);
+        let of = |&point: &u32| self.slot(point as usize).map_or(u32::MAX, |[group, _]| number(group));
+        let moved_of = points.iter().map(of).collect();
+        Detached { points, state, groups, moved, moved_of, time: t }
     }
 
     /// Every point has a slot of its own, and every new one none.
@@ -108,29 +130,122 @@ impl<S: Real, const D: usize> World<S, D> {
 
     /// Compiles what was taken out, as model and bonds are now, and puts it in place of it. Returns the places of the groups.
     pub(super) fn attach(&mut self, detached: Detached<S, D>) -> Vec<usize> {
-        let Detached { mut points, state, groups, time: t } = detached;
+        self.topology += 1;
+        self.put_back(detached)
+    }
+
+    /// The same where nothing came, went or changed but who moves it.
+    pub(crate) fn put_back(&mut self, detached: Detached<S, D>) -> Vec<usize> {
+        let Detached { mut points, state, groups, moved, moved_of, time: t } = detached;
         for &group in &groups {
-            self.close_account(group);
-            self.plan.groups[group] = self.plan.groups[group].emptied();
-            self.plan.own[group].points = 0;
+            self.vacate(group);
         }
-        let mut state = self.keep_living(&mut points, state);
+        let mut movers = vec![u32::MAX; self.count()];
+        points.iter().zip(moved_of).for_each(|(&point, mover)| movers[point as usize] = mover);
+        let mover = |point: u32| moved.get(movers[point as usize] as usize).copied();
+        let state = self.keep_living(&mut points, state);
+        let has_live = self.model.budget().is_some() && moved.iter().any(Moved::is_handed_over);
+        let is_live = |point: u32| has_live && mover(point).is_some_and(|moved| moved.is_handed_over());
+        let mut made = self.remake((points, state), is_live, t);
+        if !made.is_held {
+            self.reconcile_part(&mut made, is_live, t);
+        }
+        let Remade { plan, points, .. } = made;
+        let places = self.put_in(plan, &points);
+        self.note_movers((&places, &points), mover, t);
+        self.hold_on();
+        self.gather();
+        places
+    }
+
+    /// The place of a group is free.
+    fn vacate(&mut self, group: usize) {
+        self.close_account(group);
+        self.plan.groups[group] = self.plan.groups[group].emptied();
+        self.plan.own[group].points = 0;
+    }
+
+    /// Compiles points in this state as model and bonds are now, and makes them ready at `t` [s].
+    fn remake(
+        &self,
+        (mut points, mut state): (Vec<u32>, State<S, D>),
+        is_live: impl Fn(u32) -> bool,
+        t: f64,
+    ) -> Remade<S, D> {
         let mut local = vec![u32::MAX; self.count()];
         points.iter().zip(0..).for_each(|(&point, place)| local[point as usize] = place);
         self.include_pins(&mut points, &mut state, &mut local);
         let model = self.part_of_model(&points, &local);
-        let (bonds, numbers) = self.bonds_among(&points, &local);
-        let mut plan = self.compile_part(&model, (&bonds, &numbers), &state);
+        let bonds = self.bonds_among(&points, &local);
+        let is_live: Vec<bool> = points.iter().map(|&point| is_live(point)).collect();
+        let mut plan = self.compile_part(&model, (&bonds.0, &bonds.1), &state, &is_live);
         let is_held = plan.groups.iter_mut().fold(true, |is_held, group| is_held & group.resume(&self.around, t));
-        if !is_held {
-            plan = self.reconcile_part(&model, (bonds, &numbers), &mut state);
-            plan.groups.iter_mut().for_each(|group| _ = group.resume(&self.around, t));
+        Remade { plan, points, state, model, bonds, is_held }
+    }
+
+    /// Notes who moves new groups: who moved their points before, or since `t` [s] their plan.
+    fn note_movers(&mut self, (places, points): (&[usize], &[u32]), mover: impl Fn(u32) -> Option<Moved>, t: f64) {
+        let mut known: Vec<Option<Moved>> = vec![None; places.len()];
+        for &point in points.iter().filter(|&&point| self.inverse_mass[point as usize] > 0.0) {
+            let Some([group, _]) = self.slot(point as usize) else { continue };
+            let (Some(at), Some(moved)) = (places.iter().position(|&place| place == group), mover(point)) else {
+                continue;
+            };
+            if known[at].is_none_or(|before| moved.is_handed_over() && !before.is_handed_over()) {
+                known[at] = Some(moved);
+            }
         }
-        let places = self.put_in(plan, &points);
+        for (&place, known) in places.iter().zip(known) {
+            let group = &mut self.plan.groups[place];
+            let is_live = matches!(group.kernel(), Some(Kernel::Live));
+            let fits = |moved: &Moved| moved.is_handed_over() == is_live || self.model.is_live();
+            group.moved = known.filter(fits).unwrap_or(Moved::by_plan(t));
+        }
+    }
+
+    /// An island that the live step moves for a while is moved by its own method again, if that takes it as it is: `may` is told how it
+    /// stands and how it would be put. Returns whether it was so.
+    pub(crate) fn put_back_exactly(
+        &mut self,
+        place: usize,
+        may: impl Fn(&Group<S, D>, &[Group<S, D>], f64) -> bool,
+    ) -> bool {
+        self.spread();
+        let t = self.timeline.time();
+        let points: Vec<u32> = self
+            .plan
+            .slots
+            .iter()
+            .zip(0..)
+            .filter(|([group, _], _)| *group as usize == place)
+            .map(|(_, i)| i)
+            .collect();
+        let state = self.state_of(points.iter().map(|&i| i as usize));
+        let made = self.remake((points, state), |_| false, t);
+        let way = self.furthest(&made);
+        let group = &self.plan.groups[place];
+        if !made.is_held || !may(group, &made.plan.groups, way) {
+            return false;
+        }
+        let moved = group.moved.handed_back(t);
+        self.touch(place);
+        self.vacate(place);
+        let places = self.put_in(made.plan, &made.points);
+        places.iter().for_each(|&place| self.plan.groups[place].moved = moved);
         self.hold_on();
         self.gather();
-        self.topology += 1;
-        places
+        true
+    }
+
+    /// How far points would be put from where they are [m].
+    fn furthest(&self, made: &Remade<S, D>) -> f64 {
+        let plan = &made.plan;
+        let place = |k: usize| {
+            let [group, slot] = if plan.is_plain { [0, k as u32] } else { plan.slots[k] };
+            plan.groups.get(group as usize).map(|group| widen(group.points.position[slot as usize]))
+        };
+        let way = |(k, &point): (usize, &u32)| place(k).map_or(0.0, |x| length(sub(x, self.place(point as usize))));
+        made.points.iter().enumerate().map(way).fold(0.0, f64::max)
     }
 
     /// Leaves out points that are gone.
@@ -251,19 +366,16 @@ impl<S: Real, const D: usize> World<S, D> {
         model: &Model<D>,
         (bonds, numbers): (&Bonds, &[u32]),
         state: &State<S, D>,
+        is_live: &[bool],
     ) -> plan::Plan<S, D> {
-        plan::compile((model, &self.obstacles, self.scene_points), (bonds, Some(numbers)), state)
+        plan::compile((model, &self.obstacles, self.scene_points), (bonds, Some(numbers)), state, is_live)
     }
 
     /// Lengths that contradict each other give way to those of the nearest shape.
-    fn reconcile_part(
-        &mut self,
-        model: &Model<D>,
-        (mut bonds, numbers): (Bonds, &[u32]),
-        state: &mut State<S, D>,
-    ) -> plan::Plan<S, D> {
+    fn reconcile_part(&mut self, made: &mut Remade<S, D>, is_live: impl Fn(u32) -> bool, t: f64) {
+        let Remade { plan, points, state, model, bonds: (bonds, numbers), .. } = made;
         let mut position: Vec<[f64; D]> = state.position.iter().map(|&x| widen(x)).collect();
-        let changed = plan::reconcile(&mut bonds, &mut position, &plan::inverse_masses(model));
+        let changed = plan::reconcile(bonds, &mut position, &plan::inverse_masses(model));
         let own = Arc::make_mut(&mut self.bonds);
         for &k in &changed {
             if let Some(place) = self.numbers.place_of_bond(numbers[k]) {
@@ -273,7 +385,9 @@ impl<S: Real, const D: usize> World<S, D> {
         let names: Vec<usize> = changed.iter().map(|&k| numbers[k] as usize).collect();
         self.warn_of_lengths(&names);
         state.position = position.into_iter().map(convert).collect();
-        self.compile_part(model, (&bonds, numbers), state)
+        let is_live: Vec<bool> = points.iter().map(|&point| is_live(point)).collect();
+        *plan = self.compile_part(model, (bonds, numbers), state, &is_live);
+        plan.groups.iter_mut().for_each(|group| _ = group.resume(&self.around, t));
     }
 
     /// New groups take the places of those that are empty. Returns which.

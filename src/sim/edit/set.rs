@@ -13,6 +13,7 @@ use crate::sim::contact::skin::SkinMaterial;
 use crate::sim::force::mouse::{MouseForce, Profile, Region, Track};
 use crate::sim::force::wind::Wind;
 use crate::sim::model::{Method, Model};
+use crate::sim::moved::Moved;
 use crate::sim::real::Real;
 use crate::sim::vector::{convert, truncate, zero};
 use crate::sim::world::World;
@@ -175,6 +176,10 @@ impl<S: Real, const D: usize> World<S, D> {
         }
         let obstacles = Self::obstacles_of(&model)?;
         let mut detached = self.detach(&[], true);
+        if model.method != self.model.method || model.is_live() != self.model.is_live() {
+            // What was handed over is so no more.
+            detached.moved.fill(Moved::by_plan(self.timeline.time()));
+        }
         self.around.gravity = model.gravity;
         if model.bounds != self.model.bounds {
             let fresh = Model { bounds: model.bounds, ..Model::default() };

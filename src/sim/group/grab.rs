@@ -17,7 +17,7 @@ use super::engine::Engine;
 use crate::sim::environment::Environment;
 use crate::sim::points::Points;
 use crate::sim::real::Real;
-use crate::sim::vector::{add, convert, length, scale, sub, widen, zero};
+use crate::sim::vector::{add, convert, dot, length, scale, sub, widen, zero};
 
 /// The grab's frequency w [rad/s]: it follows the hand within a tenth of a second.
 const FREQUENCY: f64 = 20.0;
@@ -93,6 +93,20 @@ impl<S: Real, const D: usize> Group<S, D> {
             self.engine.refresh();
         }
         self.grabbed = Some(grabbed);
+    }
+
+    /// The middle of what is held, where somebody watches the energy [m].
+    pub(crate) fn middle_held(&self) -> Option<[f64; D]> {
+        self.grabbed.as_ref().filter(|_| self.watch.is_some()).map(|grabbed| grabbed.middle(&self.points).0)
+    }
+
+    /// What is held came from there [m].
+    pub(crate) fn note_held(&mut self, from: Option<[f64; D]>) {
+        if let (Some(from), Some(grabbed)) = (from, &self.grabbed) {
+            let (to, _, mass) = grabbed.middle(&self.points);
+            let work = mass * dot(grabbed.acceleration, sub(to, from));
+            self.watch_grab(work);
+        }
     }
 
     /// Nothing is grabbed any more: what was keeps its velocity.

@@ -7,6 +7,7 @@ pub(crate) mod grab;
 pub(crate) mod guard;
 mod impact;
 pub(crate) mod sleep;
+pub(crate) mod watch;
 
 use super::account::Account;
 use super::bulk::kernel::Kernel;
@@ -17,6 +18,7 @@ use super::environment::Environment;
 use super::force::mouse::{self, Inside, Track};
 use super::force::spring::Springs;
 use super::integrate::implicit::USUAL_ROUNDS;
+use super::moved::Moved;
 use super::points::{Points, State};
 use super::pull::Pull;
 use super::real::Real;
@@ -27,6 +29,7 @@ use events::edge::Edges;
 use grab::Grabbed;
 use guard::Guard;
 use sleep::Sleep;
+use watch::Watch;
 
 /// Times that a substep is halved before it goes to a more robust method.
 const MOST_SPLITS: u32 = 5;
@@ -76,6 +79,14 @@ pub(crate) struct Group<S: Real, const D: usize> {
     pub(crate) work: Work,
     /// Counted work at which the substep under way is not taken back any more.
     pub(crate) patience: u64,
+    /// Counted work at which the step under way is given up, as it may be where the group can be handed over.
+    pub(crate) limit: u64,
+    /// When the step under way was given up [s].
+    pub(crate) gave_up: Option<f64>,
+    /// Who moves it.
+    pub(crate) moved: Moved,
+    /// Where it may be handed over, or was.
+    pub(crate) watch: Option<Box<Watch<S, D>>>,
     /// Where a ledger is kept.
     pub(crate) account: Option<Box<Account>>,
 }
@@ -164,6 +175,9 @@ impl<S: Real, const D: usize> Group<S, D> {
         let most_events = 64 + 4 * self.points.len() as u32;
         while done < h {
             let (now, left) = (t + done, h - done);
+            if self.gives_up(now, counters) {
+                return;
+            }
             self.points.save(&mut self.before);
             self.pull.contacts.set_out(&self.before.velocity);
             let is_fine = self.take(around, (now, left), counters);
@@ -177,7 +191,7 @@ impl<S: Real, const D: usize> Group<S, D> {
                 if depth < MOST_SPLITS && self.is_patient(counters) {
                     counters.guard_splits += 1;
                     self.attempt(around, (now, 0.5 * left), depth + 1, counters);
-                    if self.edges.broken.is_some() {
+                    if self.edges.broken.is_some() || self.gave_up.is_some() {
                         return;
                     }
                     return self.attempt(around, (now + 0.5 * left, 0.5 * left), depth + 1, counters);
@@ -195,6 +209,14 @@ impl<S: Real, const D: usize> Group<S, D> {
                 return;
             }
         }
+    }
+
+    /// Whether the step under way is given up at `now` [s], for it costs too much: what is left of it is somebody else's.
+    pub(crate) fn gives_up(&mut self, now: f64, counters: &Counters) -> bool {
+        if counters.work.saturating_add(self.work.step) > self.limit {
+            self.gave_up = Some(now);
+        }
+        self.gave_up.is_some()
     }
 
     /// Whether parts of the substep under way may still be taken back.
@@ -333,6 +355,10 @@ impl<S: Real, const D: usize> Group<S, D> {
             grabbed: None,
             work: Work::default(),
             patience: 0,
+            limit: u64::MAX,
+            gave_up: None,
+            moved: Moved::default(),
+            watch: None,
             account: None,
         }
     }
@@ -355,7 +381,8 @@ impl<S: Real, const D: usize> Group<S, D> {
             Engine::Bulk(bulk) => bulk.heap_bytes(),
             _ => OF_A_SMALL_POINT * self.points.len(),
         };
-        size_of::<Self>() + self.points.heap_bytes() + state + self.guard.heap_bytes() + solver
+        let watch = self.watch.as_ref().map_or(0, |watch| watch.heap_bytes());
+        size_of::<Self>() + watch + self.points.heap_bytes() + state + self.guard.heap_bytes() + solver
     }
 
     /// Velocities of large bodies are half a substep behind: brings them to the time of the positions, as the mean of those

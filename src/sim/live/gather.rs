@@ -16,6 +16,12 @@ const WAY: f64 = 0.5;
 /// Substeps of a frame: one of these numbers.
 const SUBSTEPS: [u32; 4] = [16, 32, 64, 128];
 
+/// Substeps of a frame at a speed [m/s], with skins whose edges have this mean length [m].
+pub(super) fn substeps_at(speed: f64, edge: f64) -> u32 {
+    let wanted = speed / super::FRAMES / (WAY * if edge > 0.0 { edge } else { 0.1 });
+    SUBSTEPS.into_iter().find(|&count| f64::from(count) >= wanted).unwrap_or(SUBSTEPS[3])
+}
+
 /// What a body may reach within a step.
 struct Reach<S> {
     body: usize,

@@ -21,6 +21,7 @@ use crate::sim::group::guard::Guard;
 use crate::sim::group::sleep::Sleep;
 use crate::sim::group::{Breakable, Group, Work};
 use crate::sim::kernels::rows::Kinds;
+use crate::sim::moved::Moved;
 use crate::sim::plan::island::Island;
 use crate::sim::points::{Points, State};
 use crate::sim::pull::Pull;
@@ -106,6 +107,10 @@ impl<S: Real, const D: usize> Maker<'_, S, D> {
             grabbed: None,
             work: Work::default(),
             patience: 0,
+            limit: u64::MAX,
+            gave_up: None,
+            moved: Moved::default(),
+            watch: self.watch(),
             account: self.account(),
             pull,
             engine: Engine::Bulk(mover),

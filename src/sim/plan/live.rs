@@ -58,7 +58,7 @@ impl<S: Real, const D: usize> Maker<'_, S, D> {
     }
 
     /// The triangles of the group, without those that welds leave no area.
-    fn triangles(&self) -> Vec<[u32; 3]> {
+    pub(super) fn triangles(&self) -> Vec<[u32; 3]> {
         let slot = |corner: u32| self.place[self.gathered.stand_ins[corner as usize] as usize];
         let slots = self.model.triangles.iter().map(|corners| corners.map(|corner| slot(corner.0)));
         slots.filter(|&[a, b, c]| a.max(b).max(c) != u32::MAX && a != b && b != c && c != a).collect()
@@ -119,7 +119,7 @@ mod tests {
             velocity_lost: vec![[0.0; 2]; w.len()],
         };
         let gathered = Gathered::new(&model, (&model.bonds, None), &w, &weld::merge(&model.bonds, &w), &state);
-        let lots = lot::lots(&model, (false, w.len()), island::islands(&gathered.bonds, &gathered.w));
+        let lots = lot::lots(&model, (false, w.len()), island::islands(&gathered.bonds, &gathered.w), &[]);
         let [lot] = &lots[..] else { unreachable!("all islands go together") };
         // As the plan has them: the one of two that are welded whose number is higher is no point of its own.
         let points = [0, 1, 2, 3, 4, 5, 6, 8];

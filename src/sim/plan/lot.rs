@@ -27,11 +27,13 @@ pub(super) struct Lot {
 /// A method that was asked for by name moves all islands at the substep of the fastest; large bodies apart from what is
 /// none, and from those that follow another strain. Where bodies may meet, all islands go together.
 ///
-/// `scene_points` is how many points the scene had when the world began: what is added elsewhere later changes no choice.
+/// `scene_points` is how many points the scene had when the world began: what is added elsewhere later changes no choice. Islands with
+/// points that `is_live` names are moved by the live step, each for itself: nobody else's bits change.
 pub(super) fn lots<const D: usize>(
     model: &Model<D>,
     (has_surfaces, scene_points): (bool, usize),
     islands: Vec<Island>,
+    is_live: &[bool],
 ) -> Vec<Lot> {
     if model.is_live() {
         return vec![live(model.method, islands)];
@@ -43,6 +45,8 @@ pub(super) fn lots<const D: usize>(
         gusts: gust_rate(model),
         points: scene_points,
     };
+    let is_forced = |island: &Island| island.points.iter().any(|&i| is_live.get(i as usize) == Some(&true));
+    let (forced, islands): (Vec<Island>, Vec<Island>) = islands.into_iter().partition(is_forced);
     let mut classes: Vec<(Choice, Vec<Island>)> = Vec::new();
     for island in islands {
         let choice = choice::choose(&island, &model.method, setting);
@@ -59,20 +63,27 @@ pub(super) fn lots<const D: usize>(
             None => classes.push((choice, vec![island])),
         }
     }
-    if classes.is_empty() {
+    if classes.is_empty() && forced.is_empty() {
         classes.push((choice::choose(&Island::default(), &model.method, setting), Vec::new()));
     }
     // A shuffled order is one of all bonds.
     let is_divided = !matches!(model.method.order, Order::Shuffled);
+    if !forced.is_empty() {
+        classes.push((live_choice(model.method), forced));
+    }
     let classes = classes.into_iter().enumerate();
     classes.flat_map(|(class, (choice, islands))| divide(class, choice, islands, is_divided)).collect()
 }
 
 /// All islands together: they may meet.
 fn live(method: Method, islands: Vec<Island>) -> Lot {
-    let substep = method.substep.map_or(FRAME, |given| given.min(FRAME));
-    let choice = Choice { solver: Solver::Live, substep, is_direct: false, bulk: None };
+    let choice = live_choice(method);
     Lot { choice, points: islands.iter().map(|island| island.points.len()).sum(), islands, class: 0 }
+}
+
+fn live_choice(method: Method) -> Choice {
+    let substep = method.substep.map_or(FRAME, |given| given.min(FRAME));
+    Choice { solver: Solver::Live, substep, is_direct: false, bulk: None }
 }
 
 /// The groups of a class: bodies one by one, but for crowds and loose points, so that what happens to one leaves the others as they are.

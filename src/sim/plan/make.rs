@@ -1,6 +1,7 @@
 //! One group: its points, what acts on them, and what watches over them.
 
 use super::gather::Gathered;
+use super::island::Island;
 use super::lot::Lot;
 use crate::sim::account::Account;
 use crate::sim::bond::{Bond, BondKind, PointId};
@@ -12,8 +13,10 @@ use crate::sim::force::spring::Springs;
 use crate::sim::group::events::edge::Edges;
 use crate::sim::group::guard::{Guard, Watched};
 use crate::sim::group::sleep::Sleep;
+use crate::sim::group::watch::Watch;
 use crate::sim::group::{Breakable, Group, Work};
 use crate::sim::model::Model;
+use crate::sim::moved::Moved;
 use crate::sim::points::{Points, State};
 use crate::sim::pull::Pull;
 use crate::sim::real::Real;
@@ -25,6 +28,9 @@ pub(super) const MOST_LOCATED: usize = 1_000;
 
 /// The same of points without rigid bonds among the walls of polygons, which are met and left all the time, by each for itself.
 const MOST_AMONG_WALLS: usize = 40;
+
+/// Most bonds of a group that is handed over to the live step: a frame of more would take it too long.
+const MOST_HANDED_OVER: usize = 100_000;
 
 /// Makes one group.
 pub(super) struct Maker<'a, S, const D: usize> {
@@ -94,6 +100,10 @@ impl<S: Real, const D: usize> Maker<'_, S, D> {
             grabbed: None,
             work: Work::default(),
             patience: 0,
+            limit: u64::MAX,
+            gave_up: None,
+            moved: Moved::default(),
+            watch: self.watch(),
             account: self.account(),
             points,
             pull,
@@ -118,6 +128,26 @@ impl<S: Real, const D: usize> Maker<'_, S, D> {
     pub(super) fn account(&self) -> Option<Box<Account>> {
         let bonds: Vec<Bond> = self.model.method.ledger.then(|| self.bonds().map(|(_, bond)| bond).collect())?;
         Some(Box::new(Account::new(bonds.iter(), &self.tracks())))
+    }
+
+    /// What is watched of the group, where it may be handed over to the live step.
+    pub(super) fn watch(&self) -> Option<Box<Watch<S, D>>> {
+        self.model.budget()?;
+        let bonds: Vec<Bond> = self.bonds().map(|(_, bond)| bond).collect();
+        let islands = &self.lot.islands;
+        let count = |of: fn(&Island) -> usize| islands.iter().map(of).sum::<usize>();
+        let (points, rigid) = (count(|island| island.points.len()), count(|island| island.rigid));
+        // What is swept is defined by its sweeps, and nothing is so large that a frame of the live step would be long.
+        let may_go = count(|island| island.relaxed) == 0 && bonds.len() <= MOST_HANDED_OVER && points > 0;
+        let surfaces = &self.obstacles.surfaces;
+        let tracks = self.tracks();
+        let has_eyes = rigid > 0 || !surfaces.is_empty() || self.model.mouse.is_some() || !tracks.is_empty();
+        // What forces and wind bring is known to a ledger alone.
+        let gives = surfaces.iter().any(|surface| surface.restitution > S::ONE)
+            || self.model.has_fields()
+            || self.model.wind.is_some();
+        let size = [points, if may_go { self.triangles().len() } else { 0 }];
+        Some(Box::new(Watch::new(&bonds, size, may_go, (has_eyes && may_go, !gives))))
     }
 
     pub(super) fn state(&self, w: &[f64]) -> Points<S, D> {

@@ -96,11 +96,13 @@ impl PlanPart {
 
 /// Compiles the plan of a model whose bonds (those that are left, with their numbers in the world) and state are these.
 ///
-/// Shapes: `state` has one entry a point of the model, `numbers` one a bond; `None`: a bond has its own place for a number.
+/// Shapes: `state` has one entry a point of the model, `numbers` one a bond; `None`: a bond has its own place for a number. `is_live`
+/// says of every point whether the live step has to move its island, whatever the rules say; empty: of none.
 pub(crate) fn compile<S: Real, const D: usize>(
     (model, obstacles, scene_points): (&Model<D>, &Obstacles<S, D>, usize),
     (bonds, numbers): (&Bonds, Option<&[u32]>),
     state: &State<S, D>,
+    is_live: &[bool],
 ) -> Plan<S, D> {
     let w = inverse_masses(model);
     let stand_ins = match model.method.solver {
@@ -111,7 +113,7 @@ pub(crate) fn compile<S: Real, const D: usize>(
     let pairs = gathered.drives.pairs(model);
     let mut islands = island::islands_joined(&gathered.bonds, &gathered.w, &pairs);
     gathered.drives.mark(&mut islands);
-    gathered.plan((model, obstacles), lot::lots(model, (!obstacles.is_empty(), scene_points), islands))
+    gathered.plan((model, obstacles), lot::lots(model, (!obstacles.is_empty(), scene_points), islands, is_live))
 }
 
 /// Whether a body of so many rigid bonds is solved for directly, which keeps their lengths to rounding.

@@ -14,6 +14,7 @@ use crate::sim::force::steady::Force;
 use crate::sim::group::Group;
 use crate::sim::measure;
 use crate::sim::model::Model;
+use crate::sim::moved::MovedBy;
 use crate::sim::plan_part::PlanPart;
 use crate::sim::points::Points;
 use crate::sim::real::{Positions, Precision, Real};
@@ -55,6 +56,7 @@ impl<S: Real, const D: usize> Dynamics for World<S, D> {
     fn step(&mut self) {
         self.finish_step();
         self.rest();
+        self.watch_over();
     }
 
     fn step_until(&mut self, time: f64) {
@@ -193,6 +195,10 @@ impl<S: Real, const D: usize> Dynamics for World<S, D> {
 
     fn parts(&self) -> &[PlanPart] {
         &self.plan.parts
+    }
+
+    fn moved_by(&self) -> Vec<MovedBy> {
+        self.movers()
     }
 
     fn warnings(&self) -> &[String] {

@@ -6,6 +6,7 @@
 mod account;
 mod face;
 mod kept;
+mod moved;
 pub(crate) mod saved;
 mod start;
 mod state;
@@ -49,6 +50,8 @@ pub struct World<S: Real, const D: usize> {
     pub(crate) topology: u64,
     /// Groups as they were before the step under way was cut, but for those that commands touched since.
     pub(crate) kept: Vec<Kept<S, D>>,
+    /// Something was handed over since the timeline was looked at.
+    pub(crate) was_handed_over: bool,
     /// The points that are grabbed; the groups that they are in lead them.
     pub(crate) grabbed: Vec<PointId>,
     /// Energy that came and went, where a ledger is kept.

@@ -65,6 +65,7 @@ impl<S: Real, const D: usize> World<S, D> {
             cursor: self.around.cursor.map(|path| path.parts()),
             grabbed: self.grabbed.clone(),
             lead: self.around.lead.map(|lead| [lead.point, lead.normal]),
+            handed_over: self.handed_over(),
         }
     }
 
@@ -85,7 +86,10 @@ impl<S: Real, const D: usize> World<S, D> {
         let mut without_gone = model.clone();
         without_gone.pinned.extend(&saved.gone);
         let numbers = saved.bond_numbers.as_deref();
-        let plan = plan::compile((&without_gone, &obstacles, saved.scene_points), (&model.bonds, numbers), &state);
+        let mut is_live = vec![false; if saved.handed_over.is_empty() { 0 } else { state.position.len() }];
+        saved.handed_over.iter().for_each(|handed| is_live[handed.first.index()] = true);
+        let plan =
+            plan::compile((&without_gone, &obstacles, saved.scene_points), (&model.bonds, numbers), &state, &is_live);
         let mut inverse_mass = plan::inverse_masses(&without_gone);
         saved.gone.iter().for_each(|point| inverse_mass[point.index()] = 0.0);
         let cursor = saved.cursor.map(CursorPath::of);
@@ -112,11 +116,13 @@ impl<S: Real, const D: usize> World<S, D> {
             warnings: Vec::new(),
             topology: 0,
             kept: Vec::new(),
+            was_handed_over: false,
             grabbed: saved.grabbed.clone(),
             ledger: None,
             model: Arc::new(model.bare()),
         };
         world.spread_gone();
+        world.note_handed_over(&saved.handed_over);
         for group in &mut world.plan.groups {
             group.resume(&world.around, saved.time);
         }

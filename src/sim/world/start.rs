@@ -43,7 +43,7 @@ impl<S: Real, const D: usize> World<S, D> {
         for (points, way) in &cleared.moves {
             points.iter().for_each(|&i| state.position[i as usize] = convert(add(model.position[i as usize], *way)));
         }
-        let plan = plan::compile((model, &obstacles, count), (&model.bonds, None), &state);
+        let plan = plan::compile((model, &obstacles, count), (&model.bonds, None), &state, &[]);
         let mut world = World {
             timeline: Timeline::new(plan.substep, model.knots()),
             around: Environment { gravity: model.gravity, mouse: model.mouse.clone(), cursor: None, lead: None },
@@ -58,6 +58,7 @@ impl<S: Real, const D: usize> World<S, D> {
             warnings: Vec::new(),
             topology: 0,
             kept: Vec::new(),
+            was_handed_over: false,
             grabbed: Vec::new(),
             ledger: None,
             model: Arc::new(model.bare()),
@@ -89,7 +90,7 @@ impl<S: Real, const D: usize> World<S, D> {
         let changed = plan::reconcile(Arc::make_mut(&mut self.bonds), &mut position, &self.inverse_mass);
         self.warn_of_lengths(&changed);
         let state = State { position: position.into_iter().map(convert).collect(), ..state.clone() };
-        self.plan = plan::compile((&self.model, &self.obstacles, self.scene_points), (&self.bonds, None), &state);
+        self.plan = plan::compile((&self.model, &self.obstacles, self.scene_points), (&self.bonds, None), &state, &[]);
         for group in &mut self.plan.groups {
             group.begin(&self.around, 0.0);
         }

@@ -66,10 +66,10 @@ fn faults(report: &StabilityReport, text: &mut String) {
 }
 
 fn groups(report: &StabilityReport, text: &mut String) {
-    line!(text, "\n## By family, by path and by cause\n");
+    line!(text, "\n## By family, by path, by what moved them and by cause\n");
     line!(
         text,
-        "Rate: stepping time a simulated second; slow frame: of a hundred frames the second slowest, in the median over scenes.\n"
+        "Moved: whether the live step took over, and why. Rate: stepping time a simulated second; slow frame: of a hundred frames the second slowest, in the median over scenes.\n"
     );
     line!(
         text,

@@ -157,6 +157,7 @@ fn cases(judged: &[Judged], to: &mut dyn Write) -> std::io::Result<()> {
         "family",
         "causes",
         "path",
+        "moved",
         "points",
         "bonds",
         "ended",
@@ -182,6 +183,8 @@ fn cases(judged: &[Judged], to: &mut dyn Write) -> std::io::Result<()> {
         "guard_splits",
         "fallbacks",
         "bonds_torn",
+        "hand_overs",
+        "returns",
         "seconds",
         "rate",
         "frames",
@@ -192,7 +195,7 @@ fn cases(judged: &[Judged], to: &mut dyn Write) -> std::io::Result<()> {
     ])?;
     for Judged { name, family, causes, found, timing, .. } in judged {
         let causes: Vec<&str> = causes.iter().map(|cause| cause.name()).collect();
-        for text in [name, family, &causes.join(", "), &found.path] {
+        for text in [name, family, &causes.join(", "), &found.path, &found.moved] {
             table.write_field(text)?;
         }
         table.write_field(found.points.to_string())?;
@@ -219,6 +222,8 @@ fn cases(judged: &[Judged], to: &mut dyn Write) -> std::io::Result<()> {
             c.guard_splits,
             c.fallbacks,
             c.bonds_torn,
+            c.hand_overs,
+            c.returns,
         ];
         for count in counts {
             table.write_field(count.to_string())?;

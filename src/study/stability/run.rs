@@ -51,8 +51,10 @@ pub struct Findings {
     pub points: usize,
     /// Its bonds.
     pub bonds: usize,
-    /// What moved it: the solvers of its parts.
+    /// What moved it: the solvers of its parts at the start.
     pub path: String,
+    /// What of it was handed over to the live step, and why: `exact` where nothing was.
+    pub moved: String,
     /// Energy that came from nowhere, as a share of the largest kinetic energy so far [1]; `None` where its ledger cannot tell.
     pub gain: Option<f64>,
     /// The same of what went without a reason within 10 s.
@@ -103,13 +105,28 @@ pub struct Counted {
     pub fallbacks: u64,
     /// Bonds that broke.
     pub bonds_torn: u64,
+    /// Groups of islands that were handed over to the live step.
+    pub hand_overs: u64,
+    /// Those that went back.
+    pub returns: u64,
 }
 
 impl From<&Counters> for Counted {
     fn from(counters: &Counters) -> Self {
         let &Counters { substeps, bonds_solved, points_moved, iterations, .. } = counters;
-        let &Counters { events, guard_splits, fallbacks, bonds_torn, .. } = counters;
-        Counted { substeps, bonds_solved, points_moved, iterations, events, guard_splits, fallbacks, bonds_torn }
+        let &Counters { events, guard_splits, fallbacks, bonds_torn, hand_overs, returns, .. } = counters;
+        Counted {
+            substeps,
+            bonds_solved,
+            points_moved,
+            iterations,
+            events,
+            guard_splits,
+            fallbacks,
+            bonds_torn,
+            hand_overs,
+            returns,
+        }
     }
 }
 
@@ -122,6 +139,25 @@ pub struct Timing {
     pub rate: f64,
     /// Of frames.
     pub frames: RecordedFrames,
+}
+
+/// Why the live step moved something, in any frame.
+#[derive(Clone, Debug, Default)]
+struct Movers(BTreeSet<&'static str>);
+
+impl Movers {
+    fn look(&mut self, world: &dyn Dynamics) {
+        // Who is moved by whom changes seldom: where nothing was handed over, nothing is asked.
+        if world.counters().hand_overs > 0 || world.contact().is_some() {
+            let live = world.moved_by().into_iter().filter(|moved| moved.method == Solver::Live);
+            self.0.extend(live.map(|moved| moved.why.name()));
+        }
+    }
+
+    fn name(&self) -> String {
+        let causes: Vec<&str> = self.0.iter().copied().collect();
+        if causes.is_empty() { "exact".to_owned() } else { format!("live: {}", causes.join(", ")) }
+    }
 }
 
 /// Runs a subject, with the ledger that energy is judged by, or without, which takes less time.
@@ -145,6 +181,7 @@ fn refused(reason: String) -> (Findings, Timing) {
         points: 0,
         bonds: 0,
         path: String::new(),
+        moved: String::new(),
         gain: None,
         loss: None,
         strain: 0.0,
@@ -180,7 +217,8 @@ struct Drive<'a> {
     start: Vec<[f64; 3]>,
     strain: f64,
     depth: f64,
-    moved: f64,
+    way: f64,
+    moved: Movers,
 }
 
 impl<'a> Drive<'a> {
@@ -189,10 +227,26 @@ impl<'a> Drive<'a> {
         let ledger = sample.ledger.into_iter().collect();
         let (steps, surfaces) = (Vec::new(), Surfaces::default());
         let (place, refused) = (0, 0);
-        let (strain, depth, moved) = (0.0, 0.0, 0.0);
+        let (strain, depth, way) = (0.0, 0.0, 0.0);
+        let moved = Movers::default();
         let friction = Friction::of(&subject.recording.scene);
         let start = sample.position;
-        Drive { subject, replay, place, refused, steps, ledger, friction, shape, surfaces, start, strain, depth, moved }
+        Drive {
+            subject,
+            replay,
+            place,
+            refused,
+            steps,
+            ledger,
+            friction,
+            shape,
+            surfaces,
+            start,
+            strain,
+            depth,
+            way,
+            moved,
+        }
     }
 
     fn finish(mut self, bounds: Bounds) -> (Findings, Timing) {
@@ -257,7 +311,8 @@ impl<'a> Drive<'a> {
         }
         self.strain = self.strain.max(rigid_strain(world, &sample));
         self.depth = self.depth.max(self.surfaces.depth(world, &sample.position));
-        self.moved = self.moved.max(furthest(&self.start, &sample.position));
+        self.way = self.way.max(furthest(&self.start, &sample.position));
+        self.moved.look(world);
         self.ledger.extend(sample.ledger);
         self.friction.look(world, &sample);
         true
@@ -278,6 +333,7 @@ impl<'a> Drive<'a> {
             points,
             bonds,
             path,
+            moved: self.moved.name(),
             gain: is_told.then_some(energy.gain),
             loss: is_told.then_some(energy.loss),
             strain: self.strain,
@@ -288,7 +344,7 @@ impl<'a> Drive<'a> {
             speed: speed(&sample),
             unrest: match self.subject.rest {
                 Rest::Free => None,
-                Rest::Stays => Some(self.moved),
+                Rest::Stays => Some(self.way),
                 Rest::Comes => Some(speed(&sample)),
             },
             work_rate: 1e-3 * world.counters().work_ms() * each,

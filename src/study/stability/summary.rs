@@ -11,7 +11,7 @@ use super::subject::Cause;
 /// Cases that have something in common.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Group {
-    /// `all`, `family`, `path` or `cause`.
+    /// `all`, `family`, `path`, `moved` or `cause`.
     pub by: &'static str,
     /// What they have in common.
     pub name: String,
@@ -60,7 +60,7 @@ pub struct FaultRow {
     pub measured: f64,
 }
 
-/// All, then by family, path and cause; cases that were refused stand in none.
+/// All, then by family, path, what moved them and cause; cases that were refused stand in none.
 pub(super) fn groups(judged: &[Judged]) -> Vec<Group> {
     let run: Vec<&Judged> = judged.iter().filter(|one| !matches!(one.found.ended, Ended::Refused(_))).collect();
     let mut groups = Vec::new();
@@ -68,7 +68,7 @@ pub(super) fn groups(judged: &[Judged]) -> Vec<Group> {
         return groups;
     }
     groups.push(group("all", "all".to_owned(), &run));
-    for (by, key) in [("family", family as fn(&Judged) -> String), ("path", path)] {
+    for (by, key) in [("family", family as fn(&Judged) -> String), ("path", path), ("moved", moved)] {
         let mut names: Vec<String> = run.iter().map(|one| key(one)).collect();
         names.sort();
         names.dedup();
@@ -92,6 +92,10 @@ fn family(one: &Judged) -> String {
 
 fn path(one: &Judged) -> String {
     one.found.path.clone()
+}
+
+fn moved(one: &Judged) -> String {
+    one.found.moved.clone()
 }
 
 fn group(by: &'static str, name: String, own: &[&Judged]) -> Group {

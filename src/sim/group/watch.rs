@@ -1,0 +1,409 @@
+//! What is watched of a group that may be handed over to the live step, or was: what its frames cost, and whether its own method
+//! keeps energy, holds bonds and stays among the numbers.
+//!
+//! Looks read and change nothing. They are taken at the ends of frames, as often as their cost is a small share of what the group's
+//! own steps cost, and only of groups that something may go wrong with: where there are walls, a mouse, led pins or rigid bonds.
+
+use std::sync::Arc;
+
+use super::Group;
+use super::engine::Engine;
+use crate::sim::bond::{Bond, BondKind, Limit};
+use crate::sim::counters::Counters;
+use crate::sim::environment::Environment;
+use crate::sim::force::mouse::{self, Push};
+use crate::sim::ledger::{Book, MOST_GAIN};
+use crate::sim::points::{Points, State};
+use crate::sim::real::Real;
+use crate::sim::timeline::frame_of;
+use crate::sim::vector::{add, dot, length, scale, sub, widen, zero};
+
+/// Share of the largest energy from which on a gain is not taken out of velocities any more: the group goes back to before it.
+const LARGE_GAIN: f64 = 0.1;
+/// Strain that no rigid bond may have [1].
+const MOST_STRAIN: f64 = 0.1;
+/// Substeps between two looks that may go to a more robust method.
+const MOST_FALLBACKS: u64 = 8;
+/// Looks in a row that a large body has to fail at: its velocities are means over substeps, and its strain swings.
+const DOUBTED: u32 = 3;
+/// Share of what a group's steps cost that looks at it may cost, inverse.
+const COST_SHARE: u64 = 100;
+/// Most frames between two looks.
+const MOST_FRAMES: u64 = 8;
+/// Operations of a look for each bond and each point.
+const OF_A_LOOK: u64 = 10;
+
+/// What went wrong.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) enum Alarm {
+    /// Energy came from nowhere [J].
+    Gain { excess: f64, is_large: bool },
+    /// Rigid bonds do not hold.
+    Strain,
+    /// Substeps do not converge.
+    Stuck,
+    /// Positions or velocities are no numbers.
+    NotFinite,
+}
+
+/// What is watched of a group.
+#[derive(Clone, Debug)]
+pub(crate) struct Watch<S, const D: usize> {
+    /// Points that can move, bonds and triangles.
+    pub(crate) size: [usize; 3],
+    /// Mean rest length of its bonds [m]; 0 without any.
+    pub(crate) edge: f64,
+    /// Whether it may be handed over at all.
+    pub(crate) may_go: bool,
+    /// The frame in which it stepped last.
+    frame: u64,
+    /// Counted work of its steps that ended in that.
+    spent: u64,
+    /// `None`: nothing can go wrong.
+    eyes: Option<Eyes<S, D>>,
+}
+
+/// What is looked at.
+#[derive(Clone, Debug)]
+struct Eyes<S, const D: usize> {
+    /// Springs, and rigid bonds with an infinite stiffness, between places in the group.
+    links: Arc<[Link]>,
+    /// Energy is kept, but for what is known to come and go.
+    keeps_energy: bool,
+    /// Energy at the first look, less works until then; `None`: there was none yet [J].
+    start: Option<f64>,
+    /// What mouse and grab did since then, and by how much that may be off [J].
+    work: f64,
+    doubt: f64,
+    /// The largest kinetic and elastic energy so far [J].
+    most: f64,
+    /// Pins were led since the last look: nobody knows what they did.
+    is_led: bool,
+    /// Looks in a row that were bad.
+    bad: u32,
+    /// Counted work and fallbacks since the last look, and its frame.
+    since: u64,
+    fallbacks: u64,
+    looked: u64,
+    /// The state at the last look that was good.
+    anchor: Option<Anchor<S, D>>,
+    /// Positions at the start of the step under way, where the mouse is in reach.
+    from: Vec<[S; D]>,
+}
+
+/// A state that a group can go back to.
+#[derive(Clone, Debug)]
+pub(crate) struct Anchor<S, const D: usize> {
+    /// When [s].
+    pub(crate) time: f64,
+    state: State<S, D>,
+    book: Option<Book>,
+}
+
+/// A bond that energy or strain is looked at of.
+#[derive(Clone, Copy, Debug)]
+struct Link {
+    a: u32,
+    b: u32,
+    rest: f64,
+    /// [N/m]; infinite: rigid.
+    stiffness: f64,
+    limit: Limit,
+}
+
+/// Kinetic, elastic and gravity's energy [J].
+#[derive(Clone, Copy, Debug, Default)]
+struct Sums {
+    kinetic: f64,
+    elastic: f64,
+    gravity: f64,
+    /// The largest strain of a rigid bond [1].
+    strain: f64,
+}
+
+impl<S: Real, const D: usize> Watch<S, D> {
+    /// Of a group with these bonds; `has_eyes` where something may go wrong, `keeps_energy` where nothing but mouse and grab brings any.
+    pub(crate) fn new(
+        bonds: &[Bond],
+        [points, triangles]: [usize; 2],
+        may_go: bool,
+        (has_eyes, keeps_energy): (bool, bool),
+    ) -> Self {
+        let links = || bonds.iter().filter_map(Link::of).collect();
+        let total: f64 = bonds.iter().map(|bond| bond.rest_length).sum();
+        let eyes = has_eyes.then(|| Eyes {
+            links: links(),
+            keeps_energy,
+            start: None,
+            work: 0.0,
+            doubt: 0.0,
+            most: 0.0,
+            is_led: false,
+            bad: 0,
+            since: 0,
+            fallbacks: 0,
+            looked: 0,
+            anchor: None,
+            from: Vec::new(),
+        });
+        let edge = if bonds.is_empty() { 0.0 } else { total / bonds.len() as f64 };
+        Watch { size: [points, bonds.len(), triangles], edge, may_go, frame: 0, spent: 0, eyes }
+    }
+
+    /// Counted work of its steps that ended in a frame.
+    pub(crate) fn spent_in(&self, frame: u64) -> u64 {
+        if self.frame == frame { self.spent } else { 0 }
+    }
+
+    /// Bytes that it takes.
+    pub(crate) fn heap_bytes(&self) -> usize {
+        let Some(eyes) = &self.eyes else { return size_of::<Self>() };
+        let anchor = eyes.anchor.as_ref().map_or(0, |anchor| {
+            let State { position, velocity, position_lost, velocity_lost } = &anchor.state;
+            [position, velocity, position_lost, velocity_lost].map(Vec::capacity).iter().sum()
+        });
+        size_of::<Self>() + eyes.links.len() * size_of::<Link>() + (anchor + eyes.from.capacity()) * size_of::<[S; D]>()
+    }
+}
+
+impl Link {
+    fn of(bond: &Bond) -> Option<Self> {
+        let stiffness = match bond.kind {
+            BondKind::Spring { stiffness, .. } => stiffness,
+            BondKind::Rigid if bond.rest_length > 0.0 => f64::INFINITY,
+            _ => return None,
+        };
+        Some(Link { a: bond.a.0, b: bond.b.0, rest: bond.rest_length, stiffness, limit: bond.limit })
+    }
+}
+
+impl<S: Real, const D: usize> Group<S, D> {
+    /// Whether the live step moves it.
+    pub(crate) fn is_live(&self) -> bool {
+        self.moved.is_handed_over()
+    }
+
+    /// It is about to step from `t` on [s]: its first look is taken, and where it is noted that the mouse is in reach.
+    pub(crate) fn watch_start(&mut self, around: &Environment<D>, t: f64) {
+        let Some(mut watch) = self.watch.take() else { return };
+        if let Some(eyes) = &mut watch.eyes {
+            if eyes.start.is_none() {
+                let sums = self.sums(&eyes.links, around);
+                (eyes.start, eyes.most) = (Some(sums.total()), sums.kinetic + sums.elastic);
+                eyes.looked = frame_of(t);
+                self.keep_anchor(eyes, t);
+            }
+            let is_reached = |(force, cursor)| mouse::reaches(&self.points, force, cursor);
+            eyes.from.clear();
+            if eyes.keeps_energy && around.mouse_at(t).is_some_and(is_reached) {
+                eyes.from.extend_from_slice(&self.points.position);
+            }
+        }
+        self.watch = Some(watch);
+    }
+
+    /// It stepped for `h` from `t` [s], which took this counted work and these fallbacks.
+    pub(crate) fn watch_end(&mut self, around: &Environment<D>, (t, h): (f64, f64), (work, fallbacks): (u64, u64)) {
+        let Some(mut watch) = self.watch.take() else { return };
+        let frame = frame_of(t + h);
+        watch.spent = watch.spent_in(frame) + work;
+        watch.frame = frame;
+        if let Some(eyes) = &mut watch.eyes {
+            eyes.since += work;
+            eyes.fallbacks += fallbacks;
+            eyes.is_led |= self.tracks.iter().any(|(_, track)| track.moves_after(t));
+            if !eyes.from.is_empty() {
+                let [work, doubt] = self.work_of_mouse(around, (t, h), &eyes.from);
+                (eyes.work, eyes.doubt) = (eyes.work + work, eyes.doubt + doubt);
+            }
+        }
+        self.watch = Some(watch);
+    }
+
+    /// A grab gave points this energy [J].
+    pub(crate) fn watch_grab(&mut self, work: f64) {
+        if let Some(eyes) = self.watch.as_mut().and_then(|watch| watch.eyes.as_mut()) {
+            eyes.work += work;
+        }
+    }
+
+    /// Work of the mouse force on the way from these places, along straight lines: by Simpson's rule, and by how much the trapezoidal
+    /// rule says otherwise [J].
+    fn work_of_mouse(&self, around: &Environment<D>, (t, h): (f64, f64), from: &[[S; D]]) -> [f64; 2] {
+        let push = |share: f64| around.mouse_at(t + share * h).map(|(force, cursor)| Push::<S, D>::new(force, cursor));
+        let (Some(start), Some(middle), Some(end)) = (push(0.0), push(0.5), push(1.0)) else { return [0.0; 2] };
+        let acceleration = |push: &Push<S, D>, x: [S; D]| widen(push.acceleration(x).unwrap_or(zero()));
+        let (mut simpson, mut trapezoid) = (0.0, 0.0);
+        for ((&x0, &x1), &w) in from.iter().zip(&self.points.position).zip(&self.points.inverse_mass) {
+            if w == S::ZERO {
+                continue;
+            }
+            let way = widen(sub(x1, x0));
+            let ends = add(acceleration(&start, x0), acceleration(&end, x1));
+            let inner = acceleration(&middle, add(x0, scale(sub(x1, x0), S::HALF)));
+            let mass = 1.0 / w.to_f64();
+            simpson += mass * dot(add(ends, scale(inner, 4.0)), way) / 6.0;
+            trapezoid += mass * dot(ends, way) / 2.0;
+        }
+        [simpson, (simpson - trapezoid).abs()]
+    }
+
+    /// Looks whether something is wrong, after the step that ends a frame at `t` [s], if it is time to.
+    pub(crate) fn look(&mut self, around: &Environment<D>, t: f64, counters: &mut Counters) -> Option<Alarm> {
+        let mut watch = self.watch.take()?;
+        let alarm = watch.eyes.as_mut().and_then(|eyes| self.look_by(eyes, around, t, counters));
+        self.watch = Some(watch);
+        alarm
+    }
+
+    fn look_by(
+        &self,
+        eyes: &mut Eyes<S, D>,
+        around: &Environment<D>,
+        t: f64,
+        counters: &mut Counters,
+    ) -> Option<Alarm> {
+        let cost = OF_A_LOOK * (eyes.links.len() + self.points.len()) as u64;
+        let frame = frame_of(t);
+        if eyes.since < COST_SHARE * cost && frame < eyes.looked + MOST_FRAMES {
+            return None;
+        }
+        counters.work += cost;
+        let fallbacks = std::mem::take(&mut eyes.fallbacks);
+        (eyes.since, eyes.looked) = (0, frame);
+        let sums = self.sums(&eyes.links, around);
+        let total = sums.total();
+        if !total.is_finite() {
+            return Some(Alarm::NotFinite);
+        }
+        eyes.most = eyes.most.max(sums.kinetic + sums.elastic);
+        let start = match eyes.start {
+            Some(start) if !std::mem::take(&mut eyes.is_led) => start,
+            _ => *eyes.start.insert(total - eyes.work),
+        };
+        let size = sums.kinetic + sums.elastic + sums.gravity.abs() + start.abs();
+        let allowed = MOST_GAIN * eyes.most + eyes.doubt + 256.0 * S::EPSILON.to_f64() * size;
+        let excess = total - start - eyes.work;
+        let is_doubtful = matches!(self.engine, Engine::Bulk(_));
+        let is_large = excess > LARGE_GAIN * eyes.most + eyes.doubt;
+        let gains = eyes.keeps_energy && !self.is_live() && excess > allowed;
+        let alarm = match () {
+            () if gains => Some(Alarm::Gain { excess, is_large }),
+            () if sums.strain > MOST_STRAIN => Some(Alarm::Strain),
+            () if fallbacks > MOST_FALLBACKS => Some(Alarm::Stuck),
+            () => None,
+        };
+        eyes.bad = if alarm.is_some() { eyes.bad + 1 } else { 0 };
+        if alarm.is_none() {
+            self.keep_anchor(eyes, t);
+        }
+        let is_sure = !is_doubtful || (gains && is_large) || eyes.bad >= DOUBTED;
+        alarm.filter(|_| is_sure)
+    }
+
+    fn keep_anchor(&self, eyes: &mut Eyes<S, D>, t: f64) {
+        let mut state = eyes.anchor.take().map_or_else(State::default, |anchor| anchor.state);
+        self.points.save(&mut state);
+        eyes.anchor = Some(Anchor { time: t, state, book: self.account.as_ref().map(|account| account.book) });
+    }
+
+    /// Takes the state out that was the last good one.
+    pub(crate) fn take_anchor(&mut self) -> Option<Anchor<S, D>> {
+        self.watch.as_mut()?.eyes.as_mut()?.anchor.take()
+    }
+
+    /// Goes back to a state. Returns when that was [s].
+    pub(crate) fn go_back(&mut self, anchor: &Anchor<S, D>) -> f64 {
+        self.points.restore(&anchor.state);
+        if let (Some(account), Some(book)) = (&mut self.account, anchor.book) {
+            account.book = book;
+        }
+        if let Engine::Bulk(bulk) = &mut self.engine {
+            bulk.reload();
+        }
+        self.engine.refresh();
+        anchor.time
+    }
+
+    /// Whether every position and velocity is a finite number.
+    pub(crate) fn is_finite(&self) -> bool {
+        let Points { position, velocity, .. } = &self.points;
+        position.as_flattened().iter().chain(velocity.as_flattened()).all(|x| x.is_finite())
+    }
+
+    /// Its points are at rest.
+    pub(crate) fn stop(&mut self) {
+        self.points.velocity.fill(zero());
+        self.points.velocity_lost.fill(zero());
+        if let Engine::Bulk(bulk) = &mut self.engine {
+            bulk.reload();
+        }
+        self.engine.refresh();
+    }
+
+    /// Takes `excess` [J] out of the velocities: about their mean, whose momentum stays, where nothing holds or stops the points.
+    pub(crate) fn slow_down(&mut self, excess: f64) {
+        let Group { points, tracks, pull, .. } = self;
+        let is_held =
+            !tracks.is_empty() || !pull.contacts.obstacles.is_empty() || points.inverse_mass.contains(&S::ZERO);
+        let (mut momentum, mut mass, mut kinetic) = ([0.0; D], 0.0, 0.0);
+        for (&v, &w) in points.velocity.iter().zip(&points.inverse_mass).filter(|(_, w)| **w != S::ZERO) {
+            let (v, m) = (widen(v), 1.0 / w.to_f64());
+            (momentum, mass, kinetic) = (add(momentum, scale(v, m)), mass + m, kinetic + 0.5 * m * dot(v, v));
+        }
+        let mean = if is_held || mass == 0.0 { [0.0; D] } else { scale(momentum, 1.0 / mass) };
+        let own = kinetic - 0.5 * mass * dot(mean, mean);
+        if own <= 0.0 {
+            return;
+        }
+        let kept = (1.0 - excess / own).max(0.0).sqrt();
+        for (v, _) in points.velocity.iter_mut().zip(&points.inverse_mass).filter(|(_, w)| **w != S::ZERO) {
+            *v = add(mean, scale(sub(widen(*v), mean), kept)).map(S::from_f64);
+        }
+        if let Engine::Bulk(bulk) = &mut self.engine {
+            bulk.reload();
+        }
+        self.engine.refresh();
+    }
+
+    /// Kinetic, elastic and gravity's energy [J], and the largest strain of rigid bonds [1]; 0 of what is not watched.
+    pub(crate) fn energy_and_strain(&self, around: &Environment<D>) -> ([f64; 3], f64) {
+        let eyes = self.watch.as_ref().and_then(|watch| watch.eyes.as_ref());
+        let sums = eyes.map_or_else(Sums::default, |eyes| self.sums(&eyes.links, around));
+        ([sums.kinetic, sums.elastic, sums.gravity], sums.strain)
+    }
+
+    fn sums(&self, links: &[Link], around: &Environment<D>) -> Sums {
+        let Points { position: x, velocity: v, inverse_mass: w, .. } = &self.points;
+        let mut sums = Sums::default();
+        for i in (0..x.len()).filter(|&i| w[i] != S::ZERO) {
+            let (mass, velocity) = (1.0 / w[i].to_f64(), widen(v[i]));
+            sums.kinetic += 0.5 * mass * dot(velocity, velocity);
+            sums.gravity -= mass * dot(around.gravity, widen(x[i]));
+        }
+        for link in links {
+            let (a, b) = (link.a as usize, link.b as usize);
+            let stretch = length(widen(sub(x[a], x[b]))) - link.rest;
+            let acts = match link.limit {
+                Limit::Both => true,
+                Limit::Max => stretch > 0.0,
+                Limit::Min => stretch < 0.0,
+            };
+            if !acts {
+                continue;
+            }
+            if link.stiffness.is_finite() {
+                sums.elastic += 0.5 * link.stiffness * stretch * stretch;
+            } else if w[a] + w[b] > S::ZERO {
+                sums.strain = sums.strain.max((stretch / link.rest).abs());
+            }
+        }
+        sums
+    }
+}
+
+impl Sums {
+    fn total(&self) -> f64 {
+        self.kinetic + self.elastic + self.gravity
+    }
+}

@@ -1,0 +1,186 @@
+//! Islands go from their own methods to the live step, and back.
+//!
+//! ```text
+//! alarm    energy from nowhere, strain, no convergence, no numbers: looked at where frames end
+//! budget   the counted work of a frame is more than it may be: groups in the order of their work, until the sum fits
+//! back     after a while, if its own method takes an island as it is
+//! ```
+//!
+//! All of it goes by counted work and by the motion, never by a clock: the same on every machine, for any number of threads, and from
+//! any copy. A group whose step runs past the budget gives it up where it stands, and the live step takes what is left of it.
+
+mod back;
+
+use crate::sim::bond::PointId;
+use crate::sim::bulk::control::FRAME;
+use crate::sim::counters::{Counters, operations};
+use crate::sim::group::Group;
+use crate::sim::group::engine::Engine;
+use crate::sim::group::watch::Alarm;
+use crate::sim::live;
+use crate::sim::measure;
+use crate::sim::moved::Why;
+use crate::sim::real::Real;
+use crate::sim::timeline::frame_of;
+use crate::sim::world::World;
+
+/// A group is handed over where its work is so many times that of the live step: less would hardly help.
+const CHEAPER: f64 = 1.25;
+/// Step of a world that the live step is meant for [s]: in shorter ones it would look for neighbours more often than it has to.
+const STEP: f64 = FRAME / 4.0;
+/// How long a live island that does not hold its bonds stays so at least [s].
+const UNHELD: f64 = 1.0;
+
+/// Counted work until which a group may step for `h` from `t` [s]: beyond, it gives the step up. Only where it can be handed over and
+/// takes more than a frame may, and more than the live step would.
+pub(super) fn most_work<S: Real, const D: usize>(
+    group: &Group<S, D>,
+    budget: Option<f64>,
+    (t, h): (f64, f64),
+    counters: &Counters,
+) -> u64 {
+    let (Some(budget), Some(watch)) = (budget, &group.watch) else { return u64::MAX };
+    if !watch.may_go || matches!(group.engine, Engine::Bulk(_)) {
+        return u64::MAX;
+    }
+    let most = allowed(budget, h).max((CHEAPER * live_work(group, 0.0)) as u64);
+    counters.work.saturating_add(most).saturating_sub(watch.spent_in(frame_of(t + h)))
+}
+
+/// Counted work of a frame; a step of `h` [s] may be longer than one.
+fn allowed(budget: f64, h: f64) -> u64 {
+    operations(budget * (h / FRAME).max(1.0))
+}
+
+/// Counted work of a frame of a group by the live step, about, at this speed [m/s].
+fn live_work<S: Real, const D: usize>(group: &Group<S, D>, speed: f64) -> f64 {
+    group.watch.as_ref().map_or(f64::INFINITY, |watch| live::work_of_a_frame(watch.size, speed, watch.edge))
+}
+
+impl<S: Real, const D: usize> World<S, D> {
+    /// After a step: who moves what from now on.
+    pub(crate) fn watch_over(&mut self) {
+        let Some(budget) = self.model.budget() else { return };
+        let (t, h) = (self.timeline.time(), self.timeline.substep());
+        let ends_frame = frame_of(t + h) != frame_of(t);
+        if ends_frame {
+            self.heed_alarms(t);
+        }
+        self.keep_budget(allowed(budget, h), t);
+        if ends_frame {
+            self.hand_back(t);
+        }
+        if std::mem::take(&mut self.was_handed_over) {
+            self.stretch_steps();
+        }
+    }
+
+    /// A group gives up its step at `t` [s]. Returns the places of those that take what is left of it.
+    pub(crate) fn give_up(&mut self, place: usize, t: f64) -> Vec<usize> {
+        self.go_live(place, t, Why::Budget)
+    }
+
+    /// The live step moves a group from `t` on [s]. Returns the places of its islands.
+    fn go_live(&mut self, place: usize, t: f64, why: Why) -> Vec<usize> {
+        let Some(first) = self.lowest_of(place) else { return Vec::new() };
+        let mut detached = self.detach_at(&[first], false, t);
+        detached.moved.iter_mut().for_each(|moved| *moved = moved.handed_over(t, why));
+        self.counters.hand_overs += 1;
+        self.was_handed_over = true;
+        self.put_back(detached)
+    }
+
+    fn heed_alarms(&mut self, t: f64) {
+        for place in 0..self.plan.groups.len() {
+            let group = &mut self.plan.groups[place];
+            if group.is_asleep() {
+                continue;
+            }
+            let Some(alarm) = group.look(&self.around, t, &mut self.counters) else { continue };
+            match (group.is_live(), alarm) {
+                (true, Alarm::NotFinite) => self.revive(place),
+                (true, _) => group.moved.until = group.moved.until.max(t + UNHELD),
+                (false, alarm) => self.hand_over_on(place, alarm, t),
+            }
+        }
+    }
+
+    /// A group whose own method fails goes live: from its last good state where it made much energy or left the numbers.
+    fn hand_over_on(&mut self, place: usize, alarm: Alarm, t: f64) {
+        let is_lost = matches!(alarm, Alarm::NotFinite | Alarm::Gain { is_large: true, .. });
+        let anchor = if is_lost { self.plan.groups[place].take_anchor() } else { None };
+        let Some(anchor) = anchor else {
+            if let Alarm::Gain { excess, .. } = alarm {
+                self.plan.groups[place].slow_down(excess);
+            }
+            if alarm != Alarm::NotFinite {
+                self.go_live(place, t, Why::Alarm);
+            }
+            return;
+        };
+        let from = self.plan.groups[place].go_back(&anchor);
+        let places = self.go_live(place, from, Why::Alarm);
+        self.take_again(&places, (from, t - from));
+        for place in places {
+            if !self.plan.groups[place].is_finite() {
+                self.revive(place);
+            }
+        }
+        self.gather();
+    }
+
+    /// A group that left the numbers is where it last was, at rest.
+    fn revive(&mut self, place: usize) {
+        let group = &mut self.plan.groups[place];
+        if let Some(anchor) = group.take_anchor() {
+            group.go_back(&anchor);
+            group.stop();
+        }
+        self.gather();
+    }
+
+    /// Groups go live in the order of their work in the frame, ties by their lowest points, until the sum is at most `allowed`.
+    fn keep_budget(&mut self, allowed: u64, t: f64) {
+        let frame = frame_of(t);
+        let spent = |group: &Group<S, D>| group.watch.as_ref().map_or(0, |watch| watch.spent_in(frame));
+        let mut sum: u64 = self.plan.groups.iter().map(spent).sum();
+        if sum <= allowed {
+            return;
+        }
+        let can_go = |group: &Group<S, D>| !group.is_live() && group.watch.as_ref().is_some_and(|watch| watch.may_go);
+        let of = |(place, lowest): (usize, PointId)| {
+            let group = &self.plan.groups[place];
+            (can_go(group) && spent(group) > 0).then_some((spent(group), lowest.0, place))
+        };
+        let mut list: Vec<(u64, u32, usize)> = self.lowest().into_iter().filter_map(of).collect();
+        list.sort_unstable_by_key(|&(spent, lowest, _)| (std::cmp::Reverse(spent), lowest));
+        for (spent, _, place) in list {
+            if sum <= allowed {
+                return;
+            }
+            let group = &self.plan.groups[place];
+            let live = live_work(group, measure::speed_bound(&group.points.velocity).to_f64());
+            if CHEAPER * live < spent as f64 {
+                self.go_live(place, t, Why::Budget);
+                sum -= spent - live as u64;
+            }
+        }
+    }
+
+    /// Steps of the world are made longer, where short ones are needed by nobody that is left: by powers of two, so that the substeps
+    /// of others stay as they are.
+    fn stretch_steps(&mut self) {
+        if self.model.method.substep.is_some() {
+            return;
+        }
+        let mut factor = 1.0;
+        let longest = self.plan.groups.iter().filter(|group| group.points.len() > 0);
+        let longest = longest.map(|group| group.substep).fold(0.0, f64::max).min(STEP);
+        while 2.0 * factor * self.timeline.nominal() <= longest * (1.0 + 1e-9) {
+            factor *= 2.0;
+        }
+        if factor > 1.0 {
+            self.timeline.stretch(factor);
+        }
+    }
+}

@@ -1,0 +1,248 @@
+//! Islands that go from their own methods to the live step, by budget and on alarms, and back.
+#![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic, reason = "a test that cannot go on stops")]
+
+use std::path::Path;
+
+use serde_json::{Value, json};
+use wobble::scene::{Scene, schema};
+use wobble::sim::{Change, Command, Dynamics, Ledger, MovedBy, SceneChange, Solver, Why, frame_of, judge};
+
+/// Counted work of a frame that a scene is held to [ms].
+const FRAME: f64 = 8.0;
+
+fn scene(value: &Value) -> Scene {
+    Scene::parse(&value.to_string(), "scene").unwrap()
+}
+
+fn world(value: &Value) -> Box<dyn Dynamics> {
+    scene(value).world(None).unwrap()
+}
+
+fn with(value: &Value, key: &str, what: Value) -> Value {
+    let mut changed = value.clone();
+    changed["method"][key] = what;
+    changed
+}
+
+fn abuse(name: &str) -> Value {
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join(format!("tests/files/{name}.json"));
+    serde_json::from_str(&std::fs::read_to_string(path).unwrap()).unwrap()
+}
+
+/// What a frame of a run took, and who moved what at its end.
+struct Frame {
+    /// Counted work [ms].
+    work: f64,
+    hand_overs: u64,
+    moved: Vec<MovedBy>,
+}
+
+/// Runs to `end` [s] and notes every frame; the ledger too, where one is kept.
+fn frames(world: &mut dyn Dynamics, end: f64) -> (Vec<Frame>, Vec<Ledger>) {
+    let (mut frames, mut entries) = (Vec::new(), Vec::new());
+    entries.extend(world.sample(world.time()).ledger);
+    let (mut work, mut hand_overs) = (0.0, 0);
+    while world.time() < end - 1e-9 {
+        let before = *world.counters();
+        world.step();
+        work += world.counters().work_ms() - before.work_ms();
+        hand_overs += world.counters().hand_overs - before.hand_overs;
+        if frame_of(world.time() + world.substep()) != frame_of(world.time()) {
+            frames.push(Frame { work, hand_overs, moved: world.moved_by() });
+            entries.extend(world.sample(world.time()).ledger);
+            (work, hand_overs) = (0.0, 0);
+        }
+    }
+    (frames, entries)
+}
+
+fn bits(world: &dyn Dynamics) -> Vec<u64> {
+    let sample = world.sample(world.time());
+    sample.position.iter().chain(&sample.velocity).flatten().map(|x| x.to_bits()).collect()
+}
+
+fn run_to(world: &mut dyn Dynamics, end: f64) {
+    while world.time() < end - 1e-9 {
+        world.step();
+    }
+}
+
+/// A net of rigid bonds with a ball 10,000 times as heavy, which its own method takes many frames' time for.
+fn dear() -> Value {
+    abuse("abuse/net12-ball-rigid-10000")
+}
+
+/// A rope of springs that hangs from a pin, free of all that could go wrong.
+fn rope(at: f64) -> Value {
+    json!({"make": "rope", "count": 8, "spacing": 0.2, "origin": [at, 0], "pinned": [0],
+        "material": {"kind": "spring", "stiffness": 4000, "damping": 1}})
+}
+
+#[test]
+fn within_the_budget_the_bits_are_those_without_one() {
+    let scene = json!({"wobble": 1, "gravity": [0, -9.81],
+        "bodies": [rope(0.0), {"make": "lattice", "columns": 4, "rows": 4, "spacing": 0.2, "origin": [2, 0.3],
+            "material": {"kind": "spring", "stiffness": 2000, "damping": 2}}],
+        "mouse": {"strength": 60, "radius": 1, "track": [[0, -2, 0], [1, 3, 0.5]]},
+        "bounds": {"min": [-5, -2], "max": [5, 3], "restitution": 0.5, "friction": 0.3}});
+    let mut with_budget = world(&scene);
+    let mut without = world(&with(&scene, "budget", json!("none")));
+    run_to(&mut *with_budget, 2.0);
+    run_to(&mut *without, 2.0);
+    assert_eq!(bits(&*with_budget), bits(&*without));
+    assert_eq!(
+        (with_budget.counters().hand_overs, with_budget.counters().guard_splits),
+        (0, without.counters().guard_splits)
+    );
+    assert!(with_budget.moved_by().iter().all(|moved| moved.why == Why::Plan && moved.since == 0.0));
+}
+
+#[test]
+fn scenes_that_cost_too_much_or_explode_stay_within_their_frames_and_keep_their_energy() {
+    let scenes = [
+        "abuse/comb20-rigid",
+        "abuse/lat10s-g1000-e1",
+        "abuse/net12-ball-rigid-10000",
+        "abuse/random-12",
+        "abuse/random-157",
+        "abuse/random-189",
+        "abuse/random-239",
+        "abuse/rope1000-spring-v200-e1",
+        "known/pendulum-across-a-wall",
+    ];
+    let mut wrong = Vec::new();
+    for name in scenes {
+        let mut world = world(&with(&abuse(name), "ledger", json!(true)));
+        let (frames, entries) = frames(&mut *world, 1.0);
+        let worst = frames.iter().filter(|frame| frame.hand_overs == 0).map(|frame| frame.work).fold(0.0, f64::max);
+        let over = frames.iter().map(|frame| frame.work).fold(0.0, f64::max);
+        let verdict = judge(&entries);
+        let moved: Vec<&str> = frames.iter().flat_map(|frame| &frame.moved).map(|moved| moved.why.name()).collect();
+        let is_live = moved.iter().any(|why| *why != "plan");
+        let line = format!("{name}: frames {worst:.2} ms, with a hand-over {over:.2}, {verdict:?}, live {is_live}");
+        println!("{line}");
+        if worst > FRAME || !world.is_finite() || verdict.gains() {
+            wrong.push(line);
+        }
+    }
+    assert!(wrong.is_empty(), "{}", wrong.join("\n"));
+}
+
+#[test]
+fn what_costs_too_much_goes_live_and_the_rest_stays_bit_for_bit() {
+    let mut beside = dear();
+    let far = rope(100.0);
+    beside["bodies"].as_array_mut().unwrap().push(far.clone());
+    let mut both = world(&beside);
+    let gravity = beside["gravity"].clone();
+    let mut alone = world(&json!({"wobble": 1, "gravity": gravity, "bodies": [far]}));
+    let (frames, _) = frames(&mut *both, 0.5);
+    run_to(&mut *alone, 0.5);
+    let last = frames.last().unwrap();
+    let [net, rope] = &last.moved[..] else { panic!("{:?}", last.moved) };
+    assert_eq!((net.method, net.why, net.first.0), (Solver::Live, Why::Budget, both.moved_by()[0].first.0));
+    assert_eq!((rope.why, rope.since, rope.count), (Why::Plan, 0.0, 7));
+    let own = both.sample(0.5).position[rope.first.index()..].to_vec();
+    assert_eq!(own, alone.sample(0.5).position[1..].to_vec());
+}
+
+#[test]
+fn the_same_bits_come_from_any_threads_and_from_a_copy_that_was_taken_while_live() {
+    let mut one = world(&dear());
+    run_to(&mut *one, 0.2);
+    assert!(one.moved_by().iter().any(|moved| moved.method == Solver::Live));
+    let mut copy = one.boxed_clone();
+    run_to(&mut *one, 0.4);
+    run_to(&mut *copy, 0.4);
+    assert_eq!(bits(&*one), bits(&*copy));
+    let hash = |threads: &str| {
+        let file = concat!(env!("CARGO_MANIFEST_DIR"), "/tests/files/abuse/net12-ball-rigid-10000.json");
+        let mut command = std::process::Command::new(env!("CARGO_BIN_EXE_wobble"));
+        let done = command.args(["simulate", file, "--samples", "0.1,0.4", "--threads", threads, "--hash", "--quiet"]);
+        String::from_utf8(done.output().unwrap().stdout).unwrap()
+    };
+    let one = hash("1");
+    assert!(one.len() > 30 && one == hash("2"), "{one}");
+}
+
+#[test]
+fn a_state_that_is_kept_knows_what_is_live() {
+    let mut world = world(&dear());
+    run_to(&mut *world, 0.2);
+    let live = world.moved_by();
+    let mut again = wobble::sim::resume(&world.save().unwrap()).unwrap();
+    assert_eq!(again.moved_by(), live);
+    run_to(&mut *again, 0.3);
+    assert!(again.is_finite() && again.moved_by()[0].method == Solver::Live);
+}
+
+#[test]
+fn a_hand_over_moves_nothing_by_more_than_a_thousandth_of_the_body() {
+    let mut world = world(&dear());
+    let size = 2.0;
+    loop {
+        let before = world.sample(world.time());
+        let hand_overs = world.counters().hand_overs;
+        let h = world.substep();
+        world.step();
+        assert!(world.time() < 1.0, "it was never handed over");
+        if world.counters().hand_overs > hand_overs {
+            let after = world.sample(world.time());
+            for ((x0, v0), x1) in before.position.iter().zip(&before.velocity).zip(&after.position) {
+                let off = (0..2).map(|k| (x1[k] - x0[k] - h * v0[k]).abs()).fold(0.0, f64::max);
+                let fall = 0.5 * 9.81 * h * h;
+                assert!(off < 1e-3 * size + 100.0 * fall, "{off}");
+            }
+            return;
+        }
+    }
+}
+
+/// Points in a box that gives back all of a blow, between which springs are so hard that a frame of them alone is dear; after a
+/// while they are drawn away from the walls by nobody and the budget is enough.
+#[test]
+fn what_was_handed_over_goes_back_and_can_be_made_exact_at_once() {
+    let mut world =
+        world(&with(&json!({"wobble": 1, "gravity": [0, -9.81], "bodies": [rope(0.0)]}), "budget", json!(1e-3)));
+    run_to(&mut *world, 0.1);
+    let live = world.moved_by();
+    assert_eq!((live.len(), live[0].method, live[0].why), (1, Solver::Live, Why::Budget), "{live:?}");
+    let mut method = scene(&json!({"wobble": 1, "method": {"budget": "none"}}))
+        .world(None)
+        .map(|_| wobble::sim::Method { sleeps: true, ..wobble::sim::Method::default() })
+        .unwrap();
+    method.budget = None;
+    let change = SceneChange { method: Some(method), ..SceneChange::default() };
+    world.apply(&Command::Set(Change::Scene(change))).unwrap();
+    let exact = world.moved_by();
+    assert!(
+        exact[0].why == Why::Plan && exact[0].method != Solver::Live && exact[0].since == world.time(),
+        "{exact:?}"
+    );
+    run_to(&mut *world, 1.0);
+    assert_eq!(world.moved_by(), exact);
+}
+
+#[test]
+fn budgets_that_are_none_get_their_line() {
+    let cases = [
+        (json!(0), "method.budget"),
+        (json!(-1), "method.budget"),
+        (json!("much"), "`much` is no budget"),
+        (json!(true), "milliseconds of counted work"),
+        (json!([6]), "milliseconds of counted work"),
+        (Value::Null, "method.budget"),
+    ];
+    for (budget, words) in cases {
+        let text = json!({"wobble": 1, "method": {"budget": budget}}).to_string();
+        let error = Scene::parse(&text, "scene").and_then(|scene| scene.world(None).map(|_| ())).unwrap_err();
+        assert!(error.to_string().contains(words) && error.to_string().lines().count() == 1, "{error}");
+    }
+    for budget in [json!("none"), json!(6), json!(0.5)] {
+        let text = json!({"wobble": 1, "method": {"budget": budget}}).to_string();
+        let scene = Scene::parse(&text, "scene").unwrap();
+        assert_eq!(serde_json::to_value(&scene).unwrap()["method"]["budget"].as_f64(), budget.as_f64());
+        assert_eq!(Scene::parse(&serde_json::to_string(&scene).unwrap(), "again").unwrap(), scene);
+    }
+    assert!(schema().to_string().contains("BudgetKeys"));
+}
