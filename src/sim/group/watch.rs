@@ -20,8 +20,9 @@ use crate::sim::vector::{add, dot, length, scale, sub, widen, zero};
 
 /// Share of the largest energy from which on a gain is not taken out of velocities any more: the group goes back to before it.
 const LARGE_GAIN: f64 = 0.1;
-/// Strain that no rigid bond may have [1].
+/// Strain that no rigid bond may have [1], and one from which on nothing is mended any more: the group goes back to before it.
 const MOST_STRAIN: f64 = 0.1;
+const LARGE_STRAIN: f64 = 0.5;
 /// Substeps between two looks that may go to a more robust method.
 const MOST_FALLBACKS: u64 = 8;
 /// Looks in a row that a large body has to fail at: its velocities are means over substeps, and its strain swings.
@@ -29,17 +30,17 @@ const DOUBTED: u32 = 3;
 /// Share of what a group's steps cost that looks at it may cost, inverse.
 const COST_SHARE: u64 = 100;
 /// Most frames between two looks.
-const MOST_FRAMES: u64 = 8;
+const MOST_FRAMES: u64 = 4;
 /// Operations of a look for each bond and each point.
 const OF_A_LOOK: u64 = 10;
 
 /// What went wrong.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum Alarm {
-    /// Energy came from nowhere [J].
-    Gain { excess: f64, is_large: bool },
-    /// Rigid bonds do not hold.
-    Strain,
+    /// Energy came from nowhere: there should be no more than this [J]. `is_large`: there is far more.
+    Gain { most: f64, is_large: bool },
+    /// Rigid bonds do not hold; `is_large`: they are far from it.
+    Strain { is_large: bool },
     /// Substeps do not converge.
     Stuck,
     /// Positions or velocities are no numbers.
@@ -166,6 +167,13 @@ impl<S: Real, const D: usize> Watch<S, D> {
     }
 }
 
+impl Alarm {
+    /// Whether the state is past mending: an earlier one has to be gone back to.
+    pub(crate) fn is_lost(self) -> bool {
+        matches!(self, Alarm::NotFinite | Alarm::Gain { is_large: true, .. } | Alarm::Strain { is_large: true })
+    }
+}
+
 impl Link {
     fn of(bond: &Bond) -> Option<Self> {
         let stiffness = match bond.kind {
@@ -265,7 +273,7 @@ impl<S: Real, const D: usize> Group<S, D> {
     ) -> Option<Alarm> {
         let cost = OF_A_LOOK * (eyes.links.len() + self.points.len()) as u64;
         let frame = frame_of(t);
-        if eyes.since < COST_SHARE * cost && frame < eyes.looked + MOST_FRAMES {
+        if eyes.bad == 0 && eyes.since < COST_SHARE * cost && frame < eyes.looked + MOST_FRAMES {
             return None;
         }
         counters.work += cost;
@@ -288,8 +296,8 @@ impl<S: Real, const D: usize> Group<S, D> {
         let is_large = excess > LARGE_GAIN * eyes.most + eyes.doubt;
         let gains = eyes.keeps_energy && !self.is_live() && excess > allowed;
         let alarm = match () {
-            () if gains => Some(Alarm::Gain { excess, is_large }),
-            () if sums.strain > MOST_STRAIN => Some(Alarm::Strain),
+            () if gains => Some(Alarm::Gain { most: start + eyes.work, is_large }),
+            () if sums.strain > MOST_STRAIN => Some(Alarm::Strain { is_large: sums.strain > LARGE_STRAIN }),
             () if fallbacks > MOST_FALLBACKS => Some(Alarm::Stuck),
             () => None,
         };
@@ -297,7 +305,7 @@ impl<S: Real, const D: usize> Group<S, D> {
         if alarm.is_none() {
             self.keep_anchor(eyes, t);
         }
-        let is_sure = !is_doubtful || (gains && is_large) || eyes.bad >= DOUBTED;
+        let is_sure = !is_doubtful || alarm.is_some_and(Alarm::is_lost) || eyes.bad >= DOUBTED;
         alarm.filter(|_| is_sure)
     }
 

@@ -105,16 +105,15 @@ impl<S: Real, const D: usize> World<S, D> {
         }
     }
 
-    /// A group whose own method fails goes live: from its last good state where it made much energy or left the numbers.
+    /// A group whose own method fails goes live: from its last good state where the present one is past mending.
     fn hand_over_on(&mut self, place: usize, alarm: Alarm, t: f64) {
-        let is_lost = matches!(alarm, Alarm::NotFinite | Alarm::Gain { is_large: true, .. });
-        let anchor = if is_lost { self.plan.groups[place].take_anchor() } else { None };
+        let anchor = if alarm.is_lost() { self.plan.groups[place].take_anchor() } else { None };
         let Some(anchor) = anchor else {
-            if let Alarm::Gain { excess, .. } = alarm {
-                self.plan.groups[place].slow_down(excess);
-            }
             if alarm != Alarm::NotFinite {
-                self.go_live(place, t, Why::Alarm);
+                let places = self.go_live(place, t, Why::Alarm);
+                if let Alarm::Gain { most, .. } = alarm {
+                    self.take_out(&places, most);
+                }
             }
             return;
         };
@@ -127,6 +126,19 @@ impl<S: Real, const D: usize> World<S, D> {
             }
         }
         self.gather();
+    }
+
+    /// What groups have more of energy than `most` [J] is taken out of their velocities.
+    fn take_out(&mut self, places: &[usize], most: f64) {
+        let of = |&place: &usize| self.plan.groups[place].energy_and_strain(&self.around).0;
+        let energies: Vec<[f64; 3]> = places.iter().map(of).collect();
+        let excess = energies.iter().flatten().sum::<f64>() - most;
+        let kinetic: f64 = energies.iter().map(|energies| energies[0]).sum();
+        if excess > 0.0 && kinetic > 0.0 {
+            for (&place, [own, ..]) in places.iter().zip(energies) {
+                self.plan.groups[place].slow_down(excess * (own / kinetic));
+            }
+        }
     }
 
     /// A group that left the numbers is where it last was, at rest.
