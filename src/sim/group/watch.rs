@@ -156,6 +156,12 @@ impl<S: Real, const D: usize> Watch<S, D> {
         if self.frame == frame { self.spent } else { 0 }
     }
 
+    /// The energy that the group may have now [J], where that is known.
+    pub(crate) fn most_energy(&self) -> Option<f64> {
+        let eyes = self.eyes.as_ref().filter(|eyes| eyes.keeps_energy && !eyes.is_led)?;
+        Some(eyes.start? + eyes.work + eyes.doubt + MOST_GAIN * eyes.most)
+    }
+
     /// Bytes that it takes.
     pub(crate) fn heap_bytes(&self) -> usize {
         let Some(eyes) = &self.eyes else { return size_of::<Self>() };

@@ -80,14 +80,17 @@ impl<S: Real, const D: usize> World<S, D> {
         self.go_live(place, t, Why::Budget)
     }
 
-    /// The live step moves a group from `t` on [s]. Returns the places of its islands.
+    /// The live step moves a group from `t` on [s], with no more energy than it may have. Returns the places of its islands.
     fn go_live(&mut self, place: usize, t: f64, why: Why) -> Vec<usize> {
         let Some(first) = self.lowest_of(place) else { return Vec::new() };
+        let most = self.plan.groups[place].watch.as_ref().and_then(|watch| watch.most_energy());
         let mut detached = self.detach_at(&[first], false, t);
         detached.moved.iter_mut().for_each(|moved| *moved = moved.handed_over(t, why));
         self.counters.hand_overs += 1;
         self.was_handed_over = true;
-        self.put_back(detached)
+        let places = self.put_back(detached);
+        most.into_iter().for_each(|most| self.take_out(&places, most));
+        places
     }
 
     fn heed_alarms(&mut self, t: f64) {
