@@ -168,8 +168,8 @@ fn methods_have_their_order_in_gusts() {
 
 /// A large cloth that hangs by its upper edge.
 fn hung(kind: Value) -> Value {
-    let pinned: Vec<u32> = (0..24).collect();
-    let cloth = json!({"make": "cloth", "columns": 24, "rows": 20, "spacing": 0.1, "pinned": pinned, "material": kind});
+    let pinned: Vec<u32> = (0..30).collect();
+    let cloth = json!({"make": "cloth", "columns": 30, "rows": 24, "spacing": 0.1, "pinned": pinned, "material": kind});
     json!({"wobble": 1, "bodies": [cloth]})
 }
 
@@ -180,13 +180,13 @@ fn large_bodies_feel_forces_as_they_feel_gravity() {
     {
         let hung = hung(kind);
         let drops = with(&hung, "gravity", json!([2, -9.81]));
-        // 456 points of 10 g that are free.
-        let points: Vec<u32> = (0..480).collect();
-        let pulled = with(&hung, "forces", json!([{"points": points, "force": [2.0 * 4.56, -9.81 * 4.56]}]));
+        // 690 points of 10 g that are free.
+        let points: Vec<u32> = (0..720).collect();
+        let pulled = with(&hung, "forces", json!([{"points": points, "force": [2.0 * 6.9, -9.81 * 6.9]}]));
         let blown = with(&with(&hung, "drag_rate", json!(0.1)), "gravity", json!([2, -9.81]));
         let wind = with(&with(&hung, "drag_rate", json!(0.1)), "wind", json!({"velocity": [20, -98.1]}));
         for (one, other, most) in [(&drops, &pulled, 2e-3), (&blown, &wind, 1e-9)] {
-            let (one, other) = (at(one, 0.5), at(other, 0.5));
+            let (one, other) = (at(one, 0.25), at(other, 0.25));
             for (a, b) in one.position.iter().zip(&other.position) {
                 let off = (a[0] - b[0]).hypot(a[1] - b[1]);
                 assert!(off < most, "{off} at {a:?}");
@@ -201,7 +201,7 @@ fn a_large_cloth_moves_in_gusts_as_it_does_by_a_fine_method() {
     let scene = with(&hung(spring), "gravity", json!([0, -9.81]));
     let scene = with(&scene, "drag_rate", json!(1.5));
     let scene = with(&scene, "wind", json!({"velocity": [6, 0], "turbulence": 0.6, "seed": 5}));
-    let fine = at(&with(&scene, "method", method("rk4", 1.0 / 960.0)), 0.4);
+    let fine = at(&with(&scene, "method", method("rk4", 1.0 / 720.0)), 0.25);
     let calm = with(&scene, "wind", json!({"velocity": [6, 0]}));
     let scene = with(&scene, "method", json!({"solver": "velocity-verlet"}));
     let calm = with(&calm, "method", json!({"solver": "velocity-verlet"}));
@@ -210,8 +210,8 @@ fn a_large_cloth_moves_in_gusts_as_it_does_by_a_fine_method() {
         let each = sample.position.iter().zip(&fine.position);
         each.map(|(a, b)| (a[0] - b[0]).hypot(a[1] - b[1])).fold(0.0, f64::max)
     };
-    let (own, without) = (off(&at(&scene, 0.4)), off(&at(&calm, 0.4)));
-    assert!(own < 5e-3 && without > 10.0 * own, "off by {own}; without gusts {without}");
+    let (own, without) = (off(&at(&scene, 0.25)), off(&at(&calm, 0.25)));
+    assert!(own < 5e-3 && without > 5.0 * own, "off by {own}; without gusts {without}");
 }
 
 #[test]
@@ -507,20 +507,19 @@ fn a_grabbed_body_is_pulled_out_of_a_pile_and_nothing_tears_through() {
 #[test]
 fn a_pin_that_jumps_leaves_what_hangs_on_it_whole() {
     for material in
-        [json!({"point_mass": 0.1}), json!({"kind": "spring", "stiffness": 500, "damping": 0.5, "point_mass": 0.05})]
+        [json!({"point_mass": 0.1}), json!({"kind": "spring", "stiffness": 4000, "damping": 0.5, "point_mass": 0.05})]
     {
         let net = json!({"make": "cloth", "columns": 8, "rows": 6, "spacing": 0.1, "diagonals": "none", "pinned": [0, 7], "material": material});
-        let scene = json!({"wobble": 1, "gravity": [0, -9.81], "contact": true, "drag_rate": 1, "bodies": [net],
+        let scene = json!({"wobble": 1, "gravity": [0, -9.81], "contact": {"self": false}, "drag_rate": 4, "bodies": [net],
             "pin_motion": [{"point": 0, "track": [[0, 0, 0], [0.3, 0, 0], [0.301, 5, 1]]}, {"point": 7, "track": [[0, 0.7, 0], [0.3, 0.7, 0], [0.301, 5.7, 1]]}]});
         let mut world = world(&scene);
-        let (mut fastest, mut strain) = (0.0_f64, 0.0_f64);
-        for frame in 1..=90 {
+        let mut fastest = 0.0_f64;
+        for frame in 1..=240 {
             let sample = run_on(&mut *world, f64::from(frame) / 60.0);
             assert!(sample.position.iter().flatten().all(|x| x.is_finite()), "frame {frame}");
-            strain = strain.max(sample.max_strain);
             fastest = sample.velocity.iter().map(|v| v[0].hypot(v[1])).fold(0.0, f64::max);
         }
-        let sample = world.sample(1.5);
+        let sample = world.sample(4.0);
         assert_eq!([sample.position[0], sample.position[7]], [[5.0, 1.0, 0.0], [5.7, 1.0, 0.0]]);
         assert!(sample.max_strain < 0.3 && fastest < 20.0, "strain {}, {fastest} m/s", sample.max_strain);
     }
