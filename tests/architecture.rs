@@ -20,7 +20,7 @@ const ROOMS: [(&str, &[&str], &[&str]); 12] = [
     (
         "scene",
         &["sim", "body", "picture", "output"],
-        &["base64", "serde", "serde_json", "serde_path_to_error", "schemars", "xxhash_rust", "csv"],
+        &["base64", "serde", "serde_json", "serde_path_to_error", "schemars", "xxhash_rust", "csv", "libm"],
     ),
     (
         "history",
@@ -67,7 +67,7 @@ const SIM: [(&str, &[&str]); 38] = [
     ("contact", &["bond", "points", "real", "vector"]),
     ("force", &["bond", "colour", "measure", "points", "real", "vector"]),
     ("environment", &["force", "vector"]),
-    ("constrain", &["bond", "colour", "contact", "points", "real", "solve", "solver", "vector"]),
+    ("constrain", &["bond", "colour", "contact", "force", "points", "real", "solve", "solver", "vector"]),
     ("pull", &["constrain", "contact", "counters", "environment", "force", "points", "real", "vector"]),
     ("account", &["bond", "environment", "force", "ledger", "points", "pull", "real", "vector"]),
     (
@@ -113,7 +113,7 @@ const SIM: [(&str, &[&str]); 38] = [
             "vector",
         ],
     ),
-    ("model", &["bond", "bonds", "contact", "force", "real", "solver", "vector"]),
+    ("model", &["bond", "bonds", "contact", "force", "real", "sets", "solver", "vector"]),
     (
         "group",
         &[

@@ -170,7 +170,6 @@ fn bad_commands_are_refused_with_number_time_and_reason() {
         (r#"{"at": 0.1, "do": "grab"}"#, "", "commands[0]: takes nothing: give `points` or `within`"),
         (r#"{"at": 0.1, "do": "set", "wind": {}}"#, "", "commands[0]: wind: "),
         (r#"{"at": 0.1, "do": "set", "drives": {}}"#, "", "commands[0]: `drives` is not in this version"),
-        (r#"{"at": 0.1, "do": "add", "angles": []}"#, "", "commands[0]: `angles` is not in this version"),
         (r#"{"at": 0.1, "do": "pin", "points": [0], "bond": 1}"#, "", "unknown key"),
         (r#"{"at": 0.1, "do": "pin", "points": [-1]}"#, "", "commands[0]: points[0]: "),
         (

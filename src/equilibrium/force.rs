@@ -18,6 +18,8 @@ impl<const D: usize> Descent<D> {
                 largest = largest.max(spring.stiffness * (d - spring.rest_length).abs());
             }
         }
+        part.form.pull_at_rest(x, &mut force);
+        largest = largest.max(part.form.largest(x));
         for i in 0..x.len() {
             let weight = scale(part.gravity, part.mass[i]);
             let push = add(part.pushes[i], self.twist[i]);

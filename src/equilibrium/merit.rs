@@ -9,14 +9,14 @@ use crate::sim::measure;
 use crate::sim::vector::{add, dot, sub};
 
 impl<const D: usize> Descent<D> {
-    /// Energy of springs and gravity, and that of forces as they are in this round [J].
+    /// Energy of springs, angles, areas and gravity, and that of forces as they are in this round [J].
     pub(super) fn energy(&self, x: &[[f64; D]]) -> f64 {
         let part = &self.part;
         let lift = |i: usize| match part.is_free[i] {
             true => -part.mass[i] * dot(part.gravity, x[i]) - dot(add(part.pushes[i], self.twist[i]), x[i]),
             false => 0.0,
         };
-        measure::springs_energy(&part.bonds, |i| x[i]) + (0..x.len()).map(lift).sum::<f64>()
+        measure::springs_energy(&part.bonds, |i| x[i]) + part.form.energy(x) + (0..x.len()).map(lift).sum::<f64>()
     }
 
     /// Energy and what holds add to it: lambda C + C^2/2e, whose least value along the step is where the system leads to.

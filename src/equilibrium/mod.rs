@@ -73,6 +73,9 @@ pub struct Equilibrium<const D: usize> {
 /// Errors: as [`Model::check`]; relaxed bonds are refused, for they have no energy; polygons are, and bodies that meet.
 pub fn settle<const D: usize>(model: &Model<D>) -> Result<Equilibrium<D>, ModelError> {
     model.check()?;
+    if let Some((rest_areas, angles)) = model.form_missing() {
+        return settle(&Model { rest_areas, angles, ..model.clone() });
+    }
     if let Some(bond) = model.bonds.iter().position(|bond| matches!(bond.kind, BondKind::Relaxed { .. })) {
         return Err(ModelError::NoEnergy { bond });
     }
@@ -81,6 +84,9 @@ pub fn settle<const D: usize>(model: &Model<D>) -> Result<Equilibrium<D>, ModelE
     }
     if model.contact.is_some() {
         return Err(ModelError::Meets);
+    }
+    if model.areas.is_some_and(|areas| areas.is_rigid()) && !model.triangles.is_empty() {
+        return Err(ModelError::HeldAreas);
     }
     let mut start = Start::new(model);
     let mut falls = vec![false; model.position.len()];
@@ -103,7 +109,8 @@ pub fn settle<const D: usize>(model: &Model<D>) -> Result<Equilibrium<D>, ModelE
     let falling = (0..position.len()).filter(|&i| falls[start.representatives[i] as usize]);
     Ok(Equilibrium {
         energy: measure::energies(|i| position[i], |_| [0.0; D], &inverse_masses(model), &model.bonds, model.gravity)
-            .sum(),
+            .sum()
+            + model.form_energy(|i| position[i]),
         max_strain: measure::max_strain(&position, &model.bonds),
         falling: falling.map(|i| PointId(i as u32)).collect(),
         position,

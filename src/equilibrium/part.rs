@@ -3,6 +3,7 @@
 use super::hold::{Grip, Hold};
 use crate::sim::bonds::Bonds;
 use crate::sim::contact::surface::Surface;
+use crate::sim::force::form::Form;
 use crate::sim::force::spring::Spring;
 use crate::sim::force::steady::Thrust;
 use crate::sim::measure;
@@ -27,6 +28,8 @@ pub(super) struct Part<const D: usize> {
     /// The springs as bonds, whose energy is asked for, and as springs, whose force is.
     pub(super) bonds: Bonds,
     pub(super) springs: Vec<Spring<f64>>,
+    /// Angles and areas that are forces.
+    pub(super) form: Form<f64>,
     /// Rigid bonds, then every pair of a free point and a surface.
     pub(super) holds: Vec<Hold>,
     pub(super) surfaces: Vec<Surface<f64, D>>,
@@ -65,7 +68,7 @@ impl<const D: usize> Part<D> {
             Grip::Bond { rest, .. } => shortest.min(rest),
             Grip::Surface { .. } => shortest,
         });
-        let stiffest = springs.max(self.weight() / shortest);
+        let stiffest = springs.max(self.form.stiffest(&self.position)).max(self.weight() / shortest);
         if stiffest > 0.0 { stiffest } else { 1.0 }
     }
 }

@@ -5,11 +5,14 @@ use super::part::Part;
 use crate::sim::bond::{Bond, BondKind, Limit, PointId};
 use crate::sim::bonds::Bonds;
 use crate::sim::contact::geometry::Geometry;
+use crate::sim::force::angle::Hinge;
+use crate::sim::force::area::Patch;
+use crate::sim::force::form::Form;
 use crate::sim::force::spring::Spring;
 use crate::sim::force::steady::{Force, Thrust};
 use crate::sim::model::Model;
-use crate::sim::plan::island::{Island, islands_joined};
-use crate::sim::plan::{inverse_masses, reconcile, weld};
+use crate::sim::plan::island::{Island, Patched, Ties, islands_joined};
+use crate::sim::plan::{inverse_masses, reconcile, ties, weld};
 use crate::sim::vector::{add, scale};
 
 /// A model in parts.
@@ -48,8 +51,12 @@ impl<const D: usize> Start<D> {
         let held: Vec<f64> = (0..w.len()).map(|i| f64::from(u8::from(is_in(i)))).collect();
         reconcile(&mut bonds, &mut position.clone(), &held);
         let (drives, pairs) = drives(model, &w, &representatives);
-        let list = islands_joined(&bonds, &held, &pairs);
-        let parts = list.iter().map(|island| part((model, &drives), island, &bonds, &mass, &position, &held)).collect();
+        let ties = ties(model, &representatives, |i| position[i]);
+        let list = islands_joined(&bonds, &ties, &held, &pairs);
+        let parts = list
+            .iter()
+            .map(|island| part((model, &drives), island, (&bonds, &ties), &mass, &position, &held))
+            .collect();
         Start { parts, representatives, position }
     }
 }
@@ -95,19 +102,29 @@ fn acts(bond: &Bond) -> bool {
 fn part<const D: usize>(
     (model, drives): (&Model<D>, &[Drive<D>]),
     island: &Island,
-    bonds: &Bonds,
+    (bonds, ties): (&Bonds, &Ties),
     mass: &[f64],
     position: &[[f64; D]],
     held: &[f64],
 ) -> Part<D> {
     let mut pins: Vec<u32> = Vec::new();
     let own = || island.bonds.iter().map(|&k| bonds.get(k as usize));
-    pins.extend(own().flat_map(|bond| [bond.a.0, bond.b.0]).filter(|&i| held[i as usize] == 0.0));
+    let angles = || island.angles.iter().map(|&k| &ties.angles[k as usize]);
+    let patches = || island.patches.iter().map(|&k| &ties.patches[k as usize]);
+    let tied = angles().map(|angle| angle.points).chain(patches().map(|patch| patch.corners)).flatten();
+    let ends = own().flat_map(|bond| [bond.a, bond.b]).chain(tied).map(|point| point.0);
+    pins.extend(ends.filter(|&i| held[i as usize] == 0.0));
     pins.sort_unstable();
     pins.dedup();
     let place = |i: PointId| {
         let list = if held[i.index()] > 0.0 { (&island.points, 0) } else { (&pins, island.points.len()) };
         PointId((list.1 + list.0.binary_search(&i.0).unwrap_or(0)) as u32)
+    };
+    let placed = |points: [PointId; 3]| points.map(|point| place(point).0);
+    let patch = |patch: &Patched| Patch { corners: placed(patch.corners), rest: patch.rest, stiffness: ties.stiffness };
+    let form = Form {
+        hinges: angles().map(|angle| Hinge::new(angle, placed(angle.points))).collect(),
+        patches: patches().map(patch).collect(),
     };
     let bonds = own().map(|bond| Bond { a: place(bond.a), b: place(bond.b), ..bond });
     let (rigid, springs): (Bonds, Bonds) = bonds.partition(|bond| bond.kind == BondKind::Rigid);
@@ -142,6 +159,7 @@ fn part<const D: usize>(
         gravity: model.field(),
         springs: springs.iter().filter_map(|bond| Spring::of(&bond)).collect(),
         bonds: springs,
+        form,
         holds,
         surfaces,
         members,

@@ -4,6 +4,7 @@ use super::descent::Descent;
 use super::hold::{Grip, Hold};
 use super::part::Part;
 use crate::sim::contact::surface::Surface;
+use crate::sim::force::form::Block;
 use crate::sim::solve::blocks::Blocks;
 use crate::sim::vector::{scale, sub};
 
@@ -37,6 +38,7 @@ pub(super) fn pattern<const D: usize>(part: &Part<D>) -> Blocks<f64, D> {
         Grip::Bond { a, b, .. } => Some([a as u32, b as u32]),
         Grip::Surface { .. } => None,
     }));
+    pairs.extend(part.form.pairs());
     Blocks::new(&part.is_free, &pairs, &[])
 }
 
@@ -77,6 +79,11 @@ impl<const D: usize> Descent<D> {
                 couple(part.springs.len() + k, [a, b], hold.block(&part.surfaces, x, *firm));
             }
         }
+        let first = part.springs.len() + holds.iter().filter(|hold| matches!(hold.grip, Grip::Bond { .. })).count();
+        part.form.stiffen((x, 0.0, false), |place, block| match place {
+            Block::Own(point) => system.add_own(point, &block),
+            Block::Pair(pair) => system.add_block(first + pair, &block),
+        });
         for hold in holds.iter().filter(|hold| hold.is_active) {
             if let Grip::Surface { point, .. } = hold.grip {
                 system.add_own(point, &hold.block(&part.surfaces, x, *firm));

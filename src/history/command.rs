@@ -77,6 +77,8 @@ object! {
             obstacles: u32,
             /// Constant forces.
             forces: u32,
+            /// Angles.
+            angles: u32,
         }
     }
 }
@@ -117,20 +119,24 @@ object! {
             obstacles: Vec<u32>,
             /// Constant forces that get others.
             forces: Vec<u32>,
+            /// Angles that get others.
+            angles: Vec<u32>,
             /// Of points [kg], > 0.
             mass: OneOrEach,
             /// Of points [m/s]: one for all or one each.
             velocity: VectorOrEach,
             /// Of bonds.
             kind: KindName,
-            /// Of bonds [m], >= 0.
+            /// Of bonds [m], >= 0; of angles [rad], between 0 and 2 pi.
             rest: OneOrEach,
-            /// Of springs [N/m], >= 0.
+            /// Of springs [N/m], of angles [N m], >= 0.
             stiffness: OneOrEach,
             /// Of springs, in place of the stiffness [m/N], > 0.
             compliance: OneOrEach,
-            /// Of springs [N s/m], >= 0.
+            /// Of springs [N s/m], of angles [N m s], >= 0.
             damping: OneOrEach,
+            /// Of angles: the least and the largest of a joint [rad], or none any more.
+            range: RangeOrNone,
             /// Of relaxed bonds [1], in (0, 1].
             relaxation: OneOrEach,
             /// Of relaxed bonds [1], > 0.
@@ -192,6 +198,16 @@ pub enum Weather {
     /// This, in place of that before.
     This(WindKeys),
     /// No more.
+    None(()),
+}
+
+/// The least and the largest angle of a joint, or none any more.
+#[derive(Clone, Debug, PartialEq, serde::Serialize, serde::Deserialize, schemars::JsonSchema)]
+#[serde(untagged, expecting = "range: a list of the least and the largest angle, or null")]
+pub enum RangeOrNone {
+    /// These [rad].
+    These([f64; 2]),
+    /// It turns freely.
     None(()),
 }
 

@@ -2,9 +2,9 @@
 
 use crate::body::MAX_POINTS;
 use crate::sim::{
-    Bond, BondKind, Bonds, Bounds, Contact, Cursor, Force, HandedOver, Limit, Method, Model, MouseForce, Order, Plane,
-    PointId, Polygon, Precision, Profile, Region, Saved, SavedWorld, SkinMaterial, SkinMaterials, Solver, Track, Why,
-    Wind,
+    Angle, Angles, Areas, Bond, BondKind, Bonds, Bounds, Contact, Cursor, Force, HandedOver, Limit, Method, Model,
+    MouseForce, Order, Plane, PointId, Polygon, Precision, Profile, Region, Saved, SavedWorld, SkinMaterial,
+    SkinMaterials, Solver, Track, Why, Wind,
 };
 
 /// What can be put behind some bytes and taken from there again.
@@ -151,6 +151,7 @@ fields!(Core<D> { time, position, velocity, mass, pinned, bonds, gone, bond_numb
 pub(super) const FIRST_WITH_TRIANGLES: u64 = 3;
 pub(super) const FIRST_WITH_FORCES: u64 = 4;
 pub(super) const FIRST_WITH_HAND_OVERS: u64 = 5;
+const FIRST_WITH_ANGLES: u64 = 6;
 
 /// A kept world of any layout that is known.
 trait KeptWorld: Sized {
@@ -204,6 +205,7 @@ saved! {
     from FIRST_WITH_TRIANGLES on: model: triangles contact; rest: ;
     from FIRST_WITH_FORCES on: model: skins forces wind; rest: force_numbers next_force;
     from FIRST_WITH_HAND_OVERS on: model: ; rest: handed_over;
+    from FIRST_WITH_ANGLES on: model: areas rest_areas angles; rest: ;
 }
 
 fields!(Method { solver, substep, iterations, order, seed, precision, tolerance, max_strain, sleeps } without { ledger: false, budget: None });
@@ -212,6 +214,9 @@ fields!(Contact { friction, restitution, radius, with_itself, with_others });
 fields!(Force<D> { points, force, torque });
 fields!(Wind<D> { velocity, turbulence, seed });
 fields!(SkinMaterial { friction, restitution, radius });
+fields!(Areas { stiffness, least });
+fields!(Angle { number, points, rest, stiffness, damping, range, arms, stop });
+fields!(Angles { list, next });
 fields!(MouseForce { strength, radius, region, profile, track });
 fields!(Track<D> { knots });
 fields!(Bounds<D> { min, max, restitution, friction });

@@ -1,10 +1,10 @@
 //! From commands as files have them to those of the engine.
 
-use super::command::{DeleteKeys, Do, MoveKeys, OneOrEach, SetKeys, VectorOrEach, Walls, Weather};
+use super::command::{DeleteKeys, Do, MoveKeys, OneOrEach, RangeOrNone, SetKeys, VectorOrEach, Walls, Weather};
 use crate::scene::{KindName, LimitName, Made, Meeting, MethodKeys, Scene, Vector};
 use crate::sim::{
-    BondChange, BondId, BoundsChange, Change, Command, Dynamics, Kind, Limit, Motion, PointId, SceneChange, Selection,
-    SkinMaterial, Values, Wind,
+    AngleChange, BondChange, BondId, BoundsChange, Change, Command, Dynamics, Kind, Limit, Motion, PointId,
+    SceneChange, Selection, SkinMaterial, Values, Wind,
 };
 
 /// What a command comes to in a world as it is now.
@@ -66,6 +66,7 @@ fn selection(keys: &DeleteKeys) -> Selection {
         bonds: bonds(&keys.bonds),
         obstacles: keys.obstacles.clone(),
         forces: keys.forces.clone(),
+        angles: keys.angles.clone(),
     }
 }
 
@@ -94,6 +95,7 @@ fn bonds(numbers: &[u32]) -> Vec<BondId> {
 const OF_POINTS: [&str; 5] = ["mass", "velocity", "friction", "restitution", "radius"];
 const OF_BONDS: [&str; 9] =
     ["kind", "rest", "stiffness", "compliance", "damping", "relaxation", "max_correction", "break_strain", "limit"];
+const OF_ANGLES: [&str; 4] = ["rest", "stiffness", "damping", "range"];
 const OF_OBSTACLES: [&str; 2] = ["restitution", "friction"];
 const OF_FORCES: [&str; 2] = ["force", "torque"];
 const OF_SCENE: [&str; 6] = ["gravity", "drag_rate", "wind", "bounds", "contact", "method"];
@@ -102,7 +104,7 @@ const OF_SCENE: [&str; 6] = ["gravity", "drag_rate", "wind", "bounds", "contact"
 const FIXED: [&str; 2] = ["precision", "tolerance"];
 
 fn change(keys: &SetKeys, scene: &Scene) -> Result<Change, String> {
-    let lists = ["points", "bonds", "obstacles", "forces"];
+    let lists = ["points", "bonds", "obstacles", "forces", "angles"];
     let named: Vec<&str> = keys.given().filter(|key| lists.contains(key)).collect();
     let (what, allowed): (&str, &[&str]) = match named[..] {
         [] => ("the scene", &OF_SCENE),
@@ -110,6 +112,7 @@ fn change(keys: &SetKeys, scene: &Scene) -> Result<Change, String> {
         ["bonds"] => ("bonds", &OF_BONDS),
         ["obstacles"] => ("obstacles", &OF_OBSTACLES),
         ["forces"] => ("forces", &OF_FORCES),
+        ["angles"] => ("angles", &OF_ANGLES),
         [first, second, ..] => return Err(format!("{second}: stands beside `{first}`: make it two commands")),
         [other] => return Err(format!("{other}: is not set by number")),
     };
@@ -126,6 +129,18 @@ fn change(keys: &SetKeys, scene: &Scene) -> Result<Change, String> {
         "bonds" => {
             Change::Bonds { bonds: bonds(keys.bonds.as_deref().unwrap_or_default()), to: Box::new(bond_change(keys)?) }
         }
+        "angles" => Change::Angles {
+            angles: keys.angles.clone().unwrap_or_default(),
+            to: Box::new(AngleChange {
+                rest: keys.rest.as_ref().map(values),
+                stiffness: keys.stiffness.as_ref().map(values),
+                damping: keys.damping.as_ref().map(values),
+                range: keys.range.as_ref().map(|range| match range {
+                    RangeOrNone::These(range) => Some(*range),
+                    RangeOrNone::None(()) => None,
+                }),
+            }),
+        },
         "obstacles" => Change::Obstacles {
             obstacles: keys.obstacles.clone().unwrap_or_default(),
             restitution: keys.restitution,

@@ -18,7 +18,7 @@ use super::pack::{AnyCore, Core, FIRST_WITH_HAND_OVERS, FIRST_WITH_TRIANGLES, pu
 use crate::sim::{Bonds, Dynamics, PointId, Saved, SavedWorld, borne, resume};
 
 /// How the numbers are laid out.
-pub(super) const LAYOUT: u64 = 5;
+pub(super) const LAYOUT: u64 = 6;
 
 /// The first layout that begins with the core.
 const FIRST_WITH_CORE: u64 = 2;
@@ -204,6 +204,17 @@ fn replaced<const D: usize>(core: Core<D>, start: Saved<D>) -> Saved<D> {
         handed_over,
         ..start
     };
+    // What is left of angles and areas is not said: those of bonds and points that went go, as triangles do.
+    let ends: Vec<[PointId; 2]> = saved.model.bonds.ends().iter().copied().map(sorted).collect();
+    let was_bond = |side: [PointId; 2]| bonds_at_start.ends().iter().any(|&ends| sorted(ends) == side);
+    let is_left = |a: PointId, b: PointId| ends.contains(&sorted([a, b])) || !was_bond(sorted([a, b]));
+    let is_gone = |point: &PointId| saved.gone.binary_search(point).is_ok();
+    saved.model.angles.list.retain(|angle| {
+        let [i, j, k] = angle.points;
+        !angle.points.iter().any(is_gone) && is_left(i, j) && is_left(j, k)
+    });
     saved.model.triangles = left_of(&saved.model.triangles, &bonds_at_start, &saved);
+    // Areas at rest are worked out anew, from where the points are.
+    saved.model.rest_areas = saved.model.areas_at_rest();
     saved
 }

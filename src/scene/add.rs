@@ -29,6 +29,7 @@ impl Scene {
         alone.check()?;
         let origin = alone.find_room(world, seen).map_err(|fault| self.source.error(fault))?;
         alone.bodies[0].origin = Some(Vector::Plane(origin));
+        let alone = alone.with_firm_strokes()?;
         let mut bodies = if apart { alone.in_parts(0)?.bodies } else { alone.bodies };
         let inside = inline_picture(picture).map_err(|fault| self.source.error(fault))?;
         bodies.iter_mut().for_each(|body| body.file = Some(inside.clone()));

@@ -3,11 +3,11 @@
 use super::check;
 use super::error::{Fault, SceneError, Source, Within};
 use super::keys::{AddKeys, BondList, ObstacleKeys, PointKeys, Scene};
-use super::model::{anticlockwise, force, material, rest_length, skin};
+use super::model::{angle, anticlockwise, force, material, rest_length, skin};
 use super::support;
 use crate::picture::Skin;
-use crate::sim::vector::embed;
-use crate::sim::{self, Addition, Bond, Dynamics, Model, PointId, SkinMaterial};
+use crate::sim::vector::{embed, truncate};
+use crate::sim::{self, Addition, Angle, Bond, Dynamics, Model, PointId, SkinMaterial};
 
 /// What keys of an addition come to.
 #[derive(Clone, Debug)]
@@ -64,6 +64,13 @@ impl AddKeys {
         });
         let of_bodies = model.triangles.iter().map(|corners| corners.map(offset));
         let triangles = explicit.chain(of_bodies).collect();
+        check::check_angles(&self.angles, count, D)?;
+        let own = |point: u32| truncate(place(world, (first, &position), point));
+        let mut angles = Vec::new();
+        for (k, keys) in self.angles.iter().enumerate() {
+            angles.push(angle(keys, own).item(k).at("angles")?);
+        }
+        angles.extend(model.angles.list.iter().map(|angle| Angle { points: angle.points.map(offset), ..*angle }));
         Ok(Made {
             skins: self.skins(&alone, first)?,
             addition: Addition {
@@ -77,6 +84,7 @@ impl AddKeys {
                 triangles,
                 forces: self.forces.iter().map(force).collect(),
                 skins,
+                angles,
             },
         })
     }

@@ -1,14 +1,14 @@
 //! A scene with its bodies turned into explicit points and bonds.
 
 use super::error::SceneError;
-use super::keys::{BondKeys, KindName, MassKeys, PointKeys, Scene, SkinKeys, Vector};
+use super::keys::{AngleKeys, BondKeys, KindName, MassKeys, PointKeys, Row, Scene, SkinKeys, Vector};
 use super::model::skins;
 use super::start::Start;
 use crate::sim::{BondKind, SkinMaterial};
 
 impl Scene {
     /// The same scene without bodies: every point and bond is listed. Its model is the same, bit for bit, but for triangles of bodies
-    /// that neither meet others nor are drawn on: these are left out.
+    /// that neither meet others, nor resist, nor are drawn on: these are left out.
     ///
     /// Errors: those of [`Scene::check`]; numbers that overflow.
     pub fn expanded(&self) -> Result<Scene, SceneError> {
@@ -66,6 +66,17 @@ impl Scene {
                 radius,
             })
             .collect();
+        for body in &start.bodies {
+            // What is at rest as it stands need not say so.
+            scene.angles.extend(body.bends().map(|bend| AngleKeys {
+                points: Row(bend.points),
+                stiffness: Some(bend.stiffness),
+                rest: None,
+                damping: None,
+                min: None,
+                max: None,
+            }));
+        }
         self.dress(&mut scene, &start.bodies).map_err(|fault| self.source.error(fault))?;
         Ok(scene)
     }

@@ -11,6 +11,7 @@
 mod add;
 mod addition;
 mod anew;
+mod bending;
 mod check;
 mod error;
 mod expand;
@@ -40,11 +41,11 @@ pub use error::{SceneError, SceneErrorKind, Source};
 pub use gallery::{Entry, gallery};
 pub(crate) use keys::macros::object;
 pub use keys::{
-    AddKeys, AreaKeys, AreaKindName, BodyKeys, BondKeys, BondList, BoundsKeys, BoxKeys, BraceName, BudgetKeys,
-    CircleKeys, ContactKeys, DiagonalsName, ForceKeys, KindName, LimitName, MakerName, MassKeys, Material, Meeting,
-    MethodKeys, MouseKeys, ObstacleKeys, OrderName, PatternName, PictureKeys, PinMotionKeys, PlaneKeys, PointKeys,
-    PrecisionName, ProfileName, RegionName, RepeatKeys, RotationKeys, Row, Scene, SkinKeys, SolverName, StrokesName,
-    TextureKeys, Vector, Version, ViewKeys, WindKeys,
+    AddKeys, AngleKeys, AreaKeys, AreaKindName, BodyKeys, BondKeys, BondList, BoundsKeys, BoxKeys, BraceName,
+    BudgetKeys, CircleKeys, ContactKeys, DiagonalsName, ForceKeys, KindName, LimitName, MakerName, MassKeys, Material,
+    Meeting, MethodKeys, MouseKeys, ObstacleKeys, OrderName, PatternName, PictureKeys, PinMotionKeys, PlaneKeys,
+    PointKeys, PrecisionName, ProfileName, RegionName, RepeatKeys, RotationKeys, Row, Scene, SkinKeys, SolverName,
+    StrokesName, TextureKeys, Vector, Version, ViewKeys, WindKeys,
 };
 pub(crate) use keys::{ObjectOnly, present};
 pub(crate) use nearest::nearest;

@@ -3,16 +3,16 @@
 use super::check::{self, Resistance};
 use super::error::{Fault, SceneError, Within};
 use super::keys::{
-    BondKeys, ForceKeys, LimitName, Meeting, MouseKeys, ObstacleKeys, PinMotionKeys, ProfileName, RegionName, Row,
-    Scene, SkinKeys, WindKeys,
+    AngleKeys, AreaKeys, AreaKindName, BondKeys, ForceKeys, LimitName, Meeting, MouseKeys, ObstacleKeys, PinMotionKeys,
+    ProfileName, RegionName, Row, Scene, SkinKeys, WindKeys,
 };
 use super::start::Start;
 use super::support;
 use crate::body::distance;
 use crate::sim::vector::{cross, sub, truncate};
 use crate::sim::{
-    Bond, Bonds, Bounds, Dynamics, Force, Limit, Model, ModelError, MouseForce, Plane, PointId, Profile, Region,
-    SkinMaterial, SkinMaterials, Track, Wind, build,
+    Angle, Angles, Areas, Bond, Bonds, Bounds, Dynamics, Force, Limit, Model, ModelError, MouseForce, Plane, PointId,
+    Profile, Region, SkinMaterial, SkinMaterials, Track, Wind, angle_at, build,
 };
 
 impl Scene {
@@ -93,6 +93,9 @@ impl Scene {
         Ok(Model {
             bonds: self.model_bonds(&start)?,
             triangles: triangles(&self.triangles, &start),
+            areas: self.areas.as_ref().map(areas),
+            rest_areas: Vec::new(),
+            angles: Angles::of(self.model_angles(&start)?),
             contact: self.contact.and_then(Meeting::resolve),
             skins: skins(&self.skins, &start),
             forces: self.forces.iter().map(force).collect(),
@@ -181,6 +184,56 @@ pub(super) fn wind<const D: usize>(keys: &WindKeys) -> Wind<D> {
         velocity: truncate(keys.velocity.embed()),
         turbulence: keys.turbulence.unwrap_or(0.0),
         seed: keys.seed.unwrap_or(0),
+    }
+}
+
+impl Scene {
+    /// The explicit angles, then those of the bodies.
+    fn model_angles(&self, start: &Start) -> Result<Vec<Angle>, Fault> {
+        let place = |point: u32| truncate::<2>(start.position[point as usize]);
+        let mut angles = Vec::new();
+        for (k, keys) in self.angles.iter().enumerate() {
+            angles.push(angle(keys, place).item(k).at("angles")?);
+        }
+        let of_bodies = start.bodies.iter().flat_map(|body| body.bends());
+        angles.extend(of_bodies.map(|bend| Angle {
+            stiffness: bend.stiffness,
+            ..angle_at(bend.points.map(PointId), bend.points.map(place))
+        }));
+        Ok(angles)
+    }
+}
+
+/// An angle between points at these places.
+///
+/// Errors: an arm has no length, or, where no rest is said, there is no angle between them.
+pub(super) fn angle(keys: &AngleKeys, place: impl Fn(u32) -> [f64; 2]) -> Result<Angle, Fault> {
+    let found = angle_at(keys.points.0.map(PointId), keys.points.0.map(place));
+    if !found.arms.iter().all(|&arm| arm > 0.0 && arm.is_finite()) {
+        return Err(Fault::invalid("an arm has no length: put its points apart").at("points"));
+    }
+    let rest = keys.rest.unwrap_or(found.rest);
+    if rest == 0.0 {
+        return Err(Fault::invalid("its arms lie on each other at the start: give `rest`, between 0 and 2 pi"));
+    }
+    Ok(Angle {
+        rest,
+        stiffness: keys.stiffness.unwrap_or(0.0),
+        damping: keys.damping.unwrap_or(0.0),
+        range: keys.min.zip(keys.max).map(|(min, max)| [min, max]),
+        ..found
+    })
+}
+
+/// How triangles resist.
+pub(super) fn areas(keys: &AreaKeys) -> Areas {
+    let usual = Areas::default();
+    Areas {
+        stiffness: match keys.kind {
+            Some(AreaKindName::Rigid) => f64::INFINITY,
+            _ => keys.stiffness.unwrap_or(0.0),
+        },
+        least: keys.least.unwrap_or(usual.least),
     }
 }
 

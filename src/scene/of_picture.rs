@@ -40,6 +40,12 @@ const RELAXED_GRAVITY: f64 = 1.0;
 /// Points that rain on an obstacle.
 const DROPS: u64 = 300;
 
+/// Bending of strokes of a soft body, over its weight and the square of its height, where none is said: a stroke half as long as the
+/// picture is high, which bears a third of the weight, sags by about a tenth of its length.
+const STROKE_BENDING: f64 = 0.06;
+/// Most bonds of a body that gets it by itself: its skin bends too, and what bends is none of the large bodies.
+const MOST_BENT: usize = 4_000;
+
 impl Matter {
     /// Young's modulus in the plane if none is said [N/m]: a body 2 m high that falls 1 m is squeezed by about a tenth; braced, it hardly
     /// folds.
@@ -197,6 +203,30 @@ impl Scene {
         Scene::around(source, (name.to_owned(), file), keys, matter)
     }
 
+    /// The same scene, its soft bodies of pictures with strokes firm enough to keep their shape under their weight, where no bending is said.
+    ///
+    /// Errors: those of [`Scene::picture_mesh`].
+    pub(super) fn with_firm_strokes(mut self) -> Result<Scene, SceneError> {
+        for body in 0..self.bodies.len() {
+            let keys = &self.bodies[body];
+            let material = keys.material.as_ref();
+            let is_open = |material: &Material| material.kind == Some(KindName::Spring) && material.bending.is_none();
+            if keys.make != MakerName::Picture || !material.is_some_and(is_open) {
+                continue;
+            }
+            let mesh = self.picture_mesh(body)?;
+            if mesh.bonds.len() == mesh.mesh_bonds || mesh.bonds.len() > MOST_BENT {
+                continue;
+            }
+            let height = keys.height.unwrap_or(2.0);
+            if let Some(material) = &mut self.bodies[body].material {
+                let mass = material.mass.unwrap_or(MASS);
+                material.bending = Some(STROKE_BENDING * mass * GRAVITY * height * height);
+            }
+        }
+        Ok(self)
+    }
+
     /// A box around the picture that the source knows as `file`.
     fn around(
         source: Source,
@@ -261,6 +291,7 @@ impl Scene {
             ..Scene::default()
         };
         scene.check()?;
+        let scene = scene.with_firm_strokes()?;
         // It is there: what is made of it later has its own bounds, and is not ended by whoever waited for it.
         Ok(Scene { source: Source { watch: Watch::default(), ..scene.source.clone() }, ..scene })
     }

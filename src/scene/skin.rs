@@ -59,10 +59,10 @@ impl Scene {
         }))
     }
 
-    /// Gives `expanded`, this scene without bodies, the triangles of its bodies as they were made, where bodies meet or are drawn on, and
+    /// Gives `expanded`, this scene without bodies, the triangles of its bodies as they were made, where bodies meet, resist by area or are drawn on, and
     /// what is drawn on them: a scene has one texture, so several pictures become one, side by side.
     pub(super) fn dress(&self, expanded: &mut Scene, made: &[PlacedBody]) -> Result<(), Fault> {
-        let meets = self.contact.and_then(Meeting::resolve).is_some();
+        let meets = self.contact.and_then(Meeting::resolve).is_some() || self.areas.is_some();
         let count = expanded.points.as_ref().map_or(0, |points| points.position.len());
         let mut is_drawn = vec![false; count];
         let mut draw = |corners: [u32; 3]| corners.into_iter().for_each(|corner| is_drawn[corner as usize] = true);

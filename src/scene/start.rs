@@ -1,5 +1,6 @@
 //! All points of a scene, the explicit ones and those of its bodies, in their numbering.
 
+use super::bending::{Bend, bends};
 use super::check::{self, Resistance};
 use super::error::{Fault, Within};
 use super::keys::{BodyKeys, MakerName, MassKeys, Material, Scene};
@@ -30,6 +31,8 @@ pub(super) struct PlacedBody {
     links: Vec<Link>,
     /// What a copy covers, counted within it.
     triangles: Vec<[u32; 3]>,
+    /// Angles of a copy, counted within it.
+    bends: Vec<Bend>,
     /// How they resist, each by its share.
     kind: BondKind,
     /// What its skin is made of.
@@ -71,6 +74,16 @@ impl PlacedBody {
         (0..self.copies).flat_map(|copy| {
             let first = self.first + copy * self.each;
             self.triangles.iter().map(move |corners| corners.map(|corner| first + corner))
+        })
+    }
+}
+
+impl PlacedBody {
+    /// The angles, their points counted over the scene.
+    pub(super) fn bends(&self) -> impl Iterator<Item = Bend> {
+        (0..self.copies).flat_map(|copy| {
+            let first = self.first + copy * self.each;
+            self.bends.iter().map(move |bend| Bend { points: bend.points.map(|point| first + point), ..*bend })
         })
     }
 }
@@ -150,6 +163,8 @@ impl Start {
             return Err(Fault::invalid(message));
         }
         let kind = material::kind(keys, &body, &mass);
+        let bending = keys.material.as_ref().and_then(|material| material.bending);
+        let bends = bends(&body, bending.unwrap_or(0.0));
         let Body { links, mut triangles, .. } = body;
         let is_own = |corner: &u32| (first..self.position.len()).contains(&(*corner as usize));
         if keys.make != MakerName::Picture && scene.triangles.iter().any(|corners| corners.0.iter().all(is_own)) {
@@ -162,7 +177,7 @@ impl Start {
             radius: material.radius,
         };
         let skin = keys.material.as_ref().map_or(SkinMaterial::default(), of_skin);
-        self.bodies.push(PlacedBody { first: first as u32, each, copies, links, triangles, kind, skin });
+        self.bodies.push(PlacedBody { first: first as u32, each, copies, links, triangles, bends, kind, skin });
         Ok(())
     }
 }

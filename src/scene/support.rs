@@ -2,21 +2,19 @@
 
 use super::check::Resistance;
 use super::error::{Fault, SceneError, Source};
-use super::keys::{BudgetKeys, Meeting, Scene, SolverName};
+use super::keys::{BodyKeys, BudgetKeys, Meeting, Scene, SolverName};
 use super::start::resistance;
 use crate::sim::{self, BondKind};
 
 /// Keys of a scene that a later version brings.
-pub(crate) const LATER: [&str; 3] = ["areas", "angles", "drives"];
+pub(crate) const LATER: [&str; 1] = ["drives"];
 
 /// Counted work of a frame of 1/60 s where nothing is said [ms]: the rest of a frame is for drawing it.
 const BUDGET: f64 = 6.0;
 
 /// Errors: the first key that this version cannot run.
 pub(super) fn check(scene: &Scene) -> Result<(), Fault> {
-    if scene.areas.is_some() {
-        return Err(lacking("areas"));
-    }
+    check_form(scene)?;
     check_contact(scene)?;
     for (i, obstacle) in scene.obstacles.iter().enumerate() {
         let is_space = scene.dimensions() == 3;
@@ -27,6 +25,29 @@ pub(super) fn check(scene: &Scene) -> Result<(), Fault> {
         }
     }
     Ok(())
+}
+
+/// Errors: angles or areas under a solver that knows none.
+fn check_form(scene: &Scene) -> Result<(), Fault> {
+    let name = scene.method.solver.unwrap_or(SolverName::Auto);
+    let solver = sim::Solver::ALL.into_iter().find(|solver| solver.name() == name.name());
+    let Some((solver, others)) = solver.and_then(|solver| Some((solver, solver.form_refusal()?))) else {
+        return Ok(());
+    };
+    let bends =
+        |body: &BodyKeys| body.material.as_ref().and_then(|material| material.bending).is_some_and(|ei| ei > 0.0);
+    let resist = scene.areas.is_some_and(|areas| areas.kind.is_some() || areas.stiffness.is_some());
+    let refused = |what: &str| Fault::invalid(format!("solver `{solver}` knows no {what}: use {others}"));
+    if resist {
+        return Err(refused("areas").at("areas"));
+    }
+    if !scene.angles.is_empty() {
+        return Err(refused("angles").at("angles"));
+    }
+    match scene.bodies.iter().position(bends) {
+        Some(body) => Err(refused("bending").at("material").item(body).at("bodies")),
+        None => Ok(()),
+    }
 }
 
 /// Errors: bodies cannot meet in space, by this solver or within a tolerance.

@@ -3,7 +3,7 @@
 use crate::sim::bond::{BondKind, Limit};
 use crate::sim::constrain::direct::MOST_DIRECT;
 use crate::sim::model::Model;
-use crate::sim::plan::{inverse_masses, island::islands};
+use crate::sim::plan::islands_of;
 use crate::sim::solver::Solver;
 
 /// What a search tries.
@@ -20,41 +20,46 @@ pub(super) fn of<const D: usize>(model: &Model<D>) -> Candidates {
         return Candidates { references: vec![model.method.solver], solvers: vec![model.method.solver] };
     }
     let is = |of: fn(&BondKind) -> bool| model.bonds.iter().any(|bond| of(&bond.kind));
-    let is_rigid = is(|kind| *kind == BondKind::Rigid);
-    let is_damped = is(|kind| matches!(kind, BondKind::Spring { damping, .. } if *damping > 0.0));
+    let holds_areas = model.areas.is_some_and(|areas| areas.is_rigid()) && !model.triangles.is_empty();
+    let is_rigid = is(|kind| *kind == BondKind::Rigid) || holds_areas;
+    let is_damped = is(|kind| matches!(kind, BondKind::Spring { damping, .. } if *damping > 0.0))
+        || model.angles.list.iter().any(|angle| angle.damping > 0.0);
     let has_limits = model.bonds.iter().any(|bond| bond.limit != Limit::Both);
     let has_surfaces = model.has_surfaces();
-    let (references, solvers): (&[Solver], &[Solver]) =
-        if model.bonds.is_empty() && !has_surfaces && model.mouse.is_none() && !model.has_fields() {
-            (&[Solver::Flight], &[Solver::Flight])
-        } else if is_rigid {
-            let is_large =
-                islands(&model.bonds, &inverse_masses(model)).iter().any(|island| island.rigid > MOST_DIRECT);
-            if is_large {
-                (&[Solver::Verlet], &[Solver::Verlet])
-            } else {
-                (
-                    &[Solver::Rk8, Solver::Pefrl],
-                    &[Solver::Rk8, Solver::Rk4, Solver::VelocityVerlet, Solver::Pefrl, Solver::BlanesMoan6],
-                )
-            }
-        } else if is_damped || has_surfaces || model.mouse.is_some() || has_limits {
-            (
-                &[Solver::Rk8, Solver::ImplicitMidpoint],
-                &[Solver::Rk8, Solver::Rk4, Solver::VelocityVerlet, Solver::ImplicitMidpoint],
-            )
+    let (references, solvers): (&[Solver], &[Solver]) = if model.bonds.is_empty()
+        && model.ties().next().is_none()
+        && !has_surfaces
+        && model.mouse.is_none()
+        && !model.has_fields()
+    {
+        (&[Solver::Flight], &[Solver::Flight])
+    } else if is_rigid {
+        let is_large = islands_of(model).iter().any(|island| island.rigid > MOST_DIRECT);
+        if is_large {
+            (&[Solver::Verlet], &[Solver::Verlet])
         } else {
             (
-                &[Solver::BlanesMoan6, Solver::ImplicitMidpoint],
-                &[
-                    Solver::BlanesMoan6,
-                    Solver::BlanesMoan4,
-                    Solver::Pefrl,
-                    Solver::VelocityVerlet,
-                    Solver::Rk8,
-                    Solver::ImplicitMidpoint,
-                ],
+                &[Solver::Rk8, Solver::Pefrl],
+                &[Solver::Rk8, Solver::Rk4, Solver::VelocityVerlet, Solver::Pefrl, Solver::BlanesMoan6],
             )
-        };
+        }
+    } else if is_damped || has_surfaces || model.mouse.is_some() || has_limits {
+        (
+            &[Solver::Rk8, Solver::ImplicitMidpoint],
+            &[Solver::Rk8, Solver::Rk4, Solver::VelocityVerlet, Solver::ImplicitMidpoint],
+        )
+    } else {
+        (
+            &[Solver::BlanesMoan6, Solver::ImplicitMidpoint],
+            &[
+                Solver::BlanesMoan6,
+                Solver::BlanesMoan4,
+                Solver::Pefrl,
+                Solver::VelocityVerlet,
+                Solver::Rk8,
+                Solver::ImplicitMidpoint,
+            ],
+        )
+    };
     Candidates { references: references.to_vec(), solvers: solvers.to_vec() }
 }

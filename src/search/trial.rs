@@ -2,7 +2,7 @@
 
 use crate::sim::dynamics::Dynamics;
 use crate::sim::model::{Method, Model, ModelError};
-use crate::sim::plan::{gust_rate, inverse_masses, island::islands};
+use crate::sim::plan::{gust_rate, islands_of};
 use crate::sim::solver::Solver;
 use crate::sim::world::build;
 
@@ -49,7 +49,7 @@ pub(super) struct Trials<'a, const D: usize> {
 
 impl<'a, const D: usize> Trials<'a, D> {
     pub(super) fn new(model: &'a Model<D>, times: &'a [f64]) -> Self {
-        let islands = islands(&model.bonds, &inverse_masses(model));
+        let islands = islands_of(model);
         let most = |of: fn(&crate::sim::plan::island::Island) -> f64| islands.iter().map(of).fold(0.0, f64::max);
         let mouse = model.mouse.as_ref().map_or(0.0, |mouse| mouse.strength.abs().sqrt());
         Trials {

@@ -12,6 +12,7 @@
 
 use super::bond::Bond;
 use super::environment::Environment;
+use super::force::form::{Form, at};
 use super::force::mouse::{self, Track};
 use super::force::spring::Spring;
 use super::ledger::Book;
@@ -26,15 +27,23 @@ pub(crate) struct Account {
     pub(crate) book: Book,
     /// Springs with a damper, and those that end at a pin which is led, between places in the group.
     springs: Vec<Spring<f64>>,
+    /// The same of angles and areas.
+    form: Option<Form<f64>>,
     /// Some bonds that are no springs end at pins that are led.
     pub(crate) pulls_rigid: bool,
 }
 
 impl Account {
-    /// An empty account of a group with these bonds, between places in the group, and these tracks of pins.
-    pub(crate) fn new<'a, const D: usize>(bonds: impl Iterator<Item = &'a Bond>, tracks: &[(u32, Track<D>)]) -> Self {
+    /// An empty account of a group with these bonds, angles and areas, between places in the group, and these tracks of pins.
+    pub(crate) fn new<'a, const D: usize>(
+        bonds: impl Iterator<Item = &'a Bond>,
+        mut form: Form<f64>,
+        tracks: &[(u32, Track<D>)],
+    ) -> Self {
         let is_led = |point: u32| tracks.iter().any(|(led, _)| *led == point);
-        let mut account = Account::default();
+        form.hinges.retain(|hinge| hinge.damping > 0.0 || hinge.points.iter().any(|&point| is_led(point)));
+        form.patches.retain(|patch| patch.corners.iter().any(|&corner| is_led(corner)));
+        let mut account = Account { form: (!form.is_empty()).then_some(form), ..Account::default() };
         for bond in bonds {
             let ends_led = is_led(bond.a.0) || is_led(bond.b.0);
             match Spring::of(bond) {
@@ -73,6 +82,9 @@ impl Account {
             let of_pin = |k: usize, v: [f64; D]| if w[k] == S::ZERO { dot(pull, v) } else { 0.0 };
             power.pins -= of_pin(i, v_a) - of_pin(j, v_b);
         }
+        if let Some(form) = &self.form {
+            add_form(form, (x, v, w), power);
+        }
         if drag_rate != 0.0 {
             power.drag += 2.0 * drag_rate * kinetic(v, w);
         }
@@ -95,6 +107,31 @@ impl Account {
         }
         self.book.add(&power, h);
     }
+}
+
+/// Power of the dampers of angles, and of angles and areas at led pins [W].
+fn add_form<S: Real, const D: usize>(form: &Form<f64>, (x, v, w): (&[[S; D]], &[[S; D]], &[S]), power: &mut Book) {
+    let mut of_pins = |points: [u32; 3], forces: [[f64; 2]; 3], v: [[f64; D]; 3]| {
+        for ((point, force), v) in points.into_iter().zip(forces).zip(v) {
+            if w[point as usize] == S::ZERO {
+                power.pins -= force[0] * v[0] + force[1] * v[1];
+            }
+        }
+    };
+    let mut dampers = 0.0;
+    for hinge in &form.hinges {
+        let (x, v) = (at(x, hinge.points).map(widen), at(v, hinge.points).map(widen));
+        if let Some([still, damped]) = hinge.forces(x, v) {
+            let works = still.iter().zip(&damped).zip(&v);
+            dampers += works.map(|((f, g), v)| (f[0] - g[0]) * v[0] + (f[1] - g[1]) * v[1]).sum::<f64>();
+            of_pins(hinge.points, damped, v);
+        }
+    }
+    for patch in &form.patches {
+        let (x, v) = (at(x, patch.corners).map(widen), at(v, patch.corners).map(widen));
+        of_pins(patch.corners, patch.forces(x), v);
+    }
+    power.dampers += dampers;
 }
 
 /// The sum of m v^2/2 of the points that can move [J].

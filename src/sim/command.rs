@@ -9,6 +9,7 @@ use std::ops::Range;
 use super::bond::{Bond, BondId, Limit, PointId};
 use super::contact::polygon::Polygon;
 use super::contact::skin::{Contact, SkinMaterial};
+use super::force::angle::Angle;
 use super::force::mouse::{Cursor, Profile, Region};
 use super::force::steady::Force;
 use super::force::wind::Wind;
@@ -104,6 +105,8 @@ pub struct Addition {
     pub forces: Vec<Force<3>>,
     /// What skins of points of the world, new ones included, are made of from now on.
     pub skins: Vec<(SkinMaterial, Vec<PointId>)>,
+    /// Angles between points of the world, new ones included, which get the next numbers.
+    pub angles: Vec<Angle>,
 }
 
 /// An obstacle, as commands name it.
@@ -135,6 +138,8 @@ pub struct Selection {
     pub obstacles: Vec<u32>,
     /// Constant forces.
     pub forces: Vec<u32>,
+    /// Angles.
+    pub angles: Vec<u32>,
 }
 
 /// Places change: scaled and turned about a place, then moved. Velocities turn and do not scale; rest lengths of bonds with both ends moved
@@ -185,6 +190,13 @@ pub enum Change {
         /// To what.
         to: Box<BondChange>,
     },
+    /// Numbers of angles.
+    Angles {
+        /// Which.
+        angles: Vec<u32>,
+        /// To what.
+        to: Box<AngleChange>,
+    },
     /// Numbers of obstacles.
     Obstacles {
         /// Which.
@@ -226,6 +238,19 @@ pub struct BondChange {
     pub break_strain: Option<Values>,
     /// On which side of the rest length they act.
     pub limit: Option<Limit>,
+}
+
+/// What of angles changes.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct AngleChange {
+    /// Where they are at rest [rad], between 0 and 2 pi.
+    pub rest: Option<Values>,
+    /// [N m], >= 0.
+    pub stiffness: Option<Values>,
+    /// [N m s], >= 0.
+    pub damping: Option<Values>,
+    /// The least and the largest angle of joints [rad]; `Some(None)`: they turn freely.
+    pub range: Option<Option<[f64; 2]>>,
 }
 
 /// A kind of bond, without its numbers.
@@ -282,6 +307,8 @@ pub struct Applied {
     pub obstacles: Range<u32>,
     /// Numbers given to new constant forces.
     pub forces: Range<u32>,
+    /// Numbers given to new angles.
+    pub angles: Range<u32>,
 }
 
 /// A command that cannot be done where it stands: the world is whole, as it was before.

@@ -22,7 +22,7 @@ pub struct Sample {
     pub position: Vec<[f64; 3]>,
     /// Velocities [m/s]; of points that are gone NaN.
     pub velocity: Vec<[f64; 3]>,
-    /// Kinetic + springs' + gravity's energy of the points that are not pinned [J].
+    /// Kinetic + springs', angles', areas' + gravity's energy of the points that are not pinned [J].
     pub energy: f64,
     /// Largest |length/rest - 1| over the bonds [1] (rest 0 left out).
     pub max_strain: f64,
@@ -119,7 +119,7 @@ pub trait Dynamics: Send {
     fn mouse(&self) -> Option<(&MouseForce, Cursor)>;
     /// The mouse force, if the scene has it, wherever its cursor is.
     fn mouse_force(&self) -> Option<&MouseForce>;
-    /// Kinetic + springs' + gravity's energy of the points that are not pinned [J].
+    /// Kinetic + springs', angles', areas' + gravity's energy of the points that are not pinned [J].
     fn energy(&self) -> f64;
     /// Work done so far.
     fn counters(&self) -> &Counters;

@@ -4,7 +4,7 @@
 //! energy now - energy at the start = brought - taken + left over
 //! ```
 //!
-//! Energy is kinetic + springs' + gravity's. What mouse, grab, led pins, forces, wind and commands brought, and what dampers, drag, friction,
+//! Energy is kinetic + springs', angles' and areas' + gravity's. What mouse, grab, led pins, forces, wind and commands brought, and what dampers, drag, friction,
 //! impacts and breaking bonds took, are line integrals of their forces along the ways of the points, and changes of velocities
 //! where these change at once. What is left over is the method's own error.
 
@@ -77,7 +77,7 @@ impl Book {
 pub struct Energies {
     /// The sum of m v^2/2.
     pub kinetic: f64,
-    /// The sum of stiffness (|d| - rest)^2/2 over springs that act.
+    /// The sum of stiffness (|d| - rest)^2/2 over springs that act, and what angles and areas have.
     pub springs: f64,
     /// The sum of -m g . x: 0 at the origin.
     pub gravity: f64,

@@ -42,8 +42,8 @@ pub mod world;
 pub use bond::{Bond, BondId, BondKind, Limit, PointId};
 pub use bonds::Bonds;
 pub use command::{
-    Addition, Applied, BondChange, BoundsChange, Change, Command, CommandError, Kind, Knots, Motion, MouseChange,
-    Obstacle, Reach, SceneChange, Selection, Values,
+    Addition, AngleChange, Applied, BondChange, BoundsChange, Change, Command, CommandError, Kind, Knots, Motion,
+    MouseChange, Obstacle, Reach, SceneChange, Selection, Values,
 };
 pub use contact::bounds::Bounds;
 pub use contact::polygon::Polygon;
@@ -51,12 +51,14 @@ pub use contact::skin::{Contact, SkinMaterial, SkinMaterials};
 pub use contact::surface::Plane;
 pub use counters::Counters;
 pub use dynamics::{Dynamics, ForceView, GrabView, Sample};
+pub use force::angle::{Angle, Angles};
+pub use force::area::Areas;
 pub use force::mouse::{Cursor, MouseForce, Profile, Region, Track};
 pub use force::steady::Force;
 pub use force::wind::Wind;
 pub use kernels::level::InstructionSet;
 pub use ledger::{Book, Energies, Ledger, Verdict, judge};
-pub use model::{MOST_ITERATIONS, Method, Model, ModelError};
+pub use model::{MOST_ITERATIONS, Method, Model, ModelError, angle_at};
 pub use moved::{HandedOver, MovedBy, Why};
 pub use plan_part::PlanPart;
 pub use real::{Positions, Precision, Real};

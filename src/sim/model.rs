@@ -1,5 +1,7 @@
 //! What a world is made from: points, bonds, forces, walls and a method, in `f64` and checked.
 
+mod form;
+
 use super::bond::{Bond, BondKind, PointId};
 use super::bonds::Bonds;
 use super::contact::bounds::Bounds;
@@ -7,12 +9,16 @@ use super::contact::geometry::Geometry;
 use super::contact::polygon::Polygon;
 use super::contact::skin::{Contact, SkinMaterials};
 use super::contact::surface::Plane;
+use super::force::angle::Angles;
+use super::force::area::Areas;
 use super::force::mouse::{MouseForce, Track};
 use super::force::steady::Force;
 use super::force::wind::Wind;
 use super::real::Precision;
 use super::solver::{Order, Solver};
 use super::vector::{add, scale};
+
+pub use form::angle_at;
 
 /// A start: everything that decides a motion. The same model runs bit for bit as it did before.
 ///
@@ -33,6 +39,12 @@ pub struct Model<const D: usize> {
     pub bonds: Bonds,
     /// What bodies cover: corners that differ, anticlockwise where nothing is inside out.
     pub triangles: Vec<[PointId; 3]>,
+    /// How triangles resist a change of their area, in the plane; `None`: not at all.
+    pub areas: Option<Areas>,
+    /// The area that each triangle is made with [m^2], 0 of one that is left out, where triangles resist; empty: still to be worked out.
+    pub rest_areas: Vec<f64>,
+    /// Angles that resist, in the plane.
+    pub angles: Angles,
     /// How bodies meet, in the plane; `None`: they pass through each other.
     pub contact: Option<Contact>,
     /// What skins are made of, where bodies have their own.
@@ -122,6 +134,29 @@ pub enum ModelError {
         /// The solver.
         solver: Solver,
     },
+    /// A solver that knows no angles or no areas.
+    #[error("solver {solver} knows no {what}: use {others}")]
+    NoForm {
+        /// "angles" or "areas".
+        what: &'static str,
+        /// The solver.
+        solver: Solver,
+        /// Solvers that would do.
+        others: &'static str,
+    },
+    /// More areas to be held, with rigid bonds, than are solved together.
+    #[error(
+        "`areas` are rigid in a body of {found} rigid bonds and areas: give `stiffness`, or hold no more than {most}"
+    )]
+    TooManyHeld {
+        /// How many there are.
+        found: usize,
+        /// How many are solved together.
+        most: usize,
+    },
+    /// Areas that are held, for which no equilibrium is looked for.
+    #[error("an equilibrium is not looked for with rigid `areas`: give a `stiffness`")]
+    HeldAreas,
     /// A tolerance where bodies meet.
     #[error("no tolerance is held to where bodies meet: leave `tolerance` or `contact` out")]
     Unbounded,
@@ -175,6 +210,7 @@ impl<const D: usize> Model<D> {
             }
             check_triangle(i, *corners)?;
         }
+        self.check_form()?;
         for &pin in &self.pinned {
             self.check_index(|| "pinned".to_owned(), pin)?;
         }
@@ -309,6 +345,9 @@ impl<const D: usize> Model<D> {
             pinned: self.pinned.clone(),
             bonds: Bonds::new(),
             triangles: self.triangles.clone(),
+            areas: self.areas,
+            rest_areas: self.rest_areas.clone(),
+            angles: self.angles.clone(),
             contact: self.contact,
             skins: self.skins.clone(),
             forces: self.forces.clone(),
@@ -422,6 +461,9 @@ impl<const D: usize> Default for Model<D> {
             pinned: Vec::new(),
             bonds: Bonds::new(),
             triangles: Vec::new(),
+            areas: None,
+            rest_areas: Vec::new(),
+            angles: Angles::default(),
             contact: None,
             skins: SkinMaterials::default(),
             forces: Vec::new(),

@@ -6,6 +6,7 @@ use super::constrain::direct::{Direct, Held};
 use super::contact::Contacts;
 use super::counters::Counters;
 use super::environment::Environment;
+use super::force::form::Form;
 use super::force::mouse::{self, Inside};
 use super::force::spring::Springs;
 use super::force::steady::Thrust;
@@ -19,6 +20,8 @@ use super::vector::{add, convert, scale, sub, widen, zero};
 pub(crate) struct Pull<S: Real, const D: usize> {
     /// Bonds that are forces.
     pub(crate) springs: Springs<S>,
+    /// Angles and areas that are forces.
+    pub(crate) form: Form<S>,
     /// Rigid bonds that are solved together.
     pub(crate) rigid: Option<Direct<S, D>>,
     /// Surfaces and the points that rest on them.
@@ -46,6 +49,11 @@ impl<S: Real, const D: usize> Pull<S, D> {
     /// Gravity as flights give it.
     pub(crate) fn flying_gravity(&self) -> [f64; D] {
         if self.contacts.obstacles.is_empty() { self.gravity } else { [0.0; D] }
+    }
+
+    /// Whether some force depends on velocities, drag apart.
+    pub(crate) fn is_damped(&self) -> bool {
+        self.springs.is_damped() || self.form.is_damped()
     }
 
     /// Whether anything but springs, the mouse and what is the same everywhere pushes points.
@@ -78,7 +86,7 @@ impl<S: Real, const D: usize> Pull<S, D> {
         }
     }
 
-    /// Accelerations by springs, the mouse, forces, gusts and a field of this strength [m/s^2], at these positions and velocities.
+    /// Accelerations by springs, angles, areas, the mouse, forces, gusts and a field of this strength [m/s^2], at these positions and velocities.
     pub(crate) fn forces(
         &self,
         around: &Environment<D>,
@@ -87,14 +95,15 @@ impl<S: Real, const D: usize> Pull<S, D> {
         (field, a): ([S; D], &mut [[S; D]]),
         counters: &mut Counters,
     ) {
-        if self.springs.is_empty() {
+        if self.springs.is_empty() && self.form.is_empty() {
             for (a, &w) in a.iter_mut().zip(w) {
                 *a = if w == S::ZERO { zero() } else { field };
             }
         } else {
             a.fill(zero());
             self.springs.pull(x, v, a);
-            counters.bonds_solved += self.springs.len() as u64;
+            self.form.pull(x, v, a);
+            counters.bonds_solved += (self.springs.len() + self.form.len()) as u64;
             for (a, &w) in a.iter_mut().zip(w) {
                 *a = if w == S::ZERO { zero() } else { add(scale(*a, w), field) };
             }

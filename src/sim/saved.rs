@@ -74,6 +74,8 @@ impl<const D: usize> Saved<D> {
         let is_gone = |point: &PointId| self.gone.binary_search(point).is_ok();
         range(!self.model.bonds.ends().iter().flatten().any(is_gone), "bonds", "between points that are left")?;
         range(!self.model.triangles.iter().flatten().any(is_gone), "triangles", "between points that are left")?;
+        let angles = &self.model.angles.list;
+        range(!angles.iter().flat_map(|angle| &angle.points).any(is_gone), "angles", "between points that are left")?;
         range(!self.model.pinned.iter().any(is_gone), "pinned", "of points that are left")?;
         let pushed = self.model.forces.iter().flat_map(|force| &force.points);
         range(!pushed.into_iter().any(is_gone), "forces", "on points that are left")?;

@@ -139,6 +139,12 @@ impl Solver {
         }
     }
 
+    /// Whether the method has no use for angles and areas: solvers that would do.
+    pub fn form_refusal(self) -> Option<&'static str> {
+        matches!(self, Solver::Relaxation | Solver::Xpbd | Solver::Path | Solver::Flight)
+            .then_some("auto, verlet, velocity-verlet, pefrl, rk4, implicit-midpoint or live")
+    }
+
     /// Whether rigid bonds are solved together where there are not too many.
     pub(crate) fn solves_directly(self) -> bool {
         !matches!(self, Solver::Verlet | Solver::Relaxation | Solver::Xpbd | Solver::Path | Solver::Live)

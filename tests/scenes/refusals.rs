@@ -502,7 +502,7 @@ fn surfaces_method_times_and_view() {
             ),
             ("\"contact\": null", "contact: is null: give true, or an object with keys such as `friction`"),
             ("\"drives\": []", "drives: `drives` is not in this version: leave it out"),
-            ("\"angles\": []", "angles: `angles` is not in this version: leave it out"),
+            ("\"angles\": \"a\"", "angles: is string \"a\": give a list"),
             (
                 "\"texture\": { \"image\": \"/a.png\", \"uv\": [[0,0],[1,0]] }",
                 "texture.image: is no image: give a path relative to the scene, or data:image/png;base64,…",
@@ -559,13 +559,10 @@ fn surfaces_method_times_and_view() {
 /// What the form allows and this version cannot run: read, then refused by name.
 #[test]
 fn what_this_version_lacks() {
-    for (rest, message) in [
-        ("\"areas\": { \"kind\": \"rigid\" }", "areas: `areas` is not in this version: leave it out"),
-        (
-            "\"obstacles\": [{ \"circle\": { \"center\": [0,0], \"radius\": 1 } }]",
-            "obstacles[0].circle: `circle` is not in this version: leave it out",
-        ),
-    ] {
+    for (rest, message) in [(
+        "\"obstacles\": [{ \"circle\": { \"center\": [0,0], \"radius\": 1 } }]",
+        "obstacles[0].circle: `circle` is not in this version: leave it out",
+    )] {
         let text = format!("{{ \"wobble\": 1,\n{rest} }}");
         let scene = Scene::parse(&text, "x.json").unwrap_or_else(|error| panic!("{error}"));
         let error = scene.model::<2>().unwrap_err();

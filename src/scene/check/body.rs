@@ -70,6 +70,7 @@ pub(super) fn check(body: &BodyKeys, dimensions: usize, source: &Source) -> Resu
     Range::Finite.maybe(body.spin).at("spin")?;
     if let Some(material) = &body.material {
         check_material(material, body.make).at("material")?;
+        check_bending(material, (body.make, dimensions)).at("bending").at("material")?;
     }
     let each = point_count(body, dimensions, source)?;
     for (i, &point) in body.pinned.iter().enumerate() {
@@ -101,7 +102,7 @@ fn check_belonging(body: &BodyKeys) -> Result<(), Fault> {
 }
 
 fn check_material(material: &Material, make: MakerName) -> Result<(), Fault> {
-    let masses = ["mass", "point_mass", "friction", "restitution", "radius"];
+    let masses = ["mass", "point_mass", "friction", "restitution", "radius", "bending"];
     let of_bonds = material.given().find(|key| !masses.contains(key));
     if let (MakerName::Points, Some(key)) = (make, of_bonds) {
         let message = "is a key of bonds, and `points` makes none: leave it out";
@@ -126,6 +127,24 @@ fn check_material(material: &Material, make: MakerName) -> Result<(), Fault> {
         return Err(Fault::invalid(message).at("point_mass"));
     }
     Ok(())
+}
+
+/// Errors: a bending that is none, or of what has no chain and no skin in the plane.
+fn check_bending(material: &Material, (make, dimensions): (MakerName, usize)) -> Result<(), Fault> {
+    Range::NotNegative.maybe(material.bending)?;
+    if material.bending.is_none() {
+        return Ok(());
+    }
+    if dimensions == 3 {
+        return Err(Fault::invalid("is of the plane: leave it out in space"));
+    }
+    match make {
+        MakerName::Cloth | MakerName::RandomGraph | MakerName::Points | MakerName::Ragdoll => {
+            let message = format!("is of chains and skins, and `{make}` has none: leave it out");
+            Err(Fault::invalid(message))
+        }
+        _ => Ok(()),
+    }
 }
 
 /// The maker with its parameters, those that are not said filled in; their ranges are the maker's to check.

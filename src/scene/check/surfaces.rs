@@ -5,15 +5,17 @@ use std::path::Path;
 use super::number::{self, Range};
 use super::one_a_point;
 use crate::scene::error::{Fault, Within};
-use crate::scene::keys::{AreaKeys, AreaKindName, ContactKeys, Meeting, Row, Scene, SkinKeys, TextureKeys};
+use crate::scene::keys::{AngleKeys, AreaKeys, AreaKindName, ContactKeys, Meeting, Row, Scene, SkinKeys, TextureKeys};
 
 /// Errors: the first fault; `count` is how many points there are.
 pub(super) fn check(scene: &Scene, count: u32, dimensions: usize) -> Result<(), Fault> {
     check_triangles(&scene.triangles, count)?;
     check_skins(&scene.skins, count)?;
     if let Some(areas) = &scene.areas {
-        check_areas(areas, dimensions).at("areas")?;
+        let meets = scene.contact.and_then(Meeting::resolve).is_some();
+        check_areas(areas, dimensions, meets).at("areas")?;
     }
+    check_angles(&scene.angles, count, dimensions)?;
     if let Some(Meeting::As(contact)) = &scene.contact {
         check_contact(contact).at("contact")?;
     }
@@ -63,17 +65,66 @@ pub(in crate::scene) fn check_skins(skins: &[SkinKeys], count: u32) -> Result<()
     Ok(())
 }
 
-fn check_areas(areas: &AreaKeys, dimensions: usize) -> Result<(), Fault> {
+fn check_areas(areas: &AreaKeys, dimensions: usize, meets: bool) -> Result<(), Fault> {
     if dimensions == 3 {
         return Err(Fault::invalid("act in the plane only: leave them out in space"));
     }
     Range::NotNegative.maybe(areas.stiffness).at("stiffness")?;
+    if let Some(least) = areas.least {
+        if !(0.0..1.0).contains(&least) {
+            return Err(Fault::invalid(format!("is {least:?}: give a number from 0 to below 1")).at("least"));
+        }
+        if !meets {
+            let message = "is of bodies that meet, and these do not: leave it out or set \"contact\": true";
+            return Err(Fault::invalid(message).at("least"));
+        }
+    }
     match (areas.kind, areas.stiffness) {
-        (AreaKindName::Spring, None) => Err(Fault::invalid("areas of kind spring need `stiffness`: add it")),
-        (AreaKindName::Rigid, Some(_)) => {
+        (Some(AreaKindName::Spring), None) => Err(Fault::invalid("areas of kind spring need `stiffness`: add it")),
+        (None, None) if areas.least.is_none() => {
+            Err(Fault::invalid("say nothing: give `kind`, `stiffness` or, with `contact`, `least`"))
+        }
+        (Some(AreaKindName::Rigid), Some(_)) => {
             let message = "is a key of areas of kind spring, and these are rigid: leave it out";
             Err(Fault::invalid(message).at("stiffness"))
         }
+        _ => Ok(()),
+    }
+}
+
+/// Errors: the first angle that is none; `count` is how many points there are.
+pub(in crate::scene) fn check_angles(angles: &[AngleKeys], count: u32, dimensions: usize) -> Result<(), Fault> {
+    if dimensions == 3 && !angles.is_empty() {
+        return Err(Fault::invalid("act in the plane only: leave them out in space").at("angles"));
+    }
+    for (i, angle) in angles.iter().enumerate() {
+        check_angle(angle, count).item(i).at("angles")?;
+    }
+    Ok(())
+}
+
+fn check_angle(angle: &AngleKeys, count: u32) -> Result<(), Fault> {
+    const TURN: f64 = 2.0 * std::f64::consts::PI;
+    check_triangle(angle.points.0, count).at("points")?;
+    if let Some(rest) = angle.rest
+        && !(rest > 0.0 && rest < TURN)
+    {
+        return Err(Fault::invalid(format!("is {rest:?}: give an angle between 0 and 2 pi")).at("rest"));
+    }
+    Range::NotNegative.maybe(angle.stiffness).at("stiffness")?;
+    Range::NotNegative.maybe(angle.damping).at("damping")?;
+    Range::Finite.maybe(angle.min).at("min")?;
+    Range::Finite.maybe(angle.max).at("max")?;
+    match (angle.min, angle.max) {
+        (Some(min), Some(max)) if min >= max => {
+            Err(Fault::invalid(format!("{min:?} is not below {max:?} of `max`: give min < max")).at("min"))
+        }
+        (Some(min), Some(max)) if max - min >= TURN => {
+            let message = format!("{max:?} is a turn or more above {min:?} of `min`: give less, or leave both out");
+            Err(Fault::invalid(message).at("max"))
+        }
+        (Some(_), None) => Err(Fault::invalid("stands without `max`: a joint has both: add it").at("min")),
+        (None, Some(_)) => Err(Fault::invalid("stands without `min`: a joint has both: add it").at("max")),
         _ => Ok(()),
     }
 }

@@ -4,12 +4,12 @@ use super::body::BodyKeys;
 use super::bond::BondKeys;
 use super::contact::SkinKeys;
 use super::macros::object;
-use super::scene::PointKeys;
+use super::scene::{AngleKeys, PointKeys};
 use super::surroundings::{ForceKeys, ObstacleKeys, PinMotionKeys};
 use super::vector::Row;
 
 object! {
-    /// What comes, in the keys of scenes. Numbers of points under `pinned` of the points, `bonds` and `triangles` are those of the world, in
+    /// What comes, in the keys of scenes. Numbers of points under `pinned` of the points, `bonds`, `triangles` and `angles` are those of the world, in
     /// which new points follow the last number.
     #[derive(Default)]
     AddKeys: "what is added: an object with keys such as `points` and `bodies`" {
@@ -28,6 +28,8 @@ object! {
             skins: SkinKeys,
             /// Constant forces and torques on points of the world, new ones included.
             forces: ForceKeys,
+            /// Angles between points of the world, new ones included; those that the bending of materials makes follow them.
+            angles: AngleKeys,
             /// Obstacles.
             obstacles: ObstacleKeys,
             /// Pins that move; times are those of the scene.

@@ -106,6 +106,9 @@ object! {
             max_correction: f64,
             /// As of a bond [1].
             break_strain: f64,
+            /// rim, box, rope, lattice, disc, picture, in the plane: how hard chains of bonds and the skin of what has an area are to bend,
+            /// E I [N m^2], >= 0: 0 if not said. They get angles of that over the distance of their points, so that finer ones bend the same.
+            bending: f64,
             /// Of the whole body [kg], > 0, shared by area or length; not together with `point_mass`.
             mass: f64,
             /// Of each point [kg], > 0: 1 if not said.

@@ -124,15 +124,38 @@ names! {
 }
 
 object! {
-    /// How the triangles resist a change of their area.
-    AreaKeys: "areas: an object with the key `kind`" {
-        required {
-            /// How they resist.
+    /// How the triangles resist a change of their area, in the plane.
+    #[derive(Default, Copy)]
+    AreaKeys: "areas: an object with keys such as `kind` and `least`" {
+        optional {
+            /// How they resist; not at all if neither this nor `stiffness` is said.
             kind: AreaKindName,
+            /// Of springs [N/m], >= 0: the energy is stiffness (A - A0)^2/(2 A0), A signed.
+            stiffness: f64,
+            /// With `contact`: the share of its area that a triangle keeps in any case [1], from 0 to below 1; 0.3 if not said.
+            least: f64,
+        }
+    }
+}
+
+object! {
+    /// An angle that resists, in the plane: bending, or the limits of a joint.
+    AngleKeys: "an angle: an object with the key `points`" {
+        required {
+            /// Points i, j, k: the angle at j, from the arm to i to the arm to k, anticlockwise.
+            points: Row<u32, 3>,
         }
         optional {
-            /// Of springs, >= 0.
+            /// Where it is at rest [rad], between 0 and 2 pi: the angle at the start if not said.
+            rest: f64,
+            /// [N m], >= 0: 0 if not said.
             stiffness: f64,
+            /// [N m s], >= 0: 0 if not said.
+            damping: f64,
+            /// The least angle of a joint [rad]; together with `max`.
+            min: f64,
+            /// The largest angle of a joint [rad], less than a turn above `min`.
+            max: f64,
         }
     }
 }
@@ -194,6 +217,12 @@ object! {
         optional {
             /// How triangles resist.
             areas: AreaKeys,
+        }
+        lists {
+            /// Angles that resist; those that the bending of materials makes follow them.
+            angles: AngleKeys,
+        }
+        optional {
             /// Whether bodies meet, and how: they pass through each other if not said.
             contact: Meeting,
             /// What is drawn on triangles.

@@ -8,6 +8,7 @@ use crate::sim::bond::{Bond, PointId};
 use crate::sim::bonds::Bonds;
 use crate::sim::command::{Addition, Obstacle};
 use crate::sim::contact::surface::Plane;
+use crate::sim::force::angle::Angle;
 use crate::sim::force::mouse::Track;
 use crate::sim::force::steady::Force;
 use crate::sim::model::{Model, check_triangle};
@@ -24,6 +25,8 @@ impl<S: Real, const D: usize> World<S, D> {
         let mut model = Model::clone(&self.model);
         self.add_obstacles(&mut model, &addition.obstacles)?;
         self.add_points(&mut model, addition);
+        let (old_areas, old_angle) = (model.rest_areas.len(), self.model.angles.next);
+        self.add_form(&mut model, addition);
         model.check_surroundings().map_err(|error| invalid(error.to_string()))?;
         if addition.position.is_empty()
             && addition.bonds.is_empty()
@@ -33,6 +36,7 @@ impl<S: Real, const D: usize> World<S, D> {
             && addition.triangles.is_empty()
             && addition.forces.is_empty()
             && addition.skins.is_empty()
+            && addition.angles.is_empty()
         {
             return Ok(done(false));
         }
@@ -40,7 +44,11 @@ impl<S: Real, const D: usize> World<S, D> {
         let is_old = |point: &PointId| point.0 < first;
         // What else is fastened to a pin is not touched.
         let is_free = |point: &PointId| self.inverse_mass.get(point.index()).is_some_and(|&w| w > 0.0);
-        let ends = addition.bonds.iter().flat_map(|bond| [bond.a, bond.b]).filter(is_free);
+        let ends = addition.bonds.iter().flat_map(|bond| [bond.a, bond.b]);
+        let tied = addition.angles.iter().flat_map(|angle| angle.points);
+        let resist = model.areas.is_some_and(|areas| areas.stiffness > 0.0);
+        let covered = addition.triangles.iter().flatten().copied().filter(|_| resist);
+        let ends = ends.chain(tied).chain(covered).filter(is_free);
         let led = addition.pin_motion.iter().map(|(point, _)| *point);
         let pushed = addition.forces.iter().flat_map(|force| &force.points).copied().filter(is_free);
         let covered = addition.skins.iter().flat_map(|(_, points)| points).copied().filter(is_free);
@@ -55,7 +63,9 @@ impl<S: Real, const D: usize> World<S, D> {
         }
         let applied = self.number(addition);
         self.obstacles = obstacles.unwrap_or_else(|| self.obstacles.clone());
+        let angles = old_angle..model.angles.next;
         self.model = Arc::new(model);
+        self.warn_of_areas(old_areas);
         self.weigh((first..first + count).chain(touched));
         let cleared = self.clear_new(first, addition);
         self.warn_of_overlap(&cleared);
@@ -79,12 +89,23 @@ impl<S: Real, const D: usize> World<S, D> {
         }
         self.spread();
         self.attach(detached);
-        Ok(applied)
+        Ok(Applied { angles, ..applied })
     }
 
     fn check_addition(&self, addition: &Addition) -> Result<(), CommandError> {
-        let Addition { position, velocity, mass, pinned, bonds, obstacles, pin_motion, triangles, forces, skins } =
-            addition;
+        let Addition {
+            position,
+            velocity,
+            mass,
+            pinned,
+            bonds,
+            obstacles,
+            pin_motion,
+            triangles,
+            forces,
+            skins,
+            angles,
+        } = addition;
         let count = position.len();
         if velocity.len() != count || mass.len() != count {
             return Err(invalid(format!(
@@ -108,6 +129,7 @@ impl<S: Real, const D: usize> World<S, D> {
         let named = named.chain(triangles.iter().flatten().copied());
         let named = named.chain(forces.iter().flat_map(|force| force.points.iter().copied()));
         let named = named.chain(skins.iter().flat_map(|(_, points)| points.iter().copied()));
+        let named = named.chain(angles.iter().flat_map(|angle| angle.points));
         for point in named.chain(bonds.iter().flat_map(|bond| [bond.a, bond.b])) {
             let is_new = (self.count()..self.count() + count).contains(&point.index());
             if !is_new {
@@ -135,6 +157,9 @@ impl<S: Real, const D: usize> World<S, D> {
         if self.numbers.next_force as usize + forces.len() > u32::MAX as usize {
             return Err(invalid("there are more forces than numbers for them"));
         }
+        for angle in angles {
+            self.model.check_angle(angle).map_err(|error| invalid(error.to_string()))?;
+        }
         let is_polygon = |obstacle: &Obstacle| matches!(obstacle, Obstacle::Polygon(_));
         if D != 2 && obstacles.iter().any(is_polygon) {
             return Err(invalid("polygons are of the plane"));
@@ -151,6 +176,9 @@ impl<S: Real, const D: usize> World<S, D> {
         };
         let turned = turned(&addition.triangles, place);
         model.triangles.extend(turned.as_ref().unwrap_or(&addition.triangles));
+        let old = model.angles.next;
+        model.angles.list.extend(addition.angles.iter().zip(old..).map(|(angle, number)| Angle { number, ..*angle }));
+        model.angles.next += addition.angles.len() as u32;
         for &point in &addition.pinned {
             if !model.pinned.contains(&point) {
                 model.pinned.push(point);
@@ -167,6 +195,30 @@ impl<S: Real, const D: usize> World<S, D> {
         }
         for (material, points) in &addition.skins {
             points.iter().for_each(|&point| model.skins.set([point], model.skins.of(point).overlaid(*material)));
+        }
+    }
+
+    /// Works out what is not said of angles and areas that come.
+    fn add_form(&self, model: &mut Model<D>, addition: &Addition) {
+        let is_joint = |angle: &Angle| angle.range.is_some() && angle.stop == 0.0;
+        let has_areas = model.areas.is_some() && !addition.triangles.is_empty();
+        if !has_areas && !addition.angles.iter().any(is_joint) {
+            return;
+        }
+        let place = |i: usize| match i.checked_sub(self.count()) {
+            Some(new) => truncate(addition.position[new]),
+            None if self.numbers.is_gone(i as u32) => zero(),
+            None => self.place(i),
+        };
+        let count = model.mass.len();
+        let (velocity, bonds) =
+            (vec![zero(); count], self.bonds.iter().chain(addition.bonds.iter().copied()).collect());
+        // Joints that are there keep how hard they stop; triangles their areas.
+        let full = Model { position: (0..count).map(place).collect(), velocity, bonds, ..model.clone() };
+        let fresh = full.areas_at_rest();
+        model.rest_areas.extend(fresh.into_iter().skip(model.rest_areas.len()));
+        if let Some((_, angles)) = full.form_missing() {
+            model.angles = angles;
         }
     }
 
@@ -217,6 +269,7 @@ impl<S: Real, const D: usize> World<S, D> {
             bonds: bond..self.numbers.next_bond,
             obstacles: obstacle..self.numbers.next_obstacle,
             forces: force..self.numbers.next_force,
+            angles: 0..0,
         }
     }
 

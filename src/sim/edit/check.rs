@@ -24,6 +24,24 @@ impl<S: Real, const D: usize> World<S, D> {
         bonds.iter().map(of).collect()
     }
 
+    /// The places of angles among those that are left.
+    ///
+    /// Errors: a number that no angle has.
+    pub(super) fn angle_places(&self, angles: &[u32]) -> Result<Vec<usize>, CommandError> {
+        let list = &self.model.angles.list;
+        let of = |&number: &u32| {
+            let place = list.binary_search_by_key(&number, |angle| angle.number);
+            place.map_err(|_| CommandError::NoSuch { kind: "angle", number })
+        };
+        angles.iter().map(of).collect()
+    }
+
+    /// The points of these angles that can move.
+    pub(super) fn free_points_of(&self, places: &[usize]) -> Vec<u32> {
+        let points = places.iter().flat_map(|&place| self.model.angles.list[place].points);
+        points.filter(|point| self.inverse_mass[point.index()] > 0.0).map(|point| point.0).collect()
+    }
+
     /// Errors: a number that no obstacle has.
     pub(super) fn check_obstacles(&self, obstacles: &[u32]) -> Result<(), CommandError> {
         let is_there = |number: &u32| self.numbers.obstacles.iter().any(|list| list.contains(number));

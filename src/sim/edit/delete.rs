@@ -15,13 +15,14 @@ use crate::sim::world::World;
 
 impl<S: Real, const D: usize> World<S, D> {
     pub(super) fn delete(&mut self, selection: &Selection) -> Result<Applied, CommandError> {
-        let Selection { points, bonds, obstacles, forces } = selection;
+        let Selection { points, bonds, obstacles, forces, angles } = selection;
         self.check_points(points)?;
         self.check_obstacles(obstacles)?;
         let forces = self.force_places(forces)?;
+        let places = self.angle_places(angles)?;
         let mut goes = vec![false; self.bonds.len()];
         self.bond_places(bonds)?.into_iter().for_each(|place| goes[place] = true);
-        if points.is_empty() && bonds.is_empty() && obstacles.is_empty() && forces.is_empty() {
+        if points.is_empty() && bonds.is_empty() && obstacles.is_empty() && forces.is_empty() && angles.is_empty() {
             return Ok(done(false));
         }
         let mut is_gone = vec![false; self.count()];
@@ -29,15 +30,20 @@ impl<S: Real, const D: usize> World<S, D> {
         for (goes, ends) in goes.iter_mut().zip(self.bonds.ends()) {
             *goes |= ends.iter().any(|end| is_gone[end.index()]);
         }
-        if points.is_empty() && obstacles.is_empty() && forces.is_empty() {
+        if points.is_empty() && obstacles.is_empty() && forces.is_empty() && angles.is_empty() {
             self.part(&goes, self.timeline.time());
             return Ok(done(true));
         }
         let mut touched: Vec<u32> = points.iter().map(|point| point.0).collect();
         touched.extend(self.free_ends(&goes));
         touched.extend(self.pushed_by(&forces));
+        touched.extend(self.free_points_of(&places));
+        let named: Vec<u32> = places.iter().map(|&place| self.model.angles.list[place].number).collect();
         let detached = self.detach(&self.with_mates(touched), !obstacles.is_empty());
         self.remove_forces(&forces);
+        if !named.is_empty() {
+            Arc::make_mut(&mut self.model).angles.list.retain(|angle| !named.contains(&angle.number));
+        }
         self.remove_bonds(&goes);
         self.remove_points(points);
         if !obstacles.is_empty() {
@@ -125,8 +131,10 @@ impl<S: Real, const D: usize> World<S, D> {
         let numbers = (0..goes.len()).filter(left).map(|place| self.numbers.of_bond(place)).collect();
         self.numbers.bonds = Some(Arc::new(numbers));
         let cut = self.bonds.ends().iter().zip(goes).filter(|(_, goes)| **goes).map(|(ends, _)| *ends);
-        let borne = borne(&self.model.triangles, &[], cut);
+        let cut: Vec<[PointId; 2]> = cut.collect();
+        let borne = borne(&self.model.triangles, &[], cut.iter().copied());
         self.keep_triangles(borne);
+        self.remove_angles_along(cut);
         let mut place = 0;
         Arc::make_mut(&mut self.bonds).retain(|_| {
             place += 1;
@@ -146,6 +154,7 @@ impl<S: Real, const D: usize> World<S, D> {
         self.keep_triangles(borne);
         let numbers = &self.numbers;
         let model = Arc::make_mut(&mut self.model);
+        model.angles.list.retain(|angle| !angle.points.iter().any(|point| numbers.is_gone(point.0)));
         model.pinned.retain(|pin| !numbers.is_gone(pin.0));
         model.pin_motion.retain(|(pin, _)| !numbers.is_gone(pin.0));
         self.weigh(points.iter().map(|point| point.0));
@@ -154,8 +163,27 @@ impl<S: Real, const D: usize> World<S, D> {
 
     /// Of triangles those are left which these are, if not all.
     fn keep_triangles(&mut self, left: Option<Vec<[PointId; 3]>>) {
-        if let Some(left) = left {
-            Arc::make_mut(&mut self.model).triangles = left;
+        let Some(left) = left else { return };
+        let model = Arc::make_mut(&mut self.model);
+        let mut next = left.iter().peekable();
+        let mut of = model.triangles.iter();
+        // What is left is in the order of all.
+        model.rest_areas.retain(|_| of.next().is_some_and(|corners| next.next_if(|left| *left == corners).is_some()));
+        model.triangles = left;
+    }
+
+    /// Angles with an arm along a bond that went go with it.
+    fn remove_angles_along(&mut self, mut cut: Vec<[PointId; 2]>) {
+        if self.model.angles.list.is_empty() {
+            return;
+        }
+        let sorted = |[a, b]: [PointId; 2]| [a.min(b), a.max(b)];
+        cut.iter_mut().for_each(|ends| *ends = sorted(*ends));
+        cut.sort_unstable();
+        let is_cut = |a: PointId, b: PointId| cut.binary_search(&sorted([a, b])).is_ok();
+        let is_borne = |[i, j, k]: [PointId; 3]| !(is_cut(i, j) || is_cut(j, k));
+        if !self.model.angles.list.iter().all(|angle| is_borne(angle.points)) {
+            Arc::make_mut(&mut self.model).angles.list.retain(|angle| is_borne(angle.points));
         }
     }
 

@@ -22,7 +22,8 @@ use super::real::Real;
 use super::world::World;
 
 /// A command that was done and changed something.
-const DONE: Applied = Applied { is_something: true, points: 0..0, bonds: 0..0, obstacles: 0..0, forces: 0..0 };
+const DONE: Applied =
+    Applied { is_something: true, points: 0..0, bonds: 0..0, obstacles: 0..0, forces: 0..0, angles: 0..0 };
 
 /// The same, or one that had nothing to do.
 fn done(is_something: bool) -> Applied {
@@ -58,6 +59,7 @@ impl<S: Real, const D: usize> World<S, D> {
             bonds: Vec::new(),
             obstacles: self.numbers.obstacles.iter().flatten().copied().collect(),
             forces: self.numbers.forces.clone(),
+            angles: Vec::new(),
         }
     }
 

@@ -5,6 +5,7 @@ use std::sync::Arc;
 use crate::sim::bond::{Bond, PointId};
 use crate::sim::bonds::Bonds;
 use crate::sim::bulk::kernel::Kernel;
+use crate::sim::force::angle::{Angle, Angles};
 use crate::sim::group::Group;
 use crate::sim::model::Model;
 use crate::sim::moved::Moved;
@@ -76,6 +77,10 @@ impl<S: Real, const D: usize> World<S, D> {
                         groups.extend(self.slot(other.index()).map(|[group, _]| group));
                     }
                 }
+            }
+            for points in self.model.ties().filter(|points| points.iter().any(|point| is_pin[point.index()])) {
+                let free = points.into_iter().filter(|other| self.inverse_mass[other.index()] > 0.0);
+                groups.extend(free.filter_map(|other| self.slot(other.index())).map(|[group, _]| group));
             }
         }
         groups.sort_unstable();
@@ -275,7 +280,9 @@ impl<S: Real, const D: usize> World<S, D> {
             return;
         }
         let w = &self.inverse_mass;
-        for &[a, b] in self.bonds.ends() {
+        let ends = self.bonds.ends().iter().copied();
+        let tied = self.model.ties().flat_map(|[a, b, c]| [[a, b], [b, c], [c, a]]);
+        for [a, b] in ends.chain(tied) {
             for (pin, other) in [(a, b), (b, a)] {
                 let is_missing = w[pin.index()] == 0.0 && local[pin.index()] == u32::MAX;
                 if is_missing && local[other.index()] != u32::MAX && w[other.index()] > 0.0 {
@@ -312,13 +319,23 @@ impl<S: Real, const D: usize> World<S, D> {
             .map(|(_, k)| PointId(k))
             .collect();
         let tracks = self.model.pin_motion.iter().filter(|(point, _)| within(point) != u32::MAX);
+        let (triangles, rest_areas) = self.triangles_among(local);
+        let angle = |angle: &Angle| {
+            let points = angle.points.map(|point| PointId(within(&point)));
+            (!points.contains(&PointId(u32::MAX))).then_some(Angle { points, ..*angle })
+        };
+        let Angles { list, next } = &self.model.angles;
+        let angles = Angles { list: list.iter().filter_map(angle).collect(), next: *next };
         Model {
             position: Vec::new(),
             velocity: Vec::new(),
             mass: points.iter().map(|&i| self.model.mass[i as usize]).collect(),
             pinned,
             bonds: Bonds::new(),
-            triangles: self.triangles_among(local),
+            triangles,
+            areas: self.model.areas,
+            rest_areas,
+            angles,
             contact: self.model.contact,
             skins: self.model.skins.among(points.iter().map(|&point| PointId(point))),
             forces: self.forces_among(local),
@@ -336,13 +353,16 @@ impl<S: Real, const D: usize> World<S, D> {
         }
     }
 
-    /// The triangles whose corners are all among some points.
-    fn triangles_among(&self, local: &[u32]) -> Vec<[PointId; 3]> {
+    /// The triangles whose corners are all among some points, and their areas at rest, where triangles resist.
+    fn triangles_among(&self, local: &[u32]) -> (Vec<[PointId; 3]>, Vec<f64>) {
+        let Model { triangles, rest_areas, .. } = &*self.model;
         let of = |corners: &[PointId; 3]| {
             let own = corners.map(|corner| PointId(local[corner.index()]));
             (!own.contains(&PointId(u32::MAX))).then_some(own)
         };
-        self.model.triangles.iter().filter_map(of).collect()
+        let is_in = |corners: &[PointId; 3]| of(corners).is_some();
+        let areas = rest_areas.iter().zip(triangles).filter(|(_, corners)| is_in(corners)).map(|(area, _)| *area);
+        (triangles.iter().filter_map(of).collect(), areas.collect())
     }
 
     /// The bonds with a free end among some points, and their numbers.

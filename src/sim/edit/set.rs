@@ -7,7 +7,7 @@ use super::check::{finite, value, values};
 use super::{Applied, CommandError, DONE, done, invalid};
 use crate::sim::bond::{Bond, BondId, BondKind, PointId};
 use crate::sim::bonds::Bonds;
-use crate::sim::command::{BondChange, Change, Kind, MouseChange, SceneChange, Values};
+use crate::sim::command::{AngleChange, BondChange, Change, Kind, MouseChange, SceneChange, Values};
 use crate::sim::contact::bounds::Bounds;
 use crate::sim::contact::skin::SkinMaterial;
 use crate::sim::force::mouse::{MouseForce, Profile, Region, Track};
@@ -31,6 +31,7 @@ impl<S: Real, const D: usize> World<S, D> {
                 self.set_points(points, (mass.as_ref(), velocity.as_deref(), *skin))
             }
             Change::Bonds { bonds, to } => self.set_bonds(bonds, to),
+            Change::Angles { angles, to } => self.set_angles(angles, to),
             Change::Obstacles { obstacles, restitution, friction } => {
                 self.set_obstacles(obstacles, (*restitution, *friction))
             }
@@ -110,6 +111,44 @@ impl<S: Real, const D: usize> World<S, D> {
         Ok(done(true))
     }
 
+    fn set_angles(&mut self, angles: &[u32], to: &AngleChange) -> Result<Applied, CommandError> {
+        let places = self.angle_places(angles)?;
+        if places.is_empty() || *to == AngleChange::default() {
+            return Ok(done(false));
+        }
+        let at_least_0 = |x: f64| x >= 0.0 && x.is_finite();
+        for (name, list) in [("stiffness", &to.stiffness), ("damping", &to.damping)] {
+            list.iter().try_for_each(|list| values(name, list, places.len(), (at_least_0, "finite and >= 0")))?;
+        }
+        let is_rest = |x: f64| x > 0.0 && x < 2.0 * std::f64::consts::PI;
+        to.rest.iter().try_for_each(|list| values("rest", list, places.len(), (is_rest, "between 0 and 2 pi")))?;
+        let mut changed = self.model.angles.clone();
+        for (k, &place) in places.iter().enumerate() {
+            let angle = &mut changed.list[place];
+            angle.rest = to.rest.as_ref().map_or(angle.rest, |list| value(list, k));
+            angle.stiffness = to.stiffness.as_ref().map_or(angle.stiffness, |list| value(list, k));
+            angle.damping = to.damping.as_ref().map_or(angle.damping, |list| value(list, k));
+            if let Some(range) = to.range {
+                (angle.range, angle.stop) = (range, 0.0);
+            }
+            self.model.check_angle(angle).map_err(|error| invalid(error.to_string()))?;
+        }
+        let place = |i: usize| if self.numbers.is_gone(i as u32) { zero() } else { self.place(i) };
+        let count = self.count();
+        let full = Model {
+            position: (0..count).map(place).collect(),
+            velocity: vec![zero(); count],
+            bonds: Bonds::clone(&self.bonds),
+            angles: changed,
+            ..Model::clone(&self.model)
+        };
+        let changed = full.form_missing().map_or(full.angles, |(_, angles)| angles);
+        let detached = self.detach(&self.free_points_of(&places), false);
+        Arc::make_mut(&mut self.model).angles = changed;
+        self.attach(detached);
+        Ok(done(true))
+    }
+
     fn set_obstacles(
         &mut self,
         obstacles: &[u32],
@@ -171,6 +210,10 @@ impl<S: Real, const D: usize> World<S, D> {
         for (k, bond) in self.bonds.iter().enumerate() {
             model.check_added_bond(k, &bond).map_err(|error| invalid(error.to_string()))?;
         }
+        for angle in &model.angles.list {
+            model.check_angle(angle).map_err(|error| invalid(error.to_string()))?;
+        }
+        model.check_areas().map_err(|error| invalid(error.to_string()))?;
         if let Some(bounds) = &model.bounds {
             check_surface(bounds.restitution, bounds.friction)?;
         }

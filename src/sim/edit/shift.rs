@@ -183,7 +183,7 @@ impl<S: Real, const D: usize> World<S, D> {
         }
     }
 
-    /// Rest lengths of bonds with both ends among points are multiplied.
+    /// Rest lengths of bonds with both ends among points are multiplied, arms of angles and areas likewise.
     fn scale_bonds(&mut self, points: &[u32], factor: f64) {
         let mut is_moved = vec![false; self.count()];
         points.iter().for_each(|&point| is_moved[point as usize] = true);
@@ -194,5 +194,15 @@ impl<S: Real, const D: usize> World<S, D> {
                 bonds.set(k, Bond { rest_length: bond.rest_length * factor, ..bond });
             }
         }
+        if self.model.angles.list.is_empty() && self.model.rest_areas.is_empty() {
+            return;
+        }
+        let is_whole = |points: &[PointId; 3]| points.iter().all(|point| is_moved[point.index()]);
+        let model = Arc::make_mut(&mut self.model);
+        for angle in model.angles.list.iter_mut().filter(|angle| is_whole(&angle.points)) {
+            angle.arms = angle.arms.map(|arm| factor * arm);
+        }
+        let areas = model.rest_areas.iter_mut().zip(&model.triangles).filter(|(_, corners)| is_whole(corners));
+        areas.for_each(|(rest, _)| *rest *= factor * factor);
     }
 }

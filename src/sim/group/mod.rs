@@ -15,6 +15,7 @@ use super::constrain::direct::MOST_DIRECT;
 use super::contact::Contacts;
 use super::counters::Counters;
 use super::environment::Environment;
+use super::force::form::Form;
 use super::force::mouse::{self, Inside, Track};
 use super::force::spring::Springs;
 use super::integrate::implicit::USUAL_ROUNDS;
@@ -335,6 +336,7 @@ impl<S: Real, const D: usize> Group<S, D> {
     pub(crate) fn emptied(&self) -> Self {
         let mut pull = self.pull.clone();
         (pull.springs, pull.rigid, pull.inside) = (Springs::none(), None, None);
+        pull.form = Form::none();
         pull.contacts = Contacts::new(&pull.contacts.obstacles, 0);
         pull.led.clear();
         pull.thrusts.clear();

@@ -13,11 +13,13 @@
 use crate::sim::bond::PointId;
 use crate::sim::counters::Counters;
 use crate::sim::environment::Environment;
+use crate::sim::force::area;
+use crate::sim::force::form::{Block, Form};
 use crate::sim::force::spring::Springs;
 use crate::sim::points::Points;
 use crate::sim::pull::Pull;
 use crate::sim::real::Real;
-use crate::sim::solve::blocks::Blocks;
+use crate::sim::solve::blocks::{Blocks, NOWHERE};
 use crate::sim::vector::{accumulate, add, convert, dot, scale, sub, zero};
 
 /// Rounds of Newton's method after which a step has not converged.
@@ -31,6 +33,8 @@ pub(crate) struct Implicit<S: Real, const D: usize> {
     system: Blocks<S, D>,
     /// Ends and rest lengths of rigid bonds.
     rigid: Vec<(u32, u32, S)>,
+    /// Corners and sizes of areas that are held.
+    areas: Vec<([u32; 3], S)>,
     is_midpoint: bool,
     place: Vec<[S; D]>,
     force: Vec<[S; D]>,
@@ -41,20 +45,28 @@ pub(crate) struct Implicit<S: Real, const D: usize> {
 
 impl<S: Real, const D: usize> Implicit<S, D> {
     /// The method for these springs and rigid bonds.
-    pub(crate) fn new(is_midpoint: bool, w: &[S], springs: &Springs<S>, rigid: Vec<(PointId, PointId, S)>) -> Self {
+    pub(crate) fn new(
+        is_midpoint: bool,
+        w: &[S],
+        (springs, form): (&Springs<S>, &Form<S>),
+        (rigid, areas): (Vec<(PointId, PointId, S)>, Vec<([u32; 3], S)>),
+    ) -> Self {
         let is_free: Vec<bool> = w.iter().map(|&w| w != S::ZERO).collect();
-        let pairs: Vec<[u32; 2]> = springs.iter().map(|spring| [spring.a, spring.b]).collect();
+        let mut pairs: Vec<[u32; 2]> = springs.iter().map(|spring| [spring.a, spring.b]).collect();
+        pairs.extend(form.pairs());
         let rigid: Vec<(u32, u32, S)> = rigid.into_iter().map(|(a, b, rest)| (a.0, b.0, rest)).collect();
-        let ends: Vec<[u32; 2]> = rigid.iter().map(|&(a, b, _)| [a, b]).collect();
+        let mut ends: Vec<[u32; 3]> = rigid.iter().map(|&(a, b, _)| [a, b, NOWHERE]).collect();
+        ends.extend(areas.iter().map(|(corners, _)| *corners));
         Implicit {
             system: Blocks::new(&is_free, &pairs, &ends),
             is_midpoint,
             place: vec![zero(); w.len()],
             force: vec![zero(); w.len()],
             speed: vec![zero(); w.len()],
-            error: vec![S::ZERO; rigid.len()],
+            error: vec![S::ZERO; ends.len()],
             work: Vec::new(),
             rigid,
+            areas,
         }
     }
 
@@ -141,6 +153,13 @@ impl<S: Real, const D: usize> Implicit<S, D> {
             let end = add(old, scale(sub(new, old), reach));
             *error = S::HALF * (rest * rest - dot(end, end)) / reach;
         }
+        for (error, &(corners, area)) in self.error[self.rigid.len()..].iter_mut().zip(&self.areas) {
+            let end = |point: u32| {
+                let i = point as usize;
+                add(x[i], scale(sub(self.place[i], x[i]), reach))
+            };
+            *error = (area - area::size(corners.map(end))) / reach;
+        }
     }
 
     /// The derivative: m rate^2 + m drag rate + K + rate C, with stiffness K and damping C of every spring.
@@ -165,10 +184,25 @@ impl<S: Real, const D: usize> Implicit<S, D> {
             self.system.add_own(spring.b as usize, &block);
             self.system.add_pair(pair, &block.map(|row| row.map(|k| -k)));
         }
+        let (system, first) = (&mut self.system, pull.springs.len());
+        pull.form.stiffen((&self.place, rate, is_cautious), |place, block| match place {
+            Block::Own(point) => system.add_own(point, &block),
+            Block::Pair(pair) => system.add_block(first + pair, &block),
+        });
         for (c, &(a, b, rest)) in self.rigid.iter().enumerate() {
             let d = sub(self.place[a as usize], self.place[b as usize]);
             // Where bonds repeat each other the corner keeps the system regular.
             self.system.set_line(c, d, -(rest * rest) * S::EPSILON / own);
+        }
+        self.set_areas(own);
+    }
+
+    /// The rows of areas that are held.
+    fn set_areas(&mut self, own: S) {
+        for (k, &(corners, area)) in self.areas.iter().enumerate() {
+            let slopes = area::slopes(corners.map(|corner| self.place[corner as usize]));
+            let wide = slopes.map(|slope| std::array::from_fn(|k| if k < 2 { slope[k] } else { S::ZERO }));
+            self.system.set_three(self.rigid.len() + k, wide, -area * S::EPSILON / own);
         }
     }
 

@@ -80,7 +80,7 @@ impl<S: Real> KickDrift<S> {
         (t, h): (f64, f64),
         counters: &mut Counters,
     ) {
-        if pull.springs.is_damped() {
+        if pull.is_damped() {
             self.make_ready(points, pull);
             pull.push_ahead(around, (t, h), pull.gravity, points, counters);
         } else if !self.fresh {

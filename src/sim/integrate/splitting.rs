@@ -155,13 +155,13 @@ impl<S: Real, const D: usize> Splitting<S, D> {
         }
         for Move { kick, flight, begins, kicks } in &self.moves {
             if kick.is_some() {
-                if pull.springs.is_damped() {
+                if pull.is_damped() {
                     let gravity = pull.kicking_gravity();
                     pull.push_ahead(around, (t + begins, *kicks), gravity, points, counters);
                 } else if !self.fresh {
                     pull.push(around, t + begins, points, counters);
                 }
-                self.fresh = !pull.springs.is_damped();
+                self.fresh = !pull.is_damped();
             }
             match (kick, flight) {
                 (Some(kick), Some(flight)) => flight.take_kicked(points, kick),

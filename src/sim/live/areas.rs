@@ -1,12 +1,11 @@
 //! Triangles that are pressed flat are opened again: what was missing before slowly and without speed, what is new at once.
 
 use super::cluster::{Cluster, Common};
-use super::pair::{left, wedge};
+use super::pair::left;
+use crate::sim::force::area::size;
 use crate::sim::real::Real;
 use crate::sim::vector::{add, dot, scale, sub};
 
-/// Share of its area at the start that a triangle keeps.
-const LEAST: f64 = 0.3;
 /// Share of what was missing before a substep that comes back in it.
 const MENDED: f64 = 0.1;
 
@@ -17,7 +16,7 @@ pub(super) fn unfold<S: Real>(state: &mut Cluster<S>, common: &Common<S>) {
         state.counts.work += 8 * areas.len() as u64;
         for area in areas {
             let [a, b, c] = area.corners.map(|corner| base + corner as usize);
-            let least = S::from_f64(LEAST) * area.rest;
+            let least = S::from_f64(common.resist.least) * area.rest;
             let now = size([state.now[a], state.now[b], state.now[c]]);
             if now >= least {
                 continue;
@@ -43,10 +42,4 @@ pub(super) fn unfold<S: Real>(state: &mut Cluster<S>, common: &Common<S>) {
             }
         }
     }
-}
-
-/// Area of a triangle [m^2], below 0 where it is inside out.
-#[inline(always)]
-fn size<S: Real>([a, b, c]: [[S; 2]; 3]) -> S {
-    S::HALF * wedge(sub(b, a), sub(c, a))
 }

@@ -28,6 +28,7 @@ pub(super) struct Body<S> {
     pub(super) areas: Span,
     pub(super) edges: Span,
     pub(super) corners: Span,
+    pub(super) hinges: Span,
     /// Its rigid bonds make one open path: their order is that of the path.
     pub(super) is_path: bool,
     /// Mean length of its edges at the start [m]; 0 without any.

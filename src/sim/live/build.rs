@@ -6,14 +6,14 @@ use super::skins::Skin;
 use super::{Draft, bonds};
 use crate::sim::bond::{Bond, BondKind};
 use crate::sim::colour::by_colour;
+use crate::sim::force::angle::Hinge;
+use crate::sim::force::area;
 use crate::sim::points::Points;
 use crate::sim::real::Real;
-use crate::sim::vector::{dot, length, sub};
+use crate::sim::vector::{length, sub};
 
 /// Share of the mean edge of a skin that its radius is where nothing is said.
 const RADIUS: f64 = 0.05;
-/// Triangles of less than this share of the square of their longest side have no inside.
-const LEAST_AREA: f64 = 1e-6;
 /// Bonds of a path from which on it is solved as one.
 const LEAST_PATH: usize = 4;
 
@@ -28,6 +28,8 @@ pub(super) struct Bodies<S> {
     /// Bonds that are held whatever the substep.
     pub(super) holds: Vec<Link<S>>,
     pub(super) areas: Vec<Area<S>>,
+    /// Angles that resist.
+    pub(super) hinges: Vec<Hinge<S>>,
     pub(super) edges: Vec<Edge>,
     /// Points of skins.
     pub(super) corners: Vec<u32>,
@@ -38,10 +40,10 @@ pub(super) struct Bodies<S> {
 }
 
 impl<S: Real> Bodies<S> {
-    pub(super) fn new(draft: &Draft, points: &Points<S, 2>) -> Self {
+    pub(super) fn new(draft: &Draft<S>, points: &Points<S, 2>) -> Self {
         let mut bodies = Bodies::default();
         let count = draft.body_of.iter().map(|&body| body as usize + 1).max().unwrap_or(0);
-        let mut own = vec![Own::default(); count];
+        let mut own: Vec<Own<S>> = vec![Own::default(); count];
         let mut local = vec![0; points.len()];
         for (i, &body) in draft.body_of.iter().enumerate() {
             local[i] = own[body as usize].points.len() as u32;
@@ -51,11 +53,15 @@ impl<S: Real> Bodies<S> {
             // A pin that several bodies hang on belongs to one of them: its bonds go with their free ends.
             own[draft.body_of[bond.a.index()] as usize].bonds.push(*bond);
         }
-        for corners in &draft.triangles {
+        for (corners, rest) in &draft.triangles {
             let [a, b, c] = corners.map(|corner| draft.body_of[corner as usize]);
             if a == b && b == c {
                 own[a as usize].triangles.push(*corners);
+                own[a as usize].rests.push(*rest);
             }
+        }
+        for hinge in &draft.hinges {
+            own[draft.body_of[hinge.points[1] as usize] as usize].hinges.push(*hinge);
         }
         for own in own {
             bodies.push(own, &local, points, draft);
@@ -64,7 +70,7 @@ impl<S: Real> Bodies<S> {
         bodies
     }
 
-    fn note_neighbours(&mut self, draft: &Draft, count: usize) {
+    fn note_neighbours(&mut self, draft: &Draft<S>, count: usize) {
         let mut place = vec![0; count];
         self.order.iter().zip(0..).for_each(|(&slot, at)| place[slot as usize] = at);
         let mut ends: Vec<[u32; 2]> = Vec::with_capacity(2 * draft.bonds.len());
@@ -88,7 +94,7 @@ impl<S: Real> Bodies<S> {
         others.into_iter().any(|other| own.contains(&((other - base + first) as u32)))
     }
 
-    fn push(&mut self, own: Own, local: &[u32], points: &Points<S, 2>, draft: &Draft) {
+    fn push(&mut self, own: Own<S>, local: &[u32], points: &Points<S, 2>, draft: &Draft<S>) {
         let place = |i: u32| points.position[i as usize];
         let w = |i: u32| points.inverse_mass[i as usize];
         let starts = self.ends();
@@ -103,8 +109,14 @@ impl<S: Real> Bodies<S> {
         self.springs.extend(springs.iter().map(|bond| link(bond)));
         self.holds.extend(holds.iter().map(|bond| link(bond)));
         let lengths = lengths(&own.bonds);
-        self.areas
-            .extend(own.triangles.iter().filter_map(|&corners| area(corners, corners.map(place), (&lengths, local))));
+        self.areas.extend(
+            own.triangles
+                .iter()
+                .zip(&own.rests)
+                .filter_map(|(&corners, &rest)| area(corners, (corners.map(place), rest), (&lengths, local))),
+        );
+        let within = |hinge: &Hinge<S>| hinge.between(hinge.points.map(|point| local[point as usize]));
+        self.hinges.extend(own.hinges.iter().map(within));
         let edges = skin(&own);
         let mut corners: Vec<u32> = edges.iter().flat_map(|edge| edge.ends).collect();
         if edges.is_empty() {
@@ -132,6 +144,7 @@ impl<S: Real> Bodies<S> {
             areas: span(3),
             edges: span(4),
             corners: span(5),
+            hinges: span(6),
             is_path: !path.is_empty(),
             edge_length,
             radius,
@@ -141,18 +154,23 @@ impl<S: Real> Bodies<S> {
         });
     }
 
-    fn ends(&self) -> [u32; 6] {
-        [self.order.len(), self.springs.len(), self.holds.len(), self.areas.len(), self.edges.len(), self.corners.len()]
+    fn ends(&self) -> [u32; 7] {
+        let bonds = [self.order.len(), self.springs.len(), self.holds.len()];
+        let [order, springs, holds] = bonds;
+        [order, springs, holds, self.areas.len(), self.edges.len(), self.corners.len(), self.hinges.len()]
             .map(|count| count as u32)
     }
 }
 
 /// What is of one body, points numbered as in the group.
 #[derive(Clone, Debug, Default)]
-struct Own {
+struct Own<S> {
     points: Vec<u32>,
     bonds: Vec<Bond>,
     triangles: Vec<[u32; 3]>,
+    /// Areas at rest of the triangles [m^2], where they are known.
+    rests: Vec<Option<f64>>,
+    hinges: Vec<Hinge<S>>,
 }
 
 /// In an order in which bonds that follow on each other share no point: none waits for the one before.
@@ -226,32 +244,24 @@ fn lengths(bonds: &[Bond]) -> Vec<([u32; 2], f64)> {
     list
 }
 
-/// A triangle with the area that the rest lengths of its sides make, by Heron's formula, or that it has now; `None` of what has no inside.
+/// A triangle with the area at rest that is known, or that it is made with; `None` of what has no inside.
 fn area<S: Real>(
     corners: [u32; 3],
-    [a, b, c]: [[S; 2]; 3],
+    (places, known): ([[S; 2]; 3], Option<f64>),
     (lengths, local): (&[([u32; 2], f64)], &[u32]),
 ) -> Option<Area<S>> {
-    let (u, v) = (sub(b, a), sub(c, a));
-    let now = 0.5 * (u[0] * v[1] - u[1] * v[0]).abs().to_f64();
     let side = |from: u32, to: u32| {
         let ends = [from.min(to), from.max(to)];
         lengths.binary_search_by_key(&ends, |entry| entry.0).ok().map(|found| lengths[found].1)
     };
     let [p, q, r] = corners;
-    let (size, longest) = match (side(p, q), side(q, r), side(r, p)) {
-        (Some(x), Some(y), Some(z)) => {
-            let half = 0.5 * (x + y + z);
-            ((half * (half - x) * (half - y) * (half - z)).max(0.0).sqrt(), x.max(y).max(z))
-        }
-        _ => (now, dot(u, u).max(dot(v, v)).to_f64().sqrt()),
-    };
-    let corners = corners.map(|corner| local[corner as usize]);
-    (size > LEAST_AREA * longest * longest).then(|| Area { corners, rest: S::from_f64(size) })
+    let made = || area::rest(places, [side(p, q), side(q, r), side(r, p)]);
+    let size = known.map_or_else(made, |known| (known > 0.0).then_some(known))?;
+    Some(Area { corners: corners.map(|corner| local[corner as usize]), rest: S::from_f64(size) })
 }
 
 /// The skin of a body: the sides that one triangle has alone, its inside on their right, and bonds at points of no triangle.
-fn skin(own: &Own) -> Vec<Edge> {
+fn skin<S>(own: &Own<S>) -> Vec<Edge> {
     let mut sides: Vec<([u32; 2], [u32; 2])> = Vec::with_capacity(3 * own.triangles.len());
     for &[a, b, c] in &own.triangles {
         for [from, to] in [[a, b], [b, c], [c, a]] {

@@ -7,6 +7,8 @@ use super::pair::{OnPlane, Pair, Sides};
 use super::walls::Walls;
 use crate::sim::contact::skin::Contact;
 use crate::sim::contact::surface::Surface;
+use crate::sim::force::angle::Hinge;
+use crate::sim::force::area::Areas;
 use crate::sim::force::steady::Thrust;
 use crate::sim::real::Real;
 
@@ -90,6 +92,8 @@ pub(super) struct Common<'a, S: Real> {
     pub(super) bodies: &'a Bodies<S>,
     pub(super) walls: &'a Walls<S>,
     pub(super) contact: Option<&'a Contact>,
+    /// How triangles resist.
+    pub(super) resist: Areas,
     /// All surfaces, planes first.
     pub(super) surfaces: &'a [Surface<S, 2>],
     pub(super) planes: &'a [Surface<S, 2>],
@@ -110,6 +114,10 @@ impl<S: Real> Common<'_, S> {
 
     pub(super) fn areas(&self, body: &Body<S>) -> &[Area<S>] {
         &self.bodies.areas[body.areas.range()]
+    }
+
+    pub(super) fn hinges(&self, body: &Body<S>) -> &[Hinge<S>] {
+        &self.bodies.hinges[body.hinges.range()]
     }
 
     pub(super) fn edges(&self, body: &Body<S>) -> &[Edge] {

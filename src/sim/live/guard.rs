@@ -31,6 +31,7 @@ fn moving<S: Real>(state: &Cluster<S>, gravity: [f64; 2]) -> (S, S) {
 fn elastic<S: Real>(state: &Cluster<S>, common: &Common<S>) -> S {
     let mut sum = S::ZERO;
     for (body, base) in state.members(common) {
+        sum += super::shape::energy(state, common, (body, base));
         for link in common.springs(body) {
             let d = sub(state.now[base + link.a as usize], state.now[base + link.b as usize]);
             let error = dot(d, d).sqrt() - link.rest;

@@ -26,6 +26,7 @@ mod pair;
 mod path;
 mod planes;
 mod rest;
+mod shape;
 mod skins;
 mod substep;
 mod truncate;
@@ -40,6 +41,8 @@ use super::bulk::mover::Mover;
 use super::contact::skin::{Contact, SkinMaterial};
 use super::counters::Counters;
 use super::environment::Environment;
+use super::force::angle::Hinge;
+use super::force::area::Areas;
 use super::points::Points;
 use super::pull::Pull;
 use super::real::Real;
@@ -60,13 +63,17 @@ const FRAMES: f64 = 60.0;
 const LEAD: f64 = 960.0;
 
 /// What live bodies are made of. Points are numbered as in their group.
-pub(crate) struct Draft {
+pub(crate) struct Draft<S> {
     /// The bonds, rest lengths and stiffness included.
     pub(crate) bonds: Vec<Bond>,
     /// The body of every point: both ends of a bond are of one.
     pub(crate) body_of: Vec<u32>,
-    /// What bodies cover.
-    pub(crate) triangles: Vec<[u32; 3]>,
+    /// What bodies cover, and the areas at rest [m^2] of triangles, where they are known.
+    pub(crate) triangles: Vec<([u32; 3], Option<f64>)>,
+    /// Angles that resist.
+    pub(crate) hinges: Vec<Hinge<S>>,
+    /// How triangles resist.
+    pub(crate) areas: Areas,
     /// How they meet; `None`: they do not.
     pub(crate) contact: Option<Contact>,
     /// What skins are made of, one entry a point; empty where no body has its own.
@@ -78,6 +85,7 @@ pub(crate) struct Draft {
 struct Live<S: Real> {
     bodies: Bodies<S>,
     contact: Option<Contact>,
+    resist: Areas,
     walls: Walls<S>,
     /// Which side of an edge every point near one belongs to.
     sides: Sides,
@@ -93,7 +101,7 @@ struct Live<S: Real> {
 
 /// The live step of these bodies; `None` in space.
 pub(crate) fn mover<S: Real, const D: usize>(
-    draft: Draft,
+    draft: Draft<S>,
     points: &Points<S, D>,
     pull: &Pull<S, D>,
 ) -> Option<Box<dyn Mover<S, D>>> {
@@ -118,11 +126,12 @@ pub(crate) fn work_of_a_frame([points, bonds, triangles]: [usize; 3], speed: f64
 }
 
 impl<S: Real> Live<S> {
-    fn new(draft: &Draft, points: &Points<S, 2>, walls: Walls<S>) -> Self {
+    fn new(draft: &Draft<S>, points: &Points<S, 2>, walls: Walls<S>) -> Self {
         let bodies = Bodies::new(draft, points);
         let count = bodies.list.len();
         Live {
             contact: draft.contact,
+            resist: draft.areas,
             walls,
             sides: Vec::new(),
             rests: vec![Rest::default(); count],
@@ -175,6 +184,7 @@ impl<S: Real> Mover<S, 2> for Live<S> {
                 bodies: &self.bodies,
                 walls: &self.walls,
                 contact: self.contact.as_ref(),
+                resist: self.resist,
                 surfaces: &obstacles.surfaces,
                 planes: obstacles.planes(),
                 sides: &sides,

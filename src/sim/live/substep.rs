@@ -5,6 +5,7 @@ use super::bonds;
 use super::cluster::{Cluster, Common};
 use super::detect;
 use super::fields;
+use super::shape;
 use crate::sim::environment::Environment;
 use crate::sim::force::mouse::Push;
 use crate::sim::pull::Pull;
@@ -33,8 +34,10 @@ pub(super) fn advance<S: Real>(state: &mut Cluster<S>, common: &Common<S>, outsi
         detect::look(state, common);
     }
     state.predict(time);
+    shape::resist(state, common, time);
     bonds::hold(state, common);
     for _ in 0..PASSES {
+        shape::hold(state, common);
         areas::unfold(state, common);
         state.press(outside.pull.contacts.obstacles.planes());
     }

@@ -14,6 +14,7 @@ use crate::sim::bulk::spec::Spec;
 use crate::sim::bulk::trails::Segment;
 use crate::sim::colour::by_colour;
 use crate::sim::contact::Contacts;
+use crate::sim::force::form::Form;
 use crate::sim::force::spring::Springs;
 use crate::sim::group::engine::Engine;
 use crate::sim::group::events::edge::Edges;
@@ -74,6 +75,7 @@ impl<S: Real, const D: usize> Maker<'_, S, D> {
     pub(super) fn batched_pull(&self) -> Pull<S, D> {
         Pull {
             springs: Springs::none(),
+            form: Form::none(),
             contacts: Contacts::new(self.obstacles, self.points.len()),
             rigid: None,
             inside: None,

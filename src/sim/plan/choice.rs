@@ -107,12 +107,14 @@ pub(crate) fn choose(island: &Island, method: &Method, setting: Setting) -> Choi
         }
         (_, None) => longest(),
     };
-    Choice { solver, substep, is_direct: is_direct && solver.solves_directly() && bulk.is_none(), bulk }
+    // Areas are held by that alone.
+    let solves = solver.solves_directly() || (solver == Solver::Verlet && island.holds_areas);
+    Choice { solver, substep, is_direct: is_direct && solves && bulk.is_none(), bulk }
 }
 
 /// Whether the rigid bonds of an island are few enough to be solved together. Those of a tree always are, since eliminating
 /// them from the leaves on leaves nothing behind; a long path is better off by itself.
-fn can_be_direct(island: &Island) -> bool {
+pub(crate) fn can_be_direct(island: &Island) -> bool {
     let has_room = island.rigid <= MOST_DIRECT || (island.is_tree && !is_path(island));
     let couplings = MOST_COUPLINGS.max(MOST_COUPLINGS / MOST_DIRECT * island.rigid);
     has_room && island.couplings <= if island.is_tree { couplings } else { MOST_COUPLINGS }
@@ -143,7 +145,8 @@ fn scheme(island: &Island, method: &Method, setting: Setting, is_direct: bool) -
     let given = |way| Some(Scheme { way, target: None, longest: None });
     let are_springs = island.springs == island.bonds.len() && !island.has_limits && !island.has_round_dampers;
     match method.solver {
-        _ if island.bonds.is_empty() => None,
+        // Large bodies know neither angles nor areas.
+        _ if island.bonds.is_empty() || island.has_form() => None,
         Solver::Auto if are_springs && pick(island, setting, is_direct) == Solver::VelocityVerlet => given(Way::Forces),
         Solver::Verlet | Solver::VelocityVerlet if are_springs => {
             (is_large || (has_order && setting.points > LARGE)).then(|| given(Way::Forces))?
@@ -173,7 +176,7 @@ fn pick(island: &Island, setting: Setting, is_direct: bool) -> Solver {
         return if is_direct { Solver::VelocityVerlet } else { Solver::Verlet };
     }
     let is_driven = island.is_driven || setting.gusts.is_some();
-    if island.springs == 0 && setting.mouse.is_none() && !setting.has_surfaces && !is_driven {
+    if island.springs == 0 && !island.has_form() && setting.mouse.is_none() && !setting.has_surfaces && !is_driven {
         return Solver::Flight;
     }
     let substeps = FRAME / PHASE * island.frequency.max(island.decay * PHASE / DECAY_SHARE);

@@ -30,7 +30,9 @@ pub(crate) fn work<S: Real, const D: usize>(group: &Group<S, D>) -> Work {
 fn of_engine<S: Real, const D: usize>(group: &Group<S, D>, engine: &Engine<S, D>) -> f64 {
     let pull = &group.pull;
     let points = group.points.len() as f64 * D as f64;
-    let force = 20.0 + 30.0 * pull.springs.len() as f64 + 4.0 * points;
+    // An angle costs about four springs, most of it the arc tangent.
+    let form = 120.0 * pull.form.hinges.len() as f64 + 30.0 * pull.form.patches.len() as f64;
+    let force = 20.0 + 30.0 * pull.springs.len() as f64 + form + 4.0 * points;
     let hold = pull.rigid.as_ref().map_or(0.0, |rigid| 12.0 * rigid.work() as f64 + 40.0);
     match engine {
         Engine::Splitting(splitting) => splitting.parts().iter().fold(40.0, |sum, part| {

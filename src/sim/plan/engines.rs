@@ -27,7 +27,7 @@ impl<S: Real, const D: usize> Maker<'_, S, D> {
         points: &Points<S, D>,
         pull: &Pull<S, D>,
     ) -> Engine<S, D> {
-        let has_rigid = bonds.iter().any(|(_, bond)| bond.kind == BondKind::Rigid);
+        let has_rigid = pull.rigid.is_some() || bonds.iter().any(|(_, bond)| bond.kind == BondKind::Rigid);
         let has_relaxed = bonds.iter().any(|(_, bond)| matches!(bond.kind, BondKind::Relaxed { .. }));
         let projects = has_rigid || has_relaxed;
         let split = |parts: Vec<Part>| Engine::Splitting(Splitting::new(parts));
@@ -54,7 +54,7 @@ impl<S: Real, const D: usize> Maker<'_, S, D> {
             Solver::BlanesMoan6 => kick_drift(&COMPOSED_6),
             Solver::ImplicitMidpoint | Solver::BackwardEuler => {
                 let midpoint = solver == Solver::ImplicitMidpoint;
-                Engine::Implicit(Box::new(implicit(midpoint, bonds, points, pull)))
+                Engine::Implicit(Box::new(self.implicit(midpoint, bonds, points, pull)))
             }
             Solver::Xpbd | Solver::Path | Solver::Live => {
                 let compliant = bonds.iter().filter_map(|(_, bond)| CompliantBond::of(bond, &points.inverse_mass));
@@ -121,19 +121,23 @@ impl<S: Real, const D: usize> Maker<'_, S, D> {
             return Some(Engine::Projected);
         }
         let is_spring = |(_, bond): &(u32, Bond)| matches!(bond.kind, BondKind::Spring { .. });
-        let is_fit = !bonds.is_empty() && bonds.iter().all(is_spring) && points.len() <= MOST_LOCATED;
-        (is_fit && !is_robust).then(|| Engine::Implicit(Box::new(implicit(false, bonds, points, pull))))
+        let is_fit =
+            !(bonds.is_empty() && pull.form.is_empty()) && bonds.iter().all(is_spring) && points.len() <= MOST_LOCATED;
+        (is_fit && !is_robust).then(|| Engine::Implicit(Box::new(self.implicit(false, bonds, points, pull))))
     }
-}
 
-fn implicit<S: Real, const D: usize>(
-    is_midpoint: bool,
-    bonds: &[(u32, Bond)],
-    points: &Points<S, D>,
-    pull: &Pull<S, D>,
-) -> Implicit<S, D> {
-    let w: Vec<f64> = points.inverse_mass.iter().map(|w| w.to_f64()).collect();
-    let rigid = bonds.iter().filter(|(_, bond)| is_rigid(bond, &w));
-    let rigid = rigid.map(|(_, bond)| (bond.a, bond.b, S::from_f64(bond.rest_length))).collect();
-    Implicit::new(is_midpoint, &points.inverse_mass, &pull.springs, rigid)
+    fn implicit(
+        &self,
+        is_midpoint: bool,
+        bonds: &[(u32, Bond)],
+        points: &Points<S, D>,
+        pull: &Pull<S, D>,
+    ) -> Implicit<S, D> {
+        let w: Vec<f64> = points.inverse_mass.iter().map(|w| w.to_f64()).collect();
+        let rigid = bonds.iter().filter(|(_, bond)| is_rigid(bond, &w));
+        let rigid = rigid.map(|(_, bond)| (bond.a, bond.b, S::from_f64(bond.rest_length))).collect();
+        let areas = if self.holds_areas() { self.patches() } else { Vec::new() };
+        let areas = areas.into_iter().map(|(corners, area)| (corners, S::from_f64(area))).collect();
+        Implicit::new(is_midpoint, &points.inverse_mass, (&pull.springs, &pull.form), (rigid, areas))
+    }
 }

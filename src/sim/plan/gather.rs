@@ -1,6 +1,7 @@
 //! From islands to groups: points, forces, rigid bonds and the engine of each.
 
 use super::drive::Drives;
+use super::island::{Patched, Ties};
 use super::lot::Lot;
 use super::make::Maker;
 use super::{Plan, PlanPart};
@@ -8,10 +9,11 @@ use crate::sim::bond::{Bond, PointId};
 use crate::sim::bonds::Bonds;
 use crate::sim::bulk::kernel::Kernel;
 use crate::sim::contact::obstacles::Obstacles;
+use crate::sim::force::angle::Angle;
 use crate::sim::model::Model;
 use crate::sim::points::State;
 use crate::sim::real::Real;
-use crate::sim::vector::{add, scale, widen, zero};
+use crate::sim::vector::{add, length, scale, sub, widen, zero};
 
 /// Place of a point that is in no group.
 pub(crate) const NOWHERE: [u32; 2] = [u32::MAX; 2];
@@ -28,6 +30,7 @@ pub(super) struct Gathered<S, const D: usize> {
     pub(super) names: Vec<u32>,
     /// Forces and the wind.
     pub(super) drives: Drives<D>,
+    pub(super) ties: Ties,
 }
 
 impl<S: Real, const D: usize> Gathered<S, D> {
@@ -45,6 +48,7 @@ impl<S: Real, const D: usize> Gathered<S, D> {
             bonds: Bonds::with_capacity(bonds.len()),
             names: Vec::with_capacity(bonds.len()),
             drives: Drives::new(model, w, stand_ins),
+            ties: ties(model, stand_ins, |i| widen(state.position[i])),
         };
         gathered.merge(model, w);
         for (k, bond) in bonds.iter().enumerate() {
@@ -143,9 +147,13 @@ impl<S: Real, const D: usize> Gathered<S, D> {
     fn points_of(&self, lot: &Lot, is_first: bool, lots: &[Lot]) -> Vec<u32> {
         let mut points: Vec<u32> = lot.islands.iter().flat_map(|island| island.points.iter().copied()).collect();
         let pins_of = |lot: &Lot| -> Vec<u32> {
-            let bonds = lot.islands.iter().flat_map(|island| &island.bonds).map(|&k| self.bonds.ends()[k as usize]);
+            let bonds = lot.islands.iter().flat_map(|island| &island.bonds).map(|&k| &self.bonds.ends()[k as usize]);
             let ends = bonds.flatten().filter(|end| self.w[end.index()] == 0.0);
-            ends.map(|end| end.0).collect()
+            let angles = lot.islands.iter().flat_map(|island| &island.angles);
+            let angles = angles.map(|&k| self.ties.angles[k as usize].points);
+            let patches = lot.islands.iter().flat_map(|island| &island.patches);
+            let tied = angles.chain(patches.map(|&k| self.ties.patches[k as usize].corners)).flatten();
+            ends.copied().chain(tied.filter(|point| self.w[point.index()] == 0.0)).map(|end| end.0).collect()
         };
         points.extend(pins_of(lot));
         if is_first {
@@ -160,5 +168,26 @@ impl<S: Real, const D: usize> Gathered<S, D> {
         points.sort_unstable();
         points.dedup();
         points
+    }
+}
+
+/// Angles and areas between the points that stand for others, which are at these places; what a weld leaves no angle or area of is left out.
+pub(crate) fn ties<const D: usize>(model: &Model<D>, stand_ins: &[u32], place: impl Fn(usize) -> [f64; D]) -> Ties {
+    let merged = |points: [PointId; 3]| {
+        let [a, b, c] = points.map(|point| PointId(stand_ins[point.index()]));
+        (a != b && b != c && c != a).then_some([a, b, c])
+    };
+    let angle = |angle: &Angle| merged(angle.points).map(|points| Angle { points, ..*angle });
+    let patch = |(corners, rest): ([PointId; 3], f64)| {
+        let corners = merged(corners)?;
+        let [a, b, c] = corners.map(|corner| place(corner.index()));
+        let sides = [[a, b], [b, c], [c, a]].map(|[from, to]| length(sub(to, from)));
+        let longest = sides.into_iter().fold(0.0, f64::max);
+        Some(Patched { corners, rest, slender: 0.25 * longest * sides.iter().sum::<f64>() / rest })
+    };
+    Ties {
+        angles: model.angles.list.iter().filter_map(angle).collect(),
+        patches: model.patches().filter_map(patch).collect(),
+        stiffness: model.areas.map_or(0.0, |areas| areas.stiffness),
     }
 }

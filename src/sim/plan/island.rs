@@ -1,8 +1,40 @@
 //! Islands: points that bonds hold together, and what each island is made of.
 
-use crate::sim::bond::{Bond, BondKind};
+use crate::sim::bond::{Bond, BondKind, PointId};
 use crate::sim::bonds::Bonds;
+use crate::sim::force::angle::Angle;
 use crate::sim::sets::Sets;
+
+/// Angles and areas between points.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub(crate) struct Ties {
+    pub(crate) angles: Vec<Angle>,
+    /// Triangles that resist.
+    pub(crate) patches: Vec<Patched>,
+    /// How much they do [N/m]; infinite: they are held.
+    pub(crate) stiffness: f64,
+}
+
+/// A triangle that resists.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Patched {
+    pub(crate) corners: [PointId; 3],
+    /// Its area at rest [m^2].
+    pub(crate) rest: f64,
+    /// Its longest side, times the way around it, over four times its area [1]: how stiff it is at a corner, over its stiffness.
+    pub(crate) slender: f64,
+}
+
+impl Ties {
+    fn triples(&self) -> impl Iterator<Item = [PointId; 3]> {
+        self.angles.iter().map(|angle| angle.points).chain(self.patches.iter().map(|patch| patch.corners))
+    }
+
+    /// Whether areas are held, not forces.
+    pub(crate) fn holds_areas(&self) -> bool {
+        self.stiffness.is_infinite()
+    }
+}
 
 /// Points that hang together by bonds; pinned points belong to every island that is fastened to them.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -11,7 +43,11 @@ pub(crate) struct Island {
     pub(crate) points: Vec<u32>,
     /// Indices of the bonds with a free end here, ascending.
     pub(crate) bonds: Vec<u32>,
+    /// Indices of the angles and of the triangles that resist, ascending.
+    pub(crate) angles: Vec<u32>,
+    pub(crate) patches: Vec<u32>,
     pub(crate) springs: usize,
+    /// Bonds and areas that are held.
     pub(crate) rigid: usize,
     pub(crate) relaxed: usize,
     pub(crate) is_damped: bool,
@@ -31,18 +67,20 @@ pub(crate) struct Island {
     pub(crate) is_tree: bool,
     /// A constant force or torque acts on some of its points.
     pub(crate) is_driven: bool,
+    /// Areas are held.
+    pub(crate) holds_areas: bool,
 }
 
-/// Splits points into islands, in the order of their lowest points.
+/// Splits points into islands, in the order of their lowest points: bonds hold them together, angles and triangles that resist.
 ///
 /// Bounds on oscillation and decay are Gershgorin's: omega^2 <= max over points of 2 w_i sum of stiffness, decay
 /// likewise with damping.
-pub(crate) fn islands(bonds: &Bonds, w: &[f64]) -> Vec<Island> {
-    islands_joined(bonds, w, &[])
+pub(crate) fn islands(bonds: &Bonds, ties: &Ties, w: &[f64]) -> Vec<Island> {
+    islands_joined(bonds, ties, w, &[])
 }
 
 /// The same where these pairs of points hang together too, as by a torque.
-pub(crate) fn islands_joined(bonds: &Bonds, w: &[f64], pairs: &[[u32; 2]]) -> Vec<Island> {
+pub(crate) fn islands_joined(bonds: &Bonds, ties: &Ties, w: &[f64], pairs: &[[u32; 2]]) -> Vec<Island> {
     let mut sets = Sets::new(w.len());
     for &[a, b] in pairs {
         if w[a as usize] > 0.0 && w[b as usize] > 0.0 {
@@ -52,6 +90,12 @@ pub(crate) fn islands_joined(bonds: &Bonds, w: &[f64], pairs: &[[u32; 2]]) -> Ve
     for [a, b] in bonds.ends() {
         if w[a.index()] > 0.0 && w[b.index()] > 0.0 {
             sets.join(a.0, b.0);
+        }
+    }
+    for points in ties.triples() {
+        let mut free = points.into_iter().filter(|point| w[point.index()] > 0.0);
+        if let Some(first) = free.next() {
+            free.for_each(|other| sets.join(first.0, other.0));
         }
     }
     let mut place = vec![u32::MAX; w.len()];
@@ -75,8 +119,25 @@ pub(crate) fn islands_joined(bonds: &Bonds, w: &[f64], pairs: &[[u32; 2]]) -> Ve
         island.bonds.push(k as u32);
         island.add(&bond, &mut sums);
     }
+    let mut of = |points: [PointId; 3]| {
+        let free = points.into_iter().find(|point| w[point.index()] > 0.0)?;
+        Some(place[sets.find(free.0) as usize] as usize)
+    };
+    for (k, angle) in ties.angles.iter().enumerate() {
+        if let Some(at) = of(angle.points) {
+            list[at].angles.push(k as u32);
+            list[at].add_angle(angle, &mut sums);
+        }
+    }
+    for (k, patch) in ties.patches.iter().enumerate() {
+        if let Some(at) = of(patch.corners) {
+            list[at].patches.push(k as u32);
+            list[at].add_patch(patch, ties.stiffness, &mut sums);
+        }
+    }
     for (island, inner) in list.iter_mut().zip(inner) {
-        island.is_tree = inner + 1 == island.points.len() && island.bonds.len() <= inner + 1;
+        island.holds_areas = ties.holds_areas() && !island.patches.is_empty();
+        island.is_tree = !island.holds_areas && inner + 1 == island.points.len() && island.bonds.len() <= inner + 1;
         island.bound(&sums, w);
     }
     list
@@ -106,6 +167,36 @@ impl Island {
         }
     }
 
+    /// An angle of slopes g is as stiff at a point as k |g| times the sum of all |g|, and so is its damper.
+    fn add_angle(&mut self, angle: &Angle, sums: &mut [(f64, f64, usize)]) {
+        let [p, q] = angle.arms.map(|arm| 1.0 / arm);
+        let (slopes, all) = ([p, p + q, q], 2.0 * (p + q));
+        self.is_damped |= angle.damping > 0.0;
+        for (point, slope) in angle.points.into_iter().zip(slopes) {
+            sums[point.index()].0 += 0.5 * (angle.stiffness + angle.stop) * slope * all;
+            sums[point.index()].1 += 0.5 * angle.damping * slope * all;
+        }
+    }
+
+    /// The same of an area, whose slopes are half the sides opposite.
+    fn add_patch(&mut self, patch: &Patched, stiffness: f64, sums: &mut [(f64, f64, usize)]) {
+        let corners = patch.corners;
+        if stiffness.is_finite() {
+            corners.iter().for_each(|corner| sums[corner.index()].0 += 0.5 * stiffness * patch.slender);
+            return;
+        }
+        self.rigid += 1;
+        for corner in corners {
+            self.couplings += sums[corner.index()].2;
+            sums[corner.index()].2 += 1;
+        }
+    }
+
+    /// Whether anything is asked of it that large bodies do not know.
+    pub(crate) fn has_form(&self) -> bool {
+        !(self.angles.is_empty() && self.patches.is_empty())
+    }
+
     fn bound(&mut self, sums: &[(f64, f64, usize)], w: &[f64]) {
         for &i in &self.points {
             let (stiffness, damping, rigid) = sums[i as usize];
@@ -130,7 +221,7 @@ mod tests {
     fn a_pin_does_not_join_islands() {
         let spring = BondKind::Spring { stiffness: 8.0, damping: 1.0 };
         let bonds = Bonds::from([bond(1, 0, spring), bond(2, 0, BondKind::Rigid), bond(2, 3, BondKind::Rigid)]);
-        let found = islands(&bonds, &[0.0, 0.25, 1.0, 1.0, 1.0]);
+        let found = islands(&bonds, &Ties::default(), &[0.0, 0.25, 1.0, 1.0, 1.0]);
         let points: Vec<&[u32]> = found.iter().map(|island| &island.points[..]).collect();
         assert_eq!(points, [&[1][..], &[2, 3], &[4]]);
         assert_eq!((found[0].springs, found[0].frequency, found[0].decay), (1, 2.0, 0.5));
@@ -142,11 +233,14 @@ mod tests {
     #[test]
     fn a_ring_is_no_tree_and_a_row_between_two_pins_is_none() {
         let ring = Bonds::from([(0, 1), (1, 2), (2, 0)].map(|(a, b)| bond(a, b, BondKind::Rigid)));
-        assert!(!islands(&ring, &[1.0; 3])[0].is_tree);
-        assert!(!islands(&ring, &[0.0, 1.0, 1.0])[0].is_tree, "the ring is cut by the pin, and may be taut");
+        assert!(!islands(&ring, &Ties::default(), &[1.0; 3])[0].is_tree);
+        assert!(
+            !islands(&ring, &Ties::default(), &[0.0, 1.0, 1.0])[0].is_tree,
+            "the ring is cut by the pin, and may be taut"
+        );
         let row = Bonds::from([(0, 1), (1, 2)].map(|(a, b)| bond(a, b, BondKind::Rigid)));
-        assert!(islands(&row, &[0.0, 1.0, 1.0])[0].is_tree);
+        assert!(islands(&row, &Ties::default(), &[0.0, 1.0, 1.0])[0].is_tree);
         let comb = Bonds::from([(0, 3), (3, 4), (4, 5), (1, 4), (2, 5)].map(|(a, b)| bond(a, b, BondKind::Rigid)));
-        assert!(!islands(&comb, &[0.0, 0.0, 0.0, 1.0, 1.0, 1.0])[0].is_tree, "held at every point");
+        assert!(!islands(&comb, &Ties::default(), &[0.0, 0.0, 0.0, 1.0, 1.0, 1.0])[0].is_tree, "held at every point");
     }
 }

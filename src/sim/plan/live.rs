@@ -17,11 +17,13 @@ impl<S: Real, const D: usize> Maker<'_, S, D> {
         Some(self.batched(points, pull, mover, breakable(self.bonds(), |_| true)))
     }
 
-    fn live_draft(&self) -> Draft {
+    fn live_draft(&self) -> Draft<S> {
         Draft {
             bonds: self.bonds().map(|(_, bond)| bond).collect(),
             body_of: self.body_of(),
             triangles: self.triangles(),
+            hinges: self.form().hinges,
+            areas: self.model.areas.unwrap_or_default(),
             contact: self.model.contact,
             skins: self.skins(),
         }
@@ -42,7 +44,10 @@ impl<S: Real, const D: usize> Maker<'_, S, D> {
         }
         // Bonds between pins are in no island: what is pinned all over has a skin by its triangles.
         let is_pinned = |slot: &u32| self.gathered.w[self.points[*slot as usize] as usize] == 0.0;
-        for [a, b, c] in self.triangles().into_iter().filter(|corners| corners.iter().all(is_pinned)) {
+        let covered = self.triangles().into_iter().map(|(corners, _)| corners);
+        let pinned = covered.filter(|corners| corners.iter().all(is_pinned));
+        let hinges = self.form::<S>().hinges.into_iter().map(|hinge| hinge.points);
+        for [a, b, c] in pinned.chain(hinges).chain(self.patches().into_iter().map(|patch| patch.0)) {
             sets.join(a, b);
             sets.join(b, c);
         }
@@ -57,11 +62,13 @@ impl<S: Real, const D: usize> Maker<'_, S, D> {
         body_of
     }
 
-    /// The triangles of the group, without those that welds leave no area.
-    pub(super) fn triangles(&self) -> Vec<[u32; 3]> {
+    /// The triangles of the group, without those that welds leave no area, with their areas at rest [m^2] where these are known.
+    pub(super) fn triangles(&self) -> Vec<([u32; 3], Option<f64>)> {
         let slot = |corner: u32| self.place[self.gathered.stand_ins[corner as usize] as usize];
+        let rest = |k: usize| self.model.rest_areas.get(k).copied();
         let slots = self.model.triangles.iter().map(|corners| corners.map(|corner| slot(corner.0)));
-        slots.filter(|&[a, b, c]| a.max(b).max(c) != u32::MAX && a != b && b != c && c != a).collect()
+        let is_one = |[a, b, c]: [u32; 3]| a.max(b).max(c) != u32::MAX && a != b && b != c && c != a;
+        slots.enumerate().filter(|(_, corners)| is_one(*corners)).map(|(k, corners)| (corners, rest(k))).collect()
     }
 }
 
@@ -119,7 +126,8 @@ mod tests {
             velocity_lost: vec![[0.0; 2]; w.len()],
         };
         let gathered = Gathered::new(&model, (&model.bonds, None), &w, &weld::merge(&model.bonds, &w), &state);
-        let lots = lot::lots(&model, (false, w.len()), island::islands(&gathered.bonds, &gathered.w), &[]);
+        let lots =
+            lot::lots(&model, (false, w.len()), island::islands(&gathered.bonds, &gathered.ties, &gathered.w), &[]);
         let [lot] = &lots[..] else { unreachable!("all islands go together") };
         // As the plan has them: the one of two that are welded whose number is higher is no point of its own.
         let points = [0, 1, 2, 3, 4, 5, 6, 8];
@@ -130,7 +138,7 @@ mod tests {
         let draft = maker.live_draft();
         assert_eq!(draft.body_of, [0, 0, 0, 0, 0, 1, 2, 0]);
         // The last one is flat where points are welded.
-        assert_eq!(draft.triangles, [[0, 2, 1], [0, 3, 4], [3, 7, 4]]);
+        assert_eq!(draft.triangles, [[0, 2, 1], [0, 3, 4], [3, 7, 4]].map(|corners| (corners, None)));
         assert_eq!((draft.bonds.len(), draft.bonds[6].a, draft.bonds[6].b), (7, PointId(4), PointId(7)));
         assert_eq!(draft.contact, model.contact);
     }

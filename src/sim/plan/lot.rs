@@ -95,7 +95,7 @@ fn divide(class: usize, choice: Choice, islands: Vec<Island>, is_divided: bool) 
     }
     let is_alone = |island: &Island| match choice.bulk {
         Some(_) => island.bonds.len() > MOST_OF_A_CROWD,
-        None => !island.bonds.is_empty(),
+        None => !island.bonds.is_empty() || island.has_form(),
     };
     let (alone, together): (Vec<Island>, Vec<Island>) = islands.into_iter().partition(is_alone);
     let mut lots: Vec<Lot> = alone.into_iter().map(|island| lot(vec![island])).collect();

@@ -1,14 +1,17 @@
 //! One group: its points, what acts on them, and what watches over them.
 
 use super::gather::Gathered;
-use super::island::Island;
+use super::island::{Island, Patched};
 use super::lot::Lot;
 use crate::sim::account::Account;
-use crate::sim::bond::{Bond, BondKind, PointId};
+use crate::sim::bond::{Bond, BondKind, Limit, PointId};
 use crate::sim::constrain::direct::Direct;
-use crate::sim::constrain::shape::{Row, Shape};
+use crate::sim::constrain::shape::{Leg, Row, Shape};
 use crate::sim::contact::Contacts;
 use crate::sim::contact::obstacles::Obstacles;
+use crate::sim::force::angle::Hinge;
+use crate::sim::force::area::Patch;
+use crate::sim::force::form::Form;
 use crate::sim::force::spring::Springs;
 use crate::sim::group::events::edge::Edges;
 use crate::sim::group::guard::{Guard, Watched};
@@ -57,16 +60,17 @@ impl<S: Real, const D: usize> Maker<'_, S, D> {
         let w: Vec<f64> = self.points.iter().map(|&i| self.gathered.w[i as usize]).collect();
         let bonds: Vec<(u32, Bond)> = self.bonds().collect();
         let mut points = self.state(&w);
-        let rigid = (choice.is_direct && choice.solver.solves_directly())
-            .then(|| rows(&bonds, &points.inverse_mass))
-            .filter(|rows: &Vec<Row<S>>| !rows.is_empty())
-            .map(|rows| Direct::new(Shape::new(rows, self.points.len())));
+        let rigid = (choice.is_direct && (choice.solver.solves_directly() || self.holds_areas()))
+            .then(|| self.with_areas(rows(&bonds, &points.inverse_mass), &points.inverse_mass))
+            .filter(|(rows, _)| !rows.is_empty())
+            .map(|(rows, legs)| Direct::new(Shape::new(rows, legs, self.points.len())));
         let springs = match choice.solver {
             Solver::Xpbd | Solver::Path | Solver::Live => Springs::none(),
             _ => Springs::new(bonds.iter().map(|(_, bond)| bond), self.points.len()),
         };
         let pull = Pull {
             springs,
+            form: self.form(),
             contacts: Contacts::new(self.obstacles, self.points.len()),
             rigid,
             inside: None,
@@ -124,10 +128,73 @@ impl<S: Real, const D: usize> Maker<'_, S, D> {
         list.into_iter().map(moved)
     }
 
+    /// The angles of the lot between points of the group, and the areas that are forces.
+    pub(super) fn form<T: Real>(&self) -> Form<T> {
+        let ties = &self.gathered.ties;
+        let placed = |points: [PointId; 3]| points.map(|point| self.place[point.index()]);
+        let islands = &self.lot.islands;
+        let mut angles: Vec<u32> = islands.iter().flat_map(|island| island.angles.iter().copied()).collect();
+        angles.sort_unstable();
+        let hinge = |k: u32| {
+            let angle = &ties.angles[k as usize];
+            Hinge::new(angle, placed(angle.points))
+        };
+        let patch = |(corners, rest): ([u32; 3], f64)| Patch {
+            corners,
+            rest: T::from_f64(rest),
+            stiffness: T::from_f64(ties.stiffness),
+        };
+        let areas = if ties.holds_areas() { Vec::new() } else { self.patches() };
+        Form { hinges: angles.into_iter().map(hinge).collect(), patches: areas.into_iter().map(patch).collect() }
+    }
+
+    /// The triangles of the lot that resist, with their areas at rest [m^2].
+    pub(super) fn patches(&self) -> Vec<([u32; 3], f64)> {
+        let mut list: Vec<u32> = self.lot.islands.iter().flat_map(|island| island.patches.iter().copied()).collect();
+        list.sort_unstable();
+        let of = |k: u32| {
+            let Patched { corners, rest, .. } = self.gathered.ties.patches[k as usize];
+            (corners.map(|corner| self.place[corner.index()]), rest)
+        };
+        list.into_iter().map(of).collect()
+    }
+
+    /// Whether some area is held.
+    pub(super) fn holds_areas(&self) -> bool {
+        self.gathered.ties.holds_areas() && self.lot.islands.iter().any(|island| !island.patches.is_empty())
+    }
+
+    /// Rows for areas that are held, behind those of bonds.
+    fn with_areas(&self, mut rows: Vec<Row<S>>, w: &[S]) -> (Vec<Row<S>>, Vec<Leg<S>>) {
+        let mut legs = Vec::new();
+        let held = if self.gathered.ties.holds_areas() { self.patches() } else { Vec::new() };
+        for ([p, q, r], area) in held {
+            let [w_p, w_q, w_r] = [p, q, r].map(|corner| w[corner as usize]);
+            legs.push(Leg { row: rows.len() as u32, c: r, w_c: w_r, area: S::from_f64(area) });
+            rows.push(Row {
+                a: q,
+                b: p,
+                w_a: w_q,
+                w_b: w_p,
+                rest_length: S::ZERO,
+                // Its error is that of its area alone.
+                inverse_square: S::ZERO,
+                limit: Limit::Both,
+                is_taut: true,
+            });
+        }
+        (rows, legs)
+    }
+
     /// An empty account, where a ledger is kept.
     pub(super) fn account(&self) -> Option<Box<Account>> {
         let bonds: Vec<Bond> = self.model.method.ledger.then(|| self.bonds().map(|(_, bond)| bond).collect())?;
-        Some(Box::new(Account::new(bonds.iter(), &self.tracks())))
+        let tracks = self.tracks();
+        let mut account = Account::new(bonds.iter(), self.form(), &tracks);
+        let is_led = |corner: &u32| tracks.iter().any(|(led, _)| led == corner);
+        account.pulls_rigid |=
+            self.holds_areas() && self.patches().iter().any(|(corners, _)| corners.iter().any(is_led));
+        Some(Box::new(account))
     }
 
     /// What is watched of the group, where it may be handed over to the live step.
@@ -175,11 +242,11 @@ impl<S: Real, const D: usize> Maker<'_, S, D> {
     fn allocate(&self, points: &mut Points<S, D>, pull: &Pull<S, D>) {
         let count = points.len();
         let is_pushed = self.model.mouse.is_some() || pull.has_fields();
-        let has_forces = !pull.springs.is_empty() || is_pushed || pull.contacts.has_surfaces();
+        let has_forces = !pull.springs.is_empty() || !pull.form.is_empty() || is_pushed || pull.contacts.has_surfaces();
         if has_forces {
             points.acceleration = vec![zero(); count];
         }
-        if pull.springs.is_damped() {
+        if pull.is_damped() {
             points.velocity_ahead = vec![zero(); count];
         }
         points.displacement = vec![zero(); count];

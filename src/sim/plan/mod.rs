@@ -33,7 +33,7 @@ use lot::Lot;
 pub(crate) use super::sets::Sets;
 pub(crate) use clear::{Cleared, clear};
 pub(crate) use drive::gust_rate;
-pub(crate) use gather::NOWHERE;
+pub(crate) use gather::{NOWHERE, ties};
 pub(crate) use precision::is_single;
 pub(crate) use reconcile::reconcile;
 
@@ -111,9 +111,27 @@ pub(crate) fn compile<S: Real, const D: usize>(
     };
     let gathered = Gathered::new(model, (bonds, numbers), &w, &stand_ins, state);
     let pairs = gathered.drives.pairs(model);
-    let mut islands = island::islands_joined(&gathered.bonds, &gathered.w, &pairs);
+    let mut islands = island::islands_joined(&gathered.bonds, &gathered.ties, &gathered.w, &pairs);
     gathered.drives.mark(&mut islands);
     gathered.plan((model, obstacles), lot::lots(model, (!obstacles.is_empty(), scene_points), islands, is_live))
+}
+
+/// The islands of a model.
+pub(crate) fn islands_of<const D: usize>(model: &Model<D>) -> Vec<island::Island> {
+    if let Some((rest_areas, angles)) = model.form_missing() {
+        return islands_of(&Model { rest_areas, angles, ..model.clone() });
+    }
+    let own: Vec<u32> = (0..model.mass.len() as u32).collect();
+    island::islands(&model.bonds, &ties(model, &own, |i| model.position[i]), &inverse_masses(model))
+}
+
+/// The largest number of rigid bonds and areas of a body whose areas are to be held and cannot be, and how many could be.
+pub(crate) fn too_many_held<const D: usize>(model: &Model<D>) -> Option<[usize; 2]> {
+    if model.is_live() || !model.areas.is_some_and(|areas| areas.is_rigid()) {
+        return None;
+    }
+    let is_over = |island: &island::Island| island.holds_areas && !choice::can_be_direct(island);
+    islands_of(model).iter().filter(|island| is_over(island)).map(|island| [island.rigid, MOST_DIRECT]).max()
 }
 
 /// Whether a body of so many rigid bonds is solved for directly, which keeps their lengths to rounding.

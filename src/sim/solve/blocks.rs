@@ -12,13 +12,15 @@ use super::elimination;
 use super::ldl::{Inertia, Ldl};
 use crate::sim::real::Real;
 
-/// Place of a point that is not in the system.
-const NOWHERE: u32 = u32::MAX;
+/// Place of a point that is not in the system, and the third end of a constraint that has two.
+pub(crate) const NOWHERE: u32 = u32::MAX;
 
 /// Where the block of two coupled points lies: entry of its first column, row by row of the later point.
 #[derive(Clone, Copy, Debug)]
 struct Block<const D: usize> {
     starts: [u32; D],
+    /// The first point of the pair is the later one.
+    is_turned: bool,
 }
 
 /// Where the row of a constraint lies.
@@ -26,7 +28,7 @@ struct Block<const D: usize> {
 struct Line {
     row: u32,
     /// Entry of the first column of each end.
-    starts: [u32; 2],
+    starts: [u32; 3],
 }
 
 /// A system of a fixed pattern.
@@ -46,10 +48,10 @@ pub(crate) struct Blocks<S, const D: usize> {
 impl<S: Real, const D: usize> Blocks<S, D> {
     /// The pattern of `pairs` of points that pull on each other and of constraints between `ends`.
     ///
-    /// `is_free[i]`: point i is in the system. Each pair may come once only; pairs with a pinned end have no block.
-    pub(crate) fn new(is_free: &[bool], pairs: &[[u32; 2]], ends: &[[u32; 2]]) -> Self {
+    /// `is_free[i]`: point i is in the system. A pair may come more than once, and blocks of it add up; pairs with a pinned end have no block.
+    pub(crate) fn new(is_free: &[bool], pairs: &[[u32; 2]], ends: &[[u32; 3]]) -> Self {
         let count = is_free.len();
-        let free = |p: u32| is_free[p as usize];
+        let free = |p: u32| p != NOWHERE && is_free[p as usize];
         let mut couples: Vec<[u32; 2]> = pairs.iter().copied().filter(|&[a, b]| free(a) && free(b)).collect();
         let mut waits_for = vec![Vec::new(); count + ends.len()];
         for (c, pair) in ends.iter().enumerate() {
@@ -95,13 +97,13 @@ impl<S: Real, const D: usize> Blocks<S, D> {
         };
         let block = |&[a, b]: &[u32; 2]| {
             if !free(a) || !free(b) {
-                return Block { starts: [NOWHERE; D] };
+                return Block { starts: [NOWHERE; D], is_turned: false };
             }
             let (early, late) = if first[a as usize] < first[b as usize] { (a, b) } else { (b, a) };
             let starts = std::array::from_fn(|r| entry(first[late as usize] + r as u32, first[early as usize]));
-            Block { starts }
+            Block { starts, is_turned: late == a }
         };
-        let line = |(c, pair): (usize, &[u32; 2])| {
+        let line = |(c, pair): (usize, &[u32; 3])| {
             let row = first[count + c];
             Line { row, starts: pair.map(|p| if free(p) { entry(row, first[p as usize]) } else { NOWHERE }) }
         };
@@ -163,6 +165,19 @@ impl<S: Real, const D: usize> Blocks<S, D> {
         }
     }
 
+    /// Adds a block between the points of a pair, its rows those of the first.
+    pub(crate) fn add_block(&mut self, pair: usize, block: &[[S; D]; D]) {
+        let Block { starts, is_turned } = self.blocks[pair];
+        if starts[0] == NOWHERE {
+            return;
+        }
+        for r in 0..D {
+            for c in 0..D {
+                self.lower[starts[r] as usize + c] += if is_turned { block[r][c] } else { block[c][r] };
+            }
+        }
+    }
+
     /// Sets the row of a constraint: `direction` at its first end, minus that at its second, `corner` on the diagonal.
     pub(crate) fn set_line(&mut self, constraint: usize, direction: [S; D], corner: S) {
         let line = self.lines[constraint];
@@ -171,6 +186,17 @@ impl<S: Real, const D: usize> Blocks<S, D> {
                 for c in 0..D {
                     self.lower[start as usize + c] = sign * direction[c];
                 }
+            }
+        }
+        self.diagonal[line.row as usize] = corner;
+    }
+
+    /// The same of a constraint of three ends, each with a direction of its own.
+    pub(crate) fn set_three(&mut self, constraint: usize, directions: [[S; D]; 3], corner: S) {
+        let line = self.lines[constraint];
+        for (start, direction) in line.starts.into_iter().zip(directions) {
+            if start != NOWHERE {
+                self.lower[start as usize..start as usize + D].copy_from_slice(&direction);
             }
         }
         self.diagonal[line.row as usize] = corner;

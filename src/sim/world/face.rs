@@ -177,7 +177,8 @@ impl<S: Real, const D: usize> Dynamics for World<S, D> {
             }
         };
         let (position, velocity) = (of(|points| &points.position), of(|points| &points.velocity));
-        measure::energies(position, velocity, &self.inverse_mass, &self.bonds, self.around.gravity).sum()
+        let energies = measure::energies(position, velocity, &self.inverse_mass, &self.bonds, self.around.gravity);
+        energies.sum() + self.model.form_energy(position)
     }
 
     fn counters(&self) -> &Counters {

@@ -29,6 +29,12 @@ impl<S: Real, const D: usize> World<S, D> {
         if let Some(triangles) = turned(&model.triangles, |point| model.position[point.index()]) {
             return World::new(&Model { triangles, ..model.clone() });
         }
+        if let Some((rest_areas, angles)) = model.form_missing() {
+            return World::new(&Model { rest_areas, angles, ..model.clone() });
+        }
+        if let Some([found, most]) = plan::too_many_held(model) {
+            return Err(ModelError::TooManyHeld { found, most });
+        }
         let count = model.position.len();
         let w = plan::inverse_masses(model);
         let obstacles = Obstacles::of(model).map_err(|_| ModelError::Crossings)?;
@@ -67,6 +73,7 @@ impl<S: Real, const D: usize> World<S, D> {
         world.warn_of_pins(&model.position);
         world.warn_of_limits();
         world.warn_of_wind();
+        world.warn_of_areas(0);
         world.begin(&state);
         world.begin_ledger();
         Ok(world)
@@ -151,6 +158,17 @@ impl<S: Real, const D: usize> World<S, D> {
         }
     }
 
+    /// Tells of triangles from the `first` on that resist no change of their area, as they have none.
+    pub(crate) fn warn_of_areas(&mut self, first: usize) {
+        let resist = self.model.areas.is_some_and(|areas| areas.stiffness > 0.0);
+        let flat: Vec<usize> =
+            (first..self.model.rest_areas.len()).filter(|&k| self.model.rest_areas[k] == 0.0).collect();
+        if resist && !flat.is_empty() {
+            let text = format!("{} of area 0 at the start: left out of `areas`", named("triangle", &flat));
+            self.warnings.push(text);
+        }
+    }
+
     fn warn_of_limits(&mut self) {
         let is_swept = |part: &&PlanPart| part.solver == Solver::Path && part.kernel.is_empty() && part.bonds > 0;
         let swept: usize = self.plan.parts.iter().filter(is_swept).map(|part| part.bonds).sum();
@@ -163,11 +181,15 @@ impl<S: Real, const D: usize> World<S, D> {
 
 /// "bond 3", "bonds 1, 2 and 4", the first few of many.
 fn list(bonds: &[usize]) -> String {
+    named("bond", bonds)
+}
+
+fn named(what: &str, numbers: &[usize]) -> String {
     const MOST: usize = 8;
-    let shown: Vec<String> = bonds.iter().take(MOST).map(usize::to_string).collect();
-    match (&shown[..], bonds.len()) {
-        ([one], _) => format!("bond {one}"),
-        (some, count) if count > MOST => format!("bonds {} and {} more", some.join(", "), count - MOST),
-        (some, _) => format!("bonds {} and {}", some[..some.len() - 1].join(", "), some[some.len() - 1]),
+    let shown: Vec<String> = numbers.iter().take(MOST).map(usize::to_string).collect();
+    match (&shown[..], numbers.len()) {
+        ([one], _) => format!("{what} {one}"),
+        (some, count) if count > MOST => format!("{what}s {} and {} more", some.join(", "), count - MOST),
+        (some, _) => format!("{what}s {} and {}", some[..some.len() - 1].join(", "), some[some.len() - 1]),
     }
 }

@@ -80,7 +80,9 @@ impl<S: Real, const D: usize> World<S, D> {
         let is_gone = |i: usize| self.slot(i).is_none();
         let said = |(i, x): (usize, [f64; D])| if is_gone(i) { [f64::NAN; 3] } else { embed(x) };
         let gravity = self.around.gravity;
-        let energies = measure::energies(|i| position[i], |i| velocity[i], &self.inverse_mass, &self.bonds, gravity);
+        let mut energies =
+            measure::energies(|i| position[i], |i| velocity[i], &self.inverse_mass, &self.bonds, gravity);
+        energies.springs += self.model.form_energy(|i| position[i]);
         let time = self.timeline.time();
         Sample {
             time,

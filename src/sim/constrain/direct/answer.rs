@@ -9,7 +9,7 @@ use crate::sim::vector::{add, dot, scale, sub};
 impl<S: Real, const D: usize> Direct<S, D> {
     /// Adds to accelerations what the bonds answer where the points are now.
     pub(crate) fn answer(&mut self, x: &[[S; D]], v: &[[S; D]], a: &mut [[S; D]], contacts: &Contacts<S, D>) {
-        if self.has_limits || !contacts.is_idle() {
+        if self.has_limits || !contacts.is_idle() || !self.legs.is_empty() {
             self.aim(x);
             self.factor(contacts);
             return self.multiply(v, a, contacts);
@@ -38,6 +38,7 @@ impl<S: Real, const D: usize> Direct<S, D> {
             let apart = if idle { sub(a[i], a[j]) } else { sub(contacts.free(i, a[i]), contacts.free(j, a[j])) };
             *lambda = if row.is_taut { -(dot(*aim, apart) + dot(closing, closing)) } else { S::ZERO };
         }
+        self.area_bends(v, a, contacts);
         self.ldl.solve_one(&mut self.lambda);
         self.push(a);
     }
@@ -49,6 +50,9 @@ impl<S: Real, const D: usize> Direct<S, D> {
             let (i, j) = (row.a as usize, row.b as usize);
             a[i] = add(a[i], scale(aim, lambda * row.w_a));
             a[j] = sub(a[j], scale(aim, lambda * row.w_b));
+        }
+        for (point, way) in self.leg_shifts(&self.lambda) {
+            a[point as usize] = add(a[point as usize], way);
         }
     }
 

@@ -5,12 +5,13 @@
 //! Bonds that repeat each other have zero pivots, which are skipped.
 
 mod answer;
+mod area;
 mod bend;
 mod limits;
 mod project;
 mod strings;
 
-use super::shape::{Coupling, Row, Shape};
+use super::shape::{Coupling, Crossing, Leg, Row, Shape};
 use crate::sim::bond::Limit;
 use crate::sim::contact::Contacts;
 use crate::sim::points::Points;
@@ -38,6 +39,10 @@ pub(crate) struct Direct<S: Real, const D: usize> {
     total: Vec<S>,
     /// Positions before a projection, to go back to.
     start: Vec<[S; D]>,
+    /// Second legs of rows that hold areas, their aims, and what they couple.
+    legs: Vec<Leg<S>>,
+    leg_aims: Vec<[S; D]>,
+    crossings: Vec<Crossing<S>>,
     has_limits: bool,
     /// Solves decide which bonds with a limit act; where events are located those do.
     chooses: bool,
@@ -86,6 +91,9 @@ impl<S: Real, const D: usize> Direct<S, D> {
             both: vec![[S::ZERO; 2]; count],
             total: vec![S::ZERO; count],
             start: Vec::new(),
+            leg_aims: vec![zero(); shape.legs.len()],
+            legs: shape.legs,
+            crossings: shape.crossings,
             rows: shape.rows,
             couplings: shape.couplings,
         }
@@ -106,6 +114,7 @@ impl<S: Real, const D: usize> Direct<S, D> {
         for (aim, row) in self.aims.iter_mut().zip(&self.rows) {
             *aim = sub(x[row.a as usize], x[row.b as usize]);
         }
+        self.aim_legs(x);
     }
 
     /// Decides which bonds act, aims at them where they are and factors: what all solves at this state need.
@@ -135,6 +144,9 @@ impl<S: Real, const D: usize> Direct<S, D> {
             self.fill_lower();
         } else {
             self.fill_with(contacts);
+        }
+        if !self.legs.is_empty() {
+            self.fill_legs(contacts);
         }
         if self.has_limits {
             self.leave_slack_out();
@@ -166,10 +178,10 @@ impl<S: Real, const D: usize> Direct<S, D> {
 
     /// lambda = -(|d|^2 - rest^2)/2 of every bond; the largest |error| relative to rest^2, in m^2 at rest length 0.
     #[inline(always)]
-    fn residual(&mut self, d: impl Fn(&Row<S>) -> [S; D]) -> S {
+    fn residual(&mut self, direction: impl Fn(&Row<S>) -> [S; D]) -> S {
         let mut largest = S::ZERO;
         for (lambda, row) in self.lambda.iter_mut().zip(&self.rows) {
-            let d = d(row);
+            let d = direction(row);
             let rest = row.rest_length * row.rest_length;
             let error = if row.is_taut { S::HALF * (dot(d, d) - rest) } else { S::ZERO };
             *lambda = -error;
@@ -177,7 +189,7 @@ impl<S: Real, const D: usize> Direct<S, D> {
             // A comparison that is false for NaN would hide it.
             largest = if relative <= largest { largest } else { relative };
         }
-        largest
+        if self.legs.is_empty() { largest } else { self.area_residual(direction, largest) }
     }
 
     /// Adds W G^T lambda to something, point by point.
@@ -191,6 +203,9 @@ impl<S: Real, const D: usize> Direct<S, D> {
                     add_to(point as usize, if idle { way } else { contacts.free(point as usize, way) });
                 }
             }
+        }
+        for (point, way) in self.leg_shifts(&self.lambda) {
+            add_to(point as usize, if idle { way } else { contacts.free(point as usize, way) });
         }
     }
 }

@@ -16,7 +16,7 @@ impl<S: Real, const D: usize> Direct<S, D> {
 
     /// The same where bonds are off by little, as after a step of high order: one solve for both.
     pub(crate) fn restore(&mut self, points: &mut Points<S, D>, contacts: &Contacts<S, D>) -> Held {
-        if !self.has_limits && contacts.is_idle() && self.nudge(points) {
+        if !self.has_limits && self.legs.is_empty() && contacts.is_idle() && self.nudge(points) {
             return Held { iterations: 1, is_held: true };
         }
         self.project_all(points, contacts)
@@ -121,6 +121,7 @@ impl<S: Real, const D: usize> Direct<S, D> {
                 let parts = !self.chooses || row.limit.acts(rate, S::ZERO);
                 *lambda = if row.is_taut && parts { -rate } else { S::ZERO };
             }
+            self.area_rates(&points.velocity);
             self.ldl.solve_one(&mut self.lambda);
             for (total, lambda) in self.total.iter_mut().zip(&self.lambda) {
                 *total += *lambda;
@@ -135,6 +136,7 @@ impl<S: Real, const D: usize> Direct<S, D> {
             let rate = dot(*aim, sub(v[row.a as usize], v[row.b as usize]));
             *lambda = if row.is_taut { -rate } else { S::ZERO };
         }
+        self.area_rates(v);
         self.ldl.solve_one(&mut self.lambda);
         self.shift(contacts, |i, way| v[i] = add(v[i], way));
     }
@@ -148,6 +150,9 @@ impl<S: Real, const D: usize> Direct<S, D> {
             } else if row.b as usize == point {
                 sum = sub(sum, scale(aim, lambda * row.w_b));
             }
+        }
+        for (_, way) in self.leg_shifts(&self.total).filter(|(at, _)| *at as usize == point) {
+            sum = add(sum, way);
         }
         sum
     }

@@ -164,6 +164,13 @@ impl<S: Real, const D: usize> Group<S, D> {
         self.add_gravity(around, &late, -taken);
         self.bounce(around, (t + taken, if is_located { SHORTEST_FLIGHT * h } else { 4.0 * h }), &hits, counters);
         self.add_gravity(around, &late, taken);
+        if !is_located
+            && let Some(rigid) = &mut self.pull.rigid
+            && rigid.holds_areas()
+        {
+            // What was put out of surfaces took areas along.
+            rigid.project(&mut self.points, &self.pull.contacts);
+        }
         self.note_strings();
         self.cross(around, t + taken, counters);
         self.review(around, t + taken, counters);

@@ -3,7 +3,7 @@
 use super::Structure;
 use crate::sim::bond::{Bond, BondKind, Limit, PointId};
 use crate::sim::bonds::Bonds;
-use crate::sim::plan::island::islands;
+use crate::sim::plan::island::{Ties, islands};
 
 fn bond(a: u32, b: u32, rest: f64) -> Bond {
     Bond::new(PointId(a), PointId(b), rest)
@@ -12,7 +12,7 @@ fn bond(a: u32, b: u32, rest: f64) -> Bond {
 /// The structure of the only island that has bonds.
 fn of(bonds: &[Bond], w: &[f64]) -> Structure {
     let bonds: Bonds = bonds.iter().copied().collect();
-    let mut found = islands(&bonds, w);
+    let mut found = islands(&bonds, &Ties::default(), w);
     found.retain(|island| !island.bonds.is_empty());
     assert_eq!(found.len(), 1);
     Structure::of(&found[0], &bonds, w)

@@ -1,0 +1,145 @@
+//! Angles and areas in the live step: compliant projections along their slopes, as bonds are; limits of joints and areas that are kept.
+
+use super::body::{Area, Body};
+use super::cluster::{Cluster, Common};
+use crate::sim::force::angle::{Hinge, Stand};
+use crate::sim::force::area::{Patch, size, slopes};
+use crate::sim::force::form::at;
+use crate::sim::real::Real;
+use crate::sim::vector::{add, dot, scale};
+
+/// Most that a substep turns an angle by [rad]: further on its slopes are others.
+const MOST_TURN: f64 = 0.5;
+/// Share of what a joint was beyond its range before a substep that comes back in a pass, without speed.
+const MENDED: f64 = 0.1 / 3.0;
+
+/// Angles and areas that are springs, each once in a substep of `h` [s].
+///
+/// Model: with C what is off, slopes g and the way of the points since the start of the substep, the multiplier is
+/// -(k h^2 C + c h g . way)/(1 + (k h^2 + c h) sum of w |g|^2), c the damper: implicit Euler, linear in C.
+pub(super) fn resist<S: Real>(state: &mut Cluster<S>, common: &Common<S>, h: S) {
+    let areas = &common.resist;
+    let is_spring = areas.stiffness > 0.0 && !areas.is_rigid();
+    for (body, base) in state.members(common) {
+        let hinges = common.hinges(body);
+        state.counts.work += 60 * hinges.len() as u64;
+        for hinge in hinges {
+            bend(state, hinge, (base, h));
+        }
+        if is_spring {
+            let firm = S::from_f64(areas.stiffness) * h * h;
+            let areas = common.areas(body);
+            state.counts.work += 20 * areas.len() as u64;
+            for area in areas {
+                let points = places(base, area.corners);
+                let x = at(&state.now, points);
+                let by = firm / area.rest;
+                let g = slopes(x);
+                push(state, points, g, -by * (size(x) - area.rest) / (S::ONE + by * weight(state, points, g)));
+            }
+        }
+    }
+}
+
+/// One pass over the limits of joints and over areas that are kept, at once.
+pub(super) fn hold<S: Real>(state: &mut Cluster<S>, common: &Common<S>) {
+    for (body, base) in state.members(common) {
+        for hinge in common.hinges(body).iter().filter(|hinge| hinge.stop > S::ZERO) {
+            stop(state, hinge, base);
+        }
+        if common.resist.is_rigid() {
+            let areas = common.areas(body);
+            state.counts.work += 20 * areas.len() as u64;
+            areas.iter().for_each(|area| keep(state, area, base));
+        }
+    }
+}
+
+/// Energy of the angles and areas of a body [J].
+pub(super) fn energy<S: Real>(state: &Cluster<S>, common: &Common<S>, (body, base): (&Body<S>, usize)) -> S {
+    let mut sum = S::ZERO;
+    for hinge in common.hinges(body) {
+        sum += hinge.energy_within(at(&state.now, places(base, hinge.points)));
+    }
+    if common.resist.stiffness > 0.0 && !common.resist.is_rigid() {
+        let stiffness = S::from_f64(common.resist.stiffness);
+        for area in common.areas(body) {
+            let patch = Patch { corners: area.corners, rest: area.rest, stiffness };
+            sum += patch.energy(at(&state.now, places(base, area.corners)));
+        }
+    }
+    sum
+}
+
+fn places(base: usize, points: [u32; 3]) -> [u32; 3] {
+    points.map(|point| base as u32 + point)
+}
+
+fn bend<S: Real>(state: &mut Cluster<S>, hinge: &Hinge<S>, (base, h): (usize, S)) {
+    let points = places(base, hinge.points);
+    let Some(stand) = hinge.stand(at(&state.now, points)) else { return };
+    let firm = stand.share() * hinge.stiffness * h * h;
+    let slow = stand.share() * hinge.damping * h;
+    let weight = weight(state, points, stand.slopes);
+    if weight == S::ZERO || firm + slow == S::ZERO {
+        return;
+    }
+    let way = stand.rate(at(&state.way, points));
+    let multiplier = -(firm * hinge.off_rest(stand.angle) + slow * way) / (S::ONE + (firm + slow) * weight);
+    push(state, points, stand.slopes, bounded(multiplier, weight));
+}
+
+/// A joint comes back to its range: what was beyond it before slowly and without speed, what is new at once.
+fn stop<S: Real>(state: &mut Cluster<S>, hinge: &Hinge<S>, base: usize) {
+    state.counts.work += 40;
+    let points = places(base, hinge.points);
+    let Some(stand) = hinge.stand(at(&state.now, points)) else { return };
+    let beyond = hinge.beyond(stand.angle);
+    let weight = weight(state, points, stand.slopes);
+    if beyond == S::ZERO || weight == S::ZERO {
+        return;
+    }
+    let before = |stand: Stand<S>| hinge.beyond(stand.angle);
+    let missed = hinge.stand(at(&state.start, points)).map_or(S::ZERO, before);
+    // Only what is on the same side.
+    let missed = if beyond > S::ZERO { missed.max(S::ZERO).min(beyond) } else { missed.min(S::ZERO).max(beyond) };
+    let slow = -missed * S::from_f64(MENDED) / weight;
+    for (point, slope) in points.into_iter().zip(stand.slopes) {
+        let (i, w) = (point as usize, state.w[point as usize]);
+        let creep = scale(slope, w * slow);
+        state.start[i] = add(state.start[i], creep);
+        state.now[i] = add(state.now[i], creep);
+    }
+    push(state, points, stand.slopes, bounded(-(beyond - missed) / weight, weight));
+}
+
+fn keep<S: Real>(state: &mut Cluster<S>, area: &Area<S>, base: usize) {
+    let points = places(base, area.corners);
+    let x = at(&state.now, points);
+    let g = slopes(x);
+    let weight = weight(state, points, g);
+    if weight > S::ZERO {
+        push(state, points, g, -(size(x) - area.rest) / weight);
+    }
+}
+
+/// A multiplier that turns an angle by no more than is linear.
+fn bounded<S: Real>(multiplier: S, weight: S) -> S {
+    let most = S::from_f64(MOST_TURN) / weight;
+    multiplier.max(-most).min(most)
+}
+
+/// The sum of w |g|^2.
+fn weight<S: Real>(state: &Cluster<S>, points: [u32; 3], slopes: [[S; 2]; 3]) -> S {
+    points.iter().zip(slopes).fold(S::ZERO, |sum, (&point, g)| sum + state.w[point as usize] * dot(g, g))
+}
+
+/// Moves three points along their slopes.
+fn push<S: Real>(state: &mut Cluster<S>, points: [u32; 3], slopes: [[S; 2]; 3], multiplier: S) {
+    for (point, slope) in points.into_iter().zip(slopes) {
+        let i = point as usize;
+        let way = scale(slope, multiplier * state.w[i]);
+        state.now[i] = add(state.now[i], way);
+        state.way[i] = add(state.way[i], way);
+    }
+}
