@@ -6,10 +6,10 @@ mod common;
 use std::f64::consts::TAU;
 
 use common::picture::{NO_BONDS, SIDE, assert_coverage, pixels, plain, view};
-use glam::DVec2;
+use glam::{DVec2, DVec3};
 use image::RgbaImage;
 use wobble::render::{Camera, Capture, Look, Pose, View};
-use wobble::sim::Polygon;
+use wobble::sim::{Convex, Figure, Polygon};
 
 type Loop = Vec<[f64; 2]>;
 
@@ -283,4 +283,46 @@ fn a_plane_in_space_is_a_patch_below_the_scene() {
         rows.flat_map(|y| (0..SIDE).map(move |x| (x, y))).filter(|&(x, y)| picture.get_pixel(x, y)[0] > 40).count()
     };
     assert!(lit(0..16) == 0 && lit(24..SIDE) > 200, "{} {}", lit(0..16), lit(24..SIDE));
+}
+
+#[test]
+fn balls_and_boxes_in_space_are_seen_where_rays_meet_them_and_hide_what_lies_behind() {
+    if common::gpu().is_none() {
+        return;
+    }
+    let ball = Figure::Ball { center: [0.0; 3], radius: 0.5 };
+    let block = Figure::Box { min: [0.8, -0.4, -0.3], max: [1.4, 0.5, 0.3], axis: [1.0, 2.0, 0.5], angle: 0.8 };
+    let convex = [ball, block].map(|figure| Convex { figure, restitution: 0.0, friction: 0.0 });
+    // One point before the ball, and one behind it.
+    let positions = [0.0_f32, 0.0, 1.5, 0.0, 0.0, -1.5];
+    let look = Look { obstacle: [1.0; 4], wall: [1.0; 4], point: [0.0, 0.0, 0.0, 1.0], point_radius: 2.0, ..plain() };
+    for (yaw, dark) in [(0.0, true), (std::f64::consts::PI, true), (0.9, false)] {
+        let pose = Pose::Orbit { target: DVec3::new(0.3, 0.0, 0.0), distance: 5.0, yaw, pitch: 0.0 };
+        let camera = Camera::new(pose, [SIDE, SIDE]);
+        let seen = View { convex: &convex, ..view(&positions, NO_BONDS, 3) };
+        let picture = Capture::new([SIDE, SIDE], 3).unwrap().picture(&seen, &camera, &look).unwrap();
+        let middle = camera.screen_from_world(DVec3::ZERO).unwrap().map(|x| x as u32);
+        let points = [1.5, -1.5].map(|z| camera.screen_from_world(DVec3::new(0.0, 0.0, z)).unwrap());
+        let mut inside = 0;
+        for (x, y) in (0..SIDE).flat_map(|x| (0..SIDE).map(move |y| (x, y))) {
+            // Some rays across the pixel.
+            let hits = [[0.1, 0.1], [0.9, 0.1], [0.5, 0.5], [0.1, 0.9], [0.9, 0.9]].map(|[dx, dy]| {
+                let cursor = camera.cursor([f64::from(x) + dx, f64::from(y) + dy]);
+                convex.iter().any(|convex| convex.figure.entry([cursor.origin, cursor.direction], 0.0).is_some())
+            });
+            let lit = picture.get_pixel(x, y)[0];
+            let is_near = |at: &[f64; 2]| (at[0] - f64::from(x)).hypot(at[1] - f64::from(y)) < 5.0;
+            let is_near_point = points.iter().any(is_near);
+            if hits == [true; 5] && !is_near_point {
+                inside += 1;
+                // Where both share a pixel a little shows through between them.
+                assert!(lit > 180, "{x}, {y} of {yaw}: {lit}");
+            }
+            assert!(hits != [false; 5] || lit < 140 || is_near_point, "{x}, {y} of {yaw}: {lit}");
+        }
+        assert!(inside > 100, "{inside} pixels");
+        let [x, y] = if yaw == 0.0 { points[0] } else { points[1] }.map(|x| x as u32);
+        let [x, y] = if dark { [x, y] } else { middle };
+        assert_eq!(picture.get_pixel(x, y)[0] < 100, dark, "the point before it from {yaw}");
+    }
 }

@@ -101,13 +101,14 @@ fn points(view: &View<'_>) -> [[f64; 3]; 2] {
     corners
 }
 
-/// The box about walls and polygons [m].
+/// The box about walls and solid obstacles [m].
 fn surroundings(view: &View<'_>) -> [[f64; 3]; 2] {
     let mut corners = EMPTY;
     view.bounds.iter().flatten().for_each(|corner| include(&mut corners, &corner[..view.dimensions]));
     for corner in view.polygons.iter().flat_map(|polygon| &polygon.loops).flatten() {
         include(&mut corners, corner);
     }
+    view.convex.iter().flat_map(|convex| convex.figure.extent()).for_each(|corner| include(&mut corners, &corner));
     corners
 }
 

@@ -15,6 +15,8 @@ pub struct Cloth {
     pub spacing: f64,
     /// Bonds across each cell.
     pub diagonals: Diagonals,
+    /// Whether its cells are covered by triangles, two each: in space, where it is a surface.
+    pub is_covered: bool,
     /// Direction of the rows, of any length above 0.
     pub u: [f64; 3],
     /// Direction from row to row, of any length above 0.
@@ -65,7 +67,7 @@ impl Cloth {
                 Diagonals::One => [true, false],
                 Diagonals::Both => [true, true],
             },
-            is_covered: false,
+            is_covered: self.is_covered,
         }
         .make()
     }
@@ -101,7 +103,8 @@ mod tests {
     use super::*;
 
     fn cloth() -> Cloth {
-        Cloth { columns: 11, rows: 11, spacing: 2.0, diagonals: Diagonals::None, u: Cloth::U, v: Cloth::V }
+        let (diagonals, is_covered) = (Diagonals::None, false);
+        Cloth { columns: 11, rows: 11, spacing: 2.0, diagonals, is_covered, u: Cloth::U, v: Cloth::V }
     }
 
     #[test]

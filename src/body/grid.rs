@@ -14,7 +14,7 @@ pub(super) struct Grid {
     pub(super) across: [f64; 3],
     /// Whether each cell has the diagonal from its first point, and the other one.
     pub(super) diagonals: [bool; 2],
-    /// Whether cells are covered; then `across` is to the left of `along`.
+    /// Whether cells are covered; in the plane `across` is then to the left of `along`.
     pub(super) is_covered: bool,
 }
 

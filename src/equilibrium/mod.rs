@@ -79,7 +79,7 @@ pub fn settle<const D: usize>(model: &Model<D>) -> Result<Equilibrium<D>, ModelE
     if let Some(bond) = model.bonds.iter().position(|bond| matches!(bond.kind, BondKind::Relaxed { .. })) {
         return Err(ModelError::NoEnergy { bond });
     }
-    if !model.polygons.is_empty() {
+    if !(model.polygons.is_empty() && model.convex.is_empty()) {
         return Err(ModelError::Polygons);
     }
     if model.contact.is_some() {

@@ -2,9 +2,9 @@
 
 use crate::body::MAX_POINTS;
 use crate::sim::{
-    Angle, Angles, Areas, Bond, BondKind, Bonds, Bounds, Contact, Cursor, Force, HandedOver, Limit, Method, Model,
-    MouseForce, Order, Plane, PointId, Polygon, Precision, Profile, Region, Saved, SavedWorld, SkinMaterial,
-    SkinMaterials, Solver, Track, Why, Wind,
+    Angle, Angles, Areas, Bond, BondKind, Bonds, Bounds, Contact, Convex, Cursor, Figure, Force, HandedOver, Limit,
+    Method, Model, MouseForce, Order, Plane, PointId, Polygon, Precision, Profile, Region, Saved, SavedWorld,
+    SkinMaterial, SkinMaterials, Solver, Track, Why, Wind,
 };
 
 /// What can be put behind some bytes and taken from there again.
@@ -205,7 +205,7 @@ saved! {
     from FIRST_WITH_TRIANGLES on: model: triangles contact; rest: ;
     from FIRST_WITH_FORCES on: model: skins forces wind; rest: force_numbers next_force;
     from FIRST_WITH_HAND_OVERS on: model: ; rest: handed_over;
-    from FIRST_WITH_ANGLES on: model: areas rest_areas angles; rest: ;
+    from FIRST_WITH_ANGLES on: model: areas rest_areas angles convex; rest: ;
 }
 
 fields!(Method { solver, substep, iterations, order, seed, precision, tolerance, max_strain, sleeps } without { ledger: false, budget: None });
@@ -222,6 +222,7 @@ fields!(Track<D> { knots });
 fields!(Bounds<D> { min, max, restitution, friction });
 fields!(Plane<D> { point, normal, restitution, friction });
 fields!(Polygon { loops, restitution, friction });
+fields!(Convex { figure, restitution, friction });
 fields!(Cursor { origin, direction });
 fields!(Bond { a, b, rest_length, kind, limit, break_strain });
 
@@ -299,6 +300,34 @@ impl Packed for Solver {
     fn take(from: &mut &[u8]) -> Option<Self> {
         let name = Vec::<u8>::take(from)?;
         Solver::ALL.into_iter().find(|solver| solver.name().as_bytes() == name)
+    }
+}
+
+impl Packed for Figure {
+    fn put(&self, to: &mut Vec<u8>) {
+        match *self {
+            Figure::Ball { center, radius } => {
+                0u8.put(to);
+                center.put(to);
+                radius.put(to);
+            }
+            Figure::Box { min, max, axis, angle } => {
+                1u8.put(to);
+                [min, max, axis].put(to);
+                angle.put(to);
+            }
+        }
+    }
+
+    fn take(from: &mut &[u8]) -> Option<Self> {
+        Some(match u8::take(from)? {
+            0 => Figure::Ball { center: Packed::take(from)?, radius: Packed::take(from)? },
+            1 => {
+                let [min, max, axis] = Packed::take(from)?;
+                Figure::Box { min, max, axis, angle: Packed::take(from)? }
+            }
+            _ => return None,
+        })
     }
 }
 

@@ -45,10 +45,12 @@ pub(super) struct WorldBuffers {
     pub(super) bonds: GrowingBuffer,
     pub(super) points: GrowingBuffer,
     pub(super) guides: GrowingBuffer,
+    pub(super) solids: GrowingBuffer,
     pub(super) frame: GrowingBuffer,
     point_count: u32,
     bond_count: u32,
     pub(super) guide_count: u32,
+    pub(super) solid_count: u32,
     /// Bonds and points that no skin covers, which come first: of small scenes.
     bare: [u32; 2],
     has_pins: bool,
@@ -65,6 +67,7 @@ pub(super) struct WorldBuffers {
     topology: Option<u64>,
     last_frame: Vec<u8>,
     last_guides: Vec<u8>,
+    last_solids: Vec<[f32; 4]>,
     /// Positions of an `f64` world as they were uploaded.
     staging: [Vec<f32>; 2],
 }
@@ -82,10 +85,12 @@ impl WorldBuffers {
             bonds: storage("bonds"),
             points: storage("points"),
             guides: storage("guides"),
+            solids: storage("solids"),
             frame: GrowingBuffer::new(gpu, "frame", wgpu::BufferUsages::UNIFORM, 512),
             point_count: 0,
             bond_count: 0,
             guide_count: 0,
+            solid_count: 0,
             bare: [0, 0],
             has_pins: false,
             origin: DVec3::ZERO,
@@ -97,13 +102,14 @@ impl WorldBuffers {
             topology: None,
             last_frame: Vec::new(),
             last_guides: Vec::new(),
+            last_solids: Vec::new(),
             staging: Default::default(),
         }
     }
 
-    fn all(&mut self) -> [&mut GrowingBuffer; 6] {
-        let WorldBuffers { previous, current, bonds, points, guides, frame, .. } = self;
-        [previous, current, bonds, points, guides, frame]
+    fn all(&mut self) -> [&mut GrowingBuffer; 7] {
+        let WorldBuffers { previous, current, bonds, points, guides, solids, frame, .. } = self;
+        [previous, current, bonds, points, guides, solids, frame]
     }
 
     /// Whether a buffer is another one since the last call, so that bindings to it are stale.
@@ -277,6 +283,21 @@ impl WorldBuffers {
         self.guide_count = count as u32;
         Ok(())
     }
+
+    /// Uploads balls and boxes, unless they are those of the last picture: four rows, then four a solid.
+    pub(super) fn set_solids(
+        &mut self,
+        gpu: &Gpu,
+        rows: Vec<[f32; 4]>,
+        counters: &mut RenderCounters,
+    ) -> Result<(), RenderError> {
+        if self.last_solids != rows {
+            self.solids.write(gpu, bytemuck::cast_slice(&rows), counters)?;
+            self.last_solids = rows;
+        }
+        self.solid_count = (self.last_solids.len() / 4).saturating_sub(1) as u32;
+        Ok(())
+    }
 }
 
 /// The two states as they lie on the GPU.
@@ -380,6 +401,7 @@ mod tests {
             bounds: None,
             planes: Vec::new(),
             polygons: &[],
+            convex: &[],
             mouse: None,
         };
         let mut points: Vec<u32> = (0..5).collect();

@@ -134,7 +134,7 @@ impl Camera {
         self.clip_from_relative(origin).as_mat4()
     }
 
-    pub(super) fn clip_from_relative(&self, origin: DVec3) -> DMat4 {
+    pub(in crate::render) fn clip_from_relative(&self, origin: DVec3) -> DMat4 {
         match self.pose {
             Pose::Plane { center, height } => {
                 let scale = DVec3::new(2.0 / (height * self.aspect()), 2.0 / height, 0.0);

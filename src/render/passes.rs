@@ -1,4 +1,4 @@
-//! The passes of a picture: guides, obstacles, skins, bonds, points, region, each a shader of its own over the same bindings.
+//! The passes of a picture: guides, obstacles, balls and boxes, skins, bonds, points, region, each a shader of its own over the same bindings.
 //!
 //! In the plane what is drawn later lies on top. In space the pixels that a shape fills are drawn first and write their
 //! depth; those at its edges, which it shares with what lies behind, are drawn over them and only look at the depth.
@@ -25,11 +25,12 @@ macro_rules! shader {
 }
 
 /// The shaders as they are compiled: name, and source with what all of them share in front.
-pub const SHADERS: [(&str, &str); 6] = [
+pub const SHADERS: [(&str, &str); 7] = [
     ("guides", shader!("guides")),
     ("bonds", shader!("bonds")),
     ("points", shader!("points")),
     ("region", shader!("region")),
+    ("solids", shader!("solids")),
     ("skin", shader!("skin")),
     ("obstacles", shader!("obstacles")),
 ];
@@ -44,6 +45,8 @@ enum Pass {
     Strokes,
     Points,
     Region,
+    /// Balls and boxes, in space.
+    Solids,
     /// Pictures on triangles.
     Skin,
     /// Their free sides.
@@ -68,8 +71,9 @@ impl Pass {
             Pass::Dots | Pass::Strokes => 1,
             Pass::Points => 2,
             Pass::Region => 3,
-            Pass::Skin | Pass::SkinEdges => 4,
-            Pass::Cover | Pass::Rim | Pass::Obstacles => 5,
+            Pass::Solids => 4,
+            Pass::Skin | Pass::SkinEdges => 5,
+            Pass::Cover | Pass::Rim | Pass::Obstacles => 6,
         }
     }
 
@@ -103,6 +107,7 @@ impl Pass {
             Pass::Strokes => selection.strokes.iter().map(|run| call(run, QUAD)).collect(),
             Pass::Points => selection.points.iter().map(|range| [DISC * range.start..DISC * range.end, 0..1]).collect(),
             Pass::Region => vec![[0..QUAD * u32::from(has_region), 0..1]],
+            Pass::Solids => vec![[0..QUAD * buffers.solid_count, 0..1]],
             _ => Vec::new(),
         };
         calls.retain(|[vertices, _]| !vertices.is_empty());
@@ -132,9 +137,12 @@ enum Part {
 
 /// What is drawn, in order.
 fn layers(dimensions: usize) -> Vec<(Pass, Part)> {
-    let solid = [Pass::Guides, Pass::Dots, Pass::Strokes, Pass::Points];
+    let solid: &[Pass] = match dimensions {
+        3 => &[Pass::Guides, Pass::Solids, Pass::Dots, Pass::Strokes, Pass::Points],
+        _ => &[Pass::Guides, Pass::Dots, Pass::Strokes, Pass::Points],
+    };
     let parts: &[Part] = if dimensions == 3 { &[Part::Core, Part::Fringe] } else { &[Part::All] };
-    let solid = parts.iter().flat_map(|&part| solid.map(|pass| (pass, part)));
+    let solid = parts.iter().flat_map(|&part| solid.iter().map(move |&pass| (pass, part)));
     solid.chain([(Pass::Region, Part::All)]).collect()
 }
 
@@ -150,7 +158,7 @@ pub(super) struct Passes {
     /// What obstacles cover, their rims, and both as they are shown: below the skins. In the plane alone.
     obstacles: Option<[wgpu::RenderPipeline; 3]>,
     layout: wgpu::BindGroupLayout,
-    bindings: Option<[wgpu::BindGroup; 4]>,
+    bindings: Option<[wgpu::BindGroup; 5]>,
 }
 
 impl Passes {
@@ -194,7 +202,7 @@ impl Passes {
     /// Binds the buffers anew: one of them is another than before.
     pub(super) fn rebind(&mut self, gpu: &Gpu, buffers: &WorldBuffers) {
         // The region reads no list.
-        let lists = [&buffers.guides, &buffers.bonds, &buffers.points, &buffers.guides];
+        let lists = [&buffers.guides, &buffers.bonds, &buffers.points, &buffers.guides, &buffers.solids];
         self.bindings = Some(std::array::from_fn(|shader| {
             let list = lists[shader];
             let entries = [&buffers.frame, &buffers.previous, &buffers.current, list];

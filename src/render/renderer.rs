@@ -8,7 +8,7 @@ use super::frame::Frame;
 use super::gpu::Gpu;
 use super::guides::guides;
 use super::look::Look;
-use super::obstacles::Obstacles;
+use super::obstacles::{Obstacles, solids};
 use super::passes::{DEPTH, Passes};
 use super::skin::Skins;
 use super::view::View;
@@ -56,6 +56,7 @@ impl Renderer {
         let solid = (view.bounds, self.obstacles.patches());
         let lines = guides(camera, solid, view.dimensions, origin, look);
         self.buffers.set_guides(gpu, bytemuck::cast_slice(&lines), lines.len(), counters)?;
+        self.buffers.set_solids(gpu, solids(view, camera, origin), counters)?;
         self.has_region = frame.has_region();
         self.buffers.set_frame(gpu, bytemuck::bytes_of(&frame), counters)?;
         self.buffers.select(view, &frame.wanted(camera, origin, look.has_mesh), counters);

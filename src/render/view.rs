@@ -1,7 +1,7 @@
 //! What a picture shows: a borrowed view of a world at one moment.
 
 use crate::picture::Skin;
-use crate::sim::{Bonds, Cursor, Dynamics, MouseForce, PointId, Polygon, Positions};
+use crate::sim::{Bonds, Convex, Cursor, Dynamics, MouseForce, PointId, Polygon, Positions};
 
 /// A borrowed view of a world, between its last two substeps.
 #[derive(Clone)]
@@ -31,6 +31,8 @@ pub struct View<'a> {
     pub planes: Vec<[[f64; 3]; 2]>,
     /// What else is solid, in the plane. Other obstacles are another topology.
     pub polygons: &'a [Polygon],
+    /// Balls and boxes, in space. Others are another topology.
+    pub convex: &'a [Convex],
     /// The mouse force and where its cursor is.
     pub mouse: Option<(&'a MouseForce, Cursor)>,
 }
@@ -51,6 +53,7 @@ impl<'a> View<'a> {
             bounds: world.bounds(),
             planes: world.planes(),
             polygons: world.polygons(),
+            convex: world.convex(),
             mouse: world.mouse(),
         }
     }

@@ -125,7 +125,7 @@ impl AddKeys {
         self.bonds.iter().enumerate().map(bond).collect()
     }
 
-    /// The obstacles in the order of the keys; a model has planes and polygons apart.
+    /// The obstacles in the order of the keys; a model has planes and all others apart.
     fn solids<const D: usize>(&self, model: &Model<D>) -> Vec<sim::Obstacle> {
         let mut planes = model.planes.iter().map(|plane| sim::Obstacle::Plane {
             point: embed(plane.point),
@@ -133,9 +133,10 @@ impl AddKeys {
             restitution: plane.restitution,
             friction: plane.friction,
         });
-        let mut polygons = model.polygons.iter().cloned().map(sim::Obstacle::Polygon);
+        let polygons = model.polygons.iter().cloned().map(sim::Obstacle::Polygon);
+        let mut others = polygons.chain(model.convex.iter().copied().map(sim::Obstacle::Convex));
         let is_plane = |keys: &ObstacleKeys| keys.plane.is_some();
-        let next = |keys| if is_plane(keys) { planes.next() } else { polygons.next() };
+        let next = |keys| if is_plane(keys) { planes.next() } else { others.next() };
         self.obstacles.iter().filter_map(next).collect()
     }
 

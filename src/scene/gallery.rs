@@ -78,7 +78,7 @@ macro_rules! entry {
     };
 }
 
-static GALLERY: [Entry; 23] = [
+static GALLERY: [Entry; 24] = [
     entry!(
         "jelly",
         168,
@@ -233,6 +233,13 @@ static GALLERY: [Entry; 23] = [
         "A thousand rims",
         "Forty columns and twenty-five rows of soft rims, each hung by a point of its rim, swing and wobble.",
         "sweep through it, zoom in on one, cut it off its pin."
+    ),
+    entry!(
+        "cloth-ball",
+        416,
+        "Cloth over a ball and a box",
+        "In space a cloth falls on a ball and a box, folds over their edges and over itself, and comes to rest.",
+        "turn the view; pull the cloth off by a corner; take the ball away from under it."
     ),
     entry!(
         "million-cloth",

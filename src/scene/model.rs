@@ -116,6 +116,7 @@ impl Scene {
             duration: self.duration,
             planes: planes(self),
             polygons: super::obstacle::polygons(self)?,
+            convex: super::obstacle::convex(self),
             obstacle_numbers: obstacle_numbers(self),
             pin_motion: pin_motion(self),
             method,

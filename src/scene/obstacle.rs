@@ -1,12 +1,16 @@
-//! Obstacles that are polygons: given as such, boxes in the plane, and the ink of pictures.
+//! Obstacles that are polygons: given as such, boxes and circles in the plane, and the ink of pictures; balls and boxes in space.
 
 use super::check;
 use super::error::{Fault, Source, Within};
-use super::keys::{BodyKeys, BoxKeys, MakerName, ObstacleKeys, PictureKeys, Scene, StrokesName, Vector};
+use super::keys::{BodyKeys, BoxKeys, CircleKeys, MakerName, ObstacleKeys, PictureKeys, Scene, StrokesName, Vector};
 use super::pictures::Loops;
 use crate::body::{in_metres, turned};
-use crate::sim::Polygon;
 use crate::sim::vector::{add, scale, sub, truncate};
+use crate::sim::{Convex, Figure, Polygon};
+
+/// Corners of a circle in the plane: its sides lie within 2e-6 of its radius, and a bead that slides off its top leaves it where
+/// it would leave a circle, to 1e-4 (with 512 of them to 4e-3).
+const SIDES: u32 = 2048;
 
 /// The polygons among a scene's obstacles.
 ///
@@ -25,7 +29,31 @@ pub(super) fn polygons(scene: &Scene) -> Result<Vec<Polygon>, Fault> {
     Ok(list)
 }
 
-/// The corners of an obstacle; `None` of planes and circles.
+/// The balls and boxes among a scene's obstacles, in space.
+pub(super) fn convex(scene: &Scene) -> Vec<Convex> {
+    if scene.dimensions() != 3 {
+        return Vec::new();
+    }
+    let of = |keys: &ObstacleKeys| {
+        let (restitution, friction) = (keys.restitution.unwrap_or(0.0), keys.friction.unwrap_or(0.0));
+        figure(keys).map(|figure| Convex { figure, restitution, friction })
+    };
+    scene.obstacles.iter().filter_map(of).collect()
+}
+
+fn figure(keys: &ObstacleKeys) -> Option<Figure> {
+    if let Some(CircleKeys { center, radius }) = &keys.circle {
+        return Some(Figure::Ball { center: center.embed(), radius: *radius });
+    }
+    let keys = keys.r#box.as_ref()?;
+    let (axis, angle) = match &keys.rotation {
+        Some(rotation) => (rotation.axis.embed(), rotation.angle),
+        None => ([0.0, 0.0, 1.0], 0.0),
+    };
+    Some(Figure::Box { min: keys.min.embed(), max: keys.max.embed(), axis, angle })
+}
+
+/// The corners of an obstacle in the plane; `None` of planes.
 fn loops(keys: &ObstacleKeys, source: &Source) -> Result<Option<Loops>, Fault> {
     let corners = |outline: &Vec<Vector>| outline.iter().map(|corner| truncate(corner.embed())).collect();
     if let Some(polygon) = &keys.polygon {
@@ -34,7 +62,20 @@ fn loops(keys: &ObstacleKeys, source: &Source) -> Result<Option<Loops>, Fault> {
     if let Some(keys) = &keys.picture {
         return outlines(keys, source).at("picture").map(Some);
     }
+    if let Some(keys) = &keys.circle {
+        return Ok(Some(vec![round(keys)]));
+    }
     Ok(keys.r#box.as_ref().map(|keys| vec![rectangle(keys)]))
+}
+
+/// The corners of a circle in the plane, which all lie on it.
+fn round(keys: &CircleKeys) -> Vec<[f64; 2]> {
+    let center: [f64; 2] = truncate(keys.center.embed());
+    let corner = |k: u32| {
+        let angle = std::f64::consts::TAU / f64::from(SIDES) * f64::from(k);
+        add(center, turned([keys.radius, 0.0], angle))
+    };
+    (0..SIDES).map(corner).collect()
 }
 
 /// The corners of a box in the plane, which is turned about its centre.
@@ -75,7 +116,7 @@ pub(super) fn outlines(keys: &PictureKeys, source: &Source) -> Result<Loops, Fau
 }
 
 impl Scene {
-    /// Obstacles that are boxes or pictures become polygons, corner by corner: in the plane.
+    /// Obstacles that are boxes or pictures become polygons, corner by corner: in the plane. Circles stay what they are.
     ///
     /// Errors: those of [`outlines`].
     pub(super) fn with_polygons(&mut self) -> Result<(), Fault> {
@@ -84,7 +125,7 @@ impl Scene {
         }
         for i in 0..self.obstacles.len() {
             let keys = &self.obstacles[i];
-            if keys.polygon.is_some() {
+            if keys.polygon.is_some() || keys.circle.is_some() {
                 continue;
             }
             if let Some(loops) = loops(keys, &self.source).item(i).at("obstacles")? {

@@ -3,6 +3,7 @@
 use super::check::Resistance;
 use super::error::{Fault, SceneError, Source};
 use super::keys::{BodyKeys, BudgetKeys, Meeting, Scene, SolverName};
+use super::obstacle;
 use super::start::resistance;
 use crate::sim::{self, BondKind};
 
@@ -16,14 +17,6 @@ const BUDGET: f64 = 6.0;
 pub(super) fn check(scene: &Scene) -> Result<(), Fault> {
     check_form(scene)?;
     check_contact(scene)?;
-    for (i, obstacle) in scene.obstacles.iter().enumerate() {
-        let is_space = scene.dimensions() == 3;
-        for (key, said) in [("box", obstacle.r#box.is_some() && is_space), ("circle", obstacle.circle.is_some())] {
-            if said {
-                return Err(lacking(key).item(i).at("obstacles"));
-            }
-        }
-    }
     Ok(())
 }
 
@@ -50,34 +43,34 @@ fn check_form(scene: &Scene) -> Result<(), Fault> {
     }
 }
 
-/// Errors: bodies cannot meet in space, by this solver or within a tolerance.
+/// Errors: bodies cannot meet, or balls and boxes in space cannot be met, by this solver or within a tolerance.
 fn check_contact(scene: &Scene) -> Result<(), Fault> {
-    let is_space = scene.dimensions() == 3;
     let solver = scene.method.solver.unwrap_or(SolverName::Auto);
-    if solver == SolverName::Live && is_space {
-        let message = "solver `live` is of the plane in this version: leave `solver` out in space";
-        return Err(Fault::unsupported(message).at("solver").at("method"));
+    let is_live = matches!(solver, SolverName::Auto | SolverName::Live);
+    let has_tolerance = scene.method.tolerance.is_some();
+    if scene.contact.and_then(Meeting::resolve).is_some() {
+        if !is_live {
+            let message = format!("solver `{solver}` knows no contact: leave `solver` or `contact` out");
+            return Err(Fault::invalid(message).at("solver").at("method"));
+        }
+        if has_tolerance {
+            let message =
+                "no tolerance is held to where bodies meet in this version: leave `tolerance` or `contact` out";
+            return Err(Fault::unsupported(message).at("tolerance").at("method"));
+        }
     }
-    if scene.contact.and_then(Meeting::resolve).is_none() {
+    if obstacle::convex(scene).is_empty() {
         return Ok(());
     }
-    if is_space {
-        let message = "`contact` is of the plane in this version: leave it out in space";
-        return Err(Fault::unsupported(message).at("contact"));
-    }
-    if !matches!(solver, SolverName::Auto | SolverName::Live) {
-        let message = format!("solver `{solver}` knows no contact: leave `solver` or `contact` out");
+    if !is_live {
+        let message = format!("solver `{solver}` does not meet balls and boxes in space: leave `solver` out");
         return Err(Fault::invalid(message).at("solver").at("method"));
     }
-    if scene.method.tolerance.is_some() {
-        let message = "no tolerance is held to where bodies meet in this version: leave `tolerance` or `contact` out";
+    if has_tolerance {
+        let message = "no tolerance is held to among balls and boxes in this version: leave `tolerance` out";
         return Err(Fault::unsupported(message).at("tolerance").at("method"));
     }
     Ok(())
-}
-
-fn lacking(key: &str) -> Fault {
-    Fault::unsupported(format!("`{key}` is not in this version: leave it out")).at(key)
 }
 
 /// The method in the engine's words.

@@ -7,6 +7,7 @@
 use std::ops::Range;
 
 use super::bond::{Bond, BondId, Limit, PointId};
+use super::contact::convex::Convex;
 use super::contact::polygon::Polygon;
 use super::contact::skin::{Contact, SkinMaterial};
 use super::force::angle::Angle;
@@ -125,6 +126,8 @@ pub enum Obstacle {
     },
     /// A polygon, in the plane.
     Polygon(Polygon),
+    /// A ball or a box, in space.
+    Convex(Convex),
 }
 
 /// Some points, bonds, obstacles and forces by their numbers.

@@ -3,6 +3,7 @@
 use super::bond::PointId;
 use super::bonds::Bonds;
 use super::command::{Applied, Command, CommandError};
+use super::contact::convex::Convex;
 use super::contact::polygon::Polygon;
 use super::contact::skin::Contact;
 use super::counters::Counters;
@@ -85,7 +86,7 @@ pub trait Dynamics: Send {
     fn gone(&self) -> &[PointId];
     /// The numbers of the bonds that are left, ascending, in the order of [`Dynamics::bonds`]; `None`: each has its own place.
     fn bond_numbers(&self) -> Option<&[u32]>;
-    /// The numbers of the obstacles that are left: planes in the order of [`Dynamics::planes`], then polygons.
+    /// The numbers of the obstacles that are left: planes in the order of [`Dynamics::planes`], then polygons; in space balls and boxes.
     fn obstacle_numbers(&self) -> [&[u32]; 2];
     /// The numbers that the next point, bond and obstacle get.
     fn next_numbers(&self) -> [u32; 3];
@@ -115,6 +116,8 @@ pub trait Dynamics: Send {
     fn planes(&self) -> Vec<[[f64; 3]; 2]>;
     /// The polygons that points cannot enter.
     fn polygons(&self) -> &[Polygon];
+    /// Balls and boxes in space that points cannot enter.
+    fn convex(&self) -> &[Convex];
     /// The mouse force and where its cursor is now, if the scene has the force and a cursor is there.
     fn mouse(&self) -> Option<(&MouseForce, Cursor)>;
     /// The mouse force, if the scene has it, wherever its cursor is.

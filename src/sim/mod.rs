@@ -46,6 +46,7 @@ pub use command::{
     MouseChange, Obstacle, Reach, SceneChange, Selection, Values,
 };
 pub use contact::bounds::Bounds;
+pub use contact::convex::{BOX_EDGES, Convex, Figure, Frame};
 pub use contact::polygon::Polygon;
 pub use contact::skin::{Contact, SkinMaterial, SkinMaterials};
 pub use contact::surface::Plane;

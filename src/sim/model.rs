@@ -5,6 +5,7 @@ mod form;
 use super::bond::{Bond, BondKind, PointId};
 use super::bonds::Bonds;
 use super::contact::bounds::Bounds;
+use super::contact::convex::Convex;
 use super::contact::geometry::Geometry;
 use super::contact::polygon::Polygon;
 use super::contact::skin::{Contact, SkinMaterials};
@@ -45,7 +46,7 @@ pub struct Model<const D: usize> {
     pub rest_areas: Vec<f64>,
     /// Angles that resist, in the plane.
     pub angles: Angles,
-    /// How bodies meet, in the plane; `None`: they pass through each other.
+    /// How bodies meet; `None`: they pass through each other.
     pub contact: Option<Contact>,
     /// What skins are made of, where bodies have their own.
     pub skins: SkinMaterials,
@@ -67,7 +68,9 @@ pub struct Model<const D: usize> {
     pub planes: Vec<Plane<D>>,
     /// Polygons that points cannot enter; none in space.
     pub polygons: Vec<Polygon>,
-    /// The numbers that commands know planes and polygons by, in the order of each list; empty: planes first, then polygons.
+    /// Balls and boxes that points cannot enter; none in the plane.
+    pub convex: Vec<Convex>,
+    /// The numbers that commands know planes and all other obstacles by, in the order of each list; empty: planes first, then the others.
     pub obstacle_numbers: [Vec<u32>; 2],
     /// Pinned points that are led along tracks.
     pub pin_motion: Vec<(PointId, Track<D>)>,
@@ -128,6 +131,12 @@ pub enum ModelError {
         /// What it is.
         what: &'static str,
     },
+    /// A solver that does not meet balls and boxes in space.
+    #[error("solver {solver} does not meet balls and boxes in space: leave `solver` out")]
+    NoConvex {
+        /// The solver.
+        solver: Solver,
+    },
     /// A solver by which bodies cannot meet.
     #[error("solver {solver} knows no contact: leave `solver` out")]
     NoContact {
@@ -158,7 +167,7 @@ pub enum ModelError {
     #[error("an equilibrium is not looked for with rigid `areas`: give a `stiffness`")]
     HeldAreas,
     /// A tolerance where bodies meet.
-    #[error("no tolerance is held to where bodies meet: leave `tolerance` or `contact` out")]
+    #[error("no tolerance is held to where bodies meet, or among balls and boxes: leave `tolerance` out")]
     Unbounded,
     /// A bond that has no error, where a tolerance is asked for.
     #[error("bond {bond} is relaxed: it is defined by its sweeps and has no error to bound: leave `tolerance` out")]
@@ -176,7 +185,7 @@ pub enum ModelError {
     #[error("the outlines of the polygons cross each other or themselves more than 200000 times: make them simpler")]
     Crossings,
     /// Obstacles among which no equilibrium is looked for.
-    #[error("an equilibrium is not looked for among polygons: leave them out")]
+    #[error("an equilibrium is not looked for among polygons, balls and boxes: leave them out")]
     Polygons,
     /// Bodies that meet, for which no equilibrium is looked for.
     #[error("an equilibrium is not looked for where bodies meet: leave `contact` out")]
@@ -270,6 +279,10 @@ impl<const D: usize> Model<D> {
                 && polygon.loops.iter().flatten().flatten().all(|c| c.is_finite());
             require(is_fine, &format!("polygon {i}"), polygon, "in the plane, of three finite corners or more")?;
         }
+        for (i, convex) in self.convex.iter().enumerate() {
+            let range = "in space, finite, of a radius > 0, or with min below max and an axis that is not zero";
+            require(D == 3 && convex.figure.is_fine(), &format!("ball or box {i}"), convex, range)?;
+        }
         for (point, track) in &self.pin_motion {
             require(self.pinned.contains(point), "pin_motion", point, "of a pinned point")?;
             let ascends = track.knots.windows(2).all(|pair| pair[0].0 < pair[1].0);
@@ -284,8 +297,12 @@ impl<const D: usize> Model<D> {
 
     fn check_contact(&self) -> Result<(), ModelError> {
         let solver = self.method.solver;
-        if D != 2 && solver == Solver::Live {
-            return Err(ModelError::Planar { what: "live" });
+        if !self.convex.is_empty() {
+            match solver {
+                Solver::Auto | Solver::Live if self.method.tolerance.is_some() => return Err(ModelError::Unbounded),
+                Solver::Auto | Solver::Live => {}
+                solver => return Err(ModelError::NoConvex { solver }),
+            }
         }
         let Some(contact) = &self.contact else { return Ok(()) };
         let Contact { friction, restitution, radius, .. } = *contact;
@@ -294,7 +311,6 @@ impl<const D: usize> Model<D> {
         let is_size = |radius: f64| radius >= 0.0 && radius.is_finite();
         require(radius.is_none_or(is_size), "contact.radius", radius.unwrap_or_default(), "finite and >= 0")?;
         match solver {
-            _ if D != 2 => Err(ModelError::Planar { what: "contact" }),
             Solver::Auto | Solver::Live if self.method.tolerance.is_some() => Err(ModelError::Unbounded),
             Solver::Auto | Solver::Live => Ok(()),
             solver => Err(ModelError::NoContact { solver }),
@@ -326,7 +342,7 @@ impl<const D: usize> Model<D> {
 
     /// Whether all that can move is moved together by the live step.
     pub(crate) fn is_live(&self) -> bool {
-        D == 2 && (self.contact.is_some() || self.method.solver == Solver::Live)
+        self.contact.is_some() || self.method.solver == Solver::Live || !self.convex.is_empty()
     }
 
     /// Times at which a step has to end [s]: knots of tracks, and the duration; in any order.
@@ -359,6 +375,7 @@ impl<const D: usize> Model<D> {
             duration: self.duration,
             planes: self.planes.clone(),
             polygons: self.polygons.clone(),
+            convex: self.convex.clone(),
             obstacle_numbers: self.obstacle_numbers.clone(),
             pin_motion: self.pin_motion.clone(),
             method: self.method,
@@ -367,7 +384,7 @@ impl<const D: usize> Model<D> {
 
     /// Whether there is anything that points cannot pass.
     pub(crate) fn has_surfaces(&self) -> bool {
-        self.bounds.is_some() || !self.planes.is_empty() || !self.polygons.is_empty()
+        self.bounds.is_some() || !self.planes.is_empty() || !self.polygons.is_empty() || !self.convex.is_empty()
     }
 
     fn check_points(&self) -> Result<(), ModelError> {
@@ -426,7 +443,12 @@ impl<const D: usize> Model<D> {
 
 impl<'a, const D: usize> From<&'a Model<D>> for Geometry<'a, D> {
     fn from(model: &'a Model<D>) -> Self {
-        Geometry { bounds: model.bounds.as_ref(), planes: &model.planes, polygons: &model.polygons }
+        Geometry {
+            bounds: model.bounds.as_ref(),
+            planes: &model.planes,
+            polygons: &model.polygons,
+            convex: &model.convex,
+        }
     }
 }
 
@@ -475,6 +497,7 @@ impl<const D: usize> Default for Model<D> {
             duration: None,
             planes: Vec::new(),
             polygons: Vec::new(),
+            convex: Vec::new(),
             obstacle_numbers: [Vec::new(), Vec::new()],
             pin_motion: Vec::new(),
             method: Method::default(),

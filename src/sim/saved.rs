@@ -86,7 +86,7 @@ impl<const D: usize> Saved<D> {
         range(fits, "bond_numbers", "ascending, one a bond")?;
         let [next_bond, next_obstacle] = self.next_numbers;
         let is_bond = if numbers.is_none() { next_bond as usize == bonds } else { next_bond as usize >= bonds };
-        let obstacles = self.model.planes.len() + self.model.polygons.len();
+        let obstacles = self.model.planes.len() + self.model.polygons.len() + self.model.convex.len();
         let given = self.model.obstacle_numbers.iter().flatten();
         let is_obstacle = next_obstacle as usize >= obstacles && given.max().is_none_or(|&last| last < next_obstacle);
         range(is_bond && is_obstacle, "next_numbers", "above those that were given")?;

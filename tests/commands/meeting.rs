@@ -1,6 +1,6 @@
 //! Worlds in which bodies meet: what commands leave of them, and that they may begin and cease to meet.
 
-use wobble::sim::{Contact, PlanPart, Solver};
+use wobble::sim::{Contact, Convex, Figure, PlanPart, Solver};
 
 use super::*;
 
@@ -166,12 +166,14 @@ fn models_of_bodies_that_meet_are_checked() {
     assert!(error(|model| model.contact.as_mut().unwrap().friction = f64::NAN).starts_with("contact.friction is NaN"));
     assert!(error(|model| model.method.solver = Solver::Path).starts_with("solver path knows no contact"));
     assert!(error(|model| model.method.tolerance = Some(0.1)).starts_with("no tolerance is held to"));
-    let space = |contact, solver| {
-        let model = Model::<3> { contact, method: Method { solver, ..Method::default() }, ..Model::default() };
+    let ball = Convex { figure: Figure::Ball { center: [0.0; 3], radius: 1.0 }, restitution: 0.0, friction: 0.0 };
+    let space = |convex, solver| {
+        let model = Model::<3> { convex, method: Method { solver, ..Method::default() }, ..Model::default() };
         build(&model).err().unwrap().to_string()
     };
-    assert_eq!(space(Some(Contact::default()), Solver::Auto), "`contact` is of the plane: leave it out in space");
-    assert_eq!(space(None, Solver::Live), "`live` is of the plane: leave it out in space");
+    assert!(space(vec![ball], Solver::Rk4).starts_with("solver rk4 does not meet balls and boxes in space"));
+    let figure = Figure::Ball { center: [0.0; 3], radius: f64::NAN };
+    assert!(space(vec![Convex { figure, ..ball }], Solver::Auto).starts_with("ball or box 0 is"));
     let settled = wobble::equilibrium::settle(&meeting(1));
     assert!(settled.unwrap_err().to_string().contains("where bodies meet"));
 }

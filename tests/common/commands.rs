@@ -85,8 +85,8 @@ impl Generator {
             bonds,
             pinned: if self.below(3) == 0 { vec![PointId(first)] } else { Vec::new() },
             obstacles: if self.below(4) == 0 { vec![polygon] } else { Vec::new() },
-            pin_motion: Vec::new(),
             triangles,
+            ..Addition::default()
         }
     }
 
@@ -125,6 +125,7 @@ impl Generator {
             15 => Command::Set(Change::Points {
                 points: self.points(world),
                 mass: Some(Values::Same(self.number(0.2, 4.0))),
+                skin: Default::default(),
                 velocity: None,
             }),
             16 => {

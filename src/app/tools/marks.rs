@@ -5,7 +5,7 @@ use glam::{DVec2, DVec3};
 use super::pick::Scope;
 use super::{Doing, Target, target};
 use crate::app::action::Tool;
-use crate::sim::PointId;
+use crate::sim::{BOX_EDGES, Figure, PointId};
 
 /// What a mark says.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -85,10 +85,32 @@ fn would_go(scope: Scope<'_>, at: DVec2) -> Vec<Mark> {
     }
 }
 
+/// The edges of a box; a circle about a ball, as wide as it is seen from afar.
+fn around(scope: Scope<'_>, figure: &Figure) -> Vec<Mark> {
+    let pixel = |x: [f64; 3]| scope.camera.screen_from_world(DVec3::from(x)).map(DVec2::from);
+    if let &Figure::Ball { center, radius } = figure {
+        let middle = DVec3::from(center);
+        let beside = |side: DVec3| Some(pixel((middle + radius * side).into())?.distance(pixel(center)?));
+        let sides = [DVec3::X, DVec3::Y, DVec3::Z].into_iter().flat_map(|side| [side, -side]);
+        let wide = sides.filter_map(beside).fold(0.0, f64::max);
+        return pixel(center).map(|at| Mark::Ring(Role::Away, at, wide)).into_iter().collect();
+    }
+    let Some(frame) = figure.frame() else { return Vec::new() };
+    let corners = frame.corners();
+    let side = |ends: [u32; 2]| {
+        let [from, to] = ends.map(|end| pixel(corners[end as usize]));
+        Some(Mark::Line(Role::Away, from?, to?, 2.0 * scope.scale))
+    };
+    BOX_EDGES.into_iter().filter_map(side).collect()
+}
+
 fn obstacle(scope: Scope<'_>, number: u32) -> Vec<Mark> {
     let scenery = &scope.shown.scenery;
-    let place = scenery.polygon_numbers.iter().position(|&other| other == number);
-    let Some(polygon) = place.and_then(|place| scenery.polygons.get(place)) else { return Vec::new() };
+    let Some(place) = scenery.solid_numbers.iter().position(|&other| other == number) else { return Vec::new() };
+    if let Some(convex) = scenery.convex.get(place) {
+        return around(scope, &convex.figure);
+    }
+    let Some(polygon) = scenery.polygons.get(place) else { return Vec::new() };
     let pixel = |[x, y]: [f64; 2]| scope.camera.screen_from_world([x, y, 0.0].into()).map(DVec2::from);
     let side = |corners: &[[f64; 2]], k: usize| {
         let [from, to] = [corners[k], corners[(k + 1) % corners.len()]];

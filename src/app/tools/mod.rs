@@ -314,7 +314,7 @@ fn target(scope: Scope<'_>, at: DVec2) -> Option<Target> {
             bond.or_else(|| Some(Target::Body(scope.body(hit.point))))
         }
         Some(hit) => Some(Target::Body(scope.body(hit.point))),
-        None => scope.polygon(at).map(Target::Obstacle),
+        None => scope.solid(at).map(Target::Obstacle),
     }
 }
 

@@ -184,10 +184,25 @@ impl Scope<'_> {
         (0..count as u32).filter(|&other| root(&mut parent, other) == wanted).map(PointId).collect()
     }
 
-    /// The number of the polygon that a pixel lies in.
-    pub(in crate::app) fn polygon(&self, at: DVec2) -> Option<u32> {
+    /// The number of the solid obstacle that a pixel lies in, in space the foremost.
+    pub(in crate::app) fn solid(&self, at: DVec2) -> Option<u32> {
+        match self.camera.pose {
+            Pose::Plane { .. } => self.polygon(at),
+            Pose::Orbit { .. } => self.convex(at),
+        }
+    }
+
+    fn convex(&self, at: DVec2) -> Option<u32> {
+        let cursor = self.camera.cursor(at.to_array());
+        let ray = [cursor.origin, cursor.direction];
+        let solids = self.shown.scenery.convex.iter().zip(&self.shown.scenery.solid_numbers);
+        let hits = solids.filter_map(|(convex, &number)| Some((convex.figure.entry(ray, 0.0)?, number)));
+        hits.min_by(|a, b| a.0.total_cmp(&b.0)).map(|(_, number)| number)
+    }
+
+    fn polygon(&self, at: DVec2) -> Option<u32> {
         let place = self.camera.world_from_screen(at.to_array()).truncate();
-        let polygons = self.shown.scenery.polygons.iter().zip(&self.shown.scenery.polygon_numbers);
+        let polygons = self.shown.scenery.polygons.iter().zip(&self.shown.scenery.solid_numbers);
         let mut inside = polygons.filter(|(polygon, _)| is_inside(&polygon.loops, place.to_array()));
         inside.next_back().map(|(_, &number)| number)
     }

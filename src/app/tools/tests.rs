@@ -188,6 +188,24 @@ fn what_is_erased_is_a_body_a_bond_or_an_obstacle() {
 }
 
 #[test]
+fn in_space_the_foremost_of_balls_and_boxes_is_erased_and_marked_before() {
+    let text = r#"{"wobble": 1, "dimensions": 3, "points": {"position": [[9, 9, 9]]}, "obstacles": [
+        {"box": {"min": [-1, -1, -4], "max": [1, 1, -3]}}, {"circle": {"center": [0, 0, 0], "radius": 0.5}}],
+        "view": {"target": [0, 0, 0], "distance": 12, "yaw": 0, "pitch": 0}}"#;
+    let space = shown(Scene::parse(text, "x.json").unwrap());
+    let mut hand = Hand::default();
+    hand.take(Tool::Erase);
+    let beside = DVec2::new(500.0, 350.0) + DVec2::new(0.8 * space.1.pixels_per_metre() * 12.0 / 15.0, 0.0);
+    for (at, number, marks) in [(DVec2::new(500.0, 350.0), 1, 1), (beside, 0, 12)] {
+        assert_eq!(hand.marks(scope(&space), Some(at)).len(), marks);
+        let deed = hand.press(scope(&space), at);
+        let [Do::Delete(keys)] = &deed.commands[..] else { panic!("{deed:?}") };
+        assert_eq!(keys.obstacles, [number]);
+    }
+    assert!(hand.press(scope(&space), DVec2::new(20.0, 600.0)).is_empty(), "nothing is there");
+}
+
+#[test]
 fn in_space_the_foremost_is_picked_by_the_ray() {
     let text = r#"{"wobble": 1, "dimensions": 3, "gravity": [0, 0, 0],
         "points": {"position": [[0, 0, -3], [0, 0, 3], [2, 0, 0]]},

@@ -1,10 +1,12 @@
 //! Obstacles: polygons and planes as solid areas with a rim, under the bodies.
 //!
 //! What of each pixel they cover is added up from the exact share of every triangle; where it ends there is a rim. Both are kept
-//! until obstacles, camera or the picture's size are others, and cost a look-up a pixel. In space planes are guides: patch.rs.
+//! until obstacles, camera or the picture's size are others, and cost a look-up a pixel. In space planes are guides: patch.rs, and
+//! balls and boxes are a pass of their own: solid.rs.
 
 mod cut;
 mod patch;
+mod solid;
 
 use std::ops::Range;
 
@@ -23,6 +25,7 @@ use crate::picture::{Filling, fill_outline};
 use crate::sim::Polygon;
 use cut::Cut;
 pub(super) use patch::{Patch, RIM};
+pub(super) use solid::solids;
 
 /// Half floats, which every GPU adds up: what is covered of a pixel.
 pub(super) const COVER: wgpu::TextureFormat = wgpu::TextureFormat::R16Float;

@@ -174,7 +174,7 @@ pub(in crate::scene) fn maker(body: &BodyKeys, dimensions: usize, source: &Sourc
             supports: body.supports.unwrap_or(1),
         }),
         MakerName::Rope => Maker::Rope(Rope { count: need(body, "count", body.count)?, stretch: stretch(body)? }),
-        MakerName::Cloth => Maker::Cloth(cloth(body)?),
+        MakerName::Cloth => Maker::Cloth(cloth(body, dimensions)?),
         MakerName::Lattice => Maker::Lattice(Lattice {
             columns: need(body, "columns", body.columns)?,
             rows: need(body, "rows", body.rows)?,
@@ -194,7 +194,7 @@ pub(super) fn need<T>(body: &BodyKeys, key: &str, value: Option<T>) -> Result<T,
     value.ok_or_else(|| Fault::invalid(format!("`{}` needs `{key}`: add it", body.make)))
 }
 
-fn cloth(body: &BodyKeys) -> Result<Cloth, Fault> {
+fn cloth(body: &BodyKeys, dimensions: usize) -> Result<Cloth, Fault> {
     Ok(Cloth {
         columns: need(body, "columns", body.columns)?,
         rows: need(body, "rows", body.rows)?,
@@ -205,6 +205,7 @@ fn cloth(body: &BodyKeys) -> Result<Cloth, Fault> {
             Some(DiagonalsName::Both) => Diagonals::Both,
             None => Diagonals::default(),
         },
+        is_covered: dimensions == 3,
         u: body.u.map_or(Cloth::U, |u| u.embed()),
         v: body.v.map_or(Cloth::V, |v| v.embed()),
     })

@@ -112,13 +112,12 @@ fn check_surface(restitution: Option<f64>, friction: Option<f64>) -> Result<(), 
 }
 
 fn check_obstacle(obstacle: &ObstacleKeys, dimensions: usize, source: &Source) -> Result<(), Fault> {
-    const SHAPES: [&str; 5] = ["plane", "box", "polygon", "picture", "circle"];
+    const SHAPES: [&str; 5] = ["plane", "box", "circle", "polygon", "picture"];
     let shapes: Vec<&str> = obstacle.given().filter(|key| SHAPES.contains(key)).collect();
     match shapes[..] {
         [_] => {}
         [] => {
-            // Those that this version can run.
-            let list = nearest::list(if dimensions == 3 { &SHAPES[..1] } else { &SHAPES[..4] });
+            let list = nearest::list(if dimensions == 3 { &SHAPES[..3] } else { &SHAPES });
             return Err(Fault::invalid(format!("has no shape: give {list}")));
         }
         [first, second, ..] => {
@@ -142,7 +141,9 @@ fn check_obstacle(obstacle: &ObstacleKeys, dimensions: usize, source: &Source) -
         check_polygon(loops, dimensions).at("polygon")?;
     }
     match &obstacle.picture {
-        Some(_) if dimensions == 3 => Err(Fault::invalid("lies in the plane: in space use `plane`").at("picture")),
+        Some(_) if dimensions == 3 => {
+            Err(Fault::invalid("lies in the plane: in space use `plane`, `box` or `circle`").at("picture"))
+        }
         Some(keys) => check_picture(keys, source).at("picture"),
         None => Ok(()),
     }
@@ -172,7 +173,7 @@ fn check_box(keys: &BoxKeys, dimensions: usize) -> Result<(), Fault> {
 
 fn check_polygon(loops: &[Vec<Vector>], dimensions: usize) -> Result<(), Fault> {
     if dimensions == 3 {
-        let message = "lies in the plane: in space use `plane`";
+        let message = "lies in the plane: in space use `plane`, `box` or `circle`";
         return Err(Fault::invalid(message));
     }
     if loops.is_empty() {

@@ -1,11 +1,12 @@
 //! What points cannot pass, as a scene says it.
 
 use super::bounds::Bounds;
+use super::convex::Convex;
 use super::polygon::Polygon;
 use super::surface::{Plane, Surface};
 use crate::sim::real::Real;
 
-/// Borrowed walls, planes and polygons of a scene.
+/// Borrowed walls and obstacles of a scene.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Geometry<'a, const D: usize> {
     /// The walls around the world, if any.
@@ -13,6 +14,8 @@ pub(crate) struct Geometry<'a, const D: usize> {
     pub(crate) planes: &'a [Plane<D>],
     /// None in space.
     pub(crate) polygons: &'a [Polygon],
+    /// None in the plane.
+    pub(crate) convex: &'a [Convex],
 }
 
 impl<const D: usize> Geometry<'_, D> {

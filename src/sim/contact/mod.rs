@@ -1,6 +1,7 @@
 //! Points on surfaces: who rests on which, and what that takes from forces and velocities.
 
 pub mod bounds;
+pub mod convex;
 pub(crate) mod geometry;
 pub(crate) mod obstacles;
 pub(crate) mod passage;

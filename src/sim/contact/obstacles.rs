@@ -2,13 +2,14 @@
 
 use std::sync::Arc;
 
+use super::convex::Convex;
 use super::geometry::Geometry;
 use super::passage::Passage;
 use super::polygon::TooManyCrossings;
 use super::polygon::solids::{Solids, Wall};
 use super::surface::Surface;
 use crate::sim::real::Real;
-use crate::sim::vector::{flat, length, scale, sub};
+use crate::sim::vector::{embed, flat, length, scale, sub, truncate, widen};
 
 /// Depth inside a polygon, in ways of one step, that a point may have got to by its bonds.
 const DEEP: f64 = 4.0;
@@ -22,6 +23,8 @@ pub(crate) struct Obstacles<S, const D: usize> {
     /// How many surfaces have no end.
     planes: usize,
     solids: Option<Arc<Solids>>,
+    /// Balls and boxes in space, which have no surfaces by number: the live step alone meets them.
+    convex: Arc<[Convex]>,
 }
 
 /// A point that meets the wall of a polygon on its way.
@@ -53,11 +56,30 @@ impl<S: Real, const D: usize> Obstacles<S, D> {
             let walls = solids.planes(geometry.polygons);
             list.extend(walls.iter().map(|plane| Surface::within(plane, solids.reach())));
         }
-        Obstacles { surfaces: list.into(), planes, solids }
+        Obstacles { surfaces: list.into(), planes, solids, convex: geometry.convex.into() }
     }
 
+    /// Whether there are no surfaces.
     pub(crate) fn is_empty(&self) -> bool {
         self.surfaces.is_empty()
+    }
+
+    /// Balls and boxes.
+    pub(crate) fn convex(&self) -> &[Convex] {
+        &self.convex
+    }
+
+    /// Where a place is deepest inside of one of them [m], and the way out.
+    pub(crate) fn depth_in_convex(&self, x: [S; D]) -> Option<(f64, [f64; D])> {
+        let x = embed(widen(x));
+        let inside = self.convex.iter().filter_map(|convex| convex.figure.depth(x));
+        inside.max_by(|a, b| a.0.total_cmp(&b.0)).map(|(depth, out)| (depth, truncate(out)))
+    }
+
+    /// Whether the way from `a` to `b` leads through one of them.
+    pub(crate) fn pierces_convex(&self, a: [S; D], b: [S; D]) -> bool {
+        let ends = [a, b].map(|x| embed(widen(x)));
+        self.convex.iter().any(|convex| convex.figure.is_pierced(ends, self.slack()))
     }
 
     /// The surfaces that have no end.
@@ -120,14 +142,23 @@ impl<S: Real, const D: usize> Obstacles<S, D> {
         }
     }
 
-    /// Whether a box may be behind a plane or touch a polygon.
+    /// Whether a box may be behind a plane or touch another obstacle.
     pub(crate) fn may_touch(&self, bounds: [[S; D]; 2]) -> bool {
-        self.planes().iter().any(|plane| plane.least_gap(bounds) < S::ZERO) || self.has_walls_near(bounds)
+        let [low, high] = bounds.map(|x| embed(widen(x)));
+        let is_near = |convex: &Convex| {
+            let [from, to] = convex.figure.extent();
+            (0..3).all(|k| from[k] <= high[k] && to[k] >= low[k])
+        };
+        self.planes().iter().any(|plane| plane.least_gap(bounds) < S::ZERO)
+            || self.has_walls_near(bounds)
+            || self.convex.iter().any(is_near)
     }
 
-    /// Length of the diagonal of the box around all polygons [m].
+    /// Length of the diagonal of the box around all polygons; of balls and boxes the sum of theirs [m].
     pub(crate) fn breadth(&self) -> f64 {
-        self.solids.as_ref().map_or(0.0, |solids| solids.breadth())
+        let convex = self.convex.iter().map(|convex| convex.figure.extent());
+        let across = convex.fold(0.0, |sum, [low, high]| sum + length(sub(high, low)));
+        self.solids.as_ref().map_or(across, |solids| solids.breadth())
     }
 
     /// Calls `see` for the walls that a point touches: nearer than `slacks` times what rounding cannot tell from 0.

@@ -164,6 +164,10 @@ impl<S: Real, const D: usize> World<S, D> {
         if D != 2 && obstacles.iter().any(is_polygon) {
             return Err(invalid("polygons are of the plane"));
         }
+        let is_convex = |obstacle: &Obstacle| matches!(obstacle, Obstacle::Convex(_));
+        if D != 3 && obstacles.iter().any(is_convex) {
+            return Err(invalid("balls and boxes are of space: in the plane they are polygons"));
+        }
         Ok(())
     }
 
@@ -238,6 +242,10 @@ impl<S: Real, const D: usize> World<S, D> {
                     check_surface(polygon.restitution, polygon.friction)?;
                     model.polygons.push(polygon.clone());
                 }
+                Obstacle::Convex(convex) => {
+                    check_surface(convex.restitution, convex.friction)?;
+                    model.convex.push(*convex);
+                }
             }
         }
         Ok(())
@@ -256,7 +264,7 @@ impl<S: Real, const D: usize> World<S, D> {
             self.numbers.next_bond += count;
         }
         for made in &addition.obstacles {
-            let list = usize::from(matches!(made, Obstacle::Polygon(_)));
+            let list = usize::from(!matches!(made, Obstacle::Plane { .. }));
             self.numbers.obstacles[list].push(self.numbers.next_obstacle);
             self.numbers.next_obstacle += 1;
         }
@@ -275,7 +283,7 @@ impl<S: Real, const D: usize> World<S, D> {
 
     /// New bodies that would start inside obstacles, counted from the `first` new point on; what is bonded to older points stays.
     fn clear_new(&self, first: u32, addition: &Addition) -> Cleared<D> {
-        if self.obstacles.is_empty() || addition.position.is_empty() {
+        if !self.model.has_surfaces() || addition.position.is_empty() {
             return Cleared::default();
         }
         let mut w = self.inverse_mass[first as usize..].to_vec();

@@ -189,9 +189,13 @@ impl<S: Real, const D: usize> World<S, D> {
 
     fn remove_obstacles(&mut self, obstacles: &[u32]) {
         let model = Arc::make_mut(&mut self.model);
-        let [planes, polygons] = &mut self.numbers.obstacles;
+        let [planes, others] = &mut self.numbers.obstacles;
         keep(&mut model.planes, planes, obstacles);
-        keep(&mut model.polygons, polygons, obstacles);
+        // In space there are no polygons, in the plane nothing else.
+        match D {
+            2 => keep(&mut model.polygons, others, obstacles),
+            _ => keep(&mut model.convex, others, obstacles),
+        }
         // Fewer outlines cross no more often.
         if let Ok(left) = Obstacles::of(&*model) {
             self.obstacles = left;

@@ -347,6 +347,7 @@ impl<S: Real, const D: usize> World<S, D> {
             duration: None,
             planes: Vec::new(),
             polygons: Vec::new(),
+            convex: self.model.convex.clone(),
             obstacle_numbers: Default::default(),
             pin_motion: tracks.map(|(point, track)| (PointId(within(point)), track.clone())).collect(),
             method: self.model.method,

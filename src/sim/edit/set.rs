@@ -161,11 +161,12 @@ impl<S: Real, const D: usize> World<S, D> {
         }
         let detached = self.detach(&[], true);
         let model = Arc::make_mut(&mut self.model);
-        let [planes, polygons] = &self.numbers.obstacles;
+        let [planes, others] = &self.numbers.obstacles;
         let planes = model.planes.iter_mut().zip(planes).map(|(on, n)| (&mut on.restitution, &mut on.friction, n));
-        let polygons =
-            model.polygons.iter_mut().zip(polygons).map(|(on, n)| (&mut on.restitution, &mut on.friction, n));
-        for (own_restitution, own_friction, _) in planes.chain(polygons).filter(|(.., n)| obstacles.contains(n)) {
+        let polygons = model.polygons.iter_mut().zip(others).map(|(on, n)| (&mut on.restitution, &mut on.friction, n));
+        let convex = model.convex.iter_mut().zip(others).map(|(on, n)| (&mut on.restitution, &mut on.friction, n));
+        let all = planes.chain(polygons).chain(convex);
+        for (own_restitution, own_friction, _) in all.filter(|(.., n)| obstacles.contains(n)) {
             *own_restitution = restitution.unwrap_or(*own_restitution);
             *own_friction = friction.unwrap_or(*own_friction);
         }

@@ -17,7 +17,8 @@ use crate::sim::world::World;
 struct Placement {
     about: [f64; 3],
     by: [f64; 3],
-    /// cos and sin of the turn about z.
+    /// The turn about z [rad], and its cos and sin.
+    angle: f64,
     turn: [f64; 2],
     scale: f64,
 }
@@ -51,7 +52,8 @@ impl<S: Real, const D: usize> World<S, D> {
             return Ok(done(false));
         }
         let about = about.unwrap_or_else(|| self.middle_of(motion));
-        let placement = Placement { about, by: *by, turn: [libm::cos(*turn), libm::sin(*turn)], scale: *factor };
+        let placement =
+            Placement { about, by: *by, angle: *turn, turn: [libm::cos(*turn), libm::sin(*turn)], scale: *factor };
         let mut numbers: Vec<u32> = points.iter().map(|point| point.0).collect();
         numbers.sort_unstable();
         numbers.dedup();
@@ -100,32 +102,35 @@ impl<S: Real, const D: usize> World<S, D> {
             let places: Vec<[f64; 3]> = motion.points.iter().map(|point| embed(self.place(point.index()))).collect();
             return mean(&places);
         }
-        let [planes, polygons] = &self.numbers.obstacles;
+        let [planes, others] = &self.numbers.obstacles;
         let is_meant = |number: &&u32| motion.obstacles.contains(number);
         let named = |list: &[u32]| -> Vec<usize> {
             list.iter().enumerate().filter(|(_, number)| is_meant(number)).map(|(place, _)| place).collect()
         };
         let mut places: Vec<[f64; 3]> =
             named(planes).into_iter().map(|place| embed(self.model.planes[place].point)).collect();
-        for place in named(polygons) {
-            places.extend(self.model.polygons[place].loops.iter().flatten().map(|&x| embed(x)));
+        for place in named(others) {
+            let polygon = self.model.polygons.get(place).into_iter();
+            places.extend(polygon.flat_map(|polygon| &polygon.loops).flatten().map(|&x| embed(x)));
+            places.extend(self.model.convex.get(place).map(|convex| convex.figure.center()));
         }
         mean(&places)
     }
 
     /// The surroundings of a model, with these obstacles of it alone.
     fn only(&self, model: &Model<D>, obstacles: &[u32]) -> Model<D> {
-        let [planes, polygons] = &self.numbers.obstacles;
+        let [planes, others] = &self.numbers.obstacles;
         let is_meant = |number: &u32| obstacles.contains(number);
         Model {
             planes: model.planes.iter().zip(planes).filter(|(_, n)| is_meant(n)).map(|(plane, _)| *plane).collect(),
             polygons: model
                 .polygons
                 .iter()
-                .zip(polygons)
+                .zip(others)
                 .filter(|(_, n)| is_meant(n))
                 .map(|(on, _)| on.clone())
                 .collect(),
+            convex: model.convex.iter().zip(others).filter(|(_, n)| is_meant(n)).map(|(on, _)| *on).collect(),
             ..Model::default()
         }
     }
@@ -173,13 +178,17 @@ impl<S: Real, const D: usize> World<S, D> {
     }
 
     fn place_obstacles(&self, model: &mut Model<D>, obstacles: &[u32], placement: &Placement) {
-        let [planes, polygons] = &self.numbers.obstacles;
+        let [planes, others] = &self.numbers.obstacles;
         for (plane, _) in model.planes.iter_mut().zip(planes).filter(|(_, number)| obstacles.contains(number)) {
             plane.point = placement.place(plane.point);
             plane.normal = placement.direction(plane.normal);
         }
-        for (polygon, _) in model.polygons.iter_mut().zip(polygons).filter(|(_, number)| obstacles.contains(number)) {
+        for (polygon, _) in model.polygons.iter_mut().zip(others).filter(|(_, number)| obstacles.contains(number)) {
             polygon.loops.iter_mut().flatten().for_each(|corner| *corner = placement.place(*corner));
+        }
+        for (convex, _) in model.convex.iter_mut().zip(others).filter(|(_, number)| obstacles.contains(number)) {
+            let center = placement.place(convex.figure.center());
+            convex.figure = convex.figure.placed(center, placement.angle, placement.scale);
         }
     }
 

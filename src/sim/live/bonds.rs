@@ -8,8 +8,8 @@ use crate::sim::real::Real;
 use crate::sim::vector::{add, dot, scale, sub};
 
 /// Most of (w h)^2 and of the decay in a substep at which springs are forces: 4 and 2 would be the edge of stability.
-const MOST_PHASE: f64 = 2.0;
-const MOST_DECAY: f64 = 0.5;
+pub(super) const MOST_PHASE: f64 = 2.0;
+pub(super) const MOST_DECAY: f64 = 0.5;
 /// Most substeps of a frame that a body is given so that its springs can be forces, which keep its energy: stiffer ones are projected.
 const MOST_SUBSTEPS: f64 = 32.0;
 

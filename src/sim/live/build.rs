@@ -174,21 +174,21 @@ struct Own<S> {
 }
 
 /// In an order in which bonds that follow on each other share no point: none waits for the one before.
-fn in_turn<'a>(list: Vec<&'a Bond>, local: &[u32], points: usize) -> Vec<&'a Bond> {
+pub(super) fn in_turn<'a>(list: Vec<&'a Bond>, local: &[u32], points: usize) -> Vec<&'a Bond> {
     let ends: Vec<[u32; 2]> = list.iter().map(|bond| [bond.a, bond.b].map(|end| local[end.index()])).collect();
     by_colour(&ends, points).into_iter().map(|k| list[k as usize]).collect()
 }
 
-fn is_spring(bond: &Bond) -> bool {
+pub(super) fn is_spring(bond: &Bond) -> bool {
     matches!(bond.kind, BondKind::Spring { .. })
 }
 
 /// Rigid, both ways.
-fn is_held(bond: &Bond) -> bool {
+pub(super) fn is_held(bond: &Bond) -> bool {
     bond.kind == BondKind::Rigid && bond.limit == crate::sim::bond::Limit::Both
 }
 
-fn link<S: Real>(bond: &Bond, local: &[u32]) -> Link<S> {
+pub(super) fn link<S: Real>(bond: &Bond, local: &[u32]) -> Link<S> {
     let (stiffness, damping, share, most) = match bond.kind {
         BondKind::Rigid => (f64::INFINITY, 0.0, 1.0, f64::INFINITY),
         BondKind::Spring { stiffness, damping } => (stiffness, damping, 1.0, f64::INFINITY),
@@ -207,7 +207,7 @@ fn link<S: Real>(bond: &Bond, local: &[u32]) -> Link<S> {
 }
 
 /// The rigid bonds in the order of the one open path that they make, if they do: no point has more than two.
-fn path_of(bonds: &[Bond]) -> Option<Vec<Bond>> {
+pub(super) fn path_of(bonds: &[Bond]) -> Option<Vec<Bond>> {
     let mut rigid: Vec<Bond> = bonds.iter().copied().filter(is_held).collect();
     if rigid.len() < LEAST_PATH {
         return None;
@@ -292,7 +292,7 @@ fn skin<S>(own: &Own<S>) -> Vec<Edge> {
 }
 
 /// Gershgorin's bounds on the square of the fastest oscillation [1/s^2] and on the fastest decay [1/s] of springs.
-fn bounds<S: Real>(springs: &[&Bond], w: impl Fn(u32) -> S) -> [f64; 2] {
+pub(super) fn bounds<S: Real>(springs: &[&Bond], w: impl Fn(u32) -> S) -> [f64; 2] {
     let mut sums: Vec<(u32, [f64; 2])> = Vec::with_capacity(2 * springs.len());
     for bond in springs {
         if let BondKind::Spring { stiffness, damping } = bond.kind {

@@ -10,11 +10,11 @@ use crate::sim::real::Real;
 use crate::sim::vector::zero;
 
 /// Share of the shortest mean edge that points may go until what is near what is looked for anew.
-const PROMISE: f64 = 0.25;
+pub(super) const PROMISE: f64 = 0.25;
 /// Share of it that the fastest point may go in a substep.
-const WAY: f64 = 0.5;
+pub(super) const WAY: f64 = 0.5;
 /// Substeps of a frame: one of these numbers.
-const SUBSTEPS: [u32; 4] = [16, 32, 64, 128];
+pub(super) const SUBSTEPS: [u32; 4] = [16, 32, 64, 128];
 
 /// Substeps of a frame at a speed [m/s], with skins whose edges have this mean length [m].
 pub(super) fn substeps_at(speed: f64, edge: f64) -> u32 {

@@ -28,6 +28,7 @@ mod planes;
 mod rest;
 mod shape;
 mod skins;
+mod space;
 mod substep;
 mod truncate;
 mod walls;
@@ -99,18 +100,24 @@ struct Live<S: Real> {
     fields: Vec<Field<S>>,
 }
 
-/// The live step of these bodies; `None` in space.
+/// The live step of these bodies; `None` of a dimension that there is not.
 pub(crate) fn mover<S: Real, const D: usize>(
     draft: Draft<S>,
     points: &Points<S, D>,
     pull: &Pull<S, D>,
 ) -> Option<Box<dyn Mover<S, D>>> {
     let (points, pull): (&dyn Any, &dyn Any) = (points, pull);
-    let (points, pull) = (points.downcast_ref::<Points<S, 2>>()?, pull.downcast_ref::<Pull<S, 2>>()?);
-    let mut live = Live::new(&draft, points, Walls::of(&pull.contacts.obstacles));
-    live.fields = Field::list(&pull.thrusts, &live.bodies);
-    let live: Box<dyn Mover<S, 2>> = Box::new(live);
-    let live: Box<dyn Any> = Box::new(live);
+    let live: Box<dyn Any> = if D == 3 {
+        let (points, pull) = (points.downcast_ref::<Points<S, 3>>()?, pull.downcast_ref::<Pull<S, 3>>()?);
+        let live: Box<dyn Mover<S, 3>> = Box::new(space::Space::new(&draft, points, pull));
+        Box::new(live)
+    } else {
+        let (points, pull) = (points.downcast_ref::<Points<S, 2>>()?, pull.downcast_ref::<Pull<S, 2>>()?);
+        let mut live = Live::new(&draft, points, Walls::of(&pull.contacts.obstacles));
+        live.fields = Field::list(&pull.thrusts, &live.bodies);
+        let live: Box<dyn Mover<S, 2>> = Box::new(live);
+        Box::new(live)
+    };
     live.downcast::<Box<dyn Mover<S, D>>>().ok().map(|live| *live)
 }
 

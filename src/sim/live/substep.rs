@@ -13,9 +13,9 @@ use crate::sim::real::Real;
 use crate::sim::vector::{accumulate, add, convert, dot, scale};
 
 /// Passes over areas and contacts.
-const PASSES: u32 = 3;
+pub(super) const PASSES: u32 = 3;
 /// Speeds below which nothing bounces, in what gravity gives within a substep.
-const LEAST_BOUNCE: f64 = 2.0;
+pub(super) const LEAST_BOUNCE: f64 = 2.0;
 
 /// What acts from outside, the same for all clusters.
 #[derive(Clone, Copy)]

@@ -53,7 +53,8 @@ pub(crate) fn clear<const D: usize>(
     w: &[f64],
 ) -> Cleared<D> {
     let mut cleared = Cleared::default();
-    if obstacles.is_empty() || !measure::extent(position).is_some_and(|around| obstacles.may_touch(around)) {
+    let is_none = obstacles.is_empty() && obstacles.convex().is_empty();
+    if is_none || !measure::extent(position).is_some_and(|around| obstacles.may_touch(around)) {
         return cleared;
     }
     for body in bodies(bonds, w) {
@@ -156,7 +157,8 @@ impl<'a, const D: usize> Search<'a, D> {
         let planes: Vec<_> = obstacles.planes().iter().map(|plane| (plane.normal, -least(&|x| plane.gap(x)))).collect();
         let shallow = SHALLOW * extent + obstacles.slack();
         let is_deep = planes.iter().any(|(_, depth)| *depth > shallow)
-            || points.iter().any(|&x| obstacles.nearest(x, shallow).is_some());
+            || points.iter().any(|&x| obstacles.nearest(x, shallow).is_some())
+            || points.iter().any(|&x| obstacles.depth_in_convex(x).is_some_and(|(depth, _)| depth > shallow));
         is_deep.then_some(Search { obstacles, points, bonds, planes, extent })
     }
 
@@ -219,7 +221,10 @@ impl<'a, const D: usize> Search<'a, D> {
 
     /// Whether no point is inside anything.
     fn is_free(&self, way: [f64; D], blocking: &mut Blocking) -> bool {
-        let is_inside = |i: usize| self.obstacles.is_inside(add(self.points[i], way));
+        let is_inside = |i: usize| {
+            let x = add(self.points[i], way);
+            self.obstacles.is_inside(x) || self.obstacles.depth_in_convex(x).is_some()
+        };
         self.keeps_planes(way) && !blocking.finds(0, self.points.len(), is_inside)
     }
 
@@ -229,8 +234,10 @@ impl<'a, const D: usize> Search<'a, D> {
             let [a, b] = self.bonds[k].map(|end| add(self.points[end as usize], way));
             let met = self.obstacles.meeting(a, b, |_| true);
             met.is_some_and(|met| self.obstacles.surfaces[met.surface].gap(b) < -self.obstacles.slack())
+                || self.obstacles.pierces_convex(a, b)
         };
-        self.obstacles.has_walls() && blocking.finds(1, self.bonds.len(), is_crossed)
+        (self.obstacles.has_walls() || !self.obstacles.convex().is_empty())
+            && blocking.finds(1, self.bonds.len(), is_crossed)
     }
 
     /// Unit vectors in the plane, all around, and off the walls that points are behind.
@@ -245,7 +252,8 @@ impl<'a, const D: usize> Search<'a, D> {
         });
         let mut normals: Vec<[f64; D]> = Vec::new();
         for &x in &self.points {
-            let normal = self.obstacles.nearest(x, 0.0).map(|wall| self.obstacles.surfaces[wall].normal);
+            let wall = self.obstacles.nearest(x, 0.0).map(|wall| self.obstacles.surfaces[wall].normal);
+            let normal = wall.or_else(|| self.obstacles.depth_in_convex(x).map(|(_, out)| out));
             match normal {
                 Some(normal) if normals.len() < MOST_NORMALS && !normals.contains(&normal) => normals.push(normal),
                 _ => {}

@@ -5,6 +5,7 @@ use super::saved::of_any;
 use crate::sim::bond::PointId;
 use crate::sim::bonds::Bonds;
 use crate::sim::command::{Applied, Command, CommandError};
+use crate::sim::contact::convex::Convex;
 use crate::sim::contact::polygon::Polygon;
 use crate::sim::contact::skin::Contact;
 use crate::sim::counters::Counters;
@@ -160,6 +161,10 @@ impl<S: Real, const D: usize> Dynamics for World<S, D> {
 
     fn polygons(&self) -> &[Polygon] {
         &self.model.polygons
+    }
+
+    fn convex(&self) -> &[Convex] {
+        &self.model.convex
     }
 
     fn mouse(&self) -> Option<(&MouseForce, Cursor)> {

@@ -63,7 +63,7 @@ pub struct World<S: Real, const D: usize> {
 pub(crate) struct Numbers {
     /// Of the bonds that are left, ascending; `None`: each has its own place.
     pub(crate) bonds: Option<Arc<Vec<u32>>>,
-    /// Of the planes and the polygons that are left.
+    /// Of the planes that are left, and of all other obstacles.
     pub(crate) obstacles: [Vec<u32>; 2],
     /// Points that are gone, ascending.
     pub(crate) gone: Arc<Vec<PointId>>,
@@ -77,17 +77,17 @@ pub(crate) struct Numbers {
 
 impl Numbers {
     fn of<const D: usize>(model: &Model<D>) -> Self {
-        let [planes, polygons] = [model.planes.len() as u32, model.polygons.len() as u32];
+        let [planes, others] = [model.planes.len() as u32, (model.polygons.len() + model.convex.len()) as u32];
         let obstacles = match &model.obstacle_numbers {
-            [a, b] if a.len() == planes as usize && b.len() == polygons as usize => model.obstacle_numbers.clone(),
-            _ => [(0..planes).collect(), (planes..planes + polygons).collect()],
+            [a, b] if a.len() == planes as usize && b.len() == others as usize => model.obstacle_numbers.clone(),
+            _ => [(0..planes).collect(), (planes..planes + others).collect()],
         };
         Numbers {
             bonds: None,
             obstacles,
             gone: Arc::default(),
             next_bond: model.bonds.len() as u32,
-            next_obstacle: planes + polygons,
+            next_obstacle: planes + others,
             forces: (0..model.forces.len() as u32).collect(),
             next_force: model.forces.len() as u32,
         }

@@ -1,0 +1,116 @@
+// Balls and boxes in space: a quad around each, in which every pixel looks along its rays. Edges are smooth by the share of
+// rays that meet it.
+
+// World from clip space in four columns; then of each solid its centre and radius (0 of a box), and its axes with half its
+// sides [m].
+@group(0) @binding(3) var<storage, read> solids: array<vec4<f32>>;
+
+// Rays across a pixel, and down it.
+const RAYS: u32 = 4u;
+// How far behind its surface a solid hides things [its size]: what lies on it is seen.
+const SUNK: f32 = 0.012;
+
+struct Solid {
+    @builtin(position) position: vec4<f32>,
+    @location(0) @interpolate(flat) first: u32,
+}
+
+@vertex
+fn vertex(@builtin(vertex_index) index: u32) -> Solid {
+    let first = 4u + 4u * (index / 6u);
+    let center = solids[first];
+    var low = frame.viewport;
+    var high = vec2(0.0);
+    for (var k = 0u; k < 8u; k++) {
+        var at = center.xyz;
+        for (var axis = 0u; axis < 3u; axis++) {
+            let side = solids[first + 1u + axis];
+            at += side.xyz * side.w * select(-1.0, 1.0, ((k >> axis) & 1u) == 1u);
+        }
+        let clip = frame.clip_from_world * vec4(at, 1.0);
+        // What reaches behind the camera may be anywhere.
+        let is_ahead = clip.w > frame.near;
+        low = min(low, select(vec2(0.0), pixel_of(clip), is_ahead));
+        high = max(high, select(frame.viewport, pixel_of(clip), is_ahead));
+    }
+    low = max(low - 2.0, vec2(0.0));
+    high = min(high + 2.0, frame.viewport);
+    let corner = mix(low, high, 0.5 * corner_of(index % 6u) + 0.5);
+    var out: Solid;
+    out.position = clip_of(corner, vec4(0.0, 0.0, 0.5, 1.0));
+    out.first = first;
+    return out;
+}
+
+fn world_of(ndc: vec2<f32>, depth: f32) -> vec3<f32> {
+    let at = mat4x4(solids[0], solids[1], solids[2], solids[3]) * vec4(ndc, depth, 1.0);
+    return at.xyz / at.w;
+}
+
+// Where a ray meets a solid: the normal there, and how far along it; below 0 where it does not.
+fn met(first: u32, origin: vec3<f32>, along: vec3<f32>) -> vec4<f32> {
+    let center = solids[first];
+    let off = origin - center.xyz;
+    if center.w > 0.0 {
+        let b = dot(off, along);
+        let across = off - along * b;
+        let rest = center.w * center.w - dot(across, across);
+        let t = -b - sqrt(max(rest, 0.0));
+        return vec4((off + along * t) / center.w, select(-1.0, t, rest > 0.0));
+    }
+    var enters = 0.0;
+    var leaves = 1e30;
+    var normal = vec3(0.0);
+    for (var axis = 0u; axis < 3u; axis++) {
+        let side = solids[first + 1u + axis];
+        let goes = dot(along, side.xyz);
+        let from_center = dot(off, side.xyz);
+        let rate = select(goes, 1e-20, abs(goes) < 1e-20);
+        let near = (-sign(rate) * side.w - from_center) / rate;
+        let far = (sign(rate) * side.w - from_center) / rate;
+        if near > enters {
+            enters = near;
+            normal = -sign(rate) * side.xyz;
+        }
+        leaves = min(leaves, far);
+    }
+    return vec4(normal, select(-1.0, enters, enters < leaves && enters > 0.0));
+}
+
+struct Seen {
+    @location(0) color: vec4<f32>,
+    @builtin(frag_depth) depth: f32,
+}
+
+@fragment
+fn fragment(in: Solid) -> Seen {
+    var hits = 0.0;
+    var light = 0.0;
+    var nearest = 1e30;
+    var place = vec3(0.0);
+    for (var k = 0u; k < RAYS * RAYS; k++) {
+        let offset = (vec2(f32(k % RAYS), f32(k / RAYS)) + 0.5) / f32(RAYS) - 0.5;
+        let ndc = ((in.position.xy + offset) / frame.viewport - 0.5) * vec2(2.0, -2.0);
+        let origin = world_of(ndc, 0.0);
+        let along = normalize(world_of(ndc, 0.99) - origin);
+        let hit = met(in.first, origin, along);
+        if hit.w >= 0.0 {
+            hits += 1.0;
+            // From above, and a little from the eye.
+            light += max(dot(hit.xyz, normalize(vec3(0.25, 1.0, 0.1) - 0.7 * along)), 0.0);
+            if hit.w < nearest {
+                nearest = hit.w;
+                let size = max(solids[in.first].w, min(solids[in.first + 1u].w, solids[in.first + 2u].w));
+                place = origin + along * (hit.w + SUNK * size);
+            }
+        }
+    }
+    let share = hits / f32(RAYS * RAYS);
+    if hits == 0.0 || (PART == 1u && share < 1.0) || (PART == 2u && share >= 1.0) {
+        discard;
+    }
+    let clip = frame.clip_from_world * vec4(place, 1.0);
+    let shade = light / hits;
+    let color = mix(frame.obstacle_color, frame.rim_color, 0.1 + 0.75 * shade);
+    return Seen(vec4(color.rgb, color.a * share), clamp(clip.z / clip.w, 0.0, 1.0));
+}

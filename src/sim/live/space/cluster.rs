@@ -1,0 +1,124 @@
+//! Bodies that may touch each other within a step: their state, side by side, and what is near what.
+
+use super::body::{Bodies, Body};
+use super::bonds::Hold;
+use super::obstacle::Solid;
+use super::pair::{Pair, Sides};
+use super::touch::Touch;
+use crate::sim::contact::skin::Contact;
+use crate::sim::contact::surface::Surface;
+use crate::sim::real::Real;
+use crate::sim::vector::{add, dot, scale, sub, zero};
+
+/// Bodies that go together, in lists of their own: nothing else is read or written while they move.
+///
+/// Shapes: one entry a point, body after body.
+#[derive(Clone, Debug)]
+pub(super) struct Cluster<S: Real> {
+    /// Which bodies, ascending.
+    pub(super) bodies: Vec<usize>,
+    /// Where the points of each begin here; one more entry at the end.
+    pub(super) bases: Vec<u32>,
+    /// Which of its bodies touched something in the last step.
+    pub(super) touched: Vec<bool>,
+    /// Positions at the start of the substep [m].
+    pub(super) start: Vec<[S; 3]>,
+    /// Positions as far as the substep is solved [m].
+    pub(super) now: Vec<[S; 3]>,
+    /// From one to the other [m]: exact where the difference of both is not.
+    pub(super) way: Vec<[S; 3]>,
+    pub(super) velocity: Vec<[S; 3]>,
+    /// What rounding has taken from positions [m].
+    pub(super) lost: Vec<[S; 3]>,
+    pub(super) w: Vec<S>,
+    /// What constant forces give every point [m/s^2]; empty without any.
+    pub(super) thrust: Vec<[S; 3]>,
+    /// Which of its bodies every point is of.
+    pub(super) body_of: Vec<u32>,
+    /// Triangles of skins, corners counted here; number for ever; body.
+    pub(super) triangles: Vec<([u32; 3], u32, u32)>,
+    pub(super) edges: Vec<[u32; 2]>,
+    /// Points of skins: place here, and number for ever.
+    pub(super) corners: Vec<(u32, u32)>,
+    /// Bonds that are projected.
+    pub(super) holds: Vec<Hold<S>>,
+    /// Points near triangles.
+    pub(super) pairs: Vec<Pair<S>>,
+    /// What is near planes, balls and boxes.
+    pub(super) touches: Vec<Touch<S>>,
+    /// How far points may go until what is near is looked for anew [m]: against obstacles, and against each other.
+    pub(super) promise: [S; 2],
+    /// The least of that.
+    pub(super) least_promise: S,
+    /// How far the fastest has gone since [m].
+    pub(super) gone: [S; 2],
+    /// Something pressed something in this step.
+    pub(super) has_pressed: bool,
+    /// Work that the mouse did in this step [J].
+    pub(super) work: S,
+    pub(super) counts: Counts,
+}
+
+/// What a cluster did in a step.
+#[derive(Clone, Copy, Debug, Default)]
+pub(super) struct Counts {
+    pub(super) substeps: u64,
+    pub(super) points: u64,
+    pub(super) bonds: u64,
+    pub(super) contacts: u64,
+    pub(super) truncations: u64,
+    pub(super) guarded: u64,
+    pub(super) mouse_points: u64,
+    pub(super) work: u64,
+}
+
+/// What all clusters share.
+pub(super) struct Common<'a, S: Real> {
+    pub(super) bodies: &'a Bodies<S>,
+    pub(super) solids: &'a [Solid<S>],
+    pub(super) contact: Option<&'a Contact>,
+    pub(super) planes: &'a [Surface<S, 3>],
+    /// Sides that points had of triangles, from before.
+    pub(super) sides: &'a Sides,
+}
+
+impl<S: Real> Cluster<S> {
+    /// Its bodies with the places at which their points begin.
+    pub(super) fn members<'a>(
+        &self,
+        common: &Common<'a, S>,
+    ) -> impl Iterator<Item = (&'a Body<S>, usize)> + use<'a, S> {
+        let list = &common.bodies.list;
+        let pairs: Vec<(usize, usize)> =
+            self.bodies.iter().zip(&self.bases).map(|(&body, &base)| (body, base as usize)).collect();
+        pairs.into_iter().map(move |(body, base)| (&list[body], base))
+    }
+
+    /// A point goes further.
+    #[inline(always)]
+    pub(super) fn shift(&mut self, i: usize, by: [S; 3]) {
+        self.now[i] = add(self.now[i], by);
+        self.way[i] = add(self.way[i], by);
+    }
+
+    /// A point is put elsewhere without speed.
+    #[inline(always)]
+    pub(super) fn put(&mut self, i: usize, by: [S; 3]) {
+        self.now[i] = add(self.now[i], by);
+        self.start[i] = add(self.start[i], by);
+    }
+
+    /// The mean of vectors of points.
+    pub(super) fn mean(list: &[[S; 3]]) -> [S; 3] {
+        let sum = list.iter().fold(zero(), |sum, &v| add(sum, v));
+        scale(sum, S::ONE / S::from_f64(list.len().max(1) as f64))
+    }
+
+    /// The largest speed [m/s], and the largest against the mean.
+    pub(super) fn fastest(&self) -> [S; 2] {
+        let mean = Self::mean(&self.velocity);
+        let largest =
+            |from: [S; 3]| self.velocity.iter().fold(S::ZERO, |most, &v| most.max(dot(sub(v, from), sub(v, from))));
+        [largest(zero()).sqrt(), largest(mean).sqrt()]
+    }
+}

@@ -1,0 +1,191 @@
+//! What is near what: skins near planes, balls and boxes, and points near triangles, by a grid of the triangles.
+//!
+//! What is found holds as long as no point goes further than was promised; against each other, further than the mean of all.
+
+use super::cluster::{Cluster, Common};
+use super::geometry::{nearest, volume};
+use super::grid::Grid;
+use super::obstacle::{Shape, Solid};
+use super::pair::{Pair, Sides};
+use super::touch::{Kind, Touch};
+use crate::sim::contact::convex::BOX_EDGES;
+use crate::sim::live::FRAMES;
+use crate::sim::real::Real;
+use crate::sim::vector::{dot, sub, zero};
+
+/// Share of a frame after which it is looked anew at the soonest, however fast points are.
+const LEAST_TIME: f64 = 0.25;
+
+/// Finds anew what obstacles touch.
+pub(super) fn look_at_obstacles<S: Real>(state: &mut Cluster<S>, common: &Common<S>) {
+    let [fastest, _] = state.fastest();
+    state.gone[0] = S::ZERO;
+    state.promise[0] = state.least_promise.max(fastest * S::from_f64(LEAST_TIME / FRAMES));
+    let mut touches = std::mem::take(&mut state.touches);
+    touches.clear();
+    let reach = state.promise[0];
+    let is_free = |i: &usize| state.w[*i] != S::ZERO;
+    for (number, surface) in common.planes.iter().enumerate() {
+        for i in (0..state.now.len()).filter(is_free).filter(|&i| surface.gap(state.now[i]) < reach) {
+            touches.push(Touch::new(Kind::Plane(number as u32), [i as u32; 3], common));
+        }
+    }
+    let Some(extent) = crate::sim::measure::extent(&state.now) else { return };
+    for (number, solid) in common.solids.iter().enumerate().filter(|(_, solid)| solid.is_near(extent, reach)) {
+        near_solid(state, common, (number as u32, solid), &mut touches);
+    }
+    // Points last: what they say holds exactly.
+    touches.sort_by_key(|touch| (std::cmp::Reverse(rank(touch.kind)), touch.points));
+    state.counts.work += 10 * (state.now.len() * (common.planes.len() + common.solids.len())) as u64;
+    state.touches = touches;
+}
+
+fn rank(kind: Kind) -> u32 {
+    match kind {
+        Kind::Plane(_) => 0,
+        Kind::Point(_) => 1,
+        Kind::Edge(_) | Kind::BoxEdge(..) => 2,
+        Kind::Triangle(_) | Kind::Corner(..) => 3,
+    }
+}
+
+/// What of skins is near a ball or a box.
+fn near_solid<S: Real>(
+    state: &Cluster<S>,
+    common: &Common<S>,
+    (number, solid): (u32, &Solid<S>),
+    touches: &mut Vec<Touch<S>>,
+) {
+    let reach = state.promise[0];
+    let is_near = |points: &[u32]| {
+        let mut extent = [[S::INFINITY; 3], [-S::INFINITY; 3]];
+        for x in points.iter().map(|&i| state.now[i as usize]) {
+            for k in 0..3 {
+                extent[0][k] = extent[0][k].min(x[k]);
+                extent[1][k] = extent[1][k].max(x[k]);
+            }
+        }
+        solid.is_near(extent, reach) && points.iter().any(|&i| state.w[i as usize] != S::ZERO)
+    };
+    let mut note = |kind: Kind, points: [u32; 3]| touches.push(Touch::new(kind, points, common));
+    for i in (0..state.now.len() as u32).filter(|&i| is_near(&[i])) {
+        note(Kind::Point(number), [i; 3]);
+    }
+    for &[a, b] in state.edges.iter().filter(|ends| is_near(&ends[..])) {
+        match &solid.shape {
+            Shape::Ball { .. } => note(Kind::Edge(number), [a, b, a]),
+            Shape::Box { corners, .. } => {
+                let own = [a, b].map(|end| state.now[end as usize]);
+                for (k, ends) in BOX_EDGES.iter().enumerate() {
+                    if are_near(own, ends.map(|end| corners[end as usize]), reach + reach) {
+                        note(Kind::BoxEdge(number, k as u32), [a, b, a]);
+                    }
+                }
+            }
+        }
+    }
+    for &(points, ..) in state.triangles.iter().filter(|triangle| is_near(&triangle.0)) {
+        match &solid.shape {
+            Shape::Ball { .. } => note(Kind::Triangle(number), points),
+            Shape::Box { corners, .. } => {
+                let [a, b, c] = points.map(|i| state.now[i as usize]);
+                for (k, &corner) in corners.iter().enumerate() {
+                    let from = nearest([corner, a, b, c]).from;
+                    if dot(from, from) < reach * reach * S::from_f64(4.0) {
+                        note(Kind::Corner(number, k as u32), points);
+                    }
+                }
+            }
+        }
+    }
+}
+
+/// Whether the boxes along the axes around two segments come nearer than `reach` [m].
+fn are_near<S: Real>([a, b]: [[S; 3]; 2], [c, d]: [[S; 3]; 2], reach: S) -> bool {
+    (0..3).all(|k| a[k].min(b[k]) - reach <= c[k].max(d[k]) && a[k].max(b[k]) + reach >= c[k].min(d[k]))
+}
+
+/// Finds pairs of points and triangles anew; those that were there keep their sides.
+pub(super) fn look_at_skins<S: Real>(state: &mut Cluster<S>, common: &Common<S>) {
+    let Some(contact) = common.contact else { return };
+    let [_, fastest] = state.fastest();
+    state.gone[1] = S::ZERO;
+    state.promise[1] = state.least_promise.max(fastest * S::from_f64(LEAST_TIME / FRAMES));
+    if state.triangles.is_empty() {
+        return;
+    }
+    let old = known(&state.pairs);
+    let mut pairs = std::mem::take(&mut state.pairs);
+    pairs.clear();
+    let free = state.promise[1] + state.promise[1];
+    let bodies: Vec<_> = state.bodies.iter().map(|&body| &common.bodies.list[body]).collect();
+    let widest = bodies.iter().fold(S::ZERO, |most, body| most.max(body.radius));
+    let grid = Grid::over(state, free + widest + widest);
+    let mut seen: Vec<u32> = Vec::new();
+    for &(p, number) in &state.corners {
+        let body = state.body_of[p as usize];
+        seen.clear();
+        seen.extend(grid.near(state.now[p as usize]));
+        seen.sort_unstable();
+        for &triangle in &seen {
+            let (corners, of_triangle, other) = state.triangles[triangle as usize];
+            let meets = if other == body { contact.with_itself } else { contact.with_others };
+            let points = [p, corners[0], corners[1], corners[2]];
+            if !meets || corners.contains(&p) || points.iter().all(|&i| state.w[i as usize] == S::ZERO) {
+                continue;
+            }
+            let own = &bodies[body as usize];
+            let distance = if other == body { own.own_distance } else { own.radius + bodies[other as usize].radius };
+            let places = points.map(|i| state.now[i as usize]);
+            let from = nearest(places).from;
+            let reach = free + distance;
+            if dot(from, from) > reach * reach {
+                continue;
+            }
+            let key = u64::from(number) << 32 | u64::from(of_triangle);
+            let before = side_of(&old, key).or_else(|| side_of(common.sides, key));
+            let side = before.unwrap_or(if volume(places) >= S::ZERO { 1 } else { -1 });
+            pairs.push(Pair {
+                points,
+                key,
+                side: if side > 0 { S::ONE } else { -S::ONE },
+                distance,
+                friction: S::from_f64(contact.friction),
+                restitution: S::from_f64(contact.restitution),
+                pressed: S::ZERO,
+                rubbed: zero(),
+                slips: false,
+                old: S::ZERO,
+                approach: S::ZERO,
+                is_met: false,
+            });
+        }
+    }
+    pairs.sort_unstable_by_key(|pair| pair.key);
+    state.counts.work += 60 * (state.triangles.len() + state.corners.len()) as u64 + 30 * pairs.len() as u64;
+    state.pairs = pairs;
+}
+
+/// Sides of pairs, by their numbers.
+pub(super) fn known<S: Real>(pairs: &[Pair<S>]) -> Sides {
+    pairs.iter().map(|pair| (pair.key, if pair.side > S::ZERO { 1 } else { -1 })).collect()
+}
+
+fn side_of(sides: &[(u64, i8)], key: u64) -> Option<i8> {
+    sides.binary_search_by_key(&key, |side| side.0).ok().map(|found| sides[found].1)
+}
+
+/// How much of the promises would be gone after `h` [s] at the speeds of now.
+pub(super) fn is_due<S: Real>(state: &Cluster<S>, h: S) -> [bool; 2] {
+    let fastest = state.fastest();
+    std::array::from_fn(|k| state.gone[k] + h * fastest[k] > state.promise[k])
+}
+
+/// Counts the ways of a substep against the promises.
+pub(super) fn count_ways<S: Real>(state: &mut Cluster<S>) {
+    let mean = Cluster::mean(&state.way);
+    for (k, from) in [zero(), mean].into_iter().enumerate() {
+        let square = state.way.iter().fold(S::ZERO, |most, &way| most.max(dot(sub(way, from), sub(way, from))));
+        state.gone[k] += square.sqrt();
+    }
+}

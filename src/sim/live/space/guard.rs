@@ -1,0 +1,82 @@
+//! The last line, as in the plane: a cluster has no more energy after a step than before, and what was done to it.
+
+use super::bonds::is_slack;
+use super::cluster::{Cluster, Common};
+use crate::sim::real::Real;
+use crate::sim::vector::{add, dot, scale, sub, zero};
+
+/// Share of the kinetic and elastic energy that contacts may make in a step without being seen: overlaps that are mended load springs.
+const SLACK: f64 = 1e-3;
+
+/// Kinetic, elastic and gravity's energy [J].
+pub(super) fn energy<S: Real>(state: &Cluster<S>, common: &Common<S>, gravity: [f64; 3]) -> S {
+    let (kinetic, fall) = moving(state, gravity);
+    kinetic + fall + elastic(state, common)
+}
+
+fn moving<S: Real>(state: &Cluster<S>, gravity: [f64; 3]) -> (S, S) {
+    let gravity = gravity.map(S::from_f64);
+    let (mut kinetic, mut fall) = (S::ZERO, S::ZERO);
+    let middle = state.now.first().copied().unwrap_or(zero());
+    for i in 0..state.now.len() {
+        if state.w[i] != S::ZERO {
+            let mass = S::ONE / state.w[i];
+            kinetic += S::HALF * mass * dot(state.velocity[i], state.velocity[i]);
+            fall -= mass * dot(gravity, sub(state.now[i], middle));
+        }
+    }
+    let mass =
+        (0..state.now.len()).filter(|&i| state.w[i] != S::ZERO).fold(S::ZERO, |sum, i| sum + S::ONE / state.w[i]);
+    (kinetic, fall - mass * dot(gravity, middle))
+}
+
+fn elastic<S: Real>(state: &Cluster<S>, common: &Common<S>) -> S {
+    let mut sum = S::ZERO;
+    for (body, base) in state.members(common) {
+        for link in common.bodies.springs(body) {
+            let d = sub(state.now[base + link.a as usize], state.now[base + link.b as usize]);
+            let length = dot(d, d).sqrt();
+            if !is_slack(link.limit, length, link.rest) {
+                let error = length - link.rest;
+                sum += S::HALF * link.stiffness * error * error;
+            }
+        }
+    }
+    sum
+}
+
+/// Slows points down until the energy fits: about their mean velocity, whose momentum stays, unless something holds them.
+pub(super) fn hold<S: Real>(state: &mut Cluster<S>, common: &Common<S>, (before, gravity): (S, [f64; 3])) {
+    // Springs alone keep their energy, which swings about its mean within a substep.
+    if !state.has_pressed {
+        return;
+    }
+    // Pins that are led do work that nobody counts.
+    let is_led =
+        (0..state.now.len()).any(|i| state.w[i] == S::ZERO && dot(state.velocity[i], state.velocity[i]) > S::ZERO);
+    if is_led {
+        return;
+    }
+    let (kinetic, fall) = moving(state, gravity);
+    let elastic = elastic(state, common);
+    let excess = kinetic + fall + elastic - before - state.work;
+    if excess <= S::from_f64(SLACK) * (kinetic + elastic) || kinetic == S::ZERO {
+        return;
+    }
+    let leans = state.touches.iter().any(|touch| touch.pressed > S::ZERO);
+    let is_held = leans || (0..state.now.len()).any(|i| state.w[i] == S::ZERO);
+    let (mut momentum, mut mass) = (zero::<S, 3>(), S::ZERO);
+    for i in (0..state.now.len()).filter(|&i| state.w[i] != S::ZERO && !is_held) {
+        momentum = add(momentum, scale(state.velocity[i], S::ONE / state.w[i]));
+        mass += S::ONE / state.w[i];
+    }
+    let mean = if mass > S::ZERO { scale(momentum, S::ONE / mass) } else { zero() };
+    let own = kinetic - S::HALF * mass * dot(mean, mean);
+    let kept = if own > S::ZERO { (S::ONE - excess / own).max(S::ZERO).sqrt() } else { S::ONE };
+    for i in 0..state.now.len() {
+        if state.w[i] != S::ZERO {
+            state.velocity[i] = add(mean, scale(sub(state.velocity[i], mean), kept));
+        }
+    }
+    state.counts.guarded += 1;
+}

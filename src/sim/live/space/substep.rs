@@ -1,0 +1,149 @@
+//! One substep of a cluster in space, from top to bottom.
+
+use super::bonds;
+use super::cluster::{Cluster, Common};
+use super::detect;
+use super::truncate;
+use crate::sim::environment::Environment;
+use crate::sim::force::mouse::Push;
+use crate::sim::live::substep::{LEAST_BOUNCE, PASSES};
+use crate::sim::pull::Pull;
+use crate::sim::real::Real;
+use crate::sim::vector::{accumulate, add, convert, dot, length, scale, widen};
+
+/// What acts from outside, the same for all clusters.
+#[derive(Clone, Copy)]
+pub(super) struct Outside<'a, S: Real> {
+    pub(super) pull: &'a Pull<S, 3>,
+    pub(super) around: &'a Environment<3>,
+    /// What what settles loses of its velocity, as a rate [1/s], one a body of the group.
+    pub(super) settling: &'a [S],
+}
+
+/// Advances by `h` from `t` [s].
+pub(super) fn advance<S: Real>(state: &mut Cluster<S>, common: &Common<S>, outside: Outside<S>, (t, h): (f64, f64)) {
+    let time = S::from_f64(h);
+    kick(state, common, outside, (t, h));
+    let [obstacles, skins] = detect::is_due(state, time);
+    if obstacles {
+        detect::look_at_obstacles(state, common);
+    }
+    if skins {
+        detect::look_at_skins(state, common);
+    }
+    state.predict(time);
+    bonds::hold(state, common);
+    for _ in 0..PASSES {
+        state.press(common);
+    }
+    truncate::cut(state);
+    state.follow_sides();
+    detect::count_ways(state);
+    state.finish(common, h, outside.around.gravity);
+    state.counts.substeps += 1;
+    state.counts.points += state.now.len() as u64;
+}
+
+/// What forces, gravity and drag over `h` make of velocities.
+fn kick<S: Real>(state: &mut Cluster<S>, common: &Common<S>, outside: Outside<S>, (t, h): (f64, f64)) {
+    let Outside { pull, around, settling } = outside;
+    let time = S::from_f64(h);
+    bonds::pull(state, common, time);
+    let fall: [S; 3] = convert(around.gravity.map(|g| g * h));
+    for (k, &body) in state.bodies.iter().enumerate() {
+        let kept = S::from_f64(libm::exp(-h * (pull.drag_rate + settling[body].to_f64())));
+        for i in state.bases[k] as usize..state.bases[k + 1] as usize {
+            if state.w[i] != S::ZERO {
+                state.velocity[i] = scale(add(state.velocity[i], fall), kept);
+            }
+        }
+    }
+    blow(state, pull, (t, h));
+    let Some((force, cursor)) = around.mouse_at(t + h) else { return };
+    let push = Push::<S, 3>::new(force, cursor);
+    state.counts.mouse_points += state.now.len() as u64;
+    for i in (0..state.now.len()).filter(|&i| state.w[i] != S::ZERO) {
+        if let Some(a) = push.acceleration(state.now[i]) {
+            let gain = scale(a, time);
+            let middle = add(state.velocity[i], scale(gain, S::HALF));
+            state.work += dot(gain, middle) / state.w[i];
+            state.velocity[i] = add(state.velocity[i], gain);
+        }
+    }
+}
+
+/// What constant forces and wind make of velocities, after drag: it is exact in the drag towards the wind.
+fn blow<S: Real>(state: &mut Cluster<S>, pull: &Pull<S, 3>, (t, h): (f64, f64)) {
+    let share = -libm::expm1(-h * pull.drag_rate);
+    if pull.air.is_none() && state.thrust.is_empty() {
+        return;
+    }
+    for i in 0..state.now.len() {
+        if state.w[i] == S::ZERO {
+            continue;
+        }
+        if let Some(&push) = state.thrust.get(i) {
+            state.gain(i, scale(push, S::from_f64(h)));
+        }
+        if let Some(air) = &pull.air {
+            let gust = air.gust(widen(state.now[i]), t + 0.5 * h);
+            state.gain(i, convert(scale(add(air.mean, gust), share)));
+        }
+    }
+}
+
+impl<S: Real> Cluster<S> {
+    /// Something does work on a point: it gets faster.
+    fn gain(&mut self, i: usize, gain: [S; 3]) {
+        self.work += dot(gain, add(self.velocity[i], scale(gain, S::HALF))) / self.w[i];
+        self.velocity[i] = add(self.velocity[i], gain);
+    }
+
+    /// Where velocities take the points.
+    fn predict(&mut self, h: S) {
+        for i in 0..self.now.len() {
+            let way = scale(self.velocity[i], h);
+            self.start[i] = self.now[i];
+            self.way[i] = way;
+            self.now[i] = add(self.start[i], way);
+        }
+        self.pairs.iter_mut().for_each(super::pair::Pair::clear);
+        self.touches.iter_mut().for_each(super::touch::Touch::clear);
+    }
+
+    /// One pass over all contacts: obstacles last, which do not give way.
+    fn press(&mut self, common: &Common<S>) {
+        let (mut pairs, mut touches) = (std::mem::take(&mut self.pairs), std::mem::take(&mut self.touches));
+        pairs.iter_mut().for_each(|pair| pair.press(self));
+        touches.iter_mut().for_each(|touch| touch.press(self, common));
+        (self.pairs, self.touches) = (pairs, touches);
+    }
+
+    fn follow_sides(&mut self) {
+        let mut pairs = std::mem::take(&mut self.pairs);
+        pairs.iter_mut().for_each(|pair| pair.follow(self));
+        self.pairs = pairs;
+    }
+
+    /// Velocities from what was gone, and positions summed up; then what bounces.
+    fn finish(&mut self, common: &Common<S>, h: f64, gravity: [f64; 3]) {
+        let rate = S::from_f64(1.0 / h);
+        for i in 0..self.now.len() {
+            let way = self.way[i];
+            if self.w[i] != S::ZERO {
+                self.velocity[i] = scale(way, rate);
+            }
+            self.now[i] = self.start[i];
+            accumulate(&mut self.now[i], &mut self.lost[i], way);
+        }
+        let least = S::from_f64(LEAST_BOUNCE * h * length(gravity));
+        let (pairs, touches) = (std::mem::take(&mut self.pairs), std::mem::take(&mut self.touches));
+        pairs.iter().for_each(|pair| pair.bounce(self, least));
+        touches.iter().for_each(|touch| touch.bounce(self, common, least));
+        let pressed = pairs.iter().filter(|pair| pair.pressed > S::ZERO).count();
+        self.counts.contacts += pressed as u64;
+        self.has_pressed |= pressed > 0 || touches.iter().any(|touch| touch.pressed > S::ZERO);
+        self.counts.work += 120 * pairs.len() as u64 + 60 * touches.len() as u64 + 30 * self.now.len() as u64;
+        (self.pairs, self.touches) = (pairs, touches);
+    }
+}
