@@ -11,7 +11,7 @@ use wobble::scene::Scene;
 use wobble::sim::{
     Addition, Bond, BondChange, BondId, BondKind, Bounds, BoundsChange, Change, Command, CommandError, Cursor,
     Dynamics, Method, Model, Motion, MouseChange, MouseForce, Obstacle, PointId, Polygon, Profile, Reach, Region,
-    Sample, SceneChange, Selection, Track, Values, build,
+    Sample, SceneChange, Selection, SkinMaterial, Track, Values, build,
 };
 
 fn spring(a: u32, b: u32, rest: f64) -> Bond {
@@ -96,7 +96,12 @@ fn islands_that_an_edit_does_not_name_keep_their_bits() {
         ),
         (
             "mass",
-            Command::Set(Change::Points { points: vec![PointId(8)], mass: Some(Values::Same(3.0)), velocity: None }),
+            Command::Set(Change::Points {
+                points: vec![PointId(8)],
+                mass: Some(Values::Same(3.0)),
+                velocity: None,
+                skin: SkinMaterial::default(),
+            }),
         ),
         (
             "stiffness",
@@ -195,7 +200,12 @@ fn a_command_within_a_step_counts_from_its_time() {
     let t = world.time();
     let place = now(&*world).position[0][1];
     assert!((place + 0.5 * 9.81 * t * t).abs() < 1e-9, "{place}");
-    let stop = Change::Points { points: vec![PointId(0)], mass: None, velocity: Some(vec![[0.0; 3]]) };
+    let stop = Change::Points {
+        points: vec![PointId(0)],
+        mass: None,
+        velocity: Some(vec![[0.0; 3]]),
+        skin: SkinMaterial::default(),
+    };
     world.apply(&Command::Set(stop)).unwrap();
     steps(&mut *world, 0.5);
     let fallen = world.time() - t;
@@ -368,7 +378,12 @@ fn a_refused_command_leaves_the_world_whole() {
         Command::Grab(Reach::Within(1.0)),
         Command::Cursor { to: Some(Cursor::at([f64::INFINITY, 0.0])), by: 0.0 },
         Command::Delete(Selection { obstacles: vec![7], ..Selection::default() }),
-        Command::Set(Change::Points { points: numbers(0..2), mass: Some(Values::Each(vec![1.0])), velocity: None }),
+        Command::Set(Change::Points {
+            points: numbers(0..2),
+            mass: Some(Values::Each(vec![1.0])),
+            velocity: None,
+            skin: SkinMaterial::default(),
+        }),
     ] {
         assert!(world.apply(&command).is_err(), "{command:?}");
     }

@@ -127,6 +127,7 @@ impl Generator {
                 mass: Some(Values::Same(self.number(0.2, 4.0))),
                 skin: Default::default(),
                 velocity: None,
+                skin: wobble::sim::SkinMaterial::default(),
             }),
             16 => {
                 let bond = self.bond(world);
