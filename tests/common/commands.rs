@@ -125,7 +125,6 @@ impl Generator {
             15 => Command::Set(Change::Points {
                 points: self.points(world),
                 mass: Some(Values::Same(self.number(0.2, 4.0))),
-                skin: Default::default(),
                 velocity: None,
                 skin: wobble::sim::SkinMaterial::default(),
             }),
