@@ -135,19 +135,34 @@ fn scenes_that_cost_too_much_or_explode_stay_within_their_frames_and_keep_their_
 #[test]
 fn what_fails_goes_live_and_the_rest_stays_bit_for_bit() {
     let mut beside = heavy();
-    let far = rope(100.0);
-    beside["bodies"].as_array_mut().unwrap().push(far.clone());
+    beside["bodies"].as_array_mut().unwrap().push(rope(100.0));
+    // Walls hold both: a rope outside them would be drawn in, which is violent.
+    beside["bounds"]["max"] = json!([200, 4]);
     let mut both = world(&beside);
-    let gravity = beside["gravity"].clone();
-    let mut alone = world(&json!({"wobble": 1, "gravity": gravity, "bodies": [far]}));
+    let mut without = world(&with(&beside, "budget", json!("none")));
     let (frames, _) = frames(&mut *both, 0.5);
-    run_to(&mut *alone, 0.5);
+    run_to(&mut *without, 0.5);
     let last = frames.last().unwrap();
     let [net, rope] = &last.moved[..] else { panic!("{:?}", last.moved) };
     assert_eq!((net.method, net.why), (Solver::Live, Why::Alarm));
     assert_eq!((rope.why, rope.since, rope.count), (Why::Plan, 0.0, 7));
-    let own = both.sample(0.5).position[rope.first.index()..].to_vec();
-    assert_eq!(own, alone.sample(0.5).position[1..].to_vec());
+    let of_rope = |world: &dyn Dynamics| world.sample(0.5).position[rope.first.index()..].to_vec();
+    assert_eq!(of_rope(&*both), of_rope(&*without));
+}
+
+#[test]
+fn calm_bodies_get_no_alarm_wherever_they_are() {
+    for (at, gravity) in [([0.0, 0.0], -9.81), ([900.0, 0.0], -9.81), ([0.0, 900.0], -1e-3), ([900.0, 0.0], 0.0)] {
+        for precision in ["f64", "f32"] {
+            let mut hung = rope(at[0]);
+            hung["origin"] = json!(at);
+            let mut world = world(&json!({"wobble": 1, "gravity": [0, gravity], "method": {"precision": precision},
+                "bodies": [hung], "bounds": {"min": [-1000, -1000], "max": [1000, 1000]}}));
+            run_to(&mut *world, 1.0);
+            let moved = world.moved_by();
+            assert!(moved.iter().all(|moved| moved.why == Why::Plan), "{at:?}, {gravity}, {precision}: {moved:?}");
+        }
+    }
 }
 
 #[test]
