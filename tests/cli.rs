@@ -61,7 +61,11 @@ fn the_gallery_is_listed_a_name_first_on_each_line() {
         "slide-decay",
     ];
     let pictures = ["image-mesh", "brush", "gear", "jellyfish", "ring", "maze", "pebble", "picture-obstacle"];
-    assert_eq!(names, [&small[..], &pictures, &["rope", "net", "thousand-rims", "million-cloth"]].concat());
+    assert_eq!(
+        names,
+        [&small[..], &pictures, &["rope", "net", "cloth-wind", "thousand-rims", "cloth-ball", "million-cloth"]]
+            .concat()
+    );
     assert!(list.lines().all(|line| line.ends_with('.') && line.split_whitespace().count() > 5), "{list}");
 }
 

@@ -122,7 +122,6 @@ fn scenes_that_cost_too_much_or_explode_stay_within_their_frames_and_keep_their_
         let moved: Vec<&str> = frames.iter().flat_map(|frame| &frame.moved).map(|moved| moved.why.name()).collect();
         let is_live = moved.iter().any(|why| *why != "plan");
         let line = format!("{name}: frames {worst:.2} ms, with a hand-over {over:.2}, {verdict:?}, live {is_live}");
-        println!("{line}");
         // Of these two the live step itself makes some.
         let may_gain = ["abuse/random-12", "abuse/rope1000-spring-v200-e1"].contains(&name);
         if worst > FRAME || !world.is_finite() || (verdict.gains() && !may_gain) {

@@ -120,7 +120,8 @@ mod tests {
             force = add(force, scale(push, 1.0 / w[i]));
             moment += ((x[i][0] - 1e6) * push[1] - x[i][1] * push[0]) / w[i];
         }
-        assert!(length(force) < 1e-12 && (moment - 6.0).abs() < 1e-12, "{force:?} {moment}");
+        // The middle is known to the last place of a million metres.
+        assert!(length(force) < 1e-9 && (moment - 6.0).abs() < 1e-9, "{force:?} {moment}");
     }
 
     #[test]

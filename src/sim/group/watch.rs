@@ -9,15 +9,20 @@ use std::sync::Arc;
 use super::Group;
 use super::engine::Engine;
 use crate::sim::bond::{Bond, BondKind, Limit};
+use crate::sim::bulk::control::FRAME;
 use crate::sim::counters::Counters;
 use crate::sim::environment::Environment;
-use crate::sim::force::mouse::{self, Push};
+use crate::sim::force::mouse;
 use crate::sim::ledger::{Book, MOST_GAIN};
 use crate::sim::points::{Points, State};
 use crate::sim::real::Real;
 use crate::sim::timeline::frame_of;
 use crate::sim::vector::{add, dot, length, scale, sub, widen, zero};
 
+/// Roundings that the energy of a point gathers until it is seen.
+const ROUNDINGS: f64 = 256.0;
+/// Roundings of a position that a bond's length is off by.
+const OF_A_LENGTH: f64 = 4.0;
 /// Share of the largest energy from which on a gain is not taken out of velocities any more: the group goes back to before it.
 const LARGE_GAIN: f64 = 0.1;
 /// Strain that no rigid bond may have [1], and one from which on nothing is mended any more: the group goes back to before it.
@@ -31,6 +36,8 @@ const DOUBTED: u32 = 3;
 const COST_SHARE: u64 = 100;
 /// Most frames between two looks.
 const MOST_FRAMES: u64 = 4;
+/// Speed below which a gain of energy is nothing that anybody sees [m/s].
+const UNSEEN: f64 = 0.01;
 /// Operations of a look for each bond and each point.
 const OF_A_LOOK: u64 = 10;
 
@@ -73,12 +80,11 @@ struct Eyes<S, const D: usize> {
     keeps_energy: bool,
     /// Energy at the first look, less works until then; `None`: there was none yet [J].
     start: Option<f64>,
-    /// What mouse and grab did since then, and by how much that may be off [J].
+    /// What a grab did since then [J].
     work: f64,
-    doubt: f64,
-    /// The largest kinetic and elastic energy so far [J].
+    /// The largest kinetic and elastic energy so far, at least what free fall brings in a frame, or what is too slow to be seen [J].
     most: f64,
-    /// Pins were led since the last look: nobody knows what they did.
+    /// Pins were led or the mouse was in reach since the last look: nobody knows what they did.
     is_led: bool,
     /// Looks in a row that were bad.
     bad: u32,
@@ -88,8 +94,6 @@ struct Eyes<S, const D: usize> {
     looked: u64,
     /// The state at the last look that was good.
     anchor: Option<Anchor<S, D>>,
-    /// Positions at the start of the step under way, where the mouse is in reach.
-    from: Vec<[S; D]>,
 }
 
 /// A state that a group can go back to.
@@ -118,12 +122,16 @@ struct Sums {
     kinetic: f64,
     elastic: f64,
     gravity: f64,
+    /// What free fall from rest brings in a frame, or what is too slow to be seen.
+    fall: f64,
+    /// By how much they may be off by rounding.
+    rounding: f64,
     /// The largest strain of a rigid bond [1].
     strain: f64,
 }
 
 impl<S: Real, const D: usize> Watch<S, D> {
-    /// Of a group with these bonds; `has_eyes` where something may go wrong, `keeps_energy` where nothing but mouse and grab brings any.
+    /// Of a group with these bonds; `has_eyes` where something may go wrong, `keeps_energy` where nothing but mouse, pins and grab brings any.
     pub(crate) fn new(
         bonds: &[Bond],
         [points, triangles]: [usize; 2],
@@ -137,7 +145,6 @@ impl<S: Real, const D: usize> Watch<S, D> {
             keeps_energy,
             start: None,
             work: 0.0,
-            doubt: 0.0,
             most: 0.0,
             is_led: false,
             bad: 0,
@@ -145,7 +152,6 @@ impl<S: Real, const D: usize> Watch<S, D> {
             fallbacks: 0,
             looked: 0,
             anchor: None,
-            from: Vec::new(),
         });
         let edge = if bonds.is_empty() { 0.0 } else { total / bonds.len() as f64 };
         Watch { size: [points, bonds.len(), triangles], edge, may_go, frame: 0, spent: 0, eyes }
@@ -159,7 +165,7 @@ impl<S: Real, const D: usize> Watch<S, D> {
     /// The energy that the group may have now [J], where that is known.
     pub(crate) fn most_energy(&self) -> Option<f64> {
         let eyes = self.eyes.as_ref().filter(|eyes| eyes.keeps_energy && !eyes.is_led)?;
-        Some(eyes.start? + eyes.work + eyes.doubt + MOST_GAIN * eyes.most)
+        Some(eyes.start? + eyes.work + MOST_GAIN * eyes.most)
     }
 
     /// Bytes that it takes.
@@ -169,7 +175,7 @@ impl<S: Real, const D: usize> Watch<S, D> {
             let State { position, velocity, position_lost, velocity_lost } = &anchor.state;
             [position, velocity, position_lost, velocity_lost].map(Vec::capacity).iter().sum()
         });
-        size_of::<Self>() + eyes.links.len() * size_of::<Link>() + (anchor + eyes.from.capacity()) * size_of::<[S; D]>()
+        size_of::<Self>() + eyes.links.len() * size_of::<Link>() + anchor * size_of::<[S; D]>()
     }
 }
 
@@ -203,15 +209,11 @@ impl<S: Real, const D: usize> Group<S, D> {
         if let Some(eyes) = &mut watch.eyes {
             if eyes.start.is_none() {
                 let sums = self.sums(&eyes.links, around);
-                (eyes.start, eyes.most) = (Some(sums.total()), sums.kinetic + sums.elastic);
+                (eyes.start, eyes.most) = (Some(sums.total()), sums.most());
                 eyes.looked = frame_of(t);
                 self.keep_anchor(eyes, t);
             }
-            let is_reached = |(force, cursor)| mouse::reaches(&self.points, force, cursor);
-            eyes.from.clear();
-            if eyes.keeps_energy && around.mouse_at(t).is_some_and(is_reached) {
-                eyes.from.extend_from_slice(&self.points.position);
-            }
+            eyes.is_led |= self.is_reached(around, t);
         }
         self.watch = Some(watch);
     }
@@ -225,11 +227,7 @@ impl<S: Real, const D: usize> Group<S, D> {
         if let Some(eyes) = &mut watch.eyes {
             eyes.since += work;
             eyes.fallbacks += fallbacks;
-            eyes.is_led |= self.tracks.iter().any(|(_, track)| track.moves_after(t));
-            if !eyes.from.is_empty() {
-                let [work, doubt] = self.work_of_mouse(around, (t, h), &eyes.from);
-                (eyes.work, eyes.doubt) = (eyes.work + work, eyes.doubt + doubt);
-            }
+            eyes.is_led |= self.tracks.iter().any(|(_, track)| track.moves_after(t)) || self.is_reached(around, t + h);
         }
         self.watch = Some(watch);
     }
@@ -241,25 +239,9 @@ impl<S: Real, const D: usize> Group<S, D> {
         }
     }
 
-    /// Work of the mouse force on the way from these places, along straight lines: by Simpson's rule, and by how much the trapezoidal
-    /// rule says otherwise [J].
-    fn work_of_mouse(&self, around: &Environment<D>, (t, h): (f64, f64), from: &[[S; D]]) -> [f64; 2] {
-        let push = |share: f64| around.mouse_at(t + share * h).map(|(force, cursor)| Push::<S, D>::new(force, cursor));
-        let (Some(start), Some(middle), Some(end)) = (push(0.0), push(0.5), push(1.0)) else { return [0.0; 2] };
-        let acceleration = |push: &Push<S, D>, x: [S; D]| widen(push.acceleration(x).unwrap_or(zero()));
-        let (mut simpson, mut trapezoid) = (0.0, 0.0);
-        for ((&x0, &x1), &w) in from.iter().zip(&self.points.position).zip(&self.points.inverse_mass) {
-            if w == S::ZERO {
-                continue;
-            }
-            let way = widen(sub(x1, x0));
-            let ends = add(acceleration(&start, x0), acceleration(&end, x1));
-            let inner = acceleration(&middle, add(x0, scale(sub(x1, x0), S::HALF)));
-            let mass = 1.0 / w.to_f64();
-            simpson += mass * dot(add(ends, scale(inner, 4.0)), way) / 6.0;
-            trapezoid += mass * dot(ends, way) / 2.0;
-        }
-        [simpson, (simpson - trapezoid).abs()]
+    /// Whether the mouse is in reach: what it does to a body that it just enters is a large share of all the energy there is.
+    fn is_reached(&self, around: &Environment<D>, t: f64) -> bool {
+        around.mouse_at(t).is_some_and(|(force, cursor)| mouse::reaches(&self.points, force, cursor))
     }
 
     /// Looks whether something is wrong, after the step that ends a frame at `t` [s], if it is time to.
@@ -290,16 +272,16 @@ impl<S: Real, const D: usize> Group<S, D> {
         if !total.is_finite() {
             return Some(Alarm::NotFinite);
         }
-        eyes.most = eyes.most.max(sums.kinetic + sums.elastic);
+        eyes.most = eyes.most.max(sums.most());
         let start = match eyes.start {
             Some(start) if !std::mem::take(&mut eyes.is_led) => start,
             _ => *eyes.start.insert(total - eyes.work),
         };
-        let size = sums.kinetic + sums.elastic + sums.gravity.abs() + start.abs();
-        let allowed = MOST_GAIN * eyes.most + eyes.doubt + 256.0 * S::EPSILON.to_f64() * size;
+        let doubt = sums.rounding;
+        let allowed = MOST_GAIN * eyes.most + doubt;
         let excess = total - start - eyes.work;
         let is_doubtful = matches!(self.engine, Engine::Bulk(_));
-        let is_large = excess > LARGE_GAIN * eyes.most + eyes.doubt;
+        let is_large = excess > LARGE_GAIN * eyes.most + doubt;
         let gains = eyes.keeps_energy && !self.is_live() && excess > allowed;
         let alarm = match () {
             () if gains => Some(Alarm::Gain { most: start + eyes.work, is_large }),
@@ -390,10 +372,15 @@ impl<S: Real, const D: usize> Group<S, D> {
     fn sums(&self, links: &[Link], around: &Environment<D>) -> Sums {
         let Points { position: x, velocity: v, inverse_mass: w, .. } = &self.points;
         let mut sums = Sums::default();
+        let (eps, pull) = (S::EPSILON.to_f64(), length(around.gravity));
         for i in (0..x.len()).filter(|&i| w[i] != S::ZERO) {
             let (mass, velocity) = (1.0 / w[i].to_f64(), widen(v[i]));
             sums.kinetic += 0.5 * mass * dot(velocity, velocity);
             sums.gravity -= mass * dot(around.gravity, widen(x[i]));
+            let speed = UNSEEN.max(pull * FRAME);
+            sums.fall += 0.5 * mass * speed * speed;
+            // Parts above and below cancel in the sum; their roundings do not.
+            sums.rounding += ROUNDINGS * eps * mass * (0.5 * dot(velocity, velocity) + pull * length(widen(x[i])));
         }
         for link in links {
             let (a, b) = (link.a as usize, link.b as usize);
@@ -407,7 +394,9 @@ impl<S: Real, const D: usize> Group<S, D> {
                 continue;
             }
             if link.stiffness.is_finite() {
+                let off = OF_A_LENGTH * eps * (length(widen(x[a])) + length(widen(x[b])));
                 sums.elastic += 0.5 * link.stiffness * stretch * stretch;
+                sums.rounding += link.stiffness * (off * (stretch.abs() + off) + ROUNDINGS * eps * stretch * stretch);
             } else if w[a] + w[b] > S::ZERO {
                 sums.strain = sums.strain.max((stretch / link.rest).abs());
             }
@@ -419,5 +408,10 @@ impl<S: Real, const D: usize> Group<S, D> {
 impl Sums {
     fn total(&self) -> f64 {
         self.kinetic + self.elastic + self.gravity
+    }
+
+    /// What a gain is measured by: 1 % of almost nothing would be noise.
+    fn most(&self) -> f64 {
+        (self.kinetic + self.elastic).max(self.fall)
     }
 }

@@ -43,13 +43,16 @@ pub(crate) struct Implicit<S: Real, const D: usize> {
     work: Vec<S>,
 }
 
+/// What is held: rigid bonds with their lengths [m], and corners of triangles with their areas [m^2].
+type Held<S> = (Vec<(PointId, PointId, S)>, Vec<([u32; 3], S)>);
+
 impl<S: Real, const D: usize> Implicit<S, D> {
     /// The method for these springs and rigid bonds.
     pub(crate) fn new(
         is_midpoint: bool,
         w: &[S],
         (springs, form): (&Springs<S>, &Form<S>),
-        (rigid, areas): (Vec<(PointId, PointId, S)>, Vec<([u32; 3], S)>),
+        (rigid, areas): Held<S>,
     ) -> Self {
         let is_free: Vec<bool> = w.iter().map(|&w| w != S::ZERO).collect();
         let mut pairs: Vec<[u32; 2]> = springs.iter().map(|spring| [spring.a, spring.b]).collect();

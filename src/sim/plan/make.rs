@@ -5,6 +5,7 @@ use super::island::{Island, Patched};
 use super::lot::Lot;
 use crate::sim::account::Account;
 use crate::sim::bond::{Bond, BondKind, Limit, PointId};
+use crate::sim::bulk::control::FRAME;
 use crate::sim::constrain::direct::Direct;
 use crate::sim::constrain::shape::{Leg, Row, Shape};
 use crate::sim::contact::Contacts;
@@ -32,8 +33,9 @@ pub(super) const MOST_LOCATED: usize = 1_000;
 /// The same of points without rigid bonds among the walls of polygons, which are met and left all the time, by each for itself.
 const MOST_AMONG_WALLS: usize = 40;
 
-/// Most bonds of a group that is handed over to the live step: a frame of more would take it too long.
-const MOST_HANDED_OVER: usize = 100_000;
+/// Most bonds of a group that is handed over to the live step: of more, sweeps leave too much strain, and large bodies are moved in
+/// ways of their own that bear much.
+const MOST_HANDED_OVER: usize = 2_000;
 
 /// Makes one group.
 pub(super) struct Maker<'a, S, const D: usize> {
@@ -200,6 +202,8 @@ impl<S: Real, const D: usize> Maker<'_, S, D> {
     /// What is watched of the group, where it may be handed over to the live step.
     pub(super) fn watch(&self) -> Option<Box<Watch<S, D>>> {
         self.model.budget()?;
+        // Of a step of hours the live step would take frame after frame.
+        self.model.method.substep.is_none_or(|h| h <= FRAME).then_some(())?;
         let bonds: Vec<Bond> = self.bonds().map(|(_, bond)| bond).collect();
         let islands = &self.lot.islands;
         let count = |of: fn(&Island) -> usize| islands.iter().map(of).sum::<usize>();
