@@ -231,7 +231,8 @@ pub(crate) fn scene<const D: usize>(model: &Model<D>) -> Scene {
     let Method { solver, substep, iterations, precision, max_strain, .. } = model.method;
     // What is not asked for in single precision is held to closed forms, which 32 bits blur.
     let precision = if precision == Precision::F32 { "f32" } else { "f64" };
-    keys["method"] = json!({ "solver": solver.name(), "precision": precision });
+    // Each method is looked at by itself: nothing is handed over.
+    keys["method"] = json!({ "solver": solver.name(), "precision": precision, "budget": "none" });
     let numbers = [("substep", substep), ("max_strain", max_strain)];
     for (key, value) in numbers.into_iter().filter_map(|(key, value)| Some((key, value?))) {
         keys["method"][key] = value.into();

@@ -5,7 +5,7 @@
 //! ```
 //!
 //! U is the mean velocity. The gusts u' are eight waves across their own direction, e_j . k_j = 0, so that air neither gathers nor thins
-//! out anywhere. Wavelengths go from [`LONGEST`] down by a factor of sqrt(2); a_j grows with the cube root of the wavelength,
+//! out anywhere. Wavelengths go from `LONGEST` down by a factor of sqrt(2); a_j grows with the cube root of the wavelength,
 //! which gives each octave the share that Kolmogorov's spectrum has, and the mean square of u' is (turbulence |U|)^2. Waves are carried
 //! by the mean wind, and each goes along itself at the speed of the gusts, one way or the other: w_j = k_j . U +- |k_j| turbulence |U|.
 //! Directions, ways and phases come from the seed. The field is smooth and depends on place and time alone, not on substeps.
