@@ -1,6 +1,6 @@
 //! Commands as files have them.
 
-use crate::scene::{AddKeys, BoundsKeys, KindName, LimitName, Meeting, MethodKeys, Vector, WindKeys, object};
+use crate::scene::{AddKeys, AreaKeys, BoundsKeys, KindName, LimitName, Meeting, MethodKeys, Vector, WindKeys, object};
 use crate::sim::{Cursor, MouseChange, PointId, Reach};
 
 /// A command with its time.
@@ -165,6 +165,8 @@ object! {
             bounds: Walls,
             /// Of the scene: whether bodies meet from now on, and how.
             contact: Meeting,
+            /// Of the scene: how triangles resist from now on, or not any more.
+            areas: AreasOrNone,
             /// Of the scene, in place of what was said of it before.
             method: MethodKeys,
         }
@@ -208,6 +210,16 @@ pub enum RangeOrNone {
     /// These [rad].
     These([f64; 2]),
     /// It turns freely.
+    None(()),
+}
+
+/// Areas that resist, or none any more.
+#[derive(Clone, Debug, PartialEq, serde::Serialize, serde::Deserialize, schemars::JsonSchema)]
+#[serde(untagged, expecting = "areas: an object with keys such as `kind` and `stiffness`, or null")]
+pub enum AreasOrNone {
+    /// So.
+    These(AreaKeys),
+    /// No more.
     None(()),
 }
 

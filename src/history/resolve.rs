@@ -1,6 +1,8 @@
 //! From commands as files have them to those of the engine.
 
-use super::command::{DeleteKeys, Do, MoveKeys, OneOrEach, RangeOrNone, SetKeys, VectorOrEach, Walls, Weather};
+use super::command::{
+    AreasOrNone, DeleteKeys, Do, MoveKeys, OneOrEach, RangeOrNone, SetKeys, VectorOrEach, Walls, Weather,
+};
 use crate::scene::{KindName, LimitName, Made, Meeting, MethodKeys, Scene, Vector};
 use crate::sim::{
     AngleChange, BondChange, BondId, BoundsChange, Change, Command, Dynamics, Kind, Limit, Motion, PointId,
@@ -98,7 +100,7 @@ const OF_BONDS: [&str; 9] =
 const OF_ANGLES: [&str; 4] = ["rest", "stiffness", "damping", "range"];
 const OF_OBSTACLES: [&str; 2] = ["restitution", "friction"];
 const OF_FORCES: [&str; 2] = ["force", "torque"];
-const OF_SCENE: [&str; 6] = ["gravity", "drag_rate", "wind", "bounds", "contact", "method"];
+const OF_SCENE: [&str; 7] = ["gravity", "drag_rate", "wind", "bounds", "contact", "areas", "method"];
 
 /// Keys of a method that a running world cannot get otherwise.
 const FIXED: [&str; 2] = ["precision", "tolerance"];
@@ -248,6 +250,11 @@ fn scene_change(keys: &SetKeys, scene: &Scene) -> Result<SceneChange, String> {
         },
         bounds,
         contact: keys.contact.map(Meeting::resolve),
+        areas: match &keys.areas {
+            None => None,
+            Some(AreasOrNone::None(())) => Some(None),
+            Some(AreasOrNone::These(areas)) => Some(Some(areas.told(scene.dimensions())?)),
+        },
         method: method.map_err(|error| error.to_string())?,
     })
 }

@@ -93,7 +93,7 @@ impl Scene {
         Ok(Model {
             bonds: self.model_bonds(&start)?,
             triangles: triangles(&self.triangles, &start),
-            areas: self.areas.as_ref().map(areas),
+            areas: self.areas.map(AreaKeys::resolve),
             rest_areas: Vec::new(),
             angles: Angles::of(self.model_angles(&start)?),
             contact: self.contact.and_then(Meeting::resolve),
@@ -227,14 +227,17 @@ pub(super) fn angle(keys: &AngleKeys, place: impl Fn(u32) -> [f64; 2]) -> Result
 }
 
 /// How triangles resist.
-pub(super) fn areas(keys: &AreaKeys) -> Areas {
-    let usual = Areas::default();
-    Areas {
-        stiffness: match keys.kind {
-            Some(AreaKindName::Rigid) => f64::INFINITY,
-            _ => keys.stiffness.unwrap_or(0.0),
-        },
-        least: keys.least.unwrap_or(usual.least),
+impl AreaKeys {
+    /// The same in the engine's words.
+    pub(crate) fn resolve(self) -> Areas {
+        let usual = Areas::default();
+        Areas {
+            stiffness: match self.kind {
+                Some(AreaKindName::Rigid) => f64::INFINITY,
+                _ => self.stiffness.unwrap_or(0.0),
+            },
+            least: self.least.unwrap_or(usual.least),
+        }
     }
 }
 

@@ -8,6 +8,11 @@ use crate::sim::world::build;
 
 /// Most work of a whole search, in the units of `sim::plan`: about ten seconds.
 const MOST_WORK: f64 = 2e10;
+/// Most of what a whole search may take by the work that runs really counted [ms]: events, retries and rounds cost more than is foreseen.
+const MOST_COUNTED: f64 = 20e3;
+/// Rounds of a substep that are usual, and what each further one takes about [ms]: where friction holds what is rigid, there are hundreds.
+const USUAL_ROUNDS: u64 = 64;
+const OF_A_ROUND: f64 = 5e-3;
 /// Longest substep that is tried [s].
 const LONGEST: f64 = 0.25;
 
@@ -42,6 +47,8 @@ pub(super) struct Trials<'a, const D: usize> {
     frequency: f64,
     decay: f64,
     spent: f64,
+    /// Counted work so far [ms].
+    counted: f64,
     last_work: f64,
     was_dear: bool,
     pub(super) substeps: u64,
@@ -58,6 +65,7 @@ impl<'a, const D: usize> Trials<'a, D> {
             model,
             times,
             spent: 0.0,
+            counted: 0.0,
             last_work: 0.0,
             was_dear: false,
             substeps: 0,
@@ -90,7 +98,7 @@ impl<'a, const D: usize> Trials<'a, D> {
 
     /// Whether the search has cost what it may.
     pub(super) fn is_spent(&self) -> bool {
-        self.spent >= MOST_WORK
+        self.spent >= MOST_WORK || self.counted >= MOST_COUNTED
     }
 
     /// Whether the last run was broken off because it costs more than it might.
@@ -115,7 +123,7 @@ impl<'a, const D: usize> Trials<'a, D> {
         for &time in self.times {
             while world.time() + world.substep() * (1.0 - 1e-9) <= time {
                 world.step();
-                if work(&*world, unit) > limit {
+                if work(&*world, unit) > limit || counted(&*world) > MOST_COUNTED - self.counted {
                     self.was_dear = true;
                     self.count(&*world, unit);
                     return Ok(None);
@@ -135,8 +143,16 @@ impl<'a, const D: usize> Trials<'a, D> {
 
     fn count(&mut self, world: &dyn Dynamics, unit: f64) {
         self.spent += work(world, unit);
+        self.counted += counted(world);
         self.substeps += world.counters().substeps;
     }
+}
+
+/// What a run took so far by what it counted [ms].
+fn counted(world: &dyn Dynamics) -> f64 {
+    let counters = world.counters();
+    let rounds = counters.iterations.saturating_sub(USUAL_ROUNDS * counters.substeps);
+    counters.work_ms() + OF_A_ROUND * rounds as f64
 }
 
 /// Work of a run so far: a split substep is paid for twice over, one that went to the robust method more.

@@ -11,6 +11,7 @@ use super::contact::convex::Convex;
 use super::contact::polygon::Polygon;
 use super::contact::skin::{Contact, SkinMaterial};
 use super::force::angle::Angle;
+use super::force::area::Areas;
 use super::force::mouse::{Cursor, Profile, Region};
 use super::force::steady::Force;
 use super::force::wind::Wind;
@@ -280,6 +281,8 @@ pub struct SceneChange {
     pub bounds: Option<Option<BoundsChange>>,
     /// How bodies meet; `Some(None)`: they pass through each other.
     pub contact: Option<Option<Contact>>,
+    /// How triangles resist; `Some(None)`: not at all.
+    pub areas: Option<Option<Areas>>,
     /// The method, but for the precision and the step of the world, which are fixed when a history begins.
     pub method: Option<Method>,
 }

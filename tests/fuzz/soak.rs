@@ -6,7 +6,7 @@ use std::sync::PoisonError;
 
 use wobble::history::{DeleteKeys, Do, History, Start};
 use wobble::scene::Scene;
-use wobble::sim::Dynamics;
+use wobble::sim::{Dynamics, PointId};
 
 use super::HEAP;
 use super::common::session::{Dice, play};
@@ -28,19 +28,28 @@ const OWN: usize = 2 << 20;
 /// Living points above which the newest are taken away, so that the world stays as large as it is.
 const MOST_POINTS: usize = 120;
 
+/// Obstacles above which the newest are taken away.
+const MOST_OBSTACLES: usize = 12;
+
 /// Energy that no push, grab or edit of these gives so small a world [J].
 const MOST_ENERGY: f64 = 1e8;
 
-/// Takes points away until few are left. Returns how many commands that was.
+/// Takes points and obstacles away until few are left. Returns how many commands that was.
 fn trim(history: &mut History) -> usize {
     let world = history.world();
-    let living = world.point_count() - world.gone().len();
-    if living <= MOST_POINTS {
+    let (living, obstacles) = (world.point_count() - world.gone().len(), world.obstacle_numbers().concat());
+    let mut keys = DeleteKeys::default();
+    if living > MOST_POINTS {
+        let numbers =
+            (0..world.point_count() as u32).rev().filter(|&i| world.gone().binary_search(&PointId(i)).is_err());
+        keys.points = numbers.take(living - MOST_POINTS / 2).collect();
+    }
+    if obstacles.len() > MOST_OBSTACLES {
+        keys.obstacles = obstacles[MOST_OBSTACLES / 2..].to_vec();
+    }
+    if keys == DeleteKeys::default() {
         return 0;
     }
-    let numbers = (0..world.point_count() as u32).rev();
-    let points = numbers.filter(|i| world.gone().iter().all(|gone| gone.0 != *i)).take(living - MOST_POINTS / 2);
-    let keys = DeleteKeys { points: points.collect(), ..DeleteKeys::default() };
     usize::from(history.give(vec![Do::Delete(keys)], Some("Trim")).is_ok())
 }
 

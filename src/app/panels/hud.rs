@@ -22,15 +22,19 @@ pub(super) fn show(context: &egui::Context, room: Rect, facts: &Facts) {
     });
 }
 
-fn rows(facts: &Facts) -> [(&'static str, String); 5] {
+fn rows(facts: &Facts) -> Vec<(&'static str, String)> {
     let figures = &facts.figures;
-    [
+    let mut rows = vec![
         ("frame", format!("{:.1} ms", 1e3 * facts.frame)),
         ("stepping", format!("{:.2} ms", 1e3 * figures.step)),
         ("points", figures.points.to_string()),
         ("bonds", figures.bonds.to_string()),
         ("energy", energy(figures.energy)),
-    ]
+    ];
+    if !figures.movers.is_empty() {
+        rows.push(("live step", figures.movers.to_string()));
+    }
+    rows
 }
 
 /// An energy [J] in at most eleven characters: what is large has no millijoules, and what is nothing no sign.

@@ -8,6 +8,7 @@ mod keep;
 mod keep_tests;
 #[cfg(test)]
 mod led_tests;
+mod movers;
 mod order;
 mod pace;
 mod save;

@@ -120,6 +120,8 @@ pub struct Figures {
     pub bonds: usize,
     /// [J], as it was when figures were last taken.
     pub energy: f64,
+    /// What moves its islands, where that is not their own methods: as it was when figures were last taken.
+    pub movers: Arc<str>,
     /// Substeps taken since the program began.
     pub substeps: u64,
     /// The branches that can be gone to; empty where there never was more than one.

@@ -3,6 +3,7 @@
 use std::sync::Arc;
 use std::time::{Duration, Instant};
 
+use super::movers::movers;
 use super::order::{Adder, Note, Order};
 use super::pace::Pace;
 use super::save;
@@ -33,6 +34,7 @@ pub struct Stage {
     topology: Option<u64>,
     sceneries: u64,
     energy: f64,
+    movers: Arc<str>,
     figures_at: Option<Instant>,
     steps: Meter,
     reached: Meter,
@@ -75,6 +77,7 @@ impl Stage {
             topology: None,
             sceneries: 0,
             energy: 0.0,
+            movers: Arc::default(),
             figures_at: None,
             steps: Meter::default(),
             reached: Meter::default(),
@@ -302,6 +305,7 @@ impl Stage {
         let world = self.history.world();
         if !moves || self.figures_at.is_none_or(|at| at.elapsed() >= FIGURES_EVERY) {
             self.energy = world.energy();
+            self.movers = movers(world);
             self.figures_at = Some(Instant::now());
             if self.has_gone {
                 self.branches = self.history.branches().into();
@@ -343,6 +347,7 @@ impl Stage {
             points: world.point_count() - world.gone().len(),
             bonds: world.bonds().len(),
             energy: self.energy,
+            movers: Arc::clone(&self.movers),
             substeps: self.substeps,
             branches: Arc::clone(&self.branches),
         }

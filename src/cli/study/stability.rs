@@ -7,7 +7,7 @@ use std::time::{Duration, Instant};
 use clap::Args;
 
 use super::{command, commit};
-use crate::cli::progress;
+use crate::cli::{progress, values};
 use crate::history::Start;
 use crate::study::stability::battery::{self, Family};
 use crate::study::stability::{
@@ -43,6 +43,9 @@ pub(super) struct Stability {
     /// This sweep alone, and no battery unless --cases, --case or --family ask for it; may be given several times.
     #[arg(long, value_name = "NAME", value_parser = sweep)]
     sweep: Vec<&'static Sweep>,
+    /// Judge as well whether a setting is found that keeps this error [m] at all samples of the scenes of one's own.
+    #[arg(long, value_name = "ERROR", requires = "scenes", value_parser = values::above_zero)]
+    tolerance: Option<f64>,
     /// Commit of the source, to be noted; the variable WOBBLE_COMMIT if not said.
     #[arg(long, value_name = "HASH")]
     commit: Option<String>,
@@ -54,7 +57,7 @@ fn after_help() -> String {
         "Writes README.md and stability.json; limits.csv (where each method holds, degrades and breaks), sweeps.csv, cases.csv,\n\
          groups.csv (by family, path and cause), faults.csv; plots as SVG and PNG; and the worst scenes in worst/.\n\n\
          Examples:\n  wobble study stability --out stability\n  \
-         wobble study stability my-scene.json\n  \
+         wobble study stability my-scene.json --tolerance 1e-4\n  \
          wobble study stability --case 189 --out look\n  \
          wobble study stability --cases 200 --family rope --family comb\n  \
          wobble study stability --sweep stiffness --quick\n\n\
@@ -127,7 +130,8 @@ impl Stability {
     fn subjects(&self) -> anyhow::Result<Vec<Subject>> {
         let mut subjects = Vec::new();
         for name in &self.scenes {
-            subjects.push(Subject::of_start(&Start::load(name)?));
+            let subject = Subject::of_start(&Start::load(name)?);
+            subjects.push(Subject { tolerance: self.tolerance.or(subject.tolerance), ..subject });
         }
         for &case in &self.case {
             let duration = self.settings().case_seconds;

@@ -4,8 +4,9 @@ use std::path::Path;
 
 use super::number::{self, Range};
 use super::one_a_point;
-use crate::scene::error::{Fault, Within};
+use crate::scene::error::{Fault, Source, Within};
 use crate::scene::keys::{AngleKeys, AreaKeys, AreaKindName, ContactKeys, Meeting, Row, Scene, SkinKeys, TextureKeys};
+use crate::sim::Areas;
 
 /// Errors: the first fault; `count` is how many points there are.
 pub(super) fn check(scene: &Scene, count: u32, dimensions: usize) -> Result<(), Fault> {
@@ -63,6 +64,16 @@ pub(in crate::scene) fn check_skins(skins: &[SkinKeys], count: u32) -> Result<()
         check_skin([*friction, *restitution, *radius]).item(i).at("skins")?;
     }
     Ok(())
+}
+
+impl AreaKeys {
+    /// What a command that sets areas says, in the engine's words.
+    ///
+    /// Errors: as of a scene with these keys whose bodies may meet.
+    pub(crate) fn told(self, dimensions: usize) -> Result<Areas, String> {
+        let checked = check_areas(&self, dimensions, true).at("areas");
+        checked.map_err(|fault| Source::default().error(fault).to_string()).map(|()| self.resolve())
+    }
 }
 
 fn check_areas(areas: &AreaKeys, dimensions: usize, meets: bool) -> Result<(), Fault> {

@@ -133,15 +133,7 @@ impl<S: Real, const D: usize> World<S, D> {
             }
             self.model.check_angle(angle).map_err(|error| invalid(error.to_string()))?;
         }
-        let place = |i: usize| if self.numbers.is_gone(i as u32) { zero() } else { self.place(i) };
-        let count = self.count();
-        let full = Model {
-            position: (0..count).map(place).collect(),
-            velocity: vec![zero(); count],
-            bonds: Bonds::clone(&self.bonds),
-            angles: changed,
-            ..Model::clone(&self.model)
-        };
+        let full = self.laid_out(&Model { angles: changed, ..Model::clone(&self.model) });
         let changed = full.form_missing().map_or(full.angles, |(_, angles)| angles);
         let detached = self.detach(&self.free_points_of(&places), false);
         Arc::make_mut(&mut self.model).angles = changed;
@@ -200,6 +192,10 @@ impl<S: Real, const D: usize> World<S, D> {
             });
         }
         model.contact = change.contact.unwrap_or(model.contact);
+        if let Some(areas) = change.areas {
+            model.areas = areas;
+            model.rest_areas = self.rest_areas(&model);
+        }
         if let Some(method) = change.method {
             let Method { precision, ledger, .. } = model.method;
             model.method = Method { precision, ledger, ..method };
@@ -235,7 +231,30 @@ impl<S: Real, const D: usize> World<S, D> {
         if change.wind.is_some() {
             self.warn_of_wind();
         }
+        if change.areas.is_some() {
+            self.warn_of_areas(0);
+        }
         Ok(done(true))
+    }
+
+    /// The areas at rest of all triangles of a model [m^2]: those that are known, or as they are made; none where they do not resist.
+    fn rest_areas(&self, model: &Model<D>) -> Vec<f64> {
+        if model.areas.is_none() || model.rest_areas.len() == model.triangles.len() {
+            return if model.areas.is_none() { Vec::new() } else { model.rest_areas.clone() };
+        }
+        self.laid_out(model).areas_at_rest()
+    }
+
+    /// A model with the bonds that are left, and points where they are now.
+    fn laid_out(&self, model: &Model<D>) -> Model<D> {
+        let count = self.count();
+        let place = |i: usize| if self.numbers.is_gone(i as u32) { zero() } else { self.place(i) };
+        Model {
+            position: (0..count).map(place).collect(),
+            velocity: vec![zero(); count],
+            bonds: Bonds::clone(&self.bonds),
+            ..model.clone()
+        }
     }
 
     /// The mouse force is so from now on. Islands are compiled anew where it is stronger than any that they were made for.

@@ -118,16 +118,16 @@ struct Link {
 
 /// Kinetic, elastic and gravity's energy [J].
 #[derive(Clone, Copy, Debug, Default)]
-struct Sums {
-    kinetic: f64,
-    elastic: f64,
+pub(crate) struct Sums {
+    pub(crate) kinetic: f64,
+    pub(crate) elastic: f64,
     gravity: f64,
     /// What free fall from rest brings in a frame, or what is too slow to be seen.
     fall: f64,
     /// By how much they may be off by rounding.
-    rounding: f64,
+    pub(crate) rounding: f64,
     /// The largest strain of a rigid bond [1].
-    strain: f64,
+    pub(crate) strain: f64,
 }
 
 impl<S: Real, const D: usize> Watch<S, D> {
@@ -213,7 +213,7 @@ impl<S: Real, const D: usize> Group<S, D> {
                 eyes.looked = frame_of(t);
                 self.keep_anchor(eyes, t);
             }
-            eyes.is_led |= self.is_reached(around, t);
+            eyes.is_led = eyes.is_led || (eyes.keeps_energy && self.is_reached(around, t));
         }
         self.watch = Some(watch);
     }
@@ -227,7 +227,8 @@ impl<S: Real, const D: usize> Group<S, D> {
         if let Some(eyes) = &mut watch.eyes {
             eyes.since += work;
             eyes.fallbacks += fallbacks;
-            eyes.is_led |= self.tracks.iter().any(|(_, track)| track.moves_after(t)) || self.is_reached(around, t + h);
+            let is_led = || self.tracks.iter().any(|(_, track)| track.moves_after(t));
+            eyes.is_led = eyes.is_led || (eyes.keeps_energy && (is_led() || self.is_reached(around, t + h)));
         }
         self.watch = Some(watch);
     }
@@ -362,11 +363,10 @@ impl<S: Real, const D: usize> Group<S, D> {
         self.engine.refresh();
     }
 
-    /// Kinetic, elastic and gravity's energy [J], and the largest strain of rigid bonds [1]; 0 of what is not watched.
-    pub(crate) fn energy_and_strain(&self, around: &Environment<D>) -> ([f64; 3], f64) {
+    /// Its energy, and the largest strain of its rigid bonds; 0 of what is not watched.
+    pub(crate) fn energy_and_strain(&self, around: &Environment<D>) -> Sums {
         let eyes = self.watch.as_ref().and_then(|watch| watch.eyes.as_ref());
-        let sums = eyes.map_or_else(Sums::default, |eyes| self.sums(&eyes.links, around));
-        ([sums.kinetic, sums.elastic, sums.gravity], sums.strain)
+        eyes.map_or_else(Sums::default, |eyes| self.sums(&eyes.links, around))
     }
 
     fn sums(&self, links: &[Link], around: &Environment<D>) -> Sums {
@@ -406,7 +406,7 @@ impl<S: Real, const D: usize> Group<S, D> {
 }
 
 impl Sums {
-    fn total(&self) -> f64 {
+    pub(crate) fn total(&self) -> f64 {
         self.kinetic + self.elastic + self.gravity
     }
 

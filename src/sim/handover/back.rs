@@ -42,11 +42,10 @@ fn fits<S: Real, const D: usize>(around: &Environment<D>, old: &Group<S, D>, new
     let size = length(widen(sub(high, low)));
     let edge = old.watch.as_ref().map_or(0.0, |watch| watch.edge);
     let are_large = new.iter().any(|group| matches!(group.engine, Engine::Bulk(_)));
-    let ([kinetic, elastic, gravity], strain) = old.energy_and_strain(around);
-    let most = (MOST_WAY * size).min(if strain > 0.0 { MOST_SHIFT * edge } else { f64::INFINITY });
-    let (before, moving) = (kinetic + elastic + gravity, kinetic + elastic);
-    let after: f64 = new.iter().map(|group| group.energy_and_strain(around).0.iter().sum::<f64>()).sum();
-    let rounding = 256.0 * S::EPSILON.to_f64() * (moving + gravity.abs());
+    let before = old.energy_and_strain(around);
+    let most = (MOST_WAY * size).min(if before.strain > 0.0 { MOST_SHIFT * edge } else { f64::INFINITY });
+    let after: f64 = new.iter().map(|group| group.energy_and_strain(around).total()).sum();
+    let allowed = before.total() + MOST_RAISE * (before.kinetic + before.elastic) + before.rounding;
     // Large bodies mend the strain that they start with as they go.
-    way <= most && after <= before + MOST_RAISE * moving + rounding && !(are_large && strain > LARGE_STRAIN)
+    way <= most && after <= allowed && !(are_large && before.strain > LARGE_STRAIN)
 }

@@ -16,7 +16,7 @@ use crate::sim::bulk::control::FRAME;
 use crate::sim::counters::{Counters, operations};
 use crate::sim::group::Group;
 use crate::sim::group::engine::Engine;
-use crate::sim::group::watch::Alarm;
+use crate::sim::group::watch::{Alarm, Sums};
 use crate::sim::live;
 use crate::sim::measure;
 use crate::sim::moved::Why;
@@ -133,13 +133,13 @@ impl<S: Real, const D: usize> World<S, D> {
 
     /// What groups have more of energy than `most` [J] is taken out of their velocities.
     fn take_out(&mut self, places: &[usize], most: f64) {
-        let of = |&place: &usize| self.plan.groups[place].energy_and_strain(&self.around).0;
-        let energies: Vec<[f64; 3]> = places.iter().map(of).collect();
-        let excess = energies.iter().flatten().sum::<f64>() - most;
-        let kinetic: f64 = energies.iter().map(|energies| energies[0]).sum();
+        let of = |&place: &usize| self.plan.groups[place].energy_and_strain(&self.around);
+        let energies: Vec<Sums> = places.iter().map(of).collect();
+        let excess = energies.iter().map(Sums::total).sum::<f64>() - most;
+        let kinetic: f64 = energies.iter().map(|sums| sums.kinetic).sum();
         if excess > 0.0 && kinetic > 0.0 {
-            for (&place, [own, ..]) in places.iter().zip(energies) {
-                self.plan.groups[place].slow_down(excess * (own / kinetic));
+            for (&place, own) in places.iter().zip(energies) {
+                self.plan.groups[place].slow_down(excess * (own.kinetic / kinetic));
             }
         }
     }

@@ -41,6 +41,7 @@ pub(super) fn of(recording: &Recording) -> Vec<Cause> {
         (Cause::Heavy, scene.gravity.is_some_and(|g| length(&g) >= HEAVY)),
         (Cause::Fast, thrown || scene.bodies.iter().any(|body| speed(&body.velocity))),
         (Cause::Elastic, elastic.any(is_elastic)),
+        (Cause::Contact, scene.contact.is_some()),
     ];
     list.into_iter().filter(|(_, is_there)| *is_there).map(|(cause, _)| cause).collect()
 }

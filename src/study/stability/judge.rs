@@ -33,11 +33,13 @@ pub enum Fault {
     Slow,
     /// A frame takes too long.
     Frame,
+    /// No setting that is found gives the error that was asked for.
+    Untold,
 }
 
 impl Fault {
     /// All.
-    pub const ALL: [Fault; 12] = [
+    pub const ALL: [Fault; 13] = [
         Fault::NotFinite,
         Fault::TooDear,
         Fault::TooLong,
@@ -50,6 +52,7 @@ impl Fault {
         Fault::Restless,
         Fault::Slow,
         Fault::Frame,
+        Fault::Untold,
     ];
 
     /// In words.
@@ -67,6 +70,7 @@ impl Fault {
             Fault::Restless => "restless",
             Fault::Slow => "rate",
             Fault::Frame => "frame",
+            Fault::Untold => "tolerance",
         }
     }
 
@@ -84,6 +88,7 @@ impl Fault {
             Fault::Friction => ("share that friction is off by while something slides", MOST_FRICTION),
             Fault::Restless => ("way from where it rested [m], or speed at the end [m/s]", MOST_UNREST),
             Fault::Frame => ("counted work of the dearest frame [ms]", MOST_FRAME),
+            Fault::Untold => ("error that the best setting found is told to have, over the one asked for", 1.0),
         }
     }
 
@@ -101,6 +106,7 @@ impl Fault {
             Fault::Friction => found.friction.unwrap_or(0.0),
             Fault::Restless => found.unrest.unwrap_or(0.0),
             Fault::Frame => found.worst_work_ms,
+            Fault::Untold => found.told.unwrap_or(0.0),
         }
     }
 
@@ -115,7 +121,8 @@ impl Fault {
             | Fault::Through
             | Fault::Loss
             | Fault::Friction
-            | Fault::Restless => 1.0,
+            | Fault::Restless
+            | Fault::Untold => 1.0,
             Fault::Slow | Fault::Frame => 0.1,
         };
         let (_, most) = self.figure();

@@ -14,6 +14,7 @@ use crate::history::{HistoryError, Replay};
 use crate::scene::frames::{Frames, next_close};
 use crate::scene::record::RecordedFrames;
 use crate::sim::{BondKind, Counters, Dynamics, Ledger, Limit, Sample, Solver, judge};
+use crate::study::setting::tune;
 
 /// When a run is given up.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
@@ -78,6 +79,8 @@ pub struct Findings {
     pub work_rate: f64,
     /// Counted work of the dearest frame [ms].
     pub worst_work_ms: f64,
+    /// Where a tolerance is asked for, the error that the cheapest setting is told to have over it [1].
+    pub told: Option<f64>,
     /// Commands that could not be done.
     pub refused_commands: u32,
     /// Work done.
@@ -165,13 +168,28 @@ pub(super) fn run(subject: &Subject, bounds: Bounds, has_ledger: bool) -> (Findi
     let shape = Shape::of(&subject.recording.scene);
     let mut recording = subject.recording.clone();
     recording.scene.method.ledger = Some(has_ledger);
+    let told = has_ledger.then(|| told(subject)).flatten();
     let replay = Replay::new(&recording, &subject.name);
     match (shape, replay) {
-        (Ok(shape), Ok(replay)) => Drive::new(subject, shape, replay).finish(bounds),
+        (Ok(shape), Ok(replay)) => Drive::new(subject, shape, (replay, told)).finish(bounds),
         (Err(error), _) => refused(error.message),
         (_, Err(HistoryError::Scene(error))) => refused(error.message),
         (_, Err(error)) => refused(error.to_string()),
     }
+}
+
+/// The error that the cheapest setting is told to have, over the one that the subject asks for [1]; infinite: there is none.
+fn told(subject: &Subject) -> Option<f64> {
+    let tolerance = subject.tolerance?;
+    let mut scene = subject.recording.scene.clone();
+    scene.method.tolerance = Some(tolerance);
+    let mut times = scene.sample_times();
+    times.retain(|&time| time <= subject.duration);
+    if times.is_empty() {
+        times.push(subject.duration);
+    }
+    let found = tune(&mut scene, &times).ok().flatten();
+    Some(found.map_or(f64::INFINITY, |found| found.expected_error / tolerance))
 }
 
 fn refused(reason: String) -> (Findings, Timing) {
@@ -191,6 +209,7 @@ fn refused(reason: String) -> (Findings, Timing) {
         friction: None,
         speed: 0.0,
         unrest: None,
+        told: None,
         work_rate: 0.0,
         worst_work_ms: 0.0,
         refused_commands: 0,
@@ -219,10 +238,11 @@ struct Drive<'a> {
     depth: f64,
     way: f64,
     moved: Movers,
+    told: Option<f64>,
 }
 
 impl<'a> Drive<'a> {
-    fn new(subject: &'a Subject, shape: Shape, replay: Replay) -> Self {
+    fn new(subject: &'a Subject, shape: Shape, (replay, told): (Replay, Option<f64>)) -> Self {
         let sample = replay.world().sample(replay.world().time());
         let ledger = sample.ledger.into_iter().collect();
         let (steps, surfaces) = (Vec::new(), Surfaces::default());
@@ -246,6 +266,7 @@ impl<'a> Drive<'a> {
             depth,
             way,
             moved,
+            told,
         }
     }
 
@@ -299,6 +320,7 @@ impl<'a> Drive<'a> {
         self.replay.step(Some(next.min(self.subject.duration)));
         let seconds = clock.elapsed().as_secs_f64();
         let world = self.replay.world();
+        self.friction.look_at_blows(world);
         self.steps.push((world.time(), seconds, world.counters().work_ms() - work));
     }
 
@@ -347,6 +369,7 @@ impl<'a> Drive<'a> {
                 Rest::Stays => Some(self.way),
                 Rest::Comes => Some(speed(&sample)),
             },
+            told: self.told,
             work_rate: 1e-3 * world.counters().work_ms() * each,
             worst_work_ms: frames.worst_work_ms(),
             refused_commands: self.refused,

@@ -36,11 +36,13 @@ pub enum Cause {
     Fast,
     /// Surfaces that give back all of a blow.
     Elastic,
+    /// Bodies that meet.
+    Contact,
 }
 
 impl Cause {
     /// All.
-    pub const ALL: [Cause; 14] = [
+    pub const ALL: [Cause; 15] = [
         Cause::Walls,
         Cause::Planes,
         Cause::Polygons,
@@ -55,6 +57,7 @@ impl Cause {
         Cause::Heavy,
         Cause::Fast,
         Cause::Elastic,
+        Cause::Contact,
     ];
 
     /// In words.
@@ -74,6 +77,7 @@ impl Cause {
             Cause::Heavy => "heavy",
             Cause::Fast => "fast",
             Cause::Elastic => "elastic surfaces",
+            Cause::Contact => "contact",
         }
     }
 }
@@ -95,6 +99,8 @@ pub struct Subject {
     pub duration: f64,
     /// What it owes to rest.
     pub rest: Rest,
+    /// The error at its samples that it asks for [m], by the setting that is found for that.
+    pub tolerance: Option<f64>,
 }
 
 /// What a subject owes to rest.
@@ -116,8 +122,9 @@ impl Subject {
         let said = if start.is_recording() { Some(recording.end()) } else { recording.scene.duration };
         let duration = said.filter(|end| *end > 0.0).unwrap_or(2.0).min(SECONDS);
         let name = recording.scene.name().to_owned();
-        let causes = super::causes::of(&recording);
-        Subject { name, family: "own".to_owned(), case: None, causes, recording, duration, rest: Rest::Free }
+        let (causes, tolerance) = (super::causes::of(&recording), recording.scene.method.tolerance);
+        let family = "own".to_owned();
+        Subject { name, family, case: None, causes, recording, duration, rest: Rest::Free, tolerance }
     }
 }
 

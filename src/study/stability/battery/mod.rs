@@ -1,7 +1,7 @@
 //! The random battery: scenes from seeds, of all makers, bonds, surfaces, mice, led pins and commands.
 //!
 //! A case is its number alone: whatever else is run, the same number is the same scene. Families take turns, so that any stretch
-//! of numbers has them all.
+//! of numbers has them all; in every other turn bodies meet.
 
 mod acts;
 mod around;
@@ -108,13 +108,21 @@ pub fn subject(case: u64) -> Result<Subject, HistoryError> {
     let mut scene = json!({ "wobble": 1, "name": format!("case-{case}") });
     bodies::fill(family, &mut dice, &mut scene);
     around::fill(family, &mut dice, &mut scene);
+    if meets(case) {
+        scene["contact"] = json!(true);
+    }
     let commands = if family != Family::Resting && dice.chance(0.2) { acts::commands(&mut dice) } else { Vec::new() };
     let mut recording = recording(&scene, commands)?;
     let is_laid = family == Family::Resting && lay_down(&mut recording.scene);
     let rest = if is_laid { Rest::Stays } else { Rest::Free };
     let causes = causes::of(&recording);
     let (name, family) = (format!("case-{case}"), family.name().to_owned());
-    Ok(Subject { name, family, case: Some(case), causes, recording, duration: SECONDS, rest })
+    Ok(Subject { name, family, case: Some(case), causes, recording, duration: SECONDS, rest, tolerance: None })
+}
+
+/// Whether bodies meet each other and themselves: in every other turn of the families.
+fn meets(case: u64) -> bool {
+    case / Family::ALL.len() as u64 % 2 == 1
 }
 
 /// A recording of a scene and commands, both as files have them.

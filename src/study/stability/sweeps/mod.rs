@@ -132,7 +132,8 @@ impl Sweep {
         method.iterations = matches!(solver, SolverName::Xpbd | SolverName::Relaxation).then_some(SWEEPS);
         let name = format!("{}-{value:e}-{solver}", self.name);
         let (family, causes) = (self.name.to_owned(), Vec::new());
-        Some(Subject { name, family, case: None, causes, recording, duration: setup.seconds, rest: setup.rest })
+        let Setup { seconds: duration, rest, .. } = setup;
+        Some(Subject { name, family, case: None, causes, recording, duration, rest, tolerance: None })
     }
 
     /// Runs a value by a solver.
