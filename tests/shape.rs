@@ -7,7 +7,7 @@ use serde_json::{Value, json};
 use wobble::equilibrium::settle;
 use wobble::scene::Scene;
 use wobble::sim::{Addition, AngleChange, Change, Command, Dynamics, Sample, Selection, Values, angle_at, resume};
-use wobble::sim::{BondId, PointId};
+use wobble::sim::{Areas, BondId, PointId, SceneChange};
 
 fn scene(json: &Value) -> Scene {
     Scene::parse(&json.to_string(), "scene").unwrap()
@@ -401,6 +401,35 @@ fn least_keeps_more_or_less_of_triangles_that_meet() {
     };
     let (soft, firm) = (flattest(0.1), flattest(0.8));
     assert!(firm > 0.6 && soft < 0.5, "{soft} {firm}");
+}
+
+#[test]
+fn areas_that_are_set_later_are_those_of_a_scene_that_had_them() {
+    let mut json = json!({"wobble": 1, "gravity": [0, -9.81], "bounds": {"min": [-3, 0], "max": [3, 9]}, "method": {"sleep": false},
+        "bodies": [{"make": "disc", "radius": 0.5, "spacing": 0.2, "origin": [0, 0.6],
+            "material": {"kind": "spring", "stiffness": 60, "damping": 0.5, "mass": 2}}]});
+    let set = |world: &mut dyn Dynamics, areas: Option<Areas>| {
+        let change = SceneChange { areas: Some(areas), ..SceneChange::default() };
+        world.apply(&Command::Set(Change::Scene(Box::new(change)))).unwrap()
+    };
+    let spring = Areas { stiffness: 900.0, ..Areas::default() };
+    let (mut soft, mut firm, mut back) = (world(&json), world(&json), world(&json));
+    set(&mut *firm, Some(spring));
+    set(&mut *back, Some(spring));
+    set(&mut *back, None);
+    json["areas"] = json!({"kind": "spring", "stiffness": 900});
+    let mut had = world(&json);
+    let area = |world: &dyn Dynamics| sizes(world).iter().sum::<f64>();
+    let [soft_at, firm_at, back_at, had_at] =
+        [&mut soft, &mut firm, &mut back, &mut had].map(|world| reached(&mut **world, 0.6).position);
+    let apart = |a: &[[f64; 3]], b: &[[f64; 3]]| {
+        a.iter().zip(b).map(|(a, b)| (a[0] - b[0]).hypot(a[1] - b[1])).fold(0.0, f64::max)
+    };
+    assert!(apart(&firm_at, &had_at) < 1e-9 && apart(&back_at, &soft_at) < 1e-9);
+    assert!(area(&*firm) > area(&*soft) + 0.02, "{} {}", area(&*firm), area(&*soft));
+    let bad = SceneChange { areas: Some(Some(Areas { stiffness: -1.0, ..spring })), ..SceneChange::default() };
+    assert!(soft.apply(&Command::Set(Change::Scene(Box::new(bad)))).is_err());
+    assert_eq!(soft.sample(soft.time()).position, soft_at);
 }
 
 fn sizes(world: &dyn Dynamics) -> Vec<f64> {

@@ -229,3 +229,24 @@ fn every_scene_that_is_known_to_fail_is_listed_once() {
     assert_eq!(listed, there);
     assert!(known().iter().all(|known| known.now > known.must && !known.why.is_empty()));
 }
+
+#[test]
+fn a_tolerance_that_cannot_be_kept_is_a_fault_and_one_that_can_is_none() {
+    let folder = tempfile::tempdir().unwrap();
+    let scene = folder.path().join("swing.json");
+    std::fs::write(
+        &scene,
+        r#"{"wobble": 1, "points": {"position": [[0, 0], [1, 0]], "pinned": [0]}, "bonds": [{"a": 0, "b": 1}],
+            "gravity": [0, -9.81], "duration": 0.5}"#,
+    )
+    .unwrap();
+    let told = |tolerance: &str| {
+        let out = folder.path().join(tolerance);
+        let done = study(&[scene.to_str().unwrap(), "--tolerance", tolerance, "--out", out.to_str().unwrap()]);
+        assert!(done.status.success(), "{}", text(&done.stderr));
+        text(&done.stdout)
+    };
+    assert_eq!(told("1e-4"), "swing: holds\n");
+    assert!(told("1e-17").starts_with("swing: tolerance ("), "{}", told("1e-17"));
+    assert_eq!(study(&["--tolerance", "1e-4", "--quick"]).status.code(), Some(2), "of a scene of one's own");
+}
