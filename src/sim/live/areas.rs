@@ -16,6 +16,9 @@ pub(super) fn unfold<S: Real>(state: &mut Cluster<S>, common: &Common<S>) {
         state.counts.work += 8 * areas.len() as u64;
         for area in areas {
             let [a, b, c] = area.corners.map(|corner| base + corner as usize);
+            if state.is_led([a, b, c]) {
+                continue;
+            }
             let least = S::from_f64(common.resist.least) * area.rest;
             let now = size([state.now[a], state.now[b], state.now[c]]);
             if now >= least {

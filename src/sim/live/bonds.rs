@@ -2,7 +2,7 @@
 
 use super::body::{Body, Link};
 use super::cluster::{Cluster, Common};
-use super::{FRAMES, path};
+use super::{FRAMES, tree};
 use crate::sim::bond::Limit;
 use crate::sim::real::Real;
 use crate::sim::vector::{add, dot, scale, sub};
@@ -103,7 +103,7 @@ pub(super) fn prepare<S: Real>(state: &mut Cluster<S>, common: &Common<S>, h: S)
     holds.clear();
     for (k, (body, base)) in state.members(common).enumerate() {
         let springs = common.springs(body).iter().filter(|_| !are_forces(body, state.touches[k], h));
-        let rigid = &common.holds(body)[if body.is_path { path::length(common.holds(body)) } else { 0 }..];
+        let rigid = &common.holds(body)[body.tree as usize..];
         holds.extend(springs.chain(rigid).filter_map(|link| Hold::new(link, base, &state.w, h)));
     }
     state.holds = holds;
@@ -111,8 +111,8 @@ pub(super) fn prepare<S: Real>(state: &mut Cluster<S>, common: &Common<S>, h: S)
 
 /// One sweep over the bonds that are held, and over springs too stiff to be forces, each along its present direction.
 pub(super) fn hold<S: Real>(state: &mut Cluster<S>, common: &Common<S>) {
-    for (body, base) in state.members(common).filter(|(body, _)| body.is_path) {
-        path::solve(state, common.holds(body), base);
+    for (body, base) in state.members(common).filter(|(body, _)| body.tree > 0) {
+        tree::solve(state, &common.holds(body)[..body.tree as usize], (base, body.points.len()));
     }
     let holds = std::mem::take(&mut state.holds);
     project(state, &holds);
