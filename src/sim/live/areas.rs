@@ -106,6 +106,9 @@ pub(super) fn unfold<S: Real>(state: &mut Cluster<S>, common: &Common<S>) {
 fn open<S: Real>(state: &mut Cluster<S>, area: &Area<S>, (base, share): (usize, S)) {
     let [a, b, c] = area.corners;
     let [a, b, c] = [base + a as usize, base + b as usize, base + c as usize];
+    if state.is_led([a, b, c]) {
+        return;
+    }
     let [x, y, z] = [state.now[a], state.now[b], state.now[c]];
     let least = share * area.rest;
     let now = size([x, y, z]);

@@ -2,7 +2,7 @@
 
 use super::body::{Body, Link};
 use super::cluster::{Cluster, Common};
-use super::{FRAMES, path};
+use super::{FRAMES, tree};
 use crate::sim::bond::Limit;
 use crate::sim::kernels::level::vectorized;
 use crate::sim::kernels::links::{self, Entry, Moved};
@@ -140,7 +140,7 @@ pub(super) fn prepare<S: Real>(state: &mut Cluster<S>, common: &Common<S>, h: S)
             }
         }
         let springs = springs.iter().filter(|_| !are_forces);
-        let rigid = &common.holds(body)[if body.is_path { path::length(common.holds(body)) } else { 0 }..];
+        let rigid = &common.holds(body)[body.tree as usize..];
         for hold in springs.chain(rigid).filter_map(|link| Hold::new(link, base, w, h)) {
             if hold.is_plain() { firm.push(hold.entry()) } else { holds.push(hold) }
         }
@@ -151,8 +151,8 @@ pub(super) fn prepare<S: Real>(state: &mut Cluster<S>, common: &Common<S>, h: S)
 
 /// One sweep over the bonds that are held, and over springs too stiff to be forces, each along its present direction.
 pub(super) fn hold<S: Real>(state: &mut Cluster<S>, common: &Common<S>) {
-    for (body, base) in state.members(common).filter(|(body, _)| body.is_path) {
-        path::solve(state, common.holds(body), base);
+    for (body, base) in state.members(common).filter(|(body, _)| body.tree > 0) {
+        tree::solve(state, &common.holds(body)[..body.tree as usize], (base, body.points.len()));
     }
     let firm = std::mem::take(&mut state.firm);
     let Cluster { now, way, w, .. } = &mut *state;

@@ -5,6 +5,7 @@ use super::body::{Area, Body, Edge, Link};
 use super::bonds::Hold;
 use super::build::Bodies;
 use super::pair::{OnPlane, Pair, Sides};
+use super::tangle::Tangle;
 use super::walls::Walls;
 use crate::sim::contact::skin::Contact;
 use crate::sim::contact::surface::Surface;
@@ -69,6 +70,8 @@ pub(super) struct Cluster<S: Real> {
     /// Work that mouse and other forces did in this step [J].
     pub(super) work: S,
     pub(super) counts: Counts,
+    /// What is inside out or crosses.
+    pub(super) tangle: Tangle<S>,
 }
 
 /// What a cluster did in a step.
@@ -80,6 +83,9 @@ pub(super) struct Counts {
     pub(super) contacts: u64,
     pub(super) truncations: u64,
     pub(super) guarded: u64,
+    pub(super) looks: u64,
+    pub(super) mended: u64,
+    pub(super) parted: u64,
     pub(super) mouse_points: u64,
     pub(super) detections: u64,
     pub(super) work: u64,

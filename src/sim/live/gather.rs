@@ -125,6 +125,7 @@ impl<S: Real> Live<S> {
             has_pressed: false,
             work: S::ZERO,
             counts: Counts::default(),
+            tangle: self.tangle.of(&bodies),
             bodies,
         };
         for k in 0..cluster.bodies.len() {
@@ -237,6 +238,9 @@ impl<S: Real> Cluster<S> {
         counters.contacts += counts.contacts;
         counters.truncations += counts.truncations;
         counters.guarded += counts.guarded;
+        counters.looks += counts.looks;
+        counters.mended += counts.mended;
+        counters.parted += counts.parted;
         counters.work += counts.work;
     }
 }

@@ -5,7 +5,10 @@ use super::bonds;
 use super::cluster::{Cluster, Common};
 use super::detect;
 use super::fields;
+use super::mend;
+use super::part;
 use super::shape;
+use super::tree;
 use crate::sim::environment::Environment;
 use crate::sim::force::mouse::Push;
 use crate::sim::pull::Pull;
@@ -36,14 +39,20 @@ pub(super) fn advance<S: Real>(state: &mut Cluster<S>, common: &Common<S>, outsi
     if state.gone + time * fastest(state) > state.promise {
         detect::look(state, common);
     }
+    part::drift(state, time);
+    part::suspend(state);
     state.predict(time);
     shape::resist(state, common, time);
     bonds::hold(state, common);
+    mend::lead(state, time);
     areas::look(state, common);
     state.choose();
-    for _ in 0..PASSES {
+    for pass in 0..PASSES {
         shape::hold(state, common);
         areas::unfold(state, common);
+        if pass > 0 {
+            tree::straighten(state, common);
+        }
         state.press(outside.pull.contacts.obstacles.planes());
     }
     super::truncate::cut(state);
