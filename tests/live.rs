@@ -1,6 +1,17 @@
 //! Bodies that meet: in the plane, on floors, slopes and posts, at thin walls, and alone in flight.
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic, reason = "a test that cannot go on stops")]
 
+#[path = "live/bad.rs"]
+mod bad;
+#[path = "live/rigid.rs"]
+mod rigid;
+#[path = "live/tangle.rs"]
+mod tangle;
+#[path = "live/violence.rs"]
+mod violence;
+#[path = "live/wake.rs"]
+mod wake;
+
 use serde_json::{Value, json};
 use wobble::scene::Scene;
 use wobble::sim::{Dynamics, Sample};

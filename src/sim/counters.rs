@@ -27,6 +27,12 @@ pub struct Counters {
     pub truncations: u64,
     /// Steps after which energy was taken from bodies that had got it from nowhere.
     pub guarded: u64,
+    /// Looks whether skins cross, one a step of bodies that go together.
+    pub looks: u64,
+    /// Points that were led back to the shape of their body, once a substep.
+    pub mended: u64,
+    /// Couples of bodies that were parted, once a substep.
+    pub parted: u64,
     /// Groups of islands that were handed over to the live step.
     pub hand_overs: u64,
     /// Those that went back to their own methods.

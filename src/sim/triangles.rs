@@ -43,6 +43,66 @@ pub(crate) fn turned<const D: usize>(
     triangles.iter().any(is_clockwise).then(|| triangles.iter().map(turn).collect())
 }
 
+/// The triangles of folded bodies with the sides that two of them share gone along in opposite directions, so that what is inside out
+/// at the start is known as such: of each body the larger area is right. `None`: no body is folded.
+///
+/// Shapes: `turned`: the triangles if they were turned, else `triangles` hold.
+pub(crate) fn aligned<const D: usize>(
+    turned: Option<Vec<[PointId; 3]>>,
+    triangles: &[[PointId; 3]],
+    place: impl Fn(PointId) -> [f64; D],
+) -> Option<Vec<[PointId; 3]>> {
+    let list = turned.as_deref().unwrap_or(triangles);
+    let mut sides: Vec<([PointId; 2], bool, u32)> = Vec::with_capacity(3 * list.len());
+    for (&[a, b, c], k) in list.iter().zip(0..) {
+        sides.extend([(a, b), (b, c), (c, a)].map(|(from, to)| ([from.min(to), from.max(to)], from < to, k)));
+    }
+    sides.sort_unstable();
+    // Sides that two triangles share, and whether these agree.
+    let shared: Vec<([u32; 2], bool)> = sides
+        .chunk_by(|a, b| a.0 == b.0)
+        .filter_map(|group| if let [a, b] = group { Some(([a.2, b.2], a.1 != b.1)) } else { None })
+        .collect();
+    if D != 2 || shared.iter().all(|side| side.1) {
+        return turned;
+    }
+    let mut beside: Vec<(u32, u32, bool)> =
+        shared.iter().flat_map(|&([a, b], agrees)| [(a, b, agrees), (b, a, agrees)]).collect();
+    beside.sort_unstable();
+    let mut list = list.to_vec();
+    let size = |&[a, b, c]: &[PointId; 3]| {
+        let [a, b, c] = [a, b, c].map(&place);
+        let (u, v) = (sub(b, a), sub(c, a));
+        u[0] * v[1] - u[1] * v[0]
+    };
+    let mut is_flipped: Vec<Option<bool>> = vec![None; list.len()];
+    for seed in 0..list.len() as u32 {
+        if is_flipped[seed as usize].is_some() {
+            continue;
+        }
+        is_flipped[seed as usize] = Some(false);
+        let mut body = vec![(seed, false)];
+        let mut done = 0;
+        while let Some(&(at, flip)) = body.get(done) {
+            done += 1;
+            let first = beside.partition_point(|entry| entry.0 < at);
+            for &(_, other, agrees) in beside[first..].iter().take_while(|entry| entry.0 == at) {
+                if is_flipped[other as usize].is_none() {
+                    is_flipped[other as usize] = Some(flip == agrees);
+                    body.push((other, flip == agrees));
+                }
+            }
+        }
+        let total: f64 = body.iter().map(|&(k, flip)| if flip { -1.0 } else { 1.0 } * size(&list[k as usize])).sum();
+        for (k, flip) in body {
+            if flip == (total >= 0.0) {
+                list[k as usize].swap(1, 2);
+            }
+        }
+    }
+    Some(list)
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

@@ -1,4 +1,6 @@
 //! Vectors of a world: `[S; D]` with D = 2 or 3, and the few operations on them that the kernels use.
+//!
+//! They are loops and not `std::array::from_fn`, which is not always inlined and then costs more than the sum itself.
 
 use super::real::Real;
 
@@ -10,20 +12,29 @@ pub fn zero<S: Real, const D: usize>() -> [S; D] {
 
 /// a + b.
 #[inline(always)]
-pub fn add<S: Real, const D: usize>(a: [S; D], b: [S; D]) -> [S; D] {
-    std::array::from_fn(|k| a[k] + b[k])
+pub fn add<S: Real, const D: usize>(mut a: [S; D], b: [S; D]) -> [S; D] {
+    for k in 0..D {
+        a[k] += b[k];
+    }
+    a
 }
 
 /// a - b.
 #[inline(always)]
-pub fn sub<S: Real, const D: usize>(a: [S; D], b: [S; D]) -> [S; D] {
-    std::array::from_fn(|k| a[k] - b[k])
+pub fn sub<S: Real, const D: usize>(mut a: [S; D], b: [S; D]) -> [S; D] {
+    for k in 0..D {
+        a[k] -= b[k];
+    }
+    a
 }
 
 /// a times the scalar s.
 #[inline(always)]
-pub fn scale<S: Real, const D: usize>(a: [S; D], s: S) -> [S; D] {
-    std::array::from_fn(|k| a[k] * s)
+pub fn scale<S: Real, const D: usize>(mut a: [S; D], s: S) -> [S; D] {
+    for k in 0..D {
+        a[k] *= s;
+    }
+    a
 }
 
 /// Scalar product, summed from the first axis to the last.

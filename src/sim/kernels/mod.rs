@@ -8,6 +8,7 @@ pub(crate) mod crowd;
 pub(crate) mod lanes;
 pub(crate) mod law;
 pub(crate) mod level;
+pub(crate) mod links;
 pub(crate) mod mesh;
 pub(crate) mod nodes;
 pub(crate) mod pair;

@@ -29,8 +29,8 @@ pub(super) struct Body<S> {
     pub(super) edges: Span,
     pub(super) corners: Span,
     pub(super) hinges: Span,
-    /// Its rigid bonds make one open path: their order is that of the path.
-    pub(super) is_path: bool,
+    /// Bonds at the front of those that are held that make trees, from the roots on.
+    pub(super) tree: u32,
     /// Mean length of its edges at the start [m]; 0 without any.
     pub(super) edge_length: S,
     /// Distance that its skin keeps [m].

@@ -2,8 +2,10 @@
 
 use super::body::{Body, Link};
 use super::cluster::{Cluster, Common};
-use super::{FRAMES, path};
+use super::{FRAMES, tree};
 use crate::sim::bond::Limit;
+use crate::sim::kernels::level::vectorized;
+use crate::sim::kernels::links::{self, Entry, Moved};
 use crate::sim::real::Real;
 use crate::sim::vector::{add, dot, scale, sub};
 
@@ -28,30 +30,46 @@ pub(super) fn substeps(stiffness: f64, decay: f64) -> u32 {
 
 /// What springs that are forces give to velocities in `h` [s].
 pub(super) fn pull<S: Real>(state: &mut Cluster<S>, common: &Common<S>, h: S) {
-    for (k, (body, base)) in state.members(common).enumerate() {
-        if !are_forces(body, state.touches[k], h) {
-            continue;
-        }
-        let links = common.springs(body);
-        state.counts.bonds += links.len() as u64;
-        state.counts.work += 30 * links.len() as u64;
-        for link in links {
-            let (a, b) = (base + link.a as usize, base + link.b as usize);
-            let d = sub(state.now[a], state.now[b]);
-            let length = dot(d, d).sqrt();
-            let v = sub(state.velocity[a], state.velocity[b]);
-            let force = match link.rest == S::ZERO {
-                true => add(scale(d, link.stiffness), scale(v, link.damping)),
-                false if length == S::ZERO || is_slack(link, length) => continue,
-                false => {
-                    let along = scale(d, S::ONE / length);
-                    scale(along, link.stiffness * (length - link.rest) + link.damping * dot(v, along))
-                }
-            };
-            state.velocity[a] = sub(state.velocity[a], scale(force, h * state.w[a]));
-            state.velocity[b] = add(state.velocity[b], scale(force, h * state.w[b]));
-        }
+    let pulls = std::mem::take(&mut state.pulls);
+    let Cluster { now, velocity, w, .. } = &mut *state;
+    let mut moved = Moved { now, rate: velocity, w };
+    vectorized!(m => links::sweep::<_, _, false>(m, &pulls, &mut moved));
+    let count = (pulls.len() + state.odd_pulls.len()) as u64;
+    state.pulls = pulls;
+    state.counts.bonds += count;
+    state.counts.work += 30 * count;
+    for k in 0..state.odd_pulls.len() {
+        let (body, link) = state.odd_pulls[k];
+        pull_one(state, &common.bodies.springs[link as usize], (state.bases[body as usize] as usize, h));
     }
+}
+
+fn pull_one<S: Real>(state: &mut Cluster<S>, link: &Link<S>, (base, h): (usize, S)) {
+    let (a, b) = (base + link.a as usize, base + link.b as usize);
+    let d = sub(state.now[a], state.now[b]);
+    let length = dot(d, d).sqrt();
+    let v = sub(state.velocity[a], state.velocity[b]);
+    let force = match link.rest == S::ZERO {
+        true => add(scale(d, link.stiffness), scale(v, link.damping)),
+        false if length == S::ZERO || is_slack(link, length) => return,
+        false => {
+            let along = scale(d, S::ONE / length);
+            scale(along, link.stiffness * (length - link.rest) + link.damping * dot(v, along))
+        }
+    };
+    state.velocity[a] = sub(state.velocity[a], scale(force, h * state.w[a]));
+    state.velocity[b] = add(state.velocity[b], scale(force, h * state.w[b]));
+}
+
+/// A spring that is a force, as the kernel takes it; `None`: it is slack on one side, or has no length or stiffness.
+fn plain_pull<S: Real>(link: &Link<S>, base: usize, h: S) -> Option<Entry<S>> {
+    let is_plain = link.limit == Limit::Both && link.rest > S::ZERO && link.stiffness > S::ZERO;
+    is_plain.then(|| Entry {
+        ends: [base as u32 + link.a, base as u32 + link.b],
+        rest: link.rest,
+        gain: link.stiffness * h,
+        drag: link.damping / link.stiffness,
+    })
 }
 
 fn is_slack<S: Real>(link: &Link<S>, length: S) -> bool {
@@ -95,31 +113,60 @@ impl<S: Real> Hold<S> {
             limit: link.limit,
         })
     }
+
+    /// It acts both ways and without bounds, as the kernel does.
+    fn is_plain(&self) -> bool {
+        self.limit == Limit::Both && !self.most.is_finite()
+    }
+
+    fn entry(&self) -> Entry<S> {
+        Entry { ends: [self.a, self.b], rest: self.rest, gain: self.inverse, drag: self.drag }
+    }
 }
 
-/// Works out what the bonds of a cluster that are projected need in substeps of `h` [s].
+/// Works out what the bonds of a cluster need in substeps of `h` [s], in lists of their own: those that pull and those that are
+/// projected, what kernels take and what they do not.
 pub(super) fn prepare<S: Real>(state: &mut Cluster<S>, common: &Common<S>, h: S) {
-    let mut holds = std::mem::take(&mut state.holds);
-    holds.clear();
-    for (k, (body, base)) in state.members(common).enumerate() {
-        let springs = common.springs(body).iter().filter(|_| !are_forces(body, state.touches[k], h));
-        let rigid = &common.holds(body)[if body.is_path { path::length(common.holds(body)) } else { 0 }..];
-        holds.extend(springs.chain(rigid).filter_map(|link| Hold::new(link, base, &state.w, h)));
+    let members = state.members(common);
+    let Cluster { pulls, odd_pulls, firm, holds, w, touches, .. } = state;
+    (pulls.clear(w.len()), odd_pulls.clear(), firm.clear(w.len()), holds.clear());
+    for (k, (body, base)) in members.enumerate() {
+        let springs = common.springs(body);
+        let are_forces = are_forces(body, touches[k], h);
+        for (link, number) in springs.iter().zip(body.springs.first..).filter(|_| are_forces) {
+            match plain_pull(link, base, h) {
+                Some(entry) => pulls.push(entry),
+                None => odd_pulls.push((k as u32, number)),
+            }
+        }
+        let springs = springs.iter().filter(|_| !are_forces);
+        let rigid = &common.holds(body)[body.tree as usize..];
+        for hold in springs.chain(rigid).filter_map(|link| Hold::new(link, base, w, h)) {
+            if hold.is_plain() { firm.push(hold.entry()) } else { holds.push(hold) }
+        }
     }
-    state.holds = holds;
+    pulls.finish();
+    firm.finish();
 }
 
 /// One sweep over the bonds that are held, and over springs too stiff to be forces, each along its present direction.
 pub(super) fn hold<S: Real>(state: &mut Cluster<S>, common: &Common<S>) {
-    for (body, base) in state.members(common).filter(|(body, _)| body.is_path) {
-        path::solve(state, common.holds(body), base);
+    for (body, base) in state.members(common).filter(|(body, _)| body.tree > 0) {
+        tree::solve(state, &common.holds(body)[..body.tree as usize], (base, body.points.len()));
     }
+    let firm = std::mem::take(&mut state.firm);
+    let Cluster { now, way, w, .. } = &mut *state;
+    let mut moved = Moved { now, rate: way, w };
+    vectorized!(m => links::sweep::<_, _, true>(m, &firm, &mut moved));
+    state.counts.bonds += firm.len() as u64;
+    state.counts.work += 30 * firm.len() as u64;
+    state.firm = firm;
     let holds = std::mem::take(&mut state.holds);
     project(state, &holds);
     state.holds = holds;
 }
 
-/// Each bond in turn as a compliant constraint whose multiplier starts at 0.
+/// Bonds that no kernel takes: each in turn as a compliant constraint whose multiplier starts at 0.
 fn project<S: Real>(state: &mut Cluster<S>, holds: &[Hold<S>]) {
     state.counts.bonds += holds.len() as u64;
     state.counts.work += 30 * holds.len() as u64;

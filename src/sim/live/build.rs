@@ -3,7 +3,7 @@
 use super::body::{Area, Body, Edge, Link, Span};
 use super::cluster::Cluster;
 use super::skins::Skin;
-use super::{Draft, bonds};
+use super::{Draft, bonds, tree};
 use crate::sim::bond::{Bond, BondKind};
 use crate::sim::colour::by_colour;
 use crate::sim::force::angle::Hinge;
@@ -98,12 +98,13 @@ impl<S: Real> Bodies<S> {
         let place = |i: u32| points.position[i as usize];
         let w = |i: u32| points.inverse_mass[i as usize];
         let starts = self.ends();
-        let (path, others): (Vec<Bond>, Vec<Bond>) = match path_of(&own.bonds) {
-            Some(path) => (path, own.bonds.iter().copied().filter(|bond| !is_held(bond)).collect()),
+        let rigid: Vec<Bond> = own.bonds.iter().copied().filter(is_held).collect();
+        let (tree, others): (Vec<Bond>, Vec<Bond>) = match tree::forest(&rigid, |i| w(i) == S::ZERO) {
+            Some(tree) => (tree, own.bonds.iter().copied().filter(|bond| !is_held(bond)).collect()),
             None => (Vec::new(), own.bonds.clone()),
         };
         let link = |bond: &Bond| link(bond, local);
-        self.holds.extend(path.iter().map(link));
+        self.holds.extend(tree.iter().map(link));
         let (springs, holds): (Vec<&Bond>, Vec<&Bond>) = others.iter().partition(|bond| is_spring(bond));
         let [springs, holds] = [springs, holds].map(|list| in_turn(list, local, own.points.len()));
         self.springs.extend(springs.iter().map(|bond| link(bond)));
@@ -145,7 +146,7 @@ impl<S: Real> Bodies<S> {
             edges: span(4),
             corners: span(5),
             hinges: span(6),
-            is_path: !path.is_empty(),
+            tree: tree.len() as u32,
             edge_length,
             radius,
             stiffness: S::from_f64(stiffness),

@@ -1,15 +1,18 @@
 //! Bodies that may touch each other within a step: their state, side by side, and what is near what.
 
+use super::areas::Thin;
 use super::body::{Area, Body, Edge, Link};
 use super::bonds::Hold;
 use super::build::Bodies;
 use super::pair::{OnPlane, Pair, Sides};
+use super::tangle::Tangle;
 use super::walls::Walls;
 use crate::sim::contact::skin::Contact;
 use crate::sim::contact::surface::Surface;
 use crate::sim::force::angle::Hinge;
 use crate::sim::force::area::Areas;
 use crate::sim::force::steady::Thrust;
+use crate::sim::kernels::links::Links;
 use crate::sim::real::Real;
 
 /// Bodies that go together, in lists of their own: nothing else is read or written while they move.
@@ -39,11 +42,21 @@ pub(super) struct Cluster<S: Real> {
     pub(super) edges: Vec<Side>,
     /// Points of skins and corners of obstacles: place here, and number for ever.
     pub(super) corners: Vec<(u32, u32)>,
-    /// Bonds that are projected.
+    /// Springs that are forces, and those that kernels do not take: their bodies here, and their places among all springs.
+    pub(super) pulls: Links<S>,
+    pub(super) odd_pulls: Vec<(u32, u32)>,
+    /// Bonds that are projected, and those that kernels do not take.
+    pub(super) firm: Links<S>,
     pub(super) holds: Vec<Hold<S>>,
     /// Forces on some of its points.
     pub(super) thrusts: Vec<Thrust<S, 2>>,
+    /// Triangles that may get thin, one list a body.
+    pub(super) thin: Vec<Thin<S>>,
     pub(super) pairs: Vec<Pair<S>>,
+    /// How far the two of each were from touching when they were found [m]; below 0 where the point was behind the edge.
+    pub(super) rooms: Vec<S>,
+    /// Which of them may touch in this substep.
+    pub(super) active: Vec<u32>,
     pub(super) on_planes: Vec<OnPlane<S>>,
     /// How far points may go until what is near what is looked for anew [m], and the least of that.
     pub(super) promise: S,
@@ -57,6 +70,8 @@ pub(super) struct Cluster<S: Real> {
     /// Work that mouse and other forces did in this step [J].
     pub(super) work: S,
     pub(super) counts: Counts,
+    /// What is inside out or crosses.
+    pub(super) tangle: Tangle<S>,
 }
 
 /// What a cluster did in a step.
@@ -68,6 +83,9 @@ pub(super) struct Counts {
     pub(super) contacts: u64,
     pub(super) truncations: u64,
     pub(super) guarded: u64,
+    pub(super) looks: u64,
+    pub(super) mended: u64,
+    pub(super) parted: u64,
     pub(super) mouse_points: u64,
     pub(super) detections: u64,
     pub(super) work: u64,

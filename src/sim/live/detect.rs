@@ -55,6 +55,7 @@ pub(super) fn look<S: Real>(state: &mut Cluster<S>, common: &Common<S>) {
         return;
     }
     let old = known(&state.pairs);
+    state.active.clear();
     let mut pairs = std::mem::take(&mut state.pairs);
     pairs.clear();
     let reach = state.promise + state.promise;
@@ -78,12 +79,17 @@ pub(super) fn look<S: Real>(state: &mut Cluster<S>, common: &Common<S>) {
             let key = u64::from(number) << 32 | u64::from(state.edges[found.edge].number);
             let before = side_of(&old, key).or_else(|| side_of(common.sides, key));
             if let Some(side) = before.or_else(|| side(state, p, found, &near)) {
-                pairs.push(pair(state, common, (p, found.edge, key), side));
+                let mut pair = pair(state, common, (p, found.edge, key), side);
+                let is_behind = pair.side * found.across < S::ZERO;
+                pair.room = if is_behind { -S::INFINITY } else { found.square.sqrt() - pair.distance };
+                pairs.push(pair);
             }
         }
     }
     pairs.sort_unstable_by_key(|pair| pair.key);
     state.counts.work += 30 * (state.edges.len() + state.corners.len()) as u64 + 20 * pairs.len() as u64;
+    state.rooms.clear();
+    state.rooms.extend(pairs.iter().map(|pair| pair.room));
     state.pairs = pairs;
 }
 
@@ -144,6 +150,7 @@ fn pair<S: Real>(state: &Cluster<S>, common: &Common<S>, (p, edge, key): (u32, u
         side: if side > 0 { S::ONE } else { -S::ONE },
         is_closed: of.is_closed,
         distance,
+        room: S::ZERO,
         friction,
         restitution,
         pressed: S::ZERO,

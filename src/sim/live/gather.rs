@@ -1,9 +1,11 @@
 //! Which bodies go together, and their state: copied for the step and back.
 
 use super::Live;
+use super::areas::Thin;
 use super::cluster::{Cluster, Common, Counts, OBSTACLE, Side};
 use crate::sim::counters::Counters;
 use crate::sim::environment::Environment;
+use crate::sim::kernels::links::Links;
 use crate::sim::measure;
 use crate::sim::points::Points;
 use crate::sim::real::Real;
@@ -106,9 +108,15 @@ impl<S: Real> Live<S> {
             body_of: Vec::with_capacity(own),
             edges: Vec::new(),
             corners: Vec::new(),
+            pulls: Links::default(),
+            odd_pulls: Vec::new(),
+            firm: Links::default(),
             holds: Vec::new(),
             thrusts: Vec::new(),
+            thin: vec![Thin::unknown(); bodies.len()],
             pairs: Vec::new(),
+            rooms: Vec::new(),
+            active: Vec::new(),
             on_planes: Vec::new(),
             promise: S::ZERO,
             least_promise: S::INFINITY,
@@ -117,6 +125,7 @@ impl<S: Real> Live<S> {
             has_pressed: false,
             work: S::ZERO,
             counts: Counts::default(),
+            tangle: self.tangle.of(&bodies),
             bodies,
         };
         for k in 0..cluster.bodies.len() {
@@ -229,6 +238,9 @@ impl<S: Real> Cluster<S> {
         counters.contacts += counts.contacts;
         counters.truncations += counts.truncations;
         counters.guarded += counts.guarded;
+        counters.looks += counts.looks;
+        counters.mended += counts.mended;
+        counters.parted += counts.parted;
         counters.work += counts.work;
     }
 }

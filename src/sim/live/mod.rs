@@ -4,6 +4,7 @@
 //! gather      bodies whose ways may meet make a cluster, with a copy of their state (`gather.rs`)
 //! substeps    as many as the fastest needs; each (`substep.rs`): forces, prediction, bonds, then in turn areas and contacts, sides
 //! guard       a cluster has no more energy than before and what was done to it (`guard.rs`)
+//! tangle      what is inside out is led back to its shape, bodies in each other are parted (`tangle.rs`)
 //! rest        what touches and is slow settles; clusters that stay where they are fall asleep (`rest.rs`)
 //! ```
 //!
@@ -18,18 +19,23 @@ mod bonds;
 mod booking;
 mod build;
 mod cluster;
+mod cross;
 mod detect;
 mod fields;
 mod gather;
 mod guard;
+mod layout;
+mod mend;
 mod pair;
-mod path;
+mod part;
 mod planes;
 mod rest;
 mod shape;
 mod skins;
 mod space;
 mod substep;
+mod tangle;
+mod tree;
 mod truncate;
 mod walls;
 
@@ -55,6 +61,7 @@ use fields::Field;
 use pair::Sides;
 use rest::Rest;
 use substep::Outside;
+use tangle::Tangle;
 use walls::Walls;
 
 /// Frames of which substeps are whole parts [1/s].
@@ -90,6 +97,8 @@ struct Live<S: Real> {
     walls: Walls<S>,
     /// Which side of an edge every point near one belongs to.
     sides: Sides,
+    /// What is inside out or crosses.
+    tangle: Tangle<S>,
     /// Of every body.
     rests: Vec<Rest>,
     /// Where bodies were when they were last seen to move, in the order of the bodies.
@@ -141,6 +150,7 @@ impl<S: Real> Live<S> {
             resist: draft.areas,
             walls,
             sides: Vec::new(),
+            tangle: Tangle::new(count),
             rests: vec![Rest::default(); count],
             anchor: Vec::new(),
             settling: vec![S::ZERO; count],
@@ -162,6 +172,7 @@ impl<S: Real> Live<S> {
         let own = h / count;
         let outside = Outside { pull, around, settling: &self.settling };
         let before = guard::energy(cluster, common, pull.gravity);
+        tangle::look(cluster, common, h);
         bonds::prepare(cluster, common, S::from_f64(own));
         detect::look(cluster, common);
         for substep in 0..count as u32 {
@@ -209,6 +220,7 @@ impl<S: Real> Mover<S, 2> for Live<S> {
             clusters
         };
         self.sides = kept(sides, &clusters);
+        self.tangle.note(&mut clusters);
         for cluster in &mut clusters {
             self.scatter(cluster, points);
             cluster.bodies.iter().for_each(|&body| self.rests[body].is_asleep = false);

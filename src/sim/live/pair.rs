@@ -24,6 +24,8 @@ pub(super) struct Pair<S> {
     pub(super) is_closed: bool,
     /// Distance that they keep [m].
     pub(super) distance: S,
+    /// How far they were from touching when they were found [m]; below 0 where the point was behind the edge.
+    pub(super) room: S,
     pub(super) friction: S,
     pub(super) restitution: S,
     /// What presses them apart in this substep [kg m].

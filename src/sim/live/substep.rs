@@ -5,7 +5,10 @@ use super::bonds;
 use super::cluster::{Cluster, Common};
 use super::detect;
 use super::fields;
+use super::mend;
+use super::part;
 use super::shape;
+use super::tree;
 use crate::sim::environment::Environment;
 use crate::sim::force::mouse::Push;
 use crate::sim::pull::Pull;
@@ -16,6 +19,9 @@ use crate::sim::vector::{accumulate, add, convert, dot, scale};
 pub(super) const PASSES: u32 = 3;
 /// Speeds below which nothing bounces, in what gravity gives within a substep.
 pub(super) const LEAST_BOUNCE: f64 = 2.0;
+
+/// How far contacts and areas may push a point beyond its way within a substep, in the least promise: pairs further apart are left out.
+const PUSHED: f64 = 0.2;
 
 /// What acts from outside, the same for all clusters.
 #[derive(Clone, Copy)]
@@ -33,12 +39,20 @@ pub(super) fn advance<S: Real>(state: &mut Cluster<S>, common: &Common<S>, outsi
     if state.gone + time * fastest(state) > state.promise {
         detect::look(state, common);
     }
+    part::drift(state, time);
+    part::suspend(state);
     state.predict(time);
     shape::resist(state, common, time);
     bonds::hold(state, common);
-    for _ in 0..PASSES {
+    mend::lead(state, time);
+    areas::look(state, common);
+    state.choose();
+    for pass in 0..PASSES {
         shape::hold(state, common);
         areas::unfold(state, common);
+        if pass > 0 {
+            tree::straighten(state, common);
+        }
         state.press(outside.pull.contacts.obstacles.planes());
     }
     super::truncate::cut(state);
@@ -95,15 +109,28 @@ impl<S: Real> Cluster<S> {
             self.way[i] = way;
             self.now[i] = add(self.start[i], way);
         }
-        self.pairs.iter_mut().for_each(super::pair::Pair::clear);
+        for &number in &self.active {
+            self.pairs[number as usize].clear();
+        }
         self.on_planes.iter_mut().for_each(super::pair::OnPlane::clear);
+    }
+
+    /// Which pairs may touch in this substep: those whose points cannot have gone so far, and will not, are left out.
+    fn choose(&mut self) {
+        let ways = &self.way[..self.own()];
+        let farthest = ways.iter().fold(S::ZERO, |most, &way| most.max(dot(way, way))).sqrt();
+        let slack = S::from_f64(PUSHED) * self.least_promise;
+        let reach = S::from_f64(2.0) * (self.gone + farthest) + slack;
+        self.active.clear();
+        self.active.extend(self.rooms.iter().zip(0..).filter(|(room, _)| **room <= reach).map(|(_, number)| number));
     }
 
     /// One pass over all contacts.
     fn press(&mut self, planes: &[crate::sim::contact::surface::Surface<S, 2>]) {
         let mut pairs = std::mem::take(&mut self.pairs);
-        pairs.iter_mut().for_each(|pair| pair.press(self));
-        self.pairs = pairs;
+        let active = std::mem::take(&mut self.active);
+        active.iter().for_each(|&number| pairs[number as usize].press(self));
+        (self.pairs, self.active) = (pairs, active);
         let mut on_planes = std::mem::take(&mut self.on_planes);
         on_planes.iter_mut().for_each(|on| on.press(self, &planes[on.surface as usize]));
         self.on_planes = on_planes;
@@ -111,8 +138,9 @@ impl<S: Real> Cluster<S> {
 
     fn follow_sides(&mut self) {
         let mut pairs = std::mem::take(&mut self.pairs);
-        pairs.iter_mut().for_each(|pair| pair.follow(self));
-        self.pairs = pairs;
+        let active = std::mem::take(&mut self.active);
+        active.iter().for_each(|&number| pairs[number as usize].follow(self));
+        (self.pairs, self.active) = (pairs, active);
     }
 
     /// Velocities from what was gone, and positions summed up; then what bounces.
@@ -129,18 +157,22 @@ impl<S: Real> Cluster<S> {
             accumulate(&mut self.now[i], &mut self.lost[i], way);
         }
         self.gone += farthest.sqrt();
+        for (thin, ends) in self.thin.iter_mut().zip(self.bases.windows(2)) {
+            thin.go(&self.way[ends[0] as usize..ends[1] as usize]);
+        }
         let least = S::from_f64(LEAST_BOUNCE * h * crate::sim::vector::length(gravity));
         let (pairs, on_planes) = (std::mem::take(&mut self.pairs), std::mem::take(&mut self.on_planes));
-        for pair in &pairs {
-            pair.bounce(self, least);
-        }
+        let active = std::mem::take(&mut self.active);
+        let chosen = || active.iter().map(|&number| &pairs[number as usize]);
+        chosen().for_each(|pair| pair.bounce(self, least));
         for on in &on_planes {
             on.bounce(self, &planes[on.surface as usize], least);
         }
-        let pressed = pairs.iter().filter(|pair| pair.pressed > S::ZERO).count();
+        let pressed = chosen().filter(|pair| pair.pressed > S::ZERO).count();
         self.counts.contacts += pressed as u64;
         self.has_pressed |= pressed > 0 || on_planes.iter().any(|on| on.pressed > S::ZERO);
-        self.counts.work += 40 * pairs.len() as u64 + 20 * on_planes.len() as u64 + 20 * self.own() as u64;
-        (self.pairs, self.on_planes) = (pairs, on_planes);
+        self.counts.work += 40 * active.len() as u64 + pairs.len() as u64;
+        self.counts.work += 20 * on_planes.len() as u64 + 20 * self.own() as u64;
+        (self.pairs, self.active, self.on_planes) = (pairs, active, on_planes);
     }
 }

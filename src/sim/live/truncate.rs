@@ -14,9 +14,10 @@ const LEAST: f64 = 0.05;
 
 /// Cuts what would pass.
 pub(super) fn cut<S: Real>(state: &mut Cluster<S>) {
-    let pairs = std::mem::take(&mut state.pairs);
+    let (pairs, active) = (std::mem::take(&mut state.pairs), std::mem::take(&mut state.active));
     let used = S::from_f64(USED);
-    for pair in &pairs {
+    for &number in &active {
+        let pair = &pairs[number as usize];
         let [p, a, b] = [pair.p as usize, pair.a as usize, pair.b as usize];
         let Some(found) = beside([state.start[p], state.start[a], state.start[b]], pair.side) else { continue };
         if found.gap <= S::ZERO {
@@ -61,5 +62,5 @@ pub(super) fn cut<S: Real>(state: &mut Cluster<S>) {
             state.now[i] = add(state.now[i], back);
         }
     }
-    state.pairs = pairs;
+    (state.pairs, state.active) = (pairs, active);
 }

@@ -14,7 +14,7 @@ use crate::sim::points::State;
 use crate::sim::real::Real;
 use crate::sim::solver::Solver;
 use crate::sim::timeline::Timeline;
-use crate::sim::triangles::turned;
+use crate::sim::triangles::{aligned, turned};
 use crate::sim::vector::{add, convert, length, sub, widen, zero};
 
 impl<S: Real, const D: usize> World<S, D> {
@@ -26,11 +26,19 @@ impl<S: Real, const D: usize> World<S, D> {
     /// Errors: as [`Model::check`]; outlines of polygons that cross too often.
     pub fn new(model: &Model<D>) -> Result<Self, ModelError> {
         model.check()?;
-        if let Some(triangles) = turned(&model.triangles, |point| model.position[point.index()]) {
-            return World::new(&Model { triangles, ..model.clone() });
+        let place = |point: PointId| model.position[point.index()];
+        let triangles = turned(&model.triangles, place);
+        let triangles = if model.contact.is_some() { aligned(triangles, &model.triangles, place) } else { triangles };
+        if let Some(triangles) = triangles {
+            return World::of_turned(&Model { triangles, ..model.clone() });
         }
+        World::of_turned(model)
+    }
+
+    /// A world at the start of a model whose triangles have their corners in order.
+    fn of_turned(model: &Model<D>) -> Result<Self, ModelError> {
         if let Some((rest_areas, angles)) = model.form_missing() {
-            return World::new(&Model { rest_areas, angles, ..model.clone() });
+            return World::of_turned(&Model { rest_areas, angles, ..model.clone() });
         }
         if let Some([found, most]) = plan::too_many_held(model) {
             return Err(ModelError::TooManyHeld { found, most });

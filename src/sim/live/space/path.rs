@@ -3,12 +3,18 @@
 
 use super::cluster::Cluster;
 use crate::sim::live::body::Link;
-pub(super) use crate::sim::live::path::length;
 use crate::sim::real::Real;
 use crate::sim::vector::{dot, scale, sub};
 
 /// Rounds of it.
 const ROUNDS: u32 = 2;
+
+/// How many bonds at the front of `links` make a path: each begins where the one before ends.
+pub(super) fn length<S: Real>(links: &[Link<S>]) -> usize {
+    let is_next =
+        |pair: &&[Link<S>]| pair[0].b == pair[1].a && pair[1].stiffness == S::INFINITY && pair[1].share == S::ONE;
+    1 + links.windows(2).take_while(is_next).count()
+}
 
 /// Solves the path at the front of `links`.
 pub(super) fn solve<S: Real>(state: &mut Cluster<S>, links: &[Link<S>], base: usize) {

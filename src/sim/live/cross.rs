@@ -1,0 +1,118 @@
+//! Skins that cross: edges of bodies that pass through each other, and bodies that lie inside others.
+
+use super::cluster::{Cluster, OBSTACLE, Side};
+use super::pair::wedge;
+use crate::sim::real::Real;
+use crate::sim::vector::{add, scale, sub};
+
+/// Two edges that cross.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Crossing<S> {
+    /// Their bodies in the cluster, ascending.
+    pub(super) bodies: [u32; 2],
+    /// Where [m].
+    pub(super) at: [S; 2],
+    /// +1 where the second body's edge leaves the first body, -1 where it enters it.
+    pub(super) turn: S,
+    /// Both have something on their right.
+    pub(super) is_closed: bool,
+}
+
+/// A box about an edge.
+struct Span<S> {
+    low: [S; 2],
+    high: [S; 2],
+    edge: usize,
+}
+
+/// All crossings of the skins of a cluster, by their bodies: boxes about the edges are swept along x.
+pub(super) fn list<S: Real>(state: &Cluster<S>) -> Vec<Crossing<S>> {
+    let mut spans: Vec<Span<S>> = (0..state.edges.len())
+        .filter(|&edge| state.edges[edge].body != OBSTACLE)
+        .map(|edge| {
+            let [a, b] = state.edges[edge].ends.map(|end| state.now[end as usize]);
+            let [low, high] = [[a[0].min(b[0]), a[1].min(b[1])], [a[0].max(b[0]), a[1].max(b[1])]];
+            Span { low, high, edge }
+        })
+        .collect();
+    spans.sort_by(|a, b| a.low[0].partial_cmp(&b.low[0]).unwrap_or(std::cmp::Ordering::Equal));
+    let mut found = Vec::new();
+    let mut open: Vec<usize> = Vec::new();
+    for k in 0..spans.len() {
+        let own = &spans[k];
+        open.retain(|&other| spans[other].high[0] >= own.low[0]);
+        for &other in &open {
+            let other = &spans[other];
+            if other.low[1] <= own.high[1] && other.high[1] >= own.low[1] {
+                found.extend(crossing(state, [&state.edges[other.edge], &state.edges[own.edge]]));
+            }
+        }
+        open.push(k);
+    }
+    found.sort_by_key(|crossing| crossing.bodies);
+    found
+}
+
+/// Where two edges cross; `None`: they do not, or share an end.
+fn crossing<S: Real>(state: &Cluster<S>, [first, second]: [&Side; 2]) -> Option<Crossing<S>> {
+    let [first, second] = if first.body <= second.body { [first, second] } else { [second, first] };
+    if first.ends.iter().any(|end| second.ends.contains(end)) {
+        return None;
+    }
+    let [a, b] = first.ends.map(|end| state.now[end as usize]);
+    let [c, d] = second.ends.map(|end| state.now[end as usize]);
+    let (u, v) = (sub(b, a), sub(d, c));
+    let [from, to] = [wedge(u, sub(c, a)), wedge(u, sub(d, a))];
+    let is_through = |x: S, y: S| (x < S::ZERO && y > S::ZERO) || (x > S::ZERO && y < S::ZERO);
+    if !is_through(from, to) || !is_through(wedge(v, sub(a, c)), wedge(v, sub(b, c))) {
+        return None;
+    }
+    Some(Crossing {
+        bodies: [first.body, second.body],
+        at: add(c, scale(v, from / (from - to))),
+        turn: if to > S::ZERO { S::ONE } else { -S::ONE },
+        is_closed: first.is_closed && second.is_closed,
+    })
+}
+
+/// Couples of bodies, ascending, one of which lies inside the skin of the other without crossing it.
+pub(super) fn swallowed<S: Real>(state: &Cluster<S>) -> Vec<[u32; 2]> {
+    let boxes: Vec<[[S; 2]; 2]> = (0..state.bodies.len()).map(|k| extent(state, k)).collect();
+    let mut found = Vec::new();
+    for outer in 0..boxes.len() {
+        for inner in (0..boxes.len()).filter(|&inner| inner != outer) {
+            let is_within =
+                (0..2).all(|k| boxes[outer][0][k] <= boxes[inner][0][k] && boxes[inner][1][k] <= boxes[outer][1][k]);
+            if is_within && is_inside(state, state.now[state.bases[inner] as usize], outer as u32) {
+                found.push([inner.min(outer) as u32, inner.max(outer) as u32]);
+            }
+        }
+    }
+    found.sort_unstable();
+    found.dedup();
+    found
+}
+
+fn extent<S: Real>(state: &Cluster<S>, k: usize) -> [[S; 2]; 2] {
+    let mut bounds = [[S::INFINITY; 2], [-S::INFINITY; 2]];
+    for x in &state.now[state.bases[k] as usize..state.bases[k + 1] as usize] {
+        for k in 0..2 {
+            bounds[0][k] = bounds[0][k].min(x[k]);
+            bounds[1][k] = bounds[1][k].max(x[k]);
+        }
+    }
+    bounds
+}
+
+/// Whether a place is inside what the closed edges of a body bound, by the even-odd rule.
+fn is_inside<S: Real>(state: &Cluster<S>, x: [S; 2], body: u32) -> bool {
+    let mut is_inside = false;
+    for edge in state.edges.iter().filter(|edge| edge.body == body && edge.is_closed) {
+        let [a, b] = edge.ends.map(|end| state.now[end as usize]);
+        if (a[1] > x[1]) != (b[1] > x[1]) {
+            let along = wedge(sub(b, a), sub(x, a));
+            is_inside ^= (along > S::ZERO) == (b[1] > a[1]);
+        }
+    }
+    is_inside
+}

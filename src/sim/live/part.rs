@@ -1,0 +1,158 @@
+//! Bodies that lie in each other are parted as wholes, slowly and without speed; meanwhile they do not touch each other.
+//!
+//! A crossing that contacts do not undo by themselves: their points would come out on different sides. So both bodies go apart along
+//! one direction, in which their common area shrinks fastest, or, where that says nothing (one goes right through, or lies inside the
+//! other), along the one in which their shadows part soonest.
+//! Source of the first: the gradient of the common area is the sum of the chords between crossings, turned by a right angle, as of
+//! intersection contours in P. Volino, N. Magnenat-Thalmann, Resolving Surface Collisions through Intersection Contour Minimization, 2006.
+
+use super::cluster::Cluster;
+use super::cross::Crossing;
+use super::pair::left;
+use crate::sim::real::Real;
+use crate::sim::vector::{add, dot, scale, sub, zero};
+
+/// How fast two bodies go apart, and how fast one may go at most [m/s].
+const SPEED: f64 = 1.0;
+/// Directions that shadows are looked at along.
+const DIRECTIONS: u32 = 16;
+/// Share of the lengths of the chords that their sum must have to say where out is.
+const CLEAR: f64 = 0.5;
+
+/// Two bodies whose skins cross.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Couple<S> {
+    /// Their numbers in the cluster, or in the group, ascending.
+    pub(super) bodies: [u32; 2],
+    /// For how long [s].
+    pub(super) time: f64,
+    /// Where the second one goes; 0: they are not parted.
+    pub(super) out: [S; 2],
+}
+
+impl<S: Real> Couple<S> {
+    pub(super) fn is_parted(&self) -> bool {
+        self.out != zero()
+    }
+}
+
+/// How heavy a body is [kg], and how fast [m/s]; infinite where something holds it.
+fn motion<S: Real>(state: &Cluster<S>, body: u32) -> (S, [S; 2]) {
+    let range = state.bases[body as usize] as usize..state.bases[body as usize + 1] as usize;
+    let (mut mass, mut momentum) = (S::ZERO, zero::<S, 2>());
+    for i in range {
+        if state.w[i] == S::ZERO {
+            return (S::INFINITY, zero());
+        }
+        mass += S::ONE / state.w[i];
+        momentum = add(momentum, scale(state.velocity[i], S::ONE / state.w[i]));
+    }
+    (mass, scale(momentum, S::ONE / mass))
+}
+
+/// Shares of a relative motion that fall to two bodies, the lighter one's the larger; `None`: both are held.
+fn shares<S: Real>([a, b]: [S; 2]) -> Option<[S; 2]> {
+    match [a.is_finite(), b.is_finite()] {
+        [true, true] => Some([b / (a + b), a / (a + b)]),
+        [true, false] => Some([S::ONE, S::ZERO]),
+        [false, true] => Some([S::ZERO, S::ONE]),
+        [false, false] => None,
+    }
+}
+
+/// The way out for the second of two bodies that cross at these places; 0 where both are held.
+pub(super) fn way_out<S: Real>(state: &Cluster<S>, bodies: [u32; 2], crossings: &[Crossing<S>]) -> [S; 2] {
+    let held = bodies.map(|body| motion(state, body).0);
+    if shares(held).is_none() {
+        return zero();
+    }
+    along_chords(crossings).unwrap_or_else(|| along_shadows(state, bodies))
+}
+
+/// Against the gradient of the common area; `None`: it says nothing.
+fn along_chords<S: Real>(crossings: &[Crossing<S>]) -> Option<[S; 2]> {
+    let count = crossings.len();
+    if count < 2 || crossings.iter().any(|crossing| !crossing.is_closed) {
+        return None;
+    }
+    let sum = crossings.iter().fold(zero::<S, 2>(), |sum, crossing| add(sum, crossing.at));
+    let mean = scale(sum, S::ONE / S::from_f64(count as f64));
+    let (mut chords, mut lengths) = (zero::<S, 2>(), S::ZERO);
+    for crossing in crossings {
+        let from = sub(crossing.at, mean);
+        chords = add(chords, scale(from, crossing.turn));
+        lengths += dot(from, from).sqrt();
+    }
+    let length = dot(chords, chords).sqrt();
+    (length > S::from_f64(CLEAR) * lengths).then(|| scale(left(chords), -S::ONE / length))
+}
+
+/// The direction in which the shadows of two bodies part soonest.
+fn along_shadows<S: Real>(state: &Cluster<S>, [a, b]: [u32; 2]) -> [S; 2] {
+    let mut best = (S::INFINITY, [S::ONE, S::ZERO]);
+    for k in 0..DIRECTIONS {
+        // Of equals another one comes first for each couple: what lies in a heap goes all ways.
+        let turn = (k + 5 * a + 3 * b) % DIRECTIONS;
+        let angle = std::f64::consts::TAU * f64::from(turn) / f64::from(DIRECTIONS);
+        let along = [libm::cos(angle), libm::sin(angle)].map(S::from_f64);
+        let of = |body: u32| state.bases[body as usize] as usize..state.bases[body as usize + 1] as usize;
+        let far = state.now[of(a)].iter().fold(-S::INFINITY, |most, &x| most.max(dot(x, along)));
+        let near = state.now[of(b)].iter().fold(S::INFINITY, |least, &x| least.min(dot(x, along)));
+        if far - near < best.0 {
+            best = (far - near, along);
+        }
+    }
+    best.1
+}
+
+/// Moves what is parted on by a substep of `h` [s], and lets it go no deeper.
+pub(super) fn drift<S: Real>(state: &mut Cluster<S>, h: S) {
+    let couples = std::mem::take(&mut state.tangle.couples);
+    let mut shifts = vec![zero::<S, 2>(); if couples.is_empty() { 0 } else { state.bodies.len() }];
+    for couple in couples.iter().filter(|couple| couple.is_parted()) {
+        let [(mass_a, v_a), (mass_b, v_b)] = couple.bodies.map(|body| motion(state, body));
+        let Some(share) = shares([mass_a, mass_b]) else { continue };
+        let way = scale(couple.out, h * S::from_f64(SPEED));
+        let closing = dot(sub(v_b, v_a), couple.out).min(S::ZERO);
+        let [a, b] = couple.bodies.map(|body| body as usize);
+        state.counts.parted += 1;
+        for (body, share, goes) in [(a, share[0], -S::ONE), (b, share[1], S::ONE)] {
+            shifts[body] = add(shifts[body], scale(way, goes * share));
+            let gain = scale(couple.out, -goes * share * closing);
+            for i in state.bases[body] as usize..state.bases[body + 1] as usize {
+                if state.w[i] != S::ZERO {
+                    state.velocity[i] = add(state.velocity[i], gain);
+                }
+            }
+        }
+    }
+    state.tangle.couples = couples;
+    let most = h * S::from_f64(SPEED);
+    for (body, &shift) in shifts.iter().enumerate().filter(|(_, shift)| **shift != zero()) {
+        let length = dot(shift, shift).sqrt();
+        let shift = if length > most { scale(shift, most / length) } else { shift };
+        state.gone += most;
+        for i in state.bases[body] as usize..state.bases[body + 1] as usize {
+            if state.w[i] != S::ZERO {
+                state.now[i] = add(state.now[i], shift);
+            }
+        }
+    }
+}
+
+/// Takes contacts away between bodies that are parted, and of bodies that are mended with themselves.
+pub(super) fn suspend<S: Real>(state: &mut Cluster<S>) {
+    if state.tangle.couples.is_empty() && state.tangle.knots.is_empty() {
+        return;
+    }
+    let Cluster { pairs, body_of, tangle, .. } = state;
+    pairs.retain(|pair| {
+        let [a, b] = [pair.p, pair.a].map(|i| body_of[i as usize]);
+        let bodies = [a.min(b), a.max(b)];
+        if a == b {
+            !tangle.knots.iter().any(|knot| knot.body == a && knot.is_mended())
+        } else {
+            !tangle.couples.iter().any(|couple| couple.bodies == bodies && couple.is_parted())
+        }
+    });
+}

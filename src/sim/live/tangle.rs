@@ -1,0 +1,238 @@
+//! What is tangled in live bodies: triangles inside out, skins that cross. Looked for once a step, where something pressed.
+//!
+//! ```text
+//! couples   bodies whose skins cross for a while, or from the start: parted (`part.rs`)
+//! knots     bodies with triangles inside out, or that cross themselves: led back to their shape (`mend.rs`)
+//! ```
+
+use super::cluster::{Cluster, Common};
+use super::cross::{self, Crossing};
+use super::layout::Sheet;
+use super::mend::Piece;
+use super::part::{self, Couple};
+use crate::sim::force::area::size;
+use crate::sim::real::Real;
+use crate::sim::vector::zero;
+
+/// Steps in which something presses after which crossings are looked for.
+const EVERY: u8 = 8;
+/// How long two bodies cross each other before they are parted [s]: contacts undo most by themselves.
+const PATIENCE: f64 = 0.1;
+/// Share of its area from which on a triangle is mended, and after how long [s].
+const LEAST: f64 = 0.15;
+const FOLDED: f64 = 0.25;
+/// Rings of triangles about those that go with them at first, and how long they are given before more do [s].
+const RINGS: u32 = 3;
+const TRIED: f64 = 0.6;
+/// How long all is right before a piece is let go [s].
+const CALM: f64 = 0.1;
+
+/// A body with triangles inside out, or that crosses itself.
+#[derive(Clone, Debug)]
+pub(super) struct Knot<S> {
+    /// Its number in the cluster, or in the group.
+    pub(super) body: u32,
+    /// What is led back to its shape.
+    pub(super) pieces: Vec<Piece<S>>,
+    /// How long it is so, how long it is mended, how long it is right again [s].
+    time: f64,
+    tried: f64,
+    calm: f64,
+    rings: u32,
+    crosses: bool,
+}
+
+impl<S> Knot<S> {
+    pub(super) fn is_mended(&self) -> bool {
+        !self.pieces.is_empty()
+    }
+}
+
+/// What is tangled in a cluster, or in all bodies.
+#[derive(Clone, Debug)]
+pub(super) struct Tangle<S> {
+    pub(super) couples: Vec<Couple<S>>,
+    pub(super) knots: Vec<Knot<S>>,
+    /// Steps in which something pressed since crossings were looked for, one a body; [`u8::MAX`]: never looked.
+    since: Vec<u8>,
+    /// Points of the cluster that are led to their shapes; empty without any.
+    pub(super) is_led: Vec<bool>,
+}
+
+impl<S> Default for Tangle<S> {
+    fn default() -> Self {
+        Tangle { couples: Vec::new(), knots: Vec::new(), since: Vec::new(), is_led: Vec::new() }
+    }
+}
+
+impl<S: Real> Tangle<S> {
+    /// Of so many bodies that nothing is known of.
+    pub(super) fn new(count: usize) -> Self {
+        Tangle { since: vec![u8::MAX; count], ..Tangle::default() }
+    }
+
+    /// What is known of some bodies, numbered among them.
+    pub(super) fn of(&self, bodies: &[usize]) -> Self {
+        let place = |body: u32| bodies.binary_search(&(body as usize)).ok().map(|place| place as u32);
+        let couple = |couple: &Couple<S>| {
+            let [a, b] = couple.bodies.map(place);
+            Some(Couple { bodies: [a?, b?], ..*couple })
+        };
+        let knot = |knot: &Knot<S>| place(knot.body).map(|body| Knot { body, ..knot.clone() });
+        Tangle {
+            couples: self.couples.iter().filter_map(couple).collect(),
+            knots: self.knots.iter().filter_map(knot).collect(),
+            since: bodies.iter().map(|&body| self.since[body]).collect(),
+            is_led: Vec::new(),
+        }
+    }
+
+    /// Notes what became of the bodies of clusters.
+    pub(super) fn note(&mut self, clusters: &mut [Cluster<S>]) {
+        for cluster in clusters {
+            let Cluster { tangle, bodies, has_pressed, .. } = cluster;
+            let is_own = |body: u32| bodies.binary_search(&(body as usize)).is_ok();
+            self.couples.retain(|couple| !couple.bodies.iter().any(|&body| is_own(body)));
+            self.knots.retain(|knot| !is_own(knot.body));
+            let number = |place: u32| bodies[place as usize] as u32;
+            self.couples
+                .extend(tangle.couples.iter().map(|couple| Couple { bodies: couple.bodies.map(number), ..*couple }));
+            self.knots.extend(tangle.knots.drain(..).map(|knot| Knot { body: number(knot.body), ..knot }));
+            for (&body, &since) in bodies.iter().zip(&tangle.since) {
+                self.since[body] = since.saturating_add(u8::from(*has_pressed));
+            }
+        }
+        self.couples.sort_by_key(|couple| couple.bodies);
+        self.knots.sort_by_key(|knot| knot.body);
+    }
+}
+
+/// Looks what is tangled at the start of a step of `h` [s].
+pub(super) fn look<S: Real>(state: &mut Cluster<S>, common: &Common<S>, h: f64) {
+    if common.contact.is_none() {
+        return;
+    }
+    let mut tangle = std::mem::take(&mut state.tangle);
+    let is_new = tangle.since.contains(&u8::MAX);
+    let is_due = is_new || tangle.since.iter().any(|&since| since >= EVERY);
+    let crossings = if is_due || !tangle.couples.is_empty() || !tangle.knots.is_empty() {
+        state.counts.looks += 1;
+        state.counts.work += 40 * state.edges.len() as u64;
+        tangle.since.iter_mut().for_each(|since| *since = 0);
+        cross::list(state)
+    } else {
+        Vec::new()
+    };
+    let first = if is_new { FOLDED.max(PATIENCE) } else { 0.0 };
+    couples(state, &mut tangle, &crossings, (h, first));
+    let folded = folded(state, common);
+    if !crossings.is_empty() || !tangle.knots.is_empty() || !folded.is_empty() {
+        knots(state, common, &mut tangle, (&crossings, &folded), (h, first));
+    }
+    state.tangle = tangle;
+}
+
+/// Bodies that cross each other now.
+fn couples<S: Real>(state: &Cluster<S>, tangle: &mut Tangle<S>, crossings: &[Crossing<S>], (h, first): (f64, f64)) {
+    let old = std::mem::take(&mut tangle.couples);
+    let known = |bodies: [u32; 2]| old.binary_search_by_key(&bodies, |couple| couple.bodies).ok().map(|k| old[k]);
+    let mut add = |bodies: [u32; 2], crossings: &[Crossing<S>]| {
+        let mut couple = known(bodies).unwrap_or(Couple { bodies, time: first, out: zero() });
+        couple.time += h;
+        if couple.time >= PATIENCE {
+            couple.out = part::way_out(state, bodies, crossings);
+        }
+        tangle.couples.push(couple);
+    };
+    for group in crossings.chunk_by(|a, b| a.bodies == b.bodies) {
+        if group[0].bodies[0] != group[0].bodies[1] {
+            add(group[0].bodies, group);
+        }
+    }
+    if first > 0.0 || old.iter().any(Couple::is_parted) {
+        let is_crossed =
+            |bodies: &[u32; 2]| crossings.binary_search_by_key(bodies, |crossing| crossing.bodies).is_ok();
+        for bodies in cross::swallowed(state).into_iter().filter(|bodies| !is_crossed(bodies)) {
+            add(bodies, &[]);
+        }
+        tangle.couples.sort_by_key(|couple| couple.bodies);
+    }
+}
+
+/// Triangles that are too flat, by their bodies: body and number in it.
+fn folded<S: Real>(state: &mut Cluster<S>, common: &Common<S>) -> Vec<(u32, u32)> {
+    let least = S::from_f64(LEAST);
+    let mut found = Vec::new();
+    for (k, (body, base)) in state.members(common).enumerate() {
+        let areas = common.areas(body);
+        state.counts.work += 8 * areas.len() as u64;
+        for (area, number) in areas.iter().zip(0..) {
+            if size(area.corners.map(|corner| state.now[base + corner as usize])) <= least * area.rest {
+                found.push((k as u32, number));
+            }
+        }
+    }
+    found
+}
+
+/// Bodies that are inside out or cross themselves now.
+fn knots<S: Real>(
+    state: &Cluster<S>,
+    common: &Common<S>,
+    tangle: &mut Tangle<S>,
+    (crossings, folded): (&[Crossing<S>], &[(u32, u32)]),
+    (h, first): (f64, f64),
+) {
+    let mut old = std::mem::take(&mut tangle.knots).into_iter().peekable();
+    for (k, (body, _)) in (0..).zip(state.members(common)) {
+        let own = &folded[folded.partition_point(|entry| entry.0 < k)..folded.partition_point(|entry| entry.0 <= k)];
+        let crosses = body.areas.len() > 0
+            && crossings.binary_search_by_key(&[k, k], |crossing| crossing.bodies).is_ok();
+        let before = old.next_if(|knot| knot.body == k);
+        let is_bad = crosses || !own.is_empty();
+        if before.is_none() && !is_bad {
+            continue;
+        }
+        let fresh = Knot { body: k, pieces: Vec::new(), time: first, tried: 0.0, calm: 0.0, rings: RINGS, crosses };
+        let mut knot = before.unwrap_or(fresh);
+        knot.calm = if is_bad { 0.0 } else { knot.calm + h };
+        knot.time += h;
+        knot.tried += h;
+        if knot.calm >= CALM || (knot.pieces.is_empty() && !is_bad) {
+            continue;
+        }
+        let begins = knot.pieces.is_empty() && knot.time >= FOLDED;
+        if is_bad && (begins || (knot.is_mended() && knot.tried >= TRIED)) {
+            knot.rings = if begins { knot.rings } else { knot.rings.saturating_mul(4) };
+            knot.tried = 0.0;
+            knot.crosses = crosses;
+            knot.cut_out(state, common, own);
+        }
+        tangle.knots.push(knot);
+    }
+    tangle.is_led.clear();
+    if tangle.knots.iter().any(Knot::is_mended) {
+        tangle.is_led.resize(state.own(), false);
+        for knot in &tangle.knots {
+            let base = state.bases[knot.body as usize];
+            let points = knot.pieces.iter().flat_map(Piece::points);
+            points.for_each(|point| tangle.is_led[(base + point) as usize] = true);
+        }
+    }
+}
+
+impl<S: Real> Knot<S> {
+    /// Cuts out what is led back: what is folded with some rings about it, or the body, where it crosses itself.
+    fn cut_out(&mut self, state: &Cluster<S>, common: &Common<S>, folded: &[(u32, u32)]) {
+        let body = &common.bodies.list[state.bodies[self.body as usize]];
+        let base = state.bases[self.body as usize] as usize;
+        let sheet = Sheet::new(state, common, (body, base));
+        let mut points = vec![self.crosses; body.points.len()];
+        let areas = common.areas(body);
+        for &(_, number) in folded {
+            areas[number as usize].corners.iter().for_each(|&corner| points[corner as usize] = true);
+        }
+        let shapes = sheet.shapes(&sheet.around(&points, self.rings));
+        self.pieces = shapes.into_iter().map(|(points, shape)| Piece::new(state, base, points, shape)).collect();
+    }
+}

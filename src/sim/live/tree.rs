@@ -1,0 +1,146 @@
+//! Rigid bonds that make trees, solved together along the directions that they have after the prediction: a step of Newton's method
+//! by elimination from the leaves to the root.
+//!
+//! Model: of a point the motion without what is above it is d, and W f what a force f [kg m] from above adds. A bond of direction n to
+//! a child asks of its parent's motion x that n . x = t with compliance s, where s = n . W_c n and t = length - rest + n . d_c; so
+//! W <- W - (W n)(W n)^T/(s + n . W n), d <- d + W n (t - n . d)/(s + n . W n). Back from the root x_c = d_c - W_c n (t - n . x)/s.
+
+use super::body::Link;
+use super::cluster::{Cluster, Common};
+use crate::sim::bond::Bond;
+use crate::sim::real::Real;
+use crate::sim::vector::{add, dot, scale, sub, zero};
+
+/// Fewest bonds that are solved so.
+const LEAST: usize = 4;
+/// Rounds of it before contacts, and one after each pass over them.
+const ROUNDS: u32 = 2;
+
+/// Of these bonds the forest that they make, every bond from parent to child and parents first, if they make one: what is held is a root.
+pub(super) fn forest(rigid: &[Bond], is_pinned: impl Fn(u32) -> bool) -> Option<Vec<Bond>> {
+    if rigid.len() < LEAST {
+        return None;
+    }
+    let mut at: Vec<(u32, u32)> = rigid.iter().zip(0..).flat_map(|(bond, k)| [(bond.a.0, k), (bond.b.0, k)]).collect();
+    at.sort_unstable();
+    let mut points: Vec<u32> = at.iter().map(|entry| entry.0).collect();
+    points.dedup();
+    let of = |point: u32| {
+        let start = at.partition_point(|entry| entry.0 < point);
+        at[start..].iter().take_while(move |entry| entry.0 == point).map(|entry| entry.1)
+    };
+    let [pinned, free]: [Vec<u32>; 2] = {
+        let (pinned, free) = points.iter().partition(|&&point| is_pinned(point));
+        [pinned, free]
+    };
+    let (leaves, others): (Vec<u32>, Vec<u32>) = free.into_iter().partition(|&point| of(point).count() == 1);
+    let mut is_seen = vec![false; points.len()];
+    let place = |point: u32| points.partition_point(|&other| other < point);
+    let mut done = vec![false; rigid.len()];
+    let mut list: Vec<Bond> = Vec::with_capacity(rigid.len());
+    for root in pinned.into_iter().chain(leaves).chain(others) {
+        if std::mem::replace(&mut is_seen[place(root)], true) {
+            continue;
+        }
+        let (mut next, mut parent) = (list.len(), root);
+        loop {
+            for k in of(parent) {
+                if std::mem::replace(&mut done[k as usize], true) {
+                    continue;
+                }
+                let bond = rigid[k as usize];
+                let bond = if bond.a.0 == parent { bond } else { Bond { a: bond.b, b: bond.a, ..bond } };
+                if std::mem::replace(&mut is_seen[place(bond.b.0)], true) {
+                    return None;
+                }
+                list.push(bond);
+            }
+            let Some(bond) = list.get(next) else { break };
+            (parent, next) = (bond.b.0, next + 1);
+        }
+    }
+    Some(list)
+}
+
+/// A bond on its way up.
+#[derive(Clone, Copy)]
+struct Step<S> {
+    normal: [S; 2],
+    target: S,
+    give: S,
+}
+
+/// What a point does without what is above it.
+#[derive(Clone, Copy)]
+struct Loose<S> {
+    /// xx, xy, yy [1/kg]
+    w: [S; 3],
+    /// [m]
+    d: [S; 2],
+}
+
+impl<S: Real> Loose<S> {
+    #[inline(always)]
+    fn by(&self, n: [S; 2]) -> [S; 2] {
+        let [xx, xy, yy] = self.w;
+        [xx * n[0] + xy * n[1], xy * n[0] + yy * n[1]]
+    }
+}
+
+/// Solves the forest of a body before contacts are.
+pub(super) fn solve<S: Real>(state: &mut Cluster<S>, links: &[Link<S>], (base, count): (usize, usize)) {
+    (0..ROUNDS).for_each(|_| round(state, links, (base, count)));
+}
+
+/// One round over the forests of what was pressed in this substep.
+pub(super) fn straighten<S: Real>(state: &mut Cluster<S>, common: &Common<S>) {
+    let is_pressed = state.pairs.iter().any(|pair| pair.pressed > S::ZERO)
+        || state.on_planes.iter().any(|on| on.pressed > S::ZERO);
+    if is_pressed {
+        for (body, base) in state.members(common).filter(|(body, _)| body.tree > 0) {
+            round(state, &common.holds(body)[..body.tree as usize], (base, body.points.len()));
+        }
+    }
+}
+
+/// One round over a forest of a body of so many points.
+pub(super) fn round<S: Real>(state: &mut Cluster<S>, links: &[Link<S>], (base, count): (usize, usize)) {
+    let own = |w: S| Loose { w: [w, S::ZERO, w], d: zero() };
+    let mut loose: Vec<Loose<S>> = state.w[base..base + count].iter().map(|&w| own(w)).collect();
+    let mut steps = vec![Step { normal: zero(), target: S::ZERO, give: S::ZERO }; links.len()];
+    for (link, step) in links.iter().zip(&mut steps).rev() {
+        let (a, b) = (link.a as usize, link.b as usize);
+        let r = sub(state.now[base + b], state.now[base + a]);
+        let length = dot(r, r).sqrt();
+        let n = if length > S::ZERO { scale(r, S::ONE / length) } else { [S::ONE, S::ZERO] };
+        let child = loose[b];
+        let give = dot(n, child.by(n));
+        let target = length - link.rest + dot(n, child.d);
+        let parent = &mut loose[a];
+        let turned = parent.by(n);
+        let sum = give + dot(n, turned);
+        *step = Step { normal: n, target, give };
+        if sum > S::ZERO {
+            let [x, y] = turned;
+            let [xx, xy, yy] = parent.w;
+            parent.w = [xx - x * x / sum, xy - x * y / sum, yy - y * y / sum];
+            parent.d = add(parent.d, scale(turned, (target - dot(n, parent.d)) / sum));
+        }
+    }
+    for (link, step) in links.iter().zip(&steps) {
+        let (a, b) = (link.a as usize, link.b as usize);
+        if step.give > S::ZERO {
+            let n = step.normal;
+            let force = (step.target - dot(n, loose[a].d)) / step.give;
+            loose[b].d = sub(loose[b].d, scale(loose[b].by(n), force));
+        }
+    }
+    for (i, loose) in (base..).zip(&loose) {
+        if state.w[i] != S::ZERO {
+            state.now[i] = add(state.now[i], loose.d);
+            state.way[i] = add(state.way[i], loose.d);
+        }
+    }
+    state.counts.bonds += links.len() as u64;
+    state.counts.work += 80 * links.len() as u64;
+}

@@ -1,0 +1,77 @@
+//! What is made of rigid bonds keeps its lengths where it strikes.
+
+use serde_json::{Value, json};
+use wobble::sim::{Dynamics, Sample};
+
+use super::world;
+
+/// The largest relative error of a bond.
+fn strain(world: &dyn Dynamics, sample: &Sample) -> f64 {
+    let of = |bond: wobble::sim::Bond| {
+        let [a, b] = [bond.a, bond.b].map(|end| sample.position[end.index()]);
+        (((a[0] - b[0]).hypot(a[1] - b[1])) / bond.rest_length - 1.0).abs()
+    };
+    world.bonds().iter().map(of).fold(0.0, f64::max)
+}
+
+fn thrown(body: &Value, wall: &Value) -> Vec<f64> {
+    let mut scene = json!({"wobble": 1, "contact": true, "bodies": [body]});
+    for (key, value) in wall.as_object().unwrap() {
+        scene[key] = value.clone();
+    }
+    let mut world = world(&scene);
+    let mut strains = Vec::new();
+    while world.time() < 0.5 - 1e-9 {
+        world.step();
+        strains.push(strain(&*world, &world.sample(world.time())));
+    }
+    strains
+}
+
+#[test]
+fn ropes_thrown_at_a_wall_keep_their_lengths() {
+    let plane = |restitution: f64| json!({"bounds": {"min": [-9, -9], "max": [1, 9], "restitution": restitution}});
+    let polygon = json!({"obstacles": [{"polygon": [[[1, -9], [1.1, -9], [1.1, 9], [1, 9]]]}]});
+    let mut worst = Vec::new();
+    for (what, wall) in [("plane", plane(0.0)), ("bouncy plane", plane(0.8)), ("polygon", polygon)] {
+        for turn in 0..4 {
+            let angle = 0.5 * f64::from(turn);
+            let body = json!({"make": "rope", "count": 20, "origin": [-1.5, 0], "velocity": [50, 0],
+                "to": [-1.5 + 1.9 * angle.cos(), 1.9 * angle.sin()], "material": {"kind": "rigid"}});
+            let strains = thrown(&body, &wall);
+            worst.push((what, turn, strains.iter().copied().fold(0.0, f64::max)));
+        }
+    }
+    assert!(worst.iter().all(|entry| entry.2 < 0.05), "{worst:?}");
+}
+
+#[test]
+fn trees_thrown_at_a_wall_keep_their_lengths() {
+    // A comb: a spine, and teeth of three.
+    let mut positions = Vec::new();
+    let mut bonds = Vec::new();
+    for k in 0..8_u32 {
+        let x = 0.1 * f64::from(k);
+        let spine = positions.len();
+        positions.push(json!([x, 0.0]));
+        if k > 0 {
+            bonds.push(json!({"a": spine - 4, "b": spine, "kind": "rigid"}));
+        }
+        for j in 1..=3_u32 {
+            bonds.push(json!({"a": positions.len() - 1, "b": positions.len(), "kind": "rigid"}));
+            positions.push(json!([x + 0.02 * f64::from(j), -0.1 * f64::from(j)]));
+        }
+    }
+    for velocity in [[0.0, -50.0], [50.0, 0.0], [35.0, -35.0]] {
+        let scene = json!({"wobble": 1, "contact": true, "bonds": bonds,
+            "points": {"position": positions, "velocity": vec![velocity; positions.len()]},
+            "bounds": {"min": [-9, -1], "max": [2, 9]}});
+        let mut world = world(&scene);
+        let mut worst: f64 = 0.0;
+        while world.time() < 0.5 - 1e-9 {
+            world.step();
+            worst = worst.max(strain(&*world, &world.sample(world.time())));
+        }
+        assert!(worst < 0.05, "{velocity:?}: {worst}");
+    }
+}

@@ -1,0 +1,217 @@
+//! Whatever a player does, a second later no triangle is inside out and no skin crosses another.
+
+use serde_json::{Value, json};
+use wobble::scene::Scene;
+use wobble::sim::Dynamics;
+
+use super::tangle::{crossings, faults, skin};
+use super::{disc, fastest, soft, world};
+
+fn until(world: &mut dyn Dynamics, t: f64) {
+    while world.time() < t - 1e-9 {
+        world.step();
+    }
+}
+
+/// The scene as points and bonds, with other places.
+fn with_places(scene: &Value, place: impl Fn(usize, [f64; 2]) -> [f64; 2]) -> Value {
+    let expanded = Scene::parse(&scene.to_string(), "scene").unwrap().expanded().unwrap();
+    let mut text: Value = serde_json::from_str(&expanded.to_json().unwrap()).unwrap();
+    let places: Vec<Value> = text["points"]["position"]
+        .as_array()
+        .unwrap()
+        .iter()
+        .enumerate()
+        .map(|(k, x)| json!(place(k, [x[0].as_f64().unwrap(), x[1].as_f64().unwrap()])))
+        .collect();
+    text["points"]["position"] = json!(places);
+    text
+}
+
+fn block(at: [f64; 2], [columns, rows]: [u32; 2], stiffness: f64) -> Value {
+    json!({"make": "lattice", "columns": columns, "rows": rows, "spacing": 0.1, "origin": at,
+        "material": {"kind": "spring", "stiffness": stiffness, "damping": 0.5, "mass": 1}})
+}
+
+/// A scene on a floor between walls.
+fn room(bodies: &[Value]) -> Value {
+    json!({"wobble": 1, "gravity": [0, -9.81], "contact": true, "bodies": bodies,
+        "bounds": {"min": [-3, 0], "max": [3, 20], "friction": 0.5}})
+}
+
+/// Rows of discs side by side.
+fn heap(columns: u32, rows: u32) -> Vec<Value> {
+    let at = |k: u32| [0.6 * f64::from(k % columns) - 0.3 * f64::from(columns - 1), 0.3 + 0.6 * f64::from(k / columns)];
+    (0..columns * rows).map(|k| disc(at(k), [0.0; 2])).collect()
+}
+
+#[test]
+fn a_fist_leaves_nothing_inside_out() {
+    for x in [0.0, 0.3, 0.55] {
+        let mut scene = room(&heap(3, 3));
+        // At most 0.286 strength radius: 4,000 N on a point of 1 kg.
+        scene["mouse"] = json!({"strength": 46_600, "radius": 0.3,
+            "track": [[1.0, x, 3.0], [1.3, x, 0.4], [1.8, x, 0.4], [1.9, x + 0.3, 0.3], [1.95, 9.0, 9.0]]});
+        let mut world = world(&scene);
+        until(&mut *world, 2.95);
+        assert_eq!(faults(&*world), [0, 0], "at {x}");
+    }
+}
+
+#[test]
+fn a_fist_on_a_block_leaves_nothing_inside_out() {
+    for stiffness in [3_000.0, 30_000.0] {
+        let mut scene = room(&[block([-0.5, 0.01], [11, 7], stiffness)]);
+        scene["mouse"] = json!({"strength": 46_600, "radius": 0.3,
+            "track": [[0.2, 0.1, 2.0], [0.4, 0.1, 0.3], [1.0, 0.1, 0.3], [1.01, 9.0, 9.0]]});
+        let mut world = world(&scene);
+        until(&mut *world, 2.01);
+        assert_eq!(faults(&*world), [0, 0], "at {stiffness} N/m");
+    }
+}
+
+#[test]
+fn a_press_to_half_its_height_leaves_a_block_whole() {
+    for share in [0.6, 0.35] {
+        // A plate of pinned points that comes down, stays and goes.
+        let (mut top, height) = (Vec::new(), 0.6);
+        for k in 0..15 {
+            let x = -0.75 + 0.1 * f64::from(k);
+            let low = height * share;
+            let track = json!([[0.0, x, 0.7], [0.5, x, low], [1.0, x, low], [1.2, x, 1.5]]);
+            top.push(json!({"point": k, "track": track}));
+        }
+        let plate = json!({"make": "rope", "count": 15, "spacing": 0.1, "origin": [-0.75, 0.7],
+            "pinned": (0..15).collect::<Vec<u32>>(), "material": {"kind": "rigid"}});
+        let mut scene = room(&[plate, block([-0.5, 0.01], [11, 7], 3_000.0)]);
+        scene["pin_motion"] = json!(top);
+        let mut world = world(&scene);
+        until(&mut *world, 2.0);
+        assert_eq!(faults(&*world), [0, 0], "to {share} of its height");
+    }
+}
+
+#[test]
+fn a_flick_of_100_metres_a_second_tangles_nothing() {
+    for turn in 0..3 {
+        let mut bodies = heap(4, 3);
+        bodies.push(disc([-2.5, 0.4 + 0.4 * f64::from(turn)], [100.0, -5.0 * f64::from(turn)]));
+        let mut world = world(&room(&bodies));
+        until(&mut *world, 1.0);
+        assert_eq!(faults(&*world), [0, 0], "flick {turn}");
+    }
+}
+
+#[test]
+fn a_rim_that_starts_as_an_eight_opens() {
+    for kind in [soft(), json!({"kind": "spring", "stiffness": 300, "damping": 0.2, "mass": 1})] {
+        let rim = json!({"wobble": 1, "contact": true, "bodies": [{"make": "rim", "radius": 1, "inner_radius": 0.8, "sectors": 24,
+            "material": kind}]});
+        let scene = with_places(&rim, |_, [x, y]| {
+            let (angle, off) = (y.atan2(x), x.hypot(y) - 0.9);
+            // Along an eight, `off` to its left, or right.
+            let at = [1.0 * angle.cos(), 0.5 * (2.0 * angle).sin()];
+            let along = [-angle.sin(), (2.0 * angle).cos()];
+            let length = along[0].hypot(along[1]);
+            [at[0] + off * along[1] / length, at[1] - off * along[0] / length]
+        });
+        let mut world = world(&scene);
+        assert!(faults(&*world)[1] > 0, "it starts crossed");
+        until(&mut *world, 1.0);
+        assert_eq!(faults(&*world), [0, 0]);
+    }
+}
+
+#[test]
+fn a_bow_tie_opens() {
+    let scene = json!({"wobble": 1, "contact": true, "bodies": [block([-0.45, -0.35], [10, 8], 3_000.0)]});
+    // Turned over more and more from one side to the other.
+    let twisted = with_places(&scene, |_, [x, y]| [x, y * x / 0.45]);
+    let swapped = with_places(&scene, |k, x| match k {
+        0 => [0.45, 0.35],
+        79 => [-0.45, -0.35],
+        _ => x,
+    });
+    let turned = with_places(&scene, |_, [x, y]| [-x, y]);
+    for (what, scene) in [("twisted", twisted), ("corners swapped", swapped), ("mirrored", turned)] {
+        let mut world = world(&scene);
+        let begins = faults(&*world);
+        until(&mut *world, 1.0);
+        assert_eq!(faults(&*world), [0, 0], "{what}, which began with {begins:?}");
+    }
+}
+
+#[test]
+fn what_starts_pierced_comes_apart_gently() {
+    let bar = |at: [f64; 2]| block(at, [12, 2], 3_000.0);
+    let at_rest = |mut scene: Value| {
+        scene["gravity"] = json!([0, 0]);
+        scene
+    };
+    let large = json!({"make": "disc", "radius": 0.4, "spacing": 0.1, "origin": [0, 1], "material": soft()});
+    let scenes = [
+        ("a bar through a disc", at_rest(room(&[large.clone(), bar([-0.55, 1.0])]))),
+        ("a bar in a disc", at_rest(room(&[large.clone(), bar([0.1, 1.0])]))),
+        ("two discs", at_rest(room(&[disc([0.0, 1.0], [0.0; 2]), disc([0.2, 1.1], [0.0; 2])]))),
+        ("two discs in one place", at_rest(room(&[disc([0.0, 1.0], [0.0; 2]), disc([0.0, 1.0], [0.0; 2])]))),
+        ("a disc in a disc", at_rest(room(&[large.clone(), json!({"make": "disc", "radius": 0.15, "spacing": 0.1,
+            "origin": [0.02, 1.0], "material": soft()})]))),
+        ("on a floor", room(&[disc([0.0, 0.26], [0.0; 2]), disc([0.05, 0.5], [0.0; 2])])),
+    ];
+    for (what, scene) in scenes {
+        let mut world = world(&scene);
+        let (mut most, rests) = (0.0_f64, scene["gravity"] == json!([0, 0]));
+        while world.time() < 1.0 - 1e-9 {
+            world.step();
+            most = most.max(fastest(&world.sample(world.time())));
+        }
+        assert_eq!(faults(&*world), [0, 0], "{what}");
+        assert!(!rests || most < 1.1, "{what}: {most} m/s");
+    }
+}
+
+#[test]
+fn a_heap_of_discs_deep_in_each_other_comes_apart() {
+    let at = |k: u32| [0.25 * f64::from(k % 6) - 0.6 + 0.01 * f64::from(k % 5), 0.3 + 0.25 * f64::from(k / 6)];
+    let discs: Vec<Value> = (0..24).map(|k| disc(at(k), [0.0; 2])).collect();
+    let mut world = world(&room(&discs));
+    let begins = faults(&*world);
+    until(&mut *world, 2.0);
+    assert_eq!(faults(&*world), [0, 0], "after 2 s, of {begins:?}");
+}
+
+#[test]
+fn no_rod_gets_through_a_thin_body() {
+    for turn in 0..4 {
+        let angle = 0.4 * f64::from(turn);
+        let rods: Vec<Value> = (0..6)
+            .map(|k| {
+                let y = 0.2 + 0.5 * f64::from(k);
+                json!({"make": "rope", "count": 5, "origin": [-4, y], "velocity": [200, 0],
+                    "to": [-4.0 + 0.4 * angle.cos(), y + 0.4 * angle.sin()], "material": {"kind": "rigid"}})
+            })
+            .collect();
+        // A slab two cells thick, heavy, and a line.
+        let slab = json!({"make": "lattice", "columns": 3, "rows": 40, "spacing": 0.1, "origin": [0, -0.3],
+            "material": {"kind": "spring", "stiffness": 1e5, "damping": 5, "mass": 20}});
+        let mut bodies = rods;
+        bodies.push(slab);
+        let mut world = world(&json!({"wobble": 1, "contact": true, "bodies": bodies}));
+        until(&mut *world, 0.1);
+        let sample = world.sample(world.time());
+        let front = sample.position[30..].iter().map(|x| x[0]).fold(f64::NEG_INFINITY, f64::max);
+        let through = sample.position[..30].iter().filter(|x| x[0] > front).count();
+        assert_eq!((through, crossings(&skin(&*world), &sample)), (0, 0), "at {angle} rad");
+    }
+}
+
+#[test]
+fn nothing_is_looked_for_where_nothing_presses() {
+    let scene = json!({"wobble": 1, "contact": true, "bodies": [disc([0.0, 0.0], [0.1, 0.0]), disc([2.0, 0.0], [0.0, 0.0])]});
+    let mut world = world(&scene);
+    until(&mut *world, 0.5);
+    let early = world.counters().looks;
+    until(&mut *world, 2.0);
+    // One at the start, of each.
+    assert_eq!((early, world.counters().looks, world.counters().mended, world.counters().parted), (2, 2, 0, 0));
+}
