@@ -104,6 +104,7 @@ const SIM: [(&str, &[&str]); 38] = [
             "counters",
             "environment",
             "force",
+            "kernels",
             "ledger",
             "measure",
             "points",

@@ -103,28 +103,29 @@ impl<S: Real> Pair<S> {
         (self.pressed, self.rubbed, self.old, self.is_met) = (S::ZERO, S::ZERO, S::ZERO, false);
     }
 
-    /// Parts point and edge where they are nearer than they may be.
+    /// Parts point and edge where they are nearer than they may be. Returns whether they are nearer than that and `slack` [m], or
+    /// nobody knows.
     #[inline(always)]
-    pub(super) fn press(&mut self, state: &mut Cluster<S>) {
+    pub(super) fn press(&mut self, state: &mut Cluster<S>, slack: S) -> bool {
         let [p, a, b] = [self.p as usize, self.a as usize, self.b as usize];
         if self.side == S::ZERO {
-            return;
+            return false;
         }
-        let Some(found) = beside([state.now[p], state.now[a], state.now[b]], self.side) else { return };
+        let Some(found) = beside([state.now[p], state.now[a], state.now[b]], self.side) else { return true };
         if found.gap >= self.distance && self.pressed == S::ZERO {
-            return;
+            return found.gap < self.distance + slack;
         }
         let Beside { at, normal, gap } = found;
         let rest = S::ONE - at;
         let [w_p, w_a, w_b] = [state.w[p], state.w[a], state.w[b]];
         let w = w_p + rest * rest * w_a + at * at * w_b;
         if w == S::ZERO {
-            return;
+            return true;
         }
         let mut gap = gap;
         if !self.is_met {
             // What comes from behind, around an end, is no contact.
-            let Some(before) = beside([state.start[p], state.start[a], state.start[b]], self.side) else { return };
+            let Some(before) = beside([state.start[p], state.start[a], state.start[b]], self.side) else { return true };
             self.is_met = true;
             let v = sub(state.velocity[p], add(scale(state.velocity[a], rest), scale(state.velocity[b], at)));
             self.approach = dot(v, normal);
@@ -156,6 +157,7 @@ impl<S: Real> Pair<S> {
             state.now[i] = add(state.now[i], shift);
             state.way[i] = add(state.way[i], shift);
         }
+        true
     }
 
     /// Where the point went around an end of the edge in this substep the side is the other one; of what is closed, none until it is

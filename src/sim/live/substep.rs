@@ -96,8 +96,18 @@ fn kick<S: Real>(state: &mut Cluster<S>, common: &Common<S>, outside: Outside<S>
 
 /// The largest speed [m/s].
 pub(super) fn fastest<S: Real>(state: &Cluster<S>) -> S {
-    let square = state.velocity[..state.own()].iter().fold(S::ZERO, |most, &v| most.max(dot(v, v)));
-    square.sqrt()
+    longest(&state.velocity[..state.own()])
+}
+
+/// The largest length in a list: four at once, which do not wait for each other.
+fn longest<S: Real>(list: &[[S; 2]]) -> S {
+    let mut most = [S::ZERO; 4];
+    for four in list.chunks(4) {
+        for (most, &v) in most.iter_mut().zip(four) {
+            *most = most.max(dot(v, v));
+        }
+    }
+    most[0].max(most[1]).max(most[2].max(most[3])).sqrt()
 }
 
 impl<S: Real> Cluster<S> {
@@ -117,19 +127,19 @@ impl<S: Real> Cluster<S> {
 
     /// Which pairs may touch in this substep: those whose points cannot have gone so far, and will not, are left out.
     fn choose(&mut self) {
-        let ways = &self.way[..self.own()];
-        let farthest = ways.iter().fold(S::ZERO, |most, &way| most.max(dot(way, way))).sqrt();
+        let farthest = longest(&self.way[..self.own()]);
         let slack = S::from_f64(PUSHED) * self.least_promise;
         let reach = S::from_f64(2.0) * (self.gone + farthest) + slack;
         self.active.clear();
         self.active.extend(self.rooms.iter().zip(0..).filter(|(room, _)| **room <= reach).map(|(_, number)| number));
     }
 
-    /// One pass over all contacts.
+    /// One pass over all contacts; pairs that are too far apart to touch by what is still to come are left out from then on.
     fn press(&mut self, planes: &[crate::sim::contact::surface::Surface<S, 2>]) {
         let mut pairs = std::mem::take(&mut self.pairs);
-        let active = std::mem::take(&mut self.active);
-        active.iter().for_each(|&number| pairs[number as usize].press(self));
+        let mut active = std::mem::take(&mut self.active);
+        let slack = S::from_f64(PUSHED) * self.least_promise;
+        active.retain(|&number| pairs[number as usize].press(self, slack));
         (self.pairs, self.active) = (pairs, active);
         let mut on_planes = std::mem::take(&mut self.on_planes);
         on_planes.iter_mut().for_each(|on| on.press(self, &planes[on.surface as usize]));
@@ -146,17 +156,17 @@ impl<S: Real> Cluster<S> {
     /// Velocities from what was gone, and positions summed up; then what bounces.
     fn finish(&mut self, h: f64, planes: &[crate::sim::contact::surface::Surface<S, 2>], gravity: [f64; 2]) {
         let rate = S::from_f64(1.0 / h);
-        let mut farthest = S::ZERO;
-        for i in 0..self.own() {
-            let way = self.way[i];
-            farthest = farthest.max(dot(way, way));
-            if self.w[i] != S::ZERO {
-                self.velocity[i] = scale(way, rate);
+        let own = self.own();
+        self.gone += longest(&self.way[..own]);
+        let (now, velocity) = (&mut self.now[..own], &mut self.velocity[..own]);
+        let (start, way, lost, w) = (&self.start[..own], &self.way[..own], &mut self.lost[..own], &self.w[..own]);
+        for i in 0..own {
+            if w[i] != S::ZERO {
+                velocity[i] = scale(way[i], rate);
             }
-            self.now[i] = self.start[i];
-            accumulate(&mut self.now[i], &mut self.lost[i], way);
+            now[i] = start[i];
+            accumulate(&mut now[i], &mut lost[i], way[i]);
         }
-        self.gone += farthest.sqrt();
         for (thin, ends) in self.thin.iter_mut().zip(self.bases.windows(2)) {
             thin.go(&self.way[ends[0] as usize..ends[1] as usize]);
         }

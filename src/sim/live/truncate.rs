@@ -26,7 +26,7 @@ pub(super) fn cut<S: Real>(state: &mut Cluster<S>) {
         let n = found.normal;
         // How fast the point comes down, and how fast the edge comes up.
         let down = (-dot(state.way[p], n)).max(S::ZERO);
-        let [up_a, up_b] = [a, b].map(|end| dot(state.way[end], n).max(S::ZERO));
+        let (up_a, up_b) = (dot(state.way[a], n).max(S::ZERO), dot(state.way[b], n).max(S::ZERO));
         let up = up_a.max(up_b);
         if down + up <= used * found.gap {
             continue;
