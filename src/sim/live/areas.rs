@@ -9,6 +9,9 @@ use crate::sim::vector::{add, dot, scale, sub};
 /// Share of what was missing before a substep that comes back in it.
 const MENDED: f64 = 0.1;
 
+/// Least square of a slope that a triangle is opened along, as a share of its area at rest: a tenth of what it is at rest, about.
+const LEAST_SLOPE: f64 = 0.06;
+
 /// One pass over the triangles.
 pub(super) fn unfold<S: Real>(state: &mut Cluster<S>, common: &Common<S>) {
     for (body, base) in state.members(common) {
@@ -32,9 +35,12 @@ pub(super) fn unfold<S: Real>(state: &mut Cluster<S>, common: &Common<S>) {
             let slopes = [left(sub(z, y)), left(sub(x, z)), left(sub(y, x))].map(|slope| scale(slope, S::HALF));
             let sum =
                 [a, b, c].iter().zip(&slopes).fold(S::ZERO, |sum, (&i, &slope)| sum + state.w[i] * dot(slope, slope));
+            // What is crushed to a point has no slopes to be opened along: no corner goes further than they are long.
+            let least = S::from_f64(LEAST_SLOPE) * area.rest * (state.w[a] + state.w[b] + state.w[c]);
             if sum == S::ZERO {
                 continue;
             }
+            let sum = sum.max(least);
             let (slow, quick) = (slow / sum, quick / sum);
             for (i, slope) in [a, b, c].into_iter().zip(slopes) {
                 let turn = scale(slope, state.w[i]);

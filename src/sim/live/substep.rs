@@ -42,7 +42,7 @@ pub(super) fn advance<S: Real>(state: &mut Cluster<S>, common: &Common<S>, outsi
     shape::resist(state, common, time);
     bonds::hold(state, common);
     mend::lead(state, time);
-    for pass in 0..PASSES {
+    for pass in 0..tree::passes(state, common) {
         shape::hold(state, common);
         areas::unfold(state, common);
         if pass > 0 {
