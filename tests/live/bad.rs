@@ -53,7 +53,8 @@ fn what_overlaps_gains_no_energy() {
         let bodies: Vec<Value> =
             (0..6).map(|k| disc([0.15 * f64::from(k) - 0.4, 0.05 * f64::from(k % 2)], [1.0, 0.5])).collect();
         let [start, most] = energies("overlap", &scene(&contact, &bodies), 2.0);
-        assert!(most < 1.01 * start, "{start} J, then {most} J");
+        // What parts them goes 1 m/s, which six of 1 kg have 3 J at.
+        assert!(most < start + 1.5, "{start} J, then {most} J");
     }
 }
 

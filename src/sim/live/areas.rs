@@ -15,6 +15,8 @@ const MENDED: f64 = 0.1;
 /// Way of the points of a body against each other until it lists its thin triangles anew, in mean edges of its skin: further on more
 /// triangles are listed, nearer it is done more often.
 const PROMISE: f64 = 0.05;
+/// Least square of a slope that a triangle is opened along, as a share of its area at rest: a tenth of what it is at rest, about.
+const LEAST_SLOPE: f64 = 0.06;
 
 /// The triangles of a body that may get thin.
 #[derive(Clone, Debug)]
@@ -129,9 +131,12 @@ fn open<S: Real>(state: &mut Cluster<S>, area: &Area<S>, (base, share): (usize, 
     let quick = (least - now - missed).max(S::ZERO);
     let slopes = [left(sub(z, y)), left(sub(x, z)), left(sub(y, x))].map(|slope| scale(slope, S::HALF));
     let sum = [a, b, c].iter().zip(&slopes).fold(S::ZERO, |sum, (&i, &slope)| sum + state.w[i] * dot(slope, slope));
+    // What is crushed to a point has no slopes to be opened along: no corner goes further than they are long.
+    let least = S::from_f64(LEAST_SLOPE) * area.rest * (state.w[a] + state.w[b] + state.w[c]);
     if sum == S::ZERO {
         return;
     }
+    let sum = sum.max(least);
     let (slow, quick) = (slow / sum, quick / sum);
     for (i, slope) in [a, b, c].into_iter().zip(slopes) {
         let turn = scale(slope, state.w[i]);

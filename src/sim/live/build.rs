@@ -14,6 +14,8 @@ use crate::sim::vector::{length, sub};
 
 /// Share of the mean edge of a skin that its radius is where nothing is said.
 const RADIUS: f64 = 0.05;
+/// The most of it: what is thicker would press its own edges apart.
+const MOST_RADIUS: f64 = 0.5;
 /// Bonds of a path from which on it is solved as one.
 const LEAST_PATH: usize = 4;
 
@@ -130,12 +132,14 @@ impl<S: Real> Bodies<S> {
         let contact = draft.contact.unwrap_or_default();
         let radius = draft.contact.and(contact.radius);
         let radius = radius.map_or(edge_length * S::from_f64(RADIUS), S::from_f64);
+        let most = if edge_length > S::ZERO { edge_length * S::from_f64(MOST_RADIUS) } else { S::INFINITY };
+        let radius = radius.min(most);
         self.edges.extend(edges.iter().map(|edge| Edge { ends: edge.ends.map(|end| local[end as usize]), ..*edge }));
         self.corners.extend(corners.iter().map(|&corner| local[corner as usize]));
         self.order.extend(&own.points);
         let ends = self.ends();
         let corners = Span { first: starts[5], end: ends[5] };
-        let radius = self.note_skins((&own.points, corners), &draft.skins, (&contact, radius));
+        let radius = self.note_skins((&own.points, corners), &draft.skins, (&contact, radius, most));
         let span = |k: usize| Span { first: starts[k], end: ends[k] };
         let [stiffness, decay] = bounds(&springs, w);
         self.list.push(Body {

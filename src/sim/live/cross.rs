@@ -14,6 +14,8 @@ pub(super) struct Crossing<S> {
     pub(super) at: [S; 2],
     /// +1 where the second body's edge leaves the first body, -1 where it enters it.
     pub(super) turn: S,
+    /// Both edges.
+    pub(super) ends: [[u32; 2]; 2],
     /// Both have something on their right.
     pub(super) is_closed: bool,
 }
@@ -69,6 +71,7 @@ fn crossing<S: Real>(state: &Cluster<S>, [first, second]: [&Side; 2]) -> Option<
     }
     Some(Crossing {
         bodies: [first.body, second.body],
+        ends: [first.ends, second.ends],
         at: add(c, scale(v, from / (from - to))),
         turn: if to > S::ZERO { S::ONE } else { -S::ONE },
         is_closed: first.is_closed && second.is_closed,

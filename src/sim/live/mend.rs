@@ -26,6 +26,8 @@ pub(super) struct Piece<S> {
     mass: Vec<S>,
     /// How fast the largest error shrinks [m/s].
     speed: S,
+    /// Cosine and sine of the shape's angle, which goes on as the points turn: the fit of what is crumpled would jump.
+    turn: [S; 2],
 }
 
 /// Where a shape lies: its middle, cosine and sine of its angle.
@@ -56,8 +58,9 @@ impl<S: Real> Piece<S> {
         let mass: Vec<S> = points.iter().map(w).map(|w| if w > S::ZERO { S::ONE / w } else { held }).collect();
         let middle = mean(&mass, shape.iter().copied());
         shape.iter_mut().for_each(|q| *q = sub(*q, middle));
-        let mut piece = Piece { points, shape, mass, speed: S::ZERO };
+        let mut piece = Piece { points, shape, mass, speed: S::ZERO, turn: [S::ONE, S::ZERO] };
         let place = piece.fit(&state.now, base);
+        piece.turn = place.turn;
         piece.speed = piece.farthest(&state.now, base, &place) / S::from_f64(TIME);
         piece
     }
@@ -91,8 +94,24 @@ impl<S: Real> Piece<S> {
     }
 
     /// Leads the points on by a substep of `h` [s].
-    fn lead(&self, state: &mut Cluster<S>, base: usize, h: S) {
-        let (before, after) = (self.fit(&state.start, base), self.fit(&state.now, base));
+    fn lead(&mut self, state: &mut Cluster<S>, base: usize, h: S) {
+        let middle = |x: &[[S; 2]]| mean(&self.mass, self.points.iter().map(|&point| x[base + point as usize]));
+        let before = Place { middle: middle(&state.start), turn: self.turn };
+        let after = middle(&state.now);
+        let (mut along, mut across) = (S::ZERO, S::ZERO);
+        for (&point, &mass) in self.points.iter().zip(&self.mass) {
+            let i = base + point as usize;
+            let (from, to) = (sub(state.start[i], before.middle), sub(state.now[i], after));
+            along += mass * dot(from, to);
+            across += mass * wedge(from, to);
+        }
+        let length = (along * along + across * across).sqrt();
+        if length > S::ZERO {
+            let ([c, s], [x, y]) = (self.turn, [along / length, across / length]);
+            let turn = [c * x - s * y, s * x + c * y];
+            self.turn = scale(turn, S::ONE / dot(turn, turn).sqrt());
+        }
+        let after = Place { middle: after, turn: self.turn };
         let farthest = self.farthest(&state.start, base, &before);
         let kept = if farthest > S::ZERO { (S::ONE - self.speed * h / farthest).max(S::ZERO) } else { S::ZERO };
         for (&point, &q) in self.points.iter().zip(&self.shape) {
@@ -128,10 +147,10 @@ impl<S: Real> Cluster<S> {
 
 /// Leads all pieces of a cluster on by a substep of `h` [s].
 pub(super) fn lead<S: Real>(state: &mut Cluster<S>, h: S) {
-    let knots = std::mem::take(&mut state.tangle.knots);
-    for knot in &knots {
+    let mut knots = std::mem::take(&mut state.tangle.knots);
+    for knot in &mut knots {
         let base = state.bases[knot.body as usize] as usize;
-        for piece in &knot.pieces {
+        for piece in &mut knot.pieces {
             piece.lead(state, base, h);
             state.counts.mended += piece.points.len() as u64;
             state.counts.work += 60 * piece.points.len() as u64;

@@ -14,12 +14,13 @@ pub(super) struct Skin<S> {
 }
 
 impl<S: Real> Skin<S> {
-    /// What a material says, and where it says nothing what holds for all; `radius`: that of the body [m].
-    pub(super) fn new(material: SkinMaterial, contact: &Contact, radius: S) -> Self {
+    /// What a material says, and where it says nothing what holds for all; `radius`, `most`: that of the body and the
+    /// largest one that it bears [m].
+    pub(super) fn new(material: SkinMaterial, contact: &Contact, [radius, most]: [S; 2]) -> Self {
         Skin {
             friction: S::from_f64(material.friction.unwrap_or(contact.friction)),
             restitution: S::from_f64(material.restitution.unwrap_or(contact.restitution)),
-            radius: material.radius.map_or(radius, S::from_f64),
+            radius: material.radius.map_or(radius, |own| S::from_f64(own).min(most)),
         }
     }
 }
@@ -37,13 +38,13 @@ impl<S: Real> Bodies<S> {
         &mut self,
         (points, corners): (&[u32], Span),
         materials: &[SkinMaterial],
-        (contact, radius): (&Contact, S),
+        (contact, radius, most): (&Contact, S, S),
     ) -> S {
         if materials.is_empty() {
             return radius;
         }
         let first = self.skins.len();
-        self.skins.extend(points.iter().map(|&slot| Skin::new(materials[slot as usize], contact, radius)));
+        self.skins.extend(points.iter().map(|&slot| Skin::new(materials[slot as usize], contact, [radius, most])));
         let of = |&corner: &u32| self.skins[first + corner as usize].radius;
         self.corners[corners.range()].iter().map(of).fold(S::ZERO, S::max)
     }

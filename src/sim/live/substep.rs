@@ -47,7 +47,7 @@ pub(super) fn advance<S: Real>(state: &mut Cluster<S>, common: &Common<S>, outsi
     mend::lead(state, time);
     areas::look(state, common);
     state.choose();
-    for pass in 0..PASSES {
+    for pass in 0..tree::passes(state, common) {
         shape::hold(state, common);
         areas::unfold(state, common);
         if pass > 0 {

@@ -39,7 +39,6 @@ pub(super) struct Knot<S> {
     tried: f64,
     calm: f64,
     rings: u32,
-    crosses: bool,
 }
 
 impl<S> Knot<S> {
@@ -186,14 +185,14 @@ fn knots<S: Real>(
     let mut old = std::mem::take(&mut tangle.knots).into_iter().peekable();
     for (k, (body, _)) in (0..).zip(state.members(common)) {
         let own = &folded[folded.partition_point(|entry| entry.0 < k)..folded.partition_point(|entry| entry.0 <= k)];
-        let crosses = body.areas.len() > 0
-            && crossings.binary_search_by_key(&[k, k], |crossing| crossing.bodies).is_ok();
+        let [from, to] = [[k, k], [k, k + 1]].map(|key| crossings.partition_point(|crossing| crossing.bodies < key));
+        let own_crossings = if body.areas.len() > 0 { &crossings[from..to] } else { &[] };
         let before = old.next_if(|knot| knot.body == k);
-        let is_bad = crosses || !own.is_empty();
+        let is_bad = !own_crossings.is_empty() || !own.is_empty();
         if before.is_none() && !is_bad {
             continue;
         }
-        let fresh = Knot { body: k, pieces: Vec::new(), time: first, tried: 0.0, calm: 0.0, rings: RINGS, crosses };
+        let fresh = Knot { body: k, pieces: Vec::new(), time: first, tried: 0.0, calm: 0.0, rings: RINGS };
         let mut knot = before.unwrap_or(fresh);
         knot.calm = if is_bad { 0.0 } else { knot.calm + h };
         knot.time += h;
@@ -205,8 +204,7 @@ fn knots<S: Real>(
         if is_bad && (begins || (knot.is_mended() && knot.tried >= TRIED)) {
             knot.rings = if begins { knot.rings } else { knot.rings.saturating_mul(4) };
             knot.tried = 0.0;
-            knot.crosses = crosses;
-            knot.cut_out(state, common, own);
+            knot.cut_out(state, common, (own, own_crossings));
         }
         tangle.knots.push(knot);
     }
@@ -222,17 +220,27 @@ fn knots<S: Real>(
 }
 
 impl<S: Real> Knot<S> {
-    /// Cuts out what is led back: what is folded with some rings about it, or the body, where it crosses itself.
-    fn cut_out(&mut self, state: &Cluster<S>, common: &Common<S>, folded: &[(u32, u32)]) {
+    /// Cuts out what is led back: what is folded or crosses, with some rings about it; all of a body that crosses itself far from there.
+    fn cut_out(
+        &mut self,
+        state: &Cluster<S>,
+        common: &Common<S>,
+        (folded, crossings): (&[(u32, u32)], &[Crossing<S>]),
+    ) {
         let body = &common.bodies.list[state.bodies[self.body as usize]];
         let base = state.bases[self.body as usize] as usize;
         let sheet = Sheet::new(state, common, (body, base));
-        let mut points = vec![self.crosses; body.points.len()];
+        let mut points = vec![false; body.points.len()];
         let areas = common.areas(body);
         for &(_, number) in folded {
             areas[number as usize].corners.iter().for_each(|&corner| points[corner as usize] = true);
         }
-        let shapes = sheet.shapes(&sheet.around(&points, self.rings));
+        let ends = crossings.iter().flat_map(|crossing| crossing.ends).flatten();
+        ends.for_each(|end| points[end as usize - base] = true);
+        let mut shapes = sheet.shapes(&sheet.around(&points, self.rings));
+        if shapes.len() > 1 && !crossings.is_empty() {
+            shapes = sheet.shapes(&vec![true; body.points.len()]);
+        }
         self.pieces = shapes.into_iter().map(|(points, shape)| Piece::new(state, base, points, shape)).collect();
     }
 }

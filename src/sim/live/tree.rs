@@ -13,6 +13,8 @@ use crate::sim::vector::{add, dot, scale, sub, zero};
 
 /// Fewest bonds that are solved so.
 const LEAST: usize = 4;
+/// Passes over contacts, each after a round: a crumpled rope that strikes itself at 40 m/s is strained by 0.5 with 3.
+const PASSES: u32 = 8;
 /// Rounds of it before contacts, and one after each pass over them.
 const ROUNDS: u32 = 2;
 
@@ -90,6 +92,12 @@ impl<S: Real> Loose<S> {
 /// Solves the forest of a body before contacts are.
 pub(super) fn solve<S: Real>(state: &mut Cluster<S>, links: &[Link<S>], (base, count): (usize, usize)) {
     (0..ROUNDS).for_each(|_| round(state, links, (base, count)));
+}
+
+/// Passes over areas and contacts: more where something near has trees, whose bonds each of them pulls at.
+pub(super) fn passes<S: Real>(state: &Cluster<S>, common: &Common<S>) -> u32 {
+    let is_near = !state.pairs.is_empty() || !state.on_planes.is_empty();
+    if is_near && state.members(common).any(|(body, _)| body.tree > 0) { PASSES } else { super::substep::PASSES }
 }
 
 /// One round over the forests of what was pressed in this substep.
