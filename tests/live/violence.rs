@@ -154,8 +154,14 @@ fn what_starts_pierced_comes_apart_gently() {
         ("a bar in a disc", at_rest(room(&[large.clone(), bar([0.1, 1.0])]))),
         ("two discs", at_rest(room(&[disc([0.0, 1.0], [0.0; 2]), disc([0.2, 1.1], [0.0; 2])]))),
         ("two discs in one place", at_rest(room(&[disc([0.0, 1.0], [0.0; 2]), disc([0.0, 1.0], [0.0; 2])]))),
-        ("a disc in a disc", at_rest(room(&[large.clone(), json!({"make": "disc", "radius": 0.15, "spacing": 0.1,
-            "origin": [0.02, 1.0], "material": soft()})]))),
+        (
+            "a disc in a disc",
+            at_rest(room(&[
+                large.clone(),
+                json!({"make": "disc", "radius": 0.15, "spacing": 0.1,
+            "origin": [0.02, 1.0], "material": soft()}),
+            ])),
+        ),
         ("on a floor", room(&[disc([0.0, 0.26], [0.0; 2]), disc([0.05, 0.5], [0.0; 2])])),
     ];
     for (what, scene) in scenes {
@@ -207,7 +213,8 @@ fn no_rod_gets_through_a_thin_body() {
 
 #[test]
 fn nothing_is_looked_for_where_nothing_presses() {
-    let scene = json!({"wobble": 1, "contact": true, "bodies": [disc([0.0, 0.0], [0.1, 0.0]), disc([2.0, 0.0], [0.0, 0.0])]});
+    let scene =
+        json!({"wobble": 1, "contact": true, "bodies": [disc([0.0, 0.0], [0.1, 0.0]), disc([2.0, 0.0], [0.0, 0.0])]});
     let mut world = world(&scene);
     until(&mut *world, 0.5);
     let early = world.counters().looks;

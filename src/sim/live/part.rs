@@ -8,7 +8,7 @@
 
 use super::cluster::Cluster;
 use super::cross::Crossing;
-use super::pair::left;
+use super::pair::{Pair, left};
 use crate::sim::real::Real;
 use crate::sim::vector::{add, dot, scale, sub, zero};
 
@@ -145,7 +145,8 @@ pub(super) fn suspend<S: Real>(state: &mut Cluster<S>) {
     if state.tangle.couples.is_empty() && state.tangle.knots.is_empty() {
         return;
     }
-    let Cluster { pairs, body_of, tangle, .. } = state;
+    let Cluster { pairs, rooms, active, body_of, tangle, .. } = state;
+    active.clear();
     pairs.retain(|pair| {
         let [a, b] = [pair.p, pair.a].map(|i| body_of[i as usize]);
         let bodies = [a.min(b), a.max(b)];
@@ -155,4 +156,7 @@ pub(super) fn suspend<S: Real>(state: &mut Cluster<S>) {
             !tangle.couples.iter().any(|couple| couple.bodies == bodies && couple.is_parted())
         }
     });
+    pairs.iter_mut().for_each(Pair::clear);
+    rooms.clear();
+    rooms.extend(pairs.iter().map(|pair| pair.room));
 }

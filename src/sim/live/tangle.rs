@@ -149,8 +149,7 @@ fn couples<S: Real>(state: &Cluster<S>, tangle: &mut Tangle<S>, crossings: &[Cro
         }
     }
     if first > 0.0 || old.iter().any(Couple::is_parted) {
-        let is_crossed =
-            |bodies: &[u32; 2]| crossings.binary_search_by_key(bodies, |crossing| crossing.bodies).is_ok();
+        let is_crossed = |bodies: &[u32; 2]| crossings.binary_search_by_key(bodies, |crossing| crossing.bodies).is_ok();
         for bodies in cross::swallowed(state).into_iter().filter(|bodies| !is_crossed(bodies)) {
             add(bodies, &[]);
         }
