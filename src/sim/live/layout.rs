@@ -2,9 +2,9 @@
 
 use super::body::{Area, Body};
 use super::cluster::{Cluster, Common};
+use super::pair::left;
 use crate::sim::real::Real;
 use crate::sim::vector::{add, dot, scale, sub};
-use super::pair::left;
 
 /// Points that hang together by triangles, and where they are at rest [m].
 pub(super) type Shape<S> = (Vec<u32>, Vec<[S; 2]>);

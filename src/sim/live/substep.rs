@@ -20,6 +20,9 @@ pub(super) const PASSES: u32 = 3;
 /// Speeds below which nothing bounces, in what gravity gives within a substep.
 pub(super) const LEAST_BOUNCE: f64 = 2.0;
 
+/// How fast skins that overlap are parted at most [m/s].
+const GENTLE: f64 = 1.0;
+
 /// What acts from outside, the same for all clusters.
 #[derive(Clone, Copy)]
 pub(super) struct Outside<'a, S: Real> {
@@ -98,6 +101,7 @@ pub(super) fn fastest<S: Real>(state: &Cluster<S>) -> S {
 impl<S: Real> Cluster<S> {
     /// Where velocities take the points.
     fn predict(&mut self, h: S) {
+        self.gentle = h * S::from_f64(GENTLE);
         for i in 0..self.own() {
             let way = scale(self.velocity[i], h);
             self.start[i] = self.now[i];
