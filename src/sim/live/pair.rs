@@ -96,6 +96,13 @@ pub(super) fn beside<S: Real>([p, a, b]: [[S; 2]; 3], side: S) -> Option<Beside<
     (gap > S::ZERO).then(|| Beside { at, normal: scale(from, S::ONE / gap), gap })
 }
 
+/// Whether a point is further behind an edge than that is long: it does not come out there.
+#[inline(always)]
+fn gap_is_hopeless<S: Real>(gap: S, [a, b]: [[S; 2]; 2]) -> bool {
+    let u = sub(b, a);
+    gap < S::ZERO && gap * gap > dot(u, u)
+}
+
 impl<S: Real> Pair<S> {
     /// The substep begins anew.
     #[inline(always)]
@@ -115,6 +122,9 @@ impl<S: Real> Pair<S> {
         if found.gap >= self.distance && self.pressed == S::ZERO {
             return found.gap < self.distance + slack;
         }
+        if gap_is_hopeless(found.gap, [state.now[a], state.now[b]]) && p.max(a) < state.own() {
+            return;
+        }
         let Beside { at, normal, gap } = found;
         let rest = S::ONE - at;
         let [w_p, w_a, w_b] = [state.w[p], state.w[a], state.w[b]];
@@ -131,7 +141,10 @@ impl<S: Real> Pair<S> {
             self.approach = dot(v, normal);
             let overlap = (self.distance - before.gap).max(S::ZERO);
             if overlap > S::ZERO {
-                let mended = overlap * S::from_f64(MENDED);
+                // Between skins slowly: a body that is deep in another would be torn, its springs loaded from nowhere.
+                let is_between_skins = p.max(a) < state.own();
+                let most = if is_between_skins { state.gentle } else { S::INFINITY };
+                let mended = (overlap * S::from_f64(MENDED)).min(most);
                 let push = mended / w;
                 for (i, share) in [(p, w_p), (a, -rest * w_a), (b, -at * w_b)] {
                     let shift = scale(normal, share * push);

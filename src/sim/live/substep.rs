@@ -22,6 +22,8 @@ pub(super) const LEAST_BOUNCE: f64 = 2.0;
 
 /// How far contacts and areas may push a point beyond its way within a substep, in the least promise: pairs further apart are left out.
 const PUSHED: f64 = 0.2;
+/// How fast skins that overlap are parted at most [m/s].
+const GENTLE: f64 = 1.0;
 
 /// What acts from outside, the same for all clusters.
 #[derive(Clone, Copy)]
@@ -113,6 +115,7 @@ fn longest<S: Real>(list: &[[S; 2]]) -> S {
 impl<S: Real> Cluster<S> {
     /// Where velocities take the points.
     fn predict(&mut self, h: S) {
+        self.gentle = h * S::from_f64(GENTLE);
         for i in 0..self.own() {
             let way = scale(self.velocity[i], h);
             self.start[i] = self.now[i];

@@ -20,10 +20,10 @@ const EVERY: u8 = 8;
 const PATIENCE: f64 = 0.1;
 /// Share of its area from which on a triangle is mended, and after how long [s].
 const LEAST: f64 = 0.15;
-const FOLDED: f64 = 0.25;
+const FOLDED: f64 = 0.15;
 /// Rings of triangles about those that go with them at first, and how long they are given before more do [s].
 const RINGS: u32 = 3;
-const TRIED: f64 = 0.6;
+const TRIED: f64 = 0.5;
 /// How long all is right before a piece is let go [s].
 const CALM: f64 = 0.1;
 
@@ -138,7 +138,9 @@ fn couples<S: Real>(state: &Cluster<S>, tangle: &mut Tangle<S>, crossings: &[Cro
     let mut add = |bodies: [u32; 2], crossings: &[Crossing<S>]| {
         let mut couple = known(bodies).unwrap_or(Couple { bodies, time: first, out: zero() });
         couple.time += h;
-        if couple.time >= PATIENCE {
+        // What is led back to its shape is not to be held by what it lies in.
+        let is_led = tangle.knots.iter().any(|knot| knot.is_mended() && bodies.contains(&knot.body));
+        if couple.time >= PATIENCE || is_led {
             couple.out = part::way_out(state, bodies, crossings);
         }
         tangle.couples.push(couple);
