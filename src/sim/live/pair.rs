@@ -123,7 +123,7 @@ impl<S: Real> Pair<S> {
             return found.gap < self.distance + slack;
         }
         if gap_is_hopeless(found.gap, [state.now[a], state.now[b]]) && p.max(a) < state.own() {
-            return;
+            return true;
         }
         let Beside { at, normal, gap } = found;
         let rest = S::ONE - at;
