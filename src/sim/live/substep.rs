@@ -21,7 +21,7 @@ pub(super) const PASSES: u32 = 3;
 pub(super) const LEAST_BOUNCE: f64 = 2.0;
 
 /// How far contacts and areas may push a point beyond its way within a substep, in the least promise: pairs further apart are left out.
-const PUSHED: f64 = 0.2;
+pub(super) const PUSHED: f64 = 0.2;
 /// How fast skins that overlap are parted at most [m/s].
 const GENTLE: f64 = 1.0;
 
@@ -48,14 +48,15 @@ pub(super) fn advance<S: Real>(state: &mut Cluster<S>, common: &Common<S>, outsi
     bonds::hold(state, common);
     mend::lead(state, time);
     areas::look(state, common);
-    state.choose();
-    for pass in 0..tree::passes(state, common) {
+    let (passes, pushed) = tree::passes(state, common);
+    state.choose(pushed);
+    for pass in 0..passes {
         shape::hold(state, common);
         areas::unfold(state, common);
         if pass > 0 {
             tree::straighten(state, common);
         }
-        state.press(outside.pull.contacts.obstacles.planes());
+        state.press(outside.pull.contacts.obstacles.planes(), pushed);
     }
     super::truncate::cut(state);
     state.follow_sides();
@@ -129,19 +130,17 @@ impl<S: Real> Cluster<S> {
     }
 
     /// Which pairs may touch in this substep: those whose points cannot have gone so far, and will not, are left out.
-    fn choose(&mut self) {
+    fn choose(&mut self, slack: S) {
         let farthest = longest(&self.way[..self.own()]);
-        let slack = S::from_f64(PUSHED) * self.least_promise;
         let reach = S::from_f64(2.0) * (self.gone + farthest) + slack;
         self.active.clear();
         self.active.extend(self.rooms.iter().zip(0..).filter(|(room, _)| **room <= reach).map(|(_, number)| number));
     }
 
     /// One pass over all contacts; pairs that are too far apart to touch by what is still to come are left out from then on.
-    fn press(&mut self, planes: &[crate::sim::contact::surface::Surface<S, 2>]) {
+    fn press(&mut self, planes: &[crate::sim::contact::surface::Surface<S, 2>], slack: S) {
         let mut pairs = std::mem::take(&mut self.pairs);
         let mut active = std::mem::take(&mut self.active);
-        let slack = S::from_f64(PUSHED) * self.least_promise;
         active.retain(|&number| pairs[number as usize].press(self, slack));
         (self.pairs, self.active) = (pairs, active);
         let mut on_planes = std::mem::take(&mut self.on_planes);

@@ -13,12 +13,16 @@ use crate::sim::vector::{add, dot, scale, sub, zero};
 
 /// Fewest bonds that are solved so.
 const LEAST: usize = 4;
-/// Passes over contacts, each after a round: a crumpled rope that strikes itself at 40 m/s is strained by 0.5 with 3.
+/// Passes over contacts, each after a round: a crumpled rope that strikes itself at 40 m/s is strained by 0.5 with 3. Trees of more
+/// bonds than these have as many as all others: eight would take them over the time of a frame.
 const PASSES: u32 = 8;
+const MOST: u32 = 64;
 /// Rounds of it before contacts, and one after each pass over them.
 const ROUNDS: u32 = 2;
 
 /// Of these bonds the forest that they make, every bond from parent to child and parents first, if they make one: what is held is a root.
+///
+/// Nothing with branches that hangs between pins: where it is taut, it swings faster than substeps can follow, and sweeps bear that.
 pub(super) fn forest(rigid: &[Bond], is_pinned: impl Fn(u32) -> bool) -> Option<Vec<Bond>> {
     if rigid.len() < LEAST {
         return None;
@@ -61,7 +65,9 @@ pub(super) fn forest(rigid: &[Bond], is_pinned: impl Fn(u32) -> bool) -> Option<
             (parent, next) = (bond.b.0, next + 1);
         }
     }
-    Some(list)
+    let has_branches = points.iter().any(|&point| of(point).count() > 2);
+    let is_between_pins = list.iter().any(|bond| is_pinned(bond.b.0));
+    (!has_branches || !is_between_pins).then_some(list)
 }
 
 /// A bond on its way up.
@@ -94,10 +100,19 @@ pub(super) fn solve<S: Real>(state: &mut Cluster<S>, links: &[Link<S>], (base, c
     (0..ROUNDS).for_each(|_| round(state, links, (base, count)));
 }
 
-/// Passes over areas and contacts: more where something near has trees, whose bonds each of them pulls at.
-pub(super) fn passes<S: Real>(state: &Cluster<S>, common: &Common<S>) -> u32 {
-    let is_near = !state.pairs.is_empty() || !state.on_planes.is_empty();
-    if is_near && state.members(common).any(|(body, _)| body.tree > 0) { PASSES } else { super::substep::PASSES }
+/// Passes over areas and contacts, more where something near has trees, whose bonds each of them pulls at; and how far a pass may push
+/// what is not near yet [m].
+pub(super) fn passes<S: Real>(state: &Cluster<S>, common: &Common<S>) -> (u32, S) {
+    let usual = (super::substep::PASSES, S::from_f64(super::substep::PUSHED) * state.least_promise);
+    if state.pairs.is_empty() && state.on_planes.is_empty() {
+        return usual;
+    }
+    let largest = state.members(common).map(|(body, _)| body.tree).max().unwrap_or_default();
+    match largest {
+        0 => usual,
+        1..=MOST => (PASSES, S::INFINITY),
+        _ => (usual.0, S::INFINITY),
+    }
 }
 
 /// One round over the forests of what was pressed in this substep.
