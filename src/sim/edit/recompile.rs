@@ -463,7 +463,7 @@ mod tests {
         let model = Model {
             velocity: vec![[0.0; 2]; 5],
             mass: vec![1.0; 5],
-            triangles: [[0, 1, 2], [4, 2, 1], [1, 3, 4]].map(|corners| corners.map(PointId)).to_vec(),
+            triangles: [[0, 1, 3], [4, 2, 1], [0, 3, 4]].map(|corners| corners.map(PointId)).to_vec(),
             contact: Some(Contact { friction: 0.1, ..Contact::default() }),
             position,
             ..Model::default()

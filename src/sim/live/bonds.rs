@@ -129,7 +129,10 @@ impl<S: Real> Hold<S> {
 pub(super) fn prepare<S: Real>(state: &mut Cluster<S>, common: &Common<S>, h: S) {
     let members = state.members(common);
     let Cluster { pulls, odd_pulls, firm, holds, w, touches, .. } = state;
-    (pulls.clear(w.len()), odd_pulls.clear(), firm.clear(w.len()), holds.clear());
+    pulls.clear(w.len());
+    odd_pulls.clear();
+    firm.clear(w.len());
+    holds.clear();
     for (k, (body, base)) in members.enumerate() {
         let springs = common.springs(body);
         let are_forces = are_forces(body, touches[k], h);

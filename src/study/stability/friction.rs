@@ -177,7 +177,8 @@ impl Rough {
         let jump = |k: usize| now.momentum[k] - before.momentum[k] - mass * gravity[k] * dt;
         let [rubbed, pressed] = self.split([jump(0), jump(1)]);
         let weight = mass * gravity[0].hypot(gravity[1]) * dt;
-        if self.friction == 0.0 || pressed <= BLOW * weight {
+        let is_same = before.position.len() == now.position.len();
+        if self.friction == 0.0 || pressed <= BLOW * weight || !is_same {
             return None;
         }
         let at = |passed: &Passed, i: usize| {
