@@ -9,6 +9,7 @@
 use super::cluster::Cluster;
 use super::cross::Crossing;
 use super::pair::{Pair, left};
+use super::tangle::Knot;
 use crate::sim::real::Real;
 use crate::sim::vector::{add, dot, scale, sub, zero};
 
@@ -142,7 +143,8 @@ pub(super) fn drift<S: Real>(state: &mut Cluster<S>, h: S) {
 
 /// Takes contacts away between bodies that are parted, and of bodies that are mended with themselves.
 pub(super) fn suspend<S: Real>(state: &mut Cluster<S>) {
-    if state.tangle.couples.is_empty() && state.tangle.knots.is_empty() {
+    let tangle = &state.tangle;
+    if !tangle.couples.iter().any(Couple::is_parted) && !tangle.knots.iter().any(Knot::is_mended) {
         return;
     }
     let Cluster { pairs, rooms, active, body_of, tangle, .. } = state;
