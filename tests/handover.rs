@@ -1,6 +1,9 @@
 //! Islands that go from their own methods to the live step, by budget and on alarms, and back.
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic, reason = "a test that cannot go on stops")]
 
+#[path = "handover/meet.rs"]
+mod meet;
+
 use std::path::Path;
 
 use serde_json::{Value, json};

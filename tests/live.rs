@@ -99,7 +99,7 @@ fn a_block_on_a_slope_slides_and_holds_by_coulombs_law() {
     let angle = 20.0_f64.to_radians();
     let g = [9.81 * angle.sin(), -9.81 * angle.cos()];
     let scene = |share: f64| {
-        json!({"wobble": 1, "gravity": g, "contact": true,
+        json!({"wobble": 1, "gravity": g, "contact": true, "method": {"solver": "live"},
             "bodies": [{"make": "lattice", "columns": 6, "rows": 4, "spacing": 0.1, "origin": [0, 0],
                 "material": {"kind": "spring", "stiffness": 20000, "damping": 0.5, "mass": 2}}],
             "obstacles": [{"plane": {"point": [0, 0], "normal": [0, 1]}, "friction": share * angle.tan()}]})

@@ -320,8 +320,13 @@ impl<const D: usize> Model<D> {
     /// The counted work of a frame beyond which islands are handed over to the live step [ms]; `None`: none ever is.
     pub(crate) fn budget(&self) -> Option<f64> {
         let Method { solver, tolerance, budget, .. } = self.method;
-        let is_meant = D == 2 && solver == Solver::Auto && tolerance.is_none() && self.contact.is_none();
+        let is_meant = D == 2 && solver == Solver::Auto && tolerance.is_none() && self.convex.is_empty();
         budget.filter(|_| is_meant)
+    }
+
+    /// Whether islands are moved by their own methods until they may meet something.
+    pub(crate) fn meets_on_demand(&self) -> bool {
+        self.contact.is_some() && self.budget().is_some()
     }
 
     /// The acceleration that is the same everywhere and for ever [m/s^2]: gravity, and what the mean wind gives by drag.
@@ -340,9 +345,10 @@ impl<const D: usize> Model<D> {
         self.drag_rate == 0.0 && self.wind.is_some_and(|wind| wind.velocity.iter().any(|&u| u != 0.0))
     }
 
-    /// Whether all that can move is moved together by the live step.
+    /// Whether all that can move is moved together by the live step from the start.
     pub(crate) fn is_live(&self) -> bool {
-        self.contact.is_some() || self.method.solver == Solver::Live || !self.convex.is_empty()
+        let meets = self.contact.is_some() && !self.meets_on_demand();
+        meets || self.method.solver == Solver::Live || !self.convex.is_empty()
     }
 
     /// Times at which a step has to end [s]: knots of tracks, and the duration; in any order.

@@ -87,19 +87,27 @@ impl Moved {
 
     /// Whether it was handed over to the live step.
     pub(crate) fn is_handed_over(&self) -> bool {
-        matches!(self.why, Why::Budget | Why::Alarm)
+        self.why != Why::Plan
     }
 
     /// Handed over at `t` [s]: for 1 s after an alarm and 2 s where the budget was the reason, twice as long every time that it
     /// happens again soon.
     pub(crate) fn handed_over(self, t: f64, why: Why) -> Self {
         let times = if t - self.since > FORGOTTEN { 0 } else { self.times };
-        Moved { since: t, why, until: t + wait(why, times), times: times + 1 }
+        // Whoever meets others often is none the worse for it.
+        let again = if why == Why::Contact { times } else { times + 1 };
+        let wait = wait(why, if why == Why::Contact { 0 } else { times });
+        Moved { since: t, why, until: t + wait, times: again }
     }
 
     /// Back to its own method at `t` [s].
     pub(crate) fn handed_back(self, t: f64) -> Self {
         Moved { since: t, why: Why::Plan, until: t, times: self.times }
+    }
+
+    /// Live at `t` [s] as others are that it may touch.
+    pub(crate) fn kept_until_apart(self, t: f64) -> Self {
+        Moved { until: self.until.max(t + wait(Why::Contact, 0)), ..self }
     }
 
     /// It cannot go back at `t` [s] yet.

@@ -1,6 +1,7 @@
 //! One step of a world, phase by phase.
 //!
 //! ```text
+//! meet        bodies that may touch each other in the step are moved together from its start on (`handover`)
 //! take back   groups that no command touched since the step was cut take it whole
 //! wake        what the cursor reaches or a grab holds
 //! sweep       a cursor that goes far is followed in parts of the step, by the groups on its way
@@ -38,6 +39,8 @@ struct Due {
 impl<S: Real, const D: usize> World<S, D> {
     /// Takes what is left of the step under way.
     pub(crate) fn finish_step(&mut self) {
+        self.foresee();
+        self.meet();
         let kept = self.take_back();
         self.advance(&kept, |world, from| world.timeline.left(from));
         self.timeline.advance();
@@ -46,6 +49,8 @@ impl<S: Real, const D: usize> World<S, D> {
     /// Goes to `time` [s] within the step under way. What no command touches there takes the step whole afterwards, as if it had
     /// not been cut.
     pub(crate) fn cut_step(&mut self, time: f64) {
+        self.foresee();
+        self.meet();
         let kept = self.take_back();
         self.keep(&kept);
         self.advance_to(&kept, time);

@@ -104,6 +104,11 @@ impl Timeline {
         if from == self.after(self.done) { self.substep } else { self.after(self.done + 1) - from }
     }
 
+    /// Whether no substep is under way.
+    pub(crate) fn is_between_steps(&self) -> bool {
+        self.within.is_none()
+    }
+
     /// Ends the substep under way.
     pub(crate) fn advance(&mut self) {
         self.within = None;

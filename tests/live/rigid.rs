@@ -15,7 +15,7 @@ fn strain(world: &dyn Dynamics, sample: &Sample) -> f64 {
 }
 
 fn thrown(body: &Value, wall: &Value) -> Vec<f64> {
-    let mut scene = json!({"wobble": 1, "contact": true, "bodies": [body]});
+    let mut scene = json!({"wobble": 1, "contact": true, "method": {"solver": "live"}, "bodies": [body]});
     for (key, value) in wall.as_object().unwrap() {
         scene[key] = value.clone();
     }
@@ -78,7 +78,7 @@ fn trees_thrown_at_a_wall_keep_their_lengths() {
         }
     }
     for velocity in [[0.0, -50.0], [50.0, 0.0], [35.0, -35.0]] {
-        let scene = json!({"wobble": 1, "contact": true, "bonds": bonds,
+        let scene = json!({"wobble": 1, "contact": true, "method": {"solver": "live"}, "bonds": bonds,
             "points": {"position": positions, "velocity": vec![velocity; positions.len()]},
             "bounds": {"min": [-9, -1], "max": [2, 9]}});
         let mut world = world(&scene);

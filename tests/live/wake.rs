@@ -6,7 +6,7 @@ use super::{disc, world};
 
 #[test]
 fn a_body_that_sleeps_is_woken_by_a_touch() {
-    let scene = json!({"wobble": 1, "gravity": [0, -9.81], "contact": true,
+    let scene = json!({"wobble": 1, "gravity": [0, -9.81], "contact": true, "method": {"solver": "live"},
         "bodies": [disc([0.0, 0.26], [0.0; 2]), disc([3.0, 60.0], [-0.82, 0.0])],
         "bounds": {"min": [-5, 0], "max": [5, 100], "friction": 0.5}});
     let mut world = world(&scene);

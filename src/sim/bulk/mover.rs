@@ -16,6 +16,14 @@ use crate::sim::points::Points;
 use crate::sim::pull::Pull;
 use crate::sim::real::Real;
 
+/// Bodies that may meet.
+#[derive(Clone, Debug)]
+pub(crate) struct Part {
+    /// Their points.
+    pub(crate) slots: Vec<u32>,
+    pub(crate) is_free: bool,
+}
+
 /// Large bodies that move in step.
 pub(crate) trait Mover<S: Real, const D: usize>: Debug + Send + Sync {
     /// Gives rigid bonds that the start violates their lengths.
@@ -44,6 +52,31 @@ pub(crate) trait Mover<S: Real, const D: usize>: Debug + Send + Sync {
 
     /// The fastest that a point of the group may be led [m/s]; `None`: it may be led anyhow.
     fn most_lead(&self, _slot: u32) -> Option<f64> {
+        None
+    }
+
+    /// Where bodies may get to within the first [s], pushed by at most the second [m/s^2]: boxes with what their skins keep from each other; none of
+    /// bodies that do not meet.
+    fn reaches(&self, _points: &Points<S, D>, _span: (f64, f64)) -> Vec<[[S; D]; 2]> {
+        Vec::new()
+    }
+
+    /// The bodies that may meet within `h` [s], by their slots; whether it is a single one, which meets nothing that its own method does not
+    /// know of.
+    fn parts(&self, _points: &Points<S, D>, _pull: &Pull<S, D>, _around: &Environment<D>, _h: f64) -> Vec<Part> {
+        Vec::new()
+    }
+
+    /// Whether a body may meet itself within `h` [s]: asked in every step that somebody else takes with it.
+    fn may_meet_itself(&mut self, _points: &Points<S, D>, _h: f64) -> bool {
+        false
+    }
+
+    /// Takes over what another one knew of points: slots there and here.
+    fn inherit(&mut self, _other: &dyn Mover<S, D>, _slots: &[(u32, u32)]) {}
+
+    /// Itself, for those who know what it is.
+    fn any(&self) -> Option<&dyn Any> {
         None
     }
 

@@ -87,6 +87,14 @@ impl<S: Real, const D: usize> Obstacles<S, D> {
         &self.surfaces[..self.planes]
     }
 
+    /// The corners of polygons.
+    pub(crate) fn corners(&self) -> impl Iterator<Item = [f64; D]> + '_ {
+        (self.planes..self.surfaces.len()).filter_map(|surface| self.wall(surface)).map(|wall| {
+            let [x, y] = wall.ends()[0];
+            truncate([x, y, 0.0])
+        })
+    }
+
     /// Whether there are polygons.
     pub(crate) fn has_walls(&self) -> bool {
         self.solids.is_some()

@@ -70,6 +70,11 @@ impl SkinMaterials {
         self.of_point.is_empty()
     }
 
+    /// The largest radius that is said [m].
+    pub(crate) fn widest(&self) -> Option<f64> {
+        self.kinds.iter().filter_map(|kind| kind.radius).reduce(f64::max)
+    }
+
     /// That of a point.
     pub fn of(&self, point: PointId) -> SkinMaterial {
         let kind = self.of_point.get(point.index()).and_then(|&kind| self.kinds.get(kind as usize));

@@ -5,11 +5,13 @@ use std::sync::Arc;
 use crate::sim::bond::{Bond, PointId};
 use crate::sim::bonds::Bonds;
 use crate::sim::bulk::kernel::Kernel;
+use crate::sim::bulk::mover::Mover;
 use crate::sim::force::angle::{Angle, Angles};
 use crate::sim::group::Group;
+use crate::sim::group::engine::Engine;
 use crate::sim::model::Model;
 use crate::sim::moved::Moved;
-use crate::sim::plan::{self, NOWHERE};
+use crate::sim::plan::{self, NOWHERE, OWN};
 use crate::sim::plan_part::PlanPart;
 use crate::sim::points::State;
 use crate::sim::real::Real;
@@ -26,8 +28,17 @@ pub(crate) struct Detached<S, const D: usize> {
     /// Who moved each of the groups, and which of these moved each of the points that were there.
     pub(crate) moved: Vec<Moved>,
     moved_of: Vec<u32>,
+    /// What the live step is to move of them is to go together.
+    pub(crate) are_together: bool,
     /// When [s].
     time: f64,
+}
+
+/// What moved points in the live step before they were compiled anew.
+struct Heritage<S: Real, const D: usize> {
+    mover: Box<dyn Mover<S, D>>,
+    /// Its points by their numbers, each with its place there.
+    points: Vec<(u32, u32)>,
 }
 
 /// Points compiled anew, not in a world yet.
@@ -121,7 +132,7 @@ impl<S: Real, const D: usize> World<S, D> {
         let number = |group: usize| groups.binary_search(&group).map_or(u32::MAX, |found| found as u32);
         let of = |&point: &u32| self.slot(point as usize).map_or(u32::MAX, |[group, _]| number(group));
         let moved_of = points.iter().map(of).collect();
-        Detached { points, state, groups, moved, moved_of, time: t }
+        Detached { points, state, groups, moved, moved_of, are_together: false, time: t }
     }
 
     /// Every point has a slot of its own, and every new one none.
@@ -136,12 +147,14 @@ impl<S: Real, const D: usize> World<S, D> {
     /// Compiles what was taken out, as model and bonds are now, and puts it in place of it. Returns the places of the groups.
     pub(super) fn attach(&mut self, detached: Detached<S, D>) -> Vec<usize> {
         self.topology += 1;
+        self.is_fresh = true;
         self.put_back(detached)
     }
 
     /// The same where nothing came, went or changed but who moves it.
     pub(crate) fn put_back(&mut self, detached: Detached<S, D>) -> Vec<usize> {
-        let Detached { mut points, state, groups, moved, moved_of, time: t } = detached;
+        let Detached { mut points, state, groups, moved, moved_of, are_together, time: t } = detached;
+        let heritage = groups.iter().filter_map(|&group| self.heritage(group, &points)).collect::<Vec<_>>();
         for &group in &groups {
             self.vacate(group);
         }
@@ -150,17 +163,28 @@ impl<S: Real, const D: usize> World<S, D> {
         let mover = |point: u32| moved.get(movers[point as usize] as usize).copied();
         let state = self.keep_living(&mut points, state);
         let has_live = self.model.budget().is_some() && moved.iter().any(Moved::is_handed_over);
-        let is_live = |point: u32| has_live && mover(point).is_some_and(|moved| moved.is_handed_over());
-        let mut made = self.remake((points, state), is_live, t);
+        let number = |point: u32| match mover(point) {
+            Some(moved) if has_live && moved.is_handed_over() && are_together => 0,
+            Some(moved) if has_live && moved.is_handed_over() => movers[point as usize],
+            _ => OWN,
+        };
+        let mut made = self.remake((points, state), number, t);
         if !made.is_held {
-            self.reconcile_part(&mut made, is_live, t);
+            self.reconcile_part(&mut made, number, t);
         }
         let Remade { plan, points, .. } = made;
         let places = self.put_in(plan, &points);
+        self.bequeath(&heritage, &places);
         self.note_movers((&places, &points), mover, t);
         self.hold_on();
         self.gather();
         places
+    }
+
+    /// Pins whose triangles are pinned all over.
+    pub(crate) fn fixtures(&self) -> Vec<u32> {
+        let is_pinned = |i: usize| self.inverse_mass[i] == 0.0 && !self.numbers.is_gone(i as u32);
+        plan::fixtures(&self.model.triangles, is_pinned)
     }
 
     /// The place of a group is free.
@@ -170,20 +194,50 @@ impl<S: Real, const D: usize> World<S, D> {
         self.plan.own[group].points = 0;
     }
 
+    /// What moved a group in the live step, whose points are among these; its place is to be vacated.
+    fn heritage(&mut self, group: usize, points: &[u32]) -> Option<Heritage<S, D>> {
+        self.plan.groups[group].kernel().filter(|kernel| matches!(kernel, Kernel::Live))?;
+        let own = |&point: &u32| {
+            self.slot(point as usize).filter(|slot| slot[0] == group).map(|slot| (point, slot[1] as u32))
+        };
+        let points = points.iter().filter_map(own).collect();
+        let engine = std::mem::replace(&mut self.plan.groups[group].engine, Engine::Projected);
+        let Engine::Bulk(mover) = engine else { return None };
+        Some(Heritage { mover, points })
+    }
+
+    /// What is live in these places knows of its points what was known of them.
+    fn bequeath(&mut self, heritage: &[Heritage<S, D>], places: &[usize]) {
+        for Heritage { mover, points } in heritage {
+            for &place in places {
+                let slots: Vec<(u32, u32)> = points
+                    .iter()
+                    .filter_map(|&(point, old)| self.slot(point as usize).map(|slot| (old, slot)))
+                    .filter(|(_, slot)| slot[0] == place)
+                    .map(|(old, slot)| (old, slot[1] as u32))
+                    .collect();
+                if let Engine::Bulk(heir) = &mut self.plan.groups[place].engine {
+                    heir.inherit(&**mover, &slots);
+                }
+            }
+        }
+    }
+
     /// Compiles points in this state as model and bonds are now, and makes them ready at `t` [s].
     fn remake(
         &self,
         (mut points, mut state): (Vec<u32>, State<S, D>),
-        is_live: impl Fn(u32) -> bool,
+        number: impl Fn(u32) -> u32,
         t: f64,
     ) -> Remade<S, D> {
         let mut local = vec![u32::MAX; self.count()];
         points.iter().zip(0..).for_each(|(&point, place)| local[point as usize] = place);
-        self.include_pins(&mut points, &mut state, &mut local);
+        let has_met = self.model.meets_on_demand() && points.iter().any(|&point| number(point) != OWN);
+        self.include_pins((&mut points, &mut state, &mut local), has_met);
         let model = self.part_of_model(&points, &local);
         let bonds = self.bonds_among(&points, &local);
-        let is_live: Vec<bool> = points.iter().map(|&point| is_live(point)).collect();
-        let mut plan = self.compile_part(&model, (&bonds.0, &bonds.1), &state, &is_live);
+        let live: Vec<u32> = points.iter().map(|&point| number(point)).collect();
+        let mut plan = self.compile_part(&model, (&bonds.0, &bonds.1), &state, &live);
         let is_held = plan.groups.iter_mut().fold(true, |is_held, group| is_held & group.resume(&self.around, t));
         Remade { plan, points, state, model, bonds, is_held }
     }
@@ -208,11 +262,12 @@ impl<S: Real, const D: usize> World<S, D> {
         }
     }
 
-    /// An island that the live step moves for a while is moved by its own method again, if that takes it as it is: `may` is told how it
-    /// stands and how it would be put. Returns whether it was so.
+    /// Islands that the live step moves for a while are moved by their own methods again, if these take them as they are: `may` is told how
+    /// they stand and how they would be put. `parts` says which slots stay with which, or go, [`OWN`]; none: all go. Returns whether it was so.
     pub(crate) fn put_back_exactly(
         &mut self,
         place: usize,
+        parts: &[u32],
         may: impl Fn(&Group<S, D>, &[Group<S, D>], f64) -> bool,
     ) -> bool {
         self.spread();
@@ -226,17 +281,30 @@ impl<S: Real, const D: usize> World<S, D> {
             .map(|(_, i)| i)
             .collect();
         let state = self.state_of(points.iter().map(|&i| i as usize));
-        let made = self.remake((points, state), |_| false, t);
+        let number = |point: u32| {
+            let slot = self.slot(point as usize).filter(|slot| slot[0] == place);
+            slot.and_then(|slot| parts.get(slot[1])).copied().unwrap_or(OWN)
+        };
+        let made = self.remake((points.clone(), state), number, t);
         let way = self.furthest(&made);
         let group = &self.plan.groups[place];
         if !made.is_held || !may(group, &made.plan.groups, way) {
             return false;
         }
-        let moved = group.moved.handed_back(t);
+        let moved = group.moved;
         self.touch(place);
+        let heritage = self.heritage(place, &points);
         self.vacate(place);
         let places = self.put_in(made.plan, &made.points);
-        places.iter().for_each(|&place| self.plan.groups[place].moved = moved);
+        self.bequeath(heritage.as_slice(), &places);
+        for &place in &places {
+            let group = &mut self.plan.groups[place];
+            group.moved = moved;
+            match group.kernel() {
+                Some(Kernel::Live) => group.moved.put_off(t),
+                _ => group.moved = moved.handed_back(t),
+            }
+        }
         self.hold_on();
         self.gather();
         true
@@ -274,25 +342,35 @@ impl<S: Real, const D: usize> World<S, D> {
         state
     }
 
-    /// Pins that free points here are fastened to come along, though others may be fastened to them too.
-    fn include_pins(&self, points: &mut Vec<u32>, state: &mut State<S, D>, local: &mut [u32]) {
+    /// Pins that free points here are fastened to come along, though others may be fastened to them too; where bodies here `have_met`
+    /// something, those of bodies that do not move as well.
+    fn include_pins(&self, (points, state, local): (&mut Vec<u32>, &mut State<S, D>, &mut [u32]), have_met: bool) {
         if points.is_empty() {
             return;
         }
         let w = &self.inverse_mass;
+        let mut include = |pin: u32, local: &mut [u32]| {
+            local[pin as usize] = points.len() as u32;
+            points.push(pin);
+            let own = self.state_of(std::iter::once(pin as usize));
+            state.position.extend(own.position);
+            state.velocity.extend(own.velocity);
+            state.position_lost.extend(own.position_lost);
+            state.velocity_lost.extend(own.velocity_lost);
+        };
+        let fixtures = if have_met { self.fixtures() } else { Vec::new() };
+        for pin in fixtures {
+            if local[pin as usize] == u32::MAX {
+                include(pin, local);
+            }
+        }
         let ends = self.bonds.ends().iter().copied();
         let tied = self.model.ties().flat_map(|[a, b, c]| [[a, b], [b, c], [c, a]]);
         for [a, b] in ends.chain(tied) {
             for (pin, other) in [(a, b), (b, a)] {
                 let is_missing = w[pin.index()] == 0.0 && local[pin.index()] == u32::MAX;
                 if is_missing && local[other.index()] != u32::MAX && w[other.index()] > 0.0 {
-                    local[pin.index()] = points.len() as u32;
-                    points.push(pin.0);
-                    let own = self.state_of(std::iter::once(pin.index()));
-                    state.position.extend(own.position);
-                    state.velocity.extend(own.velocity);
-                    state.position_lost.extend(own.position_lost);
-                    state.velocity_lost.extend(own.velocity_lost);
+                    include(pin.0, local);
                 }
             }
         }
@@ -387,13 +465,13 @@ impl<S: Real, const D: usize> World<S, D> {
         model: &Model<D>,
         (bonds, numbers): (&Bonds, &[u32]),
         state: &State<S, D>,
-        is_live: &[bool],
+        live: &[u32],
     ) -> plan::Plan<S, D> {
-        plan::compile((model, &self.obstacles, self.scene_points), (bonds, Some(numbers)), state, is_live)
+        plan::compile((model, &self.obstacles, self.scene_points), (bonds, Some(numbers)), state, live)
     }
 
     /// Lengths that contradict each other give way to those of the nearest shape.
-    fn reconcile_part(&mut self, made: &mut Remade<S, D>, is_live: impl Fn(u32) -> bool, t: f64) {
+    fn reconcile_part(&mut self, made: &mut Remade<S, D>, number: impl Fn(u32) -> u32, t: f64) {
         let Remade { plan, points, state, model, bonds: (bonds, numbers), .. } = made;
         let mut position: Vec<[f64; D]> = state.position.iter().map(|&x| widen(x)).collect();
         let changed = plan::reconcile(bonds, &mut position, &plan::inverse_masses(model));
@@ -406,8 +484,8 @@ impl<S: Real, const D: usize> World<S, D> {
         let names: Vec<usize> = changed.iter().map(|&k| numbers[k] as usize).collect();
         self.warn_of_lengths(&names);
         state.position = position.into_iter().map(convert).collect();
-        let is_live: Vec<bool> = points.iter().map(|&point| is_live(point)).collect();
-        *plan = self.compile_part(model, (bonds, numbers), state, &is_live);
+        let live: Vec<u32> = points.iter().map(|&point| number(point)).collect();
+        *plan = self.compile_part(model, (bonds, numbers), state, &live);
         plan.groups.iter_mut().for_each(|group| _ = group.resume(&self.around, t));
     }
 

@@ -10,6 +10,7 @@ use super::Group;
 use super::engine::Engine;
 use crate::sim::bond::{Bond, BondKind, Limit};
 use crate::sim::bulk::control::FRAME;
+use crate::sim::bulk::mover::Mover;
 use crate::sim::counters::Counters;
 use crate::sim::environment::Environment;
 use crate::sim::force::mouse;
@@ -56,7 +57,7 @@ pub(crate) enum Alarm {
 
 /// What is watched of a group.
 #[derive(Clone, Debug)]
-pub(crate) struct Watch<S, const D: usize> {
+pub(crate) struct Watch<S: Real, const D: usize> {
     /// Points that can move, bonds and triangles.
     pub(crate) size: [usize; 3],
     /// Mean rest length of its bonds [m]; 0 without any.
@@ -69,6 +70,8 @@ pub(crate) struct Watch<S, const D: usize> {
     spent: u64,
     /// `None`: nothing can go wrong.
     eyes: Option<Eyes<S, D>>,
+    /// Looks whether it comes near itself; `None`: it does not matter.
+    scout: Option<Box<dyn Mover<S, D>>>,
 }
 
 /// What is looked at.
@@ -154,7 +157,12 @@ impl<S: Real, const D: usize> Watch<S, D> {
             anchor: None,
         });
         let edge = if bonds.is_empty() { 0.0 } else { total / bonds.len() as f64 };
-        Watch { size: [points, bonds.len(), triangles], edge, may_go, frame: 0, spent: 0, eyes }
+        Watch { size: [points, bonds.len(), triangles], edge, may_go, frame: 0, spent: 0, eyes, scout: None }
+    }
+
+    /// With what looks whether it comes near itself.
+    pub(crate) fn with_scout(self, scout: Option<Box<dyn Mover<S, D>>>) -> Self {
+        Watch { scout, ..self }
     }
 
     /// Counted work of its steps that ended in a frame.
@@ -201,6 +209,12 @@ impl<S: Real, const D: usize> Group<S, D> {
     /// Whether the live step moves it.
     pub(crate) fn is_live(&self) -> bool {
         self.moved.is_handed_over()
+    }
+
+    /// Whether it may meet itself within `h` [s], where that matters.
+    pub(crate) fn meets_itself(&mut self, h: f64) -> bool {
+        let scout = self.watch.as_mut().and_then(|watch| watch.scout.as_mut());
+        scout.is_some_and(|scout| scout.may_meet_itself(&self.points, h))
     }
 
     /// It is about to step from `t` on [s]: its first look is taken, and where it is noted that the mouse is in reach.

@@ -4,6 +4,7 @@ use crate::sim::environment::Environment;
 use crate::sim::group::Group;
 use crate::sim::group::engine::Engine;
 use crate::sim::measure;
+use crate::sim::plan::OWN;
 use crate::sim::plan::choice::LARGE_STRAIN;
 use crate::sim::real::Real;
 use crate::sim::vector::{length, sub, widen};
@@ -27,10 +28,14 @@ impl<S: Real, const D: usize> World<S, D> {
             groups.filter(|(_, group)| is_due(group)).map(|(place, _)| place).take(MOST_TRIED).collect();
         for place in due {
             let around = self.around.clone();
-            if self.put_back_exactly(place, |old, new, way| fits(&around, old, new, way)) {
-                self.counters.returns += 1;
-            } else {
+            let parts = self.parted(place);
+            let is_put = parts
+                .as_ref()
+                .is_some_and(|parts| self.put_back_exactly(place, parts, |old, new, way| fits(&around, old, new, way)));
+            if !is_put {
                 self.plan.groups[place].moved.put_off(t);
+            } else if parts.is_some_and(|numbers| numbers.is_empty() || numbers.contains(&OWN)) {
+                self.counters.returns += 1;
             }
         }
     }

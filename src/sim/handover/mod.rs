@@ -1,6 +1,7 @@
 //! Islands go from their own methods to the live step, and back.
 //!
 //! ```text
+//! meet     bodies come near each other, themselves or a corner: looked at before each step, where the scene has contact
 //! alarm    energy from nowhere, strain, no convergence, no numbers: looked at where frames end
 //! budget   the counted work of a frame is more than it may be: groups in the order of their work, until the sum fits
 //! back     after a while, if its own method takes an island as it is
@@ -10,6 +11,7 @@
 //! any copy. A group whose step runs past the budget gives it up where it stands, and the live step takes what is left of it.
 
 mod back;
+mod meet;
 
 use crate::sim::bond::PointId;
 use crate::sim::bulk::control::FRAME;
@@ -26,8 +28,8 @@ use crate::sim::world::World;
 
 /// A group is handed over where its work is so many times that of the live step: less would hardly help.
 const CHEAPER: f64 = 1.25;
-/// Step of a world that the live step is meant for [s]: in shorter ones it would look for neighbours more often than it has to.
-const STEP: f64 = FRAME / 4.0;
+/// Longest step of a world that the live step needs [s]: in shorter ones it would look for neighbours more often than it has to.
+const STEP: f64 = FRAME;
 /// How long a live island that does not hold its bonds stays so at least [s].
 const UNHELD: f64 = 1.0;
 
@@ -57,6 +59,17 @@ fn live_work<S: Real, const D: usize>(group: &Group<S, D>, speed: f64) -> f64 {
     group.watch.as_ref().map_or(f64::INFINITY, |watch| live::work_of_a_frame(watch.size, speed, watch.edge))
 }
 
+/// Whether a group may go live that is not so.
+fn can_go<S: Real, const D: usize>(group: &Group<S, D>) -> bool {
+    !group.is_live() && group.watch.as_ref().is_some_and(|watch| watch.may_go)
+}
+
+/// Counted work of a frame that a group takes at least, of one that can go.
+fn least_work<S: Real, const D: usize>(group: &Group<S, D>) -> u64 {
+    let is_meant = can_go(group) && !group.is_asleep() && !matches!(group.engine, Engine::Bulk(_));
+    if is_meant { (group.work.step as f64 * (FRAME / group.substep)) as u64 } else { 0 }
+}
+
 impl<S: Real, const D: usize> World<S, D> {
     /// After a step: who moves what from now on.
     pub(crate) fn watch_over(&mut self) {
@@ -66,7 +79,8 @@ impl<S: Real, const D: usize> World<S, D> {
         if ends_frame {
             self.heed_alarms(t);
         }
-        self.keep_budget(allowed(budget, h), t);
+        let frame = frame_of(t);
+        self.keep_budget(allowed(budget, h), t, |group| group.watch.as_ref().map_or(0, |watch| watch.spent_in(frame)));
         if ends_frame {
             self.hand_back(t);
         }
@@ -77,19 +91,35 @@ impl<S: Real, const D: usize> World<S, D> {
 
     /// A group gives up its step at `t` [s]. Returns the places of those that take what is left of it.
     pub(crate) fn give_up(&mut self, place: usize, t: f64) -> Vec<usize> {
-        self.go_live(place, t, Why::Budget)
+        self.go_live(&[place], t, Why::Budget)
     }
 
-    /// The live step moves a group from `t` on [s], with no more energy than it may have. Returns the places of its islands.
-    fn go_live(&mut self, place: usize, t: f64, why: Why) -> Vec<usize> {
-        let Some(first) = self.lowest_of(place) else { return Vec::new() };
-        let most = self.plan.groups[place].watch.as_ref().and_then(|watch| watch.most_energy());
-        let mut detached = self.detach_at(&[first], false, t);
+    /// The live step moves groups from `t` on [s], with no more energy than each may have. Returns the places of their islands.
+    fn go_live(&mut self, places: &[usize], t: f64, why: Why) -> Vec<usize> {
+        let most = |place: usize| self.plan.groups[place].watch.as_ref().and_then(|watch| watch.most_energy());
+        let list: Vec<(u32, Option<f64>)> =
+            self.firsts_of(places).into_iter().map(|(place, first)| (first, most(place))).collect();
+        if list.is_empty() {
+            return Vec::new();
+        }
+        let firsts: Vec<u32> = list.iter().map(|entry| entry.0).collect();
+        let mut detached = self.detach_at(&firsts, false, t);
         detached.moved.iter_mut().for_each(|moved| *moved = moved.handed_over(t, why));
-        self.counters.hand_overs += 1;
+        // Those that may meet soon would be put together anyway.
+        detached.are_together = true;
+        self.counters.hand_overs += list.len() as u64;
         self.was_handed_over = true;
         let places = self.put_back(detached);
-        most.into_iter().for_each(|most| self.take_out(&places, most));
+        match list[..] {
+            [(_, Some(most))] => self.take_out(&places, most),
+            _ => {
+                for (first, most) in list {
+                    if let (Some(most), Some([place, _])) = (most, self.slot(first as usize)) {
+                        self.take_out(&[place], most);
+                    }
+                }
+            }
+        }
         places
     }
 
@@ -113,7 +143,7 @@ impl<S: Real, const D: usize> World<S, D> {
         let anchor = if alarm.is_lost() { self.plan.groups[place].take_anchor() } else { None };
         let Some(anchor) = anchor else {
             if alarm != Alarm::NotFinite {
-                let places = self.go_live(place, t, Why::Alarm);
+                let places = self.go_live(&[place], t, Why::Alarm);
                 if let Alarm::Gain { most, .. } = alarm {
                     self.take_out(&places, most);
                 }
@@ -121,7 +151,7 @@ impl<S: Real, const D: usize> World<S, D> {
             return;
         };
         let from = self.plan.groups[place].go_back(&anchor);
-        let places = self.go_live(place, from, Why::Alarm);
+        let places = self.go_live(&[place], from, Why::Alarm);
         self.take_again(&places, (from, t - from));
         for place in places {
             if !self.plan.groups[place].is_finite() {
@@ -154,32 +184,44 @@ impl<S: Real, const D: usize> World<S, D> {
         self.gather();
     }
 
-    /// Groups go live in the order of their work in the frame, ties by their lowest points, until the sum is at most `allowed`.
-    fn keep_budget(&mut self, allowed: u64, t: f64) {
-        let frame = frame_of(t);
-        let spent = |group: &Group<S, D>| group.watch.as_ref().map_or(0, |watch| watch.spent_in(frame));
-        let mut sum: u64 = self.plan.groups.iter().map(spent).sum();
+    /// Before the first step of what was compiled: what is sure to take too much does not begin.
+    pub(crate) fn foresee(&mut self) {
+        if !std::mem::take(&mut self.is_fresh) {
+            return;
+        }
+        if let Some(budget) = self.model.budget() {
+            self.keep_budget(allowed(budget, FRAME), self.timeline.time(), least_work);
+        }
+        if std::mem::take(&mut self.was_handed_over) {
+            self.stretch_steps();
+        }
+    }
+
+    /// Groups go live in the order of what they `spent` in a frame, ties by their lowest points, until the sum is at most `allowed`.
+    fn keep_budget(&mut self, allowed: u64, t: f64, spent: impl Fn(&Group<S, D>) -> u64) {
+        let mut sum: u64 = self.plan.groups.iter().map(&spent).sum();
         if sum <= allowed {
             return;
         }
-        let can_go = |group: &Group<S, D>| !group.is_live() && group.watch.as_ref().is_some_and(|watch| watch.may_go);
         let of = |(place, lowest): (usize, PointId)| {
             let group = &self.plan.groups[place];
             (can_go(group) && spent(group) > 0).then_some((spent(group), lowest.0, place))
         };
         let mut list: Vec<(u64, u32, usize)> = self.lowest().into_iter().filter_map(of).collect();
         list.sort_unstable_by_key(|&(spent, lowest, _)| (std::cmp::Reverse(spent), lowest));
+        let mut due = Vec::new();
         for (spent, _, place) in list {
             if sum <= allowed {
-                return;
+                break;
             }
             let group = &self.plan.groups[place];
             let live = live_work(group, measure::speed_bound(&group.points.velocity).to_f64());
             if CHEAPER * live < spent as f64 {
-                self.go_live(place, t, Why::Budget);
+                due.push(place);
                 sum -= spent - live as u64;
             }
         }
+        self.go_live(&due, t, Why::Budget);
     }
 
     /// Steps of the world are made longer, where short ones are needed by nobody that is left: by powers of two, so that the substeps

@@ -157,6 +157,14 @@ impl<S: Real> Cluster<S> {
         pairs.into_iter().map(move |(body, base)| (&list[body], base))
     }
 
+    /// These are the pairs that may touch from now on; which of them do is chosen in each substep.
+    pub(super) fn list(&mut self, pairs: Vec<Pair<S>>) {
+        self.active.clear();
+        self.rooms.clear();
+        self.rooms.extend(pairs.iter().map(|pair| pair.room));
+        self.pairs = pairs;
+    }
+
     /// How many points its bodies have.
     pub(super) fn own(&self) -> usize {
         self.bases.last().map_or(0, |&end| end as usize)

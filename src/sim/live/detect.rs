@@ -5,6 +5,7 @@
 use super::FRAMES;
 use super::cluster::{Cluster, Common, OBSTACLE, Side};
 use super::pair::{OnPlane, Pair, wedge};
+use super::part;
 use crate::sim::real::Real;
 use crate::sim::vector::{add, dot, scale, sub};
 
@@ -46,16 +47,20 @@ struct Cells<S> {
 
 /// Finds pairs of points and edges anew; those that were there keep their sides.
 pub(super) fn look<S: Real>(state: &mut Cluster<S>, common: &Common<S>) {
+    let far = super::substep::fastest(state) * S::from_f64(LEAST_TIME / FRAMES);
+    look_within(state, common, state.least_promise.max(far));
+}
+
+/// The same for points that go at most this far [m].
+pub(super) fn look_within<S: Real>(state: &mut Cluster<S>, common: &Common<S>, promise: S) {
     state.gone = S::ZERO;
     state.counts.detections += 1;
-    let far = super::substep::fastest(state) * S::from_f64(LEAST_TIME / FRAMES);
-    state.promise = state.least_promise.max(far);
+    state.promise = promise;
     near_planes(state, common);
     if state.edges.is_empty() {
         return;
     }
     let old = known(&state.pairs);
-    state.active.clear();
     let mut pairs = std::mem::take(&mut state.pairs);
     pairs.clear();
     let reach = state.promise + state.promise;
@@ -88,9 +93,8 @@ pub(super) fn look<S: Real>(state: &mut Cluster<S>, common: &Common<S>) {
     }
     pairs.sort_unstable_by_key(|pair| pair.key);
     state.counts.work += 30 * (state.edges.len() + state.corners.len()) as u64 + 20 * pairs.len() as u64;
-    state.rooms.clear();
-    state.rooms.extend(pairs.iter().map(|pair| pair.room));
-    state.pairs = pairs;
+    part::suspend(state, &mut pairs);
+    state.list(pairs);
 }
 
 /// Sides of pairs, by their numbers.

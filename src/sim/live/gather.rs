@@ -24,11 +24,16 @@ pub(super) fn substeps_at(speed: f64, edge: f64) -> u32 {
     SUBSTEPS.into_iter().find(|&count| f64::from(count) >= wanted).unwrap_or(SUBSTEPS[3])
 }
 
+/// What the mouse gives at most [m/s^2].
+fn pushed(around: &Environment<2>) -> f64 {
+    around.mouse.as_ref().map_or(0.0, |mouse| mouse.strength.abs() * mouse.radius)
+}
+
 /// What a body may reach within a step.
-struct Reach<S> {
+pub(super) struct Reach<S> {
     body: usize,
-    low: [S; 2],
-    high: [S; 2],
+    pub(super) low: [S; 2],
+    pub(super) high: [S; 2],
 }
 
 impl<S: Real> Live<S> {
@@ -37,11 +42,25 @@ impl<S: Real> Live<S> {
         &self,
         points: &Points<S, 2>,
         common: &Common<S>,
-        (around, h): (&Environment<2>, f64),
+        span: (&Environment<2>, f64),
     ) -> Vec<Cluster<S>> {
+        let is_awake = |bodies: &Vec<usize>| bodies.iter().any(|&body| !self.rests[body].is_asleep);
+        let together = self.together(points, common, span).into_iter().filter(is_awake);
+        together.map(|bodies| self.cluster(bodies, points, common)).collect()
+    }
+
+    /// The bodies that may meet within `h` [s], in the order of the lowest of each.
+    pub(super) fn together(
+        &self,
+        points: &Points<S, 2>,
+        common: &Common<S>,
+        (around, h): (&Environment<2>, f64),
+    ) -> Vec<Vec<usize>> {
         let mut reaches: Vec<Reach<S>> = (0..self.bodies.list.len())
             .filter(|&body| self.bodies.list[body].points.len() > 0)
-            .map(|body| self.reach(body, points, (around, common.most_push, h)))
+            .filter_map(|body| {
+                self.reach(body, points, (h, common.most_push + pushed(around)), S::from_f64(2.0 * PROMISE))
+            })
             .collect();
         let mut together = crate::sim::sets::Sets::new(self.bodies.list.len());
         if self.contact.is_some_and(|contact| contact.with_others) {
@@ -64,37 +83,20 @@ impl<S: Real> Live<S> {
                 members[together.find(body as u32) as usize].push(body);
             }
         }
-        let is_awake = |bodies: &Vec<usize>| bodies.iter().any(|&body| !self.rests[body].is_asleep);
-        members.into_iter().filter(is_awake).map(|bodies| self.cluster(bodies, points, common)).collect()
+        members.retain(|bodies| !bodies.is_empty());
+        members
     }
 
-    /// Where the points of a body may get to in `h` [s], and what is near.
-    fn reach(
-        &self,
-        body: usize,
-        points: &Points<S, 2>,
-        (around, most_push, h): (&Environment<2>, f64, f64),
-    ) -> Reach<S> {
+    /// Where the points of a body may get to within a time [s], pushed by so much [m/s^2], and what is near: within this share of an edge.
+    pub(super) fn reach(&self, body: usize, points: &Points<S, 2>, span: (f64, f64), apart: S) -> Option<Reach<S>> {
         let of = &self.bodies.list[body];
-        let mut reach = Reach { body, low: [S::INFINITY; 2], high: [-S::INFINITY; 2] };
-        let mut fastest = S::ZERO;
-        for &slot in &self.bodies.order[of.points.range()] {
-            let (x, v) = (points.position[slot as usize], points.velocity[slot as usize]);
-            for k in 0..2 {
-                reach.low[k] = reach.low[k].min(x[k]);
-                reach.high[k] = reach.high[k].max(x[k]);
-                fastest = fastest.max(v[k].abs());
-            }
-        }
-        let pushed = around.mouse.as_ref().map_or(0.0, |mouse| mouse.strength.abs() * mouse.radius);
-        let pulled = S::from_f64(h * h * (most_push + pushed));
-        let margin = of.edge_length * S::from_f64(2.0 * PROMISE) + of.radius;
-        let way = (S::ONE + S::HALF) * (fastest * S::from_f64(h) + pulled) + margin;
-        (reach.low, reach.high) = (reach.low.map(|x| x - way), reach.high.map(|x| x + way));
-        reach
+        let margin = of.edge_length * apart + of.radius;
+        let own = self.bodies.order[of.points.range()].iter().map(|&slot| slot as usize);
+        let [low, high] = measure::reach(own.map(|i| (points.position[i], points.velocity[i])), span, margin)?;
+        Some(Reach { body, low, high })
     }
 
-    fn cluster(&self, bodies: Vec<usize>, points: &Points<S, 2>, common: &Common<S>) -> Cluster<S> {
+    pub(super) fn cluster(&self, bodies: Vec<usize>, points: &Points<S, 2>, common: &Common<S>) -> Cluster<S> {
         let own: usize = bodies.iter().map(|&body| self.bodies.list[body].points.len()).sum();
         let mut cluster = Cluster {
             touches: bodies.iter().map(|&body| self.rests[body].touches).collect(),

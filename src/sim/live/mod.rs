@@ -24,12 +24,14 @@ mod detect;
 mod fields;
 mod gather;
 mod guard;
+mod heir;
 mod layout;
 mod mend;
 mod pair;
 mod part;
 mod planes;
 mod rest;
+mod scout;
 mod shape;
 mod skins;
 mod space;
@@ -40,11 +42,12 @@ mod truncate;
 mod walls;
 
 use std::any::Any;
+use std::sync::Arc;
 
 use super::account::Account;
 use super::bond::Bond;
 use super::bulk::kernel::Kernel;
-use super::bulk::mover::Mover;
+use super::bulk::mover::{Mover, Part};
 use super::contact::skin::{Contact, SkinMaterial};
 use super::counters::Counters;
 use super::environment::Environment;
@@ -91,7 +94,7 @@ pub(crate) struct Draft<S> {
 /// Bodies in the live step.
 #[derive(Clone, Debug)]
 struct Live<S: Real> {
-    bodies: Bodies<S>,
+    bodies: Arc<Bodies<S>>,
     contact: Option<Contact>,
     resist: Areas,
     walls: Walls<S>,
@@ -107,6 +110,8 @@ struct Live<S: Real> {
     settling: Vec<S>,
     bond_count: usize,
     fields: Vec<Field<S>>,
+    /// How much nearer a body that somebody else moves may come to itself until it is looked at again [m].
+    room: S,
 }
 
 /// The live step of these bodies; `None` of a dimension that there is not.
@@ -143,7 +148,7 @@ pub(crate) fn work_of_a_frame([points, bonds, triangles]: [usize; 3], speed: f64
 
 impl<S: Real> Live<S> {
     fn new(draft: &Draft<S>, points: &Points<S, 2>, walls: Walls<S>) -> Self {
-        let bodies = Bodies::new(draft, points);
+        let bodies = Arc::new(Bodies::new(draft, points));
         let count = bodies.list.len();
         Live {
             contact: draft.contact,
@@ -156,7 +161,23 @@ impl<S: Real> Live<S> {
             settling: vec![S::ZERO; count],
             bond_count: draft.bonds.len(),
             fields: Vec::new(),
+            room: S::ZERO,
             bodies,
+        }
+    }
+
+    /// What all clusters share.
+    fn common<'a>(&'a self, pull: &'a Pull<S, 2>, sides: &'a Sides) -> Common<'a, S> {
+        let obstacles = &pull.contacts.obstacles;
+        Common {
+            bodies: &self.bodies,
+            walls: &self.walls,
+            contact: self.contact.as_ref(),
+            resist: self.resist,
+            surfaces: &obstacles.surfaces,
+            planes: obstacles.planes(),
+            sides,
+            most_push: length(pull.gravity) + pull.most_push(),
         }
     }
 
@@ -194,20 +215,10 @@ impl<S: Real> Mover<S, 2> for Live<S> {
         counters: &mut Counters,
         account: Option<&mut Account>,
     ) {
-        let obstacles = &pull.contacts.obstacles;
         let sides = std::mem::take(&mut self.sides);
         self.wake(points, around, t);
         let mut clusters = {
-            let common = Common {
-                bodies: &self.bodies,
-                walls: &self.walls,
-                contact: self.contact.as_ref(),
-                resist: self.resist,
-                surfaces: &obstacles.surfaces,
-                planes: obstacles.planes(),
-                sides: &sides,
-                most_push: length(pull.gravity) + pull.most_push(),
-            };
+            let common = self.common(pull, &sides);
             let mut clusters = self.gather(points, &common, (around, h));
             let mut account = account;
             for cluster in &mut clusters {
@@ -247,6 +258,28 @@ impl<S: Real> Mover<S, 2> for Live<S> {
         let place = self.bodies.order.iter().position(|&own| own == slot)? as u32;
         let body = self.bodies.list.iter().find(|body| (body.points.first..body.points.end).contains(&place))?;
         (body.edge_length > S::ZERO).then(|| body.edge_length.to_f64() * LEAD)
+    }
+
+    fn reaches(&self, points: &Points<S, 2>, span: (f64, f64)) -> Vec<[[S; 2]; 2]> {
+        self.all_reaches(points, span)
+    }
+
+    fn parts(&self, points: &Points<S, 2>, pull: &Pull<S, 2>, around: &Environment<2>, h: f64) -> Vec<Part> {
+        self.all_parts(points, (pull, around), h)
+    }
+
+    fn may_meet_itself(&mut self, points: &Points<S, 2>, h: f64) -> bool {
+        self.scout(points, h)
+    }
+
+    fn inherit(&mut self, other: &dyn Mover<S, 2>, slots: &[(u32, u32)]) {
+        if let Some(other) = other.any().and_then(|any| any.downcast_ref::<Live<S>>()) {
+            self.take_over(other, slots);
+        }
+    }
+
+    fn any(&self) -> Option<&dyn Any> {
+        Some(self)
     }
 
     fn kernel(&self) -> Kernel {

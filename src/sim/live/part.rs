@@ -129,10 +129,12 @@ pub(super) fn drift<S: Real>(state: &mut Cluster<S>, h: S) {
     }
     state.tangle.couples = couples;
     let most = h * S::from_f64(SPEED);
+    if shifts.iter().any(|shift| *shift != zero()) {
+        state.gone += most;
+    }
     for (body, &shift) in shifts.iter().enumerate().filter(|(_, shift)| **shift != zero()) {
         let length = dot(shift, shift).sqrt();
         let shift = if length > most { scale(shift, most / length) } else { shift };
-        state.gone += most;
         for i in state.bases[body] as usize..state.bases[body + 1] as usize {
             if state.w[i] != S::ZERO {
                 state.now[i] = add(state.now[i], shift);
@@ -142,13 +144,11 @@ pub(super) fn drift<S: Real>(state: &mut Cluster<S>, h: S) {
 }
 
 /// Takes contacts away between bodies that are parted, and of bodies that are mended with themselves.
-pub(super) fn suspend<S: Real>(state: &mut Cluster<S>) {
-    let tangle = &state.tangle;
+pub(super) fn suspend<S: Real>(state: &Cluster<S>, pairs: &mut Vec<Pair<S>>) {
+    let Cluster { body_of, tangle, .. } = state;
     if !tangle.couples.iter().any(Couple::is_parted) && !tangle.knots.iter().any(Knot::is_mended) {
         return;
     }
-    let Cluster { pairs, rooms, active, body_of, tangle, .. } = state;
-    active.clear();
     pairs.retain(|pair| {
         let [a, b] = [pair.p, pair.a].map(|i| body_of[i as usize]);
         let bodies = [a.min(b), a.max(b)];
@@ -158,7 +158,4 @@ pub(super) fn suspend<S: Real>(state: &mut Cluster<S>) {
             !tangle.couples.iter().any(|couple| couple.bodies == bodies && couple.is_parted())
         }
     });
-    pairs.iter_mut().for_each(Pair::clear);
-    rooms.clear();
-    rooms.extend(pairs.iter().map(|pair| pair.room));
 }

@@ -35,6 +35,13 @@ pub(super) struct Rest {
     calm: f64,
 }
 
+impl Rest {
+    /// The same, awake.
+    pub(super) fn awake(self) -> Self {
+        Rest { is_asleep: false, since: None, ..self }
+    }
+}
+
 impl<S: Real> Live<S> {
     /// Wakes bodies that something was done to: the cursor reaches them, or they were given a velocity.
     pub(super) fn wake(&mut self, points: &Points<S, 2>, around: &Environment<2>, t: f64) {

@@ -42,7 +42,6 @@ pub(super) fn advance<S: Real>(state: &mut Cluster<S>, common: &Common<S>, outsi
         detect::look(state, common);
     }
     part::drift(state, time);
-    part::suspend(state);
     state.predict(time);
     shape::resist(state, common, time);
     bonds::hold(state, common);

@@ -86,6 +86,34 @@ impl<S: Real> Tangle<S> {
         }
     }
 
+    /// Nothing is.
+    pub(super) fn is_empty(&self) -> bool {
+        self.couples.is_empty() && self.knots.is_empty()
+    }
+
+    /// Takes over what another list knew of bodies that have these numbers here.
+    pub(super) fn take_over(&mut self, other: &Self, bodies: &[Option<u32>]) {
+        for (body, &since) in bodies.iter().zip(&other.since).filter_map(|(body, since)| Some(((*body)?, since))) {
+            self.since[body as usize] = since;
+        }
+        let of = |body: u32| bodies[body as usize];
+        let couple = |couple: &Couple<S>| {
+            let [a, b] = couple.bodies.map(of);
+            let (a, b) = (a?, b?);
+            let out = if a < b { couple.out } else { couple.out.map(|x| -x) };
+            Some(Couple { bodies: [a.min(b), a.max(b)], out, ..*couple })
+        };
+        let knot = |knot: &Knot<S>| of(knot.body).map(|body| Knot { body, ..knot.clone() });
+        self.couples.extend(other.couples.iter().filter_map(couple));
+        self.knots.extend(other.knots.iter().filter_map(knot));
+        self.sort();
+    }
+
+    fn sort(&mut self) {
+        self.couples.sort_by_key(|couple| couple.bodies);
+        self.knots.sort_by_key(|knot| knot.body);
+    }
+
     /// Notes what became of the bodies of clusters.
     pub(super) fn note(&mut self, clusters: &mut [Cluster<S>]) {
         for cluster in clusters {
@@ -101,8 +129,7 @@ impl<S: Real> Tangle<S> {
                 self.since[body] = since.saturating_add(u8::from(*has_pressed));
             }
         }
-        self.couples.sort_by_key(|couple| couple.bodies);
-        self.knots.sort_by_key(|knot| knot.body);
+        self.sort();
     }
 }
 

@@ -13,6 +13,7 @@ use crate::sim::force::angle::Angle;
 use crate::sim::model::Model;
 use crate::sim::points::State;
 use crate::sim::real::Real;
+use crate::sim::solver::Solver;
 use crate::sim::vector::{add, length, scale, sub, widen, zero};
 
 /// Place of a point that is in no group.
@@ -31,6 +32,11 @@ pub(super) struct Gathered<S, const D: usize> {
     /// Forces and the wind.
     pub(super) drives: Drives<D>,
     pub(super) ties: Ties,
+    /// Pins whose triangles are pinned all over, where what is live has to know of them.
+    fixtures: Vec<u32>,
+    /// Triangles between the points that stand for others, without those that welds leave no area: their places in the model, by the lowest
+    /// corner of each, and where those of every point begin.
+    by_corner: (Vec<u32>, Vec<u32>),
 }
 
 impl<S: Real, const D: usize> Gathered<S, D> {
@@ -49,6 +55,8 @@ impl<S: Real, const D: usize> Gathered<S, D> {
             names: Vec::with_capacity(bonds.len()),
             drives: Drives::new(model, w, stand_ins),
             ties: ties(model, stand_ins, |i| widen(state.position[i])),
+            by_corner: by_corner(&model.triangles, stand_ins),
+            fixtures: if model.meets_on_demand() { fixtures(&model.triangles, |i| w[i] == 0.0) } else { Vec::new() },
         };
         gathered.merge(model, w);
         for (k, bond) in bonds.iter().enumerate() {
@@ -88,6 +96,12 @@ impl<S: Real, const D: usize> Gathered<S, D> {
             self.state.position[i] = x.map(S::from_f64);
             self.state.velocity[i] = v.map(S::from_f64);
         }
+    }
+
+    /// The triangles whose lowest corner is a point.
+    pub(super) fn triangles_at(&self, point: u32) -> &[u32] {
+        let (list, starts) = &self.by_corner;
+        starts.get(point as usize..point as usize + 2).map_or(&[], |ends| &list[ends[0] as usize..ends[1] as usize])
     }
 
     /// The groups of the lots.
@@ -142,8 +156,8 @@ impl<S: Real, const D: usize> Gathered<S, D> {
         Plan { groups, slots, is_plain, substep, parts, own }
     }
 
-    /// The points of a lot, ascending: those of its islands, the pins that they are fastened to, and in the first lot
-    /// the pins that nothing is fastened to.
+    /// The points of a lot, ascending: those of its islands, the pins that they are fastened to or, where they are live, may meet, and in
+    /// the first lot the pins that nothing is fastened to.
     fn points_of(&self, lot: &Lot, is_first: bool, lots: &[Lot]) -> Vec<u32> {
         let mut points: Vec<u32> = lot.islands.iter().flat_map(|island| island.points.iter().copied()).collect();
         let pins_of = |lot: &Lot| -> Vec<u32> {
@@ -156,6 +170,9 @@ impl<S: Real, const D: usize> Gathered<S, D> {
             ends.copied().chain(tied.filter(|point| self.w[point.index()] == 0.0)).map(|end| end.0).collect()
         };
         points.extend(pins_of(lot));
+        if lot.choice.solver == Solver::Live {
+            points.extend(self.fixtures.iter().map(|&pin| self.stand_ins[pin as usize]));
+        }
         if is_first {
             let mut fastened = vec![false; self.w.len()];
             for pin in lots.iter().flat_map(pins_of) {
@@ -169,6 +186,32 @@ impl<S: Real, const D: usize> Gathered<S, D> {
         points.dedup();
         points
     }
+}
+
+fn by_corner(triangles: &[[PointId; 3]], stand_ins: &[u32]) -> (Vec<u32>, Vec<u32>) {
+    if triangles.is_empty() {
+        return (Vec::new(), Vec::new());
+    }
+    let mut list: Vec<(u32, u32)> = Vec::with_capacity(triangles.len());
+    for (corners, k) in triangles.iter().zip(0..) {
+        let [a, b, c] = corners.map(|corner| stand_ins[corner.index()]);
+        if a != b && b != c && c != a {
+            list.push((a.min(b).min(c), k));
+        }
+    }
+    list.sort_unstable();
+    let starts = (0..=stand_ins.len() as u32).map(|point| list.partition_point(|entry| entry.0 < point) as u32);
+    let starts = starts.collect();
+    (list.into_iter().map(|entry| entry.1).collect(), starts)
+}
+
+/// The corners of triangles that are pinned all over: the skins of bodies that do not move by themselves.
+pub(crate) fn fixtures(triangles: &[[PointId; 3]], is_pinned: impl Fn(usize) -> bool) -> Vec<u32> {
+    let is_fixed = |corners: &&[PointId; 3]| corners.iter().all(|corner| is_pinned(corner.index()));
+    let mut pins: Vec<u32> = triangles.iter().filter(is_fixed).flatten().map(|corner| corner.0).collect();
+    pins.sort_unstable();
+    pins.dedup();
+    pins
 }
 
 /// Angles and areas between the points that stand for others, which are at these places; what a weld leaves no angle or area of is left out.

@@ -17,7 +17,7 @@ impl<S: Real, const D: usize> Maker<'_, S, D> {
         Some(self.batched(points, pull, mover, breakable(self.bonds(), |_| true)))
     }
 
-    fn live_draft(&self) -> Draft<S> {
+    pub(super) fn live_draft(&self) -> Draft<S> {
         Draft {
             bonds: self.bonds().map(|(_, bond)| bond).collect(),
             body_of: self.body_of(),
@@ -65,10 +65,12 @@ impl<S: Real, const D: usize> Maker<'_, S, D> {
     /// The triangles of the group, without those that welds leave no area, with their areas at rest [m^2] where these are known.
     pub(super) fn triangles(&self) -> Vec<([u32; 3], Option<f64>)> {
         let slot = |corner: u32| self.place[self.gathered.stand_ins[corner as usize] as usize];
-        let rest = |k: usize| self.model.rest_areas.get(k).copied();
-        let slots = self.model.triangles.iter().map(|corners| corners.map(|corner| slot(corner.0)));
-        let is_one = |[a, b, c]: [u32; 3]| a.max(b).max(c) != u32::MAX && a != b && b != c && c != a;
-        slots.enumerate().filter(|(_, corners)| is_one(*corners)).map(|(k, corners)| (corners, rest(k))).collect()
+        let mut own: Vec<u32> =
+            self.points.iter().flat_map(|&point| self.gathered.triangles_at(point)).copied().collect();
+        own.sort_unstable();
+        let rest = |k: u32| self.model.rest_areas.get(k as usize).copied();
+        let slots = own.into_iter().map(|k| (self.model.triangles[k as usize].map(|corner| slot(corner.0)), rest(k)));
+        slots.filter(|(corners, _)| !corners.contains(&u32::MAX)).collect()
     }
 }
 

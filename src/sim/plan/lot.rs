@@ -12,6 +12,9 @@ use crate::sim::solver::{Order, Solver};
 /// costs about as much as a few points.
 const FULL: usize = 256;
 
+/// Of islands that their own methods move.
+pub(crate) const OWN: u32 = u32::MAX;
+
 /// Islands that make a group.
 pub(super) struct Lot {
     pub(super) choice: Choice,
@@ -25,18 +28,18 @@ pub(super) struct Lot {
 /// Islands by method and substep, in the order of their first points.
 ///
 /// A method that was asked for by name moves all islands at the substep of the fastest; large bodies apart from what is
-/// none, and from those that follow another strain. Where bodies may meet, all islands go together.
+/// none, and from those that follow another strain.
 ///
 /// `scene_points` is how many points the scene had when the world began: what is added elsewhere later changes no choice. Islands with
-/// points that `is_live` names are moved by the live step, each for itself: nobody else's bits change.
+/// points that have a number in `live` are moved by the live step, each for itself, or, where bodies may meet, all of a number together.
 pub(super) fn lots<const D: usize>(
     model: &Model<D>,
     (has_surfaces, scene_points): (bool, usize),
     islands: Vec<Island>,
-    is_live: &[bool],
+    live: &[u32],
 ) -> Vec<Lot> {
     if model.is_live() {
-        return vec![live(model.method, islands)];
+        return vec![together(live_choice(model.method), 0, islands)];
     }
     let setting = Setting {
         has_surfaces,
@@ -45,7 +48,8 @@ pub(super) fn lots<const D: usize>(
         gusts: gust_rate(model),
         points: scene_points,
     };
-    let is_forced = |island: &Island| island.points.iter().any(|&i| is_live.get(i as usize) == Some(&true));
+    let number = |island: &Island| island.points.iter().filter_map(|&i| live.get(i as usize)).min().copied();
+    let is_forced = |island: &Island| number(island).is_some_and(|number| number != OWN);
     let (forced, islands): (Vec<Island>, Vec<Island>) = islands.into_iter().partition(is_forced);
     let mut classes: Vec<(Choice, Vec<Island>)> = Vec::new();
     for island in islands {
@@ -68,17 +72,29 @@ pub(super) fn lots<const D: usize>(
     }
     // A shuffled order is one of all bonds.
     let is_divided = !matches!(model.method.order, Order::Shuffled);
-    if !forced.is_empty() {
+    let meets = model.meets_on_demand();
+    let mut met: Vec<(u32, Vec<Island>)> = Vec::new();
+    if !meets && !forced.is_empty() {
         classes.push((live_choice(model.method), forced));
+    } else {
+        for island in forced {
+            let of = number(&island).unwrap_or(OWN);
+            match met.iter_mut().find(|group| group.0 == of) {
+                Some(group) => group.1.push(island),
+                None => met.push((of, vec![island])),
+            }
+        }
     }
+    let last = classes.len();
     let classes = classes.into_iter().enumerate();
-    classes.flat_map(|(class, (choice, islands))| divide(class, choice, islands, is_divided)).collect()
+    let own = classes.flat_map(|(class, (choice, islands))| divide((class, choice), islands, (is_divided, meets)));
+    let met = met.into_iter().map(|(_, islands)| together(live_choice(model.method), last, islands));
+    own.chain(met).collect()
 }
 
-/// All islands together: they may meet.
-fn live(method: Method, islands: Vec<Island>) -> Lot {
-    let choice = live_choice(method);
-    Lot { choice, points: islands.iter().map(|island| island.points.len()).sum(), islands, class: 0 }
+/// Islands that may meet.
+fn together(choice: Choice, class: usize, islands: Vec<Island>) -> Lot {
+    Lot { choice, points: islands.iter().map(|island| island.points.len()).sum(), islands, class }
 }
 
 fn live_choice(method: Method) -> Choice {
@@ -86,15 +102,16 @@ fn live_choice(method: Method) -> Choice {
     Choice { solver: Solver::Live, substep, is_direct: false, bulk: None }
 }
 
-/// The groups of a class: bodies one by one, but for crowds and loose points, so that what happens to one leaves the others as they are.
-fn divide(class: usize, choice: Choice, islands: Vec<Island>, is_divided: bool) -> Vec<Lot> {
+/// The groups of a class: bodies one by one, but for crowds of what does not meet and loose points, so that what happens to one leaves
+/// the others as they are.
+fn divide((class, choice): (usize, Choice), islands: Vec<Island>, (is_divided, meets): (bool, bool)) -> Vec<Lot> {
     let count = |islands: &[Island]| islands.iter().map(|island| island.points.len()).sum();
-    let lot = |islands: Vec<Island>| Lot { choice, points: count(&islands), islands, class };
-    if !is_divided {
+    let lot = |islands: Vec<Island>| together(choice, class, islands);
+    if !is_divided && !meets {
         return vec![lot(islands)];
     }
     let is_alone = |island: &Island| match choice.bulk {
-        Some(_) => island.bonds.len() > MOST_OF_A_CROWD,
+        Some(_) => meets || island.bonds.len() > MOST_OF_A_CROWD,
         None => !island.bonds.is_empty() || island.has_form(),
     };
     let (alone, together): (Vec<Island>, Vec<Island>) = islands.into_iter().partition(is_alone);

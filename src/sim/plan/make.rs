@@ -6,6 +6,7 @@ use super::lot::Lot;
 use crate::sim::account::Account;
 use crate::sim::bond::{Bond, BondKind, Limit, PointId};
 use crate::sim::bulk::control::FRAME;
+use crate::sim::bulk::mover::Mover;
 use crate::sim::constrain::direct::Direct;
 use crate::sim::constrain::shape::{Leg, Row, Shape};
 use crate::sim::contact::Contacts;
@@ -19,6 +20,7 @@ use crate::sim::group::guard::{Guard, Watched};
 use crate::sim::group::sleep::Sleep;
 use crate::sim::group::watch::Watch;
 use crate::sim::group::{Breakable, Group, Work};
+use crate::sim::live;
 use crate::sim::model::Model;
 use crate::sim::moved::Moved;
 use crate::sim::points::{Points, State};
@@ -218,7 +220,18 @@ impl<S: Real, const D: usize> Maker<'_, S, D> {
             || self.model.has_fields()
             || self.model.wind.is_some();
         let size = [points, if may_go { self.triangles().len() } else { 0 }];
-        Some(Box::new(Watch::new(&bonds, size, may_go, (has_eyes && may_go, !gives))))
+        let watch = Watch::new(&bonds, size, may_go, (has_eyes && may_go, !gives));
+        Some(Box::new(watch.with_scout(self.scout(&bonds))))
+    }
+
+    /// What looks whether a body that its own method moves comes near itself, where it would meet itself.
+    fn scout(&self, bonds: &[Bond]) -> Option<Box<dyn Mover<S, D>>> {
+        let meets = self.model.meets_on_demand() && self.model.contact.is_some_and(|contact| contact.with_itself);
+        if !meets || bonds.is_empty() || self.lot.choice.solver == Solver::Live {
+            return None;
+        }
+        let w: Vec<f64> = self.points.iter().map(|&i| self.gathered.w[i as usize]).collect();
+        live::mover(self.live_draft(), &self.state(&w), &self.batched_pull())
     }
 
     pub(super) fn state(&self, w: &[f64]) -> Points<S, D> {

@@ -33,7 +33,8 @@ use lot::Lot;
 pub(crate) use super::sets::Sets;
 pub(crate) use clear::{Cleared, clear};
 pub(crate) use drive::gust_rate;
-pub(crate) use gather::{NOWHERE, ties};
+pub(crate) use gather::{NOWHERE, fixtures, ties};
+pub(crate) use lot::OWN;
 pub(crate) use precision::is_single;
 pub(crate) use reconcile::reconcile;
 
@@ -96,13 +97,14 @@ impl PlanPart {
 
 /// Compiles the plan of a model whose bonds (those that are left, with their numbers in the world) and state are these.
 ///
-/// Shapes: `state` has one entry a point of the model, `numbers` one a bond; `None`: a bond has its own place for a number. `is_live`
-/// says of every point whether the live step has to move its island, whatever the rules say; empty: of none.
+/// Shapes: `state` has one entry a point of the model, `numbers` one a bond; `None`: a bond has its own place for a number. `live`
+/// says of every point whether the live step has to move its island, whatever the rules say, [`lot::OWN`]: it has not; islands with the
+/// same number go together where bodies may meet. Empty: of none.
 pub(crate) fn compile<S: Real, const D: usize>(
     (model, obstacles, scene_points): (&Model<D>, &Obstacles<S, D>, usize),
     (bonds, numbers): (&Bonds, Option<&[u32]>),
     state: &State<S, D>,
-    is_live: &[bool],
+    live: &[u32],
 ) -> Plan<S, D> {
     let w = inverse_masses(model);
     let stand_ins = match model.method.solver {
@@ -113,7 +115,7 @@ pub(crate) fn compile<S: Real, const D: usize>(
     let pairs = gathered.drives.pairs(model);
     let mut islands = island::islands_joined(&gathered.bonds, &gathered.ties, &gathered.w, &pairs);
     gathered.drives.mark(&mut islands);
-    gathered.plan((model, obstacles), lot::lots(model, (!obstacles.is_empty(), scene_points), islands, is_live))
+    gathered.plan((model, obstacles), lot::lots(model, (!obstacles.is_empty(), scene_points), islands, live))
 }
 
 /// The islands of a model.

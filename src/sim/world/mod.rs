@@ -52,6 +52,8 @@ pub struct World<S: Real, const D: usize> {
     pub(crate) kept: Vec<Kept<S, D>>,
     /// Something was handed over since the timeline was looked at.
     pub(crate) was_handed_over: bool,
+    /// Something was compiled since the last step.
+    pub(crate) is_fresh: bool,
     /// The points that are grabbed; the groups that they are in lead them.
     pub(crate) grabbed: Vec<PointId>,
     /// Energy that came and went, where a ledger is kept.

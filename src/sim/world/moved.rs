@@ -3,6 +3,7 @@
 use super::World;
 use crate::sim::bond::PointId;
 use crate::sim::moved::{HandedOver, Moved, MovedBy, Why};
+use crate::sim::plan::Sets;
 use crate::sim::real::Real;
 use crate::sim::solver::Solver;
 
@@ -25,29 +26,38 @@ impl<S: Real, const D: usize> World<S, D> {
     pub(super) fn movers(&self) -> Vec<MovedBy> {
         let of = |(place, first): (usize, PointId)| {
             let (part, Moved { since, why, .. }) = (&self.plan.own[place], self.plan.groups[place].moved);
-            let meets = part.solver == Solver::Live && self.model.contact.is_some();
+            let meets = part.solver == Solver::Live && why == Why::Plan && self.model.contact.is_some();
             let why = if meets { Why::Contact } else { why };
             MovedBy { first, count: part.points, method: part.solver, since, why }
         };
         self.lowest().into_iter().map(of).collect()
     }
 
-    /// The lowest point of a group that can move.
-    pub(crate) fn lowest_of(&self, place: usize) -> Option<u32> {
-        let is_of = |point: &usize| {
-            self.inverse_mass[*point] > 0.0 && self.slot(*point).is_some_and(|[group, _]| group == place)
-        };
-        (0..self.count()).find(is_of).map(|point| point as u32)
+    /// The same of some groups alone.
+    pub(crate) fn firsts_of(&self, places: &[usize]) -> Vec<(usize, u32)> {
+        let mut is_meant = vec![false; self.plan.groups.len()];
+        places.iter().for_each(|&place| is_meant[place] = true);
+        let list = self.lowest().into_iter().filter(|(place, _)| is_meant[*place]);
+        list.map(|(place, point)| (place, point.0)).collect()
     }
 
     /// What is handed over, to be kept.
     pub(super) fn handed_over(&self) -> Vec<HandedOver> {
-        let of = |(place, first): (usize, PointId)| {
-            let moved = self.plan.groups[place].moved;
-            let Moved { since, why, until, times } = moved;
-            moved.is_handed_over().then_some(HandedOver { first, since, why, until, times })
+        if !self.plan.groups.iter().any(|group| group.moved.is_handed_over()) {
+            return Vec::new();
+        }
+        let is_free = |point: &PointId| self.inverse_mass[point.index()] > 0.0;
+        let mut islands = Sets::new(self.count());
+        let pairs =
+            self.bonds.ends().iter().copied().chain(self.model.ties().flat_map(|[a, b, c]| [[a, b], [b, c], [a, c]]));
+        pairs.filter(|ends| ends.iter().all(is_free)).for_each(|[a, b]| islands.join(a.0, b.0));
+        let of = |first: PointId| {
+            let [place, _] = self.slot(first.index())?;
+            let Moved { since, why, until, times } = self.plan.groups[place].moved;
+            (why != Why::Plan).then_some(HandedOver { first, since, why, until, times })
         };
-        self.lowest().into_iter().filter_map(of).collect()
+        let firsts = (0..self.count() as u32).filter(|&point| islands.find(point) == point).map(PointId);
+        firsts.filter(is_free).filter_map(of).collect()
     }
 
     /// Groups that were made for what was handed over know so.

@@ -13,7 +13,7 @@ use crate::sim::counters::Counters;
 use crate::sim::dynamics::Dynamics;
 use crate::sim::environment::{CursorPath, Environment, Lead};
 use crate::sim::model::{Model, ModelError};
-use crate::sim::plan::{self, NOWHERE};
+use crate::sim::plan::{self, NOWHERE, OWN};
 use crate::sim::points::State;
 use crate::sim::real::{Precision, Real};
 use crate::sim::saved::{Saved, SavedWorld};
@@ -86,10 +86,10 @@ impl<S: Real, const D: usize> World<S, D> {
         let mut without_gone = model.clone();
         without_gone.pinned.extend(&saved.gone);
         let numbers = saved.bond_numbers.as_deref();
-        let mut is_live = vec![false; if saved.handed_over.is_empty() { 0 } else { state.position.len() }];
-        saved.handed_over.iter().for_each(|handed| is_live[handed.first.index()] = true);
+        let mut live = vec![OWN; if saved.handed_over.is_empty() { 0 } else { state.position.len() }];
+        saved.handed_over.iter().for_each(|handed| live[handed.first.index()] = handed.first.0);
         let plan =
-            plan::compile((&without_gone, &obstacles, saved.scene_points), (&model.bonds, numbers), &state, &is_live);
+            plan::compile((&without_gone, &obstacles, saved.scene_points), (&model.bonds, numbers), &state, &live);
         let mut inverse_mass = plan::inverse_masses(&without_gone);
         saved.gone.iter().for_each(|point| inverse_mass[point.index()] = 0.0);
         let cursor = saved.cursor.map(CursorPath::of);
@@ -117,6 +117,7 @@ impl<S: Real, const D: usize> World<S, D> {
             topology: 0,
             kept: Vec::new(),
             was_handed_over: false,
+            is_fresh: true,
             grabbed: saved.grabbed.clone(),
             ledger: None,
             model: Arc::new(model.bare()),

@@ -73,6 +73,7 @@ impl<S: Real, const D: usize> World<S, D> {
             topology: 0,
             kept: Vec::new(),
             was_handed_over: false,
+            is_fresh: true,
             grabbed: Vec::new(),
             ledger: None,
             model: Arc::new(model.bare()),
@@ -83,6 +84,7 @@ impl<S: Real, const D: usize> World<S, D> {
         world.warn_of_wind();
         world.warn_of_areas(0);
         world.begin(&state);
+        world.foresee();
         world.begin_ledger();
         Ok(world)
     }

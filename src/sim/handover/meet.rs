@@ -1,0 +1,268 @@
+//! Islands that may meet something in the coming step go to the live step: all that may touch each other together.
+
+use crate::sim::bulk::mover::Part;
+use crate::sim::environment::Environment;
+use crate::sim::group::Group;
+use crate::sim::group::engine::Engine;
+use crate::sim::measure;
+use crate::sim::moved::Why;
+use crate::sim::plan::{OWN, Sets};
+use crate::sim::real::Real;
+use crate::sim::vector::{length, widen};
+use crate::sim::world::World;
+
+/// What follows within this time goes along: lists are made anew less often [s].
+const SOON: f64 = 0.05;
+/// How long what is live has to stay apart from all else to go back [s].
+const APART: f64 = 0.1;
+/// Radius of a skin where nothing is said, the most of it, and what is left between skins that do not touch yet, as shares of the mean
+/// bond.
+const RADIUS: f64 = 0.05;
+const MOST_RADIUS: f64 = 0.5;
+const GAP: f64 = 0.05;
+
+/// The place of what does not move by itself.
+const FIXED: usize = usize::MAX;
+
+/// Where a body may get to.
+struct Reach<const D: usize> {
+    /// Of its group.
+    place: usize,
+    /// What hangs together with it, pins included; of what is fixed, and of others where something is.
+    root: u32,
+    low: [f64; D],
+    high: [f64; D],
+    is_awake: bool,
+    /// Points without bonds, which do not meet each other.
+    is_loose: bool,
+}
+
+impl<const D: usize> Reach<D> {
+    fn overlaps(&self, other: &Self) -> bool {
+        (0..D).all(|k| self.low[k] <= other.high[k] && other.low[k] <= self.high[k])
+    }
+
+    fn holds(&self, x: [f64; D]) -> bool {
+        (0..D).all(|k| self.low[k] <= x[k] && x[k] <= self.high[k])
+    }
+
+    /// Whether both may meet, if they come near each other.
+    fn may_meet(&self, other: &Self) -> bool {
+        let are_bodies = self.place != other.place && !(self.is_loose && other.is_loose);
+        let is_own_pin = (self.place == FIXED || other.place == FIXED) && self.root == other.root;
+        are_bodies && !is_own_pin && (self.is_awake || other.is_awake)
+    }
+}
+
+impl<S: Real, const D: usize> World<S, D> {
+    /// Before a step: what may meet something in it goes live.
+    pub(crate) fn meet(&mut self) {
+        let is_between = self.kept.is_empty() && self.timeline.is_between_steps();
+        if !self.model.meets_on_demand() || !is_between || self.plan.groups.iter().all(Group::is_asleep) {
+            return;
+        }
+        let (t, h) = (self.timeline.time(), self.timeline.substep());
+        let count = self.plan.groups.len();
+        let roots = self.roots();
+        let mut goes: Vec<bool> = (0..count).map(|place| self.meets_itself(place, h)).collect();
+        let reaches = self.reaches(h, roots.as_deref());
+        self.mark_corners(&reaches, &mut goes);
+        let mut sets = Sets::new(count);
+        let is_live = |place: usize| self.plan.groups[place].is_live();
+        let meets_others = self.model.contact.is_some_and(|contact| contact.with_others);
+        if meets_others {
+            sweep(&reaches, |a, b| join(&mut sets, &mut goes, [a, b], is_live));
+        }
+        if !goes.contains(&true) {
+            return;
+        }
+        // What follows soon goes along.
+        let mut soon = self.reaches(h + SOON, roots.as_deref());
+        soon.retain(|reach| reach.place != FIXED && reach.is_awake);
+        if meets_others {
+            sweep(&soon, |a, b| sets.join(a.place as u32, b.place as u32));
+        }
+        let mut groups: Vec<Vec<usize>> = vec![Vec::new(); count];
+        let mut is_due = vec![false; count];
+        for place in (0..count).filter(|&place| self.plan.groups[place].points.len() > 0) {
+            let first = sets.find(place as u32) as usize;
+            is_due[first] |= goes[place];
+            groups[first].push(place);
+        }
+        let due: Vec<Vec<usize>> =
+            groups.into_iter().zip(is_due).filter(|(_, due)| *due).map(|(group, _)| group).collect();
+        for group in due {
+            let is_new = |place: &&usize| !self.plan.groups[**place].is_live();
+            self.counters.hand_overs += group.iter().filter(is_new).count() as u64;
+            self.go_together(&group, t);
+        }
+        self.gather();
+    }
+
+    /// The live step moves groups from `t` on [s], all together.
+    fn go_together(&mut self, places: &[usize], t: f64) {
+        let firsts: Vec<u32> = self.firsts_of(places).into_iter().map(|(_, first)| first).collect();
+        let mut detached = self.detach_at(&firsts, false, t);
+        let new = |moved: &crate::sim::moved::Moved| {
+            if moved.is_handed_over() { *moved } else { moved.handed_over(t, Why::Contact) }
+        };
+        detached.moved.iter_mut().for_each(|moved| *moved = new(moved).kept_until_apart(t));
+        detached.are_together = true;
+        self.was_handed_over = true;
+        self.put_back(detached);
+    }
+
+    /// What of a live group may go back to its own method: a number for every slot, [`OWN`] for what goes; `None`: nothing may, or has to be
+    /// divided.
+    pub(super) fn parted(&self, place: usize) -> Option<Vec<u32>> {
+        let group = &self.plan.groups[place];
+        if !self.model.meets_on_demand() {
+            return Some(Vec::new());
+        }
+        let Engine::Bulk(mover) = &group.engine else { return None };
+        let parts = mover.parts(&group.points, &group.pull, &self.around, APART);
+        let mut numbers = vec![OWN; group.points.len()];
+        for (Part { slots, is_free }, number) in parts.iter().zip(0..) {
+            let is_free = *is_free && !self.is_cornered(group, slots);
+            slots.iter().for_each(|&slot| numbers[slot as usize] = if is_free { OWN } else { number });
+        }
+        let stays = parts.len() == 1 && numbers.iter().any(|&number| number != OWN);
+        (!stays).then_some(numbers)
+    }
+
+    /// Whether corners of obstacles are near points of a group, or fixed bodies.
+    fn is_cornered(&self, group: &Group<S, D>, slots: &[u32]) -> bool {
+        let own = slots.iter().map(|&slot| slot as usize);
+        let points = own.map(|i| (group.points.position[i], group.points.velocity[i]));
+        let span = (APART, pushed(&self.around, group));
+        let Some([low, high]) = measure::reach(points, span, S::from_f64(self.margin(group))) else { return false };
+        let reach = Reach { place: 0, root: 0, low: widen(low), high: widen(high), is_awake: true, is_loose: false };
+        let mut goes = [false];
+        self.mark_corners(std::slice::from_ref(&reach), &mut goes);
+        goes[0] || self.fixed_reaches(None).iter().any(|fixed| fixed.overlaps(&reach))
+    }
+
+    /// Whether a group that its own method moves may meet itself within `h` [s].
+    fn meets_itself(&mut self, place: usize, h: f64) -> bool {
+        let group = &mut self.plan.groups[place];
+        !group.is_live() && !group.is_asleep() && group.meets_itself(h)
+    }
+
+    /// Where bodies may get to within `h` [s], those that do not move by themselves as well.
+    fn reaches(&self, h: f64, roots: Option<&[u32]>) -> Vec<Reach<D>> {
+        let mut reaches = self.own_reaches(h, roots);
+        reaches.extend(self.fixed_reaches(roots));
+        reaches.sort_by(|a, b| a.low[0].total_cmp(&b.low[0]));
+        reaches
+    }
+
+    fn own_reaches(&self, h: f64, roots: Option<&[u32]>) -> Vec<Reach<D>> {
+        let mut reaches = Vec::with_capacity(self.plan.groups.len());
+        let root_of: Vec<u32> = match roots {
+            Some(roots) => {
+                let mut of = vec![0; self.plan.groups.len()];
+                self.lowest().into_iter().for_each(|(place, point)| of[place] = roots[point.index()]);
+                of
+            }
+            None => vec![0; self.plan.groups.len()],
+        };
+        for (place, group) in self.plan.groups.iter().enumerate().filter(|(_, group)| group.points.len() > 0) {
+            let span = (h, pushed(&self.around, group));
+            let reach = |[low, high]: [[S; D]; 2]| Reach {
+                place,
+                root: root_of[place],
+                low: widen(low),
+                high: widen(high),
+                is_awake: !group.is_asleep(),
+                is_loose: self.plan.own[place].bonds == 0,
+            };
+            if let (true, Engine::Bulk(mover)) = (group.is_live(), &group.engine) {
+                reaches.extend(mover.reaches(&group.points, span).into_iter().map(reach));
+                continue;
+            }
+            let points = group.points.position.iter().copied().zip(group.points.velocity.iter().copied());
+            reaches.extend(measure::reach(points, span, S::from_f64(self.margin(group))).map(reach));
+        }
+        reaches
+    }
+
+    /// How far from the points of a group it may be met [m].
+    fn margin(&self, group: &Group<S, D>) -> f64 {
+        let edge = group.watch.as_ref().map_or(0.0, |watch| watch.edge);
+        let said = self.model.contact.and_then(|contact| contact.radius).into_iter();
+        let radius = said.chain(self.model.skins.widest()).reduce(f64::max).unwrap_or(RADIUS * edge);
+        radius.min(if edge > 0.0 { MOST_RADIUS * edge } else { f64::INFINITY }) + GAP * edge
+    }
+
+    /// The boxes of bodies that are pinned all over.
+    fn fixed_reaches(&self, roots: Option<&[u32]>) -> Vec<Reach<D>> {
+        let pins = self.fixtures();
+        let root = |pin: u32| roots.map_or(0, |roots| roots[pin as usize]);
+        let mut by_root: Vec<(u32, u32)> = pins.into_iter().map(|pin| (root(pin), pin)).collect();
+        by_root.sort_unstable();
+        let of = |pins: &[(u32, u32)]| {
+            let points = pins.iter().map(|&(_, pin)| (self.place(pin as usize), [0.0; D]));
+            let [low, high] = measure::reach(points, (0.0, 0.0), 0.0)?;
+            Some(Reach { place: FIXED, root: pins[0].0, low, high, is_awake: false, is_loose: false })
+        };
+        by_root.chunk_by(|a, b| a.0 == b.0).filter_map(of).collect()
+    }
+
+    /// What hangs together by bonds and triangles, pins included: a number for every point; `None` where nothing is fixed.
+    fn roots(&self) -> Option<Vec<u32>> {
+        if self.fixtures().is_empty() {
+            return None;
+        }
+        let mut sets = Sets::new(self.count());
+        self.bonds.ends().iter().for_each(|[a, b]| sets.join(a.0, b.0));
+        for [a, b, c] in &self.model.triangles {
+            sets.join(a.0, b.0);
+            sets.join(b.0, c.0);
+        }
+        Some((0..self.count() as u32).map(|point| sets.find(point)).collect())
+    }
+
+    /// Marks groups that corners of obstacles are near: their bonds may meet these, which their own methods do not know.
+    fn mark_corners(&self, reaches: &[Reach<D>], goes: &mut [bool]) {
+        let of = |reach: &&Reach<D>| {
+            let can = reach.place != FIXED && reach.is_awake && !reach.is_loose;
+            can && !goes[reach.place] && !self.plan.groups[reach.place].is_live()
+        };
+        let found: Vec<usize> = reaches
+            .iter()
+            .filter(of)
+            .filter(|reach| self.obstacles.corners().any(|corner| reach.holds(corner)))
+            .map(|reach| reach.place)
+            .collect();
+        found.into_iter().for_each(|place| goes[place] = true);
+    }
+}
+
+/// What forces, gravity, wind and mouse give a group at most [m/s^2].
+fn pushed<S: Real, const D: usize>(around: &Environment<D>, group: &Group<S, D>) -> f64 {
+    let mouse = around.mouse.as_ref().map_or(0.0, |mouse| mouse.strength.abs() * mouse.radius);
+    length(group.pull.gravity) + group.pull.most_push() + mouse
+}
+
+/// Two bodies come near each other: what moves by itself goes together, and who is not live goes live.
+fn join<const D: usize>(sets: &mut Sets, goes: &mut [bool], [a, b]: [&Reach<D>; 2], is_live: impl Fn(usize) -> bool) {
+    for place in [a.place, b.place].into_iter().filter(|&place| place != FIXED) {
+        // Two live groups become one.
+        goes[place] |= !is_live(place) || (a.place != FIXED && b.place != FIXED);
+    }
+    if a.place != FIXED && b.place != FIXED {
+        sets.join(a.place as u32, b.place as u32);
+    }
+}
+
+/// Tells of all that may meet, boxes ascending along the first axis.
+fn sweep<const D: usize>(reaches: &[Reach<D>], mut tell: impl FnMut(&Reach<D>, &Reach<D>)) {
+    let mut open: Vec<&Reach<D>> = Vec::new();
+    for reach in reaches {
+        open.retain(|other| other.high[0] >= reach.low[0]);
+        for other in open.iter().filter(|other| other.overlaps(reach) && other.may_meet(reach)) {
+            tell(other, reach);
+        }
+        open.push(reach);
+    }
+}

@@ -1,0 +1,111 @@
+//! What bodies may meet soon: for those who ask whether the live step has to move them.
+
+use super::Live;
+use super::detect;
+use super::pair::Pair;
+use crate::sim::bulk::mover::Part;
+use crate::sim::environment::Environment;
+use crate::sim::points::Points;
+use crate::sim::pull::Pull;
+use crate::sim::real::Real;
+use crate::sim::vector::{add, dot, scale, sub, zero};
+
+/// Steps until a body is looked at again, if all goes on as it does, and how much faster it may get meanwhile.
+const STEPS: f64 = 8.0;
+const FASTER: f64 = 1.5;
+/// Share of the mean edge that is left between skins which do not touch yet.
+const APART: f64 = 0.05;
+
+impl<S: Real> Live<S> {
+    /// The boxes of all bodies, as [`Mover::reaches`](crate::sim::bulk::mover::Mover::reaches).
+    pub(super) fn all_reaches(&self, points: &Points<S, 2>, span: (f64, f64)) -> Vec<[[S; 2]; 2]> {
+        if !self.contact.is_some_and(|contact| contact.with_others) {
+            return Vec::new();
+        }
+        let of = |body: usize| self.reach(body, points, span, S::from_f64(APART));
+        (0..self.bodies.list.len()).filter_map(of).map(|reach| [reach.low, reach.high]).collect()
+    }
+
+    /// The bodies that may meet within `h` [s].
+    pub(super) fn all_parts(
+        &self,
+        points: &Points<S, 2>,
+        (pull, around): (&Pull<S, 2>, &Environment<2>),
+        h: f64,
+    ) -> Vec<Part> {
+        let common = self.common(pull, &self.sides);
+        let of = |bodies: Vec<usize>| {
+            let own = bodies.iter().flat_map(|&body| &self.bodies.order[self.bodies.list[body].points.range()]);
+            let slots = own.copied().collect();
+            if bodies.len() > 1 {
+                return Part { slots, is_free: false };
+            }
+            let mut cluster = self.cluster(bodies, points, &common);
+            detect::look(&mut cluster, &common);
+            // Sides of obstacles are met by points in all methods.
+            let own = cluster.own() as u32;
+            let is_known = |pair: &Pair<S>| pair.a >= own && pair.p < own;
+            Part { slots, is_free: cluster.tangle.is_empty() && cluster.pairs.iter().all(is_known) }
+        };
+        self.together(points, &common, (around, h)).into_iter().map(of).collect()
+    }
+
+    /// Whether a body that somebody else moves may meet itself within `h` [s]. What it does as a whole brings it no nearer to itself.
+    pub(super) fn scout(&mut self, points: &Points<S, 2>, h: f64) -> bool {
+        if self.bodies.edges.is_empty() || !self.contact.is_some_and(|contact| contact.with_itself) {
+            return false;
+        }
+        let fastest = self.bodies.list.iter().map(|body| {
+            let slots = &self.bodies.order[body.points.range()];
+            deformation(slots.iter().map(|&slot| (points.position[slot as usize], points.velocity[slot as usize])))
+        });
+        let fastest = fastest.fold(S::ZERO, S::max);
+        let way = fastest * S::from_f64(2.0 * FASTER * h);
+        let edge = self.bodies.list.iter().fold(S::ZERO, |most, body| most.max(body.edge_length));
+        let least = way + edge * S::from_f64(2.0 * APART);
+        self.room -= way;
+        if self.room > least {
+            return false;
+        }
+        let walls = super::Walls::default();
+        let common = super::Common {
+            bodies: &self.bodies,
+            walls: &walls,
+            contact: self.contact.as_ref(),
+            resist: self.resist,
+            surfaces: &[],
+            planes: &[],
+            sides: &self.sides,
+            most_push: 0.0,
+        };
+        let mut cluster = self.cluster((0..self.bodies.list.len()).collect(), points, &common);
+        let promise = cluster.least_promise.max(way * S::from_f64(STEPS));
+        detect::look_within(&mut cluster, &common, promise);
+        self.room = cluster.pairs.iter().fold(promise + promise, |least, pair| least.min(pair.room));
+        self.room <= least
+    }
+}
+
+/// How fast the fastest of these points, each with its velocity, goes besides what all do together [m/s].
+fn deformation<S: Real>(points: impl Iterator<Item = ([S; 2], [S; 2])> + Clone) -> S {
+    let (mut count, mut middle, mut drift) = (S::ZERO, zero::<S, 2>(), zero::<S, 2>());
+    for (x, v) in points.clone() {
+        count += S::ONE;
+        middle = add(middle, x);
+        drift = add(drift, v);
+    }
+    let (middle, drift) = (scale(middle, S::ONE / count), scale(drift, S::ONE / count));
+    let (mut moment, mut inertia) = (S::ZERO, S::ZERO);
+    for (x, v) in points.clone() {
+        let (r, u) = (sub(x, middle), sub(v, drift));
+        moment += r[0] * u[1] - r[1] * u[0];
+        inertia += dot(r, r);
+    }
+    let turn = if inertia > S::ZERO { moment / inertia } else { S::ZERO };
+    let own = points.map(|(x, v)| {
+        let r = sub(x, middle);
+        let u = sub(sub(v, drift), [-turn * r[1], turn * r[0]]);
+        dot(u, u)
+    });
+    own.fold(S::ZERO, S::max).sqrt()
+}

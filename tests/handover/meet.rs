@@ -1,0 +1,177 @@
+//! Bodies with contact are moved by their own methods until they may meet something, and again when they are apart.
+
+use serde_json::{Value, json};
+use wobble::sim::{Addition, Command, Dynamics, MovedBy, Solver, Why};
+
+use super::{bits, run_to, world};
+
+fn disc(at: [f64; 2], velocity: [f64; 2]) -> Value {
+    json!({"make": "disc", "radius": 0.3, "spacing": 0.15, "origin": at, "velocity": velocity,
+        "material": {"kind": "spring", "stiffness": 2000, "damping": 0.3, "mass": 1}})
+}
+
+fn scene(bodies: Value) -> Value {
+    json!({"wobble": 1, "contact": true, "bodies": bodies})
+}
+
+/// The one that moves the first point of a body.
+fn mover(world: &dyn Dynamics, first: usize) -> MovedBy {
+    world.moved_by().into_iter().rfind(|moved| moved.first.index() <= first).unwrap()
+}
+
+fn middle(world: &dyn Dynamics, points: std::ops::Range<usize>) -> [f64; 2] {
+    let sample = world.sample(world.time());
+    let count = points.len() as f64;
+    [0, 1].map(|k| sample.position[points.clone()].iter().map(|x| x[k]).sum::<f64>() / count)
+}
+
+#[test]
+fn what_stays_apart_has_the_bits_that_it_has_without_contact() {
+    let bodies = json!([disc([0.0, 0.0], [1.0, 3.0]), disc([3.0, 0.0], [-0.5, 2.0])]);
+    let mut with = scene(bodies.clone());
+    with["gravity"] = json!([0, -9.81]);
+    with["bounds"] = json!({"min": [-5, -1], "max": [5, 5], "restitution": 0.5, "friction": 0.3});
+    let mut without = with.clone();
+    without["contact"] = json!(false);
+    let [mut with, mut without] = [world(&with), world(&without)];
+    run_to(&mut *with, 1.0);
+    run_to(&mut *without, 1.0);
+    assert_eq!(bits(&*with), bits(&*without));
+    assert_eq!((with.counters().hand_overs, with.counters().contacts), (0, 0));
+}
+
+#[test]
+fn what_may_meet_goes_live_together_before_it_touches_and_back_when_it_is_apart() {
+    let far = disc([0.0, 20.0], [0.2, 0.0]);
+    let bodies = json!([disc([-2.0, 0.0], [2.0, 0.0]), disc([2.0, 0.1], [-2.0, 0.0]), far.clone()]);
+    let mut world = world(&scene(bodies));
+    let count = world.point_count() / 3;
+    let mut met = None;
+    while world.time() < 4.0 {
+        world.step();
+        let movers = world.moved_by();
+        if met.is_none() && movers.iter().any(|moved| moved.method == Solver::Live) {
+            let way = middle(&*world, count..2 * count)[0] - middle(&*world, 0..count)[0];
+            assert!(way > 0.6 && way < 1.0, "{way}");
+            assert_eq!(movers.len(), 2, "{movers:?}");
+            assert_eq!((movers[0].why, movers[0].count), (Why::Contact, 2 * count));
+            assert_eq!((movers[1].why, movers[1].first.index(), movers[1].since), (Why::Plan, 2 * count, 0.0));
+            met = Some(world.time());
+        }
+    }
+    assert!(world.counters().contacts > 0);
+    let movers = world.moved_by();
+    assert!(movers.len() == 3 && movers.iter().all(|moved| moved.why == Why::Plan), "{movers:?}");
+    assert!(movers[0].since >= met.unwrap() + 1.0, "{movers:?}");
+    assert!(middle(&*world, 0..count)[0] < -0.5 && middle(&*world, count..2 * count)[0] > 0.5);
+    // Who met nobody has the bits that it has alone.
+    let mut alone = super::world(&scene(json!([far])));
+    run_to(&mut *alone, world.time());
+    let own = |world: &dyn Dynamics, from: usize| world.sample(world.time()).position[from..].to_vec();
+    assert_eq!(own(&*world, 2 * count), own(&*alone, 0));
+}
+
+#[test]
+fn what_falls_on_itself_goes_live_before_it_crosses() {
+    let rope = json!({"make": "rope", "count": 40, "origin": [0, 0.3], "to": [0.02, 3.2],
+        "material": {"kind": "spring", "stiffness": 3000, "damping": 0.3, "mass": 0.5}});
+    let mut scene = scene(json!([rope]));
+    scene["gravity"] = json!([0, -9.81]);
+    scene["bounds"] = json!({"min": [-5, 0], "max": [5, 9], "friction": 0.3});
+    let mut world = world(&scene);
+    let mut was = Vec::new();
+    while world.time() < 2.0 {
+        world.step();
+        was.push(mover(&*world, 0).why);
+        if was.ends_with(&[Why::Contact]) {
+            break;
+        }
+        let sample = world.sample(world.time());
+        for i in 0..39 {
+            for j in i + 2..39 {
+                assert!(!cross([i, i + 1, j, j + 1].map(|k| sample.position[k])), "{i} and {j} at {}", world.time());
+            }
+        }
+    }
+    assert_eq!(was[0], Why::Plan);
+    assert!(was.contains(&Why::Contact));
+}
+
+fn cross([a, b, c, d]: [[f64; 3]; 4]) -> bool {
+    let turn = |a: [f64; 3], b: [f64; 3], c: [f64; 3]| (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]);
+    // What lies in one line does not cross, but for rounding.
+    turn(a, b, c) * turn(a, b, d) < -1e-12 && turn(c, d, a) * turn(c, d, b) < -1e-12
+}
+
+#[test]
+fn corners_of_obstacles_are_met_and_wide_ground_is_not() {
+    let cases = [
+        ([[-5.0, -1.0], [5.0, -1.0], [5.0, 0.0], [-5.0, 0.0]], Why::Plan),
+        ([[-0.1, -1.0], [0.1, -1.0], [0.1, 0.0], [-0.1, 0.0]], Why::Contact),
+    ];
+    for (polygon, why) in cases {
+        let mut scene = scene(json!([disc([0.0, 0.6], [0.0, 0.0])]));
+        scene["gravity"] = json!([0, -9.81]);
+        scene["obstacles"] = json!([{"polygon": [polygon]}]);
+        let mut world = world(&scene);
+        assert_eq!(mover(&*world, 0).why, Why::Plan);
+        run_to(&mut *world, 0.4);
+        assert_eq!(mover(&*world, 0).why, why, "{polygon:?}");
+    }
+}
+
+#[test]
+fn what_is_pinned_all_over_is_met() {
+    // Twenty pinned points are ground for what falls on them; nothing of it can move.
+    let ground = json!({"make": "lattice", "columns": 10, "rows": 2, "spacing": 0.2, "origin": [-0.9, -0.2],
+        "pinned": (0..20).collect::<Vec<u32>>(), "material": {"kind": "spring", "stiffness": 1000}});
+    let mut scene = scene(json!([ground, disc([0.0, 1.0], [0.0, 0.0]), disc([9.0, 1.0], [0.0, 0.0])]));
+    scene["gravity"] = json!([0, -9.81]);
+    let mut world = world(&scene);
+    let count = (world.point_count() - 20) / 2;
+    run_to(&mut *world, 1.5);
+    assert_eq!((mover(&*world, 20).why, mover(&*world, 20 + count).why), (Why::Contact, Why::Plan));
+    assert!(middle(&*world, 20..20 + count)[1] > 0.2);
+    assert!(middle(&*world, 20 + count..20 + 2 * count)[1] < -5.0);
+}
+
+#[test]
+fn an_edit_elsewhere_leaves_a_heap_its_bits() {
+    let mut scene =
+        scene((0..4).map(|k| disc([0.05 * f64::from(k % 2), 0.35 + 0.65 * f64::from(k)], [0.0; 2])).collect());
+    scene["gravity"] = json!([0, -9.81]);
+    scene["bounds"] = json!({"min": [-30, 0], "max": [30, 90], "friction": 0.5});
+    let mut world = world(&scene);
+    run_to(&mut *world, 0.8);
+    assert_eq!(mover(&*world, 0).why, Why::Contact);
+    let mut edited = world.boxed_clone();
+    let addition = Addition {
+        position: vec![[20.0, 3.0, 0.0], [20.5, 3.0, 0.0]],
+        velocity: vec![[0.0; 3]; 2],
+        mass: vec![1.0; 2],
+        ..Addition::default()
+    };
+    edited.apply(&Command::Add(Box::new(addition))).unwrap();
+    run_to(&mut *world, 1.6);
+    run_to(&mut *edited, 1.6);
+    let count = world.point_count();
+    let own = |world: &dyn Dynamics| world.sample(world.time()).position[..count].to_vec();
+    assert_eq!(own(&*world), own(&*edited));
+}
+
+#[test]
+fn a_heap_that_is_kept_goes_on_as_one() {
+    let bodies: Value = (0..3).map(|k| disc([0.0, 0.35 + 0.65 * f64::from(k)], [0.0; 2])).collect();
+    let mut scene = scene(bodies);
+    scene["gravity"] = json!([0, -9.81]);
+    scene["bounds"] = json!({"min": [-3, 0], "max": [3, 9], "friction": 0.5});
+    let mut world = world(&scene);
+    run_to(&mut *world, 1.0);
+    let before = world.moved_by();
+    let mut again = wobble::sim::resume(&world.save().unwrap()).unwrap();
+    run_to(&mut *again, 1.2);
+    let after = again.moved_by();
+    assert_eq!((before.len(), after.len(), after[0].count), (1, 1, before[0].count), "{after:?}");
+    assert_eq!((after[0].why, after[0].since), (before[0].why, before[0].since));
+    assert!(again.is_finite());
+}
