@@ -372,6 +372,18 @@ pub struct RecordedCounters {
     pub hand_overs: u64,
     /// Those that went back to their own methods.
     pub returns: u64,
+    /// Points and edges of bodies that pressed each other in the live step, once a substep.
+    pub contacts: u64,
+    /// Motions that it cut where a point would have passed an edge.
+    pub truncations: u64,
+    /// Steps after which it took energy from bodies that had got it from nowhere.
+    pub guarded: u64,
+    /// Looks whether skins cross.
+    pub looks: u64,
+    /// Points that it led back to the shape of their body, once a substep.
+    pub mended: u64,
+    /// Couples of bodies that it parted, once a substep.
+    pub parted: u64,
 }
 
 impl Recording {

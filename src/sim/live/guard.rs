@@ -51,7 +51,8 @@ fn elastic<S: Real>(state: &Cluster<S>, common: &Common<S>) -> S {
 /// Slows points down until the energy fits: about their mean velocity, whose momentum stays, unless something holds them.
 pub(super) fn hold<S: Real>(state: &mut Cluster<S>, common: &Common<S>, (before, gravity): (S, [f64; 2])) {
     // Springs alone keep their energy, which swings about its mean within a substep.
-    if !state.has_pressed {
+    let is_led_back = state.counts.mended + state.counts.parted > 0;
+    if !state.has_pressed && !is_led_back {
         return;
     }
     // Pins that are led do work that nobody counts.

@@ -5,14 +5,13 @@
 //! Source of the fit: M. Müller and others, Meshless Deformations Based on Shape Matching, 2005; in the plane the rotation is closed form.
 
 use super::cluster::Cluster;
+use super::layout::Shape;
 use super::pair::wedge;
 use crate::sim::real::Real;
 use crate::sim::vector::{add, dot, scale, sub, zero};
 
 /// How long a piece takes to get its shape [s].
 const TIME: f64 = 0.4;
-/// How many times as heavy as a free point one is taken for that is held.
-const HELD: f64 = 100.0;
 /// Share of the largest sum that a fit says nothing below.
 const LEAST_FIT: f64 = 1e-4;
 
@@ -50,19 +49,23 @@ impl<S: Real> Place<S> {
 }
 
 impl<S: Real> Piece<S> {
-    /// Points of a body that begins at `base`, led to the shape in which they were laid out.
-    pub(super) fn new(state: &Cluster<S>, base: usize, points: Vec<u32>, mut shape: Vec<[S; 2]>) -> Self {
-        let w = |&point: &u32| state.w[base + point as usize];
-        let heaviest = points.iter().map(w).filter(|&w| w > S::ZERO).fold(S::ZERO, |most, w| most.max(S::ONE / w));
-        let held = if heaviest > S::ZERO { heaviest * S::from_f64(HELD) } else { S::ONE };
-        let mass: Vec<S> = points.iter().map(w).map(|w| if w > S::ZERO { S::ONE / w } else { held }).collect();
+    /// The points of a body that begins at `base` which are free, led to the shape in which they were laid out; `None`: none is. What is
+    /// held stays where it is, and would only throw about what is led to it: its bonds and areas do that.
+    pub(super) fn new(state: &Cluster<S>, base: usize, (points, shape): Shape<S>) -> Option<Self> {
+        let w = |point: u32| state.w[base + point as usize];
+        let free = points.into_iter().zip(shape).filter(|&(point, _)| w(point) > S::ZERO);
+        let (points, mut shape): Shape<S> = free.unzip();
+        if points.is_empty() {
+            return None;
+        }
+        let mass: Vec<S> = points.iter().map(|&point| S::ONE / w(point)).collect();
         let middle = mean(&mass, shape.iter().copied());
         shape.iter_mut().for_each(|q| *q = sub(*q, middle));
         let mut piece = Piece { points, shape, mass, speed: S::ZERO, turn: [S::ONE, S::ZERO] };
         let place = piece.fit(&state.now, base);
         piece.turn = place.turn;
         piece.speed = piece.farthest(&state.now, base, &place) / S::from_f64(TIME);
-        piece
+        Some(piece)
     }
 
     pub(super) fn points(&self) -> &[u32] {
@@ -116,12 +119,10 @@ impl<S: Real> Piece<S> {
         let kept = if farthest > S::ZERO { (S::ONE - self.speed * h / farthest).max(S::ZERO) } else { S::ZERO };
         for (&point, &q) in self.points.iter().zip(&self.shape) {
             let i = base + point as usize;
-            if state.w[i] != S::ZERO {
-                let off = sub(before.back(state.start[i]), q);
-                let shift = sub(after.out(add(q, scale(off, kept))), state.now[i]);
-                state.now[i] = add(state.now[i], shift);
-                state.way[i] = add(state.way[i], shift);
-            }
+            let off = sub(before.back(state.start[i]), q);
+            let shift = sub(after.out(add(q, scale(off, kept))), state.now[i]);
+            state.now[i] = add(state.now[i], shift);
+            state.way[i] = add(state.way[i], shift);
         }
     }
 }

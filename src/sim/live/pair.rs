@@ -4,7 +4,7 @@ use super::cluster::Cluster;
 use crate::sim::real::Real;
 use crate::sim::vector::{add, dot, scale, sub};
 
-/// Share of an overlap that was there before a substep that is mended in it, without speed.
+/// Share of an overlap of skins that was there before a substep that is mended in it, without speed; obstacles put points out at once.
 const MENDED: f64 = 0.2;
 
 /// The side of an edge that a point belongs to: +1 on its left, -1 on its right, by the numbers of both.
@@ -48,7 +48,6 @@ pub(super) struct OnPlane<S> {
     pub(super) rubbed: S,
     /// It slides on.
     pub(super) slips: bool,
-    pub(super) old: S,
     pub(super) approach: S,
     pub(super) is_met: bool,
 }
@@ -143,8 +142,7 @@ impl<S: Real> Pair<S> {
             if overlap > S::ZERO {
                 // Between skins slowly: a body that is deep in another would be torn, its springs loaded from nowhere.
                 let is_between_skins = p.max(a) < state.own();
-                let most = if is_between_skins { state.gentle } else { S::INFINITY };
-                let mended = (overlap * S::from_f64(MENDED)).min(most);
+                let mended = if is_between_skins { (overlap * S::from_f64(MENDED)).min(state.gentle) } else { overlap };
                 let push = mended / w;
                 for (i, share) in [(p, w_p), (a, -rest * w_a), (b, -at * w_b)] {
                     let shift = scale(normal, share * push);

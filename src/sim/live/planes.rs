@@ -6,26 +6,14 @@ use crate::sim::contact::surface::Surface;
 use crate::sim::real::Real;
 use crate::sim::vector::{add, dot, scale, sub};
 
-/// Share of a depth from before a substep that is mended in it, without speed.
-const MENDED: f64 = 0.2;
-
 impl<S: Real> OnPlane<S> {
     pub(super) fn new(p: u32, surface: u32) -> Self {
-        OnPlane {
-            p,
-            surface,
-            pressed: S::ZERO,
-            rubbed: S::ZERO,
-            slips: false,
-            old: S::ZERO,
-            approach: S::ZERO,
-            is_met: false,
-        }
+        OnPlane { p, surface, pressed: S::ZERO, rubbed: S::ZERO, slips: false, approach: S::ZERO, is_met: false }
     }
 
     #[inline(always)]
     pub(super) fn clear(&mut self) {
-        (self.pressed, self.rubbed, self.old, self.is_met) = (S::ZERO, S::ZERO, S::ZERO, false);
+        (self.pressed, self.rubbed, self.is_met) = (S::ZERO, S::ZERO, false);
     }
 
     /// Puts the point out.
@@ -41,16 +29,14 @@ impl<S: Real> OnPlane<S> {
             self.approach = dot(state.velocity[p], normal);
             let depth = (-surface.gap(state.start[p])).max(S::ZERO);
             if depth > S::ZERO {
-                let mended = depth * S::from_f64(MENDED);
-                let shift = scale(normal, mended);
+                let shift = scale(normal, depth);
                 state.start[p] = add(state.start[p], shift);
                 state.now[p] = add(state.now[p], shift);
-                gap += mended;
-                self.old = depth - mended;
+                gap += depth;
             }
         }
         let before = self.pressed;
-        self.pressed = (before - self.old - gap).max(S::ZERO);
+        self.pressed = (before - gap).max(S::ZERO);
         let push = self.pressed - before;
         let d = state.way[p];
         let along = sub(d, scale(normal, dot(normal, d)));

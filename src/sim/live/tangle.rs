@@ -269,6 +269,6 @@ impl<S: Real> Knot<S> {
         if shapes.len() > 1 && !crossings.is_empty() {
             shapes = sheet.shapes(&vec![true; body.points.len()]);
         }
-        self.pieces = shapes.into_iter().map(|(points, shape)| Piece::new(state, base, points, shape)).collect();
+        self.pieces = shapes.into_iter().filter_map(|shape| Piece::new(state, base, shape)).collect();
     }
 }
