@@ -107,6 +107,8 @@ pub struct Ledger {
     pub book: Book,
     /// The largest kinetic energy so far, looked at after every step [J].
     pub most_kinetic: f64,
+    /// What all that can move would have at a speed that nobody sees, 1 cm/s, or at what free fall brings in 1/60 s, if that is more [J].
+    pub unseen: f64,
     /// What rounding alone may make of the energy [J].
     pub rounding: f64,
 }
@@ -129,6 +131,7 @@ pub(crate) struct Totals {
     pub(crate) start: f64,
     pub(crate) book: Book,
     pub(crate) most_kinetic: f64,
+    pub(crate) unseen: f64,
 }
 
 impl Totals {
@@ -142,6 +145,7 @@ impl Totals {
             start: self.start,
             book: self.book,
             most_kinetic: self.most_kinetic.max(now.kinetic),
+            unseen: self.unseen,
             rounding: 256.0 * epsilon * size,
         }
     }

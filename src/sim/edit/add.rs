@@ -205,7 +205,7 @@ impl<S: Real, const D: usize> World<S, D> {
     /// Works out what is not said of angles and areas that come.
     fn add_form(&self, model: &mut Model<D>, addition: &Addition) {
         let is_joint = |angle: &Angle| angle.range.is_some() && angle.stop == 0.0;
-        let has_areas = model.areas.is_some() && !addition.triangles.is_empty();
+        let has_areas = model.needs_areas() && !addition.triangles.is_empty();
         if !has_areas && !addition.angles.iter().any(is_joint) {
             return;
         }

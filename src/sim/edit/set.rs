@@ -194,6 +194,8 @@ impl<S: Real, const D: usize> World<S, D> {
         model.contact = change.contact.unwrap_or(model.contact);
         if let Some(areas) = change.areas {
             model.areas = areas;
+        }
+        if change.areas.is_some() || change.contact.is_some() {
             model.rest_areas = self.rest_areas(&model);
         }
         if let Some(method) = change.method {
@@ -237,10 +239,13 @@ impl<S: Real, const D: usize> World<S, D> {
         Ok(done(true))
     }
 
-    /// The areas at rest of all triangles of a model [m^2]: those that are known, or as they are made; none where they do not resist.
+    /// The areas at rest of all triangles of a model [m^2]: those that are known, or as they are made; none where nobody needs them.
     fn rest_areas(&self, model: &Model<D>) -> Vec<f64> {
-        if model.areas.is_none() || model.rest_areas.len() == model.triangles.len() {
-            return if model.areas.is_none() { Vec::new() } else { model.rest_areas.clone() };
+        if !model.needs_areas() {
+            return Vec::new();
+        }
+        if model.rest_areas.len() == model.triangles.len() {
+            return model.rest_areas.clone();
         }
         self.laid_out(model).areas_at_rest()
     }

@@ -48,7 +48,8 @@ impl Verdict {
 ///
 /// Gains are what the energy has over its start and what was brought, whatever was taken since. Losses are what neither dampers,
 /// drag, friction, restitution nor breaking bonds explain, between any two times not further apart than [`LOSS_TIME`].
-/// Both are medians of five entries, and relative to the largest kinetic energy until then; less than rounding makes is nothing.
+/// Both are medians of five entries, and relative to the largest kinetic energy until then, at least to what nobody would see
+/// ([`Ledger::unseen`]); less than rounding makes is nothing.
 /// Without entries nothing is wrong.
 pub fn judge(entries: &[Ledger]) -> Verdict {
     let mut verdict = Verdict { is_told: entries.iter().all(|entry| entry.book.untold == 0), ..Verdict::default() };
@@ -59,7 +60,7 @@ pub fn judge(entries: &[Ledger]) -> Verdict {
         let last = &entries[(k + SMOOTHED / 2).min(entries.len() - 1)];
         let share = |energy: f64| match energy {
             energy if energy <= last.rounding => 0.0,
-            energy => energy / last.most_kinetic,
+            energy => energy / last.most_kinetic.max(last.unseen),
         };
         while entry.time - entries[first].time > LOSS_TIME {
             first += 1;
@@ -112,6 +113,7 @@ mod tests {
                 start: 100.0,
                 book: Book { friction, ..Book::default() },
                 most_kinetic: 100.0,
+                unseen: 1e-3,
                 rounding: 1e-9,
             }
         };

@@ -47,6 +47,8 @@ pub(super) struct Cluster<S: Real> {
     pub(super) odd_pulls: Vec<(u32, u32)>,
     /// Bonds that are projected, and those that kernels do not take.
     pub(super) firm: Links<S>,
+    /// Those of them that hardly give.
+    pub(super) hard: Links<S>,
     pub(super) holds: Vec<Hold<S>>,
     /// Forces on some of its points.
     pub(super) thrusts: Vec<Thrust<S, 2>>,
@@ -163,6 +165,12 @@ impl<S: Real> Cluster<S> {
         self.rooms.clear();
         self.rooms.extend(pairs.iter().map(|pair| pair.room));
         self.pairs = pairs;
+    }
+
+    /// Whether something presses in this substep.
+    pub(super) fn is_pressed(&self) -> bool {
+        let mut pairs = self.active.iter().map(|&number| &self.pairs[number as usize]);
+        pairs.any(|pair| pair.pressed > S::ZERO) || self.on_planes.iter().any(|on| on.pressed > S::ZERO)
     }
 
     /// How many points its bodies have.

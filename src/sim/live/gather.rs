@@ -113,6 +113,7 @@ impl<S: Real> Live<S> {
             pulls: Links::default(),
             odd_pulls: Vec::new(),
             firm: Links::default(),
+            hard: Links::default(),
             holds: Vec::new(),
             thrusts: Vec::new(),
             thin: vec![Thin::unknown(); bodies.len()],

@@ -5,6 +5,7 @@ use super::detect;
 use super::pair::Pair;
 use crate::sim::bulk::mover::Part;
 use crate::sim::environment::Environment;
+use crate::sim::force::area::size;
 use crate::sim::points::Points;
 use crate::sim::pull::Pull;
 use crate::sim::real::Real;
@@ -13,6 +14,9 @@ use crate::sim::vector::{add, dot, scale, sub, zero};
 /// Steps until a body is looked at again, if all goes on as it does, and how much faster it may get meanwhile.
 const STEPS: f64 = 8.0;
 const FASTER: f64 = 1.5;
+/// How much more of its area than it has to keep a triangle has as long as somebody else moves it, and until somebody else may [1].
+const SPARE: f64 = 0.05;
+const AMPLE: f64 = 0.15;
 /// Share of the mean edge that is left between skins which do not touch yet.
 const APART: f64 = 0.05;
 
@@ -40,18 +44,36 @@ impl<S: Real> Live<S> {
             if bodies.len() > 1 {
                 return Part { slots, is_free: false };
             }
+            let own_bodies = bodies.clone();
             let mut cluster = self.cluster(bodies, points, &common);
             detect::look(&mut cluster, &common);
             // Sides of obstacles are met by points in all methods.
             let own = cluster.own() as u32;
             let is_known = |pair: &Pair<S>| pair.a >= own && pair.p < own;
-            Part { slots, is_free: cluster.tangle.is_empty() && cluster.pairs.iter().all(is_known) }
+            let is_whole = cluster.tangle.is_empty() && !self.is_flat(points, &own_bodies, AMPLE);
+            Part { slots, is_free: is_whole && cluster.pairs.iter().all(is_known) }
         };
         self.together(points, &common, (around, h)).into_iter().map(of).collect()
     }
 
-    /// Whether a body that somebody else moves may meet itself within `h` [s]. What it does as a whole brings it no nearer to itself.
+    /// Whether a triangle of some bodies has hardly more of its area than it has to keep.
+    fn is_flat(&self, points: &Points<S, 2>, bodies: &[usize], spare: f64) -> bool {
+        let least = S::from_f64(self.resist.least + spare);
+        bodies.iter().any(|&body| {
+            let of = &self.bodies.list[body];
+            let slots = &self.bodies.order[of.points.range()];
+            let place = |corner: u32| points.position[slots[corner as usize] as usize];
+            self.bodies.areas[of.areas.range()].iter().any(|area| size(area.corners.map(place)) < least * area.rest)
+        })
+    }
+
+    /// Whether a body that somebody else moves may meet itself within `h` [s], or is pressed flat. What it does as a whole brings it no
+    /// nearer to itself.
     pub(super) fn scout(&mut self, points: &Points<S, 2>, h: f64) -> bool {
+        let all: Vec<usize> = (0..self.bodies.list.len()).collect();
+        if self.is_flat(points, &all, SPARE) {
+            return true;
+        }
         if self.bodies.edges.is_empty() || !self.contact.is_some_and(|contact| contact.with_itself) {
             return false;
         }
@@ -78,7 +100,7 @@ impl<S: Real> Live<S> {
             sides: &self.sides,
             most_push: 0.0,
         };
-        let mut cluster = self.cluster((0..self.bodies.list.len()).collect(), points, &common);
+        let mut cluster = self.cluster(all, points, &common);
         let promise = cluster.least_promise.max(way * S::from_f64(STEPS));
         detect::look_within(&mut cluster, &common, promise);
         self.room = cluster.pairs.iter().fold(promise + promise, |least, pair| least.min(pair.room));

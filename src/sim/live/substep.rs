@@ -54,6 +54,7 @@ pub(super) fn advance<S: Real>(state: &mut Cluster<S>, common: &Common<S>, outsi
         areas::unfold(state, common);
         if pass > 0 {
             tree::straighten(state, common);
+            bonds::hold_again(state);
         }
         state.press(outside.pull.contacts.obstacles.planes(), pushed);
     }

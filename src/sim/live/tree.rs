@@ -117,9 +117,7 @@ pub(super) fn passes<S: Real>(state: &Cluster<S>, common: &Common<S>) -> (u32, S
 
 /// One round over the forests of what was pressed in this substep.
 pub(super) fn straighten<S: Real>(state: &mut Cluster<S>, common: &Common<S>) {
-    let is_pressed =
-        state.pairs.iter().any(|pair| pair.pressed > S::ZERO) || state.on_planes.iter().any(|on| on.pressed > S::ZERO);
-    if is_pressed {
+    if state.is_pressed() {
         for (body, base) in state.members(common).filter(|(body, _)| body.tree > 0) {
             round(state, &common.holds(body)[..body.tree as usize], (base, body.points.len()));
         }

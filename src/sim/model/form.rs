@@ -116,9 +116,14 @@ impl<const D: usize> Model<D> {
         self.angles.list.iter().map(hinge).sum::<f64>() + areas
     }
 
+    /// Whether the areas of triangles at rest have to be known: where they resist, and where bodies meet, which are not to turn inside out.
+    pub(crate) fn needs_areas(&self) -> bool {
+        self.areas.is_some() || (D == 2 && self.contact.is_some())
+    }
+
     /// What is not said of angles and areas, if something is missing: areas at rest and how hard joints stop.
     pub(crate) fn form_missing(&self) -> Option<(Vec<f64>, Angles)> {
-        let has_areas = self.areas.is_none() || self.rest_areas.len() == self.triangles.len();
+        let has_areas = !self.needs_areas() || self.rest_areas.len() == self.triangles.len();
         let is_open = |angle: &Angle| angle.range.is_some() && angle.stop == 0.0;
         if has_areas && !self.angles.list.iter().any(is_open) {
             return None;
@@ -128,9 +133,9 @@ impl<const D: usize> Model<D> {
         Some((self.areas_at_rest(), angles))
     }
 
-    /// The area of every triangle at rest [m^2], 0 of one that has no inside; none where triangles do not resist.
+    /// The area of every triangle at rest [m^2], 0 of one that has no inside; none where nobody needs them.
     pub fn areas_at_rest(&self) -> Vec<f64> {
-        if self.areas.is_none() {
+        if !self.needs_areas() {
             return Vec::new();
         }
         let lengths = Lengths::of(self.bonds.iter().map(|bond| ([bond.a, bond.b], bond.rest_length)));

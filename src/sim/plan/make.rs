@@ -224,10 +224,9 @@ impl<S: Real, const D: usize> Maker<'_, S, D> {
         Some(Box::new(watch.with_scout(self.scout(&bonds))))
     }
 
-    /// What looks whether a body that its own method moves comes near itself, where it would meet itself.
+    /// What looks whether a body that its own method moves comes near itself or is pressed flat, where bodies meet.
     fn scout(&self, bonds: &[Bond]) -> Option<Box<dyn Mover<S, D>>> {
-        let meets = self.model.meets_on_demand() && self.model.contact.is_some_and(|contact| contact.with_itself);
-        if !meets || bonds.is_empty() || self.lot.choice.solver == Solver::Live {
+        if !self.model.meets_on_demand() || bonds.is_empty() || self.lot.choice.solver == Solver::Live {
             return None;
         }
         let w: Vec<f64> = self.points.iter().map(|&i| self.gathered.w[i as usize]).collect();

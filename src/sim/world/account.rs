@@ -9,6 +9,10 @@ use crate::sim::command::{Applied, Command, CommandError};
 use crate::sim::ledger::{Book, Totals};
 use crate::sim::measure;
 use crate::sim::real::Real;
+use crate::sim::vector::length;
+
+/// Speed that nobody sees [m/s].
+const UNSEEN: f64 = 0.01;
 
 impl<S: Real, const D: usize> World<S, D> {
     /// The ledger begins with the energy that there is, if one is to be kept.
@@ -18,7 +22,10 @@ impl<S: Real, const D: usize> World<S, D> {
                 account.book = Book::default();
             }
             let (start, most_kinetic) = (self.energy_booked(), self.kinetic());
-            self.ledger = Some(Totals { start, book: Book::default(), most_kinetic });
+            let speed = UNSEEN.max(length(self.around.gravity) / 60.0);
+            let mass: f64 = self.inverse_mass.iter().filter(|w| **w > 0.0).map(|w| 1.0 / w).sum();
+            let unseen = 0.5 * mass * speed * speed;
+            self.ledger = Some(Totals { start, book: Book::default(), most_kinetic, unseen });
         }
     }
 
