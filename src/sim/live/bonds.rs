@@ -13,7 +13,7 @@ use crate::sim::vector::{add, dot, scale, sub};
 pub(super) const MOST_PHASE: f64 = 2.0;
 pub(super) const MOST_DECAY: f64 = 0.5;
 /// Share of an error that a bond takes away at once from which on it is hard.
-const HARD: f64 = 0.9;
+const HARD: f64 = 0.99;
 /// Most substeps of a frame that a body is given so that its springs can be forces, which keep its energy: stiffer ones are projected.
 const MOST_SUBSTEPS: f64 = 32.0;
 

@@ -63,6 +63,8 @@ pub(super) struct Cluster<S: Real> {
     /// How far points may go until what is near what is looked for anew [m], and the least of that.
     pub(super) promise: S,
     pub(super) least_promise: S,
+    /// How long a substep is [s].
+    pub(super) span: S,
     /// The largest radius of its skins [m].
     pub(super) widest: S,
     /// How far an overlap of two skins is mended in a substep at most [m].

@@ -12,8 +12,11 @@ use crate::sim::vector::{add, dot, scale, sub};
 /// Cells that an edge may touch before it is looked at by every point instead.
 const MOST_CELLS: usize = 64;
 
-/// Share of a frame after which it is looked anew at the soonest, however fast points are.
+/// Share of a frame after which it is looked anew at the soonest, unless points are so fast that too much would be near: then after two
+/// substeps at the soonest.
 const LEAST_TIME: f64 = 0.25;
+/// Most that points may go until then, in least promises.
+const MOST_PROMISE: f64 = 4.0;
 
 /// An edge as points look at it.
 struct Line<S> {
@@ -47,8 +50,10 @@ struct Cells<S> {
 
 /// Finds pairs of points and edges anew; those that were there keep their sides.
 pub(super) fn look<S: Real>(state: &mut Cluster<S>, common: &Common<S>) {
-    let far = super::substep::fastest(state) * S::from_f64(LEAST_TIME / FRAMES);
-    look_within(state, common, state.least_promise.max(far));
+    let fastest = super::substep::fastest(state);
+    let far = fastest * S::from_f64(LEAST_TIME / FRAMES);
+    let near = (state.least_promise * S::from_f64(MOST_PROMISE)).max(fastest * state.span * S::from_f64(2.0));
+    look_within(state, common, state.least_promise.max(far.min(near)));
 }
 
 /// The same for points that go at most this far [m].
@@ -92,7 +97,7 @@ pub(super) fn look_within<S: Real>(state: &mut Cluster<S>, common: &Common<S>, p
         }
     }
     pairs.sort_unstable_by_key(|pair| pair.key);
-    state.counts.work += 30 * (state.edges.len() + state.corners.len()) as u64 + 20 * pairs.len() as u64;
+    state.counts.work += 40 * (state.edges.len() + state.corners.len()) as u64 + 60 * pairs.len() as u64;
     part::suspend(state, &mut pairs);
     state.list(pairs);
 }

@@ -123,6 +123,7 @@ impl<S: Real> Live<S> {
             on_planes: Vec::new(),
             promise: S::ZERO,
             least_promise: S::INFINITY,
+            span: S::ZERO,
             widest: S::ZERO,
             gentle: S::ZERO,
             gone: S::ZERO,

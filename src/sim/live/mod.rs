@@ -194,7 +194,8 @@ impl<S: Real> Live<S> {
         let outside = Outside { pull, around, settling: &self.settling };
         let before = guard::energy(cluster, common, pull.gravity);
         tangle::look(cluster, common, h);
-        bonds::prepare(cluster, common, S::from_f64(own));
+        cluster.span = S::from_f64(own);
+        bonds::prepare(cluster, common, cluster.span);
         detect::look(cluster, common);
         for substep in 0..count as u32 {
             substep::advance(cluster, common, outside, (t + f64::from(substep) * own, own));

@@ -141,6 +141,7 @@ impl<S: Real> Cluster<S> {
     fn press(&mut self, planes: &[crate::sim::contact::surface::Surface<S, 2>], slack: S) {
         let mut pairs = std::mem::take(&mut self.pairs);
         let mut active = std::mem::take(&mut self.active);
+        self.counts.work += 25 * active.len() as u64;
         active.retain(|&number| pairs[number as usize].press(self, slack));
         (self.pairs, self.active) = (pairs, active);
         let mut on_planes = std::mem::take(&mut self.on_planes);
@@ -183,7 +184,7 @@ impl<S: Real> Cluster<S> {
         let pressed = chosen().filter(|pair| pair.pressed > S::ZERO).count();
         self.counts.contacts += pressed as u64;
         self.has_pressed |= pressed > 0 || on_planes.iter().any(|on| on.pressed > S::ZERO);
-        self.counts.work += 40 * active.len() as u64 + pairs.len() as u64;
+        self.counts.work += 45 * active.len() as u64 + pairs.len() as u64;
         self.counts.work += 20 * on_planes.len() as u64 + 20 * self.own() as u64;
         (self.pairs, self.active, self.on_planes) = (pairs, active, on_planes);
     }

@@ -88,7 +88,10 @@ impl Fault {
             Fault::Friction => ("share that friction is off by while something slides", MOST_FRICTION),
             Fault::Restless => ("way from where it rested [m], or speed at the end [m/s]", MOST_UNREST),
             Fault::Frame => ("counted work of the dearest frame [ms]", MOST_FRAME),
-            Fault::Untold => ("error that the best setting found is told to have, over the one asked for", 1.0),
+            Fault::Untold => (
+                "error that the best setting found is told to have, or has beside a finer run, over the one asked for",
+                1.0,
+            ),
         }
     }
 
