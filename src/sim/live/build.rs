@@ -3,7 +3,7 @@
 use super::body::{Area, Body, Edge, Link, Span};
 use super::cluster::Cluster;
 use super::skins::Skin;
-use super::{Draft, bonds, tree};
+use super::{Draft, FRAMES, bonds, tree};
 use crate::sim::bond::{Bond, BondKind};
 use crate::sim::colour::by_colour;
 use crate::sim::force::angle::Hinge;
@@ -16,6 +16,8 @@ use crate::sim::vector::{length, sub};
 const RADIUS: f64 = 0.05;
 /// The most of it: what is thicker would press its own edges apart.
 const MOST_RADIUS: f64 = 0.5;
+/// Stiffness over mass from which on springs that make trees are taken for rigid, times the square of the longest substep, of 1/16 frame [1].
+const STIFF: f64 = 100.0;
 /// Bonds of a path from which on it is solved as one.
 const LEAST_PATH: usize = 4;
 
@@ -100,11 +102,8 @@ impl<S: Real> Bodies<S> {
         let place = |i: u32| points.position[i as usize];
         let w = |i: u32| points.inverse_mass[i as usize];
         let starts = self.ends();
-        let rigid: Vec<Bond> = own.bonds.iter().copied().filter(is_held).collect();
-        let (tree, others): (Vec<Bond>, Vec<Bond>) = match tree::forest(&rigid, |i| w(i) == S::ZERO) {
-            Some(tree) => (tree, own.bonds.iter().copied().filter(|bond| !is_held(bond)).collect()),
-            None => (Vec::new(), own.bonds.clone()),
-        };
+        let (tree, others) = own.forest(|bond| is_held(bond) || is_stiff(bond, w), |i| w(i) == S::ZERO);
+        let (tree, others) = if tree.is_empty() { own.forest(is_held, |i| w(i) == S::ZERO) } else { (tree, others) };
         let link = |bond: &Bond| link(bond, local);
         self.holds.extend(tree.iter().map(link));
         let (springs, holds): (Vec<&Bond>, Vec<&Bond>) = others.iter().partition(|bond| is_spring(bond));
@@ -178,6 +177,21 @@ struct Own<S> {
     hinges: Vec<Hinge<S>>,
 }
 
+impl<S> Own<S> {
+    /// The forest that some of its bonds make, from the roots on, and all others; no forest, where they make none.
+    fn forest(
+        &self,
+        is_meant: impl Fn(&Bond) -> bool,
+        is_pinned: impl Fn(u32) -> bool + Copy,
+    ) -> (Vec<Bond>, Vec<Bond>) {
+        let (meant, others): (Vec<Bond>, Vec<Bond>) = self.bonds.iter().copied().partition(|bond| is_meant(bond));
+        match tree::forest(&meant, is_pinned) {
+            Some(tree) => (tree, others),
+            None => (Vec::new(), self.bonds.clone()),
+        }
+    }
+}
+
 /// In an order in which bonds that follow on each other share no point: none waits for the one before.
 pub(super) fn in_turn<'a>(list: Vec<&'a Bond>, local: &[u32], points: usize) -> Vec<&'a Bond> {
     let ends: Vec<[u32; 2]> = list.iter().map(|bond| [bond.a, bond.b].map(|end| local[end.index()])).collect();
@@ -186,6 +200,14 @@ pub(super) fn in_turn<'a>(list: Vec<&'a Bond>, local: &[u32], points: usize) -> 
 
 pub(super) fn is_spring(bond: &Bond) -> bool {
     matches!(bond.kind, BondKind::Spring { .. })
+}
+
+/// A spring that gives so little in a substep that a rigid bond is nearer to it than what one sweep makes of a spring.
+fn is_stiff<S: Real>(bond: &Bond, w: impl Fn(u32) -> S) -> bool {
+    let BondKind::Spring { stiffness, .. } = bond.kind else { return false };
+    let sum = (w(bond.a.0) + w(bond.b.0)).to_f64();
+    let is_plain = bond.limit == crate::sim::bond::Limit::Both && bond.rest_length > 0.0;
+    is_plain && !bond.break_strain.is_finite() && stiffness * sum >= STIFF * (FRAMES * FRAMES) * 256.0
 }
 
 /// Rigid, both ways.
