@@ -25,6 +25,8 @@ pub(crate) struct Obstacles<S, const D: usize> {
     solids: Option<Arc<Solids>>,
     /// Balls and boxes in space, which have no surfaces by number: the live step alone meets them.
     convex: Arc<[Convex]>,
+    /// The corners of polygons, ascending along the first axis.
+    corners: Arc<[[f64; D]]>,
 }
 
 /// A point that meets the wall of a polygon on its way.
@@ -56,7 +58,13 @@ impl<S: Real, const D: usize> Obstacles<S, D> {
             let walls = solids.planes(geometry.polygons);
             list.extend(walls.iter().map(|plane| Surface::within(plane, solids.reach())));
         }
-        Obstacles { surfaces: list.into(), planes, solids, convex: geometry.convex.into() }
+        let mut obstacles =
+            Obstacles { surfaces: list.into(), planes, solids, convex: geometry.convex.into(), corners: Arc::new([]) };
+        let walls = (planes..obstacles.surfaces.len()).filter_map(|surface| obstacles.wall(surface));
+        let mut corners: Vec<[f64; D]> = walls.map(|wall| truncate(embed(wall.ends()[0]))).collect();
+        corners.sort_by(|a, b| a[0].total_cmp(&b[0]));
+        obstacles.corners = corners.into();
+        obstacles
     }
 
     /// Whether there are no surfaces.
@@ -87,12 +95,11 @@ impl<S: Real, const D: usize> Obstacles<S, D> {
         &self.surfaces[..self.planes]
     }
 
-    /// The corners of polygons.
-    pub(crate) fn corners(&self) -> impl Iterator<Item = [f64; D]> + '_ {
-        (self.planes..self.surfaces.len()).filter_map(|surface| self.wall(surface)).map(|wall| {
-            let [x, y] = wall.ends()[0];
-            truncate([x, y, 0.0])
-        })
+    /// Whether a corner of a polygon is in a box.
+    pub(crate) fn has_corner_in(&self, [low, high]: [[f64; D]; 2]) -> bool {
+        let start = self.corners.partition_point(|corner| corner[0] < low[0]);
+        let mut near = self.corners[start..].iter().take_while(|corner| corner[0] <= high[0]);
+        near.any(|corner| (1..D).all(|k| low[k] <= corner[k] && corner[k] <= high[k]))
     }
 
     /// Whether there are polygons.

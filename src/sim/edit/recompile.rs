@@ -183,6 +183,9 @@ impl<S: Real, const D: usize> World<S, D> {
 
     /// Pins whose triangles are pinned all over.
     pub(crate) fn fixtures(&self) -> Vec<u32> {
+        if self.model.pinned.len() < 3 {
+            return Vec::new();
+        }
         let is_pinned = |i: usize| self.inverse_mass[i] == 0.0 && !self.numbers.is_gone(i as u32);
         plan::fixtures(&self.model.triangles, is_pinned)
     }

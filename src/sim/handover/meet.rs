@@ -42,10 +42,6 @@ impl<const D: usize> Reach<D> {
         (0..D).all(|k| self.low[k] <= other.high[k] && other.low[k] <= self.high[k])
     }
 
-    fn holds(&self, x: [f64; D]) -> bool {
-        (0..D).all(|k| self.low[k] <= x[k] && x[k] <= self.high[k])
-    }
-
     /// Whether both may meet, if they come near each other.
     fn may_meet(&self, other: &Self) -> bool {
         let are_bodies = self.place != other.place && !(self.is_loose && other.is_loose);
@@ -231,7 +227,7 @@ impl<S: Real, const D: usize> World<S, D> {
         let found: Vec<usize> = reaches
             .iter()
             .filter(of)
-            .filter(|reach| self.obstacles.corners().any(|corner| reach.holds(corner)))
+            .filter(|reach| self.obstacles.has_corner_in([reach.low, reach.high]))
             .map(|reach| reach.place)
             .collect();
         found.into_iter().for_each(|place| goes[place] = true);
