@@ -136,6 +136,23 @@ fn what_is_pinned_all_over_is_met() {
 }
 
 #[test]
+fn pins_that_nothing_hangs_on_are_met_where_they_are() {
+    // A box about all three would hold all of the scene.
+    let mut scene = scene(json!([disc([0.0, 2.0], [0.0, 0.0]), disc([9.0, 3.0], [0.0, 0.0])]));
+    scene["gravity"] = json!([0, -9.81]);
+    scene["points"] = json!({"position": [[-50, -50], [50, 50], [0, 1.0]], "pinned": [0, 1, 2]});
+    let mut world = world(&scene);
+    let count = (world.point_count() - 3) / 2;
+    run_to(&mut *world, 0.3);
+    assert_eq!(world.counters().hand_overs, 0);
+    run_to(&mut *world, 0.8);
+    let [near, far] = [mover(&*world, 3), mover(&*world, 3 + count)];
+    assert_eq!((near.why, far.why), (Why::Contact, Why::Plan));
+    // The disc hangs on the peg, or rolls off it: it is later than what falls freely.
+    assert!(middle(&*world, 3..3 + count)[1] > middle(&*world, 3 + count..3 + 2 * count)[1]);
+}
+
+#[test]
 fn an_edit_elsewhere_leaves_a_heap_its_bits() {
     let mut scene =
         scene((0..4).map(|k| disc([0.05 * f64::from(k % 2), 0.35 + 0.65 * f64::from(k)], [0.0; 2])).collect());

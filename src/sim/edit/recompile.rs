@@ -181,13 +181,13 @@ impl<S: Real, const D: usize> World<S, D> {
         places
     }
 
-    /// Pins whose triangles are pinned all over.
+    /// Pins that may be met, though they move nobody by themselves.
     pub(crate) fn fixtures(&self) -> Vec<u32> {
-        if self.model.pinned.len() < 3 {
+        if self.model.pinned.is_empty() {
             return Vec::new();
         }
-        let is_pinned = |i: usize| self.inverse_mass[i] == 0.0 && !self.numbers.is_gone(i as u32);
-        plan::fixtures(&self.model.triangles, is_pinned)
+        let pins: Vec<PointId> = self.model.pinned.iter().filter(|pin| !self.numbers.is_gone(pin.0)).copied().collect();
+        plan::fixtures(&self.model.triangles, &self.bonds, &pins)
     }
 
     /// The place of a group is free.

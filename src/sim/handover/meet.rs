@@ -5,7 +5,7 @@ use crate::sim::environment::Environment;
 use crate::sim::group::Group;
 use crate::sim::group::engine::Engine;
 use crate::sim::measure;
-use crate::sim::moved::Why;
+use crate::sim::moved::{Moved, Why};
 use crate::sim::plan::{OWN, Sets};
 use crate::sim::real::Real;
 use crate::sim::vector::{length, widen};
@@ -59,6 +59,9 @@ impl<S: Real, const D: usize> World<S, D> {
         }
         let (t, h) = (self.timeline.time(), self.timeline.substep());
         let count = self.plan.groups.len();
+        if self.fixtures.0 != Some(self.topology) {
+            self.fixtures = (Some(self.topology), self.fixtures().into());
+        }
         let roots = self.roots();
         let mut goes: Vec<bool> = (0..count).map(|place| self.meets_itself(place, h)).collect();
         let reaches = self.reaches(h, roots.as_deref());
@@ -99,7 +102,7 @@ impl<S: Real, const D: usize> World<S, D> {
     fn go_together(&mut self, places: &[usize], t: f64) {
         let firsts: Vec<u32> = self.firsts_of(places).into_iter().map(|(_, first)| first).collect();
         let mut detached = self.detach_at(&firsts, false, t);
-        let new = |moved: &crate::sim::moved::Moved| {
+        let new = |moved: &Moved| {
             if moved.is_handed_over() { *moved } else { moved.handed_over(t, Why::Contact) }
         };
         detached.moved.iter_mut().for_each(|moved| *moved = new(moved).kept_until_apart(t));
@@ -162,7 +165,9 @@ impl<S: Real, const D: usize> World<S, D> {
             }
             None => vec![0; self.plan.groups.len()],
         };
-        for (place, group) in self.plan.groups.iter().enumerate().filter(|(_, group)| group.points.len() > 0) {
+        let may_move = |group: &Group<S, D>| group.points.inverse_mass.iter().any(|&w| w > S::ZERO);
+        let groups = self.plan.groups.iter().enumerate();
+        for (place, group) in groups.filter(|(_, group)| may_move(group)) {
             let span = (h, pushed(&self.around, group));
             let reach = |[low, high]: [[S; D]; 2]| Reach {
                 place,
@@ -190,11 +195,10 @@ impl<S: Real, const D: usize> World<S, D> {
         radius.min(if edge > 0.0 { MOST_RADIUS * edge } else { f64::INFINITY }) + GAP * edge
     }
 
-    /// The boxes of bodies that are pinned all over.
+    /// The boxes of bodies that are pinned all over, and of pins that nothing hangs on.
     fn fixed_reaches(&self, roots: Option<&[u32]>) -> Vec<Reach<D>> {
-        let pins = self.fixtures();
-        let root = |pin: u32| roots.map_or(0, |roots| roots[pin as usize]);
-        let mut by_root: Vec<(u32, u32)> = pins.into_iter().map(|pin| (root(pin), pin)).collect();
+        let root = |pin: u32| roots.map_or(pin, |roots| roots[pin as usize]);
+        let mut by_root: Vec<(u32, u32)> = self.fixtures.1.iter().map(|&pin| (root(pin), pin)).collect();
         by_root.sort_unstable();
         let of = |pins: &[(u32, u32)]| {
             let points = pins.iter().map(|&(_, pin)| (self.place(pin as usize), [0.0; D]));
@@ -206,7 +210,7 @@ impl<S: Real, const D: usize> World<S, D> {
 
     /// What hangs together by bonds and triangles, pins included: a number for every point; `None` where nothing is fixed.
     fn roots(&self) -> Option<Vec<u32>> {
-        if self.fixtures().is_empty() {
+        if self.fixtures.1.is_empty() {
             return None;
         }
         let mut sets = Sets::new(self.count());

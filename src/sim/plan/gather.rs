@@ -32,7 +32,7 @@ pub(super) struct Gathered<S, const D: usize> {
     /// Forces and the wind.
     pub(super) drives: Drives<D>,
     pub(super) ties: Ties,
-    /// Pins whose triangles are pinned all over, where what is live has to know of them.
+    /// Pins that may be met, where what is live has to know of them.
     fixtures: Vec<u32>,
     /// Triangles between the points that stand for others, without those that welds leave no area: their places in the model, by the lowest
     /// corner of each, and where those of every point begin.
@@ -56,7 +56,11 @@ impl<S: Real, const D: usize> Gathered<S, D> {
             drives: Drives::new(model, w, stand_ins),
             ties: ties(model, stand_ins, |i| widen(state.position[i])),
             by_corner: by_corner(&model.triangles, stand_ins),
-            fixtures: if model.meets_on_demand() { fixtures(&model.triangles, |i| w[i] == 0.0) } else { Vec::new() },
+            fixtures: if model.meets_on_demand() {
+                fixtures(&model.triangles, bonds, &model.pinned)
+            } else {
+                Vec::new()
+            },
         };
         gathered.merge(model, w);
         for (k, bond) in bonds.iter().enumerate() {
@@ -147,6 +151,9 @@ impl<S: Real, const D: usize> Gathered<S, D> {
         for i in 0..slots.len() {
             slots[i] = slots[self.stand_ins[i] as usize];
         }
+        if parts.iter().any(|part| part.points > 0) {
+            parts.retain(|part| part.points > 0);
+        }
         let is_plain = groups.len() == 1 && slots.iter().enumerate().all(|(i, slot)| *slot == [0, i as u32]);
         let longest = lots.iter().map(|lot| lot.choice.substep).fold(0.0, f64::max);
         let substep = model.method.substep.unwrap_or(longest);
@@ -205,13 +212,26 @@ fn by_corner(triangles: &[[PointId; 3]], stand_ins: &[u32]) -> (Vec<u32>, Vec<u3
     (list.into_iter().map(|entry| entry.1).collect(), starts)
 }
 
-/// The corners of triangles that are pinned all over: the skins of bodies that do not move by themselves.
-pub(crate) fn fixtures(triangles: &[[PointId; 3]], is_pinned: impl Fn(usize) -> bool) -> Vec<u32> {
-    let is_fixed = |corners: &&[PointId; 3]| corners.iter().all(|corner| is_pinned(corner.index()));
-    let mut pins: Vec<u32> = triangles.iter().filter(is_fixed).flatten().map(|corner| corner.0).collect();
+/// What is there to be met and does not move by itself: the corners of triangles that are pinned all over, and pins that nothing hangs on.
+pub(crate) fn fixtures(triangles: &[[PointId; 3]], bonds: &Bonds, pins: &[PointId]) -> Vec<u32> {
+    let mut pins: Vec<PointId> = pins.to_vec();
     pins.sort_unstable();
-    pins.dedup();
-    pins
+    let is_pinned = |point: &PointId| pins.binary_search(point).is_ok();
+    let is_fixed = |corners: &&[PointId; 3]| corners.iter().all(is_pinned);
+    let mut found: Vec<PointId> = triangles.iter().filter(is_fixed).flatten().copied().collect();
+    let mut fastened: Vec<PointId> = bonds
+        .ends()
+        .iter()
+        .flatten()
+        .chain(triangles.iter().flatten())
+        .filter(|point| is_pinned(point))
+        .copied()
+        .collect();
+    fastened.sort_unstable();
+    found.extend(pins.iter().filter(|pin| fastened.binary_search(pin).is_err()));
+    found.sort_unstable();
+    found.dedup();
+    found.into_iter().map(|point| point.0).collect()
 }
 
 /// Angles and areas between the points that stand for others, which are at these places; what a weld leaves no angle or area of is left out.

@@ -73,6 +73,10 @@ pub(super) fn lots<const D: usize>(
     // A shuffled order is one of all bonds.
     let is_divided = !matches!(model.method.order, Order::Shuffled);
     let meets = model.meets_on_demand();
+    if meets && !model.pinned.is_empty() {
+        // Pins that nothing is fastened to are with nobody: they would make the box of a body large.
+        classes.insert(0, (choice::choose(&Island::default(), &model.method, setting), Vec::new()));
+    }
     let mut met: Vec<(u32, Vec<Island>)> = Vec::new();
     if !meets && !forced.is_empty() {
         classes.push((live_choice(model.method), forced));

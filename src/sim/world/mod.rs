@@ -56,6 +56,8 @@ pub struct World<S: Real, const D: usize> {
     pub(crate) is_fresh: bool,
     /// The points that are grabbed; the groups that they are in lead them.
     pub(crate) grabbed: Vec<PointId>,
+    /// Pins that may be met, and the topology that they are of.
+    pub(crate) fixtures: (Option<u64>, Arc<[u32]>),
     /// Energy that came and went, where a ledger is kept.
     pub(crate) ledger: Option<Totals>,
 }

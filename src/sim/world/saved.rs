@@ -118,6 +118,7 @@ impl<S: Real, const D: usize> World<S, D> {
             kept: Vec::new(),
             was_handed_over: false,
             is_fresh: true,
+            fixtures: (None, Arc::new([])),
             grabbed: saved.grabbed.clone(),
             ledger: None,
             model: Arc::new(model.bare()),
