@@ -12,11 +12,12 @@ use crate::sim::vector::{add, dot, scale, sub};
 /// Cells that an edge may touch before it is looked at by every point instead.
 const MOST_CELLS: usize = 64;
 
-/// Share of a frame after which it is looked anew at the soonest, unless points are so fast that too much would be near: then after two
-/// substeps at the soonest.
+/// Share of a frame after which it is looked anew at the soonest, unless points are so fast that too much would be near: then after each
+/// substep.
 const LEAST_TIME: f64 = 0.25;
-/// Most that points may go until then, in least promises.
-const MOST_PROMISE: f64 = 4.0;
+/// Most that points may go until then, in least promises, and how much further than in one substep in any case.
+const MOST_PROMISE: f64 = 2.0;
+const ONE_SUBSTEP: f64 = 1.1;
 
 /// An edge as points look at it.
 struct Line<S> {
@@ -52,7 +53,7 @@ struct Cells<S> {
 pub(super) fn look<S: Real>(state: &mut Cluster<S>, common: &Common<S>) {
     let fastest = super::substep::fastest(state);
     let far = fastest * S::from_f64(LEAST_TIME / FRAMES);
-    let near = (state.least_promise * S::from_f64(MOST_PROMISE)).max(fastest * state.span * S::from_f64(2.0));
+    let near = (state.least_promise * S::from_f64(MOST_PROMISE)).max(fastest * state.span * S::from_f64(ONE_SUBSTEP));
     look_within(state, common, state.least_promise.max(far.min(near)));
 }
 
