@@ -153,6 +153,22 @@ fn pins_that_nothing_hangs_on_are_met_where_they_are() {
 }
 
 #[test]
+fn pins_that_are_led_are_met_before_they_touch_and_push() {
+    for (speed, is_slow) in [(10.0, true), (50.0, false)] {
+        let mut scene = scene(json!([disc([2.0, 0.0], [0.0, 0.0])]));
+        scene["points"] = json!({"position": [[0, 0]], "pinned": [0]});
+        scene["pin_motion"] = json!([{"point": 0, "track": [[0, 0, 0], [5.0 / speed, 5, 0]]}]);
+        let mut world = world(&scene);
+        run_to(&mut *world, 5.0 / speed);
+        let moved = mover(&*world, 1);
+        // The disc begins at 1.7 m.
+        assert!(moved.why == Why::Contact && moved.since < 1.7 / speed, "at {speed} m/s: {moved:?}");
+        let sample = world.sample(world.time());
+        assert!(!is_slow || sample.position[1..].iter().all(|x| x[0] > 4.5), "at {speed} m/s");
+    }
+}
+
+#[test]
 fn an_edit_elsewhere_leaves_a_heap_its_bits() {
     let mut scene =
         scene((0..4).map(|k| disc([0.05 * f64::from(k % 2), 0.35 + 0.65 * f64::from(k)], [0.0; 2])).collect());

@@ -15,7 +15,7 @@ const MOST_TRIED: usize = 16;
 /// How far points may be put, as a share of the size of the island.
 const MOST_WAY: f64 = 1e-3;
 /// How far rigid bonds may put points, as a share of their mean length.
-const MOST_SHIFT: f64 = 1e-4;
+const MOST_SHIFT: f64 = 1e-3;
 /// Share of the kinetic and elastic energy that may come with it.
 const MOST_RAISE: f64 = 1e-3;
 

@@ -138,7 +138,7 @@ impl<S: Real, const D: usize> World<S, D> {
         let reach = Reach { place: 0, root: 0, low: widen(low), high: widen(high), is_awake: true, is_loose: false };
         let mut goes = [false];
         self.mark_corners(std::slice::from_ref(&reach), &mut goes);
-        goes[0] || self.fixed_reaches(None).iter().any(|fixed| fixed.overlaps(&reach))
+        goes[0] || self.fixed_reaches(APART, None).iter().any(|fixed| fixed.overlaps(&reach))
     }
 
     /// Whether a group that its own method moves may meet itself within `h` [s].
@@ -150,7 +150,7 @@ impl<S: Real, const D: usize> World<S, D> {
     /// Where bodies may get to within `h` [s], those that do not move by themselves as well.
     fn reaches(&self, h: f64, roots: Option<&[u32]>) -> Vec<Reach<D>> {
         let mut reaches = self.own_reaches(h, roots);
-        reaches.extend(self.fixed_reaches(roots));
+        reaches.extend(self.fixed_reaches(h, roots));
         reaches.sort_by(|a, b| a.low[0].total_cmp(&b.low[0]));
         reaches
     }
@@ -196,16 +196,23 @@ impl<S: Real, const D: usize> World<S, D> {
     }
 
     /// The boxes of bodies that are pinned all over, and of pins that nothing hangs on.
-    fn fixed_reaches(&self, roots: Option<&[u32]>) -> Vec<Reach<D>> {
+    fn fixed_reaches(&self, h: f64, roots: Option<&[u32]>) -> Vec<Reach<D>> {
         let root = |pin: u32| roots.map_or(pin, |roots| roots[pin as usize]);
         let mut by_root: Vec<(u32, u32)> = self.fixtures.1.iter().map(|&pin| (root(pin), pin)).collect();
         by_root.sort_unstable();
         let of = |pins: &[(u32, u32)]| {
-            let points = pins.iter().map(|&(_, pin)| (self.place(pin as usize), [0.0; D]));
-            let [low, high] = measure::reach(points, (0.0, 0.0), 0.0)?;
-            Some(Reach { place: FIXED, root: pins[0].0, low, high, is_awake: false, is_loose: false })
+            let points = pins.iter().map(|&(_, pin)| (self.place(pin as usize), self.led(pin)));
+            let is_awake = points.clone().any(|(_, velocity)| velocity != [0.0; D]);
+            let [low, high] = measure::reach(points, (h, 0.0), 0.0)?;
+            Some(Reach { place: FIXED, root: pins[0].0, low, high, is_awake, is_loose: false })
         };
         by_root.chunk_by(|a, b| a.0 == b.0).filter_map(of).collect()
+    }
+
+    /// How fast a pin is led [m/s].
+    fn led(&self, pin: u32) -> [f64; D] {
+        let slot = self.slot(pin as usize);
+        slot.map_or([0.0; D], |[place, slot]| widen(self.plan.groups[place].points.velocity[slot]))
     }
 
     /// What hangs together by bonds and triangles, pins included: a number for every point; `None` where nothing is fixed.
