@@ -91,6 +91,11 @@ impl<const D: usize> Environment<D> {
         Some((mouse, cursor))
     }
 
+    /// What the mouse force gives a point at most, wherever its cursor is [m/s^2].
+    pub(crate) fn most_push(&self) -> f64 {
+        self.mouse.as_ref().map_or(0.0, |mouse| mouse.strength.abs() * mouse.radius)
+    }
+
     /// How far the cursor of the mouse force goes from `t` to `t + h`, in radii of it [1]; 0 where there is none. `far` says for a ray
     /// from a place how far away the last of the points is [m].
     pub(crate) fn sweep(&self, t: f64, h: f64, far: impl FnOnce([f64; 3]) -> f64) -> f64 {

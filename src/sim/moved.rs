@@ -94,10 +94,11 @@ impl Moved {
     /// happens again soon.
     pub(crate) fn handed_over(self, t: f64, why: Why) -> Self {
         let times = if t - self.since > FORGOTTEN { 0 } else { self.times };
-        // Whoever meets others often is none the worse for it.
-        let again = if why == Why::Contact { times } else { times + 1 };
-        let wait = wait(why, if why == Why::Contact { 0 } else { times });
-        Moved { since: t, why, until: t + wait, times: again }
+        match why {
+            // Whoever meets others often is none the worse for it.
+            Why::Contact => Moved { since: t, why, until: t + wait(why, 0), times },
+            _ => Moved { since: t, why, until: t + wait(why, times), times: times + 1 },
+        }
     }
 
     /// Back to its own method at `t` [s].

@@ -121,6 +121,20 @@ fn corners_of_obstacles_are_met_and_wide_ground_is_not() {
 }
 
 #[test]
+fn what_lies_on_a_corner_stays_live() {
+    let mut scene = scene(json!([disc([0.0, 0.32], [0.0, 0.0])]));
+    scene["gravity"] = json!([0, -9.81]);
+    scene["contact"] = json!({"friction": 1.0});
+    // A trough between two corners that hold the disc.
+    scene["obstacles"] = json!([{"polygon": [[[-2, -1], [-0.15, -1], [-0.15, 0], [-2, 0]]]},
+        {"polygon": [[[0.15, -1], [2, -1], [2, 0], [0.15, 0]]]}]);
+    scene["method"] = json!({"sleep": false});
+    let mut world = world(&scene);
+    run_to(&mut *world, 3.5);
+    assert_eq!((mover(&*world, 0).why, world.counters().hand_overs, world.counters().returns), (Why::Contact, 1, 0));
+}
+
+#[test]
 fn what_is_pinned_all_over_is_met() {
     // Twenty pinned points are ground for what falls on them; nothing of it can move.
     let ground = json!({"make": "lattice", "columns": 10, "rows": 2, "spacing": 0.2, "origin": [-0.9, -0.2],

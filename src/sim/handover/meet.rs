@@ -136,9 +136,8 @@ impl<S: Real, const D: usize> World<S, D> {
         let span = (APART, pushed(&self.around, group));
         let Some([low, high]) = measure::reach(points, span, S::from_f64(self.margin(group))) else { return false };
         let reach = Reach { place: 0, root: 0, low: widen(low), high: widen(high), is_awake: true, is_loose: false };
-        let mut goes = [false];
-        self.mark_corners(std::slice::from_ref(&reach), &mut goes);
-        goes[0] || self.fixed_reaches(APART, None).iter().any(|fixed| fixed.overlaps(&reach))
+        self.obstacles.has_corner_in([reach.low, reach.high])
+            || self.fixed_reaches(APART, None).iter().any(|fixed| fixed.overlaps(&reach))
     }
 
     /// Whether a group that its own method moves may meet itself within `h` [s].
@@ -247,8 +246,7 @@ impl<S: Real, const D: usize> World<S, D> {
 
 /// What forces, gravity, wind and mouse give a group at most [m/s^2].
 fn pushed<S: Real, const D: usize>(around: &Environment<D>, group: &Group<S, D>) -> f64 {
-    let mouse = around.mouse.as_ref().map_or(0.0, |mouse| mouse.strength.abs() * mouse.radius);
-    length(group.pull.gravity) + group.pull.most_push() + mouse
+    length(group.pull.gravity) + group.pull.most_push() + around.most_push()
 }
 
 /// Two bodies come near each other: what moves by itself goes together, and who is not live goes live.

@@ -5,7 +5,7 @@ use super::cluster::{Cluster, Common};
 use super::{FRAMES, tree};
 use crate::sim::bond::Limit;
 use crate::sim::kernels::level::vectorized;
-use crate::sim::kernels::links::{self, Entry, Moved};
+use crate::sim::kernels::links::{self, Entry, Links, Moved};
 use crate::sim::real::Real;
 use crate::sim::vector::{add, dot, scale, sub};
 
@@ -174,11 +174,7 @@ pub(super) fn hold<S: Real>(state: &mut Cluster<S>, common: &Common<S>) {
         tree::solve(state, &common.holds(body)[..body.tree as usize], (base, body.points.len()));
     }
     let firm = std::mem::take(&mut state.firm);
-    let Cluster { now, way, w, .. } = &mut *state;
-    let mut moved = Moved { now, rate: way, w };
-    vectorized!(m => links::sweep::<_, _, true>(m, &firm, &mut moved));
-    state.counts.bonds += firm.len() as u64;
-    state.counts.work += 30 * firm.len() as u64;
+    sweep(state, &firm);
     state.firm = firm;
     let holds = std::mem::take(&mut state.holds);
     project(state, &holds);
@@ -192,12 +188,17 @@ pub(super) fn hold_again<S: Real>(state: &mut Cluster<S>) {
         return;
     }
     let hard = std::mem::take(&mut state.hard);
+    sweep(state, &hard);
+    state.hard = hard;
+}
+
+/// One sweep over bonds that kernels take.
+fn sweep<S: Real>(state: &mut Cluster<S>, links: &Links<S>) {
     let Cluster { now, way, w, .. } = &mut *state;
     let mut moved = Moved { now, rate: way, w };
-    vectorized!(m => links::sweep::<_, _, true>(m, &hard, &mut moved));
-    state.counts.bonds += hard.len() as u64;
-    state.counts.work += 30 * hard.len() as u64;
-    state.hard = hard;
+    vectorized!(m => links::sweep::<_, _, true>(m, links, &mut moved));
+    state.counts.bonds += links.len() as u64;
+    state.counts.work += 30 * links.len() as u64;
 }
 
 /// Bonds that no kernel takes: each in turn as a compliant constraint whose multiplier starts at 0.

@@ -24,11 +24,6 @@ pub(super) fn substeps_at(speed: f64, edge: f64) -> u32 {
     SUBSTEPS.into_iter().find(|&count| f64::from(count) >= wanted).unwrap_or(SUBSTEPS[3])
 }
 
-/// What the mouse gives at most [m/s^2].
-fn pushed(around: &Environment<2>) -> f64 {
-    around.mouse.as_ref().map_or(0.0, |mouse| mouse.strength.abs() * mouse.radius)
-}
-
 /// What a body may reach within a step.
 pub(super) struct Reach<S> {
     body: usize,
@@ -59,7 +54,7 @@ impl<S: Real> Live<S> {
         let mut reaches: Vec<Reach<S>> = (0..self.bodies.list.len())
             .filter(|&body| self.bodies.list[body].points.len() > 0)
             .filter_map(|body| {
-                self.reach(body, points, (h, common.most_push + pushed(around)), S::from_f64(2.0 * PROMISE))
+                self.reach(body, points, (h, common.most_push + around.most_push()), S::from_f64(2.0 * PROMISE))
             })
             .collect();
         let mut together = crate::sim::sets::Sets::new(self.bodies.list.len());

@@ -63,7 +63,7 @@ impl<S: Real> Space<S> {
                 fastest = fastest.max(v[k].abs());
             }
         }
-        let pushed = around.mouse.as_ref().map_or(0.0, |mouse| mouse.strength.abs() * mouse.radius);
+        let pushed = around.most_push();
         let pulled = S::from_f64(h * h * (length(around.gravity) + pushed));
         let margin = of.edge_length * S::from_f64(2.0 * PROMISE) + of.radius;
         let way = (S::ONE + S::HALF) * (fastest * S::from_f64(h) + pulled) + margin;
