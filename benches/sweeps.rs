@@ -8,7 +8,7 @@
 
 use criterion::{Criterion, Throughput, criterion_group, criterion_main};
 use std::time::Duration;
-use wobble::sim::{Bond, BondKind, Dynamics, Method, Model, Order, PointId, Solver, World, build};
+use wobble::sim::{Bond, BondKind, Dynamics, Method, Model, Order, PointId, Precision, Solver, build};
 use wobble::study::speed::find_speed_scene;
 use wobble::study::speed::naive::Naive as Plain;
 
@@ -95,6 +95,11 @@ impl Naive {
     }
 }
 
+/// The same model, computed with these scalars.
+fn in_precision(model: &Model<2>, precision: Precision) -> Model<2> {
+    Model { method: Method { precision, ..model.method }, ..model.clone() }
+}
+
 fn sweeps(criterion: &mut Criterion) {
     let mut group = criterion.benchmark_group("substep of 10k points, 30k relaxed bonds");
     let listed = sheet(100, Order::Fixed);
@@ -103,15 +108,15 @@ fn sweeps(criterion: &mut Criterion) {
     group.bench_function("naive", |b| b.iter(|| naive.step(0.001)));
     for (name, order) in [("listed", Order::Fixed), ("coloured", Order::Coloured), ("shuffled", Order::Shuffled)] {
         let model = sheet(100, order);
-        let mut double = World::<f64, 2>::new(&model).unwrap();
+        let mut double = build(&in_precision(&model, Precision::F64)).unwrap();
         group.bench_function(format!("{name}, f64"), |b| b.iter(|| double.step()));
-        let mut single = World::<f32, 2>::new(&model).unwrap();
+        let mut single = build(&in_precision(&model, Precision::F32)).unwrap();
         group.bench_function(format!("{name}, f32"), |b| b.iter(|| single.step()));
     }
     // The same points without bonds: what is left of a substep when the sweep is taken away.
     let mut bare = sheet(100, Order::Coloured);
     bare.bonds.truncate(1);
-    let mut bare = World::<f64, 2>::new(&bare).unwrap();
+    let mut bare = build(&bare).unwrap();
     group.bench_function("without bonds, f64", |b| b.iter(|| bare.step()));
     group.finish();
 }
@@ -142,7 +147,7 @@ fn mouse(criterion: &mut Criterion) {
     let cursors = [("no force", None), ("out of reach", Some([1e6, 0.0])), ("in reach", Some([5.0, -5.0]))];
     for (name, at) in cursors {
         model.mouse = at.map(|_| force.clone());
-        let mut world = World::<f64, 2>::new(&model).unwrap();
+        let mut world = build(&model).unwrap();
         world.apply(&Command::Cursor { to: at.map(Cursor::at), by: 0.0 }).unwrap();
         group.bench_function(name, |b| b.iter(|| world.step()));
     }

@@ -3,6 +3,8 @@
 
 #[path = "live/bad.rs"]
 mod bad;
+#[path = "live/rest.rs"]
+mod rest;
 #[path = "live/rigid.rs"]
 mod rigid;
 #[path = "live/tangle.rs"]
@@ -11,6 +13,8 @@ mod tangle;
 mod violence;
 #[path = "live/wake.rs"]
 mod wake;
+#[path = "live/words.rs"]
+mod words;
 
 use serde_json::{Value, json};
 use wobble::scene::Scene;

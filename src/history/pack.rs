@@ -152,6 +152,7 @@ pub(super) const FIRST_WITH_TRIANGLES: u64 = 3;
 pub(super) const FIRST_WITH_FORCES: u64 = 4;
 pub(super) const FIRST_WITH_HAND_OVERS: u64 = 5;
 const FIRST_WITH_ANGLES: u64 = 6;
+const FIRST_WITH_SETTLING: u64 = 7;
 
 /// A kept world of any layout that is known.
 trait KeptWorld: Sized {
@@ -177,6 +178,7 @@ macro_rules! saved {
                 $($rest.put(to);)*
                 $($($later.put(to);)* $($last.put(to);)*)*
                 model.method.budget.put(to);
+                model.method.settles.put(to);
             }
 
             fn take(from: &mut &[u8], layout: u64) -> Option<Self> {
@@ -190,6 +192,9 @@ macro_rules! saved {
                 let mut model = Model { $($model,)* $($more,)* $($($later,)*)* };
                 if layout >= FIRST_WITH_HAND_OVERS {
                     model.method.budget = Packed::take(from)?;
+                }
+                if layout >= FIRST_WITH_SETTLING {
+                    model.method.settles = Packed::take(from)?;
                 }
                 Some(Saved { model, $($core,)* $($rest,)* $($($last,)*)* })
             }
@@ -208,7 +213,7 @@ saved! {
     from FIRST_WITH_ANGLES on: model: areas rest_areas angles convex; rest: ;
 }
 
-fields!(Method { solver, substep, iterations, order, seed, precision, tolerance, max_strain, sleeps } without { ledger: false, budget: None });
+fields!(Method { solver, substep, iterations, order, seed, precision, tolerance, max_strain, sleeps } without { ledger: false, budget: None, settles: true });
 fields!(HandedOver { first, since, why, until, times });
 fields!(Contact { friction, restitution, radius, with_itself, with_others });
 fields!(Force<D> { points, force, torque });

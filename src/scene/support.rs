@@ -113,6 +113,7 @@ pub(super) fn method(scene: &Scene) -> Result<sim::Method, Fault> {
         ledger: keys.ledger.unwrap_or(false),
         budget: if keys.tolerance.is_some() { None } else { keys.budget.map_or(Some(BUDGET), BudgetKeys::ms) },
         sleeps: keys.sleep.unwrap_or(keys.tolerance.is_none()),
+        settles: keys.settle.unwrap_or(keys.tolerance.is_none()),
     })
 }
 

@@ -1,10 +1,10 @@
 //! Runs of one model with different settings, and what they cost.
 
+use crate::sim::build::build;
 use crate::sim::dynamics::Dynamics;
 use crate::sim::model::{Method, Model, ModelError};
 use crate::sim::plan::{gust_rate, islands_of};
 use crate::sim::solver::Solver;
-use crate::sim::world::build;
 
 /// Most work of a whole search, in the units of `sim::plan`: about ten seconds.
 const MOST_WORK: f64 = 2e10;

@@ -3,6 +3,7 @@
 pub(crate) mod account;
 pub mod bond;
 pub mod bonds;
+pub(crate) mod build;
 pub(crate) mod bulk;
 pub(crate) mod colour;
 pub mod command;
@@ -41,6 +42,7 @@ pub mod world;
 
 pub use bond::{Bond, BondId, BondKind, Limit, PointId};
 pub use bonds::Bonds;
+pub use build::build;
 pub use command::{
     Addition, AngleChange, Applied, BondChange, BoundsChange, Change, Command, CommandError, Kind, Knots, Motion,
     MouseChange, Obstacle, Reach, SceneChange, Selection, Values,
@@ -68,5 +70,6 @@ pub use solver::{Order, Solver};
 pub use threads::{ThreadsInUse, shared_passes, use_threads};
 pub use timeline::frame_of;
 pub use triangles::borne;
+#[cfg(test)]
+pub(crate) use world::World;
 pub use world::saved::resume;
-pub use world::{World, build};

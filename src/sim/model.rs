@@ -250,6 +250,9 @@ impl<const D: usize> Model<D> {
             let range = "of friction and radius finite and >= 0, restitution from 0 to 1";
             require(material.is_fine(), "the material of a skin", material, range)?;
         }
+        if D == 3 && !self.skins.is_empty() {
+            return Err(ModelError::Planar { what: "skins" });
+        }
         self.check_contact()?;
         if let Some(h) = self.method.substep {
             require((SHORTEST..f64::INFINITY).contains(&h), "substep", h, "finite and at least 1e-12")?;
@@ -536,6 +539,8 @@ pub struct Method {
     pub budget: Option<f64>,
     /// What stays where it is falls asleep, and is not stepped until something reaches it.
     pub sleeps: bool,
+    /// What touches something and is slow is slowed down in the live step until it rests.
+    pub settles: bool,
     /// Keeps a [`Ledger`](super::ledger::Ledger) of the world's energy. It changes nothing of the motion, and takes time.
     pub ledger: bool,
 }

@@ -12,8 +12,8 @@
 //! hand over   what costs too much or fails goes to the live step, and back (`handover`)
 //! ```
 //!
-//! Groups do not act on each other: each goes its own way to the end of the step, in equal substeps no longer than its own, and a
-//! command, a cursor or a break cuts the step of those alone that it touches.
+//! What acts on each other in a step is one group. Each group goes its own way to the end of the step, in equal substeps no longer than
+//! its own, and a command, a cursor or a break cuts the step of those alone that it touches.
 
 use super::handover::most_work;
 use super::real::Real;

@@ -1,14 +1,14 @@
 //! Points that rest, slide and pass from one surface to another: against closed forms, at any substep.
 
 use super::common::physics::{run_to, spring};
-use wobble::sim::{Bounds, Method, Model, Plane, PointId, Sample, Solver, World};
+use wobble::sim::{Bounds, Method, Model, Plane, PointId, Sample, Solver, build};
 
 const G: f64 = 9.81;
 
 fn at(model: &Model<2>, solver: Solver, h: f64, t: f64) -> Sample {
     let method = Method { solver, substep: Some(h), ..Method::default() };
     let model = Model { method, duration: Some(t), ..model.clone() };
-    run_to(&mut World::<f64, 2>::new(&model).unwrap(), t)
+    run_to(&mut *build(&model).unwrap(), t)
 }
 
 /// A point 1 m up a smooth slope of 30 degrees that ends on a floor.

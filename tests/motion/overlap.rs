@@ -1,7 +1,7 @@
 //! Bodies that start inside obstacles: each is moved out as a whole, and nothing is crushed or thrown.
 
 use super::common::physics::{run_to, spring};
-use wobble::sim::{Bond, Bounds, Dynamics, Model, Plane, PointId, Polygon, Sample, World};
+use wobble::sim::{Bond, Bounds, Dynamics, Model, Plane, PointId, Polygon, Sample, build};
 
 fn rectangle([left, low]: [f64; 2], [right, high]: [f64; 2]) -> Vec<[f64; 2]> {
     vec![[left, low], [right, low], [right, high], [left, high]]
@@ -42,7 +42,7 @@ fn square(corner: [f64; 2], is_rigid: bool) -> Model<2> {
 
 /// By how much a body was moved, which must be the same for all of its points, and the warnings.
 fn moved(model: &Model<2>) -> ([f64; 2], Vec<String>) {
-    let world = World::<f64, 2>::new(model).unwrap();
+    let world = build(model).unwrap();
     let start = world.sample(0.0);
     let way = |(now, before): (&[f64; 3], &[f64; 2])| [now[0] - before[0], now[1] - before[1]];
     let ways: Vec<[f64; 2]> = start.position.iter().zip(&model.position).map(way).collect();
@@ -89,7 +89,7 @@ fn a_body_leaves_by_the_shortest_way_and_is_neither_crushed_nor_thrown() {
             let (way, warnings) = moved(&model);
             assert!((way[0].hypot(way[1]) - shortest).abs() < 1e-3, "{way:?} instead of {shortest}");
             assert!(warnings.len() == 1 && warnings[0].contains("moved out as a whole"), "{warnings:?}");
-            let end = run_to(&mut World::<f64, 2>::new(&model).unwrap(), 1.0);
+            let end = run_to(&mut *build(&model).unwrap(), 1.0);
             assert!(fastest(&end) < 1e-9, "at rest it stays at rest: {}", fastest(&end));
         }
     }
@@ -111,12 +111,12 @@ fn a_body_goes_where_no_wall_passes_through_it() {
 fn what_is_pinned_or_free_or_has_no_way_out_stays() {
     let floor = || solid(vec![rectangle([-9.0, -1.0], [9.0, 0.0])]);
     let pinned = Model { polygons: vec![floor()], pinned: vec![PointId(35)], ..square([0.0, -0.3], false) };
-    let world = World::<f64, 2>::new(&pinned).unwrap();
+    let world = build(&pinned).unwrap();
     assert!(world.warnings().iter().any(|text| text.contains("pinned")), "{:?}", world.warnings());
     let free = Model { polygons: vec![floor()], ..square([0.0, 0.0], false) };
     assert_eq!(moved(&free), ([0.0, 0.0], Vec::new()));
     let small = Bounds { min: [0.2, 0.2], max: [0.8, 0.8], restitution: 0.0, friction: 0.0 };
-    let world = World::<f64, 2>::new(&Model { bounds: Some(small), ..square([0.0, 0.0], false) }).unwrap();
+    let world = build(&Model { bounds: Some(small), ..square([0.0, 0.0], false) }).unwrap();
     assert!(world.warnings()[0].contains("without a way out"), "{:?}", world.warnings());
 }
 
@@ -137,10 +137,10 @@ fn a_pinned_rope_over_an_obstacle_is_not_torn_apart() {
             };
             model.bonds.push(bond);
         }
-        let mut world = World::<f64, 2>::new(&model).unwrap();
+        let mut world = build(&model).unwrap();
         let start = world.sample(0.0);
         assert!(start.max_strain < 1e-9, "{}", start.max_strain);
-        let end = run_to(&mut world, 2.0);
+        let end = run_to(&mut *world, 2.0);
         assert!(end.energy < start.energy + 1e-3 && end.max_strain < 1.0, "{} from {}", end.energy, start.energy);
     }
 }

@@ -1,7 +1,7 @@
 //! The motion against closed forms and conservation laws, in the plane and in space, in both precisions.
 
 use super::common::physics::{angular_momentum, center_of_mass, momentum, rim, run_to, spring};
-use wobble::sim::{Bond, BondKind, Bounds, Dynamics, Method, Model, Order, PointId, Real, Sample, Solver, World};
+use wobble::sim::{Bond, BondKind, Bounds, Dynamics, Method, Model, Order, PointId, Precision, Sample, Solver, build};
 
 /// A frame of 1/60 s in 64 substeps.
 const FINE: f64 = 1.0 / 3840.0;
@@ -17,10 +17,15 @@ fn thrown<const D: usize>(position: [f64; D], velocity: [f64; D], gravity: [f64;
     }
 }
 
+/// The same model, computed with these scalars.
+fn in_precision<const D: usize>(model: &Model<D>, precision: Precision) -> Model<D> {
+    Model { method: Method { precision, ..model.method }, ..model.clone() }
+}
+
 /// Largest component of x(t) - (x0 + v0 t + g t^2/2) after `t` seconds.
-fn fall_error<S: Real, const D: usize>(model: &Model<D>, t: f64) -> f64 {
-    let mut world = World::<S, D>::new(model).unwrap();
-    let end = run_to(&mut world, t);
+fn fall_error<const D: usize>(model: &Model<D>, precision: Precision, t: f64) -> f64 {
+    let mut world = build(&in_precision(model, precision)).unwrap();
+    let end = run_to(&mut *world, t);
     let truth =
         |k: usize| f64::from(model.position[0][k] as f32) + model.velocity[0][k] * t + 0.5 * model.gravity[k] * t * t;
     (0..D).map(|k| (end.position[0][k] - truth(k)).abs()).fold(0.0, f64::max)
@@ -30,8 +35,8 @@ fn fall_error<S: Real, const D: usize>(model: &Model<D>, t: f64) -> f64 {
 fn free_fall_is_exact_in_f64() {
     let plane = thrown([0.0, 100.0], [1.5, 2.0], [0.0, -9.81]);
     let space = thrown([0.5, 100.0, -2.0], [1.5, 2.0, -0.25], [0.25, -9.81, 1.0]);
-    assert!(fall_error::<f64, 2>(&plane, 4.0) < 1e-12, "{}", fall_error::<f64, 2>(&plane, 4.0));
-    assert!(fall_error::<f64, 3>(&space, 4.0) < 1e-12, "{}", fall_error::<f64, 3>(&space, 4.0));
+    assert!(fall_error(&plane, Precision::F64, 4.0) < 1e-12, "{}", fall_error(&plane, Precision::F64, 4.0));
+    assert!(fall_error(&space, Precision::F64, 4.0) < 1e-12, "{}", fall_error(&space, Precision::F64, 4.0));
 }
 
 /// Without compensation of the velocity this is 3e-4 m, without that of the position 1e-4 m.
@@ -39,22 +44,22 @@ fn free_fall_is_exact_in_f64() {
 fn free_fall_in_f32_keeps_its_increments_at_a_hundred_metres() {
     let plane = thrown([0.0, 100.0], [1.5, 2.0], [0.0, -9.81]);
     let space = thrown([0.5, 100.0, -2.0], [1.5, 2.0, -0.25], [0.25, -9.81, 1.0]);
-    assert!(fall_error::<f32, 2>(&plane, 4.0) < 1e-5, "{}", fall_error::<f32, 2>(&plane, 4.0));
-    assert!(fall_error::<f32, 3>(&space, 4.0) < 1e-5, "{}", fall_error::<f32, 3>(&space, 4.0));
+    assert!(fall_error(&plane, Precision::F32, 4.0) < 1e-5, "{}", fall_error(&plane, Precision::F32, 4.0));
+    assert!(fall_error(&space, Precision::F32, 4.0) < 1e-5, "{}", fall_error(&space, Precision::F32, 4.0));
 }
 
 #[test]
 fn drag_decays_velocity_exactly() {
     let mut model = thrown([0.0, 0.0], [2.0, 0.0], [0.0, 0.0]);
     model.drag_rate = 0.7;
-    let mut world = World::<f64, 2>::new(&model).unwrap();
-    let end = run_to(&mut world, 2.0);
+    let mut world = build(&model).unwrap();
+    let end = run_to(&mut *world, 2.0);
     assert!((end.velocity[0][0] - 2.0 * (-1.4_f64).exp()).abs() < 1e-12);
     assert!((end.position[0][0] - 2.0 / 0.7 * (1.0 - (-1.4_f64).exp())).abs() < 1e-7);
 }
 
 /// Two points on a spring, pulled apart: x(t) = rest + A exp(-g t) (cos w t + g/w sin w t), reduced mass 2/3 kg.
-fn oscillator_error<S: Real, const D: usize>(h: f64, damping: f64) -> f64 {
+fn oscillator_error<const D: usize>(precision: Precision, h: f64, damping: f64) -> f64 {
     let along = |x: f64| std::array::from_fn(|k| if k == D - 1 { x } else { 0.3 });
     let model = Model::<D> {
         position: vec![along(0.0), along(1.2)],
@@ -64,8 +69,8 @@ fn oscillator_error<S: Real, const D: usize>(h: f64, damping: f64) -> f64 {
         method: Method { substep: Some(h), solver: Solver::Verlet, ..Method::default() },
         ..Model::default()
     };
-    let mut world = World::<S, D>::new(&model).unwrap();
-    let end = run_to(&mut world, 1.0);
+    let mut world = build(&in_precision(&model, precision)).unwrap();
+    let end = run_to(&mut *world, 1.0);
     let (g, w0) = (damping / (2.0 * 2.0 / 3.0), (100.0_f64 * 1.5).sqrt());
     let w = (w0 * w0 - g * g).sqrt();
     let truth = 1.0 + 0.2 * (-g).exp() * (w.cos() + g / w * w.sin());
@@ -81,18 +86,18 @@ fn assert_second_order(error: impl Fn(f64) -> f64) {
 
 #[test]
 fn springs_converge_with_order_two_with_and_without_damping() {
-    assert_second_order(|h| oscillator_error::<f64, 2>(h, 0.0));
-    assert_second_order(|h| oscillator_error::<f64, 3>(h, 0.0));
-    assert_second_order(|h| oscillator_error::<f64, 2>(h, 3.0));
-    assert_second_order(|h| oscillator_error::<f64, 3>(h, 3.0));
+    assert_second_order(|h| oscillator_error::<2>(Precision::F64, h, 0.0));
+    assert_second_order(|h| oscillator_error::<3>(Precision::F64, h, 0.0));
+    assert_second_order(|h| oscillator_error::<2>(Precision::F64, h, 3.0));
+    assert_second_order(|h| oscillator_error::<3>(Precision::F64, h, 3.0));
 }
 
 /// Comparisons with a largest error see nothing of what is no number: the helper that all runs go through does.
 #[test]
 #[should_panic(expected = "left the finite numbers")]
 fn a_run_that_leaves_the_finite_numbers_fails_whatever_is_compared() {
-    let mut world = World::<f64, 2>::new(&thrown([0.0, 0.0], [1e308, 0.0], [0.0, 0.0])).unwrap();
-    run_to(&mut world, 20.0);
+    let mut world = build(&thrown([0.0, 0.0], [1e308, 0.0], [0.0, 0.0])).unwrap();
+    run_to(&mut *world, 20.0);
 }
 
 /// A rigid pendulum of 1 m let go at the level: the angle as the arithmetic-geometric mean gives it at the bottom.
@@ -110,14 +115,14 @@ fn a_rigid_pendulum_keeps_its_length_and_its_period() {
     };
     // A quarter of the period: T/4 = pi / (2 agm(1, cos 45 deg)) sqrt(l/g).
     let quarter = std::f64::consts::PI / (2.0 * agm(1.0, std::f64::consts::FRAC_1_SQRT_2)) * (1.0_f64 / 9.81).sqrt();
-    let mut world = World::<f64, 2>::new(&bob(Solver::Verlet)).unwrap();
-    let end = run_to(&mut world, quarter);
+    let mut world = build(&bob(Solver::Verlet)).unwrap();
+    let end = run_to(&mut *world, quarter);
     assert!(end.position[1][0].abs() < 1e-5, "at the bottom: {:?}", end.position[1]);
     assert!(end.max_strain < 1e-9, "{}", end.max_strain);
     let along_bond = end.velocity[1][0] * end.position[1][0] + end.velocity[1][1] * end.position[1][1];
     assert!(along_bond.abs() < 1e-8, "velocity along the bond: {along_bond}");
-    let mut sources = World::<f64, 2>::new(&bob(Solver::Relaxation)).unwrap();
-    let other = run_to(&mut sources, quarter);
+    let mut sources = build(&bob(Solver::Relaxation)).unwrap();
+    let other = run_to(&mut *sources, quarter);
     assert!(other.position[1][0].abs() > 1e-4, "the relaxed pendulum is first order: {:?}", other.position[1]);
 }
 
@@ -150,10 +155,10 @@ fn the_centre_of_mass_of_a_rim_in_flight_is_exact() {
     for kind in KINDS {
         for order in [Order::Fixed, Order::Symmetric, Order::Coloured, Order::Shuffled] {
             let model = flying_rim(kind, order);
-            let mut world = World::<f64, 2>::new(&model).unwrap();
+            let mut world = build(&model).unwrap();
             let (start, v) =
                 (center_of_mass(&world.sample(0.0), &model.mass), momentum(&world.sample(0.0), &model.mass));
-            let end = center_of_mass(&run_to(&mut world, 1.0), &model.mass);
+            let end = center_of_mass(&run_to(&mut *world, 1.0), &model.mass);
             let total: f64 = model.mass.iter().sum();
             for k in 0..2 {
                 let truth = start[k] + v[k] / total + 0.5 * model.gravity[k];
@@ -168,9 +173,9 @@ fn bonds_keep_momentum() {
     for kind in KINDS {
         let mut model = flying_rim(kind, Order::Coloured);
         model.gravity = [0.0, 0.0];
-        let mut world = World::<f64, 2>::new(&model).unwrap();
+        let mut world = build(&model).unwrap();
         let before = world.sample(0.0);
-        let after = run_to(&mut world, 2.0);
+        let after = run_to(&mut *world, 2.0);
         let scale: f64 = model.mass.iter().sum::<f64>() * 4.0;
         let change = |f: fn(&Sample, &[f64]) -> [f64; 3]| {
             let (a, b) = (f(&before, &model.mass), f(&after, &model.mass));
@@ -199,17 +204,17 @@ fn dropped(restitution: f64, friction: f64, sideways: f64) -> Model<2> {
 
 #[test]
 fn a_bounce_rises_to_the_square_of_the_restitution() {
-    let mut world = World::<f64, 2>::new(&dropped(0.8, 0.0, 0.0)).unwrap();
+    let mut world = build(&dropped(0.8, 0.0, 0.0)).unwrap();
     let landing = (2.0_f64 / 9.81).sqrt();
-    let top = run_to(&mut world, landing * 1.8);
+    let top = run_to(&mut *world, landing * 1.8);
     assert!((top.position[0][1] - 0.64).abs() < 2e-3, "{:?}", top.position);
 }
 
 #[test]
 fn a_dropped_point_comes_to_rest_on_the_floor() {
     for restitution in [0.0, 0.5] {
-        let mut world = World::<f64, 2>::new(&dropped(restitution, 0.0, 0.0)).unwrap();
-        let end = run_to(&mut world, 6.0);
+        let mut world = build(&dropped(restitution, 0.0, 0.0)).unwrap();
+        let end = run_to(&mut *world, 6.0);
         assert_eq!(end.position[0][1], 0.0);
         assert_eq!(end.velocity[0], [0.0; 3]);
         assert!(world.is_still(1e-4));
@@ -220,8 +225,8 @@ fn a_dropped_point_comes_to_rest_on_the_floor() {
 fn friction_brings_a_sliding_point_to_a_stand() {
     let mut model = dropped(0.0, 0.5, 2.0);
     model.position[0] = [0.0, 0.0];
-    let mut world = World::<f64, 2>::new(&model).unwrap();
-    let end = run_to(&mut world, 2.0);
+    let mut world = build(&model).unwrap();
+    let end = run_to(&mut *world, 2.0);
     let truth = 2.0 * 2.0 / (2.0 * 0.5 * 9.81);
     assert!((end.position[0][0] - truth).abs() < 0.01, "slid {} m of {truth}", end.position[0][0]);
     assert_eq!(end.velocity[0][0], 0.0);
@@ -231,7 +236,7 @@ fn friction_brings_a_sliding_point_to_a_stand() {
 fn no_point_leaves_the_walls_however_fast() {
     let mut model = dropped(1.0, 0.0, 0.0);
     model.velocity[0] = [1e6, -1e6];
-    let mut world = World::<f64, 2>::new(&model).unwrap();
+    let mut world = build(&model).unwrap();
     for _ in 0..2000 {
         world.step();
         let [x, y, _] = world.sample(world.time()).position[0];
@@ -242,8 +247,8 @@ fn no_point_leaves_the_walls_however_fast() {
 #[test]
 fn f32_follows_f64() {
     let model = flying_rim(KINDS[0], Order::Coloured);
-    let (mut single, mut double) = (World::<f32, 2>::new(&model).unwrap(), World::<f64, 2>::new(&model).unwrap());
-    let (a, b) = (run_to(&mut single, 1.0), run_to(&mut double, 1.0));
+    let (mut single, mut double) = (build(&in_precision(&model, Precision::F32)).unwrap(), build(&model).unwrap());
+    let (a, b) = (run_to(&mut *single, 1.0), run_to(&mut *double, 1.0));
     let apart = a.position.iter().zip(&b.position).map(|(x, y)| (x[0] - y[0]).hypot(x[1] - y[1])).fold(0.0, f64::max);
     assert!(apart < 1e-5, "{apart}");
 }
@@ -253,7 +258,7 @@ fn f32_follows_f64() {
 fn relaxed_bonds_bear_short_substeps() {
     let mut model = flying_rim(KINDS[1], Order::Coloured);
     model.position[0][0] += 0.3;
-    let mut world = World::<f64, 2>::new(&model).unwrap();
+    let mut world = build(&model).unwrap();
     for _ in 0..20 {
         world.step();
     }
@@ -267,7 +272,7 @@ fn relaxed_bonds_bear_short_substeps() {
 #[test]
 fn a_sample_does_not_change_the_motion() {
     let model = flying_rim(KINDS[2], Order::Shuffled);
-    let (mut asked, mut alone) = (World::<f64, 2>::new(&model).unwrap(), World::<f64, 2>::new(&model).unwrap());
+    let (mut asked, mut alone) = (build(&model).unwrap(), build(&model).unwrap());
     for _ in 0..100 {
         asked.sample(asked.time() + 0.4 * asked.substep());
         asked.step();

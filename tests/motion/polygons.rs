@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 use super::common::physics::{run_to, spring};
 use wobble::picture::{Picture, encode};
 use wobble::scene::Scene;
-use wobble::sim::{Bond, Bounds, Dynamics, Method, Model, Plane, PointId, Polygon, Sample, Solver, World};
+use wobble::sim::{Bond, Bounds, Dynamics, Method, Model, Plane, PointId, Polygon, Sample, Solver, build};
 
 const G: f64 = 9.81;
 
@@ -36,7 +36,7 @@ fn points(position: Vec<[f64; 2]>, velocity: Vec<[f64; 2]>, polygons: Vec<Polygo
 fn at(model: &Model<2>, solver: Solver, h: f64, t: f64) -> Sample {
     let method = Method { solver, substep: Some(h), ..Method::default() };
     let model = Model { method, duration: Some(t), ..model.clone() };
-    run_to(&mut World::<f64, 2>::new(&model).unwrap(), t)
+    run_to(&mut *build(&model).unwrap(), t)
 }
 
 fn off(sample: &Sample, truth: &[[f64; 2]]) -> f64 {
@@ -162,7 +162,7 @@ fn crowds_that_are_not_located_keep_their_energy() {
         sample.position.iter().zip(&sample.velocity).map(|(x, v)| G * x[1] + 0.5 * (v[0] * v[0] + v[1] * v[1])).sum()
     };
     for model in [few, many] {
-        let start = energy(&World::<f64, 2>::new(&model).unwrap().sample(0.0)) + G * model.position.len() as f64;
+        let start = energy(&build(&model).unwrap().sample(0.0)) + G * model.position.len() as f64;
         for solver in [Solver::Auto, Solver::VelocityVerlet] {
             let end = energy(&at(&model, solver, 1.0 / 60.0, 4.0)) + G * model.position.len() as f64;
             assert!((end / start - 1.0).abs() < 5e-3, "{solver:?}: {}", end / start);
@@ -246,7 +246,7 @@ fn points_among_scraps_that_overlap_keep_their_speeds() {
         let velocity: Vec<[f64; 2]> = free.iter().map(|&k| thrown(k)).collect();
         let mut model = points(free.iter().map(|&k| place(k)).collect(), velocity.clone(), scraps.clone());
         model.gravity = [0.0; 2];
-        let end = run_to(&mut World::<f64, 2>::new(&Model { duration: Some(2.0), ..model.clone() }).unwrap(), 2.0);
+        let end = run_to(&mut *build(&Model { duration: Some(2.0), ..model.clone() }).unwrap(), 2.0);
         for (k, (now, before)) in end.velocity.iter().zip(&velocity).enumerate() {
             let change = now[0].hypot(now[1]) / before[0].hypot(before[1]) - 1.0;
             assert!(change.abs() < 1e-6, "scene {seed}, point {k}: {change}");
@@ -354,7 +354,7 @@ fn nothing_tunnels_at_a_hundred_metres_a_second() {
 fn a_polygon_out_of_reach_costs_nothing() {
     let far = || polygon(vec![rectangle([1e3, 1e3], [1e3 + 1.0, 1e3 + 1.0])], 0.0, 0.0);
     let model = points(vec![[0.0; 2]; 3], vec![[0.0; 2]; 3], vec![far()]);
-    let mut world = World::<f64, 2>::new(&model).unwrap();
+    let mut world = build(&model).unwrap();
     (0..100).for_each(|_| world.step());
     assert_eq!(world.counters().events, 0);
     let truth = -0.5 * G * world.time().powi(2);

@@ -2,7 +2,7 @@
 
 use super::common::physics::{run_to, spring};
 use wobble::equilibrium::settle;
-use wobble::sim::{Bond, BondKind, Bounds, Dynamics, Limit, Method, Model, Plane, PointId, Solver, Track, World};
+use wobble::sim::{Bond, BondKind, Bounds, Dynamics, Limit, Method, Model, Plane, PointId, Solver, Track, build};
 
 fn rigid(a: u32, b: u32, rest_length: f64) -> Bond {
     Bond::new(PointId(a), PointId(b), rest_length)
@@ -39,9 +39,9 @@ fn complete(count: u32, off: f64) -> Model<2> {
 
 #[test]
 fn a_complete_graph_is_a_rigid_body() {
-    let mut world = World::<f64, 2>::new(&complete(12, 0.0)).unwrap();
+    let mut world = build(&complete(12, 0.0)).unwrap();
     assert!(world.warnings().is_empty());
-    let end = run_to(&mut world, 1.0);
+    let end = run_to(&mut *world, 1.0);
     assert!(end.max_strain < 1e-9, "{}", end.max_strain);
     let truth = -0.5 * 9.81;
     let middle: f64 = end.position.iter().map(|x| x[1]).sum::<f64>() / 12.0;
@@ -50,10 +50,10 @@ fn a_complete_graph_is_a_rigid_body() {
 
 #[test]
 fn lengths_that_contradict_each_other_are_met_in_least_squares_with_a_word() {
-    let mut world = World::<f64, 2>::new(&complete(12, 0.1)).unwrap();
+    let mut world = build(&complete(12, 0.1)).unwrap();
     assert!(world.warnings()[0].contains("contradict"), "{:?}", world.warnings());
     let start = world.energy();
-    let end = run_to(&mut world, 2.0);
+    let end = run_to(&mut *world, 2.0);
     assert!(end.max_strain < 0.3, "{}", end.max_strain);
     assert!((end.energy - start).abs() < 1e-6 * start.abs().max(1.0), "{start} {}", end.energy);
 }
@@ -63,7 +63,7 @@ fn bonds_that_repeat_each_other_change_nothing() {
     let once = model(vec![[0.0, 0.0], [1.0, 0.0]], vec![rigid(0, 1, 1.0)], &[0]);
     let mut thrice = once.clone();
     thrice.bonds.extend([rigid(1, 0, 1.0), rigid(0, 1, 1.0)]);
-    let end = |model: &Model<2>| run_to(&mut World::<f64, 2>::new(model).unwrap(), 1.0).position[1];
+    let end = |model: &Model<2>| run_to(&mut *build(model).unwrap(), 1.0).position[1];
     let (a, b) = (end(&once), end(&thrice));
     assert!((a[0] - b[0]).hypot(a[1] - b[1]) < 1e-9, "{a:?} {b:?}");
 }
@@ -84,8 +84,8 @@ fn degenerate_sets_of_bonds_work() {
                 continue;
             }
             let method = Method { solver, substep: Some(0.01), iterations: Some(4), ..Method::default() };
-            let mut world = World::<f64, 2>::new(&Model { method, ..scene.clone() }).unwrap();
-            let end = run_to(&mut world, 0.5);
+            let mut world = build(&Model { method, ..scene.clone() }).unwrap();
+            let end = run_to(&mut *world, 0.5);
             let numbers = end.position.iter().chain(&end.velocity).flatten();
             assert!(numbers.into_iter().all(|x| x.is_finite()), "{solver}: {end:?}");
         }
@@ -97,11 +97,11 @@ fn degenerate_sets_of_bonds_work() {
 #[test]
 fn a_weld_makes_one_point_of_two() {
     let scene = model(vec![[0.0, 0.0], [1.0, 0.0], [1.0, 0.0]], vec![rigid(0, 1, 1.0), rigid(1, 2, 0.0)], &[0]);
-    let mut world = World::<f64, 2>::new(&scene).unwrap();
-    let end = run_to(&mut world, 1.0);
+    let mut world = build(&scene).unwrap();
+    let end = run_to(&mut *world, 1.0);
     assert_eq!(end.position[1], end.position[2]);
     let alone = model(vec![[0.0, 0.0], [1.0, 0.0]], vec![rigid(0, 1, 1.0)], &[0]);
-    let truth = run_to(&mut World::<f64, 2>::new(&alone).unwrap(), 1.0).position[1];
+    let truth = run_to(&mut *build(&alone).unwrap(), 1.0).position[1];
     assert!((end.position[1][0] - truth[0]).abs() < 1e-12, "{end:?}");
 }
 
@@ -111,17 +111,17 @@ fn a_substep_too_long_is_split_and_then_handed_on() {
     let position: Vec<[f64; 2]> = (0..11).map(|i| [0.1 * f64::from(i), 0.0]).collect();
     let mut scene = model(position, (0..10).map(|i| rigid(i, i + 1, 0.1)).collect(), &[0]);
     scene.method = Method { solver: Solver::Rk4, substep: Some(0.1), ..Method::default() };
-    let mut world = World::<f64, 2>::new(&scene).unwrap();
+    let mut world = build(&scene).unwrap();
     let start = world.energy();
-    let end = run_to(&mut world, 3.0);
+    let end = run_to(&mut *world, 3.0);
     assert!(world.counters().guard_splits > 0);
     assert!(end.max_strain < 1e-6, "{}", end.max_strain);
     assert!(end.energy < start + 0.05, "{start} {}", end.energy);
     // A spring so stiff that no halving of the substep serves goes to an implicit step.
     let mut stiff = model(vec![[0.0, 0.0], [2.0, 0.0]], vec![spring(0, 1, 1.0, 1e12, 0.0)], &[0]);
     stiff.method = Method { solver: Solver::Rk4, substep: Some(0.01), ..Method::default() };
-    let mut world = World::<f64, 2>::new(&stiff).unwrap();
-    let end = run_to(&mut world, 1.0);
+    let mut world = build(&stiff).unwrap();
+    let end = run_to(&mut *world, 1.0);
     assert!(world.counters().fallbacks > 0);
     assert!(end.max_strain < 0.3 && end.energy.is_finite(), "{end:?}");
 }
@@ -131,8 +131,8 @@ fn an_overstretched_bond_is_gone() {
     let weak = Bond { break_strain: 0.05, ..spring(0, 1, 1.0, 100.0, 0.0) };
     let strong = Bond { break_strain: 0.5, ..spring(0, 2, 1.0, 100.0, 0.0) };
     let scene = model(vec![[0.0, 0.0], [-0.3, -1.0], [0.3, -1.0]], vec![weak, strong], &[0]);
-    let mut world = World::<f64, 2>::new(&scene).unwrap();
-    let end = run_to(&mut world, 1.0);
+    let mut world = build(&scene).unwrap();
+    let end = run_to(&mut *world, 1.0);
     assert_eq!((world.counters().bonds_torn, world.bonds().len()), (1, 1));
     assert!(end.position[1][1] < -3.0, "the torn point falls: {:?}", end.position[1]);
     assert!(end.position[2][1] > -1.6, "the other hangs: {:?}", end.position[2]);
@@ -145,11 +145,11 @@ fn a_string_pulls_and_does_not_push() {
         let string = Bond { limit: Limit::Max, kind, ..rigid(0, 1, 1.0) };
         let mut scene = model(vec![[0.0, 0.0], [0.3, 0.2]], vec![string], &[0]);
         scene.method.substep = Some(1e-3);
-        let mut world = World::<f64, 2>::new(&scene).unwrap();
-        let falling = run_to(&mut world, 0.2);
+        let mut world = build(&scene).unwrap();
+        let falling = run_to(&mut *world, 0.2);
         assert!((falling.position[1][1] - (0.2 - 0.5 * 9.81 * 0.04)).abs() < 1e-6, "{falling:?}");
         for i in 1..40 {
-            let x = run_to(&mut world, 0.2 + 0.1 * f64::from(i)).position[1];
+            let x = run_to(&mut *world, 0.2 + 0.1 * f64::from(i)).position[1];
             assert!(x[0].hypot(x[1]) < longest, "{kind:?}: {x:?}");
         }
     }
@@ -162,11 +162,11 @@ fn a_led_pin_takes_what_hangs_on_it_along() {
         scene.drag_rate = 3.0;
         let knots = vec![(0.0, [0.0, 0.0]), (1.0, [2.0, 1.0]), (1.5, [2.0, 0.5])];
         scene.pin_motion = vec![(PointId(0), Track { knots })];
-        let mut world = World::<f64, 2>::new(&scene).unwrap();
-        let middle = run_to(&mut world, 0.5);
+        let mut world = build(&scene).unwrap();
+        let middle = run_to(&mut *world, 0.5);
         assert_eq!(middle.position[0], [1.0, 0.5, 0.0]);
         assert_eq!(middle.velocity[0], [2.0, 1.0, 0.0]);
-        let end = run_to(&mut world, 12.0);
+        let end = run_to(&mut *world, 12.0);
         assert_eq!(end.position[0], [2.0, 0.5, 0.0]);
         assert!((end.position[1][0] - 2.0).abs() < 1e-3 && (end.position[1][1] + 0.5).abs() < 3e-3, "{end:?}");
     }
@@ -182,8 +182,8 @@ fn an_impact_acts_through_rigid_bonds_at_once() {
     scene.velocity = vec![[0.0, -2.0]; 2];
     scene.planes = vec![Plane { point: [0.0, 0.0], normal: [0.0, 3.0], restitution: e, friction: 0.0 }];
     scene.method.solver = Solver::Rk4;
-    let mut world = World::<f64, 2>::new(&scene).unwrap();
-    let end = run_to(&mut world, 0.005_01);
+    let mut world = build(&scene).unwrap();
+    let end = run_to(&mut *world, 0.005_01);
     // J on end 0 along y, tension T along the rod: v0 = (T c, -2 + J + T s), v1 = (-T c, -2 - T s), (v0 - v1).d = 0.
     let (s, c) = (a.sin(), a.cos());
     // 2 T + J s = 0 and -2 + J + T s = 2 e, so J (1 - s s/2) = 2 (1 + e).
@@ -216,8 +216,8 @@ fn a_rigid_box_comes_to_rest_on_the_floor() {
     scene.bounds = Some(Bounds { min: [-5.0, 0.0], max: [5.0, 5.0], restitution: 0.3, friction: 0.5 });
     for solver in [Solver::Auto, Solver::Rk4] {
         scene.method.solver = solver;
-        let mut world = World::<f64, 2>::new(&scene).unwrap();
-        let end = run_to(&mut world, 4.0);
+        let mut world = build(&scene).unwrap();
+        let end = run_to(&mut *world, 4.0);
         assert!(end.max_strain < 1e-9, "{solver}: {}", end.max_strain);
         assert!(world.is_still(1e-6), "{solver}: {:?}", end.velocity);
         assert!(end.position[0][1].abs() < 1e-9 && (end.position[2][1] - 1.0).abs() < 1e-9, "{solver}: {end:?}");
@@ -231,7 +231,7 @@ fn a_point_sticks_on_a_slope_that_is_not_steep_and_slides_on_one_that_is() {
         let normal = [-angle.sin(), angle.cos()];
         scene.planes = vec![Plane { point: [0.0, 0.0], normal, restitution: 0.0, friction }];
         scene.method = Method { substep: Some(1.0 / 240.0), ..Method::default() };
-        run_to(&mut World::<f64, 2>::new(&scene).unwrap(), 1.0).position[0]
+        run_to(&mut *build(&scene).unwrap(), 1.0).position[0]
     };
     let stuck = slope(0.4, 0.5);
     assert!(stuck[0].hypot(stuck[1]) < 1e-12, "{stuck:?}");
@@ -254,14 +254,14 @@ fn a_taut_string_lets_go_of_what_comes_back() {
     for solver in [Solver::Auto, Solver::Rk4, Solver::VelocityVerlet, Solver::Pefrl] {
         let mut falling = model(vec![[0.0, 0.0], [0.6, 0.8]], vec![string], &[0]);
         falling.method = Method { solver, substep: Some(1.0 / 240.0), ..Method::default() };
-        let end = run_to(&mut World::<f64, 2>::new(&falling).unwrap(), 0.3);
+        let end = run_to(&mut *build(&falling).unwrap(), 0.3);
         let truth = 0.8 - 0.5 * 9.81 * 0.09;
         assert!((end.position[1][1] - truth).abs() < 1e-9, "{solver}: {:?} {truth}", end.position[1]);
         let mut meeting = model(vec![[0.0, 0.0], [1.0, 0.0]], vec![string], &[]);
         meeting.gravity = [0.0, 0.0];
         meeting.velocity = vec![[1.0, 0.0], [-1.0, 0.0]];
         meeting.method = falling.method;
-        let end = run_to(&mut World::<f64, 2>::new(&meeting).unwrap(), 0.25);
+        let end = run_to(&mut *build(&meeting).unwrap(), 0.25);
         assert!((end.position[0][0] - 0.25).abs() < 1e-9, "{solver}: {:?}", end.position);
     }
 }
@@ -278,7 +278,7 @@ fn a_resting_corner_is_let_go_by_an_impact_on_the_other() {
     let mut scene = model(position, bonds, &[]);
     scene.bounds = Some(Bounds { min: [-9.0, 0.0], max: [9.0, 9.0], restitution: 0.0, friction: 0.0 });
     scene.method = Method { solver: Solver::Rk4, substep: Some(1.0 / 960.0), ..Method::default() };
-    let mut world = World::<f64, 2>::new(&scene).unwrap();
+    let mut world = build(&scene).unwrap();
     let mut before = world.sample(0.0);
     while world.counters().events == 0 {
         before = world.sample(world.time());
@@ -307,7 +307,7 @@ fn what_stands_on_a_saddle_is_pushed_off_it() {
 #[test]
 fn a_bond_that_two_pins_stretch_is_named() {
     let scene = model(vec![[0.0, 0.0], [1.0, 0.0]], vec![rigid(0, 1, 1.5)], &[0, 1]);
-    let world = World::<f64, 2>::new(&scene).unwrap();
+    let world = build(&scene).unwrap();
     assert!(world.warnings()[0].starts_with("bond 0 cannot hold"), "{:?}", world.warnings());
 }
 
@@ -316,8 +316,8 @@ fn a_bond_that_two_pins_stretch_is_named() {
 fn pins_that_part_leave_the_nearest_shape() {
     let mut scene = model(vec![[0.0, 0.0], [2.0, 0.0], [1.0, 0.5]], vec![rigid(0, 2, 1.2), rigid(1, 2, 1.2)], &[0, 1]);
     scene.pin_motion = vec![(PointId(1), Track { knots: vec![(0.0, [2.0, 0.0]), (0.2, [3.0, 0.0])] })];
-    let mut world = World::<f64, 2>::new(&scene).unwrap();
-    let end = run_to(&mut world, 0.5);
+    let mut world = build(&scene).unwrap();
+    let end = run_to(&mut *world, 0.5);
     let x = end.position[2];
     assert!((x[0] - 1.5).abs() < 0.1 && x[1].abs() < 0.2, "{x:?}");
 }
@@ -333,7 +333,7 @@ fn a_damper_beside_a_rigid_bond_does_not_lower_the_order() {
     scene.mass = vec![1.0, 0.5, 0.3];
     let mut end = |solver, h| {
         scene.method = Method { solver, substep: Some(h), ..Method::default() };
-        run_to(&mut World::<f64, 2>::new(&scene).unwrap(), 0.8).position[2]
+        run_to(&mut *build(&scene).unwrap(), 0.8).position[2]
     };
     let truth = end(Solver::Rk8, 0.001);
     let mut error = |h| {

@@ -50,7 +50,10 @@ fn what_is_not_said_has_the_value_of_the_specification() {
     assert!(mouse.track.knots.is_empty());
     let bounds = model.bounds.unwrap();
     assert_eq!((bounds.restitution, bounds.friction), (0.0, 0.0));
-    assert_eq!(model.method, wobble::sim::Method { sleeps: true, budget: Some(6.0), ..Default::default() });
+    assert_eq!(
+        model.method,
+        wobble::sim::Method { sleeps: true, settles: true, budget: Some(6.0), ..Default::default() }
+    );
     assert_eq!(scene.sample_times(), [2.0]);
 }
 

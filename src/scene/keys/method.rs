@@ -98,6 +98,9 @@ object! {
             budget: BudgetKeys,
             /// Whether what stays where it is falls asleep: true if not said, but under a tolerance.
             sleep: bool,
+            /// Whether what touches something and is slow is slowed down in the live step until it rests: true if not said, but under a
+            /// tolerance.
+            settle: bool,
             /// Whether a ledger of the energy is kept: false if not said.
             ledger: bool,
         }

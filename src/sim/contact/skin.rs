@@ -2,6 +2,11 @@
 
 use crate::sim::bond::PointId;
 
+/// Share of the mean edge of a skin that its radius is where nothing is said.
+pub(crate) const RADIUS: f64 = 0.05;
+/// The most of it in the plane: what is thicker would press its own edges apart.
+pub(crate) const MOST_RADIUS: f64 = 0.5;
+
 /// What happens between the skins of bodies: the edges of what their triangles cover, and bonds that belong to no triangle.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Contact {

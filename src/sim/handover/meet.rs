@@ -1,6 +1,7 @@
 //! Islands that may meet something in the coming step go to the live step: all that may touch each other together.
 
 use crate::sim::bulk::mover::Part;
+use crate::sim::contact::skin::{MOST_RADIUS, RADIUS};
 use crate::sim::environment::Environment;
 use crate::sim::group::Group;
 use crate::sim::group::engine::Engine;
@@ -15,10 +16,7 @@ use crate::sim::world::World;
 const SOON: f64 = 0.05;
 /// How long what is live has to stay apart from all else to go back [s].
 const APART: f64 = 0.1;
-/// Radius of a skin where nothing is said, the most of it, and what is left between skins that do not touch yet, as shares of the mean
-/// bond.
-const RADIUS: f64 = 0.05;
-const MOST_RADIUS: f64 = 0.5;
+/// What is left between skins that do not touch yet, as a share of the mean bond.
 const GAP: f64 = 0.05;
 
 /// The place of what does not move by itself.

@@ -6,16 +6,13 @@ use super::skins::Skin;
 use super::{Draft, FRAMES, bonds, tree};
 use crate::sim::bond::{Bond, BondKind};
 use crate::sim::colour::by_colour;
+use crate::sim::contact::skin::{MOST_RADIUS, RADIUS};
 use crate::sim::force::angle::Hinge;
 use crate::sim::force::area;
 use crate::sim::points::Points;
 use crate::sim::real::Real;
 use crate::sim::vector::{length, sub};
 
-/// Share of the mean edge of a skin that its radius is where nothing is said.
-const RADIUS: f64 = 0.05;
-/// The most of it: what is thicker would press its own edges apart.
-const MOST_RADIUS: f64 = 0.5;
 /// Stiffness over mass from which on springs that make trees are taken for rigid, times the square of the longest substep, of 1/16 frame [1].
 const STIFF: f64 = 100.0;
 /// Bonds of a path from which on it is solved as one.

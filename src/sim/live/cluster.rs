@@ -60,8 +60,12 @@ pub(super) struct Cluster<S: Real> {
     /// Which of them may touch in this substep.
     pub(super) active: Vec<u32>,
     pub(super) on_planes: Vec<OnPlane<S>>,
-    /// How far points may go until what is near what is looked for anew [m], and the least of that.
-    pub(super) promise: S,
+    /// How far each point may go until what is near what is looked for anew [m]; corners of obstacles nowhere.
+    pub(super) promised: Vec<S>,
+    /// How far each has gone since, and gets in this substep [m].
+    pub(super) gone: Vec<S>,
+    pub(super) goes: Vec<S>,
+    /// A quarter of the shortest mean edge of its skins [m].
     pub(super) least_promise: S,
     /// How long a substep is [s].
     pub(super) span: S,
@@ -69,8 +73,6 @@ pub(super) struct Cluster<S: Real> {
     pub(super) widest: S,
     /// How far an overlap of two skins is mended in a substep at most [m].
     pub(super) gentle: S,
-    /// How far the fastest has gone since [m].
-    pub(super) gone: S,
     /// Something pressed something in this step.
     pub(super) has_pressed: bool,
     /// Work that mouse and other forces did in this step [J].

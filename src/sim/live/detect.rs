@@ -4,7 +4,7 @@
 
 use super::FRAMES;
 use super::cluster::{Cluster, Common, OBSTACLE, Side};
-use super::pair::{OnPlane, Pair, wedge};
+use super::pair::{OnPlane, Pair, Sides, wedge};
 use super::part;
 use crate::sim::real::Real;
 use crate::sim::vector::{add, dot, scale, sub};
@@ -15,16 +15,20 @@ const MOST_CELLS: usize = 64;
 /// Share of a frame after which it is looked anew at the soonest, unless points are so fast that too much would be near: then after each
 /// substep.
 const LEAST_TIME: f64 = 0.25;
-/// Most that points may go until then, in least promises, and how much further than in one substep in any case.
-const MOST_PROMISE: f64 = 2.0;
+/// Least and most that a point may go until then, in quarters of the shortest mean edge, and how much further than in one substep in any
+/// case.
+const PROMISES: [f64; 2] = [1.0, 2.0];
 const ONE_SUBSTEP: f64 = 1.1;
+/// Pairs for each point of a skin from which on less is promised, and the least share of it.
+const MANY: usize = 16;
+const LEAST_SHARE: f64 = 0.25;
 
 /// An edge as points look at it.
 struct Line<S> {
     from: [S; 2],
     along: [S; 2],
     square: S,
-    /// How far a point without a radius may be from it [m].
+    /// How far from it a point may be that has no radius and goes nowhere [m].
     reach: S,
     body: u32,
     ends: [u32; 2],
@@ -49,36 +53,61 @@ struct Cells<S> {
     counts: [usize; 2],
 }
 
-/// Finds pairs of points and edges anew; those that were there keep their sides.
+/// Finds pairs of points and edges anew; those that were there keep their sides. Points are looked at as far around as they may go: what
+/// is slow in a crowd has few pairs, however fast others are.
 pub(super) fn look<S: Real>(state: &mut Cluster<S>, common: &Common<S>) {
-    let fastest = super::substep::fastest(state);
-    let far = fastest * S::from_f64(LEAST_TIME / FRAMES);
-    let near = (state.least_promise * S::from_f64(MOST_PROMISE)).max(fastest * state.span * S::from_f64(ONE_SUBSTEP));
-    look_within(state, common, state.least_promise.max(far.min(near)));
+    let old = known(&state.pairs);
+    let mut share = 1.0;
+    loop {
+        promise(state, share);
+        find_pairs(state, common, &old);
+        share *= 0.5;
+        if state.pairs.len() <= MANY * state.corners.len() || share < LEAST_SHARE {
+            return;
+        }
+    }
 }
 
 /// The same for points that go at most this far [m].
 pub(super) fn look_within<S: Real>(state: &mut Cluster<S>, common: &Common<S>, promise: S) {
-    state.gone = S::ZERO;
+    let own = state.own();
+    state.promised[..own].fill(promise);
+    let old = known(&state.pairs);
+    find_pairs(state, common, &old);
+}
+
+/// How far each point may go: a share of what is usual, further where it is fast.
+fn promise<S: Real>(state: &mut Cluster<S>, share: f64) {
+    let (soon, substep) = (S::from_f64(LEAST_TIME / FRAMES), state.span * S::from_f64(ONE_SUBSTEP));
+    let [least, most] = PROMISES.map(|promise| state.least_promise * S::from_f64(share * promise));
+    for i in 0..state.own() {
+        let speed = dot(state.velocity[i], state.velocity[i]).sqrt();
+        state.promised[i] = least.max((soon * speed).min(most.max(substep * speed)));
+    }
+}
+
+fn find_pairs<S: Real>(state: &mut Cluster<S>, common: &Common<S>, old: &Sides) {
+    let own = state.own();
+    state.gone[..own].fill(S::ZERO);
     state.counts.detections += 1;
-    state.promise = promise;
     near_planes(state, common);
     if state.edges.is_empty() {
         return;
     }
-    let old = known(&state.pairs);
     let mut pairs = std::mem::take(&mut state.pairs);
     pairs.clear();
-    let reach = state.promise + state.promise;
-    let lines = lines(state, common, reach);
-    let (cells, starts, entries, long) = grid(state, &lines, reach);
+    let lines = lines(state, common);
+    let (cells, starts, entries, long) = grid(state, &lines);
+    let first = state.corners.first().map_or(0, |corner| u64::from(corner.1) << 32);
+    let (mut before, mut sides) = (Seen::from(old, first), Seen::from(common.sides, first));
     let mut near: Vec<Found<S>> = Vec::new();
     for &(p, number) in &state.corners {
         near.clear();
         let (x, body) = (state.now[p as usize], state.body_of[p as usize]);
         let radius = if body == OBSTACLE { S::ZERO } else { common.bodies.list[state.bodies[body as usize]].radius };
+        let around = radius + state.promised[p as usize];
         let mut see = |edge: usize| {
-            let found = find(&lines[edge], edge, x, radius);
+            let found = find(&lines[edge], edge, x, around);
             near.extend(found.filter(|_| may_meet(state, common, (p, body), &lines[edge])));
         };
         if let Some(cell) = cells.place(x) {
@@ -88,8 +117,7 @@ pub(super) fn look_within<S: Real>(state: &mut Cluster<S>, common: &Common<S>, p
         near.sort_unstable_by_key(|found| state.edges[found.edge].number);
         for found in &near {
             let key = u64::from(number) << 32 | u64::from(state.edges[found.edge].number);
-            let before = side_of(&old, key).or_else(|| side_of(common.sides, key));
-            if let Some(side) = before.or_else(|| side(state, p, found, &near)) {
+            if let Some(side) = before.side(key).or_else(|| sides.side(key)).or_else(|| side(state, p, found, &near)) {
                 let mut pair = pair(state, common, (p, found.edge, key), side);
                 let is_behind = pair.side * found.across < S::ZERO;
                 pair.room = if is_behind { -S::INFINITY } else { found.square.sqrt() - pair.distance };
@@ -109,8 +137,27 @@ pub(super) fn known<S: Real>(pairs: &[Pair<S>]) -> Vec<(u64, i8)> {
     pairs.iter().filter_map(of).collect()
 }
 
-fn side_of(sides: &[(u64, i8)], key: u64) -> Option<i8> {
-    sides.binary_search_by_key(&key, |side| side.0).ok().map(|found| sides[found].1)
+/// Sides that are asked for by numbers which ascend, but for a few.
+struct Seen<'a> {
+    sides: &'a [(u64, i8)],
+    at: usize,
+}
+
+impl<'a> Seen<'a> {
+    /// From the first number that is asked for on.
+    fn from(sides: &'a [(u64, i8)], key: u64) -> Self {
+        Seen { sides, at: sides.partition_point(|side| side.0 < key) }
+    }
+
+    fn side(&mut self, key: u64) -> Option<i8> {
+        if self.at > 0 && self.sides[self.at - 1].0 >= key {
+            self.at = self.sides.partition_point(|side| side.0 < key);
+        }
+        while self.sides.get(self.at).is_some_and(|side| side.0 < key) {
+            self.at += 1;
+        }
+        self.sides.get(self.at).filter(|side| side.0 == key).map(|side| side.1)
+    }
 }
 
 /// The side that a point belongs to of an edge that it was not near before.
@@ -188,9 +235,9 @@ fn distance<S: Real>(state: &Cluster<S>, common: &Common<S>, body: u32, edge: &S
 
 /// Where a point lies of an edge, if that is near.
 #[inline(always)]
-fn find<S: Real>(line: &Line<S>, edge: usize, x: [S; 2], radius: S) -> Option<Found<S>> {
+fn find<S: Real>(line: &Line<S>, edge: usize, x: [S; 2], around: S) -> Option<Found<S>> {
     let (u, r) = (line.along, sub(x, line.from));
-    let most = line.reach + radius;
+    let most = line.reach + around;
     let along = dot(r, u);
     let is_end = along < S::ZERO || along > line.square;
     let from = match is_end {
@@ -216,14 +263,16 @@ fn may_meet<S: Real>(state: &Cluster<S>, common: &Common<S>, (p, body): (u32, u3
     contact.with_itself && !line.ends.contains(&p) && !common.bodies.are_neighbours(state, (p as usize, ends))
 }
 
-/// All edges, to be met within `reach` [m].
-fn lines<S: Real>(state: &Cluster<S>, common: &Common<S>, reach: S) -> Vec<Line<S>> {
+/// All edges, to be met within their radii and as far as their ends may go.
+fn lines<S: Real>(state: &Cluster<S>, common: &Common<S>) -> Vec<Line<S>> {
     let line = |edge: &Side| {
         let [a, b] = edge.ends.map(|end| state.now[end as usize]);
         let along = sub(b, a);
         let own =
             if edge.body == OBSTACLE { S::ZERO } else { common.bodies.list[state.bodies[edge.body as usize]].radius };
-        Line { from: a, along, square: dot(along, along), reach: reach + own, body: edge.body, ends: edge.ends }
+        let [goes_a, goes_b] = edge.ends.map(|end| state.promised[end as usize]);
+        let reach = own + goes_a.max(goes_b);
+        Line { from: a, along, square: dot(along, along), reach, body: edge.body, ends: edge.ends }
     };
     state.edges.iter().map(line).collect()
 }
@@ -231,7 +280,8 @@ fn lines<S: Real>(state: &Cluster<S>, common: &Common<S>, reach: S) -> Vec<Line<
 type Grid<S> = (Cells<S>, Vec<u32>, Vec<u32>, Vec<usize>);
 
 /// The edges in cells, each in all that it may be near to, and those that are too long for it.
-fn grid<S: Real>(state: &Cluster<S>, lines: &[Line<S>], reach: S) -> Grid<S> {
+fn grid<S: Real>(state: &Cluster<S>, lines: &[Line<S>]) -> Grid<S> {
+    let farthest = state.promised.iter().fold(S::ZERO, |most, &promised| most.max(promised));
     let mut low = [S::INFINITY; 2];
     let mut high = [-S::INFINITY; 2];
     for &(p, _) in &state.corners {
@@ -243,13 +293,13 @@ fn grid<S: Real>(state: &Cluster<S>, lines: &[Line<S>], reach: S) -> Grid<S> {
     let own = lines.iter().filter(|line| line.body != OBSTACLE);
     let (sum, count) = own.fold((S::ZERO, 0), |(sum, count), line| (sum + line.square.sqrt(), count + 1));
     let mean = if count > 0 { sum / S::from_f64(f64::from(count)) } else { S::ONE };
-    let cells = Cells::over(low, high, mean + reach, state.edges.len());
+    let cells = Cells::over(low, high, mean + farthest + farthest, state.edges.len());
     let mut starts = vec![0_u32; cells.counts[0] * cells.counts[1] + 1];
     let mut long = Vec::new();
     let mut ranges = Vec::with_capacity(state.edges.len());
     for (k, line) in lines.iter().enumerate() {
         let (a, b) = (line.from, add(line.from, line.along));
-        let grown = line.reach + state.widest;
+        let grown = line.reach + state.widest + farthest;
         let from = [0, 1].map(|k| a[k].min(b[k]) - grown);
         let to = [0, 1].map(|k| a[k].max(b[k]) + grown);
         let range = cells.range(from, to);
@@ -323,7 +373,7 @@ fn near_planes<S: Real>(state: &mut Cluster<S>, common: &Common<S>) {
     state.on_planes.clear();
     for (number, surface) in common.planes.iter().enumerate() {
         for i in 0..state.own() {
-            if state.w[i] != S::ZERO && surface.gap(state.now[i]) < state.promise {
+            if state.w[i] != S::ZERO && surface.gap(state.now[i]) < state.promised[i] {
                 state.on_planes.push(OnPlane::new(i as u32, number as u32));
             }
         }

@@ -116,12 +116,13 @@ impl<S: Real> Live<S> {
             rooms: Vec::new(),
             active: Vec::new(),
             on_planes: Vec::new(),
-            promise: S::ZERO,
+            promised: Vec::new(),
+            gone: Vec::new(),
+            goes: Vec::new(),
             least_promise: S::INFINITY,
             span: S::ZERO,
             widest: S::ZERO,
             gentle: S::ZERO,
-            gone: S::ZERO,
             has_pressed: false,
             work: S::ZERO,
             counts: Counts::default(),
@@ -163,6 +164,9 @@ impl<S: Real> Live<S> {
         cluster.include_walls(common);
         cluster.start.clone_from(&cluster.now);
         cluster.way = vec![zero(); cluster.now.len()];
+        for list in [&mut cluster.promised, &mut cluster.gone, &mut cluster.goes] {
+            *list = vec![S::ZERO; cluster.now.len()];
+        }
         cluster
     }
 

@@ -87,6 +87,10 @@ pub(crate) struct Draft<S> {
     pub(crate) areas: Areas,
     /// How they meet; `None`: they do not.
     pub(crate) contact: Option<Contact>,
+    /// What touches something and is slow is slowed down.
+    pub(crate) settles: bool,
+    /// What stays where it is falls asleep.
+    pub(crate) sleeps: bool,
     /// What skins are made of, one entry a point; empty where no body has its own.
     pub(crate) skins: Vec<SkinMaterial>,
 }
@@ -96,6 +100,8 @@ pub(crate) struct Draft<S> {
 struct Live<S: Real> {
     bodies: Arc<Bodies<S>>,
     contact: Option<Contact>,
+    settles: bool,
+    sleeps: bool,
     resist: Areas,
     walls: Walls<S>,
     /// Which side of an edge every point near one belongs to.
@@ -152,6 +158,8 @@ impl<S: Real> Live<S> {
         let count = bodies.list.len();
         Live {
             contact: draft.contact,
+            settles: draft.settles,
+            sleeps: draft.sleeps,
             resist: draft.areas,
             walls,
             sides: Vec::new(),
@@ -240,7 +248,7 @@ impl<S: Real> Mover<S, 2> for Live<S> {
             cluster.count(counters);
         }
         // A gust may come at any time.
-        if pull.gusts().is_none() {
+        if self.sleeps && pull.gusts().is_none() {
             self.doze(&clusters, points, t + h);
         }
     }

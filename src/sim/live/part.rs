@@ -128,9 +128,9 @@ pub(super) fn drift<S: Real>(state: &mut Cluster<S>, h: S) {
         }
     }
     state.tangle.couples = couples;
-    let most = h * S::from_f64(SPEED);
+    let (most, own) = (h * S::from_f64(SPEED), state.own());
     if shifts.iter().any(|shift| *shift != zero()) {
-        state.gone += most;
+        state.gone[..own].iter_mut().for_each(|gone| *gone += most);
     }
     for (body, &shift) in shifts.iter().enumerate().filter(|(_, shift)| **shift != zero()) {
         let length = dot(shift, shift).sqrt();

@@ -85,7 +85,7 @@ impl<S: Real> Live<S> {
             let is_calm = square < S::from_f64(SLOW * SLOW) && sticks + slips > 0 && slips <= sticks;
             let rest = &mut self.rests[body];
             rest.touches = sticks + slips > 0;
-            rest.calm = if is_calm { rest.calm + h } else { 0.0 };
+            rest.calm = if is_calm && self.settles { rest.calm + h } else { 0.0 };
             self.settling[body] = S::from_f64((GROWTH * (rest.calm - CALM)).clamp(0.0, MOST_DRAG));
         }
     }

@@ -38,7 +38,7 @@ pub(super) struct Outside<'a, S: Real> {
 pub(super) fn advance<S: Real>(state: &mut Cluster<S>, common: &Common<S>, outside: Outside<S>, (t, h): (f64, f64)) {
     let time = S::from_f64(h);
     kick(state, common, outside, (t, h));
-    if state.gone + time * fastest(state) > state.promise {
+    if state.may_leave(time) {
         detect::look(state, common);
     }
     part::drift(state, time);
@@ -129,12 +129,36 @@ impl<S: Real> Cluster<S> {
         self.on_planes.iter_mut().for_each(super::pair::OnPlane::clear);
     }
 
+    /// Whether a point may get further within `h` [s] than it was looked at.
+    fn may_leave(&self, h: S) -> bool {
+        let own = self.own();
+        let (velocity, promised, gone) = (&self.velocity[..own], &self.promised[..own], &self.gone[..own]);
+        (0..own).any(|i| {
+            let left = promised[i] - gone[i];
+            // NaN is looked at.
+            let stays = left >= S::ZERO && h * h * dot(velocity[i], velocity[i]) <= left * left;
+            !stays
+        })
+    }
+
     /// Which pairs may touch in this substep: those whose points cannot have gone so far, and will not, are left out.
     fn choose(&mut self, slack: S) {
-        let farthest = longest(&self.way[..self.own()]);
-        let reach = S::from_f64(2.0) * (self.gone + farthest) + slack;
-        self.active.clear();
-        self.active.extend(self.rooms.iter().zip(0..).filter(|(room, _)| **room <= reach).map(|(_, number)| number));
+        let own = self.own();
+        let (goes, gone, way) = (&mut self.goes[..own], &self.gone[..own], &self.way[..own]);
+        let mut farthest = S::ZERO;
+        for i in 0..own {
+            goes[i] = gone[i] + dot(way[i], way[i]).sqrt();
+            farthest = farthest.max(goes[i]);
+        }
+        let reach = farthest + farthest + slack;
+        let Cluster { pairs, goes, rooms, active, .. } = self;
+        let may_touch = |number: u32, room: S| {
+            let pair = &pairs[number as usize];
+            room <= goes[pair.p as usize] + goes[pair.a as usize].max(goes[pair.b as usize]) + slack
+        };
+        let chosen = rooms.iter().zip(0..).filter(|&(&room, number)| room <= reach && may_touch(number, room));
+        active.clear();
+        active.extend(chosen.map(|(_, number)| number));
     }
 
     /// One pass over all contacts; pairs that are too far apart to touch by what is still to come are left out from then on.
@@ -160,7 +184,10 @@ impl<S: Real> Cluster<S> {
     fn finish(&mut self, h: f64, planes: &[crate::sim::contact::surface::Surface<S, 2>], gravity: [f64; 2]) {
         let rate = S::from_f64(1.0 / h);
         let own = self.own();
-        self.gone += longest(&self.way[..own]);
+        let (gone, way) = (&mut self.gone[..own], &self.way[..own]);
+        for i in 0..own {
+            gone[i] += dot(way[i], way[i]).sqrt();
+        }
         let (now, velocity) = (&mut self.now[..own], &mut self.velocity[..own]);
         let (start, way, lost, w) = (&self.start[..own], &self.way[..own], &mut self.lost[..own], &self.w[..own]);
         for i in 0..own {

@@ -107,11 +107,13 @@ pub(super) fn passes<S: Real>(state: &Cluster<S>, common: &Common<S>) -> (u32, S
     if state.pairs.is_empty() && state.on_planes.is_empty() {
         return usual;
     }
+    // No point goes further in a substep than half an edge.
+    let pulled = state.least_promise + state.least_promise;
     let largest = state.members(common).map(|(body, _)| body.tree).max().unwrap_or_default();
     match largest {
         0 => usual,
-        1..=MOST => (PASSES, S::INFINITY),
-        _ => (usual.0, S::INFINITY),
+        1..=MOST => (PASSES, pulled),
+        _ => (usual.0, pulled),
     }
 }
 

@@ -25,6 +25,8 @@ impl<S: Real, const D: usize> Maker<'_, S, D> {
             hinges: self.form().hinges,
             areas: self.model.areas.unwrap_or_default(),
             contact: self.model.contact,
+            settles: self.model.method.settles,
+            sleeps: self.model.method.sleeps,
             skins: self.skins(),
         }
     }

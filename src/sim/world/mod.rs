@@ -8,6 +8,7 @@ mod face;
 mod kept;
 mod moved;
 pub(crate) mod saved;
+mod skins;
 mod start;
 mod state;
 
@@ -17,11 +18,10 @@ use super::bond::PointId;
 use super::bonds::Bonds;
 use super::contact::obstacles::Obstacles;
 use super::counters::Counters;
-use super::dynamics::Dynamics;
 use super::environment::Environment;
 use super::ledger::Totals;
-use super::model::{Model, ModelError};
-use super::plan::{self, Plan};
+use super::model::Model;
+use super::plan::Plan;
 use super::real::Real;
 use super::timeline::Timeline;
 use kept::Kept;
@@ -113,15 +113,4 @@ impl Numbers {
     pub(crate) fn is_gone(&self, point: u32) -> bool {
         self.gone.binary_search(&PointId(point)).is_ok()
     }
-}
-
-/// A world for a model, its scalar as the method says.
-///
-/// Errors: as [`Model::check`].
-pub fn build<const D: usize>(model: &Model<D>) -> Result<Box<dyn Dynamics>, ModelError> {
-    Ok(if plan::is_single(model) {
-        Box::new(World::<f32, D>::new(model)?)
-    } else {
-        Box::new(World::<f64, D>::new(model)?)
-    })
 }

@@ -84,6 +84,7 @@ impl<S: Real, const D: usize> World<S, D> {
         world.warn_of_limits();
         world.warn_of_wind();
         world.warn_of_areas(0);
+        world.warn_of_radius();
         world.begin(&state);
         world.foresee();
         world.begin_ledger();

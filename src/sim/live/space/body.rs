@@ -1,7 +1,7 @@
 //! Bodies in space: each one's points, bonds and skin, one after the other.
 
 use crate::sim::bond::Bond;
-use crate::sim::contact::skin::Contact;
+use crate::sim::contact::skin::{Contact, RADIUS};
 use crate::sim::live::Draft;
 use crate::sim::live::body::{Link, Span};
 use crate::sim::live::bonds;
@@ -12,8 +12,6 @@ use crate::sim::vector::{dot, length, sub};
 
 use super::geometry::cross;
 
-/// Share of the mean edge of a skin that its radius is where nothing is said.
-const RADIUS: f64 = 0.05;
 /// Largest share of its thinnest triangle's height that a skin keeps from itself: neighbours would press each other.
 const FROM_ITSELF: f64 = 0.5;
 

@@ -45,6 +45,8 @@ use substep::Outside;
 pub(super) struct Space<S: Real> {
     bodies: Bodies<S>,
     contact: Option<Contact>,
+    settles: bool,
+    sleeps: bool,
     solids: Vec<Solid<S>>,
     /// Which side of a triangle every point near one belongs to.
     sides: Sides,
@@ -65,6 +67,8 @@ impl<S: Real> Space<S> {
         let count = bodies.list.len();
         Space {
             contact: draft.contact,
+            settles: draft.settles,
+            sleeps: draft.sleeps,
             solids: pull.contacts.obstacles.convex().iter().map(Solid::new).collect(),
             sides: Vec::new(),
             rests: vec![Rest::default(); count],
@@ -134,7 +138,10 @@ impl<S: Real> Mover<S, 3> for Space<S> {
             self.settle(cluster, h);
             cluster.count(counters);
         }
-        self.doze(&clusters, points, t + h);
+        // A gust may come at any time.
+        if self.sleeps && pull.gusts().is_none() {
+            self.doze(&clusters, points, t + h);
+        }
     }
 
     fn lose(&mut self, _ends: [u32; 2], _rest: f64) -> bool {

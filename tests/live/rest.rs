@@ -1,0 +1,31 @@
+//! What settles and sleeps, and what is told not to.
+
+use serde_json::{Value, json};
+use wobble::sim::Dynamics;
+
+use super::{disc, run};
+
+/// A disc that fell on a floor and came to its end there.
+fn landed(method: &Value) -> (Box<dyn Dynamics>, f64) {
+    let scene = json!({"wobble": 1, "gravity": [0, -9.81], "contact": true, "method": method,
+        "bodies": [disc([0.0, 0.4], [0.0; 2])], "bounds": {"min": [-5, 0], "max": [5, 9], "friction": 0.5}});
+    let (sample, world) = run(&scene, 4.0);
+    let fastest = super::fastest(&sample);
+    (world, fastest)
+}
+
+#[test]
+fn what_is_told_not_to_sleep_stays_awake() {
+    let (rested, _) = landed(&json!({"solver": "live"}));
+    assert!(rested.is_asleep());
+    let (awake, _) = landed(&json!({"solver": "live", "sleep": false}));
+    assert!(!awake.is_asleep());
+}
+
+#[test]
+fn what_is_told_not_to_settle_goes_on_shaking() {
+    let (_, settled) = landed(&json!({"solver": "live", "sleep": false}));
+    let (_, free) = landed(&json!({"solver": "live", "sleep": false, "settle": false}));
+    assert!(settled < 1e-3, "{settled} m/s");
+    assert!(free > 3.0 * settled, "{free} m/s, settled {settled} m/s");
+}

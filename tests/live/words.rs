@@ -1,0 +1,30 @@
+//! What is said of skins that cannot be as they are asked for.
+
+use serde_json::json;
+use wobble::scene::Scene;
+
+use super::{disc, world};
+
+#[test]
+fn a_radius_that_is_too_large_is_told() {
+    let warnings = |radius: f64| {
+        let scene = json!({"wobble": 1, "contact": {"radius": radius}, "bodies": [disc([0.0; 2], [0.0; 2]), disc([2.0, 0.0], [0.0; 2])]});
+        world(&scene).warnings().to_vec()
+    };
+    assert_eq!(
+        warnings(0.2),
+        ["the radius of the skin of 2 bodies is more than half an edge: it is taken as half an edge"]
+    );
+    assert!(warnings(0.03).is_empty());
+}
+
+#[test]
+fn skins_of_their_own_materials_are_refused_in_space() {
+    let scene = json!({"wobble": 1, "dimensions": 3, "contact": true,
+        "bodies": [{"make": "cloth", "columns": 3, "rows": 3, "spacing": 0.1, "material": {"friction": 0.9}}]});
+    let said = match Scene::parse(&scene.to_string(), "x.json").and_then(|scene| scene.world(None).map(drop)) {
+        Ok(()) => panic!("accepted"),
+        Err(error) => error.to_string(),
+    };
+    assert!(said.contains("skins") && said.contains("of the plane"), "{said}");
+}
