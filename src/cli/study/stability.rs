@@ -17,8 +17,10 @@ use crate::study::{self, StudyError};
 
 /// Least time between two looks at the disk: an interrupt loses what was done since.
 const KEPT_EVERY: Duration = Duration::from_secs(5);
-/// How many times as long as it took to write it is not written again.
+/// How many times as long as it took to write it is not written again, up to [`KEPT_AT_LEAST_EVERY`].
 const APART: u32 = 20;
+/// The most that an interrupt loses, but for the run under way.
+const KEPT_AT_LEAST_EVERY: Duration = Duration::from_secs(60);
 
 /// What to judge and where to write it.
 #[derive(Args)]
@@ -93,7 +95,7 @@ impl Stability {
             report.sum_up();
             self.sign(report);
             report.write(&self.out)?;
-            (written, apart) = (Instant::now(), KEPT_EVERY.max(APART * begun.elapsed()));
+            (written, apart) = (Instant::now(), (APART * begun.elapsed()).clamp(KEPT_EVERY, KEPT_AT_LEAST_EVERY));
             Ok(())
         };
         let mut show = |now: study::Progress<'_>| {

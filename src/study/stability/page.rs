@@ -35,7 +35,7 @@ fn head(report: &StabilityReport) -> String {
     let commit = report.commit.as_deref().map_or(String::new(), |commit| format!(", commit {commit}"));
     line!(text, "wobble {}{commit}, on {}, by `{}`.", report.version, report.machine.processor, report.command);
     if cfg!(debug_assertions) {
-        line!(text, "The program was built with assertions, which takes time but no other way.");
+        line!(text, "The program was built with assertions: it takes longer, and judges alike.");
     }
     if !report.is_finished {
         line!(text, "The study was not finished.");
@@ -149,6 +149,7 @@ fn cell(row: &LimitRow) -> String {
         (None, ..) | (_, None, ..) => "none".to_owned(),
         (_, _, None, None) => return "all".to_owned(),
         (_, Some(to), None, _) => short(to),
+        (Some(from), Some(to), Some(_), _) if from == to => short(to),
         (Some(from), Some(to), Some(_), _) => format!("{} to {}", short(from), short(to)),
     };
     // Where the most harmless value fails it is the first on both sides.

@@ -44,9 +44,9 @@ pub(super) fn chain(links: usize, ratio: f64, stiffness: Option<f64>) -> Value {
 }
 
 /// The same of rigid bonds, straight down: in its equilibrium.
-pub(super) fn hung(ratio: f64) -> Value {
-    let mut scene = chain(5, ratio, None);
-    let position: Vec<[f64; 2]> = (0..=5).map(|i| [0.0, -0.2 * f64::from(i)]).collect();
+pub(super) fn hung(links: usize) -> Value {
+    let mut scene = chain(links, 1.0, None);
+    let position: Vec<[f64; 2]> = (0..=links).map(|i| [0.0, -(i as f64) / links as f64]).collect();
     scene["points"]["position"] = json!(position);
     scene
 }
@@ -137,9 +137,16 @@ fn jumps(reach: f64) -> Vec<[f64; 3]> {
     (0..=120).map(|i| [f64::from(i) * FRAME, side(), side()]).collect()
 }
 
-/// A free grid between walls, and a mouse that is somewhere else in every frame.
-pub(super) fn pushed(strength: f64, stiffness: Option<f64>) -> Value {
-    let mut scene = scene((0..25).map(place).collect(), grid(stiffness), &[]);
+/// A free grid of springs, or a rope of rigid bonds, between walls, and a mouse that is somewhere else in every frame.
+pub(super) fn pushed(strength: f64, is_rigid: bool) -> Value {
+    let mut scene = match is_rigid {
+        true => scene(
+            (0..8).map(|i| [0.1 * f64::from(i), 0.0]).collect(),
+            (0..7).map(|i| bond(i, i + 1, None)).collect(),
+            &[],
+        ),
+        false => scene((0..25).map(place).collect(), grid(Some(1e3)), &[]),
+    };
     scene["mouse"] = json!({ "strength": strength, "radius": 0.4, "track": jumps(1.0) });
     scene["bounds"] = json!({ "min": [-1.5, -1.5], "max": [1.5, 1.5], "restitution": 0.5 });
     scene

@@ -181,14 +181,14 @@ static SWEEPS: [Sweep; 34] = [
         quantity: "strength [1/s^2]",
         home: 0,
         values: &[1.0, 10.0, 1e2, 1e3, 1e4, 1e5, 1e6],
-        setup: |s| Setup::new(pushed(s, Some(1e3)), FRAME / 8.0),
+        setup: |s| Setup::new(pushed(s, false), FRAME / 8.0),
     },
     Sweep {
         name: "mouse that jumps, rigid",
         quantity: "strength [1/s^2]",
         home: 0,
         values: &[1.0, 10.0, 1e2, 1e3, 1e4, 1e5, 1e6],
-        setup: |s| Setup::new(pushed(s, None), FRAME / 8.0),
+        setup: |s| Setup::new(pushed(s, true), FRAME / 8.0),
     },
     Sweep {
         name: "long frames, springs",
@@ -269,10 +269,10 @@ static SWEEPS: [Sweep; 34] = [
     },
     Sweep {
         name: "rest, rigid",
-        quantity: "mass of the end over the others, of what hangs in its equilibrium",
+        quantity: "links of a rope that hangs in its equilibrium",
         home: 0,
-        values: &RATIOS,
-        setup: |ratio| Setup { rest: Rest::Stays, ..Setup::new(hung(ratio), FRAME / 16.0) },
+        values: &[1.0, 2.0, 5.0, 10.0, 20.0, 50.0],
+        setup: |links| Setup { rest: Rest::Stays, ..Setup::new(hung(links as usize), FRAME / 16.0) },
     },
     Sweep {
         name: "coming to rest, springs",
