@@ -16,17 +16,39 @@ pub struct OutputError {
 
 /// Held while a file is written.
 static WRITING: Mutex<()> = Mutex::new(());
+/// Held while files that belong together are written.
+static TOGETHER: Mutex<()> = Mutex::new(());
 
-/// Waits until the file that is being written is whole; while what is returned lives, none is begun. For a program that is about to end.
-pub fn pause() -> MutexGuard<'static, ()> {
-    WRITING.lock().unwrap_or_else(PoisonError::into_inner)
+fn wait(lock: &'static Mutex<()>) -> MutexGuard<'static, ()> {
+    lock.lock().unwrap_or_else(PoisonError::into_inner)
+}
+
+/// Waits until the file that is being written is whole, and those that belong to it; while what is returned lives, none is begun.
+/// For a program that is about to end.
+pub fn pause() -> [MutexGuard<'static, ()>; 2] {
+    // In the order in which those who write take them.
+    [wait(&TOGETHER), wait(&WRITING)]
+}
+
+/// While what is returned lives, [`pause`] waits: files that belong together are written all or none.
+pub fn together() -> MutexGuard<'static, ()> {
+    wait(&TOGETHER)
+}
+
+/// Whether files can be made in a folder, by making one and taking it away again.
+///
+/// Errors: there is no such folder, or none can be made in it.
+pub fn probe(folder: &Path) -> Result<(), OutputError> {
+    let _writing = wait(&WRITING);
+    let made = tempfile::Builder::new().prefix(".wobble-").tempfile_in(folder).map_err(|error| plain(&error, folder));
+    made.map(drop).map_err(|error| OutputError { path: folder.to_owned(), reason: error.to_string() })
 }
 
 /// Writes a file beside `path` and renames it to `path` when all of it is on the disk.
 ///
 /// Errors: whatever `write` or the file system answers; an older file at `path` then stays as it was.
 pub fn replace(path: &Path, write: impl FnOnce(&mut dyn Write) -> std::io::Result<()>) -> Result<(), OutputError> {
-    let _writing = pause();
+    let _writing = wait(&WRITING);
     let attempt = || {
         // Through a link the file behind it is meant; a rename would put a file in the link's place.
         let target = std::fs::canonicalize(path).unwrap_or_else(|_| path.to_owned());
@@ -86,6 +108,15 @@ mod tests {
         assert!(failed.unwrap_err().to_string().contains("x.json: cannot be written"));
         assert_eq!(std::fs::read(&path).unwrap(), b"old");
         assert_eq!(std::fs::read_dir(folder.path()).unwrap().count(), 1);
+    }
+
+    #[test]
+    fn a_probe_leaves_nothing_and_says_where_no_file_can_be_made() {
+        let folder = tempfile::tempdir().unwrap();
+        probe(folder.path()).unwrap();
+        assert_eq!(std::fs::read_dir(folder.path()).unwrap().count(), 0);
+        let error = probe(&folder.path().join("none")).unwrap_err().to_string();
+        assert!(error.contains("none: cannot be written"), "{error}");
     }
 
     #[test]

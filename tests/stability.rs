@@ -112,21 +112,74 @@ fn a_scene_of_ones_own_and_a_single_case_are_judged_alike() {
     assert!(text(&done.stdout).starts_with("rim: "), "{}", text(&done.stdout));
     let done = study(&["--case", "4", "--quick", "--out", out]);
     assert!(text(&done.stdout).starts_with("case-4: "), "{}", text(&done.stdout));
+    check_again(folder.path(), 4);
     let scene = folder.path().join("free.json");
     std::fs::write(&scene, r#"{"wobble": 1, "points": {"position": [[0, 0]]}, "gravity": [0, -9.81]}"#).unwrap();
     let done = study(&[scene.to_str().unwrap(), "--out", out]);
     assert_eq!(text(&done.stdout), "free: holds\n");
 }
 
+/// The scene of a case that was asked for is there, and is the case.
+fn check_again(folder: &Path, case: u64) {
+    let file = folder.join(format!("case-{case}.json"));
+    let kept = Start::load(file.to_str().unwrap()).unwrap();
+    let drawn = battery::subject(case).unwrap().recording;
+    assert_eq!(kept.recording().scene.points, drawn.scene.points);
+    assert_eq!(kept.recording().scene.bodies, drawn.scene.bodies);
+}
+
+#[test]
+fn a_case_that_is_asked_for_is_written_out_also_where_nothing_fails() {
+    let folder = tempfile::tempdir().unwrap();
+    let done = study(&["--case", "0", "--quick", "--out", folder.path().to_str().unwrap()]);
+    assert_eq!(text(&done.stdout), "case-0: holds\n");
+    check_again(folder.path(), 0);
+    assert!(!folder.path().join("worst").exists());
+    assert!(read(folder.path(), "README.md").contains("by `wobble study stability --case 0 --quick --out "));
+}
+
+#[test]
+fn names_of_scenes_lead_to_files_of_their_own_in_the_folder_and_nowhere_else() {
+    let folder = tempfile::tempdir().unwrap();
+    let names = ["a/b", "../x", "same", "same", "Same", ".."];
+    let scenes: Vec<String> = (0..names.len()).map(|k| folder.path().join(format!("{k}.json"))).map(plain).collect();
+    for (file, name) in scenes.iter().zip(names) {
+        let scene = serde_json::json!({ "wobble": 1, "name": name, "gravity": [0, -9.81], "duration": 0.1,
+            "points": { "position": [[0, 0], [1, 0]], "pinned": [0] }, "bonds": [{ "a": 0, "b": 1 }] });
+        std::fs::write(file, scene.to_string()).unwrap();
+    }
+    let out = folder.path().join("deep/out");
+    let mut call: Vec<&str> = scenes.iter().map(String::as_str).collect();
+    // Which no method gives: each of them is among the worst.
+    call.extend(["--tolerance", "1e-17", "--out", out.to_str().unwrap()]);
+    let done = study(&call);
+    assert!(done.status.success(), "{}", text(&done.stderr));
+    let listed = |folder: &Path| {
+        let mut names: Vec<String> =
+            std::fs::read_dir(folder).unwrap().map(|file| file.unwrap().file_name().into_string().unwrap()).collect();
+        names.sort();
+        names
+    };
+    let worst = ["Same-3.json", "_x.json", "a_b.json", "same-2.json", "same.json", "scene.json"];
+    assert_eq!(listed(&out.join("worst")), worst);
+    assert_eq!(listed(&folder.path().join("deep")), ["out"]);
+    assert_eq!(listed(folder.path()).len(), names.len() + 1);
+}
+
+fn plain(path: std::path::PathBuf) -> String {
+    path.to_str().unwrap().to_owned()
+}
+
 #[test]
 fn a_wrong_call_ends_with_2_and_names_what_there_is() {
-    let cases: [(&[&str], &str); 6] = [
+    let cases: [(&[&str], &str); 7] = [
         (&["--family", "ropes"], "rope, heavy-end"),
         (&["--sweep", "stifness"], "stiffness, mass ratio"),
         (&["--case", "one"], "invalid digit"),
         (&["--cases", "many"], "invalid digit"),
         (&["rim", "--case", "3"], "cannot be used with"),
         (&["--case", "3", "--cases", "9"], "cannot be used with"),
+        (&["--case", "3", "--sweep", "stiffness"], "cannot be used with"),
     ];
     for (arguments, line) in cases {
         let done = study(arguments);
@@ -153,13 +206,43 @@ fn a_folder_or_a_scene_that_cannot_be_had_is_told_before_the_work() {
     }
 }
 
-/// What was done before an interrupt is on the disk, whole.
+/// As long as this would run, it ends at once.
+#[test]
+fn what_stands_where_the_study_writes_is_told_before_the_work() {
+    let stands: [(&str, bool); 3] = [("worst", false), ("stability.json", true), ("faults.png", true)];
+    for (name, is_folder) in stands {
+        let folder = tempfile::tempdir().unwrap();
+        let place = folder.path().join(name);
+        if is_folder {
+            std::fs::create_dir(&place).unwrap()
+        } else {
+            std::fs::write(&place, "").unwrap()
+        }
+        check_refused(folder.path(), name);
+        assert_eq!(std::fs::read_dir(folder.path()).unwrap().count(), 1, "{name}: nothing else is left");
+    }
+}
+
+#[cfg(target_os = "linux")]
+#[test]
+fn a_folder_that_no_file_can_be_made_in_is_told_before_the_work() {
+    check_refused(Path::new("/proc"), "/proc");
+}
+
+fn check_refused(folder: &Path, word: &str) {
+    let done = study(&["--cases", "1000000", "--out", folder.to_str().unwrap()]);
+    let error = text(&done.stderr);
+    assert_eq!(done.status.code(), Some(1), "{error}");
+    assert!(error.starts_with("wobble: ") && error.contains(word) && error.lines().count() == 1, "{error}");
+}
+
+/// What was done before an interrupt is on the disk, whole: tables, plots and scenes.
 #[cfg(unix)]
 #[test]
 fn an_interrupt_keeps_what_is_done() {
     let folder = tempfile::tempdir().unwrap();
     let mut running = Command::new(env!("CARGO_BIN_EXE_wobble"))
-        .args(["study", "stability", "--cases", "100000", "--family", "points", "--out"])
+        .args(["study", "stability", "--cases", "100000", "--family", "rim", "--family", "rope", "--quick", "--out"])
         .arg(folder.path())
         .stderr(std::process::Stdio::null())
         .spawn()
@@ -177,6 +260,13 @@ fn an_interrupt_keeps_what_is_done() {
     assert_eq!(report["is_finished"], false);
     assert!(!report["judged"].as_array().unwrap().is_empty());
     assert!(read(folder.path(), "README.md").contains("was not finished"));
+    for name in ["faults.png", "faults.svg", "rates.png", "rates.svg"] {
+        assert!(folder.path().join(name).exists(), "{name}");
+    }
+    let is_faulty = |one: &&Value| !one["found"]["faults"].as_array().unwrap().is_empty();
+    let faulty = report["judged"].as_array().unwrap().iter().filter(is_faulty).count().min(20);
+    assert!(faulty > 0);
+    assert_eq!(std::fs::read_dir(folder.path().join("worst")).unwrap().count(), faulty);
 }
 
 /// A scene of `tests/files/known` that fails, as its list has it.

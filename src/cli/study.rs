@@ -121,8 +121,7 @@ pub(super) fn run(arguments: &Arguments, quiet: bool) -> anyhow::Result<()> {
 
 impl Accuracy {
     fn run(&self, quiet: bool) -> anyhow::Result<()> {
-        // A folder that cannot be had is better known before the work than after it.
-        study::make_folder(&self.out)?;
+        study::ready_folder(&self.out)?;
         let problems = self.problems();
         let settings = if self.quick { Settings::QUICK } else { Settings::FULL };
         let bar = progress::tasks(quiet);
@@ -155,7 +154,7 @@ impl Accuracy {
 
 impl Speed {
     fn run(&self, quiet: bool) -> anyhow::Result<()> {
-        study::make_folder(&self.out)?;
+        study::ready_folder(&self.out)?;
         let settings = self.settings()?;
         let scenes = if self.scenes.is_empty() { settings.scenes() } else { self.scenes.clone() };
         let bar = progress::tasks(quiet);
@@ -191,6 +190,35 @@ fn commit(said: &Option<String>) -> Option<String> {
     said.clone().or_else(|| std::env::var("WOBBLE_COMMIT").ok())
 }
 
+/// The call as it may be typed again: the program by its name, words that a shell would take apart in quotes.
 fn command() -> String {
-    std::env::args().collect::<Vec<_>>().join(" ")
+    let words = std::env::args_os().skip(1).map(|word| quoted(&word.to_string_lossy()));
+    std::iter::once("wobble".to_owned()).chain(words).collect::<Vec<_>>().join(" ")
+}
+
+fn quoted(word: &str) -> String {
+    let is_plain = |c: char| c.is_alphanumeric() || "-_./=:,+%@".contains(c);
+    if !word.is_empty() && word.chars().all(is_plain) {
+        return word.to_owned();
+    }
+    format!("'{}'", word.replace('\'', "'\\''"))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::quoted;
+
+    #[test]
+    fn words_are_quoted_where_a_shell_would_take_them_apart() {
+        let words = [
+            ("--case", "--case"),
+            ("mass ratio", "'mass ratio'"),
+            ("", "''"),
+            ("it's", "'it'\\''s'"),
+            ("a;b", "'a;b'"),
+        ];
+        for (word, expected) in words {
+            assert_eq!(quoted(word), expected);
+        }
+    }
 }

@@ -132,6 +132,8 @@ pub trait Dynamics: Send {
     fn parts(&self) -> &[PlanPart];
     /// What moves the islands, since when and why: those that step together as one, in the order of their lowest points.
     fn moved_by(&self) -> Vec<MovedBy>;
+    /// What moves a point that can move: the group of islands that it is in; `None` where it is gone.
+    fn mover_of(&self, point: PointId) -> Option<&PlanPart>;
     /// What the user should know of the scene: lengths that contradict each other, bonds that cannot hold.
     fn warnings(&self) -> &[String];
     /// Whether everything sleeps, and nothing that is still to come could wake it.

@@ -33,7 +33,7 @@ pub use error::StudyError;
 pub use fit::Cost;
 pub use machine::{Machine, machine};
 pub use problems::{Kind, Problem, Truth, TruthSample, find, problems};
-pub use report::{Report, make_folder};
+pub use report::{Report, make_folder, ready_folder};
 pub use rest::{Settled, settle};
 pub use run::{Run, Settings, Work};
 pub use setting::tune;

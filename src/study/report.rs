@@ -11,7 +11,7 @@ use super::plot;
 use super::run::Settings;
 use super::slides::Slides;
 use super::tables;
-use crate::output::replace;
+use crate::output::{probe, replace};
 
 /// A study of accuracy.
 #[derive(Clone, Debug, Serialize)]
@@ -66,4 +66,12 @@ impl Report {
 pub fn make_folder(folder: &Path) -> Result<(), StudyError> {
     let error = |reason| StudyError::Folder { folder: folder.display().to_string(), reason };
     std::fs::create_dir_all(folder).map_err(error)
+}
+
+/// Makes a folder if need be, and sees that files can be made in it: better known before the work than after it.
+///
+/// Errors: it cannot be made, or no file in it.
+pub fn ready_folder(folder: &Path) -> Result<(), StudyError> {
+    make_folder(folder)?;
+    Ok(probe(folder)?)
 }

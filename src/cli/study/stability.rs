@@ -15,8 +15,12 @@ use crate::study::stability::{
 };
 use crate::study::{self, StudyError};
 
-/// Time between two looks at the disk: an interrupt loses what was done since.
+/// Least time between two looks at the disk: an interrupt loses what was done since.
 const KEPT_EVERY: Duration = Duration::from_secs(5);
+/// How many times as long as it took to write it is not written again, up to [`KEPT_AT_LEAST_EVERY`].
+const APART: u32 = 20;
+/// The most that an interrupt loses, but for the run under way.
+const KEPT_AT_LEAST_EVERY: Duration = Duration::from_secs(60);
 
 /// What to judge and where to write it.
 #[derive(Args)]
@@ -34,13 +38,13 @@ pub(super) struct Stability {
     /// So many cases of the battery, from the first on; 1,000 if not said.
     #[arg(long, value_name = "N")]
     cases: Option<u64>,
-    /// This case of the battery by its number alone; may be given several times. Its scene is written out.
-    #[arg(long, value_name = "N", conflicts_with_all = ["cases", "family"])]
+    /// This case of the battery by its number alone; may be given several times. Its scene is written out as case-N.json.
+    #[arg(long, value_name = "N", conflicts_with_all = ["cases", "family", "sweep"])]
     case: Vec<u64>,
     /// Cases of this family alone; may be given several times.
     #[arg(long, value_name = "NAME", value_parser = family)]
     family: Vec<Family>,
-    /// This sweep alone, and no battery unless --cases, --case or --family ask for it; may be given several times.
+    /// This sweep alone, and no battery unless --cases or --family ask for it; may be given several times.
     #[arg(long, value_name = "NAME", value_parser = sweep)]
     sweep: Vec<&'static Sweep>,
     /// Judge as well whether a setting is found that keeps this error [m] at all samples of the scenes of one's own.
@@ -55,7 +59,8 @@ fn after_help() -> String {
     let sweeps: Vec<&str> = sweeps().iter().map(|sweep| sweep.name).collect();
     format!(
         "Writes README.md and stability.json; limits.csv (where each method holds, degrades and breaks), sweeps.csv, cases.csv,\n\
-         groups.csv (by family, path and cause), faults.csv; plots as SVG and PNG; and the worst scenes in worst/.\n\n\
+         groups.csv (by family, path and cause), faults.csv; plots as SVG and PNG; the worst scenes in worst/.\n\
+         An interrupt keeps what there is.\n\n\
          Examples:\n  wobble study stability --out stability\n  \
          wobble study stability my-scene.json --tolerance 1e-4\n  \
          wobble study stability --case 189 --out look\n  \
@@ -78,18 +83,20 @@ fn sweep(text: &str) -> Result<&'static Sweep, String> {
 
 impl Stability {
     pub(super) fn run(&self, quiet: bool) -> anyhow::Result<()> {
-        study::make_folder(&self.out)?;
         let (settings, subjects) = (self.settings(), self.subjects()?);
+        StabilityReport::ready(&self.out)?;
         let bar = progress::tasks(quiet);
-        let mut written = Instant::now();
+        let (mut written, mut apart) = (Instant::now(), KEPT_EVERY);
         let mut keep = |report: &mut StabilityReport| {
-            if written.elapsed() < KEPT_EVERY {
+            if written.elapsed() < apart {
                 return Ok(());
             }
-            written = Instant::now();
+            let begun = Instant::now();
             report.sum_up();
             self.sign(report);
-            report.write_tables(&self.out)
+            report.write(&self.out)?;
+            (written, apart) = (Instant::now(), (APART * begun.elapsed()).clamp(KEPT_EVERY, KEPT_AT_LEAST_EVERY));
+            Ok(())
         };
         let mut show = |now: study::Progress<'_>| {
             bar.set_length(now.total);

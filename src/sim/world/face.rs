@@ -207,6 +207,10 @@ impl<S: Real, const D: usize> Dynamics for World<S, D> {
         self.movers()
     }
 
+    fn mover_of(&self, point: PointId) -> Option<&PlanPart> {
+        self.slot(point.index()).and_then(|[place, _]| self.plan.own.get(place))
+    }
+
     fn warnings(&self) -> &[String] {
         &self.warnings
     }

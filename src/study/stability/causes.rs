@@ -2,7 +2,7 @@
 
 use super::subject::Cause;
 use crate::history::{Do, Recording};
-use crate::scene::{KindName, Material, Scene, Vector};
+use crate::scene::{BodyKeys, KindName, Material, Scene, Vector};
 
 /// Speed from which a start is fast [m/s].
 const FAST: f64 = 20.0;
@@ -23,6 +23,8 @@ pub(super) fn of(recording: &Recording) -> Vec<Cause> {
     let mut elastic = elastic.chain(scene.obstacles.iter().map(|obstacle| obstacle.restitution));
     let tracked = scene.mouse.as_ref().filter(|mouse| !mouse.track.is_empty());
     let wild = tracked.is_some_and(|mouse| fastest(&mouse.track.iter().map(|row| row.0).collect::<Vec<_>>()) >= WILD);
+    let bends =
+        |body: &BodyKeys| body.material.as_ref().and_then(|material| material.bending).is_some_and(|ei| ei > 0.0);
     let list = [
         (Cause::Walls, scene.bounds.is_some()),
         (Cause::Planes, scene.obstacles.iter().any(|obstacle| obstacle.plane.is_some())),
@@ -30,17 +32,22 @@ pub(super) fn of(recording: &Recording) -> Vec<Cause> {
             Cause::Polygons,
             scene.obstacles.iter().any(|obstacle| obstacle.polygon.is_some() || obstacle.r#box.is_some()),
         ),
+        (Cause::Circles, scene.obstacles.iter().any(|obstacle| obstacle.circle.is_some())),
         (Cause::Pictures, scene.obstacles.iter().any(|obstacle| obstacle.picture.is_some())),
         (Cause::Mouse, (tracked.is_some() && !wild) || has_cursor(recording)),
         (Cause::WildMouse, wild),
         (Cause::LedPins, !scene.pin_motion.is_empty()),
         (Cause::Commands, !recording.commands.is_empty()),
+        (Cause::Forces, !scene.forces.is_empty()),
+        (Cause::Wind, scene.wind.is_some()),
         (Cause::Rigid, has_kind(scene, KindName::Rigid)),
         (Cause::Stiff, stiffest(scene) >= STIFF),
         (Cause::Relaxed, has_kind(scene, KindName::Relaxed)),
         (Cause::Heavy, scene.gravity.is_some_and(|g| length(&g) >= HEAVY)),
         (Cause::Fast, thrown || scene.bodies.iter().any(|body| speed(&body.velocity))),
         (Cause::Elastic, elastic.any(is_elastic)),
+        (Cause::Bending, !scene.angles.is_empty() || scene.bodies.iter().any(bends)),
+        (Cause::Areas, scene.areas.is_some_and(|areas| areas.kind.is_some() || areas.stiffness.is_some())),
         (Cause::Contact, scene.contact.is_some()),
     ];
     list.into_iter().filter(|(_, is_there)| *is_there).map(|(cause, _)| cause).collect()

@@ -66,7 +66,10 @@ impl Friction {
     /// Of a scene in the plane on which nothing acts but gravity and flat surfaces; nothing is judged of any other.
     pub(super) fn of(scene: &Scene) -> Self {
         let is_flat = scene.obstacles.iter().all(|obstacle| obstacle.plane.is_some());
-        let is_free = scene.mouse.is_none() && scene.drag_rate.unwrap_or(0.0) == 0.0 && scene.dimensions() == 2;
+        let is_free = scene.mouse.is_none()
+            && scene.forces.is_empty()
+            && scene.drag_rate.unwrap_or(0.0) == 0.0
+            && scene.dimensions() == 2;
         let mut friction = Friction::default();
         if !is_flat || !is_free {
             return friction;

@@ -9,13 +9,19 @@
 
 pub mod battery;
 mod causes;
+mod counted;
+mod files;
 mod friction;
 mod judge;
 mod page;
+mod pieces;
 mod quantile;
 mod report;
 mod run;
 mod shape;
+mod sides;
+mod skins;
+mod strain;
 mod subject;
 mod summary;
 mod surfaces;
@@ -27,9 +33,12 @@ use super::accuracy::Progress;
 use super::machine::machine;
 use crate::history::Recording;
 
+pub use counted::Counted;
+pub use files::SceneFile;
 pub use judge::Fault;
 pub use report::StabilityReport;
-pub use run::{Bounds, Counted, Ended, Findings, Timing};
+pub use run::{Bounds, Ended, Findings, Timing};
+pub use strain::Strains;
 pub use subject::{Cause, Rest, Subject};
 pub use summary::{FaultRow, Group};
 pub use sweeps::{LimitRow, Outcome, Sweep, SweepRun, find_sweep, limits, methods, sweeps};
@@ -96,16 +105,16 @@ pub struct Judged {
     pub found: Findings,
     /// What the clock says.
     pub timing: Timing,
-    /// The scene, where it is one of the worst.
+    /// The scene of what was named, by its file or its number; those of the battery are made again by their numbers.
     #[serde(skip)]
-    pub kept: Option<Recording>,
+    pub own: Option<Recording>,
 }
 
 /// Runs a subject within bounds and judges it.
 pub fn judge(subject: &Subject, bounds: Bounds) -> Judged {
     let (found, timing) = run::run(subject, bounds, true);
     let Subject { name, family, case, causes, .. } = subject.clone();
-    Judged { name, family, case, causes, found, timing, kept: None }
+    Judged { name, family, case, causes, found, timing, own: None }
 }
 
 /// Runs sweeps and battery; or, where there are `subjects` of the user's own, these alone. `progress` is told before each run, and
@@ -130,6 +139,8 @@ pub fn measure_stability<E>(
         judged: Vec::new(),
         groups: Vec::new(),
         faults: Vec::new(),
+        scenes: Vec::new(),
+        written: Vec::new(),
     };
     let mut study = Study { settings, progress, keep, done: 0, total: 0 };
     if subjects.is_empty() {
@@ -140,12 +151,11 @@ pub fn measure_stability<E>(
         study.total = subjects.len() as u64;
         for subject in subjects {
             study.next(&subject.name);
-            study.take(subject, &mut report)?;
+            study.take(subject, Some(&subject.recording), &mut report)?;
         }
     }
     report.is_finished = true;
     report.sum_up();
-    report.keep_worst(|name| subjects.iter().find(|subject| subject.name == name).cloned());
     Ok(report)
 }
 
@@ -193,15 +203,16 @@ impl<E> Study<'_, E> {
             self.next(&format!("case {case}"));
             if let Ok(subject) = battery::subject(case) {
                 let duration = self.settings.case_seconds;
-                self.take(&Subject { duration, ..subject }, report)?;
+                self.take(&Subject { duration, ..subject }, None, report)?;
             }
         }
         Ok(())
     }
 
-    fn take(&mut self, subject: &Subject, report: &mut StabilityReport) -> Result<(), E> {
+    fn take(&mut self, subject: &Subject, own: Option<&Recording>, report: &mut StabilityReport) -> Result<(), E> {
         let bounds = self.settings.case_bounds;
         let mut judged = judge(subject, bounds);
+        judged.own = own.cloned();
         if self.settings.is_timed_apart {
             judged.timing = run::run(subject, bounds, false).1;
         }
@@ -211,22 +222,11 @@ impl<E> Study<'_, E> {
 }
 
 impl StabilityReport {
-    /// Works out limits, groups and classes of faults from what there is.
+    /// Works out limits, groups, classes of faults and which scenes are written out from what there is.
     pub fn sum_up(&mut self) {
         self.limits = sweeps().iter().flat_map(|sweep| limits(sweep, &self.sweeps)).collect();
         self.groups = summary::groups(&self.judged);
         self.faults = summary::faults(&self.judged);
-    }
-
-    /// Keeps the scenes of the worst; those of the user's own come from `own`.
-    fn keep_worst(&mut self, own: impl Fn(&str) -> Option<Subject>) {
-        let worst: Vec<String> =
-            summary::worst(&self.judged, self.settings.kept).into_iter().map(|one| one.name.clone()).collect();
-        for judged in self.judged.iter_mut().filter(|one| worst.contains(&one.name)) {
-            judged.kept = match judged.case {
-                Some(case) => battery::subject(case).ok().map(|subject| subject.recording),
-                None => own(&judged.name).map(|subject| subject.recording),
-            };
-        }
+        self.scenes = files::scenes(&self.judged, self.settings.kept, &self.scenes);
     }
 }

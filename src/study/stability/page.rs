@@ -2,6 +2,8 @@
 
 use std::fmt::Write;
 
+use super::Judged;
+use super::counted::Counted;
 use super::judge::Fault;
 use super::report::StabilityReport;
 use super::summary::Group;
@@ -15,6 +17,7 @@ pub(super) fn page(report: &StabilityReport) -> String {
     }
     if !report.groups.is_empty() {
         groups(report, &mut text);
+        counters(report, &mut text);
     }
     if !report.limits.is_empty() {
         limits(report, &mut text);
@@ -31,6 +34,9 @@ fn head(report: &StabilityReport) -> String {
     let mut text = String::from("# Stability\n\n");
     let commit = report.commit.as_deref().map_or(String::new(), |commit| format!(", commit {commit}"));
     line!(text, "wobble {}{commit}, on {}, by `{}`.", report.version, report.machine.processor, report.command);
+    if cfg!(debug_assertions) {
+        line!(text, "The program was built with assertions: it takes longer, and judges alike.");
+    }
     if !report.is_finished {
         line!(text, "The study was not finished.");
     }
@@ -58,7 +64,7 @@ fn faults(report: &StabilityReport, text: &mut String) {
             "| {} | {} | {} | {} | {share:.1} % | {} | {measured} |",
             row.fault,
             row.figure,
-            row.most,
+            short(row.most),
             row.cases,
             row.worst
         );
@@ -91,6 +97,21 @@ fn groups(report: &StabilityReport, text: &mut String) {
     }
 }
 
+/// A row a counter: how many scenes have any, and which the most.
+fn counters(report: &StabilityReport, text: &mut String) {
+    line!(text, "\n## What was counted\n");
+    line!(text, "| counter | scenes that have any | in all | most | in |\n|---|---|---|---|---|");
+    for (place, (name, _)) in Counted::default().list().into_iter().enumerate() {
+        let of = |one: &Judged| one.found.counters.list()[place].1;
+        let with = report.judged.iter().filter(|one| of(one) > 0).count();
+        let sum: u64 = report.judged.iter().map(of).sum();
+        // Of equals the first.
+        let most = report.judged.iter().rev().max_by_key(|one| of(one)).filter(|one| of(one) > 0);
+        let (most, case) = most.map_or((0, ""), |one| (of(one), &one.name));
+        line!(text, "| {} | {with} | {sum} | {most} | {case} |", name.replace('_', " "));
+    }
+}
+
 /// A row a sweep, a column a method.
 fn limits(report: &StabilityReport, text: &mut String) {
     let mut methods: Vec<&str> = Vec::new();
@@ -106,9 +127,9 @@ fn limits(report: &StabilityReport, text: &mut String) {
     line!(text, "\n## Where methods hold, degrade and break\n");
     line!(
         text,
-        "The last value that holds, going out from the most harmless one, and after a stroke the first that breaks (not finite, \
-         twice the energy, bonds of twice their length, or no end). Where small values fail too the range is given. `all`: nothing \
-         fails; `none`: the most harmless value fails.\n"
+        "The last value that holds, going out from the most harmless one, then the first that fails, and the first that breaks (not \
+         finite, twice the energy, bonds of twice their length, or no end), where that is another one. Where smaller values fail too \
+         both ends are given, and the first that fails below. `all`: nothing fails; `none`: the most harmless value fails.\n"
     );
     line!(text, "| sweep | {} |", methods.join(" | "));
     line!(text, "|---|{}", "---|".repeat(methods.len()));
@@ -124,14 +145,22 @@ fn cell(row: &LimitRow) -> String {
     if row.why.starts_with("refused") {
         return "refused".to_owned();
     }
-    let breaks = row.breaks_above.or(row.breaks_below).map_or(String::new(), |value| format!(" / {}", short(value)));
     let holds = match (row.holds_from, row.holds_to, row.fails_below, row.fails_above) {
         (None, ..) | (_, None, ..) => "none".to_owned(),
-        (_, _, None, None) => "all".to_owned(),
+        (_, _, None, None) => return "all".to_owned(),
         (_, Some(to), None, _) => short(to),
+        (Some(from), Some(to), Some(_), _) if from == to => short(to),
         (Some(from), Some(to), Some(_), _) => format!("{} to {}", short(from), short(to)),
     };
-    holds + &breaks
+    // Where the most harmless value fails it is the first on both sides.
+    let below = row.fails_below.filter(|below| Some(*below) != row.fails_above);
+    let side = |fails: Option<f64>, breaks: Option<f64>| match (fails, breaks) {
+        (Some(fails), Some(breaks)) if fails == breaks => format!("; breaks {}", short(breaks)),
+        (Some(fails), Some(breaks)) => format!("; fails {}, breaks {}", short(fails), short(breaks)),
+        (Some(fails), None) => format!("; fails {}", short(fails)),
+        (None, _) => String::new(),
+    };
+    holds + &side(below, row.breaks_below) + &side(row.fails_above, row.breaks_above)
 }
 
 /// Two digits.
@@ -151,6 +180,28 @@ fn short(value: f64) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn a_cell_names_what_holds_what_fails_and_what_breaks() {
+        let row = LimitRow {
+            sweep: "stiffness",
+            method: "auto",
+            holds_from: Some(1.0),
+            holds_to: Some(1e3),
+            fails_below: None,
+            fails_above: None,
+            breaks_below: None,
+            breaks_above: None,
+            why: String::new(),
+        };
+        assert_eq!(cell(&row), "all");
+        let row = LimitRow { fails_above: Some(1e4), breaks_above: Some(1e6), ..row };
+        assert_eq!(cell(&row), "1e3; fails 1e4, breaks 1e6");
+        let row = LimitRow { fails_below: Some(0.1), breaks_above: Some(1e4), ..row };
+        assert_eq!(cell(&row), "1 to 1e3; fails 0.1; breaks 1e4");
+        let none = LimitRow { holds_from: None, holds_to: None, fails_below: Some(1e4), ..row };
+        assert_eq!(cell(&none), "none; breaks 1e4");
+    }
 
     #[test]
     fn numbers_are_short() {

@@ -5,17 +5,29 @@ use std::path::Path;
 
 use serde::Serialize;
 
+use super::counted::Counted;
+use super::files::{SceneFile, WORST};
 use super::judge::Fault;
 use super::page::page;
 use super::run::Ended;
+use super::strain::Strains;
 use super::summary::{FaultRow, Group};
 use super::sweeps::{LimitRow, SweepRun};
 use super::{Judged, StabilitySettings};
-use crate::output::replace;
+use crate::output::{replace, together};
 use crate::study::error::StudyError;
 use crate::study::machine::Machine;
 use crate::study::plot;
-use crate::study::report::make_folder;
+use crate::study::report::{make_folder, ready_folder};
+
+/// The page.
+const PAGE: &str = "README.md";
+/// Everything.
+const DATA: &str = "stability.json";
+/// Tables, without their ending.
+const TABLES: [&str; 5] = ["sweeps", "limits", "cases", "groups", "faults"];
+/// Plots, without their endings: of sweeps, of faults, of times.
+const PLOTS: [&str; 3] = ["sweeps", "faults", "rates"];
 
 /// A study of stability.
 #[derive(Clone, Debug, Serialize)]
@@ -42,46 +54,84 @@ pub struct StabilityReport {
     pub groups: Vec<Group>,
     /// The same by class of faults.
     pub faults: Vec<FaultRow>,
+    /// Scenes that are written out: those asked for by number, and the worst.
+    #[serde(skip)]
+    pub scenes: Vec<SceneFile>,
+    /// Places of scenes that were written out earlier, and whose they are: what is meant no longer is taken away.
+    #[serde(skip)]
+    pub(super) written: Vec<(String, usize)>,
 }
 
 impl StabilityReport {
-    /// Writes all files into a folder, which is made if need be. A table without a row is not written.
+    /// Whether [`StabilityReport::write`] will find room for its files in a folder, which is made if need be. Nothing is left there.
     ///
-    /// Errors: the folder cannot be made, a plot cannot be drawn or a file cannot be written.
-    pub fn write(&self, folder: &Path) -> Result<(), StudyError> {
-        self.write_tables(folder)?;
-        for judged in &self.judged {
-            if let Some(recording) = &judged.kept {
-                let scenes = folder.join("worst");
-                make_folder(&scenes)?;
-                recording.save(&scenes.join(format!("{}.json", judged.name)))?;
+    /// Errors: the folder cannot be made, no file can be made in it or in that of the worst scenes, or a folder stands where a file is to
+    /// be.
+    pub fn ready(folder: &Path) -> Result<(), StudyError> {
+        ready_folder(folder)?;
+        let worst = folder.join(WORST);
+        if worst.exists() {
+            ready_folder(&worst)?;
+        }
+        let tables = TABLES.map(|name| format!("{name}.csv"));
+        let plots = PLOTS.iter().flat_map(|name| [format!("{name}.svg"), format!("{name}.png")]);
+        let names = [PAGE, DATA].map(str::to_owned).into_iter().chain(tables).chain(plots);
+        match names.map(|name| folder.join(name)).find(|file| file.is_dir()) {
+            None => Ok(()),
+            Some(file) => {
+                let reason = std::io::Error::from(std::io::ErrorKind::IsADirectory);
+                Err(StudyError::Folder { folder: file.display().to_string(), reason })
             }
         }
+    }
+
+    /// Writes all files into a folder, which is made if need be; an interrupt waits until all are there. A table without a row is not
+    /// written.
+    ///
+    /// Errors: the folder cannot be made, a plot cannot be drawn or a file cannot be written.
+    pub fn write(&mut self, folder: &Path) -> Result<(), StudyError> {
+        let _whole = together();
+        self.write_tables(folder)?;
+        self.write_scenes(folder)?;
         if !self.sweeps.is_empty() {
-            plot::write(folder, "sweeps", &plot::outcomes(&self.sweeps))?;
+            plot::write(folder, PLOTS[0], &plot::outcomes(&self.sweeps))?;
         }
         if self.groups.iter().any(|group| group.by == "family") {
-            plot::write(folder, "faults", &plot::shares(&self.groups))?;
-            plot::write(folder, "rates", &plot::rates(&self.judged))?;
+            plot::write(folder, PLOTS[1], &plot::shares(&self.groups))?;
+            plot::write(folder, PLOTS[2], &plot::rates(&self.judged))?;
         }
         Ok(())
     }
 
-    /// Writes what there is so far, but for plots and scenes.
-    ///
-    /// Errors: the folder cannot be made, a file cannot be written.
-    pub fn write_tables(&self, folder: &Path) -> Result<(), StudyError> {
+    fn write_scenes(&mut self, folder: &Path) -> Result<(), StudyError> {
+        if self.scenes.iter().any(|scene| scene.place.starts_with(WORST)) {
+            make_folder(&folder.join(WORST))?;
+        }
+        let meant: Vec<(String, usize)> =
+            self.scenes.iter().map(|scene| (scene.place.clone(), scene.subject)).collect();
+        for (scene, mark) in self.scenes.iter().zip(&meant).filter(|(_, mark)| !self.written.contains(mark)) {
+            scene.recording.save(&folder.join(&mark.0))?;
+        }
+        for (place, _) in self.written.iter().filter(|(place, _)| !meant.iter().any(|other| other.0 == *place)) {
+            // What cannot be taken away does no harm.
+            let _ = std::fs::remove_file(folder.join(place));
+        }
+        self.written = meant;
+        Ok(())
+    }
+
+    fn write_tables(&self, folder: &Path) -> Result<(), StudyError> {
         make_folder(folder)?;
-        replace(&folder.join("stability.json"), |to| {
+        replace(&folder.join(DATA), |to| {
             serde_json::to_writer_pretty(&mut *to, self)?;
             to.write_all(b"\n")
         })?;
-        replace(&folder.join("README.md"), |to| to.write_all(page(self).as_bytes()))?;
-        table(folder, "sweeps", self.sweeps.is_empty(), |to| sweeps(&self.sweeps, to))?;
-        table(folder, "limits", self.limits.is_empty(), |to| rows(&self.limits, to))?;
-        table(folder, "cases", self.judged.is_empty(), |to| cases(&self.judged, to))?;
-        table(folder, "groups", self.groups.is_empty(), |to| groups(&self.groups, to))?;
-        table(folder, "faults", self.faults.is_empty(), |to| rows(&self.faults, to))
+        replace(&folder.join(PAGE), |to| to.write_all(page(self).as_bytes()))?;
+        table(folder, TABLES[0], self.sweeps.is_empty(), |to| sweeps(&self.sweeps, to))?;
+        table(folder, TABLES[1], self.limits.is_empty(), |to| rows(&self.limits, to))?;
+        table(folder, TABLES[2], self.judged.is_empty(), |to| cases(&self.judged, to))?;
+        table(folder, TABLES[3], self.groups.is_empty(), |to| groups(&self.groups, to))?;
+        table(folder, TABLES[4], self.faults.is_empty(), |to| rows(&self.faults, to))
     }
 }
 
@@ -150,49 +200,43 @@ fn ended(ended: &Ended) -> &'static str {
     }
 }
 
+/// Columns of cases before the counters.
+const FOUND: [&str; 27] = [
+    "name",
+    "family",
+    "causes",
+    "path",
+    "moved",
+    "points",
+    "bonds",
+    "ended",
+    "faults",
+    "simulated_s",
+    "work_rate_s",
+    "worst_work_ms",
+    "gain",
+    "loss",
+    "strain",
+    "strain_solved",
+    "strain_guarded",
+    "strain_swept",
+    "strain_live",
+    "inverted",
+    "crossings",
+    "crossed",
+    "depth_m",
+    "friction",
+    "speed_m_s",
+    "unrest",
+    "refused_commands",
+];
+/// Columns of cases behind the counters.
+const TIMED: [&str; 7] = ["seconds", "rate", "frames", "median_ms", "p99_ms", "worst_ms", "refused"];
+
 fn cases(judged: &[Judged], to: &mut dyn Write) -> std::io::Result<()> {
     let mut table = csv::Writer::from_writer(to);
-    table.write_record([
-        "name",
-        "family",
-        "causes",
-        "path",
-        "moved",
-        "points",
-        "bonds",
-        "ended",
-        "faults",
-        "simulated_s",
-        "work_rate_s",
-        "worst_work_ms",
-        "gain",
-        "loss",
-        "strain",
-        "inverted",
-        "crossings",
-        "depth_m",
-        "friction",
-        "speed_m_s",
-        "unrest",
-        "refused_commands",
-        "substeps",
-        "bonds_solved",
-        "points_moved",
-        "iterations",
-        "events",
-        "guard_splits",
-        "fallbacks",
-        "bonds_torn",
-        "hand_overs",
-        "returns",
-        "seconds",
-        "rate",
-        "frames",
-        "median_ms",
-        "p99_ms",
-        "worst_ms",
-        "refused",
-    ])?;
+    let counted = Counted::default().list().map(|(name, _)| name);
+    table.write_record(FOUND.iter().chain(&counted).chain(&TIMED))?;
     for Judged { name, family, causes, found, timing, .. } in judged {
         let causes: Vec<&str> = causes.iter().map(|cause| cause.name()).collect();
         for text in [name, family, &causes.join(", "), &found.path, &found.moved] {
@@ -203,29 +247,19 @@ fn cases(judged: &[Judged], to: &mut dyn Write) -> std::io::Result<()> {
         table.write_field(ended(&found.ended))?;
         table.write_field(names(&found.faults))?;
         let [gain, loss] = [found.gain, found.loss].map(|share| share.unwrap_or(f64::NAN));
-        for value in [found.simulated, found.work_rate, found.worst_work_ms, gain, loss, found.strain, found.inverted] {
+        let costs = [found.simulated, found.work_rate, found.worst_work_ms, gain, loss];
+        let Strains { solved, guarded, swept, live } = found.strains;
+        for value in costs.into_iter().chain([found.strain, solved, guarded, swept, live, found.inverted]) {
             table.write_field(if value.is_nan() { String::new() } else { number(value) })?;
         }
         table.write_field(found.crossings.to_string())?;
+        table.write_field(found.crossed.to_string())?;
         table.write_field(number(found.depth))?;
         table.write_field(found.friction.map_or(String::new(), number))?;
         table.write_field(number(found.speed))?;
         table.write_field(found.unrest.map_or(String::new(), number))?;
         table.write_field(found.refused_commands.to_string())?;
-        let c = &found.counters;
-        let counts = [
-            c.substeps,
-            c.bonds_solved,
-            c.points_moved,
-            c.iterations,
-            c.events,
-            c.guard_splits,
-            c.fallbacks,
-            c.bonds_torn,
-            c.hand_overs,
-            c.returns,
-        ];
-        for count in counts {
+        for (_, count) in found.counters.list() {
             table.write_field(count.to_string())?;
         }
         let frames = &timing.frames;

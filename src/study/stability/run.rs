@@ -5,16 +5,19 @@ use std::time::Instant;
 
 use serde::Serialize;
 
+use super::counted::Counted;
 use super::friction::Friction;
 use super::judge::{Fault, faults};
 use super::shape::Shape;
+use super::skins::Skins;
+use super::strain::{Strain, Strains};
 use super::subject::{Rest, Subject};
 use super::surfaces::Surfaces;
 use crate::history::{HistoryError, Replay};
 use crate::scene::Scene;
 use crate::scene::frames::{Frames, next_close};
 use crate::scene::record::RecordedFrames;
-use crate::sim::{BondKind, Counters, Dynamics, Ledger, Limit, Sample, Solver, judge};
+use crate::sim::{Dynamics, Ledger, Sample, Solver, judge};
 use crate::study::setting::tune;
 
 /// When a run is given up.
@@ -63,10 +66,14 @@ pub struct Findings {
     pub loss: Option<f64>,
     /// Largest strain of a rigid bond in any frame [1].
     pub strain: f64,
+    /// The same by what held them.
+    pub strains: Strains,
     /// Share of triangles that are inside out at the end [1].
     pub inverted: f64,
     /// Sides of outlines that cross at the end, counted in pairs.
     pub crossings: u32,
+    /// The same of skins of bodies that meet, of those alone that crossed nowhere at the start.
+    pub crossed: u32,
     /// Deepest place of a point behind a surface in any frame [m].
     pub depth: f64,
     /// Share that friction is off by while something slides [1]; `None` where nothing did.
@@ -88,50 +95,6 @@ pub struct Findings {
     pub counters: Counted,
     /// What is wrong, ascending.
     pub faults: Vec<Fault>,
-}
-
-/// The counters of a run.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize)]
-pub struct Counted {
-    /// Substeps taken.
-    pub substeps: u64,
-    /// Bonds evaluated or swept.
-    pub bonds_solved: u64,
-    /// Points advanced.
-    pub points_moved: u64,
-    /// Sweeps, and rounds of Newton's method.
-    pub iterations: u64,
-    /// Touches and other events.
-    pub events: u64,
-    /// Substeps that were split.
-    pub guard_splits: u64,
-    /// Substeps that went to a more robust method.
-    pub fallbacks: u64,
-    /// Bonds that broke.
-    pub bonds_torn: u64,
-    /// Groups of islands that were handed over to the live step.
-    pub hand_overs: u64,
-    /// Those that went back.
-    pub returns: u64,
-}
-
-impl From<&Counters> for Counted {
-    fn from(counters: &Counters) -> Self {
-        let &Counters { substeps, bonds_solved, points_moved, iterations, .. } = counters;
-        let &Counters { events, guard_splits, fallbacks, bonds_torn, hand_overs, returns, .. } = counters;
-        Counted {
-            substeps,
-            bonds_solved,
-            points_moved,
-            iterations,
-            events,
-            guard_splits,
-            fallbacks,
-            bonds_torn,
-            hand_overs,
-            returns,
-        }
-    }
 }
 
 /// What the clock says of a run.
@@ -229,8 +192,10 @@ fn refused(reason: String) -> (Findings, Timing) {
         gain: None,
         loss: None,
         strain: 0.0,
+        strains: Strains::default(),
         inverted: 0.0,
         crossings: 0,
+        crossed: 0,
         depth: 0.0,
         friction: None,
         speed: 0.0,
@@ -258,9 +223,10 @@ struct Drive<'a> {
     ledger: Vec<Ledger>,
     friction: Friction,
     shape: Shape,
+    skins: Option<Skins>,
     surfaces: Surfaces,
     start: Vec<[f64; 3]>,
-    strain: f64,
+    strain: Strain,
     depth: f64,
     way: f64,
     moved: Movers,
@@ -273,7 +239,9 @@ impl<'a> Drive<'a> {
         let ledger = sample.ledger.into_iter().collect();
         let (steps, surfaces) = (Vec::new(), Surfaces::default());
         let (place, refused) = (0, 0);
-        let (strain, depth, way) = (0.0, 0.0, 0.0);
+        let (depth, way) = (0.0, 0.0);
+        let strain = Strain::new(subject.recording.scene.method.max_strain);
+        let skins = Skins::of(replay.world(), &sample.position);
         let moved = Movers::default();
         let friction = Friction::of(&subject.recording.scene);
         let start = sample.position;
@@ -286,6 +254,7 @@ impl<'a> Drive<'a> {
             ledger,
             friction,
             shape,
+            skins,
             surfaces,
             start,
             strain,
@@ -357,7 +326,7 @@ impl<'a> Drive<'a> {
         if !world.is_finite() || !sample.energy.is_finite() {
             return false;
         }
-        self.strain = self.strain.max(rigid_strain(world, &sample));
+        self.strain.look(world, &sample);
         self.depth = self.depth.max(self.surfaces.depth(world, &sample.position));
         self.way = self.way.max(furthest(&self.start, &sample.position));
         self.moved.look(world);
@@ -384,9 +353,11 @@ impl<'a> Drive<'a> {
             moved: self.moved.name(),
             gain: is_told.then_some(energy.gain),
             loss: is_told.then_some(energy.loss),
-            strain: self.strain,
+            strain: self.strain.largest,
+            strains: self.strain.most,
             inverted: if has_shape { self.shape.inverted(&sample.position) } else { 0.0 },
             crossings: if has_shape { self.shape.crossings(&sample.position) } else { 0 },
+            crossed: self.skins.as_ref().map_or(0, |skins| skins.crossed(world, &sample.position)),
             depth: self.depth,
             friction: self.friction.error(),
             speed: speed(&sample),
@@ -415,26 +386,6 @@ fn path(world: &dyn Dynamics) -> String {
         false => format!("{} of a large body", part.solver.name()),
     };
     world.parts().iter().map(name).collect::<BTreeSet<String>>().into_iter().collect::<Vec<_>>().join(" + ")
-}
-
-/// Largest strain of the rigid bonds that something can give way for [1].
-fn rigid_strain(world: &dyn Dynamics, sample: &Sample) -> f64 {
-    let is_held = |point: crate::sim::PointId| world.pinned().contains(&point);
-    let mut most = 0.0_f64;
-    for bond in world.bonds().iter().filter(|bond| bond.kind == BondKind::Rigid && bond.rest_length > 0.0) {
-        let (a, b) = (sample.position[bond.a.index()], sample.position[bond.b.index()]);
-        let length = (0..3).map(|k| (a[k] - b[k]).powi(2)).sum::<f64>().sqrt();
-        let stretch = length / bond.rest_length - 1.0;
-        let strain = match bond.limit {
-            Limit::Both => stretch.abs(),
-            Limit::Max => stretch.max(0.0),
-            Limit::Min => (-stretch).max(0.0),
-        };
-        if strain > most && !(is_held(bond.a) && is_held(bond.b)) {
-            most = strain;
-        }
-    }
-    most
 }
 
 fn furthest(start: &[[f64; 3]], now: &[[f64; 3]]) -> f64 {

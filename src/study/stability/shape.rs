@@ -2,6 +2,7 @@
 
 use std::collections::BTreeMap;
 
+use super::sides::crossings;
 use crate::scene::{BondList, MakerName, Scene, SceneError};
 
 /// The triangles of a scene in the plane, and their outlines.
@@ -12,9 +13,6 @@ pub(super) struct Shape {
     /// Sides that belong to one triangle alone.
     outline: Vec<[u32; 2]>,
 }
-
-/// Most sides of outlines that are looked at for crossings: more would take longer than the run.
-const MOST_SIDES: usize = 2_000;
 
 impl Shape {
     /// Of a scene whose bodies are made: triangles that it lists, and those that the bonds of meshed bodies make.
@@ -54,16 +52,11 @@ impl Shape {
         if count == 0 { 0.0 } else { f64::from(inverted) / f64::from(count) }
     }
 
-    /// How many pairs of sides of outlines cross; 0 where there are too many sides to look.
+    /// How many pairs of sides of outlines cross.
     pub(super) fn crossings(&self, position: &[[f64; 3]]) -> u32 {
-        if self.outline.len() > MOST_SIDES {
-            return 0;
-        }
-        let sides: Vec<_> = self.outline.iter().map(|side| (*side, side.map(|end| position[end as usize]))).collect();
-        let pairs = sides.iter().enumerate().flat_map(|(i, one)| sides[..i].iter().map(move |other| (one, other)));
-        let meets =
-            |((a, p), (b, q)): &(&([u32; 2], _), &([u32; 2], _))| !a.iter().any(|end| b.contains(end)) && crosses(p, q);
-        pairs.filter(meets).count() as u32
+        let mut count = 0;
+        crossings(&self.outline, position, |_, _| count += 1);
+        count
     }
 }
 
@@ -124,12 +117,6 @@ fn outline(triangles: &[[u32; 3]]) -> Vec<[u32; 2]> {
         }
     }
     count.into_iter().filter(|(_, count)| *count == 1).map(|(side, _)| side).collect()
-}
-
-/// Whether two segments without a common end cross.
-fn crosses([a, b]: &[[f64; 3]; 2], [c, d]: &[[f64; 3]; 2]) -> bool {
-    let side = |p: &[f64; 3], q: &[f64; 3], r: &[f64; 3]| (q[0] - p[0]) * (r[1] - p[1]) - (q[1] - p[1]) * (r[0] - p[0]);
-    side(a, b, c) * side(a, b, d) < 0.0 && side(c, d, a) * side(c, d, b) < 0.0
 }
 
 #[cfg(test)]

@@ -14,6 +14,8 @@ pub enum Cause {
     Planes,
     /// Boxes and polygons.
     Polygons,
+    /// Circles.
+    Circles,
     /// Pictures as obstacles.
     Pictures,
     /// A mouse that is moved as by a hand.
@@ -24,6 +26,10 @@ pub enum Cause {
     LedPins,
     /// Commands while it runs.
     Commands,
+    /// Steady forces.
+    Forces,
+    /// Air that moves.
+    Wind,
     /// Bonds that keep their lengths.
     Rigid,
     /// Springs that swing faster than a thousand times a second.
@@ -36,27 +42,36 @@ pub enum Cause {
     Fast,
     /// Surfaces that give back all of a blow.
     Elastic,
+    /// Chains, skins and joints that resist bending.
+    Bending,
+    /// Triangles that resist a change of their area.
+    Areas,
     /// Bodies that meet.
     Contact,
 }
 
 impl Cause {
     /// All.
-    pub const ALL: [Cause; 15] = [
+    pub const ALL: [Cause; 20] = [
         Cause::Walls,
         Cause::Planes,
         Cause::Polygons,
+        Cause::Circles,
         Cause::Pictures,
         Cause::Mouse,
         Cause::WildMouse,
         Cause::LedPins,
         Cause::Commands,
+        Cause::Forces,
+        Cause::Wind,
         Cause::Rigid,
         Cause::Stiff,
         Cause::Relaxed,
         Cause::Heavy,
         Cause::Fast,
         Cause::Elastic,
+        Cause::Bending,
+        Cause::Areas,
         Cause::Contact,
     ];
 
@@ -66,17 +81,22 @@ impl Cause {
             Cause::Walls => "walls",
             Cause::Planes => "planes",
             Cause::Polygons => "polygons",
+            Cause::Circles => "circles",
             Cause::Pictures => "pictures as obstacles",
             Cause::Mouse => "mouse",
             Cause::WildMouse => "wild mouse",
             Cause::LedPins => "led pins",
             Cause::Commands => "commands",
+            Cause::Forces => "steady forces",
+            Cause::Wind => "wind",
             Cause::Rigid => "rigid bonds",
             Cause::Stiff => "stiff springs",
             Cause::Relaxed => "relaxed bonds",
             Cause::Heavy => "heavy",
             Cause::Fast => "fast",
             Cause::Elastic => "elastic surfaces",
+            Cause::Bending => "bending",
+            Cause::Areas => "areas",
             Cause::Contact => "contact",
         }
     }

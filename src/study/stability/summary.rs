@@ -134,10 +134,10 @@ pub(super) fn faults(judged: &[Judged]) -> Vec<FaultRow> {
     Fault::ALL.into_iter().filter_map(row).collect()
 }
 
-/// The subjects that are worst, by the weight of their faults, ties by their order.
-pub(super) fn worst(judged: &[Judged], count: usize) -> Vec<&Judged> {
-    let mut list: Vec<&Judged> = judged.iter().filter(|one| !one.found.faults.is_empty()).collect();
-    list.sort_by(|a, b| weight(b).total_cmp(&weight(a)));
+/// The places of the subjects that are worst, by the weight of their faults, ties by their order.
+pub(super) fn worst(judged: &[Judged], count: usize) -> Vec<usize> {
+    let mut list: Vec<usize> = (0..judged.len()).filter(|&one| !judged[one].found.faults.is_empty()).collect();
+    list.sort_by(|&a, &b| weight(&judged[b]).total_cmp(&weight(&judged[a])));
     list.truncate(count);
     list
 }

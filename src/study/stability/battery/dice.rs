@@ -12,6 +12,11 @@ impl Dice {
         Dice(Draw::new(case.wrapping_mul(0x9E37_79B9_7F4A_7C15)))
     }
 
+    /// Another stream of a case: what is drawn from it changes nothing of the first.
+    pub(super) fn apart(case: u64) -> Self {
+        Dice::new(!case)
+    }
+
     /// True with a probability.
     pub(super) fn chance(&mut self, share: f64) -> bool {
         self.0.unit() < share

@@ -7,6 +7,7 @@ mod acts;
 mod around;
 mod bodies;
 mod dice;
+mod more;
 
 use serde_json::{Value, json};
 
@@ -108,6 +109,7 @@ pub fn subject(case: u64) -> Result<Subject, HistoryError> {
     let mut scene = json!({ "wobble": 1, "name": format!("case-{case}") });
     bodies::fill(family, &mut dice, &mut scene);
     around::fill(family, &mut dice, &mut scene);
+    more::fill(family, &mut Dice::apart(case), &mut scene);
     if meets(case) {
         scene["contact"] = json!(true);
     }

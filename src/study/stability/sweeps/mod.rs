@@ -2,6 +2,7 @@
 
 mod limits;
 mod scenes;
+mod table;
 
 use serde::Serialize;
 
@@ -11,9 +12,9 @@ use super::subject::Subject;
 use crate::scene::{PrecisionName, SolverName};
 
 pub use limits::{LimitRow, limits};
-pub use scenes::sweeps;
+pub use table::sweeps;
 
-use scenes::Setup;
+use table::Setup;
 
 /// One quantity that is swept.
 #[derive(Clone, Copy, Debug)]
@@ -119,7 +120,7 @@ impl Sweep {
     /// The subject of a value, by a solver; `None` where the scene itself is refused, which a test excludes.
     pub(super) fn subject(&self, value: f64, solver: SolverName) -> Option<Subject> {
         let setup = (self.setup)(value);
-        let mut recording = super::battery::recording(&setup.scene, Vec::new()).ok()?;
+        let mut recording = super::battery::recording(&setup.scene, setup.commands).ok()?;
         if setup.is_laid && !super::battery::lay_down(&mut recording.scene) {
             return None;
         }

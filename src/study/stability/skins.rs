@@ -1,0 +1,105 @@
+//! Whether the skins of bodies that meet went through each other.
+
+use std::collections::BTreeSet;
+
+use super::pieces::Pieces;
+use super::sides::crossings;
+use crate::sim::{Dynamics, PointId};
+
+/// The bodies of a world whose bodies meet, and which of them crossed at the start.
+#[derive(Clone, Debug)]
+pub(super) struct Skins {
+    /// Points that there were.
+    count: usize,
+    pieces: Pieces,
+    /// Couples of pieces that crossed, and pieces that crossed themselves, as couples with themselves.
+    before: BTreeSet<[u32; 2]>,
+}
+
+impl Skins {
+    /// At the start; `None` where bodies do not meet, and in space.
+    pub(super) fn of(world: &dyn Dynamics, position: &[[f64; 3]]) -> Option<Self> {
+        if world.contact().is_none() || world.dimensions() != 2 {
+            return None;
+        }
+        let skins = Skins { count: world.point_count(), pieces: Pieces::of(world), before: BTreeSet::new() };
+        let before = skins.couples(world, position).into_iter().collect();
+        Some(Skins { before, ..skins })
+    }
+
+    /// Pairs of sides that cross now, of couples of bodies that crossed nowhere at the start and meet each other. What was added since is
+    /// left out: it may have been put across others.
+    pub(super) fn crossed(&self, world: &dyn Dynamics, position: &[[f64; 3]]) -> u32 {
+        let Some(contact) = world.contact() else { return 0 };
+        let meet = |[a, b]: &[u32; 2]| if a == b { contact.with_itself } else { contact.with_others };
+        self.couples(world, position).iter().filter(|couple| meet(couple) && !self.before.contains(*couple)).count()
+            as u32
+    }
+
+    /// The couple of pieces of every pair of sides that cross.
+    fn couples(&self, world: &dyn Dynamics, position: &[[f64; 3]]) -> Vec<[u32; 2]> {
+        let is_old = |ends: &[u32; 2]| ends.iter().all(|&end| (end as usize) < self.count);
+        let piece = |ends: [u32; 2]| self.pieces.piece(ends.map(PointId)).map(|piece| (ends, piece));
+        let (sides, pieces): (Vec<[u32; 2]>, Vec<u32>) =
+            sides(world).into_iter().filter(is_old).filter_map(piece).unzip();
+        let mut couples = Vec::new();
+        crossings(&sides, position, |a, b| {
+            couples.push([pieces[a].min(pieces[b]), pieces[a].max(pieces[b])]);
+        });
+        couples
+    }
+}
+
+/// The skins of a world: sides that one triangle has alone, and bonds at points of no triangle.
+fn sides(world: &dyn Dynamics) -> Vec<[u32; 2]> {
+    let sorted = |a: PointId, b: PointId| [a.0.min(b.0), a.0.max(b.0)];
+    let triangles = world.triangles();
+    let mut sides: Vec<[u32; 2]> =
+        triangles.iter().flat_map(|&[a, b, c]| [sorted(a, b), sorted(b, c), sorted(c, a)]).collect();
+    sides.sort_unstable();
+    let mut skin: Vec<[u32; 2]> = sides.chunk_by(|a, b| a == b).filter(|same| same.len() == 1).map(|s| s[0]).collect();
+    let mut is_covered = vec![false; world.point_count()];
+    triangles.iter().flatten().for_each(|corner| is_covered[corner.index()] = true);
+    let is_open = |[a, b]: &[u32; 2]| !(is_covered[*a as usize] && is_covered[*b as usize]);
+    let mut open: Vec<[u32; 2]> = world.bonds().iter().map(|bond| sorted(bond.a, bond.b)).filter(is_open).collect();
+    open.sort_unstable();
+    open.dedup();
+    skin.extend(open);
+    skin
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::scene::Scene;
+
+    /// Two level ropes of three points, one above the other.
+    fn world(contact: &str) -> Box<dyn Dynamics> {
+        let rope = |y: f64| format!(r#"{{"make": "rope", "count": 3, "spacing": 1, "origin": [0, {y}]}}"#);
+        let text = format!(r#"{{"wobble": 1, "bodies": [{}, {}], "contact": {contact}}}"#, rope(0.0), rope(1.0));
+        Scene::parse(&text, "test").unwrap().world(None).unwrap()
+    }
+
+    #[test]
+    fn what_crosses_and_did_not_is_counted() {
+        let world = world("true");
+        let apart = world.sample(0.0).position;
+        let skins = Skins::of(&*world, &apart).unwrap();
+        assert_eq!(skins.crossed(&*world, &apart), 0);
+        let mut through = apart.clone();
+        through[5][1] = -1.0;
+        assert_eq!(skins.crossed(&*world, &through), 1);
+        let from_there = Skins::of(&*world, &through).unwrap();
+        assert_eq!(from_there.crossed(&*world, &through), 0, "they crossed at the start");
+    }
+
+    #[test]
+    fn bodies_that_do_not_meet_may_cross() {
+        let apart = world("true").sample(0.0).position;
+        let mut through = apart.clone();
+        through[5][1] = -1.0;
+        let deaf = world(r#"{"bodies": false}"#);
+        assert_eq!(Skins::of(&*deaf, &apart).unwrap().crossed(&*deaf, &through), 0);
+        assert!(Skins::of(&*world("false"), &apart).is_none());
+    }
+}
