@@ -13,7 +13,7 @@ use super::common::session::{Dice, play};
 use super::driver::{TURN, number};
 
 /// Length of the session that always runs [s].
-const SECONDS: u64 = 20;
+const SECONDS: u64 = 90;
 
 /// Bytes that keyframes may take.
 const KEYFRAMES: usize = 8 << 20;
@@ -31,8 +31,8 @@ const MOST_POINTS: usize = 120;
 /// Obstacles above which the newest are taken away.
 const MOST_OBSTACLES: usize = 12;
 
-/// Energy that no push, grab or edit of these gives so small a world [J].
-const MOST_ENERGY: f64 = 1e8;
+/// Energy that no push, grab or edit of these gives so small a world [J]: ten times the most of five minutes.
+const MOST_ENERGY: f64 = 1.6e4;
 
 /// Takes points and obstacles away until few are left. Returns how many commands that was.
 fn trim(history: &mut History) -> usize {
