@@ -20,7 +20,8 @@ fn energies(what: &str, scene: &Value, t: f64) -> [f64; 2] {
 }
 
 fn scene(contact: &Value, bodies: &[Value]) -> Value {
-    json!({"wobble": 1, "contact": contact, "method": {"solver": "live"}, "bodies": bodies, "bounds": {"min": [-2, -2], "max": [2, 2]}})
+    json!({"wobble": 1, "contact": contact,
+        "method": {"solver": "live"}, "bodies": bodies, "bounds": {"min": [-2, -2], "max": [2, 2]}})
 }
 
 fn four(speed: f64) -> Vec<Value> {
@@ -66,7 +67,8 @@ fn two_thousand_points_in_one_place_stay_finite() {
     // A rope all of whose points lie in one place, and one across it.
     let bonds: Vec<Value> =
         (1..200).map(|k| json!({"a": k - 1, "b": k, "kind": "spring", "rest": 0.01, "stiffness": 100})).collect();
-    let rope = json!({"wobble": 1, "contact": true, "method": {"solver": "live"}, "points": {"position": vec![[0.5, 0.5]; 200]}, "bonds": bonds});
+    let rope = json!({"wobble": 1, "contact": true,
+        "method": {"solver": "live"}, "points": {"position": vec![[0.5, 0.5]; 200]}, "bonds": bonds});
     energies("rope", &rope, 0.2);
 }
 

@@ -138,7 +138,8 @@ fn a_flick_of_100_metres_a_second_tangles_nothing() {
 #[test]
 fn a_rim_that_starts_as_an_eight_opens() {
     for kind in [soft(), json!({"kind": "spring", "stiffness": 300, "damping": 0.2, "mass": 1})] {
-        let rim = json!({"wobble": 1, "contact": true, "method": {"solver": "live"}, "bodies": [{"make": "rim", "radius": 1, "inner_radius": 0.8, "sectors": 24,
+        let rim = json!({"wobble": 1, "contact": true,
+        "method": {"solver": "live"}, "bodies": [{"make": "rim", "radius": 1, "inner_radius": 0.8, "sectors": 24,
             "material": kind}]});
         let scene = with_places(&rim, |_, [x, y]| {
             let (angle, off) = (y.atan2(x), x.hypot(y) - 0.9);
@@ -157,7 +158,8 @@ fn a_rim_that_starts_as_an_eight_opens() {
 
 #[test]
 fn a_bow_tie_opens() {
-    let scene = json!({"wobble": 1, "contact": true, "method": {"solver": "live"}, "bodies": [block([-0.45, -0.35], [10, 8], 3_000.0)]});
+    let scene = json!({"wobble": 1, "contact": true,
+        "method": {"solver": "live"}, "bodies": [block([-0.45, -0.35], [10, 8], 3_000.0)]});
     // Turned over more and more from one side to the other.
     let twisted = with_places(&scene, |_, [x, y]| [x, y * x / 0.45]);
     let swapped = with_places(&scene, |k, x| match k {
