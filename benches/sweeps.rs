@@ -8,7 +8,7 @@
 
 use criterion::{Criterion, Throughput, criterion_group, criterion_main};
 use std::time::Duration;
-use wobble::sim::{Bond, BondKind, Dynamics, Method, Model, Order, PointId, Precision, Solver, build};
+use wobble::sim::{Bond, BondKind, Method, Model, Order, PointId, Precision, Solver, build};
 use wobble::study::speed::find_speed_scene;
 use wobble::study::speed::naive::Naive as Plain;
 
@@ -181,7 +181,7 @@ fn kernels(criterion: &mut Criterion) {
     ];
     for (kernel, scene, method) in cases {
         let mut model = find_speed_scene(scene).unwrap().model().unwrap();
-        model.method = Method { precision: wobble::sim::Precision::F32, ..method };
+        model.method = Method { precision: Precision::F32, ..method };
         let mut group = criterion.benchmark_group(format!("{kernel}, {scene}"));
         group.throughput(Throughput::Elements(model.bonds.len() as u64));
         let mut world = build(&model).unwrap();

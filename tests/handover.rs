@@ -3,6 +3,10 @@
 
 #[path = "handover/meet.rs"]
 mod meet;
+#[path = "handover/shift.rs"]
+mod shift;
+#[path = "handover/wake.rs"]
+mod wake;
 
 use std::path::Path;
 
@@ -115,6 +119,7 @@ fn scenes_that_cost_too_much_or_explode_stay_within_their_frames_and_keep_their_
         "abuse/rope-between-elastic-walls",
         "abuse/lattice-dropped-hard",
     ];
+    let known: Vec<Value> = serde_json::from_str(include_str!("files/known/known.json")).unwrap();
     let mut wrong = Vec::new();
     for name in scenes {
         let mut world = world(&with(&abuse(name), "ledger", json!(true)));
@@ -125,8 +130,8 @@ fn scenes_that_cost_too_much_or_explode_stay_within_their_frames_and_keep_their_
         let moved: Vec<&str> = frames.iter().flat_map(|frame| &frame.moved).map(|moved| moved.why.name()).collect();
         let is_live = moved.iter().any(|why| *why != "plan");
         let line = format!("{name}: frames {worst:.2} ms, with a hand-over {over:.2}, {verdict:?}, live {is_live}");
-        // Of these two the live step itself makes some.
-        let may_gain = ["abuse/random-12", "abuse/rope1000-spring-v200-e1"].contains(&name);
+        let may_gain =
+            known.iter().any(|entry| entry["file"] == format!("../{name}.json") && entry["fault"] == "energy gained");
         if worst > FRAME || !world.is_finite() || (verdict.gains() && !may_gain) {
             wrong.push(line);
         }
@@ -168,7 +173,7 @@ fn calm_bodies_get_no_alarm_wherever_they_are() {
 }
 
 #[test]
-fn the_same_bits_come_from_any_threads_and_from_a_copy_that_was_taken_while_live() {
+fn the_same_bits_come_from_a_copy_that_was_taken_while_live() {
     let mut one = world(&heavy());
     run_to(&mut *one, 0.2);
     assert!(one.moved_by().iter().any(|moved| moved.method == Solver::Live));
@@ -176,14 +181,6 @@ fn the_same_bits_come_from_any_threads_and_from_a_copy_that_was_taken_while_live
     run_to(&mut *one, 0.4);
     run_to(&mut *copy, 0.4);
     assert_eq!(bits(&*one), bits(&*copy));
-    let hash = |threads: &str| {
-        let file = concat!(env!("CARGO_MANIFEST_DIR"), "/tests/files/abuse/net12-ball-rigid-10000.json");
-        let mut command = std::process::Command::new(env!("CARGO_BIN_EXE_wobble"));
-        let done = command.args(["simulate", file, "--samples", "0.1,0.4", "--threads", threads, "--hash", "--quiet"]);
-        String::from_utf8(done.output().unwrap().stdout).unwrap()
-    };
-    let one = hash("1");
-    assert!(one.len() > 30 && one == hash("2"), "{one}");
 }
 
 #[test]
@@ -195,28 +192,6 @@ fn a_state_that_is_kept_knows_what_is_live() {
     assert_eq!(again.moved_by(), live);
     run_to(&mut *again, 0.3);
     assert!(again.is_finite() && again.moved_by()[0].method == Solver::Live);
-}
-
-#[test]
-fn a_hand_over_moves_nothing_by_more_than_a_thousandth_of_the_body() {
-    let mut world = world(&heavy());
-    let size = 2.0;
-    loop {
-        let before = world.sample(world.time());
-        let hand_overs = world.counters().hand_overs;
-        let h = world.substep();
-        world.step();
-        assert!(world.time() < 1.0, "it was never handed over");
-        if world.counters().hand_overs > hand_overs {
-            let after = world.sample(world.time());
-            for ((x0, v0), x1) in before.position.iter().zip(&before.velocity).zip(&after.position) {
-                let off = (0..2).map(|k| (x1[k] - x0[k] - h * v0[k]).abs()).fold(0.0, f64::max);
-                let fall = 0.5 * 9.81 * h * h;
-                assert!(off < 1e-3 * size + 100.0 * fall, "{off}");
-            }
-            return;
-        }
-    }
 }
 
 #[test]

@@ -1,14 +1,22 @@
-//! Bodies that meet: in the plane, on floors, slopes and posts, at thin walls, and alone in flight.
+//! Bodies that meet: in the plane, on floors, slopes and points, at thin walls, in heaps, and alone in flight.
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic, reason = "a test that cannot go on stops")]
 
 #[path = "live/bad.rs"]
 mod bad;
+#[path = "live/flight.rs"]
+mod flight;
+#[path = "live/heap.rs"]
+mod heap;
 #[path = "live/rest.rs"]
 mod rest;
 #[path = "live/rigid.rs"]
 mod rigid;
+#[path = "live/sharp.rs"]
+mod sharp;
 #[path = "live/tangle.rs"]
 mod tangle;
+#[path = "live/thin.rs"]
+mod thin;
 #[path = "live/violence.rs"]
 mod violence;
 #[path = "live/wake.rs"]
@@ -123,102 +131,6 @@ fn a_block_on_a_slope_slides_and_holds_by_coulombs_law() {
     let (early, _) = run(&scene(1.1), 2.0);
     let (late, _) = run(&scene(1.1), 12.0);
     assert!((middle(&late, 0) - middle(&early, 0)).abs() < 1e-4);
-}
-
-#[test]
-fn no_rod_gets_through_a_thin_wall() {
-    for turn in 0..8 {
-        let angle = 0.4 * f64::from(turn);
-        let rods: Vec<Value> = (0..10)
-            .map(|k| {
-                json!({"make": "rope", "count": 5, "origin": [-4, 0.5 * f64::from(k)], "velocity": [200, 0],
-                    "to": [-4.0 + 0.4 * angle.cos(), 0.5 * f64::from(k) + 0.4 * angle.sin()], "material": {"kind": "rigid"}})
-            })
-            .collect();
-        let scene = json!({"wobble": 1, "contact": {"bodies": false}, "bodies": rods,
-            "obstacles": [{"polygon": [[[0, -20], [0.01, -20], [0.01, 20], [0, 20]]]}]});
-        let (end, _) = run(&scene, 0.25);
-        let through = end.position.iter().filter(|x| x[0] > 0.005).count();
-        assert_eq!(through, 0, "at {angle} rad");
-    }
-}
-
-#[test]
-fn a_box_rests_on_a_post_or_tips() {
-    let scene = |x: f64, speed: f64| {
-        json!({"wobble": 1, "gravity": [0, -9.81], "contact": true,
-            "bodies": [{"make": "box", "width": 0.6, "height": 0.6, "supports": 2, "origin": [x, 2], "velocity": [0, -speed],
-                "material": {"kind": "rigid", "mass": 1}}],
-            "obstacles": [{"polygon": [[[-0.15, -5], [0.15, -5], [0.15, 1], [-0.15, 1]]], "friction": 0.5}]})
-    };
-    let (rests, world) = run(&scene(0.02, 5.0), 4.0);
-    assert!((middle(&rests, 1) - 1.3).abs() < 0.05 && fastest(&rests) < 1e-2, "{rests:?}");
-    assert!(areas(&*world, &rests).iter().all(|area| *area > 0.3));
-    let (tips, _) = run(&scene(0.25, 5.0), 4.0);
-    assert!(middle(&tips, 1) < 0.0, "{tips:?}");
-    for x in [0.02, 0.25] {
-        let (hit, world) = run(&scene(x, 50.0), 0.5);
-        assert!(areas(&*world, &hit).iter().all(|area| *area > 0.3), "keeps its shape at 50 m/s: {hit:?}");
-        let corner_is_in = hit.position.iter().any(|p| p[0].abs() < 0.14 && p[1] < 0.99);
-        assert!(!corner_is_in, "{hit:?}");
-    }
-}
-
-#[test]
-fn what_flies_keeps_its_energy_and_its_wobble() {
-    let elastic = json!({"kind": "spring", "stiffness": 3000, "damping": 0, "mass": 1});
-    let mut scene = json!({"wobble": 1, "contact": true,
-        "bodies": [{"make": "disc", "radius": 0.5, "spacing": 0.1, "spin": 3, "material": elastic}]});
-    let (start, _) = run(&scene, 0.0);
-    let (end, _) = run(&scene, 10.0);
-    assert!((end.energy / start.energy - 1.0).abs() < 0.05, "{} -> {}", start.energy, end.energy);
-
-    // The slowest wobble, which a stretch along x begins: crossings of the width's mean, beside those of the exact methods.
-    let body = |x: f64, y: f64| json!([x, y]);
-    let (exact, _) = run(&scene, 0.0);
-    let positions: Vec<Value> = exact.position.iter().map(|p| body(p[0], p[1])).collect();
-    let velocities: Vec<Value> = exact.position.iter().map(|p| body(p[0], -p[1])).collect();
-    scene["bodies"][0]["spin"] = json!(0);
-    let expanded = Scene::parse(&scene.to_string(), "scene").unwrap().expanded().unwrap();
-    let mut text: Value = serde_json::from_str(&expanded.to_json().unwrap()).unwrap();
-    text["points"]["position"] = json!(positions);
-    text["points"]["velocity"] = json!(velocities);
-    let period = |scene: &Value| {
-        let mut world = world(scene);
-        let mut crossings = Vec::new();
-        let mut last = f64::NAN;
-        while world.time() < 3.0 {
-            world.step();
-            let sample = world.sample(world.time());
-            let width: f64 = sample.position.iter().map(|p| p[0] * p[0] - p[1] * p[1]).sum();
-            if last < 0.0 && width >= 0.0 {
-                crossings.push(world.time() - (world.substep() * width) / (width - last));
-            }
-            last = width;
-        }
-        (crossings[crossings.len() - 1] - crossings[0]) / (crossings.len() - 1) as f64
-    };
-    let live = period(&text);
-    text.as_object_mut().unwrap().remove("contact");
-    let exact = period(&text);
-    assert!((live / exact - 1.0).abs() < 0.02, "{live} s, exactly {exact} s");
-}
-
-#[test]
-fn a_ball_bounces_as_restitution_says() {
-    let scene = json!({"wobble": 1, "gravity": [0, -9.81], "contact": true,
-        "points": {"position": [[0, 1.0]]}, "bounds": {"min": [-1, 0], "max": [1, 5], "restitution": 0.5}});
-    let mut world = world(&scene);
-    let mut highest: f64 = 0.0;
-    while world.time() < 1.2 {
-        world.step();
-        let sample = world.sample(world.time());
-        if world.time() > 0.5 {
-            highest = highest.max(sample.position[0][1]);
-        }
-    }
-    // e = 0.5: the height falls by 4.
-    assert!((highest - 0.25).abs() < 0.015, "{highest}");
 }
 
 #[test]

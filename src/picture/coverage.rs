@@ -30,6 +30,8 @@ impl Coverage {
     }
 }
 
+/// Pixels that a thread takes at a time.
+pub(super) const PART: usize = 1 << 16;
 /// Alpha below which a pixel is clear: half.
 const CLEAR: u8 = 128;
 
@@ -44,7 +46,7 @@ const CLEAR: u8 = 128;
 pub fn cover(picture: &Picture, settings: &Settings) -> Result<Coverage, PictureError> {
     let flip = if settings.invert { 255 } else { 0 };
     let (pixels, _) = picture.rgba.as_chunks::<4>();
-    let least = pixels.par_chunks(1 << 16).map(|part| part.iter().fold(255, |least, pixel| pixel[3].min(least)));
+    let least = pixels.par_chunks(PART).map(|part| part.iter().fold(255, |least, pixel| pixel[3].min(least)));
     let least = least.min().unwrap_or(255);
     let dark = |[red, green, blue, _]: [u8; 4]| {
         let light = 54 * u16::from(red) + 183 * u16::from(green) + 19 * u16::from(blue);
@@ -59,7 +61,7 @@ pub fn cover(picture: &Picture, settings: &Settings) -> Result<Coverage, Picture
         }
     };
     let mut values = vec![0; pixels.len()];
-    let parts = values.par_chunks_mut(1 << 16).zip(pixels.par_chunks(1 << 16));
+    let parts = values.par_chunks_mut(PART).zip(pixels.par_chunks(PART));
     let counts = parts.map(|(values, pixels)| {
         values.iter_mut().zip(pixels).for_each(|(value_at, &pixel)| *value_at = value(pixel));
         histogram(values)

@@ -49,6 +49,7 @@ pub use keys::{
 };
 pub(crate) use keys::{ObjectOnly, present};
 pub(crate) use nearest::nearest;
+pub(crate) use of_picture::MOST_MEETING;
 pub use of_picture::Matter;
 pub(crate) use read::translate;
 pub use schema::schema;

@@ -6,8 +6,8 @@ use std::sync::Arc;
 use super::error::{Fault, SceneError, SceneErrorKind, Source};
 use super::file::file_bytes;
 use super::keys::{
-    AddKeys, BodyKeys, BoundsKeys, KindName, MakerName, Material, MethodKeys, MouseKeys, ObstacleKeys, OrderName,
-    PatternName, PictureKeys, Scene, StrokesName, Vector, ViewKeys,
+    AddKeys, BodyKeys, BoundsKeys, KindName, MakerName, Material, Meeting, MethodKeys, MouseKeys, ObstacleKeys,
+    OrderName, PatternName, PictureKeys, Scene, StrokesName, Vector, ViewKeys,
 };
 use super::pictures::{LARGEST_FILE, inline};
 use crate::picture::{self, Picture, Settings, Size, Stage, Strokes, Threshold, Watch};
@@ -45,6 +45,10 @@ const DROPS: u64 = 300;
 const STROKE_BENDING: f64 = 0.06;
 /// Most bonds of a body that gets it by itself: its skin bends too, and what bends is none of the large bodies.
 const MOST_BENT: usize = 4_000;
+
+/// Bonds of a scene up to which bodies meet each other and themselves where nothing is said: of more, meeting would take too long for a
+/// frame.
+pub(crate) const MOST_MEETING: usize = 20_000;
 
 impl Matter {
     /// Young's modulus in the plane if none is said [N/m]: a body 2 m high that falls 1 m is squeezed by about a tenth; braced, it hardly
@@ -182,7 +186,8 @@ impl Scene {
         let read = watch.enter(Stage::Read).map_err(|error| Fault::invalid(error.to_string()));
         read.and_then(|()| source.picture(&file)).map_err(|fault| source.error(fault))?;
         // The scene is ours: what is wrong is how the picture is cut out, which nobody could say here.
-        Scene::around(source, (stem(path), file), keys, Matter::Soft).map_err(|error| {
+        let scene = Scene::around(source, (stem(path), file), keys, Matter::Soft).and_then(Scene::with_meeting);
+        scene.map_err(|error| {
             let message = format!("{}: `wobble mesh` has options for that", error.message);
             SceneError { message, key: String::new(), ..error }
         })
@@ -200,7 +205,20 @@ impl Scene {
     ) -> Result<Scene, SceneError> {
         let source = Source { watch: watch.clone(), ..Source::new(name, "") };
         let file = source.keep(picture);
-        Scene::around(source, (name.to_owned(), file), keys, matter)
+        let scene = Scene::around(source, (name.to_owned(), file), keys, matter)?;
+        if matches!(matter, Matter::Soft | Matter::Rigid) { scene.with_meeting() } else { Ok(scene) }
+    }
+
+    /// The same scene, whose only body, of a picture, meets itself and what is added, where it is not too large for that.
+    ///
+    /// Errors: those of [`Scene::picture_mesh`].
+    fn with_meeting(mut self) -> Result<Scene, SceneError> {
+        let is_braced = self.bodies.first().is_some_and(|body| body.pattern == Some(PatternName::Braced));
+        let mesh = self.picture_mesh(0)?;
+        // A brace for every side that two triangles share, which most sides are.
+        let bonds = mesh.bonds.len() + if is_braced { mesh.mesh_bonds } else { 0 };
+        self.contact = (bonds <= MOST_MEETING).then_some(Meeting::Is(true));
+        Ok(self)
     }
 
     /// The same scene, its soft bodies of pictures with strokes firm enough to keep their shape under their weight, where no bending is said.

@@ -67,7 +67,11 @@ const CALLS: [(&str, &[&str], &[&str]); 6] = [
     ),
     ("replay", &["{recording}", "{scene}", "{none}"], &["--time=0|0.01", "--hash", "--out={folder}/r.csv", "--quiet"]),
     ("verify", &["{recording}", "{scene}", "{none}"], &["--quiet"]),
-    ("study", &["accuracy", "speed", "{none}"], &["--points", "--what=1"]),
+    (
+        "study",
+        &["accuracy", "speed", "stability", "stability", "{none}"],
+        &["--points", "--what=1", "--case=0|3", "--cases=1|2", "--family=rope|points", "--sweep=stiffness", "--quick"],
+    ),
 ];
 
 /// Values that options seldom take.

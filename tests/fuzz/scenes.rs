@@ -6,7 +6,7 @@ use wobble::sim::Dynamics;
 
 use super::common::damage::Stock;
 use super::common::session::Dice;
-use super::driver::{Trial, run, shows};
+use super::driver::{SLOW, Trial, run, shows, spent};
 
 /// Of the heap a disc of the most points that there may be takes half, to count them: its rim is triangulated.
 const TRIAL: Trial = Trial { name: "scenes", few: 2_000, most_bytes: 64 << 20 };
@@ -164,4 +164,35 @@ fn every_scene_that_is_damaged_is_whole_before() {
         let scene = Scene::parse(&text, "x.json").unwrap();
         assert!(scene.bodies.iter().map(size).sum::<f64>() > LARGEST || exercise(&text) == "ran", "{text}");
     }
+}
+
+#[test]
+fn scenes_that_ask_for_endless_work_end_soon() {
+    let scene = |kind: &str, method: &str| {
+        format!(
+            r#"{{"wobble":1,"points":{{"position":[[0,0],[1,0],[2,0]],"pinned":[0]}},"gravity":[0,-9.81],
+            "bonds":[{{"a":0,"b":1,"kind":"{kind}"}},{{"a":1,"b":2,"kind":"{kind}"}}],"method":{method}}}"#
+        )
+    };
+    for (kind, method, how) in [
+        ("relaxed", r#"{"iterations":1000000000,"substep":0.01}"#, "refused"),
+        ("relaxed", r#"{"iterations":100000,"substep":0.01}"#, "ran"),
+        ("rigid", r#"{"substep":1e9}"#, "ran"),
+        ("rigid", r#"{"substep":1e9,"solver":"xpbd"}"#, "ran"),
+    ] {
+        let before = spent();
+        let ended = exercise(&scene(kind, method));
+        let seconds = spent() - before;
+        assert!(ended == how && seconds < SLOW, "{kind}, {method}: {ended} after {seconds} s");
+    }
+}
+
+#[test]
+#[ignore = "not reached: the live step takes a step of any length in substeps of a thousandth of a second"]
+fn a_step_of_a_billion_seconds_by_the_live_step_ends_soon() {
+    let scene = r#"{"wobble":1,"points":{"position":[[0,0],[1,0]],"pinned":[0]},"gravity":[0,-9.81],"bonds":[{"a":0,"b":1}],
+        "contact":true,"method":{"solver":"live","substep":1e9}}"#;
+    let before = spent();
+    assert_eq!(exercise(scene), "ran");
+    assert!(spent() - before < SLOW);
 }

@@ -13,7 +13,7 @@ use super::common::session::{Dice, play};
 use super::driver::{TURN, number};
 
 /// Length of the session that always runs [s].
-const SECONDS: u64 = 20;
+const SECONDS: u64 = 90;
 
 /// Bytes that keyframes may take.
 const KEYFRAMES: usize = 8 << 20;
@@ -31,8 +31,8 @@ const MOST_POINTS: usize = 120;
 /// Obstacles above which the newest are taken away.
 const MOST_OBSTACLES: usize = 12;
 
-/// Energy that no push, grab or edit of these gives so small a world [J].
-const MOST_ENERGY: f64 = 1e8;
+/// Energy that no push, grab or edit of these gives so small a world [J]: ten times the most of five minutes.
+const MOST_ENERGY: f64 = 1.6e4;
 
 /// Takes points and obstacles away until few are left. Returns how many commands that was.
 fn trim(history: &mut History) -> usize {
@@ -80,11 +80,13 @@ fn a_long_session_grows_by_what_is_said_alone() {
     let mut history = History::new(Start::from(Scene::load("rim").unwrap())).unwrap();
     history.bound_keyframes(KEYFRAMES);
     let (mut dice, mut commands, mut most, mut second) = (Dice::new(29), 0, 0, 0);
+    let mut highest: f64 = 0.0;
     while second < seconds {
         commands += play(&mut history, &mut dice, 1.0) + trim(&mut history);
         second += 1;
         let when = format!("after {second} s and {commands} commands");
         is_sane(history.world(), &when);
+        highest = highest.max(history.world().energy().abs());
         let allowed = OWN + KEYFRAMES + OF_A_COMMAND * commands;
         let bytes = HEAP.current_usage().saturating_sub(heap);
         most = most.max(bytes);
@@ -106,7 +108,7 @@ fn a_long_session_grows_by_what_is_said_alone() {
     assert!(commands as u64 > 20 * seconds, "{commands} commands");
     let world = history.world();
     eprintln!(
-        "soak: {seconds} s, {commands} commands, {:?} numbers, at most {} KiB, {:?}",
+        "soak: {seconds} s, {commands} commands, {:?} numbers, at most {} KiB and {highest} J, {:?}",
         world.next_numbers(),
         most >> 10,
         world.counters()

@@ -20,7 +20,8 @@ fn energies(what: &str, scene: &Value, t: f64) -> [f64; 2] {
 }
 
 fn scene(contact: &Value, bodies: &[Value]) -> Value {
-    json!({"wobble": 1, "contact": contact, "bodies": bodies, "bounds": {"min": [-2, -2], "max": [2, 2]}})
+    json!({"wobble": 1, "contact": contact,
+        "method": {"solver": "live"}, "bodies": bodies, "bounds": {"min": [-2, -2], "max": [2, 2]}})
 }
 
 fn four(speed: f64) -> Vec<Value> {
@@ -60,13 +61,14 @@ fn what_overlaps_gains_no_energy() {
 
 #[test]
 fn two_thousand_points_in_one_place_stay_finite() {
-    let points = json!({"wobble": 1, "contact": true, "gravity": [0, -9.81],
+    let points = json!({"wobble": 1, "contact": true, "method": {"solver": "live"}, "gravity": [0, -9.81],
         "points": {"position": vec![[0.5, 0.5]; 2000]}, "bounds": {"min": [-2, 0], "max": [2, 3]}});
     energies("points", &points, 0.2);
     // A rope all of whose points lie in one place, and one across it.
     let bonds: Vec<Value> =
         (1..200).map(|k| json!({"a": k - 1, "b": k, "kind": "spring", "rest": 0.01, "stiffness": 100})).collect();
-    let rope = json!({"wobble": 1, "contact": true, "points": {"position": vec![[0.5, 0.5]; 200]}, "bonds": bonds});
+    let rope = json!({"wobble": 1, "contact": true,
+        "method": {"solver": "live"}, "points": {"position": vec![[0.5, 0.5]; 200]}, "bonds": bonds});
     energies("rope", &rope, 0.2);
 }
 
@@ -83,7 +85,7 @@ fn many_bodies_in_one_place_come_apart() {
 
 #[test]
 fn triangles_without_an_inside_do_no_harm() {
-    let lines = json!({"wobble": 1, "contact": true, "gravity": [0, -9.81],
+    let lines = json!({"wobble": 1, "contact": true, "method": {"solver": "live"}, "gravity": [0, -9.81],
         "points": {"position": [[0, 1], [0.5, 1], [1, 1], [0.2, 1], [0.2, 1], [0.2, 1.5]], "velocity": [[0, -9], [0, -9], [0, -9], [0, -9], [0, -9], [0, -9]]},
         "bonds": [{"a": 0, "b": 1, "kind": "rigid"}, {"a": 1, "b": 2, "kind": "rigid"}, {"a": 0, "b": 2, "kind": "rigid"},
             {"a": 3, "b": 5, "kind": "rigid"}, {"a": 4, "b": 5, "kind": "rigid"}],

@@ -35,7 +35,7 @@ fn strains(walls: &[(&'static str, Value)]) -> Vec<(&'static str, u32, f64)> {
         for turn in 0..4 {
             let angle = 0.5 * f64::from(turn);
             let body = json!({"make": "rope", "count": 20, "origin": [-1.5, 0], "velocity": [50, 0],
-                "to": [-1.5 + 1.9 * angle.cos(), 1.9 * angle.sin()], "material": {"kind": "rigid"}});
+                "to": [1.9 * angle.cos(), 1.9 * angle.sin()], "material": {"kind": "rigid"}});
             let strains = thrown(&body, wall);
             worst.push((*what, turn, strains.iter().copied().fold(0.0, f64::max)));
         }

@@ -35,7 +35,7 @@ fn block(at: [f64; 2], [columns, rows]: [u32; 2], stiffness: f64) -> Value {
 
 /// A scene on a floor between walls.
 fn room(bodies: &[Value]) -> Value {
-    json!({"wobble": 1, "gravity": [0, -9.81], "contact": true, "bodies": bodies,
+    json!({"wobble": 1, "gravity": [0, -9.81], "contact": true, "method": {"solver": "live"}, "bodies": bodies,
         "bounds": {"min": [-3, 0], "max": [3, 20], "friction": 0.5}})
 }
 
@@ -45,14 +45,38 @@ fn heap(columns: u32, rows: u32) -> Vec<Value> {
     (0..columns * rows).map(|k| disc(at(k), [0.0; 2])).collect()
 }
 
+/// Strength of a mouse of 0.3 m that gives a point of `mass` [kg] so much force at most [N]: 0.286 strength radius mass.
+fn strength(force: f64, mass: f64) -> f64 {
+    force / (0.286 * 0.3 * mass)
+}
+
+/// Mean mass of a point of the first body [kg].
+fn point_mass(scene: &Value) -> f64 {
+    let world = world(scene);
+    world.masses().iter().sum::<f64>() / world.point_count() as f64
+}
+
+/// Force of a fist on a point at most [N].
+const FIST: f64 = 4_000.0;
+
+/// Runs until `t` [s]; returns the largest speed on the way [m/s].
+fn struck(world: &mut dyn Dynamics, t: f64) -> f64 {
+    let mut most: f64 = 0.0;
+    while world.time() < t - 1e-9 {
+        world.step();
+        most = most.max(fastest(&world.sample(world.time())));
+    }
+    most
+}
+
 #[test]
 fn a_fist_leaves_nothing_inside_out() {
     for x in [0.0, 0.3, 0.55] {
         let mut scene = room(&heap(3, 3));
-        // At most 0.286 strength radius: 4,000 N on a point of 1 kg.
-        scene["mouse"] = json!({"strength": 46_600, "radius": 0.3,
+        scene["mouse"] = json!({"strength": strength(FIST, point_mass(&scene)), "radius": 0.3,
             "track": [[1.0, x, 3.0], [1.3, x, 0.4], [1.8, x, 0.4], [1.9, x + 0.3, 0.3], [1.95, 9.0, 9.0]]});
         let mut world = world(&scene);
+        assert!(struck(&mut *world, 1.9) > 5.0, "at {x}");
         until(&mut *world, 2.95);
         assert_eq!(faults(&*world), [0, 0], "at {x}");
     }
@@ -62,9 +86,10 @@ fn a_fist_leaves_nothing_inside_out() {
 fn a_fist_on_a_block_leaves_nothing_inside_out() {
     for stiffness in [3_000.0, 30_000.0] {
         let mut scene = room(&[block([-0.5, 0.01], [11, 7], stiffness)]);
-        scene["mouse"] = json!({"strength": 46_600, "radius": 0.3,
+        scene["mouse"] = json!({"strength": strength(FIST, point_mass(&scene)), "radius": 0.3,
             "track": [[0.2, 0.1, 2.0], [0.4, 0.1, 0.3], [1.0, 0.1, 0.3], [1.01, 9.0, 9.0]]});
         let mut world = world(&scene);
+        assert!(struck(&mut *world, 1.0) > 5.0, "at {stiffness} N/m");
         until(&mut *world, 2.01);
         assert_eq!(faults(&*world), [0, 0], "at {stiffness} N/m");
     }
@@ -113,7 +138,8 @@ fn a_flick_of_100_metres_a_second_tangles_nothing() {
 #[test]
 fn a_rim_that_starts_as_an_eight_opens() {
     for kind in [soft(), json!({"kind": "spring", "stiffness": 300, "damping": 0.2, "mass": 1})] {
-        let rim = json!({"wobble": 1, "contact": true, "bodies": [{"make": "rim", "radius": 1, "inner_radius": 0.8, "sectors": 24,
+        let rim = json!({"wobble": 1, "contact": true,
+        "method": {"solver": "live"}, "bodies": [{"make": "rim", "radius": 1, "inner_radius": 0.8, "sectors": 24,
             "material": kind}]});
         let scene = with_places(&rim, |_, [x, y]| {
             let (angle, off) = (y.atan2(x), x.hypot(y) - 0.9);
@@ -132,7 +158,8 @@ fn a_rim_that_starts_as_an_eight_opens() {
 
 #[test]
 fn a_bow_tie_opens() {
-    let scene = json!({"wobble": 1, "contact": true, "bodies": [block([-0.45, -0.35], [10, 8], 3_000.0)]});
+    let scene = json!({"wobble": 1, "contact": true,
+        "method": {"solver": "live"}, "bodies": [block([-0.45, -0.35], [10, 8], 3_000.0)]});
     // Turned over more and more from one side to the other.
     let twisted = with_places(&scene, |_, [x, y]| [x, y * x / 0.45]);
     let swapped = with_places(&scene, |k, x| match k {
@@ -192,31 +219,6 @@ fn a_heap_of_discs_deep_in_each_other_comes_apart() {
     let begins = faults(&*world);
     until(&mut *world, 2.0);
     assert_eq!(faults(&*world), [0, 0], "after 2 s, of {begins:?}");
-}
-
-#[test]
-fn no_rod_gets_through_a_thin_body() {
-    for turn in 0..4 {
-        let angle = 0.4 * f64::from(turn);
-        let rods: Vec<Value> = (0..6)
-            .map(|k| {
-                let y = 0.2 + 0.5 * f64::from(k);
-                json!({"make": "rope", "count": 5, "origin": [-4, y], "velocity": [200, 0],
-                    "to": [-4.0 + 0.4 * angle.cos(), y + 0.4 * angle.sin()], "material": {"kind": "rigid"}})
-            })
-            .collect();
-        // A slab two cells thick, heavy, and a line.
-        let slab = json!({"make": "lattice", "columns": 3, "rows": 40, "spacing": 0.1, "origin": [0, -0.3],
-            "material": {"kind": "spring", "stiffness": 1e5, "damping": 5, "mass": 20}});
-        let mut bodies = rods;
-        bodies.push(slab);
-        let mut world = world(&json!({"wobble": 1, "contact": true, "bodies": bodies}));
-        until(&mut *world, 0.1);
-        let sample = world.sample(world.time());
-        let front = sample.position[30..].iter().map(|x| x[0]).fold(f64::NEG_INFINITY, f64::max);
-        let through = sample.position[..30].iter().filter(|x| x[0] > front).count();
-        assert_eq!(through, 0, "at {angle} rad");
-    }
 }
 
 #[test]

@@ -2,7 +2,7 @@
 
 use super::common::physics::{angular_momentum, momentum, rim, run_to, spring};
 use wobble::equilibrium::settle;
-use wobble::sim::{Bond, BondKind, Dynamics, Method, Model, PointId, Solver, build};
+use wobble::sim::{Bond, BondKind, Method, Model, PointId, Solver, build};
 
 fn spinning(kind: BondKind, solver: Solver, h: f64) -> Model<2> {
     let mut model = rim(12, kind);

@@ -1,7 +1,7 @@
 //! Bodies that start inside obstacles: each is moved out as a whole, and nothing is crushed or thrown.
 
 use super::common::physics::{run_to, spring};
-use wobble::sim::{Bond, Bounds, Dynamics, Model, Plane, PointId, Polygon, Sample, build};
+use wobble::sim::{Bond, Bounds, Model, Plane, PointId, Polygon, Sample, build};
 
 fn rectangle([left, low]: [f64; 2], [right, high]: [f64; 2]) -> Vec<[f64; 2]> {
     vec![[left, low], [right, low], [right, high], [left, high]]

@@ -1,7 +1,7 @@
 //! The motion against closed forms and conservation laws, in the plane and in space, in both precisions.
 
 use super::common::physics::{angular_momentum, center_of_mass, momentum, rim, run_to, spring};
-use wobble::sim::{Bond, BondKind, Bounds, Dynamics, Method, Model, Order, PointId, Precision, Sample, Solver, build};
+use wobble::sim::{Bond, BondKind, Bounds, Method, Model, Order, PointId, Precision, Sample, Solver, build};
 
 /// A frame of 1/60 s in 64 substeps.
 const FINE: f64 = 1.0 / 3840.0;

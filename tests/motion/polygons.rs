@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 use super::common::physics::{run_to, spring};
 use wobble::picture::{Picture, encode};
 use wobble::scene::Scene;
-use wobble::sim::{Bond, Bounds, Dynamics, Method, Model, Plane, PointId, Polygon, Sample, Solver, build};
+use wobble::sim::{Bond, Bounds, Method, Model, Plane, PointId, Polygon, Sample, Solver, build};
 
 const G: f64 = 9.81;
 
@@ -330,7 +330,7 @@ fn nothing_tunnels_at_a_hundred_metres_a_second() {
         if is_bonded {
             model.bonds = lattice(n, is_rigid).into();
         }
-        let mut world = wobble::sim::build(&model).unwrap();
+        let mut world = build(&model).unwrap();
         let mut worst: f64 = 0.0;
         while world.time() < 1.0 {
             world.step();
@@ -379,7 +379,7 @@ fn a_rigid_box_lands_flat_on_a_tilted_side_and_slides() {
     }
     let mut model = points(position.clone(), vec![[0.0; 2]; position.len()], vec![slope]);
     model.bonds = bonds.into();
-    let mut world = wobble::sim::build(&Model { duration: Some(1.0), ..model }).unwrap();
+    let mut world = build(&Model { duration: Some(1.0), ..model }).unwrap();
     let end = run_to(&mut *world, 1.0);
     let way = 0.5 * G * sin;
     let truth: Vec<[f64; 2]> = position.iter().map(|x| [x[0] + way * cos, x[1] - way * sin]).collect();

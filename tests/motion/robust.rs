@@ -2,7 +2,7 @@
 
 use super::common::physics::{run_to, spring};
 use wobble::equilibrium::settle;
-use wobble::sim::{Bond, BondKind, Bounds, Dynamics, Limit, Method, Model, Plane, PointId, Solver, Track, build};
+use wobble::sim::{Bond, BondKind, Bounds, Limit, Method, Model, Plane, PointId, Solver, Track, build};
 
 fn rigid(a: u32, b: u32, rest_length: f64) -> Bond {
     Bond::new(PointId(a), PointId(b), rest_length)

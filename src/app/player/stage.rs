@@ -10,7 +10,7 @@ use super::save;
 use super::shown::{Figures, Scenery, Shown};
 use crate::app::meter::Meter;
 use crate::history::{BranchView, Do, History, HistoryError, Recording, SetKeys, Start};
-use crate::scene::{AddKeys, Meeting, PinMotionKeys, ViewKeys};
+use crate::scene::{AddKeys, MOST_MEETING, Meeting, PinMotionKeys, ViewKeys};
 use crate::sim::{Cursor, Dynamics, MouseForce, PointId};
 
 /// How often figures are taken that cost something: nobody reads faster.
@@ -18,8 +18,6 @@ const FIGURES_EVERY: Duration = Duration::from_millis(100);
 
 /// A pin that is led takes so long to the place where the cursor was [s]: a little longer than until it is sent on.
 const PIN_TIME: f64 = 0.15;
-/// Bonds of a scene up to which bodies that are added meet those that are there: of more, meeting would take too long for a frame.
-const MOST_MEETING: usize = 20_000;
 /// What adding a body is called.
 const ADD: &str = "add a body";
 /// What leading a pin is called.

@@ -238,8 +238,9 @@ fn no_triangle_is_larger_than_asked_for() {
 }
 
 #[test]
-fn the_same_picture_makes_the_same_bits_on_any_number_of_threads() {
+fn a_picture_that_is_cut_into_parts_makes_the_same_bits_in_pools_of_one_two_and_five_threads() {
     let picture = draw(400, |x, y| (hypot(x - 200.0, y - 200.0) - 110.0 - 30.0 * libm::sin(x / 11.0)).abs() - 40.0);
+    assert!(picture.rgba.len() / 4 > 2 * coverage::PART, "it is taken in three parts");
     let run = |threads: usize| {
         let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
         let made = pool.install(|| mesh_picture(&picture, &Settings::default()).unwrap());
