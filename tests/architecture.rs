@@ -45,7 +45,7 @@ const ROOMS: [(&str, &[&str], &[&str]); 12] = [
 ];
 
 /// Each module of `sim` and those that it may name, which all stand above it here: so there is no circle.
-const SIM: [(&str, &[&str]); 38] = [
+const SIM: [(&str, &[&str]); 39] = [
     ("real", &[]),
     ("shared", &[]),
     ("sets", &[]),
@@ -208,6 +208,7 @@ const SIM: [(&str, &[&str]); 38] = [
             "points",
             "real",
             "saved",
+            "sets",
             "solver",
             "timeline",
             "triangles",
@@ -242,6 +243,7 @@ const SIM: [(&str, &[&str]); 38] = [
         &[
             "bond",
             "bulk",
+            "contact",
             "counters",
             "environment",
             "group",
@@ -256,6 +258,7 @@ const SIM: [(&str, &[&str]); 38] = [
         ],
     ),
     ("step", &["group", "handover", "real", "world"]),
+    ("build", &["dynamics", "model", "plan", "world"]),
 ];
 
 /// Crates that every room may name.

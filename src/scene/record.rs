@@ -426,3 +426,31 @@ impl Recording {
 fn number(value: f64) -> String {
     format!("{value:?}")
 }
+
+#[cfg(test)]
+mod tests {
+    use std::path::Path;
+
+    use super::*;
+    use crate::scene::Scene;
+
+    #[derive(serde::Deserialize)]
+    struct Frozen {
+        scene: String,
+        time: f64,
+        hash: String,
+    }
+
+    /// The bits that tests/determinism.rs holds in another build.
+    #[test]
+    fn the_bits_do_not_depend_on_how_the_code_is_optimised() {
+        let frozen: Vec<Frozen> = serde_json::from_str(include_str!("../../tests/files/bits.json")).unwrap();
+        for Frozen { scene: name, time, hash: expected } in frozen {
+            let path = Path::new(env!("CARGO_MANIFEST_DIR")).join(&name);
+            let scene = if name.contains('/') { Scene::read(&path) } else { Scene::load(&name) }.unwrap();
+            let mut world = scene.world(Some(time)).unwrap();
+            let samples = record(&mut *world, &[time], |_| {}).unwrap();
+            assert_eq!(hash(&samples, scene.dimensions()), expected, "{name}");
+        }
+    }
+}

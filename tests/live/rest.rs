@@ -9,7 +9,7 @@ use super::{disc, run};
 fn landed(method: &Value) -> (Box<dyn Dynamics>, f64) {
     let scene = json!({"wobble": 1, "gravity": [0, -9.81], "contact": true, "method": method,
         "bodies": [disc([0.0, 0.4], [0.0; 2])], "bounds": {"min": [-5, 0], "max": [5, 9], "friction": 0.5}});
-    let (sample, world) = run(&scene, 4.0);
+    let (sample, world) = run(&scene, 6.0);
     let fastest = super::fastest(&sample);
     (world, fastest)
 }

@@ -119,7 +119,6 @@ fn a_press_to_six_tenths_of_its_height_leaves_a_block_whole() {
 }
 
 #[test]
-#[ignore = "not reached: some triangles at its corners are still inside out a second later"]
 fn a_press_to_a_third_of_its_height_leaves_a_block_whole() {
     pressed(0.35);
 }

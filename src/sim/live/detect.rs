@@ -56,7 +56,7 @@ struct Cells<S> {
 /// Finds pairs of points and edges anew; those that were there keep their sides. Points are looked at as far around as they may go: what
 /// is slow in a crowd has few pairs, however fast others are.
 pub(super) fn look<S: Real>(state: &mut Cluster<S>, common: &Common<S>) {
-    let old = known(&state.pairs);
+    let old = known(state);
     let mut share = 1.0;
     loop {
         promise(state, share);
@@ -72,7 +72,7 @@ pub(super) fn look<S: Real>(state: &mut Cluster<S>, common: &Common<S>) {
 pub(super) fn look_within<S: Real>(state: &mut Cluster<S>, common: &Common<S>, promise: S) {
     let own = state.own();
     state.promised[..own].fill(promise);
-    let old = known(&state.pairs);
+    let old = known(state);
     find_pairs(state, common, &old);
 }
 
@@ -117,12 +117,15 @@ fn find_pairs<S: Real>(state: &mut Cluster<S>, common: &Common<S>, old: &Sides) 
         near.sort_unstable_by_key(|found| state.edges[found.edge].number);
         for found in &near {
             let key = u64::from(number) << 32 | u64::from(state.edges[found.edge].number);
-            if let Some(side) = before.side(key).or_else(|| sides.side(key)).or_else(|| side(state, p, found, &near)) {
-                let mut pair = pair(state, common, (p, found.edge, key), side);
-                let is_behind = pair.side * found.across < S::ZERO;
-                pair.room = if is_behind { -S::INFINITY } else { found.square.sqrt() - pair.distance };
-                pairs.push(pair);
+            let known = before.side(key).or_else(|| sides.side(key));
+            let side = known.unwrap_or_else(|| side(state, p, found, &near));
+            if side == 0 && body == state.edges[found.edge].body {
+                continue;
             }
+            let mut pair = pair(state, common, (p, found.edge, key), side);
+            let is_behind = pair.side * found.across < S::ZERO;
+            pair.room = if is_behind { -S::INFINITY } else { found.square.sqrt() - pair.distance };
+            pairs.push(pair);
         }
     }
     pairs.sort_unstable_by_key(|pair| pair.key);
@@ -131,10 +134,11 @@ fn find_pairs<S: Real>(state: &mut Cluster<S>, common: &Common<S>, old: &Sides) 
     state.list(pairs);
 }
 
-/// Sides of pairs, by their numbers.
-pub(super) fn known<S: Real>(pairs: &[Pair<S>]) -> Vec<(u64, i8)> {
-    let of = |pair: &Pair<S>| (pair.side != S::ZERO).then_some((pair.key, if pair.side > S::ZERO { 1 } else { -1 }));
-    pairs.iter().filter_map(of).collect()
+/// Sides of pairs that may touch, by their numbers: of others they are seen.
+pub(super) fn known<S: Real>(state: &Cluster<S>) -> Vec<(u64, i8)> {
+    let is_followed = |pair: &&Pair<S>| pair.seen == state.counts.substeps as u32 && pair.side != S::ZERO;
+    let of = |pair: &Pair<S>| (pair.key, if pair.side > S::ZERO { 1 } else { -1 });
+    state.pairs.iter().filter(is_followed).map(of).collect()
 }
 
 /// Sides that are asked for by numbers which ascend, but for a few.
@@ -163,23 +167,23 @@ impl<'a> Seen<'a> {
 /// The side that a point belongs to of an edge that it was not near before.
 ///
 /// In front of what is closed it stays in front. Behind it is inside only if no other edge of that body is nearer; then it is to come
-/// out there.
-fn side<S: Real>(state: &Cluster<S>, p: u32, found: &Found<S>, near: &[Found<S>]) -> Option<i8> {
+/// out there. Otherwise it belongs nowhere: 0.
+fn side<S: Real>(state: &Cluster<S>, p: u32, found: &Found<S>, near: &[Found<S>]) -> i8 {
     let edge = &state.edges[found.edge];
     if !edge.is_closed {
-        return Some(if found.across >= S::ZERO { 1 } else { -1 });
+        return if found.across >= S::ZERO { 1 } else { -1 };
     }
     if found.across >= S::ZERO {
-        return Some(1);
+        return 1;
     }
     if found.is_end {
-        return None;
+        return 0;
     }
     if state.body_of[p as usize] == edge.body {
-        return Some(-1);
+        return -1;
     }
     let is_nearer = |other: &Found<S>| state.edges[other.edge].body == edge.body && other.square < found.square;
-    (!near.iter().any(is_nearer)).then_some(1)
+    i8::from(!near.iter().any(is_nearer))
 }
 
 fn pair<S: Real>(state: &Cluster<S>, common: &Common<S>, (p, edge, key): (u32, usize, u64), side: i8) -> Pair<S> {
@@ -204,7 +208,7 @@ fn pair<S: Real>(state: &Cluster<S>, common: &Common<S>, (p, edge, key): (u32, u
         a: of.ends[0],
         b: of.ends[1],
         key,
-        side: if side > 0 { S::ONE } else { -S::ONE },
+        side: S::from_f64(f64::from(side)),
         is_closed: of.is_closed,
         distance,
         room: S::ZERO,
@@ -215,6 +219,7 @@ fn pair<S: Real>(state: &Cluster<S>, common: &Common<S>, (p, edge, key): (u32, u
         old: S::ZERO,
         approach: S::ZERO,
         is_met: false,
+        seen: state.counts.substeps as u32,
     }
 }
 

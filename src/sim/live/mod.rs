@@ -328,7 +328,7 @@ fn kept<S: Real>(sides: Sides, clusters: &[Cluster<S>]) -> Sides {
     awake.sort_unstable();
     let is_awake = |key: u64| awake.binary_search_by_key(&((key >> 32) as u32), |entry| entry.0).is_ok();
     let mut list: Sides = sides.into_iter().filter(|side| !is_awake(side.0)).collect();
-    clusters.iter().for_each(|cluster| list.extend(detect::known(&cluster.pairs)));
+    clusters.iter().for_each(|cluster| list.extend(detect::known(cluster)));
     list.sort_unstable();
     list.dedup_by_key(|side| side.0);
     list

@@ -19,7 +19,8 @@ pub(super) struct Pair<S> {
     pub(super) b: u32,
     /// Numbers of point and edge for ever.
     pub(super) key: u64,
-    /// +1: the point belongs on the left of the edge; -1: on its right; 0: it left what is closed around an end.
+    /// +1: the point belongs on the left of the edge; -1: on its right; 0: it is behind what is closed, around an end, and belongs nowhere
+    /// until it is in front again.
     pub(super) side: S,
     pub(super) is_closed: bool,
     /// Distance that they keep [m].
@@ -37,6 +38,8 @@ pub(super) struct Pair<S> {
     /// Normal speed before they were solved [m/s].
     pub(super) approach: S,
     pub(super) is_met: bool,
+    /// Before which substep the side was last looked at: where they are too far apart to touch nobody does, and the point may go around.
+    pub(super) seen: u32,
 }
 
 /// A point near a plane.
@@ -114,8 +117,11 @@ impl<S: Real> Pair<S> {
     #[inline(always)]
     pub(super) fn press(&mut self, state: &mut Cluster<S>, slack: S) -> bool {
         let [p, a, b] = [self.p as usize, self.a as usize, self.b as usize];
-        if self.side == S::ZERO {
-            return false;
+        if self.side == S::ZERO || self.seen != state.counts.substeps as u32 {
+            self.see(state);
+            if self.side == S::ZERO {
+                return true;
+            }
         }
         let Some(found) = beside([state.now[p], state.now[a], state.now[b]], self.side) else { return true };
         if found.gap >= self.distance && self.pressed == S::ZERO {
@@ -171,12 +177,28 @@ impl<S: Real> Pair<S> {
         true
     }
 
-    /// Where the point went around an end of the edge in this substep the side is the other one; of what is closed, none until it is
-    /// looked for anew.
-    pub(super) fn follow(&mut self, state: &Cluster<S>) {
+    /// The side on which the point is as the substep starts, of an edge that it did not touch. Behind what is closed it came around an end,
+    /// unless it is of the same body.
+    fn see(&mut self, state: &Cluster<S>) {
+        self.seen = state.counts.substeps as u32;
         let [p, a, b] = [self.p as usize, self.a as usize, self.b as usize];
-        let across = |x: &[[S; 2]]| self.side * wedge(sub(x[b], x[a]), sub(x[p], x[a]));
-        if across(&state.now) >= S::ZERO || across(&state.start) < S::ZERO {
+        let (u, r) = (sub(state.start[b], state.start[a]), sub(state.start[p], state.start[a]));
+        let along = dot(r, u);
+        let is_inside = || state.body_of[p] == state.body_of[a] && along >= S::ZERO && along <= dot(u, u);
+        self.side = match wedge(u, r) >= S::ZERO {
+            true => S::ONE,
+            false if !self.is_closed || is_inside() => -S::ONE,
+            false => S::ZERO,
+        };
+    }
+
+    /// Where the point went around an end of the edge in this substep the side is the other one; of what is closed, none until it is
+    /// in front again.
+    pub(super) fn follow(&mut self, state: &Cluster<S>) {
+        self.seen = state.counts.substeps as u32 + 1;
+        let [p, a, b] = [self.p as usize, self.a as usize, self.b as usize];
+        let across = |x: &[[S; 2]]| wedge(sub(x[b], x[a]), sub(x[p], x[a]));
+        if self.side * across(&state.now) >= S::ZERO || self.side * across(&state.start) < S::ZERO {
             return;
         }
         if let Some(at) = crossing([p, a, b], state)

@@ -47,9 +47,9 @@ impl<S: Real> Live<S> {
             let own_bodies = bodies.clone();
             let mut cluster = self.cluster(bodies, points, &common);
             detect::look(&mut cluster, &common);
-            // Sides of obstacles are met by points in all methods.
+            // Sides of obstacles are met by points in all methods; what is around a corner is no nearer than that.
             let own = cluster.own() as u32;
-            let is_known = |pair: &Pair<S>| pair.a >= own && pair.p < own;
+            let is_known = |pair: &Pair<S>| pair.a >= own && pair.p < own || pair.side == S::ZERO;
             let is_whole = cluster.tangle.is_empty() && !self.is_flat(points, &own_bodies, AMPLE);
             Part { slots, is_free: is_whole && cluster.pairs.iter().all(is_known) }
         };

@@ -18,6 +18,9 @@ pub(super) fn cut<S: Real>(state: &mut Cluster<S>) {
     let used = S::from_f64(USED);
     for &number in &active {
         let pair = &pairs[number as usize];
+        if pair.side == S::ZERO {
+            continue;
+        }
         let [p, a, b] = [pair.p as usize, pair.a as usize, pair.b as usize];
         let Some(found) = beside([state.start[p], state.start[a], state.start[b]], pair.side) else { continue };
         if found.gap <= S::ZERO {
