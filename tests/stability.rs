@@ -1,6 +1,9 @@
 //! The study of stability: its quick form as a process, and the scenes that are known to fail.
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic, reason = "a test that cannot go on stops")]
 
+#[path = "stability/borne.rs"]
+mod borne;
+
 use std::path::Path;
 use std::process::{Command, Output};
 

@@ -13,7 +13,7 @@ use super::common::session::{Dice, play};
 use super::driver::{TURN, number};
 
 /// Length of the session that always runs [s].
-const SECONDS: u64 = 90;
+const SECONDS: u64 = 120;
 
 /// Bytes that keyframes may take.
 const KEYFRAMES: usize = 8 << 20;
