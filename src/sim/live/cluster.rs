@@ -57,7 +57,8 @@ pub(super) struct Cluster<S: Real> {
     pub(super) pairs: Vec<Pair<S>>,
     /// How far the two of each were from touching when they were found [m]; below 0 where the point was behind the edge.
     pub(super) rooms: Vec<S>,
-    /// Which of them may touch in this substep.
+    /// Which of them may touch in this substep, and which of these a pass still looks at.
+    pub(super) chosen: Vec<u32>,
     pub(super) active: Vec<u32>,
     pub(super) on_planes: Vec<OnPlane<S>>,
     /// How far each point may go until what is near what is looked for anew [m]; corners of obstacles nowhere.
@@ -165,6 +166,7 @@ impl<S: Real> Cluster<S> {
 
     /// These are the pairs that may touch from now on; which of them do is chosen in each substep.
     pub(super) fn list(&mut self, pairs: Vec<Pair<S>>) {
+        self.chosen.clear();
         self.active.clear();
         self.rooms.clear();
         self.rooms.extend(pairs.iter().map(|pair| pair.room));

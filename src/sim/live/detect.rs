@@ -99,13 +99,21 @@ fn find_pairs<S: Real>(state: &mut Cluster<S>, common: &Common<S>, old: &Sides) 
     let lines = lines(state, common);
     let (cells, starts, entries, long) = grid(state, &lines);
     let first = state.corners.first().map_or(0, |corner| u64::from(corner.1) << 32);
-    let (mut before, mut sides) = (Seen::from(old, first), Seen::from(common.sides, first));
+    // Sides from before the step hold at its start: later what is not followed any more went around an end.
+    let stored: &[(u64, i8)] = if state.counts.substeps == 0 { common.sides } else { &[] };
+    let (mut before, mut sides) = (Seen::from(old, first), Seen::from(stored, first));
+    let least = state.promised[..own].iter().fold(S::INFINITY, |least, &promised| least.min(promised));
     let mut near: Vec<Found<S>> = Vec::new();
     for &(p, number) in &state.corners {
         near.clear();
         let (x, body) = (state.now[p as usize], state.body_of[p as usize]);
         let radius = if body == OBSTACLE { S::ZERO } else { common.bodies.list[state.bodies[body as usize]].radius };
         let around = radius + state.promised[p as usize];
+        // Edges that are nearer than that were found.
+        let sure = |common: &Common<S>, state: &Cluster<S>, edge: usize| match state.edges[edge].body {
+            OBSTACLE => around,
+            of => around + least + common.bodies.list[state.bodies[of as usize]].radius,
+        };
         let mut see = |edge: usize| {
             let found = find(&lines[edge], edge, x, around);
             near.extend(found.filter(|_| may_meet(state, common, (p, body), &lines[edge])));
@@ -118,7 +126,7 @@ fn find_pairs<S: Real>(state: &mut Cluster<S>, common: &Common<S>, old: &Sides) 
         for found in &near {
             let key = u64::from(number) << 32 | u64::from(state.edges[found.edge].number);
             let known = before.side(key).or_else(|| sides.side(key));
-            let side = known.unwrap_or_else(|| side(state, p, found, &near));
+            let side = known.unwrap_or_else(|| side(state, p, found, (&near, sure(common, state, found.edge))));
             if side == 0 && body == state.edges[found.edge].body {
                 continue;
             }
@@ -166,9 +174,9 @@ impl<'a> Seen<'a> {
 
 /// The side that a point belongs to of an edge that it was not near before.
 ///
-/// In front of what is closed it stays in front. Behind it is inside only if no other edge of that body is nearer; then it is to come
-/// out there. Otherwise it belongs nowhere: 0.
-fn side<S: Real>(state: &Cluster<S>, p: u32, found: &Found<S>, near: &[Found<S>]) -> i8 {
+/// In front of what is closed it stays in front. Behind it is inside only if no other edge of that body is nearer, of those nearer than
+/// `sure` [m], which were all found; then it is to come out there. Otherwise it belongs nowhere: 0.
+fn side<S: Real>(state: &Cluster<S>, p: u32, found: &Found<S>, (near, sure): (&[Found<S>], S)) -> i8 {
     let edge = &state.edges[found.edge];
     if !edge.is_closed {
         return if found.across >= S::ZERO { 1 } else { -1 };
@@ -181,6 +189,9 @@ fn side<S: Real>(state: &Cluster<S>, p: u32, found: &Found<S>, near: &[Found<S>]
     }
     if state.body_of[p as usize] == edge.body {
         return -1;
+    }
+    if found.square > sure * sure {
+        return 0;
     }
     let is_nearer = |other: &Found<S>| state.edges[other.edge].body == edge.body && other.square < found.square;
     i8::from(!near.iter().any(is_nearer))

@@ -114,6 +114,7 @@ impl<S: Real> Live<S> {
             thin: vec![Thin::unknown(); bodies.len()],
             pairs: Vec::new(),
             rooms: Vec::new(),
+            chosen: Vec::new(),
             active: Vec::new(),
             on_planes: Vec::new(),
             promised: Vec::new(),
@@ -159,7 +160,13 @@ impl<S: Real> Live<S> {
             cluster.least_promise = S::from_f64(PROMISE * 0.1);
         }
         if self.contact.is_none() {
-            (cluster.edges, cluster.corners) = (Vec::new(), (0..cluster.now.len() as u32).map(|i| (i, i)).collect());
+            // Points meet obstacles alone.
+            cluster.edges.clear();
+            cluster.corners.clear();
+            for (k, &body) in cluster.bodies.iter().enumerate() {
+                let number = |i: u32| (i, i - cluster.bases[k] + self.bodies.list[body].points.first);
+                cluster.corners.extend((cluster.bases[k]..cluster.bases[k + 1]).map(number));
+            }
         }
         cluster.include_walls(common);
         cluster.start.clone_from(&cluster.now);

@@ -154,6 +154,7 @@ impl<S: Real> Pair<S> {
                     let shift = scale(normal, share * push);
                     state.start[i] = add(state.start[i], shift);
                     state.now[i] = add(state.now[i], shift);
+                    state.gone[i] += dot(shift, shift).sqrt();
                 }
                 gap += mended;
                 self.old = overlap - mended;

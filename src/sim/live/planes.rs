@@ -32,6 +32,7 @@ impl<S: Real> OnPlane<S> {
                 let shift = scale(normal, depth);
                 state.start[p] = add(state.start[p], shift);
                 state.now[p] = add(state.now[p], shift);
+                state.gone[p] += depth;
                 gap += depth;
             }
         }

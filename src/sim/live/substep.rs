@@ -48,7 +48,7 @@ pub(super) fn advance<S: Real>(state: &mut Cluster<S>, common: &Common<S>, outsi
     mend::lead(state, time);
     areas::look(state, common);
     let (passes, pushed) = tree::passes(state, common);
-    state.choose(pushed);
+    let pushed = state.choose(pushed);
     for pass in 0..passes {
         shape::hold(state, common);
         areas::unfold(state, common);
@@ -123,7 +123,7 @@ impl<S: Real> Cluster<S> {
             self.way[i] = way;
             self.now[i] = add(self.start[i], way);
         }
-        for &number in &self.active {
+        for &number in &self.chosen {
             self.pairs[number as usize].clear();
         }
         self.on_planes.iter_mut().for_each(super::pair::OnPlane::clear);
@@ -141,27 +141,34 @@ impl<S: Real> Cluster<S> {
         })
     }
 
-    /// Which pairs may touch in this substep: those whose points cannot have gone so far, and will not, are left out.
-    fn choose(&mut self, slack: S) {
+    /// Which pairs may touch in this substep: those whose points cannot have gone so far, and will not, are left out. Others push them by
+    /// `slack` [m], or as far as the fastest goes. Returns the larger one.
+    fn choose(&mut self, slack: S) -> S {
         let own = self.own();
         let (goes, gone, way) = (&mut self.goes[..own], &self.gone[..own], &self.way[..own]);
-        let mut farthest = S::ZERO;
+        let (mut farthest, mut fastest) = (S::ZERO, S::ZERO);
         for i in 0..own {
-            goes[i] = gone[i] + dot(way[i], way[i]).sqrt();
+            let length = dot(way[i], way[i]).sqrt();
+            goes[i] = gone[i] + length;
             farthest = farthest.max(goes[i]);
+            fastest = fastest.max(length);
         }
+        let slack = slack.max(fastest);
         let reach = farthest + farthest + slack;
-        let Cluster { pairs, goes, rooms, active, .. } = self;
+        let Cluster { pairs, goes, rooms, chosen, active, .. } = self;
         let may_touch = |number: u32, room: S| {
             let pair = &pairs[number as usize];
             room <= goes[pair.p as usize] + goes[pair.a as usize].max(goes[pair.b as usize]) + slack
         };
-        let chosen = rooms.iter().zip(0..).filter(|&(&room, number)| room <= reach && may_touch(number, room));
-        active.clear();
-        active.extend(chosen.map(|(_, number)| number));
+        let near = rooms.iter().zip(0..).filter(|&(&room, number)| room <= reach && may_touch(number, room));
+        chosen.clear();
+        chosen.extend(near.map(|(_, number)| number));
+        active.clone_from(chosen);
+        slack
     }
 
-    /// One pass over all contacts; pairs that are too far apart to touch by what is still to come are left out from then on.
+    /// One pass over all contacts; pairs that are too far apart to touch by what is still to come are left out from then on, but cut and
+    /// followed.
     fn press(&mut self, planes: &[crate::sim::contact::surface::Surface<S, 2>], slack: S) {
         let mut pairs = std::mem::take(&mut self.pairs);
         let mut active = std::mem::take(&mut self.active);
@@ -175,9 +182,9 @@ impl<S: Real> Cluster<S> {
 
     fn follow_sides(&mut self) {
         let mut pairs = std::mem::take(&mut self.pairs);
-        let active = std::mem::take(&mut self.active);
-        active.iter().for_each(|&number| pairs[number as usize].follow(self));
-        (self.pairs, self.active) = (pairs, active);
+        let chosen = std::mem::take(&mut self.chosen);
+        chosen.iter().for_each(|&number| pairs[number as usize].follow(self));
+        (self.pairs, self.chosen) = (pairs, chosen);
     }
 
     /// Velocities from what was gone, and positions summed up; then what bounces.
@@ -202,8 +209,8 @@ impl<S: Real> Cluster<S> {
         }
         let least = S::from_f64(LEAST_BOUNCE * h * crate::sim::vector::length(gravity));
         let (pairs, on_planes) = (std::mem::take(&mut self.pairs), std::mem::take(&mut self.on_planes));
-        let active = std::mem::take(&mut self.active);
-        let chosen = || active.iter().map(|&number| &pairs[number as usize]);
+        let numbers = std::mem::take(&mut self.chosen);
+        let chosen = || numbers.iter().map(|&number| &pairs[number as usize]);
         chosen().for_each(|pair| pair.bounce(self, least));
         for on in &on_planes {
             on.bounce(self, &planes[on.surface as usize], least);
@@ -211,8 +218,8 @@ impl<S: Real> Cluster<S> {
         let pressed = chosen().filter(|pair| pair.pressed > S::ZERO).count();
         self.counts.contacts += pressed as u64;
         self.has_pressed |= pressed > 0 || on_planes.iter().any(|on| on.pressed > S::ZERO);
-        self.counts.work += 45 * active.len() as u64 + pairs.len() as u64;
+        self.counts.work += 45 * numbers.len() as u64 + pairs.len() as u64;
         self.counts.work += 20 * on_planes.len() as u64 + 20 * self.own() as u64;
-        (self.pairs, self.active, self.on_planes) = (pairs, active, on_planes);
+        (self.pairs, self.chosen, self.on_planes) = (pairs, numbers, on_planes);
     }
 }

@@ -107,7 +107,7 @@ pub(super) fn passes<S: Real>(state: &Cluster<S>, common: &Common<S>) -> (u32, S
     if state.pairs.is_empty() && state.on_planes.is_empty() {
         return usual;
     }
-    // No point goes further in a substep than half an edge.
+    // A round pulls slow points half an edge along.
     let pulled = state.least_promise + state.least_promise;
     let largest = state.members(common).map(|(body, _)| body.tree).max().unwrap_or_default();
     match largest {

@@ -14,9 +14,9 @@ const LEAST: f64 = 0.05;
 
 /// Cuts what would pass.
 pub(super) fn cut<S: Real>(state: &mut Cluster<S>) {
-    let (pairs, active) = (std::mem::take(&mut state.pairs), std::mem::take(&mut state.active));
+    let (pairs, chosen) = (std::mem::take(&mut state.pairs), std::mem::take(&mut state.chosen));
     let used = S::from_f64(USED);
-    for &number in &active {
+    for &number in &chosen {
         let pair = &pairs[number as usize];
         if pair.side == S::ZERO {
             continue;
@@ -65,5 +65,5 @@ pub(super) fn cut<S: Real>(state: &mut Cluster<S>) {
             state.now[i] = add(state.now[i], back);
         }
     }
-    (state.pairs, state.active) = (pairs, active);
+    (state.pairs, state.chosen) = (pairs, chosen);
 }
