@@ -37,7 +37,7 @@ pub(super) struct Arguments {
     /// A scene of the gallery, a scene file, a recording, or a picture.
     scene: String,
     /// auto, euler, symplectic-euler, verlet, velocity-verlet, pefrl, blanes-moan-4, blanes-moan-6, rk2, rk4, rk8,
-    /// implicit-midpoint, backward-euler, xpbd, path or relaxation.
+    /// implicit-midpoint, backward-euler, xpbd, path, relaxation or live.
     #[arg(long, value_parser = values::solver)]
     solver: Option<SolverName>,
     /// Longest substep [s].
