@@ -5,7 +5,7 @@ use std::path::Path;
 use wobble::history::Start;
 use wobble::study::stability::{Bounds, Ended, Fault, Subject, judge};
 
-/// A scene of `tests/files/abuse`, as `tests/files/judged.json` has it.
+/// A scene of `tests/files/abuse`, as `tests/files/abuse/judged.json` has it.
 #[derive(serde::Deserialize)]
 struct Judged {
     file: String,
@@ -19,7 +19,7 @@ struct Judged {
 }
 
 fn check(dear: bool) {
-    let list: Vec<Judged> = serde_json::from_str(include_str!("../files/judged.json")).unwrap();
+    let list: Vec<Judged> = serde_json::from_str(include_str!("../files/abuse/judged.json")).unwrap();
     let mut wrong = Vec::new();
     for Judged { file, was, now, .. } in list.into_iter().filter(|judged| judged.is_dear == dear) {
         let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/files/abuse").join(&file);
