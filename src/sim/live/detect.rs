@@ -107,12 +107,11 @@ fn find_pairs<S: Real>(state: &mut Cluster<S>, common: &Common<S>, old: &Sides) 
     for &(p, number) in &state.corners {
         near.clear();
         let (x, body) = (state.now[p as usize], state.body_of[p as usize]);
-        let radius = if body == OBSTACLE { S::ZERO } else { common.bodies.list[state.bodies[body as usize]].radius };
-        let around = radius + state.promised[p as usize];
+        let around = radius(state, common, body) + state.promised[p as usize];
         // Edges that are nearer than that were found.
-        let sure = |common: &Common<S>, state: &Cluster<S>, edge: usize| match state.edges[edge].body {
+        let sure = |edge: usize| match state.edges[edge].body {
             OBSTACLE => around,
-            of => around + least + common.bodies.list[state.bodies[of as usize]].radius,
+            of => around + least + radius(state, common, of),
         };
         let mut see = |edge: usize| {
             let found = find(&lines[edge], edge, x, around);
@@ -126,7 +125,7 @@ fn find_pairs<S: Real>(state: &mut Cluster<S>, common: &Common<S>, old: &Sides) 
         for found in &near {
             let key = u64::from(number) << 32 | u64::from(state.edges[found.edge].number);
             let known = before.side(key).or_else(|| sides.side(key));
-            let side = known.unwrap_or_else(|| side(state, p, found, (&near, sure(common, state, found.edge))));
+            let side = known.unwrap_or_else(|| side(state, p, found, (&near, sure(found.edge))));
             if side == 0 && body == state.edges[found.edge].body {
                 continue;
             }
@@ -245,8 +244,12 @@ fn distance<S: Real>(state: &Cluster<S>, common: &Common<S>, body: u32, edge: &S
     if body == OBSTACLE || edge.body == OBSTACLE {
         return S::ZERO;
     }
-    let radius = |body: u32| common.bodies.list[state.bodies[body as usize]].radius;
-    radius(body) + radius(edge.body)
+    radius(state, common, body) + radius(state, common, edge.body)
+}
+
+/// The radius of the skin of a body [m]; of obstacles none.
+fn radius<S: Real>(state: &Cluster<S>, common: &Common<S>, body: u32) -> S {
+    if body == OBSTACLE { S::ZERO } else { common.bodies.list[state.bodies[body as usize]].radius }
 }
 
 /// Where a point lies of an edge, if that is near.
@@ -284,10 +287,8 @@ fn lines<S: Real>(state: &Cluster<S>, common: &Common<S>) -> Vec<Line<S>> {
     let line = |edge: &Side| {
         let [a, b] = edge.ends.map(|end| state.now[end as usize]);
         let along = sub(b, a);
-        let own =
-            if edge.body == OBSTACLE { S::ZERO } else { common.bodies.list[state.bodies[edge.body as usize]].radius };
         let [goes_a, goes_b] = edge.ends.map(|end| state.promised[end as usize]);
-        let reach = own + goes_a.max(goes_b);
+        let reach = radius(state, common, edge.body) + goes_a.max(goes_b);
         Line { from: a, along, square: dot(along, along), reach, body: edge.body, ends: edge.ends }
     };
     state.edges.iter().map(line).collect()
