@@ -24,6 +24,26 @@ pub fn borne(
     (!is_whole).then(|| triangles.iter().filter(is_borne).copied().collect())
 }
 
+/// The numbers of the triangles that have the corners of one before them, in any order, ascending.
+pub(crate) fn repeats(triangles: &[[PointId; 3]]) -> Vec<usize> {
+    let sorted = |(mut corners, k): ([PointId; 3], u32)| {
+        corners.sort_unstable();
+        (corners, k)
+    };
+    let mut list: Vec<([PointId; 3], u32)> = triangles.iter().copied().zip(0..).map(sorted).collect();
+    list.sort_unstable();
+    let again = |pair: &[([PointId; 3], u32)]| (pair[0].0 == pair[1].0).then_some(pair[1].1 as usize);
+    let mut found: Vec<usize> = list.windows(2).filter_map(again).collect();
+    found.sort_unstable();
+    found
+}
+
+/// A list without the entries of these numbers, which ascend.
+pub(crate) fn without<T: Copy>(list: &[T], numbers: &[usize]) -> Vec<T> {
+    let is_left = |&(k, _): &(usize, &T)| numbers.binary_search(&k).is_err();
+    list.iter().enumerate().filter(is_left).map(|(_, entry)| *entry).collect()
+}
+
 /// The triangles with their corners anticlockwise, in the plane; `None`: they are.
 ///
 /// Shapes: `place` says where every corner is [m].
@@ -121,6 +141,14 @@ mod tests {
             }),
             None
         );
+    }
+
+    #[test]
+    fn triangles_that_repeat_others_are_found_whatever_their_order() {
+        let list = [[0, 1, 2], [3, 2, 1], [2, 1, 0], [1, 2, 3], [1, 2, 0], [4, 5, 6]].map(|c: [u32; 3]| c.map(PointId));
+        assert_eq!(repeats(&list), [2, 3, 4]);
+        assert_eq!(without(&list, &repeats(&list)), [list[0], list[1], list[5]]);
+        assert!(repeats(&list[..2]).is_empty() && repeats(&[]).is_empty());
     }
 
     #[test]

@@ -12,9 +12,13 @@ pub struct Plane<const D: usize> {
     pub normal: [f64; D],
     /// v_n -> -restitution v_n on touching [1], >= 0.
     pub restitution: f64,
-    /// |change of v_t| <= friction |change of v_n| [1], >= 0.
+    /// |change of v_t| <= friction |change of v_n| [1], >= 0; more than 30 is taken as 30.
     pub friction: f64,
 }
+
+/// The largest coefficient of friction [1]: it holds what stands on a slope of 88 degrees. Of more a step is too long to be stopped
+/// by in time, and what should stand turns back with the speed that friction gave it.
+const MOST_FRICTION: f64 = 30.0;
 
 /// A plane as the kernels read it.
 #[derive(Clone, Copy, Debug)]
@@ -44,7 +48,7 @@ impl<S: Real, const D: usize> Surface<S, D> {
             offset: S::from_f64(offset),
             slack: S::EPSILON * S::from_f64(64.0 * (1.0 + offset.abs().max(reach))),
             restitution: S::from_f64(plane.restitution),
-            friction: S::from_f64(plane.friction),
+            friction: S::from_f64(plane.friction.min(MOST_FRICTION)),
         }
     }
 

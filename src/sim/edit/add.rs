@@ -14,7 +14,7 @@ use crate::sim::force::steady::Force;
 use crate::sim::model::{Model, check_triangle};
 use crate::sim::plan::{self, Cleared};
 use crate::sim::real::Real;
-use crate::sim::triangles::turned;
+use crate::sim::triangles::{repeats, turned, without};
 use crate::sim::vector::{add, convert, truncate, zero};
 use crate::sim::world::World;
 
@@ -26,6 +26,10 @@ impl<S: Real, const D: usize> World<S, D> {
         self.add_obstacles(&mut model, &addition.obstacles)?;
         self.add_points(&mut model, addition);
         let (old_areas, old_angle) = (model.rest_areas.len(), self.model.angles.next);
+        let repeated = if addition.triangles.is_empty() { Vec::new() } else { repeats(&model.triangles) };
+        if !repeated.is_empty() {
+            model.triangles = without(&model.triangles, &repeated);
+        }
         self.add_form(&mut model, addition);
         model.check_surroundings().map_err(|error| invalid(error.to_string()))?;
         if addition.position.is_empty()
@@ -65,6 +69,7 @@ impl<S: Real, const D: usize> World<S, D> {
         self.obstacles = obstacles.unwrap_or_else(|| self.obstacles.clone());
         let angles = old_angle..model.angles.next;
         self.model = Arc::new(model);
+        self.warn_of_repeats(&repeated);
         self.warn_of_areas(old_areas);
         self.weigh((first..first + count).chain(touched));
         let cleared = self.clear_new(first, addition);
@@ -89,6 +94,7 @@ impl<S: Real, const D: usize> World<S, D> {
         }
         self.spread();
         self.attach(detached);
+        self.warn_of_stops_now(angles.clone());
         Ok(Applied { angles, ..applied })
     }
 

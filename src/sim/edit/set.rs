@@ -138,6 +138,9 @@ impl<S: Real, const D: usize> World<S, D> {
         let detached = self.detach(&self.free_points_of(&places), false);
         Arc::make_mut(&mut self.model).angles = changed;
         self.attach(detached);
+        if to.range.is_some() {
+            angles.iter().for_each(|&number| self.warn_of_stops_now(number..number + 1));
+        }
         Ok(done(true))
     }
 

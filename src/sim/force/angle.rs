@@ -9,6 +9,8 @@ use crate::sim::vector::{dot, scale, sub};
 
 /// Share of an arm's length at the start below which the arm pulls less and less: at none it has no direction.
 const LEAST_ARM: f64 = 0.1;
+/// How far beyond its range an angle may be to count as at its stop [rad]: what numbers in a file leave.
+const AT_STOP: f64 = 1e-6;
 
 /// An angle that resists, as a model has it.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -29,6 +31,15 @@ pub struct Angle {
     pub arms: [f64; 2],
     /// Stiffness beyond the range [N m]; 0: still to be worked out from what acts on its body.
     pub stop: f64,
+}
+
+impl Angle {
+    /// The energy [J] with which its stops push it in where its points are at these places [m]; 0 within its range.
+    pub(crate) fn pushed_in<const D: usize>(&self, places: [[f64; D]; 3]) -> f64 {
+        let Some([least, most]) = self.range else { return 0.0 };
+        let beyond = wrapped(measured(places).0 - 0.5 * (least + most)).abs() - 0.5 * (most - least);
+        if beyond > AT_STOP { 0.5 * self.stop * beyond * beyond } else { 0.0 }
+    }
 }
 
 /// The angles of a model.

@@ -11,6 +11,7 @@ pub(crate) mod saved;
 mod skins;
 mod start;
 mod state;
+mod warnings;
 
 use std::sync::Arc;
 

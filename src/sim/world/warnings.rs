@@ -1,0 +1,141 @@
+//! What a world tells whoever made it or edited it: what of it cannot be as it was said.
+
+use std::ops::Range;
+
+use super::World;
+use crate::sim::bond::{Bond, BondKind, PointId};
+use crate::sim::force::angle::Angle;
+use crate::sim::plan::Cleared;
+use crate::sim::plan_part::PlanPart;
+use crate::sim::real::Real;
+use crate::sim::solver::Solver;
+use crate::sim::vector::{length, sub};
+
+impl<S: Real, const D: usize> World<S, D> {
+    /// Tells of bonds, by their numbers, that were given other lengths.
+    pub(crate) fn warn_of_lengths(&mut self, changed: &[usize]) {
+        if !changed.is_empty() {
+            self.warnings.push(format!(
+                "rigid bonds contradict each other: {} were given the lengths of the nearest shape: make them agree",
+                list(changed)
+            ));
+        }
+    }
+
+    pub(crate) fn warn_of_overlap(&mut self, cleared: &Cleared<D>) {
+        let several = |count: usize| match count {
+            1 => "a body".to_owned(),
+            _ => format!("{count} bodies"),
+        };
+        if !cleared.moves.is_empty() {
+            self.warnings.push(format!(
+                "{} started inside an obstacle: moved out as a whole, by up to {:.3} m",
+                several(cleared.moves.len()),
+                cleared.furthest()
+            ));
+        }
+        if cleared.stuck > 0 {
+            self.warnings.push(format!(
+                "{} started inside an obstacle without a way out, or pinned: only points are put out, one by one, as far \
+                 as bonds let them",
+                several(cleared.stuck)
+            ));
+        }
+    }
+
+    pub(super) fn warn_of_pins(&mut self, position: &[[f64; D]]) {
+        let w = &self.inverse_mass;
+        let leads = |point: PointId| self.model.pin_motion.iter().any(|(led, _)| *led == point);
+        let stands = |bond: &(usize, Bond)| {
+            let (a, b) = (bond.1.a, bond.1.b);
+            let d = length(sub(position[a.index()], position[b.index()]));
+            let is_off = (d - bond.1.rest_length).abs() > 1e-8 * bond.1.rest_length.max(1.0);
+            let is_fixed = w[a.index()] + w[b.index()] == 0.0;
+            bond.1.kind == BondKind::Rigid && is_fixed && (is_off || leads(a) || leads(b))
+        };
+        let between: Vec<usize> = self.bonds.iter().enumerate().filter(stands).map(|(k, _)| k).collect();
+        if !between.is_empty() {
+            let text = format!("{} cannot hold: both ends are pinned, and not at that length", list(&between));
+            self.warnings.push(text);
+        }
+    }
+
+    /// Tells of a wind that pushes nothing.
+    pub(crate) fn warn_of_wind(&mut self) {
+        if self.model.has_idle_wind() {
+            self.warnings.push("the wind pushes nothing, for there is no drag: give `drag_rate`".to_owned());
+        }
+    }
+
+    /// Tells of triangles from the `first` on that resist no change of their area, as they have none.
+    pub(crate) fn warn_of_areas(&mut self, first: usize) {
+        let resist = self.model.areas.is_some_and(|areas| areas.stiffness > 0.0);
+        let flat: Vec<usize> =
+            (first..self.model.rest_areas.len()).filter(|&k| self.model.rest_areas[k] == 0.0).collect();
+        if resist && !flat.is_empty() {
+            let text = format!("{} of area 0 at the start: left out of `areas`", named("triangle", &flat));
+            self.warnings.push(text);
+        }
+    }
+
+    /// Tells of triangles that were left out, as others have their corners.
+    pub(crate) fn warn_of_repeats(&mut self, repeated: &[usize]) {
+        if !repeated.is_empty() {
+            let text = format!("{} repeated: left out, as others have these corners", named("triangle", repeated));
+            self.warnings.push(text);
+        }
+    }
+
+    /// Tells of joints of these numbers that are outside their stops where their points are at the start [m]: the stops push them in as
+    /// stiff springs do.
+    pub(super) fn warn_of_stops(&mut self, numbers: Range<u32>, place: impl Fn(PointId) -> [f64; D]) {
+        let words = self.outside_stops(numbers, place);
+        self.warnings.extend(words);
+    }
+
+    /// The same, where the points are now.
+    pub(crate) fn warn_of_stops_now(&mut self, numbers: Range<u32>) {
+        let words = self.outside_stops(numbers, |point| self.place(point.index()));
+        self.warnings.extend(words);
+    }
+
+    fn outside_stops(&self, numbers: Range<u32>, place: impl Fn(PointId) -> [f64; D]) -> Option<String> {
+        let outside = |angle: &Angle| {
+            let energy = angle.pushed_in(angle.points.map(&place));
+            (energy > 0.0).then_some((angle.number as usize, energy))
+        };
+        let asked = self.model.angles.list.iter().filter(|angle| numbers.contains(&angle.number));
+        let (found, energies): (Vec<usize>, Vec<f64>) = asked.filter_map(outside).unzip();
+        (!found.is_empty()).then(|| {
+            format!(
+                "{} outside `min` to `max` at the start: the stops push with {:.2e} J: start them within",
+                named("angle", &found),
+                energies.iter().sum::<f64>()
+            )
+        })
+    }
+
+    pub(super) fn warn_of_limits(&mut self) {
+        let is_swept = |part: &&PlanPart| part.solver == Solver::Path && part.kernel.is_empty() && part.bonds > 0;
+        let swept: usize = self.plan.parts.iter().filter(is_swept).map(|part| part.bonds).sum();
+        if swept > 0 {
+            let text = format!("bonds with a limit make no paths: {swept} bonds beside them are swept as xpbd does");
+            self.warnings.push(text);
+        }
+    }
+}
+
+/// "bond 3", "bonds 1, 2 and 4", the first few of many.
+fn list(bonds: &[usize]) -> String {
+    named("bond", bonds)
+}
+
+fn named(what: &str, numbers: &[usize]) -> String {
+    const MOST: usize = 8;
+    let shown: Vec<String> = numbers.iter().take(MOST).map(usize::to_string).collect();
+    match (&shown[..], numbers.len()) {
+        ([one], _) => format!("{what} {one}"),
+        (some, count) if count > MOST => format!("{what}s {} and {} more", some.join(", "), count - MOST),
+        (some, _) => format!("{what}s {} and {}", some[..some.len() - 1].join(", "), some[some.len() - 1]),
+    }
+}
