@@ -167,6 +167,9 @@ fn write_table(out: Option<&Path>, has_hash: bool, recording: &Recording) -> any
     for warning in &recording.warnings {
         writeln!(std::io::stderr(), "wobble: warning: {warning}")?;
     }
+    if let Some(balance) = recording.balance.as_ref().filter(|balance| !balance.is_kept) {
+        writeln!(std::io::stderr(), "wobble: warning: {}", balance.words())?;
+    }
     if has_hash {
         writeln!(std::io::stdout(), "{}", recording.hash)?;
     }

@@ -281,6 +281,21 @@ impl From<Verdict> for RecordedBalance {
     }
 }
 
+impl RecordedBalance {
+    /// What was not kept, and how much of it.
+    pub fn words(&self) -> String {
+        use crate::sim::{MOST_GAIN, MOST_LOSS};
+        let share = |share: f64, most: f64, at: f64| {
+            format!("{:.1} % of the largest kinetic energy by {at:.3} s, where {} % may", 100.0 * share, 100.0 * most)
+        };
+        match (self.gain <= MOST_GAIN, self.loss <= MOST_LOSS) {
+            (true, true) => "the energy was kept".to_owned(),
+            (false, _) => format!("energy came from nowhere: {}", share(self.gain, MOST_GAIN, self.gain_at)),
+            (true, false) => format!("energy went without a reason: {}", share(self.loss, MOST_LOSS, self.loss_at)),
+        }
+    }
+}
+
 impl RecordedSample {
     /// A sample of a scene in `dimensions`.
     pub fn new(sample: &Sample, dimensions: usize) -> Self {

@@ -2,24 +2,26 @@
 
 use std::io::Write;
 use std::path::PathBuf;
+use std::sync::{Arc, Mutex, PoisonError};
 use std::time::{Duration, Instant};
 
 use clap::Args;
 
 use super::{command, commit};
-use crate::cli::{progress, values};
+use crate::cli::{progress, stop, values};
 use crate::history::Start;
 use crate::study::stability::battery::{self, Family};
 use crate::study::stability::{
-    Ended, Judged, StabilityReport, StabilitySettings, Subject, Sweep, find_sweep, measure_stability, sweeps,
+    Ended, Fault, Judged, StabilityReport, StabilitySettings, Subject, Sweep, find_sweep, measure_stability, sweeps,
 };
 use crate::study::{self, StudyError};
 
-/// Least time between two looks at the disk: an interrupt loses what was done since.
+/// Least time between two copies of what was found: an interrupt loses what was done since, and the run under way.
+const COPIED_EVERY: Duration = Duration::from_millis(500);
+/// The same of files, which are for the case that the program is killed.
 const KEPT_EVERY: Duration = Duration::from_secs(5);
 /// How many times as long as it took to write it is not written again, up to [`KEPT_AT_LEAST_EVERY`].
 const APART: u32 = 20;
-/// The most that an interrupt loses, but for the run under way.
 const KEPT_AT_LEAST_EVERY: Duration = Duration::from_secs(60);
 
 /// What to judge and where to write it.
@@ -86,24 +88,42 @@ impl Stability {
         let (settings, subjects) = (self.settings(), self.subjects()?);
         StabilityReport::ready(&self.out)?;
         let bar = progress::tasks(quiet);
-        let (mut written, mut apart) = (Instant::now(), KEPT_EVERY);
+        let latest: Arc<Mutex<Option<StabilityReport>>> = Arc::default();
+        let (mut copied, mut written, mut apart, mut is_new) = (None, Instant::now(), KEPT_EVERY, true);
         let mut keep = |report: &mut StabilityReport| {
+            if std::mem::take(&mut is_new) {
+                report.take_over(&self.out);
+                self.sign(report);
+            }
+            if copied.is_none_or(|at: Instant| at.elapsed() >= COPIED_EVERY) {
+                *latest.lock().unwrap_or_else(PoisonError::into_inner) = Some(report.clone());
+                copied = Some(Instant::now());
+            }
             if written.elapsed() < apart {
                 return Ok(());
             }
             let begun = Instant::now();
             report.sum_up();
-            self.sign(report);
             report.write(&self.out)?;
             (written, apart) = (Instant::now(), (APART * begun.elapsed()).clamp(KEPT_EVERY, KEPT_AT_LEAST_EVERY));
             Ok(())
         };
+        let keeping = stop::keeping({
+            let (latest, out) = (Arc::clone(&latest), self.out.clone());
+            move || {
+                let mut report = latest.lock().unwrap_or_else(PoisonError::into_inner).take()?;
+                report.sum_up();
+                report.write(&out).ok()?;
+                Some(format!("what was judged until then ({}) is in {}", report.done(), out.display()))
+            }
+        });
         let mut show = |now: study::Progress<'_>| {
             bar.set_length(now.total);
             bar.set_position(now.done);
             bar.set_message(now.problem.to_owned());
         };
         let mut report = measure_stability::<StudyError>(&subjects, &settings, &mut show, &mut keep)?;
+        drop(keeping);
         bar.finish_and_clear();
         self.sign(&mut report);
         report.write(&self.out)?;
@@ -161,5 +181,8 @@ fn tell(judged: &Judged) -> std::io::Result<()> {
         _ if faults.is_empty() => "holds".to_owned(),
         _ => faults.join(", "),
     };
+    // What was asked for is told also where it is kept.
+    let told = found.told.filter(|told| told.is_finite() && !found.faults.contains(&Fault::Untold));
+    let words = told.map_or(words.clone(), |told| format!("{words}; the error asked for is kept ({told:.2e} of it)"));
     writeln!(std::io::stdout(), "{}: {words}", judged.name)
 }

@@ -23,8 +23,10 @@ pub(crate) fn outcomes(runs: &[SweepRun]) -> Figure {
             methods.push(run.method);
         }
     }
-    let (left, top) = (196.0, 150.0);
-    let mut figure = Figure::new(left + CELL * methods.len() as f64 + 24.0, top + ROW * sweeps.len() as f64 + 24.0);
+    let (left, top) = (286.0, 150.0);
+    // The line above the columns is to fit, however few there are.
+    let width = (left + CELL * methods.len() as f64 + 24.0).max(LEGEND);
+    let mut figure = Figure::new(width, top + ROW * sweeps.len() as f64 + 24.0);
     figure.text([18.0, 24.0], "Where methods hold, degrade and break", TITLE, Anchor::Start, TEXT);
     legend(&mut figure, [18.0, 50.0]);
     for (column, method) in methods.iter().enumerate() {
@@ -32,7 +34,11 @@ pub(crate) fn outcomes(runs: &[SweepRun]) -> Figure {
     }
     for (row, sweep) in sweeps.iter().enumerate() {
         let y = top + ROW * row as f64;
-        figure.text([left - 10.0, y + 0.5 * ROW], *sweep, SMALL, Anchor::End, TEXT);
+        let values = runs.iter().filter(|run| run.sweep == *sweep).map(|run| run.value);
+        let [least, most] =
+            values.fold([f64::INFINITY, 0.0], |[least, most], value| [value.min(least), value.max(most)]);
+        let name = format!("{sweep}, {least:e} to {most:e}");
+        figure.text([left - 10.0, y + 0.5 * ROW], name, SMALL, Anchor::End, TEXT);
         for (column, method) in methods.iter().enumerate() {
             let x = left + CELL * column as f64;
             let own: Vec<&SweepRun> = runs.iter().filter(|run| run.sweep == *sweep && run.method == *method).collect();
@@ -55,13 +61,22 @@ fn colour(outcome: Outcome) -> RGBColor {
     }
 }
 
+/// Width of a figure that its legend fits in.
+const LEGEND: f64 = 760.0;
+
 fn legend(figure: &mut Figure, [mut x, y]: [f64; 2]) {
     for outcome in [Outcome::Holds, Outcome::Degrades, Outcome::Breaks, Outcome::Refused] {
         figure.block([x, y - 6.0], [x + 20.0, y + 6.0], colour(outcome));
         figure.text([x + 26.0, y], outcome.name(), LABEL, Anchor::Start, TEXT);
         x += 104.0;
     }
-    figure.text([x, y], "values from small on the left to large on the right", SMALL, Anchor::Start, TEXT);
+    figure.text(
+        [x, y],
+        "in each cell values from the least on the left to the largest on the right",
+        SMALL,
+        Anchor::Start,
+        TEXT,
+    );
 }
 
 /// Room between rows of two kinds, of a row's height [1].

@@ -127,9 +127,9 @@ fn limits(report: &StabilityReport, text: &mut String) {
     line!(text, "\n## Where methods hold, degrade and break\n");
     line!(
         text,
-        "The last value that holds, going out from the most harmless one, then the first that fails, and the first that breaks (not \
+        "The last value that holds, going out from the most harmless one at which the method does, then the first that fails, and the first that breaks (not \
          finite, twice the energy, bonds of twice their length, or no end), where that is another one. Where smaller values fail too \
-         both ends are given, and the first that fails below. `all`: nothing fails; `none`: the most harmless value fails.\n"
+         both ends are given, and the first that fails below. `all`: nothing fails; `none`: all that were tried fail.\n"
     );
     line!(text, "| sweep | {} |", methods.join(" | "));
     line!(text, "|---|{}", "---|".repeat(methods.len()));

@@ -3,7 +3,7 @@
 use std::io::Write;
 use std::path::Path;
 
-use serde::Serialize;
+use serde::{Deserialize, Serialize};
 
 use super::counted::Counted;
 use super::files::{SceneFile, WORST};
@@ -58,8 +58,12 @@ pub struct StabilityReport {
     #[serde(skip)]
     pub scenes: Vec<SceneFile>,
     /// Places of scenes that were written out earlier, and whose they are: what is meant no longer is taken away.
-    #[serde(skip)]
-    pub(super) written: Vec<(String, usize)>,
+    #[serde(rename = "scenes", serialize_with = "places")]
+    pub(super) written: Vec<(String, Option<usize>)>,
+}
+
+fn places<T: serde::Serializer>(written: &[(String, Option<usize>)], to: T) -> Result<T::Ok, T::Error> {
+    to.collect_seq(written.iter().map(|(place, _)| place))
 }
 
 impl StabilityReport {
@@ -86,35 +90,60 @@ impl StabilityReport {
     }
 
     /// Writes all files into a folder, which is made if need be; an interrupt waits until all are there. A table without a row is not
-    /// written.
+    /// written, and one of an earlier study goes.
     ///
     /// Errors: the folder cannot be made, a plot cannot be drawn or a file cannot be written.
     pub fn write(&mut self, folder: &Path) -> Result<(), StudyError> {
         let _whole = together();
-        self.write_tables(folder)?;
         self.write_scenes(folder)?;
-        if !self.sweeps.is_empty() {
-            plot::write(folder, PLOTS[0], &plot::outcomes(&self.sweeps))?;
-        }
-        if self.groups.iter().any(|group| group.by == "family") {
-            plot::write(folder, PLOTS[1], &plot::shares(&self.groups))?;
-            plot::write(folder, PLOTS[2], &plot::rates(&self.judged))?;
+        self.write_tables(folder)?;
+        let has_families = self.groups.iter().any(|group| group.by == "family");
+        for (name, is_drawn) in PLOTS.into_iter().zip([!self.sweeps.is_empty(), has_families, has_families]) {
+            if is_drawn {
+                let plot = match name {
+                    "sweeps" => plot::outcomes(&self.sweeps),
+                    "faults" => plot::shares(&self.groups),
+                    _ => plot::rates(&self.judged),
+                };
+                plot::write(folder, name, &plot)?;
+            } else {
+                ["svg", "png"].iter().for_each(|ending| remove(&folder.join(format!("{name}.{ending}"))));
+            }
         }
         Ok(())
+    }
+
+    /// What there is, in words.
+    pub fn done(&self) -> String {
+        match (self.sweeps.len(), self.judged.len()) {
+            (0, judged) => format!("{judged} scenes"),
+            (runs, 0) => format!("{runs} runs of sweeps"),
+            (runs, judged) => format!("{runs} runs of sweeps, {judged} scenes"),
+        }
+    }
+
+    /// Takes over a folder that an earlier study may have written to: its scenes go where this one does not write them too.
+    pub fn take_over(&mut self, folder: &Path) {
+        let earlier = std::fs::read(folder.join(DATA)).ok().and_then(|data| serde_json::from_slice(&data).ok());
+        let Some(Earlier { scenes }) = earlier else { return };
+        let is_own = |place: &String| {
+            let name = place.strip_prefix(WORST).and_then(|rest| rest.strip_prefix('/')).unwrap_or(place);
+            name.ends_with(".json") && name != DATA && !name.contains(['/', '\\'])
+        };
+        self.written = scenes.into_iter().filter(is_own).map(|place| (place, None)).collect();
     }
 
     fn write_scenes(&mut self, folder: &Path) -> Result<(), StudyError> {
         if self.scenes.iter().any(|scene| scene.place.starts_with(WORST)) {
             make_folder(&folder.join(WORST))?;
         }
-        let meant: Vec<(String, usize)> =
-            self.scenes.iter().map(|scene| (scene.place.clone(), scene.subject)).collect();
+        let meant: Vec<(String, Option<usize>)> =
+            self.scenes.iter().map(|scene| (scene.place.clone(), Some(scene.subject))).collect();
         for (scene, mark) in self.scenes.iter().zip(&meant).filter(|(_, mark)| !self.written.contains(mark)) {
             scene.recording.save(&folder.join(&mark.0))?;
         }
         for (place, _) in self.written.iter().filter(|(place, _)| !meant.iter().any(|other| other.0 == *place)) {
-            // What cannot be taken away does no harm.
-            let _ = std::fs::remove_file(folder.join(place));
+            remove(&folder.join(place));
         }
         self.written = meant;
         Ok(())
@@ -141,7 +170,23 @@ fn table(
     is_empty: bool,
     write: impl FnOnce(&mut dyn Write) -> std::io::Result<()>,
 ) -> Result<(), StudyError> {
-    if is_empty { Ok(()) } else { Ok(replace(&folder.join(format!("{name}.csv")), write)?) }
+    let file = folder.join(format!("{name}.csv"));
+    if is_empty {
+        remove(&file);
+        return Ok(());
+    }
+    Ok(replace(&file, write)?)
+}
+
+/// Takes away a file of an earlier study; what cannot be taken away does no harm.
+fn remove(file: &Path) {
+    let _ = std::fs::remove_file(file);
+}
+
+/// What an earlier study says of its scenes.
+#[derive(Deserialize)]
+struct Earlier {
+    scenes: Vec<String>,
 }
 
 /// A column a field.

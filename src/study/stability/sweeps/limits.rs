@@ -4,7 +4,8 @@ use serde::Serialize;
 
 use super::{Outcome, Sweep, SweepRun};
 
-/// A method over a sweep: from where to where it holds, going out from the most harmless value, and what fails first beyond.
+/// A method over a sweep: from where to where it holds, going out from the value nearest to the most harmless one at which it does, and
+/// what fails first beyond.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct LimitRow {
     /// The sweep.
@@ -40,7 +41,7 @@ pub fn limits(sweep: &Sweep, runs: &[SweepRun]) -> Vec<LimitRow> {
 
 fn row(sweep: &Sweep, method: &'static str, runs: &[SweepRun]) -> LimitRow {
     let own: Vec<&SweepRun> = runs.iter().filter(|run| run.sweep == sweep.name && run.method == method).collect();
-    let home = sweep.values[sweep.home];
+    let home = home(sweep, &own);
     let up: Vec<&SweepRun> = own.iter().copied().filter(|run| run.value >= home).collect();
     let down: Vec<&SweepRun> = own.iter().rev().copied().filter(|run| run.value <= home).collect();
     let (holds_to, above) = walk(&up);
@@ -57,6 +58,14 @@ fn row(sweep: &Sweep, method: &'static str, runs: &[SweepRun]) -> LimitRow {
         breaks_above: breaks(&up),
         why: above.or(below).map_or(String::new(), why),
     }
+}
+
+/// The value that a method holds at nearest to the most harmless one, the smaller of two; where it holds nowhere the most harmless one.
+fn home(sweep: &Sweep, own: &[&SweepRun]) -> f64 {
+    let place = |value: f64| sweep.values.iter().position(|other| *other == value).unwrap_or_default();
+    let holds = own.iter().filter(|run| run.outcome == Outcome::Holds).map(|run| run.value);
+    let nearest = holds.min_by_key(|&value| place(value).abs_diff(sweep.home));
+    nearest.unwrap_or(sweep.values[sweep.home])
 }
 
 /// The last value that holds on a way out from home, and the first run that does not.
@@ -95,5 +104,26 @@ mod tests {
         assert_eq!((row.holds_from, row.holds_to), (value(1), value(2)));
         assert_eq!((row.fails_below, row.fails_above), (value(0), value(3)));
         assert_eq!((row.breaks_below, row.breaks_above), (value(0), value(5)));
+    }
+
+    #[test]
+    fn what_holds_beside_the_most_harmless_value_alone_is_no_none() {
+        let sweep = find_sweep("stiffness").unwrap();
+        let solver = crate::scene::SolverName::Auto;
+        let bounds = crate::study::stability::Bounds { work: 0.1, seconds: 60.0 };
+        let one = sweep.run(sweep.values[sweep.home], solver, bounds).unwrap();
+        let outcomes = [Outcome::Holds, Outcome::Holds, Outcome::Degrades, Outcome::Breaks];
+        let first = sweep.home - 2;
+        let runs = |outcomes: &[Outcome]| -> Vec<SweepRun> {
+            let run =
+                |(k, &outcome): (usize, &Outcome)| SweepRun { value: sweep.values[first + k], outcome, ..one.clone() };
+            outcomes.iter().enumerate().map(run).collect()
+        };
+        let row = limits(sweep, &runs(&outcomes)).remove(0);
+        let value = |k: usize| Some(sweep.values[first + k]);
+        assert_eq!((row.holds_from, row.holds_to), (value(0), value(1)));
+        assert_eq!((row.fails_below, row.fails_above, row.breaks_above), (None, value(2), value(3)));
+        let row = limits(sweep, &runs(&[Outcome::Breaks; 4])).remove(0);
+        assert_eq!((row.holds_from, row.holds_to, row.fails_above), (None, None, value(2)));
     }
 }
