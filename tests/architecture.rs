@@ -1,7 +1,6 @@
 //! Holds the arrows between rooms that ARCHITECTURE.md draws, by the paths that the code names.
 #![allow(clippy::unwrap_used, clippy::panic, reason = "a test that cannot go on stops")]
 
-#[path = "architecture/paths.rs"]
 mod paths;
 
 use std::collections::BTreeSet;

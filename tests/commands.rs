@@ -1,10 +1,8 @@
 //! What commands do to a running world: what they name changes, all else keeps its bits, and a refused one changes nothing.
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic, reason = "a test that cannot go on stops")]
 
-#[path = "commands/meeting.rs"]
 mod meeting;
-#[path = "common/commands.rs"]
-mod random;
+use crate::common::commands as random;
 
 use random::Generator;
 use wobble::scene::Scene;

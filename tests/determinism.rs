@@ -1,7 +1,7 @@
 //! The same input gives the same bits: twice, after saving and loading, expanded, and as it was when this was written.
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic, reason = "a test that cannot go on stops")]
 
-mod common;
+use crate::common;
 
 use std::path::Path;
 

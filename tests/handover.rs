@@ -1,11 +1,8 @@
 //! Islands that go from their own methods to the live step, by budget and on alarms, and back.
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic, reason = "a test that cannot go on stops")]
 
-#[path = "handover/meet.rs"]
 mod meet;
-#[path = "handover/shift.rs"]
 mod shift;
-#[path = "handover/wake.rs"]
 mod wake;
 
 use std::path::Path;

@@ -1,10 +1,8 @@
 //! A world with its past: undo, redo, going back and branches come to the same bits.
 #![allow(clippy::unwrap_used, clippy::panic, reason = "a test that cannot go on stops")]
 
-#[path = "history/autosave.rs"]
 mod autosave;
-mod common;
-#[path = "history/keyframes.rs"]
+use crate::common;
 mod keyframes;
 
 use common::session::{Dice, play as play_at_random};

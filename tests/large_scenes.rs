@@ -1,7 +1,7 @@
 //! Pictures of large scenes: what is not in view is not drawn, and what cannot be told apart is drawn by fewer.
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic, reason = "a test that cannot go on stops")]
 
-mod common;
+use crate::common;
 
 use common::picture::{bond, plain, view};
 use glam::{DVec2, DVec3};

@@ -1,7 +1,7 @@
 //! The ledger of a world against closed forms: where energy comes from, where it goes, and what the method itself makes.
 #![allow(clippy::unwrap_used, reason = "a test that cannot go on stops")]
 
-mod common;
+use crate::common;
 
 use common::physics::{rim, run_to, spring};
 use wobble::scene::record::{hash, ledgers};

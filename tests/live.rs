@@ -1,27 +1,17 @@
 //! Bodies that meet: in the plane, on floors, slopes and points, at thin walls, in heaps, and alone in flight.
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic, reason = "a test that cannot go on stops")]
 
-#[path = "live/bad.rs"]
 mod bad;
-#[path = "live/flight.rs"]
+mod books;
 mod flight;
-#[path = "live/heap.rs"]
 mod heap;
-#[path = "live/rest.rs"]
 mod rest;
-#[path = "live/rigid.rs"]
 mod rigid;
-#[path = "live/sharp.rs"]
 mod sharp;
-#[path = "live/tangle.rs"]
 mod tangle;
-#[path = "live/thin.rs"]
 mod thin;
-#[path = "live/violence.rs"]
 mod violence;
-#[path = "live/wake.rs"]
 mod wake;
-#[path = "live/words.rs"]
 mod words;
 
 use serde_json::{Value, json};

@@ -1,7 +1,7 @@
 //! Pictures of obstacles: areas of pixels against their formula, what is uploaded, and a golden.
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic, reason = "a test that cannot go on stops")]
 
-mod common;
+use crate::common;
 
 use std::f64::consts::TAU;
 

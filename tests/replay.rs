@@ -1,7 +1,7 @@
 //! Recordings as files, through the program: what is done with good ones, and what is said of bad ones.
 #![allow(clippy::unwrap_used, clippy::panic, reason = "a test that cannot go on stops")]
 
-mod common;
+use crate::common;
 
 use std::io::Write;
 use std::path::{Path, PathBuf};

@@ -1,7 +1,7 @@
 //! Off-screen pictures: goldens of scenes, and coverage of a disc and a line against their formulas.
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic, reason = "a test that cannot go on stops")]
 
-mod common;
+use crate::common;
 
 use std::path::Path;
 use std::process::Command;

@@ -1,9 +1,7 @@
 //! Circles in the plane; balls, boxes and planes in space, and cloth that meets them, others and itself.
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic, reason = "a test that cannot go on stops")]
 
-#[path = "space/cloth.rs"]
 mod cloth;
-#[path = "space/obstacles.rs"]
 mod obstacles;
 
 use serde_json::Value;

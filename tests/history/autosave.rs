@@ -85,7 +85,7 @@ fn a_disk_that_cannot_be_written_is_a_note_and_what_was_undone_is_not_saved() {
 /// A program that runs one of the tests below, which do nothing but where they are given a folder.
 #[cfg(unix)]
 fn program(test: &str, folder: &Path, limit: &str) -> Child {
-    let test = format!("autosave::{test}");
+    let test = format!("history::autosave::{test}");
     let call = format!("trap '' XFSZ; {limit} exec \"$0\" --exact \"$1\" --nocapture");
     let mut command = Command::new("sh");
     command.arg("-c").arg(call).arg(std::env::current_exe().unwrap()).arg(test);

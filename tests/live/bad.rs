@@ -97,3 +97,64 @@ fn triangles_without_an_inside_do_no_harm() {
         }
     }
 }
+
+#[test]
+fn many_bodies_in_one_place_come_apart_without_speed() {
+    for count in [6, 24] {
+        let heap = |k: i32| disc([0.03 * f64::from(k), 0.02 * f64::from(5 * k % 7)], [0.0; 2]);
+        let bodies: Vec<Value> = (0..count).map(heap).collect();
+        let scene = json!({"wobble": 1, "contact": true, "bodies": bodies});
+        let mut world = world(&scene);
+        let mut most: f64 = 0.0;
+        while world.time() < 3.0 {
+            world.step();
+            let sample = world.sample(world.time());
+            let twice: f64 =
+                sample.velocity.iter().zip(world.masses()).map(|(v, mass)| mass * (v[0] * v[0] + v[1] * v[1])).sum();
+            most = most.max(0.5 * twice);
+        }
+        // Of 1 kg each: 0.4 m/s in the mean.
+        assert!(most < 0.08 * f64::from(count), "{count}: {most} J");
+        assert!(world.energy() < 0.1 * f64::from(count), "{count}: springs are squeezed: {} J", world.energy());
+    }
+}
+
+#[test]
+fn a_triangle_named_twice_is_left_out_with_a_word() {
+    let scene = json!({"wobble": 1, "gravity": [0, -9.81], "contact": true, "areas": {"kind": "rigid"},
+        "points": {"position": [[0, 0.5], [0.4, 0.6], [0.1, 0.9]], "velocity": [[1, 0], [0, 0], [0, 1]]},
+        "bonds": [{"a": 0, "b": 1}, {"a": 1, "b": 2}, {"a": 2, "b": 0}],
+        "triangles": [[0, 1, 2], [2, 1, 0]], "bounds": {"min": [-1, 0], "max": [3, 5]}});
+    let world = Scene::parse(&scene.to_string(), "twice.json").unwrap().world(None).unwrap();
+    assert_eq!(world.triangles().len(), 1);
+    assert!(world.warnings().iter().any(|words| words.starts_with("triangle 1 repeated")), "{:?}", world.warnings());
+    let [start, most] = energies("twice", &scene, 2.0);
+    assert!(most < 1.01 * start, "{start} J, then {most} J");
+}
+
+#[test]
+fn a_joint_that_starts_outside_its_stops_is_told_of() {
+    let at = |angle: f64| {
+        json!({"wobble": 1, "points": {"position": [[1, 0], [0, 0], [angle.cos(), angle.sin()]]},
+            "bonds": [{"a": 0, "b": 1}, {"a": 1, "b": 2}],
+            "angles": [{"points": [0, 1, 2], "min": 1.0, "max": 2.0}]})
+    };
+    let words = |angle: f64| {
+        let world = Scene::parse(&at(angle).to_string(), "joint.json").unwrap().world(None).unwrap();
+        world.warnings().iter().filter(|words| words.contains("outside `min` to `max`")).count()
+    };
+    assert_eq!([1.0, 1.5, 2.0, 0.5, 2.5, -2.0].map(words), [0, 0, 0, 1, 1, 1]);
+}
+
+#[test]
+fn walls_that_hold_everything_make_no_energy() {
+    for method in [json!({}), json!({"solver": "live"})] {
+        for friction in [30.0, 1e9] {
+            let scene = json!({"wobble": 1, "gravity": [0, -9.81], "method": method, "contact": true,
+                "bodies": [disc([0.0, 0.5], [6.0, -3.0])],
+                "bounds": {"min": [-1, 0], "max": [1, 5], "friction": friction, "restitution": 0.5}});
+            let [start, most] = energies("walls", &scene, 2.0);
+            assert!(most < 1.01 * start, "{method} {friction}: {start} J, then {most} J");
+        }
+    }
+}

@@ -1,6 +1,6 @@
 //! What nothing touches: its slowest wobble beside the closed form of small swings, its energy, and what a bounce leaves of its speed.
 //!
-//! Springs that swing fast are projected by the live step, not forces: figures that are missed by that are written down as what is reached.
+//! Springs that swing too fast for 128 substeps a frame, or of too many bodies for so many, are projected, and lose their wobble.
 
 use std::f64::consts::{PI, TAU};
 
@@ -168,22 +168,9 @@ fn a_soft_body_wobbles_as_the_closed_form_says() {
     }
 }
 
-/// Bodies whose springs swing or decay too fast to be forces: frequency and decay that are reached at least and at most.
-const PROJECTED: [([f64; 2], f64, f64); 3] =
-    [([3000.0, 2.0], 0.80, 1.8), ([10_000.0, 0.2], 0.65, 27.0), ([30_000.0, 2.0], 0.45, 4.5)];
-
 #[test]
-fn a_stiffer_body_wobbles_slower_than_it_should() {
-    for (spring, least, most) in PROJECTED {
-        let [rate, decay] = wobble(disc, spring, 8);
-        assert!((least..1.02).contains(&rate) && (0.8..most).contains(&decay), "{spring:?}: {rate}, {decay}");
-    }
-}
-
-#[test]
-#[ignore = "not reached: springs that are projected wobble at 0.5 to 0.8 of their frequency and lose up to 25 times as much"]
 fn a_stiffer_body_wobbles_as_the_closed_form_says() {
-    for (spring, ..) in PROJECTED {
+    for spring in [[3000.0, 2.0], [10_000.0, 0.2], [30_000.0, 2.0]] {
         let [rate, decay] = wobble(disc, spring, 8);
         assert!((rate - 1.0).abs() < 0.02 && (decay - 1.0).abs() < 0.2, "{spring:?}: {rate}, {decay}");
     }
@@ -206,24 +193,10 @@ fn kept(stiffness: f64) -> f64 {
 
 #[test]
 fn what_has_no_dampers_keeps_its_energy_for_ten_seconds() {
-    for stiffness in [300.0, 3000.0] {
+    for stiffness in [300.0, 3000.0, 10_000.0, 30_000.0] {
         let kept = kept(stiffness);
         assert!((kept - 1.0).abs() < 0.05, "{stiffness} N/m: {kept}");
     }
-}
-
-#[test]
-fn a_stiffer_body_without_dampers_loses_its_wobble() {
-    // A tenth of the energy is that of the wobble, which goes, and the spin is slowed down.
-    let kept = kept(10_000.0);
-    assert!((0.74..1.01).contains(&kept), "{kept}");
-}
-
-#[test]
-#[ignore = "not reached: springs that are projected lose a quarter of it, all of the wobble among that"]
-fn a_stiffer_body_without_dampers_keeps_its_energy_for_ten_seconds() {
-    let kept = kept(10_000.0);
-    assert!((kept - 1.0).abs() < 0.05, "{kept}");
 }
 
 /// The speed at which a body goes up 0.4 s after it began to fall on a floor at `speed`, over that.
@@ -270,7 +243,7 @@ fn a_single_body_bounces_as_restitution_says() {
     }
     // At this speed it is squeezed until it touches itself, and goes live.
     let [found, right] = [None, Some("rk4")].map(|method| returned(&soft_disc(), 5.0, 0.5, method));
-    assert!((0.88..1.01).contains(&(found / right)), "a soft disc at 5 m/s: {found}, not {right}");
+    assert!((found / right - 1.0).abs() < 0.03, "a soft disc at 5 m/s: {found}, not {right}");
 }
 
 #[test]
@@ -291,22 +264,19 @@ fn a_point_bounces_by_the_live_step_as_restitution_says() {
 }
 
 #[test]
-fn a_body_bounces_by_the_live_step_a_little_less_than_it_should() {
+fn a_soft_body_bounces_by_the_live_step_as_restitution_says() {
     for speed in [2.0, 5.0] {
         for restitution in [0.0, 0.5, 1.0] {
             let body = soft_disc();
             let [found, right] = [Some("live"), Some("rk4")].map(|method| returned(&body, speed, restitution, method));
-            assert!((0.88..1.01).contains(&(found / right)), "{restitution} at {speed} m/s: {found}, not {right}");
+            assert!((found / right - 1.0).abs() < 0.03, "{restitution} at {speed} m/s: {found}, not {right}");
         }
     }
 }
 
 #[test]
-#[ignore = "not reached: a soft disc returns 0.88 to 0.94 of what it should, a box of rigid bonds a quarter"]
-fn a_body_bounces_by_the_live_step_as_restitution_says() {
-    let right = returned(&soft_disc(), 2.0, 0.5, Some("rk4"));
-    let found = returned(&soft_disc(), 2.0, 0.5, Some("live"));
-    assert!((found / right - 1.0).abs() < 0.03, "a soft disc: {found}, not {right}");
+#[ignore = "not reached: a box of rigid bonds returns a quarter of what it should"]
+fn a_rigid_body_bounces_by_the_live_step_as_restitution_says() {
     let found = returned(&rigid_box(), 2.0, 0.5, Some("live"));
     assert!((found / 0.5 - 1.0).abs() < 0.03, "a box: {found}, not 0.5");
 }

@@ -2,7 +2,8 @@
 
 use super::body::{Body, Link};
 use super::cluster::{Cluster, Common};
-use super::{FRAMES, tree};
+use super::gather::SUBSTEPS;
+use super::{FRAMES, part, tree};
 use crate::sim::bond::Limit;
 use crate::sim::kernels::level::vectorized;
 use crate::sim::kernels::links::{self, Entry, Links, Moved};
@@ -12,22 +13,21 @@ use crate::sim::vector::{add, dot, scale, sub};
 /// Most of (w h)^2 and of the decay in a substep at which springs are forces: 4 and 2 would be the edge of stability.
 pub(super) const MOST_PHASE: f64 = 2.0;
 pub(super) const MOST_DECAY: f64 = 0.5;
+/// Shares of its length at rest between which a spring is a force.
+const BORNE: [f64; 2] = [0.5, 2.0];
 /// Share of an error that a bond takes away at once from which on it is hard.
 const HARD: f64 = 0.99;
-/// Most substeps of a frame that a body is given so that its springs can be forces, which keep its energy: stiffer ones are projected.
-const MOST_SUBSTEPS: f64 = 32.0;
 
-/// Whether the springs of a body are forces in substeps of `h` [s]: in flight, where those keep its energy; what touches something is
-/// to come to rest.
-fn are_forces<S: Real>(body: &Body<S>, touches: bool, h: S) -> bool {
-    !touches && body.stiffness * h * h <= S::from_f64(MOST_PHASE) && body.decay * h <= S::from_f64(MOST_DECAY)
+/// Whether the springs of a body are forces in substeps of `h` [s]: where those keep its energy.
+fn are_forces<S: Real>(body: &Body<S>, h: S) -> bool {
+    body.stiffness * h * h <= S::from_f64(MOST_PHASE) && body.decay * h <= S::from_f64(MOST_DECAY)
 }
 
 /// Substeps of a frame that the springs of a body need to be forces, by bounds on the square of their fastest oscillation [1/s^2] and on
 /// their fastest decay [1/s]; 0 where they would need too many.
 pub(super) fn substeps(stiffness: f64, decay: f64) -> u32 {
     let wanted = ((stiffness / MOST_PHASE).sqrt().max(decay / MOST_DECAY) / FRAMES).ceil();
-    if wanted <= MOST_SUBSTEPS { wanted as u32 } else { 0 }
+    if wanted <= f64::from(SUBSTEPS[SUBSTEPS.len() - 1]) { wanted as u32 } else { 0 }
 }
 
 /// What springs that are forces give to velocities in `h` [s].
@@ -131,19 +131,34 @@ impl<S: Real> Hold<S> {
     }
 }
 
+/// Whether a spring is squeezed or stretched beyond what forces bear.
+fn is_crushed<S: Real>(springs: &[Link<S>], now: &[[S; 2]]) -> bool {
+    let [least, most] = BORNE.map(|share| S::from_f64(share * share));
+    springs.iter().any(|link| {
+        let d = sub(now[link.a as usize], now[link.b as usize]);
+        let (square, rest) = (dot(d, d), link.rest * link.rest);
+        link.limit == Limit::Both && !(square >= least * rest && square <= most * rest) && rest > S::ZERO
+    })
+}
+
 /// Works out what the bonds of a cluster need in substeps of `h` [s], in lists of their own: those that pull and those that are
 /// projected, what kernels take and what they do not.
 pub(super) fn prepare<S: Real>(state: &mut Cluster<S>, common: &Common<S>, h: S) {
     let members = state.members(common);
-    let Cluster { pulls, odd_pulls, firm, hard, holds, w, touches, .. } = state;
+    let may_swing = !state.is_violent && !part::owes(state);
+    let Cluster { pulls, odd_pulls, firm, hard, holds, w, settles, by_forces, now, .. } = state;
     pulls.clear(w.len());
     hard.clear(w.len());
     odd_pulls.clear();
     firm.clear(w.len());
     holds.clear();
+    by_forces.clear();
     for (k, (body, base)) in members.enumerate() {
         let springs = common.springs(body);
-        let are_forces = are_forces(body, touches[k], h);
+        // What settles or owes energy is to come to rest, and what is squeezed or struck hard is to stay whole.
+        let bears = || are_forces(body, h) && !is_crushed(springs, &now[base..]);
+        let are_forces = may_swing && !settles[k] && bears();
+        by_forces.push(are_forces);
         for (link, number) in springs.iter().zip(body.springs.first..).filter(|_| are_forces) {
             match plain_pull(link, base, h) {
                 Some(entry) => pulls.push(entry),

@@ -1,58 +1,133 @@
-//! What a step of a cluster is written into the ledger as: what the mouse and drag did, and the rest.
+//! What a step of a cluster is written into the ledger as.
 //!
-//! Where something touched, dampers act or bodies settle, what is missing otherwise was taken by those, and by the method, which damps
-//! what it does not resolve: both stand as losses of impacts. In flight without dampers what is missing stays unexplained.
+//! Contacts, friction and dampers are booked by the work of their own impulses: J . (u0 + u1)/2, with u0 and u1 the velocities at both
+//! ends of a substep; what restitution gives back is taken off again. Drag, and what settles what touches and is slow, is the change of
+//! m v^2/2 that it makes. Nothing else explains a loss: what the method takes beyond that is left over, as its own error, and so is what
+//! contacts take that are to give all back.
 
 use super::cluster::{Cluster, Common};
-use super::guard;
+use crate::sim::bond::Limit;
+use crate::sim::force::form::at;
 use crate::sim::ledger::Book;
 use crate::sim::pull::Pull;
 use crate::sim::real::Real;
-use crate::sim::vector::{dot, zero};
+use crate::sim::vector::{add, dot, scale, sub, zero};
 
-/// Energies before a step [J].
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Before {
-    kinetic: f64,
-    all: f64,
+/// Works and losses of a step, there only where a ledger is kept.
+#[derive(Clone, Debug)]
+pub(super) struct Tally<S: Real> {
+    /// How far contacts that do not give all back, and friction, pushed each point in the substep [m].
+    pressed: Vec<[S; 2]>,
+    rubbed: Vec<[S; 2]>,
+    taken: Book,
 }
 
-impl Before {
-    pub(super) fn of<S: Real>(state: &Cluster<S>, common: &Common<S>, gravity: [f64; 2]) -> Self {
-        Before { kinetic: kinetic(state), all: guard::energy(state, common, gravity).to_f64() }
+impl<S: Real> Tally<S> {
+    pub(super) fn new(points: usize) -> Self {
+        let none = || vec![zero(); points];
+        Tally { pressed: none(), rubbed: none(), taken: Book::default() }
+    }
+
+    /// A substep begins.
+    pub(super) fn begin(&mut self) {
+        self.pressed.fill(zero());
+        self.rubbed.fill(zero());
+    }
+
+    /// Drag left the `kept` share of the velocity that a point had.
+    pub(super) fn slow(&mut self, (velocity, w, kept): ([S; 2], S, S)) {
+        self.taken.drag += (energy(velocity, w) * (S::ONE - kept * kept)).to_f64();
+    }
+
+    /// A contact pushed a point by `normal`, unless it gives all back, and friction by `along` [m].
+    #[inline(always)]
+    pub(super) fn push(&mut self, i: usize, restitution: S, (normal, along): ([S; 2], [S; 2])) {
+        if restitution < S::ONE {
+            self.pressed[i] = add(self.pressed[i], normal);
+        }
+        self.rubbed[i] = add(self.rubbed[i], along);
+    }
+
+    /// Restitution gave a point back some of its velocity.
+    pub(super) fn give_back(&mut self, restitution: S, w: S, (before, after): ([S; 2], [S; 2])) {
+        if restitution < S::ONE {
+            self.taken.impacts -= (energy(after, w) - energy(before, w)).to_f64();
+        }
     }
 }
 
-/// Books a step of `h` [s].
-pub(super) fn book<S: Real>(
-    state: &Cluster<S>,
-    common: &Common<S>,
-    (before, pull, h): (Before, &Pull<S, 2>, f64),
-    book: &mut Book,
-) {
+fn energy<S: Real>(velocity: [S; 2], w: S) -> S {
+    if w == S::ZERO { S::ZERO } else { S::HALF * dot(velocity, velocity) / w }
+}
+
+impl<S: Real> Cluster<S> {
+    /// What contacts, friction and dampers took in a substep of `h` [s], before anything bounces.
+    pub(super) fn tally(&mut self, common: &Common<S>, h: f64) {
+        let Some(mut tally) = self.tally.take() else { return };
+        let rate = S::from_f64(1.0 / h);
+        for i in (0..self.own()).filter(|&i| self.w[i] != S::ZERO) {
+            let mean = scale(add(self.begun[i], self.velocity[i]), S::HALF);
+            let of = |push: [S; 2]| (dot(mean, push) * rate / self.w[i]).to_f64();
+            tally.taken.impacts -= of(tally.pressed[i]);
+            tally.taken.friction -= of(tally.rubbed[i]);
+        }
+        tally.taken.dampers += self.damped(common, h);
+        self.tally = Some(tally);
+    }
+
+    /// What dampers take within `h` [s]: their force by the way that their ends went, [J].
+    fn damped(&self, common: &Common<S>, h: f64) -> f64 {
+        let mut sum = 0.0;
+        for ((body, base), &are_forces) in self.members(common).zip(&self.by_forces) {
+            for link in common.springs(body).iter().filter(|link| link.damping > S::ZERO) {
+                let (a, b) = (base + link.a as usize, base + link.b as usize);
+                let d = sub(self.now[a], self.now[b]);
+                let error = dot(d, d).sqrt() - link.rest;
+                let is_slack = match link.limit {
+                    Limit::Both => false,
+                    Limit::Max => error < S::ZERO,
+                    Limit::Min => error > S::ZERO,
+                };
+                if is_slack {
+                    continue;
+                }
+                let closing = |v: &[[S; 2]]| along(sub(v[a], v[b]), d, link.rest);
+                let (now, acts) =
+                    (closing(&self.velocity), closing(if are_forces { &self.begun } else { &self.velocity }));
+                sum += (link.damping * dot(now, acts)).to_f64();
+            }
+            for hinge in common.hinges(body).iter().filter(|hinge| hinge.damping > S::ZERO) {
+                let points = hinge.points.map(|point| base as u32 + point);
+                if let Some(stand) = hinge.stand(at(&self.now, points)) {
+                    let turns = stand.rate(at(&self.velocity, points));
+                    sum += (stand.share() * hinge.damping * turns * turns).to_f64();
+                }
+            }
+        }
+        h * sum
+    }
+}
+
+/// The part of a velocity along a bond; of bonds that are to have no length, all of it.
+fn along<S: Real>(velocity: [S; 2], d: [S; 2], rest: S) -> [S; 2] {
+    let square = dot(d, d);
+    match rest == S::ZERO {
+        true => velocity,
+        false if square == S::ZERO => zero(),
+        false => scale(d, dot(velocity, d) / square),
+    }
+}
+
+/// Books a step.
+pub(super) fn book<S: Real>(state: &Cluster<S>, pull: &Pull<S, 2>, book: &mut Book) {
     let is_led = |i: usize| state.w[i] == S::ZERO && state.velocity[i] != zero();
     if (0..state.own()).any(is_led) || pull.has_fields() || pull.air.is_some() {
         // Nobody knows what led pins did, and forces and wind are not told from the mouse.
         book.untold += 1;
         return;
     }
-    let now = Before::of(state, common, pull.gravity);
-    let mouse = state.work.to_f64();
-    let missing = before.all + mouse - now.all;
-    // m rate v^2 is twice the kinetic energy times the rate.
-    let drag = (pull.drag_rate * h * (before.kinetic + now.kinetic)).min(missing.max(0.0));
-    let damps = state.members(common).any(|(body, _)| body.decay > S::ZERO);
-    book.mouse += mouse;
-    book.drag += drag;
-    if damps || state.has_pressed || state.touches.contains(&true) {
-        book.impacts += (missing - drag).max(0.0);
+    book.mouse += state.work.to_f64();
+    if let Some(tally) = &state.tally {
+        book.add(&tally.taken, 1.0);
     }
-}
-
-fn kinetic<S: Real>(state: &Cluster<S>) -> f64 {
-    let of = |i: usize| {
-        let (v, w) = (state.velocity[i].map(S::to_f64), state.w[i].to_f64());
-        if w > 0.0 { 0.5 * dot(v, v) / w } else { 0.0 }
-    };
-    (0..state.own()).map(of).sum()
 }

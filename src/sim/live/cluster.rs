@@ -3,6 +3,7 @@
 use super::areas::Thin;
 use super::body::{Area, Body, Edge, Link};
 use super::bonds::Hold;
+use super::booking::Tally;
 use super::build::Bodies;
 use super::pair::{OnPlane, Pair, Sides};
 use super::tangle::Tangle;
@@ -24,8 +25,10 @@ pub(super) struct Cluster<S: Real> {
     pub(super) bodies: Vec<usize>,
     /// Where the points of each begin here; one more entry at the end.
     pub(super) bases: Vec<u32>,
-    /// Which of its bodies touched something in the last step.
-    pub(super) touches: Vec<bool>,
+    /// Which of its bodies are coming to rest on something.
+    pub(super) settles: Vec<bool>,
+    /// Of which of them the springs are forces in this step; of the others they are projected.
+    pub(super) by_forces: Vec<bool>,
     /// Positions at the start of the substep [m].
     pub(super) start: Vec<[S; 2]>,
     /// Positions as far as the substep is solved [m].
@@ -33,6 +36,8 @@ pub(super) struct Cluster<S: Real> {
     /// From one to the other [m]: exact where the difference of both is not.
     pub(super) way: Vec<[S; 2]>,
     pub(super) velocity: Vec<[S; 2]>,
+    /// Velocities at the start of the substep, before forces [m/s].
+    pub(super) begun: Vec<[S; 2]>,
     /// What rounding has taken from positions [m].
     pub(super) lost: Vec<[S; 2]>,
     pub(super) w: Vec<S>,
@@ -68,6 +73,10 @@ pub(super) struct Cluster<S: Real> {
     pub(super) goes: Vec<S>,
     /// A quarter of the shortest mean edge of its skins [m].
     pub(super) least_promise: S,
+    /// Substeps of a frame that it is given at most so that springs can be forces.
+    pub(super) most_substeps: u32,
+    /// Something is so fast that springs are projected, which bears more.
+    pub(super) is_violent: bool,
     /// How long a substep is [s].
     pub(super) span: S,
     /// The largest radius of its skins [m].
@@ -78,6 +87,12 @@ pub(super) struct Cluster<S: Real> {
     pub(super) has_pressed: bool,
     /// Work that mouse and other forces did in this step [J].
     pub(super) work: S,
+    /// What was made from nowhere and could not be taken back yet [J]: springs that something led loaded.
+    pub(super) debt: S,
+    /// What gravity got back from bodies that were lifted out of each other in this step [J].
+    pub(super) lifted: S,
+    /// What it took, where a ledger is kept.
+    pub(super) tally: Option<Box<Tally<S>>>,
     pub(super) counts: Counts,
     /// What is inside out or crosses.
     pub(super) tangle: Tangle<S>,

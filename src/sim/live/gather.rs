@@ -18,6 +18,11 @@ pub(super) const WAY: f64 = 0.5;
 /// Substeps of a frame: one of these numbers.
 pub(super) const SUBSTEPS: [u32; 4] = [16, 32, 64, 128];
 
+/// Substeps that speed alone asks for from which on blows are too hard for springs that are forces.
+const VIOLENT: f64 = 32.0;
+/// Counted work of a frame up to which there are more substeps than speeds ask for, so that springs can be forces.
+const AFFORDED: f64 = 4.5e6;
+
 /// Substeps of a frame at a speed [m/s], with skins whose edges have this mean length [m].
 pub(super) fn substeps_at(speed: f64, edge: f64) -> u32 {
     let wanted = speed / super::FRAMES / (WAY * if edge > 0.0 { edge } else { 0.1 });
@@ -40,8 +45,20 @@ impl<S: Real> Live<S> {
         span: (&Environment<2>, f64),
     ) -> Vec<Cluster<S>> {
         let is_awake = |bodies: &Vec<usize>| bodies.iter().any(|&body| !self.rests[body].is_asleep);
-        let together = self.together(points, common, span).into_iter().filter(is_awake);
-        together.map(|bodies| self.cluster(bodies, points, common)).collect()
+        let together: Vec<Vec<usize>> = self.together(points, common, span).into_iter().filter(is_awake).collect();
+        let most_substeps = self.affordable(together.iter().flatten());
+        let cluster = |bodies| Cluster { most_substeps, ..self.cluster(bodies, points, common) };
+        together.into_iter().map(cluster).collect()
+    }
+
+    /// Substeps of a frame that these bodies are given so that their springs can be forces: few bodies, many.
+    fn affordable<'a>(&self, bodies: impl Iterator<Item = &'a usize>) -> u32 {
+        let of = |&body: &usize| {
+            let body = &self.bodies.list[body];
+            super::work_of_a_substep([body.points.len(), body.springs.len() + body.holds.len(), body.areas.len()])
+        };
+        let room = AFFORDED / bodies.map(of).sum::<f64>();
+        SUBSTEPS.into_iter().rev().find(|&count| f64::from(count) <= room).unwrap_or(SUBSTEPS[1]).max(SUBSTEPS[1])
     }
 
     /// The bodies that may meet within `h` [s], in the order of the lowest of each.
@@ -94,12 +111,14 @@ impl<S: Real> Live<S> {
     pub(super) fn cluster(&self, bodies: Vec<usize>, points: &Points<S, 2>, common: &Common<S>) -> Cluster<S> {
         let own: usize = bodies.iter().map(|&body| self.bodies.list[body].points.len()).sum();
         let mut cluster = Cluster {
-            touches: bodies.iter().map(|&body| self.rests[body].touches).collect(),
+            settles: bodies.iter().map(|&body| self.rests[body].settles()).collect(),
+            by_forces: Vec::new(),
             bases: Vec::with_capacity(bodies.len() + 1),
             start: Vec::with_capacity(own),
             now: Vec::with_capacity(own),
             way: Vec::new(),
             velocity: Vec::with_capacity(own),
+            begun: Vec::new(),
             lost: Vec::with_capacity(own),
             w: Vec::with_capacity(own),
             body_of: Vec::with_capacity(own),
@@ -121,11 +140,16 @@ impl<S: Real> Live<S> {
             gone: Vec::new(),
             goes: Vec::new(),
             least_promise: S::INFINITY,
+            most_substeps: SUBSTEPS[1],
+            is_violent: false,
             span: S::ZERO,
             widest: S::ZERO,
             gentle: S::ZERO,
             has_pressed: false,
             work: S::ZERO,
+            debt: S::from_f64(bodies.iter().map(|&body| self.rests[body].debt).sum()),
+            lifted: S::ZERO,
+            tally: None,
             counts: Counts::default(),
             tangle: self.tangle.of(&bodies),
             bodies,
@@ -170,6 +194,7 @@ impl<S: Real> Live<S> {
         }
         cluster.include_walls(common);
         cluster.start.clone_from(&cluster.now);
+        cluster.begun.clone_from(&cluster.velocity);
         cluster.way = vec![zero(); cluster.now.len()];
         for list in [&mut cluster.promised, &mut cluster.gone, &mut cluster.goes] {
             *list = vec![S::ZERO; cluster.now.len()];
@@ -226,15 +251,18 @@ impl<S: Real> Cluster<S> {
         }
     }
 
-    /// Substeps of a frame that the fastest point needs.
-    pub(super) fn substeps(&self, common: &Common<S>, around: &Environment<2>, t: f64) -> u32 {
+    /// Substeps of a frame that the fastest point needs, and springs, where nothing is that fast.
+    pub(super) fn substeps(&mut self, common: &Common<S>, around: &Environment<2>, t: f64) -> u32 {
         let frame = 1.0 / super::FRAMES;
         let pushed = around.mouse_at(t).map_or(0.0, |(force, _)| force.strength.abs() * force.radius);
         let speed = super::substep::fastest(self).to_f64() + frame * (common.most_push + pushed);
         let shortest = self.least_promise.to_f64() / PROMISE;
         let wanted = speed * frame / (WAY * shortest);
-        let flying = self.members(common).zip(&self.touches).filter(|(_, touches)| !**touches);
-        let least = flying.map(|((body, _), _)| body.least_substeps).max().unwrap_or_default();
+        self.is_violent = wanted > VIOLENT;
+        let moving = self.members(common).zip(&self.settles).filter(|(_, settles)| !**settles);
+        let wanted_by_springs = moving.map(|((body, _), _)| body.least_substeps);
+        let affordable = wanted_by_springs.filter(|&count| count <= self.most_substeps);
+        let least = if self.is_violent { 0 } else { affordable.max().unwrap_or_default() };
         let is_enough = |count: &u32| f64::from(*count) >= wanted && *count >= least;
         SUBSTEPS.into_iter().find(is_enough).unwrap_or(SUBSTEPS[3])
     }

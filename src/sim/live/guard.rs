@@ -4,6 +4,10 @@ use super::cluster::{Cluster, Common};
 use crate::sim::real::Real;
 use crate::sim::vector::{add, dot, scale, sub, zero};
 
+/// How quickly what is owed is forgotten [1/s]: gravity's energy that overlaps cost as they were mended is not asked back for ever.
+const FORGIVEN: f64 = 0.5;
+/// Speed that is left to what is led or owes energy, in the mean [m/s].
+const LEFT: f64 = 0.3;
 /// Share of the kinetic and elastic energy that contacts may make in a step without being seen: overlaps that are mended load springs.
 const SLACK: f64 = 1e-3;
 
@@ -48,11 +52,14 @@ fn elastic<S: Real>(state: &Cluster<S>, common: &Common<S>) -> S {
     sum
 }
 
-/// Slows points down until the energy fits: about their mean velocity, whose momentum stays, unless something holds them.
-pub(super) fn hold<S: Real>(state: &mut Cluster<S>, common: &Common<S>, (before, gravity): (S, [f64; 2])) {
+/// Slows points down until the energy fits: about their mean velocity, whose momentum stays, unless something holds them. What they do
+/// not have yet is owed: bodies that are led out of each other may squeeze others, whose springs let go later.
+pub(super) fn hold<S: Real>(state: &mut Cluster<S>, common: &Common<S>, (before, gravity, h): (S, [f64; 2], f64)) {
     // Springs alone keep their energy, which swings about its mean within a substep.
     let is_led_back = state.counts.mended + state.counts.parted > 0;
-    if !state.has_pressed && !is_led_back {
+    let debt = state.debt * S::from_f64(libm::exp(-h * FORGIVEN));
+    state.debt = debt;
+    if !state.has_pressed && !is_led_back && debt == S::ZERO {
         return;
     }
     // Pins that are led do work that nobody counts.
@@ -62,8 +69,9 @@ pub(super) fn hold<S: Real>(state: &mut Cluster<S>, common: &Common<S>, (before,
     }
     let (kinetic, fall) = moving(state, gravity);
     let elastic = elastic(state, common);
-    let excess = kinetic + fall + elastic - before - state.work;
-    if excess <= S::from_f64(SLACK) * (kinetic + elastic) || kinetic == S::ZERO {
+    let excess = kinetic + fall + elastic - before - state.work + debt;
+    if excess <= S::from_f64(SLACK) * (kinetic + elastic) {
+        state.debt = S::ZERO;
         return;
     }
     let leans = state.on_planes.iter().any(|on| on.pressed > S::ZERO)
@@ -79,7 +87,14 @@ pub(super) fn hold<S: Real>(state: &mut Cluster<S>, common: &Common<S>, (before,
     }
     let mean = if mass > S::ZERO { scale(momentum, S::ONE / mass) } else { zero() };
     let own = kinetic - S::HALF * mass * dot(mean, mean);
-    let kept = if own > S::ZERO { (S::ONE - excess / own).max(S::ZERO).sqrt() } else { S::ONE };
+    // Bodies that are led, and springs that are to let go, need some speed.
+    let free = (0..state.own()).filter(|&i| state.w[i] != S::ZERO).fold(S::ZERO, |sum, i| sum + S::ONE / state.w[i]);
+    let left = if debt > S::ZERO || is_led_back { S::HALF * free * S::from_f64(LEFT * LEFT) } else { S::ZERO };
+    let taken = excess.min((own - left).max(S::ZERO));
+    let kept = if taken > S::ZERO { (S::ONE - taken / own).max(S::ZERO).sqrt() } else { S::ONE };
+    // What is lifted out of another one is not asked back.
+    let missing = (excess - state.lifted - taken).max(S::ZERO);
+    state.debt = if is_led_back { missing } else { missing.min(debt) };
     for i in 0..state.own() {
         if state.w[i] != S::ZERO {
             state.velocity[i] = add(mean, scale(sub(state.velocity[i], mean), kept));

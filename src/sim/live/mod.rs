@@ -57,7 +57,7 @@ use super::points::Points;
 use super::pull::Pull;
 use super::real::Real;
 use super::vector::length;
-use booking::Before;
+use booking::Tally;
 use build::Bodies;
 use cluster::{Cluster, Common};
 use fields::Field;
@@ -142,14 +142,18 @@ pub(crate) fn mover<S: Real, const D: usize>(
 }
 
 /// Counted work of a substep for each bond, point and triangle, about.
-const OF_A_SUBSTEP: [f64; 3] = [30.0, 30.0, 24.0];
+const OF_A_SUBSTEP: [f64; 3] = [30.0, 30.0, 8.0];
 
 /// Counted work, about, of a frame of bodies of so many points, bonds and triangles that do not meet, at this speed [m/s], with bonds of
 /// this mean length [m].
 pub(crate) fn work_of_a_frame([points, bonds, triangles]: [usize; 3], speed: f64, edge: f64) -> f64 {
+    f64::from(gather::substeps_at(speed, edge)) * work_of_a_substep([points, bonds, triangles])
+}
+
+/// The same of a substep.
+fn work_of_a_substep([points, bonds, triangles]: [usize; 3]) -> f64 {
     let [of_bond, of_point, of_triangle] = OF_A_SUBSTEP;
-    let one = of_bond * bonds as f64 + of_point * points as f64 + of_triangle * triangles as f64;
-    f64::from(gather::substeps_at(speed, edge)) * one
+    of_bond * bonds as f64 + of_point * points as f64 + of_triangle * triangles as f64
 }
 
 impl<S: Real> Live<S> {
@@ -208,7 +212,7 @@ impl<S: Real> Live<S> {
         for substep in 0..count as u32 {
             substep::advance(cluster, common, outside, (t + f64::from(substep) * own, own));
         }
-        guard::hold(cluster, common, (before, pull.gravity));
+        guard::hold(cluster, common, (before, pull.gravity, h));
     }
 }
 
@@ -231,10 +235,10 @@ impl<S: Real> Mover<S, 2> for Live<S> {
             let mut clusters = self.gather(points, &common, (around, h));
             let mut account = account;
             for cluster in &mut clusters {
-                let before = account.as_ref().map(|_| Before::of(cluster, &common, pull.gravity));
+                cluster.tally = account.as_ref().map(|_| Box::new(Tally::new(cluster.own())));
                 self.run(cluster, &common, (pull, around), (t, h));
-                if let (Some(account), Some(before)) = (&mut account, before) {
-                    booking::book(cluster, &common, (before, pull, h), &mut account.book);
+                if let Some(account) = &mut account {
+                    booking::book(cluster, pull, &mut account.book);
                 }
             }
             clusters

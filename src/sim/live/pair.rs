@@ -35,7 +35,7 @@ pub(super) struct Pair<S> {
     pub(super) rubbed: S,
     /// Overlap from before the substep, which is not to become speed [m].
     pub(super) old: S,
-    /// Normal speed before they were solved [m/s].
+    /// Normal speed at the start of the substep [m/s]: what forces give within it is pressed away, and does not bounce.
     pub(super) approach: S,
     pub(super) is_met: bool,
     /// Before which substep the side was last looked at: where they are too far apart to touch nobody does, and the point may go around.
@@ -142,7 +142,7 @@ impl<S: Real> Pair<S> {
             // What comes from behind, around an end, is no contact.
             let Some(before) = beside([state.start[p], state.start[a], state.start[b]], self.side) else { return true };
             self.is_met = true;
-            let v = sub(state.velocity[p], add(scale(state.velocity[a], rest), scale(state.velocity[b], at)));
+            let v = sub(state.begun[p], add(scale(state.begun[a], rest), scale(state.begun[b], at)));
             self.approach = dot(v, normal);
             let overlap = (self.distance - before.gap).max(S::ZERO);
             if overlap > S::ZERO {
@@ -169,8 +169,12 @@ impl<S: Real> Pair<S> {
         let was = self.rubbed;
         self.rubbed = (was - dot(d, along) / w).max(-most).min(most);
         let rub = self.rubbed - was;
-        let impulse = add(scale(normal, push), scale(along, rub));
+        let (out, aside) = (scale(normal, push), scale(along, rub));
+        let impulse = add(out, aside);
         for (i, share) in [(p, w_p), (a, -rest * w_a), (b, -at * w_b)] {
+            if let Some(tally) = state.tally.as_mut().filter(|_| share != S::ZERO) {
+                tally.push(i, self.restitution, (scale(out, share), scale(aside, share)));
+            }
             let shift = scale(impulse, share);
             state.now[i] = add(state.now[i], shift);
             state.way[i] = add(state.way[i], shift);
@@ -226,7 +230,11 @@ impl<S: Real> Pair<S> {
         if lacking > S::ZERO {
             let push = scale(normal, lacking / w);
             for (i, share) in [(p, w_p), (a, -rest * w_a), (b, -at * w_b)] {
-                state.velocity[i] = add(state.velocity[i], scale(push, share));
+                let before = state.velocity[i];
+                state.velocity[i] = add(before, scale(push, share));
+                if let Some(tally) = &mut state.tally {
+                    tally.give_back(self.restitution, state.w[i], (before, state.velocity[i]));
+                }
             }
         }
     }

@@ -15,6 +15,8 @@ use crate::sim::vector::{add, dot, scale, sub, zero};
 
 /// How fast two bodies go apart, and how fast one may go at most [m/s].
 const SPEED: f64 = 1.0;
+/// What is parted waits while more is owed than all would have at this speed [m/s]: others would be squeezed.
+const OWED: f64 = 1.0;
 /// Directions that shadows are looked at along.
 const DIRECTIONS: u32 = 16;
 /// Share of the lengths of the chords that their sum must have to say where out is.
@@ -107,9 +109,12 @@ fn along_shadows<S: Real>(state: &Cluster<S>, [a, b]: [u32; 2]) -> [S; 2] {
 }
 
 /// Moves what is parted on by a substep of `h` [s], and lets it go no deeper.
-pub(super) fn drift<S: Real>(state: &mut Cluster<S>, h: S) {
+pub(super) fn drift<S: Real>(state: &mut Cluster<S>, h: S, gravity: [f64; 2]) {
+    if state.tangle.couples.is_empty() || owes(state) {
+        return;
+    }
     let couples = std::mem::take(&mut state.tangle.couples);
-    let mut shifts = vec![zero::<S, 2>(); if couples.is_empty() { 0 } else { state.bodies.len() }];
+    let mut shifts = vec![zero::<S, 2>(); state.bodies.len()];
     for couple in couples.iter().filter(|couple| couple.is_parted()) {
         let [(mass_a, v_a), (mass_b, v_b)] = couple.bodies.map(|body| motion(state, body));
         let Some(share) = shares([mass_a, mass_b]) else { continue };
@@ -128,7 +133,7 @@ pub(super) fn drift<S: Real>(state: &mut Cluster<S>, h: S) {
         }
     }
     state.tangle.couples = couples;
-    let (most, own) = (h * S::from_f64(SPEED), state.own());
+    let (most, own, gravity) = (h * S::from_f64(SPEED), state.own(), gravity.map(S::from_f64));
     if shifts.iter().any(|shift| *shift != zero()) {
         state.gone[..own].iter_mut().for_each(|gone| *gone += most);
     }
@@ -138,9 +143,20 @@ pub(super) fn drift<S: Real>(state: &mut Cluster<S>, h: S) {
         for i in state.bases[body] as usize..state.bases[body + 1] as usize {
             if state.w[i] != S::ZERO {
                 state.now[i] = add(state.now[i], shift);
+                state.lifted -= dot(gravity, shift) / state.w[i];
             }
         }
     }
+}
+
+/// Whether springs were loaded by what was parted already.
+pub(super) fn owes<S: Real>(state: &Cluster<S>) -> bool {
+    if state.debt == S::ZERO {
+        return false;
+    }
+    let free = state.w[..state.own()].iter().filter(|&&w| w != S::ZERO);
+    let mass = free.fold(S::ZERO, |sum, &w| sum + S::ONE / w);
+    state.debt > S::HALF * mass * S::from_f64(OWED * OWED)
 }
 
 /// Takes contacts away between bodies that are parted, and of bodies that are mended with themselves.

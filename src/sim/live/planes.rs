@@ -4,7 +4,7 @@ use super::cluster::Cluster;
 use super::pair::OnPlane;
 use crate::sim::contact::surface::Surface;
 use crate::sim::real::Real;
-use crate::sim::vector::{add, dot, scale, sub};
+use crate::sim::vector::{add, dot, scale, sub, zero};
 
 impl<S: Real> OnPlane<S> {
     pub(super) fn new(p: u32, surface: u32) -> Self {
@@ -26,7 +26,7 @@ impl<S: Real> OnPlane<S> {
         }
         if !self.is_met {
             self.is_met = true;
-            self.approach = dot(state.velocity[p], normal);
+            self.approach = dot(state.begun[p], normal);
             let depth = (-surface.gap(state.start[p])).max(S::ZERO);
             if depth > S::ZERO {
                 let shift = scale(normal, depth);
@@ -42,13 +42,18 @@ impl<S: Real> OnPlane<S> {
         let d = state.way[p];
         let along = sub(d, scale(normal, dot(normal, d)));
         let slide = dot(along, along).sqrt();
-        let mut shift = scale(normal, push);
+        let out = scale(normal, push);
+        let mut aside = zero();
         // What is still to be rubbed of what pressed so far.
         self.slips = slide > surface.friction * self.pressed - self.rubbed;
         let most = (surface.friction * self.pressed - self.rubbed).max(S::ZERO).min(slide);
         if most > S::ZERO {
             self.rubbed += most;
-            shift = sub(shift, scale(along, most / slide));
+            aside = scale(along, -most / slide);
+        }
+        let shift = add(out, aside);
+        if let Some(tally) = &mut state.tally {
+            tally.push(p, surface.restitution, (out, aside));
         }
         state.now[p] = add(state.now[p], shift);
         state.way[p] = add(state.way[p], shift);
@@ -62,7 +67,11 @@ impl<S: Real> OnPlane<S> {
         let p = self.p as usize;
         let lacking = -surface.restitution * self.approach - dot(state.velocity[p], surface.normal);
         if lacking > S::ZERO {
-            state.velocity[p] = add(state.velocity[p], scale(surface.normal, lacking));
+            let before = state.velocity[p];
+            state.velocity[p] = add(before, scale(surface.normal, lacking));
+            if let Some(tally) = &mut state.tally {
+                tally.give_back(surface.restitution, state.w[p], (before, state.velocity[p]));
+            }
         }
     }
 }

@@ -18,6 +18,8 @@ const STILL_WAY: [f64; 2] = [0.1, 5e-4];
 const MOST_WAY: f64 = 5e-3;
 /// Mean speed below which what touches settles [m/s].
 const SLOW: f64 = 1.0;
+/// How long it may touch nothing meanwhile [s]: it hops.
+const HOP: f64 = 0.25;
 /// How soon after it became slow [s], how quickly the drag grows [1/s^2], and how large it gets [1/s].
 const CALM: f64 = 0.1;
 const GROWTH: f64 = 20.0;
@@ -31,11 +33,21 @@ pub(super) struct Rest {
     pub(super) touches: bool,
     /// Since when its points are about where they are [s].
     since: Option<f64>,
-    /// How long it has been slow and touched something [s].
+    /// How long it has been slow and touched something, hops apart [s], and how long of that it did not slide.
+    slow: f64,
     calm: f64,
+    /// How long it has touched nothing [s].
+    aloft: f64,
+    /// Its share of the energy that its cluster owes [J].
+    pub(super) debt: f64,
 }
 
 impl Rest {
+    /// It has been slow and touched something for a while: its springs are damped.
+    pub(super) fn settles(self) -> bool {
+        self.slow > CALM
+    }
+
     /// The same, awake.
     pub(super) fn awake(self) -> Self {
         Rest { is_asleep: false, since: None, ..self }
@@ -82,11 +94,17 @@ impl<S: Real> Live<S> {
             let count = S::from_f64(range.len() as f64);
             let square = cluster.velocity[range].iter().fold(S::ZERO, |sum, &v| sum + dot(v, v)) / count;
             let [sticks, slips] = touches[k];
-            let is_calm = square < S::from_f64(SLOW * SLOW) && sticks + slips > 0 && slips <= sticks;
             let rest = &mut self.rests[body];
+            rest.debt = (cluster.debt * count).to_f64() / cluster.own() as f64;
             rest.touches = sticks + slips > 0;
-            rest.calm = if is_calm && self.settles { rest.calm + h } else { 0.0 };
-            self.settling[body] = S::from_f64((GROWTH * (rest.calm - CALM)).clamp(0.0, MOST_DRAG));
+            rest.aloft = if rest.touches { 0.0 } else { rest.aloft + h };
+            let is_slow = square < S::from_f64(SLOW * SLOW) && rest.aloft < HOP && self.settles;
+            // What hops settles where it touches, and what slides on is slowed down by friction alone.
+            let goes_on = if rest.touches { h } else { 0.0 };
+            rest.slow = if is_slow { rest.slow + goes_on } else { 0.0 };
+            rest.calm = if is_slow && slips <= sticks { rest.calm + goes_on } else { 0.0 };
+            let drag = if rest.touches { GROWTH * (rest.calm - CALM) } else { 0.0 };
+            self.settling[body] = S::from_f64(drag.clamp(0.0, MOST_DRAG));
         }
     }
 

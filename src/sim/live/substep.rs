@@ -41,7 +41,7 @@ pub(super) fn advance<S: Real>(state: &mut Cluster<S>, common: &Common<S>, outsi
     if state.may_leave(time) {
         detect::look(state, common);
     }
-    part::drift(state, time);
+    part::drift(state, time, outside.around.gravity);
     state.predict(time);
     shape::resist(state, common, time);
     bonds::hold(state, common);
@@ -60,7 +60,7 @@ pub(super) fn advance<S: Real>(state: &mut Cluster<S>, common: &Common<S>, outsi
     }
     super::truncate::cut(state);
     state.follow_sides();
-    state.finish(h, outside.pull.contacts.obstacles.planes(), outside.pull.gravity);
+    state.finish(h, common, outside.pull.gravity);
     state.counts.substeps += 1;
     state.counts.points += state.own() as u64;
 }
@@ -69,20 +69,28 @@ pub(super) fn advance<S: Real>(state: &mut Cluster<S>, common: &Common<S>, outsi
 fn kick<S: Real>(state: &mut Cluster<S>, common: &Common<S>, outside: Outside<S>, (t, h): (f64, f64)) {
     let Outside { pull, around, settling } = outside;
     let time = S::from_f64(h);
+    let own = state.own();
+    state.begun[..own].copy_from_slice(&state.velocity[..own]);
+    if let Some(tally) = &mut state.tally {
+        tally.begin();
+    }
     bonds::pull(state, common, time);
     let fall: [S; 2] = convert(around.gravity.map(|g| g * h));
     for (k, &body) in state.bodies.iter().enumerate() {
         let kept = S::from_f64(libm::exp(-h * (pull.drag_rate + settling[body].to_f64())));
         for i in state.bases[k] as usize..state.bases[k + 1] as usize {
             if state.w[i] != S::ZERO {
-                state.velocity[i] = scale(add(state.velocity[i], fall), kept);
+                let falls = add(state.velocity[i], fall);
+                if let Some(tally) = state.tally.as_mut().filter(|_| kept < S::ONE) {
+                    tally.slow((falls, state.w[i], kept));
+                }
+                state.velocity[i] = scale(falls, kept);
             }
         }
     }
     fields::blow(state, outside, (t, h));
     if let Some((force, cursor)) = around.mouse_at(t + h) {
         let push = Push::<S, 2>::new(force, cursor);
-        let own = state.own();
         state.counts.mouse_points += own as u64;
         for i in 0..own {
             if state.w[i] != S::ZERO
@@ -188,7 +196,7 @@ impl<S: Real> Cluster<S> {
     }
 
     /// Velocities from what was gone, and positions summed up; then what bounces.
-    fn finish(&mut self, h: f64, planes: &[crate::sim::contact::surface::Surface<S, 2>], gravity: [f64; 2]) {
+    fn finish(&mut self, h: f64, common: &Common<S>, gravity: [f64; 2]) {
         let rate = S::from_f64(1.0 / h);
         let own = self.own();
         let (gone, way) = (&mut self.gone[..own], &self.way[..own]);
@@ -207,6 +215,8 @@ impl<S: Real> Cluster<S> {
         for (thin, ends) in self.thin.iter_mut().zip(self.bases.windows(2)) {
             thin.go(&self.way[ends[0] as usize..ends[1] as usize]);
         }
+        self.tally(common, h);
+        let planes = common.planes;
         let least = S::from_f64(LEAST_BOUNCE * h * crate::sim::vector::length(gravity));
         let (pairs, on_planes) = (std::mem::take(&mut self.pairs), std::mem::take(&mut self.on_planes));
         let numbers = std::mem::take(&mut self.chosen);

@@ -61,6 +61,9 @@ pub(super) fn cut<S: Real>(state: &mut Cluster<S>) {
         let common = if sum.is_finite() { lost / sum } else { S::ZERO };
         for (i, taken) in [p, a, b].into_iter().zip(taken) {
             let back = scale(n, taken - common);
+            if let Some(tally) = state.tally.as_mut().filter(|_| state.w[i] != S::ZERO) {
+                tally.push(i, pair.restitution, (back, [S::ZERO; 2]));
+            }
             state.way[i] = add(state.way[i], back);
             state.now[i] = add(state.now[i], back);
         }

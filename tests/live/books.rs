@@ -1,0 +1,73 @@
+//! The ledger of the live step against closed forms: what friction, impacts and dampers take, and that nothing else is called a reason.
+
+use serde_json::{Value, json};
+use wobble::scene::record::ledgers;
+use wobble::sim::{Ledger, judge};
+
+use super::{disc, world};
+
+/// The ledger of a scene that the live step moves, once a frame.
+fn books(scene: &Value, t: f64) -> Vec<Ledger> {
+    let mut scene = scene.clone();
+    scene["method"] = json!({"solver": "live", "ledger": true, "sleep": false, "settle": false});
+    ledgers(&mut *world(&scene), t).unwrap()
+}
+
+#[test]
+fn friction_takes_what_a_block_had() {
+    let scene = json!({"wobble": 1, "gravity": [0, -9.81], "contact": true,
+        "bodies": [{"make": "lattice", "columns": 6, "rows": 4, "spacing": 0.1, "velocity": [3, 0],
+            "material": {"kind": "spring", "stiffness": 20000, "damping": 5, "mass": 2}}],
+        "obstacles": [{"plane": {"point": [0, 0], "normal": [0, 1]}, "friction": 0.5}]});
+    let list = books(&scene, 1.5);
+    let (book, verdict) = (list.last().unwrap().book, judge(&list));
+    // 2 kg at 3 m/s.
+    assert!((book.friction / 9.0 - 1.0).abs() < 0.02, "{book:?}");
+    assert!(verdict.passes() && verdict.is_told, "{verdict:?}");
+    assert!(list.last().unwrap().now.kinetic < 0.05, "{:?}", list.last().unwrap().now);
+}
+
+#[test]
+fn an_impact_takes_what_restitution_leaves() {
+    for restitution in [0.0, 0.5, 0.8] {
+        let scene = json!({"wobble": 1, "contact": true, "points": {"position": [[0, 0.5]], "velocity": [[0, -4]], "mass": [2]},
+            "bounds": {"min": [-1, 0], "max": [1, 9], "restitution": restitution}});
+        let list = books(&scene, 0.5);
+        let (book, right) = (list.last().unwrap().book, 16.0 * (1.0 - restitution * restitution));
+        assert!((book.impacts / right - 1.0).abs() < 0.01, "{restitution}: {book:?}, not {right} J");
+        assert!(judge(&list).passes(), "{restitution}: {:?}", judge(&list));
+    }
+}
+
+#[test]
+fn dampers_take_what_a_wobble_loses() {
+    let mut body = disc([0.0, 1.0], [0.0; 2]);
+    body["material"]["damping"] = json!(0.5);
+    let scene = json!({"wobble": 1, "contact": true, "bodies": [body],
+        "bounds": {"min": [-2, 0], "max": [2, 4]}, "gravity": [0, -9.81]});
+    let list = books(&scene, 1.0);
+    let last = list.last().unwrap();
+    assert!(last.book.dampers > 0.3, "{:?}", last.book);
+    assert!(last.left_over().abs() < 0.03 * last.most_kinetic, "{last:?}: {} J", last.left_over());
+}
+
+#[test]
+fn bodies_that_give_all_back_lose_little_and_that_is_seen() {
+    let bodies: Vec<Value> = (0..15_i32)
+        .map(|i| {
+            let [x, y] = [1.2 * f64::from(i % 5) - 2.4, 1.2 * f64::from(i / 5)];
+            let velocity = [1.5 * f64::from(i * 7 % 5 - 2), 2.0 * f64::from(i * 3 % 5 - 2)];
+            json!({"make": "disc", "radius": 0.4, "spacing": 0.15, "origin": [x, y], "velocity": velocity,
+                "material": {"kind": "spring", "stiffness": 2000, "damping": 0, "mass": 0.1}})
+        })
+        .collect();
+    let scene = json!({"wobble": 1, "bodies": bodies, "contact": {"friction": 0, "restitution": 1},
+        "bounds": {"min": [-4, -2], "max": [4, 4], "restitution": 1, "friction": 0}});
+    let list = books(&scene, 3.0);
+    let (last, verdict) = (list.last().unwrap(), judge(&list));
+    let kept = last.now.sum() / last.start;
+    assert!((0.65..1.001).contains(&kept), "{kept}");
+    // Nothing may take anything: what is missing is the method's own.
+    assert!((verdict.loss - (1.0 - kept)).abs() < 0.05, "{verdict:?}, kept {kept}");
+    assert_eq!(last.book.taken(), 0.0, "{:?}", last.book);
+}

@@ -1,0 +1,28 @@
+//! All tests that need no process of their own: one program, so that what they share is compiled and linked once.
+//! Beside it stand `fuzz`, which counts its memory, and `window`, which is alone on its display.
+
+mod common;
+
+mod architecture;
+mod cli;
+mod commands;
+mod determinism;
+mod fields;
+mod handover;
+mod history;
+mod large;
+mod large_scenes;
+mod ledger;
+mod live;
+mod motion;
+mod obstacles;
+mod pictures;
+mod recordings;
+mod replay;
+mod scenes;
+mod screenshots;
+mod shaders;
+mod shape;
+mod space;
+mod stability;
+mod study;
