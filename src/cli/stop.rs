@@ -36,7 +36,8 @@ pub(super) fn on_interrupt() -> anyhow::Result<()> {
     let mut signals = signal_hook::iterator::Signals::new([SIGINT])?;
     std::thread::spawn(move || {
         if signals.forever().next().is_some() {
-            let kept = KEEP.lock().unwrap_or_else(PoisonError::into_inner).as_mut().and_then(|keep| keep());
+            let keep = || KEEP.lock().unwrap_or_else(PoisonError::into_inner).as_mut().and_then(|keep| keep());
+            let kept = std::panic::catch_unwind(std::panic::AssertUnwindSafe(keep)).unwrap_or_default();
             let _whole = crate::output::pause();
             let words = kept.unwrap_or_else(|| "what was not written yet is lost".to_owned());
             let _ = writeln!(std::io::stderr(), "\nwobble: stopped: {words}");

@@ -38,7 +38,7 @@ pub(super) struct Stability {
     #[arg(long)]
     quick: bool,
     /// So many cases of the battery, from the first on; 1,000 if not said.
-    #[arg(long, value_name = "N")]
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u64).range(1..))]
     cases: Option<u64>,
     /// This case of the battery by its number alone; may be given several times. Its scene is written out as case-N.json.
     #[arg(long, value_name = "N", conflicts_with_all = ["cases", "family", "sweep"])]
@@ -88,11 +88,12 @@ impl Stability {
         let (settings, subjects) = (self.settings(), self.subjects()?);
         StabilityReport::ready(&self.out)?;
         let bar = progress::tasks(quiet);
+        let read: Vec<PathBuf> = self.scenes.iter().map(PathBuf::from).collect();
         let latest: Arc<Mutex<Option<StabilityReport>>> = Arc::default();
         let (mut copied, mut written, mut apart, mut is_new) = (None, Instant::now(), KEPT_EVERY, true);
         let mut keep = |report: &mut StabilityReport| {
             if std::mem::take(&mut is_new) {
-                report.take_over(&self.out);
+                report.take_over(&self.out, &read);
                 self.sign(report);
             }
             if copied.is_none_or(|at: Instant| at.elapsed() >= COPIED_EVERY) {
@@ -105,6 +106,7 @@ impl Stability {
             let begun = Instant::now();
             report.sum_up();
             report.write(&self.out)?;
+            *latest.lock().unwrap_or_else(PoisonError::into_inner) = Some(report.clone());
             (written, apart) = (Instant::now(), (APART * begun.elapsed()).clamp(KEPT_EVERY, KEPT_AT_LEAST_EVERY));
             Ok(())
         };
@@ -113,8 +115,10 @@ impl Stability {
             move || {
                 let mut report = latest.lock().unwrap_or_else(PoisonError::into_inner).take()?;
                 report.sum_up();
-                report.write(&out).ok()?;
-                Some(format!("what was judged until then ({}) is in {}", report.done(), out.display()))
+                Some(match report.write(&out) {
+                    Ok(()) => format!("what was judged until then ({}) is in {}", report.done(), out.display()),
+                    Err(error) => format!("what was judged until then is lost: {error}"),
+                })
             }
         });
         let mut show = |now: study::Progress<'_>| {
@@ -123,10 +127,11 @@ impl Stability {
             bar.set_message(now.problem.to_owned());
         };
         let mut report = measure_stability::<StudyError>(&subjects, &settings, &mut show, &mut keep)?;
-        drop(keeping);
         bar.finish_and_clear();
         self.sign(&mut report);
+        *latest.lock().unwrap_or_else(PoisonError::into_inner) = Some(report.clone());
         report.write(&self.out)?;
+        drop(keeping);
         if !subjects.is_empty() {
             report.judged.iter().try_for_each(tell)?;
         }
@@ -160,7 +165,9 @@ impl Stability {
             let subject = Subject::of_start(&Start::load(name)?);
             subjects.push(Subject { tolerance: self.tolerance.or(subject.tolerance), ..subject });
         }
-        for &case in &self.case {
+        let mut cases = self.case.clone();
+        cases.dedup();
+        for &case in &cases {
             let duration = self.settings().case_seconds;
             subjects.push(Subject { duration, ..battery::subject(case)? });
         }

@@ -26,7 +26,9 @@ impl<S: Real, const D: usize> World<S, D> {
         self.add_obstacles(&mut model, &addition.obstacles)?;
         self.add_points(&mut model, addition);
         let (old_areas, old_angle) = (model.rest_areas.len(), self.model.angles.next);
-        let repeated = if addition.triangles.is_empty() { Vec::new() } else { repeats(&model.triangles) };
+        let old_triangles = model.triangles.len() - addition.triangles.len();
+        let mut repeated = if addition.triangles.is_empty() { Vec::new() } else { repeats(&model.triangles) };
+        repeated.retain(|&number| number >= old_triangles);
         if !repeated.is_empty() {
             model.triangles = without(&model.triangles, &repeated);
         }
@@ -69,6 +71,7 @@ impl<S: Real, const D: usize> World<S, D> {
         self.obstacles = obstacles.unwrap_or_else(|| self.obstacles.clone());
         let angles = old_angle..model.angles.next;
         self.model = Arc::new(model);
+        repeated.iter_mut().for_each(|number| *number -= old_triangles);
         self.warn_of_repeats(&repeated);
         self.warn_of_areas(old_areas);
         self.weigh((first..first + count).chain(touched));

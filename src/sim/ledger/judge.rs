@@ -48,19 +48,21 @@ impl Verdict {
 ///
 /// Gains are what the energy has over its start and what was brought, whatever was taken since. Losses are what neither dampers,
 /// drag, friction, restitution nor breaking bonds explain, between any two times not further apart than [`LOSS_TIME`].
-/// Both are medians of five entries, and relative to the largest kinetic energy until then, at least to what nobody would see
-/// ([`Ledger::unseen`]); less than rounding makes is nothing.
+/// Both are medians of five entries but for the start, and relative to the largest kinetic energy until then, of what the scene could give
+/// at most, at least to what nobody would see ([`Ledger::unseen`]); less than rounding makes is nothing.
 /// Without entries nothing is wrong.
 pub fn judge(entries: &[Ledger]) -> Verdict {
     let mut verdict = Verdict { is_told: entries.iter().all(|entry| entry.book.untold == 0), ..Verdict::default() };
     let excess = medians(entries, Ledger::excess);
     let left = medians(entries, Ledger::left_over);
+    let available = available(entries);
     let mut first = 0;
     for (k, entry) in entries.iter().enumerate() {
         let last = &entries[(k + SMOOTHED / 2).min(entries.len() - 1)];
+        let there = available[(k + SMOOTHED / 2).min(entries.len() - 1)];
         let share = |energy: f64| match energy {
             energy if energy <= last.rounding => 0.0,
-            energy => energy / last.most_kinetic.max(last.unseen),
+            energy => energy / last.most_kinetic.min(there).max(last.unseen),
         };
         while entry.time - entries[first].time > LOSS_TIME {
             first += 1;
@@ -80,6 +82,20 @@ pub fn judge(entries: &[Ledger]) -> Verdict {
     verdict
 }
 
+/// Of each entry the largest kinetic energy that a motion could have had until then: what it had of it and of springs' at the start, what
+/// was brought, and what gravity gave [J].
+fn available(entries: &[Ledger]) -> Vec<f64> {
+    let Some(first) = entries.first() else { return Vec::new() };
+    let [start, height] = [first.now.kinetic + first.now.springs, first.now.gravity];
+    let given = |entry: &Ledger| entry.book.brought() + height - entry.now.gravity;
+    let mut most: f64 = 0.0;
+    let until = |entry| {
+        most = most.max(given(entry));
+        start + most
+    };
+    entries.iter().map(until).collect()
+}
+
 /// Whether a number is larger than another; what is no number is as large as can be.
 fn exceeds(a: f64, b: f64) -> bool {
     a > b || a.is_nan()
@@ -93,7 +109,8 @@ fn medians(entries: &[Ledger], of: fn(&Ledger) -> f64) -> Vec<f64> {
         near.sort_by(f64::total_cmp);
         near[near.len() / 2]
     };
-    (0..values.len()).map(around).collect()
+    // The start is what it is said to be.
+    (0..values.len()).map(|k| if k == 0 { values[0] } else { around(k) }).collect()
 }
 
 #[cfg(test)]

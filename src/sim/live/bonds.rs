@@ -2,7 +2,6 @@
 
 use super::body::{Body, Link};
 use super::cluster::{Cluster, Common};
-use super::gather::SUBSTEPS;
 use super::{FRAMES, part, tree};
 use crate::sim::bond::Limit;
 use crate::sim::kernels::level::vectorized;
@@ -13,8 +12,8 @@ use crate::sim::vector::{add, dot, scale, sub};
 /// Most of (w h)^2 and of the decay in a substep at which springs are forces: 4 and 2 would be the edge of stability.
 pub(super) const MOST_PHASE: f64 = 2.0;
 pub(super) const MOST_DECAY: f64 = 0.5;
-/// Shares of its length at rest between which a spring is a force.
-const BORNE: [f64; 2] = [0.5, 2.0];
+/// Share of its length at rest down to which a spring is a force.
+const BORNE: f64 = 0.5;
 /// Share of an error that a bond takes away at once from which on it is hard.
 const HARD: f64 = 0.99;
 
@@ -24,10 +23,10 @@ fn are_forces<S: Real>(body: &Body<S>, h: S) -> bool {
 }
 
 /// Substeps of a frame that the springs of a body need to be forces, by bounds on the square of their fastest oscillation [1/s^2] and on
-/// their fastest decay [1/s]; 0 where they would need too many.
-pub(super) fn substeps(stiffness: f64, decay: f64) -> u32 {
+/// their fastest decay [1/s]; 0 where they would need more than `most`.
+pub(super) fn substeps(stiffness: f64, decay: f64, most: u32) -> u32 {
     let wanted = ((stiffness / MOST_PHASE).sqrt().max(decay / MOST_DECAY) / FRAMES).ceil();
-    if wanted <= f64::from(SUBSTEPS[SUBSTEPS.len() - 1]) { wanted as u32 } else { 0 }
+    if wanted <= f64::from(most) { wanted as u32 } else { 0 }
 }
 
 /// What springs that are forces give to velocities in `h` [s].
@@ -131,13 +130,13 @@ impl<S: Real> Hold<S> {
     }
 }
 
-/// Whether a spring is squeezed or stretched beyond what forces bear.
+/// Whether a spring is squeezed beyond what forces bear.
 fn is_crushed<S: Real>(springs: &[Link<S>], now: &[[S; 2]]) -> bool {
-    let [least, most] = BORNE.map(|share| S::from_f64(share * share));
+    let least = S::from_f64(BORNE * BORNE);
     springs.iter().any(|link| {
         let d = sub(now[link.a as usize], now[link.b as usize]);
         let (square, rest) = (dot(d, d), link.rest * link.rest);
-        link.limit == Limit::Both && !(square >= least * rest && square <= most * rest) && rest > S::ZERO
+        link.limit == Limit::Both && rest > S::ZERO && (square < least * rest || !square.is_finite())
     })
 }
 
@@ -205,6 +204,30 @@ pub(super) fn hold_again<S: Real>(state: &mut Cluster<S>) {
     let hard = std::mem::take(&mut state.hard);
     sweep(state, &hard);
     state.hard = hard;
+}
+
+/// Takes from velocities what would change the length of rigid bonds, trees apart, in one sweep. Returns how many there are.
+pub(super) fn stiffen<S: Real>(state: &mut Cluster<S>, common: &Common<S>) -> u64 {
+    let mut count = 0;
+    for (body, base) in state.members(common) {
+        let rigid = &common.holds(body)[body.tree as usize..];
+        for link in
+            rigid.iter().filter(|link| !link.stiffness.is_finite() && link.limit == Limit::Both && link.share == S::ONE)
+        {
+            let (a, b) = (base + link.a as usize, base + link.b as usize);
+            let d = sub(state.now[a], state.now[b]);
+            let weight = dot(d, d) * (state.w[a] + state.w[b]);
+            if weight > S::ZERO {
+                let push = scale(d, dot(sub(state.velocity[a], state.velocity[b]), d) / weight);
+                state.velocity[a] = sub(state.velocity[a], scale(push, state.w[a]));
+                state.velocity[b] = add(state.velocity[b], scale(push, state.w[b]));
+                count += 1;
+            }
+        }
+    }
+    state.counts.bonds += count;
+    state.counts.work += 30 * count;
+    count
 }
 
 /// One sweep over bonds that kernels take.

@@ -9,7 +9,6 @@ use super::cluster::{Cluster, Common};
 use crate::sim::bond::Limit;
 use crate::sim::force::form::at;
 use crate::sim::ledger::Book;
-use crate::sim::pull::Pull;
 use crate::sim::real::Real;
 use crate::sim::vector::{add, dot, scale, sub, zero};
 
@@ -19,13 +18,15 @@ pub(super) struct Tally<S: Real> {
     /// How far contacts that do not give all back, and friction, pushed each point in the substep [m].
     pressed: Vec<[S; 2]>,
     rubbed: Vec<[S; 2]>,
+    /// Works of the fields that stand in the cluster's work too [J].
+    apart: f64,
     taken: Book,
 }
 
 impl<S: Real> Tally<S> {
     pub(super) fn new(points: usize) -> Self {
         let none = || vec![zero(); points];
-        Tally { pressed: none(), rubbed: none(), taken: Book::default() }
+        Tally { pressed: none(), rubbed: none(), apart: 0.0, taken: Book::default() }
     }
 
     /// A substep begins.
@@ -48,11 +49,9 @@ impl<S: Real> Tally<S> {
         self.rubbed[i] = add(self.rubbed[i], along);
     }
 
-    /// Restitution gave a point back some of its velocity.
-    pub(super) fn give_back(&mut self, restitution: S, w: S, (before, after): ([S; 2], [S; 2])) {
-        if restitution < S::ONE {
-            self.taken.impacts -= (energy(after, w) - energy(before, w)).to_f64();
-        }
+    /// Restitution gave back some of the energy [J].
+    pub(super) fn give_back(&mut self, energy: S) {
+        self.taken.impacts -= energy.to_f64();
     }
 }
 
@@ -61,16 +60,35 @@ fn energy<S: Real>(velocity: [S; 2], w: S) -> S {
 }
 
 impl<S: Real> Cluster<S> {
+    /// Kinetic energy [J], where a ledger is kept.
+    pub(super) fn kinetic(&self) -> Option<S> {
+        let sum = || (0..self.own()).fold(S::ZERO, |sum, i| sum + energy(self.velocity[i], self.w[i]));
+        self.tally.as_ref().map(|_| sum())
+    }
+
+    /// What forces did in a substep, and of the wind its gusts and all of it [J].
+    pub(super) fn book_fields(&mut self, forces: S, [gusts, wind]: [S; 2]) {
+        if let Some(tally) = &mut self.tally {
+            tally.apart += (forces + gusts).to_f64();
+            tally.taken.forces += forces.to_f64();
+            tally.taken.wind += wind.to_f64();
+        }
+    }
+
     /// What contacts, friction and dampers took in a substep of `h` [s], before anything bounces.
     pub(super) fn tally(&mut self, common: &Common<S>, h: f64) {
         let Some(mut tally) = self.tally.take() else { return };
         let rate = S::from_f64(1.0 / h);
+        let mut taken = [0.0; 2];
         for i in (0..self.own()).filter(|&i| self.w[i] != S::ZERO) {
             let mean = scale(add(self.begun[i], self.velocity[i]), S::HALF);
             let of = |push: [S; 2]| (dot(mean, push) * rate / self.w[i]).to_f64();
-            tally.taken.impacts -= of(tally.pressed[i]);
-            tally.taken.friction -= of(tally.rubbed[i]);
+            taken[0] -= of(tally.pressed[i]);
+            taken[1] -= of(tally.rubbed[i]);
         }
+        // What contacts make is the method's own error, and explains nothing.
+        tally.taken.impacts += taken[0].max(0.0);
+        tally.taken.friction += taken[1].max(0.0);
         tally.taken.dampers += self.damped(common, h);
         self.tally = Some(tally);
     }
@@ -88,19 +106,20 @@ impl<S: Real> Cluster<S> {
                     Limit::Max => error < S::ZERO,
                     Limit::Min => error > S::ZERO,
                 };
-                if is_slack {
+                // Where springs are projected those without stiffness do nothing.
+                if is_slack || (!are_forces && link.stiffness == S::ZERO) {
                     continue;
                 }
-                let closing = |v: &[[S; 2]]| along(sub(v[a], v[b]), d, link.rest);
-                let (now, acts) =
-                    (closing(&self.velocity), closing(if are_forces { &self.begun } else { &self.velocity }));
-                sum += (link.damping * dot(now, acts)).to_f64();
+                let closing = |v: &[[S; 2]]| along(sub(v[a], v[b]), d, if are_forces { link.rest } else { S::ONE });
+                let [begun, now] = [&self.begun, &self.velocity].map(|v| closing(v));
+                let acts = if are_forces { begun } else { now };
+                sum += (link.damping * dot(acts, add(begun, now)) * S::HALF).to_f64();
             }
             for hinge in common.hinges(body).iter().filter(|hinge| hinge.damping > S::ZERO) {
                 let points = hinge.points.map(|point| base as u32 + point);
                 if let Some(stand) = hinge.stand(at(&self.now, points)) {
-                    let turns = stand.rate(at(&self.velocity, points));
-                    sum += (stand.share() * hinge.damping * turns * turns).to_f64();
+                    let [begun, now] = [&self.begun, &self.velocity].map(|v| stand.rate(at(v, points)));
+                    sum += (stand.share() * hinge.damping * now * (begun + now) * S::HALF).to_f64();
                 }
             }
         }
@@ -119,15 +138,12 @@ fn along<S: Real>(velocity: [S; 2], d: [S; 2], rest: S) -> [S; 2] {
 }
 
 /// Books a step.
-pub(super) fn book<S: Real>(state: &Cluster<S>, pull: &Pull<S, 2>, book: &mut Book) {
+pub(super) fn book<S: Real>(state: &Cluster<S>, book: &mut Book) {
     let is_led = |i: usize| state.w[i] == S::ZERO && state.velocity[i] != zero();
-    if (0..state.own()).any(is_led) || pull.has_fields() || pull.air.is_some() {
-        // Nobody knows what led pins did, and forces and wind are not told from the mouse.
-        book.untold += 1;
-        return;
-    }
-    book.mouse += state.work.to_f64();
+    // Nobody knows what led pins did.
+    book.untold += u64::from((0..state.own()).any(is_led));
     if let Some(tally) = &state.tally {
+        book.mouse += state.work.to_f64() - tally.apart;
         book.add(&tally.taken, 1.0);
     }
 }

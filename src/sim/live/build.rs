@@ -2,6 +2,7 @@
 
 use super::body::{Area, Body, Edge, Link, Span};
 use super::cluster::Cluster;
+use super::gather::SUBSTEPS;
 use super::skins::Skin;
 use super::{Draft, FRAMES, bonds, tree};
 use crate::sim::bond::{Bond, BondKind};
@@ -151,7 +152,7 @@ impl<S: Real> Bodies<S> {
             radius,
             stiffness: S::from_f64(stiffness),
             decay: S::from_f64(decay),
-            least_substeps: bonds::substeps(stiffness, decay),
+            least_substeps: bonds::substeps(stiffness, decay, SUBSTEPS[3]),
         });
     }
 

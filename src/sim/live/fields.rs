@@ -52,17 +52,23 @@ impl<S: Real> Field<S> {
 pub(super) fn blow<S: Real>(state: &mut Cluster<S>, outside: Outside<S>, (t, h): (f64, f64)) {
     let pull = outside.pull;
     let time = S::from_f64(h);
+    let (mut forces, mut wind) = (S::ZERO, [S::ZERO; 2]);
     let thrusts = std::mem::take(&mut state.thrusts);
     for thrust in &thrusts {
         let Cluster { now, velocity, w, work, .. } = &mut *state;
         thrust.each(now, w, |i, push| {
             let gain = scale(push, time);
-            *work += dot(gain, add(velocity[i], scale(gain, S::HALF))) / w[i];
+            let own = dot(gain, add(velocity[i], scale(gain, S::HALF))) / w[i];
+            *work += own;
+            forces += own;
             velocity[i] = add(velocity[i], gain);
         });
     }
     state.thrusts = thrusts;
-    let Some(air) = &pull.air else { return };
+    let Some(air) = &pull.air else {
+        state.book_fields(forces, wind);
+        return;
+    };
     let share = -libm::expm1(-h * pull.drag_rate);
     for i in 0..state.own() {
         if state.w[i] == S::ZERO {
@@ -71,7 +77,12 @@ pub(super) fn blow<S: Real>(state: &mut Cluster<S>, outside: Outside<S>, (t, h):
         let gust = air.gust(widen(state.now[i]), t + 0.5 * h);
         let gain: [S; 2] = convert(scale(gust, share));
         // What the mean wind does is a part of the energy that the guard looks at.
-        state.work += dot(gain, add(state.velocity[i], scale(gain, S::HALF))) / state.w[i];
-        state.velocity[i] = add(state.velocity[i], convert(scale(add(air.mean, gust), share)));
+        let own = dot(gain, add(state.velocity[i], scale(gain, S::HALF))) / state.w[i];
+        let all: [S; 2] = convert(scale(add(air.mean, gust), share));
+        state.work += own;
+        wind[0] += own;
+        wind[1] += dot(all, add(state.velocity[i], scale(all, S::HALF))) / state.w[i];
+        state.velocity[i] = add(state.velocity[i], all);
     }
+    state.book_fields(forces, wind);
 }

@@ -18,7 +18,7 @@ pub(super) const WAY: f64 = 0.5;
 /// Substeps of a frame: one of these numbers.
 pub(super) const SUBSTEPS: [u32; 4] = [16, 32, 64, 128];
 
-/// Substeps that speed alone asks for from which on blows are too hard for springs that are forces.
+/// Substeps that speed alone asks for from which on a blow is too hard for springs that are forces.
 const VIOLENT: f64 = 32.0;
 /// Counted work of a frame up to which there are more substeps than speeds ask for, so that springs can be forces.
 const AFFORDED: f64 = 4.5e6;
@@ -251,20 +251,26 @@ impl<S: Real> Cluster<S> {
         }
     }
 
-    /// Substeps of a frame that the fastest point needs, and springs, where nothing is that fast.
-    pub(super) fn substeps(&mut self, common: &Common<S>, around: &Environment<2>, t: f64) -> u32 {
+    /// Substeps of a frame that the fastest point needs, and springs.
+    pub(super) fn substeps(&self, common: &Common<S>, around: &Environment<2>, t: f64) -> u32 {
         let frame = 1.0 / super::FRAMES;
         let pushed = around.mouse_at(t).map_or(0.0, |(force, _)| force.strength.abs() * force.radius);
         let speed = super::substep::fastest(self).to_f64() + frame * (common.most_push + pushed);
         let shortest = self.least_promise.to_f64() / PROMISE;
         let wanted = speed * frame / (WAY * shortest);
-        self.is_violent = wanted > VIOLENT;
         let moving = self.members(common).zip(&self.settles).filter(|(_, settles)| !**settles);
         let wanted_by_springs = moving.map(|((body, _), _)| body.least_substeps);
         let affordable = wanted_by_springs.filter(|&count| count <= self.most_substeps);
-        let least = if self.is_violent { 0 } else { affordable.max().unwrap_or_default() };
+        let least = affordable.max().unwrap_or_default();
         let is_enough = |count: &u32| f64::from(*count) >= wanted && *count >= least;
         SUBSTEPS.into_iter().find(is_enough).unwrap_or(SUBSTEPS[3])
+    }
+
+    /// Whether something that is near something is so fast that springs are projected.
+    pub(super) fn is_struck(&self) -> bool {
+        let is_near = !self.pairs.is_empty() || !self.on_planes.is_empty();
+        let shortest = self.least_promise.to_f64() / PROMISE;
+        is_near && super::substep::fastest(self).to_f64() > VIOLENT * super::FRAMES * WAY * shortest
     }
 
     /// Adds what it did.

@@ -90,7 +90,9 @@ pub(super) fn hold<S: Real>(state: &mut Cluster<S>, common: &Common<S>, (before,
     // Bodies that are led, and springs that are to let go, need some speed.
     let free = (0..state.own()).filter(|&i| state.w[i] != S::ZERO).fold(S::ZERO, |sum, i| sum + S::ONE / state.w[i]);
     let left = if debt > S::ZERO || is_led_back { S::HALF * free * S::from_f64(LEFT * LEFT) } else { S::ZERO };
-    let taken = excess.min((own - left).max(S::ZERO));
+    // In flight springs swing, and only what is owed is asked back.
+    let asked = if state.has_pressed || is_led_back { excess } else { excess.min(debt) };
+    let taken = asked.min((own - left).max(S::ZERO));
     let kept = if taken > S::ZERO { (S::ONE - taken / own).max(S::ZERO).sqrt() } else { S::ONE };
     // What is lifted out of another one is not asked back.
     let missing = (excess - state.lifted - taken).max(S::ZERO);

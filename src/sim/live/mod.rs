@@ -207,8 +207,9 @@ impl<S: Real> Live<S> {
         let before = guard::energy(cluster, common, pull.gravity);
         tangle::look(cluster, common, h);
         cluster.span = S::from_f64(own);
-        bonds::prepare(cluster, common, cluster.span);
         detect::look(cluster, common);
+        cluster.is_violent = cluster.is_struck();
+        bonds::prepare(cluster, common, cluster.span);
         for substep in 0..count as u32 {
             substep::advance(cluster, common, outside, (t + f64::from(substep) * own, own));
         }
@@ -238,7 +239,7 @@ impl<S: Real> Mover<S, 2> for Live<S> {
                 cluster.tally = account.as_ref().map(|_| Box::new(Tally::new(cluster.own())));
                 self.run(cluster, &common, (pull, around), (t, h));
                 if let Some(account) = &mut account {
-                    booking::book(cluster, pull, &mut account.book);
+                    booking::book(cluster, &mut account.book);
                 }
             }
             clusters

@@ -7,6 +7,9 @@ use crate::sim::vector::{add, dot, scale, sub};
 /// Share of an overlap of skins that was there before a substep that is mended in it, without speed; obstacles put points out at once.
 const MENDED: f64 = 0.2;
 
+/// Share of the speed that restitution asks for that may lack.
+pub(super) const BOUNCED: f64 = 1e-3;
+
 /// The side of an edge that a point belongs to: +1 on its left, -1 on its right, by the numbers of both.
 pub(super) type Sides = Vec<(u64, i8)>;
 
@@ -213,30 +216,29 @@ impl<S: Real> Pair<S> {
         }
     }
 
-    /// Gives the normal velocity that restitution asks for, where they pressed each other and came faster than `least` [m/s].
-    pub(super) fn bounce(&self, state: &mut Cluster<S>, least: S) {
+    /// Gives the normal velocity that restitution asks for, where they pressed each other and came faster than `least` [m/s]. Returns
+    /// whether that lacked.
+    pub(super) fn bounce(&self, state: &mut Cluster<S>, least: S) -> bool {
         if self.restitution == S::ZERO || self.pressed == S::ZERO || self.approach > -least {
-            return;
+            return false;
         }
         let [p, a, b] = [self.p as usize, self.a as usize, self.b as usize];
         let Some(Beside { at, normal, .. }) = beside([state.now[p], state.now[a], state.now[b]], self.side) else {
-            return;
+            return false;
         };
         let rest = S::ONE - at;
         let [w_p, w_a, w_b] = [state.w[p], state.w[a], state.w[b]];
         let w = w_p + rest * rest * w_a + at * at * w_b;
         let v = sub(state.velocity[p], add(scale(state.velocity[a], rest), scale(state.velocity[b], at)));
-        let lacking = -self.restitution * self.approach - dot(v, normal);
+        let target = -self.restitution * self.approach;
+        let lacking = target - dot(v, normal);
         if lacking > S::ZERO {
             let push = scale(normal, lacking / w);
             for (i, share) in [(p, w_p), (a, -rest * w_a), (b, -at * w_b)] {
-                let before = state.velocity[i];
-                state.velocity[i] = add(before, scale(push, share));
-                if let Some(tally) = &mut state.tally {
-                    tally.give_back(self.restitution, state.w[i], (before, state.velocity[i]));
-                }
+                state.velocity[i] = add(state.velocity[i], scale(push, share));
             }
         }
+        lacking > target * S::from_f64(BOUNCED)
     }
 }
 

@@ -110,15 +110,16 @@ fn along_shadows<S: Real>(state: &Cluster<S>, [a, b]: [u32; 2]) -> [S; 2] {
 
 /// Moves what is parted on by a substep of `h` [s], and lets it go no deeper.
 pub(super) fn drift<S: Real>(state: &mut Cluster<S>, h: S, gravity: [f64; 2]) {
-    if state.tangle.couples.is_empty() || owes(state) {
+    if state.tangle.couples.is_empty() {
         return;
     }
+    let speed = if owes(state) { 0.0 } else { SPEED };
     let couples = std::mem::take(&mut state.tangle.couples);
     let mut shifts = vec![zero::<S, 2>(); state.bodies.len()];
     for couple in couples.iter().filter(|couple| couple.is_parted()) {
         let [(mass_a, v_a), (mass_b, v_b)] = couple.bodies.map(|body| motion(state, body));
         let Some(share) = shares([mass_a, mass_b]) else { continue };
-        let way = scale(couple.out, h * S::from_f64(SPEED));
+        let way = scale(couple.out, h * S::from_f64(speed));
         let closing = dot(sub(v_b, v_a), couple.out).min(S::ZERO);
         let [a, b] = couple.bodies.map(|body| body as usize);
         state.counts.parted += 1;
@@ -128,6 +129,9 @@ pub(super) fn drift<S: Real>(state: &mut Cluster<S>, h: S, gravity: [f64; 2]) {
             for i in state.bases[body] as usize..state.bases[body + 1] as usize {
                 if state.w[i] != S::ZERO {
                     state.velocity[i] = add(state.velocity[i], gain);
+                    if let Some(tally) = &mut state.tally {
+                        tally.push(i, S::ZERO, (scale(gain, h), zero()));
+                    }
                 }
             }
         }

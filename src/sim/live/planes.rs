@@ -1,7 +1,7 @@
 //! Points on planes and on the walls of the bounds, by the same rules as points on edges.
 
 use super::cluster::Cluster;
-use super::pair::OnPlane;
+use super::pair::{BOUNCED, OnPlane};
 use crate::sim::contact::surface::Surface;
 use crate::sim::real::Real;
 use crate::sim::vector::{add, dot, scale, sub, zero};
@@ -59,19 +59,18 @@ impl<S: Real> OnPlane<S> {
         state.way[p] = add(state.way[p], shift);
     }
 
-    /// Gives the velocity that restitution asks for, where the point came faster than `least` [m/s].
-    pub(super) fn bounce(&self, state: &mut Cluster<S>, surface: &Surface<S, 2>, least: S) {
+    /// Gives the velocity that restitution asks for, where the point came faster than `least` [m/s]. Returns whether that
+    /// lacked.
+    pub(super) fn bounce(&self, state: &mut Cluster<S>, surface: &Surface<S, 2>, least: S) -> bool {
         if surface.restitution == S::ZERO || self.pressed == S::ZERO || self.approach > -least {
-            return;
+            return false;
         }
         let p = self.p as usize;
-        let lacking = -surface.restitution * self.approach - dot(state.velocity[p], surface.normal);
+        let target = -surface.restitution * self.approach;
+        let lacking = target - dot(state.velocity[p], surface.normal);
         if lacking > S::ZERO {
-            let before = state.velocity[p];
-            state.velocity[p] = add(before, scale(surface.normal, lacking));
-            if let Some(tally) = &mut state.tally {
-                tally.give_back(surface.restitution, state.w[p], (before, state.velocity[p]));
-            }
+            state.velocity[p] = add(state.velocity[p], scale(surface.normal, lacking));
         }
+        lacking > target * S::from_f64(BOUNCED)
     }
 }

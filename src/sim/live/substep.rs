@@ -20,6 +20,10 @@ pub(super) const PASSES: u32 = 3;
 /// Speeds below which nothing bounces, in what gravity gives within a substep.
 pub(super) const LEAST_BOUNCE: f64 = 2.0;
 
+/// Rigid bonds that a blow which is given back goes through in a substep, about, and how many times it may go through one.
+const BOUNCED: u64 = 8_192;
+const MOST_ROUNDS: u64 = 128;
+
 /// How far contacts and areas may push a point beyond its way within a substep, in the least promise: pairs further apart are left out.
 pub(super) const PUSHED: f64 = 0.2;
 /// How fast skins that overlap are parted at most [m/s].
@@ -217,19 +221,58 @@ impl<S: Real> Cluster<S> {
         }
         self.tally(common, h);
         let planes = common.planes;
-        let least = S::from_f64(LEAST_BOUNCE * h * crate::sim::vector::length(gravity));
         let (pairs, on_planes) = (std::mem::take(&mut self.pairs), std::mem::take(&mut self.on_planes));
         let numbers = std::mem::take(&mut self.chosen);
         let chosen = || numbers.iter().map(|&number| &pairs[number as usize]);
-        chosen().for_each(|pair| pair.bounce(self, least));
-        for on in &on_planes {
-            on.bounce(self, &planes[on.surface as usize], least);
-        }
+        let least = S::from_f64(LEAST_BOUNCE * h * crate::sim::vector::length(gravity));
+        self.rebound(common, |state| {
+            let mut gave = Gave::default();
+            chosen().for_each(|pair| gave.note(pair.bounce(state, least), pair.restitution));
+            for on in &on_planes {
+                let surface = &planes[on.surface as usize];
+                gave.note(on.bounce(state, surface, least), surface.restitution);
+            }
+            gave
+        });
         let pressed = chosen().filter(|pair| pair.pressed > S::ZERO).count();
         self.counts.contacts += pressed as u64;
         self.has_pressed |= pressed > 0 || on_planes.iter().any(|on| on.pressed > S::ZERO);
         self.counts.work += 45 * numbers.len() as u64 + pairs.len() as u64;
         self.counts.work += 20 * on_planes.len() as u64 + 20 * self.own() as u64;
         (self.pairs, self.chosen, self.on_planes) = (pairs, numbers, on_planes);
+    }
+    /// Gives what restitution asks for, by `give`, which goes through rigid bonds at once: again and again, until no more is lacking.
+    fn rebound(&mut self, common: &Common<S>, give: impl Fn(&mut Self) -> Gave) {
+        let started = self.kinetic();
+        let (mut solved, mut takes) = (0, false);
+        while solved < BOUNCED {
+            let gave = give(self);
+            takes |= gave.takes;
+            let count = if gave.any { bonds::stiffen(self, common) } else { 0 };
+            if count == 0 {
+                break;
+            }
+            solved += count.max(BOUNCED / MOST_ROUNDS);
+        }
+        if let (Some(started), Some(ended)) = (started, self.kinetic())
+            && takes
+            && let Some(tally) = &mut self.tally
+        {
+            tally.give_back(ended - started);
+        }
+    }
+}
+
+/// What restitution gave: any speed, and any that is less than what came in.
+#[derive(Clone, Copy, Default)]
+struct Gave {
+    any: bool,
+    takes: bool,
+}
+
+impl Gave {
+    fn note<S: Real>(&mut self, gave: bool, restitution: S) {
+        self.any |= gave;
+        self.takes |= gave && restitution < S::ONE;
     }
 }

@@ -141,6 +141,7 @@ pub fn measure_stability<E>(
         faults: Vec::new(),
         scenes: Vec::new(),
         written: Vec::new(),
+        takes_over: false,
     };
     let mut study = Study { settings, progress, keep, done: 0, total: 0 };
     if subjects.is_empty() {

@@ -1,7 +1,7 @@
 //! What a study of stability leaves behind: one JSON file with everything, tables, plots, the worst scenes.
 
 use std::io::Write;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 use serde::{Deserialize, Serialize};
 
@@ -60,6 +60,9 @@ pub struct StabilityReport {
     /// Places of scenes that were written out earlier, and whose they are: what is meant no longer is taken away.
     #[serde(rename = "scenes", serialize_with = "places")]
     pub(super) written: Vec<(String, Option<usize>)>,
+    /// An earlier study wrote to the folder: what this one does not write goes.
+    #[serde(skip)]
+    pub(super) takes_over: bool,
 }
 
 fn places<T: serde::Serializer>(written: &[(String, Option<usize>)], to: T) -> Result<T::Ok, T::Error> {
@@ -90,7 +93,7 @@ impl StabilityReport {
     }
 
     /// Writes all files into a folder, which is made if need be; an interrupt waits until all are there. A table without a row is not
-    /// written, and one of an earlier study goes.
+    /// written, and one that an earlier study left goes.
     ///
     /// Errors: the folder cannot be made, a plot cannot be drawn or a file cannot be written.
     pub fn write(&mut self, folder: &Path) -> Result<(), StudyError> {
@@ -106,7 +109,7 @@ impl StabilityReport {
                     _ => plot::rates(&self.judged),
                 };
                 plot::write(folder, name, &plot)?;
-            } else {
+            } else if self.takes_over {
                 ["svg", "png"].iter().for_each(|ending| remove(&folder.join(format!("{name}.{ending}"))));
             }
         }
@@ -122,15 +125,22 @@ impl StabilityReport {
         }
     }
 
-    /// Takes over a folder that an earlier study may have written to: its scenes go where this one does not write them too.
-    pub fn take_over(&mut self, folder: &Path) {
+    /// Takes over a folder that an earlier study wrote to, by what it says of itself: its files go where this one does not write them too,
+    /// but for those in `kept`, which are read.
+    pub fn take_over(&mut self, folder: &Path, kept: &[PathBuf]) {
         let earlier = std::fs::read(folder.join(DATA)).ok().and_then(|data| serde_json::from_slice(&data).ok());
-        let Some(Earlier { scenes }) = earlier else { return };
+        let Some(Earlier { scenes, .. }) = earlier else { return };
+        self.takes_over = true;
+        let is_read = |place: &String| {
+            let file = folder.join(place).canonicalize();
+            file.is_ok_and(|file| kept.iter().any(|kept| kept.canonicalize().is_ok_and(|kept| kept == file)))
+        };
         let is_own = |place: &String| {
             let name = place.strip_prefix(WORST).and_then(|rest| rest.strip_prefix('/')).unwrap_or(place);
             name.ends_with(".json") && name != DATA && !name.contains(['/', '\\'])
         };
-        self.written = scenes.into_iter().filter(is_own).map(|place| (place, None)).collect();
+        self.written =
+            scenes.into_iter().filter(|place| is_own(place) && !is_read(place)).map(|place| (place, None)).collect();
     }
 
     fn write_scenes(&mut self, folder: &Path) -> Result<(), StudyError> {
@@ -156,26 +166,27 @@ impl StabilityReport {
             to.write_all(b"\n")
         })?;
         replace(&folder.join(PAGE), |to| to.write_all(page(self).as_bytes()))?;
-        table(folder, TABLES[0], self.sweeps.is_empty(), |to| sweeps(&self.sweeps, to))?;
-        table(folder, TABLES[1], self.limits.is_empty(), |to| rows(&self.limits, to))?;
-        table(folder, TABLES[2], self.judged.is_empty(), |to| cases(&self.judged, to))?;
-        table(folder, TABLES[3], self.groups.is_empty(), |to| groups(&self.groups, to))?;
-        table(folder, TABLES[4], self.faults.is_empty(), |to| rows(&self.faults, to))
+        table(folder, TABLES[0], (self.sweeps.is_empty(), self.takes_over), |to| sweeps(&self.sweeps, to))?;
+        table(folder, TABLES[1], (self.limits.is_empty(), self.takes_over), |to| rows(&self.limits, to))?;
+        table(folder, TABLES[2], (self.judged.is_empty(), self.takes_over), |to| cases(&self.judged, to))?;
+        table(folder, TABLES[3], (self.groups.is_empty(), self.takes_over), |to| groups(&self.groups, to))?;
+        table(folder, TABLES[4], (self.faults.is_empty(), self.takes_over), |to| rows(&self.faults, to))
     }
 }
 
 fn table(
     folder: &Path,
     name: &str,
-    is_empty: bool,
+    (is_empty, goes): (bool, bool),
     write: impl FnOnce(&mut dyn Write) -> std::io::Result<()>,
 ) -> Result<(), StudyError> {
     let file = folder.join(format!("{name}.csv"));
-    if is_empty {
+    if !is_empty {
+        replace(&file, write)?;
+    } else if goes {
         remove(&file);
-        return Ok(());
     }
-    Ok(replace(&file, write)?)
+    Ok(())
 }
 
 /// Takes away a file of an earlier study; what cannot be taken away does no harm.
@@ -183,9 +194,15 @@ fn remove(file: &Path) {
     let _ = std::fs::remove_file(file);
 }
 
-/// What an earlier study says of its scenes.
+/// What an earlier study says of itself and of its scenes.
 #[derive(Deserialize)]
 struct Earlier {
+    #[serde(rename = "version")]
+    _version: String,
+    #[serde(rename = "settings")]
+    _settings: serde_json::Value,
+    #[serde(rename = "is_finished")]
+    _is_finished: bool,
     scenes: Vec<String>,
 }
 

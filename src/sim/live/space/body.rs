@@ -6,6 +6,7 @@ use crate::sim::live::Draft;
 use crate::sim::live::body::{Link, Span};
 use crate::sim::live::bonds;
 use crate::sim::live::build::{bounds, in_turn, is_held, is_spring, link, path_of};
+use crate::sim::live::gather::SUBSTEPS;
 use crate::sim::points::Points;
 use crate::sim::real::Real;
 use crate::sim::vector::{dot, length, sub};
@@ -135,7 +136,7 @@ impl<S: Real> Bodies<S> {
             own_distance: (radius + radius).min(most),
             stiffness: S::from_f64(stiffness),
             decay: S::from_f64(decay),
-            least_substeps: bonds::substeps(stiffness, decay),
+            least_substeps: bonds::substeps(stiffness, decay, SUBSTEPS[1]),
         });
     }
 
