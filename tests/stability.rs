@@ -271,6 +271,32 @@ fn an_interrupt_keeps_what_is_done() {
     assert_eq!(std::fs::read_dir(folder.path().join("worst")).unwrap().count(), faulty);
 }
 
+#[test]
+fn a_study_takes_away_the_files_of_an_earlier_one_alone() {
+    let folder = tempfile::tempdir().unwrap();
+    let out = folder.path().to_str().unwrap();
+    let (mine, report) = (folder.path().join("sweeps.csv"), folder.path().join("stability.json"));
+    std::fs::write(&mine, "mine").unwrap();
+    std::fs::write(&report, r#"{"scenes": ["notes.json"]}"#).unwrap();
+    std::fs::write(folder.path().join("notes.json"), "mine").unwrap();
+    assert!(study(&["--case", "3", "--quick", "--out", out]).status.success());
+    assert_eq!(std::fs::read_to_string(&mine).unwrap(), "mine", "no study wrote it");
+    assert_eq!(read(folder.path(), "notes.json"), "mine");
+    // What an earlier one wrote and this one does not goes, but for what is judged.
+    let case = folder.path().join("case-3.json");
+    assert!(case.exists());
+    assert!(study(&["--quick", "--sweep", "stiffness", "--case", "4"]).status.code() == Some(2));
+    assert!(study(&[case.to_str().unwrap(), "--quick", "--out", out]).status.success());
+    assert!(case.exists(), "it was read");
+    assert!(study(&["--case", "5", "--quick", "--out", out]).status.success());
+    assert!(folder.path().join("case-5.json").exists());
+    assert!(study(&["--quick", "--sweep", "stiffness", "--out", out]).status.success());
+    assert!(!folder.path().join("case-5.json").exists() && !folder.path().join("cases.csv").exists());
+    assert!(folder.path().join("sweeps.png").exists());
+    assert!(study(&["--case", "3", "--quick", "--out", out]).status.success());
+    assert!(!folder.path().join("sweeps.png").exists(), "a plot of an earlier study");
+}
+
 /// A scene of `tests/files/known` that fails, as its list has it.
 #[derive(serde::Deserialize)]
 struct Known {

@@ -40,6 +40,24 @@ fn an_impact_takes_what_restitution_leaves() {
 }
 
 #[test]
+fn forces_and_wind_are_told_from_the_mouse() {
+    let point = json!({"position": [[0, 0]], "mass": [1]});
+    let pushed = json!({"wobble": 1, "points": point, "contact": true, "forces": [{"points": [0], "force": [3, 0]}]});
+    let list = books(&pushed, 2.0);
+    let last = list.last().unwrap();
+    // (3 m/s^2 x 2 s)^2/2.
+    assert!((last.book.forces - 18.0).abs() < 0.05 && last.book.mouse == 0.0, "{:?}", last.book);
+    let blown = json!({"wobble": 1, "points": point, "contact": true, "drag_rate": 1.5,
+        "wind": {"velocity": [4, 0], "turbulence": 0.3, "seed": 1}});
+    let calm = books(&blown, 2.0);
+    let last = calm.last().unwrap();
+    assert!(last.book.wind > 5.0 && last.book.drag > 1.0 && last.book.mouse.abs() < 1e-9, "{:?}", last.book);
+    for list in [list, calm] {
+        assert!(judge(&list).is_told && judge(&list).passes(), "{:?}", judge(&list));
+    }
+}
+
+#[test]
 fn dampers_take_what_a_wobble_loses() {
     let mut body = disc([0.0, 1.0], [0.0; 2]);
     body["material"]["damping"] = json!(0.5);

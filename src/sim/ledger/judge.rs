@@ -167,6 +167,29 @@ mod tests {
     }
 
     #[test]
+    fn what_explodes_is_no_measure_of_itself() {
+        let mut burst = entries(300, |t| if t < 3.0 { (100.0, 0.0) } else { (150.0, 0.0) });
+        burst.iter_mut().for_each(|entry| entry.most_kinetic = 1e9);
+        assert!(judge(&burst).gains(), "{:?}", judge(&burst));
+        // What gravity gives and a hand brings counts.
+        let mut falls = entries(300, |t| (100.0 + 10.0 * t, 0.0));
+        for entry in &mut falls {
+            (entry.now.gravity, entry.most_kinetic) = (-10.0 * entry.time, 100.0 + 10.0 * entry.time);
+        }
+        assert!(judge(&falls).passes());
+        falls.iter_mut().for_each(|entry| entry.now.kinetic += 0.009 * entry.most_kinetic);
+        falls[0].now.kinetic = 100.0;
+        assert!(judge(&falls).passes(), "{:?}", judge(&falls));
+    }
+
+    #[test]
+    fn what_goes_in_the_first_frame_is_seen() {
+        let lost = entries(300, |t| if t < 0.05 { (100.0, 0.0) } else { (80.0, 0.0) });
+        assert!(judge(&lost).loses(), "{:?}", judge(&lost));
+        assert!(judge(&entries(300, |t| if t < 0.05 { (100.0, 0.0) } else { (80.0, 20.0) })).passes());
+    }
+
+    #[test]
     fn what_is_no_number_is_a_gain_and_nothing_is_nothing() {
         let mut broken = entries(30, |_| (100.0, 0.0));
         broken[20].now.kinetic = f64::NAN;
