@@ -6,7 +6,7 @@ use super::axes::{Panel, Scale};
 use super::figure::{Anchor, Figure};
 use super::style::{BLACK, BLUE, GREEN, GREY, LABEL, Look, MAJOR, Marker, ORANGE, SMALL, TEXT, TITLE, VERMILION, mark};
 use super::work::entry;
-use crate::study::stability::{Cause, Ended, Fault, Group, Judged, Outcome, SweepRun};
+use crate::study::stability::{Cause, Ended, Fault, Group, Judged, Outcome, SweepRun, short};
 
 /// Height of a row [units of the figure].
 const ROW: f64 = 22.0;
@@ -23,7 +23,7 @@ pub(crate) fn outcomes(runs: &[SweepRun]) -> Figure {
             methods.push(run.method);
         }
     }
-    let (left, top) = (286.0, 150.0);
+    let (left, top) = (286.0, 162.0);
     // The line above the columns is to fit, however few there are.
     let width = (left + CELL * methods.len() as f64 + 24.0).max(LEGEND);
     let mut figure = Figure::new(width, top + ROW * sweeps.len() as f64 + 24.0);
@@ -37,7 +37,7 @@ pub(crate) fn outcomes(runs: &[SweepRun]) -> Figure {
         let values = runs.iter().filter(|run| run.sweep == *sweep).map(|run| run.value);
         let [least, most] =
             values.fold([f64::INFINITY, 0.0], |[least, most], value| [value.min(least), value.max(most)]);
-        let name = format!("{sweep}, {least:e} to {most:e}");
+        let name = format!("{sweep}, {} to {}", short(least), short(most));
         figure.text([left - 10.0, y + 0.5 * ROW], name, SMALL, Anchor::End, TEXT);
         for (column, method) in methods.iter().enumerate() {
             let x = left + CELL * column as f64;

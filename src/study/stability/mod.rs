@@ -36,6 +36,7 @@ use crate::history::Recording;
 pub use counted::Counted;
 pub use files::SceneFile;
 pub use judge::Fault;
+pub(in crate::study) use page::short;
 pub use report::StabilityReport;
 pub use run::{Bounds, Ended, Findings, Timing};
 pub use strain::Strains;

@@ -164,7 +164,7 @@ fn cell(row: &LimitRow) -> String {
 }
 
 /// Two digits.
-fn short(value: f64) -> String {
+pub(in crate::study) fn short(value: f64) -> String {
     let size = value.abs();
     if value == 0.0 || !value.is_finite() {
         return format!("{value}");
