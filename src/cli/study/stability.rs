@@ -22,6 +22,7 @@ const COPIED_EVERY: Duration = Duration::from_millis(500);
 const KEPT_EVERY: Duration = Duration::from_secs(5);
 /// How many times as long as it took to write it is not written again, up to [`KEPT_AT_LEAST_EVERY`].
 const APART: u32 = 20;
+/// The most that a program that is killed loses, but for the run under way.
 const KEPT_AT_LEAST_EVERY: Duration = Duration::from_secs(60);
 
 /// What to judge and where to write it.

@@ -241,6 +241,7 @@ impl<S: Real> Cluster<S> {
         self.counts.work += 20 * on_planes.len() as u64 + 20 * self.own() as u64;
         (self.pairs, self.chosen, self.on_planes) = (pairs, numbers, on_planes);
     }
+
     /// Gives what restitution asks for, by `give`, which goes through rigid bonds at once: again and again, until no more is lacking.
     fn rebound(&mut self, common: &Common<S>, give: impl Fn(&mut Self) -> Gave) {
         let started = self.kinetic();
