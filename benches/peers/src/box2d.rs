@@ -1,5 +1,5 @@
 //! Box2D 3: a body without shapes for each point, a rigid distance joint for each bond.
-#![allow(unsafe_code, reason = "Box2D is a C library; everything unsafe of this crate is in this file")]
+#![allow(unsafe_code, reason = "Box2D is a C library; this file and heaps/box2d.rs have all that is unsafe")]
 
 use std::ffi::c_void;
 use std::fmt;
@@ -53,7 +53,10 @@ impl Peer for Box2d {
     }
 
     fn world(scene: &Scene, setting: Setting<Stiffness>) -> Box<dyn World> {
-        let world = create_world(scene);
+        let world = create_world(scene.gravity, scene.bonds.len(), |definition| {
+            definition.enableSleep = false;
+            definition.enableContinuous = false;
+        });
         let bodies: Vec<_> = (0..scene.positions.len()).map(|i| create_body(world, scene, i)).collect();
         for bond in &scene.bonds {
             create_joint(world, &bodies, bond, setting.way);
@@ -89,21 +92,20 @@ impl Drop for Box2dWorld {
     }
 }
 
-/// A world that never sleeps, looks for no fast collisions and does all its work on the thread that steps it.
+/// A world that does all its work on the thread that steps it; `adapt` changes what else Box2D would do by itself.
 ///
 /// Where one worker can't hold the joints it has several, whose tasks are run one after another as they are handed out:
 /// Box2D allows that, and lets the first of them do all the work.
-fn create_world(scene: &Scene) -> ffi::b2WorldId {
-    let workers = scene.bonds.len().div_ceil(MOST_JOINTS_A_WORKER).max(1);
+pub(crate) fn create_world(gravity: f64, joints: usize, adapt: impl FnOnce(&mut ffi::b2WorldDef)) -> ffi::b2WorldId {
+    let workers = joints.div_ceil(MOST_JOINTS_A_WORKER).max(1);
     // SAFETY: the definition comes from Box2D itself; the callbacks keep the contract stated at their definitions.
     unsafe {
         let mut world = ffi::b2DefaultWorldDef();
-        world.gravity = ffi::b2Vec2 { x: 0.0, y: -scene.gravity as f32 };
-        world.enableSleep = false;
-        world.enableContinuous = false;
+        world.gravity = ffi::b2Vec2 { x: 0.0, y: -gravity as f32 };
         world.workerCount = workers as i32;
         world.enqueueTask = Some(run_task);
         world.finishTask = Some(finish_task);
+        adapt(&mut world);
         ffi::b2CreateWorld(&world)
     }
 }

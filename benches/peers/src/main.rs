@@ -1,6 +1,7 @@
 //! Other engines on the scenes of this project's benchmarks: what a frame costs at equal strain.
 
 mod box2d;
+mod heaps;
 mod ladder;
 mod peer;
 mod rapier_joints;
@@ -13,7 +14,7 @@ mod scenes;
 use std::path::PathBuf;
 
 use anyhow::Result;
-use clap::Parser;
+use clap::{Args, Parser, Subcommand};
 
 use ladder::Budget;
 use peer::Peer;
@@ -24,18 +25,10 @@ use scenes::Scene;
 #[derive(Parser)]
 #[command(version)]
 struct Options {
-    /// Only small scenes, and shorter climbs: a minute or two.
-    #[arg(long)]
-    quick: bool,
-    /// Write peers.csv and peers.json into this folder.
-    #[arg(long, value_name = "DIR")]
-    out: Option<PathBuf>,
-    /// Only engines whose name has this in it.
-    #[arg(long, default_value = "", value_name = "TEXT")]
-    engine: String,
-    /// Only scenes whose name has this in it.
-    #[arg(long, default_value = "", value_name = "TEXT")]
-    scene: String,
+    #[command(subcommand)]
+    command: Option<Command>,
+    #[command(flatten)]
+    selection: Selection,
     /// Longest run of one setting [s]: 80 if not said, 10 with --quick.
     #[arg(long, value_name = "SECONDS")]
     run_limit: Option<f64>,
@@ -44,25 +37,58 @@ struct Options {
     climb_limit: Option<f64>,
 }
 
+/// What else can be measured.
+#[derive(Subcommand)]
+enum Command {
+    /// Lets soft bodies fall and come to rest in Box2D, rapier2d and wobble.
+    Heaps(heaps::Options),
+}
+
+/// Which runs, and where they are written.
+#[derive(Args)]
+struct Selection {
+    /// Only small scenes, and shorter climbs: a minute or two.
+    #[arg(long, global = true)]
+    quick: bool,
+    /// Write the runs into this folder: peers.csv and peers.json, or heaps.csv.
+    #[arg(long, global = true, value_name = "DIR")]
+    out: Option<PathBuf>,
+    /// Only engines whose name has this in it.
+    #[arg(long, global = true, default_value = "", value_name = "TEXT")]
+    engine: String,
+    /// Only scenes whose name has this in it.
+    #[arg(long, global = true, default_value = "", value_name = "TEXT")]
+    scene: String,
+}
+
 fn main() -> Result<()> {
     let options = Options::parse();
+    match &options.command {
+        Some(Command::Heaps(heaps)) => heaps::run(heaps, &options.selection),
+        None => climb_all(&options),
+    }
+}
+
+/// Every engine on every scene of rigid bonds that was asked for.
+fn climb_all(options: &Options) -> Result<()> {
+    let Selection { quick, out, scene: name, .. } = &options.selection;
     let mut climbs = Vec::new();
-    for scene in scenes::all(options.quick)?.iter().filter(|scene| scene.name.contains(&options.scene)) {
-        climbs.extend(climb::<box2d::Box2d>(&options, scene));
-        climbs.extend(climb::<rapier_soft::RapierSoft>(&options, scene));
-        climbs.extend(climb::<rapier_joints::RapierJoints>(&options, scene));
-        climbs.extend(climb::<rapier_multibody::RapierMultibody>(&options, scene));
+    for scene in scenes::all(*quick)?.iter().filter(|scene| scene.name.contains(name)) {
+        climbs.extend(climb::<box2d::Box2d>(options, scene));
+        climbs.extend(climb::<rapier_soft::RapierSoft>(options, scene));
+        climbs.extend(climb::<rapier_joints::RapierJoints>(options, scene));
+        climbs.extend(climb::<rapier_multibody::RapierMultibody>(options, scene));
     }
     let machine = Machine::current();
     report::print(std::io::stdout(), &machine, &climbs)?;
-    options.out.iter().try_for_each(|folder| report::save(folder, &machine, &climbs))
+    out.iter().try_for_each(|folder| report::save(folder, &machine, &climbs))
 }
 
 /// One engine on one scene, if both were asked for and go together.
 fn climb<P: Peer>(options: &Options, scene: &Scene) -> Option<Vec<Record>> {
-    let (run, climb) = if options.quick { (10.0, 10.0) } else { (80.0, 90.0) };
+    let (run, climb) = if options.selection.quick { (10.0, 10.0) } else { (80.0, 90.0) };
     let budget = Budget { run: options.run_limit.unwrap_or(run), climb: options.climb_limit.unwrap_or(climb) };
-    (P::NAME.contains(&options.engine) && P::suits(scene)).then(|| ladder::climb::<P>(scene, budget))
+    (P::NAME.contains(&options.selection.engine) && P::suits(scene)).then(|| ladder::climb::<P>(scene, budget))
 }
 
 #[cfg(test)]

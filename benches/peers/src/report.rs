@@ -94,9 +94,12 @@ impl Record {
 /// Where and how the figures were measured.
 #[derive(Serialize)]
 pub(crate) struct Machine {
-    processor: String,
-    cores: usize,
-    command: String,
+    /// Its name.
+    pub(crate) processor: String,
+    /// How many threads it runs at once.
+    pub(crate) cores: usize,
+    /// What was typed.
+    pub(crate) command: String,
 }
 
 impl Machine {
