@@ -176,7 +176,8 @@ fn the_call_overrides_the_scene() {
 }
 
 /// A stiff spring in steps a thousand times too long.
-const UNSTABLE: &str = r#"{ "wobble": 1, "points": { "position": [[0, 0]] }, "gravity": [0, -1e308] }"#;
+const UNSTABLE: &str =
+    r#"{ "wobble": 1, "points": { "position": [[0, 0]] }, "gravity": [0, -1e308], "method": { "solver": "verlet" } }"#;
 
 #[test]
 fn what_fails_says_so_in_one_line() {

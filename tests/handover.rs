@@ -1,9 +1,11 @@
 //! Islands that go from their own methods to the live step, by budget and on alarms, and back.
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic, reason = "a test that cannot go on stops")]
 
+mod lost;
 mod meet;
 mod shift;
 mod wake;
+mod wild;
 
 use std::path::Path;
 

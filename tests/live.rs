@@ -7,11 +7,13 @@ mod flight;
 mod heap;
 mod rest;
 mod rigid;
+mod round;
 mod sharp;
 mod tangle;
 mod thin;
 mod violence;
 mod wake;
+mod whole;
 mod words;
 
 use serde_json::{Value, json};

@@ -368,6 +368,8 @@ fn made(
             looks: counters.looks,
             mended: counters.mended,
             parted: counters.parted,
+            settled: counters.settled,
+            frozen: counters.frozen,
         },
         warnings,
         hash: hash(samples, scene.dimensions()),

@@ -353,13 +353,13 @@ pub struct RecordedMover {
     pub method: &'static str,
     /// Since when [s].
     pub since: f64,
-    /// `plan`, `budget`, `contact` or `alarm`.
+    /// `plan`, `budget`, `contact` or `alarm`; `not finite` of what stands still.
     pub why: &'static str,
 }
 
 impl From<&MovedBy> for RecordedMover {
     fn from(moved: &MovedBy) -> Self {
-        let MovedBy { first, count, method, since, why } = *moved;
+        let MovedBy { first, count, method, since, why, .. } = *moved;
         RecordedMover { first: first.0, count, method: method.name(), since, why: why.name() }
     }
 }
@@ -399,6 +399,10 @@ pub struct RecordedCounters {
     pub mended: u64,
     /// Couples of bodies that it parted, once a substep.
     pub parted: u64,
+    /// Bodies that it slowed down as they came to rest, once a step.
+    pub settled: u64,
+    /// Islands that left the finite numbers and stood still from then on.
+    pub frozen: u64,
 }
 
 impl Recording {

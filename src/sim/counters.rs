@@ -33,6 +33,10 @@ pub struct Counters {
     pub mended: u64,
     /// Couples of bodies that were parted, once a substep.
     pub parted: u64,
+    /// Bodies that were slowed down as they came to rest in the live step, once a step.
+    pub settled: u64,
+    /// Islands that left the finite numbers and stood still from then on.
+    pub frozen: u64,
     /// Groups of islands that were handed over to the live step.
     pub hand_overs: u64,
     /// Those that went back to their own methods.
@@ -48,6 +52,12 @@ const OPERATION: f64 = 0.17e-6;
 /// Operations of a bond that a large body takes once, and of each coordinate of its points that a substep moves.
 const OF_A_BATCH: [u64; 2] = [12, 2];
 
+/// Operations of a substep of large bodies of so many bonds and points.
+pub(crate) fn of_a_batch((bonds, points): (usize, usize), dimensions: usize) -> u64 {
+    let [bond, coordinate] = OF_A_BATCH;
+    bond * bonds as u64 + coordinate * (points * dimensions) as u64
+}
+
 /// Operations that so much time is counted for [ms].
 pub(crate) fn operations(ms: f64) -> u64 {
     (ms / OPERATION) as u64
@@ -62,9 +72,9 @@ impl Counters {
 
     /// Counts the work of large bodies since `before`: of so many components a point.
     pub(crate) fn count_batches(&mut self, before: &Counters, dimensions: usize) {
-        let [bond, coordinate] = OF_A_BATCH;
-        let coordinates = (self.points_moved - before.points_moved) * dimensions as u64;
-        self.work += bond * (self.bonds_solved - before.bonds_solved) + coordinate * coordinates;
+        let [bonds, points] = [self.bonds_solved - before.bonds_solved, self.points_moved - before.points_moved]
+            .map(|count| count as usize);
+        self.work += of_a_batch((bonds, points), dimensions);
     }
 
     /// What may be counted once `seconds` more were spent.

@@ -9,6 +9,7 @@ use super::contact::skin::Contact;
 use super::counters::Counters;
 use super::force::mouse::{Cursor, MouseForce};
 use super::ledger::Ledger;
+use super::model::Method;
 use super::moved::MovedBy;
 use super::plan_part::PlanPart;
 use super::real::{Positions, Precision};
@@ -132,6 +133,10 @@ pub trait Dynamics: Send {
     fn parts(&self) -> &[PlanPart];
     /// What moves the islands, since when and why: those that step together as one, in the order of their lowest points.
     fn moved_by(&self) -> Vec<MovedBy>;
+    /// How the motion is computed now.
+    fn method(&self) -> Method;
+    /// Whether an island that its own method moves would take clearly less counted work in the live step, where that may move it.
+    fn is_cheaper_live(&self) -> bool;
     /// What moves a point that can move: the group of islands that it is in; `None` where it is gone.
     fn mover_of(&self, point: PointId) -> Option<&PlanPart>;
     /// What the user should know of the scene: lengths that contradict each other, bonds that cannot hold.

@@ -1,7 +1,16 @@
 //! What surrounds all points of a world: gravity, the mouse force and its cursor.
 
-use super::force::mouse::{Cursor, MouseForce};
-use super::vector::{add, dot, length, scale, sub, truncate};
+use super::force::mouse::{Cursor, MouseForce, Push};
+use super::measure;
+use super::real::Real;
+use super::vector::{add, dot, length, scale, sub, truncate, widen};
+
+/// Share of its radius that the cursor goes in a part of a step: a point that it passes is pushed on its way.
+const SWEEP: f64 = 0.25;
+/// Most parts of a frame, however fast the cursor goes.
+const MOST_PARTS: u32 = 64;
+/// A frame [s].
+const FRAME: f64 = 1.0 / 60.0;
 
 /// The same for every group of points.
 #[derive(Clone, Debug)]
@@ -111,9 +120,57 @@ impl<const D: usize> Environment<D> {
         way / mouse.radius
     }
 
+    /// In how many equal parts of the step of `h` from `t` [s] the cursor is followed, so that what it passes is pushed on its way; `far`
+    /// as for [`sweep`](Self::sweep).
+    pub(crate) fn parts(&self, (t, h): (f64, f64), far: impl FnOnce([f64; 3]) -> f64) -> u32 {
+        let most = (f64::from(MOST_PARTS) * h / FRAME).ceil().max(1.0);
+        (self.sweep(t, h, far) / SWEEP).ceil().clamp(1.0, most) as u32
+    }
+
+    /// The same for these points, each with its velocity: one where the cursor stays or does not come near them.
+    pub(crate) fn parts_near<S: Real>(
+        &self,
+        points: impl Iterator<Item = ([S; D], [S; D])>,
+        (t, h): (f64, f64),
+    ) -> u32 {
+        let bounds = if self.moves(t, h) { measure::reach(points, (h, 0.0), S::ZERO) } else { None };
+        let Some([low, high]) = bounds else { return 1 };
+        let far = |eye: [f64; 3]| {
+            let [low, high] = [widen(low), widen(high)];
+            length(std::array::from_fn::<f64, D, _>(|k| (low[k] - eye[k]).abs().max((high[k] - eye[k]).abs())))
+        };
+        let parts = self.parts((t, h), far);
+        if parts > 1 && self.may_reach([low, high], (t, h)) { parts } else { 1 }
+    }
+
+    /// A box in which the mouse force acts in the `h` from `t` on [s] on what goes no further than `way` [m] meanwhile; in space, where it
+    /// acts along a ray, all of it.
+    pub(crate) fn swept<S: Real>(&self, (t, h): (f64, f64), way: S) -> [[S; D]; 2] {
+        let all = [[-S::INFINITY; D], [S::INFINITY; D]];
+        let (Some((force, from)), Some((_, to))) = (self.mouse_at(t), self.mouse_at(t + h)) else { return all };
+        if D == 3 {
+            return all;
+        }
+        let [from, to]: [[f64; D]; 2] = [from, to].map(|cursor| truncate(cursor.origin));
+        let grown = S::from_f64(force.radius + h * h * force.strength.abs() * force.radius) + way;
+        [
+            std::array::from_fn(|k| S::from_f64(from[k].min(to[k])) - grown),
+            std::array::from_fn(|k| S::from_f64(from[k].max(to[k])) + grown),
+        ]
+    }
+
     /// Whether the cursor of the mouse force moves from `t` to `t + h`.
-    pub(crate) fn moves(&self, t: f64, h: f64) -> bool {
+    fn moves(&self, t: f64, h: f64) -> bool {
         self.sweep(t, h, |_| 1.0) > 0.0
+    }
+
+    /// Whether the mouse force may reach a box at some time of the `h` from `t` on [s].
+    pub(crate) fn may_reach<S: Real>(&self, bounds: [[S; D]; 2], (t, h): (f64, f64)) -> bool {
+        let looks = if self.moves(t, h) { MOST_PARTS } else { 0 };
+        (0..=looks).any(|look| {
+            let time = t + h * (f64::from(look) / f64::from(looks.max(1)));
+            self.mouse_at(time).is_some_and(|(force, cursor)| Push::new(force, cursor).reaches(bounds))
+        })
     }
 
     /// Where the cursor leads to at time `t` [s].

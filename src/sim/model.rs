@@ -327,6 +327,13 @@ impl<const D: usize> Model<D> {
         budget.filter(|_| is_meant)
     }
 
+    /// Whether islands that their own methods lose are put back among the numbers, and stand still there: not where a method or an error
+    /// was asked for, whose failures are to be seen.
+    pub(crate) fn freezes(&self) -> bool {
+        let Method { solver, tolerance, budget, .. } = self.method;
+        solver == Solver::Auto && tolerance.is_none() && budget.is_some()
+    }
+
     /// Whether islands are moved by their own methods until they may meet something.
     pub(crate) fn meets_on_demand(&self) -> bool {
         self.contact.is_some() && self.budget().is_some()

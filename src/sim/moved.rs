@@ -15,11 +15,13 @@ pub enum Why {
     Contact,
     /// Its own method made energy, did not hold its bonds, did not converge or left the numbers.
     Alarm,
+    /// It left the finite numbers and nothing can move it: it stands still where it last was, until a command touches it.
+    NotFinite,
 }
 
 impl Why {
     /// All.
-    pub const ALL: [Why; 4] = [Why::Plan, Why::Budget, Why::Contact, Why::Alarm];
+    pub const ALL: [Why; 5] = [Why::Plan, Why::Budget, Why::Contact, Why::Alarm, Why::NotFinite];
 
     /// Its name in files.
     pub fn name(self) -> &'static str {
@@ -28,6 +30,7 @@ impl Why {
             Why::Budget => "budget",
             Why::Contact => "contact",
             Why::Alarm => "alarm",
+            Why::NotFinite => "not finite",
         }
     }
 }
@@ -39,7 +42,9 @@ pub struct MovedBy {
     pub first: PointId,
     /// Points that can move.
     pub count: usize,
-    /// The method.
+    /// Islands.
+    pub islands: usize,
+    /// The method; of what stands still the one that failed.
     pub method: Solver,
     /// Since when [s].
     pub since: f64,
@@ -109,6 +114,13 @@ impl Moved {
     /// Live at `t` [s] as others are that it may touch.
     pub(crate) fn kept_until_apart(self, t: f64) -> Self {
         Moved { until: self.until.max(t + wait(Why::Contact, 0)), ..self }
+    }
+
+    /// It may take more work from `t` on [s]: what was too dear until now may go back at once.
+    pub(crate) fn allow(&mut self, t: f64) {
+        if self.why == Why::Budget {
+            self.until = self.until.min(t);
+        }
     }
 
     /// It cannot go back at `t` [s] yet.

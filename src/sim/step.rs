@@ -4,7 +4,7 @@
 //! meet        bodies that may touch each other in the step are moved together from its start on (`handover`)
 //! take back   groups that no command touched since the step was cut take it whole
 //! wake        what the cursor reaches or a grab holds
-//! sweep       a cursor that goes far is followed in parts of the step, by the groups on its way
+//! sweep       a cursor that goes far is followed in parts of the step, by the groups on its way that do not follow it themselves
 //! advance     every group that is awake takes its substeps, pins led, grabs pulled
 //! tear        bonds that are overstretched go, and what they held together is compiled anew
 //! gather      positions in the order of the points
@@ -21,10 +21,6 @@ use super::world::World;
 
 /// Times that the step of a group ends early where a bond breaks: bonds that break after that do so where it ends.
 const MOST_STOPS: u32 = 16;
-/// Share of its radius that the cursor goes in a part of a step: a point that it passes is pushed on its way.
-const SWEEP: f64 = 0.25;
-/// Most parts of a step, however fast the cursor goes.
-const MOST_SWEEPS: f64 = 64.0;
 
 /// What a group has before it in a step: `h` from time `from` [s].
 #[derive(Clone, Copy)]
@@ -77,21 +73,16 @@ impl<S: Real, const D: usize> World<S, D> {
             done.push(place);
             self.take(Due { place, from, h: span(self, from), stops: 0 }, &mut done);
         }
-        let sweep = self.around.sweep(t, h, |eye| self.farthest_from(eye));
-        let parts = (sweep / SWEEP).ceil().clamp(1.0, MOST_SWEEPS);
-        if parts > 1.0 {
-            let is_aside = |world: &Self, place: usize| {
-                !done.contains(&place) && !world.plan.groups[place].may_be_reached(&world.around, (t, h))
-            };
-            let aside: Vec<usize> = (0..self.plan.groups.len()).filter(|&place| is_aside(self, place)).collect();
-            for place in aside.into_iter().filter(|&place| !self.plan.groups[place].is_asleep()).collect::<Vec<_>>() {
+        let parts = self.around.parts((t, h), |eye| self.farthest_from(eye));
+        if parts > 1 {
+            for place in self.apart((t, h), &done) {
                 done.push(place);
                 self.take(Due { place, from: t, h, stops: 0 }, &mut done);
             }
         }
         done.sort_unstable();
-        for part in 0..parts as u32 {
-            let [start, end] = [part, part + 1].map(|part| h * (f64::from(part) / parts));
+        for part in 0..parts {
+            let [start, end] = [part, part + 1].map(|part| h * (f64::from(part) / f64::from(parts)));
             self.wake_reached([t + start, t + end]);
             let mut made: Vec<usize> = Vec::new();
             for place in 0..self.plan.groups.len() {
@@ -103,6 +94,25 @@ impl<S: Real, const D: usize> World<S, D> {
         }
         self.gather();
         self.note_kinetic();
+    }
+
+    /// Those that take the step whole though the cursor goes far in the `h` from `t` on [s]: they are not on its way, or follow it
+    /// themselves. They wake where it reaches them.
+    fn apart(&mut self, (t, h): (f64, f64), done: &[usize]) -> Vec<usize> {
+        let mut list = Vec::new();
+        for (place, group) in self.plan.groups.iter_mut().enumerate().filter(|(place, _)| !done.contains(place)) {
+            let is_reached = group.may_be_reached(&self.around, (t, h));
+            if is_reached && !group.follows_cursor() {
+                continue;
+            }
+            if is_reached {
+                group.wake();
+            }
+            if !group.is_asleep() {
+                list.push(place);
+            }
+        }
+        list
     }
 
     /// Groups that are reached wake.

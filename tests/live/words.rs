@@ -28,3 +28,15 @@ fn skins_of_their_own_materials_are_refused_in_space() {
     };
     assert!(said.contains("skins") && said.contains("of the plane"), "{said}");
 }
+
+#[test]
+fn bodies_that_start_in_each_other_and_friction_that_cannot_be_are_told() {
+    let warnings = |apart: f64, friction: f64, meet: bool| {
+        let scene = json!({"wobble": 1, "contact": meet, "bounds": {"min": [-9, -9], "max": [9, 9], "friction": friction},
+            "bodies": [disc([0.0; 2], [0.0; 2]), disc([apart, 0.1], [0.0; 2]), disc([5.0, 0.0], [0.0; 2])]});
+        world(&scene).warnings().to_vec()
+    };
+    assert_eq!(warnings(0.2, 0.5, true), ["2 bodies start in each other: they are parted, slowly"]);
+    assert_eq!(warnings(1.0, 1e9, true), ["friction 1000000000 is taken as 30: it holds on a slope of 88 degrees"]);
+    assert!(warnings(0.2, 0.5, false).is_empty() && warnings(1.0, 30.0, true).is_empty());
+}

@@ -2,6 +2,8 @@
 //!
 //! It comes from a file, from the clipboard or from a body of the scene, or is painted here.
 
+#[cfg(test)]
+mod meeting_tests;
 mod painting;
 mod panel;
 mod preview;

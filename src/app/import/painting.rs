@@ -333,6 +333,18 @@ mod tests {
     }
 
     #[test]
+    fn what_is_drawn_meets_what_is_there() {
+        let mut led = Led::new([1100.0, 760.0]);
+        let places: Vec<Pos2> = star().into_iter().map(|place| led.screen(place)).collect();
+        let mut events = vec![button(places[0], true)];
+        events.extend(places[1..].iter().map(|&place| Event::PointerMoved(place)));
+        events.push(button(places[0], false));
+        led.frame(events);
+        let behind = super::super::meeting_tests::thrown_at_the_disc(&led.import, Vec::new());
+        assert!(behind < -0.5, "it pushes the disc before it: {behind}");
+    }
+
+    #[test]
     fn a_press_beside_the_canvas_paints_nothing() {
         let mut led = Led::new([1100.0, 760.0]);
         let [outside, inside] = [[-60.0, 256.0], [256.0, 256.0]].map(|place| led.screen(place));

@@ -2,14 +2,14 @@
 
 use egui::{Align, Align2, Area, Id, Layout, Rect};
 
-use super::Facts;
 use super::theme::floating;
+use super::{Facts, Wish, moving};
 
-pub(super) fn show(context: &egui::Context, room: Rect, facts: &Facts) {
+pub(super) fn show(context: &egui::Context, room: Rect, facts: &Facts, wishes: &mut Vec<Wish>) {
     // Below what floats at the top, where that takes all of the width.
     let down = if room.width() < 900.0 { 62.0 } else { 10.0 };
     let place = Area::new(Id::unique("figures")).anchor(Align2::RIGHT_TOP, [-10.0, down]).interactable(false);
-    place.show(context, |ui| {
+    let shown = place.show(context, |ui| {
         floating().show(ui, |ui| {
             egui::Grid::new("figures").num_columns(2).spacing([14.0, 1.0]).show(ui, |ui| {
                 for (name, value) in rows(facts) {
@@ -20,21 +20,18 @@ pub(super) fn show(context: &egui::Context, room: Rect, facts: &Facts) {
             });
         });
     });
+    moving::show(context, shown.response.rect.bottom() - room.top() + 6.0, facts, wishes);
 }
 
 fn rows(facts: &Facts) -> Vec<(&'static str, String)> {
     let figures = &facts.figures;
-    let mut rows = vec![
+    vec![
         ("frame", format!("{:.1} ms", 1e3 * facts.frame)),
         ("stepping", format!("{:.2} ms", 1e3 * figures.step)),
         ("points", figures.points.to_string()),
         ("bonds", figures.bonds.to_string()),
         ("energy", energy(figures.energy)),
-    ];
-    if !figures.movers.is_empty() {
-        rows.push(("live step", figures.movers.to_string()));
-    }
-    rows
+    ]
 }
 
 /// An energy [J] in at most eleven characters: what is large has no millijoules, and what is nothing no sign.

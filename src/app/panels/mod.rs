@@ -5,6 +5,7 @@ mod gallery;
 mod help;
 mod hud;
 mod icons;
+mod moving;
 mod notes;
 mod palette;
 mod save_to;
@@ -34,6 +35,10 @@ pub(super) enum Wish {
     GoTo(f64),
     /// The end of another branch.
     ToBranch(usize),
+    /// Every island is moved by its own method, whatever that costs.
+    Exact,
+    /// What gave way to the load is taken back.
+    TakeBack,
     /// All that was done is saved to a file.
     SaveTo(PathBuf),
     /// The session that is offered is gone on with.
@@ -112,7 +117,7 @@ pub(super) fn show(ui: &mut egui::Ui, state: &mut PanelState, facts: &Facts) -> 
         palette::show(ui.ctx(), room, facts, &mut wishes);
     }
     if !state.hides_hud && room.width() > 560.0 {
-        hud::show(ui.ctx(), room, facts);
+        hud::show(ui.ctx(), room, facts, &mut wishes);
     }
     state.notes.show(ui.ctx(), room, facts, &mut wishes);
     match state.sheet {

@@ -124,19 +124,25 @@ fn state(facts: &Facts) -> (String, bool) {
         (true, _) if facts.is_busy => ("computing a long step".to_owned(), false),
         (true, true) => ("at rest".to_owned(), false),
         (true, false) if figures.follows => ("replay: press to take over".to_owned(), false),
-        (true, false) if figures.pace > 0.0 && figures.pace < 0.95 => {
-            let percent = 100.0 * figures.pace;
-            let percent = if percent < 1.0 { "less than 1".to_owned() } else { format!("{percent:.0}") };
-            // A picture that takes longer than time is made up for drops time, however quick steps are.
-            let drawing = facts.frame - figures.step;
-            let (what, time) = if facts.frame > LONGEST_FRAME && drawing > figures.step {
-                ("drawing", drawing)
-            } else {
-                ("stepping", figures.step)
-            };
-            (format!("{percent} % of its pace: {:.0} ms of {what} a frame", 1e3 * time), false)
-        }
+        (true, false) if figures.pace > 0.0 && figures.pace < 0.95 => (slow_motion(facts), false),
         (true, false) => (String::new(), false),
+    }
+}
+
+/// How slow it is, and for what.
+fn slow_motion(facts: &Facts) -> String {
+    let figures = &facts.figures;
+    let speed = match 100.0 * figures.pace {
+        percent if percent < 1.0 => "less than 1 % of its speed".to_owned(),
+        percent if (45.0..55.0).contains(&percent) => "half speed".to_owned(),
+        percent => format!("{percent:.0} % of its speed"),
+    };
+    // A picture that takes longer than time is made up for drops time, however quick steps are.
+    let drawing = facts.frame - figures.step;
+    if facts.frame > LONGEST_FRAME && drawing > figures.step {
+        format!("{speed}: {:.0} ms of drawing a frame", 1e3 * drawing)
+    } else {
+        format!("{speed}: {:.0} ms of work a frame", 1e3 * figures.work)
     }
 }
 
@@ -160,16 +166,16 @@ mod tests {
         let slow = Facts { waits: false, ..facts };
         assert_eq!(
             state(&Facts { figures: Figures { pace: 0.004, ..slow.figures.clone() }, ..slow }).0,
-            "less than 1 % of its pace: 0 ms of stepping a frame"
+            "less than 1 % of its speed: 0 ms of work a frame"
         );
     }
 
     #[test]
     fn it_is_said_whether_steps_or_pictures_take_long() {
-        let figures = Figures { playing: true, pace: 0.5, step: 0.025, ..Figures::default() };
+        let figures = Figures { playing: true, pace: 0.5, step: 0.025, work: 0.041, ..Figures::default() };
         let words = |frame: f64| state(&Facts { figures: figures.clone(), frame, ..Facts::default() }).0;
-        assert_eq!(words(0.05), "50 % of its pace: 25 ms of stepping a frame");
-        assert_eq!(words(0.2), "50 % of its pace: 175 ms of drawing a frame");
+        assert_eq!(words(0.05), "half speed: 41 ms of work a frame");
+        assert_eq!(words(0.2), "half speed: 175 ms of drawing a frame");
     }
 
     #[test]

@@ -46,7 +46,8 @@ impl Keeper {
     /// Something is done.
     pub(super) fn hear(&mut self, order: &Order) {
         self.is_behind = true;
-        self.is_led |= matches!(order, Order::Give(..) | Order::LeadPin { .. } | Order::Add(_));
+        self.is_led |=
+            matches!(order, Order::Give(..) | Order::LeadPin { .. } | Order::Add(_) | Order::Exact | Order::TakeBack);
         if let (Order::Save(path), Some(lines)) = (order, &self.record)
             && path == lines.path()
         {

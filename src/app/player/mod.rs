@@ -3,6 +3,7 @@
 //! The window asks ([`Order`]) and draws the last state that it was handed ([`Shown`]); it never waits for a step. What it
 //! gave up on (another scene, a reset while a step takes long) runs out by itself and is not looked at any more.
 
+mod acts;
 mod keep;
 #[cfg(test)]
 mod keep_tests;
@@ -11,6 +12,9 @@ mod led_tests;
 mod movers;
 mod order;
 mod pace;
+mod rungs;
+#[cfg(test)]
+mod rungs_tests;
 mod save;
 mod shown;
 mod stage;
@@ -24,11 +28,14 @@ use std::sync::mpsc::{Sender, channel};
 use std::thread::JoinHandle;
 use std::time::{Duration, Instant};
 
+pub use acts::Acts;
 pub use keep::Keeping;
+pub use movers::{Moved, Movers};
 pub use order::{Note, Order};
 pub use pace::{LONGEST_FRAME, Pace, SINGLE_STEP, STEPPING_BUDGET};
+pub use rungs::{Rung, Yielded};
 pub use shown::{Figures, Places, Scenery, Shown};
-pub use stage::Stage;
+pub use stage::{Stage, too_many_to_meet};
 
 use crate::history::{Do, HistoryError, Start};
 use crate::scene::Scene;

@@ -39,6 +39,10 @@ pub enum Order {
     Add(Adder),
     /// The hand presses beside all bodies, or does not any more: a log that is followed is left when the cursor moves meanwhile.
     Press(bool),
+    /// Every island is moved by its own method from now on, whatever that costs: but for those that meet, where bodies do.
+    Exact,
+    /// What gave way to the load is taken back, and does not give way again.
+    TakeBack,
     /// Back to just before the last edit, with the cursor where it is.
     Undo(Option<Cursor>),
     /// To just after the edit that was undone.
@@ -76,8 +80,10 @@ pub enum Note {
     NothingToRedo,
     /// A log was followed until now; what is done from here on is another branch.
     Branched,
-    /// Something was added.
-    Added,
+    /// Something was added. Bodies do not meet: why, if that could not be had.
+    Added(Option<String>),
+    /// Islands are moved by their own methods from now on.
+    Exact,
     /// A command could not be done where it stood.
     Refused(String),
     /// A file was written.

@@ -41,6 +41,8 @@ pub struct Pace {
     pub is_taken: bool,
     /// Positions before the last substep.
     pub previous: Places,
+    /// Time that was due in the last frame was dropped.
+    pub is_late: bool,
     /// Changes whenever positions did.
     pub motion: u64,
 }
@@ -61,6 +63,7 @@ impl Pace {
             presses: false,
             is_taken: false,
             previous,
+            is_late: false,
             motion: 1,
         }
     }
@@ -77,6 +80,7 @@ impl Pace {
         cursor: Option<Cursor>,
         mut elapsed: impl FnMut() -> f64,
     ) -> u32 {
+        self.is_late = false;
         if !self.playing {
             return 0;
         }
@@ -93,6 +97,7 @@ impl Pace {
         let mut substeps = 0;
         while self.is_due(history) {
             if substeps > 0 && elapsed() > STEPPING_BUDGET {
+                self.is_late = true;
                 self.settle(history);
                 break;
             }

@@ -2,6 +2,9 @@
 
 use std::sync::Arc;
 
+use super::acts::Acts;
+use super::movers::Movers;
+use super::rungs::Yielded;
 use crate::history::BranchView;
 use crate::picture::Skin;
 use crate::render::View;
@@ -114,14 +117,20 @@ pub struct Figures {
     pub pace: f64,
     /// Time that stepping took of a frame [s].
     pub step: f64,
+    /// Time that stepping 1/60 s at its pace takes, about [s].
+    pub work: f64,
     /// Points that are left.
     pub points: usize,
     /// Bonds that are left.
     pub bonds: usize,
     /// [J], as it was when figures were last taken.
     pub energy: f64,
-    /// What moves its islands, where that is not their own methods: as it was when figures were last taken.
-    pub movers: Arc<str>,
+    /// What moves its islands otherwise than by plan, as it was when figures were last taken.
+    pub movers: Arc<Movers>,
+    /// What gave way to the load.
+    pub yielded: Option<Yielded>,
+    /// What the live step did of late, as it was when figures were last taken.
+    pub acts: Acts,
     /// Substeps taken since the program began.
     pub substeps: u64,
     /// The branches that can be gone to; empty where there never was more than one.

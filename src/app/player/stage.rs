@@ -3,9 +3,11 @@
 use std::sync::Arc;
 use std::time::{Duration, Instant};
 
-use super::movers::movers;
+use super::acts::{Acts, Deeds};
+use super::movers::{EXACT, Movers, exact, movers};
 use super::order::{Adder, Note, Order};
-use super::pace::Pace;
+use super::pace::{Pace, SINGLE_STEP};
+use super::rungs::{Load, Rung, Rungs, Yielded};
 use super::save;
 use super::shown::{Figures, Scenery, Shown};
 use crate::app::meter::Meter;
@@ -15,6 +17,11 @@ use crate::sim::{Cursor, Dynamics, MouseForce, PointId};
 
 /// How often figures are taken that cost something: nobody reads faster.
 const FIGURES_EVERY: Duration = Duration::from_millis(100);
+
+/// Why bodies pass through each other in a scene that is large.
+pub fn too_many_to_meet() -> String {
+    format!("a scene of more than {MOST_MEETING} bonds would be too slow if they met")
+}
 
 /// A pin that is led takes so long to the place where the cursor was [s]: a little longer than until it is sent on.
 const PIN_TIME: f64 = 0.15;
@@ -32,9 +39,15 @@ pub struct Stage {
     topology: Option<u64>,
     sceneries: u64,
     energy: f64,
-    movers: Arc<str>,
+    movers: Arc<Movers>,
+    rungs: Rungs,
+    yielded: Option<Yielded>,
+    deeds: Deeds,
+    acts: Acts,
     figures_at: Option<Instant>,
     steps: Meter,
+    /// Wall time that stepping 1/60 s at its pace takes [s].
+    works: Meter,
     reached: Meter,
     /// Strength of the hover force when nothing is led [1/s^2].
     base: Option<f64>,
@@ -76,8 +89,13 @@ impl Stage {
             sceneries: 0,
             energy: 0.0,
             movers: Arc::default(),
+            rungs: Rungs::new(),
+            yielded: None,
+            deeds: Deeds::default(),
+            acts: Acts::default(),
             figures_at: None,
             steps: Meter::default(),
+            works: Meter::default(),
             reached: Meter::default(),
             base,
             force,
@@ -155,6 +173,9 @@ impl Stage {
             Order::Add(adder) => Some(self.add(adder)),
             Order::Undo(cursor) => {
                 let undone = self.history.undo();
+                if undone.as_ref().is_some_and(|undone| Rung::of(&undone.name).is_some()) {
+                    self.rungs.refuse_all();
+                }
                 if undone.is_some() {
                     self.pace.gone_for_good(&self.history, cursor);
                 }
@@ -176,7 +197,10 @@ impl Stage {
                 self.pace.gone_for_good(&self.history, cursor);
                 None
             }
+            Order::Exact => self.make_exact(),
+            Order::TakeBack => self.take_back(),
             Order::Reset => {
+                self.rungs.forget();
                 self.pace.reset(&mut self.history);
                 None
             }
@@ -200,6 +224,7 @@ impl Stage {
         if goes {
             // Of another past, whatever its number says.
             self.topology = None;
+            self.rungs.have_gone();
             (self.has_gone, self.figures_at) = (true, None);
         }
         if self.pace.is_taken && !was_taken {
@@ -234,12 +259,42 @@ impl Stage {
         let (start, before) = (Instant::now(), self.history.world().time());
         let substeps = self.pace.advance(&mut self.history, wall, cursor, || start.elapsed().as_secs_f64());
         self.substeps += u64::from(substeps);
+        let (steps, gone) = (start.elapsed().as_secs_f64(), self.history.world().time() - before);
         if substeps > 0 {
-            self.steps.push(start.elapsed().as_secs_f64());
+            self.steps.push(steps);
+            self.works.push(SINGLE_STEP * steps * self.pace.rate / gone);
         }
         if wall > 0.0 && self.pace.is_moving(&self.history) {
-            self.reached.push((self.history.world().time() - before) / (wall * self.pace.rate));
+            self.reached.push(gone / (wall * self.pace.rate));
+            self.give_way(Load { wall, steps, is_late: self.pace.is_late, work: self.works.value() });
         }
+    }
+
+    /// Where steps took too long for a while, something gives way; it is given back where they do no more.
+    fn give_way(&mut self, load: Load) {
+        let Some((act, name)) = self.rungs.look(&self.history, load) else { return };
+        if self.history.give(vec![act], Some(name)).is_err() {
+            // A world that cannot be moved so goes on as it is.
+            Rung::of(name).into_iter().for_each(|rung| self.rungs.refuse(rung));
+        }
+        self.pace.motion += 1;
+        self.figures_at = None;
+    }
+
+    /// Every island is moved by its own method from now on.
+    fn make_exact(&mut self) -> Option<Note> {
+        let note = self.give(vec![exact(&self.history)], Some(EXACT));
+        (self.figures_at, self.movers) = (None, Arc::default());
+        note.or(Some(Note::Exact))
+    }
+
+    /// What gave way is taken back.
+    fn take_back(&mut self) -> Option<Note> {
+        self.rungs.yielded(&self.history)?;
+        let (act, name) = self.rungs.back(&self.history);
+        self.rungs.refuse_all();
+        self.figures_at = None;
+        self.give(vec![act], Some(name))
     }
 
     /// Adds something as one edit.
@@ -249,19 +304,31 @@ impl Stage {
             Err(error) => return Note::Refused(error.to_string()),
         };
         let add = Do::Add(Box::new(keys));
-        let mut given = self.history.give(self.meeting().into_iter().chain([add.clone()]).collect(), Some(ADD));
-        if given.is_err() {
+        let (meeting, mut why) = self.meeting();
+        let mut given = self.history.give(meeting.into_iter().chain([add.clone()]).collect(), Some(ADD));
+        if let Err(refusal) = &given {
+            why = Some(refusal.reason.clone());
             given = self.history.give(vec![add], Some(ADD));
         }
         self.pace.settle(&self.history);
-        given.map_or_else(|refusal| Note::Refused(refusal.reason), |_| Note::Added)
+        given.map_or_else(|refusal| Note::Refused(refusal.reason), |_| Note::Added(why))
     }
 
-    /// What makes bodies meet from now on, where they do not and are not too many: whoever adds one wants it to lie on the others.
-    fn meeting(&self) -> Option<Do> {
+    /// What makes bodies meet from now on, where they do not and are not too many: whoever adds one wants it to lie on the others. Else
+    /// why they go on passing through each other.
+    fn meeting(&mut self) -> (Vec<Do>, Option<String>) {
         let world = self.history.world();
-        let is_meant = world.dimensions() == 2 && world.contact().is_none() && world.bonds().len() <= MOST_MEETING;
-        is_meant.then(|| Do::Set(Box::new(SetKeys { contact: Some(Meeting::Is(true)), ..SetKeys::default() })))
+        if world.dimensions() != 2 || world.contact().is_some() {
+            return (Vec::new(), None);
+        }
+        if world.bonds().len() > MOST_MEETING {
+            return (Vec::new(), Some(too_many_to_meet()));
+        }
+        // A method of order 2 knows no contact.
+        let yielded = self.rungs.yielded(&self.history);
+        let back = yielded.filter(|yielded| yielded.rung == Rung::Order).map(|_| self.rungs.back(&self.history).0);
+        let meets = Do::Set(Box::new(SetKeys { contact: Some(Meeting::Is(true)), ..SetKeys::default() }));
+        (back.into_iter().chain([meets]).collect(), None)
     }
 
     /// Sends a pin on its way. One that is none by now stays where it is.
@@ -304,6 +371,8 @@ impl Stage {
         if !moves || self.figures_at.is_none_or(|at| at.elapsed() >= FIGURES_EVERY) {
             self.energy = world.energy();
             self.movers = movers(world);
+            self.acts = self.deeds.look(world.counters(), Instant::now());
+            self.yielded = self.rungs.yielded(&self.history);
             self.figures_at = Some(Instant::now());
             if self.has_gone {
                 self.branches = self.history.branches().into();
@@ -342,10 +411,13 @@ impl Stage {
             rate: self.pace.rate,
             pace: self.reached.value(),
             step: self.steps.value(),
+            work: self.works.value(),
             points: world.point_count() - world.gone().len(),
             bonds: world.bonds().len(),
             energy: self.energy,
             movers: Arc::clone(&self.movers),
+            yielded: self.yielded,
+            acts: self.acts,
             substeps: self.substeps,
             branches: Arc::clone(&self.branches),
         }

@@ -84,6 +84,8 @@ impl Session {
             Wish::ToBranch(number) => {
                 self.go(Order::ToBranch(number, self.told));
             }
+            Wish::Exact => self.player.ask(Order::Exact),
+            Wish::TakeBack => self.player.ask(Order::TakeBack),
             Wish::SaveTo(path) => {
                 self.panels.sheet = None;
                 self.save_to(path);

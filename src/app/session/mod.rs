@@ -26,7 +26,7 @@ use super::leftovers::{Leftover, look};
 use super::loading::Loading;
 use super::meter::Meter;
 use super::panels::{PanelState, Sheet, theme};
-use super::player::{Figures, News, Note, Order, Player, Shown};
+use super::player::{Figures, News, Note, Order, Player, Shown, too_many_to_meet};
 use super::pointer::Pointer;
 use super::saving::Saving;
 use super::shell::is_for_panels;
@@ -34,7 +34,7 @@ use super::thumbnails::Thumbnails;
 use super::tools::Hand;
 use crate::history::{HistoryError, Start};
 use crate::render::{Camera, Look, RenderCounters, RenderError};
-use crate::scene::{Scene, gallery};
+use crate::scene::{MOST_MEETING, Scene, gallery};
 use crate::sim::{Cursor, MouseForce};
 use shelf::Shelf;
 
@@ -322,7 +322,10 @@ impl Session {
             self.camera.resize(self.area);
         }
         self.take_base();
-        self.panels.notes.complaint = self.player.shown().scenery.warnings.first().cloned();
+        let passes =
+            self.has_picture && self.scene.contact.is_none() && self.shown().scenery.bonds.len() > MOST_MEETING;
+        let through = passes.then(|| format!("its bodies pass through each other: {}", too_many_to_meet()));
+        self.panels.notes.complaint = self.player.shown().scenery.warnings.first().cloned().or(through);
         self.panels.notes.has_caption = true;
         self.wants_hint &= self.scene.name() == gallery()[0].name;
         if self.is_canvas() && !comes_back {
@@ -373,9 +376,16 @@ impl Session {
             Note::NothingToRedo => self.go_on(),
             Note::Branched => self
                 .say("a branch begins here: the list beside the timeline leads back to what was recorded".to_owned()),
-            Note::Added => {
+            Note::Added(None) => {
                 self.adding = None;
                 self.say("it is in the scene: Ctrl+Z takes it away again".to_owned());
+            }
+            Note::Added(Some(why)) => {
+                self.adding = None;
+                self.complain(&format!("it is in the scene, but bodies pass through each other: {why}"));
+            }
+            Note::Exact => {
+                self.say("every body is moved by its own method from here on: Ctrl+Z takes that back".to_owned());
             }
             Note::Refused(why) => {
                 self.import = self.adding.take().or_else(|| self.import.take());

@@ -59,10 +59,14 @@ impl<S: Real, const D: usize> AnyBody<S, D> {
         of_any!(self, body => body.store.go_on(drift));
     }
 
-    /// The mouse pushes points that are free: `share` is what an acceleration adds to a displacement [s^2].
-    /// Returns how many points were looked at.
-    pub(crate) fn push(&mut self, push: &Push<S, D>, share: S) -> u64 {
-        of_any!(self, body => body.push(push, share))
+    /// The places in the store of free points that the mouse may push in a step.
+    pub(crate) fn near(&mut self, outside: &Outside<S, D>) -> Vec<usize> {
+        of_any!(self, body => body.near(outside))
+    }
+
+    /// The mouse pushes these points: `share` is what an acceleration adds to a displacement [s^2].
+    pub(crate) fn push(&mut self, push: &Push<S, D>, share: S, near: &[usize]) {
+        of_any!(self, body => body.push(push, share, near));
     }
 
     /// Where points are at the start of the substep, in the order of the group.
@@ -238,20 +242,26 @@ impl<S: Real, const D: usize, F: Form<S, D>> Body<S, D, F> {
         });
     }
 
-    fn push(&mut self, push: &Push<S, D>, share: S) -> u64 {
+    fn near(&mut self, outside: &Outside<S, D>) -> Vec<usize> {
         let Body { form, store, .. } = self;
-        let mut count = 0;
+        let mut near = Vec::new();
         form.each(|_, cell| {
-            count += 1;
+            if *store.weight(cell) > S::ZERO && outside.may_push(store.get(cell).0) {
+                near.push(cell);
+            }
+        });
+        near
+    }
+
+    fn push(&mut self, push: &Push<S, D>, share: S, near: &[usize]) {
+        let Body { store, .. } = self;
+        for &cell in near {
             let (x, _) = store.get(cell);
-            if *store.weight(cell) > S::ZERO
-                && let Some(acceleration) = push.acceleration(x)
-            {
+            if let Some(acceleration) = push.acceleration(x) {
                 let motion = add(store.motion(cell), scale(acceleration, share));
                 store.put(cell, x, motion);
             }
-        });
-        count
+        }
     }
 
     fn read_places(&mut self, places: &mut [[S; D]]) {

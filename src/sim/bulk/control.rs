@@ -43,8 +43,11 @@ const START: f64 = 16.0;
 pub(crate) struct Control {
     /// Substeps of a frame, where they follow a strain: as many whole ones as this takes.
     count: f64,
-    /// Fewest of them.
+    /// Fewest of them, and as many as a frame in which the mouse pushes may take, those that are taken again among them.
     least: f64,
+    paid: f64,
+    /// Those that the step under way has taken.
+    spent: f64,
     /// Largest strain [1], where substeps follow it.
     target: Option<f64>,
     /// Largest strain of late [1].
@@ -66,6 +69,8 @@ pub(crate) struct Load {
     pub(crate) pull: f64,
     /// The mouse or a surface was in reach.
     pub(crate) is_disturbed: bool,
+    /// The mouse was.
+    pub(crate) is_pushed: bool,
 }
 
 impl Control {
@@ -75,6 +80,8 @@ impl Control {
         Control {
             count: START,
             least: 1.0,
+            paid: f64::INFINITY,
+            spent: 0.0,
             target: Some(target),
             late,
             tries: 0,
@@ -86,7 +93,18 @@ impl Control {
 
     /// Substeps of at most `h` [s].
     pub(crate) fn fixed(h: f64) -> Self {
-        Control { count: 1.0, least: 1.0, target: None, late: 0.0, tries: 0, longest: h, weight: 0.0, gives: false }
+        Control {
+            count: 1.0,
+            least: 1.0,
+            paid: f64::INFINITY,
+            spent: 0.0,
+            target: None,
+            late: 0.0,
+            tries: 0,
+            longest: h,
+            weight: 0.0,
+            gives: false,
+        }
     }
 
     /// Substeps are to be as many as bonds take that pull by this much over a frame, as w lambda/rest; `weight` is that of the
@@ -95,6 +113,12 @@ impl Control {
         self.weight = weight;
         self.least = (pull / MOST_PULL).sqrt().clamp(self.least, MOST);
         self.count = self.count.max(self.least);
+    }
+
+    /// A frame in which the mouse pushes takes no more substeps than these, unless fewer could not bear what bonds pull: under the hand
+    /// bodies stretch sooner than they get slow.
+    pub(crate) fn within(self, paid: f64) -> Self {
+        Control { paid: paid.max(START), ..self }
     }
 
     /// Whether substeps follow a strain.
@@ -124,6 +148,11 @@ impl Control {
         ((h / self.substep() * (1.0 - 1e-9)).ceil() as u32).max(1)
     }
 
+    /// Of a step of `h` [s] in which the cursor is to be followed in so many parts as many substeps as may be.
+    pub(crate) fn follow(&self, count: u32, parts: u32, h: f64) -> u32 {
+        count.max(parts.min((self.paid * h / FRAME) as u32))
+    }
+
     /// The longest substep [s].
     pub(crate) fn substep(&self) -> f64 {
         if self.target.is_some() { FRAME / self.count.ceil() } else { self.longest }
@@ -133,14 +162,18 @@ impl Control {
     pub(crate) fn accepts(&mut self, strain: f64, load: Load) -> bool {
         let Some(target) = self.target else { return true };
         let (count, aim) = (self.count.ceil(), AIM * target);
+        self.spent += count;
+        let paid = if load.is_pushed { self.paid } else { f64::INFINITY };
         let wanted = (strain / aim).sqrt();
+        let next = (count * wanted.min(MOST_GROWTH)).min(MOST);
         let is_event = load.is_disturbed || load.pull == 0.0 || strain > SUDDEN * self.late.min(target);
-        if strain > target && is_event && self.tries < MOST_TRIES && count < MOST {
-            self.count = (count * wanted.min(MOST_GROWTH)).min(MOST);
+        let is_paid = self.spent + next <= paid;
+        if strain > target && is_event && self.tries < MOST_TRIES && count < MOST && is_paid {
+            self.count = next;
             self.tries += 1;
             return false;
         }
-        self.tries = 0;
+        (self.tries, self.spent) = (0, 0.0);
         self.late = strain.max(MEMORY * self.late);
         let factor = if strain > aim {
             wanted.min(if strain > target { QUICK_GROWTH } else { GROWTH })
@@ -153,7 +186,7 @@ impl Control {
         };
         self.gives |= load.pull > UNBEARABLE || (load.pull > MOST_PULL && self.count >= MOST);
         let borne = count * (load.pull / MOST_PULL).sqrt().min(GROWTH);
-        self.count = (self.count * factor).max(borne).max(self.least).min(MOST);
+        self.count = (self.count * factor).min(paid.max(count)).max(borne).max(self.least).min(MOST);
         true
     }
 }

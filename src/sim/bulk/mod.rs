@@ -30,6 +30,7 @@ pub(crate) mod trails;
 use super::account::Account;
 use super::counters::Counters;
 use super::environment::Environment;
+use super::force::mouse::Push;
 use super::kernels::store::Drift;
 use super::points::Points;
 use super::pull::Pull;
@@ -162,7 +163,7 @@ impl<S: Real, const D: usize> Mover<S, D> for Bulk<S, D> {
         let booked = account.as_ref().map(|account| account.book);
         loop {
             let h = h + self.ahead;
-            let count = self.control.count(h);
+            let count = self.control.follow(self.control.count(h), outside.parts(points, span), h);
             let substep = h / f64::from(count);
             let work = self.bonds() * (count * passes(self.way)) as usize;
             let mut help = self.help;
@@ -173,7 +174,10 @@ impl<S: Real, const D: usize> Mover<S, D> for Bulk<S, D> {
             counters.substeps += u64::from(count);
             counters.points_moved += u64::from(count) * points.len() as u64;
             let strain = if self.control.follows() { self.strain() } else { 0.0 };
-            if self.control.accepts(strain, Load { pull: taut.to_f64(), is_disturbed: !outside.is_nothing() }) {
+            if self.control.accepts(
+                strain,
+                Load { pull: taut.to_f64(), is_disturbed: !outside.is_nothing(), is_pushed: outside.mouse.is_some() },
+            ) {
                 self.arrive(points, substep);
                 (self.lag, self.ahead) = (0.5 * substep, 0.0);
                 self.loaded = Some(substep);
@@ -251,15 +255,19 @@ impl<S: Real, const D: usize> Bulk<S, D> {
             }
             return taut;
         }
+        let near: Vec<Vec<usize>> = match outside.mouse {
+            Some(_) => self.bodies.iter_mut().map(|body| body.near(outside)).collect(),
+            None => Vec::new(),
+        };
         self.bodies.iter_mut().for_each(|body| body.set_out(&first));
         for substep in 0..count {
             if substep > 0 {
                 self.bodies.iter_mut().for_each(|body| body.go_on(&next));
             }
             let time = if substep == 0 { early } else { h };
-            self.push(outside, h * time, counters);
+            let now = begin + f64::from(substep) * h;
+            self.push((outside, &near), (now, h * time), counters);
             if let Some(room) = &mut fields {
-                let now = begin + f64::from(substep) * h;
                 self.drive((pull, &points.inverse_mass), now, h * gain(pull.drag_rate, time), room);
             }
             let before = ledger.as_ref().filter(|ledger| ledger.0.pulls_rigid).map(|_| self.middle(points, h));
@@ -310,11 +318,19 @@ impl<S: Real, const D: usize> Bulk<S, D> {
         self.bodies.iter().map(of).collect()
     }
 
-    /// The mouse, where it is in reach.
-    fn push(&mut self, outside: &Outside<S, D>, share: f64, counters: &mut Counters) {
-        let Some(push) = &outside.mouse else { return };
-        for body in &mut self.bodies {
-            counters.mouse_points += body.push(push, S::from_f64(share));
+    /// The mouse as it is at a time, where it is in reach, pushes points near it, those of each body in its store: `share` is what an
+    /// acceleration adds to a displacement [s^2].
+    fn push(
+        &mut self,
+        (outside, near): (&Outside<S, D>, &[Vec<usize>]),
+        (t, share): (f64, f64),
+        counters: &mut Counters,
+    ) {
+        let Some((force, cursor)) = outside.mouse.and_then(|around| around.mouse_at(t)) else { return };
+        let push = Push::new(force, cursor);
+        for (body, near) in self.bodies.iter_mut().zip(near) {
+            counters.mouse_points += near.len() as u64;
+            body.push(&push, S::from_f64(share), near);
         }
     }
 

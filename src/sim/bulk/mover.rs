@@ -72,6 +72,11 @@ pub(crate) trait Mover<S: Real, const D: usize>: Debug + Send + Sync {
         false
     }
 
+    /// The points of bodies that left the finite numbers, by their slots, since this was asked last: they are where the step began.
+    fn take_lost(&mut self) -> Vec<u32> {
+        Vec::new()
+    }
+
     /// Takes over what another one knew of points: slots there and here.
     fn inherit(&mut self, _other: &dyn Mover<S, D>, _slots: &[(u32, u32)]) {}
 

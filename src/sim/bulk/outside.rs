@@ -3,7 +3,7 @@
 use crate::sim::contact::obstacles::Obstacles;
 use crate::sim::contact::surface::Surface;
 use crate::sim::environment::Environment;
-use crate::sim::force::mouse::{Cursor, Push};
+use crate::sim::force::mouse::Cursor;
 use crate::sim::measure;
 use crate::sim::points::Points;
 use crate::sim::pull::Pull;
@@ -25,8 +25,11 @@ pub(crate) struct Clear {
 }
 
 /// The mouse and the surfaces that some point may meet in a step.
-pub(crate) struct Outside<S: Real, const D: usize> {
-    pub(crate) mouse: Option<Push<S, D>>,
+pub(crate) struct Outside<'a, S: Real, const D: usize> {
+    /// What has a mouse in it that comes near.
+    pub(crate) mouse: Option<&'a Environment<D>>,
+    /// Where the mouse may push a point in the step: a box in the plane, all of space.
+    pushed: [[S; D]; 2],
     planes: Vec<Surface<S, D>>,
     /// Where polygons are in reach.
     walls: Option<Obstacles<S, D>>,
@@ -58,17 +61,18 @@ pub(crate) struct Going<S, const D: usize> {
     pub(crate) motion: [S; D],
 }
 
-impl<S: Real, const D: usize> Outside<S, D> {
+impl<'a, S: Real, const D: usize> Outside<'a, S, D> {
     /// What the box around all points can meet in a step of `h` [s] from `t` on. Looks at no point where the scene has nothing to
     /// meet, or what was looked at last is clear: not far ahead where bonds push points, whose speeds now say little.
     pub(crate) fn in_reach(
         points: &Points<S, D>,
         pull: &Pull<S, D>,
-        around: &Environment<D>,
+        around: &'a Environment<D>,
         (t, h): (f64, f64),
         (clear, pushes): (&mut Option<Clear>, bool),
     ) -> Self {
-        let none = Outside { mouse: None, planes: Vec::new(), walls: None };
+        let pushed = [[S::ZERO; D]; 2];
+        let none = Outside { mouse: None, pushed, planes: Vec::new(), walls: None };
         let mouse = around.mouse_at(t + 0.5 * h);
         if mouse.is_none() && !pull.contacts.has_surfaces() {
             return none;
@@ -86,7 +90,8 @@ impl<S: Real, const D: usize> Outside<S, D> {
             let obstacles = &pull.contacts.obstacles;
             let planes = obstacles.planes().iter().filter(|surface| surface.least_gap(bounds) < S::ZERO);
             Outside {
-                mouse: mouse.map(|(force, cursor)| Push::new(force, cursor)).filter(|push| push.reaches(bounds)),
+                mouse: Some(around).filter(|around| around.may_reach(bounds, (t, h))),
+                pushed: around.swept((t, h), reach),
                 planes: planes.copied().collect(),
                 walls: obstacles.has_walls_near(bounds).then(|| obstacles.clone()),
             }
@@ -95,6 +100,19 @@ impl<S: Real, const D: usize> Outside<S, D> {
         let is_clear = within(ahead * h).is_nothing();
         *clear = is_clear.then_some(Clear { until: t + (ahead + 1e-6) * h, mouse: place });
         if is_clear { none } else { within(h) }
+    }
+
+    /// Whether the mouse may push a point in the step that is at `x` as it begins.
+    #[inline(always)]
+    pub(crate) fn may_push(&self, x: [S; D]) -> bool {
+        let [low, high] = self.pushed;
+        (0..D).all(|k| low[k] <= x[k] && x[k] <= high[k])
+    }
+
+    /// In how many parts of the step of `h` from `t` [s] points follow the cursor.
+    pub(crate) fn parts(&self, points: &Points<S, D>, span: (f64, f64)) -> u32 {
+        let moving = || points.position.iter().copied().zip(points.velocity.iter().copied());
+        self.mouse.map_or(1, |around| around.parts_near(moving(), span))
     }
 
     /// Whether nothing is in reach.
@@ -217,13 +235,18 @@ mod tests {
     use super::*;
     use crate::sim::contact::surface::Plane;
 
-    fn floor(restitution: f64, friction: f64) -> Outside<f64, 2> {
+    fn floor(restitution: f64, friction: f64) -> Outside<'static, f64, 2> {
         let plane = Plane { point: [0.0, 0.0], normal: [0.0, 2.0], restitution, friction };
-        Outside { mouse: None, planes: vec![Surface::new(&plane)], walls: None }
+        Outside { mouse: None, pushed: [[0.0; 2]; 2], planes: vec![Surface::new(&plane)], walls: None }
     }
 
     /// Where a point at `x` ends that is about to go by `motion`, and how.
-    fn meet(outside: &Outside<f64, 2>, x: [f64; 2], motion: [f64; 2], fall: [f64; 2]) -> Option<([f64; 2], [f64; 2])> {
+    fn meet(
+        outside: &Outside<'_, f64, 2>,
+        x: [f64; 2],
+        motion: [f64; 2],
+        fall: [f64; 2],
+    ) -> Option<([f64; 2], [f64; 2])> {
         outside.meet(Going { from: x, to: add(x, motion), motion }, fall, None)
     }
 

@@ -6,6 +6,7 @@ use super::convex::Convex;
 use super::geometry::Geometry;
 use super::passage::Passage;
 use super::polygon::TooManyCrossings;
+use super::polygon::round::Round;
 use super::polygon::solids::{Solids, Wall};
 use super::surface::Surface;
 use crate::sim::real::Real;
@@ -23,6 +24,8 @@ pub(crate) struct Obstacles<S, const D: usize> {
     /// How many surfaces have no end.
     planes: usize,
     solids: Option<Arc<Solids>>,
+    /// The circles that polygons are, one entry a polygon: the live step meets them instead of their sides.
+    rounds: Arc<[Option<Round>]>,
     /// Balls and boxes in space, which have no surfaces by number: the live step alone meets them.
     convex: Arc<[Convex]>,
     /// The corners of polygons, ascending along the first axis.
@@ -58,8 +61,14 @@ impl<S: Real, const D: usize> Obstacles<S, D> {
             let walls = solids.planes(geometry.polygons);
             list.extend(walls.iter().map(|plane| Surface::within(plane, solids.reach())));
         }
-        let mut obstacles =
-            Obstacles { surfaces: list.into(), planes, solids, convex: geometry.convex.into(), corners: Arc::new([]) };
+        let mut obstacles = Obstacles {
+            surfaces: list.into(),
+            planes,
+            solids,
+            rounds: geometry.polygons.iter().map(Round::of).collect(),
+            convex: geometry.convex.into(),
+            corners: Arc::new([]),
+        };
         let walls = (planes..obstacles.surfaces.len()).filter_map(|surface| obstacles.wall(surface));
         let mut corners: Vec<[f64; D]> = walls.map(|wall| truncate(embed(wall.ends()[0]))).collect();
         corners.sort_by(|a, b| a[0].total_cmp(&b[0]));
@@ -110,6 +119,11 @@ impl<S: Real, const D: usize> Obstacles<S, D> {
     /// A surface's ends, if it is the wall of a polygon.
     pub(crate) fn wall(&self, surface: usize) -> Option<&Wall> {
         self.solids.as_ref().filter(|_| surface >= self.planes).map(|solids| solids.wall(surface - self.planes))
+    }
+
+    /// The polygon that a wall is a side of, and the circle that this is, if it is one.
+    pub(crate) fn round(&self, wall: &Wall) -> Option<(usize, Round)> {
+        self.rounds[wall.polygon()].map(|round| (wall.polygon(), round))
     }
 
     /// Whether a box may touch a polygon.

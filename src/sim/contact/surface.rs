@@ -18,7 +18,7 @@ pub struct Plane<const D: usize> {
 
 /// The largest coefficient of friction [1]: it holds what stands on a slope of 88 degrees. Of more a step is too long to be stopped
 /// by in time, and what should stand turns back with the speed that friction gave it.
-const MOST_FRICTION: f64 = 30.0;
+pub(crate) const MOST_FRICTION: f64 = 30.0;
 
 /// A plane as the kernels read it.
 #[derive(Clone, Copy, Debug)]

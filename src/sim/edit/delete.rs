@@ -59,14 +59,19 @@ impl<S: Real, const D: usize> World<S, D> {
             return Err(invalid("a cut is a stroke in the plane: delete bonds by their numbers in space"));
         }
         super::check::finite("from and to", from.iter().chain(&to))?;
-        let place = |point: PointId| flat(self.place(point.index()));
-        let is_crossed = |ends: &[PointId; 2]| crosses([from, to], ends.map(place));
-        let goes: Vec<bool> = self.bonds.ends().iter().map(is_crossed).collect();
+        let goes = self.crossed_by([from, to]);
         if !goes.contains(&true) {
             return Ok(done(false));
         }
         self.part(&goes, self.timeline.time());
         Ok(done(true))
+    }
+
+    /// Which bonds a segment crosses.
+    pub(super) fn crossed_by(&self, stroke: [[f64; 2]; 2]) -> Vec<bool> {
+        let place = |point: PointId| flat(self.place(point.index()));
+        let is_crossed = |ends: &[PointId; 2]| crosses(stroke, ends.map(place));
+        self.bonds.ends().iter().map(is_crossed).collect()
     }
 
     /// Bonds that are overstretched at time `t` [s], by their numbers, are gone. Returns the places of the groups of what they held.

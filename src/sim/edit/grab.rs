@@ -24,17 +24,7 @@ impl<S: Real, const D: usize> World<S, D> {
                 self.check_points(points)?;
                 points.clone()
             }
-            Reach::Within(radius) if *radius > 0.0 && radius.is_finite() => {
-                let is_near = |i: &u32| {
-                    let from = sub(embed(self.place(*i as usize)), cursor.origin);
-                    let across = match D {
-                        2 => [from[0], from[1], 0.0],
-                        _ => sub(from, scale(cursor.direction, dot(from, cursor.direction))),
-                    };
-                    length(across) <= *radius
-                };
-                (0..self.count() as u32).filter(is_near).map(PointId).collect()
-            }
+            Reach::Within(radius) if *radius > 0.0 && radius.is_finite() => self.points_within(*radius),
             Reach::Within(radius) => return Err(invalid(format!("`within` is {radius}: it must be finite and > 0"))),
         };
         // A pin holds.
@@ -52,6 +42,20 @@ impl<S: Real, const D: usize> World<S, D> {
         self.grabbed = points;
         self.hold_on();
         Ok(DONE)
+    }
+
+    /// The points that are no further from the cursor, in space from its ray, than this [m]; none without a cursor.
+    pub(super) fn points_within(&self, radius: f64) -> Vec<PointId> {
+        let Some(cursor) = self.around.cursor.map(|path| path.at(self.timeline.time())) else { return Vec::new() };
+        let is_near = |i: &u32| {
+            let from = sub(embed(self.place(*i as usize)), cursor.origin);
+            let across = match D {
+                2 => [from[0], from[1], 0.0],
+                _ => sub(from, scale(cursor.direction, dot(from, cursor.direction))),
+            };
+            length(across) <= radius
+        };
+        (0..self.count() as u32).filter(is_near).map(PointId).collect()
     }
 
     pub(super) fn release(&mut self) -> Applied {

@@ -7,6 +7,7 @@ mod add;
 mod check;
 mod delete;
 mod forces;
+mod freeze;
 mod grab;
 mod overlap;
 mod pins;
@@ -37,6 +38,15 @@ fn invalid(message: impl Into<String>) -> CommandError {
 impl<S: Real, const D: usize> World<S, D> {
     /// Does a command, or says why it cannot be done: see [`Dynamics::apply`](super::dynamics::Dynamics::apply).
     pub(crate) fn edit(&mut self, command: &Command) -> Result<Applied, CommandError> {
+        if self.frozen.is_empty() {
+            return self.do_command(command);
+        }
+        let before = self.clone();
+        self.thaw_for(command);
+        self.do_command(command).inspect_err(|_| *self = before)
+    }
+
+    fn do_command(&mut self, command: &Command) -> Result<Applied, CommandError> {
         match command {
             Command::Cursor { to, by } => self.lead_cursor(*to, *by),
             Command::Mouse(change) => self.change_mouse(change),

@@ -145,7 +145,7 @@ impl<S: Real, const D: usize> World<S, D> {
     }
 
     /// Compiles what was taken out, as model and bonds are now, and puts it in place of it. Returns the places of the groups.
-    pub(super) fn attach(&mut self, detached: Detached<S, D>) -> Vec<usize> {
+    pub(crate) fn attach(&mut self, detached: Detached<S, D>) -> Vec<usize> {
         self.topology += 1;
         self.is_fresh = true;
         self.put_back(detached)
@@ -183,10 +183,12 @@ impl<S: Real, const D: usize> World<S, D> {
 
     /// Pins that may be met, though they move nobody by themselves.
     pub(crate) fn fixtures(&self) -> Vec<u32> {
-        if self.model.pinned.is_empty() {
+        let frozen = self.frozen.iter().flat_map(|frozen| frozen.points.iter().map(|&point| PointId(point)));
+        let pins: Vec<PointId> =
+            self.model.pinned.iter().copied().chain(frozen).filter(|pin| !self.numbers.is_gone(pin.0)).collect();
+        if pins.is_empty() {
             return Vec::new();
         }
-        let pins: Vec<PointId> = self.model.pinned.iter().filter(|pin| !self.numbers.is_gone(pin.0)).copied().collect();
         plan::fixtures(&self.model.triangles, &self.bonds, &pins)
     }
 
@@ -523,11 +525,13 @@ impl<S: Real, const D: usize> World<S, D> {
     pub(super) fn weigh(&mut self, points: impl IntoIterator<Item = u32>) {
         let mut is_pinned = vec![false; self.model.mass.len()];
         self.model.pinned.iter().for_each(|pin| is_pinned[pin.index()] = true);
+        let is_frozen = |point: u32| self.frozen.iter().any(|frozen| frozen.points.binary_search(&point).is_ok());
         let w = Arc::make_mut(&mut self.inverse_mass);
         w.resize(self.model.mass.len(), 0.0);
         for point in points {
             let i = point as usize;
-            w[i] = if is_pinned[i] || self.numbers.is_gone(point) { 0.0 } else { 1.0 / self.model.mass[i] };
+            let stands = is_pinned[i] || self.numbers.is_gone(point) || is_frozen(point);
+            w[i] = if stands { 0.0 } else { 1.0 / self.model.mass[i] };
         }
     }
 }

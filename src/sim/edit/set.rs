@@ -219,6 +219,13 @@ impl<S: Real, const D: usize> World<S, D> {
         if let Some(bounds) = &model.bounds {
             check_surface(bounds.restitution, bounds.friction)?;
         }
+        if self.allows_other_work(&model) {
+            if model.budget() > self.model.budget() {
+                self.allow_more(self.timeline.time());
+            }
+            self.model = Arc::new(model);
+            return Ok(done(true));
+        }
         let obstacles = Self::obstacles_of(&model)?;
         let mut detached = self.detach(&[], true);
         if model.method != self.model.method || model.is_live() != self.model.is_live() {
@@ -240,6 +247,14 @@ impl<S: Real, const D: usize> World<S, D> {
             self.warn_of_areas(0);
         }
         Ok(done(true))
+    }
+
+    /// Whether a model differs from that of now in the budget alone, and both have one: who is handed over from now on is another, and
+    /// nothing else is.
+    fn allows_other_work(&self, model: &Model<D>) -> bool {
+        let same = Method { budget: self.model.method.budget, ..model.method };
+        let has_budgets = model.budget().is_some() && self.model.budget().is_some();
+        has_budgets && *self.model == Model { method: same, ..model.clone() }
     }
 
     /// The areas at rest of all triangles of a model [m^2]: those that are known, or as they are made; none where nobody needs them.

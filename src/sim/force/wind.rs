@@ -30,6 +30,8 @@ pub struct Wind<const D: usize> {
 
 /// How many waves gusts are made of.
 const WAVES: usize = 8;
+/// Counted work of the gusts at a place.
+pub(crate) const OF_A_GUST: u64 = 300;
 /// The longest wave [m].
 const LONGEST: f64 = 8.0;
 

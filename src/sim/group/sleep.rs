@@ -117,8 +117,6 @@ impl<S: Real, const D: usize> Group<S, D> {
 
     /// Whether the cursor may reach it at some time of the `h` from `t` on [s], or leads it.
     pub(crate) fn may_be_reached(&self, around: &Environment<D>, (t, h): (f64, f64)) -> bool {
-        // Where the cursor is looked for: a fast one is followed as finely.
-        const LOOKS: u32 = 64;
         if self.grabbed.is_some() {
             return true;
         }
@@ -127,11 +125,12 @@ impl<S: Real, const D: usize> Group<S, D> {
         let fastest = measure::speed_bound(&self.points.velocity) + S::from_f64(h * pulled);
         let way = S::from_f64(2.0 * h) * fastest;
         let bounds = [low.map(|x| x - way), high.map(|x| x + way)];
-        let looks = if around.moves(t, h) { LOOKS } else { 0 };
-        (0..=looks).any(|look| {
-            let time = t + h * (f64::from(look) / f64::from(looks.max(1)));
-            around.mouse_at(time).is_some_and(|(force, at)| Push::new(force, at).reaches(bounds))
-        })
+        around.may_reach(bounds, (t, h))
+    }
+
+    /// Whether its method follows a fast cursor within a step by itself, in substeps.
+    pub(crate) fn follows_cursor(&self) -> bool {
+        matches!(self.engine, Engine::Bulk(_))
     }
 
     /// Wakes, or goes on being awake.

@@ -10,6 +10,7 @@ use super::Group;
 use super::engine::Engine;
 use crate::sim::bond::{Bond, BondKind, Limit};
 use crate::sim::bulk::control::FRAME;
+use crate::sim::bulk::kernel::Kernel;
 use crate::sim::bulk::mover::Mover;
 use crate::sim::counters::Counters;
 use crate::sim::environment::Environment;
@@ -39,6 +40,10 @@ const COST_SHARE: u64 = 100;
 const MOST_FRAMES: u64 = 4;
 /// Speed below which a gain of energy is nothing that anybody sees [m/s].
 const UNSEEN: f64 = 0.01;
+/// Points of a group whose state is kept at the end of every frame, in case that it leaves the numbers; of more points every so many
+/// frames.
+const FEW: usize = 10_000;
+const RARELY: u64 = 8;
 /// Operations of a look for each bond and each point.
 const OF_A_LOOK: u64 = 10;
 
@@ -68,10 +73,12 @@ pub(crate) struct Watch<S: Real, const D: usize> {
     frame: u64,
     /// Counted work of its steps that ended in that.
     spent: u64,
-    /// `None`: nothing can go wrong.
+    /// `None`: nothing but that it leaves the numbers can go wrong.
     eyes: Option<Eyes<S, D>>,
     /// Looks whether it comes near itself; `None`: it does not matter.
     scout: Option<Box<dyn Mover<S, D>>>,
+    /// Where there are no eyes: a state among the numbers.
+    good: Option<Anchor<S, D>>,
 }
 
 /// What is looked at.
@@ -157,7 +164,16 @@ impl<S: Real, const D: usize> Watch<S, D> {
             anchor: None,
         });
         let edge = if bonds.is_empty() { 0.0 } else { total / bonds.len() as f64 };
-        Watch { size: [points, bonds.len(), triangles], edge, may_go, frame: 0, spent: 0, eyes, scout: None }
+        Watch {
+            size: [points, bonds.len(), triangles],
+            edge,
+            may_go,
+            frame: 0,
+            spent: 0,
+            eyes,
+            scout: None,
+            good: None,
+        }
     }
 
     /// With what looks whether it comes near itself.
@@ -178,12 +194,13 @@ impl<S: Real, const D: usize> Watch<S, D> {
 
     /// Bytes that it takes.
     pub(crate) fn heap_bytes(&self) -> usize {
-        let Some(eyes) = &self.eyes else { return size_of::<Self>() };
-        let anchor = eyes.anchor.as_ref().map_or(0, |anchor| {
+        let anchor = self.good.as_ref().or(self.eyes.as_ref().and_then(|eyes| eyes.anchor.as_ref()));
+        let vectors: usize = anchor.map_or(0, |anchor| {
             let State { position, velocity, position_lost, velocity_lost } = &anchor.state;
             [position, velocity, position_lost, velocity_lost].map(Vec::capacity).iter().sum()
         });
-        size_of::<Self>() + eyes.links.len() * size_of::<Link>() + anchor * size_of::<[S; D]>()
+        let links = self.eyes.as_ref().map_or(0, |eyes| eyes.links.len());
+        size_of::<Self>() + links * size_of::<Link>() + vectors * size_of::<[S; D]>()
     }
 }
 
@@ -228,6 +245,8 @@ impl<S: Real, const D: usize> Group<S, D> {
                 self.keep_anchor(eyes, t);
             }
             eyes.is_led = eyes.is_led || (eyes.keeps_energy && self.is_reached(around, t));
+        } else if watch.good.is_none() && !self.keeps_itself() {
+            watch.good = Some(self.anchor(None, t));
         }
         self.watch = Some(watch);
     }
@@ -313,14 +332,35 @@ impl<S: Real, const D: usize> Group<S, D> {
     }
 
     fn keep_anchor(&self, eyes: &mut Eyes<S, D>, t: f64) {
-        let mut state = eyes.anchor.take().map_or_else(State::default, |anchor| anchor.state);
+        eyes.anchor = Some(self.anchor(eyes.anchor.take(), t));
+    }
+
+    /// Whether the live step moves it, which keeps the state that it began with.
+    fn keeps_itself(&self) -> bool {
+        matches!(self.kernel(), Some(Kernel::Live))
+    }
+
+    /// The state now, in the memory of an older one.
+    fn anchor(&self, old: Option<Anchor<S, D>>, t: f64) -> Anchor<S, D> {
+        let mut state = old.map_or_else(State::default, |anchor| anchor.state);
         self.points.save(&mut state);
-        eyes.anchor = Some(Anchor { time: t, state, book: self.account.as_ref().map(|account| account.book) });
+        Anchor { time: t, state, book: self.account.as_ref().map(|account| account.book) }
+    }
+
+    /// It is among the numbers after a step, which `ends_frame`: where nothing else is looked at, that is what it goes back to.
+    pub(crate) fn keep_good(&mut self, ends_frame: bool, t: f64) {
+        let is_due = ends_frame && (self.points.len() <= FEW || frame_of(t).is_multiple_of(RARELY));
+        let Some(mut watch) = self.watch.take() else { return };
+        if is_due && watch.eyes.is_none() && !self.keeps_itself() {
+            watch.good = Some(self.anchor(watch.good.take(), t));
+        }
+        self.watch = Some(watch);
     }
 
     /// Takes the state out that was the last good one.
     pub(crate) fn take_anchor(&mut self) -> Option<Anchor<S, D>> {
-        self.watch.as_mut()?.eyes.as_mut()?.anchor.take()
+        let watch = self.watch.as_mut()?;
+        watch.good.take().or_else(|| watch.eyes.as_mut()?.anchor.take())
     }
 
     /// Goes back to a state. Returns when that was [s].
@@ -338,14 +378,21 @@ impl<S: Real, const D: usize> Group<S, D> {
 
     /// Whether every position and velocity is a finite number.
     pub(crate) fn is_finite(&self) -> bool {
-        let Points { position, velocity, .. } = &self.points;
-        position.as_flattened().iter().chain(velocity.as_flattened()).all(|x| x.is_finite())
+        (0..self.points.len()).all(|slot| self.is_finite_at(slot))
     }
 
-    /// Its points are at rest.
-    pub(crate) fn stop(&mut self) {
-        self.points.velocity.fill(zero());
-        self.points.velocity_lost.fill(zero());
+    /// The same of a point, their squares included: nothing can be worked out of what is so large.
+    pub(crate) fn is_finite_at(&self, slot: usize) -> bool {
+        let (x, v) = (self.points.position[slot], self.points.velocity[slot]);
+        (dot(x, x) + dot(v, v)).is_finite()
+    }
+
+    /// Some of its points go back to where they were in a state, at rest.
+    pub(crate) fn put_back(&mut self, anchor: &Anchor<S, D>, slots: &[usize]) {
+        for &slot in slots {
+            self.points.position[slot] = anchor.state.position[slot];
+            self.points.velocity[slot] = zero();
+        }
         if let Engine::Bulk(bulk) = &mut self.engine {
             bulk.reload();
         }

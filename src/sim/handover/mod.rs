@@ -2,7 +2,8 @@
 //!
 //! ```text
 //! meet     bodies come near each other, themselves or a corner: looked at before each step, where the scene has contact
-//! alarm    energy from nowhere, strain, no convergence, no numbers: looked at where frames end
+//! alarm    energy from nowhere, strain, no convergence: looked at where frames end
+//! lost     no numbers: looked at after every step; what nothing can move stands still where it last was among them (`lost.rs`)
 //! budget   the counted work of a frame is more than it may be: groups in the order of their work, until the sum fits
 //! back     after a while, if its own method takes an island as it is
 //! ```
@@ -11,6 +12,7 @@
 //! any copy. A group whose step runs past the budget gives it up where it stands, and the live step takes what is left of it.
 
 mod back;
+mod lost;
 mod meet;
 
 use crate::sim::bond::PointId;
@@ -73,6 +75,7 @@ fn least_work<S: Real, const D: usize>(group: &Group<S, D>) -> u64 {
 impl<S: Real, const D: usize> World<S, D> {
     /// After a step: who moves what from now on.
     pub(crate) fn watch_over(&mut self) {
+        self.heed_lost();
         let Some(budget) = self.model.budget() else { return };
         let (t, h) = (self.timeline.time(), self.timeline.substep());
         let ends_frame = frame_of(t + h) != frame_of(t);
@@ -131,7 +134,7 @@ impl<S: Real, const D: usize> World<S, D> {
             }
             let Some(alarm) = group.look(&self.around, t, &mut self.counters) else { continue };
             match (group.is_live(), alarm) {
-                (true, Alarm::NotFinite) => self.revive(place),
+                (true, Alarm::NotFinite) => self.stand_still(place, t),
                 (true, _) => group.moved.until = group.moved.until.max(t + UNHELD),
                 (false, alarm) => self.hand_over_on(place, alarm, t),
             }
@@ -153,11 +156,7 @@ impl<S: Real, const D: usize> World<S, D> {
         let from = self.plan.groups[place].go_back(&anchor);
         let places = self.go_live(&[place], from, Why::Alarm);
         self.take_again(&places, (from, t - from));
-        for place in places {
-            if !self.plan.groups[place].is_finite() {
-                self.revive(place);
-            }
-        }
+        self.heed_lost_of_live();
         self.gather();
     }
 
@@ -174,16 +173,6 @@ impl<S: Real, const D: usize> World<S, D> {
         }
     }
 
-    /// A group that left the numbers is where it last was, at rest.
-    fn revive(&mut self, place: usize) {
-        let group = &mut self.plan.groups[place];
-        if let Some(anchor) = group.take_anchor() {
-            group.go_back(&anchor);
-            group.stop();
-        }
-        self.gather();
-    }
-
     /// Before the first step of what was compiled: what is sure to take too much does not begin.
     pub(crate) fn foresee(&mut self) {
         if !std::mem::take(&mut self.is_fresh) {
@@ -195,6 +184,17 @@ impl<S: Real, const D: usize> World<S, D> {
         if std::mem::take(&mut self.was_handed_over) {
             self.stretch_steps();
         }
+    }
+
+    /// Whether a group may go live that took clearly more than the live step would, in the frame that ended last.
+    pub(crate) fn has_cheaper(&self) -> bool {
+        let frame = frame_of(self.timeline.time());
+        let is_dear = |group: &Group<S, D>| {
+            let spent = group.watch.as_ref().map_or(0, |watch| watch.spent_in(frame));
+            let speed = measure::speed_bound(&group.points.velocity).to_f64();
+            can_go(group) && !group.is_asleep() && CHEAPER * live_work(group, speed) < spent as f64
+        };
+        self.model.budget().is_some() && self.plan.groups.iter().any(is_dear)
     }
 
     /// Groups go live in the order of what they `spent` in a frame, ties by their lowest points, until the sum is at most `allowed`.

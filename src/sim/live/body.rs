@@ -1,5 +1,8 @@
 //! Bodies as the live step knows them: each one's points, bonds, triangles and skin, one after the other.
 
+use std::sync::Arc;
+
+use super::rigid::Shape;
 use crate::sim::bond::Limit;
 
 /// Where the things of one body lie in the lists of all.
@@ -41,6 +44,8 @@ pub(super) struct Body<S> {
     pub(super) decay: S,
     /// Fewest substeps in a frame that it bears.
     pub(super) least_substeps: u32,
+    /// Its shape, where rigid bonds hold all of its points: none of its bonds, angles and areas is asked then.
+    pub(super) rigid: Option<Arc<Shape>>,
 }
 
 /// A bond between two points of a body.

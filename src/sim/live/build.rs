@@ -1,8 +1,11 @@
 //! From bonds and triangles to bodies with skins.
 
+use std::sync::Arc;
+
 use super::body::{Area, Body, Edge, Link, Span};
 use super::cluster::Cluster;
 use super::gather::SUBSTEPS;
+use super::rigid::{Held, Shape, holds};
 use super::skins::Skin;
 use super::{Draft, FRAMES, bonds, tree};
 use crate::sim::bond::{Bond, BondKind};
@@ -12,7 +15,7 @@ use crate::sim::force::angle::Hinge;
 use crate::sim::force::area;
 use crate::sim::points::Points;
 use crate::sim::real::Real;
-use crate::sim::vector::{length, sub};
+use crate::sim::vector::{length, sub, widen};
 
 /// Stiffness over mass from which on springs that make trees are taken for rigid, times the square of the longest substep, of 1/16 frame [1].
 const STIFF: f64 = 100.0;
@@ -96,10 +99,25 @@ impl<S: Real> Bodies<S> {
         others.into_iter().any(|other| own.contains(&((other - base + first) as u32)))
     }
 
-    fn push(&mut self, own: Own<S>, local: &[u32], points: &Points<S, 2>, draft: &Draft<S>) {
+    fn push(&mut self, mut own: Own<S>, local: &[u32], points: &Points<S, 2>, draft: &Draft<S>) {
         let place = |i: u32| points.position[i as usize];
         let w = |i: u32| points.inverse_mass[i as usize];
         let starts = self.ends();
+        let edges = skin(&own);
+        let mut corners: Vec<u32> = edges.iter().flat_map(|edge| edge.ends).collect();
+        if edges.is_empty() {
+            corners.extend(&own.points);
+        }
+        corners.sort_unstable();
+        corners.dedup();
+        let lengths = lengths(&own.bonds);
+        let total = edges.iter().fold(S::ZERO, |sum, edge| sum + length(sub(place(edge.ends[0]), place(edge.ends[1]))));
+        let edge_length = if edges.is_empty() { S::ZERO } else { total / S::from_f64(edges.len() as f64) };
+        let rigid = own.shape((local, points), if draft.contact.is_some() { &corners } else { &own.points });
+        if rigid.is_some() {
+            // What it is made of within says nothing any more.
+            own.let_go();
+        }
         let (tree, others) = own.forest(|bond| is_held(bond) || is_stiff(bond, w), |i| w(i) == S::ZERO);
         let (tree, others) = if tree.is_empty() { own.forest(is_held, |i| w(i) == S::ZERO) } else { (tree, others) };
         let link = |bond: &Bond| link(bond, local);
@@ -108,7 +126,6 @@ impl<S: Real> Bodies<S> {
         let [springs, holds] = [springs, holds].map(|list| in_turn(list, local, own.points.len()));
         self.springs.extend(springs.iter().map(|bond| link(bond)));
         self.holds.extend(holds.iter().map(|bond| link(bond)));
-        let lengths = lengths(&own.bonds);
         self.areas.extend(
             own.triangles
                 .iter()
@@ -117,15 +134,6 @@ impl<S: Real> Bodies<S> {
         );
         let within = |hinge: &Hinge<S>| hinge.between(hinge.points.map(|point| local[point as usize]));
         self.hinges.extend(own.hinges.iter().map(within));
-        let edges = skin(&own);
-        let mut corners: Vec<u32> = edges.iter().flat_map(|edge| edge.ends).collect();
-        if edges.is_empty() {
-            corners.extend(&own.points);
-        }
-        corners.sort_unstable();
-        corners.dedup();
-        let total = edges.iter().fold(S::ZERO, |sum, edge| sum + length(sub(place(edge.ends[0]), place(edge.ends[1]))));
-        let edge_length = if edges.is_empty() { S::ZERO } else { total / S::from_f64(edges.len() as f64) };
         let contact = draft.contact.unwrap_or_default();
         let radius = draft.contact.and(contact.radius);
         let radius = radius.map_or(edge_length * S::from_f64(RADIUS), S::from_f64);
@@ -153,6 +161,7 @@ impl<S: Real> Bodies<S> {
             stiffness: S::from_f64(stiffness),
             decay: S::from_f64(decay),
             least_substeps: bonds::substeps(stiffness, decay, SUBSTEPS[3]),
+            rigid: rigid.map(Arc::new),
         });
     }
 
@@ -175,7 +184,28 @@ struct Own<S> {
     hinges: Vec<Hinge<S>>,
 }
 
-impl<S> Own<S> {
+impl<S: Real> Own<S> {
+    /// The shape that rigid bonds hold it in, if they hold all of it; of points counted in the group those of its surface.
+    fn shape(&self, (local, points): (&[u32], &Points<S, 2>), surface: &[u32]) -> Option<Shape> {
+        let bond = |bond: &Bond| ([bond.a, bond.b].map(|end| local[end.index()]), bond.rest_length);
+        let of = |&i: &u32| widen(points.position[i as usize]);
+        let mass = |&i: &u32| 1.0 / points.inverse_mass[i as usize].to_f64();
+        Shape::of(Held {
+            now: self.points.iter().map(of).collect(),
+            masses: self.points.iter().map(mass).collect(),
+            bonds: self.bonds.iter().filter(|bond| holds(bond)).map(bond).collect(),
+            surface: &surface.iter().map(|&i| local[i as usize]).collect::<Vec<u32>>(),
+        })
+    }
+
+    /// Its bonds, triangles and angles go.
+    fn let_go(&mut self) {
+        self.bonds.clear();
+        self.triangles.clear();
+        self.rests.clear();
+        self.hinges.clear();
+    }
+
     /// The forest that some of its bonds make, from the roots on, and all others; no forest, where they make none.
     fn forest(
         &self,

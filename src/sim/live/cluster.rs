@@ -6,6 +6,7 @@ use super::bonds::Hold;
 use super::booking::Tally;
 use super::build::Bodies;
 use super::pair::{OnPlane, Pair, Sides};
+use super::rigid::Frame;
 use super::tangle::Tangle;
 use super::walls::Walls;
 use crate::sim::contact::skin::Contact;
@@ -15,6 +16,7 @@ use crate::sim::force::area::Areas;
 use crate::sim::force::steady::Thrust;
 use crate::sim::kernels::links::Links;
 use crate::sim::real::Real;
+use crate::sim::vector::dot;
 
 /// Bodies that go together, in lists of their own: nothing else is read or written while they move.
 ///
@@ -47,6 +49,8 @@ pub(super) struct Cluster<S: Real> {
     pub(super) edges: Vec<Side>,
     /// Points of skins and corners of obstacles: place here, and number for ever.
     pub(super) corners: Vec<(u32, u32)>,
+    /// The same of centres of circles.
+    pub(super) circles: Vec<(u32, u32)>,
     /// Springs that are forces, and those that kernels do not take: their bodies here, and their places among all springs.
     pub(super) pulls: Links<S>,
     pub(super) odd_pulls: Vec<(u32, u32)>,
@@ -96,6 +100,10 @@ pub(super) struct Cluster<S: Real> {
     pub(super) counts: Counts,
     /// What is inside out or crosses.
     pub(super) tangle: Tangle<S>,
+    /// Its rigid bodies; the one of each body, where there is any; which points lie within them.
+    pub(super) frames: Vec<Frame>,
+    pub(super) frame_of: Vec<u32>,
+    pub(super) inner: Vec<bool>,
 }
 
 /// What a cluster did in a step.
@@ -192,6 +200,18 @@ impl<S: Real> Cluster<S> {
     pub(super) fn is_pressed(&self) -> bool {
         let mut pairs = self.active.iter().map(|&number| &self.pairs[number as usize]);
         pairs.any(|pair| pair.pressed > S::ZERO) || self.on_planes.iter().any(|on| on.pressed > S::ZERO)
+    }
+
+    /// Whether its points are among the finite numbers, their squares included.
+    pub(super) fn is_finite(&self) -> bool {
+        self.lost().next().is_none()
+    }
+
+    /// The bodies of which this is not so.
+    pub(super) fn lost(&self) -> impl Iterator<Item = usize> {
+        let is_fine = |i: usize| (dot(self.now[i], self.now[i]) + dot(self.velocity[i], self.velocity[i])).is_finite();
+        let ends = self.bases.windows(2).map(|ends| ends[0] as usize..ends[1] as usize);
+        self.bodies.iter().zip(ends).filter(move |(_, points)| !points.clone().all(is_fine)).map(|(&body, _)| body)
     }
 
     /// How many points its bodies have.

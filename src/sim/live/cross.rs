@@ -27,7 +27,10 @@ struct Span<S> {
     edge: usize,
 }
 
-/// All crossings of the skins of a cluster, by their bodies: boxes about the edges are swept along x.
+/// Couples of edges that are looked at for each edge, and at least in all: of a crowd in one place some crossings are enough.
+const MOST_LOOKS: [usize; 2] = [64, 1_000_000];
+
+/// The crossings of the skins of a cluster, by their bodies: boxes about the edges are swept along x.
 pub(super) fn list<S: Real>(state: &Cluster<S>) -> Vec<Crossing<S>> {
     let mut spans: Vec<Span<S>> = (0..state.edges.len())
         .filter(|&edge| state.edges[edge].body != OBSTACLE)
@@ -40,9 +43,14 @@ pub(super) fn list<S: Real>(state: &Cluster<S>) -> Vec<Crossing<S>> {
     spans.sort_by(|a, b| a.low[0].partial_cmp(&b.low[0]).unwrap_or(std::cmp::Ordering::Equal));
     let mut found = Vec::new();
     let mut open: Vec<usize> = Vec::new();
+    let mut left = (MOST_LOOKS[0] * spans.len()).max(MOST_LOOKS[1]);
     for k in 0..spans.len() {
         let own = &spans[k];
         open.retain(|&other| spans[other].high[0] >= own.low[0]);
+        if open.len() > left {
+            break;
+        }
+        left -= open.len();
         for &other in &open {
             let other = &spans[other];
             if other.low[1] <= own.high[1] && other.high[1] >= own.low[1] {

@@ -3,6 +3,7 @@
 //! What is found holds as long as no point goes further than was promised.
 
 use super::FRAMES;
+use super::circle;
 use super::cluster::{Cluster, Common, OBSTACLE, Side};
 use super::pair::{OnPlane, Pair, Sides, wedge};
 use super::part;
@@ -22,6 +23,11 @@ const ONE_SUBSTEP: f64 = 1.1;
 /// Pairs for each point of a skin from which on less is promised, and the least share of it.
 const MANY: usize = 16;
 const LEAST_SHARE: f64 = 0.25;
+
+/// Edges that all points look at together, each at so many at least, and pairs that they make, each so many at least: where a crowd lies in
+/// one place every point meets those that are nearest, of as many as it can be expected to look at.
+const MOST_LOOKS: [usize; 2] = [4_000_000, 256];
+const MOST_PAIRS: [usize; 2] = [1_000_000, 16];
 
 /// An edge as points look at it.
 struct Line<S> {
@@ -96,49 +102,94 @@ fn find_pairs<S: Real>(state: &mut Cluster<S>, common: &Common<S>, old: &Sides) 
     }
     let mut pairs = std::mem::take(&mut state.pairs);
     pairs.clear();
-    let lines = lines(state, common);
-    let (cells, starts, entries, long) = grid(state, &lines);
     let first = state.corners.first().map_or(0, |corner| u64::from(corner.1) << 32);
     // Sides from before the step hold at its start: later what is not followed any more went around an end.
     let stored: &[(u64, i8)] = if state.counts.substeps == 0 { common.sides } else { &[] };
-    let (mut before, mut sides) = (Seen::from(old, first), Seen::from(stored, first));
+    let known = [Seen::from(old, first), Seen::from(stored, first)];
     let least = state.promised[..own].iter().fold(S::INFINITY, |least, &promised| least.min(promised));
-    let mut near: Vec<Found<S>> = Vec::new();
+    let most_looks = most_each(MOST_LOOKS, state.corners.len());
+    let most_pairs = most_each(MOST_PAIRS, state.corners.len());
+    let mut search = Search { lines: lines(state, common), known, least, most_pairs, near: Vec::new(), pairs };
+    let (cells, starts, entries, long) = grid(state, &search.lines);
     for &(p, number) in &state.corners {
-        near.clear();
         let (x, body) = (state.now[p as usize], state.body_of[p as usize]);
         let around = radius(state, common, body) + state.promised[p as usize];
+        let mut see = |edge: usize| {
+            if let Some(found) = find(&search.lines[edge], edge, x, around)
+                && may_meet(state, common, (p, body), &search.lines[edge])
+            {
+                search.near.push(found);
+            }
+        };
+        if let Some(cell) = cells.place(x) {
+            let own = &entries[starts[cell] as usize..starts[cell + 1] as usize];
+            own.iter().take(most_looks).for_each(|&edge| see(edge as usize));
+        }
+        long.iter().for_each(|&edge| see(edge));
+        search.pair(state, common, (p, number), around);
+    }
+    circle::near_edges(state, common, &mut search);
+    let mut pairs = search.pairs;
+    pairs.sort_unstable_by_key(|pair| pair.key);
+    state.counts.work += 40 * (state.edges.len() + state.corners.len()) as u64 + 60 * pairs.len() as u64;
+    part::suspend(state, &mut pairs);
+    state.list(pairs);
+}
+
+/// What of a crowd each corner gets: its share of all, but not less than the second number.
+fn most_each([all, least]: [usize; 2], corners: usize) -> usize {
+    (all / corners.max(1)).max(least)
+}
+
+/// What is looked through for edges around corners.
+pub(super) struct Search<'a, S> {
+    lines: Vec<Line<S>>,
+    /// Sides from this step, and from before it.
+    known: [Seen<'a>; 2],
+    /// The least way that a point may go [m].
+    least: S,
+    /// Pairs that a corner makes at most: those with the nearest edges.
+    most_pairs: usize,
+    /// Edges near the corner that is looked at.
+    near: Vec<Found<S>>,
+    pairs: Vec<Pair<S>>,
+}
+
+impl<S: Real> Search<'_, S> {
+    /// Notes an edge if it is nearer to a place than `around` [m].
+    pub(super) fn see(&mut self, (edge, x): (usize, [S; 2]), around: S) {
+        self.near.extend(find(&self.lines[edge], edge, x, around));
+    }
+
+    /// Makes pairs of a corner and the edges that were noted, all those nearer than `around` [m].
+    pub(super) fn pair(&mut self, state: &Cluster<S>, common: &Common<S>, (p, number): (u32, u32), around: S) {
+        let body = state.body_of[p as usize];
         // Edges that are nearer than that were found.
         let sure = |edge: usize| match state.edges[edge].body {
             OBSTACLE => around,
-            of => around + least + radius(state, common, of),
+            of => around + self.least + radius(state, common, of),
         };
-        let mut see = |edge: usize| {
-            let found = find(&lines[edge], edge, x, around);
-            near.extend(found.filter(|_| may_meet(state, common, (p, body), &lines[edge])));
-        };
-        if let Some(cell) = cells.place(x) {
-            entries[starts[cell] as usize..starts[cell + 1] as usize].iter().for_each(|&edge| see(edge as usize));
+        if self.near.len() > self.most_pairs {
+            let squares = |a: &Found<S>, b: &Found<S>| a.square.to_f64().total_cmp(&b.square.to_f64());
+            self.near.sort_unstable_by(|a, b| squares(a, b).then(a.edge.cmp(&b.edge)));
+            self.near.truncate(self.most_pairs);
         }
-        long.iter().for_each(|&edge| see(edge));
-        near.sort_unstable_by_key(|found| state.edges[found.edge].number);
-        for found in &near {
+        self.near.sort_unstable_by_key(|found| state.edges[found.edge].number);
+        let [before, sides] = &mut self.known;
+        for found in &self.near {
             let key = u64::from(number) << 32 | u64::from(state.edges[found.edge].number);
             let known = before.side(key).or_else(|| sides.side(key));
-            let side = known.unwrap_or_else(|| side(state, p, found, (&near, sure(found.edge))));
+            let side = known.unwrap_or_else(|| side(state, p, found, (&self.near, sure(found.edge))));
             if side == 0 && body == state.edges[found.edge].body {
                 continue;
             }
             let mut pair = pair(state, common, (p, found.edge, key), side);
             let is_behind = pair.side * found.across < S::ZERO;
             pair.room = if is_behind { -S::INFINITY } else { found.square.sqrt() - pair.distance };
-            pairs.push(pair);
+            self.pairs.push(pair);
         }
+        self.near.clear();
     }
-    pairs.sort_unstable_by_key(|pair| pair.key);
-    state.counts.work += 40 * (state.edges.len() + state.corners.len()) as u64 + 60 * pairs.len() as u64;
-    part::suspend(state, &mut pairs);
-    state.list(pairs);
 }
 
 /// Sides of pairs that may touch, by their numbers: of others they are seen.
@@ -207,7 +258,10 @@ fn pair<S: Real>(state: &Cluster<S>, common: &Common<S>, (p, edge, key): (u32, u
     };
     let own = || common.bodies.between([(key >> 32) as u32, number(state, common, of)]);
     let [friction, restitution, distance] = match surface {
-        Some(surface) => [common.surfaces[surface].friction, common.surfaces[surface].restitution, S::ZERO],
+        Some(surface) => {
+            let of = &common.surfaces[surface];
+            [of.friction, of.restitution, common.radius_at((key >> 32) as u32)]
+        }
         None => own().unwrap_or_else(|| {
             let [friction, restitution] = [contact.friction, contact.restitution].map(S::from_f64);
             [friction, restitution, distance(state, common, body, of)]
@@ -228,6 +282,7 @@ fn pair<S: Real>(state: &Cluster<S>, common: &Common<S>, (p, edge, key): (u32, u
         rubbed: S::ZERO,
         old: S::ZERO,
         approach: S::ZERO,
+        bounced: S::ZERO,
         is_met: false,
         seen: state.counts.substeps as u32,
     }
@@ -279,7 +334,10 @@ fn may_meet<S: Real>(state: &Cluster<S>, common: &Common<S>, (p, body): (u32, u3
         return contact.with_others;
     }
     let ends = line.ends.map(|end| end as usize);
-    contact.with_itself && !line.ends.contains(&p) && !common.bodies.are_neighbours(state, (p as usize, ends))
+    contact.with_itself
+        && !state.is_rigid(body)
+        && !line.ends.contains(&p)
+        && !common.bodies.are_neighbours(state, (p as usize, ends))
 }
 
 /// All edges, to be met within their radii and as far as their ends may go.
@@ -385,15 +443,16 @@ impl<S: Real> Cells<S> {
     }
 }
 
-/// Finds which points are near planes.
+/// Finds which points are near planes and circles.
 fn near_planes<S: Real>(state: &mut Cluster<S>, common: &Common<S>) {
     state.on_planes.clear();
     for (number, surface) in common.planes.iter().enumerate() {
         for i in 0..state.own() {
-            if state.w[i] != S::ZERO && surface.gap(state.now[i]) < state.promised[i] {
-                state.on_planes.push(OnPlane::new(i as u32, number as u32));
+            if state.w[i] != S::ZERO && !state.is_inner(i) && surface.gap(state.now[i]) < state.promised[i] {
+                state.on_planes.push(OnPlane::new(i as u32, number as u32, surface.normal));
             }
         }
     }
+    circle::near_points(state, common);
     state.on_planes.sort_unstable_by_key(|on| (on.p, on.surface));
 }

@@ -4,6 +4,7 @@ use super::build::Bodies;
 use super::cluster::Cluster;
 use super::substep::Outside;
 use crate::sim::force::steady::Thrust;
+use crate::sim::force::wind::OF_A_GUST;
 use crate::sim::real::Real;
 use crate::sim::sets::Sets;
 use crate::sim::vector::{add, convert, dot, scale, widen};
@@ -70,6 +71,9 @@ pub(super) fn blow<S: Real>(state: &mut Cluster<S>, outside: Outside<S>, (t, h):
         return;
     };
     let share = -libm::expm1(-h * pull.drag_rate);
+    if air.has_gusts() {
+        state.counts.work += OF_A_GUST * state.own() as u64;
+    }
     for i in 0..state.own() {
         if state.w[i] == S::ZERO {
             continue;

@@ -124,6 +124,7 @@ impl<S: Real> Live<S> {
             body_of: Vec::with_capacity(own),
             edges: Vec::new(),
             corners: Vec::new(),
+            circles: Vec::new(),
             pulls: Links::default(),
             odd_pulls: Vec::new(),
             firm: Links::default(),
@@ -152,6 +153,9 @@ impl<S: Real> Live<S> {
             tally: None,
             counts: Counts::default(),
             tangle: self.tangle.of(&bodies),
+            frames: Vec::new(),
+            frame_of: Vec::new(),
+            inner: Vec::new(),
             bodies,
         };
         for k in 0..cluster.bodies.len() {
@@ -165,6 +169,9 @@ impl<S: Real> Live<S> {
                 cluster.lost.push(points.position_lost.get(i).copied().unwrap_or(zero()));
                 cluster.w.push(points.inverse_mass[i]);
                 cluster.body_of.push(k as u32);
+            }
+            if let Some(shape) = &body.rigid {
+                cluster.include_rigid(shape, base as usize);
             }
             let number = |local: u32| (base + local, body.points.first + local);
             cluster.corners.extend(self.bodies.corners[body.corners.range()].iter().map(|&corner| number(corner)));
@@ -218,9 +225,9 @@ impl<S: Real> Live<S> {
 }
 
 impl<S: Real> Cluster<S> {
-    /// Sides of polygons near by, their corners behind the points.
+    /// Sides of polygons and circles near by, their corners behind the points.
     fn include_walls(&mut self, common: &Common<S>) {
-        if common.walls.sides.is_empty() {
+        if common.walls.corners.is_empty() {
             return;
         }
         let Some([low, high]) = measure::extent(&self.now) else { return };
@@ -229,7 +236,8 @@ impl<S: Real> Cluster<S> {
         let way = super::substep::fastest(self) * S::from_f64(1.0 / 30.0)
             + self.least_promise * S::from_f64(8.0)
             + size[0].max(size[1]) * S::HALF;
-        let sides: Vec<u32> = common.walls.near([low.map(|x| x - way), high.map(|x| x + way)]).collect();
+        let around = [low.map(|x| x - way), high.map(|x| x + way)];
+        let sides: Vec<u32> = common.walls.near(around).collect();
         let mut corners: Vec<u32> = sides.iter().flat_map(|&side| common.walls.sides[side as usize].0).collect();
         corners.sort_unstable();
         corners.dedup();
@@ -249,6 +257,7 @@ impl<S: Real> Cluster<S> {
                 self.corners.push((place(corner), common.bodies.order.len() as u32 + corner));
             }
         }
+        self.include_circles(common, around);
     }
 
     /// Substeps of a frame that the fastest point needs, and springs.

@@ -33,7 +33,7 @@ impl<S: Real> Live<S> {
                 at[number as usize] = own[found].1;
             }
         }
-        let walls_stay = self.walls.sides == other.walls.sides && self.walls.corners == other.walls.corners;
+        let walls_stay = self.walls == other.walls;
         // Behind the own ones come those of obstacles.
         let number = |old: u32, list: &[u32], count: usize| match list.get(old as usize) {
             Some(&new) => (new != NONE).then_some(new),

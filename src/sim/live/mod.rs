@@ -18,6 +18,7 @@ mod body;
 mod bonds;
 mod booking;
 mod build;
+mod circle;
 mod cluster;
 mod cross;
 mod detect;
@@ -31,6 +32,7 @@ mod pair;
 mod part;
 mod planes;
 mod rest;
+mod rigid;
 mod scout;
 mod shape;
 mod skins;
@@ -118,6 +120,8 @@ struct Live<S: Real> {
     fields: Vec<Field<S>>,
     /// How much nearer a body that somebody else moves may come to itself until it is looked at again [m].
     room: S,
+    /// Slots of what left the finite numbers.
+    lost: Vec<u32>,
 }
 
 /// The live step of these bodies; `None` of a dimension that there is not.
@@ -174,6 +178,7 @@ impl<S: Real> Live<S> {
             bond_count: draft.bonds.len(),
             fields: Vec::new(),
             room: S::ZERO,
+            lost: Vec::new(),
             bodies,
         }
     }
@@ -202,6 +207,8 @@ impl<S: Real> Live<S> {
         (t, h): (f64, f64),
     ) {
         let count = (h * FRAMES * f64::from(cluster.substeps(common, around, t))).ceil().max(1.0);
+        let moving = cluster.now.iter().copied().zip(cluster.velocity.iter().copied()).take(cluster.own());
+        let count = count.max(f64::from(around.parts_near(moving, (t, h))));
         let own = h / count;
         let outside = Outside { pull, around, settling: &self.settling };
         let before = guard::energy(cluster, common, pull.gravity);
@@ -213,7 +220,10 @@ impl<S: Real> Live<S> {
         for substep in 0..count as u32 {
             substep::advance(cluster, common, outside, (t + f64::from(substep) * own, own));
         }
-        guard::hold(cluster, common, (before, pull.gravity, h));
+        // What is no number any more is not to be shared out.
+        if cluster.is_finite() {
+            guard::hold(cluster, common, (before, pull.gravity, h));
+        }
     }
 }
 
@@ -230,7 +240,7 @@ impl<S: Real> Mover<S, 2> for Live<S> {
         account: Option<&mut Account>,
     ) {
         let sides = std::mem::take(&mut self.sides);
-        self.wake(points, around, t);
+        self.wake(points, around, (t, h));
         let mut clusters = {
             let common = self.common(pull, &sides);
             let mut clusters = self.gather(points, &common, (around, h));
@@ -238,12 +248,18 @@ impl<S: Real> Mover<S, 2> for Live<S> {
             for cluster in &mut clusters {
                 cluster.tally = account.as_ref().map(|_| Box::new(Tally::new(cluster.own())));
                 self.run(cluster, &common, (pull, around), (t, h));
-                if let Some(account) = &mut account {
+                if let Some(account) = account.as_mut().filter(|_| cluster.is_finite()) {
                     booking::book(cluster, &mut account.book);
                 }
             }
             clusters
         };
+        // What left the numbers stays where the step began, with all that went with it.
+        for cluster in clusters.extract_if(.., |cluster| !cluster.is_finite()) {
+            cluster.count(counters);
+            let bodies = cluster.lost().map(|body| self.bodies.list[body].points.range());
+            self.lost.extend(bodies.flat_map(|points| &self.bodies.order[points]));
+        }
         self.sides = kept(sides, &clusters);
         self.tangle.note(&mut clusters);
         for cluster in &mut clusters {
@@ -251,6 +267,7 @@ impl<S: Real> Mover<S, 2> for Live<S> {
             cluster.bodies.iter().for_each(|&body| self.rests[body].is_asleep = false);
             self.settle(cluster, h);
             cluster.count(counters);
+            counters.settled += cluster.bodies.iter().filter(|&&body| self.settling[body] > S::ZERO).count() as u64;
         }
         // A gust may come at any time.
         if self.sleeps && pull.gusts().is_none() {
@@ -280,6 +297,10 @@ impl<S: Real> Mover<S, 2> for Live<S> {
 
     fn parts(&self, points: &Points<S, 2>, pull: &Pull<S, 2>, around: &Environment<2>, h: f64) -> Vec<Part> {
         self.all_parts(points, (pull, around), h)
+    }
+
+    fn take_lost(&mut self) -> Vec<u32> {
+        std::mem::take(&mut self.lost)
     }
 
     fn may_meet_itself(&mut self, points: &Points<S, 2>, h: f64) -> bool {
@@ -328,7 +349,7 @@ fn kept<S: Real>(sides: Sides, clusters: &[Cluster<S>]) -> Sides {
     }
     let mut awake: Vec<(u32, u32)> = Vec::new();
     for cluster in clusters {
-        awake.extend(cluster.corners.iter().map(|&(place, number)| (number, place)));
+        awake.extend(cluster.corners.iter().chain(&cluster.circles).map(|&(place, number)| (number, place)));
     }
     awake.sort_unstable();
     let is_awake = |key: u64| awake.binary_search_by_key(&((key >> 32) as u32), |entry| entry.0).is_ok();

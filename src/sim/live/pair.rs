@@ -1,13 +1,14 @@
 //! A point near an edge: on which side it belongs, how hard they press each other, how they rub.
 
 use super::cluster::Cluster;
+use super::rigid::Change;
 use crate::sim::real::Real;
 use crate::sim::vector::{add, dot, scale, sub};
 
 /// Share of an overlap of skins that was there before a substep that is mended in it, without speed; obstacles put points out at once.
 const MENDED: f64 = 0.2;
 
-/// Share of the speed that restitution asks for that may lack.
+/// Share of the speed that came in by which what restitution asks for may be missed.
 pub(super) const BOUNCED: f64 = 1e-3;
 
 /// The side of an edge that a point belongs to: +1 on its left, -1 on its right, by the numbers of both.
@@ -40,21 +41,26 @@ pub(super) struct Pair<S> {
     pub(super) old: S,
     /// Normal speed at the start of the substep [m/s]: what forces give within it is pressed away, and does not bounce.
     pub(super) approach: S,
+    /// What restitution gave back [kg m/s].
+    pub(super) bounced: S,
     pub(super) is_met: bool,
     /// Before which substep the side was last looked at: where they are too far apart to touch nobody does, and the point may go around.
     pub(super) seen: u32,
 }
 
-/// A point near a plane.
+/// A point near a plane, or near a circle, which it meets as a plane in each substep.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct OnPlane<S> {
     pub(super) p: u32,
+    /// Circles are numbered behind the planes.
     pub(super) surface: u32,
+    pub(super) normal: [S; 2],
     pub(super) pressed: S,
     pub(super) rubbed: S,
     /// It slides on.
     pub(super) slips: bool,
     pub(super) approach: S,
+    pub(super) bounced: S,
     pub(super) is_met: bool,
 }
 
@@ -112,7 +118,13 @@ impl<S: Real> Pair<S> {
     /// The substep begins anew.
     #[inline(always)]
     pub(super) fn clear(&mut self) {
-        (self.pressed, self.rubbed, self.old, self.is_met) = (S::ZERO, S::ZERO, S::ZERO, false);
+        (self.pressed, self.rubbed, self.bounced, self.old, self.is_met) = (S::ZERO, S::ZERO, S::ZERO, S::ZERO, false);
+    }
+
+    /// Whether the point is the centre of a circle.
+    #[inline(always)]
+    pub(super) fn is_of_circle(&self, state: &Cluster<S>) -> bool {
+        self.distance > S::ZERO && self.p as usize >= state.own()
     }
 
     /// Parts point and edge where they are nearer than they may be. Returns whether they are nearer than that and `slack` [m], or
@@ -128,15 +140,21 @@ impl<S: Real> Pair<S> {
         }
         let Some(found) = beside([state.now[p], state.now[a], state.now[b]], self.side) else { return true };
         if found.gap >= self.distance && self.pressed == S::ZERO {
-            return found.gap < self.distance + slack;
+            let is_free = found.gap - self.distance >= self.soon(state, [p, a, b], &found);
+            if is_free {
+                return found.gap < self.distance + slack;
+            }
+        }
+        // Ends meet circles as points.
+        if self.is_of_circle(state) && (found.at == S::ZERO || found.at == S::ONE) {
+            return true;
         }
         if gap_is_hopeless(found.gap, [state.now[a], state.now[b]]) && p.max(a) < state.own() {
             return true;
         }
         let Beside { at, normal, gap } = found;
-        let rest = S::ONE - at;
-        let [w_p, w_a, w_b] = [state.w[p], state.w[a], state.w[b]];
-        let w = w_p + rest * rest * w_a + at * at * w_b;
+        let (points, rest) = ([p, a, b], S::ONE - at);
+        let w = state.weight(points, at, normal);
         if w == S::ZERO {
             return true;
         }
@@ -152,13 +170,7 @@ impl<S: Real> Pair<S> {
                 // Between skins slowly: a body that is deep in another would be torn, its springs loaded from nowhere.
                 let is_between_skins = p.max(a) < state.own();
                 let mended = if is_between_skins { (overlap * S::from_f64(MENDED)).min(state.gentle) } else { overlap };
-                let push = mended / w;
-                for (i, share) in [(p, w_p), (a, -rest * w_a), (b, -at * w_b)] {
-                    let shift = scale(normal, share * push);
-                    state.start[i] = add(state.start[i], shift);
-                    state.now[i] = add(state.now[i], shift);
-                    state.gone[i] += dot(shift, shift).sqrt();
-                }
+                state.push(points, at, scale(normal, mended / w), Change::Place);
                 gap += mended;
                 self.old = overlap - mended;
             }
@@ -170,19 +182,33 @@ impl<S: Real> Pair<S> {
         let d = sub(state.way[p], add(scale(state.way[a], rest), scale(state.way[b], at)));
         let most = self.friction * self.pressed;
         let was = self.rubbed;
-        self.rubbed = (was - dot(d, along) / w).max(-most).min(most);
+        let across = if state.is_of_rigid([p, a]) { state.weight(points, at, along) } else { w };
+        self.rubbed = (was - dot(d, along) / across).max(-most).min(most);
         let rub = self.rubbed - was;
         let (out, aside) = (scale(normal, push), scale(along, rub));
-        let impulse = add(out, aside);
-        for (i, share) in [(p, w_p), (a, -rest * w_a), (b, -at * w_b)] {
-            if let Some(tally) = state.tally.as_mut().filter(|_| share != S::ZERO) {
-                tally.push(i, self.restitution, (scale(out, share), scale(aside, share)));
+        if let Some(tally) = &mut state.tally {
+            for (i, share) in [(p, S::ONE), (a, -rest), (b, -at)] {
+                let share = share * state.w[i];
+                if share != S::ZERO {
+                    tally.push(i, self.restitution, (scale(out, share), scale(aside, share)));
+                }
             }
-            let shift = scale(impulse, share);
-            state.now[i] = add(state.now[i], shift);
-            state.way[i] = add(state.way[i], shift);
+        }
+        let impulse = add(out, aside);
+        if impulse != [S::ZERO; 2] {
+            state.push(points, at, impulse, Change::Way);
         }
         true
+    }
+
+    /// How far the two may be from touching and yet be struck with what touches [m].
+    #[inline(always)]
+    fn soon(&self, state: &Cluster<S>, [p, a, b]: [usize; 3], found: &Beside<S>) -> S {
+        if !state.is_of_rigid([p, a]) {
+            return S::ZERO;
+        }
+        let of_edge = add(scale(state.way[a], S::ONE - found.at), scale(state.way[b], found.at));
+        state.at_once([p, a], -dot(sub(state.way[p], of_edge), found.normal))
     }
 
     /// The side on which the point is as the substep starts, of an edge that it did not touch. Behind what is closed it came around an end,
@@ -218,27 +244,27 @@ impl<S: Real> Pair<S> {
 
     /// Gives the normal velocity that restitution asks for, where they pressed each other and came faster than `least` [m/s]. Returns
     /// whether that lacked.
-    pub(super) fn bounce(&self, state: &mut Cluster<S>, least: S) -> bool {
-        if self.restitution == S::ZERO || self.pressed == S::ZERO || self.approach > -least {
+    pub(super) fn bounce(&mut self, state: &mut Cluster<S>, least: S) -> bool {
+        let [p, a, b] = [self.p as usize, self.a as usize, self.b as usize];
+        let has_hit = self.pressed > S::ZERO || (self.is_met && state.is_of_rigid([p, a]));
+        if !has_hit || self.approach > -least || (self.restitution == S::ZERO && !state.is_of_rigid([p, a])) {
             return false;
         }
-        let [p, a, b] = [self.p as usize, self.a as usize, self.b as usize];
         let Some(Beside { at, normal, .. }) = beside([state.now[p], state.now[a], state.now[b]], self.side) else {
             return false;
         };
-        let rest = S::ONE - at;
-        let [w_p, w_a, w_b] = [state.w[p], state.w[a], state.w[b]];
-        let w = w_p + rest * rest * w_a + at * at * w_b;
+        let (points, rest) = ([p, a, b], S::ONE - at);
+        let w = state.weight(points, at, normal);
         let v = sub(state.velocity[p], add(scale(state.velocity[a], rest), scale(state.velocity[b], at)));
         let target = -self.restitution * self.approach;
         let lacking = target - dot(v, normal);
-        if lacking > S::ZERO {
-            let push = scale(normal, lacking / w);
-            for (i, share) in [(p, w_p), (a, -rest * w_a), (b, -at * w_b)] {
-                state.velocity[i] = add(state.velocity[i], scale(push, share));
-            }
+        // What others pushed it on since is taken off again.
+        let before = self.bounced;
+        self.bounced = (before + lacking / w).max(S::ZERO);
+        if self.bounced != before {
+            state.push(points, at, scale(normal, self.bounced - before), Change::Velocity);
         }
-        lacking > target * S::from_f64(BOUNCED)
+        (self.bounced - before).abs() * w > -self.approach * S::from_f64(BOUNCED)
     }
 }
 

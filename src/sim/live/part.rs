@@ -144,6 +144,7 @@ pub(super) fn drift<S: Real>(state: &mut Cluster<S>, h: S, gravity: [f64; 2]) {
     for (body, &shift) in shifts.iter().enumerate().filter(|(_, shift)| **shift != zero()) {
         let length = dot(shift, shift).sqrt();
         let shift = if length > most { scale(shift, most / length) } else { shift };
+        state.carry(body, shift);
         for i in state.bases[body] as usize..state.bases[body + 1] as usize {
             if state.w[i] != S::ZERO {
                 state.now[i] = add(state.now[i], shift);

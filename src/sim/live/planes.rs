@@ -1,76 +1,113 @@
-//! Points on planes and on the walls of the bounds, by the same rules as points on edges.
+//! Points on planes, on the walls of the bounds and on circles, by the same rules as points on edges.
 
-use super::cluster::Cluster;
-use super::pair::{BOUNCED, OnPlane};
-use crate::sim::contact::surface::Surface;
+use super::cluster::{Cluster, Common};
+use super::pair::{BOUNCED, OnPlane, left};
+use super::rigid::Change;
 use crate::sim::real::Real;
-use crate::sim::vector::{add, dot, scale, sub, zero};
+use crate::sim::vector::{add, dot, scale};
 
 impl<S: Real> OnPlane<S> {
-    pub(super) fn new(p: u32, surface: u32) -> Self {
-        OnPlane { p, surface, pressed: S::ZERO, rubbed: S::ZERO, slips: false, approach: S::ZERO, is_met: false }
+    pub(super) fn new(p: u32, surface: u32, normal: [S; 2]) -> Self {
+        OnPlane {
+            p,
+            surface,
+            normal,
+            pressed: S::ZERO,
+            rubbed: S::ZERO,
+            slips: false,
+            approach: S::ZERO,
+            bounced: S::ZERO,
+            is_met: false,
+        }
     }
 
     #[inline(always)]
     pub(super) fn clear(&mut self) {
-        (self.pressed, self.rubbed, self.is_met) = (S::ZERO, S::ZERO, false);
+        (self.pressed, self.rubbed, self.bounced, self.is_met) = (S::ZERO, S::ZERO, S::ZERO, false);
     }
 
     /// Puts the point out.
     #[inline(always)]
-    pub(super) fn press(&mut self, state: &mut Cluster<S>, surface: &Surface<S, 2>) {
-        let (p, normal) = (self.p as usize, surface.normal);
-        let mut gap = surface.gap(state.now[p]);
-        if gap >= S::ZERO && self.pressed == S::ZERO {
+    pub(super) fn press(&mut self, state: &mut Cluster<S>, common: &Common<S>) {
+        let p = self.p as usize;
+        let Some(mut gap) = self.gap(common, [state.start[p], state.now[p]]) else { return };
+        let normal = self.normal;
+        if gap >= S::ZERO && self.pressed == S::ZERO && gap >= state.at_once([p, p], -dot(state.way[p], normal)) {
             return;
         }
         if !self.is_met {
             self.is_met = true;
             self.approach = dot(state.begun[p], normal);
-            let depth = (-surface.gap(state.start[p])).max(S::ZERO);
+            let depth = self.depth(common, state.start[p]);
             if depth > S::ZERO {
-                let shift = scale(normal, depth);
-                state.start[p] = add(state.start[p], shift);
-                state.now[p] = add(state.now[p], shift);
-                state.gone[p] += depth;
+                state.push_one(p, scale(normal, depth / state.own_weight(p, normal)), Change::Place);
                 gap += depth;
             }
         }
         let before = self.pressed;
-        self.pressed = (before - gap).max(S::ZERO);
-        let push = self.pressed - before;
-        let d = state.way[p];
-        let along = sub(d, scale(normal, dot(normal, d)));
-        let slide = dot(along, along).sqrt();
-        let out = scale(normal, push);
-        let mut aside = zero();
-        // What is still to be rubbed of what pressed so far.
-        self.slips = slide > surface.friction * self.pressed - self.rubbed;
-        let most = (surface.friction * self.pressed - self.rubbed).max(S::ZERO).min(slide);
-        if most > S::ZERO {
-            self.rubbed += most;
-            aside = scale(along, -most / slide);
-        }
-        let shift = add(out, aside);
+        self.pressed = (before - gap / state.own_weight(p, normal)).max(S::ZERO);
+        let [friction, restitution] = self.surface(common);
+        let along = left(normal);
+        let most = friction * self.pressed;
+        let was = self.rubbed;
+        self.rubbed = (was - dot(state.way[p], along) / state.own_weight(p, along)).max(-most).min(most);
+        self.slips = self.rubbed.abs() >= most;
+        let (out, aside) = (scale(normal, self.pressed - before), scale(along, self.rubbed - was));
+        let share = if state.is_of_rigid([p, p]) { state.w[p] } else { S::ONE };
         if let Some(tally) = &mut state.tally {
-            tally.push(p, surface.restitution, (out, aside));
+            tally.push(p, restitution, (scale(out, share), scale(aside, share)));
         }
-        state.now[p] = add(state.now[p], shift);
-        state.way[p] = add(state.way[p], shift);
+        state.push_one(p, add(out, aside), Change::Way);
     }
 
     /// Gives the velocity that restitution asks for, where the point came faster than `least` [m/s]. Returns whether that
     /// lacked.
-    pub(super) fn bounce(&self, state: &mut Cluster<S>, surface: &Surface<S, 2>, least: S) -> bool {
-        if surface.restitution == S::ZERO || self.pressed == S::ZERO || self.approach > -least {
+    pub(super) fn bounce(&mut self, state: &mut Cluster<S>, restitution: S, least: S) -> bool {
+        let p = self.p as usize;
+        let has_hit = self.pressed > S::ZERO || (self.is_met && state.is_of_rigid([p, p]));
+        if !has_hit || self.approach > -least || (restitution == S::ZERO && !state.is_of_rigid([p, p])) {
             return false;
         }
-        let p = self.p as usize;
-        let target = -surface.restitution * self.approach;
-        let lacking = target - dot(state.velocity[p], surface.normal);
-        if lacking > S::ZERO {
-            state.velocity[p] = add(state.velocity[p], scale(surface.normal, lacking));
+        let weight = state.own_weight(p, self.normal);
+        let target = -restitution * self.approach;
+        let lacking = target - dot(state.velocity[p], self.normal);
+        let before = self.bounced;
+        self.bounced = (before + lacking / weight).max(S::ZERO);
+        if self.bounced != before {
+            state.push_one(p, scale(self.normal, self.bounced - before), Change::Velocity);
         }
-        lacking > target * S::from_f64(BOUNCED)
+        (self.bounced - before).abs() * weight > -self.approach * S::from_f64(BOUNCED)
+    }
+
+    /// Its friction and its restitution.
+    #[inline(always)]
+    pub(super) fn surface(&self, common: &Common<S>) -> [S; 2] {
+        match common.circle_of(self) {
+            None => {
+                let plane = &common.planes[self.surface as usize];
+                [plane.friction, plane.restitution]
+            }
+            Some(circle) => [circle.friction, circle.restitution],
+        }
+    }
+
+    /// How far the point is above the plane [m]; on its way to a circle that is the one which it meets. `None`: it meets none.
+    #[inline(always)]
+    fn gap(&mut self, common: &Common<S>, [start, now]: [[S; 2]; 2]) -> Option<S> {
+        let Some(circle) = common.circle_of(self) else { return Some(common.planes[self.surface as usize].gap(now)) };
+        if !self.is_met {
+            self.normal = circle.entry(start, now)?;
+        }
+        Some(circle.gap_along(self.normal, now))
+    }
+
+    /// How deep in the surface the point was as the substep began [m].
+    #[inline(always)]
+    fn depth(&self, common: &Common<S>, start: [S; 2]) -> S {
+        let gap = match common.circle_of(self) {
+            None => common.planes[self.surface as usize].gap(start),
+            Some(circle) => circle.gap(start),
+        };
+        (-gap).max(S::ZERO)
     }
 }

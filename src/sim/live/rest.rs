@@ -3,7 +3,6 @@
 use super::Live;
 use super::cluster::Cluster;
 use crate::sim::environment::Environment;
-use crate::sim::force::mouse::Push;
 use crate::sim::measure;
 use crate::sim::points::Points;
 use crate::sim::real::Real;
@@ -16,8 +15,8 @@ const STILL_TIME: f64 = 0.5;
 const STILL_WAY: [f64; 2] = [0.1, 5e-4];
 /// The same at most [m]: 1 cm/s.
 const MOST_WAY: f64 = 5e-3;
-/// Mean speed below which what touches settles [m/s].
-const SLOW: f64 = 1.0;
+/// Mean speed below which what touches settles [m/s], and below which what is rigid does: that does not swing, and is to tip and roll.
+const SLOW: [f64; 2] = [1.0, 0.1];
 /// How long it may touch nothing meanwhile [s]: it hops.
 const HOP: f64 = 0.25;
 /// How soon after it became slow [s], how quickly the drag grows [1/s^2], and how large it gets [1/s].
@@ -55,8 +54,8 @@ impl Rest {
 }
 
 impl<S: Real> Live<S> {
-    /// Wakes bodies that something was done to: the cursor reaches them, or they were given a velocity.
-    pub(super) fn wake(&mut self, points: &Points<S, 2>, around: &Environment<2>, t: f64) {
+    /// Wakes bodies that something was done to: the cursor reaches them in the step that begins, or they were given a velocity.
+    pub(super) fn wake(&mut self, points: &Points<S, 2>, around: &Environment<2>, span: (f64, f64)) {
         for body in 0..self.rests.len() {
             if !self.rests[body].is_asleep {
                 continue;
@@ -64,10 +63,8 @@ impl<S: Real> Live<S> {
             let slots = &self.bodies.order[self.bodies.list[body].points.range()];
             let moves = slots.iter().any(|&slot| points.velocity[slot as usize] != zero());
             let places: Vec<[S; 2]> = slots.iter().map(|&slot| points.position[slot as usize]).collect();
-            let is_reached = around.mouse_at(t).is_some_and(|(force, cursor)| {
-                measure::extent(&places).is_some_and(|bounds| Push::<S, 2>::new(force, cursor).reaches(bounds))
-            });
-            if moves || is_reached {
+            let is_reached = || measure::extent(&places).is_some_and(|bounds| around.may_reach(bounds, span));
+            if moves || is_reached() {
                 self.rests[body] = Rest::default();
             }
         }
@@ -98,7 +95,8 @@ impl<S: Real> Live<S> {
             rest.debt = (cluster.debt * count).to_f64() / cluster.own() as f64;
             rest.touches = sticks + slips > 0;
             rest.aloft = if rest.touches { 0.0 } else { rest.aloft + h };
-            let is_slow = square < S::from_f64(SLOW * SLOW) && rest.aloft < HOP && self.settles;
+            let slow = S::from_f64(SLOW[usize::from(cluster.is_rigid(k as u32))]);
+            let is_slow = square < slow * slow && rest.aloft < HOP && self.settles;
             // What hops settles where it touches, and what slides on is slowed down by friction alone.
             let goes_on = if rest.touches { h } else { 0.0 };
             rest.slow = if is_slow { rest.slow + goes_on } else { 0.0 };

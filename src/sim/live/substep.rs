@@ -53,16 +53,18 @@ pub(super) fn advance<S: Real>(state: &mut Cluster<S>, common: &Common<S>, outsi
     areas::look(state, common);
     let (passes, pushed) = tree::passes(state, common);
     let pushed = state.choose(pushed);
+    state.note_near();
     for pass in 0..passes {
         shape::hold(state, common);
         areas::unfold(state, common);
         if pass > 0 {
-            tree::straighten(state, common);
+            tree::straighten(state, common, pass + 1 == passes);
             bonds::hold_again(state);
         }
-        state.press(outside.pull.contacts.obstacles.planes(), pushed);
+        state.press(common, pushed);
     }
     super::truncate::cut(state);
+    super::circle::cut(state, common);
     state.follow_sides();
     state.finish(h, common, outside.pull.gravity);
     state.counts.substeps += 1;
@@ -135,6 +137,7 @@ impl<S: Real> Cluster<S> {
             self.way[i] = way;
             self.now[i] = add(self.start[i], way);
         }
+        self.predict_rigid(h);
         for &number in &self.chosen {
             self.pairs[number as usize].clear();
         }
@@ -181,15 +184,15 @@ impl<S: Real> Cluster<S> {
 
     /// One pass over all contacts; pairs that are too far apart to touch by what is still to come are left out from then on, but cut and
     /// followed.
-    fn press(&mut self, planes: &[crate::sim::contact::surface::Surface<S, 2>], slack: S) {
+    fn press(&mut self, common: &Common<S>, slack: S) {
         let mut pairs = std::mem::take(&mut self.pairs);
         let mut active = std::mem::take(&mut self.active);
         self.counts.work += 25 * active.len() as u64;
         active.retain(|&number| pairs[number as usize].press(self, slack));
-        (self.pairs, self.active) = (pairs, active);
         let mut on_planes = std::mem::take(&mut self.on_planes);
-        on_planes.iter_mut().for_each(|on| on.press(self, &planes[on.surface as usize]));
-        self.on_planes = on_planes;
+        on_planes.iter_mut().for_each(|on| on.press(self, common));
+        super::circle::press_again(self, common, (&mut pairs, &active), &mut on_planes);
+        (self.pairs, self.active, self.on_planes) = (pairs, active, on_planes);
     }
 
     fn follow_sides(&mut self) {
@@ -203,6 +206,7 @@ impl<S: Real> Cluster<S> {
     fn finish(&mut self, h: f64, common: &Common<S>, gravity: [f64; 2]) {
         let rate = S::from_f64(1.0 / h);
         let own = self.own();
+        self.follow_rigid();
         let (gone, way) = (&mut self.gone[..own], &self.way[..own]);
         for i in 0..own {
             gone[i] += dot(way[i], way[i]).sqrt();
@@ -216,25 +220,27 @@ impl<S: Real> Cluster<S> {
             now[i] = start[i];
             accumulate(&mut now[i], &mut lost[i], way[i]);
         }
+        self.finish_rigid(h);
         for (thin, ends) in self.thin.iter_mut().zip(self.bases.windows(2)) {
             thin.go(&self.way[ends[0] as usize..ends[1] as usize]);
         }
         self.tally(common, h);
-        let planes = common.planes;
-        let (pairs, on_planes) = (std::mem::take(&mut self.pairs), std::mem::take(&mut self.on_planes));
+        let (mut pairs, mut on_planes) = (std::mem::take(&mut self.pairs), std::mem::take(&mut self.on_planes));
         let numbers = std::mem::take(&mut self.chosen);
-        let chosen = || numbers.iter().map(|&number| &pairs[number as usize]);
         let least = S::from_f64(LEAST_BOUNCE * h * crate::sim::vector::length(gravity));
         self.rebound(common, |state| {
             let mut gave = Gave::default();
-            chosen().for_each(|pair| gave.note(pair.bounce(state, least), pair.restitution));
-            for on in &on_planes {
-                let surface = &planes[on.surface as usize];
-                gave.note(on.bounce(state, surface, least), surface.restitution);
+            for &number in &numbers {
+                let pair = &mut pairs[number as usize];
+                gave.note(pair.bounce(state, least), pair.restitution);
+            }
+            for on in &mut on_planes {
+                let [_, restitution] = on.surface(common);
+                gave.note(on.bounce(state, restitution, least), restitution);
             }
             gave
         });
-        let pressed = chosen().filter(|pair| pair.pressed > S::ZERO).count();
+        let pressed = numbers.iter().filter(|&&number| pairs[number as usize].pressed > S::ZERO).count();
         self.counts.contacts += pressed as u64;
         self.has_pressed |= pressed > 0 || on_planes.iter().any(|on| on.pressed > S::ZERO);
         self.counts.work += 45 * numbers.len() as u64 + pairs.len() as u64;
@@ -243,17 +249,20 @@ impl<S: Real> Cluster<S> {
     }
 
     /// Gives what restitution asks for, by `give`, which goes through rigid bonds at once: again and again, until no more is lacking.
-    fn rebound(&mut self, common: &Common<S>, give: impl Fn(&mut Self) -> Gave) {
+    fn rebound(&mut self, common: &Common<S>, mut give: impl FnMut(&mut Self) -> Gave) {
         let started = self.kinetic();
         let (mut solved, mut takes) = (0, false);
         while solved < BOUNCED {
             let gave = give(self);
             takes |= gave.takes;
-            let count = if gave.any { bonds::stiffen(self, common) } else { 0 };
+            let count = if gave.any { bonds::stiffen(self, common) + self.rigid_count() } else { 0 };
             if count == 0 {
                 break;
             }
             solved += count.max(BOUNCED / MOST_ROUNDS);
+        }
+        if solved > 0 {
+            self.turn_rigid();
         }
         if let (Some(started), Some(ended)) = (started, self.kinetic())
             && takes

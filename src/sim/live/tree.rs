@@ -13,8 +13,9 @@ use crate::sim::vector::{add, dot, scale, sub, zero};
 
 /// Fewest bonds that are solved so.
 const LEAST: usize = 4;
-/// Passes over contacts, each after a round: a crumpled rope that strikes itself at 40 m/s is strained by 0.5 with 3. Trees of more
-/// bonds than these have as many as all others: eight would take them over the time of a frame.
+/// Passes over contacts where bodies are rigid, whose touches hang together, and where each is followed by a round: a crumpled rope that
+/// strikes itself at 40 m/s is strained by 0.5 with 3. Trees of more bonds than these have as many passes as all others: eight would take
+/// them over the time of a frame.
 const PASSES: u32 = 8;
 const MOST: u32 = 64;
 /// Rounds of it before contacts, and one after each pass over them.
@@ -111,16 +112,18 @@ pub(super) fn passes<S: Real>(state: &Cluster<S>, common: &Common<S>) -> (u32, S
     let pulled = state.least_promise + state.least_promise;
     let largest = state.members(common).map(|(body, _)| body.tree).max().unwrap_or_default();
     match largest {
+        0 if state.rigid_count() > 0 => (PASSES, usual.1),
         0 => usual,
         1..=MOST => (PASSES, pulled),
         _ => (usual.0, pulled),
     }
 }
 
-/// One round over the forests of what was pressed in this substep.
-pub(super) fn straighten<S: Real>(state: &mut Cluster<S>, common: &Common<S>) {
+/// One round over the forests of what was pressed in this substep, over large ones before the last pass alone.
+pub(super) fn straighten<S: Real>(state: &mut Cluster<S>, common: &Common<S>, is_last: bool) {
     if state.is_pressed() {
-        for (body, base) in state.members(common).filter(|(body, _)| body.tree > 0) {
+        let is_due = |tree: u32| tree > 0 && (is_last || tree <= MOST);
+        for (body, base) in state.members(common).filter(|(body, _)| is_due(body.tree)) {
             round(state, &common.holds(body)[..body.tree as usize], (base, body.points.len()));
         }
     }

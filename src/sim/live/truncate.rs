@@ -3,9 +3,10 @@
 //! Source: the planar divide-and-truncate of offset contact (A. Chen et al. 2025): each side keeps to its part of the gap.
 
 use super::cluster::Cluster;
-use super::pair::beside;
+use super::pair::{Pair, beside};
+use super::rigid::Change;
 use crate::sim::real::Real;
-use crate::sim::vector::{add, dot, scale};
+use crate::sim::vector::{add, dot, scale, sub};
 
 /// Share of the gap that both sides may use up.
 const USED: f64 = 0.9;
@@ -39,6 +40,10 @@ pub(super) fn cut<S: Real>(state: &mut Cluster<S>) {
         if end.is_some_and(|end| end.gap > S::HALF * found.gap.min(pair.distance)) {
             continue;
         }
+        if state.is_of_rigid([p, a]) {
+            hold_apart(state, pair, (found.at, n, used * found.gap));
+            continue;
+        }
         let share = (down / (down + up)).max(S::from_f64(LEAST)).min(S::from_f64(1.0 - LEAST));
         let room = used * found.gap;
         let mut taken = [S::ZERO; 3];
@@ -69,4 +74,22 @@ pub(super) fn cut<S: Real>(state: &mut Cluster<S>) {
         }
     }
     (state.pairs, state.chosen) = (pairs, chosen);
+}
+
+/// Of a pair with a rigid body what closes more than `room` [m] is pushed back, as a contact does that has no friction.
+fn hold_apart<S: Real>(state: &mut Cluster<S>, pair: &Pair<S>, (at, n, room): (S, [S; 2], S)) {
+    let [p, a, b] = [pair.p, pair.a, pair.b].map(|i| i as usize);
+    let rest = S::ONE - at;
+    let way = sub(state.way[p], add(scale(state.way[a], rest), scale(state.way[b], at)));
+    let (beyond, w) = (-dot(way, n) - room, state.weight([p, a, b], at, n));
+    if beyond > S::ZERO && w > S::ZERO {
+        state.counts.truncations += 1;
+        let push = scale(n, beyond / w);
+        if let Some(tally) = &mut state.tally {
+            for (i, share) in [(p, S::ONE), (a, -rest), (b, -at)].into_iter().filter(|&(i, _)| state.w[i] != S::ZERO) {
+                tally.push(i, pair.restitution, (scale(push, share * state.w[i]), [S::ZERO; 2]));
+            }
+        }
+        state.push([p, a, b], at, push, Change::Way);
+    }
 }

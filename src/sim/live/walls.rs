@@ -1,38 +1,51 @@
-//! Obstacles as the live step meets them: sides and corners of polygons that do not move.
+//! Obstacles as the live step meets them: sides and corners of polygons that do not move, and circles.
 
+use super::circle::Circle;
 use crate::sim::contact::obstacles::Obstacles;
 use crate::sim::real::Real;
 use crate::sim::vector::convert;
 
-/// The sides of polygons between shared corners.
-#[derive(Clone, Debug, Default)]
+/// The sides of polygons between shared corners, and circles.
+#[derive(Clone, Debug, Default, PartialEq)]
 pub(super) struct Walls<S> {
+    /// Corners of sides, then centres of circles.
     pub(super) corners: Vec<[S; 2]>,
     /// Ends among the corners, and the surface; the free side is on the left.
     pub(super) sides: Vec<([u32; 2], u32)>,
+    pub(super) circles: Vec<Circle<S>>,
     /// A surface at every corner.
     at_corner: Vec<u32>,
 }
 
 impl<S: Real> Walls<S> {
     pub(super) fn of(obstacles: &Obstacles<S, 2>) -> Self {
-        let first = obstacles.planes().len();
-        let ends: Vec<[[f64; 2]; 2]> = (first..obstacles.surfaces.len())
-            .filter_map(|surface| obstacles.wall(surface))
-            .map(|wall| wall.ends())
-            .collect();
+        let (mut ends, mut rounds) = (Vec::new(), Vec::new());
+        for surface in obstacles.planes().len()..obstacles.surfaces.len() {
+            let Some(wall) = obstacles.wall(surface) else { continue };
+            match obstacles.round(wall) {
+                Some((polygon, round)) => rounds.push((polygon, round, surface as u32)),
+                None => ends.push((wall.ends(), surface as u32)),
+            }
+        }
+        // A circle all of whose sides are within other obstacles is met by nobody.
+        rounds.sort_by_key(|round| round.0);
+        rounds.dedup_by_key(|round| round.0);
         let bits = |x: &[f64; 2]| x.map(f64::to_bits);
-        let mut corners: Vec<[f64; 2]> = ends.iter().flatten().copied().collect();
+        let mut corners: Vec<[f64; 2]> = ends.iter().flat_map(|side| side.0).collect();
         corners.sort_unstable_by_key(bits);
         corners.dedup_by_key(|x| bits(x));
         let place = |x: &[f64; 2]| corners.binary_search_by_key(&bits(x), bits).unwrap_or_default() as u32;
         let sides: Vec<([u32; 2], u32)> =
-            ends.iter().zip(first as u32..).map(|(ends, surface)| (ends.each_ref().map(place), surface)).collect();
+            ends.iter().map(|(ends, surface)| (ends.each_ref().map(place), *surface)).collect();
         let mut at_corner = vec![0; corners.len()];
         for &(ends, surface) in &sides {
             ends.into_iter().for_each(|end| at_corner[end as usize] = surface);
         }
-        Walls { sides, at_corner, corners: corners.iter().map(|&x| convert(x)).collect() }
+        corners.extend(rounds.iter().map(|(_, round, _)| round.center));
+        at_corner.extend(rounds.iter().map(|&(.., surface)| surface));
+        let circle = |&(_, round, surface)| Circle::new(round, &obstacles.surfaces[surface as usize]);
+        let circles = rounds.iter().map(circle).collect();
+        Walls { sides, circles, at_corner, corners: corners.iter().map(|&x| convert(x)).collect() }
     }
 
     /// The surface of a side.
@@ -43,6 +56,11 @@ impl<S: Real> Walls<S> {
     /// A surface that ends in a corner.
     pub(super) fn surface_of_corner(&self, corner: u32) -> usize {
         self.at_corner[corner as usize] as usize
+    }
+
+    /// The corner that is the centre of a circle.
+    pub(super) fn corner_of_circle(&self, circle: u32) -> u32 {
+        (self.corners.len() - self.circles.len()) as u32 + circle
     }
 
     /// The sides that may touch a box.

@@ -14,6 +14,7 @@ use crate::sim::bulk::spec::Spec;
 use crate::sim::bulk::trails::Segment;
 use crate::sim::colour::by_colour;
 use crate::sim::contact::Contacts;
+use crate::sim::counters::{of_a_batch, operations};
 use crate::sim::force::form::Form;
 use crate::sim::force::spring::Springs;
 use crate::sim::group::engine::Engine;
@@ -51,15 +52,24 @@ impl<S: Real, const D: usize> Maker<'_, S, D> {
             None => Control::fixed(scheme.longest.unwrap_or(choice.substep)),
         };
         let order = Order {
+            control: self.within_budget(control),
             bodies,
             inverse_mass: points.inverse_mass.clone(),
             way: scheme.way,
-            control,
             gravity: length(self.model.field()),
             nominal: choice.substep,
         };
         let bulk = mover(order)?;
         Some(self.batched(points, self.batched_pull(), bulk, breakable))
+    }
+
+    /// As many substeps as the work of a frame may be, where there is a bound on it and no strain is asked for.
+    fn within_budget(&self, control: Control) -> Control {
+        let Some(budget) = self.model.budget().filter(|_| self.model.method.max_strain.is_none()) else {
+            return control;
+        };
+        let bonds = self.lot.islands.iter().map(|island| island.bonds.len()).sum();
+        control.within(operations(budget) as f64 / of_a_batch((bonds, self.points.len()), D).max(1) as f64)
     }
 
     /// The points of a group whose engine keeps what rounding takes by itself.

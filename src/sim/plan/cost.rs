@@ -1,5 +1,6 @@
 //! What a substep of a group costs, by counting: settings are compared by it, never by a clock.
 
+use crate::sim::force::wind::OF_A_GUST;
 use crate::sim::group::engine::Engine;
 use crate::sim::group::{Group, Work};
 use crate::sim::integrate::implicit::USUAL_ROUNDS;
@@ -32,7 +33,8 @@ fn of_engine<S: Real, const D: usize>(group: &Group<S, D>, engine: &Engine<S, D>
     let points = group.points.len() as f64 * D as f64;
     // An angle costs about four springs, most of it the arc tangent.
     let form = 120.0 * pull.form.hinges.len() as f64 + 30.0 * pull.form.patches.len() as f64;
-    let force = 20.0 + 30.0 * pull.springs.len() as f64 + form + 4.0 * points;
+    let gusts = if pull.gusts().is_some() { OF_A_GUST as f64 * group.points.len() as f64 } else { 0.0 };
+    let force = 20.0 + 30.0 * pull.springs.len() as f64 + form + gusts + 4.0 * points;
     let hold = pull.rigid.as_ref().map_or(0.0, |rigid| 12.0 * rigid.work() as f64 + 40.0);
     match engine {
         Engine::Splitting(splitting) => splitting.parts().iter().fold(40.0, |sum, part| {

@@ -201,11 +201,14 @@ impl<S: Real, const D: usize> Maker<'_, S, D> {
         Some(Box::new(account))
     }
 
-    /// What is watched of the group, where it may be handed over to the live step.
+    /// What is watched of the group, where it may be handed over to the live step or stand still.
     pub(super) fn watch(&self) -> Option<Box<Watch<S, D>>> {
-        self.model.budget()?;
+        self.model.freezes().then_some(())?;
         // Of a step of hours the live step would take frame after frame.
         self.model.method.substep.is_none_or(|h| h <= FRAME).then_some(())?;
+        if self.model.budget().is_none() {
+            return Some(Box::new(Watch::new(&[], [0; 2], false, (false, false))));
+        }
         let bonds: Vec<Bond> = self.bonds().map(|(_, bond)| bond).collect();
         let islands = &self.lot.islands;
         let count = |of: fn(&Island) -> usize| islands.iter().map(of).sum::<usize>();

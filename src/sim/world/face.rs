@@ -14,7 +14,7 @@ use crate::sim::force::mouse::{self, Cursor, MouseForce};
 use crate::sim::force::steady::Force;
 use crate::sim::group::Group;
 use crate::sim::measure;
-use crate::sim::model::Model;
+use crate::sim::model::{Method, Model};
 use crate::sim::moved::MovedBy;
 use crate::sim::plan_part::PlanPart;
 use crate::sim::points::Points;
@@ -205,6 +205,14 @@ impl<S: Real, const D: usize> Dynamics for World<S, D> {
 
     fn moved_by(&self) -> Vec<MovedBy> {
         self.movers()
+    }
+
+    fn method(&self) -> Method {
+        self.model.method
+    }
+
+    fn is_cheaper_live(&self) -> bool {
+        self.has_cheaper()
     }
 
     fn mover_of(&self, point: PointId) -> Option<&PlanPart> {

@@ -5,8 +5,10 @@
 
 mod account;
 mod face;
+pub(crate) mod frozen;
 mod kept;
 mod moved;
+mod nested;
 pub(crate) mod saved;
 mod skins;
 mod start;
@@ -59,6 +61,8 @@ pub struct World<S: Real, const D: usize> {
     pub(crate) grabbed: Vec<PointId>,
     /// Pins that may be met, and the topology that they are of.
     pub(crate) fixtures: (Option<u64>, Arc<[u32]>),
+    /// Islands that left the finite numbers.
+    pub(crate) frozen: Vec<frozen::Frozen>,
     /// Energy that came and went, where a ledger is kept.
     pub(crate) ledger: Option<Totals>,
 }

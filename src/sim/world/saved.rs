@@ -13,6 +13,7 @@ use crate::sim::counters::Counters;
 use crate::sim::dynamics::Dynamics;
 use crate::sim::environment::{CursorPath, Environment, Lead};
 use crate::sim::model::{Model, ModelError};
+use crate::sim::moved::Why;
 use crate::sim::plan::{self, NOWHERE, OWN};
 use crate::sim::points::State;
 use crate::sim::real::{Precision, Real};
@@ -87,7 +88,8 @@ impl<S: Real, const D: usize> World<S, D> {
         without_gone.pinned.extend(&saved.gone);
         let numbers = saved.bond_numbers.as_deref();
         let mut live = vec![OWN; if saved.handed_over.is_empty() { 0 } else { state.position.len() }];
-        saved.handed_over.iter().for_each(|handed| live[handed.first.index()] = handed.first.0);
+        let handed_over = saved.handed_over.iter().filter(|entry| entry.why != Why::NotFinite);
+        handed_over.for_each(|handed| live[handed.first.index()] = handed.first.0);
         let plan =
             plan::compile((&without_gone, &obstacles, saved.scene_points), (&model.bonds, numbers), &state, &live);
         let mut inverse_mass = plan::inverse_masses(&without_gone);
@@ -120,6 +122,7 @@ impl<S: Real, const D: usize> World<S, D> {
             is_fresh: true,
             fixtures: (None, Arc::new([])),
             grabbed: saved.grabbed.clone(),
+            frozen: Vec::new(),
             ledger: None,
             model: Arc::new(model.bare()),
         };
@@ -127,6 +130,9 @@ impl<S: Real, const D: usize> World<S, D> {
         world.note_handed_over(&saved.handed_over);
         for group in &mut world.plan.groups {
             group.resume(&world.around, saved.time);
+        }
+        for entry in saved.handed_over.iter().filter(|entry| entry.why == Why::NotFinite) {
+            world.freeze(&[entry.first.0], (model.method.solver, entry.since));
         }
         world.hold_on();
         world.gather();

@@ -82,6 +82,7 @@ impl<S: Real, const D: usize> World<S, D> {
             is_fresh: true,
             fixtures: (None, Arc::new([])),
             grabbed: Vec::new(),
+            frozen: Vec::new(),
             ledger: None,
             model: Arc::new(model.bare()),
         };
@@ -92,6 +93,8 @@ impl<S: Real, const D: usize> World<S, D> {
         world.warn_of_areas(0);
         world.warn_of_stops(0..u32::MAX, |point| model.position[point.index()]);
         world.warn_of_radius();
+        world.warn_of_friction();
+        world.warn_of_nested(&model.position);
         world.begin(&state);
         world.foresee();
         world.begin_ledger();

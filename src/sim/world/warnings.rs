@@ -4,7 +4,9 @@ use std::ops::Range;
 
 use super::World;
 use crate::sim::bond::{Bond, BondKind, PointId};
+use crate::sim::contact::surface::MOST_FRICTION;
 use crate::sim::force::angle::Angle;
+use crate::sim::model::Model;
 use crate::sim::plan::Cleared;
 use crate::sim::plan_part::PlanPart;
 use crate::sim::real::Real;
@@ -113,6 +115,20 @@ impl<S: Real, const D: usize> World<S, D> {
                 energies.iter().sum::<f64>()
             )
         })
+    }
+
+    /// Tells of friction that is more than surfaces can have.
+    pub(super) fn warn_of_friction(&mut self) {
+        let Model { bounds, planes, polygons, .. } = &*self.model;
+        let of_walls = bounds.iter().map(|bounds| bounds.friction);
+        let all = of_walls
+            .chain(planes.iter().map(|plane| plane.friction))
+            .chain(polygons.iter().map(|polygon| polygon.friction));
+        let most = all.fold(0.0, f64::max);
+        if most > MOST_FRICTION {
+            self.warnings
+                .push(format!("friction {most} is taken as {MOST_FRICTION}: it holds on a slope of 88 degrees"));
+        }
     }
 
     pub(super) fn warn_of_limits(&mut self) {

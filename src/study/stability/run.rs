@@ -323,7 +323,8 @@ impl<'a> Drive<'a> {
     fn look(&mut self) -> bool {
         let world = self.replay.world();
         let sample = world.sample(world.time());
-        if !world.is_finite() || !sample.energy.is_finite() {
+        // What stands still since it left the numbers is no motion either.
+        if !world.is_finite() || !sample.energy.is_finite() || world.counters().frozen > 0 {
             return false;
         }
         self.strain.look(world, &sample);

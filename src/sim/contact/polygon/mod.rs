@@ -3,6 +3,7 @@
 mod cut;
 mod grid;
 mod outline;
+pub(crate) mod round;
 pub(crate) mod solids;
 #[cfg(test)]
 mod tests;

@@ -57,6 +57,11 @@ impl Wall {
         [self.start, self.end]
     }
 
+    /// Which polygon it is a side of.
+    pub(crate) fn polygon(&self) -> usize {
+        self.polygon as usize
+    }
+
     /// Unit normal, towards the free side.
     #[inline(always)]
     fn normal(&self) -> [f64; 2] {

@@ -94,6 +94,18 @@ impl<S: Real> Cluster<S> {
         pairs.into_iter().map(move |(body, base)| (&list[body], base))
     }
 
+    /// Whether its points are among the finite numbers, their squares included.
+    pub(super) fn is_finite(&self) -> bool {
+        self.lost().next().is_none()
+    }
+
+    /// The bodies of which this is not so.
+    pub(super) fn lost(&self) -> impl Iterator<Item = usize> {
+        let is_fine = |i: usize| (dot(self.now[i], self.now[i]) + dot(self.velocity[i], self.velocity[i])).is_finite();
+        let ends = self.bases.windows(2).map(|ends| ends[0] as usize..ends[1] as usize);
+        self.bodies.iter().zip(ends).filter(move |(_, points)| !points.clone().all(is_fine)).map(|(&body, _)| body)
+    }
+
     /// A point goes further.
     #[inline(always)]
     pub(super) fn shift(&mut self, i: usize, by: [S; 3]) {

@@ -59,6 +59,8 @@ pub(super) struct Space<S: Real> {
     bond_count: usize,
     /// What constant forces give every point of the group [m/s^2]; empty without any.
     thrust: Vec<[S; 3]>,
+    /// Slots of what left the finite numbers.
+    lost: Vec<u32>,
 }
 
 impl<S: Real> Space<S> {
@@ -76,6 +78,7 @@ impl<S: Real> Space<S> {
             settling: vec![S::ZERO; count],
             bond_count: draft.bonds.len(),
             thrust: thrust(points, pull),
+            lost: Vec::new(),
             bodies,
         }
     }
@@ -89,6 +92,8 @@ impl<S: Real> Space<S> {
         (t, h): (f64, f64),
     ) {
         let count = (h * FRAMES * f64::from(cluster.substeps(common, pull, around, t))).ceil().max(1.0);
+        let moving = cluster.now.iter().copied().zip(cluster.velocity.iter().copied());
+        let count = count.max(f64::from(around.parts_near(moving, (t, h))));
         let own = h / count;
         let outside = Outside { pull, around, settling: &self.settling };
         let before = guard::energy(cluster, common, around.gravity);
@@ -98,7 +103,10 @@ impl<S: Real> Space<S> {
         for substep in 0..count as u32 {
             substep::advance(cluster, common, outside, (t + f64::from(substep) * own, own));
         }
-        guard::hold(cluster, common, (before, around.gravity));
+        // What is no number any more is not to be shared out.
+        if cluster.is_finite() {
+            guard::hold(cluster, common, (before, around.gravity));
+        }
     }
 }
 
@@ -115,8 +123,8 @@ impl<S: Real> Mover<S, 3> for Space<S> {
         account: Option<&mut Account>,
     ) {
         let sides = std::mem::take(&mut self.sides);
-        self.wake(points, around, t);
-        let clusters = {
+        self.wake(points, around, (t, h));
+        let mut clusters = {
             let common = Common {
                 bodies: &self.bodies,
                 solids: &self.solids,
@@ -131,12 +139,19 @@ impl<S: Real> Mover<S, 3> for Space<S> {
         if let Some(account) = account.filter(|_| !clusters.is_empty()) {
             account.book.untold += 1;
         }
+        // What left the numbers stays where the step began, with all that went with it.
+        for cluster in clusters.extract_if(.., |cluster| !cluster.is_finite()) {
+            cluster.count(counters);
+            let bodies = cluster.lost().map(|body| self.bodies.list[body].points.range());
+            self.lost.extend(bodies.flat_map(|points| &self.bodies.order[points]));
+        }
         self.sides = kept(sides, &clusters);
         for cluster in &clusters {
             self.scatter(cluster, points);
             cluster.bodies.iter().for_each(|&body| self.rests[body].is_asleep = false);
             self.settle(cluster, h);
             cluster.count(counters);
+            counters.settled += cluster.bodies.iter().filter(|&&body| self.settling[body] > S::ZERO).count() as u64;
         }
         // A gust may come at any time.
         if self.sleeps && pull.gusts().is_none() {
@@ -152,6 +167,10 @@ impl<S: Real> Mover<S, 3> for Space<S> {
 
     fn lag(&self) -> f64 {
         0.0
+    }
+
+    fn take_lost(&mut self) -> Vec<u32> {
+        std::mem::take(&mut self.lost)
     }
 
     fn kernel(&self) -> Kernel {

@@ -3,7 +3,6 @@
 use super::Space;
 use super::cluster::Cluster;
 use crate::sim::environment::Environment;
-use crate::sim::force::mouse::Push;
 use crate::sim::measure;
 use crate::sim::points::Points;
 use crate::sim::real::Real;
@@ -37,7 +36,7 @@ pub(super) struct Rest {
 
 impl<S: Real> Space<S> {
     /// Wakes bodies that something was done to: the cursor reaches them, or they were given a velocity.
-    pub(super) fn wake(&mut self, points: &Points<S, 3>, around: &Environment<3>, t: f64) {
+    pub(super) fn wake(&mut self, points: &Points<S, 3>, around: &Environment<3>, span: (f64, f64)) {
         for body in 0..self.rests.len() {
             if !self.rests[body].is_asleep {
                 continue;
@@ -45,10 +44,8 @@ impl<S: Real> Space<S> {
             let slots = &self.bodies.order[self.bodies.list[body].points.range()];
             let moves = slots.iter().any(|&slot| points.velocity[slot as usize] != zero());
             let places: Vec<[S; 3]> = slots.iter().map(|&slot| points.position[slot as usize]).collect();
-            let is_reached = around.mouse_at(t).is_some_and(|(force, cursor)| {
-                measure::extent(&places).is_some_and(|bounds| Push::<S, 3>::new(force, cursor).reaches(bounds))
-            });
-            if moves || is_reached {
+            let is_reached = || measure::extent(&places).is_some_and(|bounds| around.may_reach(bounds, span));
+            if moves || is_reached() {
                 self.rests[body] = Rest::default();
             }
         }

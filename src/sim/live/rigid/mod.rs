@@ -1,0 +1,395 @@
+//! Bodies that rigid bonds hold in their shape: each moves as one, with a middle and an angle.
+//!
+//! A substep in which nothing touches them takes them on exactly. A push J [kg m] at r from the middle moves that by J/m and turns the body
+//! by r x J/I: of the point there the inverse mass along n is 1/m + (r x n)^2/I.
+//! Source: M. Müller and others, Detailed Rigid Body Simulation with Extended Position Based Dynamics, 2020.
+
+mod shape;
+
+use std::sync::Arc;
+
+use super::cluster::{Cluster, OBSTACLE};
+use crate::sim::real::Real;
+use crate::sim::vector::{add, convert, cross, dot, scale, sub, widen};
+pub(super) use shape::{Held, Shape, holds};
+
+/// Share of what two things close within a substep in which hits count as one.
+const AT_ONCE: f64 = 0.02;
+
+/// No frame.
+const NONE: u32 = u32::MAX;
+
+/// Where a rigid body is.
+#[derive(Clone, Copy, Debug)]
+struct Place {
+    middle: [f64; 2],
+    /// [rad], counted from where the step began.
+    angle: f64,
+    /// Cosine and sine of the whole angle.
+    turn: [f64; 2],
+}
+
+impl Place {
+    fn out(&self, q: [f64; 2]) -> [f64; 2] {
+        add(self.middle, self.turned(q))
+    }
+
+    fn turned(&self, q: [f64; 2]) -> [f64; 2] {
+        let [c, s] = self.turn;
+        [c * q[0] - s * q[1], s * q[0] + c * q[1]]
+    }
+
+    /// Moved on, and turned by an angle.
+    fn moved(&self, by: [f64; 2], angle: f64) -> Self {
+        let ([c, s], [x, y]) = (self.turn, [libm::cos(angle), libm::sin(angle)]);
+        let turn = [c * x - s * y, s * x + c * y];
+        // Rounding must not make it grow.
+        let turn = scale(turn, 1.5 - 0.5 * dot(turn, turn));
+        Place { middle: add(self.middle, by), angle: self.angle + angle, turn }
+    }
+}
+
+/// A rigid body of a cluster as it moves.
+#[derive(Clone, Debug)]
+pub(super) struct Frame {
+    shape: Arc<Shape>,
+    /// Where its points begin.
+    base: usize,
+    /// At the start of the substep, and as far as it is solved.
+    start: Place,
+    now: Place,
+    /// [m/s], [rad/s]
+    velocity: [f64; 2],
+    spin: f64,
+    /// Its points that may touch something in the substep.
+    near: Vec<u32>,
+}
+
+/// What a push changes.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Change {
+    /// The way within the substep, which becomes speed.
+    Way,
+    /// The start of the substep too: it becomes none.
+    Place,
+    /// The velocity [m/s] at its end.
+    Velocity,
+}
+
+impl Frame {
+    /// Where the shape fits places best, by mass.
+    fn of(shape: &Arc<Shape>, base: usize, at: impl Fn(usize) -> [f64; 2]) -> Self {
+        let count = shape.places.len();
+        let origin = at(base);
+        let sum = (0..count)
+            .fold([0.0; 2], |sum, k| add(sum, scale(sub(at(base + k), origin), shape.masses[k] / shape.mass)));
+        let middle = add(origin, sum);
+        let mut fit = [0.0; 2];
+        for (k, (&q, &mass)) in shape.places.iter().zip(&shape.masses).enumerate() {
+            let r = sub(at(base + k), middle);
+            fit = add(fit, scale([dot(q, r), cross(q, r)], mass));
+        }
+        let length = dot(fit, fit).sqrt();
+        let turn = if length > 0.0 { scale(fit, 1.0 / length) } else { [1.0, 0.0] };
+        let place = Place { middle, angle: 0.0, turn };
+        Frame { shape: shape.clone(), base, start: place, now: place, velocity: [0.0; 2], spin: 0.0, near: Vec::new() }
+    }
+
+    /// Inverse mass of the point at `x` along a direction [1/kg].
+    fn weight(&self, x: [f64; 2], n: [f64; 2]) -> f64 {
+        let lever = cross(sub(x, self.now.middle), n);
+        1.0 / self.shape.mass + lever * lever / self.shape.inertia
+    }
+
+    /// A push at `x`: [kg m], or [kg m/s] where it changes velocities.
+    fn push(&mut self, x: [f64; 2], push: [f64; 2], change: Change) {
+        let turn = cross(sub(x, self.now.middle), push) / self.shape.inertia;
+        let way = scale(push, 1.0 / self.shape.mass);
+        match change {
+            Change::Way => self.now = self.now.moved(way, turn),
+            Change::Place => {
+                self.start = self.start.moved(way, turn);
+                self.now = self.now.moved(way, turn);
+            }
+            Change::Velocity => {
+                self.velocity = add(self.velocity, way);
+                self.spin += turn;
+            }
+        }
+    }
+
+    /// Velocity of the point at `q` of the shape.
+    fn velocity_of(&self, q: [f64; 2]) -> [f64; 2] {
+        let [x, y] = self.now.turned(q);
+        add(self.velocity, scale([-y, x], self.spin))
+    }
+
+    /// Way of the point at `q` of the shape: exact where it is short.
+    fn way_of(&self, q: [f64; 2]) -> [f64; 2] {
+        add(sub(self.now.middle, self.start.middle), sub(self.now.turned(q), self.start.turned(q)))
+    }
+}
+
+impl<S: Real> Cluster<S> {
+    /// One of its bodies, which comes last, is rigid.
+    pub(super) fn include_rigid(&mut self, shape: &Arc<Shape>, base: usize) {
+        let at = |i: usize| add(widen(self.now[i]), widen(self.lost[i]));
+        let frame = Frame::of(shape, base, at);
+        self.inner.resize(base, false);
+        self.inner.resize(base + shape.places.len(), true);
+        shape.surface.iter().for_each(|&k| self.inner[base + k as usize] = false);
+        self.frame_of.resize(self.bases.len(), NONE);
+        self.frame_of[self.bases.len() - 1] = self.frames.len() as u32;
+        self.frames.push(frame);
+    }
+
+    /// The frame that a point goes with.
+    fn frame(&self, i: usize) -> Option<&Frame> {
+        self.frame_number(i).map(|k| &self.frames[k])
+    }
+
+    fn frame_number(&self, i: usize) -> Option<usize> {
+        let body = self.body_of[i];
+        let number = if body == OBSTACLE { NONE } else { self.frame_of.get(body as usize).copied().unwrap_or(NONE) };
+        (number != NONE).then_some(number as usize)
+    }
+
+    /// Whether a body moves as one.
+    pub(super) fn is_rigid(&self, body: u32) -> bool {
+        self.frame_of.get(body as usize).is_some_and(|&number| number != NONE)
+    }
+
+    /// Whether a point lies within a rigid body, where nothing gets to it.
+    pub(super) fn is_inner(&self, i: usize) -> bool {
+        self.inner.get(i).is_some_and(|&is_inner| is_inner)
+    }
+
+    /// Inverse mass of a point against a place on an edge, a share `at` of it from its first end on, along a direction [1/kg].
+    #[inline(always)]
+    pub(super) fn weight(&self, points: [usize; 3], at: S, n: [S; 2]) -> S {
+        let [p, a, b] = points;
+        let rest = S::ONE - at;
+        if self.frames.is_empty() {
+            return self.w[p] + rest * rest * self.w[a] + at * at * self.w[b];
+        }
+        let n = widen(n);
+        let of_point = self.frame(p).map(|frame| S::from_f64(frame.weight(widen(self.now[p]), n)));
+        let of_edge = self.frame(a).map(|frame| S::from_f64(frame.weight(widen(self.between([a, b], at)), n)));
+        of_point.unwrap_or(self.w[p]) + of_edge.unwrap_or(rest * rest * self.w[a] + at * at * self.w[b])
+    }
+
+    /// The same of a point of a rigid body alone; 1 of any other: what pushes it is counted as what it moves it by.
+    #[inline(always)]
+    pub(super) fn own_weight(&self, p: usize, n: [S; 2]) -> S {
+        if self.frames.is_empty() {
+            return S::ONE;
+        }
+        self.frame(p).map_or(S::ONE, |frame| S::from_f64(frame.weight(widen(self.now[p]), widen(n))))
+    }
+
+    fn between(&self, [a, b]: [usize; 2], at: S) -> [S; 2] {
+        add(scale(self.now[a], S::ONE - at), scale(self.now[b], at))
+    }
+
+    /// A push between a point and a place on an edge.
+    #[inline(always)]
+    pub(super) fn push(&mut self, points: [usize; 3], at: S, push: [S; 2], change: Change) {
+        let [p, a, b] = points;
+        let [at_p, at_a, at_b] = [S::ONE, at - S::ONE, -at];
+        if self.frames.is_empty() {
+            return [(p, at_p), (a, at_a), (b, at_b)].into_iter().for_each(|(i, share)| {
+                self.push_plain(i, scale(push, share * self.w[i]), change);
+            });
+        }
+        let place = self.between([a, b], at);
+        match self.frame_number(p) {
+            Some(frame) => self.push_frame(frame, (self.now[p], push), change),
+            None => self.push_plain(p, scale(push, self.w[p]), change),
+        }
+        match self.frame_number(a) {
+            Some(frame) => self.push_frame(frame, (place, scale(push, -S::ONE)), change),
+            None => {
+                for (i, share) in [(a, at_a), (b, at_b)] {
+                    self.push_plain(i, scale(push, share * self.w[i]), change);
+                }
+            }
+        }
+    }
+
+    /// A push of a point alone, as [`own_weight`](Self::own_weight) counts it.
+    #[inline(always)]
+    pub(super) fn push_one(&mut self, p: usize, push: [S; 2], change: Change) {
+        match self.frame_number(p) {
+            Some(frame) => self.push_frame(frame, (self.now[p], push), change),
+            None => self.push_plain(p, push, change),
+        }
+    }
+
+    #[inline(always)]
+    fn push_plain(&mut self, i: usize, shift: [S; 2], change: Change) {
+        match change {
+            Change::Way => {
+                self.now[i] = add(self.now[i], shift);
+                self.way[i] = add(self.way[i], shift);
+            }
+            Change::Place => {
+                self.start[i] = add(self.start[i], shift);
+                self.now[i] = add(self.now[i], shift);
+                self.gone[i] += dot(shift, shift).sqrt();
+            }
+            Change::Velocity => self.velocity[i] = add(self.velocity[i], shift),
+        }
+    }
+
+    fn push_frame(&mut self, number: usize, (x, push): ([S; 2], [S; 2]), change: Change) {
+        let Cluster { frames, now, way, start, gone, velocity, counts, .. } = self;
+        let frame = &mut frames[number];
+        frame.push(widen(x), widen(push), change);
+        counts.work += 40 + 40 * frame.near.len() as u64;
+        for &k in &frame.near {
+            let (i, q) = (frame.base + k as usize, frame.shape.places[k as usize]);
+            if change == Change::Velocity {
+                velocity[i] = convert(frame.velocity_of(q));
+                continue;
+            }
+            if change == Change::Place {
+                let before = start[i];
+                start[i] = convert(frame.start.out(q));
+                let shift = sub(start[i], before);
+                gone[i] += dot(shift, shift).sqrt();
+            }
+            way[i] = convert(frame.way_of(q));
+            now[i] = convert(frame.now.out(q));
+        }
+    }
+
+    /// Notes which points of rigid bodies may touch something in this substep: only they follow each push.
+    pub(super) fn note_near(&mut self) {
+        if self.frames.is_empty() {
+            return;
+        }
+        self.frames.iter_mut().for_each(|frame| frame.near.clear());
+        let of_pairs = self.chosen.iter().flat_map(|&number| {
+            let pair = &self.pairs[number as usize];
+            [pair.p, pair.a, pair.b]
+        });
+        let points: Vec<u32> = of_pairs.chain(self.on_planes.iter().map(|on| on.p)).collect();
+        for i in points {
+            if let Some(number) = self.frame_number(i as usize) {
+                let frame = &mut self.frames[number];
+                frame.near.push(i - frame.base as u32);
+            }
+        }
+        for frame in &mut self.frames {
+            frame.near.sort_unstable();
+            frame.near.dedup();
+        }
+    }
+
+    /// How far a point may be from touching and be struck together with what touches, where one of the two is rigid [m]: of what lies flat
+    /// on something rounding says which point is there first.
+    #[inline(always)]
+    pub(super) fn at_once(&self, points: [usize; 2], closing: S) -> S {
+        if self.is_of_rigid(points) { S::from_f64(AT_ONCE) * closing.max(S::ZERO) } else { S::ZERO }
+    }
+
+    /// A body is carried along as a whole.
+    pub(super) fn carry(&mut self, body: usize, shift: [S; 2]) {
+        if let Some(&number) = self.frame_of.get(body).filter(|&&number| number != NONE) {
+            let frame = &mut self.frames[number as usize];
+            frame.now.middle = add(frame.now.middle, widen(shift));
+        }
+    }
+
+    /// What the velocities of its points make of rigid bodies, and where that takes them within a substep of `h` [s].
+    pub(super) fn predict_rigid(&mut self, h: S) {
+        let mut frames = std::mem::take(&mut self.frames);
+        for frame in &mut frames {
+            let (shape, base, now) = (frame.shape.clone(), frame.base, frame.now);
+            let (mut momentum, mut turning) = ([0.0; 2], 0.0);
+            for (k, (&q, &mass)) in shape.places.iter().zip(&shape.masses).enumerate() {
+                let v = scale(widen(self.velocity[base + k]), mass);
+                momentum = add(momentum, v);
+                turning += cross(now.turned(q), v);
+            }
+            let time = h.to_f64();
+            frame.velocity = scale(momentum, 1.0 / shape.mass);
+            frame.spin = turning / shape.inertia;
+            frame.start = frame.now;
+            frame.now = frame.now.moved(scale(frame.velocity, time), frame.spin * time);
+            self.counts.work += 30 * frame.shape.places.len() as u64;
+        }
+        self.frames = frames;
+        for number in 0..self.frames.len() {
+            self.place_all(number);
+        }
+    }
+
+    /// Ways and places of all points of a rigid body.
+    fn place_all(&mut self, number: usize) {
+        let frame = &self.frames[number];
+        for (i, &q) in (frame.base..).zip(&frame.shape.places) {
+            self.start[i] = convert(frame.start.out(q));
+            self.way[i] = convert(frame.way_of(q));
+            self.now[i] = convert(frame.now.out(q));
+        }
+    }
+
+    /// The solve is over: points within rigid bodies follow those of their skins.
+    pub(super) fn follow_rigid(&mut self) {
+        (0..self.frames.len()).for_each(|number| self.place_all(number));
+    }
+
+    /// Velocities and places of rigid bodies at the end of a substep of `h` [s]: their points turn with them, and do not cut corners.
+    pub(super) fn finish_rigid(&mut self, h: f64) {
+        for frame in &mut self.frames {
+            frame.velocity = scale(sub(frame.now.middle, frame.start.middle), 1.0 / h);
+            frame.spin = (frame.now.angle - frame.start.angle) / h;
+            for (i, &q) in (frame.base..).zip(&frame.shape.places) {
+                let x = frame.now.out(q);
+                self.now[i] = convert(x);
+                self.lost[i] = convert(sub(x, widen(self.now[i])));
+            }
+        }
+        self.turn_rigid();
+    }
+
+    /// Velocities of all points of rigid bodies.
+    pub(super) fn turn_rigid(&mut self) {
+        for frame in &self.frames {
+            for (i, &q) in (frame.base..).zip(&frame.shape.places) {
+                self.velocity[i] = convert(frame.velocity_of(q));
+            }
+        }
+    }
+
+    /// How many of its bodies are rigid.
+    pub(super) fn rigid_count(&self) -> u64 {
+        self.frames.len() as u64
+    }
+
+    /// Whether one of these points goes with a rigid body.
+    pub(super) fn is_of_rigid(&self, points: [usize; 2]) -> bool {
+        !self.frames.is_empty() && points.into_iter().any(|i| self.frame(i).is_some())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_push_moves_and_turns_as_much_as_the_weight_says() {
+        let places: [[f64; 2]; 3] = [[2.0, 1.0], [3.0, 1.0], [3.0, 2.0]];
+        let bonds = vec![([0, 1], 1.0), ([1, 2], 1.0), ([0, 2], 2.0_f64.sqrt())];
+        let held = Held { now: places.to_vec(), masses: vec![1.0, 2.0, 3.0], bonds, surface: &[] };
+        let shape = Arc::new(Shape::of(held).unwrap_or_else(|| unreachable!("it is rigid")));
+        let mut frame = Frame::of(&shape, 0, |i| places[i]);
+        let (x, n) = (places[2], [0.6, 0.8]);
+        let weight = frame.weight(x, n);
+        frame.push(x, scale(n, 1e-7), Change::Way);
+        let q = shape.places[2];
+        assert!((dot(frame.way_of(q), n) / 1e-7 - weight).abs() < 1e-6, "{weight}");
+        assert!(dot(sub(frame.start.out(q), x), sub(frame.start.out(q), x)).sqrt() < 1e-12);
+    }
+}
