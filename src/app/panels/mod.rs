@@ -129,6 +129,11 @@ pub(super) fn show(ui: &mut egui::Ui, state: &mut PanelState, facts: &Facts) -> 
     (wishes, room.height())
 }
 
+/// A time that something takes [s], short: from a second on in seconds.
+fn short(time: f64) -> String {
+    if time < 1.0 { format!("{:.0} ms", 1e3 * time) } else { format!("{time:.0} s") }
+}
+
 /// A button that says its name and its key when the pointer rests on it.
 fn button(ui: &mut egui::Ui, text: &str, name: &str, action: Action, wishes: &mut Vec<Wish>) {
     let said = described(name, action);

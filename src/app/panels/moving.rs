@@ -4,7 +4,7 @@
 use egui::{Align2, Area, Color32, Id, Label, RichText};
 
 use super::theme::{AWAY, LEAD, TEXT, WEAK, floating};
-use super::{Facts, Wish};
+use super::{Facts, Wish, short};
 use crate::app::player::{Acts, Figures, Moved, Movers, Rung, Yielded};
 use crate::sim::Why;
 
@@ -77,14 +77,17 @@ fn told(&Moved { why, islands, since }: &Moved, all: usize) -> (String, Color32)
         (1, all) => format!("1 of {all} bodies is"),
         (count, all) => format!("{count} of {all} bodies are"),
     };
-    let live = |cause: &str| format!("{who} in the live step since {since:.1} s: {cause}");
+    let live = |cause: &str| format!("{who} in the live step since {since:.1}\u{a0}s: {cause}");
     match why {
         Why::Budget => (live("their own methods take too much work"), TEXT),
         Why::Alarm => (live("their own methods fail there"), TEXT),
         Why::Contact | Why::Plan => (live("they may touch something, which no exact method knows"), TEXT),
         Why::NotFinite => {
             let stands = who.replace(" is", " stands").replace(" are", " stand");
-            (format!("{stands} still since {since:.1} s: no finite numbers. Grab or change it, and it goes on"), AWAY)
+            (
+                format!("{stands} still since {since:.1}\u{a0}s: no finite numbers. Grab or change it, and it goes on"),
+                AWAY,
+            )
         }
     }
 }
@@ -95,8 +98,8 @@ fn gave_way(&Yielded { rung, since, work }: &Yielded) -> String {
         Rung::Order => "Order 2 in place of 4",
         Rung::Live => "The live step wherever it is cheaper",
     };
-    let cause = work.map_or(String::new(), |work| format!(": {:.0} ms of work a frame", 1e3 * work));
-    format!("{what} since {since:.1} s{cause}")
+    let cause = work.map_or(String::new(), |work| format!(": {} of work a frame", short(work)));
+    format!("{what} since {since:.1}\u{a0}s{cause}")
 }
 
 /// What the live step did of late.
@@ -151,16 +154,16 @@ mod tests {
         assert_eq!(
             said,
             [
-                "2 of 4 bodies are in the live step since 3.2 s: their own methods take too much work",
-                "1 of 4 bodies is in the live step since 3.2 s: they may touch something, which no exact method knows",
-                "1 of 4 bodies stands still since 3.2 s: no finite numbers. Grab or change it, and it goes on",
+                "2 of 4 bodies are in the live step since 3.2\u{a0}s: their own methods take too much work",
+                "1 of 4 bodies is in the live step since 3.2\u{a0}s: they may touch something, which no exact method knows",
+                "1 of 4 bodies stands still since 3.2\u{a0}s: no finite numbers. Grab or change it, and it goes on",
             ]
         );
         let offers: Vec<bool> = lines.iter().map(|line| line.offer.is_some()).collect();
         assert_eq!(offers, [true, false, false]);
         let movers = Movers { moved: vec![moved(Why::Contact, 3)], islands: 3, can_be_exact: false };
         let figures = Figures { movers: Arc::new(movers), ..Figures::default() };
-        assert!(words(&figures)[0].starts_with("All 3 bodies are in the live step since 3.2 s"));
+        assert!(words(&figures)[0].starts_with("All 3 bodies are in the live step since 3.2\u{a0}s"));
         assert_eq!(super::lines(&figures)[0].offer, None);
     }
 
@@ -168,10 +171,10 @@ mod tests {
     fn what_gave_way_is_said_with_its_cause_and_the_way_back() {
         let yielded = Yielded { rung: Rung::Order, since: 12.0, work: Some(0.041) };
         let lines = lines(&Figures { yielded: Some(yielded), ..Figures::default() });
-        assert_eq!(lines[0].words, "Order 2 in place of 4 since 12.0 s: 41 ms of work a frame");
+        assert_eq!(lines[0].words, "Order 2 in place of 4 since 12.0\u{a0}s: 41 ms of work a frame");
         assert_eq!(lines[0].offer.as_ref().map(|offer| &offer.2), Some(&Wish::TakeBack));
         let followed = Figures { yielded: Some(Yielded { work: None, ..yielded }), ..Figures::default() };
-        assert_eq!(words(&followed), ["Order 2 in place of 4 since 12.0 s"]);
+        assert_eq!(words(&followed), ["Order 2 in place of 4 since 12.0\u{a0}s"]);
     }
 
     #[test]

@@ -4,7 +4,7 @@ use egui::{Align, Label, Layout, Rect, RichText, Slider, vec2};
 
 use super::icons::{self, Icon};
 use super::theme::{ACCENT, PANEL, WEAK};
-use super::{Facts, Wish, described, icon};
+use super::{Facts, Wish, described, icon, short};
 use crate::app::action::Action;
 use crate::app::player::LONGEST_FRAME;
 use crate::history::BranchView;
@@ -140,9 +140,9 @@ fn slow_motion(facts: &Facts) -> String {
     // A picture that takes longer than time is made up for drops time, however quick steps are.
     let drawing = facts.frame - figures.step;
     if facts.frame > LONGEST_FRAME && drawing > figures.step {
-        format!("{speed}: {:.0} ms of drawing a frame", 1e3 * drawing)
+        format!("{speed}: {} of drawing a frame", short(drawing))
     } else {
-        format!("{speed}: {:.0} ms of work a frame", 1e3 * figures.work)
+        format!("{speed}: {} of work a frame", short(figures.work))
     }
 }
 

@@ -7,10 +7,10 @@ use crate::history::{Do, History};
 use crate::scene::Scene;
 use crate::sim::Solver;
 
-/// A mesh of springs that a mouse may push: by a method of order 4.
+/// A mesh of springs that turns, and that a mouse may push: by a method of order 4.
 const SPRINGS: &str = r#"{
     "wobble": 1, "name": "springs", "mouse": { "strength": 20, "radius": 0.5 },
-    "bodies": [{ "make": "lattice", "columns": 6, "rows": 6, "spacing": 0.2,
+    "bodies": [{ "make": "lattice", "columns": 6, "rows": 6, "spacing": 0.2, "spin": 1,
         "material": { "kind": "spring", "stiffness": 200, "damping": 0, "mass": 0.1 } }]
 }"#;
 
