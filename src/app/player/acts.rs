@@ -77,5 +77,6 @@ mod tests {
         }
         assert!(deeds.look(&of(200, 8, 1), at(1200)).settles);
         assert_eq!(deeds.look(&of(30, 0, 0), at(1300)), Acts::default());
+        assert_eq!(deeds.look(&of(40, 2, 0), at(1400)).cut, 2);
     }
 }
