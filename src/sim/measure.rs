@@ -7,6 +7,12 @@ use super::points::Points;
 use super::real::Real;
 use super::vector::{dot, length, sub};
 
+/// Whether a place and a velocity are finite, their squares included: nothing can be worked out of what is so large.
+#[inline(always)]
+pub(crate) fn is_among_numbers<S: Real, const D: usize>(x: [S; D], v: [S; D]) -> bool {
+    (dot(x, x) + dot(v, v)).is_finite()
+}
+
 /// The box around all positions: its lower and upper corner; `None` where there is no point.
 pub(crate) fn extent<S: Real, const D: usize>(position: &[[S; D]]) -> Option<[[S; D]; 2]> {
     // So many numbers at once, of which a vector takes several: as often each axis.

@@ -6,7 +6,7 @@ use wobble::sim::{Dynamics, Sample};
 use super::world;
 
 /// The largest relative error of a bond.
-fn strain(world: &dyn Dynamics, sample: &Sample) -> f64 {
+pub(super) fn strain(world: &dyn Dynamics, sample: &Sample) -> f64 {
     let of = |bond: wobble::sim::Bond| {
         let [a, b] = [bond.a, bond.b].map(|end| sample.position[end.index()]);
         (((a[0] - b[0]).hypot(a[1] - b[1])) / bond.rest_length - 1.0).abs()

@@ -1,8 +1,9 @@
 //! What rigid bonds hold in its shape moves as one: exactly in flight, and by the laws of impact and friction where it meets something.
 
 use serde_json::{Value, json};
-use wobble::sim::{Dynamics, Sample};
+use wobble::sim::Sample;
 
+use super::rigid::strain;
 use super::{run, world};
 
 fn rigid() -> Value {
@@ -19,15 +20,6 @@ fn disc() -> Value {
 
 fn scene(bodies: &[Value]) -> Value {
     json!({"wobble": 1, "contact": true, "method": {"solver": "live"}, "bodies": bodies})
-}
-
-/// The largest relative error of a bond.
-fn strain(world: &dyn Dynamics, sample: &Sample) -> f64 {
-    let of = |bond: wobble::sim::Bond| {
-        let [a, b] = [bond.a, bond.b].map(|end| sample.position[end.index()]);
-        ((a[0] - b[0]).hypot(a[1] - b[1]) / bond.rest_length - 1.0).abs()
-    };
-    world.bonds().iter().map(of).fold(0.0, f64::max)
 }
 
 /// Mass, middle, velocity of the middle, moment of inertia and spin of all points that are given.

@@ -148,9 +148,9 @@ impl Control {
         ((h / self.substep() * (1.0 - 1e-9)).ceil() as u32).max(1)
     }
 
-    /// Of a step of `h` [s] in which the cursor is to be followed in so many parts as many substeps as may be.
-    pub(crate) fn follow(&self, count: u32, parts: u32, h: f64) -> u32 {
-        count.max(parts.min((self.paid * h / FRAME) as u32))
+    /// Substeps of a step of `h` [s] in which the cursor is to be followed in so many parts: as many as may be paid for.
+    pub(crate) fn follow(&self, parts: u32, h: f64) -> u32 {
+        self.count(h).max(parts.min((self.paid * h / FRAME) as u32))
     }
 
     /// The longest substep [s].

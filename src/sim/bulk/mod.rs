@@ -160,10 +160,11 @@ impl<S: Real, const D: usize> Mover<S, D> for Bulk<S, D> {
         }
         let span = (t - self.ahead, self.ahead + h);
         let outside = Outside::in_reach(points, pull, around, span, (&mut self.clear, self.way == Way::Forces));
+        let parts = outside.parts(points, span);
         let booked = account.as_ref().map(|account| account.book);
         loop {
             let h = h + self.ahead;
-            let count = self.control.follow(self.control.count(h), outside.parts(points, span), h);
+            let count = self.control.follow(parts, h);
             let substep = h / f64::from(count);
             let work = self.bonds() * (count * passes(self.way)) as usize;
             let mut help = self.help;
@@ -174,10 +175,8 @@ impl<S: Real, const D: usize> Mover<S, D> for Bulk<S, D> {
             counters.substeps += u64::from(count);
             counters.points_moved += u64::from(count) * points.len() as u64;
             let strain = if self.control.follows() { self.strain() } else { 0.0 };
-            if self.control.accepts(
-                strain,
-                Load { pull: taut.to_f64(), is_disturbed: !outside.is_nothing(), is_pushed: outside.mouse.is_some() },
-            ) {
+            let (is_disturbed, is_pushed) = (!outside.is_nothing(), outside.mouse.is_some());
+            if self.control.accepts(strain, Load { pull: taut.to_f64(), is_disturbed, is_pushed }) {
                 self.arrive(points, substep);
                 (self.lag, self.ahead) = (0.5 * substep, 0.0);
                 self.loaded = Some(substep);

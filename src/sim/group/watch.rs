@@ -16,6 +16,7 @@ use crate::sim::counters::Counters;
 use crate::sim::environment::Environment;
 use crate::sim::force::mouse;
 use crate::sim::ledger::{Book, MOST_GAIN};
+use crate::sim::measure;
 use crate::sim::points::{Points, State};
 use crate::sim::real::Real;
 use crate::sim::timeline::frame_of;
@@ -383,8 +384,7 @@ impl<S: Real, const D: usize> Group<S, D> {
 
     /// The same of a point, their squares included: nothing can be worked out of what is so large.
     pub(crate) fn is_finite_at(&self, slot: usize) -> bool {
-        let (x, v) = (self.points.position[slot], self.points.velocity[slot]);
-        (dot(x, x) + dot(v, v)).is_finite()
+        measure::is_among_numbers(self.points.position[slot], self.points.velocity[slot])
     }
 
     /// Some of its points go back to where they were in a state, at rest.

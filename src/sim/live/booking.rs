@@ -66,6 +66,28 @@ impl<S: Real> Cluster<S> {
         self.tally.as_ref().map(|_| sum())
     }
 
+    /// Notes what a contact, by `out`, and friction, by `aside`, push a point away from a place on an edge, as
+    /// [`push`](Self::push) does, where a ledger is kept.
+    #[inline(always)]
+    pub(super) fn note_push(&mut self, [p, a, b]: [usize; 3], at: S, restitution: S, (out, aside): ([S; 2], [S; 2])) {
+        let Some(tally) = &mut self.tally else { return };
+        for (i, share) in [(p, S::ONE), (a, at - S::ONE), (b, -at)] {
+            let share = share * self.w[i];
+            if share != S::ZERO {
+                tally.push(i, restitution, (scale(out, share), scale(aside, share)));
+            }
+        }
+    }
+
+    /// The same of a point alone, as [`push_one`](Self::push_one) has it.
+    #[inline(always)]
+    pub(super) fn note_push_of_one(&mut self, p: usize, restitution: S, (out, aside): ([S; 2], [S; 2])) {
+        let share = if self.is_of_rigid([p, p]) { self.w[p] } else { S::ONE };
+        if let Some(tally) = &mut self.tally {
+            tally.push(p, restitution, (scale(out, share), scale(aside, share)));
+        }
+    }
+
     /// What forces did in a substep, and of the wind its gusts and all of it [J].
     pub(super) fn book_fields(&mut self, forces: S, [gusts, wind]: [S; 2]) {
         if let Some(tally) = &mut self.tally {

@@ -125,8 +125,11 @@ impl<S: Real> Cluster<S> {
         }
     }
 
-    /// The boxes of its bodies, as far as their points may go.
-    fn boxes(&self) -> Vec<[[S; 2]; 2]> {
+    /// The boxes of its bodies, as far as their points may go; none where there is no circle to be near to.
+    pub(super) fn boxes(&self) -> Boxes<S> {
+        if self.circles.is_empty() {
+            return Vec::new();
+        }
         let of = |ends: &[u32]| {
             let own = ends[0] as usize..ends[1] as usize;
             let most = self.promised[own.clone()].iter().fold(S::ZERO, |most, &promised| most.max(promised));
@@ -136,6 +139,9 @@ impl<S: Real> Cluster<S> {
         self.bases.windows(2).map(of).collect()
     }
 }
+
+/// Lower and upper corners, one box a body [m].
+pub(super) type Boxes<S> = Vec<[[S; 2]; 2]>;
 
 /// The bodies that are near a circle, by their boxes.
 fn near<S: Real>(circle: &Circle<S>, boxes: &[[[S; 2]; 2]]) -> Vec<u32> {
@@ -147,16 +153,15 @@ fn near<S: Real>(circle: &Circle<S>, boxes: &[[[S; 2]; 2]]) -> Vec<u32> {
 }
 
 /// Finds which points are near circles.
-pub(super) fn near_points<S: Real>(state: &mut Cluster<S>, common: &Common<S>) {
+pub(super) fn near_points<S: Real>(state: &mut Cluster<S>, common: &Common<S>, boxes: &Boxes<S>) {
     if state.circles.is_empty() {
         return;
     }
-    let boxes = state.boxes();
     let mut looked = state.own() as u64 + (state.circles.len() * boxes.len()) as u64;
     for &(_, number) in &state.circles {
         let circle = common.circle_at(number);
         let of = common.walls.circles[circle as usize];
-        for body in near(&of, &boxes) {
+        for body in near(&of, boxes) {
             let [from, to] = [body, body + 1].map(|body| {
                 let base = state.bases[body as usize];
                 state.corners.partition_point(|corner| corner.0 < base)
@@ -174,15 +179,18 @@ pub(super) fn near_points<S: Real>(state: &mut Cluster<S>, common: &Common<S>) {
 }
 
 /// Finds which edges are near circles.
-pub(super) fn near_edges<S: Real>(state: &mut Cluster<S>, common: &Common<S>, search: &mut Search<S>) {
+pub(super) fn near_edges<S: Real>(
+    state: &mut Cluster<S>,
+    common: &Common<S>,
+    (boxes, search): (&Boxes<S>, &mut Search<S>),
+) {
     if state.circles.is_empty() {
         return;
     }
-    let boxes = state.boxes();
     let mut looked = 0;
     for &(p, number) in &state.circles {
         let of = common.walls.circles[common.circle_at(number) as usize];
-        for body in near(&of, &boxes) {
+        for body in near(&of, boxes) {
             let [from, to] = [body, body + 1].map(|body| state.edges.partition_point(|edge| edge.body < body));
             (from..to).for_each(|edge| search.see((edge, of.center), of.radius));
             looked += (to - from) as u64;
@@ -237,10 +245,7 @@ pub(super) fn cut<S: Real>(state: &mut Cluster<S>, common: &Common<S>) {
         let Some(normal) = circle.passed(state.start[p], state.now[p]) else { continue };
         let back = scale(normal, -circle.gap_along(normal, state.now[p]) / state.own_weight(p, normal));
         state.counts.truncations += 1;
-        let share = if state.is_of_rigid([p, p]) { state.w[p] } else { S::ONE };
-        if let Some(tally) = &mut state.tally {
-            tally.push(p, circle.restitution, (scale(back, share), zero()));
-        }
+        state.note_push_of_one(p, circle.restitution, (back, zero()));
         state.push_one(p, back, Change::Way);
     }
     state.on_planes = on_planes;

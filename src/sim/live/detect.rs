@@ -96,7 +96,8 @@ fn find_pairs<S: Real>(state: &mut Cluster<S>, common: &Common<S>, old: &Sides) 
     let own = state.own();
     state.gone[..own].fill(S::ZERO);
     state.counts.detections += 1;
-    near_planes(state, common);
+    let boxes = state.boxes();
+    near_planes(state, common, &boxes);
     if state.edges.is_empty() {
         return;
     }
@@ -128,7 +129,7 @@ fn find_pairs<S: Real>(state: &mut Cluster<S>, common: &Common<S>, old: &Sides) 
         long.iter().for_each(|&edge| see(edge));
         search.pair(state, common, (p, number), around);
     }
-    circle::near_edges(state, common, &mut search);
+    circle::near_edges(state, common, (&boxes, &mut search));
     let mut pairs = search.pairs;
     pairs.sort_unstable_by_key(|pair| pair.key);
     state.counts.work += 40 * (state.edges.len() + state.corners.len()) as u64 + 60 * pairs.len() as u64;
@@ -444,7 +445,7 @@ impl<S: Real> Cells<S> {
 }
 
 /// Finds which points are near planes and circles.
-fn near_planes<S: Real>(state: &mut Cluster<S>, common: &Common<S>) {
+fn near_planes<S: Real>(state: &mut Cluster<S>, common: &Common<S>, boxes: &circle::Boxes<S>) {
     state.on_planes.clear();
     for (number, surface) in common.planes.iter().enumerate() {
         for i in 0..state.own() {
@@ -453,6 +454,6 @@ fn near_planes<S: Real>(state: &mut Cluster<S>, common: &Common<S>) {
             }
         }
     }
-    circle::near_points(state, common);
+    circle::near_points(state, common, boxes);
     state.on_planes.sort_unstable_by_key(|on| (on.p, on.surface));
 }

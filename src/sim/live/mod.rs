@@ -55,6 +55,7 @@ use super::counters::Counters;
 use super::environment::Environment;
 use super::force::angle::Hinge;
 use super::force::area::Areas;
+use super::measure;
 use super::points::Points;
 use super::pull::Pull;
 use super::real::Real;
@@ -340,6 +341,16 @@ impl<S: Real> Mover<S, 2> for Live<S> {
     fn boxed_clone(&self) -> Box<dyn Mover<S, 2>> {
         Box::new(self.clone())
     }
+}
+
+/// Those of some bodies that left the finite numbers; the points of each begin where `bases` says.
+fn lost<S: Real, const D: usize>(
+    (bodies, bases): (&[usize], &[u32]),
+    (x, v): (&[[S; D]], &[[S; D]]),
+) -> impl Iterator<Item = usize> {
+    let is_fine = |i: usize| measure::is_among_numbers(x[i], v[i]);
+    let ends = bases.windows(2).map(|ends| ends[0] as usize..ends[1] as usize);
+    bodies.iter().zip(ends).filter(move |(_, points)| !points.clone().all(is_fine)).map(|(&body, _)| body)
 }
 
 /// The sides of what moved as they are now, those of what sleeps as they were.

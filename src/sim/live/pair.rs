@@ -182,18 +182,10 @@ impl<S: Real> Pair<S> {
         let d = sub(state.way[p], add(scale(state.way[a], rest), scale(state.way[b], at)));
         let most = self.friction * self.pressed;
         let was = self.rubbed;
-        let across = if state.is_of_rigid([p, a]) { state.weight(points, at, along) } else { w };
-        self.rubbed = (was - dot(d, along) / across).max(-most).min(most);
+        self.rubbed = (was - dot(d, along) / state.weight(points, at, along)).max(-most).min(most);
         let rub = self.rubbed - was;
         let (out, aside) = (scale(normal, push), scale(along, rub));
-        if let Some(tally) = &mut state.tally {
-            for (i, share) in [(p, S::ONE), (a, -rest), (b, -at)] {
-                let share = share * state.w[i];
-                if share != S::ZERO {
-                    tally.push(i, self.restitution, (scale(out, share), scale(aside, share)));
-                }
-            }
-        }
+        state.note_push(points, at, self.restitution, (out, aside));
         let impulse = add(out, aside);
         if impulse != [S::ZERO; 2] {
             state.push(points, at, impulse, Change::Way);
@@ -246,8 +238,9 @@ impl<S: Real> Pair<S> {
     /// whether that lacked.
     pub(super) fn bounce(&mut self, state: &mut Cluster<S>, least: S) -> bool {
         let [p, a, b] = [self.p as usize, self.a as usize, self.b as usize];
-        let has_hit = self.pressed > S::ZERO || (self.is_met && state.is_of_rigid([p, a]));
-        if !has_hit || self.approach > -least || (self.restitution == S::ZERO && !state.is_of_rigid([p, a])) {
+        let is_rigid = state.is_of_rigid([p, a]);
+        let has_hit = self.pressed > S::ZERO || (self.is_met && is_rigid);
+        if !has_hit || self.approach > -least || (self.restitution == S::ZERO && !is_rigid) {
             return false;
         }
         let Some(Beside { at, normal, .. }) = beside([state.now[p], state.now[a], state.now[b]], self.side) else {

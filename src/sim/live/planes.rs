@@ -53,10 +53,7 @@ impl<S: Real> OnPlane<S> {
         self.rubbed = (was - dot(state.way[p], along) / state.own_weight(p, along)).max(-most).min(most);
         self.slips = self.rubbed.abs() >= most;
         let (out, aside) = (scale(normal, self.pressed - before), scale(along, self.rubbed - was));
-        let share = if state.is_of_rigid([p, p]) { state.w[p] } else { S::ONE };
-        if let Some(tally) = &mut state.tally {
-            tally.push(p, restitution, (scale(out, share), scale(aside, share)));
-        }
+        state.note_push_of_one(p, restitution, (out, aside));
         state.push_one(p, add(out, aside), Change::Way);
     }
 
@@ -64,8 +61,9 @@ impl<S: Real> OnPlane<S> {
     /// lacked.
     pub(super) fn bounce(&mut self, state: &mut Cluster<S>, restitution: S, least: S) -> bool {
         let p = self.p as usize;
-        let has_hit = self.pressed > S::ZERO || (self.is_met && state.is_of_rigid([p, p]));
-        if !has_hit || self.approach > -least || (restitution == S::ZERO && !state.is_of_rigid([p, p])) {
+        let is_rigid = state.is_of_rigid([p, p]);
+        let has_hit = self.pressed > S::ZERO || (self.is_met && is_rigid);
+        if !has_hit || self.approach > -least || (restitution == S::ZERO && !is_rigid) {
             return false;
         }
         let weight = state.own_weight(p, self.normal);

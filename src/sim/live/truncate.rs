@@ -85,11 +85,7 @@ fn hold_apart<S: Real>(state: &mut Cluster<S>, pair: &Pair<S>, (at, n, room): (S
     if beyond > S::ZERO && w > S::ZERO {
         state.counts.truncations += 1;
         let push = scale(n, beyond / w);
-        if let Some(tally) = &mut state.tally {
-            for (i, share) in [(p, S::ONE), (a, -rest), (b, -at)].into_iter().filter(|&(i, _)| state.w[i] != S::ZERO) {
-                tally.push(i, pair.restitution, (scale(push, share * state.w[i]), [S::ZERO; 2]));
-            }
-        }
+        state.note_push([p, a, b], at, pair.restitution, (push, [S::ZERO; 2]));
         state.push([p, a, b], at, push, Change::Way);
     }
 }

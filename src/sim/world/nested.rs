@@ -1,8 +1,8 @@
 //! What is told of bodies that start in each other.
 
 use super::World;
+use crate::sim::bond::PointId;
 use crate::sim::real::Real;
-use crate::sim::sets::Sets;
 use crate::sim::vector::{cross, sub};
 
 /// Points against triangles that are looked at: of scenes with more in one place nothing is told.
@@ -19,22 +19,18 @@ struct Patch {
 impl<S: Real, const D: usize> World<S, D> {
     /// Tells of bodies of a plane in which bodies meet that have a point in another one at these places [m].
     pub(super) fn warn_of_nested(&mut self, position: &[[f64; D]]) {
-        if D != 2 || !self.model.contact.is_some_and(|contact| contact.with_others) {
+        let meets = self.model.contact.is_some_and(|contact| contact.with_others);
+        if D != 2 || !meets || self.model.triangles.is_empty() {
             return;
         }
         let place = |point: usize| [position[point][0], position[point][1]];
-        let mut bodies = Sets::new(self.count());
-        self.bonds.ends().iter().for_each(|[a, b]| bodies.join(a.0, b.0));
-        let patch = |triangle: &[crate::sim::bond::PointId; 3]| {
+        let mut bodies = self.bonded();
+        let patch = |triangle: &[PointId; 3]| {
             let corners = triangle.map(|corner| place(corner.index()));
-            let x = corners.map(|corner| corner[0]);
-            let (left, right) = (x[0].min(x[1]).min(x[2]), x[0].max(x[1]).max(x[2]));
-            (triangle[0].0, corners, left, right)
+            let [a, b, c] = corners.map(|corner| corner[0]);
+            Patch { corners, body: bodies.find(triangle[0].0), left: a.min(b).min(c), right: a.max(b).max(c) }
         };
-        let mut patches: Vec<Patch> = Vec::with_capacity(self.model.triangles.len());
-        for (first, corners, left, right) in self.model.triangles.iter().map(patch) {
-            patches.push(Patch { corners, body: bodies.find(first), left, right });
-        }
+        let mut patches: Vec<Patch> = self.model.triangles.iter().map(patch).collect();
         patches.sort_by(|a, b| a.left.total_cmp(&b.left));
         let mut points: Vec<usize> = (0..position.len()).collect();
         points.sort_by(|&a, &b| place(a)[0].total_cmp(&place(b)[0]));

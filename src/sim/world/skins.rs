@@ -7,14 +7,20 @@ use crate::sim::real::Real;
 use crate::sim::sets::Sets;
 
 impl<S: Real, const D: usize> World<S, D> {
+    /// Which points bonds hold together, pins included.
+    pub(super) fn bonded(&self) -> Sets {
+        let mut bodies = Sets::new(self.count());
+        self.bonds.ends().iter().for_each(|[a, b]| bodies.join(a.0, b.0));
+        bodies
+    }
+
     /// Tells of radii that are more than skins in the plane can have.
     pub(super) fn warn_of_radius(&mut self) {
         let Some(contact) = self.model.contact.filter(|_| D == 2) else { return };
         if contact.radius.is_none() && self.model.skins.widest().is_none() {
             return;
         }
-        let mut bodies = Sets::new(self.count());
-        self.bonds.ends().iter().for_each(|[a, b]| bodies.join(a.0, b.0));
+        let mut bodies = self.bonded();
         // Of every body by its lowest point: its bonds, their lengths [m], its largest radius [m].
         let mut sums = vec![(0_u32, 0.0, 0.0_f64); self.count()];
         for bond in self.bonds.iter() {

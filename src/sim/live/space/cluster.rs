@@ -101,9 +101,7 @@ impl<S: Real> Cluster<S> {
 
     /// The bodies of which this is not so.
     pub(super) fn lost(&self) -> impl Iterator<Item = usize> {
-        let is_fine = |i: usize| (dot(self.now[i], self.now[i]) + dot(self.velocity[i], self.velocity[i])).is_finite();
-        let ends = self.bases.windows(2).map(|ends| ends[0] as usize..ends[1] as usize);
-        self.bodies.iter().zip(ends).filter(move |(_, points)| !points.clone().all(is_fine)).map(|(&body, _)| body)
+        super::super::lost((&self.bodies, &self.bases), (&self.now, &self.velocity))
     }
 
     /// A point goes further.
