@@ -44,7 +44,7 @@ const ROOMS: [(&str, &[&str], &[&str]); 12] = [
 ];
 
 /// Each module of `sim` and those that it may name, which all stand above it here: so there is no circle.
-const SIM: [(&str, &[&str]); 39] = [
+const SIM: [(&str, &[&str]); 40] = [
     ("real", &[]),
     ("shared", &[]),
     ("sets", &[]),
@@ -63,9 +63,10 @@ const SIM: [(&str, &[&str]); 39] = [
     ("solve", &["real", "vector"]),
     ("kernels", &["real", "threads", "vector"]),
     ("measure", &["bond", "bonds", "ledger", "points", "real", "vector"]),
+    ("swept", &["real", "sets"]),
     ("contact", &["bond", "points", "real", "vector"]),
     ("force", &["bond", "colour", "measure", "points", "real", "vector"]),
-    ("environment", &["force", "measure", "real", "vector"]),
+    ("environment", &["force", "real", "swept", "vector"]),
     ("constrain", &["bond", "colour", "contact", "force", "points", "real", "solve", "solver", "vector"]),
     ("pull", &["constrain", "contact", "counters", "environment", "force", "points", "real", "vector"]),
     ("account", &["bond", "environment", "force", "ledger", "points", "pull", "real", "vector"]),
@@ -88,6 +89,7 @@ const SIM: [(&str, &[&str]); 39] = [
             "points",
             "pull",
             "real",
+            "swept",
             "threads",
             "vector",
         ],
@@ -110,6 +112,7 @@ const SIM: [(&str, &[&str]); 39] = [
             "pull",
             "real",
             "sets",
+            "swept",
             "vector",
         ],
     ),
@@ -254,6 +257,7 @@ const SIM: [(&str, &[&str]); 39] = [
             "plan",
             "real",
             "solver",
+            "swept",
             "timeline",
             "vector",
             "world",

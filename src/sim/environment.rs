@@ -1,8 +1,8 @@
 //! What surrounds all points of a world: gravity, the mouse force and its cursor.
 
 use super::force::mouse::{Cursor, MouseForce, Push};
-use super::measure;
 use super::real::Real;
+use super::swept::Swept;
 use super::vector::{add, dot, length, scale, sub, truncate, widen};
 
 /// Share of its radius that the cursor goes in a part of a step: a point that it passes is pushed on its way.
@@ -133,8 +133,8 @@ impl<const D: usize> Environment<D> {
         points: impl Iterator<Item = ([S; D], [S; D])>,
         (t, h): (f64, f64),
     ) -> u32 {
-        let bounds = if self.moves(t, h) { measure::reach(points, (h, 0.0), S::ZERO) } else { None };
-        let Some([low, high]) = bounds else { return 1 };
+        let bounds = if self.moves(t, h) { Swept::new(points, (h, 0.0), S::ZERO) } else { None };
+        let Some([low, high]) = bounds.map(|swept| swept.bounds()) else { return 1 };
         let far = |eye: [f64; 3]| {
             let [low, high] = [widen(low), widen(high)];
             length(std::array::from_fn::<f64, D, _>(|k| (low[k] - eye[k]).abs().max((high[k] - eye[k]).abs())))

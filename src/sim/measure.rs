@@ -35,25 +35,6 @@ pub(crate) fn extent<S: Real, const D: usize>(position: &[[S; D]]) -> Option<[[S
     Some([std::array::from_fn(|k| of(&low, least, k)), std::array::from_fn(|k| of(&high, most, k))])
 }
 
-/// The box that points, each with its velocity, may get to within `h` [s], pushed by at most `pushed` [m/s^2], and `margin` around it
-/// [m]; `None` where there is no point.
-pub(crate) fn reach<S: Real, const D: usize>(
-    points: impl Iterator<Item = ([S; D], [S; D])>,
-    (h, pushed): (f64, f64),
-    margin: S,
-) -> Option<[[S; D]; 2]> {
-    let (mut low, mut high, mut fastest) = ([S::INFINITY; D], [-S::INFINITY; D], S::ZERO);
-    for (x, v) in points {
-        for k in 0..D {
-            low[k] = low[k].min(x[k]);
-            high[k] = high[k].max(x[k]);
-            fastest = fastest.max(v[k].abs());
-        }
-    }
-    let way = (S::ONE + S::HALF) * (fastest * S::from_f64(h) + S::from_f64(h * h * pushed)) + margin;
-    (low[0] <= high[0]).then(|| [low.map(|x| x - way), high.map(|x| x + way)])
-}
-
 /// A bound on the speed of all points [m/s]: the fastest is no slower than a share of sqrt(1/D) of it.
 pub(crate) fn speed_bound<S: Real, const D: usize>(velocity: &[[S; D]]) -> S {
     let Some([low, high]) = extent(velocity) else { return S::ZERO };

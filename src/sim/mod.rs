@@ -34,6 +34,7 @@ pub(crate) mod shared;
 pub(crate) mod solve;
 pub mod solver;
 mod step;
+pub(crate) mod swept;
 pub(crate) mod threads;
 pub(crate) mod timeline;
 pub(crate) mod triangles;

@@ -54,6 +54,8 @@ impl<S: Real, const D: usize> World<S, D> {
 
     /// Goes to `time` [s] within the step under way, for good: of a copy that is looked at.
     pub(crate) fn look_ahead(&mut self, time: f64) {
+        self.foresee();
+        self.meet();
         let kept = self.take_back();
         self.advance_to(&kept, time);
     }

@@ -185,3 +185,36 @@ fn a_pile_of_them_comes_to_rest_without_strain() {
     assert!(world.is_asleep() && strain(&*world, &end) < 1e-9, "{}", strain(&*world, &end));
     assert!(world.counters().bonds_solved == 0, "no bond is asked");
 }
+
+/// Three equal discs in a row, the last with this much room before it: a blow goes through the middle one within a step.
+#[test]
+fn a_blow_goes_on_to_what_is_near() {
+    for (solver, gap, speed) in [("auto", 0.02, 2.0), ("auto", 0.03, 4.0), ("auto", 0.04, 7.0), ("live", 0.3, 20.0)] {
+        let disc = |x: f64, speed: f64| {
+            let material = json!({"kind": "rigid", "mass": 1});
+            let at = json!({"make": "disc", "radius": 0.25, "spacing": 0.1, "origin": [x, 1], "velocity": [speed, 0]});
+            let mut disc = at;
+            disc["material"] = material;
+            disc
+        };
+        let scene = json!({
+            "wobble": 1, "contact": {"restitution": 1, "friction": 0}, "method": {"solver": solver},
+            "bodies": [disc(-1.5, speed), disc(0.0, 0.0), disc(0.5 + gap, 0.0)]
+        });
+        let mut world = world(&scene);
+        // In each state that is seen, none is in another one.
+        let count = world.masses().len() / 3;
+        let middles = |list: &[[f64; 3]]| {
+            [0, 1, 2].map(|k| list[k * count..(k + 1) * count].iter().map(|x| x[0]).sum::<f64>() / count as f64)
+        };
+        let end = 1.0 / speed + 0.5;
+        while world.time() < end {
+            let half = world.sample(world.time() + 0.5 * world.substep());
+            let [a, b, c] = middles(&half.position);
+            assert!(b - a > 0.48 && c - b > 0.48, "{solver}, {gap} m: {a}, {b}, {c} m");
+            world.step();
+        }
+        let found = middles(&world.sample(world.time()).velocity).map(|v| v / speed);
+        assert!(found[0].abs() < 1e-6 && found[1].abs() < 1e-6 && (found[2] - 1.0).abs() < 1e-6, "{solver}: {found:?}");
+    }
+}

@@ -40,3 +40,20 @@ fn bodies_that_start_in_each_other_and_friction_that_cannot_be_are_told() {
     assert_eq!(warnings(1.0, 1e9, true), ["friction 1000000000 is taken as 30: it holds on a slope of 88 degrees"]);
     assert!(warnings(0.2, 0.5, false).is_empty() && warnings(1.0, 30.0, true).is_empty());
 }
+
+#[test]
+fn a_plate_that_is_led_as_it_is_holds() {
+    let warnings = |turned: f64| {
+        let track = |point: u32, [x, y]: [f64; 2]| {
+            let end = if point == 2 { [x + turned, y - 1.0] } else { [x, y - 1.0] };
+            json!({"point": point, "track": [[0, x, y], [2, end[0], end[1]], [3, end[0], end[1]]]})
+        };
+        let corners = [[0.0, 0.0], [0.1, 0.0], [0.2, 0.0], [0.0, 0.1], [0.1, 0.1], [0.2, 0.1]];
+        let tracks: Vec<_> = (0..6).map(|k| track(k, corners[k as usize])).collect();
+        let plate = json!({"make": "lattice", "columns": 3, "rows": 2, "spacing": 0.1, "origin": [0, 0],
+            "material": {"kind": "rigid", "mass": 1}, "pinned": [0, 1, 2, 3, 4, 5]});
+        world(&json!({"wobble": 1, "bodies": [plate], "pin_motion": tracks})).warnings().join("\n")
+    };
+    assert_eq!(warnings(0.0), "");
+    assert!(warnings(0.05).contains("cannot hold: both ends are pinned"), "{}", warnings(0.05));
+}

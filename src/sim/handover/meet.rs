@@ -5,10 +5,10 @@ use crate::sim::contact::skin::{MOST_RADIUS, RADIUS};
 use crate::sim::environment::Environment;
 use crate::sim::group::Group;
 use crate::sim::group::engine::Engine;
-use crate::sim::measure;
 use crate::sim::moved::{Moved, Why};
 use crate::sim::plan::{OWN, Sets};
 use crate::sim::real::Real;
+use crate::sim::swept::{self, Swept};
 use crate::sim::vector::{length, widen};
 use crate::sim::world::World;
 
@@ -28,23 +28,28 @@ struct Reach<const D: usize> {
     place: usize,
     /// What hangs together with it, pins included; of what is fixed, and of others where something is.
     root: u32,
-    low: [f64; D],
-    high: [f64; D],
+    swept: Swept<f64, D>,
     is_awake: bool,
     /// Points without bonds, which do not meet each other.
     is_loose: bool,
 }
 
 impl<const D: usize> Reach<D> {
-    fn overlaps(&self, other: &Self) -> bool {
-        (0..D).all(|k| self.low[k] <= other.high[k] && other.low[k] <= self.high[k])
+    /// Whether they may meet, if they come near each other.
+    fn may_meet(&self, other: &Self) -> bool {
+        self.place != other.place && self.may_touch(other)
     }
 
-    /// Whether both may meet, if they come near each other.
-    fn may_meet(&self, other: &Self) -> bool {
-        let are_bodies = self.place != other.place && !(self.is_loose && other.is_loose);
+    /// The same of two that may go together already.
+    fn may_touch(&self, other: &Self) -> bool {
         let is_own_pin = (self.place == FIXED || other.place == FIXED) && self.root == other.root;
+        let are_bodies = !(self.is_loose && other.is_loose);
         are_bodies && !is_own_pin && (self.is_awake || other.is_awake)
+    }
+
+    /// Whether it may strike the other one, so that this one goes on.
+    fn may_strike(&self, other: &Self) -> bool {
+        other.place != FIXED && self.may_touch(other)
     }
 }
 
@@ -62,12 +67,13 @@ impl<S: Real, const D: usize> World<S, D> {
         }
         let roots = self.roots();
         let mut goes: Vec<bool> = (0..count).map(|place| self.meets_itself(place, h)).collect();
-        let reaches = self.reaches(h, roots.as_deref());
+        let mut reaches = self.reaches(h, roots.as_deref());
         self.mark_corners(&reaches, &mut goes);
         let mut sets = Sets::new(count);
         let is_live = |place: usize| self.plan.groups[place].is_live();
         let meets_others = self.model.contact.is_some_and(|contact| contact.with_others);
         if meets_others {
+            swept::pass_on(&mut reaches, swept_of, |reach, grown| reach.swept = grown, h, Reach::may_strike);
             sweep(&reaches, |a, b| join(&mut sets, &mut goes, [a, b], is_live));
         }
         if !goes.contains(&true) {
@@ -77,6 +83,7 @@ impl<S: Real, const D: usize> World<S, D> {
         let mut soon = self.reaches(h + SOON, roots.as_deref());
         soon.retain(|reach| reach.place != FIXED && reach.is_awake);
         if meets_others {
+            swept::sort(&mut soon, swept_of);
             sweep(&soon, |a, b| sets.join(a.place as u32, b.place as u32));
         }
         let mut groups: Vec<Vec<usize>> = vec![Vec::new(); count];
@@ -132,10 +139,10 @@ impl<S: Real, const D: usize> World<S, D> {
         let own = slots.iter().map(|&slot| slot as usize);
         let points = own.map(|i| (group.points.position[i], group.points.velocity[i]));
         let span = (APART, pushed(&self.around, group));
-        let Some([low, high]) = measure::reach(points, span, S::from_f64(self.margin(group))) else { return false };
-        let reach = Reach { place: 0, root: 0, low: widen(low), high: widen(high), is_awake: true, is_loose: false };
-        self.obstacles.has_corner_in([reach.low, reach.high])
-            || self.fixed_reaches(APART, None).iter().any(|fixed| fixed.overlaps(&reach))
+        let Some(swept) = Swept::new(points, span, S::from_f64(self.margin(group))) else { return false };
+        let swept = swept.widen();
+        self.obstacles.has_corner_in(swept.bounds())
+            || self.fixed_reaches(APART, None).iter().any(|fixed| fixed.swept.overlaps(&swept))
     }
 
     /// Whether a group that its own method moves may meet itself within `h` [s].
@@ -148,7 +155,6 @@ impl<S: Real, const D: usize> World<S, D> {
     fn reaches(&self, h: f64, roots: Option<&[u32]>) -> Vec<Reach<D>> {
         let mut reaches = self.own_reaches(h, roots);
         reaches.extend(self.fixed_reaches(h, roots));
-        reaches.sort_by(|a, b| a.low[0].total_cmp(&b.low[0]));
         reaches
     }
 
@@ -166,11 +172,10 @@ impl<S: Real, const D: usize> World<S, D> {
         let groups = self.plan.groups.iter().enumerate();
         for (place, group) in groups.filter(|(_, group)| may_move(group)) {
             let span = (h, pushed(&self.around, group));
-            let reach = |[low, high]: [[S; D]; 2]| Reach {
+            let reach = |swept: Swept<S, D>| Reach {
                 place,
                 root: root_of[place],
-                low: widen(low),
-                high: widen(high),
+                swept: swept.widen(),
                 is_awake: !group.is_asleep(),
                 is_loose: self.plan.own[place].bonds == 0,
             };
@@ -179,7 +184,7 @@ impl<S: Real, const D: usize> World<S, D> {
                 continue;
             }
             let points = group.points.position.iter().copied().zip(group.points.velocity.iter().copied());
-            reaches.extend(measure::reach(points, span, S::from_f64(self.margin(group))).map(reach));
+            reaches.extend(Swept::new(points, span, S::from_f64(self.margin(group))).map(reach));
         }
         reaches
     }
@@ -200,8 +205,8 @@ impl<S: Real, const D: usize> World<S, D> {
         let of = |pins: &[(u32, u32)]| {
             let points = pins.iter().map(|&(_, pin)| (self.place(pin as usize), self.led(pin)));
             let is_awake = points.clone().any(|(_, velocity)| velocity != [0.0; D]);
-            let [low, high] = measure::reach(points, (h, 0.0), 0.0)?;
-            Some(Reach { place: FIXED, root: pins[0].0, low, high, is_awake, is_loose: false })
+            let swept = Swept::new(points, (h, 0.0), 0.0)?;
+            Some(Reach { place: FIXED, root: pins[0].0, swept, is_awake, is_loose: false })
         };
         by_root.chunk_by(|a, b| a.0 == b.0).filter_map(of).collect()
     }
@@ -235,7 +240,7 @@ impl<S: Real, const D: usize> World<S, D> {
         let found: Vec<usize> = reaches
             .iter()
             .filter(of)
-            .filter(|reach| self.obstacles.has_corner_in([reach.low, reach.high]))
+            .filter(|reach| self.obstacles.has_corner_in(reach.swept.bounds()))
             .map(|reach| reach.place)
             .collect();
         found.into_iter().for_each(|place| goes[place] = true);
@@ -258,14 +263,16 @@ fn join<const D: usize>(sets: &mut Sets, goes: &mut [bool], [a, b]: [&Reach<D>; 
     }
 }
 
-/// Tells of all that may meet, boxes ascending along the first axis.
+/// Tells of all in a sorted list that may meet.
 fn sweep<const D: usize>(reaches: &[Reach<D>], mut tell: impl FnMut(&Reach<D>, &Reach<D>)) {
-    let mut open: Vec<&Reach<D>> = Vec::new();
-    for reach in reaches {
-        open.retain(|other| other.high[0] >= reach.low[0]);
-        for other in open.iter().filter(|other| other.overlaps(reach) && other.may_meet(reach)) {
-            tell(other, reach);
+    swept::meetings(reaches, swept_of, |couple| {
+        let [a, b] = couple.map(|place| &reaches[place]);
+        if a.may_meet(b) {
+            tell(a, b);
         }
-        open.push(reach);
-    }
+    });
+}
+
+fn swept_of<const D: usize>(reach: &Reach<D>) -> &Swept<f64, D> {
+    &reach.swept
 }

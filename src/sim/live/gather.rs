@@ -9,6 +9,7 @@ use crate::sim::kernels::links::Links;
 use crate::sim::measure;
 use crate::sim::points::Points;
 use crate::sim::real::Real;
+use crate::sim::swept::{self, Swept};
 use crate::sim::vector::zero;
 
 /// Share of the shortest mean edge that points may go until what is near what is looked for anew.
@@ -27,13 +28,6 @@ const AFFORDED: f64 = 4.5e6;
 pub(super) fn substeps_at(speed: f64, edge: f64) -> u32 {
     let wanted = speed / super::FRAMES / (WAY * if edge > 0.0 { edge } else { 0.1 });
     SUBSTEPS.into_iter().find(|&count| f64::from(count) >= wanted).unwrap_or(SUBSTEPS[3])
-}
-
-/// What a body may reach within a step.
-pub(super) struct Reach<S> {
-    body: usize,
-    pub(super) low: [S; 2],
-    pub(super) high: [S; 2],
 }
 
 impl<S: Real> Live<S> {
@@ -68,25 +62,11 @@ impl<S: Real> Live<S> {
         common: &Common<S>,
         (around, h): (&Environment<2>, f64),
     ) -> Vec<Vec<usize>> {
-        let mut reaches: Vec<Reach<S>> = (0..self.bodies.list.len())
-            .filter(|&body| self.bodies.list[body].points.len() > 0)
-            .filter_map(|body| {
-                self.reach(body, points, (h, common.most_push + around.most_push()), S::from_f64(2.0 * PROMISE))
-            })
-            .collect();
         let mut together = crate::sim::sets::Sets::new(self.bodies.list.len());
         if self.contact.is_some_and(|contact| contact.with_others) {
-            reaches.sort_by(|a, b| a.low[0].partial_cmp(&b.low[0]).unwrap_or(std::cmp::Ordering::Equal));
-            let mut open: Vec<&Reach<S>> = Vec::new();
-            for reach in &reaches {
-                open.retain(|other| other.high[0] >= reach.low[0]);
-                for other in &open {
-                    if other.low[1] <= reach.high[1] && other.high[1] >= reach.low[1] {
-                        together.join(other.body as u32, reach.body as u32);
-                    }
-                }
-                open.push(reach);
-            }
+            let span = (h, common.most_push + around.most_push());
+            let reach = |body| Some((body, self.reach(body, points, span, S::from_f64(2.0 * PROMISE))?));
+            swept::join(&mut together, (0..self.bodies.list.len()).filter_map(reach).collect(), h);
         }
         self.fields.iter().for_each(|field| field.join(&mut together));
         let mut members: Vec<Vec<usize>> = vec![Vec::new(); self.bodies.list.len()];
@@ -100,12 +80,11 @@ impl<S: Real> Live<S> {
     }
 
     /// Where the points of a body may get to within a time [s], pushed by so much [m/s^2], and what is near: within this share of an edge.
-    pub(super) fn reach(&self, body: usize, points: &Points<S, 2>, span: (f64, f64), apart: S) -> Option<Reach<S>> {
+    pub(super) fn reach(&self, body: usize, points: &Points<S, 2>, span: (f64, f64), apart: S) -> Option<Swept<S, 2>> {
         let of = &self.bodies.list[body];
         let margin = of.edge_length * apart + of.radius;
         let own = self.bodies.order[of.points.range()].iter().map(|&slot| slot as usize);
-        let [low, high] = measure::reach(own.map(|i| (points.position[i], points.velocity[i])), span, margin)?;
-        Some(Reach { body, low, high })
+        Swept::new(own.map(|i| (points.position[i], points.velocity[i])), span, margin)
     }
 
     pub(super) fn cluster(&self, bodies: Vec<usize>, points: &Points<S, 2>, common: &Common<S>) -> Cluster<S> {

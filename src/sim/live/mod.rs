@@ -59,6 +59,7 @@ use super::measure;
 use super::points::Points;
 use super::pull::Pull;
 use super::real::Real;
+use super::swept::Swept;
 use super::vector::length;
 use booking::Tally;
 use build::Bodies;
@@ -292,7 +293,7 @@ impl<S: Real> Mover<S, 2> for Live<S> {
         (body.edge_length > S::ZERO).then(|| body.edge_length.to_f64() * LEAD)
     }
 
-    fn reaches(&self, points: &Points<S, 2>, span: (f64, f64)) -> Vec<[[S; 2]; 2]> {
+    fn reaches(&self, points: &Points<S, 2>, span: (f64, f64)) -> Vec<Swept<S, 2>> {
         self.all_reaches(points, span)
     }
 

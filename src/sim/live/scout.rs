@@ -9,6 +9,7 @@ use crate::sim::force::area::size;
 use crate::sim::points::Points;
 use crate::sim::pull::Pull;
 use crate::sim::real::Real;
+use crate::sim::swept::Swept;
 use crate::sim::vector::{add, dot, scale, sub, zero};
 
 /// Steps until a body is looked at again, if all goes on as it does, and how much faster it may get meanwhile.
@@ -22,12 +23,12 @@ const APART: f64 = 0.05;
 
 impl<S: Real> Live<S> {
     /// The boxes of all bodies, as [`Mover::reaches`](crate::sim::bulk::mover::Mover::reaches).
-    pub(super) fn all_reaches(&self, points: &Points<S, 2>, span: (f64, f64)) -> Vec<[[S; 2]; 2]> {
+    pub(super) fn all_reaches(&self, points: &Points<S, 2>, span: (f64, f64)) -> Vec<Swept<S, 2>> {
         if !self.contact.is_some_and(|contact| contact.with_others) {
             return Vec::new();
         }
         let of = |body: usize| self.reach(body, points, span, S::from_f64(APART));
-        (0..self.bodies.list.len()).filter_map(of).map(|reach| [reach.low, reach.high]).collect()
+        (0..self.bodies.list.len()).filter_map(of).collect()
     }
 
     /// The bodies that may meet within `h` [s].

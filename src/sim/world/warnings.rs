@@ -1,11 +1,13 @@
 //! What a world tells whoever made it or edited it: what of it cannot be as it was said.
 
+use std::collections::BTreeMap;
 use std::ops::Range;
 
 use super::World;
 use crate::sim::bond::{Bond, BondKind, PointId};
 use crate::sim::contact::surface::MOST_FRICTION;
 use crate::sim::force::angle::Angle;
+use crate::sim::force::mouse::Track;
 use crate::sim::model::Model;
 use crate::sim::plan::Cleared;
 use crate::sim::plan_part::PlanPart;
@@ -47,13 +49,26 @@ impl<S: Real, const D: usize> World<S, D> {
 
     pub(super) fn warn_of_pins(&mut self, position: &[[f64; D]]) {
         let w = &self.inverse_mass;
-        let leads = |point: PointId| self.model.pin_motion.iter().any(|(led, _)| *led == point);
+        let tracks: BTreeMap<PointId, &Track<D>> =
+            self.model.pin_motion.iter().map(|(led, track)| (*led, track)).collect();
+        let place = |point: PointId, t: f64| {
+            tracks.get(&point).and_then(|track| track.at(t)).unwrap_or(position[point.index()])
+        };
         let stands = |bond: &(usize, Bond)| {
-            let (a, b) = (bond.1.a, bond.1.b);
-            let d = length(sub(position[a.index()], position[b.index()]));
-            let is_off = (d - bond.1.rest_length).abs() > 1e-8 * bond.1.rest_length.max(1.0);
-            let is_fixed = w[a.index()] + w[b.index()] == 0.0;
-            bond.1.kind == BondKind::Rigid && is_fixed && (is_off || leads(a) || leads(b))
+            let ends = [bond.1.a, bond.1.b];
+            if bond.1.kind != BondKind::Rigid || ends.iter().any(|end| w[end.index()] != 0.0) {
+                return false;
+            }
+            // Between knots both go straight on: where the distance is right at three times, it always is.
+            let knots = ends.iter().filter_map(|end| tracks.get(end)).flat_map(|track| &track.knots);
+            let mut times: Vec<f64> = knots.map(|knot| knot.0).collect();
+            times.sort_by(f64::total_cmp);
+            let between: Vec<f64> = times.windows(2).map(|pair| 0.5 * (pair[0] + pair[1])).collect();
+            let is_off = |t: f64| {
+                let [a, b] = ends.map(|end| place(end, t));
+                (length(sub(a, b)) - bond.1.rest_length).abs() > 1e-8 * bond.1.rest_length.max(1.0)
+            };
+            times.into_iter().chain(between).chain([0.0]).any(is_off)
         };
         let between: Vec<usize> = self.bonds.iter().enumerate().filter(stands).map(|(k, _)| k).collect();
         if !between.is_empty() {

@@ -9,14 +9,8 @@ use crate::sim::live::gather::{PROMISE, SUBSTEPS, WAY};
 use crate::sim::points::Points;
 use crate::sim::pull::Pull;
 use crate::sim::real::Real;
+use crate::sim::swept::{self, Swept};
 use crate::sim::vector::{length, zero};
-
-/// What a body may reach within a step.
-struct Reach<S> {
-    body: usize,
-    low: [S; 3],
-    high: [S; 3],
-}
 
 impl<S: Real> Space<S> {
     /// The clusters of what is awake, in the order of their lowest bodies.
@@ -30,19 +24,8 @@ impl<S: Real> Space<S> {
         let all = 0..self.bodies.list.len();
         let mut together = crate::sim::sets::Sets::new(self.bodies.list.len());
         if self.contact.is_some_and(|contact| contact.with_others) {
-            let mut reaches: Vec<Reach<S>> =
-                all.clone().filter(is_there).map(|body| self.reach(body, points, (around, h))).collect();
-            reaches.sort_by(|a, b| a.low[0].partial_cmp(&b.low[0]).unwrap_or(std::cmp::Ordering::Equal));
-            let mut open: Vec<&Reach<S>> = Vec::new();
-            for reach in &reaches {
-                open.retain(|other| other.high[0] >= reach.low[0]);
-                for other in &open {
-                    if (1..3).all(|k| other.low[k] <= reach.high[k] && other.high[k] >= reach.low[k]) {
-                        together.join(other.body as u32, reach.body as u32);
-                    }
-                }
-                open.push(reach);
-            }
+            let reach = |body| Some((body, self.reach(body, points, (around, h))?));
+            swept::join(&mut together, all.clone().filter_map(reach).collect(), h);
         }
         let mut members: Vec<Vec<usize>> = vec![Vec::new(); self.bodies.list.len()];
         all.filter(is_there).for_each(|body| members[together.find(body as u32) as usize].push(body));
@@ -51,24 +34,12 @@ impl<S: Real> Space<S> {
     }
 
     /// Where the points of a body may get to in `h` [s], and what is near.
-    fn reach(&self, body: usize, points: &Points<S, 3>, (around, h): (&Environment<3>, f64)) -> Reach<S> {
+    fn reach(&self, body: usize, points: &Points<S, 3>, (around, h): (&Environment<3>, f64)) -> Option<Swept<S, 3>> {
         let of = &self.bodies.list[body];
-        let mut reach = Reach { body, low: [S::INFINITY; 3], high: [-S::INFINITY; 3] };
-        let mut fastest = S::ZERO;
-        for &slot in &self.bodies.order[of.points.range()] {
-            let (x, v) = (points.position[slot as usize], points.velocity[slot as usize]);
-            for k in 0..3 {
-                reach.low[k] = reach.low[k].min(x[k]);
-                reach.high[k] = reach.high[k].max(x[k]);
-                fastest = fastest.max(v[k].abs());
-            }
-        }
-        let pushed = around.most_push();
-        let pulled = S::from_f64(h * h * (length(around.gravity) + pushed));
+        let own = self.bodies.order[of.points.range()].iter().map(|&slot| slot as usize);
         let margin = of.edge_length * S::from_f64(2.0 * PROMISE) + of.radius;
-        let way = (S::ONE + S::HALF) * (fastest * S::from_f64(h) + pulled) + margin;
-        (reach.low, reach.high) = (reach.low.map(|x| x - way), reach.high.map(|x| x + way));
-        reach
+        let pushed = length(around.gravity) + around.most_push();
+        Swept::new(own.map(|i| (points.position[i], points.velocity[i])), (h, pushed), margin)
     }
 
     fn cluster(&self, bodies: Vec<usize>, points: &Points<S, 3>, common: &Common<S>) -> Cluster<S> {
