@@ -50,8 +50,9 @@ impl<S: Real> Place<S> {
 
 impl<S: Real> Piece<S> {
     /// The points of a body that begins at `base` which are free, led to the shape in which they were laid out; `None`: none is. What is
-    /// held stays where it is, and would only throw about what is led to it: its bonds and areas do that.
-    pub(super) fn new(state: &Cluster<S>, base: usize, (points, shape): Shape<S>) -> Option<Self> {
+    /// held stays where it is, and would only throw about what is led to it: its bonds and areas do that. `haste`: how many times as fast
+    /// as in [`TIME`] what bears nothing would go.
+    pub(super) fn new(state: &Cluster<S>, (base, (points, shape)): (usize, Shape<S>), haste: f64) -> Option<Self> {
         let w = |point: u32| state.w[base + point as usize];
         let free = points.into_iter().zip(shape).filter(|&(point, _)| w(point) > S::ZERO);
         let (points, mut shape): Shape<S> = free.unzip();
@@ -64,7 +65,7 @@ impl<S: Real> Piece<S> {
         let mut piece = Piece { points, shape, mass, speed: S::ZERO, turn: [S::ONE, S::ZERO] };
         let place = piece.fit(&state.now, base);
         piece.turn = place.turn;
-        piece.speed = piece.farthest(&state.now, base, &place) / S::from_f64(TIME);
+        piece.speed = piece.farthest(&state.now, base, &place) * S::from_f64(haste / TIME);
         Some(piece)
     }
 

@@ -24,6 +24,9 @@ const FOLDED: f64 = 0.15;
 /// Rings of triangles about those that go with them at first, and how long they are given before more do [s].
 const RINGS: u32 = 3;
 const TRIED: f64 = 0.5;
+/// How many times as fast they are led then, and at most.
+const HASTE: f64 = 3.0;
+const MOST_HASTE: f64 = 81.0;
 /// How long all is right before a piece is let go [s].
 const CALM: f64 = 0.1;
 
@@ -39,6 +42,8 @@ pub(super) struct Knot<S> {
     tried: f64,
     calm: f64,
     rings: u32,
+    /// How much faster than at first it is led: what lies on it may have been too heavy.
+    haste: f64,
 }
 
 impl<S> Knot<S> {
@@ -220,7 +225,7 @@ fn knots<S: Real>(
         if before.is_none() && !is_bad {
             continue;
         }
-        let fresh = Knot { body: k, pieces: Vec::new(), time: first, tried: 0.0, calm: 0.0, rings: RINGS };
+        let fresh = Knot { body: k, pieces: Vec::new(), time: first, tried: 0.0, calm: 0.0, rings: RINGS, haste: 1.0 };
         let mut knot = before.unwrap_or(fresh);
         knot.calm = if is_bad { 0.0 } else { knot.calm + h };
         knot.time += h;
@@ -230,7 +235,9 @@ fn knots<S: Real>(
         }
         let begins = knot.pieces.is_empty() && knot.time >= FOLDED;
         if is_bad && (begins || (knot.is_mended() && knot.tried >= TRIED)) {
-            knot.rings = if begins { knot.rings } else { knot.rings.saturating_mul(4) };
+            if !begins {
+                (knot.rings, knot.haste) = (knot.rings.saturating_mul(4), (HASTE * knot.haste).min(MOST_HASTE));
+            }
             knot.tried = 0.0;
             knot.cut_out(state, common, (own, own_crossings));
         }
@@ -269,6 +276,6 @@ impl<S: Real> Knot<S> {
         if shapes.len() > 1 && !crossings.is_empty() {
             shapes = sheet.shapes(&vec![true; body.points.len()]);
         }
-        self.pieces = shapes.into_iter().filter_map(|shape| Piece::new(state, base, shape)).collect();
+        self.pieces = shapes.into_iter().filter_map(|shape| Piece::new(state, (base, shape), self.haste)).collect();
     }
 }
