@@ -1,7 +1,7 @@
 //! Boxes that fall on posts, needles and pegs: they rest or tip, and nothing pierces them.
 
 use serde_json::{Value, json};
-use wobble::sim::Sample;
+use wobble::sim::{Dynamics, Sample};
 
 use super::{areas, fastest, middle, run, world};
 
@@ -120,5 +120,53 @@ fn a_soft_box_falls_off_a_needle() {
     for x in [0.15, 0.25] {
         let (end, _) = run(&scene(&needle(), &soft(), [x, 5.0]), 3.0);
         assert!(middle(&end, 1) < 0.0, "{x} m off: at {} m, {} m/s", middle(&end, 1), fastest(&end));
+    }
+}
+
+/// Whether a place is well inside a triangle of a world.
+fn is_covered(world: &dyn Dynamics, sample: &Sample, x: [f64; 2]) -> bool {
+    world.triangles().iter().any(|corners| {
+        let [a, b, c] = corners.map(|corner| sample.position[corner.index()]);
+        depth(&[[a[0], a[1]], [b[0], b[1]], [c[0], c[1]]], x) > SKIN
+    })
+}
+
+/// A skin that is dented by a tip and slides along it is not slid over it.
+#[test]
+fn no_spike_pierces_a_soft_disc() {
+    for (half, x) in [(0.005, 0.02), (0.02, 0.02), (0.05, 0.2), (0.1, 0.02), (0.2, 0.02)] {
+        let disc = json!({"make": "disc", "radius": 0.5, "spacing": 0.12, "origin": [x, 2],
+            "material": {"kind": "spring", "stiffness": 600, "damping": 1, "mass": 1}});
+        let scene = json!({"wobble": 1, "gravity": [0, -9.81], "contact": true, "bodies": [disc],
+            "obstacles": [{"polygon": [[[-half, 0], [half, 0], [0, 1]]]}],
+            "bounds": {"min": [-3, 0], "max": [3, 12], "friction": 0.5}});
+        let mut world = world(&scene);
+        while world.time() < 2.0 {
+            world.step();
+            let sample = world.sample(world.time());
+            assert!(!is_covered(&*world, &sample, [0.0, 1.0]), "{half} m wide, {x} m off: at {} s", world.time());
+        }
+    }
+}
+
+#[test]
+fn a_rope_hangs_over_a_spike() {
+    for half in [0.02, 0.1, 0.3] {
+        let rope = json!({"make": "rope", "count": 20, "to": [2, 0], "origin": [-1.02, 1.5],
+            "material": {"kind": "rigid", "mass": 1}});
+        let scene = json!({"wobble": 1, "gravity": [0, -9.81], "contact": true, "bodies": [rope],
+            "obstacles": [{"polygon": [[[-half, -2], [half, -2], [0, 1]]], "friction": 0.5}]});
+        let mut world = world(&scene);
+        while world.time() < 2.0 {
+            world.step();
+            let sample = world.sample(world.time());
+            for bond in world.bonds() {
+                let [a, b] = [bond.a, bond.b].map(|end| sample.position[end.index()]);
+                if (a[0] < 0.0) != (b[0] < 0.0) {
+                    let over = a[1] - a[0] * (b[1] - a[1]) / (b[0] - a[0]);
+                    assert!(over > 1.0 - SKIN, "{half} m wide: {over} m at {} s", world.time());
+                }
+            }
+        }
     }
 }

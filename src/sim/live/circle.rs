@@ -97,10 +97,10 @@ impl<S: Real> Common<'_, S> {
         number - self.bodies.order.len() as u32 - self.walls.corner_of_circle(0)
     }
 
-    /// The distance that edges keep from an obstacle's corner with this number [m]: the radius of the circle around it.
-    pub(super) fn radius_at(&self, number: u32) -> S {
+    /// The radius of the circle about an obstacle's corner with this number [m]; `None`: there is none.
+    pub(super) fn radius_at(&self, number: u32) -> Option<S> {
         let corner = number.checked_sub(self.bodies.order.len() as u32 + self.walls.corner_of_circle(0));
-        corner.map_or(S::ZERO, |circle| self.walls.circles[circle as usize].radius)
+        corner.map(|circle| self.walls.circles[circle as usize].radius)
     }
 
     /// The circle that a point is on, if that is no plane.
@@ -212,7 +212,7 @@ pub(super) fn press_again<S: Real>(
         return;
     }
     let mut near: Vec<usize> = active.iter().map(|&number| number as usize).collect();
-    near.retain(|&number| pairs[number].is_of_circle(state));
+    near.retain(|&number| pairs[number].is_round);
     if near.iter().all(|&number| pairs[number].pressed == S::ZERO) {
         return;
     }

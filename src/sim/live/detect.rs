@@ -29,6 +29,9 @@ const LEAST_SHARE: f64 = 0.25;
 const MOST_LOOKS: [usize; 2] = [4_000_000, 256];
 const MOST_PAIRS: [usize; 2] = [1_000_000, 16];
 
+/// Share of the radius of its skin that an edge keeps from corners of obstacles: one that lies right on a corner is slid over it.
+const CLEAR: f64 = 0.2;
+
 /// An edge as points look at it.
 struct Line<S> {
     from: [S; 2],
@@ -250,6 +253,7 @@ fn side<S: Real>(state: &Cluster<S>, p: u32, found: &Found<S>, (near, sure): (&[
 
 fn pair<S: Real>(state: &Cluster<S>, common: &Common<S>, (p, edge, key): (u32, usize, u64), side: i8) -> Pair<S> {
     let of = &state.edges[edge];
+    let (edge_of, round) = (of.body, common.radius_at((key >> 32) as u32));
     let contact = common.contact.copied().unwrap_or_default();
     let body = state.body_of[p as usize];
     let surface = match (of.body, body) {
@@ -261,7 +265,8 @@ fn pair<S: Real>(state: &Cluster<S>, common: &Common<S>, (p, edge, key): (u32, u
     let [friction, restitution, distance] = match surface {
         Some(surface) => {
             let of = &common.surfaces[surface];
-            [of.friction, of.restitution, common.radius_at((key >> 32) as u32)]
+            let clear = if body == OBSTACLE { radius(state, common, edge_of) * S::from_f64(CLEAR) } else { S::ZERO };
+            [of.friction, of.restitution, round.unwrap_or(clear)]
         }
         None => own().unwrap_or_else(|| {
             let [friction, restitution] = [contact.friction, contact.restitution].map(S::from_f64);
@@ -275,6 +280,7 @@ fn pair<S: Real>(state: &Cluster<S>, common: &Common<S>, (p, edge, key): (u32, u
         key,
         side: S::from_f64(f64::from(side)),
         is_closed: of.is_closed,
+        is_round: round.is_some(),
         distance,
         room: S::ZERO,
         friction,
@@ -295,7 +301,7 @@ fn number<S: Real>(state: &Cluster<S>, common: &Common<S>, edge: &Side) -> u32 {
     edge.ends[0] - state.bases[body] + common.bodies.list[state.bodies[body]].points.first
 }
 
-/// The distance that a point keeps from an edge [m]: the sum of the radii; from and to obstacles none.
+/// The distance that a point keeps from an edge [m]: the sum of the radii; of obstacles none.
 fn distance<S: Real>(state: &Cluster<S>, common: &Common<S>, body: u32, edge: &Side) -> S {
     if body == OBSTACLE || edge.body == OBSTACLE {
         return S::ZERO;

@@ -27,6 +27,8 @@ pub(super) struct Pair<S> {
     /// until it is in front again.
     pub(super) side: S,
     pub(super) is_closed: bool,
+    /// The point is the centre of a circle.
+    pub(super) is_round: bool,
     /// Distance that they keep [m].
     pub(super) distance: S,
     /// How far they were from touching when they were found [m]; below 0 where the point was behind the edge.
@@ -121,12 +123,6 @@ impl<S: Real> Pair<S> {
         (self.pressed, self.rubbed, self.bounced, self.old, self.is_met) = (S::ZERO, S::ZERO, S::ZERO, S::ZERO, false);
     }
 
-    /// Whether the point is the centre of a circle.
-    #[inline(always)]
-    pub(super) fn is_of_circle(&self, state: &Cluster<S>) -> bool {
-        self.distance > S::ZERO && self.p as usize >= state.own()
-    }
-
     /// Parts point and edge where they are nearer than they may be. Returns whether they are nearer than that and `slack` [m], or
     /// nobody knows.
     #[inline(always)]
@@ -146,7 +142,7 @@ impl<S: Real> Pair<S> {
             }
         }
         // Ends meet circles as points.
-        if self.is_of_circle(state) && (found.at == S::ZERO || found.at == S::ONE) {
+        if self.is_round && (found.at == S::ZERO || found.at == S::ONE) {
             return true;
         }
         if gap_is_hopeless(found.gap, [state.now[a], state.now[b]]) && p.max(a) < state.own() {
