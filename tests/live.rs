@@ -5,6 +5,7 @@ mod bad;
 mod books;
 mod flight;
 mod heap;
+mod kinds;
 mod rest;
 mod rigid;
 mod round;

@@ -118,13 +118,15 @@ fn state(facts: &Facts) -> (String, bool) {
     if facts.waits {
         return ("waits".to_owned(), false);
     }
+    let is_slow = !figures.asleep && figures.pace > 0.0 && figures.pace < 0.95;
     match (figures.playing, figures.asleep) {
         (false, _) if figures.ended => (format!("the end of its {:.4} s: R plays it again", figures.time), true),
         (false, _) => ("paused".to_owned(), true),
-        (true, _) if facts.is_busy => ("computing a long step".to_owned(), false),
+        // One that is known to be slow is told how slow, however long its steps are.
+        (true, _) if facts.is_busy && !is_slow => ("computing a long step".to_owned(), false),
         (true, true) => ("at rest".to_owned(), false),
         (true, false) if figures.follows => ("replay: press to take over".to_owned(), false),
-        (true, false) if figures.pace > 0.0 && figures.pace < 0.95 => (slow_motion(facts), false),
+        (true, false) if is_slow => (slow_motion(facts), false),
         (true, false) => (String::new(), false),
     }
 }
@@ -176,6 +178,9 @@ mod tests {
         let words = |frame: f64| state(&Facts { figures: figures.clone(), frame, ..Facts::default() }).0;
         assert_eq!(words(0.05), "half speed: 41 ms of work a frame");
         assert_eq!(words(0.2), "half speed: 175 ms of drawing a frame");
+        let long = |figures: &Figures| state(&Facts { figures: figures.clone(), is_busy: true, ..Facts::default() }).0;
+        assert_eq!(long(&figures), "half speed: 41 ms of work a frame", "how slow it is says more than that a step is long");
+        assert_eq!(long(&Figures { pace: 1.0, ..figures.clone() }), "computing a long step");
     }
 
     #[test]

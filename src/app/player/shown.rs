@@ -66,6 +66,8 @@ pub struct Scenery {
     pub convex: Vec<Convex>,
     /// The numbers of the polygons; in space of balls and boxes.
     pub solid_numbers: Vec<u32>,
+    /// What bodies cover.
+    pub triangles: Vec<[PointId; 3]>,
     /// What is drawn on triangles.
     pub skins: Vec<Skin>,
     /// What the user should know of the scene.
@@ -85,6 +87,7 @@ impl Scenery {
             polygons: world.polygons().to_vec(),
             convex: world.convex().to_vec(),
             solid_numbers: world.obstacle_numbers()[1].to_vec(),
+            triangles: world.triangles().to_vec(),
             skins: skins.to_vec(),
             warnings: world.warnings().to_vec(),
         }

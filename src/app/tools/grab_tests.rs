@@ -188,3 +188,25 @@ fn a_cloth_in_space_is_picked_by_the_ray_and_led_in_the_view_plane() {
     let on_screen = DVec2::from(played.seen.1.screen_from_world(DVec3::from(way.to)).unwrap());
     assert!(on_screen.distance(to) < 1e-3, "{on_screen} {to}");
 }
+
+#[test]
+fn a_cloth_is_pulled_off_a_ball_and_a_box_by_its_corner() {
+    let mut played = Played::named("cloth-ball");
+    let count = played.seen.0.point_count();
+    let middle = |played: &Played| {
+        let sum: DVec3 = (0..count as u32).map(|point| played.place(point)).sum();
+        sum / count as f64
+    };
+    let away = DVec2::new(5.0, 5.0);
+    played.until(away, |played| played.stage.history().world().time() > 1.5);
+    // The corner that lies foremost, pressed from beside the cloth.
+    let corner = count as u32 - 1;
+    let hung = middle(&played);
+    let at = pixel(&played.seen, corner as usize) + DVec2::new(3.0, 3.0);
+    assert!(!played.press(at).is_empty());
+    for step in 1..=150 {
+        played.frame(at + DVec2::new(3.0 * f64::from(step.min(100)), 0.5 * f64::from(step.min(100))));
+    }
+    let gone = (middle(&played) - hung).length();
+    assert!(gone > 0.8, "it went on by {gone} m");
+}

@@ -8,7 +8,8 @@ use crate::sim::PointId;
 
 /// What is taken by a press: how near its points are to the pixel at least [logical px].
 const GRIP: f64 = 14.0;
-/// A press on a picture takes so many of the points of its body, in parts of all: fewer could not lift it, for the force on each is bounded.
+/// A press on what triangles cover, its rim and corners too, takes so many of the points of a body that hangs on no pin, in parts of all:
+/// fewer could not lift it, for the force on each is bounded.
 const HANDFUL: usize = 12;
 /// The farthest that the nearest point may be [logical px].
 const REACH: f64 = 12.0;
@@ -103,7 +104,8 @@ impl Scope<'_> {
         let body = self.body(nearest.point);
         points.retain(|point| body.binary_search(point).is_ok() && !self.is_pinned(*point));
         let handful = body.len() / HANDFUL;
-        if points.len() < handful && self.triangle(at).is_some() {
+        let hangs = body.iter().any(|&point| self.is_pinned(point));
+        if points.len() < handful && !hangs && (self.triangle(at).is_some() || self.is_a_corner(nearest.point)) {
             points = self.nearest_of(&body, at, handful);
         }
         points
@@ -138,15 +140,26 @@ impl Scope<'_> {
         nearest.and_then(|(_, point)| self.pixel(point)).map_or_else(Vec::new, |pixel| self.grip(pixel))
     }
 
-    /// The triangle that a pixel lies on.
+    /// Whether triangles meet at a point.
+    fn is_a_corner(&self, point: PointId) -> bool {
+        self.shown.scenery.triangles.iter().any(|corners| corners.contains(&point))
+    }
+
+    /// The triangle that a pixel lies on: the last, in space the foremost.
     fn triangle(&self, at: DVec2) -> Option<[PointId; 3]> {
-        let triangles = self.shown.scenery.skins.iter().rev().flat_map(|skin| &skin.triangles);
-        let mut corners = triangles.map(|corners| corners.map(PointId));
-        corners.find(|corners| {
+        let covers = |corners: &[PointId; 3]| {
             let [Some(a), Some(b), Some(c)] = corners.map(|corner| self.pixel(corner)) else { return false };
             let sides = [(b - a).perp_dot(at - a), (c - b).perp_dot(at - b), (a - c).perp_dot(at - c)];
             sides.iter().all(|&side| side >= 0.0) || sides.iter().all(|&side| side <= 0.0)
-        })
+        };
+        let mut under = self.shown.scenery.triangles.iter().rev().copied().filter(covers);
+        let depth = |corners: &[PointId; 3]| corners.map(|corner| self.depth(self.shown.place(corner.index())));
+        match self.camera.pose {
+            Pose::Plane { .. } => under.next(),
+            Pose::Orbit { .. } => {
+                under.min_by(|a, b| depth(a).iter().sum::<f64>().total_cmp(&depth(b).iter().sum::<f64>()))
+            }
+        }
     }
 
     /// The bond that a pixel lies on, by its place in the list, and its ends.

@@ -53,8 +53,11 @@ impl<S: Real> OnPlane<S> {
         self.rubbed = (was - dot(state.way[p], along) / state.own_weight(p, along)).max(-most).min(most);
         self.slips = self.rubbed.abs() >= most;
         let (out, aside) = (scale(normal, self.pressed - before), scale(along, self.rubbed - was));
-        state.note_push_of_one(p, restitution, (out, aside));
-        state.push_one(p, add(out, aside), Change::Way);
+        let push = add(out, aside);
+        if push != [S::ZERO; 2] {
+            state.note_push_of_one(p, restitution, (out, aside));
+            state.push_one(p, push, Change::Way);
+        }
     }
 
     /// Gives the velocity that restitution asks for, where the point came faster than `least` [m/s]. Returns whether that

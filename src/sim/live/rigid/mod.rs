@@ -16,6 +16,9 @@ pub(super) use shape::{Held, Shape, holds};
 /// Share of what two things close within a substep in which hits count as one.
 const AT_ONCE: f64 = 0.02;
 
+/// Angle below which what is left out of its cosine is below rounding [rad].
+const SLIGHT: f64 = 5e-3;
+
 /// No frame.
 const NONE: u32 = u32::MAX;
 
@@ -29,19 +32,33 @@ struct Place {
     turn: [f64; 2],
 }
 
+/// Cosine and sine: most pushes turn a body so little that the first terms of their series are all that is left of them.
+#[inline(always)]
+fn direction(angle: f64) -> [f64; 2] {
+    let square = angle * angle;
+    if square < SLIGHT * SLIGHT {
+        let cos = 1.0 - square * (1.0 / 2.0 - square * (1.0 / 24.0));
+        return [cos, angle * (1.0 - square * (1.0 / 6.0 - square * (1.0 / 120.0)))];
+    }
+    [libm::cos(angle), libm::sin(angle)]
+}
+
 impl Place {
+    #[inline(always)]
     fn out(&self, q: [f64; 2]) -> [f64; 2] {
         add(self.middle, self.turned(q))
     }
 
+    #[inline(always)]
     fn turned(&self, q: [f64; 2]) -> [f64; 2] {
         let [c, s] = self.turn;
         [c * q[0] - s * q[1], s * q[0] + c * q[1]]
     }
 
     /// Moved on, and turned by an angle.
+    #[inline(always)]
     fn moved(&self, by: [f64; 2], angle: f64) -> Self {
-        let ([c, s], [x, y]) = (self.turn, [libm::cos(angle), libm::sin(angle)]);
+        let ([c, s], [x, y]) = (self.turn, direction(angle));
         let turn = [c * x - s * y, s * x + c * y];
         // Rounding must not make it grow.
         let turn = scale(turn, 1.5 - 0.5 * dot(turn, turn));
@@ -53,6 +70,8 @@ impl Place {
 #[derive(Clone, Debug)]
 pub(super) struct Frame {
     shape: Arc<Shape>,
+    /// Of its mass [1/kg] and its moment of inertia [1/(kg m^2)].
+    inverse: [f64; 2],
     /// Where its points begin.
     base: usize,
     /// At the start of the substep, and as far as it is solved.
@@ -92,19 +111,30 @@ impl Frame {
         let length = dot(fit, fit).sqrt();
         let turn = if length > 0.0 { scale(fit, 1.0 / length) } else { [1.0, 0.0] };
         let place = Place { middle, angle: 0.0, turn };
-        Frame { shape: shape.clone(), base, start: place, now: place, velocity: [0.0; 2], spin: 0.0, near: Vec::new() }
+        Frame {
+            shape: shape.clone(),
+            inverse: [1.0 / shape.mass, 1.0 / shape.inertia],
+            base,
+            start: place,
+            now: place,
+            velocity: [0.0; 2],
+            spin: 0.0,
+            near: Vec::new(),
+        }
     }
 
     /// Inverse mass of the point at `x` along a direction [1/kg].
+    #[inline(always)]
     fn weight(&self, x: [f64; 2], n: [f64; 2]) -> f64 {
         let lever = cross(sub(x, self.now.middle), n);
-        1.0 / self.shape.mass + lever * lever / self.shape.inertia
+        self.inverse[0] + lever * lever * self.inverse[1]
     }
 
     /// A push at `x`: [kg m], or [kg m/s] where it changes velocities.
+    #[inline(always)]
     fn push(&mut self, x: [f64; 2], push: [f64; 2], change: Change) {
-        let turn = cross(sub(x, self.now.middle), push) / self.shape.inertia;
-        let way = scale(push, 1.0 / self.shape.mass);
+        let turn = cross(sub(x, self.now.middle), push) * self.inverse[1];
+        let way = scale(push, self.inverse[0]);
         match change {
             Change::Way => self.now = self.now.moved(way, turn),
             Change::Place => {
@@ -119,12 +149,14 @@ impl Frame {
     }
 
     /// Velocity of the point at `q` of the shape.
+    #[inline(always)]
     fn velocity_of(&self, q: [f64; 2]) -> [f64; 2] {
         let [x, y] = self.now.turned(q);
         add(self.velocity, scale([-y, x], self.spin))
     }
 
     /// Way of the point at `q` of the shape: exact where it is short.
+    #[inline(always)]
     fn way_of(&self, q: [f64; 2]) -> [f64; 2] {
         add(sub(self.now.middle, self.start.middle), sub(self.now.turned(q), self.start.turned(q)))
     }
