@@ -113,6 +113,7 @@ const SIM: [(&str, &[&str]); 40] = [
             "real",
             "sets",
             "swept",
+            "triangles",
             "vector",
         ],
     ),

@@ -17,12 +17,14 @@ pub(super) struct Bend {
 /// Model: a rod that is bent to the curvature c over a length l has the energy E I c^2 l/2, and an angle between two pieces of it turns by
 /// c l: its stiffness is E I/l, with l the mean of both pieces. Where three pieces or more meet, neighbours all around share it; where a
 /// chain begins at what has an area, it is held against both sides of the skin there.
-/// Skins are the sides that one triangle has alone; chains are the bonds of points that are no corner of a triangle.
+/// Skins are the sides that one triangle has alone; chains are the bonds of points that are no corner of a triangle. Where a body has
+/// chains, they bend and its skin does not: what it covers holds that.
 pub(super) fn bends(body: &Body, bending: f64) -> Vec<Bend> {
     if bending == 0.0 {
         return Vec::new();
     }
     let at = arms(body);
+    let has_chains = at.iter().any(|arm| !arm.is_skin);
     let place = |point: u32| body.positions[point as usize];
     let distance = |a: u32, b: u32| length(sub(place(a), place(b)));
     let mut list = Vec::new();
@@ -31,11 +33,9 @@ pub(super) fn bends(body: &Body, bending: f64) -> Vec<Bend> {
         let own: Vec<Arm> = at[start..].iter().take_while(|arm| arm.at == middle).copied().collect();
         let (skin, chain): (Vec<Arm>, Vec<Arm>) = own.iter().partition(|arm| arm.is_skin);
         let pairs = match (&skin[..], &chain[..]) {
+            ([_, _], []) if has_chains => Vec::new(),
             ([a, b], []) | ([], [a, b]) => vec![([a.to, b.to], 1.0)],
-            ([a, b], chain) => {
-                let held = chain.iter().flat_map(|arm| [([a.to, arm.to], 0.5), ([arm.to, b.to], 0.5)]);
-                std::iter::once(([a.to, b.to], 1.0)).chain(held).collect()
-            }
+            ([a, b], chain) => chain.iter().flat_map(|arm| [([a.to, arm.to], 0.5), ([arm.to, b.to], 0.5)]).collect(),
             ([], chain) if chain.len() > 2 => around(chain, middle, &body.positions),
             _ => Vec::new(),
         };
@@ -115,14 +115,15 @@ mod tests {
     }
 
     #[test]
-    fn a_skin_bends_all_around_and_holds_the_chain_that_begins_there() {
+    fn a_skin_bends_all_around_and_where_chains_begin_it_holds_them_alone() {
         let square = [[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0], [2.0, 1.0], [3.0, 1.0]];
         let links = [[0, 1], [1, 2], [2, 3], [3, 0], [0, 2], [2, 4], [4, 5]];
-        let found = bends(&body(&square, &links, &[[0, 1, 2], [0, 2, 3]]), 1.0);
-        let at: Vec<u32> = found.iter().map(|bend| bend.points[1]).collect();
-        assert_eq!(at, [0, 1, 2, 2, 2, 3, 4]);
-        let sum: f64 = found.iter().map(|bend| bend.stiffness).sum();
-        assert_eq!(sum, 6.0);
+        let found = |links: &[[u32; 2]], points: usize| -> (Vec<u32>, f64) {
+            let found = bends(&body(&square[..points], links, &[[0, 1, 2], [0, 2, 3]]), 1.0);
+            (found.iter().map(|bend| bend.points[1]).collect(), found.iter().map(|bend| bend.stiffness).sum())
+        };
+        assert_eq!(found(&links[..5], 4), (vec![0, 1, 2, 3], 4.0));
+        assert_eq!(found(&links, 6), (vec![2, 2, 4], 2.0));
     }
 
     #[test]

@@ -40,10 +40,10 @@ const RELAXED_GRAVITY: f64 = 1.0;
 /// Points that rain on an obstacle.
 const DROPS: u64 = 300;
 
-/// Bending of strokes of a soft body, over its weight and the square of its height, where none is said: a stroke half as long as the
-/// picture is high, which bears a third of the weight, sags by about a tenth of its length.
+/// Bending of strokes of a soft body, over their weight and the square of its height, where none is said: a stroke half as long as the
+/// picture is high, which bears a third of that weight, sags by about a tenth of its length.
 const STROKE_BENDING: f64 = 0.06;
-/// Most bonds of a body that gets it by itself: its skin bends too, and what bends is none of the large bodies.
+/// Most bonds of a body that gets it by itself: what bends is none of the large bodies.
 const MOST_BENT: usize = 4_000;
 
 /// Bonds of a scene up to which bodies meet each other and themselves where nothing is said: of more, meeting would take too long for a
@@ -238,7 +238,8 @@ impl Scene {
             }
             let height = keys.height.unwrap_or(2.0);
             if let Some(material) = &mut self.bodies[body].material {
-                let mass = material.mass.unwrap_or(MASS);
+                let of_strokes = mesh.areas[mesh.mesh_points..].iter().sum::<f64>() / mesh.areas.iter().sum::<f64>();
+                let mass = of_strokes * material.mass.unwrap_or(MASS);
                 material.bending = Some(STROKE_BENDING * mass * GRAVITY * height * height);
             }
         }

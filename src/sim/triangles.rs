@@ -123,6 +123,34 @@ pub(crate) fn aligned<const D: usize>(
     Some(list)
 }
 
+/// The edges of the skins of bodies.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub(crate) struct Edges {
+    /// Sides that one triangle has alone, its inside on their right.
+    pub(crate) closed: Vec<[u32; 2]>,
+    /// Bonds at points of no triangle.
+    pub(crate) open: Vec<[u32; 2]>,
+}
+
+/// The skins of what these triangles cover and these bonds hold, by their ends.
+pub(crate) fn skin(triangles: &[[u32; 3]], bonds: impl Iterator<Item = [u32; 2]>) -> Edges {
+    let sorted = |[a, b]: [u32; 2]| [a.min(b), a.max(b)];
+    let mut sides: Vec<([u32; 2], [u32; 2])> = Vec::with_capacity(3 * triangles.len());
+    for &[a, b, c] in triangles {
+        sides.extend([[a, b], [b, c], [c, a]].map(|[from, to]| (sorted([from, to]), [to, from])));
+    }
+    sides.sort_unstable();
+    let alone = sides.chunk_by(|a, b| a.0 == b.0).filter(|group| group.len() == 1);
+    let mut covered: Vec<u32> = triangles.iter().flatten().copied().collect();
+    covered.sort_unstable();
+    covered.dedup();
+    let is_bare = |ends: &[u32; 2]| ends.iter().any(|end| covered.binary_search(end).is_err());
+    let mut open: Vec<[u32; 2]> = bonds.map(sorted).filter(is_bare).collect();
+    open.sort_unstable();
+    open.dedup();
+    Edges { closed: alone.map(|group| group[0].1).collect(), open }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -163,5 +191,15 @@ mod tests {
         assert_eq!(left(&[], &[[2, 4], [0, 7]]), None, "no side");
         assert_eq!(left(&[], &[[2, 0]]).as_deref(), Some(&all[2..]), "both that share it");
         assert_eq!(left(&[1, 9], &[[6, 4]]).as_deref(), Some(&all[1..2]));
+    }
+
+    #[test]
+    fn skins_are_sides_of_one_triangle_and_bonds_at_bare_points() {
+        // A square of two triangles with a rope at a corner; both are said twice by their bonds.
+        let bonds = [[0, 1], [1, 2], [2, 0], [2, 3], [3, 0], [4, 3], [3, 4], [4, 5]];
+        let edges = skin(&[[0, 1, 2], [0, 2, 3]], bonds.into_iter());
+        assert_eq!(edges.closed, [[1, 0], [0, 3], [2, 1], [3, 2]]);
+        assert_eq!(edges.open, [[3, 4], [4, 5]]);
+        assert_eq!(skin(&[], std::iter::empty()), Edges::default());
     }
 }

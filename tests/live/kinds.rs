@@ -57,8 +57,12 @@ fn what_lies_in_a_hole_stays_in_it_as_the_ring_rolls_and_bounces() {
 fn a_brush_stroke_a_rim_and_a_letter_fall_on_each_other() {
     let rim = json!({"make": "rim", "radius": 0.6, "inner_radius": 0.45, "sectors": 24, "origin": [-0.3, 5.2],
         "bracing": ["outer", "inner", "spoke", "rising", "falling"], "material": soft()});
-    let bodies = json!([picture("brush", 1.4, [0.0, 0.9]), picture("letter", 1.2, [0.3, 2.8]), rim,
-        disc([0.2, 6.6], [0.0, -5.0])]);
+    let bodies = json!([
+        picture("brush", 1.4, [0.0, 0.9]),
+        picture("letter", 1.2, [0.3, 2.8]),
+        rim,
+        disc([0.2, 6.6], [0.0, -5.0])
+    ]);
     let mut world = world(&room(&bodies));
     until(&mut *world, 5.0);
     assert_apart("heap of all kinds", &*world);

@@ -42,6 +42,30 @@ fn bodies_that_start_in_each_other_and_friction_that_cannot_be_are_told() {
 }
 
 #[test]
+fn what_starts_across_itself_or_another_is_told() {
+    let warnings = |[positions, bonds, bodies, contact]: [serde_json::Value; 4]| {
+        let scene = json!({"wobble": 1, "contact": contact, "points": {"position": positions}, "bonds": bonds, "bodies": bodies});
+        world(&scene).warnings().to_vec()
+    };
+    let knot = json!([[0, 0], [1, 0], [1, 1], [0.5, -0.5]]);
+    let rope = json!([{"a": 0, "b": 1}, {"a": 1, "b": 2}, {"a": 2, "b": 3}]);
+    let told = ["a body starts across itself: where that can be undone it is, slowly"];
+    assert_eq!(warnings([knot.clone(), rope.clone(), json!([]), json!(true)]), told);
+    assert!(warnings([knot, rope, json!([]), json!({"self": false})]).is_empty());
+    let across =
+        [json!([[0, 0], [1, 0], [0.5, 0.5], [0.5, -0.5]]), json!([{"a": 0, "b": 1}, {"a": 2, "b": 3}]), json!([])];
+    let with = |contact: serde_json::Value| {
+        let [positions, bonds, bodies] = across.clone();
+        warnings([positions, bonds, bodies, contact])
+    };
+    assert_eq!(with(json!(true)), ["2 bodies start in each other: they are parted, slowly"]);
+    assert!(with(json!({"bodies": false})).is_empty());
+    // Both diagonals of a cell are no fold.
+    let net = json!([{"make": "cloth", "columns": 3, "rows": 3, "spacing": 0.1, "diagonals": "both"}]);
+    assert!(warnings([json!([]), json!([]), net, json!(true)]).is_empty());
+}
+
+#[test]
 fn a_plate_that_is_led_as_it_is_holds() {
     let warnings = |turned: f64| {
         let track = |point: u32, [x, y]: [f64; 2]| {

@@ -179,7 +179,11 @@ mod tests {
         assert_eq!(words(0.05), "half speed: 41 ms of work a frame");
         assert_eq!(words(0.2), "half speed: 175 ms of drawing a frame");
         let long = |figures: &Figures| state(&Facts { figures: figures.clone(), is_busy: true, ..Facts::default() }).0;
-        assert_eq!(long(&figures), "half speed: 41 ms of work a frame", "how slow it is says more than that a step is long");
+        assert_eq!(
+            long(&figures),
+            "half speed: 41 ms of work a frame",
+            "how slow it is says more than that a step is long"
+        );
         assert_eq!(long(&Figures { pace: 1.0, ..figures.clone() }), "computing a long step");
     }
 

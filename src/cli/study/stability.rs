@@ -106,6 +106,8 @@ impl Stability {
             }
             let begun = Instant::now();
             report.sum_up();
+            // An interrupt that waits for this to be written writes nothing older over it.
+            *latest.lock().unwrap_or_else(PoisonError::into_inner) = Some(report.clone());
             report.write(&self.out)?;
             *latest.lock().unwrap_or_else(PoisonError::into_inner) = Some(report.clone());
             (written, apart) = (Instant::now(), (APART * begun.elapsed()).clamp(KEPT_EVERY, KEPT_AT_LEAST_EVERY));

@@ -118,6 +118,15 @@ impl<S: Real> Hinge<S> {
         }
     }
 
+    /// No stiffer than a step of `h` [s] bears where points of these inverse masses [1/kg] are moved by it alone: k h^2 sum of w |g|^2, with
+    /// arms as long as at the start and in line, is at most `most`, and of its damper c h sum of w |g|^2.
+    pub(crate) fn bounded(self, [i, j, k]: [f64; 3], (h, most): (f64, f64)) -> Self {
+        let [a, b] = self.least.map(|least| LEAST_ARM / least.to_f64().sqrt());
+        let most = most / (i * a * a + k * b * b + j * (a + b) * (a + b));
+        let [stiffness, damping] = [most / (h * h), most / h].map(S::from_f64);
+        Hinge { stiffness: self.stiffness.min(stiffness), damping: self.damping.min(damping), ..self }
+    }
+
     /// How it stands where its points are; `None` of an arm without a length.
     #[inline(always)]
     pub(crate) fn stand<const D: usize>(&self, [i, j, k]: [[S; D]; 3]) -> Option<Stand<S>> {

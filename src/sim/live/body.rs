@@ -38,12 +38,8 @@ pub(super) struct Body<S> {
     pub(super) edge_length: S,
     /// Distance that its skin keeps [m].
     pub(super) radius: S,
-    /// Bound on the square of the fastest oscillation of its springs [1/s^2], dampers apart.
-    pub(super) stiffness: S,
-    /// Bound on the fastest decay by its dampers [1/s].
-    pub(super) decay: S,
-    /// Fewest substeps in a frame that it bears.
-    pub(super) least_substeps: u32,
+    /// Fewest substeps in a frame in which most of its springs may be forces, and all of them exact ones.
+    pub(super) least_substeps: [u32; 2],
     /// Its shape, where rigid bonds hold all of its points: none of its bonds, angles and areas is asked then.
     pub(super) rigid: Option<Arc<Shape>>,
 }

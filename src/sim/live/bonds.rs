@@ -9,24 +9,34 @@ use crate::sim::kernels::links::{self, Entry, Links, Moved};
 use crate::sim::real::Real;
 use crate::sim::vector::{add, dot, scale, sub};
 
-/// Most of (w h)^2 and of the decay in a substep at which springs are forces: 4 and 2 would be the edge of stability.
-pub(super) const MOST_PHASE: f64 = 2.0;
-pub(super) const MOST_DECAY: f64 = 0.5;
+/// Most of (w h)^2 at which springs are forces, and of that and twice the decay in a substep: 4 would be the edge of stability. And most of
+/// the decay where there is work for that many substeps.
+const MOST_PHASE: f64 = 2.0;
+const MOST_OF_BOTH: f64 = 3.5;
+const FINE_DECAY: f64 = 0.5;
+/// Share of the points of a body that is to swing by forces: where some are so light that they would need many more substeps, the springs at
+/// these are projected.
+pub(super) const MOST_BY_FORCES: f64 = 0.9;
 /// Share of its length at rest down to which a spring is a force.
 const BORNE: f64 = 0.5;
+/// Share of its springs that may be shorter until all of a body with an inside are projected; of others none may.
+const MOST_CRUSHED: f64 = 0.05;
 /// Share of an error that a bond takes away at once from which on it is hard.
 const HARD: f64 = 0.99;
 
-/// Whether the springs of a body are forces in substeps of `h` [s]: where those keep its energy.
-fn are_forces<S: Real>(body: &Body<S>, h: S) -> bool {
-    body.stiffness * h * h <= S::from_f64(MOST_PHASE) && body.decay * h <= S::from_f64(MOST_DECAY)
+/// Whether a spring whose ends swing like this may be a force in substeps of `h` [s]: by bounds on the square of the fastest oscillation
+/// [1/s^2] and on the fastest decay [1/s].
+pub(super) fn bears<S: Real>([stiffness, decay]: [S; 2], h: S) -> bool {
+    let phase = stiffness * h * h;
+    phase <= S::from_f64(MOST_PHASE) && phase + (decay + decay) * h <= S::from_f64(MOST_OF_BOTH)
 }
 
-/// Substeps of a frame that the springs of a body need to be forces, by bounds on the square of their fastest oscillation [1/s^2] and on
-/// their fastest decay [1/s]; 0 where they would need more than `most`.
-pub(super) fn substeps(stiffness: f64, decay: f64, most: u32) -> u32 {
-    let wanted = ((stiffness / MOST_PHASE).sqrt().max(decay / MOST_DECAY) / FRAMES).ceil();
-    if wanted <= f64::from(most) { wanted as u32 } else { 0 }
+/// Substeps of a frame that springs whose ends swing like this need to be forces, and to be exact ones.
+pub(super) fn substeps([stiffness, decay]: [f64; 2]) -> [f64; 2] {
+    // The longest substep h has stiffness h^2 + 2 decay h = MOST_OF_BOTH.
+    let both = (decay + (decay * decay + MOST_OF_BOTH * stiffness).sqrt()) / MOST_OF_BOTH;
+    let swing = (stiffness / MOST_PHASE).sqrt();
+    [both, decay / FINE_DECAY].map(|rate| (swing.max(rate) / FRAMES).ceil())
 }
 
 /// What springs that are forces give to velocities in `h` [s].
@@ -130,14 +140,25 @@ impl<S: Real> Hold<S> {
     }
 }
 
+/// Notes the points at which springs are squeezed beyond what forces bear; all where that is so of many.
+fn note_crushed<S: Real>((body, springs): (&Body<S>, &[Link<S>]), now: &[[S; 2]], crushed: &mut [bool]) {
+    let squeezed = springs.iter().filter(|link| is_crushed(link, now));
+    let mut count = 0;
+    for link in squeezed {
+        count += 1;
+        (crushed[link.a as usize], crushed[link.b as usize]) = (true, true);
+    }
+    let most = if body.areas.len() > 0 { MOST_CRUSHED } else { 0.0 };
+    if count as f64 > most * springs.len() as f64 {
+        crushed.fill(true);
+    }
+}
+
 /// Whether a spring is squeezed beyond what forces bear.
-fn is_crushed<S: Real>(springs: &[Link<S>], now: &[[S; 2]]) -> bool {
-    let least = S::from_f64(BORNE * BORNE);
-    springs.iter().any(|link| {
-        let d = sub(now[link.a as usize], now[link.b as usize]);
-        let (square, rest) = (dot(d, d), link.rest * link.rest);
-        link.limit == Limit::Both && rest > S::ZERO && (square < least * rest || !square.is_finite())
-    })
+fn is_crushed<S: Real>(link: &Link<S>, now: &[[S; 2]]) -> bool {
+    let d = sub(now[link.a as usize], now[link.b as usize]);
+    let (square, rest) = (dot(d, d), link.rest * link.rest);
+    link.limit == Limit::Both && rest > S::ZERO && (square < S::from_f64(BORNE * BORNE) * rest || !square.is_finite())
 }
 
 /// Works out what the bonds of a cluster need in substeps of `h` [s], in lists of their own: those that pull and those that are
@@ -152,21 +173,30 @@ pub(super) fn prepare<S: Real>(state: &mut Cluster<S>, common: &Common<S>, h: S)
     firm.clear(w.len());
     holds.clear();
     by_forces.clear();
+    let mut crushed = Vec::new();
     for (k, (body, base)) in members.enumerate() {
-        let springs = common.springs(body);
         // What settles or owes energy is to come to rest, and what is squeezed or struck hard is to stay whole.
-        let bears = || are_forces(body, h) && !is_crushed(springs, &now[base..]);
-        let are_forces = may_swing && !settles[k] && bears();
-        by_forces.push(are_forces);
-        for (link, number) in springs.iter().zip(body.springs.first..).filter(|_| are_forces) {
-            match plain_pull(link, base, h) {
-                Some(entry) => pulls.push(entry),
-                None => odd_pulls.push((k as u32, number)),
+        let may_swing = may_swing && !settles[k];
+        let first = by_forces.len();
+        crushed.clear();
+        crushed.resize(body.points.len(), false);
+        if may_swing {
+            note_crushed((body, common.springs(body)), &now[base..], &mut crushed);
+        }
+        for ((link, &swing), number) in common.springs(body).iter().zip(common.swings(body)).zip(body.springs.first..) {
+            let is_whole = !crushed[link.a as usize] && !crushed[link.b as usize];
+            let is_force = may_swing && bears(swing, h) && is_whole;
+            by_forces.push(is_force);
+            if is_force {
+                match plain_pull(link, base, h) {
+                    Some(entry) => pulls.push(entry),
+                    None => odd_pulls.push((k as u32, number)),
+                }
             }
         }
-        let springs = springs.iter().filter(|_| !are_forces);
-        let rigid = &common.holds(body)[body.tree as usize..];
-        for hold in springs.chain(rigid).filter_map(|link| Hold::new(link, base, w, h)) {
+        let springs = common.springs(body).iter().zip(&by_forces[first..]).filter(|(_, is_force)| !**is_force);
+        let rigid = common.holds(body)[body.tree as usize..].iter();
+        for hold in springs.map(|(link, _)| link).chain(rigid).filter_map(|link| Hold::new(link, base, w, h)) {
             if !hold.is_plain() {
                 holds.push(hold);
                 continue;

@@ -118,8 +118,10 @@ impl<S: Real> Cluster<S> {
     /// What dampers take within `h` [s]: their force by the way that their ends went, [J].
     fn damped(&self, common: &Common<S>, h: f64) -> f64 {
         let mut sum = 0.0;
-        for ((body, base), &are_forces) in self.members(common).zip(&self.by_forces) {
-            for link in common.springs(body).iter().filter(|link| link.damping > S::ZERO) {
+        let mut by_forces = self.by_forces.iter();
+        for (body, base) in self.members(common) {
+            let springs = common.springs(body).iter().zip(by_forces.by_ref());
+            for (link, &is_force) in springs.filter(|(link, _)| link.damping > S::ZERO) {
                 let (a, b) = (base + link.a as usize, base + link.b as usize);
                 let d = sub(self.now[a], self.now[b]);
                 let error = dot(d, d).sqrt() - link.rest;
@@ -129,12 +131,12 @@ impl<S: Real> Cluster<S> {
                     Limit::Min => error > S::ZERO,
                 };
                 // Where springs are projected those without stiffness do nothing.
-                if is_slack || (!are_forces && link.stiffness == S::ZERO) {
+                if is_slack || (!is_force && link.stiffness == S::ZERO) {
                     continue;
                 }
-                let closing = |v: &[[S; 2]]| along(sub(v[a], v[b]), d, if are_forces { link.rest } else { S::ONE });
+                let closing = |v: &[[S; 2]]| along(sub(v[a], v[b]), d, if is_force { link.rest } else { S::ONE });
                 let [begun, now] = [&self.begun, &self.velocity].map(|v| closing(v));
-                let acts = if are_forces { begun } else { now };
+                let acts = if is_force { begun } else { now };
                 sum += (link.damping * dot(acts, add(begun, now)) * S::HALF).to_f64();
             }
             for hinge in common.hinges(body).iter().filter(|hinge| hinge.damping > S::ZERO) {

@@ -15,6 +15,7 @@ use crate::sim::force::angle::Hinge;
 use crate::sim::force::area;
 use crate::sim::points::Points;
 use crate::sim::real::Real;
+use crate::sim::triangles;
 use crate::sim::vector::{length, sub, widen};
 
 /// Stiffness over mass from which on springs that make trees are taken for rigid, times the square of the longest substep, of 1/16 frame [1].
@@ -30,6 +31,8 @@ pub(super) struct Bodies<S> {
     pub(super) order: Vec<u32>,
     /// Bonds that may be forces.
     pub(super) springs: Vec<Link<S>>,
+    /// Of every spring bounds on the square of the fastest oscillation [1/s^2] and on the fastest decay [1/s] of its ends.
+    pub(super) swings: Vec<[S; 2]>,
     /// Bonds that are held whatever the substep.
     pub(super) holds: Vec<Link<S>>,
     pub(super) areas: Vec<Area<S>>,
@@ -124,7 +127,9 @@ impl<S: Real> Bodies<S> {
         self.holds.extend(tree.iter().map(link));
         let (springs, holds): (Vec<&Bond>, Vec<&Bond>) = others.iter().partition(|bond| is_spring(bond));
         let [springs, holds] = [springs, holds].map(|list| in_turn(list, local, own.points.len()));
+        let bounds = Bounds::new(&springs, w);
         self.springs.extend(springs.iter().map(|bond| link(bond)));
+        self.swings.extend(springs.iter().map(|bond| bounds.at_ends(bond).map(S::from_f64)));
         self.holds.extend(holds.iter().map(|bond| link(bond)));
         self.areas.extend(
             own.triangles
@@ -146,7 +151,6 @@ impl<S: Real> Bodies<S> {
         let corners = Span { first: starts[5], end: ends[5] };
         let radius = self.note_skins((&own.points, corners), &draft.skins, (&contact, radius, most));
         let span = |k: usize| Span { first: starts[k], end: ends[k] };
-        let [stiffness, decay] = bounds(&springs, w);
         self.list.push(Body {
             points: span(0),
             springs: span(1),
@@ -158,9 +162,7 @@ impl<S: Real> Bodies<S> {
             tree: tree.len() as u32,
             edge_length,
             radius,
-            stiffness: S::from_f64(stiffness),
-            decay: S::from_f64(decay),
-            least_substeps: bonds::substeps(stiffness, decay, SUBSTEPS[3]),
+            least_substeps: bounds.substeps([bonds::MOST_BY_FORCES, 1.0], SUBSTEPS[3]),
             rigid: rigid.map(Arc::new),
         });
     }
@@ -315,52 +317,52 @@ fn area<S: Real>(
     Some(Area { corners: corners.map(|corner| local[corner as usize]), rest: S::from_f64(size) })
 }
 
-/// The skin of a body: the sides that one triangle has alone, its inside on their right, and bonds at points of no triangle.
+/// The skin of a body.
 fn skin<S>(own: &Own<S>) -> Vec<Edge> {
-    let mut sides: Vec<([u32; 2], [u32; 2])> = Vec::with_capacity(3 * own.triangles.len());
-    for &[a, b, c] in &own.triangles {
-        for [from, to] in [[a, b], [b, c], [c, a]] {
-            sides.push(([from.min(to), from.max(to)], [to, from]));
-        }
-    }
-    sides.sort_unstable();
-    let mut edges: Vec<Edge> = Vec::new();
-    for group in sides.chunk_by(|a, b| a.0 == b.0) {
-        if let [(_, ends)] = group {
-            edges.push(Edge { ends: *ends, is_closed: true });
-        }
-    }
-    let mut covered: Vec<u32> = own.triangles.iter().flatten().copied().collect();
-    covered.sort_unstable();
-    covered.dedup();
-    let is_covered = |point: u32| covered.binary_search(&point).is_ok();
-    let mut open: Vec<[u32; 2]> = own
-        .bonds
-        .iter()
-        .map(|bond| [bond.a.0.min(bond.b.0), bond.a.0.max(bond.b.0)])
-        .filter(|[a, b]| !(is_covered(*a) && is_covered(*b)))
-        .collect();
-    open.sort_unstable();
-    open.dedup();
-    edges.extend(open.into_iter().map(|ends| Edge { ends, is_closed: false }));
-    edges
+    let skin = triangles::skin(&own.triangles, own.bonds.iter().map(|bond| [bond.a.0, bond.b.0]));
+    let edge = |is_closed: bool| move |ends: [u32; 2]| Edge { ends, is_closed };
+    skin.closed.into_iter().map(edge(true)).chain(skin.open.into_iter().map(edge(false))).collect()
 }
 
-/// Gershgorin's bounds on the square of the fastest oscillation [1/s^2] and on the fastest decay [1/s] of springs.
-pub(super) fn bounds<S: Real>(springs: &[&Bond], w: impl Fn(u32) -> S) -> [f64; 2] {
-    let mut sums: Vec<(u32, [f64; 2])> = Vec::with_capacity(2 * springs.len());
-    for bond in springs {
-        if let BondKind::Spring { stiffness, damping } = bond.kind {
-            sums.extend([bond.a.0, bond.b.0].map(|end| (end, [stiffness, damping])));
+/// Gershgorin's bounds on the square of the fastest oscillation [1/s^2] and on the fastest decay [1/s] of springs, a row a point.
+pub(super) struct Bounds(Vec<(u32, [f64; 2])>);
+
+impl Bounds {
+    pub(super) fn new<S: Real>(springs: &[&Bond], w: impl Fn(u32) -> S) -> Self {
+        let mut sums: Vec<(u32, [f64; 2])> = Vec::with_capacity(2 * springs.len());
+        for bond in springs {
+            if let BondKind::Spring { stiffness, damping } = bond.kind {
+                sums.extend([bond.a.0, bond.b.0].map(|end| (end, [stiffness, damping])));
+            }
         }
+        sums.sort_unstable_by_key(|entry| entry.0);
+        let row = |group: &[(u32, [f64; 2])]| {
+            let w = w(group[0].0).to_f64();
+            (group[0].0, [0, 1].map(|k| 2.0 * w * group.iter().map(|entry| entry.1[k]).sum::<f64>()))
+        };
+        Bounds(sums.chunk_by(|a, b| a.0 == b.0).map(row).collect())
     }
-    sums.sort_unstable_by_key(|entry| entry.0);
-    let mut most = [0.0; 2];
-    for group in sums.chunk_by(|a, b| a.0 == b.0) {
-        let w = w(group[0].0).to_f64();
-        for (k, most) in most.iter_mut().enumerate() {
-            *most = f64::max(*most, 2.0 * w * group.iter().map(|entry| entry.1[k]).sum::<f64>());
-        }
+
+    /// The larger ones of both ends of a spring.
+    fn at_ends(&self, bond: &Bond) -> [f64; 2] {
+        let at = |end: u32| self.0.binary_search_by_key(&end, |row| row.0).map_or([0.0; 2], |row| self.0[row].1);
+        let [a, b] = [at(bond.a.0), at(bond.b.0)];
+        [a[0].max(b[0]), a[1].max(b[1])]
     }
-    most
+
+    /// Substeps of a frame in which springs at these shares of the points may be forces, and exact ones; 0 where that were more than `most`.
+    pub(super) fn substeps(&self, shares: [f64; 2], most: u32) -> [u32; 2] {
+        [0, 1].map(|k| {
+            let mut list: Vec<f64> = self.0.iter().map(|row| bonds::substeps(row.1)[k]).collect();
+            list.sort_unstable_by(f64::total_cmp);
+            let last = ((list.len() as f64 * shares[k]).ceil() as usize).min(list.len());
+            let wanted = last.checked_sub(1).map_or(0.0, |last| list[last]);
+            if wanted <= f64::from(most) { wanted as u32 } else { 0 }
+        })
+    }
+
+    /// The largest bounds of all points.
+    pub(super) fn most(&self) -> [f64; 2] {
+        [0, 1].map(|k| self.0.iter().map(|row| row.1[k]).fold(0.0, f64::max))
+    }
 }

@@ -28,7 +28,7 @@ pub(super) struct Cluster<S: Real> {
     pub(super) bases: Vec<u32>,
     /// Which of its bodies are coming to rest on something.
     pub(super) settles: Vec<bool>,
-    /// Of which of them the springs are forces in this step; of the others they are projected.
+    /// Which of their springs are forces in this step, body after body; the others are projected.
     pub(super) by_forces: Vec<bool>,
     /// Positions at the start of the substep [m].
     pub(super) start: Vec<[S; 2]>,
@@ -155,6 +155,11 @@ pub(super) struct Common<'a, S: Real> {
 impl<S: Real> Common<'_, S> {
     pub(super) fn springs(&self, body: &Body<S>) -> &[Link<S>] {
         &self.bodies.springs[body.springs.range()]
+    }
+
+    /// Of every spring bounds on what its ends do (`Bodies::swings`).
+    pub(super) fn swings(&self, body: &Body<S>) -> &[[S; 2]] {
+        &self.bodies.swings[body.springs.range()]
     }
 
     pub(super) fn holds(&self, body: &Body<S>) -> &[Link<S>] {

@@ -22,7 +22,7 @@ pub(super) const SUBSTEPS: [u32; 4] = [16, 32, 64, 128];
 /// Substeps that speed alone asks for from which on a blow is too hard for springs that are forces.
 const VIOLENT: f64 = 32.0;
 /// Counted work of a frame up to which there are more substeps than speeds ask for, so that springs can be forces.
-const AFFORDED: f64 = 4.5e6;
+const AFFORDED: f64 = 7e6;
 
 /// Substeps of a frame at a speed [m/s], with skins whose edges have this mean length [m].
 pub(super) fn substeps_at(speed: f64, edge: f64) -> u32 {
@@ -247,9 +247,11 @@ impl<S: Real> Cluster<S> {
         let shortest = self.least_promise.to_f64() / PROMISE;
         let wanted = speed * frame / (WAY * shortest);
         let moving = self.members(common).zip(&self.settles).filter(|(_, settles)| !**settles);
-        let wanted_by_springs = moving.map(|((body, _), _)| body.least_substeps);
-        let affordable = wanted_by_springs.filter(|&count| count <= self.most_substeps);
-        let least = affordable.max().unwrap_or_default();
+        let affordable = |[few, fine]: [u32; 2]| {
+            let is_affordable = |count: &u32| *count > 0 && *count <= self.most_substeps;
+            Some(fine).filter(is_affordable).or(Some(few).filter(is_affordable))
+        };
+        let least = moving.filter_map(|((body, _), _)| affordable(body.least_substeps)).max().unwrap_or_default();
         let is_enough = |count: &u32| f64::from(*count) >= wanted && *count >= least;
         SUBSTEPS.into_iter().find(is_enough).unwrap_or(SUBSTEPS[3])
     }

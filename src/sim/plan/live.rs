@@ -3,8 +3,9 @@
 use super::make::{Maker, breakable};
 use crate::sim::bond::PointId;
 use crate::sim::contact::skin::SkinMaterial;
+use crate::sim::force::angle::Hinge;
 use crate::sim::group::Group;
-use crate::sim::live::{Draft, mover};
+use crate::sim::live::{self, Draft, mover};
 use crate::sim::real::Real;
 use crate::sim::sets::Sets;
 
@@ -22,13 +23,20 @@ impl<S: Real, const D: usize> Maker<'_, S, D> {
             bonds: self.bonds().map(|(_, bond)| bond).collect(),
             body_of: self.body_of(),
             triangles: self.triangles(),
-            hinges: self.form().hinges,
+            hinges: self.live_hinges(),
             areas: self.model.areas.unwrap_or_default(),
             contact: self.model.contact,
             settles: self.model.method.settles,
             sleeps: self.model.method.sleeps,
             skins: self.skins(),
         }
+    }
+
+    /// The angles of the group, none stiffer than the live step bears.
+    fn live_hinges(&self) -> Vec<Hinge<S>> {
+        let w = |slot: u32| self.gathered.w[self.points[slot as usize] as usize];
+        let hinges = self.form::<S>().hinges.into_iter();
+        hinges.map(|hinge| hinge.bounded(hinge.points.map(w), live::BENDING)).collect()
     }
 
     /// What the skins of the points of the group are made of; none where no body has its own.

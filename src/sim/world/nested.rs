@@ -1,72 +1,157 @@
-//! What is told of bodies that start in each other.
+//! What is told of bodies that start in each other, or across themselves.
 
 use super::World;
 use crate::sim::bond::PointId;
+use crate::sim::contact::skin::Contact;
 use crate::sim::real::Real;
+use crate::sim::sets::Sets;
+use crate::sim::triangles;
 use crate::sim::vector::{cross, sub};
 
-/// Points against triangles that are looked at: of scenes with more in one place nothing is told.
+/// Points against triangles, and edges against edges, that are looked at: of scenes with more in one place the first are told.
 const MOST_LOOKS: usize = 4_000_000;
 
-/// A triangle with its body, from its leftmost to its rightmost corner.
-struct Patch {
-    corners: [[f64; 2]; 3],
+/// A triangle or an edge with its body, from its leftmost to its rightmost corner.
+#[derive(Clone, Copy)]
+struct Patch<const N: usize> {
+    corners: [u32; N],
+    places: [[f64; 2]; N],
     body: u32,
     left: f64,
     right: f64,
 }
 
+/// Patches by their left ends, those that a line which sweeps along x is over, and how many may still be looked at.
+struct Sweep<const N: usize> {
+    patches: Vec<Patch<N>>,
+    open: Vec<usize>,
+    next: usize,
+    left: usize,
+}
+
+/// Which bodies, by any of their points.
+#[derive(Default)]
+struct Found {
+    /// Are in others, or across them.
+    nested: Vec<u32>,
+    /// Are across themselves.
+    folded: Vec<u32>,
+}
+
 impl<S: Real, const D: usize> World<S, D> {
-    /// Tells of bodies of a plane in which bodies meet that have a point in another one at these places [m].
+    /// Tells of bodies of a plane in which bodies meet that have a point in another one at these places [m], or an edge across one.
     pub(super) fn warn_of_nested(&mut self, position: &[[f64; D]]) {
-        let meets = self.model.contact.is_some_and(|contact| contact.with_others);
-        if D != 2 || !meets || self.model.triangles.is_empty() {
-            return;
+        let Some(contact) = self.model.contact.filter(|_| D == 2) else { return };
+        let places: Vec<[f64; 2]> = position.iter().map(|x| [x[0], x[1]]).collect();
+        let (mut bodies, mut found) = (self.bonded(), Found::default());
+        if contact.with_others {
+            self.find_nested(&places, &mut bodies, &mut found);
         }
-        let place = |point: usize| [position[point][0], position[point][1]];
-        let mut bodies = self.bonded();
-        let patch = |triangle: &[PointId; 3]| {
-            let corners = triangle.map(|corner| place(corner.index()));
-            let [a, b, c] = corners.map(|corner| corner[0]);
-            Patch { corners, body: bodies.find(triangle[0].0), left: a.min(b).min(c), right: a.max(b).max(c) }
-        };
-        let mut patches: Vec<Patch> = self.model.triangles.iter().map(patch).collect();
-        patches.sort_by(|a, b| a.left.total_cmp(&b.left));
-        let mut points: Vec<usize> = (0..position.len()).collect();
-        points.sort_by(|&a, &b| place(a)[0].total_cmp(&place(b)[0]));
-        let (mut open, mut next, mut looks): (Vec<usize>, usize, usize) = (Vec::new(), 0, 0);
-        let mut found: Vec<u32> = Vec::new();
+        self.find_crossed((&places, contact), &mut bodies, &mut found);
+        let [nested, folded] = [found.nested, found.folded].map(|mut list| {
+            list.sort_unstable();
+            list.dedup();
+            list.len()
+        });
+        if nested > 0 {
+            self.warnings.push(format!("{nested} bodies start in each other: they are parted, slowly"));
+        }
+        if folded > 0 {
+            let bodies = if folded == 1 { "a body starts".to_owned() } else { format!("{folded} bodies start") };
+            self.warnings.push(format!("{bodies} across itself: where that can be undone it is, slowly"));
+        }
+    }
+
+    /// Points in triangles of others.
+    fn find_nested(&self, places: &[[f64; 2]], bodies: &mut Sets, found: &mut Found) {
+        let corners = |triangle: &[PointId; 3]| triangle.map(|corner| corner.0);
+        let mut sweep = Sweep::new(self.model.triangles.iter().map(corners), places, bodies);
+        let mut points: Vec<usize> = (0..places.len()).collect();
+        points.sort_by(|&a, &b| places[a][0].total_cmp(&places[b][0]));
         for point in points {
-            let (x, own) = (place(point), bodies.find(point as u32));
-            while patches.get(next).is_some_and(|patch| patch.left <= x[0]) {
-                open.push(next);
-                next += 1;
-            }
-            open.retain(|&k| patches[k].right >= x[0]);
-            looks += open.len();
-            if looks > MOST_LOOKS {
-                return;
-            }
-            let inside = open.iter().map(|&k| &patches[k]).filter(|patch| patch.body != own && patch.holds(x));
+            let (x, own) = (places[point], bodies.find(point as u32));
+            let inside = sweep.over(x[0]).filter(|patch| patch.body != own && patch.holds(x));
             let others: Vec<u32> = inside.map(|patch| patch.body).collect();
             if !others.is_empty() {
-                found.push(own);
-                found.extend(others);
+                found.nested.push(own);
+                found.nested.extend(others);
             }
         }
-        found.sort_unstable();
-        found.dedup();
-        if !found.is_empty() {
-            self.warnings.push(format!("{} bodies start in each other: they are parted, slowly", found.len()));
+    }
+
+    /// Edges of skins across edges.
+    fn find_crossed(&self, (places, contact): (&[[f64; 2]], Contact), bodies: &mut Sets, found: &mut Found) {
+        let corners = self.model.triangles.iter().map(|triangle| triangle.map(|corner| corner.0));
+        let ends = |bond: &[PointId; 2]| bond.map(|end| end.0);
+        let mut bonded: Vec<[u32; 2]> = self.bonds.ends().iter().map(ends).map(sorted).collect();
+        bonded.sort_unstable();
+        let skin = triangles::skin(&corners.collect::<Vec<_>>(), bonded.iter().copied());
+        let are_bonded = |a: u32, b: u32| bonded.binary_search(&sorted([a, b])).is_ok();
+        let mut sweep = Sweep::new(skin.closed.into_iter().chain(skin.open), places, bodies);
+        for k in 0..sweep.patches.len() {
+            let own = sweep.patches[k];
+            for other in sweep.over(own.left).filter(|other| other.crosses(&own)) {
+                let ([a, b], [c, d]) = (own.corners, other.corners);
+                // Both diagonals of a cell of a net are meant to cross.
+                let is_a_cell = [(a, c), (a, d), (b, c), (b, d)].into_iter().all(|(one, two)| are_bonded(one, two));
+                if other.body != own.body && contact.with_others {
+                    found.nested.extend([own.body, other.body]);
+                } else if other.body == own.body && contact.with_itself && !is_a_cell {
+                    found.folded.push(own.body);
+                }
+            }
         }
     }
 }
 
-impl Patch {
+fn sorted([a, b]: [u32; 2]) -> [u32; 2] {
+    [a.min(b), a.max(b)]
+}
+
+impl<const N: usize> Sweep<N> {
+    fn new(corners: impl Iterator<Item = [u32; N]>, places: &[[f64; 2]], bodies: &mut Sets) -> Self {
+        let patch = |corners: [u32; N]| {
+            let places = corners.map(|corner| places[corner as usize]);
+            let (left, right) = places
+                .iter()
+                .fold((f64::INFINITY, f64::NEG_INFINITY), |(left, right), x| (left.min(x[0]), right.max(x[0])));
+            Patch { corners, places, body: bodies.find(corners[0]), left, right }
+        };
+        let mut patches: Vec<Patch<N>> = corners.map(patch).collect();
+        patches.sort_by(|a, b| a.left.total_cmp(&b.left));
+        Sweep { patches, open: Vec::new(), next: 0, left: MOST_LOOKS }
+    }
+
+    /// The patches over this place, which is on the right of all before, as long as there is an end to looking.
+    fn over(&mut self, x: f64) -> impl Iterator<Item = &Patch<N>> {
+        while self.patches.get(self.next).is_some_and(|patch| patch.left <= x) {
+            self.open.push(self.next);
+            self.next += 1;
+        }
+        self.open.retain(|&k| self.patches[k].right >= x);
+        let looks = self.open.len().min(self.left);
+        self.left -= looks;
+        self.open[..looks].iter().map(|&k| &self.patches[k])
+    }
+}
+
+impl Patch<3> {
     /// Whether a place is within it, its sides apart.
     fn holds(&self, x: [f64; 2]) -> bool {
-        let [a, b, c] = self.corners;
+        let [a, b, c] = self.places;
         let turns = [(a, b), (b, c), (c, a)].map(|(from, to)| cross(sub(to, from), sub(x, from)));
         turns.iter().all(|&turn| turn > 0.0) || turns.iter().all(|&turn| turn < 0.0)
+    }
+}
+
+impl Patch<2> {
+    /// Whether it goes through another edge, their ends apart.
+    fn crosses(&self, other: &Self) -> bool {
+        let ([a, b], [c, d]) = (self.places, other.places);
+        let parts = |from: [f64; 2], to: [f64; 2], [x, y]: [[f64; 2]; 2]| {
+            let turns = [x, y].map(|x| cross(sub(to, from), sub(x, from)));
+            turns[0].min(turns[1]) < 0.0 && turns[0].max(turns[1]) > 0.0
+        };
+        !self.corners.iter().any(|end| other.corners.contains(end)) && parts(a, b, [c, d]) && parts(c, d, [a, b])
     }
 }

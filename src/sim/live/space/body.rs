@@ -4,8 +4,7 @@ use crate::sim::bond::Bond;
 use crate::sim::contact::skin::{Contact, RADIUS};
 use crate::sim::live::Draft;
 use crate::sim::live::body::{Link, Span};
-use crate::sim::live::bonds;
-use crate::sim::live::build::{bounds, in_turn, is_held, is_spring, link, path_of};
+use crate::sim::live::build::{Bounds, in_turn, is_held, is_spring, link, path_of};
 use crate::sim::live::gather::SUBSTEPS;
 use crate::sim::points::Points;
 use crate::sim::real::Real;
@@ -32,10 +31,8 @@ pub(super) struct Body<S> {
     /// Distance that its skin keeps from others, and from itself [m].
     pub(super) radius: S,
     pub(super) own_distance: S,
-    /// Bound on the square of the fastest oscillation of its springs [1/s^2], dampers apart.
-    pub(super) stiffness: S,
-    /// Bound on the fastest decay by its dampers [1/s].
-    pub(super) decay: S,
+    /// Bounds on the square of the fastest oscillation of its springs [1/s^2] and on the fastest decay by their dampers [1/s].
+    pub(super) swing: [S; 2],
     /// Fewest substeps in a frame that it bears.
     pub(super) least_substeps: u32,
 }
@@ -122,7 +119,7 @@ impl<S: Real> Bodies<S> {
         self.order.extend(&own.points);
         let ends = self.ends();
         let span = |k: usize| Span { first: starts[k], end: ends[k] };
-        let [stiffness, decay] = bounds(&springs, |i| points.inverse_mass[i as usize]);
+        let bounds = Bounds::new(&springs, |i| points.inverse_mass[i as usize]);
         self.list.push(Body {
             points: span(0),
             springs: span(1),
@@ -134,9 +131,8 @@ impl<S: Real> Bodies<S> {
             edge_length,
             radius,
             own_distance: (radius + radius).min(most),
-            stiffness: S::from_f64(stiffness),
-            decay: S::from_f64(decay),
-            least_substeps: bonds::substeps(stiffness, decay, SUBSTEPS[1]),
+            swing: bounds.most().map(S::from_f64),
+            least_substeps: bounds.substeps([1.0, 1.0], SUBSTEPS[1])[1],
         });
     }
 

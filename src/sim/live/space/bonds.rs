@@ -5,14 +5,14 @@ use super::cluster::{Cluster, Common};
 use super::path;
 use crate::sim::bond::Limit;
 use crate::sim::live::body::Link;
-use crate::sim::live::bonds::{MOST_DECAY, MOST_PHASE};
+use crate::sim::live::bonds::bears;
 use crate::sim::real::Real;
 use crate::sim::vector::{add, dot, scale, sub};
 
 /// Whether the springs of a body are forces in substeps of `h` [s]: in flight, where those keep its energy; what touches something is
 /// to come to rest.
 fn are_forces<S: Real>(body: &Body<S>, touched: bool, h: S) -> bool {
-    !touched && body.stiffness * h * h <= S::from_f64(MOST_PHASE) && body.decay * h <= S::from_f64(MOST_DECAY)
+    !touched && bears(body.swing, h)
 }
 
 /// What springs that are forces give to velocities in `h` [s].

@@ -7,8 +7,9 @@ use super::pair::{Pair, Sides};
 use super::touch::Touch;
 use crate::sim::contact::skin::Contact;
 use crate::sim::contact::surface::Surface;
+use crate::sim::live::substep::{PASSES, PUSHED};
 use crate::sim::real::Real;
-use crate::sim::vector::{add, dot, scale, sub, zero};
+use crate::sim::vector::{add, dot, scale, zero};
 
 /// Bodies that go together, in lists of their own: nothing else is read or written while they move.
 ///
@@ -44,14 +45,23 @@ pub(super) struct Cluster<S: Real> {
     pub(super) holds: Vec<Hold<S>>,
     /// Points near triangles.
     pub(super) pairs: Vec<Pair<S>>,
+    /// How far the two of each were from touching when they were found [m].
+    pub(super) rooms: Vec<S>,
+    /// Which of them may touch in this substep.
+    pub(super) chosen: Vec<u32>,
     /// What is near planes, balls and boxes.
     pub(super) touches: Vec<Touch<S>>,
-    /// How far points may go until what is near is looked for anew [m]: against obstacles, and against each other.
-    pub(super) promise: [S; 2],
-    /// The least of that.
+    /// How far points may go until what is near obstacles is looked for anew [m], and how far the fastest has gone since.
+    pub(super) promise: S,
+    pub(super) gone: S,
+    /// The same of each point against the mean of all, for what is near each other; and how far it gets in this substep.
+    pub(super) promised: Vec<S>,
+    pub(super) gone_apart: Vec<S>,
+    pub(super) goes: Vec<S>,
+    /// The least of what is promised [m].
     pub(super) least_promise: S,
-    /// How far the fastest has gone since [m].
-    pub(super) gone: [S; 2],
+    /// How long a substep is [s].
+    pub(super) span: S,
     /// Something pressed something in this step.
     pub(super) has_pressed: bool,
     /// Work that the mouse did in this step [J].
@@ -116,6 +126,7 @@ impl<S: Real> Cluster<S> {
     pub(super) fn put(&mut self, i: usize, by: [S; 3]) {
         self.now[i] = add(self.now[i], by);
         self.start[i] = add(self.start[i], by);
+        self.gone_apart[i] += dot(by, by).sqrt();
     }
 
     /// The mean of vectors of points.
@@ -124,11 +135,13 @@ impl<S: Real> Cluster<S> {
         scale(sum, S::ONE / S::from_f64(list.len().max(1) as f64))
     }
 
-    /// The largest speed [m/s], and the largest against the mean.
-    pub(super) fn fastest(&self) -> [S; 2] {
-        let mean = Self::mean(&self.velocity);
-        let largest =
-            |from: [S; 3]| self.velocity.iter().fold(S::ZERO, |most, &v| most.max(dot(sub(v, from), sub(v, from))));
-        [largest(zero()).sqrt(), largest(mean).sqrt()]
+    /// How far contacts may push a point beyond its way within a substep [m]: in each pass as far as the fastest goes, at least.
+    pub(super) fn pushed(&self) -> S {
+        (self.least_promise * S::from_f64(PUSHED)).max(self.fastest() * self.span * S::from_f64(PASSES.into()))
+    }
+
+    /// The largest speed [m/s].
+    pub(super) fn fastest(&self) -> S {
+        self.velocity.iter().fold(S::ZERO, |most, &v| most.max(dot(v, v))).sqrt()
     }
 }

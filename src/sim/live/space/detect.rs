@@ -1,6 +1,6 @@
 //! What is near what: skins near planes, balls and boxes, and points near triangles, by a grid of the triangles.
 //!
-//! What is found holds as long as no point goes further than was promised; against each other, further than the mean of all.
+//! What is found holds as long as no point goes further than was promised of it; against each other, further than the mean of all.
 
 use super::cluster::{Cluster, Common};
 use super::geometry::{nearest, volume};
@@ -18,12 +18,11 @@ const LEAST_TIME: f64 = 0.25;
 
 /// Finds anew what obstacles touch.
 pub(super) fn look_at_obstacles<S: Real>(state: &mut Cluster<S>, common: &Common<S>) {
-    let [fastest, _] = state.fastest();
-    state.gone[0] = S::ZERO;
-    state.promise[0] = state.least_promise.max(fastest * S::from_f64(LEAST_TIME / FRAMES));
+    state.gone = S::ZERO;
+    state.promise = state.least_promise.max(state.fastest() * S::from_f64(LEAST_TIME / FRAMES));
     let mut touches = std::mem::take(&mut state.touches);
     touches.clear();
-    let reach = state.promise[0];
+    let reach = state.promise;
     let is_free = |i: &usize| state.w[*i] != S::ZERO;
     for (number, surface) in common.planes.iter().enumerate() {
         for i in (0..state.now.len()).filter(is_free).filter(|&i| surface.gap(state.now[i]) < reach) {
@@ -56,7 +55,7 @@ fn near_solid<S: Real>(
     (number, solid): (u32, &Solid<S>),
     touches: &mut Vec<Touch<S>>,
 ) {
-    let reach = state.promise[0];
+    let reach = state.promise;
     let is_near = |points: &[u32]| {
         let mut extent = [[S::INFINITY; 3], [-S::INFINITY; 3]];
         for x in points.iter().map(|&i| state.now[i as usize]) {
@@ -106,27 +105,30 @@ fn are_near<S: Real>([a, b]: [[S; 3]; 2], [c, d]: [[S; 3]; 2], reach: S) -> bool
 }
 
 /// Finds pairs of points and triangles anew; those that were there keep their sides.
-pub(super) fn look_at_skins<S: Real>(state: &mut Cluster<S>, common: &Common<S>) {
+pub(super) fn look_at_skins<S: Real>(state: &mut Cluster<S>, common: &Common<S>, old: &Sides) {
     let Some(contact) = common.contact else { return };
-    let [_, fastest] = state.fastest();
-    state.gone[1] = S::ZERO;
-    state.promise[1] = state.least_promise.max(fastest * S::from_f64(LEAST_TIME / FRAMES));
     if state.triangles.is_empty() {
         return;
     }
-    let old = known(&state.pairs);
+    let (mean, time) = (Cluster::mean(&state.velocity), S::from_f64(LEAST_TIME / FRAMES));
+    for i in 0..state.now.len() {
+        let apart = sub(state.velocity[i], mean);
+        state.promised[i] = state.least_promise.max(dot(apart, apart).sqrt() * time);
+        state.gone_apart[i] = S::ZERO;
+    }
     let mut pairs = std::mem::take(&mut state.pairs);
     pairs.clear();
-    let free = state.promise[1] + state.promise[1];
     let bodies: Vec<_> = state.bodies.iter().map(|&body| &common.bodies.list[body]).collect();
     let widest = bodies.iter().fold(S::ZERO, |most, body| most.max(body.radius));
-    let grid = Grid::over(state, free + widest + widest);
+    state.rooms.clear();
+    let pushed = state.pushed();
+    let grid = Grid::over(state, widest + widest + state.least_promise + pushed);
     let mut seen: Vec<u32> = Vec::new();
     for &(p, number) in &state.corners {
         let body = state.body_of[p as usize];
         seen.clear();
-        seen.extend(grid.near(state.now[p as usize]));
-        seen.sort_unstable();
+        grid.near(state.now[p as usize], state.promised[p as usize] - state.least_promise, &mut seen);
+        let first = pairs.len();
         for &triangle in &seen {
             let (corners, of_triangle, other) = state.triangles[triangle as usize];
             let meets = if other == body { contact.with_itself } else { contact.with_others };
@@ -138,18 +140,18 @@ pub(super) fn look_at_skins<S: Real>(state: &mut Cluster<S>, common: &Common<S>)
             let distance = if other == body { own.own_distance } else { own.radius + bodies[other as usize].radius };
             let places = points.map(|i| state.now[i as usize]);
             let from = nearest(places).from;
-            let reach = free + distance;
-            if dot(from, from) > reach * reach {
+            let room = dot(from, from).sqrt() - distance;
+            if room > state.promised[p as usize] + farthest(&state.promised, corners) + pushed {
                 continue;
             }
             let key = u64::from(number) << 32 | u64::from(of_triangle);
-            let before = side_of(&old, key).or_else(|| side_of(common.sides, key));
-            let side = before.unwrap_or(if volume(places) >= S::ZERO { 1 } else { -1 });
+            let side = side_of(old, key).unwrap_or(if volume(places) >= S::ZERO { 1 } else { -1 });
             pairs.push(Pair {
                 points,
                 key,
                 side: if side > 0 { S::ONE } else { -S::ONE },
                 distance,
+                room,
                 friction: S::from_f64(contact.friction),
                 restitution: S::from_f64(contact.restitution),
                 pressed: S::ZERO,
@@ -160,10 +162,14 @@ pub(super) fn look_at_skins<S: Real>(state: &mut Cluster<S>, common: &Common<S>)
                 is_met: false,
             });
         }
+        pairs[first..].sort_unstable_by_key(|pair| pair.key);
     }
+    // Corners are listed by their numbers, so this finds all in order.
     pairs.sort_unstable_by_key(|pair| pair.key);
     state.counts.work += 60 * (state.triangles.len() + state.corners.len()) as u64 + 30 * pairs.len() as u64;
+    state.rooms.extend(pairs.iter().map(|pair| pair.room));
     state.pairs = pairs;
+    state.chosen.clear();
 }
 
 /// Sides of pairs, by their numbers.
@@ -175,17 +181,31 @@ fn side_of(sides: &[(u64, i8)], key: u64) -> Option<i8> {
     sides.binary_search_by_key(&key, |side| side.0).ok().map(|found| sides[found].1)
 }
 
-/// How much of the promises would be gone after `h` [s] at the speeds of now.
+/// The largest entry of three points.
+#[inline(always)]
+pub(super) fn farthest<S: Real>(list: &[S], [a, b, c]: [u32; 3]) -> S {
+    list[a as usize].max(list[b as usize]).max(list[c as usize])
+}
+
+/// Whether more than what was promised would be gone after `h` [s] at the speeds of now: of obstacles, and of each other.
 pub(super) fn is_due<S: Real>(state: &Cluster<S>, h: S) -> [bool; 2] {
-    let fastest = state.fastest();
-    std::array::from_fn(|k| state.gone[k] + h * fastest[k] > state.promise[k])
+    let mean = Cluster::mean(&state.velocity);
+    let leaves = |i: usize| {
+        let (apart, left) = (sub(state.velocity[i], mean), state.promised[i] - state.gone_apart[i]);
+        // NaN is looked at.
+        let stays = left >= S::ZERO && h * h * dot(apart, apart) <= left * left;
+        !stays
+    };
+    let skins = !state.triangles.is_empty() && (0..state.now.len()).any(leaves);
+    [state.gone + h * state.fastest() > state.promise, skins]
 }
 
 /// Counts the ways of a substep against the promises.
 pub(super) fn count_ways<S: Real>(state: &mut Cluster<S>) {
+    state.gone += state.way.iter().fold(S::ZERO, |most, &way| most.max(dot(way, way))).sqrt();
     let mean = Cluster::mean(&state.way);
-    for (k, from) in [zero(), mean].into_iter().enumerate() {
-        let square = state.way.iter().fold(S::ZERO, |most, &way| most.max(dot(sub(way, from), sub(way, from))));
-        state.gone[k] += square.sqrt();
+    for (gone, &way) in state.gone_apart.iter_mut().zip(&state.way) {
+        let apart = sub(way, mean);
+        *gone += dot(apart, apart).sqrt();
     }
 }

@@ -61,9 +61,15 @@ impl<S: Real> Space<S> {
             holds: Vec::new(),
             pairs: Vec::new(),
             touches: Vec::new(),
-            promise: [S::ZERO; 2],
+            rooms: Vec::new(),
+            chosen: Vec::new(),
+            promise: S::ZERO,
+            gone: S::ZERO,
+            promised: vec![S::ZERO; own],
+            gone_apart: vec![S::ZERO; own],
+            goes: vec![S::ZERO; own],
             least_promise: S::INFINITY,
-            gone: [S::ZERO; 2],
+            span: S::ZERO,
             has_pressed: false,
             work: S::ZERO,
             counts: Counts::default(),
@@ -131,7 +137,7 @@ impl<S: Real> Cluster<S> {
         let frame = 1.0 / FRAMES;
         let pushed = around.mouse_at(t).map_or(0.0, |(force, _)| force.strength.abs() * force.radius);
         let pulled = length(around.gravity) + pull.most_push();
-        let speed = self.fastest()[0].to_f64() + frame * (pulled + pushed);
+        let speed = self.fastest().to_f64() + frame * (pulled + pushed);
         let shortest = self.least_promise.to_f64() / PROMISE;
         let wanted = speed * frame / (WAY * shortest);
         let flying = self.members(common).zip(&self.touched).filter(|(_, touched)| !**touched);

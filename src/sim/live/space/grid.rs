@@ -1,6 +1,7 @@
 //! A uniform grid over triangles in space, filled by counting.
 
 use super::cluster::Cluster;
+use super::detect::farthest;
 use crate::sim::real::Real;
 
 /// Cells that a triangle may touch before it is looked at by every point instead.
@@ -21,13 +22,16 @@ pub(super) struct Grid<S> {
 }
 
 impl<S: Real> Grid<S> {
-    /// The triangles of a cluster, each with all places that are no further from it than `reach` [m].
-    pub(super) fn over(state: &Cluster<S>, reach: S) -> Self {
-        let mut grid = Grid::empty(state, reach);
+    /// The triangles of a cluster, each with all places that are no further from it than `apart` [m] and what is promised of its corners.
+    pub(super) fn over(state: &Cluster<S>, apart: S) -> Self {
+        let mut grid = Grid::empty(state, apart + state.least_promise);
         let ranges: Vec<Option<[[usize; 2]; 3]>> = state
             .triangles
             .iter()
-            .map(|(corners, ..)| grid.range(corners.map(|i| state.now[i as usize]), reach))
+            .map(|(corners, ..)| {
+                let reach = apart + farthest(&state.promised, *corners);
+                grid.range(&corners.map(|i| state.now[i as usize]), reach).filter(|range| size(range) <= MOST_CELLS)
+            })
             .collect();
         grid.starts = vec![0; grid.counts.iter().product::<usize>() + 1];
         for (k, range) in ranges.iter().enumerate() {
@@ -76,29 +80,36 @@ impl<S: Real> Grid<S> {
         Grid { low, side: S::from_f64(side), counts, starts: Vec::new(), entries: Vec::new(), large: Vec::new() }
     }
 
-    /// The first cell along each axis, and the one behind the last; `None` of too many.
-    fn range(&self, corners: [[S; 3]; 3], reach: S) -> Option<[[usize; 2]; 3]> {
-        let range = [0, 1, 2].map(|k| {
-            let places = corners.map(|x| x[k]);
-            let low = places.into_iter().fold(S::INFINITY, S::min) - reach;
-            let high = places.into_iter().fold(-S::INFINITY, S::max) + reach;
-            let at = |x: S| ((x - self.low[k]) / self.side).to_f64().max(0.0).min(self.counts[k] as f64) as usize;
-            [at(low), (at(high) + 1).min(self.counts[k])]
-        });
-        let many: usize = range.iter().map(|[first, end]| end.saturating_sub(*first)).product();
-        (many <= MOST_CELLS).then_some(range)
+    /// The first cell along each axis that places or what is no further than `reach` [m] from them lie in, and the one behind the last.
+    fn range(&self, places: &[[S; 3]], reach: S) -> Option<[[usize; 2]; 3]> {
+        let along = |k: usize| {
+            let low = places.iter().fold(S::INFINITY, |least, x| least.min(x[k])) - reach;
+            let high = places.iter().fold(-S::INFINITY, |most, x| most.max(x[k])) + reach;
+            let last = self.counts[k] - 1;
+            let at = |x: S| (((x - self.low[k]) / self.side).to_f64().max(0.0) as usize).min(last);
+            [at(low), at(high) + 1]
+        };
+        let range = [along(0), along(1), along(2)];
+        places.iter().flatten().all(|x| x.is_finite()).then_some(range)
     }
 
-    /// The triangles that may be near a place.
-    pub(super) fn near(&self, x: [S; 3]) -> impl Iterator<Item = u32> + '_ {
-        let at = [0, 1, 2].map(|k| {
-            let at = ((x[k] - self.low[k]) / self.side).to_f64().max(0.0) as usize;
-            at.min(self.counts[k] - 1)
-        });
-        let cell = (at[2] * self.counts[1] + at[1]) * self.counts[0] + at[0];
-        let own = &self.entries[self.starts[cell] as usize..self.starts[cell + 1] as usize];
-        own.iter().chain(&self.large).copied()
+    /// Notes the triangles that may be near a place, or near what is no further than `beyond` [m] from it: each once.
+    pub(super) fn near(&self, x: [S; 3], beyond: S, seen: &mut Vec<u32>) {
+        if let Some(range) = self.range(&[x], beyond) {
+            for cell in cells(range, self.counts) {
+                seen.extend(&self.entries[self.starts[cell] as usize..self.starts[cell + 1] as usize]);
+            }
+            if size(&range) > 1 {
+                seen.sort_unstable();
+                seen.dedup();
+            }
+        }
+        seen.extend(&self.large);
     }
+}
+
+fn size(range: &[[usize; 2]; 3]) -> usize {
+    range.iter().map(|[first, end]| end - first).product()
 }
 
 fn cells([x, y, z]: [[usize; 2]; 3], counts: [usize; 3]) -> impl Iterator<Item = usize> {

@@ -97,9 +97,10 @@ impl<S: Real> Space<S> {
         let own = h / count;
         let outside = Outside { pull, around, settling: &self.settling };
         let before = guard::energy(cluster, common, around.gravity);
-        bonds::prepare(cluster, common, S::from_f64(own));
+        cluster.span = S::from_f64(own);
+        bonds::prepare(cluster, common, cluster.span);
         detect::look_at_obstacles(cluster, common);
-        detect::look_at_skins(cluster, common);
+        detect::look_at_skins(cluster, common, common.sides);
         for substep in 0..count as u32 {
             substep::advance(cluster, common, outside, (t + f64::from(substep) * own, own));
         }

@@ -18,8 +18,9 @@ pub(super) struct Pair<S> {
     pub(super) key: u64,
     /// +1: the point belongs where the corners are anticlockwise; -1: on the other side.
     pub(super) side: S,
-    /// Distance that they keep [m].
+    /// Distance that they keep [m], and how far they were from that when they were found.
     pub(super) distance: S,
+    pub(super) room: S,
     pub(super) friction: S,
     pub(super) restitution: S,
     /// What presses them apart in this substep [kg m], and what rubs.
@@ -43,7 +44,8 @@ impl<S: Real> Pair<S> {
     /// Its points in a list.
     #[inline(always)]
     pub(super) fn of<T: Copy>(&self, list: &[T]) -> [T; 4] {
-        self.points.map(|i| list[i as usize])
+        let [p, a, b, c] = self.points;
+        [list[p as usize], list[a as usize], list[b as usize], list[c as usize]]
     }
 
     /// Parts point and triangle where they are nearer than they may be.

@@ -2,14 +2,14 @@
 
 use super::bonds;
 use super::cluster::{Cluster, Common};
-use super::detect;
+use super::detect::{self, farthest};
 use super::truncate;
 use crate::sim::environment::Environment;
 use crate::sim::force::mouse::Push;
 use crate::sim::live::substep::{LEAST_BOUNCE, PASSES};
 use crate::sim::pull::Pull;
 use crate::sim::real::Real;
-use crate::sim::vector::{accumulate, add, convert, dot, length, scale, widen};
+use crate::sim::vector::{accumulate, add, convert, dot, length, scale, sub, widen};
 
 /// What acts from outside, the same for all clusters.
 #[derive(Clone, Copy)]
@@ -29,10 +29,12 @@ pub(super) fn advance<S: Real>(state: &mut Cluster<S>, common: &Common<S>, outsi
         detect::look_at_obstacles(state, common);
     }
     if skins {
-        detect::look_at_skins(state, common);
+        let old = detect::known(&state.pairs);
+        detect::look_at_skins(state, common, &old);
     }
     state.predict(time);
     bonds::hold(state, common);
+    state.choose();
     for _ in 0..PASSES {
         state.press(common);
     }
@@ -107,18 +109,44 @@ impl<S: Real> Cluster<S> {
             self.way[i] = way;
             self.now[i] = add(self.start[i], way);
         }
-        self.pairs.iter_mut().for_each(super::pair::Pair::clear);
+        for &number in &self.chosen {
+            self.pairs[number as usize].clear();
+        }
         self.touches.iter_mut().for_each(super::touch::Touch::clear);
+    }
+
+    /// Which pairs may touch in this substep: those whose points cannot have gone so far, and will not, are left out. Others push them
+    /// by as much as the fastest goes, at least.
+    fn choose(&mut self) {
+        let mean = Cluster::mean(&self.way);
+        let mut slack = self.pushed();
+        for i in 0..self.now.len() {
+            let apart = sub(self.way[i], mean);
+            let way = dot(apart, apart).sqrt();
+            self.goes[i] = self.gone_apart[i] + way;
+            slack = slack.max(way);
+        }
+        let Cluster { pairs, rooms, goes, chosen, .. } = self;
+        let may_touch = |number: u32, room: S| {
+            let [p, a, b, c] = pairs[number as usize].points;
+            room <= goes[p as usize] + farthest(goes, [a, b, c]) + slack
+        };
+        chosen.clear();
+        chosen
+            .extend(rooms.iter().zip(0..).filter(|&(&room, number)| may_touch(number, room)).map(|(_, number)| number));
     }
 
     /// One pass over all contacts: obstacles last, which do not give way.
     fn press(&mut self, common: &Common<S>) {
         let (mut pairs, mut touches) = (std::mem::take(&mut self.pairs), std::mem::take(&mut self.touches));
-        pairs.iter_mut().for_each(|pair| pair.press(self));
+        let chosen = std::mem::take(&mut self.chosen);
+        chosen.iter().for_each(|&number| pairs[number as usize].press(self));
+        self.chosen = chosen;
         touches.iter_mut().for_each(|touch| touch.press(self, common));
         (self.pairs, self.touches) = (pairs, touches);
     }
 
+    /// Of all pairs: what goes around a triangle does so far from it, too.
     fn follow_sides(&mut self) {
         let mut pairs = std::mem::take(&mut self.pairs);
         pairs.iter_mut().for_each(|pair| pair.follow(self));
@@ -138,12 +166,14 @@ impl<S: Real> Cluster<S> {
         }
         let least = S::from_f64(LEAST_BOUNCE * h * length(gravity));
         let (pairs, touches) = (std::mem::take(&mut self.pairs), std::mem::take(&mut self.touches));
-        pairs.iter().for_each(|pair| pair.bounce(self, least));
+        let chosen = std::mem::take(&mut self.chosen);
+        chosen.iter().for_each(|&number| pairs[number as usize].bounce(self, least));
         touches.iter().for_each(|touch| touch.bounce(self, common, least));
-        let pressed = pairs.iter().filter(|pair| pair.pressed > S::ZERO).count();
+        let pressed = chosen.iter().filter(|&&number| pairs[number as usize].pressed > S::ZERO).count();
         self.counts.contacts += pressed as u64;
         self.has_pressed |= pressed > 0 || touches.iter().any(|touch| touch.pressed > S::ZERO);
-        self.counts.work += 120 * pairs.len() as u64 + 60 * touches.len() as u64 + 30 * self.now.len() as u64;
-        (self.pairs, self.touches) = (pairs, touches);
+        self.counts.work += 120 * chosen.len() as u64 + 2 * pairs.len() as u64;
+        self.counts.work += 60 * touches.len() as u64 + 30 * self.now.len() as u64;
+        (self.pairs, self.touches, self.chosen) = (pairs, touches, chosen);
     }
 }

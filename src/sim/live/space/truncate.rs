@@ -18,11 +18,12 @@ const HALVINGS: u32 = 6;
 
 /// Cuts what would pass.
 pub(super) fn cut<S: Real>(state: &mut Cluster<S>) {
-    if state.pairs.is_empty() {
+    if state.chosen.is_empty() {
         return;
     }
     let pairs = std::mem::take(&mut state.pairs);
-    let close: Vec<&Pair<S>> = pairs.iter().filter(|pair| closes(pair, state)).collect();
+    let chosen: Vec<&Pair<S>> = state.chosen.iter().map(|&number| &pairs[number as usize]).collect();
+    let close: Vec<&Pair<S>> = chosen.iter().copied().filter(|pair| closes(pair, state)).collect();
     for _ in 0..ROUNDS {
         let mut is_clear = true;
         for pair in &close {
@@ -33,9 +34,9 @@ pub(super) fn cut<S: Real>(state: &mut Cluster<S>) {
         }
     }
     if !close.is_empty() {
-        halve(&pairs, state);
+        halve(&chosen, state);
     }
-    state.counts.work += 20 * pairs.len() as u64 + 400 * close.len() as u64;
+    state.counts.work += 20 * chosen.len() as u64 + 400 * close.len() as u64;
     state.pairs = pairs;
 }
 
@@ -87,10 +88,10 @@ fn divide<S: Real>(pair: &Pair<S>, state: &mut Cluster<S>) -> bool {
 }
 
 /// What would still pass goes with all others, more and more.
-fn halve<S: Real>(pairs: &[Pair<S>], state: &mut Cluster<S>) {
+fn halve<S: Real>(pairs: &[&Pair<S>], state: &mut Cluster<S>) {
     for round in 0..=HALVINGS {
         let passing: Vec<&Pair<S>> =
-            pairs.iter().filter(|pair| closes(pair, state) && is_passed(pair, state)).collect();
+            pairs.iter().copied().filter(|pair| closes(pair, state) && is_passed(pair, state)).collect();
         if passing.is_empty() {
             return;
         }
