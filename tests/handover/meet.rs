@@ -222,3 +222,40 @@ fn a_heap_that_is_kept_goes_on_as_one() {
     assert_eq!((after[0].why, after[0].since), (before[0].why, before[0].since));
     assert!(again.is_finite());
 }
+
+#[test]
+fn a_line_that_is_pinned_all_over_holds_what_falls_on_it() {
+    let block = json!({"make": "lattice", "columns": 7, "rows": 7, "spacing": 0.09, "origin": [-0.3, 1.0],
+        "material": {"kind": "spring", "stiffness": 3000, "damping": 3, "mass": 1}});
+    let line =
+        json!({"make": "rope", "count": 7, "spacing": 0.05, "origin": [-0.15, 0.75], "pinned": [0, 1, 2, 3, 4, 5, 6]});
+    let mut scene = scene(json!([block, line]));
+    scene["gravity"] = json!([0, -9.81]);
+    let mut world = world(&scene);
+    run_to(&mut *world, 1.0);
+    assert!(middle(&*world, 0..49)[1] > 0.9, "it lies on the line at 0.75 m");
+    assert!(world.counters().contacts > 0);
+}
+
+#[test]
+fn a_moment_behind_the_end_of_a_step_makes_no_energy() {
+    // A taut net of rigid bonds, of which a substep leaves something undone, with a disc on it.
+    let net = json!({"make": "lattice", "columns": 9, "rows": 3, "spacing": 0.1, "origin": [-0.4, 0],
+        "pinned": [0, 8, 18, 26], "material": {"mass": 1}});
+    let mut scene = scene(json!([net, disc([0.0, 0.6], [0.0, -3.0])]));
+    scene["gravity"] = json!([0, -9.81]);
+    scene["method"] = json!({"solver": "live"});
+    let mut world = world(&scene);
+    run_to(&mut *world, 0.2);
+    let energy = world.energy();
+    for late in [1e-9, 1e-7, 1e-6] {
+        let sample = world.sample(world.time() + late);
+        assert!(
+            (sample.energy - energy).abs() < 0.01 * energy.abs(),
+            "{late} s later: {} J, not {energy}",
+            sample.energy
+        );
+    }
+    world.step_until(world.time() + 1e-8);
+    assert!((world.energy() - energy).abs() < 0.01 * energy.abs(), "{} J, not {energy}", world.energy());
+}

@@ -288,6 +288,20 @@ mod tests {
     }
 
     #[test]
+    fn a_step_bears_no_stiffer_angle_than_it_is_asked_for() {
+        // Arms of 1 and 2 m, 2 kg in the middle, 1 and 4 kg at the ends: sum of w |g|^2 = 1 + 1/16 + 9/8.
+        let (hinge, w) = (Hinge::<f64>::new(&angle(2.0, None), [0, 1, 2]), [1.0, 0.5, 0.25]);
+        let sum = 1.0 + 0.0625 + 1.125;
+        let soft = hinge.bounded(w, (1e-3, 1.0));
+        assert_eq!((soft.stiffness, soft.damping), (3.0, 0.5), "as it is");
+        let bounded = hinge.bounded(w, (2.0, 0.5));
+        assert!(
+            (bounded.stiffness * 4.0 * sum - 0.5).abs() < 1e-12 && (bounded.damping * 2.0 * sum - 0.5).abs() < 1e-12
+        );
+        assert_eq!(hinge.bounded([0.0; 3], (2.0, 0.5)).stiffness, 3.0, "pins bear any");
+    }
+
+    #[test]
     fn forces_and_their_derivatives_are_those_of_the_energy() {
         for (rest, range) in [(2.0, None), (6.0, None), (1.0, Some([0.5, 1.1])), (1.0, Some([-3.0, -0.2]))] {
             let hinge = Hinge::<f64>::new(&angle(rest, range), [0, 1, 2]);

@@ -29,6 +29,10 @@ pub(super) const PUSHED: f64 = 0.2;
 /// How fast skins that overlap are parted at most [m/s].
 const GENTLE: f64 = 1.0;
 
+/// Substeps up to which velocities are left as forces made them [s]: what bonds and contacts still lack of the step before is made good, but is
+/// no speed, which it would be beyond all bounds over so short a time.
+pub(super) const SHORT: f64 = 1.5e-6;
+
 /// What acts from outside, the same for all clusters.
 #[derive(Clone, Copy)]
 pub(super) struct Outside<'a, S: Real> {
@@ -206,6 +210,7 @@ impl<S: Real> Cluster<S> {
     fn finish(&mut self, h: f64, common: &Common<S>, gravity: [f64; 2]) {
         let rate = S::from_f64(1.0 / h);
         let own = self.own();
+        let is_long = h > SHORT;
         self.follow_rigid();
         let (gone, way) = (&mut self.gone[..own], &self.way[..own]);
         for i in 0..own {
@@ -214,7 +219,7 @@ impl<S: Real> Cluster<S> {
         let (now, velocity) = (&mut self.now[..own], &mut self.velocity[..own]);
         let (start, way, lost, w) = (&self.start[..own], &self.way[..own], &mut self.lost[..own], &self.w[..own]);
         for i in 0..own {
-            if w[i] != S::ZERO {
+            if w[i] != S::ZERO && is_long {
                 velocity[i] = scale(way[i], rate);
             }
             now[i] = start[i];

@@ -212,13 +212,16 @@ fn by_corner(triangles: &[[PointId; 3]], stand_ins: &[u32]) -> (Vec<u32>, Vec<u3
     (list.into_iter().map(|entry| entry.1).collect(), starts)
 }
 
-/// What is there to be met and does not move by itself: the corners of triangles that are pinned all over, and pins that nothing hangs on.
+/// What is there to be met and does not move by itself: the corners of triangles and the ends of bonds that are pinned all over, and pins that
+/// nothing hangs on.
 pub(crate) fn fixtures(triangles: &[[PointId; 3]], bonds: &Bonds, pins: &[PointId]) -> Vec<u32> {
     let mut pins: Vec<PointId> = pins.to_vec();
     pins.sort_unstable();
     let is_pinned = |point: &PointId| pins.binary_search(point).is_ok();
     let is_fixed = |corners: &&[PointId; 3]| corners.iter().all(is_pinned);
     let mut found: Vec<PointId> = triangles.iter().filter(is_fixed).flatten().copied().collect();
+    let lines = bonds.ends().iter().filter(|ends| ends.iter().all(is_pinned));
+    found.extend(lines.flatten());
     let mut fastened: Vec<PointId> = bonds
         .ends()
         .iter()

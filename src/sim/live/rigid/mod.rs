@@ -9,6 +9,7 @@ mod shape;
 use std::sync::Arc;
 
 use super::cluster::{Cluster, OBSTACLE};
+use super::substep::SHORT;
 use crate::sim::real::Real;
 use crate::sim::vector::{add, convert, cross, dot, scale, sub, widen};
 pub(super) use shape::{Held, Shape, holds};
@@ -375,8 +376,10 @@ impl<S: Real> Cluster<S> {
     /// Velocities and places of rigid bodies at the end of a substep of `h` [s]: their points turn with them, and do not cut corners.
     pub(super) fn finish_rigid(&mut self, h: f64) {
         for frame in &mut self.frames {
-            frame.velocity = scale(sub(frame.now.middle, frame.start.middle), 1.0 / h);
-            frame.spin = (frame.now.angle - frame.start.angle) / h;
+            if h > SHORT {
+                frame.velocity = scale(sub(frame.now.middle, frame.start.middle), 1.0 / h);
+                frame.spin = (frame.now.angle - frame.start.angle) / h;
+            }
             for (i, &q) in (frame.base..).zip(&frame.shape.places) {
                 let x = frame.now.out(q);
                 self.now[i] = convert(x);

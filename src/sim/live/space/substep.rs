@@ -6,7 +6,7 @@ use super::detect::{self, farthest};
 use super::truncate;
 use crate::sim::environment::Environment;
 use crate::sim::force::mouse::Push;
-use crate::sim::live::substep::{LEAST_BOUNCE, PASSES};
+use crate::sim::live::substep::{LEAST_BOUNCE, PASSES, SHORT};
 use crate::sim::pull::Pull;
 use crate::sim::real::Real;
 use crate::sim::vector::{accumulate, add, convert, dot, length, scale, sub, widen};
@@ -158,7 +158,7 @@ impl<S: Real> Cluster<S> {
         let rate = S::from_f64(1.0 / h);
         for i in 0..self.now.len() {
             let way = self.way[i];
-            if self.w[i] != S::ZERO {
+            if self.w[i] != S::ZERO && h > SHORT {
                 self.velocity[i] = scale(way, rate);
             }
             self.now[i] = self.start[i];
