@@ -22,7 +22,7 @@ pub(super) const SUBSTEPS: [u32; 4] = [16, 32, 64, 128];
 /// Substeps that speed alone asks for from which on a blow is too hard for springs that are forces.
 const VIOLENT: f64 = 32.0;
 /// Counted work of a frame up to which there are more substeps than speeds ask for, so that springs can be forces.
-const AFFORDED: f64 = 7e6;
+const AFFORDED: f64 = 8e6;
 
 /// Substeps of a frame at a speed [m/s], with skins whose edges have this mean length [m].
 pub(super) fn substeps_at(speed: f64, edge: f64) -> u32 {
