@@ -7,7 +7,7 @@ use super::pair::{Pair, Sides};
 use super::touch::Touch;
 use crate::sim::contact::skin::Contact;
 use crate::sim::contact::surface::Surface;
-use crate::sim::live::substep::{PASSES, PUSHED};
+use crate::sim::live::substep::PUSHED;
 use crate::sim::real::Real;
 use crate::sim::vector::{add, dot, scale, zero};
 
@@ -135,9 +135,9 @@ impl<S: Real> Cluster<S> {
         scale(sum, S::ONE / S::from_f64(list.len().max(1) as f64))
     }
 
-    /// How far contacts may push a point beyond its way within a substep [m]: in each pass as far as the fastest goes, at least.
+    /// How far contacts may push a point beyond its way within a substep [m]: as far as the fastest goes, at least.
     pub(super) fn pushed(&self) -> S {
-        (self.least_promise * S::from_f64(PUSHED)).max(self.fastest() * self.span * S::from_f64(PASSES.into()))
+        (self.least_promise * S::from_f64(PUSHED)).max(self.fastest() * self.span)
     }
 
     /// The largest speed [m/s].
