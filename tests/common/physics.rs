@@ -13,6 +13,13 @@ pub fn run_to(world: &mut dyn Dynamics, t: f64) -> Sample {
     world.sample(t.max(world.time()))
 }
 
+/// Middle of some points of the plane, whatever their masses [m].
+pub fn middle(world: &dyn Dynamics, points: std::ops::Range<usize>) -> [f64; 2] {
+    let sample = world.sample(world.time());
+    let count = points.len() as f64;
+    [0, 1].map(|axis| sample.position[points.clone()].iter().map(|x| x[axis]).sum::<f64>() / count)
+}
+
 /// A spring bond.
 pub fn spring(a: u32, b: u32, rest_length: f64, stiffness: f64, damping: f64) -> Bond {
     let kind = BondKind::Spring { stiffness, damping };

@@ -4,6 +4,7 @@ use serde_json::{Value, json};
 use wobble::sim::{Addition, Command, Dynamics, MovedBy, Solver, Why};
 
 use super::{bits, run_to, world};
+use crate::common::physics::middle;
 
 fn disc(at: [f64; 2], velocity: [f64; 2]) -> Value {
     json!({"make": "disc", "radius": 0.3, "spacing": 0.15, "origin": at, "velocity": velocity,
@@ -17,12 +18,6 @@ fn scene(bodies: Value) -> Value {
 /// The one that moves the first point of a body.
 fn mover(world: &dyn Dynamics, first: usize) -> MovedBy {
     world.moved_by().into_iter().rfind(|moved| moved.first.index() <= first).unwrap()
-}
-
-fn middle(world: &dyn Dynamics, points: std::ops::Range<usize>) -> [f64; 2] {
-    let sample = world.sample(world.time());
-    let count = points.len() as f64;
-    [0, 1].map(|k| sample.position[points.clone()].iter().map(|x| x[k]).sum::<f64>() / count)
 }
 
 #[test]

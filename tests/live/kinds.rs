@@ -5,6 +5,7 @@ use wobble::sim::{Command, Dynamics};
 
 use super::tangle::faults;
 use super::{disc, soft, world};
+use crate::common::physics::middle;
 
 /// A scene on a floor between walls.
 fn room(bodies: &Value) -> Value {
@@ -27,13 +28,6 @@ fn until(world: &mut dyn Dynamics, t: f64) {
 fn assert_apart(what: &str, world: &dyn Dynamics) {
     assert!(world.counters().contacts > 0, "{what}: nothing met anything");
     assert_eq!(faults(world), [0, 0], "{what}: triangles inside out, crossings");
-}
-
-/// Middle of some points [m].
-fn middle(world: &dyn Dynamics, points: std::ops::Range<usize>) -> [f64; 2] {
-    let sample = world.sample(world.time());
-    let count = points.len() as f64;
-    [0, 1].map(|axis| sample.position[points.clone()].iter().map(|x| x[axis]).sum::<f64>() / count)
 }
 
 #[test]

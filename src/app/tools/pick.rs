@@ -104,8 +104,8 @@ impl Scope<'_> {
         let body = self.body(nearest.point);
         points.retain(|point| body.binary_search(point).is_ok() && !self.is_pinned(*point));
         let handful = body.len() / HANDFUL;
-        let hangs = body.iter().any(|&point| self.is_pinned(point));
-        if points.len() < handful && !hangs && (self.triangle(at).is_some() || self.is_a_corner(nearest.point)) {
+        let hangs = || self.shown.scenery.pinned.iter().any(|pin| body.binary_search(pin).is_ok());
+        if points.len() < handful && !hangs() && (self.triangle(at).is_some() || self.is_a_corner(nearest.point)) {
             points = self.nearest_of(&body, at, handful);
         }
         points
