@@ -61,11 +61,26 @@ impl Timeline {
         self.nominal
     }
 
-    /// Substeps from now on are `factor` times as long, > 0: between two of them.
-    pub(crate) fn stretch(&mut self, factor: f64) {
+    /// Substeps from now on are `factor` times as long, if so many of those until now make a whole number: between two of them. Returns
+    /// whether that is so.
+    ///
+    /// They are as long whenever the stretch ends, where that is a whole number of them too; else it is cut anew.
+    pub(crate) fn stretch(&mut self, factor: u32) -> bool {
+        let many = u64::from(factor);
+        if !self.done.is_multiple_of(many) {
+            return false;
+        }
         self.start = self.time();
-        self.nominal *= factor;
-        self.cut();
+        self.nominal *= f64::from(factor);
+        match self.count.map(|count| count - self.done) {
+            Some(left) if !left.is_multiple_of(many) => self.cut(),
+            left => {
+                self.count = left.map(|left| left / many);
+                self.substep *= f64::from(factor);
+                self.done = 0;
+            }
+        }
+        true
     }
 
     /// Cuts the stretch from `start` to the next knot.
@@ -160,11 +175,37 @@ mod tests {
     fn substeps_get_longer_from_where_it_stands() {
         let mut timeline = Timeline::new(0.125, [2.0]);
         timeline.advance();
-        timeline.stretch(2.0);
-        assert_eq!((timeline.time(), timeline.nominal()), (0.125, 0.25));
-        assert_eq!(timeline.count, Some(8), "1.875 s in parts of no more than 0.25");
-        (0..8).for_each(|_| timeline.advance());
+        assert!(!timeline.stretch(2), "the longer ones begin at 0.25");
+        timeline.advance();
+        assert!(timeline.stretch(2));
+        assert_eq!((timeline.time(), timeline.nominal(), timeline.count), (0.25, 0.25, Some(7)));
+        (0..7).for_each(|_| timeline.advance());
         assert_eq!((timeline.time(), timeline.substep()), (2.0, 0.25));
+    }
+
+    #[test]
+    fn longer_substeps_do_not_depend_on_the_end() {
+        let lengths = |end: f64| {
+            let mut timeline = Timeline::new(1.0 / 960.0, [end]);
+            (0..336).for_each(|_| timeline.advance());
+            assert!(timeline.stretch(16), "at the end of a frame");
+            (0..30)
+                .map(|_| {
+                    timeline.advance();
+                    (timeline.time(), timeline.substep())
+                })
+                .collect::<Vec<_>>()
+        };
+        assert_eq!(lengths(1.5), lengths(20.0));
+        assert_eq!(lengths(1.5), lengths(1.0));
+    }
+
+    #[test]
+    fn what_is_left_is_cut_anew_where_it_is_no_whole_number() {
+        let mut timeline = Timeline::new(0.125, [0.875]);
+        (0..4).for_each(|_| timeline.advance());
+        assert!(timeline.stretch(2));
+        assert_eq!((timeline.time(), timeline.count, timeline.substep()), (0.5, Some(2), 0.1875));
     }
 
     #[test]

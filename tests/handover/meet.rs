@@ -51,7 +51,7 @@ fn what_may_meet_goes_live_together_before_it_touches_and_back_when_it_is_apart(
             assert_eq!(movers.len(), 2, "{movers:?}");
             assert_eq!((movers[0].why, movers[0].count), (Why::Contact, 2 * count));
             assert_eq!((movers[1].why, movers[1].first.index(), movers[1].since), (Why::Plan, 2 * count, 0.0));
-            met = Some(world.time());
+            met = Some(movers[0].since);
         }
     }
     assert!(world.counters().contacts > 0);

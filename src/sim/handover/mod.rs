@@ -87,8 +87,8 @@ impl<S: Real, const D: usize> World<S, D> {
         if ends_frame {
             self.hand_back(t);
         }
-        if std::mem::take(&mut self.was_handed_over) {
-            self.stretch_steps();
+        if self.was_handed_over {
+            self.was_handed_over = !self.stretch_steps();
         }
     }
 
@@ -181,8 +181,8 @@ impl<S: Real, const D: usize> World<S, D> {
         if let Some(budget) = self.model.budget() {
             self.keep_budget(allowed(budget, FRAME), self.timeline.time(), least_work);
         }
-        if std::mem::take(&mut self.was_handed_over) {
-            self.stretch_steps();
+        if self.was_handed_over {
+            self.was_handed_over = !self.stretch_steps();
         }
     }
 
@@ -225,19 +225,18 @@ impl<S: Real, const D: usize> World<S, D> {
     }
 
     /// Steps of the world are made longer, where short ones are needed by nobody that is left: by powers of two, so that the substeps
-    /// of others stay as they are.
-    fn stretch_steps(&mut self) {
+    /// of others stay as they are, and where a longer one begins, so that none depends on when a run ends. Returns whether there is no more
+    /// to do.
+    fn stretch_steps(&mut self) -> bool {
         if self.model.method.substep.is_some() {
-            return;
+            return true;
         }
-        let mut factor = 1.0;
+        let mut factor = 1;
         let longest = self.plan.groups.iter().filter(|group| group.points.len() > 0);
         let longest = longest.map(|group| group.substep).fold(0.0, f64::max).min(STEP);
-        while 2.0 * factor * self.timeline.nominal() <= longest * (1.0 + 1e-9) {
-            factor *= 2.0;
+        while f64::from(2 * factor) * self.timeline.nominal() <= longest * (1.0 + 1e-9) {
+            factor *= 2;
         }
-        if factor > 1.0 {
-            self.timeline.stretch(factor);
-        }
+        factor == 1 || self.timeline.stretch(factor)
     }
 }
