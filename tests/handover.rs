@@ -11,7 +11,9 @@ use std::path::Path;
 
 use serde_json::{Value, json};
 use wobble::scene::{Scene, schema};
-use wobble::sim::{Change, Command, Dynamics, Ledger, Method, MovedBy, SceneChange, Solver, Why, frame_of, judge};
+use wobble::sim::{
+    Change, Command, Dynamics, Ledger, Method, MovedBy, PointId, SceneChange, Solver, Why, frame_of, judge,
+};
 
 /// Counted work of a frame that a scene is held to [ms].
 const FRAME: f64 = 8.0;
@@ -84,13 +86,18 @@ fn rope(at: f64) -> Value {
         "material": {"kind": "spring", "stiffness": 4000, "damping": 1}})
 }
 
+/// A rope, and a lattice of this stiffness [N/m] that falls on a floor, which a mouse goes through.
+fn among_walls(stiffness: f64) -> Value {
+    json!({"wobble": 1, "gravity": [0, -9.81],
+        "bodies": [rope(0.0), {"make": "lattice", "columns": 4, "rows": 4, "spacing": 0.2, "origin": [2, 0.3],
+            "material": {"kind": "spring", "stiffness": stiffness, "damping": 2}}],
+        "mouse": {"strength": 60, "radius": 1, "track": [[0, -2, 0], [1, 3, 0.5]]},
+        "bounds": {"min": [-5, -2], "max": [5, 3], "restitution": 0.5, "friction": 0.3}})
+}
+
 #[test]
 fn within_the_budget_the_bits_are_those_without_one() {
-    let scene = json!({"wobble": 1, "gravity": [0, -9.81],
-        "bodies": [rope(0.0), {"make": "lattice", "columns": 4, "rows": 4, "spacing": 0.2, "origin": [2, 0.3],
-            "material": {"kind": "spring", "stiffness": 2000, "damping": 2}}],
-        "mouse": {"strength": 60, "radius": 1, "track": [[0, -2, 0], [1, 3, 0.5]]},
-        "bounds": {"min": [-5, -2], "max": [5, 3], "restitution": 0.5, "friction": 0.3}});
+    let scene = among_walls(6000.0);
     let mut with_budget = world(&scene);
     let mut without = world(&with(&scene, "budget", json!("none")));
     run_to(&mut *with_budget, 2.0);
@@ -101,6 +108,24 @@ fn within_the_budget_the_bits_are_those_without_one() {
         (0, without.counters().guard_splits)
     );
     assert!(with_budget.moved_by().iter().all(|moved| moved.why == Why::Plan && moved.since == 0.0));
+}
+
+/// A lattice so soft that the floor folds it, and its own springs hold it so.
+#[test]
+fn what_stays_inside_out_is_led_back() {
+    let scene = among_walls(2000.0);
+    let inside_out = |budget: Value| {
+        let mut world = world(&with(&scene, "budget", budget));
+        run_to(&mut *world, 4.0);
+        let place = world.sample(world.time()).position;
+        let size = |corners: &[PointId; 3]| {
+            let [a, b, c] = corners.map(|corner| place[corner.index()]);
+            (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0])
+        };
+        world.triangles().iter().filter(|corners| size(corners) <= 0.0).count()
+    };
+    assert!(inside_out(json!("none")) > 0);
+    assert_eq!(inside_out(json!(6)), 0);
 }
 
 #[test]

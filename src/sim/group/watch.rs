@@ -14,7 +14,7 @@ use crate::sim::bulk::kernel::Kernel;
 use crate::sim::bulk::mover::Mover;
 use crate::sim::counters::Counters;
 use crate::sim::environment::Environment;
-use crate::sim::force::mouse;
+use crate::sim::force::{area, mouse};
 use crate::sim::ledger::{Book, MOST_GAIN};
 use crate::sim::measure;
 use crate::sim::points::{Points, State};
@@ -45,7 +45,9 @@ const UNSEEN: f64 = 0.01;
 /// frames.
 const FEW: usize = 10_000;
 const RARELY: u64 = 8;
-/// Operations of a look for each bond and each point.
+/// How long a triangle may be inside out before that is not left to its springs any more [s].
+const MOST_FOLDED: f64 = 0.5;
+/// Operations of a look for each bond, each point and each triangle.
 const OF_A_LOOK: u64 = 10;
 
 /// What went wrong.
@@ -57,6 +59,8 @@ pub(crate) enum Alarm {
     Strain { is_large: bool },
     /// Substeps do not converge.
     Stuck,
+    /// Triangles stay inside out.
+    Folded,
     /// Positions or velocities are no numbers.
     NotFinite,
 }
@@ -87,6 +91,9 @@ pub(crate) struct Watch<S: Real, const D: usize> {
 struct Eyes<S, const D: usize> {
     /// Springs, and rigid bonds with an infinite stiffness, between places in the group.
     links: Arc<[Link]>,
+    /// Corners of triangles, anticlockwise, and since when one of them is inside out [s].
+    triangles: Arc<[[u32; 3]]>,
+    folded: Option<f64>,
     /// Energy is kept, but for what is known to come and go.
     keeps_energy: bool,
     /// Energy at the first look, less works until then; `None`: there was none yet [J].
@@ -142,10 +149,10 @@ pub(crate) struct Sums {
 }
 
 impl<S: Real, const D: usize> Watch<S, D> {
-    /// Of a group with these bonds; `has_eyes` where something may go wrong, `keeps_energy` where nothing but mouse, pins and grab brings any.
+    /// Of a group with so many points that can move, and these bonds and triangles; `has_eyes` where something may go wrong, `keeps_energy` where nothing but mouse, pins and grab brings any.
     pub(crate) fn new(
-        bonds: &[Bond],
-        [points, triangles]: [usize; 2],
+        points: usize,
+        (bonds, triangles): (&[Bond], &[[u32; 3]]),
         may_go: bool,
         (has_eyes, keeps_energy): (bool, bool),
     ) -> Self {
@@ -153,6 +160,8 @@ impl<S: Real, const D: usize> Watch<S, D> {
         let total: f64 = bonds.iter().map(|bond| bond.rest_length).sum();
         let eyes = has_eyes.then(|| Eyes {
             links: links(),
+            triangles: triangles.into(),
+            folded: None,
             keeps_energy,
             start: None,
             work: 0.0,
@@ -166,7 +175,7 @@ impl<S: Real, const D: usize> Watch<S, D> {
         });
         let edge = if bonds.is_empty() { 0.0 } else { total / bonds.len() as f64 };
         Watch {
-            size: [points, bonds.len(), triangles],
+            size: [points, bonds.len(), triangles.len()],
             edge,
             may_go,
             frame: 0,
@@ -201,7 +210,8 @@ impl<S: Real, const D: usize> Watch<S, D> {
             [position, velocity, position_lost, velocity_lost].map(Vec::capacity).iter().sum()
         });
         let links = self.eyes.as_ref().map_or(0, |eyes| eyes.links.len());
-        size_of::<Self>() + links * size_of::<Link>() + vectors * size_of::<[S; D]>()
+        let corners = 3 * self.eyes.as_ref().map_or(0, |eyes| eyes.triangles.len());
+        size_of::<Self>() + links * size_of::<Link>() + 4 * corners + vectors * size_of::<[S; D]>()
     }
 }
 
@@ -294,7 +304,7 @@ impl<S: Real, const D: usize> Group<S, D> {
         t: f64,
         counters: &mut Counters,
     ) -> Option<Alarm> {
-        let cost = OF_A_LOOK * (eyes.links.len() + self.points.len()) as u64;
+        let cost = OF_A_LOOK * (eyes.links.len() + self.points.len() + eyes.triangles.len()) as u64;
         let frame = frame_of(t);
         if eyes.bad == 0 && eyes.since < COST_SHARE * cost && frame < eyes.looked + MOST_FRAMES {
             return None;
@@ -312,6 +322,8 @@ impl<S: Real, const D: usize> Group<S, D> {
             Some(start) if !std::mem::take(&mut eyes.is_led) => start,
             _ => *eyes.start.insert(total - eyes.work),
         };
+        let is_folded = eyes.triangles.iter().any(|corners| self.is_inside_out(corners));
+        eyes.folded = eyes.folded.or(Some(t)).filter(|_| is_folded);
         let doubt = sums.rounding;
         let allowed = MOST_GAIN * eyes.most + doubt;
         let excess = total - start - eyes.work;
@@ -322,6 +334,7 @@ impl<S: Real, const D: usize> Group<S, D> {
             () if gains => Some(Alarm::Gain { most: start + eyes.work, is_large }),
             () if sums.strain > MOST_STRAIN => Some(Alarm::Strain { is_large: sums.strain > LARGE_STRAIN }),
             () if fallbacks > MOST_FALLBACKS => Some(Alarm::Stuck),
+            () if eyes.folded.is_some_and(|since| t - since >= MOST_FOLDED) => Some(Alarm::Folded),
             () => None,
         };
         eyes.bad = if alarm.is_some() { eyes.bad + 1 } else { 0 };
@@ -330,6 +343,10 @@ impl<S: Real, const D: usize> Group<S, D> {
         }
         let is_sure = !is_doubtful || alarm.is_some_and(Alarm::is_lost) || eyes.bad >= DOUBTED;
         alarm.filter(|_| is_sure)
+    }
+
+    fn is_inside_out(&self, corners: &[u32; 3]) -> bool {
+        area::size(corners.map(|corner| self.points.position[corner as usize])) < S::ZERO
     }
 
     fn keep_anchor(&self, eyes: &mut Eyes<S, D>, t: f64) {

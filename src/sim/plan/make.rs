@@ -207,7 +207,7 @@ impl<S: Real, const D: usize> Maker<'_, S, D> {
         // Of a step of hours the live step would take frame after frame.
         self.model.method.substep.is_none_or(|h| h <= FRAME).then_some(())?;
         if self.model.budget().is_none() {
-            return Some(Box::new(Watch::new(&[], [0; 2], false, (false, false))));
+            return Some(Box::new(Watch::new(0, (&[], &[]), false, (false, false))));
         }
         let bonds: Vec<Bond> = self.bonds().map(|(_, bond)| bond).collect();
         let islands = &self.lot.islands;
@@ -222,8 +222,9 @@ impl<S: Real, const D: usize> Maker<'_, S, D> {
         let gives = surfaces.iter().any(|surface| surface.restitution > S::ONE)
             || self.model.has_fields()
             || self.model.wind.is_some();
-        let size = [points, if may_go { self.triangles().len() } else { 0 }];
-        let watch = Watch::new(&bonds, size, may_go, (has_eyes && may_go, !gives));
+        let triangles = if may_go { self.triangles() } else { Vec::new() };
+        let corners: Vec<[u32; 3]> = triangles.iter().map(|(corners, _)| *corners).collect();
+        let watch = Watch::new(points, (&bonds, &corners), may_go, (has_eyes && may_go, !gives));
         Some(Box::new(watch.with_scout(self.scout(&bonds))))
     }
 
