@@ -49,13 +49,12 @@ pub struct Counters {
 ///
 /// Fitted to the processor time of the gallery's scenes: most lie within a factor of two.
 const OPERATION: f64 = 0.17e-6;
-/// Operations of a bond that a large body takes once, and of each coordinate of its points that a substep moves.
-const OF_A_BATCH: [u64; 2] = [12, 2];
+/// Operations of each coordinate of the points of large bodies that a substep moves.
+const OF_A_COORDINATE: u64 = 2;
 
-/// Operations of a substep of large bodies of so many bonds and points.
-pub(crate) fn of_a_batch((bonds, points): (usize, usize), dimensions: usize) -> u64 {
-    let [bond, coordinate] = OF_A_BATCH;
-    bond * bonds as u64 + coordinate * (points * dimensions) as u64
+/// Operations of a substep of large bodies of so many bonds, each of so many, and points.
+pub(crate) fn of_a_batch((bonds, of_a_bond): (usize, u64), points: usize, dimensions: usize) -> u64 {
+    of_a_bond * bonds as u64 + OF_A_COORDINATE * (points * dimensions) as u64
 }
 
 /// Operations that so much time is counted for [ms].
@@ -70,11 +69,11 @@ impl Counters {
         self.bonds_solved += u64::from(sweeps) * bonds as u64;
     }
 
-    /// Counts the work of large bodies since `before`: of so many components a point.
-    pub(crate) fn count_batches(&mut self, before: &Counters, dimensions: usize) {
+    /// Counts the work of large bodies since `before`: of so many operations a bond and components a point.
+    pub(crate) fn count_batches(&mut self, before: &Counters, of_a_bond: u64, dimensions: usize) {
         let [bonds, points] = [self.bonds_solved - before.bonds_solved, self.points_moved - before.points_moved]
             .map(|count| count as usize);
-        self.work += of_a_batch((bonds, points), dimensions);
+        self.work += of_a_batch((bonds, of_a_bond), points, dimensions);
     }
 
     /// What may be counted once `seconds` more were spent.

@@ -25,6 +25,21 @@ impl Kernel {
     }
 }
 
+/// Operations of a bond that is taken once; of meshes by forces, whose points are gathered from everywhere.
+pub(crate) const OF_A_BOND: u64 = 12;
+const OF_A_GATHERED_BOND: u64 = 60;
+
+impl Kernel {
+    /// Operations of a bond that is taken once, about.
+    pub(crate) fn work_of_a_bond(self) -> u64 {
+        if matches!(self, Kernel::Forms([_, _, _, meshes], Way::Forces) if meshes > 0) {
+            OF_A_GATHERED_BOND
+        } else {
+            OF_A_BOND
+        }
+    }
+}
+
 impl fmt::Display for Kernel {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let &Kernel::Forms(counts, way) = self else { return f.write_str("live bodies") };

@@ -154,7 +154,7 @@ impl<S: Real, const D: usize> Group<S, D> {
         if let Engine::Bulk(bulk) = &mut self.engine {
             let before = *counters;
             bulk.step(&mut self.points, &self.pull, around, (t, h), counters, self.account.as_deref_mut());
-            return counters.count_batches(&before, D);
+            return counters.count_batches(&before, bulk.kernel().work_of_a_bond(), D);
         }
         counters.substeps += 1;
         counters.points_moved += self.points.len() as u64;

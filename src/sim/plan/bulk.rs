@@ -9,6 +9,7 @@ use crate::sim::bond::BondKind;
 use crate::sim::bulk::body::Members;
 use crate::sim::bulk::control::Control;
 use crate::sim::bulk::draft::{Draft, Order, Shape};
+use crate::sim::bulk::kernel::OF_A_BOND;
 use crate::sim::bulk::mover::{Mover, mover};
 use crate::sim::bulk::spec::Spec;
 use crate::sim::bulk::trails::Segment;
@@ -69,7 +70,7 @@ impl<S: Real, const D: usize> Maker<'_, S, D> {
             return control;
         };
         let bonds = self.lot.islands.iter().map(|island| island.bonds.len()).sum();
-        control.within(operations(budget) as f64 / of_a_batch((bonds, self.points.len()), D).max(1) as f64)
+        control.within(operations(budget) as f64 / of_a_batch((bonds, OF_A_BOND), self.points.len(), D).max(1) as f64)
     }
 
     /// The points of a group whose engine keeps what rounding takes by itself.

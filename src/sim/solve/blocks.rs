@@ -127,9 +127,9 @@ impl<S: Real, const D: usize> Blocks<S, D> {
         self.diagonal.len()
     }
 
-    /// Multiplications of one factorisation, about.
+    /// Operations of one factorisation, about: where little fills in what it reads says how long it takes, else what it multiplies.
     pub(crate) fn work(&self) -> usize {
-        8 * self.ldl.fill()
+        (8 * self.ldl.fill()).max(5 * self.ldl.multiplications())
     }
 
     /// Sets everything to zero.

@@ -105,6 +105,12 @@ impl<S: Real> Ldl<S> {
         self.rows.len()
     }
 
+    /// Multiplications of one factorisation: with c entries in a column c (c + 1)/2.
+    pub(crate) fn multiplications(&self) -> usize {
+        let counts = self.column_starts.windows(2).map(|ends| (ends[1] - ends[0]) as usize);
+        counts.map(|count| count * (count + 1) / 2).sum()
+    }
+
     /// Factors the matrix with this diagonal and these entries left of it, in the order of the pattern.
     ///
     /// A pivot that is smaller than `least` times its diagonal entry in size, or not a number, is skipped: its unknown
