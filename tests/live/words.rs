@@ -81,3 +81,56 @@ fn a_plate_that_is_led_as_it_is_holds() {
     assert_eq!(warnings(0.0), "");
     assert!(warnings(0.05).contains("cannot hold: both ends are pinned"), "{}", warnings(0.05));
 }
+
+#[test]
+fn what_skins_cannot_be_made_of_is_told() {
+    let warnings = |contact: serde_json::Value, material: serde_json::Value| {
+        let mut body = disc([0.0; 2], [0.0; 2]);
+        body["material"].as_object_mut().unwrap().extend(material.as_object().unwrap().clone());
+        world(&json!({"wobble": 1, "contact": contact, "bodies": [body]})).warnings().to_vec()
+    };
+    let told = ["friction 1000000000 is taken as 30: it holds on a slope of 88 degrees"];
+    assert_eq!(warnings(json!({"friction": 1e9}), json!({})), told);
+    assert_eq!(warnings(json!(true), json!({"friction": 1e9})), told);
+    assert!(warnings(json!(true), json!({"friction": 30})).is_empty());
+}
+
+#[test]
+fn bodies_in_one_place_are_told_however_they_came_there() {
+    let told = |bodies: serde_json::Value, obstacles: serde_json::Value| {
+        let scene = json!({"wobble": 1, "contact": true, "bodies": bodies, "obstacles": obstacles});
+        world(&scene).warnings().iter().any(|word| word == "2 bodies start in each other: they are parted, slowly")
+    };
+    // No corner of one is within the other.
+    assert!(told(json!([disc([0.0; 2], [0.0; 2]), disc([0.0; 2], [0.0; 2])]), json!([])));
+    // Side by side they are not.
+    let square = |x: f64| json!({"make": "lattice", "columns": 2, "rows": 2, "spacing": 1, "origin": [x, 0], "material": {"kind": "spring", "stiffness": 100, "mass": 1}});
+    assert!(!told(json!([square(0.0), square(1.0)]), json!([])));
+    // One is moved out of a floor into the other.
+    let floor = json!([{"plane": {"point": [0, -0.5], "normal": [0, 1]}}]);
+    let apart = json!([square(0.0), {"make": "lattice", "columns": 2, "rows": 2, "spacing": 1, "origin": [0.2, -1.2], "material": {"kind": "spring", "stiffness": 100, "mass": 1}}]);
+    assert!(!told(apart.clone(), json!([])) && told(apart, floor));
+}
+
+#[test]
+fn triangles_without_an_inside_are_told() {
+    let warnings = |contact: bool| {
+        let scene = json!({"wobble": 1, "contact": contact, "points": {"position": [[0, 0], [1, 0], [2, 0]]},
+            "bonds": [{"a": 0, "b": 1}, {"a": 1, "b": 2}, {"a": 0, "b": 2}], "triangles": [[0, 1, 2]]});
+        world(&scene).warnings().to_vec()
+    };
+    assert_eq!(warnings(true), ["triangle 0 of area 0 at the start: not kept open"]);
+    assert!(warnings(false).is_empty());
+}
+
+#[test]
+fn cloths_in_the_same_places_are_told() {
+    let cloth = |y: f64| json!({"make": "cloth", "columns": 3, "rows": 3, "spacing": 0.1, "u": [1, 0, 0], "v": [0, 0, 1], "origin": [0, y, 0]});
+    let warnings = |apart: f64| {
+        world(&json!({"wobble": 1, "dimensions": 3, "contact": true, "bodies": [cloth(0.0), cloth(apart)]}))
+            .warnings()
+            .join("\n")
+    };
+    assert_eq!(warnings(0.0), "2 bodies start in the same places: move them apart");
+    assert_eq!(warnings(0.1), "");
+}

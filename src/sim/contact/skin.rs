@@ -1,5 +1,6 @@
 //! How bodies meet each other, as a model says it.
 
+use super::surface::MOST_FRICTION;
 use crate::sim::bond::PointId;
 
 /// Share of the mean edge of a skin that its radius is where nothing is said.
@@ -10,7 +11,7 @@ pub(crate) const MOST_RADIUS: f64 = 0.5;
 /// What happens between the skins of bodies: the edges of what their triangles cover, and bonds that belong to no triangle.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Contact {
-    /// |change of v_t| <= friction |change of v_n| between two skins [1], >= 0.
+    /// |change of v_t| <= friction |change of v_n| between two skins [1], >= 0; more than 30 is taken as 30.
     pub friction: f64,
     /// v_n -> -restitution v_n on touching [1], from 0 to 1.
     pub restitution: f64,
@@ -21,6 +22,13 @@ pub struct Contact {
     pub with_itself: bool,
     /// Bodies meet each other.
     pub with_others: bool,
+}
+
+impl Contact {
+    /// As it is moved: no friction larger than is borne.
+    pub(crate) fn borne(self) -> Self {
+        Contact { friction: self.friction.min(MOST_FRICTION), ..self }
+    }
 }
 
 impl Default for Contact {
@@ -48,6 +56,11 @@ impl SkinMaterial {
         let is_size = |x: &f64| *x >= 0.0 && x.is_finite();
         self.friction.iter().chain(&self.radius).all(is_size)
             && self.restitution.is_none_or(|e| (0.0..=1.0).contains(&e))
+    }
+
+    /// As it is moved: no friction larger than is borne.
+    pub(crate) fn borne(self) -> Self {
+        SkinMaterial { friction: self.friction.map(|friction| friction.min(MOST_FRICTION)), ..self }
     }
 
     /// This, with what another one says in place of it.

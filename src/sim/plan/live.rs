@@ -2,7 +2,7 @@
 
 use super::make::{Maker, breakable};
 use crate::sim::bond::PointId;
-use crate::sim::contact::skin::SkinMaterial;
+use crate::sim::contact::skin::{Contact, SkinMaterial};
 use crate::sim::force::angle::Hinge;
 use crate::sim::group::Group;
 use crate::sim::live::{self, Draft, mover};
@@ -25,7 +25,7 @@ impl<S: Real, const D: usize> Maker<'_, S, D> {
             triangles: self.triangles(),
             hinges: self.live_hinges(),
             areas: self.model.areas.unwrap_or_default(),
-            contact: self.model.contact,
+            contact: self.model.contact.map(Contact::borne),
             settles: self.model.method.settles,
             sleeps: self.model.method.sleeps,
             skins: self.skins(),
@@ -43,7 +43,7 @@ impl<S: Real, const D: usize> Maker<'_, S, D> {
     fn skins(&self) -> Vec<SkinMaterial> {
         let skins = &self.model.skins;
         let points = if skins.is_empty() { &[] } else { self.points };
-        points.iter().map(|&point| skins.of(PointId(point))).collect()
+        points.iter().map(|&point| skins.of(PointId(point)).borne()).collect()
     }
 
     /// Which points of the group hang together, pins included: a number each.

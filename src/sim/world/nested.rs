@@ -1,12 +1,14 @@
 //! What is told of bodies that start in each other, or across themselves.
 
+use std::cmp::Ordering;
+
 use super::World;
 use crate::sim::bond::PointId;
 use crate::sim::contact::skin::Contact;
 use crate::sim::real::Real;
 use crate::sim::sets::Sets;
 use crate::sim::triangles;
-use crate::sim::vector::{cross, sub};
+use crate::sim::vector::{add, cross, scale, sub};
 
 /// Points against triangles, and edges against edges, that are looked at: of scenes with more in one place the first are told.
 const MOST_LOOKS: usize = 4_000_000;
@@ -39,9 +41,12 @@ struct Found {
 }
 
 impl<S: Real, const D: usize> World<S, D> {
-    /// Tells of bodies of a plane in which bodies meet that have a point in another one at these places [m], or an edge across one.
+    /// Tells of bodies that meet and have a point in another one at these places [m], or an edge across one.
     pub(super) fn warn_of_nested(&mut self, position: &[[f64; D]]) {
-        let Some(contact) = self.model.contact.filter(|_| D == 2) else { return };
+        let Some(contact) = self.model.contact else { return };
+        if D == 3 {
+            return self.warn_of_shared_places(position);
+        }
         let places: Vec<[f64; 2]> = position.iter().map(|x| [x[0], x[1]]).collect();
         let (mut bodies, mut found) = (self.bonded(), Found::default());
         if contact.with_others {
@@ -62,14 +67,43 @@ impl<S: Real, const D: usize> World<S, D> {
         }
     }
 
-    /// Points in triangles of others.
+    /// Tells of bodies in space that have points where others have points: nothing says which side of the others they are on.
+    fn warn_of_shared_places(&mut self, position: &[[f64; D]]) {
+        let mut bodies = self.bonded();
+        let mut points: Vec<usize> = (0..position.len()).collect();
+        let order = |&a: &usize, &b: &usize| {
+            let axes = position[a].iter().zip(&position[b]).map(|(x, y)| x.total_cmp(y));
+            axes.fold(Ordering::Equal, Ordering::then)
+        };
+        points.sort_by(order);
+        let mut shared: Vec<u32> = Vec::new();
+        for place in points.chunk_by(|a, b| position[*a] == position[*b]) {
+            let mut own: Vec<u32> = place.iter().map(|&point| bodies.find(point as u32)).collect();
+            own.sort_unstable();
+            own.dedup();
+            if own.len() > 1 {
+                shared.extend(own);
+            }
+        }
+        shared.sort_unstable();
+        shared.dedup();
+        if !shared.is_empty() {
+            self.warnings.push(format!("{} bodies start in the same places: move them apart", shared.len()));
+        }
+    }
+
+    /// Points in triangles of others, and middles of triangles, which alone say so of bodies that are the same in one place.
     fn find_nested(&self, places: &[[f64; 2]], bodies: &mut Sets, found: &mut Found) {
-        let corners = |triangle: &[PointId; 3]| triangle.map(|corner| corner.0);
-        let mut sweep = Sweep::new(self.model.triangles.iter().map(corners), places, bodies);
-        let mut points: Vec<usize> = (0..places.len()).collect();
-        points.sort_by(|&a, &b| places[a][0].total_cmp(&places[b][0]));
-        for point in points {
-            let (x, own) = (places[point], bodies.find(point as u32));
+        let triangles = || self.model.triangles.iter().map(|triangle| triangle.map(|corner| corner.0));
+        let mut sweep = Sweep::new(triangles(), places, bodies);
+        let mut probes: Vec<([f64; 2], u32)> = places.iter().copied().zip(0..).collect();
+        probes.extend(triangles().map(|corners| {
+            let sum = corners.iter().fold([0.0; 2], |sum, &corner| add(sum, places[corner as usize]));
+            (scale(sum, 1.0 / 3.0), corners[0])
+        }));
+        probes.sort_by(|a, b| a.0[0].total_cmp(&b.0[0]));
+        for (x, point) in probes {
+            let own = bodies.find(point);
             let inside = sweep.over(x[0]).filter(|patch| patch.body != own && patch.holds(x));
             let others: Vec<u32> = inside.map(|patch| patch.body).collect();
             if !others.is_empty() {

@@ -94,7 +94,12 @@ impl<S: Real, const D: usize> World<S, D> {
         world.warn_of_stops(0..u32::MAX, |point| model.position[point.index()]);
         world.warn_of_radius();
         world.warn_of_friction();
-        world.warn_of_nested(&model.position);
+        let mut position = model.position.clone();
+        for (points, way) in &cleared.moves {
+            points.iter().for_each(|&i| position[i as usize] = add(position[i as usize], *way));
+        }
+        world.warn_of_flat(&position);
+        world.warn_of_nested(&position);
         world.begin(&state);
         world.foresee();
         world.begin_ledger();

@@ -13,7 +13,7 @@ use crate::sim::plan::Cleared;
 use crate::sim::plan_part::PlanPart;
 use crate::sim::real::Real;
 use crate::sim::solver::Solver;
-use crate::sim::vector::{length, sub};
+use crate::sim::vector::{cross, length, sub};
 
 impl<S: Real, const D: usize> World<S, D> {
     /// Tells of bonds, by their numbers, that were given other lengths.
@@ -95,6 +95,23 @@ impl<S: Real, const D: usize> World<S, D> {
         }
     }
 
+    /// Tells of triangles in scenes with contact that have no inside at these places [m], which nothing can keep open.
+    pub(super) fn warn_of_flat(&mut self, position: &[[f64; D]]) {
+        let told = self.model.areas.is_some_and(|areas| areas.stiffness > 0.0);
+        if D != 2 || told || self.model.contact.is_none() {
+            return;
+        }
+        let is_flat = |corners: &[PointId; 3]| {
+            let [a, b, c] = corners.map(|corner| [position[corner.index()][0], position[corner.index()][1]]);
+            cross(sub(b, a), sub(c, a)) == 0.0
+        };
+        let corners = self.model.triangles.iter().enumerate();
+        let flat: Vec<usize> = corners.filter(|(_, corners)| is_flat(corners)).map(|(k, _)| k).collect();
+        if !flat.is_empty() {
+            self.warnings.push(format!("{} of area 0 at the start: not kept open", named("triangle", &flat)));
+        }
+    }
+
     /// Tells of triangles that were left out, as others have their corners.
     pub(crate) fn warn_of_repeats(&mut self, repeated: &[usize]) {
         if !repeated.is_empty() {
@@ -132,13 +149,16 @@ impl<S: Real, const D: usize> World<S, D> {
         })
     }
 
-    /// Tells of friction that is more than surfaces can have.
+    /// Tells of friction that is more than surfaces and skins can have.
     pub(super) fn warn_of_friction(&mut self) {
-        let Model { bounds, planes, polygons, .. } = &*self.model;
+        let Model { bounds, planes, polygons, contact, skins, .. } = &*self.model;
         let of_walls = bounds.iter().map(|bounds| bounds.friction);
+        let of_skins = skins.lists().into_iter().filter_map(|(material, _)| material.friction);
         let all = of_walls
             .chain(planes.iter().map(|plane| plane.friction))
-            .chain(polygons.iter().map(|polygon| polygon.friction));
+            .chain(polygons.iter().map(|polygon| polygon.friction))
+            .chain(contact.iter().map(|contact| contact.friction))
+            .chain(of_skins.filter(|_| contact.is_some()));
         let most = all.fold(0.0, f64::max);
         if most > MOST_FRICTION {
             self.warnings
