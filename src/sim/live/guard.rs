@@ -11,10 +11,10 @@ const LEFT: f64 = 0.3;
 /// Share of the kinetic and elastic energy that contacts may make in a step without being seen: overlaps that are mended load springs.
 const SLACK: f64 = 1e-3;
 
-/// Kinetic, elastic and gravity's energy [J].
-pub(super) fn energy<S: Real>(state: &Cluster<S>, common: &Common<S>, gravity: [f64; 2]) -> S {
+/// Kinetic and gravity's energy [J].
+pub(super) fn energy<S: Real>(state: &Cluster<S>, gravity: [f64; 2]) -> S {
     let (kinetic, fall) = moving(state, gravity);
-    kinetic + fall + elastic(state, common)
+    kinetic + fall
 }
 
 fn moving<S: Real>(state: &Cluster<S>, gravity: [f64; 2]) -> (S, S) {
@@ -32,12 +32,17 @@ fn moving<S: Real>(state: &Cluster<S>, gravity: [f64; 2]) -> (S, S) {
     (kinetic, fall - mass * dot(gravity, middle))
 }
 
-fn elastic<S: Real>(state: &Cluster<S>, common: &Common<S>) -> S {
+/// What bonds, angles and areas can give back [J]: of a spring e longer that is projected in substeps of h, k e^2/(2 (1 + k h^2 w)), for it
+/// takes several to give way, and does so the slower the stiffer it is.
+pub(super) fn elastic<S: Real>(state: &Cluster<S>, common: &Common<S>) -> S {
     let mut sum = S::ZERO;
+    let square = state.span * state.span;
+    let mut by_forces = state.by_forces.iter();
     for (body, base) in state.members(common) {
         sum += super::shape::energy(state, common, (body, base));
-        for link in common.springs(body) {
-            let d = sub(state.now[base + link.a as usize], state.now[base + link.b as usize]);
+        for (link, &is_force) in common.springs(body).iter().zip(by_forces.by_ref()) {
+            let (a, b) = (base + link.a as usize, base + link.b as usize);
+            let d = sub(state.now[a], state.now[b]);
             let error = dot(d, d).sqrt() - link.rest;
             let acts = match link.limit {
                 crate::sim::bond::Limit::Both => true,
@@ -45,7 +50,8 @@ fn elastic<S: Real>(state: &Cluster<S>, common: &Common<S>) -> S {
                 crate::sim::bond::Limit::Min => error < S::ZERO,
             };
             if acts {
-                sum += S::HALF * link.stiffness * error * error;
+                let slow = if is_force { S::ZERO } else { link.stiffness * square * (state.w[a] + state.w[b]) };
+                sum += S::HALF * link.stiffness / (S::ONE + slow) * error * error;
             }
         }
     }

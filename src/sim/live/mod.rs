@@ -217,12 +217,13 @@ impl<S: Real> Live<S> {
         let count = count.max(f64::from(around.parts_near(moving, (t, h))));
         let own = h / count;
         let outside = Outside { pull, around, settling: &self.settling };
-        let before = guard::energy(cluster, common, pull.gravity);
+        let moving = guard::energy(cluster, pull.gravity);
         tangle::look(cluster, common, h);
         cluster.span = S::from_f64(own);
         detect::look(cluster, common);
         cluster.is_violent = cluster.is_struck();
         bonds::prepare(cluster, common, cluster.span);
+        let before = moving + guard::elastic(cluster, common);
         for substep in 0..count as u32 {
             substep::advance(cluster, common, outside, (t + f64::from(substep) * own, own));
         }

@@ -19,7 +19,7 @@ const EVERY: u8 = 8;
 /// How long two bodies cross each other before they are parted [s]: contacts undo most by themselves.
 const PATIENCE: f64 = 0.1;
 /// Share of its area from which on a triangle is mended, and after how long [s].
-const LEAST: f64 = 0.15;
+const LEAST: f64 = 0.02;
 const FOLDED: f64 = 0.15;
 /// Rings of triangles about those that go with them at first, and how long they are given before more do [s].
 const RINGS: u32 = 3;
@@ -29,6 +29,9 @@ const HASTE: f64 = 3.0;
 const MOST_HASTE: f64 = 81.0;
 /// How long all is right before a piece is let go [s].
 const CALM: f64 = 0.1;
+/// How long a body is mended that crosses itself, until nothing presses it or it does so no more [s]: thin limbs that a body lies on are crushed
+/// again as soon as they are let go.
+const MOST_MENDED: f64 = 2.0;
 
 /// A body with triangles inside out, or that crosses itself.
 #[derive(Clone, Debug)]
@@ -59,20 +62,22 @@ pub(super) struct Tangle<S> {
     pub(super) knots: Vec<Knot<S>>,
     /// Steps in which something pressed since crossings were looked for, one a body; [`u8::MAX`]: never looked.
     since: Vec<u8>,
+    /// How long each body was mended while something pressed it [s].
+    mended: Vec<f64>,
     /// Points of the cluster that are led to their shapes; empty without any.
     pub(super) is_led: Vec<bool>,
 }
 
 impl<S> Default for Tangle<S> {
     fn default() -> Self {
-        Tangle { couples: Vec::new(), knots: Vec::new(), since: Vec::new(), is_led: Vec::new() }
+        Tangle { couples: Vec::new(), knots: Vec::new(), since: Vec::new(), mended: Vec::new(), is_led: Vec::new() }
     }
 }
 
 impl<S: Real> Tangle<S> {
     /// Of so many bodies that nothing is known of.
     pub(super) fn new(count: usize) -> Self {
-        Tangle { since: vec![u8::MAX; count], ..Tangle::default() }
+        Tangle { since: vec![u8::MAX; count], mended: vec![0.0; count], ..Tangle::default() }
     }
 
     /// What is known of some bodies, numbered among them.
@@ -87,6 +92,7 @@ impl<S: Real> Tangle<S> {
             couples: self.couples.iter().filter_map(couple).collect(),
             knots: self.knots.iter().filter_map(knot).collect(),
             since: bodies.iter().map(|&body| self.since[body]).collect(),
+            mended: bodies.iter().map(|&body| self.mended[body]).collect(),
             is_led: Vec::new(),
         }
     }
@@ -98,8 +104,8 @@ impl<S: Real> Tangle<S> {
 
     /// Takes over what another list knew of bodies that have these numbers here.
     pub(super) fn take_over(&mut self, other: &Self, bodies: &[Option<u32>]) {
-        for (body, &since) in bodies.iter().zip(&other.since).filter_map(|(body, since)| Some(((*body)?, since))) {
-            self.since[body as usize] = since;
+        for (k, body) in bodies.iter().enumerate().filter_map(|(k, body)| Some((k, (*body)? as usize))) {
+            (self.since[body], self.mended[body]) = (other.since[k], other.mended[k]);
         }
         let of = |body: u32| bodies[body as usize];
         let couple = |couple: &Couple<S>| {
@@ -130,8 +136,9 @@ impl<S: Real> Tangle<S> {
             self.couples
                 .extend(tangle.couples.iter().map(|couple| Couple { bodies: couple.bodies.map(number), ..*couple }));
             self.knots.extend(tangle.knots.drain(..).map(|knot| Knot { body: number(knot.body), ..knot }));
-            for (&body, &since) in bodies.iter().zip(&tangle.since) {
+            for ((&body, &since), &mended) in bodies.iter().zip(&tangle.since).zip(&tangle.mended) {
                 self.since[body] = since.saturating_add(u8::from(*has_pressed));
+                self.mended[body] = if *has_pressed { mended } else { 0.0 };
             }
         }
         self.sort();
@@ -146,7 +153,8 @@ pub(super) fn look<S: Real>(state: &mut Cluster<S>, common: &Common<S>, h: f64) 
     let mut tangle = std::mem::take(&mut state.tangle);
     let is_new = tangle.since.contains(&u8::MAX);
     let is_due = is_new || tangle.since.iter().any(|&since| since >= EVERY);
-    let crossings = if is_due || !tangle.couples.is_empty() || !tangle.knots.is_empty() {
+    let is_looked = is_due || !tangle.couples.is_empty() || !tangle.knots.is_empty();
+    let crossings = if is_looked {
         state.counts.looks += 1;
         state.counts.work += 40 * state.edges.len() as u64;
         tangle.since.iter_mut().for_each(|since| *since = 0);
@@ -159,6 +167,8 @@ pub(super) fn look<S: Real>(state: &mut Cluster<S>, common: &Common<S>, h: f64) 
     let folded = folded(state, common);
     if !crossings.is_empty() || !tangle.knots.is_empty() || !folded.is_empty() {
         knots(state, common, &mut tangle, (&crossings, &folded), (h, first));
+    } else if is_looked {
+        tangle.mended.fill(0.0);
     }
     state.tangle = tangle;
 }
@@ -219,8 +229,11 @@ fn knots<S: Real>(
     for (k, (body, _)) in (0..).zip(state.members(common)) {
         let own = &folded[folded.partition_point(|entry| entry.0 < k)..folded.partition_point(|entry| entry.0 <= k)];
         let [from, to] = [[k, k], [k, k + 1]].map(|key| crossings.partition_point(|crossing| crossing.bodies < key));
-        let own_crossings = if body.areas.len() > 0 { &crossings[from..to] } else { &[] };
         let before = old.next_if(|knot| knot.body == k);
+        let mended = &mut tangle.mended[k as usize];
+        *mended += if before.as_ref().is_some_and(Knot::is_mended) { h } else { 0.0 };
+        let minds = body.areas.len() > 0 && *mended < MOST_MENDED;
+        let own_crossings = if minds { &crossings[from..to] } else { &[] };
         let is_bad = !own_crossings.is_empty() || !own.is_empty();
         if before.is_none() && !is_bad {
             continue;
