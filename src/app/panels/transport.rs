@@ -48,6 +48,8 @@ pub(super) fn show(ui: &mut egui::Ui, facts: &Facts, wishes: &mut Vec<Wish>) -> 
 
 /// Width of the words on how it stands [points].
 const STATE: f32 = 290.0;
+/// Work that slows a scene down takes most of a frame at least [s].
+const LEAST_CAUSE: f64 = 0.75 / 60.0;
 
 fn play(ui: &mut egui::Ui, facts: &Facts, wishes: &mut Vec<Wish>) {
     let (sign, name) = if facts.figures.playing { (Icon::Pause, "pause") } else { (Icon::Play, "play") };
@@ -143,8 +145,11 @@ fn slow_motion(facts: &Facts) -> String {
     let drawing = facts.frame - figures.step;
     if facts.frame > LONGEST_FRAME && drawing > figures.step {
         format!("{speed}: {} of drawing a frame", short(drawing))
-    } else {
+    } else if figures.work > LEAST_CAUSE {
         format!("{speed}: {} of work a frame", short(figures.work))
+    } else {
+        // Neither takes that long: something else keeps the machine busy.
+        speed
     }
 }
 
@@ -168,7 +173,7 @@ mod tests {
         let slow = Facts { waits: false, ..facts };
         assert_eq!(
             state(&Facts { figures: Figures { pace: 0.004, ..slow.figures.clone() }, ..slow }).0,
-            "less than 1 % of its speed: 0 ms of work a frame"
+            "less than 1 % of its speed"
         );
     }
 
@@ -178,6 +183,9 @@ mod tests {
         let words = |frame: f64| state(&Facts { figures: figures.clone(), frame, ..Facts::default() }).0;
         assert_eq!(words(0.05), "half speed: 41 ms of work a frame");
         assert_eq!(words(0.2), "half speed: 175 ms of drawing a frame");
+        let quick = Figures { work: 0.007, step: 0.007, ..figures.clone() };
+        let of_nothing = Facts { figures: quick, frame: 0.017, ..Facts::default() };
+        assert_eq!(state(&of_nothing).0, "half speed", "7 ms are no cause");
         let long = |figures: &Figures| state(&Facts { figures: figures.clone(), is_busy: true, ..Facts::default() }).0;
         assert_eq!(
             long(&figures),
