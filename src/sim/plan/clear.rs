@@ -1,5 +1,7 @@
 //! Bodies that start inside obstacles are put beside them, each as a whole: put out point by point they would be crushed.
 
+use std::borrow::Cow;
+
 use crate::sim::bonds::Bonds;
 use crate::sim::contact::obstacles::Obstacles;
 use crate::sim::measure;
@@ -38,6 +40,15 @@ impl<const D: usize> Cleared<D> {
     /// The longest way [m].
     pub(crate) fn furthest(&self) -> f64 {
         self.moves.iter().map(|(_, way)| length(*way)).fold(0.0, f64::max)
+    }
+
+    /// These places [m] as they are once the bodies are moved.
+    pub(crate) fn moved<'a>(&self, position: &'a [[f64; D]]) -> Cow<'a, [[f64; D]]> {
+        let mut moved = Cow::Borrowed(position);
+        for (points, way) in &self.moves {
+            points.iter().map(|&i| i as usize).for_each(|i| moved.to_mut()[i] = add(position[i], *way));
+        }
+        moved
     }
 }
 

@@ -13,7 +13,7 @@ use crate::sim::points::State;
 use crate::sim::real::Real;
 use crate::sim::timeline::Timeline;
 use crate::sim::triangles::{aligned, repeats, turned, without};
-use crate::sim::vector::{add, convert, widen, zero};
+use crate::sim::vector::{convert, widen, zero};
 
 impl<S: Real, const D: usize> World<S, D> {
     /// A world at the start of a model.
@@ -54,15 +54,13 @@ impl<S: Real, const D: usize> World<S, D> {
         let obstacles = Obstacles::of(model).map_err(|_| ModelError::Crossings)?;
         let cleared = plan::clear(&obstacles.widened(model), &model.bonds, &model.position, &w);
         let velocity = model.velocity.iter().zip(&w).map(|(&v, &w)| if w == 0.0 { zero() } else { convert(v) });
-        let mut state = State {
-            position: model.position.iter().map(|&x| convert(x)).collect(),
+        let position = cleared.moved(&model.position);
+        let state = State {
+            position: position.iter().map(|&x| convert(x)).collect(),
             velocity: velocity.collect(),
             position_lost: vec![zero(); count],
             velocity_lost: vec![zero(); count],
         };
-        for (points, way) in &cleared.moves {
-            points.iter().for_each(|&i| state.position[i as usize] = convert(add(model.position[i as usize], *way)));
-        }
         let plan = plan::compile((model, &obstacles, count), (&model.bonds, None), &state, &[]);
         let mut world = World {
             timeline: Timeline::new(plan.substep, model.knots()),
@@ -94,10 +92,6 @@ impl<S: Real, const D: usize> World<S, D> {
         world.warn_of_stops(0..u32::MAX, |point| model.position[point.index()]);
         world.warn_of_radius();
         world.warn_of_friction();
-        let mut position = model.position.clone();
-        for (points, way) in &cleared.moves {
-            points.iter().for_each(|&i| position[i as usize] = add(position[i as usize], *way));
-        }
         world.warn_of_flat(&position);
         world.warn_of_nested(&position);
         world.begin(&state);

@@ -7,13 +7,14 @@ use super::World;
 use crate::sim::bond::{Bond, BondKind, PointId};
 use crate::sim::contact::surface::MOST_FRICTION;
 use crate::sim::force::angle::Angle;
+use crate::sim::force::area;
 use crate::sim::force::mouse::Track;
 use crate::sim::model::Model;
 use crate::sim::plan::Cleared;
 use crate::sim::plan_part::PlanPart;
 use crate::sim::real::Real;
 use crate::sim::solver::Solver;
-use crate::sim::vector::{cross, length, sub};
+use crate::sim::vector::{length, sub};
 
 impl<S: Real, const D: usize> World<S, D> {
     /// Tells of bonds, by their numbers, that were given other lengths.
@@ -101,10 +102,7 @@ impl<S: Real, const D: usize> World<S, D> {
         if D != 2 || told || self.model.contact.is_none() {
             return;
         }
-        let is_flat = |corners: &[PointId; 3]| {
-            let [a, b, c] = corners.map(|corner| [position[corner.index()][0], position[corner.index()][1]]);
-            cross(sub(b, a), sub(c, a)) == 0.0
-        };
+        let is_flat = |corners: &[PointId; 3]| area::size(corners.map(|corner| position[corner.index()])) == 0.0;
         let corners = self.model.triangles.iter().enumerate();
         let flat: Vec<usize> = corners.filter(|(_, corners)| is_flat(corners)).map(|(k, _)| k).collect();
         if !flat.is_empty() {
