@@ -40,3 +40,18 @@ fn a_jellyfish_on_its_limbs_comes_to_rest() {
     let (sample, world) = run(&scene, 10.0);
     assert!(world.is_asleep(), "{} m/s", super::fastest(&sample));
 }
+
+/// Boxes rest where a skin of their thickness holds them apart, not of their length.
+#[test]
+fn long_thin_boxes_lie_close_on_each_other() {
+    let long = |y: f64| {
+        json!({"make": "box", "width": 4, "height": 0.3, "origin": [0, y],
+            "material": {"kind": "rigid", "mass": 1}})
+    };
+    let scene = json!({"wobble": 1, "gravity": [0, -9.81], "contact": true, "bodies": [long(0.2), long(0.6)],
+        "bounds": {"min": [-3, 0], "max": [7, 9], "friction": 0.5}});
+    let (sample, _) = run(&scene, 3.0);
+    let height = |points: std::ops::Range<usize>| points.map(|i| sample.position[i][1]).sum::<f64>() / 4.0;
+    let gap = height(4..8) - height(0..4) - 0.3;
+    assert!((0.0..0.06).contains(&gap), "{gap} m");
+}

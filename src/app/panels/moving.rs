@@ -77,7 +77,9 @@ fn told(&Moved { why, islands, since }: &Moved, all: usize) -> (String, Color32)
         (1, all) => format!("1 of {all} bodies is"),
         (count, all) => format!("{count} of {all} bodies are"),
     };
-    let live = |cause: &str| format!("{who} in the live step since {since:.1}\u{a0}s: {cause}");
+    let [since, last] = since.map(|time| format!("{time:.1}\u{a0}s"));
+    let since = if since == last { format!("since {since}") } else { format!("since {since}, the last since {last}") };
+    let live = |cause: &str| format!("{who} in the live step {since}: {cause}");
     match why {
         Why::Budget => (live("their own methods take too much work"), TEXT),
         Why::Alarm => (live("their own methods fail there"), TEXT),
@@ -85,7 +87,7 @@ fn told(&Moved { why, islands, since }: &Moved, all: usize) -> (String, Color32)
         Why::NotFinite => {
             let stands = who.replace(" is", " stands").replace(" are", " stand");
             (
-                format!("{stands} still since {since:.1}\u{a0}s: no finite numbers. Grab or change it, and it goes on"),
+                format!("{stands} still {since}: no finite numbers. Grab or change it, and it goes on"),
                 AWAY,
             )
         }
@@ -104,7 +106,7 @@ fn gave_way(&Yielded { rung, since, work }: &Yielded) -> String {
 
 /// What the live step did of late.
 fn done(&Acts { cut, guarded, mends, parts, settles }: &Acts) -> Vec<String> {
-    let times = |count: u64| if count == 1 { "once".to_owned() } else { format!("{count} times") };
+    let times = |count: u64| if count == 1 { "once so far".to_owned() } else { format!("{count} times so far") };
     let mut lines = Vec::new();
     if cut > 0 {
         lines.push(format!("Stopped before it went through something: {}", times(cut)));
@@ -135,7 +137,7 @@ mod tests {
     }
 
     fn moved(why: Why, islands: usize) -> Moved {
-        Moved { why, islands, since: 3.25 }
+        Moved { why, islands, since: [3.25, 3.25] }
     }
 
     #[test]
@@ -164,6 +166,9 @@ mod tests {
         let movers = Movers { moved: vec![moved(Why::Contact, 3)], islands: 3, can_be_exact: false };
         let figures = Figures { movers: Arc::new(movers), ..Figures::default() };
         assert!(words(&figures)[0].starts_with("All 3 bodies are in the live step since 3.2\u{a0}s"));
+        let joined = Moved { since: [3.25, 48.0], ..moved(Why::Contact, 3) };
+        let words = told(&joined, 3).0;
+        assert!(words.contains("since 3.2\u{a0}s, the last since 48.0\u{a0}s: they may touch"), "{words}");
         assert_eq!(super::lines(&figures)[0].offer, None);
     }
 
@@ -183,7 +188,7 @@ mod tests {
         assert_eq!(
             words(&Figures { acts, ..Figures::default() }),
             [
-                "Stopped before it went through something: 3 times",
+                "Stopped before it went through something: 3 times so far",
                 "Energy from nowhere taken out: once",
                 "What is inside out is led back to its shape",
                 "Bodies in each other are parted",

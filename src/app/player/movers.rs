@@ -18,8 +18,8 @@ pub struct Moved {
     pub why: Why,
     /// How many islands.
     pub islands: usize,
-    /// Since when the first of them [s].
-    pub since: f64,
+    /// Since when the first of them, and the last [s].
+    pub since: [f64; 2],
 }
 
 /// What moves the islands of a world.
@@ -47,7 +47,8 @@ fn sorted(list: &[MovedBy], has_contact: bool) -> Movers {
     let is_meant = |one: &&MovedBy| one.why == Why::NotFinite || (one.method == Solver::Live && one.why != Why::Plan);
     let of = |why: Why| {
         let own: Vec<&MovedBy> = list.iter().filter(is_meant).filter(|one| one.why == why).collect();
-        let since = own.iter().map(|one| one.since).fold(f64::INFINITY, f64::min);
+        let times = || own.iter().map(|one| one.since);
+        let since = [times().fold(f64::INFINITY, f64::min), times().fold(f64::NEG_INFINITY, f64::max)];
         (!own.is_empty()).then(|| Moved { why, islands: own.iter().map(|one| one.islands).sum(), since })
     };
     let moved: Vec<Moved> = Why::ALL.into_iter().filter_map(of).collect();
@@ -83,7 +84,7 @@ mod tests {
     }
 
     #[test]
-    fn islands_are_counted_by_their_reasons_since_the_first() {
+    fn islands_are_counted_by_their_reasons_since_the_first_and_the_last() {
         let exact = moved(Solver::Rk4, Why::Plan, 0.0);
         assert_eq!(sorted(&[exact, moved(Solver::Live, Why::Plan, 0.0)], false).moved, []);
         let list = [
@@ -93,8 +94,8 @@ mod tests {
             moved(Solver::Rk4, Why::NotFinite, 4.0),
         ];
         let found = sorted(&list, false);
-        let budget = Moved { why: Why::Budget, islands: 4, since: 2.0 };
-        assert_eq!(found.moved, [budget, Moved { why: Why::NotFinite, islands: 2, since: 4.0 }]);
+        let budget = Moved { why: Why::Budget, islands: 4, since: [2.0, 3.0] };
+        assert_eq!(found.moved, [budget, Moved { why: Why::NotFinite, islands: 2, since: [4.0, 4.0] }]);
         assert_eq!((found.islands, found.can_be_exact), (8, true));
     }
 

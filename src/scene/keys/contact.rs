@@ -17,7 +17,7 @@ object! {
             friction: f64,
             /// Between two skins [1], from 0 to 1: 0 if not said.
             restitution: f64,
-            /// What a skin keeps from the middle of its edges [m], >= 0: 0.05 of the mean edge of each skin if not said.
+            /// What a skin keeps from the middle of its edges [m], >= 0: 0.05 of the mean edge of each skin, or of its body's thickness where that is less, if not said.
             radius: f64,
             /// Whether bodies meet themselves: true if not said.
             #[serde(rename = "self")]

@@ -3,7 +3,7 @@
 use super::surface::MOST_FRICTION;
 use crate::sim::bond::PointId;
 
-/// Share of the mean edge of a skin that its radius is where nothing is said.
+/// Share of the mean edge of a skin, or of the thickness of its body where that is less, that its radius is where nothing is said.
 pub(crate) const RADIUS: f64 = 0.05;
 /// The most of it in the plane: what is thicker would press its own edges apart.
 pub(crate) const MOST_RADIUS: f64 = 0.5;
@@ -15,8 +15,8 @@ pub struct Contact {
     pub friction: f64,
     /// v_n -> -restitution v_n on touching [1], from 0 to 1.
     pub restitution: f64,
-    /// Distance that a skin keeps from the middle of its edges [m], >= 0; `None`: 0.05 of the mean edge of each skin. In the plane at most half
-    /// of that edge.
+    /// Distance that a skin keeps from the middle of its edges [m], >= 0; `None`: 0.05 of the mean edge of each skin, in the plane of the
+    /// body's hydraulic diameter (four areas by its circumference) where that is less. In the plane at most half of that edge.
     pub radius: Option<f64>,
     /// Bodies meet themselves.
     pub with_itself: bool,

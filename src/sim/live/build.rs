@@ -116,6 +116,7 @@ impl<S: Real> Bodies<S> {
         let lengths = lengths(&own.bonds);
         let total = edges.iter().fold(S::ZERO, |sum, edge| sum + length(sub(place(edge.ends[0]), place(edge.ends[1]))));
         let edge_length = if edges.is_empty() { S::ZERO } else { total / S::from_f64(edges.len() as f64) };
+        let thin = thickness(&own.triangles, edges.iter().filter(|edge| edge.is_closed), place);
         let rigid = own.shape((local, points), if draft.contact.is_some() { &corners } else { &own.points });
         if rigid.is_some() {
             // What it is made of within says nothing any more.
@@ -141,7 +142,7 @@ impl<S: Real> Bodies<S> {
         self.hinges.extend(own.hinges.iter().map(within));
         let contact = draft.contact.unwrap_or_default();
         let radius = draft.contact.and(contact.radius);
-        let radius = radius.map_or(edge_length * S::from_f64(RADIUS), S::from_f64);
+        let radius = radius.map_or(edge_length.min(thin) * S::from_f64(RADIUS), S::from_f64);
         let most = if edge_length > S::ZERO { edge_length * S::from_f64(MOST_RADIUS) } else { S::INFINITY };
         let radius = radius.min(most);
         self.edges.extend(edges.iter().map(|edge| Edge { ends: edge.ends.map(|end| local[end as usize]), ..*edge }));
@@ -315,6 +316,18 @@ fn area<S: Real>(
     let made = || area::rest(places, [side(p, q), side(q, r), side(r, p)]);
     let size = known.map_or_else(made, |known| (known > 0.0).then_some(known))?;
     Some(Area { corners: corners.map(|corner| local[corner as usize]), rest: S::from_f64(size) })
+}
+
+/// The hydraulic diameter of what triangles cover [m]: four areas by the length of its outline; infinite of what covers nothing.
+fn thickness<'a, S: Real>(
+    triangles: &[[u32; 3]],
+    outline: impl Iterator<Item = &'a Edge>,
+    place: impl Fn(u32) -> [S; 2],
+) -> S {
+    let size = |&corners: &[u32; 3]| area::size(corners.map(&place)).abs();
+    let around = outline.fold(S::ZERO, |sum, edge| sum + length(sub(place(edge.ends[0]), place(edge.ends[1]))));
+    let area = triangles.iter().map(size).fold(S::ZERO, |sum, size| sum + size);
+    if area > S::ZERO && around > S::ZERO { area * S::from_f64(4.0) / around } else { S::INFINITY }
 }
 
 /// The skin of a body.

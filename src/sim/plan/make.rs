@@ -35,9 +35,9 @@ pub(super) const MOST_LOCATED: usize = 1_000;
 /// The same of points without rigid bonds among the walls of polygons, which are met and left all the time, by each for itself.
 const MOST_AMONG_WALLS: usize = 40;
 
-/// Most bonds of a group that is handed over to the live step: of more, sweeps leave too much strain, and large bodies are moved in
-/// ways of their own that bear much.
-const MOST_HANDED_OVER: usize = 2_000;
+/// Most bonds of a group that is handed over to the live step, with rigid ones and without: of more, sweeps leave too much strain, or a
+/// frame is long by any method, and large bodies are moved in ways of their own that bear much.
+const MOST_HANDED_OVER: [usize; 2] = [2_000, 10_000];
 
 /// Makes one group.
 pub(super) struct Maker<'a, S, const D: usize> {
@@ -214,7 +214,8 @@ impl<S: Real, const D: usize> Maker<'_, S, D> {
         let count = |of: fn(&Island) -> usize| islands.iter().map(of).sum::<usize>();
         let (points, rigid) = (count(|island| island.points.len()), count(|island| island.rigid));
         // What is swept is defined by its sweeps, and nothing is so large that a frame of the live step would be long.
-        let may_go = count(|island| island.relaxed) == 0 && bonds.len() <= MOST_HANDED_OVER && points > 0;
+        let most = MOST_HANDED_OVER[usize::from(rigid == 0)];
+        let may_go = count(|island| island.relaxed) == 0 && bonds.len() <= most && points > 0;
         let surfaces = &self.obstacles.surfaces;
         let tracks = self.tracks();
         let has_eyes = rigid > 0 || !surfaces.is_empty() || self.model.mouse.is_some() || !tracks.is_empty();
