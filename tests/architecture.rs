@@ -44,7 +44,7 @@ const ROOMS: [(&str, &[&str], &[&str]); 12] = [
 ];
 
 /// Each module of `sim` and those that it may name, which all stand above it here: so there is no circle.
-const SIM: [(&str, &[&str]); 40] = [
+const SIM: [(&str, &[&str]); 41] = [
     ("real", &[]),
     ("shared", &[]),
     ("sets", &[]),
@@ -95,6 +95,26 @@ const SIM: [(&str, &[&str]); 40] = [
         ],
     ),
     (
+        "rigid",
+        &[
+            "account",
+            "bond",
+            "bulk",
+            "contact",
+            "counters",
+            "environment",
+            "force",
+            "integrate",
+            "ledger",
+            "points",
+            "pull",
+            "real",
+            "solve",
+            "swept",
+            "vector",
+        ],
+    ),
+    (
         "live",
         &[
             "account",
@@ -111,6 +131,7 @@ const SIM: [(&str, &[&str]); 40] = [
             "points",
             "pull",
             "real",
+            "rigid",
             "sets",
             "swept",
             "triangles",
@@ -165,6 +186,7 @@ const SIM: [(&str, &[&str]); 40] = [
             "points",
             "pull",
             "real",
+            "rigid",
             "sets",
             "solve",
             "solver",

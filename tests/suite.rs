@@ -17,6 +17,7 @@ mod live;
 mod motion;
 mod obstacles;
 mod pictures;
+mod pieces;
 mod recordings;
 mod replay;
 mod scenes;

@@ -28,6 +28,7 @@ mod plan_part;
 pub(crate) mod points;
 pub(crate) mod pull;
 pub mod real;
+pub(crate) mod rigid;
 mod saved;
 pub(crate) mod sets;
 pub(crate) mod shared;

@@ -16,6 +16,9 @@ pub enum Solver {
     Auto,
     /// Flight under gravity and drag in closed form, for points that nothing else acts on.
     Flight,
+    /// A rigid body with three degrees of freedom, what rigid bonds hold in its shape in the plane: in closed form, but for what pushes it
+    /// and what it lies on (order 2).
+    Rigid,
     /// Explicit Euler: order 1, unstable on undamped oscillations. Rigid bonds are projected at the end.
     Euler,
     /// Kick, then drift: order 1, stable up to omega h = 2. Rigid bonds are projected at the end.
@@ -80,6 +83,7 @@ impl Solver {
         match self {
             Solver::Auto => "auto",
             Solver::Flight => "flight",
+            Solver::Rigid => "rigid",
             Solver::Euler => "euler",
             Solver::SymplecticEuler => "symplectic-euler",
             Solver::Verlet => "verlet",
@@ -109,7 +113,12 @@ impl Solver {
             | Solver::Relaxation
             | Solver::Path
             | Solver::Live => 1,
-            Solver::Auto | Solver::Verlet | Solver::VelocityVerlet | Solver::Rk2 | Solver::ImplicitMidpoint => 2,
+            Solver::Auto
+            | Solver::Rigid
+            | Solver::Verlet
+            | Solver::VelocityVerlet
+            | Solver::Rk2
+            | Solver::ImplicitMidpoint => 2,
             Solver::Pefrl | Solver::BlanesMoan4 | Solver::Rk4 => 4,
             Solver::BlanesMoan6 => 6,
             Solver::Rk8 | Solver::Flight => 8,
@@ -133,6 +142,7 @@ impl Solver {
                 | Solver::ImplicitMidpoint
                 | Solver::BackwardEuler
                 | Solver::Flight
+                | Solver::Rigid
                 | Solver::Path,
             ) => Some(("relaxed", "auto, euler, symplectic-euler, verlet, velocity-verlet, xpbd, relaxation or live")),
             _ => None,

@@ -43,8 +43,22 @@ impl<S: Real, const D: usize> Swept<S, D> {
         [self.low, self.high]
     }
 
+    /// What it has in common with another one of the same body.
+    pub(crate) fn within(self, other: &Self) -> Self {
+        let (low, high) = (
+            std::array::from_fn(|k| self.low[k].max(other.low[k])),
+            std::array::from_fn(|k| self.high[k].min(other.high[k])),
+        );
+        Swept { low, high, ..self }
+    }
+
     pub(crate) fn overlaps(&self, other: &Self) -> bool {
         (0..D).all(|k| self.low[k] <= other.high[k] && other.low[k] <= self.high[k])
+    }
+
+    /// The same with more left around it [m].
+    pub(crate) fn around(self, margin: S) -> Self {
+        Swept { margin: self.margin + margin, ..self }.grown(margin)
     }
 
     fn grown(self, by: S) -> Self {

@@ -40,6 +40,13 @@ fn alone(scene: &Value) -> Value {
     other
 }
 
+/// The same with bonds that would break: they are no rigid body, which bears any speed.
+fn breakable(scene: &Value) -> Value {
+    let mut other = scene.clone();
+    other["bonds"].as_array_mut().unwrap().iter_mut().for_each(|bond| bond["break_strain"] = json!(1e9));
+    other
+}
+
 fn in_space(scene: &Value) -> Value {
     let mut other = scene.clone();
     for list in ["position", "velocity"] {
@@ -99,7 +106,7 @@ fn what_leaves_the_numbers_stands_still_and_the_rest_goes_on() {
     let springs = triangles("spring");
     check("springs in free space", &springs, 0.0);
     // One ends its steps a substep later than the other.
-    check("rigid bonds", &triangles("rigid"), 0.01);
+    check("rigid bonds", &breakable(&triangles("rigid")), 0.01);
     let room = json!({"min": [-100, -100], "max": [100, 100]});
     check("among walls", &with(&springs, "bounds", room), 0.0);
     check("by the live step", &with(&springs, "method", json!({"solver": "live"})), 0.0);

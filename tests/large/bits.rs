@@ -5,7 +5,7 @@ use wobble::scene::Scene;
 use wobble::scene::record::hash;
 use wobble::sim::{InstructionSet, Model, shared_passes};
 
-use super::models::{FRAME, disc, frames, hung, kernel, rims, rope, scene, single, to_strain};
+use super::models::{FRAME, disc, frames, hung, kernel, path, rims, rope, scene, single, to_strain};
 
 /// Hash of positions and velocities of all frames.
 fn bits(scene: &Scene, count: usize) -> String {
@@ -37,7 +37,7 @@ fn scenes() -> [(&'static str, Model<2>); 5] {
 fn every_instruction_set_gives_the_same_bits() {
     let before = InstructionSet::chosen();
     for (form, model) in scenes() {
-        let double = to_strain(&moving(model), 1e-3);
+        let double = path(&to_strain(&moving(model), 1e-3));
         for model in [single(&double), double] {
             let scene = scene(&model);
             let world = scene.world(None).unwrap();
@@ -99,7 +99,7 @@ fn a_huge_sheet_has_the_same_bits_on_any_number_of_threads() {
 /// Above a million bonds of one body, or of equal ones.
 fn huge(body: &str) -> Scene {
     let text = format!(
-        r#"{{ "wobble": 1, "gravity": [0, -9.8], "method": {{ "max_strain": 0.02 }}, "bodies": [{{ {body}, "pinned": [0] }}] }}"#
+        r#"{{ "wobble": 1, "gravity": [0, -9.8], "method": {{ "solver": "path", "max_strain": 0.02 }}, "bodies": [{{ {body}, "pinned": [0] }}] }}"#
     );
     Scene::parse(&text, "huge.json").unwrap()
 }

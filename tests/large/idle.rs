@@ -33,7 +33,7 @@ fn delete(world: &mut dyn Dynamics, bonds: Vec<BondId>) {
 #[test]
 fn halves_whose_bonds_are_gone_fly_apart_undisturbed() {
     let spring = BondKind::Spring { stiffness: 2e4, damping: 1.0 };
-    let paths = Method { max_strain: Some(0.01), ..Method::default() };
+    let paths = Method { solver: Solver::Path, max_strain: Some(0.01), ..Method::default() };
     let [swept, forces] = [Solver::Xpbd, Solver::Verlet].map(|solver| Method { solver, ..Method::default() });
     for kind in [BondKind::Rigid, spring] {
         for diagonals in [[false, false], [true, true]] {
@@ -49,7 +49,7 @@ fn halves_whose_bonds_are_gone_fly_apart_undisturbed() {
 
 #[test]
 fn halves_of_a_mesh_fly_apart_undisturbed() {
-    let paths = Method { max_strain: Some(0.01), ..Method::default() };
+    let paths = Method { solver: Solver::Path, max_strain: Some(0.01), ..Method::default() };
     let swept = Method { solver: Solver::Xpbd, ..Method::default() };
     for method in [paths, swept] {
         flies_apart(parted(disc(1.6), |[x, y]| x + 0.3 * y > 0.01, method), "a mesh");

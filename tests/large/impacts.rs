@@ -2,7 +2,7 @@
 
 use wobble::sim::{Bond, Bounds, Model, Sample};
 
-use super::models::{G, disc, fastest, frames, hung, kernel, rims, sheet, single, to_strain, world};
+use super::models::{G, disc, fastest, frames, hung, kernel, path, rims, sheet, single, to_strain, world};
 
 /// Free, above a floor that is so far below the lowest point, to a strain of 0.02.
 fn dropped(model: Model<2>, height: f64, (restitution, friction): (f64, f64)) -> Model<2> {
@@ -50,7 +50,7 @@ fn without_restitution_nothing_bounces() {
 /// They rock from corner to corner, and lose a share of their motion with each.
 #[test]
 fn each_of_a_crowd_is_struck_for_itself() {
-    let mut model = dropped(rims(20), 1.0, (0.0, 0.3));
+    let mut model = path(&dropped(rims(20), 1.0, (0.0, 0.3)));
     for (i, v) in model.velocity.iter_mut().enumerate() {
         v[0] = 0.1 * (i / 26) as f64;
     }

@@ -73,7 +73,7 @@ fn the_call_says_how_a_large_body_moves_and_any_instructions_give_the_same_hash(
 
 #[test]
 fn kernels_are_named_of_each_part_and_small_scenes_have_none() {
-    let (_keeps, name) = file(&scene(&to_strain(&rims(20), 1e-3)).to_json().unwrap());
+    let (_keeps, name) = file(&scene(&path(&to_strain(&rims(20), 1e-3))).to_json().unwrap());
     let said = error(&wobble(&["simulate", &name, "--samples", "0.05", "--hash"], &[]));
     assert!(said.contains("1040 bonds as a crowd by paths for a strain of 0.001"), "{said}");
     let said = error(&wobble(&["simulate", "rim", "--samples", "0.05", "--hash"], &[]));

@@ -14,7 +14,7 @@ fn with_bonds(model: &Model<2>, change: impl FnOnce(&mut Vec<Bond>)) -> Model<2>
 }
 
 fn taken_for(model: &Model<2>) -> String {
-    kernel(&*world(model)).to_owned()
+    kernel(&*world(&path(model))).to_owned()
 }
 
 /// A hung cloth that swings.

@@ -86,10 +86,7 @@ fn told(&Moved { why, islands, since }: &Moved, all: usize) -> (String, Color32)
         Why::Contact | Why::Plan => (live("they may touch something, which no exact method knows"), TEXT),
         Why::NotFinite => {
             let stands = who.replace(" is", " stands").replace(" are", " stand");
-            (
-                format!("{stands} still {since}: no finite numbers. Grab or change it, and it goes on"),
-                AWAY,
-            )
+            (format!("{stands} still {since}: no finite numbers. Grab or change it, and it goes on"), AWAY)
         }
     }
 }

@@ -9,6 +9,8 @@ use super::Way;
 pub(crate) enum Kernel {
     /// How many there are of each form (sheets, chains, crowds and meshes), and how their bonds are taken.
     Forms([usize; 4], Way),
+    /// Rigid bodies, so many.
+    Rigid(usize),
     /// Bodies of any form that may meet.
     Live,
 }
@@ -20,6 +22,7 @@ impl Kernel {
             (Kernel::Forms(counts, way), Kernel::Forms(more, _)) => {
                 Kernel::Forms(std::array::from_fn(|form| counts[form] + more[form]), way)
             }
+            (Kernel::Rigid(count), Kernel::Rigid(more)) => Kernel::Rigid(count + more),
             _ => Kernel::Live,
         }
     }
@@ -42,7 +45,12 @@ impl Kernel {
 
 impl fmt::Display for Kernel {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let &Kernel::Forms(counts, way) = self else { return f.write_str("live bodies") };
+        let (counts, way) = match *self {
+            Kernel::Forms(counts, way) => (counts, way),
+            Kernel::Rigid(1) => return f.write_str("a rigid body"),
+            Kernel::Rigid(count) => return write!(f, "{count} rigid bodies"),
+            Kernel::Live => return f.write_str("live bodies"),
+        };
         let plurals = [("sheet", "sheets"), ("chain", "chains"), ("crowd", "crowds"), ("mesh", "meshes")];
         let some = plurals.iter().zip(counts).filter(|(_, count)| *count > 0).map(|((one, many), count)| match count {
             1 => format!("a {one}"),

@@ -1,7 +1,7 @@
 //! Surfaces that points cannot pass, as the kernels read them.
 
 use crate::sim::real::Real;
-use crate::sim::vector::{convert, dot};
+use crate::sim::vector::{convert, dot, flat, widen};
 
 /// A half-space that points cannot enter; the free side is where the normal points.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -56,6 +56,12 @@ impl<S: Real, const D: usize> Surface<S, D> {
     #[inline(always)]
     pub(crate) fn gap(&self, x: [S; D]) -> S {
         dot(self.normal, x) - self.offset
+    }
+
+    /// The same in the plane in `f64`, whatever the world's scalar.
+    #[inline(always)]
+    pub(crate) fn gap_of(&self, x: [f64; 2]) -> f64 {
+        dot(flat(widen(self.normal)), x) - self.offset.to_f64()
     }
 
     /// The gap of the nearest corner of a box [m].

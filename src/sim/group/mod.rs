@@ -129,7 +129,10 @@ impl<S: Real, const D: usize> Group<S, D> {
     /// Goes on at time `t` [s] from a state in the middle of a run, as [`Group::begin`]; bonds of large bodies keep the strain that
     /// they have.
     pub(crate) fn resume(&mut self, around: &Environment<D>, t: f64) -> bool {
-        if matches!(self.engine, Engine::Bulk(_)) {
+        if let Engine::Bulk(bulk) = &mut self.engine {
+            if matches!(bulk.kernel(), Kernel::Rigid(_)) {
+                bulk.begin(&mut self.points);
+            }
             self.lead_pins(t, 0.0);
             return true;
         }

@@ -353,9 +353,9 @@ impl<S: Real, const D: usize> Group<S, D> {
         eyes.anchor = Some(self.anchor(eyes.anchor.take(), t));
     }
 
-    /// Whether the live step moves it, which keeps the state that it began with.
+    /// Whether its mover leaves bodies that left the numbers where its step began.
     fn keeps_itself(&self) -> bool {
-        matches!(self.kernel(), Some(Kernel::Live))
+        matches!(self.kernel(), Some(Kernel::Live | Kernel::Rigid(_)))
     }
 
     /// The state now, in the memory of an older one.

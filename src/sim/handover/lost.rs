@@ -10,7 +10,6 @@ use super::can_go;
 use crate::sim::group::engine::Engine;
 use crate::sim::group::watch::Alarm;
 use crate::sim::real::Real;
-use crate::sim::solver::Solver;
 use crate::sim::timeline::frame_of;
 use crate::sim::world::World;
 
@@ -37,7 +36,7 @@ impl<S: Real, const D: usize> World<S, D> {
         }
     }
 
-    /// The same of what the live step moves, which is where the step began.
+    /// The same of what the live step moves and of rigid bodies, which are where the step began.
     pub(super) fn heed_lost_of_live(&mut self) {
         let mut lost: Vec<[u32; 2]> = Vec::new();
         for (group, place) in self.plan.groups.iter_mut().zip(0..) {
@@ -45,16 +44,15 @@ impl<S: Real, const D: usize> World<S, D> {
                 lost.extend(mover.take_lost().into_iter().map(|slot| [place, slot]));
             }
         }
-        if lost.is_empty() {
-            return;
-        }
+        let Some(&[place, _]) = lost.first() else { return };
+        let solver = self.plan.own[place as usize].solver;
         lost.sort_unstable();
         let is_lost = |&point: &u32| {
             let slot = self.slot(point as usize).map(|slot| slot.map(|place| place as u32));
             slot.is_some_and(|slot| lost.binary_search(&slot).is_ok())
         };
         let points: Vec<u32> = self.free_points().filter(is_lost).collect();
-        self.freeze(&points, (Solver::Live, self.timeline.time()));
+        self.freeze(&points, (solver, self.timeline.time()));
     }
 
     /// The islands of a group that are not among the numbers are where the group last was, and stand still from `t` on [s]. Without a

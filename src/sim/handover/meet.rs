@@ -179,9 +179,13 @@ impl<S: Real, const D: usize> World<S, D> {
                 is_awake: !group.is_asleep(),
                 is_loose: self.plan.own[place].bonds == 0,
             };
-            if let (true, Engine::Bulk(mover)) = (group.is_live(), &group.engine) {
-                reaches.extend(mover.reaches(&group.points, span).into_iter().map(reach));
-                continue;
+            if let Engine::Bulk(mover) = &group.engine {
+                let margin = if group.is_live() { S::ZERO } else { S::from_f64(self.margin(group)) };
+                let swept = mover.reaches(&group.points, span);
+                if group.is_live() || !swept.is_empty() {
+                    reaches.extend(swept.into_iter().map(|swept| reach(swept.around(margin))));
+                    continue;
+                }
             }
             let points = group.points.position.iter().copied().zip(group.points.velocity.iter().copied());
             reaches.extend(Swept::new(points, span, S::from_f64(self.margin(group))).map(reach));

@@ -1,5 +1,6 @@
 //! The integrators, one a file.
 
+pub(crate) mod composed;
 pub(crate) mod flight;
 pub(crate) mod implicit;
 pub(crate) mod kick_drift;

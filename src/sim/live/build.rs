@@ -15,6 +15,7 @@ use crate::sim::force::angle::Hinge;
 use crate::sim::force::area;
 use crate::sim::points::Points;
 use crate::sim::real::Real;
+pub(super) use crate::sim::rigid::shape::is_held;
 use crate::sim::triangles;
 use crate::sim::vector::{length, sub, widen};
 
@@ -191,6 +192,9 @@ impl<S: Real> Own<S> {
     /// The shape that rigid bonds hold it in, if they hold all of it; of points counted in the group those of its surface.
     fn shape(&self, (local, points): (&[u32], &Points<S, 2>), surface: &[u32]) -> Option<Shape> {
         let bond = |bond: &Bond| ([bond.a, bond.b].map(|end| local[end.index()]), bond.rest_length);
+        if self.points.iter().any(|&i| points.inverse_mass[i as usize] == S::ZERO) {
+            return None;
+        }
         let of = |&i: &u32| widen(points.position[i as usize]);
         let mass = |&i: &u32| 1.0 / points.inverse_mass[i as usize].to_f64();
         Shape::of(Held {
@@ -239,11 +243,6 @@ fn is_stiff<S: Real>(bond: &Bond, w: impl Fn(u32) -> S) -> bool {
     let sum = (w(bond.a.0) + w(bond.b.0)).to_f64();
     let is_plain = bond.limit == crate::sim::bond::Limit::Both && bond.rest_length > 0.0;
     is_plain && !bond.break_strain.is_finite() && stiffness * sum >= STIFF * (FRAMES * FRAMES) * 256.0
-}
-
-/// Rigid, both ways.
-pub(super) fn is_held(bond: &Bond) -> bool {
-    bond.kind == BondKind::Rigid && bond.limit == crate::sim::bond::Limit::Both
 }
 
 pub(super) fn link<S: Real>(bond: &Bond, local: &[u32]) -> Link<S> {

@@ -69,6 +69,8 @@ pub(crate) struct Island {
     pub(crate) is_driven: bool,
     /// Areas are held.
     pub(crate) holds_areas: bool,
+    /// Rigid bonds hold it in its shape: it is a rigid body.
+    pub(crate) is_piece: bool,
 }
 
 /// Splits points into islands, in the order of their lowest points: bonds hold them together, angles and triangles that resist.

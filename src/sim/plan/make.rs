@@ -35,7 +35,7 @@ pub(super) const MOST_LOCATED: usize = 1_000;
 /// The same of points without rigid bonds among the walls of polygons, which are met and left all the time, by each for itself.
 const MOST_AMONG_WALLS: usize = 40;
 
-/// Most bonds of a group that is handed over to the live step, with rigid ones and without: of more, sweeps leave too much strain, or a
+/// Most bonds of a group that is handed over to the live step, with rigid ones and without, rigid bodies apart: of more, sweeps leave too much strain, or a
 /// frame is long by any method, and large bodies are moved in ways of their own that bear much.
 const MOST_HANDED_OVER: [usize; 2] = [2_000, 10_000];
 
@@ -56,6 +56,7 @@ impl<S: Real, const D: usize> Maker<'_, S, D> {
         let choice = self.lot.choice;
         let batched = match choice.solver {
             Solver::Live => self.make_live(),
+            Solver::Rigid => self.make_rigid(),
             _ => choice.bulk.and_then(|scheme| self.make_bulk(scheme)),
         };
         if let Some(group) = batched {
@@ -215,10 +216,13 @@ impl<S: Real, const D: usize> Maker<'_, S, D> {
         let (points, rigid) = (count(|island| island.points.len()), count(|island| island.rigid));
         // What is swept is defined by its sweeps, and nothing is so large that a frame of the live step would be long.
         let most = MOST_HANDED_OVER[usize::from(rigid == 0)];
-        let may_go = count(|island| island.relaxed) == 0 && bonds.len() <= most && points > 0;
+        let is_few = self.lot.choice.solver == Solver::Rigid || bonds.len() <= most;
+        let may_go = count(|island| island.relaxed) == 0 && is_few && points > 0;
         let surfaces = &self.obstacles.surfaces;
         let tracks = self.tracks();
-        let has_eyes = rigid > 0 || !surfaces.is_empty() || self.model.mouse.is_some() || !tracks.is_empty();
+        let can_fail = rigid > 0 || !surfaces.is_empty() || self.model.mouse.is_some() || !tracks.is_empty();
+        // A rigid body has no strain, and makes no energy.
+        let has_eyes = can_fail && self.lot.choice.solver != Solver::Rigid;
         // What forces and wind bring is known to a ledger alone.
         let gives = surfaces.iter().any(|surface| surface.restitution > S::ONE)
             || self.model.has_fields()

@@ -14,6 +14,7 @@ mod lot;
 mod make;
 mod precision;
 mod reconcile;
+mod rigid;
 pub(crate) mod structure;
 pub(crate) mod weld;
 
@@ -115,6 +116,7 @@ pub(crate) fn compile<S: Real, const D: usize>(
     let pairs = gathered.drives.pairs(model);
     let mut islands = island::islands_joined(&gathered.bonds, &gathered.ties, &gathered.w, &pairs);
     gathered.drives.mark(&mut islands);
+    rigid::mark(&gathered, model, &mut islands);
     gathered.plan((model, obstacles), lot::lots(model, (!obstacles.is_empty(), scene_points), islands, live))
 }
 

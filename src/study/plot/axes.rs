@@ -13,8 +13,9 @@ pub(super) enum Scale {
 }
 
 impl Scale {
-    /// A logarithmic scale of whole decades about values > 0; at least one decade.
+    /// A logarithmic scale of whole decades about those values that are > 0; at least one decade.
     pub(super) fn decades(values: impl Iterator<Item = f64>) -> Self {
+        let values = values.filter(|v| *v > 0.0 && v.is_finite());
         let (least, most) = values.fold((f64::INFINITY, 0.0_f64), |(least, most), v| (least.min(v), most.max(v)));
         if most <= 0.0 {
             return Scale::Log { from: 0, to: 1 };
@@ -167,6 +168,7 @@ mod tests {
     fn scales_span_their_values() {
         let scale = Scale::decades([3e-7, 2e-2].into_iter());
         assert_eq!(scale, Scale::Log { from: -7, to: -1 });
+        assert_eq!(Scale::decades([0.0, 3e-7, 2e-2, f64::INFINITY].into_iter()), scale);
         assert!((scale.share(1e-4) - 0.5).abs() < 1e-12);
         assert_eq!(Scale::decades([1e-3, 1e-3].into_iter()), Scale::Log { from: -3, to: -2 });
         assert_eq!(Scale::decades(std::iter::empty()), Scale::Log { from: 0, to: 1 });

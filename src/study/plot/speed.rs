@@ -28,9 +28,9 @@ struct Series {
     is_line: bool,
 }
 
-/// Time a frame against strain: `auto`, other settings of this program, and other engines.
+/// Time a frame against strain: what follows one, other settings of this program, and other engines.
 pub(crate) fn frames(scene: &str, runs: &[&SpeedRun], peers: &[&PeerRun]) -> Figure {
-    let mut series = vec![ours("auto", "auto", runs, BLUE, Marker::Disc)];
+    let mut series = vec![ours("paths, held to a strain", "strain", runs, BLUE, Marker::Disc)];
     series.push(ours("paths, given substeps", "paths", runs, SKY, Marker::Square));
     series.push(ours("sweeps, given substeps", "sweeps", runs, VERMILION, Marker::Cross));
     let mut engines: Vec<&str> = peers.iter().map(|run| run.engine.as_str()).collect();

@@ -5,7 +5,7 @@ use serde::Serialize;
 use super::super::error::StudyError;
 use super::clock::{in_turn, median};
 use super::naive::{Naive, Number};
-use super::run::{FRAME, auto, precision};
+use super::run::{FRAME, paths, precision};
 use super::scenes::{Hung, Shape};
 use crate::sim::{Dynamics, InstructionSet, Method, Model, Precision, Solver, build};
 
@@ -143,8 +143,8 @@ impl Case<'_> {
     fn worlds(&self, precision: Precision) -> Result<[Box<dyn Dynamics>; 2], StudyError> {
         let is_crowd = self.family == "rims";
         let method = |is_many: bool| match (is_crowd, is_many) {
-            (true, false) => auto(LOOSE),
-            (true, true) => auto(TIGHT),
+            (true, false) => paths(LOOSE),
+            (true, true) => paths(TIGHT),
             (false, _) => {
                 let iterations = Some(if is_many { MANY } else { 1 });
                 Method { solver: Solver::Xpbd, substep: Some(SUBSTEP), iterations, ..Method::default() }

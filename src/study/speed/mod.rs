@@ -214,7 +214,7 @@ fn measure_scene(
     if with_frames {
         let first = report.frames.len();
         for strain in STRAINS {
-            let method = (run::auto(strain), format!("auto, strain {strain}"));
+            let method = (run::paths(strain), format!("strain {strain}, paths"));
             report.frames.push(run::run(scene, &model, method, settings.threads, limits)?);
         }
         if with_rules {

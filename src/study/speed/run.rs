@@ -81,12 +81,9 @@ pub struct SpeedRun {
     pub bond_bytes: f64,
 }
 
-/// The automatic method held to a strain [1].
-///
-/// With a strain asked for, `auto` takes paths or sweeps for rigid bonds of any number; without one, islands of up to
-/// 2,000 would be solved directly.
-pub(super) fn auto(max_strain: f64) -> Method {
-    Method { max_strain: Some(max_strain), ..Method::default() }
+/// Paths held to a strain [1]: what `auto` takes where one is asked for, but for what is a rigid body, which has none.
+pub(super) fn paths(max_strain: f64) -> Method {
+    Method { solver: Solver::Path, max_strain: Some(max_strain), ..Method::default() }
 }
 
 /// A solver with so many equal substeps a frame and one pass over the bonds in each.
@@ -221,7 +218,7 @@ mod tests {
     fn a_run_is_whole_or_given_up() {
         let scene = find_speed_scene("rope-1000").unwrap();
         let model = scene.model().unwrap();
-        let with = |limits| run(scene, &model, (auto(0.02), "auto".to_owned()), 1, limits).unwrap();
+        let with = |limits| run(scene, &model, (paths(0.02), "paths".to_owned()), 1, limits).unwrap();
         let whole = with(Limits { seconds: f64::INFINITY, strain: f64::INFINITY });
         assert!(whole.is_finished && whole.is_within == Some(true), "{whole:?}");
         assert!(whole.substeps >= 1.0 && whole.median_ms > 0.0 && whole.rms_strain <= whole.max_strain);

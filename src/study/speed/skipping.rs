@@ -4,7 +4,7 @@ use serde::Serialize;
 
 use super::super::error::StudyError;
 use super::clock::{in_turn, median};
-use super::run::auto;
+use super::run::paths;
 use super::scenes::SpeedScene;
 use crate::sim::{Bounds, Command, Cursor, Dynamics, Method, Model, MouseForce, Profile, Region, Track, build};
 
@@ -43,7 +43,7 @@ pub(super) fn is_measured(scene: &SpeedScene) -> bool {
 ///
 /// Errors: the model is out of order.
 pub(super) fn measure(scene: &SpeedScene, model: &Model<2>, seconds: f64) -> Result<Vec<SkipRow>, StudyError> {
-    let plain = Model { method: auto(STRAIN), ..model.clone() };
+    let plain = Model { method: paths(STRAIN), ..model.clone() };
     let sleepy = Model { method: Method { sleeps: true, ..plain.method }, ..plain.clone() };
     let row = |what, (without, with, ratio): (f64, Option<f64>, Option<f64>)| SkipRow {
         scene: scene.name,

@@ -1,7 +1,6 @@
 //! The shape in which rigid bonds hold a body.
 
-use crate::sim::bond::Bond;
-use crate::sim::live::build::is_held;
+use crate::sim::bond::{Bond, BondKind, Limit};
 use crate::sim::vector::{add, cross, dot, scale, sub};
 
 /// Least share of the length of a bond by which a point that two bonds hold must be off the line through their other ends.
@@ -11,42 +10,52 @@ const FITS: f64 = 1e-6;
 
 /// What a rigid body is by itself.
 #[derive(Clone, Debug)]
-pub(in crate::sim::live) struct Shape {
-    /// Where its points are, from its middle [m].
-    pub(super) places: Vec<[f64; 2]>,
-    /// Of its points [kg].
-    pub(super) masses: Vec<f64>,
-    pub(super) mass: f64,
-    /// [kg m^2]
-    pub(super) inertia: f64,
+pub(crate) struct Shape {
+    /// Where its points are, from its middle, or from the point that it is pinned at [m].
+    pub(crate) places: Vec<[f64; 2]>,
+    /// Of its points [kg]; 0 of one that is pinned.
+    pub(crate) masses: Vec<f64>,
+    pub(crate) mass: f64,
+    /// About where its places are counted from [kg m^2].
+    pub(crate) inertia: f64,
+    /// Which of its points is pinned, and where its middle is from there [m].
+    pub(crate) pin: Option<(u32, [f64; 2])>,
     /// The points that may touch something.
-    pub(super) surface: Vec<u32>,
+    pub(crate) surface: Vec<u32>,
 }
 
-/// Points as a shape is found from them: where they are now [m], masses [kg], and the rigid bonds between them.
-pub(in crate::sim::live) struct Held<'a> {
-    pub(in crate::sim::live) now: Vec<[f64; 2]>,
-    pub(in crate::sim::live) masses: Vec<f64>,
+/// Points as a shape is found from them: where they are now [m], masses [kg], infinite where they are pinned, and the rigid bonds between them.
+pub(crate) struct Held<'a> {
+    pub(crate) now: Vec<[f64; 2]>,
+    pub(crate) masses: Vec<f64>,
     /// Points in the order of the lists above.
-    pub(in crate::sim::live) bonds: Vec<([u32; 2], f64)>,
-    pub(in crate::sim::live) surface: &'a [u32],
+    pub(crate) bonds: Vec<([u32; 2], f64)>,
+    pub(crate) surface: &'a [u32],
+}
+
+/// Rigid, both ways.
+pub(crate) fn is_held(bond: &Bond) -> bool {
+    bond.kind == BondKind::Rigid && bond.limit == Limit::Both
 }
 
 /// Whether a bond holds its length for ever.
-pub(in crate::sim::live) fn holds(bond: &Bond) -> bool {
+pub(crate) fn holds(bond: &Bond) -> bool {
     is_held(bond) && !bond.break_strain.is_finite() && bond.rest_length > 0.0
 }
 
 impl Shape {
-    /// The shape in which bonds hold all points; `None`: they leave some of them loose, are too few, or contradict each other.
+    /// The shape in which bonds hold all points; `None`: they leave some of them loose, are too few, contradict each other, or more than one
+    /// point is pinned.
     ///
     /// From one bond on, point after point is laid out that two bonds hold to what is there, on the side on which it is now: linear in
     /// the bonds.
-    pub(in crate::sim::live) fn of(held: Held<'_>) -> Option<Self> {
+    pub(crate) fn of(held: Held<'_>) -> Option<Self> {
         let count = held.now.len();
-        if count < 3 || held.bonds.len() < 2 * count - 3 || !held.masses.iter().all(|mass| mass.is_finite()) {
+        if count < 3 || held.bonds.len() < 2 * count - 3 {
             return None;
         }
+        let mut pinned = (0..count).filter(|&k| !held.masses[k].is_finite());
+        let (pin, None) = (pinned.next(), pinned.next()) else { return None };
         let mut ends: Vec<(u32, u32, f64)> =
             held.bonds.iter().flat_map(|&([a, b], rest)| [(a, b, rest), (b, a, rest)]).collect();
         ends.sort_unstable_by_key(|entry| (entry.0, entry.1));
@@ -61,12 +70,18 @@ impl Shape {
         if !held.bonds.iter().all(fits) {
             return None;
         }
-        let mass: f64 = held.masses.iter().sum();
-        let sum = places.iter().zip(&held.masses).fold([0.0; 2], |sum, (&x, &m)| add(sum, scale(x, m)));
+        let Held { mut masses, .. } = held;
+        if let Some(pin) = pin {
+            masses[pin] = 0.0;
+        }
+        let mass: f64 = masses.iter().sum();
+        let sum = places.iter().zip(&masses).fold([0.0; 2], |sum, (&x, &m)| add(sum, scale(x, m)));
         let middle = scale(sum, 1.0 / mass);
-        places.iter_mut().for_each(|x| *x = sub(*x, middle));
-        let inertia = places.iter().zip(&held.masses).map(|(&x, &m)| m * dot(x, x)).sum();
-        Some(Shape { places, masses: held.masses, mass, inertia, surface: held.surface.to_vec() })
+        let origin = pin.map_or(middle, |pin| places[pin]);
+        places.iter_mut().for_each(|x| *x = sub(*x, origin));
+        let inertia = places.iter().zip(&masses).map(|(&x, &m)| m * dot(x, x)).sum();
+        let pin = pin.map(|pin| (pin as u32, sub(middle, origin)));
+        Some(Shape { places, masses, mass, inertia, pin, surface: held.surface.to_vec() })
     }
 }
 

@@ -4,68 +4,20 @@
 //! by r x J/I: of the point there the inverse mass along n is 1/m + (r x n)^2/I.
 //! Source: M. Müller and others, Detailed Rigid Body Simulation with Extended Position Based Dynamics, 2020.
 
-mod shape;
-
 use std::sync::Arc;
 
 use super::cluster::{Cluster, OBSTACLE};
 use super::substep::SHORT;
 use crate::sim::real::Real;
+pub(super) use crate::sim::rigid::place::Place;
+pub(super) use crate::sim::rigid::shape::{Held, Shape, holds};
 use crate::sim::vector::{add, convert, cross, dot, scale, sub, widen};
-pub(super) use shape::{Held, Shape, holds};
 
 /// Share of what two things close within a substep in which hits count as one.
 const AT_ONCE: f64 = 0.02;
 
-/// Angle below which what is left out of its cosine is below rounding [rad].
-const SLIGHT: f64 = 5e-3;
-
 /// No frame.
 const NONE: u32 = u32::MAX;
-
-/// Where a rigid body is.
-#[derive(Clone, Copy, Debug)]
-struct Place {
-    middle: [f64; 2],
-    /// [rad], counted from where the step began.
-    angle: f64,
-    /// Cosine and sine of the whole angle.
-    turn: [f64; 2],
-}
-
-/// Cosine and sine: most pushes turn a body so little that the first terms of their series are all that is left of them.
-#[inline(always)]
-fn direction(angle: f64) -> [f64; 2] {
-    let square = angle * angle;
-    if square < SLIGHT * SLIGHT {
-        let cos = 1.0 - square * (1.0 / 2.0 - square * (1.0 / 24.0));
-        return [cos, angle * (1.0 - square * (1.0 / 6.0 - square * (1.0 / 120.0)))];
-    }
-    [libm::cos(angle), libm::sin(angle)]
-}
-
-impl Place {
-    #[inline(always)]
-    fn out(&self, q: [f64; 2]) -> [f64; 2] {
-        add(self.middle, self.turned(q))
-    }
-
-    #[inline(always)]
-    fn turned(&self, q: [f64; 2]) -> [f64; 2] {
-        let [c, s] = self.turn;
-        [c * q[0] - s * q[1], s * q[0] + c * q[1]]
-    }
-
-    /// Moved on, and turned by an angle.
-    #[inline(always)]
-    fn moved(&self, by: [f64; 2], angle: f64) -> Self {
-        let ([c, s], [x, y]) = (self.turn, direction(angle));
-        let turn = [c * x - s * y, s * x + c * y];
-        // Rounding must not make it grow.
-        let turn = scale(turn, 1.5 - 0.5 * dot(turn, turn));
-        Place { middle: add(self.middle, by), angle: self.angle + angle, turn }
-    }
-}
 
 /// A rigid body of a cluster as it moves.
 #[derive(Clone, Debug)]

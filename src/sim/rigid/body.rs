@@ -1,0 +1,347 @@
+//! One rigid body: what it is made of, its motion, and its flight where nothing touches it.
+//!
+//! ```text
+//! free      c' = v,  v' = g - gamma v,  theta' = omega,  omega' = -gamma omega      in closed form
+//! pinned    I omega' = d x m g                                                      kicks of a composition of order 4
+//! pushed    m v' = sum m_i a_i,  I omega' = sum r_i x m_i a_i                       kicks too: the mouse, forces, gusts
+//! ```
+
+use std::sync::Arc;
+
+use super::place::Place;
+use super::shape::Shape;
+use super::strike::{Inertia, Twist};
+use crate::sim::environment::Environment;
+use crate::sim::force::mouse;
+use crate::sim::integrate::composed::COMPOSED_4;
+use crate::sim::ledger::Book;
+use crate::sim::points::Points;
+use crate::sim::pull::Pull;
+use crate::sim::real::Real;
+use crate::sim::vector::{add, cross, dot, flat, scale, sub, widen};
+
+/// A rigid body.
+#[derive(Clone, Debug)]
+pub(super) struct Body {
+    pub(super) shape: Arc<Shape>,
+    /// Its points in the group, in the order of the shape.
+    pub(super) slots: Vec<u32>,
+    /// The corners of its convex hull: what can meet planes.
+    pub(super) hull: Vec<u32>,
+    /// How far its points are from the origin of the shape, at most [m].
+    pub(super) reach: f64,
+    pub(super) inertia: Inertia,
+}
+
+/// Where a body is and how it moves.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Motion {
+    pub(super) place: Place,
+    pub(super) twist: Twist,
+}
+
+/// What acts on a body in a step.
+pub(super) struct Field<'a, S: Real, const D: usize> {
+    pub(super) pull: &'a Pull<S, D>,
+    pub(super) around: &'a Environment<D>,
+    /// Inverse masses of the group's points [1/kg].
+    pub(super) w: &'a [S],
+    /// The mouse may push some of its points in the step.
+    pub(super) is_reached: bool,
+}
+
+impl<S: Real, const D: usize> Field<'_, S, D> {
+    /// Whether anything pushes points that is not the same everywhere.
+    pub(super) fn pushes(&self) -> bool {
+        self.is_reached || self.pull.has_fields()
+    }
+
+    fn gravity(&self) -> [f64; 2] {
+        flat(self.pull.gravity)
+    }
+}
+
+impl Motion {
+    pub(super) fn is_finite(&self) -> bool {
+        let Motion { place: Place { middle, turn, .. }, twist: Twist { velocity, spin } } = self;
+        middle.iter().chain(turn).chain(velocity).chain([spin]).all(|x| x.is_finite())
+    }
+}
+
+impl Body {
+    pub(super) fn new(shape: Shape, slots: Vec<u32>) -> Self {
+        let reach = shape.places.iter().map(|q| dot(*q, *q)).fold(0.0, f64::max).sqrt();
+        let ease = if shape.pin.is_some() { 0.0 } else { 1.0 / shape.mass };
+        let inertia = Inertia { inverse: [ease, 1.0 / shape.inertia] };
+        Body { hull: hull(&shape.places), slots, reach, inertia, shape: Arc::new(shape) }
+    }
+
+    /// Where the shape fits the places of points best by mass, and the motion that has their momentum and angular momentum.
+    ///
+    /// Sums are taken about one point, in lanes that do not wait for each other, and moved to the middle afterwards.
+    pub(super) fn read<S: Real, const D: usize>(&self, points: &Points<S, D>) -> Motion {
+        const LANES: usize = 4;
+        let Shape { places, masses, mass, inertia, pin, .. } = &*self.shape;
+        let exact = |list: &[[S; D]], lost: &[[S; D]], i: u32| {
+            let lost = lost.get(i as usize).map_or([0.0; 2], |lost| flat(widen(*lost)));
+            add(flat(widen(list[i as usize])), lost)
+        };
+        let at = |slot: u32| exact(&points.position, &points.position_lost, slot);
+        let base = at(self.slots[pin.map_or(0, |(pin, _)| pin as usize)]);
+        // Masses times ways, fits (along and across), momenta, angular momenta.
+        let mut lanes = [[0.0; 7]; LANES];
+        for ((slots, places), masses) in self.slots.chunks(LANES).zip(places.chunks(LANES)).zip(masses.chunks(LANES)) {
+            for (((sums, &slot), &q), &m) in lanes.iter_mut().zip(slots).zip(places).zip(masses) {
+                let r = scale(sub(at(slot), base), m);
+                let v = exact(&points.velocity, &points.velocity_lost, slot);
+                let terms = [r[0], r[1], dot(q, r), cross(q, r), m * v[0], m * v[1], cross(r, v)];
+                *sums = add(*sums, terms);
+            }
+        }
+        let [x, y, along, across, p_x, p_y, turning] = lanes.into_iter().fold([0.0; 7], add);
+        let (way, momentum) = (scale([x, y], 1.0 / mass), [p_x, p_y]);
+        let size = (along * along + across * across).sqrt();
+        let turn = if size > 0.0 { [along / size, across / size] } else { [1.0, 0.0] };
+        let (middle, velocity, turning) = match pin {
+            Some(_) => (base, [0.0; 2], turning),
+            None => (add(base, way), scale(momentum, 1.0 / mass), turning - cross(way, momentum)),
+        };
+        Motion { place: Place { middle, angle: 0.0, turn }, twist: Twist { velocity, spin: turning / inertia } }
+    }
+
+    /// Whether its points are where the shape has them and go as it does, but for rounding.
+    pub(super) fn fits<S: Real, const D: usize>(&self, motion: &Motion, points: &Points<S, D>) -> bool {
+        const ROUNDED: f64 = 64.0;
+        let Motion { place, twist } = motion;
+        let size = |x: [f64; 2]| 1.0 + self.reach + x[0].abs() + x[1].abs();
+        let rounded = ROUNDED * S::EPSILON.to_f64();
+        let near = rounded * size(place.middle);
+        let slow = rounded * (size(twist.velocity) + self.reach * twist.spin.abs());
+        let is_there = |(&slot, &q): (&u32, &[f64; 2])| {
+            let r = place.turned(q);
+            let at = |list: &[[S; D]]| flat(widen(list[slot as usize]));
+            let off = sub(at(&points.position), add(place.middle, r));
+            let faster = sub(at(&points.velocity), twist.at(r));
+            off.iter().all(|off| off.abs() <= near) && faster.iter().all(|faster| faster.abs() <= slow)
+        };
+        self.slots.iter().zip(&self.shape.places).all(is_there)
+    }
+
+    /// Its points follow.
+    pub(super) fn write<S: Real, const D: usize>(&self, motion: &Motion, points: &mut Points<S, D>) {
+        let Motion { place, twist } = motion;
+        for (&slot, &q) in self.slots.iter().zip(&self.shape.places) {
+            let i = slot as usize;
+            if points.inverse_mass[i] == S::ZERO {
+                continue;
+            }
+            let r = place.turned(q);
+            set(&mut points.position[i], points.position_lost.get_mut(i), add(place.middle, r));
+            set(&mut points.velocity[i], points.velocity_lost.get_mut(i), twist.at(r));
+        }
+    }
+
+    /// On for `h` [s] where nothing touches it. Works and losses are booked where there is a book.
+    pub(super) fn fly<S: Real, const D: usize>(
+        &self,
+        motion: &Motion,
+        field: &Field<S, D>,
+        (t, h): (f64, f64),
+        mut book: Option<&mut Book>,
+    ) -> Motion {
+        if self.shape.pin.is_none() && !field.pushes() {
+            return self.drift(motion, field, h, book);
+        }
+        let (mut motion, mut now) = (*motion, t);
+        for share in COMPOSED_4 {
+            let part = share * h;
+            motion = self.kick(&motion, field, (now, 0.5 * part), book.as_deref_mut());
+            motion = self.drift(&motion, field, part, book.as_deref_mut());
+            now += part;
+            motion = self.kick(&motion, field, (now, 0.5 * part), book.as_deref_mut());
+        }
+        motion
+    }
+
+    /// Without forces but gravity and drag: in closed form. Of what is pinned, gravity is a kick.
+    fn drift<S: Real, const D: usize>(
+        &self,
+        motion: &Motion,
+        field: &Field<S, D>,
+        h: f64,
+        book: Option<&mut Book>,
+    ) -> Motion {
+        let Motion { place, twist } = motion;
+        let rate = field.pull.drag_rate;
+        let (keep, time) = if rate == 0.0 { (1.0, h) } else { (libm::exp(-rate * h), -libm::expm1(-rate * h) / rate) };
+        // The integral of what gravity has given by then.
+        let late = if rate == 0.0 { 0.5 * h * h } else { fallen(rate, h, time) };
+        let g = if self.shape.pin.is_some() { [0.0; 2] } else { field.gravity() };
+        let way = add(scale(twist.velocity, time), scale(g, late));
+        let velocity = add(scale(twist.velocity, keep), scale(g, time));
+        let end =
+            Motion { place: place.moved(way, twist.spin * time), twist: Twist { velocity, spin: twist.spin * keep } };
+        if let Some(book) = book {
+            // A composition's parts that go back in time give drag back.
+            book.wind += self.shape.mass * dot(sub(g, self.still_gravity(field)), way);
+            if rate != 0.0 {
+                let gained = self.inertia.energy(&end.twist) - self.inertia.energy(twist);
+                book.drag -= gained - self.shape.mass * dot(g, way);
+            }
+        }
+        end
+    }
+
+    /// Gravity without the mean wind, of what is free.
+    fn still_gravity<S: Real, const D: usize>(&self, field: &Field<S, D>) -> [f64; 2] {
+        if self.shape.pin.is_some() { [0.0; 2] } else { flat(field.around.gravity) }
+    }
+
+    /// What forces give in `h` [s].
+    fn kick<S: Real, const D: usize>(
+        &self,
+        motion: &Motion,
+        field: &Field<S, D>,
+        (t, h): (f64, f64),
+        mut book: Option<&mut Book>,
+    ) -> Motion {
+        let mut motion = *motion;
+        let mut give = |(force, torque): ([f64; 2], f64), of: Option<fn(&mut Book) -> &mut f64>| {
+            let before = motion.twist;
+            let [ease, swing] = self.inertia.inverse;
+            motion.twist = Twist {
+                velocity: add(before.velocity, scale(force, ease * h)),
+                spin: before.spin + torque * swing * h,
+            };
+            if let (Some(book), Some(of)) = (&mut book, of) {
+                *of(book) += self.inertia.energy(&motion.twist) - self.inertia.energy(&before);
+            }
+        };
+        let place = motion.place;
+        if let Some((_, centre)) = self.shape.pin {
+            let of = |g: [f64; 2]| ([0.0; 2], self.shape.mass * cross(place.turned(centre), g));
+            let (all, still) = (field.gravity(), flat(field.around.gravity));
+            // Gravity's energy was there before.
+            give(of(still), None);
+            if all != still {
+                give(of(sub(all, still)), Some(|book| &mut book.wind));
+            }
+        }
+        if field.is_reached
+            && let Some((force, cursor)) = field.around.mouse_at(t)
+        {
+            let push = mouse::Push::<f64, D>::new(force, cursor);
+            let of = |x: [f64; 2]| push.acceleration(lift(x)).map(flat);
+            give(self.sum(&place, |_, x| of(x)), Some(|book| &mut book.mouse));
+        }
+        if field.pull.has_fields() {
+            let [forces, wind] = self.driven(&place, field, t);
+            give(forces, Some(|book| &mut book.forces));
+            give(wind, Some(|book| &mut book.wind));
+        }
+        motion
+    }
+
+    /// Force [N] and torque [N m] of constant forces, and of gusts.
+    fn driven<S: Real, const D: usize>(&self, place: &Place, field: &Field<S, D>, t: f64) -> [([f64; 2], f64); 2] {
+        let mut x = vec![[S::ZERO; D]; field.w.len()];
+        for (&slot, &q) in self.slots.iter().zip(&self.shape.places) {
+            x[slot as usize] = lift(place.out(q));
+        }
+        let mut pushes = vec![[0.0; 2]; field.w.len()];
+        for thrust in &field.pull.thrusts {
+            thrust.each(&x, field.w, |i, push| pushes[i] = add(pushes[i], flat(widen(push))));
+        }
+        let forces = self.sum(place, |slot, _| Some(pushes[slot as usize]));
+        let gust = |x: [f64; 2]| field.pull.gusts().map(|air| scale(flat(air.gust(lift(x), t)), field.pull.drag_rate));
+        [forces, self.sum(place, |_, x| gust(x))]
+    }
+
+    /// Force and torque of accelerations of its points, by their slots and places.
+    fn sum(&self, place: &Place, of: impl Fn(u32, [f64; 2]) -> Option<[f64; 2]>) -> ([f64; 2], f64) {
+        let (mut force, mut torque) = ([0.0; 2], 0.0);
+        for ((&slot, &q), &m) in self.slots.iter().zip(&self.shape.places).zip(&self.shape.masses) {
+            let r = place.turned(q);
+            if let Some(a) = of(slot, add(place.middle, r)) {
+                force = add(force, scale(a, m));
+                torque += m * cross(r, a);
+            }
+        }
+        (force, torque)
+    }
+}
+
+/// The integral of (1 - exp(-rate s))/rate over s from 0 to h, `time` its integrand at h: by its series where the difference rounds.
+fn fallen(rate: f64, h: f64, time: f64) -> f64 {
+    let x = rate * h;
+    if x.abs() > 1e-2 {
+        return (h - time) / rate;
+    }
+    h * h * (1.0 / 2.0 - x * (1.0 / 6.0 - x * (1.0 / 24.0 - x * (1.0 / 120.0 - x * (1.0 / 720.0 - x / 5040.0)))))
+}
+
+/// In the plane of a world.
+#[inline(always)]
+pub(super) fn lift<S: Real, const D: usize>(x: [f64; 2]) -> [S; D] {
+    std::array::from_fn(|k| if k < 2 { S::from_f64(x[k]) } else { S::ZERO })
+}
+
+/// A number and what rounding takes from it, where that is kept.
+#[inline(always)]
+fn set<S: Real, const D: usize>(value: &mut [S; D], lost: Option<&mut [S; D]>, exact: [f64; 2]) {
+    *value = lift(exact);
+    if let Some(lost) = lost {
+        *lost = lift(sub(exact, flat(widen(*value))));
+    }
+}
+
+/// The corners of the convex hull of places (Andrew's monotone chain), in the order around it.
+fn hull(places: &[[f64; 2]]) -> Vec<u32> {
+    let mut order: Vec<u32> = (0..places.len() as u32).collect();
+    let at = |k: u32| places[k as usize];
+    order.sort_by(|&a, &b| at(a)[0].total_cmp(&at(b)[0]).then(at(a)[1].total_cmp(&at(b)[1])));
+    let mut corners: Vec<u32> = Vec::new();
+    for half in [order.clone(), order.into_iter().rev().collect()] {
+        let start = corners.len();
+        for k in half {
+            while corners.len() >= start + 2 {
+                let [a, b] = [corners[corners.len() - 2], corners[corners.len() - 1]];
+                if cross(sub(at(b), at(a)), sub(at(k), at(b))) > 0.0 {
+                    break;
+                }
+                corners.pop();
+            }
+            corners.push(k);
+        }
+        corners.pop();
+    }
+    corners
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_hull_of_a_square_with_points_within_is_its_corners() {
+        let places = [[0.0, 0.0], [2.0, 0.0], [1.0, 1.0], [2.0, 2.0], [0.0, 2.0], [0.5, 1.5]];
+        assert_eq!(hull(&places), [0, 1, 3, 4]);
+    }
+
+    #[test]
+    fn what_falls_against_drag_is_in_closed_form_on_both_sides_of_the_series() {
+        for rate in [1e-9, 0.3, 0.59, 0.61, 40.0] {
+            let h = 1.0 / 60.0;
+            let time = -libm::expm1(-rate * h) / rate;
+            // Simpson's rule over many parts.
+            let parts = 1000;
+            let at = |k: i32| {
+                let s = h * f64::from(k) / f64::from(2 * parts);
+                -libm::expm1(-rate * s) / rate
+            };
+            let sum: f64 = (0..parts).map(|k| at(2 * k) + 4.0 * at(2 * k + 1) + at(2 * k + 2)).sum();
+            let expected = sum * h / f64::from(6 * parts);
+            assert!((fallen(rate, h, time) / expected - 1.0).abs() < 1e-11, "{rate}");
+        }
+    }
+}

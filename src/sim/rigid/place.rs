@@ -1,0 +1,53 @@
+//! Where a rigid body is, and how it is turned.
+
+use crate::sim::vector::{add, dot, scale};
+
+/// Angle below which what is left out of its cosine is below rounding [rad].
+const SLIGHT: f64 = 5e-3;
+
+/// Where a rigid body is: places of its shape are turned, then carried along.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Place {
+    /// Where the origin of the shape is [m].
+    pub(crate) middle: [f64; 2],
+    /// [rad], counted from where somebody began to.
+    pub(crate) angle: f64,
+    /// Cosine and sine of the whole angle.
+    pub(crate) turn: [f64; 2],
+}
+
+impl Place {
+    /// Where a place of the shape is.
+    #[inline(always)]
+    pub(crate) fn out(&self, q: [f64; 2]) -> [f64; 2] {
+        add(self.middle, self.turned(q))
+    }
+
+    /// The way from the origin of the shape to a place of it.
+    #[inline(always)]
+    pub(crate) fn turned(&self, q: [f64; 2]) -> [f64; 2] {
+        let [c, s] = self.turn;
+        [c * q[0] - s * q[1], s * q[0] + c * q[1]]
+    }
+
+    /// Moved on, and turned by an angle.
+    #[inline(always)]
+    pub(crate) fn moved(&self, by: [f64; 2], angle: f64) -> Self {
+        let ([c, s], [x, y]) = (self.turn, direction(angle));
+        let turn = [c * x - s * y, s * x + c * y];
+        // Rounding must not make it grow.
+        let turn = scale(turn, 1.5 - 0.5 * dot(turn, turn));
+        Place { middle: add(self.middle, by), angle: self.angle + angle, turn }
+    }
+}
+
+/// Cosine and sine: most pushes turn a body so little that the first terms of their series are all that is left of them.
+#[inline(always)]
+fn direction(angle: f64) -> [f64; 2] {
+    let square = angle * angle;
+    if square < SLIGHT * SLIGHT {
+        let cos = 1.0 - square * (1.0 / 2.0 - square * (1.0 / 24.0));
+        return [cos, angle * (1.0 - square * (1.0 / 6.0 - square * (1.0 / 120.0)))];
+    }
+    [libm::cos(angle), libm::sin(angle)]
+}

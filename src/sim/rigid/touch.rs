@@ -1,0 +1,237 @@
+//! What a rigid body touches: points on surfaces, and when the next one gets there.
+
+use super::body::{Body, Motion, lift};
+use crate::sim::contact::obstacles::Obstacles;
+use crate::sim::real::Real;
+use crate::sim::solve::root::Root;
+use crate::sim::vector::{cross, dot, flat, scale, sub, widen};
+
+/// A distance that counts as none, as a share of where things are [1].
+const TOUCH: f64 = 1e-11;
+/// Halvings of a way in which one that sets out from a surface is looked for off it.
+const LOOKS: i32 = 12;
+/// Most evaluations for one root.
+const MOST_GUESSES: u32 = 100;
+/// Rounds in which a body is put out of surfaces.
+const ROUNDS: u32 = 50;
+
+/// A point of a body, by its number in the shape, on a surface.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) struct Touch {
+    pub(super) point: u32,
+    pub(super) surface: usize,
+}
+
+/// The surfaces that a body may meet in a part of a step.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Near {
+    planes: Vec<usize>,
+    has_walls: bool,
+}
+
+impl Near {
+    pub(super) fn has_walls(&self) -> bool {
+        self.has_walls
+    }
+
+    pub(super) fn is_empty(&self) -> bool {
+        self.planes.is_empty() && !self.has_walls
+    }
+}
+
+/// A body among obstacles.
+pub(super) struct Among<'a, S: Real, const D: usize> {
+    pub(super) body: &'a Body,
+    pub(super) obstacles: &'a Obstacles<S, D>,
+    /// A distance that counts as none [m].
+    pub(super) touch: f64,
+}
+
+impl<'a, S: Real, const D: usize> Among<'a, S, D> {
+    pub(super) fn new(body: &'a Body, obstacles: &'a Obstacles<S, D>, motion: &Motion) -> Self {
+        let middle = motion.place.middle;
+        let size = 1.0 + body.reach + middle[0].abs() + middle[1].abs();
+        Among { body, obstacles, touch: TOUCH * size }
+    }
+
+    /// What it may meet on a way of so many metres.
+    pub(super) fn near(&self, motion: &Motion, way: f64) -> Near {
+        let (middle, far) = (motion.place.middle, self.body.reach + way + self.touch);
+        let planes = self.obstacles.planes().iter().enumerate();
+        let planes = planes.filter(|(_, plane)| plane.gap_of(middle) < far).map(|(surface, _)| surface).collect();
+        let bounds = [-far, far].map(|far| lift([middle[0] + far, middle[1] + far]));
+        Near { planes, has_walls: self.obstacles.has_walls_near(bounds) }
+    }
+
+    fn at(&self, motion: &Motion, point: u32) -> [f64; 2] {
+        motion.place.out(self.body.shape.places[point as usize])
+    }
+
+    /// How far off a surface a point is [m].
+    fn gap(&self, motion: &Motion, touch: Touch) -> f64 {
+        self.obstacles.surfaces[touch.surface].gap_of(self.at(motion, touch.point))
+    }
+
+    fn points(&self) -> std::ops::Range<u32> {
+        0..self.body.shape.places.len() as u32
+    }
+
+    fn is_free(&self, point: u32) -> bool {
+        self.body.shape.pin.is_none_or(|(pin, _)| pin != point)
+    }
+
+    /// The points that lie on surfaces: of those on one, the two that are furthest apart.
+    pub(super) fn touching(&self, motion: &Motion, near: &Near) -> Vec<Touch> {
+        let mut list: Vec<Touch> = Vec::new();
+        for &surface in &near.planes {
+            let touches = self.body.hull.iter().map(|&point| Touch { point, surface });
+            list.extend(touches.filter(|&touch| self.is_free(touch.point) && self.gap(motion, touch) <= self.touch));
+        }
+        if near.has_walls {
+            let slacks = self.touch / self.obstacles.slack();
+            for point in self.points().filter(|&point| self.is_free(point)) {
+                let see = |surface: usize| list.push(Touch { point, surface });
+                self.obstacles.touching(lift(self.at(motion, point)), slacks, see);
+            }
+        }
+        list.sort_by_key(|touch| touch.surface);
+        list.chunk_by(|a, b| a.surface == b.surface).flat_map(|of_one| self.ends(motion, of_one)).collect()
+    }
+
+    /// The first and the last along the surface that they all are on.
+    fn ends(&self, motion: &Motion, touches: &[Touch]) -> Vec<Touch> {
+        let Some(first) = touches.first() else { return Vec::new() };
+        let normal = flat(widen(self.obstacles.surfaces[first.surface].normal));
+        let along = |touch: &&Touch| dot([-normal[1], normal[0]], self.at(motion, touch.point));
+        let by = |a: &&Touch, b: &&Touch| along(a).total_cmp(&along(b));
+        let (low, high) = (touches.iter().min_by(by), touches.iter().max_by(by));
+        let both = low.into_iter().chain(high.filter(|high| Some(*high) != low));
+        both.copied().collect()
+    }
+
+    /// When within `h` [s] the first point gets to a surface along a path, whose ends are given; `lying` are on theirs already.
+    pub(super) fn first_hit(
+        &self,
+        path: impl Fn(f64) -> Motion,
+        (start, end, h): (&Motion, &Motion, f64),
+        (near, lying): (&Near, &[Touch]),
+    ) -> Option<f64> {
+        let mut candidates: Vec<Touch> = Vec::new();
+        for &surface in &near.planes {
+            candidates.extend(self.body.hull.iter().map(|&point| Touch { point, surface }));
+        }
+        if near.has_walls {
+            for point in self.points() {
+                let [from, to] = [start, end].map(|motion| lift(self.at(motion, point)));
+                let may = |surface: usize| !lying.contains(&Touch { point, surface });
+                if let Some(met) = self.obstacles.meeting(from, to, may) {
+                    candidates.push(Touch { point, surface: met.surface });
+                }
+            }
+        }
+        let is_meant =
+            |touch: &Touch| self.is_free(touch.point) && !lying.contains(touch) && self.gap(end, *touch) < -self.touch;
+        let mut first = None;
+        for touch in candidates.into_iter().filter(is_meant) {
+            let gap = |time: f64| self.gap(&path(time), touch);
+            let latest = first.unwrap_or(h);
+            let last = if latest < h { gap(latest) } else { self.gap(end, touch) };
+            // What starts behind a surface is put out of it, not stopped.
+            if last >= -self.touch || self.gap(start, touch) < -self.touch {
+                continue;
+            }
+            first = Some(self.root(gap, (latest, last)));
+        }
+        first
+    }
+
+    /// When within `h` [s] the first of the points that slide on their surfaces stops or turns back.
+    pub(super) fn first_stop(
+        &self,
+        path: impl Fn(f64) -> Motion,
+        (motion, end, h): (&Motion, &Motion, f64),
+        lying: &[Touch],
+    ) -> Option<f64> {
+        let along = |motion: &Motion, touch: &Touch| {
+            let normal = flat(widen(self.obstacles.surfaces[touch.surface].normal));
+            let arm = motion.place.turned(self.body.shape.places[touch.point as usize]);
+            dot(motion.twist.at(arm), [-normal[1], normal[0]])
+        };
+        let still = self.body.still(&motion.twist);
+        let mut first = None;
+        for touch in lying {
+            let start = along(motion, touch);
+            let latest = first.unwrap_or(h);
+            let ahead = |time: f64| along(&path(time), touch) * start.signum();
+            let last = if latest < h { ahead(latest) } else { along(end, touch) * start.signum() };
+            if start.abs() <= still || last >= -0.5 * still {
+                continue;
+            }
+            let root = Root::between((0.0, start.abs()), (latest, last));
+            first = Some(narrowed(root, ahead, 0.5 * still));
+        }
+        first
+    }
+
+    /// When a gap closes that is below 0 at the end.
+    fn root(&self, gap: impl Fn(f64) -> f64, end: (f64, f64)) -> f64 {
+        let starts = std::iter::once(0.0).chain((1..=LOOKS).map(|k| end.0 * 0.5_f64.powi(k)));
+        let Some(start) = starts.map(|time| (time, gap(time))).find(|(_, gap)| *gap > self.touch) else { return 0.0 };
+        narrowed(Root::between(start, end), gap, 0.5 * self.touch)
+    }
+
+    /// It is put out of surfaces that it is behind, as a whole, without speed.
+    pub(super) fn put_out(&self, motion: &Motion, near: &Near) -> Motion {
+        let mut motion = *motion;
+        for _ in 0..ROUNDS {
+            let mut deepest: Option<(f64, [f64; 2], [f64; 2])> = None;
+            let mut see = |point: u32, surface: usize| {
+                let surface = &self.obstacles.surfaces[surface];
+                let x = self.at(&motion, point);
+                let gap = surface.gap_of(x);
+                if gap < -self.touch && deepest.is_none_or(|(depth, ..)| gap < depth) {
+                    deepest = Some((gap, sub(x, motion.place.middle), flat(widen(surface.normal))));
+                }
+            };
+            for &surface in &near.planes {
+                self.body.hull.iter().filter(|&&point| self.is_free(point)).for_each(|&point| see(point, surface));
+            }
+            if near.has_walls {
+                for point in self.points().filter(|&point| self.is_free(point)) {
+                    let inside = self.obstacles.nearest(lift(self.at(&motion, point)), self.touch);
+                    inside.into_iter().for_each(|surface| see(point, surface));
+                }
+            }
+            let Some((gap, arm, normal)) = deepest else { break };
+            let lever = cross(arm, normal);
+            let [ease, swing] = self.body.inertia.inverse;
+            let gives = ease + swing * lever * lever;
+            if gives == 0.0 {
+                break;
+            }
+            let push = -gap / gives;
+            motion.place = motion.place.moved(scale(normal, push * ease), push * swing * lever);
+        }
+        motion
+    }
+}
+
+/// Twice as far as it may get in `h` [s] with its speed [m/s] and what pushes it [m/s^2].
+pub(super) fn way(motion: &Motion, h: f64, pushed: f64) -> f64 {
+    let v = motion.twist.velocity;
+    2.0 * (dot(v, v).sqrt() * h + pushed * h * h)
+}
+
+/// Where a function is 0 within a bracket, or no further from it than `nothing`.
+fn narrowed(mut root: Root, of: impl Fn(f64) -> f64, nothing: f64) -> f64 {
+    let mut time = root.guess();
+    for _ in 0..MOST_GUESSES {
+        let value = of(time);
+        if value.abs() <= nothing || !root.contains(time) {
+            break;
+        }
+        root.narrow(time, value);
+        time = root.guess();
+    }
+    time
+}

@@ -1,0 +1,273 @@
+//! Rigid bodies by the rules of `auto`: three degrees of freedom, Coulomb's law, and no energy from nowhere.
+#![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic, reason = "a test that cannot go on stops")]
+
+use std::f64::consts::PI;
+
+use serde_json::{Value, json};
+use wobble::scene::Scene;
+use wobble::scene::record::ledgers;
+use wobble::sim::{Command, Dynamics, Sample, Selection, Solver, judge};
+
+fn world(scene: &Value) -> Box<dyn Dynamics> {
+    Scene::parse(&scene.to_string(), "scene").unwrap().world(None).unwrap()
+}
+
+/// Runs to a time; the rigid method moves all of it to the end.
+fn run(world: &mut dyn Dynamics, t: f64) -> Sample {
+    while world.time() + world.substep() <= t + 1e-9 {
+        world.step();
+    }
+    assert!(world.moved_by().iter().all(|moved| moved.method == Solver::Rigid), "{:?}", world.moved_by());
+    world.sample(t)
+}
+
+fn rigid() -> Value {
+    json!({"kind": "rigid", "mass": 2})
+}
+
+fn a_box(origin: [f64; 2], velocity: [f64; 2]) -> Value {
+    json!({"make": "box", "width": 1, "height": 1, "origin": origin, "velocity": velocity, "material": rigid()})
+}
+
+fn on_floor(gravity: [f64; 2], body: &Value, [friction, restitution]: [f64; 2]) -> Value {
+    json!({"wobble": 1, "gravity": gravity, "bodies": [body],
+        "bounds": {"min": [-900, 0], "max": [900, 900], "friction": friction, "restitution": restitution}})
+}
+
+fn middle(sample: &Sample, masses: &[f64]) -> [f64; 2] {
+    let mass: f64 = masses.iter().sum();
+    [0, 1].map(|axis| sample.position.iter().zip(masses).map(|(x, m)| m * x[axis]).sum::<f64>() / mass)
+}
+
+/// A triangle of three points of 1 kg, its lower side on the floor.
+fn triangle(speed: f64) -> Value {
+    json!({"points": {"position": [[0, 0], [1, 0], [0.5, 0.8]], "velocity": [[speed, 0], [speed, 0], [speed, 0]], "mass": [1, 1, 1]},
+        "bonds": [{"a": 0, "b": 1}, {"a": 1, "b": 2}, {"a": 2, "b": 0}]})
+}
+
+#[test]
+fn what_slides_stops_after_v_square_over_2_mu_g() {
+    let expected = 1.0 / (2.0 * 0.3 * 9.81);
+    let mut boxed = world(&on_floor([0.0, -9.81], &a_box([0.0, 0.5], [1.0, 0.0]), [0.3, 0.0]));
+    let way = middle(&run(&mut *boxed, 2.0), boxed.masses())[0];
+    assert!((way - expected).abs() < 1e-9, "{way} {expected}");
+    let mut scene = triangle(1.0);
+    scene["wobble"] = json!(1);
+    scene["gravity"] = json!([0, -9.81]);
+    scene["bounds"] = json!({"min": [-9, 0], "max": [9, 9], "friction": 0.3, "restitution": 0});
+    let mut three = world(&scene);
+    let way = middle(&run(&mut *three, 2.0), three.masses())[0] - 0.5;
+    assert!((way - expected).abs() < 1e-9, "{way} {expected}");
+}
+
+#[test]
+fn on_a_slope_it_slides_by_coulombs_law_or_stays_where_it_is() {
+    let angle: f64 = 0.35;
+    let gravity = [9.81 * angle.sin(), -9.81 * angle.cos()];
+    let mut slides = world(&on_floor(gravity, &a_box([0.0, 0.5], [0.0; 2]), [0.2, 0.0]));
+    let way = middle(&run(&mut *slides, 3.0), slides.masses())[0];
+    let expected = 0.5 * 9.81 * (angle.sin() - 0.2 * angle.cos()) * 9.0;
+    assert!((way - expected).abs() < 1e-9 * expected, "{way} {expected}");
+    let mut scene = on_floor(gravity, &a_box([0.0, 0.5], [0.0; 2]), [0.5, 0.0]);
+    scene["method"] = json!({"sleep": false});
+    let mut holds = world(&scene);
+    let way = middle(&run(&mut *holds, 10.0), holds.masses())[0];
+    assert!(way.abs() < 1e-10, "{way}");
+}
+
+#[test]
+fn up_a_slope_and_down_again_each_way_takes_its_own_friction() {
+    let (angle, mu, speed): (f64, f64, f64) = (0.4, 0.2, 3.0);
+    let gravity = [-9.81 * angle.sin(), -9.81 * angle.cos()];
+    let mut up = world(&on_floor(gravity, &a_box([0.0, 0.5], [speed, 0.0]), [mu, 0.0]));
+    let [slow, fast] = [1.0, -1.0].map(|sign| 9.81 * (angle.sin() + sign * mu * angle.cos()));
+    let (turn, top) = (speed / slow, speed * speed / (2.0 * slow));
+    let expected = top - 0.5 * fast * (2.0 - turn) * (2.0 - turn);
+    let way = middle(&run(&mut *up, 2.0), up.masses())[0];
+    assert!((way - expected).abs() < 1e-8, "{way} {expected}");
+}
+
+#[test]
+fn restitution_1_neither_gains_nor_loses() {
+    let tilted = json!({"make": "box", "width": 1, "height": 0.6, "angle": 0.3, "origin": [0, 3], "velocity": [1, 0], "material": rigid()});
+    let lattice = json!({"make": "lattice", "columns": 6, "rows": 4, "spacing": 0.2, "angle": 0.2, "origin": [0, 2], "material": rigid()});
+    let bodies =
+        [(a_box([0.0, 2.0], [0.0; 2]), 9.81), (a_box([0.0, 2.0], [0.0; 2]), 1000.0), (tilted, 9.81), (lattice, 1000.0)];
+    for (body, g) in bodies {
+        for friction in [0.0, 0.4] {
+            let mut scene = on_floor([0.0, -g], &body, [friction, 1.0]);
+            scene["bounds"]["max"] = json!([900, 4]);
+            let mut world = world(&scene);
+            let (start, mut bounces) = (world.energy(), 0);
+            while bounces < 20 && world.time() < 60.0 {
+                world.step();
+                bounces = world.counters().events;
+            }
+            let gain = world.energy() / start - 1.0;
+            assert!(bounces >= 20 && gain < 1e-12, "{body} {g}: {gain} after {bounces} bounces");
+            assert!(friction > 0.0 || gain > -1e-12, "{body} {g}: {gain}");
+        }
+    }
+}
+
+#[test]
+fn in_flight_it_spins_in_closed_form_at_no_cost_of_its_bonds() {
+    let scene = json!({"wobble": 1, "gravity": [0, -9.81], "drag_rate": 0.3,
+        "bodies": [{"make": "disc", "radius": 0.5, "spacing": 0.05, "material": rigid(), "spin": 40, "velocity": [3, 8]}]});
+    let mut world = world(&scene);
+    let (from, masses) = (world.sample(0.0), world.masses().to_vec());
+    let start = middle(&from, &masses);
+    let end = run(&mut *world, 5.0);
+    let (rate, t): (f64, f64) = (0.3, 5.0);
+    let kept = (-rate * t).exp();
+    let turned = 40.0 * (1.0 - kept) / rate;
+    // Terminal velocity is g/rate.
+    let fall = 9.81 / rate;
+    let middle = [start[0] + 3.0 * (1.0 - kept) / rate, start[1] - fall * t + (8.0 + fall) * (1.0 - kept) / rate];
+    for (a, b) in from.position.iter().zip(&end.position) {
+        let (r, (sin, cos)) = ([a[0] - start[0], a[1] - start[1]], turned.sin_cos());
+        let expected = [middle[0] + cos * r[0] - sin * r[1], middle[1] + sin * r[0] + cos * r[1]];
+        assert!((0..2).all(|k| (b[k] - expected[k]).abs() < 1e-10), "{b:?} {expected:?}");
+    }
+    assert_eq!(world.counters().bonds_solved, 0);
+    let strain = world.bonds().iter().map(|bond| {
+        let [a, b] = [bond.a, bond.b].map(|at| end.position[at.index()]);
+        ((a[0] - b[0]).hypot(a[1] - b[1]) / bond.rest_length - 1.0).abs()
+    });
+    // Four roundings of places 100 m away, over bonds of 0.05 m.
+    assert!(strain.fold(0.0, f64::max) < 4.0 * f64::EPSILON * 100.0 / 0.05);
+}
+
+/// Half a swing by the arithmetic and geometric mean.
+fn half_period(length: f64, amplitude: f64, g: f64) -> f64 {
+    let (mut a, mut b) = (1.0, (0.5 * amplitude).cos());
+    for _ in 0..8 {
+        (a, b) = (0.5 * (a + b), (a * b).sqrt());
+    }
+    PI * (length / g).sqrt() / a
+}
+
+#[test]
+fn on_a_pin_it_is_a_physical_pendulum() {
+    // A square of four points of 1 kg with a side of 1 m, pinned at one corner: the pin takes one mass away.
+    let scene = json!({"wobble": 1, "gravity": [0, -9.81],
+        "points": {"position": [[0, 0], [1, 0], [1, 1], [0, 1]], "mass": [1, 1, 1, 1], "pinned": [0]},
+        "bonds": [{"a": 0, "b": 1}, {"a": 1, "b": 2}, {"a": 2, "b": 3}, {"a": 3, "b": 0}, {"a": 0, "b": 2}]});
+    let mut world = world(&scene);
+    // I = 1 + 2 + 1 and m d = 3 |(2/3, 2/3)|.
+    let (inertia, lever) = (4.0, 8.0_f64.sqrt());
+    let length = inertia / lever;
+    // Its middle begins 135 degrees from below.
+    let half = half_period(length, 0.75 * PI, 9.81);
+    let there = run(&mut *world, half);
+    let back = run(&mut *world, 2.0 * half);
+    assert!(
+        (there.position[2][0] + 1.0).abs() < 1e-6 && (there.position[2][1] - 1.0).abs() < 1e-6,
+        "{:?}",
+        there.position[2]
+    );
+    assert!(
+        (back.position[2][0] - 1.0).abs() < 1e-6 && (back.position[2][1] - 1.0).abs() < 1e-6,
+        "{:?}",
+        back.position[2]
+    );
+}
+
+#[test]
+fn a_box_tips_over_its_corner_as_the_equation_says() {
+    // It starts on a corner, its middle leaning by `lean` from above it: I theta'' = m g d sin(theta).
+    let lean: f64 = 0.2;
+    let body = json!({"make": "box", "width": 1, "height": 1, "angle": 0.25 * PI - lean, "origin": [0, 0.5_f64.sqrt() * lean.cos()], "material": rigid()});
+    let mut world = world(&on_floor([0.0, -9.81], &body, [20.0, 0.0]));
+    let (mass, square) = (2.0, 0.5);
+    let inertia = mass * square + mass * square;
+    let (d, t) = (0.5_f64.sqrt(), 0.5);
+    let push = |theta: f64| mass * 9.81 * d * theta.sin() / inertia;
+    let (mut theta, mut omega) = (lean, 0.0);
+    let h = 1e-5;
+    for _ in 0..50_000 {
+        // Leapfrog: its error is 1e-10.
+        omega += 0.5 * h * push(theta);
+        theta += h * omega;
+        omega += 0.5 * h * push(theta);
+    }
+    let end = run(&mut *world, t);
+    let found = middle(&end, world.masses());
+    let height = d * theta.cos();
+    assert!((found[1] - height).abs() < 1e-4, "{found:?} {height}");
+}
+
+#[test]
+fn it_goes_on_with_the_same_bits_from_any_copy_and_is_what_is_left_after_a_cut() {
+    let body = json!({"make": "disc", "radius": 0.5, "spacing": 0.12, "material": rigid(), "spin": 5, "velocity": [3, 1], "origin": [0, 1]});
+    let mut world = world(&on_floor([0.0, -9.81], &body, [0.4, 0.5]));
+    let first = run(&mut *world, 0.7);
+    let mut copy = world.boxed_clone();
+    let ends = [&mut *world, &mut *copy].map(|world| run(world, 2.0).position);
+    assert_eq!(ends[0], ends[1]);
+    assert_ne!(first.position, ends[0]);
+    // One bond less leaves it rigid; all bonds of a point let that go.
+    let energy = world.energy();
+    let at_0: Vec<_> = world
+        .bonds()
+        .iter()
+        .enumerate()
+        .filter(|(_, bond)| bond.a.0 == 0 || bond.b.0 == 0)
+        .map(|(k, _)| wobble::sim::BondId(k as u32))
+        .collect();
+    world.apply(&Command::Delete(Selection { bonds: at_0, ..Selection::default() })).unwrap();
+    assert!((world.energy() / energy - 1.0).abs() < 1e-9);
+    world.step();
+    let solvers: Vec<Solver> = world.moved_by().iter().map(|moved| moved.method).collect();
+    assert!(solvers.contains(&Solver::Rigid) && solvers.len() == 2, "{solvers:?}");
+}
+
+#[test]
+fn what_is_pinned_across_a_wall_makes_no_energy() {
+    let scene = json!({"wobble": 1, "gravity": [0, -9.81],
+        "points": {"position": [[0, -0.5], [1, -0.4], [0.2, 0.9]], "mass": [1, 1, 1], "pinned": [0]},
+        "bonds": [{"a": 0, "b": 1}, {"a": 1, "b": 2}, {"a": 2, "b": 0}],
+        "bounds": {"min": [-9, 0], "max": [9, 9], "restitution": 1}});
+    let mut world = world(&scene);
+    let mut most = f64::NEG_INFINITY;
+    let start = world.energy();
+    while world.time() < 3.0 {
+        world.step();
+        most = most.max(world.energy());
+        assert!(world.is_finite());
+    }
+    assert!(most - start < 30.0 * 1e-2 + 3.0 * 9.81, "{most} of {start}");
+}
+
+#[test]
+fn a_thrown_disc_among_polygons_costs_little_whatever_its_speed() {
+    for speed in [5.0, 50.0, 200.0] {
+        let scene = json!({"wobble": 1, "gravity": [0, -9.81],
+            "bodies": [{"make": "disc", "radius": 0.5, "spacing": 0.05, "material": rigid(), "velocity": [speed, 0.3 * speed], "origin": [0, 2]}],
+            "bounds": {"min": [-6, 0], "max": [6, 8], "friction": 0.4, "restitution": 0.5},
+            "obstacles": [{"polygon": [[[-3, 1], [-2, 3], [-4, 3]]]}, {"polygon": [[[2, 4], [4, 4], [3, 6]]]}]});
+        let mut world = world(&scene);
+        let start = world.energy();
+        while world.time() < 2.0 {
+            world.step();
+            assert!(world.energy() <= start * (1.0 + 1e-9));
+        }
+        assert!(world.counters().work_ms() < 200.0, "{} ms at {speed} m/s", world.counters().work_ms());
+        let sample = world.sample(world.time());
+        let is_in = |x: &[f64; 3]| x[0].abs() <= 6.0 + 1e-9 && x[1] >= -1e-9 && x[1] <= 8.0 + 1e-9;
+        assert!(sample.position.iter().all(is_in));
+    }
+}
+
+#[test]
+fn what_the_mouse_gives_is_in_the_ledger() {
+    let scene = json!({"wobble": 1, "gravity": [0, -9.81], "method": {"ledger": true},
+        "mouse": {"strength": 300, "radius": 1, "track": [[0, -2, 0.2], [1, 2, 0.2]]},
+        "bodies": [{"make": "disc", "radius": 0.4, "spacing": 0.1, "material": rigid(), "origin": [0, 0.4]}],
+        "bounds": {"min": [-6, 0], "max": [6, 8], "friction": 0.4, "restitution": 0.5}});
+    let list = ledgers(&mut *world(&scene), 2.0).unwrap();
+    let (verdict, last) = (judge(&list), list.last().unwrap());
+    assert!(verdict.passes() && verdict.is_told && last.book.mouse > 1.0, "{verdict:?} {:?}", last.book);
+    let left = last.excess() + last.book.friction + last.book.impacts;
+    assert!(left.abs() < 1e-4 * last.book.mouse, "{left} J of {:?}", last.book);
+}
