@@ -1,7 +1,9 @@
 //! Methods that fit what a scene is made of.
 
 use crate::sim::bond::{BondKind, Limit};
+use crate::sim::build::build;
 use crate::sim::constrain::direct::MOST_DIRECT;
+use crate::sim::dynamics::Dynamics;
 use crate::sim::model::Model;
 use crate::sim::plan::islands_of;
 use crate::sim::solver::Solver;
@@ -33,6 +35,8 @@ pub(super) fn of<const D: usize>(model: &Model<D>) -> Candidates {
         && !model.has_fields()
     {
         (&[Solver::Flight], &[Solver::Flight])
+    } else if is_rigid && are_rigid_bodies(model) {
+        (&[Solver::Auto], &[Solver::Auto])
     } else if is_rigid {
         let is_large = islands_of(model).iter().any(|island| island.rigid > MOST_DIRECT);
         if is_large {
@@ -62,4 +66,10 @@ pub(super) fn of<const D: usize>(model: &Model<D>) -> Candidates {
         )
     };
     Candidates { references: references.to_vec(), solvers: solvers.to_vec() }
+}
+
+/// Whether the rules move all of a model as rigid bodies: no other method has their friction.
+fn are_rigid_bodies<const D: usize>(model: &Model<D>) -> bool {
+    let all = |world: Box<dyn Dynamics>| world.parts().iter().all(|part| part.solver == Solver::Rigid);
+    build(model).is_ok_and(all)
 }

@@ -17,6 +17,7 @@ mod meet;
 
 use crate::sim::bond::PointId;
 use crate::sim::bulk::control::FRAME;
+use crate::sim::bulk::kernel::Kernel;
 use crate::sim::counters::{Counters, operations};
 use crate::sim::group::Group;
 use crate::sim::group::engine::Engine;
@@ -64,6 +65,11 @@ fn live_work<S: Real, const D: usize>(group: &Group<S, D>, speed: f64) -> f64 {
 /// Whether a group may go live that is not so.
 fn can_go<S: Real, const D: usize>(group: &Group<S, D>) -> bool {
     !group.is_live() && group.watch.as_ref().is_some_and(|watch| watch.may_go)
+}
+
+/// Whether the live step may take less than its own method: of a rigid body it never does.
+fn can_be_cheaper<S: Real, const D: usize>(group: &Group<S, D>) -> bool {
+    can_go(group) && !matches!(group.kernel(), Some(Kernel::Rigid(_)))
 }
 
 /// Counted work of a frame that a group takes at least, of one that can go.
@@ -192,7 +198,7 @@ impl<S: Real, const D: usize> World<S, D> {
         let is_dear = |group: &Group<S, D>| {
             let spent = group.watch.as_ref().map_or(0, |watch| watch.spent_in(frame));
             let speed = measure::speed_bound(&group.points.velocity).to_f64();
-            can_go(group) && !group.is_asleep() && CHEAPER * live_work(group, speed) < spent as f64
+            can_be_cheaper(group) && !group.is_asleep() && CHEAPER * live_work(group, speed) < spent as f64
         };
         self.model.budget().is_some() && self.plan.groups.iter().any(is_dear)
     }
@@ -205,7 +211,7 @@ impl<S: Real, const D: usize> World<S, D> {
         }
         let of = |(place, lowest): (usize, PointId)| {
             let group = &self.plan.groups[place];
-            (can_go(group) && spent(group) > 0).then_some((spent(group), lowest.0, place))
+            (can_be_cheaper(group) && spent(group) > 0).then_some((spent(group), lowest.0, place))
         };
         let mut list: Vec<(u64, u32, usize)> = self.lowest().into_iter().filter_map(of).collect();
         list.sort_unstable_by_key(|&(spent, lowest, _)| (std::cmp::Reverse(spent), lowest));

@@ -68,7 +68,9 @@ impl<S: Real, const D: usize> Maker<'_, S, D> {
         };
         let shapes = islands.iter().map(of).collect::<Option<Vec<_>>>()?;
         let w: Vec<f64> = self.points.iter().map(|&i| self.gathered.w[i as usize]).collect();
+        // Bodies move in `f64`: of what their points lose by rounding only single precision has to know.
+        let points = if size_of::<S>() < size_of::<f64>() { self.state(&w) } else { self.batched_state() };
         let mover = Box::new(Rigid::new(shapes, bonds));
-        Some(self.batched(self.state(&w), self.batched_pull(), mover, Vec::new()))
+        Some(self.batched(points, self.batched_pull(), mover, Vec::new()))
     }
 }

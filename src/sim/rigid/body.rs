@@ -2,8 +2,8 @@
 //!
 //! ```text
 //! free      c' = v,  v' = g - gamma v,  theta' = omega,  omega' = -gamma omega      in closed form
-//! pinned    I omega' = d x m g                                                      kicks of a composition of order 4
-//! pushed    m v' = sum m_i a_i,  I omega' = sum r_i x m_i a_i                       kicks too: the mouse, forces, gusts
+//! pinned    I omega' = d x m g                                                      by the middle of the way, composed to order 4
+//! pushed    m v' = sum m_i a_i,  I omega' = sum r_i x m_i a_i                       by the middle of the way: the mouse, forces, gusts
 //! ```
 
 use std::sync::Arc;
@@ -19,6 +19,9 @@ use crate::sim::points::Points;
 use crate::sim::pull::Pull;
 use crate::sim::real::Real;
 use crate::sim::vector::{add, cross, dot, flat, scale, sub, widen};
+
+/// Share of its motion that drag takes in a part of a step, up to which a composition that goes back in time is of use.
+const WEAK: f64 = 0.1;
 
 /// A rigid body.
 #[derive(Clone, Debug)]
@@ -78,30 +81,24 @@ impl Body {
 
     /// Where the shape fits the places of points best by mass, and the motion that has their momentum and angular momentum.
     ///
-    /// Sums are taken about one point, in lanes that do not wait for each other, and moved to the middle afterwards.
+    /// Sums are taken about one point, and moved to the middle afterwards.
     pub(super) fn read<S: Real, const D: usize>(&self, points: &Points<S, D>) -> Motion {
-        const LANES: usize = 4;
         let Shape { places, masses, mass, inertia, pin, .. } = &*self.shape;
-        let exact = |list: &[[S; D]], lost: &[[S; D]], i: u32| {
-            let lost = lost.get(i as usize).map_or([0.0; 2], |lost| flat(widen(*lost)));
-            add(flat(widen(list[i as usize])), lost)
-        };
-        let at = |slot: u32| exact(&points.position, &points.position_lost, slot);
-        let base = at(self.slots[pin.map_or(0, |(pin, _)| pin as usize)]);
-        // Masses times ways, fits (along and across), momenta, angular momenta.
-        let mut lanes = [[0.0; 7]; LANES];
-        for ((slots, places), masses) in self.slots.chunks(LANES).zip(places.chunks(LANES)).zip(masses.chunks(LANES)) {
-            for (((sums, &slot), &q), &m) in lanes.iter_mut().zip(slots).zip(places).zip(masses) {
-                let r = scale(sub(at(slot), base), m);
-                let v = exact(&points.velocity, &points.velocity_lost, slot);
-                let terms = [r[0], r[1], dot(q, r), cross(q, r), m * v[0], m * v[1], cross(r, v)];
-                *sums = add(*sums, terms);
-            }
+        let Points { position, velocity, position_lost, velocity_lost, .. } = points;
+        let base = exact(position, position_lost, self.slots[pin.map_or(0, |(pin, _)| pin as usize)]);
+        let (mut way, mut momentum, mut turning) = ([0.0; 2], [0.0; 2], 0.0);
+        let mut fit = [0.0; 2];
+        for ((&slot, &q), &m) in self.slots.iter().zip(places).zip(masses) {
+            let r = scale(sub(exact(position, position_lost, slot), base), m);
+            let v = exact(velocity, velocity_lost, slot);
+            way = add(way, r);
+            fit = add(fit, [dot(q, r), cross(q, r)]);
+            momentum = add(momentum, scale(v, m));
+            turning += cross(r, v);
         }
-        let [x, y, along, across, p_x, p_y, turning] = lanes.into_iter().fold([0.0; 7], add);
-        let (way, momentum) = (scale([x, y], 1.0 / mass), [p_x, p_y]);
-        let size = (along * along + across * across).sqrt();
-        let turn = if size > 0.0 { [along / size, across / size] } else { [1.0, 0.0] };
+        way = scale(way, 1.0 / mass);
+        let size = dot(fit, fit).sqrt();
+        let turn = if size > 0.0 { scale(fit, 1.0 / size) } else { [1.0, 0.0] };
         let (middle, velocity, turning) = match pin {
             Some(_) => (base, [0.0; 2], turning),
             None => (add(base, way), scale(momentum, 1.0 / mass), turning - cross(way, momentum)),
@@ -142,6 +139,9 @@ impl Body {
     }
 
     /// On for `h` [s] where nothing touches it. Works and losses are booked where there is a book.
+    ///
+    /// Forces are taken as those of the middle of the way, and drag in closed form: order 2, and stable whatever the drag. A pendulum that
+    /// hardly anything slows is composed of such steps to order 4.
     pub(super) fn fly<S: Real, const D: usize>(
         &self,
         motion: &Motion,
@@ -150,100 +150,109 @@ impl Body {
         mut book: Option<&mut Book>,
     ) -> Motion {
         if self.shape.pin.is_none() && !field.pushes() {
-            return self.drift(motion, field, h, book);
+            return self.drift(motion, field, (&[], h), book);
+        }
+        if field.pushes() || field.pull.drag_rate * h > WEAK {
+            return self.go(motion, field, (t, h), book);
         }
         let (mut motion, mut now) = (*motion, t);
         for share in COMPOSED_4 {
-            let part = share * h;
-            motion = self.kick(&motion, field, (now, 0.5 * part), book.as_deref_mut());
-            motion = self.drift(&motion, field, part, book.as_deref_mut());
-            now += part;
-            motion = self.kick(&motion, field, (now, 0.5 * part), book.as_deref_mut());
+            motion = self.go(&motion, field, (now, share * h), book.as_deref_mut());
+            now += share * h;
         }
         motion
     }
 
-    /// Without forces but gravity and drag: in closed form. Of what is pinned, gravity is a kick.
+    /// Half of the way says what pushes on all of it.
+    fn go<S: Real, const D: usize>(
+        &self,
+        motion: &Motion,
+        field: &Field<S, D>,
+        (t, h): (f64, f64),
+        book: Option<&mut Book>,
+    ) -> Motion {
+        let early = self.drift(motion, field, (&self.pushes(&motion.place, field, t), 0.5 * h), None);
+        self.drift(motion, field, (&self.pushes(&early.place, field, t + 0.5 * h), h), book)
+    }
+
+    /// Under constant pushes, gravity and drag: in closed form.
     fn drift<S: Real, const D: usize>(
         &self,
         motion: &Motion,
         field: &Field<S, D>,
-        h: f64,
+        (pushes, h): (&[Push], f64),
         book: Option<&mut Book>,
     ) -> Motion {
         let Motion { place, twist } = motion;
         let rate = field.pull.drag_rate;
         let (keep, time) = if rate == 0.0 { (1.0, h) } else { (libm::exp(-rate * h), -libm::expm1(-rate * h) / rate) };
-        // The integral of what gravity has given by then.
+        // The integral of what a push of 1 has given by then.
         let late = if rate == 0.0 { 0.5 * h * h } else { fallen(rate, h, time) };
-        let g = if self.shape.pin.is_some() { [0.0; 2] } else { field.gravity() };
-        let way = add(scale(twist.velocity, time), scale(g, late));
-        let velocity = add(scale(twist.velocity, keep), scale(g, time));
-        let end =
-            Motion { place: place.moved(way, twist.spin * time), twist: Twist { velocity, spin: twist.spin * keep } };
+        let is_pinned = self.shape.pin.is_some();
+        let g = if is_pinned { [0.0; 2] } else { field.gravity() };
+        let [ease, swing] = self.inertia.inverse;
+        let sum =
+            |sum: ([f64; 2], f64), push: &Push| (add(sum.0, scale(push.force, ease)), sum.1 + push.torque * swing);
+        let (a, turning) = pushes.iter().fold((g, 0.0), sum);
+        let way = add(scale(twist.velocity, time), scale(a, late));
+        let turn = twist.spin * time + turning * late;
+        let velocity = add(scale(twist.velocity, keep), scale(a, time));
+        let end = Motion {
+            place: place.moved(way, turn),
+            twist: Twist { velocity, spin: twist.spin * keep + turning * time },
+        };
         if let Some(book) = book {
-            // A composition's parts that go back in time give drag back.
-            book.wind += self.shape.mass * dot(sub(g, self.still_gravity(field)), way);
+            let still = if is_pinned { [0.0; 2] } else { flat(field.around.gravity) };
+            let wind = self.shape.mass * dot(sub(g, still), way);
+            let mut given = self.shape.mass * dot(g, way);
+            book.wind += wind;
+            for push in pushes {
+                let work = dot(push.force, way) + push.torque * turn;
+                given += work;
+                match push.from {
+                    From::Gravity => {}
+                    From::Mouse => book.mouse += work,
+                    From::Forces => book.forces += work,
+                    From::Wind => book.wind += work,
+                }
+            }
             if rate != 0.0 {
-                let gained = self.inertia.energy(&end.twist) - self.inertia.energy(twist);
-                book.drag -= gained - self.shape.mass * dot(g, way);
+                book.drag += given - (self.inertia.energy(&end.twist) - self.inertia.energy(twist));
             }
         }
         end
     }
 
-    /// Gravity without the mean wind, of what is free.
-    fn still_gravity<S: Real, const D: usize>(&self, field: &Field<S, D>) -> [f64; 2] {
-        if self.shape.pin.is_some() { [0.0; 2] } else { flat(field.around.gravity) }
-    }
-
-    /// What forces give in `h` [s].
-    fn kick<S: Real, const D: usize>(
-        &self,
-        motion: &Motion,
-        field: &Field<S, D>,
-        (t, h): (f64, f64),
-        mut book: Option<&mut Book>,
-    ) -> Motion {
-        let mut motion = *motion;
-        let mut give = |(force, torque): ([f64; 2], f64), of: Option<fn(&mut Book) -> &mut f64>| {
-            let before = motion.twist;
-            let [ease, swing] = self.inertia.inverse;
-            motion.twist = Twist {
-                velocity: add(before.velocity, scale(force, ease * h)),
-                spin: before.spin + torque * swing * h,
-            };
-            if let (Some(book), Some(of)) = (&mut book, of) {
-                *of(book) += self.inertia.energy(&motion.twist) - self.inertia.energy(&before);
-            }
-        };
-        let place = motion.place;
+    /// What pushes it at a place at time `t` [s], but for gravity of what is free.
+    fn pushes<S: Real, const D: usize>(&self, place: &Place, field: &Field<S, D>, t: f64) -> Vec<Push> {
+        let mut list = Vec::new();
+        let mut note = |from: From, (force, torque): ([f64; 2], f64)| list.push(Push { from, force, torque });
         if let Some((_, centre)) = self.shape.pin {
             let of = |g: [f64; 2]| ([0.0; 2], self.shape.mass * cross(place.turned(centre), g));
             let (all, still) = (field.gravity(), flat(field.around.gravity));
-            // Gravity's energy was there before.
-            give(of(still), None);
+            note(From::Gravity, of(still));
             if all != still {
-                give(of(sub(all, still)), Some(|book| &mut book.wind));
+                note(From::Wind, of(sub(all, still)));
             }
         }
         if field.is_reached
             && let Some((force, cursor)) = field.around.mouse_at(t)
         {
             let push = mouse::Push::<f64, D>::new(force, cursor);
-            let of = |x: [f64; 2]| push.acceleration(lift(x)).map(flat);
-            give(self.sum(&place, |_, x| of(x)), Some(|book| &mut book.mouse));
+            note(From::Mouse, self.sum(place, |_, x| push.acceleration(lift(x)).map(flat)));
         }
-        if field.pull.has_fields() {
-            let [forces, wind] = self.driven(&place, field, t);
-            give(forces, Some(|book| &mut book.forces));
-            give(wind, Some(|book| &mut book.wind));
+        if !field.pull.thrusts.is_empty() {
+            note(From::Forces, self.driven(place, field));
         }
-        motion
+        if let Some(air) = field.pull.gusts() {
+            let gust = |x: [f64; 2]| Some(scale(flat(air.gust(lift(x), t)), field.pull.drag_rate));
+            note(From::Wind, self.sum(place, |_, x| gust(x)));
+        }
+        list
     }
 
-    /// Force [N] and torque [N m] of constant forces, and of gusts.
-    fn driven<S: Real, const D: usize>(&self, place: &Place, field: &Field<S, D>, t: f64) -> [([f64; 2], f64); 2] {
+    /// Force [N] and torque [N m] of constant forces.
+    fn driven<S: Real, const D: usize>(&self, place: &Place, field: &Field<S, D>) -> ([f64; 2], f64) {
         let mut x = vec![[S::ZERO; D]; field.w.len()];
         for (&slot, &q) in self.slots.iter().zip(&self.shape.places) {
             x[slot as usize] = lift(place.out(q));
@@ -252,9 +261,7 @@ impl Body {
         for thrust in &field.pull.thrusts {
             thrust.each(&x, field.w, |i, push| pushes[i] = add(pushes[i], flat(widen(push))));
         }
-        let forces = self.sum(place, |slot, _| Some(pushes[slot as usize]));
-        let gust = |x: [f64; 2]| field.pull.gusts().map(|air| scale(flat(air.gust(lift(x), t)), field.pull.drag_rate));
-        [forces, self.sum(place, |_, x| gust(x))]
+        self.sum(place, |slot, _| Some(pushes[slot as usize]))
     }
 
     /// Force and torque of accelerations of its points, by their slots and places.
@@ -271,6 +278,24 @@ impl Body {
     }
 }
 
+/// What pushes a body.
+#[derive(Clone, Copy, Debug)]
+struct Push {
+    from: From,
+    /// [N], and about the origin of the shape [N m].
+    force: [f64; 2],
+    torque: f64,
+}
+
+/// Where a push comes from.
+#[derive(Clone, Copy, Debug)]
+enum From {
+    Gravity,
+    Mouse,
+    Forces,
+    Wind,
+}
+
 /// The integral of (1 - exp(-rate s))/rate over s from 0 to h, `time` its integrand at h: by its series where the difference rounds.
 fn fallen(rate: f64, h: f64, time: f64) -> f64 {
     let x = rate * h;
@@ -278,6 +303,14 @@ fn fallen(rate: f64, h: f64, time: f64) -> f64 {
         return (h - time) / rate;
     }
     h * h * (1.0 / 2.0 - x * (1.0 / 6.0 - x * (1.0 / 24.0 - x * (1.0 / 120.0 - x * (1.0 / 720.0 - x / 5040.0)))))
+}
+
+/// What is known of a number, with what rounding took from it where that is kept.
+#[inline(always)]
+fn exact<S: Real, const D: usize>(list: &[[S; D]], lost: &[[S; D]], slot: u32) -> [f64; 2] {
+    let i = slot as usize;
+    let x = [list[i][0].to_f64(), list[i][1].to_f64()];
+    if lost.is_empty() { x } else { [x[0] + lost[i][0].to_f64(), x[1] + lost[i][1].to_f64()] }
 }
 
 /// In the plane of a world.
@@ -289,9 +322,13 @@ pub(super) fn lift<S: Real, const D: usize>(x: [f64; 2]) -> [S; D] {
 /// A number and what rounding takes from it, where that is kept.
 #[inline(always)]
 fn set<S: Real, const D: usize>(value: &mut [S; D], lost: Option<&mut [S; D]>, exact: [f64; 2]) {
-    *value = lift(exact);
+    for k in 0..2 {
+        value[k] = S::from_f64(exact[k]);
+    }
     if let Some(lost) = lost {
-        *lost = lift(sub(exact, flat(widen(*value))));
+        for k in 0..2 {
+            lost[k] = S::from_f64(exact[k] - value[k].to_f64());
+        }
     }
 }
 

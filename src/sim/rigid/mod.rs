@@ -21,10 +21,12 @@ use std::cell::Cell;
 use std::sync::Arc;
 
 use super::account::Account;
+use super::bulk::control::FRAME;
 use super::bulk::kernel::Kernel;
 use super::bulk::mover::Mover;
 use super::counters::Counters;
 use super::environment::Environment;
+use super::force::wind::OF_A_GUST;
 use super::ledger::Book;
 use super::points::Points;
 use super::pull::Pull;
@@ -38,19 +40,25 @@ use touch::{Among, Touch, way};
 
 /// Angle that a body near surfaces turns in a part of a step at most [rad].
 const TURN: f64 = 0.05;
-/// Longest part in which it lies on something, or hangs on a pin, and the shortest that is asked for, however fast it spins [s].
-const LYING: f64 = 1.0 / 960.0;
-const HANGING: f64 = 1.0 / 480.0;
+/// Longest part in which it lies on something or is pushed by the mouse, hangs on a pin, or is driven by forces and gusts, each so many of a
+/// step at least; and the shortest that is asked for, however fast it spins [s].
+const LYING: (f64, f64) = (1.0 / 960.0, 16.0);
+const HANGING: (f64, f64) = (1.0 / 480.0, 8.0);
+const DRIVEN: (f64, f64) = (1.0 / 240.0, 4.0);
 const SHORTEST: f64 = 1.0 / 30_720.0;
 /// Phase of the mouse force that a part spans [rad].
 const PHASE: f64 = 0.25;
 /// How long a bounce takes that is none any more [s]: slower hits give nothing back.
 const GENTLE: f64 = 1e-4;
+/// How high something is thrown that bounces, as a share of its size [1], at least.
+const LEAST_BOUNCE: f64 = 2e-6;
+/// Parts of a step that are shorter mend no gaps [s]: over so short a time that would be speed.
+const BRIEF: f64 = 1e-6;
 /// Speed that counts as none, as a share of the body's own [1].
 const STILL: f64 = 1e-11;
-/// Hits in a step after which nothing bounces any more, and after which none is located: what gets behind a surface is put out of it.
-const MANY: u32 = 60;
-const MOST: u32 = 200;
+/// Hits in a frame after which nothing bounces that does not give all back, and after which none is located: what gets behind a surface is put out of it.
+const MANY: f64 = 60.0;
+const MOST: f64 = 400.0;
 /// Rounds in which the first half of a part finds the impulses that lead to where nothing overlaps.
 const ROUNDS: u32 = 4;
 /// Operations of a contact that is gone through once, about.
@@ -117,7 +125,7 @@ impl<S: Real, const D: usize> Mover<S, D> for Rigid {
             };
             let parts = if field.is_reached { around.parts_near(moving(), (t, h)) } else { 1 };
             let mut log = Log { hits: 0, work: 0, book: book.as_deref_mut() };
-            let longest = body.longest(&field).min(h / f64::from(parts));
+            let longest = body.longest(&field, h).min(h / f64::from(parts));
             let end = body.advance(motion, &field, (t, h, longest), &mut log);
             let is_reached = field.is_reached;
             if end.is_finite() {
@@ -187,15 +195,18 @@ impl<S: Real, const D: usize> Mover<S, D> for Rigid {
 
 impl Body {
     /// The longest part of a step in flight [s].
-    fn longest<S: Real, const D: usize>(&self, field: &Field<S, D>) -> f64 {
+    fn longest<S: Real, const D: usize>(&self, field: &Field<S, D>, h: f64) -> f64 {
         let mut longest = f64::INFINITY;
         if let Some((_, centre)) = self.shape.pin {
             let torque = self.shape.mass * length(centre) * length(field.pull.gravity);
-            longest = HANGING.min(TURN / (torque * self.inertia.inverse[1]).sqrt());
+            longest = within(HANGING, h).min(TURN / (torque * self.inertia.inverse[1]).sqrt());
         }
-        if field.pushes() {
+        if field.pull.has_fields() {
+            longest = longest.min(within(DRIVEN, h));
+        }
+        if field.is_reached {
             let strength = field.around.mouse.as_ref().map_or(0.0, |mouse| mouse.strength.abs());
-            longest = longest.min(LYING).min(PHASE / strength.sqrt());
+            longest = longest.min(within(LYING, h)).min(PHASE / strength.sqrt());
         }
         longest
     }
@@ -211,8 +222,10 @@ impl Body {
         let among = Among::new(self, &field.pull.contacts.obstacles, &motion);
         let pushed = length(field.pull.gravity) + field.pull.most_push();
         let most_pushed = pushed + if field.is_reached { field.around.most_push() } else { 0.0 };
-        let gentle = GENTLE * pushed;
-        let (mut done, mut hits, mut is_out) = (0.0, 0, false);
+        // What bounces no higher than a millionth of its size is at rest.
+        let gentle = (GENTLE * pushed).min((LEAST_BOUNCE * self.reach * pushed).sqrt());
+        let frames = (h / FRAME).ceil().max(1.0);
+        let (mut done, mut hits, mut is_out) = (0.0, 0.0, false);
         while h - done > 1e-12 * h {
             let (now, left) = (t + done, h - done);
             let turned = (TURN / motion.twist.spin.abs()).max(SHORTEST);
@@ -227,19 +240,23 @@ impl Body {
                 done += part;
                 continue;
             }
-            let locates = hits < MOST;
+            let locates = hits < MOST * frames;
             if !is_out || !locates {
-                motion = among.put_out(&motion, &near);
+                let Some(out) = among.put_out(&motion, &near) else {
+                    // There is no room for it: it is held.
+                    motion.twist = Twist { velocity: [0.0; 2], spin: 0.0 };
+                    return motion;
+                };
+                motion = out;
                 is_out = true;
             }
-            part = part.min(turned);
+            part = part.min(turned).min(if locates { f64::INFINITY } else { LYING.0 });
             let touching = among.touching(&motion, &near);
             log.work += 20 * (self.hull.len() + self.slots.len() * usize::from(near.has_walls())) as u64;
             let contacts = among.contacts(&motion, &touching);
             if contacts.iter().any(|contact| contact.speeds(&motion.twist)[0] < -self.still(&motion.twist)) {
-                hits += 1;
-                motion.twist =
-                    self.strike(motion.twist, contacts.clone(), if hits > MANY { f64::INFINITY } else { gentle }, log);
+                hits += 1.0;
+                motion.twist = self.strike(motion.twist, contacts.clone(), (gentle, hits > MANY * frames), log);
             }
             let most = gentle.max(self.still(&motion.twist));
             let lies = |contact: &Contact| contact.speeds(&motion.twist)[0] <= most;
@@ -254,7 +271,7 @@ impl Body {
                     self.slide(&motion, field, ways, (&among, &lying), (&spent, book))
                 }
             };
-            part = if lying.is_empty() { part } else { part.min(LYING) };
+            part = if lying.is_empty() { part } else { part.min(within(LYING, h)) };
             let path = |time: f64| go(time, None);
             let end = path(part);
             let hit = among.first_hit(path, (&motion, &end, part), (&near, &lying)).filter(|_| locates);
@@ -269,32 +286,43 @@ impl Body {
             motion = next;
             log.work += spent.get();
             done += first.unwrap_or(part);
-            hits += u32::from(first.is_some());
+            hits += if first.is_some() { 1.0 } else { 0.0 };
         }
         motion
     }
 
-    /// An impact on what it touches. Hits that are slower than `gentle` [m/s] give nothing back.
-    fn strike(&self, before: Twist, mut contacts: Vec<Contact>, gentle: f64, log: &mut Log) -> Twist {
+    /// An impact on what it touches. Hits that are slower than `gentle` [m/s] give nothing back, nor, when it `is_over`, those that are to
+    /// give back some.
+    fn strike(
+        &self,
+        before: Twist,
+        mut contacts: Vec<Contact>,
+        (gentle, is_over): (f64, bool),
+        log: &mut Log,
+    ) -> Twist {
+        let is_elastic = contacts.iter().all(|contact| contact.restitution >= 1.0);
         for contact in &mut contacts {
-            if contact.speeds(&before)[0] > -gentle {
+            let is_slow = contact.speeds(&before)[0] > -gentle;
+            if is_slow || (is_over && contact.restitution < 1.0) {
                 contact.restitution = 0.0;
             }
         }
-        let is_elastic = contacts.iter().all(|contact| contact.restitution >= 1.0);
         let pressed = self.inertia.strike(before, &contacts);
         log.hits += 1;
         log.work += OF_A_CONTACT * u64::from(pressed.passes) * contacts.len() as u64;
         if let Some(book) = &mut log.book {
-            book.impacts += if is_elastic { 0.0 } else { pressed.taken[0].max(0.0) };
-            book.friction += pressed.taken[1].max(0.0);
+            let friction = pressed.taken[1].max(0.0);
+            book.friction += friction;
+            book.impacts += if is_elastic { 0.0 } else { (pressed.taken[0] + pressed.taken[1] - friction).max(0.0) };
         }
         pressed.twist
     }
 
     /// Operations of a part in flight, about.
     fn work<S: Real, const D: usize>(&self, field: &Field<S, D>) -> u64 {
-        if field.pushes() { 8 * 30 * self.slots.len() as u64 } else { 100 }
+        let of_gusts = if field.pull.gusts().is_some() { OF_A_GUST as u64 } else { 0 };
+        let of_pushes = if field.pushes() { 30 } else { 0 };
+        100 + 2 * (of_gusts + of_pushes) * self.slots.len() as u64
     }
 
     /// A speed that counts as none [m/s].
@@ -326,7 +354,7 @@ impl Body {
         let pushed = self.fly(motion, field, (t, 0.5 * h), book.as_deref_mut()).twist;
         let from: Vec<[f64; 2]> =
             lying.iter().map(|touch| motion.place.out(self.shape.places[touch.point as usize])).collect();
-        let mut pressed = self.inertia.press(pushed, &first, &[]);
+        let mut pressed = self.inertia.press_or_stop(pushed, &first, &[]);
         let (mut place, mut passes) = (motion.place, 0);
         for _ in 0..ROUNDS {
             place = motion.place.moved(scale(pressed.twist.velocity, h), pressed.twist.spin * h);
@@ -336,27 +364,38 @@ impl Body {
                 let x = place.out(self.shape.places[touch.point as usize]);
                 let surface = &among.obstacles.surfaces[touch.surface];
                 let off = [surface.gap_of(x), dot(sub(x, *from), contact.tangent())];
-                largest = largest.max(if impulse[0] > 0.0 { off[0].abs() } else { -off[0] });
-                contact.target[0] -= off[0] / h;
+                let gap = if impulse[0] > 0.0 { off[0].abs() } else { -off[0] };
+                largest = largest.max(gap);
+                contact.target[0] -= if gap > 0.5 * among.touch { off[0] / h } else { 0.0 };
                 contact.target[1] -= if contact.slides == 0.0 { off[1] / h } else { 0.0 };
             }
             passes += pressed.passes;
-            if largest <= 0.1 * among.touch || !pressed.has_converged {
+            if largest <= 0.5 * among.touch || !pressed.has_converged || h < BRIEF {
                 break;
             }
-            pressed = self.inertia.press(pushed, &first, &pressed.impulses);
+            pressed = self.inertia.press_or_stop(pushed, &first, &pressed.impulses);
         }
         let half = Motion { place, twist: pressed.twist };
         let arrived = self.fly(&half, field, (t + 0.5 * h, 0.5 * h), book.as_deref_mut()).twist;
         let mut second = among.contacts(&half, lying);
         second.iter_mut().zip(ways).for_each(|(contact, way)| contact.slides = way);
-        let last = self.inertia.press(arrived, &second, &pressed.impulses);
+        let last = self.inertia.press_or_stop(arrived, &second, &pressed.impulses);
         spent.set(spent.get() + OF_A_CONTACT * u64::from(passes + last.passes) * lying.len() as u64);
         if let Some(book) = book {
-            book.friction += (pressed.taken[1] + last.taken[1]).max(0.0);
+            let rubbed = |k: usize| {
+                let x = place.out(self.shape.places[lying[k].point as usize]);
+                let along = dot(sub(x, from[k]), second[k].tangent()) / h;
+                -along * (pressed.impulses[k][1] + last.impulses[k][1])
+            };
+            book.friction += (0..lying.len()).map(rubbed).sum::<f64>().max(0.0);
         }
         Motion { place, twist: last.twist }
     }
+}
+
+/// The longest part of a step of `h` [s], of so many at least.
+fn within((longest, count): (f64, f64), h: f64) -> f64 {
+    longest.min(h / count)
 }
 
 impl<S: Real, const D: usize> Among<'_, S, D> {

@@ -110,7 +110,11 @@ impl Inertia {
             return whole;
         }
         // Newton's law of restitution together with friction may add energy: so much of it as does not.
-        let (mut low, mut high, mut found) = (0.0, 1.0, with(0.0).0);
+        let (plastic, is_fine) = with(0.0);
+        if !is_fine {
+            return self.stop(before, contacts.len());
+        }
+        let (mut low, mut high, mut found) = (0.0, 1.0, plastic);
         for _ in 0..HALVINGS {
             let share = 0.5 * (low + high);
             match with(share) {
@@ -121,9 +125,40 @@ impl Inertia {
         found
     }
 
+    /// As [`press`](Self::press), with no more energy than before and what targets ask for; where what slides on two surfaces at once has no
+    /// answer by that law, friction may hold it there, and if that has none either it is stopped.
+    pub(super) fn press_or_stop(&self, before: Twist, contacts: &[Contact], guess: &[Impulse]) -> Pressed {
+        let asked =
+            contacts.iter().flat_map(|contact| contact.target).fold(0.0, |most: f64, speed| most.max(speed.abs()));
+        // What comes to rest has the speed of its targets, at most about twice.
+        let heaviest =
+            self.inverse.iter().filter(|inverse| **inverse > 0.0).fold(0.0, |sum, inverse| sum + 1.0 / inverse);
+        let most = self.energy(&before) * (1.0 + 1e-9) + 2.0 * heaviest * asked * asked;
+        let is_fine = |pressed: &Pressed| self.energy(&pressed.twist) <= most;
+        let pressed = self.press(before, contacts, guess);
+        let slides = contacts.iter().any(|contact| contact.slides != 0.0);
+        if is_fine(&pressed) && (pressed.has_converged || !slides) {
+            return pressed;
+        }
+        let held: Vec<Contact> = contacts.iter().map(|contact| Contact { slides: 0.0, ..*contact }).collect();
+        let other = self.press(before, &held, &[]);
+        if is_fine(&other) { other } else { self.stop(before, contacts.len()) }
+    }
+
+    /// It stands still.
+    fn stop(&self, before: Twist, contacts: usize) -> Pressed {
+        Pressed {
+            twist: Twist { velocity: [0.0; 2], spin: 0.0 },
+            impulses: vec![[0.0; 2]; contacts],
+            taken: [self.energy(&before), 0.0],
+            passes: 1,
+            has_converged: true,
+        }
+    }
+
     /// The impulses that leave no contact slower off its surface than its target, and the motion that they make. They are looked for from
     /// `guess` on, one entry a contact; empty: from none.
-    pub(super) fn press(&self, before: Twist, contacts: &[Contact], guess: &[Impulse]) -> Pressed {
+    fn press(&self, before: Twist, contacts: &[Contact], guess: &[Impulse]) -> Pressed {
         let mut twist = before;
         let mut impulses = vec![[0.0; 2]; contacts.len()];
         for ((contact, impulse), guess) in contacts.iter().zip(&mut impulses).zip(guess) {

@@ -13,7 +13,7 @@ const LOOKS: i32 = 12;
 /// Most evaluations for one root.
 const MOST_GUESSES: u32 = 100;
 /// Rounds in which a body is put out of surfaces.
-const ROUNDS: u32 = 50;
+const ROUNDS: u32 = 100;
 
 /// A point of a body, by its number in the shape, on a surface.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -180,8 +180,8 @@ impl<'a, S: Real, const D: usize> Among<'a, S, D> {
         narrowed(Root::between(start, end), gap, 0.5 * self.touch)
     }
 
-    /// It is put out of surfaces that it is behind, as a whole, without speed.
-    pub(super) fn put_out(&self, motion: &Motion, near: &Near) -> Motion {
+    /// It is put out of surfaces that it is behind, as a whole, without speed; `None`: there is no room for it.
+    pub(super) fn put_out(&self, motion: &Motion, near: &Near) -> Option<Motion> {
         let mut motion = *motion;
         for _ in 0..ROUNDS {
             let mut deepest: Option<(f64, [f64; 2], [f64; 2])> = None;
@@ -202,17 +202,19 @@ impl<'a, S: Real, const D: usize> Among<'a, S, D> {
                     inside.into_iter().for_each(|surface| see(point, surface));
                 }
             }
-            let Some((gap, arm, normal)) = deepest else { break };
-            let lever = cross(arm, normal);
-            let [ease, swing] = self.body.inertia.inverse;
-            let gives = ease + swing * lever * lever;
-            if gives == 0.0 {
-                break;
+            let Some((gap, arm, normal)) = deepest else { return Some(motion) };
+            if self.body.shape.pin.is_none() {
+                // Without turning it: what lies flat on a surface has more than one deepest point.
+                motion.place = motion.place.moved(scale(normal, -gap), 0.0);
+                continue;
             }
-            let push = -gap / gives;
-            motion.place = motion.place.moved(scale(normal, push * ease), push * swing * lever);
+            let lever = cross(arm, normal);
+            if lever == 0.0 {
+                return None;
+            }
+            motion.place = motion.place.moved([0.0; 2], -gap / lever);
         }
-        motion
+        None
     }
 }
 
