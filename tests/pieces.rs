@@ -271,3 +271,100 @@ fn what_the_mouse_gives_is_in_the_ledger() {
     let left = last.excess() + last.book.friction + last.book.impacts;
     assert!(left.abs() < 1e-4 * last.book.mouse, "{left} J of {:?}", last.book);
 }
+
+/// Between two planes that lean against each other, each by `slope` [rad].
+fn in_a_groove(slope: f64, friction: f64, body: &Value) -> Value {
+    let plane = |side: f64| json!({"plane": {"point": [0, 0], "normal": [side * slope.sin(), slope.cos()]}, "friction": friction});
+    json!({"wobble": 1, "gravity": [0, -9.81], "bodies": [body], "obstacles": [plane(1.0), plane(-1.0)]})
+}
+
+#[test]
+fn what_falls_into_a_groove_gains_nothing() {
+    for degrees in [45.0_f64, 70.0] {
+        for friction in [0.2, 0.6, 1.0, 3.0, 30.0] {
+            for turn in [0.1, 0.9, 2.3] {
+                let disc = json!({"make": "disc", "radius": 0.5, "spacing": 0.25, "material": rigid(), "origin": [0.03, 2], "spin": 9.0 * turn});
+                let tilted = json!({"make": "box", "width": 1, "height": 1, "angle": turn, "material": rigid(), "origin": [0.03, 2.5]});
+                for body in [disc, tilted] {
+                    let mut world = world(&in_a_groove(degrees.to_radians(), friction, &body));
+                    let start = world.energy();
+                    while world.time() < 1.5 {
+                        world.step();
+                        assert!(
+                            world.energy() < start * (1.0 + 1e-9),
+                            "{body} {degrees} {friction}: {} of {start} J",
+                            world.energy()
+                        );
+                    }
+                }
+            }
+        }
+    }
+}
+
+#[test]
+fn where_there_is_no_room_it_is_held() {
+    let mut scene = on_floor([0.0, -9.81], &a_box([0.0, 0.6], [0.0, 0.0]), [0.5, 0.5]);
+    scene["bounds"]["min"] = json!([-0.25, 0]);
+    scene["bounds"]["max"] = json!([0.25, 9]);
+    let mut world = world(&scene);
+    let start = world.energy();
+    while world.time() < 2.0 {
+        world.step();
+    }
+    assert!(world.is_finite() && world.energy() <= start + 1e-9, "{} of {start} J", world.energy());
+}
+
+#[test]
+fn strong_drag_leaves_the_speed_that_it_should() {
+    // A pinned square of 1 m falls to the side: omega = m g d sin/(rate I), as slow as that is.
+    let rate = 1e5;
+    let points = json!({"position": [[0, 0], [1, 0], [1, 1], [0, 1]], "mass": [1, 1, 1, 1], "pinned": [0]});
+    let bonds = json!([{"a": 0, "b": 1}, {"a": 1, "b": 2}, {"a": 2, "b": 3}, {"a": 3, "b": 0}, {"a": 0, "b": 2}]);
+    let mut pinned =
+        world(&json!({"wobble": 1, "gravity": [0, -9.81], "drag_rate": rate, "points": points, "bonds": bonds}));
+    let end = run(&mut *pinned, 0.5);
+    // Torque: the points at (1, 0) and (1, 1) have an arm of 1 m.
+    let expected = 2.0 * 9.81 / (4.0 * rate);
+    assert!((end.velocity[1][1] / -expected - 1.0).abs() < 1e-3, "{:?} {expected}", end.velocity[1]);
+}
+
+#[test]
+fn in_a_narrow_slot_restitution_1_keeps_all() {
+    let mut scene = on_floor([0.0, 0.0], &a_box([0.0, 0.5], [100.0, 0.0]), [0.0, 1.0]);
+    scene["bounds"]["min"] = json!([-0.51, -5]);
+    scene["bounds"]["max"] = json!([0.51, 9]);
+    let mut world = world(&scene);
+    let start = world.energy();
+    while world.time() < 0.2 {
+        world.step();
+    }
+    assert!(
+        (world.energy() / start - 1.0).abs() < 1e-9 && world.counters().events > 500,
+        "{} of {start} J",
+        world.energy()
+    );
+}
+
+#[test]
+fn what_is_held_on_a_slope_pays_no_friction() {
+    let angle: f64 = 0.3;
+    let gravity = [9.81 * angle.sin(), -9.81 * angle.cos()];
+    let mut scene = on_floor(gravity, &a_box([0.0, 0.5], [0.0; 2]), [0.9, 0.0]);
+    scene["method"] = json!({"ledger": true, "sleep": false});
+    let list = ledgers(&mut *world(&scene), 2.0).unwrap();
+    let book = list.last().unwrap().book;
+    assert!(book.friction.abs() + book.impacts.abs() < 1e-9, "{book:?}");
+}
+
+#[test]
+fn far_from_the_origin_it_comes_to_rest() {
+    let mut scene = on_floor([0.0, -9.81], &a_box([1e5, 2.0], [0.0; 2]), [0.5, 0.3]);
+    scene["bounds"]["min"] = json!([9e4, 0]);
+    scene["bounds"]["max"] = json!([2e5, 9]);
+    let mut world = world(&scene);
+    while world.time() < 6.0 {
+        world.step();
+    }
+    assert!(world.is_asleep());
+}
