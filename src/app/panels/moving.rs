@@ -186,7 +186,7 @@ mod tests {
             words(&Figures { acts, ..Figures::default() }),
             [
                 "Stopped before it went through something: 3 times so far",
-                "Energy from nowhere taken out: once",
+                "Energy from nowhere taken out: once so far",
                 "What is inside out is led back to its shape",
                 "Bodies in each other are parted",
                 "What touches something and is slow is slowed down",

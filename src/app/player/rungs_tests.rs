@@ -14,12 +14,12 @@ const SPRINGS: &str = r#"{
         "material": { "kind": "spring", "stiffness": 200, "damping": 0, "mass": 0.1 } }]
 }"#;
 
-/// A lattice of rigid bonds that turns as it falls, with a budget that it never reaches.
+/// A lattice of rigid bonds that turns as it falls, with a budget that it never reaches. Its bonds could break: it is no rigid body.
 const RIGID: &str = r#"{
     "wobble": 1, "name": "rigid", "gravity": [0, -9.81], "method": { "budget": 100000 },
     "mouse": { "strength": 20, "radius": 0.5 },
     "bodies": [{ "make": "lattice", "columns": 7, "rows": 7, "spacing": 0.2, "spin": 1,
-        "material": { "kind": "rigid", "mass": 0.1 } }]
+        "material": { "kind": "rigid", "mass": 0.1, "break_strain": 1000 } }]
 }"#;
 
 fn scene(text: &str) -> Scene {

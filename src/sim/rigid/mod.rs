@@ -320,7 +320,7 @@ impl Body {
 
     /// Operations of a part in flight, about.
     fn work<S: Real, const D: usize>(&self, field: &Field<S, D>) -> u64 {
-        let of_gusts = if field.pull.gusts().is_some() { OF_A_GUST as u64 } else { 0 };
+        let of_gusts = if field.pull.gusts().is_some() { OF_A_GUST } else { 0 };
         let of_pushes = if field.pushes() { 30 } else { 0 };
         100 + 2 * (of_gusts + of_pushes) * self.slots.len() as u64
     }
