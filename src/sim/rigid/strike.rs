@@ -15,6 +15,8 @@ use crate::sim::vector::{add, cross, dot, scale, sub};
 const MOST_PASSES: u32 = 100;
 /// Change of a motion, relative to the fastest, that is none.
 const NOTHING: f64 = 1e-15;
+/// Operations of a contact that is gone through once, about.
+pub(super) const OF_A_CONTACT: u64 = 40;
 /// Halvings in which the restitution is found that adds no energy.
 const HALVINGS: u32 = 30;
 
