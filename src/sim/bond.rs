@@ -99,4 +99,14 @@ impl Bond {
     pub fn new(a: PointId, b: PointId, rest_length: f64) -> Self {
         Bond { a, b, rest_length, kind: BondKind::Rigid, limit: Limit::Both, break_strain: f64::INFINITY }
     }
+
+    /// Rigid, both ways.
+    pub(crate) fn is_held(&self) -> bool {
+        self.kind == BondKind::Rigid && self.limit == Limit::Both
+    }
+
+    /// Whether it holds its length for ever.
+    pub(crate) fn holds(&self) -> bool {
+        self.is_held() && !self.break_strain.is_finite() && self.rest_length > 0.0
+    }
 }

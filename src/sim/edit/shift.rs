@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use super::check::finite;
 use super::{Applied, CommandError, done, invalid};
-use crate::sim::bond::{Bond, BondKind, Limit, PointId};
+use crate::sim::bond::{Bond, PointId};
 use crate::sim::bonds::Bonds;
 use crate::sim::command::Motion;
 use crate::sim::model::Model;
@@ -138,10 +138,9 @@ impl<S: Real, const D: usize> World<S, D> {
     /// Errors: a part of a body is moved whose rigid bonds to the rest of it hold it where it is.
     fn check_lengths(&self, points: &[u32], placement: &Placement) -> Result<(), CommandError> {
         let is_moved = |end: &PointId| points.binary_search(&end.0).is_ok();
-        let is_rigid = |bond: &Bond| bond.kind == BondKind::Rigid && bond.limit == Limit::Both;
         let is_torn = |ends: &[PointId; 2]| is_moved(&ends[0]) != is_moved(&ends[1]);
         let torn: Vec<u32> = (0..self.bonds.len())
-            .filter(|&k| is_torn(&self.bonds.ends()[k]) && is_rigid(&self.bonds.get(k)))
+            .filter(|&k| is_torn(&self.bonds.ends()[k]) && self.bonds.get(k).is_held())
             .flat_map(|k| self.bonds.ends()[k].map(|end| end.0))
             .collect();
         if torn.is_empty() {
@@ -163,7 +162,7 @@ impl<S: Real, const D: usize> World<S, D> {
             }
         }
         let mut bonds = Bonds::new();
-        for bond in self.bonds.iter().filter(|bond| is_rigid(bond) && local[bond.a.index()] != u32::MAX) {
+        for bond in self.bonds.iter().filter(|bond| bond.is_held() && local[bond.a.index()] != u32::MAX) {
             let scale = if is_moved(&bond.a) && is_moved(&bond.b) { placement.scale } else { 1.0 };
             let [a, b] = [bond.a, bond.b].map(|end| PointId(local[end.index()]));
             bonds.push(Bond { a, b, rest_length: scale * bond.rest_length, ..bond });

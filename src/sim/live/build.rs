@@ -5,7 +5,7 @@ use std::sync::Arc;
 use super::body::{Area, Body, Edge, Link, Span};
 use super::cluster::Cluster;
 use super::gather::SUBSTEPS;
-use super::rigid::{Held, Shape, holds};
+use super::rigid::{Held, Shape};
 use super::skins::Skin;
 use super::{Draft, FRAMES, bonds, tree};
 use crate::sim::bond::{Bond, BondKind};
@@ -15,7 +15,6 @@ use crate::sim::force::angle::Hinge;
 use crate::sim::force::area;
 use crate::sim::points::Points;
 use crate::sim::real::Real;
-pub(super) use crate::sim::rigid::shape::is_held;
 use crate::sim::triangles;
 use crate::sim::vector::{length, sub, widen};
 
@@ -123,8 +122,9 @@ impl<S: Real> Bodies<S> {
             // What it is made of within says nothing any more.
             own.let_go();
         }
-        let (tree, others) = own.forest(|bond| is_held(bond) || is_stiff(bond, w), |i| w(i) == S::ZERO);
-        let (tree, others) = if tree.is_empty() { own.forest(is_held, |i| w(i) == S::ZERO) } else { (tree, others) };
+        let (tree, others) = own.forest(|bond| bond.is_held() || is_stiff(bond, w), |i| w(i) == S::ZERO);
+        let (tree, others) =
+            if tree.is_empty() { own.forest(Bond::is_held, |i| w(i) == S::ZERO) } else { (tree, others) };
         let link = |bond: &Bond| link(bond, local);
         self.holds.extend(tree.iter().map(link));
         let (springs, holds): (Vec<&Bond>, Vec<&Bond>) = others.iter().partition(|bond| is_spring(bond));
@@ -200,7 +200,7 @@ impl<S: Real> Own<S> {
         Shape::of(Held {
             now: self.points.iter().map(of).collect(),
             masses: self.points.iter().map(mass).collect(),
-            bonds: self.bonds.iter().filter(|bond| holds(bond)).map(bond).collect(),
+            bonds: self.bonds.iter().filter(|bond| bond.holds()).map(bond).collect(),
             surface: &surface.iter().map(|&i| local[i as usize]).collect::<Vec<u32>>(),
         })
     }
@@ -265,7 +265,7 @@ pub(super) fn link<S: Real>(bond: &Bond, local: &[u32]) -> Link<S> {
 
 /// The rigid bonds in the order of the one open path that they make, if they do: no point has more than two.
 pub(super) fn path_of(bonds: &[Bond]) -> Option<Vec<Bond>> {
-    let mut rigid: Vec<Bond> = bonds.iter().copied().filter(is_held).collect();
+    let mut rigid: Vec<Bond> = bonds.iter().copied().filter(Bond::is_held).collect();
     if rigid.len() < LEAST_PATH {
         return None;
     }

@@ -10,7 +10,7 @@ use super::cluster::{Cluster, OBSTACLE};
 use super::substep::SHORT;
 use crate::sim::real::Real;
 pub(super) use crate::sim::rigid::place::Place;
-pub(super) use crate::sim::rigid::shape::{Held, Shape, holds};
+pub(super) use crate::sim::rigid::shape::{Held, Shape};
 use crate::sim::vector::{add, convert, cross, dot, scale, sub, widen};
 
 /// Share of what two things close within a substep in which hits count as one.

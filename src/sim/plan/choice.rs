@@ -88,7 +88,7 @@ pub(crate) struct Setting {
 
 /// The method and the substep of an island.
 pub(crate) fn choose(island: &Island, method: &Method, setting: Setting) -> Choice {
-    if island.is_piece && method.solver == Solver::Auto {
+    if island.piece.is_some() && method.solver == Solver::Auto {
         let substep = method.substep.unwrap_or(FRAME);
         return Choice { solver: Solver::Rigid, substep, is_direct: false, bulk: None };
     }

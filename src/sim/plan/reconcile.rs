@@ -3,7 +3,7 @@
 use rand::{Rng, SeedableRng};
 use rand_pcg::Pcg32;
 
-use crate::sim::bond::{Bond, BondKind, Limit, PointId};
+use crate::sim::bond::{Bond, PointId};
 use crate::sim::bonds::Bonds;
 use crate::sim::measure;
 use crate::sim::solve::blocks::Blocks;
@@ -21,8 +21,7 @@ const MOST_ROUNDS: u32 = 200;
 ///
 /// Shapes: `position` and `w` have one entry a point; w = 0 is pinned. Bonds with a limit are left out.
 pub(crate) fn reconcile<const D: usize>(bonds: &mut Bonds, position: &mut [[f64; D]], w: &[f64]) -> Vec<usize> {
-    let is_held = |bond: &Bond| bond.kind == BondKind::Rigid && bond.limit == Limit::Both;
-    let rigid: Vec<usize> = (0..bonds.len()).filter(|&k| is_held(&bonds.get(k))).collect();
+    let rigid: Vec<usize> = (0..bonds.len()).filter(|&k| bonds.get(k).is_held()).collect();
     let is_free: Vec<bool> = w.iter().map(|&w| w > 0.0).collect();
     let pairs: Vec<[u32; 2]> = rigid.iter().map(|&k| bonds.ends()[k].map(|end| end.0)).collect();
     let mut system = Blocks::<f64, D>::new(&is_free, &pairs, &[]);

@@ -1,5 +1,7 @@
 //! Islands that rigid bonds hold in their shape, and the group of one.
 
+use std::sync::Arc;
+
 use super::gather::Gathered;
 use super::island::Island;
 use super::make::Maker;
@@ -8,7 +10,7 @@ use crate::sim::group::Group;
 use crate::sim::model::Model;
 use crate::sim::real::Real;
 use crate::sim::rigid::Rigid;
-use crate::sim::rigid::shape::{Held, Shape, holds};
+use crate::sim::rigid::shape::{Held, Shape};
 use crate::sim::solver::Solver;
 use crate::sim::vector::{flat, widen};
 
@@ -18,7 +20,7 @@ pub(super) fn mark<S: Real, const D: usize>(gathered: &Gathered<S, D>, model: &M
         return;
     }
     for island in islands {
-        island.is_piece = shape(gathered, model, island).is_some();
+        island.piece = shape(gathered, model, island);
     }
 }
 
@@ -27,7 +29,7 @@ fn shape<S: Real, const D: usize>(
     gathered: &Gathered<S, D>,
     model: &Model<D>,
     island: &Island,
-) -> Option<(Shape, Vec<u32>)> {
+) -> Option<(Arc<Shape>, Vec<u32>)> {
     // Of a graph with fewer bonds something is loose.
     if island.relaxed > 0 || island.rigid + 3 < 2 * island.points.len() || island.points.len() < 2 {
         return None;
@@ -35,7 +37,7 @@ fn shape<S: Real, const D: usize>(
     let bonds: Vec<Bond> = island.bonds.iter().map(|&k| gathered.bonds.get(k as usize)).collect();
     let (rigid, springs): (Vec<&Bond>, Vec<&Bond>) = bonds.iter().partition(|bond| bond.kind == BondKind::Rigid);
     let breaks = |bond: &&Bond| bond.break_strain.is_finite();
-    if !rigid.iter().all(|bond| holds(bond)) || springs.iter().any(breaks) {
+    if !rigid.iter().all(|bond| bond.holds()) || springs.iter().any(breaks) {
         return None;
     }
     let w = |point: u32| gathered.w[point as usize];
@@ -54,7 +56,7 @@ fn shape<S: Real, const D: usize>(
         bonds: rigid.iter().map(|bond| ([bond.a.0, bond.b.0].map(place), bond.rest_length)).collect(),
         surface: &[],
     })?;
-    Some((shape, points))
+    Some((Arc::new(shape), points))
 }
 
 impl<S: Real, const D: usize> Maker<'_, S, D> {
@@ -62,9 +64,9 @@ impl<S: Real, const D: usize> Maker<'_, S, D> {
     pub(super) fn make_rigid(&self) -> Option<Group<S, D>> {
         let islands = &self.lot.islands;
         let bonds = islands.iter().map(|island| island.bonds.len()).sum();
-        let of = |island| {
-            let (shape, points) = shape(self.gathered, self.model, island)?;
-            Some((shape, points.into_iter().map(|point| self.place[point as usize]).collect()))
+        let of = |island: &Island| {
+            let (shape, points) = island.piece.as_ref()?;
+            Some((shape.clone(), points.iter().map(|&point| self.place[point as usize]).collect()))
         };
         let shapes = islands.iter().map(of).collect::<Option<Vec<_>>>()?;
         let w: Vec<f64> = self.points.iter().map(|&i| self.gathered.w[i as usize]).collect();

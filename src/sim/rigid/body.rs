@@ -72,11 +72,11 @@ impl Motion {
 }
 
 impl Body {
-    pub(super) fn new(shape: Shape, slots: Vec<u32>) -> Self {
+    pub(super) fn new(shape: Arc<Shape>, slots: Vec<u32>) -> Self {
         let reach = shape.places.iter().map(|q| dot(*q, *q)).fold(0.0, f64::max).sqrt();
         let ease = if shape.pin.is_some() { 0.0 } else { 1.0 / shape.mass };
         let inertia = Inertia { inverse: [ease, 1.0 / shape.inertia] };
-        Body { hull: hull(&shape.places), slots, reach, inertia, shape: Arc::new(shape) }
+        Body { hull: hull(&shape.places), slots, reach, inertia, shape }
     }
 
     /// Where the shape fits the places of points best by mass, and the motion that has their momentum and angular momentum.

@@ -48,7 +48,7 @@ pub(crate) struct Rigid {
 
 impl Rigid {
     /// Of shapes, each with its points in the group, made of so many bonds.
-    pub(crate) fn new(shapes: Vec<(Shape, Vec<u32>)>, bonds: usize) -> Self {
+    pub(crate) fn new(shapes: Vec<(Arc<Shape>, Vec<u32>)>, bonds: usize) -> Self {
         Rigid {
             bodies: shapes.into_iter().map(|(shape, slots)| Body::new(shape, slots)).collect(),
             bonds,

@@ -1,6 +1,5 @@
 //! The shape in which rigid bonds hold a body.
 
-use crate::sim::bond::{Bond, BondKind, Limit};
 use crate::sim::vector::{add, cross, dot, scale, sub};
 
 /// Least share of the length of a bond by which a point that two bonds hold must be off the line through their other ends.
@@ -9,7 +8,7 @@ const LEAST_HEIGHT: f64 = 1e-2;
 const FITS: f64 = 1e-6;
 
 /// What a rigid body is by itself.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Shape {
     /// Where its points are, from its middle, or from the point that it is pinned at [m].
     pub(crate) places: Vec<[f64; 2]>,
@@ -31,16 +30,6 @@ pub(crate) struct Held<'a> {
     /// Points in the order of the lists above.
     pub(crate) bonds: Vec<([u32; 2], f64)>,
     pub(crate) surface: &'a [u32],
-}
-
-/// Rigid, both ways.
-pub(crate) fn is_held(bond: &Bond) -> bool {
-    bond.kind == BondKind::Rigid && bond.limit == Limit::Both
-}
-
-/// Whether a bond holds its length for ever.
-pub(crate) fn holds(bond: &Bond) -> bool {
-    is_held(bond) && !bond.break_strain.is_finite() && bond.rest_length > 0.0
 }
 
 impl Shape {

@@ -4,7 +4,7 @@ use crate::sim::bond::Bond;
 use crate::sim::contact::skin::{Contact, RADIUS};
 use crate::sim::live::Draft;
 use crate::sim::live::body::{Link, Span};
-use crate::sim::live::build::{Bounds, in_turn, is_held, is_spring, link, path_of};
+use crate::sim::live::build::{Bounds, in_turn, is_spring, link, path_of};
 use crate::sim::live::gather::SUBSTEPS;
 use crate::sim::points::Points;
 use crate::sim::real::Real;
@@ -90,7 +90,7 @@ impl<S: Real> Bodies<S> {
     fn push(&mut self, own: Own, local: &[u32], points: &Points<S, 3>, contact: Option<&Contact>) {
         let starts = self.ends();
         let (path, others): (Vec<Bond>, Vec<Bond>) = match path_of(&own.bonds) {
-            Some(path) => (path, own.bonds.iter().copied().filter(|bond| !is_held(bond)).collect()),
+            Some(path) => (path, own.bonds.iter().copied().filter(|bond| !bond.is_held()).collect()),
             None => (Vec::new(), own.bonds.clone()),
         };
         self.holds.extend(path.iter().map(|bond| link(bond, local)));
