@@ -13,6 +13,7 @@ mod history;
 mod large;
 mod large_scenes;
 mod ledger;
+mod linkages;
 mod live;
 mod motion;
 mod obstacles;

@@ -52,6 +52,16 @@ impl<S: Real, const D: usize> Swept<S, D> {
         Swept { low, high, ..self }
     }
 
+    /// The box around both.
+    pub(crate) fn with(self, other: &Self) -> Self {
+        Swept {
+            low: std::array::from_fn(|k| self.low[k].min(other.low[k])),
+            high: std::array::from_fn(|k| self.high[k].max(other.high[k])),
+            fastest: self.fastest.max(other.fastest),
+            margin: self.margin.max(other.margin),
+        }
+    }
+
     pub(crate) fn overlaps(&self, other: &Self) -> bool {
         (0..D).all(|k| self.low[k] <= other.high[k] && other.low[k] <= self.high[k])
     }

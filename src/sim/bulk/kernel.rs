@@ -11,6 +11,8 @@ pub(crate) enum Kernel {
     Forms([usize; 4], Way),
     /// Rigid bodies, so many.
     Rigid(usize),
+    /// Rigid bodies that joints hold together, so many in all.
+    Joined(usize),
     /// Bodies of any form that may meet.
     Live,
 }
@@ -23,6 +25,9 @@ impl Kernel {
                 Kernel::Forms(std::array::from_fn(|form| counts[form] + more[form]), way)
             }
             (Kernel::Rigid(count), Kernel::Rigid(more)) => Kernel::Rigid(count + more),
+            (Kernel::Rigid(count) | Kernel::Joined(count), Kernel::Rigid(more) | Kernel::Joined(more)) => {
+                Kernel::Joined(count + more)
+            }
             _ => Kernel::Live,
         }
     }
@@ -33,6 +38,11 @@ pub(crate) const OF_A_BOND: u64 = 12;
 const OF_A_GATHERED_BOND: u64 = 60;
 
 impl Kernel {
+    /// Whether what it moves is rigid bodies.
+    pub(crate) fn is_of_rigid_bodies(self) -> bool {
+        matches!(self, Kernel::Rigid(_) | Kernel::Joined(_))
+    }
+
     /// Operations of a bond that is taken once, about.
     pub(crate) fn work_of_a_bond(self) -> u64 {
         if matches!(self, Kernel::Forms([_, _, _, meshes], Way::Forces) if meshes > 0) {
@@ -49,6 +59,7 @@ impl fmt::Display for Kernel {
             Kernel::Forms(counts, way) => (counts, way),
             Kernel::Rigid(1) => return f.write_str("a rigid body"),
             Kernel::Rigid(count) => return write!(f, "{count} rigid bodies"),
+            Kernel::Joined(count) => return write!(f, "{count} rigid bodies in joints"),
             Kernel::Live => return f.write_str("live bodies"),
         };
         let plurals = [("sheet", "sheets"), ("chain", "chains"), ("crowd", "crowds"), ("mesh", "meshes")];

@@ -83,6 +83,12 @@ impl<S: Real, const D: usize> Group<S, D> {
                 let v = &mut self.points.velocity[slot as usize];
                 *v = add(*v, gain);
             }
+            // What is rigid goes as a whole at once.
+            if let Engine::Bulk(bulk) = &mut self.engine
+                && bulk.kernel().is_of_rigid_bodies()
+            {
+                bulk.begin(&mut self.points);
+            }
             self.book_change(before, Cause::Grab);
         } else {
             if self.points.acceleration.is_empty() {

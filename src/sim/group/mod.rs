@@ -130,7 +130,7 @@ impl<S: Real, const D: usize> Group<S, D> {
     /// they have.
     pub(crate) fn resume(&mut self, around: &Environment<D>, t: f64) -> bool {
         if let Engine::Bulk(bulk) = &mut self.engine {
-            if matches!(bulk.kernel(), Kernel::Rigid(_)) {
+            if bulk.kernel().is_of_rigid_bodies() {
                 bulk.begin(&mut self.points);
             }
             self.lead_pins(t, 0.0);

@@ -355,7 +355,7 @@ impl<S: Real, const D: usize> Group<S, D> {
 
     /// Whether its mover leaves bodies that left the numbers where its step began.
     fn keeps_itself(&self) -> bool {
-        matches!(self.kernel(), Some(Kernel::Live | Kernel::Rigid(_)))
+        self.kernel().is_some_and(|kernel| matches!(kernel, Kernel::Live) || kernel.is_of_rigid_bodies())
     }
 
     /// The state now, in the memory of an older one.

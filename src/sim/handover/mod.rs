@@ -67,7 +67,7 @@ fn can_go<S: Real, const D: usize>(group: &Group<S, D>) -> bool {
     !group.is_live() && group.watch.as_ref().is_some_and(|watch| watch.may_go)
 }
 
-/// Whether the live step may take less than its own method: of a rigid body it never does.
+/// Whether the live step may take less than its own method: of a rigid body alone it never does.
 fn can_be_cheaper<S: Real, const D: usize>(group: &Group<S, D>) -> bool {
     can_go(group) && !matches!(group.kernel(), Some(Kernel::Rigid(_)))
 }

@@ -88,7 +88,7 @@ pub(crate) struct Setting {
 
 /// The method and the substep of an island.
 pub(crate) fn choose(island: &Island, method: &Method, setting: Setting) -> Choice {
-    if island.piece.is_some() && method.solver == Solver::Auto {
+    if island.pieces.is_some() {
         let substep = method.substep.unwrap_or(FRAME);
         return Choice { solver: Solver::Rigid, substep, is_direct: false, bulk: None };
     }
@@ -187,8 +187,7 @@ fn pick(island: &Island, setting: Setting, is_direct: bool) -> Solver {
     if setting.has_surfaces && island.springs > MOST_TOUCHING && substeps <= MOST_TOUCHES {
         return Solver::VelocityVerlet;
     }
-    let is_stiff = FRAME / PHASE_4 * island.frequency > STIFF || FRAME * island.decay > STIFF;
-    if is_stiff && island.points.len() <= MOST_IMPLICIT {
+    if is_stiff(island) && island.points.len() <= MOST_IMPLICIT {
         return Solver::ImplicitMidpoint;
     }
     if setting.points > LARGE {
@@ -200,6 +199,11 @@ fn pick(island: &Island, setting: Setting, is_direct: bool) -> Solver {
     } else {
         Solver::Pefrl
     }
+}
+
+/// Whether springs are stiffer than explicit steps can serve at a bearable cost.
+pub(super) fn is_stiff(island: &Island) -> bool {
+    FRAME / PHASE_4 * island.frequency > STIFF || FRAME * island.decay > STIFF
 }
 
 /// The substep that resolves the fastest motion of an island: a whole part of 1/60 s.

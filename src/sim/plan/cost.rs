@@ -1,6 +1,5 @@
 //! What a substep of a group costs, by counting: settings are compared by it, never by a clock.
 
-use crate::sim::bulk::kernel::Kernel;
 use crate::sim::force::wind::OF_A_GUST;
 use crate::sim::group::engine::Engine;
 use crate::sim::group::{Group, Work};
@@ -55,7 +54,7 @@ fn of_engine<S: Real, const D: usize>(group: &Group<S, D>, engine: &Engine<S, D>
         }
         Engine::Projected => force + 20.0 * points + 4.0 * hold,
         Engine::Implicit(implicit) => USUAL_ROUNDS as f64 * (force + implicit.work() as f64 + 8.0 * points),
-        Engine::Bulk(bulk) if matches!(bulk.kernel(), Kernel::Rigid(_)) => 100.0 + 30.0 * points,
+        Engine::Bulk(bulk) if bulk.kernel().is_of_rigid_bodies() => 100.0 + 30.0 * points,
         Engine::Bulk(bulk) => 40.0 * bulk.bonds() as f64 + 10.0 * points,
         Engine::Xpbd(bonds, sweeps, _) => force + 20.0 * points + 40.0 * bonds.len() as f64 * f64::from(*sweeps),
     }

@@ -1,11 +1,9 @@
 //! Islands: points that bonds hold together, and what each island is made of.
 
-use std::sync::Arc;
-
+use super::rigid::Pieces;
 use crate::sim::bond::{Bond, BondKind, PointId};
 use crate::sim::bonds::Bonds;
 use crate::sim::force::angle::Angle;
-use crate::sim::rigid::shape::Shape;
 use crate::sim::sets::Sets;
 
 /// Angles and areas between points.
@@ -72,8 +70,8 @@ pub(crate) struct Island {
     pub(crate) is_driven: bool,
     /// Areas are held.
     pub(crate) holds_areas: bool,
-    /// Where rigid bonds hold it in its shape, so that it is a rigid body: that, and its points in the order of it, pins included.
-    pub(crate) piece: Option<(Arc<Shape>, Vec<u32>)>,
+    /// Where it moves as rigid bodies: what those are.
+    pub(crate) pieces: Option<Pieces>,
 }
 
 /// Splits points into islands, in the order of their lowest points: bonds hold them together, angles and triangles that resist.

@@ -3,6 +3,7 @@
 use super::gather::Gathered;
 use super::island::{Island, Patched};
 use super::lot::Lot;
+use super::rigid::Pieces;
 use crate::sim::account::Account;
 use crate::sim::bond::{Bond, BondKind, Limit, PointId};
 use crate::sim::bulk::control::FRAME;
@@ -216,13 +217,15 @@ impl<S: Real, const D: usize> Maker<'_, S, D> {
         let (points, rigid) = (count(|island| island.points.len()), count(|island| island.rigid));
         // What is swept is defined by its sweeps, and nothing is so large that a frame of the live step would be long.
         let most = MOST_HANDED_OVER[usize::from(rigid == 0)];
-        let is_few = self.lot.choice.solver == Solver::Rigid || bonds.len() <= most;
+        let are_alone =
+            !islands.is_empty() && islands.iter().all(|island| island.pieces.as_ref().is_some_and(Pieces::is_one));
+        let is_few = are_alone || bonds.len() <= most;
         let may_go = count(|island| island.relaxed) == 0 && is_few && points > 0;
         let surfaces = &self.obstacles.surfaces;
         let tracks = self.tracks();
         let can_fail = rigid > 0 || !surfaces.is_empty() || self.model.mouse.is_some() || !tracks.is_empty();
-        // A rigid body has no strain, and makes no energy.
-        let has_eyes = can_fail && self.lot.choice.solver != Solver::Rigid;
+        // A rigid body alone has no strain, and makes no energy.
+        let has_eyes = can_fail && !are_alone;
         // What forces and wind bring is known to a ledger alone.
         let gives = surfaces.iter().any(|surface| surface.restitution > S::ONE)
             || self.model.has_fields()

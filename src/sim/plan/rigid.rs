@@ -1,37 +1,67 @@
-//! Islands that rigid bonds hold in their shape, and the group of one.
+//! Islands that move as rigid bodies, alone or in joints, and the group of one.
 
 use std::sync::Arc;
 
+use super::choice;
 use super::gather::Gathered;
 use super::island::Island;
 use super::make::Maker;
-use crate::sim::bond::{Bond, BondKind};
+use crate::sim::bond::{Bond, BondKind, PointId};
+use crate::sim::force::angle::Angle;
 use crate::sim::group::Group;
 use crate::sim::model::Model;
 use crate::sim::real::Real;
 use crate::sim::rigid::Rigid;
+use crate::sim::rigid::blueprint::Blueprint;
+use crate::sim::rigid::joints::End;
 use crate::sim::rigid::shape::{Held, Shape};
+use crate::sim::rigid::ties::Ties;
 use crate::sim::solver::Solver;
 use crate::sim::vector::{flat, widen};
 
+/// Most rigid bonds of an island without a rigid body in it that is moved as bodies in joints, each point one, where it may meet surfaces: friction at
+/// one point is a share of all that presses there, also through bonds. Of more bonds, all that lie on something together would cost too much.
+const MOST_RODS: usize = 12;
+
+/// What an island is as rigid bodies.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct Pieces {
+    pub(crate) plan: Arc<Blueprint>,
+    /// Its points in the order of that, pins included.
+    pub(crate) points: Vec<u32>,
+}
+
+impl Pieces {
+    /// Whether it is one body that nothing joins to anything.
+    pub(crate) fn is_one(&self) -> bool {
+        self.plan.bodies.len() == 1 && self.plan.links.is_empty()
+    }
+}
+
 /// Marks the islands that move as rigid bodies where the rules choose.
-pub(super) fn mark<S: Real, const D: usize>(gathered: &Gathered<S, D>, model: &Model<D>, islands: &mut [Island]) {
+pub(super) fn mark<S: Real, const D: usize>(
+    gathered: &Gathered<S, D>,
+    (model, has_surfaces): (&Model<D>, bool),
+    islands: &mut [Island],
+) {
     if D != 2 || model.method.solver != Solver::Auto {
         return;
     }
     for island in islands {
-        island.piece = shape(gathered, model, island);
+        island.pieces = pieces(gathered, (model, has_surfaces), island);
     }
 }
 
-/// The shape of an island that is a rigid body, and its points in the order of that, pins included.
-fn shape<S: Real, const D: usize>(
+/// The rigid bodies that an island is made of; `None`: it moves bond by bond.
+fn pieces<S: Real, const D: usize>(
     gathered: &Gathered<S, D>,
-    model: &Model<D>,
+    (model, has_surfaces): (&Model<D>, bool),
     island: &Island,
-) -> Option<(Arc<Shape>, Vec<u32>)> {
-    // Of a graph with fewer bonds something is loose.
-    if island.relaxed > 0 || island.rigid + 3 < 2 * island.points.len() || island.points.len() < 2 {
+) -> Option<Pieces> {
+    let most_alone = if has_surfaces { MOST_RODS } else { 0 };
+    // A body has three bonds.
+    let is_too_little = island.rigid < 3 && (island.rigid == 0 || island.rigid > most_alone);
+    if island.relaxed > 0 || is_too_little || !island.patches.is_empty() {
         return None;
     }
     let bonds: Vec<Bond> = island.bonds.iter().map(|&k| gathered.bonds.get(k as usize)).collect();
@@ -41,38 +71,85 @@ fn shape<S: Real, const D: usize>(
         return None;
     }
     let w = |point: u32| gathered.w[point as usize];
-    let ends = || bonds.iter().flat_map(|bond| [bond.a.0, bond.b.0]);
+    let of_angles = island.angles.iter().flat_map(|&k| gathered.ties.angles[k as usize].points);
+    let ends = || bonds.iter().flat_map(|bond| [bond.a, bond.b]).chain(of_angles.clone()).map(|end| end.0);
     let mut points: Vec<u32> = island.points.iter().copied().chain(ends().filter(|&end| w(end) == 0.0)).collect();
     points.sort_unstable();
     points.dedup();
     let is_led = |point: &u32| model.pin_motion.iter().any(|(pin, _)| gathered.stand_ins[pin.index()] == *point);
-    if points.iter().any(|point| w(*point) == 0.0 && is_led(point)) {
-        return None;
-    }
     let place = |point: u32| points.binary_search(&point).map_or(u32::MAX, |place| place as u32);
-    let shape = Shape::of(Held {
+    let held = || Held {
         now: points.iter().map(|&point| flat(widen(gathered.state.position[point as usize]))).collect(),
         masses: points.iter().map(|&point| 1.0 / w(point)).collect(),
         bonds: rigid.iter().map(|bond| ([bond.a.0, bond.b.0].map(place), bond.rest_length)).collect(),
         surface: &[],
-    })?;
-    Some((Arc::new(shape), points))
+    };
+    let is_led = |k: u32| w(points[k as usize]) == 0.0 && is_led(&points[k as usize]);
+    let is_led_any = (0..points.len() as u32).any(is_led);
+    let is_braced = island.rigid + 3 >= 2 * island.points.len() && !is_led_any;
+    let one = is_braced.then(|| Shape::of(held())).flatten().map(Blueprint::alone);
+    let plan = one.or_else(|| joined(island, (held(), most_alone), is_led))?;
+    Some(Pieces { plan: Arc::new(plan), points })
+}
+
+/// Several bodies, where springs between them are not too stiff for explicit steps.
+fn joined(island: &Island, (held, most_alone): (Held<'_>, usize), is_led: impl Fn(u32) -> bool) -> Option<Blueprint> {
+    if choice::is_stiff(island) {
+        return None;
+    }
+    Blueprint::of(&held, most_alone, is_led)
+}
+
+/// Springs and angles between different bodies of a plan, whose points are these.
+fn ties<S: Real, const D: usize>(gathered: &Gathered<S, D>, island: &Island, pieces: &Pieces) -> Ties {
+    let Pieces { plan, points } = pieces;
+    if pieces.is_one() {
+        return Ties::none();
+    }
+    let place = |point: PointId| PointId(points.binary_search(&point.0).map_or(u32::MAX, |place| place as u32));
+    let are_apart = |ends: &[PointId]| {
+        // A point of two bodies has its seat on one of them: joints tell of the other.
+        let bodies = |end: &PointId| plan.bodies.iter().filter(|body| body.points.contains(&end.0)).count();
+        let seat = |end: &PointId| match plan.seats[end.index()] {
+            End::On { body, .. } => body,
+            End::Fixed(_) => u32::MAX,
+        };
+        ends.iter().any(|end| seat(end) != seat(&ends[0]) || bodies(end) > 1)
+    };
+    let of_bond = |&k: &u32| {
+        let bond = gathered.bonds.get(k as usize);
+        let ends = [bond.a, bond.b].map(place);
+        let is_meant = bond.kind != BondKind::Rigid && are_apart(&ends);
+        is_meant.then_some(Bond { a: ends[0], b: ends[1], ..bond })
+    };
+    let of_angle = |&k: &u32| {
+        let angle = gathered.ties.angles[k as usize];
+        let points = angle.points.map(place);
+        are_apart(&points).then_some(Angle { points, ..angle })
+    };
+    let springs: Vec<Bond> = island.bonds.iter().filter_map(of_bond).collect();
+    let angles: Vec<Angle> = island.angles.iter().filter_map(of_angle).collect();
+    if springs.is_empty() && angles.is_empty() {
+        return Ties::none();
+    }
+    Ties::new(plan.seats.clone(), &springs, &angles, [island.frequency, island.decay])
 }
 
 impl<S: Real, const D: usize> Maker<'_, S, D> {
-    /// `None` where some island is no rigid body.
+    /// `None` where some island is none of rigid bodies.
     pub(super) fn make_rigid(&self) -> Option<Group<S, D>> {
         let islands = &self.lot.islands;
         let bonds = islands.iter().map(|island| island.bonds.len()).sum();
         let of = |island: &Island| {
-            let (shape, points) = island.piece.as_ref()?;
-            Some((shape.clone(), points.iter().map(|&point| self.place[point as usize]).collect()))
+            let pieces = island.pieces.as_ref()?;
+            let slots = pieces.points.iter().map(|&point| self.place[point as usize]).collect();
+            Some((pieces.plan.clone(), slots, ties(self.gathered, island, pieces)))
         };
-        let shapes = islands.iter().map(of).collect::<Option<Vec<_>>>()?;
+        let plans = islands.iter().map(of).collect::<Option<Vec<_>>>()?;
         let w: Vec<f64> = self.points.iter().map(|&i| self.gathered.w[i as usize]).collect();
         // Bodies move in `f64`: of what their points lose by rounding only single precision has to know.
         let points = if size_of::<S>() < size_of::<f64>() { self.state(&w) } else { self.batched_state() };
-        let mover = Box::new(Rigid::new(shapes, bonds));
+        let mover = Box::new(Rigid::new(plans, bonds));
         Some(self.batched(points, self.batched_pull(), mover, Vec::new()))
     }
 }

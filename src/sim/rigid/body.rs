@@ -8,9 +8,10 @@
 
 use std::sync::Arc;
 
+use super::inertia::Inertia;
+use super::motion::{Motion, Twist};
 use super::place::Place;
 use super::shape::Shape;
-use super::strike::{Inertia, Twist};
 use crate::sim::environment::Environment;
 use crate::sim::force::mouse;
 use crate::sim::integrate::composed::COMPOSED_4;
@@ -34,13 +35,8 @@ pub(super) struct Body {
     /// How far its points are from the origin of the shape, at most [m].
     pub(super) reach: f64,
     pub(super) inertia: Inertia,
-}
-
-/// Where a body is and how it moves.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Motion {
-    pub(super) place: Place,
-    pub(super) twist: Twist,
+    /// Points of the shape that meet nothing, ascending.
+    pub(super) deaf: Vec<u32>,
 }
 
 /// What acts on a body in a step.
@@ -64,19 +60,12 @@ impl<S: Real, const D: usize> Field<'_, S, D> {
     }
 }
 
-impl Motion {
-    pub(super) fn is_finite(&self) -> bool {
-        let Motion { place: Place { middle, turn, .. }, twist: Twist { velocity, spin } } = self;
-        middle.iter().chain(turn).chain(velocity).chain([spin]).all(|x| x.is_finite())
-    }
-}
-
 impl Body {
-    pub(super) fn new(shape: Arc<Shape>, slots: Vec<u32>) -> Self {
+    pub(super) fn new(shape: Arc<Shape>, slots: Vec<u32>, deaf: Vec<u32>) -> Self {
         let reach = shape.places.iter().map(|q| dot(*q, *q)).fold(0.0, f64::max).sqrt();
         let ease = if shape.pin.is_some() { 0.0 } else { 1.0 / shape.mass };
         let inertia = Inertia { inverse: [ease, 1.0 / shape.inertia] };
-        Body { hull: hull(&shape.places), slots, reach, inertia, shape }
+        Body { hull: hull(&shape.places), slots, reach, inertia, deaf, shape }
     }
 
     /// Where the shape fits the places of points best by mass, and the motion that has their momentum and angular momentum.
@@ -176,7 +165,7 @@ impl Body {
     }
 
     /// Under constant pushes, gravity and drag: in closed form.
-    fn drift<S: Real, const D: usize>(
+    pub(super) fn drift<S: Real, const D: usize>(
         &self,
         motion: &Motion,
         field: &Field<S, D>,
@@ -210,7 +199,7 @@ impl Body {
                 let work = dot(push.force, way) + push.torque * turn;
                 given += work;
                 match push.from {
-                    From::Gravity => {}
+                    From::Gravity | From::Ties => {}
                     From::Mouse => book.mouse += work,
                     From::Forces => book.forces += work,
                     From::Wind => book.wind += work,
@@ -224,7 +213,7 @@ impl Body {
     }
 
     /// What pushes it at a place at time `t` [s], but for gravity of what is free.
-    fn pushes<S: Real, const D: usize>(&self, place: &Place, field: &Field<S, D>, t: f64) -> Vec<Push> {
+    pub(super) fn pushes<S: Real, const D: usize>(&self, place: &Place, field: &Field<S, D>, t: f64) -> Vec<Push> {
         let mut list = Vec::new();
         let mut note = |from: From, (force, torque): ([f64; 2], f64)| list.push(Push { from, force, torque });
         if let Some((_, centre)) = self.shape.pin {
@@ -280,17 +269,18 @@ impl Body {
 
 /// What pushes a body.
 #[derive(Clone, Copy, Debug)]
-struct Push {
-    from: From,
+pub(super) struct Push {
+    pub(super) from: From,
     /// [N], and about the origin of the shape [N m].
-    force: [f64; 2],
-    torque: f64,
+    pub(super) force: [f64; 2],
+    pub(super) torque: f64,
 }
 
 /// Where a push comes from.
 #[derive(Clone, Copy, Debug)]
-enum From {
+pub(super) enum From {
     Gravity,
+    Ties,
     Mouse,
     Forces,
     Wind,
@@ -334,6 +324,9 @@ fn set<S: Real, const D: usize>(value: &mut [S; D], lost: Option<&mut [S; D]>, e
 
 /// The corners of the convex hull of places (Andrew's monotone chain), in the order around it.
 fn hull(places: &[[f64; 2]]) -> Vec<u32> {
+    if places.len() == 1 {
+        return vec![0];
+    }
     let mut order: Vec<u32> = (0..places.len() as u32).collect();
     let at = |k: u32| places[k as usize];
     order.sort_by(|&a, &b| at(a)[0].total_cmp(&at(b)[0]).then(at(a)[1].total_cmp(&at(b)[1])));

@@ -4,19 +4,30 @@
 //! read       place, angle, velocity and spin from the points: best fit, momentum and angular momentum
 //! part       of the step: all of it in flight, shorter near surfaces, under the mouse, on a pin
 //! flight     in closed form, or a composition of order 4 (`body.rs`)
-//! hit        the moment when a point gets to a surface is located (`course.rs`, `touch.rs`); the impact is Coulomb's law (`strike.rs`)
+//! hit        the moment when a point gets to a surface is located (`course.rs`, `touch.rs`); the impact is Coulomb's law (`law.rs`)
 //! rest       what lies on surfaces slides, rolls, tips or stays (`slide.rs`); where sliding ends is located
+//! joined     bodies that share points, or that bonds join, are solved together: flight and rest (`linkage.rs`), impacts (`together.rs`)
 //! write      points follow, once a step
 //! ```
 //!
 //! Nothing is kept between steps but the points themselves: any copy goes on with the same bits.
 
+mod alone;
+pub(crate) mod blueprint;
 mod body;
 mod course;
+pub(crate) mod inertia;
+mod joined;
+pub(crate) mod joints;
+mod law;
+mod linkage;
+pub(crate) mod motion;
+mod pieces;
 pub(crate) mod place;
 pub(crate) mod shape;
 mod slide;
-mod strike;
+pub(crate) mod ties;
+mod together;
 mod touch;
 
 use std::sync::Arc;
@@ -31,39 +42,46 @@ use super::pull::Pull;
 use super::real::Real;
 use super::swept::Swept;
 use super::vector::{add, length};
-use body::{Body, Field, Motion, lift};
-use course::Log;
-use shape::Shape;
+use alone::Lone;
+use blueprint::Blueprint;
+use body::{Body, Field, lift};
+use course::{Log, advance};
+use linkage::{Linkage, Moving};
+use motion::Motion;
+use ties::Ties;
 use touch::way;
 
-/// Rigid bodies that step together.
+/// Rigid bodies that step together, alone or joined.
 #[derive(Clone, Debug)]
 pub(crate) struct Rigid {
-    bodies: Arc<[Body]>,
-    /// Rigid bonds that they are made of.
+    linkages: Arc<[Linkage]>,
+    /// Bonds that they are made of.
     bonds: usize,
     /// Points of those that left the finite numbers: they are where their step began.
     lost: Vec<u32>,
 }
 
 impl Rigid {
-    /// Of shapes, each with its points in the group, made of so many bonds.
-    pub(crate) fn new(shapes: Vec<(Arc<Shape>, Vec<u32>)>, bonds: usize) -> Self {
-        Rigid {
-            bodies: shapes.into_iter().map(|(shape, slots)| Body::new(shape, slots)).collect(),
-            bonds,
-            lost: Vec::new(),
-        }
+    /// Of plans, each with the places of its points in the group and springs between its bodies, made of so many bonds.
+    pub(crate) fn new(plans: Vec<(Arc<Blueprint>, Vec<u32>, Ties)>, bonds: usize) -> Self {
+        let linkages = plans.into_iter().map(|(plan, slots, ties)| Linkage::new(&plan, &slots, ties)).collect();
+        Rigid { linkages, bonds, lost: Vec::new() }
+    }
+
+    fn bodies(&self) -> impl Iterator<Item = &Body> {
+        self.linkages.iter().flat_map(|linkage| &linkage.bodies)
     }
 }
 
 impl<S: Real, const D: usize> Mover<S, D> for Rigid {
     /// Points that are elsewhere get the places that the shape has for them.
     fn begin(&mut self, points: &mut Points<S, D>) {
-        for body in self.bodies.iter() {
-            let motion = body.read(points);
-            if !body.fits(&motion, points) {
-                body.write(&motion, points);
+        for linkage in self.linkages.iter() {
+            linkage.stop(points);
+            let motions = linkage.read(points, &linkage.anchors(points));
+            let fits = |(body, motion): (&Body, &Motion)| body.fits(motion, points);
+            if !linkage.bodies.iter().zip(&motions).all(fits) {
+                linkage.bodies.iter().zip(&motions).for_each(|(body, motion)| body.write(motion, points));
             }
         }
     }
@@ -78,27 +96,42 @@ impl<S: Real, const D: usize> Mover<S, D> for Rigid {
         account: Option<&mut Account>,
     ) {
         let mut book = account.map(|account| &mut account.book);
-        for body in self.bodies.iter() {
-            let motion = body.read(points);
-            let far = body.reach + way(&motion, h, length(pull.gravity) + pull.most_push() + around.most_push());
-            let middle = motion.place.middle;
-            let bounds = [-far, far].map(|far| lift::<S, D>([middle[0] + far, middle[1] + far]));
-            let field = Field { pull, around, w: &points.inverse_mass, is_reached: around.may_reach(bounds, (t, h)) };
-            let moving = || {
-                let each = body.slots.iter().map(|&slot| slot as usize);
-                each.map(|i| (points.position[i], points.velocity[i]))
-            };
-            let parts = if field.is_reached { around.parts_near(moving(), (t, h)) } else { 1 };
+        for linkage in self.linkages.iter() {
+            let anchors = linkage.anchors(points);
+            let motions = linkage.read(points, &anchors);
+            let is_reached = linkage.bodies.iter().zip(&motions).any(|(body, motion)| {
+                let far = body.reach + way(motion, h, length(pull.gravity) + pull.most_push() + around.most_push());
+                let middle = motion.place.middle;
+                let bounds = [-far, far].map(|far| lift::<S, D>([middle[0] + far, middle[1] + far]));
+                around.may_reach(bounds, (t, h))
+            });
+            let field = Field { pull, around, w: &points.inverse_mass, is_reached };
+            let slots = || linkage.bodies.iter().flat_map(|body| &body.slots).map(|&slot| slot as usize);
+            let moving = || slots().map(|i| (points.position[i], points.velocity[i]));
+            let parts = if is_reached { around.parts_near(moving(), (t, h)) } else { 1 };
             let mut log = Log { hits: 0, work: 0, book: book.as_deref_mut() };
-            let longest = body.longest(&field, h).min(h / f64::from(parts));
-            let end = body.advance(motion, &field, (t, h, longest), &mut log);
-            let is_reached = field.is_reached;
-            if end.is_finite() {
-                body.write(&end, points);
+            let most = h / f64::from(parts);
+            let ends = match linkage.alone() {
+                Some(body) => {
+                    let span = (t, h, body.longest(&field, h).min(most));
+                    vec![advance(&Lone::new(body, &field, &motions[0]), motions[0], span, &mut log)]
+                }
+                None => {
+                    let joined = Moving::new(linkage, &field, (&anchors, t), &motions);
+                    let span = (t, h, joined.longest(h).min(most));
+                    let ends = advance(&joined, motions, span, &mut log);
+                    log.work += joined.take_spent();
+                    ends
+                }
+            };
+            let count = slots().count() as u64;
+            if ends.iter().all(Motion::is_finite) {
+                linkage.bodies.iter().zip(&ends).for_each(|(body, end)| body.write(end, points));
+                linkage.stop(points);
+                linkage.lead(points, &anchors, h);
             } else {
-                self.lost.extend(&body.slots);
+                self.lost.extend(linkage.bodies.iter().flat_map(|body| &body.slots));
             }
-            let count = body.slots.len() as u64;
             counters.substeps += 1;
             counters.points_moved += count;
             counters.mouse_points += if is_reached { count } else { 0 };
@@ -117,7 +150,8 @@ impl<S: Real, const D: usize> Mover<S, D> for Rigid {
         0.0
     }
 
-    /// A body that spins leaves the straight ways of its points: it stays in a circle around its middle.
+    /// A body that spins leaves the straight ways of its points: it stays in a circle around its middle. Bodies that joints hold together are
+    /// one for those who ask what meets.
     fn reaches(&self, points: &Points<S, D>, (h, pushed): (f64, f64)) -> Vec<Swept<S, D>> {
         let swept = |body: &Body| {
             let Motion { place, twist } = body.read(points);
@@ -131,7 +165,8 @@ impl<S: Real, const D: usize> Mover<S, D> for Rigid {
             let round = Swept::new([-1.0, 1.0].map(corner).into_iter(), (h, pushed), S::ZERO)?;
             Some(tight.within(&round))
         };
-        self.bodies.iter().filter_map(swept).collect()
+        let all = |linkage: &Linkage| linkage.bodies.iter().filter_map(swept).reduce(|all, one| all.with(&one));
+        self.linkages.iter().filter_map(all).collect()
     }
 
     fn take_lost(&mut self) -> Vec<u32> {
@@ -139,14 +174,13 @@ impl<S: Real, const D: usize> Mover<S, D> for Rigid {
     }
 
     fn kernel(&self) -> Kernel {
-        Kernel::Rigid(self.bodies.len())
+        let are_alone = self.linkages.iter().all(|linkage| linkage.alone().is_some());
+        let count = self.bodies().count();
+        if are_alone { Kernel::Rigid(count) } else { Kernel::Joined(count) }
     }
 
     fn heap_bytes(&self) -> usize {
-        let of = |body: &Body| {
-            body.slots.capacity() * size_of::<u32>() + body.shape.places.capacity() * 3 * size_of::<f64>()
-        };
-        self.bodies.iter().map(of).sum()
+        self.linkages.iter().map(Linkage::heap_bytes).sum()
     }
 
     fn bonds(&self) -> usize {

@@ -17,6 +17,11 @@ pub(crate) struct Place {
 }
 
 impl Place {
+    /// There, not turned.
+    pub(crate) fn at(middle: [f64; 2]) -> Self {
+        Place { middle, angle: 0.0, turn: [1.0, 0.0] }
+    }
+
     /// Where a place of the shape is.
     #[inline(always)]
     pub(crate) fn out(&self, q: [f64; 2]) -> [f64; 2] {

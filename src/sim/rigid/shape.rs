@@ -45,67 +45,108 @@ impl Shape {
         }
         let mut pinned = (0..count).filter(|&k| !held.masses[k].is_finite());
         let (pin, None) = (pinned.next(), pinned.next()) else { return None };
-        let mut ends: Vec<(u32, u32, f64)> =
-            held.bonds.iter().flat_map(|&([a, b], rest)| [(a, b, rest), (b, a, rest)]).collect();
-        ends.sort_unstable_by_key(|entry| (entry.0, entry.1));
-        let starts: Vec<usize> =
-            (0..=count as u32).map(|point| ends.partition_point(|entry| entry.0 < point)).collect();
-        let of = |point: u32| &ends[starts[point as usize]..starts[point as usize + 1]];
-        let mut places = of(0).iter().find_map(|&seed| lay_out(seed, of, &held.now))?;
-        let fits = |&([a, b], rest): &([u32; 2], f64)| {
-            let d = sub(places[a as usize], places[b as usize]);
-            (dot(d, d).sqrt() - rest).abs() <= FITS * rest
-        };
-        if !held.bonds.iter().all(fits) {
+        let net = Net::new(&held);
+        let mut places = net.of(0).iter().find_map(|seed| {
+            let mut places = vec![None; count];
+            net.grow(Net::placed(seed, &mut places), &mut places);
+            places.into_iter().collect::<Option<Vec<_>>>()
+        })?;
+        if !held.bonds.iter().all(|bond| fits(bond, |point| places[point as usize])) {
             return None;
         }
         let Held { mut masses, .. } = held;
         if let Some(pin) = pin {
             masses[pin] = 0.0;
         }
-        let mass: f64 = masses.iter().sum();
-        let sum = places.iter().zip(&masses).fold([0.0; 2], |sum, (&x, &m)| add(sum, scale(x, m)));
-        let middle = scale(sum, 1.0 / mass);
+        let (mass, middle) = middle(&places, &masses);
         let origin = pin.map_or(middle, |pin| places[pin]);
         places.iter_mut().for_each(|x| *x = sub(*x, origin));
         let inertia = places.iter().zip(&masses).map(|(&x, &m)| m * dot(x, x)).sum();
         let pin = pin.map(|pin| (pin as u32, sub(middle, origin)));
         Some(Shape { places, masses, mass, inertia, pin, surface: held.surface.to_vec() })
     }
+
+    /// The shape of places with these masses [kg], counted from their middle; a point alone does not turn.
+    pub(crate) fn free(mut places: Vec<[f64; 2]>, masses: Vec<f64>) -> Self {
+        let (mass, middle) = middle(&places, &masses);
+        places.iter_mut().for_each(|x| *x = sub(*x, middle));
+        let inertia: f64 = places.iter().zip(&masses).map(|(&x, &m)| m * dot(x, x)).sum();
+        let inertia = if inertia > 0.0 { inertia } else { f64::INFINITY };
+        Shape { places, masses, mass, inertia, pin: None, surface: Vec::new() }
+    }
 }
 
-/// Lays points out from a bond on, as far as two bonds each hold them; `None`: not all.
-fn lay_out<'a>(
-    (a, b, rest): (u32, u32, f64),
-    of: impl Fn(u32) -> &'a [(u32, u32, f64)],
-    now: &[[f64; 2]],
-) -> Option<Vec<[f64; 2]>> {
-    let mut places: Vec<Option<[f64; 2]>> = vec![None; now.len()];
-    (places[a as usize], places[b as usize]) = (Some([0.0; 2]), Some([rest, 0.0]));
-    let mut list = vec![a, b];
-    let mut next = 0;
-    while let Some(&point) = list.get(next) {
-        next += 1;
-        for &(_, q, to) in of(point) {
-            if places[q as usize].is_some() {
-                continue;
-            }
-            let at = |i: u32| now[i as usize];
-            let from = places[point as usize]?;
-            let other = of(q).iter().filter(|entry| entry.1 != point);
-            let found = other.filter_map(|&(_, other, rest)| Some((other, places[other as usize]?, rest))).find_map(
-                |(other, place, rest)| {
-                    let side = cross(sub(at(other), at(point)), sub(at(q), at(point)));
-                    third((from, to), (place, rest), side)
-                },
-            );
-            if found.is_some() {
-                places[q as usize] = found;
-                list.push(q);
+/// All of the mass and its middle.
+fn middle(places: &[[f64; 2]], masses: &[f64]) -> (f64, [f64; 2]) {
+    let mass: f64 = masses.iter().sum();
+    let sum = places.iter().zip(masses).fold([0.0; 2], |sum, (&x, &m)| add(sum, scale(x, m)));
+    (mass, scale(sum, 1.0 / mass))
+}
+
+/// Whether a bond has the length that places say.
+pub(super) fn fits(&([a, b], rest): &([u32; 2], f64), place: impl Fn(u32) -> [f64; 2]) -> bool {
+    let d = sub(place(a), place(b));
+    (dot(d, d).sqrt() - rest).abs() <= FITS * rest
+}
+
+/// A bond as one of its ends sees it: that, the other one, its length [m] and its number.
+type Spoke = (u32, u32, f64, u32);
+
+/// Bonds by the points that they are at.
+pub(super) struct Net<'a> {
+    now: &'a [[f64; 2]],
+    spokes: Vec<Spoke>,
+    /// Where those of each point begin.
+    starts: Vec<usize>,
+}
+
+impl<'a> Net<'a> {
+    pub(super) fn new(held: &'a Held<'_>) -> Self {
+        let both = |(&([a, b], rest), k): (&([u32; 2], f64), u32)| [(a, b, rest, k), (b, a, rest, k)];
+        let mut spokes: Vec<Spoke> = held.bonds.iter().zip(0..).flat_map(both).collect();
+        spokes.sort_unstable_by_key(|spoke| (spoke.0, spoke.1));
+        let count = held.now.len() as u32;
+        let starts = (0..=count).map(|point| spokes.partition_point(|spoke| spoke.0 < point)).collect();
+        Net { now: &held.now, spokes, starts }
+    }
+
+    /// The bonds at a point.
+    pub(super) fn of(&self, point: u32) -> &[Spoke] {
+        &self.spokes[self.starts[point as usize]..self.starts[point as usize + 1]]
+    }
+
+    /// The ends of a bond are laid out.
+    pub(super) fn placed(&(a, b, rest, _): &Spoke, places: &mut [Option<[f64; 2]>]) -> Vec<u32> {
+        (places[a as usize], places[b as usize]) = (Some([0.0; 2]), Some([rest, 0.0]));
+        vec![a, b]
+    }
+
+    /// Lays points out from these on, as far as two bonds each hold them. Returns all that have a place.
+    pub(super) fn grow(&self, mut list: Vec<u32>, places: &mut [Option<[f64; 2]>]) -> Vec<u32> {
+        let at = |i: u32| self.now[i as usize];
+        let mut next = 0;
+        while let Some(&point) = list.get(next) {
+            next += 1;
+            let Some(from) = places[point as usize] else { continue };
+            for &(_, q, to, _) in self.of(point) {
+                if places[q as usize].is_some() {
+                    continue;
+                }
+                let other = self.of(q).iter().filter(|spoke| spoke.1 != point);
+                let found = other
+                    .filter_map(|&(_, other, rest, _)| Some((other, places[other as usize]?, rest)))
+                    .find_map(|(other, place, rest)| {
+                        let side = cross(sub(at(other), at(point)), sub(at(q), at(point)));
+                        third((from, to), (place, rest), side)
+                    });
+                if found.is_some() {
+                    places[q as usize] = found;
+                    list.push(q);
+                }
             }
         }
+        list
     }
-    places.into_iter().collect()
 }
 
 /// The place at these distances from two others, on the left of the way from the first to the second where `side` > 0; `None`: there is

@@ -1,6 +1,9 @@
 //! What a rigid body touches: points on surfaces, and when the next one gets there.
 
-use super::body::{Body, Motion, lift};
+use super::body::{Body, lift};
+use super::inertia::Contact;
+use super::law::Rub;
+use super::motion::Motion;
 use crate::sim::contact::obstacles::Obstacles;
 use crate::sim::real::Real;
 use crate::sim::solve::root::Root;
@@ -68,8 +71,28 @@ impl<'a, S: Real, const D: usize> Among<'a, S, D> {
     }
 
     /// How far off a surface a point is [m].
-    fn gap(&self, motion: &Motion, touch: Touch) -> f64 {
+    pub(super) fn gap(&self, motion: &Motion, touch: Touch) -> f64 {
         self.obstacles.surfaces[touch.surface].gap_of(self.at(motion, touch.point))
+    }
+
+    /// A point on a surface, as the law has it.
+    pub(super) fn contact(&self, motion: &Motion, touch: Touch) -> Contact {
+        let surface = &self.obstacles.surfaces[touch.surface];
+        Contact {
+            arm: motion.place.turned(self.body.shape.places[touch.point as usize]),
+            normal: flat(widen(surface.normal)),
+            rub: Rub {
+                friction: surface.friction.to_f64(),
+                restitution: surface.restitution.to_f64(),
+                slides: 0.0,
+                target: [0.0; 2],
+            },
+        }
+    }
+
+    /// How fast a point goes across and along a surface [m/s].
+    pub(super) fn speeds(&self, motion: &Motion, touch: Touch) -> [f64; 2] {
+        self.contact(motion, touch).speeds(&motion.twist)
     }
 
     fn points(&self) -> std::ops::Range<u32> {
@@ -77,7 +100,7 @@ impl<'a, S: Real, const D: usize> Among<'a, S, D> {
     }
 
     fn is_free(&self, point: u32) -> bool {
-        self.body.shape.pin.is_none_or(|(pin, _)| pin != point)
+        self.body.deaf.binary_search(&point).is_err()
     }
 
     /// The points that lie on surfaces: of those on one, the two that are furthest apart.
@@ -180,35 +203,37 @@ impl<'a, S: Real, const D: usize> Among<'a, S, D> {
         narrowed(Root::between(start, end), gap, 0.5 * self.touch)
     }
 
+    /// The points that are behind surfaces, by more than counts as none.
+    pub(super) fn behind(&self, motion: &Motion, near: &Near) -> Vec<Touch> {
+        let mut list = Vec::new();
+        for &surface in &near.planes {
+            let touches = self.body.hull.iter().map(|&point| Touch { point, surface });
+            list.extend(touches.filter(|&touch| self.is_free(touch.point)));
+        }
+        if near.has_walls {
+            for point in self.points().filter(|&point| self.is_free(point)) {
+                let inside = self.obstacles.nearest(lift(self.at(motion, point)), self.touch);
+                list.extend(inside.into_iter().map(|surface| Touch { point, surface }));
+            }
+        }
+        list.retain(|&touch| self.gap(motion, touch) < -self.touch);
+        list
+    }
+
     /// It is put out of surfaces that it is behind, as a whole, without speed; `None`: there is no room for it.
     pub(super) fn put_out(&self, motion: &Motion, near: &Near) -> Option<Motion> {
         let mut motion = *motion;
         for _ in 0..ROUNDS {
-            let mut deepest: Option<(f64, [f64; 2], [f64; 2])> = None;
-            let mut see = |point: u32, surface: usize| {
-                let surface = &self.obstacles.surfaces[surface];
-                let x = self.at(&motion, point);
-                let gap = surface.gap_of(x);
-                if gap < -self.touch && deepest.is_none_or(|(depth, ..)| gap < depth) {
-                    deepest = Some((gap, sub(x, motion.place.middle), flat(widen(surface.normal))));
-                }
-            };
-            for &surface in &near.planes {
-                self.body.hull.iter().filter(|&&point| self.is_free(point)).for_each(|&point| see(point, surface));
-            }
-            if near.has_walls {
-                for point in self.points().filter(|&point| self.is_free(point)) {
-                    let inside = self.obstacles.nearest(lift(self.at(&motion, point)), self.touch);
-                    inside.into_iter().for_each(|surface| see(point, surface));
-                }
-            }
-            let Some((gap, arm, normal)) = deepest else { return Some(motion) };
+            let all = self.behind(&motion, near);
+            let gaps = all.into_iter().map(|touch| (self.gap(&motion, touch), touch));
+            let Some((gap, touch)) = gaps.min_by(|a, b| a.0.total_cmp(&b.0)) else { return Some(motion) };
+            let normal = flat(widen(self.obstacles.surfaces[touch.surface].normal));
             if self.body.shape.pin.is_none() {
                 // Without turning it: what lies flat on a surface has more than one deepest point.
                 motion.place = motion.place.moved(scale(normal, -gap), 0.0);
                 continue;
             }
-            let lever = cross(arm, normal);
+            let lever = cross(sub(self.at(&motion, touch.point), motion.place.middle), normal);
             if lever == 0.0 {
                 return None;
             }

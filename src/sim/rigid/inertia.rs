@@ -1,0 +1,180 @@
+//! How a rigid body answers to impulses at the points that touch something.
+
+use super::law::{Answers, Impulse, Rub};
+use super::motion::Twist;
+use crate::sim::vector::{add, cross, dot, scale};
+
+/// What the impulses move: a body's velocities and what resists them.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Inertia {
+    /// Inverse mass [1/kg] and inverse moment of inertia [1/(kg m^2)].
+    pub(crate) inverse: [f64; 2],
+}
+
+/// A point of the body on a surface.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Contact {
+    /// From the origin [m].
+    pub(super) arm: [f64; 2],
+    /// Away from the surface.
+    pub(super) normal: [f64; 2],
+    pub(super) rub: Rub,
+}
+
+impl Contact {
+    #[inline(always)]
+    pub(super) fn tangent(&self) -> [f64; 2] {
+        [-self.normal[1], self.normal[0]]
+    }
+
+    /// Velocities across and along the surface.
+    #[inline(always)]
+    pub(super) fn speeds(&self, twist: &Twist) -> [f64; 2] {
+        let v = twist.at(self.arm);
+        [dot(v, self.normal), dot(v, self.tangent())]
+    }
+}
+
+impl Inertia {
+    /// Kinetic energy, but for what cannot move [J].
+    pub(super) fn energy(&self, twist: &Twist) -> f64 {
+        let of = |inverse: f64, square: f64| if inverse > 0.0 { 0.5 * square / inverse } else { 0.0 };
+        of(self.inverse[0], dot(twist.velocity, twist.velocity)) + of(self.inverse[1], twist.spin * twist.spin)
+    }
+
+    /// What an impulse of 1 changes of the contact's own velocity: across by across, along by along, and one by the other [1/kg].
+    fn gives(&self, contact: &Contact) -> [f64; 3] {
+        let [lever, hold] = [contact.normal, contact.tangent()].map(|way| cross(contact.arm, way));
+        let [ease, swing] = self.inverse;
+        [ease + swing * lever * lever, ease + swing * hold * hold, swing * lever * hold]
+    }
+
+    /// The motion after an impulse, along the normal and across it.
+    pub(super) fn pushed(&self, twist: &Twist, contact: &Contact, [normal, along]: Impulse) -> Twist {
+        let impulse = add(scale(contact.normal, normal), scale(contact.tangent(), along));
+        Twist {
+            velocity: add(twist.velocity, scale(impulse, self.inverse[0])),
+            spin: twist.spin + cross(contact.arm, impulse) * self.inverse[1],
+        }
+    }
+}
+
+/// One body and where it touches.
+pub(super) struct Alone<'a>(pub(super) &'a Inertia, pub(super) &'a [Contact]);
+
+impl Alone<'_> {
+    /// What the law asks of each contact.
+    pub(super) fn rubs(&self) -> Vec<Rub> {
+        self.1.iter().map(|contact| contact.rub).collect()
+    }
+}
+
+impl Answers for Alone<'_> {
+    type Motion = Twist;
+
+    fn speeds(&self, contact: usize, twist: &Twist) -> [f64; 2] {
+        self.1[contact].speeds(twist)
+    }
+
+    fn gives(&self, contact: usize) -> [f64; 3] {
+        self.0.gives(&self.1[contact])
+    }
+
+    fn pushed(&self, contact: usize, impulse: Impulse, twist: Twist) -> Twist {
+        self.0.pushed(&twist, &self.1[contact], impulse)
+    }
+
+    fn energy(&self, twist: &Twist) -> f64 {
+        self.0.energy(twist)
+    }
+
+    fn stopped(&self, _twist: &Twist) -> Twist {
+        Twist { velocity: [0.0; 2], spin: 0.0 }
+    }
+
+    fn heaviest(&self) -> f64 {
+        self.0.inverse.iter().filter(|inverse| **inverse > 0.0).fold(0.0, |sum, inverse| sum + 1.0 / inverse)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::sim::rigid::law::{Pressed, strike};
+
+    fn on_floor(arm: [f64; 2], friction: f64, restitution: f64) -> Contact {
+        let rub = Rub { friction, restitution, slides: 0.0, target: [0.0; 2] };
+        Contact { arm, normal: [0.0, 1.0], rub }
+    }
+
+    fn struck(body: Inertia, before: Twist, contacts: &[Contact]) -> Pressed<Twist> {
+        let body = Alone(&body, contacts);
+        strike(&body, &before, &body.rubs())
+    }
+
+    /// A rod of two points of 1 kg, 2 m apart, its middle at the origin.
+    const ROD: Inertia = Inertia { inverse: [0.5, 0.5] };
+
+    #[test]
+    fn a_level_rod_that_hits_with_one_end_turns_about_the_other() {
+        let falling = Twist { velocity: [0.3, -1.0], spin: 0.0 };
+        let after = struck(ROD, falling, &[on_floor([-1.0, 0.0], 0.0, 0.5)]).motion;
+        let [hit, free] = [[-1.0, 0.0], [1.0, 0.0]].map(|arm| after.at(arm));
+        assert!((hit[1] - 0.5).abs() < 1e-14 && (free[1] + 1.0).abs() < 1e-14, "{hit:?} {free:?}");
+        assert!((hit[0] - 0.3).abs() < 1e-14, "no friction");
+    }
+
+    #[test]
+    fn what_an_impact_takes_is_what_the_rod_has_less_and_never_below_nothing() {
+        for restitution in [0.0, 0.5, 1.0] {
+            for friction in [0.0, 0.1, 0.7, 9.0] {
+                for turned in 0..16 {
+                    let angle = 0.4 * f64::from(turned);
+                    let arm = [libm::cos(angle), libm::sin(angle)];
+                    let before = Twist { velocity: [1.0, -1.0], spin: 0.3 * f64::from(turned) - 2.0 };
+                    if before.at(arm)[1] >= 0.0 {
+                        continue;
+                    }
+                    let contact = on_floor(arm, friction, restitution);
+                    let Pressed { motion: after, taken, .. } = struck(ROD, before, &[contact]);
+                    let lost = ROD.energy(&before) - ROD.energy(&after);
+                    assert!((taken[0] + taken[1] - lost).abs() < 1e-12, "{taken:?} {lost}");
+                    assert!(lost > -1e-12, "{restitution} {friction} {angle}: {lost}");
+                    assert!(after.at(arm)[1] > -1e-12);
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn friction_is_a_share_of_what_presses_until_the_point_holds() {
+        let before = Twist { velocity: [1.0, -1.0], spin: 0.0 };
+        let end = |friction: f64, slides: f64| {
+            let mut contact = on_floor([-1.0, 0.0], friction, 0.0);
+            contact.rub.slides = slides;
+            struck(ROD, before, &[contact]).motion.at([-1.0, 0.0])
+        };
+        // Level: what presses is 1 kg m/s, and friction moves both points.
+        assert!((end(0.1, 0.0)[0] - 0.95).abs() < 1e-14 && (end(0.1, -1.0)[0] - 0.95).abs() < 1e-14);
+        assert!(end(9.0, 0.0)[0].abs() < 1e-12);
+    }
+
+    #[test]
+    fn a_box_that_lands_flat_stops_level_and_with_restitution_1_returns_level() {
+        let body = Inertia { inverse: [0.25, 1.0 / (4.0 * 0.5)] };
+        let before = Twist { velocity: [0.0, -2.0], spin: 0.0 };
+        for restitution in [0.0, 1.0] {
+            let both = [-0.5, 0.5].map(|x| on_floor([x, -0.5], 0.5, restitution));
+            let after = struck(body, before, &both).motion;
+            assert!((after.velocity[1] - 2.0 * restitution).abs() < 1e-12 && after.spin.abs() < 1e-12, "{after:?}");
+        }
+    }
+
+    #[test]
+    fn what_is_pinned_turns_alone() {
+        let pinned = Inertia { inverse: [0.0, 0.5] };
+        let before = Twist { velocity: [0.0; 2], spin: -1.0 };
+        let after = struck(pinned, before, &[on_floor([1.0, 0.0], 0.3, 1.0)]).motion;
+        assert!((after.spin - 1.0).abs() < 1e-14 && after.velocity == [0.0; 2]);
+    }
+}

@@ -1,0 +1,192 @@
+//! Bodies that joints hold together, on their course from one moment to the next.
+
+use std::cell::Cell;
+
+use super::alone::gentle;
+use super::course::{Assembly, HANGING, Log, SHORTEST, TURN, book_strike, gives_back, within};
+use super::joints::End;
+use super::law::{OF_A_CONTACT, strike};
+use super::linkage::{Moving, Spot, twists_of};
+use super::motion::Motion;
+use super::motion::Twist;
+use super::together::Together;
+use super::touch::{Near, Touch, way};
+use crate::sim::ledger::Book;
+use crate::sim::real::Real;
+use crate::sim::vector::{dot, length};
+
+/// Longest part of a step in flight, so many of a step at least [s]; and the angle that a body or a rod turns in it at most [rad]: of order 4, so
+/// that a swing of a second is right to a few 1e-7 of its size.
+const IN_FLIGHT: (f64, f64) = (1.0 / 120.0, 2.0);
+const TURN_IN_FLIGHT: f64 = 0.15;
+/// Hits in a frame as [`Assembly::most_hits`] has them: each takes a dozen ways of all bodies to locate.
+const MOST_HITS: [f64; 2] = [20.0, 60.0];
+/// Phase of the fastest spring that a part spans [rad], and share of the fastest decay.
+const PHASE: f64 = 0.25;
+const DECAY: f64 = 0.5;
+
+impl<S: Real, const D: usize> Moving<'_, S, D> {
+    /// The longest part of a step of `h` [s] in flight.
+    pub(super) fn longest(&self, h: f64) -> f64 {
+        let linkage = self.linkage;
+        let [frequency, decay] = linkage.ties.rates;
+        let ties = (PHASE / frequency).min(DECAY / decay);
+        let g = length(self.field.pull.gravity);
+        let swing = |(body, place): (u32, [f64; 2])| {
+            let body = &linkage.bodies[body as usize];
+            let lever = dot(place, place).sqrt();
+            let inertia = 1.0 / body.inertia.inverse[1] + body.shape.mass * lever * lever;
+            if lever > 0.0 { body.shape.mass * lever * g / inertia } else { 0.0 }
+        };
+        let ends = linkage.joints.links().iter().flat_map(|link| {
+            let of_rod = link.rest.map_or(0.0, |rest| g / rest);
+            link.ends.map(|end| match end {
+                End::On { body, place } => swing((body, place)).max(of_rod),
+                End::Fixed(_) => of_rod,
+            })
+        });
+        let fastest = ends.fold(0.0, f64::max);
+        let in_flight = if linkage.ties.is_damped() { HANGING } else { IN_FLIGHT };
+        self.field.longest(h).min(within(in_flight, h)).min(TURN_IN_FLIGHT / fastest.sqrt()).min(ties)
+    }
+
+    /// Points on surfaces, of those bodies that are near some.
+    fn spots(&self, near: &[Near], of: impl Fn(usize, &Near) -> Vec<Touch>) -> Vec<Spot> {
+        let spots = |(body, near): (usize, &Near)| {
+            let touches = if near.is_empty() { Vec::new() } else { of(body, near) };
+            touches.into_iter().map(move |touch| Spot { body: body as u32, touch })
+        };
+        near.iter().enumerate().flat_map(spots).collect()
+    }
+}
+
+/// The touches of one body.
+fn of(body: usize, spots: &[Spot]) -> Vec<Touch> {
+    spots.iter().filter(|spot| spot.body as usize == body).map(|spot| spot.touch).collect()
+}
+
+impl<S: Real, const D: usize> Assembly for Moving<'_, S, D> {
+    type Motion = Vec<Motion>;
+    type Touch = Spot;
+    type Near = Vec<Near>;
+
+    fn turned(&self, motions: &Vec<Motion>) -> [f64; 2] {
+        [TURN_IN_FLIGHT, TURN].map(|turn| (turn / self.turning(motions)).max(SHORTEST))
+    }
+
+    fn near(&self, motions: &Vec<Motion>, h: f64) -> Option<Vec<Near>> {
+        let pushed = self.field.pushed()[0];
+        // Joints pull bodies along.
+        let far = motions.iter().map(|motion| way(motion, h, pushed)).fold(0.0, f64::max);
+        let near: Vec<Near> =
+            self.among.iter().zip(motions).map(|(among, motion)| among.near(motion, 2.0 * far)).collect();
+        near.iter().any(|near| !near.is_empty()).then_some(near)
+    }
+
+    fn most_hits(&self) -> [f64; 2] {
+        MOST_HITS
+    }
+
+    fn put_out(&self, motions: &Vec<Motion>, t: f64, near: &Vec<Near>) -> Option<Vec<Motion>> {
+        let behind = |motions: &[Motion]| self.spots(near, |body, near| self.among[body].behind(&motions[body], near));
+        self.mended(motions, t, behind)
+    }
+
+    fn stopped(&self, mut motions: Vec<Motion>) -> Vec<Motion> {
+        motions.iter_mut().for_each(|motion| motion.twist = Twist { velocity: [0.0; 2], spin: 0.0 });
+        motions
+    }
+
+    fn touching(&self, motions: &Vec<Motion>, near: &Vec<Near>) -> Vec<Spot> {
+        self.spots(near, |body, near| self.among[body].touching(&motions[body], near))
+    }
+
+    fn speeds(&self, motions: &Vec<Motion>, spot: Spot) -> [f64; 2] {
+        self.among[spot.body as usize].speeds(&motions[spot.body as usize], spot.touch)
+    }
+
+    fn still(&self, motions: &Vec<Motion>) -> f64 {
+        Moving::still(self, motions)
+    }
+
+    fn gentle(&self) -> f64 {
+        let reach = self.linkage.bodies.iter().map(|body| body.reach).fold(0.0, f64::max);
+        gentle(reach, self.field.pushed()[1])
+    }
+
+    fn strike(&self, motions: &Vec<Motion>, t: f64, touching: &[Spot], how: (f64, bool), log: &mut Log) -> Vec<Motion> {
+        let mut contacts = self.contacts(motions, touching);
+        let is_elastic = contacts.iter().all(|(_, contact)| contact.rub.restitution >= 1.0);
+        for (body, contact) in &mut contacts {
+            let speed = contact.speeds(&motions[*body as usize].twist)[0];
+            contact.rub.restitution = gives_back(contact.rub.restitution, speed, how);
+        }
+        let joints = self.factored(motions, t);
+        let together = Together::new(&joints, &contacts);
+        let twists = twists_of(motions);
+        let pressed = strike(&together, &together.seen(&twists), &together.rubs());
+        log.hits += 1;
+        log.work += OF_A_CONTACT * u64::from(pressed.passes) * (contacts.len() * contacts.len()) as u64;
+        book_strike(log.book.as_deref_mut(), pressed.taken, is_elastic);
+        let twists = together.moved(&twists, &pressed);
+        motions.iter().zip(twists).map(|(motion, twist)| Motion { twist, ..*motion }).collect()
+    }
+
+    fn fly(&self, motions: &Vec<Motion>, span: (f64, f64), book: Option<&mut Book>) -> Vec<Motion> {
+        Moving::fly(self, motions, span, book)
+    }
+
+    fn slide(
+        &self,
+        motions: &Vec<Motion>,
+        span: (f64, f64),
+        lying: &[Spot],
+        spent: (&Cell<u64>, Option<&mut Book>),
+    ) -> Vec<Motion> {
+        Moving::slide(self, motions, span, lying, spent)
+    }
+
+    fn first_hit(
+        &self,
+        path: &dyn Fn(f64) -> Vec<Motion>,
+        (start, end, h): (&Vec<Motion>, &Vec<Motion>, f64),
+        (near, lying): (&Vec<Near>, &[Spot]),
+    ) -> Option<f64> {
+        let mut first = None;
+        for (body, near) in near.iter().enumerate().filter(|(_, near)| !near.is_empty()) {
+            let latest = first.unwrap_or(h);
+            let until = if latest < h { path(latest) } else { end.clone() };
+            let ends = (&start[body], &until[body], latest);
+            first = self.among[body].first_hit(|time| path(time)[body], ends, (near, &of(body, lying))).or(first);
+        }
+        first
+    }
+
+    fn first_stop(
+        &self,
+        path: &dyn Fn(f64) -> Vec<Motion>,
+        (start, end, h): (&Vec<Motion>, &Vec<Motion>, f64),
+        lying: &[Spot],
+    ) -> Option<f64> {
+        let mut first = None;
+        for body in 0..self.among.len() {
+            let own = of(body, lying);
+            if own.is_empty() {
+                continue;
+            }
+            let latest = first.unwrap_or(h);
+            let until = if latest < h { path(latest) } else { end.clone() };
+            let ends = (&start[body], &until[body], latest);
+            first = self.among[body].first_stop(|time| path(time)[body], ends, &own).or(first);
+        }
+        first
+    }
+
+    fn work(&self, near: Option<&Vec<Near>>) -> u64 {
+        let bodies = &self.linkage.bodies;
+        match near {
+            None => self.take_spent(),
+            Some(near) => bodies.iter().zip(near).map(|(body, near)| body.work_of_a_look(near)).sum(),
+        }
+    }
+}

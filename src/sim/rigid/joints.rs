@@ -1,0 +1,274 @@
+//! What joins rigid bodies: points that two of them share or that are pinned, and bonds of their own.
+//!
+//! ```text
+//! joint   x_a - x_b = 0            two rows
+//! rod     |x_a - x_b| - rest = 0   one row
+//! G v = target,  v+ = v + M^-1 G^T lambda        G: a row has a leg on each of its two bodies, along x, along y and by the angle
+//! ```
+//!
+//! All rows are solved together by elimination, fewest neighbours first: chains and trees of bodies fill nothing in.
+
+use super::inertia::Inertia;
+use super::motion::Motion;
+use super::motion::Twist;
+use crate::sim::solve::elimination;
+use crate::sim::solve::ldl::Ldl;
+use crate::sim::vector::{add, cross, dot, scale, sub};
+
+/// Pivots below this share of their diagonal are skipped: rows that repeat others.
+const LEAST_PIVOT: f64 = 1e-12;
+
+/// An end of a link.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) enum End {
+    /// A place of a body, in its shape.
+    On {
+        /// Which one.
+        body: u32,
+        /// [m]
+        place: [f64; 2],
+    },
+    /// One of the points that do not move by themselves.
+    Fixed(u32),
+}
+
+/// Two ends that are one point, or keep their distance.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Link {
+    pub(crate) ends: [End; 2],
+    /// [m]; `None`: a joint.
+    pub(crate) rest: Option<f64>,
+}
+
+/// A point that does not move by itself: where it is as a step begins [m], and how fast it is led in it [m/s].
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Anchor {
+    pub(crate) place: [f64; 2],
+    pub(crate) velocity: [f64; 2],
+}
+
+/// Where bodies are, and fixed points, so long [s] after the step began.
+#[derive(Clone, Copy)]
+pub(crate) struct Stand<'a> {
+    pub(crate) motions: &'a [Motion],
+    pub(crate) anchors: &'a [Anchor],
+    pub(crate) since: f64,
+}
+
+impl Stand<'_> {
+    /// Where an end is [m].
+    pub(super) fn at(&self, end: End) -> [f64; 2] {
+        match end {
+            End::On { body, place } => self.motions[body as usize].place.out(place),
+            End::Fixed(k) => {
+                let Anchor { place, velocity } = self.anchors[k as usize];
+                add(place, scale(velocity, self.since))
+            }
+        }
+    }
+
+    /// How fast it goes [m/s].
+    pub(super) fn velocity(&self, end: End) -> [f64; 2] {
+        match end {
+            End::On { body, place } => {
+                let Motion { place: at, twist } = self.motions[body as usize];
+                twist.at(at.turned(place))
+            }
+            End::Fixed(k) => self.anchors[k as usize].velocity,
+        }
+    }
+}
+
+/// A row of a link: along x or y of a joint, or along a rod.
+#[derive(Clone, Copy, Debug)]
+struct Row {
+    link: u32,
+    axis: usize,
+}
+
+/// What a row does to a body.
+#[derive(Clone, Copy, Debug)]
+struct Leg {
+    body: u32,
+    slope: [f64; 3],
+}
+
+/// The links of a few bodies, in their order of elimination.
+#[derive(Clone, Debug)]
+pub(crate) struct Joints {
+    links: Vec<Link>,
+    rows: Vec<Row>,
+    /// Entries left of the diagonal, row by row.
+    couples: Vec<[u32; 2]>,
+    ldl: Ldl<f64>,
+}
+
+impl Joints {
+    pub(crate) fn new(links: Vec<Link>) -> Self {
+        let axes = |link: &Link| 0..if link.rest.is_some() { 1 } else { 2 };
+        let of = |(link, k): (&Link, u32)| axes(link).map(move |axis| Row { link: k, axis });
+        let listed: Vec<Row> = links.iter().zip(0..).flat_map(of).collect();
+        let pairs = neighbours(&links, &listed);
+        let order = elimination::order(listed.len(), &pairs, &[]);
+        let mut place = vec![0_u32; listed.len()];
+        order.iter().zip(0..).for_each(|(&row, k)| place[row as usize] = k);
+        let mut lower: Vec<Vec<u32>> = vec![Vec::new(); listed.len()];
+        for [i, j] in pairs {
+            let (k, l) = (place[i as usize], place[j as usize]);
+            lower[k.max(l) as usize].push(k.min(l));
+        }
+        lower.iter_mut().for_each(|columns| {
+            columns.sort_unstable();
+            columns.dedup();
+        });
+        let couples = lower.iter().zip(0..).flat_map(|(columns, k)| columns.iter().map(move |&l| [k, l])).collect();
+        Joints {
+            rows: order.iter().map(|&row| listed[row as usize]).collect(),
+            couples,
+            ldl: Ldl::analyse(&lower),
+            links,
+        }
+    }
+
+    pub(super) fn is_empty(&self) -> bool {
+        self.links.is_empty()
+    }
+
+    pub(crate) fn links(&self) -> &[Link] {
+        &self.links
+    }
+
+    pub(crate) fn rows(&self) -> usize {
+        self.rows.len()
+    }
+
+    /// Operations of one factorisation and a few solves, about.
+    pub(crate) fn work(&self) -> u64 {
+        60 * self.rows.len() as u64 + 30 * self.ldl.fill() as u64
+    }
+
+    /// How far every row is from where it should be [m].
+    pub(crate) fn gaps(&self, stand: Stand) -> Vec<f64> {
+        let of = |row: &Row| {
+            let link = &self.links[row.link as usize];
+            let d = sub(stand.at(link.ends[0]), stand.at(link.ends[1]));
+            link.rest.map_or(d[row.axis], |rest| dot(d, d).sqrt() - rest)
+        };
+        self.rows.iter().map(of).collect()
+    }
+
+    /// The rows where bodies are now, ready to be solved.
+    pub(crate) fn factored<'a>(&self, inertias: &'a [Inertia], stand: Stand) -> Factored<'a> {
+        let normal = |row: &Row| {
+            let link = &self.links[row.link as usize];
+            match link.rest {
+                None => [[1.0, 0.0], [0.0, 1.0]][row.axis],
+                Some(_) => {
+                    let d = sub(stand.at(link.ends[0]), stand.at(link.ends[1]));
+                    let length = dot(d, d).sqrt();
+                    if length > 0.0 { scale(d, 1.0 / length) } else { [1.0, 0.0] }
+                }
+            }
+        };
+        let legs = |row: &Row| {
+            let (link, normal) = (&self.links[row.link as usize], normal(row));
+            let leg = |end: End, sign: f64| match end {
+                End::On { body, place } => {
+                    let arm = stand.motions[body as usize].place.turned(place);
+                    Some(Leg { body, slope: [sign * normal[0], sign * normal[1], sign * cross(arm, normal)] })
+                }
+                End::Fixed(_) => None,
+            };
+            [leg(link.ends[0], 1.0), leg(link.ends[1], -1.0)]
+        };
+        let rows: Vec<[Option<Leg>; 2]> = self.rows.iter().map(legs).collect();
+        let couple = |k: usize, l: usize| -> f64 {
+            let both = rows[k].iter().flatten().flat_map(|one| rows[l].iter().flatten().map(move |other| (one, other)));
+            both.filter(|(one, other)| one.body == other.body)
+                .map(|(one, other)| {
+                    let [ease, swing] = inertias[one.body as usize].inverse;
+                    let [a, b] = [one.slope, other.slope];
+                    ease * (a[0] * b[0] + a[1] * b[1]) + swing * a[2] * b[2]
+                })
+                .sum()
+        };
+        let diagonal: Vec<f64> = (0..rows.len()).map(|k| couple(k, k)).collect();
+        let lower: Vec<f64> = self.couples.iter().map(|&[k, l]| couple(k as usize, l as usize)).collect();
+        let mut ldl = self.ldl.clone();
+        ldl.factor(&diagonal, &lower, LEAST_PIVOT);
+        let led = |row: &Row| {
+            let rate = |(end, sign): (&End, f64)| match end {
+                End::Fixed(_) => -sign * dot(normal(row), stand.velocity(*end)),
+                End::On { .. } => 0.0,
+            };
+            self.links[row.link as usize].ends.iter().zip([1.0, -1.0]).map(rate).sum()
+        };
+        let is_led = stand.anchors.iter().any(|anchor| anchor.velocity != [0.0; 2]);
+        let leads = if is_led { self.rows.iter().map(led).collect() } else { vec![0.0; rows.len()] };
+        Factored { inertias, rows, ldl, leads, is_led }
+    }
+}
+
+/// Rows that share a body.
+fn neighbours(links: &[Link], rows: &[Row]) -> Vec<[u32; 2]> {
+    let mut at: Vec<(u32, u32)> = Vec::new();
+    for (row, k) in rows.iter().zip(0..) {
+        for end in links[row.link as usize].ends {
+            if let End::On { body, .. } = end {
+                at.push((body, k));
+            }
+        }
+    }
+    at.sort_unstable();
+    let mut pairs = Vec::new();
+    for of_one in at.chunk_by(|a, b| a.0 == b.0) {
+        for (i, &(_, k)) in of_one.iter().enumerate() {
+            pairs.extend(of_one[..i].iter().map(|&(_, l)| [l, k]));
+        }
+    }
+    pairs
+}
+
+/// Links where bodies are at one moment.
+pub(crate) struct Factored<'a> {
+    pub(super) inertias: &'a [Inertia],
+    rows: Vec<[Option<Leg>; 2]>,
+    ldl: Ldl<f64>,
+    /// The rates of all rows that points which are led ask for [m/s].
+    pub(crate) leads: Vec<f64>,
+    /// Whether some point is led.
+    pub(super) is_led: bool,
+}
+
+impl Factored<'_> {
+    /// The work [J] of points that are led, where impulses at the links alone changed motions by these.
+    pub(super) fn work_of_leads(&self, changes: &[Twist]) -> f64 {
+        let mut lambda: Vec<f64> = self.rows.iter().map(|row| rate(row, changes)).collect();
+        self.ldl.solve_one(&mut lambda);
+        lambda.iter().zip(&self.leads).map(|(impulse, lead)| impulse * lead).sum()
+    }
+
+    /// Impulses at the links give every row its target [m/s], in the order of [`Joints::gaps`]; empty: none.
+    pub(crate) fn hold(&self, twists: &mut [Twist], targets: &[f64]) {
+        let off = |(k, row): (usize, &[Option<Leg>; 2])| targets.get(k).copied().unwrap_or(0.0) - rate(row, twists);
+        let mut lambda: Vec<f64> = self.rows.iter().enumerate().map(off).collect();
+        self.ldl.solve_one(&mut lambda);
+        for (row, impulse) in self.rows.iter().zip(lambda) {
+            for leg in row.iter().flatten() {
+                let [ease, swing] = self.inertias[leg.body as usize].inverse;
+                let twist = &mut twists[leg.body as usize];
+                twist.velocity = add(twist.velocity, scale([leg.slope[0], leg.slope[1]], ease * impulse));
+                twist.spin += leg.slope[2] * swing * impulse;
+            }
+        }
+    }
+}
+
+/// How fast the gap of a row grows by the motion of its bodies [m/s].
+fn rate(row: &[Option<Leg>; 2], twists: &[Twist]) -> f64 {
+    let of = |leg: &Leg| {
+        let Twist { velocity, spin } = twists[leg.body as usize];
+        leg.slope[0] * velocity[0] + leg.slope[1] * velocity[1] + leg.slope[2] * spin
+    };
+    row.iter().flatten().map(of).sum()
+}

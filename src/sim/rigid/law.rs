@@ -1,0 +1,198 @@
+//! Coulomb's law where bodies touch surfaces: all impulses of a moment together.
+//!
+//! ```text
+//! v+ = v- + W P        W: how all velocities at the touching points answer to the impulses at them
+//! v_n+ >= target,  P_n >= 0,  P_n (v_n+ - target) = 0        |P_t| <= friction P_n, against the sliding
+//! ```
+//!
+//! What slides on when the moment begins is rubbed against its way; what does not is held, as far as friction goes. The tangential impulse
+//! is limited by the normal impulse of the same moment. Gone through contact by contact (Gauss and Seidel's method) until nothing
+//! changes: of a line of touching points the two ends are enough, so there are few.
+
+use crate::sim::vector::sub;
+
+/// Most times that all contacts are gone through.
+const MOST_PASSES: u32 = 100;
+/// Change of a motion, relative to the fastest, that is none.
+const NOTHING: f64 = 1e-15;
+/// Operations of a contact that is gone through once, about.
+pub(super) const OF_A_CONTACT: u64 = 40;
+/// Halvings in which the restitution is found that adds no energy.
+const HALVINGS: u32 = 30;
+
+/// Impulses of a contact, along its normal and across it [kg m/s].
+pub(super) type Impulse = [f64; 2];
+
+/// What the law asks of a contact.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Rub {
+    pub(super) friction: f64,
+    /// Share of the speed across that comes back: 0 of what lies there or is slow.
+    pub(super) restitution: f64,
+    /// Which way it slides along (-n_y, n_x) for all of the moment, -1 or 1; 0: friction may hold it.
+    pub(super) slides: f64,
+    /// The least speed across afterwards, and the speed along where friction holds it [m/s].
+    pub(super) target: [f64; 2],
+}
+
+/// What impulses at contacts move.
+pub(super) trait Answers {
+    type Motion: Clone;
+
+    /// Velocities of a contact, by its number, across and along its surface [m/s].
+    fn speeds(&self, contact: usize, motion: &Self::Motion) -> [f64; 2];
+
+    /// What an impulse of 1 changes of the contact's own velocity: across by across, along by along, and one by the other [1/kg].
+    fn gives(&self, contact: usize) -> [f64; 3];
+
+    /// The motion after an impulse.
+    fn pushed(&self, contact: usize, impulse: Impulse, motion: Self::Motion) -> Self::Motion;
+
+    /// Kinetic energy, but for what cannot move [J].
+    fn energy(&self, motion: &Self::Motion) -> f64;
+
+    /// It stands still.
+    fn stopped(&self, motion: &Self::Motion) -> Self::Motion;
+
+    /// A mass and a moment of inertia that are no less than those of what moves.
+    fn heaviest(&self) -> f64;
+}
+
+/// What impulses made of a motion.
+#[derive(Clone, Debug)]
+pub(super) struct Pressed<M> {
+    pub(super) motion: M,
+    /// Of each contact.
+    pub(super) impulses: Vec<Impulse>,
+    /// What impulses across and along took [J].
+    pub(super) taken: [f64; 2],
+    /// How often all contacts were gone through, and whether nothing changed any more: of what is held on all sides it may go on for ever.
+    pub(super) passes: u32,
+    pub(super) has_converged: bool,
+    /// The law had no answer: it was stopped.
+    pub(super) is_stopped: bool,
+}
+
+/// An impact: contacts that close give back what their restitution says, with no more energy than there was.
+pub(super) fn strike<A: Answers>(body: &A, before: &A::Motion, rubs: &[Rub]) -> Pressed<A::Motion> {
+    let most = body.energy(before) * (1.0 + 1e-13);
+    let with = |share: f64| {
+        let aimed = |(contact, rub): (usize, &Rub)| {
+            let closing = (-body.speeds(contact, before)[0]).max(0.0);
+            Rub { target: [share * rub.restitution * closing, 0.0], ..*rub }
+        };
+        let pressed = press(body, before, &rubs.iter().enumerate().map(aimed).collect::<Vec<_>>(), &[]);
+        let is_fine = body.energy(&pressed.motion) <= most;
+        (pressed, is_fine)
+    };
+    let (whole, is_fine) = with(1.0);
+    if is_fine {
+        return whole;
+    }
+    // Newton's law of restitution together with friction may add energy: so much of it as does not.
+    let (plastic, is_fine) = with(0.0);
+    if !is_fine {
+        return stop(body, before, rubs.len());
+    }
+    let (mut low, mut high, mut found) = (0.0, 1.0, plastic);
+    for _ in 0..HALVINGS {
+        let share = 0.5 * (low + high);
+        match with(share) {
+            (next, true) => (low, found) = (share, next),
+            _ => high = share,
+        }
+    }
+    found
+}
+
+/// As [`press`], with no more energy than before and what targets ask for; where what slides on two surfaces at once has no
+/// answer by that law, friction may hold it there, and if that has none either it is stopped.
+pub(super) fn press_or_stop<A: Answers>(
+    body: &A,
+    before: &A::Motion,
+    rubs: &[Rub],
+    guess: &[Impulse],
+) -> Pressed<A::Motion> {
+    let asked = rubs.iter().flat_map(|rub| rub.target).fold(0.0, |most: f64, speed| most.max(speed.abs()));
+    // What comes to rest has the speed of its targets, at most about twice.
+    let most = body.energy(before) * (1.0 + 1e-9) + 2.0 * body.heaviest() * asked * asked;
+    let is_fine = |pressed: &Pressed<A::Motion>| body.energy(&pressed.motion) <= most;
+    let pressed = press(body, before, rubs, guess);
+    let slides = rubs.iter().any(|rub| rub.slides != 0.0);
+    if is_fine(&pressed) && (pressed.has_converged || !slides) {
+        return pressed;
+    }
+    let held: Vec<Rub> = rubs.iter().map(|rub| Rub { slides: 0.0, ..*rub }).collect();
+    let other = press(body, before, &held, &[]);
+    if is_fine(&other) { other } else { stop(body, before, rubs.len()) }
+}
+
+/// It stands still.
+fn stop<A: Answers>(body: &A, before: &A::Motion, contacts: usize) -> Pressed<A::Motion> {
+    Pressed {
+        motion: body.stopped(before),
+        impulses: vec![[0.0; 2]; contacts],
+        taken: [body.energy(before), 0.0],
+        passes: 1,
+        has_converged: true,
+        is_stopped: true,
+    }
+}
+
+/// The impulses that leave no contact slower off its surface than its target, and the motion that they make. They are looked for from
+/// `guess` on, one entry a contact; empty: from none.
+fn press<A: Answers>(body: &A, before: &A::Motion, rubs: &[Rub], guess: &[Impulse]) -> Pressed<A::Motion> {
+    let mut motion = before.clone();
+    let mut impulses = vec![[0.0; 2]; rubs.len()];
+    for (contact, (impulse, guess)) in impulses.iter_mut().zip(guess).enumerate() {
+        motion = body.pushed(contact, *guess, motion);
+        *impulse = *guess;
+    }
+    let speeds = rubs.iter().enumerate().flat_map(|(contact, rub)| [body.speeds(contact, before), rub.target]);
+    let fastest = speeds.flatten().fold(0.0, |most: f64, speed| most.max(speed.abs()));
+    let (mut passes, mut has_converged) = (0, false);
+    while passes < MOST_PASSES && !has_converged {
+        let mut largest: f64 = 0.0;
+        for (contact, (rub, impulse)) in rubs.iter().zip(&mut impulses).enumerate() {
+            let new = solve(body, (contact, rub), *impulse, &motion);
+            let change = sub(new, *impulse);
+            motion = body.pushed(contact, change, motion);
+            *impulse = new;
+            let gives = body.gives(contact);
+            largest = largest.max((change[0] * gives[0]).abs()).max((change[1] * gives[1]).abs());
+        }
+        passes += 1;
+        has_converged = largest <= NOTHING * fastest;
+    }
+    let mut taken = [0.0; 2];
+    for (contact, impulse) in impulses.iter().enumerate() {
+        let (from, to) = (body.speeds(contact, before), body.speeds(contact, &motion));
+        for k in 0..2 {
+            taken[k] -= 0.5 * impulse[k] * (from[k] + to[k]);
+        }
+    }
+    Pressed { motion, impulses, taken, passes, has_converged, is_stopped: false }
+}
+
+/// One contact, the others as they are.
+fn solve<A: Answers>(body: &A, (contact, rub): (usize, &Rub), old: Impulse, motion: &A::Motion) -> Impulse {
+    let gives = body.gives(contact);
+    if gives[0] <= 0.0 {
+        return old;
+    }
+    let rubbed = rub.slides * rub.friction;
+    let [normal, _] = body.speeds(contact, motion);
+    let [target, hold] = rub.target;
+    // Where friction that goes along with what presses lifts the point more than that does, it is held instead (Painlevé).
+    let across = gives[0] - rubbed * gives[2];
+    if rub.slides != 0.0 && across > 0.0 {
+        let push = (old[0] + (target - normal) / across).max(0.0);
+        return [push, -rubbed * push];
+    }
+    let push = (old[0] + (target - normal) / gives[0]).max(0.0);
+    let next = body.pushed(contact, [push - old[0], 0.0], motion.clone());
+    let [_, along] = body.speeds(contact, &next);
+    let most = rub.friction * push;
+    let wanted = if gives[1] > 0.0 { old[1] + (hold - along) / gives[1] } else { 0.0 };
+    [push, wanted.clamp(-most, most)]
+}

@@ -1,0 +1,158 @@
+//! How bodies that joints hold together answer to impulses at the points that touch something.
+
+use super::inertia::{Contact, Inertia};
+use super::joints::Factored;
+use super::law::{Answers, Impulse, Pressed, Rub, press_or_stop};
+use super::motion::Twist;
+use crate::sim::vector::{add, scale, sub};
+
+/// Share of what a body alone would give at a point below which its joints hold it there.
+const HELD: f64 = 1e-10;
+/// None.
+const STILL: Twist = Twist { velocity: [0.0; 2], spin: 0.0 };
+
+/// Bodies in joints, and where they touch: each contact with the number of its body.
+pub(super) struct Together<'a> {
+    pub(super) joints: &'a Factored<'a>,
+    contacts: &'a [(u32, Contact)],
+    /// What an impulse of 1 does to all bodies: along the normal of each contact and across it.
+    columns: Vec<Vec<Twist>>,
+    /// What that is at all contacts, across and along: column by column [1/kg].
+    gives: Vec<Vec<[f64; 2]>>,
+}
+
+/// Velocities of all contacts, across and along, and the energy of the motion that they belong to.
+#[derive(Clone, Debug)]
+pub(super) struct Speeds {
+    speeds: Vec<[f64; 2]>,
+    energy: f64,
+}
+
+impl<'a> Together<'a> {
+    pub(super) fn new(joints: &'a Factored<'a>, contacts: &'a [(u32, Contact)]) -> Self {
+        let (mut columns, mut gives) = (Vec::new(), Vec::new());
+        let speeds = |twists: &[Twist]| contacts.iter().map(|(body, of)| of.speeds(&twists[*body as usize])).collect();
+        for (k, (body, contact)) in contacts.iter().enumerate() {
+            for (axis, impulse) in [[1.0, 0.0], [0.0, 1.0]].into_iter().enumerate() {
+                let mut column = vec![STILL; joints.inertias.len()];
+                let alone = joints.inertias[*body as usize].pushed(&STILL, contact, impulse);
+                column[*body as usize] = alone;
+                joints.hold(&mut column, &[]);
+                let own = contact.speeds(&column[*body as usize])[axis];
+                if own <= HELD * contact.speeds(&alone)[axis] {
+                    column.fill(STILL);
+                }
+                let all: Vec<[f64; 2]> = speeds(&column);
+                debug_assert!(all[k][axis] >= 0.0);
+                columns.push(column);
+                gives.push(all);
+            }
+        }
+        Together { joints, contacts, columns, gives }
+    }
+
+    /// What the law asks of each contact.
+    pub(super) fn rubs(&self) -> Vec<Rub> {
+        self.contacts.iter().map(|(_, contact)| contact.rub).collect()
+    }
+
+    /// The work [J] of points that are led, where joints and these impulses made the second of two motions of the first.
+    pub(super) fn work_of_leads(&self, (before, after): (&[Twist], &[Twist]), impulses: &[Impulse]) -> f64 {
+        if !self.joints.is_led {
+            return 0.0;
+        }
+        let between = |(from, to): (&Twist, &Twist)| Twist {
+            velocity: sub(to.velocity, from.velocity),
+            spin: to.spin - from.spin,
+        };
+        let mut changes: Vec<Twist> = before.iter().zip(after).map(between).collect();
+        for ((body, contact), impulse) in self.contacts.iter().zip(impulses) {
+            let change = &mut changes[*body as usize];
+            let back = impulse.map(|push| -push);
+            *change = self.joints.inertias[*body as usize].pushed(change, contact, back);
+        }
+        self.joints.work_of_leads(&changes)
+    }
+
+    /// The direction along the surface of a contact.
+    pub(super) fn tangent(&self, contact: usize) -> [f64; 2] {
+        self.contacts[contact].1.tangent()
+    }
+
+    /// The motion that keeps joints and surfaces by Coulomb's law, from one that need not; rows of joints get their targets.
+    pub(super) fn press(
+        &self,
+        (before, targets): (&[Twist], &[f64]),
+        rubs: &[Rub],
+        guess: &[Impulse],
+    ) -> (Vec<Twist>, Pressed<Speeds>) {
+        let mut held = before.to_vec();
+        self.joints.hold(&mut held, targets);
+        let pressed = press_or_stop(self, &self.seen(&held), rubs, guess);
+        let twists = self.moved(&held, &pressed);
+        (twists, pressed)
+    }
+
+    /// What the law needs to know of a motion that keeps the joints.
+    pub(super) fn seen(&self, twists: &[Twist]) -> Speeds {
+        let of = |(body, contact): &(u32, Contact)| contact.speeds(&twists[*body as usize]);
+        let energy = |(of, twist): (&Inertia, &Twist)| of.energy(twist);
+        Speeds {
+            speeds: self.contacts.iter().map(of).collect(),
+            energy: self.joints.inertias.iter().zip(twists).map(energy).sum(),
+        }
+    }
+
+    /// The motion of all bodies that impulses made.
+    pub(super) fn moved(&self, before: &[Twist], pressed: &Pressed<Speeds>) -> Vec<Twist> {
+        if pressed.is_stopped {
+            return vec![STILL; before.len()];
+        }
+        let mut twists = before.to_vec();
+        for (column, share) in self.columns.iter().zip(pressed.impulses.iter().flatten()) {
+            for (twist, by) in twists.iter_mut().zip(column) {
+                twist.velocity = add(twist.velocity, scale(by.velocity, *share));
+                twist.spin += by.spin * share;
+            }
+        }
+        twists
+    }
+}
+
+impl Answers for Together<'_> {
+    type Motion = Speeds;
+
+    fn speeds(&self, contact: usize, motion: &Speeds) -> [f64; 2] {
+        motion.speeds[contact]
+    }
+
+    fn gives(&self, contact: usize) -> [f64; 3] {
+        let [normal, along] = [&self.gives[2 * contact][contact], &self.gives[2 * contact + 1][contact]];
+        [normal[0], along[1], normal[1]]
+    }
+
+    fn pushed(&self, contact: usize, impulse: Impulse, mut motion: Speeds) -> Speeds {
+        let before = motion.speeds[contact];
+        for (axis, push) in impulse.into_iter().enumerate() {
+            for (speed, gives) in motion.speeds.iter_mut().zip(&self.gives[2 * contact + axis]) {
+                *speed = add(*speed, scale(*gives, push));
+            }
+        }
+        let after = motion.speeds[contact];
+        motion.energy += 0.5 * (0..2).map(|k| impulse[k] * (before[k] + after[k])).sum::<f64>();
+        motion
+    }
+
+    fn energy(&self, motion: &Speeds) -> f64 {
+        motion.energy
+    }
+
+    fn stopped(&self, motion: &Speeds) -> Speeds {
+        Speeds { speeds: vec![[0.0; 2]; motion.speeds.len()], energy: 0.0 }
+    }
+
+    fn heaviest(&self) -> f64 {
+        let inverses = self.joints.inertias.iter().flat_map(|of| of.inverse);
+        inverses.filter(|inverse| *inverse > 0.0).map(|inverse| 1.0 / inverse).sum()
+    }
+}
