@@ -8,6 +8,7 @@ mod heap;
 mod kinds;
 mod rest;
 mod rigid;
+mod rigs;
 mod round;
 mod sharp;
 mod tangle;

@@ -2,6 +2,7 @@
 
 use std::sync::Arc;
 
+use super::rig::Rig;
 use super::rigid::Shape;
 use crate::sim::bond::Limit;
 
@@ -42,6 +43,8 @@ pub(super) struct Body<S> {
     pub(super) least_substeps: [u32; 2],
     /// Its shape, where rigid bonds hold all of its points: none of its bonds, angles and areas is asked then.
     pub(super) rigid: Option<Arc<Shape>>,
+    /// What rigid bonds hold of it, where that is several bodies in joints: none of these bonds is asked then.
+    pub(super) rig: Option<Arc<Rig>>,
 }
 
 /// A bond between two points of a body.

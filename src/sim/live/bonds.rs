@@ -2,6 +2,7 @@
 
 use super::body::{Body, Link};
 use super::cluster::{Cluster, Common};
+use super::rigid::{Change, goes_with_frame};
 use super::{FRAMES, part, tree};
 use crate::sim::bond::Limit;
 use crate::sim::kernels::level::vectorized;
@@ -103,17 +104,21 @@ pub(super) struct Hold<S> {
     drag: S,
     most: S,
     limit: Limit,
+    /// What the inverse masses of its ends are added to, where some end goes with a frame: it feels those in its direction; and the share of the
+    /// error.
+    framed: Option<[S; 2]>,
 }
 
 impl<S: Real> Hold<S> {
     /// `None` of a bond that cannot pull.
-    fn new(link: &Link<S>, base: usize, w: &[S], h: S) -> Option<Self> {
+    fn new(link: &Link<S>, base: usize, (w, frame_of): (&[S], &[[u32; 2]]), h: S) -> Option<Self> {
         let (a, b) = (base as u32 + link.a, base as u32 + link.b);
         let sum = w[a as usize] + w[b as usize];
         let is_rigid = !link.stiffness.is_finite();
         let softness = if is_rigid { S::ZERO } else { S::ONE / (link.stiffness * h * h) };
         let drag = if is_rigid { S::ZERO } else { link.damping / (link.stiffness * h) };
         let inverse = link.share / ((S::ONE + drag) * sum + softness);
+        let is_framed = [a, b].iter().any(|&i| goes_with_frame(frame_of, i as usize));
         (sum > S::ZERO && link.stiffness > S::ZERO).then_some(Hold {
             a,
             b,
@@ -122,12 +127,13 @@ impl<S: Real> Hold<S> {
             drag,
             most: link.most,
             limit: link.limit,
+            framed: is_framed.then_some([softness, link.share]),
         })
     }
 
     /// It acts both ways and without bounds, as the kernel does.
     fn is_plain(&self) -> bool {
-        self.limit == Limit::Both && !self.most.is_finite()
+        self.limit == Limit::Both && !self.most.is_finite() && self.framed.is_none()
     }
 
     /// It gives hardly at all: what moves its ends again is to be answered in the same substep.
@@ -166,7 +172,7 @@ fn is_crushed<S: Real>(link: &Link<S>, now: &[[S; 2]]) -> bool {
 pub(super) fn prepare<S: Real>(state: &mut Cluster<S>, common: &Common<S>, h: S) {
     let members = state.members(common);
     let may_swing = !state.is_violent && !part::owes(state);
-    let Cluster { pulls, odd_pulls, firm, hard, holds, w, settles, by_forces, now, .. } = state;
+    let Cluster { pulls, odd_pulls, firm, hard, holds, w, settles, by_forces, now, frame_of, .. } = state;
     pulls.clear(w.len());
     hard.clear(w.len());
     odd_pulls.clear();
@@ -196,7 +202,9 @@ pub(super) fn prepare<S: Real>(state: &mut Cluster<S>, common: &Common<S>, h: S)
         }
         let springs = common.springs(body).iter().zip(&by_forces[first..]).filter(|(_, is_force)| !**is_force);
         let rigid = common.holds(body)[body.tree as usize..].iter();
-        for hold in springs.map(|(link, _)| link).chain(rigid).filter_map(|link| Hold::new(link, base, w, h)) {
+        for hold in
+            springs.map(|(link, _)| link).chain(rigid).filter_map(|link| Hold::new(link, base, (w, frame_of), h))
+        {
             if !hold.is_plain() {
                 holds.push(hold);
                 continue;
@@ -273,8 +281,8 @@ fn sweep<S: Real>(state: &mut Cluster<S>, links: &Links<S>) {
 fn project<S: Real>(state: &mut Cluster<S>, holds: &[Hold<S>]) {
     state.counts.bonds += holds.len() as u64;
     state.counts.work += 30 * holds.len() as u64;
-    let Cluster { now, way, w, .. } = state;
     for hold in holds {
+        let Cluster { now, way, w, .. } = &mut *state;
         let (a, b) = (hold.a as usize, hold.b as usize);
         let d = sub(now[a], now[b]);
         let length = dot(d, d).sqrt();
@@ -294,6 +302,13 @@ fn project<S: Real>(state: &mut Cluster<S>, holds: &[Hold<S>]) {
         if hold.most.is_finite() {
             let most = hold.most * length;
             error = error.max(-most).min(most);
+        }
+        if let Some([softness, share]) = hold.framed {
+            let felt = state.felt(a, along) + state.felt(b, along);
+            let push = scale(along, error * share / ((S::ONE + hold.drag) * felt + softness));
+            state.push_point(a, scale(push, -S::ONE), Change::Way);
+            state.push_point(b, push, Change::Way);
+            continue;
         }
         let shift = scale(along, error * hold.inverse);
         for (i, share) in [(a, -w[a]), (b, w[b])] {

@@ -5,6 +5,7 @@ use std::sync::Arc;
 use super::body::{Area, Body, Edge, Link, Span};
 use super::cluster::Cluster;
 use super::gather::SUBSTEPS;
+use super::rig::Rig;
 use super::rigid::{Held, Shape};
 use super::skins::Skin;
 use super::{Draft, FRAMES, bonds, tree};
@@ -118,9 +119,12 @@ impl<S: Real> Bodies<S> {
         let edge_length = if edges.is_empty() { S::ZERO } else { total / S::from_f64(edges.len() as f64) };
         let thin = thickness(&own.triangles, edges.iter().filter(|edge| edge.is_closed), place);
         let rigid = own.shape((local, points), if draft.contact.is_some() { &corners } else { &own.points });
+        let rig = if rigid.is_none() { own.rig((local, points)) } else { None };
         if rigid.is_some() {
             // What it is made of within says nothing any more.
             own.let_go();
+        } else if let Some(rig) = &rig {
+            own.let_go_of(rig, local);
         }
         let (tree, others) = own.forest(|bond| bond.is_held() || is_stiff(bond, w), |i| w(i) == S::ZERO);
         let (tree, others) =
@@ -166,6 +170,7 @@ impl<S: Real> Bodies<S> {
             radius,
             least_substeps: bounds.substeps([bonds::MOST_BY_FORCES, 1.0], SUBSTEPS[3]),
             rigid: rigid.map(Arc::new),
+            rig: rig.map(Arc::new),
         });
     }
 
@@ -191,18 +196,43 @@ struct Own<S> {
 impl<S: Real> Own<S> {
     /// The shape that rigid bonds hold it in, if they hold all of it; of points counted in the group those of its surface.
     fn shape(&self, (local, points): (&[u32], &Points<S, 2>), surface: &[u32]) -> Option<Shape> {
-        let bond = |bond: &Bond| ([bond.a, bond.b].map(|end| local[end.index()]), bond.rest_length);
         if self.points.iter().any(|&i| points.inverse_mass[i as usize] == S::ZERO) {
             return None;
         }
+        Shape::of(self.held((local, points), &surface.iter().map(|&i| local[i as usize]).collect::<Vec<u32>>()))
+    }
+
+    /// The rigid bodies in joints that rigid bonds make of it, if they make any.
+    fn rig(&self, (local, points): (&[u32], &Points<S, 2>)) -> Option<Rig> {
+        Rig::of(&self.held((local, points), &[]))
+    }
+
+    /// Its points and the bonds that hold them.
+    fn held<'a>(&self, (local, points): (&[u32], &Points<S, 2>), surface: &'a [u32]) -> Held<'a> {
+        let bond = |bond: &Bond| ([bond.a, bond.b].map(|end| local[end.index()]), bond.rest_length);
         let of = |&i: &u32| widen(points.position[i as usize]);
         let mass = |&i: &u32| 1.0 / points.inverse_mass[i as usize].to_f64();
-        Shape::of(Held {
+        Held {
             now: self.points.iter().map(of).collect(),
             masses: self.points.iter().map(mass).collect(),
             bonds: self.bonds.iter().filter(|bond| bond.holds()).map(bond).collect(),
-            surface: &surface.iter().map(|&i| local[i as usize]).collect::<Vec<u32>>(),
-        })
+            surface,
+        }
+    }
+
+    /// What a rig holds of its bonds, triangles and angles goes, and all triangles at its frames: they cannot be pressed.
+    fn let_go_of(&mut self, rig: &Rig, local: &[u32]) {
+        let places = |points: &[u32]| points.iter().map(|&point| local[point as usize]).collect::<Vec<u32>>();
+        self.bonds.retain(|bond| !bond.holds() && !rig.holds(&places(&[bond.a.0, bond.b.0])));
+        self.hinges.retain(|hinge| !rig.holds(&places(&hinge.points)));
+        let frame_of = rig.frame_of(self.points.len());
+        let is_free =
+            |corners: &[u32; 3]| corners.iter().all(|&corner| frame_of[local[corner as usize] as usize].is_none());
+        let kept: Vec<bool> = self.triangles.iter().map(is_free).collect();
+        let mut keeps = kept.iter();
+        self.triangles.retain(|_| *keeps.next().unwrap_or(&true));
+        let mut keeps = kept.iter();
+        self.rests.retain(|_| *keeps.next().unwrap_or(&true));
     }
 
     /// Its bonds, triangles and angles go.

@@ -6,6 +6,7 @@ use super::bonds::Hold;
 use super::booking::Tally;
 use super::build::Bodies;
 use super::pair::{OnPlane, Pair, Sides};
+use super::rig::Rigged;
 use super::rigid::Frame;
 use super::tangle::Tangle;
 use super::walls::Walls;
@@ -99,10 +100,14 @@ pub(super) struct Cluster<S: Real> {
     pub(super) counts: Counts,
     /// What is inside out or crosses.
     pub(super) tangle: Tangle<S>,
-    /// Its rigid bodies; the one of each body, where there is any; which points lie within them.
+    /// What moves as one; the frame that each point goes with and its place there, where there is any; which bodies are one frame, and which
+    /// points lie within those.
     pub(super) frames: Vec<Frame>,
-    pub(super) frame_of: Vec<u32>,
+    pub(super) frame_of: Vec<[u32; 2]>,
+    pub(super) is_one: Vec<bool>,
     pub(super) inner: Vec<bool>,
+    /// Its bodies of several frames in joints.
+    pub(super) rigs: Vec<Rigged>,
 }
 
 /// What a cluster did in a step.

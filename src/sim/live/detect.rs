@@ -344,6 +344,7 @@ fn may_meet<S: Real>(state: &Cluster<S>, common: &Common<S>, (p, body): (u32, u3
     contact.with_itself
         && !state.is_rigid(body)
         && !line.ends.contains(&p)
+        && !state.go_together([p as usize, ends[0], ends[1]])
         && !common.bodies.are_neighbours(state, (p as usize, ends))
 }
 

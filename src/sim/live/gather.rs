@@ -134,6 +134,8 @@ impl<S: Real> Live<S> {
             tangle: self.tangle.of(&bodies),
             frames: Vec::new(),
             frame_of: Vec::new(),
+            is_one: Vec::new(),
+            rigs: Vec::new(),
             inner: Vec::new(),
             bodies,
         };
@@ -151,6 +153,11 @@ impl<S: Real> Live<S> {
             }
             if let Some(shape) = &body.rigid {
                 cluster.include_rigid(shape, base as usize);
+            }
+            if let Some(rig) = &body.rig {
+                let bonds = common.springs(body).iter().chain(common.holds(body)).flat_map(|link| [link.a, link.b]);
+                let angles = common.hinges(body).iter().flat_map(|hinge| hinge.points);
+                cluster.include_rig(rig, base as usize, bonds.chain(angles));
             }
             let number = |local: u32| (base + local, body.points.first + local);
             cluster.corners.extend(self.bodies.corners[body.corners.range()].iter().map(|&corner| number(corner)));

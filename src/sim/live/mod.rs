@@ -32,6 +32,7 @@ mod pair;
 mod part;
 mod planes;
 mod rest;
+mod rig;
 mod rigid;
 mod scout;
 mod shape;

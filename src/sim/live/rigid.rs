@@ -6,9 +6,10 @@
 
 use std::sync::Arc;
 
-use super::cluster::{Cluster, OBSTACLE};
+use super::cluster::Cluster;
 use super::substep::SHORT;
 use crate::sim::real::Real;
+use crate::sim::rigid::motion::Twist;
 pub(super) use crate::sim::rigid::place::Place;
 pub(super) use crate::sim::rigid::shape::{Held, Shape};
 use crate::sim::vector::{add, convert, cross, dot, scale, sub, widen};
@@ -19,22 +20,28 @@ const AT_ONCE: f64 = 0.02;
 /// No frame.
 const NONE: u32 = u32::MAX;
 
+/// Whether a point goes with a frame.
+pub(super) fn goes_with_frame(frame_of: &[[u32; 2]], i: usize) -> bool {
+    frame_of.get(i).is_some_and(|home| home[0] != NONE)
+}
+
 /// A rigid body of a cluster as it moves.
 #[derive(Clone, Debug)]
 pub(super) struct Frame {
     shape: Arc<Shape>,
     /// Of its mass [1/kg] and its moment of inertia [1/(kg m^2)].
     inverse: [f64; 2],
-    /// Where its points begin.
-    base: usize,
+    /// Its points, in the order of the shape.
+    points: Vec<u32>,
     /// At the start of the substep, and as far as it is solved.
     start: Place,
     now: Place,
     /// [m/s], [rad/s]
     velocity: [f64; 2],
     spin: f64,
-    /// Its points that may touch something in the substep.
+    /// Its points that may touch something in the substep, counted in the shape, and those that others are fastened to.
     near: Vec<u32>,
+    fastened: Vec<u32>,
 }
 
 /// What a push changes.
@@ -50,15 +57,15 @@ pub(super) enum Change {
 
 impl Frame {
     /// Where the shape fits places best, by mass.
-    fn of(shape: &Arc<Shape>, base: usize, at: impl Fn(usize) -> [f64; 2]) -> Self {
-        let count = shape.places.len();
-        let origin = at(base);
-        let sum = (0..count)
-            .fold([0.0; 2], |sum, k| add(sum, scale(sub(at(base + k), origin), shape.masses[k] / shape.mass)));
+    fn of(shape: &Arc<Shape>, points: Vec<u32>, at: impl Fn(usize) -> [f64; 2]) -> Self {
+        let at = |k: usize| at(points[k] as usize);
+        let origin = at(0);
+        let sum = (0..points.len())
+            .fold([0.0; 2], |sum, k| add(sum, scale(sub(at(k), origin), shape.masses[k] / shape.mass)));
         let middle = add(origin, sum);
         let mut fit = [0.0; 2];
         for (k, (&q, &mass)) in shape.places.iter().zip(&shape.masses).enumerate() {
-            let r = sub(at(base + k), middle);
+            let r = sub(at(k), middle);
             fit = add(fit, scale([dot(q, r), cross(q, r)], mass));
         }
         let length = dot(fit, fit).sqrt();
@@ -67,13 +74,22 @@ impl Frame {
         Frame {
             shape: shape.clone(),
             inverse: [1.0 / shape.mass, 1.0 / shape.inertia],
-            base,
+            points,
             start: place,
             now: place,
             velocity: [0.0; 2],
             spin: 0.0,
             near: Vec::new(),
+            fastened: Vec::new(),
         }
+    }
+
+    pub(super) fn place(&self) -> Place {
+        self.now
+    }
+
+    pub(super) fn twist(&self) -> Twist {
+        Twist { velocity: self.velocity, spin: self.spin }
     }
 
     /// Inverse mass of the point at `x` along a direction [1/kg].
@@ -118,14 +134,39 @@ impl Frame {
 impl<S: Real> Cluster<S> {
     /// One of its bodies, which comes last, is rigid.
     pub(super) fn include_rigid(&mut self, shape: &Arc<Shape>, base: usize) {
-        let at = |i: usize| add(widen(self.now[i]), widen(self.lost[i]));
-        let frame = Frame::of(shape, base, at);
+        let end = base + shape.places.len();
+        self.include_frame(shape, (base as u32..end as u32).collect());
         self.inner.resize(base, false);
-        self.inner.resize(base + shape.places.len(), true);
+        self.inner.resize(end, true);
         shape.surface.iter().for_each(|&k| self.inner[base + k as usize] = false);
-        self.frame_of.resize(self.bases.len(), NONE);
-        self.frame_of[self.bases.len() - 1] = self.frames.len() as u32;
+        self.is_one.resize(self.bases.len(), false);
+        self.is_one[self.bases.len() - 1] = true;
+    }
+
+    /// Some of its points, which come last, go together; those that go with others already are only felt.
+    pub(super) fn include_frame(&mut self, shape: &Arc<Shape>, points: Vec<u32>) {
+        let at = |i: usize| add(widen(self.now[i]), widen(self.lost[i]));
+        let frame = Frame::of(shape, points, at);
+        self.frame_of.resize(self.now.len(), [NONE; 2]);
+        for (&i, k) in frame.points.iter().zip(0..) {
+            let home = &mut self.frame_of[i as usize];
+            if home[0] == NONE && self.w[i as usize] != S::ZERO {
+                *home = [self.frames.len() as u32, k];
+            }
+        }
         self.frames.push(frame);
+    }
+
+    /// Something is fastened to a point: it follows each push of its frame.
+    pub(super) fn fasten(&mut self, i: usize) {
+        if let Some(number) = self.frame_number(i) {
+            let place = self.frame_of[i][1];
+            let Frame { near, fastened, .. } = &mut self.frames[number];
+            if !fastened.contains(&place) {
+                fastened.push(place);
+                near.push(place);
+            }
+        }
     }
 
     /// The frame that a point goes with.
@@ -134,14 +175,19 @@ impl<S: Real> Cluster<S> {
     }
 
     fn frame_number(&self, i: usize) -> Option<usize> {
-        let body = self.body_of[i];
-        let number = if body == OBSTACLE { NONE } else { self.frame_of.get(body as usize).copied().unwrap_or(NONE) };
+        let number = self.frame_of.get(i).map_or(NONE, |home| home[0]);
         (number != NONE).then_some(number as usize)
     }
 
     /// Whether a body moves as one.
     pub(super) fn is_rigid(&self, body: u32) -> bool {
-        self.frame_of.get(body as usize).is_some_and(|&number| number != NONE)
+        self.is_one.get(body as usize).is_some_and(|&is_one| is_one)
+    }
+
+    /// Whether points go with one frame.
+    pub(super) fn go_together(&self, points: [usize; 3]) -> bool {
+        let [p, a, b] = points.map(|i| self.frame_number(i));
+        p.is_some() && p == a && a == b
     }
 
     /// Whether a point lies within a rigid body, where nothing gets to it.
@@ -157,10 +203,43 @@ impl<S: Real> Cluster<S> {
         if self.frames.is_empty() {
             return self.w[p] + rest * rest * self.w[a] + at * at * self.w[b];
         }
-        let n = widen(n);
-        let of_point = self.frame(p).map(|frame| S::from_f64(frame.weight(widen(self.now[p]), n)));
-        let of_edge = self.frame(a).map(|frame| S::from_f64(frame.weight(widen(self.between([a, b], at)), n)));
-        of_point.unwrap_or(self.w[p]) + of_edge.unwrap_or(rest * rest * self.w[a] + at * at * self.w[b])
+        let of_edge = match (self.frame_number(a), self.frame_number(b)) {
+            (Some(one), Some(other)) if one == other => {
+                S::from_f64(self.frames[one].weight(widen(self.between([a, b], at)), widen(n)))
+            }
+            _ => rest * rest * self.felt(a, n) + at * at * self.felt(b, n),
+        };
+        self.felt(p, n) + of_edge
+    }
+
+    /// Inverse mass of a point along a direction [1/kg].
+    #[inline(always)]
+    pub(super) fn felt(&self, p: usize, n: [S; 2]) -> S {
+        self.frame(p).map_or(self.w[p], |frame| S::from_f64(frame.weight(widen(self.now[p]), widen(n))))
+    }
+
+    /// What pushes of three points by their slopes, as large as those, change along all of them [1/kg].
+    pub(super) fn felt_by_three(&self, points: [usize; 3], slopes: [[S; 2]; 3]) -> S {
+        let mut sum = S::ZERO;
+        for (k, (&i, g)) in points.iter().zip(slopes).enumerate() {
+            let Some(number) = self.frame_number(i) else {
+                sum += self.w[i] * dot(g, g);
+                continue;
+            };
+            if points[..k].iter().any(|&other| self.frame_number(other) == Some(number)) {
+                continue;
+            }
+            let frame = &self.frames[number];
+            let (mut push, mut turn) = ([0.0; 2], 0.0);
+            for (&other, g) in points.iter().zip(slopes).skip(k) {
+                if self.frame_number(other) == Some(number) {
+                    push = add(push, widen(g));
+                    turn += cross(sub(widen(self.now[other]), frame.now.middle), widen(g));
+                }
+            }
+            sum += S::from_f64(frame.inverse[0] * dot(push, push) + frame.inverse[1] * turn * turn);
+        }
+        sum
     }
 
     /// The same of a point of a rigid body alone; 1 of any other: what pushes it is counted as what it moves it by.
@@ -187,17 +266,25 @@ impl<S: Real> Cluster<S> {
             });
         }
         let place = self.between([a, b], at);
+        self.push_point(p, push, change);
+        match (self.frame_number(a), self.frame_number(b)) {
+            (Some(one), Some(other)) if one == other => {
+                self.push_frame(one, (place, scale(push, -S::ONE)), change);
+            }
+            _ => {
+                for (i, share) in [(a, at_a), (b, at_b)] {
+                    self.push_point(i, scale(push, share), change);
+                }
+            }
+        }
+    }
+
+    /// A push of a point [kg m], whatever it goes with.
+    #[inline(always)]
+    pub(super) fn push_point(&mut self, p: usize, push: [S; 2], change: Change) {
         match self.frame_number(p) {
             Some(frame) => self.push_frame(frame, (self.now[p], push), change),
             None => self.push_plain(p, scale(push, self.w[p]), change),
-        }
-        match self.frame_number(a) {
-            Some(frame) => self.push_frame(frame, (place, scale(push, -S::ONE)), change),
-            None => {
-                for (i, share) in [(a, at_a), (b, at_b)] {
-                    self.push_plain(i, scale(push, share * self.w[i]), change);
-                }
-            }
         }
     }
 
@@ -232,7 +319,7 @@ impl<S: Real> Cluster<S> {
         frame.push(widen(x), widen(push), change);
         counts.work += 40 + 40 * frame.near.len() as u64;
         for &k in &frame.near {
-            let (i, q) = (frame.base + k as usize, frame.shape.places[k as usize]);
+            let (i, q) = (frame.points[k as usize] as usize, frame.shape.places[k as usize]);
             if change == Change::Velocity {
                 velocity[i] = convert(frame.velocity_of(q));
                 continue;
@@ -253,7 +340,9 @@ impl<S: Real> Cluster<S> {
         if self.frames.is_empty() {
             return;
         }
-        self.frames.iter_mut().for_each(|frame| frame.near.clear());
+        for frame in &mut self.frames {
+            frame.near.clone_from(&frame.fastened);
+        }
         let of_pairs = self.chosen.iter().flat_map(|&number| {
             let pair = &self.pairs[number as usize];
             [pair.p, pair.a, pair.b]
@@ -261,13 +350,17 @@ impl<S: Real> Cluster<S> {
         let points: Vec<u32> = of_pairs.chain(self.on_planes.iter().map(|on| on.p)).collect();
         for i in points {
             if let Some(number) = self.frame_number(i as usize) {
-                let frame = &mut self.frames[number];
-                frame.near.push(i - frame.base as u32);
+                let place = self.frame_of[i as usize][1];
+                self.frames[number].near.push(place);
             }
         }
-        for frame in &mut self.frames {
+        // A point that goes with another frame does not follow this one.
+        let Cluster { frames, frame_of, .. } = self;
+        for (frame, number) in frames.iter_mut().zip(0..) {
             frame.near.sort_unstable();
             frame.near.dedup();
+            let points = &frame.points;
+            frame.near.retain(|&k| frame_of[points[k as usize] as usize][0] == number);
         }
     }
 
@@ -280,8 +373,8 @@ impl<S: Real> Cluster<S> {
 
     /// A body is carried along as a whole.
     pub(super) fn carry(&mut self, body: usize, shift: [S; 2]) {
-        if let Some(&number) = self.frame_of.get(body).filter(|&&number| number != NONE) {
-            let frame = &mut self.frames[number as usize];
+        let points = self.bases[body]..self.bases[body + 1];
+        for frame in self.frames.iter_mut().filter(|frame| frame.points.iter().any(|i| points.contains(i))) {
             frame.now.middle = add(frame.now.middle, widen(shift));
         }
     }
@@ -290,10 +383,10 @@ impl<S: Real> Cluster<S> {
     pub(super) fn predict_rigid(&mut self, h: S) {
         let mut frames = std::mem::take(&mut self.frames);
         for frame in &mut frames {
-            let (shape, base, now) = (frame.shape.clone(), frame.base, frame.now);
+            let (shape, now) = (frame.shape.clone(), frame.now);
             let (mut momentum, mut turning) = ([0.0; 2], 0.0);
-            for (k, (&q, &mass)) in shape.places.iter().zip(&shape.masses).enumerate() {
-                let v = scale(widen(self.velocity[base + k]), mass);
+            for ((&i, &q), &mass) in frame.points.iter().zip(&shape.places).zip(&shape.masses) {
+                let v = scale(widen(self.velocity[i as usize]), mass);
                 momentum = add(momentum, v);
                 turning += cross(now.turned(q), v);
             }
@@ -313,10 +406,13 @@ impl<S: Real> Cluster<S> {
     /// Ways and places of all points of a rigid body.
     fn place_all(&mut self, number: usize) {
         let frame = &self.frames[number];
-        for (i, &q) in (frame.base..).zip(&frame.shape.places) {
-            self.start[i] = convert(frame.start.out(q));
-            self.way[i] = convert(frame.way_of(q));
-            self.now[i] = convert(frame.now.out(q));
+        for (&i, &q) in frame.points.iter().zip(&frame.shape.places) {
+            let i = i as usize;
+            if self.frame_of[i][0] as usize == number {
+                self.start[i] = convert(frame.start.out(q));
+                self.way[i] = convert(frame.way_of(q));
+                self.now[i] = convert(frame.now.out(q));
+            }
         }
     }
 
@@ -327,15 +423,18 @@ impl<S: Real> Cluster<S> {
 
     /// Velocities and places of rigid bodies at the end of a substep of `h` [s]: their points turn with them, and do not cut corners.
     pub(super) fn finish_rigid(&mut self, h: f64) {
-        for frame in &mut self.frames {
+        for (frame, number) in self.frames.iter_mut().zip(0..) {
             if h > SHORT {
                 frame.velocity = scale(sub(frame.now.middle, frame.start.middle), 1.0 / h);
                 frame.spin = (frame.now.angle - frame.start.angle) / h;
             }
-            for (i, &q) in (frame.base..).zip(&frame.shape.places) {
-                let x = frame.now.out(q);
-                self.now[i] = convert(x);
-                self.lost[i] = convert(sub(x, widen(self.now[i])));
+            for (&i, &q) in frame.points.iter().zip(&frame.shape.places) {
+                let i = i as usize;
+                if self.frame_of[i][0] == number {
+                    let x = frame.now.out(q);
+                    self.now[i] = convert(x);
+                    self.lost[i] = convert(sub(x, widen(self.now[i])));
+                }
             }
         }
         self.turn_rigid();
@@ -343,10 +442,34 @@ impl<S: Real> Cluster<S> {
 
     /// Velocities of all points of rigid bodies.
     pub(super) fn turn_rigid(&mut self) {
-        for frame in &self.frames {
-            for (i, &q) in (frame.base..).zip(&frame.shape.places) {
-                self.velocity[i] = convert(frame.velocity_of(q));
+        for (frame, number) in self.frames.iter().zip(0..) {
+            for (&i, &q) in frame.points.iter().zip(&frame.shape.places) {
+                if self.frame_of[i as usize][0] == number {
+                    self.velocity[i as usize] = convert(frame.velocity_of(q));
+                }
             }
+        }
+    }
+
+    /// A frame is there, as far as the substep is solved.
+    pub(super) fn set_frame(&mut self, number: usize, place: Place) {
+        self.frames[number].now = place;
+        let Cluster { frames, now, way, .. } = self;
+        let frame = &frames[number];
+        for &k in &frame.near {
+            let (i, q) = (frame.points[k as usize] as usize, frame.shape.places[k as usize]);
+            way[i] = convert(frame.way_of(q));
+            now[i] = convert(frame.now.out(q));
+        }
+    }
+
+    /// A frame moves so.
+    pub(super) fn set_twist(&mut self, number: usize, twist: Twist) {
+        (self.frames[number].velocity, self.frames[number].spin) = (twist.velocity, twist.spin);
+        let Cluster { frames, velocity, .. } = self;
+        let frame = &frames[number];
+        for &k in &frame.near {
+            velocity[frame.points[k as usize] as usize] = convert(frame.velocity_of(frame.shape.places[k as usize]));
         }
     }
 
@@ -371,7 +494,7 @@ mod tests {
         let bonds = vec![([0, 1], 1.0), ([1, 2], 1.0), ([0, 2], 2.0_f64.sqrt())];
         let held = Held { now: places.to_vec(), masses: vec![1.0, 2.0, 3.0], bonds, surface: &[] };
         let shape = Arc::new(Shape::of(held).unwrap_or_else(|| unreachable!("it is rigid")));
-        let mut frame = Frame::of(&shape, 0, |i| places[i]);
+        let mut frame = Frame::of(&shape, vec![0, 1, 2], |i| places[i]);
         let (x, n) = (places[2], [0.6, 0.8]);
         let weight = frame.weight(x, n);
         frame.push(x, scale(n, 1e-7), Change::Way);

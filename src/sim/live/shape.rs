@@ -2,6 +2,7 @@
 
 use super::body::{Area, Body};
 use super::cluster::{Cluster, Common};
+use super::rigid::Change;
 use crate::sim::force::angle::{Hinge, Stand};
 use crate::sim::force::area::{Patch, size, slopes};
 use crate::sim::force::form::at;
@@ -106,6 +107,10 @@ fn stop<S: Real>(state: &mut Cluster<S>, hinge: &Hinge<S>, base: usize) {
     let slow = -missed * S::from_f64(MENDED) / weight;
     for (point, slope) in points.into_iter().zip(stand.slopes) {
         let (i, w) = (point as usize, state.w[point as usize]);
+        if !state.frames.is_empty() {
+            state.push_point(i, scale(slope, slow), Change::Place);
+            continue;
+        }
         let creep = scale(slope, w * slow);
         state.start[i] = add(state.start[i], creep);
         state.now[i] = add(state.now[i], creep);
@@ -131,6 +136,9 @@ fn bounded<S: Real>(multiplier: S, weight: S) -> S {
 
 /// The sum of w |g|^2.
 fn weight<S: Real>(state: &Cluster<S>, points: [u32; 3], slopes: [[S; 2]; 3]) -> S {
+    if !state.frames.is_empty() {
+        return state.felt_by_three(points.map(|point| point as usize), slopes);
+    }
     points.iter().zip(slopes).fold(S::ZERO, |sum, (&point, g)| sum + state.w[point as usize] * dot(g, g))
 }
 
@@ -138,6 +146,10 @@ fn weight<S: Real>(state: &Cluster<S>, points: [u32; 3], slopes: [[S; 2]; 3]) ->
 fn push<S: Real>(state: &mut Cluster<S>, points: [u32; 3], slopes: [[S; 2]; 3], multiplier: S) {
     for (point, slope) in points.into_iter().zip(slopes) {
         let i = point as usize;
+        if !state.frames.is_empty() {
+            state.push_point(i, scale(slope, multiplier), Change::Way);
+            continue;
+        }
         let way = scale(slope, multiplier * state.w[i]);
         state.now[i] = add(state.now[i], way);
         state.way[i] = add(state.way[i], way);

@@ -53,6 +53,8 @@ pub(super) fn advance<S: Real>(state: &mut Cluster<S>, common: &Common<S>, outsi
     state.predict(time);
     shape::resist(state, common, time);
     bonds::hold(state, common);
+    state.straighten_rigs();
+    state.follow_rigs();
     mend::lead(state, time);
     areas::look(state, common);
     let (passes, pushed) = tree::passes(state, common);
@@ -66,6 +68,7 @@ pub(super) fn advance<S: Real>(state: &mut Cluster<S>, common: &Common<S>, outsi
             bonds::hold_again(state);
         }
         state.press(common, pushed);
+        state.straighten_rigs();
     }
     super::truncate::cut(state);
     super::circle::cut(state, common);
@@ -260,7 +263,8 @@ impl<S: Real> Cluster<S> {
         while solved < BOUNCED {
             let gave = give(self);
             takes |= gave.takes;
-            let count = if gave.any { bonds::stiffen(self, common) + self.rigid_count() } else { 0 };
+            let count =
+                if gave.any { bonds::stiffen(self, common) + self.stiffen_rigs() + self.rigid_count() } else { 0 };
             if count == 0 {
                 break;
             }

@@ -1,0 +1,231 @@
+//! Rigid bodies in joints in the live step: what rigid bonds hold of a body moves as frames (`rigid.rs`), and what joins them is solved at once.
+//!
+//! A substep takes frames and points on as if nothing joined them; then, and after each pass of contacts, the gaps of all joints are closed
+//! together by elimination, along new directions, with the inverse masses and inertias of what they join.
+//! Source: M. Müller and others, Detailed Rigid Body Simulation with Extended Position Based Dynamics, 2020; the joints are solved at once in
+//! place of one after the other, so that a light chain bears a heavy load.
+
+use std::sync::Arc;
+
+use super::cluster::Cluster;
+use super::rigid::{Frame, Held};
+use crate::sim::real::Real;
+use crate::sim::rigid::blueprint::{Blueprint, BodyPlan};
+use crate::sim::rigid::inertia::Inertia;
+use crate::sim::rigid::joints::{Anchor, End, Joints, Stand};
+use crate::sim::rigid::motion::{Motion, Twist};
+use crate::sim::rigid::place::Place;
+use crate::sim::rigid::shape::Shape;
+use crate::sim::vector::{add, convert, sub, widen};
+
+/// Rounds in which gaps are closed, each with new directions.
+const ROUNDS: u32 = 3;
+/// A gap that counts as closed, as a share of where things are [1].
+const CLOSED: f64 = 1e-13;
+
+/// The frames of a body of several, and what joins them.
+#[derive(Clone, Debug)]
+pub(super) struct Rig {
+    pub(super) members: Vec<Member>,
+    joints: Joints,
+    inertias: Vec<Inertia>,
+    /// Points that do not move by themselves, as joints count them, and those that links are at.
+    fixed: Vec<u32>,
+    fastened: Vec<u32>,
+}
+
+/// A frame or a point of a rig, points numbered in its body.
+#[derive(Clone, Debug)]
+pub(super) enum Member {
+    Frame(Arc<Shape>, Vec<u32>),
+    Point(u32),
+}
+
+impl Rig {
+    /// `None` where rigid bonds make no body, contradict each other, or leave too much loose.
+    pub(super) fn of(held: &Held<'_>) -> Option<Self> {
+        // A pin may be led at any time: what hangs on two is held by both.
+        let plan = Blueprint::of(held, 0, |_| true)?;
+        let member = |body: &BodyPlan| match body.points[..] {
+            [point] => Member::Point(point),
+            _ => Member::Frame(body.shape.clone(), body.points.clone()),
+        };
+        let inertia = |body: &BodyPlan| Inertia { inverse: [1.0 / body.shape.mass, 1.0 / body.shape.inertia] };
+        let is_fastened = |seat: End| plan.links.iter().any(|link| link.ends.contains(&seat));
+        Some(Rig {
+            members: plan.bodies.iter().map(member).collect(),
+            inertias: plan.bodies.iter().map(inertia).collect(),
+            fastened: (0..plan.seats.len() as u32).filter(|&point| is_fastened(plan.seats[point as usize])).collect(),
+            joints: Joints::new(plan.links),
+            fixed: plan.fixed,
+        })
+    }
+
+    /// Which frame holds each point, counted among those of the rig; points of two are counted with the first.
+    pub(super) fn frame_of(&self, points: usize) -> Vec<Option<u32>> {
+        let mut list = vec![None; points];
+        for (of, frame) in self.frames().zip(0..) {
+            of.1.iter().for_each(|&point| {
+                list[point as usize].get_or_insert(frame);
+            });
+        }
+        list
+    }
+
+    /// Whether all of some points go with one frame.
+    pub(super) fn holds(&self, points: &[u32]) -> bool {
+        self.frames().any(|(_, list)| points.iter().all(|point| list.binary_search(point).is_ok()))
+    }
+
+    fn frames(&self) -> impl Iterator<Item = (&Arc<Shape>, &Vec<u32>)> {
+        self.members.iter().filter_map(|member| match member {
+            Member::Frame(shape, points) => Some((shape, points)),
+            Member::Point(_) => None,
+        })
+    }
+}
+
+/// A rig in a cluster: where its points and its frames begin.
+#[derive(Clone, Debug)]
+pub(super) struct Rigged {
+    rig: Arc<Rig>,
+    base: usize,
+    first: usize,
+}
+
+impl<S: Real> Cluster<S> {
+    /// One of its bodies, which comes last, is a rig; others pull at these of its points, counted in the body.
+    pub(super) fn include_rig(&mut self, rig: &Arc<Rig>, base: usize, pulled: impl Iterator<Item = u32>) {
+        let first = self.frames.len();
+        for (shape, points) in rig.frames() {
+            let points = points.iter().map(|&point| base as u32 + point).collect();
+            self.include_frame(shape, points);
+        }
+        for point in pulled.chain(rig.fastened.iter().copied()) {
+            self.fasten(base + point as usize);
+        }
+        self.rigs.push(Rigged { rig: rig.clone(), base, first });
+    }
+
+    /// All points of frames are where those are, before contacts look at them.
+    pub(super) fn follow_rigs(&mut self) {
+        if !self.rigs.is_empty() {
+            self.follow_rigid();
+        }
+    }
+
+    /// The gaps of all joints are closed.
+    pub(super) fn straighten_rigs(&mut self) {
+        for k in 0..self.rigs.len() {
+            let rigged = self.rigs[k].clone();
+            self.straighten(&rigged);
+        }
+    }
+
+    fn straighten(&mut self, rigged: &Rigged) {
+        let Rigged { rig, base, .. } = rigged;
+        let still = Twist { velocity: [0.0; 2], spin: 0.0 };
+        let mut motions: Vec<Motion> = self.stations(rigged).map(|place| Motion { place, twist: still }).collect();
+        let anchors: Vec<Anchor> = rig
+            .fixed
+            .iter()
+            .map(|&point| Anchor { place: widen(self.now[base + point as usize]), velocity: [0.0; 2] })
+            .collect();
+        let size = motions.iter().fold(1.0, |most: f64, motion| {
+            let [x, y] = motion.place.middle;
+            most.max(x.abs()).max(y.abs())
+        });
+        let closed = CLOSED.max(S::EPSILON.to_f64()) * size;
+        let mut rounds = 0;
+        while rounds < ROUNDS {
+            let stand = Stand { motions: &motions, anchors: &anchors, since: 0.0 };
+            let gaps = rig.joints.gaps(stand);
+            if gaps.iter().all(|gap| gap.abs() <= closed) {
+                break;
+            }
+            rounds += 1;
+            let targets: Vec<f64> = gaps.iter().map(|gap| -gap).collect();
+            let mut ways = vec![still; motions.len()];
+            rig.joints.factored(&rig.inertias, stand).hold(&mut ways, &targets);
+            for (motion, way) in motions.iter_mut().zip(ways) {
+                motion.place = motion.place.moved(way.velocity, way.spin);
+            }
+        }
+        self.counts.work += u64::from(rounds + 1) * rig.joints.work();
+        if rounds > 0 {
+            self.put(rigged, &motions);
+        }
+    }
+
+    /// Where the members of a rig are now.
+    fn stations<'a>(&'a self, rigged: &'a Rigged) -> impl Iterator<Item = Place> + 'a {
+        let mut frames = self.frames[rigged.first..].iter();
+        rigged.rig.members.iter().map(move |member| match member {
+            Member::Frame(..) => frames.next().map_or_else(|| Place::at([0.0; 2]), Frame::place),
+            Member::Point(point) => {
+                let i = rigged.base + *point as usize;
+                Place::at(add(widen(self.start[i]), widen(self.way[i])))
+            }
+        })
+    }
+
+    fn put(&mut self, rigged: &Rigged, motions: &[Motion]) {
+        let mut frame = rigged.first;
+        for (member, motion) in rigged.rig.members.iter().zip(motions) {
+            match member {
+                Member::Frame(..) => {
+                    self.set_frame(frame, motion.place);
+                    frame += 1;
+                }
+                Member::Point(point) => {
+                    let i = rigged.base + *point as usize;
+                    self.now[i] = convert(motion.place.middle);
+                    self.way[i] = convert(sub(motion.place.middle, widen(self.start[i])));
+                }
+            }
+        }
+    }
+
+    /// Velocities that joints bear, of all rigs. Returns how many rows there are.
+    pub(super) fn stiffen_rigs(&mut self) -> u64 {
+        let mut count = 0;
+        for k in 0..self.rigs.len() {
+            let rigged = self.rigs[k].clone();
+            let Rigged { rig, base, first } = &rigged;
+            let mut frames = self.frames[*first..].iter();
+            let motion = |member: &Member, place: Place| {
+                let twist = match member {
+                    Member::Frame(..) => frames.next().map_or(Twist { velocity: [0.0; 2], spin: 0.0 }, Frame::twist),
+                    Member::Point(point) => Twist { velocity: widen(self.velocity[base + *point as usize]), spin: 0.0 },
+                };
+                Motion { place, twist }
+            };
+            let mut motion = motion;
+            let places: Vec<Place> = self.stations(&rigged).collect();
+            let motions: Vec<Motion> =
+                rig.members.iter().zip(places).map(|(member, place)| motion(member, place)).collect();
+            let anchor = |&point: &u32| {
+                let i = base + point as usize;
+                Anchor { place: widen(self.now[i]), velocity: widen(self.velocity[i]) }
+            };
+            let anchors: Vec<Anchor> = rig.fixed.iter().map(anchor).collect();
+            let stand = Stand { motions: &motions, anchors: &anchors, since: 0.0 };
+            let joints = rig.joints.factored(&rig.inertias, stand);
+            let mut twists: Vec<Twist> = motions.iter().map(|motion| motion.twist).collect();
+            joints.hold(&mut twists, &joints.leads);
+            let mut frame = *first;
+            for (member, twist) in rig.members.iter().zip(twists) {
+                match member {
+                    Member::Frame(..) => {
+                        self.set_twist(frame, twist);
+                        frame += 1;
+                    }
+                    &Member::Point(point) => self.velocity[base + point as usize] = convert(twist.velocity),
+                }
+            }
+            self.counts.work += rig.joints.work();
+            count += rig.joints.rows() as u64;
+        }
+        count
+    }
+}

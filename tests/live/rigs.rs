@@ -1,0 +1,83 @@
+//! Rigid bodies in joints in the live step: no bond of them strains, whatever hangs on them.
+
+use serde_json::{Value, json};
+use wobble::sim::{Dynamics, Sample};
+
+use super::world;
+
+/// Triangles of 1 kg a point, each at a corner of the one before, pinned at the first; `solver` moves them.
+fn triangles(count: u32, solver: &str) -> Value {
+    let (mut position, mut bonds) = (vec![[0.0, 0.0]], Vec::new());
+    for k in 0..count {
+        let x = f64::from(k);
+        position.extend([[x + 0.5, -0.2], [x + 1.0, 0.0]]);
+        let from = 2 * k;
+        bonds.extend([[from, from + 1], [from + 1, from + 2], [from, from + 2]].map(|[a, b]| json!({"a": a, "b": b})));
+    }
+    json!({"wobble": 1, "gravity": [0, -9.81], "points": {"position": position, "mass": 1, "pinned": [0]}, "bonds": bonds,
+        "method": {"solver": solver}})
+}
+
+/// Runs to a time; the largest strain on the way.
+fn strain(world: &mut dyn Dynamics, t: f64) -> f64 {
+    let mut most: f64 = 0.0;
+    while world.time() < t - 1e-9 {
+        world.step();
+        most = most.max(world.sample(world.time()).max_strain);
+    }
+    most
+}
+
+fn apart(one: &Sample, other: &Sample) -> f64 {
+    let of = |(a, b): (&[f64; 3], &[f64; 3])| (a[0] - b[0]).hypot(a[1] - b[1]);
+    one.position.iter().zip(&other.position).map(of).fold(0.0, f64::max)
+}
+
+#[test]
+fn bodies_in_joints_swing_as_they_do_by_their_own_method() {
+    let [mut live, mut exact] = ["live", "auto"].map(|solver| world(&triangles(3, solver)));
+    assert!(strain(&mut *live, 0.5) < 1e-9);
+    strain(&mut *exact, 0.5);
+    let off = apart(&live.sample(0.5), &exact.sample(0.5));
+    assert!(off < 0.03, "{off}");
+}
+
+#[test]
+fn a_light_chain_bears_a_heavy_load() {
+    let position: Vec<[f64; 2]> = (0..=20).map(|k| [0.1 * f64::from(k), 0.0]).chain([[2.3, 0.2], [2.3, -0.2], [2.5, 0.0]]).collect();
+    let mut bonds: Vec<[u32; 2]> = (0..20).map(|k| [k, k + 1]).collect();
+    bonds.extend([[20, 21], [20, 22], [21, 22], [21, 23], [22, 23]]);
+    let mass: Vec<f64> = (0..24).map(|k| if k < 21 { 0.01 } else { 100.0 }).collect();
+    let scene = json!({"wobble": 1, "gravity": [0, -9.81], "contact": true, "method": {"solver": "live"},
+        "points": {"position": position, "mass": mass, "pinned": [0]},
+        "bonds": bonds.iter().map(|[a, b]| json!({"a": a, "b": b})).collect::<Vec<_>>(), "bounds": {"min": [-9, -9], "max": [9, 9]}});
+    let most = strain(&mut *world(&scene), 2.0);
+    assert!(most < 1e-3, "{most}");
+}
+
+#[test]
+fn what_is_rigid_and_pinned_does_not_bend_under_a_load() {
+    let scene = json!({"wobble": 1, "bonds": [{"a": 11, "b": 26}],
+        "bodies": [{"make": "lattice", "columns": 12, "rows": 2, "spacing": 0.25, "origin": [-2, 0], "angle": 0.5, "pinned": [8],
+                "material": {"mass": 5}},
+            {"make": "box", "width": 0.4, "height": 0.4, "supports": 2, "origin": [0.413, 0.9], "material": {"mass": 50}}],
+        "contact": true, "gravity": [0, -9.81], "bounds": {"min": [-4, -1.6], "max": [4, 4], "friction": 0.5}});
+    let mut world = world(&scene);
+    let most = strain(&mut *world, 3.0);
+    assert!(most < 1e-3, "{most}");
+}
+
+#[test]
+fn what_lies_between_two_pins_stays_there() {
+    let scene = json!({"wobble": 1, "contact": true, "gravity": [0, -9.81], "method": {"solver": "live"},
+        "bodies": [{"make": "lattice", "columns": 8, "rows": 2, "spacing": 0.25, "pinned": [0, 7], "material": {"mass": 5}},
+            {"make": "disc", "radius": 0.3, "spacing": 0.1, "origin": [0.9, 1.5], "material": {"kind": "spring", "stiffness": 2000, "damping": 2, "mass": 4}}],
+        "bounds": {"min": [-4, -2], "max": [4, 4]}});
+    let mut world = world(&scene);
+    let start = world.sample(0.0);
+    let most = strain(&mut *world, 3.0);
+    let end = world.sample(3.0);
+    let moved = (0..16).map(|k| (end.position[k][1] - start.position[k][1]).abs()).fold(0.0, f64::max);
+    assert!(most < 1.0 && moved < 1e-4, "{most} {moved}");
+    assert!(end.position[16..].iter().all(|x| x[1] > 0.0), "it lies on it");
+}
