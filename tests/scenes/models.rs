@@ -154,7 +154,8 @@ fn an_expanded_scene_has_the_same_model_bit_for_bit() {
                    "material":{"kind":"relaxed","relaxation":0.7,"max_correction":0.3,"point_mass":0.7}},
                   {"make":"disc","radius":0.7,"spacing":0.1,"angle":0.1,"repeat":{"count":[3,2],"step":[0.3,-0.7]},
                    "material":{"mass":0.3},"pinned":[4]},
-                  {"make":"lattice","columns":3,"rows":4,"spacing":0.3,"material":{"kind":"spring","stiffness":3,"damping":0.1}}],
+                  {"make":"lattice","columns":3,"rows":4,"spacing":0.3,"material":{"kind":"spring","stiffness":3,"damping":0.1}},
+                  {"make":"ragdoll","height":0.9,"angle":0.4,"repeat":{"count":[2,1],"step":[1,0]},"material":{"mass":7}}],
         "method":{"substep":0.01,"iterations":3}}"#,
     );
     let meeting = Scene { contact: Some(Meeting::Is(true)), ..every_maker.clone() };
