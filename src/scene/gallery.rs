@@ -308,7 +308,7 @@ static GALLERY: [Entry; 35] = [
         "cloth-space",
         121,
         "Cloth in space",
-        "In space a cloth hangs from a bar that swings out once, sways in the wind and hangs above a box.",
+        "In space a cloth hangs from a bar above a box; the bar swings out once, and wind sways it.",
         "turn the view; pull hard at a corner until it tears; unpin the bar and let it fall on the box."
     ),
     entry!(
