@@ -52,6 +52,16 @@ fn the_gallery_is_listed_a_name_first_on_each_line() {
         "jelly",
         "jelly-stack",
         "pegs",
+        "ragdoll",
+        "wrecking-ball",
+        "bridge",
+        "catapult",
+        "cradle",
+        "soft-car",
+        "tearable-net",
+        "box",
+        "box-two-supports",
+        "constraints",
         "points",
         "random-graph",
         "rim",
@@ -63,8 +73,12 @@ fn the_gallery_is_listed_a_name_first_on_each_line() {
     let pictures = ["image-mesh", "brush", "gear", "jellyfish", "ring", "maze", "pebble", "picture-obstacle"];
     assert_eq!(
         names,
-        [&small[..], &pictures, &["rope", "net", "cloth-wind", "thousand-rims", "cloth-ball", "million-cloth"]]
-            .concat()
+        [
+            &small[..],
+            &pictures,
+            &["rope", "net", "cloth-wind", "thousand-rims", "cloth-space", "cloth-ball", "million-cloth"]
+        ]
+        .concat()
     );
     assert!(list.lines().all(|line| line.ends_with('.') && line.split_whitespace().count() > 5), "{list}");
 }

@@ -13,3 +13,4 @@ mod physics;
 mod polygons;
 mod rim;
 mod robust;
+mod toys;

@@ -44,6 +44,16 @@ fn a_cloth_in_space() {
 }
 
 #[test]
+fn ragdolls_on_their_stairs() {
+    golden("ragdoll", "ragdoll", "0.5");
+}
+
+#[test]
+fn a_bridge_under_its_load() {
+    golden("bridge", "bridge", "1.5");
+}
+
+#[test]
 fn a_disc_covers_what_its_formula_says() {
     if common::gpu().is_none() {
         return;

@@ -73,6 +73,7 @@ impl Cutout {
             area: scale * scale * mesh.areas.iter().sum::<f64>(),
             triangles: mesh.triangles.clone(),
             texture: mesh.texture.clone(),
+            ..Body::default()
         };
         let (sides, ropes) = mesh.bonds.split_at(mesh.mesh_bonds);
         let mut link = |&[a, b]: &[u32; 2], share: f64| body.link_in_part(a, b, share);

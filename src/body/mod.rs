@@ -5,6 +5,7 @@
 //! | [`Points`], [`RandomGraph`] | the one that `min` and `max` count from |
 //! | [`Rim`], [`BoxFrame`], [`Disc`], [`Cutout`] | the centre, of a cutout that of its picture |
 //! | [`Rope`], [`Cloth`], [`Lattice`] | the first point |
+//! | [`Ragdoll`] | the hip |
 //!
 //! [`Placement`] moves a body into the world. Every maker checks its parameters before it makes anything, and says how
 //! many points there will be. Sines and cosines come from `libm`, so that a body has the same bits on every machine.
@@ -18,6 +19,7 @@ mod grid;
 mod lattice;
 mod place;
 mod points;
+mod ragdoll;
 mod random_graph;
 mod rim;
 mod rope;
@@ -29,6 +31,7 @@ pub use disc::Disc;
 pub use lattice::Lattice;
 pub use place::{Placement, turned};
 pub use points::Points;
+pub use ragdoll::Ragdoll;
 pub use random_graph::RandomGraph;
 pub use rim::{Brace, Rim};
 pub use rope::{Rope, Stretch};
@@ -55,6 +58,8 @@ pub struct Body {
     pub area: f64,
     /// Corners of the triangles that it covers, anticlockwise; none of what is made of lines.
     pub triangles: Vec<[u32; 3]>,
+    /// Its joints; none of what is in one piece.
+    pub joints: Vec<Joint>,
     /// Where each point lies in the picture of the skin, (0, 0) to (1, 1) from the upper left; empty without one.
     pub texture: Vec<[f32; 2]>,
 }
@@ -71,6 +76,15 @@ pub struct Link {
     /// Share of the material's stiffness and damping that it has, if it is a spring [1]: 1, but in a picture's mesh 1/2 for
     /// sides at the edge, which belong to one triangle where others belong to two, and less for braces and what is braced.
     pub share: f64,
+}
+
+/// An angle of a body that has stops, and no stiffness between them.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Joint {
+    /// At the second point, from the arm to the first to the arm to the third, anticlockwise; counted within the body.
+    pub points: [u32; 3],
+    /// The least angle and the largest [rad].
+    pub range: [f64; 2],
 }
 
 impl Body {
@@ -139,6 +153,8 @@ pub enum Maker {
     Disc(Disc),
     /// A picture's mesh.
     Cutout(Cutout),
+    /// A figure.
+    Ragdoll(Ragdoll),
 }
 
 impl Maker {
@@ -156,6 +172,7 @@ impl Maker {
             Maker::Lattice(maker) => maker.point_count(),
             Maker::Disc(maker) => maker.point_count(),
             Maker::Cutout(maker) => maker.point_count(),
+            Maker::Ragdoll(maker) => maker.point_count(),
         }
     }
 
@@ -174,6 +191,7 @@ impl Maker {
             Maker::Lattice(maker) => maker.make(),
             Maker::Disc(maker) => maker.make()?,
             Maker::Cutout(maker) => maker.make(),
+            Maker::Ragdoll(maker) => maker.make(),
         };
         let finite = body.positions.iter().flatten().all(|x| x.is_finite())
             && body.links.iter().all(|link| link.rest_length.is_finite());

@@ -1,6 +1,6 @@
-//! What `bending` of a material makes of a body: angles along its chains of bonds and around what it covers.
+//! The angles of a body: what `bending` of its material makes of it, along its chains of bonds and around what it covers, and its joints.
 
-use crate::body::Body;
+use crate::body::{Body, Joint};
 use crate::sim::vector::{length, sub};
 
 /// An angle of a body, counted within it.
@@ -10,6 +10,13 @@ pub(super) struct Bend {
     pub(super) points: [u32; 3],
     /// [N m]
     pub(super) stiffness: f64,
+    /// Where its stops are, if it has any [rad].
+    pub(super) range: Option<[f64; 2]>,
+}
+
+/// The joints of a body: angles with stops, free between them.
+pub(super) fn joints(body: &Body) -> impl Iterator<Item = Bend> {
+    body.joints.iter().map(|&Joint { points, range }| Bend { points, stiffness: 0.0, range: Some(range) })
 }
 
 /// The angles of a body that resists bending by `bending` = E I [N m^2].
@@ -42,7 +49,7 @@ pub(super) fn bends(body: &Body, bending: f64) -> Vec<Bend> {
         for ([from, to], share) in pairs {
             let mean = 0.5 * (distance(from, middle) + distance(middle, to));
             if mean > 0.0 && distance(from, middle) > 0.0 && distance(middle, to) > 0.0 {
-                list.push(Bend { points: [from, middle, to], stiffness: share * bending / mean });
+                list.push(Bend { points: [from, middle, to], stiffness: share * bending / mean, range: None });
             }
         }
     }
@@ -109,7 +116,8 @@ mod tests {
     #[test]
     fn a_rope_bends_between_its_ends_and_a_finer_one_alike() {
         let rope = body(&[[0.0, 0.0], [1.0, 0.0], [2.0, 0.0], [4.0, 0.0]], &[[0, 1], [1, 2], [2, 3]], &[]);
-        let expected = [Bend { points: [0, 1, 2], stiffness: 6.0 }, Bend { points: [1, 2, 3], stiffness: 4.0 }];
+        let bend = |points, stiffness| Bend { points, stiffness, range: None };
+        let expected = [bend([0, 1, 2], 6.0), bend([1, 2, 3], 4.0)];
         assert_eq!(bends(&rope, 6.0), expected);
         assert!(bends(&rope, 0.0).is_empty());
     }

@@ -73,8 +73,8 @@ impl Scene {
                 stiffness: Some(bend.stiffness),
                 rest: None,
                 damping: None,
-                min: None,
-                max: None,
+                min: bend.range.map(|[least, _]| least),
+                max: bend.range.map(|[_, most]| most),
             }));
         }
         self.dress(&mut scene, &start.bodies).map_err(|fault| self.source.error(fault))?;

@@ -78,7 +78,7 @@ macro_rules! entry {
     };
 }
 
-static GALLERY: [Entry; 24] = [
+static GALLERY: [Entry; 35] = [
     entry!(
         "jelly",
         168,
@@ -99,6 +99,76 @@ static GALLERY: [Entry; 24] = [
         "Pegs",
         "Soft discs and a rope fall between pegs, off each other and around the corners.",
         "catch a disc on the rope; lift one back onto a peg; cut the rope."
+    ),
+    entry!(
+        "ragdoll",
+        72,
+        "Ragdoll",
+        "A figure tumbles down a flight of stairs and comes to rest; another one hangs by a hand and swings.",
+        "throw one by a foot; drop it on the stairs; unpin the hand with T."
+    ),
+    entry!(
+        "wrecking-ball",
+        118,
+        "Wrecking ball",
+        "A heavy ball on a chain swings into a tower of boxes, which falls.",
+        "pull the ball back and let it go; stack the boxes again; cut the chain."
+    ),
+    entry!(
+        "bridge",
+        79,
+        "Bridge",
+        "A box and a soft ball drop onto a bridge of planks between two banks; it sways and holds them.",
+        "lift the box and drop it again; pull the bridge down and let it snap back; cut a rope."
+    ),
+    entry!(
+        "catapult",
+        39,
+        "Catapult",
+        "A weight on the short arm drops, the long one throws a box, and the tower that it hits falls.",
+        "pull the arm down, lay the box on it, and let go."
+    ),
+    entry!(
+        "cradle",
+        105,
+        "Cradle",
+        "A ball swings against four that hang in a row, and the last one leaves; after some swings all go together.",
+        "lift two balls and let them go; press R to begin anew."
+    ),
+    entry!(
+        "soft-car",
+        55,
+        "Soft car",
+        "A car on two soft wheels rolls down a slope, over bumps, up the other side and back until it stands.",
+        "push it back up by hand; turn it over; drop it from high up."
+    ),
+    entry!(
+        "tearable-net",
+        375,
+        "Net that tears",
+        "A net hangs in a frame, and gives a little.",
+        "grab it and pull it away: it tears from there; cut it in two."
+    ),
+    entry!(
+        "box",
+        20,
+        "Boxes",
+        "Five boxes of springs, with one diagonal each, tumble into a heap and come to rest.",
+        "throw one at the others; press one flat against the floor."
+    ),
+    entry!(
+        "box-two-supports",
+        16,
+        "One diagonal or two",
+        "Boxes that drop alike: those with one diagonal sway to a side, and the upper one falls off; those with two stay on each other.",
+        "pull at an upper corner, left and right; cut a diagonal."
+    ),
+    entry!(
+        "constraints",
+        10,
+        "Rods and strings",
+        "From the left: a rod, a string, a ring of least and most distance, and a point on three strings. A slack string is blue.",
+        "throw each point: a string goes slack, a rod does not."
     ),
     entry!(
         "points",
@@ -233,6 +303,13 @@ static GALLERY: [Entry; 24] = [
         "A thousand rims",
         "Forty columns and twenty-five rows of soft rims, each hung by a point of its rim, swing and wobble.",
         "sweep through it, zoom in on one, cut it off its pin."
+    ),
+    entry!(
+        "cloth-space",
+        121,
+        "Cloth in space",
+        "In space a cloth hangs from a bar above a box; the bar swings out once, and wind sways it.",
+        "turn the view; pull hard at a corner until it tears; unpin the bar and let it fall on the box."
     ),
     entry!(
         "cloth-ball",

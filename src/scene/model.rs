@@ -199,6 +199,7 @@ impl Scene {
         let of_bodies = start.bodies.iter().flat_map(|body| body.bends());
         angles.extend(of_bodies.map(|bend| Angle {
             stiffness: bend.stiffness,
+            range: bend.range,
             ..angle_at(bend.points.map(PointId), bend.points.map(place))
         }));
         Ok(angles)

@@ -1,6 +1,6 @@
 //! All points of a scene, the explicit ones and those of its bodies, in their numbering.
 
-use super::bending::{Bend, bends};
+use super::bending::{Bend, bends, joints};
 use super::check::{self, Resistance};
 use super::error::{Fault, Within};
 use super::keys::{BodyKeys, MakerName, MassKeys, Material, Scene};
@@ -164,7 +164,8 @@ impl Start {
         }
         let kind = material::kind(keys, &body, &mass);
         let bending = keys.material.as_ref().and_then(|material| material.bending);
-        let bends = bends(&body, bending.unwrap_or(0.0));
+        let mut bends = bends(&body, bending.unwrap_or(0.0));
+        bends.extend(joints(&body));
         let Body { links, mut triangles, .. } = body;
         let is_own = |corner: &u32| (first..self.position.len()).contains(&(*corner as usize));
         if keys.make != MakerName::Picture && scene.triangles.iter().any(|corners| corners.0.iter().all(is_own)) {

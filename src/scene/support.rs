@@ -2,7 +2,7 @@
 
 use super::check::Resistance;
 use super::error::{Fault, SceneError, Source};
-use super::keys::{BodyKeys, BudgetKeys, Meeting, Scene, SolverName};
+use super::keys::{BodyKeys, BudgetKeys, MakerName, Meeting, Scene, SolverName};
 use super::obstacle;
 use super::start::resistance;
 use crate::sim::{self, BondKind};
@@ -29,6 +29,7 @@ fn check_form(scene: &Scene) -> Result<(), Fault> {
     };
     let bends =
         |body: &BodyKeys| body.material.as_ref().and_then(|material| material.bending).is_some_and(|ei| ei > 0.0);
+    let has_joints = |body: &BodyKeys| body.make == MakerName::Ragdoll;
     let resist = scene.areas.is_some_and(|areas| areas.kind.is_some() || areas.stiffness.is_some());
     let refused = |what: &str| Fault::invalid(format!("solver `{solver}` knows no {what}: use {others}"));
     if resist {
@@ -36,6 +37,9 @@ fn check_form(scene: &Scene) -> Result<(), Fault> {
     }
     if !scene.angles.is_empty() {
         return Err(refused("angles").at("angles"));
+    }
+    if let Some(body) = scene.bodies.iter().position(has_joints) {
+        return Err(refused("joints").at("make").item(body).at("bodies"));
     }
     match scene.bodies.iter().position(bends) {
         Some(body) => Err(refused("bending").at("material").item(body).at("bodies")),

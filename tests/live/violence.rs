@@ -221,6 +221,21 @@ fn a_heap_of_discs_deep_in_each_other_comes_apart() {
 }
 
 #[test]
+fn limbs_that_do_not_meet_their_own_body_may_cross_it() {
+    let place = [[0, 0], [30, -10], [30, 10], [100, 0], [30, -20], [40, 5], [90, -30]]
+        .map(|x: [i32; 2]| x.map(|x| f64::from(x) / 100.0));
+    let ends = [[0, 1], [0, 2], [1, 2], [1, 3], [2, 3], [0, 4], [0, 5], [4, 5], [4, 6], [5, 6]];
+    let bonds = ends.map(|[a, b]| json!({"a": a, "b": b}));
+    let scene = json!({"wobble": 1, "contact": {"self": false}, "method": {"solver": "live"}, "gravity": [0, -9.81],
+        "points": {"position": place}, "bonds": bonds,
+        "triangles": [[0, 1, 2], [1, 3, 2], [0, 4, 5], [4, 6, 5]],
+        "bounds": {"min": [-3, -1], "max": [3, 4], "friction": 0.5}});
+    let mut world = world(&scene);
+    until(&mut *world, 2.0);
+    assert_eq!(world.counters().mended, 0);
+}
+
+#[test]
 fn nothing_is_looked_for_where_nothing_presses() {
     let scene = json!({"wobble": 1, "contact": true, "method": {"solver": "live"},
         "bodies": [disc([0.0, 0.0], [0.1, 0.0]), disc([2.0, 0.0], [0.0, 0.0])]});

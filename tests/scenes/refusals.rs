@@ -325,11 +325,11 @@ fn bodies() {
             "\"make\": \"disc\", \"radius\": 1, \"spacing\": 0.5, \"material\": { \"kind\": \"spring\", \"young\": 9 }",
             ".material.young: is of meshes of pictures, and this is `disc`: give `stiffness`",
         ),
+        ("\"make\": \"ragdoll\", \"height\": -1", ".height: is -1.0: give a finite number above 0"),
         (
-            "\"make\": \"ragdoll\"",
-            ".make: `ragdoll` is not built into this version: use `points`, `random-graph`, `rim`, `box`, `rope`, `cloth`, `lattice`, `disc` or `picture`",
+            "\"make\": \"ragdoll\", \"material\": { \"bending\": 1 }",
+            ".material.bending: is of chains and skins, and `ragdoll` has none: leave it out",
         ),
-        ("\"make\": \"ragdoll\", \"height\": -1", ".height: is -1.0: give a number above 0"),
     ] {
         assert_eq!(refusal(&body(rest)), format!("x.json:3: bodies[0]{message}"), "{rest}");
     }

@@ -5,7 +5,8 @@ use super::cutout;
 use super::number::{self, Range};
 use super::repeat;
 use crate::body::{
-    BodyError, BoxFrame, Brace, Cloth, Diagonals, Disc, Lattice, Maker, Points, RandomGraph, Rim, Rope, Stretch,
+    BodyError, BoxFrame, Brace, Cloth, Diagonals, Disc, Lattice, Maker, Points, Ragdoll, RandomGraph, Rim, Rope,
+    Stretch,
 };
 use crate::scene::error::{Fault, Source, Within};
 use crate::scene::keys::{BodyKeys, BraceName, DiagonalsName, KindName, MakerName, Material, Vector};
@@ -149,7 +150,7 @@ fn check_bending(material: &Material, (make, dimensions): (MakerName, usize)) ->
 
 /// The maker with its parameters, those that are not said filled in; their ranges are the maker's to check.
 ///
-/// Errors: a parameter that has to be said is not; a maker that this version does not have.
+/// Errors: a parameter that has to be said is not; a ragdoll in space.
 pub(in crate::scene) fn maker(body: &BodyKeys, dimensions: usize, source: &Source) -> Result<Maker, Fault> {
     let corner = |key, corner: Option<Vector>| need(body, key, corner).map(|corner| corner.embed());
     let seed = body.seed.unwrap_or(0);
@@ -185,7 +186,7 @@ pub(in crate::scene) fn maker(body: &BodyKeys, dimensions: usize, source: &Sourc
             spacing: need(body, "spacing", body.spacing)?,
         }),
         MakerName::Picture => Maker::Cutout(cutout::maker(body, dimensions, source)?),
-        MakerName::Ragdoll => return Err(not_built(body)),
+        MakerName::Ragdoll => Maker::Ragdoll(ragdoll(body, dimensions)?),
     })
 }
 
@@ -211,14 +212,14 @@ fn cloth(body: &BodyKeys, dimensions: usize) -> Result<Cloth, Fault> {
     })
 }
 
-/// The refusal of a maker that the form knows and this version lacks; a fault in its form comes first.
-fn not_built(body: &BodyKeys) -> Fault {
-    if let Err(fault) = Range::Positive.maybe(body.height) {
-        return fault.at("height");
+/// Errors: in space, where no angle acts.
+fn ragdoll(body: &BodyKeys, dimensions: usize) -> Result<Ragdoll, Fault> {
+    if dimensions == 3 {
+        return Err(
+            Fault::invalid("`ragdoll` has joints, which act in the plane only: leave it out in space").at("make")
+        );
     }
-    let built: Vec<&str> = MakerName::NAMES.iter().copied().filter(|name| *name != "ragdoll").collect();
-    let list = nearest::list(&built);
-    Fault::unsupported(format!("`{}` is not built into this version: use {list}", body.make)).at("make")
+    Ok(Ragdoll { height: body.height.unwrap_or(Ragdoll::default().height) })
 }
 
 fn rim(body: &BodyKeys) -> Rim {

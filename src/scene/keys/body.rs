@@ -27,7 +27,7 @@ names! {
         Disc = "disc",
         /// A meshed bitmap.
         Picture = "picture",
-        /// A figure.
+        /// A figure with joints.
         Ragdoll = "ragdoll",
     }
 }
@@ -164,7 +164,7 @@ object! {
             bracing: Vec<BraceName>,
             /// box: along x [m].
             width: f64,
-            /// box: along y [m]; picture: of the whole picture [m], 2 if not said; ragdoll: 1.7 if not said.
+            /// box: along y [m]; picture: of the whole picture [m], 2 if not said; ragdoll: as it would stand upright [m], 1.7 if not said.
             height: f64,
             /// box: diagonals, 0, 1 or 2; 1 if not said.
             supports: u64,

@@ -232,7 +232,8 @@ fn knots<S: Real>(
         let before = old.next_if(|knot| knot.body == k);
         let mended = &mut tangle.mended[k as usize];
         *mended += if before.as_ref().is_some_and(Knot::is_mended) { h } else { 0.0 };
-        let minds = body.areas.len() > 0 && *mended < MOST_MENDED;
+        let meets_itself = common.contact.is_some_and(|contact| contact.with_itself);
+        let minds = meets_itself && body.areas.len() > 0 && *mended < MOST_MENDED;
         let own_crossings = if minds { &crossings[from..to] } else { &[] };
         let is_bad = !own_crossings.is_empty() || !own.is_empty();
         if before.is_none() && !is_bad {

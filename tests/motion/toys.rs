@@ -1,0 +1,137 @@
+//! What the gallery's toys do, as their words say, and what a hand does to them.
+
+use std::f64::consts::PI;
+
+use wobble::scene::{AngleKeys, Scene};
+use wobble::sim::{Command, Cursor, Dynamics, PointId, Reach, Sample};
+
+fn world(name: &str) -> Box<dyn Dynamics> {
+    Scene::load(name).unwrap().world(None).unwrap()
+}
+
+/// Runs to a time [s]; the state there.
+fn until(world: &mut dyn Dynamics, time: f64) -> Sample {
+    while world.time() < time - 1e-9 {
+        world.step();
+    }
+    world.sample(world.time())
+}
+
+/// Takes a point, leads it in a straight line from now on for `seconds`, and lets go.
+fn fling(world: &mut dyn Dynamics, point: u32, velocity: [f64; 2], seconds: f64) {
+    let start = world.sample(world.time());
+    let [x, y, _] = start.position[point as usize];
+    let now = world.time();
+    let end = now + seconds;
+    let to = [x + velocity[0] * seconds, y + velocity[1] * seconds];
+    for command in [
+        Command::Cursor { to: Some(Cursor::at([x, y])), by: now },
+        Command::Grab(Reach::Points(vec![PointId(point)])),
+        Command::Cursor { to: Some(Cursor::at(to)), by: end },
+    ] {
+        world.apply(&command).unwrap();
+    }
+    until(world, end);
+    world.apply(&Command::Release).unwrap();
+    world.apply(&Command::Cursor { to: None, by: end }).unwrap();
+}
+
+/// How far the farthest joint is beyond its stops [rad].
+fn beyond_stops(joints: &[AngleKeys], sample: &Sample) -> f64 {
+    let off = |joint: &AngleKeys| {
+        let (least, most) = joint.min.zip(joint.max)?;
+        let [from, at, to] = joint.points.0.map(|point| sample.position[point as usize]);
+        let turn = |x: [f64; 3]| (x[1] - at[1]).atan2(x[0] - at[0]);
+        let turned = (turn(to) - turn(from) - 0.5 * (least + most) + PI).rem_euclid(2.0 * PI) - PI;
+        Some(turned.abs() - 0.5 * (most - least))
+    };
+    joints.iter().filter_map(off).fold(0.0, f64::max)
+}
+
+#[test]
+fn ragdolls_stand_a_fling_of_30_metres_a_second_and_come_to_rest() {
+    let joints = Scene::load("ragdoll").unwrap().expanded().unwrap().angles;
+    assert_eq!(joints.len(), 18);
+    let mut world = world("ragdoll");
+    until(&mut *world, 1.0);
+    fling(&mut *world, 12, [25.0, 16.0], 0.12);
+    let mut worst = 0.0_f64;
+    for tenth in 12..120 {
+        let sample = until(&mut *world, 0.1 * f64::from(tenth));
+        worst = worst.max(beyond_stops(&joints, &sample));
+        for x in &sample.position {
+            assert!((-4.01..4.01).contains(&x[0]) && (-1.61..4.21).contains(&x[1]), "at {x:?}");
+        }
+        for bond in world.bonds().iter() {
+            let [a, b] = [bond.a, bond.b].map(|end| sample.position[end.index()]);
+            let length = (a[0] - b[0]).hypot(a[1] - b[1]);
+            assert!((length / bond.rest_length - 1.0).abs() < 0.2, "{bond:?}: {length} m");
+        }
+    }
+    assert!(worst < 0.25, "{worst} rad beyond its stops");
+    let fallen = until(&mut *world, 20.0);
+    let fastest = fallen.velocity[..36].iter().map(|v| v[0].hypot(v[1])).fold(0.0, f64::max);
+    assert!(fastest < 0.02, "{fastest} m/s");
+}
+
+#[test]
+fn the_tower_falls_under_the_wrecking_ball() {
+    let mut world = world("wrecking-ball");
+    let top = |sample: &Sample| sample.position[46..].iter().map(|x| x[1]).fold(f64::MIN, f64::max);
+    let before = until(&mut *world, 0.8);
+    let after = until(&mut *world, 4.0);
+    assert!(top(&before) > 1.5 && top(&after) < 1.2, "{} m, then {} m", top(&before), top(&after));
+}
+
+#[test]
+fn the_bridge_holds_what_drops_on_it() {
+    let mut world = world("bridge");
+    let sample = until(&mut *world, 8.0);
+    let lowest = sample.position.iter().map(|x| x[1]).fold(f64::MAX, f64::min);
+    assert!(lowest > -2.0, "{lowest} m");
+    assert_eq!(world.counters().bonds_torn, 0);
+}
+
+#[test]
+fn the_last_ball_of_the_cradle_leaves() {
+    let mut world = world("cradle");
+    let middle = |sample: &Sample, ball: usize| {
+        let points = &sample.position[5 + 20 * ball..25 + 20 * ball];
+        points.iter().map(|x| x[0]).sum::<f64>() / points.len() as f64
+    };
+    let mut most = [0.0_f64; 5];
+    for hundredth in 70..170 {
+        let sample = until(&mut *world, 0.01 * f64::from(hundredth));
+        for (ball, most) in most.iter_mut().enumerate() {
+            *most = most.max(middle(&sample, ball) + 0.83 - 0.415 * ball as f64);
+        }
+    }
+    assert!(most[4] > 0.9 && most[..4].iter().all(|&way| way < 0.25), "{most:?}");
+}
+
+#[test]
+fn the_catapult_hits_its_tower() {
+    let mut world = world("catapult");
+    let sample = until(&mut *world, 4.0);
+    let top = sample.position[15..].iter().map(|x| x[1]).fold(f64::MIN, f64::max);
+    assert!(sample.position[11][0] > 0.0 && top < 0.0, "{:?}, {top} m", sample.position[11]);
+}
+
+#[test]
+fn the_net_tears_where_it_is_pulled_and_not_by_itself() {
+    let mut world = world("tearable-net");
+    until(&mut *world, 3.0);
+    assert_eq!(world.counters().bonds_torn, 0);
+    fling(&mut *world, 187, [0.3, -2.0], 0.9);
+    until(&mut *world, 5.0);
+    let torn = world.counters().bonds_torn;
+    assert!((5..500).contains(&torn), "{torn} bonds");
+}
+
+#[test]
+fn the_car_rolls_down_and_over_the_bumps_on_its_wheels() {
+    let mut world = world("soft-car");
+    let sample = until(&mut *world, 3.5);
+    let [rear, roof] = [0, 6].map(|point| sample.position[point]);
+    assert!(rear[0] > 0.5 && roof[1] > rear[1] + 0.3, "{rear:?} under {roof:?}");
+}
