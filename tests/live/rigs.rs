@@ -44,7 +44,8 @@ fn bodies_in_joints_swing_as_they_do_by_their_own_method() {
 
 #[test]
 fn a_light_chain_bears_a_heavy_load() {
-    let position: Vec<[f64; 2]> = (0..=20).map(|k| [0.1 * f64::from(k), 0.0]).chain([[2.3, 0.2], [2.3, -0.2], [2.5, 0.0]]).collect();
+    let position: Vec<[f64; 2]> =
+        (0..=20).map(|k| [0.1 * f64::from(k), 0.0]).chain([[2.3, 0.2], [2.3, -0.2], [2.5, 0.0]]).collect();
     let mut bonds: Vec<[u32; 2]> = (0..20).map(|k| [k, k + 1]).collect();
     bonds.extend([[20, 21], [20, 22], [21, 22], [21, 23], [22, 23]]);
     let mass: Vec<f64> = (0..24).map(|k| if k < 21 { 0.01 } else { 100.0 }).collect();

@@ -1,7 +1,8 @@
 //! Rigid bodies in joints in the live step: what rigid bonds hold of a body moves as frames (`rigid.rs`), and what joins them is solved at once.
 //!
 //! A substep takes frames and points on as if nothing joined them; then, and after each pass of contacts, the gaps of all joints are closed
-//! together by elimination, along new directions, with the inverse masses and inertias of what they join.
+//! together by elimination, along new directions, with the inverse masses and inertias of what they join; at its end velocities at joints are
+//! made one, else those of points that two frames share would feed one with what the other has.
 //! Source: M. Müller and others, Detailed Rigid Body Simulation with Extended Position Based Dynamics, 2020; the joints are solved at once in
 //! place of one after the other, so that a light chain bears a heavy load.
 

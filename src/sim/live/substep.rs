@@ -229,6 +229,9 @@ impl<S: Real> Cluster<S> {
             accumulate(&mut now[i], &mut lost[i], way[i]);
         }
         self.finish_rigid(h);
+        if is_long && self.stiffen_rigs() > 0 {
+            self.turn_rigid();
+        }
         for (thin, ends) in self.thin.iter_mut().zip(self.bases.windows(2)) {
             thin.go(&self.way[ends[0] as usize..ends[1] as usize]);
         }

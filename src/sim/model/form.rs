@@ -103,12 +103,16 @@ impl<const D: usize> Model<D> {
         self.angles.list.iter().map(|angle| angle.points).chain(self.patches().map(|(corners, _)| corners))
     }
 
-    /// Energy of angles and areas [J].
-    pub(crate) fn form_energy(&self, position: impl Fn(usize) -> [f64; D]) -> f64 {
+    /// Energy of angles and areas [J]; `stops`: whether the joint at a point stops by a spring, not at once as in the live step.
+    pub(crate) fn form_energy(&self, position: impl Fn(usize) -> [f64; D], stops: impl Fn(usize) -> bool) -> f64 {
         use crate::sim::force::angle::Hinge;
         use crate::sim::force::area::Patch;
         let at = |points: [PointId; 3]| points.map(|point| position(point.index()));
-        let hinge = |angle: &Angle| Hinge::<f64>::new(angle, [0, 1, 2]).energy(at(angle.points));
+        let hinge = |angle: &Angle| {
+            let hinge = Hinge::<f64>::new(angle, [0, 1, 2]);
+            let x = at(angle.points);
+            if stops(angle.points[1].index()) { hinge.energy(x) } else { hinge.energy_within(x) }
+        };
         let stiffness = self.areas.map_or(0.0, |areas| areas.stiffness);
         let patch = |(corners, rest)| Patch { corners: [0, 1, 2], rest, stiffness }.energy(at(corners));
         let is_elastic = stiffness > 0.0 && stiffness.is_finite();

@@ -38,13 +38,13 @@ impl Blueprint {
     }
 
     /// Bodies that share points or that bonds join, points that are in none being bodies too; `None`: lengths contradict each other, there is too
-    /// much, or there are points alone and more than `most_alone` bonds.
+    /// much, or there are points alone and no bonds, or more than `most_alone`.
     ///
     /// Masses are infinite where points are pinned. What two pins hold that are not led stands still, and so does what hangs on that by two
     /// points.
     pub(crate) fn of(held: &Held<'_>, most_alone: usize, is_led: impl Fn(u32) -> bool) -> Option<Self> {
         let found = find(held)?;
-        if found.pieces.is_empty() && held.bonds.len() > most_alone {
+        if found.pieces.is_empty() && !(1..=most_alone).contains(&held.bonds.len()) {
             return None;
         }
         let count = held.now.len();

@@ -96,7 +96,8 @@ impl<S: Real, const D: usize> World<S, D> {
     }
 
     fn springs_energy(&self) -> f64 {
-        measure::springs_energy(&self.bonds, |i| self.place(i)) + self.model.form_energy(|i| self.place(i))
+        measure::springs_energy(&self.bonds, |i| self.place(i))
+            + self.model.form_energy(|i| self.place(i), |i| self.stops_by_spring(i))
     }
 
     fn kinetic(&self) -> f64 {

@@ -183,7 +183,7 @@ impl<S: Real, const D: usize> Dynamics for World<S, D> {
         };
         let (position, velocity) = (of(|points| &points.position), of(|points| &points.velocity));
         let energies = measure::energies(position, velocity, &self.inverse_mass, &self.bonds, self.around.gravity);
-        energies.sum() + self.model.form_energy(position)
+        energies.sum() + self.model.form_energy(position, |i| self.stops_by_spring(i))
     }
 
     fn counters(&self) -> &Counters {

@@ -24,6 +24,11 @@ impl<S: Real, const D: usize> World<S, D> {
         (slot != NOWHERE).then(|| slot.map(|place| place as usize))
     }
 
+    /// Whether joints at a point stop by springs: in the live step they stop at once, and what they are beyond their stops is no energy.
+    pub(super) fn stops_by_spring(&self, point: usize) -> bool {
+        self.slot(point).is_none_or(|[group, _]| !self.plan.groups[group].is_live())
+    }
+
     /// The state of some points.
     pub(crate) fn state_of(&self, points: impl Iterator<Item = usize> + Clone) -> State<S, D> {
         let pick = |list: fn(&Points<S, D>) -> &[[S; D]]| {
@@ -82,7 +87,7 @@ impl<S: Real, const D: usize> World<S, D> {
         let gravity = self.around.gravity;
         let mut energies =
             measure::energies(|i| position[i], |i| velocity[i], &self.inverse_mass, &self.bonds, gravity);
-        energies.springs += self.model.form_energy(|i| position[i]);
+        energies.springs += self.model.form_energy(|i| position[i], |i| self.stops_by_spring(i));
         let time = self.timeline.time();
         Sample {
             time,
