@@ -12,11 +12,63 @@ pub enum Tool {
     Cut,
     /// Takes away what is clicked.
     Erase,
+    /// A drag draws out a primitive, which comes into the world.
+    Build,
 }
 
 impl Tool {
     /// All of them, in the order of the palette.
-    pub const ALL: [Tool; 4] = [Tool::Hand, Tool::Pin, Tool::Cut, Tool::Erase];
+    pub const ALL: [Tool; 5] = [Tool::Hand, Tool::Pin, Tool::Cut, Tool::Erase, Tool::Build];
+}
+
+/// What the tool for building makes.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Primitive {
+    /// A soft block, braced both ways.
+    #[default]
+    Box,
+    /// A soft disc.
+    Disc,
+    /// A chain that keeps its length.
+    Rope,
+    /// A hanging sheet.
+    Cloth,
+    /// A soft ring.
+    Rim,
+    /// A box that nothing enters.
+    SolidBox,
+    /// A circle that nothing enters.
+    SolidCircle,
+    /// A plane, solid on one side.
+    Slope,
+}
+
+impl Primitive {
+    /// All of them, in the order of the palette: bodies, then obstacles.
+    pub const ALL: [Primitive; 8] = [
+        Primitive::Box,
+        Primitive::Disc,
+        Primitive::Rope,
+        Primitive::Cloth,
+        Primitive::Rim,
+        Primitive::SolidBox,
+        Primitive::SolidCircle,
+        Primitive::Slope,
+    ];
+
+    /// What it is called on its button, and when it is undone.
+    pub fn name(self) -> &'static str {
+        match self {
+            Primitive::Box => "Box",
+            Primitive::Disc => "Disc",
+            Primitive::Rope => "Rope",
+            Primitive::Cloth => "Cloth",
+            Primitive::Rim => "Rim",
+            Primitive::SolidBox => "Solid box",
+            Primitive::SolidCircle => "Solid circle",
+            Primitive::Slope => "Slope",
+        }
+    }
 }
 
 /// What the user asks of the program. Panels return these too: a click and a key do the same.

@@ -33,13 +33,14 @@ pub static TABLE: &[Binding] = &[
         &[(Ctrl("z"), Action::Undo), (CtrlShift("z"), Action::Redo), (Ctrl("y"), Action::Redo)],
     ),
     binding(
-        "1, 2, 3, 4",
-        "the tools: hand, pin, cut, erase",
+        "1, 2, 3, 4, 5",
+        "the tools: hand, pin, cut, erase, build",
         &[
             (Writes("1"), Action::Take(Tool::Hand)),
             (Writes("2"), Action::Take(Tool::Pin)),
             (Writes("3"), Action::Take(Tool::Cut)),
             (Writes("4"), Action::Take(Tool::Erase)),
+            (Writes("5"), Action::Take(Tool::Build)),
         ],
     ),
     binding("T", "held: a click pins points or lets them go", &[(Writes("t"), Action::PinWhileHeld)]),

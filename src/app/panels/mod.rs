@@ -8,6 +8,7 @@ mod icons;
 mod moving;
 mod notes;
 mod palette;
+mod primitives;
 mod save_to;
 pub(super) mod theme;
 mod top;
@@ -16,7 +17,7 @@ mod transport;
 use std::collections::BTreeMap;
 use std::path::PathBuf;
 
-use super::action::{Action, Tool};
+use super::action::{Action, Primitive, Tool};
 use super::player::Figures;
 pub(super) use gallery::{THUMBNAIL, search_id};
 use icons::Icon;
@@ -29,6 +30,8 @@ pub(super) enum Wish {
     Act(Action),
     /// A scene of the gallery.
     OpenScene(&'static str),
+    /// The tool for building makes this from now on.
+    Build(Primitive),
     /// Seconds of the scene a second of wall time, in those of the scene itself.
     Pace(f64),
     /// A time that was seen already [s].
@@ -90,6 +93,8 @@ pub(super) struct Facts {
     /// Time from frame to frame [s].
     pub(super) frame: f64,
     pub(super) tool: Tool,
+    /// What the tool for building makes.
+    pub(super) primitive: Primitive,
     /// Bodies have skins: their bonds can be shown or not.
     pub(super) has_skin: bool,
     /// Bonds of bodies with a skin are shown.

@@ -77,6 +77,7 @@ impl Session {
         match wish {
             Wish::Act(action) => self.act(action),
             Wish::OpenScene(name) => self.open_named(name),
+            Wish::Build(primitive) => self.hand.choose(primitive),
             Wish::Pace(pace) => self.set_pace(pace),
             Wish::GoTo(time) => {
                 self.go(Order::GoTo(time, self.told));
@@ -149,6 +150,9 @@ impl Session {
 
     /// Gives commands to the world, if there are any.
     pub(super) fn do_deed(&mut self, deed: Deed) {
+        if let Some(words) = &deed.words {
+            self.say(words.clone());
+        }
         if !deed.is_empty() {
             self.player.give(deed.commands, deed.edit);
             self.dirty = true;

@@ -493,8 +493,16 @@ impl Session {
     pub(super) fn lose_focus(&mut self) {
         self.rewinds = false;
         self.hand.hold_pins(false);
-        (self.held, self.down) = (Held::default(), Down::default());
+        self.down = Down::default();
+        self.hold(Held::default());
         self.touch();
+    }
+
+    /// Ctrl and Shift go down or up.
+    pub(super) fn hold(&mut self, held: Held) {
+        self.held = held;
+        self.hand.hold_shift(held.shift);
+        self.dirty = true;
     }
 
     /// When the panels want a frame by themselves.

@@ -2,6 +2,7 @@
 
 use glam::{DVec2, DVec3};
 
+use super::build::Maker;
 use super::pick::Scope;
 use super::{Doing, Target, target};
 use crate::app::action::Tool;
@@ -16,15 +17,19 @@ pub(in crate::app) enum Role {
     Hold,
     /// It will be let go, cut or taken away.
     Away,
+    /// It will be there.
+    Come,
 }
 
-/// A line or a ring over the world [px].
-#[derive(Clone, Copy, Debug, PartialEq)]
+/// A line, a ring or a few words over the world [px].
+#[derive(Clone, Debug, PartialEq)]
 pub(in crate::app) enum Mark {
     /// From, to, width.
     Line(Role, DVec2, DVec2, f64),
     /// Middle, radius.
     Ring(Role, DVec2, f64),
+    /// The lower left corner, and what is written there.
+    Words(DVec2, String),
 }
 
 /// Width of a line for the least and the greatest force [logical px].
@@ -34,13 +39,15 @@ const HALF_FORCE: f64 = 30.0;
 /// Bonds of a body that are drawn at most.
 const MOST: usize = 4000;
 
-pub(super) fn of(tool: Tool, doing: &Doing, scope: Scope<'_>, at: Option<DVec2>) -> Vec<Mark> {
+pub(super) fn of((tool, maker): (Tool, Maker), doing: &Doing, scope: Scope<'_>, at: Option<DVec2>) -> Vec<Mark> {
     match (doing, tool) {
         (Doing::Grabbing(points), _) => led(scope, points, at),
         (Doing::Leading(lead), _) => led(scope, &[lead.point()], at),
         (Doing::Cutting(from), _) => {
             at.map(|at| Mark::Line(Role::Away, *from, at, 2.0 * scope.scale)).into_iter().collect()
         }
+        (Doing::Building(drag), _) => at.map_or_else(Vec::new, |at| maker.outline(scope, Some(drag), at)),
+        (_, Tool::Build) => at.map_or_else(Vec::new, |at| maker.outline(scope, None, at)),
         (_, Tool::Pin) => at.and_then(|at| would_pin(scope, at)).into_iter().collect(),
         (_, Tool::Erase) => at.map_or_else(Vec::new, |at| would_go(scope, at)),
         _ => Vec::new(),

@@ -1,5 +1,6 @@
 //! Tools: what presses and strokes of the left button become. They return commands and change nothing.
 
+mod build;
 #[cfg(test)]
 mod grab_tests;
 mod lead;
@@ -10,9 +11,10 @@ mod tests;
 
 use glam::DVec2;
 
-use super::action::Tool;
+use super::action::{Primitive, Tool};
 use crate::history::{DeleteKeys, Do};
 use crate::sim::{MouseChange, PointId, Reach};
+use build::{Drag, Maker};
 use lead::Lead;
 pub(super) use lead::PinWay;
 pub(super) use marks::{Mark, Role};
@@ -26,11 +28,22 @@ const CALM: f64 = 0.2;
 pub(super) struct Deed {
     pub(super) commands: Vec<Do>,
     pub(super) edit: Option<&'static str>,
+    /// Why there are none, where that is not seen.
+    pub(super) words: Option<String>,
 }
 
 impl Deed {
     fn edit(name: &'static str, command: Do) -> Self {
-        Deed { commands: vec![command], edit: Some(name) }
+        Deed { commands: vec![command], edit: Some(name), words: None }
+    }
+
+    /// What the hand does on the way, which is no edit.
+    fn plain(commands: Vec<Do>) -> Self {
+        Deed { commands, ..Deed::default() }
+    }
+
+    fn words(words: String) -> Self {
+        Deed { words: Some(words), ..Deed::default() }
     }
 
     /// Whether there is nothing to do.
@@ -52,6 +65,8 @@ enum Doing {
     Pushing,
     /// A stroke from here [px], to cut what it crosses.
     Cutting(DVec2),
+    /// A primitive is drawn out.
+    Building(Drag),
 }
 
 /// The left button's tool and what it is doing.
@@ -60,6 +75,8 @@ pub(super) struct Hand {
     tool: Tool,
     /// The tool for pins is held by its key.
     pins: bool,
+    /// What the tool for building makes.
+    maker: Maker,
     doing: Doing,
     /// What the hover force is when nothing is grabbed; `None`: the scene has none, or it goes along a track.
     strength: Option<f64>,
@@ -81,6 +98,22 @@ impl Hand {
     /// The key that takes the tool for pins is held, or let go.
     pub(super) fn hold_pins(&mut self, is_held: bool) {
         self.pins = is_held;
+    }
+
+    /// What the tool for building makes.
+    pub(super) fn primitive(&self) -> Primitive {
+        self.maker.primitive
+    }
+
+    /// Another primitive is to be built: with the tool for that.
+    pub(super) fn choose(&mut self, primitive: Primitive) {
+        self.maker.primitive = primitive;
+        self.tool = Tool::Build;
+    }
+
+    /// Shift is held, or let go: what is built hangs on nothing.
+    pub(super) fn hold_shift(&mut self, is_held: bool) {
+        self.maker.is_free = is_held;
     }
 
     /// Another scene, or another strength by hand.
@@ -108,7 +141,7 @@ impl Hand {
             commands.extend(self.strength.map(strength));
         }
         self.let_go();
-        Deed { commands, edit: None }
+        Deed::plain(commands)
     }
 
     /// Whether the hover force pushes while the button is down.
@@ -146,7 +179,16 @@ impl Hand {
                 Deed::default()
             }
             Tool::Erase => erase(scope, at),
+            Tool::Build => self.begin_to_build(scope, at),
         }
+    }
+
+    fn begin_to_build(&mut self, scope: Scope<'_>, at: DVec2) -> Deed {
+        if scope.shown.dimensions != 2 {
+            return Deed::words(build::OF_THE_PLANE.to_owned());
+        }
+        self.doing = Doing::Building(Drag::new(scope, at));
+        Deed::default()
     }
 
     /// What lies under the pixel is led: a pin along its way, all else by its points. Where nothing does, what the hover force has
@@ -155,7 +197,7 @@ impl Hand {
         if let Some(lead) = Lead::of_pin(scope, at) {
             let commands = self.calm_now();
             self.doing = Doing::Leading(lead);
-            return Deed { commands, edit: None };
+            return Deed::plain(commands);
         }
         let mut points = scope.grip(at);
         if points.is_empty() && self.strength.is_some_and(|strength| strength > 0.0) {
@@ -168,7 +210,7 @@ impl Hand {
         let mut commands = self.calm_now();
         commands.push(Do::Grab(Reach::Points(points.clone())));
         self.doing = Doing::Grabbing(points);
-        Deed { commands, edit: None }
+        Deed::plain(commands)
     }
 
     /// The hover force goes away, if it is there.
@@ -191,13 +233,14 @@ impl Hand {
         match std::mem::take(&mut self.doing) {
             Doing::Grabbing(_) => {
                 self.calm = Some(CALM);
-                Deed { commands: vec![Do::Release], edit: None }
+                Deed::plain(vec![Do::Release])
             }
             Doing::Leading(_) => {
                 self.calm = Some(CALM);
                 Deed::default()
             }
             Doing::Cutting(from) if from.distance(at) > 1.0 => cut(scope, from, at),
+            Doing::Building(drag) => self.maker.build(scope, &drag, at),
             _ => Deed::default(),
         }
     }
@@ -208,7 +251,7 @@ impl Hand {
         let deed = match std::mem::take(&mut self.doing) {
             Doing::Grabbing(_) => {
                 self.calm = Some(CALM);
-                Deed { commands: vec![Do::Release], edit: None }
+                Deed::plain(vec![Do::Release])
             }
             Doing::Leading(_) => {
                 self.calm = Some(CALM);
@@ -236,7 +279,7 @@ impl Hand {
     /// A frame passes. The hover force is the hand's: with another tool it goes, and a while after a grab it comes back.
     pub(super) fn pass(&mut self, seconds: f64) -> Deed {
         if self.tool() != Tool::Hand {
-            return Deed { commands: self.calm_now(), edit: None };
+            return Deed::plain(self.calm_now());
         }
         if !self.leads() {
             // Nothing keeps it away any more.
@@ -248,7 +291,7 @@ impl Hand {
             return Deed::default();
         }
         self.calm = None;
-        Deed { commands: self.strength.map(strength).into_iter().collect(), edit: None }
+        Deed::plain(self.strength.map(strength).into_iter().collect())
     }
 
     /// Takes away what is led, or what lies under the pixel.
@@ -265,7 +308,7 @@ impl Hand {
 
     /// What a click at the pixel would do, to be drawn.
     pub(super) fn marks(&self, scope: Scope<'_>, at: Option<DVec2>) -> Vec<Mark> {
-        marks::of(self.tool(), &self.doing, scope, at)
+        marks::of((self.tool(), self.maker), &self.doing, scope, at)
     }
 }
 
