@@ -128,6 +128,8 @@ pub enum Action {
     Save,
     /// Writes the picture to a file.
     Screenshot,
+    /// Opens or closes what can be set of the scene.
+    Settings,
     /// Hides the panels, or shows them.
     TogglePanels,
     /// Hides the figures, or shows them.

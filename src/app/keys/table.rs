@@ -55,6 +55,11 @@ pub static TABLE: &[Binding] = &[
         "a weaker or stronger push",
         &[(Writes("{"), Action::Weaker), (Writes("}"), Action::Stronger)],
     ),
+    binding(
+        "G",
+        "what can be set: gravity, air, walls, contact, the push, the solver",
+        &[(Writes("g"), Action::Settings)],
+    ),
     binding("F", "fit all points", &[(Writes("f"), Action::Fit)]),
     binding("Home", "the view that the scene opened with", &[(Named(NamedKey::Home), Action::Home)]),
     binding("B", "bonds and points, of bodies with a skin", &[(Writes("b"), Action::ToggleMesh)]),

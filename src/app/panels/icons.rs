@@ -25,6 +25,7 @@ pub(super) enum Icon {
     Cut,
     Erase,
     Build,
+    Gear,
     Primitive(Primitive),
 }
 
@@ -105,6 +106,14 @@ fn paint(painter: &Painter, icon: Icon, rect: Rect, color: Color32) {
             line(&[(0.75, -1.25), (0.75, -0.35)]);
             line(&[(0.3, -0.8), (1.2, -0.8)]);
         }
+        Icon::Gear => {
+            ring(0.0, 0.0, 0.4);
+            ring(0.0, 0.0, 0.85);
+            for tooth in (0..8).map(|k| k as f32 / 8.0 * TAU) {
+                let (sin, cos) = tooth.sin_cos();
+                line(&[(0.85 * cos, 0.85 * sin), (1.2 * cos, 1.2 * sin)]);
+            }
+        }
         Icon::Primitive(primitive) => primitives::paint(painter, primitive, &at, stroke),
     }
 }
@@ -134,7 +143,7 @@ mod tests {
     fn every_sign_draws_something() {
         let context = egui::Context::default();
         let all = [Icon::Play, Icon::Pause, Icon::Step, Icon::Reset, Icon::Before, Icon::After];
-        let more = [Icon::Undo, Icon::Redo, Icon::Hand, Icon::Pin, Icon::Cut, Icon::Erase, Icon::Build];
+        let more = [Icon::Undo, Icon::Redo, Icon::Hand, Icon::Pin, Icon::Cut, Icon::Erase, Icon::Build, Icon::Gear];
         for icon in all.into_iter().chain(more).chain(Primitive::ALL.map(Icon::Primitive)) {
             let mut output = context.run_ui(egui::RawInput::default(), |ui| {
                 let rect = Rect::from_min_size(pos2(0.0, 0.0), vec2(30.0, 30.0));

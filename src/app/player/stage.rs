@@ -4,7 +4,7 @@ use std::sync::Arc;
 use std::time::{Duration, Instant};
 
 use super::acts::{Acts, Deeds};
-use super::movers::{EXACT, Movers, exact, movers};
+use super::movers::{EXACT, Movers, exact, movers, with};
 use super::order::{Adder, Note, Order};
 use super::pace::{Pace, SINGLE_STEP};
 use super::rungs::{Load, Rung, Rungs, Yielded};
@@ -12,7 +12,7 @@ use super::save;
 use super::shown::{Figures, Scenery, Shown};
 use crate::app::meter::Meter;
 use crate::history::{BranchView, Do, History, HistoryError, Recording, Refusal, SetKeys, Start};
-use crate::scene::{AddKeys, BondKeys, MOST_MEETING, Meeting, PinMotionKeys, ViewKeys};
+use crate::scene::{AddKeys, BondKeys, MOST_MEETING, Meeting, MethodKeys, PinMotionKeys, ViewKeys};
 use crate::sim::{Applied, Cursor, Dynamics, MouseForce, PointId};
 
 /// How often figures are taken that cost something: nobody reads faster.
@@ -27,6 +27,8 @@ pub fn too_many_to_meet() -> String {
 const PIN_TIME: f64 = 0.15;
 /// What adding a body is called.
 const ADD: &str = "add a body";
+/// What another solver is called.
+const SOLVER: &str = "solver";
 /// What leading a pin is called.
 const LEAD_PIN: &str = "move a pin";
 
@@ -165,6 +167,11 @@ impl Stage {
                 None
             }
             Order::Give(commands, edit) => self.give(commands, edit),
+            Order::GiveOn(act, name) => self.give_on(act, name),
+            Order::Solver(solver) => {
+                let method = MethodKeys { solver: Some(solver), ..self.history.method() };
+                self.give(vec![with(method)], Some(SOLVER))
+            }
             Order::Press(presses) => {
                 self.pace.presses = presses;
                 None
@@ -288,6 +295,17 @@ impl Stage {
         commands.iter().any(names_old).then_some("something else came into the scene meanwhile: draw it again")
     }
 
+    /// Does a command that belongs to the last edit: a setting is dragged on.
+    fn give_on(&mut self, act: Do, name: &'static str) -> Option<Note> {
+        let changes = matches!(act, Do::Mouse(_));
+        let given = self.history.give_on(vec![act], name);
+        self.pace.motion += 1;
+        if given.is_ok() && changes {
+            self.base = self.history.base_strength();
+        }
+        given.err().map(|refusal| Note::Refused(refusal.reason))
+    }
+
     /// Lets time pass.
     fn advance(&mut self, wall: f64, cursor: Option<Cursor>) {
         let (start, before) = (Instant::now(), self.history.world().time());
@@ -372,13 +390,11 @@ impl Stage {
         let there = &mut to.into_iter().take(dimensions);
         let track = vec![knot(time, &mut here.into_iter()), knot(time + PIN_TIME, there)];
         let keys = AddKeys { pin_motion: vec![PinMotionKeys { point: point.0, track }], ..AddKeys::default() };
-        let way = vec![Do::Add(Box::new(keys))];
+        let way = Do::Add(Box::new(keys));
         if !goes_on {
-            return self.give(way, Some(LEAD_PIN));
+            return self.give(vec![way], Some(LEAD_PIN));
         }
-        let given = self.history.give_on(way, LEAD_PIN);
-        self.pace.motion += 1;
-        given.err().map(|refusal| Note::Refused(refusal.reason))
+        self.give_on(way, LEAD_PIN)
     }
 
     /// What stands about the points is looked at again if it changed.
@@ -425,7 +441,7 @@ impl Stage {
         }
         shown.mouse.clone_from(&self.force);
         (shown.cursor, shown.grab) = (mouse.map(|(_, cursor)| cursor), world.grab());
-        shown.base = self.base;
+        (shown.base, shown.settings) = (self.base, world.settings());
         shown.figures = self.figures(world);
     }
 

@@ -5,7 +5,7 @@ use winit::window::Fullscreen;
 use super::{Framing, Session};
 use crate::app::action::Action;
 use crate::app::opening;
-use crate::app::panels::{Sheet, Wish, search_id};
+use crate::app::panels::{Setting, Sheet, Wish, search_id};
 use crate::app::player::{Order, Player};
 use crate::app::thumbnails::Thumbnails;
 use crate::app::tools::{Deed, strength};
@@ -53,6 +53,7 @@ impl Session {
             Action::Paste => self.paste(),
             Action::Save => self.save(),
             Action::Screenshot => self.take_screenshot(),
+            Action::Settings => self.panels.has_settings = !self.panels.has_settings,
             Action::TogglePanels => self.panels.hides_panels = !self.panels.hides_panels,
             Action::ToggleHud => self.panels.hides_hud = !self.panels.hides_hud,
             Action::FullScreen => self.toggle_full_screen(),
@@ -78,6 +79,8 @@ impl Session {
             Wish::Act(action) => self.act(action),
             Wish::OpenScene(name) => self.open_named(name),
             Wish::Build(primitive) => self.hand.choose(primitive),
+            Wish::Set(setting) => self.set(setting),
+            Wish::Solver(solver) => self.player.ask(Order::Solver(solver)),
             Wish::Pace(pace) => self.set_pace(pace),
             Wish::GoTo(time) => {
                 self.go(Order::GoTo(time, self.told));
@@ -157,6 +160,18 @@ impl Session {
             self.player.give(deed.commands, deed.edit);
             self.dirty = true;
         }
+    }
+
+    /// Something is set of the scene. The strength of the hover force is the hand's to give, which may hold it away now.
+    fn set(&mut self, Setting { act, name, goes_on }: Setting) {
+        if let Do::Mouse(MouseChange { strength: Some(strength), .. }) = act {
+            self.hand.set_strength(Some(strength));
+            if self.hand.is_calm() {
+                return;
+            }
+        }
+        self.player.set(act, name, goes_on);
+        self.dirty = true;
     }
 
     /// The hover force gets stronger and larger by these factors.

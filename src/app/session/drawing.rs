@@ -8,7 +8,7 @@ use egui::{Color32, FontId, Pos2, Rect, Stroke};
 
 use super::{Framing, Session, panels_for};
 use crate::app::canvas::{Canvas, Paint};
-use crate::app::panels::{self, Facts, theme};
+use crate::app::panels::{self, Facts, Settings, theme};
 use crate::app::tools::{Mark, Role, Scope};
 use crate::render::{RenderError, View};
 use crate::sim::{Cursor, MouseForce};
@@ -26,7 +26,7 @@ impl Session {
         self.panels_dirty = false;
         self.panels_at = Some(Instant::now());
         let facts = self.facts();
-        self.figures = self.shown().figures.clone();
+        (self.figures, self.settings) = (self.shown().figures.clone(), self.shown().settings.clone());
         let input = self.egui.take_egui_input(&self.window);
         let context = self.egui.egui_ctx().clone();
         if let Some(thumbnails) = &mut self.thumbnails {
@@ -97,6 +97,10 @@ impl Session {
             is_opening: !self.player.is_open(),
             is_busy: self.player.is_busy(),
             dimensions: self.scene.dimensions(),
+            settings: Settings {
+                scene: self.shown().settings.clone(),
+                push: self.live_force().map(|force| [self.hand.strength().unwrap_or(force.strength), force.radius]),
+            },
         }
     }
 
