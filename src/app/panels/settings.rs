@@ -14,7 +14,7 @@ pub(super) const WIDTH: f32 = 250.0;
 /// A room so high has place for it below all else at the right [points].
 pub(super) const TALL: f32 = 950.0;
 /// What is above it stays free [points].
-const ABOVE: f32 = 150.0;
+const ABOVE: f32 = 176.0;
 /// Gravity on the ground [m/s^2].
 const GRAVITY: f64 = 9.81;
 /// Gravity at the rim of the dial [m/s^2].
@@ -232,17 +232,19 @@ fn of_contact(ui: &mut Ui, contact: Option<Contact>, sink: &mut Sink<'_>) {
 
 fn of_push(ui: &mut Ui, [mut strength, mut radius]: [f64; 2], sink: &mut Sink<'_>) {
     ui.strong("Push of the mouse");
-    let speed = 0.01 * strength.abs().max(1.0);
-    let by = ui.horizontal(|ui| number(ui, "strength", (&mut strength, speed, " /s²"))).inner;
-    if by.changed() {
+    let [speed, pace] = [0.01 * strength.abs().max(1.0), 0.01 * radius];
+    let both = ui.horizontal_wrapped(|ui| {
+        let strength = number(ui, "strength", (&mut strength, speed, " /s²"));
+        (strength, number(ui, "radius", (&mut radius, pace, " m")))
+    });
+    let (of_strength, of_radius) = both.inner;
+    if of_strength.changed() {
         let change = MouseChange { strength: Some(strength), ..MouseChange::default() };
-        sink.set(&by, "push", Do::Mouse(change));
+        sink.set(&of_strength, "push", Do::Mouse(change));
     }
-    let speed = 0.01 * radius;
-    let by = ui.horizontal(|ui| number(ui, "radius", (&mut radius, speed, " m"))).inner;
-    if by.changed() && radius > 0.0 {
+    if of_radius.changed() && radius > 0.0 {
         let change = MouseChange { radius: Some(radius), ..MouseChange::default() };
-        sink.set(&by, "push", Do::Mouse(change));
+        sink.set(&of_radius, "push", Do::Mouse(change));
     }
 }
 
