@@ -14,11 +14,13 @@ pub enum Tool {
     Erase,
     /// A drag draws out a primitive, which comes into the world.
     Build,
+    /// A click selects a body or an obstacle, a drag moves it.
+    Select,
 }
 
 impl Tool {
     /// All of them, in the order of the palette.
-    pub const ALL: [Tool; 5] = [Tool::Hand, Tool::Pin, Tool::Cut, Tool::Erase, Tool::Build];
+    pub const ALL: [Tool; 6] = [Tool::Hand, Tool::Pin, Tool::Cut, Tool::Erase, Tool::Build, Tool::Select];
 }
 
 /// What the tool for building makes.
@@ -100,8 +102,10 @@ pub enum Action {
     Take(Tool),
     /// The tool for pins as long as the key is held.
     PinWhileHeld,
-    /// Takes away what is under the cursor or grabbed.
+    /// Takes away what is selected, under the cursor or grabbed.
     Delete,
+    /// Puts a copy of what is selected beside it.
+    Duplicate,
     /// A smaller region of the hover force.
     SmallerRegion,
     /// A larger region of the hover force.

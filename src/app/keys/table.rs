@@ -33,18 +33,24 @@ pub static TABLE: &[Binding] = &[
         &[(Ctrl("z"), Action::Undo), (CtrlShift("z"), Action::Redo), (Ctrl("y"), Action::Redo)],
     ),
     binding(
-        "1, 2, 3, 4, 5",
-        "the tools: hand, pin, cut, erase, build",
+        "1, 2, 3, 4, 5, 6",
+        "the tools: hand, pin, cut, erase, build, select",
         &[
             (Writes("1"), Action::Take(Tool::Hand)),
             (Writes("2"), Action::Take(Tool::Pin)),
             (Writes("3"), Action::Take(Tool::Cut)),
             (Writes("4"), Action::Take(Tool::Erase)),
             (Writes("5"), Action::Take(Tool::Build)),
+            (Writes("6"), Action::Take(Tool::Select)),
         ],
     ),
     binding("T", "held: a click pins points or lets them go", &[(Writes("t"), Action::PinWhileHeld)]),
-    binding("Del", "take away what is under the cursor or grabbed", &[(Named(NamedKey::Delete), Action::Delete)]),
+    binding(
+        "Del",
+        "take away what is selected, under the cursor or grabbed",
+        &[(Named(NamedKey::Delete), Action::Delete)],
+    ),
+    binding("Ctrl+D", "a copy of what is selected, beside it", &[(Ctrl("d"), Action::Duplicate)]),
     binding(
         "[, ]",
         "a smaller or larger reach of the push",

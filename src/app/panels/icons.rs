@@ -25,6 +25,7 @@ pub(super) enum Icon {
     Cut,
     Erase,
     Build,
+    Select,
     Gear,
     Primitive(Primitive),
 }
@@ -106,6 +107,11 @@ fn paint(painter: &Painter, icon: Icon, rect: Rect, color: Color32) {
             line(&[(0.75, -1.25), (0.75, -0.35)]);
             line(&[(0.3, -0.8), (1.2, -0.8)]);
         }
+        Icon::Select => {
+            let tail = [(0.05, 0.25), (0.6, 1.15)];
+            line(&[(-0.7, -1.1), (0.9, 0.1), (0.15, 0.2), (-0.45, 0.8), (-0.7, -1.1)]);
+            line(&tail);
+        }
         Icon::Gear => {
             ring(0.0, 0.0, 0.4);
             ring(0.0, 0.0, 0.85);
@@ -143,8 +149,8 @@ mod tests {
     fn every_sign_draws_something() {
         let context = egui::Context::default();
         let all = [Icon::Play, Icon::Pause, Icon::Step, Icon::Reset, Icon::Before, Icon::After];
-        let more = [Icon::Undo, Icon::Redo, Icon::Hand, Icon::Pin, Icon::Cut, Icon::Erase, Icon::Build, Icon::Gear];
-        for icon in all.into_iter().chain(more).chain(Primitive::ALL.map(Icon::Primitive)) {
+        let more = [Icon::Undo, Icon::Redo, Icon::Hand, Icon::Pin, Icon::Cut, Icon::Erase, Icon::Build, Icon::Select];
+        for icon in all.into_iter().chain(more).chain([Icon::Gear]).chain(Primitive::ALL.map(Icon::Primitive)) {
             let mut output = context.run_ui(egui::RawInput::default(), |ui| {
                 let rect = Rect::from_min_size(pos2(0.0, 0.0), vec2(30.0, 30.0));
                 paint(ui.painter(), icon, rect, Color32::WHITE);

@@ -14,6 +14,7 @@ fn words(tool: Tool) -> (Icon, &'static str) {
         Tool::Pin => (Icon::Pin, "pin a point, or let it go"),
         Tool::Cut => (Icon::Cut, "cut the bonds that a stroke crosses"),
         Tool::Erase => (Icon::Erase, "take away a body, a bond or an obstacle"),
+        Tool::Select => (Icon::Select, "select and move a body or an obstacle"),
         Tool::Build => (Icon::Build, "build: drag a body or an obstacle out"),
     }
 }

@@ -8,7 +8,7 @@ use crate::app::opening;
 use crate::app::panels::{Setting, Sheet, Wish, search_id};
 use crate::app::player::{Order, Player};
 use crate::app::thumbnails::Thumbnails;
-use crate::app::tools::{Deed, strength};
+use crate::app::tools::{Deed, copy, strength};
 use crate::history::Do;
 use crate::scene::{Entry, gallery};
 use crate::sim::MouseChange;
@@ -40,6 +40,7 @@ impl Session {
             Action::Take(tool) => self.hand.take(tool),
             Action::PinWhileHeld => self.hand.hold_pins(true),
             Action::Delete => self.delete(),
+            Action::Duplicate => self.duplicate(),
             Action::SmallerRegion => self.change_force(1.0, 1.0 / LARGER),
             Action::LargerRegion => self.change_force(1.0, LARGER),
             Action::Weaker => self.change_force(1.0 / LARGER, 1.0),
@@ -149,6 +150,14 @@ impl Session {
         let at = self.pixel();
         let deed = self.with_scope(|hand, scope| hand.delete(scope, at));
         self.do_deed(deed);
+    }
+
+    /// A copy of what is selected comes beside it.
+    fn duplicate(&mut self) {
+        let Some((points, by)) = self.with_scope(|hand, scope| hand.to_copy(scope)) else {
+            return self.say("select a body first: the tool for that is 6".to_owned());
+        };
+        self.player.ask(Order::Add(Box::new(move |_, world| Ok(copy(world, &points, by)))));
     }
 
     /// Gives commands to the world, if there are any.

@@ -1,24 +1,33 @@
 //! Tools: what presses and strokes of the left button become. They return commands and change nothing.
 
 mod build;
+mod copy;
+mod erase;
 #[cfg(test)]
 mod grab_tests;
 mod lead;
 mod marks;
 mod pick;
+mod select;
+#[cfg(test)]
+mod select_tests;
+mod skin;
 #[cfg(test)]
 mod tests;
 
 use glam::DVec2;
 
 use super::action::{Primitive, Tool};
-use crate::history::{DeleteKeys, Do};
+use crate::history::Do;
 use crate::sim::{MouseChange, PointId, Reach};
 use build::{Drag, Maker};
+pub(super) use copy::copy;
+use erase::{delete_points, erase};
 use lead::Lead;
 pub(super) use lead::PinWay;
 pub(super) use marks::{Mark, Role};
 pub(super) use pick::Scope;
+use select::Picked;
 
 /// The hover force stays away so long after a grab [s]: what was thrown is not blown off its way.
 const CALM: f64 = 0.2;
@@ -67,6 +76,8 @@ enum Doing {
     Cutting(DVec2),
     /// A primitive is drawn out.
     Building(Drag),
+    /// What is selected is moved, from where it was pressed on [px].
+    Moving(DVec2),
 }
 
 /// The left button's tool and what it is doing.
@@ -77,6 +88,7 @@ pub(super) struct Hand {
     pins: bool,
     /// What the tool for building makes.
     maker: Maker,
+    picked: Option<Picked>,
     doing: Doing,
     /// What the hover force is when nothing is grabbed; `None`: the scene has none, or it goes along a track.
     strength: Option<f64>,
@@ -128,7 +140,7 @@ impl Hand {
 
     /// A history begins: nothing is held any more.
     pub(super) fn let_go(&mut self) {
-        (self.doing, self.calm) = (Doing::Nothing, None);
+        (self.doing, self.calm, self.picked) = (Doing::Nothing, None, None);
     }
 
     /// Another history is gone to: what this one has in hand is let go first, and the hover force comes back at once.
@@ -180,6 +192,11 @@ impl Hand {
             }
             Tool::Erase => erase(scope, at),
             Tool::Build => self.begin_to_build(scope, at),
+            Tool::Select => {
+                self.picked = Picked::at(scope, at);
+                self.doing = self.picked.map_or(Doing::Nothing, |_| Doing::Moving(at));
+                Deed::default()
+            }
         }
     }
 
@@ -241,13 +258,16 @@ impl Hand {
             }
             Doing::Cutting(from) if from.distance(at) > 1.0 => cut(scope, from, at),
             Doing::Building(drag) => self.maker.build(scope, &drag, at),
+            Doing::Moving(from) => {
+                self.picked(scope).map_or_else(Deed::default, |picked| picked.moved(scope, [from, at]))
+            }
             _ => Deed::default(),
         }
     }
 
     /// Ends what is under way without doing it. Returns whether anything was.
     pub(super) fn cancel(&mut self) -> (bool, Deed) {
-        let was = self.is_busy();
+        let was = self.is_busy() || self.picked.take().is_some();
         let deed = match std::mem::take(&mut self.doing) {
             Doing::Grabbing(_) => {
                 self.calm = Some(CALM);
@@ -303,12 +323,36 @@ impl Hand {
             self.doing = Doing::Nothing;
             return deed;
         }
+        if let Some(picked) = self.picked(scope) {
+            self.picked = None;
+            return picked.deleted(scope);
+        }
         at.map_or_else(Deed::default, |at| erase(scope, at))
+    }
+
+    /// What is selected, if that tool is in the hand and it is still there.
+    fn picked(&self, scope: Scope<'_>) -> Option<Picked> {
+        self.picked.filter(|picked| self.tool() == Tool::Select && picked.is_there(scope))
+    }
+
+    /// The points of the body that is selected, and how far beside it a copy goes [m].
+    pub(super) fn to_copy(&self, scope: Scope<'_>) -> Option<(Vec<PointId>, [f64; 3])> {
+        let picked = self.picked(scope)?;
+        let points = picked.points(scope);
+        (!points.is_empty()).then(|| (points, picked.beside(scope)))
     }
 
     /// What a click at the pixel would do, to be drawn.
     pub(super) fn marks(&self, scope: Scope<'_>, at: Option<DVec2>) -> Vec<Mark> {
-        marks::of((self.tool(), self.maker), &self.doing, scope, at)
+        let mut marks = marks::of((self.tool(), self.maker), &self.doing, scope, at);
+        if let Some(picked) = self.picked(scope) {
+            let off = match (&self.doing, at) {
+                (Doing::Moving(from), Some(at)) => at - *from,
+                _ => DVec2::ZERO,
+            };
+            marks.extend(picked.outline(scope, Role::Hold, off));
+        }
+        marks
     }
 }
 
@@ -333,49 +377,4 @@ fn cut(scope: Scope<'_>, from: DVec2, to: DVec2) -> Deed {
     }
     let [from, to] = [from, to].map(|at| scope.camera.world_from_screen(at.to_array()).truncate().to_array());
     Deed::edit("cut", Do::Cut { from, to })
-}
-
-/// What goes when a pixel is clicked.
-#[derive(Clone, Debug, PartialEq)]
-enum Target {
-    Body(Vec<PointId>),
-    Bond(u32, [PointId; 2]),
-    Obstacle(u32),
-}
-
-/// A point is meant before a bond, and what lies on top before an obstacle.
-fn target(scope: Scope<'_>, at: DVec2) -> Option<Target> {
-    // Of a point with a skin about it the body is meant, wherever it is clicked.
-    let hit = scope.nearest(at);
-    let is_bare = |point: PointId| {
-        let has = |skin: &crate::picture::Skin| skin.triangles.iter().any(|corners| corners.contains(&point.0));
-        !scope.shown.scenery.skins.iter().any(has)
-    };
-    match hit {
-        Some(hit) if hit.distance > 8.0 * scope.scale && is_bare(hit.point) => {
-            let bond = scope.bond(at).map(|(place, ends)| Target::Bond(scope.shown.scenery.bond_number(place), ends));
-            bond.or_else(|| Some(Target::Body(scope.body(hit.point))))
-        }
-        Some(hit) => Some(Target::Body(scope.body(hit.point))),
-        None => scope.solid(at).map(Target::Obstacle),
-    }
-}
-
-fn erase(scope: Scope<'_>, at: DVec2) -> Deed {
-    match target(scope, at) {
-        Some(Target::Body(points)) => delete_points(points),
-        Some(Target::Bond(number, _)) => {
-            Deed::edit("delete a bond", Do::Delete(DeleteKeys { bonds: vec![number], ..DeleteKeys::default() }))
-        }
-        Some(Target::Obstacle(number)) => {
-            let keys = DeleteKeys { obstacles: vec![number], ..DeleteKeys::default() };
-            Deed::edit("delete an obstacle", Do::Delete(keys))
-        }
-        None => Deed::default(),
-    }
-}
-
-fn delete_points(points: Vec<PointId>) -> Deed {
-    let points = points.into_iter().map(|point| point.0).collect();
-    Deed::edit("delete", Do::Delete(DeleteKeys { points, ..DeleteKeys::default() }))
 }
