@@ -12,11 +12,65 @@ pub enum Tool {
     Cut,
     /// Takes away what is clicked.
     Erase,
+    /// A drag draws out a primitive, which comes into the world.
+    Build,
+    /// A click selects a body or an obstacle, a drag moves it.
+    Select,
 }
 
 impl Tool {
     /// All of them, in the order of the palette.
-    pub const ALL: [Tool; 4] = [Tool::Hand, Tool::Pin, Tool::Cut, Tool::Erase];
+    pub const ALL: [Tool; 6] = [Tool::Hand, Tool::Pin, Tool::Cut, Tool::Erase, Tool::Build, Tool::Select];
+}
+
+/// What the tool for building makes.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Primitive {
+    /// A soft block, braced both ways.
+    #[default]
+    Box,
+    /// A soft disc.
+    Disc,
+    /// A chain that keeps its length.
+    Rope,
+    /// A hanging sheet.
+    Cloth,
+    /// A soft ring.
+    Rim,
+    /// A box that nothing enters.
+    SolidBox,
+    /// A circle that nothing enters.
+    SolidCircle,
+    /// A plane, solid on one side.
+    Slope,
+}
+
+impl Primitive {
+    /// All of them, in the order of the palette: bodies, then obstacles.
+    pub const ALL: [Primitive; 8] = [
+        Primitive::Box,
+        Primitive::Disc,
+        Primitive::Rope,
+        Primitive::Cloth,
+        Primitive::Rim,
+        Primitive::SolidBox,
+        Primitive::SolidCircle,
+        Primitive::Slope,
+    ];
+
+    /// What it is called on its button, and when it is undone.
+    pub fn name(self) -> &'static str {
+        match self {
+            Primitive::Box => "Box",
+            Primitive::Disc => "Disc",
+            Primitive::Rope => "Rope",
+            Primitive::Cloth => "Cloth",
+            Primitive::Rim => "Rim",
+            Primitive::SolidBox => "Solid box",
+            Primitive::SolidCircle => "Solid circle",
+            Primitive::Slope => "Slope",
+        }
+    }
 }
 
 /// What the user asks of the program. Panels return these too: a click and a key do the same.
@@ -48,8 +102,10 @@ pub enum Action {
     Take(Tool),
     /// The tool for pins as long as the key is held.
     PinWhileHeld,
-    /// Takes away what is under the cursor or grabbed.
+    /// Takes away what is selected, under the cursor or grabbed.
     Delete,
+    /// Puts a copy of what is selected beside it.
+    Duplicate,
     /// A smaller region of the hover force.
     SmallerRegion,
     /// A larger region of the hover force.
@@ -76,6 +132,8 @@ pub enum Action {
     Save,
     /// Writes the picture to a file.
     Screenshot,
+    /// Opens or closes what can be set of the scene.
+    Settings,
     /// Hides the panels, or shows them.
     TogglePanels,
     /// Hides the figures, or shows them.

@@ -237,7 +237,7 @@ impl ApplicationHandler for Shell {
             }
             WindowEvent::Focused(false) => session.lose_focus(),
             WindowEvent::KeyboardInput { event, is_synthetic: false, .. } => press_key(session, &event, event_loop),
-            WindowEvent::ModifiersChanged(held) => session.held = Held::of(held.state()),
+            WindowEvent::ModifiersChanged(held) => session.hold(Held::of(held.state())),
             WindowEvent::CursorMoved { position, .. } => session.point_at([position.x, position.y]),
             WindowEvent::CursorLeft { .. } => session.point_away(),
             WindowEvent::MouseInput { state, button, .. } => session.press(button, state),

@@ -2,7 +2,7 @@
 
 use super::bond::PointId;
 use super::bonds::Bonds;
-use super::command::{Applied, Command, CommandError};
+use super::command::{Applied, Command, CommandError, SceneChange};
 use super::contact::convex::Convex;
 use super::contact::polygon::Polygon;
 use super::contact::skin::Contact;
@@ -105,6 +105,8 @@ pub trait Dynamics: Send {
     fn bonds(&self) -> &Bonds;
     /// What bodies cover, of the points and bonds that are left.
     fn triangles(&self) -> &[[PointId; 3]];
+    /// What can be set of the scene, as it stands: to set it changes nothing.
+    fn settings(&self) -> SceneChange;
     /// How bodies meet; `None`: they pass through each other.
     fn contact(&self) -> Option<Contact>;
     /// The points that never move.

@@ -5,7 +5,8 @@ use egui::{Align, Align2, Area, Id, Layout, Rect};
 use super::theme::floating;
 use super::{Facts, Wish, moving};
 
-pub(super) fn show(context: &egui::Context, room: Rect, facts: &Facts, wishes: &mut Vec<Wish>) {
+/// What stands below the figures is so far `beside` the right edge [points].
+pub(super) fn show(context: &egui::Context, (room, beside): (Rect, f32), facts: &Facts, wishes: &mut Vec<Wish>) {
     // Below what floats at the top, where that takes all of the width.
     let down = if room.width() < 900.0 { 62.0 } else { 10.0 };
     let place = Area::new(Id::unique("figures")).anchor(Align2::RIGHT_TOP, [-10.0, down]).interactable(false);
@@ -20,7 +21,8 @@ pub(super) fn show(context: &egui::Context, room: Rect, facts: &Facts, wishes: &
             });
         });
     });
-    moving::show(context, shown.response.rect.bottom() - room.top() + 6.0, facts, wishes);
+    let down = shown.response.rect.bottom() - room.top() + 6.0;
+    moving::show(context, [-10.0 - beside, down], facts, wishes);
 }
 
 fn rows(facts: &Facts) -> Vec<(&'static str, String)> {

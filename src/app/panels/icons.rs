@@ -5,7 +5,9 @@ use std::f32::consts::{PI, TAU};
 use egui::epaint::PathShape;
 use egui::{Color32, Painter, Pos2, Rect, Response, Role, Sense, Shape, Stroke, Ui, Vec2, WidgetInfo, vec2};
 
+use super::primitives;
 use super::theme::{ACCENT, ON_ACCENT};
+use crate::app::action::Primitive;
 
 /// What is drawn.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -22,6 +24,10 @@ pub(super) enum Icon {
     Pin,
     Cut,
     Erase,
+    Build,
+    Select,
+    Gear,
+    Primitive(Primitive),
 }
 
 /// A button with a sign in place of words; it is called `name` by what reads aloud. `is_on`: it is lit.
@@ -95,6 +101,26 @@ fn paint(painter: &Painter, icon: Icon, rect: Rect, color: Color32) {
             line(&[(-0.35, -0.75), (-0.35, -1.1), (0.35, -1.1), (0.35, -0.75)]);
             line(&[(-0.7, -0.75), (-0.55, 1.1), (0.55, 1.1), (0.7, -0.75)]);
         }
+        Icon::Build => {
+            // A square that is not whole yet, and a plus.
+            line(&[(0.2, -1.0), (-1.0, -1.0), (-1.0, 1.0), (1.0, 1.0), (1.0, -0.1)]);
+            line(&[(0.75, -1.25), (0.75, -0.35)]);
+            line(&[(0.3, -0.8), (1.2, -0.8)]);
+        }
+        Icon::Select => {
+            let tail = [(0.05, 0.25), (0.6, 1.15)];
+            line(&[(-0.7, -1.1), (0.9, 0.1), (0.15, 0.2), (-0.45, 0.8), (-0.7, -1.1)]);
+            line(&tail);
+        }
+        Icon::Gear => {
+            ring(0.0, 0.0, 0.4);
+            ring(0.0, 0.0, 0.85);
+            for tooth in (0..8).map(|k| k as f32 / 8.0 * TAU) {
+                let (sin, cos) = tooth.sin_cos();
+                line(&[(0.85 * cos, 0.85 * sin), (1.2 * cos, 1.2 * sin)]);
+            }
+        }
+        Icon::Primitive(primitive) => primitives::paint(painter, primitive, &at, stroke),
     }
 }
 
@@ -123,8 +149,8 @@ mod tests {
     fn every_sign_draws_something() {
         let context = egui::Context::default();
         let all = [Icon::Play, Icon::Pause, Icon::Step, Icon::Reset, Icon::Before, Icon::After];
-        let more = [Icon::Undo, Icon::Redo, Icon::Hand, Icon::Pin, Icon::Cut, Icon::Erase];
-        for icon in all.into_iter().chain(more) {
+        let more = [Icon::Undo, Icon::Redo, Icon::Hand, Icon::Pin, Icon::Cut, Icon::Erase, Icon::Build, Icon::Select];
+        for icon in all.into_iter().chain(more).chain([Icon::Gear]).chain(Primitive::ALL.map(Icon::Primitive)) {
             let mut output = context.run_ui(egui::RawInput::default(), |ui| {
                 let rect = Rect::from_min_size(pos2(0.0, 0.0), vec2(30.0, 30.0));
                 paint(ui.painter(), icon, rect, Color32::WHITE);

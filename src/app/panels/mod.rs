@@ -1,6 +1,7 @@
 //! The panels: a bar below, tools at the left, figures, what is said, and sheets over the world. They return wishes and change
 //! nothing of the world.
 
+mod dial;
 mod gallery;
 mod help;
 mod hud;
@@ -8,7 +9,11 @@ mod icons;
 mod moving;
 mod notes;
 mod palette;
+mod primitives;
 mod save_to;
+mod settings;
+#[cfg(test)]
+mod settings_tests;
 pub(super) mod theme;
 mod top;
 mod transport;
@@ -16,11 +21,13 @@ mod transport;
 use std::collections::BTreeMap;
 use std::path::PathBuf;
 
-use super::action::{Action, Tool};
+use super::action::{Action, Primitive, Tool};
 use super::player::Figures;
+use crate::scene::SolverName;
 pub(super) use gallery::{THUMBNAIL, search_id};
 use icons::Icon;
 pub(super) use notes::Notes;
+pub(super) use settings::{Setting, Settings};
 
 /// What the panels ask for.
 #[derive(Clone, Debug, PartialEq)]
@@ -29,6 +36,12 @@ pub(super) enum Wish {
     Act(Action),
     /// A scene of the gallery.
     OpenScene(&'static str),
+    /// The tool for building makes this from now on.
+    Build(Primitive),
+    /// Something is set of the scene.
+    Set(Setting),
+    /// Another solver, with all else of the method as it is.
+    Solver(SolverName),
     /// Seconds of the scene a second of wall time, in those of the scene itself.
     Pace(f64),
     /// A time that was seen already [s].
@@ -63,6 +76,9 @@ pub(super) enum Sheet {
 pub(super) struct PanelState {
     pub(super) sheet: Option<Sheet>,
     pub(super) hides_panels: bool,
+    pub(super) has_settings: bool,
+    /// The setting that is being dragged.
+    pub(super) gesture: Option<egui::Id>,
     pub(super) hides_hud: bool,
     /// What is looked for in the gallery.
     pub(super) search: String,
@@ -90,6 +106,8 @@ pub(super) struct Facts {
     /// Time from frame to frame [s].
     pub(super) frame: f64,
     pub(super) tool: Tool,
+    /// What the tool for building makes.
+    pub(super) primitive: Primitive,
     /// Bodies have skins: their bonds can be shown or not.
     pub(super) has_skin: bool,
     /// Bonds of bodies with a skin are shown.
@@ -103,6 +121,7 @@ pub(super) struct Facts {
     /// A step takes long.
     pub(super) is_busy: bool,
     pub(super) dimensions: usize,
+    pub(super) settings: Settings,
 }
 
 /// Shows the panels; returns what was asked for, and the height that they leave to the world [points].
@@ -116,8 +135,13 @@ pub(super) fn show(ui: &mut egui::Ui, state: &mut PanelState, facts: &Facts) -> 
         top::show(ui.ctx(), room, facts, &mut wishes);
         palette::show(ui.ctx(), room, facts, &mut wishes);
     }
+    if state.has_settings && !state.hides_panels {
+        settings::show(ui.ctx(), room, state, facts, &mut wishes);
+    }
     if !state.hides_hud && room.width() > 560.0 {
-        hud::show(ui.ctx(), room, facts, &mut wishes);
+        let is_under = state.has_settings && !state.hides_panels && room.height() < settings::TALL;
+        let beside = if is_under { settings::WIDTH + 28.0 } else { 0.0 };
+        hud::show(ui.ctx(), (room, beside), facts, &mut wishes);
     }
     state.notes.show(ui.ctx(), room, facts, &mut wishes);
     match state.sheet {

@@ -22,13 +22,13 @@ struct Line {
 /// A button: its words, what it does, and what is asked for.
 type Offer = (&'static str, &'static str, Wish);
 
-/// Shows it so far below the upper edge [points].
-pub(super) fn show(context: &egui::Context, down: f32, facts: &Facts, wishes: &mut Vec<Wish>) {
+/// Shows it so far from the upper right corner [points].
+pub(super) fn show(context: &egui::Context, off: [f32; 2], facts: &Facts, wishes: &mut Vec<Wish>) {
     let lines = lines(&facts.figures);
     if lines.is_empty() {
         return;
     }
-    let place = Area::new(Id::unique("moving")).anchor(Align2::RIGHT_TOP, [-10.0, down]);
+    let place = Area::new(Id::unique("moving")).anchor(Align2::RIGHT_TOP, off);
     let place = place.interactable(lines.iter().any(|line| line.offer.is_some()));
     place.show(context, |ui| {
         floating().show(ui, |ui| {

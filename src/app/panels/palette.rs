@@ -4,7 +4,7 @@ use egui::{Align2, Area, Id, Rect};
 
 use super::icons::{self, Icon};
 use super::theme::floating;
-use super::{Facts, Wish, described};
+use super::{Facts, Wish, described, primitives};
 use crate::app::action::{Action, Tool};
 
 /// The sign of a tool and what it does.
@@ -14,20 +14,22 @@ fn words(tool: Tool) -> (Icon, &'static str) {
         Tool::Pin => (Icon::Pin, "pin a point, or let it go"),
         Tool::Cut => (Icon::Cut, "cut the bonds that a stroke crosses"),
         Tool::Erase => (Icon::Erase, "take away a body, a bond or an obstacle"),
+        Tool::Select => (Icon::Select, "select and move a body or an obstacle"),
+        Tool::Build => (Icon::Build, "build: drag a body or an obstacle out"),
     }
 }
 
 pub(super) fn show(context: &egui::Context, room: Rect, facts: &Facts, wishes: &mut Vec<Wish>) {
     let place = Area::new(Id::unique("tools"))
         .anchor(Align2::LEFT_CENTER, [10.0, 0.5 * (room.height() - context.content_rect().height())]);
-    place.show(context, |ui| {
+    let shown = place.show(context, |ui| {
         floating().show(ui, |ui| {
             ui.spacing_mut().item_spacing.y = 4.0;
             for tool in Tool::ALL {
                 let (sign, name) = words(tool);
-                let can = tool != Tool::Cut || facts.dimensions == 2;
+                let can = !matches!(tool, Tool::Cut | Tool::Build) || facts.dimensions == 2;
                 let said = described(name, Action::Take(tool));
-                let why = "cuts are made in the plane only";
+                let why = "in the plane only: this scene is in space";
                 let add = |ui: &mut egui::Ui| icons::button(ui, sign, name, icons::TOOL, tool == facts.tool);
                 let button = ui.add_enabled_ui(can, add).inner;
                 if button.on_hover_text(said).on_disabled_hover_text(why).clicked() {
@@ -36,4 +38,7 @@ pub(super) fn show(context: &egui::Context, room: Rect, facts: &Facts, wishes: &
             }
         });
     });
+    if facts.tool == Tool::Build && facts.dimensions == 2 {
+        primitives::show(context, shown.response.rect, facts, wishes);
+    }
 }

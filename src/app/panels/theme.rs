@@ -11,11 +11,11 @@ pub(in crate::app) const AWAY: Color32 = Color32::from_rgb(255, 120, 110);
 /// What is led.
 pub(in crate::app) const LEAD: Color32 = Color32::from_rgb(255, 214, 120);
 /// Text that matters.
-pub(super) const TEXT: Color32 = Color32::from_rgb(226, 233, 244);
+pub(in crate::app) const TEXT: Color32 = Color32::from_rgb(226, 233, 244);
 /// Text beside it: 6 : 1 on the panels.
 pub(super) const WEAK: Color32 = Color32::from_rgb(150, 163, 184);
 /// Panels, and what lies on them.
-pub(super) const PANEL: Color32 = Color32::from_rgb(20, 26, 38);
+pub(in crate::app) const PANEL: Color32 = Color32::from_rgb(20, 26, 38);
 const RAISED: Color32 = Color32::from_rgb(33, 42, 59);
 const HOVERED: Color32 = Color32::from_rgb(46, 58, 81);
 const LINE: Color32 = Color32::from_rgb(40, 50, 70);

@@ -187,6 +187,11 @@ impl Player {
         self.ask(Order::Give(commands, edit));
     }
 
+    /// Something is set by an edit of this name; if `goes_on`, of the last one.
+    pub fn set(&mut self, act: Do, name: &'static str, goes_on: bool) {
+        self.ask(if goes_on { Order::GiveOn(act, name) } else { Order::Give(vec![act], Some(name)) });
+    }
+
     /// Plays, or pauses: at once, whatever step is under way.
     pub fn play(&mut self, playing: bool) {
         self.playing = playing;

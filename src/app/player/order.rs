@@ -3,7 +3,7 @@
 use std::path::PathBuf;
 
 use crate::history::Do;
-use crate::scene::{AddKeys, Scene, SceneError, ViewKeys};
+use crate::scene::{AddKeys, Scene, SceneError, SolverName, ViewKeys};
 use crate::sim::{Cursor, Dynamics, PointId};
 
 /// Works out what is added to a running world.
@@ -26,6 +26,10 @@ pub enum Order {
     Step(Option<Cursor>),
     /// Commands at the time reached; with a name they are an edit, undone as one.
     Give(Vec<Do>, Option<&'static str>),
+    /// A command that belongs to the last edit, which is called so.
+    GiveOn(Do, &'static str),
+    /// Another solver, with all else of the method as it is.
+    Solver(SolverName),
     /// A pin goes to a place [m] on a straight way from where it is. `goes_on`: this belongs to the last edit.
     LeadPin {
         /// The pin.

@@ -8,7 +8,7 @@ use super::rungs::Yielded;
 use crate::history::BranchView;
 use crate::picture::Skin;
 use crate::render::View;
-use crate::sim::{Bonds, Convex, Cursor, Dynamics, GrabView, MouseForce, PointId, Polygon, Positions};
+use crate::sim::{Bonds, Convex, Cursor, Dynamics, GrabView, MouseForce, PointId, Polygon, Positions, SceneChange};
 
 /// Positions in the scalar of their world, copied.
 #[derive(Clone, Debug)]
@@ -159,6 +159,8 @@ pub struct Shown {
     pub topology: u64,
     /// What stands about them.
     pub scenery: Arc<Scenery>,
+    /// What can be set of the scene, as it is.
+    pub settings: SceneChange,
     /// The mouse force, and where its own track is if it has one.
     pub mouse: Option<MouseForce>,
     /// Its strength when nothing is led [1/s^2]; `None`: there is none, or it goes along a track.

@@ -4,16 +4,16 @@ use std::sync::Arc;
 use std::time::{Duration, Instant};
 
 use super::acts::{Acts, Deeds};
-use super::movers::{EXACT, Movers, exact, movers};
+use super::movers::{EXACT, Movers, exact, movers, with};
 use super::order::{Adder, Note, Order};
 use super::pace::{Pace, SINGLE_STEP};
 use super::rungs::{Load, Rung, Rungs, Yielded};
 use super::save;
 use super::shown::{Figures, Scenery, Shown};
 use crate::app::meter::Meter;
-use crate::history::{BranchView, Do, History, HistoryError, Recording, SetKeys, Start};
-use crate::scene::{AddKeys, MOST_MEETING, Meeting, PinMotionKeys, ViewKeys};
-use crate::sim::{Cursor, Dynamics, MouseForce, PointId};
+use crate::history::{BranchView, Do, History, HistoryError, Recording, Refusal, SetKeys, Start};
+use crate::scene::{AddKeys, BondKeys, MOST_MEETING, Meeting, MethodKeys, PinMotionKeys, ViewKeys};
+use crate::sim::{Applied, Cursor, Dynamics, MouseForce, PointId};
 
 /// How often figures are taken that cost something: nobody reads faster.
 const FIGURES_EVERY: Duration = Duration::from_millis(100);
@@ -27,6 +27,8 @@ pub fn too_many_to_meet() -> String {
 const PIN_TIME: f64 = 0.15;
 /// What adding a body is called.
 const ADD: &str = "add a body";
+/// What another solver is called.
+const SOLVER: &str = "solver";
 /// What leading a pin is called.
 const LEAD_PIN: &str = "move a pin";
 
@@ -165,6 +167,11 @@ impl Stage {
                 None
             }
             Order::Give(commands, edit) => self.give(commands, edit),
+            Order::GiveOn(act, name) => self.give_on(act, name),
+            Order::Solver(solver) => {
+                let method = MethodKeys { solver: Some(solver), ..self.history.method() };
+                self.give(vec![with(method)], Some(SOLVER))
+            }
             Order::Press(presses) => {
                 self.pace.presses = presses;
                 None
@@ -244,10 +251,55 @@ impl Stage {
         self.pace.take_over(&mut self.history);
         // Where a log is left, what it leads is let go with it.
         let mut all = if self.history.has_future() { self.history.letting_go() } else { Vec::new() };
+        if let Some(why) = self.is_outdated(&commands) {
+            return Some(Note::Refused(why.to_owned()));
+        }
+        let brings = commands.iter().any(|act| matches!(act, Do::Add(keys) if !keys.bodies.is_empty()));
+        let (meeting, why) = if brings { self.meeting() } else { (Vec::new(), None) };
         all.extend(commands);
-        let given = self.history.give(all, edit);
+        let (given, why) = self.give_met(meeting, all, edit, why);
         self.pace.motion += 1;
         self.pace.is_taken |= given.is_ok();
+        if given.is_ok() && changes {
+            self.base = self.history.base_strength();
+        }
+        match given {
+            Err(refusal) => Some(Note::Refused(refusal.reason)),
+            Ok(_) => why.map(|why| Note::Added(Some(why))),
+        }
+    }
+
+    /// Gives commands after those that make bodies meet; alone where these are refused, whose reason is returned then.
+    fn give_met(
+        &mut self,
+        meeting: Vec<Do>,
+        commands: Vec<Do>,
+        edit: Option<&str>,
+        why: Option<String>,
+    ) -> (Result<Vec<Applied>, Refusal>, Option<String>) {
+        if meeting.is_empty() {
+            return (self.history.give(commands, edit), why);
+        }
+        match self.history.give(meeting.into_iter().chain(commands.iter().cloned()).collect(), edit) {
+            Err(refusal) => (self.history.give(commands, edit), Some(refusal.reason)),
+            given => (given, why),
+        }
+    }
+
+    /// Why commands are of a moment that has gone: a new body would be bonded to others than were seen.
+    fn is_outdated(&self, commands: &[Do]) -> Option<&'static str> {
+        let [next, ..] = self.history.world().next_numbers();
+        let is_old = |bond: &BondKeys| bond.a.max(bond.b) < next;
+        let names_old =
+            |act: &Do| matches!(act, Do::Add(keys) if !keys.bodies.is_empty() && keys.bonds.iter().any(is_old));
+        commands.iter().any(names_old).then_some("something else came into the scene meanwhile: draw it again")
+    }
+
+    /// Does a command that belongs to the last edit: a setting is dragged on.
+    fn give_on(&mut self, act: Do, name: &'static str) -> Option<Note> {
+        let changes = matches!(act, Do::Mouse(_));
+        let given = self.history.give_on(vec![act], name);
+        self.pace.motion += 1;
         if given.is_ok() && changes {
             self.base = self.history.base_strength();
         }
@@ -303,13 +355,8 @@ impl Stage {
             Ok(keys) => keys,
             Err(error) => return Note::Refused(error.to_string()),
         };
-        let add = Do::Add(Box::new(keys));
-        let (meeting, mut why) = self.meeting();
-        let mut given = self.history.give(meeting.into_iter().chain([add.clone()]).collect(), Some(ADD));
-        if let Err(refusal) = &given {
-            why = Some(refusal.reason.clone());
-            given = self.history.give(vec![add], Some(ADD));
-        }
+        let (meeting, why) = self.meeting();
+        let (given, why) = self.give_met(meeting, vec![Do::Add(Box::new(keys))], Some(ADD), why);
         self.pace.settle(&self.history);
         given.map_or_else(|refusal| Note::Refused(refusal.reason), |_| Note::Added(why))
     }
@@ -343,13 +390,11 @@ impl Stage {
         let there = &mut to.into_iter().take(dimensions);
         let track = vec![knot(time, &mut here.into_iter()), knot(time + PIN_TIME, there)];
         let keys = AddKeys { pin_motion: vec![PinMotionKeys { point: point.0, track }], ..AddKeys::default() };
-        let way = vec![Do::Add(Box::new(keys))];
+        let way = Do::Add(Box::new(keys));
         if !goes_on {
-            return self.give(way, Some(LEAD_PIN));
+            return self.give(vec![way], Some(LEAD_PIN));
         }
-        let given = self.history.give_on(way, LEAD_PIN);
-        self.pace.motion += 1;
-        given.err().map(|refusal| Note::Refused(refusal.reason))
+        self.give_on(way, LEAD_PIN)
     }
 
     /// What stands about the points is looked at again if it changed.
@@ -396,7 +441,7 @@ impl Stage {
         }
         shown.mouse.clone_from(&self.force);
         (shown.cursor, shown.grab) = (mouse.map(|(_, cursor)| cursor), world.grab());
-        shown.base = self.base;
+        (shown.base, shown.settings) = (self.base, world.settings());
         shown.figures = self.figures(world);
     }
 

@@ -5,10 +5,10 @@ use winit::window::Fullscreen;
 use super::{Framing, Session};
 use crate::app::action::Action;
 use crate::app::opening;
-use crate::app::panels::{Sheet, Wish, search_id};
+use crate::app::panels::{Setting, Sheet, Wish, search_id};
 use crate::app::player::{Order, Player};
 use crate::app::thumbnails::Thumbnails;
-use crate::app::tools::{Deed, strength};
+use crate::app::tools::{Deed, copy, strength};
 use crate::history::Do;
 use crate::scene::{Entry, gallery};
 use crate::sim::MouseChange;
@@ -40,6 +40,7 @@ impl Session {
             Action::Take(tool) => self.hand.take(tool),
             Action::PinWhileHeld => self.hand.hold_pins(true),
             Action::Delete => self.delete(),
+            Action::Duplicate => self.duplicate(),
             Action::SmallerRegion => self.change_force(1.0, 1.0 / LARGER),
             Action::LargerRegion => self.change_force(1.0, LARGER),
             Action::Weaker => self.change_force(1.0 / LARGER, 1.0),
@@ -53,6 +54,7 @@ impl Session {
             Action::Paste => self.paste(),
             Action::Save => self.save(),
             Action::Screenshot => self.take_screenshot(),
+            Action::Settings => self.panels.has_settings = !self.panels.has_settings,
             Action::TogglePanels => self.panels.hides_panels = !self.panels.hides_panels,
             Action::ToggleHud => self.panels.hides_hud = !self.panels.hides_hud,
             Action::FullScreen => self.toggle_full_screen(),
@@ -77,6 +79,9 @@ impl Session {
         match wish {
             Wish::Act(action) => self.act(action),
             Wish::OpenScene(name) => self.open_named(name),
+            Wish::Build(primitive) => self.hand.choose(primitive),
+            Wish::Set(setting) => self.set(setting),
+            Wish::Solver(solver) => self.player.ask(Order::Solver(solver)),
             Wish::Pace(pace) => self.set_pace(pace),
             Wish::GoTo(time) => {
                 self.go(Order::GoTo(time, self.told));
@@ -147,12 +152,35 @@ impl Session {
         self.do_deed(deed);
     }
 
+    /// A copy of what is selected comes beside it.
+    fn duplicate(&mut self) {
+        let Some((points, by)) = self.with_scope(|hand, scope| hand.to_copy(scope)) else {
+            return self.say("select a body first: the tool for that is 6".to_owned());
+        };
+        self.player.ask(Order::Add(Box::new(move |_, world| Ok(copy(world, &points, by)))));
+    }
+
     /// Gives commands to the world, if there are any.
     pub(super) fn do_deed(&mut self, deed: Deed) {
+        if let Some(words) = &deed.words {
+            self.say(words.clone());
+        }
         if !deed.is_empty() {
             self.player.give(deed.commands, deed.edit);
             self.dirty = true;
         }
+    }
+
+    /// Something is set of the scene. The strength of the hover force is the hand's to give, which may hold it away now.
+    fn set(&mut self, Setting { act, name, goes_on }: Setting) {
+        if let Do::Mouse(MouseChange { strength: Some(strength), .. }) = act {
+            self.hand.set_strength(Some(strength));
+            if self.hand.is_calm() {
+                return;
+            }
+        }
+        self.player.set(act, name, goes_on);
+        self.dirty = true;
     }
 
     /// The hover force gets stronger and larger by these factors.

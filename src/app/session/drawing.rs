@@ -4,17 +4,21 @@ use std::sync::Arc;
 use std::time::{Duration, Instant};
 
 use egui::epaint::{ClippedShape, Shape};
-use egui::{Color32, Pos2, Rect, Stroke};
+use egui::{Color32, FontId, Pos2, Rect, Stroke};
 
 use super::{Framing, Session, panels_for};
 use crate::app::canvas::{Canvas, Paint};
-use crate::app::panels::{self, Facts, theme};
+use crate::app::panels::{self, Facts, Settings, theme};
 use crate::app::tools::{Mark, Role, Scope};
 use crate::render::{RenderError, View};
 use crate::sim::{Cursor, MouseForce};
 
 /// Marks are looked for among so many points: more would take longer than a frame.
 const MOST_MARKED: usize = 100_000;
+/// Size of words over the world [points].
+const WORDS: f32 = 13.0;
+/// What numbers over the world are written with: signs are given to the GPU with the panels only, so they are had before.
+const SIGNS: &str = "0123456789.-× m°";
 
 impl Session {
     /// Shows the panels, and does what they ask for.
@@ -22,7 +26,7 @@ impl Session {
         self.panels_dirty = false;
         self.panels_at = Some(Instant::now());
         let facts = self.facts();
-        self.figures = self.shown().figures.clone();
+        (self.figures, self.settings) = (self.shown().figures.clone(), self.shown().settings.clone());
         let input = self.egui.take_egui_input(&self.window);
         let context = self.egui.egui_ctx().clone();
         if let Some(thumbnails) = &mut self.thumbnails {
@@ -33,6 +37,7 @@ impl Session {
         let mut answer = None;
         let can_add = self.scene.dimensions() == 2;
         let output = context.run_ui(input, |ui| {
+            ui.fonts_mut(|fonts| fonts.layout_no_wrap(SIGNS.to_owned(), FontId::proportional(WORDS), theme::TEXT));
             (wishes, height) = panels::show(ui, &mut self.panels, &facts);
             answer = self.import.as_mut().and_then(|import| import.show(ui.ctx(), can_add));
             if self.loading.as_ref().is_some_and(|loading| loading.show(ui.ctx())) {
@@ -84,6 +89,7 @@ impl Session {
             pace: self.pace(),
             frame: self.frame_meter.value(),
             tool: self.hand.tool(),
+            primitive: self.hand.primitive(),
             has_skin: !self.shown().scenery.skins.is_empty(),
             has_mesh: self.look.has_mesh,
             has_picture: self.has_picture,
@@ -91,6 +97,10 @@ impl Session {
             is_opening: !self.player.is_open(),
             is_busy: self.player.is_busy(),
             dimensions: self.scene.dimensions(),
+            settings: Settings {
+                scene: self.shown().settings.clone(),
+                push: self.live_force().map(|force| [self.hand.strength().unwrap_or(force.strength), force.radius]),
+            },
         }
     }
 
@@ -141,7 +151,7 @@ impl Session {
             .iter()
             .map(|mark| ClippedShape {
                 clip_rect,
-                shape: shape(mark, scale),
+                shape: shape(context, mark, scale),
                 transform_after_tessellation: egui::emath::TSTransform::IDENTITY,
             })
             .collect();
@@ -163,10 +173,10 @@ impl Session {
 }
 
 /// A mark as the panels' painter draws it, with a dark edge so that it is seen on any ground.
-fn shape(mark: &Mark, scale: f32) -> Shape {
+fn shape(context: &egui::Context, mark: &Mark, scale: f32) -> Shape {
     let color = |role: &Role| match role {
         Role::Lead => theme::LEAD,
-        Role::Hold => theme::ACCENT,
+        Role::Hold | Role::Come => theme::ACCENT,
         Role::Away => theme::AWAY,
     };
     let at = |pixel: &glam::DVec2| Pos2::new(pixel.x as f32 / scale, pixel.y as f32 / scale);
@@ -182,5 +192,16 @@ fn shape(mark: &Mark, scale: f32) -> Shape {
                 |width, color| Shape::circle_stroke(at(middle), *radius as f32 / scale, Stroke::new(width, color));
             Shape::Vec(vec![ring(4.0, edge), ring(2.0, color(role))])
         }
+        Mark::Words(corner, words) => written(context, at(corner), words),
     }
+}
+
+/// Words on a ground of their own, up from their lower left corner.
+fn written(context: &egui::Context, corner: Pos2, words: &str) -> Shape {
+    let font = FontId::proportional(WORDS);
+    let galley = context.fonts_mut(|fonts| fonts.layout_no_wrap(words.to_owned(), font, theme::TEXT));
+    let place = corner - egui::vec2(0.0, galley.size().y);
+    let ground = Rect::from_min_size(place, galley.size()).expand2(egui::vec2(6.0, 3.0));
+    let ground = Shape::rect_filled(ground, 5.0, theme::PANEL.gamma_multiply(0.92));
+    Shape::Vec(vec![ground, Shape::galley(place, galley, theme::TEXT)])
 }

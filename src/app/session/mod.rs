@@ -35,7 +35,7 @@ use super::tools::Hand;
 use crate::history::{HistoryError, Start};
 use crate::render::{Camera, Look, RenderCounters, RenderError};
 use crate::scene::{MOST_MEETING, Scene, gallery};
-use crate::sim::{Cursor, MouseForce};
+use crate::sim::{Cursor, MouseForce, SceneChange};
 use shelf::Shelf;
 
 /// The tag of scenes that open on a canvas.
@@ -132,8 +132,9 @@ pub(super) struct Session {
     looks_again: Option<Camera>,
     /// It is one that was there already.
     comes_back: bool,
-    /// The figures that panels show.
+    /// The figures and settings that panels show.
     figures: Figures,
+    settings: SceneChange,
 }
 
 impl Session {
@@ -200,6 +201,7 @@ impl Session {
             looks_again: None,
             comes_back: false,
             figures: Figures::default(),
+            settings: SceneChange::default(),
         };
         if session.player.is_open() {
             session.arrive(Arc::clone(&session.scene));
@@ -341,6 +343,7 @@ impl Session {
         }
         if news.is_new {
             self.dirty = true;
+            self.panels_dirty |= self.panels.has_settings && self.shown().settings != self.settings;
             self.gone_by.take_if(|serial| *serial <= self.player.shown().serial);
             if self.base != self.shown().base {
                 self.take_base();
@@ -493,8 +496,16 @@ impl Session {
     pub(super) fn lose_focus(&mut self) {
         self.rewinds = false;
         self.hand.hold_pins(false);
-        (self.held, self.down) = (Held::default(), Down::default());
+        self.down = Down::default();
+        self.hold(Held::default());
         self.touch();
+    }
+
+    /// Ctrl and Shift go down or up.
+    pub(super) fn hold(&mut self, held: Held) {
+        self.held = held;
+        self.hand.hold_shift(held.shift);
+        self.dirty = true;
     }
 
     /// When the panels want a frame by themselves.

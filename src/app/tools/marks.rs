@@ -2,8 +2,11 @@
 
 use glam::{DVec2, DVec3};
 
+use super::build::Maker;
+use super::erase::{Target, target};
 use super::pick::Scope;
-use super::{Doing, Target, target};
+use super::select::Picked;
+use super::{Doing, skin};
 use crate::app::action::Tool;
 use crate::sim::{BOX_EDGES, Figure, PointId};
 
@@ -16,15 +19,30 @@ pub(in crate::app) enum Role {
     Hold,
     /// It will be let go, cut or taken away.
     Away,
+    /// It will be there.
+    Come,
 }
 
-/// A line or a ring over the world [px].
-#[derive(Clone, Copy, Debug, PartialEq)]
+/// A line, a ring or a few words over the world [px].
+#[derive(Clone, Debug, PartialEq)]
 pub(in crate::app) enum Mark {
     /// From, to, width.
     Line(Role, DVec2, DVec2, f64),
     /// Middle, radius.
     Ring(Role, DVec2, f64),
+    /// The lower left corner, and what is written there.
+    Words(DVec2, String),
+}
+
+impl Mark {
+    /// The same so far off [px].
+    pub(super) fn shifted(self, off: DVec2) -> Self {
+        match self {
+            Mark::Line(role, from, to, width) => Mark::Line(role, from + off, to + off, width),
+            Mark::Ring(role, middle, radius) => Mark::Ring(role, middle + off, radius),
+            Mark::Words(corner, words) => Mark::Words(corner + off, words),
+        }
+    }
 }
 
 /// Width of a line for the least and the greatest force [logical px].
@@ -34,14 +52,20 @@ const HALF_FORCE: f64 = 30.0;
 /// Bonds of a body that are drawn at most.
 const MOST: usize = 4000;
 
-pub(super) fn of(tool: Tool, doing: &Doing, scope: Scope<'_>, at: Option<DVec2>) -> Vec<Mark> {
+pub(super) fn of((tool, maker): (Tool, Maker), doing: &Doing, scope: Scope<'_>, at: Option<DVec2>) -> Vec<Mark> {
     match (doing, tool) {
         (Doing::Grabbing(points), _) => led(scope, points, at),
         (Doing::Leading(lead), _) => led(scope, &[lead.point()], at),
         (Doing::Cutting(from), _) => {
             at.map(|at| Mark::Line(Role::Away, *from, at, 2.0 * scope.scale)).into_iter().collect()
         }
+        (Doing::Building(drag), _) => at.map_or_else(Vec::new, |at| maker.outline(scope, Some(drag), at)),
+        (_, Tool::Build) => at.map_or_else(Vec::new, |at| maker.outline(scope, None, at)),
         (_, Tool::Pin) => at.and_then(|at| would_pin(scope, at)).into_iter().collect(),
+        (Doing::Nothing, Tool::Select) => {
+            let under = at.and_then(|at| Picked::at(scope, at));
+            under.map_or_else(Vec::new, |picked| picked.outline(scope, Role::Lead, DVec2::ZERO))
+        }
         (_, Tool::Erase) => at.map_or_else(Vec::new, |at| would_go(scope, at)),
         _ => Vec::new(),
     }
@@ -70,51 +94,65 @@ fn would_pin(scope: Scope<'_>, at: DVec2) -> Option<Mark> {
 }
 
 fn would_go(scope: Scope<'_>, at: DVec2) -> Vec<Mark> {
-    let line = |[a, b]: [PointId; 2]| Some(Mark::Line(Role::Away, scope.pixel(a)?, scope.pixel(b)?, 1.5 * scope.scale));
     match target(scope, at) {
-        Some(Target::Body(points)) => {
-            let is_its = |ends: &&[PointId; 2]| points.binary_search(&ends[0]).is_ok();
-            let bonds = scope.shown.scenery.bonds.ends().iter().filter(is_its).take(MOST);
-            let lines: Vec<Mark> = bonds.filter_map(|&ends| line(ends)).collect();
-            let ring = |&point| Some(Mark::Ring(Role::Away, scope.pixel(point)?, 6.0 * scope.scale));
-            if lines.is_empty() { points.first().and_then(ring).into_iter().collect() } else { lines }
-        }
-        Some(Target::Bond(_, ends)) => line(ends).into_iter().collect(),
-        Some(Target::Obstacle(number)) => obstacle(scope, number),
+        Some(Target::Body(points)) => bonds(Role::Away, scope, &points),
+        Some(Target::Bond(_, ends)) => line(Role::Away, scope, ends).into_iter().collect(),
+        Some(Target::Obstacle(number)) => obstacle(Role::Away, scope, number),
         None => Vec::new(),
     }
 }
 
+fn line(role: Role, scope: Scope<'_>, [a, b]: [PointId; 2]) -> Option<Mark> {
+    Some(Mark::Line(role, scope.pixel(a)?, scope.pixel(b)?, 1.5 * scope.scale))
+}
+
+/// The bonds of a body, whose points are ascending; a ring about a point that has none.
+fn bonds(role: Role, scope: Scope<'_>, points: &[PointId]) -> Vec<Mark> {
+    let is_its = |ends: &&[PointId; 2]| points.binary_search(&ends[0]).is_ok();
+    let bonds = scope.shown.scenery.bonds.ends().iter().filter(is_its).take(MOST);
+    let lines: Vec<Mark> = bonds.filter_map(|&ends| line(role, scope, ends)).collect();
+    let ring = |&point| Some(Mark::Ring(role, scope.pixel(point)?, 6.0 * scope.scale));
+    if lines.is_empty() { points.first().and_then(ring).into_iter().collect() } else { lines }
+}
+
+/// The skin of a body, whose points are ascending; its bonds where it covers nothing.
+pub(super) fn body(role: Role, scope: Scope<'_>, points: &[PointId]) -> Vec<Mark> {
+    let sides = skin::sides(scope, points).into_iter().take(MOST);
+    let lines: Vec<Mark> = sides.filter_map(|ends| line(role, scope, ends)).collect();
+    if lines.is_empty() { bonds(role, scope, points) } else { lines }
+}
+
 /// The edges of a box; a circle about a ball, as wide as it is seen from afar.
-fn around(scope: Scope<'_>, figure: &Figure) -> Vec<Mark> {
+fn around(role: Role, scope: Scope<'_>, figure: &Figure) -> Vec<Mark> {
     let pixel = |x: [f64; 3]| scope.camera.screen_from_world(DVec3::from(x)).map(DVec2::from);
     if let &Figure::Ball { center, radius } = figure {
         let middle = DVec3::from(center);
         let beside = |side: DVec3| Some(pixel((middle + radius * side).into())?.distance(pixel(center)?));
         let sides = [DVec3::X, DVec3::Y, DVec3::Z].into_iter().flat_map(|side| [side, -side]);
         let wide = sides.filter_map(beside).fold(0.0, f64::max);
-        return pixel(center).map(|at| Mark::Ring(Role::Away, at, wide)).into_iter().collect();
+        return pixel(center).map(|at| Mark::Ring(role, at, wide)).into_iter().collect();
     }
     let Some(frame) = figure.frame() else { return Vec::new() };
     let corners = frame.corners();
     let side = |ends: [u32; 2]| {
         let [from, to] = ends.map(|end| pixel(corners[end as usize]));
-        Some(Mark::Line(Role::Away, from?, to?, 2.0 * scope.scale))
+        Some(Mark::Line(role, from?, to?, 2.0 * scope.scale))
     };
     BOX_EDGES.into_iter().filter_map(side).collect()
 }
 
-fn obstacle(scope: Scope<'_>, number: u32) -> Vec<Mark> {
+/// The sides of a solid.
+pub(super) fn obstacle(role: Role, scope: Scope<'_>, number: u32) -> Vec<Mark> {
     let scenery = &scope.shown.scenery;
     let Some(place) = scenery.solid_numbers.iter().position(|&other| other == number) else { return Vec::new() };
     if let Some(convex) = scenery.convex.get(place) {
-        return around(scope, &convex.figure);
+        return around(role, scope, &convex.figure);
     }
     let Some(polygon) = scenery.polygons.get(place) else { return Vec::new() };
     let pixel = |[x, y]: [f64; 2]| scope.camera.screen_from_world([x, y, 0.0].into()).map(DVec2::from);
     let side = |corners: &[[f64; 2]], k: usize| {
         let [from, to] = [corners[k], corners[(k + 1) % corners.len()]];
-        Some(Mark::Line(Role::Away, pixel(from)?, pixel(to)?, 2.0 * scope.scale))
+        Some(Mark::Line(role, pixel(from)?, pixel(to)?, 2.0 * scope.scale))
     };
     polygon
         .loops

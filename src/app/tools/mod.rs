@@ -1,22 +1,33 @@
 //! Tools: what presses and strokes of the left button become. They return commands and change nothing.
 
+mod build;
+mod copy;
+mod erase;
 #[cfg(test)]
 mod grab_tests;
 mod lead;
 mod marks;
 mod pick;
+mod select;
+#[cfg(test)]
+mod select_tests;
+mod skin;
 #[cfg(test)]
 mod tests;
 
 use glam::DVec2;
 
-use super::action::Tool;
-use crate::history::{DeleteKeys, Do};
+use super::action::{Primitive, Tool};
+use crate::history::Do;
 use crate::sim::{MouseChange, PointId, Reach};
+use build::{Drag, Maker};
+pub(super) use copy::copy;
+use erase::{delete_points, erase};
 use lead::Lead;
 pub(super) use lead::PinWay;
 pub(super) use marks::{Mark, Role};
 pub(super) use pick::Scope;
+use select::Picked;
 
 /// The hover force stays away so long after a grab [s]: what was thrown is not blown off its way.
 const CALM: f64 = 0.2;
@@ -26,11 +37,22 @@ const CALM: f64 = 0.2;
 pub(super) struct Deed {
     pub(super) commands: Vec<Do>,
     pub(super) edit: Option<&'static str>,
+    /// Why there are none, where that is not seen.
+    pub(super) words: Option<String>,
 }
 
 impl Deed {
     fn edit(name: &'static str, command: Do) -> Self {
-        Deed { commands: vec![command], edit: Some(name) }
+        Deed { commands: vec![command], edit: Some(name), words: None }
+    }
+
+    /// What the hand does on the way, which is no edit.
+    fn plain(commands: Vec<Do>) -> Self {
+        Deed { commands, ..Deed::default() }
+    }
+
+    fn words(words: String) -> Self {
+        Deed { words: Some(words), ..Deed::default() }
     }
 
     /// Whether there is nothing to do.
@@ -52,6 +74,10 @@ enum Doing {
     Pushing,
     /// A stroke from here [px], to cut what it crosses.
     Cutting(DVec2),
+    /// A primitive is drawn out.
+    Building(Drag),
+    /// What is selected is moved, from where it was pressed on [px].
+    Moving(DVec2),
 }
 
 /// The left button's tool and what it is doing.
@@ -60,6 +86,9 @@ pub(super) struct Hand {
     tool: Tool,
     /// The tool for pins is held by its key.
     pins: bool,
+    /// What the tool for building makes.
+    maker: Maker,
+    picked: Option<Picked>,
     doing: Doing,
     /// What the hover force is when nothing is grabbed; `None`: the scene has none, or it goes along a track.
     strength: Option<f64>,
@@ -83,6 +112,22 @@ impl Hand {
         self.pins = is_held;
     }
 
+    /// What the tool for building makes.
+    pub(super) fn primitive(&self) -> Primitive {
+        self.maker.primitive
+    }
+
+    /// Another primitive is to be built: with the tool for that.
+    pub(super) fn choose(&mut self, primitive: Primitive) {
+        self.maker.primitive = primitive;
+        self.tool = Tool::Build;
+    }
+
+    /// Shift is held, or let go: what is built hangs on nothing.
+    pub(super) fn hold_shift(&mut self, is_held: bool) {
+        self.maker.is_free = is_held;
+    }
+
     /// Another scene, or another strength by hand.
     pub(super) fn set_strength(&mut self, strength: Option<f64>) {
         self.strength = strength;
@@ -95,7 +140,7 @@ impl Hand {
 
     /// A history begins: nothing is held any more.
     pub(super) fn let_go(&mut self) {
-        (self.doing, self.calm) = (Doing::Nothing, None);
+        (self.doing, self.calm, self.picked) = (Doing::Nothing, None, None);
     }
 
     /// Another history is gone to: what this one has in hand is let go first, and the hover force comes back at once.
@@ -108,7 +153,7 @@ impl Hand {
             commands.extend(self.strength.map(strength));
         }
         self.let_go();
-        Deed { commands, edit: None }
+        Deed::plain(commands)
     }
 
     /// Whether the hover force pushes while the button is down.
@@ -146,7 +191,21 @@ impl Hand {
                 Deed::default()
             }
             Tool::Erase => erase(scope, at),
+            Tool::Build => self.begin_to_build(scope, at),
+            Tool::Select => {
+                self.picked = Picked::at(scope, at);
+                self.doing = self.picked.map_or(Doing::Nothing, |_| Doing::Moving(at));
+                Deed::default()
+            }
         }
+    }
+
+    fn begin_to_build(&mut self, scope: Scope<'_>, at: DVec2) -> Deed {
+        if scope.shown.dimensions != 2 {
+            return Deed::words(build::OF_THE_PLANE.to_owned());
+        }
+        self.doing = Doing::Building(Drag::new(scope, at));
+        Deed::default()
     }
 
     /// What lies under the pixel is led: a pin along its way, all else by its points. Where nothing does, what the hover force has
@@ -155,7 +214,7 @@ impl Hand {
         if let Some(lead) = Lead::of_pin(scope, at) {
             let commands = self.calm_now();
             self.doing = Doing::Leading(lead);
-            return Deed { commands, edit: None };
+            return Deed::plain(commands);
         }
         let mut points = scope.grip(at);
         if points.is_empty() && self.strength.is_some_and(|strength| strength > 0.0) {
@@ -168,7 +227,7 @@ impl Hand {
         let mut commands = self.calm_now();
         commands.push(Do::Grab(Reach::Points(points.clone())));
         self.doing = Doing::Grabbing(points);
-        Deed { commands, edit: None }
+        Deed::plain(commands)
     }
 
     /// The hover force goes away, if it is there.
@@ -191,24 +250,28 @@ impl Hand {
         match std::mem::take(&mut self.doing) {
             Doing::Grabbing(_) => {
                 self.calm = Some(CALM);
-                Deed { commands: vec![Do::Release], edit: None }
+                Deed::plain(vec![Do::Release])
             }
             Doing::Leading(_) => {
                 self.calm = Some(CALM);
                 Deed::default()
             }
             Doing::Cutting(from) if from.distance(at) > 1.0 => cut(scope, from, at),
+            Doing::Building(drag) => self.maker.build(scope, &drag, at),
+            Doing::Moving(from) => {
+                self.picked(scope).map_or_else(Deed::default, |picked| picked.moved(scope, [from, at]))
+            }
             _ => Deed::default(),
         }
     }
 
     /// Ends what is under way without doing it. Returns whether anything was.
     pub(super) fn cancel(&mut self) -> (bool, Deed) {
-        let was = self.is_busy();
+        let was = self.is_busy() || self.picked.take().is_some();
         let deed = match std::mem::take(&mut self.doing) {
             Doing::Grabbing(_) => {
                 self.calm = Some(CALM);
-                Deed { commands: vec![Do::Release], edit: None }
+                Deed::plain(vec![Do::Release])
             }
             Doing::Leading(_) => {
                 self.calm = Some(CALM);
@@ -236,7 +299,7 @@ impl Hand {
     /// A frame passes. The hover force is the hand's: with another tool it goes, and a while after a grab it comes back.
     pub(super) fn pass(&mut self, seconds: f64) -> Deed {
         if self.tool() != Tool::Hand {
-            return Deed { commands: self.calm_now(), edit: None };
+            return Deed::plain(self.calm_now());
         }
         if !self.leads() {
             // Nothing keeps it away any more.
@@ -248,7 +311,7 @@ impl Hand {
             return Deed::default();
         }
         self.calm = None;
-        Deed { commands: self.strength.map(strength).into_iter().collect(), edit: None }
+        Deed::plain(self.strength.map(strength).into_iter().collect())
     }
 
     /// Takes away what is led, or what lies under the pixel.
@@ -260,12 +323,36 @@ impl Hand {
             self.doing = Doing::Nothing;
             return deed;
         }
+        if let Some(picked) = self.picked(scope) {
+            self.picked = None;
+            return picked.deleted(scope);
+        }
         at.map_or_else(Deed::default, |at| erase(scope, at))
+    }
+
+    /// What is selected, if that tool is in the hand and it is still there.
+    fn picked(&self, scope: Scope<'_>) -> Option<Picked> {
+        self.picked.filter(|picked| self.tool() == Tool::Select && picked.is_there(scope))
+    }
+
+    /// The points of the body that is selected, and how far beside it a copy goes [m].
+    pub(super) fn to_copy(&self, scope: Scope<'_>) -> Option<(Vec<PointId>, [f64; 3])> {
+        let picked = self.picked(scope)?;
+        let points = picked.points(scope);
+        (!points.is_empty()).then(|| (points, picked.beside(scope)))
     }
 
     /// What a click at the pixel would do, to be drawn.
     pub(super) fn marks(&self, scope: Scope<'_>, at: Option<DVec2>) -> Vec<Mark> {
-        marks::of(self.tool(), &self.doing, scope, at)
+        let mut marks = marks::of((self.tool(), self.maker), &self.doing, scope, at);
+        if let Some(picked) = self.picked(scope) {
+            let off = match (&self.doing, at) {
+                (Doing::Moving(from), Some(at)) => at - *from,
+                _ => DVec2::ZERO,
+            };
+            marks.extend(picked.outline(scope, Role::Hold, off));
+        }
+        marks
     }
 }
 
@@ -290,49 +377,4 @@ fn cut(scope: Scope<'_>, from: DVec2, to: DVec2) -> Deed {
     }
     let [from, to] = [from, to].map(|at| scope.camera.world_from_screen(at.to_array()).truncate().to_array());
     Deed::edit("cut", Do::Cut { from, to })
-}
-
-/// What goes when a pixel is clicked.
-#[derive(Clone, Debug, PartialEq)]
-enum Target {
-    Body(Vec<PointId>),
-    Bond(u32, [PointId; 2]),
-    Obstacle(u32),
-}
-
-/// A point is meant before a bond, and what lies on top before an obstacle.
-fn target(scope: Scope<'_>, at: DVec2) -> Option<Target> {
-    // Of a point with a skin about it the body is meant, wherever it is clicked.
-    let hit = scope.nearest(at);
-    let is_bare = |point: PointId| {
-        let has = |skin: &crate::picture::Skin| skin.triangles.iter().any(|corners| corners.contains(&point.0));
-        !scope.shown.scenery.skins.iter().any(has)
-    };
-    match hit {
-        Some(hit) if hit.distance > 8.0 * scope.scale && is_bare(hit.point) => {
-            let bond = scope.bond(at).map(|(place, ends)| Target::Bond(scope.shown.scenery.bond_number(place), ends));
-            bond.or_else(|| Some(Target::Body(scope.body(hit.point))))
-        }
-        Some(hit) => Some(Target::Body(scope.body(hit.point))),
-        None => scope.solid(at).map(Target::Obstacle),
-    }
-}
-
-fn erase(scope: Scope<'_>, at: DVec2) -> Deed {
-    match target(scope, at) {
-        Some(Target::Body(points)) => delete_points(points),
-        Some(Target::Bond(number, _)) => {
-            Deed::edit("delete a bond", Do::Delete(DeleteKeys { bonds: vec![number], ..DeleteKeys::default() }))
-        }
-        Some(Target::Obstacle(number)) => {
-            let keys = DeleteKeys { obstacles: vec![number], ..DeleteKeys::default() };
-            Deed::edit("delete an obstacle", Do::Delete(keys))
-        }
-        None => Deed::default(),
-    }
-}
-
-fn delete_points(points: Vec<PointId>) -> Deed {
-    let points = points.into_iter().map(|point| point.0).collect();
-    Deed::edit("delete", Do::Delete(DeleteKeys { points, ..DeleteKeys::default() }))
 }

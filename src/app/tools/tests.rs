@@ -15,13 +15,13 @@ use crate::sim::{MouseChange, PointId, Reach};
 pub(super) const SIZE: [u32; 2] = [1000, 700];
 
 /// A scene as it opens.
-fn opened(name: &str) -> (Shown, Camera, Scene) {
+pub(super) fn opened(name: &str) -> (Shown, Camera, Scene) {
     let entry = gallery().iter().find(|entry| entry.name == name).unwrap();
     let scene = entry.scene().unwrap();
     shown(scene)
 }
 
-fn shown(scene: Scene) -> (Shown, Camera, Scene) {
+pub(super) fn shown(scene: Scene) -> (Shown, Camera, Scene) {
     let mut shown = Shown::default();
     Stage::new(scene.clone().into()).unwrap().show(&mut shown);
     let camera = opening::camera(&scene, &shown.view(), SIZE);

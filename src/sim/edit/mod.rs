@@ -13,6 +13,7 @@ mod overlap;
 mod pins;
 mod recompile;
 mod set;
+mod settings;
 mod shift;
 
 use super::bond::PointId;

@@ -4,7 +4,7 @@ use super::World;
 use super::saved::of_any;
 use crate::sim::bond::PointId;
 use crate::sim::bonds::Bonds;
-use crate::sim::command::{Applied, Command, CommandError};
+use crate::sim::command::{Applied, Command, CommandError, SceneChange};
 use crate::sim::contact::convex::Convex;
 use crate::sim::contact::polygon::Polygon;
 use crate::sim::contact::skin::Contact;
@@ -137,6 +137,10 @@ impl<S: Real, const D: usize> Dynamics for World<S, D> {
 
     fn triangles(&self) -> &[[PointId; 3]] {
         &self.model.triangles
+    }
+
+    fn settings(&self) -> SceneChange {
+        self.scene_now()
     }
 
     fn contact(&self) -> Option<Contact> {

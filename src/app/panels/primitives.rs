@@ -1,0 +1,94 @@
+//! What the tool for building makes, beside the tools.
+
+use egui::epaint::PathShape;
+use egui::{Area, Id, Painter, Pos2, Rect, Shape, Stroke, Ui};
+
+use super::icons::{self, Icon};
+use super::theme::floating;
+use super::{Facts, Wish};
+use crate::app::action::Primitive;
+
+/// What each makes, and how.
+fn words(primitive: Primitive) -> &'static str {
+    match primitive {
+        Primitive::Box => "a soft box: drag from corner to corner",
+        Primitive::Disc => "a soft disc: drag from its middle to its rim",
+        Primitive::Rope => {
+            "a rope: drag from end to end; it hangs where it began (Shift: it does not), and on points that it ends on"
+        }
+        Primitive::Cloth => "a cloth: drag from corner to corner; it hangs by its upper corners (Shift: it does not)",
+        Primitive::Rim => "a soft rim: drag from its middle to its outside",
+        Primitive::SolidBox => "an obstacle, a box: drag from corner to corner",
+        Primitive::SolidCircle => "an obstacle, a circle: drag from its middle to its rim",
+        Primitive::Slope => "an obstacle, a floor, slope or wall: drag along it, with what is solid at the right hand",
+    }
+}
+
+/// Shows them at the right of the tools.
+pub(super) fn show(context: &egui::Context, tools: Rect, facts: &Facts, wishes: &mut Vec<Wish>) {
+    let corner = tools.right_top() + egui::vec2(8.0, 0.0);
+    Area::new(Id::unique("primitives")).fixed_pos(corner).show(context, |ui| {
+        floating().show(ui, |ui| {
+            ui.spacing_mut().item_spacing.y = 4.0;
+            for pair in Primitive::ALL.chunks(2) {
+                ui.horizontal(|ui| {
+                    ui.spacing_mut().item_spacing.x = 4.0;
+                    pair.iter().for_each(|&primitive| choice(ui, primitive, facts, wishes));
+                });
+            }
+        });
+    });
+}
+
+fn choice(ui: &mut Ui, primitive: Primitive, facts: &Facts, wishes: &mut Vec<Wish>) {
+    let is_on = primitive == facts.primitive;
+    let button = icons::button(ui, Icon::Primitive(primitive), primitive.name(), icons::TOOL, is_on);
+    if button.on_hover_text(words(primitive)).clicked() {
+        wishes.push(Wish::Build(primitive));
+    }
+}
+
+/// Draws the sign of a primitive: bodies as lines, obstacles filled.
+pub(super) fn paint(painter: &Painter, primitive: Primitive, at: &impl Fn(f32, f32) -> Pos2, stroke: Stroke) {
+    let unit = at(1.0, 0.0).x - at(0.0, 0.0).x;
+    let line = |points: &[(f32, f32)]| {
+        painter.add(Shape::line(points.iter().map(|&(x, y)| at(x, y)).collect(), stroke));
+    };
+    let filled = |points: &[(f32, f32)]| {
+        let points: Vec<Pos2> = points.iter().map(|&(x, y)| at(x, y)).collect();
+        painter.add(Shape::Path(PathShape::convex_polygon(points, stroke.color, Stroke::NONE)));
+    };
+    let square = [(-1.0, -1.0), (1.0, -1.0), (1.0, 1.0), (-1.0, 1.0), (-1.0, -1.0)];
+    match primitive {
+        Primitive::Box => {
+            line(&square);
+            line(&[(-1.0, -1.0), (1.0, 1.0)]);
+            line(&[(-1.0, 1.0), (1.0, -1.0)]);
+        }
+        Primitive::Disc => {
+            painter.circle_stroke(at(0.0, 0.0), 1.05 * unit, stroke);
+            line(&[(0.0, -1.0), (0.0, 1.0)]);
+            line(&[(-1.0, 0.0), (1.0, 0.0)]);
+        }
+        Primitive::Rope => {
+            let wave = (0..=16).map(|k| k as f32 / 8.0 - 1.0).map(|y| (0.45 * (3.0 * y).sin(), y));
+            line(&wave.collect::<Vec<_>>());
+            painter.circle_filled(at(-0.06, -1.0), 0.25 * unit, stroke.color);
+        }
+        Primitive::Cloth => {
+            for k in [-1.0, 0.0, 1.0] {
+                line(&[(k, -1.0), (0.8 * k, 1.0)]);
+                line(&[(-1.0 + 0.1 * (k + 1.0), k), (1.0 - 0.1 * (k + 1.0), k)]);
+            }
+        }
+        Primitive::Rim => {
+            painter.circle_stroke(at(0.0, 0.0), 1.05 * unit, stroke);
+            painter.circle_stroke(at(0.0, 0.0), 0.6 * unit, stroke);
+        }
+        Primitive::SolidBox => filled(&square[..4]),
+        Primitive::SolidCircle => {
+            painter.circle_filled(at(0.0, 0.0), 1.05 * unit, stroke.color);
+        }
+        Primitive::Slope => filled(&[(-1.1, 1.0), (1.1, -0.9), (1.1, 1.0)]),
+    }
+}

@@ -1,0 +1,261 @@
+//! What can be set of the scene while it runs: a panel at the right. It shows the world as it is, and returns commands.
+
+use egui::{Align2, Area, ComboBox, DragValue, Id, Rect, Response, RichText, ScrollArea, Slider, SliderClamping, Ui};
+
+use super::theme::{TEXT, floating};
+use super::{Facts, PanelState, Wish, described, dial};
+use crate::app::action::Action;
+use crate::history::{Do, SetKeys, Walls, Weather};
+use crate::scene::{BoundsKeys, ContactKeys, Meeting, SolverName, Vector, WindKeys};
+use crate::sim::{BoundsChange, Contact, MouseChange, SceneChange, Solver, Wind};
+
+/// Width of the panel [points].
+pub(super) const WIDTH: f32 = 250.0;
+/// A room so high has place for it below all else at the right [points].
+pub(super) const TALL: f32 = 950.0;
+/// What is above it stays free [points].
+const ABOVE: f32 = 176.0;
+/// Gravity on the ground [m/s^2].
+const GRAVITY: f64 = 9.81;
+/// Gravity at the rim of the dial [m/s^2].
+const FULL: f64 = 20.0;
+
+/// What can be set, as it is.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub(in crate::app) struct Settings {
+    pub(in crate::app) scene: SceneChange,
+    /// Strength [1/s^2] and radius [m] of the hover force; `None`: there is none, or it goes along a track.
+    pub(in crate::app) push: Option<[f64; 2]>,
+}
+
+/// A setting gets another value.
+#[derive(Clone, Debug, PartialEq)]
+pub(in crate::app) struct Setting {
+    pub(in crate::app) act: Do,
+    /// What it is called when it is undone.
+    pub(in crate::app) name: &'static str,
+    /// It belongs to the same drag as the last one.
+    pub(in crate::app) goes_on: bool,
+}
+
+/// Where changes go to.
+struct Sink<'a> {
+    /// What is being dragged.
+    gesture: &'a mut Option<Id>,
+    wishes: &'a mut Vec<Wish>,
+    dimensions: usize,
+}
+
+impl Sink<'_> {
+    /// What is dragged on is one edit.
+    fn set(&mut self, by: &Response, name: &'static str, act: Do) {
+        let goes_on = *self.gesture == Some(by.id);
+        *self.gesture = by.is_pointer_button_down_on().then_some(by.id);
+        self.wishes.push(Wish::Set(Setting { act, name, goes_on }));
+    }
+
+    fn scene(&mut self, by: &Response, name: &'static str, keys: SetKeys) {
+        self.set(by, name, Do::Set(Box::new(keys)));
+    }
+
+    fn vector(&self, v: [f64; 3]) -> Vector {
+        Vector::new(v, self.dimensions)
+    }
+}
+
+pub(super) fn show(context: &egui::Context, room: Rect, state: &mut PanelState, facts: &Facts, wishes: &mut Vec<Wish>) {
+    if !context.input(|input| input.pointer.any_down()) {
+        state.gesture = None;
+    }
+    let up = room.height() - context.content_rect().height() - 10.0;
+    let mut sink = Sink { gesture: &mut state.gesture, wishes, dimensions: facts.dimensions };
+    Area::new(Id::unique("settings")).anchor(Align2::RIGHT_BOTTOM, [-10.0, up]).show(context, |ui| {
+        floating().show(ui, |ui| {
+            ui.set_width(WIDTH);
+            ui.horizontal(|ui| {
+                ui.label(RichText::new("Settings").color(TEXT).strong());
+                ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
+                    if ui.button("Close").on_hover_text(described("close the settings", Action::Settings)).clicked() {
+                        sink.wishes.push(Wish::Act(Action::Settings));
+                    }
+                });
+            });
+            let height = (room.height() - ABOVE).max(120.0);
+            ScrollArea::vertical()
+                .max_height(height)
+                .min_scrolled_height(height)
+                .show(ui, |ui| all(ui, &facts.settings, &mut sink));
+        });
+    });
+}
+
+fn all(ui: &mut Ui, settings: &Settings, sink: &mut Sink<'_>) {
+    let SceneChange { gravity, drag_rate, wind, bounds, contact, method, .. } = &settings.scene;
+    gravity.iter().for_each(|g| of_gravity(ui, *g, sink));
+    if let (Some(drag_rate), Some(wind)) = (*drag_rate, *wind) {
+        ui.separator();
+        of_air(ui, drag_rate, wind, sink);
+    }
+    if let Some(Some(bounds)) = bounds {
+        ui.separator();
+        of_walls(ui, bounds, sink);
+    }
+    ui.separator();
+    contact.iter().for_each(|contact| of_contact(ui, *contact, sink));
+    if let Some(push) = settings.push {
+        ui.separator();
+        of_push(ui, push, sink);
+    }
+    ui.separator();
+    method.iter().for_each(|method| of_solver(ui, method.solver, sink));
+}
+
+/// A number with its name before it, by which what reads aloud calls it.
+fn number(ui: &mut Ui, name: &str, (value, speed, unit): (&mut f64, f64, &str)) -> Response {
+    let label = ui.label(name);
+    let field = DragValue::new(value).speed(speed).max_decimals(2).suffix(unit).update_while_editing(false);
+    ui.add(field).labelled_by(label.id)
+}
+
+/// A slider from 0 to `most`, whose value may be beyond.
+fn slider(ui: &mut Ui, name: &str, value: &mut f64, most: f64) -> Response {
+    ui.spacing_mut().slider_width = 96.0;
+    let slider = Slider::new(value, 0.0..=most).clamping(SliderClamping::Edits).max_decimals(2).text(name);
+    ui.add(slider.update_while_editing(false))
+}
+
+fn of_gravity(ui: &mut Ui, gravity: [f64; 3], sink: &mut Sink<'_>) {
+    let [x, y, z] = gravity;
+    let set = |sink: &mut Sink<'_>, by: &Response, to: [f64; 3]| {
+        let keys = SetKeys { gravity: Some(sink.vector(to)), ..SetKeys::default() };
+        sink.scene(by, "gravity", keys);
+    };
+    ui.strong("Gravity");
+    ui.horizontal(|ui| {
+        let (response, to) = dial::show(ui, "gravity, as an arrow", [x, y], FULL);
+        if let Some([x, y]) = to {
+            set(sink, &response, [x, y, z]);
+        }
+        ui.vertical(|ui| {
+            let mut to = gravity;
+            for (axis, name) in ["x", "y", "z"].into_iter().take(sink.dimensions).enumerate() {
+                let changed = ui.horizontal(|ui| number(ui, name, (&mut to[axis], 0.1, " m/s²"))).inner;
+                if changed.changed() {
+                    set(sink, &changed, to);
+                }
+            }
+            ui.horizontal(|ui| {
+                let none = ui.button("0").on_hover_text("no gravity");
+                if none.clicked() {
+                    set(sink, &none, [0.0; 3]);
+                }
+                let down = ui.button("down").on_hover_text("9.81 m/s² down");
+                if down.clicked() {
+                    set(sink, &down, [0.0, -GRAVITY, 0.0]);
+                }
+            });
+        });
+    });
+}
+
+fn of_air(ui: &mut Ui, mut drag_rate: f64, wind: Option<Wind<3>>, sink: &mut Sink<'_>) {
+    ui.strong("Air");
+    let by = slider(ui, "drag /s", &mut drag_rate, 5.0);
+    if by.changed() {
+        sink.scene(&by, "drag", SetKeys { drag_rate: Some(drag_rate), ..SetKeys::default() });
+    }
+    let before = wind.unwrap_or(Wind { velocity: [0.0; 3], turbulence: 0.0, seed: 0 });
+    let mut to = before;
+    let mut changed = None;
+    ui.horizontal(|ui| {
+        for (axis, name) in ["wind x", "y", "z"].into_iter().take(sink.dimensions).enumerate() {
+            let by = number(ui, name, (&mut to.velocity[axis], 0.1, ""));
+            changed = changed.take().or(by.changed().then_some(by));
+        }
+        ui.weak("m/s");
+    });
+    let blows = to.velocity != [0.0; 3];
+    let gusts = ui.add_enabled_ui(blows, |ui| slider(ui, "turbulence", &mut to.turbulence, 1.0)).inner;
+    changed = changed.or(gusts.changed().then_some(gusts));
+    if blows && drag_rate == 0.0 {
+        ui.weak("without drag no wind is felt");
+    }
+    if let Some(by) = changed {
+        let keys = WindKeys {
+            velocity: sink.vector(to.velocity),
+            turbulence: (to.turbulence > 0.0).then_some(to.turbulence),
+            seed: Some(to.seed),
+        };
+        let wind = if blows { Weather::This(keys) } else { Weather::None(()) };
+        sink.scene(&by, "wind", SetKeys { wind: Some(wind), ..SetKeys::default() });
+    }
+}
+
+fn of_walls(ui: &mut Ui, bounds: &BoundsChange, sink: &mut Sink<'_>) {
+    let mut to = *bounds;
+    ui.strong("Walls");
+    let friction = slider(ui, "friction", &mut to.friction, 1.0);
+    let restitution = slider(ui, "restitution", &mut to.restitution, 1.0);
+    if let Some(by) = [friction, restitution].into_iter().find(Response::changed) {
+        let keys = BoundsKeys {
+            min: sink.vector(to.min),
+            max: sink.vector(to.max),
+            restitution: Some(to.restitution),
+            friction: Some(to.friction),
+        };
+        sink.scene(&by, "walls", SetKeys { bounds: Some(Walls::These(keys)), ..SetKeys::default() });
+    }
+}
+
+fn of_contact(ui: &mut Ui, contact: Option<Contact>, sink: &mut Sink<'_>) {
+    let mut meets = contact.is_some();
+    ui.strong("Bodies");
+    let by = ui.checkbox(&mut meets, "meet each other");
+    if by.changed() {
+        let keys = SetKeys { contact: Some(Meeting::Is(meets)), ..SetKeys::default() };
+        sink.scene(&by, "contact", keys);
+    }
+    let Some(contact) = contact else { return };
+    let mut friction = contact.friction;
+    let by = slider(ui, "friction", &mut friction, 2.0);
+    if by.changed() {
+        let keys = ContactKeys {
+            friction: Some(friction),
+            restitution: Some(contact.restitution),
+            radius: contact.radius,
+            with_itself: Some(contact.with_itself),
+            bodies: Some(contact.with_others),
+        };
+        sink.scene(&by, "contact", SetKeys { contact: Some(Meeting::As(keys)), ..SetKeys::default() });
+    }
+}
+
+fn of_push(ui: &mut Ui, [mut strength, mut radius]: [f64; 2], sink: &mut Sink<'_>) {
+    ui.strong("Push of the mouse");
+    let [speed, pace] = [0.01 * strength.abs().max(1.0), 0.01 * radius];
+    let both = ui.horizontal_wrapped(|ui| {
+        let strength = number(ui, "strength", (&mut strength, speed, " /s²"));
+        (strength, number(ui, "radius", (&mut radius, pace, " m")))
+    });
+    let (of_strength, of_radius) = both.inner;
+    if of_strength.changed() {
+        let change = MouseChange { strength: Some(strength), ..MouseChange::default() };
+        sink.set(&of_strength, "push", Do::Mouse(change));
+    }
+    if of_radius.changed() && radius > 0.0 {
+        let change = MouseChange { radius: Some(radius), ..MouseChange::default() };
+        sink.set(&of_radius, "push", Do::Mouse(change));
+    }
+}
+
+fn of_solver(ui: &mut Ui, solver: Solver, sink: &mut Sink<'_>) {
+    ui.strong("Method");
+    ComboBox::from_label("solver").selected_text(solver.name()).show_ui(ui, |ui| {
+        for name in SolverName::NAMES {
+            let is_chosen = *name == solver.name();
+            if ui.selectable_label(is_chosen, *name).clicked() && !is_chosen {
+                sink.wishes.extend(name.parse().ok().map(Wish::Solver));
+            }
+        }
+    });
+}

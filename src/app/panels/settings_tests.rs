@@ -1,0 +1,143 @@
+//! Settings without a window: what drags and clicks on the panel ask for.
+#![allow(clippy::unwrap_used, clippy::panic, reason = "a test that cannot go on stops")]
+
+use egui::{Event, Modifiers, PointerButton, Pos2, Shape, pos2, vec2};
+
+use super::{Facts, PanelState, Setting, Settings, Wish, settings};
+use crate::app::player::{Note, Order, Shown, Stage};
+use crate::history::{Do, SetKeys};
+use crate::scene::{Scene, SolverName, Vector, gallery};
+use crate::sim::{Change, Command, Solver};
+
+const SCENE: &str = r#"{"wobble": 1, "gravity": [0, -9.81], "points": {"position": [[0, 1]]}, "drag_rate": 0.5,
+    "bounds": {"min": [-5, -5], "max": [5, 5], "friction": 0.4}, "mouse": {"strength": 20, "radius": 1}}"#;
+
+fn stage() -> Stage {
+    Stage::new(Scene::parse(SCENE, "x.json").unwrap().into()).unwrap()
+}
+
+fn shown(stage: &mut Stage) -> Shown {
+    let mut shown = Shown::default();
+    stage.show(&mut shown);
+    shown
+}
+
+/// A panel on a screen of its own.
+struct Screen {
+    context: egui::Context,
+    state: PanelState,
+    facts: Facts,
+}
+
+impl Screen {
+    fn new(stage: &mut Stage) -> Self {
+        let settings = Settings { scene: shown(stage).settings, push: Some([20.0, 1.0]) };
+        let facts = Facts { settings, dimensions: 2, ..Facts::default() };
+        let mut screen = Screen { context: egui::Context::default(), state: PanelState::default(), facts };
+        // The first two frames find their sizes.
+        (0..2).for_each(|_| _ = screen.frame(Vec::new()));
+        screen
+    }
+
+    /// A frame with events. Returns what is asked for, and the middle of the dial if it is seen.
+    fn frame(&mut self, events: Vec<Event>) -> (Vec<Setting>, Option<Pos2>) {
+        let mut wishes = Vec::new();
+        let screen_rect = Some(egui::Rect::from_min_size(Pos2::ZERO, vec2(1280.0, 720.0)));
+        let input = egui::RawInput { events, screen_rect, ..egui::RawInput::default() };
+        let mut output = self.context.run_ui(input, |ui| {
+            let room = ui.available_rect_before_wrap();
+            settings::show(ui.ctx(), room, &mut self.state, &self.facts, &mut wishes);
+        });
+        output.textures_delta.clear();
+        let dial = output.shapes.iter().find_map(|clipped| match &clipped.shape {
+            Shape::Circle(circle) if circle.radius > 20.0 => Some(circle.center),
+            _ => None,
+        });
+        let settings = wishes.into_iter().filter_map(|wish| if let Wish::Set(set) = wish { Some(set) } else { None });
+        (settings.collect(), dial)
+    }
+}
+
+fn button(pos: Pos2, pressed: bool) -> Event {
+    Event::PointerButton { pos, button: PointerButton::Primary, pressed, modifiers: Modifiers::NONE }
+}
+
+fn gravity(set: &Setting) -> [f64; 3] {
+    match &set.act {
+        Do::Set(keys) => keys.gravity.unwrap().embed(),
+        other => panic!("{other:?}"),
+    }
+}
+
+#[test]
+fn a_drag_of_the_dial_is_one_edit() {
+    let mut screen = Screen::new(&mut stage());
+    let middle = screen.frame(Vec::new()).1.unwrap();
+    screen.frame(vec![Event::PointerMoved(middle)]);
+    let mut all = screen.frame(vec![button(middle, true)]).0;
+    for x in [10.0, 16.0] {
+        all.extend(screen.frame(vec![Event::PointerMoved(middle + vec2(x, 0.0))]).0);
+    }
+    let last = screen.frame(vec![button(middle + vec2(16.0, 0.0), false)]).0;
+    assert!(all.len() >= 2 && last.iter().all(|set| set.goes_on), "{all:?} {last:?}");
+    assert_eq!(
+        all.iter().map(|set| set.goes_on).collect::<Vec<_>>(),
+        [vec![false], vec![true; all.len() - 1]].concat()
+    );
+    assert!(all.iter().all(|set| set.name == "gravity"));
+    let to = gravity(all.last().unwrap());
+    assert!((to[0] - 10.0).abs() < 0.05 && to[1] == 0.0, "half the way to the rim: {to:?}");
+    // Another drag is another edit.
+    screen.frame(Vec::new());
+    let at = middle + vec2(0.0, 20.0);
+    screen.frame(vec![Event::PointerMoved(at)]);
+    screen.frame(vec![button(at, true)]);
+    let again = screen.frame(vec![Event::PointerMoved(at + vec2(0.0, 8.0))]).0;
+    assert!(!again[0].goes_on, "{again:?}");
+}
+
+#[test]
+fn nothing_is_asked_for_where_nothing_is_touched() {
+    let mut screen = Screen::new(&mut stage());
+    for x in 0..40 {
+        let over = Event::PointerMoved(pos2(1020.0 + 6.0 * x as f32, 690.0 - 13.0 * x as f32));
+        assert_eq!(screen.frame(vec![over]).0, []);
+    }
+}
+
+#[test]
+fn what_is_shown_is_what_the_world_has_and_setting_it_changes_nothing() {
+    for entry in gallery().iter().filter(|entry| entry.name != "million-cloth") {
+        let scene = entry.scene().unwrap();
+        let mut world = scene.world(None).unwrap();
+        let settings = world.settings();
+        let set = Command::Set(Change::Scene(Box::new(settings.clone())));
+        assert!(!world.apply(&set).unwrap().is_something, "{}", entry.name);
+        assert_eq!(world.settings(), settings, "{}", entry.name);
+    }
+}
+
+#[test]
+fn a_slider_is_undone_as_one_and_what_is_shown_follows() {
+    let mut stage = stage();
+    let set = |y: f64| {
+        let keys = SetKeys { gravity: Some(Vector::Plane([0.0, y])), ..SetKeys::default() };
+        Do::Set(Box::new(keys))
+    };
+    assert_eq!(stage.obey(Order::Give(vec![set(-5.0)], Some("gravity"))), None);
+    assert_eq!(stage.obey(Order::GiveOn(set(-2.0), "gravity")), None);
+    assert_eq!(shown(&mut stage).settings.gravity, Some([0.0, -2.0, 0.0]));
+    assert!(matches!(stage.obey(Order::Undo(None)), Some(Note::Undone(name, _)) if name == "gravity"));
+    assert_eq!(shown(&mut stage).settings.gravity, Some([0.0, -9.81, 0.0]));
+}
+
+#[test]
+fn another_solver_leaves_the_rest_of_the_method() {
+    let mut stage = stage();
+    let before = stage.history().world().method();
+    assert_eq!(stage.obey(Order::Solver(SolverName::Rk4)), None);
+    let method = stage.history().world().method();
+    assert_eq!((method.solver, method.sleeps, method.precision), (Solver::Rk4, before.sleeps, before.precision));
+    let names = Solver::ALL.map(|solver| solver.name());
+    assert_eq!(names, SolverName::NAMES, "the list is by the names of files");
+}

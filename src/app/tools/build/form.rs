@@ -1,0 +1,139 @@
+//! What a drag comes to: a primitive with its place and its size.
+
+use glam::DVec2;
+
+use super::Maker;
+use super::grid::{Fineness, Grid};
+use crate::app::action::Primitive;
+use crate::sim::PointId;
+
+/// A primitive in its place.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) enum Form {
+    Box(Grid),
+    Disc(Round),
+    Rope {
+        /// The first is on a point of the world, if any is.
+        ends: [End; 2],
+        pieces: u32,
+    },
+    Cloth {
+        grid: Grid,
+        /// It hangs by its upper corners.
+        hangs: bool,
+    },
+    Rim(Round),
+    SolidBox([DVec2; 2]),
+    SolidCircle(Round),
+    Slope {
+        point: DVec2,
+        /// Where the drag went: what lies to its right is solid.
+        along: DVec2,
+    },
+}
+
+/// A circle.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Round {
+    pub(super) center: DVec2,
+    pub(super) radius: f64,
+}
+
+/// What an end of a rope hangs on.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) enum Hold {
+    None,
+    /// A pin of its own.
+    Pin,
+    /// A point of the world.
+    Point(PointId),
+}
+
+/// An end of a drag.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct End {
+    /// [m]
+    pub(super) at: DVec2,
+    pub(super) hold: Hold,
+}
+
+/// Cells of a soft box: enough to bend, few enough for many of them.
+const BOX: Fineness = Fineness { across: 1..=5, most: 40 };
+/// Cells of a cloth.
+const CLOTH: Fineness = Fineness { across: 2..=10, most: 16 };
+/// Pieces of a rope as long as what a click makes.
+const PIECES: f64 = 6.0;
+/// The fewest and the most pieces of a rope.
+const ALL_PIECES: [f64; 2] = [4.0, 40.0];
+
+impl Form {
+    /// What is drawn out between two ends, where what a click makes is so large [m].
+    pub(super) fn drawn(maker: Maker, ends: [End; 2], usual: f64) -> Self {
+        let [from, to] = ends.map(|end| end.at);
+        let round = Round { center: from, radius: from.distance(to) };
+        match maker.primitive {
+            Primitive::Box => Form::Box(Grid::fit(from, to, &BOX)),
+            Primitive::Disc => Form::Disc(round),
+            Primitive::Rope => Form::rope(ends, usual),
+            Primitive::Cloth => Form::Cloth { grid: Grid::fit(from, to, &CLOTH), hangs: !maker.is_free },
+            Primitive::Rim => Form::Rim(round),
+            Primitive::SolidBox => Form::SolidBox([from.min(to), from.max(to)]),
+            Primitive::SolidCircle => Form::SolidCircle(round),
+            Primitive::Slope => Form::Slope { point: from, along: to - from },
+        }
+    }
+
+    /// What a click makes, of a usual size [m]: about the place, a rope hanging down from it, a slope that is level.
+    pub(super) fn usual(maker: Maker, at: End, usual: f64) -> Self {
+        let about = |half: DVec2| [at.at + half * DVec2::new(-1.0, 1.0), at.at + half * DVec2::new(1.0, -1.0)];
+        let beside = |by: DVec2| [at.at, at.at + by];
+        let [from, to] = match maker.primitive {
+            Primitive::Box => about(DVec2::splat(0.5 * usual)),
+            Primitive::SolidBox => about(DVec2::new(usual, 0.25 * usual)),
+            Primitive::Cloth => about(DVec2::new(usual, 0.75 * usual)),
+            Primitive::Disc | Primitive::SolidCircle => beside(DVec2::new(0.5 * usual, 0.0)),
+            Primitive::Rim => beside(DVec2::new(0.75 * usual, 0.0)),
+            Primitive::Rope => beside(hanging(usual)),
+            Primitive::Slope => beside(DVec2::new(usual, 0.0)),
+        };
+        let end = |at: DVec2, hold: Hold| End { at, hold };
+        Form::drawn(maker, [end(from, at.hold), end(to, Hold::None)], usual)
+    }
+
+    fn rope(ends: [End; 2], usual: f64) -> Self {
+        let [from, to] = ends;
+        let is_on_a_point = |end: End| matches!(end.hold, Hold::Point(_));
+        let ends = if is_on_a_point(to) && !is_on_a_point(from) { [to, from] } else { ends };
+        let pieces = PIECES * from.at.distance(to.at) / usual;
+        Form::Rope { ends, pieces: pieces.round().clamp(ALL_PIECES[0], ALL_PIECES[1]) as u32 }
+    }
+
+    /// Its size, as one says it.
+    pub(super) fn words(&self) -> String {
+        let sides = |size: DVec2| format!("{} × {} m", short(size.x), short(size.y));
+        match self {
+            Form::Box(grid) | Form::Cloth { grid, .. } => sides(grid.size()),
+            Form::SolidBox([low, high]) => sides(*high - *low),
+            Form::Disc(round) | Form::Rim(round) | Form::SolidCircle(round) => {
+                format!("radius {} m", short(round.radius))
+            }
+            Form::Rope { ends: [from, to], .. } => format!("{} m", short(from.at.distance(to.at))),
+            Form::Slope { along, .. } => format!("{:.0}°", along.to_angle().to_degrees() + 0.0),
+        }
+    }
+}
+
+/// From where a rope is clicked to its end, where what a click makes is so large [m].
+pub(super) fn hanging(usual: f64) -> DVec2 {
+    DVec2::new(0.0, -2.0 * usual)
+}
+
+/// A length [m] in as many digits as are of use.
+fn short(length: f64) -> String {
+    match length {
+        small if small < 0.1 => format!("{small:.3}"),
+        usual if usual < 10.0 => format!("{usual:.2}"),
+        large if large < 100.0 => format!("{large:.1}"),
+        vast => format!("{vast:.0}"),
+    }
+}

@@ -1,0 +1,168 @@
+//! What primitives are made of: the keys of the `add` that brings them.
+
+use std::f64::consts::PI;
+
+use glam::DVec2;
+
+use super::form::{End, Form, Hold, Round};
+use super::grid::Grid;
+use crate::scene::{
+    AddKeys, BodyKeys, BondKeys, BoxKeys, BraceName, CircleKeys, DiagonalsName, KindName, MakerName, Material,
+    ObstacleKeys, PlaneKeys, Vector,
+};
+
+/// Mass of what has an area [kg/m^2].
+const AREA_MASS: f64 = 1.0;
+/// Mass of a cloth [kg/m^2]: a thin sheet.
+const CLOTH_MASS: f64 = 0.3;
+/// Mass of a rope [kg/m].
+const ROPE_MASS: f64 = 0.15;
+/// Stiffness of the bonds of boxes and discs over the mass of the body [1/s^2]: at any size its own weight squeezes it by some
+/// percent, and it wobbles a few times a second. A tenth of it flows, ten times of it looks hard.
+const SOFT: f64 = 250.0;
+/// The same of a rim, which is thin and bends by far more.
+const SOFT_RIM: f64 = 4_000.0;
+/// Damping over stiffness [s]: a wobble is gone after some swings.
+const DAMPING: f64 = 0.006;
+/// Points on a radius of a disc, but for its middle.
+const POINTS_ON_RADIUS: f64 = 3.0;
+/// Inner over outer radius of a rim.
+pub(super) const INNER: f64 = 0.75;
+/// Points around each ring of a rim.
+const SECTORS: u64 = 18;
+/// Friction of obstacles [1].
+const FRICTION: f64 = 0.5;
+
+impl Form {
+    /// The keys that bring it into a world where the next point gets the number `next`.
+    pub(super) fn keys(&self, next: u32) -> AddKeys {
+        let body = |body: BodyKeys| AddKeys { bodies: vec![body], ..AddKeys::default() };
+        let obstacle = |obstacle: ObstacleKeys| AddKeys {
+            obstacles: vec![ObstacleKeys { friction: Some(FRICTION), ..obstacle }],
+            ..AddKeys::default()
+        };
+        match self {
+            Form::Box(grid) => body(block(grid)),
+            Form::Disc(round) => body(disc(round)),
+            Form::Rope { ends, pieces } => rope(ends, *pieces, next),
+            Form::Cloth { grid, hangs } => body(cloth(grid, *hangs)),
+            Form::Rim(round) => body(rim(round)),
+            Form::SolidBox([low, high]) => {
+                let keys = BoxKeys { min: vector(*low), max: vector(*high), angle: None, rotation: None };
+                obstacle(ObstacleKeys { r#box: Some(keys), ..ObstacleKeys::default() })
+            }
+            Form::SolidCircle(Round { center, radius }) => {
+                let keys = CircleKeys { center: vector(*center), radius: *radius };
+                obstacle(ObstacleKeys { circle: Some(keys), ..ObstacleKeys::default() })
+            }
+            Form::Slope { point, along } => {
+                let keys = PlaneKeys { point: vector(*point), normal: vector(along.normalize_or(DVec2::X).perp()) };
+                obstacle(ObstacleKeys { plane: Some(keys), ..ObstacleKeys::default() })
+            }
+        }
+    }
+}
+
+fn vector(at: DVec2) -> Vector {
+    Vector::Plane(at.to_array())
+}
+
+/// Springs so stiff for each kilogram of the body [1/s^2].
+fn springs(mass: f64, soft: f64) -> Material {
+    let stiffness = soft * mass;
+    Material {
+        kind: Some(KindName::Spring),
+        stiffness: Some(stiffness),
+        damping: Some(DAMPING * stiffness),
+        mass: Some(mass),
+        ..Material::default()
+    }
+}
+
+fn rigid(mass: f64) -> Material {
+    Material { kind: Some(KindName::Rigid), mass: Some(mass), ..Material::default() }
+}
+
+fn block(grid: &Grid) -> BodyKeys {
+    let size = grid.size();
+    BodyKeys {
+        make: MakerName::Lattice,
+        columns: Some(u64::from(grid.cells[0]) + 1),
+        rows: Some(u64::from(grid.cells[1]) + 1),
+        spacing: Some(grid.spacing),
+        origin: Some(vector(grid.low)),
+        material: Some(springs(AREA_MASS * size.x * size.y, SOFT)),
+        ..BodyKeys::default()
+    }
+}
+
+fn disc(&Round { center, radius }: &Round) -> BodyKeys {
+    BodyKeys {
+        make: MakerName::Disc,
+        radius: Some(radius),
+        spacing: Some(radius / POINTS_ON_RADIUS),
+        origin: Some(vector(center)),
+        material: Some(springs(AREA_MASS * PI * radius * radius, SOFT)),
+        ..BodyKeys::default()
+    }
+}
+
+fn rim(&Round { center, radius }: &Round) -> BodyKeys {
+    let area = PI * radius * radius * (1.0 - INNER * INNER);
+    use BraceName::{Falling, Inner, Outer, Rising, Spoke};
+    BodyKeys {
+        make: MakerName::Rim,
+        radius: Some(radius),
+        inner_radius: Some(INNER * radius),
+        sectors: Some(SECTORS),
+        bracing: Some(vec![Outer, Inner, Spoke, Rising, Falling]),
+        origin: Some(vector(center)),
+        material: Some(springs(AREA_MASS * area, SOFT_RIM)),
+        ..BodyKeys::default()
+    }
+}
+
+/// Its rows run from above.
+fn cloth(grid: &Grid, hangs: bool) -> BodyKeys {
+    let size = grid.size();
+    let columns = grid.cells[0] + 1;
+    BodyKeys {
+        make: MakerName::Cloth,
+        columns: Some(u64::from(columns)),
+        rows: Some(u64::from(grid.cells[1]) + 1),
+        spacing: Some(grid.spacing),
+        diagonals: Some(DiagonalsName::None),
+        origin: Some(vector(grid.low + DVec2::new(0.0, size.y))),
+        pinned: if hangs { vec![0, columns - 1] } else { Vec::new() },
+        material: Some(rigid(CLOTH_MASS * size.x * size.y)),
+        ..BodyKeys::default()
+    }
+}
+
+/// A chain of pieces of one length. A piece that ends on a point of the world is a bond to it, as long as it is far when the command is
+/// done: a body that moves meanwhile is not jerked.
+fn rope(&[from, to]: &[End; 2], pieces: u32, next: u32) -> AddKeys {
+    let piece = (to.at - from.at) / f64::from(pieces);
+    let bonded = |end: End| if let Hold::Point(point) = end.hold { Some(point) } else { None };
+    let (at_first, at_last) = (bonded(from), bonded(to));
+    let count = pieces + 1 - u32::from(at_first.is_some()) - u32::from(at_last.is_some());
+    let first = from.at + if at_first.is_some() { piece } else { DVec2::ZERO };
+    let bond = |a: u32, b: u32| BondKeys { kind: Some(KindName::Rigid), ..BondKeys::new(a, b) };
+    let at_first = at_first.map(|point| bond(point.0, next));
+    let at_last = at_last.map(|point| bond(next + count - 1, point.0));
+    let pins = [(from, 0), (to, count - 1)].into_iter().filter(|(end, _)| end.hold == Hold::Pin);
+    let own = f64::from(count - 1);
+    AddKeys {
+        bonds: at_first.into_iter().chain(at_last).collect(),
+        bodies: vec![BodyKeys {
+            make: MakerName::Rope,
+            count: Some(u64::from(count)),
+            to: Some(vector(own * piece)),
+            origin: Some(vector(first)),
+            pinned: pins.map(|(_, point)| point).collect(),
+            material: Some(rigid(ROPE_MASS * own * piece.length())),
+            ..BodyKeys::default()
+        }],
+        ..AddKeys::default()
+    }
+}

@@ -1,0 +1,132 @@
+//! The tool for building: a press and a release draw out a primitive, which comes into the world as one `add`.
+
+mod form;
+mod grid;
+mod matter;
+mod outline;
+#[cfg(test)]
+mod tests;
+mod tie;
+
+use glam::DVec2;
+
+use super::Deed;
+use super::marks::Mark;
+use super::pick::Scope;
+use crate::app::action::Primitive;
+use crate::history::Do;
+use crate::sim::PointId;
+use form::{End, Form, Hold};
+
+/// Said where nothing can be built.
+pub(super) const OF_THE_PLANE: &str = "primitives are for the plane: this scene is in space";
+/// Said where a drag is so short that nothing is built.
+const TOO_SMALL: &str = "too small: drag it out further, or click for one of the usual size";
+
+/// A press that moves less than this is a click [logical px].
+const CLICK: f64 = 4.0;
+/// The least side or radius of what is drawn out [logical px]: a hand could not take hold of less.
+const LEAST: f64 = 8.0;
+/// Usual sizes in the height of the view: what a click makes is seen whole, with room for some more.
+const USUAL_IN_VIEW: f64 = 7.0;
+
+/// What is made.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub(super) struct Maker {
+    pub(super) primitive: Primitive,
+    /// What hangs otherwise, ropes and cloths, is pinned nowhere.
+    pub(super) is_free: bool,
+}
+
+/// Where a drag began.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Drag {
+    /// [px]
+    pressed: DVec2,
+    /// [m]
+    from: DVec2,
+    /// The point of the world that was pressed on.
+    point: Option<PointId>,
+}
+
+impl Drag {
+    pub(super) fn new(scope: Scope<'_>, at: DVec2) -> Self {
+        Drag { pressed: at, from: place(scope, at), point: scope.nearest(at).map(|hit| hit.point) }
+    }
+}
+
+impl Maker {
+    /// What a release at a pixel adds to the world; words where that would be too small.
+    pub(super) fn build(self, scope: Scope<'_>, drag: &Drag, at: DVec2) -> Deed {
+        match self.form(scope, Some(drag), at) {
+            Ok(form) => {
+                let keys = form.keys(scope.shown.point_count() as u32);
+                Deed::edit(self.primitive.name(), Do::Add(Box::new(keys)))
+            }
+            Err(words) => Deed::words(words),
+        }
+    }
+
+    /// The outline of what a release at a pixel would add, without a drag of what a click there would, and its size in words.
+    pub(super) fn outline(self, scope: Scope<'_>, drag: Option<&Drag>, at: DVec2) -> Vec<Mark> {
+        if scope.shown.dimensions != 2 {
+            return Vec::new();
+        }
+        match self.form(scope, drag, at) {
+            Ok(form) => outline::of(&form, scope, at),
+            Err(words) => vec![outline::label(scope, at, words)],
+        }
+    }
+
+    /// What a drag that ends at a pixel comes to.
+    ///
+    /// Errors: in words, that it is too small.
+    fn form(self, scope: Scope<'_>, drag: Option<&Drag>, at: DVec2) -> Result<Form, String> {
+        let usual = usual_size(scope.camera.height());
+        let begun = drag.copied().unwrap_or_else(|| Drag::new(scope, at));
+        if begun.pressed.distance(at) < CLICK * scope.scale {
+            let below = begun.from + form::hanging(usual);
+            return Ok(Form::usual(self, self.end(scope, begun.point, [begun.from, below]), usual));
+        }
+        let (there, point) = (place(scope, at), scope.nearest(at).map(|hit| hit.point));
+        let from = self.end(scope, begun.point, [begun.from, there]);
+        let mut to = self.end(scope, point, [there, begun.from]);
+        if to.hold == Hold::Pin {
+            // Only where it begins something hangs by itself.
+            to.hold = Hold::None;
+        }
+        let drawn = match self.primitive {
+            Primitive::Box | Primitive::Cloth | Primitive::SolidBox => (to.at - from.at).abs().min_element(),
+            _ => from.at.distance(to.at),
+        };
+        if drawn * scope.camera.pixels_per_metre() < LEAST * scope.scale {
+            return Err(TOO_SMALL.to_owned());
+        }
+        Ok(Form::drawn(self, [from, to], usual))
+    }
+
+    /// The end of a drag at the first of two places [m], of which the other is the other end: a rope is tied to what lies there, and
+    /// pinned on empty ground.
+    fn end(self, scope: Scope<'_>, point: Option<PointId>, way: [DVec2; 2]) -> End {
+        let tied = |point: PointId| {
+            let point = tie::to_skin(scope, point, way);
+            let [x, y, _] = scope.shown.place(point.index());
+            // A point that was deleted since is nowhere.
+            (x.is_finite() && y.is_finite()).then_some(End { at: DVec2::new(x, y), hold: Hold::Point(point) })
+        };
+        let free = End { at: way[0], hold: if self.is_free { Hold::None } else { Hold::Pin } };
+        point.filter(|_| self.primitive == Primitive::Rope).and_then(tied).unwrap_or(free)
+    }
+}
+
+/// Where a pixel lies in the plane [m].
+fn place(scope: Scope<'_>, at: DVec2) -> DVec2 {
+    scope.camera.world_from_screen(at.to_array()).truncate()
+}
+
+/// The side of what a click makes in a view so high [m]: 1, 2 or 5 times a power of ten.
+fn usual_size(height: f64) -> f64 {
+    let most = height / USUAL_IN_VIEW;
+    let ten = 10f64.powf(most.log10().floor());
+    [5.0, 2.0, 1.0].map(|times| times * ten).into_iter().find(|size| *size <= most).unwrap_or(ten)
+}

@@ -1,0 +1,90 @@
+//! The outline of what a drag would make, and its size beside the cursor.
+
+use glam::DVec2;
+
+use super::form::{End, Form, Hold, Round};
+use super::matter::INNER;
+use crate::app::tools::marks::{Mark, Role};
+use crate::app::tools::pick::Scope;
+
+/// Width of outlines [logical px].
+const WIDTH: f64 = 1.5;
+/// The size stands so far from the cursor [logical px].
+const BESIDE: DVec2 = DVec2::new(16.0, -14.0);
+/// Distance and length of the strokes on the solid side of a slope [logical px].
+const HATCH: [f64; 2] = [22.0, 12.0];
+/// Strokes on either side of where a slope was pressed.
+const HATCHES: i32 = 60;
+
+pub(super) fn of(form: &Form, scope: Scope<'_>, at: DVec2) -> Vec<Mark> {
+    let round = |&Round { center, radius }: &Round| ring(scope, center, radius);
+    let mut marks = match form {
+        Form::Box(grid) => rectangle(scope, [grid.low, grid.low + grid.size()]),
+        Form::Disc(disc) => round(disc),
+        Form::Rim(rim) => {
+            [rim.radius, INNER * rim.radius].into_iter().flat_map(|radius| ring(scope, rim.center, radius)).collect()
+        }
+        Form::Rope { ends, .. } => rope(scope, ends),
+        Form::Cloth { grid, hangs } => {
+            let high = grid.low + grid.size();
+            let corners = [DVec2::new(grid.low.x, high.y), high];
+            let pins = corners.iter().filter(|_| *hangs).filter_map(|&corner| held(scope, corner));
+            rectangle(scope, [grid.low, high]).into_iter().chain(pins).collect()
+        }
+        Form::SolidBox(corners) => rectangle(scope, *corners),
+        Form::SolidCircle(circle) => round(circle),
+        Form::Slope { point, along } => slope(scope, *point, *along),
+    };
+    marks.push(label(scope, at, form.words()));
+    marks
+}
+
+/// Words beside the cursor.
+pub(super) fn label(scope: Scope<'_>, at: DVec2, words: String) -> Mark {
+    Mark::Words(at + scope.scale * BESIDE, words)
+}
+
+fn pixel(scope: Scope<'_>, at: DVec2) -> Option<DVec2> {
+    scope.camera.screen_from_world(at.extend(0.0)).map(DVec2::from)
+}
+
+fn line(scope: Scope<'_>, from: DVec2, to: DVec2) -> Mark {
+    Mark::Line(Role::Come, from, to, WIDTH * scope.scale)
+}
+
+fn rectangle(scope: Scope<'_>, [low, high]: [DVec2; 2]) -> Vec<Mark> {
+    let corners = [low, DVec2::new(high.x, low.y), high, DVec2::new(low.x, high.y)].map(|corner| pixel(scope, corner));
+    let side = |k: usize| Some(line(scope, corners[k]?, corners[(k + 1) % 4]?));
+    (0..4).filter_map(side).collect()
+}
+
+fn ring(scope: Scope<'_>, center: DVec2, radius: f64) -> Vec<Mark> {
+    let wide = radius * scope.camera.pixels_per_metre();
+    pixel(scope, center).map(|center| Mark::Ring(Role::Come, center, wide)).into_iter().collect()
+}
+
+/// A ring about what hangs on something.
+fn held(scope: Scope<'_>, at: DVec2) -> Option<Mark> {
+    Some(Mark::Ring(Role::Hold, pixel(scope, at)?, 5.0 * scope.scale))
+}
+
+fn rope(scope: Scope<'_>, ends: &[End; 2]) -> Vec<Mark> {
+    let [from, to] = ends.map(|end| pixel(scope, end.at));
+    let holds = ends.iter().filter(|end| end.hold != Hold::None).filter_map(|end| held(scope, end.at));
+    from.zip(to).map(|(from, to)| line(scope, from, to)).into_iter().chain(holds).collect()
+}
+
+/// A line through all of the view, with strokes where it is solid.
+fn slope(scope: Scope<'_>, point: DVec2, along: DVec2) -> Vec<Mark> {
+    let (Some(middle), Some(along)) = (pixel(scope, point), along.try_normalize()) else { return Vec::new() };
+    // Screens are y down.
+    let along = DVec2::new(along.x, -along.y);
+    let into = along.perp();
+    let [gap, stroke] = HATCH.map(|length| length * scope.scale);
+    let far = f64::from(HATCHES) * gap * along;
+    let hatch = |k: i32| {
+        let from = middle + f64::from(k) * gap * along;
+        line(scope, from, from + stroke * (into - along))
+    };
+    std::iter::once(line(scope, middle - far, middle + far)).chain((-HATCHES..=HATCHES).map(hatch)).collect()
+}

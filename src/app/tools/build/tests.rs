@@ -1,0 +1,306 @@
+//! Primitives that are drawn out, without a window.
+#![allow(clippy::unwrap_used, clippy::panic, reason = "a test that cannot go on stops")]
+
+use glam::DVec2;
+
+use crate::app::action::{Primitive, Tool};
+use crate::app::player::{Note, Order, Shown, Stage};
+use crate::app::tools::tests::{opened, pixel, scope, shown};
+use crate::app::tools::{Deed, Hand, Mark};
+use crate::history::{Do, History};
+use crate::render::Camera;
+use crate::scene::{AddKeys, Scene};
+use crate::sim::{Dynamics, PointId};
+
+type Seen = (Shown, Camera, Scene);
+
+/// An empty box, 8 m high in view, with gravity.
+const ROOM: &str = r#"{"wobble": 1, "gravity": [0, -9.81], "bounds": {"min": [-6, -4], "max": [6, 4], "friction": 0.5},
+    "view": {"center": [0, 0], "height": 8}}"#;
+
+fn room() -> Seen {
+    shown(Scene::parse(ROOM, "x.json").unwrap())
+}
+
+fn hand(primitive: Primitive) -> Hand {
+    let mut hand = Hand::default();
+    hand.choose(primitive);
+    hand
+}
+
+/// Where a place is seen.
+fn at(seen: &Seen, x: f64, y: f64) -> DVec2 {
+    seen.1.screen_from_world([x, y, 0.0].into()).unwrap().into()
+}
+
+/// A drag from place to place.
+fn drag(seen: &Seen, hand: &mut Hand, from: [f64; 2], to: [f64; 2]) -> Deed {
+    let pressed = hand.press(scope(seen), at(seen, from[0], from[1]));
+    assert!(pressed.is_empty() && hand.is_busy());
+    hand.release(scope(seen), at(seen, to[0], to[1]))
+}
+
+fn added(deed: &Deed) -> &AddKeys {
+    let [Do::Add(keys)] = &deed.commands[..] else { panic!("{deed:?}") };
+    keys
+}
+
+/// The box around the points of a world from a number on.
+fn extent(world: &dyn Dynamics, first: usize) -> [DVec2; 2] {
+    let x = world.positions();
+    let places = (first..world.point_count()).map(|k| DVec2::new(x.get(2 * k), x.get(2 * k + 1)));
+    places.fold([DVec2::INFINITY, DVec2::NEG_INFINITY], |[low, high], at| [low.min(at), high.max(at)])
+}
+
+/// The history of a scene with deeds done at once.
+fn history(seen: &Seen, deeds: &[Deed]) -> History {
+    let mut history = History::new(seen.2.clone().into()).unwrap();
+    for deed in deeds {
+        history.give(deed.commands.clone(), deed.edit).unwrap();
+    }
+    history
+}
+
+fn close(found: DVec2, wanted: [f64; 2], within: f64) -> bool {
+    found.distance(DVec2::from(wanted)) <= within
+}
+
+#[test]
+fn a_drag_becomes_one_edit_that_fills_what_was_drawn() {
+    let seen = room();
+    for (primitive, from, to) in [
+        (Primitive::Box, [-1.0, 0.5], [1.0, -0.5]),
+        (Primitive::Cloth, [1.5, 1.0], [-1.5, -1.0]),
+        (Primitive::Disc, [0.0, 0.0], [0.6, 0.8]),
+        (Primitive::Rim, [0.0, 0.0], [-0.8, 0.6]),
+        (Primitive::Rope, [-1.0, 1.0], [2.0, -0.5]),
+    ] {
+        let deed = drag(&seen, &mut hand(primitive), from, to);
+        assert_eq!((deed.edit, added(&deed).bodies.len()), (Some(primitive.name()), 1));
+        let history = history(&seen, &[deed]);
+        let [low, high] = extent(history.world(), 0);
+        let (from, to) = (DVec2::from(from), DVec2::from(to));
+        let reach = match primitive {
+            Primitive::Disc | Primitive::Rim => [from - 1.0, from + 1.0],
+            _ => [from.min(to), from.max(to)],
+        };
+        // Cells are square, rings have corners.
+        assert!(low.distance(reach[0]) < 0.05 && high.distance(reach[1]) < 0.05, "{primitive:?}: {low} {high}");
+    }
+}
+
+#[test]
+fn obstacles_lie_where_they_were_drawn_and_slopes_are_solid_at_the_right_hand() {
+    let seen = room();
+    let solid = drag(&seen, &mut hand(Primitive::SolidBox), [1.0, 1.0], [-1.0, 0.0]);
+    let circle = drag(&seen, &mut hand(Primitive::SolidCircle), [0.0, -2.0], [0.5, -2.0]);
+    let slope = drag(&seen, &mut hand(Primitive::Slope), [-1.0, -3.0], [1.0, -2.0]);
+    let names = [&solid, &circle, &slope].map(|deed| deed.edit.unwrap());
+    assert_eq!(names, ["Solid box", "Solid circle", "Slope"]);
+    let history = history(&seen, &[solid, circle, slope]);
+    let [solid, circle] = history.world().polygons() else { panic!("a box and a circle") };
+    assert!(solid.loops[0].iter().all(|&[x, y]| (x.abs() - 1.0).abs() < 1e-9 && (y - 0.5).abs() - 0.5 < 1e-9));
+    assert!(
+        circle.loops[0].iter().all(|&corner| (DVec2::from(corner).distance(DVec2::new(0.0, -2.0)) - 0.5).abs() < 1e-6)
+    );
+    let [[point, normal]] = history.world().planes()[..] else { panic!("a slope") };
+    assert!(close(DVec2::new(point[0], point[1]), [-1.0, -3.0], 1e-9), "{point:?}");
+    let up = DVec2::new(-1.0, 2.0).normalize();
+    assert!(close(DVec2::new(normal[0], normal[1]), up.into(), 1e-9), "up from a drag to the right: {normal:?}");
+}
+
+#[test]
+fn a_click_makes_one_of_a_usual_size() {
+    let seen = room();
+    for primitive in Primitive::ALL {
+        let deed = drag(&seen, &mut hand(primitive), [0.3, 0.2], [0.3, 0.2]);
+        assert_eq!(deed.edit, Some(primitive.name()));
+        let [low, high] = extent(history(&seen, &[deed]).world(), 0);
+        let is_body = low.is_finite();
+        assert!(!is_body || (0.9..=2.1).contains(&(high - low).max_element()), "{primitive:?}: {low} {high}");
+    }
+}
+
+#[test]
+fn what_is_too_small_is_not_made_and_is_said() {
+    let seen = room();
+    for primitive in Primitive::ALL {
+        let flat = matches!(primitive, Primitive::Box | Primitive::Cloth | Primitive::SolidBox);
+        let to = if flat { [2.0, 0.01] } else { [0.06, 0.0] };
+        let deed = drag(&seen, &mut hand(primitive), [0.0, 0.0], to);
+        assert!(deed.is_empty() && deed.edit.is_none(), "{primitive:?}");
+        assert!(deed.words.is_some_and(|words| words.starts_with("too small")), "{primitive:?}");
+    }
+}
+
+#[test]
+fn a_drag_that_is_cancelled_makes_nothing() {
+    let seen = room();
+    let mut hand = hand(Primitive::Disc);
+    hand.press(scope(&seen), at(&seen, 0.0, 0.0));
+    assert_eq!(hand.cancel(), (true, Deed::default()));
+    assert_eq!(hand.release(scope(&seen), at(&seen, 1.0, 0.0)), Deed::default());
+    assert_eq!((hand.tool(), hand.primitive()), (Tool::Build, Primitive::Disc), "the choice stays");
+}
+
+#[test]
+fn in_space_nothing_is_built_and_it_is_said() {
+    let space = opened("cloth-ball");
+    for primitive in Primitive::ALL {
+        let mut hand = hand(primitive);
+        let deed = hand.press(scope(&space), DVec2::new(500.0, 350.0));
+        assert!(deed.is_empty() && deed.words.is_some_and(|words| words.contains("in space")));
+        assert!(!hand.is_busy() && hand.marks(scope(&space), Some(DVec2::new(500.0, 350.0))).is_empty());
+    }
+}
+
+#[test]
+fn the_outline_is_what_the_release_makes() {
+    let seen = room();
+    let mut hand = hand(Primitive::Box);
+    let size = |marks: &[Mark]| {
+        marks.iter().find_map(|mark| match mark {
+            Mark::Words(_, words) => Some(words.clone()),
+            _ => None,
+        })
+    };
+    assert_eq!(size(&hand.marks(scope(&seen), Some(at(&seen, 0.0, 0.0)))).as_deref(), Some("1.00 × 1.00 m"));
+    hand.press(scope(&seen), at(&seen, -1.0, 0.5));
+    let marks = hand.marks(scope(&seen), Some(at(&seen, 0.37, -0.5)));
+    let deed = hand.release(scope(&seen), at(&seen, 0.37, -0.5));
+    let [low, high] = extent(history(&seen, &[deed]).world(), 0);
+    assert_eq!(size(&marks), Some(format!("{:.2} × {:.2} m", (high - low).x, (high - low).y)));
+    let ends = marks.iter().filter_map(|mark| if let Mark::Line(_, from, _, _) = mark { Some(*from) } else { None });
+    let drawn = ends.fold([DVec2::INFINITY, DVec2::NEG_INFINITY], |[low, high], at| [low.min(at), high.max(at)]);
+    let corners = [at(&seen, low.x, high.y), at(&seen, high.x, low.y)];
+    assert!(drawn[0].distance(corners[0]) < 1e-6 && drawn[1].distance(corners[1]) < 1e-6, "{drawn:?} {corners:?}");
+}
+
+#[test]
+fn ropes_and_cloths_hang_where_they_begin_unless_shift_is_held() {
+    let seen = room();
+    for (is_held, pins) in [(false, [1, 2]), (true, [0, 0])] {
+        for (primitive, pins) in [Primitive::Rope, Primitive::Cloth].into_iter().zip(pins) {
+            let mut hand = hand(primitive);
+            hand.hold_shift(is_held);
+            let deed = drag(&seen, &mut hand, [-1.0, 1.0], [1.0, 0.0]);
+            assert_eq!(added(&deed).bodies[0].pinned.len(), pins, "{primitive:?}");
+        }
+    }
+}
+
+#[test]
+fn a_rope_is_bonded_to_the_points_that_it_begins_and_ends_on() {
+    let text = r#"{"wobble": 1, "points": {"position": [[-2, 0], [2, 0]]}, "view": {"center": [0, 0], "height": 8}}"#;
+    let seen = shown(Scene::parse(text, "x.json").unwrap());
+    for (from, to, bonds) in [([-2.0, 0.0], [0.0, 1.0], 1), ([0.0, 1.0], [2.0, 0.0], 1), ([-2.0, 0.0], [2.0, 0.0], 2)] {
+        let deed = drag(&seen, &mut hand(Primitive::Rope), from, to);
+        let keys = added(&deed);
+        assert_eq!(keys.bonds.len(), bonds);
+        assert_eq!(keys.bodies[0].pinned.len(), usize::from(from[1] == 1.0), "on empty ground it is pinned");
+        let history = history(&seen, &[deed]);
+        let world = history.world();
+        let longest = world.bonds().iter().map(|bond| bond.rest_length).fold(0.0, f64::max);
+        let shortest = world.bonds().iter().map(|bond| bond.rest_length).fold(f64::MAX, f64::min);
+        assert!(longest - shortest < 1e-9, "pieces of one length, those to the points too: {shortest} {longest}");
+        let reached: Vec<PointId> =
+            world.bonds().ends().iter().flatten().copied().filter(|point| point.0 < 2).collect();
+        assert_eq!(reached.len(), bonds);
+    }
+}
+
+#[test]
+fn a_rope_leaves_a_body_by_its_skin_on_the_side_that_it_goes_to() {
+    let text = r#"{"wobble": 1, "bodies": [{"make": "disc", "radius": 1, "spacing": 0.3}], "view": {"center": [0, 0], "height": 8}}"#;
+    let seen = shown(Scene::parse(text, "x.json").unwrap());
+    for to in [[3.0, 0.0], [0.0, -3.0], [-2.0, 2.0]] {
+        let deed = drag(&seen, &mut hand(Primitive::Rope), [0.0, 0.0], to);
+        let tied = added(&deed).bonds[0].a as usize;
+        let [x, y, _] = seen.0.place(tied);
+        let way = DVec2::from(to).normalize();
+        assert!(close(DVec2::new(x, y), way.into(), 0.2), "{x} {y}");
+    }
+}
+
+/// Every primitive, drawn into each other and into the walls.
+fn heap(seen: &Seen) -> Vec<Deed> {
+    let all = [
+        (Primitive::SolidBox, [-2.0, -3.0], [2.0, -2.0]),
+        (Primitive::SolidCircle, [3.0, 0.0], [3.8, 0.0]),
+        (Primitive::Slope, [-5.0, -1.0], [0.0, -3.5]),
+        (Primitive::Box, [-1.0, -2.5], [1.0, -1.0]),
+        (Primitive::Disc, [0.5, -1.5], [1.2, -1.5]),
+        (Primitive::Rim, [3.0, 0.5], [4.0, 0.5]),
+        (Primitive::Cloth, [-3.0, 3.0], [-1.0, 2.0]),
+        (Primitive::Box, [5.0, -3.0], [6.8, -4.5]),
+        (Primitive::Rope, [-1.0, 3.5], [1.5, 2.0]),
+        (Primitive::Box, [-0.5, 3.0], [0.5, 2.0]),
+    ];
+    let drawn = |(primitive, from, to)| drag(seen, &mut hand(primitive), from, to);
+    all.into_iter().map(drawn).collect()
+}
+
+#[test]
+fn what_is_built_into_each_other_comes_apart_quietly() {
+    let seen = room();
+    let mut stage = Stage::new(seen.2.clone().into()).unwrap();
+    for deed in heap(&seen) {
+        assert_eq!(stage.obey(Order::Give(deed.commands, deed.edit)), None, "{:?} is not refused", deed.edit);
+    }
+    let mut fastest: f64 = 0.0;
+    let mut last = Vec::new();
+    for frame in 0..120 {
+        stage.obey(Order::Advance { wall: 1.0 / 60.0, cursor: None, back: false });
+        let world = stage.history().world();
+        assert!(world.is_finite());
+        let x = world.positions();
+        let now: Vec<f64> = (0..x.len()).map(|k| x.get(k)).collect();
+        if frame > 60 {
+            fastest = now.iter().zip(&last).map(|(a, b): (&f64, &f64)| 60.0 * (a - b).abs()).fold(fastest, f64::max);
+        }
+        last = now;
+    }
+    // What falls for 2 s over 8 m is not faster.
+    assert!(fastest < 13.0, "{fastest} m/s");
+    let [low, high] = extent(stage.history().world(), 0);
+    assert!(low.cmpge(DVec2::new(-6.1, -4.1)).all() && high.cmple(DVec2::new(6.1, 4.1)).all(), "{low} {high}");
+}
+
+#[test]
+fn what_is_built_is_replayed_and_undone() {
+    let seen = room();
+    let mut stage = Stage::new(seen.2.clone().into()).unwrap();
+    let count = |stage: &Stage| stage.history().world().point_count();
+    let deed = drag(&seen, &mut hand(Primitive::Disc), [0.0, 0.0], [0.7, 0.0]);
+    assert_eq!(stage.obey(Order::Give(deed.commands, deed.edit)), None);
+    let made = count(&stage);
+    assert!(made > 20 && stage.history().world().contact().is_some(), "it lies on what comes");
+    for _ in 0..30 {
+        stage.obey(Order::Advance { wall: 1.0 / 60.0, cursor: None, back: false });
+    }
+    let places = |history: &History| {
+        let x = history.world().positions();
+        (0..x.len()).map(|k| x.get(k)).collect::<Vec<_>>()
+    };
+    let mut again = History::new(stage.history().recording().into()).unwrap();
+    again.go_to(stage.history().world().time());
+    assert_eq!(places(&again), places(stage.history()), "the log brings it to the same bits");
+    let Some(Note::Undone(name, _)) = stage.obey(Order::Undo(None)) else { panic!("it is undone") };
+    assert_eq!((name.as_str(), count(&stage)), ("Disc", 0));
+    assert!(stage.history().world().contact().is_none(), "as one with what made bodies meet");
+    stage.obey(Order::Redo(None));
+    assert_eq!(count(&stage), made);
+}
+
+#[test]
+fn a_rope_to_what_was_seen_before_something_else_came_is_refused() {
+    let seen = opened("rim");
+    let mut stage = Stage::new(seen.2.clone().into()).unwrap();
+    let mut hand = hand(Primitive::Rope);
+    hand.press(scope(&seen), pixel(&seen, 3));
+    let rope = hand.release(scope(&seen), pixel(&seen, 3) + DVec2::new(120.0, -80.0));
+    let disc = drag(&seen, &mut self::hand(Primitive::Disc), [0.0, 0.0], [0.5, 0.0]);
+    assert!(stage.obey(Order::Give(disc.commands, disc.edit)).is_none());
+    let note = stage.obey(Order::Give(rope.commands, rope.edit));
+    assert!(matches!(note, Some(Note::Refused(why)) if why.contains("draw it again")));
+}

@@ -1,0 +1,56 @@
+//! The tool that takes away: a body, a bond or an obstacle.
+
+use glam::DVec2;
+
+use super::Deed;
+use super::pick::Scope;
+use crate::history::{DeleteKeys, Do};
+use crate::sim::PointId;
+
+/// What goes when a pixel is clicked.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) enum Target {
+    Body(Vec<PointId>),
+    Bond(u32, [PointId; 2]),
+    Obstacle(u32),
+}
+
+/// A point is meant before a bond, and what lies on top before an obstacle.
+pub(super) fn target(scope: Scope<'_>, at: DVec2) -> Option<Target> {
+    // Of a point with a skin about it the body is meant, wherever it is clicked.
+    let hit = scope.nearest(at);
+    let is_bare = |point: PointId| {
+        let has = |skin: &crate::picture::Skin| skin.triangles.iter().any(|corners| corners.contains(&point.0));
+        !scope.shown.scenery.skins.iter().any(has)
+    };
+    match hit {
+        Some(hit) if hit.distance > 8.0 * scope.scale && is_bare(hit.point) => {
+            let bond = scope.bond(at).map(|(place, ends)| Target::Bond(scope.shown.scenery.bond_number(place), ends));
+            bond.or_else(|| Some(Target::Body(scope.body(hit.point))))
+        }
+        Some(hit) => Some(Target::Body(scope.body(hit.point))),
+        None => scope.solid(at).map(Target::Obstacle),
+    }
+}
+
+/// Takes away what is meant by a pixel.
+pub(super) fn erase(scope: Scope<'_>, at: DVec2) -> Deed {
+    match target(scope, at) {
+        Some(Target::Body(points)) => delete_points(points),
+        Some(Target::Bond(number, _)) => {
+            Deed::edit("delete a bond", Do::Delete(DeleteKeys { bonds: vec![number], ..DeleteKeys::default() }))
+        }
+        Some(Target::Obstacle(number)) => delete_obstacle(number),
+        None => Deed::default(),
+    }
+}
+
+pub(super) fn delete_points(points: Vec<PointId>) -> Deed {
+    let points = points.into_iter().map(|point| point.0).collect();
+    Deed::edit("delete", Do::Delete(DeleteKeys { points, ..DeleteKeys::default() }))
+}
+
+pub(super) fn delete_obstacle(number: u32) -> Deed {
+    let keys = DeleteKeys { obstacles: vec![number], ..DeleteKeys::default() };
+    Deed::edit("delete an obstacle", Do::Delete(keys))
+}
