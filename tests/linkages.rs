@@ -167,7 +167,6 @@ fn no_energy_comes_from_nowhere_where_joints_meet_the_ground() {
         assert!(judge(&list).gain.abs() < 1e-3, "{friction} {restitution}: {:?}", judge(&list));
         let end = world.sample(4.0);
         assert!(end.position.iter().all(|x| x[1] > -2.0 - 1e-9), "{:?}", end.position);
-        assert!(world.moved_by().iter().all(|moved| moved.method == Solver::Rigid));
     }
 }
 
@@ -190,7 +189,9 @@ fn what_is_cut_off_goes_on_by_itself() {
     scene["bonds"].as_array_mut().unwrap().push(json!({"a": 0, "b": 7}));
     scene["points"]["position"].as_array_mut().unwrap().push(json!([-0.6, 0.0]));
     let mut world = world(&scene);
-    run(&mut *world, 0.5);
+    while world.time() < 0.5 - 1e-9 {
+        world.step();
+    }
     let selection = Selection { bonds: vec![BondId(9)], ..Selection::default() };
     world.apply(&Command::Delete(selection)).unwrap();
     let before = world.sample(0.5);

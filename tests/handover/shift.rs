@@ -8,7 +8,7 @@ use std::slice;
 use serde_json::{Value, json};
 use wobble::sim::{Command, Dynamics, Method, Sample, SceneChange, Solver, Why, frame_of};
 
-use super::{abuse, heavy, with, world};
+use super::{abuse, across_a_wall, heavy, with, world};
 
 /// What changed in a step.
 #[derive(Debug)]
@@ -127,7 +127,7 @@ fn what_an_alarm_hands_over_stays_where_it_is() {
         Some(Why::Alarm),
     );
     // What begins across a wall is drawn in, by each method in its own way: where it goes back it stays.
-    let mut pendulum = world(&abuse("abuse/pendulum-across-a-wall"));
+    let mut pendulum = world(&across_a_wall());
     let count = pendulum.point_count();
     let mut found = changes(&mut *pendulum, slice::from_ref(&(0..count)), 1.2);
     found.retain(|change| change.why.is_none());

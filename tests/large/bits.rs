@@ -84,7 +84,7 @@ fn is_shared_alike(scene: &Scene, count: usize, form: &str) {
 /// A cloth of two diagonals; above a million bonds its passes are shared however few there are.
 fn cloth(columns: u32, rows: u32) -> Scene {
     let text = format!(
-        r#"{{ "wobble": 1, "gravity": [0, -9.8], "method": {{ "max_strain": 0.02 }},
+        r#"{{ "wobble": 1, "gravity": [0, -9.8], "method": {{ "solver": "path", "max_strain": 0.02 }},
         "bodies": [{{ "make": "cloth", "columns": {columns}, "rows": {rows}, "spacing": 0.1, "pinned": [0, {}] }}] }}"#,
         columns - 1
     );

@@ -2,7 +2,7 @@
 
 use wobble::sim::{Bond, Command, Cursor, Dynamics, Model, MouseForce, PointId, Profile, Region, Track};
 
-use super::models::{fastest, frames, hung, sheet, to_strain, world};
+use super::models::{fastest, frames, hung, path, sheet, to_strain, world};
 
 #[test]
 fn the_mouse_pushes_a_sheet_as_it_pushes_loose_points() {
@@ -82,7 +82,7 @@ fn a_cloth_tears_and_falls_apart_without_a_jump() {
 fn what_rests_sleeps_and_is_woken_alone() {
     let one = Model { drag_rate: 4.0, ..hung::<2>([40, 37], [true; 2]) };
     let points = one.position.len();
-    let mut model = to_strain(&one, 0.02);
+    let mut model = path(&to_strain(&one, 0.02));
     let far = |[x, y]: [f64; 2]| [x + 100.0, y];
     model.position.extend(one.position.iter().map(|&x| far(x)));
     model.velocity.extend(&one.velocity);

@@ -119,7 +119,7 @@ impl<S: Real> Bodies<S> {
         let edge_length = if edges.is_empty() { S::ZERO } else { total / S::from_f64(edges.len() as f64) };
         let thin = thickness(&own.triangles, edges.iter().filter(|edge| edge.is_closed), place);
         let rigid = own.shape((local, points), if draft.contact.is_some() { &corners } else { &own.points });
-        let rig = if rigid.is_none() { own.rig((local, points)) } else { None };
+        let rig = if rigid.is_none() { own.rig((local, points), &draft.led) } else { None };
         if rigid.is_some() {
             // What it is made of within says nothing any more.
             own.let_go();
@@ -203,8 +203,9 @@ impl<S: Real> Own<S> {
     }
 
     /// The rigid bodies in joints that rigid bonds make of it, if they make any.
-    fn rig(&self, (local, points): (&[u32], &Points<S, 2>)) -> Option<Rig> {
-        Rig::of(&self.held((local, points), &[]))
+    fn rig(&self, (local, points): (&[u32], &Points<S, 2>), led: &[u32]) -> Option<Rig> {
+        let is_led = |point: u32| led.binary_search(&self.points[point as usize]).is_ok();
+        Rig::of(&self.held((local, points), &[]), is_led)
     }
 
     /// Its points and the bonds that hold them.

@@ -102,6 +102,8 @@ pub(crate) struct Draft<S> {
     pub(crate) sleeps: bool,
     /// What skins are made of, one entry a point; empty where no body has its own.
     pub(crate) skins: Vec<SkinMaterial>,
+    /// Pins that are led, ascending.
+    pub(crate) led: Vec<u32>,
 }
 
 /// Bodies in the live step.

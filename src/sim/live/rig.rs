@@ -33,6 +33,8 @@ pub(super) struct Rig {
     /// Points that do not move by themselves, as joints count them, and those that links are at.
     fixed: Vec<u32>,
     fastened: Vec<u32>,
+    /// Points of what two pins hold, which are as good as pins.
+    still: Vec<u32>,
 }
 
 /// A frame or a point of a rig, points numbered in its body.
@@ -44,9 +46,8 @@ pub(super) enum Member {
 
 impl Rig {
     /// `None` where rigid bonds make no body, contradict each other, or leave too much loose.
-    pub(super) fn of(held: &Held<'_>) -> Option<Self> {
-        // A pin may be led at any time: what hangs on two is held by both.
-        let plan = Blueprint::of(held, 0, |_| true)?;
+    pub(super) fn of(held: &Held<'_>, is_led: impl Fn(u32) -> bool) -> Option<Self> {
+        let plan = Blueprint::of(held, 0, is_led)?;
         let member = |body: &BodyPlan| match body.points[..] {
             [point] => Member::Point(point),
             _ => Member::Frame(body.shape.clone(), body.points.clone()),
@@ -59,6 +60,7 @@ impl Rig {
             fastened: (0..plan.seats.len() as u32).filter(|&point| is_fastened(plan.seats[point as usize])).collect(),
             joints: Joints::new(plan.links),
             fixed: plan.fixed,
+            still: plan.still,
         })
     }
 
@@ -98,6 +100,10 @@ impl<S: Real> Cluster<S> {
     /// One of its bodies, which comes last, is a rig; others pull at these of its points, counted in the body.
     pub(super) fn include_rig(&mut self, rig: &Arc<Rig>, base: usize, pulled: impl Iterator<Item = u32>) {
         let first = self.frames.len();
+        for &point in &rig.still {
+            let i = base + point as usize;
+            (self.w[i], self.velocity[i]) = (S::ZERO, [S::ZERO; 2]);
+        }
         for (shape, points) in rig.frames() {
             let points = points.iter().map(|&point| base as u32 + point).collect();
             self.include_frame(shape, points);

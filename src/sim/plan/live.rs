@@ -29,7 +29,15 @@ impl<S: Real, const D: usize> Maker<'_, S, D> {
             settles: self.model.method.settles,
             sleeps: self.model.method.sleeps,
             skins: self.skins(),
+            led: self.led(),
         }
+    }
+
+    /// Pins of the group that are led.
+    fn led(&self) -> Vec<u32> {
+        let mut list: Vec<u32> = self.tracks().into_iter().map(|(slot, _)| slot).collect();
+        list.sort_unstable();
+        list
     }
 
     /// The angles of the group, none stiffer than the live step bears.

@@ -23,6 +23,9 @@ use crate::sim::vector::{flat, widen};
 /// one point is a share of all that presses there, also through bonds. Of more bonds, all that lie on something together would cost too much.
 const MOST_RODS: usize = 12;
 
+/// Most rigid bonds of an island in which several bodies are looked for: a net of more is sorted in vain for longer than a frame.
+const MOST_SOUGHT: usize = 100_000;
+
 /// What an island is as rigid bodies.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Pieces {
@@ -94,7 +97,7 @@ fn pieces<S: Real, const D: usize>(
 
 /// Several bodies, where springs between them are not too stiff for explicit steps.
 fn joined(island: &Island, (held, most_alone): (Held<'_>, usize), is_led: impl Fn(u32) -> bool) -> Option<Blueprint> {
-    if choice::is_stiff(island) {
+    if choice::is_stiff(island) || island.rigid > MOST_SOUGHT {
         return None;
     }
     Blueprint::of(&held, most_alone, is_led)

@@ -6,6 +6,9 @@ use super::joints::{End, Link};
 use super::pieces::{Found, MOST_PARTS, find};
 use super::shape::{Held, Shape};
 
+/// Most that one body in joints may be as heavy as another: of more, rows that light ones bear look as if they repeated others.
+const MOST_RATIO: f64 = 1e7;
+
 /// Bodies and links, with points as the island has them.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub(crate) struct Blueprint {
@@ -38,7 +41,7 @@ impl Blueprint {
     }
 
     /// Bodies that share points or that bonds join, points that are in none being bodies too; `None`: lengths contradict each other, there is too
-    /// much, or there are points alone and no bonds, or more than `most_alone`.
+    /// much, or masses differ too much, or there are points alone and no bonds, or more than `most_alone`.
     ///
     /// Masses are infinite where points are pinned. What two pins hold that are not led stands still, and so does what hangs on that by two
     /// points.
@@ -80,7 +83,10 @@ impl Blueprint {
             }
         }
         plan.join(held, &found, (&homes, &is_fixed));
-        (plan.bodies.len() <= MOST_PARTS && plan.links.len() <= MOST_PARTS).then_some(plan)
+        let masses = || plan.bodies.iter().map(|body| body.shape.mass);
+        let (lightest, heaviest) = (masses().fold(f64::INFINITY, f64::min), masses().fold(0.0, f64::max));
+        let is_even = plan.links.is_empty() || heaviest <= MOST_RATIO * lightest;
+        (plan.bodies.len() <= MOST_PARTS && plan.links.len() <= MOST_PARTS && is_even).then_some(plan)
     }
 
     /// The links between its bodies, and the seats of all points.

@@ -22,6 +22,9 @@ pub(super) const LEAST_BOUNCE: f64 = 2e-6;
 /// Speed that counts as none, as a share of the body's own [1].
 pub(super) const STILL: f64 = 1e-11;
 
+/// Halvings of a part that is too long, at most.
+const HALVINGS: u32 = 8;
+
 /// What a step counts and books.
 pub(super) struct Log<'a> {
     pub(super) hits: u64,
@@ -91,6 +94,10 @@ pub(super) trait Assembly {
         ends: (&Self::Motion, &Self::Motion, f64),
         lying: &[Self::Touch],
     ) -> Option<f64>;
+    /// Whether a part that led there was too long.
+    fn is_too_long(&self, _end: &Self::Motion, _h: f64) -> bool {
+        false
+    }
     /// Operations of a part in flight, and of a look at what it touches, about.
     fn work(&self, near: Option<&Self::Near>) -> u64;
 }
@@ -113,7 +120,11 @@ pub(super) fn advance<A: Assembly>(
         let mut part = left.min(longest.max(SHORTEST)).min(in_flight);
         log.work += of.work(None);
         let Some(near) = of.near(&motion, part) else {
-            motion = of.fly(&motion, (now, part), log.book.as_deref_mut());
+            let end = shortened(of, &mut part, |part| of.fly(&motion, (now, part), None));
+            motion = match log.book.as_deref_mut() {
+                None => end,
+                book => of.fly(&motion, (now, part), book),
+            };
             done += part;
             continue;
         };
@@ -142,7 +153,7 @@ pub(super) fn advance<A: Assembly>(
         };
         part = if lying.is_empty() { part } else { part.min(within(LYING, h)) };
         let path = |time: f64| go(time, None);
-        let end = path(part);
+        let end = shortened(of, &mut part, &path);
         let hit = of.first_hit(&path, (&motion, &end, part), (&near, &lying)).filter(|_| locates);
         let until = hit.map_or_else(|| (end.clone(), part), |time| (path(time), time));
         let stop = of.first_stop(&path, (&motion, &until.0, until.1), &lying).filter(|_| locates);
@@ -158,6 +169,19 @@ pub(super) fn advance<A: Assembly>(
         hits += if first.is_some() { 1.0 } else { 0.0 };
     }
     motion
+}
+
+/// Where a path leads in a part, which is halved until it is not too long.
+fn shortened<A: Assembly>(of: &A, part: &mut f64, path: impl Fn(f64) -> A::Motion) -> A::Motion {
+    let mut end = path(*part);
+    for _ in 0..HALVINGS {
+        if !of.is_too_long(&end, *part) {
+            break;
+        }
+        *part *= 0.5;
+        end = path(*part);
+    }
+    end
 }
 
 /// What an impact took is booked; `is_elastic`: what it took is the method's own.

@@ -127,6 +127,7 @@ impl<S: Real, const D: usize> Assembly for Moving<'_, S, D> {
         let pressed = strike(&together, &together.seen(&twists), &together.rubs());
         log.hits += 1;
         log.work += OF_A_CONTACT * u64::from(pressed.passes) * (contacts.len() * contacts.len()) as u64;
+        log.work += contacts.len() as u64 * self.linkage.joints.work();
         book_strike(log.book.as_deref_mut(), pressed.taken, is_elastic);
         let twists = together.moved(&twists, &pressed);
         motions.iter().zip(twists).map(|(motion, twist)| Motion { twist, ..*motion }).collect()
@@ -180,6 +181,10 @@ impl<S: Real, const D: usize> Assembly for Moving<'_, S, D> {
             first = self.among[body].first_stop(|time| path(time)[body], ends, &own).or(first);
         }
         first
+    }
+
+    fn is_too_long(&self, end: &Vec<Motion>, h: f64) -> bool {
+        self.take_failed() || self.turning(end) * h > 2.0 * TURN_IN_FLIGHT
     }
 
     fn work(&self, near: Option<&Vec<Near>>) -> u64 {

@@ -15,8 +15,9 @@ use crate::sim::solve::elimination;
 use crate::sim::solve::ldl::Ldl;
 use crate::sim::vector::{add, cross, dot, scale, sub};
 
-/// Pivots below this share of their diagonal are skipped: rows that repeat others.
-const LEAST_PIVOT: f64 = 1e-12;
+/// Pivots below this share of their diagonal are skipped: rows that repeat others, as those of a mechanism at its dead point. What rounding makes of
+/// a pivot is 1e-16 over the square of the angle from there; light bodies between heavy ones have small ones too (`MOST_RATIO` in `blueprint.rs`).
+const LEAST_PIVOT: f64 = 1e-10;
 
 /// An end of a link.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -45,6 +46,12 @@ pub(crate) struct Link {
 pub(crate) struct Anchor {
     pub(crate) place: [f64; 2],
     pub(crate) velocity: [f64; 2],
+}
+
+impl Anchor {
+    pub(super) fn is_led(&self) -> bool {
+        self.velocity != [0.0; 2]
+    }
 }
 
 /// Where bodies are, and fixed points, so long [s] after the step began.
@@ -203,7 +210,7 @@ impl Joints {
             };
             self.links[row.link as usize].ends.iter().zip([1.0, -1.0]).map(rate).sum()
         };
-        let is_led = stand.anchors.iter().any(|anchor| anchor.velocity != [0.0; 2]);
+        let is_led = stand.anchors.iter().any(Anchor::is_led);
         let leads = if is_led { self.rows.iter().map(led).collect() } else { vec![0.0; rows.len()] };
         Factored { inertias, rows, ldl, leads, is_led }
     }

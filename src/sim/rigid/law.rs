@@ -13,6 +13,8 @@ use crate::sim::vector::sub;
 
 /// Most times that all contacts are gone through.
 const MOST_PASSES: u32 = 100;
+/// Share of an energy that is rounding.
+const ROUNDING: f64 = 1e-13;
 /// Change of a motion, relative to the fastest, that is none.
 const NOTHING: f64 = 1e-15;
 /// Operations of a contact that is gone through once, about.
@@ -36,7 +38,7 @@ pub(super) struct Rub {
 }
 
 /// What impulses at contacts move.
-pub(super) trait Answers {
+pub(super) trait Answers: Sized {
     type Motion: Clone;
 
     /// Velocities of a contact, by its number, across and along its surface [m/s].
@@ -56,6 +58,21 @@ pub(super) trait Answers {
 
     /// A mass and a moment of inertia that are no less than those of what moves.
     fn heaviest(&self) -> f64;
+
+    /// Most times that so many contacts are gone through.
+    fn most_passes(&self, _contacts: usize) -> u32 {
+        MOST_PASSES
+    }
+
+    /// Share of an energy that is rounding.
+    fn rounding(&self) -> f64 {
+        ROUNDING
+    }
+
+    /// What becomes of a motion where the law has no answer, and the nearest that was found has more energy than there was.
+    fn give_up(&self, before: &Self::Motion, found: Pressed<Self::Motion>) -> Pressed<Self::Motion> {
+        stop(self, before, found.impulses.len())
+    }
 }
 
 /// What impulses made of a motion.
@@ -71,19 +88,23 @@ pub(super) struct Pressed<M> {
     pub(super) has_converged: bool,
     /// The law had no answer: it was stopped.
     pub(super) is_stopped: bool,
+    /// Share of the motion that was left to it, so that it has no more energy than there was.
+    pub(super) share: f64,
 }
 
 /// An impact: contacts that close give back what their restitution says, with no more energy than there was.
 pub(super) fn strike<A: Answers>(body: &A, before: &A::Motion, rubs: &[Rub]) -> Pressed<A::Motion> {
-    let most = body.energy(before) * (1.0 + 1e-13);
-    let with = |share: f64| {
+    let most = body.energy(before) * (1.0 + body.rounding());
+    let mut passes = 0;
+    let mut with = |share: f64| {
         let aimed = |(contact, rub): (usize, &Rub)| {
             let closing = (-body.speeds(contact, before)[0]).max(0.0);
             Rub { target: [share * rub.restitution * closing, 0.0], ..*rub }
         };
         let pressed = press(body, before, &rubs.iter().enumerate().map(aimed).collect::<Vec<_>>(), &[]);
         let is_fine = body.energy(&pressed.motion) <= most;
-        (pressed, is_fine)
+        passes += pressed.passes;
+        (Pressed { passes, ..pressed }, is_fine)
     };
     let (whole, is_fine) = with(1.0);
     if is_fine {
@@ -92,7 +113,7 @@ pub(super) fn strike<A: Answers>(body: &A, before: &A::Motion, rubs: &[Rub]) -> 
     // Newton's law of restitution together with friction may add energy: so much of it as does not.
     let (plastic, is_fine) = with(0.0);
     if !is_fine {
-        return stop(body, before, rubs.len());
+        return body.give_up(before, plastic);
     }
     let (mut low, mut high, mut found) = (0.0, 1.0, plastic);
     for _ in 0..HALVINGS {
@@ -102,7 +123,7 @@ pub(super) fn strike<A: Answers>(body: &A, before: &A::Motion, rubs: &[Rub]) -> 
             _ => high = share,
         }
     }
-    found
+    Pressed { passes, ..found }
 }
 
 /// As [`press`], with no more energy than before and what targets ask for; where what slides on two surfaces at once has no
@@ -124,11 +145,11 @@ pub(super) fn press_or_stop<A: Answers>(
     }
     let held: Vec<Rub> = rubs.iter().map(|rub| Rub { slides: 0.0, ..*rub }).collect();
     let other = press(body, before, &held, &[]);
-    if is_fine(&other) { other } else { stop(body, before, rubs.len()) }
+    if is_fine(&other) { other } else { body.give_up(before, other) }
 }
 
 /// It stands still.
-fn stop<A: Answers>(body: &A, before: &A::Motion, contacts: usize) -> Pressed<A::Motion> {
+pub(super) fn stop<A: Answers>(body: &A, before: &A::Motion, contacts: usize) -> Pressed<A::Motion> {
     Pressed {
         motion: body.stopped(before),
         impulses: vec![[0.0; 2]; contacts],
@@ -136,6 +157,7 @@ fn stop<A: Answers>(body: &A, before: &A::Motion, contacts: usize) -> Pressed<A:
         passes: 1,
         has_converged: true,
         is_stopped: true,
+        share: 1.0,
     }
 }
 
@@ -151,7 +173,7 @@ fn press<A: Answers>(body: &A, before: &A::Motion, rubs: &[Rub], guess: &[Impuls
     let speeds = rubs.iter().enumerate().flat_map(|(contact, rub)| [body.speeds(contact, before), rub.target]);
     let fastest = speeds.flatten().fold(0.0, |most: f64, speed| most.max(speed.abs()));
     let (mut passes, mut has_converged) = (0, false);
-    while passes < MOST_PASSES && !has_converged {
+    while passes < body.most_passes(rubs.len()) && !has_converged {
         let mut largest: f64 = 0.0;
         for (contact, (rub, impulse)) in rubs.iter().zip(&mut impulses).enumerate() {
             let new = solve(body, (contact, rub), *impulse, &motion);
@@ -171,7 +193,7 @@ fn press<A: Answers>(body: &A, before: &A::Motion, rubs: &[Rub], guess: &[Impuls
             taken[k] -= 0.5 * impulse[k] * (from[k] + to[k]);
         }
     }
-    Pressed { motion, impulses, taken, passes, has_converged, is_stopped: false }
+    Pressed { motion, impulses, taken, passes, has_converged, is_stopped: false, share: 1.0 }
 }
 
 /// One contact, the others as they are.

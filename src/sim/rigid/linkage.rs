@@ -29,6 +29,8 @@ const BRIEF: f64 = 1e-6;
 const ROUNDS: u32 = 30;
 /// A gap that counts as none, as a share of where things are [1].
 const FITS: f64 = 4e-15;
+/// A gap at which a part has failed, in those that count as none.
+const MISSES: f64 = 1e6;
 /// Share of its motion that drag takes in a part of a step, up to which a composition that goes back in time is of use.
 const WEAK: f64 = 0.1;
 
@@ -109,6 +111,16 @@ impl Linkage {
         motions
     }
 
+    /// Kinetic energy of its bodies [J], as points have it.
+    pub(super) fn energy<S: Real, const D: usize>(&self, points: &Points<S, D>) -> f64 {
+        self.bodies.iter().map(|body| body.inertia.energy(&body.read(points).twist)).sum()
+    }
+
+    /// The same, as it is [J].
+    pub(super) fn energy_of(&self, motions: &[Motion]) -> f64 {
+        self.bodies.iter().zip(motions).map(|(body, motion)| body.inertia.energy(&motion.twist)).sum()
+    }
+
     /// What stands still has no velocity.
     pub(super) fn stop<S: Real, const D: usize>(&self, points: &mut Points<S, D>) {
         for &slot in &self.still {
@@ -122,7 +134,7 @@ impl Linkage {
     /// Points that are led go on for `h` [s].
     pub(super) fn lead<S: Real, const D: usize>(&self, points: &mut Points<S, D>, anchors: &[Anchor], h: f64) {
         for (&slot, anchor) in self.fixed.iter().zip(anchors) {
-            if anchor.velocity != [0.0; 2] {
+            if anchor.is_led() {
                 points.position[slot as usize] = lift(add(anchor.place, scale(anchor.velocity, h)));
             }
         }
@@ -159,6 +171,8 @@ pub(super) struct Moving<'a, S: Real, const D: usize> {
     /// Operations that a half of a part takes, about, and those of all parts that were taken or tried.
     work: u64,
     spent: Cell<u64>,
+    /// Some part did not come to where all joints fit.
+    failed: Cell<bool>,
 }
 
 /// A point of one of the bodies on a surface.
@@ -180,12 +194,27 @@ impl<'a, S: Real, const D: usize> Moving<'a, S, D> {
             linkage.bodies.iter().zip(motions).map(|(body, motion)| Among::new(body, obstacles, motion)).collect();
         let of_bodies: u64 = linkage.bodies.iter().map(|body| body.work_in_flight(field)).sum();
         let work = of_bodies + OF_ROUNDS * linkage.joints.work();
-        Moving { linkage, field, anchors, start, among, fits: FITS * linkage.size(motions), work, spent: Cell::new(0) }
+        Moving {
+            linkage,
+            field,
+            anchors,
+            start,
+            among,
+            fits: FITS * linkage.size(motions),
+            work,
+            spent: Cell::new(0),
+            failed: Cell::new(false),
+        }
     }
 
     /// Operations of all that was taken or tried since this was asked last, about.
     pub(super) fn take_spent(&self) -> u64 {
         self.spent.take()
+    }
+
+    /// Whether some part did not come to where all joints fit, since this was asked last.
+    pub(super) fn take_failed(&self) -> bool {
+        self.failed.take()
     }
 
     fn bodies(&self) -> &'a [Body] {
@@ -226,7 +255,8 @@ impl<'a, S: Real, const D: usize> Moving<'a, S, D> {
         if h == 0.0 {
             return motions.to_vec();
         }
-        self.spent.set(self.spent.get() + OF_A_HALF * self.work);
+        let of_contacts = 2 * lying.len() as u64 * self.linkage.joints.work();
+        self.spent.set(self.spent.get() + OF_A_HALF * (self.work + of_contacts));
         let joints = self.factored(motions, t);
         let pushed = self.kicked(motions, (t, 0.5 * h), &joints, book.as_deref_mut());
         let ways: Vec<f64> = lying.iter().map(|spot| self.way_of(motions, *spot)).collect();
@@ -288,6 +318,9 @@ impl<'a, S: Real, const D: usize> Moving<'a, S, D> {
                 let off = [surface, dot(sub(x, from[k]), together.tangent(k))];
                 let gap = if pressed.impulses[k][0] > 0.0 { off[0].abs() } else { -off[0] };
                 largest = largest.max(gap);
+                if !pressed.has_converged {
+                    continue;
+                }
                 let rub = &mut rubs[k];
                 rub.target[0] -= if gap > 0.5 * among.touch { off[0] / h } else { 0.0 };
                 rub.target[1] -= if rub.slides == 0.0 { off[1] / h } else { 0.0 };
@@ -296,7 +329,11 @@ impl<'a, S: Real, const D: usize> Moving<'a, S, D> {
             let fits = apart <= self.fits && largest <= 0.5 * touch;
             // Rounding is all that is left where it comes no nearer.
             let is_stuck = apart > 0.5 * last && apart <= 1e3 * self.fits && largest <= 0.5 * touch;
-            if fits || is_stuck || round >= ROUNDS || !pressed.has_converged || h.abs() < BRIEF {
+            if fits || is_stuck || round >= ROUNDS || h.abs() < BRIEF {
+                // NaN does not fit.
+                let is_near = apart <= MISSES * self.fits;
+                self.failed.set(self.failed.get() || !is_near && h.abs() >= BRIEF);
+                self.spent.set(self.spent.get() + u64::from(round) * self.linkage.joints.work() / 3);
                 return (half, pressed, passes);
             }
             last = apart;

@@ -46,6 +46,7 @@ use alone::Lone;
 use blueprint::Blueprint;
 use body::{Body, Field, lift};
 use course::{Log, advance};
+use joints::Anchor;
 use linkage::{Linkage, Moving};
 use motion::Motion;
 use ties::Ties;
@@ -99,6 +100,10 @@ impl<S: Real, const D: usize> Mover<S, D> for Rigid {
         for linkage in self.linkages.iter() {
             let anchors = linkage.anchors(points);
             let motions = linkage.read(points, &anchors);
+            if let Some(book) = book.as_deref_mut().filter(|_| anchors.iter().any(Anchor::is_led)) {
+                // A pin that changes its velocity passes that on at once.
+                book.pins += linkage.energy_of(&motions) - linkage.energy(points);
+            }
             let is_reached = linkage.bodies.iter().zip(&motions).any(|(body, motion)| {
                 let far = body.reach + way(motion, h, length(pull.gravity) + pull.most_push() + around.most_push());
                 let middle = motion.place.middle;

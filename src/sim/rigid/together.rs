@@ -2,12 +2,16 @@
 
 use super::inertia::{Contact, Inertia};
 use super::joints::Factored;
-use super::law::{Answers, Impulse, Pressed, Rub, press_or_stop};
+use super::law::{Answers, Impulse, Pressed, Rub, press_or_stop, stop};
 use super::motion::Twist;
 use crate::sim::vector::{add, scale, sub};
 
 /// Share of what a body alone would give at a point below which its joints hold it there.
 const HELD: f64 = 1e-10;
+/// Times that one contact is gone through at most; of several each that much less often.
+const PASSES: u32 = 2_000;
+/// Share of an energy that is rounding.
+const ROUNDING: f64 = 1e-9;
 /// None.
 const STILL: Twist = Twist { velocity: [0.0; 2], spin: 0.0 };
 
@@ -115,6 +119,12 @@ impl<'a> Together<'a> {
                 twist.spin += by.spin * share;
             }
         }
+        if pressed.share < 1.0 {
+            for twist in &mut twists {
+                twist.velocity = scale(twist.velocity, pressed.share);
+                twist.spin *= pressed.share;
+            }
+        }
         twists
     }
 }
@@ -149,6 +159,25 @@ impl Answers for Together<'_> {
 
     fn stopped(&self, motion: &Speeds) -> Speeds {
         Speeds { speeds: vec![[0.0; 2]; motion.speeds.len()], energy: 0.0 }
+    }
+
+    /// Contacts that joints couple strongly need many.
+    fn most_passes(&self, contacts: usize) -> u32 {
+        PASSES / (contacts as u32).max(1)
+    }
+
+    /// It is summed up push by push.
+    fn rounding(&self) -> f64 {
+        ROUNDING
+    }
+
+    /// It is slowed down as a whole, which joints and surfaces bear.
+    fn give_up(&self, before: &Speeds, found: Pressed<Speeds>) -> Pressed<Speeds> {
+        let share = (before.energy / found.motion.energy).sqrt();
+        if !share.is_finite() {
+            return stop(self, before, found.impulses.len());
+        }
+        Pressed { share: share.min(1.0), ..found }
     }
 
     fn heaviest(&self) -> f64 {
