@@ -72,10 +72,10 @@ fn lines(figures: &Figures) -> Vec<Line> {
 /// How many bodies are moved by whom, since when, and why.
 fn told(&Moved { why, islands, since }: &Moved, all: usize) -> (String, Color32) {
     let who = match (islands, all) {
-        (1, 1) => "The body is".to_owned(),
-        (count, all) if count == all => format!("All {all} bodies are"),
-        (1, all) => format!("1 of {all} bodies is"),
-        (count, all) => format!("{count} of {all} bodies are"),
+        (1, 1) => "The body has been".to_owned(),
+        (count, all) if count == all => format!("All {all} bodies have been"),
+        (1, all) => format!("1 of {all} bodies has been"),
+        (count, all) => format!("{count} of {all} bodies have been"),
     };
     let [since, last] = since.map(|time| format!("{time:.1}\u{a0}s"));
     let since = if since == last { format!("since {since}") } else { format!("since {since}, the last since {last}") };
@@ -85,7 +85,7 @@ fn told(&Moved { why, islands, since }: &Moved, all: usize) -> (String, Color32)
         Why::Alarm => (live("their own methods fail there"), TEXT),
         Why::Contact | Why::Plan => (live("they may touch something, which no exact method knows"), TEXT),
         Why::NotFinite => {
-            let stands = who.replace(" is", " stands").replace(" are", " stand");
+            let stands = who.replace(" has been", " has stood").replace(" have been", " have stood");
             (format!("{stands} still {since}: no finite numbers. Grab or change it, and it goes on"), AWAY)
         }
     }
@@ -153,16 +153,16 @@ mod tests {
         assert_eq!(
             said,
             [
-                "2 of 4 bodies are in the live step since 3.2\u{a0}s: their own methods take too much work",
-                "1 of 4 bodies is in the live step since 3.2\u{a0}s: they may touch something, which no exact method knows",
-                "1 of 4 bodies stands still since 3.2\u{a0}s: no finite numbers. Grab or change it, and it goes on",
+                "2 of 4 bodies have been in the live step since 3.2\u{a0}s: their own methods take too much work",
+                "1 of 4 bodies has been in the live step since 3.2\u{a0}s: they may touch something, which no exact method knows",
+                "1 of 4 bodies has stood still since 3.2\u{a0}s: no finite numbers. Grab or change it, and it goes on",
             ]
         );
         let offers: Vec<bool> = lines.iter().map(|line| line.offer.is_some()).collect();
         assert_eq!(offers, [true, false, false]);
         let movers = Movers { moved: vec![moved(Why::Contact, 3)], islands: 3, can_be_exact: false };
         let figures = Figures { movers: Arc::new(movers), ..Figures::default() };
-        assert!(words(&figures)[0].starts_with("All 3 bodies are in the live step since 3.2\u{a0}s"));
+        assert!(words(&figures)[0].starts_with("All 3 bodies have been in the live step since 3.2\u{a0}s"));
         let joined = Moved { since: [3.25, 48.0], ..moved(Why::Contact, 3) };
         let words = told(&joined, 3).0;
         assert!(words.contains("since 3.2\u{a0}s, the last since 48.0\u{a0}s: they may touch"), "{words}");

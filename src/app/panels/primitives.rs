@@ -20,7 +20,7 @@ fn words(primitive: Primitive) -> &'static str {
         Primitive::Rim => "a soft rim: drag from its middle to its outside",
         Primitive::SolidBox => "an obstacle, a box: drag from corner to corner",
         Primitive::SolidCircle => "an obstacle, a circle: drag from its middle to its rim",
-        Primitive::Slope => "an obstacle, a floor, slope or wall: drag along it, with what is solid at the right hand",
+        Primitive::Slope => "an obstacle, a plank as floor, slope or wall: drag along its upper side, to the right",
     }
 }
 

@@ -7,6 +7,7 @@ use egui::epaint::{ClippedShape, Shape};
 use egui::{Color32, FontId, Pos2, Rect, Stroke};
 
 use super::{Framing, Session, panels_for};
+use crate::app::action::Tool;
 use crate::app::canvas::{Canvas, Paint};
 use crate::app::panels::{self, Facts, Settings, theme};
 use crate::app::tools::{Mark, Role, Scope};
@@ -120,10 +121,16 @@ impl Session {
 
     /// The region of the hover force: where the pointer is now, however long a step takes.
     pub(super) fn region(&self) -> Option<(MouseForce, Cursor)> {
-        if self.hand.is_calm() || self.is_covered() {
+        if self.is_covered() {
             return None;
         }
         match self.live_force() {
+            // Paused, the world has not heard yet of what other tools put away and the hand takes up again.
+            Some(force) if !self.player.is_playing() && !self.hand.is_busy() => {
+                let strength = self.hand.strength().filter(|_| self.hand.tool() == Tool::Hand)?;
+                self.world_cursor().map(|at| (MouseForce { strength, ..force.clone() }, at))
+            }
+            _ if self.hand.is_calm() => None,
             // What is done again has the cursor of its own.
             Some(force) if self.shown().figures.follows => self.shown().cursor.map(|at| (force.clone(), at)),
             Some(force) => self.world_cursor().map(|at| (force.clone(), at)),

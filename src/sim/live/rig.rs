@@ -24,6 +24,8 @@ const ROUNDS: u32 = 3;
 /// A gap that counts as closed, as a share of where things are [1].
 const CLOSED: f64 = 1e-13;
 
+const STILL: Twist = Twist { velocity: [0.0; 2], spin: 0.0 };
+
 /// The frames of a body of several, and what joins them.
 #[derive(Clone, Debug)]
 pub(super) struct Rig {
@@ -131,8 +133,7 @@ impl<S: Real> Cluster<S> {
 
     fn straighten(&mut self, rigged: &Rigged) {
         let Rigged { rig, base, .. } = rigged;
-        let still = Twist { velocity: [0.0; 2], spin: 0.0 };
-        let mut motions: Vec<Motion> = self.stations(rigged).map(|place| Motion { place, twist: still }).collect();
+        let mut motions: Vec<Motion> = self.stations(rigged).map(|place| Motion { place, twist: STILL }).collect();
         let anchors: Vec<Anchor> = rig
             .fixed
             .iter()
@@ -152,7 +153,7 @@ impl<S: Real> Cluster<S> {
             }
             rounds += 1;
             let targets: Vec<f64> = gaps.iter().map(|gap| -gap).collect();
-            let mut ways = vec![still; motions.len()];
+            let mut ways = vec![STILL; motions.len()];
             rig.joints.factored(&rig.inertias, stand).hold(&mut ways, &targets);
             for (motion, way) in motions.iter_mut().zip(ways) {
                 motion.place = motion.place.moved(way.velocity, way.spin);
@@ -198,41 +199,45 @@ impl<S: Real> Cluster<S> {
         let mut count = 0;
         for k in 0..self.rigs.len() {
             let rigged = self.rigs[k].clone();
-            let Rigged { rig, base, first } = &rigged;
-            let mut frames = self.frames[*first..].iter();
-            let motion = |member: &Member, place: Place| {
-                let twist = match member {
-                    Member::Frame(..) => frames.next().map_or(Twist { velocity: [0.0; 2], spin: 0.0 }, Frame::twist),
-                    Member::Point(point) => Twist { velocity: widen(self.velocity[base + *point as usize]), spin: 0.0 },
-                };
-                Motion { place, twist }
-            };
-            let mut motion = motion;
-            let places: Vec<Place> = self.stations(&rigged).collect();
-            let motions: Vec<Motion> =
-                rig.members.iter().zip(places).map(|(member, place)| motion(member, place)).collect();
-            let anchor = |&point: &u32| {
-                let i = base + point as usize;
-                Anchor { place: widen(self.now[i]), velocity: widen(self.velocity[i]) }
-            };
-            let anchors: Vec<Anchor> = rig.fixed.iter().map(anchor).collect();
-            let stand = Stand { motions: &motions, anchors: &anchors, since: 0.0 };
-            let joints = rig.joints.factored(&rig.inertias, stand);
-            let mut twists: Vec<Twist> = motions.iter().map(|motion| motion.twist).collect();
-            joints.hold(&mut twists, &joints.leads);
-            let mut frame = *first;
-            for (member, twist) in rig.members.iter().zip(twists) {
-                match member {
-                    Member::Frame(..) => {
-                        self.set_twist(frame, twist);
-                        frame += 1;
-                    }
-                    &Member::Point(point) => self.velocity[base + point as usize] = convert(twist.velocity),
-                }
-            }
-            self.counts.work += rig.joints.work();
-            count += rig.joints.rows() as u64;
+            self.stiffen(&rigged);
+            self.counts.work += rigged.rig.joints.work();
+            count += rigged.rig.joints.rows() as u64;
         }
         count
+    }
+
+    fn stiffen(&mut self, rigged: &Rigged) {
+        let Rigged { rig, base, first } = rigged;
+        let mut twists = self.twists(rigged);
+        let motions: Vec<Motion> =
+            self.stations(rigged).zip(&twists).map(|(place, &twist)| Motion { place, twist }).collect();
+        let anchor = |&point: &u32| {
+            let i = base + point as usize;
+            Anchor { place: widen(self.now[i]), velocity: widen(self.velocity[i]) }
+        };
+        let anchors: Vec<Anchor> = rig.fixed.iter().map(anchor).collect();
+        let stand = Stand { motions: &motions, anchors: &anchors, since: 0.0 };
+        let joints = rig.joints.factored(&rig.inertias, stand);
+        joints.hold(&mut twists, &joints.leads);
+        let mut frame = *first;
+        for (member, twist) in rig.members.iter().zip(twists) {
+            match *member {
+                Member::Frame(..) => {
+                    self.set_twist(frame, twist);
+                    frame += 1;
+                }
+                Member::Point(point) => self.velocity[base + point as usize] = convert(twist.velocity),
+            }
+        }
+    }
+
+    /// How the members of a rig move.
+    fn twists(&self, rigged: &Rigged) -> Vec<Twist> {
+        let mut frames = self.frames[rigged.first..].iter();
+        let of = |member: &Member| match member {
+            Member::Frame(..) => frames.next().map_or(STILL, Frame::twist),
+            Member::Point(point) => Twist { velocity: widen(self.velocity[rigged.base + *point as usize]), spin: 0.0 },
+        };
+        rigged.rig.members.iter().map(of).collect()
     }
 }

@@ -25,11 +25,26 @@ pub(super) enum Form {
     Rim(Round),
     SolidBox([DVec2; 2]),
     SolidCircle(Round),
-    Slope {
-        point: DVec2,
-        /// Where the drag went: what lies to its right is solid.
-        along: DVec2,
-    },
+    Slope(Plank),
+}
+
+/// A solid plank.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Plank {
+    /// Where its upper side begins, and which way it goes [m]: it lies at the right hand of that.
+    pub(super) from: DVec2,
+    pub(super) along: DVec2,
+    /// [m]
+    pub(super) thick: f64,
+}
+
+impl Plank {
+    /// Its corners, from where it begins.
+    pub(super) fn corners(&self) -> [DVec2; 4] {
+        let down = -self.along.normalize_or(DVec2::X).perp() * self.thick;
+        let Plank { from, along, .. } = *self;
+        [from, from + along, from + along + down, from + down]
+    }
 }
 
 /// A circle.
@@ -57,6 +72,8 @@ pub(super) struct End {
     pub(super) hold: Hold,
 }
 
+/// Thickness of a slope, in what a click makes [1].
+const THICK: f64 = 0.25;
 /// Cells of a soft box: enough to bend, few enough for many of them.
 const BOX: Fineness = Fineness { across: 1..=5, most: 40 };
 /// Cells of a cloth.
@@ -79,7 +96,7 @@ impl Form {
             Primitive::Rim => Form::Rim(round),
             Primitive::SolidBox => Form::SolidBox([from.min(to), from.max(to)]),
             Primitive::SolidCircle => Form::SolidCircle(round),
-            Primitive::Slope => Form::Slope { point: from, along: to - from },
+            Primitive::Slope => Form::Slope(Plank { from, along: to - from, thick: THICK * usual }),
         }
     }
 
@@ -118,7 +135,9 @@ impl Form {
                 format!("radius {} m", short(round.radius))
             }
             Form::Rope { ends: [from, to], .. } => format!("{} m", short(from.at.distance(to.at))),
-            Form::Slope { along, .. } => format!("{:.0}°", along.to_angle().to_degrees() + 0.0),
+            Form::Slope(Plank { along, .. }) => {
+                format!("{} m, {:.0}°", short(along.length()), along.to_angle().to_degrees() + 0.0)
+            }
         }
     }
 }

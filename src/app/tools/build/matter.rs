@@ -8,7 +8,7 @@ use super::form::{End, Form, Hold, Round};
 use super::grid::Grid;
 use crate::scene::{
     AddKeys, BodyKeys, BondKeys, BoxKeys, BraceName, CircleKeys, DiagonalsName, KindName, MakerName, Material,
-    ObstacleKeys, PlaneKeys, Vector,
+    ObstacleKeys, Vector,
 };
 
 /// Mass of what has an area [kg/m^2].
@@ -55,9 +55,13 @@ impl Form {
                 let keys = CircleKeys { center: vector(*center), radius: *radius };
                 obstacle(ObstacleKeys { circle: Some(keys), ..ObstacleKeys::default() })
             }
-            Form::Slope { point, along } => {
-                let keys = PlaneKeys { point: vector(*point), normal: vector(along.normalize_or(DVec2::X).perp()) };
-                obstacle(ObstacleKeys { plane: Some(keys), ..ObstacleKeys::default() })
+            Form::Slope(plank) => {
+                let corners = plank.corners();
+                let middle = 0.5 * (corners[0] + corners[2]);
+                let half = 0.5 * DVec2::new(plank.along.length(), plank.thick);
+                let angle = Some(plank.along.to_angle());
+                let keys = BoxKeys { min: vector(middle - half), max: vector(middle + half), angle, rotation: None };
+                obstacle(ObstacleKeys { r#box: Some(keys), ..ObstacleKeys::default() })
             }
         }
     }

@@ -11,10 +11,6 @@ use crate::app::tools::pick::Scope;
 const WIDTH: f64 = 1.5;
 /// The size stands so far from the cursor [logical px].
 const BESIDE: DVec2 = DVec2::new(16.0, -14.0);
-/// Distance and length of the strokes on the solid side of a slope [logical px].
-const HATCH: [f64; 2] = [22.0, 12.0];
-/// Strokes on either side of where a slope was pressed.
-const HATCHES: i32 = 60;
 
 pub(super) fn of(form: &Form, scope: Scope<'_>, at: DVec2) -> Vec<Mark> {
     let round = |&Round { center, radius }: &Round| ring(scope, center, radius);
@@ -33,7 +29,7 @@ pub(super) fn of(form: &Form, scope: Scope<'_>, at: DVec2) -> Vec<Mark> {
         }
         Form::SolidBox(corners) => rectangle(scope, *corners),
         Form::SolidCircle(circle) => round(circle),
-        Form::Slope { point, along } => slope(scope, *point, *along),
+        Form::Slope(plank) => around(scope, plank.corners()),
     };
     marks.push(label(scope, at, form.words()));
     marks
@@ -53,7 +49,11 @@ fn line(scope: Scope<'_>, from: DVec2, to: DVec2) -> Mark {
 }
 
 fn rectangle(scope: Scope<'_>, [low, high]: [DVec2; 2]) -> Vec<Mark> {
-    let corners = [low, DVec2::new(high.x, low.y), high, DVec2::new(low.x, high.y)].map(|corner| pixel(scope, corner));
+    around(scope, [low, DVec2::new(high.x, low.y), high, DVec2::new(low.x, high.y)])
+}
+
+fn around(scope: Scope<'_>, corners: [DVec2; 4]) -> Vec<Mark> {
+    let corners = corners.map(|corner| pixel(scope, corner));
     let side = |k: usize| Some(line(scope, corners[k]?, corners[(k + 1) % 4]?));
     (0..4).filter_map(side).collect()
 }
@@ -72,19 +72,4 @@ fn rope(scope: Scope<'_>, ends: &[End; 2]) -> Vec<Mark> {
     let [from, to] = ends.map(|end| pixel(scope, end.at));
     let holds = ends.iter().filter(|end| end.hold != Hold::None).filter_map(|end| held(scope, end.at));
     from.zip(to).map(|(from, to)| line(scope, from, to)).into_iter().chain(holds).collect()
-}
-
-/// A line through all of the view, with strokes where it is solid.
-fn slope(scope: Scope<'_>, point: DVec2, along: DVec2) -> Vec<Mark> {
-    let (Some(middle), Some(along)) = (pixel(scope, point), along.try_normalize()) else { return Vec::new() };
-    // Screens are y down.
-    let along = DVec2::new(along.x, -along.y);
-    let into = along.perp();
-    let [gap, stroke] = HATCH.map(|length| length * scope.scale);
-    let far = f64::from(HATCHES) * gap * along;
-    let hatch = |k: i32| {
-        let from = middle + f64::from(k) * gap * along;
-        line(scope, from, from + stroke * (into - along))
-    };
-    std::iter::once(line(scope, middle - far, middle + far)).chain((-HATCHES..=HATCHES).map(hatch)).collect()
 }

@@ -90,7 +90,7 @@ fn a_drag_becomes_one_edit_that_fills_what_was_drawn() {
 }
 
 #[test]
-fn obstacles_lie_where_they_were_drawn_and_slopes_are_solid_at_the_right_hand() {
+fn obstacles_lie_where_they_were_drawn_and_slopes_are_planks_at_the_right_hand() {
     let seen = room();
     let solid = drag(&seen, &mut hand(Primitive::SolidBox), [1.0, 1.0], [-1.0, 0.0]);
     let circle = drag(&seen, &mut hand(Primitive::SolidCircle), [0.0, -2.0], [0.5, -2.0]);
@@ -98,15 +98,15 @@ fn obstacles_lie_where_they_were_drawn_and_slopes_are_solid_at_the_right_hand() 
     let names = [&solid, &circle, &slope].map(|deed| deed.edit.unwrap());
     assert_eq!(names, ["Solid box", "Solid circle", "Slope"]);
     let history = history(&seen, &[solid, circle, slope]);
-    let [solid, circle] = history.world().polygons() else { panic!("a box and a circle") };
+    let [solid, circle, plank] = history.world().polygons() else { panic!("a box, a circle and a plank") };
     assert!(solid.loops[0].iter().all(|&[x, y]| (x.abs() - 1.0).abs() < 1e-9 && (y - 0.5).abs() - 0.5 < 1e-9));
     assert!(
         circle.loops[0].iter().all(|&corner| (DVec2::from(corner).distance(DVec2::new(0.0, -2.0)) - 0.5).abs() < 1e-6)
     );
-    let [[point, normal]] = history.world().planes()[..] else { panic!("a slope") };
-    assert!(close(DVec2::new(point[0], point[1]), [-1.0, -3.0], 1e-9), "{point:?}");
-    let up = DVec2::new(-1.0, 2.0).normalize();
-    assert!(close(DVec2::new(normal[0], normal[1]), up.into(), 1e-9), "up from a drag to the right: {normal:?}");
+    let is_corner = |at: [f64; 2]| plank.loops[0].iter().any(|&corner| close(DVec2::from(corner), at, 1e-9));
+    assert!(is_corner([-1.0, -3.0]) && is_corner([1.0, -2.0]), "{plank:?}");
+    let below = plank.loops[0].iter().filter(|&&[x, y]| y < -2.5 + 0.5 * x - 1e-9).count();
+    assert_eq!(below, 2, "its other side is below a drag to the right: {plank:?}");
 }
 
 #[test]
