@@ -1,10 +1,10 @@
 //! Plots at the bottom left: the energies of the world over time, and what the probes measure.
 
 use egui::collapsing_header::CollapsingState;
-use egui::{Align, Align2, Area, AsIdSalt, Color32, Id, Layout, Rect, RichText, TextStyle, Ui, vec2};
-use egui_plot::{Corner, GridMark, HoverPosition, Legend, Line, Plot, PlotPoints};
+use egui::{Align, Align2, Area, AsIdSalt, Color32, Id, Layout, Rect, RichText, Ui, vec2};
+use egui_plot::{AxisHints, GridInput, GridMark, HoverPosition, Line, Plot, PlotPoints};
 
-use super::theme::{PROBES, TEXT, floating};
+use super::theme::{LINE, PROBES, TEXT, WEAK, floating};
 use super::{Wish, described};
 use crate::app::action::Action;
 use crate::app::player::Measured;
@@ -12,12 +12,14 @@ use crate::app::plots::{Plots, Quantity, Series, Subject};
 
 /// Width and greatest height of a plot [points].
 const SIZE: [f32; 2] = [340.0, 180.0];
+/// Lines of the grid lie so far apart at most, as shares of the plot [1].
+const LINES: f64 = 1.0 / 5.0;
 /// A room so high has place for the panel below the tools [points].
 const TALL: f32 = 800.0;
 /// Where it begins beside the tools, and below them [points].
 const LEFT: [f32; 2] = [76.0, 10.0];
 /// What is above the plot stays free [points].
-const ABOVE: f32 = 250.0;
+const ABOVE: f32 = 270.0;
 
 /// What is plotted of the energies [J].
 type OfEnergies = fn(&Measured) -> f64;
@@ -39,6 +41,7 @@ pub(super) fn show(context: &egui::Context, room: Rect, plots: &mut Plots, wishe
             let header = fold.show_header(ui, |ui| header(ui, wishes));
             header.body_unindented(|ui| {
                 choices(ui, plots);
+                legend(ui, plots);
                 plot(ui, (room.height() - ABOVE).clamp(70.0, SIZE[1]), plots);
             });
         });
@@ -64,7 +67,7 @@ fn choices(ui: &mut Ui, plots: &mut Plots) {
         ui.spacing_mut().item_spacing.x = 4.0;
         ui.selectable_value(&mut plots.subject, Subject::Energies, "energies");
         if count == 0 {
-            ui.weak("select (6) a point: a probe");
+            ui.weak("click a point with the tool 6 to probe it");
             return;
         }
         ui.selectable_value(&mut plots.subject, Subject::Probes, if count == 1 { "probe" } else { "probes" });
@@ -80,24 +83,42 @@ fn choices(ui: &mut Ui, plots: &mut Plots) {
     });
 }
 
+/// The names of the curves, in their colours.
+fn legend(ui: &mut Ui, plots: &Plots) {
+    let name = |ui: &mut Ui, name: &str, color| ui.label(RichText::new(name).color(color).small());
+    ui.horizontal(|ui| match plots.subject {
+        Subject::Energies => ENERGIES.into_iter().for_each(|(words, color, _)| _ = name(ui, words, color)),
+        Subject::Probes => {
+            let places = plots.probes().into_iter().zip(PROBES).enumerate();
+            for (place, (point, color)) in places {
+                point.iter().for_each(|point| _ = name(ui, &format!("{}: point {}", place + 1, point.0), color));
+            }
+        }
+        Subject::Phase => _ = name(ui, "2 upwards, 1 across", TEXT),
+    });
+}
+
 fn plot(ui: &mut Ui, height: f32, plots: &Plots) {
     let [name, unit] = plots.quantity.words();
-    let across = match plots.subject {
+    let frame = match plots.subject {
         Subject::Energies => frame("energies", ["s", "J"]),
         Subject::Probes => frame(("probes", name), ["s", unit]),
         Subject::Phase => frame(("phase", name), [unit, unit]),
     };
-    across.width(SIZE[0]).height(height).show(ui, |ui| {
+    frame.width(SIZE[0]).height(height).show(ui, |ui| {
         for line in lines(plots) {
             ui.line(line);
         }
     });
 }
 
-/// A plot without curves, which shows all that there is. Units: those of its axes.
+/// A plot without curves, which is to show all of them and stays as it is under the pointer. Units: those of its axes.
 fn frame(id: impl AsIdSalt, [across, up]: [&'static str; 2]) -> Plot<'static> {
-    let is_time = across == "s";
-    let legend = Legend::default().position(Corner::LeftTop).follow_insertion_order(true);
+    // Curves over time take all of the width.
+    let margin = if across == "s" { 0.0 } else { 0.08 };
+    let axis = |axis: AxisHints<'static>, unit: &'static str, room: f32| {
+        axis.formatter(move |mark, _| tick(mark, unit)).label_spacing(room..=room + 1.0).tick_label_color(WEAK)
+    };
     Plot::new(id)
         .allow_drag(false)
         .allow_zoom(false)
@@ -105,13 +126,12 @@ fn frame(id: impl AsIdSalt, [across, up]: [&'static str; 2]) -> Plot<'static> {
         .allow_boxed_zoom(false)
         .allow_axis_zoom_drag(false)
         .allow_double_click_reset(false)
-        .set_margin_fraction(if is_time { vec2(0.0, 0.08) } else { vec2(0.08, 0.08) })
-        .x_axis_label(across)
-        .y_axis_label(up)
-        .x_axis_formatter(|mark, _| tick(mark))
-        .y_axis_formatter(|mark, _| tick(mark))
-        .y_axis_min_width(44.0)
-        .legend(legend.text_style(TextStyle::Small).background_alpha(0.5))
+        .set_margin_fraction(vec2(margin, 0.08))
+        .custom_x_axes(vec![axis(AxisHints::new_x(), across, 36.0)])
+        .custom_y_axes(vec![axis(AxisHints::new_y(), up, 14.0).min_thickness(52.0)])
+        .x_grid_spacer(grid)
+        .y_grid_spacer(grid)
+        .grid_color(LINE)
         .label_formatter(move |at| match at {
             HoverPosition::NearDataPoint { plot_name, position, .. } => {
                 let [x, y] = [position.x, position.y].map(number);
@@ -119,6 +139,19 @@ fn frame(id: impl AsIdSalt, [across, up]: [&'static str; 2]) -> Plot<'static> {
             }
             HoverPosition::Elsewhere { .. } => None,
         })
+}
+
+/// Lines at round numbers: at most five steps of 1, 2 or 5 times a power of ten.
+fn grid(GridInput { bounds: (from, to), .. }: GridInput) -> Vec<GridMark> {
+    let least = LINES * (to - from);
+    let power = 10_f64.powf(least.log10().floor());
+    let step =
+        [1.0, 2.0, 5.0].map(|digit| digit * power).into_iter().find(|step| *step >= least).unwrap_or(10.0 * power);
+    if !(step.is_normal() && (from / step).is_finite() && (to / step).is_finite()) {
+        return Vec::new();
+    }
+    let numbers = (from / step).ceil() as i64..=(to / step).floor() as i64;
+    numbers.take(12).map(|k| GridMark { value: k as f64 * step, step_size: step }).collect()
 }
 
 /// The curves of what is looked at.
@@ -142,7 +175,7 @@ fn lines(plots: &Plots) -> Vec<Line<'static>> {
         }
         Subject::Phase => {
             let at = |measured: &Measured| Some([of(0)(measured)?, of(1)(measured)?]);
-            vec![Line::new("2 over 1", points(series, at)).color(TEXT).width(1.5)]
+            vec![Line::new("2 against 1", points(series, at)).color(TEXT).width(1.5)]
         }
     }
 }
@@ -151,13 +184,17 @@ fn points(series: &Series, at: impl Fn(&Measured) -> Option<[f64; 2]>) -> PlotPo
     series.iter().filter_map(at).collect()
 }
 
-/// What stands at a line of the grid: with as many digits as tell it from the next.
-fn tick(mark: GridMark) -> String {
-    let digits = (-mark.step_size.log10()).ceil().clamp(0.0, 9.0) as usize;
-    match mark.value.abs() {
-        0.0 => "0".to_owned(),
-        size if size >= 1e5 || digits > 4 => format!("{:.1e}", mark.value),
-        _ => format!("{:.digits$}", mark.value),
+/// What stands at a line of the grid: with as many digits as tell it from the next, and its unit.
+fn tick(GridMark { value, step_size }: GridMark, unit: &str) -> String {
+    let order = |number: f64| (number.abs().log10() + 1e-9).floor();
+    let digits = (-order(step_size)).clamp(0.0, 9.0) as usize;
+    match value.abs() {
+        0.0 => format!("0 {unit}"),
+        size if size < 1e5 && digits <= 6 => format!("{value:.digits$} {unit}"),
+        _ => {
+            let digits = (order(value) - order(step_size)).clamp(0.0, 9.0) as usize;
+            format!("{value:.digits$e} {unit}")
+        }
     }
 }
 
@@ -167,5 +204,23 @@ fn number(value: f64) -> String {
         0.0 => "0".to_owned(),
         size if (1e-2..1e5).contains(&size) => format!("{value:.3}"),
         _ => format!("{value:.2e}"),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn grids_have_round_numbers_with_the_digits_that_tell_them_apart() {
+        let ticks = |from: f64, to: f64| -> Vec<String> {
+            let input = GridInput { bounds: (from, to), base_step_size: 1.0 };
+            grid(input).into_iter().map(|mark| tick(mark, "J")).collect()
+        };
+        assert_eq!(ticks(-12.0, 21.0), ["-10 J", "0 J", "10 J", "20 J"]);
+        assert_eq!(ticks(0.922_01, 0.922_19), ["0.92205 J", "0.92210 J", "0.92215 J"]);
+        assert_eq!(ticks(3.01, 3.42), ["3.1 J", "3.2 J", "3.3 J", "3.4 J"]);
+        assert_eq!(ticks(1.0e6, 1.7e6), ["1.0e6 J", "1.2e6 J", "1.4e6 J", "1.6e6 J"]);
+        assert!(ticks(1.0, 1.0).is_empty() && ticks(f64::NAN, 1.0).is_empty());
     }
 }

@@ -39,8 +39,8 @@ impl Screen {
         let context = egui::Context::default();
         theme::apply(&context);
         let mut screen = Screen { context, plots, size: [1280.0, 720.0] };
-        // The first frames find their sizes.
-        (0..3).for_each(|_| _ = screen.frame(Vec::new()));
+        // The first frames find their sizes, and it fades in.
+        (0..30).for_each(|_| _ = screen.frame(Vec::new()));
         screen
     }
 
@@ -123,7 +123,10 @@ fn all_energies_are_drawn_with_their_names() {
         assert!(screen.curve(color) > 50, "{name}: {}", screen.curve(color));
         assert!(screen.place_of(name).is_some(), "{name}");
     }
-    assert!(screen.place_of("s").is_some() && screen.place_of("J").is_some(), "the units");
+    let shapes = screen.frame(Vec::new()).1;
+    let says =
+        |end: &str| shapes.iter().any(|shape| matches!(shape, Shape::Text(text) if text.galley.text().ends_with(end)));
+    assert!(says(" s") && says(" J"), "the units");
 }
 
 #[test]
@@ -161,7 +164,7 @@ fn in_a_small_window_it_is_still_whole() {
     screen.size = [480.0, 340.0];
     (0..3).for_each(|_| _ = screen.frame(Vec::new()));
     let all = Rect::from_min_size(Pos2::ZERO, vec2(480.0, 340.0));
-    for words in ["Plots", "Close", "energies", "speed", "s"] {
+    for words in ["Plots", "Close", "energies", "speed", "1: point 1"] {
         assert!(screen.place_of(words).is_some_and(|at| all.contains(at)), "{words}");
     }
 }

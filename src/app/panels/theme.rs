@@ -20,7 +20,8 @@ pub(super) const WEAK: Color32 = Color32::from_rgb(150, 163, 184);
 pub(in crate::app) const PANEL: Color32 = Color32::from_rgb(20, 26, 38);
 const RAISED: Color32 = Color32::from_rgb(33, 42, 59);
 const HOVERED: Color32 = Color32::from_rgb(46, 58, 81);
-const LINE: Color32 = Color32::from_rgb(40, 50, 70);
+/// Lines between and around what is shown.
+pub(super) const LINE: Color32 = Color32::from_rgb(40, 50, 70);
 
 /// Gives a context the program's look.
 pub(in crate::app) fn apply(context: &egui::Context) {

@@ -62,7 +62,7 @@ fn at(time: f64) -> Measured {
 
 #[test]
 fn a_series_ascends_is_bounded_and_reaches_back_evenly() {
-    // Ten seconds at 60 Hz and a pace of 1/8, then of 4.
+    // At 60 Hz and a pace of 1/8, then of 4.
     for step in [1.0 / 480.0, 4.0 / 60.0] {
         let mut series = Series::new(20.0);
         (0..20_000).for_each(|k| _ = series.push(at(f64::from(k) * step)));
@@ -94,14 +94,20 @@ fn going_back_cuts_off_what_was_seen_and_the_curve_goes_on_from_there() {
     played.play(60);
     let before = played.times();
     assert!(ascends(&before) && before.len() > 50 && *before.last().unwrap() == played.shown.figures.time);
-    assert_eq!(played.ask(Order::GoTo(0.5, None)), [true, false]);
+    let half = 0.5 * played.shown.figures.time;
+    assert_eq!(played.ask(Order::GoTo(half, None)), [true, false]);
     let back = played.times();
     assert_eq!(*back.last().unwrap(), played.shown.figures.time);
-    assert!((*back.last().unwrap() - 0.5).abs() < 1e-9, "{back:?}");
-    let kept = before.iter().filter(|time| **time < 0.5 - 1e-9).copied();
+    assert!((*back.last().unwrap() - half).abs() < 0.005, "{back:?}");
+    let kept = before.iter().filter(|time| **time < back[back.len() - 1] - 1e-9).copied();
     assert!(kept.eq(back[..back.len() - 1].iter().copied()), "what was before stays");
     played.play(10);
     assert!(ascends(&played.times()) && played.times().len() > back.len());
+    // Also in frames in which nothing is measured.
+    played.ask(Order::Watch(None));
+    assert_eq!(played.ask(Order::GoTo(0.25 * half, None)), [true, false]);
+    assert!(played.times().iter().all(|time| *time <= played.shown.figures.time));
+    played.ask(Order::Watch(Some([None; 2])));
     played.ask(Order::Reset);
     assert_eq!(played.times(), [0.0]);
     // Another scene begins anew.
