@@ -12,14 +12,14 @@ use crate::app::plots::{Plots, Quantity, Series, Subject};
 
 /// Width and greatest height of a plot [points].
 const SIZE: [f32; 2] = [340.0, 180.0];
-/// Lines of the grid lie so far apart at most, as shares of the plot [1].
+/// Lines of the grid lie so far apart at least, as a share of the plot [1].
 const LINES: f64 = 1.0 / 5.0;
 /// A room so high has place for the panel below the tools [points].
-const TALL: f32 = 800.0;
+const TALL: f32 = 850.0;
 /// Where it begins beside the tools, and below them [points].
 const LEFT: [f32; 2] = [76.0, 10.0];
-/// What is above the plot stays free [points].
-const ABOVE: f32 = 270.0;
+/// Half of the room less this is free for the plot: the primitives beside the tools end there [points].
+const OTHERS: f32 = 150.0;
 
 /// What is plotted of the energies [J].
 type OfEnergies = fn(&Measured) -> f64;
@@ -42,7 +42,7 @@ pub(super) fn show(context: &egui::Context, room: Rect, plots: &mut Plots, wishe
             header.body_unindented(|ui| {
                 choices(ui, plots);
                 legend(ui, plots);
-                plot(ui, (room.height() - ABOVE).clamp(70.0, SIZE[1]), plots);
+                plot(ui, (0.5 * room.height() - OTHERS).clamp(70.0, SIZE[1]), plots);
             });
         });
     });
