@@ -74,27 +74,32 @@ fn choices(ui: &mut Ui, plots: &mut Plots) {
         if count == 2 {
             ui.selectable_value(&mut plots.subject, Subject::Phase, "against each other");
         }
-        if plots.subject != Subject::Energies {
-            ui.separator();
-            for quantity in Quantity::ALL {
-                ui.selectable_value(&mut plots.quantity, quantity, quantity.words()[0]);
-            }
-        }
     });
 }
 
-/// The names of the curves, in their colours.
-fn legend(ui: &mut Ui, plots: &Plots) {
-    let name = |ui: &mut Ui, name: &str, color| ui.label(RichText::new(name).color(color).small());
-    ui.horizontal(|ui| match plots.subject {
-        Subject::Energies => ENERGIES.into_iter().for_each(|(words, color, _)| _ = name(ui, words, color)),
-        Subject::Probes => {
-            let places = plots.probes().into_iter().zip(PROBES).enumerate();
-            for (place, (point, color)) in places {
-                point.iter().for_each(|point| _ = name(ui, &format!("{}: point {}", place + 1, point.0), color));
+/// The names of the curves in their colours, and which quantity of the probes they show.
+fn legend(ui: &mut Ui, plots: &mut Plots) {
+    let name = |ui: &mut Ui, name: &str, color| ui.label(RichText::new(name).color(color).size(12.0));
+    ui.horizontal(|ui| {
+        ui.set_min_height(ui.spacing().interact_size.y + 4.0);
+        match plots.subject {
+            Subject::Energies => ENERGIES.into_iter().for_each(|(words, color, _)| _ = name(ui, words, color)),
+            Subject::Probes => {
+                for (place, (point, color)) in plots.probes().into_iter().zip(PROBES).enumerate() {
+                    let words = point.map(|point| format!("{}: point {}", place + 1, point.0));
+                    words.iter().for_each(|words| _ = name(ui, words, color));
+                }
             }
+            Subject::Phase => _ = name(ui, "2 upwards, 1 across", TEXT),
         }
-        Subject::Phase => _ = name(ui, "2 upwards, 1 across", TEXT),
+        if plots.subject != Subject::Energies {
+            ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
+                ui.spacing_mut().item_spacing.x = 4.0;
+                for quantity in Quantity::ALL.into_iter().rev() {
+                    ui.selectable_value(&mut plots.quantity, quantity, quantity.words()[0]);
+                }
+            });
+        }
     });
 }
 
@@ -107,7 +112,8 @@ fn plot(ui: &mut Ui, height: f32, plots: &Plots) {
     };
     frame.width(SIZE[0]).height(height).show(ui, |ui| {
         for line in lines(plots) {
-            ui.line(line);
+            // As a band what is steep would get thin.
+            ui.line(line.width(1.5).allow_band(false));
         }
     });
 }
@@ -161,21 +167,21 @@ fn lines(plots: &Plots) -> Vec<Line<'static>> {
     match plots.subject {
         Subject::Energies => {
             let line = |(name, color, of): (&'static str, Color32, OfEnergies)| {
-                Line::new(name, points(series, |measured| Some([measured.time, of(measured)]))).color(color).width(1.5)
+                Line::new(name, points(series, |measured| Some([measured.time, of(measured)]))).color(color)
             };
             ENERGIES.into_iter().map(line).collect()
         }
         Subject::Probes => {
             let line = |place: usize| {
                 let at = |measured: &Measured| Some([measured.time, of(place)(measured)?]);
-                Line::new((place + 1).to_string(), points(series, at)).color(PROBES[place]).width(1.5)
+                Line::new((place + 1).to_string(), points(series, at)).color(PROBES[place])
             };
             let places = plots.probes().into_iter().enumerate().filter(|(_, probe)| probe.is_some());
             places.map(|(place, _)| line(place)).collect()
         }
         Subject::Phase => {
             let at = |measured: &Measured| Some([of(0)(measured)?, of(1)(measured)?]);
-            vec![Line::new("2 against 1", points(series, at)).color(TEXT).width(1.5)]
+            vec![Line::new("2 against 1", points(series, at)).color(TEXT)]
         }
     }
 }
