@@ -34,7 +34,19 @@ const ROOMS: [(&str, &[&str], &[&str]); 12] = [
     (
         "app",
         &["sim", "equilibrium", "search", "body", "picture", "scene", "history", "render", "output"],
-        &["wgpu", "winit", "egui", "egui_wgpu", "egui_winit", "rfd", "arboard", "pollster", "image", "etcetera"],
+        &[
+            "wgpu",
+            "winit",
+            "egui",
+            "egui_plot",
+            "egui_wgpu",
+            "egui_winit",
+            "rfd",
+            "arboard",
+            "pollster",
+            "image",
+            "etcetera",
+        ],
     ),
     (
         "cli",

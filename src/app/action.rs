@@ -134,6 +134,8 @@ pub enum Action {
     Screenshot,
     /// Opens or closes what can be set of the scene.
     Settings,
+    /// Opens or closes the plots of energies.
+    Plots,
     /// Hides the panels, or shows them.
     TogglePanels,
     /// Hides the figures, or shows them.

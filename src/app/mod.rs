@@ -14,6 +14,7 @@ pub mod meter;
 pub mod opening;
 mod panels;
 pub mod player;
+mod plots;
 pub mod pointer;
 mod saving;
 mod session;

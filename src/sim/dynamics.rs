@@ -8,7 +8,7 @@ use super::contact::polygon::Polygon;
 use super::contact::skin::Contact;
 use super::counters::Counters;
 use super::force::mouse::{Cursor, MouseForce};
-use super::ledger::Ledger;
+use super::ledger::{Energies, Ledger};
 use super::model::Method;
 use super::moved::MovedBy;
 use super::plan_part::PlanPart;
@@ -126,7 +126,13 @@ pub trait Dynamics: Send {
     /// The mouse force, if the scene has it, wherever its cursor is.
     fn mouse_force(&self) -> Option<&MouseForce>;
     /// Kinetic + springs', angles', areas' + gravity's energy of the points that are not pinned [J].
-    fn energy(&self) -> f64;
+    fn energy(&self) -> f64 {
+        self.energies().sum()
+    }
+    /// The same by kind [J]: angles' and areas' energy is among the springs'.
+    fn energies(&self) -> Energies;
+    /// Velocity of a point [m/s]; 0 of one that is gone.
+    fn velocity(&self, point: PointId) -> [f64; 3];
     /// Work done so far.
     fn counters(&self) -> &Counters;
     /// Bytes that points, bonds, the plan and the state of large bodies take; those of small bodies' solvers are not counted.

@@ -66,6 +66,7 @@ pub static TABLE: &[Binding] = &[
         "what can be set: gravity, air, walls, contact, the push, the solver",
         &[(Writes("g"), Action::Settings)],
     ),
+    binding("L", "plots of the energies over time", &[(Writes("l"), Action::Plots)]),
     binding("F", "fit all points", &[(Writes("f"), Action::Fit)]),
     binding("Home", "the view that the scene opened with", &[(Named(NamedKey::Home), Action::Home)]),
     binding("B", "bonds and points, of bodies with a skin", &[(Writes("b"), Action::ToggleMesh)]),

@@ -27,6 +27,7 @@ pub(super) enum Icon {
     Build,
     Select,
     Gear,
+    Plot,
     Primitive(Primitive),
 }
 
@@ -120,6 +121,11 @@ fn paint(painter: &Painter, icon: Icon, rect: Rect, color: Color32) {
                 line(&[(0.85 * cos, 0.85 * sin), (1.2 * cos, 1.2 * sin)]);
             }
         }
+        Icon::Plot => {
+            // Two axes and a curve.
+            line(&[(-1.0, -1.1), (-1.0, 1.0), (1.2, 1.0)]);
+            line(&[(-0.6, 0.4), (-0.2, -0.6), (0.3, 0.1), (1.0, -0.9)]);
+        }
         Icon::Primitive(primitive) => primitives::paint(painter, primitive, &at, stroke),
     }
 }
@@ -150,7 +156,9 @@ mod tests {
         let context = egui::Context::default();
         let all = [Icon::Play, Icon::Pause, Icon::Step, Icon::Reset, Icon::Before, Icon::After];
         let more = [Icon::Undo, Icon::Redo, Icon::Hand, Icon::Pin, Icon::Cut, Icon::Erase, Icon::Build, Icon::Select];
-        for icon in all.into_iter().chain(more).chain([Icon::Gear]).chain(Primitive::ALL.map(Icon::Primitive)) {
+        for icon in
+            all.into_iter().chain(more).chain([Icon::Gear, Icon::Plot]).chain(Primitive::ALL.map(Icon::Primitive))
+        {
             let mut output = context.run_ui(egui::RawInput::default(), |ui| {
                 let rect = Rect::from_min_size(pos2(0.0, 0.0), vec2(30.0, 30.0));
                 paint(ui.painter(), icon, rect, Color32::WHITE);

@@ -9,6 +9,9 @@ mod icons;
 mod moving;
 mod notes;
 mod palette;
+mod plots;
+#[cfg(test)]
+mod plots_tests;
 mod primitives;
 mod save_to;
 mod settings;
@@ -23,6 +26,7 @@ use std::path::PathBuf;
 
 use super::action::{Action, Primitive, Tool};
 use super::player::Figures;
+use super::plots::Plots;
 use crate::scene::SolverName;
 pub(super) use gallery::{THUMBNAIL, search_id};
 use icons::Icon;
@@ -52,6 +56,8 @@ pub(super) enum Wish {
     Exact,
     /// What gave way to the load is taken back.
     TakeBack,
+    /// What is plotted is written to a file, as a table.
+    WriteTable,
     /// All that was done is saved to a file.
     SaveTo(PathBuf),
     /// The session that is offered is gone on with.
@@ -77,6 +83,8 @@ pub(super) struct PanelState {
     pub(super) sheet: Option<Sheet>,
     pub(super) hides_panels: bool,
     pub(super) has_settings: bool,
+    /// What is plotted; `None`: the panel is closed, and nothing is measured.
+    pub(super) plots: Option<Plots>,
     /// The setting that is being dragged.
     pub(super) gesture: Option<egui::Id>,
     pub(super) hides_hud: bool,
@@ -137,6 +145,9 @@ pub(super) fn show(ui: &mut egui::Ui, state: &mut PanelState, facts: &Facts) -> 
     }
     if state.has_settings && !state.hides_panels {
         settings::show(ui.ctx(), room, state, facts, &mut wishes);
+    }
+    if let Some(plots) = state.plots.as_mut().filter(|_| !state.hides_panels) {
+        plots::show(ui.ctx(), room, plots, &mut wishes);
     }
     if !state.hides_hud && room.width() > 560.0 {
         let is_under = state.has_settings && !state.hides_panels && room.height() < settings::TALL;

@@ -10,6 +10,8 @@ pub(super) const ON_ACCENT: Color32 = Color32::from_rgb(10, 26, 22);
 pub(in crate::app) const AWAY: Color32 = Color32::from_rgb(255, 120, 110);
 /// What is led.
 pub(in crate::app) const LEAD: Color32 = Color32::from_rgb(255, 214, 120);
+/// The probes: their rings and their curves.
+pub(in crate::app) const PROBES: [Color32; 2] = [Color32::from_rgb(240, 228, 66), Color32::from_rgb(220, 140, 190)];
 /// Text that matters.
 pub(in crate::app) const TEXT: Color32 = Color32::from_rgb(226, 233, 244);
 /// Text beside it: 6 : 1 on the panels.
@@ -18,7 +20,8 @@ pub(super) const WEAK: Color32 = Color32::from_rgb(150, 163, 184);
 pub(in crate::app) const PANEL: Color32 = Color32::from_rgb(20, 26, 38);
 const RAISED: Color32 = Color32::from_rgb(33, 42, 59);
 const HOVERED: Color32 = Color32::from_rgb(46, 58, 81);
-const LINE: Color32 = Color32::from_rgb(40, 50, 70);
+/// Lines between and around what is shown.
+pub(super) const LINE: Color32 = Color32::from_rgb(40, 50, 70);
 
 /// Gives a context the program's look.
 pub(in crate::app) fn apply(context: &egui::Context) {

@@ -21,6 +21,9 @@ mod stage;
 #[cfg(test)]
 mod tests;
 mod thread;
+mod watch;
+#[cfg(test)]
+mod watch_tests;
 
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
@@ -36,6 +39,7 @@ pub use pace::{LONGEST_FRAME, Pace, SINGLE_STEP, STEPPING_BUDGET};
 pub use rungs::{Rung, Yielded};
 pub use shown::{Figures, Places, Scenery, Shown};
 pub use stage::{Stage, too_many_to_meet};
+pub use watch::{Measured, Probed, Probes};
 
 use crate::history::{Do, HistoryError, Start};
 use crate::scene::Scene;
@@ -169,7 +173,7 @@ impl Player {
         if let Order::Play(_) | Order::Step(_) | Order::Reset = order {
             self.played_by = self.serial;
         }
-        if let Order::Save(path) | Order::Picture(path, _) = &order {
+        if let Order::Save(path) | Order::Picture(path, _) | Order::Table(path, _) = &order {
             self.written = Some((self.serial, path.clone()));
         }
         // One whose history could not begin does nothing.

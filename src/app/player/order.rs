@@ -2,6 +2,7 @@
 
 use std::path::PathBuf;
 
+use super::watch::Probes;
 use crate::history::Do;
 use crate::scene::{AddKeys, Scene, SceneError, SolverName, ViewKeys};
 use crate::sim::{Cursor, Dynamics, PointId};
@@ -63,8 +64,12 @@ pub enum Order {
     Rate(f64),
     /// What is written from now on is looked at like this.
     Look(ViewKeys),
+    /// Energies and these points are measured in every frame from now on; `None`: nothing is.
+    Watch(Option<Probes>),
     /// All that was done is written to a file.
     Save(PathBuf),
+    /// A table is written to a file.
+    Table(PathBuf, Vec<u8>),
     /// To the end of another branch.
     ToBranch(usize, Option<Cursor>),
     /// A snapshot of this moment is put into the picture, which is written to a file.

@@ -27,6 +27,14 @@ pub(super) fn picture(history: &History, path: PathBuf, picture: (&RgbaImage, Op
     }
 }
 
+/// Writes a table.
+pub(super) fn table(bytes: &[u8], path: PathBuf) -> Note {
+    match replace(&path, |file| file.write_all(bytes)) {
+        Ok(()) => Note::Written(path),
+        Err(error) => Note::NotWritten(error.to_string()),
+    }
+}
+
 /// The bytes of a PNG.
 fn encoded(history: &History, (picture, view): (&RgbaImage, Option<ViewKeys>)) -> Result<Vec<u8>, String> {
     let mut bytes = std::io::Cursor::new(Vec::new());

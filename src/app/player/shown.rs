@@ -5,6 +5,7 @@ use std::sync::Arc;
 use super::acts::Acts;
 use super::movers::Movers;
 use super::rungs::Yielded;
+use super::watch::Measured;
 use crate::history::BranchView;
 use crate::picture::Skin;
 use crate::render::View;
@@ -171,6 +172,8 @@ pub struct Shown {
     pub grab: Option<GrabView>,
     /// What panels show.
     pub figures: Figures,
+    /// What plots are made of, if that is asked for.
+    pub measured: Option<Measured>,
 }
 
 impl Shown {

@@ -10,6 +10,7 @@ use super::pace::{Pace, SINGLE_STEP};
 use super::rungs::{Load, Rung, Rungs, Yielded};
 use super::save;
 use super::shown::{Figures, Scenery, Shown};
+use super::watch::Watch;
 use crate::app::meter::Meter;
 use crate::history::{BranchView, Do, History, HistoryError, Recording, Refusal, SetKeys, Start};
 use crate::scene::{AddKeys, BondKeys, MOST_MEETING, Meeting, MethodKeys, PinMotionKeys, ViewKeys};
@@ -61,6 +62,7 @@ pub struct Stage {
     /// How it is looked at.
     view: Option<ViewKeys>,
     branches: Arc<[BranchView]>,
+    watch: Watch,
 }
 
 /// A history without its worlds.
@@ -105,6 +107,7 @@ impl Stage {
             has_gone: false,
             view: None,
             branches: Arc::default(),
+            watch: Watch::default(),
         };
         stage.look();
         Ok(stage)
@@ -225,7 +228,12 @@ impl Stage {
                 self.view = Some(view);
                 None
             }
+            Order::Watch(probes) => {
+                self.watch.set(probes);
+                None
+            }
             Order::Save(path) => Some(save::recording(&self.recording(), path)),
+            Order::Table(path, bytes) => Some(save::table(&bytes, path)),
             Order::Picture(path, picture) => Some(save::picture(&self.history, path, (&picture, self.view.clone()))),
         };
         if goes {
@@ -443,6 +451,7 @@ impl Stage {
         (shown.cursor, shown.grab) = (mouse.map(|(_, cursor)| cursor), world.grab());
         (shown.base, shown.settings) = (self.base, world.settings());
         shown.figures = self.figures(world);
+        shown.measured = self.watch.look(self.history.world());
     }
 
     fn figures(&self, world: &dyn Dynamics) -> Figures {

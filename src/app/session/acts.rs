@@ -55,6 +55,7 @@ impl Session {
             Action::Save => self.save(),
             Action::Screenshot => self.take_screenshot(),
             Action::Settings => self.panels.has_settings = !self.panels.has_settings,
+            Action::Plots => self.toggle_plots(),
             Action::TogglePanels => self.panels.hides_panels = !self.panels.hides_panels,
             Action::ToggleHud => self.panels.hides_hud = !self.panels.hides_hud,
             Action::FullScreen => self.toggle_full_screen(),
@@ -91,6 +92,7 @@ impl Session {
             }
             Wish::Exact => self.player.ask(Order::Exact),
             Wish::TakeBack => self.player.ask(Order::TakeBack),
+            Wish::WriteTable => self.write_table(),
             Wish::SaveTo(path) => {
                 self.panels.sheet = None;
                 self.save_to(path);

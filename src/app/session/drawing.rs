@@ -10,7 +10,7 @@ use super::{Framing, Session, panels_for};
 use crate::app::action::Tool;
 use crate::app::canvas::{Canvas, Paint};
 use crate::app::panels::{self, Facts, Settings, theme};
-use crate::app::tools::{Mark, Role, Scope};
+use crate::app::tools::{Mark, Role, Scope, probe};
 use crate::render::{RenderError, View};
 use crate::sim::{Cursor, MouseForce};
 
@@ -142,11 +142,14 @@ impl Session {
     fn marks(&self) -> Vec<egui::ClippedPrimitive> {
         let is_idle =
             !self.hand.is_busy() && (self.is_covered() || self.is_over_panels() || self.pointer.is_dragging());
-        if is_idle || self.shown().point_count() > MOST_MARKED || !self.player.is_open() {
+        if !self.player.is_open() {
             return Vec::new();
         }
         let scope = Scope { shown: self.shown(), camera: &self.camera, scale: f64::from(self.look.scale_factor) };
-        let marks = self.hand.marks(scope, self.pixel());
+        let mut marks: Vec<Mark> = self.probes().flat_map(|(place, point)| probe(scope, place, point)).collect();
+        if !is_idle && self.shown().point_count() <= MOST_MARKED {
+            marks.extend(self.hand.marks(scope, self.pixel()));
+        }
         if marks.is_empty() {
             return Vec::new();
         }
@@ -185,6 +188,7 @@ fn shape(context: &egui::Context, mark: &Mark, scale: f32) -> Shape {
         Role::Lead => theme::LEAD,
         Role::Hold | Role::Come => theme::ACCENT,
         Role::Away => theme::AWAY,
+        Role::Probe(place) => theme::PROBES[*place],
     };
     let at = |pixel: &glam::DVec2| Pos2::new(pixel.x as f32 / scale, pixel.y as f32 / scale);
     let edge = Color32::from_black_alpha(150);

@@ -5,6 +5,7 @@ mod arrivals;
 mod drawing;
 mod keeping;
 mod leftovers;
+mod plotting;
 mod pointing;
 mod shelf;
 
@@ -305,6 +306,7 @@ impl Session {
         self.hand.let_go();
         self.panels.sheet = None;
         (self.rewinds, self.last_frame, self.told, self.gone_by) = (false, None, None, None);
+        self.plot_anew();
         self.touch();
         let news = self.player.poll();
         self.hear(news);
@@ -317,6 +319,7 @@ impl Session {
         self.has_picture = scene.picture_body().is_some();
         self.look.has_mesh = self.player.shown().scenery.skins.is_empty();
         self.scene = scene;
+        self.plot_anew();
         self.frame_as(Framing::Opening);
         let comes_back = std::mem::take(&mut self.comes_back);
         if let Some(camera) = self.looks_again.take() {
@@ -345,6 +348,7 @@ impl Session {
             self.dirty = true;
             self.panels_dirty |= self.panels.has_settings && self.shown().settings != self.settings;
             self.gone_by.take_if(|serial| *serial <= self.player.shown().serial);
+            self.plot();
             if self.base != self.shown().base {
                 self.take_base();
             }

@@ -59,6 +59,7 @@ impl Session {
             }
             false => {
                 self.lead_pin(f64::INFINITY);
+                self.probe(at);
                 self.with_scope(|hand, scope| hand.release(scope, at))
             }
         };

@@ -21,6 +21,8 @@ pub(in crate::app) enum Role {
     Away,
     /// It will be there.
     Come,
+    /// It is probed: by the first or the second probe.
+    Probe(usize),
 }
 
 /// A line, a ring or a few words over the world [px].
@@ -49,6 +51,8 @@ impl Mark {
 const WIDTHS: [f64; 2] = [1.5, 7.0];
 /// A force that is drawn at half the way between both [N]: the weight of three kilograms.
 const HALF_FORCE: f64 = 30.0;
+/// Radius of the ring around a point that is probed [logical px].
+const RING: f64 = 9.0;
 /// Bonds of a body that are drawn at most.
 const MOST: usize = 4000;
 
@@ -69,6 +73,16 @@ pub(super) fn of((tool, maker): (Tool, Maker), doing: &Doing, scope: Scope<'_>, 
         (_, Tool::Erase) => at.map_or_else(Vec::new, |at| would_go(scope, at)),
         _ => Vec::new(),
     }
+}
+
+/// A ring around a point that is probed, and the number of its probe.
+pub(in crate::app) fn probe(scope: Scope<'_>, place: usize, point: PointId) -> Vec<Mark> {
+    let Some(at) = scope.pixel(point) else { return Vec::new() };
+    let off = RING * scope.scale;
+    vec![
+        Mark::Ring(Role::Probe(place), at, off),
+        Mark::Words(at + DVec2::new(1.6 * off, -0.6 * off), (place + 1).to_string()),
+    ]
 }
 
 /// From the middle of what is led to the cursor, as wide as the force is large; thin until the world has felt it.

@@ -25,7 +25,7 @@ pub(super) use copy::copy;
 use erase::{delete_points, erase};
 use lead::Lead;
 pub(super) use lead::PinWay;
-pub(super) use marks::{Mark, Role};
+pub(super) use marks::{Mark, Role, probe};
 pub(super) use pick::Scope;
 use select::Picked;
 
@@ -263,6 +263,12 @@ impl Hand {
             }
             _ => Deed::default(),
         }
+    }
+
+    /// The point that the button, which is about to be let go at a pixel, clicked on with the tool for selecting.
+    pub(super) fn clicked(&self, scope: Scope<'_>, at: DVec2) -> Option<PointId> {
+        let is_click = matches!(self.doing, Doing::Moving(from) if !select::is_drag(scope, [from, at]));
+        scope.point(at).filter(|_| is_click && self.tool() == Tool::Select)
     }
 
     /// Ends what is under way without doing it. Returns whether anything was.

@@ -84,6 +84,11 @@ impl Scope<'_> {
         corners.into_iter().filter_map(hit).min_by(|a, b| a.distance.total_cmp(&b.distance))
     }
 
+    /// The point that a pixel lies on, or is near to: not those of what it lies on.
+    pub(in crate::app) fn point(&self, at: DVec2) -> Option<PointId> {
+        self.nearest(at).filter(|hit| hit.distance <= REACH * self.scale).map(|hit| hit.point)
+    }
+
     /// The points that a press takes: those around the pixel, as deep as the nearest one, or the corners of what it lies on.
     pub(in crate::app) fn grip(&self, at: DVec2) -> Vec<PointId> {
         let Some(nearest) = self.nearest(at) else { return Vec::new() };

@@ -15,6 +15,11 @@ const CLICK: f64 = 4.0;
 /// Said where a body of space is dragged.
 const OF_THE_PLANE: &str = "bodies are moved in the plane only: this scene is in space";
 
+/// Whether a press that ends elsewhere moves what it was on.
+pub(super) fn is_drag(scope: Scope<'_>, [from, to]: [DVec2; 2]) -> bool {
+    from.distance(to) >= CLICK * scope.scale
+}
+
 /// What is selected.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum Picked {
@@ -50,7 +55,7 @@ impl Picked {
 
     /// It goes as far as a drag did [px].
     pub(super) fn moved(self, scope: Scope<'_>, [from, to]: [DVec2; 2]) -> Deed {
-        if from.distance(to) < CLICK * scope.scale {
+        if !is_drag(scope, [from, to]) {
             return Deed::default();
         }
         if scope.shown.dimensions != 2 {

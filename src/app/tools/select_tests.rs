@@ -9,6 +9,7 @@ use crate::app::action::Tool;
 use crate::app::player::{Order, Stage};
 use crate::history::Do;
 use crate::scene::Scene;
+use crate::sim::PointId;
 
 const DISCS: &str = r#"{"wobble": 1, "gravity": [0, 0], "contact": true, "view": {"center": [0, 0], "height": 10},
     "obstacles": [{"box": {"min": [3, -1], "max": [5, 1]}}],
@@ -55,6 +56,26 @@ fn what_is_selected_is_taken_away_wherever_the_cursor_is() {
     let [Do::Delete(keys)] = &deed.commands[..] else { panic!("{deed:?}") };
     assert_eq!(keys.points.len(), seen.0.point_count());
     assert!(hand.delete(scope(&seen), None).is_empty(), "once");
+}
+
+#[test]
+fn a_click_on_a_point_means_it_and_a_drag_or_another_tool_does_not() {
+    let seen = shown(Scene::parse(DISCS, "x.json").unwrap());
+    let at = pixel(&seen, 7);
+    let clicked = |tool: Tool, from: DVec2, to: DVec2| {
+        let mut hand = Hand::default();
+        hand.take(tool);
+        hand.press(scope(&seen), from);
+        hand.clicked(scope(&seen), to)
+    };
+    assert_eq!(clicked(Tool::Select, at, at + 2.0), Some(PointId(7)));
+    assert_eq!(clicked(Tool::Select, at - 40.0, at), None, "a drag that ends on it");
+    assert_eq!(clicked(Tool::Hand, at, at), None);
+    // In the middle of a triangle, whose corners are thirty pixels away.
+    let corners = seen.0.scenery.triangles[0].map(|corner| pixel(&seen, corner.index()));
+    let middle = corners.into_iter().sum::<DVec2>() / 3.0;
+    assert!(corners[0].distance(middle) > 12.0);
+    assert_eq!(clicked(Tool::Select, middle, middle), None);
 }
 
 #[test]

@@ -13,6 +13,7 @@ use crate::sim::dynamics::{Dynamics, ForceView, GrabView, Sample};
 use crate::sim::force::mouse::{self, Cursor, MouseForce};
 use crate::sim::force::steady::Force;
 use crate::sim::group::Group;
+use crate::sim::ledger::Energies;
 use crate::sim::measure;
 use crate::sim::model::{Method, Model};
 use crate::sim::moved::MovedBy;
@@ -179,15 +180,21 @@ impl<S: Real, const D: usize> Dynamics for World<S, D> {
         self.around.mouse.as_ref()
     }
 
-    fn energy(&self) -> f64 {
+    fn energies(&self) -> Energies {
         let of = |list: fn(&Points<S, D>) -> &[[S; D]]| {
             move |i: usize| {
                 self.slot(i).map_or([0.0; D], |[group, slot]| widen(list(&self.plan.groups[group].points)[slot]))
             }
         };
         let (position, velocity) = (of(|points| &points.position), of(|points| &points.velocity));
-        let energies = measure::energies(position, velocity, &self.inverse_mass, &self.bonds, self.around.gravity);
-        energies.sum() + self.model.form_energy(position, |i| self.stops_by_spring(i))
+        let mut energies = measure::energies(position, velocity, &self.inverse_mass, &self.bonds, self.around.gravity);
+        energies.springs += self.model.form_energy(position, |i| self.stops_by_spring(i));
+        energies
+    }
+
+    fn velocity(&self, point: PointId) -> [f64; 3] {
+        let of = |[group, slot]: [usize; 2]| embed(widen(self.plan.groups[group].points.velocity[slot]));
+        self.slot(point.index()).map_or([0.0; 3], of)
     }
 
     fn counters(&self) -> &Counters {

@@ -1,0 +1,232 @@
+//! Plots at the bottom left: the energies of the world over time, and what the probes measure.
+
+use egui::collapsing_header::CollapsingState;
+use egui::{Align, Align2, Area, AsIdSalt, Color32, Id, Layout, Rect, RichText, Ui, vec2};
+use egui_plot::{AxisHints, GridInput, GridMark, HoverPosition, Line, Plot, PlotPoints};
+
+use super::theme::{LINE, PROBES, TEXT, WEAK, floating};
+use super::{Wish, described};
+use crate::app::action::Action;
+use crate::app::player::Measured;
+use crate::app::plots::{Plots, Quantity, Series, Subject};
+
+/// Width and greatest height of a plot [points].
+const SIZE: [f32; 2] = [340.0, 180.0];
+/// Lines of the grid lie so far apart at least, as a share of the plot [1].
+const LINES: f64 = 1.0 / 5.0;
+/// A room so high has place for the panel below the tools [points].
+const TALL: f32 = 850.0;
+/// Where it begins beside the tools, and below them [points].
+const LEFT: [f32; 2] = [76.0, 10.0];
+/// Half of the room less this is free for the plot: the primitives beside the tools end there [points].
+const OTHERS: f32 = 150.0;
+
+/// What is plotted of the energies [J].
+type OfEnergies = fn(&Measured) -> f64;
+/// The kinds of energy: colours that people who are blind to some tell apart, by Okabe and Ito.
+pub(super) const ENERGIES: [(&str, Color32, OfEnergies); 4] = [
+    ("kinetic", Color32::from_rgb(230, 159, 0), |measured| measured.energies.kinetic),
+    ("elastic", Color32::from_rgb(86, 180, 233), |measured| measured.energies.springs),
+    ("gravity", Color32::from_rgb(0, 158, 115), |measured| measured.energies.gravity),
+    ("sum", TEXT, |measured| measured.energies.sum()),
+];
+
+pub(super) fn show(context: &egui::Context, room: Rect, plots: &mut Plots, wishes: &mut Vec<Wish>) {
+    let up = room.height() - context.content_rect().height() - 10.0;
+    let left = LEFT[usize::from(room.height() >= TALL)];
+    Area::new(Id::unique("plots")).anchor(Align2::LEFT_BOTTOM, [left, up]).show(context, |ui| {
+        floating().show(ui, |ui| {
+            ui.set_width(SIZE[0]);
+            let fold = CollapsingState::load_with_default_open(context, Id::unique("plots are open"), true);
+            let header = fold.show_header(ui, |ui| header(ui, wishes));
+            header.body_unindented(|ui| {
+                choices(ui, plots);
+                legend(ui, plots);
+                plot(ui, (0.5 * room.height() - OTHERS).clamp(70.0, SIZE[1]), plots);
+            });
+        });
+    });
+}
+
+fn header(ui: &mut Ui, wishes: &mut Vec<Wish>) {
+    ui.label(RichText::new("Plots").color(TEXT).strong());
+    ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
+        if ui.button("Close").on_hover_text(described("close the plots", Action::Plots)).clicked() {
+            wishes.push(Wish::Act(Action::Plots));
+        }
+        if ui.button("CSV").on_hover_text("a table, in the folder that wobble was started in").clicked() {
+            wishes.push(Wish::WriteTable);
+        }
+    });
+}
+
+/// What is looked at; without a probe how to put one.
+fn choices(ui: &mut Ui, plots: &mut Plots) {
+    let count = plots.probes().iter().flatten().count();
+    ui.horizontal(|ui| {
+        ui.spacing_mut().item_spacing.x = 4.0;
+        ui.selectable_value(&mut plots.subject, Subject::Energies, "energies");
+        if count == 0 {
+            ui.weak("click a point with the tool 6 to probe it");
+            return;
+        }
+        ui.selectable_value(&mut plots.subject, Subject::Probes, if count == 1 { "probe" } else { "probes" });
+        if count == 2 {
+            ui.selectable_value(&mut plots.subject, Subject::Phase, "against each other");
+        }
+    });
+}
+
+/// The names of the curves in their colours, and which quantity of the probes they show.
+fn legend(ui: &mut Ui, plots: &mut Plots) {
+    let name = |ui: &mut Ui, name: &str, color| ui.label(RichText::new(name).color(color).size(12.0));
+    ui.horizontal(|ui| {
+        ui.set_min_height(ui.spacing().interact_size.y + 4.0);
+        match plots.subject {
+            Subject::Energies => ENERGIES.into_iter().for_each(|(words, color, _)| _ = name(ui, words, color)),
+            Subject::Probes => {
+                for (place, (point, color)) in plots.probes().into_iter().zip(PROBES).enumerate() {
+                    let words = point.map(|point| format!("{}: point {}", place + 1, point.0));
+                    words.iter().for_each(|words| _ = name(ui, words, color));
+                }
+            }
+            Subject::Phase => _ = name(ui, "2 upwards, 1 across", TEXT),
+        }
+        if plots.subject != Subject::Energies {
+            ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
+                ui.spacing_mut().item_spacing.x = 4.0;
+                for quantity in Quantity::ALL.into_iter().rev() {
+                    ui.selectable_value(&mut plots.quantity, quantity, quantity.words()[0]);
+                }
+            });
+        }
+    });
+}
+
+fn plot(ui: &mut Ui, height: f32, plots: &Plots) {
+    let [name, unit] = plots.quantity.words();
+    let frame = match plots.subject {
+        Subject::Energies => frame("energies", ["s", "J"]),
+        Subject::Probes => frame(("probes", name), ["s", unit]),
+        Subject::Phase => frame(("phase", name), [unit, unit]),
+    };
+    frame.width(SIZE[0]).height(height).show(ui, |ui| {
+        for line in lines(plots) {
+            // As a band what is steep would get thin.
+            ui.line(line.width(1.5).allow_band(false));
+        }
+    });
+}
+
+/// A plot without curves, which is to show all of them and stays as it is under the pointer. Units: those of its axes.
+fn frame(id: impl AsIdSalt, [across, up]: [&'static str; 2]) -> Plot<'static> {
+    // Curves over time take all of the width.
+    let margin = if across == "s" { 0.0 } else { 0.08 };
+    let axis = |axis: AxisHints<'static>, unit: &'static str, room: f32| {
+        axis.formatter(move |mark, _| tick(mark, unit)).label_spacing(room..=room + 1.0).tick_label_color(WEAK)
+    };
+    Plot::new(id)
+        .allow_drag(false)
+        .allow_zoom(false)
+        .allow_scroll(false)
+        .allow_boxed_zoom(false)
+        .allow_axis_zoom_drag(false)
+        .allow_double_click_reset(false)
+        .set_margin_fraction(vec2(margin, 0.08))
+        .custom_x_axes(vec![axis(AxisHints::new_x(), across, 36.0)])
+        .custom_y_axes(vec![axis(AxisHints::new_y(), up, 14.0).min_thickness(52.0)])
+        .x_grid_spacer(grid)
+        .y_grid_spacer(grid)
+        .grid_color(LINE)
+        .label_formatter(move |at| match at {
+            HoverPosition::NearDataPoint { plot_name, position, .. } => {
+                let [x, y] = [position.x, position.y].map(number);
+                Some(format!("{plot_name}: {y} {up}\n{x} {across}"))
+            }
+            HoverPosition::Elsewhere { .. } => None,
+        })
+}
+
+/// Lines at round numbers: at most five steps of 1, 2 or 5 times a power of ten.
+fn grid(GridInput { bounds: (from, to), .. }: GridInput) -> Vec<GridMark> {
+    let least = LINES * (to - from);
+    let power = 10_f64.powf(least.log10().floor());
+    let step =
+        [1.0, 2.0, 5.0].map(|digit| digit * power).into_iter().find(|step| *step >= least).unwrap_or(10.0 * power);
+    if !(step.is_normal() && (from / step).is_finite() && (to / step).is_finite()) {
+        return Vec::new();
+    }
+    let numbers = (from / step).ceil() as i64..=(to / step).floor() as i64;
+    numbers.take(12).map(|k| GridMark { value: k as f64 * step, step_size: step }).collect()
+}
+
+/// The curves of what is looked at.
+fn lines(plots: &Plots) -> Vec<Line<'static>> {
+    let (series, quantity) = (plots.series(), plots.quantity);
+    let of = |place: usize| move |measured: &Measured| measured.probes[place].map(|probed| quantity.of(&probed));
+    match plots.subject {
+        Subject::Energies => {
+            let line = |(name, color, of): (&'static str, Color32, OfEnergies)| {
+                Line::new(name, points(series, |measured| Some([measured.time, of(measured)]))).color(color)
+            };
+            ENERGIES.into_iter().map(line).collect()
+        }
+        Subject::Probes => {
+            let line = |place: usize| {
+                let at = |measured: &Measured| Some([measured.time, of(place)(measured)?]);
+                Line::new((place + 1).to_string(), points(series, at)).color(PROBES[place])
+            };
+            let places = plots.probes().into_iter().enumerate().filter(|(_, probe)| probe.is_some());
+            places.map(|(place, _)| line(place)).collect()
+        }
+        Subject::Phase => {
+            let at = |measured: &Measured| Some([of(0)(measured)?, of(1)(measured)?]);
+            vec![Line::new("2 against 1", points(series, at)).color(TEXT)]
+        }
+    }
+}
+
+fn points(series: &Series, at: impl Fn(&Measured) -> Option<[f64; 2]>) -> PlotPoints<'static> {
+    series.iter().filter_map(at).collect()
+}
+
+/// What stands at a line of the grid: with as many digits as tell it from the next, and its unit.
+fn tick(GridMark { value, step_size }: GridMark, unit: &str) -> String {
+    let order = |number: f64| (number.abs().log10() + 1e-9).floor();
+    let digits = (-order(step_size)).clamp(0.0, 9.0) as usize;
+    match value.abs() {
+        0.0 => format!("0 {unit}"),
+        size if size < 1e5 && digits <= 6 => format!("{value:.digits$} {unit}"),
+        _ => {
+            let digits = (order(value) - order(step_size)).clamp(0.0, 9.0) as usize;
+            format!("{value:.digits$e} {unit}")
+        }
+    }
+}
+
+/// Three digits after the point, or as a power of ten what is large or small.
+fn number(value: f64) -> String {
+    match value.abs() {
+        0.0 => "0".to_owned(),
+        size if (1e-2..1e5).contains(&size) => format!("{value:.3}"),
+        _ => format!("{value:.2e}"),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn grids_have_round_numbers_with_the_digits_that_tell_them_apart() {
+        let ticks = |from: f64, to: f64| -> Vec<String> {
+            let input = GridInput { bounds: (from, to), base_step_size: 1.0 };
+            grid(input).into_iter().map(|mark| tick(mark, "J")).collect()
+        };
+        assert_eq!(ticks(-12.0, 21.0), ["-10 J", "0 J", "10 J", "20 J"]);
+        assert_eq!(ticks(0.922_01, 0.922_19), ["0.92205 J", "0.92210 J", "0.92215 J"]);
+        assert_eq!(ticks(3.01, 3.42), ["3.1 J", "3.2 J", "3.3 J", "3.4 J"]);
+        assert_eq!(ticks(1.0e6, 1.7e6), ["1.0e6 J", "1.2e6 J", "1.4e6 J", "1.6e6 J"]);
+        assert!(ticks(1.0, 1.0).is_empty() && ticks(f64::NAN, 1.0).is_empty());
+    }
+}

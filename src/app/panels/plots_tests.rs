@@ -1,0 +1,170 @@
+//! The panel of plots without a window: what it draws, and what clicks on it ask for.
+#![allow(clippy::unwrap_used, reason = "a test that cannot go on stops")]
+
+use egui::{Color32, Event, Modifiers, PointerButton, Pos2, Rect, Shape, vec2};
+
+use super::plots::{self, ENERGIES};
+use super::theme::{PANEL, PROBES};
+use super::{Wish, theme};
+use crate::app::action::Action;
+use crate::app::player::{Order, Shown, Stage};
+use crate::app::plots::{Plots, Quantity, Subject};
+use crate::scene::Scene;
+use crate::sim::PointId;
+
+/// Two springs that swing.
+const SCENE: &str = r#"{"wobble": 1, "gravity": [0, -9.81],
+    "bodies": [{"make": "rope", "count": 3, "spacing": 0.5, "pinned": [0],
+        "material": {"kind": "spring", "stiffness": 100, "damping": 0, "mass": 1}}]}"#;
+
+/// A panel on a screen of its own.
+struct Screen {
+    context: egui::Context,
+    plots: Plots,
+    size: [f32; 2],
+}
+
+impl Screen {
+    /// After a second of the scene, with so many probes.
+    fn new(probes: u32) -> Self {
+        let mut stage = Stage::new(Scene::parse(SCENE, "x.json").unwrap().into()).unwrap();
+        let (mut plots, mut shown) = (Plots::new(1.0), Shown::default());
+        (0..probes).for_each(|point| plots.toggle(PointId(point + 1)));
+        stage.obey(Order::Watch(Some(plots.probes())));
+        for _ in 0..60 {
+            stage.obey(Order::Advance { wall: 1.0 / 60.0, cursor: None, back: false });
+            stage.show(&mut shown);
+            plots.take(&shown);
+        }
+        let context = egui::Context::default();
+        theme::apply(&context);
+        let mut screen = Screen { context, plots, size: [1280.0, 720.0] };
+        // The first frames find their sizes, and it fades in.
+        (0..30).for_each(|_| _ = screen.frame(Vec::new()));
+        screen
+    }
+
+    /// A frame with events. Returns what is asked for, and what is drawn.
+    fn frame(&mut self, events: Vec<Event>) -> (Vec<Wish>, Vec<Shape>) {
+        let mut wishes = Vec::new();
+        let screen_rect = Some(Rect::from_min_size(Pos2::ZERO, self.size.into()));
+        let input = egui::RawInput { events, screen_rect, ..egui::RawInput::default() };
+        let mut output = self.context.run_ui(input, |ui| {
+            plots::show(ui.ctx(), ui.available_rect_before_wrap(), &mut self.plots, &mut wishes);
+        });
+        output.textures_delta.clear();
+        let mut shapes = Vec::new();
+        output.shapes.into_iter().for_each(|clipped| flatten(clipped.shape, &mut shapes));
+        (wishes, shapes)
+    }
+
+    /// Where words stand.
+    fn place_of(&mut self, words: &str) -> Option<Pos2> {
+        self.frame(Vec::new()).1.iter().find_map(|shape| match shape {
+            Shape::Text(text) if text.galley.text() == words => Some(text.visual_bounding_rect().center()),
+            _ => None,
+        })
+    }
+
+    fn click(&mut self, words: &str) -> Vec<Wish> {
+        let at = self.place_of(words).unwrap();
+        let press = |pressed| Event::PointerButton {
+            pos: at,
+            button: PointerButton::Primary,
+            pressed,
+            modifiers: Modifiers::NONE,
+        };
+        let mut wishes = self.frame(vec![Event::PointerMoved(at)]).0;
+        wishes.extend(self.frame(vec![press(true)]).0);
+        wishes.extend(self.frame(vec![press(false)]).0);
+        wishes
+    }
+
+    /// How many points the curves of a colour have.
+    fn curve(&mut self, color: Color32) -> usize {
+        let shapes = self.frame(Vec::new()).1;
+        let points = |shape: &Shape| match shape {
+            Shape::Path(path) if path.stroke.color == egui::epaint::ColorMode::Solid(color) => path.points.len(),
+            _ => 0,
+        };
+        shapes.iter().map(points).sum()
+    }
+}
+
+fn flatten(shape: Shape, all: &mut Vec<Shape>) {
+    match shape {
+        Shape::Vec(list) => list.into_iter().for_each(|shape| flatten(shape, all)),
+        shape => all.push(shape),
+    }
+}
+
+/// How much lighter one colour is than another, by the definition of WCAG.
+fn contrast(a: Color32, b: Color32) -> f32 {
+    let luminance = |color: Color32| {
+        let [r, g, b, _] = egui::Rgba::from(color).to_array();
+        0.2126 * r + 0.7152 * g + 0.0722 * b + 0.05
+    };
+    let [a, b] = [a, b].map(luminance);
+    a.max(b) / a.min(b)
+}
+
+#[test]
+fn every_curve_stands_out_from_its_ground() {
+    let energies = ENERGIES.map(|(_, color, _)| color);
+    for color in energies.into_iter().chain(PROBES) {
+        assert!(contrast(color, PANEL) >= 3.0, "{color:?}: {}", contrast(color, PANEL));
+    }
+}
+
+#[test]
+fn all_energies_are_drawn_with_their_names() {
+    let mut screen = Screen::new(0);
+    for (name, color, _) in ENERGIES {
+        assert!(screen.curve(color) > 50, "{name}: {}", screen.curve(color));
+        assert!(screen.place_of(name).is_some(), "{name}");
+    }
+    let shapes = screen.frame(Vec::new()).1;
+    let says =
+        |end: &str| shapes.iter().any(|shape| matches!(shape, Shape::Text(text) if text.galley.text().ends_with(end)));
+    assert!(says(" s") && says(" J"), "the units");
+}
+
+#[test]
+fn buttons_ask_and_the_pointer_alone_does_not() {
+    let mut screen = Screen::new(0);
+    assert_eq!(screen.click("CSV"), [Wish::WriteTable]);
+    assert_eq!(screen.click("Close"), [Wish::Act(Action::Plots)]);
+    for step in 0..40_u8 {
+        let over = Event::PointerMoved(Pos2::new(70.0 + 9.0 * f32::from(step), 715.0 - 6.0 * f32::from(step)));
+        assert_eq!(screen.frame(vec![over]).0, []);
+    }
+}
+
+#[test]
+fn probes_are_plotted_over_time_and_against_each_other() {
+    let mut none = Screen::new(0);
+    assert!(none.place_of("probes").is_none() && none.place_of("against each other").is_none());
+    let mut one = Screen::new(1);
+    assert!(one.curve(PROBES[0]) > 50 && one.curve(PROBES[1]) == 0);
+    assert!(one.place_of("against each other").is_none());
+    let mut two = Screen::new(2);
+    assert!(two.curve(PROBES[0]) > 50 && two.curve(PROBES[1]) > 50);
+    two.click("speed");
+    assert_eq!(two.plots.quantity, Quantity::Speed);
+    two.click("against each other");
+    assert_eq!(two.plots.subject, Subject::Phase);
+    assert!(two.curve(theme::TEXT) > 50);
+    two.click("energies");
+    assert_eq!(two.plots.subject, Subject::Energies);
+}
+
+#[test]
+fn in_a_small_window_it_is_still_whole() {
+    let mut screen = Screen::new(2);
+    screen.size = [480.0, 340.0];
+    (0..3).for_each(|_| _ = screen.frame(Vec::new()));
+    let all = Rect::from_min_size(Pos2::ZERO, vec2(480.0, 340.0));
+    for words in ["Plots", "Close", "energies", "speed", "1: point 1"] {
+        assert!(screen.place_of(words).is_some_and(|at| all.contains(at)), "{words}");
+    }
+}

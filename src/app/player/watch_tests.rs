@@ -1,0 +1,108 @@
+//! What is measured for plots: the world's own energies and points, and nothing that nobody asked for.
+#![allow(clippy::unwrap_used, clippy::panic, reason = "a test that cannot go on stops")]
+
+use super::{Measured, Note, Order, Probes, Shown, Stage};
+use crate::history::{DeleteKeys, Do};
+use crate::scene::Scene;
+use crate::sim::PointId;
+
+/// A soft disc and a rope of springs fall past a loose point.
+const SCENE: &str = r#"{"wobble": 1, "gravity": [0.5, -9.81],
+    "points": {"position": [[3, 1]], "velocity": [[-1, 2]]},
+    "bodies": [
+        {"make": "disc", "radius": 1, "spacing": 0.4, "velocity": [0, 1],
+            "material": {"kind": "spring", "stiffness": 300, "damping": 1, "mass": 2}},
+        {"make": "rope", "count": 6, "spacing": 0.2, "origin": [2, 0], "pinned": [0],
+            "material": {"kind": "spring", "stiffness": 500, "damping": 0, "mass": 1}}]}"#;
+
+fn stage(scene: &str) -> Stage {
+    Stage::new(Scene::parse(scene, "x.json").unwrap().into()).unwrap()
+}
+
+fn frame(stage: &mut Stage) {
+    stage.obey(Order::Advance { wall: 1.0 / 60.0, cursor: None, back: false });
+}
+
+fn measured(stage: &mut Stage) -> Option<Measured> {
+    let mut shown = Shown { measured: Some(Measured::default()), ..Shown::default() };
+    stage.show(&mut shown);
+    shown.measured
+}
+
+#[test]
+fn nothing_is_measured_while_nobody_looks() {
+    let mut stage = stage(SCENE);
+    frame(&mut stage);
+    assert_eq!(measured(&mut stage), None);
+    stage.obey(Order::Watch(Some(Probes::default())));
+    assert!(measured(&mut stage).is_some());
+    stage.obey(Order::Watch(None));
+    assert_eq!(measured(&mut stage), None);
+}
+
+#[test]
+fn energies_are_those_of_the_world() {
+    let mut stage = stage(SCENE);
+    stage.obey(Order::Watch(Some(Probes::default())));
+    for _ in 0..20 {
+        frame(&mut stage);
+        let Measured { time, energies, .. } = measured(&mut stage).unwrap();
+        let world = stage.history().world();
+        let sample = world.sample(world.time());
+        assert_eq!(time, world.time());
+        let free = |k: &usize| !world.pinned().contains(&PointId(*k as u32));
+        let masses = || (0..world.point_count()).filter(free).map(|k| (world.masses()[k], k));
+        let square = |v: [f64; 3]| v.iter().map(|v| v * v).sum::<f64>();
+        let kinetic: f64 = masses().map(|(m, k)| 0.5 * m * square(sample.velocity[k])).sum();
+        let [gx, gy] = [0.5, -9.81];
+        let gravity: f64 = masses().map(|(m, k)| -m * (gx * sample.position[k][0] + gy * sample.position[k][1])).sum();
+        let is_near = |a: f64, b: f64| (a - b).abs() < 1e-9 * (1.0 + a.abs());
+        assert!(is_near(energies.kinetic, kinetic), "{} {kinetic} J", energies.kinetic);
+        assert!(is_near(energies.gravity, gravity), "{} {gravity} J", energies.gravity);
+        assert!(is_near(energies.sum(), sample.energy), "{} {} J", energies.sum(), sample.energy);
+    }
+    assert!(measured(&mut stage).unwrap().energies.springs > 0.01, "the rope is stretched");
+}
+
+#[test]
+fn a_probe_follows_its_point_and_drops_out_with_it() {
+    let mut stage = stage(SCENE);
+    let point = PointId(0);
+    stage.obey(Order::Watch(Some([None, Some(point)])));
+    for _ in 0..10 {
+        frame(&mut stage);
+        let [none, probed] = measured(&mut stage).unwrap().probes;
+        let (world, probed) = (stage.history().world(), probed.unwrap());
+        let sample = world.sample(world.time());
+        let speed = sample.velocity[0].iter().map(|v| v * v).sum::<f64>().sqrt();
+        assert_eq!((none, probed.point, probed.position), (None, point, sample.position[0]));
+        assert!((probed.speed - speed).abs() < 1e-12 && speed > 0.5, "{} {speed} m/s", probed.speed);
+    }
+    let keys = DeleteKeys { points: vec![0], ..DeleteKeys::default() };
+    assert_eq!(stage.obey(Order::Give(vec![Do::Delete(keys)], Some("delete"))), None);
+    assert_eq!(measured(&mut stage).unwrap().probes, [None; 2]);
+    stage.obey(Order::Watch(Some([Some(PointId(9999)), None])));
+    assert_eq!(measured(&mut stage).unwrap().probes, [None; 2], "there is no such point");
+}
+
+#[test]
+fn large_worlds_are_measured_in_some_frames_only() {
+    let mut stage = stage(
+        r#"{"wobble": 1, "bodies": [{"make": "rope", "count": 30000, "spacing": 0.01,
+            "material": {"kind": "spring", "stiffness": 100, "damping": 0, "mass": 0.1}}]}"#,
+    );
+    stage.obey(Order::Watch(Some(Probes::default())));
+    let seen: Vec<bool> = (0..4).map(|_| measured(&mut stage).is_some()).collect();
+    assert_eq!(seen, [true, false, true, false]);
+}
+
+#[test]
+fn a_table_is_written_whole_or_not_at_all_and_it_is_said_where() {
+    let mut stage = stage(SCENE);
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("a.csv");
+    assert_eq!(stage.obey(Order::Table(path.clone(), b"t\n1\n".to_vec())), Some(Note::Written(path.clone())));
+    assert_eq!(std::fs::read(&path).unwrap(), b"t\n1\n");
+    let lost = stage.obey(Order::Table(folder.path().join("none/a.csv"), Vec::new()));
+    assert!(matches!(lost, Some(Note::NotWritten(_))), "{lost:?}");
+}

@@ -1,0 +1,86 @@
+//! Measurements of one world, ascending in time.
+
+use std::collections::VecDeque;
+use std::io::Write;
+
+use crate::app::player::Measured;
+
+/// So many are kept at most: seven for each pixel of a plot's width.
+pub(super) const MOST: usize = 2400;
+
+/// The measurements of the last while.
+#[derive(Clone, Debug)]
+pub(in crate::app) struct Series {
+    list: VecDeque<Measured>,
+    /// How far back it reaches [s].
+    span: f64,
+}
+
+impl Series {
+    /// An empty one that is to reach back so far [s].
+    pub(super) fn new(span: f64) -> Self {
+        Series { list: VecDeque::new(), span }
+    }
+
+    /// All of them.
+    pub(in crate::app) fn iter(&self) -> impl Iterator<Item = &Measured> {
+        self.list.iter()
+    }
+
+    /// The world went to this time [s]: what is later has not been yet. Returns whether there was any.
+    pub(super) fn cut(&mut self, time: f64) -> bool {
+        let before = self.list.len();
+        self.list.truncate(self.list.partition_point(|measured| measured.time <= time));
+        self.list.len() < before
+    }
+
+    /// Adds a measurement after those of before its time. Where one follows on the last but one closely, the last goes, so that what is
+    /// kept is spread evenly over the span however small the steps are. Returns whether it was added: energies that are no finite numbers
+    /// are not.
+    pub(super) fn push(&mut self, measured: Measured) -> bool {
+        if !measured.energies.sum().is_finite() {
+            return false;
+        }
+        let (now, gap) = (measured.time, self.span / (MOST - 2) as f64);
+        self.list.truncate(self.list.partition_point(|earlier| earlier.time < now));
+        if let [.., first, second] = self.list.make_contiguous()
+            && second.time - first.time < gap
+        {
+            self.list.pop_back();
+        }
+        self.list.push_back(measured);
+        while self.list.len() > MOST || self.list.front().is_some_and(|first| first.time < now - self.span) {
+            self.list.pop_front();
+        }
+        true
+    }
+
+    /// What was measured at one of the probes' places goes: another point is there from now on, or none.
+    pub(super) fn forget(&mut self, place: usize) {
+        self.list.iter_mut().for_each(|measured| measured.probes[place] = None);
+    }
+
+    /// Writes a table with a row for each measurement; a column is left empty where no point was probed.
+    ///
+    /// Errors: whatever `to` answers.
+    pub(in crate::app) fn write_csv(&self, to: &mut dyn Write) -> std::io::Result<()> {
+        write!(to, "time_s,kinetic_J,elastic_J,gravity_J,sum_J")?;
+        for number in 1..=2 {
+            write!(to, ",point_{number},x_{number}_m,y_{number}_m,z_{number}_m,speed_{number}_m/s")?;
+        }
+        for Measured { time, energies, probes } in &self.list {
+            let sum = energies.sum();
+            write!(to, "\n{time},{},{},{},{sum}", energies.kinetic, energies.springs, energies.gravity)?;
+            for probe in probes {
+                match probe {
+                    Some(probed) => {
+                        let [x, y, z] = probed.position;
+                        write!(to, ",{},{x},{y},{z},{}", probed.point.0, probed.speed)?;
+                    }
+                    None => write!(to, ",,,,,")?,
+                }
+            }
+        }
+        writeln!(to)
+    }
+}

@@ -1,0 +1,199 @@
+//! Series without a window: a world that is played, gone back in and edited.
+#![allow(clippy::unwrap_used, reason = "a test that cannot go on stops")]
+
+use super::series::MOST;
+use super::{Plots, Quantity, Series, Subject};
+use crate::app::player::{Measured, Order, Probed, Shown, Stage};
+use crate::history::{DeleteKeys, Do};
+use crate::scene::Scene;
+use crate::sim::{Energies, PointId};
+
+const SCENE: &str = r#"{"wobble": 1, "gravity": [0, -9.81], "method": {"substep": 0.005},
+    "points": {"position": [[0, 1], [1, 2]], "velocity": [[1, 0], [0, 3]]},
+    "bounds": {"min": [-5, -5], "max": [5, 5], "restitution": 1}}"#;
+
+/// A world with its plots.
+struct Played {
+    stage: Stage,
+    shown: Shown,
+    plots: Plots,
+}
+
+impl Played {
+    fn new() -> Self {
+        let mut stage = Stage::new(Scene::parse(SCENE, "x.json").unwrap().into()).unwrap();
+        stage.obey(Order::Watch(Some([None; 2])));
+        Played { stage, shown: Shown::default(), plots: Plots::new(1.0) }
+    }
+
+    /// Does what is asked and takes what comes of it.
+    fn ask(&mut self, order: Order) -> [bool; 2] {
+        self.stage.obey(order);
+        self.stage.show(&mut self.shown);
+        self.plots.take(&self.shown)
+    }
+
+    fn play(&mut self, frames: usize) {
+        (0..frames).for_each(|_| _ = self.ask(Order::Advance { wall: 1.0 / 60.0, cursor: None, back: false }));
+    }
+
+    fn toggle(&mut self, point: u32) {
+        self.plots.toggle(PointId(point));
+        self.ask(Order::Watch(Some(self.plots.probes())));
+    }
+
+    fn times(&self) -> Vec<f64> {
+        self.plots.series().iter().map(|measured| measured.time).collect()
+    }
+
+    /// How many measurements there are at either place.
+    fn probed(&self) -> [usize; 2] {
+        [0, 1].map(|place| self.plots.series().iter().filter(|measured| measured.probes[place].is_some()).count())
+    }
+}
+
+fn ascends(times: &[f64]) -> bool {
+    times.windows(2).all(|pair| pair[0] < pair[1])
+}
+
+fn at(time: f64) -> Measured {
+    Measured { time, energies: Energies { kinetic: time, springs: 1.0, gravity: -1.0 }, ..Measured::default() }
+}
+
+#[test]
+fn a_series_ascends_is_bounded_and_reaches_back_evenly() {
+    // At 60 Hz and a pace of 1/8, then of 4.
+    for step in [1.0 / 480.0, 4.0 / 60.0] {
+        let mut series = Series::new(20.0);
+        (0..20_000).for_each(|k| _ = series.push(at(f64::from(k) * step)));
+        let times: Vec<f64> = series.iter().map(|measured| measured.time).collect();
+        assert!(ascends(&times) && times.len() <= MOST, "{} of {step} s", times.len());
+        let (first, last) = (times[0], times[times.len() - 1]);
+        assert_eq!(last, 19_999.0 * step, "the present is there");
+        assert!((19.9..=20.0).contains(&(last - first)), "{first} {last} s");
+        let widest = times.windows(2).map(|pair| pair[1] - pair[0]).fold(0.0, f64::max);
+        assert!(widest < step.max(20.0 / 1000.0) + 1e-9, "{widest} s");
+    }
+}
+
+#[test]
+fn what_is_measured_anew_at_a_time_takes_the_place_of_what_was() {
+    let mut series = Series::new(20.0);
+    [0.0, 1.0, 2.0, 1.0].into_iter().for_each(|time| assert!(series.push(at(time))));
+    let edited = Measured { energies: Energies { kinetic: 7.0, ..Energies::default() }, ..at(1.0) };
+    assert!(series.push(edited));
+    let broken = Energies { kinetic: f64::NAN, ..Energies::default() };
+    assert!(!series.push(Measured { energies: broken, ..at(3.0) }), "of no finite number no curve can be drawn");
+    let kinetic: Vec<f64> = series.iter().map(|measured| measured.energies.kinetic).collect();
+    assert_eq!(kinetic, [0.0, 7.0]);
+}
+
+#[test]
+fn going_back_cuts_off_what_was_seen_and_the_curve_goes_on_from_there() {
+    let mut played = Played::new();
+    played.play(60);
+    let before = played.times();
+    assert!(ascends(&before) && before.len() > 50 && *before.last().unwrap() == played.shown.figures.time);
+    let half = 0.5 * played.shown.figures.time;
+    assert_eq!(played.ask(Order::GoTo(half, None)), [true, false]);
+    let back = played.times();
+    assert_eq!(*back.last().unwrap(), played.shown.figures.time);
+    assert!((*back.last().unwrap() - half).abs() < 0.005, "{back:?}");
+    let kept = before.iter().filter(|time| **time < back[back.len() - 1] - 1e-9).copied();
+    assert!(kept.eq(back[..back.len() - 1].iter().copied()), "what was before stays");
+    played.play(10);
+    assert!(ascends(&played.times()) && played.times().len() > back.len());
+    // Also in frames in which nothing is measured.
+    played.ask(Order::Watch(None));
+    assert_eq!(played.ask(Order::GoTo(0.25 * half, None)), [true, false]);
+    assert!(played.times().iter().all(|time| *time <= played.shown.figures.time));
+    played.ask(Order::Watch(Some([None; 2])));
+    played.ask(Order::Reset);
+    assert_eq!(played.times(), [0.0]);
+    // Another scene begins anew.
+    played.play(5);
+    played.toggle(0);
+    played.plots.begin(2.0);
+    assert!(played.times().is_empty() && played.plots.probes() == [None; 2]);
+}
+
+#[test]
+fn a_pause_adds_nothing() {
+    let mut played = Played::new();
+    played.play(10);
+    played.ask(Order::Play(false));
+    let before = played.times();
+    played.play(10);
+    assert_eq!(played.times(), before);
+}
+
+#[test]
+fn probes_are_put_on_taken_off_and_drop_out_with_their_points() {
+    let mut played = Played::new();
+    played.play(10);
+    played.toggle(0);
+    assert_eq!(played.plots.subject, Subject::Probes, "what was asked for is seen");
+    played.play(10);
+    played.toggle(1);
+    played.play(10);
+    assert_eq!(played.probed(), [21, 11], "from where it was put on");
+    let last = played.plots.series().iter().last().unwrap().probes[1].unwrap();
+    assert_eq!(
+        [Quantity::X, Quantity::Y].map(|of| of.of(&last)),
+        [0, 1].map(|axis| played.shown.current.view().get(2 + axis))
+    );
+    assert!(Quantity::Speed.of(&last) > 0.0);
+    played.plots.subject = Subject::Phase;
+    played.toggle(0);
+    assert_eq!((played.plots.probes(), played.probed()[0]), ([None, Some(PointId(1))], 0));
+    assert_eq!(played.plots.subject, Subject::Probes, "one alone is against nothing");
+    let keys = DeleteKeys { points: vec![1], ..DeleteKeys::default() };
+    let lost = played.ask(Order::Give(vec![Do::Delete(keys)], Some("delete")));
+    assert_eq!((lost[1], played.plots.probes(), played.probed()), (true, [None; 2], [0; 2]));
+    assert_eq!(played.plots.subject, Subject::Energies);
+}
+
+#[test]
+fn a_third_probe_takes_the_place_of_the_second() {
+    let mut plots = Plots::new(1.0);
+    [4, 5, 6].into_iter().for_each(|point| plots.toggle(PointId(point)));
+    assert_eq!(plots.probes(), [Some(PointId(4)), Some(PointId(6))]);
+}
+
+#[test]
+fn what_was_measured_of_another_point_is_not_taken() {
+    let mut played = Played::new();
+    played.toggle(0);
+    // The world does not know of it yet.
+    played.plots.toggle(PointId(0));
+    played.plots.toggle(PointId(1));
+    played.play(1);
+    assert_eq!(played.probed(), [0; 2]);
+}
+
+#[test]
+fn a_table_has_a_header_and_a_row_for_each_measurement() {
+    let mut played = Played::new();
+    played.play(5);
+    played.toggle(1);
+    played.play(5);
+    let mut bytes = Vec::new();
+    played.plots.series().write_csv(&mut bytes).unwrap();
+    let text = String::from_utf8(bytes).unwrap();
+    let rows: Vec<Vec<&str>> = text.lines().map(|line| line.split(',').collect()).collect();
+    assert_eq!(rows.len(), 1 + played.times().len());
+    assert_eq!(rows[0][..6], ["time_s", "kinetic_J", "elastic_J", "gravity_J", "sum_J", "point_1"]);
+    assert!(rows.iter().all(|row| row.len() == rows[0].len()), "{text}");
+    for (row, measured) in rows[1..].iter().zip(played.plots.series().iter()) {
+        assert_eq!(
+            row[..2].iter().map(|cell| cell.parse().unwrap()).collect::<Vec<f64>>(),
+            [measured.time, measured.energies.kinetic]
+        );
+        let Some(Probed { speed, .. }) = measured.probes[0] else {
+            assert_eq!(row[5..], [""; 10]);
+            continue;
+        };
+        assert_eq!((row[5], row[9].parse()), ("1", Ok(speed)));
+    }
+    assert!(rows[1][5].is_empty() && !rows[rows.len() - 1][5].is_empty());
+}

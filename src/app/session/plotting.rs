@@ -1,0 +1,78 @@
+//! Plots of the running world, while their panel is open.
+
+use std::path::Path;
+
+use glam::DVec2;
+
+use super::Session;
+use crate::app::player::Order;
+use crate::app::plots::Plots;
+use crate::app::saving::free_name;
+use crate::sim::PointId;
+
+impl Session {
+    /// Opens the panel, or closes it: then nothing is measured any more, and nothing is left of what was.
+    pub(super) fn toggle_plots(&mut self) {
+        self.panels.plots = match self.panels.plots.take() {
+            Some(_) => None,
+            None => Some(Plots::new(self.scene.rate())),
+        };
+        self.watch();
+    }
+
+    /// Another world is shown: what was plotted is of the last one.
+    pub(super) fn plot_anew(&mut self) {
+        if let Some(plots) = &mut self.panels.plots {
+            plots.begin(self.scene.rate());
+        }
+        self.watch();
+    }
+
+    /// The stepping thread is told what to measure.
+    fn watch(&mut self) {
+        let probes = self.panels.plots.as_ref().map(Plots::probes);
+        self.player.ask(Order::Watch(probes));
+    }
+
+    /// Takes what the last state brings for the plots.
+    pub(super) fn plot(&mut self) {
+        let Some(plots) = &mut self.panels.plots else { return };
+        let [is_new, has_lost] = plots.take(self.player.shown());
+        if has_lost {
+            self.watch();
+        }
+        // While time goes on, panels are shown often enough.
+        self.panels_dirty |= has_lost || is_new && !self.moves();
+    }
+
+    /// A click with the tool for selecting puts a probe on a point, or takes it off.
+    pub(super) fn probe(&mut self, at: DVec2) {
+        if self.panels.plots.is_none() {
+            return;
+        }
+        let Some(point) = self.with_scope(|hand, scope| hand.clicked(scope, at)) else { return };
+        if let Some(plots) = &mut self.panels.plots {
+            plots.toggle(point);
+        }
+        self.watch();
+    }
+
+    /// The points that are probed, each with its number.
+    pub(super) fn probes(&self) -> impl Iterator<Item = (usize, PointId)> {
+        let probes = self.panels.plots.as_ref().map_or([None; 2], Plots::probes);
+        probes.into_iter().enumerate().filter_map(|(place, point)| Some((place, point?)))
+    }
+
+    /// Writes what is plotted as a table into the folder that the program was started in.
+    pub(super) fn write_table(&mut self) {
+        let Some(plots) = &self.panels.plots else { return };
+        let mut bytes = Vec::new();
+        match plots.series().write_csv(&mut bytes) {
+            Ok(()) => {
+                let path = free_name(Path::new("."), self.scene.name(), "csv");
+                self.player.ask(Order::Table(path, bytes));
+            }
+            Err(error) => self.complain(&error.to_string()),
+        }
+    }
+}
