@@ -7,7 +7,7 @@ use super::pieces::{Found, MOST_PARTS, find};
 use super::shape::{Held, Shape};
 
 /// Most that one body in joints may be as heavy as another: of more, rows that light ones bear look as if they repeated others.
-const MOST_RATIO: f64 = 1e7;
+const MOST_RATIO: f64 = 1e5;
 
 /// Bodies and links, with points as the island has them.
 #[derive(Clone, Debug, Default, PartialEq)]
