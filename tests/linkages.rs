@@ -257,3 +257,47 @@ fn pins_that_are_led_take_bodies_along_and_their_work_is_told() {
     let ledger = end.ledger.unwrap();
     assert!(ledger.left_over().abs() < 1e-2 * ledger.most_kinetic, "{ledger:?}");
 }
+
+/// Three parallel bars of 1 m between pins and a triangle, at 1 rad to the pins' side, turning at 8 rad/s: one bar more than it takes, and through its
+/// dead points.
+#[test]
+fn bars_in_parallel_go_through_their_dead_points() {
+    let pins = [[0.0, 0.0], [1.0, 0.0], [0.5, 0.5]];
+    let (c, s) = (1.0_f64.cos(), 1.0_f64.sin());
+    let position: Vec<[f64; 2]> = pins.into_iter().chain(pins.map(|[x, y]| [x + c, y + s])).collect();
+    let velocity: Vec<[f64; 2]> = (0..6).map(|k| if k < 3 { [0.0; 2] } else { [-8.0 * s, 8.0 * c] }).collect();
+    let bonds = [[3, 4], [4, 5], [5, 3], [0, 3], [1, 4], [2, 5]];
+    let scene = json!({"wobble": 1, "gravity": [0, -9.81],
+        "points": {"position": position, "velocity": velocity, "mass": 1, "pinned": [0, 1, 2]},
+        "bonds": bonds.map(|[a, b]| json!({"a": a, "b": b}))});
+    let mut linkage = world(&scene);
+    let end = run(&mut *linkage, 2.0);
+    // Each point goes around its pin as a pendulum of 1 m does.
+    let one = json!({"wobble": 1, "gravity": [0, -9.81], "method": {"solver": "blanes-moan-6", "substep": 0.0005},
+        "points": {"position": [[0, 0], [c, s]], "velocity": [[0, 0], [-8.0 * s, 8.0 * c]], "mass": 1, "pinned": [0]},
+        "bonds": [{"a": 0, "b": 1}]});
+    let mut pendulum = world(&one);
+    while pendulum.time() < 2.0 - 1e-9 {
+        pendulum.step();
+    }
+    let expected = pendulum.sample(2.0).position[1];
+    let off = (end.position[3][0] - expected[0]).hypot(end.position[3][1] - expected[1]);
+    assert!(off < 1e-4, "{off}");
+}
+
+/// Two legs of 1 m at 0.3 rad from upright, light feet and a heavy top: friction that is a little more than it takes holds them where they are.
+#[test]
+fn feet_that_friction_holds_do_not_creep_under_a_heavy_load() {
+    let (c, s) = (0.3_f64.cos(), 0.3_f64.sin());
+    let (foot, top) = (0.1, 10.0);
+    // What presses on a foot, and what pushes it out.
+    let (press, push) = ((0.5 * top + foot) * 9.81, 0.5 * top * 9.81 * s / c);
+    for share in [1.02, 2.0] {
+        let scene = json!({"wobble": 1, "gravity": [0, -9.81], "method": {"sleep": false},
+            "points": {"position": [[-s, 0], [s, 0], [0, c]], "mass": [foot, foot, top]},
+            "bonds": [{"a": 0, "b": 2}, {"a": 1, "b": 2}],
+            "bounds": {"min": [-9, 0], "max": [9, 9], "friction": share * push / press}});
+        let end = run(&mut *world(&scene), 3.0);
+        assert!((end.position[2][1] - c).abs() < 1e-8, "{share}: {}", c - end.position[2][1]);
+    }
+}

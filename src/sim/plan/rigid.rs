@@ -7,6 +7,7 @@ use super::gather::Gathered;
 use super::island::Island;
 use super::make::Maker;
 use crate::sim::bond::{Bond, BondKind, PointId};
+use crate::sim::bulk::control::FRAME;
 use crate::sim::force::angle::Angle;
 use crate::sim::group::Group;
 use crate::sim::model::Model;
@@ -91,7 +92,9 @@ fn pieces<S: Real, const D: usize>(
     let is_led_any = (0..points.len() as u32).any(is_led);
     let is_braced = island.rigid + 3 >= 2 * island.points.len() && !is_led_any;
     let one = is_braced.then(|| Shape::of(held())).flatten().map(Blueprint::alone);
-    let plan = one.or_else(|| joined(island, (held(), most_alone), is_led))?;
+    // A step of hours would be gone through part by part.
+    let is_brief = model.method.substep.is_none_or(|h| h <= FRAME);
+    let plan = one.or_else(|| is_brief.then(|| joined(island, (held(), most_alone), is_led)).flatten())?;
     Some(Pieces { plan: Arc::new(plan), points })
 }
 

@@ -22,8 +22,8 @@ pub(super) const LEAST_BOUNCE: f64 = 2e-6;
 /// Speed that counts as none, as a share of the body's own [1].
 pub(super) const STILL: f64 = 1e-11;
 
-/// Halvings of a part that is too long, at most.
-const HALVINGS: u32 = 8;
+/// Halvings of parts that are too long, in a frame at most: what turns too fast for any part is not followed.
+const HALVINGS: f64 = 64.0;
 
 /// What a step counts and books.
 pub(super) struct Log<'a> {
@@ -114,13 +114,14 @@ pub(super) fn advance<A: Assembly>(
     let [many, most_hits] = of.most_hits();
     let frames = (h / FRAME).ceil().max(1.0);
     let (mut done, mut hits, mut is_out) = (0.0, 0.0, false);
+    let mut halvings = HALVINGS * frames;
     while h - done > 1e-12 * h {
         let (now, left) = (t + done, h - done);
         let [in_flight, turned] = of.turned(&motion);
         let mut part = left.min(longest.max(SHORTEST)).min(in_flight);
         log.work += of.work(None);
         let Some(near) = of.near(&motion, part) else {
-            let end = shortened(of, &mut part, |part| of.fly(&motion, (now, part), None));
+            let end = shortened(of, &mut part, &mut halvings, |part| of.fly(&motion, (now, part), None));
             motion = match log.book.as_deref_mut() {
                 None => end,
                 book => of.fly(&motion, (now, part), book),
@@ -153,7 +154,7 @@ pub(super) fn advance<A: Assembly>(
         };
         part = if lying.is_empty() { part } else { part.min(within(LYING, h)) };
         let path = |time: f64| go(time, None);
-        let end = shortened(of, &mut part, &path);
+        let end = shortened(of, &mut part, &mut halvings, &path);
         let hit = of.first_hit(&path, (&motion, &end, part), (&near, &lying)).filter(|_| locates);
         let until = hit.map_or_else(|| (end.clone(), part), |time| (path(time), time));
         let stop = of.first_stop(&path, (&motion, &until.0, until.1), &lying).filter(|_| locates);
@@ -171,14 +172,12 @@ pub(super) fn advance<A: Assembly>(
     motion
 }
 
-/// Where a path leads in a part, which is halved until it is not too long.
-fn shortened<A: Assembly>(of: &A, part: &mut f64, path: impl Fn(f64) -> A::Motion) -> A::Motion {
+/// Where a path leads in a part, which is halved until it is not too long, as often as is left.
+fn shortened<A: Assembly>(of: &A, part: &mut f64, left: &mut f64, path: impl Fn(f64) -> A::Motion) -> A::Motion {
     let mut end = path(*part);
-    for _ in 0..HALVINGS {
-        if !of.is_too_long(&end, *part) {
-            break;
-        }
+    while of.is_too_long(&end, *part) && *part > SHORTEST && *left > 0.0 {
         *part *= 0.5;
+        *left -= 1.0;
         end = path(*part);
     }
     end
