@@ -8,7 +8,7 @@ use super::{Facts, Wish, moving};
 /// What stands below the figures is so far `beside` the right edge [points].
 pub(super) fn show(context: &egui::Context, (room, beside): (Rect, f32), facts: &Facts, wishes: &mut Vec<Wish>) {
     // Below what floats at the top, where that takes all of the width.
-    let down = if room.width() < 900.0 { 62.0 } else { 10.0 };
+    let down = if room.width() < 1000.0 { 62.0 } else { 10.0 };
     let place = Area::new(Id::unique("figures")).anchor(Align2::RIGHT_TOP, [-10.0, down]).interactable(false);
     let shown = place.show(context, |ui| {
         floating().show(ui, |ui| {

@@ -19,7 +19,7 @@ const TALL: f32 = 850.0;
 /// Where it begins beside the tools, and below them [points].
 const LEFT: [f32; 2] = [76.0, 10.0];
 /// Half of the room less this is free for the plot: the primitives beside the tools end there [points].
-const OTHERS: f32 = 150.0;
+const OTHERS: f32 = 165.0;
 
 /// What is plotted of the energies [J].
 type OfEnergies = fn(&Measured) -> f64;

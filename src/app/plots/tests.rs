@@ -121,8 +121,8 @@ fn going_back_cuts_off_what_was_seen_and_the_curve_goes_on_from_there() {
 fn a_pause_adds_nothing() {
     let mut played = Played::new();
     played.play(10);
-    played.ask(Order::Play(false));
     let before = played.times();
+    played.ask(Order::Play(false));
     played.play(10);
     assert_eq!(played.times(), before);
 }
