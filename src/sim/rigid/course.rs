@@ -154,7 +154,7 @@ pub(super) fn advance<A: Assembly>(
         };
         part = if lying.is_empty() { part } else { part.min(within(LYING, h)) };
         let path = |time: f64| go(time, None);
-        let end = shortened(of, &mut part, &mut halvings, &path);
+        let end = shortened(of, &mut part, &mut halvings, path);
         let hit = of.first_hit(&path, (&motion, &end, part), (&near, &lying)).filter(|_| locates);
         let until = hit.map_or_else(|| (end.clone(), part), |time| (path(time), time));
         let stop = of.first_stop(&path, (&motion, &until.0, until.1), &lying).filter(|_| locates);
