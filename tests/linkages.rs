@@ -2,30 +2,18 @@
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic, reason = "a test that cannot go on stops")]
 
 use serde_json::{Value, json};
-use wobble::scene::Scene;
 use wobble::scene::record::ledgers;
-use wobble::sim::{BondId, Command, Dynamics, PointId, Sample, Selection, Solver, judge};
+use wobble::sim::{BondId, Command, PointId, Sample, Selection, judge};
 
-fn world(scene: &Value) -> Box<dyn Dynamics> {
-    Scene::parse(&scene.to_string(), "scene").unwrap().world(None).unwrap()
-}
+use super::pieces::{run, world};
 
-/// Runs to a time; rigid bodies are what moves to the end.
-fn run(world: &mut dyn Dynamics, t: f64) -> Sample {
-    while world.time() + world.substep() <= t + 1e-9 {
-        world.step();
-    }
-    assert!(world.moved_by().iter().all(|moved| moved.method == Solver::Rigid), "{:?}", world.moved_by());
-    world.sample(t)
-}
-
-fn apart(one: &Sample, other: &Sample) -> f64 {
+pub(crate) fn apart(one: &Sample, other: &Sample) -> f64 {
     let of = |(a, b): (&[f64; 3], &[f64; 3])| (a[0] - b[0]).hypot(a[1] - b[1]);
     one.position.iter().zip(&other.position).map(of).fold(0.0, f64::max)
 }
 
 /// Triangles of 1 kg a point, each at a corner of the one before, pinned at the first.
-fn triangles(count: u32) -> Value {
+pub(crate) fn triangles(count: u32) -> Value {
     let (mut position, mut bonds) = (vec![[0.0, 0.0]], Vec::new());
     for k in 0..count {
         let x = f64::from(k);

@@ -8,12 +8,12 @@ use wobble::scene::Scene;
 use wobble::scene::record::ledgers;
 use wobble::sim::{Command, Dynamics, Sample, Selection, Solver, judge};
 
-fn world(scene: &Value) -> Box<dyn Dynamics> {
+pub(super) fn world(scene: &Value) -> Box<dyn Dynamics> {
     Scene::parse(&scene.to_string(), "scene").unwrap().world(None).unwrap()
 }
 
 /// Runs to a time; the rigid method moves all of it to the end.
-fn run(world: &mut dyn Dynamics, t: f64) -> Sample {
+pub(super) fn run(world: &mut dyn Dynamics, t: f64) -> Sample {
     while world.time() + world.substep() <= t + 1e-9 {
         world.step();
     }

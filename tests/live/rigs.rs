@@ -1,21 +1,16 @@
 //! Rigid bodies in joints in the live step: no bond of them strains, whatever hangs on them.
 
 use serde_json::{Value, json};
-use wobble::sim::{Dynamics, Sample};
+use wobble::sim::Dynamics;
 
 use super::world;
+use crate::linkages::{apart, triangles};
 
-/// Triangles of 1 kg a point, each at a corner of the one before, pinned at the first; `solver` moves them.
-fn triangles(count: u32, solver: &str) -> Value {
-    let (mut position, mut bonds) = (vec![[0.0, 0.0]], Vec::new());
-    for k in 0..count {
-        let x = f64::from(k);
-        position.extend([[x + 0.5, -0.2], [x + 1.0, 0.0]]);
-        let from = 2 * k;
-        bonds.extend([[from, from + 1], [from + 1, from + 2], [from, from + 2]].map(|[a, b]| json!({"a": a, "b": b})));
-    }
-    json!({"wobble": 1, "gravity": [0, -9.81], "points": {"position": position, "mass": 1, "pinned": [0]}, "bonds": bonds,
-        "method": {"solver": solver}})
+/// Triangles in joints that a solver moves.
+fn moved_by(solver: &str, count: u32) -> Value {
+    let mut scene = triangles(count);
+    scene["method"] = json!({"solver": solver});
+    scene
 }
 
 /// Runs to a time; the largest strain on the way.
@@ -28,14 +23,9 @@ fn strain(world: &mut dyn Dynamics, t: f64) -> f64 {
     most
 }
 
-fn apart(one: &Sample, other: &Sample) -> f64 {
-    let of = |(a, b): (&[f64; 3], &[f64; 3])| (a[0] - b[0]).hypot(a[1] - b[1]);
-    one.position.iter().zip(&other.position).map(of).fold(0.0, f64::max)
-}
-
 #[test]
 fn bodies_in_joints_swing_as_they_do_by_their_own_method() {
-    let [mut live, mut exact] = ["live", "auto"].map(|solver| world(&triangles(3, solver)));
+    let [mut live, mut exact] = ["live", "auto"].map(|solver| world(&moved_by(solver, 3)));
     assert!(strain(&mut *live, 0.5) < 1e-9);
     strain(&mut *exact, 0.5);
     let off = apart(&live.sample(0.5), &exact.sample(0.5));

@@ -126,7 +126,7 @@ impl Session {
         }
         match self.live_force() {
             // Paused, the world has not heard yet of what other tools put away and the hand takes up again.
-            Some(force) if !self.player.is_playing() && !self.hand.is_busy() => {
+            Some(force) if !self.player.is_playing() && !self.hand.is_busy() && !self.shown().figures.follows => {
                 let strength = self.hand.strength().filter(|_| self.hand.tool() == Tool::Hand)?;
                 self.world_cursor().map(|at| (MouseForce { strength, ..force.clone() }, at))
             }

@@ -226,9 +226,7 @@ impl<S: Real> Own<S> {
         let places = |points: &[u32]| points.iter().map(|&point| local[point as usize]).collect::<Vec<u32>>();
         self.bonds.retain(|bond| !bond.holds() && !rig.holds(&places(&[bond.a.0, bond.b.0])));
         self.hinges.retain(|hinge| !rig.holds(&places(&hinge.points)));
-        let frame_of = rig.frame_of(self.points.len());
-        let is_free =
-            |corners: &[u32; 3]| corners.iter().all(|&corner| frame_of[local[corner as usize] as usize].is_none());
+        let is_free = |corners: &[u32; 3]| !corners.iter().any(|&corner| rig.holds(&[local[corner as usize]]));
         let kept: Vec<bool> = self.triangles.iter().map(is_free).collect();
         let mut keeps = kept.iter();
         self.triangles.retain(|_| *keeps.next().unwrap_or(&true));

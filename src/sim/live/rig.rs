@@ -24,8 +24,6 @@ const ROUNDS: u32 = 3;
 /// A gap that counts as closed, as a share of where things are [1].
 const CLOSED: f64 = 1e-13;
 
-const STILL: Twist = Twist { velocity: [0.0; 2], spin: 0.0 };
-
 /// The frames of a body of several, and what joins them.
 #[derive(Clone, Debug)]
 pub(super) struct Rig {
@@ -64,17 +62,6 @@ impl Rig {
             fixed: plan.fixed,
             still: plan.still,
         })
-    }
-
-    /// Which frame holds each point, counted among those of the rig; points of two are counted with the first.
-    pub(super) fn frame_of(&self, points: usize) -> Vec<Option<u32>> {
-        let mut list = vec![None; points];
-        for (of, frame) in self.frames().zip(0..) {
-            of.1.iter().for_each(|&point| {
-                list[point as usize].get_or_insert(frame);
-            });
-        }
-        list
     }
 
     /// Whether all of some points go with one frame.
@@ -133,7 +120,8 @@ impl<S: Real> Cluster<S> {
 
     fn straighten(&mut self, rigged: &Rigged) {
         let Rigged { rig, base, .. } = rigged;
-        let mut motions: Vec<Motion> = self.stations(rigged).map(|place| Motion { place, twist: STILL }).collect();
+        let mut motions: Vec<Motion> =
+            self.stations(rigged).map(|place| Motion { place, twist: Twist::STILL }).collect();
         let anchors: Vec<Anchor> = rig
             .fixed
             .iter()
@@ -144,21 +132,7 @@ impl<S: Real> Cluster<S> {
             most.max(x.abs()).max(y.abs())
         });
         let closed = CLOSED.max(S::EPSILON.to_f64()) * size;
-        let mut rounds = 0;
-        while rounds < ROUNDS {
-            let stand = Stand { motions: &motions, anchors: &anchors, since: 0.0 };
-            let gaps = rig.joints.gaps(stand);
-            if gaps.iter().all(|gap| gap.abs() <= closed) {
-                break;
-            }
-            rounds += 1;
-            let targets: Vec<f64> = gaps.iter().map(|gap| -gap).collect();
-            let mut ways = vec![STILL; motions.len()];
-            rig.joints.factored(&rig.inertias, stand).hold(&mut ways, &targets);
-            for (motion, way) in motions.iter_mut().zip(ways) {
-                motion.place = motion.place.moved(way.velocity, way.spin);
-            }
-        }
+        let rounds = rig.joints.close(&rig.inertias, (&mut motions, &anchors), (ROUNDS, closed));
         self.counts.work += u64::from(rounds + 1) * rig.joints.work();
         if rounds > 0 {
             self.put(rigged, &motions);
@@ -235,7 +209,7 @@ impl<S: Real> Cluster<S> {
     fn twists(&self, rigged: &Rigged) -> Vec<Twist> {
         let mut frames = self.frames[rigged.first..].iter();
         let of = |member: &Member| match member {
-            Member::Frame(..) => frames.next().map_or(STILL, Frame::twist),
+            Member::Frame(..) => frames.next().map_or(Twist::STILL, Frame::twist),
             Member::Point(point) => Twist { velocity: widen(self.velocity[rigged.base + *point as usize]), spin: 0.0 },
         };
         rigged.rig.members.iter().map(of).collect()

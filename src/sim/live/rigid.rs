@@ -354,13 +354,9 @@ impl<S: Real> Cluster<S> {
                 self.frames[number].near.push(place);
             }
         }
-        // A point that goes with another frame does not follow this one.
-        let Cluster { frames, frame_of, .. } = self;
-        for (frame, number) in frames.iter_mut().zip(0..) {
+        for frame in &mut self.frames {
             frame.near.sort_unstable();
             frame.near.dedup();
-            let points = &frame.points;
-            frame.near.retain(|&k| frame_of[points[k as usize] as usize][0] == number);
         }
     }
 
@@ -374,7 +370,7 @@ impl<S: Real> Cluster<S> {
     /// A body is carried along as a whole.
     pub(super) fn carry(&mut self, body: usize, shift: [S; 2]) {
         let points = self.bases[body]..self.bases[body + 1];
-        for frame in self.frames.iter_mut().filter(|frame| frame.points.iter().any(|i| points.contains(i))) {
+        for frame in self.frames.iter_mut().filter(|frame| frame.points.first().is_some_and(|i| points.contains(i))) {
             frame.now.middle = add(frame.now.middle, widen(shift));
         }
     }

@@ -113,7 +113,7 @@ impl<S: Real, const D: usize> Assembly for Lone<'_, S, D> {
     }
 
     fn stopped(&self, motion: Motion) -> Motion {
-        Motion { twist: Twist { velocity: [0.0; 2], spin: 0.0 }, ..motion }
+        Motion { twist: Twist::STILL, ..motion }
     }
 
     fn touching(&self, motion: &Motion, near: &Near) -> Vec<Touch> {

@@ -89,7 +89,7 @@ impl Answers for Alone<'_> {
     }
 
     fn stopped(&self, _twist: &Twist) -> Twist {
-        Twist { velocity: [0.0; 2], spin: 0.0 }
+        Twist::STILL
     }
 
     fn heaviest(&self) -> f64 {

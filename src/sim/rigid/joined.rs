@@ -7,8 +7,7 @@ use super::course::{Assembly, HANGING, Log, SHORTEST, TURN, book_strike, gives_b
 use super::joints::End;
 use super::law::{OF_A_CONTACT, strike};
 use super::linkage::{Moving, Spot, twists_of};
-use super::motion::Motion;
-use super::motion::Twist;
+use super::motion::{Motion, Twist};
 use super::together::Together;
 use super::touch::{Near, Touch, way};
 use crate::sim::ledger::Book;
@@ -93,7 +92,7 @@ impl<S: Real, const D: usize> Assembly for Moving<'_, S, D> {
     }
 
     fn stopped(&self, mut motions: Vec<Motion>) -> Vec<Motion> {
-        motions.iter_mut().for_each(|motion| motion.twist = Twist { velocity: [0.0; 2], spin: 0.0 });
+        motions.iter_mut().for_each(|motion| motion.twist = Twist::STILL);
         motions
     }
 

@@ -164,6 +164,30 @@ impl Joints {
         self.rows.iter().map(of).collect()
     }
 
+    /// Bodies are moved, without speed, to where no row is off by more than `closed` [m]: in so many rounds at most, each with new directions.
+    /// Returns how many it took.
+    pub(crate) fn close(
+        &self,
+        inertias: &[Inertia],
+        (motions, anchors): (&mut [Motion], &[Anchor]),
+        (rounds, closed): (u32, f64),
+    ) -> u32 {
+        for round in 0..rounds {
+            let stand = Stand { motions, anchors, since: 0.0 };
+            let gaps = self.gaps(stand);
+            if gaps.iter().all(|gap| gap.abs() <= closed) {
+                return round;
+            }
+            let targets: Vec<f64> = gaps.iter().map(|gap| -gap).collect();
+            let mut ways = vec![Twist::STILL; motions.len()];
+            self.factored(inertias, stand).hold(&mut ways, &targets);
+            for (motion, way) in motions.iter_mut().zip(ways) {
+                motion.place = motion.place.moved(way.velocity, way.spin);
+            }
+        }
+        rounds
+    }
+
     /// The rows where bodies are now, ready to be solved.
     pub(crate) fn factored<'a>(&self, inertias: &'a [Inertia], stand: Stand) -> Factored<'a> {
         let normal = |row: &Row| {

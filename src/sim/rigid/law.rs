@@ -50,6 +50,11 @@ pub(super) trait Answers: Sized {
     /// The motion after an impulse.
     fn pushed(&self, contact: usize, impulse: Impulse, motion: Self::Motion) -> Self::Motion;
 
+    /// The velocity of a contact along its surface after an impulse across it.
+    fn along_after(&self, contact: usize, push: f64, motion: &Self::Motion) -> f64 {
+        self.speeds(contact, &self.pushed(contact, [push, 0.0], motion.clone()))[1]
+    }
+
     /// Kinetic energy, but for what cannot move [J].
     fn energy(&self, motion: &Self::Motion) -> f64;
 
@@ -212,8 +217,7 @@ fn solve<A: Answers>(body: &A, (contact, rub): (usize, &Rub), old: Impulse, moti
         return [push, -rubbed * push];
     }
     let push = (old[0] + (target - normal) / gives[0]).max(0.0);
-    let next = body.pushed(contact, [push - old[0], 0.0], motion.clone());
-    let [_, along] = body.speeds(contact, &next);
+    let along = body.along_after(contact, push - old[0], motion);
     let most = rub.friction * push;
     let wanted = if gives[1] > 0.0 { old[1] + (hold - along) / gives[1] } else { 0.0 };
     [push, wanted.clamp(-most, most)]

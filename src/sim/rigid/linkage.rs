@@ -90,20 +90,8 @@ impl Linkage {
         if self.joints.is_empty() {
             return motions;
         }
-        for _ in 0..ROUNDS {
-            let stand = Stand { motions: &motions, anchors, since: 0.0 };
-            let gaps = self.joints.gaps(stand);
-            let largest = gaps.iter().fold(0.0, |most: f64, gap| most.max(gap.abs()));
-            if largest <= 1e3 * FITS * self.size(&motions) {
-                break;
-            }
-            let targets: Vec<f64> = gaps.iter().map(|gap| -gap).collect();
-            let mut way = vec![Twist { velocity: [0.0; 2], spin: 0.0 }; motions.len()];
-            self.joints.factored(&self.inertias, stand).hold(&mut way, &targets);
-            for (motion, by) in motions.iter_mut().zip(way) {
-                motion.place = motion.place.moved(by.velocity, by.spin);
-            }
-        }
+        let closed = 1e3 * FITS * self.size(&motions);
+        self.joints.close(&self.inertias, (&mut motions, anchors), (ROUNDS, closed));
         let mut twists = twists_of(&motions);
         let joints = self.joints.factored(&self.inertias, Stand { motions: &motions, anchors, since: 0.0 });
         joints.hold(&mut twists, &joints.leads);
@@ -426,7 +414,7 @@ impl<'a, S: Real, const D: usize> Moving<'a, S, D> {
                     -self.among[*body as usize].obstacles.surfaces[spot.touch.surface].gap_of(x).min(0.0);
             }
             let targets: Vec<f64> = self.linkage.joints.gaps(self.stand(&motions, t)).iter().map(|gap| -gap).collect();
-            let rest = vec![Twist { velocity: [0.0; 2], spin: 0.0 }; motions.len()];
+            let rest = vec![Twist::STILL; motions.len()];
             let joints = self.factored(&motions, t);
             let together = Together::new(&joints, &contacts);
             let (ways, _) = together.press((&rest, &targets), &together.rubs(), &[]);

@@ -11,6 +11,9 @@ pub(crate) struct Twist {
 }
 
 impl Twist {
+    /// It stands still.
+    pub(crate) const STILL: Self = Twist { velocity: [0.0; 2], spin: 0.0 };
+
     /// The velocity of what is at `arm` from the origin.
     #[inline(always)]
     pub(crate) fn at(&self, arm: [f64; 2]) -> [f64; 2] {

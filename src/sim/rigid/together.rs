@@ -12,8 +12,6 @@ const HELD: f64 = 1e-10;
 const PASSES: u32 = 2_000;
 /// Share of an energy that is rounding.
 const ROUNDING: f64 = 1e-9;
-/// None.
-const STILL: Twist = Twist { velocity: [0.0; 2], spin: 0.0 };
 
 /// Bodies in joints, and where they touch: each contact with the number of its body.
 pub(super) struct Together<'a> {
@@ -38,13 +36,13 @@ impl<'a> Together<'a> {
         let speeds = |twists: &[Twist]| contacts.iter().map(|(body, of)| of.speeds(&twists[*body as usize])).collect();
         for (k, (body, contact)) in contacts.iter().enumerate() {
             for (axis, impulse) in [[1.0, 0.0], [0.0, 1.0]].into_iter().enumerate() {
-                let mut column = vec![STILL; joints.inertias.len()];
-                let alone = joints.inertias[*body as usize].pushed(&STILL, contact, impulse);
+                let mut column = vec![Twist::STILL; joints.inertias.len()];
+                let alone = joints.inertias[*body as usize].pushed(&Twist::STILL, contact, impulse);
                 column[*body as usize] = alone;
                 joints.hold(&mut column, &[]);
                 let own = contact.speeds(&column[*body as usize])[axis];
                 if own <= HELD * contact.speeds(&alone)[axis] {
-                    column.fill(STILL);
+                    column.fill(Twist::STILL);
                 }
                 let all: Vec<[f64; 2]> = speeds(&column);
                 debug_assert!(all[k][axis] >= 0.0);
@@ -110,7 +108,7 @@ impl<'a> Together<'a> {
     /// The motion of all bodies that impulses made.
     pub(super) fn moved(&self, before: &[Twist], pressed: &Pressed<Speeds>) -> Vec<Twist> {
         if pressed.is_stopped {
-            return vec![STILL; before.len()];
+            return vec![Twist::STILL; before.len()];
         }
         let mut twists = before.to_vec();
         for (column, share) in self.columns.iter().zip(pressed.impulses.iter().flatten()) {
@@ -159,6 +157,10 @@ impl Answers for Together<'_> {
 
     fn stopped(&self, motion: &Speeds) -> Speeds {
         Speeds { speeds: vec![[0.0; 2]; motion.speeds.len()], energy: 0.0 }
+    }
+
+    fn along_after(&self, contact: usize, push: f64, motion: &Speeds) -> f64 {
+        motion.speeds[contact][1] + self.gives[2 * contact][contact][1] * push
     }
 
     /// Contacts that joints couple strongly need many.
