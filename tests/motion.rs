@@ -13,4 +13,5 @@ mod physics;
 mod polygons;
 mod rim;
 mod robust;
+mod rubbing;
 mod toys;

@@ -118,13 +118,29 @@ impl<S: Real, const D: usize> Pull<S, D> {
     }
 
     /// `points.acceleration`: springs and the mouse at the present state, less what held points cannot follow.
-    pub(crate) fn push(&self, around: &Environment<D>, t: f64, points: &mut Points<S, D>, counters: &mut Counters) {
+    pub(crate) fn push(&mut self, around: &Environment<D>, t: f64, points: &mut Points<S, D>, counters: &mut Counters) {
         let Points { position, velocity, inverse_mass, acceleration, .. } = points;
         if acceleration.is_empty() {
             return;
         }
         self.forces(around, t, (position, velocity, inverse_mass), (zero(), acceleration), counters);
-        self.contacts.hold_kick(self.kicking_gravity(), velocity, acceleration);
+        self.hold_kick((position, velocity), acceleration);
+    }
+
+    /// Takes from accelerations what surfaces do not let points follow, and what friction takes: as much as all that presses on a point
+    /// allows, what rigid bonds pass on included.
+    fn hold_kick(&mut self, (x, v): (&[[S; D]], &[[S; D]]), a: &mut [[S; D]]) {
+        let gravity = self.kicking_gravity();
+        let Pull { rigid, contacts, .. } = self;
+        match rigid {
+            Some(rigid) if contacts.rubs() => {
+                let fall: [S; D] = convert(gravity);
+                let mut all: Vec<[S; D]> = a.iter().map(|a| add(*a, fall)).collect();
+                rigid.answer(x, v, &mut all, contacts);
+                contacts.hold_kick(gravity, v, a, Some(&all));
+            }
+            _ => contacts.hold_kick(gravity, v, a, None),
+        }
     }
 
     /// As [`Pull::push`], at the velocities that half a kick of `h` makes: dampers pull with the velocity in the middle
@@ -149,7 +165,7 @@ impl<S: Real, const D: usize> Pull<S, D> {
             rigid.project_ahead(velocity_ahead, &self.contacts);
         }
         self.forces(around, t, (position, velocity_ahead, inverse_mass), (zero(), acceleration), counters);
-        self.contacts.hold_kick(self.kicking_gravity(), velocity, acceleration);
+        self.hold_kick((position, velocity), acceleration);
     }
 
     /// All of the acceleration [m/s^2]: forces, gravity, drag, what rigid bonds and surfaces answer with.

@@ -92,3 +92,29 @@ fn trees_thrown_at_a_wall_keep_their_lengths() {
         assert!(worst < 0.1, "{velocity:?}: {worst}");
     }
 }
+
+#[test]
+fn what_hard_springs_hold_faster_than_can_be_seen_is_rigid() {
+    let dropped = |stiffness: f64| {
+        let scene = json!({"wobble": 1, "contact": true, "method": {"solver": "live"}, "gravity": [0, -9.81],
+            "bodies": [{"make": "lattice", "columns": 8, "rows": 8, "spacing": 0.1, "origin": [0, 1.2], "angle": 0.3,
+                "material": {"kind": "spring", "mass": 1, "stiffness": stiffness}}],
+            "bounds": {"min": [-9, 0], "max": [9, 9], "restitution": 0.5}});
+        let mut world = world(&scene);
+        let start = world.sample(0.0).energy;
+        let (mut largest, mut most) = (0.0_f64, f64::NEG_INFINITY);
+        while world.time() < 1.0 - 1e-9 {
+            world.step();
+            let sample = world.sample(world.time());
+            largest = largest.max(strain(&*world, &sample));
+            most = most.max(sample.energy - start);
+        }
+        (largest, most / start)
+    };
+    // 64 points of 1/64 kg: a bond swings with 11,000 rad/s, all of it with some hundred.
+    let (largest, gained) = dropped(1e6);
+    assert!(largest < 1e-9 && gained < 1e-3, "{largest:e} {gained}");
+    // What can be seen to wobble does.
+    let (largest, _) = dropped(2e3);
+    assert!(largest > 0.01, "{largest:e}");
+}

@@ -48,6 +48,43 @@ impl<S: Real, const D: usize> Contacts<S, D> {
         if self.rests.is_empty() { None } else { self.rests.get((self.place[point] as usize).wrapping_sub(1)) }
     }
 
+    /// The same, to be changed.
+    pub(crate) fn of_mut(&mut self, point: usize) -> Option<&mut Rest<S, D>> {
+        let at = (*self.place.get(point)? as usize).wrapping_sub(1);
+        self.rests.get_mut(at)
+    }
+
+    /// Whether one of two points rests.
+    #[inline(always)]
+    pub(crate) fn touches_any(&self, points: [usize; 2]) -> bool {
+        !self.is_idle() && points.iter().any(|&point| self.of(point).is_some())
+    }
+
+    /// What of a stiffness between two points is left of what they can follow.
+    pub(crate) fn left_of(&self, [a, b]: [usize; 2], block: [[S; D]; D]) -> [[S; D]; D] {
+        if !self.touches_any([a, b]) {
+            return block;
+        }
+        let turned = |block: [[S; D]; D]| std::array::from_fn(|r| std::array::from_fn(|c| block[c][r]));
+        let rows = turned(block.map(|row| self.free(b, row)));
+        turned(rows.map(|column| self.free(a, column)))
+    }
+
+    /// The largest friction of the surfaces that a point rests on.
+    pub(crate) fn grip_of(&self, point: usize) -> S {
+        self.of(point).map_or(S::ZERO, |rest| rest.grip(&self.obstacles.surfaces))
+    }
+
+    /// What of an acceleration a point can follow, with sliding friction by what pressed it when this was last asked.
+    pub(crate) fn rubbed(&mut self, point: usize, v: [S; D], total: [S; D]) -> [S; D] {
+        let Some(rest) = self.of(point) else { return total };
+        let result = rest.free(add(total, self.friction(rest, v, rest.pressing)));
+        if let Some(rest) = self.of_mut(point) {
+            rest.pressing = total;
+        }
+        result
+    }
+
     /// What of a vector a point can follow.
     #[inline(always)]
     pub(crate) fn free(&self, point: usize, vector: [S; D]) -> [S; D] {
@@ -102,15 +139,22 @@ impl<S: Real, const D: usize> Contacts<S, D> {
         self.place.fill(0);
     }
 
-    /// Makes accelerations `a`, to which a kick adds `gravity`, such that the sum is what resting points can follow.
-    pub(crate) fn hold_kick(&self, gravity: [f64; D], v: &[[S; D]], a: &mut [[S; D]]) {
+    /// Makes accelerations `a`, to which a kick adds `gravity`, such that the sum is what resting points can follow. `pressing`: all that
+    /// presses on points, where bonds pass something on.
+    pub(crate) fn hold_kick(&self, gravity: [f64; D], v: &[[S; D]], a: &mut [[S; D]], pressing: Option<&[[S; D]]>) {
         let gravity: [S; D] = super::vector::convert(gravity);
         for rest in &self.rests {
             let i = rest.point as usize;
             let total = add(a[i], gravity);
-            let total = rest.free(add(total, self.friction(rest, v[i], total)));
+            let pressed = pressing.map_or(total, |pressing| pressing[i]);
+            let total = rest.free(add(total, self.friction(rest, v[i], pressed)));
             a[i] = sub(total, gravity);
         }
+    }
+
+    /// Whether friction acts on a point that slides.
+    pub(crate) fn rubs(&self) -> bool {
+        self.rests.iter().any(|rest| !rest.sticks && rest.grip(&self.obstacles.surfaces) > S::ZERO)
     }
 
     /// Adds friction to accelerations that surfaces have not answered yet. Returns whether there is any.

@@ -2,7 +2,7 @@
 
 use super::surface::Surface;
 use crate::sim::real::Real;
-use crate::sim::vector::{dot, length, scale, sub};
+use crate::sim::vector::{add, dot, length, scale, sub};
 
 /// A point on up to D surfaces: more have no more directions to take away.
 #[derive(Clone, Copy, Debug)]
@@ -75,6 +75,18 @@ impl<S: Real, const D: usize> Rest<S, D> {
             result = sub(result, scale(*n, dot(result, *n)));
         }
         result
+    }
+
+    /// The shift across the surfaces that changes the gap of each of them, by its number, by so much.
+    pub(crate) fn across(&self, all: &[Surface<S, D>], change: impl Fn(usize) -> S) -> [S; D] {
+        let mut shift = [S::ZERO; D];
+        for (&surface, &direction) in self.surfaces().iter().zip(&self.basis) {
+            // Directions after this one lie along the surface.
+            let normal = all[surface as usize].normal;
+            let left = change(surface as usize) - dot(normal, shift);
+            shift = add(shift, scale(direction, left / dot(normal, direction)));
+        }
+        shift
     }
 
     /// The part of a vector that the point can follow.

@@ -1,6 +1,7 @@
 //! What a group books: along its way, and where velocities change at once.
 
 use super::Group;
+use super::engine::Engine;
 use crate::sim::account::{Account, driven, kinetic, middle, power_of, pushed};
 use crate::sim::counters::Counters;
 use crate::sim::environment::Environment;
@@ -58,6 +59,11 @@ impl<S: Real, const D: usize> Group<S, D> {
             for (power, share) in [(start, 1.0), (half, 4.0), (end, 1.0)] {
                 account.book.add(&power, share * h / 6.0);
             }
+            if let Engine::Implicit(implicit) = &self.engine {
+                let [friction, impacts] = implicit.touches.taken;
+                account.book.friction += friction;
+                account.book.impacts += impacts;
+            }
         }
         self.account = Some(account);
     }
@@ -66,7 +72,7 @@ impl<S: Real, const D: usize> Group<S, D> {
     fn reacts(&self, account: &Account) -> bool {
         let contacts = &self.pull.contacts;
         let rubs = || contacts.rests.iter().any(|rest| rest.grip(&contacts.obstacles.surfaces) > S::ZERO);
-        account.pulls_rigid || rubs()
+        account.pulls_rigid || !self.engine.meets_surfaces() && rubs()
     }
 
     /// What acts at a state [W]. `pull` is a copy to ask what bonds and surfaces answer, where that does work.
@@ -91,7 +97,8 @@ impl<S: Real, const D: usize> Group<S, D> {
         pull.act(around, t, (x, v, w), &mut before, &mut counters);
         let mut after = before.clone();
         pull.react((x, v), &mut after, &mut counters);
-        for rest in &pull.contacts.rests {
+        let rests = if self.engine.meets_surfaces() { &[][..] } else { &pull.contacts.rests };
+        for rest in rests {
             let i = rest.point as usize;
             let rubbed = pull.contacts.friction(rest, v[i], rest.pressing);
             power.friction -= dot(widen(rubbed), widen(v[i])) / w[i].to_f64();

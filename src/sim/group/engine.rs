@@ -96,6 +96,11 @@ impl<S: Real, const D: usize> Engine<S, D> {
         }
     }
 
+    /// Whether surfaces are met in its own steps.
+    pub(crate) fn meets_surfaces(&self) -> bool {
+        matches!(self, Engine::Implicit(_))
+    }
+
     /// Forgets what belongs to the state before a change from outside.
     pub(crate) fn refresh(&mut self) {
         match self {
@@ -109,7 +114,7 @@ impl<S: Real, const D: usize> Engine<S, D> {
 /// What forces, gravity and drag over the whole of `h` make of velocities, and where that would take the points.
 fn set_out<S: Real, const D: usize>(
     points: &mut Points<S, D>,
-    pull: &Pull<S, D>,
+    pull: &mut Pull<S, D>,
     around: &Environment<D>,
     (t, h): (f64, f64),
     counters: &mut Counters,

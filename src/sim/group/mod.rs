@@ -203,6 +203,10 @@ impl<S: Real, const D: usize> Group<S, D> {
                 counters.fallbacks += 1;
                 self.take_robustly(around, (now, left), counters);
             }
+            if passes && self.engine.meets_surfaces() {
+                self.leave_ends();
+                return self.book_path(around, (now, left));
+            }
             if !self.has_events() {
                 return self.book_path(around, (now, left));
             }
@@ -241,10 +245,9 @@ impl<S: Real, const D: usize> Group<S, D> {
     fn take(&mut self, around: &Environment<D>, (t, h): (f64, f64), counters: &mut Counters) -> bool {
         let Group { points, pull, engine, work, .. } = self;
         counters.work += work.step;
-        let rounds = counters.iterations;
         let is_fine = engine.step(points, pull, around, (t, h), counters);
-        if matches!(engine, Engine::Implicit(_)) {
-            counters.work += work.step / USUAL_ROUNDS * (counters.iterations - rounds).saturating_sub(USUAL_ROUNDS);
+        if let Engine::Implicit(implicit) = engine {
+            counters.work += work.step / USUAL_ROUNDS * implicit.rounds().saturating_sub(USUAL_ROUNDS);
         }
         is_fine
     }

@@ -14,6 +14,7 @@ use crate::sim::colour::by_colour;
 use crate::sim::contact::skin::{MOST_RADIUS, RADIUS};
 use crate::sim::force::angle::Hinge;
 use crate::sim::force::area;
+use crate::sim::measure::extent;
 use crate::sim::points::Points;
 use crate::sim::real::Real;
 use crate::sim::triangles;
@@ -21,6 +22,8 @@ use crate::sim::vector::{length, sub, widen};
 
 /// Stiffness over mass from which on springs that make trees are taken for rigid, times the square of the longest substep, of 1/16 frame [1].
 const STIFF: f64 = 100.0;
+/// Oscillation beyond which a body of hard springs counts as rigid [rad/s]: of 30 Hz, more than 60 frames a second can show.
+const SEEN: f64 = 188.5;
 /// Bonds of a path from which on it is solved as one.
 const LEAST_PATH: usize = 4;
 
@@ -118,7 +121,9 @@ impl<S: Real> Bodies<S> {
         let total = edges.iter().fold(S::ZERO, |sum, edge| sum + length(sub(place(edge.ends[0]), place(edge.ends[1]))));
         let edge_length = if edges.is_empty() { S::ZERO } else { total / S::from_f64(edges.len() as f64) };
         let thin = thickness(&own.triangles, edges.iter().filter(|edge| edge.is_closed), place);
-        let rigid = own.shape((local, points), if draft.contact.is_some() { &corners } else { &own.points });
+        let surface = if draft.contact.is_some() { &corners } else { &own.points };
+        let is_hard = own.is_hard((place, w));
+        let rigid = own.shape((local, points), surface, |bond| bond.holds() || is_hard && is_spring(bond));
         let rig = if rigid.is_none() { own.rig((local, points), &draft.led) } else { None };
         if rigid.is_some() {
             // What it is made of within says nothing any more.
@@ -194,29 +199,60 @@ struct Own<S> {
 }
 
 impl<S: Real> Own<S> {
-    /// The shape that rigid bonds hold it in, if they hold all of it; of points counted in the group those of its surface.
-    fn shape(&self, (local, points): (&[u32], &Points<S, 2>), surface: &[u32]) -> Option<Shape> {
+    /// The shape that bonds which hold keep it in, if they hold all of it; of points counted in the group those of its surface.
+    fn shape(
+        &self,
+        (local, points): (&[u32], &Points<S, 2>),
+        surface: &[u32],
+        holds: impl Fn(&Bond) -> bool,
+    ) -> Option<Shape> {
         if self.points.iter().any(|&i| points.inverse_mass[i as usize] == S::ZERO) {
             return None;
         }
-        Shape::of(self.held((local, points), &surface.iter().map(|&i| local[i as usize]).collect::<Vec<u32>>()))
+        let surface: Vec<u32> = surface.iter().map(|&i| local[i as usize]).collect();
+        Shape::of(self.held((local, points), &surface, holds))
+    }
+
+    /// Whether its springs are so hard that nobody sees it wobble: its slowest oscillation is faster than [`SEEN`]. Sweeps would make it
+    /// softer by far.
+    ///
+    /// A body n bonds long and b thick bends at about omega b/n^2, with omega that of one bond.
+    fn is_hard(&self, (place, w): (impl Fn(u32) -> [S; 2], impl Fn(u32) -> S + Copy)) -> bool {
+        if self.bonds.is_empty() || !self.bonds.iter().all(|bond| bond.holds() || is_stiff(bond, w)) {
+            return false;
+        }
+        let square = |bond: &Bond| match bond.kind {
+            BondKind::Spring { stiffness, .. } => stiffness * (w(bond.a.0) + w(bond.b.0)).to_f64(),
+            _ => f64::INFINITY,
+        };
+        let slowest = self.bonds.iter().map(square).fold(f64::INFINITY, f64::min).sqrt();
+        let mean = self.bonds.iter().map(|bond| bond.rest_length).sum::<f64>() / self.bonds.len() as f64;
+        let places: Vec<[S; 2]> = self.points.iter().map(|&i| place(i)).collect();
+        let across = extent(&places).map_or(0.0, |[low, high]| length(sub(high, low)).to_f64());
+        let long = across / mean + 1.0;
+        slowest * self.points.len() as f64 >= SEEN * long.powi(3)
     }
 
     /// The rigid bodies in joints that rigid bonds make of it, if they make any.
     fn rig(&self, (local, points): (&[u32], &Points<S, 2>), led: &[u32]) -> Option<Rig> {
         let is_led = |point: u32| led.binary_search(&self.points[point as usize]).is_ok();
-        Rig::of(&self.held((local, points), &[]), is_led)
+        Rig::of(&self.held((local, points), &[], Bond::holds), is_led)
     }
 
-    /// Its points and the bonds that hold them.
-    fn held<'a>(&self, (local, points): (&[u32], &Points<S, 2>), surface: &'a [u32]) -> Held<'a> {
+    /// Its points and the bonds that hold them: those that `holds` says.
+    fn held<'a>(
+        &self,
+        (local, points): (&[u32], &Points<S, 2>),
+        surface: &'a [u32],
+        holds: impl Fn(&Bond) -> bool,
+    ) -> Held<'a> {
         let bond = |bond: &Bond| ([bond.a, bond.b].map(|end| local[end.index()]), bond.rest_length);
         let of = |&i: &u32| widen(points.position[i as usize]);
         let mass = |&i: &u32| 1.0 / points.inverse_mass[i as usize].to_f64();
         Held {
             now: self.points.iter().map(of).collect(),
             masses: self.points.iter().map(mass).collect(),
-            bonds: self.bonds.iter().filter(|bond| bond.holds()).map(bond).collect(),
+            bonds: self.bonds.iter().filter(|bond| holds(bond)).map(bond).collect(),
             surface,
         }
     }

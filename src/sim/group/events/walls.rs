@@ -148,6 +148,13 @@ impl<S: Real, const D: usize> Group<S, D> {
         }
     }
 
+    /// Points that went beyond the ends of walls rest on them no more.
+    pub(in crate::sim::group) fn leave_ends(&mut self) {
+        if !self.pull.contacts.is_idle() {
+            self.leave(None);
+        }
+    }
+
     /// A point that came to the end of a wall rests on it no more; nor do those that went on beyond.
     pub(super) fn leave(&mut self, event: Option<Event>) {
         if self.pull.contacts.is_idle() || !self.pull.contacts.obstacles.has_walls() {

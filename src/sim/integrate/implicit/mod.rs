@@ -9,8 +9,13 @@
 //! Midpoint rule: rate = 2/h, reach = 2; order 2, symplectic, stable at any substep, does not damp.
 //! Backward Euler: rate = 1/h, reach = 1; order 1, stable at any substep, damps what it does not resolve.
 //! Source: E. Hairer, C. Lubich, G. Wanner, Geometric Numerical Integration, 2nd ed. 2006, II.1 and VIII.6.
+//!
+//! Points that touch surfaces are part of the system, with the law of `touch.rs`.
+
+mod touch;
 
 use crate::sim::bond::PointId;
+use crate::sim::contact::Contacts;
 use crate::sim::counters::Counters;
 use crate::sim::environment::Environment;
 use crate::sim::force::area;
@@ -21,9 +26,17 @@ use crate::sim::pull::Pull;
 use crate::sim::real::Real;
 use crate::sim::solve::blocks::{Blocks, NOWHERE};
 use crate::sim::vector::{accumulate, add, convert, dot, scale, sub, zero};
+use touch::{Pace, Touches};
 
 /// Rounds of Newton's method after which a step has not converged.
 const MOST_ROUNDS: u32 = 40;
+/// The same where something touches a surface: friction follows what presses, a round behind.
+const MOST_RUBBED_ROUNDS: u32 = 120;
+/// How far places may be off, relative to their size, where it is decided who touches surfaces, and in the end: what rounding leaves.
+const ROUGH: f64 = 1e-7;
+const FINE: f64 = 0.0;
+/// Shift, relative to the size of places, below which the system of the round before serves once more where something touches.
+const STALE: f64 = 1e-5;
 /// Rounds that a step usually takes.
 pub(crate) const USUAL_ROUNDS: u64 = 5;
 
@@ -31,16 +44,22 @@ pub(crate) const USUAL_ROUNDS: u64 = 5;
 #[derive(Clone, Debug)]
 pub(crate) struct Implicit<S: Real, const D: usize> {
     system: Blocks<S, D>,
+    /// Points that have a block in common.
+    pairs: Vec<[u32; 2]>,
     /// Ends and rest lengths of rigid bonds.
     rigid: Vec<(u32, u32, S)>,
     /// Corners and sizes of areas that are held.
     areas: Vec<([u32; 3], S)>,
     is_midpoint: bool,
+    /// What surfaces do in the step under way.
+    pub(crate) touches: Touches<S, D>,
     place: Vec<[S; D]>,
     force: Vec<[S; D]>,
     speed: Vec<[S; D]>,
     error: Vec<S>,
     work: Vec<S>,
+    /// Rounds of the last step with a system of their own, and without.
+    rounds: [u64; 2],
 }
 
 /// What is held: rigid bonds with their lengths [m], and corners of triangles with their areas [m^2].
@@ -62,15 +81,24 @@ impl<S: Real, const D: usize> Implicit<S, D> {
         ends.extend(areas.iter().map(|(corners, _)| *corners));
         Implicit {
             system: Blocks::new(&is_free, &pairs, &ends),
+            pairs,
             is_midpoint,
+            touches: Touches::default(),
             place: vec![zero(); w.len()],
             force: vec![zero(); w.len()],
             speed: vec![zero(); w.len()],
             error: vec![S::ZERO; ends.len()],
             work: Vec::new(),
+            rounds: [0; 2],
             rigid,
             areas,
         }
+    }
+
+    /// Rounds of the last step, those with a system of the round before as a quarter.
+    pub(crate) fn rounds(&self) -> u64 {
+        let [whole, short] = self.rounds;
+        whole + short / 4
     }
 
     /// Multiplications of one round, about.
@@ -87,21 +115,53 @@ impl<S: Real, const D: usize> Implicit<S, D> {
         (t, h): (f64, f64),
         counters: &mut Counters,
     ) -> bool {
-        let (rate, reach) = if self.is_midpoint { (2.0 / h, S::ONE + S::ONE) } else { (1.0 / h, S::ONE) };
-        let time = if self.is_midpoint { t + 0.5 * h } else { t + h };
-        let rate = S::from_f64(rate);
-        let ahead = S::ONE / rate;
+        let pace = Pace::new(self.is_midpoint, h);
+        let time = t + pace.share * h;
+        let ahead = S::ONE / pace.rate;
         for (u, (&x, &v)) in self.place.iter_mut().zip(points.position.iter().zip(&points.velocity)) {
             *u = add(x, scale(v, ahead));
         }
-        let mut is_converged = false;
+        self.touches.begin(points, pull);
+        self.rounds = [0; 2];
+        let close = if pull.contacts.has_surfaces() { ROUGH } else { FINE };
+        let mut is_converged = self.find(points, pull, around, (time, pace, close), counters);
+        while self.touches.decide((points, pull), &self.place, pace) {
+            is_converged = self.find(points, pull, around, (time, pace, ROUGH), counters);
+        }
+        if close != FINE {
+            is_converged = self.find(points, pull, around, (time, pace, FINE), counters);
+        }
+        self.touches.end(points, pull, &self.place, pace);
+        self.finish(points, pace);
+        self.touches.give(points, &pull.contacts);
+        pull.restore(points, counters) && is_converged
+    }
+
+    /// The places where forces balance to a share `close` of their size, with the points on surfaces that are on them now. Returns
+    /// whether Newton's method converged.
+    fn find(
+        &mut self,
+        points: &Points<S, D>,
+        pull: &mut Pull<S, D>,
+        around: &Environment<D>,
+        (time, pace, close): (f64, Pace<S>, f64),
+        counters: &mut Counters,
+    ) -> bool {
+        self.touches.put(points, &pull.contacts, &mut self.place, pace);
+        let touches = !pull.contacts.is_idle();
+        let (most, stale) = if touches { (MOST_RUBBED_ROUNDS, S::from_f64(STALE)) } else { (MOST_ROUNDS, S::ZERO) };
+        let fine = S::EPSILON * S::from_f64(16.0);
+        let small = fine.max(S::from_f64(close));
+        let small = small * small;
         let mut last = S::INFINITY;
-        for round in 0..MOST_ROUNDS {
-            self.balance(points, pull, around, time, (rate, reach), counters);
-            if round == 0 || last > S::ZERO {
-                self.assemble(points, pull, rate, round > 8);
+        for round in 0..most {
+            self.balance(points, pull, around, time, pace, counters);
+            let is_whole = round == 0 || last > stale * stale;
+            if is_whole {
+                self.assemble(points, pull, pace.rate, round > 8);
                 self.system.factor();
             }
+            self.rounds[usize::from(!is_whole)] += 1;
             self.system.solve(&mut self.force, &mut self.error, &mut self.work);
             let mut largest = S::ZERO;
             for (u, shift) in self.place.iter_mut().zip(&self.force) {
@@ -109,29 +169,51 @@ impl<S: Real, const D: usize> Implicit<S, D> {
                 let size = dot(*shift, *shift) / (S::ONE + dot(*u, *u));
                 largest = if size <= largest { largest } else { size };
             }
+            self.note_bonds(points, pull);
             counters.iterations += 1;
-            let small = S::EPSILON * S::from_f64(16.0);
-            if largest <= small * small {
-                is_converged = true;
-                break;
+            if largest <= small {
+                return true;
             }
             if !largest.is_finite() {
-                break;
+                return false;
             }
             last = largest;
         }
-        self.finish(points, rate);
-        pull.restore(points, counters) && is_converged
+        false
+    }
+
+    /// What presses points onto surfaces has the part that rigid bonds and areas pass on.
+    fn note_bonds(&self, points: &Points<S, D>, pull: &mut Pull<S, D>) {
+        if pull.contacts.is_idle() || self.error.is_empty() {
+            return;
+        }
+        let w = &points.inverse_mass;
+        let mut give = |end: u32, push: [S; D]| {
+            if let Some(rest) = pull.contacts.of_mut(end as usize) {
+                rest.pressing = sub(rest.pressing, scale(push, w[end as usize]));
+            }
+        };
+        for (&(a, b, _), &lambda) in self.rigid.iter().zip(&self.error) {
+            let push = scale(sub(self.place[a as usize], self.place[b as usize]), lambda);
+            give(a, push);
+            give(b, scale(push, -S::ONE));
+        }
+        for (&(corners, _), &lambda) in self.areas.iter().zip(&self.error[self.rigid.len()..]) {
+            let slopes = area::slopes(corners.map(|corner| self.place[corner as usize]));
+            for (corner, slope) in corners.into_iter().zip(slopes) {
+                give(corner, scale(wide(slope), lambda));
+            }
+        }
     }
 
     /// What is left of the balance of forces, and of the rigid bonds.
     fn balance(
         &mut self,
         points: &Points<S, D>,
-        pull: &Pull<S, D>,
+        pull: &mut Pull<S, D>,
         around: &Environment<D>,
         time: f64,
-        (rate, reach): (S, S),
+        Pace { rate, reach, .. }: Pace<S>,
         counters: &mut Counters,
     ) {
         let (x, w) = (&points.position, &points.inverse_mass);
@@ -148,7 +230,8 @@ impl<S: Real, const D: usize> Implicit<S, D> {
             }
             let inertia = scale(sub(self.speed[i], points.velocity[i]), rate);
             let pulled = sub(add(self.force[i], gravity), scale(self.speed[i], drag));
-            self.force[i] = scale(sub(pull.contacts.free(i, pulled), inertia), S::ONE / w[i]);
+            let total = sub(pulled, inertia);
+            self.force[i] = scale(pull.contacts.rubbed(i, self.speed[i], total), S::ONE / w[i]);
         }
         for (error, &(a, b, rest)) in self.error.iter_mut().zip(&self.rigid) {
             let (a, b) = (a as usize, b as usize);
@@ -180,50 +263,67 @@ impl<S: Real, const D: usize> Implicit<S, D> {
                 self.system.add_own(i, &block);
             }
         }
+        let contacts = &pull.contacts;
         for (pair, spring) in pull.springs.iter().enumerate() {
-            let d = sub(self.place[spring.a as usize], self.place[spring.b as usize]);
+            let (a, b) = (spring.a as usize, spring.b as usize);
+            let d = sub(self.place[a], self.place[b]);
             let block = spring.stiffness_block(d, rate, is_cautious);
-            self.system.add_own(spring.a as usize, &block);
-            self.system.add_own(spring.b as usize, &block);
+            if contacts.touches_any([a, b]) {
+                self.system.add_own(a, &contacts.left_of([a, a], block));
+                self.system.add_own(b, &contacts.left_of([b, b], block));
+                self.system.add_block(pair, &contacts.left_of([a, b], block.map(|row| row.map(|k| -k))));
+                continue;
+            }
+            self.system.add_own(a, &block);
+            self.system.add_own(b, &block);
             self.system.add_pair(pair, &block.map(|row| row.map(|k| -k)));
         }
-        let (system, first) = (&mut self.system, pull.springs.len());
+        let (system, first, pairs) = (&mut self.system, pull.springs.len(), &self.pairs);
         pull.form.stiffen((&self.place, rate, is_cautious), |place, block| match place {
-            Block::Own(point) => system.add_own(point, &block),
-            Block::Pair(pair) => system.add_block(first + pair, &block),
+            Block::Own(point) => system.add_own(point, &contacts.left_of([point; 2], block)),
+            Block::Pair(pair) => {
+                let ends = pairs[first + pair].map(|end| end as usize);
+                system.add_block(first + pair, &contacts.left_of(ends, block));
+            }
         });
         for (c, &(a, b, rest)) in self.rigid.iter().enumerate() {
-            let d = sub(self.place[a as usize], self.place[b as usize]);
-            // Where bonds repeat each other the corner keeps the system regular.
-            self.system.set_line(c, d, -(rest * rest) * S::EPSILON / own);
+            let (a, b) = (a as usize, b as usize);
+            let d = sub(self.place[a], self.place[b]);
+            // Where bonds repeat each other, or surfaces hold both ends, the corner keeps the system regular.
+            let corner = -(rest * rest) * S::EPSILON / own;
+            if contacts.touches_any([a, b]) {
+                let ends = [contacts.free(a, d), scale(contacts.free(b, d), -S::ONE), zero()];
+                self.system.set_three(c, ends, corner);
+            } else {
+                self.system.set_line(c, d, corner);
+            }
         }
-        self.set_areas(own);
+        self.set_areas(contacts, own);
     }
 
     /// The rows of areas that are held.
-    fn set_areas(&mut self, own: S) {
+    fn set_areas(&mut self, contacts: &Contacts<S, D>, own: S) {
         for (k, &(corners, area)) in self.areas.iter().enumerate() {
             let slopes = area::slopes(corners.map(|corner| self.place[corner as usize]));
-            let wide = slopes.map(|slope| std::array::from_fn(|k| if k < 2 { slope[k] } else { S::ZERO }));
-            self.system.set_three(self.rigid.len() + k, wide, -area * S::EPSILON / own);
+            let ends = std::array::from_fn(|m| contacts.free(corners[m] as usize, wide(slopes[m])));
+            self.system.set_three(self.rigid.len() + k, ends, -area * S::EPSILON / own);
         }
     }
 
     /// From the place where forces were taken to the end of the step.
-    fn finish(&mut self, points: &mut Points<S, D>, rate: S) {
+    fn finish(&mut self, points: &mut Points<S, D>, pace: Pace<S>) {
         for i in 0..points.len() {
             let way = sub(self.place[i], points.position[i]);
-            let speed = scale(way, rate);
-            let (x, v) = if self.is_midpoint {
-                (add(way, way), sub(add(speed, speed), points.velocity[i]))
-            } else {
-                (way, speed)
-            };
-            accumulate(&mut points.position[i], &mut points.position_lost[i], x);
+            let v = pace.velocity(way, points.velocity[i]);
+            accumulate(&mut points.position[i], &mut points.position_lost[i], pace.way(way));
             if points.inverse_mass[i] != S::ZERO {
                 points.velocity[i] = v;
                 points.velocity_lost[i] = zero();
             }
         }
     }
+}
+
+fn wide<S: Real, const D: usize>(slope: [S; 2]) -> [S; D] {
+    std::array::from_fn(|k| if k < 2 { slope[k] } else { S::ZERO })
 }

@@ -1,0 +1,124 @@
+//! Coulomb's law with every method that is asked for by name: what slides, what is held, and no energy from nowhere.
+
+use super::common::physics::{middle, run_to, spring};
+use wobble::sim::{Bond, BondKind, Bounds, Method, Model, PointId, Solver, build};
+
+const G: f64 = 9.81;
+const MU: f64 = 0.3;
+
+/// Three points of 1 kg with bonds of this kind, one side on a floor that slopes by `angle`, sliding down it.
+fn triangle(kind: BondKind, solver: Solver, (speed, angle): (f64, f64)) -> Model<2> {
+    let position = vec![[0.0, 0.0], [0.6, 0.0], [0.3, 0.3]];
+    let length = |a: usize, b: usize| {
+        let [p, q]: [[f64; 2]; 2] = [position[a], position[b]];
+        (p[0] - q[0]).hypot(p[1] - q[1])
+    };
+    let bonds = [(0, 1), (1, 2), (0, 2)]
+        .map(|(a, b)| Bond { kind, ..Bond::new(PointId(a), PointId(b), length(a as usize, b as usize)) });
+    Model {
+        velocity: vec![[speed, 0.0]; 3],
+        mass: vec![1.0; 3],
+        bonds: bonds.into(),
+        gravity: [G * angle.sin(), -G * angle.cos()],
+        bounds: Some(Bounds { min: [-9.0, 0.0], max: [90.0, 9.0], restitution: 0.0, friction: MU }),
+        method: Method { solver, ledger: true, ..Method::default() },
+        position,
+        ..Model::default()
+    }
+}
+
+fn hard(stiffness: f64) -> BondKind {
+    BondKind::Spring { stiffness, damping: 0.2 * stiffness.sqrt() }
+}
+
+#[test]
+fn a_body_slides_as_far_by_every_method() {
+    let expected = 1.0 / (2.0 * MU * G);
+    let by = |kind: BondKind, solver: Solver, share: f64| {
+        let mut world = build(&triangle(kind, solver, (1.0, 0.0))).unwrap();
+        let start = middle(&*world, 0..3)[0];
+        let end = run_to(&mut *world, 0.6);
+        let way = middle(&*world, 0..3)[0] - start;
+        assert!((way - expected).abs() < share * expected, "{kind:?} by {solver}: {way} for {expected}");
+        let ledger = end.ledger.unwrap();
+        assert!(ledger.left_over() < 1e-3 * ledger.start, "{kind:?} by {solver} makes energy: {ledger:?}");
+    };
+    for (solver, share) in [
+        (Solver::VelocityVerlet, 5e-3),
+        (Solver::Pefrl, 5e-3),
+        (Solver::BlanesMoan6, 5e-3),
+        (Solver::Rk4, 1e-5),
+        (Solver::ImplicitMidpoint, 1e-3),
+        (Solver::BackwardEuler, 0.02),
+    ] {
+        by(BondKind::Rigid, solver, share);
+    }
+    for stiffness in [1e4, 1e7, 1e9] {
+        by(hard(stiffness), Solver::ImplicitMidpoint, 1e-3);
+        by(hard(stiffness), Solver::BackwardEuler, 0.02);
+    }
+    by(hard(1e8), Solver::Auto, 1e-3);
+}
+
+#[test]
+fn a_body_on_a_slope_slides_by_what_friction_leaves_or_stays() {
+    for solver in [Solver::ImplicitMidpoint, Solver::BackwardEuler] {
+        for kind in [BondKind::Rigid, hard(1e6)] {
+            let angle: f64 = 0.4;
+            let mut slides = build(&triangle(kind, solver, (0.0, angle))).unwrap();
+            let start = middle(&*slides, 0..3)[0];
+            run_to(&mut *slides, 1.0);
+            let way = middle(&*slides, 0..3)[0] - start;
+            let expected = 0.5 * G * (angle.sin() - MU * angle.cos());
+            assert!((way - expected).abs() < 0.02 * expected, "{kind:?} by {solver}: {way} for {expected}");
+            let mut holds = build(&triangle(kind, solver, (0.0, 0.25))).unwrap();
+            run_to(&mut *holds, 0.5);
+            let start = middle(&*holds, 0..3)[0];
+            run_to(&mut *holds, 5.0);
+            let creep = middle(&*holds, 0..3)[0] - start;
+            assert!(creep.abs() < 1e-9, "{kind:?} by {solver} creeps by {creep}");
+        }
+    }
+}
+
+/// A square of four points of 1 kg, hard springs along its sides and one diagonal, 1 m above a floor; the floor gives back this share.
+fn falls(restitution: f64, solver: Solver) -> Model<2> {
+    let position = vec![[0.0, 1.0], [1.0, 1.2], [0.8, 2.2], [-0.2, 2.0]];
+    let bonds = [(0, 1), (1, 2), (2, 3), (3, 0), (0, 2)].map(|(a, b): (u32, u32)| {
+        let [p, q]: [[f64; 2]; 2] = [position[a as usize], position[b as usize]];
+        spring(a, b, (p[0] - q[0]).hypot(p[1] - q[1]), 1e6, 0.0)
+    });
+    Model {
+        velocity: vec![[0.0; 2]; 4],
+        mass: vec![1.0; 4],
+        bonds: bonds.into(),
+        gravity: [0.0, -G],
+        bounds: Some(Bounds { min: [-9.0, 0.0], max: [9.0, 9.0], restitution, friction: MU }),
+        method: Method { solver, ..Method::default() },
+        position,
+        ..Model::default()
+    }
+}
+
+#[test]
+fn hard_springs_make_no_energy_at_walls() {
+    for solver in [Solver::ImplicitMidpoint, Solver::BackwardEuler] {
+        for restitution in [0.0, 0.5, 1.0] {
+            let mut world = build(&falls(restitution, solver)).unwrap();
+            let start = world.sample(0.0).energy;
+            let mut least = f64::INFINITY;
+            for frame in 1..=60 {
+                let sample = run_to(&mut *world, f64::from(frame) / 20.0);
+                assert!(
+                    sample.energy < start + 0.01 * start.abs(),
+                    "{solver}, {restitution}: {} of {start}",
+                    sample.energy
+                );
+                assert!(sample.position.iter().all(|x| x[1] > -1e-9), "{solver}: {:?}", sample.position);
+                least = least.min(sample.energy);
+            }
+            // What has nothing left lies on the floor: its four points weigh at most half of their height.
+            assert!(restitution > 0.5 || least < 0.5 * start, "{solver}, {restitution}: {least} of {start}");
+        }
+    }
+}
