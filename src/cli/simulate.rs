@@ -20,7 +20,7 @@ use crate::scene::record::{
     RecordedBalance, RecordedCounters, RecordedFrames, RecordedMover, RecordedSample, Recording, hash, ledgers, record,
     seconds_and_frames,
 };
-use crate::scene::{BudgetKeys, OrderName, PrecisionName, Scene, SolverName};
+use crate::scene::{BudgetKeys, OrderName, PrecisionName, Scene, SolverName, SourceName};
 use crate::sim::judge;
 use crate::sim::{Counters, Dynamics, InstructionSet, MOST_ITERATIONS, PlanPart, PointId, Precision, Sample, Verdict};
 use crate::study;
@@ -37,9 +37,12 @@ pub(super) struct Arguments {
     /// A scene of the gallery, a scene file, a recording, or a picture.
     scene: String,
     /// auto, euler, symplectic-euler, verlet, velocity-verlet, pefrl, blanes-moan-4, blanes-moan-6, rk2, rk4, rk8,
-    /// implicit-midpoint, backward-euler, xpbd, path, relaxation or live.
+    /// implicit-midpoint, backward-euler, xpbd, path, relaxation, live, or as-printed with a --source.
     #[arg(long, value_parser = values::solver)]
     solver: Option<SolverName>,
+    /// Whose loop `--solver as-printed` runs: 000, 000-graph, 001, 002, 003, 003-relative or 004.
+    #[arg(long)]
+    source: Option<SourceName>,
     /// Longest substep [s].
     #[arg(long, value_name = "H", allow_negative_numbers = true, value_parser = values::above_zero)]
     substep: Option<f64>,
@@ -62,7 +65,7 @@ pub(super) struct Arguments {
     #[arg(long, value_name = "MS", allow_negative_numbers = true)]
     budget: Option<BudgetKeys>,
     /// The equilibrium that the start rolls down to instead of the motion: one sample.
-    #[arg(long, conflicts_with_all = ["tolerance", "solver", "substep", "iterations"])]
+    #[arg(long, conflicts_with_all = ["tolerance", "solver", "source", "substep", "iterations"])]
     settle: bool,
     /// Commands that lead the world: a list of them, or a recording, whose scene is not looked at.
     #[arg(long, value_name = "FILE", conflicts_with_all = ["tolerance", "settle"])]
@@ -288,6 +291,9 @@ impl Arguments {
     fn change(&self, scene: &mut Scene) {
         let method = &mut scene.method;
         method.solver = self.solver.or(method.solver);
+        // A solver that is asked for takes the loop of a source away, but for another one.
+        let is_printed = method.solver == Some(SolverName::AsPrinted);
+        method.source = self.source.or(method.source).filter(|_| is_printed || self.source.is_some());
         method.substep = self.substep.or(method.substep);
         method.iterations = self.iterations.or(method.iterations);
         method.order = self.order.or(method.order);

@@ -299,12 +299,12 @@ one_of! {
 
 impl Packed for Solver {
     fn put(&self, to: &mut Vec<u8>) {
-        self.name().as_bytes().to_vec().put(to);
+        self.to_string().into_bytes().put(to);
     }
 
     fn take(from: &mut &[u8]) -> Option<Self> {
         let name = Vec::<u8>::take(from)?;
-        Solver::ALL.into_iter().find(|solver| solver.name().as_bytes() == name)
+        Solver::of_label(std::str::from_utf8(&name).ok()?)
     }
 }
 

@@ -3,7 +3,7 @@
 use super::check;
 use super::error::{Fault, SceneError, Source, Within};
 use super::keys::{AddKeys, BondList, ObstacleKeys, PointKeys, Scene};
-use super::model::{angle, anticlockwise, force, material, rest_length, skin};
+use super::model::{angle, anticlockwise, force, material, of_length, rest_length, skin};
 use super::support;
 use crate::picture::Skin;
 use crate::sim::vector::{embed, truncate};
@@ -120,7 +120,7 @@ impl AddKeys {
                 Some(rest) => rest,
                 None => rest_length(place(keys.a), place(keys.b)).item(k).at("bonds")?,
             };
-            Ok(Bond { a: PointId(keys.a), b: PointId(keys.b), rest_length, ..material(keys) })
+            of_length(material(keys), keys, rest_length).item(k).at("bonds")
         };
         self.bonds.iter().enumerate().map(bond).collect()
     }

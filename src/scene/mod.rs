@@ -45,7 +45,7 @@ pub use keys::{
     BudgetKeys, CircleKeys, ContactKeys, DiagonalsName, ForceKeys, KindName, LimitName, MakerName, MassKeys, Material,
     Meeting, MethodKeys, MouseKeys, ObstacleKeys, OrderName, PatternName, PictureKeys, PinMotionKeys, PlaneKeys,
     PointKeys, PrecisionName, ProfileName, RegionName, RepeatKeys, RotationKeys, Row, Scene, SkinKeys, SolverName,
-    StrokesName, TextureKeys, Vector, Version, ViewKeys, WindKeys,
+    SourceName, StrokesName, TextureKeys, Vector, Version, ViewKeys, WindKeys,
 };
 pub(crate) use keys::{ObjectOnly, present};
 pub(crate) use nearest::nearest;

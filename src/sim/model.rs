@@ -1,6 +1,7 @@
 //! What a world is made from: points, bonds, forces, walls and a method, in `f64` and checked.
 
 mod form;
+mod printed;
 
 use super::bond::{Bond, BondKind, PointId};
 use super::bonds::Bonds;
@@ -17,6 +18,7 @@ use super::force::steady::Force;
 use super::force::wind::Wind;
 use super::real::Precision;
 use super::solver::{Order, Solver};
+use super::source::Source;
 use super::vector::{add, scale};
 
 pub use form::angle_at;
@@ -136,6 +138,14 @@ pub enum ModelError {
     NoConvex {
         /// The solver.
         solver: Solver,
+    },
+    /// Something that the loop of a source has not.
+    #[error("the loop of source {of} has no {what}: leave that out, or use another solver")]
+    NotPrinted {
+        /// What it is.
+        what: &'static str,
+        /// The source.
+        of: Source,
     },
     /// A solver by which bodies cannot meet.
     #[error("solver {solver} knows no contact: leave `solver` out")]
@@ -299,9 +309,11 @@ impl<const D: usize> Model<D> {
     }
 
     fn check_contact(&self) -> Result<(), ModelError> {
+        self.check_printed()?;
         let solver = self.method.solver;
         if !self.convex.is_empty() {
             match solver {
+                Solver::AsPrinted(_) => {}
                 Solver::Auto | Solver::Live if self.method.tolerance.is_some() => return Err(ModelError::Unbounded),
                 Solver::Auto | Solver::Live => {}
                 solver => return Err(ModelError::NoConvex { solver }),
@@ -358,7 +370,8 @@ impl<const D: usize> Model<D> {
     /// Whether all that can move is moved together by the live step from the start.
     pub(crate) fn is_live(&self) -> bool {
         let meets = self.contact.is_some() && !self.meets_on_demand();
-        meets || self.method.solver == Solver::Live || !self.convex.is_empty()
+        let is_printed = matches!(self.method.solver, Solver::AsPrinted(_));
+        !is_printed && (meets || self.method.solver == Solver::Live || !self.convex.is_empty())
     }
 
     /// Times at which a step has to end [s]: knots of tracks, and the duration; in any order.
@@ -436,6 +449,7 @@ impl<const D: usize> Model<D> {
         if let Some((kind, others)) = solver.refusal(bond.kind) {
             return Err(ModelError::Refused { bond: i, kind, solver, others });
         }
+        self.check_printed_bond(bond)?;
         let in_range = |value: f64| value >= 0.0 && value.is_finite();
         let fine = in_range(bond.rest_length)
             && bond.break_strain > 0.0

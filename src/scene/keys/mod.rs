@@ -20,7 +20,7 @@ pub use bond::{BondKeys, KindName, LimitName};
 pub use bonds::BondList;
 pub use budget::BudgetKeys;
 pub use contact::{ContactKeys, Meeting, SkinKeys};
-pub use method::{MethodKeys, OrderName, PrecisionName, SolverName};
+pub use method::{MethodKeys, OrderName, PrecisionName, SolverName, SourceName};
 pub use scene::{AngleKeys, AreaKeys, AreaKindName, MassKeys, PointKeys, Scene, TextureKeys, Version};
 pub use surroundings::{
     BoundsKeys, BoxKeys, CircleKeys, ForceKeys, MouseKeys, ObstacleKeys, PictureKeys, PinMotionKeys, PlaneKeys,

@@ -92,6 +92,10 @@ pub(crate) fn choose(island: &Island, method: &Method, setting: Setting) -> Choi
         let substep = method.substep.unwrap_or(FRAME);
         return Choice { solver: Solver::Rigid, substep, is_direct: false, bulk: None };
     }
+    if let Solver::AsPrinted(source) = method.solver {
+        let substep = method.substep.unwrap_or(source.substep());
+        return Choice { solver: method.solver, substep, is_direct: false, bulk: None };
+    }
     let is_direct = can_be_direct(island);
     let solver = match method.solver {
         Solver::Auto => pick(island, setting, is_direct),

@@ -58,6 +58,7 @@ impl<S: Real, const D: usize> Maker<'_, S, D> {
         let batched = match choice.solver {
             Solver::Live => self.make_live(),
             Solver::Rigid => self.make_rigid(),
+            Solver::AsPrinted(source) => Some(self.make_printed(source)),
             _ => choice.bulk.and_then(|scheme| self.make_bulk(scheme)),
         };
         if let Some(group) = batched {
