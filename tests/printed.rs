@@ -4,6 +4,7 @@
 use crate::common::physics::run_to;
 use serde_json::{Value, json};
 use wobble::scene::Scene;
+use wobble::study::softness;
 use wobble::sim::{Bond, Command, Dynamics, PointId, Sample, Why};
 
 /// A world of these keys under this method.
@@ -394,4 +395,81 @@ fn orbits_of_the_phase_portrait_are_closed_but_under_euler() {
     is_near(radius, 1.0, 1e-5);
     is_near(radii(Some(r#""solver":"euler","substep":0.1"#)).1, 1.368, 2e-3);
     is_near(radii(Some(r#""solver":"backward-euler","substep":0.1"#)).1, 1.0 / 1.368, 2e-3);
+}
+
+#[test]
+fn a_penalty_lets_in_what_its_formula_says_and_contact_nothing() {
+    let mut world = of_gallery("penalty", None);
+    let start = world.sample(0.0).energy;
+    let sample = run_to(&mut *world, 30.0);
+    for (body, mass) in [1.0, 2.0, 4.0, 1.0, 2.0, 4.0].into_iter().enumerate() {
+        let corners = sample.position[4 * body..4 * body + 4].iter().map(|x| x[1]);
+        let mut heights: Vec<f64> = corners.collect();
+        heights.sort_by(f64::total_cmp);
+        // The two lower corners bear all of it.
+        let depth = if body < 3 { 0.0 } else { mass * 9.81 / (2.0 * 40.0) };
+        heights[..2].iter().for_each(|y| is_near(-y, depth, 1e-3));
+    }
+    assert!(sample.energy < start);
+    // What goes in without a damper comes out as fast: the energy at the bottom is the surface's.
+    let keys = r#""points":{"position":[[0,1]]},"gravity":[0,-9.81],"obstacles":[{"plane":{"point":[0,0],"normal":[0,1]},
+        "penalty":{"stiffness":400}}]"#;
+    let mut ball = self::world(keys, r#""substep":0.001"#);
+    let (start, mut off) = (ball.sample(0.0).energy, 0.0f64);
+    while ball.time() < 3.0 {
+        ball.step();
+        off = off.max((ball.sample(ball.time()).energy - start).abs());
+    }
+    assert!(off < 1e-4, "{off}");
+    for (more, method, wanted) in [
+        ("", r#""solver":"live""#, "this solver"),
+        ("", r#""solver":"implicit-midpoint""#, "implicit"),
+        (r#","contact":true"#, "", "contact"),
+    ] {
+        let text = format!(r#"{{"wobble":1,{keys}{more},"method":{{{method}}}}}"#);
+        let made = Scene::parse(&text, "x.json").and_then(|scene| scene.world(None));
+        let said = made.map(|_| ()).unwrap_err().to_string();
+        assert!(said.contains(wanted), "{said}");
+    }
+}
+
+#[test]
+fn what_a_relaxation_amounts_to_is_measured_on_the_scene() {
+    let measured = |keys: &str, method: &str| {
+        let text = format!(r#"{{"wobble":1,{keys},"method":{{"solver":"relaxation",{method}}}}}"#);
+        softness(&Scene::parse(&text, "soft.json").unwrap()).unwrap()
+    };
+    // One bond: m/h^2 (1 - q)/q with q = (1 - k)^n.
+    let one = |kind: &str| {
+        format!(
+            r#""points":{{"position":[[0,0],[0,-1]],"mass":2,"pinned":[0]}},"gravity":[0,-9.81],"bonds":[{{"a":0,"b":1,"rest":1,{kind}}}]"#
+        )
+    };
+    let relaxed = one(r#""kind":"relaxed","relaxation":0.1"#);
+    let method = r#""substep":0.005,"iterations":3,"order":"fixed""#;
+    let found = measured(&relaxed, method).unwrap();
+    let formula = 2.0 / 0.005f64.powi(2) * (1.0 - 0.729) / 0.729;
+    is_near(found.alone / formula, 1.0, 1e-12);
+    is_near(found.stiffness / formula, 1.0, 1e-6);
+    // A weight hangs from it as from a spring of that stiffness.
+    let sag = |keys: &str, method: &str| -1.0 - after(keys, method, 10.0).position[1][1];
+    let by_sweeps = sag(&relaxed, &format!(r#""solver":"relaxation",{method}"#));
+    is_near(by_sweeps / (2.0 * 9.81 / found.stiffness), 1.0, 1e-3);
+    let spring = one(&format!(r#""kind":"spring","stiffness":{},"damping":300"#, found.stiffness));
+    is_near(by_sweeps / sag(&spring, r#""solver":"auto""#), 1.0, 1e-3);
+    // Half the step, twice the sweeps: another material.
+    let other = |method: &str| measured(&relaxed, method).unwrap().stiffness / found.stiffness;
+    is_near(other(r#""substep":0.0025,"iterations":3,"order":"fixed""#), 4.0, 1e-5);
+    assert!(other(r#""substep":0.005,"iterations":6,"order":"fixed""#) > 2.2);
+    // In a net the order counts too.
+    let rim = r#""bodies":[{"make":"rim","material":{"kind":"relaxed","relaxation":0.3}}]"#;
+    let of_rim = |order: &str| {
+        let found = measured(rim, &format!(r#""substep":0.006,"iterations":2,"order":"{order}""#)).unwrap();
+        assert!(found.stiffness.is_finite() && found.stiffness > 0.0);
+        found.stiffness / found.alone
+    };
+    let [fixed, coloured] = ["fixed", "coloured"].map(of_rim);
+    assert!((fixed / coloured - 1.0).abs() > 1e-3, "{fixed} {coloured}");
+    // What is hard has none.
+    assert_eq!(measured(&one(r#""kind":"relaxed""#), method), None);
 }

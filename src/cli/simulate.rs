@@ -17,13 +17,13 @@ use crate::history::Start;
 use crate::output;
 use crate::scene::frames::Frames;
 use crate::scene::record::{
-    RecordedBalance, RecordedCounters, RecordedFrames, RecordedMover, RecordedSample, Recording, hash, ledgers, record,
+    RecordedBalance, RecordedCounters, RecordedFrames, RecordedMover, RecordedSample, RecordedSoftness, Recording, hash, ledgers, record,
     seconds_and_frames,
 };
 use crate::scene::{BudgetKeys, OrderName, PrecisionName, Scene, SolverName, SourceName};
 use crate::sim::judge;
 use crate::sim::{Counters, Dynamics, InstructionSet, MOST_ITERATIONS, PlanPart, PointId, Precision, Sample, Verdict};
-use crate::study;
+use crate::study::{self, Softness};
 
 /// Points that a message names before it counts the rest.
 const NAMED: usize = 5;
@@ -127,6 +127,8 @@ pub(super) fn run(arguments: &Arguments, quiet: bool) -> anyhow::Result<()> {
     let timed = if is_kept { scene.world(duration)? } else { start.boxed_clone() };
     let mut recording = recording(&scene, &*timed, &times, &samples, world.counters());
     recording.moved_by = movers(&*world);
+    recording.relaxed = study::softness(&scene)?
+        .map(|Softness { bond, alone, stiffness }| RecordedSoftness { bond, stiffness, alone });
     recording.balance = is_kept.then(|| judge(&entries).into());
     recording.warnings.extend(strain.warning());
     recording.search_seconds = found.as_ref().map_or(0.0, |found| found.seconds);
@@ -170,6 +172,12 @@ fn write_table(out: Option<&Path>, has_hash: bool, recording: &Recording) -> any
     for warning in &recording.warnings {
         writeln!(std::io::stderr(), "wobble: warning: {warning}")?;
     }
+    if let Some(RecordedSoftness { bond, stiffness, alone }) = recording.relaxed {
+        writeln!(
+            std::io::stderr(),
+            "wobble: relaxed bonds are as stiff here as springs of {stiffness:.3e} N/m (bond {bond}; one alone: {alone:.3e} N/m)"
+        )?;
+    }
     if let Some(balance) = recording.balance.as_ref().filter(|balance| !balance.is_kept) {
         writeln!(std::io::stderr(), "wobble: warning: {}", balance.words())?;
     }
@@ -202,6 +210,7 @@ fn settle(arguments: &Arguments, scene: &Scene, time: f64) -> anyhow::Result<()>
         frames: None,
         search_seconds: 0.0,
         expected_error: None,
+        relaxed: None,
         balance: None,
         moved_by: Vec::new(),
         counters: RecordedCounters { iterations: found.rounds.into(), ..RecordedCounters::default() },
@@ -355,6 +364,7 @@ fn made(
         frames: frames.map(RecordedFrames::from),
         search_seconds: 0.0,
         expected_error: None,
+        relaxed: None,
         balance: None,
         moved_by: Vec::new(),
         counters: RecordedCounters {

@@ -50,6 +50,10 @@ impl AddKeys {
         for (i, motion) in self.pin_motion.iter().enumerate() {
             check::check_pin_motion(motion, D, &|_| true).item(i).at("pin_motion")?;
         }
+        if let Some(i) = self.obstacles.iter().position(|keys| keys.penalty.is_some()) {
+            let message = "is of a scene's own planes: leave it out of what is added";
+            return Err(Fault::unsupported(message).at("penalty").item(i).at("obstacles"));
+        }
         check::check_triangles(&self.triangles, count)?;
         check::check_skins(&self.skins, count)?;
         check::check_forces(&self.forces, count, D)?;

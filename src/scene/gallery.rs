@@ -78,7 +78,7 @@ macro_rules! entry {
     };
 }
 
-static GALLERY: [Entry; 43] = [
+static GALLERY: [Entry; 44] = [
     entry!(
         "jelly",
         168,
@@ -366,6 +366,13 @@ static GALLERY: [Entry; 43] = [
         "Cloth, as printed",
         "The loop of source 004: a cloth that starts above its bar at half its size drops, and hangs as long as the frame rate wants.",
         "set another step; grab a corner."
+    ),
+    entry!(
+        "penalty",
+        24,
+        "Contact or penalty",
+        "Boxes of 1, 2 and 4 kg. Left: contact, they stand on a step. Right: a penalty force, they sink in, the deeper the heavier.",
+        "push a box off the step; press one down and let it go."
     ),
     entry!(
         "cloth-ball",

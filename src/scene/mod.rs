@@ -43,7 +43,7 @@ pub(crate) use keys::macros::object;
 pub use keys::{
     AddKeys, AngleKeys, AreaKeys, AreaKindName, BodyKeys, BondKeys, BondList, BoundsKeys, BoxKeys, BraceName,
     BudgetKeys, CircleKeys, ContactKeys, DiagonalsName, ForceKeys, KindName, LimitName, MakerName, MassKeys, Material,
-    Meeting, MethodKeys, MouseKeys, ObstacleKeys, OrderName, PatternName, PictureKeys, PinMotionKeys, PlaneKeys,
+    Meeting, MethodKeys, MouseKeys, ObstacleKeys, OrderName, PatternName, PenaltyKeys, PictureKeys, PinMotionKeys, PlaneKeys,
     PointKeys, PrecisionName, ProfileName, RegionName, RepeatKeys, RotationKeys, Row, Scene, SkinKeys, SolverName,
     SourceName, StrokesName, TextureKeys, Vector, Version, ViewKeys, WindKeys,
 };

@@ -53,6 +53,7 @@ pub use command::{
 };
 pub use contact::bounds::Bounds;
 pub use contact::convex::{BOX_EDGES, Convex, Figure, Frame};
+pub use contact::penalty::Penalty;
 pub use contact::polygon::Polygon;
 pub use contact::skin::{Contact, SkinMaterial, SkinMaterials};
 pub use contact::surface::Plane;

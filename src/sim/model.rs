@@ -8,6 +8,7 @@ use super::bonds::Bonds;
 use super::contact::bounds::Bounds;
 use super::contact::convex::Convex;
 use super::contact::geometry::Geometry;
+use super::contact::penalty::Cushion;
 use super::contact::polygon::Polygon;
 use super::contact::skin::{Contact, SkinMaterials};
 use super::contact::surface::Plane;
@@ -179,6 +180,12 @@ pub enum ModelError {
     /// A tolerance where bodies meet.
     #[error("no tolerance is held to where bodies meet, or among balls and boxes: leave `tolerance` out")]
     Unbounded,
+    /// A surface that pushes by depth, under a method or in a scene that knows none.
+    #[error("`penalty` is not known to {what}: leave one of them out")]
+    NoPenalty {
+        /// What does not know it.
+        what: &'static str,
+    },
     /// A bond that has no error, where a tolerance is asked for.
     #[error("bond {bond} is relaxed: it is defined by its sweeps and has no error to bound: leave `tolerance` out")]
     NoError {
@@ -285,7 +292,10 @@ impl<const D: usize> Model<D> {
             let is_fine = plane.point.iter().chain(&plane.normal).all(|c| c.is_finite())
                 && plane.normal.iter().any(|&n| n != 0.0);
             require(is_fine, &format!("plane {i}"), plane, "finite, with a normal that is not zero")?;
+            let is_fine = plane.penalty.is_none_or(|penalty| penalty.is_fine());
+            require(is_fine, &format!("the penalty of plane {i}"), plane.penalty, "finite and >= 0")?;
         }
+        self.check_penalties()?;
         for (i, polygon) in self.polygons.iter().enumerate() {
             let is_fine = D == 2
                 && polygon.loops.iter().all(|outline| outline.len() >= 3)
@@ -306,6 +316,19 @@ impl<const D: usize> Model<D> {
             require(mouse.strength.is_finite(), "mouse.strength", mouse.strength, "finite")?;
         }
         Ok(())
+    }
+
+    fn check_penalties(&self) -> Result<(), ModelError> {
+        let what = match self.method.solver {
+            _ if !self.has_penalties() => return Ok(()),
+            _ if self.contact.is_some() => "`contact`",
+            _ if !self.convex.is_empty() => "boxes and balls in space",
+            _ if self.method.tolerance.is_some() => "`tolerance`",
+            Solver::ImplicitMidpoint | Solver::BackwardEuler => "implicit solvers",
+            Solver::Flight | Solver::Path | Solver::Live | Solver::AsPrinted(_) => "this solver",
+            _ => return Ok(()),
+        };
+        Err(ModelError::NoPenalty { what })
     }
 
     fn check_contact(&self) -> Result<(), ModelError> {
@@ -335,7 +358,8 @@ impl<const D: usize> Model<D> {
     /// The counted work of a frame beyond which islands are handed over to the live step [ms]; `None`: none ever is.
     pub(crate) fn budget(&self) -> Option<f64> {
         let Method { solver, tolerance, budget, .. } = self.method;
-        let is_meant = D == 2 && solver == Solver::Auto && tolerance.is_none() && self.convex.is_empty();
+        let is_known = self.convex.is_empty() && !self.has_penalties();
+        let is_meant = D == 2 && solver == Solver::Auto && tolerance.is_none() && is_known;
         budget.filter(|_| is_meant)
     }
 
@@ -354,6 +378,17 @@ impl<const D: usize> Model<D> {
     /// The acceleration that is the same everywhere and for ever [m/s^2]: gravity, and what the mean wind gives by drag.
     pub(crate) fn field(&self) -> [f64; D] {
         self.wind.map_or(self.gravity, |wind| add(self.gravity, scale(wind.velocity, self.drag_rate)))
+    }
+
+    /// Whether surfaces push by depth in place of contact.
+    pub(crate) fn has_penalties(&self) -> bool {
+        self.planes.iter().any(|plane| plane.penalty.is_some())
+    }
+
+    /// What is stored in surfaces that push by depth, of free points at these places [J].
+    pub(crate) fn penalty_energy(&self, places: impl Iterator<Item = [f64; D]> + Clone) -> f64 {
+        let cushions = self.planes.iter().filter_map(Cushion::<f64, D>::of);
+        cushions.map(|cushion| cushion.energy(places.clone())).sum()
     }
 
     /// Whether forces on some points, or gusts, push what would fly otherwise.

@@ -1,5 +1,6 @@
 //! Surfaces that points cannot pass, as the kernels read them.
 
+use super::penalty::Penalty;
 use crate::sim::real::Real;
 use crate::sim::vector::{convert, dot, flat, widen};
 
@@ -14,6 +15,8 @@ pub struct Plane<const D: usize> {
     pub restitution: f64,
     /// |change of v_t| <= friction |change of v_n| [1], >= 0; more than 30 is taken as 30.
     pub friction: f64,
+    /// Where it pushes by depth in place of contact.
+    pub penalty: Option<Penalty>,
 }
 
 /// The largest coefficient of friction [1]: it holds what stands on a slope of 88 degrees. Of more a step is too long to be stopped

@@ -87,6 +87,7 @@ impl<S: Real, const D: usize> Maker<'_, S, D> {
             gravity: self.model.field(),
             drag_rate: self.model.drag_rate,
             air: self.gathered.drives.air.clone(),
+            cushions: self.cushions(),
         };
         self.allocate(&mut points, &pull);
         let engine = self.engine(choice.solver, &bonds, &points, &pull);

@@ -117,6 +117,7 @@ pub(crate) fn compile<S: Real, const D: usize>(
     let pairs = gathered.drives.pairs(model);
     let mut islands = island::islands_joined(&gathered.bonds, &gathered.ties, &gathered.w, &pairs);
     gathered.drives.mark(&mut islands);
+    drive::press(model, &mut islands);
     rigid::mark(&gathered, (model, !obstacles.is_empty()), &mut islands);
     gathered.plan((model, obstacles), lot::lots(model, (!obstacles.is_empty(), scene_points), islands, live))
 }
