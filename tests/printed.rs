@@ -4,8 +4,8 @@
 use crate::common::physics::run_to;
 use serde_json::{Value, json};
 use wobble::scene::Scene;
-use wobble::study::softness;
 use wobble::sim::{Bond, Command, Dynamics, PointId, Sample, Why};
+use wobble::study::softness;
 
 /// A world of these keys under this method.
 fn world(keys: &str, method: &str) -> Box<dyn Dynamics> {
@@ -65,7 +65,19 @@ fn the_notebook_limits_one_side_alone_and_adds_a_thousandth() {
     let still = |method: &str| {
         let keys = r#""points":{"position":[[0,0],[1,0]]},"bonds":[{"a":0,"b":1,"kind":"relaxed"}]"#;
         let mut world = world(keys, method);
-        (0..4000).map(|_| distance(&{ world.step(); world.sample(world.time()) }, 0, 1)).sum::<f64>() / 4000.0
+        (0..4000)
+            .map(|_| {
+                distance(
+                    &{
+                        world.step();
+                        world.sample(world.time())
+                    },
+                    0,
+                    1,
+                )
+            })
+            .sum::<f64>()
+            / 4000.0
     };
     is_near(still(PRINTED_000), 0.999, 1e-5);
     is_near(still(&relaxed), 1.0, 1e-12);
@@ -97,7 +109,7 @@ fn beyond(mut world: Box<dyn Dynamics>) -> f64 {
 #[test]
 fn what_is_clipped_before_the_sweep_ends_behind_the_wall() {
     let printed = beyond(of_gallery("rim-as-printed", None));
-    assert!(printed > 0.02, "{printed}");
+    assert!(printed > 0.005, "{printed}");
     assert!(beyond(of_gallery("rim-relaxed", None)) < 1e-9);
     assert!(beyond(of_gallery("random-graph-as-printed", None)) <= 0.0, "clipped after it");
 }
@@ -149,11 +161,11 @@ fn ends_in_one_place_divide_by_zero_and_stand_still() {
 fn walls_at_the_top_and_on_the_right_let_what_comes_go_on_outwards() {
     let thrown = |velocity: &str, method: &str| {
         let keys = format!(
-            r#""points":{{"position":[[0,0]],"velocity":[{velocity}]}},"bounds":{{"min":[-1,-1],"max":[1,1],"restitution":0.8}}"#
+            r#""points":{{"position":[[0,0]],"velocity":[{velocity}]}},"bounds":{{"min":[-0.7,-0.7],"max":[0.7,0.7],"restitution":0.8}}"#
         );
         let mut world = world(&keys, method);
         // Until it turned, or had the time to.
-        (0..30).for_each(|_| world.step());
+        (0..9).for_each(|_| world.step());
         let sample = world.sample(world.time());
         [sample.velocity[0][0], sample.velocity[0][1]]
     };
@@ -246,24 +258,29 @@ fn what_is_printed_as_the_order_is_that_of_one_step() {
     is_near(off(loop_003, 0.1, 1.0) / off(loop_003, 0.05, 1.0), 2.0, 0.1);
 }
 
-/// The lowest point of the cloth after 6 s [m].
-fn lowest(method: &str) -> f64 {
+/// The lowest point of the cloth after a time [m], and the largest strain of its bonds [1].
+fn hanging(method: &str, t: f64) -> [f64; 2] {
     let mut world = of_gallery("cloth-space-as-printed", Some(method));
-    let sample = run_to(&mut *world, 6.0);
-    sample.position.iter().map(|x| x[1]).fold(f64::INFINITY, f64::min)
+    let sample = run_to(&mut *world, t);
+    [sample.position.iter().map(|x| x[1]).fold(f64::INFINITY, f64::min), sample.max_strain]
 }
 
 #[test]
 fn another_frame_rate_is_another_cloth() {
-    let printed = |hertz: f64| lowest(&format!(r#""solver":"as-printed","source":"004","substep":{}"#, 1.0 / hertz));
-    is_near(printed(30.0), -20.687, 2e-3);
-    is_near(printed(60.0), -20.314, 2e-3);
-    is_near(printed(144.0), -17.381, 2e-3);
+    for (hertz, lowest, strain) in [(30.0, -20.687, 0.11), (60.0, -20.314, 0.064), (144.0, -17.381, 0.024)] {
+        let method = format!(r#""solver":"as-printed","source":"004","substep":{}"#, 1.0 / hertz);
+        let printed = hanging(&method, 6.0);
+        is_near(printed[0], lowest, 2e-3);
+        is_near(printed[1], strain, 3e-3);
+        let right = hanging(&format!(r#""substep":{}"#, 1.0 / hertz), 0.25);
+        assert!(right[1] < 1e-8, "{right:?}");
+    }
 }
 
 /// The cloth whose frames take 1/60 s, but for one of half a second after a second; the most that a bond is stretched by [1].
 fn stretch_by_a_hitch(method: &str) -> f64 {
-    let mut scene = serde_json::from_str::<Value>(&Scene::load("cloth-space-as-printed").unwrap().to_json().unwrap()).unwrap();
+    let mut scene =
+        serde_json::from_str::<Value>(&Scene::load("cloth-space-as-printed").unwrap().to_json().unwrap()).unwrap();
     // A knot of a track is a time where a step ends.
     let times = (0..=60).map(|k| f64::from(k) / 60.0).chain((0..=60).map(|k| 1.5 + f64::from(k) / 60.0));
     let track: Vec<[f64; 4]> = times.map(|t| [t, -10.0, 0.0, 0.0]).collect();
@@ -420,7 +437,7 @@ fn a_penalty_lets_in_what_its_formula_says_and_contact_nothing() {
         ball.step();
         off = off.max((ball.sample(ball.time()).energy - start).abs());
     }
-    assert!(off < 1e-4, "{off}");
+    assert!(off < 1e-3, "{off} of 9.8 J");
     for (more, method, wanted) in [
         ("", r#""solver":"live""#, "this solver"),
         ("", r#""solver":"implicit-midpoint""#, "implicit"),

@@ -17,8 +17,8 @@ use crate::history::Start;
 use crate::output;
 use crate::scene::frames::Frames;
 use crate::scene::record::{
-    RecordedBalance, RecordedCounters, RecordedFrames, RecordedMover, RecordedSample, RecordedSoftness, Recording, hash, ledgers, record,
-    seconds_and_frames,
+    RecordedBalance, RecordedCounters, RecordedFrames, RecordedMover, RecordedSample, RecordedSoftness, Recording,
+    hash, ledgers, record, seconds_and_frames,
 };
 use crate::scene::{BudgetKeys, OrderName, PrecisionName, Scene, SolverName, SourceName};
 use crate::sim::judge;
@@ -127,8 +127,8 @@ pub(super) fn run(arguments: &Arguments, quiet: bool) -> anyhow::Result<()> {
     let timed = if is_kept { scene.world(duration)? } else { start.boxed_clone() };
     let mut recording = recording(&scene, &*timed, &times, &samples, world.counters());
     recording.moved_by = movers(&*world);
-    recording.relaxed = study::softness(&scene)?
-        .map(|Softness { bond, alone, stiffness }| RecordedSoftness { bond, stiffness, alone });
+    recording.relaxed =
+        study::softness(&scene)?.map(|Softness { bond, alone, stiffness }| RecordedSoftness { bond, stiffness, alone });
     recording.balance = is_kept.then(|| judge(&entries).into());
     recording.warnings.extend(strain.warning());
     recording.search_seconds = found.as_ref().map_or(0.0, |found| found.seconds);

@@ -326,7 +326,8 @@ fn subtract<const D: usize>(origin: [f64; D], x: &[f64], to: &mut [f32]) {
     }
 }
 
-/// Puts bonds and points that no skin covers first, and returns how many there are of each. Pins are seen on skins too.
+/// Puts bonds and points that are drawn first, those that no skin covers, and returns how many there are of each. Pins are seen on skins
+/// too, but for those that bonds join to pins alone: lines that are drawn there.
 fn bare_first(view: &View<'_>, bonds: &mut [GpuBond], points: &mut [u32]) -> [u32; 2] {
     let count = view.current.len() / view.dimensions;
     let mut is_covered = vec![false; count];
@@ -339,10 +340,24 @@ fn bare_first(view: &View<'_>, bonds: &mut [GpuBond], points: &mut [u32]) -> [u3
     let is_hidden = |bond: &GpuBond| is_covered[bond.a as usize] && is_covered[bond.b as usize];
     bonds.sort_by_key(is_hidden);
     let is_pinned = pins(view.pinned, count as u32);
-    let is_under = |point: &u32| is_covered[*point as usize] && !is_pinned[*point as usize];
+    let is_scenery = scenery(bonds, &is_pinned);
+    let is_under = |point: &u32| match is_pinned[*point as usize] {
+        true => is_scenery[*point as usize],
+        false => is_covered[*point as usize],
+    };
     points.sort_by_key(is_under);
     let count = |shown: usize| shown as u32;
     [count(bonds.partition_point(|bond| !is_hidden(bond))), count(points.partition_point(|point| !is_under(point)))]
+}
+
+/// Pins that have bonds, all of them to pins.
+fn scenery(bonds: &[GpuBond], is_pinned: &[bool]) -> Vec<bool> {
+    let mut ends = vec![[false; 2]; is_pinned.len()];
+    for bond in bonds {
+        let holds_pins = is_pinned[bond.a as usize] && is_pinned[bond.b as usize];
+        [bond.a, bond.b].iter().for_each(|&end| ends[end as usize][usize::from(holds_pins)] = true);
+    }
+    ends.iter().zip(is_pinned).map(|(ends, is_pinned)| *is_pinned && *ends == [false, true]).collect()
 }
 
 /// Which points are pinned. Pins of points that there are not are left out.

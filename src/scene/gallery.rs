@@ -167,7 +167,7 @@ static GALLERY: [Entry; 44] = [
         "box-as-printed",
         4,
         "Box, as printed",
-        "The loop of source 001: six moves to one sweep. It falls well and goes to pieces where it lands.",
+        "The loop of source 001: six moves to one sweep. It falls well, goes to pieces where it lands, and sticks to the ceiling.",
         "choose another solver in the settings and press R."
     ),
     entry!(
@@ -261,6 +261,13 @@ static GALLERY: [Entry; 44] = [
         "Phase portrait",
         "Oscillators as points: where they are across, how fast upwards. They follow the field round closed orbits.",
         "choose euler in the settings: the orbits grow; backward-euler: they shrink."
+    ),
+    entry!(
+        "penalty",
+        24,
+        "Contact or penalty",
+        "Boxes of 1, 2 and 4 kg. Left: contact, they stand on a step. Right: a penalty force, they sink in, the deeper the heavier.",
+        "push a box off the step; press one down and let it go."
     ),
     entry!(
         "image-mesh",
@@ -366,13 +373,6 @@ static GALLERY: [Entry; 44] = [
         "Cloth, as printed",
         "The loop of source 004: a cloth that starts above its bar at half its size drops, and hangs as long as the frame rate wants.",
         "set another step; grab a corner."
-    ),
-    entry!(
-        "penalty",
-        24,
-        "Contact or penalty",
-        "Boxes of 1, 2 and 4 kg. Left: contact, they stand on a step. Right: a penalty force, they sink in, the deeper the heavier.",
-        "push a box off the step; press one down and let it go."
     ),
     entry!(
         "cloth-ball",

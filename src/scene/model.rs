@@ -11,8 +11,8 @@ use super::support;
 use crate::body::distance;
 use crate::sim::vector::{cross, sub, truncate};
 use crate::sim::{
-    Angle, Angles, Areas, Bond, BondKind, Bonds, Bounds, Dynamics, Force, Limit, Model, ModelError, MouseForce, Penalty, Plane, PointId,
-    Profile, Region, SkinMaterial, SkinMaterials, Track, Wind, angle_at, build,
+    Angle, Angles, Areas, Bond, BondKind, Bonds, Bounds, Dynamics, Force, Limit, Model, ModelError, MouseForce,
+    Penalty, Plane, PointId, Profile, Region, SkinMaterial, SkinMaterials, Track, Wind, angle_at, build,
 };
 
 impl Scene {
@@ -315,7 +315,9 @@ fn planes<const D: usize>(scene: &Scene) -> Vec<Plane<D>> {
             normal: truncate(plane.normal.embed()),
             restitution: keys.restitution.unwrap_or(0.0),
             friction: keys.friction.unwrap_or(0.0),
-            penalty: keys.penalty.map(|keys| Penalty { stiffness: keys.stiffness, damping: keys.damping.unwrap_or(0.0) }),
+            penalty: keys
+                .penalty
+                .map(|keys| Penalty { stiffness: keys.stiffness, damping: keys.damping.unwrap_or(0.0) }),
         })
     };
     scene.obstacles.iter().filter_map(of).collect()

@@ -169,7 +169,10 @@ impl Solver {
 
     /// Whether rigid bonds are solved together where there are not too many.
     pub(crate) fn solves_directly(self) -> bool {
-        !matches!(self, Solver::Verlet | Solver::Relaxation | Solver::Xpbd | Solver::Path | Solver::Live | Solver::AsPrinted(_))
+        !matches!(
+            self,
+            Solver::Verlet | Solver::Relaxation | Solver::Xpbd | Solver::Path | Solver::Live | Solver::AsPrinted(_)
+        )
     }
 
     /// Whether walls, the edge of the mouse region and turns of bonds are located in time: where the order would be lost

@@ -74,7 +74,11 @@ fn of_model<const D: usize>(model: &Model<D>) -> Option<Softness> {
     let pulled = elongation(model, (&bond, way), force)? - elongation(model, (&bond, way), 0.0)?;
     let springs = compliance((model, &w), (&bond, way), |bond| alone(bond).unwrap_or(0.0)) * force;
     let ratio = springs / pulled;
-    (pulled > 0.0 && ratio.is_finite()).then_some(Softness { bond: place, alone: stiffness, stiffness: stiffness * ratio })
+    (pulled > 0.0 && ratio.is_finite()).then_some(Softness {
+        bond: place,
+        alone: stiffness,
+        stiffness: stiffness * ratio,
+    })
 }
 
 /// How far the ends of a bond are apart along this way, on average over the second half of a run, under a force that parts them [m, N].

@@ -113,7 +113,13 @@ fn a_touch_within_one_step_is_not_missed() {
             mass: vec![1.0; 2],
             pinned: vec![PointId(0)],
             bonds: [spring(0, 1, 0.0, 1.0, 0.0)].into(),
-            planes: vec![Plane { point: [0.0, 1.0 - depth], normal: [0.0, -1.0], restitution: 1.0, friction: 0.0, penalty: None }],
+            planes: vec![Plane {
+                point: [0.0, 1.0 - depth],
+                normal: [0.0, -1.0],
+                restitution: 1.0,
+                friction: 0.0,
+                penalty: None,
+            }],
             ..Model::default()
         };
         let arrival = f64::asin(1.0 - depth);

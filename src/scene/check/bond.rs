@@ -111,7 +111,8 @@ impl Resistance {
                 Fault::invalid("says how stiff the springs are, as another key does: leave one out").at("young")
             );
         }
-        if kind == KindName::Spring && [self.stiffness, self.compliance, self.axial_stiffness, self.young] == [None; 4] {
+        if kind == KindName::Spring && [self.stiffness, self.compliance, self.axial_stiffness, self.young] == [None; 4]
+        {
             let message =
                 "a spring needs `stiffness` [N/m], `compliance` [m/N] or `axial_stiffness` [N]: add one of them";
             return Err(Fault::invalid(message));
@@ -160,7 +161,10 @@ impl Resistance {
             (_, Some(compliance)) if compliance > 0.0 => BondKind::Spring { stiffness: 1.0 / compliance, damping },
             (KindName::Spring, None) => {
                 let of_young = self.young.map(|young| STIFFNESS_OF_YOUNG * young);
-                BondKind::Spring { stiffness: self.stiffness.or(of_young).or(self.axial_stiffness).unwrap_or(0.0), damping }
+                BondKind::Spring {
+                    stiffness: self.stiffness.or(of_young).or(self.axial_stiffness).unwrap_or(0.0),
+                    damping,
+                }
             }
             _ => BondKind::Rigid,
         }

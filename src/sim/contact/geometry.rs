@@ -34,7 +34,13 @@ fn walls<const D: usize>(bounds: &Bounds<D>) -> Vec<Plane<D>> {
         for (point, side) in [(bounds.min, 1.0), (bounds.max, -1.0)] {
             let mut normal = [0.0; D];
             normal[k] = side;
-            planes.push(Plane { point, normal, restitution: bounds.restitution, friction: bounds.friction, penalty: None });
+            planes.push(Plane {
+                point,
+                normal,
+                restitution: bounds.restitution,
+                friction: bounds.friction,
+                penalty: None,
+            });
         }
     }
     planes
