@@ -167,7 +167,7 @@ static GALLERY: [Entry; 44] = [
         "box-as-printed",
         4,
         "Box, as printed",
-        "The loop of source 001: six moves to one sweep. It falls well, goes to pieces where it lands, and sticks to the ceiling.",
+        "The loop of source 001: six moves to one sweep. It falls well, goes to pieces where it lands, and ends in a corner; a fifth of its pace.",
         "choose another solver in the settings and press R."
     ),
     entry!(

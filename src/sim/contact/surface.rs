@@ -61,7 +61,15 @@ impl<S: Real, const D: usize> Surface<S, D> {
         dot(self.normal, x) - self.offset
     }
 
-    /// The same in the plane in `f64`, whatever the world's scalar.
+    /// The place of a point that is put on a wall across an axis, without rounding, however far it is.
+    pub(crate) fn clamped(&self, mut x: [S; D]) -> [S; D] {
+        for (x, &n) in x.iter_mut().zip(&self.normal).filter(|(_, n)| **n != S::ZERO) {
+            *x = self.offset * n;
+        }
+        x
+    }
+
+    /// [`Surface::gap`] in the plane in `f64`, whatever the world's scalar.
     #[inline(always)]
     pub(crate) fn gap_of(&self, x: [f64; 2]) -> f64 {
         dot(flat(widen(self.normal)), x) - self.offset.to_f64()

@@ -12,7 +12,7 @@
 use super::State;
 use super::link::Sweep;
 use crate::sim::real::Real;
-use crate::sim::vector::{scale, sub};
+use crate::sim::vector::scale;
 
 /// What is added to a length so that it divides [m].
 const NEVER_ZERO: f64 = 0.001;
@@ -43,9 +43,8 @@ pub(super) fn step<S: Real, const D: usize>(
 fn clip<S: Real, const D: usize>(state: &mut State<'_, S, D>) {
     for i in (0..state.x.len()).filter(|&i| state.w[i] != S::ZERO) {
         for surface in state.obstacles.planes() {
-            let gap = surface.gap(state.x[i]);
-            if gap < S::ZERO {
-                state.x[i] = sub(state.x[i], scale(surface.normal, gap));
+            if surface.gap(state.x[i]) < S::ZERO {
+                state.x[i] = surface.clamped(state.x[i]);
             }
         }
     }

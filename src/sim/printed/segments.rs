@@ -43,11 +43,10 @@ pub(super) fn step<S: Real, const D: usize>(
 fn bounce<S: Real, const D: usize>(state: &mut State<'_, S, D>, i: usize) {
     let came = sub(state.x[i], state.old[i]);
     for surface in state.obstacles.planes() {
-        let gap = surface.gap(state.x[i]);
-        if gap >= S::ZERO {
+        if surface.gap(state.x[i]) >= S::ZERO {
             continue;
         }
-        state.x[i] = sub(state.x[i], scale(surface.normal, gap));
+        state.x[i] = surface.clamped(state.x[i]);
         for k in (0..D).filter(|&k| surface.normal[k] != S::ZERO) {
             let left = came[k] * surface.restitution;
             let is_turned = surface.normal[k] > S::ZERO;
