@@ -188,6 +188,9 @@ impl WorldBuffers {
             self.bare = [0, 0];
         } else {
             self.chunks = None;
+            // Lines between pins are a drawing, which has no joints to be seen.
+            let is_scenery = scenery(&bonds, &pins(view.pinned, point_count));
+            points.retain(|point| !is_scenery[*point as usize]);
             self.bare = bare_first(view, &mut bonds, &mut points);
         }
         // Points are sized by the bonds beside them: those under a skin say nothing of others.
@@ -326,8 +329,7 @@ fn subtract<const D: usize>(origin: [f64; D], x: &[f64], to: &mut [f32]) {
     }
 }
 
-/// Puts bonds and points that are drawn first, those that no skin covers, and returns how many there are of each. Pins are seen on skins
-/// too, but for those that bonds join to pins alone: lines that are drawn there.
+/// Puts bonds and points that no skin covers first, and returns how many there are of each. Pins are seen on skins too.
 fn bare_first(view: &View<'_>, bonds: &mut [GpuBond], points: &mut [u32]) -> [u32; 2] {
     let count = view.current.len() / view.dimensions;
     let mut is_covered = vec![false; count];
@@ -340,11 +342,7 @@ fn bare_first(view: &View<'_>, bonds: &mut [GpuBond], points: &mut [u32]) -> [u3
     let is_hidden = |bond: &GpuBond| is_covered[bond.a as usize] && is_covered[bond.b as usize];
     bonds.sort_by_key(is_hidden);
     let is_pinned = pins(view.pinned, count as u32);
-    let is_scenery = scenery(bonds, &is_pinned);
-    let is_under = |point: &u32| match is_pinned[*point as usize] {
-        true => is_scenery[*point as usize],
-        false => is_covered[*point as usize],
-    };
+    let is_under = |point: &u32| is_covered[*point as usize] && !is_pinned[*point as usize];
     points.sort_by_key(is_under);
     let count = |shown: usize| shown as u32;
     [count(bonds.partition_point(|bond| !is_hidden(bond))), count(points.partition_point(|point| !is_under(point)))]
