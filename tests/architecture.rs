@@ -56,7 +56,7 @@ const ROOMS: [(&str, &[&str], &[&str]); 12] = [
 ];
 
 /// Each module of `sim` and those that it may name, which all stand above it here: so there is no circle.
-const SIM: [(&str, &[&str]); 41] = [
+const SIM: [(&str, &[&str]); 43] = [
     ("real", &[]),
     ("shared", &[]),
     ("sets", &[]),
@@ -67,7 +67,8 @@ const SIM: [(&str, &[&str]); 41] = [
     ("ledger", &[]),
     ("bond", &["real"]),
     ("bonds", &["bond", "shared"]),
-    ("solver", &["bond"]),
+    ("source", &["bond"]),
+    ("solver", &["bond", "source"]),
     ("moved", &["bond", "solver"]),
     ("vector", &["real"]),
     ("triangles", &["bond", "vector"]),
@@ -101,6 +102,7 @@ const SIM: [(&str, &[&str]); 41] = [
             "points",
             "pull",
             "real",
+            "source",
             "swept",
             "threads",
             "vector",
@@ -123,6 +125,25 @@ const SIM: [(&str, &[&str]); 41] = [
             "real",
             "solve",
             "swept",
+            "vector",
+        ],
+    ),
+    (
+        "printed",
+        &[
+            "account",
+            "bond",
+            "bulk",
+            "constrain",
+            "contact",
+            "counters",
+            "environment",
+            "force",
+            "points",
+            "pull",
+            "real",
+            "solver",
+            "source",
             "vector",
         ],
     ),
@@ -150,7 +171,7 @@ const SIM: [(&str, &[&str]); 41] = [
             "vector",
         ],
     ),
-    ("model", &["bond", "bonds", "contact", "force", "real", "sets", "solver", "vector"]),
+    ("model", &["bond", "bonds", "contact", "force", "real", "sets", "solver", "source", "vector"]),
     (
         "group",
         &[
@@ -196,12 +217,14 @@ const SIM: [(&str, &[&str]); 41] = [
             "moved",
             "plan_part",
             "points",
+            "printed",
             "pull",
             "real",
             "rigid",
             "sets",
             "solve",
             "solver",
+            "source",
             "vector",
         ],
     ),

@@ -61,14 +61,21 @@ fn the_gallery_is_listed_a_name_first_on_each_line() {
         "tearable-net",
         "box",
         "box-two-supports",
+        "box-as-printed",
         "constraints",
         "points",
         "random-graph",
+        "random-graph-as-printed",
         "rim",
         "rim-relaxed",
+        "rim-as-printed",
         "spring-damper",
+        "spring-damper-as-printed",
+        "spring-damper-relative",
         "slide-circle",
         "slide-decay",
+        "phase-portrait",
+        "penalty",
     ];
     let pictures = ["image-mesh", "brush", "gear", "jellyfish", "ring", "maze", "pebble", "picture-obstacle"];
     assert_eq!(
@@ -76,7 +83,17 @@ fn the_gallery_is_listed_a_name_first_on_each_line() {
         [
             &small[..],
             &pictures,
-            &["rope", "net", "cloth-wind", "thousand-rims", "cloth-space", "cloth-ball", "million-cloth"]
+            &[
+                "rope",
+                "rope-as-printed",
+                "net",
+                "cloth-wind",
+                "thousand-rims",
+                "cloth-space",
+                "cloth-space-as-printed",
+                "cloth-ball",
+                "million-cloth",
+            ]
         ]
         .concat()
     );

@@ -108,7 +108,7 @@ fn drag_takes_a_known_share() {
 }
 
 fn floor(restitution: f64, friction: f64, normal: [f64; 2]) -> Plane<2> {
-    Plane { point: [0.0, 0.0], normal, restitution, friction }
+    Plane { point: [0.0, 0.0], normal, restitution, friction, penalty: None }
 }
 
 #[test]
@@ -227,7 +227,8 @@ fn a_ledger_changes_nothing_of_the_motion_and_nobody_pays_for_one_who_has_none()
     {
         let mut model = rim(12, kind);
         model.gravity = [0.0, -9.81];
-        model.planes = vec![Plane { point: [0.0, -2.5], normal: [0.1, 1.0], restitution: 0.4, friction: 0.3 }];
+        model.planes =
+            vec![Plane { point: [0.0, -2.5], normal: [0.1, 1.0], restitution: 0.4, friction: 0.3, penalty: None }];
         model.mouse = Some(mouse(vec![(0.0, [-3.0, 0.0]), (1.0, [3.0, 0.0])]));
         model.method = Method { solver, ..Method::default() };
         let run = |is_kept: bool| {

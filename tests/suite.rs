@@ -19,6 +19,7 @@ mod motion;
 mod obstacles;
 mod pictures;
 mod pieces;
+mod printed;
 mod recordings;
 mod replay;
 mod scenes;

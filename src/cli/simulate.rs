@@ -17,13 +17,13 @@ use crate::history::Start;
 use crate::output;
 use crate::scene::frames::Frames;
 use crate::scene::record::{
-    RecordedBalance, RecordedCounters, RecordedFrames, RecordedMover, RecordedSample, Recording, hash, ledgers, record,
-    seconds_and_frames,
+    RecordedBalance, RecordedCounters, RecordedFrames, RecordedMover, RecordedSample, RecordedSoftness, Recording,
+    hash, ledgers, record, seconds_and_frames,
 };
-use crate::scene::{BudgetKeys, OrderName, PrecisionName, Scene, SolverName};
+use crate::scene::{BudgetKeys, OrderName, PrecisionName, Scene, SolverName, SourceName};
 use crate::sim::judge;
 use crate::sim::{Counters, Dynamics, InstructionSet, MOST_ITERATIONS, PlanPart, PointId, Precision, Sample, Verdict};
-use crate::study;
+use crate::study::{self, Softness};
 
 /// Points that a message names before it counts the rest.
 const NAMED: usize = 5;
@@ -37,9 +37,12 @@ pub(super) struct Arguments {
     /// A scene of the gallery, a scene file, a recording, or a picture.
     scene: String,
     /// auto, euler, symplectic-euler, verlet, velocity-verlet, pefrl, blanes-moan-4, blanes-moan-6, rk2, rk4, rk8,
-    /// implicit-midpoint, backward-euler, xpbd, path, relaxation or live.
+    /// implicit-midpoint, backward-euler, xpbd, path, relaxation, live, or as-printed with a --source.
     #[arg(long, value_parser = values::solver)]
     solver: Option<SolverName>,
+    /// Whose loop `--solver as-printed` runs: 000, 000-graph, 001, 002, 003, 003-relative or 004.
+    #[arg(long)]
+    source: Option<SourceName>,
     /// Longest substep [s].
     #[arg(long, value_name = "H", allow_negative_numbers = true, value_parser = values::above_zero)]
     substep: Option<f64>,
@@ -62,7 +65,7 @@ pub(super) struct Arguments {
     #[arg(long, value_name = "MS", allow_negative_numbers = true)]
     budget: Option<BudgetKeys>,
     /// The equilibrium that the start rolls down to instead of the motion: one sample.
-    #[arg(long, conflicts_with_all = ["tolerance", "solver", "substep", "iterations"])]
+    #[arg(long, conflicts_with_all = ["tolerance", "solver", "source", "substep", "iterations"])]
     settle: bool,
     /// Commands that lead the world: a list of them, or a recording, whose scene is not looked at.
     #[arg(long, value_name = "FILE", conflicts_with_all = ["tolerance", "settle"])]
@@ -124,6 +127,8 @@ pub(super) fn run(arguments: &Arguments, quiet: bool) -> anyhow::Result<()> {
     let timed = if is_kept { scene.world(duration)? } else { start.boxed_clone() };
     let mut recording = recording(&scene, &*timed, &times, &samples, world.counters());
     recording.moved_by = movers(&*world);
+    recording.relaxed =
+        study::softness(&scene)?.map(|Softness { bond, alone, stiffness }| RecordedSoftness { bond, stiffness, alone });
     recording.balance = is_kept.then(|| judge(&entries).into());
     recording.warnings.extend(strain.warning());
     recording.search_seconds = found.as_ref().map_or(0.0, |found| found.seconds);
@@ -167,6 +172,12 @@ fn write_table(out: Option<&Path>, has_hash: bool, recording: &Recording) -> any
     for warning in &recording.warnings {
         writeln!(std::io::stderr(), "wobble: warning: {warning}")?;
     }
+    if let Some(RecordedSoftness { bond, stiffness, alone }) = recording.relaxed {
+        writeln!(
+            std::io::stderr(),
+            "wobble: relaxed bonds are as stiff here as springs of {stiffness:.3e} N/m (bond {bond}; one alone: {alone:.3e} N/m)"
+        )?;
+    }
     if let Some(balance) = recording.balance.as_ref().filter(|balance| !balance.is_kept) {
         writeln!(std::io::stderr(), "wobble: warning: {}", balance.words())?;
     }
@@ -199,6 +210,7 @@ fn settle(arguments: &Arguments, scene: &Scene, time: f64) -> anyhow::Result<()>
         frames: None,
         search_seconds: 0.0,
         expected_error: None,
+        relaxed: None,
         balance: None,
         moved_by: Vec::new(),
         counters: RecordedCounters { iterations: found.rounds.into(), ..RecordedCounters::default() },
@@ -288,6 +300,9 @@ impl Arguments {
     fn change(&self, scene: &mut Scene) {
         let method = &mut scene.method;
         method.solver = self.solver.or(method.solver);
+        // A solver that is asked for takes the loop of a source away, but for another one.
+        let is_printed = method.solver == Some(SolverName::AsPrinted);
+        method.source = self.source.or(method.source).filter(|_| is_printed || self.source.is_some());
         method.substep = self.substep.or(method.substep);
         method.iterations = self.iterations.or(method.iterations);
         method.order = self.order.or(method.order);
@@ -349,6 +364,7 @@ fn made(
         frames: frames.map(RecordedFrames::from),
         search_seconds: 0.0,
         expected_error: None,
+        relaxed: None,
         balance: None,
         moved_by: Vec::new(),
         counters: RecordedCounters {

@@ -29,7 +29,7 @@ fn model<const D: usize>(position: Vec<[f64; D]>, bonds: Vec<Bond>, pinned: &[u3
 }
 
 fn plane<const D: usize>(normal: [f64; D]) -> Plane<D> {
-    Plane { point: [0.0; D], normal, restitution: 0.0, friction: 0.0 }
+    Plane { point: [0.0; D], normal, restitution: 0.0, friction: 0.0, penalty: None }
 }
 
 /// A square of side 1 with both diagonals, turned about its lowest corner, which lies at `at`.

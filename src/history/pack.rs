@@ -3,7 +3,7 @@
 use crate::body::MAX_POINTS;
 use crate::sim::{
     Angle, Angles, Areas, Bond, BondKind, Bonds, Bounds, Contact, Convex, Cursor, Figure, Force, HandedOver, Limit,
-    Method, Model, MouseForce, Order, Plane, PointId, Polygon, Precision, Profile, Region, Saved, SavedWorld,
+    Method, Model, MouseForce, Order, Penalty, Plane, PointId, Polygon, Precision, Profile, Region, Saved, SavedWorld,
     SkinMaterial, SkinMaterials, Solver, Track, Why, Wind,
 };
 
@@ -153,6 +153,7 @@ pub(super) const FIRST_WITH_FORCES: u64 = 4;
 pub(super) const FIRST_WITH_HAND_OVERS: u64 = 5;
 const FIRST_WITH_ANGLES: u64 = 6;
 const FIRST_WITH_SETTLING: u64 = 7;
+const FIRST_WITH_PENALTIES: u64 = 8;
 
 /// A kept world of any layout that is known.
 trait KeptWorld: Sized {
@@ -179,6 +180,7 @@ macro_rules! saved {
                 $($($later.put(to);)* $($last.put(to);)*)*
                 model.method.budget.put(to);
                 model.method.settles.put(to);
+                model.planes.iter().map(|plane| plane.penalty).collect::<Vec<_>>().put(to);
             }
 
             fn take(from: &mut &[u8], layout: u64) -> Option<Self> {
@@ -195,6 +197,10 @@ macro_rules! saved {
                 }
                 if layout >= FIRST_WITH_SETTLING {
                     model.method.settles = Packed::take(from)?;
+                }
+                if layout >= FIRST_WITH_PENALTIES {
+                    let penalties = Vec::<Option<Penalty>>::take(from)?;
+                    model.planes.iter_mut().zip(penalties).for_each(|(plane, penalty)| plane.penalty = penalty);
                 }
                 Some(Saved { model, $($core,)* $($rest,)* $($($last,)*)* })
             }
@@ -225,7 +231,8 @@ fields!(Angles { list, next });
 fields!(MouseForce { strength, radius, region, profile, track });
 fields!(Track<D> { knots });
 fields!(Bounds<D> { min, max, restitution, friction });
-fields!(Plane<D> { point, normal, restitution, friction });
+fields!(Plane<D> { point, normal, restitution, friction } without { penalty: None });
+fields!(Penalty { stiffness, damping });
 fields!(Polygon { loops, restitution, friction });
 fields!(Convex { figure, restitution, friction });
 fields!(Cursor { origin, direction });
@@ -299,12 +306,12 @@ one_of! {
 
 impl Packed for Solver {
     fn put(&self, to: &mut Vec<u8>) {
-        self.name().as_bytes().to_vec().put(to);
+        self.to_string().into_bytes().put(to);
     }
 
     fn take(from: &mut &[u8]) -> Option<Self> {
         let name = Vec::<u8>::take(from)?;
-        Solver::ALL.into_iter().find(|solver| solver.name().as_bytes() == name)
+        Solver::of_label(std::str::from_utf8(&name).ok()?)
     }
 }
 

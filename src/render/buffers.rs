@@ -188,6 +188,9 @@ impl WorldBuffers {
             self.bare = [0, 0];
         } else {
             self.chunks = None;
+            // Lines between pins are a drawing, which has no joints to be seen.
+            let is_scenery = scenery(&bonds, &pins(view.pinned, point_count));
+            points.retain(|point| !is_scenery[*point as usize]);
             self.bare = bare_first(view, &mut bonds, &mut points);
         }
         // Points are sized by the bonds beside them: those under a skin say nothing of others.
@@ -343,6 +346,16 @@ fn bare_first(view: &View<'_>, bonds: &mut [GpuBond], points: &mut [u32]) -> [u3
     points.sort_by_key(is_under);
     let count = |shown: usize| shown as u32;
     [count(bonds.partition_point(|bond| !is_hidden(bond))), count(points.partition_point(|point| !is_under(point)))]
+}
+
+/// Pins that have bonds, all of them to pins.
+fn scenery(bonds: &[GpuBond], is_pinned: &[bool]) -> Vec<bool> {
+    let mut ends = vec![[false; 2]; is_pinned.len()];
+    for bond in bonds {
+        let holds_pins = is_pinned[bond.a as usize] && is_pinned[bond.b as usize];
+        [bond.a, bond.b].iter().for_each(|&end| ends[end as usize][usize::from(holds_pins)] = true);
+    }
+    ends.iter().zip(is_pinned).map(|(ends, is_pinned)| *is_pinned && *ends == [false, true]).collect()
 }
 
 /// Which points are pinned. Pins of points that there are not are left out.

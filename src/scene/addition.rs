@@ -3,7 +3,7 @@
 use super::check;
 use super::error::{Fault, SceneError, Source, Within};
 use super::keys::{AddKeys, BondList, ObstacleKeys, PointKeys, Scene};
-use super::model::{angle, anticlockwise, force, material, rest_length, skin};
+use super::model::{angle, anticlockwise, force, material, of_length, rest_length, skin};
 use super::support;
 use crate::picture::Skin;
 use crate::sim::vector::{embed, truncate};
@@ -49,6 +49,10 @@ impl AddKeys {
         pinned.extend(self.points.iter().flat_map(|points| &points.pinned).map(|&point| PointId(point)));
         for (i, motion) in self.pin_motion.iter().enumerate() {
             check::check_pin_motion(motion, D, &|_| true).item(i).at("pin_motion")?;
+        }
+        if let Some(i) = self.obstacles.iter().position(|keys| keys.penalty.is_some()) {
+            let message = "is of a scene's own planes: leave it out of what is added";
+            return Err(Fault::unsupported(message).at("penalty").item(i).at("obstacles"));
         }
         check::check_triangles(&self.triangles, count)?;
         check::check_skins(&self.skins, count)?;
@@ -120,7 +124,7 @@ impl AddKeys {
                 Some(rest) => rest,
                 None => rest_length(place(keys.a), place(keys.b)).item(k).at("bonds")?,
             };
-            Ok(Bond { a: PointId(keys.a), b: PointId(keys.b), rest_length, ..material(keys) })
+            of_length(material(keys), keys, rest_length).item(k).at("bonds")
         };
         self.bonds.iter().enumerate().map(bond).collect()
     }

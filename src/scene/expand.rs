@@ -41,6 +41,7 @@ impl Scene {
                     kind: material.kind,
                     stiffness: material.stiffness,
                     compliance: material.compliance,
+                    axial_stiffness: None,
                     damping: material.damping,
                     relaxation: material.relaxation,
                     max_correction: material.max_correction,

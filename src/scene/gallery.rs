@@ -78,7 +78,7 @@ macro_rules! entry {
     };
 }
 
-static GALLERY: [Entry; 35] = [
+static GALLERY: [Entry; 44] = [
     entry!(
         "jelly",
         168,
@@ -164,6 +164,13 @@ static GALLERY: [Entry; 35] = [
         "pull at an upper corner, left and right; cut a diagonal."
     ),
     entry!(
+        "box-as-printed",
+        4,
+        "Box, as printed",
+        "The loop of source 001: six moves to one sweep. It falls well, goes to pieces where it lands, and ends in a corner; a fifth of its pace.",
+        "choose another solver in the settings and press R."
+    ),
+    entry!(
         "constraints",
         10,
         "Rods and strings",
@@ -185,6 +192,13 @@ static GALLERY: [Entry; 35] = [
         "pull it apart by a point, let go, and see what shape it takes next."
     ),
     entry!(
+        "random-graph-as-printed",
+        10,
+        "Random graph, as printed",
+        "The loop of source 000: each bond ends a thousandth short, and only what is pressed together is limited; the mouse attracts.",
+        "hold the mouse near it; choose another solver in the settings."
+    ),
+    entry!(
         "rim",
         24,
         "Rim",
@@ -200,11 +214,32 @@ static GALLERY: [Entry; 35] = [
         "dent it and compare with the rim: here stiffness hangs on the step."
     ),
     entry!(
+        "rim-as-printed",
+        26,
+        "Rim, as printed",
+        "The loop of source 000: walls come before the sweep, so points get through the floor; one point hangs by one bond.",
+        "look at the floor; choose another solver in the settings."
+    ),
+    entry!(
         "spring-damper",
         10,
         "Springs and dampers",
         "Weights on springs: undamped, damped a little, damped critically, and three in a chain.",
         "pull a weight down and let go: four dampings side by side."
+    ),
+    entry!(
+        "spring-damper-as-printed",
+        10,
+        "Springs, as printed",
+        "The loop of source 003 in steps of 0.1 s, with forces by strain: called explicit Euler there, it is semi-implicit, and its swings do not grow.",
+        "choose euler in the settings, and watch them grow."
+    ),
+    entry!(
+        "spring-damper-relative",
+        20,
+        "A spring cut in pieces",
+        "Two metres of spring in 1, 2 and 4 pieces. Left: pieces of one stiffness hang longer, the more there are. Right: of one axial stiffness, all alike.",
+        "pull a weight down; cut a piece out."
     ),
     entry!(
         "slide-circle",
@@ -219,6 +254,20 @@ static GALLERY: [Entry; 35] = [
         "Euler's decay",
         "Explicit Euler on v' = -k v, h = 0.1 s: smooth at h k = 0.5, it oscillates at 1.5 and 1.95, and grows at 2.02.",
         "R, and watch which of the four points comes to rest."
+    ),
+    entry!(
+        "phase-portrait",
+        264,
+        "Phase portrait",
+        "Oscillators as points: where they are across, how fast upwards. They follow the field round closed orbits.",
+        "choose euler in the settings: the orbits grow; backward-euler: they shrink."
+    ),
+    entry!(
+        "penalty",
+        24,
+        "Contact or penalty",
+        "Boxes of 1, 2 and 4 kg. Left: contact, they stand on a step. Right: a penalty force, they sink in, the deeper the heavier.",
+        "push a box off the step; press one down and let it go."
     ),
     entry!(
         "image-mesh",
@@ -284,6 +333,13 @@ static GALLERY: [Entry; 35] = [
         "grab its free end and crack it like a whip; cut it."
     ),
     entry!(
+        "rope-as-printed",
+        30,
+        "Rope, as printed",
+        "The loop of source 002: fifty sweeps a step, and the rope still hangs a hundredth too long.",
+        "lead the pinned end away and unpin it with T: it is flung."
+    ),
+    entry!(
         "net",
         10_000,
         "Net",
@@ -310,6 +366,13 @@ static GALLERY: [Entry; 35] = [
         "Cloth in space",
         "In space a cloth hangs from a bar above a box; the bar swings out once, and wind sways it.",
         "turn the view; pull hard at a corner until it tears; unpin the bar and let it fall on the box."
+    ),
+    entry!(
+        "cloth-space-as-printed",
+        121,
+        "Cloth, as printed",
+        "The loop of source 004: a cloth that starts above its bar at half its size drops, and hangs as long as the frame rate wants.",
+        "set another step; grab a corner."
     ),
     entry!(
         "cloth-ball",

@@ -43,9 +43,9 @@ pub(crate) use keys::macros::object;
 pub use keys::{
     AddKeys, AngleKeys, AreaKeys, AreaKindName, BodyKeys, BondKeys, BondList, BoundsKeys, BoxKeys, BraceName,
     BudgetKeys, CircleKeys, ContactKeys, DiagonalsName, ForceKeys, KindName, LimitName, MakerName, MassKeys, Material,
-    Meeting, MethodKeys, MouseKeys, ObstacleKeys, OrderName, PatternName, PictureKeys, PinMotionKeys, PlaneKeys,
-    PointKeys, PrecisionName, ProfileName, RegionName, RepeatKeys, RotationKeys, Row, Scene, SkinKeys, SolverName,
-    StrokesName, TextureKeys, Vector, Version, ViewKeys, WindKeys,
+    Meeting, MethodKeys, MouseKeys, ObstacleKeys, OrderName, PatternName, PenaltyKeys, PictureKeys, PinMotionKeys,
+    PlaneKeys, PointKeys, PrecisionName, ProfileName, RegionName, RepeatKeys, RotationKeys, Row, Scene, SkinKeys,
+    SolverName, SourceName, StrokesName, TextureKeys, Vector, Version, ViewKeys, WindKeys,
 };
 pub(crate) use keys::{ObjectOnly, present};
 pub(crate) use nearest::nearest;

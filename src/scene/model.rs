@@ -11,8 +11,8 @@ use super::support;
 use crate::body::distance;
 use crate::sim::vector::{cross, sub, truncate};
 use crate::sim::{
-    Angle, Angles, Areas, Bond, Bonds, Bounds, Dynamics, Force, Limit, Model, ModelError, MouseForce, Plane, PointId,
-    Profile, Region, SkinMaterial, SkinMaterials, Track, Wind, angle_at, build,
+    Angle, Angles, Areas, Bond, BondKind, Bonds, Bounds, Dynamics, Force, Limit, Model, ModelError, MouseForce,
+    Penalty, Plane, PointId, Profile, Region, SkinMaterial, SkinMaterials, Track, Wind, angle_at, build,
 };
 
 impl Scene {
@@ -134,7 +134,9 @@ impl Scene {
                 Some(rest) => rest,
                 None => rest_length(start.position[a as usize], start.position[b as usize]).item(k).at("bonds")?,
             };
-            bonds.push(Bond { a: PointId(a), b: PointId(b), rest_length, ..materials[self.bonds.material(k)] });
+            let keys = &self.bonds.materials()[self.bonds.material(k)];
+            let made = Bond { a: PointId(a), b: PointId(b), ..materials[self.bonds.material(k)] };
+            bonds.push(of_length(made, keys, rest_length).item(k).at("bonds")?);
         }
         for (keys, body) in self.bodies.iter().zip(&start.bodies) {
             let breaks = break_strain(keys.material.as_ref().and_then(|material| material.break_strain));
@@ -281,6 +283,24 @@ pub(super) fn material(keys: &BondKeys) -> Bond {
     }
 }
 
+/// The same bond of a rest length [m].
+///
+/// Errors: an axial stiffness where that is 0.
+pub(super) fn of_length(bond: Bond, keys: &BondKeys, rest_length: f64) -> Result<Bond, Fault> {
+    let kind = match (keys.axial_stiffness, bond.kind) {
+        (Some(axial), BondKind::Spring { damping, .. }) => {
+            let stiffness = axial / rest_length;
+            if !stiffness.is_finite() {
+                let message = "is of a bond whose rest length is 0, or too short to divide by: give `stiffness`";
+                return Err(Fault::invalid(message).at("axial_stiffness"));
+            }
+            BondKind::Spring { stiffness, damping }
+        }
+        (_, kind) => kind,
+    };
+    Ok(Bond { rest_length, kind, ..bond })
+}
+
 /// What is not said never breaks.
 fn break_strain(said: Option<f64>) -> f64 {
     said.unwrap_or(f64::INFINITY)
@@ -295,6 +315,9 @@ fn planes<const D: usize>(scene: &Scene) -> Vec<Plane<D>> {
             normal: truncate(plane.normal.embed()),
             restitution: keys.restitution.unwrap_or(0.0),
             friction: keys.friction.unwrap_or(0.0),
+            penalty: keys
+                .penalty
+                .map(|keys| Penalty { stiffness: keys.stiffness, damping: keys.damping.unwrap_or(0.0) }),
         })
     };
     scene.obstacles.iter().filter_map(of).collect()

@@ -163,6 +163,9 @@ pub struct Recording {
     /// The error that the setting is expected to have at every sample [m], where it was searched for.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub expected_error: Option<f64>,
+    /// What relaxed bonds of a share below 1 amount to.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub relaxed: Option<RecordedSoftness>,
     /// How the energy was kept, where a ledger was.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub balance: Option<RecordedBalance>,
@@ -174,6 +177,17 @@ pub struct Recording {
     pub warnings: Vec<String>,
     /// See [`hash`].
     pub hash: String,
+}
+
+/// The stiffness that relaxed bonds amount to at this substep, these sweeps and this order.
+#[derive(Clone, Copy, Debug, Serialize)]
+pub struct RecordedSoftness {
+    /// The bond that was pulled.
+    pub bond: usize,
+    /// Stiffness of springs that would give as much in its place [N/m].
+    pub stiffness: f64,
+    /// The same of one bond alone [N/m].
+    pub alone: f64,
 }
 
 /// One sample, with as many components a point as the scene has dimensions.

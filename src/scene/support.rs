@@ -2,7 +2,7 @@
 
 use super::check::Resistance;
 use super::error::{Fault, SceneError, Source};
-use super::keys::{BodyKeys, BudgetKeys, MakerName, Meeting, Scene, SolverName};
+use super::keys::{BodyKeys, BudgetKeys, MakerName, Meeting, MethodKeys, Scene, SolverName};
 use super::obstacle;
 use super::start::resistance;
 use crate::sim::{self, BondKind};
@@ -22,9 +22,8 @@ pub(super) fn check(scene: &Scene) -> Result<(), Fault> {
 
 /// Errors: angles or areas under a solver that knows none.
 fn check_form(scene: &Scene) -> Result<(), Fault> {
-    let name = scene.method.solver.unwrap_or(SolverName::Auto);
-    let solver = sim::Solver::ALL.into_iter().find(|solver| solver.name() == name.name());
-    let Some((solver, others)) = solver.and_then(|solver| Some((solver, solver.form_refusal()?))) else {
+    let solver = solver(&scene.method)?;
+    let Some(others) = solver.form_refusal() else {
         return Ok(());
     };
     let bends =
@@ -66,7 +65,7 @@ fn check_contact(scene: &Scene) -> Result<(), Fault> {
     if obstacle::convex(scene).is_empty() {
         return Ok(());
     }
-    if !is_live {
+    if !is_live && solver != SolverName::AsPrinted {
         let message = format!("solver `{solver}` does not meet balls and boxes in space: leave `solver` out");
         return Err(Fault::invalid(message).at("solver").at("method"));
     }
@@ -77,25 +76,57 @@ fn check_contact(scene: &Scene) -> Result<(), Fault> {
     Ok(())
 }
 
+/// The solver in the engine's words.
+///
+/// Errors: one that this version lacks; `as-printed` without a `source`, or another one with it.
+fn solver(keys: &MethodKeys) -> Result<sim::Solver, Fault> {
+    let name = keys.solver.unwrap_or(SolverName::Auto);
+    let fault = |fault: Fault, key| Err(fault.at(key).at("method"));
+    match (name, keys.source) {
+        (SolverName::AsPrinted, Some(source)) => {
+            let found = sim::Source::ALL.into_iter().find(|known| known.name() == source.name());
+            return found.map(sim::Solver::AsPrinted).map_or_else(
+                || fault(Fault::unsupported(format!("source `{source}` is not in this version")), "source"),
+                Ok,
+            );
+        }
+        (SolverName::AsPrinted, None) => {
+            let known = super::nearest::list(&sim::Source::ALL.map(sim::Source::name));
+            let message = format!("solver `as-printed` needs to know whose loop: give `source`, one of {known}");
+            return fault(Fault::invalid(message), "solver");
+        }
+        (_, Some(_)) => {
+            let message = format!("`source` is for solver `as-printed`, not `{name}`: leave it out");
+            return fault(Fault::invalid(message), "source");
+        }
+        _ => {}
+    }
+    sim::Solver::ALL.into_iter().find(|solver| solver.name() == name.name()).map_or_else(
+        || {
+            let known: Vec<&str> = sim::Solver::ALL.iter().map(|solver| solver.name()).collect();
+            let message = format!("solver `{name}` is not in this version: use {}", super::nearest::list(&known));
+            fault(Fault::unsupported(message), "solver")
+        },
+        Ok,
+    )
+}
+
 /// The method in the engine's words.
 ///
 /// Errors: a solver that this version lacks; a solver that refuses a kind of bond; bonds that are swept without
 /// substep and iterations, which they mean nothing without.
 pub(super) fn method(scene: &Scene) -> Result<sim::Method, Fault> {
     let keys = &scene.method;
-    let name = keys.solver.unwrap_or(SolverName::Auto);
-    let Some(solver) = sim::Solver::ALL.into_iter().find(|solver| solver.name() == name.name()) else {
-        let known: Vec<&str> = sim::Solver::ALL.iter().map(|solver| solver.name()).collect();
-        let message = format!("solver `{name}` is not in this version: use {}", super::nearest::list(&known));
-        return Err(Fault::unsupported(message).at("solver").at("method"));
-    };
+    let solver = solver(keys)?;
     if let Some(found) = find(scene, |kind| solver.refusal(kind).is_some())
         && let Some((kind, others)) = solver.refusal(found.kind)
     {
         return Err(found.fault(&format!("is {kind}, which solver `{solver}` refuses: use {others}")));
     }
-    let swept =
-        solver == sim::Solver::Relaxation || find(scene, |kind| matches!(kind, BondKind::Relaxed { .. })).is_some();
+    // A source says itself how long its step is and how often it sweeps.
+    let swept = !matches!(solver, sim::Solver::AsPrinted(_))
+        && (solver == sim::Solver::Relaxation
+            || find(scene, |kind| matches!(kind, BondKind::Relaxed { .. })).is_some());
     for (key, said) in [("substep", keys.substep.is_some()), ("iterations", keys.iterations.is_some())] {
         if swept && !said {
             return Err(Fault::invalid(format!(

@@ -1,12 +1,14 @@
 //! What a world is made from: points, bonds, forces, walls and a method, in `f64` and checked.
 
 mod form;
+mod printed;
 
 use super::bond::{Bond, BondKind, PointId};
 use super::bonds::Bonds;
 use super::contact::bounds::Bounds;
 use super::contact::convex::Convex;
 use super::contact::geometry::Geometry;
+use super::contact::penalty::Cushion;
 use super::contact::polygon::Polygon;
 use super::contact::skin::{Contact, SkinMaterials};
 use super::contact::surface::Plane;
@@ -17,6 +19,7 @@ use super::force::steady::Force;
 use super::force::wind::Wind;
 use super::real::Precision;
 use super::solver::{Order, Solver};
+use super::source::Source;
 use super::vector::{add, scale};
 
 pub use form::angle_at;
@@ -137,6 +140,14 @@ pub enum ModelError {
         /// The solver.
         solver: Solver,
     },
+    /// Something that the loop of a source has not.
+    #[error("the loop of source {of} has no {what}: leave that out, or use another solver")]
+    NotPrinted {
+        /// What it is.
+        what: &'static str,
+        /// The source.
+        of: Source,
+    },
     /// A solver by which bodies cannot meet.
     #[error("solver {solver} knows no contact: leave `solver` out")]
     NoContact {
@@ -169,6 +180,12 @@ pub enum ModelError {
     /// A tolerance where bodies meet.
     #[error("no tolerance is held to where bodies meet, or among balls and boxes: leave `tolerance` out")]
     Unbounded,
+    /// A surface that pushes by depth, under a method or in a scene that knows none.
+    #[error("`penalty` is not known to {what}: leave one of them out")]
+    NoPenalty {
+        /// What does not know it.
+        what: &'static str,
+    },
     /// A bond that has no error, where a tolerance is asked for.
     #[error("bond {bond} is relaxed: it is defined by its sweeps and has no error to bound: leave `tolerance` out")]
     NoError {
@@ -275,7 +292,10 @@ impl<const D: usize> Model<D> {
             let is_fine = plane.point.iter().chain(&plane.normal).all(|c| c.is_finite())
                 && plane.normal.iter().any(|&n| n != 0.0);
             require(is_fine, &format!("plane {i}"), plane, "finite, with a normal that is not zero")?;
+            let is_fine = plane.penalty.is_none_or(|penalty| penalty.is_fine());
+            require(is_fine, &format!("the penalty of plane {i}"), plane.penalty, "finite and >= 0")?;
         }
+        self.check_penalties()?;
         for (i, polygon) in self.polygons.iter().enumerate() {
             let is_fine = D == 2
                 && polygon.loops.iter().all(|outline| outline.len() >= 3)
@@ -298,10 +318,25 @@ impl<const D: usize> Model<D> {
         Ok(())
     }
 
+    fn check_penalties(&self) -> Result<(), ModelError> {
+        let what = match self.method.solver {
+            _ if !self.has_penalties() => return Ok(()),
+            _ if self.contact.is_some() => "`contact`",
+            _ if !self.convex.is_empty() => "boxes and balls in space",
+            _ if self.method.tolerance.is_some() => "`tolerance`",
+            Solver::ImplicitMidpoint | Solver::BackwardEuler => "implicit solvers",
+            Solver::Flight | Solver::Path | Solver::Live | Solver::AsPrinted(_) => "this solver",
+            _ => return Ok(()),
+        };
+        Err(ModelError::NoPenalty { what })
+    }
+
     fn check_contact(&self) -> Result<(), ModelError> {
+        self.check_printed()?;
         let solver = self.method.solver;
         if !self.convex.is_empty() {
             match solver {
+                Solver::AsPrinted(_) => {}
                 Solver::Auto | Solver::Live if self.method.tolerance.is_some() => return Err(ModelError::Unbounded),
                 Solver::Auto | Solver::Live => {}
                 solver => return Err(ModelError::NoConvex { solver }),
@@ -323,7 +358,8 @@ impl<const D: usize> Model<D> {
     /// The counted work of a frame beyond which islands are handed over to the live step [ms]; `None`: none ever is.
     pub(crate) fn budget(&self) -> Option<f64> {
         let Method { solver, tolerance, budget, .. } = self.method;
-        let is_meant = D == 2 && solver == Solver::Auto && tolerance.is_none() && self.convex.is_empty();
+        let is_known = self.convex.is_empty() && !self.has_penalties();
+        let is_meant = D == 2 && solver == Solver::Auto && tolerance.is_none() && is_known;
         budget.filter(|_| is_meant)
     }
 
@@ -344,6 +380,17 @@ impl<const D: usize> Model<D> {
         self.wind.map_or(self.gravity, |wind| add(self.gravity, scale(wind.velocity, self.drag_rate)))
     }
 
+    /// Whether surfaces push by depth in place of contact.
+    pub(crate) fn has_penalties(&self) -> bool {
+        self.planes.iter().any(|plane| plane.penalty.is_some())
+    }
+
+    /// What is stored in surfaces that push by depth, of free points at these places [J].
+    pub(crate) fn penalty_energy(&self, places: impl Iterator<Item = [f64; D]> + Clone) -> f64 {
+        let cushions = self.planes.iter().filter_map(Cushion::<f64, D>::of);
+        cushions.map(|cushion| cushion.energy(places.clone())).sum()
+    }
+
     /// Whether forces on some points, or gusts, push what would fly otherwise.
     pub(crate) fn has_fields(&self) -> bool {
         let has_gusts = |wind: &Wind<D>| wind.turbulence > 0.0 && self.drag_rate > 0.0;
@@ -358,7 +405,8 @@ impl<const D: usize> Model<D> {
     /// Whether all that can move is moved together by the live step from the start.
     pub(crate) fn is_live(&self) -> bool {
         let meets = self.contact.is_some() && !self.meets_on_demand();
-        meets || self.method.solver == Solver::Live || !self.convex.is_empty()
+        let is_printed = matches!(self.method.solver, Solver::AsPrinted(_));
+        !is_printed && (meets || self.method.solver == Solver::Live || !self.convex.is_empty())
     }
 
     /// Times at which a step has to end [s]: knots of tracks, and the duration; in any order.
@@ -436,6 +484,7 @@ impl<const D: usize> Model<D> {
         if let Some((kind, others)) = solver.refusal(bond.kind) {
             return Err(ModelError::Refused { bond: i, kind, solver, others });
         }
+        self.check_printed_bond(bond)?;
         let in_range = |value: f64| value >= 0.0 && value.is_finite();
         let fine = in_range(bond.rest_length)
             && bond.break_strain > 0.0

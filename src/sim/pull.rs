@@ -4,6 +4,7 @@ use std::sync::Arc;
 
 use super::constrain::direct::{Direct, Held};
 use super::contact::Contacts;
+use super::contact::penalty::Cushion;
 use super::counters::Counters;
 use super::environment::Environment;
 use super::force::form::Form;
@@ -38,6 +39,8 @@ pub(crate) struct Pull<S: Real, const D: usize> {
     pub(crate) drag_rate: f64,
     /// Air that moves, where there is drag.
     pub(crate) air: Option<Arc<Air<D>>>,
+    /// Surfaces that push by depth.
+    pub(crate) cushions: Arc<[Cushion<S, D>]>,
 }
 
 impl<S: Real, const D: usize> Pull<S, D> {
@@ -53,12 +56,12 @@ impl<S: Real, const D: usize> Pull<S, D> {
 
     /// Whether some force depends on velocities, drag apart.
     pub(crate) fn is_damped(&self) -> bool {
-        self.springs.is_damped() || self.form.is_damped()
+        self.springs.is_damped() || self.form.is_damped() || self.cushions.iter().any(Cushion::is_damped)
     }
 
     /// Whether anything but springs, the mouse and what is the same everywhere pushes points.
     pub(crate) fn has_fields(&self) -> bool {
-        !self.thrusts.is_empty() || self.gusts().is_some()
+        !self.thrusts.is_empty() || self.gusts().is_some() || !self.cushions.is_empty()
     }
 
     /// Air with gusts, where there is drag.
@@ -112,6 +115,7 @@ impl<S: Real, const D: usize> Pull<S, D> {
             a[i as usize] = add(a[i as usize], self.lead);
         }
         self.drive(t, (x, w), a);
+        self.cushions.iter().for_each(|cushion| cushion.push((x, v, w), a));
         if let Some((force, cursor)) = around.mouse_at(t) {
             counters.mouse_points += mouse::push(force, cursor, self.inside.as_ref(), x, w, a);
         }

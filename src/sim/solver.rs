@@ -3,6 +3,7 @@
 use std::fmt;
 
 use super::bond::BondKind;
+use super::source::Source;
 
 /// The integrator and the way bonds are held.
 ///
@@ -54,10 +55,12 @@ pub enum Solver {
     Path,
     /// Fixed work in every substep, order 1; bodies may meet.
     Live,
+    /// The loop of a source as it is printed, with its faults: order 1.
+    AsPrinted(Source),
 }
 
 impl Solver {
-    /// All that can be asked for by name.
+    /// All that can be asked for by name alone.
     pub const ALL: [Solver; 17] = [
         Solver::Auto,
         Solver::Euler,
@@ -100,6 +103,7 @@ impl Solver {
             Solver::Relaxation => "relaxation",
             Solver::Path => "path",
             Solver::Live => "live",
+            Solver::AsPrinted(_) => "as-printed",
         }
     }
 
@@ -112,7 +116,8 @@ impl Solver {
             | Solver::Xpbd
             | Solver::Relaxation
             | Solver::Path
-            | Solver::Live => 1,
+            | Solver::Live
+            | Solver::AsPrinted(_) => 1,
             Solver::Auto
             | Solver::Rigid
             | Solver::Verlet
@@ -128,6 +133,7 @@ impl Solver {
     /// Whether the method has no use for bonds of a kind: the kind in words, and solvers that would do.
     pub fn refusal(self, kind: BondKind) -> Option<(&'static str, &'static str)> {
         match (kind, self) {
+            (kind, Solver::AsPrinted(source)) => source.refusal(kind),
             (BondKind::Spring { .. }, Solver::Relaxation) => {
                 Some(("a spring", "auto, verlet, pefrl, rk4 or implicit-midpoint"))
             }
@@ -151,13 +157,22 @@ impl Solver {
 
     /// Whether the method has no use for angles and areas: solvers that would do.
     pub fn form_refusal(self) -> Option<&'static str> {
-        matches!(self, Solver::Relaxation | Solver::Xpbd | Solver::Path | Solver::Flight)
+        matches!(self, Solver::Relaxation | Solver::Xpbd | Solver::Path | Solver::Flight | Solver::AsPrinted(_))
             .then_some("auto, verlet, velocity-verlet, pefrl, rk4, implicit-midpoint or live")
+    }
+
+    /// The one that is written so: its name, and behind that of the sources' loops which.
+    pub fn of_label(label: &str) -> Option<Solver> {
+        let printed = Source::ALL.map(Solver::AsPrinted);
+        Solver::ALL.into_iter().chain(printed).find(|solver| solver.to_string() == label)
     }
 
     /// Whether rigid bonds are solved together where there are not too many.
     pub(crate) fn solves_directly(self) -> bool {
-        !matches!(self, Solver::Verlet | Solver::Relaxation | Solver::Xpbd | Solver::Path | Solver::Live)
+        !matches!(
+            self,
+            Solver::Verlet | Solver::Relaxation | Solver::Xpbd | Solver::Path | Solver::Live | Solver::AsPrinted(_)
+        )
     }
 
     /// Whether walls, the edge of the mouse region and turns of bonds are located in time: where the order would be lost
@@ -169,7 +184,10 @@ impl Solver {
 
 impl fmt::Display for Solver {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(self.name())
+        match self {
+            Solver::AsPrinted(source) => write!(f, "{} {source}", self.name()),
+            _ => f.write_str(self.name()),
+        }
     }
 }
 

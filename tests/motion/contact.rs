@@ -20,8 +20,8 @@ fn slide_onto(restitution: f64) -> Model<2> {
         mass: vec![1.0],
         gravity: [0.0, -G],
         planes: vec![
-            Plane { point: [0.0, 0.0], normal: [sin, cos], restitution: 0.0, friction: 0.0 },
-            Plane { point: [0.0, 0.0], normal: [0.0, 1.0], restitution, friction: 0.0 },
+            Plane { point: [0.0, 0.0], normal: [sin, cos], restitution: 0.0, friction: 0.0, penalty: None },
+            Plane { point: [0.0, 0.0], normal: [0.0, 1.0], restitution, friction: 0.0, penalty: None },
         ],
         ..Model::default()
     }
@@ -113,7 +113,13 @@ fn a_touch_within_one_step_is_not_missed() {
             mass: vec![1.0; 2],
             pinned: vec![PointId(0)],
             bonds: [spring(0, 1, 0.0, 1.0, 0.0)].into(),
-            planes: vec![Plane { point: [0.0, 1.0 - depth], normal: [0.0, -1.0], restitution: 1.0, friction: 0.0 }],
+            planes: vec![Plane {
+                point: [0.0, 1.0 - depth],
+                normal: [0.0, -1.0],
+                restitution: 1.0,
+                friction: 0.0,
+                penalty: None,
+            }],
             ..Model::default()
         };
         let arrival = f64::asin(1.0 - depth);

@@ -72,7 +72,13 @@ fn a_body_leaves_by_the_shortest_way_and_is_neither_crushed_nor_thrown() {
             (Model { polygons: tilted(0.2), ..body.clone() }, 0.3 * 0.2_f64.cos() + 0.5 * 0.2_f64.sin()),
             (
                 Model {
-                    planes: vec![Plane { point: [7.0, 0.0], normal: [0.0, 3.0], restitution: 0.0, friction: 0.0 }],
+                    planes: vec![Plane {
+                        point: [7.0, 0.0],
+                        normal: [0.0, 3.0],
+                        restitution: 0.0,
+                        friction: 0.0,
+                        penalty: None,
+                    }],
                     ..body.clone()
                 },
                 0.3,

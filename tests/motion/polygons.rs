@@ -70,7 +70,8 @@ fn walls_of_a_polygon_are_as_bounds_and_planes_are() {
     };
     let material = (0.6, 0.2);
     let bounds = Bounds { min: [-1.0; 2], max: [1.0; 2], restitution: material.0, friction: material.1 };
-    let plane = Plane { point: [0.0, -1.0], normal: [-1.0, 2.0], restitution: material.0, friction: material.1 };
+    let plane =
+        Plane { point: [0.0, -1.0], normal: [-1.0, 2.0], restitution: material.0, friction: material.1, penalty: None };
     let inside = polygon(vec![vec![[-3.0, -2.5], [3.0, 0.5], [3.0, -3.0]]], material.0, material.1);
     let truth = start(vec![], Some(bounds), vec![plane]);
     let same = start(vec![room(0.5, material.0, material.1), inside], None, vec![]);

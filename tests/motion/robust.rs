@@ -180,7 +180,7 @@ fn an_impact_acts_through_rigid_bonds_at_once() {
     let mut scene = model(vec![[0.0, 0.01], [a.cos(), 0.01 + a.sin()]], vec![rigid(0, 1, 1.0)], &[]);
     scene.gravity = [0.0, 0.0];
     scene.velocity = vec![[0.0, -2.0]; 2];
-    scene.planes = vec![Plane { point: [0.0, 0.0], normal: [0.0, 3.0], restitution: e, friction: 0.0 }];
+    scene.planes = vec![Plane { point: [0.0, 0.0], normal: [0.0, 3.0], restitution: e, friction: 0.0, penalty: None }];
     scene.method.solver = Solver::Rk4;
     let mut world = build(&scene).unwrap();
     let end = run_to(&mut *world, 0.005_01);
@@ -229,7 +229,7 @@ fn a_point_sticks_on_a_slope_that_is_not_steep_and_slides_on_one_that_is() {
     let slope = |angle: f64, friction: f64| {
         let mut scene = model(vec![[0.0, 0.0]], vec![], &[]);
         let normal = [-angle.sin(), angle.cos()];
-        scene.planes = vec![Plane { point: [0.0, 0.0], normal, restitution: 0.0, friction }];
+        scene.planes = vec![Plane { point: [0.0, 0.0], normal, restitution: 0.0, friction, penalty: None }];
         scene.method = Method { substep: Some(1.0 / 240.0), ..Method::default() };
         run_to(&mut *build(&scene).unwrap(), 1.0).position[0]
     };

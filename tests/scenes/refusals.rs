@@ -165,7 +165,7 @@ fn bonds() {
             ),
             (
                 "\"bonds\": [{ \"a\": 0, \"b\": 1, \"kind\": \"spring\" }]",
-                "bonds[0]: a spring needs `stiffness` [N/m] or `compliance` [m/N]: add one of them",
+                "bonds[0]: a spring needs `stiffness` [N/m], `compliance` [m/N] or `axial_stiffness` [N]: add one of them",
             ),
             (
                 "\"bonds\": [{ \"a\": 0, \"b\": 1, \"kind\": \"spring\", \"stiffness\": 2, \"compliance\": 0.5 }]",

@@ -250,9 +250,13 @@ fn of_push(ui: &mut Ui, [mut strength, mut radius]: [f64; 2], sink: &mut Sink<'_
 
 fn of_solver(ui: &mut Ui, solver: Solver, sink: &mut Sink<'_>) {
     ui.strong("Method");
-    ComboBox::from_label("solver").selected_text(solver.name()).show_ui(ui, |ui| {
+    ComboBox::from_label("solver").selected_text(solver.to_string()).show_ui(ui, |ui| {
         for name in SolverName::NAMES {
             let is_chosen = *name == solver.name();
+            // Whose loop it would be nothing says but the scene.
+            if *name == SolverName::AsPrinted.name() && !is_chosen {
+                continue;
+            }
             if ui.selectable_label(is_chosen, *name).clicked() && !is_chosen {
                 sink.wishes.extend(name.parse().ok().map(Wish::Solver));
             }

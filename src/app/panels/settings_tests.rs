@@ -139,5 +139,6 @@ fn another_solver_leaves_the_rest_of_the_method() {
     let method = stage.history().world().method();
     assert_eq!((method.solver, method.sleeps, method.precision), (Solver::Rk4, before.sleeps, before.precision));
     let names = Solver::ALL.map(|solver| solver.name());
-    assert_eq!(names, SolverName::NAMES, "the list is by the names of files");
+    let named: Vec<&str> = SolverName::NAMES.iter().copied().filter(|name| *name != "as-printed").collect();
+    assert_eq!(names, named[..], "the list is by the names of files");
 }

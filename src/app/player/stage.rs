@@ -172,7 +172,7 @@ impl Stage {
             Order::Give(commands, edit) => self.give(commands, edit),
             Order::GiveOn(act, name) => self.give_on(act, name),
             Order::Solver(solver) => {
-                let method = MethodKeys { solver: Some(solver), ..self.history.method() };
+                let method = MethodKeys { solver: Some(solver), source: None, ..self.history.method() };
                 self.give(vec![with(method)], Some(SOLVER))
             }
             Order::Press(presses) => {

@@ -50,6 +50,7 @@ pub(in crate::scene) struct Resistance {
     stiffness: Option<f64>,
     young: Option<f64>,
     compliance: Option<f64>,
+    axial_stiffness: Option<f64>,
     damping: Option<f64>,
     relaxation: Option<f64>,
     max_correction: Option<f64>,
@@ -62,6 +63,7 @@ impl From<&BondKeys> for Resistance {
             stiffness: bond.stiffness,
             young: None,
             compliance: bond.compliance,
+            axial_stiffness: bond.axial_stiffness,
             damping: bond.damping,
             relaxation: bond.relaxation,
             max_correction: bond.max_correction,
@@ -76,6 +78,7 @@ impl From<&Material> for Resistance {
             stiffness: material.stiffness,
             young: material.young,
             compliance: material.compliance,
+            axial_stiffness: None,
             damping: material.damping,
             relaxation: material.relaxation,
             max_correction: material.max_correction,
@@ -90,6 +93,7 @@ impl Resistance {
         self.check_belonging(kind)?;
         Range::NotNegative.maybe(self.stiffness).at("stiffness")?;
         Range::NotNegative.maybe(self.compliance).at("compliance")?;
+        Range::NotNegative.maybe(self.axial_stiffness).at("axial_stiffness")?;
         Range::NotNegative.maybe(self.damping).at("damping")?;
         Range::Share.maybe(self.relaxation).at("relaxation")?;
         Range::Positive.maybe(self.max_correction).at("max_correction")?;
@@ -97,14 +101,20 @@ impl Resistance {
             let message = "stands beside `stiffness`, its reciprocal: leave one of them out";
             return Err(Fault::invalid(message).at("compliance"));
         }
+        if self.axial_stiffness.is_some() && (self.stiffness.is_some() || self.compliance.is_some()) {
+            let message = "says how stiff the spring is, as another key does: leave one of them out";
+            return Err(Fault::invalid(message).at("axial_stiffness"));
+        }
         Range::Young.maybe(self.young).at("young")?;
         if self.young.is_some() && (self.stiffness.is_some() || self.compliance.is_some()) {
             return Err(
                 Fault::invalid("says how stiff the springs are, as another key does: leave one out").at("young")
             );
         }
-        if kind == KindName::Spring && [self.stiffness, self.compliance, self.young] == [None; 3] {
-            let message = "a spring needs `stiffness` [N/m] or `compliance` [m/N]: add one of them";
+        if kind == KindName::Spring && [self.stiffness, self.compliance, self.axial_stiffness, self.young] == [None; 4]
+        {
+            let message =
+                "a spring needs `stiffness` [N/m], `compliance` [m/N] or `axial_stiffness` [N]: add one of them";
             return Err(Fault::invalid(message));
         }
         match self.compliance {
@@ -123,6 +133,7 @@ impl Resistance {
             ("stiffness", self.stiffness.is_some(), spring, "spring"),
             ("young", self.young.is_some(), spring, "spring"),
             ("compliance", self.compliance.is_some(), rigid || spring, "spring"),
+            ("axial_stiffness", self.axial_stiffness.is_some(), spring, "spring"),
             ("damping", self.damping.is_some(), spring, "spring"),
             ("relaxation", self.relaxation.is_some(), relaxed, "relaxed"),
             ("max_correction", self.max_correction.is_some(), relaxed, "relaxed"),
@@ -138,7 +149,8 @@ impl Resistance {
         Ok(())
     }
 
-    /// What the engine makes of it; checked before. A compliance above 0 is a spring, one of 0 a rigid bond.
+    /// What the engine makes of it; checked before. A compliance above 0 is a spring, one of 0 a rigid bond. An axial stiffness is still to
+    /// be divided by the rest length.
     pub(in crate::scene) fn resolve(&self) -> BondKind {
         let damping = self.damping.unwrap_or(0.0);
         match (self.kind.unwrap_or(KindName::Rigid), self.compliance) {
@@ -149,7 +161,10 @@ impl Resistance {
             (_, Some(compliance)) if compliance > 0.0 => BondKind::Spring { stiffness: 1.0 / compliance, damping },
             (KindName::Spring, None) => {
                 let of_young = self.young.map(|young| STIFFNESS_OF_YOUNG * young);
-                BondKind::Spring { stiffness: self.stiffness.or(of_young).unwrap_or(0.0), damping }
+                BondKind::Spring {
+                    stiffness: self.stiffness.or(of_young).or(self.axial_stiffness).unwrap_or(0.0),
+                    damping,
+                }
             }
             _ => BondKind::Rigid,
         }

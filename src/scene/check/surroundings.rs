@@ -126,6 +126,7 @@ fn check_obstacle(obstacle: &ObstacleKeys, dimensions: usize, source: &Source) -
         }
     }
     check_surface(obstacle.restitution, obstacle.friction)?;
+    check_penalty(obstacle)?;
     if let Some(plane) = &obstacle.plane {
         number::vector(&plane.point, dimensions).at("point").at("plane")?;
         number::direction(&plane.normal, dimensions).at("normal").at("plane")?;
@@ -147,6 +148,19 @@ fn check_obstacle(obstacle: &ObstacleKeys, dimensions: usize, source: &Source) -
         Some(keys) => check_picture(keys, source).at("picture"),
         None => Ok(()),
     }
+}
+
+fn check_penalty(obstacle: &ObstacleKeys) -> Result<(), Fault> {
+    let Some(penalty) = &obstacle.penalty else { return Ok(()) };
+    if obstacle.plane.is_none() {
+        return Err(Fault::unsupported("is of planes alone in this version: leave it out").at("penalty"));
+    }
+    if obstacle.restitution.is_some() || obstacle.friction.is_some() {
+        let message = "takes the place of contact, restitution and friction: leave it or these out";
+        return Err(Fault::invalid(message).at("penalty"));
+    }
+    Range::NotNegative.check(penalty.stiffness).at("stiffness").at("penalty")?;
+    Range::NotNegative.maybe(penalty.damping).at("damping").at("penalty")
 }
 
 fn check_picture(keys: &PictureKeys, source: &Source) -> Result<(), Fault> {

@@ -46,6 +46,9 @@ object! {
             /// Of a spring, in place of its stiffness: 1/stiffness [m/N], >= 0, where 0 is rigid. Of a rigid bond:
             /// above 0 it is a spring.
             compliance: f64,
+            /// Of a spring, in place of its stiffness: that times its rest length [N], E A of a bar: the force at a strain of 1. Then pieces
+            /// of one bar, however short, have the same.
+            axial_stiffness: f64,
             /// Of a spring [N s/m], >= 0: 0 if not said.
             damping: f64,
             /// Of a relaxed bond: the share of its error that a sweep takes away [1], in (0, 1]; 1 if not said.
@@ -70,6 +73,7 @@ impl BondKeys {
             rest: None,
             stiffness: None,
             compliance: None,
+            axial_stiffness: None,
             damping: None,
             relaxation: None,
             max_correction: None,

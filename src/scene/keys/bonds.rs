@@ -25,16 +25,23 @@ pub struct BondList {
 }
 
 impl Bits for BondKeys {
-    type Key = [u64; 7];
+    type Key = [u64; 8];
 
     #[inline]
-    fn bits(&self) -> [u64; 7] {
-        let numbers =
-            [self.stiffness, self.compliance, self.damping, self.relaxation, self.max_correction, self.break_strain];
-        let mut bits = [0; 7];
-        bits[6] = self.kind.map_or(0, |kind| 1 + kind as u64) + (self.limit.map_or(0, |limit| 1 + limit as u64) << 8);
+    fn bits(&self) -> [u64; 8] {
+        let numbers = [
+            self.stiffness,
+            self.compliance,
+            self.axial_stiffness,
+            self.damping,
+            self.relaxation,
+            self.max_correction,
+            self.break_strain,
+        ];
+        let mut bits = [0; 8];
+        bits[7] = self.kind.map_or(0, |kind| 1 + kind as u64) + (self.limit.map_or(0, |limit| 1 + limit as u64) << 8);
         for (k, number) in numbers.into_iter().enumerate() {
-            bits[6] |= u64::from(number.is_some()) << (16 + k);
+            bits[7] |= u64::from(number.is_some()) << (16 + k);
             bits[k] = number.unwrap_or(0.0).to_bits();
         }
         bits

@@ -41,6 +41,28 @@ names! {
         Path = "path",
         /// Bodies may meet.
         Live = "live",
+        /// The loop of a `source`, with its faults.
+        AsPrinted = "as-printed",
+    }
+}
+
+names! {
+    /// A public text whose loop is run as it is printed; docs/sources.md has their faults.
+    SourceName: "a source" {
+        /// Verlet and one sweep: walls before it.
+        Notebook = "000",
+        /// The same with walls after it.
+        NotebookGraph = "000-graph",
+        /// Six moves to a sweep.
+        Segments = "001",
+        /// A rope of fifty sweeps.
+        Rope = "002",
+        /// Springs.
+        Spring = "003",
+        /// Springs by their strain: stiffness in N.
+        SpringRelative = "003-relative",
+        /// A cloth of fifteen sweeps.
+        Cloth = "004",
     }
 }
 
@@ -79,6 +101,8 @@ object! {
         optional {
             /// auto if not said.
             solver: SolverName,
+            /// Of `as-printed`: whose loop.
+            source: SourceName,
             /// h [s], > 0; chosen if not said.
             substep: f64,
             /// Sweeps in a substep, from 1 to 100000; chosen if not said.

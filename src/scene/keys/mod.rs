@@ -20,11 +20,11 @@ pub use bond::{BondKeys, KindName, LimitName};
 pub use bonds::BondList;
 pub use budget::BudgetKeys;
 pub use contact::{ContactKeys, Meeting, SkinKeys};
-pub use method::{MethodKeys, OrderName, PrecisionName, SolverName};
+pub use method::{MethodKeys, OrderName, PrecisionName, SolverName, SourceName};
 pub use scene::{AngleKeys, AreaKeys, AreaKindName, MassKeys, PointKeys, Scene, TextureKeys, Version};
 pub use surroundings::{
-    BoundsKeys, BoxKeys, CircleKeys, ForceKeys, MouseKeys, ObstacleKeys, PictureKeys, PinMotionKeys, PlaneKeys,
-    ProfileName, RegionName, RotationKeys, WindKeys,
+    BoundsKeys, BoxKeys, CircleKeys, ForceKeys, MouseKeys, ObstacleKeys, PenaltyKeys, PictureKeys, PinMotionKeys,
+    PlaneKeys, ProfileName, RegionName, RotationKeys, WindKeys,
 };
 pub use vector::{Row, Vector};
 pub use view::ViewKeys;

@@ -114,6 +114,23 @@ object! {
             restitution: f64,
             /// As of the bounds.
             friction: f64,
+            /// Of a plane: a force by depth in place of contact.
+            penalty: PenaltyKeys,
+        }
+    }
+}
+
+object! {
+    /// A force by depth.
+    #[derive(Copy)]
+    PenaltyKeys: "a penalty: an object with the key `stiffness`" {
+        required {
+            /// Force over depth [N/m], >= 0.
+            stiffness: f64,
+        }
+        optional {
+            /// Force over speed along the normal, while it is behind the surface [N s/m], >= 0: 0 if not said.
+            damping: f64,
         }
     }
 }

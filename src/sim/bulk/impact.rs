@@ -206,7 +206,7 @@ mod tests {
     use crate::sim::contact::surface::Plane;
 
     fn floor(restitution: f64, friction: f64) -> Surface<f64, 2> {
-        Surface::new(&Plane { point: [0.0, 0.0], normal: [0.0, 1.0], restitution, friction })
+        Surface::new(&Plane { point: [0.0, 0.0], normal: [0.0, 1.0], restitution, friction, penalty: None })
     }
 
     /// The motion of a point at `x` that was `motion`.

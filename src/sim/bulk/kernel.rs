@@ -3,6 +3,7 @@
 use std::fmt;
 
 use super::Way;
+use crate::sim::source::Source;
 
 /// What a group of large bodies is.
 #[derive(Clone, Copy, Debug)]
@@ -15,6 +16,8 @@ pub(crate) enum Kernel {
     Joined(usize),
     /// Bodies of any form that may meet.
     Live,
+    /// Points and bonds by the loop of a source.
+    Printed(Source),
 }
 
 impl Kernel {
@@ -28,6 +31,7 @@ impl Kernel {
             (Kernel::Rigid(count) | Kernel::Joined(count), Kernel::Rigid(more) | Kernel::Joined(more)) => {
                 Kernel::Joined(count + more)
             }
+            (Kernel::Printed(source), _) => Kernel::Printed(source),
             _ => Kernel::Live,
         }
     }
@@ -61,6 +65,7 @@ impl fmt::Display for Kernel {
             Kernel::Rigid(count) => return write!(f, "{count} rigid bodies"),
             Kernel::Joined(count) => return write!(f, "{count} rigid bodies in joints"),
             Kernel::Live => return f.write_str("live bodies"),
+            Kernel::Printed(source) => return write!(f, "the loop of source {source}"),
         };
         let plurals = [("sheet", "sheets"), ("chain", "chains"), ("crowd", "crowds"), ("mesh", "meshes")];
         let some = plurals.iter().zip(counts).filter(|(_, count)| *count > 0).map(|((one, many), count)| match count {

@@ -236,7 +236,7 @@ mod tests {
     use crate::sim::contact::surface::Plane;
 
     fn floor(restitution: f64, friction: f64) -> Outside<'static, f64, 2> {
-        let plane = Plane { point: [0.0, 0.0], normal: [0.0, 2.0], restitution, friction };
+        let plane = Plane { point: [0.0, 0.0], normal: [0.0, 2.0], restitution, friction, penalty: None };
         Outside { mouse: None, pushed: [[0.0; 2]; 2], planes: vec![Surface::new(&plane)], walls: None }
     }
 

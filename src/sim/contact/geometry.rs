@@ -19,10 +19,11 @@ pub(crate) struct Geometry<'a, const D: usize> {
 }
 
 impl<const D: usize> Geometry<'_, D> {
-    /// All surfaces without an end: the walls of the bounds, then the planes.
+    /// All surfaces without an end that are met: the walls of the bounds, then the planes.
     pub(crate) fn surfaces<S: Real>(&self) -> Vec<Surface<S, D>> {
         let walls = self.bounds.into_iter().flat_map(walls);
-        walls.chain(self.planes.iter().copied()).map(|plane| Surface::new(&plane)).collect()
+        let planes = self.planes.iter().copied().filter(|plane| plane.penalty.is_none());
+        walls.chain(planes).map(|plane| Surface::new(&plane)).collect()
     }
 }
 
@@ -33,7 +34,13 @@ fn walls<const D: usize>(bounds: &Bounds<D>) -> Vec<Plane<D>> {
         for (point, side) in [(bounds.min, 1.0), (bounds.max, -1.0)] {
             let mut normal = [0.0; D];
             normal[k] = side;
-            planes.push(Plane { point, normal, restitution: bounds.restitution, friction: bounds.friction });
+            planes.push(Plane {
+                point,
+                normal,
+                restitution: bounds.restitution,
+                friction: bounds.friction,
+                penalty: None,
+            });
         }
     }
     planes

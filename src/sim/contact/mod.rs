@@ -5,6 +5,7 @@ pub mod convex;
 pub(crate) mod geometry;
 pub(crate) mod obstacles;
 pub(crate) mod passage;
+pub mod penalty;
 pub mod polygon;
 pub(crate) mod rest;
 pub mod skin;

@@ -67,7 +67,7 @@ mod tests {
 
     #[test]
     fn a_bounce_of_full_restitution_keeps_the_energy_to_third_order() {
-        let plane = Plane { point: [0.0, 0.0], normal: [0.0, 1.0], restitution: 1.0, friction: 0.0 };
+        let plane = Plane { point: [0.0, 0.0], normal: [0.0, 1.0], restitution: 1.0, friction: 0.0, penalty: None };
         let surface = Surface::<f64, 2>::new(&plane);
         let error = |h: f64| {
             let (g, v0, y0) = (10.0, -3.0, 3.0 * 0.3 * h);

@@ -1,5 +1,6 @@
 //! Surfaces that points cannot pass, as the kernels read them.
 
+use super::penalty::Penalty;
 use crate::sim::real::Real;
 use crate::sim::vector::{convert, dot, flat, widen};
 
@@ -14,6 +15,8 @@ pub struct Plane<const D: usize> {
     pub restitution: f64,
     /// |change of v_t| <= friction |change of v_n| [1], >= 0; more than 30 is taken as 30.
     pub friction: f64,
+    /// Where it pushes by depth in place of contact.
+    pub penalty: Option<Penalty>,
 }
 
 /// The largest coefficient of friction [1]: it holds what stands on a slope of 88 degrees. Of more a step is too long to be stopped
@@ -58,7 +61,15 @@ impl<S: Real, const D: usize> Surface<S, D> {
         dot(self.normal, x) - self.offset
     }
 
-    /// The same in the plane in `f64`, whatever the world's scalar.
+    /// The place of a point that is put on a wall across an axis, without rounding, however far it is.
+    pub(crate) fn clamped(&self, mut x: [S; D]) -> [S; D] {
+        for (x, &n) in x.iter_mut().zip(&self.normal).filter(|(_, n)| **n != S::ZERO) {
+            *x = self.offset * n;
+        }
+        x
+    }
+
+    /// [`Surface::gap`] in the plane in `f64`, whatever the world's scalar.
     #[inline(always)]
     pub(crate) fn gap_of(&self, x: [f64; 2]) -> f64 {
         dot(flat(widen(self.normal)), x) - self.offset.to_f64()

@@ -245,6 +245,7 @@ impl<S: Real, const D: usize> World<S, D> {
                         normal: truncate(normal),
                         restitution,
                         friction,
+                        penalty: None,
                     });
                 }
                 Obstacle::Polygon(polygon) => {

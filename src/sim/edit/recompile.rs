@@ -199,9 +199,9 @@ impl<S: Real, const D: usize> World<S, D> {
         self.plan.own[group].points = 0;
     }
 
-    /// What moved a group in the live step, whose points are among these; its place is to be vacated.
+    /// What moved a group in the live step or by the loop of a source, whose points are among these; its place is to be vacated.
     fn heritage(&mut self, group: usize, points: &[u32]) -> Option<Heritage<S, D>> {
-        self.plan.groups[group].kernel().filter(|kernel| matches!(kernel, Kernel::Live))?;
+        self.plan.groups[group].kernel().filter(|kernel| matches!(kernel, Kernel::Live | Kernel::Printed(_)))?;
         let own = |&point: &u32| {
             self.slot(point as usize).filter(|slot| slot[0] == group).map(|slot| (point, slot[1] as u32))
         };

@@ -14,6 +14,7 @@
 use super::Group;
 use super::booking::Cause;
 use super::engine::Engine;
+use crate::sim::bulk::kernel::Kernel;
 use crate::sim::environment::Environment;
 use crate::sim::points::Points;
 use crate::sim::real::Real;
@@ -55,7 +56,9 @@ pub(crate) struct Grabbed<const D: usize> {
 impl<S: Real, const D: usize> Group<S, D> {
     /// Longest substep [s].
     pub(crate) fn longest(&self) -> f64 {
-        if self.grabbed.is_some() { self.substep.min(LONGEST) } else { self.substep }
+        // A loop as it is printed is another one in other steps.
+        let is_printed = matches!(self.kernel(), Some(Kernel::Printed(_)));
+        if self.grabbed.is_some() && !is_printed { self.substep.min(LONGEST) } else { self.substep }
     }
 
     /// The fastest that a point may be led [m/s], where there is such a bound.

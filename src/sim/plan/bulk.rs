@@ -96,6 +96,7 @@ impl<S: Real, const D: usize> Maker<'_, S, D> {
             gravity: self.model.field(),
             drag_rate: self.model.drag_rate,
             air: self.gathered.drives.air.clone(),
+            cushions: self.cushions(),
         }
     }
 

@@ -92,6 +92,10 @@ pub(crate) fn choose(island: &Island, method: &Method, setting: Setting) -> Choi
         let substep = method.substep.unwrap_or(FRAME);
         return Choice { solver: Solver::Rigid, substep, is_direct: false, bulk: None };
     }
+    if let Solver::AsPrinted(source) = method.solver {
+        let substep = method.substep.unwrap_or(source.substep());
+        return Choice { solver: method.solver, substep, is_direct: false, bulk: None };
+    }
     let is_direct = can_be_direct(island);
     let solver = match method.solver {
         Solver::Auto => pick(island, setting, is_direct),
@@ -149,8 +153,8 @@ fn scheme(island: &Island, method: &Method, setting: Setting, is_direct: bool) -
     let given = |way| Some(Scheme { way, target: None, longest: None });
     let are_springs = island.springs == island.bonds.len() && !island.has_limits && !island.has_round_dampers;
     match method.solver {
-        // Large bodies know neither angles nor areas.
-        _ if island.bonds.is_empty() || island.has_form() => None,
+        // Large bodies know neither angles nor areas, nor surfaces that push by depth.
+        _ if island.bonds.is_empty() || island.has_form() || island.is_pressed => None,
         Solver::Auto if are_springs && pick(island, setting, is_direct) == Solver::VelocityVerlet => given(Way::Forces),
         Solver::Verlet | Solver::VelocityVerlet if are_springs => {
             (is_large || (has_order && setting.points > LARGE)).then(|| given(Way::Forces))?
@@ -187,7 +191,7 @@ fn pick(island: &Island, setting: Setting, is_direct: bool) -> Solver {
     if setting.has_surfaces && island.springs > MOST_TOUCHING && substeps <= MOST_TOUCHES {
         return Solver::VelocityVerlet;
     }
-    if is_stiff(island) && island.points.len() <= MOST_IMPLICIT {
+    if is_stiff(island) && !island.is_pressed && island.points.len() <= MOST_IMPLICIT {
         return Solver::ImplicitMidpoint;
     }
     if setting.points > LARGE {

@@ -5,11 +5,25 @@ use std::sync::Arc;
 use super::gather::Gathered;
 use super::island::Island;
 use super::make::Maker;
+use crate::sim::contact::penalty::{Cushion, Penalty};
 use crate::sim::force::steady::Thrust;
 use crate::sim::force::wind::Air;
 use crate::sim::model::Model;
 use crate::sim::real::Real;
 use crate::sim::vector::{convert, scale};
+
+/// Lets the rules know that surfaces push islands by depth, all at once at worst.
+pub(super) fn press<const D: usize>(model: &Model<D>, islands: &mut [Island]) {
+    let penalties: Vec<Penalty> = model.planes.iter().filter_map(|plane| plane.penalty).collect();
+    let (k, c) = penalties.iter().fold((0.0, 0.0), |(k, c), one| (k + one.stiffness, c + one.damping));
+    for island in islands.iter_mut().filter(|_| !penalties.is_empty()) {
+        let most = island.points.iter().map(|&i| 1.0 / model.mass[i as usize]).fold(0.0, f64::max);
+        island.frequency = (island.frequency * island.frequency + k * most).sqrt();
+        island.decay += c * most;
+        (island.is_driven, island.is_pressed) = (true, true);
+        island.is_damped |= c > 0.0;
+    }
+}
 
 /// What pushes the points of a model.
 #[derive(Clone, Debug, Default)]
@@ -112,5 +126,10 @@ impl<S: Real, const D: usize> Maker<'_, S, D> {
     /// The forces on the points of the group.
     pub(super) fn thrusts(&self) -> Vec<Thrust<S, D>> {
         self.gathered.thrusts(self.model, self.points)
+    }
+
+    /// Surfaces that push by depth.
+    pub(super) fn cushions(&self) -> Arc<[Cushion<S, D>]> {
+        self.model.planes.iter().filter_map(Cushion::of).collect()
     }
 }

@@ -68,6 +68,8 @@ pub(crate) struct Island {
     pub(crate) is_tree: bool,
     /// A constant force or torque acts on some of its points.
     pub(crate) is_driven: bool,
+    /// Surfaces push it by depth.
+    pub(crate) is_pressed: bool,
     /// Areas are held.
     pub(crate) holds_areas: bool,
     /// Where it moves as rigid bodies: what those are.

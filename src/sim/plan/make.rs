@@ -58,6 +58,7 @@ impl<S: Real, const D: usize> Maker<'_, S, D> {
         let batched = match choice.solver {
             Solver::Live => self.make_live(),
             Solver::Rigid => self.make_rigid(),
+            Solver::AsPrinted(source) => Some(self.make_printed(source)),
             _ => choice.bulk.and_then(|scheme| self.make_bulk(scheme)),
         };
         if let Some(group) = batched {
@@ -86,6 +87,7 @@ impl<S: Real, const D: usize> Maker<'_, S, D> {
             gravity: self.model.field(),
             drag_rate: self.model.drag_rate,
             air: self.gathered.drives.air.clone(),
+            cushions: self.cushions(),
         };
         self.allocate(&mut points, &pull);
         let engine = self.engine(choice.solver, &bonds, &points, &pull);

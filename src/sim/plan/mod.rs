@@ -13,6 +13,7 @@ mod live;
 mod lot;
 mod make;
 mod precision;
+mod printed;
 mod reconcile;
 mod rigid;
 pub(crate) mod structure;
@@ -109,13 +110,14 @@ pub(crate) fn compile<S: Real, const D: usize>(
 ) -> Plan<S, D> {
     let w = inverse_masses(model);
     let stand_ins = match model.method.solver {
-        Solver::Relaxation => (0..w.len() as u32).collect(),
+        Solver::Relaxation | Solver::AsPrinted(_) => (0..w.len() as u32).collect(),
         _ => weld::merge(bonds, &w),
     };
     let gathered = Gathered::new(model, (bonds, numbers), &w, &stand_ins, state);
     let pairs = gathered.drives.pairs(model);
     let mut islands = island::islands_joined(&gathered.bonds, &gathered.ties, &gathered.w, &pairs);
     gathered.drives.mark(&mut islands);
+    drive::press(model, &mut islands);
     rigid::mark(&gathered, (model, !obstacles.is_empty()), &mut islands);
     gathered.plan((model, obstacles), lot::lots(model, (!obstacles.is_empty(), scene_points), islands, live))
 }

@@ -48,7 +48,7 @@ pub(super) fn mark<S: Real, const D: usize>(
     (model, has_surfaces): (&Model<D>, bool),
     islands: &mut [Island],
 ) {
-    if D != 2 || model.method.solver != Solver::Auto {
+    if D != 2 || model.method.solver != Solver::Auto || model.has_penalties() {
         return;
     }
     for island in islands {

@@ -98,6 +98,15 @@ impl<S: Real, const D: usize> World<S, D> {
     fn springs_energy(&self) -> f64 {
         measure::springs_energy(&self.bonds, |i| self.place(i))
             + self.model.form_energy(|i| self.place(i), |i| self.stops_by_spring(i))
+            + self.model.penalty_energy(self.free_places(&|i| self.place(i)))
+    }
+
+    /// The places of all points that can move [m].
+    pub(super) fn free_places<'a>(
+        &'a self,
+        place: &'a impl Fn(usize) -> [f64; D],
+    ) -> impl Iterator<Item = [f64; D]> + Clone + 'a {
+        (0..self.inverse_mass.len()).filter(|&i| self.inverse_mass[i] > 0.0).map(place)
     }
 
     fn kinetic(&self) -> f64 {

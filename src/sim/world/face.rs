@@ -189,6 +189,7 @@ impl<S: Real, const D: usize> Dynamics for World<S, D> {
         let (position, velocity) = (of(|points| &points.position), of(|points| &points.velocity));
         let mut energies = measure::energies(position, velocity, &self.inverse_mass, &self.bonds, self.around.gravity);
         energies.springs += self.model.form_energy(position, |i| self.stops_by_spring(i));
+        energies.springs += self.model.penalty_energy(self.free_places(&position));
         energies
     }
 

@@ -88,6 +88,7 @@ impl<S: Real, const D: usize> World<S, D> {
         let mut energies =
             measure::energies(|i| position[i], |i| velocity[i], &self.inverse_mass, &self.bonds, gravity);
         energies.springs += self.model.form_energy(|i| position[i], |i| self.stops_by_spring(i));
+        energies.springs += self.model.penalty_energy(self.free_places(&|i| position[i]));
         let time = self.timeline.time();
         Sample {
             time,

@@ -128,7 +128,7 @@ impl Solids {
         let plane = |wall: &Wall| {
             let of = &polygons[wall.polygon as usize];
             let (point, normal) = (spread(wall.start), spread(wall.normal()));
-            Plane { point, normal, restitution: of.restitution, friction: of.friction }
+            Plane { point, normal, restitution: of.restitution, friction: of.friction, penalty: None }
         };
         self.walls.iter().map(plane).collect()
     }
