@@ -18,7 +18,7 @@ use super::pack::{AnyCore, Core, FIRST_WITH_HAND_OVERS, FIRST_WITH_TRIANGLES, pu
 use crate::sim::{Bonds, Dynamics, PointId, Saved, SavedWorld, borne, resume};
 
 /// How the numbers are laid out.
-pub(super) const LAYOUT: u64 = 7;
+pub(super) const LAYOUT: u64 = 8;
 
 /// The first layout that begins with the core.
 const FIRST_WITH_CORE: u64 = 2;

@@ -78,7 +78,7 @@ macro_rules! entry {
     };
 }
 
-static GALLERY: [Entry; 35] = [
+static GALLERY: [Entry; 37] = [
     entry!(
         "jelly",
         168,
@@ -137,10 +137,24 @@ static GALLERY: [Entry; 35] = [
     ),
     entry!(
         "soft-car",
-        55,
+        39,
         "Soft car",
-        "A car on two soft wheels rolls down a slope, over bumps, up the other side and back until it stands.",
-        "push it back up by hand; turn it over; drop it from high up."
+        "A car stands on two soft wheels with motors, before a hundred metres of hills, bumps and steps.",
+        "hold → to drive, ← to brake and go back; throw it by hand; press R to begin anew."
+    ),
+    entry!(
+        "walker",
+        13,
+        "Walker",
+        "A body on four legs, each of two springs that are muscles; the legs stand still until a key is held.",
+        "hold → or ← to walk; lift it by hand; pull a leg."
+    ),
+    entry!(
+        "snake",
+        36,
+        "Snake",
+        "A soft body crawls along a floor: waves of muscles run along its upper and its lower side.",
+        "lift it and drop it; push it over; make another bond a muscle with tool 7."
     ),
     entry!(
         "tearable-net",

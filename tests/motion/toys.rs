@@ -135,3 +135,13 @@ fn the_car_rolls_down_and_over_the_bumps_on_its_wheels() {
     let [rear, roof] = [0, 6].map(|point| sample.position[point]);
     assert!(rear[0] > 0.5 && roof[1] > rear[1] + 0.3, "{rear:?} under {roof:?}");
 }
+
+/// A key goes down or up.
+fn press(world: &mut dyn Dynamics, name: &str, down: bool) {
+    world.apply(&Command::Key { key: Key::of(name).unwrap(), down }).unwrap();
+}
+
+/// Middle of all points [m].
+fn middle(sample: &Sample) -> [f64; 2] {
+    [0, 1].map(|axis| sample.position.iter().map(|x| x[axis]).sum::<f64>() / sample.position.len() as f64)
+}

@@ -25,17 +25,21 @@ pub struct BondList {
 }
 
 impl Bits for BondKeys {
-    type Key = [u64; 7];
+    type Key = [u64; 15];
 
     #[inline]
-    fn bits(&self) -> [u64; 7] {
+    fn bits(&self) -> [u64; 15] {
         let numbers =
             [self.stiffness, self.compliance, self.damping, self.relaxation, self.max_correction, self.break_strain];
-        let mut bits = [0; 7];
+        let mut bits = [0; 15];
         bits[6] = self.kind.map_or(0, |kind| 1 + kind as u64) + (self.limit.map_or(0, |limit| 1 + limit as u64) << 8);
         for (k, number) in numbers.into_iter().enumerate() {
             bits[6] |= u64::from(number.is_some()) << (16 + k);
             bits[k] = number.unwrap_or(0.0).to_bits();
+        }
+        if let Some(drive) = &self.drive {
+            bits[6] |= 1 << 32;
+            bits[7..].copy_from_slice(&drive.bits());
         }
         bits
     }
