@@ -24,16 +24,8 @@ pub enum Tool {
 
 impl Tool {
     /// All of them, in the order of the palette.
-    pub const ALL: [Tool; 8] = [
-        Tool::Hand,
-        Tool::Pin,
-        Tool::Cut,
-        Tool::Erase,
-        Tool::Build,
-        Tool::Select,
-        Tool::Muscle,
-        Tool::Motor,
-    ];
+    pub const ALL: [Tool; 8] =
+        [Tool::Hand, Tool::Pin, Tool::Cut, Tool::Erase, Tool::Build, Tool::Select, Tool::Muscle, Tool::Motor];
 }
 
 /// What the tool for building makes.

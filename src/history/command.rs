@@ -1,6 +1,8 @@
 //! Commands as files have them.
 
-use crate::scene::{AddKeys, AreaKeys, BoundsKeys, DriveKeys, KindName, LimitName, Meeting, MethodKeys, Vector, WindKeys, object};
+use crate::scene::{
+    AddKeys, AreaKeys, BoundsKeys, DriveKeys, KindName, LimitName, Meeting, MethodKeys, Vector, WindKeys, object,
+};
 use crate::sim::{Cursor, Key, MouseChange, PointId, Reach};
 
 /// A command with its time.

@@ -9,7 +9,8 @@ use crate::sim::{Cursor, Key, MouseChange, PointId, Profile, Reach, Region};
 
 /// Names of what is done, in the order of the table.
 const NAMES: [&str; 14] = [
-    "cursor", "mouse", "grab", "release", "key", "pin", "unpin", "cut", "add", "delete", "clear", "move", "set", "group",
+    "cursor", "mouse", "grab", "release", "key", "pin", "unpin", "cut", "add", "delete", "clear", "move", "set",
+    "group",
 ];
 
 /// Largest number of an edit: those that follow have room above, and any reader of JSON knows it exactly.
@@ -180,7 +181,9 @@ fn keys_of(act: &Do) -> (&'static str, Map<String, Value>) {
         Do::Grab(Reach::Points(list)) => ("grab", object(&GrabKeys { points: Some(numbers(list)), within: None })),
         Do::Grab(Reach::Within(within)) => ("grab", object(&GrabKeys { points: None, within: Some(*within) })),
         Do::Release => ("release", Map::new()),
-        Do::Key { key, down } => ("key", Map::from_iter([("key".to_owned(), key.name().into()), ("down".to_owned(), (*down).into())])),
+        Do::Key { key, down } => {
+            ("key", Map::from_iter([("key".to_owned(), key.name().into()), ("down".to_owned(), (*down).into())]))
+        }
         Do::Pin(list) => ("pin", object(&PointsKeys { points: numbers(list) })),
         Do::Unpin(list) => ("unpin", object(&PointsKeys { points: numbers(list) })),
         Do::Cut { from, to } => ("cut", object(&CutKeys { from: Row(*from), to: Row(*to) })),

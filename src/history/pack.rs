@@ -2,9 +2,9 @@
 
 use crate::body::MAX_POINTS;
 use crate::sim::{
-    Angle, AngleDrive, Angles, Areas, Bond, BondKind, Bonds, Bounds, Contact, Convex, Cursor, Drive, Figure, Force, HandedOver, Held, Key, Keys, Limit,
-    Method, Model, MouseForce, Order, Plane, PointId, Polygon, Precision, Profile, Ramp, Region, Saved, SavedWorld,
-    SkinMaterial, SkinMaterials, Signal, Solver, Track, Wave, Why, Wind,
+    Angle, AngleDrive, Angles, Areas, Bond, BondKind, Bonds, Bounds, Contact, Convex, Cursor, Drive, Figure, Force,
+    HandedOver, Held, Key, Keys, Limit, Method, Model, MouseForce, Order, Plane, PointId, Polygon, Precision, Profile,
+    Ramp, Region, Saved, SavedWorld, Signal, SkinMaterial, SkinMaterials, Solver, Track, Wave, Why, Wind,
 };
 
 /// What can be put behind some bytes and taken from there again.

@@ -96,8 +96,18 @@ fn bonds(numbers: &[u32]) -> Vec<BondId> {
 
 /// The keys that go with each thing that is set.
 const OF_POINTS: [&str; 5] = ["mass", "velocity", "friction", "restitution", "radius"];
-const OF_BONDS: [&str; 10] =
-    ["kind", "rest", "stiffness", "compliance", "damping", "relaxation", "max_correction", "break_strain", "limit", "drive"];
+const OF_BONDS: [&str; 10] = [
+    "kind",
+    "rest",
+    "stiffness",
+    "compliance",
+    "damping",
+    "relaxation",
+    "max_correction",
+    "break_strain",
+    "limit",
+    "drive",
+];
 const OF_ANGLES: [&str; 5] = ["rest", "stiffness", "damping", "range", "drive"];
 const OF_OBSTACLES: [&str; 2] = ["restitution", "friction"];
 const OF_FORCES: [&str; 2] = ["force", "torque"];

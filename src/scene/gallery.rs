@@ -140,14 +140,14 @@ static GALLERY: [Entry; 37] = [
         39,
         "Soft car",
         "A car stands on two soft wheels with motors, before a hundred metres of hills, bumps and steps.",
-        "hold → to drive, ← to brake and go back; throw it by hand; press R to begin anew."
+        "hold the right arrow to drive, the left one to brake and go back; throw it by hand."
     ),
     entry!(
         "walker",
-        13,
+        19,
         "Walker",
-        "A body on four legs, each of two springs that are muscles; the legs stand still until a key is held.",
-        "hold → or ← to walk; lift it by hand; pull a leg."
+        "A body on six legs, each of two springs that are muscles; the legs stand still until a key is held.",
+        "hold the right or the left arrow to walk; lift it by hand; pull a leg."
     ),
     entry!(
         "snake",

@@ -236,8 +236,9 @@ pub struct RecordedLedger {
 impl From<&Ledger> for RecordedLedger {
     fn from(ledger: &Ledger) -> Self {
         let Ledger { now: Energies { kinetic, springs, gravity }, start, .. } = *ledger;
-        let Book { mouse, grab, pins, forces, drives, wind, commands, dampers, drag, friction, impacts, breaks, .. } =
-            ledger.book;
+        let Book {
+            mouse, grab, pins, forces, drives, wind, commands, dampers, drag, friction, impacts, breaks, ..
+        } = ledger.book;
         RecordedLedger {
             kinetic,
             springs,

@@ -37,7 +37,8 @@ impl Bits for Material {
             BondKind::Relaxed { relaxation, max_correction } => (2, relaxation, max_correction),
         };
         let tag = tag + 3 * self.limit as u64 + (u64::from(self.drive.is_some()) << 8);
-        let (amplitude, signal) = self.drive.map_or((0, [0; 4]), |drive| (drive.amplitude.to_bits(), drive.signal.bits()));
+        let (amplitude, signal) =
+            self.drive.map_or((0, [0; 4]), |drive| (drive.amplitude.to_bits(), drive.signal.bits()));
         let [r, s, t, u] = signal;
         [tag, p.to_bits(), q.to_bits(), self.break_strain.to_bits(), amplitude, r, s, t, u]
     }

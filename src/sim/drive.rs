@@ -275,7 +275,11 @@ impl Keys {
     pub(crate) fn is_fine(&self) -> bool {
         let is_share = |x: f64| (0.0..=1.0).contains(&x);
         let is_ramp = |ramp: &Ramp| {
-            is_share(ramp.from) && is_share(ramp.to) && ramp.since.is_finite() && ramp.rate > 0.0 && ramp.rate.is_finite()
+            is_share(ramp.from)
+                && is_share(ramp.to)
+                && ramp.since.is_finite()
+                && ramp.rate > 0.0
+                && ramp.rate.is_finite()
         };
         self.held.windows(2).all(|pair| pair[0] < pair[1]) && self.ramps.iter().all(is_ramp)
     }

@@ -88,7 +88,8 @@ pub(crate) fn springs_energy<const D: usize>(bonds: &Bonds, position: impl Fn(us
 pub(crate) fn max_strain<const D: usize>(position: &[[f64; D]], bonds: &Bonds, (t, keys): (f64, &Keys)) -> f64 {
     let of = |bond: Bond| {
         let d = sub(position[bond.a.index()], position[bond.b.index()]);
-        let rest = bond.rest_length * bond.drive.map_or(1.0, |drive| 1.0 + drive.amplitude * drive.signal.level(t, keys));
+        let rest =
+            bond.rest_length * bond.drive.map_or(1.0, |drive| 1.0 + drive.amplitude * drive.signal.level(t, keys));
         if rest > 0.0 { (length(d) / rest - 1.0).abs() } else { 0.0 }
     };
     bonds.iter().map(of).fold(0.0, f64::max)

@@ -9,7 +9,9 @@ use super::watch::Measured;
 use crate::history::BranchView;
 use crate::picture::Skin;
 use crate::render::View;
-use crate::sim::{Bonds, Convex, Cursor, Dynamics, GrabView, Key, MouseForce, PointId, Polygon, Positions, SceneChange};
+use crate::sim::{
+    Bonds, Convex, Cursor, Dynamics, GrabView, Key, MouseForce, PointId, Polygon, Positions, SceneChange,
+};
 
 /// Positions in the scalar of their world, copied.
 #[derive(Clone, Debug)]

@@ -77,7 +77,9 @@ impl Session {
         }
         let places = driven.iter().map(|point| DVec3::from(self.shown().place(point.index())));
         let middle = places.sum::<DVec3>() / driven.len() as f64;
-        let Some(at) = self.camera.screen_from_world(middle).filter(|at| at.iter().all(|x| x.is_finite())) else { return };
+        let Some(at) = self.camera.screen_from_world(middle).filter(|at| at.iter().all(|x| x.is_finite())) else {
+            return;
+        };
         let beyond = |axis: usize| {
             let (size, half) = (f64::from(self.area[axis]), 0.5 * ROOM * f64::from(self.area[axis]));
             let off = at[axis] - 0.5 * size;

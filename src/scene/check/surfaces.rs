@@ -5,8 +5,8 @@ use std::path::Path;
 use super::number::{self, Range};
 use super::one_a_point;
 use crate::scene::error::{Fault, Source, Within};
-use crate::sim::AngleDrive;
 use crate::scene::keys::{AngleKeys, AreaKeys, AreaKindName, ContactKeys, Meeting, Row, Scene, SkinKeys, TextureKeys};
+use crate::sim::AngleDrive;
 use crate::sim::Areas;
 
 /// Errors: the first fault; `count` is how many points there are.

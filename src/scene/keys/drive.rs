@@ -135,8 +135,10 @@ impl DriveKeys {
             return Err(Fault::invalid("the key `amplitude` is missing: say by which share the rest length changes"));
         };
         let most = crate::sim::drive::MOST_STRETCH;
-        if !(amplitude.abs() <= most) {
-            return Err(Fault::invalid(format!("is {amplitude:?}: give a share from -{most} to {most}")).at("amplitude"));
+        if amplitude.is_nan() || amplitude.abs() > most {
+            return Err(
+                Fault::invalid(format!("is {amplitude:?}: give a share from -{most} to {most}")).at("amplitude")
+            );
         }
         let signal = self.signal()?;
         if signal == Signal::default() {
@@ -160,7 +162,7 @@ impl DriveKeys {
             )),
             (Some(amplitude), None) => {
                 let most = crate::sim::drive::MOST_SWING;
-                if !(amplitude.abs() <= most) {
+                if amplitude.is_nan() || amplitude.abs() > most {
                     let message = format!("is {amplitude:?}: give an angle from -{most} to {most} rad");
                     return Err(Fault::invalid(message).at("amplitude"));
                 }
@@ -246,8 +248,7 @@ impl DriveKeys {
 
     /// Its bits, by which it is told from others.
     pub(super) fn bits(&self) -> [u64; 8] {
-        let numbers =
-            [self.amplitude, self.speed, self.torque, self.period, self.frequency, self.phase, self.rate];
+        let numbers = [self.amplitude, self.speed, self.torque, self.period, self.frequency, self.phase, self.rate];
         let mut bits = [0; 8];
         let of = |key: Option<KeyName>| key.map_or(0, |key| 1 + key as u64);
         bits[7] = of(self.key) + (of(self.back) << 8);

@@ -318,7 +318,17 @@ mod tests {
 
     fn angle(rest: f64, range: Option<[f64; 2]>) -> Angle {
         let points = [PointId(0), PointId(1), PointId(2)];
-        Angle { number: 0, points, rest, stiffness: 3.0, damping: 0.5, range, arms: [1.0, 2.0], stop: 40.0, drive: None }
+        Angle {
+            number: 0,
+            points,
+            rest,
+            stiffness: 3.0,
+            damping: 0.5,
+            range,
+            arms: [1.0, 2.0],
+            stop: 40.0,
+            drive: None,
+        }
     }
 
     const X: [[f64; 2]; 3] = [[0.3, 1.1], [0.1, 0.2], [-1.4, 0.9]];

@@ -14,8 +14,11 @@ impl<const D: usize> Model<D> {
     pub(super) fn check_drive(&self, i: usize, bond: &Bond) -> Result<(), ModelError> {
         let Some(drive) = bond.drive else { return Ok(()) };
         let refuse = |why: String| Err(ModelError::Drive { place: format!("the drive of bond {i}"), why });
-        if !(drive.amplitude.abs() <= MOST_STRETCH) {
-            return refuse(format!("amplitude is {}: give a share from -{MOST_STRETCH} to {MOST_STRETCH}", drive.amplitude));
+        if drive.amplitude.is_nan() || drive.amplitude.abs() > MOST_STRETCH {
+            return refuse(format!(
+                "amplitude is {}: give a share from -{MOST_STRETCH} to {MOST_STRETCH}",
+                drive.amplitude
+            ));
         }
         if let Some(why) = fault(&drive.signal) {
             return refuse(why);
@@ -24,11 +27,15 @@ impl<const D: usize> Model<D> {
             return refuse("a relaxed bond has none: make it a spring or rigid".to_owned());
         }
         if bond.limit != Limit::Both || bond.rest_length == 0.0 {
-            return refuse("a bond needs a length, and to act both ways: give it `rest` above 0 and no `limit`".to_owned());
+            return refuse(
+                "a bond needs a length, and to act both ways: give it `rest` above 0 and no `limit`".to_owned(),
+            );
         }
         let (solver, is_rigid) = (self.method.solver, bond.kind == BondKind::Rigid);
         if is_rigid && !matches!(solver, Solver::Auto | Solver::Live) {
-            return refuse(format!("solver {solver} moves no rigid bond by a drive: use auto or live, or make it a spring"));
+            return refuse(format!(
+                "solver {solver} moves no rigid bond by a drive: use auto or live, or make it a spring"
+            ));
         }
         if is_rigid && self.method.tolerance.is_some() {
             return refuse("no tolerance is held to where a rigid bond has a drive: make it a spring".to_owned());
@@ -46,20 +53,21 @@ impl<const D: usize> Model<D> {
     /// Errors: a drive that an angle cannot have, or that the method cannot follow.
     pub(super) fn check_angle_drive(&self, angle: &Angle) -> Result<(), ModelError> {
         let Some(drive) = angle.drive else { return Ok(()) };
-        let refuse = |why: String| Err(ModelError::Drive { place: format!("the drive of angle {}", angle.number), why });
+        let refuse =
+            |why: String| Err(ModelError::Drive { place: format!("the drive of angle {}", angle.number), why });
         if let Some(why) = fault(&drive.signal()) {
             return refuse(why);
         }
         match drive {
-            AngleDrive::Servo { amplitude, .. } if !(amplitude.abs() <= MOST_SWING) => {
-                return refuse(format!("amplitude is {amplitude}: give an angle from -{MOST_SWING} to {MOST_SWING} rad"));
+            AngleDrive::Servo { amplitude, .. } if amplitude.is_nan() || amplitude.abs() > MOST_SWING => {
+                return refuse(format!(
+                    "amplitude is {amplitude}: give an angle from -{MOST_SWING} to {MOST_SWING} rad"
+                ));
             }
             AngleDrive::Servo { .. } if angle.stiffness == 0.0 => {
                 return refuse("nothing pulls the angle to it: give the angle a `stiffness` above 0".to_owned());
             }
-            AngleDrive::Motor { speed, torque, .. }
-                if !(speed.is_finite() && torque > 0.0 && torque.is_finite()) =>
-            {
+            AngleDrive::Motor { speed, torque, .. } if !(speed.is_finite() && torque > 0.0 && torque.is_finite()) => {
                 return refuse(format!("speed {speed}, torque {torque}: give a finite speed and a torque above 0"));
             }
             AngleDrive::Motor { .. }

@@ -99,7 +99,13 @@ impl<S: Real, const D: usize> World<S, D> {
         let lead = saved.lead.map(|[point, normal]| Lead { point, normal });
         let mut world = World {
             timeline: Timeline::resumed(saved.substep, model.knots(), saved.time),
-            around: Environment { gravity: model.gravity, mouse: model.mouse.clone(), cursor, lead, keys: saved.keys.clone() },
+            around: Environment {
+                gravity: model.gravity,
+                mouse: model.mouse.clone(),
+                cursor,
+                lead,
+                keys: saved.keys.clone(),
+            },
             plan,
             obstacles,
             counters: Counters::default(),

@@ -65,7 +65,13 @@ impl<S: Real, const D: usize> World<S, D> {
         let plan = plan::compile((model, &obstacles, count), (&model.bonds, None), &state, &[]);
         let mut world = World {
             timeline: Timeline::new(plan.substep, model.knots()),
-            around: Environment { gravity: model.gravity, mouse: model.mouse.clone(), cursor: None, lead: None, keys: Keys::default() },
+            around: Environment {
+                gravity: model.gravity,
+                mouse: model.mouse.clone(),
+                cursor: None,
+                lead: None,
+                keys: Keys::default(),
+            },
             plan,
             obstacles,
             counters: Counters::default(),
