@@ -56,8 +56,9 @@ const ROOMS: [(&str, &[&str], &[&str]); 12] = [
 ];
 
 /// Each module of `sim` and those that it may name, which all stand above it here: so there is no circle.
-const SIM: [(&str, &[&str]); 41] = [
+const SIM: [(&str, &[&str]); 42] = [
     ("real", &[]),
+    ("drive", &[]),
     ("shared", &[]),
     ("sets", &[]),
     ("threads", &[]),
@@ -65,8 +66,8 @@ const SIM: [(&str, &[&str]); 41] = [
     ("counters", &[]),
     ("colour", &[]),
     ("ledger", &[]),
-    ("bond", &["real"]),
-    ("bonds", &["bond", "shared"]),
+    ("bond", &["drive", "real"]),
+    ("bonds", &["bond", "drive", "shared"]),
     ("solver", &["bond"]),
     ("moved", &["bond", "solver"]),
     ("vector", &["real"]),
@@ -74,11 +75,11 @@ const SIM: [(&str, &[&str]); 41] = [
     ("points", &["real"]),
     ("solve", &["real", "vector"]),
     ("kernels", &["real", "threads", "vector"]),
-    ("measure", &["bond", "bonds", "ledger", "points", "real", "vector"]),
+    ("measure", &["bond", "bonds", "drive", "ledger", "points", "real", "vector"]),
     ("swept", &["real", "sets"]),
     ("contact", &["bond", "points", "real", "vector"]),
-    ("force", &["bond", "colour", "measure", "points", "real", "vector"]),
-    ("environment", &["force", "real", "swept", "vector"]),
+    ("force", &["bond", "colour", "drive", "measure", "points", "real", "vector"]),
+    ("environment", &["drive", "force", "real", "swept", "vector"]),
     ("constrain", &["bond", "colour", "contact", "force", "points", "real", "solve", "solver", "vector"]),
     ("pull", &["constrain", "contact", "counters", "environment", "force", "points", "real", "vector"]),
     ("account", &["bond", "environment", "force", "ledger", "points", "pull", "real", "vector"]),
@@ -135,6 +136,7 @@ const SIM: [(&str, &[&str]); 41] = [
             "colour",
             "contact",
             "counters",
+            "drive",
             "environment",
             "force",
             "kernels",
@@ -150,7 +152,7 @@ const SIM: [(&str, &[&str]); 41] = [
             "vector",
         ],
     ),
-    ("model", &["bond", "bonds", "contact", "force", "real", "sets", "solver", "vector"]),
+    ("model", &["bond", "bonds", "contact", "drive", "force", "real", "sets", "solver", "vector"]),
     (
         "group",
         &[
@@ -186,6 +188,7 @@ const SIM: [(&str, &[&str]); 41] = [
             "constrain",
             "contact",
             "counters",
+            "drive",
             "force",
             "group",
             "integrate",
@@ -205,8 +208,8 @@ const SIM: [(&str, &[&str]); 41] = [
             "vector",
         ],
     ),
-    ("command", &["bond", "contact", "force", "model"]),
-    ("saved", &["bond", "force", "model", "moved", "real"]),
+    ("command", &["bond", "contact", "drive", "force", "model"]),
+    ("saved", &["bond", "drive", "force", "model", "moved", "real"]),
     (
         "dynamics",
         &[
@@ -215,6 +218,7 @@ const SIM: [(&str, &[&str]); 41] = [
             "command",
             "contact",
             "counters",
+            "drive",
             "force",
             "ledger",
             "model",
@@ -233,6 +237,7 @@ const SIM: [(&str, &[&str]); 41] = [
             "command",
             "contact",
             "counters",
+            "drive",
             "dynamics",
             "environment",
             "force",
@@ -261,6 +266,7 @@ const SIM: [(&str, &[&str]); 41] = [
             "bulk",
             "command",
             "contact",
+            "drive",
             "dynamics",
             "environment",
             "force",

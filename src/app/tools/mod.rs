@@ -3,6 +3,8 @@
 mod build;
 mod copy;
 mod drives;
+#[cfg(test)]
+mod drives_tests;
 mod erase;
 #[cfg(test)]
 mod grab_tests;
