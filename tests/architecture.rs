@@ -56,8 +56,9 @@ const ROOMS: [(&str, &[&str], &[&str]); 12] = [
 ];
 
 /// Each module of `sim` and those that it may name, which all stand above it here: so there is no circle.
-const SIM: [(&str, &[&str]); 43] = [
+const SIM: [(&str, &[&str]); 44] = [
     ("real", &[]),
+    ("drive", &[]),
     ("shared", &[]),
     ("sets", &[]),
     ("threads", &[]),
@@ -65,8 +66,8 @@ const SIM: [(&str, &[&str]); 43] = [
     ("counters", &[]),
     ("colour", &[]),
     ("ledger", &[]),
-    ("bond", &["real"]),
-    ("bonds", &["bond", "shared"]),
+    ("bond", &["drive", "real"]),
+    ("bonds", &["bond", "drive", "shared"]),
     ("source", &["bond"]),
     ("solver", &["bond", "source"]),
     ("moved", &["bond", "solver"]),
@@ -75,11 +76,11 @@ const SIM: [(&str, &[&str]); 43] = [
     ("points", &["real"]),
     ("solve", &["real", "vector"]),
     ("kernels", &["real", "threads", "vector"]),
-    ("measure", &["bond", "bonds", "ledger", "points", "real", "vector"]),
+    ("measure", &["bond", "bonds", "drive", "ledger", "points", "real", "vector"]),
     ("swept", &["real", "sets"]),
     ("contact", &["bond", "points", "real", "vector"]),
-    ("force", &["bond", "colour", "measure", "points", "real", "vector"]),
-    ("environment", &["force", "real", "swept", "vector"]),
+    ("force", &["bond", "colour", "drive", "measure", "points", "real", "vector"]),
+    ("environment", &["drive", "force", "real", "swept", "vector"]),
     ("constrain", &["bond", "colour", "contact", "force", "points", "real", "solve", "solver", "vector"]),
     ("pull", &["constrain", "contact", "counters", "environment", "force", "points", "real", "vector"]),
     ("account", &["bond", "environment", "force", "ledger", "points", "pull", "real", "vector"]),
@@ -156,6 +157,7 @@ const SIM: [(&str, &[&str]); 43] = [
             "colour",
             "contact",
             "counters",
+            "drive",
             "environment",
             "force",
             "kernels",
@@ -171,7 +173,7 @@ const SIM: [(&str, &[&str]); 43] = [
             "vector",
         ],
     ),
-    ("model", &["bond", "bonds", "contact", "force", "real", "sets", "solver", "source", "vector"]),
+    ("model", &["bond", "bonds", "contact", "drive", "force", "real", "sets", "solver", "source", "vector"]),
     (
         "group",
         &[
@@ -207,6 +209,7 @@ const SIM: [(&str, &[&str]); 43] = [
             "constrain",
             "contact",
             "counters",
+            "drive",
             "force",
             "group",
             "integrate",
@@ -228,8 +231,8 @@ const SIM: [(&str, &[&str]); 43] = [
             "vector",
         ],
     ),
-    ("command", &["bond", "contact", "force", "model"]),
-    ("saved", &["bond", "force", "model", "moved", "real"]),
+    ("command", &["bond", "contact", "drive", "force", "model"]),
+    ("saved", &["bond", "drive", "force", "model", "moved", "real"]),
     (
         "dynamics",
         &[
@@ -238,6 +241,7 @@ const SIM: [(&str, &[&str]); 43] = [
             "command",
             "contact",
             "counters",
+            "drive",
             "force",
             "ledger",
             "model",
@@ -256,6 +260,7 @@ const SIM: [(&str, &[&str]); 43] = [
             "command",
             "contact",
             "counters",
+            "drive",
             "dynamics",
             "environment",
             "force",
@@ -284,6 +289,7 @@ const SIM: [(&str, &[&str]); 43] = [
             "bulk",
             "command",
             "contact",
+            "drive",
             "dynamics",
             "environment",
             "force",

@@ -58,6 +58,8 @@ fn the_gallery_is_listed_a_name_first_on_each_line() {
         "catapult",
         "cradle",
         "soft-car",
+        "walker",
+        "snake",
         "tearable-net",
         "box",
         "box-two-supports",

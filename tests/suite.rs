@@ -7,6 +7,7 @@ mod architecture;
 mod cli;
 mod commands;
 mod determinism;
+mod drives;
 mod fields;
 mod handover;
 mod history;

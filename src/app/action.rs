@@ -16,11 +16,16 @@ pub enum Tool {
     Build,
     /// A click selects a body or an obstacle, a drag moves it.
     Select,
+    /// Makes a bond a muscle.
+    Muscle,
+    /// Hinges bodies together or to the ground, with a motor or without.
+    Motor,
 }
 
 impl Tool {
     /// All of them, in the order of the palette.
-    pub const ALL: [Tool; 6] = [Tool::Hand, Tool::Pin, Tool::Cut, Tool::Erase, Tool::Build, Tool::Select];
+    pub const ALL: [Tool; 8] =
+        [Tool::Hand, Tool::Pin, Tool::Cut, Tool::Erase, Tool::Build, Tool::Select, Tool::Muscle, Tool::Motor];
 }
 
 /// What the tool for building makes.

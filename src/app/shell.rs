@@ -179,6 +179,9 @@ fn is_out_of_sight(session: &Session) -> bool {
 
 /// A key went down or up.
 fn press_key(session: &mut Session, event: &KeyEvent, event_loop: &ActiveEventLoop) {
+    if session.drive(event) {
+        return;
+    }
     if event.state == ElementState::Released {
         return session.down.release(event.physical_key).into_iter().for_each(|action| session.let_go_of(action));
     }

@@ -31,6 +31,7 @@ mod system;
 mod tests;
 
 use crate::sim::bond::{BondKind, PointId};
+use crate::sim::drive::Keys;
 use crate::sim::measure;
 use crate::sim::model::{Model, ModelError};
 use crate::sim::plan::inverse_masses;
@@ -64,7 +65,7 @@ pub struct Equilibrium<const D: usize> {
 
 /// Finds the equilibrium that the start rolls down to, with damping that is strong.
 ///
-/// Model: the least energy of springs and gravity under rigid bonds, pins and surfaces; constant forces and what the mean wind gives by drag push too; the mouse force and gusts are left out.
+/// Model: the least energy of springs and gravity under rigid bonds, pins and surfaces; constant forces and what the mean wind gives by drag push too; the mouse force, gusts and drives are left out.
 /// A torque turns with its points, and has no energy: it is taken as it is when a round begins.
 /// Islands that hang from no pin drop along gravity to the first surface, and go on from there. What can slide without a
 /// change of energy stays where it slid to. Points stick to rough surfaces where they come to touch them, as long as
@@ -111,7 +112,7 @@ pub fn settle<const D: usize>(model: &Model<D>) -> Result<Equilibrium<D>, ModelE
         energy: measure::energies(|i| position[i], |_| [0.0; D], &inverse_masses(model), &model.bonds, model.gravity)
             .sum()
             + model.form_energy(|i| position[i], |_| true),
-        max_strain: measure::max_strain(&position, &model.bonds),
+        max_strain: measure::max_strain(&position, &model.bonds, (0.0, &Keys::default())),
         falling: falling.map(|i| PointId(i as u32)).collect(),
         position,
         residual,

@@ -1,7 +1,9 @@
 //! Commands as files have them.
 
-use crate::scene::{AddKeys, AreaKeys, BoundsKeys, KindName, LimitName, Meeting, MethodKeys, Vector, WindKeys, object};
-use crate::sim::{Cursor, MouseChange, PointId, Reach};
+use crate::scene::{
+    AddKeys, AreaKeys, BoundsKeys, DriveKeys, KindName, LimitName, Meeting, MethodKeys, Vector, WindKeys, object,
+};
+use crate::sim::{Cursor, Key, MouseChange, PointId, Reach};
 
 /// A command with its time.
 #[derive(Clone, Debug, PartialEq)]
@@ -33,6 +35,13 @@ pub enum Do {
     Grab(Reach),
     /// What was grabbed keeps the velocity that it has.
     Release,
+    /// A key that drives have goes down or up.
+    Key {
+        /// Which.
+        key: Key,
+        /// Whether it is held from now on.
+        down: bool,
+    },
     /// Points are held where they are, at rest.
     Pin(Vec<PointId>),
     /// Points are let go, at rest.
@@ -145,6 +154,8 @@ object! {
             break_strain: OneOrEach,
             /// Of bonds.
             limit: LimitName,
+            /// Of bonds and angles: what moves them, or nothing any more.
+            drive: DriveOrNone,
             /// Of obstacles [1], >= 0; of the skins of points, to 1.
             restitution: f64,
             /// Of obstacles, or of the skins of points [1], >= 0.
@@ -210,6 +221,16 @@ pub enum RangeOrNone {
     /// These [rad].
     These([f64; 2]),
     /// It turns freely.
+    None(()),
+}
+
+/// What moves a bond or an angle, or nothing any more.
+#[derive(Clone, Debug, PartialEq, serde::Serialize, serde::Deserialize, schemars::JsonSchema)]
+#[serde(untagged, expecting = "a drive: an object with keys such as `amplitude` and `period`, or null")]
+pub enum DriveOrNone {
+    /// So.
+    This(DriveKeys),
+    /// No more.
     None(()),
 }
 

@@ -1,4 +1,4 @@
-//! What a log leaves in a hand: a grab that nobody leads any more, and the hover force that it put away.
+//! What a log leaves in a hand: a grab that nobody leads any more, keys that nobody holds, and the hover force that it put away.
 
 use super::command::Do;
 use super::session::History;
@@ -29,6 +29,7 @@ impl History {
         if self.world().grab().is_some() {
             commands.push(Do::Release);
         }
+        commands.extend(self.world().held_keys().iter().map(|&key| Do::Key { key, down: false }));
         // A state of a moment like this knows the force as it was then.
         let at_first = self.state.is_some().then(|| self.world().mouse().map(|(force, _)| force.strength)).flatten();
         let present = self.changes().find_map(|change| change.strength).or(at_first);

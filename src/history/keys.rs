@@ -4,12 +4,14 @@ use serde::{Serialize, de::DeserializeOwned};
 use serde_json::{Map, Value};
 
 use super::command::{Do, Entry};
-use crate::scene::{LATER, ProfileName, RegionName, Row, object, translate};
-use crate::sim::{Cursor, MouseChange, PointId, Profile, Reach, Region};
+use crate::scene::{KeyName, LATER, ProfileName, RegionName, Row, object, translate};
+use crate::sim::{Cursor, Key, MouseChange, PointId, Profile, Reach, Region};
 
 /// Names of what is done, in the order of the table.
-const NAMES: [&str; 13] =
-    ["cursor", "mouse", "grab", "release", "pin", "unpin", "cut", "add", "delete", "clear", "move", "set", "group"];
+const NAMES: [&str; 14] = [
+    "cursor", "mouse", "grab", "release", "key", "pin", "unpin", "cut", "add", "delete", "clear", "move", "set",
+    "group",
+];
 
 /// Largest number of an edit: those that follow have room above, and any reader of JSON knows it exactly.
 const LARGEST_EDIT: u64 = 1 << 53;
@@ -61,6 +63,15 @@ object! {
         optional {
             points: Vec<u32>,
             within: f64,
+        }
+    }
+}
+
+object! {
+    KeyKeys: "a key: an object with the keys `key` and `down`" {
+        required {
+            key: KeyName,
+            down: bool,
         }
     }
 }
@@ -170,6 +181,9 @@ fn keys_of(act: &Do) -> (&'static str, Map<String, Value>) {
         Do::Grab(Reach::Points(list)) => ("grab", object(&GrabKeys { points: Some(numbers(list)), within: None })),
         Do::Grab(Reach::Within(within)) => ("grab", object(&GrabKeys { points: None, within: Some(*within) })),
         Do::Release => ("release", Map::new()),
+        Do::Key { key, down } => {
+            ("key", Map::from_iter([("key".to_owned(), key.name().into()), ("down".to_owned(), (*down).into())]))
+        }
         Do::Pin(list) => ("pin", object(&PointsKeys { points: numbers(list) })),
         Do::Unpin(list) => ("unpin", object(&PointsKeys { points: numbers(list) })),
         Do::Cut { from, to } => ("cut", object(&CutKeys { from: Row(*from), to: Row(*to) })),
@@ -200,6 +214,11 @@ fn act(name: &str, object: Map<String, Value>) -> Result<Do, String> {
         "mouse" => Do::Mouse(mouse_change(read(object)?)),
         "grab" => Do::Grab(reach(read(object)?)?),
         "release" => read::<Nothing>(object).map(|_| Do::Release)?,
+        "key" => {
+            let KeyKeys { key, down } = read(object)?;
+            let key = Key::of(key.name()).ok_or("key: is none")?;
+            Do::Key { key, down }
+        }
         "pin" => Do::Pin(points(read::<PointsKeys>(object)?.points)),
         "unpin" => Do::Unpin(points(read::<PointsKeys>(object)?.points)),
         "cut" => {

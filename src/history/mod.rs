@@ -37,7 +37,9 @@ mod write;
 
 pub use autosave::{Autosave, EVERY, Left};
 pub use branch::BranchView;
-pub use command::{AreasOrNone, DeleteKeys, Do, Entry, MoveKeys, OneOrEach, SetKeys, VectorOrEach, Walls, Weather};
+pub use command::{
+    AreasOrNone, DeleteKeys, Do, DriveOrNone, Entry, MoveKeys, OneOrEach, SetKeys, VectorOrEach, Walls, Weather,
+};
 pub use dress::Group;
 pub use error::{HistoryError, Refusal};
 pub use lines::Lines;

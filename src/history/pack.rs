@@ -2,9 +2,9 @@
 
 use crate::body::MAX_POINTS;
 use crate::sim::{
-    Angle, Angles, Areas, Bond, BondKind, Bonds, Bounds, Contact, Convex, Cursor, Figure, Force, HandedOver, Limit,
-    Method, Model, MouseForce, Order, Penalty, Plane, PointId, Polygon, Precision, Profile, Region, Saved, SavedWorld,
-    SkinMaterial, SkinMaterials, Solver, Track, Why, Wind,
+    Angle, AngleDrive, Angles, Areas, Bond, BondKind, Bonds, Bounds, Contact, Convex, Cursor, Drive, Figure, Force,
+    HandedOver, Held, Key, Keys, Limit, Method, Model, MouseForce, Order, Penalty, Plane, PointId, Polygon, Precision,
+    Profile, Ramp, Region, Saved, SavedWorld, Signal, SkinMaterial, SkinMaterials, Solver, Track, Wave, Why, Wind,
 };
 
 /// What can be put behind some bytes and taken from there again.
@@ -154,6 +154,7 @@ pub(super) const FIRST_WITH_HAND_OVERS: u64 = 5;
 const FIRST_WITH_ANGLES: u64 = 6;
 const FIRST_WITH_SETTLING: u64 = 7;
 const FIRST_WITH_PENALTIES: u64 = 8;
+const FIRST_WITH_DRIVES: u64 = 8;
 
 /// A kept world of any layout that is known.
 trait KeptWorld: Sized {
@@ -171,7 +172,7 @@ macro_rules! saved {
     ) => {
         impl<const D: usize> KeptWorld for Saved<D> {
             fn put(&self, to: &mut Vec<u8>) {
-                let Saved { model, $($core,)* $($rest,)* $($($last,)*)* } = self;
+                let Saved { model, keys, $($core,)* $($rest,)* $($($last,)*)* } = self;
                 let Model { $($model,)* $($more,)* $($($later,)*)* } = model;
                 let core = Core { $($core: $core.clone(),)* $($model: $model.clone(),)* };
                 core.put(to);
@@ -181,6 +182,8 @@ macro_rules! saved {
                 model.method.budget.put(to);
                 model.method.settles.put(to);
                 model.planes.iter().map(|plane| plane.penalty).collect::<Vec<_>>().put(to);
+                drives_of(model).put(to);
+                keys.put(to);
             }
 
             fn take(from: &mut &[u8], layout: u64) -> Option<Self> {
@@ -202,7 +205,12 @@ macro_rules! saved {
                     let penalties = Vec::<Option<Penalty>>::take(from)?;
                     model.planes.iter_mut().zip(penalties).for_each(|(plane, penalty)| plane.penalty = penalty);
                 }
-                Some(Saved { model, $($core,)* $($rest,)* $($($last,)*)* })
+                let mut keys = Keys::default();
+                if layout >= FIRST_WITH_DRIVES {
+                    drive(&mut model, Packed::take(from)?)?;
+                    keys = Packed::take(from)?;
+                }
+                Some(Saved { model, keys, $($core,)* $($rest,)* $($($last,)*)* })
             }
         }
     };
@@ -226,7 +234,7 @@ fields!(Force<D> { points, force, torque });
 fields!(Wind<D> { velocity, turbulence, seed });
 fields!(SkinMaterial { friction, restitution, radius });
 fields!(Areas { stiffness, least });
-fields!(Angle { number, points, rest, stiffness, damping, range, arms, stop });
+fields!(Angle { number, points, rest, stiffness, damping, range, arms, stop } without { drive: None });
 fields!(Angles { list, next });
 fields!(MouseForce { strength, radius, region, profile, track });
 fields!(Track<D> { knots });
@@ -236,7 +244,73 @@ fields!(Penalty { stiffness, damping });
 fields!(Polygon { loops, restitution, friction });
 fields!(Convex { figure, restitution, friction });
 fields!(Cursor { origin, direction });
-fields!(Bond { a, b, rest_length, kind, limit, break_strain });
+fields!(Bond { a, b, rest_length, kind, limit, break_strain } without { drive: None });
+fields!(Drive { amplitude, signal });
+fields!(Signal { wave, held });
+fields!(Wave { period, phase });
+fields!(Held { forth, back, rate });
+fields!(Ramp { key, rate, from, since, to });
+fields!(Keys { held, ramps });
+
+/// Drives of bonds and of angles, each with its place in its list.
+type Drives = (Vec<(u32, Drive)>, Vec<(u32, AngleDrive)>);
+
+fn drives_of<const D: usize>(model: &Model<D>) -> Drives {
+    let bonds = model.bonds.iter().zip(0..).filter_map(|(bond, place)| Some((place, bond.drive?)));
+    let angles = model.angles.list.iter().zip(0..).filter_map(|(angle, place)| Some((place, angle.drive?)));
+    (bonds.collect(), angles.collect())
+}
+
+/// `None` of a drive of what is not there.
+fn drive<const D: usize>(model: &mut Model<D>, (bonds, angles): Drives) -> Option<()> {
+    for (place, drive) in bonds {
+        let place = Some(place as usize).filter(|&place| place < model.bonds.len())?;
+        model.bonds.set(place, Bond { drive: Some(drive), ..model.bonds.get(place) });
+    }
+    for (place, drive) in angles {
+        model.angles.list.get_mut(place as usize)?.drive = Some(drive);
+    }
+    Some(())
+}
+
+impl Packed for Key {
+    fn put(&self, to: &mut Vec<u8>) {
+        self.number().put(to);
+    }
+
+    fn take(from: &mut &[u8]) -> Option<Self> {
+        Key::numbered(u8::take(from)?)
+    }
+}
+
+impl Packed for AngleDrive {
+    fn put(&self, to: &mut Vec<u8>) {
+        match *self {
+            AngleDrive::Servo { amplitude, signal } => {
+                0_u8.put(to);
+                (amplitude, signal).put(to);
+            }
+            AngleDrive::Motor { speed, torque, signal } => {
+                1_u8.put(to);
+                ([speed, torque], signal).put(to);
+            }
+        }
+    }
+
+    fn take(from: &mut &[u8]) -> Option<Self> {
+        Some(match u8::take(from)? {
+            0 => {
+                let (amplitude, signal) = Packed::take(from)?;
+                AngleDrive::Servo { amplitude, signal }
+            }
+            1 => {
+                let ([speed, torque], signal) = Packed::take(from)?;
+                AngleDrive::Motor { speed, torque, signal }
+            }
+            _ => return None,
+        })
+    }
+}
 
 impl Packed for PointId {
     fn put(&self, to: &mut Vec<u8>) {

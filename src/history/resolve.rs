@@ -1,9 +1,9 @@
 //! From commands as files have them to those of the engine.
 
 use super::command::{
-    AreasOrNone, DeleteKeys, Do, MoveKeys, OneOrEach, RangeOrNone, SetKeys, VectorOrEach, Walls, Weather,
+    AreasOrNone, DeleteKeys, Do, DriveOrNone, MoveKeys, OneOrEach, RangeOrNone, SetKeys, VectorOrEach, Walls, Weather,
 };
-use crate::scene::{KindName, LimitName, Made, Meeting, MethodKeys, Scene, Vector};
+use crate::scene::{DriveKeys, KindName, LimitName, Made, Meeting, MethodKeys, Scene, Vector};
 use crate::sim::{
     AngleChange, BondChange, BondId, BoundsChange, Change, Command, Dynamics, Kind, Limit, Motion, PointId,
     SceneChange, Selection, SkinMaterial, Values, Wind,
@@ -28,6 +28,7 @@ pub(super) fn resolve(act: &Do, scene: &Scene, world: &dyn Dynamics) -> Result<R
         Do::Mouse(change) => Command::Mouse(*change),
         Do::Grab(reach) => Command::Grab(reach.clone()),
         Do::Release => Command::Release,
+        Do::Key { key, down } => Command::Key { key: *key, down: *down },
         Do::Pin(points) => Command::Pin(points.clone()),
         Do::Unpin(points) => Command::Unpin(points.clone()),
         Do::Cut { from, to } => Command::Cut { from: *from, to: *to },
@@ -95,9 +96,19 @@ fn bonds(numbers: &[u32]) -> Vec<BondId> {
 
 /// The keys that go with each thing that is set.
 const OF_POINTS: [&str; 5] = ["mass", "velocity", "friction", "restitution", "radius"];
-const OF_BONDS: [&str; 9] =
-    ["kind", "rest", "stiffness", "compliance", "damping", "relaxation", "max_correction", "break_strain", "limit"];
-const OF_ANGLES: [&str; 4] = ["rest", "stiffness", "damping", "range"];
+const OF_BONDS: [&str; 10] = [
+    "kind",
+    "rest",
+    "stiffness",
+    "compliance",
+    "damping",
+    "relaxation",
+    "max_correction",
+    "break_strain",
+    "limit",
+    "drive",
+];
+const OF_ANGLES: [&str; 5] = ["rest", "stiffness", "damping", "range", "drive"];
 const OF_OBSTACLES: [&str; 2] = ["restitution", "friction"];
 const OF_FORCES: [&str; 2] = ["force", "torque"];
 const OF_SCENE: [&str; 7] = ["gravity", "drag_rate", "wind", "bounds", "contact", "areas", "method"];
@@ -141,6 +152,7 @@ fn change(keys: &SetKeys, scene: &Scene) -> Result<Change, String> {
                     RangeOrNone::These(range) => Some(*range),
                     RangeOrNone::None(()) => None,
                 }),
+                drive: drive(keys, DriveKeys::told_angle)?,
             }),
         },
         "obstacles" => Change::Obstacles {
@@ -203,7 +215,19 @@ fn bond_change(keys: &SetKeys) -> Result<BondChange, String> {
             LimitName::Max => Limit::Max,
             LimitName::Min => Limit::Min,
         }),
+        drive: drive(keys, DriveKeys::told_bond)?,
     })
+}
+
+/// What moves what is named from now on; `Some(None)`: nothing any more.
+///
+/// Errors: no drive of such a thing.
+fn drive<T>(keys: &SetKeys, read: impl Fn(&DriveKeys) -> Result<T, String>) -> Result<Option<Option<T>>, String> {
+    match &keys.drive {
+        None => Ok(None),
+        Some(DriveOrNone::None(())) => Ok(Some(None)),
+        Some(DriveOrNone::This(drive)) => read(drive).map(|drive| Some(Some(drive))),
+    }
 }
 
 /// Errors: a compliance without a stiffness.

@@ -47,6 +47,7 @@ impl Scene {
                     max_correction: material.max_correction,
                     break_strain: material.break_strain,
                     limit: None,
+                    drive: None,
                 };
                 match body.kind(&link) {
                     BondKind::Spring { stiffness, damping } if link.share != 1.0 || material.young.is_some() => {
@@ -76,6 +77,7 @@ impl Scene {
                 damping: None,
                 min: bend.range.map(|[least, _]| least),
                 max: bend.range.map(|[_, most]| most),
+                drive: None,
             }));
         }
         self.dress(&mut scene, &start.bodies).map_err(|fault| self.source.error(fault))?;

@@ -78,7 +78,7 @@ macro_rules! entry {
     };
 }
 
-static GALLERY: [Entry; 44] = [
+static GALLERY: [Entry; 46] = [
     entry!(
         "jelly",
         168,
@@ -137,10 +137,24 @@ static GALLERY: [Entry; 44] = [
     ),
     entry!(
         "soft-car",
-        55,
+        39,
         "Soft car",
-        "A car on two soft wheels rolls down a slope, over bumps, up the other side and back until it stands.",
-        "push it back up by hand; turn it over; drop it from high up."
+        "A car stands on two soft wheels with motors, before a hundred metres of hills, bumps and steps.",
+        "hold the right arrow to drive, the left one to brake and go back; throw it by hand."
+    ),
+    entry!(
+        "walker",
+        19,
+        "Walker",
+        "A body on six legs, each of two springs that are muscles; the legs stand still until a key is held.",
+        "hold the right or the left arrow to walk; lift it by hand; pull a leg."
+    ),
+    entry!(
+        "snake",
+        36,
+        "Snake",
+        "A soft body crawls along a floor: waves of muscles run along its upper and its lower side.",
+        "lift it and drop it; push it over; make another bond a muscle with tool 7."
     ),
     entry!(
         "tearable-net",

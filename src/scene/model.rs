@@ -147,6 +147,7 @@ impl Scene {
                 kind: body.kind(&link),
                 limit: Limit::Both,
                 break_strain: breaks,
+                drive: None,
             }));
         }
         Ok(bonds)
@@ -225,6 +226,7 @@ pub(super) fn angle(keys: &AngleKeys, place: impl Fn(u32) -> [f64; 2]) -> Result
         stiffness: keys.stiffness.unwrap_or(0.0),
         damping: keys.damping.unwrap_or(0.0),
         range: keys.min.zip(keys.max).map(|(min, max)| [min, max]),
+        drive: keys.drive.and_then(|drive| drive.of_angle().ok()),
         ..found
     })
 }
@@ -279,6 +281,8 @@ pub(super) fn material(keys: &BondKeys) -> Bond {
             Some(LimitName::Min) => Limit::Min,
         },
         break_strain: break_strain(keys.break_strain),
+        // One that is none was refused.
+        drive: keys.drive.and_then(|drive| drive.of_bond().ok()),
         ..Bond::new(PointId(keys.a), PointId(keys.b), 0.0)
     }
 }

@@ -219,7 +219,7 @@ pub struct RecordedLedger {
     pub gravity: f64,
     /// The sum of these at the start.
     pub start: f64,
-    /// Brought by the mouse force, a grab, pins that are led, constant forces, the wind, and commands.
+    /// Brought by the mouse force, a grab, pins that are led, constant forces, drives, the wind, and commands.
     pub mouse: f64,
     /// See [`RecordedLedger::mouse`].
     pub grab: f64,
@@ -227,6 +227,8 @@ pub struct RecordedLedger {
     pub pins: f64,
     /// See [`RecordedLedger::mouse`].
     pub forces: f64,
+    /// See [`RecordedLedger::mouse`].
+    pub drives: f64,
     /// See [`RecordedLedger::mouse`].
     pub wind: f64,
     /// See [`RecordedLedger::mouse`].
@@ -248,8 +250,9 @@ pub struct RecordedLedger {
 impl From<&Ledger> for RecordedLedger {
     fn from(ledger: &Ledger) -> Self {
         let Ledger { now: Energies { kinetic, springs, gravity }, start, .. } = *ledger;
-        let Book { mouse, grab, pins, forces, wind, commands, dampers, drag, friction, impacts, breaks, .. } =
-            ledger.book;
+        let Book {
+            mouse, grab, pins, forces, drives, wind, commands, dampers, drag, friction, impacts, breaks, ..
+        } = ledger.book;
         RecordedLedger {
             kinetic,
             springs,
@@ -259,6 +262,7 @@ impl From<&Ledger> for RecordedLedger {
             grab,
             pins,
             forces,
+            drives,
             wind,
             commands,
             dampers,

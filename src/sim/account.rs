@@ -100,7 +100,7 @@ impl Account {
         let mut power = Book::default();
         self.add_bonds((x, v, w), pull.drag_rate, &mut power);
         power.mouse = pushed(pull, around, time, (x, v, w));
-        driven(pull, time, (x, v, w), &mut power);
+        driven((pull, around), time, (x, v, w), &mut power);
         if self.pulls_rigid {
             // The impulses of all bonds are booked, those of springs too.
             power.pins = 0.0;
@@ -165,13 +165,21 @@ pub(crate) fn pushed<S: Real, const D: usize>(
     power_of(&a, v, w)
 }
 
-/// Adds the power of constant forces and of the wind [W].
+/// Adds the power of constant forces, of drives and of the wind [W].
 pub(crate) fn driven<S: Real, const D: usize>(
-    pull: &Pull<S, D>,
+    (pull, around): (&Pull<S, D>, &Environment<D>),
     t: f64,
     (x, v, w): (&[[S; D]], &[[S; D]], &[S]),
     power: &mut Book,
 ) {
+    if !pull.driven.is_empty() {
+        pull.driven.each((t, &around.keys), (x, v), |i, push| {
+            let done = dot(widen(push), widen(v[i]));
+            power.drives += done;
+            // What holds a pin does as much against it.
+            power.pins -= if w[i] == S::ZERO { done } else { 0.0 };
+        });
+    }
     for thrust in &pull.thrusts {
         thrust.each(x, w, |i, push| power.forces += dot(widen(push), widen(v[i])) / w[i].to_f64());
     }

@@ -1,5 +1,6 @@
 //! A bond between two points: its ends, its rest length, and how it resists.
 
+use super::drive::Drive;
 use super::real::Real;
 
 /// Index of a point in its world.
@@ -92,17 +93,19 @@ pub struct Bond {
     /// Strain above which it is gone [1], > 0; infinite: never. At that moment where events are located, else at the end
     /// of a substep.
     pub break_strain: f64,
+    /// What its rest length follows; a spring or rigid bond that acts both ways and has a length.
+    pub drive: Option<Drive>,
 }
 
 impl Bond {
     /// A rigid bond of this rest length [m] that acts both ways and never breaks.
     pub fn new(a: PointId, b: PointId, rest_length: f64) -> Self {
-        Bond { a, b, rest_length, kind: BondKind::Rigid, limit: Limit::Both, break_strain: f64::INFINITY }
+        Bond { a, b, rest_length, kind: BondKind::Rigid, limit: Limit::Both, break_strain: f64::INFINITY, drive: None }
     }
 
-    /// Rigid, both ways.
+    /// Rigid, both ways, of one length.
     pub(crate) fn is_held(&self) -> bool {
-        self.kind == BondKind::Rigid && self.limit == Limit::Both
+        self.kind == BondKind::Rigid && self.limit == Limit::Both && self.drive.is_none()
     }
 
     /// Whether it holds its length for ever.

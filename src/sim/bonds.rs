@@ -3,6 +3,7 @@
 use std::ops::Range;
 
 use super::bond::{Bond, BondKind, Limit, PointId};
+use super::drive::Drive;
 use super::shared::{Bits, Shared};
 
 /// A list of bonds: 16 bytes each where all are of one material, else 20. [`Bond`] is what goes in and comes out.
@@ -22,19 +23,24 @@ struct Material {
     kind: BondKind,
     limit: Limit,
     break_strain: f64,
+    drive: Option<Drive>,
 }
 
 impl Bits for Material {
-    type Key = [u64; 4];
+    type Key = [u64; 9];
 
     #[inline]
-    fn bits(&self) -> [u64; 4] {
+    fn bits(&self) -> [u64; 9] {
         let (tag, p, q) = match self.kind {
             BondKind::Rigid => (0, 0.0, 0.0),
             BondKind::Spring { stiffness, damping } => (1, stiffness, damping),
             BondKind::Relaxed { relaxation, max_correction } => (2, relaxation, max_correction),
         };
-        [tag + 3 * self.limit as u64, p.to_bits(), q.to_bits(), self.break_strain.to_bits()]
+        let tag = tag + 3 * self.limit as u64 + (u64::from(self.drive.is_some()) << 8);
+        let (amplitude, signal) =
+            self.drive.map_or((0, [0; 4]), |drive| (drive.amplitude.to_bits(), drive.signal.bits()));
+        let [r, s, t, u] = signal;
+        [tag, p.to_bits(), q.to_bits(), self.break_strain.to_bits(), amplitude, r, s, t, u]
     }
 }
 
@@ -63,8 +69,8 @@ impl Bonds {
     #[inline]
     pub fn get(&self, k: usize) -> Bond {
         let [a, b] = self.ends[k];
-        let &Material { kind, limit, break_strain } = self.materials.get(k);
-        Bond { a, b, rest_length: self.rest_lengths[k], kind, limit, break_strain }
+        let &Material { kind, limit, break_strain, drive } = self.materials.get(k);
+        Bond { a, b, rest_length: self.rest_lengths[k], kind, limit, break_strain, drive }
     }
 
     /// All bonds, in order, by value.
@@ -75,6 +81,11 @@ impl Bonds {
     /// Whether any may be a spring: looks at kinds, not at bonds.
     pub(crate) fn may_have_springs(&self) -> bool {
         self.materials.table().iter().any(|material| matches!(material.kind, BondKind::Spring { .. }))
+    }
+
+    /// The drives that some may have: looks at what bonds are made of, not at bonds.
+    pub(crate) fn drives(&self) -> impl Iterator<Item = Drive> {
+        self.materials.table().iter().filter_map(|material| material.drive)
     }
 
     /// Both ends of every bond.
@@ -90,19 +101,19 @@ impl Bonds {
     /// Adds a bond.
     #[inline]
     pub fn push(&mut self, bond: Bond) {
-        let Bond { a, b, rest_length, kind, limit, break_strain } = bond;
+        let Bond { a, b, rest_length, kind, limit, break_strain, drive } = bond;
         self.ends.push([a, b]);
         self.rest_lengths.push(rest_length);
-        self.materials.push(Material { kind, limit, break_strain });
+        self.materials.push(Material { kind, limit, break_strain, drive });
         debug_assert_eq!(self.materials.len(), self.ends.len(), "one entry a bond");
     }
 
     /// Puts another bond in the place of bond `k`, below [`Bonds::len`].
     pub fn set(&mut self, k: usize, bond: Bond) {
-        let Bond { a, b, rest_length, kind, limit, break_strain } = bond;
+        let Bond { a, b, rest_length, kind, limit, break_strain, drive } = bond;
         self.ends[k] = [a, b];
         self.rest_lengths[k] = rest_length;
-        self.materials.set(k, Material { kind, limit, break_strain });
+        self.materials.set(k, Material { kind, limit, break_strain, drive });
     }
 
     /// Keeps the bonds that `keeps` says, in their order; it is asked for each once, in order.

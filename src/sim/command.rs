@@ -10,6 +10,7 @@ use super::bond::{Bond, BondId, Limit, PointId};
 use super::contact::convex::Convex;
 use super::contact::polygon::Polygon;
 use super::contact::skin::{Contact, SkinMaterial};
+use super::drive::{AngleDrive, Drive, Key};
 use super::force::angle::Angle;
 use super::force::area::Areas;
 use super::force::mouse::{Cursor, Profile, Region};
@@ -34,6 +35,13 @@ pub enum Command {
     Grab(Reach),
     /// What was grabbed keeps the velocity that it has.
     Release,
+    /// A key that drives may have goes down or up.
+    Key {
+        /// Which.
+        key: Key,
+        /// Whether it is held from now on.
+        down: bool,
+    },
     /// Points are held where they are, at rest.
     Pin(Vec<PointId>),
     /// Points are let go, at rest.
@@ -242,6 +250,8 @@ pub struct BondChange {
     pub break_strain: Option<Values>,
     /// On which side of the rest length they act.
     pub limit: Option<Limit>,
+    /// What their rest lengths follow; `Some(None)`: nothing any more.
+    pub drive: Option<Option<Drive>>,
 }
 
 /// What of angles changes.
@@ -255,6 +265,8 @@ pub struct AngleChange {
     pub damping: Option<Values>,
     /// The least and the largest angle of joints [rad]; `Some(None)`: they turn freely.
     pub range: Option<Option<[f64; 2]>>,
+    /// What moves them; `Some(None)`: nothing any more.
+    pub drive: Option<Option<AngleDrive>>,
 }
 
 /// A kind of bond, without its numbers.

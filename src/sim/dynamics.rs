@@ -7,6 +7,8 @@ use super::contact::convex::Convex;
 use super::contact::polygon::Polygon;
 use super::contact::skin::Contact;
 use super::counters::Counters;
+use super::drive::Key;
+use super::force::angle::Angle;
 use super::force::mouse::{Cursor, MouseForce};
 use super::ledger::{Energies, Ledger};
 use super::model::Method;
@@ -103,6 +105,12 @@ pub trait Dynamics: Send {
     fn positions(&self) -> Positions<'_>;
     /// The bonds that are left, in the order of the model.
     fn bonds(&self) -> &Bonds;
+    /// The angles that are left, their numbers ascending.
+    fn angles(&self) -> &[Angle];
+    /// The keys that drives have, ascending.
+    fn drive_keys(&self) -> Vec<Key>;
+    /// The keys that are held, ascending.
+    fn held_keys(&self) -> &[Key];
     /// What bodies cover, of the points and bonds that are left.
     fn triangles(&self) -> &[[PointId; 3]];
     /// What can be set of the scene, as it stands: to set it changes nothing.

@@ -1,5 +1,6 @@
 //! What surrounds all points of a world: gravity, the mouse force and its cursor.
 
+use super::drive::Keys;
 use super::force::mouse::{Cursor, MouseForce, Push};
 use super::real::Real;
 use super::swept::Swept;
@@ -23,6 +24,8 @@ pub(crate) struct Environment<const D: usize> {
     pub(crate) cursor: Option<CursorPath>,
     /// The plane in which the cursor leads what is grabbed, in space.
     pub(crate) lead: Option<Lead>,
+    /// The keys that players hold.
+    pub(crate) keys: Keys,
 }
 
 /// How far a ray is followed to what is led, in distances from the eye when it was grabbed: one along the plane would lead it away.

@@ -4,7 +4,7 @@
 //! energy now - energy at the start = brought - taken + left over
 //! ```
 //!
-//! Energy is kinetic + springs', angles' and areas' + gravity's. What mouse, grab, led pins, forces, wind and commands brought, and what dampers, drag, friction,
+//! Energy is kinetic + springs', angles' and areas' + gravity's. What mouse, grab, led pins, forces, drives, wind and commands brought, and what dampers, drag, friction,
 //! impacts and breaking bonds took, are line integrals of their forces along the ways of the points, and changes of velocities
 //! where these change at once. What is left over is the method's own error.
 
@@ -23,6 +23,9 @@ pub struct Book {
     pub pins: f64,
     /// Work of constant forces and torques: the integral of their force times the velocity of each point.
     pub forces: f64,
+    /// Work of drives: of muscles the integral of stiffness (moved rest - rest) times the rate of the length, of rigid ones that of their
+    /// tension times the rate of the rest length, of motors and servos that of their torque times the rate of the angle.
+    pub drives: f64,
     /// Work of the air that moves: the integral of m drag_rate u . v, u its velocity where the point is. What air at rest would take is
     /// [`Book::drag`].
     pub wind: f64,
@@ -47,7 +50,7 @@ pub struct Book {
 impl Book {
     /// What came from outside [J].
     pub fn brought(&self) -> f64 {
-        self.mouse + self.grab + self.pins + self.forces + self.wind + self.commands
+        self.mouse + self.grab + self.pins + self.forces + self.drives + self.wind + self.commands
     }
 
     /// What is explained of what went [J].
@@ -61,6 +64,7 @@ impl Book {
         self.grab += share * other.grab;
         self.pins += share * other.pins;
         self.forces += share * other.forces;
+        self.drives += share * other.drives;
         self.wind += share * other.wind;
         self.commands += share * other.commands;
         self.dampers += share * other.dampers;

@@ -2,6 +2,7 @@
 
 use super::bond::{Bond, BondKind, Limit};
 use super::bonds::Bonds;
+use super::drive::Keys;
 use super::ledger::Energies;
 use super::points::Points;
 use super::real::Real;
@@ -82,10 +83,14 @@ pub(crate) fn springs_energy<const D: usize>(bonds: &Bonds, position: impl Fn(us
 }
 
 /// Largest |length/rest - 1| over the bonds [1], those of rest length 0 left out.
-pub(crate) fn max_strain<const D: usize>(position: &[[f64; D]], bonds: &Bonds) -> f64 {
+///
+/// Lengths at rest are those of time `t` [s].
+pub(crate) fn max_strain<const D: usize>(position: &[[f64; D]], bonds: &Bonds, (t, keys): (f64, &Keys)) -> f64 {
     let of = |bond: Bond| {
         let d = sub(position[bond.a.index()], position[bond.b.index()]);
-        if bond.rest_length > 0.0 { (length(d) / bond.rest_length - 1.0).abs() } else { 0.0 }
+        let rest =
+            bond.rest_length * bond.drive.map_or(1.0, |drive| 1.0 + drive.amplitude * drive.signal.level(t, keys));
+        if rest > 0.0 { (length(d) / rest - 1.0).abs() } else { 0.0 }
     };
     bonds.iter().map(of).fold(0.0, f64::max)
 }

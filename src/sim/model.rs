@@ -1,5 +1,6 @@
 //! What a world is made from: points, bonds, forces, walls and a method, in `f64` and checked.
 
+mod drives;
 mod form;
 mod printed;
 
@@ -197,6 +198,14 @@ pub enum ModelError {
     NoEnergy {
         /// The bond.
         bond: usize,
+    },
+    /// A drive that its bond or angle cannot have.
+    #[error("{place}: {why}")]
+    Drive {
+        /// The bond or the angle.
+        place: String,
+        /// What is wrong, and what to do.
+        why: String,
     },
     /// Outlines of obstacles that cross so often that they are no drawing.
     #[error("the outlines of the polygons cross each other or themselves more than 200000 times: make them simpler")]
@@ -495,6 +504,7 @@ impl<const D: usize> Model<D> {
                     relaxation > 0.0 && relaxation <= 1.0 && max_correction >= 0.0
                 }
             };
+        self.check_drive(i, bond)?;
         if fine { Ok(()) } else { require(false, &format!("bond {i}"), bond, "of numbers in their ranges") }
     }
 

@@ -9,6 +9,7 @@ use super::counters::Counters;
 use super::environment::Environment;
 use super::force::form::Form;
 use super::force::mouse::{self, Inside};
+use super::force::muscle::Driven;
 use super::force::spring::Springs;
 use super::force::steady::Thrust;
 use super::force::wind::Air;
@@ -34,6 +35,8 @@ pub(crate) struct Pull<S: Real, const D: usize> {
     pub(crate) lead: [S; D],
     /// Constant forces and torques on some of the points.
     pub(crate) thrusts: Vec<Thrust<S, D>>,
+    /// What drives move of it.
+    pub(crate) driven: Driven<S>,
     /// What is the same everywhere and for ever: gravity, and what the mean wind gives by drag [m/s^2].
     pub(crate) gravity: [f64; D],
     pub(crate) drag_rate: f64,
@@ -56,7 +59,8 @@ impl<S: Real, const D: usize> Pull<S, D> {
 
     /// Whether some force depends on velocities, drag apart.
     pub(crate) fn is_damped(&self) -> bool {
-        self.springs.is_damped() || self.form.is_damped() || self.cushions.iter().any(Cushion::is_damped)
+        let is_driven = self.driven.has_motors() || self.cushions.iter().any(Cushion::is_damped);
+        self.springs.is_damped() || self.form.is_damped() || is_driven
     }
 
     /// Whether anything but springs, the mouse and what is the same everywhere pushes points.
@@ -72,7 +76,7 @@ impl<S: Real, const D: usize> Pull<S, D> {
     /// A bound on what forces and gusts give [m/s^2], torques apart.
     pub(crate) fn most_push(&self) -> f64 {
         let gusts = self.gusts().map_or(0.0, |air| self.drag_rate * air.bounds()[0]);
-        self.thrusts.iter().map(Thrust::size).sum::<f64>() + gusts
+        self.thrusts.iter().map(Thrust::size).sum::<f64>() + gusts + self.driven.most_push()
     }
 
     /// Adds to `a` what forces and gusts give [m/s^2] at time `t` [s].
@@ -116,6 +120,9 @@ impl<S: Real, const D: usize> Pull<S, D> {
         }
         self.drive(t, (x, w), a);
         self.cushions.iter().for_each(|cushion| cushion.push((x, v, w), a));
+        if !self.driven.is_empty() {
+            self.driven.each((t, &around.keys), (x, v), |i, push| a[i] = add(a[i], scale(push, w[i])));
+        }
         if let Some((force, cursor)) = around.mouse_at(t) {
             counters.mouse_points += mouse::push(force, cursor, self.inside.as_ref(), x, w, a);
         }

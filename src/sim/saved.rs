@@ -1,6 +1,7 @@
 //! A running world that is kept: what it is made of and the state of its points, not what moves them.
 
 use super::bond::PointId;
+use super::drive::Keys;
 use super::force::mouse::Cursor;
 use super::model::{Model, ModelError};
 use super::moved::HandedOver;
@@ -50,6 +51,8 @@ pub struct Saved<const D: usize> {
     pub lead: Option<[[f64; 3]; 2]>,
     /// Islands that are moved by the live step for a while, by their lowest points.
     pub handed_over: Vec<HandedOver>,
+    /// The keys that players hold.
+    pub keys: Keys,
 }
 
 impl<const D: usize> Saved<D> {
@@ -92,6 +95,7 @@ impl<const D: usize> Saved<D> {
         range(is_bond && is_obstacle, "next_numbers", "above those that were given")?;
         let finite = self.lost.iter().flatten().flatten().all(|x| x.is_finite());
         range(finite && self.time.is_finite() && self.substep > 0.0 && self.substep.is_finite(), "time", "finite")?;
+        range(self.keys.is_fine(), "keys", "within their ranges")?;
         range(self.grabbed.iter().all(|point| point.index() < points), "grabbed", "numbers of points")?;
         let is_known =
             |handed: &HandedOver| handed.first.index() < points && handed.since.is_finite() && handed.until.is_finite();

@@ -3,7 +3,7 @@
 use std::f64::consts::PI;
 
 use wobble::scene::{AngleKeys, Scene};
-use wobble::sim::{Command, Cursor, Dynamics, PointId, Reach, Sample};
+use wobble::sim::{Command, Cursor, Dynamics, Key, PointId, Reach, Sample};
 
 fn world(name: &str) -> Box<dyn Dynamics> {
     Scene::load(name).unwrap().world(None).unwrap()
@@ -129,9 +129,46 @@ fn the_net_tears_where_it_is_pulled_and_not_by_itself() {
 }
 
 #[test]
-fn the_car_rolls_down_and_over_the_bumps_on_its_wheels() {
+fn the_car_drives_a_hundred_metres_under_its_key_and_is_braked_without_it() {
     let mut world = world("soft-car");
-    let sample = until(&mut *world, 3.5);
-    let [rear, roof] = [0, 6].map(|point| sample.position[point]);
-    assert!(rear[0] > 0.5 && roof[1] > rear[1] + 0.3, "{rear:?} under {roof:?}");
+    let hub = |world: &mut dyn Dynamics, time: f64| until(world, time).position[0];
+    let start = hub(&mut *world, 1.0);
+    press(&mut *world, "right", true);
+    let mut time = 1.0;
+    while hub(&mut *world, time)[0] < start[0] + 100.0 {
+        time += 1.0;
+        assert!(time < 45.0, "{:?} after {time} s", hub(&mut *world, time));
+    }
+    press(&mut *world, "right", false);
+    until(&mut *world, time + 3.0);
+    let stands = hub(&mut *world, time + 6.0);
+    let sample = until(&mut *world, time + 8.0);
+    // A brake is a damper: on a slope it creeps.
+    assert!((sample.position[0][0] - stands[0]).abs() < 0.2, "{stands:?}, then {:?}", sample.position[0]);
+    assert!(sample.position[6][1] > sample.position[0][1], "on its wheels");
+}
+
+#[test]
+fn the_walker_walks_where_its_keys_say_and_the_snake_crawls() {
+    let mut walker = world("walker");
+    let start = middle(&until(&mut *walker, 0.8));
+    press(&mut *walker, "right", true);
+    let there = middle(&until(&mut *walker, 6.8));
+    press(&mut *walker, "right", false);
+    press(&mut *walker, "left", true);
+    let back = middle(&until(&mut *walker, 12.8));
+    assert!(there[0] - start[0] > 2.0 && there[0] - back[0] > 2.0, "{start:?} {there:?} {back:?}");
+    let mut snake = world("snake");
+    let [early, late] = [2.0, 8.0].map(|time| middle(&until(&mut *snake, time)));
+    assert!(late[0] - early[0] > 2.0 && late[1] < 0.6, "{early:?} {late:?}");
+}
+
+/// A key goes down or up.
+fn press(world: &mut dyn Dynamics, name: &str, down: bool) {
+    world.apply(&Command::Key { key: Key::of(name).unwrap(), down }).unwrap();
+}
+
+/// Middle of all points [m].
+fn middle(sample: &Sample) -> [f64; 2] {
+    [0, 1].map(|axis| sample.position.iter().map(|x| x[axis]).sum::<f64>() / sample.position.len() as f64)
 }

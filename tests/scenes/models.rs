@@ -271,6 +271,8 @@ fn bodies_of_the_gallery_that_share_a_space_meet() {
         "picture-obstacle",
         "ragdoll",
         "ring",
+        "snake",
+        "soft-car",
         "wrecking-ball",
     ];
     let mut found: Vec<&str> = gallery()

@@ -33,8 +33,8 @@ pub static TABLE: &[Binding] = &[
         &[(Ctrl("z"), Action::Undo), (CtrlShift("z"), Action::Redo), (Ctrl("y"), Action::Redo)],
     ),
     binding(
-        "1, 2, 3, 4, 5, 6",
-        "the tools: hand, pin, cut, erase, build, select",
+        "1, 2, 3, 4, 5, 6, 7, 8",
+        "the tools: hand, pin, cut, erase, build, select, muscle, motor",
         &[
             (Writes("1"), Action::Take(Tool::Hand)),
             (Writes("2"), Action::Take(Tool::Pin)),
@@ -42,6 +42,8 @@ pub static TABLE: &[Binding] = &[
             (Writes("4"), Action::Take(Tool::Erase)),
             (Writes("5"), Action::Take(Tool::Build)),
             (Writes("6"), Action::Take(Tool::Select)),
+            (Writes("7"), Action::Take(Tool::Muscle)),
+            (Writes("8"), Action::Take(Tool::Motor)),
         ],
     ),
     binding("T", "held: a click pins points or lets them go", &[(Writes("t"), Action::PinWhileHeld)]),

@@ -26,6 +26,8 @@ pub(super) enum Icon {
     Erase,
     Build,
     Select,
+    Muscle,
+    Motor,
     Gear,
     Plot,
     Primitive(Primitive),
@@ -113,6 +115,24 @@ fn paint(painter: &Painter, icon: Icon, rect: Rect, color: Color32) {
             line(&[(-0.7, -1.1), (0.9, 0.1), (0.15, 0.2), (-0.45, 0.8), (-0.7, -1.1)]);
             line(&tail);
         }
+        Icon::Muscle => {
+            // A bond that bulges between its ends.
+            line(&[(-1.2, 0.9), (-0.6, 0.45)]);
+            line(&[(0.6, -0.45), (1.2, -0.9)]);
+            let bulge = |side: f32| {
+                let along = (0..=8).map(|k| k as f32 / 4.0 - 1.0);
+                let of = |s: f32| (0.6 * s - 0.36 * side * (1.0 - s * s), -0.45 * s - 0.48 * side * (1.0 - s * s));
+                along.map(of).collect::<Vec<_>>()
+            };
+            line(&bulge(1.0));
+            line(&bulge(-1.0));
+        }
+        Icon::Motor => {
+            // A wheel about a hub, and which way it turns.
+            ring(0.0, 0.1, 0.95);
+            painter.circle_filled(at(0.0, 0.1), 0.26 * unit, color);
+            filled(&[(-0.25, -1.3), (0.55, -0.85), (-0.25, -0.4)]);
+        }
         Icon::Gear => {
             ring(0.0, 0.0, 0.4);
             ring(0.0, 0.0, 0.85);
@@ -156,6 +176,7 @@ mod tests {
         let context = egui::Context::default();
         let all = [Icon::Play, Icon::Pause, Icon::Step, Icon::Reset, Icon::Before, Icon::After];
         let more = [Icon::Undo, Icon::Redo, Icon::Hand, Icon::Pin, Icon::Cut, Icon::Erase, Icon::Build, Icon::Select];
+        let more = more.into_iter().chain([Icon::Muscle, Icon::Motor]);
         for icon in
             all.into_iter().chain(more).chain([Icon::Gear, Icon::Plot]).chain(Primitive::ALL.map(Icon::Primitive))
         {

@@ -2,7 +2,9 @@
 //! nothing of the world.
 
 mod dial;
+mod drives;
 mod gallery;
+mod held;
 mod help;
 mod hud;
 mod icons;
@@ -27,7 +29,9 @@ use std::path::PathBuf;
 use super::action::{Action, Primitive, Tool};
 use super::player::Figures;
 use super::plots::Plots;
+use super::tools::Drives;
 use crate::scene::SolverName;
+use crate::sim::Key;
 pub(super) use gallery::{THUMBNAIL, search_id};
 use icons::Icon;
 pub(super) use notes::Notes;
@@ -42,6 +46,8 @@ pub(super) enum Wish {
     OpenScene(&'static str),
     /// The tool for building makes this from now on.
     Build(Primitive),
+    /// The tools for muscles and motors make these from now on.
+    Drives(Drives),
     /// Something is set of the scene.
     Set(Setting),
     /// Another solver, with all else of the method as it is.
@@ -116,6 +122,10 @@ pub(super) struct Facts {
     pub(super) tool: Tool,
     /// What the tool for building makes.
     pub(super) primitive: Primitive,
+    /// What the tools for muscles and motors make.
+    pub(super) drives: Drives,
+    /// The keys that drives of the scene have, and which of them are held.
+    pub(super) keys: Vec<(Key, bool)>,
     /// Bodies have skins: their bonds can be shown or not.
     pub(super) has_skin: bool,
     /// Bonds of bodies with a skin are shown.
@@ -154,6 +164,7 @@ pub(super) fn show(ui: &mut egui::Ui, state: &mut PanelState, facts: &Facts) -> 
         let beside = if is_under { settings::WIDTH + 28.0 } else { 0.0 };
         hud::show(ui.ctx(), (room, beside), facts, &mut wishes);
     }
+    held::show(ui.ctx(), room, facts);
     state.notes.show(ui.ctx(), room, facts, &mut wishes);
     match state.sheet {
         Some(Sheet::Gallery) => gallery::show(ui.ctx(), room, state, facts, &mut wishes),

@@ -4,7 +4,7 @@ use egui::{Align2, Area, Id, Rect};
 
 use super::icons::{self, Icon};
 use super::theme::floating;
-use super::{Facts, Wish, described, primitives};
+use super::{Facts, Wish, described, drives, primitives};
 use crate::app::action::{Action, Tool};
 
 /// The sign of a tool and what it does.
@@ -16,6 +16,8 @@ fn words(tool: Tool) -> (Icon, &'static str) {
         Tool::Erase => (Icon::Erase, "take away a body, a bond or an obstacle"),
         Tool::Select => (Icon::Select, "select and move a body or an obstacle"),
         Tool::Build => (Icon::Build, "build: drag a body or an obstacle out"),
+        Tool::Muscle => (Icon::Muscle, "make a bond a muscle: it gets longer and shorter"),
+        Tool::Motor => (Icon::Motor, "hinge a body to another or to the ground, with a motor"),
     }
 }
 
@@ -27,7 +29,7 @@ pub(super) fn show(context: &egui::Context, room: Rect, facts: &Facts, wishes: &
             ui.spacing_mut().item_spacing.y = 4.0;
             for tool in Tool::ALL {
                 let (sign, name) = words(tool);
-                let can = !matches!(tool, Tool::Cut | Tool::Build) || facts.dimensions == 2;
+                let can = !matches!(tool, Tool::Cut | Tool::Build | Tool::Motor) || facts.dimensions == 2;
                 let said = described(name, Action::Take(tool));
                 let why = "in the plane only: this scene is in space";
                 let add = |ui: &mut egui::Ui| icons::button(ui, sign, name, icons::TOOL, tool == facts.tool);
@@ -40,5 +42,8 @@ pub(super) fn show(context: &egui::Context, room: Rect, facts: &Facts, wishes: &
     });
     if facts.tool == Tool::Build && facts.dimensions == 2 {
         primitives::show(context, shown.response.rect, facts, wishes);
+    }
+    if matches!(facts.tool, Tool::Muscle | Tool::Motor) {
+        drives::show(context, shown.response.rect, facts, wishes);
     }
 }

@@ -9,7 +9,9 @@ use super::watch::Measured;
 use crate::history::BranchView;
 use crate::picture::Skin;
 use crate::render::View;
-use crate::sim::{Bonds, Convex, Cursor, Dynamics, GrabView, MouseForce, PointId, Polygon, Positions, SceneChange};
+use crate::sim::{
+    Bonds, Convex, Cursor, Dynamics, GrabView, Key, MouseForce, PointId, Polygon, Positions, SceneChange,
+};
 
 /// Positions in the scalar of their world, copied.
 #[derive(Clone, Debug)]
@@ -73,6 +75,10 @@ pub struct Scenery {
     pub skins: Vec<Skin>,
     /// What the user should know of the scene.
     pub warnings: Vec<String>,
+    /// The keys that drives have, ascending.
+    pub keys: Vec<Key>,
+    /// Points that keyed drives move, ascending.
+    pub driven: Vec<PointId>,
 }
 
 impl Scenery {
@@ -91,6 +97,8 @@ impl Scenery {
             triangles: world.triangles().to_vec(),
             skins: skins.to_vec(),
             warnings: world.warnings().to_vec(),
+            keys: world.drive_keys(),
+            driven: driven(world),
         }
     }
 
@@ -98,6 +106,21 @@ impl Scenery {
     pub fn bond_number(&self, place: usize) -> u32 {
         self.bond_numbers.as_ref().map_or(place as u32, |numbers| numbers.get(place).copied().unwrap_or(u32::MAX))
     }
+}
+
+/// Points that keyed drives of a world move, ascending.
+fn driven(world: &dyn Dynamics) -> Vec<PointId> {
+    if world.drive_keys().is_empty() {
+        return Vec::new();
+    }
+    let bonds = world.bonds().iter().filter(|bond| bond.drive.is_some_and(|drive| drive.signal.held.is_some()));
+    let angles = world.angles().iter();
+    let angles = angles.filter(|angle| angle.drive.is_some_and(|drive| drive.signal().held.is_some()));
+    let mut points: Vec<PointId> =
+        bonds.flat_map(|bond| [bond.a, bond.b]).chain(angles.flat_map(|angle| angle.points)).collect();
+    points.sort_unstable();
+    points.dedup();
+    points
 }
 
 /// What panels show of a world.

@@ -81,6 +81,7 @@ impl Session {
             Wish::Act(action) => self.act(action),
             Wish::OpenScene(name) => self.open_named(name),
             Wish::Build(primitive) => self.hand.choose(primitive),
+            Wish::Drives(drives) => self.hand.set_drives(drives),
             Wish::Set(setting) => self.set(setting),
             Wish::Solver(solver) => self.player.ask(Order::Solver(solver)),
             Wish::Pace(pace) => self.set_pace(pace),

@@ -91,6 +91,8 @@ impl Session {
             frame: self.frame_meter.value(),
             tool: self.hand.tool(),
             primitive: self.hand.primitive(),
+            drives: self.hand.drives(),
+            keys: self.keys_to_hold(),
             has_skin: !self.shown().scenery.skins.is_empty(),
             has_mesh: self.look.has_mesh,
             has_picture: self.has_picture,

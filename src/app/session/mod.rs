@@ -3,6 +3,7 @@
 mod acts;
 mod arrivals;
 mod drawing;
+mod driving;
 mod keeping;
 mod leftovers;
 mod plotting;
@@ -16,6 +17,7 @@ use std::time::{Duration, Instant};
 
 use winit::event::WindowEvent;
 use winit::event_loop::{EventLoopProxy, OwnedDisplayHandle};
+use winit::keyboard::PhysicalKey;
 use winit::window::Window;
 
 use super::AppError;
@@ -36,7 +38,7 @@ use super::tools::Hand;
 use crate::history::{HistoryError, Start};
 use crate::render::{Camera, Look, RenderCounters, RenderError};
 use crate::scene::{MOST_MEETING, Scene, gallery};
-use crate::sim::{Cursor, MouseForce, SceneChange};
+use crate::sim::{Cursor, Key, MouseForce, SceneChange};
 use shelf::Shelf;
 
 /// The tag of scenes that open on a canvas.
@@ -78,6 +80,10 @@ pub(super) struct Session {
     pub(super) held: Held,
     /// Which keys were pressed, and for what.
     pub(super) down: Down,
+    /// Keys of drives that are held in this history, with the keys of the keyboard.
+    driving: Vec<(PhysicalKey, Key)>,
+    /// The camera goes along with what they drive.
+    follows: bool,
     /// Time runs back.
     rewinds: bool,
     /// The order by which the world goes to another time, until it is there.
@@ -168,6 +174,8 @@ impl Session {
             hand: Hand::default(),
             held: Held::default(),
             down: Down::default(),
+            driving: Vec::new(),
+            follows: false,
             rewinds: false,
             gone_by: None,
             pushes: false,
@@ -276,6 +284,7 @@ impl Session {
 
     /// The present history is left for another: nothing hangs on the hand in it.
     pub(super) fn take_leave(&mut self) {
+        self.stop_driving();
         let deed = self.hand.leave();
         self.do_deed(deed);
         self.tell_press();
@@ -292,6 +301,7 @@ impl Session {
     /// The world goes to another time: what the hand leads here stays here.
     pub(super) fn go(&mut self, order: Order) {
         self.hand.let_go();
+        self.driving.clear();
         self.player.ask(order);
         self.gone_by = Some(self.player.serial());
     }
@@ -304,6 +314,7 @@ impl Session {
     /// Another history is shown: nothing of the last one is under way any more.
     fn begin(&mut self) {
         self.hand.let_go();
+        self.driving.clear();
         self.panels.sheet = None;
         (self.rewinds, self.last_frame, self.told, self.gone_by) = (false, None, None, None);
         self.plot_anew();
@@ -314,6 +325,7 @@ impl Session {
 
     /// The history is there: its scene is shown as it opens.
     fn arrive(&mut self, scene: Arc<Scene>) {
+        self.follows = false;
         self.canvas.forget_world(scene.dimensions());
         self.window.set_title(&format!("wobble · {}", scene.name()));
         self.has_picture = scene.picture_body().is_some();
@@ -410,6 +422,7 @@ impl Session {
     /// The world went to another time.
     fn have_gone(&mut self, line: String) {
         self.hand.let_go();
+        self.driving.clear();
         self.say(line);
     }
 
@@ -453,6 +466,7 @@ impl Session {
         }
         let news = self.player.poll_patiently();
         self.hear(news);
+        self.follow_driven();
         // What was heard is drawn now; what moves on is drawn in the next frame anyway.
         self.dirty &= self.panels_dirty;
         self.draw()?;
@@ -498,6 +512,7 @@ impl Session {
 
     /// Keys and buttons that were held down are let go elsewhere.
     pub(super) fn lose_focus(&mut self) {
+        self.stop_driving();
         self.rewinds = false;
         self.hand.hold_pins(false);
         self.down = Down::default();

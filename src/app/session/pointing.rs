@@ -14,7 +14,7 @@ impl Session {
     /// The pointer moved [px].
     pub(in crate::app) fn point_at(&mut self, at: [f64; 2]) {
         if self.pointer.move_to(at, &mut self.camera) {
-            self.framing = Framing::Free;
+            (self.framing, self.follows) = (Framing::Free, false);
         }
         let is_over = self.is_over_panels();
         if is_over || self.was_over_panels || self.wants_hint || self.egui.egui_ctx().egui_is_using_pointer() {

@@ -51,5 +51,6 @@ fn keys(bond: Bond, a: u32, b: u32) -> BondKeys {
         Limit::Max => Some(LimitName::Max),
         Limit::Min => Some(LimitName::Min),
     };
-    BondKeys { break_strain: bond.break_strain.is_finite().then_some(bond.break_strain), limit, ..keys }
+    let drive = bond.drive.map(Into::into);
+    BondKeys { drive, break_strain: bond.break_strain.is_finite().then_some(bond.break_strain), limit, ..keys }
 }

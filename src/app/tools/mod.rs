@@ -2,6 +2,9 @@
 
 mod build;
 mod copy;
+mod drives;
+#[cfg(test)]
+mod drives_tests;
 mod erase;
 #[cfg(test)]
 mod grab_tests;
@@ -22,6 +25,7 @@ use crate::history::Do;
 use crate::sim::{MouseChange, PointId, Reach};
 use build::{Drag, Maker};
 pub(super) use copy::copy;
+pub(super) use drives::Drives;
 use erase::{delete_points, erase};
 use lead::Lead;
 pub(super) use lead::PinWay;
@@ -88,6 +92,8 @@ pub(super) struct Hand {
     pins: bool,
     /// What the tool for building makes.
     maker: Maker,
+    /// What the tools for muscles and motors make.
+    drives: Drives,
     picked: Option<Picked>,
     doing: Doing,
     /// What the hover force is when nothing is grabbed; `None`: the scene has none, or it goes along a track.
@@ -121,6 +127,16 @@ impl Hand {
     pub(super) fn choose(&mut self, primitive: Primitive) {
         self.maker.primitive = primitive;
         self.tool = Tool::Build;
+    }
+
+    /// What the tools for muscles and motors make.
+    pub(super) fn drives(&self) -> Drives {
+        self.drives
+    }
+
+    /// They make something else from now on.
+    pub(super) fn set_drives(&mut self, drives: Drives) {
+        self.drives = drives;
     }
 
     /// Shift is held, or let go: what is built hangs on nothing.
@@ -192,6 +208,8 @@ impl Hand {
             }
             Tool::Erase => erase(scope, at),
             Tool::Build => self.begin_to_build(scope, at),
+            Tool::Muscle => self.drives.press_muscle(scope, at),
+            Tool::Motor => self.drives.press_motor(scope, at),
             Tool::Select => {
                 self.picked = Picked::at(scope, at);
                 self.doing = self.picked.map_or(Doing::Nothing, |_| Doing::Moving(at));
@@ -350,7 +368,11 @@ impl Hand {
 
     /// What a click at the pixel would do, to be drawn.
     pub(super) fn marks(&self, scope: Scope<'_>, at: Option<DVec2>) -> Vec<Mark> {
-        let mut marks = marks::of((self.tool(), self.maker), &self.doing, scope, at);
+        let mut marks = match (self.tool(), at) {
+            (Tool::Muscle, Some(at)) => self.drives.mark_muscle(scope, at),
+            (Tool::Motor, Some(at)) => self.drives.mark_motor(scope, at),
+            _ => marks::of((self.tool(), self.maker), &self.doing, scope, at),
+        };
         if let Some(picked) = self.picked(scope) {
             let off = match (&self.doing, at) {
                 (Doing::Moving(from), Some(at)) => at - *from,

@@ -2,7 +2,7 @@
 
 use super::number::{self, Range};
 use crate::scene::error::{Fault, Within};
-use crate::scene::keys::{BondKeys, BondList, KindName, Material};
+use crate::scene::keys::{BondKeys, BondList, KindName, LimitName, Material};
 use crate::sim::BondKind;
 
 /// Errors: the first bond that is at fault.
@@ -35,7 +35,21 @@ fn check(bond: &BondKeys, count: u32) -> Result<(), Fault> {
 /// Errors: those of a bond but for its ends and its rest length.
 fn check_material(bond: &BondKeys) -> Result<(), Fault> {
     Range::Positive.maybe(bond.break_strain).at("break_strain")?;
-    Resistance::from(bond).check()
+    Resistance::from(bond).check()?;
+    check_drive(bond).at("drive")
+}
+
+/// Errors: a drive that is none, or that such a bond cannot have.
+fn check_drive(bond: &BondKeys) -> Result<(), Fault> {
+    let Some(drive) = &bond.drive else { return Ok(()) };
+    drive.of_bond()?;
+    if bond.kind == Some(KindName::Relaxed) {
+        return Err(Fault::invalid("a relaxed bond has none: make it a spring or rigid"));
+    }
+    if bond.limit.is_some_and(|limit| limit != LimitName::Both) {
+        return Err(Fault::invalid("a bond that acts on one side has none: leave `limit` or `drive` out"));
+    }
+    Ok(())
 }
 
 /// Stiffness of the springs of a triangular lattice over its Young's modulus in the plane: sqrt(3)/2, at any spacing.

@@ -6,6 +6,7 @@ use super::number::{self, Range};
 use super::one_a_point;
 use crate::scene::error::{Fault, Source, Within};
 use crate::scene::keys::{AngleKeys, AreaKeys, AreaKindName, ContactKeys, Meeting, Row, Scene, SkinKeys, TextureKeys};
+use crate::sim::AngleDrive;
 use crate::sim::Areas;
 
 /// Errors: the first fault; `count` is how many points there are.
@@ -126,6 +127,14 @@ fn check_angle(angle: &AngleKeys, count: u32) -> Result<(), Fault> {
     Range::NotNegative.maybe(angle.damping).at("damping")?;
     Range::Finite.maybe(angle.min).at("min")?;
     Range::Finite.maybe(angle.max).at("max")?;
+    if let Some(drive) = &angle.drive {
+        let drive = drive.of_angle().at("drive")?;
+        let is_servo = matches!(drive, AngleDrive::Servo { .. });
+        if is_servo && angle.stiffness.unwrap_or(0.0) == 0.0 {
+            let message = "nothing pulls the angle to it: give the angle a `stiffness` [N m] above 0";
+            return Err(Fault::invalid(message).at("drive"));
+        }
+    }
     match (angle.min, angle.max) {
         (Some(min), Some(max)) if min >= max => {
             Err(Fault::invalid(format!("{min:?} is not below {max:?} of `max`: give min < max")).at("min"))

@@ -1,5 +1,6 @@
 //! The keys of a bond.
 
+use super::drive::DriveKeys;
 use super::macros::{names, object};
 
 names! {
@@ -59,6 +60,8 @@ object! {
             break_strain: f64,
             /// On which side of its rest length it acts: both if not said.
             limit: LimitName,
+            /// What its rest length follows: a muscle. Of a spring or a rigid bond that has a length and acts both ways.
+            drive: DriveKeys,
         }
     }
 }
@@ -79,6 +82,7 @@ impl BondKeys {
             max_correction: None,
             break_strain: None,
             limit: None,
+            drive: None,
         }
     }
 }

@@ -25,10 +25,10 @@ pub struct BondList {
 }
 
 impl Bits for BondKeys {
-    type Key = [u64; 8];
+    type Key = [u64; 16];
 
     #[inline]
-    fn bits(&self) -> [u64; 8] {
+    fn bits(&self) -> [u64; 16] {
         let numbers = [
             self.stiffness,
             self.compliance,
@@ -38,11 +38,15 @@ impl Bits for BondKeys {
             self.max_correction,
             self.break_strain,
         ];
-        let mut bits = [0; 8];
+        let mut bits = [0; 16];
         bits[7] = self.kind.map_or(0, |kind| 1 + kind as u64) + (self.limit.map_or(0, |limit| 1 + limit as u64) << 8);
         for (k, number) in numbers.into_iter().enumerate() {
             bits[7] |= u64::from(number.is_some()) << (16 + k);
             bits[k] = number.unwrap_or(0.0).to_bits();
+        }
+        if let Some(drive) = &self.drive {
+            bits[7] |= 1 << 32;
+            bits[8..].copy_from_slice(&drive.bits());
         }
         bits
     }

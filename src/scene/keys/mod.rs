@@ -6,6 +6,7 @@ mod bond;
 mod bonds;
 mod budget;
 mod contact;
+mod drive;
 pub(crate) mod macros;
 mod method;
 mod scene;
@@ -20,6 +21,7 @@ pub use bond::{BondKeys, KindName, LimitName};
 pub use bonds::BondList;
 pub use budget::BudgetKeys;
 pub use contact::{ContactKeys, Meeting, SkinKeys};
+pub use drive::{DriveKeys, KeyName};
 pub use method::{MethodKeys, OrderName, PrecisionName, SolverName, SourceName};
 pub use scene::{AngleKeys, AreaKeys, AreaKindName, MassKeys, PointKeys, Scene, TextureKeys, Version};
 pub use surroundings::{

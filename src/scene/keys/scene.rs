@@ -10,6 +10,7 @@ use serde::ser::{Serialize, Serializer};
 use super::body::BodyKeys;
 use super::bonds::BondList;
 use super::contact::{Meeting, SkinKeys};
+use super::drive::DriveKeys;
 use super::macros::{names, object};
 use super::method::MethodKeys;
 use super::surroundings::{BoundsKeys, ForceKeys, MouseKeys, ObstacleKeys, PinMotionKeys, WindKeys};
@@ -156,6 +157,8 @@ object! {
             min: f64,
             /// The largest angle of a joint [rad], less than a turn above `min`.
             max: f64,
+            /// What moves it: a motor, or a servo.
+            drive: DriveKeys,
         }
     }
 }

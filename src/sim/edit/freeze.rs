@@ -57,7 +57,9 @@ impl<S: Real, const D: usize> World<S, D> {
         };
         let of = |points: &[PointId]| -> Vec<u32> { points.iter().map(|point| point.0).collect() };
         match command {
-            Command::Cursor { .. } | Command::Mouse(_) | Command::Release | Command::Clear => Vec::new(),
+            Command::Cursor { .. } | Command::Mouse(_) | Command::Release | Command::Key { .. } | Command::Clear => {
+                Vec::new()
+            }
             Command::Grab(Reach::Points(points)) | Command::Pin(points) | Command::Unpin(points) => of(points),
             Command::Grab(Reach::Within(radius)) => of(&self.points_within(*radius)),
             Command::Cut { from, to } => {

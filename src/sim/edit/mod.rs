@@ -6,6 +6,7 @@
 mod add;
 mod check;
 mod delete;
+mod drives;
 mod forces;
 mod freeze;
 mod grab;
@@ -53,6 +54,7 @@ impl<S: Real, const D: usize> World<S, D> {
             Command::Mouse(change) => self.change_mouse(change),
             Command::Grab(reach) => self.take_hold(reach),
             Command::Release => Ok(self.release()),
+            Command::Key { key, down } => Ok(self.press(*key, *down)),
             Command::Pin(points) => self.pin(points),
             Command::Unpin(points) => self.unpin(points),
             Command::Cut { from, to } => self.cut(*from, *to),

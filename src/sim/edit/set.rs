@@ -107,6 +107,7 @@ impl<S: Real, const D: usize> World<S, D> {
         places.iter().for_each(|&place| changes[place] = true);
         let detached = self.detach(&self.free_ends(&changes), false);
         self.bonds = Arc::new(changed);
+        self.tell_drives();
         self.attach(detached);
         Ok(done(true))
     }
@@ -131,12 +132,14 @@ impl<S: Real, const D: usize> World<S, D> {
             if let Some(range) = to.range {
                 (angle.range, angle.stop) = (range, 0.0);
             }
+            angle.drive = to.drive.unwrap_or(angle.drive);
             self.model.check_angle(angle).map_err(|error| invalid(error.to_string()))?;
         }
         let full = self.laid_out(&Model { angles: changed, ..Model::clone(&self.model) });
         let changed = full.form_missing().map_or(full.angles, |(_, angles)| angles);
         let detached = self.detach(&self.free_points_of(&places), false);
         Arc::make_mut(&mut self.model).angles = changed;
+        self.tell_drives();
         self.attach(detached);
         if to.range.is_some() {
             angles.iter().for_each(|&number| self.warn_of_stops_now(number..number + 1));
@@ -375,6 +378,7 @@ impl BondChange {
             rest_length: of(&self.rest_length).unwrap_or(bond.rest_length),
             break_strain: of(&self.break_strain).unwrap_or(bond.break_strain),
             limit: self.limit.unwrap_or(bond.limit),
+            drive: self.drive.unwrap_or(bond.drive),
             ..bond
         })
     }

@@ -4,6 +4,7 @@
 //! rest: m + atan2(sin(theta - m), cos(theta - m)), which has its jump half a turn away from there, so that it may cross pi.
 
 use crate::sim::bond::PointId;
+use crate::sim::drive::{AngleDrive, Keys};
 use crate::sim::real::Real;
 use crate::sim::vector::{dot, scale, sub};
 
@@ -31,6 +32,8 @@ pub struct Angle {
     pub arms: [f64; 2],
     /// Stiffness beyond the range [N m]; 0: still to be worked out from what acts on its body.
     pub stop: f64,
+    /// What moves it.
+    pub drive: Option<AngleDrive>,
 }
 
 impl Angle {
@@ -87,6 +90,8 @@ pub(crate) struct Hinge<S> {
     pub(crate) stop: S,
     /// Squares of the lengths below which arms pull less [m^2].
     least: [S; 2],
+    /// What moves it.
+    pub(crate) drive: Option<AngleDrive>,
 }
 
 /// How an angle stands: itself, seen from its middle [rad], and its slopes by the places of its points [rad/m].
@@ -115,6 +120,7 @@ impl<S: Real> Hinge<S> {
             damping: S::from_f64(angle.damping),
             stop: S::from_f64(angle.stop),
             least: angle.arms.map(least),
+            drive: angle.drive,
         }
     }
 
@@ -188,6 +194,44 @@ impl<S: Real> Hinge<S> {
         let torque = self.torque(stand.angle) * stand.share;
         let damped = torque + self.damping * stand.rate(v) * stand.share;
         Some([torque, damped].map(|torque| stand.slopes.map(|slope| scale(slope, -torque))))
+    }
+
+    /// The level of its drive at time `t` [s]; 0 without one.
+    pub(crate) fn level(&self, t: f64, keys: &Keys) -> S {
+        self.drive.map_or(S::ZERO, |drive| S::from_f64(drive.signal().level(t, keys)))
+    }
+
+    /// Whether a motor drives it.
+    pub(crate) fn is_motor(&self) -> bool {
+        matches!(self.drive, Some(AngleDrive::Motor { .. }))
+    }
+
+    /// The torque [N m] of its drive at a level, while it changes at `rate` [rad/s]; arms that are too short left aside.
+    #[inline(always)]
+    pub(crate) fn driving(&self, rate: S, level: S) -> S {
+        match self.drive {
+            None => S::ZERO,
+            Some(AngleDrive::Servo { amplitude, .. }) => self.stiffness * S::from_f64(amplitude) * level,
+            Some(drive @ AngleDrive::Motor { speed, torque, .. }) => {
+                let most = S::from_f64(torque);
+                (S::from_f64(drive.slope()) * (S::from_f64(speed) * level - rate)).max(-most).min(most)
+            }
+        }
+    }
+
+    /// The same with its angle at rest moved by so much [rad].
+    pub(crate) fn moved(self, by: S) -> Self {
+        Hinge { rest: self.rest + by, ..self }
+    }
+
+    /// The steepest of its slopes, with arms as long as at the start and in line, and that of its longer arm [1/m].
+    pub(crate) fn steepest(&self) -> f64 {
+        self.least.iter().map(|least| LEAST_ARM / least.to_f64().sqrt()).sum()
+    }
+
+    /// See [`Hinge::steepest`].
+    pub(crate) fn shallowest(&self) -> f64 {
+        self.least.iter().map(|least| LEAST_ARM / least.to_f64().sqrt()).fold(f64::INFINITY, f64::min)
     }
 
     /// The same between other points.
@@ -274,7 +318,17 @@ mod tests {
 
     fn angle(rest: f64, range: Option<[f64; 2]>) -> Angle {
         let points = [PointId(0), PointId(1), PointId(2)];
-        Angle { number: 0, points, rest, stiffness: 3.0, damping: 0.5, range, arms: [1.0, 2.0], stop: 40.0 }
+        Angle {
+            number: 0,
+            points,
+            rest,
+            stiffness: 3.0,
+            damping: 0.5,
+            range,
+            arms: [1.0, 2.0],
+            stop: 40.0,
+            drive: None,
+        }
     }
 
     const X: [[f64; 2]; 3] = [[0.3, 1.1], [0.1, 0.2], [-1.4, 0.9]];

@@ -4,6 +4,7 @@ pub mod angle;
 pub mod area;
 pub(crate) mod form;
 pub mod mouse;
+pub(crate) mod muscle;
 pub(crate) mod spring;
 pub mod steady;
 pub mod wind;

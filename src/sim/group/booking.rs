@@ -87,7 +87,7 @@ impl<S: Real, const D: usize> Group<S, D> {
         let mut power = Book::default();
         account.add_bonds((x, v, w), self.pull.drag_rate, &mut power);
         power.mouse = pushed(&self.pull, around, t, (x, v, w));
-        driven(&self.pull, t, (x, v, w), &mut power);
+        driven((&self.pull, around), t, (x, v, w), &mut power);
         for &i in &self.pull.led {
             power.grab += dot(widen(self.pull.lead), widen(v[i as usize])) / w[i as usize].to_f64();
         }

@@ -17,6 +17,7 @@ use super::counters::Counters;
 use super::environment::Environment;
 use super::force::form::Form;
 use super::force::mouse::{self, Inside, Track};
+use super::force::muscle::Driven;
 use super::force::spring::Springs;
 use super::integrate::implicit::USUAL_ROUNDS;
 use super::moved::Moved;
@@ -346,6 +347,7 @@ impl<S: Real, const D: usize> Group<S, D> {
         pull.contacts = Contacts::new(&pull.contacts.obstacles, 0);
         pull.led.clear();
         pull.thrusts.clear();
+        pull.driven = Driven::none();
         Group {
             points: Points::new(State::default(), Vec::new()),
             pull,

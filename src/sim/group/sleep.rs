@@ -29,7 +29,7 @@ fn still_extent<S: Real, const D: usize>(position: &[[S; D]]) -> S {
 /// What a group knows of its own rest.
 ///
 /// It falls asleep when no point has left the place that it had [`STILL_TIME`] ago by more than [`STILL_EXTENT`] says at any step since,
-/// no cursor was in reach, nothing of it is grabbed, none of its pins is led any more, and no gust may come. Speeds say nothing of that: one that
+/// no cursor was in reach, nothing of it is grabbed, none of its pins is led any more, no drive moves it, and no gust may come. Speeds say nothing of that: one that
 /// turns around has none, and what rests on a floor may report some.
 #[derive(Clone, Debug)]
 pub(crate) struct Sleep<S, const D: usize> {
@@ -72,6 +72,7 @@ impl<S: Real, const D: usize> Group<S, D> {
         }
         let is_disturbed = self.grabbed.is_some()
             || self.pull.gusts().is_some()
+            || self.pull.driven.moves_after(t, &around.keys)
             || self.tracks.iter().any(|(_, track)| track.moves_after(t))
             || around.mouse_at(t).is_some_and(|(force, cursor)| mouse::reaches(&self.points, force, cursor));
         if is_disturbed {
@@ -131,6 +132,13 @@ impl<S: Real, const D: usize> Group<S, D> {
     /// Whether its method follows a fast cursor within a step by itself, in substeps.
     pub(crate) fn follows_cursor(&self) -> bool {
         matches!(self.engine, Engine::Bulk(_))
+    }
+
+    /// Wakes if a drive moves it from time `t` on [s].
+    pub(crate) fn wake_if_driven(&mut self, around: &Environment<D>, t: f64) {
+        if self.sleep.asleep.is_some() && self.pull.driven.moves_after(t, &around.keys) {
+            self.wake();
+        }
     }
 
     /// Wakes, or goes on being awake.

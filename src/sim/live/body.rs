@@ -33,6 +33,8 @@ pub(super) struct Body<S> {
     pub(super) edges: Span,
     pub(super) corners: Span,
     pub(super) hinges: Span,
+    pub(super) muscles: Span,
+    pub(super) turns: Span,
     /// Bonds at the front of those that are held that make trees, from the roots on.
     pub(super) tree: u32,
     /// Mean length of its edges at the start [m]; 0 without any.

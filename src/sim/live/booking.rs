@@ -97,6 +97,15 @@ impl<S: Real> Cluster<S> {
         }
     }
 
+    /// What drives did in a substep, as the guard has it and by the springs' own rests, and what their dampers took [J].
+    pub(super) fn book_drives(&mut self, seen: S, booked: S, damped: S) {
+        if let Some(tally) = &mut self.tally {
+            tally.apart += seen.to_f64();
+            tally.taken.drives += booked.to_f64();
+            tally.taken.dampers += damped.to_f64();
+        }
+    }
+
     /// What contacts, friction and dampers took in a substep of `h` [s], before anything bounces.
     pub(super) fn tally(&mut self, common: &Common<S>, h: f64) {
         let Some(mut tally) = self.tally.take() else { return };

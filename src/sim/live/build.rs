@@ -4,6 +4,7 @@ use std::sync::Arc;
 
 use super::body::{Area, Body, Edge, Link, Span};
 use super::cluster::Cluster;
+use super::drives::{Muscle, Turn};
 use super::gather::SUBSTEPS;
 use super::rig::Rig;
 use super::rigid::{Held, Shape};
@@ -42,6 +43,9 @@ pub(super) struct Bodies<S> {
     pub(super) areas: Vec<Area<S>>,
     /// Angles that resist.
     pub(super) hinges: Vec<Hinge<S>>,
+    /// Bonds and angles that drives move.
+    pub(super) muscles: Vec<Muscle<S>>,
+    pub(super) turns: Vec<Turn<S>>,
     pub(super) edges: Vec<Edge>,
     /// Points of skins.
     pub(super) corners: Vec<u32>,
@@ -131,6 +135,8 @@ impl<S: Real> Bodies<S> {
         } else if let Some(rig) = &rig {
             own.let_go_of(rig, local);
         }
+        let (driven, kept): (Vec<Bond>, Vec<Bond>) = own.bonds.iter().partition(|bond| bond.drive.is_some());
+        own.bonds = kept;
         let (tree, others) = own.forest(|bond| bond.is_held() || is_stiff(bond, w), |i| w(i) == S::ZERO);
         let (tree, others) =
             if tree.is_empty() { own.forest(Bond::is_held, |i| w(i) == S::ZERO) } else { (tree, others) };
@@ -138,7 +144,10 @@ impl<S: Real> Bodies<S> {
         self.holds.extend(tree.iter().map(link));
         let (springs, holds): (Vec<&Bond>, Vec<&Bond>) = others.iter().partition(|bond| is_spring(bond));
         let [springs, holds] = [springs, holds].map(|list| in_turn(list, local, own.points.len()));
-        let bounds = Bounds::new(&springs, w);
+        let bounds = Bounds::new(&springs.iter().copied().chain(&driven).collect::<Vec<&Bond>>(), w);
+        self.muscles.extend(driven.iter().filter_map(|bond| {
+            Muscle::of(bond, [bond.a, bond.b].map(|end| local[end.index()]), bounds.at_ends(bond).map(S::from_f64))
+        }));
         self.springs.extend(springs.iter().map(|bond| link(bond)));
         self.swings.extend(springs.iter().map(|bond| bounds.at_ends(bond).map(S::from_f64)));
         self.holds.extend(holds.iter().map(|bond| link(bond)));
@@ -149,7 +158,10 @@ impl<S: Real> Bodies<S> {
                 .filter_map(|(&corners, &rest)| area(corners, (corners.map(place), rest), (&lengths, local))),
         );
         let within = |hinge: &Hinge<S>| hinge.between(hinge.points.map(|point| local[point as usize]));
-        self.hinges.extend(own.hinges.iter().map(within));
+        let (turns, hinges): (Vec<Hinge<S>>, Vec<Hinge<S>>) =
+            own.hinges.iter().map(within).partition(|hinge| hinge.drive.is_some());
+        self.hinges.extend(hinges);
+        self.turns.extend(turns.into_iter().map(Turn::of));
         let contact = draft.contact.unwrap_or_default();
         let radius = draft.contact.and(contact.radius);
         let radius = radius.map_or(edge_length.min(thin) * S::from_f64(RADIUS), S::from_f64);
@@ -170,6 +182,8 @@ impl<S: Real> Bodies<S> {
             edges: span(4),
             corners: span(5),
             hinges: span(6),
+            muscles: span(7),
+            turns: span(8),
             tree: tree.len() as u32,
             edge_length,
             radius,
@@ -179,11 +193,12 @@ impl<S: Real> Bodies<S> {
         });
     }
 
-    fn ends(&self) -> [u32; 7] {
+    fn ends(&self) -> [u32; 9] {
         let bonds = [self.order.len(), self.springs.len(), self.holds.len()];
         let [order, springs, holds] = bonds;
-        [order, springs, holds, self.areas.len(), self.edges.len(), self.corners.len(), self.hinges.len()]
-            .map(|count| count as u32)
+        let [areas, edges, corners] = [self.areas.len(), self.edges.len(), self.corners.len()];
+        let [hinges, muscles, turns] = [self.hinges.len(), self.muscles.len(), self.turns.len()];
+        [order, springs, holds, areas, edges, corners, hinges, muscles, turns].map(|count| count as u32)
     }
 }
 

@@ -5,6 +5,7 @@ use super::body::{Area, Body, Edge, Link};
 use super::bonds::Hold;
 use super::booking::Tally;
 use super::build::Bodies;
+use super::drives::{Muscle, Turn};
 use super::pair::{OnPlane, Pair, Sides};
 use super::rig::Rigged;
 use super::rigid::Frame;
@@ -59,6 +60,9 @@ pub(super) struct Cluster<S: Real> {
     /// Those of them that hardly give.
     pub(super) hard: Links<S>,
     pub(super) holds: Vec<Hold<S>>,
+    /// What drives move: bonds and angles.
+    pub(super) muscles: Vec<Muscle<S>>,
+    pub(super) turns: Vec<Turn<S>>,
     /// Forces on some of its points.
     pub(super) thrusts: Vec<Thrust<S, 2>>,
     /// Triangles that may get thin, one list a body.

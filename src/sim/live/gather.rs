@@ -109,6 +109,8 @@ impl<S: Real> Live<S> {
             firm: Links::default(),
             hard: Links::default(),
             holds: Vec::new(),
+            muscles: Vec::new(),
+            turns: Vec::new(),
             thrusts: Vec::new(),
             thin: vec![Thin::unknown(); bodies.len()],
             pairs: Vec::new(),
@@ -157,7 +159,9 @@ impl<S: Real> Live<S> {
             if let Some(rig) = &body.rig {
                 let bonds = common.springs(body).iter().chain(common.holds(body)).flat_map(|link| [link.a, link.b]);
                 let angles = common.hinges(body).iter().flat_map(|hinge| hinge.points);
-                cluster.include_rig(rig, base as usize, bonds.chain(angles));
+                let muscles = self.bodies.muscles[body.muscles.range()].iter().flat_map(|muscle| muscle.ends);
+                let turns = self.bodies.turns[body.turns.range()].iter().flat_map(|turn| turn.now.points);
+                cluster.include_rig(rig, base as usize, bonds.chain(angles).chain(muscles).chain(turns));
             }
             let number = |local: u32| (base + local, body.points.first + local);
             cluster.corners.extend(self.bodies.corners[body.corners.range()].iter().map(|&corner| number(corner)));

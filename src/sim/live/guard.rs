@@ -35,7 +35,7 @@ fn moving<S: Real>(state: &Cluster<S>, gravity: [f64; 2]) -> (S, S) {
 /// What bonds, angles and areas can give back [J]: of a spring e longer that is projected in substeps of h, k e^2/(2 (1 + k h^2 w)), for it
 /// takes several to give way, and does so the slower the stiffer it is.
 pub(super) fn elastic<S: Real>(state: &Cluster<S>, common: &Common<S>) -> S {
-    let mut sum = S::ZERO;
+    let mut sum = super::drives::elastic(state);
     let square = state.span * state.span;
     let mut by_forces = state.by_forces.iter();
     for (body, base) in state.members(common) {

@@ -22,6 +22,7 @@ mod circle;
 mod cluster;
 mod cross;
 mod detect;
+mod drives;
 mod fields;
 mod gather;
 mod guard;
@@ -65,6 +66,7 @@ use super::vector::length;
 use booking::Tally;
 use build::Bodies;
 use cluster::{Cluster, Common};
+use drives::Source;
 use fields::Field;
 use pair::Sides;
 use rest::Rest;
@@ -127,6 +129,8 @@ struct Live<S: Real> {
     settling: Vec<S>,
     bond_count: usize,
     fields: Vec<Field<S>>,
+    /// What moves bodies by itself.
+    sources: Vec<Source>,
     /// How much nearer a body that somebody else moves may come to itself until it is looked at again [m].
     room: S,
     /// Slots of what left the finite numbers.
@@ -186,6 +190,7 @@ impl<S: Real> Live<S> {
             settling: vec![S::ZERO; count],
             bond_count: draft.bonds.len(),
             fields: Vec::new(),
+            sources: Source::list(&bodies),
             room: S::ZERO,
             lost: Vec::new(),
             bodies,
@@ -226,6 +231,7 @@ impl<S: Real> Live<S> {
         detect::look(cluster, common);
         cluster.is_violent = cluster.is_struck();
         bonds::prepare(cluster, common, cluster.span);
+        drives::prepare(cluster, common, (t, around), cluster.span);
         let before = moving + guard::elastic(cluster, common);
         for substep in 0..count as u32 {
             substep::advance(cluster, common, outside, (t + f64::from(substep) * own, own));
@@ -251,6 +257,7 @@ impl<S: Real> Mover<S, 2> for Live<S> {
     ) {
         let sides = std::mem::take(&mut self.sides);
         self.wake(points, around, (t, h));
+        self.wake_driven(around, t);
         let mut clusters = {
             let common = self.common(pull, &sides);
             let mut clusters = self.gather(points, &common, (around, h));
@@ -275,13 +282,13 @@ impl<S: Real> Mover<S, 2> for Live<S> {
         for cluster in &mut clusters {
             self.scatter(cluster, points);
             cluster.bodies.iter().for_each(|&body| self.rests[body].is_asleep = false);
-            self.settle(cluster, h);
+            self.settle(cluster, (around, t + h), h);
             cluster.count(counters);
             counters.settled += cluster.bodies.iter().filter(|&&body| self.settling[body] > S::ZERO).count() as u64;
         }
         // A gust may come at any time.
         if self.sleeps && pull.gusts().is_none() {
-            self.doze(&clusters, points, t + h);
+            self.doze(&clusters, points, (around, t + h));
         }
     }
 

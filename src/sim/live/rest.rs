@@ -70,8 +70,19 @@ impl<S: Real> Live<S> {
         }
     }
 
-    /// How much the bodies of a cluster are slowed down in the next step.
-    pub(super) fn settle(&mut self, cluster: &Cluster<S>, h: f64) {
+    /// Wakes bodies that a drive moves from time `t` on [s].
+    pub(super) fn wake_driven(&mut self, around: &Environment<2>, t: f64) {
+        let Live { sources, rests, .. } = self;
+        for body in sources.iter().filter_map(|source| source.moves(t, &around.keys)) {
+            if rests[body].is_asleep {
+                rests[body] = Rest::default();
+            }
+        }
+    }
+
+    /// How much the bodies of a cluster are slowed down in the next step; what a drive moves is not.
+    pub(super) fn settle(&mut self, cluster: &Cluster<S>, (around, t): (&Environment<2>, f64), h: f64) {
+        let driven: Vec<usize> = self.sources.iter().filter_map(|source| source.moves(t, &around.keys)).collect();
         let mut touches = vec![[0_u32; 2]; cluster.bodies.len()];
         let mut note = |i: u32, slips: bool| {
             if let Some(touches) = touches.get_mut(cluster.body_of[i as usize] as usize) {
@@ -96,7 +107,7 @@ impl<S: Real> Live<S> {
             rest.touches = sticks + slips > 0;
             rest.aloft = if rest.touches { 0.0 } else { rest.aloft + h };
             let slow = S::from_f64(SLOW[usize::from(cluster.is_rigid(k as u32))]);
-            let is_slow = square < slow * slow && rest.aloft < HOP && self.settles;
+            let is_slow = square < slow * slow && rest.aloft < HOP && self.settles && !driven.contains(&body);
             // What hops settles where it touches, and what slides on is slowed down by friction alone.
             let goes_on = if rest.touches { h } else { 0.0 };
             rest.slow = if is_slow { rest.slow + goes_on } else { 0.0 };
@@ -107,14 +118,20 @@ impl<S: Real> Live<S> {
     }
 
     /// Looks which clusters stayed where they are, at time `t` [s].
-    pub(super) fn doze(&mut self, clusters: &[Cluster<S>], points: &mut Points<S, 2>, t: f64) {
+    pub(super) fn doze(
+        &mut self,
+        clusters: &[Cluster<S>],
+        points: &mut Points<S, 2>,
+        (around, t): (&Environment<2>, f64),
+    ) {
         if self.anchor.is_empty() {
             self.anchor = self.bodies.order.iter().map(|&slot| points.position[slot as usize]).collect();
         }
+        let driven: Vec<usize> = self.sources.iter().filter_map(|source| source.moves(t, &around.keys)).collect();
         for cluster in clusters {
             let mut is_still = true;
             for &body in &cluster.bodies {
-                is_still &= self.is_still(body, points, t);
+                is_still &= self.is_still(body, points, t) && !driven.contains(&body);
             }
             if !is_still {
                 continue;

@@ -76,7 +76,7 @@ fn places(base: usize, points: [u32; 3]) -> [u32; 3] {
     points.map(|point| base as u32 + point)
 }
 
-fn bend<S: Real>(state: &mut Cluster<S>, hinge: &Hinge<S>, (base, h): (usize, S)) {
+pub(super) fn bend<S: Real>(state: &mut Cluster<S>, hinge: &Hinge<S>, (base, h): (usize, S)) {
     let points = places(base, hinge.points);
     let Some(stand) = hinge.stand(at(&state.now, points)) else { return };
     let firm = stand.share() * hinge.stiffness * h * h;
@@ -91,7 +91,7 @@ fn bend<S: Real>(state: &mut Cluster<S>, hinge: &Hinge<S>, (base, h): (usize, S)
 }
 
 /// A joint comes back to its range: what was beyond it before slowly and without speed, what is new at once.
-fn stop<S: Real>(state: &mut Cluster<S>, hinge: &Hinge<S>, base: usize) {
+pub(super) fn stop<S: Real>(state: &mut Cluster<S>, hinge: &Hinge<S>, base: usize) {
     state.counts.work += 40;
     let points = places(base, hinge.points);
     let Some(stand) = hinge.stand(at(&state.now, points)) else { return };
@@ -135,7 +135,7 @@ fn bounded<S: Real>(multiplier: S, weight: S) -> S {
 }
 
 /// The sum of w |g|^2.
-fn weight<S: Real>(state: &Cluster<S>, points: [u32; 3], slopes: [[S; 2]; 3]) -> S {
+pub(super) fn weight<S: Real>(state: &Cluster<S>, points: [u32; 3], slopes: [[S; 2]; 3]) -> S {
     if !state.frames.is_empty() {
         return state.felt_by_three(points.map(|point| point as usize), slopes);
     }
@@ -143,7 +143,7 @@ fn weight<S: Real>(state: &Cluster<S>, points: [u32; 3], slopes: [[S; 2]; 3]) ->
 }
 
 /// Moves three points along their slopes.
-fn push<S: Real>(state: &mut Cluster<S>, points: [u32; 3], slopes: [[S; 2]; 3], multiplier: S) {
+pub(super) fn push<S: Real>(state: &mut Cluster<S>, points: [u32; 3], slopes: [[S; 2]; 3], multiplier: S) {
     for (point, slope) in points.into_iter().zip(slopes) {
         let i = point as usize;
         if !state.frames.is_empty() {

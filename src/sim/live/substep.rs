@@ -4,6 +4,7 @@ use super::areas;
 use super::bonds;
 use super::cluster::{Cluster, Common};
 use super::detect;
+use super::drives;
 use super::fields;
 use super::mend;
 use super::part;
@@ -52,7 +53,9 @@ pub(super) fn advance<S: Real>(state: &mut Cluster<S>, common: &Common<S>, outsi
     part::drift(state, time, outside.around.gravity);
     state.predict(time);
     shape::resist(state, common, time);
+    drives::turn(state, outside.around, (t + h, time));
     bonds::hold(state, common);
+    drives::hold(state, false);
     state.straighten_rigs();
     state.follow_rigs();
     mend::lead(state, time);
@@ -62,10 +65,12 @@ pub(super) fn advance<S: Real>(state: &mut Cluster<S>, common: &Common<S>, outsi
     state.note_near();
     for pass in 0..passes {
         shape::hold(state, common);
+        drives::stop(state);
         areas::unfold(state, common);
         if pass > 0 {
             tree::straighten(state, common, pass + 1 == passes);
             bonds::hold_again(state);
+            drives::hold(state, true);
         }
         state.press(common, pushed);
         state.straighten_rigs();
@@ -88,6 +93,7 @@ fn kick<S: Real>(state: &mut Cluster<S>, common: &Common<S>, outside: Outside<S>
         tally.begin();
     }
     bonds::pull(state, common, time);
+    drives::begin(state, around, (t, h));
     let fall: [S; 2] = convert(around.gravity.map(|g| g * h));
     for (k, &body) in state.bodies.iter().enumerate() {
         let kept = S::from_f64(libm::exp(-h * (pull.drag_rate + settling[body].to_f64())));
@@ -235,6 +241,7 @@ impl<S: Real> Cluster<S> {
         for (thin, ends) in self.thin.iter_mut().zip(self.bases.windows(2)) {
             thin.go(&self.way[ends[0] as usize..ends[1] as usize]);
         }
+        drives::count(self, h);
         self.tally(common, h);
         let (mut pairs, mut on_planes) = (std::mem::take(&mut self.pairs), std::mem::take(&mut self.on_planes));
         let numbers = std::mem::take(&mut self.chosen);

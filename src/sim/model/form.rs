@@ -69,6 +69,7 @@ impl<const D: usize> Model<D> {
         require(angle.range.is_none_or(is_range), &place, angle.range, "within min < max, less than a turn apart")?;
         let is_arm = |arm: f64| arm > 0.0 && arm.is_finite();
         require(angle.arms.into_iter().all(is_arm), &place, angle.arms, "between arms that have a length")?;
+        self.check_angle_drive(angle)?;
         self.method
             .solver
             .form_refusal()
@@ -205,5 +206,5 @@ impl<const D: usize> Model<D> {
 /// An angle between places, as it is made: what is not said of it is as it stands there.
 pub fn angle_at<const D: usize>(points: [PointId; 3], places: [[f64; D]; 3]) -> Angle {
     let (rest, arms) = measured(places);
-    Angle { number: 0, points, rest, stiffness: 0.0, damping: 0.0, range: None, arms, stop: 0.0 }
+    Angle { number: 0, points, rest, stiffness: 0.0, damping: 0.0, range: None, arms, stop: 0.0, drive: None }
 }

@@ -93,6 +93,7 @@ impl<S: Real, const D: usize> Maker<'_, S, D> {
             led: Vec::new(),
             lead: zero(),
             thrusts: self.thrusts(),
+            driven: self.driven(),
             gravity: self.model.field(),
             drag_rate: self.model.drag_rate,
             air: self.gathered.drives.air.clone(),

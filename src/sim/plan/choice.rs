@@ -153,8 +153,8 @@ fn scheme(island: &Island, method: &Method, setting: Setting, is_direct: bool) -
     let given = |way| Some(Scheme { way, target: None, longest: None });
     let are_springs = island.springs == island.bonds.len() && !island.has_limits && !island.has_round_dampers;
     match method.solver {
-        // Large bodies know neither angles nor areas, nor surfaces that push by depth.
-        _ if island.bonds.is_empty() || island.has_form() || island.is_pressed => None,
+        // Large bodies know neither angles nor areas, nor drives, nor surfaces that push by depth.
+        _ if island.bonds.is_empty() || island.has_form() || island.has_drives || island.is_pressed => None,
         Solver::Auto if are_springs && pick(island, setting, is_direct) == Solver::VelocityVerlet => given(Way::Forces),
         Solver::Verlet | Solver::VelocityVerlet if are_springs => {
             (is_large || (has_order && setting.points > LARGE)).then(|| given(Way::Forces))?
@@ -191,7 +191,8 @@ fn pick(island: &Island, setting: Setting, is_direct: bool) -> Solver {
     if setting.has_surfaces && island.springs > MOST_TOUCHING && substeps <= MOST_TOUCHES {
         return Solver::VelocityVerlet;
     }
-    if is_stiff(island) && !island.is_pressed && island.points.len() <= MOST_IMPLICIT {
+    let is_implicit = is_stiff(island) && !island.is_pressed && !island.has_motors;
+    if is_implicit && island.points.len() <= MOST_IMPLICIT {
         return Solver::ImplicitMidpoint;
     }
     if setting.points > LARGE {
@@ -214,6 +215,7 @@ pub(super) fn is_stiff(island: &Island) -> bool {
 fn substep(island: &Island, solver: Solver, setting: Setting) -> f64 {
     let longest = if island.rigid > 0 { LONGEST_RIGID } else { LONGEST };
     let push = setting.mouse.map_or(0.0, |strength| strength.abs().sqrt()).max(setting.gusts.unwrap_or(0.0));
+    let push = push.max(island.drive_rate);
     let (phase, rate) = match solver {
         Solver::ImplicitMidpoint | Solver::BackwardEuler => (PHASE, push),
         Solver::Flight => (PHASE, 0.0),

@@ -5,7 +5,9 @@ use std::sync::Arc;
 use super::gather::Gathered;
 use super::island::Island;
 use super::make::Maker;
+use crate::sim::bond::Bond;
 use crate::sim::contact::penalty::{Cushion, Penalty};
+use crate::sim::force::muscle::Driven;
 use crate::sim::force::steady::Thrust;
 use crate::sim::force::wind::Air;
 use crate::sim::model::Model;
@@ -123,6 +125,16 @@ impl<S: Real, const D: usize> Gathered<S, D> {
 }
 
 impl<S: Real, const D: usize> Maker<'_, S, D> {
+    /// What drives move of the group.
+    pub(super) fn driven(&self) -> Driven<S> {
+        if !self.lot.islands.iter().any(|island| island.has_drives) {
+            return Driven::none();
+        }
+        let bonds: Vec<Bond> = self.bonds().map(|(_, bond)| bond).filter(|bond| bond.drive.is_some()).collect();
+        let w: Vec<f64> = self.points.iter().map(|&i| self.gathered.w[i as usize]).collect();
+        Driven::of(bonds.iter(), self.form().hinges.into_iter(), &w)
+    }
+
     /// The forces on the points of the group.
     pub(super) fn thrusts(&self) -> Vec<Thrust<S, D>> {
         self.gathered.thrusts(self.model, self.points)

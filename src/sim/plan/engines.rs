@@ -122,8 +122,9 @@ impl<S: Real, const D: usize> Maker<'_, S, D> {
             return Some(Engine::Projected);
         }
         let is_spring = |(_, bond): &(u32, Bond)| matches!(bond.kind, BondKind::Spring { .. });
+        let is_bare = bonds.is_empty() && pull.form.is_empty();
         let is_fit =
-            !(bonds.is_empty() && pull.form.is_empty()) && bonds.iter().all(is_spring) && points.len() <= MOST_LOCATED;
+            !(is_bare || pull.driven.has_motors()) && bonds.iter().all(is_spring) && points.len() <= MOST_LOCATED;
         (is_fit && !is_robust && pull.cushions.is_empty())
             .then(|| Engine::Implicit(Box::new(self.implicit(false, bonds, points, pull))))
     }

@@ -3,6 +3,7 @@
 use super::rigid::Pieces;
 use crate::sim::bond::{Bond, BondKind, PointId};
 use crate::sim::bonds::Bonds;
+use crate::sim::drive::Signal;
 use crate::sim::force::angle::Angle;
 use crate::sim::sets::Sets;
 
@@ -70,6 +71,11 @@ pub(crate) struct Island {
     pub(crate) is_driven: bool,
     /// Surfaces push it by depth.
     pub(crate) is_pressed: bool,
+    /// Some bond or angle of it has a drive; a motor; a rigid bond with one; and how fast these change at the most [rad/s].
+    pub(crate) has_drives: bool,
+    pub(crate) has_motors: bool,
+    pub(crate) drives_rigid: bool,
+    pub(crate) drive_rate: f64,
     /// Areas are held.
     pub(crate) holds_areas: bool,
     /// Where it moves as rigid bodies: what those are.
@@ -150,6 +156,10 @@ pub(crate) fn islands_joined(bonds: &Bonds, ties: &Ties, w: &[f64], pairs: &[[u3
 
 impl Island {
     fn add(&mut self, bond: &Bond, sums: &mut [(f64, f64, usize)]) {
+        if let Some(drive) = bond.drive {
+            self.follow(&drive.signal);
+            self.drives_rigid |= bond.kind == BondKind::Rigid;
+        }
         self.has_limits |= bond.limit != crate::sim::bond::Limit::Both;
         match bond.kind {
             BondKind::Spring { stiffness, damping } => {
@@ -172,14 +182,29 @@ impl Island {
         }
     }
 
+    fn follow(&mut self, signal: &Signal) {
+        self.has_drives = true;
+        self.drive_rate = self.drive_rate.max(signal.fastest());
+    }
+
+    /// Whether the live step alone moves it as it is meant: where the rules choose.
+    pub(crate) fn needs_live(&self, has_surfaces: bool) -> bool {
+        self.drives_rigid || (self.has_drives && self.rigid > 0 && has_surfaces)
+    }
+
     /// An angle of slopes g is as stiff at a point as k |g| times the sum of all |g|, and so is its damper.
     fn add_angle(&mut self, angle: &Angle, sums: &mut [(f64, f64, usize)]) {
         let [p, q] = angle.arms.map(|arm| 1.0 / arm);
         let (slopes, all) = ([p, p + q, q], 2.0 * (p + q));
-        self.is_damped |= angle.damping > 0.0;
+        let drag = angle.drive.map_or(0.0, |drive| drive.slope());
+        if let Some(drive) = angle.drive {
+            self.follow(&drive.signal());
+            self.has_motors |= drag > 0.0;
+        }
+        self.is_damped |= angle.damping + drag > 0.0;
         for (point, slope) in angle.points.into_iter().zip(slopes) {
             sums[point.index()].0 += 0.5 * (angle.stiffness + angle.stop) * slope * all;
-            sums[point.index()].1 += 0.5 * angle.damping * slope * all;
+            sums[point.index()].1 += 0.5 * (angle.damping + drag) * slope * all;
         }
     }
 

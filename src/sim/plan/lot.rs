@@ -48,8 +48,14 @@ pub(super) fn lots<const D: usize>(
         gusts: gust_rate(model),
         points: scene_points,
     };
-    let number = |island: &Island| island.points.iter().filter_map(|&i| live.get(i as usize)).min().copied();
-    let is_forced = |island: &Island| number(island).is_some_and(|number| number != OWN);
+    let needs_live = |island: &Island| {
+        D == 2 && model.method.solver == Solver::Auto && island.needs_live(has_surfaces || model.contact.is_some())
+    };
+    let number = |island: &Island| {
+        let handed = island.points.iter().filter_map(|&i| live.get(i as usize)).min().copied();
+        handed.filter(|&number| number != OWN).or_else(|| needs_live(island).then(|| island.points[0]))
+    };
+    let is_forced = |island: &Island| number(island).is_some();
     let (forced, islands): (Vec<Island>, Vec<Island>) = islands.into_iter().partition(is_forced);
     let mut classes: Vec<(Choice, Vec<Island>)> = Vec::new();
     for island in islands {

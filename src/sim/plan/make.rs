@@ -84,6 +84,7 @@ impl<S: Real, const D: usize> Maker<'_, S, D> {
             led: Vec::new(),
             lead: zero(),
             thrusts: self.thrusts(),
+            driven: self.driven(),
             gravity: self.model.field(),
             drag_rate: self.model.drag_rate,
             air: self.gathered.drives.air.clone(),
@@ -229,7 +230,8 @@ impl<S: Real, const D: usize> Maker<'_, S, D> {
         // A rigid body alone has no strain, and makes no energy.
         let has_eyes = can_fail && !are_alone;
         // What forces and wind bring is known to a ledger alone.
-        let gives = surfaces.iter().any(|surface| surface.restitution > S::ONE)
+        let gives = islands.iter().any(|island| island.has_drives)
+            || surfaces.iter().any(|surface| surface.restitution > S::ONE)
             || self.model.has_fields()
             || self.model.wind.is_some();
         let triangles = if may_go { self.triangles() } else { Vec::new() };

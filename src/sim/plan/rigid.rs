@@ -65,7 +65,7 @@ fn pieces<S: Real, const D: usize>(
     let most_alone = if has_surfaces { MOST_RODS } else { 0 };
     // A body has three bonds.
     let is_too_little = island.rigid < 3 && (island.rigid == 0 || island.rigid > most_alone);
-    if island.relaxed > 0 || is_too_little || !island.patches.is_empty() {
+    if island.has_drives || island.relaxed > 0 || is_too_little || !island.patches.is_empty() {
         return None;
     }
     let bonds: Vec<Bond> = island.bonds.iter().map(|&k| gathered.bonds.get(k as usize)).collect();

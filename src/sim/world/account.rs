@@ -72,7 +72,10 @@ impl<S: Real, const D: usize> World<S, D> {
 
     /// Does a command; what it makes of the energy is from outside.
     pub(super) fn edit_booked(&mut self, command: &Command) -> Result<Applied, CommandError> {
-        let leads = matches!(command, Command::Cursor { .. } | Command::Mouse(_) | Command::Grab(_) | Command::Release);
+        let leads = matches!(
+            command,
+            Command::Cursor { .. } | Command::Mouse(_) | Command::Grab(_) | Command::Release | Command::Key { .. }
+        );
         if self.ledger.is_none() || leads {
             return self.edit(command);
         }

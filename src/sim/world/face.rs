@@ -9,7 +9,9 @@ use crate::sim::contact::convex::Convex;
 use crate::sim::contact::polygon::Polygon;
 use crate::sim::contact::skin::Contact;
 use crate::sim::counters::Counters;
+use crate::sim::drive::Key;
 use crate::sim::dynamics::{Dynamics, ForceView, GrabView, Sample};
+use crate::sim::force::angle::Angle;
 use crate::sim::force::mouse::{self, Cursor, MouseForce};
 use crate::sim::force::steady::Force;
 use crate::sim::group::Group;
@@ -103,6 +105,18 @@ impl<S: Real, const D: usize> Dynamics for World<S, D> {
             torque: force.torque,
         };
         numbered.map(view).collect()
+    }
+
+    fn angles(&self) -> &[Angle] {
+        &self.model.angles.list
+    }
+
+    fn drive_keys(&self) -> Vec<Key> {
+        self.keys_of_drives()
+    }
+
+    fn held_keys(&self) -> &[Key] {
+        &self.around.keys.held
     }
 
     fn cursor(&self) -> Option<Cursor> {

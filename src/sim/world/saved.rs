@@ -67,6 +67,7 @@ impl<S: Real, const D: usize> World<S, D> {
             grabbed: self.grabbed.clone(),
             lead: self.around.lead.map(|lead| [lead.point, lead.normal]),
             handed_over: self.handed_over(),
+            keys: self.around.keys.clone(),
         }
     }
 
@@ -98,7 +99,13 @@ impl<S: Real, const D: usize> World<S, D> {
         let lead = saved.lead.map(|[point, normal]| Lead { point, normal });
         let mut world = World {
             timeline: Timeline::resumed(saved.substep, model.knots(), saved.time),
-            around: Environment { gravity: model.gravity, mouse: model.mouse.clone(), cursor, lead },
+            around: Environment {
+                gravity: model.gravity,
+                mouse: model.mouse.clone(),
+                cursor,
+                lead,
+                keys: saved.keys.clone(),
+            },
             plan,
             obstacles,
             counters: Counters::default(),

@@ -6,6 +6,7 @@ use super::{Numbers, World};
 use crate::sim::bond::PointId;
 use crate::sim::contact::obstacles::Obstacles;
 use crate::sim::counters::Counters;
+use crate::sim::drive::Keys;
 use crate::sim::environment::Environment;
 use crate::sim::model::{Model, ModelError};
 use crate::sim::plan;
@@ -64,7 +65,13 @@ impl<S: Real, const D: usize> World<S, D> {
         let plan = plan::compile((model, &obstacles, count), (&model.bonds, None), &state, &[]);
         let mut world = World {
             timeline: Timeline::new(plan.substep, model.knots()),
-            around: Environment { gravity: model.gravity, mouse: model.mouse.clone(), cursor: None, lead: None },
+            around: Environment {
+                gravity: model.gravity,
+                mouse: model.mouse.clone(),
+                cursor: None,
+                lead: None,
+                keys: Keys::default(),
+            },
             plan,
             obstacles,
             counters: Counters::default(),

@@ -96,7 +96,7 @@ impl<S: Real, const D: usize> World<S, D> {
             ledger: self
                 .ledger
                 .map(|totals| Totals { book: self.book(), ..totals }.at(time, energies, S::EPSILON.to_f64())),
-            max_strain: measure::max_strain(&position, &self.bonds),
+            max_strain: measure::max_strain(&position, &self.bonds, (time, &self.around.keys)),
             position: position.into_iter().enumerate().map(said).collect(),
             velocity: velocity.into_iter().enumerate().map(said).collect(),
         }

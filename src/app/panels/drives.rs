@@ -1,0 +1,83 @@
+//! What the tools for muscles and motors make, beside the tools.
+
+use egui::{Area, Checkbox, ComboBox, Id, Rect, RichText, Slider, Ui};
+
+use super::theme::{TEXT, WEAK, floating};
+use super::{Facts, Wish};
+use crate::app::action::Tool;
+use crate::app::tools::Drives;
+use crate::scene::KeyName;
+
+/// Width of the panel [points].
+const WIDTH: f32 = 230.0;
+/// Most of what the sliders reach: share of a length, period [s], speed [rad/s], torque [N m].
+const MOST: [f64; 4] = [0.6, 4.0, 20.0, 300.0];
+/// The shortest period that they reach [s].
+const QUICKEST: f64 = 0.2;
+
+/// Shows it at the right of the tools.
+pub(super) fn show(context: &egui::Context, tools: Rect, facts: &Facts, wishes: &mut Vec<Wish>) {
+    let corner = tools.right_top() + egui::vec2(8.0, 0.0);
+    let mut drives = facts.drives;
+    Area::new(Id::unique("drives")).fixed_pos(corner).show(context, |ui| {
+        floating().show(ui, |ui| {
+            ui.set_width(WIDTH);
+            ui.spacing_mut().slider_width = 100.0;
+            match facts.tool {
+                Tool::Muscle => of_muscle(ui, &mut drives),
+                _ => of_motor(ui, &mut drives),
+            }
+        });
+    });
+    if drives != facts.drives {
+        wishes.push(Wish::Drives(drives));
+    }
+}
+
+fn of_muscle(ui: &mut Ui, drives: &mut Drives) {
+    let muscle = &mut drives.muscle;
+    ui.label(RichText::new("Muscle").color(TEXT).strong());
+    ui.label(RichText::new("click a bond").color(WEAK));
+    slider(ui, "stretch", &mut muscle.amplitude, -MOST[0]..=MOST[0], "");
+    ui.add(Checkbox::new(&mut muscle.has_wave, "wave"));
+    if muscle.has_wave || muscle.key.is_none() {
+        slider(ui, "period", &mut muscle.period, QUICKEST..=MOST[1], " s");
+        slider(ui, "phase", &mut muscle.phase, 0.0..=std::f64::consts::TAU, " rad");
+    }
+    keys(ui, &mut muscle.key, &mut muscle.back);
+}
+
+fn of_motor(ui: &mut Ui, drives: &mut Drives) {
+    let motor = &mut drives.motor;
+    ui.label(RichText::new("Hinge and motor").color(TEXT).strong());
+    ui.label(RichText::new("click the middle of a wheel, or any body").color(WEAK));
+    ui.add(Checkbox::new(&mut motor.is_on, "motor"));
+    if motor.is_on {
+        slider(ui, "speed", &mut motor.speed, -MOST[2]..=MOST[2], " rad/s");
+        slider(ui, "torque", &mut motor.torque, 1.0..=MOST[3], " N m");
+        keys(ui, &mut motor.key, &mut motor.back);
+    }
+}
+
+fn slider(ui: &mut Ui, name: &str, value: &mut f64, range: std::ops::RangeInclusive<f64>, unit: &str) {
+    ui.add(Slider::new(value, range).max_decimals(2).suffix(unit).text(name));
+}
+
+/// The keys that have to be held.
+fn keys(ui: &mut Ui, key: &mut Option<KeyName>, back: &mut Option<KeyName>) {
+    choice(ui, "key", "always on", key);
+    if key.is_some() {
+        choice(ui, "key back", "none", back);
+    }
+}
+
+fn choice(ui: &mut Ui, name: &str, none: &str, key: &mut Option<KeyName>) {
+    let text = key.map_or(none, |key| key.name());
+    ComboBox::new(("key of a drive", name), name).selected_text(text).height(260.0).show_ui(ui, |ui| {
+        ui.selectable_value(key, None, none);
+        for other in KeyName::NAMES {
+            let value = other.parse().ok();
+            ui.selectable_value(key, value, *other);
+        }
+    });
+}

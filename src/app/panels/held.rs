@@ -1,0 +1,62 @@
+//! The keys that drive what is in the scene, as caps at the lower edge: those that are held are lit.
+
+use egui::{Align2, Area, CornerRadius, FontId, Id, Rect, RichText, Sense, StrokeKind, vec2};
+
+use super::Facts;
+use super::theme::{ACCENT, ON_ACCENT, TEXT, WEAK, floating};
+use crate::sim::Key;
+
+/// Side of a cap [points].
+const CAP: f32 = 26.0;
+
+pub(super) fn show(context: &egui::Context, room: Rect, facts: &Facts) {
+    if facts.keys.is_empty() {
+        return;
+    }
+    let up = room.height() - context.content_rect().height() - 60.0;
+    let place = Area::new(Id::unique("held keys")).anchor(Align2::CENTER_BOTTOM, [0.0, up]).interactable(false);
+    place.show(context, |ui| {
+        floating().show(ui, |ui| {
+            ui.horizontal(|ui| {
+                ui.label(RichText::new("hold").color(WEAK));
+                facts.keys.iter().for_each(|&(key, is_held)| cap(ui, key, is_held));
+            });
+        });
+    });
+}
+
+fn cap(ui: &mut egui::Ui, key: Key, is_held: bool) {
+    let text = sign(key);
+    let width = if text.chars().count() > 1 { 2.4 * CAP } else { CAP };
+    let (rect, _) = ui.allocate_exact_size(vec2(width, CAP), Sense::hover());
+    let corner = CornerRadius::same(5);
+    if is_held {
+        ui.painter().rect_filled(rect, corner, ACCENT);
+    }
+    ui.painter().rect_stroke(rect, corner, egui::Stroke::new(1.2, WEAK), StrokeKind::Inside);
+    let color = if is_held { ON_ACCENT } else { TEXT };
+    if let Some(turn) = arrow(key) {
+        let at = |x: f32, y: f32| rect.center() + 0.26 * CAP * egui::emath::Rot2::from_angle(turn) * vec2(x, y);
+        let stroke = egui::Stroke::new(1.8, color);
+        ui.painter().line_segment([at(-1.0, 0.0), at(1.0, 0.0)], stroke);
+        ui.painter().line(vec![at(0.2, -0.75), at(1.0, 0.0), at(0.2, 0.75)], stroke);
+        return;
+    }
+    ui.painter().text(rect.center(), Align2::CENTER_CENTER, text, FontId::proportional(14.0), color);
+}
+
+/// Which way an arrow looks, clockwise from the right [rad]: no font has all of them everywhere.
+fn arrow(key: Key) -> Option<f32> {
+    use std::f32::consts::{FRAC_PI_2, PI};
+    match key.name() {
+        "right" => Some(0.0),
+        "down" => Some(FRAC_PI_2),
+        "left" => Some(PI),
+        "up" => Some(-FRAC_PI_2),
+        _ => None,
+    }
+}
+
+fn sign(key: Key) -> String {
+    if arrow(key).is_some() { ">".to_owned() } else { key.name().to_uppercase() }
+}

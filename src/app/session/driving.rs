@@ -1,0 +1,95 @@
+//! The keys that drives of the scene have, and the camera that follows what they drive.
+
+use glam::DVec3;
+use winit::event::{ElementState, KeyEvent};
+use winit::keyboard::{Key as Pressed, NamedKey};
+
+use super::{Framing, Session};
+use crate::history::Do;
+use crate::render::Pose;
+use crate::sim::Key;
+
+/// Share of the view about its middle in which what is driven stays.
+const ROOM: f64 = 0.4;
+
+/// The key of drives that a key of the keyboard is.
+fn meant(key: &Pressed) -> Option<Key> {
+    match key {
+        Pressed::Named(NamedKey::ArrowLeft) => Key::of("left"),
+        Pressed::Named(NamedKey::ArrowRight) => Key::of("right"),
+        Pressed::Named(NamedKey::ArrowUp) => Key::of("up"),
+        Pressed::Named(NamedKey::ArrowDown) => Key::of("down"),
+        Pressed::Named(NamedKey::Space) => Key::of("space"),
+        Pressed::Character(text) if text == " " => Key::of("space"),
+        Pressed::Character(text) => Key::of(&text.to_lowercase()),
+        _ => None,
+    }
+}
+
+impl Session {
+    /// A key of the keyboard went down or up. Returns whether it is one of drives: then it means nothing else.
+    pub(in crate::app) fn drive(&mut self, event: &KeyEvent) -> bool {
+        let held = self.driving.iter().position(|(key, _)| *key == event.physical_key);
+        if event.state == ElementState::Released {
+            let Some(place) = held else { return false };
+            let (_, key) = self.driving.swap_remove(place);
+            self.give_key(key, false);
+            return true;
+        }
+        let drives = |key: &Key| self.shown().scenery.keys.binary_search(key).is_ok();
+        let Some(key) = meant(&event.logical_key).filter(drives) else { return false };
+        if self.held.command || self.is_writing() || self.is_covered() {
+            return false;
+        }
+        if held.is_none() && !event.repeat {
+            self.driving.push((event.physical_key, key));
+            self.follows = true;
+            self.panels.notes.has_caption = false;
+            self.give_key(key, true);
+        }
+        true
+    }
+
+    /// All keys that are held are let go.
+    pub(super) fn stop_driving(&mut self) {
+        for (_, key) in std::mem::take(&mut self.driving) {
+            self.give_key(key, false);
+        }
+    }
+
+    fn give_key(&mut self, key: Key, down: bool) {
+        self.player.give(vec![Do::Key { key, down }], None);
+        self.touch();
+    }
+
+    /// The keys that drives have, and whether each is held here.
+    pub(super) fn keys_to_hold(&self) -> Vec<(Key, bool)> {
+        let is_held = |key: &Key| self.driving.iter().any(|(_, held)| held == key);
+        self.shown().scenery.keys.iter().map(|key| (*key, is_held(key))).collect()
+    }
+
+    /// The camera goes along with what keys drive, once one was pressed and as long as nobody leads it elsewhere.
+    pub(super) fn follow_driven(&mut self) {
+        let Pose::Plane { .. } = self.camera.pose else { return };
+        let driven = &self.shown().scenery.driven;
+        if driven.is_empty() || !self.follows || self.pointer.is_dragging() {
+            return;
+        }
+        let places = driven.iter().map(|point| DVec3::from(self.shown().place(point.index())));
+        let middle = places.sum::<DVec3>() / driven.len() as f64;
+        let Some(at) = self.camera.screen_from_world(middle).filter(|at| at.iter().all(|x| x.is_finite())) else {
+            return;
+        };
+        let beyond = |axis: usize| {
+            let (size, half) = (f64::from(self.area[axis]), 0.5 * ROOM * f64::from(self.area[axis]));
+            let off = at[axis] - 0.5 * size;
+            off - off.clamp(-half, half)
+        };
+        let by = [beyond(0), beyond(1)];
+        if by != [0.0; 2] {
+            self.camera.pan(by.map(|pixels| -pixels));
+            self.framing = Framing::Free;
+            self.dirty = true;
+        }
+    }
+}
