@@ -8,6 +8,7 @@ mod cli;
 mod commands;
 mod determinism;
 mod fields;
+mod fills;
 mod handover;
 mod history;
 mod large;

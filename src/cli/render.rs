@@ -12,7 +12,7 @@ use super::{progress, values};
 use crate::app::opening;
 use crate::history::{Replay, Start, chunk};
 use crate::output;
-use crate::picture::Skin;
+use crate::picture::{Skin, Tint};
 use crate::render::{Camera, Capture, Look, Overlay, View};
 use crate::sim::{Cursor, Dynamics, Positions};
 
@@ -43,18 +43,24 @@ pub(super) struct Arguments {
     #[arg(long, default_value = "25", value_parser = values::above_zero)]
     fps: f64,
     /// What is shown by colour.
-    #[arg(long, value_enum, default_value_t = OverlayName::Strain)]
+    #[arg(long, value_enum, default_value_t = OverlayName::None)]
     overlay: OverlayName,
-    /// Whether bonds and points are drawn: by themselves, where there is no skin.
-    #[arg(long, value_name = "on|off", value_parser = switch)]
-    mesh: Option<bool>,
+    /// Whether bonds and points are drawn that a picture or a fill covers.
+    #[arg(long, value_name = "on|off", default_value = "off", action = clap::ArgAction::Set, value_parser = switch)]
+    mesh: bool,
+    /// Whether bodies without a picture are filled.
+    #[arg(long, value_name = "on|off", default_value = "on", action = clap::ArgAction::Set, value_parser = switch)]
+    fills: bool,
+    /// Whether the plane has a grid with numbers.
+    #[arg(long, value_name = "on|off", default_value = "on", action = clap::ArgAction::Set, value_parser = switch)]
+    grid: bool,
 }
 
 #[derive(Clone, Copy, clap::ValueEnum)]
 enum OverlayName {
-    /// Nothing.
+    /// Bodies have colours of their own.
     None,
-    /// Stretched bonds turn orange, squeezed ones blue.
+    /// From blue, squeezed by a third, to red, stretched by it.
     Strain,
 }
 
@@ -79,8 +85,8 @@ pub(super) fn run(arguments: &Arguments, quiet: bool) -> anyhow::Result<()> {
         OverlayName::None => Overlay::None,
         OverlayName::Strain => Overlay::Strain,
     };
-    let skins = scene.skins()?;
-    let look = Look { overlay, has_mesh: arguments.has_mesh(!skins.is_empty()), ..Look::default() };
+    let Arguments { mesh: has_mesh, fills: has_fills, grid: has_grid, .. } = *arguments;
+    let look = Look { overlay, has_mesh, has_fills, has_grid, ..Look::default() };
     let mut capture = Capture::new(arguments.size, scene.dimensions())?;
     let count = arguments.count();
     let bar = progress::frames(quiet, u64::from(count));
@@ -89,7 +95,7 @@ pub(super) fn run(arguments: &Arguments, quiet: bool) -> anyhow::Result<()> {
         let time = arguments.time + f64::from(index) / arguments.fps * scene.rate();
         run.advance(commands, time)?;
         let skins = run.skins();
-        let picture = draw(&mut capture, (run.world(), &skins), time, u64::from(index), &camera, &look)?;
+        let picture = draw(&mut capture, (run.world(), &skins, run.tints()), time, u64::from(index), &camera, &look)?;
         if let Some(path) = arguments.out.as_ref().filter(|path| values::extension(path) == "png") {
             let path = if count == 1 { path.clone() } else { numbered(path, index) };
             let scene = inside(&run)?;
@@ -114,11 +120,6 @@ impl Arguments {
         out.into_iter().chain(&self.gif).collect()
     }
 
-    /// Whether bonds and points are drawn, of a scene with skins or without.
-    fn has_mesh(&self, has_skin: bool) -> bool {
-        self.mesh.unwrap_or(!has_skin)
-    }
-
     fn count(&self) -> u32 {
         self.frames.unwrap_or(if self.animations().is_empty() { 1 } else { 50 })
     }
@@ -127,7 +128,7 @@ impl Arguments {
 /// The state at `time`, which lies in the world's next substep.
 fn draw(
     capture: &mut Capture,
-    (world, skins): (&dyn Dynamics, &[Skin]),
+    (world, skins, tints): (&dyn Dynamics, &[Skin], &[Tint]),
     time: f64,
     index: u64,
     camera: &Camera,
@@ -146,6 +147,7 @@ fn draw(
         motion: index,
         mouse: world.mouse().map(on_track),
         skins,
+        tints,
         ..View::of(world)
     };
     Ok(capture.picture(&view, camera, look)?)

@@ -1,10 +1,11 @@
-//! Guides: the grid of the plane, the walls, and planes in space, as strokes.
+//! Guides: the grid of the plane with its numbers, the walls, and planes in space, as strokes.
 
 use bytemuck::{Pod, Zeroable};
 use glam::{DVec2, DVec3};
 
 use super::camera::{Camera, Pose};
 use super::look::{Color, Look};
+use super::numerals;
 use super::obstacles::{Patch, RIM};
 
 /// A stroke as the shader reads it: `Guide` in guides.wgsl.
@@ -33,10 +34,15 @@ pub(super) fn guides(
     look: &Look,
 ) -> Vec<Guide> {
     let mut list = Vec::new();
-    if let Pose::Plane { center, height } = camera.pose {
+    if let Pose::Plane { center, height } = camera.pose
+        && look.has_grid
+    {
         grid(&mut list, camera, center, height, origin, look);
     }
     if let Some(bounds) = bounds {
+        if dimensions == 3 && look.has_grid && patches.is_empty() {
+            floor(&mut list, bounds, origin, look);
+        }
         walls(&mut list, bounds, dimensions, origin, look);
     }
     for (k, [a, b]) in patches.iter().flat_map(|patch| patch.lines.iter().enumerate()) {
@@ -81,6 +87,65 @@ fn grid(list: &mut Vec<Guide>, camera: &Camera, center: DVec2, height: f64, orig
             list.push(guide(ends[0] - origin, ends[1] - origin, look.scale_factor, color));
         }
     }
+    numbers(list, camera, (low, high), origin, look);
+}
+
+/// Numbers of the grid: height of their digits, room from the picture's edge, and width of their strokes [px]; least distance between
+/// two along each axis [px].
+const DIGITS: f64 = 1.15;
+const EDGE: f64 = 6.0;
+const NUMBER_WIDTH: f32 = 1.15;
+const APART: [f64; 2] = [90.0, 60.0];
+
+/// Adds the numbers of the grid: along the lower edge and the left one, at every line or every second or fifth.
+fn numbers(list: &mut Vec<Guide>, camera: &Camera, (low, high): (DVec2, DVec2), origin: DVec3, look: &Look) {
+    let scale = f64::from(look.scale_factor);
+    let step = spacing(camera.pixels_per_metre());
+    let metre = camera.pixels_per_metre();
+    if look.number[3] == 0.0 {
+        return;
+    }
+    for axis in 0..2 {
+        let every = [1.0, 2.0, 5.0, 10.0].into_iter().find(|every| every * step * metre >= APART[axis] * scale);
+        let step = every.unwrap_or(10.0) * step;
+        let (first, last) = ((low[axis] / step).ceil(), (high[axis] / step).floor());
+        for line in 0..=((last - first) as i64) {
+            let at = (first + line as f64) * step;
+            let (strokes, width) = numerals::strokes(&numerals::length(at, step), DIGITS * scale);
+            // Along the lower edge under the middle of its line, along the left edge just above it.
+            let mut corner = low + EDGE * scale / metre;
+            corner.x += f64::from(look.inset) * scale / metre;
+            corner[axis] = at + [-0.5 * width, 3.0 * scale][axis] / metre;
+            // What would be cut off, or lies in the corner where both meet, is left out.
+            let room = [30.0, 26.0][axis] * scale / metre;
+            let beside = if axis == 0 { f64::from(look.inset) * scale / metre } else { 0.0 };
+            if corner[axis] < low[axis] + beside + room || at > high[axis] - room {
+                continue;
+            }
+            let place = |end: DVec2| (corner + end / metre).extend(0.0) - origin;
+            let width = NUMBER_WIDTH * look.scale_factor;
+            list.extend(strokes.iter().map(|&[a, b]| guide(place(a), place(b), width, look.number)));
+        }
+    }
+}
+
+/// Cells of the floor of walls in space along its longer side.
+const FLOOR_CELLS: f64 = 10.0;
+
+/// Adds a grid on the floor of walls in space.
+fn floor(list: &mut Vec<Guide>, [low, high]: [[f64; 3]; 2], origin: DVec3, look: &Look) {
+    let (low, high) = (DVec3::from(low), DVec3::from(high));
+    let step = (high - low).x.max((high - low).z) / FLOOR_CELLS;
+    if !(step.is_normal() && step > 0.0) {
+        return;
+    }
+    for axis in [0, 2] {
+        for line in 1..((high - low)[axis] / step).ceil() as i64 {
+            let mut ends = [low, DVec3::new(high.x, low.y, high.z)];
+            ends.iter_mut().for_each(|end| end[axis] = low[axis] + line as f64 * step);
+            list.push(guide(ends[0] - origin, ends[1] - origin, look.scale_factor, look.axis));
+        }
+    }
 }
 
 /// The edges of the walls: four in the plane, twelve in space.
@@ -113,12 +178,12 @@ mod tests {
             let camera = Camera::new(Pose::Plane { center, height }, [640, 480]);
             guides(&camera, (None, &[]), 2, camera.focus(), &Look::default()).len()
         };
-        assert!((10..50).contains(&count(DVec2::splat(1e3), 1e-3)));
+        assert!((10..600).contains(&count(DVec2::splat(1e3), 1e-3)));
         assert_eq!(count(DVec2::splat(1e20), 1e-6), 0, "both edges are the same number");
         assert_eq!(count(DVec2::new(0.0, 1e20), 1.0), 0);
         for bad in [f64::NAN, f64::INFINITY, 0.0, -1.0, 1e-320, f64::MAX] {
-            assert!(count(DVec2::ZERO, bad) < 50, "{bad}");
-            assert!(count(DVec2::splat(bad), 1.0) < 50, "{bad}");
+            assert!(count(DVec2::ZERO, bad) < 600, "{bad}");
+            assert!(count(DVec2::splat(bad), 1.0) < 600, "{bad}");
         }
     }
 

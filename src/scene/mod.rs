@@ -33,6 +33,7 @@ mod schema;
 mod skin;
 mod start;
 mod support;
+mod tint;
 mod write;
 
 pub(crate) use addition::Made;
@@ -42,7 +43,7 @@ pub use gallery::{Entry, gallery};
 pub(crate) use keys::macros::object;
 pub use keys::{
     AddKeys, AngleKeys, AreaKeys, AreaKindName, BodyKeys, BondKeys, BondList, BoundsKeys, BoxKeys, BraceName,
-    BudgetKeys, CircleKeys, ContactKeys, DiagonalsName, ForceKeys, KindName, LimitName, MakerName, MassKeys, Material,
+    BudgetKeys, CircleKeys, ColorKey, ContactKeys, DiagonalsName, ForceKeys, KindName, LimitName, MakerName, MassKeys, Material,
     Meeting, MethodKeys, MouseKeys, ObstacleKeys, OrderName, PatternName, PictureKeys, PinMotionKeys, PlaneKeys,
     PointKeys, PrecisionName, ProfileName, RegionName, RepeatKeys, RotationKeys, Row, Scene, SkinKeys, SolverName,
     StrokesName, TextureKeys, Vector, Version, ViewKeys, WindKeys,

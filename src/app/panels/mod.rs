@@ -6,6 +6,7 @@ mod gallery;
 mod help;
 mod hud;
 mod icons;
+mod legend;
 mod moving;
 mod notes;
 mod palette;
@@ -24,14 +25,18 @@ mod transport;
 use std::collections::BTreeMap;
 use std::path::PathBuf;
 
-use super::action::{Action, Primitive, Tool};
+use super::action::{Action, Primitive, Showing, Tool};
 use super::player::Figures;
 use super::plots::Plots;
+use crate::render::{Look, Overlay};
 use crate::scene::SolverName;
 pub(super) use gallery::{THUMBNAIL, search_id};
 use icons::Icon;
 pub(super) use notes::Notes;
 pub(super) use settings::{Setting, Settings};
+
+/// Room that the tools take at the left edge [points].
+pub(super) const TOOLS: f32 = 60.0;
 
 /// What the panels ask for.
 #[derive(Clone, Debug, PartialEq)]
@@ -116,10 +121,10 @@ pub(super) struct Facts {
     pub(super) tool: Tool,
     /// What the tool for building makes.
     pub(super) primitive: Primitive,
-    /// Bodies have skins: their bonds can be shown or not.
-    pub(super) has_skin: bool,
-    /// Bonds of bodies with a skin are shown.
-    pub(super) has_mesh: bool,
+    /// How the world looks.
+    pub(super) look: Look,
+    /// How bodies are shown.
+    pub(super) showing: Showing,
     /// The scene is that of a picture, which can be cut out anew.
     pub(super) has_picture: bool,
     /// The world waits: something lies over it.
@@ -153,6 +158,9 @@ pub(super) fn show(ui: &mut egui::Ui, state: &mut PanelState, facts: &Facts) -> 
         let is_under = state.has_settings && !state.hides_panels && room.height() < settings::TALL;
         let beside = if is_under { settings::WIDTH + 28.0 } else { 0.0 };
         hud::show(ui.ctx(), (room, beside), facts, &mut wishes);
+    }
+    if facts.look.overlay == Overlay::Strain {
+        legend::show(ui.ctx(), &facts.look);
     }
     state.notes.show(ui.ctx(), room, facts, &mut wishes);
     match state.sheet {

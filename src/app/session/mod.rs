@@ -317,7 +317,7 @@ impl Session {
         self.canvas.forget_world(scene.dimensions());
         self.window.set_title(&format!("wobble · {}", scene.name()));
         self.has_picture = scene.picture_body().is_some();
-        self.look.has_mesh = self.player.shown().scenery.skins.is_empty();
+        self.look.has_mesh = false;
         self.scene = scene;
         self.plot_anew();
         self.frame_as(Framing::Opening);

@@ -5,6 +5,7 @@ mod body;
 mod bond;
 mod bonds;
 mod budget;
+mod color;
 mod contact;
 pub(crate) mod macros;
 mod method;
@@ -19,6 +20,7 @@ pub use body::{BodyKeys, BraceName, DiagonalsName, MakerName, Material, PatternN
 pub use bond::{BondKeys, KindName, LimitName};
 pub use bonds::BondList;
 pub use budget::BudgetKeys;
+pub use color::ColorKey;
 pub use contact::{ContactKeys, Meeting, SkinKeys};
 pub use method::{MethodKeys, OrderName, PrecisionName, SolverName};
 pub use scene::{AngleKeys, AreaKeys, AreaKindName, MassKeys, PointKeys, Scene, TextureKeys, Version};
