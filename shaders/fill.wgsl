@@ -98,9 +98,10 @@ const DARKEST: f32 = 0.6;
 // Opacity of the sides of triangles, and the height of a triangle [px] from which on they are seen, and seen in full.
 const LINES: f32 = 0.13;
 const ROOM: vec2<f32> = vec2(7.0, 22.0);
-// Where light comes from in space, and how bright what faces away from it is.
+// Where light comes from in space; how bright what faces away from it and what faces it is, and what is seen from its side.
 const LIGHT: vec3<f32> = vec3(0.34, 0.82, 0.46);
-const DIM: f32 = 0.3;
+const BRIGHT: vec2<f32> = vec2(0.36, 1.22);
+const ASIDE: f32 = 0.7;
 // The other side of a surface, beside the one that is seen from where its normal points.
 const REVERSE: vec3<f32> = vec3(0.78, 0.82, 0.92);
 
@@ -125,7 +126,9 @@ fn fragment(in: Fill, @builtin(front_facing) is_front: bool) -> @location(0) vec
         let length = length(in.shade.xyz);
         let normal = select(vec3(0.0, 1.0, 0.0), in.shade.xyz / length, length > 0.0) * select(-1.0, 1.0, is_front);
         let lit = 0.5 + 0.5 * dot(normal, LIGHT);
-        color = color * mix(DIM, 1.15, lit * lit) * select(REVERSE, vec3(1.0), is_front);
+        let ahead = vec3(frame.clip_from_world[0].w, frame.clip_from_world[1].w, frame.clip_from_world[2].w);
+        let faced = mix(ASIDE, 1.0, abs(dot(normal, normalize(ahead))));
+        color = color * (mix(BRIGHT.x, BRIGHT.y, lit) * faced) * select(REVERSE, vec3(1.0), is_front);
     }
     // Distance to the nearest side of the triangle [px].
     let off = in.share / steps;

@@ -6,7 +6,7 @@ use crate::common;
 use common::picture::{SIDE, between, bond, pixels, plain, view};
 use glam::DVec2;
 use image::RgbaImage;
-use wobble::history::{Recording, Replay};
+use wobble::history::{Replay, Start};
 use wobble::picture::Tint;
 use wobble::render::{Capture, Look, Overlay, RenderCounters, View};
 use wobble::scene::Scene;
@@ -25,7 +25,11 @@ fn sides() -> Bonds {
         let at = |point: u32| DVec2::new(PLACES[2 * point as usize].into(), PLACES[2 * point as usize + 1].into());
         at(a).distance(at(b))
     };
-    [0, 4].into_iter().flat_map(square).map(|ends| Bond { rest_length: length(ends), ..bond(ends[0], ends[1]) }).collect()
+    [0, 4]
+        .into_iter()
+        .flat_map(square)
+        .map(|ends| Bond { rest_length: length(ends), ..bond(ends[0], ends[1]) })
+        .collect()
 }
 
 fn look() -> Look {
@@ -45,7 +49,11 @@ fn bodies_have_colours_of_their_own_and_lie_over_those_before_them_until_they_ar
         return;
     }
     let (bonds, triangles) = (sides(), triangles());
-    let tints = [[200, 0, 0], [0, 200, 0]].map(|color| Tint { first: color[1] / 50, body: 0, color: Some(color.map(|c| c as u8)) });
+    let tints = [[200, 0, 0], [0, 200, 0]].map(|color| Tint {
+        first: color[1] / 50,
+        body: color[1] / 200,
+        color: Some(color.map(|c| c as u8)),
+    });
     let mut capture = Capture::new([SIDE, SIDE], 2).unwrap();
     let seen = View { triangles: &triangles, tints: &tints, ..view(&PLACES, &bonds, 2) };
     let picture = capture.picture(&seen, &pixels(), &look()).unwrap();
@@ -88,7 +96,10 @@ fn a_percent_of_strain_is_seen_on_fills_and_a_still_body_uploads_nothing() {
         // Sides of triangles darken by a sixth at most.
         for (seen, expected) in seen.iter().zip(expected) {
             let expected = 255.0 * expected;
-            assert!((0.83 * expected - 2.0..=expected + 2.0).contains(&f64::from(*seen)), "{strain}: {seen} {expected}");
+            assert!(
+                (0.83 * expected - 2.0..=expected + 2.0).contains(&f64::from(*seen)),
+                "{strain}: {seen} {expected}"
+            );
         }
         assert!(share > 0.29, "a percent is no less than that");
         let (_, second) = shown(&mut capture, &bonds, change as u64);
@@ -118,10 +129,16 @@ fn colours_stay_with_their_bodies_in_files_states_and_edits() {
     assert_eq!(again.tints().unwrap(), tints, "written and read");
     assert_eq!(all(&scene.expanded().unwrap().tints().unwrap()), expected, "as points and bonds");
 
-    let added = r##"{"wobble": 1, "scene": SCENE, "commands": [
+    let added = r##"{"wobble_recording": 1, "scene": SCENE, "commands": [
       {"at": 0, "do": "add", "bodies": [{"make": "box", "width": 1, "height": 1, "origin": [9, 0], "material": {"color": "#00ff00"}}],
        "skins": [{"points": [3, 4, 5, 6], "color": "#0000ff"}]}]}"##;
-    let recording = Recording::parse(&added.replace("SCENE", COLORED), "r.json").unwrap();
+    let folder = tempfile::tempdir().unwrap();
+    let load = |text: &str| {
+        let path = folder.path().join("x.json");
+        std::fs::write(&path, text).unwrap();
+        Start::load(path.to_str().unwrap()).unwrap().recording().clone()
+    };
+    let recording = load(&added.replace("SCENE", COLORED));
     let mut replay = Replay::new(&recording, "r.json").unwrap();
     replay.advance(&recording.commands, 0.01).unwrap();
     let now = replay.tints().to_vec();
@@ -130,7 +147,7 @@ fn colours_stay_with_their_bodies_in_files_states_and_edits() {
     assert_eq!(all(&now)[3], (1, Some([0, 0, 255])), "what was there can be painted");
     let mut text = Vec::new();
     replay.snapshot().unwrap().write_json(&mut text).unwrap();
-    let kept = Recording::parse(&String::from_utf8(text).unwrap(), "s.json").unwrap();
+    let kept = load(&String::from_utf8(text).unwrap());
     assert_eq!(Replay::new(&kept, "s.json").unwrap().tints(), now, "kept and gone on from");
 }
 

@@ -10,10 +10,10 @@ use image::{Delay, Frame, ImageFormat, RgbaImage};
 use super::replay::say_notes;
 use super::{progress, values};
 use crate::app::opening;
-use crate::history::{Replay, Start, chunk};
+use crate::history::{Entry, Replay, Start, chunk};
 use crate::output;
 use crate::picture::{Skin, Tint};
-use crate::render::{Camera, Capture, Look, Overlay, View};
+use crate::render::{Camera, Capture, Look, Overlay, Trails, View};
 use crate::sim::{Cursor, Dynamics, Positions};
 
 /// What to draw and where to write it.
@@ -91,11 +91,20 @@ pub(super) fn run(arguments: &Arguments, quiet: bool) -> anyhow::Result<()> {
     let count = arguments.count();
     let bar = progress::frames(quiet, u64::from(count));
     let mut animation = Vec::new();
+    let mut trails = Trails::new(TRAIL * scene.rate());
+    lead_up(&mut run, commands, arguments.time, &mut trails)?;
     for index in 0..count {
         let time = arguments.time + f64::from(index) / arguments.fps * scene.rate();
         run.advance(commands, time)?;
         let skins = run.skins();
-        let picture = draw(&mut capture, (run.world(), &skins, run.tints()), time, u64::from(index), &camera, &look)?;
+        let picture = draw(
+            &mut capture,
+            (run.world(), &skins, run.tints(), &mut trails),
+            time,
+            u64::from(index),
+            &camera,
+            &look,
+        )?;
         if let Some(path) = arguments.out.as_ref().filter(|path| values::extension(path) == "png") {
             let path = if count == 1 { path.clone() } else { numbered(path, index) };
             let scene = inside(&run)?;
@@ -125,10 +134,30 @@ impl Arguments {
     }
 }
 
+/// How long trails of points last [s of wall time].
+const TRAIL: f64 = 2.5;
+/// Stretches of the trail before the first picture.
+const LEAD: u32 = 120;
+
+/// Goes to the first picture, and notes where points were on the way, as far as trails last, in a scene that has some.
+fn lead_up(run: &mut Replay, commands: &[Entry], time: f64, trails: &mut Trails) -> anyhow::Result<()> {
+    if !Trails::suit(&View::of(run.world())) {
+        return Ok(());
+    }
+    let from = (time - trails.length()).max(0.0);
+    for step in 0..LEAD {
+        let at = from + (time - from) * f64::from(step) / f64::from(LEAD);
+        run.advance(commands, at)?;
+        let world = run.world();
+        trails.note(world.time(), &View::of(world));
+    }
+    Ok(())
+}
+
 /// The state at `time`, which lies in the world's next substep.
 fn draw(
     capture: &mut Capture,
-    (world, skins, tints): (&dyn Dynamics, &[Skin], &[Tint]),
+    (world, skins, tints, trails): (&dyn Dynamics, &[Skin], &[Tint], &mut Trails),
     time: f64,
     index: u64,
     camera: &Camera,
@@ -150,6 +179,8 @@ fn draw(
         tints,
         ..View::of(world)
     };
+    trails.note(time, &view);
+    let view = View { trails: Some(trails), ..view };
     Ok(capture.picture(&view, camera, look)?)
 }
 

@@ -419,7 +419,7 @@ fn median_rest_length(bonds: &[GpuBond]) -> f64 {
 }
 
 #[cfg(test)]
-mod tests {
+pub(in crate::render) mod tests {
     use super::*;
     use crate::picture::{Picture, Skin};
     use crate::sim::Bonds;
@@ -432,10 +432,10 @@ mod tests {
         assert!(pins(&[PointId(0)], 0).is_empty());
     }
 
-    /// A world of nothing in the plane.
-    fn empty(bonds: &Bonds) -> View<'_> {
+    /// A world of nothing.
+    pub(in crate::render) fn empty(bonds: &Bonds, dimensions: usize) -> View<'_> {
         View {
-            dimensions: 2,
+            dimensions,
             previous: Positions::F64(&[]),
             current: Positions::F64(&[]),
             mix: 1.0,
@@ -445,6 +445,7 @@ mod tests {
             skins: &[],
             triangles: &[],
             tints: &[],
+            trails: None,
             pinned: &[],
             bounds: None,
             planes: Vec::new(),
@@ -469,7 +470,7 @@ mod tests {
             current: Positions::F64(&places),
             skins: &[skin],
             pinned: &[PointId(1), PointId(4)],
-            ..empty(&bonds)
+            ..empty(&bonds, 2)
         };
         let mut points: Vec<u32> = (0..5).collect();
         let cover = covered(&view, &[]);
@@ -485,7 +486,7 @@ mod tests {
         let mut bonds = [[0, 1], [1, 3], [3, 4], [4, 5]].map(|[a, b]| GpuBond::new(a, b, 1.0));
         let world = Bonds::default();
         let places = [0.0; 12];
-        let view = View { previous: Positions::F64(&places), current: Positions::F64(&places), ..empty(&world) };
+        let view = View { previous: Positions::F64(&places), current: Positions::F64(&places), ..empty(&world, 2) };
         let mut points: Vec<u32> = (0..6).collect();
         assert_eq!(bare_first(&view, &cover, &mut bonds, &mut points), [2, 1]);
         assert_eq!(bonds.map(|bond| [bond.a, bond.b]), [[1, 3], [4, 5], [0, 1], [3, 4]]);

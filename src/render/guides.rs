@@ -7,6 +7,7 @@ use super::camera::{Camera, Pose};
 use super::look::{Color, Look};
 use super::numerals;
 use super::obstacles::{Patch, RIM};
+use super::view::View;
 
 /// A stroke as the shader reads it: `Guide` in guides.wgsl.
 #[derive(Clone, Copy, Debug, PartialEq, Pod, Zeroable)]
@@ -28,11 +29,11 @@ const PATCH_RIM: f32 = 0.6;
 /// The guides of a picture, those below first. Positions relative to `origin` [m].
 pub(super) fn guides(
     camera: &Camera,
-    (bounds, patches): (Option<[[f64; 3]; 2]>, &[Patch]),
-    dimensions: usize,
+    (view, patches): (&View<'_>, &[Patch]),
     origin: DVec3,
     look: &Look,
 ) -> Vec<Guide> {
+    let (bounds, dimensions) = (view.bounds, view.dimensions);
     let mut list = Vec::new();
     if let Pose::Plane { center, height } = camera.pose
         && look.has_grid
@@ -49,6 +50,11 @@ pub(super) fn guides(
         let [red, green, blue, opacity] = look.wall;
         let color = if k < RIM { [red, green, blue, PATCH_RIM * opacity] } else { look.axis };
         list.push(guide(a - origin, b - origin, look.scale_factor, color));
+    }
+    for ([a, b], fresh) in view.trails.map(|trails| trails.stretches(view)).unwrap_or_default() {
+        let [red, green, blue, opacity] = look.trail;
+        let color = [red, green, blue, opacity * (fresh * fresh) as f32];
+        list.push(guide(a - origin, b - origin, look.outline_width * look.scale_factor, color));
     }
     list
 }
@@ -96,6 +102,8 @@ const DIGITS: f64 = 1.15;
 const EDGE: f64 = 6.0;
 const NUMBER_WIDTH: f32 = 1.15;
 const APART: [f64; 2] = [90.0, 60.0];
+/// Least gap between two in a row [px].
+const GAP: f64 = 24.0;
 
 /// Adds the numbers of the grid: along the lower edge and the left one, at every line or every second or fifth.
 fn numbers(list: &mut Vec<Guide>, camera: &Camera, (low, high): (DVec2, DVec2), origin: DVec3, look: &Look) {
@@ -106,8 +114,11 @@ fn numbers(list: &mut Vec<Guide>, camera: &Camera, (low, high): (DVec2, DVec2), 
         return;
     }
     for axis in 0..2 {
-        let every = [1.0, 2.0, 5.0, 10.0].into_iter().find(|every| every * step * metre >= APART[axis] * scale);
-        let step = every.unwrap_or(10.0) * step;
+        let wide = |at: f64| numerals::strokes(&numerals::length(at, step), DIGITS * scale).1;
+        let widest = if axis == 0 { wide(low.x).max(wide(high.x)) + GAP * scale } else { 0.0 };
+        let apart = widest.max(APART[axis] * scale);
+        let every = [1.0, 2.0, 5.0, 10.0, 20.0].into_iter().find(|every| every * step * metre >= apart);
+        let step = every.unwrap_or(50.0) * step;
         let (first, last) = ((low[axis] / step).ceil(), (high[axis] / step).floor());
         for line in 0..=((last - first) as i64) {
             let at = (first + line as f64) * step;
@@ -164,6 +175,8 @@ fn walls(list: &mut Vec<Guide>, [low, high]: [[f64; 3]; 2], dimensions: usize, o
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::render::buffers::tests::empty;
+    use crate::sim::Bonds;
 
     #[test]
     fn grid_lines_are_round_numbers_apart() {
@@ -176,14 +189,14 @@ mod tests {
     fn there_is_no_grid_where_numbers_end() {
         let count = |center: DVec2, height: f64| {
             let camera = Camera::new(Pose::Plane { center, height }, [640, 480]);
-            guides(&camera, (None, &[]), 2, camera.focus(), &Look::default()).len()
+            guides(&camera, (&empty(&Bonds::default(), 2), &[]), camera.focus(), &Look::default()).len()
         };
-        assert!((10..600).contains(&count(DVec2::splat(1e3), 1e-3)));
+        assert!((10..1000).contains(&count(DVec2::splat(1e3), 1e-3)));
         assert_eq!(count(DVec2::splat(1e20), 1e-6), 0, "both edges are the same number");
         assert_eq!(count(DVec2::new(0.0, 1e20), 1.0), 0);
         for bad in [f64::NAN, f64::INFINITY, 0.0, -1.0, 1e-320, f64::MAX] {
-            assert!(count(DVec2::ZERO, bad) < 600, "{bad}");
-            assert!(count(DVec2::splat(bad), 1.0) < 600, "{bad}");
+            assert!(count(DVec2::ZERO, bad) < 1000, "{bad}");
+            assert!(count(DVec2::splat(bad), 1.0) < 1000, "{bad}");
         }
     }
 
@@ -196,6 +209,6 @@ mod tests {
             list.len()
         };
         assert_eq!((count(2), count(3)), (4, 12));
-        assert!(guides(&camera, (None, &[]), 3, DVec3::ZERO, &Look::default()).is_empty());
+        assert!(guides(&camera, (&empty(&Bonds::default(), 3), &[]), DVec3::ZERO, &Look::default()).is_empty());
     }
 }

@@ -56,6 +56,8 @@ pub struct Look {
     pub point: Color,
     /// Pinned points.
     pub pin: Color,
+    /// Trails of points, where they are fresh.
+    pub trail: Color,
     /// The region of the mouse force.
     pub region: Color,
     /// Width of bonds [px].
@@ -105,6 +107,7 @@ impl Default for Look {
             strain: STRAIN_COLORS,
             point: hex(0xe9_f1_fb, 1.0),
             pin: hex(0xff_5c_7a, 1.0),
+            trail: hex(0xee_dd_88, 0.75),
             region: hex(0x7d_f0_c8, 0.9),
             bond_width: 1.8,
             point_radius: 4.2,

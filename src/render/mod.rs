@@ -25,6 +25,7 @@ mod passes;
 mod renderer;
 mod sight;
 mod skin;
+mod trails;
 pub mod view;
 
 pub use camera::{Camera, Pose};
@@ -35,4 +36,5 @@ pub use gpu::{Gpu, backends};
 pub use look::{Color, Look, Overlay, STRAIN_COLORS};
 pub use passes::SHADERS;
 pub use renderer::Renderer;
+pub use trails::Trails;
 pub use view::View;

@@ -67,8 +67,7 @@ impl Renderer {
         let origin = self.buffers.origin;
         let frame = Frame::new(view, camera, look, &self.buffers);
         self.obstacles.update(gpu, (view, camera, &frame), counters)?;
-        let solid = (view.bounds, self.obstacles.patches());
-        let lines = guides(camera, solid, view.dimensions, origin, look);
+        let lines = guides(camera, (view, self.obstacles.patches()), origin, look);
         self.buffers.set_guides(gpu, bytemuck::cast_slice(&lines), lines.len(), counters)?;
         self.buffers.set_solids(gpu, solids(view, camera, origin), counters)?;
         self.has_region = frame.has_region();

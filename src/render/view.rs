@@ -1,5 +1,6 @@
 //! What a picture shows: a borrowed view of a world at one moment.
 
+use super::trails::Trails;
 use crate::picture::{Skin, Tint};
 use crate::sim::{Bonds, Convex, Cursor, Dynamics, MouseForce, PointId, Polygon, Positions};
 
@@ -26,6 +27,8 @@ pub struct View<'a> {
     pub triangles: &'a [[PointId; 3]],
     /// Which body points belong to; none: what hangs together is one.
     pub tints: &'a [Tint],
+    /// Where points have been, if that is shown.
+    pub trails: Option<&'a Trails>,
     /// The points that never move.
     pub pinned: &'a [PointId],
     /// Corners of the walls (z = 0 in the plane).
@@ -55,6 +58,7 @@ impl<'a> View<'a> {
             skins: &[],
             triangles: world.triangles(),
             tints: &[],
+            trails: None,
             pinned: world.pinned(),
             bounds: world.bounds(),
             planes: world.planes(),

@@ -96,11 +96,12 @@ fn masses(each: &[f64]) -> Option<MassKeys> {
 impl Scene {
     /// The colours that are said, each with its points, as skins say them.
     fn colored(&self) -> Vec<SkinKeys> {
-        let mut list: Vec<SkinKeys> = self.skins.iter().filter(|skin| skin.color.is_some()).map(|skin| SkinKeys {
-            points: skin.points.clone(),
-            color: skin.color,
-            ..SkinKeys::default()
-        }).collect();
+        let mut list: Vec<SkinKeys> = self
+            .skins
+            .iter()
+            .filter(|skin| skin.color.is_some())
+            .map(|skin| SkinKeys { points: skin.points.clone(), color: skin.color, ..SkinKeys::default() })
+            .collect();
         let mut first = self.points.as_ref().map_or(0, |points| points.position.len() as u32);
         let mut of_bodies = Vec::new();
         for keys in &self.bodies {

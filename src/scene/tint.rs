@@ -44,7 +44,8 @@ impl Scene {
     /// The body of each explicit point, counted by lowest points.
     fn hanging(&self, count: usize) -> Vec<u32> {
         let bonds = self.bonds.iter().map(|bond| [bond.a, bond.b]);
-        let sides = self.triangles.iter().flat_map(|corners| [[corners.0[0], corners.0[1]], [corners.0[1], corners.0[2]]]);
+        let sides =
+            self.triangles.iter().flat_map(|corners| [[corners.0[0], corners.0[1]], [corners.0[1], corners.0[2]]]);
         Tint::hanging(count, bonds.chain(sides))
     }
 }

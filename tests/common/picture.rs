@@ -39,6 +39,7 @@ pub fn view<'a>(positions: &'a [f32], bonds: &'a Bonds, dimensions: usize) -> Vi
         skins: &[],
         triangles: &[],
         tints: &[],
+        trails: None,
         dimensions,
         previous: Positions::F32(positions),
         current: Positions::F32(positions),
@@ -99,7 +100,8 @@ pub fn assert_coverage(picture: &RgbaImage, truth: impl Fn(DVec2) -> f64) {
 /// Colours of strains from one colour over another to a third, in even steps.
 pub fn between(squeezed: [f32; 4], rest: [f32; 4], stretched: [f32; 4]) -> [[f32; 4]; 9] {
     std::array::from_fn(|step| {
-        let (from, to, share) = if step < 4 { (squeezed, rest, step as f32) } else { (rest, stretched, step as f32 - 4.0) };
+        let (from, to, share) =
+            if step < 4 { (squeezed, rest, step as f32) } else { (rest, stretched, step as f32 - 4.0) };
         std::array::from_fn(|part| from[part] + (to[part] - from[part]) * 0.25 * share)
     })
 }

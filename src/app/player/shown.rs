@@ -194,6 +194,7 @@ impl Shown {
             skins,
             triangles,
             tints,
+            trails: None,
             pinned,
             bounds: *bounds,
             planes: planes.clone(),

@@ -127,6 +127,8 @@ impl Session {
         let empty = crate::app::player::Shown { dimensions: self.canvas.dimensions(), ..Default::default() };
         let shown = if self.player.is_open() { self.player.shown() } else { &empty };
         let view = View { mouse: region.as_ref().map(|(force, at)| (force, *at)), ..shown.view() };
+        self.trails.note(shown.figures.time, &view);
+        let view = View { trails: Some(&self.trails), ..view };
         let inset = if self.panels.hides_panels { 0.0 } else { panels::TOOLS };
         let look = Look { inset, ..self.look };
         let done = self.canvas.draw(&view, &self.camera, &look, self.area, &mut self.paint);

@@ -152,7 +152,8 @@ impl Fills {
             return Ok(());
         }
         self.shaded = None;
-        let bonds: Vec<GpuBond> = if shows_strain { view.bonds.iter().map(GpuBond::from).collect() } else { Vec::new() };
+        let bonds: Vec<GpuBond> =
+            if shows_strain { view.bonds.iter().map(GpuBond::from).collect() } else { Vec::new() };
         let triangles = self.triangles.each_ref().map(Vec::as_slice);
         if view.dimensions == 3 {
             shades(flat.as_chunks::<3>().0, triangles, &bonds, &mut self.rows);
