@@ -1,6 +1,18 @@
 // Bonds: strokes between two points of the position buffer, each drawn as what it is, tinted by strain; and dots that stand for bonds
 // too short to be told apart.
 
+struct Packed {
+    a: u32,
+    // With the kind in the bits from FORM on.
+    b: u32,
+    // [m]
+    rest_length: f32,
+}
+
+@group(0) @binding(3) var<storage, read> bonds: array<Packed>;
+
+const FORM: u32 = 29u;
+
 struct Bond {
     a: u32,
     b: u32,
@@ -9,7 +21,10 @@ struct Bond {
     kind: u32,
 }
 
-@group(0) @binding(3) var<storage, read> bonds: array<Bond>;
+fn bond_at(index: u32) -> Bond {
+    let packed = bonds[index];
+    return Bond(packed.a, packed.b & ((1u << FORM) - 1u), packed.rest_length, packed.b >> FORM);
+}
 
 // Bonds of a chunk. Instances are chunks.
 const CHUNK: u32 = 1024u;
@@ -63,7 +78,7 @@ const TURN: f32 = 10.0;
 
 @vertex
 fn vertex(@builtin(vertex_index) index: u32, @builtin(instance_index) chunk: u32) -> Strand {
-    let bond = bonds[chunk * CHUNK + index / 6u];
+    let bond = bond_at(chunk * CHUNK + index / 6u);
     let a = position_of(bond.a);
     let b = position_of(bond.b);
     var width = frame.bond_width;
@@ -149,7 +164,7 @@ fn dot_vertex(@builtin(vertex_index) index: u32, @builtin(instance_index) chunk:
     var middle: vec3<f32>;
     var color = vec4(0.0);
     for (var i = 0u; i < MIXED; i++) {
-        let bond = bonds[(first & ~(CHUNK - 1u)) | ((first + i * NEIGHBOR) & (CHUNK - 1u))];
+        let bond = bond_at((first & ~(CHUNK - 1u)) | ((first + i * NEIGHBOR) & (CHUNK - 1u)));
         let a = position_of(bond.a);
         let b = position_of(bond.b);
         if i == 0u {

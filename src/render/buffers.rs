@@ -20,9 +20,8 @@ use super::view::View;
 use crate::picture::Tint;
 use crate::sim::{Bond, PointId, Positions};
 
-/// A bond as the shader reads it: `Bond` in bonds.wgsl.
-#[derive(Clone, Copy, Debug, Pod, Zeroable)]
-#[repr(C)]
+/// A bond as it is drawn.
+#[derive(Clone, Copy, Debug)]
 pub(super) struct GpuBond {
     pub(super) a: u32,
     pub(super) b: u32,
@@ -31,7 +30,26 @@ pub(super) struct GpuBond {
     pub(super) form: u32,
 }
 
-const _: () = assert!(size_of::<GpuBond>() == 16);
+/// A bond as the shader reads it: `Packed` in bonds.wgsl. Its form lies in the upper bits of `b`: the positions of as many points as
+/// the others can count are more than a GPU's buffers hold.
+#[derive(Clone, Copy, Debug, Pod, Zeroable)]
+#[repr(C)]
+struct PackedBond {
+    a: u32,
+    b: u32,
+    rest_length: f32,
+}
+
+const _: () = assert!(size_of::<PackedBond>() == 12);
+
+/// Where the form begins in a packed bond: `FORM` in bonds.wgsl.
+const FORM: u32 = 29;
+
+impl From<&GpuBond> for PackedBond {
+    fn from(&GpuBond { a, b, rest_length, form }: &GpuBond) -> Self {
+        PackedBond { a, b: b & ((1 << FORM) - 1) | form << FORM, rest_length }
+    }
+}
 
 impl GpuBond {
     /// A plain stroke.
@@ -225,7 +243,8 @@ impl WorldBuffers {
         // Points are sized by the bonds beside them: those that are covered say nothing of others.
         let bare = self.bare[0] as usize;
         self.typical_bond = median_rest_length(if bare > 0 { &bonds[..bare] } else { &bonds[..] });
-        self.bonds.write(gpu, bytemuck::cast_slice(&bonds), counters)?;
+        let packed: Vec<PackedBond> = bonds.iter().map(PackedBond::from).collect();
+        self.bonds.write(gpu, bytemuck::cast_slice(&packed), counters)?;
         let is_pinned = pins(view.pinned, point_count);
         points.iter_mut().for_each(|point| *point |= if is_pinned[*point as usize] { PINNED } else { 0 });
         self.points.write(gpu, bytemuck::cast_slice(&points), counters)?;
