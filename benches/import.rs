@@ -53,7 +53,7 @@ fn step(world: &mut dyn Dynamics) {
 
 fn draw(capture: &mut Capture, world: &dyn Dynamics, skins: &[Skin]) -> Result<(), RenderError> {
     let camera = Camera::fit([[-1.9, -1.9, 0.0], [1.9, 1.9, 0.0]], 2, FRAME);
-    let look = Look { has_mesh: false, ..Look::default() };
+    let look = Look::default();
     capture.forget_world();
     capture.picture(&View { skins, ..View::of(world) }, &camera, &look).map(|drawn| drop(black_box(drawn)))
 }

@@ -1,14 +1,30 @@
-// Bonds: strokes between two points of the position buffer, tinted by strain; and dots that stand for bonds too short
-// to be told apart.
+// Bonds: strokes between two points of the position buffer, each drawn as what it is, tinted by strain; and dots that stand for bonds
+// too short to be told apart.
+
+struct Packed {
+    a: u32,
+    // With the kind in the bits from FORM on.
+    b: u32,
+    // [m]
+    rest_length: f32,
+}
+
+@group(0) @binding(3) var<storage, read> bonds: array<Packed>;
+
+const FORM: u32 = 29u;
 
 struct Bond {
     a: u32,
     b: u32,
     // [m]
     rest_length: f32,
+    kind: u32,
 }
 
-@group(0) @binding(3) var<storage, read> bonds: array<Bond>;
+fn bond_at(index: u32) -> Bond {
+    let packed = bonds[index];
+    return Bond(packed.a, packed.b & ((1u << FORM) - 1u), packed.rest_length, packed.b >> FORM);
+}
 
 // Bonds of a chunk. Instances are chunks.
 const CHUNK: u32 = 1024u;
@@ -17,36 +33,129 @@ const NEIGHBOR: u32 = 303u;
 // Bonds that a dot takes its colour from: those of a point pull in several directions.
 const MIXED: u32 = 4u;
 
-// Stretched bonds turn towards one colour, squeezed ones towards the other.
-fn tint(strain: f32) -> vec4<f32> {
-    if frame.strain_scale <= 0.0 {
-        return frame.bond_color;
+// Kinds of bonds; what is none of them is a plain stroke.
+const ROD: u32 = 1u;
+const COIL: u32 = 2u;
+const ROPE: u32 = 3u;
+const RELAXED: u32 = 4u;
+
+fn strain_of(bond: Bond, a: vec3<f32>, b: vec3<f32>) -> f32 {
+    if bond.rest_length > 0.0 {
+        return distance(a, b) / bond.rest_length - 1.0;
     }
-    let s = strain / frame.strain_scale;
-    let share = abs(s) / sqrt(1.0 + s * s);
-    let full = select(frame.squeeze_color, frame.stretch_color, s > 0.0);
-    return mix(frame.bond_color, full, share);
+    return 0.0;
 }
 
 fn tint_of(bond: Bond, a: vec3<f32>, b: vec3<f32>) -> vec4<f32> {
-    var strain = 0.0;
-    if bond.rest_length > 0.0 {
-        strain = distance(a, b) / bond.rest_length - 1.0;
+    if frame.strain_scale > 0.0 {
+        return vec4(strain_color(strain_of(bond, a, b)).rgb, frame.bond_color.a);
     }
-    return tint(strain);
+    if bond.kind == ROPE && frame.coil_length > 0.0 {
+        return frame.rope_color;
+    }
+    return frame.bond_color;
 }
 
+// A stroke with what it is of a bond.
+struct Strand {
+    @builtin(position) position: vec4<f32>,
+    @location(0) @interpolate(flat) line: vec4<f32>,
+    @location(1) @interpolate(flat) color: vec4<f32>,
+    @location(2) @interpolate(flat) size: vec2<f32>,
+    // Kind, height of waves [px], waves along it, width of the wire [px].
+    @location(3) @interpolate(flat) form: vec4<f32>,
+}
+
+// Half the width of a rod by its length on the screen [1] and at most [px], of a rope and of a coil's wire [px], in pixels of a screen
+// of scale 1, which is what outlines are measured by.
+const ROD_SHARE: f32 = 0.035;
+const ROD_MOST: f32 = 3.4;
+const ROPE_HALF: f32 = 2.1;
+// Height of a coil by its length [1] and at most [px]; from a turn to the next at rest [px].
+const COIL_SHARE: f32 = 0.1;
+const COIL_MOST: f32 = 6.5;
+const TURN: f32 = 10.0;
+
 @vertex
-fn vertex(@builtin(vertex_index) index: u32, @builtin(instance_index) chunk: u32) -> Stroke {
-    let bond = bonds[chunk * CHUNK + index / 6u];
+fn vertex(@builtin(vertex_index) index: u32, @builtin(instance_index) chunk: u32) -> Strand {
+    let bond = bond_at(chunk * CHUNK + index / 6u);
     let a = position_of(bond.a);
     let b = position_of(bond.b);
-    return stroke(index % 6u, a, b, tint_of(bond, a, b), frame.bond_width);
+    var width = frame.bond_width;
+    var form = vec4(0.0);
+    if frame.coil_length > 0.0 && bond.kind != 0u {
+        let span = distance(pixel_of(frame.clip_from_world * vec4(a, 1.0)), pixel_of(frame.clip_from_world * vec4(b, 1.0)));
+        let unit = frame.outline_width / 1.5;
+        if bond.kind == ROD {
+            width = max(width, 2.0 * min(ROD_SHARE * span, ROD_MOST * unit));
+            form = vec4(f32(ROD), 0.0, 0.0, width);
+        } else if bond.kind == ROPE {
+            width = max(width, 2.0 * ROPE_HALF * unit);
+            form = vec4(f32(ROPE), 0.0, 0.0, width);
+        } else if bond.kind == COIL {
+            // Waves grow out of the straight stroke as the camera comes nearer.
+            let grown = smoothstep(frame.coil_length, 1.5 * frame.coil_length, span);
+            let height = grown * min(COIL_SHARE * span, COIL_MOST * unit);
+            let at_rest = span / max(1.0 + strain_of(bond, a, b), 0.05);
+            let turns = clamp(round(at_rest / (TURN * unit)), 3.0, 18.0);
+            form = vec4(f32(COIL), height, turns, width);
+            width += 2.0 * height;
+        } else {
+            form = vec4(f32(RELAXED), 0.0, 0.0, width);
+        }
+    }
+    let plain = stroke(index % 6u, a, b, tint_of(bond, a, b), width);
+    return Strand(plain.position, plain.line, plain.color, plain.size, form);
 }
 
 @fragment
-fn fragment(in: Stroke) -> @location(0) vec4<f32> {
-    return stroke_color(in);
+fn fragment(in: Strand) -> @location(0) vec4<f32> {
+    let kind = u32(in.form.x + 0.5);
+    let plain = Stroke(in.position, in.line, in.color, in.size);
+    if kind == 0u {
+        return stroke_color(plain);
+    }
+    let at = in.position.xy - in.line.xy;
+    let along = dot(at, in.line.zw);
+    let across = dot(at, vec2(-in.line.w, in.line.z));
+    if kind == COIL && in.form.y > 0.5 {
+        return coil_color(in, along, across);
+    }
+    var color = stroke_color(plain);
+    let off = across / max(in.size.y, 0.5);
+    if kind == ROD && in.size.y > 1.2 {
+        // Round bars: bright along the middle.
+        color = vec4(color.rgb * (1.0 - 0.5 * off * off), color.a);
+    } else if kind == ROPE {
+        // Strands that go round each other.
+        let twist = sin(6.2831853 * (along / (4.5 * in.size.y) + 0.35 * off));
+        color = vec4(color.rgb * (0.86 - 0.3 * off * off + 0.12 * twist), color.a);
+    } else if kind == RELAXED {
+        // Dashes, where there is room for some.
+        let dash = abs(fract(along / 9.0) - 0.5) * 9.0;
+        let gap = clamp(dash - 2.6, 0.0, 1.0) * smoothstep(24.0, 40.0, in.size.x);
+        color.a *= 1.0 - 0.8 * gap;
+    }
+    return color;
+}
+
+// A wire in waves between two straight ends, bright where it is in front.
+fn coil_color(in: Strand, along: f32, across: f32) -> vec4<f32> {
+    let end = 0.14 * in.size.x;
+    let inner = max(in.size.x - 2.0 * end, 1.0);
+    let share = clamp((along - end) / inner, 0.0, 1.0);
+    let is_inside = along > end && along < in.size.x - end;
+    let pace = 6.2831853 * in.form.z / inner;
+    let phase = 6.2831853 * in.form.z * share;
+    // Waves begin and end at the middle, with no jump.
+    let rise = min(min(share, 1.0 - share) * in.form.z * 2.0, 1.0) * in.form.y;
+    let wave = select(0.0, rise * sin(phase), is_inside);
+    let slope = select(0.0, rise * pace * cos(phase), is_inside);
+    let beyond = max(max(-along, along - in.size.x), 0.0);
+    let off = length(vec2(abs(across - wave) / sqrt(1.0 + slope * slope), beyond));
+    let covered = clamp(0.5 * in.form.w + 0.5 - off, 0.0, 1.0);
+    let front = select(1.0, 0.8 + 0.2 * cos(phase), is_inside);
+    return fogged(shown(vec4(in.color.rgb * front, in.color.a), covered, 0.5 * in.form.w), in.position.w);
 }
 
 @vertex
@@ -55,7 +164,7 @@ fn dot_vertex(@builtin(vertex_index) index: u32, @builtin(instance_index) chunk:
     var middle: vec3<f32>;
     var color = vec4(0.0);
     for (var i = 0u; i < MIXED; i++) {
-        let bond = bonds[(first & ~(CHUNK - 1u)) | ((first + i * NEIGHBOR) & (CHUNK - 1u))];
+        let bond = bond_at((first & ~(CHUNK - 1u)) | ((first + i * NEIGHBOR) & (CHUNK - 1u)));
         let a = position_of(bond.a);
         let b = position_of(bond.b);
         if i == 0u {

@@ -7,9 +7,11 @@ override DIMENSIONS: u32 = 2u;
 struct Frame {
     clip_from_world: mat4x4<f32>,
     // Colours, not premultiplied.
+    ground: vec4<f32>,
     bond_color: vec4<f32>,
-    stretch_color: vec4<f32>,
-    squeeze_color: vec4<f32>,
+    rope_color: vec4<f32>,
+    // From squeezed by `strain_full` to stretched by it.
+    strain_colors: array<vec4<f32>, 9>,
     point_color: vec4<f32>,
     pin_color: vec4<f32>,
     region_color: vec4<f32>,
@@ -27,14 +29,27 @@ struct Frame {
     bond_width: f32,
     // Radius of a point [px].
     point_radius: f32,
-    // Strain at which the tint is halfway to its full colour; 0: no tint.
+    // Strain below which colours change in proportion to it, above by its logarithm; 0: no strain is shown.
     strain_scale: f32,
+    // Strain of the last colours [1].
+    strain_full: f32,
     // Width of outlines [px].
     outline_width: f32,
     // Least distance from the camera that is seen [m]: what lies nearer is cut off. 0 in the plane.
     near: f32,
     // Radius of dots that stand for bonds [px].
     dot_radius: f32,
+    // Least radius of a pinned point [px].
+    least_pin: f32,
+    // Length of a spring on the screen from which on it is drawn as a coil [px]; 0: all bonds are plain strokes.
+    coil_length: f32,
+    // Opacity of fills, and the width of their outlines [px].
+    fill_opacity: f32,
+    fill_outline: f32,
+    // Distances from the camera from which on, and up to which, things fade into the ground [m], and by how much at most.
+    fog_from: f32,
+    fog_to: f32,
+    fog: f32,
 }
 
 @group(0) @binding(0) var<uniform> frame: Frame;
@@ -61,4 +76,21 @@ fn pixel_of(clip: vec4<f32>) -> vec2<f32> {
 fn clip_of(pixel: vec2<f32>, clip: vec4<f32>) -> vec4<f32> {
     let ndc = (pixel / frame.viewport - 0.5) * vec2(2.0, -2.0);
     return vec4(ndc * clip.w, clip.z, clip.w);
+}
+
+// The colour of a strain.
+fn strain_color(strain: f32) -> vec4<f32> {
+    let share = asinh(abs(strain) / frame.strain_scale) / asinh(frame.strain_full / frame.strain_scale);
+    let place = 4.0 + 4.0 * min(share, 1.0) * sign(strain);
+    let low = u32(clamp(floor(place), 0.0, 7.0));
+    return mix(frame.strain_colors[low], frame.strain_colors[low + 1u], place - f32(low));
+}
+
+// A colour as it is seen from afar, in space; `inverse` is one over the distance along the view.
+fn fogged(color: vec4<f32>, inverse: f32) -> vec4<f32> {
+    if DIMENSIONS == 2u {
+        return color;
+    }
+    let share = frame.fog * smoothstep(frame.fog_from, frame.fog_to, 1.0 / max(inverse, 1e-12));
+    return vec4(mix(color.rgb, frame.ground.rgb, share), color.a);
 }

@@ -5,6 +5,8 @@ struct Disc {
     @location(0) @interpolate(flat) center: vec2<f32>,
     @location(1) @interpolate(flat) color: vec4<f32>,
     @location(2) @interpolate(flat) radius: f32,
+    // 1 of a pinned point.
+    @location(3) @interpolate(flat) is_pin: f32,
 }
 
 fn disc(vertex: u32, center: vec3<f32>, color: vec4<f32>, radius: f32) -> Disc {
@@ -38,5 +40,5 @@ fn in_front(clip: vec4<f32>, radius: f32) -> vec4<f32> {
 }
 
 fn disc_color(in: Disc) -> vec4<f32> {
-    return shown(in.color, coverage(in.position.xy - in.center, in.radius), in.radius);
+    return fogged(shown(in.color, coverage(in.position.xy - in.center, in.radius), in.radius), in.position.w);
 }

@@ -111,5 +111,5 @@ fn stroke_color(in: Stroke) -> vec4<f32> {
     let across = dot(at, vec2(-in.line.w, in.line.z)) + 1e-5;
     let beyond = along - clamp(along, 0.0, in.size.x);
     let offset = in.line.zw * beyond + vec2(-in.line.w, in.line.z) * across;
-    return shown(in.color, coverage(offset, in.size.y), in.size.y);
+    return fogged(shown(in.color, coverage(offset, in.size.y), in.size.y), in.position.w);
 }

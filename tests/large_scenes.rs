@@ -3,7 +3,7 @@
 
 use crate::common;
 
-use common::picture::{bond, plain, view};
+use common::picture::{between, bond, plain, view};
 use glam::{DVec2, DVec3};
 use image::RgbaImage;
 use wobble::render::{Camera, Capture, Look, Overlay, Pose, RenderCounters, View};
@@ -212,7 +212,8 @@ fn zooming_out_nothing_pops() {
     // Stretched along x alone, so that its bonds have several colours.
     let (mut flat, bonds) = large(2);
     flat.iter_mut().step_by(2).for_each(|x| *x *= 1.05);
-    let look = Look { overlay: Overlay::Strain, stretch: [1.0, 0.0, 0.0, 1.0], point: [0.5, 1.0, 0.5, 1.0], ..look() };
+    let strain = between([1.0; 4], [1.0; 4], [1.0, 0.0, 0.0, 1.0]);
+    let look = Look { overlay: Overlay::Strain, strain, point: [0.5, 1.0, 0.5, 1.0], ..look() };
     let mut capture = capture(2);
     let mut last: Option<([f64; 3], u64)> = None;
     let mut pixels = 6.0;

@@ -199,7 +199,7 @@ fn obstacles_look_the_same_far_from_the_origin_and_in_bodies_of_kilometres() {
         let polygons = [polygon(vec![corners.map(|[x, y]| [x + offset, y - offset]).to_vec()])];
         let plane = [[offset + 3.0, -offset, 0.0], [-2.0, 1.0, 0.0]];
         let pose = Pose::Plane { center: DVec2::new(offset, -offset), height: f64::from(SIDE) };
-        let look = Look { grid: [0.0; 4], axis: [0.0; 4], ..Look::default() };
+        let look = Look { has_grid: false, ..Look::default() };
         picture_of(&polygons, &[plane], &Camera::new(pose, [SIDE, SIDE]), &look)
     };
     let near = picture(0.0, 1e3);

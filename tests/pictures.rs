@@ -220,7 +220,7 @@ fn a_skin_shows_its_picture_and_opens_where_it_is_torn() {
     let (world, skins) = (scene.world(None).unwrap(), scene.skins().unwrap());
     let mut capture = Capture::new([200, 200], 2).unwrap();
     let camera = Camera::fit([[-1.0, -1.0, 0.0], [1.0, 1.0, 0.0]], 2, [200, 200]);
-    let look = Look { has_mesh: false, ..Look::default() };
+    let look = Look::default();
     let view = View { skins: &skins, ..View::of(&*world) };
     let shown = capture.picture(&view, &camera, &look).unwrap();
     let near = |pixel: &image::Rgba<u8>| (0..3).all(|k| pixel.0[k].abs_diff(colour[k]) <= 2);
@@ -409,7 +409,7 @@ fn one_more_picture_lies_beside_what_is_there_and_one_cut_anew_in_its_place() {
 /// Only skins, on black.
 fn skins_alone() -> Look {
     let clear = [0.0; 4];
-    Look { has_mesh: false, ground: [0.0, 0.0, 0.0, 1.0], grid: clear, axis: clear, wall: clear, ..Look::default() }
+    Look { has_grid: false, ground: [0.0, 0.0, 0.0, 1.0], wall: clear, ..Look::default() }
 }
 
 fn shown(scene: &Scene) -> image::RgbaImage {
@@ -440,7 +440,7 @@ fn dark_ink_is_seen_on_the_dark_ground_and_light_ink_has_no_rim() {
         let (world, skins) = (scene.world(None).unwrap(), scene.skins().unwrap());
         let camera = Camera::fit([[-1.2, -1.0, 0.0], [1.2, 1.0, 0.0]], 2, [240, 200]);
         let view = View { skins: &skins, mouse: None, ..View::of(&*world) };
-        let look = Look { has_mesh: false, grid: [0.0; 4], axis: [0.0; 4], wall: [0.0; 4], ..Look::default() };
+        let look = Look { has_grid: false, wall: [0.0; 4], ..Look::default() };
         Capture::new([240, 200], 2).unwrap().picture(&view, &camera, &look).unwrap()
     };
     // From the middle outwards the lightest pixel, all around.

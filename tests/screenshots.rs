@@ -6,7 +6,7 @@ use crate::common;
 use std::path::Path;
 use std::process::Command;
 
-use common::picture::{NO_BONDS, SIDE, assert_coverage, bond, pixels, plain, sampled, view};
+use common::picture::{NO_BONDS, SIDE, assert_coverage, between, bond, pixels, plain, sampled, view};
 use glam::{DVec2, DVec3};
 use image::RgbaImage;
 use wobble::render::{Camera, Capture, Look, Overlay, Pose, View};
@@ -321,21 +321,21 @@ fn strain_is_shown_by_colour() {
         return;
     }
     let flat = [-20.0_f32, 0.0, 20.0, 0.0];
-    let look = Look { stretch: RED, squeeze: BLUE, bond: [0.0, 1.0, 0.0, 1.0], point: [0.0; 4], ..plain() };
+    let green = [0.0, 1.0, 0.0, 1.0];
+    let look = Look { strain: between(BLUE, green, RED), bond: green, point: [0.0; 4], ..plain() };
     let color = |overlay, strain: f64| {
         let bonds = [Bond { rest_length: 40.0 / (1.0 + strain), ..bond(0, 1) }].into();
-        let look = Look { overlay, strain_scale: 0.04, ..look };
+        let look = Look { overlay, strain_scale: 0.005, strain_full: 0.3, ..look };
         let picture = Capture::new([SIDE, SIDE], 2).unwrap().picture(&view(&flat, &bonds, 2), &pixels(), &look);
         pixel_at(&picture.unwrap(), DVec2::new(0.5, 0.5))
     };
-    // At the strain of the scale the share of the full colour is 1/sqrt(2).
-    let (share, rest) = (180, 75);
     let close = |a: [u8; 3], b: [u8; 3]| a.iter().zip(b).all(|(a, b)| a.abs_diff(b) <= 2);
-    for (strain, expected) in
-        [(0.0, [0, 255, 0]), (0.04, [share, rest, 0]), (-0.04, [0, rest, share]), (4.0, [255, 0, 0])]
-    {
+    for strain in [0.0_f64, 0.002, 0.01, -0.01, 0.07, -0.2, 0.3, -0.5, 4.0] {
+        let share = ((strain.abs() / 0.005).asinh() / (0.3_f64 / 0.005).asinh()).min(1.0);
+        let [full, rest] = [share, 1.0 - share].map(|share| (255.0 * share).round() as u8);
+        let expected = if strain > 0.0 { [full, rest, 0] } else { [0, rest, full] };
         let seen = color(Overlay::Strain, strain);
-        assert!(close(seen, expected), "{strain}: {seen:?}");
+        assert!(close(seen, expected), "{strain}: {seen:?}, not {expected:?}");
         assert_eq!(color(Overlay::None, strain), [0, 255, 0], "without the overlay");
     }
     let unsized_bond = [Bond { rest_length: 0.0, ..bond(0, 1) }].into();
@@ -359,7 +359,7 @@ fn in_space_what_is_nearer_lies_on_top_in_whatever_order_it_comes() {
     if common::gpu().is_none() {
         return;
     }
-    let look = Look { stretch: RED, squeeze: BLUE, point: [0.0; 4], overlay: Overlay::Strain, ..plain() };
+    let look = Look { strain: between(BLUE, BLUE, RED), point: [0.0; 4], overlay: Overlay::Strain, ..plain() };
     let flat = crossing(4.0);
     let far = Bond { rest_length: 1e3, ..bond(0, 1) };
     let near = Bond { rest_length: 1e-3, ..bond(2, 3) };

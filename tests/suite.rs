@@ -9,6 +9,7 @@ mod commands;
 mod determinism;
 mod drives;
 mod fields;
+mod fills;
 mod handover;
 mod history;
 mod large;

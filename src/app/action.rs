@@ -78,6 +78,50 @@ impl Primitive {
     }
 }
 
+/// How bodies are shown.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Showing {
+    /// Filled, in their colours or with their pictures.
+    #[default]
+    Bodies,
+    /// By their strain.
+    Strain,
+    /// As points and bonds.
+    Bonds,
+}
+
+impl Showing {
+    /// All of them, in the order in which a key goes through them.
+    pub const ALL: [Showing; 3] = [Showing::Bodies, Showing::Strain, Showing::Bonds];
+
+    /// What it is called on its button.
+    pub fn name(self) -> &'static str {
+        match self {
+            Showing::Bodies => "Bodies",
+            Showing::Strain => "Strain",
+            Showing::Bonds => "Bonds",
+        }
+    }
+
+    /// What it shows.
+    pub fn words(self) -> &'static str {
+        match self {
+            Showing::Bodies => "bodies in their colours",
+            Showing::Strain => "where bodies are stretched and squeezed, and by how much",
+            Showing::Bonds => "points and bonds alone",
+        }
+    }
+
+    /// The next one.
+    pub fn next(self) -> Self {
+        match self {
+            Showing::Bodies => Showing::Strain,
+            Showing::Strain => Showing::Bonds,
+            Showing::Bonds => Showing::Bodies,
+        }
+    }
+}
+
 /// What the user asks of the program. Panels return these too: a click and a key do the same.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Action {
@@ -123,8 +167,14 @@ pub enum Action {
     Fit,
     /// The view that the scene opened with.
     Home,
-    /// Shows bonds and points, or hides them.
+    /// Shows bonds and points over bodies, or hides them.
     ToggleMesh,
+    /// Shows bodies in another way.
+    Show(Showing),
+    /// Goes through the ways to show bodies.
+    NextShowing,
+    /// Shows the grid with its numbers, or hides it.
+    ToggleGrid,
     /// Cuts the scene's picture out anew.
     Import,
     /// Opens a canvas to draw a body on.

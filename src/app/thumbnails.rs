@@ -76,7 +76,7 @@ fn thumbnail(entry: &Entry, gpu: &Gpu, size: [u32; 2], captures: &mut [Option<Ca
     capture.forget_world();
     let view = View { skins: &skins, ..View::of(&*world) };
     let camera = opening::camera(&scene, &view, size);
-    let look = Look { has_mesh: skins.is_empty(), scale_factor: 1.0, ..Look::default() };
+    let look = Look { scale_factor: 1.0, ..Look::default() };
     capture.picture(&view, &camera, &look).ok()
 }
 

@@ -10,10 +10,10 @@ use image::{Delay, Frame, ImageFormat, RgbaImage};
 use super::replay::say_notes;
 use super::{progress, values};
 use crate::app::opening;
-use crate::history::{Replay, Start, chunk};
+use crate::history::{Entry, Replay, Start, chunk};
 use crate::output;
-use crate::picture::Skin;
-use crate::render::{Camera, Capture, Look, Overlay, View};
+use crate::picture::{Skin, Tint};
+use crate::render::{Camera, Capture, Look, Overlay, Trails, View};
 use crate::sim::{Cursor, Dynamics, Positions};
 
 /// What to draw and where to write it.
@@ -43,18 +43,24 @@ pub(super) struct Arguments {
     #[arg(long, default_value = "25", value_parser = values::above_zero)]
     fps: f64,
     /// What is shown by colour.
-    #[arg(long, value_enum, default_value_t = OverlayName::Strain)]
+    #[arg(long, value_enum, default_value_t = OverlayName::None)]
     overlay: OverlayName,
-    /// Whether bonds and points are drawn: by themselves, where there is no skin.
-    #[arg(long, value_name = "on|off", value_parser = switch)]
-    mesh: Option<bool>,
+    /// Whether bonds and points are drawn that a picture or a fill covers.
+    #[arg(long, value_name = "on|off", default_value = "off", action = clap::ArgAction::Set, value_parser = switch)]
+    mesh: bool,
+    /// Whether bodies without a picture are filled.
+    #[arg(long, value_name = "on|off", default_value = "on", action = clap::ArgAction::Set, value_parser = switch)]
+    fills: bool,
+    /// Whether the plane has a grid with numbers.
+    #[arg(long, value_name = "on|off", default_value = "on", action = clap::ArgAction::Set, value_parser = switch)]
+    grid: bool,
 }
 
 #[derive(Clone, Copy, clap::ValueEnum)]
 enum OverlayName {
-    /// Nothing.
+    /// Bodies have colours of their own.
     None,
-    /// Stretched bonds turn orange, squeezed ones blue.
+    /// From blue, squeezed by a third, to red, stretched by it.
     Strain,
 }
 
@@ -79,17 +85,26 @@ pub(super) fn run(arguments: &Arguments, quiet: bool) -> anyhow::Result<()> {
         OverlayName::None => Overlay::None,
         OverlayName::Strain => Overlay::Strain,
     };
-    let skins = scene.skins()?;
-    let look = Look { overlay, has_mesh: arguments.has_mesh(!skins.is_empty()), ..Look::default() };
+    let Arguments { mesh: has_mesh, fills: has_fills, grid: has_grid, .. } = *arguments;
+    let look = Look { overlay, has_mesh, has_fills, has_grid, ..Look::default() };
     let mut capture = Capture::new(arguments.size, scene.dimensions())?;
     let count = arguments.count();
     let bar = progress::frames(quiet, u64::from(count));
     let mut animation = Vec::new();
+    let mut trails = Trails::new(TRAIL * scene.rate());
+    lead_up(&mut run, commands, arguments.time, &mut trails)?;
     for index in 0..count {
         let time = arguments.time + f64::from(index) / arguments.fps * scene.rate();
         run.advance(commands, time)?;
         let skins = run.skins();
-        let picture = draw(&mut capture, (run.world(), &skins), time, u64::from(index), &camera, &look)?;
+        let picture = draw(
+            &mut capture,
+            (run.world(), &skins, run.tints(), &mut trails),
+            time,
+            u64::from(index),
+            &camera,
+            &look,
+        )?;
         if let Some(path) = arguments.out.as_ref().filter(|path| values::extension(path) == "png") {
             let path = if count == 1 { path.clone() } else { numbered(path, index) };
             let scene = inside(&run)?;
@@ -114,20 +129,35 @@ impl Arguments {
         out.into_iter().chain(&self.gif).collect()
     }
 
-    /// Whether bonds and points are drawn, of a scene with skins or without.
-    fn has_mesh(&self, has_skin: bool) -> bool {
-        self.mesh.unwrap_or(!has_skin)
-    }
-
     fn count(&self) -> u32 {
         self.frames.unwrap_or(if self.animations().is_empty() { 1 } else { 50 })
     }
 }
 
+/// How long trails of points last [s of wall time].
+const TRAIL: f64 = 2.5;
+/// Stretches of the trail before the first picture.
+const LEAD: u32 = 120;
+
+/// Goes to the first picture, and notes where points were on the way, as far as trails last, in a scene that has some.
+fn lead_up(run: &mut Replay, commands: &[Entry], time: f64, trails: &mut Trails) -> anyhow::Result<()> {
+    if !Trails::suit(&View::of(run.world())) {
+        return Ok(());
+    }
+    let from = (time - trails.length()).max(0.0);
+    for step in 0..LEAD {
+        let at = from + (time - from) * f64::from(step) / f64::from(LEAD);
+        run.advance(commands, at)?;
+        let world = run.world();
+        trails.note(world.time(), &View::of(world));
+    }
+    Ok(())
+}
+
 /// The state at `time`, which lies in the world's next substep.
 fn draw(
     capture: &mut Capture,
-    (world, skins): (&dyn Dynamics, &[Skin]),
+    (world, skins, tints, trails): (&dyn Dynamics, &[Skin], &[Tint], &mut Trails),
     time: f64,
     index: u64,
     camera: &Camera,
@@ -146,8 +176,11 @@ fn draw(
         motion: index,
         mouse: world.mouse().map(on_track),
         skins,
+        tints,
         ..View::of(world)
     };
+    trails.note(time, &view);
+    let view = View { trails: Some(trails), ..view };
     Ok(capture.picture(&view, camera, look)?)
 }
 

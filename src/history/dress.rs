@@ -1,9 +1,9 @@
-//! What belongs to a world and no step knows of: skins, and points that are named together.
+//! What belongs to a world and no step knows of: skins, colours, and points that are named together.
 
 use std::sync::Arc;
 
 use super::pack::Packed;
-use crate::picture::{self, Picture, Skin};
+use crate::picture::{self, Picture, Skin, Tint};
 use crate::scene::{Scene, SceneError};
 use crate::sim::{Dynamics, PointId};
 
@@ -16,12 +16,19 @@ pub struct Group {
     pub points: Vec<PointId>,
 }
 
-/// Skins and groups of a world. Copies share what they have.
+/// How a body without a colour of its own is written.
+const NO_COLOR: u32 = u32::MAX;
+
+/// Skins, colours and groups of a world. Copies share what they have.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Dress {
     worn: Arc<Vec<Skin>>,
     /// So many of them are the scene's own.
     of_scene: usize,
+    /// Which body points are of, and what colour it has.
+    tints: Arc<[Tint]>,
+    /// Bodies or colours came after the start.
+    is_tinted: bool,
     /// Numbers of points and names, newest last.
     groups: Arc<Vec<Group>>,
 }
@@ -34,6 +41,7 @@ impl Dress {
         let mut dress = Dress::default();
         dress.wear(scene.skins()?);
         dress.of_scene = dress.worn.len();
+        dress.tints = scene.tints()?.into();
         Ok(dress)
     }
 
@@ -42,6 +50,24 @@ impl Dress {
         if !skins.is_empty() {
             Arc::make_mut(&mut self.worn).extend(skins);
         }
+    }
+
+    /// Bodies come, counted from 0, and points get colours.
+    pub(super) fn tint(&mut self, mut tints: Vec<Tint>, colors: &[(Vec<u32>, [u8; 3])]) {
+        if tints.is_empty() && colors.is_empty() {
+            return;
+        }
+        let next = self.tints.iter().map(|tint| tint.body + 1).max().unwrap_or(0);
+        tints.iter_mut().for_each(|tint| tint.body += next);
+        let mut all = self.tints.to_vec();
+        all.extend(tints);
+        colors.iter().for_each(|(points, color)| Tint::paint(&mut all, points, *color));
+        (self.tints, self.is_tinted) = (all.into(), true);
+    }
+
+    /// Which body points are of, those that were added too.
+    pub(super) fn tints(&self) -> &Arc<[Tint]> {
+        &self.tints
     }
 
     /// Whether anything is drawn on triangles.
@@ -114,12 +140,25 @@ impl Dress {
             texture.put(to);
             triangles.put(to);
         }
+        let added: &[Tint] = if self.is_tinted { &self.tints } else { &[] };
+        added.len().put(to);
+        for Tint { first, body, color } in added {
+            first.put(to);
+            body.put(to);
+            color.map_or(NO_COLOR, |[red, green, blue]| u32::from_be_bytes([0, red, green, blue])).put(to);
+        }
         Ok(())
     }
 
     /// Takes what came after the start of the scene from the front of the bytes, of a world of `points` points; `has_sides`: behind the
-    /// triangles are the bonds along their sides, which are passed over. `None` where the bytes are not enough, or none of it.
-    pub(super) fn take_added(&mut self, from: &mut &[u8], points: usize, has_sides: bool) -> Option<()> {
+    /// triangles are the bonds along their sides, which are passed over; `has_tints`: bodies and colours come last. `None` where the bytes
+    /// are not enough, or none of it.
+    pub(super) fn take_added(
+        &mut self,
+        from: &mut &[u8],
+        points: usize,
+        [has_sides, has_tints]: [bool; 2],
+    ) -> Option<()> {
         let mut pictures = Vec::new();
         for _ in 0..usize::take(from)? {
             pictures.push(Arc::new(picture::decode(&Vec::take(from)?).ok()?));
@@ -137,6 +176,19 @@ impl Dress {
                 return None;
             }
             Arc::make_mut(&mut self.worn).push(Skin { picture, first, triangles, texture });
+        }
+        let count = if has_tints { usize::take(from)? } else { 0 };
+        let mut tints: Vec<Tint> = Vec::new();
+        for _ in 0..count {
+            let (first, body, color) = (u32::take(from)?, u32::take(from)?, u32::take(from)?);
+            if tints.last().is_some_and(|last| last.first >= first) {
+                return None;
+            }
+            let [_, red, green, blue] = color.to_be_bytes();
+            tints.push(Tint { first, body, color: (color != NO_COLOR).then_some([red, green, blue]) });
+        }
+        if !tints.is_empty() {
+            (self.tints, self.is_tinted) = (tints.into(), true);
         }
         Some(())
     }

@@ -6,7 +6,7 @@ use super::frame::Frame;
 use super::log::Log;
 use super::mark::{Difference, difference};
 use super::start::Recording;
-use crate::picture::Skin;
+use crate::picture::{Skin, Tint};
 use crate::scene::Scene;
 use crate::scene::record::RecordError;
 use crate::sim::Dynamics;
@@ -38,6 +38,11 @@ impl Replay {
     /// What is drawn on triangles now.
     pub fn skins(&self) -> Vec<Skin> {
         self.frame.dress.skins(&*self.frame.world)
+    }
+
+    /// Which body points are of, and what colour it has.
+    pub fn tints(&self) -> &[Tint] {
+        self.frame.dress.tints()
     }
 
     /// A recording that begins at the present state.

@@ -1,5 +1,7 @@
 //! The history of a running world.
 
+use std::sync::Arc;
+
 use serde_json::Value;
 
 use super::branch::{BranchView, Spot, Tree};
@@ -11,7 +13,7 @@ use super::keyframes::Keyframes;
 use super::mark::{Mark, hash_now};
 use super::start::{Recording, Start};
 use super::undo::Redo;
-use crate::picture::Skin;
+use crate::picture::{Skin, Tint};
 use crate::scene::Scene;
 use crate::sim::{Applied, Dynamics};
 
@@ -108,6 +110,11 @@ impl History {
     /// sides was a bond that is gone.
     pub fn skins(&self) -> &[Skin] {
         &self.skins
+    }
+
+    /// Which body points are of, and what colour it has.
+    pub fn tints(&self) -> &Arc<[Tint]> {
+        self.frame.dress.tints()
     }
 
     /// The groups of points that have a name, of the points that are left.

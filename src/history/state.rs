@@ -20,6 +20,9 @@ use crate::sim::{Bonds, Dynamics, PointId, Saved, SavedWorld, borne, resume};
 /// How the numbers are laid out.
 pub(super) const LAYOUT: u64 = 8;
 
+/// The first layout that says which body added points are of.
+const FIRST_WITH_TINTS: u64 = 8;
+
 /// The first layout that begins with the core.
 const FIRST_WITH_CORE: u64 = 2;
 
@@ -95,7 +98,8 @@ pub(super) fn go_on(state: &Value, start: &dyn Dynamics, dress: &mut Dress) -> R
             return Err(message);
         }
         let has_triangles = layout >= FIRST_WITH_TRIANGLES;
-        dress.take_added(&mut rest, points, !has_triangles).filter(|()| rest.is_empty()).ok_or_else(damaged)?;
+        let has = [!has_triangles, layout >= FIRST_WITH_TINTS];
+        dress.take_added(&mut rest, points, has).filter(|()| rest.is_empty()).ok_or_else(damaged)?;
         if !has_triangles {
             match &mut saved {
                 SavedWorld::Plane(saved) => cover(saved, start, dress),

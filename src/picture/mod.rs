@@ -33,6 +33,7 @@ mod skin;
 mod stats;
 mod strand;
 mod thin;
+mod tint;
 mod watch;
 
 pub use atlas::Atlas;
@@ -56,6 +57,7 @@ pub use settings::{LEAST_SPACING, MAX_POINTS, Settings, Size, Strokes, Threshold
 pub use skin::Skin;
 pub use stats::{Stats, stats};
 pub use strand::{Line, Node, Strands};
+pub use tint::Tint;
 pub use watch::{Stage, Watch};
 
 use settings::{MAX_EDGE_POINTS, UNIT_TRIANGLE};

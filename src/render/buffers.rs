@@ -12,26 +12,56 @@ use super::camera::Camera;
 use super::chunks::{Chunks, LARGE, Selection, Wanted};
 use super::counters::RenderCounters;
 use super::error::RenderError;
+use super::forms::{ROPE, form, ropes};
 use super::gpu::Gpu;
 use super::growing::GrowingBuffer;
 use super::order;
 use super::view::View;
+use crate::picture::Tint;
 use crate::sim::{Bond, PointId, Positions};
 
-/// A bond as the shader reads it: `Bond` in bonds.wgsl.
-#[derive(Clone, Copy, Debug, Pod, Zeroable)]
-#[repr(C)]
+/// A bond as it is drawn.
+#[derive(Clone, Copy, Debug)]
 pub(super) struct GpuBond {
     pub(super) a: u32,
     pub(super) b: u32,
     pub(super) rest_length: f32,
+    /// What it is drawn as: forms.rs.
+    pub(super) form: u32,
 }
 
-const _: () = assert!(size_of::<GpuBond>() == 12);
+/// A bond as the shader reads it: `Packed` in bonds.wgsl. Its form lies in the upper bits of `b`: the positions of as many points as
+/// the others can count are more than a GPU's buffers hold.
+#[derive(Clone, Copy, Debug, Pod, Zeroable)]
+#[repr(C)]
+struct PackedBond {
+    a: u32,
+    b: u32,
+    rest_length: f32,
+}
+
+const _: () = assert!(size_of::<PackedBond>() == 12);
+
+/// Where the form begins in a packed bond: `FORM` in bonds.wgsl.
+const FORM: u32 = 29;
+
+impl From<&GpuBond> for PackedBond {
+    fn from(&GpuBond { a, b, rest_length, form }: &GpuBond) -> Self {
+        PackedBond { a, b: b & ((1 << FORM) - 1) | form << FORM, rest_length }
+    }
+}
+
+impl GpuBond {
+    /// A plain stroke.
+    #[cfg(test)]
+    pub(super) fn new(a: u32, b: u32, rest_length: f32) -> Self {
+        GpuBond { a, b, rest_length, form: 0 }
+    }
+}
 
 impl From<Bond> for GpuBond {
     fn from(bond: Bond) -> Self {
-        GpuBond { a: bond.a.0, b: bond.b.0, rest_length: bond.rest_length as f32 }
+        GpuBond { a: bond.a.0, b: bond.b.0, rest_length: bond.rest_length as f32, form: form(&bond) }
     }
 }
 
@@ -51,13 +81,18 @@ pub(super) struct WorldBuffers {
     bond_count: u32,
     pub(super) guide_count: u32,
     pub(super) solid_count: u32,
-    /// Bonds and points that no skin covers, which come first: of small scenes.
+    /// Bonds and points that no skin and no fill covers, which come first: of small scenes.
     bare: [u32; 2],
-    has_pins: bool,
+    /// Skins and fills cover every bond.
+    covers_all: bool,
+    /// Pinned points.
+    pub(super) pin_count: u32,
     /// What positions are relative to [m].
     pub(super) origin: DVec3,
     /// Middle one of the rest lengths [m]; 0 without bonds.
     pub(super) typical_bond: f64,
+    /// The same of bonds that are covered.
+    pub(super) covered_bond: f64,
     /// The parts of a large scene.
     chunks: Option<Chunks>,
     /// What the present selection was made for: it stands until something moves or something else is wanted.
@@ -92,9 +127,11 @@ impl WorldBuffers {
             guide_count: 0,
             solid_count: 0,
             bare: [0, 0],
-            has_pins: false,
+            covers_all: false,
+            pin_count: 0,
             origin: DVec3::ZERO,
             typical_bond: 0.0,
+            covered_bond: 0.0,
             chunks: None,
             selected: None,
             selection: Selection::default(),
@@ -136,19 +173,24 @@ impl WorldBuffers {
         self.chunks.as_ref().is_some_and(Chunks::is_surface)
     }
 
-    /// Uploads what changed of the world.
+    /// Bonds that no skin and no fill covers.
+    pub(super) fn bare_count(&self) -> u32 {
+        if self.chunks.is_some() { self.bond_count } else { self.bare[0] }
+    }
+
+    /// Uploads what changed of the world, in which `filled` triangles cover what is below them.
     ///
     /// Errors: a world too large for the GPU; nothing of it is drawn, and the next call uploads all of it.
     pub(super) fn update(
         &mut self,
         gpu: &Gpu,
-        view: &View<'_>,
+        (view, filled): (&View<'_>, &[[u32; 3]]),
         camera: &Camera,
         counters: &mut RenderCounters,
     ) -> Result<(), RenderError> {
         if self.topology != Some(view.topology) {
             (self.topology, self.motion) = (None, None);
-            self.upload_topology(gpu, view, counters)?;
+            self.upload_topology(gpu, view, filled, counters)?;
         }
         let double = matches!(view.current, Positions::F64(_));
         let origin = if double { self.origin_near(camera) } else { DVec3::ZERO };
@@ -174,6 +216,7 @@ impl WorldBuffers {
         &mut self,
         gpu: &Gpu,
         view: &View<'_>,
+        filled: &[[u32; 3]],
         counters: &mut RenderCounters,
     ) -> Result<(), RenderError> {
         (self.point_count, self.bond_count) = (0, 0);
@@ -183,25 +226,32 @@ impl WorldBuffers {
         // Points that were deleted have no place.
         let is_there = |point: &u32| view.current.get(view.dimensions * *point as usize).is_finite();
         let mut points: Vec<u32> = (0..point_count).filter(is_there).collect();
+        let cover = covered(view, filled);
         if bonds.len().max(points.len()) >= LARGE {
+            self.covered_bond = median_rest_length(&bonds);
+            self.covers_all = points.iter().all(|&point| cover[point as usize] != 0);
             points = self.sort(view, &mut bonds);
             self.bare = [0, 0];
         } else {
             self.chunks = None;
+            self.covers_all = false;
             // Lines between pins are a drawing, which has no joints to be seen.
             let is_scenery = scenery(&bonds, &pins(view.pinned, point_count));
             points.retain(|point| !is_scenery[*point as usize]);
-            self.bare = bare_first(view, &mut bonds, &mut points);
+            let is_rope = ropes(view.bonds, cover.len());
+            bonds.iter_mut().zip(is_rope).filter(|(_, is)| *is).for_each(|(bond, _)| bond.form = ROPE);
+            self.bare = bare_first(view, &cover, &mut bonds, &mut points);
+            self.covered_bond = median_rest_length(&bonds[self.bare[0] as usize..]);
         }
-        // Points are sized by the bonds beside them: those under a skin say nothing of others.
+        // Points are sized by the bonds beside them: those that are covered say nothing of others.
         let bare = self.bare[0] as usize;
-        let beside = if bare > 0 && !view.skins.is_empty() { &bonds[..bare] } else { &bonds[..] };
-        self.typical_bond = median_rest_length(beside);
-        self.bonds.write(gpu, bytemuck::cast_slice(&bonds), counters)?;
+        self.typical_bond = median_rest_length(if bare > 0 { &bonds[..bare] } else { &bonds[..] });
+        let packed: Vec<PackedBond> = bonds.iter().map(PackedBond::from).collect();
+        self.bonds.write(gpu, bytemuck::cast_slice(&packed), counters)?;
         let is_pinned = pins(view.pinned, point_count);
         points.iter_mut().for_each(|point| *point |= if is_pinned[*point as usize] { PINNED } else { 0 });
         self.points.write(gpu, bytemuck::cast_slice(&points), counters)?;
-        self.has_pins = is_pinned.contains(&true);
+        self.pin_count = is_pinned.iter().filter(|is| **is).count() as u32;
         (self.point_count, self.bond_count) = (points.len() as u32, bonds.len() as u32);
         Ok(())
     }
@@ -242,16 +292,21 @@ impl WorldBuffers {
         self.current.write(gpu, bytemuck::cast_slice(current), counters)
     }
 
+    /// The present positions as they lie on the GPU.
+    pub(super) fn current_places<'a>(&'a self, view: &View<'a>) -> &'a [f32] {
+        states(view, &self.staging)[1]
+    }
+
     /// Finds out what a picture takes of bonds and points, unless that is what the last one took.
     pub(super) fn select(&mut self, view: &View<'_>, wanted: &Wanted, counters: &mut RenderCounters) {
         if self.selected.as_ref() == Some(wanted) {
             return;
         }
         self.selection = match &mut self.chunks {
-            Some(chunks) if !wanted.has_mesh => Selection::whole(0, chunks.pins()),
+            Some(chunks) if !wanted.has_mesh && self.covers_all => Selection::whole(0, chunks.pins()),
             Some(chunks) => chunks.select(states(view, &self.staging), view.dimensions, wanted, counters),
             None if !wanted.has_mesh => Selection::whole(self.bare[0], 0..self.bare[1]),
-            None if wanted.points_faded && !self.has_pins => Selection::whole(self.bond_count, 0..0),
+            None if wanted.points_faded && self.pin_count == 0 => Selection::whole(self.bond_count, 0..0),
             None => Selection::whole(self.bond_count, 0..self.point_count),
         };
         self.selected = Some(*wanted);
@@ -329,20 +384,38 @@ fn subtract<const D: usize>(origin: [f64; D], x: &[f64], to: &mut [f32]) {
     }
 }
 
-/// Puts bonds and points that no skin covers first, and returns how many there are of each. Pins are seen on skins too.
-fn bare_first(view: &View<'_>, bonds: &mut [GpuBond], points: &mut [u32]) -> [u32; 2] {
+/// What each point lies under: 0 nothing, else the number of what one skin or triangles side by side cover.
+fn covered(view: &View<'_>, filled: &[[u32; 3]]) -> Vec<u32> {
     let count = view.current.len() / view.dimensions;
-    let mut is_covered = vec![false; count];
-    for skin in view.skins {
+    let mut cover = vec![0; count];
+    let sides = filled.iter().flat_map(|&[a, b, c]| [[a, b], [b, c]]);
+    let pieces = Tint::hanging(if filled.is_empty() { 0 } else { count }, sides);
+    filled.iter().flatten().for_each(|&corner| cover[corner as usize] = 1 + pieces[corner as usize]);
+    for (number, skin) in (0..).zip(view.skins) {
         let range = skin.first as usize..(skin.first as usize + skin.texture.len()).min(count);
-        if let Some(covered) = is_covered.get_mut(range) {
-            covered.fill(true);
-        }
+        let points = cover.get_mut(range).into_iter().flatten();
+        points.filter(|cover| **cover == 0).for_each(|cover| *cover = u32::MAX - number);
     }
-    let is_hidden = |bond: &GpuBond| is_covered[bond.a as usize] && is_covered[bond.b as usize];
+    cover
+}
+
+/// Puts bonds and points that are not covered first, and returns how many there are of each. Pins are seen on skins too, and points
+/// within a rope are not.
+fn bare_first(view: &View<'_>, cover: &[u32], bonds: &mut [GpuBond], points: &mut [u32]) -> [u32; 2] {
+    // Between two pieces a bond is seen.
+    let is_hidden = |bond: &GpuBond| cover[bond.a as usize] != 0 && cover[bond.a as usize] == cover[bond.b as usize];
     bonds.sort_by_key(is_hidden);
-    let is_pinned = pins(view.pinned, count as u32);
-    let is_under = |point: &u32| is_covered[*point as usize] && !is_pinned[*point as usize];
+    // How many bonds of a rope and others end in a point.
+    let mut ends = vec![[0_u32; 2]; cover.len()];
+    for bond in &*bonds {
+        let of = usize::from(bond.form != ROPE);
+        [bond.a, bond.b].into_iter().for_each(|end| ends[end as usize][of] += 1);
+    }
+    let is_pinned = pins(view.pinned, cover.len() as u32);
+    let is_under = |point: &u32| {
+        let at = *point as usize;
+        (cover[at] != 0 || ends[at] == [2, 0]) && !is_pinned[at]
+    };
     points.sort_by_key(is_under);
     let count = |shown: usize| shown as u32;
     [count(bonds.partition_point(|bond| !is_hidden(bond))), count(points.partition_point(|point| !is_under(point)))]
@@ -378,7 +451,7 @@ fn median_rest_length(bonds: &[GpuBond]) -> f64 {
 }
 
 #[cfg(test)]
-mod tests {
+pub(in crate::render) mod tests {
     use super::*;
     use crate::picture::{Picture, Skin};
     use crate::sim::Bonds;
@@ -389,6 +462,29 @@ mod tests {
         assert_eq!(pins(&[PointId(0), PointId(2)], 3), [true, false, true]);
         assert_eq!(pins(&[PointId(3), PointId(u32::MAX), PointId(1)], 3), [false, true, false]);
         assert!(pins(&[PointId(0)], 0).is_empty());
+    }
+
+    /// A world of nothing.
+    pub(in crate::render) fn empty(bonds: &Bonds, dimensions: usize) -> View<'_> {
+        View {
+            dimensions,
+            previous: Positions::F64(&[]),
+            current: Positions::F64(&[]),
+            mix: 1.0,
+            motion: 0,
+            topology: 0,
+            bonds,
+            skins: &[],
+            triangles: &[],
+            tints: &[],
+            trails: None,
+            pinned: &[],
+            bounds: None,
+            planes: Vec::new(),
+            polygons: &[],
+            convex: &[],
+            mouse: None,
+        }
     }
 
     #[test]
@@ -402,24 +498,30 @@ mod tests {
         let bonds = Bonds::default();
         let places = [0.0; 10];
         let view = View {
-            dimensions: 2,
             previous: Positions::F64(&places),
             current: Positions::F64(&places),
-            mix: 1.0,
-            motion: 0,
-            topology: 0,
-            bonds: &bonds,
             skins: &[skin],
             pinned: &[PointId(1), PointId(4)],
-            bounds: None,
-            planes: Vec::new(),
-            polygons: &[],
-            convex: &[],
-            mouse: None,
+            ..empty(&bonds, 2)
         };
         let mut points: Vec<u32> = (0..5).collect();
-        assert_eq!(bare_first(&view, &mut [], &mut points), [0, 3]);
+        let cover = covered(&view, &[]);
+        assert_eq!(bare_first(&view, &cover, &mut [], &mut points), [0, 3]);
         assert_eq!(points, [1, 3, 4, 0, 2]);
+        let cover = covered(&view, &[[1, 2, 3]]);
+        assert_eq!(bare_first(&view, &cover, &mut [], &mut points), [0, 2], "the last is a pin, the first too");
+    }
+
+    #[test]
+    fn a_bond_between_two_pieces_is_seen_and_one_within_a_piece_is_not() {
+        let cover = [1, 1, 1, 5, 5, 0];
+        let mut bonds = [[0, 1], [1, 3], [3, 4], [4, 5]].map(|[a, b]| GpuBond::new(a, b, 1.0));
+        let world = Bonds::default();
+        let places = [0.0; 12];
+        let view = View { previous: Positions::F64(&places), current: Positions::F64(&places), ..empty(&world, 2) };
+        let mut points: Vec<u32> = (0..6).collect();
+        assert_eq!(bare_first(&view, &cover, &mut bonds, &mut points), [2, 1]);
+        assert_eq!(bonds.map(|bond| [bond.a, bond.b]), [[1, 3], [4, 5], [0, 1], [3, 4]]);
     }
 
     #[test]

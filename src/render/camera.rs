@@ -116,6 +116,14 @@ impl Camera {
         }
     }
 
+    /// Distance of what it looks at [m]; in the plane 0.
+    pub fn distance(&self) -> f64 {
+        match self.pose {
+            Pose::Plane { .. } => 0.0,
+            Pose::Orbit { distance, .. } => distance,
+        }
+    }
+
     /// Least distance from the camera that is seen [m]; 0 in the plane, where nothing is too near.
     pub fn near(&self) -> f64 {
         match self.pose {

@@ -17,9 +17,9 @@ pub struct Capture {
     texture: wgpu::Texture,
     readback: wgpu::Buffer,
     row_bytes: u32,
-    /// Of the picture that lies in the read-back buffer, if one does: the colour under it, and whether it shows the mesh. All
-    /// else of a look is uploaded.
-    drawn: Option<(Color, bool)>,
+    /// Of the picture that lies in the read-back buffer, if one does: the colour under it, and whether it shows the mesh and fills, and strain.
+    /// All else of a look is uploaded.
+    drawn: Option<(Color, bool, bool)>,
 }
 
 /// Bytes of a row of the read-back picture, and of all of it.
@@ -101,7 +101,7 @@ impl Capture {
         // Gone if this fails halfway: then the next picture is drawn whatever it is.
         let drawn = self.drawn.take();
         self.renderer.prepare(&self.gpu, view, camera, look)?;
-        let wanted = Some((look.ground, look.has_mesh));
+        let wanted = Some((look.ground, look.has_mesh, look.has_fills));
         if self.renderer.counters().uploads != before || drawn != wanted {
             self.draw(look);
         }

@@ -333,7 +333,7 @@ mod tests {
 
     #[test]
     fn a_chunk_is_never_gone_and_a_part_of_one_is_drawn_whole() {
-        let bonds: Vec<GpuBond> = (0..CHUNK as u32 + 9).map(|a| GpuBond { a, b: a + 1, rest_length: 1.0 }).collect();
+        let bonds: Vec<GpuBond> = (0..CHUNK as u32 + 9).map(|a| GpuBond::new(a, a + 1, 1.0)).collect();
         let order: Vec<u32> = (0..=bonds.len() as u32).collect();
         let chunks = Chunks::new(order.clone(), &order, order.len() as u32, &bonds);
         let nothing = Detail { strokes: 0.0, dots: 0.0 };

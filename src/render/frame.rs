@@ -16,9 +16,10 @@ use crate::sim::Region;
 #[repr(C)]
 pub(super) struct Frame {
     clip_from_world: [f32; 16],
+    ground: Color,
     bond_color: Color,
-    stretch_color: Color,
-    squeeze_color: Color,
+    rope_color: Color,
+    strain_colors: [Color; 9],
     point_color: Color,
     pin_color: Color,
     region_color: Color,
@@ -31,25 +32,35 @@ pub(super) struct Frame {
     bond_width: f32,
     point_radius: f32,
     strain_scale: f32,
+    strain_full: f32,
     outline_width: f32,
     near: f32,
     dot_radius: f32,
+    least_pin: f32,
+    coil_length: f32,
+    fill_opacity: f32,
+    fill_outline: f32,
+    fog_from: f32,
+    fog_to: f32,
+    fog: f32,
 }
 
-const _: () = assert!(size_of::<Frame>() == 260);
+const _: () = assert!(size_of::<Frame>() == 436);
 
 impl Frame {
     /// The uniforms of a picture of what lies in `buffers`.
     pub(super) fn new(view: &View<'_>, camera: &Camera, look: &Look, buffers: &WorldBuffers) -> Self {
         let scale = look.scale_factor;
         let bond_pixels = buffers.typical_bond * camera.pixels_per_metre() / f64::from(scale);
-        let bond_width = look.bond_width * scale;
+        let bond_width = look.bond_width * scale * if look.has_forms { thinning(bond_pixels) } else { 1.0 };
         let [r, g, b, opacity] = look.point;
+        let covered_pixels = buffers.covered_bond * camera.pixels_per_metre() / f64::from(scale);
         Frame {
             clip_from_world: camera.clip_from_world(buffers.origin).to_cols_array(),
+            ground: look.ground,
             bond_color: look.bond,
-            stretch_color: look.stretch,
-            squeeze_color: look.squeeze,
+            rope_color: look.rope,
+            strain_colors: look.strain,
             point_color: [r, g, b, opacity * point_strength(look, bond_pixels)],
             pin_color: look.pin,
             region_color: look.region,
@@ -62,15 +73,23 @@ impl Frame {
             bond_width,
             point_radius: scale * point_radius(look, bond_pixels),
             strain_scale: if look.overlay == Overlay::Strain { look.strain_scale } else { 0.0 },
+            strain_full: look.strain_full,
             outline_width: look.outline_width * scale,
             near: camera.near() as f32,
             dot_radius: dot_radius(bond_width, buffers.is_surface()),
+            least_pin: if look.has_forms && buffers.pin_count <= FEW { scale * LEAST_PIN } else { 0.0 },
+            coil_length: if look.has_forms { scale * coil_length(buffers.bare_count()) } else { 0.0 },
+            fill_opacity: if look.has_mesh { UNDER_MESH } else { 1.0 },
+            fill_outline: scale * (OUTLINE_OF_BOND * covered_pixels).clamp(OUTLINES[0], OUTLINES[1]) as f32,
+            fog_from: (FOG[0] * camera.distance()) as f32,
+            fog_to: (FOG[1] * camera.distance()) as f32,
+            fog: look.fog,
         }
     }
 
     /// What the picture wants of bonds and points that are relative to `origin` [m].
     pub(super) fn wanted(&self, camera: &Camera, origin: DVec3, has_mesh: bool) -> Wanted {
-        let shapes = [0.5 * self.bond_width, self.dot_radius, LARGEST_PIN * self.point_radius];
+        let shapes = [0.5 * self.bond_width, self.dot_radius, LARGEST_PIN * self.point_radius, self.least_pin];
         // A shape reaches a pixel beyond itself at most, and its place is rounded.
         let margin = 2.0 + f64::from(shapes.into_iter().fold(0.0, f32::max));
         Wanted {
@@ -95,17 +114,48 @@ impl Frame {
     }
 }
 
+/// Opacity of fills whose bonds are shown over them.
+const UNDER_MESH: f32 = 0.3;
+/// Width of the outline of a fill for each pixel that its bonds are long, and its bounds [px].
+const OUTLINE_OF_BOND: f64 = 0.09;
+const OUTLINES: [f64; 2] = [0.7, 2.2];
+/// Distances between which things fade, in those of the camera from what it looks at.
+const FOG: [f64; 2] = [1.05, 3.0];
+/// Least radius of a pinned point [px], of a few: however small its body is, it is seen.
+const LEAST_PIN: f32 = 3.2;
+
+/// Bonds that no fill covers up to which springs are coils as soon as there is room for a few turns, and pins that are few.
+const FEW: u32 = 80;
+/// Length of a spring [px] from which on it is a coil, where there are few and where there are many.
+const COILS: [f32; 2] = [36.0, 90.0];
+
+/// Length of a spring on the screen from which on it is a coil [px], of so many bonds.
+fn coil_length(bonds: u32) -> f32 {
+    COILS[usize::from(bonds > FEW)]
+}
+
+/// Bonds as long as this [px] have their full width; shorter ones thin out with their length, so that a fine net is a veil and not a
+/// pattern that the pixels make.
+const FULL_WIDTH_FROM: f64 = 16.0;
+/// Least share of the width of bonds that is left.
+const THINNEST: f64 = 0.42;
+
+/// Share of the width that bonds of this length have.
+fn thinning(bond_pixels: f64) -> f32 {
+    if bond_pixels == 0.0 { 1.0 } else { (bond_pixels / FULL_WIDTH_FROM).clamp(THINNEST, 1.0) as f32 }
+}
+
 /// Smallest radius of a point [px].
 const LEAST_RADIUS: f32 = 1.2;
 /// Radius of a point for each pixel that its bonds are long.
 const RADIUS_OF_BOND: f64 = 0.12;
 
-/// A pinned point is so many times as large as others, at most: points.wgsl.
+/// A pinned point is so many times as large as others, where it is not too small: points.wgsl.
 const LARGEST_PIN: f32 = 1.35;
 
 /// Lengths of a bond, in radii of its points, at which points are gone and at which they are all there: closer together
 /// they would hide the bonds, and a fine mesh would be a blank.
-const FADE: [f64; 2] = [1.6, 3.2];
+const FADE: [f64; 2] = [4.0, 7.0];
 
 /// How much is left of points whose bonds are so long [1].
 fn point_strength(look: &Look, bond_pixels: f64) -> f32 {

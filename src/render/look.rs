@@ -6,16 +6,32 @@ pub type Color = [f32; 4];
 /// What of a state is shown by colour.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Overlay {
-    /// Nothing.
-    None,
-    /// The strain of bonds.
+    /// Nothing: bodies have colours of their own.
     #[default]
+    None,
+    /// The strain of bonds, and of what bodies cover.
     Strain,
 }
 
-/// Colours and sizes. Lengths are in logical pixels, to be multiplied by the scale factor of the screen.
+/// Colours of strains, from squeezed to stretched, in even steps.
 ///
-/// Stretched and squeezed bonds differ in hue along orange and blue, which colour-blind people tell apart.
+/// Blue, pale and red: eyes that see two colours only tell both sides apart, and each from rest.
+///
+/// Source: P. Tol, Colour schemes (technical note SRON/EPS/TN/09-002, 3.2, 2021), the scheme `sunset` without its darkest two, which
+/// a dark ground would swallow.
+pub const STRAIN_COLORS: [Color; 9] = [
+    hex(0x4a_7b_b7, 1.0),
+    hex(0x6e_a6_cd, 1.0),
+    hex(0x98_ca_e1, 1.0),
+    hex(0xc2_e4_ef, 1.0),
+    hex(0xea_ec_cc, 1.0),
+    hex(0xfe_da_8b, 1.0),
+    hex(0xfd_b3_66, 1.0),
+    hex(0xf6_7e_4b, 1.0),
+    hex(0xdd_3d_2d, 1.0),
+];
+
+/// Colours and sizes. Lengths are in logical pixels, to be multiplied by the scale factor of the screen.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Look {
     /// The ground.
@@ -28,16 +44,20 @@ pub struct Look {
     pub wall: Color,
     /// The inside of obstacles.
     pub obstacle: Color,
-    /// Bonds at rest.
+    /// The numbers of the grid.
+    pub number: Color,
+    /// Bonds.
     pub bond: Color,
-    /// Stretched bonds.
-    pub stretch: Color,
-    /// Squeezed bonds.
-    pub squeeze: Color,
+    /// Ropes.
+    pub rope: Color,
+    /// Strains, from squeezed by [`Look::strain_full`] to stretched by it.
+    pub strain: [Color; 9],
     /// Points.
     pub point: Color,
     /// Pinned points.
     pub pin: Color,
+    /// Trails of points, where they are fresh.
+    pub trail: Color,
     /// The region of the mouse force.
     pub region: Color,
     /// Width of bonds [px].
@@ -46,12 +66,24 @@ pub struct Look {
     pub point_radius: f32,
     /// Width of outlines [px].
     pub outline_width: f32,
-    /// Strain that is shown about halfway to the full colour [1].
+    /// Strain up to which colours go in proportion to it; above they go by its logarithm [1].
     pub strain_scale: f32,
+    /// Strain from which on there are no further colours [1].
+    pub strain_full: f32,
     /// What is shown by colour.
     pub overlay: Overlay,
-    /// Whether bonds and points that a skin covers are drawn; others are in any case, but in large scenes.
+    /// Whether bodies without a picture are filled.
+    pub has_fills: bool,
+    /// Whether bonds and points that a skin or a fill covers are drawn; others are in any case.
     pub has_mesh: bool,
+    /// Whether bonds are drawn as coils, bars and ropes, and points with an edge; plain strokes and discs otherwise.
+    pub has_forms: bool,
+    /// Whether the plane has a grid with numbers.
+    pub has_grid: bool,
+    /// Room at the left edge that numbers of the grid leave to what lies there [px].
+    pub inset: f32,
+    /// How much of what is far away fades into the ground, in space [1].
+    pub fog: f32,
     /// Physical pixels in a logical one.
     pub scale_factor: f32,
 }
@@ -65,23 +97,50 @@ impl Default for Look {
     fn default() -> Self {
         Look {
             ground: hex(0x0f_14_1e, 1.0),
-            grid: hex(0xff_ff_ff, 0.035),
-            axis: hex(0xff_ff_ff, 0.09),
+            grid: hex(0xff_ff_ff, 0.04),
+            axis: hex(0xff_ff_ff, 0.11),
+            number: hex(0x9a_a8_bf, 1.0),
             wall: hex(0x5b_6b_84, 1.0),
             obstacle: hex(0x26_30_41, 1.0),
             bond: hex(0x8f_a6_c2, 1.0),
-            stretch: hex(0xff_8f_2e, 1.0),
-            squeeze: hex(0x2f_9b_ff, 1.0),
+            rope: hex(0xd8_bb_8c, 1.0),
+            strain: STRAIN_COLORS,
             point: hex(0xe9_f1_fb, 1.0),
             pin: hex(0xff_5c_7a, 1.0),
+            trail: hex(0xee_dd_88, 0.75),
             region: hex(0x7d_f0_c8, 0.9),
             bond_width: 1.8,
-            point_radius: 4.0,
+            point_radius: 4.2,
             outline_width: 1.5,
-            strain_scale: 0.04,
-            overlay: Overlay::Strain,
-            has_mesh: true,
+            strain_scale: 0.005,
+            strain_full: 0.3,
+            overlay: Overlay::None,
+            has_fills: true,
+            has_mesh: false,
+            has_forms: true,
+            has_grid: true,
+            inset: 0.0,
+            fog: 0.7,
             scale_factor: 1.0,
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Luminance of a colour in sRGB, by WCAG 2.
+    fn luminance([red, green, blue, _]: Color) -> f32 {
+        let linear = |c: f32| if c <= 0.04045 { c / 12.92 } else { ((c + 0.055) / 1.055).powf(2.4) };
+        0.2126 * linear(red) + 0.7152 * linear(green) + 0.0722 * linear(blue)
+    }
+
+    #[test]
+    fn numbers_of_the_grid_and_all_strains_are_read_on_the_ground() {
+        let look = Look::default();
+        let contrast = |color| (luminance(color) + 0.05) / (luminance(look.ground) + 0.05);
+        assert!(contrast(look.number) >= 4.5);
+        assert!(look.strain.into_iter().all(|color| contrast(color) >= 3.0));
     }
 }

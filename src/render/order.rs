@@ -134,7 +134,7 @@ mod tests {
     #[test]
     fn the_first_bonds_of_a_chunk_are_spread_over_it() {
         let count = 2 * CHUNK + 100;
-        let bonds: Vec<GpuBond> = (0..count as u32).rev().map(|a| GpuBond { a, b: a + 1, rest_length: 1.0 }).collect();
+        let bonds: Vec<GpuBond> = (0..count as u32).rev().map(|a| GpuBond::new(a, a + 1, 1.0)).collect();
         let rank: Vec<u32> = (0..=count as u32).collect();
         let list = sorted(&bonds, &rank);
         for some in [2, 5, 37, 300, CHUNK] {

@@ -1,4 +1,4 @@
-//! The passes of a picture: guides, obstacles, balls and boxes, skins, bonds, points, region, each a shader of its own over the same bindings.
+//! The passes of a picture: guides, obstacles, balls and boxes, fills, skins, bonds, points, region, each a shader of its own over the same bindings.
 //!
 //! In the plane what is drawn later lies on top. In space the pixels that a shape fills are drawn first and write their
 //! depth; those at its edges, which it shares with what lies behind, are drawn over them and only look at the depth.
@@ -8,6 +8,7 @@ use std::ops::Range;
 use super::buffers::WorldBuffers;
 use super::chunks::{CHUNK, Run};
 use super::counters::RenderCounters;
+use super::fills::Fills;
 use super::gpu::Gpu;
 use super::obstacles::{COVER, Obstacles, SHARES};
 use super::skin::Skins;
@@ -25,7 +26,7 @@ macro_rules! shader {
 }
 
 /// The shaders as they are compiled: name, and source with what all of them share in front.
-pub const SHADERS: [(&str, &str); 7] = [
+pub const SHADERS: [(&str, &str); 8] = [
     ("guides", shader!("guides")),
     ("bonds", shader!("bonds")),
     ("points", shader!("points")),
@@ -33,6 +34,7 @@ pub const SHADERS: [(&str, &str); 7] = [
     ("solids", shader!("solids")),
     ("skin", shader!("skin")),
     ("obstacles", shader!("obstacles")),
+    ("fill", shader!("fill")),
 ];
 
 /// What is drawn.
@@ -51,6 +53,8 @@ enum Pass {
     Skin,
     /// Their free sides.
     SkinEdges,
+    /// What bodies without a picture cover.
+    Fill,
     /// How much of each pixel obstacles cover.
     Cover,
     /// And their rims.
@@ -74,6 +78,7 @@ impl Pass {
             Pass::Solids => 4,
             Pass::Skin | Pass::SkinEdges => 5,
             Pass::Cover | Pass::Rim | Pass::Obstacles => 6,
+            Pass::Fill => 7,
         }
     }
 
@@ -135,6 +140,9 @@ enum Part {
     Fringe,
 }
 
+/// Outlines lie on the edges of their fills: a little nearer, they are not cut by them.
+const OVER_FILLS: wgpu::DepthBiasState = wgpu::DepthBiasState { constant: -64, slope_scale: -2.0, clamp: 0.0 };
+
 /// What is drawn, in order.
 fn layers(dimensions: usize) -> Vec<(Pass, Part)> {
     let solid: &[Pass] = match dimensions {
@@ -149,10 +157,23 @@ fn layers(dimensions: usize) -> Vec<(Pass, Part)> {
 /// Format of the depth of scenes in space.
 pub(super) const DEPTH: wgpu::TextureFormat = wgpu::TextureFormat::Depth32Float;
 
+/// What of a picture is shown.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Shown {
+    /// The region of the mouse force.
+    pub(super) region: bool,
+    /// Fills and skins.
+    pub(super) fills: bool,
+    /// Strain, in place of skins.
+    pub(super) strain: bool,
+}
+
 /// Pipelines and bindings of all passes.
 pub(super) struct Passes {
     /// In the order that they are drawn in.
     pipelines: Vec<(Pass, wgpu::RenderPipeline)>,
+    /// Of fills, and in space of their outlines: below the skins.
+    fill: [wgpu::RenderPipeline; 2],
     /// Of the triangles of skins, and of their edges: over the first guides.
     skin: [wgpu::RenderPipeline; 2],
     /// What obstacles cover, their rims, and both as they are shown: below the skins. In the plane alone.
@@ -164,12 +185,12 @@ pub(super) struct Passes {
 impl Passes {
     /// For worlds of `dimensions` drawn to a target of `format`.
     ///
-    /// `own` are the layouts of what skins and obstacles bind beside the world's buffers.
+    /// `own` are the layouts of what skins, obstacles and fills bind beside the world's buffers.
     pub(super) fn new(
         gpu: &Gpu,
         format: wgpu::TextureFormat,
         dimensions: usize,
-        own: [&wgpu::BindGroupLayout; 2],
+        own: [&wgpu::BindGroupLayout; 3],
     ) -> Self {
         let layout = bindings_layout(&gpu.device);
         let modules = SHADERS.map(|shader| module(&gpu.device, shader));
@@ -180,9 +201,12 @@ impl Passes {
         let pipelines = pipelines.collect();
         // In space triangles hide what lies behind them.
         let solid = if dimensions == 3 { Part::Core } else { Part::All };
-        let [worn, covered] = own.map(|own| [&layout, own]);
+        let [worn, covered, filled] = own.map(|own| [&layout, own]);
         let skin = [(Pass::Skin, solid), (Pass::SkinEdges, Part::All)].map(|(pass, part)| {
             pipeline(&gpu.device, &worn, &modules[pass.shader()], (pass, part), format, dimensions)
+        });
+        let fill = [solid, Part::All].map(|part| {
+            pipeline(&gpu.device, &filled, &modules[Pass::Fill.shader()], (Pass::Fill, part), format, dimensions)
         });
         let obstacles = (dimensions == 2).then(|| {
             let passes = [(Pass::Cover, COVER, 1), (Pass::Rim, SHARES, 2), (Pass::Obstacles, format, 2)];
@@ -191,7 +215,7 @@ impl Passes {
                 pipeline(&gpu.device, layouts, &modules[pass.shader()], (pass, Part::All), format, dimensions)
             })
         });
-        Passes { pipelines, skin, obstacles, layout, bindings: None }
+        Passes { pipelines, fill, skin, obstacles, layout, bindings: None }
     }
 
     /// How the world's buffers are bound.
@@ -234,8 +258,8 @@ impl Passes {
     pub(super) fn draw(
         &self,
         target: &mut wgpu::RenderPass<'_>,
-        (buffers, skins, obstacles): (&WorldBuffers, &Skins, &Obstacles),
-        has_region: bool,
+        (buffers, skins, obstacles, fills): (&WorldBuffers, &Skins, &Obstacles, &Fills),
+        shown: Shown,
         counters: &mut RenderCounters,
     ) {
         let Some(bindings) = &self.bindings else { return };
@@ -244,9 +268,14 @@ impl Passes {
                 if let Some(pipelines) = &self.obstacles {
                     obstacles.draw(target, pipelines, counters);
                 }
-                skins.draw(target, &self.skin, counters);
+                if shown.fills {
+                    fills.draw(shown.strain, target, &self.fill, counters);
+                }
+                if shown.fills && !shown.strain {
+                    skins.draw(target, &self.skin, counters);
+                }
             }
-            let calls = pass.calls(buffers, has_region);
+            let calls = pass.calls(buffers, shown.region);
             if calls.is_empty() {
                 continue;
             }
@@ -319,7 +348,7 @@ fn pipeline(
             wgpu::CompareFunction::LessEqual
         }),
         stencil: wgpu::StencilState::default(),
-        bias: wgpu::DepthBiasState::default(),
+        bias: if pass == Pass::Fill && part == Part::All { OVER_FILLS } else { wgpu::DepthBiasState::default() },
     });
     device.create_render_pipeline(&wgpu::RenderPipelineDescriptor {
         label: Some(name),

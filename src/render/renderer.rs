@@ -4,12 +4,13 @@ use super::buffers::WorldBuffers;
 use super::camera::Camera;
 use super::counters::RenderCounters;
 use super::error::RenderError;
+use super::fills::Fills;
 use super::frame::Frame;
 use super::gpu::Gpu;
 use super::guides::guides;
-use super::look::Look;
+use super::look::{Look, Overlay};
 use super::obstacles::{Obstacles, solids};
-use super::passes::{DEPTH, Passes};
+use super::passes::{DEPTH, Passes, Shown};
 use super::skin::Skins;
 use super::view::View;
 
@@ -21,24 +22,31 @@ pub struct Renderer {
     buffers: WorldBuffers,
     skins: Skins,
     obstacles: Obstacles,
+    fills: Fills,
     depth: Option<(wgpu::TextureView, [u32; 2])>,
     dimensions: usize,
     has_region: bool,
+    has_fills: bool,
+    shows_strain: bool,
     counters: RenderCounters,
 }
 
 impl Renderer {
     /// A renderer without a world: the first [`Renderer::prepare`] gives it one.
     pub fn new(gpu: &Gpu, format: wgpu::TextureFormat, dimensions: usize) -> Self {
-        let (skins, obstacles) = (Skins::new(gpu), Obstacles::new(gpu));
+        let (skins, obstacles, fills) = (Skins::new(gpu), Obstacles::new(gpu), Fills::new(gpu));
+        let own = [skins.layout(), obstacles.layout(), fills.layout()];
         Renderer {
-            passes: Passes::new(gpu, format, dimensions, [skins.layout(), obstacles.layout()]),
+            passes: Passes::new(gpu, format, dimensions, own),
             buffers: WorldBuffers::new(gpu),
             skins,
             obstacles,
+            fills,
             depth: None,
             dimensions,
             has_region: false,
+            has_fills: false,
+            shows_strain: false,
             counters: RenderCounters::default(),
         }
     }
@@ -48,24 +56,30 @@ impl Renderer {
     /// Errors: a world larger than the GPU's buffers.
     pub fn prepare(&mut self, gpu: &Gpu, view: &View<'_>, camera: &Camera, look: &Look) -> Result<(), RenderError> {
         let counters = &mut self.counters;
-        self.buffers.update(gpu, view, camera, counters)?;
+        self.fills.update(gpu, view, counters)?;
+        self.buffers.update(gpu, (view, self.fills.triangles()), camera, counters)?;
+        (self.has_fills, self.shows_strain) = (look.has_fills, look.overlay == Overlay::Strain);
+        if look.has_fills {
+            let places = self.buffers.current_places(view);
+            self.fills.shade(gpu, (view, places), self.shows_strain, counters)?;
+        }
         self.skins.update(gpu, view, counters)?;
         let origin = self.buffers.origin;
         let frame = Frame::new(view, camera, look, &self.buffers);
         self.obstacles.update(gpu, (view, camera, &frame), counters)?;
-        let solid = (view.bounds, self.obstacles.patches());
-        let lines = guides(camera, solid, view.dimensions, origin, look);
+        let lines = guides(camera, (view, self.obstacles.patches()), origin, look);
         self.buffers.set_guides(gpu, bytemuck::cast_slice(&lines), lines.len(), counters)?;
         self.buffers.set_solids(gpu, solids(view, camera, origin), counters)?;
         self.has_region = frame.has_region();
         self.buffers.set_frame(gpu, bytemuck::bytes_of(&frame), counters)?;
-        self.buffers.select(view, &frame.wanted(camera, origin, look.has_mesh), counters);
+        self.buffers.select(view, &frame.wanted(camera, origin, look.has_mesh || !look.has_fills), counters);
         counters.bytes_held = self.buffers.bytes();
         let is_other = self.buffers.take_unbound();
         if is_other {
             self.passes.rebind(gpu, &self.buffers);
         }
         self.skins.rebind(gpu, self.passes.layout(), &self.buffers, is_other);
+        self.fills.rebind(gpu, self.passes.layout(), &self.buffers, is_other);
         self.obstacles.rebind(gpu, self.passes.layout(), &self.buffers, is_other);
         Ok(())
     }
@@ -75,6 +89,7 @@ impl Renderer {
         self.buffers.forget();
         self.skins.forget();
         self.obstacles.forget();
+        self.fills.forget();
     }
 
     /// Draws what was prepared into the upper left `area` of `target`, which has `size` [px], over the ground colour.
@@ -113,8 +128,9 @@ impl Renderer {
         if area[0] > 0 && area[1] > 0 {
             pass.set_viewport(0.0, 0.0, area[0] as f32, area[1] as f32, 0.0, 1.0);
             pass.set_scissor_rect(0, 0, area[0], area[1]);
-            let shapes = (&self.buffers, &self.skins, &self.obstacles);
-            self.passes.draw(&mut pass, shapes, self.has_region, &mut self.counters);
+            let shapes = (&self.buffers, &self.skins, &self.obstacles, &self.fills);
+            let shown = Shown { region: self.has_region, fills: self.has_fills, strain: self.shows_strain };
+            self.passes.draw(&mut pass, shapes, shown, &mut self.counters);
         }
         self.counters.frames_drawn += 1;
     }

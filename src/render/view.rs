@@ -1,6 +1,7 @@
 //! What a picture shows: a borrowed view of a world at one moment.
 
-use crate::picture::Skin;
+use super::trails::Trails;
+use crate::picture::{Skin, Tint};
 use crate::sim::{Bonds, Convex, Cursor, Dynamics, MouseForce, PointId, Polygon, Positions};
 
 /// A borrowed view of a world, between its last two substeps.
@@ -22,6 +23,12 @@ pub struct View<'a> {
     pub bonds: &'a Bonds,
     /// What is drawn on triangles. A world of other skins is another topology.
     pub skins: &'a [Skin],
+    /// What bodies cover, by their points: filled where no skin is.
+    pub triangles: &'a [[PointId; 3]],
+    /// Which body points belong to; none: what hangs together is one.
+    pub tints: &'a [Tint],
+    /// Where points have been, if that is shown.
+    pub trails: Option<&'a Trails>,
     /// The points that never move.
     pub pinned: &'a [PointId],
     /// Corners of the walls (z = 0 in the plane).
@@ -49,6 +56,9 @@ impl<'a> View<'a> {
             topology: world.counters().bonds_torn,
             bonds: world.bonds(),
             skins: &[],
+            triangles: world.triangles(),
+            tints: &[],
+            trails: None,
             pinned: world.pinned(),
             bounds: world.bounds(),
             planes: world.planes(),

@@ -2,10 +2,10 @@
 
 use super::check;
 use super::error::{Fault, SceneError, Source, Within};
-use super::keys::{AddKeys, BondList, ObstacleKeys, PointKeys, Scene};
+use super::keys::{AddKeys, BondKeys, BondList, ObstacleKeys, PointKeys, Scene};
 use super::model::{angle, anticlockwise, force, material, of_length, rest_length, skin};
 use super::support;
-use crate::picture::Skin;
+use crate::picture::{Skin, Tint};
 use crate::sim::vector::{embed, truncate};
 use crate::sim::{self, Addition, Angle, Bond, Dynamics, Model, PointId, SkinMaterial};
 
@@ -16,6 +16,10 @@ pub(crate) struct Made {
     pub(crate) addition: Addition,
     /// What is drawn on new bodies, by the numbers of the world.
     pub(crate) skins: Vec<Skin>,
+    /// Which bodies new points are of, counted from 0, by the numbers of the world.
+    pub(crate) tints: Vec<Tint>,
+    /// Points with the colours that they get.
+    pub(crate) colors: Vec<(Vec<u32>, [u8; 3])>,
 }
 
 /// Pinned points with the knots of their tracks.
@@ -61,7 +65,8 @@ impl AddKeys {
         for (material, points) in model.skins.lists() {
             skins.push((material, points.into_iter().map(|point| offset(PointId(point))).collect()));
         }
-        skins.extend(self.skins.iter().map(skin));
+        // A colour alone is no material.
+        skins.extend(self.skins.iter().map(skin).filter(|(material, _)| *material != SkinMaterial::default()));
         let explicit = self.triangles.iter().map(|corners| {
             let own = |corner: u32| place(world, (first, &position), corner);
             anticlockwise(corners.0, own).map(PointId)
@@ -77,6 +82,8 @@ impl AddKeys {
         angles.extend(model.angles.list.iter().map(|angle| Angle { points: angle.points.map(offset), ..*angle }));
         Ok(Made {
             skins: self.skins(&alone, first)?,
+            tints: self.tints(&alone, first)?,
+            colors: self.skins.iter().filter_map(|skin| Some((skin.points.clone(), skin.color?.0))).collect(),
             addition: Addition {
                 position,
                 velocity: model.velocity.iter().map(|&v| embed(v)).collect(),
@@ -119,7 +126,7 @@ impl AddKeys {
         let with_bonds = Scene { bonds: list, ..alone.clone() };
         support::method(&with_bonds)?;
         let place = |point: u32| place(world, (first, new), point);
-        let bond = |(k, keys): (usize, &super::keys::BondKeys)| {
+        let bond = |(k, keys): (usize, &BondKeys)| {
             let rest_length = match keys.rest {
                 Some(rest) => rest,
                 None => rest_length(place(keys.a), place(keys.b)).item(k).at("bonds")?,
@@ -157,6 +164,19 @@ impl AddKeys {
             skin.triangles.iter_mut().flatten().for_each(|corner| *corner += first);
         }
         Ok(skins)
+    }
+}
+
+impl AddKeys {
+    /// Which bodies new points are of: explicit ones by the bonds and triangles among them.
+    fn tints(&self, alone: &Scene, first: u32) -> Result<Vec<Tint>, Fault> {
+        let own = |point: u32| point.checked_sub(first);
+        let bonds = self.bonds.iter().filter_map(|bond| Some(BondKeys { a: own(bond.a)?, b: own(bond.b)?, ..*bond }));
+        let bonds: Vec<BondKeys> = bonds.collect();
+        let with_bonds = Scene { bonds: bonds.into(), ..alone.clone() };
+        let mut tints = with_bonds.all_tints()?;
+        tints.iter_mut().for_each(|tint| tint.first += first);
+        Ok(tints)
     }
 }
 

@@ -74,8 +74,8 @@ impl Scene {
             material: match (keys.material, &old.material) {
                 (Some(new), Some(old)) => {
                     let (mass, point_mass, break_strain) = (old.mass, old.point_mass, old.break_strain);
-                    let (friction, restitution, radius) = (old.friction, old.restitution, old.radius);
-                    Some(Material { mass, point_mass, break_strain, friction, restitution, radius, ..new })
+                    let (friction, restitution, radius, color) = (old.friction, old.restitution, old.radius, old.color);
+                    Some(Material { mass, point_mass, break_strain, friction, restitution, radius, color, ..new })
                 }
                 (new, old) => new.or_else(|| old.clone()),
             },

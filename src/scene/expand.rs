@@ -1,5 +1,6 @@
 //! A scene with its bodies turned into explicit points and bonds.
 
+use super::check;
 use super::error::SceneError;
 use super::keys::{AngleKeys, BondKeys, KindName, MassKeys, PointKeys, Row, Scene, SkinKeys, Vector};
 use super::model::skins;
@@ -66,8 +67,10 @@ impl Scene {
                 friction,
                 restitution,
                 radius,
+                color: None,
             })
             .collect();
+        scene.skins.extend(self.colored());
         for body in &start.bodies {
             // What is at rest as it stands need not say so.
             scene.angles.extend(body.bends().map(|bend| AngleKeys {
@@ -90,5 +93,29 @@ fn masses(each: &[f64]) -> Option<MassKeys> {
     match each.first() {
         Some(&first) if each.iter().all(|&mass| mass == first) => Some(MassKeys::Same(first)),
         _ => Some(MassKeys::Each(each.to_vec())),
+    }
+}
+
+impl Scene {
+    /// The colours that are said, each with its points, as skins say them.
+    fn colored(&self) -> Vec<SkinKeys> {
+        let mut list: Vec<SkinKeys> = self
+            .skins
+            .iter()
+            .filter(|skin| skin.color.is_some())
+            .map(|skin| SkinKeys { points: skin.points.clone(), color: skin.color, ..SkinKeys::default() })
+            .collect();
+        let mut first = self.points.as_ref().map_or(0, |points| points.position.len() as u32);
+        let mut of_bodies = Vec::new();
+        for keys in &self.bodies {
+            let end = first + check::count(keys, self).unwrap_or(0);
+            if let Some(color) = keys.material.as_ref().and_then(|material| material.color) {
+                of_bodies.push(SkinKeys { points: (first..end).collect(), color: Some(color), ..SkinKeys::default() });
+            }
+            first = end;
+        }
+        // What is listed comes after what bodies say.
+        of_bodies.append(&mut list);
+        of_bodies
     }
 }

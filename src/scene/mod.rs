@@ -33,6 +33,7 @@ mod schema;
 mod skin;
 mod start;
 mod support;
+mod tint;
 mod write;
 
 pub(crate) use addition::Made;
@@ -42,10 +43,10 @@ pub use gallery::{Entry, gallery};
 pub(crate) use keys::macros::object;
 pub use keys::{
     AddKeys, AngleKeys, AreaKeys, AreaKindName, BodyKeys, BondKeys, BondList, BoundsKeys, BoxKeys, BraceName,
-    BudgetKeys, CircleKeys, ContactKeys, DiagonalsName, DriveKeys, ForceKeys, KeyName, KindName, LimitName, MakerName,
-    MassKeys, Material, Meeting, MethodKeys, MouseKeys, ObstacleKeys, OrderName, PatternName, PenaltyKeys, PictureKeys,
-    PinMotionKeys, PlaneKeys, PointKeys, PrecisionName, ProfileName, RegionName, RepeatKeys, RotationKeys, Row, Scene,
-    SkinKeys, SolverName, SourceName, StrokesName, TextureKeys, Vector, Version, ViewKeys, WindKeys,
+    BudgetKeys, CircleKeys, ColorKey, ContactKeys, DiagonalsName, DriveKeys, ForceKeys, KeyName, KindName, LimitName,
+    MakerName, MassKeys, Material, Meeting, MethodKeys, MouseKeys, ObstacleKeys, OrderName, PatternName, PenaltyKeys,
+    PictureKeys, PinMotionKeys, PlaneKeys, PointKeys, PrecisionName, ProfileName, RegionName, RepeatKeys, RotationKeys,
+    Row, Scene, SkinKeys, SolverName, SourceName, StrokesName, TextureKeys, Vector, Version, ViewKeys, WindKeys,
 };
 pub(crate) use keys::{ObjectOnly, present};
 pub(crate) use nearest::nearest;

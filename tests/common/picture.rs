@@ -13,12 +13,17 @@ pub fn plain() -> Look {
         ground: [0.0, 0.0, 0.0, 1.0],
         grid: clear,
         axis: clear,
+        number: clear,
         wall: clear,
         obstacle: white,
         bond: white,
         point: white,
         pin: white,
         overlay: Overlay::None,
+        has_mesh: true,
+        has_forms: false,
+        has_grid: true,
+        fog: 0.0,
         bond_width: 3.0,
         point_radius: 6.3,
         ..Look::default()
@@ -32,6 +37,9 @@ pub const NO_BONDS: &Bonds = &Bonds::new();
 pub fn view<'a>(positions: &'a [f32], bonds: &'a Bonds, dimensions: usize) -> View<'a> {
     View {
         skins: &[],
+        triangles: &[],
+        tints: &[],
+        trails: None,
         dimensions,
         previous: Positions::F32(positions),
         current: Positions::F32(positions),
@@ -87,4 +95,13 @@ pub fn assert_coverage(picture: &RgbaImage, truth: impl Fn(DVec2) -> f64) {
     assert!(mean <= 0.01, "mean error {mean} over the {edge} pixels that it touches");
     let (worst, x, y) = worst;
     assert!(worst <= 0.1, "largest error {worst} at {x} {y}");
+}
+
+/// Colours of strains from one colour over another to a third, in even steps.
+pub fn between(squeezed: [f32; 4], rest: [f32; 4], stretched: [f32; 4]) -> [[f32; 4]; 9] {
+    std::array::from_fn(|step| {
+        let (from, to, share) =
+            if step < 4 { (squeezed, rest, step as f32) } else { (rest, stretched, step as f32 - 4.0) };
+        std::array::from_fn(|part| from[part] + (to[part] - from[part]) * 0.25 * share)
+    })
 }

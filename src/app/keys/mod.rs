@@ -122,7 +122,7 @@ mod tests {
         assert_eq!((writes("z", CTRL), writes("y", CTRL)), (Some(Action::Undo), Some(Action::Redo)));
         assert_eq!((writes("Z", CTRL_SHIFT), writes("q", CTRL)), (Some(Action::Redo), Some(Action::Quit)));
         assert_eq!((writes("[", PLAIN), writes("{", PLAIN)), (Some(Action::SmallerRegion), Some(Action::Weaker)));
-        assert_eq!((writes(" ", PLAIN), writes("x", PLAIN)), (Some(Action::TogglePlay), None));
+        assert_eq!((writes(" ", PLAIN), writes("u", PLAIN)), (Some(Action::TogglePlay), None));
         assert_eq!(writes("3", PLAIN), Some(Action::Take(Tool::Cut)));
     }
 

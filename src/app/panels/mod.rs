@@ -8,6 +8,7 @@ mod held;
 mod help;
 mod hud;
 mod icons;
+mod legend;
 mod moving;
 mod notes;
 mod palette;
@@ -26,16 +27,20 @@ mod transport;
 use std::collections::BTreeMap;
 use std::path::PathBuf;
 
-use super::action::{Action, Primitive, Tool};
+use super::action::{Action, Primitive, Showing, Tool};
 use super::player::Figures;
 use super::plots::Plots;
 use super::tools::Drives;
+use crate::render::{Look, Overlay};
 use crate::scene::SolverName;
 use crate::sim::Key;
 pub(super) use gallery::{THUMBNAIL, search_id};
 use icons::Icon;
 pub(super) use notes::Notes;
 pub(super) use settings::{Setting, Settings};
+
+/// Room that the tools take at the left edge [points].
+pub(super) const TOOLS: f32 = 60.0;
 
 /// What the panels ask for.
 #[derive(Clone, Debug, PartialEq)]
@@ -126,10 +131,10 @@ pub(super) struct Facts {
     pub(super) drives: Drives,
     /// The keys that drives of the scene have, and which of them are held.
     pub(super) keys: Vec<(Key, bool)>,
-    /// Bodies have skins: their bonds can be shown or not.
-    pub(super) has_skin: bool,
-    /// Bonds of bodies with a skin are shown.
-    pub(super) has_mesh: bool,
+    /// How the world looks.
+    pub(super) look: Look,
+    /// How bodies are shown.
+    pub(super) showing: Showing,
     /// The scene is that of a picture, which can be cut out anew.
     pub(super) has_picture: bool,
     /// The world waits: something lies over it.
@@ -165,6 +170,9 @@ pub(super) fn show(ui: &mut egui::Ui, state: &mut PanelState, facts: &Facts) -> 
         hud::show(ui.ctx(), (room, beside), facts, &mut wishes);
     }
     held::show(ui.ctx(), room, facts);
+    if facts.look.overlay == Overlay::Strain {
+        legend::show(ui.ctx(), &facts.look);
+    }
     state.notes.show(ui.ctx(), room, facts, &mut wishes);
     match state.sheet {
         Some(Sheet::Gallery) => gallery::show(ui.ctx(), room, state, facts, &mut wishes),

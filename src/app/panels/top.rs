@@ -5,7 +5,7 @@ use egui::{Area, Id, Rect, RichText};
 use super::icons::Icon;
 use super::theme::{TEXT, floating};
 use super::{Facts, Wish, button, described, icon};
-use crate::app::action::Action;
+use crate::app::action::{Action, Showing};
 
 pub(super) fn show(context: &egui::Context, room: Rect, facts: &Facts, wishes: &mut Vec<Wish>) {
     Area::new(Id::unique("scene")).fixed_pos([10.0, 10.0]).show(context, |ui| {
@@ -27,10 +27,14 @@ pub(super) fn show(context: &egui::Context, room: Rect, facts: &Facts, wishes: &
                 icon(ui, Icon::Redo, "redo", Action::Redo, wishes);
                 ui.separator();
                 button(ui, "Fit", "fit all points", Action::Fit, wishes);
-                if facts.has_skin {
-                    let name = if facts.has_mesh { "Hide mesh" } else { "Mesh" };
-                    button(ui, name, "bonds and points of bodies with a skin", Action::ToggleMesh, wishes);
+                for showing in Showing::ALL {
+                    let is_on = facts.showing == showing;
+                    let said = described(showing.words(), Action::NextShowing);
+                    if ui.selectable_label(is_on, showing.name()).on_hover_text(said).clicked() {
+                        wishes.push(Wish::Act(Action::Show(showing)));
+                    }
                 }
+                ui.separator();
                 if facts.has_picture {
                     button(ui, "Picture", "cut the scene's first picture out anew", Action::Import, wishes);
                 }

@@ -7,7 +7,7 @@ use super::movers::Movers;
 use super::rungs::Yielded;
 use super::watch::Measured;
 use crate::history::BranchView;
-use crate::picture::Skin;
+use crate::picture::{Skin, Tint};
 use crate::render::View;
 use crate::sim::{
     Bonds, Convex, Cursor, Dynamics, GrabView, Key, MouseForce, PointId, Polygon, Positions, SceneChange,
@@ -73,6 +73,8 @@ pub struct Scenery {
     pub triangles: Vec<[PointId; 3]>,
     /// What is drawn on triangles.
     pub skins: Vec<Skin>,
+    /// Which body points belong to.
+    pub tints: Arc<[Tint]>,
     /// What the user should know of the scene.
     pub warnings: Vec<String>,
     /// The keys that drives have, ascending.
@@ -83,7 +85,7 @@ pub struct Scenery {
 
 impl Scenery {
     /// That of a world with these skins.
-    pub fn of(world: &dyn Dynamics, skins: &[Skin]) -> Self {
+    pub fn of(world: &dyn Dynamics, skins: &[Skin], tints: &Arc<[Tint]>) -> Self {
         Scenery {
             bonds: world.bonds().clone(),
             bond_numbers: world.bond_numbers().map(<[u32]>::to_vec),
@@ -96,6 +98,7 @@ impl Scenery {
             solid_numbers: world.obstacle_numbers()[1].to_vec(),
             triangles: world.triangles().to_vec(),
             skins: skins.to_vec(),
+            tints: Arc::clone(tints),
             warnings: world.warnings().to_vec(),
             keys: world.drive_keys(),
             driven: driven(world),
@@ -202,7 +205,7 @@ pub struct Shown {
 impl Shown {
     /// As the renderer reads it.
     pub fn view(&self) -> View<'_> {
-        let Scenery { bonds, pinned, bounds, planes, polygons, convex, skins, .. } = &*self.scenery;
+        let Scenery { bonds, pinned, bounds, planes, polygons, convex, triangles, skins, tints, .. } = &*self.scenery;
         View {
             dimensions: self.dimensions,
             previous: self.previous.view(),
@@ -212,6 +215,9 @@ impl Shown {
             topology: self.topology,
             bonds,
             skins,
+            triangles,
+            tints,
+            trails: None,
             pinned,
             bounds: *bounds,
             planes: planes.clone(),

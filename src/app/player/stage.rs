@@ -411,7 +411,7 @@ impl Stage {
         if self.topology != Some(world.topology()) {
             self.topology = Some(world.topology());
             self.sceneries += 1;
-            let mut scenery = Scenery::of(world, self.history.skins());
+            let mut scenery = Scenery::of(world, self.history.skins(), self.history.tints());
             scenery.warnings.splice(0..0, self.history.notes().iter().cloned());
             self.scenery = Arc::new(scenery);
         }

@@ -1,5 +1,7 @@
 //! What actions do.
 
+use std::sync::Arc;
+
 use winit::window::Fullscreen;
 
 use super::{Framing, Session};
@@ -48,6 +50,9 @@ impl Session {
             Action::Fit => self.frame_as(Framing::Fit),
             Action::Home => self.frame_as(Framing::Opening),
             Action::ToggleMesh => self.look.has_mesh = !self.look.has_mesh,
+            Action::Show(showing) => self.show_as(showing),
+            Action::NextShowing => self.show_as(self.showing().next()),
+            Action::ToggleGrid => self.look.has_grid = !self.look.has_grid,
             Action::Paint => self.paint(),
             Action::Import => self.cut_anew(),
             Action::Open => self.choose_file(),
@@ -160,7 +165,8 @@ impl Session {
         let Some((points, by)) = self.with_scope(|hand, scope| hand.to_copy(scope)) else {
             return self.say("select a body first: the tool for that is 6".to_owned());
         };
-        self.player.ask(Order::Add(Box::new(move |_, world| Ok(copy(world, &points, by)))));
+        let tints = Arc::clone(&self.shown().scenery.tints);
+        self.player.ask(Order::Add(Box::new(move |_, world| Ok(copy(world, &tints, &points, by)))));
     }
 
     /// Gives commands to the world, if there are any.

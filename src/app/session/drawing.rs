@@ -7,11 +7,11 @@ use egui::epaint::{ClippedShape, Shape};
 use egui::{Color32, FontId, Pos2, Rect, Stroke};
 
 use super::{Framing, Session, panels_for};
-use crate::app::action::Tool;
+use crate::app::action::{Showing, Tool};
 use crate::app::canvas::{Canvas, Paint};
 use crate::app::panels::{self, Facts, Settings, theme};
 use crate::app::tools::{Mark, Role, Scope, probe};
-use crate::render::{RenderError, View};
+use crate::render::{Look, Overlay, RenderError, View};
 use crate::sim::{Cursor, MouseForce};
 
 /// Marks are looked for among so many points: more would take longer than a frame.
@@ -93,8 +93,8 @@ impl Session {
             primitive: self.hand.primitive(),
             drives: self.hand.drives(),
             keys: self.keys_to_hold(),
-            has_skin: !self.shown().scenery.skins.is_empty(),
-            has_mesh: self.look.has_mesh,
+            look: self.look,
+            showing: self.showing(),
             has_picture: self.has_picture,
             waits: self.waits(),
             is_opening: !self.player.is_open(),
@@ -107,6 +107,21 @@ impl Session {
         }
     }
 
+    /// How bodies are shown.
+    pub(super) fn showing(&self) -> Showing {
+        match self.look {
+            Look { has_fills: false, .. } => Showing::Bonds,
+            Look { overlay: Overlay::Strain, .. } => Showing::Strain,
+            _ => Showing::Bodies,
+        }
+    }
+
+    /// Shows bodies in a way.
+    pub(super) fn show_as(&mut self, showing: Showing) {
+        self.look.has_fills = showing != Showing::Bonds;
+        self.look.overlay = if showing == Showing::Strain { Overlay::Strain } else { Overlay::None };
+    }
+
     /// Draws the world and the panels.
     pub(super) fn draw(&mut self) -> Result<(), RenderError> {
         self.paint.marks = self.marks();
@@ -114,7 +129,11 @@ impl Session {
         let empty = crate::app::player::Shown { dimensions: self.canvas.dimensions(), ..Default::default() };
         let shown = if self.player.is_open() { self.player.shown() } else { &empty };
         let view = View { mouse: region.as_ref().map(|(force, at)| (force, *at)), ..shown.view() };
-        let done = self.canvas.draw(&view, &self.camera, &self.look, self.area, &mut self.paint);
+        self.trails.note(shown.figures.time, &view);
+        let view = View { trails: Some(&self.trails), ..view };
+        let inset = if self.panels.hides_panels { 0.0 } else { panels::TOOLS };
+        let look = Look { inset, ..self.look };
+        let done = self.canvas.draw(&view, &self.camera, &look, self.area, &mut self.paint);
         match done {
             Err(RenderError::Lost { .. }) => self.reopen(),
             done => done,

@@ -36,13 +36,15 @@ use super::shell::is_for_panels;
 use super::thumbnails::Thumbnails;
 use super::tools::Hand;
 use crate::history::{HistoryError, Start};
-use crate::render::{Camera, Look, RenderCounters, RenderError};
+use crate::render::{Camera, Look, RenderCounters, RenderError, Trails};
 use crate::scene::{MOST_MEETING, Scene, gallery};
 use crate::sim::{Cursor, Key, MouseForce, SceneChange};
 use shelf::Shelf;
 
 /// The tag of scenes that open on a canvas.
 const BRUSH: &str = "brush";
+/// How long trails of points last, in scenes of few [s of wall time].
+const TRAIL: f64 = 2.5;
 /// A frame's time where there was none before it [s].
 const FIRST_FRAME: f64 = 1.0 / 60.0;
 /// Figures are shown anew so often at most: nobody reads faster.
@@ -93,6 +95,7 @@ pub(super) struct Session {
     /// Strength of the hover force when nothing is led, as the world told it last.
     base: Option<f64>,
     look: Look,
+    trails: Trails,
     panels: PanelState,
     paint: Paint,
     /// Something that is shown has changed since the last frame; so has something that panels show.
@@ -161,6 +164,7 @@ impl Session {
             camera: Camera::fit([[-1.0; 3], [1.0; 3]], scene.dimensions(), size),
             framing: Framing::Opening,
             area: size,
+            trails: Trails::new(TRAIL),
             look: Look { scale_factor: window.scale_factor() as f32, ..Look::default() },
             has_picture: false,
             window,
@@ -329,7 +333,8 @@ impl Session {
         self.canvas.forget_world(scene.dimensions());
         self.window.set_title(&format!("wobble · {}", scene.name()));
         self.has_picture = scene.picture_body().is_some();
-        self.look.has_mesh = self.player.shown().scenery.skins.is_empty();
+        self.look.has_mesh = false;
+        self.trails = Trails::new(TRAIL * scene.rate());
         self.scene = scene;
         self.plot_anew();
         self.frame_as(Framing::Opening);

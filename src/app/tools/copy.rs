@@ -1,11 +1,12 @@
 //! A copy of a body of a running world, as it is now.
 
-use crate::scene::{AddKeys, BondKeys, KindName, LimitName, MassKeys, PointKeys, Row, Vector};
+use crate::picture::Tint;
+use crate::scene::{AddKeys, BondKeys, ColorKey, KindName, LimitName, MassKeys, PointKeys, Row, SkinKeys, Vector};
 use crate::sim::{Bond, BondKind, Dynamics, Limit, PointId};
 
 /// The keys that bring a copy of some points, ascending, `by` [m] from where they are: with velocities, masses, pins, the bonds among
-/// them and what they cover; not what is painted on them.
-pub(in crate::app) fn copy(world: &dyn Dynamics, points: &[PointId], by: [f64; 3]) -> AddKeys {
+/// them, what they cover and the colours that they have of their own; not what is painted on them.
+pub(in crate::app) fn copy(world: &dyn Dynamics, tints: &[Tint], points: &[PointId], by: [f64; 3]) -> AddKeys {
     let (dimensions, [next, ..]) = (world.dimensions(), world.next_numbers());
     let sample = world.sample(world.time());
     let points: Vec<PointId> =
@@ -27,8 +28,25 @@ pub(in crate::app) fn copy(world: &dyn Dynamics, points: &[PointId], by: [f64; 3
         }),
         bonds,
         triangles: world.triangles().iter().filter_map(covered).collect(),
+        skins: colors(tints, &points, next),
         ..AddKeys::default()
     }
+}
+
+/// The colours that points have of their own, for their copies from `next` on.
+fn colors(tints: &[Tint], points: &[PointId], next: u32) -> Vec<SkinKeys> {
+    let color = |point: &PointId| Tint::of(tints, point.0).and_then(|tint| tint.color);
+    let colored = points.chunk_by(|a, b| color(a) == color(b)).scan(next, |first, same| {
+        let copies = *first..*first + same.len() as u32;
+        *first = copies.end;
+        Some((color(&same[0]), copies))
+    });
+    let skin = |color, copies: std::ops::Range<u32>| SkinKeys {
+        points: copies.collect(),
+        color: Some(ColorKey(color)),
+        ..SkinKeys::default()
+    };
+    colored.filter_map(|(color, copies)| Some(skin(color?, copies))).collect()
 }
 
 /// A bond between other points.

@@ -98,7 +98,7 @@ fn a_copy_moves_as_the_body_does() {
     let (points, by) = hand.to_copy(scope(&seen)).unwrap();
     let count = points.len();
     assert!((2.0..3.0).contains(&by[0]), "beside it: {by:?}");
-    stage.obey(Order::Add(Box::new(move |_, world| Ok(copy(world, &points, by)))));
+    stage.obey(Order::Add(Box::new(move |_, world| Ok(copy(world, &[], &points, by)))));
     (0..60).for_each(|_| _ = stage.obey(Order::Advance { wall: 1.0 / 60.0, cursor: None, back: false }));
     let world = stage.history().world();
     assert_eq!(world.point_count(), 2 * count);

@@ -1,6 +1,7 @@
 //! The keys of a body: its maker with parameters, its place and its material.
 
 use super::bond::KindName;
+use super::color::ColorKey;
 use super::macros::{names, object};
 use super::vector::Vector;
 
@@ -119,6 +120,8 @@ object! {
             restitution: f64,
             /// Of its skin [m], >= 0: that of `contact` if not said.
             radius: f64,
+            /// What it is filled in, where no picture is drawn on it: "#rrggbb"; one of a palette if not said.
+            color: ColorKey,
         }
     }
 }

@@ -5,6 +5,7 @@ use std::fmt;
 use serde::de::value::MapAccessDeserializer;
 use serde::de::{Deserialize, Deserializer, MapAccess, Visitor};
 
+use super::color::ColorKey;
 use super::macros::object;
 use crate::sim::Contact;
 
@@ -44,6 +45,8 @@ object! {
             restitution: f64,
             /// [m], >= 0.
             radius: f64,
+            /// What they are filled in, where no picture is drawn on them: "#rrggbb"; one of a palette if not said.
+            color: ColorKey,
         }
     }
 }

@@ -5,6 +5,7 @@ mod body;
 mod bond;
 mod bonds;
 mod budget;
+mod color;
 mod contact;
 mod drive;
 pub(crate) mod macros;
@@ -20,6 +21,7 @@ pub use body::{BodyKeys, BraceName, DiagonalsName, MakerName, Material, PatternN
 pub use bond::{BondKeys, KindName, LimitName};
 pub use bonds::BondList;
 pub use budget::BudgetKeys;
+pub use color::ColorKey;
 pub use contact::{ContactKeys, Meeting, SkinKeys};
 pub use drive::{DriveKeys, KeyName};
 pub use method::{MethodKeys, OrderName, PrecisionName, SolverName, SourceName};

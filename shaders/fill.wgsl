@@ -1,0 +1,139 @@
+// Fills: bodies without a picture. Primitives of three kinds in the order that they are drawn in: what is covered, its outline, and a
+// soft shadow about it.
+
+struct Primitive {
+    // Of a fill the corners of two triangles; of a side its ends in the middle, those before and after beside them.
+    points: array<u32, 6>,
+    // The kind in the upper eight bits, then red, green, blue.
+    ink: u32,
+}
+
+@group(0) @binding(3) var<storage, read> primitives: array<Primitive>;
+// A row a point: its normal in space, the mean strain of its bonds. Not there where neither is shown.
+@group(1) @binding(0) var<storage, read> shades: array<vec4<f32>>;
+
+const FILL: u32 = 0u;
+const OUTLINE: u32 = 1u;
+const SHADOW: u32 = 2u;
+
+struct Fill {
+    @builtin(position) position: vec4<f32>,
+    @location(0) @interpolate(flat) line: vec4<f32>,
+    @location(1) @interpolate(flat) color: vec4<f32>,
+    // As of a stroke, then the kind.
+    @location(2) @interpolate(flat) size: vec3<f32>,
+    // In a triangle: shares of its corners. In a shadow the first is its strength.
+    @location(3) share: vec3<f32>,
+    // Normal and strain.
+    @location(4) shade: vec4<f32>,
+}
+
+fn color_of(ink: u32) -> vec3<f32> {
+    return vec3(f32((ink >> 16u) & 255u), f32((ink >> 8u) & 255u), f32(ink & 255u)) / 255.0;
+}
+
+@vertex
+fn vertex(@builtin(vertex_index) index: u32) -> Fill {
+    let primitive = primitives[index / 6u];
+    let corner = index % 6u;
+    let kind = primitive.ink >> 24u;
+    var out: Fill;
+    out.color = vec4(color_of(primitive.ink), 1.0);
+    out.size.z = f32(kind);
+    if kind == FILL {
+        let point = primitive.points[corner];
+        out.position = frame.clip_from_world * vec4(position_of(point), 1.0);
+        out.share = select(vec3(0.0), vec3(1.0), vec3<bool>(corner % 3u == 0u, corner % 3u == 1u, corner % 3u == 2u));
+        if DIMENSIONS == 3u || frame.strain_scale > 0.0 {
+            out.shade = shades[point];
+        }
+        return out;
+    }
+    let a = position_of(primitive.points[1]);
+    let b = position_of(primitive.points[2]);
+    if kind == OUTLINE {
+        let side = stroke(corner, a, b, out.color, frame.fill_outline);
+        out.position = side.position;
+        out.line = side.line;
+        out.size = vec3(side.size, f32(kind));
+        return out;
+    }
+    return shadow(out, corner, a, b, position_of(primitive.points[0]), position_of(primitive.points[3]));
+}
+
+// Reach of a shadow to both sides of its outline, and how far below the body it lies [widths of an outline].
+const SHADOW_REACH: vec2<f32> = vec2(2.0, 7.0);
+const SHADOW_FALL: f32 = 1.5;
+
+// A stretch of shadow beside a side: it ends where those of the sides before and after begin.
+fn shadow(plain: Fill, vertex: u32, a: vec3<f32>, b: vec3<f32>, before: vec3<f32>, after: vec3<f32>) -> Fill {
+    let at = array(
+        pixel_of(frame.clip_from_world * vec4(before, 1.0)),
+        pixel_of(frame.clip_from_world * vec4(a, 1.0)),
+        pixel_of(frame.clip_from_world * vec4(b, 1.0)),
+        pixel_of(frame.clip_from_world * vec4(after, 1.0)),
+    );
+    let corner = corner_of(vertex);
+    let place = select(1u, 2u, corner.x > 0.0);
+    let own = outward(at[2] - at[1]);
+    let other = select(outward(at[1] - at[0]), outward(at[3] - at[2]), corner.x > 0.0);
+    let sum = own + other;
+    let along = select(own, normalize(sum), length(sum) > 1e-3);
+    // Sharp corners reach out no more than twice as far.
+    let far = select(-SHADOW_REACH.x, SHADOW_REACH.y, corner.y > 0.0) / max(dot(along, own), 0.5);
+    let pixel = at[place] + frame.outline_width * (along * far + vec2(0.0, SHADOW_FALL));
+    var out = plain;
+    out.position = clip_of(pixel, vec4(0.0, 0.0, 0.5, 1.0));
+    out.share = vec3(select(1.0, 0.0, corner.y > 0.0), 0.0, 0.0);
+    return out;
+}
+
+// The unit normal of a side on the screen, away from what is covered.
+fn outward(side: vec2<f32>) -> vec2<f32> {
+    return vec2(-side.y, side.x) / max(length(side), 1e-6);
+}
+
+// Darkest place of a shadow [1].
+const DARKEST: f32 = 0.6;
+// Opacity of the sides of triangles, and the height of a triangle [px] from which on they are seen, and seen in full.
+const LINES: f32 = 0.13;
+const ROOM: vec2<f32> = vec2(7.0, 22.0);
+// Where light comes from in space; how bright what faces away from it and what faces it is, and what is seen from its side.
+const LIGHT: vec3<f32> = vec3(0.34, 0.82, 0.46);
+const BRIGHT: vec2<f32> = vec2(0.36, 1.22);
+const ASIDE: f32 = 0.7;
+// The other side of a surface, beside the one that is seen from where its normal points.
+const REVERSE: vec3<f32> = vec3(0.78, 0.82, 0.92);
+
+@fragment
+fn fragment(in: Fill, @builtin(front_facing) is_front: bool) -> @location(0) vec4<f32> {
+    let steps = max(fwidth(in.share), vec3(1e-6));
+    let kind = u32(in.size.z + 0.5);
+    if kind == SHADOW {
+        return vec4(0.0, 0.0, 0.0, DARKEST * in.share.x * in.share.x * frame.fill_opacity);
+    }
+    if kind == OUTLINE {
+        // Beside colours of strain a body's own would mean nothing.
+        let own = select(mix(in.color.rgb, vec3(1.0), 0.25), vec3(0.88), frame.strain_scale > 0.0);
+        let light = vec4(own, 1.0);
+        return stroke_color(Stroke(in.position, in.line, light, in.size.xy));
+    }
+    var color = mix(frame.ground.rgb, in.color.rgb, 0.8);
+    if frame.strain_scale > 0.0 {
+        color = strain_color(in.shade.w).rgb;
+    }
+    if DIMENSIONS == 3u {
+        let length = length(in.shade.xyz);
+        let normal = select(vec3(0.0, 1.0, 0.0), in.shade.xyz / length, length > 0.0) * select(-1.0, 1.0, is_front);
+        let lit = 0.5 + 0.5 * dot(normal, LIGHT);
+        let ahead = vec3(frame.clip_from_world[0].w, frame.clip_from_world[1].w, frame.clip_from_world[2].w);
+        let faced = mix(ASIDE, 1.0, abs(dot(normal, normalize(ahead))));
+        color = color * (mix(BRIGHT.x, BRIGHT.y, lit) * faced) * select(REVERSE, vec3(1.0), is_front);
+    }
+    // Distance to the nearest side of the triangle [px].
+    let off = in.share / steps;
+    let near = min(min(off.x, off.y), off.z);
+    let height = 1.0 / max(max(steps.x, steps.y), steps.z);
+    let line = LINES * clamp(1.3 - near, 0.0, 1.0) * smoothstep(ROOM.x, ROOM.y, height);
+    return fogged(vec4(color * (1.0 - line), frame.fill_opacity), in.position.w);
+}

@@ -1,0 +1,78 @@
+//! What colours of strain mean: a bar with numbers, at the upper left beside the tools, while strain is shown.
+
+use egui::{Align2, Area, Color32, FontId, Id, Mesh, Rect, Sense, Shape, pos2, vec2};
+
+use super::theme::{TEXT, WEAK, floating};
+use crate::render::Look;
+
+/// Width and height of the bar [points].
+const BAR: [f32; 2] = [230.0, 10.0];
+/// Strains with a number at the bar [%].
+const NUMBERS: [f32; 7] = [-30.0, -5.0, -1.0, 0.0, 1.0, 5.0, 30.0];
+
+/// Where it lies: beside the tools, below what is said of the scene [points].
+const PLACE: [f32; 2] = [76.0, 124.0];
+
+pub(super) fn show(context: &egui::Context, look: &Look) {
+    Area::new(Id::unique("legend")).fixed_pos(PLACE).interactable(false).show(context, |ui| {
+        floating().show(ui, |ui| {
+            ui.vertical(|ui| {
+                ui.horizontal(|ui| {
+                    ui.set_width(BAR[0] + 24.0);
+                    ui.weak("squeezed");
+                    ui.add_space(50.0);
+                    ui.label(egui::RichText::new("strain").color(TEXT));
+                    ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| ui.weak("stretched"));
+                });
+                let (place, _) = ui.allocate_exact_size(vec2(BAR[0] + 24.0, BAR[1] + 17.0), Sense::hover());
+                let bar = Rect::from_min_size(place.min + vec2(12.0, 0.0), BAR.into());
+                ui.painter().add(Shape::mesh(shades(bar, look)));
+                for number in NUMBERS {
+                    let x = bar.left() + bar.width() * (0.5 + 0.5 * share(0.01 * number, look));
+                    ui.painter().line_segment([pos2(x, bar.bottom()), pos2(x, bar.bottom() + 3.0)], (1.0, WEAK));
+                    let words = if number == 0.0 { "0".to_owned() } else { format!("{number:+}") };
+                    let words = if number == 30.0 { format!("{words} %") } else { words };
+                    let at = pos2(x, bar.bottom() + 3.0);
+                    ui.painter().text(at, Align2::CENTER_TOP, words, FontId::proportional(11.0), TEXT);
+                }
+            });
+        });
+    });
+}
+
+/// Where a strain lies on the bar: -1 at its left end, 1 at its right one, as in the shader.
+fn share(strain: f32, look: &Look) -> f32 {
+    let size = (strain.abs() / look.strain_scale).asinh() / (look.strain_full / look.strain_scale).asinh();
+    size.min(1.0).copysign(strain)
+}
+
+/// The bar in its colours.
+fn shades(bar: Rect, look: &Look) -> Mesh {
+    let mut mesh = Mesh::default();
+    let steps = look.strain.len() - 1;
+    for (place, color) in look.strain.iter().enumerate() {
+        let [red, green, blue, _] = color.map(|part| (255.0 * part).round() as u8);
+        let x = bar.left() + bar.width() * place as f32 / steps as f32;
+        let first = mesh.vertices.len() as u32;
+        for y in [bar.top(), bar.bottom()] {
+            mesh.colored_vertex(pos2(x, y), Color32::from_rgb(red, green, blue));
+        }
+        if place < steps {
+            mesh.add_triangle(first, first + 1, first + 2);
+            mesh.add_triangle(first + 1, first + 2, first + 3);
+        }
+    }
+    mesh
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_percent_is_seen_and_thirty_are_at_the_end() {
+        let look = Look::default();
+        assert_eq!([-0.5, -0.3, 0.0, 0.3].map(|strain| share(strain, &look)), [-1.0, -1.0, 0.0, 1.0]);
+        assert!(share(0.01, &look) > 0.25 && share(-0.01, &look) < -0.25);
+    }
+}

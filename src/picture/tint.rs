@@ -1,0 +1,110 @@
+//! Which body points belong to, and the colour that it is drawn in.
+
+/// A run of points of one body, up to where the next run begins.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Tint {
+    /// The first point of the run.
+    pub first: u32,
+    /// The number of the body: it picks a colour of the palette.
+    pub body: u32,
+    /// The colour that the body has of its own: red, green, blue as stored (sRGB).
+    pub color: Option<[u8; 3]>,
+}
+
+impl Tint {
+    /// The run that a point is in. Valid range: runs ascend by `first`; `None` before the first of them.
+    pub fn of(runs: &[Tint], point: u32) -> Option<&Tint> {
+        runs[..runs.partition_point(|run| run.first <= point)].last()
+    }
+
+    /// Gives points a colour. Those before the first run stay without one.
+    pub fn paint(runs: &mut Vec<Tint>, points: &[u32], color: [u8; 3]) {
+        let mut points = points.to_vec();
+        points.sort_unstable();
+        points.dedup();
+        for stretch in points.chunk_by(|a, b| a + 1 == *b) {
+            let (first, end) = (stretch[0], stretch[stretch.len() - 1].saturating_add(1));
+            let Some(beyond) = Tint::of(runs, end).map(|run| Tint { first: end, ..*run }) else { continue };
+            let inside = |run: &Tint| (first..end).contains(&run.first);
+            let mut painted: Vec<Tint> = Tint::of(runs, first).map(|run| Tint { first, ..*run }).into_iter().collect();
+            painted.extend(runs.iter().copied().filter(|run| inside(run) && run.first > first));
+            painted.iter_mut().for_each(|run| run.color = Some(color));
+            runs.retain(|run| !inside(run) && run.first != end);
+            painted.push(beyond);
+            let place = runs.partition_point(|run| run.first < first);
+            runs.splice(place..place, painted);
+        }
+    }
+
+    /// The number of the body of each of `count` points, where what these pairs hold together is one, counted by lowest points. Pairs of
+    /// points that there are not are left out.
+    pub fn hanging(count: usize, pairs: impl Iterator<Item = [u32; 2]>) -> Vec<u32> {
+        let mut up: Vec<u32> = (0..count as u32).collect();
+        for [a, b] in pairs {
+            if (a.max(b) as usize) < count {
+                let [a, b] = [top(&mut up, a), top(&mut up, b)];
+                up[a.max(b) as usize] = a.min(b);
+            }
+        }
+        let mut next = 0;
+        let mut numbers = vec![0; count];
+        for point in 0..count {
+            let lowest = top(&mut up, point as u32) as usize;
+            if lowest == point {
+                numbers[point] = next;
+                next += 1;
+            } else {
+                numbers[point] = numbers[lowest];
+            }
+        }
+        numbers
+    }
+}
+
+/// The lowest point that a point hangs on.
+fn top(up: &mut [u32], mut point: u32) -> u32 {
+    while up[point as usize] != point {
+        up[point as usize] = up[up[point as usize] as usize];
+        point = up[point as usize];
+    }
+    point
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn run(first: u32, color: Option<[u8; 3]>) -> Tint {
+        Tint { first, body: first, color }
+    }
+
+    #[test]
+    fn a_point_is_in_the_last_run_that_begins_before_it() {
+        let runs = [2, 5].map(|first| run(first, None));
+        let body = |point| Tint::of(&runs, point).map(|run| run.body);
+        assert_eq!([1, 2, 4, 5, 99].map(body), [None, Some(2), Some(2), Some(5), Some(5)]);
+        assert_eq!(Tint::of(&[], 0), None);
+    }
+
+    #[test]
+    fn painted_points_have_the_colour_and_others_what_they_had() {
+        let red = [255, 0, 0];
+        for points in [vec![6, 4, 5], vec![3], vec![0, 9], (0..12).collect(), vec![5, 6, 7, 8, 9]] {
+            let mut runs = [0, 5, 9].map(|first| run(first, (first == 9).then_some([1; 3]))).to_vec();
+            let before = runs.clone();
+            Tint::paint(&mut runs, &points, red);
+            for point in 0..20 {
+                let [was, is] = [&before, &runs].map(|runs| *Tint::of(runs, point).unwrap_or(&runs[0]));
+                let color = if points.contains(&point) { Some(red) } else { was.color };
+                assert_eq!((is.body, is.color), (was.body, color), "{points:?}: {point}");
+            }
+            assert!(runs.is_sorted_by(|a, b| a.first < b.first), "{runs:?}");
+        }
+    }
+
+    #[test]
+    fn what_hangs_together_is_one_body() {
+        let pairs = [[4, 2], [2, 1], [5, 3], [9, 0]];
+        assert_eq!(Tint::hanging(6, pairs.into_iter()), [0, 1, 1, 2, 1, 2]);
+    }
+}

@@ -1,0 +1,102 @@
+//! Bodies as they are filled: their triangles, and a colour each.
+
+use crate::picture::Tint;
+use crate::render::view::View;
+use crate::sim::PointId;
+
+/// What is filled in one colour, over what came before it.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(super) struct Filled {
+    /// Red, green, blue, as stored.
+    pub(super) color: [u8; 3],
+    pub(super) triangles: Vec<[u32; 3]>,
+}
+
+/// Colours of bodies, those that follow each other well apart: they are told apart by eyes that see two colours only, and stand out
+/// from the ground by 8 : 1 or more.
+///
+/// Source: P. Tol, Colour schemes (technical note SRON/EPS/TN/09-002, 3.2, 2021), the scheme `light`, without olive and grey.
+pub(super) const PALETTE: [[u8; 3]; 7] = [
+    [0x77, 0xAA, 0xDD],
+    [0xEE, 0x88, 0x66],
+    [0x44, 0xBB, 0x99],
+    [0xEE, 0xDD, 0x88],
+    [0xFF, 0xAA, 0xBB],
+    [0x99, 0xDD, 0xFF],
+    [0xBB, 0xCC, 0x33],
+];
+/// Each round through the palette begins so many colours on: copies in rows of its length do not stand in columns of one colour.
+const SHIFT: u32 = 3;
+
+/// The colour of a body by its number.
+pub(super) fn color_of(body: u32) -> [u8; 3] {
+    let count = PALETTE.len() as u32;
+    PALETTE[((body % count + SHIFT * (body / count % count)) % count) as usize]
+}
+
+/// Bodies in the order of their numbers: with the triangles that no skin is drawn on, then with those that one is.
+pub(super) fn bodies(view: &View<'_>) -> [Vec<Filled>; 2] {
+    let split = split(view);
+    let hangs_on = if view.tints.is_empty() { Some(hanging(view)) } else { None };
+    let body_of = |corners: &[u32; 3]| match &hangs_on {
+        Some(bodies) => (bodies[corners[0] as usize], None),
+        None => Tint::of(view.tints, corners[0]).map_or((0, None), |tint| (tint.body, tint.color)),
+    };
+    let filled = |same: &[(Key, [u32; 3])]| Filled {
+        color: same[0].0.1.unwrap_or_else(|| color_of(same[0].0.0)),
+        triangles: same.iter().map(|entry| entry.1).collect(),
+    };
+    split.map(|triangles| {
+        let mut listed: Vec<(Key, [u32; 3])> = triangles.iter().map(|corners| (body_of(corners), *corners)).collect();
+        listed.sort_by_key(|entry| entry.0);
+        listed.chunk_by(|p, q| p.0 == q.0).map(filled).collect()
+    })
+}
+
+/// The number of a body, and the colour that it says it has.
+type Key = (u32, Option<[u8; 3]>);
+
+/// The triangles that no skin is drawn on, and those that one is.
+fn split(view: &View<'_>) -> [Vec<[u32; 3]>; 2] {
+    let key = |mut corners: [u32; 3]| {
+        corners.sort_unstable();
+        corners
+    };
+    let mut worn: Vec<[u32; 3]> = view.skins.iter().flat_map(|skin| &skin.triangles).map(|&c| key(c)).collect();
+    worn.sort_unstable();
+    let count = (view.current.len() / view.dimensions.max(1)) as u32;
+    let is_there = |corners: &[u32; 3]| corners.iter().all(|&corner| corner < count);
+    let all = view.triangles.iter().map(|corners| corners.map(|corner: PointId| corner.0));
+    let (bare, worn) = all.filter(is_there).partition(|&c| worn.binary_search(&key(c)).is_err());
+    [bare, worn]
+}
+
+/// The number of the body of each point, where what bonds and triangles hold together is one.
+fn hanging(view: &View<'_>) -> Vec<u32> {
+    let bonds = view.bonds.iter().map(|bond| [bond.a.0, bond.b.0]);
+    let sides = view.triangles.iter().flat_map(|&[a, b, c]| [[a.0, b.0], [b.0, c.0]]);
+    Tint::hanging(view.current.len() / view.dimensions.max(1), bonds.chain(sides))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// About the luminance of a colour in sRGB, by WCAG 2.
+    fn luminance(color: [u8; 3]) -> f64 {
+        let linear = |part: u8| {
+            let c = f64::from(part) / 255.0;
+            if c <= 0.04045 { c / 12.92 } else { ((c + 0.055) / 1.055).powf(2.4) }
+        };
+        0.2126 * linear(color[0]) + 0.7152 * linear(color[1]) + 0.0722 * linear(color[2])
+    }
+
+    #[test]
+    fn bodies_beside_each_other_differ_and_stand_out_from_the_ground() {
+        for body in 0..200 {
+            assert_ne!(color_of(body), color_of(body + 1), "{body}");
+            assert_ne!(color_of(body), color_of(body + 7), "{body}");
+            assert!((luminance(color_of(body)) + 0.05) / (luminance([0x0f, 0x14, 0x1e]) + 0.05) > 6.5, "{body}");
+        }
+    }
+}

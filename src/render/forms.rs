@@ -1,0 +1,88 @@
+//! What bonds are drawn as: bars, coils, ropes, dashes.
+
+use crate::sim::{Bond, BondKind, Bonds, Limit};
+
+/// Kinds as the shader knows them: `ROD`, `COIL`, `ROPE`, `RELAXED` in bonds.wgsl; 0 is a plain stroke.
+const ROD: u32 = 1;
+const COIL: u32 = 2;
+pub(super) const ROPE: u32 = 3;
+const RELAXED: u32 = 4;
+
+/// Bonds in a row, without a branch, from which on they are a rope.
+const ROPE_FROM: usize = 6;
+
+/// What a bond is drawn as by itself: what only pulls is a piece of rope.
+pub(super) fn form(bond: &Bond) -> u32 {
+    match (bond.limit, bond.kind) {
+        (Limit::Max, _) => ROPE,
+        (_, BondKind::Rigid) => ROD,
+        (_, BondKind::Spring { .. }) => COIL,
+        (_, BondKind::Relaxed { .. }) => RELAXED,
+    }
+}
+
+/// Which bonds are of a rope: those of a row of [`ROPE_FROM`] or more of one kind and about one length, from one point of three or more
+/// bonds, or of one, to the next such.
+pub(super) fn ropes(bonds: &Bonds, point_count: usize) -> Vec<bool> {
+    let ends: Vec<[usize; 2]> = bonds.iter().map(|bond| [bond.a.index(), bond.b.index()]).collect();
+    // Up to two bonds of each point, and how many it has.
+    let mut at = vec![([0_usize; 2], 0_usize); point_count];
+    for (number, pair) in ends.iter().enumerate() {
+        for &end in pair {
+            let (list, count) = &mut at[end];
+            if *count < 2 {
+                list[*count] = number;
+            }
+            *count += 1;
+        }
+    }
+    let mut is_seen = vec![false; ends.len()];
+    let mut is_rope = vec![false; ends.len()];
+    for start in 0..ends.len() {
+        if is_seen[start] {
+            continue;
+        }
+        is_seen[start] = true;
+        let mut row = vec![start];
+        for mut point in ends[start] {
+            let mut bond = start;
+            while let (list, 2) = at[point] {
+                bond = if list[0] == bond { list[1] } else { list[0] };
+                if std::mem::replace(&mut is_seen[bond], true) {
+                    break;
+                }
+                row.push(bond);
+                point = if ends[bond][0] == point { ends[bond][1] } else { ends[bond][0] };
+            }
+        }
+        if row.len() >= ROPE_FROM {
+            row.into_iter().for_each(|bond| is_rope[bond] = true);
+        }
+    }
+    is_rope
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::sim::PointId;
+
+    #[test]
+    fn a_long_row_is_a_rope_and_what_it_hangs_on_is_not() {
+        // A triangle with a tail of seven bonds, and a row of three by itself.
+        let triangle = [[0, 1], [1, 2], [2, 0]];
+        let tail = (2..9).map(|i| [i, i + 1]);
+        let row = (20..23).map(|i| [i, i + 1]);
+        let ends: Vec<[u32; 2]> = triangle.into_iter().chain(tail).chain(row).collect();
+        let bonds: Bonds = ends.iter().map(|&[a, b]| Bond::new(PointId(a), PointId(b), 1.0)).collect();
+        let found = ropes(&bonds, 24);
+        assert_eq!(found.iter().filter(|is| **is).count(), 7);
+        assert!(found[3..10].iter().all(|is| *is));
+    }
+
+    #[test]
+    fn a_ring_of_bonds_ends() {
+        let bonds: Bonds = (0..8).map(|i| Bond::new(PointId(i), PointId((i + 1) % 8), 1.0)).collect();
+        assert_eq!(ropes(&bonds, 8), [true; 8]);
+    }
+}
