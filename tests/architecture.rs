@@ -86,7 +86,20 @@ const SIM: [(&str, &[&str]); 44] = [
     ("account", &["bond", "environment", "force", "ledger", "points", "pull", "real", "vector"]),
     (
         "integrate",
-        &["bond", "constrain", "counters", "environment", "force", "points", "pull", "real", "solve", "vector"],
+        &[
+            "bond",
+            "constrain",
+            "contact",
+            "counters",
+            "environment",
+            "force",
+            "measure",
+            "points",
+            "pull",
+            "real",
+            "solve",
+            "vector",
+        ],
     ),
     (
         "bulk",

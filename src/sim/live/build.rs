@@ -10,7 +10,7 @@ use super::rig::Rig;
 use super::rigid::{Held, Shape};
 use super::skins::Skin;
 use super::{Draft, FRAMES, bonds, tree};
-use crate::sim::bond::{Bond, BondKind};
+use crate::sim::bond::{Bond, BondKind, Limit};
 use crate::sim::colour::by_colour;
 use crate::sim::contact::skin::{MOST_RADIUS, RADIUS};
 use crate::sim::force::angle::Hinge;
@@ -233,7 +233,8 @@ impl<S: Real> Own<S> {
     ///
     /// A body n bonds long and b thick bends at about omega b/n^2, with omega that of one bond.
     fn is_hard(&self, (place, w): (impl Fn(u32) -> [S; 2], impl Fn(u32) -> S + Copy)) -> bool {
-        if self.bonds.is_empty() || !self.bonds.iter().all(|bond| bond.holds() || is_stiff(bond, w)) {
+        let lasts = |bond: &Bond| is_spring(bond) && is_plain(bond) && bond.drive.is_none();
+        if !self.bonds.iter().any(is_spring) || !self.bonds.iter().all(|bond| bond.holds() || lasts(bond)) {
             return false;
         }
         let square = |bond: &Bond| match bond.kind {
@@ -321,8 +322,12 @@ pub(super) fn is_spring(bond: &Bond) -> bool {
 fn is_stiff<S: Real>(bond: &Bond, w: impl Fn(u32) -> S) -> bool {
     let BondKind::Spring { stiffness, .. } = bond.kind else { return false };
     let sum = (w(bond.a.0) + w(bond.b.0)).to_f64();
-    let is_plain = bond.limit == crate::sim::bond::Limit::Both && bond.rest_length > 0.0;
-    is_plain && !bond.break_strain.is_finite() && stiffness * sum >= STIFF * (FRAMES * FRAMES) * 256.0
+    is_plain(bond) && stiffness * sum >= STIFF * (FRAMES * FRAMES) * 256.0
+}
+
+/// It pulls and presses, for ever.
+fn is_plain(bond: &Bond) -> bool {
+    bond.limit == Limit::Both && bond.rest_length > 0.0 && !bond.break_strain.is_finite()
 }
 
 pub(super) fn link<S: Real>(bond: &Bond, local: &[u32]) -> Link<S> {
