@@ -245,7 +245,7 @@ static GALLERY: [Entry; 46] = [
         "spring-damper-as-printed",
         10,
         "Springs, as printed",
-        "The loop of source 003 in steps of 0.1 s, with forces by strain: called explicit Euler there, it is semi-implicit, and its swings do not grow.",
+        "The loop of source 003 in steps of 0.1 s, with forces by strain: called explicit Euler there, it is semi-implicit: swings of one weight do not grow. The chain at the right is too stiff for the step, and flies apart.",
         "choose euler in the settings, and watch them grow."
     ),
     entry!(

@@ -71,6 +71,13 @@ impl<S: Real, const D: usize> Points<S, D> {
         copy(&from.position_lost, &mut self.position_lost);
         copy(&from.velocity_lost, &mut self.velocity_lost);
     }
+
+    /// What is free stands still.
+    pub(crate) fn stop(&mut self) {
+        for i in (0..self.velocity.len()).filter(|&i| self.inverse_mass[i] != S::ZERO) {
+            (self.velocity[i], self.velocity_lost[i]) = ([S::ZERO; D], [S::ZERO; D]);
+        }
+    }
 }
 
 /// Copies a list over one that has its length already, but for the first time.

@@ -13,7 +13,7 @@ use crate::app::thumbnails::Thumbnails;
 use crate::app::tools::{Deed, copy, strength};
 use crate::history::Do;
 use crate::scene::{Entry, gallery};
-use crate::sim::MouseChange;
+use crate::sim::{MouseChange, PointId};
 
 /// The least and the greatest pace, in seconds of the scene itself.
 const PACES: [f64; 2] = [0.125, 4.0];
@@ -160,13 +160,15 @@ impl Session {
         self.do_deed(deed);
     }
 
-    /// A copy of what is selected comes beside it.
+    /// A copy of what is selected comes beside it, and is selected in its place.
     fn duplicate(&mut self) {
         let Some((points, by)) = self.with_scope(|hand, scope| hand.to_copy(scope)) else {
             return self.say("select a body first: the tool for that is 6".to_owned());
         };
         let tints = Arc::clone(&self.shown().scenery.tints);
+        let next = self.shown().point_count() as u32;
         self.player.ask(Order::Add(Box::new(move |_, world| Ok(copy(world, &tints, &points, by)))));
+        self.hand.select(PointId(next));
     }
 
     /// Gives commands to the world, if there are any.

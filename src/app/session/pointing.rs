@@ -10,6 +10,9 @@ use crate::app::tools::{Hand, PinWay, Scope};
 use crate::history::Do;
 use crate::sim::Cursor;
 
+/// Said where something is grabbed that does not move.
+const HELD_STILL: &str = "time stands still: it follows when time runs (Space)";
+
 impl Session {
     /// The pointer moved [px].
     pub(in crate::app) fn point_at(&mut self, at: [f64; 2]) {
@@ -54,6 +57,9 @@ impl Session {
                     let to = Some(self.camera.cursor(at.to_array()));
                     deed.commands.insert(0, Do::Cursor { to, by: None });
                     self.told = to;
+                    if !self.player.is_playing() {
+                        self.say(HELD_STILL.to_owned());
+                    }
                 }
                 deed
             }

@@ -354,7 +354,12 @@ impl Hand {
         at.map_or_else(Deed::default, |at| erase(scope, at))
     }
 
-    /// What is selected, if that tool is in the hand and it is still there.
+    /// The body of a point is selected, as soon as it is there.
+    pub(super) fn select(&mut self, point: PointId) {
+        self.picked = Some(Picked::Body(point));
+    }
+
+    /// What is selected, if that tool is in the hand and it is there.
     fn picked(&self, scope: Scope<'_>) -> Option<Picked> {
         self.picked.filter(|picked| self.tool() == Tool::Select && picked.is_there(scope))
     }

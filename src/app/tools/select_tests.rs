@@ -100,6 +100,9 @@ fn a_copy_moves_as_the_body_does() {
     assert!((2.0..3.0).contains(&by[0]), "beside it: {by:?}");
     stage.obey(Order::Add(Box::new(move |_, world| Ok(copy(world, &[], &points, by)))));
     (0..60).for_each(|_| _ = stage.obey(Order::Advance { wall: 1.0 / 60.0, cursor: None, back: false }));
+    // The copy is what is selected when it is there, and nothing until then.
+    hand.select(PointId(count as u32));
+    assert!(hand.to_copy(scope(&seen)).is_none());
     let world = stage.history().world();
     assert_eq!(world.point_count(), 2 * count);
     assert_eq!(world.triangles().len() % 2, 0);

@@ -71,17 +71,28 @@ impl<S: Real, const D: usize> Contacts<S, D> {
         turned(rows.map(|column| self.free(a, column)))
     }
 
+    /// Sliding friction [m/s^2] by what pressed a point when that was last asked, against where it heads for all of a step.
+    pub(crate) fn rub_ahead(&self, rest: &Rest<S, D>) -> [S; D] {
+        let size = length(rest.heading);
+        if rest.sticks || size == S::ZERO {
+            return [S::ZERO; D];
+        }
+        let press = length(sub(rest.pressing, rest.along(rest.pressing)));
+        scale(rest.heading, -(rest.grip(&self.obstacles.surfaces) * press) / size)
+    }
+
     /// The largest friction of the surfaces that a point rests on.
     pub(crate) fn grip_of(&self, point: usize) -> S {
         self.of(point).map_or(S::ZERO, |rest| rest.grip(&self.obstacles.surfaces))
     }
 
-    /// What of an acceleration a point can follow, with sliding friction by what pressed it when this was last asked.
-    pub(crate) fn rubbed(&mut self, point: usize, v: [S; D], total: [S; D]) -> [S; D] {
+    /// What of an acceleration a point can follow, with sliding friction by what pressed it when this was last asked; what presses comes
+    /// nearer to it by a share.
+    pub(crate) fn rubbed(&mut self, point: usize, (total, share): ([S; D], S)) -> [S; D] {
         let Some(rest) = self.of(point) else { return total };
-        let result = rest.free(add(total, self.friction(rest, v, rest.pressing)));
+        let result = rest.free(add(total, self.rub_ahead(rest)));
         if let Some(rest) = self.of_mut(point) {
-            rest.pressing = total;
+            rest.pressing = add(rest.pressing, scale(sub(total, rest.pressing), share));
         }
         result
     }

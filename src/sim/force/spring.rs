@@ -3,7 +3,7 @@
 use crate::sim::bond::{Bond, BondKind, Limit};
 use crate::sim::colour::by_colour;
 use crate::sim::real::Real;
-use crate::sim::vector::{add, dot, scale, sub};
+use crate::sim::vector::{add, dot, length, scale, sub};
 
 /// A spring as the kernel reads it.
 #[derive(Clone, Copy, Debug)]
@@ -28,6 +28,17 @@ impl<S: Real> Spring<S> {
             damping: S::from_f64(damping),
             limit: bond.limit,
         })
+    }
+
+    /// Its energy [J], its ends so far apart.
+    pub(crate) fn energy<const D: usize>(&self, d: [S; D]) -> S {
+        let off = length(d) - self.rest_length;
+        let acts = match self.limit {
+            Limit::Both => true,
+            Limit::Max => off > S::ZERO,
+            Limit::Min => off < S::ZERO,
+        };
+        if acts { S::HALF * self.stiffness * off * off } else { S::ZERO }
     }
 
     /// The spring as it is while it acts, whatever its length, or while it does not: where events decide that.

@@ -49,20 +49,25 @@ impl<S: Real, const D: usize> Group<S, D> {
     pub(super) fn book_path(&mut self, around: &Environment<D>, (t, h): (f64, f64)) {
         let Some(mut account) = self.account.take() else { return };
         if h > 0.0 {
-            let middle = middle(&self.before, &self.points, h);
             let mut pull = self.reacts(&account).then(|| self.pull.clone());
             let mut power =
                 |time: f64, x: &[[S; D]], v: &[[S; D]]| self.power(&account, (around, time), (x, v), &mut pull);
-            let start = power(t, &self.before.position, &self.before.velocity);
-            let half = power(t + 0.5 * h, &middle.position, &middle.velocity);
-            let end = power(t + h, &self.points.position, &self.points.velocity);
-            for (power, share) in [(start, 1.0), (half, 4.0), (end, 1.0)] {
-                account.book.add(&power, share * h / 6.0);
-            }
             if let Engine::Implicit(implicit) = &self.engine {
-                let [friction, impacts] = implicit.touches.taken;
-                account.book.friction += friction;
-                account.book.impacts += impacts;
+                // What it is moved by is that of its stage, and nothing else of what is too fast for the substep.
+                if let Some(stage) = implicit.stage() {
+                    account.book.add(&power(t + stage.share * h, stage.place, stage.speed), h);
+                    let [friction, impacts] = implicit.touches.taken;
+                    account.book.friction += friction;
+                    account.book.impacts += impacts;
+                }
+            } else {
+                let middle = middle(&self.before, &self.points, h);
+                let start = power(t, &self.before.position, &self.before.velocity);
+                let half = power(t + 0.5 * h, &middle.position, &middle.velocity);
+                let end = power(t + h, &self.points.position, &self.points.velocity);
+                for (power, share) in [(start, 1.0), (half, 4.0), (end, 1.0)] {
+                    account.book.add(&power, share * h / 6.0);
+                }
             }
         }
         self.account = Some(account);

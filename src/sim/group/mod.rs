@@ -274,15 +274,21 @@ impl<S: Real, const D: usize> Group<S, D> {
     fn take_robustly(&mut self, around: &Environment<D>, (t, h): (f64, f64), counters: &mut Counters) {
         let Group { points, pull, engine, robust, work, .. } = self;
         counters.work += work.robust;
-        match robust {
+        let by = match robust {
             Some(robust) => {
                 robust.refresh();
-                robust.step(points, pull, around, (t, h), counters);
-                pull.project(points, counters);
+                &mut **robust
             }
-            None => {
-                engine.step(points, pull, around, (t, h), counters);
-            }
+            None => engine,
+        };
+        let is_fine = by.step(points, pull, around, (t, h), counters);
+        if !is_fine && by.meets_surfaces() {
+            // What is found then may be anywhere: it stands still instead.
+            points.restore(&self.before);
+            points.stop();
+            pull.contacts.clear();
+        } else if robust.is_some() {
+            pull.project(points, counters);
         }
         self.engine.refresh();
     }

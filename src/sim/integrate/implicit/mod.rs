@@ -12,6 +12,7 @@
 //!
 //! Points that touch surfaces are part of the system, with the law of `touch.rs`.
 
+mod gain;
 mod touch;
 
 use crate::sim::bond::PointId;
@@ -26,6 +27,7 @@ use crate::sim::pull::Pull;
 use crate::sim::real::Real;
 use crate::sim::solve::blocks::{Blocks, NOWHERE};
 use crate::sim::vector::{accumulate, add, convert, dot, scale, sub, zero};
+use gain::{Energy, is_left_alone};
 use touch::{Pace, Touches};
 
 /// Rounds of Newton's method after which a step has not converged.
@@ -33,10 +35,12 @@ const MOST_ROUNDS: u32 = 40;
 /// The same where something touches a surface: friction follows what presses, a round behind.
 const MOST_RUBBED_ROUNDS: u32 = 120;
 /// How far places may be off, relative to their size, where it is decided who touches surfaces, and in the end: what rounding leaves.
-const ROUGH: f64 = 1e-7;
+const ROUGH: f64 = 1e-5;
 const FINE: f64 = 0.0;
 /// Shift, relative to the size of places, below which the system of the round before serves once more where something touches.
-const STALE: f64 = 1e-5;
+const STALE: f64 = 1e-4;
+/// The same beyond which springs that are pressed together are left out of the system where something touches.
+const FAR: f64 = 1e-3;
 /// Rounds that a step usually takes.
 pub(crate) const USUAL_ROUNDS: u64 = 5;
 
@@ -60,6 +64,15 @@ pub(crate) struct Implicit<S: Real, const D: usize> {
     work: Vec<S>,
     /// Rounds of the last step with a system of their own, and without.
     rounds: [u64; 2],
+    has_converged: bool,
+}
+
+/// Places and velocities where forces are taken, and at which share of the step.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Stage<'a, S, const D: usize> {
+    pub(crate) place: &'a [[S; D]],
+    pub(crate) speed: &'a [[S; D]],
+    pub(crate) share: f64,
 }
 
 /// What is held: rigid bonds with their lengths [m], and corners of triangles with their areas [m^2].
@@ -90,9 +103,16 @@ impl<S: Real, const D: usize> Implicit<S, D> {
             error: vec![S::ZERO; ends.len()],
             work: Vec::new(),
             rounds: [0; 2],
+            has_converged: false,
             rigid,
             areas,
         }
+    }
+
+    /// Where forces were taken in the last step, and at which share of it; `None`: nowhere.
+    pub(crate) fn stage(&self) -> Option<Stage<'_, S, D>> {
+        let share = if self.is_midpoint { 0.5 } else { 1.0 };
+        self.has_converged.then_some(Stage { place: &self.place, speed: &self.speed, share })
     }
 
     /// Rounds of the last step, those with a system of the round before as a quarter.
@@ -121,20 +141,26 @@ impl<S: Real, const D: usize> Implicit<S, D> {
         for (u, (&x, &v)) in self.place.iter_mut().zip(points.position.iter().zip(&points.velocity)) {
             *u = add(x, scale(v, ahead));
         }
+        let is_kept = pull.contacts.has_surfaces() && is_left_alone(points, pull, around, time);
+        let before = is_kept.then(|| Energy::of(points, pull, h));
         self.touches.begin(points, pull);
         self.rounds = [0; 2];
-        let close = if pull.contacts.has_surfaces() { ROUGH } else { FINE };
-        let mut is_converged = self.find(points, pull, around, (time, pace, close), counters);
-        while self.touches.decide((points, pull), &self.place, pace) {
-            is_converged = self.find(points, pull, around, (time, pace, ROUGH), counters);
-        }
-        if close != FINE {
-            is_converged = self.find(points, pull, around, (time, pace, FINE), counters);
-        }
+        let mut close = if pull.contacts.has_surfaces() { ROUGH } else { FINE };
+        let is_converged = loop {
+            let is_converged = self.find(points, pull, around, (time, pace, close), counters);
+            let has_changed = self.touches.decide((points, pull), &self.place, (pace, close == FINE));
+            if close == FINE && !has_changed {
+                break is_converged;
+            }
+            close = if has_changed { close } else { FINE };
+        };
         self.touches.end(points, pull, &self.place, pace);
         self.finish(points, pace);
         self.touches.give(points, &pull.contacts);
-        pull.restore(points, counters) && is_converged
+        let is_held = pull.restore(points, counters);
+        let gains = before.is_some_and(|before| before.is_exceeded(Energy::of(points, pull, h)));
+        self.has_converged = is_held && is_converged && !gains;
+        self.has_converged
     }
 
     /// The places where forces balance to a share `close` of their size, with the points on surfaces that are on them now. Returns
@@ -150,15 +176,20 @@ impl<S: Real, const D: usize> Implicit<S, D> {
         self.touches.put(points, &pull.contacts, &mut self.place, pace);
         let touches = !pull.contacts.is_idle();
         let (most, stale) = if touches { (MOST_RUBBED_ROUNDS, S::from_f64(STALE)) } else { (MOST_ROUNDS, S::ZERO) };
+        let far = S::from_f64(FAR);
         let fine = S::EPSILON * S::from_f64(16.0);
         let small = fine.max(S::from_f64(close));
         let small = small * small;
         let mut last = S::INFINITY;
         for round in 0..most {
-            self.balance(points, pull, around, time, pace, counters);
+            // Friction that does not settle is led there more slowly.
+            let share = if round < MOST_ROUNDS / 2 || !self.error.is_empty() { S::ONE } else { S::HALF };
+            self.balance((points, pull), around, (time, share), pace, counters);
             let is_whole = round == 0 || last > stale * stale;
             if is_whole {
-                self.assemble(points, pull, pace.rate, round > 8);
+                // What surfaces put elsewhere may be far from where it will be.
+                let is_far = touches && last > far * far;
+                self.assemble(points, pull, pace.rate, round > 8 || is_far);
                 self.system.factor();
             }
             self.rounds[usize::from(!is_whole)] += 1;
@@ -209,10 +240,9 @@ impl<S: Real, const D: usize> Implicit<S, D> {
     /// What is left of the balance of forces, and of the rigid bonds.
     fn balance(
         &mut self,
-        points: &Points<S, D>,
-        pull: &mut Pull<S, D>,
+        (points, pull): (&Points<S, D>, &mut Pull<S, D>),
         around: &Environment<D>,
-        time: f64,
+        (time, share): (f64, S),
         Pace { rate, reach, .. }: Pace<S>,
         counters: &mut Counters,
     ) {
@@ -231,7 +261,7 @@ impl<S: Real, const D: usize> Implicit<S, D> {
             let inertia = scale(sub(self.speed[i], points.velocity[i]), rate);
             let pulled = sub(add(self.force[i], gravity), scale(self.speed[i], drag));
             let total = sub(pulled, inertia);
-            self.force[i] = scale(pull.contacts.rubbed(i, self.speed[i], total), S::ONE / w[i]);
+            self.force[i] = scale(pull.contacts.rubbed(i, (total, share)), S::ONE / w[i]);
         }
         for (error, &(a, b, rest)) in self.error.iter_mut().zip(&self.rigid) {
             let (a, b) = (a as usize, b as usize);

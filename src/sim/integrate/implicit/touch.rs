@@ -7,7 +7,7 @@
 //!
 //! Which of these holds for whom is decided after Newton's method has converged with what was thought before, until nobody changes
 //! sides (primal-dual active sets; S. Hüeber, B. Wohlmuth, Comput. Methods Appl. Mech. Engrg. 194, 3147 (2005)). Each may let go, and
-//! begin to slide, once in a step: so that ends. A point that comes from `gap` away is stopped at the surface, and the work that this
+//! begin to slide, once in a step, but while places are rough: so that ends. A point that comes from `gap` away is stopped at the surface, and the work that this
 //! takes from it and what hangs on it is given back to it times restitution^2 (energetic restitution; W. J. Stronge, Proc. R. Soc. Lond.
 //! A 431, 169 (1990)): of a point alone v -> -restitution v, and never more than there was.
 
@@ -18,8 +18,9 @@ use crate::sim::pull::Pull;
 use crate::sim::real::Real;
 use crate::sim::vector::{add, convert, dot, length, scale, sub};
 
-/// Times that sides are changed in a step.
+/// Times that sides are changed in a step, and while places are rough.
 const MOST_SETS: u32 = 64;
+const MOST_ROUGH_SETS: u32 = 8;
 /// Share of an acceleration that presses so little that it counts as let go, or holds by so much more than friction may.
 const LOOSE: f64 = 1e-9;
 /// Substeps: a bounce that would be over sooner is none.
@@ -118,16 +119,17 @@ impl<S: Real, const D: usize> Touches<S, D> {
         }
     }
 
-    /// Decides anew who touches, slides and is held, where forces balance at these places. Returns whether anything changed.
+    /// Decides anew who touches, slides and is held, where forces balance at these places: as nearly as rounding lets them, or roughly.
+    /// Returns whether anything changed.
     pub(super) fn decide(
         &mut self,
         (points, pull): (&Points<S, D>, &mut Pull<S, D>),
         at: &[[S; D]],
-        pace: Pace<S>,
+        (pace, is_fine): (Pace<S>, bool),
     ) -> bool {
         let contacts = &mut pull.contacts;
         self.sets += 1;
-        if !contacts.has_surfaces() || self.sets > MOST_SETS {
+        if !contacts.has_surfaces() || self.sets > if is_fine { MOST_SETS } else { MOST_ROUGH_SETS } {
             return false;
         }
         let met = self.met(points, contacts, at, pace);
@@ -142,7 +144,7 @@ impl<S: Real, const D: usize> Touches<S, D> {
                 rest.surfaces().iter().filter(|&&s| lets_go(s as usize)).map(|&s| [point, s]).collect();
             if !free.is_empty() {
                 rest.keep(surfaces, |s| !free.contains(&[point, s as u32]));
-                freed.extend(free);
+                freed.extend(free.into_iter().filter(|_| is_fine));
                 has_changed = true;
                 return;
             }
@@ -151,7 +153,7 @@ impl<S: Real, const D: usize> Touches<S, D> {
             if rest.sticks {
                 if length(along) > most * S::from_f64(1.0 + LOOSE) && !slipped.contains(&point) {
                     (rest.sticks, rest.heading) = (false, along);
-                    slipped.push(point);
+                    slipped.extend(is_fine.then_some(point));
                     has_changed = true;
                 }
                 return;
@@ -227,7 +229,7 @@ impl<S: Real, const D: usize> Touches<S, D> {
             let mut v = pace.velocity(way, points.velocity[i]);
             let rubbed = match rest.sticks {
                 true => scale(rest.along(rest.pressing), -S::ONE),
-                false => contacts.friction(rest, scale(way, pace.rate), rest.pressing),
+                false => contacts.rub_ahead(rest),
             };
             self.taken[0] -= (dot(rubbed, pace.way(way)) * mass).to_f64();
             let of_point =
