@@ -1,6 +1,9 @@
 //! Coulomb's law with every method that is asked for by name: what slides, what is held, and no energy from nowhere.
 
+use serde_json::{Value, json};
+
 use super::common::physics::{middle, run_to, spring};
+use wobble::scene::Scene;
 use wobble::sim::{Bond, BondKind, Bounds, Method, Model, PointId, Solver, build};
 
 const G: f64 = 9.81;
@@ -122,4 +125,53 @@ fn hard_springs_make_no_energy_at_walls() {
             assert!(restitution > 0.5 || least < 0.5 * start, "{solver}, {restitution}: {least} of {start}");
         }
     }
+}
+
+/// A lattice of nine points with springs as hard as steel.
+fn steel(origin: [f64; 2], angle: f64, damping: f64) -> Value {
+    json!({"make": "lattice", "columns": 3, "rows": 3, "spacing": 0.5, "origin": origin, "angle": angle,
+        "material": {"kind": "spring", "stiffness": 1e9, "damping": damping, "mass": 1}})
+}
+
+/// Energy of a scene every tenth of a second, over that at its start, and where the middle of its points ends.
+fn energies(scene: &Value, end: f64) -> (Vec<f64>, f64) {
+    let mut world = Scene::parse(&scene.to_string(), "scene").unwrap().world(None).unwrap();
+    let start = world.sample(0.0).energy;
+    let energies = (1..=(end * 10.0) as u32).map(|k| run_to(&mut *world, f64::from(k) / 10.0).energy / start).collect();
+    let count = world.point_count();
+    (energies, middle(&*world, 0..count)[0])
+}
+
+#[test]
+fn what_is_as_hard_as_steel_falls_and_stands_without_energy_from_nowhere() {
+    for solver in ["implicit-midpoint", "backward-euler"] {
+        let floor = json!({"min": [-3, 0], "max": [3, 6], "restitution": 0, "friction": 0.5});
+        let falls = json!({"wobble": 1, "gravity": [0, -G], "method": {"solver": solver}, "bounds": floor,
+            "bodies": [steel([-0.5, 1.2], 0.3, 6e3)]});
+        let (shares, _) = energies(&falls, 3.0);
+        assert!(shares.iter().all(|share| *share < 1.01), "{solver}: {shares:?}");
+        // It lies on a side: its middle is half a metre up.
+        assert!((shares[29] * 17.91 / (0.5 * G) - 1.0).abs() < 0.01, "{solver}: {shares:?}");
+        let (sin, cos) = 0.6_f64.sin_cos();
+        let slope = json!([{"plane": {"point": [0, 0], "normal": [sin, cos]}, "friction": 1.5, "restitution": 0}]);
+        let stands = json!({"wobble": 1, "gravity": [0, -G], "method": {"solver": solver}, "obstacles": slope,
+            "bodies": [steel([0.001 * sin, 0.001 * cos], -0.6, 6e3)]});
+        let (shares, middle) = energies(&stands, 1.5);
+        assert!((middle - 0.5 * (sin + cos)).abs() < 2e-3, "{solver} goes to {middle}: {shares:?}");
+    }
+}
+
+#[test]
+fn a_hard_cube_that_tumbles_in_space_makes_no_energy() {
+    let corner = |k: u32| [0.5 * f64::from(k >> 2), 1.0 + 0.5 * f64::from((k >> 1) & 1), 0.5 * f64::from(k & 1)];
+    let position: Vec<[f64; 3]> = (0..8).map(corner).collect();
+    let velocity: Vec<[f64; 3]> = (0..8).map(|k| [1.0 + 0.3 * f64::from(k), 0.0, 0.2 * f64::from(k)]).collect();
+    let bonds: Vec<Value> = (0..8)
+        .flat_map(|a| (0..a).map(move |b| json!({"a": a, "b": b, "kind": "spring", "stiffness": 1e8, "damping": 1e3})))
+        .collect();
+    let scene = json!({"wobble": 1, "dimensions": 3, "gravity": [0, -G, 0], "points": {"position": position, "velocity": velocity},
+        "bonds": bonds, "obstacles": [{"plane": {"point": [0, 0, 0], "normal": [0, 1, 0]}, "friction": 0.5, "restitution": 0.2}]});
+    let (shares, _) = energies(&scene, 3.0);
+    assert!(shares.iter().all(|share| *share < 1.01), "{shares:?}");
+    assert!(shares[29] < 0.25, "it comes to rest: {shares:?}");
 }
