@@ -282,7 +282,10 @@ impl<S: Real, const D: usize> Group<S, D> {
             None => engine,
         };
         let is_fine = by.step(points, pull, around, (t, h), counters);
-        if !is_fine && by.meets_surfaces() {
+        let is_number = |x: &[S; D]| x.iter().all(|x| x.is_finite());
+        let is_somewhere =
+            pull.contacts.has_surfaces() && points.position.iter().chain(&points.velocity).all(is_number);
+        if !is_fine && by.meets_surfaces() && is_somewhere {
             // What is found then may be anywhere: it stands still instead.
             points.restore(&self.before);
             points.stop();
