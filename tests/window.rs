@@ -361,11 +361,11 @@ fn the_gallery_opens_scenes_and_undo_goes_back() {
     app.key("Return");
     app.wait_for_title("wobble · rope");
     app.key("Next");
-    app.wait_for_title("wobble · net");
+    app.wait_for_title("wobble · rope-as-printed");
     app.key("ctrl+z");
     app.wait_for_title("wobble · rope");
     app.key("ctrl+y");
-    app.wait_for_title("wobble · net");
+    app.wait_for_title("wobble · rope-as-printed");
     app.key("Prior");
     app.wait_for_title("wobble · rope");
     app.quit();

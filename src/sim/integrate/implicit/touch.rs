@@ -7,9 +7,11 @@
 //!
 //! Which of these holds for whom is decided after Newton's method has converged with what was thought before, until nobody changes
 //! sides (primal-dual active sets; S. Hüeber, B. Wohlmuth, Comput. Methods Appl. Mech. Engrg. 194, 3147 (2005)). Each may let go, and
-//! begin to slide, once in a step, but while places are rough: so that ends. A point that comes from `gap` away is stopped at the surface, and the work that this
-//! takes from it and what hangs on it is given back to it times restitution^2 (energetic restitution; W. J. Stronge, Proc. R. Soc. Lond.
-//! A 431, 169 (1990)): of a point alone v -> -restitution v, and never more than there was.
+//! begin to slide, once in a step, but while places are rough: so that ends.
+//!
+//! A point that comes from `gap` away is stopped at the surface, and the work that this takes from it and what hangs on it is given back
+//! to it times restitution^2 (energetic restitution; W. J. Stronge, Proc. R. Soc. Lond. A 431, 169 (1990)): of a point alone
+//! v -> -restitution v, and never more than there was.
 
 use crate::sim::contact::{Contacts, place};
 use crate::sim::measure::extent;
