@@ -33,12 +33,7 @@ impl<S: Real> Spring<S> {
     /// Its energy [J], its ends so far apart.
     pub(crate) fn energy<const D: usize>(&self, d: [S; D]) -> S {
         let off = length(d) - self.rest_length;
-        let acts = match self.limit {
-            Limit::Both => true,
-            Limit::Max => off > S::ZERO,
-            Limit::Min => off < S::ZERO,
-        };
-        if acts { S::HALF * self.stiffness * off * off } else { S::ZERO }
+        if self.limit.acts(off, S::ZERO) { S::HALF * self.stiffness * off * off } else { S::ZERO }
     }
 
     /// The spring as it is while it acts, whatever its length, or while it does not: where events decide that.

@@ -75,9 +75,7 @@ impl<S: Real, const D: usize> Group<S, D> {
 
     /// Whether what bonds and surfaces answer does work.
     fn reacts(&self, account: &Account) -> bool {
-        let contacts = &self.pull.contacts;
-        let rubs = || contacts.rests.iter().any(|rest| rest.grip(&contacts.obstacles.surfaces) > S::ZERO);
-        account.pulls_rigid || !self.engine.meets_surfaces() && rubs()
+        account.pulls_rigid || !self.engine.meets_surfaces() && self.pull.contacts.rubs()
     }
 
     /// What acts at a state [W]. `pull` is a copy to ask what bonds and surfaces answer, where that does work.
