@@ -15,3 +15,4 @@ mod rim;
 mod robust;
 mod rubbing;
 mod toys;
+mod violent;

@@ -84,7 +84,7 @@ fn check_oscillator(problem: &Value) {
     assert_eq!(level["error"], 1e-3);
     assert_eq!(level["target"], 14.0);
     assert!((level["ratio"].as_f64().unwrap() - baseline / best).abs() < 1e-9 * baseline / best);
-    assert_eq!(problem["tolerance"].as_array().unwrap().len(), 2);
+    assert_eq!(problem["tolerance"].as_array().unwrap().len(), 3);
 }
 
 fn check_tables(out: &Path) {
@@ -96,6 +96,12 @@ fn check_tables(out: &Path) {
     assert!(runs.iter().all(|row| row[5].parse::<f64>().unwrap() > 0.0));
     let equal = rows(out, "equal-error.csv");
     assert!(equal.iter().any(|row| row[0] == "A2_drag" && row[2] == "1" && row[8] == "35.0"), "{equal:?}");
+    let asked = named_rows(out, "asked.csv");
+    for row in &asked {
+        let most = if row["asked_m"] == "default" { 1e-3 * number(row, "size_m") } else { number(row, "asked_m") };
+        assert!(number(row, "error_m") <= most && row["holds"] == "true", "{row:?}");
+    }
+    assert_eq!(asked.iter().filter(|row| row["asked_m"] == "default").count(), 2);
     let slides = rows(out, "slides.csv");
     let turn = slides.iter().find(|row| row[0] == "circle: growth a turn" && row[2] == "0.1").unwrap();
     assert!((turn[3].parse::<f64>().unwrap() - 1.368).abs() < 1e-3, "{turn:?}");

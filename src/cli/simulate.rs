@@ -284,11 +284,13 @@ impl Searched {
     fn report(&self, recording: &Recording) -> anyhow::Result<()> {
         let taken = format!("{} with a substep of {} s", recording.solver, short(recording.substep));
         if !self.is_reached {
-            bail!(
-                "an error of {:?} m was not reached: {taken} comes to {:.1e} m (written all the same)",
-                self.tolerance,
-                self.expected_error
-            );
+            let tolerance = self.tolerance;
+            match self.expected_error {
+                error if error.is_finite() => {
+                    bail!("an error of {tolerance:?} m was not reached: {taken} comes to {error:.1e} m (written all the same)")
+                }
+                _ => bail!("an error of {tolerance:?} m was not reached: {taken}, whose error cannot be told (written all the same)"),
+            }
         }
         writeln!(std::io::stderr(), "wobble: {taken}, expected error {:.1e} m", self.expected_error)?;
         Ok(())

@@ -98,7 +98,7 @@ fn part(text: &str) -> Result<Part, String> {
 fn after_help() -> String {
     let names: Vec<&str> = study::problems().iter().map(|problem| problem.name).collect();
     format!(
-        "Writes accuracy.json, runs.csv, equal-error.csv, orders.csv, slides.csv, and plots as SVG and PNG.\n\n\
+        "Writes accuracy.json, runs.csv, equal-error.csv, asked.csv (the default, and errors asked for), orders.csv, slides.csv, and plots as SVG and PNG.\n\n\
          Examples:\n  wobble study accuracy --out study\n  \
          wobble study accuracy B1_osc D1_pendulum90 --out study\n  \
          wobble study accuracy A2_drag --quick --out look\n\n\

@@ -6,7 +6,7 @@ use super::part::Part;
 use crate::sim::contact::surface::Surface;
 use crate::sim::force::form::Block;
 use crate::sim::solve::blocks::Blocks;
-use crate::sim::vector::{scale, sub};
+use crate::sim::vector::{length, scale, sub};
 
 /// Stiffness of holds, in those of the stiffest spring or tension: a round leaves the inverse of it of an error in the
 /// multipliers. More of it drowns soft directions in rounding.
@@ -71,7 +71,8 @@ impl<const D: usize> Descent<D> {
         };
         for (pair, spring) in part.springs.iter().enumerate() {
             let (a, b) = (spring.a as usize, spring.b as usize);
-            couple(pair, [a, b], spring.stiffness_block(sub(x[a], x[b]), 0.0, false));
+            let d = sub(x[a], x[b]);
+            couple(pair, [a, b], spring.stiffness_block((d, length(d)), 0.0, false));
         }
         let bonds = holds.iter().filter(|hold| matches!(hold.grip, Grip::Bond { .. }));
         for (k, hold) in bonds.enumerate().filter(|(_, hold)| hold.is_active) {

@@ -16,6 +16,16 @@ pub(super) struct Candidates {
     pub(super) solvers: Vec<Solver>,
 }
 
+/// What rigid bonds are held by: the first where the rules cut its steps by their errors.
+const FOR_RIGID: [Solver; 6] = [
+    Solver::Auto,
+    Solver::Rk8,
+    Solver::Rk4,
+    Solver::VelocityVerlet,
+    Solver::Pefrl,
+    Solver::BlanesMoan6,
+];
+
 /// The candidates for a model; a solver that it says is the only one.
 pub(super) fn of<const D: usize>(model: &Model<D>) -> Candidates {
     if model.method.solver != Solver::Auto {
@@ -41,11 +51,11 @@ pub(super) fn of<const D: usize>(model: &Model<D>) -> Candidates {
         let is_large = islands_of(model).iter().any(|island| island.rigid > MOST_DIRECT);
         if is_large {
             (&[Solver::Verlet], &[Solver::Verlet])
+        } else if is_there(model, Solver::Rk8) {
+            // What `auto` moves by order 8 is cut by its errors too.
+            (&[Solver::Auto, Solver::Rk8, Solver::Pefrl], &FOR_RIGID)
         } else {
-            (
-                &[Solver::Rk8, Solver::Pefrl],
-                &[Solver::Rk8, Solver::Rk4, Solver::VelocityVerlet, Solver::Pefrl, Solver::BlanesMoan6],
-            )
+            (&[Solver::Rk8, Solver::Pefrl], &FOR_RIGID[1..])
         }
     } else if is_damped || has_surfaces || model.mouse.is_some() || has_limits {
         (
@@ -72,4 +82,9 @@ pub(super) fn of<const D: usize>(model: &Model<D>) -> Candidates {
 fn are_rigid_bodies<const D: usize>(model: &Model<D>) -> bool {
     let all = |world: Box<dyn Dynamics>| world.parts().iter().all(|part| part.solver == Solver::Rigid);
     build(model).is_ok_and(all)
+}
+
+/// Whether the rules move some of a model by this method.
+fn is_there<const D: usize>(model: &Model<D>, solver: Solver) -> bool {
+    build(model).is_ok_and(|world| world.parts().iter().any(|part| part.solver == solver))
 }

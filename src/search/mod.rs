@@ -66,11 +66,14 @@ pub fn search<const D: usize>(model: &Model<D>, tolerance: f64, times: &[f64]) -
     }
     let (trial, error) = best.unwrap_or_else(|| (reference.trial.clone(), 0.0));
     // No run is better than its rounding.
-    let expected_error = (error + reference.uncertainty).max(ROUNDED * f64::EPSILON * reference.trial.extent());
+    let estimate = (error + reference.uncertainty).max(ROUNDED * f64::EPSILON * reference.trial.extent());
+    let is_reached = estimate <= tolerance;
+    // Runs that stumbled where they do not agree say nothing of how far off both are.
+    let is_known = is_reached || !reference.trial.is_patched;
     Ok(Found {
         method: trial.method,
-        expected_error,
-        is_reached: expected_error <= tolerance,
+        expected_error: if is_known { estimate } else { f64::INFINITY },
+        is_reached,
         substeps: trials.substeps,
     })
 }

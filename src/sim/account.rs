@@ -13,6 +13,7 @@
 use super::bond::Bond;
 use super::environment::Environment;
 use super::force::form::{Form, at};
+use super::force::mean::amendment;
 use super::force::mouse::{self, Track};
 use super::force::spring::Spring;
 use super::ledger::Book;
@@ -87,6 +88,22 @@ impl Account {
         }
         if drag_rate != 0.0 {
             power.drag += 2.0 * drag_rate * kinetic(v, w);
+        }
+    }
+
+    /// Adds what led pins do more [W] where springs pull by their mean lengths along a step, from `start` through `middle`.
+    pub(crate) fn amend_pins<S: Real, const D: usize>(
+        &self,
+        (start, middle): (&[[S; D]], &[[S; D]]),
+        (v, w): (&[[S; D]], &[S]),
+        power: &mut Book,
+    ) {
+        for spring in &self.springs {
+            let (i, j) = (spring.a as usize, spring.b as usize);
+            let apart = |x: &[[S; D]]| sub(widen(x[i]), widen(x[j]));
+            let pull = amendment(spring, apart(start), apart(middle));
+            let of_pin = |k: usize| if w[k] == S::ZERO { dot(pull, widen(v[k])) } else { 0.0 };
+            power.pins -= of_pin(i) - of_pin(j);
         }
     }
 

@@ -41,7 +41,7 @@ pub enum Solver {
     Rk4,
     /// Dormand and Prince's method of order 8 in 12 forces. Rigid bonds by multipliers.
     Rk8,
-    /// Implicit: order 2, symplectic, stable at any substep.
+    /// Implicit: order 2, stable at any substep; what springs and rigid bonds do keeps energy.
     ImplicitMidpoint,
     /// Implicit: order 1, stable at any substep, damps what it does not resolve.
     BackwardEuler,

@@ -51,7 +51,7 @@ pub struct ProblemReport {
     pub baseline: Vec<MethodReport>,
     /// The program's own methods.
     pub methods: Vec<MethodReport>,
-    /// Runs with an error asked for.
+    /// Runs with nothing asked for, and with an error.
     pub tolerance: Vec<ToleranceReport>,
     /// Of a static problem: its equilibrium, found without motion.
     pub settle: Option<SettleReport>,

@@ -53,6 +53,16 @@ impl Truth {
     pub fn times(&self) -> Vec<f64> {
         self.samples.iter().map(|sample| sample.t).collect()
     }
+
+    /// The longest side of a box around all points at all samples [m].
+    pub fn size(&self) -> f64 {
+        let axis = |k: usize| {
+            let at = self.samples.iter().flat_map(|sample| &sample.position).filter_map(|x| x.get(k).copied());
+            let (low, high) = at.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), x| (low.min(x), high.max(x)));
+            high - low
+        };
+        (0..3).map(axis).fold(0.0, f64::max)
+    }
 }
 
 impl TruthSample {

@@ -44,6 +44,7 @@ impl Report {
         })?;
         replace(&folder.join("runs.csv"), |to| tables::runs(&self.problems, to))?;
         replace(&folder.join("equal-error.csv"), |to| tables::equal_error(&self.problems, to))?;
+        replace(&folder.join("asked.csv"), |to| tables::asked(&self.problems, to))?;
         replace(&folder.join("orders.csv"), |to| tables::orders(&self.problems, to))?;
         replace(&folder.join("slides.csv"), |to| tables::slides(&self.slides, to))?;
         self.draw(folder)

@@ -75,6 +75,45 @@ pub(super) fn equal_error(problems: &[ProblemReport], to: impl Write) -> Result<
     rows.flush()
 }
 
+/// A row a problem and what was asked: nothing, or an error.
+pub(super) fn asked(problems: &[ProblemReport], to: impl Write) -> Result<()> {
+    let mut rows = csv::Writer::from_writer(to);
+    rows.write_record([
+        "problem",
+        "asked_m",
+        "method",
+        "substep_s",
+        "expected_error_m",
+        "error_m",
+        "size_m",
+        "error_of_size",
+        "holds",
+        "seconds",
+        "search_seconds",
+        "refused",
+    ])?;
+    for (problem, report) in problems.iter().flat_map(|problem| problem.tolerance.iter().map(|one| (problem.name, one)))
+    {
+        let maybe = |value: Option<f64>| value.map_or(String::new(), number);
+        let error = report.errors.iter().copied().reduce(f64::max);
+        rows.write_record([
+            problem,
+            &report.tolerance.map_or("default".to_owned(), number),
+            report.solver.as_deref().unwrap_or(""),
+            &maybe(report.substep),
+            &maybe(report.expected_error),
+            &maybe(error),
+            &number(report.size),
+            &maybe(error.map(|error| error / report.size)),
+            &report.holds.map_or(String::new(), |holds| holds.to_string()),
+            &maybe(report.seconds),
+            &maybe(report.search_seconds),
+            report.refused.as_deref().unwrap_or(""),
+        ])?;
+    }
+    rows.flush()
+}
+
 /// The row of a method; target and whether it is reached stand with the best one.
 fn equal_error_row(problem: &str, level: &EqualError, ranked: Option<(usize, &Priced)>) -> [String; 10] {
     let (baseline, baseline_cost) = match &level.baseline {

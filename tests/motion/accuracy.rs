@@ -45,11 +45,11 @@ fn every_problem_is_within_a_micrometre() {
 }
 
 #[test]
-fn automatic_settings_are_right_to_a_few_millimetres() {
+fn automatic_settings_are_right_to_a_tenth_of_a_millimetre() {
     for problem in problems::problems() {
         let (scene, truth) = (problem.scene().unwrap(), problem.truth().unwrap());
         let error = run(&scene, &truth);
-        assert!(error <= 3e-3, "{}: {error} m", problem.name);
+        assert!(error <= 1e-4, "{}: {error} m", problem.name);
     }
 }
 

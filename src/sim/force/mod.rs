@@ -3,6 +3,7 @@
 pub mod angle;
 pub mod area;
 pub(crate) mod form;
+pub(crate) mod mean;
 pub mod mouse;
 pub(crate) mod muscle;
 pub(crate) mod spring;

@@ -193,12 +193,16 @@ impl<S: Real> Spring<S> {
 
     /// Minus the derivative of the force on end a: K + rate C [N/m], by d and (times `rate` [1/s]) by velocity.
     ///
-    /// K = stiffness (n n^T + (1 - rest/|d|) (1 - n n^T)), C = damping n n^T, n = d/|d|. `is_cautious`: the second part
-    /// of K is left out where it is below 0.
-    pub(crate) fn stiffness_block<const D: usize>(&self, d: [S; D], rate: S, is_cautious: bool) -> [[S; D]; D] {
+    /// K = stiffness (n n^T + (1 - rest/length) (1 - n n^T)), C = damping n n^T, n = d/|d|, with the length by which it pulls, which is |d| or
+    /// near it. `is_cautious`: the second part of K is left out where it is below 0.
+    pub(crate) fn stiffness_block<const D: usize>(
+        &self,
+        (d, length): ([S; D], S),
+        rate: S,
+        is_cautious: bool,
+    ) -> [[S; D]; D] {
         let mut block = [[S::ZERO; D]; D];
         let square = dot(d, d);
-        let length = square.sqrt();
         let (along, across) = if self.rest_length == S::ZERO {
             let all = if self.limit == Limit::Min { S::ZERO } else { self.stiffness + rate * self.damping };
             (S::ZERO, all)

@@ -55,7 +55,12 @@ impl<S: Real, const D: usize> Group<S, D> {
             if let Engine::Implicit(implicit) = &self.engine {
                 // What it is moved by is that of its stage, and nothing else of what is too fast for the substep.
                 if let Some(stage) = implicit.stage() {
-                    account.book.add(&power(t + stage.share * h, stage.place, stage.speed), h);
+                    let mut at_stage = power(t + stage.share * h, stage.place, stage.speed);
+                    if stage.is_mean {
+                        let way = (&self.before.position[..], stage.place);
+                        account.amend_pins(way, (stage.speed, &self.points.inverse_mass), &mut at_stage);
+                    }
+                    account.book.add(&at_stage, h);
                     let [friction, impacts] = implicit.touches.taken;
                     account.book.friction += friction;
                     account.book.impacts += impacts;

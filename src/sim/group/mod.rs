@@ -35,9 +35,11 @@ use watch::Watch;
 
 /// Times that a substep is halved before it goes to a more robust method.
 const MOST_SPLITS: u32 = 5;
+/// The same of one of high order before it goes to a plain one.
+const MOST_FINE_SPLITS: u32 = 20;
 /// Seconds of counted work for a second of the scene after which a substep goes on without being taken back: what is left of it is
 /// taken by the more robust method, and events are dealt with where it ends.
-const MOST_EFFORT: f64 = 100.0;
+pub(crate) const MOST_EFFORT: f64 = 100.0;
 /// Steps of the method that a substep may take before that, however short it is.
 const LEAST_TRIES: u64 = 32;
 
@@ -58,7 +60,9 @@ pub(crate) struct Group<S: Real, const D: usize> {
     pub(crate) points: Points<S, D>,
     pub(crate) pull: Pull<S, D>,
     pub(crate) engine: Engine<S, D>,
-    /// What takes substeps that the engine cannot.
+    /// What takes what is too violent for an engine of high order.
+    pub(crate) plain: Option<Plain<S, D>>,
+    /// What takes substeps that neither can.
     pub(crate) robust: Option<Box<Engine<S, D>>>,
     /// Bonds that must not turn or stretch too far in a substep.
     pub(crate) guard: Guard<S>,
@@ -79,8 +83,8 @@ pub(crate) struct Group<S: Real, const D: usize> {
     /// Points that are led to the cursor.
     pub(crate) grabbed: Option<Grabbed<D>>,
     pub(crate) work: Work,
-    /// Counted work at which the substep under way is not taken back any more.
-    pub(crate) patience: u64,
+    /// Counted work at which the substep under way is not cut for its errors any more, and not taken back at all.
+    pub(crate) patience: [u64; 2],
     /// Counted work at which the step under way is given up, as it may be where the group can be handed over.
     pub(crate) limit: u64,
     /// When the step under way was given up [s].
@@ -91,6 +95,14 @@ pub(crate) struct Group<S: Real, const D: usize> {
     pub(crate) watch: Option<Box<Watch<S, D>>>,
     /// Where a ledger is kept.
     pub(crate) account: Option<Box<Account>>,
+}
+
+/// A method of order 2 behind one of high order, with a guard of its own.
+#[derive(Clone, Debug)]
+pub(crate) struct Plain<S: Real, const D: usize> {
+    pub(crate) engine: Box<Engine<S, D>>,
+    /// Seconds of counted work for a second of the scene after which a substep is not cut for its errors any more, but goes here at once.
+    pub(crate) effort: f64,
 }
 
 /// Operations, about, of what a group does.
@@ -163,8 +175,9 @@ impl<S: Real, const D: usize> Group<S, D> {
         counters.substeps += 1;
         counters.points_moved += self.points.len() as u64;
         if self.may_fail() {
-            self.patience =
-                counters.work_after(MOST_EFFORT * h).saturating_add(LEAST_TRIES.saturating_mul(self.work.step));
+            let least = LEAST_TRIES.saturating_mul(self.work.step);
+            let fine = self.plain.as_ref().map_or(MOST_EFFORT, |plain| plain.effort);
+            self.patience = [fine, MOST_EFFORT].map(|effort| counters.work_after(effort * h).saturating_add(least));
             self.attempt(around, (t, h), 0, counters);
         } else {
             self.note_start();
@@ -193,13 +206,16 @@ impl<S: Real, const D: usize> Group<S, D> {
                 passes = !is_fine && self.take_unheld(around, (now, left), counters);
             }
             if !passes {
-                if depth < MOST_SPLITS && self.is_patient(counters) {
+                if self.may_split(depth, counters) {
                     counters.guard_splits += 1;
                     self.attempt(around, (now, 0.5 * left), depth + 1, counters);
                     if self.edges.broken.is_some() || self.gave_up.is_some() {
                         return;
                     }
                     return self.attempt(around, (now + 0.5 * left, 0.5 * left), depth + 1, counters);
+                }
+                if let Some(plain) = self.plain.take() {
+                    return self.attempt_plainly(plain, around, (now, left), counters);
                 }
                 counters.fallbacks += 1;
                 self.take_robustly(around, (now, left), counters);
@@ -220,6 +236,25 @@ impl<S: Real, const D: usize> Group<S, D> {
         }
     }
 
+    /// The rest of a substep by a plain method, cut anew where its guard says so.
+    fn attempt_plainly(
+        &mut self,
+        plain: Plain<S, D>,
+        around: &Environment<D>,
+        span: (f64, f64),
+        counters: &mut Counters,
+    ) {
+        let Plain { mut engine, effort } = plain;
+        std::mem::swap(&mut self.engine, &mut engine);
+        let follows_turns = std::mem::replace(&mut self.guard.follows_turns, false);
+        self.engine.refresh();
+        self.attempt(around, span, 0, counters);
+        self.guard.follows_turns = follows_turns;
+        std::mem::swap(&mut self.engine, &mut engine);
+        self.engine.refresh();
+        self.plain = Some(Plain { engine, effort });
+    }
+
     /// Whether the step under way is given up at `now` [s], for it costs too much: what is left of it is somebody else's.
     pub(crate) fn gives_up(&mut self, now: f64, counters: &Counters) -> bool {
         if counters.work.saturating_add(self.work.step) > self.limit {
@@ -228,9 +263,17 @@ impl<S: Real, const D: usize> Group<S, D> {
         self.gave_up.is_some()
     }
 
+    /// Whether the substep under way may be halved once more.
+    fn may_split(&self, depth: u32, counters: &Counters) -> bool {
+        match self.plain {
+            Some(_) => depth < MOST_FINE_SPLITS && counters.work < self.patience[0],
+            None => depth < MOST_SPLITS && self.is_patient(counters),
+        }
+    }
+
     /// Whether parts of the substep under way may still be taken back.
     fn is_patient(&self, counters: &Counters) -> bool {
-        counters.work < self.patience
+        counters.work < self.patience[1]
     }
 
     /// Whether a substep may have to be taken back or cut. Kicks and flights alone converge always.
@@ -361,6 +404,7 @@ impl<S: Real, const D: usize> Group<S, D> {
             points: Points::new(State::default(), Vec::new()),
             pull,
             engine: Engine::Projected,
+            plain: None,
             robust: None,
             guard: Guard { bonds: Vec::new(), follows_turns: false },
             breakable: Vec::new(),
@@ -373,7 +417,7 @@ impl<S: Real, const D: usize> Group<S, D> {
             sleep: Sleep::default(),
             grabbed: None,
             work: Work::default(),
-            patience: 0,
+            patience: [0; 2],
             limit: u64::MAX,
             gave_up: None,
             moved: Moved::default(),

@@ -4,6 +4,8 @@
 //! takes the points off the bonds by is projected away after the step, positions first, then velocities.
 //! Source: E. Hairer and G. Wanner, Solving Ordinary Differential Equations II, 2nd ed. 1996, VII.2.
 
+use std::cmp::Ordering;
+
 use super::tableau::{LONGEST_ROW, Tableau};
 use crate::sim::constrain::direct::Direct;
 use crate::sim::counters::Counters;
@@ -20,22 +22,30 @@ pub(crate) struct Stages<S> {
     start: Vec<S>,
     state: Vec<S>,
     slopes: Vec<Vec<S>>,
+    /// The largest error of a step that is let pass [m], and for how long an error of a velocity is taken to last [s]; `None`: nobody asks.
+    checked: Option<(S, S)>,
 }
 
 impl<S: Real> Stages<S> {
     /// Room for `count` numbers of positions, and as many of velocities, in `stages` stages.
     pub(crate) fn new(count: usize, stages: usize) -> Self {
         let row = vec![S::ZERO; 2 * count];
-        Stages { start: row.clone(), state: row.clone(), slopes: vec![row; stages] }
+        Stages { start: row.clone(), state: row.clone(), slopes: vec![row; stages], checked: None }
+    }
+
+    /// With steps refused whose error is larger than `most` [m], that of velocities times `lasts` [s] included, where the table has an
+    /// estimate of it.
+    pub(crate) fn checked(self, most: S, lasts: f64) -> Self {
+        Stages { checked: Some((most, S::from_f64(lasts))), ..self }
     }
 }
 
 /// Advances by `h` from time `t`. Returns whether rigid bonds could be held; a substep beyond the limit of stability
-/// of taut bonds is not begun.
+/// of taut bonds is not begun, and one whose error is seen to be too large, where that is asked, not ended.
 pub(crate) fn step<S: Real, const D: usize>(
     points: &mut Points<S, D>,
     pull: &mut Pull<S, D>,
-    Stages { start, state, slopes }: &mut Stages<S>,
+    Stages { start, state, slopes, checked }: &mut Stages<S>,
     table: &Tableau,
     around: &Environment<D>,
     (t, h): (f64, f64),
@@ -71,10 +81,36 @@ pub(crate) fn step<S: Real, const D: usize>(
             }
         }
     }
+    if let (Some((most, lasts)), Some(rows)) = (*checked, table.errors) {
+        let error = error((state, lasts), slopes, rows, h);
+        // NaN is refused.
+        if error.partial_cmp(&most).is_none_or(Ordering::is_gt) {
+            return false;
+        }
+    }
     let Points { position, position_lost, velocity, velocity_lost, .. } = points;
     add_up(position.as_flattened_mut(), position_lost.as_flattened_mut(), (slopes, 0), table.weights, h);
     add_up(velocity.as_flattened_mut(), velocity_lost.as_flattened_mut(), (slopes, half), table.weights, h);
     pull.restore(points, counters)
+}
+
+/// An estimate of the error of a step [m]: of positions, and of velocities as long as they last, all together; that of order 5, less what the
+/// one of order 3 says that it is too large by. Source: as of the table, II.10.
+fn error<S: Real>(
+    (sums, lasts): (&mut [S], S),
+    slopes: &[Vec<S>],
+    [of_5, of_3]: [&[(usize, f64)]; 2],
+    h: f64,
+) -> S {
+    let half = sums.len() / 2;
+    let mut squares = |row: &[(usize, f64)]| {
+        sum_up(sums, slopes, row, h);
+        let square = |list: &[S]| list.iter().fold(S::ZERO, |sum, &e| sum + e * e);
+        square(&sums[..half]) + lasts * lasts * square(&sums[half..])
+    };
+    let (fine, coarse) = (squares(of_5), squares(of_3));
+    let both = fine + S::from_f64(0.01) * coarse;
+    if both == S::ZERO { S::ZERO } else { fine / both.sqrt() }
 }
 
 fn chunks<S, const D: usize>(list: &[S]) -> &[[S; D]] {
@@ -118,6 +154,13 @@ impl<'a, S: Real, const N: usize> Sum<'a, S, N> {
         }
     }
 
+    /// out = the sum.
+    fn write(&self, out: &mut [S]) {
+        for (i, out) in out.iter_mut().enumerate() {
+            *out = self.of(i);
+        }
+    }
+
     /// x += the sum, compensated.
     fn accumulate(&self, x: &mut [S], lost: &mut [S]) {
         let lost = &mut lost[..x.len()];
@@ -150,6 +193,11 @@ macro_rules! by_length {
 /// out = base + h sum of row_j slopes_j.
 fn combine<S: Real>(out: &mut [S], base: &[S], slopes: &[Vec<S>], row: &[(usize, f64)], h: f64) {
     by_length!(row, N => Sum::<S, N>::new((slopes, 0), row, h, base.len()).add_to(base, out));
+}
+
+/// out = h sum of row_j slopes_j.
+fn sum_up<S: Real>(out: &mut [S], slopes: &[Vec<S>], row: &[(usize, f64)], h: f64) {
+    by_length!(row, N => Sum::<S, N>::new((slopes, 0), row, h, out.len()).write(out));
 }
 
 /// x += h sum of row_j slopes_j, compensated.

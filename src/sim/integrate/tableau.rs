@@ -13,18 +13,20 @@ pub(crate) struct Tableau {
     pub(crate) nodes: &'static [f64],
     /// Largest omega h of an oscillation that does not grow, or grows slowly enough to be of use.
     pub(crate) stability: f64,
+    /// Weights of the slopes in two estimates of the error of a step over h, of order 5 and of order 3; `None`: it has none.
+    pub(crate) errors: Option<[&'static [(usize, f64)]; 2]>,
 }
 
 /// Most coefficients of a row of any table.
 pub(crate) const LONGEST_ROW: usize = 9;
 
 /// Explicit Euler: order 1, unstable on every undamped oscillation (it grows by sqrt(1 + (omega h)^2) a step).
-pub(crate) static EULER: Tableau = Tableau { stages: &[&[]], weights: &[(0, 1.0)], nodes: &[0.0], stability: 1.0 };
+pub(crate) static EULER: Tableau = Tableau { stages: &[&[]], weights: &[(0, 1.0)], nodes: &[0.0], stability: 1.0, errors: None };
 
 /// The midpoint method: order 2; slowly unstable on undamped oscillations.
 /// Source: C. Runge, Math. Ann. 46, 167 (1895).
 pub(crate) static RK2: Tableau =
-    Tableau { stages: &[&[], &[(0, 0.5)]], weights: &[(1, 1.0)], nodes: &[0.0, 0.5], stability: 1.0 };
+    Tableau { stages: &[&[], &[(0, 0.5)]], weights: &[(1, 1.0)], nodes: &[0.0, 0.5], stability: 1.0, errors: None };
 
 /// The classical method: order 4, stable on oscillations up to omega h = 2.828.
 /// Source: W. Kutta, Z. Math. Phys. 46, 435 (1901).
@@ -33,6 +35,7 @@ pub(crate) static RK4: Tableau = Tableau {
     weights: &[(0, 1.0 / 6.0), (1, 1.0 / 3.0), (2, 1.0 / 3.0), (3, 1.0 / 6.0)],
     nodes: &[0.0, 0.5, 0.5, 1.0],
     stability: 2.5,
+    errors: None,
 };
 
 /// The method of order 8 of Dormand and Prince in twelve stages.
@@ -117,6 +120,28 @@ pub(crate) static RK8: Tableau = Tableau {
         1.0,
     ],
     stability: 4.0,
+    errors: Some([
+        &[
+            (0, 0.01312004499419488),
+            (5, -1.2251564463762044),
+            (6, -0.4957589496572502),
+            (7, 1.6643771824549864),
+            (8, -0.35032884874997366),
+            (9, 0.3341791187130175),
+            (10, 0.08192320648511571),
+            (11, -0.022355307863886294),
+        ],
+        &[
+            (0, 0.054293734116568765 - 0.2440944881889764),
+            (5, 4.450312892752409),
+            (6, 1.8915178993145003),
+            (7, -5.801203960010585),
+            (8, 0.3111643669578199 - 0.7338466882816118),
+            (9, -0.1521609496625161),
+            (10, 0.20136540080403034),
+            (11, 0.04471061572777259 - 0.022058823529411766),
+        ],
+    ]),
 };
 
 #[cfg(test)]
@@ -139,6 +164,20 @@ mod tests {
     fn no_row_is_longer_than_the_longest() {
         let rows = [&EULER, &RK2, &RK4, &RK8].into_iter().flat_map(|table| table.stages.iter().chain([&table.weights]));
         assert_eq!(rows.map(|row| row.len()).max(), Some(LONGEST_ROW));
+    }
+
+    /// sum e_i c_i^(k-1) = 0 up to the order that an estimate has, and not beyond.
+    #[test]
+    fn estimates_of_errors_vanish_on_what_is_exact() {
+        let [of_5, of_3] = RK8.errors.expect("it has estimates");
+        let moment = |row: &[(usize, f64)], k: i32| row.iter().map(|&(i, e)| e * RK8.nodes[i].powi(k - 1)).sum::<f64>();
+        for k in 1..=5 {
+            assert!(moment(of_5, k).abs() < 1e-13, "power {k}: {}", moment(of_5, k));
+        }
+        for k in 1..=3 {
+            assert!(moment(of_3, k).abs() < 1e-13, "power {k}: {}", moment(of_3, k));
+        }
+        assert!(moment(of_5, 6).abs() > 1e-5 && moment(of_3, 4).abs() > 1e-5);
     }
 
     /// sum b_i c_i^(k-1) = 1/k: what a method of that order does to polynomials.

@@ -121,7 +121,7 @@ impl<S: Real, const D: usize> Maker<'_, S, D> {
             sleep: Sleep::default(),
             grabbed: None,
             work: Work::default(),
-            patience: 0,
+            patience: [0; 2],
             limit: u64::MAX,
             gave_up: None,
             moved: Moved::default(),
@@ -129,6 +129,7 @@ impl<S: Real, const D: usize> Maker<'_, S, D> {
             account: self.account(),
             pull,
             engine: Engine::Bulk(mover),
+            plain: None,
             robust: None,
             points,
         }

@@ -16,6 +16,9 @@ const LONGEST_RIGID: f64 = FRAME / 16.0;
 const PHASE: f64 = 0.25;
 /// The same for methods of order 4: a period off by about 1e-5; 2.8 would be the edge.
 const PHASE_4: f64 = 0.5;
+/// The same for one of order 8, off by about 1e-5; 5 would be the edge. And its longest substep [s]: what turns faster is seen by its error.
+const PHASE_8: f64 = 1.5;
+pub(crate) const LONGEST_FINE: f64 = FRAME / 2.0;
 /// Most substeps that one frame is cut into: beyond, a scene is stiffer than explicit steps can serve.
 const MOST_SUBSTEPS: f64 = 100_000.0;
 /// Substeps a frame beyond which springs are stiff: an implicit substep costs about as much as a dozen explicit ones.
@@ -59,6 +62,8 @@ pub(crate) struct Choice {
     pub(crate) substep: f64,
     /// Rigid bonds are solved together, not swept.
     pub(crate) is_direct: bool,
+    /// Steps whose error is seen to be large are cut, and what stays violent is a plain method's.
+    pub(crate) is_checked: bool,
     /// Moved as a large body.
     pub(crate) bulk: Option<Scheme>,
 }
@@ -90,11 +95,11 @@ pub(crate) struct Setting {
 pub(crate) fn choose(island: &Island, method: &Method, setting: Setting) -> Choice {
     if island.pieces.is_some() {
         let substep = method.substep.unwrap_or(FRAME);
-        return Choice { solver: Solver::Rigid, substep, is_direct: false, bulk: None };
+        return Choice { solver: Solver::Rigid, substep, is_direct: false, is_checked: false, bulk: None };
     }
     if let Solver::AsPrinted(source) = method.solver {
         let substep = method.substep.unwrap_or(source.substep());
-        return Choice { solver: method.solver, substep, is_direct: false, bulk: None };
+        return Choice { solver: method.solver, substep, is_direct: false, is_checked: false, bulk: None };
     }
     let is_direct = can_be_direct(island);
     let solver = match method.solver {
@@ -104,7 +109,8 @@ pub(crate) fn choose(island: &Island, method: &Method, setting: Setting) -> Choi
     let mut bulk = scheme(island, method, setting, is_direct);
     let way = bulk.map(|scheme| scheme.way);
     let solver = if way == Some(Way::Paths) { Solver::Path } else { solver };
-    let longest = || substep(island, solver, setting);
+    let is_checked = method.solver == Solver::Auto && solver == Solver::Rk8;
+    let longest = || if is_checked { fine_substep(island) } else { substep(island, solver, setting) };
     let substep = match (way, method.substep) {
         (_, Some(given)) => given,
         (Some(Way::Paths), None) => FRAME,
@@ -117,7 +123,7 @@ pub(crate) fn choose(island: &Island, method: &Method, setting: Setting) -> Choi
     };
     // Areas are held by that alone.
     let solves = solver.solves_directly() || (solver == Solver::Verlet && island.holds_areas);
-    Choice { solver, substep, is_direct: is_direct && solves && bulk.is_none(), bulk }
+    Choice { solver, substep, is_direct: is_direct && solves && bulk.is_none(), is_checked, bulk }
 }
 
 /// Whether the rigid bonds of an island are few enough to be solved together. Those of a tree always are, since eliminating
@@ -180,6 +186,9 @@ fn pick(island: &Island, setting: Setting, is_direct: bool) -> Solver {
     if island.relaxed > 0 {
         return Solver::Verlet;
     }
+    if island.rigid > 0 && is_direct && is_smooth(island, setting) {
+        return Solver::Rk8;
+    }
     if island.rigid > 0 {
         return if is_direct { Solver::VelocityVerlet } else { Solver::Verlet };
     }
@@ -204,6 +213,19 @@ fn pick(island: &Island, setting: Setting, is_direct: bool) -> Solver {
     } else {
         Solver::Pefrl
     }
+}
+
+/// Whether nothing stops, pushes or drives what rigid bonds hold but gravity, springs and pins, so that a method of high order pays.
+fn is_smooth(island: &Island, setting: Setting) -> bool {
+    let is_pushed = setting.has_surfaces || setting.mouse.is_some() || setting.gusts.is_some() || island.is_pressed;
+    !is_pushed && !island.has_limits && !island.has_drives && !island.holds_areas
+}
+
+/// The substep of order 8 whose errors are checked: a whole part of 1/60 s that resolves the fastest spring.
+fn fine_substep(island: &Island) -> f64 {
+    let rate = island.frequency.max(0.5 * island.decay);
+    let wanted = if rate > 0.0 { LONGEST_FINE.min(PHASE_8 / rate) } else { LONGEST_FINE };
+    FRAME / (FRAME / wanted).ceil().min(MOST_SUBSTEPS)
 }
 
 /// Whether springs are stiffer than explicit steps can serve at a bearable cost.

@@ -1,5 +1,6 @@
 //! The engine of a group: the integrator that its method asks for, and the more robust one behind it.
 
+use super::choice::LONGEST_FINE;
 use super::is_rigid;
 use super::make::{MOST_LOCATED, Maker};
 use crate::sim::bond::{Bond, BondKind};
@@ -20,6 +21,10 @@ use crate::sim::real::Real;
 use crate::sim::solver::Order;
 use crate::sim::solver::Solver;
 
+/// Share of the mean length of its bonds that a step of a checked method may be off by, and the same in roundings.
+const MOST_ERROR: f64 = 1e-6;
+const ROUNDED: f64 = 64.0;
+
 impl<S: Real, const D: usize> Maker<'_, S, D> {
     pub(super) fn engine(
         &self,
@@ -36,7 +41,9 @@ impl<S: Real, const D: usize> Maker<'_, S, D> {
         let runge_kutta = |table: &'static Tableau| {
             let sweeps = has_relaxed || (has_rigid && pull.rigid.is_none());
             let sweeps = sweeps.then(|| self.kick_drift(bonds, points, pull, solver));
-            Engine::RungeKutta(table, Stages::new(points.len() * D, table.stages.len()), sweeps)
+            let stages = Stages::new(points.len() * D, table.stages.len());
+            let stages = if self.lot.choice.is_checked { stages.checked(self.most_error(bonds), self.lot.choice.substep) } else { stages };
+            Engine::RungeKutta(table, stages, sweeps)
         };
         match solver {
             Solver::Euler => runge_kutta(&EULER),
@@ -106,6 +113,15 @@ impl<S: Real, const D: usize> Maker<'_, S, D> {
             fresh: false,
             aimed: false,
         }
+    }
+
+    /// The largest error of a step that is let pass [m], where it is asked for: a share of what the bonds are long, or what rounding makes; less
+    /// of it where shorter substeps are asked for.
+    fn most_error(&self, bonds: &[(u32, Bond)]) -> S {
+        let total: f64 = bonds.iter().map(|(_, bond)| bond.rest_length).sum();
+        let asked = self.model.method.substep.map_or(1.0, |h| (h / LONGEST_FINE).min(1.0).powi(4));
+        let share = (asked * MOST_ERROR).max(ROUNDED * S::EPSILON.to_f64());
+        S::from_f64(share * total / bonds.len().max(1) as f64)
     }
 
     /// The next more robust method: for rigid bonds projection along their new directions, for springs backward Euler,

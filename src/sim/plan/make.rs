@@ -20,7 +20,7 @@ use crate::sim::group::events::edge::Edges;
 use crate::sim::group::guard::{Guard, Watched};
 use crate::sim::group::sleep::Sleep;
 use crate::sim::group::watch::Watch;
-use crate::sim::group::{Breakable, Group, Work};
+use crate::sim::group::{Breakable, Group, MOST_EFFORT, Plain, Work};
 use crate::sim::live;
 use crate::sim::model::Model;
 use crate::sim::moved::Moved;
@@ -32,6 +32,9 @@ use crate::sim::vector::zero;
 
 /// Most points of one method in which events are located and violent substeps go to an implicit method.
 pub(super) const MOST_LOCATED: usize = 1_000;
+
+/// Seconds of counted work for a second of the scene up to which steps are cut for their errors, where there is a budget.
+const FINE_EFFORT: f64 = 0.1;
 
 /// The same of points without rigid bonds among the walls of polygons, which are met and left all the time, by each for itself.
 const MOST_AMONG_WALLS: usize = 40;
@@ -92,6 +95,10 @@ impl<S: Real, const D: usize> Maker<'_, S, D> {
         };
         self.allocate(&mut points, &pull);
         let engine = self.engine(choice.solver, &bonds, &points, &pull);
+        let plain = choice.is_checked.then(|| Plain {
+            engine: Box::new(self.engine(Solver::VelocityVerlet, &bonds, &points, &pull)),
+            effort: if self.model.method.budget.is_some() { FINE_EFFORT } else { MOST_EFFORT },
+        });
         let robust = self.robust(&bonds, &points, &pull).map(Box::new);
         let is_soft = self.lot.islands.iter().all(|island| island.rigid == 0);
         let most = if is_soft && self.obstacles.has_walls() { MOST_AMONG_WALLS } else { MOST_LOCATED };
@@ -112,7 +119,7 @@ impl<S: Real, const D: usize> Maker<'_, S, D> {
             sleep: Sleep::default(),
             grabbed: None,
             work: Work::default(),
-            patience: 0,
+            patience: [0; 2],
             limit: u64::MAX,
             gave_up: None,
             moved: Moved::default(),
@@ -121,6 +128,7 @@ impl<S: Real, const D: usize> Maker<'_, S, D> {
             points,
             pull,
             engine,
+            plain,
             robust,
         }
     }

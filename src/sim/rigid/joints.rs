@@ -11,6 +11,7 @@
 use super::inertia::Inertia;
 use super::motion::Motion;
 use super::motion::Twist;
+use super::place::Place;
 use crate::sim::solve::elimination;
 use crate::sim::solve::ldl::Ldl;
 use crate::sim::vector::{add, cross, dot, scale, sub};
@@ -18,6 +19,9 @@ use crate::sim::vector::{add, cross, dot, scale, sub};
 /// Pivots below this share of their diagonal are skipped: rows that repeat others, as those of a mechanism at its dead point. What rounding makes of
 /// a pivot is 1e-16 over the square of the angle from there; light bodies between heavy ones have small ones too (`MOST_RATIO` in `blueprint.rs`).
 const LEAST_PIVOT: f64 = 1e-10;
+
+/// Parts of the way that a round would go which are tried until gaps are smaller.
+const PARTS: [f64; 3] = [1.0, 0.25, 0.0625];
 
 /// An end of a link.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -165,24 +169,33 @@ impl Joints {
     }
 
     /// Bodies are moved, without speed, to where no row is off by more than `closed` [m]: in so many rounds at most, each with new directions.
-    /// Returns how many it took.
+    /// Near a dead point, where a round would take them far off, they go a part of that way, or stay. Returns how many rounds it took.
     pub(crate) fn close(
         &self,
         inertias: &[Inertia],
         (motions, anchors): (&mut [Motion], &[Anchor]),
         (rounds, closed): (u32, f64),
     ) -> u32 {
+        let mut gaps = self.gaps(Stand { motions, anchors, since: 0.0 });
         for round in 0..rounds {
-            let stand = Stand { motions, anchors, since: 0.0 };
-            let gaps = self.gaps(stand);
             if gaps.iter().all(|gap| gap.abs() <= closed) {
                 return round;
             }
             let targets: Vec<f64> = gaps.iter().map(|gap| -gap).collect();
             let mut ways = vec![Twist::STILL; motions.len()];
-            self.factored(inertias, stand).hold(&mut ways, &targets);
-            for (motion, way) in motions.iter_mut().zip(ways) {
-                motion.place = motion.place.moved(way.velocity, way.spin);
+            self.factored(inertias, Stand { motions, anchors, since: 0.0 }).hold(&mut ways, &targets);
+            let places: Vec<Place> = motions.iter().map(|motion| motion.place).collect();
+            let before = square(&gaps);
+            let is_better = PARTS.into_iter().any(|part| {
+                for ((motion, way), place) in motions.iter_mut().zip(&ways).zip(&places) {
+                    motion.place = place.moved(scale(way.velocity, part), part * way.spin);
+                }
+                gaps = self.gaps(Stand { motions, anchors, since: 0.0 });
+                square(&gaps) < before
+            });
+            if !is_better {
+                motions.iter_mut().zip(places).for_each(|(motion, place)| motion.place = place);
+                return round;
             }
         }
         rounds
@@ -238,6 +251,10 @@ impl Joints {
         let leads = if is_led { self.rows.iter().map(led).collect() } else { vec![0.0; rows.len()] };
         Factored { inertias, rows, ldl, leads, is_led }
     }
+}
+
+fn square(gaps: &[f64]) -> f64 {
+    gaps.iter().map(|gap| gap * gap).sum()
 }
 
 /// Rows that share a body.

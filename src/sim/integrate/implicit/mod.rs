@@ -6,7 +6,7 @@
 //! m rate^2 (u - x0 - v0/rate) = F(u, v),   rigid bonds hold at the end x0 + reach (u - x0)
 //! ```
 //!
-//! Midpoint rule: rate = 2/h, reach = 2; order 2, symplectic, stable at any substep, does not damp.
+//! Midpoint rule: rate = 2/h, reach = 2; order 2, stable at any substep, does not damp; springs keep energy exactly (`force/mean.rs`).
 //! Backward Euler: rate = 1/h, reach = 1; order 1, stable at any substep, damps what it does not resolve.
 //! Source: E. Hairer, C. Lubich, G. Wanner, Geometric Numerical Integration, 2nd ed. 2006, II.1 and VIII.6.
 //!
@@ -21,12 +21,13 @@ use crate::sim::counters::Counters;
 use crate::sim::environment::Environment;
 use crate::sim::force::area;
 use crate::sim::force::form::{Block, Form};
+use crate::sim::force::mean::{amendment, mean};
 use crate::sim::force::spring::Springs;
 use crate::sim::points::Points;
 use crate::sim::pull::Pull;
 use crate::sim::real::Real;
 use crate::sim::solve::blocks::{Blocks, NOWHERE};
-use crate::sim::vector::{accumulate, add, convert, dot, scale, sub, zero};
+use crate::sim::vector::{accumulate, add, convert, dot, length, scale, sub, zero};
 use gain::{Energy, is_left_alone};
 use touch::{Pace, Touches};
 
@@ -73,6 +74,8 @@ pub(crate) struct Stage<'a, S, const D: usize> {
     pub(crate) place: &'a [[S; D]],
     pub(crate) speed: &'a [[S; D]],
     pub(crate) share: f64,
+    /// Springs pull by their mean lengths.
+    pub(crate) is_mean: bool,
 }
 
 /// What is held: rigid bonds with their lengths [m], and corners of triangles with their areas [m^2].
@@ -112,7 +115,7 @@ impl<S: Real, const D: usize> Implicit<S, D> {
     /// Where forces were taken in the last step, and at which share of it; `None`: nowhere.
     pub(crate) fn stage(&self) -> Option<Stage<'_, S, D>> {
         let share = if self.is_midpoint { 0.5 } else { 1.0 };
-        self.has_converged.then_some(Stage { place: &self.place, speed: &self.speed, share })
+        self.has_converged.then_some(Stage { place: &self.place, speed: &self.speed, share, is_mean: self.is_midpoint })
     }
 
     /// Rounds of the last step, those with a system of the round before as a quarter.
@@ -251,6 +254,14 @@ impl<S: Real, const D: usize> Implicit<S, D> {
             self.speed[i] = scale(sub(self.place[i], x[i]), rate);
         }
         pull.forces(around, time, (&self.place, &self.speed, w), (zero(), &mut self.force), counters);
+        if self.is_midpoint {
+            for spring in pull.springs.iter() {
+                let (a, b) = (spring.a as usize, spring.b as usize);
+                let more = amendment(spring, sub(x[a], x[b]), sub(self.place[a], self.place[b]));
+                self.force[a] = add(self.force[a], scale(more, w[a]));
+                self.force[b] = sub(self.force[b], scale(more, w[b]));
+            }
+        }
         let gravity: [S; D] = convert(pull.gravity);
         let drag = S::from_f64(pull.drag_rate);
         for i in 0..x.len() {
@@ -293,11 +304,12 @@ impl<S: Real, const D: usize> Implicit<S, D> {
                 self.system.add_own(i, &block);
             }
         }
-        let contacts = &pull.contacts;
+        let (contacts, x) = (&pull.contacts, &points.position);
         for (pair, spring) in pull.springs.iter().enumerate() {
             let (a, b) = (spring.a as usize, spring.b as usize);
             let d = sub(self.place[a], self.place[b]);
-            let block = spring.stiffness_block(d, rate, is_cautious);
+            let long = if self.is_midpoint { mean(spring, sub(x[a], x[b]), d) } else { length(d) };
+            let block = spring.stiffness_block((d, long), rate, is_cautious);
             if contacts.touches_any([a, b]) {
                 self.system.add_own(a, &contacts.left_of([a, a], block));
                 self.system.add_own(b, &contacts.left_of([b, b], block));
