@@ -287,8 +287,12 @@ impl<S: Real, const D: usize> Group<S, D> {
     }
 
     fn take(&mut self, around: &Environment<D>, (t, h): (f64, f64), counters: &mut Counters) -> bool {
-        let Group { points, pull, engine, work, .. } = self;
+        let Group { points, pull, engine, work, limit, .. } = self;
         counters.work += work.step;
+        if let Engine::Implicit(implicit) = engine {
+            let left = limit.saturating_sub(counters.work) / (work.step / USUAL_ROUNDS).max(1);
+            implicit.most_rounds = left.saturating_add(USUAL_ROUNDS);
+        }
         let is_fine = engine.step(points, pull, around, (t, h), counters);
         if let Engine::Implicit(implicit) = engine {
             counters.work += work.step / USUAL_ROUNDS * implicit.rounds().saturating_sub(USUAL_ROUNDS);

@@ -65,6 +65,8 @@ pub(crate) struct Implicit<S: Real, const D: usize> {
     work: Vec<S>,
     /// Rounds of the last step with a system of their own, and without.
     rounds: [u64; 2],
+    /// Rounds after which a step is given up, counted as [`Implicit::rounds`] counts them.
+    pub(crate) most_rounds: u64,
     has_converged: bool,
 }
 
@@ -106,6 +108,7 @@ impl<S: Real, const D: usize> Implicit<S, D> {
             error: vec![S::ZERO; ends.len()],
             work: Vec::new(),
             rounds: [0; 2],
+            most_rounds: u64::MAX,
             has_converged: false,
             rigid,
             areas,
@@ -155,6 +158,9 @@ impl<S: Real, const D: usize> Implicit<S, D> {
             if close == FINE && !has_changed {
                 break is_converged;
             }
+            if self.rounds() >= self.most_rounds {
+                break false;
+            }
             close = if has_changed { close } else { FINE };
         };
         self.touches.end(points, pull, &self.place, pace);
@@ -185,6 +191,9 @@ impl<S: Real, const D: usize> Implicit<S, D> {
         let small = small * small;
         let mut last = S::INFINITY;
         for round in 0..most {
+            if self.rounds() >= self.most_rounds {
+                return false;
+            }
             // Friction that does not settle is led there more slowly.
             let share = if round < MOST_ROUNDS / 2 || !self.error.is_empty() { S::ONE } else { S::HALF };
             self.balance((points, pull), around, (time, share), pace, counters);
