@@ -10,29 +10,29 @@ use super::setting::tune;
 use crate::scene::record::{record, seconds};
 use crate::scene::{PrecisionName, Scene, SolverName};
 
-/// The errors that are asked for [m].
+/// The errors that are asked for `[m]`.
 pub const TOLERANCES: [f64; 2] = [1e-4, 1e-6];
 
 /// What came of asking for an error.
 #[derive(Clone, Debug, Serialize)]
 pub struct ToleranceReport {
-    /// The error asked for at every sample [m].
+    /// The error asked for at every sample `[m]`.
     pub tolerance: f64,
     /// Why the scene does not take it, if so.
     pub refused: Option<String>,
-    /// The error at every sample [m].
+    /// The error at every sample `[m]`.
     pub errors: Vec<f64>,
     /// Whether all of them are within the tolerance.
     pub holds: Option<bool>,
     /// The solver that was found.
     pub solver: Option<String>,
-    /// The substep that was found [s].
+    /// The substep that was found `[s]`.
     pub substep: Option<f64>,
-    /// The error that was foretold [m].
+    /// The error that was foretold `[m]`.
     pub expected_error: Option<f64>,
-    /// Wall time of the stepping [s].
+    /// Wall time of the stepping `[s]`.
     pub seconds: Option<f64>,
-    /// Wall time of finding method and substep [s].
+    /// Wall time of finding method and substep `[s]`.
     pub search_seconds: Option<f64>,
 }
 
