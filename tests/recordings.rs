@@ -369,11 +369,11 @@ fn a_strain_that_was_not_kept_is_said_of_worlds_that_are_led_too() {
 }
 
 #[test]
-fn the_readmes_recording_does_what_is_said_of_it() {
-    let readme = include_str!("../README.md");
-    let text_of = readme.split("```json\n").find(|text| text.starts_with("{ \"wobble_recording\"")).unwrap();
-    let log = Log::of_text(text_of.split("```").next().unwrap(), "README.md").unwrap();
-    let mut run = Replay::new(log.head().unwrap(), "README.md").unwrap();
+fn the_recording_of_the_docs_does_what_is_said_of_it() {
+    let page = include_str!("../docs/commands.md");
+    let text_of = page.split("```json\n").find(|text| text.starts_with("{ \"wobble_recording\"")).unwrap();
+    let log = Log::of_text(text_of.split("```").next().unwrap(), "commands.md").unwrap();
+    let mut run = Replay::new(log.head().unwrap(), "commands.md").unwrap();
     let mut alone = Scene::load("rim").unwrap().world(None).unwrap();
     let count = alone.point_count();
     let mut seen = Vec::new();

@@ -52,7 +52,7 @@ impl Canvas {
         Ok(Canvas { window, instance, surface, gpu, config, renderer, dimensions, panels, outdated: true })
     }
 
-    /// The window has another size [px]. One of no size (minimised) is remembered as nothing to draw on.
+    /// The window has another size `[px]`. One of no size (minimised) is remembered as nothing to draw on.
     pub(super) fn resize(&mut self, [width, height]: [u32; 2]) {
         let most = self.gpu.largest_side();
         self.config.width = width.min(most);
@@ -60,12 +60,12 @@ impl Canvas {
         self.outdated = true;
     }
 
-    /// Width and height of the picture [px].
+    /// Width and height of the picture `[px]`.
     pub(super) fn size(&self) -> [u32; 2] {
         [self.config.width, self.config.height]
     }
 
-    /// Largest side of a texture [px].
+    /// Largest side of a texture `[px]`.
     pub(super) fn largest_side(&self) -> u32 {
         self.gpu.largest_side()
     }
@@ -96,7 +96,7 @@ impl Canvas {
         self.renderer.counters()
     }
 
-    /// Draws a world into the upper left `area` [px] and the panels over it, and shows the picture.
+    /// Draws a world into the upper left `area` `[px]` and the panels over it, and shows the picture.
     ///
     /// Errors: the GPU gave up, or a world too large for it; a surface that is only out of date is not an error.
     pub(super) fn draw(

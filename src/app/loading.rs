@@ -14,14 +14,14 @@ const MOST_POINTS: u64 = 20_000;
 const PATIENCE: Duration = Duration::from_millis(300);
 /// Time between two looks at how far it is.
 const LOOK: Duration = Duration::from_millis(100);
-/// Width of the panel [points].
+/// Width of the panel `[points]`.
 const WIDTH: f32 = 320.0;
 
 /// What came of it.
 pub(super) enum Loaded {
     /// The scene of the picture.
     Scene(Box<Scene>),
-    /// The picture, to be cut out by hand; a spacing that would do [px], and what was wrong with the usual way, if it was tried.
+    /// The picture, to be cut out by hand; a spacing that would do `[px]`, and what was wrong with the usual way, if it was tried.
     Picture(Arc<Picture>, Option<f64>, Option<String>),
 }
 

@@ -1,6 +1,6 @@
 //! How long things take, smoothed so that it can be read.
 
-/// A moving average of times [s].
+/// A moving average of times `[s]`.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Meter {
     average: Option<f64>,

@@ -7,7 +7,7 @@ use crate::scene::{Scene, Vector, ViewKeys};
 
 /// Width of the pictures that views are made for, in heights: what is seen to both sides there is seen in narrower ones too.
 const MADE_FOR: f64 = 16.0 / 9.0;
-/// Room beside what a narrower picture would cut off [1].
+/// Room beside what a narrower picture would cut off `[1]`.
 const ROOM: f64 = 1.03;
 
 /// The camera of a scene's `view`; what that leaves out fits the scene.
@@ -56,7 +56,7 @@ pub fn keys(camera: &Camera) -> ViewKeys {
     }
 }
 
-/// The height [m] of a picture `aspect` times as wide as high, in which nothing of points and walls is cut off to the sides
+/// The height `[m]` of a picture `aspect` times as wide as high, in which nothing of points and walls is cut off to the sides
 /// that one of `height` shows which is as wide as views are made for.
 fn height_for(height: f64, aspect: f64, center: f64, view: &View<'_>) -> f64 {
     let sides = [points(view), surroundings(view)].map(|extent| extent.map(|corner| (corner[0] - center).abs()));
@@ -89,7 +89,7 @@ fn include(corners: &mut [[f64; 3]; 2], place: &[f64]) {
     }
 }
 
-/// The box about all points [m].
+/// The box about all points `[m]`.
 fn points(view: &View<'_>) -> [[f64; 3]; 2] {
     let (positions, dimensions) = (view.current, view.dimensions);
     let mut corners = EMPTY;
@@ -101,7 +101,7 @@ fn points(view: &View<'_>) -> [[f64; 3]; 2] {
     corners
 }
 
-/// The box about walls and solid obstacles [m].
+/// The box about walls and solid obstacles `[m]`.
 fn surroundings(view: &View<'_>) -> [[f64; 3]; 2] {
     let mut corners = EMPTY;
     view.bounds.iter().flatten().for_each(|corner| include(&mut corners, &corner[..view.dimensions]));

@@ -12,7 +12,7 @@ const NOTCH_PIXELS: f64 = 40.0;
 /// The pointer: where it is and what it drags.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Pointer {
-    /// Where it is [px]; `None` outside the window.
+    /// Where it is `[px]`; `None` outside the window.
     pub at: Option<[f64; 2]>,
     drag: Option<MouseButton>,
 }

@@ -91,7 +91,7 @@ enum Shell {
 const FRAME_RATE: f64 = 60.0;
 /// Share of the screen's frame time that must pass: more would miss a frame now and then.
 const PATIENCE: f64 = 0.9;
-/// Size of a window where there is room [logical px], its share of the screen where there is not, and the least that it can have.
+/// Size of a window where there is room `[logical px]`, its share of the screen where there is not, and the least that it can have.
 const SIZE: [f64; 2] = [1180.0, 800.0];
 const SHARE: [f64; 2] = [0.92, 0.84];
 const LEAST: [f64; 2] = [400.0, 300.0];
@@ -100,7 +100,7 @@ const QUICK: Duration = Duration::from_millis(300);
 /// How often it is looked whether a hidden window can be seen again: not all systems tell.
 const LOOK_AGAIN: Duration = Duration::from_millis(250);
 
-/// The size of a window on a screen of this size [logical px].
+/// The size of a window on a screen of this size `[logical px]`.
 fn size_on(screen: Option<[f64; 2]>) -> [f64; 2] {
     let Some(screen) = screen else { return SIZE };
     std::array::from_fn(|k| SIZE[k].min(SHARE[k] * screen[k]).max(LEAST[k].min(screen[k])))

@@ -11,7 +11,7 @@ use super::panels::THUMBNAIL;
 use crate::render::{Capture, Gpu, Look, View};
 use crate::scene::{BodyKeys, Entry, MakerName, Scene, gallery};
 
-/// A scene is shown after so much of its time [s], or what of it is stepped in this time.
+/// A scene is shown after so much of its time `[s]`, or what of it is stepped in this time.
 const SHOWN_AT: f64 = 0.8;
 const STEPPED_FOR: Duration = Duration::from_millis(40);
 /// Columns and rows of a cloth at most: more are not told apart.

@@ -5,9 +5,9 @@ use super::{Body, BodyError, length};
 /// A rectangle about its centre.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct BoxFrame {
-    /// Along x [m].
+    /// Along x `[m]`.
     pub width: f64,
-    /// Along y [m].
+    /// Along y `[m]`.
     pub height: f64,
     /// Diagonals: 0, 1 (from the lower left) or 2.
     pub supports: u64,

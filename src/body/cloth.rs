@@ -11,7 +11,7 @@ pub struct Cloth {
     pub columns: u64,
     /// Rows, >= 1.
     pub rows: u64,
-    /// Distance of neighbours along rows and columns [m].
+    /// Distance of neighbours along rows and columns `[m]`.
     pub spacing: f64,
     /// Bonds across each cell.
     pub diagonals: Diagonals,

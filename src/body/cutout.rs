@@ -24,7 +24,7 @@ pub enum Pattern {
 pub struct Cutout {
     /// The mesh, in pixels.
     pub mesh: Arc<PictureMesh>,
-    /// Height of the picture [m].
+    /// Height of the picture `[m]`.
     pub height: f64,
     /// Which points are bonded.
     pub pattern: Pattern,
@@ -84,7 +84,7 @@ impl Cutout {
     }
 }
 
-/// From places of a picture [px], y down, to the body's own [m]: about the middle of the picture, y up.
+/// From places of a picture `[px]`, y down, to the body's own `[m]`: about the middle of the picture, y up.
 pub fn in_metres(picture: [u32; 2], height: f64) -> impl Fn([f64; 2]) -> [f64; 2] {
     let [columns, rows] = picture.map(f64::from);
     let scale = height / rows;

@@ -8,9 +8,9 @@ pub(super) struct Grid {
     pub(super) columns: u64,
     /// Rows, >= 1.
     pub(super) rows: u64,
-    /// From a point to the next of its row [m].
+    /// From a point to the next of its row `[m]`.
     pub(super) along: [f64; 3],
-    /// From a point to the one of the next row [m].
+    /// From a point to the one of the next row `[m]`.
     pub(super) across: [f64; 3],
     /// Whether each cell has the diagonal from its first point, and the other one.
     pub(super) diagonals: [bool; 2],

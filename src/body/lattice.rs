@@ -10,7 +10,7 @@ pub struct Lattice {
     pub columns: u64,
     /// Rows, >= 1.
     pub rows: u64,
-    /// Distance of neighbours along rows and columns [m].
+    /// Distance of neighbours along rows and columns `[m]`.
     pub spacing: f64,
 }
 

@@ -48,13 +48,13 @@ pub const MAX_BONDS: u64 = 100_000_000;
 /// Shapes: `weights` has one entry a point; `links` hold indices below their number.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Body {
-    /// Positions [m]; z = 0 for what lies in the plane.
+    /// Positions `[m]`; z = 0 for what lies in the plane.
     pub positions: Vec<[f64; 3]>,
     /// The bonds, in the maker's order.
     pub links: Vec<Link>,
-    /// Each point's share of the body's mass, up to a common factor: by length, by area, or all equal [1], > 0.
+    /// Each point's share of the body's mass, up to a common factor: by length, by area, or all equal `[1]`, > 0.
     pub weights: Vec<f64>,
-    /// Area that it covers [m^2]: its triangles, and its strokes by length and width; 0 of what has neither.
+    /// Area that it covers `[m^2]`: its triangles, and its strokes by length and width; 0 of what has neither.
     pub area: f64,
     /// Corners of the triangles that it covers, anticlockwise; none of what is made of lines.
     pub triangles: Vec<[u32; 3]>,
@@ -71,9 +71,9 @@ pub struct Link {
     pub a: u32,
     /// The other end.
     pub b: u32,
-    /// Distance of the ends as made [m].
+    /// Distance of the ends as made `[m]`.
     pub rest_length: f64,
-    /// Share of the material's stiffness and damping that it has, if it is a spring [1]: 1, but in a picture's mesh 1/2 for
+    /// Share of the material's stiffness and damping that it has, if it is a spring `[1]`: 1, but in a picture's mesh 1/2 for
     /// sides at the edge, which belong to one triangle where others belong to two, and less for braces and what is braced.
     pub share: f64,
 }
@@ -83,7 +83,7 @@ pub struct Link {
 pub struct Joint {
     /// At the second point, from the arm to the first to the arm to the third, anticlockwise; counted within the body.
     pub points: [u32; 3],
-    /// The least angle and the largest [rad].
+    /// The least angle and the largest `[rad]`.
     pub range: [f64; 2],
 }
 
@@ -104,14 +104,14 @@ impl Body {
         self.triangles.extend([[a, b, c], [a, c, d]]);
     }
 
-    /// Masses [kg] that add up to `total`, shared by the weights.
+    /// Masses `[kg]` that add up to `total`, shared by the weights.
     pub fn masses(&self, total: f64) -> Vec<f64> {
         let sum: f64 = self.weights.iter().sum();
         self.weights.iter().map(|w| total * (w / sum)).collect()
     }
 }
 
-/// Distance of two points [m].
+/// Distance of two points `[m]`.
 pub fn distance(a: [f64; 3], b: [f64; 3]) -> f64 {
     crate::sim::vector::length(crate::sim::vector::sub(a, b))
 }

@@ -8,13 +8,13 @@ use super::Body;
 /// origin.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Placement {
-    /// Where the body's own origin goes [m].
+    /// Where the body's own origin goes `[m]`.
     pub origin: [f64; 3],
-    /// Rotation, anticlockwise [rad].
+    /// Rotation, anticlockwise `[rad]`.
     pub angle: f64,
-    /// Velocity of the body's own origin [m/s].
+    /// Velocity of the body's own origin `[m/s]`.
     pub velocity: [f64; 3],
-    /// Rate of rotation, anticlockwise [rad/s].
+    /// Rate of rotation, anticlockwise `[rad/s]`.
     pub spin: f64,
 }
 
@@ -35,7 +35,7 @@ impl Placement {
     }
 }
 
-/// A vector of the plane turned anticlockwise by an angle [rad].
+/// A vector of the plane turned anticlockwise by an angle `[rad]`.
 pub fn turned([x, y]: [f64; 2], angle: f64) -> [f64; 2] {
     let (sin, cos) = (libm::sin(angle), libm::cos(angle));
     [cos * x - sin * y, sin * x + cos * y]

@@ -8,9 +8,9 @@ use super::{Body, BodyError, count};
 pub struct Points {
     /// How many, >= 1.
     pub count: u64,
-    /// Lower corner [m].
+    /// Lower corner `[m]`.
     pub min: [f64; 3],
-    /// Upper corner [m], on no axis below `min`.
+    /// Upper corner `[m]`, on no axis below `min`.
     pub max: [f64; 3],
     /// Seed of the draws.
     pub seed: u64,

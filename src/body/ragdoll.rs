@@ -6,18 +6,18 @@
 //! thighs 4, shanks 5        both legs hang from the hip; a shank ends in its foot
 //! ```
 //!
-//! All numbers are those of a figure of [`HEIGHT`] that stands upright and looks along x, its hip at the origin [m].
+//! All numbers are those of a figure of [`HEIGHT`] that stands upright and looks along x, its hip at the origin `[m]`.
 
 use super::{Body, BodyError, Joint, length};
 
-/// Height that the numbers below are of [m]; other figures are like it.
+/// Height that the numbers below are of `[m]`; other figures are like it.
 const HEIGHT: f64 = 1.7;
 
 /// A part of the body that bonds hold in its shape.
 struct Piece {
-    /// Its share of the mass [1], the same for each of its points: those of a grown figure, to a hundredth.
+    /// Its share of the mass `[1]`, the same for each of its points: those of a grown figure, to a hundredth.
     share: f64,
-    /// Places of its points, the first of them the joint that it hangs from [m].
+    /// Places of its points, the first of them the joint that it hangs from `[m]`.
     places: &'static [[f64; 2]],
     /// Bonds, two for each point but three less: none is too many.
     links: &'static [[usize; 2]],
@@ -55,10 +55,10 @@ const fn kite(share: f64, places: &'static [[f64; 2]; 4]) -> Piece {
     Piece { share, places, links: &[[0, 1], [0, 2], [1, 2], [1, 3], [2, 3]], triangles: &[[0, 2, 1], [2, 3, 1]] }
 }
 
-/// Turns of upper arm, forearm, thigh and shank, each from the piece that it hangs from [rad]: a figure that strides.
+/// Turns of upper arm, forearm, thigh and shank, each from the piece that it hangs from `[rad]`: a figure that strides.
 const POSES: [[f64; 4]; 2] = [[-0.5, 0.5, 0.7, -0.7], [0.9, 0.9, -0.15, -0.35]];
 
-/// Ranges of the joints [rad], of the angle from the piece above to the one below, anticlockwise: a hanging arm is at 0 of the torso, what is
+/// Ranges of the joints `[rad]`, of the angle from the piece above to the one below, anticlockwise: a hanging arm is at 0 of the torso, what is
 /// stretched at pi. Elbows bend forwards and knees backwards only.
 const NECK_RANGE: [f64; 2] = [2.6, 3.7];
 const SHOULDER_RANGE: [f64; 2] = [-0.9, 3.0];
@@ -69,7 +69,7 @@ const KNEE_RANGE: [f64; 2] = [0.7, 3.06];
 /// A figure about its hip.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Ragdoll {
-    /// Of the figure as it would stand upright [m].
+    /// Of the figure as it would stand upright `[m]`.
     pub height: f64,
 }
 
@@ -116,7 +116,7 @@ impl Ragdoll {
     }
 }
 
-/// Adds a piece that hangs from a point, turned from upright by an angle [rad]; the numbers of its points.
+/// Adds a piece that hangs from a point, turned from upright by an angle `[rad]`; the numbers of its points.
 fn hang(body: &mut Body, piece: &Piece, from: u32, (angle, scale): (f64, f64)) -> Vec<u32> {
     let origin = body.positions[from as usize];
     let (sin, cos) = (libm::sin(angle), libm::cos(angle));

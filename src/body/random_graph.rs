@@ -13,9 +13,9 @@ pub struct RandomGraph {
     pub count: u64,
     /// How many bonds: at most count (count - 1)/2, for no pair is bonded twice.
     pub bonds: u64,
-    /// Lower corner [m].
+    /// Lower corner `[m]`.
     pub min: [f64; 3],
-    /// Upper corner [m], on no axis below `min`.
+    /// Upper corner `[m]`, on no axis below `min`.
     pub max: [f64; 3],
     /// Seed of the draws.
     pub seed: u64,

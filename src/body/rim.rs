@@ -7,9 +7,9 @@ use super::{Body, BodyError, MAX_POINTS, length};
 /// Two rings of `sectors` points each about the origin, at the same angles from 0 anticlockwise.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Rim {
-    /// Radius of the outer ring [m].
+    /// Radius of the outer ring `[m]`.
     pub radius: f64,
-    /// Radius of the inner ring [m], in (0, radius).
+    /// Radius of the inner ring `[m]`, in (0, radius).
     pub inner_radius: f64,
     /// Points on each ring, >= 3.
     pub sectors: u64,

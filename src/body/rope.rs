@@ -14,9 +14,9 @@ pub struct Rope {
 /// How far a rope reaches.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Stretch {
-    /// Along x, with this distance from point to point [m].
+    /// Along x, with this distance from point to point `[m]`.
     Spacing(f64),
-    /// To this point, seen from the body's origin [m], in equal pieces.
+    /// To this point, seen from the body's origin `[m]`, in equal pieces.
     To([f64; 3]),
 }
 

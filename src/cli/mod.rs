@@ -1,5 +1,7 @@
 //! The command line: one file a subcommand. Exit codes: 0 done, 1 the work failed, 2 the call is wrong.
 
+#[cfg(test)]
+mod documents_tests;
 mod machine;
 mod mesh;
 mod progress;

@@ -24,10 +24,10 @@ use crate::sim::{Cursor, Dynamics, Positions};
 pub(super) struct Arguments {
     /// A scene of the gallery, a scene file, a recording, or a picture.
     scene: String,
-    /// When the first picture is taken [s].
+    /// When the first picture is taken, in seconds.
     #[arg(long, value_name = "T", default_value = "0", allow_negative_numbers = true, value_parser = values::at_least_zero)]
     time: f64,
-    /// Width and height [px].
+    /// Width and height in pixels.
     #[arg(long, value_name = "WxH", default_value = "1280x720", value_parser = values::size)]
     size: [u32; 2],
     /// Where to write: .png, or .gif for an animation.
@@ -134,7 +134,7 @@ impl Arguments {
     }
 }
 
-/// How long trails of points last [s of wall time].
+/// How long trails of points last `[s of wall time]`.
 const TRAIL: f64 = 2.5;
 /// Stretches of the trail before the first picture.
 const LEAD: u32 = 120;

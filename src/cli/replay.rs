@@ -18,7 +18,7 @@ use crate::history::{Difference, Log, Mark, Recording, apart_from_last, hash_now
 pub(super) struct Arguments {
     /// A recording.
     file: PathBuf,
-    /// Where to end [s]: the recording's end if left out.
+    /// Where to end, in seconds: the recording's end if left out.
     #[arg(long, value_name = "T", allow_negative_numbers = true, value_parser = values::at_least_zero)]
     time: Option<f64>,
     /// Where to write the state then: .json or .csv.

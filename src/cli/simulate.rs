@@ -43,7 +43,7 @@ pub(super) struct Arguments {
     /// Whose loop `--solver as-printed` runs: 000, 000-graph, 001, 002, 003, 003-relative or 004.
     #[arg(long)]
     source: Option<SourceName>,
-    /// Longest substep [s].
+    /// Longest substep in seconds.
     #[arg(long, value_name = "H", allow_negative_numbers = true, value_parser = values::above_zero)]
     substep: Option<f64>,
     /// Sweeps over relaxed bonds in a substep.
@@ -58,10 +58,10 @@ pub(super) struct Arguments {
     /// auto, f32 or f64.
     #[arg(long)]
     precision: Option<PrecisionName>,
-    /// Largest error at every sample [m]: the cheapest setting that reaches it is searched for.
+    /// Largest error at every sample in metres: the cheapest setting that reaches it is searched for.
     #[arg(long, value_name = "E", allow_negative_numbers = true, value_parser = values::above_zero)]
     tolerance: Option<f64>,
-    /// Counted work a frame of 1/60 s [ms] beyond which islands are handed over to the live step, or `none`.
+    /// Counted work a frame of 1/60 s, in milliseconds, beyond which islands are handed over to the live step, or `none`.
     #[arg(long, value_name = "MS", allow_negative_numbers = true)]
     budget: Option<BudgetKeys>,
     /// The equilibrium that the start rolls down to instead of the motion: one sample.
@@ -73,7 +73,7 @@ pub(super) struct Arguments {
     /// Writes the run as a recording: .json or .jsonl.
     #[arg(long, value_name = "FILE", conflicts_with_all = ["tolerance", "settle"], value_parser = |text: &str| values::ending(text, &["json", "jsonl"]))]
     record: Option<PathBuf>,
-    /// Times to sample at [s], ascending, such as 0.5,1,2; the last one ends the run.
+    /// Times to sample at in seconds, ascending, such as 0.5,1,2; the last one ends the run.
     #[arg(long, value_name = "T,…", allow_hyphen_values = true, value_parser = values::times)]
     samples: Option<Times>,
     /// Where to write: .json or .csv.
@@ -415,7 +415,7 @@ impl Table {
         Table { scene, clock, about: None, strain, samples, counters, movers, balance: None }
     }
 
-    /// Takes a sample at `time` [s], which lies within the world's next step.
+    /// Takes a sample at `time` `[s]`, which lies within the world's next step.
     pub(super) fn sample(&mut self, world: &dyn Dynamics, time: f64) {
         let warnings = world.warnings().to_vec();
         self.about = Some(About { substep: world.substep(), precision: world.precision(), warnings });

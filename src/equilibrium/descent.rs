@@ -25,19 +25,19 @@ const FARTHEST: f64 = 1e6;
 /// Where the points are, what holds them, and how far the descent has come.
 pub(super) struct Descent<const D: usize> {
     pub(super) part: Part<D>,
-    /// Positions [m].
+    /// Positions `[m]`.
     pub(super) x: Vec<[f64; D]>,
     pub(super) holds: Vec<Hold>,
     pub(super) rubs: Vec<Rub<D>>,
-    /// What torques give to points [N], as they lay when the round began.
+    /// What torques give to points `[N]`, as they lay when the round began.
     pub(super) twist: Vec<[f64; D]>,
     pub(super) system: Blocks<f64, D>,
     pub(super) work: Vec<f64>,
-    /// The scale of stiffness [N/m].
+    /// The scale of stiffness `[N/m]`.
     pub(super) scale: f64,
-    /// Added to the diagonal of the matrix [N/m].
+    /// Added to the diagonal of the matrix `[N/m]`.
     pub(super) shift: f64,
-    /// The longest step [m].
+    /// The longest step `[m]`.
     pub(super) reach: f64,
     /// Times that it was pushed off a saddle.
     pub(super) pushes: u32,

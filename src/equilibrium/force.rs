@@ -6,7 +6,7 @@ use crate::sim::force::spring;
 use crate::sim::vector::{add, length, scale, sub};
 
 impl<const D: usize> Descent<D> {
-    /// Forces of springs, gravity and tools on free points [N], and the largest single force on one.
+    /// Forces of springs, gravity and tools on free points `[N]`, and the largest single force on one.
     pub(super) fn forces(&self, x: &[[f64; D]]) -> (Vec<[f64; D]>, f64) {
         let part = &self.part;
         let mut force = vec![[0.0; D]; x.len()];
@@ -52,7 +52,7 @@ impl<const D: usize> Descent<D> {
         force
     }
 
-    /// The largest force on a free point [N].
+    /// The largest force on a free point `[N]`.
     pub(super) fn largest(&self, force: &[[f64; D]]) -> f64 {
         force.iter().zip(&self.part.is_free).filter(|(_, free)| **free).map(|(f, _)| length(*f)).fold(0.0, f64::max)
     }

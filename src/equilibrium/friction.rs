@@ -41,7 +41,7 @@ pub(super) struct Rub<const D: usize> {
     normal: [f64; D],
     friction: f64,
     state: State,
-    /// What friction takes from the force on the point [N]; 0 where it is off.
+    /// What friction takes from the force on the point `[N]`; 0 where it is off.
     pub(super) force: [f64; D],
     /// Times that it came to stick.
     turns: u32,
@@ -66,12 +66,12 @@ impl<const D: usize> Rub<D> {
         sub(v, scale(self.normal, dot(v, self.normal)))
     }
 
-    /// How firmly it sticks [N/m].
+    /// How firmly it sticks `[N/m]`.
     fn grip(&self, firm: f64) -> f64 {
         if self.state == State::Sticks { GRIP * firm } else { 0.0 }
     }
 
-    /// Its block of the matrix [N/m].
+    /// Its block of the matrix `[N/m]`.
     pub(super) fn block(&self, firm: f64) -> [[f64; D]; D] {
         let grip = self.grip(firm);
         std::array::from_fn(|k| {
@@ -80,12 +80,12 @@ impl<const D: usize> Rub<D> {
         })
     }
 
-    /// The force when the point has moved by `displacement` [N].
+    /// The force when the point has moved by `displacement` `[N]`.
     pub(super) fn force_after(&self, displacement: [f64; D], firm: f64) -> [f64; D] {
         add(self.force, scale(self.along(displacement), self.grip(firm)))
     }
 
-    /// What it adds to the merit when the point has moved by `displacement` [J].
+    /// What it adds to the merit when the point has moved by `displacement` `[J]`.
     pub(super) fn work(&self, displacement: [f64; D], firm: f64) -> f64 {
         let along = self.along(displacement);
         dot(self.force, displacement) + 0.5 * self.grip(firm) * dot(along, along)

@@ -7,7 +7,7 @@ use crate::sim::vector::{dot, sub};
 /// What a hold is made of.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum Grip {
-    /// A rigid bond of this rest length [m], > 0.
+    /// A rigid bond of this rest length `[m]`, > 0.
     Bond { a: usize, b: usize, rest: f64 },
     /// A surface that a point cannot enter.
     Surface { point: usize, surface: usize },
@@ -23,7 +23,7 @@ pub(super) struct Hold {
     /// Multiplier [N/m for bonds, N for surfaces]: it takes `lambda` times the gradient from the force. Above 0 where a
     /// bond pulls its ends together, below 0 where it or a surface pushes.
     pub(super) lambda: f64,
-    /// How much firmer it is than others [1], for those that are slow to hold: bonds that are straight and taut need
+    /// How much firmer it is than others `[1]`, for those that are slow to hold: bonds that are straight and taut need
     /// tensions without bound.
     pub(super) firmness: f64,
 }
@@ -31,11 +31,11 @@ pub(super) struct Hold {
 /// How far a hold is off, and which way.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Off<const D: usize> {
-    /// (|d|^2 - rest^2)/2 [m^2] for a bond, the gap [m] for a surface.
+    /// (|d|^2 - rest^2)/2 `[m^2]` for a bond, the gap `[m]` for a surface.
     pub(super) value: f64,
     /// Its gradient by the first end: d, or the normal. That by the other end of a bond is the opposite.
     pub(super) gradient: [f64; D],
-    /// What turns `value` into a length [m].
+    /// What turns `value` into a length `[m]`.
     pub(super) per_metre: f64,
 }
 
@@ -57,7 +57,7 @@ impl Hold {
         }
     }
 
-    /// Its pull or push by a multiplier [N].
+    /// Its pull or push by a multiplier `[N]`.
     pub(super) fn tension(&self, lambda: f64) -> f64 {
         match self.grip {
             Grip::Bond { rest, .. } => lambda.abs() * rest,

@@ -9,7 +9,7 @@ use crate::sim::measure;
 use crate::sim::vector::{add, dot, sub};
 
 impl<const D: usize> Descent<D> {
-    /// Energy of springs, angles, areas and gravity, and that of forces as they are in this round [J].
+    /// Energy of springs, angles, areas and gravity, and that of forces as they are in this round `[J]`.
     pub(super) fn energy(&self, x: &[[f64; D]]) -> f64 {
         let part = &self.part;
         let lift = |i: usize| match part.is_free[i] {
@@ -35,7 +35,7 @@ impl<const D: usize> Descent<D> {
         self.energy(x) + self.holds.iter().map(of).sum::<f64>() + self.rubs.iter().map(rub).sum::<f64>()
     }
 
-    /// The violation of every hold [m].
+    /// The violation of every hold `[m]`.
     pub(super) fn violations(&self, x: &[[f64; D]]) -> impl Iterator<Item = f64> {
         self.holds.iter().map(|hold| {
             let off = hold.off(&self.part.surfaces, x);
@@ -43,12 +43,12 @@ impl<const D: usize> Descent<D> {
         })
     }
 
-    /// The largest violation of any hold [m].
+    /// The largest violation of any hold `[m]`.
     pub(super) fn violation(&self, x: &[[f64; D]]) -> f64 {
         self.violations(x).fold(0.0, f64::max)
     }
 
-    /// What rounding makes of differences of the merit [J].
+    /// What rounding makes of differences of the merit `[J]`.
     pub(super) fn haze(&self, merit: f64) -> f64 {
         let held: f64 = self.holds.iter().map(|hold| hold.tension(hold.lambda)).sum();
         1e-13 * (merit.abs() + self.part.weight() * extent(&self.x)) + held * grain(&self.x)

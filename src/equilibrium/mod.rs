@@ -46,13 +46,13 @@ const BALANCED_ENOUGH: f64 = 3e-7;
 /// A shape in which all forces balance.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Equilibrium<const D: usize> {
-    /// Positions [m].
+    /// Positions `[m]`.
     pub position: Vec<[f64; D]>,
-    /// Springs' and gravity's energy of the points that are not pinned [J].
+    /// Springs' and gravity's energy of the points that are not pinned `[J]`.
     pub energy: f64,
-    /// Largest |length/rest - 1| over the bonds [1] (rest 0 left out).
+    /// Largest |length/rest - 1| over the bonds `[1]` (rest 0 left out).
     pub max_strain: f64,
-    /// Largest force that is left on a point, as a share of the largest single force on one [1]: pulls of rigid bonds and
+    /// Largest force that is left on a point, as a share of the largest single force on one `[1]`: pulls of rigid bonds and
     /// pushes of surfaces are such forces too.
     pub residual: f64,
     /// Rounds of Newton's method, of all islands.

@@ -39,7 +39,7 @@ impl<const D: usize> Descent<D> {
         self.turn(step) || changed
     }
 
-    /// Holds that a round without a shift left almost as violated as they were, `before` [m], are made firmer.
+    /// Holds that a round without a shift left almost as violated as they were, `before` `[m]`, are made firmer.
     pub(super) fn firm_up(&mut self, before: &[f64]) {
         let after: Vec<f64> = self.violations(&self.x).collect();
         let worst = after.iter().copied().fold(0.0, f64::max);

@@ -19,7 +19,7 @@ use crate::sim::vector::{add, scale};
 pub(super) struct Start<const D: usize> {
     /// For every point of the model the one that it is welded to.
     pub(super) representatives: Vec<u32>,
-    /// Positions of those at the start [m].
+    /// Positions of those at the start `[m]`.
     pub(super) position: Vec<[f64; D]>,
     /// The islands.
     pub(super) parts: Vec<Part<D>>,
@@ -61,7 +61,7 @@ impl<const D: usize> Start<D> {
     }
 }
 
-/// A constant force: on the masses [kg] of these points [m/s^2], and its torque [N m].
+/// A constant force: on the masses `[kg]` of these points `[m/s^2]`, and its torque `[N m]`.
 struct Drive<const D: usize> {
     masses: Vec<(u32, f64)>,
     acceleration: [f64; D],

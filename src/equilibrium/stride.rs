@@ -85,7 +85,7 @@ impl<const D: usize> Descent<D> {
     }
 }
 
-/// The largest displacement of any point [m].
+/// The largest displacement of any point `[m]`.
 pub(super) fn largest_displacement<const D: usize>(from: &[[f64; D]], to: &[[f64; D]]) -> f64 {
     from.iter().zip(to).map(|(&a, &b)| length(sub(a, b))).fold(0.0, f64::max)
 }

@@ -23,11 +23,11 @@ const MOST_SHIFTS: u32 = 14;
 
 /// What a round comes to.
 pub(super) struct Step<const D: usize> {
-    /// How far every point goes [m].
+    /// How far every point goes `[m]`.
     pub(super) displacement: Vec<[f64; D]>,
     /// The multipliers at its end, one a hold.
     pub(super) lambda: Vec<f64>,
-    /// What friction takes at its end [N], one entry a point and rough surface.
+    /// What friction takes at its end `[N]`, one entry a point and rough surface.
     pub(super) rubs: Vec<[f64; D]>,
 }
 
@@ -135,7 +135,7 @@ impl Hold {
         }
     }
 
-    /// Its block of the matrix [N/m]: curvature by its multiplier, and its grip.
+    /// Its block of the matrix `[N/m]`: curvature by its multiplier, and its grip.
     fn block<const D: usize>(&self, surfaces: &[Surface<f64, D>], x: &[[f64; D]], firm: f64) -> [[f64; D]; D] {
         let gradient = self.off(surfaces, x).gradient;
         let mut block = gradient.map(|g| scale(gradient, self.grip_by(firm) * g));

@@ -62,7 +62,7 @@ impl Autosave {
         self.lines.path()
     }
 
-    /// Writes what is new, if the last time is two seconds ago by the caller's clock `now` [s]; true if it did.
+    /// Writes what is new, if the last time is two seconds ago by the caller's clock `now` `[s]`; true if it did.
     ///
     /// Errors: the disk is full, or may not be written: what was written before stays, and all is tried anew the next time. That is
     /// to be told and no reason to stop.

@@ -12,15 +12,15 @@ pub struct BranchView {
     pub number: usize,
     /// What its last edit is called; empty where it has none.
     pub name: String,
-    /// When it left the branch that it comes from [s].
+    /// When it left the branch that it comes from `[s]`.
     pub from: f64,
-    /// How far it goes [s].
+    /// How far it goes `[s]`.
     pub end: f64,
     /// Whether the world is on it.
     pub is_present: bool,
 }
 
-/// A state of a history: on a branch, after so many of its commands, at a time [s].
+/// A state of a history: on a branch, after so many of its commands, at a time `[s]`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Spot {
     pub(super) branch: usize,
@@ -41,9 +41,9 @@ struct Branch {
     /// How many branches it comes from.
     depth: usize,
     own: Vec<Entry>,
-    /// When it left [s].
+    /// When it left `[s]`.
     from: f64,
-    /// How far it goes [s].
+    /// How far it goes `[s]`.
     end: f64,
     /// Of the time since it left, ascending.
     marks: Vec<Mark>,
@@ -92,12 +92,12 @@ impl Tree {
         })
     }
 
-    /// How far a branch goes [s].
+    /// How far a branch goes `[s]`.
     pub(super) fn end(&self, branch: usize) -> f64 {
         self.branches[branch].end
     }
 
-    /// A branch goes at least to `time` [s].
+    /// A branch goes at least to `time` `[s]`.
     pub(super) fn extend_to(&mut self, branch: usize, time: f64) {
         let end = &mut self.branches[branch].end;
         *end = end.max(time);
@@ -191,7 +191,7 @@ impl Tree {
         parts.into_iter().rev().flatten().cloned().collect()
     }
 
-    /// The time of the last mark of a branch [s], its parents apart.
+    /// The time of the last mark of a branch `[s]`, its parents apart.
     pub(super) fn last_mark(&self, branch: usize) -> Option<f64> {
         self.branches[branch].marks.last().map(|mark| mark.at)
     }

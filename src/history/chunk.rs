@@ -13,7 +13,7 @@ use crate::picture::{PNG_MARK, png_parts};
 /// Keyword, compressed by deflate, no language, no translated keyword.
 const HEAD: &[u8] = b"wobble\0\x01\0\0\0";
 
-/// Largest text that is unpacked [bytes]: some bytes may unpack to any size.
+/// Largest text that is unpacked `[bytes]`: some bytes may unpack to any size.
 const LARGEST: u64 = 1 << 30;
 
 /// A PNG with a text in it, in place of one that it had; what is no PNG stays as it is.

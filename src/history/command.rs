@@ -8,7 +8,7 @@ use crate::sim::{Cursor, Key, MouseChange, PointId, Reach};
 /// A command with its time.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Entry {
-    /// When it is done [s]: at the end of the step that reaches it.
+    /// When it is done `[s]`: at the end of the step that reaches it.
     pub at: f64,
     /// What is done.
     pub act: Do,
@@ -26,7 +26,7 @@ pub enum Do {
     Cursor {
         /// Where it goes.
         to: Option<Cursor>,
-        /// When it is there [s]; at once if not said.
+        /// When it is there `[s]`; at once if not said.
         by: Option<f64>,
     },
     /// The mouse force changes.
@@ -48,9 +48,9 @@ pub enum Do {
     Unpin(Vec<PointId>),
     /// Bonds that the segment crosses go.
     Cut {
-        /// [m]
+        /// `[m]`
         from: [f64; 2],
-        /// [m]
+        /// `[m]`
         to: [f64; 2],
     },
     /// Points, bonds, bodies and obstacles come.
@@ -97,13 +97,13 @@ object! {
     #[derive(Default)]
     MoveKeys: "a move: an object with keys such as `points` and `by`" {
         optional {
-            /// How far [m], 0 if not said.
+            /// How far `[m]`, 0 if not said.
             by: Vector,
-            /// Anticlockwise about z [rad], 0 if not said.
+            /// Anticlockwise about z `[rad]`, 0 if not said.
             turn: f64,
             /// > 0, 1 if not said.
             scale: f64,
-            /// The place that stays where it is but for `by` [m]: the middle of what is moved if not said.
+            /// The place that stays where it is but for `by` `[m]`: the middle of what is moved if not said.
             about: Vector,
         }
         lists {
@@ -130,45 +130,45 @@ object! {
             forces: Vec<u32>,
             /// Angles that get others.
             angles: Vec<u32>,
-            /// Of points [kg], > 0.
+            /// Of points `[kg]`, > 0.
             mass: OneOrEach,
-            /// Of points [m/s]: one for all or one each.
+            /// Of points `[m/s]`: one for all or one each.
             velocity: VectorOrEach,
             /// Of bonds.
             kind: KindName,
-            /// Of bonds [m], >= 0; of angles [rad], between 0 and 2 pi.
+            /// Of bonds `[m]`, >= 0; of angles `[rad]`, between 0 and 2 pi.
             rest: OneOrEach,
-            /// Of springs [N/m], of angles [N m], >= 0.
+            /// Of springs `[N/m]`, of angles `[N m]`, >= 0.
             stiffness: OneOrEach,
-            /// Of springs, in place of the stiffness [m/N], > 0.
+            /// Of springs, in place of the stiffness `[m/N]`, > 0.
             compliance: OneOrEach,
-            /// Of springs [N s/m], of angles [N m s], >= 0.
+            /// Of springs `[N s/m]`, of angles `[N m s]`, >= 0.
             damping: OneOrEach,
-            /// Of angles: the least and the largest of a joint [rad], or none any more.
+            /// Of angles: the least and the largest of a joint `[rad]`, or none any more.
             range: RangeOrNone,
-            /// Of relaxed bonds [1], in (0, 1].
+            /// Of relaxed bonds `[1]`, in (0, 1].
             relaxation: OneOrEach,
-            /// Of relaxed bonds [1], > 0.
+            /// Of relaxed bonds `[1]`, > 0.
             max_correction: OneOrEach,
-            /// Of bonds [1], > 0.
+            /// Of bonds `[1]`, > 0.
             break_strain: OneOrEach,
             /// Of bonds.
             limit: LimitName,
             /// Of bonds and angles: what moves them, or nothing any more.
             drive: DriveOrNone,
-            /// Of obstacles [1], >= 0; of the skins of points, to 1.
+            /// Of obstacles `[1]`, >= 0; of the skins of points, to 1.
             restitution: f64,
-            /// Of obstacles, or of the skins of points [1], >= 0.
+            /// Of obstacles, or of the skins of points `[1]`, >= 0.
             friction: f64,
-            /// Of the skins of points [m], >= 0.
+            /// Of the skins of points `[m]`, >= 0.
             radius: f64,
-            /// Of constant forces [N].
+            /// Of constant forces `[N]`.
             force: Vector,
-            /// Of constant forces [N m].
+            /// Of constant forces `[N m]`.
             torque: f64,
-            /// Of the scene [m/s^2].
+            /// Of the scene `[m/s^2]`.
             gravity: Vector,
-            /// Of the scene [1/s], >= 0.
+            /// Of the scene `[1/s]`, >= 0.
             drag_rate: f64,
             /// Of the scene: air that moves, or rests again.
             wind: Weather,
@@ -218,7 +218,7 @@ pub enum Weather {
 #[derive(Clone, Debug, PartialEq, serde::Serialize, serde::Deserialize, schemars::JsonSchema)]
 #[serde(untagged, expecting = "range: a list of the least and the largest angle, or null")]
 pub enum RangeOrNone {
-    /// These [rad].
+    /// These `[rad]`.
     These([f64; 2]),
     /// It turns freely.
     None(()),

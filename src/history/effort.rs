@@ -2,12 +2,12 @@
 
 use crate::sim::{Counters, Dynamics};
 
-/// Time that a point or a bond takes in a substep of a small body [s]: it is part of a system that is solved, or waits for events. Of the
+/// Time that a point or a bond takes in a substep of a small body `[s]`: it is part of a system that is solved, or waits for events. Of the
 /// gallery's scenes: 2e-8 to 6e-8.
 const UNIT: f64 = 6e-8;
-/// The same in vectors [s]: 3e-9 to 1e-8.
+/// The same in vectors `[s]`: 3e-9 to 1e-8.
 const UNIT_IN_VECTORS: f64 = 1e-8;
-/// Time that a substep takes besides [s]: 1e-7 to 3e-7.
+/// Time that a substep takes besides `[s]`: 1e-7 to 3e-7.
 const SUBSTEP: f64 = 3e-7;
 
 /// The work of a run from its start on.
@@ -34,7 +34,7 @@ impl Effort {
         self.seconds += units as f64 * self.unit(world) + substeps as f64 * SUBSTEP;
     }
 
-    /// What a point or a bond takes in the mean [s].
+    /// What a point or a bond takes in the mean `[s]`.
     fn unit(&mut self, world: &dyn Dynamics) -> f64 {
         let topology = world.topology();
         if let Some((of, unit)) = self.unit

@@ -9,7 +9,7 @@ use crate::scene::record::RecordError;
 pub struct Refusal {
     /// Its place in the list that it was given in, from 0.
     pub number: usize,
-    /// Its time [s].
+    /// Its time `[s]`.
     pub at: f64,
     /// Why, and what to do.
     pub reason: String,

@@ -32,17 +32,17 @@ impl Frame {
         Frame { world, dress, place: 0, effort: Effort::default() }
     }
 
-    /// Whether what is to be done at `at` [s] is to be done now.
+    /// Whether what is to be done at `at` `[s]` is to be done now.
     pub(super) fn is_due(&self, at: f64) -> bool {
         at <= self.world.time() + SLACK * self.world.substep()
     }
 
-    /// Whether a step from here ends at or before `time` [s].
+    /// Whether a step from here ends at or before `time` `[s]`.
     pub(super) fn ends_by(&self, time: f64) -> bool {
         self.world.time() + self.world.substep() * (1.0 - SLACK) <= time
     }
 
-    /// Whether a step towards `at` [s] is cut short there.
+    /// Whether a step towards `at` `[s]` is cut short there.
     pub(super) fn is_cut_at(&self, at: f64) -> bool {
         let (t, h) = (self.world.time(), self.world.substep());
         t + h > at + SLACK * h
@@ -78,7 +78,7 @@ impl Frame {
         self.apply(&entry.act, scene)
     }
 
-    /// Takes a step, which ends at the time of the next command [s] where it would go beyond.
+    /// Takes a step, which ends at the time of the next command `[s]` where it would go beyond.
     pub(super) fn step(&mut self, next: Option<f64>) {
         let before = *self.world.counters();
         match next {

@@ -10,7 +10,7 @@ impl History {
         self.branch
     }
 
-    /// Strength of the hover force [1/s^2] when nothing is led: the last that was given and is not 0, for that is what a grab puts it
+    /// Strength of the hover force `[1/s^2]` when nothing is led: the last that was given and is not 0, for that is what a grab puts it
     /// to, else the scene's. `None`: there is none, or it goes along a track of its own.
     pub fn base_strength(&self) -> Option<f64> {
         let scene = self.scene.mouse_force();

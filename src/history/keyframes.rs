@@ -109,16 +109,16 @@ impl Keyframes {
     }
 }
 
-/// Time between the neighbours of a copy of long ago at most that is dropped [s]: what is shown at once is not far from what is meant.
+/// Time between the neighbours of a copy of long ago at most that is dropped `[s]`: what is shown at once is not far from what is meant.
 const LONG_AGO_BETWEEN: f64 = 2.0;
 
-/// Counted work between them at most [s]: the exact state of any time is there in a second.
+/// Counted work between them at most `[s]`: the exact state of any time is there in a second.
 const LONG_AGO_EFFORT: f64 = 0.8;
 
 /// Copies that are taken between two times that old ones are dropped.
 const SPREAD_EVERY: u64 = 64;
 
-/// Times that lie no longer back than this are all as near [s].
+/// Times that lie no longer back than this are all as near `[s]`.
 const RECENT: f64 = 60.0;
 
 impl Keyframe {

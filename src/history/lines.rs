@@ -17,7 +17,7 @@ pub struct Lines {
     file: Option<File>,
     /// The branch in it, and how many of its commands.
     written: (usize, usize),
-    /// How far it goes [s].
+    /// How far it goes `[s]`.
     end: f64,
 }
 

@@ -146,7 +146,7 @@ impl Log {
         &self.label
     }
 
-    /// How far it goes [s].
+    /// How far it goes `[s]`.
     pub fn end(&self) -> f64 {
         let said = self.head.as_ref().and_then(|head| head.end);
         said.unwrap_or(self.last).max(self.last)

@@ -7,7 +7,7 @@ use crate::sim::{Dynamics, PointId};
 #[derive(Clone, Debug, PartialEq, serde::Serialize, serde::Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Mark {
-    /// When, after all commands of that time [s].
+    /// When, after all commands of that time `[s]`.
     pub at: f64,
     /// Of the bits of all living points' positions and velocities, in order.
     pub hash: String,
@@ -23,7 +23,7 @@ pub fn hash_now(world: &dyn Dynamics, time: f64) -> String {
 pub struct Difference {
     /// The lowest point of the island, that is of all that bonds hold together.
     pub island: PointId,
-    /// How far its points are apart at most [m], infinite where one of them is gone.
+    /// How far its points are apart at most `[m]`, infinite where one of them is gone.
     pub apart: f64,
 }
 

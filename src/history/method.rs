@@ -7,7 +7,7 @@ use crate::scene::MethodKeys;
 /// A change of the method that was done.
 #[derive(Clone, Copy, Debug)]
 pub struct MethodChange<'a> {
-    /// When [s].
+    /// When `[s]`.
     pub at: f64,
     /// What its edit is called, if it is one.
     pub name: Option<&'a str>,

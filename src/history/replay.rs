@@ -67,7 +67,7 @@ impl Replay {
         Ok(())
     }
 
-    /// Takes the steps that end at or before `time` [s], the next command being at `next` [s]: what is at `time` is then within
+    /// Takes the steps that end at or before `time` `[s]`, the next command being at `next` `[s]`: what is at `time` is then within
     /// the next step.
     ///
     /// Errors: the motion leaves the finite numbers.
@@ -79,7 +79,7 @@ impl Replay {
         self.look(1)
     }
 
-    /// Does the commands up to `time` [s], that one's too, and takes the steps that end by then.
+    /// Does the commands up to `time` `[s]`, that one's too, and takes the steps that end by then.
     ///
     /// Errors: those of [`Replay::follow`].
     pub fn advance(&mut self, commands: &[Entry], time: f64) -> Result<(), HistoryError> {
@@ -89,12 +89,12 @@ impl Replay {
         self.reach(time, commands.get(self.frame.place).map(|entry| entry.at))
     }
 
-    /// Whether what is to be done at `at` [s] is to be done now.
+    /// Whether what is to be done at `at` `[s]` is to be done now.
     pub fn is_due(&self, at: f64) -> bool {
         self.frame.is_due(at)
     }
 
-    /// Takes one step; where it would go beyond the next command, at `next` [s], it ends there.
+    /// Takes one step; where it would go beyond the next command, at `next` `[s]`, it ends there.
     pub fn step(&mut self, next: Option<f64>) {
         self.frame.step(next);
     }
@@ -112,7 +112,7 @@ impl Replay {
 /// What is done with a world at a time that was asked for, which lies within its next step; true to go on.
 pub type Visit<'a> = &'a mut dyn FnMut(&Replay, f64) -> Result<bool, HistoryError>;
 
-/// Runs a recording and visits it at `times` [s], which ascend: after all commands of each. Commands are read one by one from
+/// Runs a recording and visits it at `times` `[s]`, which ascend: after all commands of each. Commands are read one by one from
 /// `commands`, those of `head` are not looked at.
 ///
 /// Errors: those of [`Replay::follow`], and of `visit`.
@@ -142,7 +142,7 @@ pub fn replay(head: &Recording, commands: &Log, times: &[f64], visit: Visit<'_>)
     Ok(())
 }
 
-/// Runs a session's file to where its last state was kept beside it: when that was [s], and where the two differ most, if they do.
+/// Runs a session's file to where its last state was kept beside it: when that was `[s]`, and where the two differ most, if they do.
 /// `None`: there is no such state.
 ///
 /// Errors: those of [`replay`].

@@ -52,7 +52,7 @@ pub(super) fn resolve(act: &Do, scene: &Scene, world: &dyn Dynamics) -> Result<R
     Ok(Resolved::Engine(command))
 }
 
-/// When a cursor arrives [s]: now if not said.
+/// When a cursor arrives `[s]`: now if not said.
 fn until(by: Option<f64>, now: f64) -> Result<f64, String> {
     match by {
         None => Ok(now),

@@ -17,13 +17,13 @@ use crate::picture::{Skin, Tint};
 use crate::scene::Scene;
 use crate::sim::{Applied, Dynamics};
 
-/// Scene time between two keyframes at most, where copies are cheap [s]: what is gone back to is shown as if it ran.
+/// Scene time between two keyframes at most, where copies are cheap `[s]`: what is gone back to is shown as if it ran.
 const TIME_BETWEEN: f64 = 0.1;
-/// Counted work between two keyframes at most, where copies are cheap [s]: the exact state of any time is there in a tenth of a second.
+/// Counted work between two keyframes at most, where copies are cheap `[s]`: the exact state of any time is there in a tenth of a second.
 const EFFORT_BETWEEN: f64 = 0.08;
 /// Work beside a copy, at least: recording takes a hundredth of it.
 const WORK_FOR_A_COPY: f64 = 100.0;
-/// What a copy takes [s] for each byte.
+/// What a copy takes `[s]` for each byte.
 const COPY: f64 = 2.5e-10;
 
 /// A running world with its past: a start, the commands that were given with their times, keyframes; undo, redo, going back,
@@ -44,13 +44,13 @@ pub struct History {
     skins: Vec<Skin>,
     /// The topology that the skins are of.
     dressed: u64,
-    /// Time of the start [s].
+    /// Time of the start `[s]`.
     from: f64,
     next_edit: u64,
     last_edit: Option<u64>,
     /// Whole second that is marked already, or was passed over.
     second: f64,
-    /// The work when the last keyframe was taken, and when that was [s].
+    /// The work when the last keyframe was taken, and when that was `[s]`.
     kept: (f64, f64),
     refused: Vec<Refusal>,
 }
@@ -122,7 +122,7 @@ impl History {
         self.frame.dress.groups(&*self.frame.world)
     }
 
-    /// How far the present branch goes [s].
+    /// How far the present branch goes `[s]`.
     pub fn end(&self) -> f64 {
         let time = self.world().time();
         if self.is_free { time } else { self.tree.end(self.branch).max(time) }
@@ -351,7 +351,7 @@ impl History {
         places.filter_map(|place| self.tree.entry(self.branch, place))
     }
 
-    /// Time of the start [s].
+    /// Time of the start `[s]`.
     pub fn from(&self) -> f64 {
         self.from
     }

@@ -26,7 +26,7 @@ pub struct Recording {
     pub state: Option<Value>,
     /// The commands, times ascending.
     pub commands: Vec<Entry>,
-    /// How far it goes [s]: to the last command if not said.
+    /// How far it goes `[s]`: to the last command if not said.
     pub end: Option<f64>,
     /// What a picture of it shows at first, if not what one of the scene does.
     pub view: Option<ViewKeys>,
@@ -116,7 +116,7 @@ impl Recording {
         Ok(Recording { state, commands, end: Some(at), ..scene.clone().into() })
     }
 
-    /// How far it goes [s].
+    /// How far it goes `[s]`.
     pub fn end(&self) -> f64 {
         let last = self.commands.last().map_or(0.0, |entry| entry.at);
         self.end.unwrap_or(last)

@@ -26,7 +26,7 @@ const FIRST_WITH_TINTS: u64 = 8;
 /// The first layout that begins with the core.
 const FIRST_WITH_CORE: u64 = 2;
 
-/// Largest state that is unpacked [bytes]: some bytes may unpack to any size.
+/// Largest state that is unpacked `[bytes]`: some bytes may unpack to any size.
 const LARGEST: u64 = 4 << 30;
 
 /// A frame as bytes.

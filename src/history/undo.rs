@@ -9,7 +9,7 @@ use crate::sim::Dynamics;
 pub struct Undone {
     /// What it is called.
     pub name: String,
-    /// How far time went [s]: below 0 back.
+    /// How far time went `[s]`: below 0 back.
     pub seconds: f64,
 }
 
@@ -101,7 +101,7 @@ impl History {
         self.arrive();
     }
 
-    /// The state at the step that ends at or before `t` [s], exactly. What comes after stays and is followed, until something
+    /// The state at the step that ends at or before `t` `[s]`, exactly. What comes after stays and is followed, until something
     /// new is given: then that is another branch.
     pub fn go_to(&mut self, t: f64) {
         let t = if t.is_nan() { self.from() } else { t.clamp(self.from(), self.end().max(self.tree.end(self.branch))) };
@@ -119,7 +119,7 @@ impl History {
         self.arrive();
     }
 
-    /// The keyframe at or before `t` [s], to be shown at once.
+    /// The keyframe at or before `t` `[s]`, to be shown at once.
     pub fn nearest(&self, t: f64) -> Option<(f64, &dyn Dynamics)> {
         let spot = Spot { branch: self.branch, place: usize::MAX, time: t };
         let kept = self.keyframes.before(&self.tree, spot)?;

@@ -2,7 +2,7 @@
 
 use super::Picture;
 
-/// Longest side of an atlas but for the gaps [px]: pictures are shrunk to fit.
+/// Longest side of an atlas but for the gaps `[px]`: pictures are shrunk to fit.
 const SIDE: u32 = 4096;
 /// Clear pixels beside each picture: what is drawn of one takes nothing of its neighbour.
 const GAP: u32 = 4;
@@ -12,7 +12,7 @@ const GAP: u32 = 4;
 pub struct Atlas {
     /// All of them.
     pub picture: Picture,
-    /// Left, top, width and height of each [px].
+    /// Left, top, width and height of each `[px]`.
     places: Vec<[u32; 4]>,
 }
 

@@ -7,9 +7,9 @@ use super::Coverage;
 /// Pixels that are set, with an empty margin of one pixel around: pixel (x, y) of the picture is bit (x + 1, y + 1).
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(super) struct Bits {
-    /// Width with margins [px].
+    /// Width with margins `[px]`.
     pub(super) width: usize,
-    /// Height with margins [px].
+    /// Height with margins `[px]`.
     pub(super) height: usize,
     /// Words a row.
     pub(super) stride: usize,
@@ -76,7 +76,7 @@ impl Bits {
         Bits { words, ..*self }
     }
 
-    /// The union of all octagons of this width [px] that fit in: what is thinner is lost.
+    /// The union of all octagons of this width `[px]` that fit in: what is thinner is lost.
     ///
     /// Model: the octagon is the Minkowski sum of a horizontal, a vertical and two diagonal segments, whose lengths are
     /// those of a regular one, rounded; eroded and dilated by each in turn, in steps that double.

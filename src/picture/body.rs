@@ -10,9 +10,9 @@ use super::rope::Ropes;
 /// told of a point or a triangle is in the order of those.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct PictureMesh {
-    /// Width and height of the picture [px].
+    /// Width and height of the picture `[px]`.
     pub picture: [u32; 2],
-    /// Places [px]: x to the right, y down, pixel centres at 1/2.
+    /// Places `[px]`: x to the right, y down, pixel centres at 1/2.
     pub points: Vec<Point>,
     /// How many of the points are of triangles; those of ropes follow.
     pub mesh_points: usize,
@@ -30,7 +30,7 @@ pub struct PictureMesh {
     pub components: usize,
     /// Texture coordinates of each point, 0 to 1: x / width and y / height.
     pub texture: Vec<[f32; 2]>,
-    /// Area that each point stands for [px^2]: a third of the triangles around it, half of the strokes.
+    /// Area that each point stands for `[px^2]`: a third of the triangles around it, half of the strokes.
     pub areas: Vec<f64>,
 }
 

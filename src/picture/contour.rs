@@ -7,9 +7,9 @@ use super::plane::{Point, doubled_area};
 /// A closed contour: the ink lies to the left in (x, y), that is to the right as seen, for y points down.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Loop {
-    /// Points in order, the last is followed by the first [px].
+    /// Points in order, the last is followed by the first `[px]`.
     pub points: Vec<Point>,
-    /// Area [px^2]: positive about ink, negative about a hole.
+    /// Area `[px^2]`: positive about ink, negative about a hole.
     pub area: f64,
 }
 

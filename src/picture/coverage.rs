@@ -7,9 +7,9 @@ use super::{Picture, PictureError, Settings, Threshold};
 /// How much of each pixel is covered, 0 to 255.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Coverage {
-    /// Width [px].
+    /// Width `[px]`.
     pub width: usize,
-    /// Height [px].
+    /// Height `[px]`.
     pub height: usize,
     /// Coverage of each pixel, row by row from the top.
     pub values: Vec<u8>,

@@ -7,23 +7,23 @@ use image::{DynamicImage, ImageDecoder, ImageEncoder, ImageError, ImageFormat, I
 
 use super::{PictureError, jpeg, png};
 
-/// Longest side that is taken [px].
+/// Longest side that is taken `[px]`.
 pub const MAX_SIDE: u32 = 16_384;
 
 /// Most pixels that are taken: 64 times 2^20. With 4 bytes each they are a quarter of a GiB, and a mesh of so large a
 /// picture shows nothing that a smaller one would not.
 pub const MAX_PIXELS: u64 = 64 << 20;
 
-/// Most memory that decoding may take [bytes]: what the file holds, unpacked, and the pixels made of it.
+/// Most memory that decoding may take `[bytes]`: what the file holds, unpacked, and the pixels made of it.
 /// With the program itself, and what it makes of the pixels, this stays within 512 MiB.
 pub const MAX_BYTES: u64 = 480 << 20;
 
 /// Pixels of 8 bits a channel.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Picture {
-    /// Width [px], at least 1.
+    /// Width `[px]`, at least 1.
     pub width: u32,
-    /// Height [px], at least 1.
+    /// Height `[px]`, at least 1.
     pub height: u32,
     /// Red, green, blue, alpha of each pixel, row by row from the top; alpha is not multiplied in.
     pub rgba: Vec<u8>,
@@ -53,7 +53,7 @@ impl Picture {
 }
 
 impl Picture {
-    /// The same picture with its longer side at most `side` [px], for a screen.
+    /// The same picture with its longer side at most `side` `[px]`, for a screen.
     pub fn shrunk(&self, side: u32) -> Picture {
         let longer = self.width.max(self.height);
         let whole: Option<image::ImageBuffer<image::Rgba<u8>, &[u8]>> =
@@ -98,7 +98,7 @@ pub fn is_svg(bytes: &[u8]) -> bool {
     is_markup && start.contains("<svg")
 }
 
-/// Bytes within which an SVG says that it is one: comments and the document's type may stand before [bytes].
+/// Bytes within which an SVG says that it is one: comments and the document's type may stand before `[bytes]`.
 const SVG_START: usize = 4096;
 
 /// Whether a file of this name should be a picture.

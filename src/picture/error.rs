@@ -22,9 +22,9 @@ pub enum PictureError {
     /// There is no pixel in it.
     #[error("the picture is {width} x {height} pixels: there is nothing in it")]
     NoPixels {
-        /// Width [px].
+        /// Width `[px]`.
         width: u32,
-        /// Height [px].
+        /// Height `[px]`.
         height: u32,
     },
     /// More pixels than are taken.
@@ -33,11 +33,11 @@ pub enum PictureError {
          scale it down"
     )]
     TooLarge {
-        /// Width [px].
+        /// Width `[px]`.
         width: u32,
-        /// Height [px].
+        /// Height `[px]`.
         height: u32,
-        /// Longest side that is taken [px].
+        /// Longest side that is taken `[px]`.
         side: u32,
         /// Most pixels that are taken, in millions of 2^20.
         megapixels: u64,
@@ -45,9 +45,9 @@ pub enum PictureError {
     /// Few enough pixels, but too many bytes for each.
     #[error("the picture needs {needed} MiB to decode: {limit} MiB is the most; store it with 8 bits a channel")]
     TooHeavy {
-        /// Memory for decoding [MiB].
+        /// Memory for decoding `[MiB]`.
         needed: u64,
-        /// Most memory that is taken [MiB].
+        /// Most memory that is taken `[MiB]`.
         limit: u64,
     },
     /// No pixel is above the threshold.
@@ -61,7 +61,7 @@ pub enum PictureError {
     /// There were pixels, but nothing of them was left.
     #[error("nothing in the picture is as large as {min_area} px^2: lower min_area")]
     Dropped {
-        /// Least area that was kept [px^2].
+        /// Least area that was kept `[px^2]`.
         min_area: f64,
     },
     /// There was ink, all of it in strokes that were left out.
@@ -85,23 +85,23 @@ pub enum PictureError {
     /// A canvas has no pixel or too many.
     #[error("the canvas is {width} x {height} pixels: each side must be from 1 to {side}")]
     Canvas {
-        /// Width [px].
+        /// Width `[px]`.
         width: u32,
-        /// Height [px].
+        /// Height `[px]`.
         height: u32,
-        /// Longest side [px].
+        /// Longest side `[px]`.
         side: u32,
     },
     /// The mesh would be too large.
     #[error("spacing {spacing} px makes about {points} points: {limit} are the most; {}", cure(*would_do))]
     TooManyPoints {
-        /// Distance of neighbours [px].
+        /// Distance of neighbours `[px]`.
         spacing: f64,
         /// Estimate.
         points: u64,
         /// Most points.
         limit: u64,
-        /// A spacing that makes few enough [px]; none where there is too much grain for any.
+        /// A spacing that makes few enough `[px]`; none where there is too much grain for any.
         would_do: Option<f64>,
     },
     /// The boundary of the mesh would be too long.

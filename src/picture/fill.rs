@@ -7,7 +7,7 @@ use std::panic::{AssertUnwindSafe, catch_unwind};
 use super::Point;
 use super::plane::{dot, doubled_area, minus, turn};
 
-/// A loop with less than this share of the square about it is a line [1]: what rounding leaves of one is below 1e-15,
+/// A loop with less than this share of the square about it is a line `[1]`: what rounding leaves of one is below 1e-15,
 /// and a strip of a thousand pixels by a millionth of one is still filled.
 const LEAST_SHARE: f64 = 1e-12;
 
@@ -16,9 +16,9 @@ struct Ring<'a> {
     points: &'a [Point],
     /// Number of its first point among those of all loops.
     first: usize,
-    /// [px^2]
+    /// `[px^2]`
     area: f64,
-    /// Left, top, right, bottom [px].
+    /// Left, top, right, bottom `[px]`.
     bounds: [f64; 4],
     /// A place inside.
     inside: Point,
@@ -27,7 +27,7 @@ struct Ring<'a> {
 /// Triangles that fill outlines.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Filling {
-    /// The points of all loops in their order, `loops.concat()`, then those where edges cross [px].
+    /// The points of all loops in their order, `loops.concat()`, then those where edges cross `[px]`.
     pub points: Vec<Point>,
     /// Triangles, by the numbers of their points. How they turn is not defined.
     pub triangles: Vec<[u32; 3]>,
@@ -129,7 +129,7 @@ fn contains(ring: &Ring, [x, y]: Point) -> bool {
         && crossings(ring.points, y).filter(|&crossing| crossing < x).count() % 2 == 1
 }
 
-/// Edges that cross by less than this share of their lengths touch [1]: rounding is below 1e-12 where coordinates are
+/// Edges that cross by less than this share of their lengths touch `[1]`: rounding is below 1e-12 where coordinates are
 /// not far larger than the outline.
 const LEAST_CROSSING: f64 = 1e-9;
 

@@ -1,9 +1,9 @@
 //! From a picture to a body: its ink as a mesh of even triangles, its thin strokes as ropes.
 //!
 //! Stages, each a function that may be called, and timed, by itself:
-//! [`decode`] reads a file, [`cover`] tells ink from paper, [`outline`] traces it and takes thin strokes off,
-//! [`boundary`] puts points on the contours, [`fill_boundary`] fills them with triangles, [`ropes`] divides
-//! the strokes, [`assemble`] puts all together, [`stats`] measures it. [`mesh_picture`] does all but the first.
+//! [`decode()`] reads a file, [`cover`] tells ink from paper, [`outline()`] traces it and takes thin strokes off,
+//! [`boundary()`] puts points on the contours, [`fill_boundary`] fills them with triangles, [`ropes`] divides
+//! the strokes, [`assemble`] puts all together, [`stats()`] measures it. [`mesh_picture`] does all but the first.
 //!
 //! The same picture and settings make the same bits on any machine and any number of threads.
 
@@ -124,7 +124,7 @@ pub fn mesh_in_stages(
     Ok(Made { mesh, outline, boundary, threshold })
 }
 
-/// The outlines and holes of a picture's ink [px], y down, with as few corners as the spacing asks for; thin strokes are ink as any.
+/// The outlines and holes of a picture's ink `[px]`, y down, with as few corners as the spacing asks for; thin strokes are ink as any.
 ///
 /// Errors: a setting out of range; no ink; nothing large enough; an outline that is mere grain.
 pub fn trace_picture(picture: &Picture, settings: &Settings) -> Result<Vec<Vec<Point>>, PictureError> {

@@ -3,7 +3,7 @@
 use super::contour::Loop;
 use super::{Coverage, plane::Point};
 
-/// Drops specks and holes that are smaller than `min_area` [px^2], and all holes with what lies in them if they are to
+/// Drops specks and holes that are smaller than `min_area` `[px^2]`, and all holes with what lies in them if they are to
 /// be filled. The coverage is changed as if they had never been there. The loops that are kept stay in their order.
 pub fn keep(coverage: &mut Coverage, loops: Vec<Loop>, min_area: f64, fill_holes: bool) -> Vec<Loop> {
     let inner = if fill_holes { nested(&loops) } else { vec![false; loops.len()] };
@@ -31,7 +31,7 @@ fn paint(coverage: &mut Coverage, one: &Loop) {
     }
 }
 
-/// Where a contour crosses the middles of pixel rows: the row, and x [px]. Every contour does: it surrounds a pixel.
+/// Where a contour crosses the middles of pixel rows: the row, and x `[px]`. Every contour does: it surrounds a pixel.
 fn row_crossings(points: &[Point]) -> impl Iterator<Item = (usize, f64)> + '_ {
     points.iter().filter(|[_, y]| y.fract() == 0.5).map(|&[x, y]| (y as usize, x))
 }

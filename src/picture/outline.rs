@@ -19,7 +19,7 @@ pub struct Outline {
     pub components: usize,
     /// Holes in it.
     pub holes: usize,
-    /// Area inside of the loops [px^2].
+    /// Area inside of the loops `[px^2]`.
     pub ink_area: f64,
 }
 
@@ -98,7 +98,7 @@ fn wipe<'a>(coverage: &mut Coverage, thick: &Bits, pixels: impl Iterator<Item = 
     }
 }
 
-/// Draws lines anew, with smooth edges, in this width [px].
+/// Draws lines anew, with smooth edges, in this width `[px]`.
 fn widen(coverage: &mut Coverage, strands: &Strands, width: f64) {
     let reach = 0.5 * width + 1.0;
     let points = strands.lines.iter().flat_map(|line| &line.points).chain(strands.nodes.iter().map(|node| &node.place));

@@ -3,7 +3,7 @@
 use super::{PictureMesh, Point};
 
 impl PictureMesh {
-    /// Number and area [px^2] of each connected part, the largest first.
+    /// Number and area `[px^2]` of each connected part, the largest first.
     pub fn parts(&self) -> Vec<(u32, f64)> {
         let mut parts: Vec<(u32, f64)> = (0..self.components as u32).map(|number| (number, 0.0)).collect();
         for (&number, area) in self.component.iter().zip(&self.areas) {

@@ -1,6 +1,6 @@
 //! Plane geometry on pairs of coordinates.
 
-/// A place [px]: x to the right, y down.
+/// A place `[px]`: x to the right, y down.
 pub type Point = [f64; 2];
 
 pub(super) fn minus(a: Point, b: Point) -> Point {
@@ -46,7 +46,7 @@ pub(super) fn to_segment(point: Point, [a, b]: [Point; 2]) -> (f64, f64) {
     (distance(point, between(a, b, share)), share)
 }
 
-/// The angle at `a` between the directions to `b` and `c` [degrees].
+/// The angle at `a` between the directions to `b` and `c` `[degrees]`.
 pub(super) fn angle_at(a: Point, b: Point, c: Point) -> f64 {
     let (u, v) = (minus(b, a), minus(c, a));
     libm::atan2(cross(u, v).abs(), dot(u, v)).to_degrees()

@@ -10,18 +10,18 @@ use super::strand::{Line, Strands};
 /// Points and bonds of ropes.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Ropes {
-    /// Points, numbered on from those of the mesh [px].
+    /// Points, numbered on from those of the mesh `[px]`.
     pub points: Vec<Point>,
     /// Bonds, the lower number first: in order along each rope.
     pub bonds: Vec<[u32; 2]>,
-    /// Area of stroke that each bond stands for [px^2].
+    /// Area of stroke that each bond stands for `[px^2]`.
     pub areas: Vec<f64>,
 }
 
 /// Shortest line that is worth a bond where it closes a ring with the mesh, in spacings.
 const SHORTEST: f64 = 0.75;
 
-/// Divides lines into bonds of about the spacing [px]; roots become the nearest points of the mesh's boundary.
+/// Divides lines into bonds of about the spacing `[px]`; roots become the nearest points of the mesh's boundary.
 ///
 /// A ring has three bonds at least, and two lines between the same points are not the same bond, so that holes stay.
 pub fn ropes(strands: &Strands, mesh: &Mesh, spacing: f64) -> Ropes {
@@ -85,10 +85,10 @@ impl Ropes {
 #[derive(Default)]
 struct Places(BTreeSet<[i64; 2]>);
 
-/// Steps by which points in one place are told from those that are apart [1/px].
+/// Steps by which points in one place are told from those that are apart `[1/px]`.
 const STEPS: f64 = 256.0;
 
-/// How far a point gives way at a time [px].
+/// How far a point gives way at a time `[px]`.
 const GIVES_WAY: f64 = 0.125;
 
 /// How often it does at most: where so many points are in one place, a few more do no harm.

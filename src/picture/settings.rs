@@ -14,16 +14,16 @@ pub enum Threshold {
 /// How large the triangles are.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Size {
-    /// Distance of neighbours [px], the same everywhere: [`LEAST_SPACING`] to [`WIDEST_SPACING`].
+    /// Distance of neighbours `[px]`, the same everywhere: [`LEAST_SPACING`] to [`WIDEST_SPACING`].
     Spacing(f64),
     /// Finer by the boundary than inside.
     Graded {
-        /// Distance of neighbours along the boundary [px].
+        /// Distance of neighbours along the boundary `[px]`.
         spacing: f64,
         /// How many times as far neighbours are apart deep inside, at most: 1 to 9. It grows by sqrt(3) at a time.
         ratio: f64,
     },
-    /// No triangle is larger than this [px^2].
+    /// No triangle is larger than this `[px^2]`.
     MaxArea(f64),
 }
 
@@ -47,12 +47,12 @@ pub struct Settings {
     pub threshold: Threshold,
     /// Whether what is not covered is ink instead.
     pub invert: bool,
-    /// How far coverage is averaged to all sides before the threshold [px], 0 to 64: the grain of a photograph, which
+    /// How far coverage is averaged to all sides before the threshold `[px]`, 0 to 64: the grain of a photograph, which
     /// else frays every outline.
     pub blur: u32,
     /// Whether holes are filled.
     pub fill_holes: bool,
-    /// Specks and holes smaller than this are dropped [px^2], 0 and up.
+    /// Specks and holes smaller than this are dropped `[px^2]`, 0 and up.
     pub min_area: f64,
     /// How large the triangles are.
     pub size: Size,
@@ -78,10 +78,10 @@ impl Default for Settings {
     }
 }
 
-/// Closest points [px]: closer than a pixel there is nothing to be seen in a picture.
+/// Closest points `[px]`: closer than a pixel there is nothing to be seen in a picture.
 pub const LEAST_SPACING: f64 = 1.0;
 
-/// Farthest points [px].
+/// Farthest points `[px]`.
 pub const WIDEST_SPACING: f64 = 4096.0;
 
 /// Most points of a mesh, by an estimate before it is made.
@@ -99,14 +99,14 @@ pub(super) const UNIT_TRIANGLE: f64 = 0.433_012_701_892_219_3;
 const LATTICE_SHARE: f64 = 0.62;
 
 impl Size {
-    /// Triangles of at most such an area that neighbours are about this far apart [px].
+    /// Triangles of at most such an area that neighbours are about this far apart `[px]`.
     pub fn of_area(spacing: f64) -> Self {
         Size::MaxArea(spacing * spacing * UNIT_TRIANGLE / LATTICE_SHARE)
     }
 }
 
 impl Settings {
-    /// Distance of neighbours along the boundary [px].
+    /// Distance of neighbours along the boundary `[px]`.
     pub fn spacing(&self) -> f64 {
         match self.size {
             Size::Spacing(spacing) | Size::Graded { spacing, .. } => spacing,

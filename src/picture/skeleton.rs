@@ -75,7 +75,7 @@ pub(super) struct Chain {
 }
 
 impl Chain {
-    /// Length along the pixels [px].
+    /// Length along the pixels `[px]`.
     pub(super) fn length(&self) -> f64 {
         let step = |pair: &[Pixel]| {
             let is_diagonal = pair[0][0] != pair[1][0] && pair[0][1] != pair[1][1];

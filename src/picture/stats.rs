@@ -14,21 +14,21 @@ pub struct Stats {
     pub triangles: usize,
     /// Bonds: sides of triangles and bonds of ropes.
     pub bonds: usize,
-    /// The smallest angle of any triangle [degrees]; 0 without triangles.
+    /// The smallest angle of any triangle `[degrees]`; 0 without triangles.
     pub min_angle_deg: f64,
-    /// One in a hundred of all angles of all triangles is below this [degrees].
+    /// One in a hundred of all angles of all triangles is below this `[degrees]`.
     pub p1_angle_deg: f64,
     /// Standard deviation of the sides of triangles over their mean.
     pub edge_cv: f64,
-    /// The shortest side of a triangle [px].
+    /// The shortest side of a triangle `[px]`.
     pub shortest_edge: f64,
-    /// Area of the triangles [px^2].
+    /// Area of the triangles `[px^2]`.
     pub area_px: f64,
-    /// Area inside of the contours that were to be meshed [px^2].
+    /// Area inside of the contours that were to be meshed `[px^2]`.
     pub ink_px: f64,
     /// |area - ink| / ink; 0 without ink.
     pub area_error: f64,
-    /// Largest distance between contour and boundary, both ways [px].
+    /// Largest distance between contour and boundary, both ways `[px]`.
     pub boundary_deviation_px: f64,
     /// Connected parts of the mesh and its ropes.
     pub components: usize,

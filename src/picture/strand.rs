@@ -17,9 +17,9 @@ pub struct Strands {
 /// Where a line ends, or lines meet.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Node {
-    /// Where it is [px].
+    /// Where it is `[px]`.
     pub place: Point,
-    /// A place in the thick ink that it touches, to whose mesh it is to be tied [px].
+    /// A place in the thick ink that it touches, to whose mesh it is to be tied `[px]`.
     pub root: Option<Point>,
 }
 
@@ -28,14 +28,14 @@ pub struct Node {
 pub struct Line {
     /// Its nodes: the same one twice for a ring.
     pub ends: [u32; 2],
-    /// Places along it, one a pixel, from end to end [px].
+    /// Places along it, one a pixel, from end to end `[px]`.
     pub points: Vec<Point>,
-    /// Mean width of the stroke [px]: its pixels over its length.
+    /// Mean width of the stroke `[px]`: its pixels over its length.
     pub width: f64,
 }
 
 impl Line {
-    /// Length [px].
+    /// Length `[px]`.
     pub fn length(&self) -> f64 {
         self.points.windows(2).map(|pair| distance(pair[0], pair[1])).sum()
     }
@@ -132,10 +132,10 @@ impl Strands {
     }
 }
 
-/// Least area inside a ring of pixel centres [px^2]: four pixels about a hole of one have 2, four in a square 1.
+/// Least area inside a ring of pixel centres `[px^2]`: four pixels about a hole of one have 2, four in a square 1.
 const LEAST_RING: f64 = 1.5;
 
-/// Area inside a closed line of pixels [px^2].
+/// Area inside a closed line of pixels `[px^2]`.
 fn enclosed(pixels: &[Pixel]) -> f64 {
     let points: Vec<Point> = pixels.iter().copied().map(place).collect();
     0.5 * doubled_area(&points).abs()
@@ -193,7 +193,7 @@ fn first(joined: &[usize], mut k: usize) -> usize {
     k
 }
 
-/// The middle of a pixel [px].
+/// The middle of a pixel `[px]`.
 fn place([x, y]: Pixel) -> Point {
     [x as f64 - 0.5, y as f64 - 0.5]
 }

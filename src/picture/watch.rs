@@ -37,7 +37,7 @@ impl Stage {
         }
     }
 
-    /// How much of the work is usually done when it begins [1].
+    /// How much of the work is usually done when it begins `[1]`.
     pub fn share(self) -> f32 {
         match self {
             Stage::Read => 0.0,
@@ -59,7 +59,7 @@ pub struct Watch {
     is_stopped: Arc<AtomicBool>,
     word: Option<Word>,
     most_points: u64,
-    /// A spacing that makes few enough points [px]; 0 until one is known.
+    /// A spacing that makes few enough points `[px]`; 0 until one is known.
     would_do: Arc<AtomicUsize>,
 }
 
@@ -102,7 +102,7 @@ impl Watch {
         self.is_stopped.store(true, Ordering::Relaxed);
     }
 
-    /// Where there were too many points: a spacing that makes few enough [px], if any does.
+    /// Where there were too many points: a spacing that makes few enough `[px]`, if any does.
     pub fn would_do(&self) -> Option<f64> {
         let spacing = self.would_do.load(Ordering::Relaxed);
         (spacing > 0).then_some(spacing as f64)

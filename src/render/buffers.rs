@@ -87,9 +87,9 @@ pub(super) struct WorldBuffers {
     covers_all: bool,
     /// Pinned points.
     pub(super) pin_count: u32,
-    /// What positions are relative to [m].
+    /// What positions are relative to `[m]`.
     pub(super) origin: DVec3,
-    /// Middle one of the rest lengths [m]; 0 without bonds.
+    /// Middle one of the rest lengths `[m]`; 0 without bonds.
     pub(super) typical_bond: f64,
     /// The same of bonds that are covered.
     pub(super) covered_bond: f64,

@@ -9,7 +9,7 @@ use crate::sim::Cursor;
 pub struct Camera {
     /// How it looks.
     pub pose: Pose,
-    /// Width and height of the picture [px].
+    /// Width and height of the picture `[px]`.
     viewport: DVec2,
 }
 
@@ -18,48 +18,48 @@ pub struct Camera {
 pub enum Pose {
     /// Straight at the plane.
     Plane {
-        /// Middle of the picture [m].
+        /// Middle of the picture `[m]`.
         center: DVec2,
-        /// Height of the picture [m].
+        /// Height of the picture `[m]`.
         height: f64,
     },
     /// At a target in space, in perspective.
     Orbit {
-        /// What it looks at [m].
+        /// What it looks at `[m]`.
         target: DVec3,
-        /// Its distance from there [m].
+        /// Its distance from there `[m]`.
         distance: f64,
-        /// Its angle about the vertical, 0 along -z [rad].
+        /// Its angle about the vertical, 0 along -z `[rad]`.
         yaw: f64,
-        /// Its angle above the level [rad].
+        /// Its angle above the level `[rad]`.
         pitch: f64,
     },
 }
 
-/// Smallest and largest height of the picture, or distance of the target [m]: beyond, coordinates lose their meaning.
+/// Smallest and largest height of the picture, or distance of the target `[m]`: beyond, coordinates lose their meaning.
 const ZOOM: std::ops::RangeInclusive<f64> = 1e-6..=1e9;
-/// Angle of view of a camera in space, from bottom to top [rad].
+/// Angle of view of a camera in space, from bottom to top `[rad]`.
 const FIELD_OF_VIEW: f64 = 0.8;
-/// Steepest pitch [rad]: at the pole, up would have no direction.
+/// Steepest pitch `[rad]`: at the pole, up would have no direction.
 const STEEPEST: f64 = 1.55;
 /// Least distance that is seen, as a share of the target's: nearer things would fill the picture.
 const NEAR: f64 = 0.01;
 /// How many times as far as the nearest the farthest is that is seen: more would cost depth its digits.
 const DEPTH_OF_VIEW: f64 = 1e4;
-/// Angle that a drag over one pixel turns the camera by [rad].
+/// Angle that a drag over one pixel turns the camera by `[rad]`.
 const TURN: f64 = 0.008;
-/// Room around what is fitted [1].
+/// Room around what is fitted `[1]`.
 const MARGIN: f64 = 1.2;
 
 impl Camera {
-    /// A camera for a picture of `size` [px].
+    /// A camera for a picture of `size` `[px]`.
     pub fn new(pose: Pose, size: [u32; 2]) -> Self {
         let mut camera = Camera { pose, viewport: DVec2::ONE };
         camera.resize(size);
         camera
     }
 
-    /// A camera that shows all of the box between two corners [m], with some room; in space from ahead and above.
+    /// A camera that shows all of the box between two corners `[m]`, with some room; in space from ahead and above.
     ///
     /// Valid range: a corner that is not finite gives the box from -1 to 1; an empty box is taken as 1 mm wide.
     pub fn fit(corners: [[f64; 3]; 2], dimensions: usize, size: [u32; 2]) -> Self {
@@ -86,7 +86,7 @@ impl Camera {
         camera
     }
 
-    /// The picture has another size [px]. A picture of no size keeps the camera sane.
+    /// The picture has another size `[px]`. A picture of no size keeps the camera sane.
     pub fn resize(&mut self, [width, height]: [u32; 2]) {
         self.viewport = DVec2::new(f64::from(width.max(1)), f64::from(height.max(1)));
     }
@@ -95,12 +95,12 @@ impl Camera {
         self.viewport.x / self.viewport.y
     }
 
-    /// Width and height of the picture [px].
+    /// Width and height of the picture `[px]`.
     pub fn viewport(&self) -> [f32; 2] {
         self.viewport.as_vec2().to_array()
     }
 
-    /// A point near what is seen: positions given to the GPU relative to it keep their digits [m].
+    /// A point near what is seen: positions given to the GPU relative to it keep their digits `[m]`.
     pub fn focus(&self) -> DVec3 {
         match self.pose {
             Pose::Plane { center, .. } => center.extend(0.0),
@@ -108,7 +108,7 @@ impl Camera {
         }
     }
 
-    /// Height of the picture at the focus [m].
+    /// Height of the picture at the focus `[m]`.
     pub fn height(&self) -> f64 {
         match self.pose {
             Pose::Plane { height, .. } => height,
@@ -116,7 +116,7 @@ impl Camera {
         }
     }
 
-    /// Distance of what it looks at [m]; in the plane 0.
+    /// Distance of what it looks at `[m]`; in the plane 0.
     pub fn distance(&self) -> f64 {
         match self.pose {
             Pose::Plane { .. } => 0.0,
@@ -124,7 +124,7 @@ impl Camera {
         }
     }
 
-    /// Least distance from the camera that is seen [m]; 0 in the plane, where nothing is too near.
+    /// Least distance from the camera that is seen `[m]`; 0 in the plane, where nothing is too near.
     pub fn near(&self) -> f64 {
         match self.pose {
             Pose::Plane { .. } => 0.0,
@@ -137,7 +137,7 @@ impl Camera {
         self.viewport.y / self.height()
     }
 
-    /// From the world, relative to `origin` [m], to clip space (depth 0 near to 1 far).
+    /// From the world, relative to `origin` `[m]`, to clip space (depth 0 near to 1 far).
     pub fn clip_from_world(&self, origin: DVec3) -> Mat4 {
         self.clip_from_relative(origin).as_mat4()
     }
@@ -177,14 +177,14 @@ impl Camera {
         }
     }
 
-    /// The point at a pixel, in the plane through the focus that faces the camera [m].
+    /// The point at a pixel, in the plane through the focus that faces the camera `[m]`.
     pub fn world_from_screen(&self, pixel: [f64; 2]) -> DVec3 {
         let offset = (DVec2::from(pixel) - 0.5 * self.viewport) / self.pixels_per_metre();
         let up = self.back().cross(self.right());
         self.focus() + self.right() * offset.x - up * offset.y
     }
 
-    /// The pixel that a point [m] is seen at; `None` behind the camera, or for a point that is not finite.
+    /// The pixel that a point `[m]` is seen at; `None` behind the camera, or for a point that is not finite.
     pub fn screen_from_world(&self, point: DVec3) -> Option<[f64; 2]> {
         let clip: DVec4 = self.clip_from_relative(self.focus()) * (point - self.focus()).extend(1.0);
         // Not a number is nowhere either.
@@ -195,7 +195,7 @@ impl Camera {
         Some(((ndc * DVec2::new(0.5, -0.5) + 0.5) * self.viewport).to_array())
     }
 
-    /// How far a point lies ahead of the camera [m]; in the plane 0.
+    /// How far a point lies ahead of the camera `[m]`; in the plane 0.
     pub fn depth(&self, point: DVec3) -> f64 {
         match self.pose {
             Pose::Plane { .. } => 0.0,

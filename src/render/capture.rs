@@ -44,7 +44,7 @@ fn layout([width, height]: [u32; 2], limits: &wgpu::Limits) -> Result<(u32, u64)
 const FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::Rgba8Unorm;
 
 impl Capture {
-    /// A target of `size` [px] for worlds of `dimensions`, on the GPU that there is.
+    /// A target of `size` `[px]` for worlds of `dimensions`, on the GPU that there is.
     ///
     /// Errors: no GPU; a size of 0 or beyond what the GPU draws.
     pub fn new(size: [u32; 2], dimensions: usize) -> Result<Self, RenderError> {

@@ -84,13 +84,13 @@ fn is_close(more: u32, count: u32) -> bool {
 #[derive(Clone, Debug)]
 struct Chunk {
     len: u32,
-    /// Mean rest length [m].
+    /// Mean rest length `[m]`.
     rest: f64,
     /// Bonds for each point that they end at.
     per_point: f64,
     /// Some bonds, to see how long they are now.
     samples: [[u32; 2]; SAMPLES],
-    /// Sum of the samples' rest lengths [m].
+    /// Sum of the samples' rest lengths `[m]`.
     samples_rest: f64,
     /// The groups that the bonds end in, as a range of [`Chunks::touched`].
     groups: Range<usize>,
@@ -110,7 +110,7 @@ pub(super) struct Chunks {
     whole: Option<Extent>,
     /// Around each group, since the points moved.
     groups: Option<Vec<Extent>>,
-    /// Mean length of each chunk's bonds [m], since they moved.
+    /// Mean length of each chunk's bonds `[m]`, since they moved.
     lengths: Option<Vec<f64>>,
 }
 
@@ -118,7 +118,7 @@ pub(super) struct Chunks {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Wanted {
     pub(super) sight: Sight,
-    /// Width of strokes, and radius of dots [px].
+    /// Width of strokes, and radius of dots `[px]`.
     pub(super) width: f64,
     pub(super) radius: f64,
     /// Points that are not pinned are too faint to be seen.
@@ -271,7 +271,7 @@ impl Chunks {
 }
 
 impl Chunk {
-    /// Mean length of the bonds now [m], from what became of a few.
+    /// Mean length of the bonds now `[m]`, from what became of a few.
     fn length<const D: usize>(&self, points: &[[f32; D]]) -> f64 {
         let length = |[a, b]: [u32; 2]| {
             let (Some(a), Some(b)) = (points.get(a as usize), points.get(b as usize)) else { return f64::NAN };

@@ -19,9 +19,9 @@ const SURFACE: f64 = 1.6;
 /// Shares of a patch's bonds.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Detail {
-    /// Drawn as strokes [1].
+    /// Drawn as strokes `[1]`.
     pub(super) strokes: f64,
-    /// Drawn as dots [1].
+    /// Drawn as dots `[1]`.
     pub(super) dots: f64,
 }
 
@@ -29,7 +29,7 @@ impl Detail {
     /// Every bond a stroke.
     pub(super) const ALL: Detail = Detail { strokes: 1.0, dots: 0.0 };
 
-    /// For bonds `length` long and `width` wide on the screen [px], so many to a point, with dots of `radius` [px].
+    /// For bonds `length` long and `width` wide on the screen `[px]`, so many to a point, with dots of `radius` `[px]`.
     ///
     /// Valid range: a length that is not a number gets every bond drawn.
     pub(super) fn new(length: f64, width: f64, per_point: f64, radius: f64) -> Self {
@@ -51,7 +51,7 @@ pub(super) fn is_surface(per_point: f64) -> bool {
     per_point >= SURFACE
 }
 
-/// Radius of dots [px] for strokes of a width: a dot of a string is as wide as it; in a surface larger ones are fewer,
+/// Radius of dots `[px]` for strokes of a width: a dot of a string is as wide as it; in a surface larger ones are fewer,
 /// and its edge moves by half a width, which is less than a pixel or two.
 pub(super) fn dot_radius(width: f32, is_surface: bool) -> f32 {
     if is_surface { width } else { 0.5 * width }

@@ -22,11 +22,11 @@ pub enum RenderError {
     /// A picture larger than the driver draws, or of no size.
     #[error("{width} x {height} pixels cannot be drawn: give 1 to {most} each way")]
     Size {
-        /// Width asked for [px].
+        /// Width asked for `[px]`.
         width: u32,
-        /// Height asked for [px].
+        /// Height asked for `[px]`.
         height: u32,
-        /// Most that the driver draws [px].
+        /// Most that the driver draws `[px]`.
         most: u32,
     },
     /// A picture with more pixels than the driver's buffers hold.
@@ -34,9 +34,9 @@ pub enum RenderError {
         "{width} x {height} pixels are {bytes} bytes, more than this GPU's buffers hold ({most}): draw a smaller picture"
     )]
     Pixels {
-        /// Width asked for [px].
+        /// Width asked for `[px]`.
         width: u32,
-        /// Height asked for [px].
+        /// Height asked for `[px]`.
         height: u32,
         /// How many bytes it takes to read the picture back.
         bytes: u64,

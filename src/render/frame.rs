@@ -87,7 +87,7 @@ impl Frame {
         }
     }
 
-    /// What the picture wants of bonds and points that are relative to `origin` [m].
+    /// What the picture wants of bonds and points that are relative to `origin` `[m]`.
     pub(super) fn wanted(&self, camera: &Camera, origin: DVec3, has_mesh: bool) -> Wanted {
         let shapes = [0.5 * self.bond_width, self.dot_radius, LARGEST_PIN * self.point_radius, self.least_pin];
         // A shape reaches a pixel beyond itself at most, and its place is rounded.
@@ -101,7 +101,7 @@ impl Frame {
         }
     }
 
-    /// The same picture of obstacles that are relative to `origin` [m], and may cover this much of it [px].
+    /// The same picture of obstacles that are relative to `origin` `[m]`, and may cover this much of it `[px]`.
     pub(super) fn of_obstacles(&self, camera: &Camera, origin: DVec3, obstacles: [f32; 4]) -> Self {
         // Nothing else of it moves them: what changes from picture to picture is left out.
         let clip_from_world = camera.clip_from_world(origin).to_cols_array();
@@ -116,25 +116,25 @@ impl Frame {
 
 /// Opacity of fills whose bonds are shown over them.
 const UNDER_MESH: f32 = 0.3;
-/// Width of the outline of a fill for each pixel that its bonds are long, and its bounds [px].
+/// Width of the outline of a fill for each pixel that its bonds are long, and its bounds `[px]`.
 const OUTLINE_OF_BOND: f64 = 0.09;
 const OUTLINES: [f64; 2] = [0.7, 2.2];
 /// Distances between which things fade, in those of the camera from what it looks at.
 const FOG: [f64; 2] = [1.05, 3.0];
-/// Least radius of a pinned point [px], of a few: however small its body is, it is seen.
+/// Least radius of a pinned point `[px]`, of a few: however small its body is, it is seen.
 const LEAST_PIN: f32 = 3.2;
 
 /// Bonds that no fill covers up to which springs are coils as soon as there is room for a few turns, and pins that are few.
 const FEW: u32 = 80;
-/// Length of a spring [px] from which on it is a coil, where there are few and where there are many.
+/// Length of a spring `[px]` from which on it is a coil, where there are few and where there are many.
 const COILS: [f32; 2] = [36.0, 90.0];
 
-/// Length of a spring on the screen from which on it is a coil [px], of so many bonds.
+/// Length of a spring on the screen from which on it is a coil `[px]`, of so many bonds.
 fn coil_length(bonds: u32) -> f32 {
     COILS[usize::from(bonds > FEW)]
 }
 
-/// Bonds as long as this [px] have their full width; shorter ones thin out with their length, so that a fine net is a veil and not a
+/// Bonds as long as this `[px]` have their full width; shorter ones thin out with their length, so that a fine net is a veil and not a
 /// pattern that the pixels make.
 const FULL_WIDTH_FROM: f64 = 16.0;
 /// Least share of the width of bonds that is left.
@@ -145,7 +145,7 @@ fn thinning(bond_pixels: f64) -> f32 {
     if bond_pixels == 0.0 { 1.0 } else { (bond_pixels / FULL_WIDTH_FROM).clamp(THINNEST, 1.0) as f32 }
 }
 
-/// Smallest radius of a point [px].
+/// Smallest radius of a point `[px]`.
 const LEAST_RADIUS: f32 = 1.2;
 /// Radius of a point for each pixel that its bonds are long.
 const RADIUS_OF_BOND: f64 = 0.12;
@@ -157,7 +157,7 @@ const LARGEST_PIN: f32 = 1.35;
 /// they would hide the bonds, and a fine mesh would be a blank.
 const FADE: [f64; 2] = [4.0, 7.0];
 
-/// How much is left of points whose bonds are so long [1].
+/// How much is left of points whose bonds are so long `[1]`.
 fn point_strength(look: &Look, bond_pixels: f64) -> f32 {
     if bond_pixels == 0.0 {
         return 1.0;
@@ -174,7 +174,7 @@ fn point_radius(look: &Look, bond_pixels: f64) -> f32 {
     ((RADIUS_OF_BOND * bond_pixels) as f32).clamp(LEAST_RADIUS.min(look.point_radius), look.point_radius)
 }
 
-/// Centre, radius [px] and shape of the mouse region on the screen.
+/// Centre, radius `[px]` and shape of the mouse region on the screen.
 fn region(view: &View<'_>, camera: &Camera) -> Option<[f32; 4]> {
     let (force, cursor) = view.mouse?;
     let origin = DVec3::from(cursor.origin);

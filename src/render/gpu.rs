@@ -80,12 +80,12 @@ impl Gpu {
         }
     }
 
-    /// Largest side of a picture [px].
+    /// Largest side of a picture `[px]`.
     pub fn largest_side(&self) -> u32 {
         self.device.limits().max_texture_dimension_2d
     }
 
-    /// Largest storage buffer that a shader can read [bytes].
+    /// Largest storage buffer that a shader can read `[bytes]`.
     pub fn largest_buffer(&self) -> u64 {
         let limits = self.device.limits();
         limits.max_buffer_size.min(limits.max_storage_buffer_binding_size)

@@ -20,13 +20,13 @@ pub(super) struct Guide {
 
 const _: () = assert!(size_of::<Guide>() == 48);
 
-/// Least distance between lines of the grid [px].
+/// Least distance between lines of the grid `[px]`.
 const CLOSEST: f64 = 45.0;
 
-/// Opacity of a plane's rim in space, where it ends nowhere, beside that of walls [1].
+/// Opacity of a plane's rim in space, where it ends nowhere, beside that of walls `[1]`.
 const PATCH_RIM: f32 = 0.6;
 
-/// The guides of a picture, those below first. Positions relative to `origin` [m].
+/// The guides of a picture, those below first. Positions relative to `origin` `[m]`.
 pub(super) fn guides(
     camera: &Camera,
     (view, patches): (&View<'_>, &[Patch]),
@@ -63,7 +63,7 @@ fn guide(a: DVec3, b: DVec3, width: f32, color: Color) -> Guide {
     Guide { a: a.as_vec3().extend(width).to_array(), b: b.as_vec3().extend(0.0).to_array(), color }
 }
 
-/// Distance between lines of the grid [m]: 1, 2 or 5 times a power of ten, not closer than [`CLOSEST`] on the screen.
+/// Distance between lines of the grid `[m]`: 1, 2 or 5 times a power of ten, not closer than [`CLOSEST`] on the screen.
 fn spacing(pixels_per_metre: f64) -> f64 {
     let least = CLOSEST / pixels_per_metre;
     let decade = 10_f64.powf(least.log10().floor());
@@ -96,13 +96,13 @@ fn grid(list: &mut Vec<Guide>, camera: &Camera, center: DVec2, height: f64, orig
     numbers(list, camera, (low, high), origin, look);
 }
 
-/// Numbers of the grid: height of their digits, room from the picture's edge, and width of their strokes [px]; least distance between
-/// two along each axis [px].
+/// Numbers of the grid: height of their digits, room from the picture's edge, and width of their strokes `[px]`; least distance between
+/// two along each axis `[px]`.
 const DIGITS: f64 = 1.15;
 const EDGE: f64 = 6.0;
 const NUMBER_WIDTH: f32 = 1.15;
 const APART: [f64; 2] = [90.0, 60.0];
-/// Least gap between two in a row [px].
+/// Least gap between two in a row `[px]`.
 const GAP: f64 = 24.0;
 
 /// Adds the numbers of the grid: along the lower edge and the left one, at every line or every second or fifth.

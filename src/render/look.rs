@@ -60,15 +60,15 @@ pub struct Look {
     pub trail: Color,
     /// The region of the mouse force.
     pub region: Color,
-    /// Width of bonds [px].
+    /// Width of bonds `[px]`.
     pub bond_width: f32,
-    /// Largest radius of points [px]; they shrink where bonds are short on the screen.
+    /// Largest radius of points `[px]`; they shrink where bonds are short on the screen.
     pub point_radius: f32,
-    /// Width of outlines [px].
+    /// Width of outlines `[px]`.
     pub outline_width: f32,
-    /// Strain up to which colours go in proportion to it; above they go by its logarithm [1].
+    /// Strain up to which colours go in proportion to it; above they go by its logarithm `[1]`.
     pub strain_scale: f32,
-    /// Strain from which on there are no further colours [1].
+    /// Strain from which on there are no further colours `[1]`.
     pub strain_full: f32,
     /// What is shown by colour.
     pub overlay: Overlay,
@@ -80,9 +80,9 @@ pub struct Look {
     pub has_forms: bool,
     /// Whether the plane has a grid with numbers.
     pub has_grid: bool,
-    /// Room at the left edge that numbers of the grid leave to what lies there [px].
+    /// Room at the left edge that numbers of the grid leave to what lies there `[px]`.
     pub inset: f32,
-    /// How much of what is far away fades into the ground, in space [1].
+    /// How much of what is far away fades into the ground, in space `[1]`.
     pub fog: f32,
     /// Physical pixels in a logical one.
     pub scale_factor: f32,

@@ -33,7 +33,7 @@ pub(super) fn strokes(text: &str, size: f64) -> (Vec<[DVec2; 2]>, f64) {
 /// Half the width of a digit, and the radius of its bowls.
 const R: f64 = 2.1;
 
-/// An arc about a middle, between two angles [degrees], anticlockwise where the second is larger.
+/// An arc about a middle, between two angles `[degrees]`, anticlockwise where the second is larger.
 fn arc(x: f64, y: f64, [across, up]: [f64; 2], [from, to]: [f64; 2]) -> Vec<(f64, f64)> {
     let steps = ((from - to).abs() / 36.0).ceil().max(1.0) as usize;
     let angle = |k: usize| (from + (to - from) * k as f64 / steps as f64).to_radians();
@@ -90,7 +90,7 @@ fn lines(sign: char) -> Vec<Vec<(f64, f64)>> {
     }
 }
 
-/// A length on a grid [m] whose lines are `step` [m] apart, with its unit: as many places as the step has.
+/// A length on a grid `[m]` whose lines are `step` `[m]` apart, with its unit: as many places as the step has.
 pub(super) fn length(value: f64, step: f64) -> String {
     let (unit, scale) = match step {
         step if step >= 1e3 => ("km", 1e-3),

@@ -240,7 +240,7 @@ impl Passes {
         }));
     }
 
-    /// Finds out what obstacles cover of a picture of `size` [px], before it is drawn.
+    /// Finds out what obstacles cover of a picture of `size` `[px]`, before it is drawn.
     pub(super) fn cover(
         &self,
         gpu: &Gpu,

@@ -92,7 +92,7 @@ impl Renderer {
         self.fills.forget();
     }
 
-    /// Draws what was prepared into the upper left `area` of `target`, which has `size` [px], over the ground colour.
+    /// Draws what was prepared into the upper left `area` of `target`, which has `size` `[px]`, over the ground colour.
     pub fn draw(
         &mut self,
         gpu: &Gpu,

@@ -59,7 +59,7 @@ pub(super) struct Sight {
 }
 
 impl Sight {
-    /// What `camera` sees of positions relative to `origin` [m], and `margin` [px] around the picture.
+    /// What `camera` sees of positions relative to `origin` `[m]`, and `margin` `[px]` around the picture.
     pub(super) fn new(camera: &Camera, origin: DVec3, margin: f64) -> Self {
         let matrix: DMat4 = camera.clip_from_relative(origin);
         let [width, height] = camera.viewport().map(f64::from);

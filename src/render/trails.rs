@@ -14,19 +14,19 @@ const PLACES: f64 = 150.0;
 /// Where points have been, for as long as a trail lasts.
 #[derive(Clone, Debug)]
 pub struct Trails {
-    /// [s] of the scene.
+    /// `[s]` of the scene.
     length: f64,
-    /// Times [s] with the places of all points then [m], oldest first.
+    /// Times `[s]` with the places of all points then `[m]`, oldest first.
     past: VecDeque<(f64, Vec<DVec3>)>,
 }
 
 impl Trails {
-    /// Trails that fade within `length` [s] of the scene.
+    /// Trails that fade within `length` `[s]` of the scene.
     pub fn new(length: f64) -> Self {
         Trails { length, past: VecDeque::new() }
     }
 
-    /// How long they last [s] of the scene.
+    /// How long they last `[s]` of the scene.
     pub fn length(&self) -> f64 {
         self.length
     }
@@ -37,7 +37,7 @@ impl Trails {
         count <= MOST + view.pinned.len() && view.triangles.is_empty() && view.skins.is_empty()
     }
 
-    /// Notes where points are at a time [s]. What was noted of later times is forgotten: time ran back.
+    /// Notes where points are at a time `[s]`. What was noted of later times is forgotten: time ran back.
     pub fn note(&mut self, time: f64, view: &View<'_>) {
         if !Trails::suit(view) {
             return self.past.clear();
@@ -54,7 +54,7 @@ impl Trails {
         }
     }
 
-    /// Stretches of the trails up to where points are now: their ends [m], and how fresh they are, 0 to 1.
+    /// Stretches of the trails up to where points are now: their ends `[m]`, and how fresh they are, 0 to 1.
     pub(super) fn stretches(&self, view: &View<'_>) -> Vec<([DVec3; 2], f64)> {
         let now = places(view);
         let count = self.past.len();
@@ -70,7 +70,7 @@ impl Trails {
     }
 }
 
-/// Where the points are drawn [m].
+/// Where the points are drawn `[m]`.
 fn places(view: &View<'_>) -> Vec<DVec3> {
     let (count, mix) = (view.current.len() / view.dimensions.max(1), f64::from(view.mix));
     let at = |point: usize| {

@@ -33,7 +33,7 @@ pub struct View<'a> {
     pub pinned: &'a [PointId],
     /// Corners of the walls (z = 0 in the plane).
     pub bounds: Option<[[f64; 3]; 2]>,
-    /// A point of each plane that nothing goes through [m], and the normal that leads away from what is solid (z = 0 in
+    /// A point of each plane that nothing goes through `[m]`, and the normal that leads away from what is solid (z = 0 in
     /// the plane).
     pub planes: Vec<[[f64; 3]; 2]>,
     /// What else is solid, in the plane. Other obstacles are another topology.

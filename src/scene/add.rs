@@ -13,7 +13,7 @@ use crate::sim::{Dynamics, Polygon};
 
 impl Scene {
     /// A body of a picture, which the keys hold themselves, as it is added to `world`, which began as this scene: where nothing is now, inside the walls and of what
-    /// is `seen` (lower and upper corner [m]) if it fits there; with `apart`, each connected part becomes a body of its own.
+    /// is `seen` (lower and upper corner `[m]`) if it fits there; with `apart`, each connected part becomes a body of its own.
     ///
     /// Errors: as of [`Scene::of_picture`]; a world in space; more than 64 parts.
     pub fn body_to_add(

@@ -180,7 +180,7 @@ impl AddKeys {
     }
 }
 
-/// Where a point of the world is, or a new one from number `first` on [m].
+/// Where a point of the world is, or a new one from number `first` on `[m]`.
 fn place(world: &dyn Dynamics, (first, new): (u32, &[[f64; 3]]), point: u32) -> [f64; 3] {
     if point >= first {
         return new[(point - first) as usize];

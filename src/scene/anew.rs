@@ -17,7 +17,7 @@ pub struct Cut {
     pub picture: Arc<Picture>,
     /// The settings of its mesh.
     pub settings: Settings,
-    /// Height of the whole picture [m].
+    /// Height of the whole picture `[m]`.
     pub height: f64,
 }
 

@@ -8,9 +8,9 @@ use crate::sim::vector::{length, sub};
 pub(super) struct Bend {
     /// At the second point, from the arm to the first to the arm to the third, anticlockwise.
     pub(super) points: [u32; 3],
-    /// [N m]
+    /// `[N m]`
     pub(super) stiffness: f64,
-    /// Where its stops are, if it has any [rad].
+    /// Where its stops are, if it has any `[rad]`.
     pub(super) range: Option<[f64; 2]>,
 }
 
@@ -19,7 +19,7 @@ pub(super) fn joints(body: &Body) -> impl Iterator<Item = Bend> {
     body.joints.iter().map(|&Joint { points, range }| Bend { points, stiffness: 0.0, range: Some(range) })
 }
 
-/// The angles of a body that resists bending by `bending` = E I [N m^2].
+/// The angles of a body that resists bending by `bending` = E I `[N m^2]`.
 ///
 /// Model: a rod that is bent to the curvature c over a length l has the energy E I c^2 l/2, and an angle between two pieces of it turns by
 /// c l: its stiffness is E I/l, with l the mean of both pieces. Where three pieces or more meet, neighbours all around share it; where a

@@ -7,11 +7,11 @@ use super::locate;
 use super::pictures::Pictures;
 use crate::picture::Watch;
 
-/// Largest text that a scene keeps to say lines by after it was read [bytes]: 16 MiB. A larger one is reported by its
+/// Largest text that a scene keeps to say lines by after it was read `[bytes]`: 16 MiB. A larger one is reported by its
 /// keys alone once it has been read; kept, it would cost its length in memory for a message that may never come.
 const KEPT_TEXT: usize = 16 << 20;
 
-/// Longest message [bytes]: a wrong word of the file is quoted, and may be as long as the file.
+/// Longest message `[bytes]`: a wrong word of the file is quoted, and may be as long as the file.
 const LONGEST_MESSAGE: usize = 400;
 
 /// Where a scene came from. Two scenes that differ in nothing else are equal.

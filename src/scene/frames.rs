@@ -4,7 +4,7 @@ use std::time::Instant;
 
 use crate::sim::{Dynamics, frame_of};
 
-/// Frames a second of the scene [1/s].
+/// Frames a second of the scene `[1/s]`.
 const RATE: f64 = 60.0;
 /// Time and counted work of the frames of a run: frame k is of the steps that end in (k/60, (k+1)/60] s.
 #[derive(Clone, Debug, Default)]
@@ -18,30 +18,30 @@ pub struct Frames {
 #[derive(Clone, Copy, Debug)]
 struct Spent {
     frame: u64,
-    /// Wall time [s].
+    /// Wall time `[s]`.
     seconds: f64,
-    /// Counted work [ms].
+    /// Counted work `[ms]`.
     work: f64,
 }
 
-/// When the frame ends that `time` [s] lies in.
+/// When the frame ends that `time` `[s]` lies in.
 fn close_of(time: f64) -> f64 {
     frame_of(time) as f64 / RATE
 }
 
-/// The first end of a frame after `time` [s].
+/// The first end of a frame after `time` `[s]`.
 pub fn next_close(time: f64) -> f64 {
     let close = close_of(time);
     if close > time { close } else { (frame_of(time) + 1) as f64 / RATE }
 }
 
-/// Whether the next step ends at `time` [s] or before, but for rounding.
+/// Whether the next step ends at `time` `[s]` or before, but for rounding.
 fn ends_by(world: &dyn Dynamics, time: f64) -> bool {
     world.time() + world.substep() * (1.0 - 1e-9) <= time
 }
 
 impl Frames {
-    /// Steps `world` on as long as steps end at or before `end` [s], and reads the clock once a frame.
+    /// Steps `world` on as long as steps end at or before `end` `[s]`, and reads the clock once a frame.
     pub fn of(world: &mut dyn Dynamics, end: f64) -> Self {
         let mut frames = Frames::between(world.time(), end);
         let mut clock = Instant::now();
@@ -60,12 +60,12 @@ impl Frames {
         frames
     }
 
-    /// No step is known yet of a run from `start` to `end` [s].
+    /// No step is known yet of a run from `start` to `end` `[s]`.
     pub fn between(start: f64, end: f64) -> Self {
         Frames { spent: Vec::new(), count: frame_of(end).saturating_sub(frame_of(start)) }
     }
 
-    /// Steps that ended in the frame of `time` [s] took wall `seconds`, and `work` by counting [ms].
+    /// Steps that ended in the frame of `time` `[s]` took wall `seconds`, and `work` by counting `[ms]`.
     pub fn add(&mut self, time: f64, seconds: f64, work: f64) {
         let frame = frame_of(time);
         match self.spent.last_mut().filter(|last| last.frame == frame) {
@@ -79,12 +79,12 @@ impl Frames {
         self.count
     }
 
-    /// Wall time of all [s].
+    /// Wall time of all `[s]`.
     pub fn seconds(&self) -> f64 {
         self.spent.iter().map(|spent| spent.seconds).sum()
     }
 
-    /// Wall time that this share of the frames does not exceed [ms]: 1 is the slowest. 0 where there are none.
+    /// Wall time that this share of the frames does not exceed `[ms]`: 1 is the slowest. 0 where there are none.
     pub fn quantile_ms(&self, share: f64) -> f64 {
         let mut times: Vec<f64> = self.spent.iter().map(|spent| 1e3 * spent.seconds).collect();
         times.sort_by(f64::total_cmp);
@@ -94,7 +94,7 @@ impl Frames {
         (place > empty).then(|| times.get((place - empty - 1) as usize)).flatten().copied().unwrap_or(0.0)
     }
 
-    /// Counted work of the dearest frame [ms].
+    /// Counted work of the dearest frame `[ms]`.
     pub fn worst_work_ms(&self) -> f64 {
         self.spent.iter().map(|spent| spent.work).fold(0.0, f64::max)
     }

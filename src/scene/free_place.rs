@@ -4,7 +4,7 @@ use super::keys::Scene;
 use crate::sim::Polygon;
 use crate::sim::vector::cross;
 
-/// Lower and upper corner of what something takes up [m].
+/// Lower and upper corner of what something takes up `[m]`.
 pub(super) type Extent = [[f64; 2]; 2];
 
 /// Distance that a body keeps from others, in shares of its own longer side.

@@ -8,11 +8,11 @@ use crate::sim::BondKind;
 /// Share of the critical damping that the slowest wobble of a soft body has, where none is said.
 const DAMPING_RATIO: f64 = 0.1;
 
-/// Fastest decay that such a damper may give to a point [1/s]: a faster one is over within a thousandth of a second, and costs as many
+/// Fastest decay that such a damper may give to a point `[1/s]`: a faster one is over within a thousandth of a second, and costs as many
 /// substeps as it is fast.
 const MOST_DECAY: f64 = 6_000.0;
 
-/// How the bonds of a body resist; `mass` [kg] has an entry a point.
+/// How the bonds of a body resist; `mass` `[kg]` has an entry a point.
 ///
 /// Springs by Young's modulus without `damping` are damped in proportion to their stiffness, so that the slowest wobble dies
 /// away alike in any mesh: c = k 2 ratio/omega, omega = pi/L sqrt(E/density), with L the longer side of the body.
@@ -29,7 +29,7 @@ pub(super) fn kind(keys: &BodyKeys, body: &Body, mass: &[f64]) -> BondKind {
     }
 }
 
-/// A bound on the square of the fastest oscillation of points on these springs [1/s^2].
+/// A bound on the square of the fastest oscillation of points on these springs `[1/s^2]`.
 fn fastest(body: &Body, mass: &[f64], stiffness: f64) -> f64 {
     let mut pull = vec![0.0; mass.len()];
     for link in &body.links {

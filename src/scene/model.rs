@@ -34,12 +34,12 @@ impl Scene {
         if self.dimensions == Some(3) { 3 } else { 2 }
     }
 
-    /// Seconds of the scene in a second of wall time [1].
+    /// Seconds of the scene in a second of wall time `[1]`.
     pub fn rate(&self) -> f64 {
         self.rate.unwrap_or(1.0)
     }
 
-    /// The times to report [s]: the samples, else the duration; none if neither is said.
+    /// The times to report `[s]`: the samples, else the duration; none if neither is said.
     pub fn sample_times(&self) -> Vec<f64> {
         if self.samples.is_empty() { self.duration.into_iter().collect() } else { self.samples.clone() }
     }
@@ -62,7 +62,7 @@ impl Scene {
         self.to_model().map_err(|fault| self.source.error(fault))
     }
 
-    /// A world at the start of the scene; its last substep before `duration` [s] ends there.
+    /// A world at the start of the scene; its last substep before `duration` `[s]` ends there.
     ///
     /// Errors: those of [`Scene::model`]; `duration` is below 0 or not finite; the solver does not take the bonds.
     pub fn world(&self, duration: Option<f64>) -> Result<Box<dyn Dynamics>, SceneError> {
@@ -260,7 +260,7 @@ pub(super) fn anticlockwise([a, b, c]: [u32; 3], place: impl Fn(u32) -> [f64; 3]
     if twice_area < 0.0 { [a, c, b] } else { [a, b, c] }
 }
 
-/// The distance at the start [m], where no rest length is said.
+/// The distance at the start `[m]`, where no rest length is said.
 ///
 /// Errors: it overflows.
 pub(super) fn rest_length(a: [f64; 3], b: [f64; 3]) -> Result<f64, Fault> {
@@ -287,7 +287,7 @@ pub(super) fn material(keys: &BondKeys) -> Bond {
     }
 }
 
-/// The same bond of a rest length [m].
+/// The same bond of a rest length `[m]`.
 ///
 /// Errors: an axial stiffness where that is 0.
 pub(super) fn of_length(bond: Bond, keys: &BondKeys, rest_length: f64) -> Result<Bond, Fault> {

@@ -26,15 +26,15 @@ pub enum Matter {
     Fixed,
 }
 
-/// Mass of the body [kg].
+/// Mass of the body `[kg]`.
 const MASS: f64 = 3.0;
 /// Height of the picture above the floor, and half the width of the box, in heights of the picture.
 const DROP: f64 = 0.3;
 const ROOM: f64 = 1.5;
-/// Substep and largest correction of relaxed bonds, as the source has them [s], [1].
+/// Substep and largest correction of relaxed bonds, as the source has them `[s]`, `[1]`.
 const RELAXED_SUBSTEP: f64 = 0.003;
 const RELAXED_CORRECTION: f64 = 0.8;
-/// Gravity [m/s^2]; and of relaxed bodies, which under their own weight would crumple.
+/// Gravity `[m/s^2]`; and of relaxed bodies, which under their own weight would crumple.
 const GRAVITY: f64 = 9.81;
 const RELAXED_GRAVITY: f64 = 1.0;
 /// Points that rain on an obstacle.
@@ -51,11 +51,11 @@ const MOST_BENT: usize = 4_000;
 pub(crate) const MOST_MEETING: usize = 20_000;
 
 impl Matter {
-    /// Young's modulus in the plane if none is said [N/m]: a body 2 m high that falls 1 m is squeezed by about a tenth; braced, it hardly
+    /// Young's modulus in the plane if none is said `[N/m]`: a body 2 m high that falls 1 m is squeezed by about a tenth; braced, it hardly
     /// folds.
     pub const YOUNG: f64 = 4_000.0;
 
-    /// The material, with Young's modulus [N/m] if it is soft and one is given.
+    /// The material, with Young's modulus `[N/m]` if it is soft and one is given.
     pub fn material(self, young: Option<f64>) -> Material {
         let material = Material { mass: Some(MASS), ..Material::default() };
         match self {
@@ -85,7 +85,7 @@ impl Matter {
 }
 
 impl BodyKeys {
-    /// The keys that cut a picture out by these settings; the whole of it is to be `height` [m] high.
+    /// The keys that cut a picture out by these settings; the whole of it is to be `height` `[m]` high.
     pub fn cut(settings: &Settings, height: f64, picture: &Picture) -> Self {
         let (spacing, max_area, grading) = match settings.size {
             Size::Spacing(spacing) => (Some(spacing), None, None),

@@ -11,7 +11,7 @@ use super::error::{Fault, Source, Within};
 use super::file::file_bytes;
 use crate::picture::{self, Picture, PictureMesh, Settings};
 
-/// Largest picture file that is read [bytes].
+/// Largest picture file that is read `[bytes]`.
 pub(super) const LARGEST_FILE: u64 = 512 << 20;
 
 /// What a picture begins with that stands in the scene itself.
@@ -42,7 +42,7 @@ struct Kept {
 /// Outlines and holes.
 pub(super) type Loops = Vec<Vec<[f64; 2]>>;
 
-/// The outlines of a picture's ink [px].
+/// The outlines of a picture's ink `[px]`.
 struct Traced {
     name: String,
     settings: Settings,
@@ -95,7 +95,7 @@ impl Source {
         Ok(self.keep_mesh(name, settings, None, made.mesh))
     }
 
-    /// The outlines of the ink of a picture that the scene names [px].
+    /// The outlines of the ink of a picture that the scene names `[px]`.
     ///
     /// Errors: those of [`Source::mesh`].
     pub(super) fn traced(&self, name: &str, settings: &Settings) -> Result<Arc<Loops>, Fault> {

@@ -14,7 +14,7 @@ use super::of_picture::is_picture;
 use super::support::LATER;
 use crate::picture::{PictureError, Watch, is_picture_name, is_svg};
 
-/// Largest file that is read [bytes]: beyond, it would only fill the memory.
+/// Largest file that is read `[bytes]`: beyond, it would only fill the memory.
 const LARGEST_FILE: u64 = 4 << 30;
 
 impl Scene {

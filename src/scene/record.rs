@@ -15,7 +15,7 @@ pub enum RecordError {
     /// The motion left the finite numbers.
     #[error("the motion left the finite numbers at t = {time} s: use a smaller substep or softer bonds")]
     NotFinite {
-        /// When it was noticed [s].
+        /// When it was noticed `[s]`.
         time: f64,
     },
 }
@@ -23,7 +23,7 @@ pub enum RecordError {
 /// Substeps between two looks at whether the motion is finite.
 const LOOK_EVERY: u64 = 256;
 
-/// Runs `world` on and samples it at `times` [s], which ascend from the time that it has reached.
+/// Runs `world` on and samples it at `times` `[s]`, which ascend from the time that it has reached.
 ///
 /// `progress` is told the time reached now and then. Samples are taken on copies: the motion does not depend on them.
 /// Errors: [`RecordError::NotFinite`], at the latest at the next sample.
@@ -44,7 +44,7 @@ pub fn record(
     Ok(samples)
 }
 
-/// Takes the substeps that end at or before `time` [s].
+/// Takes the substeps that end at or before `time` `[s]`.
 ///
 /// Errors: [`RecordError::NotFinite`].
 pub fn run_to(world: &mut dyn Dynamics, time: f64, progress: &mut dyn FnMut(f64)) -> Result<(), RecordError> {
@@ -61,7 +61,7 @@ pub fn run_to(world: &mut dyn Dynamics, time: f64, progress: &mut dyn FnMut(f64)
     if world.is_finite() { Ok(()) } else { Err(RecordError::NotFinite { time: world.time() }) }
 }
 
-/// Runs `world` on to `end` [s] and takes its ledger now and at the end of every frame of 1/60 s: what
+/// Runs `world` on to `end` `[s]` and takes its ledger now and at the end of every frame of 1/60 s: what
 /// [`judge`](crate::sim::judge) judges. Empty where none is kept.
 ///
 /// Errors: [`RecordError::NotFinite`].
@@ -147,20 +147,20 @@ pub struct Recording {
     pub scene: String,
     /// The solver asked for.
     pub solver: &'static str,
-    /// Longest substep [s].
+    /// Longest substep `[s]`.
     pub substep: f64,
     /// `f32` or `f64`.
     pub precision: &'static str,
     /// The samples.
     pub samples: Vec<RecordedSample>,
-    /// Wall time of the stepping [s].
+    /// Wall time of the stepping `[s]`.
     pub seconds: f64,
     /// The same by frames, with their counted work; `None` where nothing was stepped, or by another hand.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub frames: Option<RecordedFrames>,
-    /// Wall time that finding the setting took [s].
+    /// Wall time that finding the setting took `[s]`.
     pub search_seconds: f64,
-    /// The error that the setting is expected to have at every sample [m], where it was searched for.
+    /// The error that the setting is expected to have at every sample `[m]`, where it was searched for.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub expected_error: Option<f64>,
     /// What relaxed bonds of a share below 1 amount to.
@@ -184,31 +184,31 @@ pub struct Recording {
 pub struct RecordedSoftness {
     /// The bond that was pulled.
     pub bond: usize,
-    /// Stiffness of springs that would give as much in its place [N/m].
+    /// Stiffness of springs that would give as much in its place `[N/m]`.
     pub stiffness: f64,
-    /// The same of one bond alone [N/m].
+    /// The same of one bond alone `[N/m]`.
     pub alone: f64,
 }
 
 /// One sample, with as many components a point as the scene has dimensions.
 #[derive(Clone, Debug, Serialize)]
 pub struct RecordedSample {
-    /// Time [s].
+    /// Time `[s]`.
     pub t: f64,
-    /// Positions [m]; `None` of points that were deleted.
+    /// Positions `[m]`; `None` of points that were deleted.
     pub position: Vec<Option<Vec<f64>>>,
-    /// Velocities [m/s], likewise.
+    /// Velocities `[m/s]`, likewise.
     pub velocity: Vec<Option<Vec<f64>>>,
-    /// Kinetic + springs' + gravity's energy of the points that are not pinned [J].
+    /// Kinetic + springs' + gravity's energy of the points that are not pinned `[J]`.
     pub energy: f64,
-    /// Largest strain [1].
+    /// Largest strain `[1]`.
     pub max_strain: f64,
     /// Where the energy came from and went since the start, if that was asked for.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub ledger: Option<RecordedLedger>,
 }
 
-/// The ledger of a sample [J]: now - start = brought - taken + left over.
+/// The ledger of a sample `[J]`: now - start = brought - taken + left over.
 #[derive(Clone, Copy, Debug, Serialize)]
 pub struct RecordedLedger {
     /// Kinetic, springs' and gravity's energy now.
@@ -278,7 +278,7 @@ impl From<&Ledger> for RecordedLedger {
 /// How the energy was kept, judged once a frame.
 #[derive(Clone, Copy, Debug, Serialize)]
 pub struct RecordedBalance {
-    /// The most that came from nowhere, as a share of the largest kinetic energy until then [1], and when [s].
+    /// The most that came from nowhere, as a share of the largest kinetic energy until then `[1]`, and when `[s]`.
     pub gain: f64,
     /// See [`RecordedBalance::gain`].
     pub gain_at: f64,
@@ -338,11 +338,11 @@ impl RecordedSample {
 pub struct RecordedFrames {
     /// How many.
     pub count: u64,
-    /// Wall time of the median one [ms].
+    /// Wall time of the median one `[ms]`.
     pub median_ms: f64,
-    /// Wall time that one in a hundred exceeds [ms].
+    /// Wall time that one in a hundred exceeds `[ms]`.
     pub p99_ms: f64,
-    /// Wall time of the slowest one [ms].
+    /// Wall time of the slowest one `[ms]`.
     pub worst_ms: f64,
     /// Counted work of the dearest one [ms on the reference machine]: the same on every machine.
     pub worst_work_ms: f64,
@@ -369,7 +369,7 @@ pub struct RecordedMover {
     pub count: usize,
     /// The method.
     pub method: &'static str,
-    /// Since when [s].
+    /// Since when `[s]`.
     pub since: f64,
     /// `plan`, `budget`, `contact` or `alarm`; `not finite` of what stands still.
     pub why: &'static str,

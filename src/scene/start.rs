@@ -191,7 +191,7 @@ pub(super) fn make(keys: &BodyKeys, scene: &Scene) -> Result<Body, Fault> {
     maker.make().map_err(|error| Fault::invalid(error.message).at(error.key))
 }
 
-/// The masses of one copy of a body [kg].
+/// The masses of one copy of a body `[kg]`.
 ///
 /// Errors: the mass of the body is too small to be shared.
 fn masses(keys: &BodyKeys, body: &Body) -> Result<Vec<f64>, Fault> {

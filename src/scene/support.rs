@@ -10,7 +10,7 @@ use crate::sim::{self, BondKind};
 /// Keys of a scene that a later version brings.
 pub(crate) const LATER: [&str; 1] = ["drives"];
 
-/// Counted work of a frame of 1/60 s where nothing is said [ms]: the rest of a frame is for drawing it.
+/// Counted work of a frame of 1/60 s where nothing is said `[ms]`: the rest of a frame is for drawing it.
 const BUDGET: f64 = 6.0;
 
 /// Errors: the first key that this version cannot run.

@@ -16,7 +16,7 @@ use trial::{Trial, Trials};
 pub struct Found {
     /// The setting: a solver by name and a substep.
     pub method: Method,
-    /// The error that it is expected to have at every sample [m].
+    /// The error that it is expected to have at every sample `[m]`.
     pub expected_error: f64,
     /// Whether that is within the tolerance.
     pub is_reached: bool,
@@ -30,7 +30,7 @@ const SHARE: f64 = 0.4;
 const REFERENCE: f64 = 0.02;
 /// What rounding makes of a position at least, in units of the last place.
 const ROUNDED: f64 = 4.0;
-/// Changes of a sample that may be rounding [m]: where they stop falling, halving on is of no use.
+/// Changes of a sample that may be rounding `[m]`: where they stop falling, halving on is of no use.
 const ROUNDING: f64 = 1e-9;
 /// From one substep of a reference to the next: not a half, for guards split substeps in halves, and two runs that a
 /// guard brings to the same substeps would agree in their errors.
@@ -38,7 +38,7 @@ const CUT: f64 = 0.45;
 /// Cuts of a substep before a method is given up.
 const MOST_HALVINGS: u32 = 24;
 
-/// Finds the cheapest setting that reaches `tolerance` [m] at every one of `times` [s].
+/// Finds the cheapest setting that reaches `tolerance` `[m]` at every one of `times` `[s]`.
 ///
 /// A solver or a substep that the method says is kept. The model should end at the last of the times. Samples of the
 /// same model are compared with each other, so that what all methods get wrong alike is not seen.
@@ -81,7 +81,7 @@ pub fn search<const D: usize>(model: &Model<D>, tolerance: f64, times: &[f64]) -
 /// Samples that others are held against.
 struct Reference {
     trial: Trial,
-    /// How far they moved when the substep was halved for the last time [m], less what the order takes off that.
+    /// How far they moved when the substep was halved for the last time `[m]`, less what the order takes off that.
     uncertainty: f64,
 }
 

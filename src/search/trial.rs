@@ -8,14 +8,14 @@ use crate::sim::solver::Solver;
 
 /// Most work of a whole search, in the units of `sim::plan`: about ten seconds.
 const MOST_WORK: f64 = 2e10;
-/// Most of what a whole search may take by the work that runs really counted [ms]: events, retries and rounds cost more than is foreseen.
+/// Most of what a whole search may take by the work that runs really counted `[ms]`: events, retries and rounds cost more than is foreseen.
 const MOST_COUNTED: f64 = 20e3;
-/// Rounds of a substep that are usual, and what each further one takes about [ms]: where friction holds what is rigid, there are hundreds.
+/// Rounds of a substep that are usual, and what each further one takes about `[ms]`: where friction holds what is rigid, there are hundreds.
 const USUAL_ROUNDS: u64 = 64;
 const OF_A_ROUND: f64 = 5e-3;
-/// Longest substep that is tried [s].
+/// Longest substep that is tried `[s]`.
 const LONGEST: f64 = 0.25;
-/// The longest of what the rules move, such as rigid bodies [s].
+/// The longest of what the rules move, such as rigid bodies `[s]`.
 const FRAME: f64 = 1.0 / 60.0;
 
 /// Samples of one run.
@@ -30,12 +30,12 @@ pub(super) struct Trial {
 }
 
 impl Trial {
-    /// The largest coordinate of any sample [m].
+    /// The largest coordinate of any sample `[m]`.
     pub(super) fn extent(&self) -> f64 {
         self.positions.iter().flatten().flatten().fold(0.0, |most, x| most.max(x.abs()))
     }
 
-    /// The largest distance between two runs, over points and samples [m].
+    /// The largest distance between two runs, over points and samples `[m]`.
     pub(super) fn distance(&self, other: &Trial) -> f64 {
         let apart = |a: &[f64; 3], b: &[f64; 3]| a.iter().zip(b).map(|(a, b)| (a - b) * (a - b)).sum::<f64>();
         let pairs = self.positions.iter().zip(&other.positions).flat_map(|(a, b)| a.iter().zip(b));
@@ -47,11 +47,11 @@ impl Trial {
 pub(super) struct Trials<'a, const D: usize> {
     model: &'a Model<D>,
     times: &'a [f64],
-    /// Bounds on the fastest oscillation and decay [1/s].
+    /// Bounds on the fastest oscillation and decay `[1/s]`.
     frequency: f64,
     decay: f64,
     spent: f64,
-    /// Counted work so far [ms].
+    /// Counted work so far `[ms]`.
     counted: f64,
     last_work: f64,
     was_dear: bool,
@@ -154,7 +154,7 @@ impl<'a, const D: usize> Trials<'a, D> {
     }
 }
 
-/// What a run took so far by what it counted [ms].
+/// What a run took so far by what it counted `[ms]`.
 fn counted(world: &dyn Dynamics) -> f64 {
     let counters = world.counters();
     let rounds = counters.iterations.saturating_sub(USUAL_ROUNDS * counters.substeps);

@@ -56,7 +56,7 @@ impl Account {
         account
     }
 
-    /// A bond between two places of the group, of this rest length [m], is gone.
+    /// A bond between two places of the group, of this rest length `[m]`, is gone.
     pub(crate) fn lose(&mut self, ends: [u32; 2], rest: f64) {
         let is_it = |spring: &Spring<f64>| {
             ([spring.a, spring.b] == ends || [spring.b, spring.a] == ends) && spring.rest_length == rest
@@ -66,7 +66,7 @@ impl Account {
         }
     }
 
-    /// Power of drag, dampers and springs at led pins [W], of points in this state.
+    /// Power of drag, dampers and springs at led pins `[W]`, of points in this state.
     pub(crate) fn add_bonds<S: Real, const D: usize>(
         &self,
         (x, v, w): (&[[S; D]], &[[S; D]], &[S]),
@@ -91,7 +91,7 @@ impl Account {
         }
     }
 
-    /// Adds what led pins do more [W] where springs pull by their mean lengths along a step, from `start` through `middle`.
+    /// Adds what led pins do more `[W]` where springs pull by their mean lengths along a step, from `start` through `middle`.
     pub(crate) fn amend_pins<S: Real, const D: usize>(
         &self,
         (start, middle): (&[[S; D]], &[[S; D]]),
@@ -107,7 +107,7 @@ impl Account {
         }
     }
 
-    /// Books a substep of `h` of large bodies: points in the middle of it, at `time` [s], with the velocity that they have in it.
+    /// Books a substep of `h` of large bodies: points in the middle of it, at `time` `[s]`, with the velocity that they have in it.
     pub(crate) fn book_middle<S: Real, const D: usize>(
         &mut self,
         (pull, around): (&Pull<S, D>, &Environment<D>),
@@ -126,7 +126,7 @@ impl Account {
     }
 }
 
-/// Power of the dampers of angles, and of angles and areas at led pins [W].
+/// Power of the dampers of angles, and of angles and areas at led pins `[W]`.
 fn add_form<S: Real, const D: usize>(form: &Form<f64>, (x, v, w): (&[[S; D]], &[[S; D]], &[S]), power: &mut Book) {
     let mut of_pins = |points: [u32; 3], forces: [[f64; 2]; 3], v: [[f64; D]; 3]| {
         for ((point, force), v) in points.into_iter().zip(forces).zip(v) {
@@ -151,7 +151,7 @@ fn add_form<S: Real, const D: usize>(form: &Form<f64>, (x, v, w): (&[[S; D]], &[
     power.dampers += dampers;
 }
 
-/// The sum of m v^2/2 of the points that can move [J].
+/// The sum of m v^2/2 of the points that can move `[J]`.
 pub(crate) fn kinetic<S: Real, const D: usize>(v: &[[S; D]], w: &[S]) -> f64 {
     let of = |(v, w): (&[S; D], &S)| {
         let (v, w) = (widen(*v), w.to_f64());
@@ -160,7 +160,7 @@ pub(crate) fn kinetic<S: Real, const D: usize>(v: &[[S; D]], w: &[S]) -> f64 {
     v.iter().zip(w).map(of).sum()
 }
 
-/// The sum of m a . v [W].
+/// The sum of m a . v `[W]`.
 pub(crate) fn power_of<S: Real, const D: usize>(a: &[[S; D]], v: &[[S; D]], w: &[S]) -> f64 {
     let of = |((a, v), w): ((&[S; D], &[S; D]), &S)| {
         let w = w.to_f64();
@@ -169,7 +169,7 @@ pub(crate) fn power_of<S: Real, const D: usize>(a: &[[S; D]], v: &[[S; D]], w: &
     a.iter().zip(v).zip(w).map(of).sum()
 }
 
-/// Power of the mouse force [W].
+/// Power of the mouse force `[W]`.
 pub(crate) fn pushed<S: Real, const D: usize>(
     pull: &Pull<S, D>,
     around: &Environment<D>,
@@ -182,7 +182,7 @@ pub(crate) fn pushed<S: Real, const D: usize>(
     power_of(&a, v, w)
 }
 
-/// Adds the power of constant forces, of drives and of the wind [W].
+/// Adds the power of constant forces, of drives and of the wind `[W]`.
 pub(crate) fn driven<S: Real, const D: usize>(
     (pull, around): (&Pull<S, D>, &Environment<D>),
     t: f64,
@@ -207,7 +207,7 @@ pub(crate) fn driven<S: Real, const D: usize>(
     }
 }
 
-/// The middle of the cubic between two states that are `h` [s] apart.
+/// The middle of the cubic between two states that are `h` `[s]` apart.
 pub(crate) fn middle<S: Real, const D: usize>(from: &State<S, D>, to: &Points<S, D>, h: f64) -> State<S, D> {
     let (h, half) = (S::from_f64(h), S::HALF);
     let quarter = half * half;

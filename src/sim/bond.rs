@@ -37,17 +37,17 @@ pub enum BondKind {
     /// A force: f_a = -stiffness (|d| - rest) d/|d| - damping ((v_a - v_b).d) d/|d|^2 with d = x_a - x_b, f_b = -f_a.
     /// At rest length 0: f_a = -stiffness d - damping (v_a - v_b).
     Spring {
-        /// Stiffness [N/m], >= 0.
+        /// Stiffness `[N/m]`, >= 0.
         stiffness: f64,
-        /// Damping along the bond [N s/m], >= 0.
+        /// Damping along the bond `[N s/m]`, >= 0.
         damping: f64,
     },
     /// Drawn towards its rest length by a share of the error in every sweep; not a material (it depends on the
     /// substep, the sweeps and their order).
     Relaxed {
-        /// The share [1], in (0, 1].
+        /// The share `[1]`, in (0, 1].
         relaxation: f64,
-        /// Largest |rest/length - 1| times `relaxation` that one sweep may correct by, both ways [1]; infinite: no limit.
+        /// Largest |rest/length - 1| times `relaxation` that one sweep may correct by, both ways `[1]`; infinite: no limit.
         max_correction: f64,
     },
 }
@@ -84,13 +84,13 @@ pub struct Bond {
     pub a: PointId,
     /// The other end.
     pub b: PointId,
-    /// Rest length [m], >= 0; 0 is a weld.
+    /// Rest length `[m]`, >= 0; 0 is a weld.
     pub rest_length: f64,
     /// How it resists.
     pub kind: BondKind,
     /// On which side of the rest length it acts.
     pub limit: Limit,
-    /// Strain above which it is gone [1], > 0; infinite: never. At that moment where events are located, else at the end
+    /// Strain above which it is gone `[1]`, > 0; infinite: never. At that moment where events are located, else at the end
     /// of a substep.
     pub break_strain: f64,
     /// What its rest length follows; a spring or rigid bond that acts both ways and has a length.
@@ -98,7 +98,7 @@ pub struct Bond {
 }
 
 impl Bond {
-    /// A rigid bond of this rest length [m] that acts both ways and never breaks.
+    /// A rigid bond of this rest length `[m]` that acts both ways and never breaks.
     pub fn new(a: PointId, b: PointId, rest_length: f64) -> Self {
         Bond { a, b, rest_length, kind: BondKind::Rigid, limit: Limit::Both, break_strain: f64::INFINITY, drive: None }
     }

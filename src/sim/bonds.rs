@@ -93,7 +93,7 @@ impl Bonds {
         &self.ends
     }
 
-    /// The rest length of every bond [m].
+    /// The rest length of every bond `[m]`.
     pub fn rest_lengths(&self) -> &[f64] {
         &self.rest_lengths
     }
@@ -136,7 +136,7 @@ impl Bonds {
         self.materials.truncate(count);
     }
 
-    /// Memory that the lists hold on the heap [bytes].
+    /// Memory that the lists hold on the heap `[bytes]`.
     pub fn heap_bytes(&self) -> usize {
         self.ends.capacity() * size_of::<[PointId; 2]>()
             + self.rest_lengths.capacity() * size_of::<f64>()

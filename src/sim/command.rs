@@ -26,7 +26,7 @@ pub enum Command {
     Cursor {
         /// Where it goes.
         to: Option<Cursor>,
-        /// When it is there [s], not before now.
+        /// When it is there `[s]`, not before now.
         by: f64,
     },
     /// The mouse force changes. A world without one gets it from strength and radius.
@@ -48,9 +48,9 @@ pub enum Command {
     Unpin(Vec<PointId>),
     /// Bonds that the segment crosses go: in the plane.
     Cut {
-        /// [m]
+        /// `[m]`
         from: [f64; 2],
-        /// [m]
+        /// `[m]`
         to: [f64; 2],
     },
     /// Points, bonds, obstacles and forces come.
@@ -68,9 +68,9 @@ pub enum Command {
 /// What of the mouse force changes.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct MouseChange {
-    /// Strength [1/s^2], positive repels.
+    /// Strength `[1/s^2]`, positive repels.
     pub strength: Option<f64>,
-    /// Radius [m], > 0.
+    /// Radius `[m]`, > 0.
     pub radius: Option<f64>,
     /// Shape of the region.
     pub region: Option<Region>,
@@ -85,21 +85,21 @@ pub struct MouseChange {
 pub enum Reach {
     /// These.
     Points(Vec<PointId>),
-    /// All that are no further from the cursor (in space: from its ray) [m], > 0.
+    /// All that are no further from the cursor (in space: from its ray) `[m]`, > 0.
     Within(f64),
 }
 
-/// A track: (t [s], place [m]), times ascending.
+/// A track: (t `[s]`, place `[m]`), times ascending.
 pub type Knots = Vec<(f64, [f64; 3])>;
 
 /// What comes: points follow the last number that was given, in this order, and so do bonds and obstacles.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Addition {
-    /// Positions [m].
+    /// Positions `[m]`.
     pub position: Vec<[f64; 3]>,
-    /// Velocities [m/s], one a point.
+    /// Velocities `[m/s]`, one a point.
     pub velocity: Vec<[f64; 3]>,
-    /// Masses [kg], > 0, one a point.
+    /// Masses `[kg]`, > 0, one a point.
     pub mass: Vec<f64>,
     /// Points of the world, new ones included, that are held from now on.
     pub pinned: Vec<PointId>,
@@ -124,13 +124,13 @@ pub struct Addition {
 pub enum Obstacle {
     /// A plane.
     Plane {
-        /// Any point of it [m].
+        /// Any point of it `[m]`.
         point: [f64; 3],
         /// Its normal, of any length above 0, towards the free side.
         normal: [f64; 3],
-        /// Restitution [1], >= 0.
+        /// Restitution `[1]`, >= 0.
         restitution: f64,
-        /// Friction [1], >= 0.
+        /// Friction `[1]`, >= 0.
         friction: f64,
     },
     /// A polygon, in the plane.
@@ -162,13 +162,13 @@ pub struct Motion {
     pub points: Vec<PointId>,
     /// Obstacles.
     pub obstacles: Vec<u32>,
-    /// How far [m].
+    /// How far `[m]`.
     pub by: [f64; 3],
-    /// About z, anticlockwise [rad].
+    /// About z, anticlockwise `[rad]`.
     pub turn: f64,
-    /// Factor [1], > 0.
+    /// Factor `[1]`, > 0.
     pub scale: f64,
-    /// About this place [m]; `None`: the mean of the points, of the corners of the obstacles where there are none.
+    /// About this place `[m]`; `None`: the mean of the points, of the corners of the obstacles where there are none.
     pub about: Option<[f64; 3]>,
 }
 
@@ -188,9 +188,9 @@ pub enum Change {
     Points {
         /// Which.
         points: Vec<PointId>,
-        /// Masses [kg], > 0; velocities stay.
+        /// Masses `[kg]`, > 0; velocities stay.
         mass: Option<Values>,
-        /// Velocities [m/s]: one for all, or one each.
+        /// Velocities `[m/s]`: one for all, or one each.
         velocity: Option<Vec<[f64; 3]>>,
         /// What their skins are made of, as far as it is said.
         skin: SkinMaterial,
@@ -213,18 +213,18 @@ pub enum Change {
     Obstacles {
         /// Which.
         obstacles: Vec<u32>,
-        /// Restitution [1], >= 0.
+        /// Restitution `[1]`, >= 0.
         restitution: Option<f64>,
-        /// Friction [1], >= 0.
+        /// Friction `[1]`, >= 0.
         friction: Option<f64>,
     },
     /// Numbers of constant forces.
     Forces {
         /// Which.
         forces: Vec<u32>,
-        /// [N]
+        /// `[N]`
         force: Option<[f64; 3]>,
-        /// [N m]
+        /// `[N m]`
         torque: Option<f64>,
     },
     /// Keys of the scene: they touch all islands.
@@ -236,17 +236,17 @@ pub enum Change {
 pub struct BondChange {
     /// The kind: numbers that it has and that are not set start from those of a new bond of it.
     pub kind: Option<Kind>,
-    /// Rest lengths [m], >= 0.
+    /// Rest lengths `[m]`, >= 0.
     pub rest_length: Option<Values>,
-    /// Stiffness of springs [N/m], >= 0.
+    /// Stiffness of springs `[N/m]`, >= 0.
     pub stiffness: Option<Values>,
-    /// Damping of springs [N s/m], >= 0.
+    /// Damping of springs `[N s/m]`, >= 0.
     pub damping: Option<Values>,
-    /// Relaxation of relaxed bonds [1], in (0, 1].
+    /// Relaxation of relaxed bonds `[1]`, in (0, 1].
     pub relaxation: Option<Values>,
-    /// Largest correction of relaxed bonds [m], >= 0.
+    /// Largest correction of relaxed bonds `[m]`, >= 0.
     pub max_correction: Option<Values>,
-    /// Strain at which they break [1], > 0, infinite: never.
+    /// Strain at which they break `[1]`, > 0, infinite: never.
     pub break_strain: Option<Values>,
     /// On which side of the rest length they act.
     pub limit: Option<Limit>,
@@ -257,13 +257,13 @@ pub struct BondChange {
 /// What of angles changes.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct AngleChange {
-    /// Where they are at rest [rad], between 0 and 2 pi.
+    /// Where they are at rest `[rad]`, between 0 and 2 pi.
     pub rest: Option<Values>,
-    /// [N m], >= 0.
+    /// `[N m]`, >= 0.
     pub stiffness: Option<Values>,
-    /// [N m s], >= 0.
+    /// `[N m s]`, >= 0.
     pub damping: Option<Values>,
-    /// The least and the largest angle of joints [rad]; `Some(None)`: they turn freely.
+    /// The least and the largest angle of joints `[rad]`; `Some(None)`: they turn freely.
     pub range: Option<Option<[f64; 2]>>,
     /// What moves them; `Some(None)`: nothing any more.
     pub drive: Option<Option<AngleDrive>>,
@@ -283,13 +283,13 @@ pub enum Kind {
 /// Which keys of the scene change.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct SceneChange {
-    /// Gravity [m/s^2].
+    /// Gravity `[m/s^2]`.
     pub gravity: Option<[f64; 3]>,
-    /// Rate at which velocities decay [1/s], >= 0.
+    /// Rate at which velocities decay `[1/s]`, >= 0.
     pub drag_rate: Option<f64>,
     /// Air that moves; `Some(None)`: it is still.
     pub wind: Option<Option<Wind<3>>>,
-    /// Walls: lower corner, upper corner [m], restitution, friction [1]; `Some(None)`: no more.
+    /// Walls: lower corner, upper corner `[m]`, restitution, friction `[1]`; `Some(None)`: no more.
     pub bounds: Option<Option<BoundsChange>>,
     /// How bodies meet; `Some(None)`: they pass through each other.
     pub contact: Option<Option<Contact>>,
@@ -302,13 +302,13 @@ pub struct SceneChange {
 /// Walls around the world.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct BoundsChange {
-    /// Lower corner [m].
+    /// Lower corner `[m]`.
     pub min: [f64; 3],
-    /// Upper corner [m], above `min` on every axis.
+    /// Upper corner `[m]`, above `min` on every axis.
     pub max: [f64; 3],
-    /// Restitution [1], >= 0.
+    /// Restitution `[1]`, >= 0.
     pub restitution: f64,
-    /// Friction [1], >= 0.
+    /// Friction `[1]`, >= 0.
     pub friction: f64,
 }
 

@@ -45,7 +45,7 @@ pub struct Counters {
     pub work: u64,
 }
 
-/// Time of an operation of [`Counters::work`] on the machine that its weights were fitted on [ms].
+/// Time of an operation of [`Counters::work`] on the machine that its weights were fitted on `[ms]`.
 ///
 /// Fitted to the processor time of the gallery's scenes: most lie within a factor of two.
 const OPERATION: f64 = 0.17e-6;
@@ -57,7 +57,7 @@ pub(crate) fn of_a_batch((bonds, of_a_bond): (usize, u64), points: usize, dimens
     of_a_bond * bonds as u64 + OF_A_COORDINATE * (points * dimensions) as u64
 }
 
-/// Operations that so much time is counted for [ms].
+/// Operations that so much time is counted for `[ms]`.
 pub(crate) fn operations(ms: f64) -> u64 {
     (ms / OPERATION) as u64
 }
@@ -81,7 +81,7 @@ impl Counters {
         self.work.saturating_add(operations(1e3 * seconds))
     }
 
-    /// The time that the work counted so far takes, by counting: the same on every machine [ms].
+    /// The time that the work counted so far takes, by counting: the same on every machine `[ms]`.
     pub fn work_ms(&self) -> f64 {
         self.work as f64 * OPERATION
     }

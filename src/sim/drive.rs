@@ -17,17 +17,17 @@ const NAMES: [&str; 41] = [
     "p", "q", "r", "s", "t", "u", "v", "w", "x", "y", "z", "0", "1", "2", "3", "4", "5", "6", "7", "8", "9",
 ];
 
-/// How quickly a key's share comes and goes where nothing is said [1/s].
+/// How quickly a key's share comes and goes where nothing is said `[1/s]`.
 pub const RATE: f64 = 5.0;
-/// Range of periods [s]: a step follows no quicker wave, and a longer one is none.
+/// Range of periods `[s]`: a step follows no quicker wave, and a longer one is none.
 pub const PERIODS: [f64; 2] = [0.02, 1e6];
-/// Range of rates [1/s].
+/// Range of rates `[1/s]`.
 pub const RATES: [f64; 2] = [1e-3, 100.0];
-/// Largest amplitude of a rest length [1]: of a bond that shrinks to nothing no direction is left.
+/// Largest amplitude of a rest length `[1]`: of a bond that shrinks to nothing no direction is left.
 pub const MOST_STRETCH: f64 = 0.9;
-/// Largest amplitude of an angle [rad].
+/// Largest amplitude of an angle `[rad]`.
 pub const MOST_SWING: f64 = 3.0;
-/// Share of its speed below its target within which a motor gives less than all of its torque, and the least that is taken for that [rad/s].
+/// Share of its speed below its target within which a motor gives less than all of its torque, and the least that is taken for that `[rad/s]`.
 const DROOP: (f64, f64) = (0.05, 0.05);
 
 /// A key that players hold, by its place in a list of names that only ever grows.
@@ -63,16 +63,16 @@ pub struct Held {
     pub forth: Key,
     /// The one that brings it to -1.
     pub back: Option<Key>,
-    /// How quickly both come and go [1/s], within [`RATES`].
+    /// How quickly both come and go `[1/s]`, within [`RATES`].
     pub rate: f64,
 }
 
 /// A wave.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Wave {
-    /// [s], within [`PERIODS`].
+    /// `[s]`, within [`PERIODS`].
     pub period: f64,
-    /// At time 0 [rad].
+    /// At time 0 `[rad]`.
     pub phase: f64,
 }
 
@@ -86,7 +86,7 @@ pub struct Signal {
 }
 
 impl Signal {
-    /// Its level at time `t` [s], from -1 to 1.
+    /// Its level at time `t` `[s]`, from -1 to 1.
     pub(crate) fn level(&self, t: f64, keys: &Keys) -> f64 {
         let held = self.held.map_or(1.0, |held| keys.share(held.forth, held.rate, t) - held.back_share(keys, t));
         match self.wave {
@@ -99,18 +99,18 @@ impl Signal {
         }
     }
 
-    /// Whether its level changes after time `t` [s] by itself.
+    /// Whether its level changes after time `t` `[s]` by itself.
     pub(crate) fn moves_after(&self, t: f64, keys: &Keys) -> bool {
         let comes = self.held.is_some_and(|held| held.keys().any(|key| keys.ramps_after(key, held.rate, t)));
         comes || (self.wave.is_some() && self.held.is_none_or(|_| self.is_on(t, keys)))
     }
 
-    /// Whether anything is held at time `t` [s], if a key has to be.
+    /// Whether anything is held at time `t` `[s]`, if a key has to be.
     pub(crate) fn is_on(&self, t: f64, keys: &Keys) -> bool {
         self.held.is_none_or(|held| held.keys().any(|key| keys.share(key, held.rate, t) > 0.0))
     }
 
-    /// How fast its level changes at the most [rad/s]; 0 of one that stays.
+    /// How fast its level changes at the most `[rad/s]`; 0 of one that stays.
     pub(crate) fn fastest(&self) -> f64 {
         let wave = self.wave.map_or(0.0, |wave| 2.0 * PI / wave.period);
         // A ramp is half a swing.
@@ -149,7 +149,7 @@ impl Held {
 /// A drive of a bond: a muscle. Its rest length is rest (1 + amplitude level).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Drive {
-    /// [1], within [`MOST_STRETCH`] of 0.
+    /// `[1]`, within [`MOST_STRETCH`] of 0.
     pub amplitude: f64,
     /// What it follows.
     pub signal: Signal,
@@ -160,7 +160,7 @@ pub struct Drive {
 pub enum AngleDrive {
     /// The angle at rest goes by amplitude times the level to either side: the angle's stiffness pulls it there.
     Servo {
-        /// [rad], within [`MOST_SWING`] of 0.
+        /// `[rad]`, within [`MOST_SWING`] of 0.
         amplitude: f64,
         /// What it follows.
         signal: Signal,
@@ -169,9 +169,9 @@ pub enum AngleDrive {
     ///
     /// Model: torque clamp((speed level - theta')/d, -1, 1), d a twentieth of the speed: all of the torque until the speed is nearly reached.
     Motor {
-        /// [rad/s], anticlockwise where it is above 0; at 0 it is a brake.
+        /// `[rad/s]`, anticlockwise where it is above 0; at 0 it is a brake.
         speed: f64,
-        /// The most that it gives [N m], > 0.
+        /// The most that it gives `[N m]`, > 0.
         torque: f64,
         /// What it follows.
         signal: Signal,
@@ -186,7 +186,7 @@ impl AngleDrive {
         }
     }
 
-    /// What its torque loses for each rad/s that the angle is nearer to its target [N m s]; 0 of a servo.
+    /// What its torque loses for each rad/s that the angle is nearer to its target `[N m s]`; 0 of a servo.
     pub(crate) fn slope(&self) -> f64 {
         match *self {
             AngleDrive::Servo { .. } => 0.0,
@@ -194,7 +194,7 @@ impl AngleDrive {
         }
     }
 
-    /// Whether it goes on moving what it drives after time `t` [s].
+    /// Whether it goes on moving what it drives after time `t` `[s]`.
     pub(crate) fn moves_after(&self, t: f64, keys: &Keys) -> bool {
         let turns = matches!(*self, AngleDrive::Motor { speed, .. } if speed != 0.0);
         self.signal().moves_after(t, keys) || (turns && self.signal().is_on(t, keys))
@@ -206,9 +206,9 @@ impl AngleDrive {
 pub struct Ramp {
     /// The key.
     pub key: Key,
-    /// [1/s]
+    /// `[1/s]`
     pub rate: f64,
-    /// Where it was when it last changed [1], and when that was [s].
+    /// Where it was when it last changed `[1]`, and when that was `[s]`.
     pub from: f64,
     /// See [`Ramp::from`].
     pub since: f64,
@@ -234,7 +234,7 @@ pub struct Keys {
 }
 
 impl Keys {
-    /// A key goes down or up at time `t` [s], where these keys have drives of these rates. Returns whether that changed anything.
+    /// A key goes down or up at time `t` `[s]`, where these keys have drives of these rates. Returns whether that changed anything.
     pub(crate) fn press(&mut self, key: Key, down: bool, t: f64, rates: impl Iterator<Item = (Key, f64)>) -> bool {
         match (self.held.binary_search(&key), down) {
             (Err(place), true) => self.held.insert(place, key),
@@ -248,7 +248,7 @@ impl Keys {
         true
     }
 
-    /// Drives of these keys and rates are there from time `t` on [s].
+    /// Drives of these keys and rates are there from time `t` on `[s]`.
     pub(crate) fn include(&mut self, rates: impl Iterator<Item = (Key, f64)>, t: f64) {
         for (key, rate) in rates {
             let is_held = self.held.binary_search(&key).is_ok();

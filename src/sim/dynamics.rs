@@ -20,15 +20,15 @@ use super::saved::SavedWorld;
 /// Position and velocity of every point at one time, in `f64`, three components a point (z = 0 in the plane).
 #[derive(Clone, Debug, PartialEq)]
 pub struct Sample {
-    /// Time [s].
+    /// Time `[s]`.
     pub time: f64,
-    /// Positions [m]; of points that are gone NaN.
+    /// Positions `[m]`; of points that are gone NaN.
     pub position: Vec<[f64; 3]>,
-    /// Velocities [m/s]; of points that are gone NaN.
+    /// Velocities `[m/s]`; of points that are gone NaN.
     pub velocity: Vec<[f64; 3]>,
-    /// Kinetic + springs', angles', areas' + gravity's energy of the points that are not pinned [J].
+    /// Kinetic + springs', angles', areas' + gravity's energy of the points that are not pinned `[J]`.
     pub energy: f64,
-    /// Largest |length/rest - 1| over the bonds [1] (rest 0 left out).
+    /// Largest |length/rest - 1| over the bonds `[1]` (rest 0 left out).
     pub max_strain: f64,
     /// Where the energy came from and went, if [`Method::ledger`](super::model::Method::ledger) asks for it.
     pub ledger: Option<Ledger>,
@@ -39,11 +39,11 @@ pub struct Sample {
 pub struct GrabView {
     /// The points that are left of those grabbed.
     pub points: Vec<PointId>,
-    /// Their middle [m].
+    /// Their middle `[m]`.
     pub middle: [f64; 3],
-    /// Where it is led to [m].
+    /// Where it is led to `[m]`.
     pub target: [f64; 3],
-    /// The force now [N].
+    /// The force now `[N]`.
     pub force: [f64; 3],
 }
 
@@ -54,9 +54,9 @@ pub struct ForceView {
     pub number: u32,
     /// The points that it acts on.
     pub points: Vec<PointId>,
-    /// [N]
+    /// `[N]`
     pub force: [f64; 3],
-    /// About their middle [N m].
+    /// About their middle `[N m]`.
     pub torque: f64,
 }
 
@@ -70,13 +70,13 @@ pub trait Dynamics: Send {
     fn point_count(&self) -> usize;
     /// The scalar: [`Precision::F32`] or [`Precision::F64`].
     fn precision(&self) -> Precision;
-    /// Time reached [s].
+    /// Time reached `[s]`.
     fn time(&self) -> f64;
-    /// Length of the next substep [s].
+    /// Length of the next substep `[s]`.
     fn substep(&self) -> f64;
     /// Advances by one substep.
     fn step(&mut self);
-    /// Takes one substep, or goes to `time` [s] within it where it would go beyond. What no command touches there takes the substep
+    /// Takes one substep, or goes to `time` `[s]` within it where it would go beyond. What no command touches there takes the substep
     /// whole afterwards, bit for bit as if it had not been cut; the grid of substeps stays.
     fn step_until(&mut self, time: f64);
     /// Does a command between two substeps.
@@ -119,7 +119,7 @@ pub trait Dynamics: Send {
     fn contact(&self) -> Option<Contact>;
     /// The points that never move.
     fn pinned(&self) -> &[PointId];
-    /// The masses of all points [kg].
+    /// The masses of all points `[kg]`.
     fn masses(&self) -> &[f64];
     /// Corners of the walls, if there are any (z = 0 in the plane).
     fn bounds(&self) -> Option<[[f64; 3]; 2]>;
@@ -133,13 +133,13 @@ pub trait Dynamics: Send {
     fn mouse(&self) -> Option<(&MouseForce, Cursor)>;
     /// The mouse force, if the scene has it, wherever its cursor is.
     fn mouse_force(&self) -> Option<&MouseForce>;
-    /// Kinetic + springs', angles', areas' + gravity's energy of the points that are not pinned [J].
+    /// Kinetic + springs', angles', areas' + gravity's energy of the points that are not pinned `[J]`.
     fn energy(&self) -> f64 {
         self.energies().sum()
     }
-    /// The same by kind [J]: angles' and areas' energy is among the springs'.
+    /// The same by kind `[J]`: angles' and areas' energy is among the springs'.
     fn energies(&self) -> Energies;
-    /// Velocity of a point [m/s]; 0 of one that is gone.
+    /// Velocity of a point `[m/s]`; 0 of one that is gone.
     fn velocity(&self, point: PointId) -> [f64; 3];
     /// Work done so far.
     fn counters(&self) -> &Counters;
@@ -161,7 +161,7 @@ pub trait Dynamics: Send {
     fn is_asleep(&self) -> bool;
     /// Wakes everything.
     fn wake(&mut self);
-    /// Whether nothing moves faster than `speed` [m/s], no cursor reaches a point and no track moves.
+    /// Whether nothing moves faster than `speed` `[m/s]`, no cursor reaches a point and no track moves.
     fn is_still(&self, speed: f64) -> bool;
     /// Whether every position is a finite number.
     fn is_finite(&self) -> bool;

@@ -10,13 +10,13 @@ use super::vector::{add, dot, length, scale, sub, truncate, widen};
 const SWEEP: f64 = 0.25;
 /// Most parts of a frame, however fast the cursor goes.
 const MOST_PARTS: u32 = 64;
-/// A frame [s].
+/// A frame `[s]`.
 const FRAME: f64 = 1.0 / 60.0;
 
 /// The same for every group of points.
 #[derive(Clone, Debug)]
 pub(crate) struct Environment<const D: usize> {
-    /// Gravity [m/s^2].
+    /// Gravity `[m/s^2]`.
     pub(crate) gravity: [f64; D],
     /// The force around the cursor.
     pub(crate) mouse: Option<MouseForce>,
@@ -34,7 +34,7 @@ const FARTHEST: f64 = 4.0;
 /// The plane across the ray of the moment when something was grabbed, in which the cursor leads it: in space.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Lead {
-    /// A point of the plane [m].
+    /// A point of the plane `[m]`.
     pub(crate) point: [f64; 3],
     /// Its normal.
     pub(crate) normal: [f64; 3],
@@ -45,17 +45,17 @@ pub(crate) struct Lead {
 pub(crate) struct CursorPath {
     from: Cursor,
     to: Cursor,
-    /// From when to when [s].
+    /// From when to when `[s]`.
     span: [f64; 2],
 }
 
 impl CursorPath {
-    /// On from where it is at time `t` [s] to `to`, until `by` [s]; at `to` at once where it was nowhere.
+    /// On from where it is at time `t` `[s]` to `to`, until `by` `[s]`; at `to` at once where it was nowhere.
     pub(crate) fn onwards(path: Option<CursorPath>, to: Cursor, t: f64, by: f64) -> Self {
         CursorPath { from: path.map_or(to, |path| path.at(t)), to, span: [t, by] }
     }
 
-    /// From where to where, and from when to when [s].
+    /// From where to where, and from when to when `[s]`.
     pub(crate) fn parts(&self) -> ([Cursor; 2], [f64; 2]) {
         ([self.from, self.to], self.span)
     }
@@ -65,7 +65,7 @@ impl CursorPath {
         CursorPath { from, to, span }
     }
 
-    /// Where it is at time `t` [s].
+    /// Where it is at time `t` `[s]`.
     pub(crate) fn at(&self, t: f64) -> Cursor {
         let [start, end] = self.span;
         if t >= end {
@@ -80,12 +80,12 @@ impl CursorPath {
         Cursor { origin: between(self.from.origin, self.to.origin), direction }
     }
 
-    /// Whether it still moves after time `t` [s].
+    /// Whether it still moves after time `t` `[s]`.
     pub(crate) fn moves_after(&self, t: f64) -> bool {
         t < self.span[1] && self.from != self.to
     }
 
-    /// How far it goes from `t` to `t + h` [m]; in space that of its ray at the distance `far` [m].
+    /// How far it goes from `t` to `t + h` `[m]`; in space that of its ray at the distance `far` `[m]`.
     pub(crate) fn way(&self, t: f64, h: f64, far: f64) -> f64 {
         if !self.moves_after(t) {
             return 0.0;
@@ -96,20 +96,20 @@ impl CursorPath {
 }
 
 impl<const D: usize> Environment<D> {
-    /// The mouse force with its cursor at time `t` [s]: on its track, or where the live one is.
+    /// The mouse force with its cursor at time `t` `[s]`: on its track, or where the live one is.
     pub(crate) fn mouse_at(&self, t: f64) -> Option<(&MouseForce, Cursor)> {
         let mouse = self.mouse.as_ref()?;
         let cursor = mouse.track.at(t).map(Cursor::at).or(self.cursor.map(|path| path.at(t)))?;
         Some((mouse, cursor))
     }
 
-    /// What the mouse force gives a point at most, wherever its cursor is [m/s^2].
+    /// What the mouse force gives a point at most, wherever its cursor is `[m/s^2]`.
     pub(crate) fn most_push(&self) -> f64 {
         self.mouse.as_ref().map_or(0.0, |mouse| mouse.strength.abs() * mouse.radius)
     }
 
-    /// How far the cursor of the mouse force goes from `t` to `t + h`, in radii of it [1]; 0 where there is none. `far` says for a ray
-    /// from a place how far away the last of the points is [m].
+    /// How far the cursor of the mouse force goes from `t` to `t + h`, in radii of it `[1]`; 0 where there is none. `far` says for a ray
+    /// from a place how far away the last of the points is `[m]`.
     pub(crate) fn sweep(&self, t: f64, h: f64, far: impl FnOnce([f64; 3]) -> f64) -> f64 {
         let Some(mouse) = &self.mouse else { return 0.0 };
         let way = match (mouse.track.at(t), mouse.track.at(t + h)) {
@@ -123,7 +123,7 @@ impl<const D: usize> Environment<D> {
         way / mouse.radius
     }
 
-    /// In how many equal parts of the step of `h` from `t` [s] the cursor is followed, so that what it passes is pushed on its way; `far`
+    /// In how many equal parts of the step of `h` from `t` `[s]` the cursor is followed, so that what it passes is pushed on its way; `far`
     /// as for [`sweep`](Self::sweep).
     pub(crate) fn parts(&self, (t, h): (f64, f64), far: impl FnOnce([f64; 3]) -> f64) -> u32 {
         let most = (f64::from(MOST_PARTS) * h / FRAME).ceil().max(1.0);
@@ -146,7 +146,7 @@ impl<const D: usize> Environment<D> {
         if parts > 1 && self.may_reach([low, high], (t, h)) { parts } else { 1 }
     }
 
-    /// A box in which the mouse force acts in the `h` from `t` on [s] on what goes no further than `way` [m] meanwhile; in space, where it
+    /// A box in which the mouse force acts in the `h` from `t` on `[s]` on what goes no further than `way` `[m]` meanwhile; in space, where it
     /// acts along a ray, all of it.
     pub(crate) fn swept<S: Real>(&self, (t, h): (f64, f64), way: S) -> [[S; D]; 2] {
         let all = [[-S::INFINITY; D], [S::INFINITY; D]];
@@ -167,7 +167,7 @@ impl<const D: usize> Environment<D> {
         self.sweep(t, h, |_| 1.0) > 0.0
     }
 
-    /// Whether the mouse force may reach a box at some time of the `h` from `t` on [s].
+    /// Whether the mouse force may reach a box at some time of the `h` from `t` on `[s]`.
     pub(crate) fn may_reach<S: Real>(&self, bounds: [[S; D]; 2], (t, h): (f64, f64)) -> bool {
         let looks = if self.moves(t, h) { MOST_PARTS } else { 0 };
         (0..=looks).any(|look| {
@@ -176,7 +176,7 @@ impl<const D: usize> Environment<D> {
         })
     }
 
-    /// Where the cursor leads to at time `t` [s].
+    /// Where the cursor leads to at time `t` `[s]`.
     pub(crate) fn target(&self, t: f64) -> Option<[f64; D]> {
         let cursor = self.cursor?.at(t);
         if D == 2 {

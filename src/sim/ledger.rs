@@ -12,7 +12,7 @@ mod judge;
 
 pub use judge::{LOSS_TIME, MOST_GAIN, MOST_LOSS, Verdict, judge};
 
-/// Works and losses since a world began [J].
+/// Works and losses since a world began `[J]`.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Book {
     /// Work of the mouse force: the integral of m a . v.
@@ -48,12 +48,12 @@ pub struct Book {
 }
 
 impl Book {
-    /// What came from outside [J].
+    /// What came from outside `[J]`.
     pub fn brought(&self) -> f64 {
         self.mouse + self.grab + self.pins + self.forces + self.drives + self.wind + self.commands
     }
 
-    /// What is explained of what went [J].
+    /// What is explained of what went `[J]`.
     pub fn taken(&self) -> f64 {
         self.dampers + self.drag + self.friction + self.impacts + self.breaks
     }
@@ -76,7 +76,7 @@ impl Book {
     }
 }
 
-/// Energies of a state [J], of the points that are not pinned.
+/// Energies of a state `[J]`, of the points that are not pinned.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Energies {
     /// The sum of m v^2/2.
@@ -101,29 +101,29 @@ impl Energies {
 /// for one substep in the kinetic energy of large bodies, whose velocities are means over it: judge by medians, as [`judge()`] does.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Ledger {
-    /// Time [s].
+    /// Time `[s]`.
     pub time: f64,
     /// The energies now.
     pub now: Energies,
-    /// Energy at the start [J].
+    /// Energy at the start `[J]`.
     pub start: f64,
     /// Works and losses since then.
     pub book: Book,
-    /// The largest kinetic energy so far, looked at after every step [J].
+    /// The largest kinetic energy so far, looked at after every step `[J]`.
     pub most_kinetic: f64,
-    /// What all that can move would have at a speed that nobody sees, 1 cm/s, or at what free fall brings in 1/60 s, if that is more [J].
+    /// What all that can move would have at a speed that nobody sees, 1 cm/s, or at what free fall brings in 1/60 s, if that is more `[J]`.
     pub unseen: f64,
-    /// What rounding alone may make of the energy [J].
+    /// What rounding alone may make of the energy `[J]`.
     pub rounding: f64,
 }
 
 impl Ledger {
-    /// Energy now less what it was and what came from outside [J]: above 0 it came from nowhere.
+    /// Energy now less what it was and what came from outside `[J]`: above 0 it came from nowhere.
     pub fn excess(&self) -> f64 {
         self.now.sum() - self.start - self.book.brought()
     }
 
-    /// What neither works nor losses explain [J]: the method's own error.
+    /// What neither works nor losses explain `[J]`: the method's own error.
     pub fn left_over(&self) -> f64 {
         self.excess() + self.book.taken()
     }
@@ -139,7 +139,7 @@ pub(crate) struct Totals {
 }
 
 impl Totals {
-    /// The ledger at a time [s] with these energies; numbers have the rounding `epsilon`.
+    /// The ledger at a time `[s]` with these energies; numbers have the rounding `epsilon`.
     pub(crate) fn at(&self, time: f64, now: Energies, epsilon: f64) -> Ledger {
         // Energies are sums of many terms of either sign: a few hundred roundings of the largest.
         let size = now.kinetic.abs() + now.springs.abs() + now.gravity.abs() + self.start.abs();

@@ -36,7 +36,7 @@ pub(crate) fn extent<S: Real, const D: usize>(position: &[[S; D]]) -> Option<[[S
     Some([std::array::from_fn(|k| of(&low, least, k)), std::array::from_fn(|k| of(&high, most, k))])
 }
 
-/// A bound on the speed of all points [m/s]: the fastest is no slower than a share of sqrt(1/D) of it.
+/// A bound on the speed of all points `[m/s]`: the fastest is no slower than a share of sqrt(1/D) of it.
 pub(crate) fn speed_bound<S: Real, const D: usize>(velocity: &[[S; D]]) -> S {
     let Some([low, high]) = extent(velocity) else { return S::ZERO };
     let most = (0..D).fold([S::ZERO; D], |mut most, k| {
@@ -46,7 +46,7 @@ pub(crate) fn speed_bound<S: Real, const D: usize>(velocity: &[[S; D]]) -> S {
     length(most)
 }
 
-/// Kinetic, springs' and gravity's energy of the points that are not pinned [J]; gravity's is 0 at the origin.
+/// Kinetic, springs' and gravity's energy of the points that are not pinned `[J]`; gravity's is 0 at the origin.
 ///
 /// Shapes: `w` has one entry a point, w = 0 is pinned; `position` and `velocity` say the state of each.
 pub(crate) fn energies<const D: usize>(
@@ -67,7 +67,7 @@ pub(crate) fn energies<const D: usize>(
     energies
 }
 
-/// Energy of every spring [J]: stiffness (|d| - rest)^2 / 2 where it acts.
+/// Energy of every spring `[J]`: stiffness (|d| - rest)^2 / 2 where it acts.
 pub(crate) fn springs_energy<const D: usize>(bonds: &Bonds, position: impl Fn(usize) -> [f64; D]) -> f64 {
     let of = |bond: Bond| {
         let BondKind::Spring { stiffness, .. } = bond.kind else { return 0.0 };
@@ -82,9 +82,9 @@ pub(crate) fn springs_energy<const D: usize>(bonds: &Bonds, position: impl Fn(us
     if bonds.may_have_springs() { bonds.iter().map(of).sum() } else { 0.0 }
 }
 
-/// Largest |length/rest - 1| over the bonds [1], those of rest length 0 left out.
+/// Largest |length/rest - 1| over the bonds `[1]`, those of rest length 0 left out.
 ///
-/// Lengths at rest are those of time `t` [s].
+/// Lengths at rest are those of time `t` `[s]`.
 pub(crate) fn max_strain<const D: usize>(position: &[[f64; D]], bonds: &Bonds, (t, keys): (f64, &Keys)) -> f64 {
     let of = |bond: Bond| {
         let d = sub(position[bond.a.index()], position[bond.b.index()]);
@@ -95,7 +95,7 @@ pub(crate) fn max_strain<const D: usize>(position: &[[f64; D]], bonds: &Bonds, (
     bonds.iter().map(of).fold(0.0, f64::max)
 }
 
-/// Whether no point is faster than `speed` [m/s]. Stops at the first that is.
+/// Whether no point is faster than `speed` `[m/s]`. Stops at the first that is.
 pub(crate) fn is_slower<S: Real, const D: usize>(points: &Points<S, D>, speed: f64) -> bool {
     let square = S::from_f64(speed * speed);
     points.velocity.iter().all(|&v| dot(v, v) <= square)

@@ -32,11 +32,11 @@ pub use form::angle_at;
 /// is read; [`Model::check`] holds hand-made models to the same.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Model<const D: usize> {
-    /// Positions at the start [m].
+    /// Positions at the start `[m]`.
     pub position: Vec<[f64; D]>,
-    /// Velocities at the start [m/s]; those of pinned points are ignored.
+    /// Velocities at the start `[m/s]`; those of pinned points are ignored.
     pub velocity: Vec<[f64; D]>,
-    /// Masses [kg], > 0.
+    /// Masses `[kg]`, > 0.
     pub mass: Vec<f64>,
     /// The points that never move, in any order.
     pub pinned: Vec<PointId>,
@@ -46,7 +46,7 @@ pub struct Model<const D: usize> {
     pub triangles: Vec<[PointId; 3]>,
     /// How triangles resist a change of their area, in the plane; `None`: not at all.
     pub areas: Option<Areas>,
-    /// The area that each triangle is made with [m^2], 0 of one that is left out, where triangles resist; empty: still to be worked out.
+    /// The area that each triangle is made with `[m^2]`, 0 of one that is left out, where triangles resist; empty: still to be worked out.
     pub rest_areas: Vec<f64>,
     /// Angles that resist, in the plane.
     pub angles: Angles,
@@ -56,9 +56,9 @@ pub struct Model<const D: usize> {
     pub skins: SkinMaterials,
     /// Constant forces and torques on chosen points.
     pub forces: Vec<Force<D>>,
-    /// Gravity [m/s^2].
+    /// Gravity `[m/s^2]`.
     pub gravity: [f64; D],
-    /// Rate at which velocities relative to the air decay [1/s], >= 0.
+    /// Rate at which velocities relative to the air decay `[1/s]`, >= 0.
     pub drag_rate: f64,
     /// Air that moves; `None`: it is still.
     pub wind: Option<Wind<D>>,
@@ -66,7 +66,7 @@ pub struct Model<const D: usize> {
     pub mouse: Option<MouseForce>,
     /// The walls around the world, if any.
     pub bounds: Option<Bounds<D>>,
-    /// When the motion ends [s]: a substep ends there. `None`: never.
+    /// When the motion ends `[s]`: a substep ends there. `None`: never.
     pub duration: Option<f64>,
     /// Planes that points cannot pass.
     pub planes: Vec<Plane<D>>,
@@ -85,7 +85,7 @@ pub struct Model<const D: usize> {
 /// Most sweeps over the bonds in a substep: a step has to end.
 pub const MOST_ITERATIONS: u32 = 100_000;
 
-/// Shortest substep [s]: a run of shorter ones would not end in a lifetime.
+/// Shortest substep `[s]`: a run of shorter ones would not end in a lifetime.
 const SHORTEST: f64 = 1e-12;
 
 /// A model that no world can be made from.
@@ -364,7 +364,7 @@ impl<const D: usize> Model<D> {
         }
     }
 
-    /// The counted work of a frame beyond which islands are handed over to the live step [ms]; `None`: none ever is.
+    /// The counted work of a frame beyond which islands are handed over to the live step `[ms]`; `None`: none ever is.
     pub(crate) fn budget(&self) -> Option<f64> {
         let Method { solver, tolerance, budget, .. } = self.method;
         let is_known = self.convex.is_empty() && !self.has_penalties();
@@ -384,7 +384,7 @@ impl<const D: usize> Model<D> {
         self.contact.is_some() && self.budget().is_some()
     }
 
-    /// The acceleration that is the same everywhere and for ever [m/s^2]: gravity, and what the mean wind gives by drag.
+    /// The acceleration that is the same everywhere and for ever `[m/s^2]`: gravity, and what the mean wind gives by drag.
     pub(crate) fn field(&self) -> [f64; D] {
         self.wind.map_or(self.gravity, |wind| add(self.gravity, scale(wind.velocity, self.drag_rate)))
     }
@@ -394,7 +394,7 @@ impl<const D: usize> Model<D> {
         self.planes.iter().any(|plane| plane.penalty.is_some())
     }
 
-    /// What is stored in surfaces that push by depth, of free points at these places [J].
+    /// What is stored in surfaces that push by depth, of free points at these places `[J]`.
     pub(crate) fn penalty_energy(&self, places: impl Iterator<Item = [f64; D]> + Clone) -> f64 {
         let cushions = self.planes.iter().filter_map(Cushion::<f64, D>::of);
         cushions.map(|cushion| cushion.energy(places.clone())).sum()
@@ -418,7 +418,7 @@ impl<const D: usize> Model<D> {
         !is_printed && (meets || self.method.solver == Solver::Live || !self.convex.is_empty())
     }
 
-    /// Times at which a step has to end [s]: knots of tracks, and the duration; in any order.
+    /// Times at which a step has to end `[s]`: knots of tracks, and the duration; in any order.
     pub(crate) fn knots(&self) -> impl Iterator<Item = f64> {
         let tracks = self.pin_motion.iter().flat_map(|(_, track)| track.knots.iter().map(|knot| knot.0));
         let mouse = self.mouse.iter().flat_map(|mouse| mouse.track.knots.iter().map(|knot| knot.0));
@@ -585,7 +585,7 @@ impl<const D: usize> Default for Model<D> {
 pub struct Method {
     /// The integrator and the way bonds are held.
     pub solver: Solver,
-    /// Substep h [s], > 0; `None`: chosen from the fastest motion of the scene.
+    /// Substep h `[s]`, > 0; `None`: chosen from the fastest motion of the scene.
     pub substep: Option<f64>,
     /// Sweeps over the bonds in a substep, from 1 to [`MOST_ITERATIONS`].
     pub iterations: Option<u32>,
@@ -595,12 +595,12 @@ pub struct Method {
     pub seed: u64,
     /// The scalar of the world.
     pub precision: Precision,
-    /// Largest error at every sample [m], > 0, that a search has to reach; `None`: fixed rules.
+    /// Largest error at every sample `[m]`, > 0, that a search has to reach; `None`: fixed rules.
     pub tolerance: Option<f64>,
-    /// Largest strain of rigid bonds [1], > 0, that large bodies are held to; `None`: 0.02 for islands of more than 2,000
+    /// Largest strain of rigid bonds `[1]`, > 0, that large bodies are held to; `None`: 0.02 for islands of more than 2,000
     /// rigid bonds, 1e-6 for smaller ones.
     pub max_strain: Option<f64>,
-    /// Counted work a frame of 1/60 s [ms], > 0, beyond which islands that [`Solver::Auto`] moves exactly are handed over to the
+    /// Counted work a frame of 1/60 s `[ms]`, > 0, beyond which islands that [`Solver::Auto`] moves exactly are handed over to the
     /// live step, in the plane, as they are where their method fails; `None`: they never are. A tolerance means `None`.
     pub budget: Option<f64>,
     /// What stays where it is falls asleep, and is not stepped until something reaches it.

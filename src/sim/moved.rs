@@ -46,7 +46,7 @@ pub struct MovedBy {
     pub islands: usize,
     /// The method; of what stands still the one that failed.
     pub method: Solver,
-    /// Since when [s].
+    /// Since when `[s]`.
     pub since: f64,
     /// Why.
     pub why: Why,
@@ -57,11 +57,11 @@ pub struct MovedBy {
 pub struct HandedOver {
     /// The lowest of its points that can move.
     pub first: PointId,
-    /// Since when [s].
+    /// Since when `[s]`.
     pub since: f64,
     /// Why.
     pub why: Why,
-    /// When it may go back at the soonest [s].
+    /// When it may go back at the soonest `[s]`.
     pub until: f64,
     /// How often it was handed over, of late.
     pub times: u32,
@@ -69,23 +69,23 @@ pub struct HandedOver {
 
 /// Most of the hand-overs that the wait for the way back is doubled for: 64 s.
 const MOST_DOUBLED: u32 = 6;
-/// How long an island has to bear its own method until earlier hand-overs are forgotten [s].
+/// How long an island has to bear its own method until earlier hand-overs are forgotten `[s]`.
 const FORGOTTEN: f64 = 10.0;
 
 /// What a group knows of who moves it.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(crate) struct Moved {
-    /// Since when [s].
+    /// Since when `[s]`.
     pub(crate) since: f64,
     pub(crate) why: Why,
-    /// Of what was handed over: when it may go back at the soonest [s].
+    /// Of what was handed over: when it may go back at the soonest `[s]`.
     pub(crate) until: f64,
     /// How often it was handed over, of late.
     pub(crate) times: u32,
 }
 
 impl Moved {
-    /// By its plan since `t` [s].
+    /// By its plan since `t` `[s]`.
     pub(crate) fn by_plan(t: f64) -> Self {
         Moved { since: t, ..Moved::default() }
     }
@@ -95,7 +95,7 @@ impl Moved {
         self.why != Why::Plan
     }
 
-    /// Handed over at `t` [s]: for 1 s after an alarm and 2 s where the budget was the reason, twice as long every time that it
+    /// Handed over at `t` `[s]`: for 1 s after an alarm and 2 s where the budget was the reason, twice as long every time that it
     /// happens again soon.
     pub(crate) fn handed_over(self, t: f64, why: Why) -> Self {
         let times = if t - self.since > FORGOTTEN { 0 } else { self.times };
@@ -106,30 +106,30 @@ impl Moved {
         }
     }
 
-    /// Back to its own method at `t` [s].
+    /// Back to its own method at `t` `[s]`.
     pub(crate) fn handed_back(self, t: f64) -> Self {
         Moved { since: t, why: Why::Plan, until: t, times: self.times }
     }
 
-    /// Live at `t` [s] as others are that it may touch.
+    /// Live at `t` `[s]` as others are that it may touch.
     pub(crate) fn kept_until_apart(self, t: f64) -> Self {
         Moved { until: self.until.max(t + wait(Why::Contact, 0)), ..self }
     }
 
-    /// It may take more work from `t` on [s]: what was too dear until now may go back at once.
+    /// It may take more work from `t` on `[s]`: what was too dear until now may go back at once.
     pub(crate) fn allow(&mut self, t: f64) {
         if self.why == Why::Budget {
             self.until = self.until.min(t);
         }
     }
 
-    /// It cannot go back at `t` [s] yet.
+    /// It cannot go back at `t` `[s]` yet.
     pub(crate) fn put_off(&mut self, t: f64) {
         self.until = t + wait(Why::Alarm, 0);
     }
 }
 
-/// How long an island stays handed over that was so this often before [s].
+/// How long an island stays handed over that was so this often before `[s]`.
 fn wait(why: Why, times: u32) -> f64 {
     let first = if why == Why::Budget { 2.0 } else { 1.0 };
     first * f64::from(1_u32 << times.min(MOST_DOUBLED))

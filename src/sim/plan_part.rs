@@ -7,7 +7,7 @@ use super::solver::Solver;
 pub struct PlanPart {
     /// The method.
     pub solver: Solver,
-    /// Longest substep [s].
+    /// Longest substep `[s]`.
     pub substep: f64,
     /// Points that can move.
     pub points: usize,
@@ -19,6 +19,6 @@ pub struct PlanPart {
     pub work: f64,
     /// What large bodies are made of and how their bonds are taken, in words; empty for others.
     pub kernel: String,
-    /// Largest strain that substeps follow [1], if they do.
+    /// Largest strain that substeps follow `[1]`, if they do.
     pub max_strain: Option<f64>,
 }

@@ -9,21 +9,21 @@ use super::real::Real;
 /// Shapes: every list has one entry a point, but those that this scene doesn't use, which are empty.
 #[derive(Clone, Debug)]
 pub(crate) struct Points<S: Real, const D: usize> {
-    /// x [m].
+    /// x `[m]`.
     pub(crate) position: Vec<[S; D]>,
-    /// v [m/s].
+    /// v `[m/s]`.
     pub(crate) velocity: Vec<[S; D]>,
-    /// w = 1/m [1/kg]; 0 = pinned.
+    /// w = 1/m `[1/kg]`; 0 = pinned.
     pub(crate) inverse_mass: Vec<S>,
-    /// What rounding has taken from `position` so far [m] (Kahan).
+    /// What rounding has taken from `position` so far `[m]` (Kahan).
     pub(crate) position_lost: Vec<[S; D]>,
-    /// What rounding has taken from `velocity` so far [m/s] (Kahan).
+    /// What rounding has taken from `velocity` so far `[m/s]` (Kahan).
     pub(crate) velocity_lost: Vec<[S; D]>,
-    /// Acceleration by springs and the mouse [m/s^2], without gravity; only in scenes that have either.
+    /// Acceleration by springs and the mouse `[m/s^2]`, without gravity; only in scenes that have either.
     pub(crate) acceleration: Vec<[S; D]>,
-    /// Velocity in the middle of the substep [m/s], for dampers; only in scenes that have them.
+    /// Velocity in the middle of the substep `[m/s]`, for dampers; only in scenes that have them.
     pub(crate) velocity_ahead: Vec<[S; D]>,
-    /// Displacement of the substep under way [m]; only in scenes that project or have walls.
+    /// Displacement of the substep under way `[m]`; only in scenes that project or have walls.
     pub(crate) displacement: Vec<[S; D]>,
 }
 

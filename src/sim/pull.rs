@@ -30,14 +30,14 @@ pub(crate) struct Pull<S: Real, const D: usize> {
     pub(crate) contacts: Contacts<S, D>,
     /// Which points the mouse force acts on, where that is decided by located events instead of positions.
     pub(crate) inside: Option<Inside>,
-    /// Points that a grab leads, and the acceleration that it gives them [m/s^2].
+    /// Points that a grab leads, and the acceleration that it gives them `[m/s^2]`.
     pub(crate) led: Vec<u32>,
     pub(crate) lead: [S; D],
     /// Constant forces and torques on some of the points.
     pub(crate) thrusts: Vec<Thrust<S, D>>,
     /// What drives move of it.
     pub(crate) driven: Driven<S>,
-    /// What is the same everywhere and for ever: gravity, and what the mean wind gives by drag [m/s^2].
+    /// What is the same everywhere and for ever: gravity, and what the mean wind gives by drag `[m/s^2]`.
     pub(crate) gravity: [f64; D],
     pub(crate) drag_rate: f64,
     /// Air that moves, where there is drag.
@@ -73,13 +73,13 @@ impl<S: Real, const D: usize> Pull<S, D> {
         self.air.as_deref().filter(|air| air.has_gusts())
     }
 
-    /// A bound on what forces and gusts give [m/s^2], torques apart.
+    /// A bound on what forces and gusts give `[m/s^2]`, torques apart.
     pub(crate) fn most_push(&self) -> f64 {
         let gusts = self.gusts().map_or(0.0, |air| self.drag_rate * air.bounds()[0]);
         self.thrusts.iter().map(Thrust::size).sum::<f64>() + gusts + self.driven.most_push()
     }
 
-    /// Adds to `a` what forces and gusts give [m/s^2] at time `t` [s].
+    /// Adds to `a` what forces and gusts give `[m/s^2]` at time `t` `[s]`.
     pub(crate) fn drive(&self, t: f64, (x, w): (&[[S; D]], &[S]), a: &mut [[S; D]]) {
         for thrust in &self.thrusts {
             thrust.each(x, w, |i, push| a[i] = add(a[i], push));
@@ -93,7 +93,7 @@ impl<S: Real, const D: usize> Pull<S, D> {
         }
     }
 
-    /// Accelerations by springs, angles, areas, the mouse, forces, gusts and a field of this strength [m/s^2], at these positions and velocities.
+    /// Accelerations by springs, angles, areas, the mouse, forces, gusts and a field of this strength `[m/s^2]`, at these positions and velocities.
     pub(crate) fn forces(
         &self,
         around: &Environment<D>,
@@ -179,7 +179,7 @@ impl<S: Real, const D: usize> Pull<S, D> {
         self.hold_kick((position, velocity), acceleration);
     }
 
-    /// All of the acceleration [m/s^2]: forces, gravity, drag, what rigid bonds and surfaces answer with.
+    /// All of the acceleration `[m/s^2]`: forces, gravity, drag, what rigid bonds and surfaces answer with.
     pub(crate) fn accelerate(
         &mut self,
         around: &Environment<D>,
@@ -192,7 +192,7 @@ impl<S: Real, const D: usize> Pull<S, D> {
         self.react((x, v), a, counters);
     }
 
-    /// Forces, gravity and drag [m/s^2].
+    /// Forces, gravity and drag `[m/s^2]`.
     pub(crate) fn act(
         &self,
         around: &Environment<D>,

@@ -122,7 +122,7 @@ pub enum Precision {
     F64,
 }
 
-/// Positions of all points as they lie in memory: D numbers a point, one point after another [m].
+/// Positions of all points as they lie in memory: D numbers a point, one point after another `[m]`.
 #[derive(Clone, Copy, Debug)]
 pub enum Positions<'a> {
     /// Of an `f32` world.

@@ -25,13 +25,13 @@ pub struct Saved<const D: usize> {
     pub model: Model<D>,
     /// The scalar of the world.
     pub precision: Precision,
-    /// Time reached [s].
+    /// Time reached `[s]`.
     pub time: f64,
-    /// The world's longest substep [s].
+    /// The world's longest substep `[s]`.
     pub substep: f64,
     /// Points of the scene when the world began, which rules go by.
     pub scene_points: usize,
-    /// What rounding has taken from positions [m] and velocities [m/s].
+    /// What rounding has taken from positions `[m]` and velocities `[m/s]`.
     pub lost: [Vec<[f64; D]>; 2],
     /// Points that are gone, ascending.
     pub gone: Vec<PointId>,
@@ -43,11 +43,11 @@ pub struct Saved<const D: usize> {
     pub force_numbers: Vec<u32>,
     /// See [`Saved::force_numbers`].
     pub next_force: u32,
-    /// Where the live cursor goes: from, to, and from when to when [s].
+    /// Where the live cursor goes: from, to, and from when to when `[s]`.
     pub cursor: Option<([Cursor; 2], [f64; 2])>,
     /// What is grabbed.
     pub grabbed: Vec<PointId>,
-    /// The plane that a grab leads in, in space: a point of it [m] and its normal.
+    /// The plane that a grab leads in, in space: a point of it `[m]` and its normal.
     pub lead: Option<[[f64; 3]; 2]>,
     /// Islands that are moved by the live step for a while, by their lowest points.
     pub handed_over: Vec<HandedOver>,

@@ -8,7 +8,7 @@ use super::source::Source;
 /// The integrator and the way bonds are held.
 ///
 /// Errors per unit of time fall as the order says while h is below the stability limit; omega is the fastest
-/// oscillation of the springs [rad/s]. Rigid bonds hold to rounding where they are solved directly (islands of up to
+/// oscillation of the springs `[rad/s]`. Rigid bonds hold to rounding where they are solved directly (islands of up to
 /// 2,000), to 1e-10 where they are swept.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Solver {

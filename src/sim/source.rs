@@ -48,7 +48,7 @@ impl Source {
         }
     }
 
-    /// Time from one sweep to the next where nothing is said [s].
+    /// Time from one sweep to the next where nothing is said `[s]`.
     pub(crate) fn substep(self) -> f64 {
         match self {
             Source::Notebook => 0.006,

@@ -22,7 +22,7 @@ use super::world::World;
 /// Times that the step of a group ends early where a bond breaks: bonds that break after that do so where it ends.
 const MOST_STOPS: u32 = 16;
 
-/// What a group has before it in a step: `h` from time `from` [s].
+/// What a group has before it in a step: `h` from time `from` `[s]`.
 #[derive(Clone, Copy)]
 struct Due {
     place: usize,
@@ -42,7 +42,7 @@ impl<S: Real, const D: usize> World<S, D> {
         self.timeline.advance();
     }
 
-    /// Goes to `time` [s] within the step under way. What no command touches there takes the step whole afterwards, as if it had
+    /// Goes to `time` `[s]` within the step under way. What no command touches there takes the step whole afterwards, as if it had
     /// not been cut.
     pub(crate) fn cut_step(&mut self, time: f64) {
         self.foresee();
@@ -52,7 +52,7 @@ impl<S: Real, const D: usize> World<S, D> {
         self.advance_to(&kept, time);
     }
 
-    /// Goes to `time` [s] within the step under way, for good: of a copy that is looked at.
+    /// Goes to `time` `[s]` within the step under way, for good: of a copy that is looked at.
     pub(crate) fn look_ahead(&mut self, time: f64) {
         self.foresee();
         self.meet();
@@ -98,7 +98,7 @@ impl<S: Real, const D: usize> World<S, D> {
         self.note_kinetic();
     }
 
-    /// Those that take the step whole though the cursor goes far in the `h` from `t` on [s]: they are not on its way, or follow it
+    /// Those that take the step whole though the cursor goes far in the `h` from `t` on `[s]`: they are not on its way, or follow it
     /// themselves. They wake where it reaches them.
     fn apart(&mut self, (t, h): (f64, f64), done: &[usize]) -> Vec<usize> {
         let mut list = Vec::new();
@@ -124,7 +124,7 @@ impl<S: Real, const D: usize> World<S, D> {
         }
     }
 
-    /// Groups take `h` from time `from` on [s], though the world has come further.
+    /// Groups take `h` from time `from` on `[s]`, though the world has come further.
     pub(crate) fn take_again(&mut self, places: &[usize], (from, h): (f64, f64)) {
         places.iter().for_each(|&place| self.take(Due { place, from, h, stops: 0 }, &mut Vec::new()));
     }

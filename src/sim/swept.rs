@@ -13,15 +13,15 @@ const ROW: u32 = 16;
 pub(crate) struct Swept<S, const D: usize> {
     pub(crate) low: [S; D],
     pub(crate) high: [S; D],
-    /// Its fastest point, along one axis [m/s].
+    /// Its fastest point, along one axis `[m/s]`.
     fastest: S,
-    /// What is left around it [m].
+    /// What is left around it `[m]`.
     margin: S,
 }
 
 impl<S: Real, const D: usize> Swept<S, D> {
-    /// The box that points, each with its velocity, may get to within `h` [s], pushed by at most `pushed` [m/s^2], and `margin` around
-    /// it [m]; `None` where there is no point.
+    /// The box that points, each with its velocity, may get to within `h` `[s]`, pushed by at most `pushed` `[m/s^2]`, and `margin` around
+    /// it `[m]`; `None` where there is no point.
     pub(crate) fn new(
         points: impl Iterator<Item = ([S; D], [S; D])>,
         (h, pushed): (f64, f64),
@@ -66,7 +66,7 @@ impl<S: Real, const D: usize> Swept<S, D> {
         (0..D).all(|k| self.low[k] <= other.high[k] && other.low[k] <= self.high[k])
     }
 
-    /// The same with more left around it [m].
+    /// The same with more left around it `[m]`.
     pub(crate) fn around(self, margin: S) -> Self {
         Swept { margin: self.margin + margin, ..self }.grown(margin)
     }
@@ -82,7 +82,7 @@ impl<S: Real, const D: usize> Swept<S, D> {
         Swept { low: wide(self.low), high: wide(self.high), fastest, margin }
     }
 
-    /// How much further it gets in `h` [s] than its box says, if it is struck by what is so fast [m/s]; `None`: no further than what is
+    /// How much further it gets in `h` `[s]` than its box says, if it is struck by what is so fast `[m/s]`; `None`: no further than what is
     /// left around it.
     fn further(&self, speed: S, h: f64) -> Option<S> {
         let further = S::from_f64(FASTER * h) * (speed - self.fastest);
@@ -110,7 +110,7 @@ pub(crate) fn meetings<T, S: Real, const D: usize>(
     }
 }
 
-/// Boxes of what may be struck within `h` [s] get as wide as the blow carries; `strikes`: whether the first may strike the second.
+/// Boxes of what may be struck within `h` `[s]` get as wide as the blow carries; `strikes`: whether the first may strike the second.
 /// Leaves the list sorted.
 pub(crate) fn pass_on<T, S: Real, const D: usize>(
     list: &mut [T],
@@ -151,7 +151,7 @@ pub(crate) fn pass_on<T, S: Real, const D: usize>(
     sort(list, &swept);
 }
 
-/// Bodies, by their numbers, that may meet within `h` [s], or strike each other through others, come together.
+/// Bodies, by their numbers, that may meet within `h` `[s]`, or strike each other through others, come together.
 pub(crate) fn join<S: Real, const D: usize>(together: &mut Sets, mut bodies: Vec<(usize, Swept<S, D>)>, h: f64) {
     pass_on(&mut bodies, |body| &body.1, |body, grown| body.1 = grown, h, |_, _| true);
     let of = |place: usize| bodies[place].0 as u32;

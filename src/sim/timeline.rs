@@ -6,28 +6,28 @@
 /// substeps of h follow without end. Times are counted, never summed, so that they do not drift.
 #[derive(Clone, Debug)]
 pub(crate) struct Timeline {
-    /// The substep asked for [s].
+    /// The substep asked for `[s]`.
     nominal: f64,
     /// Knots after the start of the present stretch, ascending.
     knots: Vec<f64>,
-    /// Start of the present stretch [s].
+    /// Start of the present stretch `[s]`.
     start: f64,
-    /// Length of its substeps [s].
+    /// Length of its substeps `[s]`.
     substep: f64,
     /// How many substeps it has; `None`: without end.
     count: Option<u64>,
     /// How many are done.
     done: u64,
-    /// How far a command has cut into the substep under way [s].
+    /// How far a command has cut into the substep under way `[s]`.
     within: Option<f64>,
 }
 
-/// Frames a second [1/s].
+/// Frames a second `[1/s]`.
 const FRAMES: f64 = 60.0;
 /// Share of a frame by which a step may end after it, for rounding, and still be of it.
 const FRAME_SLACK: f64 = 1e-9;
 
-/// The number of frames of 1/60 s that end at `time` [s] or before, the one that it lies in too: frame k is of the steps that end in
+/// The number of frames of 1/60 s that end at `time` `[s]` or before, the one that it lies in too: frame k is of the steps that end in
 /// ((k-1)/60, k/60].
 pub fn frame_of(time: f64) -> u64 {
     (time * FRAMES - FRAME_SLACK).ceil().max(0.0) as u64
@@ -37,7 +37,7 @@ pub fn frame_of(time: f64) -> u64 {
 const SLACK: f64 = 1e-9;
 
 impl Timeline {
-    /// From time 0, with substeps of at most `nominal` [s]. Knots may come in any order; those not after 0 are ignored.
+    /// From time 0, with substeps of at most `nominal` `[s]`. Knots may come in any order; those not after 0 are ignored.
     pub(crate) fn new(nominal: f64, knots: impl IntoIterator<Item = f64>) -> Self {
         let mut knots: Vec<f64> = knots.into_iter().filter(|&t| t > 0.0).collect();
         knots.sort_by(|a, b| b.total_cmp(a));
@@ -48,7 +48,7 @@ impl Timeline {
         timeline
     }
 
-    /// The same from `time` [s] on.
+    /// The same from `time` `[s]` on.
     pub(crate) fn resumed(nominal: f64, knots: impl IntoIterator<Item = f64>, time: f64) -> Self {
         let mut timeline = Timeline::new(nominal, knots.into_iter().filter(|&t| t > time));
         timeline.start = time;
@@ -56,7 +56,7 @@ impl Timeline {
         timeline
     }
 
-    /// The substep asked for [s].
+    /// The substep asked for `[s]`.
     pub(crate) fn nominal(&self) -> f64 {
         self.nominal
     }
@@ -100,7 +100,7 @@ impl Timeline {
         }
     }
 
-    /// Time reached [s].
+    /// Time reached `[s]`.
     pub(crate) fn time(&self) -> f64 {
         self.within.unwrap_or_else(|| self.after(self.done))
     }
@@ -109,12 +109,12 @@ impl Timeline {
         self.start + done as f64 * self.substep
     }
 
-    /// Length of the next substep, or of what is left of the one under way [s].
+    /// Length of the next substep, or of what is left of the one under way `[s]`.
     pub(crate) fn substep(&self) -> f64 {
         self.left(self.time())
     }
 
-    /// What is left of the substep under way for what has come to `from` [s].
+    /// What is left of the substep under way for what has come to `from` `[s]`.
     pub(crate) fn left(&self, from: f64) -> f64 {
         if from == self.after(self.done) { self.substep } else { self.after(self.done + 1) - from }
     }
@@ -136,7 +136,7 @@ impl Timeline {
         }
     }
 
-    /// Goes to `time` [s] within the substep under way: the grid stays.
+    /// Goes to `time` `[s]` within the substep under way: the grid stays.
     pub(crate) fn advance_within(&mut self, time: f64) {
         self.within = Some(time);
     }

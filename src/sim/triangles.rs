@@ -46,7 +46,7 @@ pub(crate) fn without<T: Copy>(list: &[T], numbers: &[usize]) -> Vec<T> {
 
 /// The triangles with their corners anticlockwise, in the plane; `None`: they are.
 ///
-/// Shapes: `place` says where every corner is [m].
+/// Shapes: `place` says where every corner is `[m]`.
 pub(crate) fn turned<const D: usize>(
     triangles: &[[PointId; 3]],
     place: impl Fn(PointId) -> [f64; D],

@@ -43,9 +43,9 @@ pub struct ProblemReport {
     pub points: usize,
     /// How many bonds it has.
     pub bonds: usize,
-    /// Simulated time [s].
+    /// Simulated time `[s]`.
     pub duration: f64,
-    /// How far the truth may be off [m].
+    /// How far the truth may be off `[m]`.
     pub uncertainty: f64,
     /// The variants of the baseline.
     pub baseline: Vec<MethodReport>,
@@ -62,9 +62,9 @@ pub struct ProblemReport {
 /// An equilibrium, found without motion.
 #[derive(Clone, Debug, Serialize)]
 pub struct SettleReport {
-    /// Largest distance from the truth [m].
+    /// Largest distance from the truth `[m]`.
     pub error: f64,
-    /// Wall time, in the median [s].
+    /// Wall time, in the median `[s]`.
     pub seconds: f64,
     /// Rounds of Newton's method.
     pub rounds: u32,

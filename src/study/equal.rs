@@ -19,7 +19,7 @@ pub struct Priced {
 /// What an error costs with every method.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct EqualError {
-    /// The error [m].
+    /// The error `[m]`.
     pub error: f64,
     /// The cheapest variant of the baseline; `None`: it never gets there.
     pub baseline: Option<Priced>,

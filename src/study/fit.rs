@@ -4,7 +4,7 @@ use serde::Serialize;
 
 use super::run::Run;
 
-/// Errors that an order is read from [m]: above, a motion is not resolved; below, rounding shows.
+/// Errors that an order is read from `[m]`: above, a motion is not resolved; below, rounding shows.
 const CLEAN: std::ops::Range<f64> = 1e-10..1e-2;
 
 /// Decades of error, counted from the smallest, that a slope is fitted over.
@@ -22,7 +22,7 @@ const LASTING: usize = 3;
 /// What an error costs.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct Cost {
-    /// Wall seconds per simulated second [1].
+    /// Wall seconds per simulated second `[1]`.
     pub cost: f64,
     /// Whether no run came so far: the cost is carried on along the fitted order.
     pub is_extrapolated: bool,
@@ -56,7 +56,7 @@ pub(super) fn slope(points: &[(f64, f64)]) -> Option<f64> {
     (xx > 0.0).then(|| xy / xx)
 }
 
-/// The cost of an error of at most `error` [m], by interpolation between runs, both logarithmic.
+/// The cost of an error of at most `error` `[m]`, by interpolation between runs, both logarithmic.
 ///
 /// A run counts only if the next two finer ones are within the error too: one that hit it by chance says nothing.
 /// Where even the coarsest run is within, it is its cost. `None`: no run is.
@@ -75,7 +75,7 @@ pub(super) fn cost_at(runs: &[Run], error: f64) -> Option<Cost> {
     measured(coarse.cost * (fine.cost / coarse.cost).powf(share))
 }
 
-/// The largest error of a run and the next two finer ones [m].
+/// The largest error of a run and the next two finer ones `[m]`.
 fn lasting_error(runs: &[Run], i: usize) -> f64 {
     runs[i..].iter().take(LASTING).map(|run| run.error).fold(0.0, f64::max)
 }

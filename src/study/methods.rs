@@ -31,7 +31,7 @@ impl Variant {
         format!("{}{sweeps}{order}", self.solver)
     }
 
-    /// The scene with this method at a substep [s], in 64 bits.
+    /// The scene with this method at a substep `[s]`, in 64 bits.
     pub(super) fn set(&self, scene: &Scene, substep: f64) -> Scene {
         let mut scene = scene.clone();
         scene.method.solver = Some(self.solver);
@@ -101,16 +101,16 @@ pub(super) fn run(scene: &Scene, truth: &Truth, steps: u64) -> Result<Run, Scene
     })
 }
 
-/// Wall time of the stepping [s]; a reading that was a single one is backed by others.
+/// Wall time of the stepping `[s]`; a reading that was a single one is backed by others.
 fn steady_seconds(start: &dyn Dynamics, times: &[f64]) -> f64 {
     let first = seconds(start, times);
     if first < READ_ALONE { first } else { median_seconds(first, || seconds(start, times)) }
 }
 
-/// A run shorter than this is read repeatedly by itself [s].
+/// A run shorter than this is read repeatedly by itself `[s]`.
 const READ_ALONE: f64 = 0.010;
 
-/// The error at every sample [m].
+/// The error at every sample `[m]`.
 pub(super) fn errors(truth: &Truth, samples: &[Sample]) -> Vec<f64> {
     truth.samples.iter().zip(samples).map(|(truth, sample)| truth.error(&sample.position)).collect()
 }

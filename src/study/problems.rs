@@ -31,7 +31,7 @@ pub struct Truth {
     pub name: String,
     /// What the positions are of.
     pub kind: Kind,
-    /// How far the positions may be off [m].
+    /// How far the positions may be off `[m]`.
     pub uncertainty: f64,
     /// A word on the scene.
     pub notes: String,
@@ -42,19 +42,19 @@ pub struct Truth {
 /// The positions at one time.
 #[derive(Clone, Debug, Deserialize)]
 pub struct TruthSample {
-    /// Time [s].
+    /// Time `[s]`.
     pub t: f64,
-    /// Positions, as many components a point as the scene has dimensions [m].
+    /// Positions, as many components a point as the scene has dimensions `[m]`.
     pub position: Vec<Vec<f64>>,
 }
 
 impl Truth {
-    /// The sample times [s].
+    /// The sample times `[s]`.
     pub fn times(&self) -> Vec<f64> {
         self.samples.iter().map(|sample| sample.t).collect()
     }
 
-    /// The longest side of a box around all points at all samples [m].
+    /// The longest side of a box around all points at all samples `[m]`.
     pub fn size(&self) -> f64 {
         let axis = |k: usize| {
             let at = self.samples.iter().flat_map(|sample| &sample.position).filter_map(|x| x.get(k).copied());
@@ -66,7 +66,7 @@ impl Truth {
 }
 
 impl TruthSample {
-    /// The largest distance over points from here to `position` [m], infinite where that left the finite numbers.
+    /// The largest distance over points from here to `position` `[m]`, infinite where that left the finite numbers.
     ///
     /// Shapes: as many points as here, three components each (z = 0 in the plane).
     pub fn error(&self, position: &[[f64; 3]]) -> f64 {

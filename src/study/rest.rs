@@ -10,7 +10,7 @@ use crate::sim::{Model, ModelError, PointId, Sample};
 pub struct Settled {
     /// The shape, at rest.
     pub sample: Sample,
-    /// Largest force that is left on a point, as a share of the largest single force on one [1].
+    /// Largest force that is left on a point, as a share of the largest single force on one `[1]`.
     pub residual: f64,
     /// Rounds of Newton's method.
     pub rounds: u32,
@@ -20,7 +20,7 @@ pub struct Settled {
     pub is_settled: bool,
 }
 
-/// The equilibrium that the start of a scene rolls down to, as a sample at time `t` [s] at rest.
+/// The equilibrium that the start of a scene rolls down to, as a sample at time `t` `[s]` at rest.
 ///
 /// Errors: those of [`Scene::model`]; relaxed bonds, which have no energy; polygons.
 pub fn settle(scene: &Scene, t: f64) -> Result<Settled, SceneError> {

@@ -5,7 +5,7 @@ use serde::Serialize;
 /// How long runs may take and how close the rungs of a ladder are.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct Settings {
-    /// Wall time of the longest run [s].
+    /// Wall time of the longest run `[s]`.
     pub cap_seconds: f64,
     /// Factor between the steps of two rungs, where runs are short.
     pub factor: f64,
@@ -23,17 +23,17 @@ impl Settings {
 pub struct Run {
     /// Steps asked for over the whole run; a method may split them.
     pub steps: u64,
-    /// Step asked for [s].
+    /// Step asked for `[s]`.
     pub substep: f64,
-    /// Wall time of the stepping [s].
+    /// Wall time of the stepping `[s]`.
     pub seconds: f64,
-    /// Wall seconds per simulated second [1].
+    /// Wall seconds per simulated second `[1]`.
     pub cost: f64,
-    /// Largest distance over points from the truth at the last sample [m]; infinite (in JSON null) if it diverged.
+    /// Largest distance over points from the truth at the last sample `[m]`; infinite (in JSON null) if it diverged.
     pub error: f64,
-    /// The same over all samples [m].
+    /// The same over all samples `[m]`.
     pub largest_error: f64,
-    /// Energy at the last sample less that at the first, over the largest one in size [1].
+    /// Energy at the last sample less that at the first, over the largest one in size `[1]`.
     pub energy_drift: Option<f64>,
     /// Work done.
     pub work: Work,
@@ -77,13 +77,13 @@ impl Run {
     };
 }
 
-/// Wall time that a run is read for, together, before its median counts [s].
+/// Wall time that a run is read for, together, before its median counts `[s]`.
 const ENOUGH: f64 = 0.1;
 
 /// Most readings of one run.
 const READINGS: f64 = 15.0;
 
-/// The median wall time of a run whose first reading is known; the shorter it is, the more often it is read [s].
+/// The median wall time of a run whose first reading is known; the shorter it is, the more often it is read `[s]`.
 ///
 /// A run of more than 50 ms is read once.
 pub(super) fn median_seconds(first: f64, mut read: impl FnMut() -> f64) -> f64 {
@@ -97,16 +97,16 @@ pub(super) fn median_seconds(first: f64, mut read: impl FnMut() -> f64) -> f64 {
     readings[count / 2]
 }
 
-/// Runs longer than this are a factor 2 apart: close rungs there would cost more than they tell [s].
+/// Runs longer than this are a factor 2 apart: close rungs there would cost more than they tell `[s]`.
 const LONG: f64 = 0.02;
 
 /// How many times longer than the cap a run may take whose steps were split or did not converge.
 const SWOLLEN: f64 = 4.0;
 
-/// An error that a finer step cannot lower, for rounding is as large [m].
+/// An error that a finer step cannot lower, for rounding is as large `[m]`.
 const EXACT: f64 = 1e-12;
 
-/// An error below which a ladder that goes nowhere has met its floor [m].
+/// An error below which a ladder that goes nowhere has met its floor `[m]`.
 const NEAR_EXACT: f64 = 1e-7;
 
 /// Most steps of a run: a method that takes no time at all ends here.

@@ -4,7 +4,7 @@ use crate::scene::{BudgetKeys, Scene, SceneError};
 use crate::search::{Found, search};
 use crate::sim::Model;
 
-/// Puts the cheapest setting that reaches the `tolerance` of the scene's method at every one of `times` [s] in its
+/// Puts the cheapest setting that reaches the `tolerance` of the scene's method at every one of `times` `[s]` in its
 /// place. A scene without a tolerance stays as it is.
 ///
 /// Errors: those of [`Scene::model`]; relaxed bonds, which have no error, being defined by their algorithm.

@@ -7,7 +7,7 @@
 //! K = mu/h^2 (1 - q)/q,   q = (1 - k)^n,   mu = 1/(w_a + w_b)
 //! ```
 //!
-//! for n sweeps in a substep of h [s], would give way by so much in its place; the ratio of the two is what the others, and the order in
+//! for n sweeps in a substep of h `[s]`, would give way by so much in its place; the ratio of the two is what the others, and the order in
 //! which all are swept, make of it. K follows from the rest of one bond under a force F: a substep takes it F h^2/mu away, and the sweeps
 //! leave q of all that it is away.
 
@@ -21,7 +21,7 @@ const MOST_POINTS: usize = 1_000;
 const MOST_CORRECTIONS: f64 = 2e7;
 /// Most substeps: a bond of k = 0.01 is at rest after some hundreds.
 const MOST_SUBSTEPS: f64 = 4_000.0;
-/// Strain that the force would give to one bond alone [1].
+/// Strain that the force would give to one bond alone `[1]`.
 const STRAIN: f64 = 1e-3;
 
 /// What relaxed bonds of k < 1 amount to.
@@ -29,9 +29,9 @@ const STRAIN: f64 = 1e-3;
 pub struct Softness {
     /// The bond that was pulled, by its place in the scene.
     pub bond: usize,
-    /// K of it alone [N/m].
+    /// K of it alone `[N/m]`.
     pub alone: f64,
-    /// Stiffness of springs that would give as much in its place [N/m].
+    /// Stiffness of springs that would give as much in its place `[N/m]`.
     pub stiffness: f64,
 }
 
@@ -81,7 +81,7 @@ fn of_model<const D: usize>(model: &Model<D>) -> Option<Softness> {
     })
 }
 
-/// How far the ends of a bond are apart along this way, on average over the second half of a run, under a force that parts them [m, N].
+/// How far the ends of a bond are apart along this way, on average over the second half of a run, under a force that parts them `[m, N]`.
 fn elongation<const D: usize>(model: &Model<D>, (bond, way): (&Bond, [f64; D]), force: f64) -> Option<f64> {
     let of = |end: PointId, sign: f64| Force { points: vec![end], force: scale(way, sign * force), torque: 0.0 };
     let method = Method { sleeps: false, budget: None, ledger: false, ..model.method };
@@ -111,7 +111,7 @@ fn elongation<const D: usize>(model: &Model<D>, (bond, way): (&Bond, [f64; D]), 
     mean.is_finite().then_some(mean)
 }
 
-/// How far the ends of a bond part under a force of 1 N in a net of springs at rest [m/N]: conjugate gradients, from which what moves
+/// How far the ends of a bond part under a force of 1 N in a net of springs at rest `[m/N]`: conjugate gradients, from which what moves
 /// as a whole drops out by itself.
 fn compliance<const D: usize>(
     (model, w): (&Model<D>, &[f64]),

@@ -5,11 +5,11 @@
 pub struct Target {
     /// The problem.
     pub problem: &'static str,
-    /// Ratio at each error [1].
+    /// Ratio at each error `[1]`.
     pub ratios: [f64; 2],
 }
 
-/// The errors that methods are compared at [m].
+/// The errors that methods are compared at `[m]`.
 pub const LEVELS: [f64; 2] = [1e-3, 1e-6];
 
 /// The share of a target at which it counts as reached: machines are noisy.

@@ -10,7 +10,7 @@ use super::setting::tune;
 use crate::scene::record::{record, seconds};
 use crate::scene::{PrecisionName, Scene, SolverName};
 
-/// The errors that are asked for [m]; `None`: nothing is, and the scene runs as it does by default.
+/// The errors that are asked for `[m]`; `None`: nothing is, and the scene runs as it does by default.
 pub const TOLERANCES: [Option<f64>; 3] = [None, Some(1e-4), Some(1e-6)];
 
 /// Share of the size of a scene that its default may be off by.
@@ -19,25 +19,25 @@ const TRUSTED: f64 = 1e-3;
 /// What came of asking for an error.
 #[derive(Clone, Debug, Serialize)]
 pub struct ToleranceReport {
-    /// The error asked for at every sample [m]; `None`: nothing was.
+    /// The error asked for at every sample `[m]`; `None`: nothing was.
     pub tolerance: Option<f64>,
     /// Why the scene does not take it, if so.
     pub refused: Option<String>,
-    /// The error at every sample [m].
+    /// The error at every sample `[m]`.
     pub errors: Vec<f64>,
-    /// The longest side of a box around all points at all samples [m].
+    /// The longest side of a box around all points at all samples `[m]`.
     pub size: f64,
     /// Whether all of them are within the tolerance; where nothing was asked for, within a thousandth of the size.
     pub holds: Option<bool>,
     /// The solver that was found.
     pub solver: Option<String>,
-    /// The substep that was found [s].
+    /// The substep that was found `[s]`.
     pub substep: Option<f64>,
-    /// The error that was foretold [m].
+    /// The error that was foretold `[m]`.
     pub expected_error: Option<f64>,
-    /// Wall time of the stepping [s].
+    /// Wall time of the stepping `[s]`.
     pub seconds: Option<f64>,
-    /// Wall time of finding method and substep [s].
+    /// Wall time of finding method and substep `[s]`.
     pub search_seconds: Option<f64>,
 }
 

@@ -13,7 +13,7 @@ const ENDINGS: [&str; 17] = [
     "qoi",
 ];
 
-/// Nobody closes a dialog sooner [s]: one that ends within this time was never shown.
+/// Nobody closes a dialog sooner `[s]`: one that ends within this time was never shown.
 const LEAST_SHOWN: Duration = Duration::from_millis(250);
 
 /// Opens the dialog over `window`. One that is closed without a choice finds nothing.

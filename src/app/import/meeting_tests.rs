@@ -14,7 +14,7 @@ use crate::sim::Dynamics;
 const DISC: &str = r#"{ "wobble": 1, "name": "disc", "bodies": [{ "make": "disc", "radius": 0.5, "spacing": 0.2,
     "material": { "kind": "spring", "stiffness": 4000, "damping": 4, "mass": 1 } }] }"#;
 
-/// What of the plane is in view [m].
+/// What of the plane is in view `[m]`.
 const SEEN: [[f64; 2]; 2] = [[-6.0, -4.0], [6.0, 4.0]];
 
 /// A round blot of ink.
@@ -38,13 +38,13 @@ fn add(stage: &mut Stage, import: &Import) -> Option<Note> {
     stage.obey(Order::Add(Box::new(import.adder(SEEN))))
 }
 
-/// The middle of points along x [m].
+/// The middle of points along x `[m]`.
 fn middle(world: &dyn Dynamics, points: std::ops::Range<usize>) -> f64 {
     let count = points.len() as f64;
     points.map(|point| world.positions().get(2 * point)).sum::<f64>() / count
 }
 
-/// Puts what was added to the left of the disc and throws it there. Returns how far right of the disc it is a second later [m].
+/// Puts what was added to the left of the disc and throws it there. Returns how far right of the disc it is a second later `[m]`.
 pub(super) fn thrown_at_the_disc(import: &Import, changes: Vec<Do>) -> f64 {
     let mut stage = stage(DISC);
     let count = stage.history().world().point_count();

@@ -36,9 +36,9 @@ pub(super) enum Answer {
 pub(super) struct Wish {
     pub(super) settings: Settings,
     pub(super) matter: Matter,
-    /// Young's modulus of a soft body [N/m].
+    /// Young's modulus of a soft body `[N/m]`.
     pub(super) young: f64,
-    /// Height of the picture in the world [m].
+    /// Height of the picture in the world `[m]`.
     pub(super) height: f64,
     pub(super) pattern: PatternName,
     /// Connected parts become bodies of their own.
@@ -71,7 +71,7 @@ impl Import {
         Import::new(name, picture, wake, wish)
     }
 
-    /// The same with points this far apart at first [px].
+    /// The same with points this far apart at first `[px]`.
     pub(super) fn spaced(mut self, spacing: f64) -> Self {
         self.wish.settings.size = Size::Spacing(spacing);
         self.worker.ask(&self.picture, self.wish);
@@ -166,7 +166,7 @@ impl Import {
     }
 
     /// What the running world of a scene gets: bodies or an obstacle, where there is room when it is asked, if possible in what is
-    /// `seen` of it (lower and upper corner [m]).
+    /// `seen` of it (lower and upper corner `[m]`).
     ///
     /// Errors, then: as of [`Import::scene`].
     pub(super) fn adder(

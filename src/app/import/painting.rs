@@ -5,7 +5,7 @@ use egui::{TextureHandle, TextureId, TextureOptions};
 
 use crate::picture::{Brush, Mask, Mirror, Picture, PictureError};
 
-/// Side of an empty canvas [px].
+/// Side of an empty canvas `[px]`.
 const SIDE: u32 = 512;
 /// Colour of the ink: that of the drawn body.
 const INK: [u8; 3] = [242, 150, 84];
@@ -22,7 +22,7 @@ enum Tool {
 pub(super) struct Painting {
     mask: Mask,
     tool: Tool,
-    /// Radius of the brush [px].
+    /// Radius of the brush `[px]`.
     radius: f64,
     /// A stroke is being drawn.
     is_down: bool,
@@ -198,7 +198,7 @@ impl Painting {
     }
 }
 
-/// A rectangle of the canvas [px]: left, top, width, height.
+/// A rectangle of the canvas `[px]`: left, top, width, height.
 fn image(mask: &Mask, [left, top, width, height]: [u32; 4]) -> ColorImage {
     let [left, top, width, height] = [left, top, width, height].map(|length| length as usize);
     let shades: Vec<Color32> =
@@ -277,7 +277,7 @@ mod tests {
             self.import.painting.as_mut().unwrap()
         }
 
-        /// Where a place of the canvas [px] is on the screen.
+        /// Where a place of the canvas `[px]` is on the screen.
         fn screen(&mut self, [x, y]: [f64; 2]) -> Pos2 {
             let painting = self.painting();
             let scale = f64::from(painting.place.width()) / f64::from(SIDE);

@@ -12,15 +12,15 @@ use crate::scene::Matter;
 /// What takes less time than this is not worth a bar; and the time between two looks at it.
 const PATIENCE: Duration = Duration::from_millis(400);
 const LOOK: Duration = Duration::from_millis(100);
-/// Width of the screen from which on the sliders stand beside the picture [points].
+/// Width of the screen from which on the sliders stand beside the picture `[points]`.
 const WIDE: f32 = 780.0;
-/// Height of what stands over and under the part that scrolls: title, buttons, margins [points].
+/// Height of what stands over and under the part that scrolls: title, buttons, margins `[points]`.
 const BESIDE: f32 = 130.0;
-/// Height of that part at least [points].
+/// Height of that part at least `[points]`.
 const LEAST_TALL: f32 = 60.0;
-/// Height of a canvas's tools [points].
+/// Height of a canvas's tools `[points]`.
 const TOOLS: f32 = 60.0;
-/// Width of margins and of the bar that scrolls [points].
+/// Width of margins and of the bar that scrolls `[points]`.
 const MARGINS: f32 = 48.0;
 
 /// Shows the panel. What is changed in it is changed in the import's wish.
@@ -65,7 +65,7 @@ pub(super) fn show(import: &mut Import, context: &egui::Context, can_add: bool) 
     if is_open { answer } else { Some(Answer::Cancel) }
 }
 
-/// The picture with its mesh, at most so large [points]; the tools over it, if it is painted.
+/// The picture with its mesh, at most so large `[points]`; the tools over it, if it is painted.
 fn picture(ui: &mut egui::Ui, import: &mut Import, side: f32) {
     if let Some(painting) = &mut import.painting {
         painting.tools(ui);
@@ -124,7 +124,7 @@ fn words(ui: &mut egui::Ui, forecast: Option<&Result<Forecast, String>>, is_pain
     }
 }
 
-/// A time [ms] in words.
+/// A time `[ms]` in words.
 fn time(ms: f64) -> String {
     match ms {
         ms if ms < 0.1 => "0.1 ms".to_owned(),

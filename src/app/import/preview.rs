@@ -6,15 +6,15 @@ use super::Import;
 use crate::picture::{Picture, PictureMesh};
 use crate::scene::PatternName;
 
-/// Side of the square that the preview fits into, at most and at least [points].
+/// Side of the square that the preview fits into, at most and at least `[points]`.
 pub(super) const LARGEST: f32 = 420.0;
 pub(super) const LEAST: f32 = 160.0;
 /// Most bonds that are drawn one by one: of more the boundary says enough.
 const MOST_SHOWN: usize = 15_000;
-/// Longest side of the picture as it is shown [px].
+/// Longest side of the picture as it is shown `[px]`.
 const SHOWN_SIDE: u32 = 1024;
 
-/// Shows both, in a square of this side [points].
+/// Shows both, in a square of this side `[points]`.
 pub(super) fn show(ui: &mut egui::Ui, import: &mut Import, side: f32) {
     let size = Vec2::new(import.picture.width as f32, import.picture.height as f32);
     let scale = side / size.max_elem();

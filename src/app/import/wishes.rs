@@ -108,7 +108,7 @@ fn body(ui: &mut egui::Ui, wish: &mut Wish) {
     ui.add_enabled(moves, egui::Checkbox::new(&mut wish.apart, "parts as bodies of their own"));
 }
 
-/// A length [m] in words.
+/// A length `[m]` in words.
 fn length(metres: f64) -> String {
     match metres {
         metres if metres < 0.01 => format!("{:.2} mm", 1e3 * metres),

@@ -22,7 +22,7 @@ pub(super) struct Forecast {
     /// Outlines and corners of the obstacle that it becomes; none of a body.
     pub(super) outlines: usize,
     pub(super) corners: usize,
-    /// Time that a frame of the body takes, falling freely, and as it lands [s].
+    /// Time that a frame of the body takes, falling freely, and as it lands `[s]`.
     pub(super) frames: [f64; 2],
 }
 
@@ -43,7 +43,7 @@ impl Drop for Worker {
 /// Most points of a body that is made in a window: more would stand still there.
 const MOST_POINTS: u64 = 100_000;
 
-/// A frame [s], and how many are tried.
+/// A frame `[s]`, and how many are tried.
 const FRAME: f64 = 1.0 / 60.0;
 const FRAMES: u32 = 3;
 
@@ -85,7 +85,7 @@ impl Worker {
     }
 }
 
-/// The middle one of a few frames [s].
+/// The middle one of a few frames `[s]`.
 fn frame_time(mut world: Box<dyn Dynamics>) -> f64 {
     let frame = |_| {
         let (start, end) = (Instant::now(), world.time() + FRAME * (1.0 - 1e-9));

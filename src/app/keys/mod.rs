@@ -1,4 +1,4 @@
-//! Keys and what they do: one table, which the program shows (F1), the README prints and the tests compare.
+//! Keys and what they do: one table, which the program shows (F1), docs/window.md prints and the tests compare.
 
 mod table;
 
@@ -174,9 +174,9 @@ mod tests {
     }
 
     #[test]
-    fn the_readme_has_the_table() {
-        let readme = include_str!("../../../README.md");
-        let rows: Vec<[&str; 2]> = readme
+    fn the_docs_have_the_table() {
+        let page = include_str!("../../../docs/window.md");
+        let rows: Vec<[&str; 2]> = page
             .lines()
             .skip_while(|line| !line.starts_with("| key |"))
             .skip(2)
@@ -188,7 +188,7 @@ mod tests {
             .collect();
         let keys = TABLE.iter().map(|binding| [binding.keys, binding.words]);
         let expected: Vec<[&str; 2]> = keys.chain(by_mouse()).collect();
-        assert_eq!(rows, expected, "the README's table of keys is that of src/app/keys/table.rs, row by row");
+        assert_eq!(rows, expected, "the table of keys in docs/window.md is that of src/app/keys/table.rs, row by row");
     }
 
     #[test]

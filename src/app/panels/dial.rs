@@ -5,9 +5,9 @@ use egui::{Color32, Pos2, Response, Role, Sense, Shape, Stroke, Ui, Vec2, Widget
 
 use super::theme::{ACCENT, WEAK};
 
-/// Side of the dial [points].
+/// Side of the dial `[points]`.
 const SIDE: f32 = 72.0;
-/// A drag so near to the middle means nothing at all, in radii [1].
+/// A drag so near to the middle means nothing at all, in radii `[1]`.
 const DEAD: f64 = 0.08;
 /// Values are rounded to this: nobody drags finer.
 const STEP: f64 = 0.1;
@@ -26,7 +26,7 @@ pub(super) fn show(ui: &mut Ui, name: &str, value: [f64; 2], full: f64) -> (Resp
     (response, to.filter(|to| *to != value))
 }
 
-/// What a pointer says that is so far from the middle [points].
+/// What a pointer says that is so far from the middle `[points]`.
 fn dragged(from: Vec2, radius: f32, full: f64) -> [f64; 2] {
     let share = [from.x, -from.y].map(|x| f64::from(x / radius));
     let length = share[0].hypot(share[1]);

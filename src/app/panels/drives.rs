@@ -8,11 +8,11 @@ use crate::app::action::Tool;
 use crate::app::tools::Drives;
 use crate::scene::KeyName;
 
-/// Width of the panel [points].
+/// Width of the panel `[points]`.
 const WIDTH: f32 = 230.0;
-/// Most of what the sliders reach: share of a length, period [s], speed [rad/s], torque [N m].
+/// Most of what the sliders reach: share of a length, period `[s]`, speed `[rad/s]`, torque `[N m]`.
 const MOST: [f64; 4] = [0.6, 4.0, 20.0, 300.0];
-/// The shortest period that they reach [s].
+/// The shortest period that they reach `[s]`.
 const QUICKEST: f64 = 0.2;
 
 /// Shows it at the right of the tools.

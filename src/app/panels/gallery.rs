@@ -6,9 +6,9 @@ use super::theme::{ACCENT, TEXT, WEAK};
 use super::{Facts, PanelState, Wish};
 use crate::scene::{Entry, gallery};
 
-/// Size of a thumbnail [points].
+/// Size of a thumbnail `[points]`.
 pub(in crate::app) const THUMBNAIL: [f32; 2] = [216.0, 135.0];
-/// Room between cards [points].
+/// Room between cards `[points]`.
 const GAP: f32 = 14.0;
 
 pub(super) fn show(context: &egui::Context, room: Rect, state: &mut PanelState, facts: &Facts, wishes: &mut Vec<Wish>) {

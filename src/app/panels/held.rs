@@ -6,7 +6,7 @@ use super::Facts;
 use super::theme::{ACCENT, ON_ACCENT, TEXT, WEAK, floating};
 use crate::sim::Key;
 
-/// Side of a cap [points].
+/// Side of a cap `[points]`.
 const CAP: f32 = 26.0;
 
 pub(super) fn show(context: &egui::Context, room: Rect, facts: &Facts) {
@@ -45,7 +45,7 @@ fn cap(ui: &mut egui::Ui, key: Key, is_held: bool) {
     ui.painter().text(rect.center(), Align2::CENTER_CENTER, text, FontId::proportional(14.0), color);
 }
 
-/// Which way an arrow looks, clockwise from the right [rad]: no font has all of them everywhere.
+/// Which way an arrow looks, clockwise from the right `[rad]`: no font has all of them everywhere.
 fn arrow(key: Key) -> Option<f32> {
     use std::f32::consts::{FRAC_PI_2, PI};
     match key.name() {

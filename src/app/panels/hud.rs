@@ -5,7 +5,7 @@ use egui::{Align, Align2, Area, Id, Layout, Rect};
 use super::theme::floating;
 use super::{Facts, Wish, moving};
 
-/// What stands below the figures is so far `beside` the right edge [points].
+/// What stands below the figures is so far `beside` the right edge `[points]`.
 pub(super) fn show(context: &egui::Context, (room, beside): (Rect, f32), facts: &Facts, wishes: &mut Vec<Wish>) {
     // Below what floats at the top, where that takes all of the width.
     let down = if room.width() < 1000.0 { 62.0 } else { 10.0 };
@@ -36,7 +36,7 @@ fn rows(facts: &Facts) -> Vec<(&'static str, String)> {
     ]
 }
 
-/// An energy [J] in at most eleven characters: what is large has no millijoules, and what is nothing no sign.
+/// An energy `[J]` in at most eleven characters: what is large has no millijoules, and what is nothing no sign.
 fn energy(value: f64) -> String {
     match value.abs() {
         size if size < 5e-4 => "0.000 J".to_owned(),

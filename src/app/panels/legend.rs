@@ -5,12 +5,12 @@ use egui::{Align2, Area, Color32, FontId, Id, Mesh, Rect, Sense, Shape, pos2, ve
 use super::theme::{TEXT, WEAK, floating};
 use crate::render::Look;
 
-/// Width and height of the bar [points].
+/// Width and height of the bar `[points]`.
 const BAR: [f32; 2] = [230.0, 10.0];
-/// Strains with a number at the bar [%].
+/// Strains with a number at the bar `[%]`.
 const NUMBERS: [f32; 7] = [-30.0, -5.0, -1.0, 0.0, 1.0, 5.0, 30.0];
 
-/// Where it lies: beside the tools, below what is said of the scene [points].
+/// Where it lies: beside the tools, below what is said of the scene `[points]`.
 const PLACE: [f32; 2] = [76.0, 124.0];
 
 pub(super) fn show(context: &egui::Context, look: &Look) {

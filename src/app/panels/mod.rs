@@ -39,7 +39,7 @@ use icons::Icon;
 pub(super) use notes::Notes;
 pub(super) use settings::{Setting, Settings};
 
-/// Room that the tools take at the left edge [points].
+/// Room that the tools take at the left edge `[points]`.
 pub(super) const TOOLS: f32 = 60.0;
 
 /// What the panels ask for.
@@ -59,7 +59,7 @@ pub(super) enum Wish {
     Solver(SolverName),
     /// Seconds of the scene a second of wall time, in those of the scene itself.
     Pace(f64),
-    /// A time that was seen already [s].
+    /// A time that was seen already `[s]`.
     GoTo(f64),
     /// The end of another branch.
     ToBranch(usize),
@@ -122,7 +122,7 @@ pub(super) struct Facts {
     pub(super) figures: Figures,
     /// Seconds of the scene a second of wall time, in those of the scene itself.
     pub(super) pace: f64,
-    /// Time from frame to frame [s].
+    /// Time from frame to frame `[s]`.
     pub(super) frame: f64,
     pub(super) tool: Tool,
     /// What the tool for building makes.
@@ -147,7 +147,7 @@ pub(super) struct Facts {
     pub(super) settings: Settings,
 }
 
-/// Shows the panels; returns what was asked for, and the height that they leave to the world [points].
+/// Shows the panels; returns what was asked for, and the height that they leave to the world `[points]`.
 pub(super) fn show(ui: &mut egui::Ui, state: &mut PanelState, facts: &Facts) -> (Vec<Wish>, f32) {
     let mut wishes = Vec::new();
     if !state.hides_panels {
@@ -183,7 +183,7 @@ pub(super) fn show(ui: &mut egui::Ui, state: &mut PanelState, facts: &Facts) -> 
     (wishes, room.height())
 }
 
-/// A time that something takes [s], short: from a second on in seconds.
+/// A time that something takes `[s]`, short: from a second on in seconds.
 fn short(time: f64) -> String {
     if time < 1.0 { format!("{:.0} ms", 1e3 * time) } else { format!("{time:.0} s") }
 }

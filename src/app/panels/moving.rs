@@ -8,7 +8,7 @@ use super::{Facts, Wish, short};
 use crate::app::player::{Acts, Figures, Moved, Movers, Rung, Yielded};
 use crate::sim::Why;
 
-/// Widest line [points].
+/// Widest line `[points]`.
 const WIDTH: f32 = 250.0;
 
 /// What is said, and what can be asked for beside it.
@@ -22,7 +22,7 @@ struct Line {
 /// A button: its words, what it does, and what is asked for.
 type Offer = (&'static str, &'static str, Wish);
 
-/// Shows it so far from the upper right corner [points].
+/// Shows it so far from the upper right corner `[points]`.
 pub(super) fn show(context: &egui::Context, off: [f32; 2], facts: &Facts, wishes: &mut Vec<Wish>) {
     let lines = lines(&facts.figures);
     if lines.is_empty() {

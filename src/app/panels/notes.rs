@@ -21,7 +21,7 @@ pub(in crate::app) struct Notes {
     done: Option<(String, Instant)>,
     /// Nobody has touched this scene yet: its caption is shown.
     pub(in crate::app) has_caption: bool,
-    /// Nobody has touched anything yet: a line at the cursor says how, where the cursor is [points].
+    /// Nobody has touched anything yet: a line at the cursor says how, where the cursor is `[points]`.
     pub(in crate::app) hint_at: Option<egui::Pos2>,
 }
 
@@ -81,7 +81,7 @@ impl Notes {
     }
 }
 
-/// How far below the upper edge the buttons end, with some room [points].
+/// How far below the upper edge the buttons end, with some room `[points]`.
 const BELOW_BUTTONS: f32 = 64.0;
 
 /// A session that was cut off: above, in place of the caption.

@@ -10,18 +10,18 @@ use crate::app::action::Action;
 use crate::app::player::Measured;
 use crate::app::plots::{Plots, Quantity, Series, Subject};
 
-/// Width and greatest height of a plot [points].
+/// Width and greatest height of a plot `[points]`.
 const SIZE: [f32; 2] = [340.0, 180.0];
-/// Lines of the grid lie so far apart at least, as a share of the plot [1].
+/// Lines of the grid lie so far apart at least, as a share of the plot `[1]`.
 const LINES: f64 = 1.0 / 5.0;
-/// A room so high has place for the panel below the tools [points].
+/// A room so high has place for the panel below the tools `[points]`.
 const TALL: f32 = 850.0;
-/// Where it begins beside the tools, and below them [points].
+/// Where it begins beside the tools, and below them `[points]`.
 const LEFT: [f32; 2] = [76.0, 10.0];
-/// Half of the room less this is free for the plot: the primitives beside the tools end there [points].
+/// Half of the room less this is free for the plot: the primitives beside the tools end there `[points]`.
 const OTHERS: f32 = 165.0;
 
-/// What is plotted of the energies [J].
+/// What is plotted of the energies `[J]`.
 type OfEnergies = fn(&Measured) -> f64;
 /// The kinds of energy: colours that people who are blind to some tell apart, by Okabe and Ito.
 pub(super) const ENERGIES: [(&str, Color32, OfEnergies); 4] = [

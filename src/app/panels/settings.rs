@@ -9,22 +9,22 @@ use crate::history::{Do, SetKeys, Walls, Weather};
 use crate::scene::{BoundsKeys, ContactKeys, Meeting, SolverName, Vector, WindKeys};
 use crate::sim::{BoundsChange, Contact, MouseChange, SceneChange, Solver, Wind};
 
-/// Width of the panel [points].
+/// Width of the panel `[points]`.
 pub(super) const WIDTH: f32 = 250.0;
-/// A room so high has place for it below all else at the right [points].
+/// A room so high has place for it below all else at the right `[points]`.
 pub(super) const TALL: f32 = 950.0;
-/// What is above it stays free [points].
+/// What is above it stays free `[points]`.
 const ABOVE: f32 = 176.0;
-/// Gravity on the ground [m/s^2].
+/// Gravity on the ground `[m/s^2]`.
 const GRAVITY: f64 = 9.81;
-/// Gravity at the rim of the dial [m/s^2].
+/// Gravity at the rim of the dial `[m/s^2]`.
 const FULL: f64 = 20.0;
 
 /// What can be set, as it is.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub(in crate::app) struct Settings {
     pub(in crate::app) scene: SceneChange,
-    /// Strength [1/s^2] and radius [m] of the hover force; `None`: there is none, or it goes along a track.
+    /// Strength `[1/s^2]` and radius `[m]` of the hover force; `None`: there is none, or it goes along a track.
     pub(in crate::app) push: Option<[f64; 2]>,
 }
 

@@ -46,9 +46,9 @@ pub(super) fn show(ui: &mut egui::Ui, facts: &Facts, wishes: &mut Vec<Wish>) -> 
     panel.inner
 }
 
-/// Width of the words on how it stands [points].
+/// Width of the words on how it stands `[points]`.
 const STATE: f32 = 290.0;
-/// Work that slows a scene down takes most of a frame at least [s].
+/// Work that slows a scene down takes most of a frame at least `[s]`.
 const LEAST_CAUSE: f64 = 0.75 / 60.0;
 
 fn play(ui: &mut egui::Ui, facts: &Facts, wishes: &mut Vec<Wish>) {

@@ -8,7 +8,7 @@ use crate::sim::{Dynamics, MovedBy, Solver, Why};
 
 /// What the command is called that gives islands back to their own methods.
 pub(super) const EXACT: &str = "exact motion";
-/// Counted work of a frame that is never reached [ms]: nothing is handed over for it.
+/// Counted work of a frame that is never reached `[ms]`: nothing is handed over for it.
 const NO_BOUND: f64 = 1e9;
 
 /// Islands that are moved otherwise than by plan, for one reason.
@@ -18,7 +18,7 @@ pub struct Moved {
     pub why: Why,
     /// How many islands.
     pub islands: usize,
-    /// Since when the first of them, and the last [s].
+    /// Since when the first of them, and the last `[s]`.
     pub since: [f64; 2],
 }
 

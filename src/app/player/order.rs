@@ -14,7 +14,7 @@ pub(super) type Adder = Box<dyn FnOnce(&Scene, &dyn Dynamics) -> Result<AddKeys,
 pub enum Order {
     /// A frame's time passes while the cursor goes to where it is now.
     Advance {
-        /// Wall time since the last frame [s].
+        /// Wall time since the last frame `[s]`.
         wall: f64,
         /// Where the cursor is; `None`: it is away.
         cursor: Option<Cursor>,
@@ -31,11 +31,11 @@ pub enum Order {
     GiveOn(Do, &'static str),
     /// Another solver, with all else of the method as it is.
     Solver(SolverName),
-    /// A pin goes to a place [m] on a straight way from where it is. `goes_on`: this belongs to the last edit.
+    /// A pin goes to a place `[m]` on a straight way from where it is. `goes_on`: this belongs to the last edit.
     LeadPin {
         /// The pin.
         point: PointId,
-        /// [m]
+        /// `[m]`
         to: [f64; 3],
         /// It was sent on a way just before.
         goes_on: bool,
@@ -52,7 +52,7 @@ pub enum Order {
     Undo(Option<Cursor>),
     /// To just after the edit that was undone.
     Redo(Option<Cursor>),
-    /// To a time that was seen already [s].
+    /// To a time that was seen already `[s]`.
     GoTo(f64, Option<Cursor>),
     /// Back to the start.
     Reset,
@@ -79,9 +79,9 @@ pub enum Order {
 /// Tells what became of an order.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Note {
-    /// What was undone is called so, and time went so far [s], below 0 back.
+    /// What was undone is called so, and time went so far `[s]`, below 0 back.
     Undone(String, f64),
-    /// What was redone, and how far time went [s], below 0 back.
+    /// What was redone, and how far time went `[s]`, below 0 back.
     Redone(String, f64),
     /// There was nothing to undo.
     NothingToUndo,

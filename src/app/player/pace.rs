@@ -5,13 +5,13 @@ use crate::sim::{Cursor, Dynamics};
 
 use super::shown::Places;
 
-/// Longest wall time that one frame makes up for [s]: after a hitch (a dragged window, a laptop that slept) the rest is
+/// Longest wall time that one frame makes up for `[s]`: after a hitch (a dragged window, a laptop that slept) the rest is
 /// dropped, so that nothing is thrown about.
 pub const LONGEST_FRAME: f64 = 0.1;
-/// Wall time that one frame may spend on stepping [s]: a scene too slow for real time plays slower, at a usable frame
+/// Wall time that one frame may spend on stepping `[s]`: a scene too slow for real time plays slower, at a usable frame
 /// rate, instead of falling behind ever more.
 pub const STEPPING_BUDGET: f64 = 0.025;
-/// What a single step by hand advances [s of wall time at the scene's rate].
+/// What a single step by hand advances `[s of wall time at the scene's rate]`.
 pub const SINGLE_STEP: f64 = 1.0 / 60.0;
 /// A substep is due when all but this share of it has passed: sums of frame times round.
 const ROUNDING: f64 = 1e-9;
@@ -21,11 +21,11 @@ const ROUNDING: f64 = 1e-9;
 /// The physics does not depend on the frame rate: frames only decide how many substeps are due.
 #[derive(Clone, Debug)]
 pub struct Pace {
-    /// Scene time that is due but not stepped yet [s].
+    /// Scene time that is due but not stepped yet `[s]`.
     due: f64,
     /// Seconds of the scene a second of wall time.
     pub rate: f64,
-    /// Where the scene ends by itself [s].
+    /// Where the scene ends by itself `[s]`.
     duration: Option<f64>,
     /// Whether it has ended there: from then on it goes on without end.
     pub ended: bool,
@@ -48,7 +48,7 @@ pub struct Pace {
 }
 
 impl Pace {
-    /// Plays `history` from where it is at `rate` seconds a second, until `duration` [s] if there is one.
+    /// Plays `history` from where it is at `rate` seconds a second, until `duration` `[s]` if there is one.
     pub fn new(history: &History, rate: f64, duration: Option<f64>) -> Self {
         let mut previous = Places::default();
         previous.copy(history.world().positions());
@@ -72,7 +72,7 @@ impl Pace {
     ///
     /// The cursor's way is that of the frame's own time, the part of it included that is shorter than a substep: so the way
     /// does not depend on where frames cut it.
-    /// `elapsed` tells the wall time [s] spent since the frame began: past [`STEPPING_BUDGET`] the rest is dropped.
+    /// `elapsed` tells the wall time `[s]` spent since the frame began: past [`STEPPING_BUDGET`] the rest is dropped.
     pub fn advance(
         &mut self,
         history: &mut History,

@@ -8,16 +8,16 @@ use crate::history::{Do, History};
 use crate::scene::{BudgetKeys, MethodKeys, SolverName};
 use crate::sim::{Dynamics, Method, Solver};
 
-/// How long steps have to take more time than there is until something gives way [s of wall time].
+/// How long steps have to take more time than there is until something gives way `[s of wall time]`.
 const LATE: f64 = 0.5;
-/// How long what gave way is given until it is judged [s of wall time].
+/// How long what gave way is given until it is judged `[s of wall time]`.
 const TRIAL: f64 = 1.0;
-/// Share of the time that steps may take for the load to be gone [1].
+/// Share of the time that steps may take for the load to be gone `[1]`.
 const EASY: f64 = 0.3;
-/// How long it has to be gone until a rung is given back [s of wall time]: twice as long each time, since it may come again.
+/// How long it has to be gone until a rung is given back `[s of wall time]`: twice as long each time, since it may come again.
 const WAIT: f64 = 5.0;
 const LONGEST_WAIT: f64 = 160.0;
-/// Counted work of a frame beyond which islands are handed over where the live step is cheaper [ms]: almost none.
+/// Counted work of a frame beyond which islands are handed over where the live step is cheaper `[ms]`: almost none.
 const LEAST_BUDGET: f64 = 0.01;
 /// What giving back is called.
 const BACK: &str = "the method of before";
@@ -36,22 +36,22 @@ pub enum Rung {
 pub struct Yielded {
     /// The rung that the world is on.
     pub rung: Rung,
-    /// Since when [s].
+    /// Since when `[s]`.
     pub since: f64,
-    /// What a frame of 1/60 s took when it was taken [s of wall time]; `None`: a log says that it was.
+    /// What a frame of 1/60 s took when it was taken `[s of wall time]`; `None`: a log says that it was.
     pub work: Option<f64>,
 }
 
 /// What a frame took.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Load {
-    /// Wall time that passed [s].
+    /// Wall time that passed `[s]`.
     pub(super) wall: f64,
-    /// Wall time of its steps [s].
+    /// Wall time of its steps `[s]`.
     pub(super) steps: f64,
     /// Time that was due was dropped.
     pub(super) is_late: bool,
-    /// Wall time that 1/60 s takes, about [s].
+    /// Wall time that 1/60 s takes, about `[s]`.
     pub(super) work: f64,
 }
 

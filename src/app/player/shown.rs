@@ -129,9 +129,9 @@ fn driven(world: &dyn Dynamics) -> Vec<PointId> {
 /// What panels show of a world.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Figures {
-    /// Time reached [s].
+    /// Time reached `[s]`.
     pub time: f64,
-    /// How far the motion goes that was seen already [s].
+    /// How far the motion goes that was seen already `[s]`.
     pub end: f64,
     /// What was done before is done again, until something new is done.
     pub follows: bool,
@@ -143,17 +143,17 @@ pub struct Figures {
     pub ended: bool,
     /// Seconds of the scene a second of wall time.
     pub rate: f64,
-    /// Share of its pace that is reached [1].
+    /// Share of its pace that is reached `[1]`.
     pub pace: f64,
-    /// Time that stepping took of a frame [s].
+    /// Time that stepping took of a frame `[s]`.
     pub step: f64,
-    /// Time that stepping 1/60 s at its pace takes, about [s].
+    /// Time that stepping 1/60 s at its pace takes, about `[s]`.
     pub work: f64,
     /// Points that are left.
     pub points: usize,
     /// Bonds that are left.
     pub bonds: usize,
-    /// [J], as it was when figures were last taken.
+    /// `[J]`, as it was when figures were last taken.
     pub energy: f64,
     /// What moves its islands otherwise than by plan, as it was when figures were last taken.
     pub movers: Arc<Movers>,
@@ -190,7 +190,7 @@ pub struct Shown {
     pub settings: SceneChange,
     /// The mouse force, and where its own track is if it has one.
     pub mouse: Option<MouseForce>,
-    /// Its strength when nothing is led [1/s^2]; `None`: there is none, or it goes along a track.
+    /// Its strength when nothing is led `[1/s^2]`; `None`: there is none, or it goes along a track.
     pub base: Option<f64>,
     /// Where its cursor is.
     pub cursor: Option<Cursor>,
@@ -227,7 +227,7 @@ impl Shown {
         }
     }
 
-    /// Where a point is drawn [m], z = 0 in the plane.
+    /// Where a point is drawn `[m]`, z = 0 in the plane.
     pub fn place(&self, point: usize) -> [f64; 3] {
         let (from, to) = (self.previous.view(), self.current.view());
         let mix = f64::from(self.mix);

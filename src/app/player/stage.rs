@@ -24,7 +24,7 @@ pub fn too_many_to_meet() -> String {
     format!("a scene of more than {MOST_MEETING} bonds would be too slow if they met")
 }
 
-/// A pin that is led takes so long to the place where the cursor was [s]: a little longer than until it is sent on.
+/// A pin that is led takes so long to the place where the cursor was `[s]`: a little longer than until it is sent on.
 const PIN_TIME: f64 = 0.15;
 /// What adding a body is called.
 const ADD: &str = "add a body";
@@ -49,10 +49,10 @@ pub struct Stage {
     acts: Acts,
     figures_at: Option<Instant>,
     steps: Meter,
-    /// Wall time that stepping 1/60 s at its pace takes [s].
+    /// Wall time that stepping 1/60 s at its pace takes `[s]`.
     works: Meter,
     reached: Meter,
-    /// Strength of the hover force when nothing is led [1/s^2].
+    /// Strength of the hover force when nothing is led `[1/s^2]`.
     base: Option<f64>,
     /// The hover force as it was last seen: without a cursor the world doesn't tell.
     force: Option<MouseForce>,
@@ -69,7 +69,7 @@ pub struct Stage {
 pub struct Folded {
     /// Start and log.
     pub recording: Recording,
-    /// Where it was [s].
+    /// Where it was `[s]`.
     time: f64,
     rate: f64,
     playing: bool,

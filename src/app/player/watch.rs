@@ -10,18 +10,18 @@ pub type Probes = [Option<PointId>; 2];
 pub struct Probed {
     /// Which one.
     pub point: PointId,
-    /// Position [m], z = 0 in the plane.
+    /// Position `[m]`, z = 0 in the plane.
     pub position: [f64; 3],
-    /// The length of its velocity [m/s].
+    /// The length of its velocity `[m/s]`.
     pub speed: f64,
 }
 
 /// Energies and probed points at one time.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Measured {
-    /// Time [s].
+    /// Time `[s]`.
     pub time: f64,
-    /// Of the points that are not pinned [J].
+    /// Of the points that are not pinned `[J]`.
     pub energies: Energies,
     /// The probed points that are there.
     pub probes: [Option<Probed>; 2],

@@ -8,7 +8,7 @@ use super::player::{Probed, Probes, Shown};
 use crate::sim::PointId;
 pub(super) use series::Series;
 
-/// The series reaches back so many seconds of wall time at the scene's own pace [s].
+/// The series reaches back so many seconds of wall time at the scene's own pace `[s]`.
 const REACH: f64 = 20.0;
 
 /// What the panel shows.

@@ -12,12 +12,12 @@ pub(super) const MOST: usize = 2400;
 #[derive(Clone, Debug)]
 pub(in crate::app) struct Series {
     list: VecDeque<Measured>,
-    /// How far back it reaches [s].
+    /// How far back it reaches `[s]`.
     span: f64,
 }
 
 impl Series {
-    /// An empty one that is to reach back so far [s].
+    /// An empty one that is to reach back so far `[s]`.
     pub(super) fn new(span: f64) -> Self {
         Series { list: VecDeque::new(), span }
     }
@@ -27,7 +27,7 @@ impl Series {
         self.list.iter()
     }
 
-    /// The world went to this time [s]: what is later has not been yet. Returns whether there was any.
+    /// The world went to this time `[s]`: what is later has not been yet. Returns whether there was any.
     pub(super) fn cut(&mut self, time: f64) -> bool {
         let before = self.list.len();
         self.list.truncate(self.list.partition_point(|measured| measured.time <= time));

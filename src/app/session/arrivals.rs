@@ -184,7 +184,7 @@ impl Session {
         }
     }
 
-    /// What of the plane is in view: its lower and upper corner [m].
+    /// What of the plane is in view: its lower and upper corner `[m]`.
     fn seen(&self) -> [[f64; 2]; 2] {
         let [width, height] = self.area.map(f64::from);
         [[0.0, height], [width, 0.0]].map(|pixel| self.camera.world_from_screen(pixel).truncate().to_array())

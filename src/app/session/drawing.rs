@@ -16,7 +16,7 @@ use crate::sim::{Cursor, MouseForce};
 
 /// Marks are looked for among so many points: more would take longer than a frame.
 const MOST_MARKED: usize = 100_000;
-/// Size of words over the world [points].
+/// Size of words over the world `[points]`.
 const WORDS: f32 = 13.0;
 /// What numbers over the world are written with: signs are given to the GPU with the panels only, so they are had before.
 const SIGNS: &str = "0123456789.-× m°";

@@ -43,9 +43,9 @@ use shelf::Shelf;
 
 /// The tag of scenes that open on a canvas.
 const BRUSH: &str = "brush";
-/// How long trails of points last, in scenes of few [s of wall time].
+/// How long trails of points last, in scenes of few `[s of wall time]`.
 const TRAIL: f64 = 2.5;
-/// A frame's time where there was none before it [s].
+/// A frame's time where there was none before it `[s]`.
 const FIRST_FRAME: f64 = 1.0 / 60.0;
 /// Figures are shown anew so often at most: nobody reads faster.
 const FIGURES_EVERY: Duration = Duration::from_millis(100);
@@ -74,7 +74,7 @@ pub(super) struct Session {
     has_picture: bool,
     pub(super) camera: Camera,
     framing: Framing,
-    /// Width and height of the part of the window that the world is drawn in [px].
+    /// Width and height of the part of the window that the world is drawn in `[px]`.
     area: [u32; 2],
     pub(super) pointer: Pointer,
     hand: Hand,
@@ -577,7 +577,7 @@ impl Session {
     }
 }
 
-/// How far time went, as one says it; below 0 back [s].
+/// How far time went, as one says it; below 0 back `[s]`.
 fn far(seconds: f64) -> String {
     match seconds {
         some if some.abs() < 0.05 => String::new(),

@@ -14,7 +14,7 @@ use crate::sim::Cursor;
 const HELD_STILL: &str = "time stands still: it follows when time runs (Space)";
 
 impl Session {
-    /// The pointer moved [px].
+    /// The pointer moved `[px]`.
     pub(in crate::app) fn point_at(&mut self, at: [f64; 2]) {
         if self.pointer.move_to(at, &mut self.camera) {
             (self.framing, self.follows) = (Framing::Free, false);
@@ -97,7 +97,7 @@ impl Session {
         self.panels.notes.has_caption = false;
     }
 
-    /// Where the pointer is on the world [px].
+    /// Where the pointer is on the world `[px]`.
     pub(super) fn pixel(&self) -> Option<DVec2> {
         self.pointer.at.map(DVec2::from)
     }
@@ -109,7 +109,7 @@ impl Session {
         call(&mut self.hand, scope)
     }
 
-    /// Where the pointer is for the panels [points].
+    /// Where the pointer is for the panels `[points]`.
     pub(super) fn place_of_pointer(&self) -> Option<egui::Pos2> {
         let scale = self.egui.egui_ctx().pixels_per_point();
         self.pointer.at.map(|at| egui::pos2(at[0] as f32 / scale, at[1] as f32 / scale))

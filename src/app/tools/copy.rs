@@ -4,7 +4,7 @@ use crate::picture::Tint;
 use crate::scene::{AddKeys, BondKeys, ColorKey, KindName, LimitName, MassKeys, PointKeys, Row, SkinKeys, Vector};
 use crate::sim::{Bond, BondKind, Dynamics, Limit, PointId};
 
-/// The keys that bring a copy of some points, ascending, `by` [m] from where they are: with velocities, masses, pins, the bonds among
+/// The keys that bring a copy of some points, ascending, `by` `[m]` from where they are: with velocities, masses, pins, the bonds among
 /// them, what they cover and the colours that they have of their own; not what is painted on them.
 pub(in crate::app) fn copy(world: &dyn Dynamics, tints: &[Tint], points: &[PointId], by: [f64; 3]) -> AddKeys {
     let (dimensions, [next, ..]) = (world.dimensions(), world.next_numbers());

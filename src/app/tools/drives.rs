@@ -18,15 +18,15 @@ const TURNED: usize = 3;
 const NEAR: f64 = 1.6;
 /// Points nearer to a hub than this share of that radius give it no direction.
 const LEAST_SPOKE: f64 = 0.05;
-/// Stiffness of the bonds of a hub where a body has no springs to take it from [N/m].
+/// Stiffness of the bonds of a hub where a body has no springs to take it from `[N/m]`.
 const STIFFNESS: f64 = 4000.0;
 
 /// What a muscle is to follow.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(in crate::app) struct MuscleChoice {
-    /// Share that its length changes by [1].
+    /// Share that its length changes by `[1]`.
     pub(in crate::app) amplitude: f64,
-    /// It follows a wave of this period [s] and phase [rad].
+    /// It follows a wave of this period `[s]` and phase `[rad]`.
     pub(in crate::app) has_wave: bool,
     pub(in crate::app) period: f64,
     pub(in crate::app) phase: f64,
@@ -39,9 +39,9 @@ pub(in crate::app) struct MuscleChoice {
 pub(in crate::app) struct MotorChoice {
     /// It has a motor.
     pub(in crate::app) is_on: bool,
-    /// Anticlockwise [rad/s].
+    /// Anticlockwise `[rad/s]`.
     pub(in crate::app) speed: f64,
-    /// [N m]
+    /// `[N m]`
     pub(in crate::app) torque: f64,
     pub(in crate::app) key: Option<KeyName>,
     pub(in crate::app) back: Option<KeyName>,

@@ -5,9 +5,9 @@ use glam::{DVec2, DVec3};
 use super::Scope;
 use crate::sim::PointId;
 
-/// A pin is sent on its way so often at most [s]: each time its body is compiled anew.
+/// A pin is sent on its way so often at most `[s]`: each time its body is compiled anew.
 const EVERY: f64 = 0.1;
-/// A cursor that moved less has not been dragged yet [logical px]: a click moves no pin.
+/// A cursor that moved less has not been dragged yet `[logical px]`: a click moves no pin.
 const LEAST: f64 = 3.0;
 
 /// A pin, and the plane that it is led in: in space the one across the ray of the press.
@@ -16,10 +16,10 @@ pub(super) struct Lead {
     point: PointId,
     place: DVec3,
     normal: DVec3,
-    /// Where the press was, and where the cursor was when it was sent last [px].
+    /// Where the press was, and where the cursor was when it was sent last `[px]`.
     pressed: DVec2,
     sent: Option<DVec2>,
-    /// Since then [s].
+    /// Since then `[s]`.
     since: f64,
 }
 
@@ -27,7 +27,7 @@ pub(super) struct Lead {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(in crate::app) struct PinWay {
     pub(in crate::app) point: PointId,
-    /// [m]
+    /// `[m]`
     pub(in crate::app) to: [f64; 3],
     /// It was sent before, since it was pressed on.
     pub(in crate::app) goes_on: bool,

@@ -25,7 +25,7 @@ pub(in crate::app) enum Role {
     Probe(usize),
 }
 
-/// A line, a ring or a few words over the world [px].
+/// A line, a ring or a few words over the world `[px]`.
 #[derive(Clone, Debug, PartialEq)]
 pub(in crate::app) enum Mark {
     /// From, to, width.
@@ -37,7 +37,7 @@ pub(in crate::app) enum Mark {
 }
 
 impl Mark {
-    /// The same so far off [px].
+    /// The same so far off `[px]`.
     pub(super) fn shifted(self, off: DVec2) -> Self {
         match self {
             Mark::Line(role, from, to, width) => Mark::Line(role, from + off, to + off, width),
@@ -47,11 +47,11 @@ impl Mark {
     }
 }
 
-/// Width of a line for the least and the greatest force [logical px].
+/// Width of a line for the least and the greatest force `[logical px]`.
 const WIDTHS: [f64; 2] = [1.5, 7.0];
-/// A force that is drawn at half the way between both [N]: the weight of three kilograms.
+/// A force that is drawn at half the way between both `[N]`: the weight of three kilograms.
 const HALF_FORCE: f64 = 30.0;
-/// Radius of the ring around a point that is probed [logical px].
+/// Radius of the ring around a point that is probed `[logical px]`.
 const RING: f64 = 9.0;
 /// Bonds of a body that are drawn at most.
 const MOST: usize = 4000;

@@ -33,7 +33,7 @@ pub(super) use marks::{Mark, Role, probe};
 pub(super) use pick::Scope;
 use select::Picked;
 
-/// The hover force stays away so long after a grab [s]: what was thrown is not blown off its way.
+/// The hover force stays away so long after a grab `[s]`: what was thrown is not blown off its way.
 const CALM: f64 = 0.2;
 
 /// Commands, and what they are called when they are undone.
@@ -76,11 +76,11 @@ enum Doing {
     Leading(Lead),
     /// The hover force pushes through bodies.
     Pushing,
-    /// A stroke from here [px], to cut what it crosses.
+    /// A stroke from here `[px]`, to cut what it crosses.
     Cutting(DVec2),
     /// A primitive is drawn out.
     Building(Drag),
-    /// What is selected is moved, from where it was pressed on [px].
+    /// What is selected is moved, from where it was pressed on `[px]`.
     Moving(DVec2),
 }
 
@@ -98,7 +98,7 @@ pub(super) struct Hand {
     doing: Doing,
     /// What the hover force is when nothing is grabbed; `None`: the scene has none, or it goes along a track.
     strength: Option<f64>,
-    /// How long the hover force stays away yet [s]; infinite while something is grabbed.
+    /// How long the hover force stays away yet `[s]`; infinite while something is grabbed.
     calm: Option<f64>,
 }
 
@@ -364,7 +364,7 @@ impl Hand {
         self.picked.filter(|picked| self.tool() == Tool::Select && picked.is_there(scope))
     }
 
-    /// The points of the body that is selected, and how far beside it a copy goes [m].
+    /// The points of the body that is selected, and how far beside it a copy goes `[m]`.
     pub(super) fn to_copy(&self, scope: Scope<'_>) -> Option<(Vec<PointId>, [f64; 3])> {
         let picked = self.picked(scope)?;
         let points = picked.points(scope);

@@ -6,16 +6,16 @@ use crate::app::player::Shown;
 use crate::render::{Camera, Pose};
 use crate::sim::PointId;
 
-/// What is taken by a press: how near its points are to the pixel at least [logical px].
+/// What is taken by a press: how near its points are to the pixel at least `[logical px]`.
 const GRIP: f64 = 14.0;
 /// A press on what triangles cover, its rim and corners too, takes so many of the points of a body that hangs on no pin, in parts of all:
 /// fewer could not lift it, for the force on each is bounded.
 const HANDFUL: usize = 12;
-/// The farthest that the nearest point may be [logical px].
+/// The farthest that the nearest point may be `[logical px]`.
 const REACH: f64 = 12.0;
 /// What the hover force pushed away is within so many of its radii.
 const BEYOND: f64 = 1.1;
-/// A bond is hit so near [logical px].
+/// A bond is hit so near `[logical px]`.
 const BOND_REACH: f64 = 6.0;
 
 /// The picture that is picked from.
@@ -31,14 +31,14 @@ pub(in crate::app) struct Scope<'a> {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(in crate::app) struct Hit {
     pub(in crate::app) point: PointId,
-    /// How far from the pixel [px].
+    /// How far from the pixel `[px]`.
     pub(in crate::app) distance: f64,
-    /// How far from the camera, in the plane 0 [m].
+    /// How far from the camera, in the plane 0 `[m]`.
     depth: f64,
 }
 
 impl Scope<'_> {
-    /// Where a point is seen [px]; `None` of one that was deleted, or is behind the camera.
+    /// Where a point is seen `[px]`; `None` of one that was deleted, or is behind the camera.
     pub(in crate::app) fn pixel(&self, point: PointId) -> Option<DVec2> {
         self.camera.screen_from_world(DVec3::from(self.shown.place(point.index()))).map(DVec2::from)
     }
@@ -231,7 +231,7 @@ impl Scope<'_> {
     }
 }
 
-/// How far a pixel is from a stretch [px].
+/// How far a pixel is from a stretch `[px]`.
 fn distance_to_segment(at: DVec2, from: DVec2, to: DVec2) -> f64 {
     let along = to - from;
     let share = ((at - from).dot(along) / along.length_squared().max(1e-12)).clamp(0.0, 1.0);

@@ -10,7 +10,7 @@ use crate::history::{Do, MoveKeys};
 use crate::scene::Vector;
 use crate::sim::PointId;
 
-/// A press that moves less than this moves nothing [logical px].
+/// A press that moves less than this moves nothing `[logical px]`.
 const CLICK: f64 = 4.0;
 /// Said where a body of space is dragged.
 const OF_THE_PLANE: &str = "bodies are moved in the plane only: this scene is in space";
@@ -53,7 +53,7 @@ impl Picked {
         }
     }
 
-    /// It goes as far as a drag did [px].
+    /// It goes as far as a drag did `[px]`.
     pub(super) fn moved(self, scope: Scope<'_>, [from, to]: [DVec2; 2]) -> Deed {
         if !is_drag(scope, [from, to]) {
             return Deed::default();
@@ -79,7 +79,7 @@ impl Picked {
         }
     }
 
-    /// Its outline, so far from where it is [px].
+    /// Its outline, so far from where it is `[px]`.
     pub(super) fn outline(self, scope: Scope<'_>, role: Role, off: DVec2) -> Vec<Mark> {
         let lines = match self {
             Picked::Body(_) => marks::body(role, scope, &self.points(scope)),
@@ -88,7 +88,7 @@ impl Picked {
         lines.into_iter().map(|mark| mark.shifted(off)).collect()
     }
 
-    /// From where it is to a place beside it [m], to the right as far as it is wide and a little more.
+    /// From where it is to a place beside it `[m]`, to the right as far as it is wide and a little more.
     pub(super) fn beside(self, scope: Scope<'_>) -> [f64; 3] {
         let places = self.points(scope).into_iter().map(|point| DVec3::from(scope.shown.place(point.index())).x);
         let [low, high] = places.fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], x| [low.min(x), high.max(x)]);

@@ -12,16 +12,16 @@ use spade::{DelaunayTriangulation, HierarchyHintGenerator, InsertionError, Point
 
 use super::rows::{ROW_HEIGHT, Rows, position};
 
-/// Largest radius of a triangle's circumcircle, and least distance of two points [spacings]. The rim's sides are 0.89 to
+/// Largest radius of a triangle's circumcircle, and least distance of two points `[spacings]`. The rim's sides are 0.89 to
 /// 1.05 long, the lattice's 1 with circles of 0.58: well above that, gaps are filled evenly; 1/sqrt(3) would fill the
 /// lattice itself, and 0.89 is the most that the shortest of the rim's sides allow.
 pub(super) const WIDEST: f64 = 0.8;
 
-/// Depth from which on the lattice is as if there was no rim [spacings]: its points are farther than two sides from the
+/// Depth from which on the lattice is as if there was no rim `[spacings]`: its points are farther than two sides from the
 /// lattice's own end.
 const DEEP: f64 = 3.5;
 
-/// Depth down to which points are triangulated [spacings]: two more, so that triangles at [`DEEP`] are right.
+/// Depth down to which points are triangulated `[spacings]`: two more, so that triangles at [`DEEP`] are right.
 const LOADED: f64 = 6.0;
 
 type Mesh = DelaunayTriangulation<Point2<f64>, (), (), (), HierarchyHintGenerator<f64>>;

@@ -16,9 +16,9 @@ use rows::{Cell, ROW_HEIGHT, Rows, later_neighbours, position};
 /// likewise, the few that fill gaps between lattice and rim.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Disc {
-    /// Radius [m].
+    /// Radius `[m]`.
     pub radius: f64,
-    /// Distance of neighbours [m], at most the radius: exact in the lattice, the nearest that fits around on the rim.
+    /// Distance of neighbours `[m]`, at most the radius: exact in the lattice, the nearest that fits around on the rim.
     pub spacing: f64,
 }
 
@@ -103,7 +103,7 @@ impl Disc {
     }
 }
 
-/// Points on a circle of this radius [spacings], as many as bring their distance nearest to 1 along it.
+/// Points on a circle of this radius `[spacings]`, as many as bring their distance nearest to 1 along it.
 fn rim(radius: f64) -> Vec<[f64; 2]> {
     let count = (TAU * radius).round() as u32;
     let at = |k: u32| {

@@ -1,6 +1,6 @@
 //! The inside of a disc: points of a triangular lattice, in rows.
 
-/// Distance of two rows [spacings]: the height of a triangle with sides of 1.
+/// Distance of two rows `[spacings]`: the height of a triangle with sides of 1.
 pub(super) const ROW_HEIGHT: f64 = 0.866_025_403_784_438_6;
 
 /// The points of a triangular lattice with sides of 1 that lie within a circle about one of them.
@@ -27,7 +27,7 @@ struct Row {
 pub(super) type Cell = [i64; 2];
 
 impl Rows {
-    /// The points within `reach` >= 0 of the centre [spacings].
+    /// The points within `reach` >= 0 of the centre `[spacings]`.
     pub(super) fn new(reach: f64) -> Self {
         let middle = (reach / ROW_HEIGHT) as i64;
         let mut first = 0;
@@ -65,7 +65,7 @@ impl Rows {
     }
 }
 
-/// Where a point is [spacings].
+/// Where a point is `[spacings]`.
 pub(super) fn position([row, column]: Cell) -> [f64; 2] {
     [column as f64 + shift(row), row as f64 * ROW_HEIGHT]
 }
@@ -76,7 +76,7 @@ pub(super) fn later_neighbours([row, column]: Cell) -> [Cell; 3] {
     [[row, column + 1], [row + 1, left], [row + 1, left + 1]]
 }
 
-/// How far a row is shifted to the right [spacings].
+/// How far a row is shifted to the right `[spacings]`.
 fn shift(row: i64) -> f64 {
     0.5 * row.rem_euclid(2) as f64
 }

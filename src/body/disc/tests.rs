@@ -24,7 +24,7 @@ fn triangles(body: &Body) -> Vec<[usize; 3]> {
     found
 }
 
-/// The sharpest angle of a triangle [degrees].
+/// The sharpest angle of a triangle `[degrees]`.
 fn sharpest(body: &Body, [a, b, c]: [usize; 3]) -> f64 {
     let p = &body.positions;
     let (x, y, z) = (distance(p[b], p[c]), distance(p[c], p[a]), distance(p[a], p[b]));

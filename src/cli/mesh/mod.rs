@@ -24,10 +24,10 @@ use crate::scene::{BodyKeys, Matter, PatternName, Scene, SceneError};
 pub(super) struct Arguments {
     /// A PNG, JPEG, GIF, BMP, WebP, TIFF, PNM, TGA, ICO or QOI.
     picture: PathBuf,
-    /// Distance of neighbours [px].
+    /// Distance of neighbours in pixels.
     #[arg(long, value_name = "PX", default_value = "16", allow_negative_numbers = true, value_parser = values::above_zero, conflicts_with = "max_area")]
     spacing: f64,
-    /// Largest area of a triangle, in place of the spacing [px^2].
+    /// Largest area of a triangle, in square pixels, in place of the spacing.
     #[arg(long, value_name = "PX2", allow_negative_numbers = true, value_parser = values::above_zero)]
     max_area: Option<f64>,
     /// How many times as far apart neighbours may be deep inside as along the boundary, 1 to 9.
@@ -39,7 +39,7 @@ pub(super) struct Arguments {
     /// What is light, or clear, becomes the body.
     #[arg(long)]
     invert: bool,
-    /// Specks and holes smaller than this are left out [px^2].
+    /// Specks and holes smaller than so many square pixels are left out.
     #[arg(long, value_name = "PX2", default_value = "12", allow_negative_numbers = true, value_parser = values::at_least_zero)]
     min_area: f64,
     /// Blurs the picture first, over so many pixels: for grainy photographs.
@@ -57,10 +57,10 @@ pub(super) struct Arguments {
     /// What the body is made of.
     #[arg(long, value_enum, default_value_t = MatterArgument::Soft)]
     material: MatterArgument,
-    /// Young's modulus in the plane of a soft body, 1e-3 to 1e9 [N/m].
+    /// Young's modulus in the plane of a soft body, 1e-3 to 1e9 N/m.
     #[arg(long, value_name = "E", allow_negative_numbers = true, value_parser = stiffness)]
     young: Option<f64>,
-    /// Height of the whole picture in the world [m].
+    /// Height of the whole picture in the world, in metres.
     #[arg(long, value_name = "M", default_value = "2", allow_negative_numbers = true, value_parser = values::above_zero)]
     height: f64,
     /// Writes the scene there, with points, bonds and triangles one by one.
@@ -202,7 +202,7 @@ impl Arguments {
         }
     }
 
-    /// All stages, with the time that each took [ms].
+    /// All stages, with the time that each took `[ms]`.
     fn mesh(&self, quiet: bool) -> anyhow::Result<(Arc<Picture>, Made, Map<String, Value>)> {
         let settings = self.settings();
         let shown = self.picture.display();

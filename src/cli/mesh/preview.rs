@@ -5,7 +5,7 @@ use tiny_skia::{Color, Paint, PathBuilder, Pixmap, PremultipliedColorU8, Stroke,
 
 use crate::picture::{Brace, Picture, PictureMesh};
 
-/// Longest side of the drawing [px]: a small picture is enlarged to a quarter of that at least.
+/// Longest side of the drawing `[px]`: a small picture is enlarged to a quarter of that at least.
 const LONGEST: f64 = 2400.0;
 /// Share of its contrast that the picture keeps under the mesh.
 const FAINT: f32 = 0.45;

@@ -52,7 +52,7 @@ pub(super) fn run(arguments: &Arguments, start: Start, quiet: bool) -> anyhow::R
     table.write(arguments.out.as_deref(), arguments.hash, Some(&frames))
 }
 
-/// Advances to `time` [s], frame by frame: that is the same motion. The ledger, if one is kept, gets an entry a frame.
+/// Advances to `time` `[s]`, frame by frame: that is the same motion. The ledger, if one is kept, gets an entry a frame.
 fn advance(
     run: &mut Replay,
     (commands, time): (&[Entry], f64),

@@ -8,11 +8,11 @@ pub(super) struct Strain(Option<Beyond>);
 
 #[derive(Clone, Copy, Debug)]
 struct Beyond {
-    /// [s]
+    /// `[s]`
     time: f64,
-    /// Largest strain of the rigid bonds [1].
+    /// Largest strain of the rigid bonds `[1]`.
     found: f64,
-    /// What substeps follow [1].
+    /// What substeps follow `[1]`.
     asked: f64,
 }
 
@@ -37,7 +37,7 @@ impl Strain {
     }
 }
 
-/// The strain of a rigid bond that acts [1], else 0.
+/// The strain of a rigid bond that acts `[1]`, else 0.
 fn strain(bond: &Bond, sample: &Sample) -> f64 {
     if bond.kind != BondKind::Rigid || bond.rest_length <= 0.0 {
         return 0.0;

@@ -50,7 +50,7 @@ pub(super) struct Stability {
     /// This sweep alone, and no battery unless --cases or --family ask for it; may be given several times.
     #[arg(long, value_name = "NAME", value_parser = sweep)]
     sweep: Vec<&'static Sweep>,
-    /// Judge as well whether a setting is found that keeps this error [m] at all samples of the scenes of one's own.
+    /// Judge as well whether a setting is found that keeps this error, in metres, at all samples of the scenes of one's own.
     #[arg(long, value_name = "ERROR", requires = "scenes", value_parser = values::above_zero)]
     tolerance: Option<f64>,
     /// Commit of the source, to be noted; the variable WOBBLE_COMMIT if not said.

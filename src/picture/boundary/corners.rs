@@ -6,7 +6,7 @@ use super::path::Path;
 /// How far to both sides a corner is looked for, in spacings: what turns within less is a corner at this spacing.
 const SUPPORT: f64 = 0.3;
 
-/// Least distance to look [px]: a contour of two values runs in steps of a pixel, which turn by 45 degrees.
+/// Least distance to look `[px]`: a contour of two values runs in steps of a pixel, which turn by 45 degrees.
 const LEAST_SUPPORT: f64 = 3.5;
 
 /// Cosine of the least turn that is a corner: 40 degrees. A circle turns as much within the support when its radius is

@@ -18,7 +18,7 @@ pub(crate) struct Bins {
 const CELLS_EACH: usize = 4;
 
 impl Bins {
-    /// Sorts segments into cells of about this size [px].
+    /// Sorts segments into cells of about this size `[px]`.
     pub(crate) fn new(segments: &[[Point; 2]], size: f64) -> Self {
         let (mut low, mut high) = ([f64::INFINITY; 2], [f64::NEG_INFINITY; 2]);
         for point in segments.iter().flatten() {
@@ -69,7 +69,7 @@ impl Bins {
     }
 }
 
-/// Segments nearer than this [px] count as crossing: a triangle between them would have next to no area.
+/// Segments nearer than this `[px]` count as crossing: a triangle between them would have next to no area.
 const TOUCH: f64 = 1e-3;
 
 /// Numbers of the loops that cross or touch themselves or another, in order.

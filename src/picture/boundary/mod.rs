@@ -21,13 +21,13 @@ use sample::sampled;
 pub struct Boundary {
     /// Points of each loop, in the order of the contours: the ink lies to the left in (x, y).
     pub loops: Vec<Vec<Point>>,
-    /// Largest distance between contour and polygon, measured both ways [px].
+    /// Largest distance between contour and polygon, measured both ways `[px]`.
     pub deviation: f64,
     /// Loops that had to follow their contour closer than the spacing asks for, as they would have crossed.
     pub tightened: usize,
 }
 
-/// How far the polygons may be from the contours [px]: a twelfth of the spacing, which the eye does not see on a mesh,
+/// How far the polygons may be from the contours `[px]`: a twelfth of the spacing, which the eye does not see on a mesh,
 /// but no less than half a pixel, for a contour of two values is no truer, and no more than two.
 pub fn tolerance(spacing: f64) -> f64 {
     (spacing / 12.0).clamp(0.5, 2.0)

@@ -6,7 +6,7 @@ use super::super::plane::{Point, between, distance};
 #[derive(Clone, Debug)]
 pub(super) struct Path<'a> {
     pub(super) points: &'a [Point],
-    /// Distance along the contour to each point, and, one more, its length [px].
+    /// Distance along the contour to each point, and, one more, its length `[px]`.
     pub(super) arc: Vec<f64>,
     /// How many points lie before each of as many equal parts of the contour as it has points, and, one more, all of them:
     /// a long contour is not searched from end to end for each place.
@@ -44,7 +44,7 @@ impl<'a> Path<'a> {
         from + self.arc[from..to].partition_point(|&arc| is_passed(arc))
     }
 
-    /// Length around [px].
+    /// Length around `[px]`.
     pub(super) fn length(&self) -> f64 {
         self.arc[self.points.len()]
     }

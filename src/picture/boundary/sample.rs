@@ -18,7 +18,7 @@ const GROWTH: f64 = 0.3;
 /// Rounds of making points closer where the polygon is too far off.
 const ROUNDS: usize = 8;
 
-/// The polygon of a contour, and the largest distance between the two [px].
+/// The polygon of a contour, and the largest distance between the two `[px]`.
 ///
 /// Model: the contour is cut at its corners. Points divide each part into pieces of one length, of about the spacing;
 /// where a piece is off by more than the tolerance, its length shrinks as the root of the excess, which is what a
@@ -51,7 +51,7 @@ pub(super) fn sampled(path: &Path<'_>, spacing: f64, tolerance: f64) -> (Vec<Poi
 /// How far to both sides of a point the contour is averaged, in spacings: steps of pixels level out.
 const REACH: f64 = 0.3;
 
-/// Limits of that [px]: a step of one pixel in two, and of one in eight.
+/// Limits of that `[px]`: a step of one pixel in two, and of one in eight.
 const LEAST_REACH: f64 = 1.5;
 const MOST_REACH: f64 = 4.0;
 
@@ -71,7 +71,7 @@ struct Part<'a> {
     /// Least number of pieces.
     least: usize,
     is_ring: bool,
-    /// How far the contour is averaged [px].
+    /// How far the contour is averaged `[px]`.
     reach: f64,
 }
 
@@ -103,7 +103,7 @@ impl Part<'_> {
         all
     }
 
-    /// Joins neighbours that are closer than `close` [px] in the middle between them, or in the end of the part, where the polygon
+    /// Joins neighbours that are closer than `close` `[px]` in the middle between them, or in the end of the part, where the polygon
     /// stays within the tolerance.
     fn join(&self, cuts: &mut Vec<Cut>, close: f64, tolerance: f64) {
         let mut k = 0;

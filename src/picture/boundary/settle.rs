@@ -21,13 +21,13 @@ struct Settling<'a> {
     is_fixed: Vec<bool>,
     /// Places before any round of shifting, and after each.
     rounds: [Vec<Point>; SHIFTS + 1],
-    /// How far the two ends of the edge after each point are from its piece of the contour [px].
+    /// How far the two ends of the edge after each point are from its piece of the contour `[px]`.
     ends: Vec<[f64; 2]>,
-    /// How far that edge is from it [px].
+    /// How far that edge is from it `[px]`.
     offs: Vec<f64>,
 }
 
-/// The settled points, and the largest distance between polygon and contour [px].
+/// The settled points, and the largest distance between polygon and contour `[px]`.
 ///
 /// Points move across the contour to bring back the area that edges cut off; those at edges that get too far off go back,
 /// and at last onto the contour. Each time only what feels the change is done anew: a long contour has a few such edges

@@ -8,11 +8,11 @@ use crate::picture::plane::{between, distance, dot, minus};
 /// All places within a radius of a segment.
 pub(super) struct Capsule {
     ends: [Point; 2],
-    /// [px]
+    /// `[px]`
     radius: f64,
-    /// From the first end to the second [px].
+    /// From the first end to the second `[px]`.
     along: Point,
-    /// 1 / length^2 [1/px^2]; 0 for a segment of no length, which is a disc.
+    /// 1 / length^2 `[1/px^2]`; 0 for a segment of no length, which is a disc.
     scale: f64,
 }
 

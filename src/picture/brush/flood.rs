@@ -16,12 +16,12 @@ const INK: u8 = 128;
 /// a thin stroke divides from this one.
 const POCKET: usize = 8;
 
-/// How deep a rim is filled [px]. Along a stroke it is a pixel deep; where two strokes meet at an angle `a` the wedge
+/// How deep a rim is filled `[px]`. Along a stroke it is a pixel deep; where two strokes meet at an angle `a` the wedge
 /// between their edges goes on for 1 / (2 tan(a / 2)) px, 11 px at 5 degrees. Deeper, fills would thicken hairlines,
 /// which have no full pixel, far from where they were poured.
 const RIM: usize = 12;
 
-/// How far from a rim small hollows are looked for [px]: how far apart they lie in a notch of 10 degrees.
+/// How far from a rim small hollows are looked for `[px]`: how far apart they lie in a notch of 10 degrees.
 const NEAR: usize = 3;
 
 /// A run of pixels of one row: from a column up to another.

@@ -3,18 +3,18 @@
 use std::collections::VecDeque;
 use std::ops::Range;
 
-/// Side of a tile [px]: a dab of usual size touches four, and 4 KiB are copied in less than a microsecond.
+/// Side of a tile `[px]`: a dab of usual size touches four, and 4 KiB are copied in less than a microsecond.
 pub(super) const TILE: usize = 64;
 
-/// Most memory that steps may hold [bytes]: four whole canvases of the largest size, or thousands of strokes.
+/// Most memory that steps may hold `[bytes]`: four whole canvases of the largest size, or thousands of strokes.
 pub(super) const LIMIT: usize = 64 << 20;
 
 /// Divides a canvas into tiles, row by row from the top; the last ones of a row and of a column may be smaller.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) struct Grid {
-    /// [px]
+    /// `[px]`
     pub(super) width: usize,
-    /// [px]
+    /// `[px]`
     pub(super) height: usize,
 }
 
@@ -29,7 +29,7 @@ impl Grid {
         first + columns.start / TILE..first + (columns.end - 1) / TILE + 1
     }
 
-    /// Left, top, right, bottom of a tile [px].
+    /// Left, top, right, bottom of a tile `[px]`.
     pub(super) fn bounds(self, tile: usize) -> [usize; 4] {
         let across = self.width.div_ceil(TILE);
         let (left, top) = (tile % across * TILE, tile / across * TILE);
@@ -111,9 +111,9 @@ pub(super) struct History {
     touched: Vec<usize>,
     past: VecDeque<Step>,
     future: Vec<Step>,
-    /// Held by past and future [bytes].
+    /// Held by past and future `[bytes]`.
     bytes: usize,
-    /// Most of it [bytes].
+    /// Most of it `[bytes]`.
     limit: usize,
 }
 

@@ -14,23 +14,23 @@ use flood::flood;
 use history::Grid;
 use surface::Surface;
 
-/// Longest side of a canvas [px]: its pixels take 16 MiB, its history 64 MiB, a step under way 16 MiB at most.
+/// Longest side of a canvas `[px]`: its pixels take 16 MiB, its history 64 MiB, a step under way 16 MiB at most.
 pub const MAX_CANVAS: u32 = 4096;
 
-/// Thinnest brush [px]: a line of one pixel.
+/// Thinnest brush `[px]`: a line of one pixel.
 pub const LEAST_RADIUS: f64 = 0.5;
 
-/// Thickest brush [px].
+/// Thickest brush `[px]`.
 pub const WIDEST_RADIUS: f64 = 512.0;
 
-/// Farthest place of a pointer, either way [px]: farther ones are moved here, where a pixel's fraction is still exact
+/// Farthest place of a pointer, either way `[px]`: farther ones are moved here, where a pixel's fraction is still exact
 /// to nine digits.
 const FARTHEST: f64 = 1e6;
 
 /// What paints.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Brush {
-    /// Radius [px], [`LEAST_RADIUS`] to [`WIDEST_RADIUS`]; one outside is moved to the nearer end, no number to the
+    /// Radius `[px]`, [`LEAST_RADIUS`] to [`WIDEST_RADIUS`]; one outside is moved to the nearer end, no number to the
     /// least.
     pub radius: f64,
     /// Whether it takes ink away.
@@ -122,7 +122,7 @@ impl Mask {
         Mask { mirror: Mirror::None, surface: Surface::new(grid, values), stroke: None, line: Vec::new() }
     }
 
-    /// Width and height [px].
+    /// Width and height `[px]`.
     pub fn size(&self) -> [u32; 2] {
         [self.surface.grid.width as u32, self.surface.grid.height as u32]
     }
@@ -137,7 +137,7 @@ impl Mask {
         self.surface.version()
     }
 
-    /// What changed since this was last asked [px]: left, top, width, height. At first it is the whole canvas.
+    /// What changed since this was last asked `[px]`: left, top, width, height. At first it is the whole canvas.
     pub fn changed(&mut self) -> Option<[u32; 4]> {
         let [left, top, right, bottom] = self.surface.take_changed()?;
         Some([left, top, right - left, bottom - top].map(|side| side as u32))
@@ -155,7 +155,7 @@ impl Mask {
 
     /// Sets the brush down: a stroke begins, and one that had not ended does.
     ///
-    /// Valid range: any place, on the canvas or off it [px]. One that is no number is waited out: the stroke begins
+    /// Valid range: any place, on the canvas or off it `[px]`. One that is no number is waited out: the stroke begins
     /// where the brush is dragged to.
     pub fn begin(&mut self, brush: Brush, at: Point) {
         self.end();
@@ -165,7 +165,7 @@ impl Mask {
         self.drag_to(at);
     }
 
-    /// Draws the stroke on, straight to a place [px].
+    /// Draws the stroke on, straight to a place `[px]`.
     ///
     /// Valid range: any place; one that is no number or infinite is left out. Without a stroke nothing happens.
     pub fn drag_to(&mut self, at: Point) {
@@ -186,7 +186,7 @@ impl Mask {
         }
     }
 
-    /// Fills the clear region around a place [px] with ink, or with an eraser the ink around it with clear, and so it
+    /// Fills the clear region around a place `[px]` with ink, or with an eraser the ink around it with clear, and so it
     /// does in mirrored places.
     ///
     /// Model: a region is 4-connected, of pixels on the same side of 128. The rims of strokes around it are filled up

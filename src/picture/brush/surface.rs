@@ -11,7 +11,7 @@ pub(super) struct Surface {
     /// Row by row from the top.
     values: Vec<u8>,
     history: History,
-    /// Left, top, right, bottom of what changed since last asked [px].
+    /// Left, top, right, bottom of what changed since last asked `[px]`.
     changed: Option<[usize; 4]>,
     version: u64,
 }
@@ -84,7 +84,7 @@ impl Surface {
         self.history.has()
     }
 
-    /// Left, top, right, bottom of what changed since last asked [px].
+    /// Left, top, right, bottom of what changed since last asked `[px]`.
     pub(super) fn take_changed(&mut self) -> Option<[usize; 4]> {
         self.changed.take()
     }

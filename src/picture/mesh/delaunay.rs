@@ -12,7 +12,7 @@ use super::lattice::Lattice;
 
 type Cdt = ConstrainedDelaunayTriangulation<Point2<f64>>;
 
-/// The least angle that is refined for [degrees]. At 33 refining still ends, mostly; at 35 it does not.
+/// The least angle that is refined for `[degrees]`. At 33 refining still ends, mostly; at 35 it does not.
 const ANGLE: f64 = 30.0;
 
 /// Triangles smaller than this share of an equilateral one are not refined: their sides would fall under 0.2 spacings.

@@ -78,7 +78,7 @@ impl Lattice {
         self.origin[1] + row as f64 * ROW * self.spacing
     }
 
-    /// Where a point is [px].
+    /// Where a point is `[px]`.
     pub(super) fn place(&self, column: usize, row: usize) -> Point {
         let shift = 0.5 * (row % 2) as f64;
         [self.origin[0] + (column as f64 + shift) * self.spacing, self.y(row)]

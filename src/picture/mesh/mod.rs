@@ -16,7 +16,7 @@ use smooth::smooth;
 /// Points and triangles.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Mesh {
-    /// Points: the loops' first, one loop after the other, then the inner ones [px].
+    /// Points: the loops' first, one loop after the other, then the inner ones `[px]`.
     pub points: Vec<Point>,
     /// Corners of the triangles, turning left in (x, y): clockwise as seen, for y points down.
     pub triangles: Vec<[u32; 3]>,

@@ -7,7 +7,7 @@ use super::delaunay::Filled;
 ///
 /// Model: a point moves to the mean of the circumcentres of the triangles around it, weighted by their areas, which
 /// lowers the error with which the mesh interpolates a parabola (optimal Delaunay triangulation); if that makes no
-/// worst angle better, half as far; else it stays. No triangle ever turns over, and none grows above `max_area` [px^2].
+/// worst angle better, half as far; else it stays. No triangle ever turns over, and none grows above `max_area` `[px^2]`.
 /// Source: L. Chen, J. Xu, "Optimal Delaunay triangulations" (2004), with P. Alliez et al. (2005), eq. 5.
 pub(super) fn smooth(filled: &mut Filled, max_area: Option<f64>) {
     let triangles = &filled.triangles[..filled.new_triangles];

@@ -6,7 +6,7 @@ use super::super::plane::{Point, distance, turn};
 use super::super::*;
 use super::robustness::check_mesh;
 
-/// Draws a figure, smooth over a pixel, from the distance to its edge, negative inside [px].
+/// Draws a figure, smooth over a pixel, from the distance to its edge, negative inside `[px]`.
 pub(super) fn draw(side: u32, off: impl Fn(f64, f64) -> f64) -> Picture {
     let mut picture = Picture::filled(side, side, [0, 0, 0, 255]);
     for (k, pixel) in picture.rgba.chunks_exact_mut(4).enumerate() {

@@ -2,7 +2,7 @@
 
 use crate::render::buffers::GpuBond;
 
-/// A row as the shader reads it: a unit normal (0 in the plane) and a strain [1].
+/// A row as the shader reads it: a unit normal (0 in the plane) and a strain `[1]`.
 pub(super) type Shade = [f32; 4];
 
 /// The rows of all points at some places, `D` numbers a point.

@@ -12,20 +12,20 @@ use crate::render::sight::{Extent, Sight};
 struct Piece {
     corners: Range<u32>,
     extent: Extent,
-    /// A plane's normal, and how far it lies along it [m].
+    /// A plane's normal, and how far it lies along it `[m]`.
     plane: Option<(DVec2, f64)>,
 }
 
 /// Obstacles cut to a square around an origin.
 pub(super) struct Cut {
     pub(super) origin: DVec2,
-    /// Half the square's side [m].
+    /// Half the square's side `[m]`.
     reach: f64,
     /// Whether something of them lies beyond the square.
     is_cut: bool,
-    /// Largest coordinate, relative to the origin [m].
+    /// Largest coordinate, relative to the origin `[m]`.
     extent: f64,
-    /// Corners of triangles, three by three, relative to the origin [m].
+    /// Corners of triangles, three by three, relative to the origin `[m]`.
     pub(super) triangles: Vec<[f32; 2]>,
     pieces: Vec<Piece>,
 }
@@ -62,7 +62,7 @@ impl Cut {
         (!self.is_cut || away + half < self.reach) && self.extent <= FARTHEST * camera.height()
     }
 
-    /// What is in view: runs of corners of triangles, and left, top, right, bottom of them [px].
+    /// What is in view: runs of corners of triangles, and left, top, right, bottom of them `[px]`.
     pub(super) fn in_view(&self, camera: &Camera) -> (Vec<Range<u32>>, [f32; 4]) {
         let sight = Sight::new(camera, self.origin.extend(0.0), MARGIN);
         let viewport = DVec2::from_array(camera.viewport().map(f64::from));

@@ -192,7 +192,7 @@ impl Obstacles {
         }));
     }
 
-    /// Adds up what is covered of a picture of `size` [px], and finds the rims, unless that is known.
+    /// Adds up what is covered of a picture of `size` `[px]`, and finds the rims, unless that is known.
     pub(super) fn cover(
         &mut self,
         gpu: &Gpu,

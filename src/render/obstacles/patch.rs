@@ -4,7 +4,7 @@ use glam::DVec3;
 
 use crate::render::view::View;
 
-/// A patch: ends of its lines [m], those of its rim first.
+/// A patch: ends of its lines `[m]`, those of its rim first.
 pub(crate) struct Patch {
     pub(crate) lines: Vec<[DVec3; 2]>,
 }

@@ -6,7 +6,7 @@ use crate::render::camera::Camera;
 use crate::render::view::View;
 use crate::sim::Figure;
 
-/// The way from clip space to the world, then four rows a solid; positions relative to `origin` [m]. Empty where there is none.
+/// The way from clip space to the world, then four rows a solid; positions relative to `origin` `[m]`. Empty where there is none.
 pub(in crate::render) fn solids(view: &View<'_>, camera: &Camera, origin: DVec3) -> Vec<[f32; 4]> {
     if view.convex.is_empty() {
         return Vec::new();

@@ -10,7 +10,7 @@ use crate::picture::{LEAST_SPACING, Picture, PictureError, Settings, Size, Strok
 use crate::scene::error::{Fault, Source, Within};
 use crate::scene::keys::{BodyKeys, PatternName, StrokesName};
 
-/// Height of a picture if not said [m].
+/// Height of a picture if not said `[m]`.
 const HEIGHT: f64 = 2.0;
 /// Neighbours along the longer side of a picture if not said.
 const NEIGHBOURS: f64 = 40.0;
@@ -46,7 +46,7 @@ pub(in crate::scene) fn check_cut(body: &BodyKeys) -> Result<(), Fault> {
     body.file.as_deref().map_or(Ok(()), check_image).at("file")
 }
 
-/// The height of the picture [m] and the settings of its mesh that the keys amount to.
+/// The height of the picture `[m]` and the settings of its mesh that the keys amount to.
 ///
 /// Errors: keys that exclude each other, or are out of their ranges.
 pub(in crate::scene) fn wanted(body: &BodyKeys, picture: &Picture) -> Result<(f64, Settings), Fault> {
@@ -61,7 +61,7 @@ pub(in crate::scene) fn wanted(body: &BodyKeys, picture: &Picture) -> Result<(f6
     Ok((height, settings))
 }
 
-/// What is wrong with a setting, at its key and in its unit; a pixel is so long [m].
+/// What is wrong with a setting, at its key and in its unit; a pixel is so long `[m]`.
 fn out_of_range(error: &PictureError, pixel: f64) -> Fault {
     match *error {
         PictureError::Setting { name: name @ "spacing", value, .. } => {
@@ -87,7 +87,7 @@ pub(in crate::scene) fn skin(body: &BodyKeys, source: &Source) -> Result<Arc<Pic
     source.ink(file, &settings).at("file")
 }
 
-/// A spacing [m] in pixels. What is beyond the ends of its range by rounding alone lies at them: a spacing that was pixels
+/// A spacing `[m]` in pixels. What is beyond the ends of its range by rounding alone lies at them: a spacing that was pixels
 /// before it was metres is not refused.
 fn in_pixels(spacing: f64, pixels: f64) -> f64 {
     let spacing = spacing * pixels;
@@ -95,7 +95,7 @@ fn in_pixels(spacing: f64, pixels: f64) -> f64 {
     if (spacing - inside).abs() <= 1e-12 * inside { inside } else { spacing }
 }
 
-/// The settings of the mesh at this spacing [px], if nothing else says how large triangles are.
+/// The settings of the mesh at this spacing `[px]`, if nothing else says how large triangles are.
 fn settings(body: &BodyKeys, spacing: f64) -> Result<Settings, Fault> {
     let size = match (body.max_area, body.grading) {
         (Some(_), Some(_)) => {

@@ -16,7 +16,7 @@ pub(super) enum Range {
     Share,
     /// In [0, 1].
     Fraction,
-    /// Young's modulus in the plane [N/m]: softer than a soap film, stiffer than a plate of steel, no body is.
+    /// Young's modulus in the plane `[N/m]`: softer than a soap film, stiffer than a plate of steel, no body is.
     Young,
 }
 

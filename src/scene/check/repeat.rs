@@ -44,7 +44,7 @@ pub(in crate::scene) fn copies(body: &BodyKeys) -> u32 {
     body.repeat.as_ref().map_or(1, |repeat| repeat.count.iter().product::<u64>() as u32)
 }
 
-/// How far each copy of a body that was checked is moved [m]: along x first, then y, then z.
+/// How far each copy of a body that was checked is moved `[m]`: along x first, then y, then z.
 pub(in crate::scene) fn offsets(body: &BodyKeys) -> impl Iterator<Item = [f64; 3]> {
     let count = body.repeat.as_ref().map_or(&[][..], |repeat| &repeat.count);
     let [columns, rows] = [0, 1].map(|axis| count.get(axis).copied().unwrap_or(1));

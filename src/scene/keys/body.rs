@@ -92,33 +92,33 @@ object! {
         optional {
             /// As of a bond.
             kind: KindName,
-            /// As of a bond [N/m].
+            /// As of a bond `[N/m]`.
             stiffness: f64,
-            /// As of a bond [m/N].
+            /// As of a bond `[m/N]`.
             compliance: f64,
-            /// As of a bond [N s/m].
+            /// As of a bond `[N s/m]`.
             damping: f64,
-            /// picture, of springs, in place of `stiffness`: Young's modulus in the plane [N/m]. A mesh of it is as soft at any
+            /// picture, of springs, in place of `stiffness`: Young's modulus in the plane `[N/m]`. A mesh of it is as soft at any
             /// spacing; without `damping` its slowest wobble is damped to a tenth of the critical damping.
             young: f64,
-            /// As of a bond [1].
+            /// As of a bond `[1]`.
             relaxation: f64,
-            /// As of a bond [1].
+            /// As of a bond `[1]`.
             max_correction: f64,
-            /// As of a bond [1].
+            /// As of a bond `[1]`.
             break_strain: f64,
             /// rim, box, rope, lattice, disc, picture, in the plane: how hard chains of bonds and the skin of what has an area are to bend,
-            /// E I [N m^2], >= 0: 0 if not said. They get angles of that over the distance of their points, so that finer ones bend the same.
+            /// E I `[N m^2]`, >= 0: 0 if not said. They get angles of that over the distance of their points, so that finer ones bend the same.
             bending: f64,
-            /// Of the whole body [kg], > 0, shared by area or length; not together with `point_mass`.
+            /// Of the whole body `[kg]`, > 0, shared by area or length; not together with `point_mass`.
             mass: f64,
-            /// Of each point [kg], > 0: 1 if not said.
+            /// Of each point `[kg]`, > 0: 1 if not said.
             point_mass: f64,
-            /// Of its skin [1], >= 0: that of `contact` if not said.
+            /// Of its skin `[1]`, >= 0: that of `contact` if not said.
             friction: f64,
-            /// Of its skin [1], from 0 to 1: that of `contact` if not said.
+            /// Of its skin `[1]`, from 0 to 1: that of `contact` if not said.
             restitution: f64,
-            /// Of its skin [m], >= 0: that of `contact` if not said.
+            /// Of its skin `[m]`, >= 0: that of `contact` if not said.
             radius: f64,
             /// What it is filled in, where no picture is drawn on it: "#rrggbb"; one of a palette if not said.
             color: ColorKey,
@@ -132,7 +132,7 @@ object! {
         required {
             /// How many along x and y, in space also along z: 1 or more each.
             count: Vec<u64>,
-            /// From a copy to the next along each axis [m].
+            /// From a copy to the next along each axis `[m]`.
             step: Vector,
         }
     }
@@ -151,30 +151,30 @@ object! {
             count: u64,
             /// random-graph: how many bonds.
             bonds: u64,
-            /// points, random-graph: lower corner [m].
+            /// points, random-graph: lower corner `[m]`.
             min: Vector,
-            /// points, random-graph: upper corner [m].
+            /// points, random-graph: upper corner `[m]`.
             max: Vector,
             /// points, random-graph: seed of the draws, 0 if not said.
             seed: u64,
-            /// rim, disc: outer radius [m]; of a rim 2 if not said.
+            /// rim, disc: outer radius `[m]`; of a rim 2 if not said.
             radius: f64,
-            /// rim: inner radius [m], 1.8 if not said.
+            /// rim: inner radius `[m]`, 1.8 if not said.
             inner_radius: f64,
             /// rim: points on each ring, 12 if not said.
             sectors: u64,
             /// rim: the bonds of each sector; all but "falling" if not said.
             bracing: Vec<BraceName>,
-            /// box: along x [m].
+            /// box: along x `[m]`.
             width: f64,
-            /// box: along y [m]; picture: of the whole picture [m], 2 if not said; ragdoll: as it would stand upright [m], 1.7 if not said.
+            /// box: along y `[m]`; picture: of the whole picture `[m]`, 2 if not said; ragdoll: as it would stand upright `[m]`, 1.7 if not said.
             height: f64,
             /// box: diagonals, 0, 1 or 2; 1 if not said.
             supports: u64,
-            /// rope, cloth, lattice, disc, picture: distance of neighbours [m]; of a picture a fortieth of its longer side if
+            /// rope, cloth, lattice, disc, picture: distance of neighbours `[m]`; of a picture a fortieth of its longer side if
             /// not said.
             spacing: f64,
-            /// rope, in place of `spacing`: where it ends, seen from the body's origin [m].
+            /// rope, in place of `spacing`: where it ends, seen from the body's origin `[m]`.
             to: Vector,
             /// cloth, lattice: points in a row.
             columns: u64,
@@ -182,19 +182,19 @@ object! {
             rows: u64,
             /// cloth: bonds across each cell, both if not said.
             diagonals: DiagonalsName,
-            /// cloth in space: direction of the rows, [1,0,0] if not said.
+            /// cloth in space: direction of the rows, `[1,0,0]` if not said.
             u: Vector,
-            /// cloth in space: direction from row to row, [0,-1,0] if not said.
+            /// cloth in space: direction from row to row, `[0,-1,0]` if not said.
             v: Vector,
             /// picture: the bitmap, a path relative to the scene or data:image/png;base64,…
             file: String,
-            /// picture: coverage above which a pixel belongs to the body [1], 0 to 1; where the picture splits best if not said.
+            /// picture: coverage above which a pixel belongs to the body `[1]`, 0 to 1; where the picture splits best if not said.
             threshold: f64,
             /// picture: whether light pixels, or clear ones, are the body.
             invert: bool,
-            /// picture, in place of `spacing`: largest area of a triangle [px^2].
+            /// picture, in place of `spacing`: largest area of a triangle `[px^2]`.
             max_area: f64,
-            /// picture: specks and holes smaller than this are left out [px^2], 12 if not said.
+            /// picture: specks and holes smaller than this are left out `[px^2]`, 12 if not said.
             min_area: f64,
             /// picture: over how many pixels it is blurred first, 0 if not said: for grainy photographs.
             blur: u32,
@@ -209,13 +209,13 @@ object! {
             pattern: PatternName,
             /// picture: only this of its connected parts, from 0, the largest first; it lies where it does in the whole.
             part: u32,
-            /// Where the body's own origin goes [m]; the world's if not said.
+            /// Where the body's own origin goes `[m]`; the world's if not said.
             origin: Vector,
-            /// Rotation about the body's own origin, anticlockwise, in space about z [rad].
+            /// Rotation about the body's own origin, anticlockwise, in space about z `[rad]`.
             angle: f64,
-            /// Of the body's own origin [m/s].
+            /// Of the body's own origin `[m/s]`.
             velocity: Vector,
-            /// Rate of rotation about the body's own origin, in space about z [rad/s].
+            /// Rate of rotation about the body's own origin, in space about z `[rad/s]`.
             spin: f64,
             /// What it is made of: rigid bonds and 1 kg a point if not said.
             material: Material,

@@ -40,23 +40,23 @@ object! {
         optional {
             /// How it resists: rigid if not said.
             kind: KindName,
-            /// Rest length [m], >= 0; the distance at the start if not said, and 0 is a weld.
+            /// Rest length `[m]`, >= 0; the distance at the start if not said, and 0 is a weld.
             rest: f64,
-            /// Of a spring [N/m], >= 0.
+            /// Of a spring `[N/m]`, >= 0.
             stiffness: f64,
-            /// Of a spring, in place of its stiffness: 1/stiffness [m/N], >= 0, where 0 is rigid. Of a rigid bond:
+            /// Of a spring, in place of its stiffness: 1/stiffness `[m/N]`, >= 0, where 0 is rigid. Of a rigid bond:
             /// above 0 it is a spring.
             compliance: f64,
-            /// Of a spring, in place of its stiffness: that times its rest length [N], E A of a bar: the force at a strain of 1. Then pieces
+            /// Of a spring, in place of its stiffness: that times its rest length `[N]`, E A of a bar: the force at a strain of 1. Then pieces
             /// of one bar, however short, have the same.
             axial_stiffness: f64,
-            /// Of a spring [N s/m], >= 0: 0 if not said.
+            /// Of a spring `[N s/m]`, >= 0: 0 if not said.
             damping: f64,
-            /// Of a relaxed bond: the share of its error that a sweep takes away [1], in (0, 1]; 1 if not said.
+            /// Of a relaxed bond: the share of its error that a sweep takes away `[1]`, in (0, 1]; 1 if not said.
             relaxation: f64,
-            /// Of a relaxed bond: largest correction of one sweep, as a ratio [1], > 0; none if not said.
+            /// Of a relaxed bond: largest correction of one sweep, as a ratio `[1]`, > 0; none if not said.
             max_correction: f64,
-            /// Strain above which it is gone [1], > 0; never if not said.
+            /// Strain above which it is gone `[1]`, > 0; never if not said.
             break_strain: f64,
             /// On which side of its rest length it acts: both if not said.
             limit: LimitName,

@@ -106,7 +106,7 @@ impl BondList {
         self.ends[k]
     }
 
-    /// What bond `k` says of its rest length [m].
+    /// What bond `k` says of its rest length `[m]`.
     #[inline]
     pub(in crate::scene) fn rest(&self, k: usize) -> Option<f64> {
         let rest = self.rests[k];

@@ -14,11 +14,11 @@ object! {
     #[derive(Default, Copy)]
     ContactKeys: "contact: true, or an object with keys such as `friction`" {
         optional {
-            /// Between two skins [1], >= 0: 0.5 if not said.
+            /// Between two skins `[1]`, >= 0: 0.5 if not said.
             friction: f64,
-            /// Between two skins [1], from 0 to 1: 0 if not said.
+            /// Between two skins `[1]`, from 0 to 1: 0 if not said.
             restitution: f64,
-            /// What a skin keeps from the middle of its edges [m], >= 0: 0.05 of the mean edge of each skin, or of its body's thickness where that is less, if not said.
+            /// What a skin keeps from the middle of its edges `[m]`, >= 0: 0.05 of the mean edge of each skin, or of its body's thickness where that is less, if not said.
             radius: f64,
             /// Whether bodies meet themselves: true if not said.
             #[serde(rename = "self")]
@@ -39,11 +39,11 @@ object! {
             points: Vec<u32>,
         }
         optional {
-            /// [1], >= 0.
+            /// `[1]`, >= 0.
             friction: f64,
-            /// [1], from 0 to 1.
+            /// `[1]`, from 0 to 1.
             restitution: f64,
-            /// [m], >= 0.
+            /// `[m]`, >= 0.
             radius: f64,
             /// What they are filled in, where no picture is drawn on them: "#rrggbb"; one of a palette if not said.
             color: ColorKey,

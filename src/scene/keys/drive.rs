@@ -97,24 +97,24 @@ object! {
     #[derive(Copy, Default)]
     DriveKeys: "a drive: an object with keys such as `amplitude` and `period`" {
         optional {
-            /// Of a bond: what its rest length changes by, as a share of it [1], from -0.9 to 0.9. Of an angle that has a stiffness: what its
-            /// angle at rest changes by [rad], from -3 to 3.
+            /// Of a bond: what its rest length changes by, as a share of it `[1]`, from -0.9 to 0.9. Of an angle that has a stiffness: what its
+            /// angle at rest changes by `[rad]`, from -3 to 3.
             amplitude: f64,
-            /// Of an angle, in place of an amplitude: how fast a motor turns it [rad/s], anticlockwise above 0; at 0 it is a brake.
+            /// Of an angle, in place of an amplitude: how fast a motor turns it `[rad/s]`, anticlockwise above 0; at 0 it is a brake.
             speed: f64,
-            /// Of a motor: the most that it gives [N m], > 0.
+            /// Of a motor: the most that it gives `[N m]`, > 0.
             torque: f64,
-            /// Of a wave [s], from 0.02 to 1e6.
+            /// Of a wave `[s]`, from 0.02 to 1e6.
             period: f64,
-            /// Of a wave, in place of its period [1/s].
+            /// Of a wave, in place of its period `[1/s]`.
             frequency: f64,
-            /// Of a wave at time 0 [rad]: 0 if not said.
+            /// Of a wave at time 0 `[rad]`: 0 if not said.
             phase: f64,
             /// The key that has to be held: none if not said.
             key: KeyName,
             /// The key by which it goes the other way.
             back: KeyName,
-            /// How quickly what is held comes and goes [1/s], from 1e-3 to 100: 5 if not said.
+            /// How quickly what is held comes and goes `[1/s]`, from 1e-3 to 100: 5 if not said.
             rate: f64,
         }
     }

@@ -103,7 +103,7 @@ object! {
             solver: SolverName,
             /// Of `as-printed`: whose loop.
             source: SourceName,
-            /// h [s], > 0; chosen if not said.
+            /// h `[s]`, > 0; chosen if not said.
             substep: f64,
             /// Sweeps in a substep, from 1 to 100000; chosen if not said.
             iterations: u32,
@@ -113,9 +113,9 @@ object! {
             seed: u64,
             /// auto if not said.
             precision: PrecisionName,
-            /// Largest error at every sample [m], > 0.
+            /// Largest error at every sample `[m]`, > 0.
             tolerance: f64,
-            /// Largest strain [1], > 0.
+            /// Largest strain `[1]`, > 0.
             max_strain: f64,
             /// Milliseconds of counted work a frame of 1/60 s, > 0, or "none": beyond, islands that auto moves are handed over to the
             /// live step. 6 if not said, but under a tolerance.

@@ -47,7 +47,7 @@ impl JsonSchema for Version {
     }
 }
 
-/// One mass for all points, or one each [kg].
+/// One mass for all points, or one each `[kg]`.
 #[derive(Clone, Debug, PartialEq, serde::Serialize, schemars::JsonSchema)]
 #[serde(untagged)]
 pub enum MassKeys {
@@ -98,13 +98,13 @@ object! {
     /// Points, one by one.
     PointKeys: "points: an object with the key `position`" {
         required {
-            /// Positions at the start [m].
+            /// Positions at the start `[m]`.
             position: Vec<Vector>,
         }
         optional {
-            /// Velocities at the start [m/s]: 0 if not said.
+            /// Velocities at the start `[m/s]`: 0 if not said.
             velocity: Vec<Vector>,
-            /// Masses [kg], > 0: 1 if not said.
+            /// Masses `[kg]`, > 0: 1 if not said.
             mass: MassKeys,
         }
         lists {
@@ -131,9 +131,9 @@ object! {
         optional {
             /// How they resist; not at all if neither this nor `stiffness` is said.
             kind: AreaKindName,
-            /// Of springs [N/m], >= 0: the energy is stiffness (A - A0)^2/(2 A0), A signed.
+            /// Of springs `[N/m]`, >= 0: the energy is stiffness (A - A0)^2/(2 A0), A signed.
             stiffness: f64,
-            /// With `contact`: the share of its area that a triangle keeps in any case [1], from 0 to below 1; 0.3 if not said.
+            /// With `contact`: the share of its area that a triangle keeps in any case `[1]`, from 0 to below 1; 0.3 if not said.
             least: f64,
         }
     }
@@ -147,15 +147,15 @@ object! {
             points: Row<u32, 3>,
         }
         optional {
-            /// Where it is at rest [rad], between 0 and 2 pi: the angle at the start if not said.
+            /// Where it is at rest `[rad]`, between 0 and 2 pi: the angle at the start if not said.
             rest: f64,
-            /// [N m], >= 0: 0 if not said.
+            /// `[N m]`, >= 0: 0 if not said.
             stiffness: f64,
-            /// [N m s], >= 0: 0 if not said.
+            /// `[N m s]`, >= 0: 0 if not said.
             damping: f64,
-            /// The least angle of a joint [rad]; together with `max`.
+            /// The least angle of a joint `[rad]`; together with `max`.
             min: f64,
-            /// The largest angle of a joint [rad], less than a turn above `min`.
+            /// The largest angle of a joint `[rad]`, less than a turn above `min`.
             max: f64,
             /// What moves it: a motor, or a servo.
             drive: DriveKeys,
@@ -236,9 +236,9 @@ object! {
             forces: ForceKeys,
         }
         optional {
-            /// [m/s^2]: 0 if not said.
+            /// `[m/s^2]`: 0 if not said.
             gravity: Vector,
-            /// Rate at which velocities decay [1/s], >= 0: 0 if not said.
+            /// Rate at which velocities decay `[1/s]`, >= 0: 0 if not said.
             drag_rate: f64,
             /// Moving air.
             wind: WindKeys,
@@ -260,11 +260,11 @@ object! {
         optional {
             /// Seconds of the scene in a second of wall time, > 0: 1 if not said.
             rate: f64,
-            /// When the motion ends [s], >= 0: never if not said.
+            /// When the motion ends `[s]`, >= 0: never if not said.
             duration: f64,
         }
         lists {
-            /// Times to report [s], ascending: the duration if not said.
+            /// Times to report `[s]`, ascending: the duration if not said.
             samples: f64,
         }
         optional {

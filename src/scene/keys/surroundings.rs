@@ -27,9 +27,9 @@ object! {
     /// The force around the cursor.
     MouseKeys: "a mouse force: an object with the keys `strength` and `radius`" {
         required {
-            /// [1/s^2]: positive repels.
+            /// `[1/s^2]`: positive repels.
             strength: f64,
-            /// Of the region, half the side of a square one [m], > 0.
+            /// Of the region, half the side of a square one `[m]`, > 0.
             radius: f64,
         }
         optional {
@@ -49,11 +49,11 @@ object! {
     /// Moving air: drag is relative to it, so without `drag_rate` it pushes nothing.
     WindKeys: "a wind: an object with the key `velocity`" {
         required {
-            /// Mean velocity [m/s].
+            /// Mean velocity `[m/s]`.
             velocity: Vector,
         }
         optional {
-            /// Root mean square of the gusts as a share of the mean speed [1], >= 0: 0 if not said.
+            /// Root mean square of the gusts as a share of the mean speed `[1]`, >= 0: 0 if not said.
             turbulence: f64,
             /// Seed of the gusts, 0 if not said.
             seed: u64,
@@ -69,9 +69,9 @@ object! {
             points: Vec<u32>,
         }
         optional {
-            /// Shared by mass [N]: 0 if not said.
+            /// Shared by mass `[N]`: 0 if not said.
             force: Vector,
-            /// About the middle of the points, anticlockwise [N m]: 0 if not said. In the plane only.
+            /// About the middle of the points, anticlockwise `[N m]`: 0 if not said. In the plane only.
             torque: f64,
         }
     }
@@ -81,15 +81,15 @@ object! {
     /// The walls around the world.
     BoundsKeys: "bounds: an object with the keys `min` and `max`" {
         required {
-            /// Lower corner [m].
+            /// Lower corner `[m]`.
             min: Vector,
-            /// Upper corner [m].
+            /// Upper corner `[m]`.
             max: Vector,
         }
         optional {
-            /// v_n -> -restitution v_n on touching [1], >= 0: 0 if not said.
+            /// v_n -> -restitution v_n on touching `[1]`, >= 0: 0 if not said.
             restitution: f64,
-            /// |change of v_t| <= friction |change of v_n| [1], >= 0: 0 if not said.
+            /// |change of v_t| <= friction |change of v_n| `[1]`, >= 0: 0 if not said.
             friction: f64,
         }
     }
@@ -125,11 +125,11 @@ object! {
     #[derive(Copy)]
     PenaltyKeys: "a penalty: an object with the key `stiffness`" {
         required {
-            /// Force over depth [N/m], >= 0.
+            /// Force over depth `[N/m]`, >= 0.
             stiffness: f64,
         }
         optional {
-            /// Force over speed along the normal, while it is behind the surface [N s/m], >= 0: 0 if not said.
+            /// Force over speed along the normal, while it is behind the surface `[N s/m]`, >= 0: 0 if not said.
             damping: f64,
         }
     }
@@ -143,19 +143,19 @@ object! {
             file: String,
         }
         optional {
-            /// Where the middle of the picture lies [m]: (0, 0) if not said.
+            /// Where the middle of the picture lies `[m]`: (0, 0) if not said.
             origin: Vector,
-            /// Anticlockwise about it [rad]: 0 if not said.
+            /// Anticlockwise about it `[rad]`: 0 if not said.
             angle: f64,
-            /// Of the whole picture [m], > 0: 2 if not said.
+            /// Of the whole picture `[m]`, > 0: 2 if not said.
             height: f64,
-            /// Distance of corners along smooth outlines [m], > 0: a fortieth of its longer side if not said.
+            /// Distance of corners along smooth outlines `[m]`, > 0: a fortieth of its longer side if not said.
             spacing: f64,
-            /// Coverage above which a pixel is solid [1], 0 to 1; where the picture splits best if not said.
+            /// Coverage above which a pixel is solid `[1]`, 0 to 1; where the picture splits best if not said.
             threshold: f64,
             /// Whether light pixels, or clear ones, are solid.
             invert: bool,
-            /// Specks and holes smaller than this are left out [px^2], 12 if not said.
+            /// Specks and holes smaller than this are left out `[px^2]`, 12 if not said.
             min_area: f64,
             /// Over how many pixels it is blurred first, 0 if not said.
             blur: u32,
@@ -169,7 +169,7 @@ object! {
     /// A plane.
     PlaneKeys: "a plane: an object with the keys `point` and `normal`" {
         required {
-            /// Any point of it [m].
+            /// Any point of it `[m]`.
             point: Vector,
             /// Its normal, of any length above 0.
             normal: Vector,
@@ -181,13 +181,13 @@ object! {
     /// A box, turned about its centre.
     BoxKeys: "a box: an object with the keys `min` and `max`" {
         required {
-            /// Lower corner before it is turned [m].
+            /// Lower corner before it is turned `[m]`.
             min: Vector,
-            /// Upper corner before it is turned [m].
+            /// Upper corner before it is turned `[m]`.
             max: Vector,
         }
         optional {
-            /// In the plane: anticlockwise [rad].
+            /// In the plane: anticlockwise `[rad]`.
             angle: f64,
             /// In space.
             rotation: RotationKeys,
@@ -201,7 +201,7 @@ object! {
         required {
             /// Axis, of any length above 0.
             axis: Vector,
-            /// Angle about it [rad].
+            /// Angle about it `[rad]`.
             angle: f64,
         }
     }
@@ -211,9 +211,9 @@ object! {
     /// A circle, met as a regular polygon of 2048 corners on it: no further than 2e-6 of its radius inside it. In space a ball.
     CircleKeys: "a circle: an object with the keys `center` and `radius`" {
         required {
-            /// Centre [m].
+            /// Centre `[m]`.
             center: Vector,
-            /// Radius [m], > 0.
+            /// Radius `[m]`, > 0.
             radius: f64,
         }
     }

@@ -8,17 +8,17 @@ object! {
     #[derive(Default)]
     ViewKeys: "a view: an object with the keys `center` and `height`, in space `target` and `distance`" {
         optional {
-            /// Plane: the middle of the picture [m].
+            /// Plane: the middle of the picture `[m]`.
             center: Vector,
-            /// Plane: from the lower edge to the upper [m], > 0.
+            /// Plane: from the lower edge to the upper `[m]`, > 0.
             height: f64,
-            /// Space: what the camera looks at [m].
+            /// Space: what the camera looks at `[m]`.
             target: Vector,
-            /// Space: of the camera from its target [m], > 0.
+            /// Space: of the camera from its target `[m]`, > 0.
             distance: f64,
-            /// Space: about the vertical [rad], 0 if not said.
+            /// Space: about the vertical `[rad]`, 0 if not said.
             yaw: f64,
-            /// Space: above the horizontal [rad], 0 if not said.
+            /// Space: above the horizontal `[rad]`, 0 if not said.
             pitch: f64,
         }
     }

@@ -19,7 +19,7 @@ use std::collections::BTreeMap;
 /// Impacts that a piece may have in one substep: of corners, one after the other.
 const MOST_BLOWS: u32 = 8;
 
-/// Places and velocities of the points of a group in the middle of a substep [m, m/s].
+/// Places and velocities of the points of a group in the middle of a substep `[m, m/s]`.
 pub(crate) type Middle<S, const D: usize> = (Vec<[S; D]>, Vec<[S; D]>);
 
 /// A large body of any form.
@@ -44,7 +44,7 @@ macro_rules! of_any {
 }
 
 impl<S: Real, const D: usize> AnyBody<S, D> {
-    /// Puts the state of the points into the store: motions of a substep of `h` [s].
+    /// Puts the state of the points into the store: motions of a substep of `h` `[s]`.
     pub(crate) fn load(&mut self, points: &Points<S, D>, h: S) {
         of_any!(self, body => body.load(points, h));
     }
@@ -64,7 +64,7 @@ impl<S: Real, const D: usize> AnyBody<S, D> {
         of_any!(self, body => body.near(outside))
     }
 
-    /// The mouse pushes these points: `share` is what an acceleration adds to a displacement [s^2].
+    /// The mouse pushes these points: `share` is what an acceleration adds to a displacement `[s^2]`.
     pub(crate) fn push(&mut self, push: &Push<S, D>, share: S, near: &[usize]) {
         of_any!(self, body => body.push(push, share, near));
     }
@@ -79,13 +79,13 @@ impl<S: Real, const D: usize> AnyBody<S, D> {
         of_any!(self, body => body.give(accelerations, share));
     }
 
-    /// Surfaces turn points back; `fall` is what gravity adds to a motion [m]. Returns how many, and adds what that took to
+    /// Surfaces turn points back; `fall` is what gravity adds to a motion `[m]`. Returns how many, and adds what that took to
     /// `toll`, of masses in those of the reference.
     pub(crate) fn meet(&mut self, outside: &Outside<S, D>, fall: [S; D], toll: Option<&mut Toll>) -> u64 {
         of_any!(self, body => body.meet(outside, fall, toll))
     }
 
-    /// Where points are in the middle of the substep and how fast, in the order of the group; `rate` is one over the substep [1/s].
+    /// Where points are in the middle of the substep and how fast, in the order of the group; `rate` is one over the substep `[1/s]`.
     pub(crate) fn read_middle(&mut self, rate: S, middle: &mut Middle<S, D>) {
         of_any!(self, body => body.read_middle(rate, middle));
     }
@@ -111,7 +111,7 @@ impl<S: Real, const D: usize> AnyBody<S, D> {
         of_any!(self, body => body.form.stretch(&mut body.store))
     }
 
-    /// Ends the last substep and gives positions and velocities back; `rate` is one over the substep [1/s].
+    /// Ends the last substep and gives positions and velocities back; `rate` is one over the substep `[1/s]`.
     pub(crate) fn arrive(&mut self, points: &mut Points<S, D>, rate: S) {
         of_any!(self, body => body.arrive(points, rate));
     }
@@ -146,12 +146,12 @@ impl<S: Real, const D: usize> AnyBody<S, D> {
         })
     }
 
-    /// What bonds at pins bear of the weight: mass over rest length times the reference [1/m].
+    /// What bonds at pins bear of the weight: mass over rest length times the reference `[1/m]`.
     pub(crate) fn bears(&mut self) -> f64 {
         of_any!(self, body => Form::<S, D>::bears(&body.form, &mut body.store))
     }
 
-    /// The mass of all that is free [kg].
+    /// The mass of all that is free `[kg]`.
     pub(crate) fn mass(&mut self) -> f64 {
         of_any!(self, body => body.mass())
     }
@@ -160,7 +160,7 @@ impl<S: Real, const D: usize> AnyBody<S, D> {
         of_any!(self, body => Form::<S, D>::bonds(&body.form))
     }
 
-    /// The inverse mass that weights are relative to [1/kg].
+    /// The inverse mass that weights are relative to `[1/kg]`.
     pub(crate) fn reference(&self) -> f64 {
         of_any!(self, body => body.reference)
     }
@@ -198,7 +198,7 @@ impl Members {
 pub(crate) struct Body<S: Real, const D: usize, F: Form<S, D>> {
     form: F,
     store: F::Store,
-    /// The inverse mass that weights are relative to [1/kg].
+    /// The inverse mass that weights are relative to `[1/kg]`.
     reference: f64,
     members: Members,
     /// How many points make one piece each: impacts strike it as a whole.
@@ -206,7 +206,7 @@ pub(crate) struct Body<S: Real, const D: usize, F: Form<S, D>> {
 }
 
 impl<S: Real, const D: usize, F: Form<S, D>> Body<S, D, F> {
-    /// A body of these points of the group, whose inverse masses are `w` [1/kg].
+    /// A body of these points of the group, whose inverse masses are `w` `[1/kg]`.
     ///
     /// Each `piece` points, where it is given, are held in shape by bonds.
     pub(crate) fn new(mut form: F, (members, piece): (Members, Option<usize>), w: &[S]) -> Self {

@@ -13,12 +13,12 @@ use crate::sim::real::Real;
 pub(crate) struct Chain<S> {
     spec: Spec,
     path: Split<S>,
-    /// Rest lengths along the chain [m].
+    /// Rest lengths along the chain `[m]`.
     rests: Vec<S>,
 }
 
 impl<S: Real> Chain<S> {
-    /// A chain of bonds like `spec` with these rest lengths [m], each > 0.
+    /// A chain of bonds like `spec` with these rest lengths `[m]`, each > 0.
     pub(crate) fn new(spec: Spec, rests: &[f64]) -> Self {
         let rests: Vec<S> = rests.iter().map(|&rest| S::from_f64(rest)).collect();
         Chain { spec, path: Split::new(&rests), rests }

@@ -6,7 +6,7 @@
 
 /// Most substeps of a frame.
 const MOST: f64 = 512.0;
-/// The frame that automatic substeps divide [s].
+/// The frame that automatic substeps divide `[s]`.
 pub(crate) const FRAME: f64 = 1.0 / 60.0;
 /// Share of the strain asked for that is aimed at: the largest strain of a step swings from step to step.
 const AIM: f64 = 0.5;
@@ -48,15 +48,15 @@ pub(crate) struct Control {
     paid: f64,
     /// Those that the step under way has taken.
     spent: f64,
-    /// Largest strain [1], where substeps follow it.
+    /// Largest strain `[1]`, where substeps follow it.
     target: Option<f64>,
-    /// Largest strain of late [1].
+    /// Largest strain of late `[1]`.
     late: f64,
     /// How often the step under way was taken.
     tries: u32,
-    /// Longest substep [s], where they don't.
+    /// Longest substep `[s]`, where they don't.
     longest: f64,
-    /// The heaviest body's weight [N].
+    /// The heaviest body's weight `[N]`.
     weight: f64,
     /// Bonds give way a little: they pull more than the most substeps can bear.
     gives: bool,
@@ -65,7 +65,7 @@ pub(crate) struct Control {
 /// What bonds bore in a step.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Load {
-    /// The largest pull in a substep of bonds that nothing holds across their direction, as w lambda/rest [1].
+    /// The largest pull in a substep of bonds that nothing holds across their direction, as w lambda/rest `[1]`.
     pub(crate) pull: f64,
     /// The mouse or a surface was in reach.
     pub(crate) is_disturbed: bool,
@@ -91,7 +91,7 @@ impl Control {
         }
     }
 
-    /// Substeps of at most `h` [s].
+    /// Substeps of at most `h` `[s]`.
     pub(crate) fn fixed(h: f64) -> Self {
         Control {
             count: 1.0,
@@ -108,7 +108,7 @@ impl Control {
     }
 
     /// Substeps are to be as many as bonds take that pull by this much over a frame, as w lambda/rest; `weight` is that of the
-    /// heaviest body [N].
+    /// heaviest body `[N]`.
     pub(crate) fn bear(&mut self, pull: f64, weight: f64) {
         self.weight = weight;
         self.least = (pull / MOST_PULL).sqrt().clamp(self.least, MOST);
@@ -131,7 +131,7 @@ impl Control {
         self.target.unwrap_or(1e-3).clamp(1e-7, 1e-3)
     }
 
-    /// Tension over strain of rigid bonds [N]: infinite, unless they have to give way.
+    /// Tension over strain of rigid bonds `[N]`: infinite, unless they have to give way.
     ///
     /// Then it is that of a taut string which sags under the weight of all to the strain aimed at: with T = weight/(8 sag) for
     /// a length of 1 and a strain s = 8/3 sag^2, T/s = weight/(s sqrt(24 s)). It is a stiffness, not a share of a substep's
@@ -143,17 +143,17 @@ impl Control {
         }
     }
 
-    /// Substeps of a step of `h` [s].
+    /// Substeps of a step of `h` `[s]`.
     pub(crate) fn count(&self, h: f64) -> u32 {
         ((h / self.substep() * (1.0 - 1e-9)).ceil() as u32).max(1)
     }
 
-    /// Substeps of a step of `h` [s] in which the cursor is to be followed in so many parts: as many as may be paid for.
+    /// Substeps of a step of `h` `[s]` in which the cursor is to be followed in so many parts: as many as may be paid for.
     pub(crate) fn follow(&self, parts: u32, h: f64) -> u32 {
         self.count(h).max(parts.min((self.paid * h / FRAME) as u32))
     }
 
-    /// The longest substep [s].
+    /// The longest substep `[s]`.
     pub(crate) fn substep(&self) -> f64 {
         if self.target.is_some() { FRAME / self.count.ceil() } else { self.longest }
     }

@@ -20,11 +20,11 @@ const SHORTEST_TRAILS: f64 = 8.0;
 pub(crate) enum Shape<const D: usize> {
     /// Rows and columns; rows are solved last where they bear the load.
     Sheet { columns: usize, rows: usize, specs: Kinds<Spec>, rows_last: bool },
-    /// One path, with its rest lengths [m].
+    /// One path, with its rest lengths `[m]`.
     Chain { spec: Spec, rests: Vec<f64> },
     /// So many equal bodies of so many points, and the bonds of one; whether these are swept one way in every substep.
     Crowd { bodies: usize, points: usize, links: Vec<([u32; 2], Spec)>, is_steady: bool },
-    /// Any mesh; with positions [m] and the direction of gravity where long paths are looked for.
+    /// Any mesh; with positions `[m]` and the direction of gravity where long paths are looked for.
     Mesh { points: usize, segments: Vec<Segment>, trails: Option<(Vec<[f64; D]>, [f64; D])> },
 }
 
@@ -40,13 +40,13 @@ pub(crate) struct Draft<const D: usize> {
 /// All that large bodies are made from.
 pub(crate) struct Order<S, const D: usize> {
     pub(crate) bodies: Vec<Draft<D>>,
-    /// Inverse mass of every point of the group [1/kg]; 0 = pinned.
+    /// Inverse mass of every point of the group `[1/kg]`; 0 = pinned.
     pub(crate) inverse_mass: Vec<S>,
     pub(crate) way: Way,
     pub(crate) control: Control,
-    /// Gravity [m/s^2].
+    /// Gravity `[m/s^2]`.
     pub(crate) gravity: f64,
-    /// The substep that relaxed bonds are relative to [s].
+    /// The substep that relaxed bonds are relative to `[s]`.
     pub(crate) nominal: f64,
 }
 

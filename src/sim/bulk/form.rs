@@ -75,7 +75,7 @@ pub(crate) trait Form<S: Real, const D: usize> {
     /// The largest |e.e/rest^2 - 1| of any rigid bond, about twice its strain.
     fn stretch(&self, store: &mut Self::Store) -> S;
 
-    /// The bond between two points of the body, that has this rest length [m], goes: its lane is idle from now on. Returns whether
+    /// The bond between two points of the body, that has this rest length `[m]`, goes: its lane is idle from now on. Returns whether
     /// that was so: a form that has no idle lanes, or too many already, has to be made anew.
     fn lose(&mut self, _ends: [u32; 2], _rest: f64) -> bool {
         false

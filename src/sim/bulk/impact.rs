@@ -34,7 +34,7 @@ pub(crate) struct Piece<const D: usize> {
     /// Where it is pinned; of more than two points, two.
     pins: Vec<[f64; 2]>,
     hits: Vec<Hit>,
-    /// Share of the substep after which the first of them comes [1].
+    /// Share of the substep after which the first of them comes `[1]`.
     first: f64,
     centre: [f64; 2],
     /// What the impact changes: V and omega.
@@ -44,7 +44,7 @@ pub(crate) struct Piece<const D: usize> {
 /// A point and a surface that it hits.
 #[derive(Clone, Copy, Debug)]
 struct Hit {
-    /// Share of the substep after which it comes [1].
+    /// Share of the substep after which it comes `[1]`.
     share: f64,
     x: [f64; 2],
     motion: [f64; 2],
@@ -91,7 +91,7 @@ impl<const D: usize> Piece<D> {
         });
     }
 
-    /// Share of the substep that is left after the first hits [1].
+    /// Share of the substep that is left after the first hits `[1]`.
     pub(crate) fn left(&self) -> f64 {
         1.0 - self.first
     }

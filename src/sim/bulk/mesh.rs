@@ -24,7 +24,7 @@ struct Batch<S> {
     spec: Spec,
     /// From and to in the lists of bonds.
     range: [usize; 2],
-    /// The rest length of all of them, if it is one [m].
+    /// The rest length of all of them, if it is one `[m]`.
     rest: Option<S>,
     is_plain: bool,
 }
@@ -37,7 +37,7 @@ pub(crate) struct Mesh<S: Real, const D: usize> {
     segments: Vec<Segment>,
     /// Ends of bonds, batch by batch.
     ends: Vec<[u32; 2]>,
-    /// Rest lengths of bonds [m]; empty where each batch has one.
+    /// Rest lengths of bonds `[m]`; empty where each batch has one.
     rests: Vec<S>,
     batches: Vec<Batch<S>>,
     /// Bonds that are gone.

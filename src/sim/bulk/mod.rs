@@ -68,13 +68,13 @@ pub(crate) struct Bulk<S: Real, const D: usize> {
     pub(crate) bodies: Vec<AnyBody<S, D>>,
     pub(crate) way: Way,
     pub(crate) control: Control,
-    /// The substep that relaxed bonds are relative to [s].
+    /// The substep that relaxed bonds are relative to `[s]`.
     pub(crate) nominal: f64,
-    /// How far velocities are behind positions, when they come from the stores [s].
+    /// How far velocities are behind positions, when they come from the stores `[s]`.
     pub(crate) lag: f64,
-    /// How far the points are ahead of the stores [s].
+    /// How far the points are ahead of the stores `[s]`.
     ahead: f64,
-    /// The substep that the motions in the stores are of [s]; `None`: they are to be taken from the points.
+    /// The substep that the motions in the stores are of `[s]`; `None`: they are to be taken from the points.
     pub(crate) loaded: Option<f64>,
     /// Nothing from outside is in reach for a while.
     clear: Option<Clear>,
@@ -198,7 +198,7 @@ impl<S: Real, const D: usize> Bulk<S, D> {
         (self.lag, self.ahead, self.loaded) = (self.lag + self.ahead, 0.0, None);
     }
 
-    /// Points fly for `h` [s], and end on the free side of surfaces; the stores stay behind.
+    /// Points fly for `h` `[s]`, and end on the free side of surfaces; the stores stay behind.
     fn wait(&mut self, points: &mut Points<S, D>, pull: &Pull<S, D>, h: f64) {
         let flight = drift(pull, (1.0, 1.0), self.lag() + 0.5 * h);
         for ((x, &v), &w) in points.position.iter_mut().zip(&points.velocity).zip(&points.inverse_mass) {
@@ -228,8 +228,8 @@ impl<S: Real, const D: usize> Bulk<S, D> {
         self.strain()
     }
 
-    /// Takes `count` substeps of `h` [s] from the state of the points: all but the arrival. Returns the largest pull of a
-    /// bond, as [`path::solve`](super::kernels::path::solve). `begin` is when the first begins [s]. A ledger, where one is kept, is with what is around.
+    /// Takes `count` substeps of `h` `[s]` from the state of the points: all but the arrival. Returns the largest pull of a
+    /// bond, as [`path::solve`](super::kernels::path::solve). `begin` is when the first begins `[s]`. A ledger, where one is kept, is with what is around.
     fn run(
         &mut self,
         (points, pull, outside): (&Points<S, D>, &Pull<S, D>, &Outside<S, D>),
@@ -281,14 +281,14 @@ impl<S: Real, const D: usize> Bulk<S, D> {
         taut
     }
 
-    /// Places and velocities of the points in the middle of the substep of `h` [s] under way.
+    /// Places and velocities of the points in the middle of the substep of `h` `[s]` under way.
     fn middle(&mut self, points: &Points<S, D>, h: f64) -> Middle<S, D> {
         let mut middle = (points.position.clone(), points.velocity.clone());
         self.bodies.iter_mut().for_each(|body| body.read_middle(S::from_f64(1.0 / h), &mut middle));
         middle
     }
 
-    /// Books a substep of `h` whose middle is at a time [s]; `before` is its middle as it was before bonds pulled, where they pull at
+    /// Books a substep of `h` whose middle is at a time `[s]`; `before` is its middle as it was before bonds pulled, where they pull at
     /// pins that are led.
     fn book(
         &mut self,
@@ -308,7 +308,7 @@ impl<S: Real, const D: usize> Bulk<S, D> {
         }
     }
 
-    /// What a substep of `h` [s] gives to the bonds of each body; forces push for `time` [s].
+    /// What a substep of `h` `[s]` gives to the bonds of each body; forces push for `time` `[s]`.
     fn substeps(&self, h: f64, time: f64) -> Vec<Substep> {
         let share = (2.0 * h / self.nominal).powi(2).min(1.0);
         let (tolerance, tautness) = (self.control.tolerance(), self.control.tautness());
@@ -318,7 +318,7 @@ impl<S: Real, const D: usize> Bulk<S, D> {
     }
 
     /// The mouse as it is at a time, where it is in reach, pushes points near it, those of each body in its store: `share` is what an
-    /// acceleration adds to a displacement [s^2].
+    /// acceleration adds to a displacement `[s^2]`.
     fn push(
         &mut self,
         (outside, near): (&Outside<S, D>, &[Vec<usize>]),
@@ -333,7 +333,7 @@ impl<S: Real, const D: usize> Bulk<S, D> {
         }
     }
 
-    /// Forces and gusts at time `t` [s] change the motions of points: `share` is what an acceleration adds to a displacement [s^2].
+    /// Forces and gusts at time `t` `[s]` change the motions of points: `share` is what an acceleration adds to a displacement `[s^2]`.
     /// `room`: places and accelerations, one entry a point of the group.
     fn drive(
         &mut self,
@@ -348,7 +348,7 @@ impl<S: Real, const D: usize> Bulk<S, D> {
         self.bodies.iter_mut().for_each(|body| body.give(pushes, S::from_f64(share)));
     }
 
-    /// Surfaces, where they are in reach; `fall` is what gravity adds to a motion [m] in a substep of `h` [s].
+    /// Surfaces, where they are in reach; `fall` is what gravity adds to a motion `[m]` in a substep of `h` `[s]`.
     fn meet(
         &mut self,
         outside: &Outside<S, D>,
@@ -377,7 +377,7 @@ impl<S: Real, const D: usize> Bulk<S, D> {
         }
     }
 
-    /// Bonds of one substep of `h`, in which forces push for `time` [s]. Returns the largest pull.
+    /// Bonds of one substep of `h`, in which forces push for `time` `[s]`. Returns the largest pull.
     fn project(&mut self, (h, time): (f64, f64), counters: &mut Counters) -> S {
         let steps = self.substeps(h, time);
         let mut taut = S::ZERO;
@@ -403,7 +403,7 @@ fn passes(way: Way) -> u32 {
 }
 
 /// What gravity and drag do to displacements of substeps of `old` when velocities are taken on by `time` and the next
-/// substep is `h` [s].
+/// substep is `h` `[s]`.
 fn drift<S: Real, const D: usize>(pull: &Pull<S, D>, (old, h): (f64, f64), time: f64) -> Drift<S, D> {
     let rate = pull.drag_rate;
     // v' = g - rate v over `time`: v keep + g gain.
@@ -416,7 +416,7 @@ fn drift<S: Real, const D: usize>(pull: &Pull<S, D>, (old, h): (f64, f64), time:
     }
 }
 
-/// What an acceleration adds to a velocity over `time`, over that acceleration [s], under a drag of this rate [1/s].
+/// What an acceleration adds to a velocity over `time`, over that acceleration `[s]`, under a drag of this rate `[1/s]`.
 fn gain(rate: f64, time: f64) -> f64 {
     if rate == 0.0 { time } else { -libm::expm1(-rate * time) / rate }
 }

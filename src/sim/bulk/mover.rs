@@ -30,7 +30,7 @@ pub(crate) trait Mover<S: Real, const D: usize>: Debug + Send + Sync {
     /// Gives rigid bonds that the start violates their lengths.
     fn begin(&mut self, points: &mut Points<S, D>);
 
-    /// Advances by `h` from time `t` [s], and books the energy that came and went, where there is an account.
+    /// Advances by `h` from time `t` `[s]`, and books the energy that came and went, where there is an account.
     fn step(
         &mut self,
         points: &mut Points<S, D>,
@@ -41,34 +41,34 @@ pub(crate) trait Mover<S: Real, const D: usize>: Debug + Send + Sync {
         account: Option<&mut Account>,
     );
 
-    /// A bond between two points of the group, of this rest length [m], goes. Returns whether that was so: large bodies that cannot
+    /// A bond between two points of the group, of this rest length `[m]`, goes. Returns whether that was so: large bodies that cannot
     /// leave its lane idle are as they were.
     fn lose(&mut self, ends: [u32; 2], rest: f64) -> bool;
 
     /// Points were changed from outside: their state is to be taken anew.
     fn reload(&mut self);
 
-    /// How far velocities are behind positions [s].
+    /// How far velocities are behind positions `[s]`.
     fn lag(&self) -> f64;
 
-    /// The fastest that a point of the group may be led [m/s]; `None`: it may be led anyhow.
+    /// The fastest that a point of the group may be led `[m/s]`; `None`: it may be led anyhow.
     fn most_lead(&self, _slot: u32) -> Option<f64> {
         None
     }
 
-    /// Where bodies may get to within the first [s], pushed by at most the second [m/s^2]: boxes with what their skins keep from each other; none of
+    /// Where bodies may get to within the first `[s]`, pushed by at most the second `[m/s^2]`: boxes with what their skins keep from each other; none of
     /// bodies that do not meet.
     fn reaches(&self, _points: &Points<S, D>, _span: (f64, f64)) -> Vec<Swept<S, D>> {
         Vec::new()
     }
 
-    /// The bodies that may meet within `h` [s], by their slots; whether it is a single one, which meets nothing that its own method does not
+    /// The bodies that may meet within `h` `[s]`, by their slots; whether it is a single one, which meets nothing that its own method does not
     /// know of.
     fn parts(&self, _points: &Points<S, D>, _pull: &Pull<S, D>, _around: &Environment<D>, _h: f64) -> Vec<Part> {
         Vec::new()
     }
 
-    /// Whether a body may meet itself within `h` [s]: asked in every step that somebody else takes with it.
+    /// Whether a body may meet itself within `h` `[s]`: asked in every step that somebody else takes with it.
     fn may_meet_itself(&mut self, _points: &Points<S, D>, _h: f64) -> bool {
         false
     }

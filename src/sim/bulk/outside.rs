@@ -18,9 +18,9 @@ const AHEAD: f64 = 5.0;
 /// Until when nothing is in reach, as long as the mouse stays where it is.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Clear {
-    /// [s]
+    /// `[s]`
     until: f64,
-    /// Where the mouse is, and its radius [m].
+    /// Where the mouse is, and its radius `[m]`.
     mouse: Option<(Cursor, f64)>,
 }
 
@@ -62,7 +62,7 @@ pub(crate) struct Going<S, const D: usize> {
 }
 
 impl<'a, S: Real, const D: usize> Outside<'a, S, D> {
-    /// What the box around all points can meet in a step of `h` [s] from `t` on. Looks at no point where the scene has nothing to
+    /// What the box around all points can meet in a step of `h` `[s]` from `t` on. Looks at no point where the scene has nothing to
     /// meet, or what was looked at last is clear: not far ahead where bonds push points, whose speeds now say little.
     pub(crate) fn in_reach(
         points: &Points<S, D>,
@@ -109,7 +109,7 @@ impl<'a, S: Real, const D: usize> Outside<'a, S, D> {
         (0..D).all(|k| low[k] <= x[k] && x[k] <= high[k])
     }
 
-    /// In how many parts of the step of `h` from `t` [s] points follow the cursor.
+    /// In how many parts of the step of `h` from `t` `[s]` points follow the cursor.
     pub(crate) fn parts(&self, points: &Points<S, D>, span: (f64, f64)) -> u32 {
         let moving = || points.position.iter().copied().zip(points.velocity.iter().copied());
         self.mouse.map_or(1, |around| around.parts_near(moving(), span))
@@ -136,7 +136,7 @@ impl<'a, S: Real, const D: usize> Outside<'a, S, D> {
     }
 
     /// What the surfaces make of a point's substep: where it ends and its motion then, that of the bounce. `None`: it meets none.
-    /// `fall` is what gravity adds to a motion [m].
+    /// `fall` is what gravity adds to a motion `[m]`.
     ///
     /// v_n -> -restitution v_n, |change of v_t| <= friction |change of v_n|. Slow impacts do not bounce. Of a plane it ends on
     /// the surface; by the wall of a polygon it is turned where it meets it.
@@ -196,7 +196,7 @@ struct Bounce<S, const D: usize> {
 }
 
 impl<S: Real, const D: usize> Bounce<S, D> {
-    /// `late` is what gravity added to the motion since [m]: what bounces did so without it.
+    /// `late` is what gravity added to the motion since `[m]`: what bounces did so without it.
     fn of(motion: [S; D], surface: &Surface<S, D>, gentle: S, late: [S; D]) -> Self {
         let speed = dot(motion, surface.normal);
         if speed >= S::ZERO {

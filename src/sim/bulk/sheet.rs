@@ -52,7 +52,7 @@ pub(crate) struct Sheet<S, const D: usize> {
 /// What a sheet knows of bonds that are gone.
 #[derive(Clone, Debug)]
 struct Holes<S> {
-    /// Rest length of each bond at the cell of its first point [m]: [`GONE`] of those that are gone.
+    /// Rest length of each bond at the cell of its first point `[m]`: [`GONE`] of those that are gone.
     rests: Kinds<Vec<S>>,
     /// Rows with such a bond, of their own or to the next row.
     is_in: Vec<bool>,

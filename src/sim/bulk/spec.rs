@@ -9,7 +9,7 @@ use crate::sim::real::Real;
 /// What bonds of one kind have in common.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Spec {
-    /// Rest length [m].
+    /// Rest length `[m]`.
     pub(crate) rest: f64,
     pub(crate) kind: BondKind,
     pub(crate) limit: Limit,
@@ -18,17 +18,17 @@ pub(crate) struct Spec {
 /// What a substep gives to bonds.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Substep {
-    /// Its length [s].
+    /// Its length `[s]`.
     pub(crate) h: f64,
-    /// The inverse mass that weights are relative to [1/kg].
+    /// The inverse mass that weights are relative to `[1/kg]`.
     pub(crate) reference: f64,
-    /// Share of a relaxed bond's correction [1]: below 1 where the substep is cut short.
+    /// Share of a relaxed bond's correction `[1]`: below 1 where the substep is cut short.
     pub(crate) share: f64,
-    /// Strain above which a path gets another round [1].
+    /// Strain above which a path gets another round `[1]`.
     pub(crate) tolerance: f64,
-    /// Tension over strain at which rigid bonds give way [N]; infinite: they don't.
+    /// Tension over strain at which rigid bonds give way `[N]`; infinite: they don't.
     pub(crate) tautness: f64,
-    /// For how long springs push [s]; `None`: they are projected.
+    /// For how long springs push `[s]`; `None`: they are projected.
     pub(crate) kick: Option<f64>,
 }
 

@@ -133,7 +133,7 @@ impl<S: Real, const D: usize> Plain<S, D> {
     }
 }
 
-/// One kind of every law, with this rest length [m].
+/// One kind of every law, with this rest length `[m]`.
 fn specs(rest: f64) -> [Spec; 4] {
     let spec = |kind, limit| Spec { rest, kind, limit };
     [

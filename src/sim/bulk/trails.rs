@@ -26,7 +26,7 @@ pub(crate) struct Bundle<S> {
     pub(crate) len: usize,
     /// Point k of the trail in lane l at k times [`WIDEST`] + l; trails that have ended repeat their last point.
     pub(crate) points: Vec<u32>,
-    /// Rest length of the bond behind each of them [m].
+    /// Rest length of the bond behind each of them `[m]`.
     pub(crate) rests: Vec<S>,
     /// How many trails have a point k.
     pub(crate) counts: Vec<u8>,
@@ -55,7 +55,7 @@ pub(crate) fn is_about<S: Real>(rest: S, meant: S) -> bool {
 struct Trail {
     points: Vec<u32>,
     bonds: Vec<u32>,
-    /// How much its bonds lie along gravity [1].
+    /// How much its bonds lie along gravity `[1]`.
     steepness: f64,
 }
 

@@ -67,7 +67,7 @@ impl<S: Real> RelaxedBond<S> {
     }
 }
 
-/// Share of a correction in a substep of `h` where the scene says `nominal` [s]: (2 h/nominal)^2, at most 1.
+/// Share of a correction in a substep of `h` where the scene says `nominal` `[s]`: (2 h/nominal)^2, at most 1.
 ///
 /// A correction acts like a force times h^2. A substep cut short by a knot or a sample, with the whole correction in
 /// it, would be a blow: the shorter, the harder. Cutting a stretch into equal substeps leaves more than half of each:

@@ -12,7 +12,7 @@ pub(crate) struct Row<S> {
     pub(crate) w_a: S,
     pub(crate) w_b: S,
     pub(crate) rest_length: S,
-    /// 1/rest_length^2 [1/m^2]; 1 at rest length 0.
+    /// 1/rest_length^2 `[1/m^2]`; 1 at rest length 0.
     pub(crate) inverse_square: S,
     pub(crate) limit: Limit,
     /// It acts: always, unless it has a limit.
@@ -24,10 +24,10 @@ pub(crate) struct Row<S> {
 pub(crate) struct Leg<S> {
     /// The row.
     pub(crate) row: u32,
-    /// The third corner, and its inverse mass [1/kg].
+    /// The third corner, and its inverse mass `[1/kg]`.
     pub(crate) c: u32,
     pub(crate) w_c: S,
-    /// The area [m^2].
+    /// The area `[m^2]`.
     pub(crate) area: S,
 }
 

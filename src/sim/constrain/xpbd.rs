@@ -17,9 +17,9 @@ pub(crate) struct CompliantBond<S> {
     w_a: S,
     w_b: S,
     rest_length: S,
-    /// [m/N]; 0 is rigid.
+    /// `[m/N]`; 0 is rigid.
     compliance: S,
-    /// [N s/m].
+    /// `[N s/m]`.
     damping: S,
     limit: Limit,
     lambda: S,
@@ -51,7 +51,7 @@ impl<S: Real> CompliantBond<S> {
         [self.a, self.b]
     }
 
-    /// Moves the ends by their displacements in a substep of `h` [s].
+    /// Moves the ends by their displacements in a substep of `h` `[s]`.
     #[inline(always)]
     fn project<const D: usize>(&mut self, position: &[[S; D]], displacement: &mut [[S; D]], h: S) {
         let (a, b) = (self.a as usize, self.b as usize);

@@ -7,9 +7,9 @@ use crate::sim::vector::{add, dot, length, scale, sub};
 pub struct Convex {
     /// Which of both, and where.
     pub figure: Figure,
-    /// v_n -> -restitution v_n on touching [1], >= 0.
+    /// v_n -> -restitution v_n on touching `[1]`, >= 0.
     pub restitution: f64,
-    /// |change of v_t| <= friction |change of v_n| [1], >= 0.
+    /// |change of v_t| <= friction |change of v_n| `[1]`, >= 0.
     pub friction: f64,
 }
 
@@ -18,20 +18,20 @@ pub struct Convex {
 pub enum Figure {
     /// All within a radius.
     Ball {
-        /// Centre [m].
+        /// Centre `[m]`.
         center: [f64; 3],
-        /// Radius [m], > 0.
+        /// Radius `[m]`, > 0.
         radius: f64,
     },
     /// A box, turned about its centre.
     Box {
-        /// Lower corner before it is turned [m].
+        /// Lower corner before it is turned `[m]`.
         min: [f64; 3],
-        /// Upper corner before it is turned [m], above `min` on every axis.
+        /// Upper corner before it is turned `[m]`, above `min` on every axis.
         max: [f64; 3],
         /// The axis that it is turned about, of any length above 0.
         axis: [f64; 3],
-        /// By so much [rad].
+        /// By so much `[rad]`.
         angle: f64,
     },
 }
@@ -50,7 +50,7 @@ impl Figure {
         }
     }
 
-    /// The box as its centre, half its sides [m] and the unit vectors along them; `None` of a ball.
+    /// The box as its centre, half its sides `[m]` and the unit vectors along them; `None` of a ball.
     pub fn frame(&self) -> Option<Frame> {
         let &Figure::Box { min, max, axis, angle } = self else { return None };
         let rotation = Rotation::about(axis, angle);
@@ -63,7 +63,7 @@ impl Figure {
         Some(Frame { center: add(min, half), half, axes })
     }
 
-    /// Its middle [m].
+    /// Its middle `[m]`.
     pub fn center(&self) -> [f64; 3] {
         match *self {
             Figure::Ball { center, .. } => center,
@@ -71,7 +71,7 @@ impl Figure {
         }
     }
 
-    /// The box along the axes around it [m].
+    /// The box along the axes around it `[m]`.
     pub fn extent(&self) -> [[f64; 3]; 2] {
         let reach = match self.frame() {
             None => [self.radius(); 3],
@@ -89,7 +89,7 @@ impl Figure {
         }
     }
 
-    /// How deep a place is inside [m], and the way out that is the shortest; `None` outside.
+    /// How deep a place is inside `[m]`, and the way out that is the shortest; `None` outside.
     pub(crate) fn depth(&self, x: [f64; 3]) -> Option<(f64, [f64; 3])> {
         let Some(frame) = self.frame() else {
             let from = sub(x, self.center());
@@ -111,12 +111,12 @@ impl Figure {
         nearest
     }
 
-    /// Whether a segment leads through more than its skin, which is `slack` [m] thick.
+    /// Whether a segment leads through more than its skin, which is `slack` `[m]` thick.
     pub(crate) fn is_pierced(&self, [a, b]: [[f64; 3]; 2], slack: f64) -> bool {
         self.entry([a, sub(b, a)], slack).is_some_and(|t| t <= 1.0)
     }
 
-    /// Where a ray from outside or inside first is inside: in lengths of its direction, >= 0; `slack` [m] is taken off all around.
+    /// Where a ray from outside or inside first is inside: in lengths of its direction, >= 0; `slack` `[m]` is taken off all around.
     pub fn entry(&self, [origin, direction]: [[f64; 3]; 2], slack: f64) -> Option<f64> {
         let Some(frame) = self.frame() else {
             let radius = (self.radius() - slack).max(0.0);
@@ -165,22 +165,22 @@ impl Figure {
 /// Where a box lies.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Frame {
-    /// Its middle [m].
+    /// Its middle `[m]`.
     pub center: [f64; 3],
-    /// Half its sides [m].
+    /// Half its sides `[m]`.
     pub half: [f64; 3],
     /// Unit vectors along its sides.
     pub axes: [[f64; 3]; 3],
 }
 
 impl Frame {
-    /// A place, seen from its middle along its sides [m].
+    /// A place, seen from its middle along its sides `[m]`.
     fn within(&self, x: [f64; 3]) -> [f64; 3] {
         let from = sub(x, self.center);
         self.axes.map(|axis| dot(axis, from))
     }
 
-    /// Its corners [m]: bit k of the number says on which side along axis k.
+    /// Its corners `[m]`: bit k of the number says on which side along axis k.
     pub fn corners(&self) -> [[f64; 3]; 8] {
         std::array::from_fn(|number| {
             (0..3).fold(self.center, |x, k| {

@@ -71,7 +71,7 @@ impl<S: Real, const D: usize> Contacts<S, D> {
         turned(rows.map(|column| self.free(a, column)))
     }
 
-    /// Sliding friction [m/s^2] by what pressed a point when that was last asked, against where it heads for all of a step.
+    /// Sliding friction `[m/s^2]` by what pressed a point when that was last asked, against where it heads for all of a step.
     pub(crate) fn rub_ahead(&self, rest: &Rest<S, D>) -> [S; D] {
         let size = length(rest.heading);
         if rest.sticks || size == S::ZERO {
@@ -192,7 +192,7 @@ impl<S: Real, const D: usize> Contacts<S, D> {
         }
     }
 
-    /// Sliding friction [m/s^2]: against the velocity along the surface, as large as friction times what presses.
+    /// Sliding friction `[m/s^2]`: against the velocity along the surface, as large as friction times what presses.
     pub(crate) fn friction(&self, rest: &Rest<S, D>, v: [S; D], total: [S; D]) -> [S; D] {
         let mu = rest.grip(&self.obstacles.surfaces);
         let none = [S::ZERO; D];

@@ -36,7 +36,7 @@ pub(crate) struct Obstacles<S, const D: usize> {
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Met {
     pub(crate) surface: usize,
-    /// Share of the way that was gone until then [1]; 1 where it is found inside without having met a wall.
+    /// Share of the way that was gone until then `[1]`; 1 where it is found inside without having met a wall.
     pub(crate) share: f64,
     /// It is found inside.
     is_inside: bool,
@@ -86,7 +86,7 @@ impl<S: Real, const D: usize> Obstacles<S, D> {
         &self.convex
     }
 
-    /// Where a place is deepest inside of one of them [m], and the way out.
+    /// Where a place is deepest inside of one of them `[m]`, and the way out.
     pub(crate) fn depth_in_convex(&self, x: [S; D]) -> Option<(f64, [f64; D])> {
         let x = embed(widen(x));
         let inside = self.convex.iter().filter_map(|convex| convex.figure.depth(x));
@@ -145,7 +145,7 @@ impl<S: Real, const D: usize> Obstacles<S, D> {
         })
     }
 
-    /// The nearest wall of a point inside a polygon, deeper than `least` [m].
+    /// The nearest wall of a point inside a polygon, deeper than `least` `[m]`.
     pub(crate) fn nearest(&self, x: [S; D], least: f64) -> Option<usize> {
         // That it is inside is found out sooner than what is nearest, however far.
         let solids = self.solids.as_ref().filter(|solids| solids.is_solid(flat(x)))?;
@@ -183,7 +183,7 @@ impl<S: Real, const D: usize> Obstacles<S, D> {
             || self.convex.iter().any(is_near)
     }
 
-    /// Length of the diagonal of the box around all polygons; of balls and boxes the sum of theirs [m].
+    /// Length of the diagonal of the box around all polygons; of balls and boxes the sum of theirs `[m]`.
     pub(crate) fn breadth(&self) -> f64 {
         let convex = self.convex.iter().map(|convex| convex.figure.extent());
         let across = convex.fold(0.0, |sum, [low, high]| sum + length(sub(high, low)));
@@ -204,7 +204,7 @@ impl<S: Real, const D: usize> Obstacles<S, D> {
         }
     }
 
-    /// What rounding cannot tell from 0 near polygons [m].
+    /// What rounding cannot tell from 0 near polygons `[m]`.
     pub(crate) fn slack(&self) -> f64 {
         let reach = self.solids.as_ref().map_or(0.0, |solids| solids.reach());
         S::EPSILON.to_f64() * 64.0 * (1.0 + reach)
@@ -214,7 +214,7 @@ impl<S: Real, const D: usize> Obstacles<S, D> {
     /// of its part along the wall, and turned back with what it says of the part across. `turn` is told the share of the way that
     /// is left. `None`: it meets none.
     ///
-    /// `fall` is what gravity adds to a motion on such a way [m].
+    /// `fall` is what gravity adds to a motion on such a way `[m]`.
     pub(crate) fn led(
         &self,
         a: [S; D],

@@ -7,7 +7,7 @@ use crate::sim::vector::{add, dot, scale, sub};
 /// A way that ends behind a surface.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Passage<S, const D: usize> {
-    /// Share of the way that is left when it meets the surface [1].
+    /// Share of the way that is left when it meets the surface `[1]`.
     pub(crate) left: S,
     normal: [S; D],
     /// Where the straight way and where the flight meets the surface.
@@ -20,7 +20,7 @@ pub(crate) struct Passage<S, const D: usize> {
 }
 
 impl<S: Real, const D: usize> Passage<S, D> {
-    /// A way that meets the surface after the given share of it; `fall` is what gravity adds to a motion on all of it [m].
+    /// A way that meets the surface after the given share of it; `fall` is what gravity adds to a motion on all of it `[m]`.
     ///
     /// The point flies on a parabola whose chord the way is: after s of the way it is off the chord by -fall s (1 - s) / 2.
     pub(crate) fn new(surface: &Surface<S, D>, [from, to]: [[S; D]; 2], fall: [S; D], share: f64) -> Self {
@@ -43,7 +43,7 @@ impl<S: Real, const D: usize> Passage<S, D> {
     }
 
     /// Where it is turned, and where it ends, if so much of it is kept along the surface, and so much of the part across is turned
-    /// back [1].
+    /// back `[1]`.
     pub(crate) fn turned(&self, [keep, back]: [S; 2]) -> [[S; D]; 2] {
         let turned = |way: [S; D]| {
             let across = scale(self.normal, dot(way, self.normal));

@@ -6,13 +6,13 @@ use crate::sim::vector::{add, dot, scale};
 
 /// How a surface pushes out what has got behind it, in place of contact.
 ///
-/// Model: a point at depth s >= 0 [m] that moves outwards at v_n [m/s] is pushed along the normal by stiffness s - damping v_n [N],
+/// Model: a point at depth s >= 0 `[m]` that moves outwards at v_n `[m/s]` is pushed along the normal by stiffness s - damping v_n `[N]`,
 /// never inwards. A point of weight W rests at the depth W/stiffness; a fast one goes deep, and through what is thin.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Penalty {
-    /// [N/m], >= 0.
+    /// `[N/m]`, >= 0.
     pub stiffness: f64,
-    /// Along the normal [N s/m], >= 0.
+    /// Along the normal `[N s/m]`, >= 0.
     pub damping: f64,
 }
 
@@ -56,7 +56,7 @@ impl<S: Real, const D: usize> Cushion<S, D> {
         }
     }
 
-    /// What is stored in it of points at these places [J].
+    /// What is stored in it of points at these places `[J]`.
     pub(crate) fn energy(&self, places: impl Iterator<Item = [S; D]>) -> f64 {
         let depths = places.map(|x| (-self.surface.gap(x)).to_f64().max(0.0));
         0.5 * self.stiffness.to_f64() * depths.map(|depth| depth * depth).sum::<f64>()

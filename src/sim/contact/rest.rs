@@ -17,7 +17,7 @@ pub(crate) struct Rest<S, const D: usize> {
     /// Where it slides to at the start of the step, of any length: friction goes on against it when the velocity turns
     /// back within the step, so that the moment when it is zero can be located.
     pub(crate) heading: [S; D],
-    /// The whole acceleration of the last evaluation [m/s^2], before friction and the surfaces took their part.
+    /// The whole acceleration of the last evaluation `[m/s^2]`, before friction and the surfaces took their part.
     pub(crate) pressing: [S; D],
 }
 

@@ -11,11 +11,11 @@ pub(crate) const MOST_RADIUS: f64 = 0.5;
 /// What happens between the skins of bodies: the edges of what their triangles cover, and bonds that belong to no triangle.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Contact {
-    /// |change of v_t| <= friction |change of v_n| between two skins [1], >= 0; more than 30 is taken as 30.
+    /// |change of v_t| <= friction |change of v_n| between two skins `[1]`, >= 0; more than 30 is taken as 30.
     pub friction: f64,
-    /// v_n -> -restitution v_n on touching [1], from 0 to 1.
+    /// v_n -> -restitution v_n on touching `[1]`, from 0 to 1.
     pub restitution: f64,
-    /// Distance that a skin keeps from the middle of its edges [m], >= 0; `None`: 0.05 of the mean edge of each skin, in the plane of the
+    /// Distance that a skin keeps from the middle of its edges `[m]`, >= 0; `None`: 0.05 of the mean edge of each skin, in the plane of the
     /// body's hydraulic diameter (four areas by its circumference) where that is less. In the plane at most half of that edge.
     pub radius: Option<f64>,
     /// Bodies meet themselves.
@@ -42,11 +42,11 @@ impl Default for Contact {
 /// Between two skins friction is the root of the product of both, restitution the larger one, the distance the sum of both radii.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct SkinMaterial {
-    /// [1], >= 0; `None`: that of [`Contact`].
+    /// `[1]`, >= 0; `None`: that of [`Contact`].
     pub friction: Option<f64>,
-    /// [1], from 0 to 1; `None`: that of [`Contact`].
+    /// `[1]`, from 0 to 1; `None`: that of [`Contact`].
     pub restitution: Option<f64>,
-    /// [m], >= 0; `None`: that of [`Contact`].
+    /// `[m]`, >= 0; `None`: that of [`Contact`].
     pub radius: Option<f64>,
 }
 
@@ -88,7 +88,7 @@ impl SkinMaterials {
         self.of_point.is_empty()
     }
 
-    /// The largest radius that is said [m].
+    /// The largest radius that is said `[m]`.
     pub(crate) fn widest(&self) -> Option<f64> {
         self.kinds.iter().filter_map(|kind| kind.radius).reduce(f64::max)
     }

@@ -7,19 +7,19 @@ use crate::sim::vector::{convert, dot, flat, widen};
 /// A half-space that points cannot enter; the free side is where the normal points.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Plane<const D: usize> {
-    /// Any point of the surface [m].
+    /// Any point of the surface `[m]`.
     pub point: [f64; D],
     /// Its normal, of any length above 0.
     pub normal: [f64; D],
-    /// v_n -> -restitution v_n on touching [1], >= 0.
+    /// v_n -> -restitution v_n on touching `[1]`, >= 0.
     pub restitution: f64,
-    /// |change of v_t| <= friction |change of v_n| [1], >= 0; more than 30 is taken as 30.
+    /// |change of v_t| <= friction |change of v_n| `[1]`, >= 0; more than 30 is taken as 30.
     pub friction: f64,
     /// Where it pushes by depth in place of contact.
     pub penalty: Option<Penalty>,
 }
 
-/// The largest coefficient of friction [1]: it holds what stands on a slope of 88 degrees. Of more a step is too long to be stopped
+/// The largest coefficient of friction `[1]`: it holds what stands on a slope of 88 degrees. Of more a step is too long to be stopped
 /// by in time, and what should stand turns back with the speed that friction gave it.
 pub(crate) const MOST_FRICTION: f64 = 30.0;
 
@@ -28,11 +28,11 @@ pub(crate) const MOST_FRICTION: f64 = 30.0;
 pub(crate) struct Surface<S, const D: usize> {
     /// Unit normal, towards the free side.
     pub(crate) normal: [S; D],
-    /// normal . x on the surface [m].
+    /// normal . x on the surface `[m]`.
     offset: S,
     pub(crate) restitution: S,
     pub(crate) friction: S,
-    /// A distance that rounding cannot tell from 0 [m].
+    /// A distance that rounding cannot tell from 0 `[m]`.
     slack: S,
 }
 
@@ -41,7 +41,7 @@ impl<S: Real, const D: usize> Surface<S, D> {
         Surface::within(plane, 0.0)
     }
 
-    /// The same, to be met at coordinates up to `reach` [m].
+    /// The same, to be met at coordinates up to `reach` `[m]`.
     pub(crate) fn within(plane: &Plane<D>, reach: f64) -> Self {
         let length = plane.normal.iter().fold(0.0, |sum, &n| libm::hypot(sum, n));
         let normal = plane.normal.map(|n| n / length);
@@ -55,7 +55,7 @@ impl<S: Real, const D: usize> Surface<S, D> {
         }
     }
 
-    /// How far a point is from the surface [m]; below 0 inside the solid.
+    /// How far a point is from the surface `[m]`; below 0 inside the solid.
     #[inline(always)]
     pub(crate) fn gap(&self, x: [S; D]) -> S {
         dot(self.normal, x) - self.offset
@@ -75,17 +75,17 @@ impl<S: Real, const D: usize> Surface<S, D> {
         dot(flat(widen(self.normal)), x) - self.offset.to_f64()
     }
 
-    /// The gap of the nearest corner of a box [m].
+    /// The gap of the nearest corner of a box `[m]`.
     pub(crate) fn least_gap(&self, [low, high]: [[S; D]; 2]) -> S {
         self.gap(std::array::from_fn(|k| if self.normal[k] > S::ZERO { low[k] } else { high[k] }))
     }
 
-    /// How fast the gap may shrink at velocities from a box of them [m/s]: below 0 towards the surface.
+    /// How fast the gap may shrink at velocities from a box of them `[m/s]`: below 0 towards the surface.
     pub(crate) fn least_rate(&self, [low, high]: [[S; D]; 2]) -> S {
         dot(self.normal, std::array::from_fn(|k| if self.normal[k] > S::ZERO { low[k] } else { high[k] }))
     }
 
-    /// A distance that rounding cannot tell from 0 [m].
+    /// A distance that rounding cannot tell from 0 `[m]`.
     pub(crate) fn slack(&self) -> S {
         self.slack
     }

@@ -74,7 +74,7 @@ impl<S: Real, const D: usize> World<S, D> {
         self.bonds.ends().iter().map(is_crossed).collect()
     }
 
-    /// Bonds that are overstretched at time `t` [s], by their numbers, are gone. Returns the places of the groups of what they held.
+    /// Bonds that are overstretched at time `t` `[s]`, by their numbers, are gone. Returns the places of the groups of what they held.
     pub(crate) fn tear(&mut self, torn: &[u32], t: f64) -> Vec<usize> {
         let mut goes = vec![false; self.bonds.len()];
         for place in torn.iter().filter_map(|&number| self.numbers.place_of_bond(number)) {
@@ -84,7 +84,7 @@ impl<S: Real, const D: usize> World<S, D> {
         self.part(&goes, t)
     }
 
-    /// Bonds go at time `t` [s]. What they held is compiled anew, but for large bodies that leave their lanes idle. Returns the places
+    /// Bonds go at time `t` `[s]`. What they held is compiled anew, but for large bodies that leave their lanes idle. Returns the places
     /// of the groups that come of it.
     fn part(&mut self, goes: &[bool], t: f64) -> Vec<usize> {
         let rest = self.leave_idle(goes);

@@ -29,7 +29,7 @@ impl<S: Real, const D: usize> World<S, D> {
         }
     }
 
-    /// The keys of all drives, with the rates at which they come and go [1/s].
+    /// The keys of all drives, with the rates at which they come and go `[1/s]`.
     fn rates(&self) -> Vec<(Key, f64)> {
         let mut rates: Vec<(Key, f64)> = Vec::new();
         let pairs = self.signals().filter_map(|signal| signal.held);

@@ -11,7 +11,7 @@ use crate::sim::world::World;
 use crate::sim::world::frozen::Frozen;
 
 impl<S: Real, const D: usize> World<S, D> {
-    /// The islands of points, which are where they last were among the numbers, stand still from `t` on [s]; `solver` has failed.
+    /// The islands of points, which are where they last were among the numbers, stand still from `t` on `[s]`; `solver` has failed.
     pub(crate) fn freeze(&mut self, points: &[u32], (solver, t): (Solver, f64)) {
         let islands = self.islands_with(points);
         let all: Vec<u32> = islands.iter().flatten().copied().collect();

@@ -44,7 +44,7 @@ impl<S: Real, const D: usize> World<S, D> {
         Ok(DONE)
     }
 
-    /// The points that are no further from the cursor, in space from its ray, than this [m]; none without a cursor.
+    /// The points that are no further from the cursor, in space from its ray, than this `[m]`; none without a cursor.
     pub(super) fn points_within(&self, radius: f64) -> Vec<PointId> {
         let Some(cursor) = self.around.cursor.map(|path| path.at(self.timeline.time())) else { return Vec::new() };
         let is_near = |i: &u32| {
@@ -132,13 +132,13 @@ impl<S: Real, const D: usize> World<S, D> {
         }
     }
 
-    /// Mean place of points [m].
+    /// Mean place of points `[m]`.
     fn middle(&self, points: &[PointId]) -> [f64; 3] {
         let sum = points.iter().fold([0.0; 3], |sum, point| add(sum, embed(self.place(point.index()))));
         scale(sum, 1.0 / points.len().max(1) as f64)
     }
 
-    /// Mass of all that hangs together with points by bonds, but for pins [kg].
+    /// Mass of all that hangs together with points by bonds, but for pins `[kg]`.
     fn mass_around(&self, points: &[PointId]) -> f64 {
         let w = &self.inverse_mass;
         let mut sets = Sets::new(self.count());

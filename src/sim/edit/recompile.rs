@@ -30,7 +30,7 @@ pub(crate) struct Detached<S, const D: usize> {
     moved_of: Vec<u32>,
     /// What the live step is to move of them is to go together.
     pub(crate) are_together: bool,
-    /// When [s].
+    /// When `[s]`.
     time: f64,
 }
 
@@ -104,7 +104,7 @@ impl<S: Real, const D: usize> World<S, D> {
         self.detach_at(touched, is_all, self.timeline.time())
     }
 
-    /// The same at a time `t` [s] within a step.
+    /// The same at a time `t` `[s]` within a step.
     pub(crate) fn detach_at(&mut self, touched: &[u32], is_all: bool, t: f64) -> Detached<S, D> {
         self.spread();
         // Bodies that may meet move together.
@@ -228,7 +228,7 @@ impl<S: Real, const D: usize> World<S, D> {
         }
     }
 
-    /// Compiles points in this state as model and bonds are now, and makes them ready at `t` [s].
+    /// Compiles points in this state as model and bonds are now, and makes them ready at `t` `[s]`.
     fn remake(
         &self,
         (mut points, mut state): (Vec<u32>, State<S, D>),
@@ -247,7 +247,7 @@ impl<S: Real, const D: usize> World<S, D> {
         Remade { plan, points, state, model, bonds, is_held }
     }
 
-    /// Notes who moves new groups: who moved their points before, or since `t` [s] their plan.
+    /// Notes who moves new groups: who moved their points before, or since `t` `[s]` their plan.
     fn note_movers(&mut self, (places, points): (&[usize], &[u32]), mover: impl Fn(u32) -> Option<Moved>, t: f64) {
         let mut known: Vec<Option<Moved>> = vec![None; places.len()];
         for &point in points.iter().filter(|&&point| self.inverse_mass[point as usize] > 0.0) {
@@ -315,7 +315,7 @@ impl<S: Real, const D: usize> World<S, D> {
         true
     }
 
-    /// How far points would be put from where they are [m].
+    /// How far points would be put from where they are `[m]`.
     fn furthest(&self, made: &Remade<S, D>) -> f64 {
         let plan = &made.plan;
         let place = |k: usize| {

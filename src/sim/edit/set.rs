@@ -21,7 +21,7 @@ use crate::sim::world::World;
 /// How much stronger than asked for the mouse force is that islands are made for, where it is stronger than any before: not every
 /// turn at its knob is to make all of them anew.
 const HEADROOM: f64 = 2.0;
-/// Stiffness of a spring that nothing is said of [N/m].
+/// Stiffness of a spring that nothing is said of `[N/m]`.
 const STIFFNESS: f64 = 1000.0;
 
 impl<S: Real, const D: usize> World<S, D> {
@@ -260,7 +260,7 @@ impl<S: Real, const D: usize> World<S, D> {
         has_budgets && *self.model == Model { method: same, ..model.clone() }
     }
 
-    /// The areas at rest of all triangles of a model [m^2]: those that are known, or as they are made; none where nobody needs them.
+    /// The areas at rest of all triangles of a model `[m^2]`: those that are known, or as they are made; none where nobody needs them.
     fn rest_areas(&self, model: &Model<D>) -> Vec<f64> {
         if !model.needs_areas() {
             return Vec::new();

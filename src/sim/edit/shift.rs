@@ -17,7 +17,7 @@ use crate::sim::world::World;
 struct Placement {
     about: [f64; 3],
     by: [f64; 3],
-    /// The turn about z [rad], and its cos and sin.
+    /// The turn about z `[rad]`, and its cos and sin.
     angle: f64,
     turn: [f64; 2],
     scale: f64,

@@ -10,7 +10,7 @@ use crate::sim::vector::{dot, scale, sub};
 
 /// Share of an arm's length at the start below which the arm pulls less and less: at none it has no direction.
 const LEAST_ARM: f64 = 0.1;
-/// How far beyond its range an angle may be to count as at its stop [rad]: what numbers in a file leave.
+/// How far beyond its range an angle may be to count as at its stop `[rad]`: what numbers in a file leave.
 const AT_STOP: f64 = 1e-6;
 
 /// An angle that resists, as a model has it.
@@ -20,24 +20,24 @@ pub struct Angle {
     pub number: u32,
     /// i, j, k: at j, from the arm to i to the arm to k, anticlockwise. They differ.
     pub points: [PointId; 3],
-    /// The angle at which it is at rest [rad], in (0, 2 pi).
+    /// The angle at which it is at rest `[rad]`, in (0, 2 pi).
     pub rest: f64,
-    /// [N m], >= 0.
+    /// `[N m]`, >= 0.
     pub stiffness: f64,
-    /// [N m s], >= 0.
+    /// `[N m s]`, >= 0.
     pub damping: f64,
-    /// The least and the largest angle of a joint [rad], less than a turn apart; `None`: it turns freely.
+    /// The least and the largest angle of a joint `[rad]`, less than a turn apart; `None`: it turns freely.
     pub range: Option<[f64; 2]>,
-    /// Lengths of both arms at the start [m], > 0.
+    /// Lengths of both arms at the start `[m]`, > 0.
     pub arms: [f64; 2],
-    /// Stiffness beyond the range [N m]; 0: still to be worked out from what acts on its body.
+    /// Stiffness beyond the range `[N m]`; 0: still to be worked out from what acts on its body.
     pub stop: f64,
     /// What moves it.
     pub drive: Option<AngleDrive>,
 }
 
 impl Angle {
-    /// The energy [J] with which its stops push it in where its points are at these places [m]; 0 within its range.
+    /// The energy `[J]` with which its stops push it in where its points are at these places `[m]`; 0 within its range.
     pub(crate) fn pushed_in<const D: usize>(&self, places: [[f64; D]; 3]) -> f64 {
         let Some([least, most]) = self.range else { return 0.0 };
         let beyond = wrapped(measured(places).0 - 0.5 * (least + most)).abs() - 0.5 * (most - least);
@@ -62,7 +62,7 @@ impl Angles {
     }
 }
 
-/// The angle at j from the arm to i to that to k, in [0, 2 pi) [rad], and the lengths of both arms [m].
+/// The angle at j from the arm to i to that to k, in [0, 2 pi) `[rad]`, and the lengths of both arms `[m]`.
 pub fn measured<const D: usize>([i, j, k]: [[f64; D]; 3]) -> (f64, [f64; 2]) {
     let (p, q) = (sub(i, j), sub(k, j));
     let angle = libm::atan2(p[0] * q[1] - p[1] * q[0], p[0] * q[0] + p[1] * q[1]);
@@ -70,7 +70,7 @@ pub fn measured<const D: usize>([i, j, k]: [[f64; D]; 3]) -> (f64, [f64; 2]) {
     (if angle < 0.0 { angle + 2.0 * std::f64::consts::PI } else { angle }, arms)
 }
 
-/// An angle in (-pi, pi] that points the same way [rad].
+/// An angle in (-pi, pi] that points the same way `[rad]`.
 fn wrapped(angle: f64) -> f64 {
     libm::atan2(libm::sin(angle), libm::cos(angle))
 }
@@ -81,25 +81,25 @@ pub(crate) struct Hinge<S> {
     pub(crate) points: [u32; 3],
     /// Sine and cosine of what it is measured from.
     from: [S; 2],
-    /// Rest and half the range, measured from there [rad].
+    /// Rest and half the range, measured from there `[rad]`.
     rest: S,
     half: S,
     pub(crate) stiffness: S,
     pub(crate) damping: S,
-    /// Stiffness beyond the range [N m].
+    /// Stiffness beyond the range `[N m]`.
     pub(crate) stop: S,
-    /// Squares of the lengths below which arms pull less [m^2].
+    /// Squares of the lengths below which arms pull less `[m^2]`.
     least: [S; 2],
     /// What moves it.
     pub(crate) drive: Option<AngleDrive>,
 }
 
-/// How an angle stands: itself, seen from its middle [rad], and its slopes by the places of its points [rad/m].
+/// How an angle stands: itself, seen from its middle `[rad]`, and its slopes by the places of its points `[rad/m]`.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Stand<S> {
     pub(crate) angle: S,
     pub(crate) slopes: [[S; 2]; 3],
-    /// Share of its torque that it has with arms as short as they are [1].
+    /// Share of its torque that it has with arms as short as they are `[1]`.
     share: S,
     arms: [[S; 2]; 2],
     squares: [S; 2],
@@ -124,7 +124,7 @@ impl<S: Real> Hinge<S> {
         }
     }
 
-    /// No stiffer than a step of `h` [s] bears where points of these inverse masses [1/kg] are moved by it alone: k h^2 sum of w |g|^2, with
+    /// No stiffer than a step of `h` `[s]` bears where points of these inverse masses `[1/kg]` are moved by it alone: k h^2 sum of w |g|^2, with
     /// arms as long as at the start and in line, is at most `most`, and of its damper c h sum of w |g|^2.
     pub(crate) fn bounded(self, [i, j, k]: [f64; 3], (h, most): (f64, f64)) -> Self {
         let [a, b] = self.least.map(|least| LEAST_ARM / least.to_f64().sqrt());
@@ -159,7 +159,7 @@ impl<S: Real> Hinge<S> {
         })
     }
 
-    /// How far beyond the range an angle is [rad], below 0 under its least.
+    /// How far beyond the range an angle is `[rad]`, below 0 under its least.
     #[inline(always)]
     pub(crate) fn beyond(&self, angle: S) -> S {
         if angle > self.half {
@@ -171,19 +171,19 @@ impl<S: Real> Hinge<S> {
         }
     }
 
-    /// How far an angle is from its rest [rad].
+    /// How far an angle is from its rest `[rad]`.
     #[inline(always)]
     pub(crate) fn off_rest(&self, angle: S) -> S {
         angle - self.rest
     }
 
-    /// dE/dtheta, the damper left aside [N m].
+    /// dE/dtheta, the damper left aside `[N m]`.
     #[inline(always)]
     fn torque(&self, angle: S) -> S {
         self.stiffness * self.off_rest(angle) + self.stop * self.beyond(angle)
     }
 
-    /// The forces on its points [N]: without and with its damper.
+    /// The forces on its points `[N]`: without and with its damper.
     ///
     /// Model: E = stiffness/2 (theta - rest)^2 + stop/2 (what theta is beyond its range)^2, force = -(dE/dtheta + damping theta')
     /// dtheta/dx; the slope by the end of an arm e is e turned by a right angle, over |e|^2. Arms shorter than a tenth of their length at the
@@ -196,7 +196,7 @@ impl<S: Real> Hinge<S> {
         Some([torque, damped].map(|torque| stand.slopes.map(|slope| scale(slope, -torque))))
     }
 
-    /// The level of its drive at time `t` [s]; 0 without one.
+    /// The level of its drive at time `t` `[s]`; 0 without one.
     pub(crate) fn level(&self, t: f64, keys: &Keys) -> S {
         self.drive.map_or(S::ZERO, |drive| S::from_f64(drive.signal().level(t, keys)))
     }
@@ -206,7 +206,7 @@ impl<S: Real> Hinge<S> {
         matches!(self.drive, Some(AngleDrive::Motor { .. }))
     }
 
-    /// The torque [N m] of its drive at a level, while it changes at `rate` [rad/s]; arms that are too short left aside.
+    /// The torque `[N m]` of its drive at a level, while it changes at `rate` `[rad/s]`; arms that are too short left aside.
     #[inline(always)]
     pub(crate) fn driving(&self, rate: S, level: S) -> S {
         match self.drive {
@@ -219,12 +219,12 @@ impl<S: Real> Hinge<S> {
         }
     }
 
-    /// The same with its angle at rest moved by so much [rad].
+    /// The same with its angle at rest moved by so much `[rad]`.
     pub(crate) fn moved(self, by: S) -> Self {
         Hinge { rest: self.rest + by, ..self }
     }
 
-    /// The steepest of its slopes, with arms as long as at the start and in line, and that of its longer arm [1/m].
+    /// The steepest of its slopes, with arms as long as at the start and in line, and that of its longer arm `[1/m]`.
     pub(crate) fn steepest(&self) -> f64 {
         self.least.iter().map(|least| LEAST_ARM / least.to_f64().sqrt()).sum()
     }
@@ -239,19 +239,19 @@ impl<S: Real> Hinge<S> {
         Hinge { points, ..self }
     }
 
-    /// Its energy but for what its limits have [J].
+    /// Its energy but for what its limits have `[J]`.
     pub(crate) fn energy_within<const D: usize>(&self, x: [[S; D]; 3]) -> S {
         Hinge { stop: S::ZERO, ..*self }.energy(x)
     }
 
-    /// Its energy [J].
+    /// Its energy `[J]`.
     pub(crate) fn energy<const D: usize>(&self, x: [[S; D]; 3]) -> S {
         let Some(stand) = self.stand(x) else { return S::ZERO };
         let (off, beyond) = (self.off_rest(stand.angle), self.beyond(stand.angle));
         S::HALF * (self.stiffness * off * off + self.stop * beyond * beyond)
     }
 
-    /// Minus the derivative of the forces by the places, `rate` [1/s] times that by the velocities included [N/m].
+    /// Minus the derivative of the forces by the places, `rate` `[1/s]` times that by the velocities included `[N/m]`.
     ///
     /// (K + rate c) g g^T with the slopes g, and the torque times the second derivative of theta, which is left out where `is_cautious`:
     /// it may be negative.
@@ -298,12 +298,12 @@ impl<S: Real> Hinge<S> {
 }
 
 impl<S: Real> Stand<S> {
-    /// Share of its torque that it has with arms as short as they are [1].
+    /// Share of its torque that it has with arms as short as they are `[1]`.
     pub(crate) fn share(&self) -> S {
         self.share
     }
 
-    /// theta' [rad/s].
+    /// theta' `[rad/s]`.
     #[inline(always)]
     pub(crate) fn rate<const D: usize>(&self, v: [[S; D]; 3]) -> S {
         let along = |n: usize| self.slopes[n][0] * v[n][0] + self.slopes[n][1] * v[n][1];

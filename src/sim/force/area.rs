@@ -11,9 +11,9 @@ const LEAST_AREA: f64 = 1e-6;
 /// How triangles resist.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Areas {
-    /// [N/m], >= 0; 0: not at all, infinite: they keep their areas.
+    /// `[N/m]`, >= 0; 0: not at all, infinite: they keep their areas.
     pub stiffness: f64,
-    /// Share of its area that a triangle keeps in any case where bodies meet [1], from 0 to below 1.
+    /// Share of its area that a triangle keeps in any case where bodies meet `[1]`, from 0 to below 1.
     pub least: f64,
 }
 
@@ -30,21 +30,21 @@ impl Areas {
     }
 }
 
-/// Area of a triangle [m^2], below 0 where it is inside out.
+/// Area of a triangle `[m^2]`, below 0 where it is inside out.
 #[inline(always)]
 pub(crate) fn size<S: Real, const D: usize>([a, b, c]: [[S; D]; 3]) -> S {
     let (u, v) = (sub(b, a), sub(c, a));
     S::HALF * (u[0] * v[1] - u[1] * v[0])
 }
 
-/// The slopes of a triangle's area by the places of its corners [m].
+/// The slopes of a triangle's area by the places of its corners `[m]`.
 #[inline(always)]
 pub(crate) fn slopes<S: Real, const D: usize>([a, b, c]: [[S; D]; 3]) -> [[S; 2]; 3] {
     let slope = |from: [S; D], to: [S; D]| [S::HALF * (from[1] - to[1]), S::HALF * (to[0] - from[0])];
     [slope(b, c), slope(c, a), slope(a, b)]
 }
 
-/// The area that a triangle is made with [m^2]: that of the rest lengths of its sides, by Heron's formula, or the one that it has; `None`
+/// The area that a triangle is made with `[m^2]`: that of the rest lengths of its sides, by Heron's formula, or the one that it has; `None`
 /// of what has no inside.
 pub(crate) fn rest<S: Real, const D: usize>(corners: [[S; D]; 3], sides: [Option<f64>; 3]) -> Option<f64> {
     let [a, b, c] = corners;
@@ -65,20 +65,20 @@ pub(crate) fn rest<S: Real, const D: usize>(corners: [[S; D]; 3], sides: [Option
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Patch<S> {
     pub(crate) corners: [u32; 3],
-    /// Its area at rest [m^2], > 0.
+    /// Its area at rest `[m^2]`, > 0.
     pub(crate) rest: S,
-    /// [N/m]
+    /// `[N/m]`
     pub(crate) stiffness: S,
 }
 
 impl<S: Real> Patch<S> {
-    /// dE/dA [N/m].
+    /// dE/dA `[N/m]`.
     #[inline(always)]
     fn pressure<const D: usize>(&self, x: [[S; D]; 3]) -> S {
         self.stiffness * (size(x) - self.rest) / self.rest
     }
 
-    /// The forces on its corners [N].
+    /// The forces on its corners `[N]`.
     ///
     /// Model: E = stiffness (A - A0)^2/(2 A0), A signed: a triangle that is inside out is pulled back through none.
     #[inline(always)]
@@ -87,13 +87,13 @@ impl<S: Real> Patch<S> {
         slopes(x).map(|slope| scale(slope, -pressure))
     }
 
-    /// Its energy [J].
+    /// Its energy `[J]`.
     pub(crate) fn energy<const D: usize>(&self, x: [[S; D]; 3]) -> S {
         let off = size(x) - self.rest;
         S::HALF * self.stiffness * off * off / self.rest
     }
 
-    /// Minus the derivative of the forces by the places [N/m]; `is_cautious` leaves out what may be negative.
+    /// Minus the derivative of the forces by the places `[N/m]`; `is_cautious` leaves out what may be negative.
     pub(crate) fn stiffness_blocks<const D: usize>(&self, x: [[S; D]; 3], is_cautious: bool) -> [[[[S; 2]; 2]; 3]; 3] {
         let (g, along) = (slopes(x), self.stiffness / self.rest);
         let half = if is_cautious { S::ZERO } else { S::HALF * self.pressure(x) };

@@ -41,7 +41,7 @@ impl<S: Real> Form<S> {
         self.triples().flat_map(|points| PAIRS.map(|[m, n]| [points[m], points[n]]))
     }
 
-    /// Adds the forces of all to `force` [N]. Shapes: `x`, `v` and `force` have one entry a point.
+    /// Adds the forces of all to `force` `[N]`. Shapes: `x`, `v` and `force` have one entry a point.
     pub(crate) fn pull<const D: usize>(&self, x: &[[S; D]], v: &[[S; D]], force: &mut [[S; D]]) {
         for hinge in &self.hinges {
             if let Some([_, damped]) = hinge.forces(at(x, hinge.points), at(v, hinge.points)) {
@@ -65,7 +65,7 @@ impl<S: Real> Form<S> {
         }
     }
 
-    /// The largest force of one on a point [N], of points at rest.
+    /// The largest force of one on a point `[N]`, of points at rest.
     pub(crate) fn largest<const D: usize>(&self, x: &[[S; D]]) -> S {
         let still = [[S::ZERO; D]; 3];
         let hinges = self.hinges.iter().filter_map(|hinge| Some(hinge.forces(at(x, hinge.points), still)?[0]));
@@ -73,7 +73,7 @@ impl<S: Real> Form<S> {
         all.flatten().fold(S::ZERO, |most, force| most.max(length(force)))
     }
 
-    /// How stiff the stiffest is at one of its points [N/m].
+    /// How stiff the stiffest is at one of its points `[N/m]`.
     pub(crate) fn stiffest<const D: usize>(&self, x: &[[S; D]]) -> S {
         let mut most = S::ZERO;
         self.stiffen((x, S::ZERO, true), |place, block| {
@@ -84,13 +84,13 @@ impl<S: Real> Form<S> {
         most
     }
 
-    /// Their energy [J].
+    /// Their energy `[J]`.
     pub(crate) fn energy<const D: usize>(&self, x: &[[S; D]]) -> S {
         let hinges = self.hinges.iter().fold(S::ZERO, |sum, hinge| sum + hinge.energy(at(x, hinge.points)));
         self.patches.iter().fold(hinges, |sum, patch| sum + patch.energy(at(x, patch.corners)))
     }
 
-    /// Hands out minus the derivative of every force at these places, `rate` [1/s] times that by the velocities included [N/m]: a point and
+    /// Hands out minus the derivative of every force at these places, `rate` `[1/s]` times that by the velocities included `[N/m]`: a point and
     /// its own block, and the number of a pair as [`Form::pairs`] counts them with the block between its points, rows of the first.
     /// `is_cautious` leaves out what may be negative.
     pub(crate) fn stiffen<const D: usize>(

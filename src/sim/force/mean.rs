@@ -16,7 +16,7 @@ use crate::sim::force::spring::Spring;
 use crate::sim::real::Real;
 use crate::sim::vector::{add, length, scale, sub, zero};
 
-/// The length by which a spring pulls [m], its ends `start` apart at the start of a step and `middle` in its middle: one that may let go has
+/// The length by which a spring pulls `[m]`, its ends `start` apart at the start of a step and `middle` in its middle: one that may let go has
 /// that of the middle, and so has one without a length at rest, which is linear.
 pub(crate) fn mean<S: Real, const D: usize>(spring: &Spring<S>, start: [S; D], middle: [S; D]) -> S {
     if spring.limit != Limit::Both || spring.rest_length == S::ZERO {
@@ -26,7 +26,7 @@ pub(crate) fn mean<S: Real, const D: usize>(spring: &Spring<S>, start: [S; D], m
     S::HALF * (length(start) + length(end))
 }
 
-/// What that adds to the force on end a [N] by the length in the middle.
+/// What that adds to the force on end a `[N]` by the length in the middle.
 pub(crate) fn amendment<S: Real, const D: usize>(spring: &Spring<S>, start: [S; D], middle: [S; D]) -> [S; D] {
     let (mean, chord) = (mean(spring, start, middle), length(middle));
     if chord == S::ZERO || mean == chord {

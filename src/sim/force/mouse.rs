@@ -11,9 +11,9 @@ use crate::sim::vector::{add, convert, dot, length, scale, sub, truncate};
 /// max(|dx|, |dy|)/radius. In space x - mouse is the vector from the cursor's ray to the point.
 #[derive(Clone, Debug, PartialEq)]
 pub struct MouseForce {
-    /// Strength [1/s^2]: positive repels, negative attracts.
+    /// Strength `[1/s^2]`: positive repels, negative attracts.
     pub strength: f64,
-    /// Radius of the region, half the side of a square one [m], > 0.
+    /// Radius of the region, half the side of a square one `[m]`, > 0.
     pub radius: f64,
     /// Shape of the region.
     pub region: Region,
@@ -46,14 +46,14 @@ pub enum Profile {
 /// A path over time, linear between its knots and held at both ends.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Track<const D: usize = 2> {
-    /// (t [s], place [m]), times ascending.
+    /// (t `[s]`, place `[m]`), times ascending.
     pub knots: Vec<(f64, [f64; D])>,
 }
 
 /// Where the cursor points: a ray in space; in the plane its origin is the cursor and z is not used.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Cursor {
-    /// A point of the ray [m].
+    /// A point of the ray `[m]`.
     pub origin: [f64; 3],
     /// Unit vector along the ray.
     pub direction: [f64; 3],
@@ -75,7 +75,7 @@ impl<const D: usize> Track<D> {
         Some(std::array::from_fn(|k| a[k] + (b[k] - a[k]) * s))
     }
 
-    /// The slope of the stretch that starts at time `t` or holds it [m/s]; 0 before the first knot and after the last.
+    /// The slope of the stretch that starts at time `t` or holds it `[m/s]`; 0 before the first knot and after the last.
     pub fn slope(&self, t: f64) -> [f64; D] {
         let next = self.knots.partition_point(|&(knot, _)| knot <= t);
         if next == 0 || next == self.knots.len() {
@@ -127,7 +127,7 @@ impl<S: Real, const D: usize> Push<S, D> {
         if D == 2 { r } else { sub(r, scale(self.direction, dot(r, self.direction))) }
     }
 
-    /// How far from the middle of the region [m], as its shape measures it.
+    /// How far from the middle of the region `[m]`, as its shape measures it.
     #[inline(always)]
     fn distance(&self, r: [S; D]) -> S {
         match self.region {
@@ -136,13 +136,13 @@ impl<S: Real, const D: usize> Push<S, D> {
         }
     }
 
-    /// The acceleration of a point [m/s^2]; `None` outside the region.
+    /// The acceleration of a point `[m/s^2]`; `None` outside the region.
     #[inline(always)]
     pub(crate) fn acceleration(&self, position: [S; D]) -> Option<[S; D]> {
         (self.distance(self.offset(position)) < self.radius).then(|| self.along(position))
     }
 
-    /// The acceleration inside the region [m/s^2], continued beyond its edge to twice the radius.
+    /// The acceleration inside the region `[m/s^2]`, continued beyond its edge to twice the radius.
     #[inline(always)]
     fn along(&self, position: [S; D]) -> [S; D] {
         let r = self.offset(position);
@@ -229,7 +229,7 @@ pub(crate) fn push<S: Real, const D: usize>(
     x.len() as u64
 }
 
-/// How far inside the region points are [m]; below 0 outside.
+/// How far inside the region points are `[m]`; below 0 outside.
 pub(crate) fn gauge<S: Real, const D: usize>(force: &MouseForce, cursor: Cursor) -> impl Fn([S; D]) -> f64 {
     let push = Push::<S, D>::new(force, cursor);
     move |x| (push.radius - push.distance(push.offset(x))).to_f64()

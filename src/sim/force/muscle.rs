@@ -7,7 +7,7 @@ use crate::sim::drive::{AngleDrive, Keys, Signal};
 use crate::sim::real::Real;
 use crate::sim::vector::{dot, scale, sub, zero};
 
-/// Frames in a second [1/s].
+/// Frames in a second `[1/s]`.
 const FRAMES: f64 = 60.0;
 
 /// What the drive of a spring adds to it.
@@ -15,7 +15,7 @@ const FRAMES: f64 = 60.0;
 pub(crate) struct Muscle<S> {
     a: u32,
     b: u32,
-    /// The push between its ends at level 1 [N]: stiffness times what the rest length grows.
+    /// The push between its ends at level 1 `[N]`: stiffness times what the rest length grows.
     push: S,
     signal: Signal,
 }
@@ -28,7 +28,7 @@ pub(crate) struct Driven<S> {
     hinges: Vec<Hinge<S>>,
     /// What rigid bonds follow, which the live step moves.
     rigid: Vec<Signal>,
-    /// A bound, about, on how it accelerates a point [m/s^2].
+    /// A bound, about, on how it accelerates a point `[m/s^2]`.
     most: f64,
 }
 
@@ -40,7 +40,7 @@ impl<S: Real> Driven<S> {
 
     /// The drives of these bonds and angles.
     ///
-    /// Shapes: `w` has one entry a point [1/kg].
+    /// Shapes: `w` has one entry a point `[1/kg]`.
     pub(crate) fn of<'a>(
         bonds: impl Iterator<Item = &'a Bond>,
         hinges: impl Iterator<Item = Hinge<S>>,
@@ -76,14 +76,14 @@ impl<S: Real> Driven<S> {
         self.hinges.iter().any(Hinge::is_motor)
     }
 
-    /// Whether something of it goes on moving after time `t` [s].
+    /// Whether something of it goes on moving after time `t` `[s]`.
     pub(crate) fn moves_after(&self, t: f64, keys: &Keys) -> bool {
         let signals = self.muscles.iter().map(|muscle| &muscle.signal).chain(&self.rigid);
         signals.into_iter().any(|signal| signal.moves_after(t, keys))
             || self.hinges.iter().filter_map(|hinge| hinge.drive).any(|drive| drive.moves_after(t, keys))
     }
 
-    /// Calls `give` with every place and the force that it has from a drive at time `t` [N].
+    /// Calls `give` with every place and the force that it has from a drive at time `t` `[N]`.
     ///
     /// Model: with d = x_a - x_b a muscle pushes a by stiffness rest amplitude level d/|d|, and b by the opposite: its spring has the energy
     /// of its own rest length, and the rest is the drive's work. Ends that coincide have no direction: no force.
@@ -116,12 +116,12 @@ impl<S: Real> Driven<S> {
         }
     }
 
-    /// A bound, about, on how it accelerates a point [m/s^2].
+    /// A bound, about, on how it accelerates a point `[m/s^2]`.
     pub(crate) fn most_push(&self) -> f64 {
         self.most
     }
 
-    /// Inverse masses `w` [1/kg]. What a muscle moves goes no faster than its rest length does, what a motor turns no faster than that.
+    /// Inverse masses `w` `[1/kg]`. What a muscle moves goes no faster than its rest length does, what a motor turns no faster than that.
     fn bound(&self, lengths: &[f64], w: &[f64]) -> f64 {
         let of = |i: u32| w[i as usize];
         let muscles = self.muscles.iter().zip(lengths).map(|(muscle, length)| {

@@ -30,7 +30,7 @@ impl<S: Real> Spring<S> {
         })
     }
 
-    /// Its energy [J], its ends so far apart.
+    /// Its energy `[J]`, its ends so far apart.
     pub(crate) fn energy<const D: usize>(&self, d: [S; D]) -> S {
         let off = length(d) - self.rest_length;
         if self.limit.acts(off, S::ZERO) { S::HALF * self.stiffness * off * off } else { S::ZERO }
@@ -96,7 +96,7 @@ impl<S: Real> Springs<S> {
         self.is_damped
     }
 
-    /// Adds the forces of all springs to `force` [N].
+    /// Adds the forces of all springs to `force` `[N]`.
     ///
     /// Model: d = x_a - x_b, f_a = -stiffness (|d| - rest) d/|d| - damping ((v_a - v_b).d) d/|d|^2, f_b = -f_a.
     /// At rest length 0 the force is linear: f_a = -stiffness d - damping (v_a - v_b). Coincident ends of a spring with
@@ -114,7 +114,7 @@ impl<S: Real> Springs<S> {
     }
 }
 
-/// Adds the forces of all springs to `force` [N], of points at rest.
+/// Adds the forces of all springs to `force` `[N]`, of points at rest.
 pub(crate) fn pull_at_rest<S: Real, const D: usize>(springs: &[Spring<S>], x: &[[S; D]], force: &mut [[S; D]]) {
     pull_each::<S, D, false>(springs, x, x, force);
 }
@@ -156,12 +156,12 @@ fn push<S: Real, const D: usize>(spring: &Spring<S>, pull: [S; D], force: &mut [
 }
 
 impl<S: Real> Spring<S> {
-    /// The forces on end a [N]: with its damper, and without.
+    /// The forces on end a `[N]`: with its damper, and without.
     pub(crate) fn forces<const D: usize>(&self, d: [S; D], closing: [S; D]) -> [[S; D]; 2] {
         [self.force::<D, true>(d, || closing), self.force::<D, false>(d, || closing)]
     }
 
-    /// The force on end a [N].
+    /// The force on end a `[N]`.
     #[inline(always)]
     fn force<const D: usize, const DAMPED: bool>(&self, d: [S; D], closing: impl Fn() -> [S; D]) -> [S; D] {
         if self.rest_length == S::ZERO {
@@ -180,7 +180,7 @@ impl<S: Real> Spring<S> {
         scale(d, self.share::<DAMPED>(closing, square))
     }
 
-    /// Force on end a over d, of ends that are the root of `square` apart [N/m].
+    /// Force on end a over d, of ends that are the root of `square` apart `[N/m]`.
     #[inline(always)]
     fn share<const DAMPED: bool>(&self, closing: S, square: S) -> S {
         let inverse = S::ONE / square.sqrt();
@@ -191,7 +191,7 @@ impl<S: Real> Spring<S> {
         if square > S::ZERO { share } else { S::ZERO }
     }
 
-    /// Minus the derivative of the force on end a: K + rate C [N/m], by d and (times `rate` [1/s]) by velocity.
+    /// Minus the derivative of the force on end a: K + rate C `[N/m]`, by d and (times `rate` `[1/s]`) by velocity.
     ///
     /// K = stiffness (n n^T + (1 - rest/length) (1 - n n^T)), C = damping n n^T, n = d/|d|, with the length by which it pulls, which is |d| or
     /// near it. `is_cautious`: the second part of K is left out where it is below 0.

@@ -6,8 +6,8 @@ use crate::sim::vector::{add, dot, length, scale, sub, zero};
 
 /// A constant force, shared by mass, and a constant torque about the middle of chosen points.
 ///
-/// Model: of those points that are free, with masses m_i [kg], M = sum m_i, c their middle by mass [m] and
-/// I = sum m_i |x_i - c|^2 [kg m^2], each is accelerated by
+/// Model: of those points that are free, with masses m_i `[kg]`, M = sum m_i, c their middle by mass `[m]` and
+/// I = sum m_i |x_i - c|^2 `[kg m^2]`, each is accelerated by
 ///
 /// ```text
 /// a_i = force/M + torque/I left(x_i - c)        left(x, y) = (-y, x)
@@ -19,9 +19,9 @@ use crate::sim::vector::{add, dot, length, scale, sub, zero};
 pub struct Force<const D: usize> {
     /// The points that it acts on, one or more; one that is named twice counts once.
     pub points: Vec<PointId>,
-    /// [N], finite.
+    /// `[N]`, finite.
     pub force: [f64; D],
-    /// About their middle, anticlockwise [N m], finite; 0 in space.
+    /// About their middle, anticlockwise `[N m]`, finite; 0 in space.
     pub torque: f64,
 }
 
@@ -40,18 +40,18 @@ impl<const D: usize> Force<D> {
 pub(crate) struct Thrust<S, const D: usize> {
     /// Places of its points.
     pub(crate) slots: Vec<u32>,
-    /// Share of the mass at each place that it acts on [1]: below 1 where points that it does not name are welded to one.
+    /// Share of the mass at each place that it acts on `[1]`: below 1 where points that it does not name are welded to one.
     pub(crate) shares: Vec<S>,
-    /// What the force gives to a share of 1 [m/s^2].
+    /// What the force gives to a share of 1 `[m/s^2]`.
     pub(crate) acceleration: [S; D],
-    /// [N m]
+    /// `[N m]`
     pub(crate) torque: S,
 }
 
 impl<S: Real, const D: usize> Thrust<S, D> {
-    /// Calls `give` with every free place and its acceleration [m/s^2].
+    /// Calls `give` with every free place and its acceleration `[m/s^2]`.
     ///
-    /// Shapes: `x` [m] and `w` [1/kg] have one entry a place.
+    /// Shapes: `x` `[m]` and `w` `[1/kg]` have one entry a place.
     pub(crate) fn each(&self, x: &[[S; D]], w: &[S], mut give: impl FnMut(usize, [S; D])) {
         let (middle, spin) = if self.torque == S::ZERO { (zero(), S::ZERO) } else { self.spin(x, w) };
         for (&slot, &share) in self.slots.iter().zip(&self.shares) {
@@ -64,7 +64,7 @@ impl<S: Real, const D: usize> Thrust<S, D> {
         }
     }
 
-    /// The middle of the free points [m] and their angular acceleration [1/s^2].
+    /// The middle of the free points `[m]` and their angular acceleration `[1/s^2]`.
     fn spin(&self, x: &[[S; D]], w: &[S]) -> ([S; D], S) {
         let free = || self.slots.iter().zip(&self.shares).filter(|(slot, _)| w[**slot as usize] != S::ZERO);
         let Some((&first, _)) = free().next() else { return (zero(), S::ZERO) };
@@ -84,7 +84,7 @@ impl<S: Real, const D: usize> Thrust<S, D> {
         (add(origin, middle), if spin.is_finite() { spin } else { S::ZERO })
     }
 
-    /// How strongly it accelerates, its torque apart [m/s^2].
+    /// How strongly it accelerates, its torque apart `[m/s^2]`.
     pub(crate) fn size(&self) -> f64 {
         length(self.acceleration).to_f64()
     }

@@ -20,9 +20,9 @@ use crate::sim::vector::{add, dot, length, scale, truncate};
 /// Wind and its gusts.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Wind<const D: usize> {
-    /// Mean velocity [m/s].
+    /// Mean velocity `[m/s]`.
     pub velocity: [f64; D],
-    /// Root mean square of the gusts, as a share of the mean speed [1], >= 0.
+    /// Root mean square of the gusts, as a share of the mean speed `[1]`, >= 0.
     pub turbulence: f64,
     /// Seed of the gusts.
     pub seed: u64,
@@ -32,27 +32,27 @@ pub struct Wind<const D: usize> {
 const WAVES: usize = 8;
 /// Counted work of the gusts at a place.
 pub(crate) const OF_A_GUST: u64 = 300;
-/// The longest wave [m].
+/// The longest wave `[m]`.
 const LONGEST: f64 = 8.0;
 
 /// Air that moves, ready to be asked.
 #[derive(Clone, Debug)]
 pub(crate) struct Air<const D: usize> {
-    /// [m/s]
+    /// `[m/s]`
     pub(crate) mean: [f64; D],
     gusts: Option<Gusts<D>>,
 }
 
-/// Waves: turns for each metre and second, and where they begin [turns]; how they swing [m/s].
+/// Waves: turns for each metre and second, and where they begin `[turns]`; how they swing `[m/s]`.
 #[derive(Clone, Debug)]
 struct Gusts<const D: usize> {
     along: [[f64; WAVES]; D],
     pace: [f64; WAVES],
     phase: [f64; WAVES],
     swing: [[f64; WAVES]; D],
-    /// A bound on their sum [m/s].
+    /// A bound on their sum `[m/s]`.
     most: f64,
-    /// How fast a point in the wind sees them change at the most [rad/s].
+    /// How fast a point in the wind sees them change at the most `[rad/s]`.
     rate: f64,
 }
 
@@ -68,18 +68,18 @@ impl<const D: usize> Air<D> {
         self.gusts.is_some()
     }
 
-    /// What gusts add to the mean at a place [m] and a time [s].
+    /// What gusts add to the mean at a place `[m]` and a time `[s]`.
     #[inline]
     pub(crate) fn gust(&self, x: [f64; D], t: f64) -> [f64; D] {
         self.gusts.as_ref().map_or([0.0; D], |gusts| gusts.at(x, t))
     }
 
-    /// The velocity of the air at a place [m] and a time [s].
+    /// The velocity of the air at a place `[m]` and a time `[s]`.
     pub(crate) fn at(&self, x: [f64; D], t: f64) -> [f64; D] {
         add(self.mean, self.gust(x, t))
     }
 
-    /// The fastest that gusts are [m/s], and how fast they change where a point is at the most [rad/s]; 0 without.
+    /// The fastest that gusts are `[m/s]`, and how fast they change where a point is at the most `[rad/s]`; 0 without.
     pub(crate) fn bounds(&self) -> [f64; 2] {
         self.gusts.as_ref().map_or([0.0; 2], |gusts| [gusts.most, gusts.rate])
     }

@@ -20,7 +20,7 @@ pub(crate) enum Cause {
 }
 
 impl<S: Real, const D: usize> Group<S, D> {
-    /// Kinetic energy where an account is kept [J].
+    /// Kinetic energy where an account is kept `[J]`.
     pub(super) fn energy_if_kept(&self) -> Option<f64> {
         self.account.is_some().then(|| kinetic(&self.points.velocity, &self.points.inverse_mass))
     }
@@ -45,7 +45,7 @@ impl<S: Real, const D: usize> Group<S, D> {
         }
     }
 
-    /// Books what acted on the way from the state before, at `t` [s], to the present one, `h` later.
+    /// Books what acted on the way from the state before, at `t` `[s]`, to the present one, `h` later.
     pub(super) fn book_path(&mut self, around: &Environment<D>, (t, h): (f64, f64)) {
         let Some(mut account) = self.account.take() else { return };
         if h > 0.0 {
@@ -83,7 +83,7 @@ impl<S: Real, const D: usize> Group<S, D> {
         account.pulls_rigid || !self.engine.meets_surfaces() && self.pull.contacts.rubs()
     }
 
-    /// What acts at a state [W]. `pull` is a copy to ask what bonds and surfaces answer, where that does work.
+    /// What acts at a state `[W]`. `pull` is a copy to ask what bonds and surfaces answer, where that does work.
     fn power(
         &self,
         account: &Account,

@@ -20,17 +20,17 @@ use crate::sim::points::Points;
 use crate::sim::real::Real;
 use crate::sim::vector::{add, convert, dot, length, scale, sub, widen, zero};
 
-/// The grab's frequency w [rad/s]: it follows the hand within a tenth of a second.
+/// The grab's frequency w `[rad/s]`: it follows the hand within a tenth of a second.
 const FREQUENCY: f64 = 20.0;
 /// Most of w times a substep: beyond, the spring itself would be unstable.
 const MOST_PHASE: f64 = 0.3;
-/// Longest substep of a group that is grabbed [s].
+/// Longest substep of a group that is grabbed `[s]`.
 const LONGEST: f64 = 1.0 / 480.0;
 /// Most force, in weights of the points that are held: they are neither flung nor torn out.
 const MOST_G: f64 = 50.0;
 /// The same of bodies that may meet others, in weights of all that hangs together with them.
 const MOST_G_OF_BODY: f64 = 10.0;
-/// Gravity that the bound is measured in [m/s^2].
+/// Gravity that the bound is measured in `[m/s^2]`.
 const G: f64 = 9.81;
 /// Most of what the damper changes of a velocity in a substep: 2 would be the edge of stability.
 const MOST_DAMPING: f64 = 0.5;
@@ -40,33 +40,33 @@ const MOST_DAMPING: f64 = 0.5;
 pub(crate) struct Grabbed<const D: usize> {
     /// Places of free points in the group, ascending.
     pub(crate) slots: Vec<u32>,
-    /// Mass of what hangs together with them [kg].
+    /// Mass of what hangs together with them `[kg]`.
     pub(crate) body_mass: f64,
-    /// From the cursor to where these points belong [m]: 0 where all that is grabbed is of one group.
+    /// From the cursor to where these points belong `[m]`: 0 where all that is grabbed is of one group.
     pub(crate) offset: [f64; D],
-    /// The fastest that it is led [m/s], and where it is led to now [m]: a jump of the cursor is followed no faster.
+    /// The fastest that it is led `[m/s]`, and where it is led to now `[m]`: a jump of the cursor is followed no faster.
     pub(crate) most_lead: f64,
     pub(crate) lead: Option<[f64; D]>,
-    /// What a steady load takes [m/s^2].
+    /// What a steady load takes `[m/s^2]`.
     pub(crate) steady: [f64; D],
-    /// Acceleration of the points now [m/s^2].
+    /// Acceleration of the points now `[m/s^2]`.
     pub(crate) acceleration: [f64; D],
 }
 
 impl<S: Real, const D: usize> Group<S, D> {
-    /// Longest substep [s].
+    /// Longest substep `[s]`.
     pub(crate) fn longest(&self) -> f64 {
         // A loop as it is printed is another one in other steps.
         let is_printed = matches!(self.kernel(), Some(Kernel::Printed(_)));
         if self.grabbed.is_some() && !is_printed { self.substep.min(LONGEST) } else { self.substep }
     }
 
-    /// The fastest that a point may be led [m/s], where there is such a bound.
+    /// The fastest that a point may be led `[m/s]`, where there is such a bound.
     pub(crate) fn most_lead(&self, slot: u32) -> Option<f64> {
         if let Engine::Bulk(bulk) = &self.engine { bulk.most_lead(slot) } else { None }
     }
 
-    /// Works out the grab's force for the substep of `h` from `t` [s], and gives it to engines that know no forces as a kick.
+    /// Works out the grab's force for the substep of `h` from `t` `[s]`, and gives it to engines that know no forces as a kick.
     pub(crate) fn lead_grabbed(&mut self, around: &Environment<D>, (t, h): (f64, f64)) {
         let Some(mut grabbed) = self.grabbed.take() else { return };
         grabbed.aim(&self.points, around, (t, h));
@@ -104,12 +104,12 @@ impl<S: Real, const D: usize> Group<S, D> {
         self.grabbed = Some(grabbed);
     }
 
-    /// The middle of what is held, where somebody watches the energy [m].
+    /// The middle of what is held, where somebody watches the energy `[m]`.
     pub(crate) fn middle_held(&self) -> Option<[f64; D]> {
         self.grabbed.as_ref().filter(|_| self.watch.is_some()).map(|grabbed| grabbed.middle(&self.points).0)
     }
 
-    /// What is held came from there [m].
+    /// What is held came from there `[m]`.
     pub(crate) fn note_held(&mut self, from: Option<[f64; D]>) {
         if let (Some(from), Some(grabbed)) = (from, &self.grabbed) {
             let (to, _, mass) = grabbed.middle(&self.points);
@@ -127,7 +127,7 @@ impl<S: Real, const D: usize> Group<S, D> {
 }
 
 impl<const D: usize> Grabbed<D> {
-    /// Mean place and velocity of the points by mass, and their mass [m, m/s, kg].
+    /// Mean place and velocity of the points by mass, and their mass `[m, m/s, kg]`.
     pub(crate) fn middle<S: Real>(&self, points: &Points<S, D>) -> ([f64; D], [f64; D], f64) {
         let (mut place, mut velocity, mut mass) = (zero(), zero(), 0.0);
         for &slot in &self.slots {
@@ -140,7 +140,7 @@ impl<const D: usize> Grabbed<D> {
         (scale(place, 1.0 / mass), scale(velocity, 1.0 / mass), mass)
     }
 
-    /// Where it is led from and to in a substep of `h` [s] in which the cursor goes as it does: straight behind it, no faster than may be.
+    /// Where it is led from and to in a substep of `h` `[s]` in which the cursor goes as it does: straight behind it, no faster than may be.
     fn led(&mut self, (now, soon): ([f64; D], [f64; D]), h: f64) -> ([f64; D], [f64; D]) {
         /// Share of that way by which it may be off the cursor and count as there.
         const NEAR: f64 = 1e-6;

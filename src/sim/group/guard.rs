@@ -8,7 +8,7 @@ use crate::sim::vector::{dot, sub};
 pub(crate) struct Watched<S> {
     pub(crate) a: u32,
     pub(crate) b: u32,
-    /// Square of the rest length [m^2], > 0.
+    /// Square of the rest length `[m^2]`, > 0.
     pub(crate) rest_square: S,
 }
 

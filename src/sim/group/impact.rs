@@ -63,9 +63,9 @@ pub(crate) fn strike<S: Real, const D: usize>(
 #[derive(Clone, Copy, Debug)]
 struct Target<S> {
     hit: Hit,
-    /// Velocity off the surface afterwards [m/s].
+    /// Velocity off the surface afterwards `[m/s]`.
     target: S,
-    /// Change of the velocity across the surface that the surface itself gives [m/s].
+    /// Change of the velocity across the surface that the surface itself gives `[m/s]`.
     change: S,
     rests: bool,
 }

@@ -48,7 +48,7 @@ const LEAST_TRIES: u64 = 32;
 pub(crate) struct Breakable<S> {
     pub(crate) a: u32,
     pub(crate) b: u32,
-    /// Square of the length at which it breaks [m^2].
+    /// Square of the length at which it breaks `[m^2]`.
     pub(crate) most_square: S,
     /// Which bond of the world it is.
     pub(crate) bond: u32,
@@ -71,7 +71,7 @@ pub(crate) struct Group<S: Real, const D: usize> {
     pub(crate) edges: Edges<S>,
     /// Pinned points that are led along tracks.
     pub(crate) tracks: Vec<(u32, Track<D>)>,
-    /// Longest substep [s].
+    /// Longest substep `[s]`.
     pub(crate) substep: f64,
     /// Events are located in time.
     pub(crate) locates: bool,
@@ -87,7 +87,7 @@ pub(crate) struct Group<S: Real, const D: usize> {
     pub(crate) patience: [u64; 2],
     /// Counted work at which the step under way is given up, as it may be where the group can be handed over.
     pub(crate) limit: u64,
-    /// When the step under way was given up [s].
+    /// When the step under way was given up `[s]`.
     pub(crate) gave_up: Option<f64>,
     /// Who moves it.
     pub(crate) moved: Moved,
@@ -139,7 +139,7 @@ impl<S: Real, const D: usize> Group<S, D> {
         is_held
     }
 
-    /// Goes on at time `t` [s] from a state in the middle of a run, as [`Group::begin`]; bonds of large bodies keep the strain that
+    /// Goes on at time `t` `[s]` from a state in the middle of a run, as [`Group::begin`]; bonds of large bodies keep the strain that
     /// they have.
     pub(crate) fn resume(&mut self, around: &Environment<D>, t: f64) -> bool {
         if let Engine::Bulk(bulk) = &mut self.engine {
@@ -152,7 +152,7 @@ impl<S: Real, const D: usize> Group<S, D> {
         self.begin(around, t)
     }
 
-    /// A bond between two of its points, of this rest length [m] and this number in the world, goes. Returns whether that was so: only
+    /// A bond between two of its points, of this rest length `[m]` and this number in the world, goes. Returns whether that was so: only
     /// large bodies can leave its lane idle.
     pub(crate) fn lose(&mut self, ends: [u32; 2], rest: f64, bond: u32) -> bool {
         let Engine::Bulk(bulk) = &mut self.engine else { return false };
@@ -165,7 +165,7 @@ impl<S: Real, const D: usize> Group<S, D> {
         is_lost
     }
 
-    /// Advances by `h` from time `t` [s].
+    /// Advances by `h` from time `t` `[s]`.
     pub(crate) fn advance(&mut self, around: &Environment<D>, t: f64, h: f64, counters: &mut Counters) {
         if let Engine::Bulk(bulk) = &mut self.engine {
             let before = *counters;
@@ -255,7 +255,7 @@ impl<S: Real, const D: usize> Group<S, D> {
         self.plain = Some(Plain { engine, effort });
     }
 
-    /// Whether the step under way is given up at `now` [s], for it costs too much: what is left of it is somebody else's.
+    /// Whether the step under way is given up at `now` `[s]`, for it costs too much: what is left of it is somebody else's.
     pub(crate) fn gives_up(&mut self, now: f64, counters: &Counters) -> bool {
         if counters.work.saturating_add(self.work.step) > self.limit {
             self.gave_up = Some(now);

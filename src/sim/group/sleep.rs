@@ -11,7 +11,7 @@ use crate::sim::measure;
 use crate::sim::real::Real;
 use crate::sim::vector::{length, sub, zero};
 
-/// How long all points must have stayed where they are before a group falls asleep [s].
+/// How long all points must have stayed where they are before a group falls asleep `[s]`.
 pub(crate) const STILL_TIME: f64 = 0.5;
 /// How far a point may be, within that time, from where it was at its beginning, along each axis: as a share of the extent of its
 /// group, or of 1 m where that is larger or the group is one point. What moves more slowly than 0.1 mm/s for long is seen by nobody.
@@ -19,7 +19,7 @@ pub(crate) const STILL_EXTENT: f64 = 5e-5;
 /// Times that a group which moves is looked at in [`STILL_TIME`]: the places of its points are copied as often.
 const LOOKS: f64 = 8.0;
 
-/// How far points may be from where they were and count as still [m].
+/// How far points may be from where they were and count as still `[m]`.
 fn still_extent<S: Real, const D: usize>(position: &[[S; D]]) -> S {
     let size = measure::extent(position)
         .map_or(0.0, |[low, high]| sub(high, low).into_iter().fold(0.0, |most: f64, side| most.max(side.to_f64())));
@@ -35,9 +35,9 @@ fn still_extent<S: Real, const D: usize>(position: &[[S; D]]) -> S {
 pub(crate) struct Sleep<S, const D: usize> {
     /// Where the points were at `since`; empty: that is still to be noted, not before `since`.
     anchor: Vec<[S; D]>,
-    /// How far they may be from there [m].
+    /// How far they may be from there `[m]`.
     most: S,
-    /// [s]
+    /// `[s]`
     since: f64,
     /// The point that moved last: it is looked at first.
     mover: usize,
@@ -65,7 +65,7 @@ impl<S: Real, const D: usize> Sleep<S, D> {
 }
 
 impl<S: Real, const D: usize> Group<S, D> {
-    /// Looks at the group at time `t` [s], after a step. Costs one point where the one that moved last moves on.
+    /// Looks at the group at time `t` `[s]`, after a step. Costs one point where the one that moved last moves on.
     pub(crate) fn doze(&mut self, around: &Environment<D>, t: f64) {
         if self.is_asleep() {
             return;
@@ -108,7 +108,7 @@ impl<S: Real, const D: usize> Group<S, D> {
         self.sleep.asleep.is_some() || self.points.len() == 0
     }
 
-    /// Wakes if the mouse at time `t` [s] can reach it, or it is grabbed.
+    /// Wakes if the mouse at time `t` `[s]` can reach it, or it is grabbed.
     pub(crate) fn wake_if_reached(&mut self, around: &Environment<D>, t: f64) {
         let is_reached = |bounds| around.mouse_at(t).is_some_and(|(force, at)| Push::new(force, at).reaches(bounds));
         if self.sleep.asleep.is_some_and(is_reached) || (self.grabbed.is_some() && self.is_asleep()) {
@@ -116,7 +116,7 @@ impl<S: Real, const D: usize> Group<S, D> {
         }
     }
 
-    /// Whether the cursor may reach it at some time of the `h` from `t` on [s], or leads it.
+    /// Whether the cursor may reach it at some time of the `h` from `t` on `[s]`, or leads it.
     pub(crate) fn may_be_reached(&self, around: &Environment<D>, (t, h): (f64, f64)) -> bool {
         if self.grabbed.is_some() {
             return true;
@@ -134,7 +134,7 @@ impl<S: Real, const D: usize> Group<S, D> {
         matches!(self.engine, Engine::Bulk(_))
     }
 
-    /// Wakes if a drive moves it from time `t` on [s].
+    /// Wakes if a drive moves it from time `t` on `[s]`.
     pub(crate) fn wake_if_driven(&mut self, around: &Environment<D>, t: f64) {
         if self.sleep.asleep.is_some() && self.pull.driven.moves_after(t, &around.keys) {
             self.wake();

@@ -28,7 +28,7 @@ const ROUNDINGS: f64 = 256.0;
 const OF_A_LENGTH: f64 = 4.0;
 /// Share of the largest energy from which on a gain is not taken out of velocities any more: the group goes back to before it.
 const LARGE_GAIN: f64 = 0.1;
-/// Strain that no rigid bond may have [1], and one from which on nothing is mended any more: the group goes back to before it.
+/// Strain that no rigid bond may have `[1]`, and one from which on nothing is mended any more: the group goes back to before it.
 const MOST_STRAIN: f64 = 0.1;
 const LARGE_STRAIN: f64 = 0.5;
 /// Substeps between two looks that may go to a more robust method.
@@ -39,13 +39,13 @@ const DOUBTED: u32 = 3;
 const COST_SHARE: u64 = 100;
 /// Most frames between two looks.
 const MOST_FRAMES: u64 = 4;
-/// Speed below which a gain of energy is nothing that anybody sees [m/s].
+/// Speed below which a gain of energy is nothing that anybody sees `[m/s]`.
 const UNSEEN: f64 = 0.01;
 /// Points of a group whose state is kept at the end of every frame, in case that it leaves the numbers; of more points every so many
 /// frames.
 const FEW: usize = 10_000;
 const RARELY: u64 = 8;
-/// How long a triangle may be inside out before that is not left to its springs any more [s].
+/// How long a triangle may be inside out before that is not left to its springs any more `[s]`.
 const MOST_FOLDED: f64 = 0.5;
 /// Operations of a look for each bond, each point and each triangle.
 const OF_A_LOOK: u64 = 10;
@@ -53,7 +53,7 @@ const OF_A_LOOK: u64 = 10;
 /// What went wrong.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum Alarm {
-    /// Energy came from nowhere: there should be no more than this [J]. `is_large`: there is far more.
+    /// Energy came from nowhere: there should be no more than this `[J]`. `is_large`: there is far more.
     Gain { most: f64, is_large: bool },
     /// Rigid bonds do not hold; `is_large`: they are far from it.
     Strain { is_large: bool },
@@ -70,7 +70,7 @@ pub(crate) enum Alarm {
 pub(crate) struct Watch<S: Real, const D: usize> {
     /// Points that can move, bonds and triangles.
     pub(crate) size: [usize; 3],
-    /// Mean rest length of its bonds [m]; 0 without any.
+    /// Mean rest length of its bonds `[m]`; 0 without any.
     pub(crate) edge: f64,
     /// Whether it may be handed over at all.
     pub(crate) may_go: bool,
@@ -91,16 +91,16 @@ pub(crate) struct Watch<S: Real, const D: usize> {
 struct Eyes<S, const D: usize> {
     /// Springs, and rigid bonds with an infinite stiffness, between places in the group.
     links: Arc<[Link]>,
-    /// Corners of triangles, anticlockwise, and since when one of them is inside out [s].
+    /// Corners of triangles, anticlockwise, and since when one of them is inside out `[s]`.
     triangles: Arc<[[u32; 3]]>,
     folded: Option<f64>,
     /// Energy is kept, but for what is known to come and go.
     keeps_energy: bool,
-    /// Energy at the first look, less works until then; `None`: there was none yet [J].
+    /// Energy at the first look, less works until then; `None`: there was none yet `[J]`.
     start: Option<f64>,
-    /// What a grab did since then [J].
+    /// What a grab did since then `[J]`.
     work: f64,
-    /// The largest kinetic and elastic energy so far, at least what free fall brings in a frame, or what is too slow to be seen [J].
+    /// The largest kinetic and elastic energy so far, at least what free fall brings in a frame, or what is too slow to be seen `[J]`.
     most: f64,
     /// Pins were led or the mouse was in reach since the last look: nobody knows what they did.
     is_led: bool,
@@ -117,7 +117,7 @@ struct Eyes<S, const D: usize> {
 /// A state that a group can go back to.
 #[derive(Clone, Debug)]
 pub(crate) struct Anchor<S, const D: usize> {
-    /// When [s].
+    /// When `[s]`.
     pub(crate) time: f64,
     state: State<S, D>,
     book: Option<Book>,
@@ -129,12 +129,12 @@ struct Link {
     a: u32,
     b: u32,
     rest: f64,
-    /// [N/m]; infinite: rigid.
+    /// `[N/m]`; infinite: rigid.
     stiffness: f64,
     limit: Limit,
 }
 
-/// Kinetic, elastic and gravity's energy [J].
+/// Kinetic, elastic and gravity's energy `[J]`.
 #[derive(Clone, Copy, Debug, Default)]
 pub(crate) struct Sums {
     pub(crate) kinetic: f64,
@@ -144,7 +144,7 @@ pub(crate) struct Sums {
     fall: f64,
     /// By how much they may be off by rounding.
     pub(crate) rounding: f64,
-    /// The largest strain of a rigid bond [1].
+    /// The largest strain of a rigid bond `[1]`.
     pub(crate) strain: f64,
 }
 
@@ -196,7 +196,7 @@ impl<S: Real, const D: usize> Watch<S, D> {
         if self.frame == frame { self.spent } else { 0 }
     }
 
-    /// The energy that the group may have now [J], where that is known.
+    /// The energy that the group may have now `[J]`, where that is known.
     pub(crate) fn most_energy(&self) -> Option<f64> {
         let eyes = self.eyes.as_ref().filter(|eyes| eyes.keeps_energy && !eyes.is_led)?;
         Some(eyes.start? + eyes.work + MOST_GAIN * eyes.most)
@@ -239,13 +239,13 @@ impl<S: Real, const D: usize> Group<S, D> {
         self.moved.is_handed_over()
     }
 
-    /// Whether it may meet itself within `h` [s], where that matters.
+    /// Whether it may meet itself within `h` `[s]`, where that matters.
     pub(crate) fn meets_itself(&mut self, h: f64) -> bool {
         let scout = self.watch.as_mut().and_then(|watch| watch.scout.as_mut());
         scout.is_some_and(|scout| scout.may_meet_itself(&self.points, h))
     }
 
-    /// It is about to step from `t` on [s]: its first look is taken, and where it is noted that the mouse is in reach.
+    /// It is about to step from `t` on `[s]`: its first look is taken, and where it is noted that the mouse is in reach.
     pub(crate) fn watch_start(&mut self, around: &Environment<D>, t: f64) {
         let Some(mut watch) = self.watch.take() else { return };
         if let Some(eyes) = &mut watch.eyes {
@@ -262,7 +262,7 @@ impl<S: Real, const D: usize> Group<S, D> {
         self.watch = Some(watch);
     }
 
-    /// It stepped for `h` from `t` [s], which took this counted work and these fallbacks.
+    /// It stepped for `h` from `t` `[s]`, which took this counted work and these fallbacks.
     pub(crate) fn watch_end(&mut self, around: &Environment<D>, (t, h): (f64, f64), (work, fallbacks): (u64, u64)) {
         let Some(mut watch) = self.watch.take() else { return };
         let frame = frame_of(t + h);
@@ -277,7 +277,7 @@ impl<S: Real, const D: usize> Group<S, D> {
         self.watch = Some(watch);
     }
 
-    /// A grab gave points this energy [J].
+    /// A grab gave points this energy `[J]`.
     pub(crate) fn watch_grab(&mut self, work: f64) {
         if let Some(eyes) = self.watch.as_mut().and_then(|watch| watch.eyes.as_mut()) {
             eyes.work += work;
@@ -289,7 +289,7 @@ impl<S: Real, const D: usize> Group<S, D> {
         around.mouse_at(t).is_some_and(|(force, cursor)| mouse::reaches(&self.points, force, cursor))
     }
 
-    /// Looks whether something is wrong, after the step that ends a frame at `t` [s], if it is time to.
+    /// Looks whether something is wrong, after the step that ends a frame at `t` `[s]`, if it is time to.
     pub(crate) fn look(&mut self, around: &Environment<D>, t: f64, counters: &mut Counters) -> Option<Alarm> {
         let mut watch = self.watch.take()?;
         let alarm = watch.eyes.as_mut().and_then(|eyes| self.look_by(eyes, around, t, counters));
@@ -381,7 +381,7 @@ impl<S: Real, const D: usize> Group<S, D> {
         watch.good.take().or_else(|| watch.eyes.as_mut()?.anchor.take())
     }
 
-    /// Goes back to a state. Returns when that was [s].
+    /// Goes back to a state. Returns when that was `[s]`.
     pub(crate) fn go_back(&mut self, anchor: &Anchor<S, D>) -> f64 {
         self.points.restore(&anchor.state);
         if let (Some(account), Some(book)) = (&mut self.account, anchor.book) {
@@ -416,7 +416,7 @@ impl<S: Real, const D: usize> Group<S, D> {
         self.engine.refresh();
     }
 
-    /// Takes `excess` [J] out of the velocities: about their mean, whose momentum stays, where nothing holds or stops the points.
+    /// Takes `excess` `[J]` out of the velocities: about their mean, whose momentum stays, where nothing holds or stops the points.
     pub(crate) fn slow_down(&mut self, excess: f64) {
         let Group { points, tracks, pull, .. } = self;
         let is_held =

@@ -20,7 +20,7 @@ const MOST_SHIFT: f64 = 1e-3;
 const MOST_RAISE: f64 = 1e-3;
 
 impl<S: Real, const D: usize> World<S, D> {
-    /// Islands that were live for long enough by `t` [s] go back, if their own methods take them as they are.
+    /// Islands that were live for long enough by `t` `[s]` go back, if their own methods take them as they are.
     pub(super) fn hand_back(&mut self, t: f64) {
         let is_due = |group: &Group<S, D>| group.is_live() && !group.is_asleep() && group.moved.until <= t;
         let groups = self.plan.groups.iter().enumerate();
@@ -41,7 +41,7 @@ impl<S: Real, const D: usize> World<S, D> {
     }
 }
 
-/// Whether an island may go on as these groups, whose points would be put `way` [m] from where they are.
+/// Whether an island may go on as these groups, whose points would be put `way` `[m]` from where they are.
 fn fits<S: Real, const D: usize>(around: &Environment<D>, old: &Group<S, D>, new: &[Group<S, D>], way: f64) -> bool {
     let Some([low, high]) = measure::extent(&old.points.position) else { return false };
     let size = length(widen(sub(high, low)));

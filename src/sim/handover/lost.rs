@@ -55,7 +55,7 @@ impl<S: Real, const D: usize> World<S, D> {
         self.freeze(&points, (solver, self.timeline.time()));
     }
 
-    /// The islands of a group that are not among the numbers are where the group last was, and stand still from `t` on [s]. Without a
+    /// The islands of a group that are not among the numbers are where the group last was, and stand still from `t` on `[s]`. Without a
     /// state to go back to they stay as they are.
     pub(super) fn stand_still(&mut self, place: usize, t: f64) {
         let Some(anchor) = self.plan.groups[place].take_anchor() else { return };

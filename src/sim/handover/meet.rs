@@ -12,9 +12,9 @@ use crate::sim::swept::{self, Swept};
 use crate::sim::vector::{length, widen};
 use crate::sim::world::World;
 
-/// What follows within this time goes along: lists are made anew less often [s].
+/// What follows within this time goes along: lists are made anew less often `[s]`.
 const SOON: f64 = 0.05;
-/// How long what is live has to stay apart from all else to go back [s].
+/// How long what is live has to stay apart from all else to go back `[s]`.
 const APART: f64 = 0.1;
 /// What is left between skins that do not touch yet, as a share of the mean bond.
 const GAP: f64 = 0.05;
@@ -103,7 +103,7 @@ impl<S: Real, const D: usize> World<S, D> {
         self.gather();
     }
 
-    /// The live step moves groups from `t` on [s], all together.
+    /// The live step moves groups from `t` on `[s]`, all together.
     fn go_together(&mut self, places: &[usize], t: f64) {
         let firsts: Vec<u32> = self.firsts_of(places).into_iter().map(|(_, first)| first).collect();
         let mut detached = self.detach_at(&firsts, false, t);
@@ -145,13 +145,13 @@ impl<S: Real, const D: usize> World<S, D> {
             || self.fixed_reaches(APART, None).iter().any(|fixed| fixed.swept.overlaps(&swept))
     }
 
-    /// Whether a group that its own method moves may meet itself within `h` [s].
+    /// Whether a group that its own method moves may meet itself within `h` `[s]`.
     fn meets_itself(&mut self, place: usize, h: f64) -> bool {
         let group = &mut self.plan.groups[place];
         !group.is_live() && !group.is_asleep() && group.meets_itself(h)
     }
 
-    /// Where bodies may get to within `h` [s], those that do not move by themselves as well.
+    /// Where bodies may get to within `h` `[s]`, those that do not move by themselves as well.
     fn reaches(&self, h: f64, roots: Option<&[u32]>) -> Vec<Reach<D>> {
         let mut reaches = self.own_reaches(h, roots);
         reaches.extend(self.fixed_reaches(h, roots));
@@ -193,7 +193,7 @@ impl<S: Real, const D: usize> World<S, D> {
         reaches
     }
 
-    /// How far from the points of a group it may be met [m].
+    /// How far from the points of a group it may be met `[m]`.
     fn margin(&self, group: &Group<S, D>) -> f64 {
         let edge = group.watch.as_ref().map_or(0.0, |watch| watch.edge);
         let said = self.model.contact.and_then(|contact| contact.radius).into_iter();
@@ -215,7 +215,7 @@ impl<S: Real, const D: usize> World<S, D> {
         by_root.chunk_by(|a, b| a.0 == b.0).filter_map(of).collect()
     }
 
-    /// How fast a pin is led [m/s].
+    /// How fast a pin is led `[m/s]`.
     fn led(&self, pin: u32) -> [f64; D] {
         let slot = self.slot(pin as usize);
         slot.map_or([0.0; D], |[place, slot]| widen(self.plan.groups[place].points.velocity[slot]))
@@ -251,7 +251,7 @@ impl<S: Real, const D: usize> World<S, D> {
     }
 }
 
-/// What forces, gravity, wind and mouse give a group at most [m/s^2].
+/// What forces, gravity, wind and mouse give a group at most `[m/s^2]`.
 fn pushed<S: Real, const D: usize>(around: &Environment<D>, group: &Group<S, D>) -> f64 {
     length(group.pull.gravity) + group.pull.most_push() + around.most_push()
 }

@@ -31,12 +31,12 @@ use crate::sim::world::World;
 
 /// A group is handed over where its work is so many times that of the live step: less would hardly help.
 const CHEAPER: f64 = 1.25;
-/// Longest step of a world that the live step needs [s]: in shorter ones it would look for neighbours more often than it has to.
+/// Longest step of a world that the live step needs `[s]`: in shorter ones it would look for neighbours more often than it has to.
 const STEP: f64 = FRAME;
-/// How long a live island that does not hold its bonds stays so at least [s].
+/// How long a live island that does not hold its bonds stays so at least `[s]`.
 const UNHELD: f64 = 1.0;
 
-/// Counted work until which a group may step for `h` from `t` [s]: beyond, it gives the step up. Only where it can be handed over and
+/// Counted work until which a group may step for `h` from `t` `[s]`: beyond, it gives the step up. Only where it can be handed over and
 /// takes more than a frame may, and more than the live step would.
 pub(super) fn most_work<S: Real, const D: usize>(
     group: &Group<S, D>,
@@ -52,12 +52,12 @@ pub(super) fn most_work<S: Real, const D: usize>(
     counters.work.saturating_add(most).saturating_sub(watch.spent_in(frame_of(t + h)))
 }
 
-/// Counted work of a frame; a step of `h` [s] may be longer than one.
+/// Counted work of a frame; a step of `h` `[s]` may be longer than one.
 fn allowed(budget: f64, h: f64) -> u64 {
     operations(budget * (h / FRAME).max(1.0))
 }
 
-/// Counted work of a frame of a group by the live step, about, at this speed [m/s].
+/// Counted work of a frame of a group by the live step, about, at this speed `[m/s]`.
 fn live_work<S: Real, const D: usize>(group: &Group<S, D>, speed: f64) -> f64 {
     group.watch.as_ref().map_or(f64::INFINITY, |watch| live::work_of_a_frame(watch.size, speed, watch.edge))
 }
@@ -98,12 +98,12 @@ impl<S: Real, const D: usize> World<S, D> {
         }
     }
 
-    /// A group gives up its step at `t` [s]. Returns the places of those that take what is left of it.
+    /// A group gives up its step at `t` `[s]`. Returns the places of those that take what is left of it.
     pub(crate) fn give_up(&mut self, place: usize, t: f64) -> Vec<usize> {
         self.go_live(&[place], t, Why::Budget)
     }
 
-    /// The live step moves groups from `t` on [s], with no more energy than each may have. Returns the places of their islands.
+    /// The live step moves groups from `t` on `[s]`, with no more energy than each may have. Returns the places of their islands.
     fn go_live(&mut self, places: &[usize], t: f64, why: Why) -> Vec<usize> {
         let most = |place: usize| self.plan.groups[place].watch.as_ref().and_then(|watch| watch.most_energy());
         let list: Vec<(u32, Option<f64>)> =
@@ -166,7 +166,7 @@ impl<S: Real, const D: usize> World<S, D> {
         self.gather();
     }
 
-    /// What groups have more of energy than `most` [J] is taken out of their velocities.
+    /// What groups have more of energy than `most` `[J]` is taken out of their velocities.
     fn take_out(&mut self, places: &[usize], most: f64) {
         let of = |&place: &usize| self.plan.groups[place].energy_and_strain(&self.around);
         let energies: Vec<Sums> = places.iter().map(of).collect();

@@ -8,15 +8,15 @@ use crate::sim::vector::{accumulate, add, scale};
 /// Constants of a flight over one stretch of time.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Flight<S, const D: usize> {
-    /// Displacement is v times this [s].
+    /// Displacement is v times this `[s]`.
     reach: Split<S>,
     /// Velocities keep this share.
     keep: S,
-    /// Displacement by gravity [m], in two parts.
+    /// Displacement by gravity `[m]`, in two parts.
     fall: [[S; D]; 2],
-    /// Change of velocity by gravity [m/s], in two parts.
+    /// Change of velocity by gravity `[m/s]`, in two parts.
     gain: [[S; D]; 2],
-    /// The stretch [s]: how far pins go.
+    /// The stretch `[s]`: how far pins go.
     time: Split<S>,
 }
 

@@ -26,7 +26,7 @@ pub(crate) struct Swept<S> {
     /// Swept until they hold.
     pub(crate) rigid: Vec<RigidBond<S>>,
     pub(crate) rigid_order: Sweeper,
-    /// The substep that the scene says [s], which relaxed bonds are relative to.
+    /// The substep that the scene says `[s]`, which relaxed bonds are relative to.
     pub(crate) nominal: f64,
 }
 

@@ -22,7 +22,7 @@ pub(crate) struct Stages<S> {
     start: Vec<S>,
     state: Vec<S>,
     slopes: Vec<Vec<S>>,
-    /// The largest error of a step that is let pass [m], and for how long an error of a velocity is taken to last [s]; `None`: nobody asks.
+    /// The largest error of a step that is let pass `[m]`, and for how long an error of a velocity is taken to last `[s]`; `None`: nobody asks.
     checked: Option<(S, S)>,
 }
 
@@ -33,7 +33,7 @@ impl<S: Real> Stages<S> {
         Stages { start: row.clone(), state: row.clone(), slopes: vec![row; stages], checked: None }
     }
 
-    /// With steps refused whose error is larger than `most` [m], that of velocities times `lasts` [s] included, where the table has an
+    /// With steps refused whose error is larger than `most` `[m]`, that of velocities times `lasts` `[s]` included, where the table has an
     /// estimate of it.
     pub(crate) fn checked(self, most: S, lasts: f64) -> Self {
         Stages { checked: Some((most, S::from_f64(lasts))), ..self }
@@ -94,7 +94,7 @@ pub(crate) fn step<S: Real, const D: usize>(
     pull.restore(points, counters)
 }
 
-/// An estimate of the error of a step [m]: of positions, and of velocities as long as they last, all together; that of order 5, less what the
+/// An estimate of the error of a step `[m]`: of positions, and of velocities as long as they last, all together; that of order 5, less what the
 /// one of order 3 says that it is too large by. Source: as of the table, II.10.
 fn error<S: Real>(
     (sums, lasts): (&mut [S], S),

@@ -18,11 +18,11 @@ const PART: usize = 1 << 15;
 /// A cell that no point owns has weight 0 and lies at the origin.
 #[derive(Clone, Debug)]
 pub(crate) struct Cells<S, const D: usize> {
-    /// x at the start of the substep [m], component by component.
+    /// x at the start of the substep `[m]`, component by component.
     pub(crate) x: [AVec<S>; D],
-    /// Displacement of the substep under way [m].
+    /// Displacement of the substep under way `[m]`.
     pub(crate) d: [AVec<S>; D],
-    /// The part of it that was carried over [m].
+    /// The part of it that was carried over `[m]`.
     carried: [AVec<S>; D],
     /// w/w_0: inverse masses relative to a reference; 0 = pinned.
     pub(crate) w: AVec<S>,

@@ -16,7 +16,7 @@ pub(crate) struct Link<L, S> {
     /// Its ends, counted within the body.
     pub(crate) ends: [u32; 2],
     pub(crate) law: L,
-    /// Rest length [m].
+    /// Rest length `[m]`.
     pub(crate) rest: S,
     /// Both ends have weight 1 in every body.
     pub(crate) is_plain: bool,

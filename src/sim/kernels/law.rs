@@ -26,13 +26,13 @@ pub(crate) trait Law<S: Real>: Copy + Send + Sync {
 
 /// What a law looks at, lane by lane.
 pub(crate) struct Measured<M: Simd, S: Real> {
-    /// Rest length [m].
+    /// Rest length `[m]`.
     pub(crate) rest: Lanes<M, S>,
-    /// e . e [m^2].
+    /// e . e `[m^2]`.
     pub(crate) square: Lanes<M, S>,
     /// w_a + w_b > 0.
     pub(crate) sum: Lanes<M, S>,
-    /// e . (d_a - d_b) [m^2]; only where the law is damped.
+    /// e . (d_a - d_b) `[m^2]`; only where the law is damped.
     pub(crate) closing: Lanes<M, S>,
 }
 
@@ -61,7 +61,7 @@ pub(crate) struct Relaxed<S> {
     pub(crate) relaxation: S,
     pub(crate) least: S,
     pub(crate) most: S,
-    /// Share of the correction that a substep cut short takes [1].
+    /// Share of the correction that a substep cut short takes `[1]`.
     pub(crate) share: S,
 }
 
@@ -83,9 +83,9 @@ impl<S: Real> Law<S> for Relaxed<S> {
 /// Source: M. Macklin, M. Mueller, N. Chentanez, XPBD, Motion in Games 2016, eq. (26) with lambda = 0 at the start.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Compliant<S> {
-    /// 1/(stiffness h^2 w_0) [1].
+    /// 1/(stiffness h^2 w_0) `[1]`.
     pub(crate) alpha: S,
-    /// damping/(stiffness h) [1].
+    /// damping/(stiffness h) `[1]`.
     pub(crate) gamma: S,
 }
 
@@ -105,9 +105,9 @@ impl<S: Real> Law<S> for Compliant<S> {
 /// v_n = n . (d_a - d_b)/h as the displacements are when the bond's turn comes.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Spring<S> {
-    /// stiffness h t w_0 [1].
+    /// stiffness h t w_0 `[1]`.
     pub(crate) strength: S,
-    /// damping t w_0 [1].
+    /// damping t w_0 `[1]`.
     pub(crate) drag: S,
 }
 

@@ -15,7 +15,7 @@ const CHUNK: usize = 64;
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Links<S> {
     ends: Vec<[u32; 2]>,
-    /// Rest lengths [m].
+    /// Rest lengths `[m]`.
     rest: Vec<S>,
     /// What a metre of error gives.
     gain: Vec<S>,
@@ -83,7 +83,7 @@ impl<S: Real> Links<S> {
 
 /// What bonds move, one entry a point.
 pub(crate) struct Moved<'a, S> {
-    /// Where the points are [m].
+    /// Where the points are `[m]`.
     pub(crate) now: &'a mut [[S; 2]],
     /// Their ways or velocities: what dampers look at.
     pub(crate) rate: &'a mut [[S; 2]],

@@ -13,13 +13,13 @@ use crate::sim::real::Real;
 pub(crate) struct Colour<'a, S> {
     /// The points of each bond; no point twice.
     pub(crate) ends: &'a [[u32; 2]],
-    /// Rest length of each bond [m].
+    /// Rest length of each bond `[m]`.
     pub(crate) rests: Rests<'a, S>,
     /// All points have weight 1.
     pub(crate) is_plain: bool,
 }
 
-/// Rest lengths of a row of bonds [m].
+/// Rest lengths of a row of bonds `[m]`.
 #[derive(Clone, Copy, Debug)]
 pub(crate) enum Rests<'a, S> {
     /// All the same.

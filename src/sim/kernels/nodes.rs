@@ -7,7 +7,7 @@ use super::store::{Drift, Run, Store, arrive};
 use crate::sim::real::Real;
 use crate::sim::vector::{add, sub};
 
-/// A point: x at the start of the substep and its displacement [m].
+/// A point: x at the start of the substep and its displacement `[m]`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Point<S, const D: usize> {
     pub(crate) x: [S; D],
@@ -18,7 +18,7 @@ pub(crate) struct Point<S, const D: usize> {
 #[derive(Clone, Debug)]
 pub(crate) struct Nodes<S, const D: usize> {
     pub(crate) points: Vec<Point<S, D>>,
-    /// The part of each displacement that was carried over [m].
+    /// The part of each displacement that was carried over `[m]`.
     carried: Vec<[S; D]>,
     /// w/w_0; 0 = pinned.
     pub(crate) w: Vec<S>,

@@ -37,18 +37,18 @@ pub(crate) trait Strip<M: Simd, S: Real> {
     fn at(&self, k: usize) -> usize;
     /// The lanes whose path has a point `k`.
     fn lanes(&self, k: usize) -> Mask<M, S>;
-    /// Rest lengths of bond `k` of the paths [m], > 0; [`GONE`] where there is none any more.
+    /// Rest lengths of bond `k` of the paths `[m]`, > 0; [`GONE`] where there is none any more.
     fn rest(&self, k: usize) -> Lanes<M, S>;
 }
 
 /// How the bonds of paths resist.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct PathLaw<S> {
-    /// 1/(stiffness h^2 w_0 (1 + gamma)) [1], gamma = damping/(stiffness h); 0 is rigid.
+    /// 1/(stiffness h^2 w_0 (1 + gamma)) `[1]`, gamma = damping/(stiffness h); 0 is rigid.
     pub(crate) alpha: S,
     /// 1/(1 + gamma).
     pub(crate) share: S,
-    /// Strain above which another round follows [1]; springs take one.
+    /// Strain above which another round follows `[1]`; springs take one.
     pub(crate) tolerance: S,
 }
 
@@ -110,7 +110,7 @@ impl<M: Simd, S: Real, const D: usize> Bond<M, S, D> {
 }
 
 /// Solves the paths of a strip: moves the displacements of their points. Returns each path's largest pull: w times
-/// multiplier over rest length [1]. Across its direction a bond that pulls holds its ends like a spring of that stiffness.
+/// multiplier over rest length `[1]`. Across its direction a bond that pulls holds its ends like a spring of that stiffness.
 #[inline(always)]
 pub(crate) fn solve<M: Simd, S: Real, T: Strip<M, S>, const D: usize>(
     m: M,

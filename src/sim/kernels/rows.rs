@@ -31,7 +31,7 @@ pub(crate) struct Shape {
     pub(crate) pitch: usize,
 }
 
-/// Bonds of one kind: how they resist, and their rest length [m].
+/// Bonds of one kind: how they resist, and their rest length `[m]`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Cut<'a, L, S> {
     pub(crate) law: L,

@@ -28,7 +28,7 @@ pub(crate) struct Split<S> {
     count: usize,
     /// Points of a piece.
     rows: usize,
-    /// Rest length of the bond behind each point [m], laid out like the points; 0: no bond.
+    /// Rest length of the bond behind each point `[m]`, laid out like the points; 0: no bond.
     rest: AVec<S>,
     /// What the way there keeps for the way back: direction, length, answer, link, side of every bond.
     kept: AVec<S>,

@@ -5,11 +5,11 @@ use crate::sim::real::Real;
 /// What a substep does to displacements of points that are free: d -> keep d + fall.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Drift<S, const D: usize> {
-    /// What drag leaves of a displacement, times the new substep over the old one [1].
+    /// What drag leaves of a displacement, times the new substep over the old one `[1]`.
     pub(crate) keep: S,
-    /// The new substep over the old one [1]: what becomes of the motion of pins.
+    /// The new substep over the old one `[1]`: what becomes of the motion of pins.
     pub(crate) ratio: S,
-    /// What gravity adds [m].
+    /// What gravity adds `[m]`.
     pub(crate) fall: [S; D],
 }
 
@@ -31,16 +31,16 @@ pub(crate) trait Store<S: Real, const D: usize> {
     /// Room for `count` points, all pinned at the origin.
     fn new(count: usize) -> Self;
 
-    /// A point gets this position at the start of the substep and this motion of the substep [m].
+    /// A point gets this position at the start of the substep and this motion of the substep `[m]`.
     fn put(&mut self, at: usize, x: [S; D], motion: [S; D]);
 
-    /// Position at the start of the substep, and displacement [m].
+    /// Position at the start of the substep, and displacement `[m]`.
     fn get(&self, at: usize) -> ([S; D], [S; D]);
 
-    /// Displacement without what was carried over [m].
+    /// Displacement without what was carried over `[m]`.
     fn motion(&self, at: usize) -> [S; D];
 
-    /// A point starts here and goes by this motion instead: nothing is carried over [m].
+    /// A point starts here and goes by this motion instead: nothing is carried over `[m]`.
     fn set(&mut self, at: usize, x: [S; D], motion: [S; D]);
 
     /// Bytes that it takes.

@@ -13,7 +13,7 @@ pub(crate) struct Turned<'a, M, S> {
     pub(crate) m: M,
     pub(crate) shape: &'a Shape,
     pub(crate) first: usize,
-    /// Of every bond [m].
+    /// Of every bond `[m]`.
     pub(crate) rest: S,
     /// Where bonds are gone: that of each, at the cell of its first point.
     pub(crate) rests: Option<&'a [S]>,

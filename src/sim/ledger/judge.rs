@@ -2,11 +2,11 @@
 
 use super::Ledger;
 
-/// Largest share of the kinetic energy so far that may come from nowhere [1].
+/// Largest share of the kinetic energy so far that may come from nowhere `[1]`.
 pub const MOST_GAIN: f64 = 0.01;
-/// Largest share of the kinetic energy so far that may go without a reason within [`LOSS_TIME`] [1].
+/// Largest share of the kinetic energy so far that may go without a reason within [`LOSS_TIME`] `[1]`.
 pub const MOST_LOSS: f64 = 0.05;
-/// Time within which losses are looked at [s].
+/// Time within which losses are looked at `[s]`.
 pub const LOSS_TIME: f64 = 10.0;
 
 /// Entries that a median is taken of: an impact that one of them falls into does not count.
@@ -15,13 +15,13 @@ const SMOOTHED: usize = 5;
 /// How well a motion kept its energy.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Verdict {
-    /// The most that came from nowhere, as a share of the largest kinetic energy until then [1].
+    /// The most that came from nowhere, as a share of the largest kinetic energy until then `[1]`.
     pub gain: f64,
-    /// When [s].
+    /// When `[s]`.
     pub gain_at: f64,
-    /// The most that went without a reason within [`LOSS_TIME`], as a share of the largest kinetic energy until then [1].
+    /// The most that went without a reason within [`LOSS_TIME`], as a share of the largest kinetic energy until then `[1]`.
     pub loss: f64,
-    /// By when [s].
+    /// By when `[s]`.
     pub loss_at: f64,
     /// The work at led pins could be told from the method's own error: without that neither can be judged.
     pub is_told: bool,
@@ -83,7 +83,7 @@ pub fn judge(entries: &[Ledger]) -> Verdict {
 }
 
 /// Of each entry the largest kinetic energy that a motion could have had until then: what it had of it and of springs' at the start, what
-/// was brought, and what gravity gave [J].
+/// was brought, and what gravity gave `[J]`.
 fn available(entries: &[Ledger]) -> Vec<f64> {
     let Some(first) = entries.first() else { return Vec::new() };
     let [start, height] = [first.now.kinetic + first.now.springs, first.now.gravity];

@@ -23,7 +23,7 @@ const LEAST_SLOPE: f64 = 0.06;
 pub(super) struct Thin<S> {
     /// Places among all triangles.
     list: Vec<u32>,
-    /// How far its points have gone against each other since [m].
+    /// How far its points have gone against each other since `[m]`.
     gone: S,
 }
 
@@ -39,7 +39,7 @@ impl<S: Real> Thin<S> {
     }
 }
 
-/// Half the diagonal of the box that ways span [m]: no point goes further against its middle.
+/// Half the diagonal of the box that ways span `[m]`: no point goes further against its middle.
 fn spread<S: Real>(way: &[[S; 2]]) -> S {
     // Four boxes that do not wait for each other; the least of all is the same in any order.
     let (mut low, mut high) = ([[S::INFINITY; 2]; 4], [[-S::INFINITY; 2]; 4]);
@@ -74,7 +74,7 @@ pub(super) fn look<S: Real>(state: &mut Cluster<S>, common: &Common<S>) {
     state.thin = thin;
 }
 
-/// Those that get thin while no corner goes further than `promise` [m] against the others: sides u and v and ways e bound the area's
+/// Those that get thin while no corner goes further than `promise` `[m]` against the others: sides u and v and ways e bound the area's
 /// change by |e| (|u| + |v| + 2 |e|).
 fn list<S: Real>(
     state: &mut Cluster<S>,

@@ -37,9 +37,9 @@ pub(super) struct Body<S> {
     pub(super) turns: Span,
     /// Bonds at the front of those that are held that make trees, from the roots on.
     pub(super) tree: u32,
-    /// Mean length of its edges at the start [m]; 0 without any.
+    /// Mean length of its edges at the start `[m]`; 0 without any.
     pub(super) edge_length: S,
-    /// Distance that its skin keeps [m].
+    /// Distance that its skin keeps `[m]`.
     pub(super) radius: S,
     /// Fewest substeps in a frame in which most of its springs may be forces, and all of them exact ones.
     pub(super) least_substeps: [u32; 2],
@@ -55,11 +55,11 @@ pub(super) struct Link<S> {
     pub(super) a: u32,
     pub(super) b: u32,
     pub(super) rest: S,
-    /// [N/m]; infinite: rigid.
+    /// `[N/m]`; infinite: rigid.
     pub(super) stiffness: S,
-    /// [N s/m]
+    /// `[N s/m]`
     pub(super) damping: S,
-    /// Share of an error that a sweep takes away [1], and the most of it, as relaxed bonds have it.
+    /// Share of an error that a sweep takes away `[1]`, and the most of it, as relaxed bonds have it.
     pub(super) share: S,
     pub(super) most: S,
     pub(super) limit: Limit,
@@ -69,7 +69,7 @@ pub(super) struct Link<S> {
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Area<S> {
     pub(super) corners: [u32; 3],
-    /// Its area at the start [m^2].
+    /// Its area at the start `[m^2]`.
     pub(super) rest: S,
 }
 

@@ -25,8 +25,8 @@ const MOST_CRUSHED: f64 = 0.05;
 /// Share of an error that a bond takes away at once from which on it is hard.
 const HARD: f64 = 0.99;
 
-/// Whether a spring whose ends swing like this may be a force in substeps of `h` [s]: by bounds on the square of the fastest oscillation
-/// [1/s^2] and on the fastest decay [1/s].
+/// Whether a spring whose ends swing like this may be a force in substeps of `h` `[s]`: by bounds on the square of the fastest oscillation
+/// `[1/s^2]` and on the fastest decay `[1/s]`.
 pub(super) fn bears<S: Real>([stiffness, decay]: [S; 2], h: S) -> bool {
     let phase = stiffness * h * h;
     phase <= S::from_f64(MOST_PHASE) && phase + (decay + decay) * h <= S::from_f64(MOST_OF_BOTH)
@@ -40,7 +40,7 @@ pub(super) fn substeps([stiffness, decay]: [f64; 2]) -> [f64; 2] {
     [both, decay / FINE_DECAY].map(|rate| (swing.max(rate) / FRAMES).ceil())
 }
 
-/// What springs that are forces give to velocities in `h` [s].
+/// What springs that are forces give to velocities in `h` `[s]`.
 pub(super) fn pull<S: Real>(state: &mut Cluster<S>, common: &Common<S>, h: S) {
     let pulls = std::mem::take(&mut state.pulls);
     let Cluster { now, velocity, w, .. } = &mut *state;
@@ -92,7 +92,7 @@ fn is_slack<S: Real>(link: &Link<S>, length: S) -> bool {
     }
 }
 
-/// What a bond that is projected needs, worked out once for all substeps of `h` [s].
+/// What a bond that is projected needs, worked out once for all substeps of `h` `[s]`.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Hold<S> {
     a: u32,
@@ -167,7 +167,7 @@ fn is_crushed<S: Real>(link: &Link<S>, now: &[[S; 2]]) -> bool {
     link.limit == Limit::Both && rest > S::ZERO && (square < S::from_f64(BORNE * BORNE) * rest || !square.is_finite())
 }
 
-/// Works out what the bonds of a cluster need in substeps of `h` [s], in lists of their own: those that pull and those that are
+/// Works out what the bonds of a cluster need in substeps of `h` `[s]`, in lists of their own: those that pull and those that are
 /// projected, what kernels take and what they do not.
 pub(super) fn prepare<S: Real>(state: &mut Cluster<S>, common: &Common<S>, h: S) {
     let members = state.members(common);

@@ -15,10 +15,10 @@ use crate::sim::vector::{add, dot, scale, sub, zero};
 /// Works and losses of a step, there only where a ledger is kept.
 #[derive(Clone, Debug)]
 pub(super) struct Tally<S: Real> {
-    /// How far contacts that do not give all back, and friction, pushed each point in the substep [m].
+    /// How far contacts that do not give all back, and friction, pushed each point in the substep `[m]`.
     pressed: Vec<[S; 2]>,
     rubbed: Vec<[S; 2]>,
-    /// Works of the fields that stand in the cluster's work too [J].
+    /// Works of the fields that stand in the cluster's work too `[J]`.
     apart: f64,
     taken: Book,
 }
@@ -40,7 +40,7 @@ impl<S: Real> Tally<S> {
         self.taken.drag += (energy(velocity, w) * (S::ONE - kept * kept)).to_f64();
     }
 
-    /// A contact pushed a point by `normal`, unless it gives all back, and friction by `along` [m].
+    /// A contact pushed a point by `normal`, unless it gives all back, and friction by `along` `[m]`.
     #[inline(always)]
     pub(super) fn push(&mut self, i: usize, restitution: S, (normal, along): ([S; 2], [S; 2])) {
         if restitution < S::ONE {
@@ -49,7 +49,7 @@ impl<S: Real> Tally<S> {
         self.rubbed[i] = add(self.rubbed[i], along);
     }
 
-    /// Restitution gave back some of the energy [J].
+    /// Restitution gave back some of the energy `[J]`.
     pub(super) fn give_back(&mut self, energy: S) {
         self.taken.impacts -= energy.to_f64();
     }
@@ -60,7 +60,7 @@ fn energy<S: Real>(velocity: [S; 2], w: S) -> S {
 }
 
 impl<S: Real> Cluster<S> {
-    /// Kinetic energy [J], where a ledger is kept.
+    /// Kinetic energy `[J]`, where a ledger is kept.
     pub(super) fn kinetic(&self) -> Option<S> {
         let sum = || (0..self.own()).fold(S::ZERO, |sum, i| sum + energy(self.velocity[i], self.w[i]));
         self.tally.as_ref().map(|_| sum())
@@ -88,7 +88,7 @@ impl<S: Real> Cluster<S> {
         }
     }
 
-    /// What forces did in a substep, and of the wind its gusts and all of it [J].
+    /// What forces did in a substep, and of the wind its gusts and all of it `[J]`.
     pub(super) fn book_fields(&mut self, forces: S, [gusts, wind]: [S; 2]) {
         if let Some(tally) = &mut self.tally {
             tally.apart += (forces + gusts).to_f64();
@@ -97,7 +97,7 @@ impl<S: Real> Cluster<S> {
         }
     }
 
-    /// What drives did in a substep, as the guard has it and by the springs' own rests, and what their dampers took [J].
+    /// What drives did in a substep, as the guard has it and by the springs' own rests, and what their dampers took `[J]`.
     pub(super) fn book_drives(&mut self, seen: S, booked: S, damped: S) {
         if let Some(tally) = &mut self.tally {
             tally.apart += seen.to_f64();
@@ -106,7 +106,7 @@ impl<S: Real> Cluster<S> {
         }
     }
 
-    /// What contacts, friction and dampers took in a substep of `h` [s], before anything bounces.
+    /// What contacts, friction and dampers took in a substep of `h` `[s]`, before anything bounces.
     pub(super) fn tally(&mut self, common: &Common<S>, h: f64) {
         let Some(mut tally) = self.tally.take() else { return };
         let rate = S::from_f64(1.0 / h);
@@ -124,7 +124,7 @@ impl<S: Real> Cluster<S> {
         self.tally = Some(tally);
     }
 
-    /// What dampers take within `h` [s]: their force by the way that their ends went, [J].
+    /// What dampers take within `h` `[s]`: their force by the way that their ends went, `[J]`.
     fn damped(&self, common: &Common<S>, h: f64) -> f64 {
         let mut sum = 0.0;
         let mut by_forces = self.by_forces.iter();

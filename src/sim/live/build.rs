@@ -21,9 +21,9 @@ use crate::sim::real::Real;
 use crate::sim::triangles;
 use crate::sim::vector::{length, sub, widen};
 
-/// Stiffness over mass from which on springs that make trees are taken for rigid, times the square of the longest substep, of 1/16 frame [1].
+/// Stiffness over mass from which on springs that make trees are taken for rigid, times the square of the longest substep, of 1/16 frame `[1]`.
 const STIFF: f64 = 100.0;
-/// Oscillation beyond which a body of hard springs counts as rigid [rad/s]: of 30 Hz, more than 60 frames a second can show.
+/// Oscillation beyond which a body of hard springs counts as rigid `[rad/s]`: of 30 Hz, more than 60 frames a second can show.
 const SEEN: f64 = 188.5;
 /// Bonds of a path from which on it is solved as one.
 const LEAST_PATH: usize = 4;
@@ -36,7 +36,7 @@ pub(super) struct Bodies<S> {
     pub(super) order: Vec<u32>,
     /// Bonds that may be forces.
     pub(super) springs: Vec<Link<S>>,
-    /// Of every spring bounds on the square of the fastest oscillation [1/s^2] and on the fastest decay [1/s] of its ends.
+    /// Of every spring bounds on the square of the fastest oscillation `[1/s^2]` and on the fastest decay `[1/s]` of its ends.
     pub(super) swings: Vec<[S; 2]>,
     /// Bonds that are held whatever the substep.
     pub(super) holds: Vec<Link<S>>,
@@ -208,7 +208,7 @@ struct Own<S> {
     points: Vec<u32>,
     bonds: Vec<Bond>,
     triangles: Vec<[u32; 3]>,
-    /// Areas at rest of the triangles [m^2], where they are known.
+    /// Areas at rest of the triangles `[m^2]`, where they are known.
     rests: Vec<Option<f64>>,
     hinges: Vec<Hinge<S>>,
 }
@@ -402,7 +402,7 @@ fn area<S: Real>(
     Some(Area { corners: corners.map(|corner| local[corner as usize]), rest: S::from_f64(size) })
 }
 
-/// The hydraulic diameter of what triangles cover [m]: four areas by the length of its outline; infinite of what covers nothing.
+/// The hydraulic diameter of what triangles cover `[m]`: four areas by the length of its outline; infinite of what covers nothing.
 fn thickness<'a, S: Real>(
     triangles: &[[u32; 3]],
     outline: impl Iterator<Item = &'a Edge>,
@@ -421,7 +421,7 @@ fn skin<S>(own: &Own<S>) -> Vec<Edge> {
     skin.closed.into_iter().map(edge(true)).chain(skin.open.into_iter().map(edge(false))).collect()
 }
 
-/// Gershgorin's bounds on the square of the fastest oscillation [1/s^2] and on the fastest decay [1/s] of springs, a row a point.
+/// Gershgorin's bounds on the square of the fastest oscillation `[1/s^2]` and on the fastest decay `[1/s]` of springs, a row a point.
 pub(super) struct Bounds(Vec<(u32, [f64; 2])>);
 
 impl Bounds {

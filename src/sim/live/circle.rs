@@ -43,14 +43,14 @@ impl<S: Real> Circle<S> {
         }
     }
 
-    /// How far a place is from it [m]; below 0 inside.
+    /// How far a place is from it `[m]`; below 0 inside.
     #[inline(always)]
     pub(super) fn gap(&self, x: [S; 2]) -> S {
         let from = sub(x, self.center);
         dot(from, from).sqrt() - self.radius
     }
 
-    /// How far a place is above the plane that touches it where the normal points [m].
+    /// How far a place is above the plane that touches it where the normal points `[m]`.
     #[inline(always)]
     pub(super) fn gap_along(&self, normal: [S; 2], x: [S; 2]) -> S {
         dot(normal, sub(x, self.center)) - self.radius
@@ -97,7 +97,7 @@ impl<S: Real> Common<'_, S> {
         number - self.bodies.order.len() as u32 - self.walls.corner_of_circle(0)
     }
 
-    /// The radius of the circle about an obstacle's corner with this number [m]; `None`: there is none.
+    /// The radius of the circle about an obstacle's corner with this number `[m]`; `None`: there is none.
     pub(super) fn radius_at(&self, number: u32) -> Option<S> {
         let corner = number.checked_sub(self.bodies.order.len() as u32 + self.walls.corner_of_circle(0));
         corner.map(|circle| self.walls.circles[circle as usize].radius)
@@ -140,7 +140,7 @@ impl<S: Real> Cluster<S> {
     }
 }
 
-/// Lower and upper corners, one box a body [m].
+/// Lower and upper corners, one box a body `[m]`.
 pub(super) type Boxes<S> = Vec<[[S; 2]; 2]>;
 
 /// The bodies that are near a circle, by their boxes.

@@ -32,16 +32,16 @@ pub(super) struct Cluster<S: Real> {
     pub(super) settles: Vec<bool>,
     /// Which of their springs are forces in this step, body after body; the others are projected.
     pub(super) by_forces: Vec<bool>,
-    /// Positions at the start of the substep [m].
+    /// Positions at the start of the substep `[m]`.
     pub(super) start: Vec<[S; 2]>,
-    /// Positions as far as the substep is solved [m].
+    /// Positions as far as the substep is solved `[m]`.
     pub(super) now: Vec<[S; 2]>,
-    /// From one to the other [m]: exact where the difference of both is not.
+    /// From one to the other `[m]`: exact where the difference of both is not.
     pub(super) way: Vec<[S; 2]>,
     pub(super) velocity: Vec<[S; 2]>,
-    /// Velocities at the start of the substep, before forces [m/s].
+    /// Velocities at the start of the substep, before forces `[m/s]`.
     pub(super) begun: Vec<[S; 2]>,
-    /// What rounding has taken from positions [m].
+    /// What rounding has taken from positions `[m]`.
     pub(super) lost: Vec<[S; 2]>,
     pub(super) w: Vec<S>,
     /// Which of its bodies every point is of; corners of obstacles: of none.
@@ -68,36 +68,36 @@ pub(super) struct Cluster<S: Real> {
     /// Triangles that may get thin, one list a body.
     pub(super) thin: Vec<Thin<S>>,
     pub(super) pairs: Vec<Pair<S>>,
-    /// How far the two of each were from touching when they were found [m]; below 0 where the point was behind the edge.
+    /// How far the two of each were from touching when they were found `[m]`; below 0 where the point was behind the edge.
     pub(super) rooms: Vec<S>,
     /// Which of them may touch in this substep, and which of these a pass still looks at.
     pub(super) chosen: Vec<u32>,
     pub(super) active: Vec<u32>,
     pub(super) on_planes: Vec<OnPlane<S>>,
-    /// How far each point may go until what is near what is looked for anew [m]; corners of obstacles nowhere.
+    /// How far each point may go until what is near what is looked for anew `[m]`; corners of obstacles nowhere.
     pub(super) promised: Vec<S>,
-    /// How far each has gone since, and gets in this substep [m].
+    /// How far each has gone since, and gets in this substep `[m]`.
     pub(super) gone: Vec<S>,
     pub(super) goes: Vec<S>,
-    /// A quarter of the shortest mean edge of its skins [m].
+    /// A quarter of the shortest mean edge of its skins `[m]`.
     pub(super) least_promise: S,
     /// Substeps of a frame that it is given at most so that springs can be forces.
     pub(super) most_substeps: u32,
     /// Something is so fast that springs are projected, which bears more.
     pub(super) is_violent: bool,
-    /// How long a substep is [s].
+    /// How long a substep is `[s]`.
     pub(super) span: S,
-    /// The largest radius of its skins [m].
+    /// The largest radius of its skins `[m]`.
     pub(super) widest: S,
-    /// How far an overlap of two skins is mended in a substep at most [m].
+    /// How far an overlap of two skins is mended in a substep at most `[m]`.
     pub(super) gentle: S,
     /// Something pressed something in this step.
     pub(super) has_pressed: bool,
-    /// Work that mouse and other forces did in this step [J].
+    /// Work that mouse and other forces did in this step `[J]`.
     pub(super) work: S,
-    /// What was made from nowhere and could not be taken back yet [J]: springs that something led loaded.
+    /// What was made from nowhere and could not be taken back yet `[J]`: springs that something led loaded.
     pub(super) debt: S,
-    /// What gravity got back from bodies that were lifted out of each other in this step [J].
+    /// What gravity got back from bodies that were lifted out of each other in this step `[J]`.
     pub(super) lifted: S,
     /// What it took, where a ledger is kept.
     pub(super) tally: Option<Box<Tally<S>>>,
@@ -155,7 +155,7 @@ pub(super) struct Common<'a, S: Real> {
     /// All surfaces, planes first.
     pub(super) surfaces: &'a [Surface<S, 2>],
     pub(super) planes: &'a [Surface<S, 2>],
-    /// A bound on what gravity, forces and wind give, torques apart [m/s^2].
+    /// A bound on what gravity, forces and wind give, torques apart `[m/s^2]`.
     pub(super) most_push: f64,
     /// Sides that points had of edges, from before.
     pub(super) sides: &'a Sides,

@@ -10,7 +10,7 @@ use crate::sim::vector::{add, scale, sub};
 pub(super) struct Crossing<S> {
     /// Their bodies in the cluster, ascending.
     pub(super) bodies: [u32; 2],
-    /// Where [m].
+    /// Where `[m]`.
     pub(super) at: [S; 2],
     /// +1 where the second body's edge leaves the first body, -1 where it enters it.
     pub(super) turn: S,

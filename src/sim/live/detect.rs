@@ -37,7 +37,7 @@ struct Line<S> {
     from: [S; 2],
     along: [S; 2],
     square: S,
-    /// How far from it a point may be that has no radius and goes nowhere [m].
+    /// How far from it a point may be that has no radius and goes nowhere `[m]`.
     reach: S,
     body: u32,
     ends: [u32; 2],
@@ -47,7 +47,7 @@ struct Line<S> {
 #[derive(Clone, Copy)]
 struct Found<S> {
     edge: usize,
-    /// Square of the distance [m^2].
+    /// Square of the distance `[m^2]`.
     square: S,
     /// > 0 on the left of the edge.
     across: S,
@@ -77,7 +77,7 @@ pub(super) fn look<S: Real>(state: &mut Cluster<S>, common: &Common<S>) {
     }
 }
 
-/// The same for points that go at most this far [m].
+/// The same for points that go at most this far `[m]`.
 pub(super) fn look_within<S: Real>(state: &mut Cluster<S>, common: &Common<S>, promise: S) {
     let own = state.own();
     state.promised[..own].fill(promise);
@@ -150,7 +150,7 @@ pub(super) struct Search<'a, S> {
     lines: Vec<Line<S>>,
     /// Sides from this step, and from before it.
     known: [Seen<'a>; 2],
-    /// The least way that a point may go [m].
+    /// The least way that a point may go `[m]`.
     least: S,
     /// Pairs that a corner makes at most: those with the nearest edges.
     most_pairs: usize,
@@ -160,12 +160,12 @@ pub(super) struct Search<'a, S> {
 }
 
 impl<S: Real> Search<'_, S> {
-    /// Notes an edge if it is nearer to a place than `around` [m].
+    /// Notes an edge if it is nearer to a place than `around` `[m]`.
     pub(super) fn see(&mut self, (edge, x): (usize, [S; 2]), around: S) {
         self.near.extend(find(&self.lines[edge], edge, x, around));
     }
 
-    /// Makes pairs of a corner and the edges that were noted, all those nearer than `around` [m].
+    /// Makes pairs of a corner and the edges that were noted, all those nearer than `around` `[m]`.
     pub(super) fn pair(&mut self, state: &Cluster<S>, common: &Common<S>, (p, number): (u32, u32), around: S) {
         let body = state.body_of[p as usize];
         // Edges that are nearer than that were found.
@@ -229,7 +229,7 @@ impl<'a> Seen<'a> {
 /// The side that a point belongs to of an edge that it was not near before.
 ///
 /// In front of what is closed it stays in front. Behind it is inside only if no other edge of that body is nearer, of those nearer than
-/// `sure` [m], which were all found; then it is to come out there. Otherwise it belongs nowhere: 0.
+/// `sure` `[m]`, which were all found; then it is to come out there. Otherwise it belongs nowhere: 0.
 fn side<S: Real>(state: &Cluster<S>, p: u32, found: &Found<S>, (near, sure): (&[Found<S>], S)) -> i8 {
     let edge = &state.edges[found.edge];
     if !edge.is_closed {
@@ -301,7 +301,7 @@ fn number<S: Real>(state: &Cluster<S>, common: &Common<S>, edge: &Side) -> u32 {
     edge.ends[0] - state.bases[body] + common.bodies.list[state.bodies[body]].points.first
 }
 
-/// The distance that a point keeps from an edge [m]: the sum of the radii; of obstacles none.
+/// The distance that a point keeps from an edge `[m]`: the sum of the radii; of obstacles none.
 fn distance<S: Real>(state: &Cluster<S>, common: &Common<S>, body: u32, edge: &Side) -> S {
     if body == OBSTACLE || edge.body == OBSTACLE {
         return S::ZERO;
@@ -309,7 +309,7 @@ fn distance<S: Real>(state: &Cluster<S>, common: &Common<S>, body: u32, edge: &S
     radius(state, common, body) + radius(state, common, edge.body)
 }
 
-/// The radius of the skin of a body [m]; of obstacles none.
+/// The radius of the skin of a body `[m]`; of obstacles none.
 fn radius<S: Real>(state: &Cluster<S>, common: &Common<S>, body: u32) -> S {
     if body == OBSTACLE { S::ZERO } else { common.bodies.list[state.bodies[body as usize]].radius }
 }

@@ -20,21 +20,21 @@ use crate::sim::vector::{add, dot, length, scale, sub, zero};
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Muscle<S> {
     pub(super) ends: [u32; 2],
-    /// Its own rest length, and that of now [m].
+    /// Its own rest length, and that of now `[m]`.
     own: S,
     rest: S,
-    /// [N/m]; infinite: rigid.
+    /// `[N/m]`; infinite: rigid.
     stiffness: S,
-    /// [N s/m]
+    /// `[N s/m]`
     damping: S,
     drive: Drive,
     /// Bounds on what its ends do, as springs have them (`Bodies::swings`).
     swing: [S; 2],
     /// It is a force in this step, not projected.
     is_force: bool,
-    /// How much its rest length grew in this substep [m].
+    /// How much its rest length grew in this substep `[m]`.
     grown: S,
-    /// What pushed its first end in this substep [kg m].
+    /// What pushed its first end in this substep `[kg m]`.
     pushed: [S; 2],
 }
 
@@ -44,10 +44,10 @@ pub(super) struct Turn<S> {
     /// As it is made, and with its rest as it is now.
     own: Hinge<S>,
     pub(super) now: Hinge<S>,
-    /// How far its rest is moved now [rad], and by how much that grew in this substep.
+    /// How far its rest is moved now `[rad]`, and by how much that grew in this substep.
     by: S,
     grown: S,
-    /// What a motor turned it by in this substep [N m s^2].
+    /// What a motor turned it by in this substep `[N m s^2]`.
     turned: S,
 }
 
@@ -83,7 +83,7 @@ impl<S: Real> Muscle<S> {
         !self.stiffness.is_finite()
     }
 
-    /// What it is from its rest length of now [m].
+    /// What it is from its rest length of now `[m]`.
     fn error(&self, x: &[[S; 2]]) -> S {
         length(self.along(x)) - self.rest
     }
@@ -131,7 +131,7 @@ impl Source {
         list
     }
 
-    /// The body that it moves after time `t` [s], if it does.
+    /// The body that it moves after time `t` `[s]`, if it does.
     pub(super) fn moves(&self, t: f64, keys: &Keys) -> Option<usize> {
         let moves = match &self.drive {
             Kind::Bond(signal) => signal.moves_after(t, keys),
@@ -141,7 +141,7 @@ impl Source {
     }
 }
 
-/// The driven bonds and angles of a cluster as a step from `t` on [s] begins.
+/// The driven bonds and angles of a cluster as a step from `t` on `[s]` begins.
 pub(super) fn prepare<S: Real>(state: &mut Cluster<S>, common: &Common<S>, (t, around): (f64, &Environment<2>), h: S) {
     state.muscles.clear();
     state.turns.clear();
@@ -164,7 +164,7 @@ pub(super) fn prepare<S: Real>(state: &mut Cluster<S>, common: &Common<S>, (t, a
     }
 }
 
-/// A substep of `h` from `t` on [s] begins: rests are moved, and muscles that are forces change velocities.
+/// A substep of `h` from `t` on `[s]` begins: rests are moved, and muscles that are forces change velocities.
 pub(super) fn begin<S: Real>(state: &mut Cluster<S>, around: &Environment<2>, (t, h): (f64, f64)) {
     let time = S::from_f64(h);
     for muscle in &mut state.muscles {
@@ -192,7 +192,7 @@ pub(super) fn begin<S: Real>(state: &mut Cluster<S>, around: &Environment<2>, (t
     state.counts.work += 60 * (state.muscles.len() + state.turns.len()) as u64;
 }
 
-/// Servos, as angles are; and motors: the torque of the speed that the substep of `h` ending at `t` [s] leaves, linear in it.
+/// Servos, as angles are; and motors: the torque of the speed that the substep of `h` ending at `t` `[s]` leaves, linear in it.
 pub(super) fn turn<S: Real>(state: &mut Cluster<S>, around: &Environment<2>, (t, h): (f64, S)) {
     let mut turns = std::mem::take(&mut state.turns);
     for turn in &mut turns {
@@ -261,7 +261,7 @@ pub(super) fn stop<S: Real>(state: &mut Cluster<S>) {
     state.turns = turns;
 }
 
-/// Energy of muscles and servos at their rests of now [J], as the guard counts that of springs.
+/// Energy of muscles and servos at their rests of now `[J]`, as the guard counts that of springs.
 pub(super) fn elastic<S: Real>(state: &Cluster<S>) -> S {
     let muscles = state.muscles.iter().filter(|muscle| !muscle.is_rigid()).map(|muscle| {
         let error = muscle.error(&state.now);
@@ -278,7 +278,7 @@ fn softened<S: Real>(state: &Cluster<S>, muscle: &Muscle<S>) -> S {
     muscle.stiffness / (S::ONE + slow)
 }
 
-/// Counts what drives did in a substep of `h` [s] that is over.
+/// Counts what drives did in a substep of `h` `[s]` that is over.
 pub(super) fn count<S: Real>(state: &mut Cluster<S>, h: f64) {
     if state.muscles.is_empty() && state.turns.is_empty() {
         return;

@@ -49,7 +49,7 @@ impl<S: Real> Field<S> {
     }
 }
 
-/// What forces and wind make of velocities in `h` [s] from `t` [s], after drag: it is exact in the drag towards the wind.
+/// What forces and wind make of velocities in `h` `[s]` from `t` `[s]`, after drag: it is exact in the drag towards the wind.
 pub(super) fn blow<S: Real>(state: &mut Cluster<S>, outside: Outside<S>, (t, h): (f64, f64)) {
     let pull = outside.pull;
     let time = S::from_f64(h);

@@ -24,7 +24,7 @@ const VIOLENT: f64 = 32.0;
 /// Counted work of a frame up to which there are more substeps than speeds ask for, so that springs can be forces.
 const AFFORDED: f64 = 8e6;
 
-/// Substeps of a frame at a speed [m/s], with skins whose edges have this mean length [m].
+/// Substeps of a frame at a speed `[m/s]`, with skins whose edges have this mean length `[m]`.
 pub(super) fn substeps_at(speed: f64, edge: f64) -> u32 {
     let wanted = speed / super::FRAMES / (WAY * if edge > 0.0 { edge } else { 0.1 });
     SUBSTEPS.into_iter().find(|&count| f64::from(count) >= wanted).unwrap_or(SUBSTEPS[3])
@@ -55,7 +55,7 @@ impl<S: Real> Live<S> {
         SUBSTEPS.into_iter().rev().find(|&count| f64::from(count) <= room).unwrap_or(SUBSTEPS[1]).max(SUBSTEPS[1])
     }
 
-    /// The bodies that may meet within `h` [s], in the order of the lowest of each.
+    /// The bodies that may meet within `h` `[s]`, in the order of the lowest of each.
     pub(super) fn together(
         &self,
         points: &Points<S, 2>,
@@ -79,7 +79,7 @@ impl<S: Real> Live<S> {
         members
     }
 
-    /// Where the points of a body may get to within a time [s], pushed by so much [m/s^2], and what is near: within this share of an edge.
+    /// Where the points of a body may get to within a time `[s]`, pushed by so much `[m/s^2]`, and what is near: within this share of an edge.
     pub(super) fn reach(&self, body: usize, points: &Points<S, 2>, span: (f64, f64), apart: S) -> Option<Swept<S, 2>> {
         let of = &self.bodies.list[body];
         let margin = of.edge_length * apart + of.radius;

@@ -4,14 +4,14 @@ use super::cluster::{Cluster, Common};
 use crate::sim::real::Real;
 use crate::sim::vector::{add, dot, scale, sub, zero};
 
-/// How quickly what is owed is forgotten [1/s]: gravity's energy that overlaps cost as they were mended is not asked back for ever.
+/// How quickly what is owed is forgotten `[1/s]`: gravity's energy that overlaps cost as they were mended is not asked back for ever.
 const FORGIVEN: f64 = 0.5;
-/// Speed that is left to what is led or owes energy, in the mean [m/s].
+/// Speed that is left to what is led or owes energy, in the mean `[m/s]`.
 const LEFT: f64 = 0.3;
 /// Share of the kinetic and elastic energy that contacts may make in a step without being seen: overlaps that are mended load springs.
 const SLACK: f64 = 1e-3;
 
-/// Kinetic and gravity's energy [J].
+/// Kinetic and gravity's energy `[J]`.
 pub(super) fn energy<S: Real>(state: &Cluster<S>, gravity: [f64; 2]) -> S {
     let (kinetic, fall) = moving(state, gravity);
     kinetic + fall
@@ -32,7 +32,7 @@ fn moving<S: Real>(state: &Cluster<S>, gravity: [f64; 2]) -> (S, S) {
     (kinetic, fall - mass * dot(gravity, middle))
 }
 
-/// What bonds, angles and areas can give back [J]: of a spring e longer that is projected in substeps of h, k e^2/(2 (1 + k h^2 w)), for it
+/// What bonds, angles and areas can give back `[J]`: of a spring e longer that is projected in substeps of h, k e^2/(2 (1 + k h^2 w)), for it
 /// takes several to give way, and does so the slower the stiffer it is.
 pub(super) fn elastic<S: Real>(state: &Cluster<S>, common: &Common<S>) -> S {
     let mut sum = super::drives::elastic(state);

@@ -6,13 +6,13 @@ use super::pair::left;
 use crate::sim::real::Real;
 use crate::sim::vector::{add, dot, scale, sub};
 
-/// Points that hang together by triangles, and where they are at rest [m].
+/// Points that hang together by triangles, and where they are at rest `[m]`.
 pub(super) type Shape<S> = (Vec<u32>, Vec<[S; 2]>);
 
 /// The triangles of a body with what they are laid out by.
 pub(super) struct Sheet<'a, S> {
     areas: &'a [Area<S>],
-    /// Lengths at rest by ends, ascending [m].
+    /// Lengths at rest by ends, ascending `[m]`.
     lengths: Vec<([u32; 2], S)>,
     /// Triangles by their sides, ascending.
     sides: Vec<([u32; 2], u32)>,
@@ -118,7 +118,7 @@ impl<'a, S: Real> Sheet<'a, S> {
         add(x, add(scale(u, along), scale(left(u), (area + area) / square)))
     }
 
-    /// The length at rest of a side [m]; one without a bond has that of now.
+    /// The length at rest of a side `[m]`; one without a bond has that of now.
     fn length(&self, a: u32, b: u32) -> S {
         let ends = sorted(a, b);
         let start = self.lengths.partition_point(|entry| entry.0 < ends);

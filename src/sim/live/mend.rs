@@ -10,7 +10,7 @@ use super::pair::wedge;
 use crate::sim::real::Real;
 use crate::sim::vector::{add, dot, scale, sub, zero};
 
-/// How long a piece takes to get its shape [s].
+/// How long a piece takes to get its shape `[s]`.
 const TIME: f64 = 0.4;
 /// Share of the largest sum that a fit says nothing below.
 const LEAST_FIT: f64 = 1e-4;
@@ -20,10 +20,10 @@ const LEAST_FIT: f64 = 1e-4;
 pub(super) struct Piece<S> {
     /// Points of the body.
     points: Vec<u32>,
-    /// Where each is at rest, about the middle of all [m].
+    /// Where each is at rest, about the middle of all `[m]`.
     shape: Vec<[S; 2]>,
     mass: Vec<S>,
-    /// How fast the largest error shrinks [m/s].
+    /// How fast the largest error shrinks `[m/s]`.
     speed: S,
     /// Cosine and sine of the shape's angle, which goes on as the points turn: the fit of what is crumpled would jump.
     turn: [S; 2],
@@ -97,7 +97,7 @@ impl<S: Real> Piece<S> {
         Place { middle, turn }
     }
 
-    /// Leads the points on by a substep of `h` [s].
+    /// Leads the points on by a substep of `h` `[s]`.
     fn lead(&mut self, state: &mut Cluster<S>, base: usize, h: S) {
         let middle = |x: &[[S; 2]]| mean(&self.mass, self.points.iter().map(|&point| x[base + point as usize]));
         let before = Place { middle: middle(&state.start), turn: self.turn };
@@ -147,7 +147,7 @@ impl<S: Real> Cluster<S> {
     }
 }
 
-/// Leads all pieces of a cluster on by a substep of `h` [s].
+/// Leads all pieces of a cluster on by a substep of `h` `[s]`.
 pub(super) fn lead<S: Real>(state: &mut Cluster<S>, h: S) {
     let mut knots = std::mem::take(&mut state.tangle.knots);
     for knot in &mut knots {

@@ -74,13 +74,13 @@ use substep::Outside;
 use tangle::Tangle;
 use walls::Walls;
 
-/// Frames of which substeps are whole parts [1/s].
+/// Frames of which substeps are whole parts `[1/s]`.
 const FRAMES: f64 = 60.0;
 
 /// Edges that a point may be led by in a second: one in each of the longest substeps.
 const LEAD: f64 = 960.0;
 
-/// The longest substep [s], and how stiff angles may be in it (`Hinge::bounded`): stiffer ones, each solved once, would give way to bonds and
+/// The longest substep `[s]`, and how stiff angles may be in it (`Hinge::bounded`): stiffer ones, each solved once, would give way to bonds and
 /// load them.
 pub(crate) const BENDING: (f64, f64) = (1.0 / 960.0, 1.0);
 
@@ -90,7 +90,7 @@ pub(crate) struct Draft<S> {
     pub(crate) bonds: Vec<Bond>,
     /// The body of every point: both ends of a bond are of one.
     pub(crate) body_of: Vec<u32>,
-    /// What bodies cover, and the areas at rest [m^2] of triangles, where they are known.
+    /// What bodies cover, and the areas at rest `[m^2]` of triangles, where they are known.
     pub(crate) triangles: Vec<([u32; 3], Option<f64>)>,
     /// Angles that resist.
     pub(crate) hinges: Vec<Hinge<S>>,
@@ -125,13 +125,13 @@ struct Live<S: Real> {
     rests: Vec<Rest>,
     /// Where bodies were when they were last seen to move, in the order of the bodies.
     anchor: Vec<[S; 2]>,
-    /// How much what settles is slowed down [1/s], one a body.
+    /// How much what settles is slowed down `[1/s]`, one a body.
     settling: Vec<S>,
     bond_count: usize,
     fields: Vec<Field<S>>,
     /// What moves bodies by itself.
     sources: Vec<Source>,
-    /// How much nearer a body that somebody else moves may come to itself until it is looked at again [m].
+    /// How much nearer a body that somebody else moves may come to itself until it is looked at again `[m]`.
     room: S,
     /// Slots of what left the finite numbers.
     lost: Vec<u32>,
@@ -161,8 +161,8 @@ pub(crate) fn mover<S: Real, const D: usize>(
 /// Counted work of a substep for each bond, point and triangle, about.
 const OF_A_SUBSTEP: [f64; 3] = [30.0, 30.0, 8.0];
 
-/// Counted work, about, of a frame of bodies of so many points, bonds and triangles that do not meet, at this speed [m/s], with bonds of
-/// this mean length [m].
+/// Counted work, about, of a frame of bodies of so many points, bonds and triangles that do not meet, at this speed `[m/s]`, with bonds of
+/// this mean length `[m]`.
 pub(crate) fn work_of_a_frame([points, bonds, triangles]: [usize; 3], speed: f64, edge: f64) -> f64 {
     f64::from(gather::substeps_at(speed, edge)) * work_of_a_substep([points, bonds, triangles])
 }

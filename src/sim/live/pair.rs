@@ -29,21 +29,21 @@ pub(super) struct Pair<S> {
     pub(super) is_closed: bool,
     /// The point is the centre of a circle.
     pub(super) is_round: bool,
-    /// Distance that they keep [m].
+    /// Distance that they keep `[m]`.
     pub(super) distance: S,
-    /// How far they were from touching when they were found [m]; below 0 where the point was behind the edge.
+    /// How far they were from touching when they were found `[m]`; below 0 where the point was behind the edge.
     pub(super) room: S,
     pub(super) friction: S,
     pub(super) restitution: S,
-    /// What presses them apart in this substep [kg m].
+    /// What presses them apart in this substep `[kg m]`.
     pub(super) pressed: S,
-    /// What rubs [kg m].
+    /// What rubs `[kg m]`.
     pub(super) rubbed: S,
-    /// Overlap from before the substep, which is not to become speed [m].
+    /// Overlap from before the substep, which is not to become speed `[m]`.
     pub(super) old: S,
-    /// Normal speed at the start of the substep [m/s]: what forces give within it is pressed away, and does not bounce.
+    /// Normal speed at the start of the substep `[m/s]`: what forces give within it is pressed away, and does not bounce.
     pub(super) approach: S,
-    /// What restitution gave back [kg m/s].
+    /// What restitution gave back `[kg m/s]`.
     pub(super) bounced: S,
     pub(super) is_met: bool,
     /// Before which substep the side was last looked at: where they are too far apart to touch nobody does, and the point may go around.
@@ -123,7 +123,7 @@ impl<S: Real> Pair<S> {
         (self.pressed, self.rubbed, self.bounced, self.old, self.is_met) = (S::ZERO, S::ZERO, S::ZERO, S::ZERO, false);
     }
 
-    /// Parts point and edge where they are nearer than they may be. Returns whether they are nearer than that and `slack` [m], or
+    /// Parts point and edge where they are nearer than they may be. Returns whether they are nearer than that and `slack` `[m]`, or
     /// nobody knows.
     #[inline(always)]
     pub(super) fn press(&mut self, state: &mut Cluster<S>, slack: S) -> bool {
@@ -189,7 +189,7 @@ impl<S: Real> Pair<S> {
         true
     }
 
-    /// How far the two may be from touching and yet be struck with what touches [m].
+    /// How far the two may be from touching and yet be struck with what touches `[m]`.
     #[inline(always)]
     fn soon(&self, state: &Cluster<S>, [p, a, b]: [usize; 3], found: &Beside<S>) -> S {
         if !state.is_of_rigid([p, a]) {
@@ -230,7 +230,7 @@ impl<S: Real> Pair<S> {
         }
     }
 
-    /// Gives the normal velocity that restitution asks for, where they pressed each other and came faster than `least` [m/s]. Returns
+    /// Gives the normal velocity that restitution asks for, where they pressed each other and came faster than `least` `[m/s]`. Returns
     /// whether that lacked.
     pub(super) fn bounce(&mut self, state: &mut Cluster<S>, least: S) -> bool {
         let [p, a, b] = [self.p as usize, self.a as usize, self.b as usize];

@@ -13,9 +13,9 @@ use super::tangle::Knot;
 use crate::sim::real::Real;
 use crate::sim::vector::{add, dot, scale, sub, zero};
 
-/// How fast two bodies go apart, and how fast one may go at most [m/s].
+/// How fast two bodies go apart, and how fast one may go at most `[m/s]`.
 const SPEED: f64 = 1.0;
-/// What is parted waits while more is owed than all would have at this speed [m/s]: others would be squeezed.
+/// What is parted waits while more is owed than all would have at this speed `[m/s]`: others would be squeezed.
 const OWED: f64 = 1.0;
 /// Directions that shadows are looked at along.
 const DIRECTIONS: u32 = 16;
@@ -27,7 +27,7 @@ const CLEAR: f64 = 0.5;
 pub(super) struct Couple<S> {
     /// Their numbers in the cluster, or in the group, ascending.
     pub(super) bodies: [u32; 2],
-    /// For how long [s].
+    /// For how long `[s]`.
     pub(super) time: f64,
     /// Where the second one goes; 0: they are not parted.
     pub(super) out: [S; 2],
@@ -39,7 +39,7 @@ impl<S: Real> Couple<S> {
     }
 }
 
-/// How heavy a body is [kg], and how fast [m/s]; infinite where something holds it.
+/// How heavy a body is `[kg]`, and how fast `[m/s]`; infinite where something holds it.
 fn motion<S: Real>(state: &Cluster<S>, body: u32) -> (S, [S; 2]) {
     let range = state.bases[body as usize] as usize..state.bases[body as usize + 1] as usize;
     let (mut mass, mut momentum) = (S::ZERO, zero::<S, 2>());
@@ -108,7 +108,7 @@ fn along_shadows<S: Real>(state: &Cluster<S>, [a, b]: [u32; 2]) -> [S; 2] {
     best.1
 }
 
-/// Moves what is parted on by a substep of `h` [s], and lets it go no deeper.
+/// Moves what is parted on by a substep of `h` `[s]`, and lets it go no deeper.
 pub(super) fn drift<S: Real>(state: &mut Cluster<S>, h: S, gravity: [f64; 2]) {
     if state.tangle.couples.is_empty() {
         return;

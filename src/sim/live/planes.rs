@@ -60,7 +60,7 @@ impl<S: Real> OnPlane<S> {
         }
     }
 
-    /// Gives the velocity that restitution asks for, where the point came faster than `least` [m/s]. Returns whether that
+    /// Gives the velocity that restitution asks for, where the point came faster than `least` `[m/s]`. Returns whether that
     /// lacked.
     pub(super) fn bounce(&mut self, state: &mut Cluster<S>, restitution: S, least: S) -> bool {
         let p = self.p as usize;
@@ -92,7 +92,7 @@ impl<S: Real> OnPlane<S> {
         }
     }
 
-    /// How far the point is above the plane [m]; on its way to a circle that is the one which it meets. `None`: it meets none.
+    /// How far the point is above the plane `[m]`; on its way to a circle that is the one which it meets. `None`: it meets none.
     #[inline(always)]
     fn gap(&mut self, common: &Common<S>, [start, now]: [[S; 2]; 2]) -> Option<S> {
         let Some(circle) = common.circle_of(self) else { return Some(common.planes[self.surface as usize].gap(now)) };
@@ -102,7 +102,7 @@ impl<S: Real> OnPlane<S> {
         Some(circle.gap_along(self.normal, now))
     }
 
-    /// How deep in the surface the point was as the substep began [m].
+    /// How deep in the surface the point was as the substep began `[m]`.
     #[inline(always)]
     fn depth(&self, common: &Common<S>, start: [S; 2]) -> S {
         let gap = match common.circle_of(self) {

@@ -8,18 +8,18 @@ use crate::sim::points::Points;
 use crate::sim::real::Real;
 use crate::sim::vector::{dot, zero};
 
-/// How long a cluster stays where it is before it sleeps [s].
+/// How long a cluster stays where it is before it sleeps `[s]`.
 const STILL_TIME: f64 = 0.5;
 /// How far its points may get from where they were within that time, in mean edges of their skins: of bodies that touch something, and
 /// of others, which nothing stops.
 const STILL_WAY: [f64; 2] = [0.1, 5e-4];
-/// The same at most [m]: 1 cm/s.
+/// The same at most `[m]`: 1 cm/s.
 const MOST_WAY: f64 = 5e-3;
-/// Mean speed below which what touches settles [m/s], and below which what is rigid does: that does not swing, and is to tip and roll.
+/// Mean speed below which what touches settles `[m/s]`, and below which what is rigid does: that does not swing, and is to tip and roll.
 const SLOW: [f64; 2] = [1.0, 0.1];
-/// How long it may touch nothing meanwhile [s]: it hops.
+/// How long it may touch nothing meanwhile `[s]`: it hops.
 const HOP: f64 = 0.25;
-/// How soon after it became slow [s], how quickly the drag grows [1/s^2], and how large it gets [1/s].
+/// How soon after it became slow `[s]`, how quickly the drag grows `[1/s^2]`, and how large it gets `[1/s]`.
 const CALM: f64 = 0.1;
 const GROWTH: f64 = 20.0;
 const MOST_DRAG: f64 = 10.0;
@@ -30,14 +30,14 @@ pub(super) struct Rest {
     pub(super) is_asleep: bool,
     /// It touched something in the last step.
     pub(super) touches: bool,
-    /// Since when its points are about where they are [s].
+    /// Since when its points are about where they are `[s]`.
     since: Option<f64>,
-    /// How long it has been slow and touched something, hops apart [s], and how long of that it did not slide.
+    /// How long it has been slow and touched something, hops apart `[s]`, and how long of that it did not slide.
     slow: f64,
     calm: f64,
-    /// How long it has touched nothing [s].
+    /// How long it has touched nothing `[s]`.
     aloft: f64,
-    /// Its share of the energy that its cluster owes [J].
+    /// Its share of the energy that its cluster owes `[J]`.
     pub(super) debt: f64,
 }
 
@@ -70,7 +70,7 @@ impl<S: Real> Live<S> {
         }
     }
 
-    /// Wakes bodies that a drive moves from time `t` on [s].
+    /// Wakes bodies that a drive moves from time `t` on `[s]`.
     pub(super) fn wake_driven(&mut self, around: &Environment<2>, t: f64) {
         let Live { sources, rests, .. } = self;
         for body in sources.iter().filter_map(|source| source.moves(t, &around.keys)) {
@@ -117,7 +117,7 @@ impl<S: Real> Live<S> {
         }
     }
 
-    /// Looks which clusters stayed where they are, at time `t` [s].
+    /// Looks which clusters stayed where they are, at time `t` `[s]`.
     pub(super) fn doze(
         &mut self,
         clusters: &[Cluster<S>],

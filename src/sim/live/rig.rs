@@ -21,7 +21,7 @@ use crate::sim::vector::{add, convert, sub, widen};
 
 /// Rounds in which gaps are closed, each with new directions.
 const ROUNDS: u32 = 3;
-/// A gap that counts as closed, as a share of where things are [1].
+/// A gap that counts as closed, as a share of where things are `[1]`.
 const CLOSED: f64 = 1e-13;
 
 /// The frames of a body of several, and what joins them.

@@ -1,6 +1,6 @@
 //! Bodies that rigid bonds hold in their shape: each moves as one, with a middle and an angle.
 //!
-//! A substep in which nothing touches them takes them on exactly. A push J [kg m] at r from the middle moves that by J/m and turns the body
+//! A substep in which nothing touches them takes them on exactly. A push J `[kg m]` at r from the middle moves that by J/m and turns the body
 //! by r x J/I: of the point there the inverse mass along n is 1/m + (r x n)^2/I.
 //! Source: M. Müller and others, Detailed Rigid Body Simulation with Extended Position Based Dynamics, 2020.
 
@@ -29,14 +29,14 @@ pub(super) fn goes_with_frame(frame_of: &[[u32; 2]], i: usize) -> bool {
 #[derive(Clone, Debug)]
 pub(super) struct Frame {
     shape: Arc<Shape>,
-    /// Of its mass [1/kg] and its moment of inertia [1/(kg m^2)].
+    /// Of its mass `[1/kg]` and its moment of inertia `[1/(kg m^2)]`.
     inverse: [f64; 2],
     /// Its points, in the order of the shape.
     points: Vec<u32>,
     /// At the start of the substep, and as far as it is solved.
     start: Place,
     now: Place,
-    /// [m/s], [rad/s]
+    /// `[m/s]`, `[rad/s]`
     velocity: [f64; 2],
     spin: f64,
     /// Its points that may touch something in the substep, counted in the shape, and those that others are fastened to.
@@ -51,7 +51,7 @@ pub(super) enum Change {
     Way,
     /// The start of the substep too: it becomes none.
     Place,
-    /// The velocity [m/s] at its end.
+    /// The velocity `[m/s]` at its end.
     Velocity,
 }
 
@@ -92,14 +92,14 @@ impl Frame {
         Twist { velocity: self.velocity, spin: self.spin }
     }
 
-    /// Inverse mass of the point at `x` along a direction [1/kg].
+    /// Inverse mass of the point at `x` along a direction `[1/kg]`.
     #[inline(always)]
     fn weight(&self, x: [f64; 2], n: [f64; 2]) -> f64 {
         let lever = cross(sub(x, self.now.middle), n);
         self.inverse[0] + lever * lever * self.inverse[1]
     }
 
-    /// A push at `x`: [kg m], or [kg m/s] where it changes velocities.
+    /// A push at `x`: `[kg m]`, or `[kg m/s]` where it changes velocities.
     #[inline(always)]
     fn push(&mut self, x: [f64; 2], push: [f64; 2], change: Change) {
         let turn = cross(sub(x, self.now.middle), push) * self.inverse[1];
@@ -195,7 +195,7 @@ impl<S: Real> Cluster<S> {
         self.inner.get(i).is_some_and(|&is_inner| is_inner)
     }
 
-    /// Inverse mass of a point against a place on an edge, a share `at` of it from its first end on, along a direction [1/kg].
+    /// Inverse mass of a point against a place on an edge, a share `at` of it from its first end on, along a direction `[1/kg]`.
     #[inline(always)]
     pub(super) fn weight(&self, points: [usize; 3], at: S, n: [S; 2]) -> S {
         let [p, a, b] = points;
@@ -212,13 +212,13 @@ impl<S: Real> Cluster<S> {
         self.felt(p, n) + of_edge
     }
 
-    /// Inverse mass of a point along a direction [1/kg].
+    /// Inverse mass of a point along a direction `[1/kg]`.
     #[inline(always)]
     pub(super) fn felt(&self, p: usize, n: [S; 2]) -> S {
         self.frame(p).map_or(self.w[p], |frame| S::from_f64(frame.weight(widen(self.now[p]), widen(n))))
     }
 
-    /// What pushes of three points by their slopes, as large as those, change along all of them [1/kg].
+    /// What pushes of three points by their slopes, as large as those, change along all of them `[1/kg]`.
     pub(super) fn felt_by_three(&self, points: [usize; 3], slopes: [[S; 2]; 3]) -> S {
         let mut sum = S::ZERO;
         for (k, (&i, g)) in points.iter().zip(slopes).enumerate() {
@@ -279,7 +279,7 @@ impl<S: Real> Cluster<S> {
         }
     }
 
-    /// A push of a point [kg m], whatever it goes with.
+    /// A push of a point `[kg m]`, whatever it goes with.
     #[inline(always)]
     pub(super) fn push_point(&mut self, p: usize, push: [S; 2], change: Change) {
         match self.frame_number(p) {
@@ -360,7 +360,7 @@ impl<S: Real> Cluster<S> {
         }
     }
 
-    /// How far a point may be from touching and be struck together with what touches, where one of the two is rigid [m]: of what lies flat
+    /// How far a point may be from touching and be struck together with what touches, where one of the two is rigid `[m]`: of what lies flat
     /// on something rounding says which point is there first.
     #[inline(always)]
     pub(super) fn at_once(&self, points: [usize; 2], closing: S) -> S {
@@ -375,7 +375,7 @@ impl<S: Real> Cluster<S> {
         }
     }
 
-    /// What the velocities of its points make of rigid bodies, and where that takes them within a substep of `h` [s].
+    /// What the velocities of its points make of rigid bodies, and where that takes them within a substep of `h` `[s]`.
     pub(super) fn predict_rigid(&mut self, h: S) {
         let mut frames = std::mem::take(&mut self.frames);
         for frame in &mut frames {
@@ -417,7 +417,7 @@ impl<S: Real> Cluster<S> {
         (0..self.frames.len()).for_each(|number| self.place_all(number));
     }
 
-    /// Velocities and places of rigid bodies at the end of a substep of `h` [s]: their points turn with them, and do not cut corners.
+    /// Velocities and places of rigid bodies at the end of a substep of `h` `[s]`: their points turn with them, and do not cut corners.
     pub(super) fn finish_rigid(&mut self, h: f64) {
         for (frame, number) in self.frames.iter_mut().zip(0..) {
             if h > SHORT {

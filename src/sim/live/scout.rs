@@ -15,7 +15,7 @@ use crate::sim::vector::{add, dot, scale, sub, zero};
 /// Steps until a body is looked at again, if all goes on as it does, and how much faster it may get meanwhile.
 const STEPS: f64 = 8.0;
 const FASTER: f64 = 1.5;
-/// How much more of its area than it has to keep a triangle has as long as somebody else moves it, and until somebody else may [1].
+/// How much more of its area than it has to keep a triangle has as long as somebody else moves it, and until somebody else may `[1]`.
 const SPARE: f64 = 0.05;
 const AMPLE: f64 = 0.15;
 /// Share of the mean edge that is left between skins which do not touch yet.
@@ -31,7 +31,7 @@ impl<S: Real> Live<S> {
         (0..self.bodies.list.len()).filter_map(of).collect()
     }
 
-    /// The bodies that may meet within `h` [s].
+    /// The bodies that may meet within `h` `[s]`.
     pub(super) fn all_parts(
         &self,
         points: &Points<S, 2>,
@@ -68,7 +68,7 @@ impl<S: Real> Live<S> {
         })
     }
 
-    /// Whether a body that somebody else moves may meet itself within `h` [s], or is pressed flat. What it does as a whole brings it no
+    /// Whether a body that somebody else moves may meet itself within `h` `[s]`, or is pressed flat. What it does as a whole brings it no
     /// nearer to itself.
     pub(super) fn scout(&mut self, points: &Points<S, 2>, h: f64) -> bool {
         let all: Vec<usize> = (0..self.bodies.list.len()).collect();
@@ -109,7 +109,7 @@ impl<S: Real> Live<S> {
     }
 }
 
-/// How fast the fastest of these points, each with its velocity, goes besides what all do together [m/s].
+/// How fast the fastest of these points, each with its velocity, goes besides what all do together `[m/s]`.
 fn deformation<S: Real>(points: impl Iterator<Item = ([S; 2], [S; 2])> + Clone) -> S {
     let (mut count, mut middle, mut drift) = (S::ZERO, zero::<S, 2>(), zero::<S, 2>());
     for (x, v) in points.clone() {

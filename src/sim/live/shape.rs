@@ -9,12 +9,12 @@ use crate::sim::force::form::at;
 use crate::sim::real::Real;
 use crate::sim::vector::{add, dot, scale};
 
-/// Most that a substep turns an angle by [rad]: further on its slopes are others.
+/// Most that a substep turns an angle by `[rad]`: further on its slopes are others.
 const MOST_TURN: f64 = 0.5;
 /// Share of what a joint was beyond its range before a substep that comes back in a pass, without speed.
 const MENDED: f64 = 0.1 / 3.0;
 
-/// Angles and areas that are springs, each once in a substep of `h` [s].
+/// Angles and areas that are springs, each once in a substep of `h` `[s]`.
 ///
 /// Model: with C what is off, slopes g and the way of the points since the start of the substep, the multiplier is
 /// -(k h^2 C + c h g . way)/(1 + (k h^2 + c h) sum of w |g|^2), c the damper: implicit Euler, linear in C.
@@ -56,7 +56,7 @@ pub(super) fn hold<S: Real>(state: &mut Cluster<S>, common: &Common<S>) {
     }
 }
 
-/// Energy of the angles and areas of a body [J].
+/// Energy of the angles and areas of a body `[J]`.
 pub(super) fn energy<S: Real>(state: &Cluster<S>, common: &Common<S>, (body, base): (&Body<S>, usize)) -> S {
     let mut sum = S::ZERO;
     for hinge in common.hinges(body) {

@@ -15,7 +15,7 @@ pub(super) struct Skin<S> {
 
 impl<S: Real> Skin<S> {
     /// What a material says, and where it says nothing what holds for all; `radius`, `most`: that of the body and the
-    /// largest one that it bears [m].
+    /// largest one that it bears `[m]`.
     pub(super) fn new(material: SkinMaterial, contact: &Contact, [radius, most]: [S; 2]) -> Self {
         Skin {
             friction: S::from_f64(material.friction.unwrap_or(contact.friction)),
@@ -26,14 +26,14 @@ impl<S: Real> Skin<S> {
 }
 
 impl<S: Real> Bodies<S> {
-    /// Friction, restitution and distance [m] between two skins at points that are numbered for ever; `None`: nothing is said of any.
+    /// Friction, restitution and distance `[m]` between two skins at points that are numbered for ever; `None`: nothing is said of any.
     pub(super) fn between(&self, points: [u32; 2]) -> Option<[S; 3]> {
         let [a, b] = [self.skins.get(points[0] as usize)?, self.skins.get(points[1] as usize)?];
         let friction = (a.friction * b.friction).sqrt();
         Some([friction, a.restitution.max(b.restitution), a.radius + b.radius])
     }
 
-    /// Notes the materials of the points of a new body, which begin at `first` of all. Returns the largest radius of its skin [m].
+    /// Notes the materials of the points of a new body, which begin at `first` of all. Returns the largest radius of its skin `[m]`.
     pub(super) fn note_skins(
         &mut self,
         (points, corners): (&[u32], Span),

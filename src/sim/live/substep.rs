@@ -27,10 +27,10 @@ const MOST_ROUNDS: u64 = 128;
 
 /// How far contacts and areas may push a point beyond its way within a substep, in the least promise: pairs further apart are left out.
 pub(super) const PUSHED: f64 = 0.2;
-/// How fast skins that overlap are parted at most [m/s].
+/// How fast skins that overlap are parted at most `[m/s]`.
 const GENTLE: f64 = 1.0;
 
-/// Substeps up to which velocities are left as forces made them [s]: what bonds and contacts still lack of the step before is made good, but is
+/// Substeps up to which velocities are left as forces made them `[s]`: what bonds and contacts still lack of the step before is made good, but is
 /// no speed, which it would be beyond all bounds over so short a time.
 pub(super) const SHORT: f64 = 1.5e-6;
 
@@ -39,11 +39,11 @@ pub(super) const SHORT: f64 = 1.5e-6;
 pub(super) struct Outside<'a, S: Real> {
     pub(super) pull: &'a Pull<S, 2>,
     pub(super) around: &'a Environment<2>,
-    /// What points keep of their velocities in a second, as a rate [1/s], one a body of the group.
+    /// What points keep of their velocities in a second, as a rate `[1/s]`, one a body of the group.
     pub(super) settling: &'a [S],
 }
 
-/// Advances by `h` from `t` [s].
+/// Advances by `h` from `t` `[s]`.
 pub(super) fn advance<S: Real>(state: &mut Cluster<S>, common: &Common<S>, outside: Outside<S>, (t, h): (f64, f64)) {
     let time = S::from_f64(h);
     kick(state, common, outside, (t, h));
@@ -124,7 +124,7 @@ fn kick<S: Real>(state: &mut Cluster<S>, common: &Common<S>, outside: Outside<S>
     }
 }
 
-/// The largest speed [m/s].
+/// The largest speed `[m/s]`.
 pub(super) fn fastest<S: Real>(state: &Cluster<S>) -> S {
     longest(&state.velocity[..state.own()])
 }
@@ -157,7 +157,7 @@ impl<S: Real> Cluster<S> {
         self.on_planes.iter_mut().for_each(super::pair::OnPlane::clear);
     }
 
-    /// Whether a point may get further within `h` [s] than it was looked at.
+    /// Whether a point may get further within `h` `[s]` than it was looked at.
     fn may_leave(&self, h: S) -> bool {
         let own = self.own();
         let (velocity, promised, gone) = (&self.velocity[..own], &self.promised[..own], &self.gone[..own]);
@@ -170,7 +170,7 @@ impl<S: Real> Cluster<S> {
     }
 
     /// Which pairs may touch in this substep: those whose points cannot have gone so far, and will not, are left out. Others push them by
-    /// `slack` [m], or as far as the fastest goes. Returns the larger one.
+    /// `slack` `[m]`, or as far as the fastest goes. Returns the larger one.
     fn choose(&mut self, slack: S) -> S {
         let own = self.own();
         let (goes, gone, way) = (&mut self.goes[..own], &self.gone[..own], &self.way[..own]);

@@ -16,20 +16,20 @@ use crate::sim::vector::zero;
 
 /// Steps in which something presses after which crossings are looked for.
 const EVERY: u8 = 8;
-/// How long two bodies cross each other before they are parted [s]: contacts undo most by themselves.
+/// How long two bodies cross each other before they are parted `[s]`: contacts undo most by themselves.
 const PATIENCE: f64 = 0.1;
-/// Share of its area from which on a triangle is mended, and after how long [s].
+/// Share of its area from which on a triangle is mended, and after how long `[s]`.
 const LEAST: f64 = 0.02;
 const FOLDED: f64 = 0.15;
-/// Rings of triangles about those that go with them at first, and how long they are given before more do [s].
+/// Rings of triangles about those that go with them at first, and how long they are given before more do `[s]`.
 const RINGS: u32 = 3;
 const TRIED: f64 = 0.5;
 /// How many times as fast they are led then, and at most.
 const HASTE: f64 = 3.0;
 const MOST_HASTE: f64 = 81.0;
-/// How long all is right before a piece is let go [s].
+/// How long all is right before a piece is let go `[s]`.
 const CALM: f64 = 0.1;
-/// How long a body is mended that crosses itself, until nothing presses it or it does so no more [s]: thin limbs that a body lies on are crushed
+/// How long a body is mended that crosses itself, until nothing presses it or it does so no more `[s]`: thin limbs that a body lies on are crushed
 /// again as soon as they are let go.
 const MOST_MENDED: f64 = 2.0;
 
@@ -40,7 +40,7 @@ pub(super) struct Knot<S> {
     pub(super) body: u32,
     /// What is led back to its shape.
     pub(super) pieces: Vec<Piece<S>>,
-    /// How long it is so, how long it is mended, how long it is right again [s].
+    /// How long it is so, how long it is mended, how long it is right again `[s]`.
     time: f64,
     tried: f64,
     calm: f64,
@@ -62,7 +62,7 @@ pub(super) struct Tangle<S> {
     pub(super) knots: Vec<Knot<S>>,
     /// Steps in which something pressed since crossings were looked for, one a body; [`u8::MAX`]: never looked.
     since: Vec<u8>,
-    /// How long each body was mended while something pressed it [s].
+    /// How long each body was mended while something pressed it `[s]`.
     mended: Vec<f64>,
     /// Points of the cluster that are led to their shapes; empty without any.
     pub(super) is_led: Vec<bool>,
@@ -145,7 +145,7 @@ impl<S: Real> Tangle<S> {
     }
 }
 
-/// Looks what is tangled at the start of a step of `h` [s].
+/// Looks what is tangled at the start of a step of `h` `[s]`.
 pub(super) fn look<S: Real>(state: &mut Cluster<S>, common: &Common<S>, h: f64) {
     if common.contact.is_none() {
         return;

@@ -1,7 +1,7 @@
 //! Rigid bonds that make trees, solved together along the directions that they have after the prediction: a step of Newton's method
 //! by elimination from the leaves to the root.
 //!
-//! Model: of a point the motion without what is above it is d, and W f what a force f [kg m] from above adds. A bond of direction n to
+//! Model: of a point the motion without what is above it is d, and W f what a force f `[kg m]` from above adds. A bond of direction n to
 //! a child asks of its parent's motion x that n . x = t with compliance s, where s = n . W_c n and t = length - rest + n . d_c; so
 //! W <- W - (W n)(W n)^T/(s + n . W n), d <- d + W n (t - n . d)/(s + n . W n). Back from the root x_c = d_c - W_c n (t - n . x)/s.
 
@@ -82,9 +82,9 @@ struct Step<S> {
 /// What a point does without what is above it.
 #[derive(Clone, Copy)]
 struct Loose<S> {
-    /// xx, xy, yy [1/kg]
+    /// xx, xy, yy `[1/kg]`
     w: [S; 3],
-    /// [m]
+    /// `[m]`
     d: [S; 2],
 }
 
@@ -102,7 +102,7 @@ pub(super) fn solve<S: Real>(state: &mut Cluster<S>, links: &[Link<S>], (base, c
 }
 
 /// Passes over areas and contacts, more where something near has trees, whose bonds each of them pulls at; and how far a pass may push
-/// what is not near yet [m].
+/// what is not near yet `[m]`.
 pub(super) fn passes<S: Real>(state: &Cluster<S>, common: &Common<S>) -> (u32, S) {
     let usual = (super::substep::PASSES, S::from_f64(super::substep::PUSHED) * state.least_promise);
     if state.pairs.is_empty() && state.on_planes.is_empty() {

@@ -76,7 +76,7 @@ pub(super) fn cut<S: Real>(state: &mut Cluster<S>) {
     (state.pairs, state.chosen) = (pairs, chosen);
 }
 
-/// Of a pair with a rigid body what closes more than `room` [m] is pushed back, as a contact does that has no friction.
+/// Of a pair with a rigid body what closes more than `room` `[m]` is pushed back, as a contact does that has no friction.
 fn hold_apart<S: Real>(state: &mut Cluster<S>, pair: &Pair<S>, (at, n, room): (S, [S; 2], S)) {
     let [p, a, b] = [pair.p, pair.a, pair.b].map(|i| i as usize);
     let rest = S::ONE - at;

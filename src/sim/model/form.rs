@@ -7,9 +7,9 @@ use crate::sim::force::area::{self, Areas};
 use crate::sim::sets::Sets;
 use crate::sim::vector::{dot, length, sub};
 
-/// How far a joint goes beyond its range at most [rad], under what its body can bring up by itself.
+/// How far a joint goes beyond its range at most `[rad]`, under what its body can bring up by itself.
 const MOST_BEYOND: f64 = 0.005;
-/// Least oscillation of a joint beyond its range [rad/s], where nothing says what will press it.
+/// Least oscillation of a joint beyond its range `[rad/s]`, where nothing says what will press it.
 const SLOWEST_STOP: f64 = 200.0;
 
 /// Rest lengths of bonds by their ends, ascending.
@@ -23,7 +23,7 @@ impl Lengths {
         Lengths(list)
     }
 
-    /// The area that a triangle between these places is made with [m^2]; 0 of what has no inside.
+    /// The area that a triangle between these places is made with `[m^2]`; 0 of what has no inside.
     fn area<const D: usize>(&self, [a, b, c]: [PointId; 3], places: [[f64; D]; 3]) -> f64 {
         let side = |p: PointId, q: PointId| {
             let found = self.0.binary_search_by_key(&[p.min(q), p.max(q)], |entry| entry.0);
@@ -92,7 +92,7 @@ impl<const D: usize> Model<D> {
         }
     }
 
-    /// Triangles whose areas are forces or kept, with those areas [m^2].
+    /// Triangles whose areas are forces or kept, with those areas `[m^2]`.
     pub(crate) fn patches(&self) -> impl Iterator<Item = ([PointId; 3], f64)> {
         let resist = self.areas.is_some_and(|areas| areas.stiffness > 0.0);
         let of = move |(corners, rest): (&[PointId; 3], &f64)| (resist && *rest > 0.0).then_some((*corners, *rest));
@@ -104,7 +104,7 @@ impl<const D: usize> Model<D> {
         self.angles.list.iter().map(|angle| angle.points).chain(self.patches().map(|(corners, _)| corners))
     }
 
-    /// Energy of angles and areas [J]; `stops`: whether the joint at a point stops by a spring, not at once as in the live step.
+    /// Energy of angles and areas `[J]`; `stops`: whether the joint at a point stops by a spring, not at once as in the live step.
     pub(crate) fn form_energy(&self, position: impl Fn(usize) -> [f64; D], stops: impl Fn(usize) -> bool) -> f64 {
         use crate::sim::force::angle::Hinge;
         use crate::sim::force::area::Patch;
@@ -138,7 +138,7 @@ impl<const D: usize> Model<D> {
         Some((self.areas_at_rest(), angles))
     }
 
-    /// The area of every triangle at rest [m^2], 0 of one that has no inside; none where nobody needs them.
+    /// The area of every triangle at rest `[m^2]`, 0 of one that has no inside; none where nobody needs them.
     pub fn areas_at_rest(&self) -> Vec<f64> {
         if !self.needs_areas() {
             return Vec::new();

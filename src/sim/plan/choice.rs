@@ -7,16 +7,16 @@ use crate::sim::constrain::direct::MOST_DIRECT;
 use crate::sim::model::Method;
 use crate::sim::solver::{Order, Solver};
 
-/// Largest substep where nothing is fast [s]: what a thrown point or a swinging rope needs to look smooth.
+/// Largest substep where nothing is fast `[s]`: what a thrown point or a swinging rope needs to look smooth.
 const LONGEST: f64 = FRAME / 4.0;
-/// Largest substep with rigid bonds [s]: a rope stays within 1e-3 of its path for a second or two.
+/// Largest substep with rigid bonds `[s]`: a rope stays within 1e-3 of its path for a second or two.
 const LONGEST_RIGID: f64 = FRAME / 16.0;
 /// Angle in radians that the fastest oscillation may turn in a substep of Verlet's method. Its period is then off by
 /// 0.25^2/24 = 0.26 %; 2 would be the edge of stability.
 const PHASE: f64 = 0.25;
 /// The same for methods of order 4: a period off by about 1e-5; 2.8 would be the edge.
 const PHASE_4: f64 = 0.5;
-/// The same for one of order 8, off by about 1e-5; 5 would be the edge. And its longest substep [s]: what turns faster is seen by its error.
+/// The same for one of order 8, off by about 1e-5; 5 would be the edge. And its longest substep `[s]`: what turns faster is seen by its error.
 const PHASE_8: f64 = 1.5;
 pub(crate) const LONGEST_FINE: f64 = FRAME / 2.0;
 /// Most substeps that one frame is cut into: beyond, a scene is stiffer than explicit steps can serve.
@@ -30,11 +30,11 @@ const MOST_COUPLINGS: usize = 60_000;
 /// Largest tree of rigid bonds that passes are meant for, where a strain is asked for; paths apart: solving more together is
 /// exact and takes no longer.
 const MOST_SWEPT_TREE: usize = 400;
-/// Strain that rigid bonds of a large island may have where nothing is said [1].
+/// Strain that rigid bonds of a large island may have where nothing is said `[1]`.
 pub(crate) const LARGE_STRAIN: f64 = 0.02;
 /// The same of an island of at most [`MOST_DIRECT`].
 const SMALL_STRAIN: f64 = 1e-6;
-/// Least strain that paths are meant for [1]: below, solving all bonds together is cheaper.
+/// Least strain that paths are meant for `[1]`: below, solving all bonds together is cheaper.
 const LEAST_STRAIN: f64 = 1e-5;
 /// Points of a scene above which order 4 is too dear: what is shown of such meshes is coarser than what Verlet's method errs.
 const LARGE: usize = 20_000;
@@ -42,7 +42,7 @@ const LARGE: usize = 20_000;
 /// Most rigid bonds of an island that meets surfaces and is solved together, each impact and each lift located in time: of more,
 /// there are so many that hardly any time passes between them.
 const MOST_LOCATED_RODS: usize = 60;
-/// Strain that the rigid bonds of a larger one may have where nothing is said [1].
+/// Strain that the rigid bonds of a larger one may have where nothing is said `[1]`.
 const TOUCHING_STRAIN: f64 = 1e-4;
 /// Most springs of an island that meets surfaces by a method of order 4: of more, so many points touch and slip that locating each
 /// costs more than all else.
@@ -58,7 +58,7 @@ const DECAY_SHARE: f64 = 0.9;
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Choice {
     pub(crate) solver: Solver,
-    /// Longest substep [s].
+    /// Longest substep `[s]`.
     pub(crate) substep: f64,
     /// Rigid bonds are solved together, not swept.
     pub(crate) is_direct: bool,
@@ -72,9 +72,9 @@ pub(crate) struct Choice {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Scheme {
     pub(crate) way: Way,
-    /// Largest strain that substeps follow [1]; `None`: the substep is given.
+    /// Largest strain that substeps follow `[1]`; `None`: the substep is given.
     pub(crate) target: Option<f64>,
-    /// Longest substep where a step takes several [s].
+    /// Longest substep where a step takes several `[s]`.
     pub(crate) longest: Option<f64>,
 }
 
@@ -82,10 +82,10 @@ pub(crate) struct Scheme {
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Setting {
     pub(crate) has_surfaces: bool,
-    /// Strength of the mouse force [1/s^2], if there is one.
+    /// Strength of the mouse force `[1/s^2]`, if there is one.
     pub(crate) mouse: Option<f64>,
     pub(crate) drag_rate: f64,
-    /// How fast gusts of wind change where a point is [rad/s], if there are any.
+    /// How fast gusts of wind change where a point is `[rad/s]`, if there are any.
     pub(crate) gusts: Option<f64>,
     /// Points of the scene.
     pub(crate) points: usize,

@@ -30,19 +30,19 @@ const MOST_ROUNDS: u32 = 400;
 /// What was done about bodies that start inside obstacles.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub(crate) struct Cleared<const D: usize> {
-    /// Bodies that are to be moved: their points, and how far [m].
+    /// Bodies that are to be moved: their points, and how far `[m]`.
     pub(crate) moves: Vec<(Vec<u32>, [f64; D])>,
     /// Bodies that are held by pins, or for which there is no way out.
     pub(crate) stuck: usize,
 }
 
 impl<const D: usize> Cleared<D> {
-    /// The longest way [m].
+    /// The longest way `[m]`.
     pub(crate) fn furthest(&self) -> f64 {
         self.moves.iter().map(|(_, way)| length(*way)).fold(0.0, f64::max)
     }
 
-    /// These places [m] as they are once the bodies are moved.
+    /// These places `[m]` as they are once the bodies are moved.
     pub(crate) fn moved<'a>(&self, position: &'a [[f64; D]]) -> Cow<'a, [[f64; D]]> {
         let mut moved = Cow::Borrowed(position);
         for (points, way) in &self.moves {
@@ -150,9 +150,9 @@ struct Search<'a, const D: usize> {
     obstacles: &'a Obstacles<f64, D>,
     points: Vec<[f64; D]>,
     bonds: &'a [[u32; 2]],
-    /// Of each plane its normal, and how far the body has to go along it [m].
+    /// Of each plane its normal, and how far the body has to go along it `[m]`.
     planes: Vec<([f64; D], f64)>,
-    /// Length of the diagonal of the box around it [m].
+    /// Length of the diagonal of the box around it `[m]`.
     extent: f64,
 }
 

@@ -30,16 +30,16 @@ pub(super) fn press<const D: usize>(model: &Model<D>, islands: &mut [Island]) {
 /// What pushes the points of a model.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Drives<const D: usize> {
-    /// By the point that stands for one which a force names: that, the force, and the mass that it acts on there [kg]; ascending.
+    /// By the point that stands for one which a force names: that, the force, and the mass that it acts on there `[kg]`; ascending.
     entries: Vec<(u32, u32, f64)>,
-    /// The force for each mass [m/s^2], one entry a force.
+    /// The force for each mass `[m/s^2]`, one entry a force.
     accelerations: Vec<[f64; D]>,
     /// The air, where it moves and there is drag.
     pub(super) air: Option<Arc<Air<D>>>,
 }
 
 impl<const D: usize> Drives<D> {
-    /// Shapes: `w` [1/kg] has one entry a point, 0 where it is pinned; `stand_ins` likewise.
+    /// Shapes: `w` `[1/kg]` has one entry a point, 0 where it is pinned; `stand_ins` likewise.
     pub(super) fn new(model: &Model<D>, w: &[f64], stand_ins: &[u32]) -> Self {
         let mut drives = Drives { air: air_of(model), ..Drives::default() };
         for (force, number) in model.forces.iter().zip(0..) {
@@ -90,7 +90,7 @@ fn air_of<const D: usize>(model: &Model<D>) -> Option<Arc<Air<D>>> {
     Some(Arc::new(Air::new(&wind)))
 }
 
-/// How fast gusts change where a point is at the most [rad/s]; `None`: there are none that push.
+/// How fast gusts change where a point is at the most `[rad/s]`; `None`: there are none that push.
 pub(crate) fn gust_rate<const D: usize>(model: &Model<D>) -> Option<f64> {
     air_of(model).filter(|air| air.has_gusts()).map(|air| air.bounds()[1])
 }

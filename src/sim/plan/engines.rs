@@ -115,7 +115,7 @@ impl<S: Real, const D: usize> Maker<'_, S, D> {
         }
     }
 
-    /// The largest error of a step that is let pass [m], where it is asked for: a share of what the bonds are long, or what rounding makes; less
+    /// The largest error of a step that is let pass `[m]`, where it is asked for: a share of what the bonds are long, or what rounding makes; less
     /// of it where shorter substeps are asked for.
     fn most_error(&self, bonds: &[(u32, Bond)]) -> S {
         let total: f64 = bonds.iter().map(|(_, bond)| bond.rest_length).sum();

@@ -13,7 +13,7 @@ pub(crate) struct Ties {
     pub(crate) angles: Vec<Angle>,
     /// Triangles that resist.
     pub(crate) patches: Vec<Patched>,
-    /// How much they do [N/m]; infinite: they are held.
+    /// How much they do `[N/m]`; infinite: they are held.
     pub(crate) stiffness: f64,
 }
 
@@ -21,9 +21,9 @@ pub(crate) struct Ties {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Patched {
     pub(crate) corners: [PointId; 3],
-    /// Its area at rest [m^2].
+    /// Its area at rest `[m^2]`.
     pub(crate) rest: f64,
-    /// Its longest side, times the way around it, over four times its area [1]: how stiff it is at a corner, over its stiffness.
+    /// Its longest side, times the way around it, over four times its area `[1]`: how stiff it is at a corner, over its stiffness.
     pub(crate) slender: f64,
 }
 
@@ -57,9 +57,9 @@ pub(crate) struct Island {
     pub(crate) has_round_dampers: bool,
     /// Some bond acts on one side of its rest length only.
     pub(crate) has_limits: bool,
-    /// Bound on the fastest oscillation of the springs [rad/s].
+    /// Bound on the fastest oscillation of the springs `[rad/s]`.
     pub(crate) frequency: f64,
-    /// Bound on the fastest decay by their dampers [1/s].
+    /// Bound on the fastest decay by their dampers `[1/s]`.
     pub(crate) decay: f64,
     /// Pairs of rigid bonds that share a point: what a direct solve has to couple.
     pub(crate) couplings: usize,
@@ -71,7 +71,7 @@ pub(crate) struct Island {
     pub(crate) is_driven: bool,
     /// Surfaces push it by depth.
     pub(crate) is_pressed: bool,
-    /// Some bond or angle of it has a drive; a motor; a rigid bond with one; and how fast these change at the most [rad/s].
+    /// Some bond or angle of it has a drive; a motor; a rigid bond with one; and how fast these change at the most `[rad/s]`.
     pub(crate) has_drives: bool,
     pub(crate) has_motors: bool,
     pub(crate) drives_rigid: bool,

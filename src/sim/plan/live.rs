@@ -80,7 +80,7 @@ impl<S: Real, const D: usize> Maker<'_, S, D> {
         body_of
     }
 
-    /// The triangles of the group, without those that welds leave no area, with their areas at rest [m^2] where these are known.
+    /// The triangles of the group, without those that welds leave no area, with their areas at rest `[m^2]` where these are known.
     pub(super) fn triangles(&self) -> Vec<([u32; 3], Option<f64>)> {
         let slot = |corner: u32| self.place[self.gathered.stand_ins[corner as usize] as usize];
         let mut own: Vec<u32> =

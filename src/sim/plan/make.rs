@@ -165,7 +165,7 @@ impl<S: Real, const D: usize> Maker<'_, S, D> {
         Form { hinges: angles.into_iter().map(hinge).collect(), patches: areas.into_iter().map(patch).collect() }
     }
 
-    /// The triangles of the lot that resist, with their areas at rest [m^2].
+    /// The triangles of the lot that resist, with their areas at rest `[m^2]`.
     pub(super) fn patches(&self) -> Vec<([u32; 3], f64)> {
         let mut list: Vec<u32> = self.lot.islands.iter().flat_map(|island| island.patches.iter().copied()).collect();
         list.sort_unstable();

@@ -48,7 +48,7 @@ pub(crate) struct Plan<S: Real, const D: usize> {
     pub(crate) slots: Vec<[u32; 2]>,
     /// Every point lies in the first group at its own index.
     pub(crate) is_plain: bool,
-    /// Longest substep of the world [s]; groups with shorter ones take several.
+    /// Longest substep of the world `[s]`; groups with shorter ones take several.
     pub(crate) substep: f64,
     /// What the groups are, for those who ask.
     pub(crate) parts: Vec<PlanPart>,

@@ -18,7 +18,7 @@ pub(super) struct Link<S> {
     /// k, or the stiffness of a spring.
     pub(super) stiffness: S,
     pub(super) damping: S,
-    /// The one-sided bound on a correction [1].
+    /// The one-sided bound on a correction `[1]`.
     pub(super) most: S,
 }
 
@@ -43,7 +43,7 @@ impl<S: Real> Link<S> {
         [self.a, self.b]
     }
 
-    /// From b to a [m], and how long that is [m].
+    /// From b to a `[m]`, and how long that is `[m]`.
     pub(super) fn span<const D: usize>(&self, x: &[[S; D]]) -> ([S; D], S) {
         let d = sub(x[self.a as usize], x[self.b as usize]);
         (d, length(d))
@@ -51,7 +51,7 @@ impl<S: Real> Link<S> {
 }
 
 impl<S: Real, const D: usize> State<'_, S, D> {
-    /// The ends of a bond go apart by this correction of d = x_a - x_b [m]: half of it each, the locked one not at all.
+    /// The ends of a bond go apart by this correction of d = x_a - x_b `[m]`: half of it each, the locked one not at all.
     pub(super) fn part(&mut self, link: &Link<S>, correction: [S; D]) {
         let half = scale(correction, S::HALF);
         let [a, b] = link.ends().map(|end| end as usize);

@@ -44,7 +44,7 @@ pub(crate) struct Printed<S: Real, const D: usize> {
     links: Vec<Link<S>>,
     sweeper: Sweeper,
     sweeps: u32,
-    /// How long the last step took [s].
+    /// How long the last step took `[s]`.
     last: f64,
     /// The old places of points that are locked, or were until the last step; of 002 alone.
     stale: Vec<Option<[S; D]>>,
@@ -61,19 +61,19 @@ pub(crate) struct Setup {
     /// [`Order::Auto`]: that of the source.
     pub(crate) order: Order,
     pub(crate) seed: u64,
-    /// How long a step takes [s].
+    /// How long a step takes `[s]`.
     pub(crate) substep: f64,
 }
 
 /// The state that a loop works on.
 struct State<'a, S: Real, const D: usize> {
-    /// Where points are now [m].
+    /// Where points are now `[m]`.
     x: &'a mut [[S; D]],
-    /// Where they were one move before [m].
+    /// Where they were one move before `[m]`.
     old: Vec<[S; D]>,
-    /// 1/m, 0 where a point is locked [1/kg].
+    /// 1/m, 0 where a point is locked `[1/kg]`.
     w: &'a [S],
-    /// Accelerations at the start of the step [m/s^2].
+    /// Accelerations at the start of the step `[m/s^2]`.
     a: Vec<[S; D]>,
     obstacles: &'a Obstacles<S, D>,
 }
@@ -124,7 +124,7 @@ impl<S: Real, const D: usize> Printed<S, D> {
         if self.source == Source::Segments { segments::MOVES } else { 1 }
     }
 
-    /// How long the move took that led to the present state [s]: 004 takes the difference of places as it is, however long its next step.
+    /// How long the move took that led to the present state `[s]`: 004 takes the difference of places as it is, however long its next step.
     fn since(&self, h: f64) -> f64 {
         if self.source == Source::Cloth { self.last } else { h / f64::from(self.moves()) }
     }

@@ -14,7 +14,7 @@ use super::link::Sweep;
 use crate::sim::real::Real;
 use crate::sim::vector::scale;
 
-/// What is added to a length so that it divides [m].
+/// What is added to a length so that it divides `[m]`.
 const NEVER_ZERO: f64 = 0.001;
 
 pub(super) fn step<S: Real, const D: usize>(

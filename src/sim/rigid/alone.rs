@@ -25,7 +25,7 @@ pub(super) struct Lone<'a, S: Real, const D: usize> {
     body: &'a Body,
     field: &'a Field<'a, S, D>,
     among: Among<'a, S, D>,
-    /// What pushes it at most, and that but for the mouse [m/s^2].
+    /// What pushes it at most, and that but for the mouse `[m/s^2]`.
     pushed: [f64; 2],
 }
 
@@ -37,13 +37,13 @@ impl<'a, S: Real, const D: usize> Lone<'a, S, D> {
 }
 
 impl<S: Real, const D: usize> Field<'_, S, D> {
-    /// What pushes at most, and that but for the mouse [m/s^2].
+    /// What pushes at most, and that but for the mouse `[m/s^2]`.
     pub(super) fn pushed(&self) -> [f64; 2] {
         let pushed = length(self.pull.gravity) + self.pull.most_push();
         [pushed + if self.is_reached { self.around.most_push() } else { 0.0 }, pushed]
     }
 
-    /// The longest part of a step of `h` [s] that pushes allow.
+    /// The longest part of a step of `h` `[s]` that pushes allow.
     pub(super) fn longest(&self, h: f64) -> f64 {
         let mut longest = f64::INFINITY;
         if self.pull.has_fields() {
@@ -57,13 +57,13 @@ impl<S: Real, const D: usize> Field<'_, S, D> {
     }
 }
 
-/// A speed below which hits of what is so large [m] give nothing back, pushed by so much [m/s^2].
+/// A speed below which hits of what is so large `[m]` give nothing back, pushed by so much `[m/s^2]`.
 pub(super) fn gentle(reach: f64, pushed: f64) -> f64 {
     (GENTLE * pushed).min((LEAST_BOUNCE * reach * pushed).sqrt())
 }
 
 impl Body {
-    /// The longest part of a step in flight [s].
+    /// The longest part of a step in flight `[s]`.
     pub(super) fn longest<S: Real, const D: usize>(&self, field: &Field<S, D>, h: f64) -> f64 {
         let longest = field.longest(h);
         let Some((_, centre)) = self.shape.pin else { return longest };
@@ -71,7 +71,7 @@ impl Body {
         longest.min(within(HANGING, h)).min(TURN / (torque * self.inertia.inverse[1]).sqrt())
     }
 
-    /// A speed that counts as none [m/s].
+    /// A speed that counts as none `[m/s]`.
     pub(super) fn still(&self, twist: &Twist) -> f64 {
         STILL * (length(twist.velocity) + twist.spin.abs() * self.reach + 1e-3)
     }

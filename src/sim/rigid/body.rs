@@ -32,7 +32,7 @@ pub(super) struct Body {
     pub(super) slots: Vec<u32>,
     /// The corners of its convex hull: what can meet planes.
     pub(super) hull: Vec<u32>,
-    /// How far its points are from the origin of the shape, at most [m].
+    /// How far its points are from the origin of the shape, at most `[m]`.
     pub(super) reach: f64,
     pub(super) inertia: Inertia,
     /// Points of the shape that meet nothing, ascending.
@@ -43,7 +43,7 @@ pub(super) struct Body {
 pub(super) struct Field<'a, S: Real, const D: usize> {
     pub(super) pull: &'a Pull<S, D>,
     pub(super) around: &'a Environment<D>,
-    /// Inverse masses of the group's points [1/kg].
+    /// Inverse masses of the group's points `[1/kg]`.
     pub(super) w: &'a [S],
     /// The mouse may push some of its points in the step.
     pub(super) is_reached: bool,
@@ -127,7 +127,7 @@ impl Body {
         }
     }
 
-    /// On for `h` [s] where nothing touches it. Works and losses are booked where there is a book.
+    /// On for `h` `[s]` where nothing touches it. Works and losses are booked where there is a book.
     ///
     /// Forces are taken as those of the middle of the way, and drag in closed form: order 2, and stable whatever the drag. A pendulum that
     /// hardly anything slows is composed of such steps to order 4.
@@ -212,7 +212,7 @@ impl Body {
         end
     }
 
-    /// What pushes it at a place at time `t` [s], but for gravity of what is free.
+    /// What pushes it at a place at time `t` `[s]`, but for gravity of what is free.
     pub(super) fn pushes<S: Real, const D: usize>(&self, place: &Place, field: &Field<S, D>, t: f64) -> Vec<Push> {
         let mut list = Vec::new();
         let mut note = |from: From, (force, torque): ([f64; 2], f64)| list.push(Push { from, force, torque });
@@ -240,7 +240,7 @@ impl Body {
         list
     }
 
-    /// Force [N] and torque [N m] of constant forces.
+    /// Force `[N]` and torque `[N m]` of constant forces.
     fn driven<S: Real, const D: usize>(&self, place: &Place, field: &Field<S, D>) -> ([f64; 2], f64) {
         let mut x = vec![[S::ZERO; D]; field.w.len()];
         for (&slot, &q) in self.slots.iter().zip(&self.shape.places) {
@@ -271,7 +271,7 @@ impl Body {
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Push {
     pub(super) from: From,
-    /// [N], and about the origin of the shape [N m].
+    /// `[N]`, and about the origin of the shape `[N m]`.
     pub(super) force: [f64; 2],
     pub(super) torque: f64,
 }

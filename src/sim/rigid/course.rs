@@ -5,21 +5,21 @@ use std::cell::Cell;
 use crate::sim::bulk::control::FRAME;
 use crate::sim::ledger::Book;
 
-/// Angle that a body near surfaces turns in a part of a step at most [rad].
+/// Angle that a body near surfaces turns in a part of a step at most `[rad]`.
 pub(super) const TURN: f64 = 0.05;
 /// Longest part in which it lies on something or is pushed by the mouse, hangs on a pin, or is driven by forces and gusts, each so many of a
-/// step at least; and the shortest that is asked for, however fast it spins [s].
+/// step at least; and the shortest that is asked for, however fast it spins `[s]`.
 pub(super) const LYING: (f64, f64) = (1.0 / 960.0, 16.0);
 pub(super) const HANGING: (f64, f64) = (1.0 / 480.0, 8.0);
 pub(super) const DRIVEN: (f64, f64) = (1.0 / 240.0, 4.0);
 pub(super) const SHORTEST: f64 = 1.0 / 30_720.0;
-/// Phase of the mouse force that a part spans [rad].
+/// Phase of the mouse force that a part spans `[rad]`.
 pub(super) const PHASE: f64 = 0.25;
-/// How long a bounce takes that is none any more [s]: slower hits give nothing back.
+/// How long a bounce takes that is none any more `[s]`: slower hits give nothing back.
 pub(super) const GENTLE: f64 = 1e-4;
-/// How high something is thrown that bounces, as a share of its size [1], at least.
+/// How high something is thrown that bounces, as a share of its size `[1]`, at least.
 pub(super) const LEAST_BOUNCE: f64 = 2e-6;
-/// Speed that counts as none, as a share of the body's own [1].
+/// Speed that counts as none, as a share of the body's own `[1]`.
 pub(super) const STILL: f64 = 1e-11;
 
 /// Halvings of parts that are too long, in a frame at most: what turns too fast for any part is not followed.
@@ -41,26 +41,26 @@ pub(super) trait Assembly {
     /// The surfaces that it may meet in a part of a step.
     type Near;
 
-    /// The longest part of a step that it may turn in, in flight and among surfaces [s].
+    /// The longest part of a step that it may turn in, in flight and among surfaces `[s]`.
     fn turned(&self, motion: &Self::Motion) -> [f64; 2];
     /// Hits in a frame after which nothing bounces that does not give all back, and after which none is located: what gets behind a surface is
     /// put out of it.
     fn most_hits(&self) -> [f64; 2];
-    /// What it may meet within `h` [s]; `None`: nothing.
+    /// What it may meet within `h` `[s]`; `None`: nothing.
     fn near(&self, motion: &Self::Motion, h: f64) -> Option<Self::Near>;
-    /// It is put out of surfaces that it is behind at `t` [s], without speed; `None`: there is no room for it.
+    /// It is put out of surfaces that it is behind at `t` `[s]`, without speed; `None`: there is no room for it.
     fn put_out(&self, motion: &Self::Motion, t: f64, near: &Self::Near) -> Option<Self::Motion>;
     /// It stands still.
     fn stopped(&self, motion: Self::Motion) -> Self::Motion;
     /// The points that lie on surfaces.
     fn touching(&self, motion: &Self::Motion, near: &Self::Near) -> Vec<Self::Touch>;
-    /// How fast such a point goes across and along its surface [m/s].
+    /// How fast such a point goes across and along its surface `[m/s]`.
     fn speeds(&self, motion: &Self::Motion, touch: Self::Touch) -> [f64; 2];
-    /// A speed that counts as none [m/s].
+    /// A speed that counts as none `[m/s]`.
     fn still(&self, motion: &Self::Motion) -> f64;
-    /// A speed of hits that give nothing back [m/s].
+    /// A speed of hits that give nothing back `[m/s]`.
     fn gentle(&self) -> f64;
-    /// An impact at `t` [s] on what it touches. Hits that are slower than `gentle` [m/s] give nothing back, nor, when it `is_over`, those that are to
+    /// An impact at `t` `[s]` on what it touches. Hits that are slower than `gentle` `[m/s]` give nothing back, nor, when it `is_over`, those that are to
     /// give back some.
     fn strike(
         &self,
@@ -70,7 +70,7 @@ pub(super) trait Assembly {
         how: (f64, bool),
         log: &mut Log,
     ) -> Self::Motion;
-    /// On for `h` from `t` [s] where nothing touches it.
+    /// On for `h` from `t` `[s]` where nothing touches it.
     fn fly(&self, motion: &Self::Motion, span: (f64, f64), book: Option<&mut Book>) -> Self::Motion;
     /// The same with points that lie on surfaces. What that takes is counted as spent.
     fn slide(
@@ -80,14 +80,14 @@ pub(super) trait Assembly {
         lying: &[Self::Touch],
         spent: (&Cell<u64>, Option<&mut Book>),
     ) -> Self::Motion;
-    /// When within `h` [s] the first point gets to a surface along a path, whose ends are given; `lying` are on theirs already.
+    /// When within `h` `[s]` the first point gets to a surface along a path, whose ends are given; `lying` are on theirs already.
     fn first_hit(
         &self,
         path: &dyn Fn(f64) -> Self::Motion,
         ends: (&Self::Motion, &Self::Motion, f64),
         among: (&Self::Near, &[Self::Touch]),
     ) -> Option<f64>;
-    /// When within `h` [s] the first of the points that slide on their surfaces stops or turns back.
+    /// When within `h` `[s]` the first of the points that slide on their surfaces stops or turns back.
     fn first_stop(
         &self,
         path: &dyn Fn(f64) -> Self::Motion,
@@ -102,7 +102,7 @@ pub(super) trait Assembly {
     fn work(&self, near: Option<&Self::Near>) -> u64;
 }
 
-/// On for `h` from `t` [s], in parts of at most `longest`.
+/// On for `h` from `t` `[s]`, in parts of at most `longest`.
 pub(super) fn advance<A: Assembly>(
     of: &A,
     mut motion: A::Motion,
@@ -192,12 +192,12 @@ pub(super) fn book_strike(book: Option<&mut Book>, taken: [f64; 2], is_elastic: 
     }
 }
 
-/// The share of the speed across that a hit of this speed [m/s] gives back.
+/// The share of the speed across that a hit of this speed `[m/s]` gives back.
 pub(super) fn gives_back(restitution: f64, speed: f64, (gentle, is_over): (f64, bool)) -> f64 {
     if speed > -gentle || (is_over && restitution < 1.0) { 0.0 } else { restitution }
 }
 
-/// The longest part of a step of `h` [s], of so many at least.
+/// The longest part of a step of `h` `[s]`, of so many at least.
 pub(super) fn within((longest, count): (f64, f64), h: f64) -> f64 {
     longest.min(h / count)
 }

@@ -7,14 +7,14 @@ use crate::sim::vector::{add, cross, dot, scale};
 /// What the impulses move: a body's velocities and what resists them.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Inertia {
-    /// Inverse mass [1/kg] and inverse moment of inertia [1/(kg m^2)].
+    /// Inverse mass `[1/kg]` and inverse moment of inertia `[1/(kg m^2)]`.
     pub(crate) inverse: [f64; 2],
 }
 
 /// A point of the body on a surface.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Contact {
-    /// From the origin [m].
+    /// From the origin `[m]`.
     pub(super) arm: [f64; 2],
     /// Away from the surface.
     pub(super) normal: [f64; 2],
@@ -36,13 +36,13 @@ impl Contact {
 }
 
 impl Inertia {
-    /// Kinetic energy, but for what cannot move [J].
+    /// Kinetic energy, but for what cannot move `[J]`.
     pub(super) fn energy(&self, twist: &Twist) -> f64 {
         let of = |inverse: f64, square: f64| if inverse > 0.0 { 0.5 * square / inverse } else { 0.0 };
         of(self.inverse[0], dot(twist.velocity, twist.velocity)) + of(self.inverse[1], twist.spin * twist.spin)
     }
 
-    /// What an impulse of 1 changes of the contact's own velocity: across by across, along by along, and one by the other [1/kg].
+    /// What an impulse of 1 changes of the contact's own velocity: across by across, along by along, and one by the other `[1/kg]`.
     fn gives(&self, contact: &Contact) -> [f64; 3] {
         let [lever, hold] = [contact.normal, contact.tangent()].map(|way| cross(contact.arm, way));
         let [ease, swing] = self.inverse;

@@ -14,18 +14,18 @@ use crate::sim::ledger::Book;
 use crate::sim::real::Real;
 use crate::sim::vector::{dot, length};
 
-/// Longest part of a step in flight, so many of a step at least [s]; and the angle that a body or a rod turns in it at most [rad]: of order 4, so
+/// Longest part of a step in flight, so many of a step at least `[s]`; and the angle that a body or a rod turns in it at most `[rad]`: of order 4, so
 /// that a swing of a second is right to a few 1e-7 of its size.
 const IN_FLIGHT: (f64, f64) = (1.0 / 120.0, 2.0);
 const TURN_IN_FLIGHT: f64 = 0.15;
 /// Hits in a frame as [`Assembly::most_hits`] has them: each takes a dozen ways of all bodies to locate.
 const MOST_HITS: [f64; 2] = [20.0, 60.0];
-/// Phase of the fastest spring that a part spans [rad], and share of the fastest decay.
+/// Phase of the fastest spring that a part spans `[rad]`, and share of the fastest decay.
 const PHASE: f64 = 0.25;
 const DECAY: f64 = 0.5;
 
 impl<S: Real, const D: usize> Moving<'_, S, D> {
-    /// The longest part of a step of `h` [s] in flight.
+    /// The longest part of a step of `h` `[s]` in flight.
     pub(super) fn longest(&self, h: f64) -> f64 {
         let linkage = self.linkage;
         let [frequency, decay] = linkage.ties.rates;

@@ -30,7 +30,7 @@ pub(crate) enum End {
     On {
         /// Which one.
         body: u32,
-        /// [m]
+        /// `[m]`
         place: [f64; 2],
     },
     /// One of the points that do not move by themselves.
@@ -41,11 +41,11 @@ pub(crate) enum End {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Link {
     pub(crate) ends: [End; 2],
-    /// [m]; `None`: a joint.
+    /// `[m]`; `None`: a joint.
     pub(crate) rest: Option<f64>,
 }
 
-/// A point that does not move by itself: where it is as a step begins [m], and how fast it is led in it [m/s].
+/// A point that does not move by itself: where it is as a step begins `[m]`, and how fast it is led in it `[m/s]`.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Anchor {
     pub(crate) place: [f64; 2],
@@ -58,7 +58,7 @@ impl Anchor {
     }
 }
 
-/// Where bodies are, and fixed points, so long [s] after the step began.
+/// Where bodies are, and fixed points, so long `[s]` after the step began.
 #[derive(Clone, Copy)]
 pub(crate) struct Stand<'a> {
     pub(crate) motions: &'a [Motion],
@@ -67,7 +67,7 @@ pub(crate) struct Stand<'a> {
 }
 
 impl Stand<'_> {
-    /// Where an end is [m].
+    /// Where an end is `[m]`.
     pub(super) fn at(&self, end: End) -> [f64; 2] {
         match end {
             End::On { body, place } => self.motions[body as usize].place.out(place),
@@ -78,7 +78,7 @@ impl Stand<'_> {
         }
     }
 
-    /// How fast it goes [m/s].
+    /// How fast it goes `[m/s]`.
     pub(super) fn velocity(&self, end: End) -> [f64; 2] {
         match end {
             End::On { body, place } => {
@@ -158,7 +158,7 @@ impl Joints {
         60 * self.rows.len() as u64 + 30 * self.ldl.fill() as u64
     }
 
-    /// How far every row is from where it should be [m].
+    /// How far every row is from where it should be `[m]`.
     pub(crate) fn gaps(&self, stand: Stand) -> Vec<f64> {
         let of = |row: &Row| {
             let link = &self.links[row.link as usize];
@@ -168,7 +168,7 @@ impl Joints {
         self.rows.iter().map(of).collect()
     }
 
-    /// Bodies are moved, without speed, to where no row is off by more than `closed` [m]: in so many rounds at most, each with new directions.
+    /// Bodies are moved, without speed, to where no row is off by more than `closed` `[m]`: in so many rounds at most, each with new directions.
     /// Near a dead point, where a round would take them far off, they go a part of that way, or stay. Returns how many rounds it took.
     pub(crate) fn close(
         &self,
@@ -282,21 +282,21 @@ pub(crate) struct Factored<'a> {
     pub(super) inertias: &'a [Inertia],
     rows: Vec<[Option<Leg>; 2]>,
     ldl: Ldl<f64>,
-    /// The rates of all rows that points which are led ask for [m/s].
+    /// The rates of all rows that points which are led ask for `[m/s]`.
     pub(crate) leads: Vec<f64>,
     /// Whether some point is led.
     pub(super) is_led: bool,
 }
 
 impl Factored<'_> {
-    /// The work [J] of points that are led, where impulses at the links alone changed motions by these.
+    /// The work `[J]` of points that are led, where impulses at the links alone changed motions by these.
     pub(super) fn work_of_leads(&self, changes: &[Twist]) -> f64 {
         let mut lambda: Vec<f64> = self.rows.iter().map(|row| rate(row, changes)).collect();
         self.ldl.solve_one(&mut lambda);
         lambda.iter().zip(&self.leads).map(|(impulse, lead)| impulse * lead).sum()
     }
 
-    /// Impulses at the links give every row its target [m/s], in the order of [`Joints::gaps`]; empty: none.
+    /// Impulses at the links give every row its target `[m/s]`, in the order of [`Joints::gaps`]; empty: none.
     pub(crate) fn hold(&self, twists: &mut [Twist], targets: &[f64]) {
         let off = |(k, row): (usize, &[Option<Leg>; 2])| targets.get(k).copied().unwrap_or(0.0) - rate(row, twists);
         let mut lambda: Vec<f64> = self.rows.iter().enumerate().map(off).collect();
@@ -312,7 +312,7 @@ impl Factored<'_> {
     }
 }
 
-/// How fast the gap of a row grows by the motion of its bodies [m/s].
+/// How fast the gap of a row grows by the motion of its bodies `[m/s]`.
 fn rate(row: &[Option<Leg>; 2], twists: &[Twist]) -> f64 {
     let of = |leg: &Leg| {
         let Twist { velocity, spin } = twists[leg.body as usize];

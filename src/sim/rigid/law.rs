@@ -22,7 +22,7 @@ pub(super) const OF_A_CONTACT: u64 = 40;
 /// Halvings in which the restitution is found that adds no energy.
 const HALVINGS: u32 = 30;
 
-/// Impulses of a contact, along its normal and across it [kg m/s].
+/// Impulses of a contact, along its normal and across it `[kg m/s]`.
 pub(super) type Impulse = [f64; 2];
 
 /// What the law asks of a contact.
@@ -33,7 +33,7 @@ pub(super) struct Rub {
     pub(super) restitution: f64,
     /// Which way it slides along (-n_y, n_x) for all of the moment, -1 or 1; 0: friction may hold it.
     pub(super) slides: f64,
-    /// The least speed across afterwards, and the speed along where friction holds it [m/s].
+    /// The least speed across afterwards, and the speed along where friction holds it `[m/s]`.
     pub(super) target: [f64; 2],
 }
 
@@ -41,10 +41,10 @@ pub(super) struct Rub {
 pub(super) trait Answers: Sized {
     type Motion: Clone;
 
-    /// Velocities of a contact, by its number, across and along its surface [m/s].
+    /// Velocities of a contact, by its number, across and along its surface `[m/s]`.
     fn speeds(&self, contact: usize, motion: &Self::Motion) -> [f64; 2];
 
-    /// What an impulse of 1 changes of the contact's own velocity: across by across, along by along, and one by the other [1/kg].
+    /// What an impulse of 1 changes of the contact's own velocity: across by across, along by along, and one by the other `[1/kg]`.
     fn gives(&self, contact: usize) -> [f64; 3];
 
     /// The motion after an impulse.
@@ -55,7 +55,7 @@ pub(super) trait Answers: Sized {
         self.speeds(contact, &self.pushed(contact, [push, 0.0], motion.clone()))[1]
     }
 
-    /// Kinetic energy, but for what cannot move [J].
+    /// Kinetic energy, but for what cannot move `[J]`.
     fn energy(&self, motion: &Self::Motion) -> f64;
 
     /// It stands still.
@@ -86,7 +86,7 @@ pub(super) struct Pressed<M> {
     pub(super) motion: M,
     /// Of each contact.
     pub(super) impulses: Vec<Impulse>,
-    /// What impulses across and along took [J].
+    /// What impulses across and along took `[J]`.
     pub(super) taken: [f64; 2],
     /// How often all contacts were gone through, and whether nothing changed any more: of what is held on all sides it may go on for ever.
     pub(super) passes: u32,

@@ -23,11 +23,11 @@ use crate::sim::points::Points;
 use crate::sim::real::Real;
 use crate::sim::vector::{add, dot, flat, scale, sub, widen};
 
-/// Parts of a step that are shorter mend no gaps [s]: over so short a time that would be speed.
+/// Parts of a step that are shorter mend no gaps `[s]`: over so short a time that would be speed.
 const BRIEF: f64 = 1e-6;
 /// Rounds in which the first half of a part finds the impulses that lead to where everything fits.
 const ROUNDS: u32 = 30;
-/// A gap that counts as none, as a share of where things are [1].
+/// A gap that counts as none, as a share of where things are `[1]`.
 const FITS: f64 = 4e-15;
 /// A gap at which a part has failed, in those that count as none.
 const MISSES: f64 = 1e6;
@@ -99,12 +99,12 @@ impl Linkage {
         motions
     }
 
-    /// Kinetic energy of its bodies [J], as points have it.
+    /// Kinetic energy of its bodies `[J]`, as points have it.
     pub(super) fn energy<S: Real, const D: usize>(&self, points: &Points<S, D>) -> f64 {
         self.bodies.iter().map(|body| body.inertia.energy(&body.read(points).twist)).sum()
     }
 
-    /// The same, as it is [J].
+    /// The same, as it is `[J]`.
     pub(super) fn energy_of(&self, motions: &[Motion]) -> f64 {
         self.bodies.iter().zip(motions).map(|(body, motion)| body.inertia.energy(&motion.twist)).sum()
     }
@@ -119,7 +119,7 @@ impl Linkage {
         }
     }
 
-    /// Points that are led go on for `h` [s].
+    /// Points that are led go on for `h` `[s]`.
     pub(super) fn lead<S: Real, const D: usize>(&self, points: &mut Points<S, D>, anchors: &[Anchor], h: f64) {
         for (&slot, anchor) in self.fixed.iter().zip(anchors) {
             if anchor.is_led() {
@@ -128,7 +128,7 @@ impl Linkage {
         }
     }
 
-    /// How far from the origin it reaches, and 1 [m].
+    /// How far from the origin it reaches, and 1 `[m]`.
     pub(super) fn size(&self, motions: &[Motion]) -> f64 {
         let of = |(body, motion): (&Body, &Motion)| {
             1.0 + body.reach + motion.place.middle[0].abs() + motion.place.middle[1].abs()
@@ -149,12 +149,12 @@ impl Linkage {
 pub(super) struct Moving<'a, S: Real, const D: usize> {
     pub(super) linkage: &'a Linkage,
     pub(super) field: &'a Field<'a, S, D>,
-    /// What it hangs on, and when the step began [s].
+    /// What it hangs on, and when the step began `[s]`.
     anchors: &'a [Anchor],
     start: f64,
     /// Its bodies among obstacles.
     pub(super) among: Vec<Among<'a, S, D>>,
-    /// A gap that counts as none [m].
+    /// A gap that counts as none `[m]`.
     pub(super) fits: f64,
     /// Operations that a half of a part takes, about, and those of all parts that were taken or tried.
     work: u64,
@@ -217,7 +217,7 @@ impl<'a, S: Real, const D: usize> Moving<'a, S, D> {
         self.linkage.joints.factored(&self.linkage.inertias, self.stand(motions, t))
     }
 
-    /// On for `h` [s] where nothing touches it. Works and losses are booked where there is a book.
+    /// On for `h` `[s]` where nothing touches it. Works and losses are booked where there is a book.
     pub(super) fn fly(&self, motions: &[Motion], (t, h): (f64, f64), mut book: Option<&mut Book>) -> Vec<Motion> {
         let spent = Cell::new(0);
         let is_slowed = self.field.pushes() || self.field.pull.drag_rate * h > WEAK || self.linkage.ties.is_damped();
@@ -232,7 +232,7 @@ impl<'a, S: Real, const D: usize> Moving<'a, S, D> {
         motions
     }
 
-    /// On for `h` from `t` [s] with points that lie on surfaces. What that takes is counted as spent.
+    /// On for `h` from `t` `[s]` with points that lie on surfaces. What that takes is counted as spent.
     pub(super) fn slide(
         &self,
         motions: &[Motion],
@@ -366,7 +366,7 @@ impl<'a, S: Real, const D: usize> Moving<'a, S, D> {
         kick(&pushes, h, book)
     }
 
-    /// Where a point is [m].
+    /// Where a point is `[m]`.
     fn at(&self, motions: &[Motion], spot: Spot) -> [f64; 2] {
         let body = &self.bodies()[spot.body as usize];
         motions[spot.body as usize].place.out(body.shape.places[spot.touch.point as usize])
@@ -379,7 +379,7 @@ impl<'a, S: Real, const D: usize> Moving<'a, S, D> {
         if along.abs() > still { along.signum() } else { 0.0 }
     }
 
-    /// A speed that counts as none [m/s].
+    /// A speed that counts as none `[m/s]`.
     pub(super) fn still(&self, motions: &[Motion]) -> f64 {
         self.bodies().iter().zip(motions).map(|(body, motion)| body.still(&motion.twist)).fold(0.0, f64::max)
     }
@@ -425,7 +425,7 @@ impl<'a, S: Real, const D: usize> Moving<'a, S, D> {
         None
     }
 
-    /// The fastest that a rod turns [rad/s].
+    /// The fastest that a rod turns `[rad/s]`.
     pub(super) fn turning(&self, motions: &[Motion]) -> f64 {
         let stand = self.stand(motions, self.start);
         let of = |rest: f64, ends: [End; 2]| {

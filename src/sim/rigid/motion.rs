@@ -3,7 +3,7 @@
 use super::place::Place;
 use crate::sim::vector::{add, scale};
 
-/// How fast a body goes [m/s] and spins [rad/s].
+/// How fast a body goes `[m/s]` and spins `[rad/s]`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Twist {
     pub(crate) velocity: [f64; 2],

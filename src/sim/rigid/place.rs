@@ -2,15 +2,15 @@
 
 use crate::sim::vector::{add, dot, scale};
 
-/// Angle below which what is left out of its cosine is below rounding [rad].
+/// Angle below which what is left out of its cosine is below rounding `[rad]`.
 const SLIGHT: f64 = 5e-3;
 
 /// Where a rigid body is: places of its shape are turned, then carried along.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Place {
-    /// Where the origin of the shape is [m].
+    /// Where the origin of the shape is `[m]`.
     pub(crate) middle: [f64; 2],
-    /// [rad], counted from where somebody began to.
+    /// `[rad]`, counted from where somebody began to.
     pub(crate) angle: f64,
     /// Cosine and sine of the whole angle.
     pub(crate) turn: [f64; 2],

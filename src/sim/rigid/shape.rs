@@ -10,20 +10,20 @@ const FITS: f64 = 1e-6;
 /// What a rigid body is by itself.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Shape {
-    /// Where its points are, from its middle, or from the point that it is pinned at [m].
+    /// Where its points are, from its middle, or from the point that it is pinned at `[m]`.
     pub(crate) places: Vec<[f64; 2]>,
-    /// Of its points [kg]; 0 of one that is pinned.
+    /// Of its points `[kg]`; 0 of one that is pinned.
     pub(crate) masses: Vec<f64>,
     pub(crate) mass: f64,
-    /// About where its places are counted from [kg m^2].
+    /// About where its places are counted from `[kg m^2]`.
     pub(crate) inertia: f64,
-    /// Which of its points is pinned, and where its middle is from there [m].
+    /// Which of its points is pinned, and where its middle is from there `[m]`.
     pub(crate) pin: Option<(u32, [f64; 2])>,
     /// The points that may touch something.
     pub(crate) surface: Vec<u32>,
 }
 
-/// Points as a shape is found from them: where they are now [m], masses [kg], infinite where they are pinned, and the rigid bonds between them.
+/// Points as a shape is found from them: where they are now `[m]`, masses `[kg]`, infinite where they are pinned, and the rigid bonds between them.
 pub(crate) struct Held<'a> {
     pub(crate) now: Vec<[f64; 2]>,
     pub(crate) masses: Vec<f64>,
@@ -66,7 +66,7 @@ impl Shape {
         Some(Shape { places, masses, mass, inertia, pin, surface: held.surface.to_vec() })
     }
 
-    /// The shape of places with these masses [kg], counted from their middle; a point alone does not turn.
+    /// The shape of places with these masses `[kg]`, counted from their middle; a point alone does not turn.
     pub(crate) fn free(mut places: Vec<[f64; 2]>, masses: Vec<f64>) -> Self {
         let (mass, middle) = middle(&places, &masses);
         places.iter_mut().for_each(|x| *x = sub(*x, middle));
@@ -89,7 +89,7 @@ pub(super) fn fits(&([a, b], rest): &([u32; 2], f64), place: impl Fn(u32) -> [f6
     (dot(d, d).sqrt() - rest).abs() <= FITS * rest
 }
 
-/// A bond as one of its ends sees it: that, the other one, its length [m] and its number.
+/// A bond as one of its ends sees it: that, the other one, its length `[m]` and its number.
 type Spoke = (u32, u32, f64, u32);
 
 /// Bonds by the points that they are at.

@@ -14,13 +14,13 @@ use crate::sim::ledger::Book;
 use crate::sim::real::Real;
 use crate::sim::vector::{dot, scale, sub};
 
-/// Parts of a step that are shorter mend no gaps [s]: over so short a time that would be speed.
+/// Parts of a step that are shorter mend no gaps `[s]`: over so short a time that would be speed.
 const BRIEF: f64 = 1e-6;
 /// Rounds in which the first half of a part finds the impulses that lead to where nothing overlaps.
 const ROUNDS: u32 = 4;
 
 impl Body {
-    /// On for `h` from `t` [s] with points that lie on surfaces. What that takes is counted as spent.
+    /// On for `h` from `t` `[s]` with points that lie on surfaces. What that takes is counted as spent.
     pub(super) fn slide<S: Real, const D: usize>(
         &self,
         motion: &Motion,

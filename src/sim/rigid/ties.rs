@@ -15,7 +15,7 @@ pub(crate) struct Ties {
     seats: Vec<End>,
     springs: Springs<f64>,
     form: Form<f64>,
-    /// Bounds on their fastest oscillation [rad/s] and decay [1/s].
+    /// Bounds on their fastest oscillation `[rad/s]` and decay `[1/s]`.
     pub(super) rates: [f64; 2],
 }
 
@@ -25,7 +25,7 @@ impl Ties {
         Ties { seats: Vec::new(), springs: Springs::none(), form: Form::none(), rates: [0.0; 2] }
     }
 
-    /// Springs and angles between these seats, which they count; `rates`: bounds on their fastest oscillation [rad/s] and decay [1/s].
+    /// Springs and angles between these seats, which they count; `rates`: bounds on their fastest oscillation `[rad/s]` and decay `[1/s]`.
     pub(crate) fn new(seats: Vec<End>, springs: &[Bond], angles: &[Angle], rates: [f64; 2]) -> Self {
         let hinges = angles.iter().map(|angle| Hinge::new(angle, angle.points.map(|point| point.0))).collect();
         let springs = Springs::new(springs.iter(), seats.len());
@@ -49,7 +49,7 @@ impl Ties {
         self.gathered(stand, &x, &force)
     }
 
-    /// What they do to each body, dampers included, and what those take [W].
+    /// What they do to each body, dampers included, and what those take `[W]`.
     pub(super) fn damped(&self, stand: Stand) -> (Vec<Push>, f64) {
         let x = self.places(stand);
         let v: Vec<[f64; 2]> = self.seats.iter().map(|&end| stand.velocity(end)).collect();

@@ -19,7 +19,7 @@ pub(super) struct Together<'a> {
     contacts: &'a [(u32, Contact)],
     /// What an impulse of 1 does to all bodies: along the normal of each contact and across it.
     columns: Vec<Vec<Twist>>,
-    /// What that is at all contacts, across and along: column by column [1/kg].
+    /// What that is at all contacts, across and along: column by column `[1/kg]`.
     gives: Vec<Vec<[f64; 2]>>,
 }
 
@@ -58,7 +58,7 @@ impl<'a> Together<'a> {
         self.contacts.iter().map(|(_, contact)| contact.rub).collect()
     }
 
-    /// The work [J] of points that are led, where joints and these impulses made the second of two motions of the first.
+    /// The work `[J]` of points that are led, where joints and these impulses made the second of two motions of the first.
     pub(super) fn work_of_leads(&self, (before, after): (&[Twist], &[Twist]), impulses: &[Impulse]) -> f64 {
         if !self.joints.is_led {
             return 0.0;

@@ -9,7 +9,7 @@ use crate::sim::real::Real;
 use crate::sim::solve::root::Root;
 use crate::sim::vector::{cross, dot, flat, scale, sub, widen};
 
-/// A distance that counts as none, as a share of where things are [1].
+/// A distance that counts as none, as a share of where things are `[1]`.
 const TOUCH: f64 = 1e-11;
 /// Halvings of a way in which one that sets out from a surface is looked for off it.
 const LOOKS: i32 = 12;
@@ -46,7 +46,7 @@ impl Near {
 pub(super) struct Among<'a, S: Real, const D: usize> {
     pub(super) body: &'a Body,
     pub(super) obstacles: &'a Obstacles<S, D>,
-    /// A distance that counts as none [m].
+    /// A distance that counts as none `[m]`.
     pub(super) touch: f64,
 }
 
@@ -70,7 +70,7 @@ impl<'a, S: Real, const D: usize> Among<'a, S, D> {
         motion.place.out(self.body.shape.places[point as usize])
     }
 
-    /// How far off a surface a point is [m].
+    /// How far off a surface a point is `[m]`.
     pub(super) fn gap(&self, motion: &Motion, touch: Touch) -> f64 {
         self.obstacles.surfaces[touch.surface].gap_of(self.at(motion, touch.point))
     }
@@ -90,7 +90,7 @@ impl<'a, S: Real, const D: usize> Among<'a, S, D> {
         }
     }
 
-    /// How fast a point goes across and along a surface [m/s].
+    /// How fast a point goes across and along a surface `[m/s]`.
     pub(super) fn speeds(&self, motion: &Motion, touch: Touch) -> [f64; 2] {
         self.contact(motion, touch).speeds(&motion.twist)
     }
@@ -132,7 +132,7 @@ impl<'a, S: Real, const D: usize> Among<'a, S, D> {
         both.copied().collect()
     }
 
-    /// When within `h` [s] the first point gets to a surface along a path, whose ends are given; `lying` are on theirs already.
+    /// When within `h` `[s]` the first point gets to a surface along a path, whose ends are given; `lying` are on theirs already.
     pub(super) fn first_hit(
         &self,
         path: impl Fn(f64) -> Motion,
@@ -168,7 +168,7 @@ impl<'a, S: Real, const D: usize> Among<'a, S, D> {
         first
     }
 
-    /// When within `h` [s] the first of the points that slide on their surfaces stops or turns back.
+    /// When within `h` `[s]` the first of the points that slide on their surfaces stops or turns back.
     pub(super) fn first_stop(
         &self,
         path: impl Fn(f64) -> Motion,
@@ -243,7 +243,7 @@ impl<'a, S: Real, const D: usize> Among<'a, S, D> {
     }
 }
 
-/// Twice as far as it may get in `h` [s] with its speed [m/s] and what pushes it [m/s^2].
+/// Twice as far as it may get in `h` `[s]` with its speed `[m/s]` and what pushes it `[m/s^2]`.
 pub(super) fn way(motion: &Motion, h: f64, pushed: f64) -> f64 {
     let v = motion.twist.velocity;
     2.0 * (dot(v, v).sqrt() * h + pushed * h * h)

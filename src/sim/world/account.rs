@@ -11,7 +11,7 @@ use crate::sim::measure;
 use crate::sim::real::Real;
 use crate::sim::vector::length;
 
-/// Speed that nobody sees [m/s].
+/// Speed that nobody sees `[m/s]`.
 const UNSEEN: f64 = 0.01;
 
 impl<S: Real, const D: usize> World<S, D> {
@@ -90,7 +90,7 @@ impl<S: Real, const D: usize> World<S, D> {
         Ok(applied)
     }
 
-    /// The energy of the present state as the ledger says it [J]: velocities of large bodies at the time of their places.
+    /// The energy of the present state as the ledger says it `[J]`: velocities of large bodies at the time of their places.
     fn energy_booked(&self) -> f64 {
         let mut copy = self.clone();
         let t = self.timeline.time();
@@ -104,7 +104,7 @@ impl<S: Real, const D: usize> World<S, D> {
             + self.model.penalty_energy(self.free_places(&|i| self.place(i)))
     }
 
-    /// The places of all points that can move [m].
+    /// The places of all points that can move `[m]`.
     pub(super) fn free_places<'a>(
         &'a self,
         place: &'a impl Fn(usize) -> [f64; D],

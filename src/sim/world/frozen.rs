@@ -14,7 +14,7 @@ pub(crate) struct Frozen {
     pub(crate) points: Vec<u32>,
     /// The method that failed.
     pub(crate) solver: Solver,
-    /// [s]
+    /// `[s]`
     pub(crate) since: f64,
 }
 

@@ -8,13 +8,13 @@ use crate::sim::real::Real;
 #[derive(Clone, Debug)]
 pub(crate) struct Kept<S: Real, const D: usize> {
     place: usize,
-    /// When [s].
+    /// When `[s]`.
     from: f64,
     pub(super) group: Group<S, D>,
 }
 
 impl<S: Real, const D: usize> World<S, D> {
-    /// Keeps the groups that are awake; those of a list since the times there [s], the others since now.
+    /// Keeps the groups that are awake; those of a list since the times there `[s]`, the others since now.
     pub(crate) fn keep(&mut self, since: &[(usize, f64)]) {
         let now = self.timeline.time();
         let from = |place: usize| since.binary_search_by_key(&place, |kept| kept.0).map_or(now, |found| since[found].1);
@@ -22,7 +22,7 @@ impl<S: Real, const D: usize> World<S, D> {
         self.kept = awake.map(|(place, group)| Kept { place, from: from(place), group: group.clone() }).collect();
     }
 
-    /// Groups that no command touched are as they were before the step was cut. Returns their places, ascending, and since when [s].
+    /// Groups that no command touched are as they were before the step was cut. Returns their places, ascending, and since when `[s]`.
     pub(crate) fn take_back(&mut self) -> Vec<(usize, f64)> {
         let restore = |Kept { place, from, group }: Kept<S, D>| {
             self.plan.groups[place] = group;

@@ -41,7 +41,7 @@ pub struct World<S: Real, const D: usize> {
     pub(crate) bonds: Arc<Bonds>,
     /// What is left of the model, but for positions, velocities and bonds.
     pub(crate) model: Arc<Model<D>>,
-    /// 1/m of every point, 0 where it is pinned or gone [1/kg].
+    /// 1/m of every point, 0 where it is pinned or gone `[1/kg]`.
     pub(crate) inverse_mass: Arc<Vec<f64>>,
     pub(crate) numbers: Numbers,
     /// Points of the scene when the world began, which rules go by.

@@ -43,7 +43,7 @@ impl<S: Real, const D: usize> World<S, D> {
         list.map(|(place, point)| (place, point.0)).collect()
     }
 
-    /// Frames may take more work from `t` on [s]. What the live step moves wakes: only what is awake goes back.
+    /// Frames may take more work from `t` on `[s]`. What the live step moves wakes: only what is awake goes back.
     pub(crate) fn allow_more(&mut self, t: f64) {
         let kept = self.kept.iter_mut().map(|kept| &mut kept.group);
         for group in self.plan.groups.iter_mut().chain(kept) {

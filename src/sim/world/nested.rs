@@ -41,7 +41,7 @@ struct Found {
 }
 
 impl<S: Real, const D: usize> World<S, D> {
-    /// Tells of bodies that meet and have a point in another one at these places [m], or an edge across one.
+    /// Tells of bodies that meet and have a point in another one at these places `[m]`, or an edge across one.
     pub(super) fn warn_of_nested(&mut self, position: &[[f64; D]]) {
         let Some(contact) = self.model.contact else { return };
         if D == 3 {

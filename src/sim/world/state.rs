@@ -47,12 +47,12 @@ impl<S: Real, const D: usize> World<S, D> {
         }
     }
 
-    /// Where a point is [m].
+    /// Where a point is `[m]`.
     pub(crate) fn place(&self, point: usize) -> [f64; D] {
         self.slot(point).map_or([f64::NAN; D], |[group, slot]| widen(self.plan.groups[group].points.position[slot]))
     }
 
-    /// The distance from a place to the farthest corner of the boxes about the groups [m].
+    /// The distance from a place to the farthest corner of the boxes about the groups `[m]`.
     pub(crate) fn farthest_from(&self, place: [f64; 3]) -> f64 {
         let corners = self.plan.groups.iter().filter_map(|group| measure::extent(&group.points.position));
         let of = |[low, high]: [[S; D]; 2]| {

@@ -96,7 +96,7 @@ impl<S: Real, const D: usize> World<S, D> {
         }
     }
 
-    /// Tells of triangles in scenes with contact that have no inside at these places [m], which nothing can keep open.
+    /// Tells of triangles in scenes with contact that have no inside at these places `[m]`, which nothing can keep open.
     pub(super) fn warn_of_flat(&mut self, position: &[[f64; D]]) {
         let told = self.model.areas.is_some_and(|areas| areas.stiffness > 0.0);
         if D != 2 || told || self.model.contact.is_none() {
@@ -118,7 +118,7 @@ impl<S: Real, const D: usize> World<S, D> {
         }
     }
 
-    /// Tells of joints of these numbers that are outside their stops where their points are at the start [m]: the stops push them in as
+    /// Tells of joints of these numbers that are outside their stops where their points are at the start `[m]`: the stops push them in as
     /// stiff springs do.
     pub(super) fn warn_of_stops(&mut self, numbers: Range<u32>, place: impl Fn(PointId) -> [f64; D]) {
         let words = self.outside_stops(numbers, place);

@@ -9,9 +9,9 @@ use super::Variant;
 pub(super) struct Point<const D: usize> {
     pub(super) x: [f64; D],
     pub(super) previous: [f64; D],
-    /// Of springs [N].
+    /// Of springs `[N]`.
     pub(super) force: [f64; D],
-    /// 0 where it is pinned [1/kg].
+    /// 0 where it is pinned `[1/kg]`.
     pub(super) inverse_mass: f64,
 }
 
@@ -65,7 +65,7 @@ pub(super) struct Bounds<const D: usize> {
 #[derive(Clone, Debug)]
 pub(crate) struct Program<const D: usize> {
     pub(super) points: Vec<Point<D>>,
-    /// Velocities at the start [m/s].
+    /// Velocities at the start `[m/s]`.
     pub(super) velocity: Vec<[f64; D]>,
     pub(super) springs: Vec<Spring>,
     pub(super) rods: Vec<Rod>,
@@ -258,7 +258,7 @@ impl<const D: usize> Program<D> {
 }
 
 impl Mouse {
-    /// The acceleration of a point, the same for every mass [m/s^2].
+    /// The acceleration of a point, the same for every mass `[m/s^2]`.
     fn acceleration(&self, x: f64, y: f64) -> [f64; 2] {
         let [dx, dy] = [x - self.at[0], y - self.at[1]];
         let reach = if self.is_square { dx.abs().max(dy.abs()) } else { (dx * dx + dy * dy).sqrt() };

@@ -12,9 +12,9 @@ use crate::sim::InstructionSet;
 use crate::study::speed::peers::PeerRun;
 use crate::study::speed::{KernelRow, SpeedRun};
 
-/// Strains that are shown [1]: above, a scene is no longer itself; below, `f32` ends.
+/// Strains that are shown `[1]`: above, a scene is no longer itself; below, `f32` ends.
 const SHOWN: std::ops::RangeInclusive<f64> = 1e-7..=2.0;
-/// Strains that engines are compared at [1].
+/// Strains that engines are compared at `[1]`.
 const LEVELS: [f64; 2] = [0.02, 1e-3];
 /// Height of a line of a legend.
 const ROW: f64 = 22.0;

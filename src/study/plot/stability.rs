@@ -8,7 +8,7 @@ use super::style::{BLACK, BLUE, GREEN, GREY, LABEL, Look, MAJOR, Marker, ORANGE,
 use super::work::entry;
 use crate::study::stability::{Cause, Ended, Fault, Group, Judged, Outcome, SweepRun, short};
 
-/// Height of a row [units of the figure].
+/// Height of a row `[units of the figure]`.
 const ROW: f64 = 22.0;
 
 /// A row a sweep, a column a method; in each cell a stripe a value, in the order of the values.
@@ -79,7 +79,7 @@ fn legend(figure: &mut Figure, [mut x, y]: [f64; 2]) {
     );
 }
 
-/// Room between rows of two kinds, of a row's height [1].
+/// Room between rows of two kinds, of a row's height `[1]`.
 const GAP: f64 = 0.5;
 
 /// A row a family, a column a fault: the share of cases that have it.
@@ -163,7 +163,7 @@ pub(crate) fn rates(judged: &[Judged]) -> Figure {
     figure
 }
 
-/// (share of the list [%], value), ascending.
+/// (share of the list `[%]`, value), ascending.
 fn rising<'a>(judged: impl Iterator<Item = &'a Judged>, of: fn(&Judged) -> f64) -> Vec<[f64; 2]> {
     let mut values: Vec<f64> = judged.map(of).collect();
     values.sort_by(f64::total_cmp);

@@ -8,7 +8,7 @@ use crate::study::fit::cost_beyond;
 use crate::study::problems::Kind;
 use crate::study::targets::LEVELS;
 
-/// Errors that are shown [m]: above, nothing is resolved; below, the truth's own digits end.
+/// Errors that are shown `[m]`: above, nothing is resolved; below, the truth's own digits end.
 const SHOWN: std::ops::RangeInclusive<f64> = 1e-14..=10.0;
 
 /// The plot of a problem.

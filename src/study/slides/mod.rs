@@ -29,28 +29,28 @@ const DECAY: [(&str, Decay, Factor); 5] = [
     ("implicit midpoint", implicit_midpoint, |z| (1.0 - z / 2.0) / (1.0 + z / 2.0)),
 ];
 
-/// Steps of the circle [s].
+/// Steps of the circle `[s]`.
 const CIRCLE_STEPS: [f64; 5] = [0.2, 0.1, 0.05, 0.02, 0.01];
 
-/// Largest h k that decay is measured at [1].
+/// Largest h k that decay is measured at `[1]`.
 const LARGEST_Z: f64 = 3.0;
 
-/// Steps of h k between two measurements [1].
+/// Steps of h k between two measurements `[1]`.
 const Z_STEP: f64 = 0.05;
 
-/// Decay rate that h is chosen for [1/s]; the factors depend on h k alone.
+/// Decay rate that h is chosen for `[1/s]`; the factors depend on h k alone.
 const RATE: f64 = 4.0;
 
 /// Explicit Euler on the circle x' = -y, y' = x.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct CircleRow {
-    /// Step [s].
+    /// Step `[s]`.
     pub h: f64,
-    /// Factor of the radius in a step, measured [1].
+    /// Factor of the radius in a step, measured `[1]`.
     pub growth_step: f64,
     /// sqrt(1 + h^2).
     pub expected_step: f64,
-    /// Factor of the radius over the whole steps that complete a turn, measured [1].
+    /// Factor of the radius over the whole steps that complete a turn, measured `[1]`.
     pub growth_turn: f64,
     /// (1 + h^2)^(n/2) for n = ceil(2 pi/h).
     pub expected_turn: f64,
@@ -61,9 +61,9 @@ pub struct CircleRow {
 pub struct DecayRow {
     /// The method.
     pub method: &'static str,
-    /// h k [1].
+    /// h k `[1]`.
     pub hk: f64,
-    /// The factor, measured [1].
+    /// The factor, measured `[1]`.
     pub factor: f64,
     /// Its closed form.
     pub expected: f64,
@@ -74,9 +74,9 @@ pub struct DecayRow {
 pub struct OrderRow {
     /// The method.
     pub method: &'static str,
-    /// Step [s].
+    /// Step `[s]`.
     pub h: f64,
-    /// Distance from the truth [m].
+    /// Distance from the truth `[m]`.
     pub error: f64,
 }
 
@@ -85,7 +85,7 @@ pub struct OrderRow {
 pub struct ObservedOrder {
     /// The method.
     pub method: &'static str,
-    /// Slope of log error against log h [1].
+    /// Slope of log error against log h `[1]`.
     pub order: f64,
     /// The method's order.
     pub expected: f64,

@@ -6,13 +6,13 @@ use std::time::Instant;
 const FEWEST: usize = 5;
 /// Most readings of each.
 const MOST: usize = 101;
-/// Shortest reading [s]: below, the clock itself shows.
+/// Shortest reading `[s]`: below, the clock itself shows.
 const SHORTEST: f64 = 2e-4;
 
 /// Something that can be done over and over.
 pub(super) type Task<'a> = &'a mut dyn FnMut();
 
-/// Times tasks in turn for about `seconds` [s]. Returns, for each, its readings [s], in the order in which they were
+/// Times tasks in turn for about `seconds` `[s]`. Returns, for each, its readings `[s]`, in the order in which they were
 /// taken: entry k of all of them was taken in round k.
 ///
 /// A task that is shorter than 0.2 ms is done several times for one reading, which is then divided.

@@ -9,7 +9,7 @@ use super::run::{FRAME, paths, precision};
 use super::scenes::{Hung, Shape};
 use crate::sim::{Dynamics, InstructionSet, Method, Model, Precision, Solver, build};
 
-/// The substep of sweeps [s].
+/// The substep of sweeps `[s]`.
 const SUBSTEP: f64 = FRAME / 16.0;
 /// Sweeps of a substep that is compared with a substep of one.
 const MANY: u32 = 9;
@@ -37,15 +37,15 @@ pub struct KernelRow {
     pub threads: usize,
     /// How the program takes its bonds, in words.
     pub kernel: String,
-    /// A sweep, a bond [ns]: the difference between a substep of nine sweeps and one of one, over eight. Of equal small
+    /// A sweep, a bond `[ns]`: the difference between a substep of nine sweeps and one of one, over eight. Of equal small
     /// bodies a substep with its integration, from frames of many substeps and of one.
     pub sweep_ns: f64,
-    /// The rest of a step, a bond [ns]: integration, and the way from the order of the model and back. A difference of
+    /// The rest of a step, a bond `[ns]`: integration, and the way from the order of the model and back. A difference of
     /// medians: where sweeps are dear, noise may leave less than 0.
     pub rest_ns: f64,
-    /// A whole step with one sweep [ms].
+    /// A whole step with one sweep `[ms]`.
     pub step_ms: f64,
-    /// A sweep of the plain program, a bond [ns].
+    /// A sweep of the plain program, a bond `[ns]`.
     pub naive_ns: f64,
     /// How many times quicker a sweep is than its.
     pub ratio: f64,
@@ -96,7 +96,7 @@ pub(super) fn count(largest: usize) -> u64 {
     (FAMILIES.len() * (largest + 1)) as u64
 }
 
-/// Measures every kind of body up to a size, for about `seconds` [s] each, in both precisions, with each of some
+/// Measures every kind of body up to a size, for about `seconds` `[s]` each, in both precisions, with each of some
 /// instruction sets; `next` is told before each body. The chosen set is the one it was before.
 ///
 /// Errors: a disc that cannot be meshed.

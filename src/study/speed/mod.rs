@@ -48,7 +48,7 @@ pub use targets::TargetRow;
 
 use run::Limits;
 
-/// Strains that scenes are held to [1].
+/// Strains that scenes are held to `[1]`.
 const STRAINS: [f64; 2] = [rules::STRAIN, 1e-3];
 /// The scenes of a quick study.
 const FEW: [&str; 3] = ["rope-1000", "hard-32", "rims-40"];
@@ -93,9 +93,9 @@ impl Part {
 pub struct SpeedSettings {
     /// The parts.
     pub parts: Vec<Part>,
-    /// Wall time of the longest run [s]: beyond, a run ends and is marked.
+    /// Wall time of the longest run `[s]`: beyond, a run ends and is marked.
     pub run_seconds: f64,
-    /// Wall time that frames or sweeps which are compared are read for [s].
+    /// Wall time that frames or sweeps which are compared are read for `[s]`.
     pub reading_seconds: f64,
     /// Largest size of sweeps: 0 a thousand points, 3 a million.
     pub largest: usize,

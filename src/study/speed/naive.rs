@@ -48,7 +48,7 @@ impl Number for f64 {
 pub struct Naive<F> {
     points: Vec<Point<F>>,
     bonds: Vec<Link<F>>,
-    /// Gravity times the square of the substep [m].
+    /// Gravity times the square of the substep `[m]`.
     fall: [F; 2],
 }
 
@@ -67,7 +67,7 @@ struct Link<F> {
 }
 
 impl<F: Number> Naive<F> {
-    /// The start of a model, for substeps of `h` [s].
+    /// The start of a model, for substeps of `h` `[s]`.
     pub fn new(model: &Model<2>, h: f64) -> Self {
         let point = |(x, mass): (&[f64; 2], &f64)| {
             let x = x.map(F::of);
@@ -113,7 +113,7 @@ impl<F: Number> Naive<F> {
         }
     }
 
-    /// Where a point is [m].
+    /// Where a point is `[m]`.
     pub fn position(&self, point: usize) -> [F; 2] {
         self.points[point].x
     }

@@ -9,9 +9,9 @@ use super::reference::{self, ReferenceRow};
 use super::run::SpeedRun;
 use super::scenes::find_speed_scene;
 
-/// Strains that engines are compared at [1].
+/// Strains that engines are compared at `[1]`.
 const STRAINS: [f64; 3] = [0.15, 0.02, 1e-3];
-/// Errors that they are compared at where the truth is known [m].
+/// Errors that they are compared at where the truth is known `[m]`.
 const ERRORS: [f64; 3] = [1e-2, 1e-3, 5e-5];
 
 /// A run of another engine: what is read of a row of `peers.csv`.
@@ -31,17 +31,17 @@ pub(crate) struct PeerRun {
 pub struct PeerRatio {
     /// The scene, by its name here.
     pub scene: String,
-    /// The bound: of strain [1], or of the error where the truth is known [m].
+    /// The bound: of strain `[1]`, or of the error where the truth is known `[m]`.
     pub bound: f64,
     /// The engine.
     pub engine: String,
     /// Its cheapest setting within the bound; empty: it never got there.
     pub setting: Option<String>,
-    /// What a frame costs with it [ms].
+    /// What a frame costs with it `[ms]`.
     pub peer_ms: Option<f64>,
     /// Our cheapest way within the bound.
     pub ours: String,
-    /// What a frame costs with it [ms].
+    /// What a frame costs with it `[ms]`.
     pub our_ms: f64,
     /// How many times cheaper we are; empty where the engine never got there.
     pub ratio: Option<f64>,
@@ -59,7 +59,7 @@ pub(super) fn read(path: &Path) -> Result<Vec<PeerRun>, StudyError> {
     table.deserialize().collect::<Result<_, _>>().map_err(failed)
 }
 
-/// A way of ours: what it is, what a frame costs [ms], and its strain or error.
+/// A way of ours: what it is, what a frame costs `[ms]`, and its strain or error.
 type Way = (String, f64, f64);
 
 /// Compares every engine with the cheapest way of ours at each bound that we reached.

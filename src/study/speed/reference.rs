@@ -16,7 +16,7 @@ const PROBLEM: &str = "F4_rope50";
 const FRAMES: u64 = 120;
 /// Substeps a frame.
 const RUNGS: [u64; 8] = [1, 2, 4, 8, 16, 32, 64, 128];
-/// An error that no finer substep has to follow [m].
+/// An error that no finer substep has to follow `[m]`.
 const ENOUGH: f64 = 1e-6;
 
 /// A row of `rope50.csv`.
@@ -26,9 +26,9 @@ pub struct ReferenceRow {
     pub solver: &'static str,
     /// Substeps a frame.
     pub substeps: u64,
-    /// Wall time over frames [ms].
+    /// Wall time over frames `[ms]`.
     pub mean_ms: f64,
-    /// Largest distance of a point from where it should be after 2 s [m].
+    /// Largest distance of a point from where it should be after 2 s `[m]`.
     pub error_m: f64,
 }
 

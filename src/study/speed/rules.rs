@@ -7,7 +7,7 @@ use super::run::{Limits, SpeedRun, fixed, run};
 use super::scenes::SpeedScene;
 use crate::sim::{Model, Solver};
 
-/// The strain that settings are compared at [1].
+/// The strain that settings are compared at `[1]`.
 pub(super) const STRAIN: f64 = 0.02;
 /// Substeps a frame that are tried, until one holds the strain.
 const RUNGS: [u32; 16] = [1, 2, 3, 4, 6, 8, 12, 16, 24, 32, 48, 64, 96, 128, 192, 256];
@@ -22,13 +22,13 @@ const SCENES: [&str; 7] =
 pub struct RuleRow {
     /// The scene.
     pub scene: &'static str,
-    /// The strain that is held at all readings [1].
+    /// The strain that is held at all readings `[1]`.
     pub strain: f64,
-    /// What a frame costs with `auto` [ms].
+    /// What a frame costs with `auto` `[ms]`.
     pub auto_ms: f64,
     /// The cheapest other setting that holds the strain; empty if none does that is not far dearer.
     pub cheapest: Option<String>,
-    /// What it costs [ms].
+    /// What it costs `[ms]`.
     pub cheapest_ms: Option<f64>,
     /// Cost of `auto` over it: below 1 where `auto` is cheaper. A step of a given substep is a step of the world, which
     /// brings its points into the model's order; `auto` does that once a frame.

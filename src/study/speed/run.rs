@@ -10,13 +10,13 @@ use super::scenes::SpeedScene;
 use super::strain::Strain;
 use crate::sim::{Dynamics, InstructionSet, Method, Model, Precision, Solver, build};
 
-/// A display frame [s].
+/// A display frame `[s]`.
 pub(super) const FRAME: f64 = 1.0 / 60.0;
 /// Frames of a run: 2 s.
 const FRAMES: u32 = 120;
 /// Frames after which strain is read: t = 1, 1.25, 1.5, 1.75 and 2 s.
 const READINGS: [u32; 5] = [60, 75, 90, 105, 120];
-/// Runs shorter than this are made three times, and the median counts [s].
+/// Runs shorter than this are made three times, and the median counts `[s]`.
 const SHORT: f64 = 0.5;
 
 /// When a run is given up.
@@ -41,7 +41,7 @@ pub struct SpeedRun {
     pub bonds: usize,
     /// What was asked for, in words.
     pub method: String,
-    /// The largest strain that was asked for [1], where substeps follow one.
+    /// The largest strain that was asked for `[1]`, where substeps follow one.
     pub max_strain_asked: Option<f64>,
     /// What moves the scene: the solver of its largest part.
     pub solver: &'static str,
@@ -53,17 +53,17 @@ pub struct SpeedRun {
     pub instruction_set: &'static str,
     /// Threads that the process may use.
     pub threads: usize,
-    /// Time to make the world from the model [s].
+    /// Time to make the world from the model `[s]`.
     pub build_s: f64,
     /// Frames that were run.
     pub frames: u32,
     /// Whether these are all 120; strains are then those of 2 s, else of what was run.
     pub is_finished: bool,
-    /// Median time of a frame [ms].
+    /// Median time of a frame `[ms]`.
     pub median_ms: f64,
-    /// Time of all frames over their number [ms].
+    /// Time of all frames over their number `[ms]`.
     pub mean_ms: f64,
-    /// Largest |length/rest - 1| over all bonds at t = 1, 1.25, 1.5, 1.75 and 2 s [1].
+    /// Largest |length/rest - 1| over all bonds at t = 1, 1.25, 1.5, 1.75 and 2 s `[1]`.
     pub max_strain: f64,
     /// Root of its mean square over the same.
     pub rms_strain: f64,
@@ -71,17 +71,17 @@ pub struct SpeedRun {
     pub is_within: Option<bool>,
     /// Substeps a frame, in the mean.
     pub substeps: f64,
-    /// Time a bond and pass over the bonds [ns].
+    /// Time a bond and pass over the bonds `[ns]`.
     pub bond_ns: f64,
     /// Steps that were taken again with more substeps.
     pub splits: u64,
-    /// Memory of the world a point [bytes].
+    /// Memory of the world a point `[bytes]`.
     pub point_bytes: f64,
     /// The same a bond.
     pub bond_bytes: f64,
 }
 
-/// Paths held to a strain [1]: what `auto` takes where one is asked for, but for what is a rigid body, which has none.
+/// Paths held to a strain `[1]`: what `auto` takes where one is asked for, but for what is a rigid body, which has none.
 pub(super) fn paths(max_strain: f64) -> Method {
     Method { solver: Solver::Path, max_strain: Some(max_strain), ..Method::default() }
 }
@@ -166,9 +166,9 @@ fn steps_a_frame(world: &dyn Dynamics) -> u32 {
 struct Pass {
     frames: u32,
     is_finished: bool,
-    /// Time of all frames [s].
+    /// Time of all frames `[s]`.
     seconds: f64,
-    /// Median time of a frame [s].
+    /// Median time of a frame `[s]`.
     median: f64,
     strain: Strain,
     substeps: u64,

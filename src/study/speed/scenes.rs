@@ -6,9 +6,9 @@ use super::super::error::StudyError;
 use crate::body::{Disc, Maker};
 use crate::sim::{Bond, Model, PointId};
 
-/// Distance of neighbours in ropes, sheets and discs [m].
+/// Distance of neighbours in ropes, sheets and discs `[m]`.
 const SPACING: f64 = 0.1;
-/// Gravity [m/s^2].
+/// Gravity `[m/s^2]`.
 const GRAVITY: f64 = 9.8;
 /// Points on each ring of a rim.
 const SECTORS: u32 = 13;

@@ -25,9 +25,9 @@ pub struct ThreadRow {
     pub method: String,
     /// Threads of the other process.
     pub threads: usize,
-    /// On one thread [ms].
+    /// On one thread `[ms]`.
     pub one_ms: f64,
-    /// On all of them [ms].
+    /// On all of them `[ms]`.
     pub all_ms: f64,
     /// The first over the second. The two were measured one after the other, not in turn.
     pub ratio: f64,

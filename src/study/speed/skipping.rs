@@ -10,13 +10,13 @@ use crate::sim::{Bounds, Command, Cursor, Dynamics, Method, Model, MouseForce, P
 
 /// The scenes that are measured.
 const SCENES: [&str; 3] = ["hard-32", "hard-100", "rims-1000"];
-/// The strain that they are held to [1].
+/// The strain that they are held to `[1]`.
 const STRAIN: f64 = 0.02;
-/// Drag that brings a scene to rest [1/s].
+/// Drag that brings a scene to rest `[1/s]`.
 const DRAG: f64 = 4.0;
 /// Frames in which a scene has to fall asleep: 10 s.
 const PATIENCE: u32 = 600;
-/// Distance of the mouse and the walls [m]: far outside every scene, and no further than `f32` resolves.
+/// Distance of the mouse and the walls `[m]`: far outside every scene, and no further than `f32` resolves.
 const FAR: f64 = 1e4;
 
 /// A row of `skipping.csv`.
@@ -26,9 +26,9 @@ pub struct SkipRow {
     pub scene: &'static str,
     /// What is compared with the scene as it is: `asleep`, `mouse away`, `walls far`.
     pub what: &'static str,
-    /// A frame of the scene awake, or without the feature [ms].
+    /// A frame of the scene awake, or without the feature `[ms]`.
     pub without_ms: f64,
-    /// A frame asleep, or with the feature [ms]; empty where the scene did not fall asleep.
+    /// A frame asleep, or with the feature `[ms]`; empty where the scene did not fall asleep.
     pub with_ms: Option<f64>,
     /// Median over pairs of frames, taken in turn, of the second over the first.
     pub ratio: Option<f64>,
@@ -39,7 +39,7 @@ pub(super) fn is_measured(scene: &SpeedScene) -> bool {
     SCENES.contains(&scene.name)
 }
 
-/// Measures a scene in pairs, for about `seconds` [s] each.
+/// Measures a scene in pairs, for about `seconds` `[s]` each.
 ///
 /// Errors: the model is out of order.
 pub(super) fn measure(scene: &SpeedScene, model: &Model<2>, seconds: f64) -> Result<Vec<SkipRow>, StudyError> {
@@ -73,7 +73,7 @@ fn force() -> MouseForce {
     }
 }
 
-/// Frames of two worlds in turn: their medians [s], and the median of the ratios.
+/// Frames of two worlds in turn: their medians `[s]`, and the median of the ratios.
 fn pair(mut without: Box<dyn Dynamics>, mut with: Box<dyn Dynamics>, seconds: f64) -> (f64, Option<f64>, Option<f64>) {
     compare(in_turn(seconds, &mut [&mut || without.step(), &mut || with.step()]))
 }

@@ -2,7 +2,7 @@
 
 use crate::sim::Dynamics;
 
-/// |length/rest - 1| over bonds and readings [1].
+/// |length/rest - 1| over bonds and readings `[1]`.
 #[derive(Clone, Copy, Debug, Default)]
 pub(super) struct Strain {
     /// The largest; infinite where any is not a number.

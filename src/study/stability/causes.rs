@@ -4,13 +4,13 @@ use super::subject::Cause;
 use crate::history::{Do, Recording};
 use crate::scene::{BodyKeys, KindName, Material, Scene, Vector};
 
-/// Speed from which a start is fast [m/s].
+/// Speed from which a start is fast `[m/s]`.
 const FAST: f64 = 20.0;
-/// Gravity from which a scene is heavy [m/s^2].
+/// Gravity from which a scene is heavy `[m/s^2]`.
 const HEAVY: f64 = 100.0;
-/// Oscillations from which springs are stiff [rad/s].
+/// Oscillations from which springs are stiff `[rad/s]`.
 const STIFF: f64 = std::f64::consts::TAU * 1000.0;
-/// Speed from which a cursor on a track is in another place in every frame [m/s].
+/// Speed from which a cursor on a track is in another place in every frame `[m/s]`.
 const WILD: f64 = 60.0;
 
 /// The causes of a scene, ascending.
@@ -57,7 +57,7 @@ fn length(vector: &Vector) -> f64 {
     vector.components().iter().map(|x| x * x).sum::<f64>().sqrt()
 }
 
-/// The speed of the fastest stretch [m/s].
+/// The speed of the fastest stretch `[m/s]`.
 fn fastest(track: &[[f64; 3]]) -> f64 {
     let speed = |pair: &[[f64; 3]]| {
         let ([t0, x0, y0], [t1, x1, y1]) = (pair[0], pair[1]);
@@ -81,7 +81,7 @@ fn has_kind(scene: &Scene, wanted: KindName) -> bool {
     in_bonds || scene.bodies.iter().any(|body| has_bonds(body.make) && kind(body.material.as_ref()) == wanted)
 }
 
-/// The fastest swing that a spring of it may have [rad/s], by its stiffness on two of its points' masses.
+/// The fastest swing that a spring of it may have `[rad/s]`, by its stiffness on two of its points' masses.
 fn stiffest(scene: &Scene) -> f64 {
     let mass = |scene: &Scene| match scene.points.as_ref().and_then(|points| points.mass.clone()) {
         Some(crate::scene::MassKeys::Same(mass)) => mass,

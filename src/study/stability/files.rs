@@ -18,7 +18,7 @@ pub struct SceneFile {
 /// Folder of the worst scenes, in that of the study.
 pub(super) const WORST: &str = "worst";
 
-/// Longest name of a file without its ending [characters].
+/// Longest name of a file without its ending `[characters]`.
 const LONGEST: usize = 80;
 
 /// The scenes of cases that were asked for by number, and the `count` worst of all others; those that are among `known` are not made

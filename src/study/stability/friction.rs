@@ -1,15 +1,15 @@
 //! Whether what slides is slowed by friction times what presses it: seen from the momentum alone, whatever the method.
 //!
-//! Model: from frame to frame the surface's impulse is J = P' - P - M g dt, P = sum m v [kg m/s]. While every point that touches slips
+//! Model: from frame to frame the surface's impulse is J = P' - P - M g dt, P = sum m v `[kg m/s]`. While every point that touches slips
 //! one way along one flat surface, Coulomb's law says J_t = friction J_n against the motion, however bonds share the weight.
 //! In a blow on one point, whatever else hangs on it: where J_t is less than friction J_n, the point does not slide on.
 
 use crate::scene::Scene;
 use crate::sim::{Dynamics, Sample};
 
-/// Distance from a surface within which a point touches it [m].
+/// Distance from a surface within which a point touches it `[m]`.
 const NEAR: f64 = 1e-4;
-/// Speed along a surface from which a point slips [m/s].
+/// Speed along a surface from which a point slips `[m/s]`.
 const SLIPS: f64 = 0.02;
 /// Frames of slipping that a judgement needs.
 const FEWEST: u32 = 3;
@@ -24,7 +24,7 @@ const KEPT: f64 = 0.05;
 #[derive(Clone, Copy, Debug)]
 struct Rough {
     normal: [f64; 2],
-    /// normal . x on the surface [m].
+    /// normal . x on the surface `[m]`.
     offset: f64,
     friction: f64,
 }
@@ -52,7 +52,7 @@ pub(super) struct Friction {
     surfaces: Vec<Rough>,
     gravity: [f64; 2],
     before: Option<(f64, [f64; 2], Option<Slipping>)>,
-    /// What friction took, and what it should have taken [N s].
+    /// What friction took, and what it should have taken `[N s]`.
     taken: f64,
     due: f64,
     frames: u32,
@@ -151,14 +151,14 @@ impl Friction {
         found
     }
 
-    /// Share that friction is off by [1]; `None` where nothing slipped for long enough on a rough surface, and no blow fell on one point.
+    /// Share that friction is off by `[1]`; `None` where nothing slipped for long enough on a rough surface, and no blow fell on one point.
     pub(super) fn error(&self) -> Option<f64> {
         let slipped = (self.frames >= FEWEST && self.due > 0.0).then(|| (self.taken / self.due - 1.0).abs());
         slipped.into_iter().chain(self.left_out).reduce(f64::max)
     }
 }
 
-/// The momentum of all points [kg m/s], and their mass [kg].
+/// The momentum of all points `[kg m/s]`, and their mass `[kg]`.
 fn momentum(world: &dyn Dynamics, sample: &Sample) -> ([f64; 2], f64) {
     world
         .masses()

@@ -162,24 +162,24 @@ impl Fault {
     }
 }
 
-/// Strain at the end of any frame of rigid bonds in islands of up to 2,000 bonds, which are solved [1].
+/// Strain at the end of any frame of rigid bonds in islands of up to 2,000 bonds, which are solved `[1]`.
 const MOST_STRAIN: f64 = 1e-6;
-/// The same where a guard had to split the substep or to take a more robust method [1].
+/// The same where a guard had to split the substep or to take a more robust method `[1]`.
 const MOST_GUARDED_STRAIN: f64 = 1e-3;
-/// The same of what the live step moves [1]: it does fixed work in a frame and does not wait until bonds hold, so an impact leaves a
+/// The same of what the live step moves `[1]`: it does fixed work in a frame and does not wait until bonds hold, so an impact leaves a
 /// rest that later substeps take away. A twentieth of a length is about what is seen without a ruler.
 const MOST_LIVE_STRAIN: f64 = 0.05;
-/// Share of triangles that are inside out at the end [1].
+/// Share of triangles that are inside out at the end `[1]`.
 const MOST_INVERTED: f64 = 0.02;
-/// Depth of a point behind a surface [m].
+/// Depth of a point behind a surface `[m]`.
 const MOST_DEPTH: f64 = 1e-3;
-/// Share that friction is off by [1].
+/// Share that friction is off by `[1]`.
 const MOST_FRICTION: f64 = 0.1;
-/// Way of a point that started at rest [m], speed at the end of what has to come to rest [m/s].
+/// Way of a point that started at rest `[m]`, speed at the end of what has to come to rest `[m/s]`.
 const MOST_UNREST: f64 = 1e-3;
-/// Counted work a simulated second [s].
+/// Counted work a simulated second `[s]`.
 const MOST_RATE: f64 = 0.5;
-/// Counted work of a frame of 1/60 s [ms].
+/// Counted work of a frame of 1/60 s `[ms]`.
 const MOST_FRAME: f64 = 8.0;
 
 /// What is wrong with a run, ascending.

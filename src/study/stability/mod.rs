@@ -57,7 +57,7 @@ pub struct StabilitySettings {
     pub sweep_bounds: Bounds,
     /// Bounds of a case, or of a scene of the user's own.
     pub case_bounds: Bounds,
-    /// How long a case runs [s].
+    /// How long a case runs `[s]`.
     pub case_seconds: f64,
     /// Whether this is a look only.
     pub is_quick: bool,

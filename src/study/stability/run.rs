@@ -23,9 +23,9 @@ use crate::study::setting::tune;
 /// When a run is given up.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct Bounds {
-    /// Counted work of a run [s]: a judgement.
+    /// Counted work of a run `[s]`: a judgement.
     pub work: f64,
-    /// Wall time of a run [s]: looked at between steps, and so far above the other that it hardly ever counts.
+    /// Wall time of a run `[s]`: looked at between steps, and so far above the other that it hardly ever counts.
     pub seconds: f64,
 }
 
@@ -50,7 +50,7 @@ pub enum Ended {
 pub struct Findings {
     /// How it ended.
     pub ended: Ended,
-    /// How far it came [s].
+    /// How far it came `[s]`.
     pub simulated: f64,
     /// Its points.
     pub points: usize,
@@ -60,34 +60,34 @@ pub struct Findings {
     pub path: String,
     /// What of it was handed over to the live step, and why: `exact` where nothing was.
     pub moved: String,
-    /// Energy that came from nowhere, as a share of the largest kinetic energy so far [1]; `None` where its ledger cannot tell.
+    /// Energy that came from nowhere, as a share of the largest kinetic energy so far `[1]`; `None` where its ledger cannot tell.
     pub gain: Option<f64>,
     /// The same of what went without a reason within 10 s.
     pub loss: Option<f64>,
-    /// Largest strain of a rigid bond in any frame [1].
+    /// Largest strain of a rigid bond in any frame `[1]`.
     pub strain: f64,
     /// The same by what held them.
     pub strains: Strains,
-    /// Share of triangles that are inside out at the end [1].
+    /// Share of triangles that are inside out at the end `[1]`.
     pub inverted: f64,
     /// Sides of outlines that cross at the end, counted in pairs.
     pub crossings: u32,
     /// The same of skins of bodies that meet, of those alone that crossed nowhere at the start.
     pub crossed: u32,
-    /// Deepest place of a point behind a surface in any frame [m].
+    /// Deepest place of a point behind a surface in any frame `[m]`.
     pub depth: f64,
-    /// Share that friction is off by while something slides [1]; `None` where nothing did.
+    /// Share that friction is off by while something slides `[1]`; `None` where nothing did.
     pub friction: Option<f64>,
-    /// Speed of all points at the end, root of the mean square [m/s].
+    /// Speed of all points at the end, root of the mean square `[m/s]`.
     pub speed: f64,
-    /// Of what has to stay at rest, the largest way from there in any frame [m]; of what has to come to rest, the speed at the end
-    /// [m/s].
+    /// Of what has to stay at rest, the largest way from there in any frame `[m]`; of what has to come to rest, the speed at the end
+    /// `[m/s]`.
     pub unrest: Option<f64>,
-    /// Counted work a simulated second [s].
+    /// Counted work a simulated second `[s]`.
     pub work_rate: f64,
-    /// Counted work of the dearest frame [ms].
+    /// Counted work of the dearest frame `[ms]`.
     pub worst_work_ms: f64,
-    /// Where a tolerance is asked for, the error that the cheapest setting is told to have over it [1].
+    /// Where a tolerance is asked for, the error that the cheapest setting is told to have over it `[1]`.
     pub told: Option<f64>,
     /// Commands that could not be done.
     pub refused_commands: u32,
@@ -100,9 +100,9 @@ pub struct Findings {
 /// What the clock says of a run.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize)]
 pub struct Timing {
-    /// Wall time of the stepping [s].
+    /// Wall time of the stepping `[s]`.
     pub seconds: f64,
-    /// The same a simulated second [1].
+    /// The same a simulated second `[1]`.
     pub rate: f64,
     /// Of frames.
     pub frames: RecordedFrames,
@@ -146,7 +146,7 @@ pub(super) fn run(subject: &Subject, bounds: Bounds, has_ledger: bool) -> (Findi
 const FINER: f64 = 0.45;
 
 /// The error that the cheapest setting is told to have, or has beside a finer run of the same method, over the one that the subject asks
-/// for [1]; infinite: there is none.
+/// for `[1]`; infinite: there is none.
 fn told(subject: &Subject) -> Option<f64> {
     let tolerance = subject.tolerance?;
     let mut scene = subject.recording.scene.clone();
@@ -161,7 +161,7 @@ fn told(subject: &Subject) -> Option<f64> {
     Some(found.expected_error.max(shown) / tolerance)
 }
 
-/// How far the samples of a setting are from those with a shorter substep [m]; `None`: it has none.
+/// How far the samples of a setting are from those with a shorter substep `[m]`; `None`: it has none.
 fn distance_to_a_finer_run(scene: &Scene, times: &[f64]) -> Option<f64> {
     let run = |scene: &Scene| -> Option<Vec<[f64; 3]>> {
         let mut world = scene.world(None).ok()?;
@@ -217,7 +217,7 @@ struct Drive<'a> {
     /// Commands done.
     place: usize,
     refused: u32,
-    /// When each step ended [s], what it took [s], and its counted work [ms].
+    /// When each step ended `[s]`, what it took `[s]`, and its counted work `[ms]`.
     steps: Vec<(f64, f64, f64)>,
     /// The ledger at the start and at the end of every frame.
     ledger: Vec<Ledger>,
@@ -394,7 +394,7 @@ fn furthest(start: &[[f64; 3]], now: &[[f64; 3]]) -> f64 {
     start.iter().zip(now).map(way).fold(0.0, f64::max).sqrt()
 }
 
-/// Root of the mean square speed of all points that are there [m/s].
+/// Root of the mean square speed of all points that are there `[m/s]`.
 fn speed(sample: &Sample) -> f64 {
     let squares =
         sample.velocity.iter().map(|v| v.iter().map(|v| v * v).sum::<f64>()).filter(|square| !square.is_nan());

@@ -44,7 +44,7 @@ impl Shape {
         self.triangles.is_empty()
     }
 
-    /// The share of triangles that are inside out [1]; those with a corner that is gone count as none.
+    /// The share of triangles that are inside out `[1]`; those with a corner that is gone count as none.
     pub(super) fn inverted(&self, position: &[[f64; 3]]) -> f64 {
         let areas = self.triangles.iter().map(|&corners| area(corners, position)).filter(|area| !area.is_nan());
         let (count, inverted) =
@@ -103,7 +103,7 @@ fn turn(corners: &mut [u32; 3], position: &[[f64; 2]]) -> bool {
     area.abs() > 1e-6 * (u[0] * u[0] + u[1] * u[1] + v[0] * v[0] + v[1] * v[1])
 }
 
-/// Twice the area [m^2], positive anticlockwise.
+/// Twice the area `[m^2]`, positive anticlockwise.
 fn area(corners: [u32; 3], position: &[[f64; 3]]) -> f64 {
     let [a, b, c] = corners.map(|corner| position[corner as usize]);
     (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0])

@@ -5,7 +5,7 @@ use serde::Serialize;
 use super::pieces::Pieces;
 use crate::sim::{BondKind, Dynamics, Limit, Precision, Sample, Solver};
 
-/// Largest strains of rigid bonds at the ends of frames [1], by what moved them there; what rounding makes counts as none.
+/// Largest strains of rigid bonds at the ends of frames `[1]`, by what moved them there; what rounding makes counts as none.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize)]
 pub struct Strains {
     /// Of islands that are small enough to be solved.
@@ -20,7 +20,7 @@ pub struct Strains {
 
 /// Most bonds of an island that is held to be solved.
 const MOST_SOLVED: u32 = 2_000;
-/// Strain of larger ones where none is stated [1].
+/// Strain of larger ones where none is stated `[1]`.
 const SWEPT: f64 = 0.02;
 /// Roundings of the places of both ends that a length may be off by.
 const ROUNDINGS: f64 = 4.0;
@@ -29,11 +29,11 @@ const ROUNDINGS: f64 = 4.0;
 #[derive(Clone, Debug)]
 pub(super) struct Strain {
     pieces: Pieces,
-    /// What swept bonds may have [1].
+    /// What swept bonds may have `[1]`.
     may: f64,
     /// Splits and fallbacks until the last look.
     guards: u64,
-    /// Largest of all [1].
+    /// Largest of all `[1]`.
     pub(super) largest: f64,
     pub(super) most: Strains,
 }
@@ -75,7 +75,7 @@ impl Strain {
     }
 }
 
-/// How much longer or shorter a bond is than it may be [1].
+/// How much longer or shorter a bond is than it may be `[1]`.
 fn strain([a, b]: [[f64; 3]; 2], rest: f64, limit: Limit) -> f64 {
     let length = (0..3).map(|k| (a[k] - b[k]).powi(2)).sum::<f64>().sqrt();
     let stretch = length / rest - 1.0;
@@ -91,7 +91,7 @@ mod tests {
     use super::*;
     use crate::scene::Scene;
 
-    /// A rope of two bonds of 1 m under a method, looked at with its end off by so much [m].
+    /// A rope of two bonds of 1 m under a method, looked at with its end off by so much `[m]`.
     fn strains(method: &str, off: f64) -> Strains {
         let text = format!(
             r#"{{"wobble": 1, "points": {{"position": [[0, 0], [1, 0], [2, 0]], "pinned": [0]}},

@@ -115,11 +115,11 @@ pub struct Subject {
     pub causes: Vec<Cause>,
     /// The scene, and the commands that lead it.
     pub recording: Recording,
-    /// How long it runs [s].
+    /// How long it runs `[s]`.
     pub duration: f64,
     /// What it owes to rest.
     pub rest: Rest,
-    /// The error at its samples that it asks for [m], by the setting that is found for that.
+    /// The error at its samples that it asks for `[m]`, by the setting that is found for that.
     pub tolerance: Option<f64>,
 }
 
@@ -148,5 +148,5 @@ impl Subject {
     }
 }
 
-/// Longest run of a scene of the user's own [s].
+/// Longest run of a scene of the user's own `[s]`.
 const SECONDS: f64 = 10.0;

@@ -17,25 +17,25 @@ pub struct Group {
     pub name: String,
     /// How many they are.
     pub cases: usize,
-    /// Share of them with a fault [1].
+    /// Share of them with a fault `[1]`.
     pub faulty: f64,
-    /// Time of stepping a simulated second, in the median [1].
+    /// Time of stepping a simulated second, in the median `[1]`.
     pub rate_p50: f64,
     /// What nine in ten do not exceed.
     pub rate_p90: f64,
     /// What 99 in a hundred do not exceed.
     pub rate_p99: f64,
-    /// The same of counted work a simulated second [s].
+    /// The same of counted work a simulated second `[s]`.
     pub work_rate_p50: f64,
     /// What nine in ten do not exceed.
     pub work_rate_p90: f64,
     /// What 99 in a hundred do not exceed.
     pub work_rate_p99: f64,
-    /// Of the cases' median frames the median [ms].
+    /// Of the cases' median frames the median `[ms]`.
     pub frame_p50_ms: f64,
-    /// Of their slow frames (99 in a hundred are faster) the median [ms].
+    /// Of their slow frames (99 in a hundred are faster) the median `[ms]`.
     pub slow_frame_p50_ms: f64,
-    /// Of their worst frames what 99 in a hundred do not exceed [ms].
+    /// Of their worst frames what 99 in a hundred do not exceed `[ms]`.
     pub worst_frame_p99_ms: f64,
     /// Cases with each fault, in the order of [`Fault::ALL`].
     pub faults: Vec<usize>,
@@ -52,7 +52,7 @@ pub struct FaultRow {
     pub most: f64,
     /// Cases that have it.
     pub cases: usize,
-    /// Share of all cases [1].
+    /// Share of all cases `[1]`.
     pub share: f64,
     /// The case that has the most of it.
     pub worst: String,

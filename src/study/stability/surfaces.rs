@@ -13,7 +13,7 @@ pub(super) struct Surfaces {
 }
 
 impl Surfaces {
-    /// The deepest place of any point that moves [m]; 0 where all are outside.
+    /// The deepest place of any point that moves `[m]`; 0 where all are outside.
     ///
     /// Shapes: positions, an entry a point, NaN of those that are gone.
     pub(super) fn depth(&mut self, world: &dyn Dynamics, position: &[[f64; 3]]) -> f64 {

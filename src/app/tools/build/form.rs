@@ -31,10 +31,10 @@ pub(super) enum Form {
 /// A solid plank.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Plank {
-    /// Where its upper side begins, and which way it goes [m]: it lies at the right hand of that.
+    /// Where its upper side begins, and which way it goes `[m]`: it lies at the right hand of that.
     pub(super) from: DVec2,
     pub(super) along: DVec2,
-    /// [m]
+    /// `[m]`
     pub(super) thick: f64,
 }
 
@@ -67,12 +67,12 @@ pub(super) enum Hold {
 /// An end of a drag.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct End {
-    /// [m]
+    /// `[m]`
     pub(super) at: DVec2,
     pub(super) hold: Hold,
 }
 
-/// Thickness of a slope, in what a click makes [1].
+/// Thickness of a slope, in what a click makes `[1]`.
 const THICK: f64 = 0.25;
 /// Cells of a soft box: enough to bend, few enough for many of them.
 const BOX: Fineness = Fineness { across: 1..=5, most: 40 };
@@ -84,7 +84,7 @@ const PIECES: f64 = 6.0;
 const ALL_PIECES: [f64; 2] = [4.0, 40.0];
 
 impl Form {
-    /// What is drawn out between two ends, where what a click makes is so large [m].
+    /// What is drawn out between two ends, where what a click makes is so large `[m]`.
     pub(super) fn drawn(maker: Maker, ends: [End; 2], usual: f64) -> Self {
         let [from, to] = ends.map(|end| end.at);
         let round = Round { center: from, radius: from.distance(to) };
@@ -100,7 +100,7 @@ impl Form {
         }
     }
 
-    /// What a click makes, of a usual size [m]: about the place, a rope hanging down from it, a slope that is level.
+    /// What a click makes, of a usual size `[m]`: about the place, a rope hanging down from it, a slope that is level.
     pub(super) fn usual(maker: Maker, at: End, usual: f64) -> Self {
         let about = |half: DVec2| [at.at + half * DVec2::new(-1.0, 1.0), at.at + half * DVec2::new(1.0, -1.0)];
         let beside = |by: DVec2| [at.at, at.at + by];
@@ -142,12 +142,12 @@ impl Form {
     }
 }
 
-/// From where a rope is clicked to its end, where what a click makes is so large [m].
+/// From where a rope is clicked to its end, where what a click makes is so large `[m]`.
 pub(super) fn hanging(usual: f64) -> DVec2 {
     DVec2::new(0.0, -2.0 * usual)
 }
 
-/// A length [m] in as many digits as are of use.
+/// A length `[m]` in as many digits as are of use.
 fn short(length: f64) -> String {
     match length {
         small if small < 0.1 => format!("{small:.3}"),

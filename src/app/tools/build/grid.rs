@@ -7,11 +7,11 @@ use glam::DVec2;
 /// A grid of points on square cells.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Grid {
-    /// Lower left corner [m].
+    /// Lower left corner `[m]`.
     pub(super) low: DVec2,
     /// Cells along x and y.
     pub(super) cells: [u32; 2],
-    /// Side of a cell [m].
+    /// Side of a cell `[m]`.
     pub(super) spacing: f64,
 }
 
@@ -24,13 +24,13 @@ pub(super) struct Fineness {
     pub(super) most: u32,
 }
 
-/// A side of fewer cells than this counts as so much further off a cell [1]: thin strips fold.
+/// A side of fewer cells than this counts as so much further off a cell `[1]`: thin strips fold.
 const THIN: f64 = 0.1;
 /// Cells from which on a side is not thin.
 const THICK: u32 = 3;
 
 impl Grid {
-    /// The grid that is nearest to the rectangle between two corners [m], from the first one on.
+    /// The grid that is nearest to the rectangle between two corners `[m]`, from the first one on.
     pub(super) fn fit(from: DVec2, to: DVec2, fineness: &Fineness) -> Self {
         let size = (to - from).abs();
         let (short, long) = (size.min_element(), size.max_element());
@@ -45,7 +45,7 @@ impl Grid {
         Grid { low: from.min(far), cells, spacing }
     }
 
-    /// Width and height [m].
+    /// Width and height `[m]`.
     pub(super) fn size(&self) -> DVec2 {
         self.spacing * DVec2::new(f64::from(self.cells[0]), f64::from(self.cells[1]))
     }
@@ -56,7 +56,7 @@ struct Cells {
     across: u32,
     along: u32,
     spacing: f64,
-    /// How far it is from the rectangle, in its longer side [1].
+    /// How far it is from the rectangle, in its longer side `[1]`.
     miss: f64,
 }
 

@@ -23,9 +23,9 @@ pub(super) const OF_THE_PLANE: &str = "primitives are for the plane: this scene 
 /// Said where a drag is so short that nothing is built.
 const TOO_SMALL: &str = "too small: drag it out further, or click for one of the usual size";
 
-/// A press that moves less than this is a click [logical px].
+/// A press that moves less than this is a click `[logical px]`.
 const CLICK: f64 = 4.0;
-/// The least side or radius of what is drawn out [logical px]: a hand could not take hold of less.
+/// The least side or radius of what is drawn out `[logical px]`: a hand could not take hold of less.
 const LEAST: f64 = 8.0;
 /// Usual sizes in the height of the view: what a click makes is seen whole, with room for some more.
 const USUAL_IN_VIEW: f64 = 7.0;
@@ -41,9 +41,9 @@ pub(super) struct Maker {
 /// Where a drag began.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Drag {
-    /// [px]
+    /// `[px]`
     pressed: DVec2,
-    /// [m]
+    /// `[m]`
     from: DVec2,
     /// The point of the world that was pressed on.
     point: Option<PointId>,
@@ -105,7 +105,7 @@ impl Maker {
         Ok(Form::drawn(self, [from, to], usual))
     }
 
-    /// The end of a drag at the first of two places [m], of which the other is the other end: a rope is tied to what lies there, and
+    /// The end of a drag at the first of two places `[m]`, of which the other is the other end: a rope is tied to what lies there, and
     /// pinned on empty ground.
     fn end(self, scope: Scope<'_>, point: Option<PointId>, way: [DVec2; 2]) -> End {
         let tied = |point: PointId| {
@@ -119,12 +119,12 @@ impl Maker {
     }
 }
 
-/// Where a pixel lies in the plane [m].
+/// Where a pixel lies in the plane `[m]`.
 fn place(scope: Scope<'_>, at: DVec2) -> DVec2 {
     scope.camera.world_from_screen(at.to_array()).truncate()
 }
 
-/// The side of what a click makes in a view so high [m]: 1, 2 or 5 times a power of ten.
+/// The side of what a click makes in a view so high `[m]`: 1, 2 or 5 times a power of ten.
 fn usual_size(height: f64) -> f64 {
     let most = height / USUAL_IN_VIEW;
     let ten = 10f64.powf(most.log10().floor());

@@ -7,9 +7,9 @@ use super::matter::INNER;
 use crate::app::tools::marks::{Mark, Role};
 use crate::app::tools::pick::Scope;
 
-/// Width of outlines [logical px].
+/// Width of outlines `[logical px]`.
 const WIDTH: f64 = 1.5;
-/// The size stands so far from the cursor [logical px].
+/// The size stands so far from the cursor `[logical px]`.
 const BESIDE: DVec2 = DVec2::new(16.0, -14.0);
 
 pub(super) fn of(form: &Form, scope: Scope<'_>, at: DVec2) -> Vec<Mark> {

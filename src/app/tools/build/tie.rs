@@ -6,7 +6,7 @@ use crate::app::tools::pick::Scope;
 use crate::app::tools::skin;
 use crate::sim::PointId;
 
-/// The corner of the skin that a line from a place within a body to another place [m] leaves it by; `point` itself where no triangle
+/// The corner of the skin that a line from a place within a body to another place `[m]` leaves it by; `point` itself where no triangle
 /// meets there.
 pub(super) fn to_skin(scope: Scope<'_>, point: PointId, [from, to]: [DVec2; 2]) -> PointId {
     let far = |point: &PointId| {

@@ -56,7 +56,7 @@ impl<S: Real, const D: usize> Direct<S, D> {
         }
     }
 
-    /// Bound on the square of the fastest oscillation that the tension of the bonds makes [rad^2/s^2], by the last
+    /// Bound on the square of the fastest oscillation that the tension of the bonds makes `[rad^2/s^2]`, by the last
     /// multipliers.
     ///
     /// A bond under the force lambda d is across as stiff as |lambda|: omega^2 <= max of 2 |lambda| (w_a + w_b), as of a

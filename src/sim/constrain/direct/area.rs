@@ -62,7 +62,7 @@ impl<S: Real, const D: usize> Direct<S, D> {
         largest
     }
 
-    /// The rate of the area of a row with a second leg [m^2/s], or of what else these are rates of.
+    /// The rate of the area of a row with a second leg `[m^2/s]`, or of what else these are rates of.
     fn rate(&self, k: usize, v: impl Fn(usize) -> [S; D]) -> S {
         let leg = &self.legs[k];
         let row = &self.rows[leg.row as usize];
@@ -78,7 +78,7 @@ impl<S: Real, const D: usize> Direct<S, D> {
         }
     }
 
-    /// lambda = -A'' of every area, by these accelerations [m^2/s^2].
+    /// lambda = -A'' of every area, by these accelerations `[m^2/s^2]`.
     pub(super) fn area_bends(&mut self, v: &[[S; D]], a: &[[S; D]], contacts: &Contacts<S, D>) {
         for k in 0..self.legs.len() {
             let Leg { row, c, .. } = self.legs[k];

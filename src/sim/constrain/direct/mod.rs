@@ -28,7 +28,7 @@ pub(crate) struct Direct<S: Real, const D: usize> {
     rows: Vec<Row<S>>,
     couplings: Vec<Coupling<S>>,
     ldl: Ldl<S>,
-    /// Directions of the rows: x_a - x_b where they were aimed [m].
+    /// Directions of the rows: x_a - x_b where they were aimed `[m]`.
     aims: Vec<[S; D]>,
     diagonal: Vec<S>,
     lower: Vec<S>,

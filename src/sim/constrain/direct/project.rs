@@ -141,7 +141,7 @@ impl<S: Real, const D: usize> Direct<S, D> {
         self.shift(contacts, |i, way| v[i] = add(v[i], way));
     }
 
-    /// The change of a point's velocity by the last projection of velocities, surfaces left aside [m/s].
+    /// The change of a point's velocity by the last projection of velocities, surfaces left aside `[m/s]`.
     pub(crate) fn push_on(&self, point: usize) -> [S; D] {
         let mut sum = zero();
         for ((&lambda, row), &aim) in self.total.iter().zip(&self.rows).zip(&self.aims) {

@@ -36,13 +36,13 @@ impl<S: Real, const D: usize> Direct<S, D> {
         self.rows[row].is_taut = is_taut;
     }
 
-    /// How strongly a bond answers the way it may [m/s^2], by the last multipliers: below 0 a string would push.
+    /// How strongly a bond answers the way it may `[m/s^2]`, by the last multipliers: below 0 a string would push.
     pub(crate) fn grip(&self, row: usize) -> S {
         self.tension(row, self.lambda[row])
     }
 
     /// The acting bond with a limit whose part in the last projection of velocities was most against its kind, and how
-    /// much that was [m/s], below 0; `None` if all did what they may.
+    /// much that was `[m/s]`, below 0; `None` if all did what they may.
     pub(crate) fn most_wrong(&self) -> Option<(S, usize)> {
         if self.chooses {
             return None;

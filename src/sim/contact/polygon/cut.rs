@@ -14,7 +14,7 @@ const ROUNDINGS: f64 = 16.0;
 /// Places, each once.
 pub(super) struct Places {
     pub(super) list: Vec<[f64; 2]>,
-    /// Below this distance places are one [m].
+    /// Below this distance places are one `[m]`.
     near: f64,
     cells: BTreeMap<[i64; 2], Vec<u32>>,
 }

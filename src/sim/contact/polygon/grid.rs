@@ -12,9 +12,9 @@ const MARGIN: f64 = 1e-6;
 /// Square cells over a part of the plane.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Cells {
-    /// The lower left corner [m].
+    /// The lower left corner `[m]`.
     pub(super) low: [f64; 2],
-    /// Side of a cell [m].
+    /// Side of a cell `[m]`.
     pub(super) side: f64,
     /// Cells along x and y.
     pub(super) counts: [usize; 2],
@@ -82,7 +82,7 @@ impl Cells {
         self.counts[0] * self.counts[1]
     }
 
-    /// How many cells a square of half side `reach` [m] touches, about and at most.
+    /// How many cells a square of half side `reach` `[m]` touches, about and at most.
     pub(super) fn many(&self, reach: f64) -> usize {
         let along = 2.0 * reach / self.side + 2.0;
         (along.min(self.counts[0] as f64) * along.min(self.counts[1] as f64)) as usize
@@ -96,7 +96,7 @@ impl Cells {
         is_in.then(|| at.map(|at| at as usize))
     }
 
-    /// Visits the cells nearer than `margin` [m] to the way from `a` to `b`, and a few more.
+    /// Visits the cells nearer than `margin` `[m]` to the way from `a` to `b`, and a few more.
     #[inline]
     pub(super) fn along(&self, a: [f64; 2], b: [f64; 2], margin: f64, mut visit: impl FnMut(usize)) {
         let margin = margin + MARGIN * self.side;
@@ -116,7 +116,7 @@ impl Cells {
         }
     }
 
-    /// Visits the cells that the square of half side `reach` [m] about `x` touches.
+    /// Visits the cells that the square of half side `reach` `[m]` about `x` touches.
     #[inline]
     pub(super) fn around(&self, x: [f64; 2], reach: f64, mut visit: impl FnMut(usize)) {
         let range = |axis: usize| self.range(axis, x[axis] - reach, x[axis] + reach);
@@ -126,7 +126,7 @@ impl Cells {
         }
     }
 
-    /// First and last cell along an axis between two places [m]; `None` where all lie outside.
+    /// First and last cell along an axis between two places `[m]`; `None` where all lie outside.
     #[inline]
     fn range(&self, axis: usize, from: f64, to: f64) -> Option<[usize; 2]> {
         let count = self.counts[axis];

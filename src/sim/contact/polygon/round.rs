@@ -11,9 +11,9 @@ const ROUNDED: f64 = 1e-12;
 /// A circle in the plane.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Round {
-    /// Its centre [m].
+    /// Its centre `[m]`.
     pub(crate) center: [f64; 2],
-    /// [m], > 0.
+    /// `[m]`, > 0.
     pub(crate) radius: f64,
 }
 

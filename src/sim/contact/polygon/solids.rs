@@ -26,7 +26,7 @@ pub(crate) struct Wall {
 pub(crate) struct Meeting {
     /// The wall.
     pub(crate) wall: usize,
-    /// Share of the way that was gone until then [1].
+    /// Share of the way that was gone until then `[1]`.
     pub(crate) share: f64,
 }
 
@@ -41,7 +41,7 @@ pub(crate) struct Solids {
     /// For every cell without walls whether it is solid.
     solid: Vec<bool>,
     extent: Segment,
-    /// Largest coordinate [m].
+    /// Largest coordinate `[m]`.
     reach: f64,
 }
 
@@ -52,7 +52,7 @@ impl Wall {
         Wall { start, end, along: way.map(|w| w / length), length, polygon }
     }
 
-    /// From where to where it goes [m]; the solid is on the right.
+    /// From where to where it goes `[m]`; the solid is on the right.
     pub(crate) fn ends(&self) -> [[f64; 2]; 2] {
         [self.start, self.end]
     }
@@ -68,20 +68,20 @@ impl Wall {
         [-self.along[1], self.along[0]]
     }
 
-    /// How far a point is from the wall's line [m]; below 0 on the solid side.
+    /// How far a point is from the wall's line `[m]`; below 0 on the solid side.
     #[inline(always)]
     fn gap(&self, x: [f64; 2]) -> f64 {
         cross(self.along, sub(x, self.start))
     }
 
-    /// How far within its ends a point lies beside it [m]; below 0 beyond them.
+    /// How far within its ends a point lies beside it `[m]`; below 0 beyond them.
     #[inline(always)]
     pub(crate) fn within(&self, x: [f64; 2]) -> f64 {
         let at = dot(self.along, sub(x, self.start));
         at.min(self.length - at)
     }
 
-    /// How much further within its ends a point gets by going `way` [m].
+    /// How much further within its ends a point gets by going `way` `[m]`.
     pub(crate) fn goes_within(&self, x: [f64; 2], way: [f64; 2]) -> f64 {
         let at = dot(self.along, sub(x, self.start));
         let on = dot(self.along, way);
@@ -97,7 +97,7 @@ impl Wall {
         }
     }
 
-    /// Square of the distance of a point [m^2].
+    /// Square of the distance of a point `[m^2]`.
     pub(super) fn square_distance(&self, x: [f64; 2]) -> f64 {
         let off = sub(x, self.nearest(x));
         dot(off, off)
@@ -138,12 +138,12 @@ impl Solids {
         &self.walls[wall]
     }
 
-    /// Largest coordinate [m].
+    /// Largest coordinate `[m]`.
     pub(crate) fn reach(&self) -> f64 {
         self.reach
     }
 
-    /// Length of the diagonal of the box around all [m].
+    /// Length of the diagonal of the box around all `[m]`.
     pub(crate) fn breadth(&self) -> f64 {
         let way = sub(self.extent[1], self.extent[0]);
         libm::hypot(way[0], way[1])
@@ -156,7 +156,7 @@ impl Solids {
     }
 
     /// The first wall that the way from `a` to `b` goes into, and where, of those that `may` be met; else one that it ends on.
-    /// `slack` [m] is what rounding cannot tell from 0.
+    /// `slack` `[m]` is what rounding cannot tell from 0.
     pub(crate) fn meeting(&self, [a, b]: Segment, slack: f64, mut may: impl FnMut(usize) -> bool) -> Option<Meeting> {
         let way = sub(b, a);
         let tie = slack / dot(way, way).sqrt();
@@ -188,12 +188,12 @@ impl Solids {
         first.map(|(meeting, ..)| meeting)
     }
 
-    /// The walls that may be nearer to a way than `margin` [m].
+    /// The walls that may be nearer to a way than `margin` `[m]`.
     pub(crate) fn near(&self, [a, b]: Segment, margin: f64) -> Vec<u32> {
         self.grid.near(a, b, margin)
     }
 
-    /// Calls `see` for every wall that a point is nearer to than `reach` [m], and beside.
+    /// Calls `see` for every wall that a point is nearer to than `reach` `[m]`, and beside.
     pub(crate) fn touching(&self, x: [f64; 2], reach: f64, mut see: impl FnMut(usize)) {
         for k in self.grid.near(x, x, reach) {
             let wall = &self.walls[k as usize];
@@ -203,12 +203,12 @@ impl Solids {
         }
     }
 
-    /// Whether a point is no further from some wall than `reach` [m].
+    /// Whether a point is no further from some wall than `reach` `[m]`.
     pub(crate) fn is_on_a_wall(&self, x: [f64; 2], reach: f64) -> bool {
         self.nearest(x, reach).is_some_and(|(_, square)| square <= reach * reach)
     }
 
-    /// The nearest wall of a point that is inside a solid, deeper than `slack` but not than `deep` [m].
+    /// The nearest wall of a point that is inside a solid, deeper than `slack` but not than `deep` `[m]`.
     pub(crate) fn around(&self, x: [f64; 2], slack: f64, deep: f64) -> Option<usize> {
         let (wall, square) = self.nearest(x, deep)?;
         (square > slack * slack && square <= deep * deep && self.is_solid(x)).then_some(wall)
@@ -268,7 +268,7 @@ impl Solids {
         solid
     }
 
-    /// The nearest wall of a point and the square of its distance [m^2]; of those further than `far` [m] any or none. Of walls
+    /// The nearest wall of a point and the square of its distance `[m^2]`; of those further than `far` `[m]` any or none. Of walls
     /// whose common corner is nearest, the one whose line the point is further behind.
     pub(crate) fn nearest(&self, x: [f64; 2], far: f64) -> Option<(usize, f64)> {
         let side = self.grid.cells.side;

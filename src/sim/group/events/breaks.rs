@@ -7,13 +7,13 @@ use crate::sim::group::Group;
 use crate::sim::real::Real;
 
 impl<S: Real, const D: usize> Group<S, D> {
-    /// A bond is gone at a time [s].
+    /// A bond is gone at a time `[s]`.
     pub(super) fn snap(&mut self, bond: u32, at: f64) {
         self.edges.broken.get_or_insert(Broken { at, bonds: Vec::new() }).bonds.push(bond);
     }
 
-    /// Advances by `h` from time `t` [s] in equal substeps no longer than its own, or, where it `stops`, to the first
-    /// time when a bond breaks, or to where it gives the step up. Returns how far it came [s].
+    /// Advances by `h` from time `t` `[s]` in equal substeps no longer than its own, or, where it `stops`, to the first
+    /// time when a bond breaks, or to where it gives the step up. Returns how far it came `[s]`.
     pub(crate) fn go(
         &mut self,
         around: &Environment<D>,

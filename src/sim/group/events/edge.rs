@@ -34,7 +34,7 @@ pub(crate) enum Change<S> {
 pub(crate) struct Edge<S> {
     a: u32,
     b: u32,
-    /// [m], > 0.
+    /// `[m]`, > 0.
     length: S,
     pub(super) what: Change<S>,
     /// The bond counts as longer than that.
@@ -44,11 +44,11 @@ pub(crate) struct Edge<S> {
 /// How far a bond is from its edge, on the side where it counts.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Gap {
-    /// [m]; below 0 the edge was passed.
+    /// `[m]`; below 0 the edge was passed.
     pub(super) margin: f64,
-    /// Change of the margin [m/s].
+    /// Change of the margin `[m/s]`.
     pub(super) rate: f64,
-    /// A margin that rounding cannot tell from 0 [m].
+    /// A margin that rounding cannot tell from 0 `[m]`.
     pub(super) slack: f64,
 }
 
@@ -70,7 +70,7 @@ impl<S: Real> Edge<S> {
         self.gap(&state.position, &state.velocity)
     }
 
-    /// How the margin changes its rate under these accelerations [m/s^2].
+    /// How the margin changes its rate under these accelerations `[m/s^2]`.
     pub(super) fn bend<const D: usize>(&self, x: &[[S; D]], v: &[[S; D]], a: &[[S; D]]) -> f64 {
         let (i, j) = (self.a as usize, self.b as usize);
         let (closing, side) = (sub(v[i], v[j]), if self.is_longer { 1.0 } else { -1.0 });
@@ -123,7 +123,7 @@ impl<S: Real> Edge<S> {
 /// Bonds that broke within a step, which ends there.
 #[derive(Clone, Debug)]
 pub(crate) struct Broken {
-    /// When [s].
+    /// When `[s]`.
     pub(crate) at: f64,
     /// Which ones of the world.
     pub(crate) bonds: Vec<u32>,

@@ -14,7 +14,7 @@ const ROUGH: f64 = 0.05;
 /// Times that the lowest point of a margin is looked for anew between two states.
 const MOST_LOOKS: u32 = 5;
 
-/// Positions and velocities at a time [s].
+/// Positions and velocities at a time `[s]`.
 type At<'a, S, const D: usize> = (f64, &'a [[S; D]], &'a [[S; D]]);
 
 impl<S: Real, const D: usize> Group<S, D> {

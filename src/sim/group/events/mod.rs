@@ -181,7 +181,7 @@ impl<S: Real, const D: usize> Group<S, D> {
         self.engine.refresh();
     }
 
-    /// Points that hit surfaces get their velocities off them; those whose flight would be shorter than `shortest` [s]
+    /// Points that hit surfaces get their velocities off them; those whose flight would be shorter than `shortest` `[s]`
     /// come to rest.
     fn bounce(&mut self, around: &Environment<D>, (t, shortest): (f64, f64), hits: &[Hit], counters: &mut Counters) {
         self.accelerations(around, t, counters);
@@ -196,7 +196,7 @@ impl<S: Real, const D: usize> Group<S, D> {
         self.acceleration = accelerations;
     }
 
-    /// Points are as fast as gravity makes them in shares of `h` [s].
+    /// Points are as fast as gravity makes them in shares of `h` `[s]`.
     fn add_gravity(&mut self, around: &Environment<D>, shares: &[(usize, S)], h: f64) {
         for &(point, share) in shares {
             let gained = around.gravity.map(|g| S::from_f64(g * h) * share);

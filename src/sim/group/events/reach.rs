@@ -42,7 +42,7 @@ impl<S: Real, const D: usize> Group<S, D> {
         (gap.margin > gap.slack).then_some(gap.margin)
     }
 
-    /// How fast the margin changes at the state reached [m/s], where that is known.
+    /// How fast the margin changes at the state reached `[m/s]`, where that is known.
     pub(super) fn margin_rate(&self, event: Event) -> Option<f64> {
         let Event::Reach { edge } = event else { return None };
         Some(self.edges.list[edge].gap(&self.points.position, &self.points.velocity).rate)

@@ -136,7 +136,7 @@ impl<S: Real, const D: usize> Group<S, D> {
     /// `restitution` of their speed, as far as their bonds let them. Adds the walls that they hit then; returns of points that
     /// bounced what share of the step was left.
     ///
-    /// `fall` is what gravity adds to a motion in the step [m].
+    /// `fall` is what gravity adds to a motion in the step `[m]`.
     pub(super) fn push_out(&mut self, hits: &mut Vec<Hit>, fall: [S; D]) -> Vec<(usize, S)> {
         let mut late = Vec::new();
         for at in 0..hits.len() {

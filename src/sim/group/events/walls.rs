@@ -108,7 +108,7 @@ impl<S: Real, const D: usize> Group<S, D> {
     }
 
     /// A point that went into a wall goes on along it from where it met it, and back from it if it `bounces`: then gravity adds
-    /// so much to a motion in the step [m]. Calls `see` for other walls that it meets then; returns what share of the way was left.
+    /// so much to a motion in the step `[m]`. Calls `see` for other walls that it meets then; returns what share of the way was left.
     pub(super) fn lead_back(&mut self, hit: Hit, bounces: Option<[S; D]>, mut see: impl FnMut(Hit)) -> Option<S> {
         let obstacles = &self.pull.contacts.obstacles;
         let now = self.points.position[hit.point];

@@ -9,7 +9,7 @@ use crate::sim::vector::{convert, dot, sub};
 /// Share of the energy that there is by which a step may have more afterwards: the method's own error.
 const MOST_GAIN: f64 = 0.02;
 
-/// The energy of a group [J]: kinetic, of springs, angles and areas, and that of gravity from the place that it is counted from.
+/// The energy of a group `[J]`: kinetic, of springs, angles and areas, and that of gravity from the place that it is counted from.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Energy {
     motion: f64,
@@ -19,7 +19,7 @@ pub(super) struct Energy {
 }
 
 impl Energy {
-    /// Of points in this state, which take substeps of `h` [s].
+    /// Of points in this state, which take substeps of `h` `[s]`.
     pub(super) fn of<S: Real, const D: usize>(points: &Points<S, D>, pull: &Pull<S, D>, h: f64) -> Self {
         let (x, v, w) = (&points.position, &points.velocity, &points.inverse_mass);
         let field: [S; D] = convert(pull.gravity);
@@ -44,7 +44,7 @@ impl Energy {
     }
 }
 
-/// Whether nothing but gravity, springs and surfaces gives energy to a group around `t` [s].
+/// Whether nothing but gravity, springs and surfaces gives energy to a group around `t` `[s]`.
 pub(super) fn is_left_alone<S: Real, const D: usize>(
     points: &Points<S, D>,
     pull: &Pull<S, D>,

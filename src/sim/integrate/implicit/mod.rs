@@ -80,7 +80,7 @@ pub(crate) struct Stage<'a, S, const D: usize> {
     pub(crate) is_mean: bool,
 }
 
-/// What is held: rigid bonds with their lengths [m], and corners of triangles with their areas [m^2].
+/// What is held: rigid bonds with their lengths `[m]`, and corners of triangles with their areas `[m^2]`.
 type Held<S> = (Vec<(PointId, PointId, S)>, Vec<([u32; 3], S)>);
 
 impl<S: Real, const D: usize> Implicit<S, D> {

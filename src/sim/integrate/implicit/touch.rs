@@ -32,13 +32,13 @@ const SHORTEST_BOUNCE: f64 = 4.0;
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Pace<S> {
     is_midpoint: bool,
-    /// Velocity there over the way to there [1/s].
+    /// Velocity there over the way to there `[1/s]`.
     pub(super) rate: S,
-    /// The way to the end over the way to there [1].
+    /// The way to the end over the way to there `[1]`.
     pub(super) reach: S,
-    /// Share of the step at which that is [1].
+    /// Share of the step at which that is `[1]`.
     pub(super) share: f64,
-    /// The step [s].
+    /// The step `[s]`.
     h: f64,
 }
 
@@ -71,7 +71,7 @@ impl<S: Real> Pace<S> {
 struct Struck<S> {
     point: u32,
     surface: u32,
-    /// How far it was from it when the step began [m].
+    /// How far it was from it when the step began `[m]`.
     gap: S,
 }
 
@@ -83,9 +83,9 @@ pub(crate) struct Touches<S: Real, const D: usize> {
     freed: Vec<[u32; 2]>,
     slipped: Vec<u32>,
     sets: u32,
-    /// Velocities at the end that surfaces have a part in [m/s].
+    /// Velocities at the end that surfaces have a part in `[m/s]`.
     after: Vec<(u32, [S; D])>,
-    /// What friction and impacts took [J].
+    /// What friction and impacts took `[J]`.
     pub(crate) taken: [f64; 2],
 }
 

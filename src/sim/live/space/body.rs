@@ -26,12 +26,12 @@ pub(super) struct Body<S> {
     pub(super) corners: Span,
     /// Its rigid bonds make one open path: their order is that of the path.
     pub(super) is_path: bool,
-    /// Mean length of the edges of its skin at the start [m]; 0 without any.
+    /// Mean length of the edges of its skin at the start `[m]`; 0 without any.
     pub(super) edge_length: S,
-    /// Distance that its skin keeps from others, and from itself [m].
+    /// Distance that its skin keeps from others, and from itself `[m]`.
     pub(super) radius: S,
     pub(super) own_distance: S,
-    /// Bounds on the square of the fastest oscillation of its springs [1/s^2] and on the fastest decay by their dampers [1/s].
+    /// Bounds on the square of the fastest oscillation of its springs `[1/s^2]` and on the fastest decay by their dampers `[1/s]`.
     pub(super) swing: [S; 2],
     /// Fewest substeps in a frame that it bears.
     pub(super) least_substeps: u32,
@@ -151,7 +151,7 @@ impl<S: Real> Bodies<S> {
     }
 }
 
-/// The least height of a triangle [m].
+/// The least height of a triangle `[m]`.
 fn height<S: Real>([a, b, c]: [[S; 3]; 3]) -> S {
     let normal = cross(sub(b, a), sub(c, a));
     let longest = [sub(b, a), sub(c, b), sub(a, c)].map(|side| dot(side, side)).into_iter().fold(S::ZERO, S::max);

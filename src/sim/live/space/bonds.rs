@@ -9,13 +9,13 @@ use crate::sim::live::bonds::bears;
 use crate::sim::real::Real;
 use crate::sim::vector::{add, dot, scale, sub};
 
-/// Whether the springs of a body are forces in substeps of `h` [s]: in flight, where those keep its energy; what touches something is
+/// Whether the springs of a body are forces in substeps of `h` `[s]`: in flight, where those keep its energy; what touches something is
 /// to come to rest.
 fn are_forces<S: Real>(body: &Body<S>, touched: bool, h: S) -> bool {
     !touched && bears(body.swing, h)
 }
 
-/// What springs that are forces give to velocities in `h` [s].
+/// What springs that are forces give to velocities in `h` `[s]`.
 pub(super) fn pull<S: Real>(state: &mut Cluster<S>, common: &Common<S>, h: S) {
     for (k, (body, base)) in state.members(common).enumerate() {
         if !are_forces(body, state.touched[k], h) {
@@ -80,7 +80,7 @@ impl<S: Real> Hold<S> {
     }
 }
 
-/// Works out what the bonds of a cluster that are projected need in substeps of `h` [s].
+/// Works out what the bonds of a cluster that are projected need in substeps of `h` `[s]`.
 pub(super) fn prepare<S: Real>(state: &mut Cluster<S>, common: &Common<S>, h: S) {
     let mut holds = std::mem::take(&mut state.holds);
     holds.clear();

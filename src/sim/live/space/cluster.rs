@@ -22,17 +22,17 @@ pub(super) struct Cluster<S: Real> {
     pub(super) bases: Vec<u32>,
     /// Which of its bodies touched something in the last step.
     pub(super) touched: Vec<bool>,
-    /// Positions at the start of the substep [m].
+    /// Positions at the start of the substep `[m]`.
     pub(super) start: Vec<[S; 3]>,
-    /// Positions as far as the substep is solved [m].
+    /// Positions as far as the substep is solved `[m]`.
     pub(super) now: Vec<[S; 3]>,
-    /// From one to the other [m]: exact where the difference of both is not.
+    /// From one to the other `[m]`: exact where the difference of both is not.
     pub(super) way: Vec<[S; 3]>,
     pub(super) velocity: Vec<[S; 3]>,
-    /// What rounding has taken from positions [m].
+    /// What rounding has taken from positions `[m]`.
     pub(super) lost: Vec<[S; 3]>,
     pub(super) w: Vec<S>,
-    /// What constant forces give every point [m/s^2]; empty without any.
+    /// What constant forces give every point `[m/s^2]`; empty without any.
     pub(super) thrust: Vec<[S; 3]>,
     /// Which of its bodies every point is of.
     pub(super) body_of: Vec<u32>,
@@ -45,26 +45,26 @@ pub(super) struct Cluster<S: Real> {
     pub(super) holds: Vec<Hold<S>>,
     /// Points near triangles.
     pub(super) pairs: Vec<Pair<S>>,
-    /// How far the two of each were from touching when they were found [m].
+    /// How far the two of each were from touching when they were found `[m]`.
     pub(super) rooms: Vec<S>,
     /// Which of them may touch in this substep.
     pub(super) chosen: Vec<u32>,
     /// What is near planes, balls and boxes.
     pub(super) touches: Vec<Touch<S>>,
-    /// How far points may go until what is near obstacles is looked for anew [m], and how far the fastest has gone since.
+    /// How far points may go until what is near obstacles is looked for anew `[m]`, and how far the fastest has gone since.
     pub(super) promise: S,
     pub(super) gone: S,
     /// The same of each point against the mean of all, for what is near each other; and how far it gets in this substep.
     pub(super) promised: Vec<S>,
     pub(super) gone_apart: Vec<S>,
     pub(super) goes: Vec<S>,
-    /// The least of what is promised [m].
+    /// The least of what is promised `[m]`.
     pub(super) least_promise: S,
-    /// How long a substep is [s].
+    /// How long a substep is `[s]`.
     pub(super) span: S,
     /// Something pressed something in this step.
     pub(super) has_pressed: bool,
-    /// Work that the mouse did in this step [J].
+    /// Work that the mouse did in this step `[J]`.
     pub(super) work: S,
     pub(super) counts: Counts,
 }
@@ -135,12 +135,12 @@ impl<S: Real> Cluster<S> {
         scale(sum, S::ONE / S::from_f64(list.len().max(1) as f64))
     }
 
-    /// How far contacts may push a point beyond its way within a substep [m]: as far as the fastest goes, at least.
+    /// How far contacts may push a point beyond its way within a substep `[m]`: as far as the fastest goes, at least.
     pub(super) fn pushed(&self) -> S {
         (self.least_promise * S::from_f64(PUSHED)).max(self.fastest() * self.span)
     }
 
-    /// The largest speed [m/s].
+    /// The largest speed `[m/s]`.
     pub(super) fn fastest(&self) -> S {
         self.velocity.iter().fold(S::ZERO, |most, &v| most.max(dot(v, v))).sqrt()
     }

@@ -99,7 +99,7 @@ fn near_solid<S: Real>(
     }
 }
 
-/// Whether the boxes along the axes around two segments come nearer than `reach` [m].
+/// Whether the boxes along the axes around two segments come nearer than `reach` `[m]`.
 fn are_near<S: Real>([a, b]: [[S; 3]; 2], [c, d]: [[S; 3]; 2], reach: S) -> bool {
     (0..3).all(|k| a[k].min(b[k]) - reach <= c[k].max(d[k]) && a[k].max(b[k]) + reach >= c[k].min(d[k]))
 }
@@ -187,7 +187,7 @@ pub(super) fn farthest<S: Real>(list: &[S], [a, b, c]: [u32; 3]) -> S {
     list[a as usize].max(list[b as usize]).max(list[c as usize])
 }
 
-/// Whether more than what was promised would be gone after `h` [s] at the speeds of now: of obstacles, and of each other.
+/// Whether more than what was promised would be gone after `h` `[s]` at the speeds of now: of obstacles, and of each other.
 pub(super) fn is_due<S: Real>(state: &Cluster<S>, h: S) -> [bool; 2] {
     let mean = Cluster::mean(&state.velocity);
     let leaves = |i: usize| {

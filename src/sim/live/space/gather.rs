@@ -33,7 +33,7 @@ impl<S: Real> Space<S> {
         members.into_iter().filter(is_awake).map(|bodies| self.cluster(bodies, points, common)).collect()
     }
 
-    /// Where the points of a body may get to in `h` [s], and what is near.
+    /// Where the points of a body may get to in `h` `[s]`, and what is near.
     fn reach(&self, body: usize, points: &Points<S, 3>, (around, h): (&Environment<3>, f64)) -> Option<Swept<S, 3>> {
         let of = &self.bodies.list[body];
         let own = self.bodies.order[of.points.range()].iter().map(|&slot| slot as usize);

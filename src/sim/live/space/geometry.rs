@@ -14,9 +14,9 @@ pub(super) fn cross<S: Real>(a: Vec3<S>, b: Vec3<S>) -> Vec3<S> {
 /// The place of a triangle that is nearest to a point.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Nearest<S> {
-    /// Shares of the corners [1]: the place is their mean.
+    /// Shares of the corners `[1]`: the place is their mean.
     pub(super) shares: [S; 3],
-    /// From it to the point [m].
+    /// From it to the point `[m]`.
     pub(super) from: Vec3<S>,
     /// It lies within, not on a side.
     pub(super) is_within: bool,
@@ -72,7 +72,7 @@ pub(super) struct Beside<S> {
     pub(super) shares: [S; 3],
     /// From the triangle to the point.
     pub(super) normal: Vec3<S>,
-    /// Below 0 where it went through [m].
+    /// Below 0 where it went through `[m]`.
     pub(super) gap: S,
 }
 

@@ -22,7 +22,7 @@ pub(super) struct Grid<S> {
 }
 
 impl<S: Real> Grid<S> {
-    /// The triangles of a cluster, each with all places that are no further from it than `apart` [m] and what is promised of its corners.
+    /// The triangles of a cluster, each with all places that are no further from it than `apart` `[m]` and what is promised of its corners.
     pub(super) fn over(state: &Cluster<S>, apart: S) -> Self {
         let mut grid = Grid::empty(state, apart + state.least_promise);
         let ranges: Vec<Option<[[usize; 2]; 3]>> = state
@@ -80,7 +80,7 @@ impl<S: Real> Grid<S> {
         Grid { low, side: S::from_f64(side), counts, starts: Vec::new(), entries: Vec::new(), large: Vec::new() }
     }
 
-    /// The first cell along each axis that places or what is no further than `reach` [m] from them lie in, and the one behind the last.
+    /// The first cell along each axis that places or what is no further than `reach` `[m]` from them lie in, and the one behind the last.
     fn range(&self, places: &[[S; 3]], reach: S) -> Option<[[usize; 2]; 3]> {
         let along = |k: usize| {
             let low = places.iter().fold(S::INFINITY, |least, x| least.min(x[k])) - reach;
@@ -93,7 +93,7 @@ impl<S: Real> Grid<S> {
         places.iter().flatten().all(|x| x.is_finite()).then_some(range)
     }
 
-    /// Notes the triangles that may be near a place, or near what is no further than `beyond` [m] from it: each once.
+    /// Notes the triangles that may be near a place, or near what is no further than `beyond` `[m]` from it: each once.
     pub(super) fn near(&self, x: [S; 3], beyond: S, seen: &mut Vec<u32>) {
         if let Some(range) = self.range(&[x], beyond) {
             for cell in cells(range, self.counts) {

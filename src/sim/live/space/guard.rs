@@ -8,7 +8,7 @@ use crate::sim::vector::{add, dot, scale, sub, zero};
 /// Share of the kinetic and elastic energy that contacts may make in a step without being seen: overlaps that are mended load springs.
 const SLACK: f64 = 1e-3;
 
-/// Kinetic, elastic and gravity's energy [J].
+/// Kinetic, elastic and gravity's energy `[J]`.
 pub(super) fn energy<S: Real>(state: &Cluster<S>, common: &Common<S>, gravity: [f64; 3]) -> S {
     let (kinetic, fall) = moving(state, gravity);
     kinetic + fall + elastic(state, common)

@@ -54,10 +54,10 @@ pub(super) struct Space<S: Real> {
     rests: Vec<Rest>,
     /// Where bodies were when they were last seen to move, in the order of the bodies.
     anchor: Vec<[S; 3]>,
-    /// How much what settles is slowed down [1/s], one a body.
+    /// How much what settles is slowed down `[1/s]`, one a body.
     settling: Vec<S>,
     bond_count: usize,
-    /// What constant forces give every point of the group [m/s^2]; empty without any.
+    /// What constant forces give every point of the group `[m/s^2]`; empty without any.
     thrust: Vec<[S; 3]>,
     /// Slots of what left the finite numbers.
     lost: Vec<u32>,
@@ -198,7 +198,7 @@ impl<S: Real> Mover<S, 3> for Space<S> {
     }
 }
 
-/// What constant forces give every point [m/s^2]; empty without any. In space they have no torques.
+/// What constant forces give every point `[m/s^2]`; empty without any. In space they have no torques.
 fn thrust<S: Real>(points: &Points<S, 3>, pull: &Pull<S, 3>) -> Vec<[S; 3]> {
     let mut sum = if pull.thrusts.is_empty() { Vec::new() } else { vec![zero(); points.len()] };
     for thrust in &pull.thrusts {

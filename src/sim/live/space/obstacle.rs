@@ -9,13 +9,13 @@ use crate::sim::vector::{add, convert, dot, scale, sub, zero};
 #[derive(Clone, Debug)]
 pub(super) struct Solid<S> {
     pub(super) shape: Shape<S>,
-    /// The box along the axes around it [m].
+    /// The box along the axes around it `[m]`.
     pub(super) extent: [[S; 3]; 2],
     pub(super) friction: S,
     pub(super) restitution: S,
 }
 
-/// Its shape [m].
+/// Its shape `[m]`.
 #[derive(Clone, Debug)]
 pub(super) enum Shape<S> {
     Ball { center: [S; 3], radius: S },
@@ -25,11 +25,11 @@ pub(super) enum Shape<S> {
 /// Where something is beside an obstacle.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Off<S> {
-    /// Shares of its points [1]: the nearest place is their mean.
+    /// Shares of its points `[1]`: the nearest place is their mean.
     pub(super) shares: [S; 3],
     /// Away from the obstacle.
     pub(super) normal: [S; 3],
-    /// Below 0 inside [m].
+    /// Below 0 inside `[m]`.
     pub(super) gap: S,
 }
 
@@ -57,7 +57,7 @@ impl<S: Real> Solid<S> {
         }
     }
 
-    /// Whether a box comes nearer than `reach` [m] to the box around it.
+    /// Whether a box comes nearer than `reach` `[m]` to the box around it.
     pub(super) fn is_near(&self, [low, high]: [[S; 3]; 2], reach: S) -> bool {
         (0..3).all(|k| low[k] - reach <= self.extent[1][k] && high[k] + reach >= self.extent[0][k])
     }

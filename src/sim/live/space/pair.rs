@@ -18,18 +18,18 @@ pub(super) struct Pair<S> {
     pub(super) key: u64,
     /// +1: the point belongs where the corners are anticlockwise; -1: on the other side.
     pub(super) side: S,
-    /// Distance that they keep [m], and how far they were from that when they were found.
+    /// Distance that they keep `[m]`, and how far they were from that when they were found.
     pub(super) distance: S,
     pub(super) room: S,
     pub(super) friction: S,
     pub(super) restitution: S,
-    /// What presses them apart in this substep [kg m], and what rubs.
+    /// What presses them apart in this substep `[kg m]`, and what rubs.
     pub(super) pressed: S,
     pub(super) rubbed: [S; 3],
     pub(super) slips: bool,
-    /// Overlap from before the substep, which is not to become speed [m].
+    /// Overlap from before the substep, which is not to become speed `[m]`.
     pub(super) old: S,
-    /// Normal speed before they were solved [m/s].
+    /// Normal speed before they were solved `[m/s]`.
     pub(super) approach: S,
     pub(super) is_met: bool,
 }
@@ -98,7 +98,7 @@ impl<S: Real> Pair<S> {
         }
     }
 
-    /// Gives the normal velocity that restitution asks for, where they pressed each other and came faster than `least` [m/s].
+    /// Gives the normal velocity that restitution asks for, where they pressed each other and came faster than `least` `[m/s]`.
     pub(super) fn bounce(&self, state: &mut Cluster<S>, least: S) {
         if self.restitution == S::ZERO || self.pressed == S::ZERO || self.approach > -least {
             return;

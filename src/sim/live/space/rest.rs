@@ -8,16 +8,16 @@ use crate::sim::points::Points;
 use crate::sim::real::Real;
 use crate::sim::vector::{dot, zero};
 
-/// How long a cluster stays where it is before it sleeps [s].
+/// How long a cluster stays where it is before it sleeps `[s]`.
 const STILL_TIME: f64 = 0.5;
 /// How far its points may get from where they were within that time, in mean edges of their skins: of bodies that touch something, and
 /// of others, which nothing stops.
 const STILL_WAY: [f64; 2] = [0.1, 5e-4];
-/// The same at most [m]: 1 cm/s.
+/// The same at most `[m]`: 1 cm/s.
 const MOST_WAY: f64 = 5e-3;
-/// Mean speed below which what touches settles [m/s].
+/// Mean speed below which what touches settles `[m/s]`.
 const SLOW: f64 = 1.0;
-/// How soon after it became slow [s], how quickly the drag grows [1/s^2], and how large it gets [1/s].
+/// How soon after it became slow `[s]`, how quickly the drag grows `[1/s^2]`, and how large it gets `[1/s]`.
 const CALM: f64 = 0.1;
 const GROWTH: f64 = 20.0;
 const MOST_DRAG: f64 = 10.0;
@@ -28,9 +28,9 @@ pub(super) struct Rest {
     pub(super) is_asleep: bool,
     /// It touched something in the last step.
     pub(super) touches: bool,
-    /// Since when its points are about where they are [s].
+    /// Since when its points are about where they are `[s]`.
     since: Option<f64>,
-    /// How long it has been slow and touched something [s].
+    /// How long it has been slow and touched something `[s]`.
     calm: f64,
 }
 
@@ -79,7 +79,7 @@ impl<S: Real> Space<S> {
         }
     }
 
-    /// Looks which clusters stayed where they are, at time `t` [s].
+    /// Looks which clusters stayed where they are, at time `t` `[s]`.
     pub(super) fn doze(&mut self, clusters: &[Cluster<S>], points: &mut Points<S, 3>, t: f64) {
         if self.anchor.is_empty() {
             self.anchor = self.bodies.order.iter().map(|&slot| points.position[slot as usize]).collect();

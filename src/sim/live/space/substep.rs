@@ -16,11 +16,11 @@ use crate::sim::vector::{accumulate, add, convert, dot, length, scale, sub, wide
 pub(super) struct Outside<'a, S: Real> {
     pub(super) pull: &'a Pull<S, 3>,
     pub(super) around: &'a Environment<3>,
-    /// What what settles loses of its velocity, as a rate [1/s], one a body of the group.
+    /// What what settles loses of its velocity, as a rate `[1/s]`, one a body of the group.
     pub(super) settling: &'a [S],
 }
 
-/// Advances by `h` from `t` [s].
+/// Advances by `h` from `t` `[s]`.
 pub(super) fn advance<S: Real>(state: &mut Cluster<S>, common: &Common<S>, outside: Outside<S>, (t, h): (f64, f64)) {
     let time = S::from_f64(h);
     kick(state, common, outside, (t, h));

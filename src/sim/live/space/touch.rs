@@ -33,14 +33,14 @@ pub(super) struct Touch<S> {
     pub(super) points: [u32; 3],
     pub(super) friction: S,
     restitution: S,
-    /// What presses it off in this substep [kg m], and what rubs.
+    /// What presses it off in this substep `[kg m]`, and what rubs.
     pub(super) pressed: S,
     rubbed: [S; 3],
     /// It slides on.
     pub(super) slips: bool,
-    /// Depth from before the substep, which is not to become speed [m].
+    /// Depth from before the substep, which is not to become speed `[m]`.
     old: S,
-    /// Normal speed before it was solved [m/s].
+    /// Normal speed before it was solved `[m/s]`.
     approach: S,
     is_met: bool,
 }
@@ -134,7 +134,7 @@ impl<S: Real> Touch<S> {
         }
     }
 
-    /// Gives the normal velocity that restitution asks for, where it came faster than `least` [m/s].
+    /// Gives the normal velocity that restitution asks for, where it came faster than `least` `[m/s]`.
     pub(super) fn bounce(&self, state: &mut Cluster<S>, common: &Common<S>, least: S) {
         if self.restitution == S::ZERO || self.pressed == S::ZERO || self.approach > -least {
             return;

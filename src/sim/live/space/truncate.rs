@@ -46,7 +46,7 @@ fn closes<S: Real>(pair: &Pair<S>, state: &Cluster<S>) -> bool {
     excess(pair, state).is_some_and(|(excess, ..)| excess > S::ZERO)
 }
 
-/// By how much the ways use up more of the gap than they may [m]; the shares of the nearest place, and the direction from it.
+/// By how much the ways use up more of the gap than they may `[m]`; the shares of the nearest place, and the direction from it.
 #[inline(always)]
 fn excess<S: Real>(pair: &Pair<S>, state: &Cluster<S>) -> Option<(S, [S; 3], [S; 3])> {
     let start = pair.of(&state.start);
@@ -113,7 +113,7 @@ fn halve<S: Real>(pairs: &[&Pair<S>], state: &mut Cluster<S>) {
     }
 }
 
-/// The way that these points go together [m].
+/// The way that these points go together `[m]`.
 fn momentum<S: Real>(state: &Cluster<S>, points: &[u32]) -> [S; 3] {
     let (mut sum, mut mass) = ([S::ZERO; 3], S::ZERO);
     for i in points.iter().map(|&i| i as usize) {

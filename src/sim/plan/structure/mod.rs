@@ -25,7 +25,7 @@ pub(crate) use sheet::sheet;
 pub(crate) enum Structure {
     /// Points `first`, `first` + 1, … row by row.
     Sheet { first: u32, columns: usize, rows: usize, specs: Kinds<Spec> },
-    /// One path along these points, with these rest lengths [m].
+    /// One path along these points, with these rest lengths `[m]`.
     Chain { points: Vec<u32>, spec: Spec, rests: Vec<f64> },
     /// Anything else.
     Mesh,

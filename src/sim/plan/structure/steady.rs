@@ -13,7 +13,7 @@ const MOST_GROWTH: f64 = 2.0;
 
 /// Whether small motions of points that start at rest stay small when the bonds `ends` are swept in this order.
 ///
-/// Shapes: `x` [m] and `w` [1/kg] have one entry a point.
+/// Shapes: `x` `[m]` and `w` `[1/kg]` have one entry a point.
 pub(crate) fn is_steady<const D: usize>(x: &[[f64; D]], w: &[f64], ends: &[[u32; 2]]) -> bool {
     let unit = |[a, b]: [usize; 2]| {
         let way = sub(x[a], x[b]);

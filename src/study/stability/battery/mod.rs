@@ -97,7 +97,7 @@ impl Family {
     }
 }
 
-/// How long a case runs [s].
+/// How long a case runs `[s]`.
 pub(super) const SECONDS: f64 = 2.0;
 
 /// The subject of a case; the same number is the same subject for ever in a version.

@@ -73,7 +73,7 @@ impl Outcome {
     }
 }
 
-/// Gain, as a share of the largest kinetic energy so far, at which half of that came from nowhere [1].
+/// Gain, as a share of the largest kinetic energy so far, at which half of that came from nowhere `[1]`.
 const DOUBLED: f64 = 0.5;
 
 /// A value of a sweep by a method.

@@ -5,7 +5,7 @@ use serde_json::{Value, json};
 use super::table::FRAME;
 use crate::body::draw::Draw;
 
-/// A bond, a spring where a stiffness [N/m] is said.
+/// A bond, a spring where a stiffness `[N/m]` is said.
 fn bond(a: usize, b: usize, stiffness: Option<f64>) -> Value {
     match stiffness {
         Some(k) => json!({ "a": a, "b": b, "kind": "spring", "stiffness": k }),
@@ -13,7 +13,7 @@ fn bond(a: usize, b: usize, stiffness: Option<f64>) -> Value {
     }
 }
 
-/// The same with a rest length [m].
+/// The same with a rest length `[m]`.
 fn bond_of(a: usize, b: usize, stiffness: Option<f64>, rest: f64) -> Value {
     let mut bond = bond(a, b, stiffness);
     bond["rest"] = json!(rest);
@@ -25,7 +25,7 @@ fn scene(position: Vec<[f64; 2]>, bonds: Vec<Value>, pinned: &[usize]) -> Value 
             "bonds": bonds, "gravity": [0, -9.81] })
 }
 
-/// A hung lattice of 4 x 4 springs of a stiffness [N/m].
+/// A hung lattice of 4 x 4 springs of a stiffness `[N/m]`.
 pub(super) fn lattice(k: f64) -> Value {
     json!({ "wobble": 1, "name": "sweep", "gravity": [0, -9.81],
             "bodies": [{ "make": "lattice", "columns": 4, "rows": 4, "spacing": 0.2, "pinned": [12, 13, 14, 15],

@@ -14,11 +14,11 @@ pub(super) struct Setup {
     pub(super) scene: Value,
     /// What a hand does meanwhile, as recordings have it.
     pub(super) commands: Vec<Value>,
-    /// [s]
+    /// `[s]`
     pub(super) substep: f64,
     /// `auto` is held to the substep too.
     pub(super) is_forced: bool,
-    /// [s]
+    /// `[s]`
     pub(super) seconds: f64,
     pub(super) precision: Option<PrecisionName>,
     pub(super) rest: Rest,

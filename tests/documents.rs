@@ -1,0 +1,135 @@
+//! README, docs and the other pages: links lead somewhere, files that are named exist, scenes are read, keys are named, and the README
+//! stays an invitation.
+#![allow(clippy::unwrap_used, clippy::panic, reason = "a test that cannot go on stops")]
+
+use std::collections::BTreeSet;
+use std::path::{Path, PathBuf};
+
+use serde_json::Value;
+use wobble::scene::{Scene, schema};
+
+/// Most lines of the README, and most characters of each.
+const README: [usize; 2] = [120, 120];
+/// Most bytes of a picture that the README shows.
+const PICTURE: u64 = 1_500_000;
+/// Folders whose files pages name by their path.
+const FOLDERS: [&str; 9] =
+    ["src/", "shaders/", "assets/", "tests/", "benches/", "docs/", "examples/", "scripts/", ".ci/"];
+
+fn root() -> &'static Path {
+    Path::new(env!("CARGO_MANIFEST_DIR"))
+}
+
+/// Every page with its text.
+fn pages() -> Vec<(PathBuf, String)> {
+    let list = |folder: &str| std::fs::read_dir(root().join(folder)).unwrap().map(|entry| entry.unwrap().path());
+    let folders = ["", "docs", "benches/peers", "benches/results/0.1.0/stability"];
+    let mut paths: Vec<PathBuf> = folders.into_iter().flat_map(list).collect();
+    paths.retain(|path| path.extension().is_some_and(|ending| ending == "md"));
+    paths.sort();
+    paths.into_iter().map(|path| (path.clone(), std::fs::read_to_string(path).unwrap())).collect()
+}
+
+/// A page without its blocks of code, and those blocks, each with its language first.
+fn parted(text: &str) -> (String, Vec<&str>) {
+    let parts: Vec<&str> = text.split("```").collect();
+    assert!(parts.len() % 2 == 1, "a block of code is left open");
+    let prose = parts.iter().step_by(2).copied().collect::<Vec<_>>().join("\n");
+    (prose, parts.into_iter().skip(1).step_by(2).collect())
+}
+
+/// A heading as links name it: small letters, digits, - and _, spaces as -.
+fn anchor(heading: &str) -> String {
+    let kept = heading.chars().filter(|c| c.is_alphanumeric() || matches!(c, ' ' | '-' | '_'));
+    kept.map(|c| if c == ' ' { '-' } else { c.to_ascii_lowercase() }).collect()
+}
+
+fn anchors(text: &str) -> BTreeSet<String> {
+    let headings = text.lines().filter(|line| line.starts_with('#'));
+    headings.map(|line| anchor(line.trim_start_matches('#').trim())).collect()
+}
+
+/// What is between `open` and the next `close`, everywhere.
+fn between<'a>(text: &'a str, open: &str, close: char) -> impl Iterator<Item = &'a str> {
+    text.split(open).skip(1).filter_map(move |rest| rest.split(close).next())
+}
+
+#[test]
+fn links_lead_somewhere() {
+    let mut found = 0;
+    for (page, text) in pages() {
+        for target in between(&parted(&text).0, "](", ')').filter(|target| !target.contains("://")) {
+            let (file, heading) = target.split_once('#').unwrap_or((target, ""));
+            let path = if file.is_empty() { page.clone() } else { page.parent().unwrap().join(file) };
+            assert!(path.exists(), "{}: {target} is not there", page.display());
+            if !heading.is_empty() {
+                let there = anchors(&parted(&std::fs::read_to_string(&path).unwrap()).0);
+                assert!(there.contains(heading), "{}: {target} has no such heading, but {there:?}", page.display());
+            }
+            found += 1;
+        }
+    }
+    assert!(found > 60, "{found} links");
+}
+
+#[test]
+fn files_that_are_named_exist() {
+    let mut found = 0;
+    for (page, text) in pages() {
+        let (prose, blocks) = parted(&text);
+        let words = between(&prose, "`", '`').chain(blocks).flat_map(str::split_whitespace);
+        for word in words.map(|word| word.trim_matches(|c: char| ",.;:()\"'".contains(c) && c != '.')) {
+            let is_path = FOLDERS.iter().any(|folder| word.starts_with(folder));
+            if is_path && !word.contains(|c: char| "*{<…".contains(c)) {
+                let word = word.trim_end_matches('.');
+                assert!(root().join(word).exists(), "{}: `{word}` is not there", page.display());
+                found += 1;
+            }
+        }
+    }
+    assert!(found > 60, "{found} paths");
+}
+
+#[test]
+fn the_readme_stays_an_invitation() {
+    let text = std::fs::read_to_string(root().join("README.md")).unwrap();
+    let [lines, width] = README;
+    assert!(text.lines().count() <= lines, "{} lines", text.lines().count());
+    for (index, line) in text.lines().enumerate() {
+        assert!(line.chars().count() <= width, "line {} has {} characters", index + 1, line.chars().count());
+    }
+    for picture in between(&text, "![", '\n').filter_map(|image| between(image, "](", ')').next()) {
+        let bytes = std::fs::metadata(root().join(picture)).unwrap().len();
+        assert!(bytes < PICTURE, "{picture} has {bytes} bytes");
+    }
+}
+
+#[test]
+fn scenes_and_parts_of_scenes_are_read() {
+    let mut found = 0;
+    for (page, text) in pages() {
+        for block in parted(&text).1.into_iter().filter_map(|block| block.strip_prefix("json\n")) {
+            let (is_whole, is_recording) = (block.starts_with('{'), block.contains("wobble_recording"));
+            let whole = if is_whole { block.to_owned() } else { format!("{{ \"wobble\": 1, {block} }}") };
+            // Recordings have a test of their own.
+            let read = if is_recording { Ok(()) } else { serde_json::from_str::<Scene>(&whole).map(drop) };
+            read.unwrap_or_else(|error| panic!("{}: {error} in\n{block}", page.display()));
+            found += 1;
+        }
+    }
+    assert!(found > 5, "{found} scenes");
+}
+
+#[test]
+fn every_key_of_scenes_is_named() {
+    fn collect(schema: &Value, keys: &mut BTreeSet<String>) {
+        keys.extend(schema["properties"].as_object().into_iter().flatten().map(|(key, _)| key.clone()));
+        schema["$defs"].as_object().into_iter().flatten().for_each(|(_, part)| collect(part, keys));
+    }
+    let mut keys = BTreeSet::new();
+    collect(&schema(), &mut keys);
+    assert!(keys.len() > 100, "{}", keys.len());
+    let docs = ["docs/scenes.md", "docs/pictures.md"].map(|page| std::fs::read_to_string(root().join(page)).unwrap());
+    keys.retain(|key| !docs.iter().any(|text| text.contains(&format!("`{key}`"))));
+    assert!(keys.is_empty(), "docs/scenes.md names no {keys:?}");
+}
