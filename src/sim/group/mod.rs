@@ -177,7 +177,8 @@ impl<S: Real, const D: usize> Group<S, D> {
         if self.may_fail() {
             let least = LEAST_TRIES.saturating_mul(self.work.step);
             let fine = self.plain.as_ref().map_or(MOST_EFFORT, |plain| plain.effort);
-            self.patience = [fine, MOST_EFFORT].map(|effort| counters.work_after(effort * h).saturating_add(least));
+            let [fine, most] = [fine, MOST_EFFORT].map(|effort| counters.work_after(effort * h));
+            self.patience = [fine, most.saturating_add(least)];
             self.attempt(around, (t, h), 0, counters);
         } else {
             self.note_start();
