@@ -833,17 +833,8 @@ fn drawn() -> Model<2> {
     let position = vec![[0.0, 0.0], [1.0, 0.5], [2.0, 0.0], [5.0, 5.0]];
     let far = |a: usize, b: usize| (position[b][0] - position[a][0] as f64).hypot(position[b][1] - position[a][1]);
     let bonds = [spring(0, 1, far(0, 1)), spring(1, 2, far(1, 2)), spring(0, 2, 1.5)];
-    let angle = wobble::sim::Angle {
-        number: 0,
-        points: [0, 1, 2].map(PointId),
-        rest: wobble::sim::angle_at([0, 1, 2].map(|point| position[point])),
-        stiffness: 30.0,
-        damping: 0.0,
-        range: None,
-        arms: [far(0, 1), far(1, 2)],
-        stop: 0.0,
-        drive: None,
-    };
+    let bends = [0, 1, 2].map(|point: usize| position[point]);
+    let angle = wobble::sim::Angle { stiffness: 30.0, ..wobble::sim::angle_at([0, 1, 2].map(PointId), bends) };
     Model {
         velocity: vec![[1.0, 2.0]; 4],
         mass: vec![1.0; 4],
@@ -907,8 +898,9 @@ fn a_scale_along_each_axis_and_a_turn_are_one_map_of_points_bonds_angles_and_obs
         "{rests:?} {expected:?}"
     );
     let angle = world.angles()[0];
-    let now_at = wobble::sim::angle_at([0, 1, 2].map(|point| placed(model.position[point])));
-    let was_at = wobble::sim::angle_at([0, 1, 2].map(|point| model.position[point]));
+    let now_at =
+        wobble::sim::angle_at([0, 1, 2].map(PointId), [0, 1, 2].map(|point| placed(model.position[point]))).rest;
+    let was_at = wobble::sim::angle_at([0, 1, 2].map(PointId), [0, 1, 2].map(|point| model.position[point])).rest;
     assert!((angle.rest - now_at).abs() < 1e-6 && (now_at - was_at).abs() > 0.1, "{angle:?}");
     assert!((angle.arms[0] - far(0, 1)).abs() < 1e-9);
     let [point, normal] = world.planes()[0];
@@ -920,13 +912,9 @@ fn a_scale_along_each_axis_and_a_turn_are_one_map_of_points_bonds_angles_and_obs
     for (corner, was) in world.polygons()[0].loops[0].iter().zip(&model.polygons[0].loops[0]) {
         near([corner[0], corner[1], 0.0], placed(*was));
     }
-    let mut space = build(&wobble::sim::Model::<3> {
-        position: vec![[0.0; 3]],
-        velocity: vec![[0.0; 3]],
-        mass: vec![1.0],
-        ..wobble::sim::Model::default()
-    })
-    .unwrap();
+    let mut space =
+        build(&Model::<3> { position: vec![[0.0; 3]], velocity: vec![[0.0; 3]], mass: vec![1.0], ..Model::default() })
+            .unwrap();
     let motion = Motion { points: numbers(0..1), obstacles: Vec::new(), ..motion };
     assert!(space.apply(&Command::Move(motion)).is_err(), "of the plane alone");
 }

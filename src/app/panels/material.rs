@@ -56,7 +56,7 @@ pub(super) fn show(
         floating().show(ui, |ui| {
             ui.set_width(WIDTH);
             let height = (room.height() - 40.0).max(120.0);
-            ScrollArea::vertical().max_height(height).show(ui, |ui| match &facts.matter {
+            ScrollArea::vertical().max_height(height).min_scrolled_height(height).show(ui, |ui| match &facts.matter {
                 Some(matter) => of_selection(ui, matter, facts, &mut sink),
                 None => of_nothing(ui, facts, &mut sink),
             });
@@ -268,7 +268,8 @@ fn breaks(ui: &mut Ui, matter: &Matter, sink: &mut Sink<'_>) {
         if by.changed() {
             sink.set(&by, MatterChange::Breaks(if tears { BREAKS } else { NEVER }));
         }
-        if !tears {
+        // What was just asked for is not there yet.
+        if !tears || span.least >= NEVER {
             return;
         }
         let mut percent = 100.0 * span.least;

@@ -181,7 +181,14 @@ impl Session {
             self.say(words.clone());
         }
         if let Some(among) = deed.painted.clone() {
-            let change = MatterChange::Preset(self.hand.brush().preset);
+            let preset = self.hand.brush().preset;
+            let change = MatterChange::Preset(preset);
+            let counted = among.bonds.as_ref().map_or(0, Vec::len);
+            self.say(format!(
+                "{}: {} points and {counted} bonds; Ctrl+Z takes it back",
+                preset.name(),
+                among.points.len()
+            ));
             self.player.ask(Order::Change { among, change, goes_on: false });
             self.dirty = true;
         }

@@ -150,6 +150,8 @@ impl Session {
             return None;
         }
         match self.live_force() {
+            // It is the hand's alone.
+            Some(_) if self.hand.tool() != Tool::Hand && !self.shown().figures.follows => None,
             // Paused, the world has not heard yet of what other tools put away and the hand takes up again.
             Some(force) if !self.player.is_playing() && !self.hand.is_busy() && !self.shown().figures.follows => {
                 let strength = self.hand.strength().filter(|_| self.hand.tool() == Tool::Hand)?;
@@ -172,8 +174,9 @@ impl Session {
         }
         let scope = Scope { shown: self.shown(), camera: &self.camera, scale: f64::from(self.look.scale_factor) };
         let mut marks: Vec<Mark> = self.probes().flat_map(|(place, point)| probe(scope, place, point)).collect();
-        if !is_idle && self.shown().point_count() <= MOST_MARKED {
-            marks.extend(self.hand.marks(scope, self.pixel()));
+        if !self.is_covered() && self.shown().point_count() <= MOST_MARKED {
+            // What is selected is seen while its panel is used.
+            marks.extend(self.hand.marks(scope, self.pixel().filter(|_| !is_idle)));
         }
         if marks.is_empty() {
             return Vec::new();

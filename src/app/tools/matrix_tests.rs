@@ -72,7 +72,7 @@ const SCENES: [(&str, &str, Option<usize>); 7] = [
     (
         "pile",
         r#""bodies": [{"make": "lattice", "columns": 4, "rows": 3, "spacing": 0.4, "origin": [-0.6, -3],
-        "repeat": {"columns": 1, "rows": 2, "step": [0, 0.85]},
+        "repeat": {"count": [1, 2], "step": [0, 0.85]},
         "material": {"kind": "spring", "stiffness": 900, "damping": 20, "mass": 1}}]"#,
         Some(13),
     ),
