@@ -2,8 +2,8 @@
 // too short to be told apart.
 
 struct Packed {
+    // With the colour, and the kind, in the bits from FORM on.
     a: u32,
-    // With the kind in the bits from FORM on.
     b: u32,
     // [m]
     rest_length: f32,
@@ -19,11 +19,14 @@ struct Bond {
     // [m]
     rest_length: f32,
     kind: u32,
+    // One above its place among the frame's; 0: none of its own.
+    color: u32,
 }
 
 fn bond_at(index: u32) -> Bond {
     let packed = bonds[index];
-    return Bond(packed.a, packed.b & ((1u << FORM) - 1u), packed.rest_length, packed.b >> FORM);
+    let mask = (1u << FORM) - 1u;
+    return Bond(packed.a & mask, packed.b & mask, packed.rest_length, packed.b >> FORM, packed.a >> FORM);
 }
 
 // Bonds of a chunk. Instances are chunks.
@@ -38,6 +41,9 @@ const ROD: u32 = 1u;
 const COIL: u32 = 2u;
 const ROPE: u32 = 3u;
 const RELAXED: u32 = 4u;
+// These act on one side only, and are drawn as ropes and rods.
+const STRING: u32 = 5u;
+const STRUT: u32 = 6u;
 
 fn strain_of(bond: Bond, a: vec3<f32>, b: vec3<f32>) -> f32 {
     if bond.rest_length > 0.0 {
@@ -46,11 +52,24 @@ fn strain_of(bond: Bond, a: vec3<f32>, b: vec3<f32>) -> f32 {
     return 0.0;
 }
 
+fn is_rope(bond: Bond) -> bool {
+    return bond.kind == ROPE || bond.kind == STRING;
+}
+
 fn tint_of(bond: Bond, a: vec3<f32>, b: vec3<f32>) -> vec4<f32> {
     if frame.strain_scale > 0.0 {
-        return vec4(strain_color(strain_of(bond, a, b)).rgb, frame.bond_color.a);
+        var strain = strain_of(bond, a, b);
+        if bond.kind == STRING {
+            strain = max(strain, 0.0);
+        } else if bond.kind == STRUT {
+            strain = min(strain, 0.0);
+        }
+        return vec4(strain_color(strain).rgb, frame.bond_color.a);
     }
-    if bond.kind == ROPE && frame.coil_length > 0.0 {
+    if bond.color > 0u {
+        return vec4(frame.own_colors[bond.color - 1u].rgb, frame.bond_color.a);
+    }
+    if is_rope(bond) && frame.coil_length > 0.0 {
         return frame.rope_color;
     }
     return frame.bond_color;
@@ -86,10 +105,10 @@ fn vertex(@builtin(vertex_index) index: u32, @builtin(instance_index) chunk: u32
     if frame.coil_length > 0.0 && bond.kind != 0u {
         let span = distance(pixel_of(frame.clip_from_world * vec4(a, 1.0)), pixel_of(frame.clip_from_world * vec4(b, 1.0)));
         let unit = frame.outline_width / 1.5;
-        if bond.kind == ROD {
+        if bond.kind == ROD || bond.kind == STRUT {
             width = max(width, 2.0 * min(ROD_SHARE * span, ROD_MOST * unit));
             form = vec4(f32(ROD), 0.0, 0.0, width);
-        } else if bond.kind == ROPE {
+        } else if is_rope(bond) {
             width = max(width, 2.0 * ROPE_HALF * unit);
             form = vec4(f32(ROPE), 0.0, 0.0, width);
         } else if bond.kind == COIL {

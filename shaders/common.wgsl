@@ -10,6 +10,8 @@ struct Frame {
     ground: vec4<f32>,
     bond_color: vec4<f32>,
     rope_color: vec4<f32>,
+    // Those that bonds have of their bodies' own.
+    own_colors: array<vec4<f32>, 7>,
     // From squeezed by `strain_full` to stretched by it.
     strain_colors: array<vec4<f32>, 9>,
     point_color: vec4<f32>,

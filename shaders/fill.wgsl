@@ -93,6 +93,8 @@ fn outward(side: vec2<f32>) -> vec2<f32> {
     return vec2(-side.y, side.x) / max(length(side), 1e-6);
 }
 
+// How much white an outline has beside the colour of its body: a dark one would sink into the ground, a bright one would not.
+const LIFT: vec2<f32> = vec2(0.55, 0.25);
 // Darkest place of a shadow [1].
 const DARKEST: f32 = 0.6;
 // Opacity of the sides of triangles, and the height of a triangle [px] from which on they are seen, and seen in full.
@@ -114,7 +116,9 @@ fn fragment(in: Fill, @builtin(front_facing) is_front: bool) -> @location(0) vec
     }
     if kind == OUTLINE {
         // Beside colours of strain a body's own would mean nothing.
-        let own = select(mix(in.color.rgb, vec3(1.0), 0.25), vec3(0.88), frame.strain_scale > 0.0);
+        let bright = dot(in.color.rgb, vec3(0.3, 0.6, 0.1));
+        let lift = mix(LIFT.x, LIFT.y, smoothstep(0.1, 0.4, bright));
+        let own = select(mix(in.color.rgb, vec3(1.0), lift), vec3(0.88), frame.strain_scale > 0.0);
         let light = vec4(own, 1.0);
         return stroke_color(Stroke(in.position, in.line, light, in.size.xy));
     }

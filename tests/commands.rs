@@ -88,7 +88,7 @@ fn islands_that_an_edit_does_not_name_keep_their_bits() {
                 obstacles: Vec::new(),
                 by: [0.3, 2.0, 0.0],
                 turn: 0.4,
-                scale: 1.2,
+                scale: [1.2; 3],
                 about: None,
             }),
         ),
@@ -326,8 +326,14 @@ fn obstacles_come_move_and_go() {
     assert_eq!((added.obstacles, world.obstacle_numbers()), (0..1, [&[][..], &[0][..]]));
     steps(&mut *world, 1.5);
     assert!(now(&*world).position[0][1].abs() < 1e-6, "it lies on the slab");
-    let down =
-        Motion { points: Vec::new(), obstacles: vec![0], by: [0.0, -1.0, 0.0], turn: 0.0, scale: 1.0, about: None };
+    let down = Motion {
+        points: Vec::new(),
+        obstacles: vec![0],
+        by: [0.0, -1.0, 0.0],
+        turn: 0.0,
+        scale: [1.0; 3],
+        about: None,
+    };
     world.apply(&Command::Move(down)).unwrap();
     steps(&mut *world, 1.5);
     assert!((now(&*world).position[0][1] + 1.0).abs() < 1e-6, "and where that went");
@@ -366,9 +372,15 @@ fn a_refused_command_leaves_the_world_whole() {
         mass: vec![1.0],
         ..Addition::default()
     };
-    let nowhere =
-        Motion { points: vec![PointId(99)], obstacles: Vec::new(), by: [0.0; 3], turn: 0.0, scale: 1.0, about: None };
-    let flat = Motion { points: vec![PointId(0)], scale: 0.0, ..nowhere.clone() };
+    let nowhere = Motion {
+        points: vec![PointId(99)],
+        obstacles: Vec::new(),
+        by: [0.0; 3],
+        turn: 0.0,
+        scale: [1.0; 3],
+        about: None,
+    };
+    let flat = Motion { points: vec![PointId(0)], scale: [0.0; 3], ..nowhere.clone() };
     for command in [
         Command::Add(Box::new(bad)),
         Command::Move(nowhere),
@@ -675,7 +687,8 @@ fn a_part_of_a_rigid_body_is_not_moved_against_its_lengths() {
     let (before, lengths) = (now(&*world), world.bonds().rest_lengths().to_vec());
     let mut refusals = 0;
     for (points, by) in [(8..14, [0.3, 0.8, 0.0]), (8..14, [-3.0, 2.0, 0.0]), (0..9, [6.0, 0.5, 0.0])] {
-        let motion = Motion { points: numbers(points), obstacles: Vec::new(), by, turn: 0.0, scale: 1.0, about: None };
+        let motion =
+            Motion { points: numbers(points), obstacles: Vec::new(), by, turn: 0.0, scale: [1.0; 3], about: None };
         let mut copy = world.boxed_clone();
         match copy.apply(&Command::Move(motion)) {
             Err(CommandError::Invalid(why)) => {
@@ -694,7 +707,7 @@ fn a_part_of_a_rigid_body_is_not_moved_against_its_lengths() {
             obstacles: Vec::new(),
             by: [5.0, 1.0, 0.0],
             turn: 1.0,
-            scale: 1.5,
+            scale: [1.5; 3],
             about: None,
         }))
         .unwrap();
@@ -813,4 +826,95 @@ fn agrees(world: &dyn Dynamics, when: &str) {
         assert_eq!(numbers.len(), world.bonds().len(), "{when}");
         assert!(numbers.windows(2).all(|pair| pair[0] < pair[1]), "{when}");
     }
+}
+
+/// Three points with springs and an angle that pull nothing, one spring that is strained, a plane, a polygon.
+fn drawn() -> Model<2> {
+    let position = vec![[0.0, 0.0], [1.0, 0.5], [2.0, 0.0], [5.0, 5.0]];
+    let far = |a: usize, b: usize| (position[b][0] - position[a][0] as f64).hypot(position[b][1] - position[a][1]);
+    let bonds = [spring(0, 1, far(0, 1)), spring(1, 2, far(1, 2)), spring(0, 2, 1.5)];
+    let bends = [0, 1, 2].map(|point: usize| position[point]);
+    let angle = wobble::sim::Angle { stiffness: 30.0, ..wobble::sim::angle_at([0, 1, 2].map(PointId), bends) };
+    Model {
+        velocity: vec![[1.0, 2.0]; 4],
+        mass: vec![1.0; 4],
+        bonds: bonds.into_iter().collect(),
+        angles: wobble::sim::Angles::of(vec![angle]),
+        planes: vec![wobble::sim::Plane {
+            point: [0.0, -9.0],
+            normal: [1.0, 1.0],
+            restitution: 0.0,
+            friction: 0.0,
+            penalty: None,
+        }],
+        polygons: vec![Polygon {
+            loops: vec![vec![[8.0, 8.0], [9.0, 8.0], [9.0, 9.0]]],
+            restitution: 0.0,
+            friction: 0.0,
+        }],
+        position,
+        ..Model::default()
+    }
+}
+
+#[test]
+fn a_scale_along_each_axis_and_a_turn_are_one_map_of_points_bonds_angles_and_obstacles() {
+    let model = drawn();
+    let (turn, factors, about, by) = (0.7_f64, [2.0, 0.5], [1.0, 1.0], [0.3, -0.2]);
+    let (sin, cos) = turn.sin_cos();
+    let turned = |[x, y]: [f64; 2]| [cos * x - sin * y, sin * x + cos * y];
+    let placed = |x: [f64; 2]| {
+        let [x, y] = turned([factors[0] * (x[0] - about[0]), factors[1] * (x[1] - about[1])]);
+        [x + about[0] + by[0], y + about[1] + by[1]]
+    };
+    let mut world = build(&model).unwrap();
+    let motion = Motion {
+        points: numbers(0..3),
+        obstacles: vec![0, 1],
+        by: [by[0], by[1], 0.0],
+        turn,
+        scale: [factors[0], factors[1], 1.0],
+        about: Some([about[0], about[1], 0.0]),
+    };
+    assert!(world.apply(&Command::Move(motion.clone())).unwrap().is_something);
+    let sample = now(&*world);
+    let near = |found: [f64; 3], expected: [f64; 2]| {
+        assert!((found[0] - expected[0]).hypot(found[1] - expected[1]) < 1e-6, "{found:?} {expected:?}");
+    };
+    for k in 0..3 {
+        near(sample.position[k], placed(model.position[k]));
+        near(sample.velocity[k], turned(model.velocity[k]));
+    }
+    near(sample.position[3], model.position[3]);
+    let far = |a: usize, b: usize| {
+        let [p, q] = [placed(model.position[a]), placed(model.position[b])];
+        (q[0] - p[0]).hypot(q[1] - p[1])
+    };
+    let rests: Vec<f64> = world.bonds().iter().map(|bond| bond.rest_length).collect();
+    // The third is strained as it was: its length was 2 m, its rest 1.5 m.
+    let expected = [far(0, 1), far(1, 2), 0.75 * far(0, 2)];
+    assert!(
+        rests.iter().zip(expected).all(|(found, expected)| (found - expected).abs() < 1e-9),
+        "{rests:?} {expected:?}"
+    );
+    let angle = world.angles()[0];
+    let now_at =
+        wobble::sim::angle_at([0, 1, 2].map(PointId), [0, 1, 2].map(|point| placed(model.position[point]))).rest;
+    let was_at = wobble::sim::angle_at([0, 1, 2].map(PointId), [0, 1, 2].map(|point| model.position[point])).rest;
+    assert!((angle.rest - now_at).abs() < 1e-6 && (now_at - was_at).abs() > 0.1, "{angle:?}");
+    assert!((angle.arms[0] - far(0, 1)).abs() < 1e-9);
+    let [point, normal] = world.planes()[0];
+    for along in [0.0, 3.0] {
+        let on = placed([along, -9.0 - along]);
+        let off = (on[0] - point[0]) * normal[0] + (on[1] - point[1]) * normal[1];
+        assert!(off.abs() < 1e-9, "what lay on the plane lies on it: {off}");
+    }
+    for (corner, was) in world.polygons()[0].loops[0].iter().zip(&model.polygons[0].loops[0]) {
+        near([corner[0], corner[1], 0.0], placed(*was));
+    }
+    let mut space =
+        build(&Model::<3> { position: vec![[0.0; 3]], velocity: vec![[0.0; 3]], mass: vec![1.0], ..Model::default() })
+            .unwrap();
+    let motion = Motion { points: numbers(0..1), obstacles: Vec::new(), ..motion };
+    assert!(space.apply(&Command::Move(motion)).is_err(), "of the plane alone");
 }

@@ -14,18 +14,29 @@ pub enum Tool {
     Erase,
     /// A drag draws out a primitive, which comes into the world.
     Build,
-    /// A click selects a body or an obstacle, a drag moves it.
+    /// A click selects a body or an obstacle, a drag moves it; a drag beside all bodies selects what it goes around.
     Select,
     /// Makes a bond a muscle.
     Muscle,
     /// Hinges bodies together or to the ground, with a motor or without.
     Motor,
+    /// A brush that gives bodies another matter.
+    Paint,
 }
 
 impl Tool {
     /// All of them, in the order of the palette.
-    pub const ALL: [Tool; 8] =
-        [Tool::Hand, Tool::Pin, Tool::Cut, Tool::Erase, Tool::Build, Tool::Select, Tool::Muscle, Tool::Motor];
+    pub const ALL: [Tool; 9] = [
+        Tool::Hand,
+        Tool::Pin,
+        Tool::Cut,
+        Tool::Erase,
+        Tool::Build,
+        Tool::Select,
+        Tool::Muscle,
+        Tool::Motor,
+        Tool::Paint,
+    ];
 }
 
 /// What the tool for building makes.
@@ -155,6 +166,20 @@ pub enum Action {
     Delete,
     /// Puts a copy of what is selected beside it.
     Duplicate,
+    /// Keeps a copy of what is selected, to be pasted.
+    Copy,
+    /// Selects all bodies and obstacles.
+    SelectAll,
+    /// What is selected is selected as one from now on.
+    Group,
+    /// It is not any more.
+    Ungroup,
+    /// Opens an empty scene: gravity, a floor and walls.
+    New,
+    /// Takes away all bodies.
+    Clear,
+    /// Opens the scene with what is drawn by lot drawn anew.
+    Dice,
     /// A smaller region of the hover force.
     SmallerRegion,
     /// A larger region of the hover force.

@@ -10,6 +10,7 @@ mod import;
 pub mod keys;
 mod leftovers;
 mod loading;
+mod matter;
 pub mod meter;
 pub mod opening;
 mod panels;

@@ -101,8 +101,8 @@ object! {
             by: Vector,
             /// Anticlockwise about z `[rad]`, 0 if not said.
             turn: f64,
-            /// > 0, 1 if not said.
-            scale: f64,
+            /// > 0, 1 if not said: one factor, or in the plane two, along x and y.
+            scale: Factors,
             /// The place that stays where it is but for `by` `[m]`: the middle of what is moved if not said.
             about: Vector,
         }
@@ -192,6 +192,16 @@ pub enum OneOrEach {
     One(f64),
     /// One each, in the order in which they are named.
     Each(Vec<f64>),
+}
+
+/// One factor for all directions, or one for x and one for y.
+#[derive(Clone, Copy, Debug, PartialEq, serde::Serialize, serde::Deserialize, schemars::JsonSchema)]
+#[serde(untagged, expecting = "a factor, or a list of two: along x and along y")]
+pub enum Factors {
+    /// The same along all axes.
+    One(f64),
+    /// Along x, along y.
+    Each([f64; 2]),
 }
 
 /// One vector for all, or one each.

@@ -108,6 +108,11 @@ impl Dress {
         groups.push(Group { name: name.to_owned(), points: points.to_vec() });
     }
 
+    /// The groups as they were named, whatever is left of their points.
+    pub(super) fn named(&self) -> &Arc<Vec<Group>> {
+        &self.groups
+    }
+
     /// The groups, of the points that are left; none without.
     pub(super) fn groups(&self, world: &dyn Dynamics) -> Vec<Group> {
         let is_left = |point: &PointId| world.gone().binary_search(point).is_err();

@@ -59,7 +59,7 @@ impl Frame {
                 let applied = self.world.apply(&command).map_err(|error| error.to_string())?;
                 self.dress.wear(made.skins);
                 self.dress.tint(made.tints, &made.colors);
-                Ok(applied)
+                Ok(Applied { is_something: applied.is_something || !made.colors.is_empty(), ..applied })
             }
             Resolved::Group => {
                 if let Do::Group { points, name } = act {

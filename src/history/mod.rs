@@ -38,7 +38,8 @@ mod write;
 pub use autosave::{Autosave, EVERY, Left};
 pub use branch::BranchView;
 pub use command::{
-    AreasOrNone, DeleteKeys, Do, DriveOrNone, Entry, MoveKeys, OneOrEach, SetKeys, VectorOrEach, Walls, Weather,
+    AreasOrNone, DeleteKeys, Do, DriveOrNone, Entry, Factors, MoveKeys, OneOrEach, SetKeys, VectorOrEach, Walls,
+    Weather,
 };
 pub use dress::Group;
 pub use error::{HistoryError, Refusal};

@@ -1,7 +1,8 @@
 //! From commands as files have them to those of the engine.
 
 use super::command::{
-    AreasOrNone, DeleteKeys, Do, DriveOrNone, MoveKeys, OneOrEach, RangeOrNone, SetKeys, VectorOrEach, Walls, Weather,
+    AreasOrNone, DeleteKeys, Do, DriveOrNone, Factors, MoveKeys, OneOrEach, RangeOrNone, SetKeys, VectorOrEach, Walls,
+    Weather,
 };
 use crate::scene::{DriveKeys, KindName, LimitName, Made, Meeting, MethodKeys, Scene, Vector};
 use crate::sim::{
@@ -81,7 +82,14 @@ fn motion(keys: &MoveKeys, scene: &Scene) -> Result<Motion, String> {
         obstacles: obstacles.clone(),
         by: by.map_or(Ok([0.0; 3]), |by| vector("by", &by, scene))?,
         turn: turn.unwrap_or(0.0),
-        scale: scale.unwrap_or(1.0),
+        scale: match scale {
+            None => [1.0; 3],
+            Some(Factors::One(factor)) => [*factor; 3],
+            Some(Factors::Each(_)) if scene.dimensions() != 2 => {
+                return Err("scale: has two factors: give one in space".to_owned());
+            }
+            Some(Factors::Each([x, y])) => [*x, *y, 1.0],
+        },
         about: about.map(|about| vector("about", &about, scene)).transpose()?,
     })
 }

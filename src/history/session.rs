@@ -117,6 +117,11 @@ impl History {
         self.frame.dress.tints()
     }
 
+    /// The groups as they were named, whatever is left of their points: shared, so that it is seen at once whether they are others.
+    pub fn named(&self) -> &Arc<Vec<Group>> {
+        self.frame.dress.named()
+    }
+
     /// The groups of points that have a name, of the points that are left.
     pub fn groups(&self) -> Vec<Group> {
         self.frame.dress.groups(&*self.frame.world)

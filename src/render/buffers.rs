@@ -12,9 +12,10 @@ use super::camera::Camera;
 use super::chunks::{Chunks, LARGE, Selection, Wanted};
 use super::counters::RenderCounters;
 use super::error::RenderError;
-use super::forms::{ROPE, form, ropes};
+use super::forms::{ROPE, form, is_rope, ropes};
 use super::gpu::Gpu;
 use super::growing::GrowingBuffer;
+use super::look::Color;
 use super::order;
 use super::view::View;
 use crate::picture::Tint;
@@ -28,10 +29,12 @@ pub(super) struct GpuBond {
     pub(super) rest_length: f32,
     /// What it is drawn as: forms.rs.
     pub(super) form: u32,
+    /// The colour that its body has of its own, one above its place among [`WorldBuffers::colors`]; 0: none.
+    pub(super) color: u32,
 }
 
-/// A bond as the shader reads it: `Packed` in bonds.wgsl. Its form lies in the upper bits of `b`: the positions of as many points as
-/// the others can count are more than a GPU's buffers hold.
+/// A bond as the shader reads it: `Packed` in bonds.wgsl. Its form lies in the upper bits of `b`, its colour in those of `a`: the positions
+/// of as many points as the others can count are more than a GPU's buffers hold.
 #[derive(Clone, Copy, Debug, Pod, Zeroable)]
 #[repr(C)]
 struct PackedBond {
@@ -42,12 +45,13 @@ struct PackedBond {
 
 const _: () = assert!(size_of::<PackedBond>() == 12);
 
-/// Where the form begins in a packed bond: `FORM` in bonds.wgsl.
+/// Where form and colour begin in a packed bond: `FORM` in bonds.wgsl.
 const FORM: u32 = 29;
 
 impl From<&GpuBond> for PackedBond {
-    fn from(&GpuBond { a, b, rest_length, form }: &GpuBond) -> Self {
-        PackedBond { a, b: b & ((1 << FORM) - 1) | form << FORM, rest_length }
+    fn from(&GpuBond { a, b, rest_length, form, color }: &GpuBond) -> Self {
+        let [a, b] = [(a, color), (b, form)].map(|(end, upper)| end & ((1 << FORM) - 1) | upper << FORM);
+        PackedBond { a, b, rest_length }
     }
 }
 
@@ -55,15 +59,18 @@ impl GpuBond {
     /// A plain stroke.
     #[cfg(test)]
     pub(super) fn new(a: u32, b: u32, rest_length: f32) -> Self {
-        GpuBond { a, b, rest_length, form: 0 }
+        GpuBond { a, b, rest_length, form: 0, color: 0 }
     }
 }
 
 impl From<Bond> for GpuBond {
     fn from(bond: Bond) -> Self {
-        GpuBond { a: bond.a.0, b: bond.b.0, rest_length: bond.rest_length as f32, form: form(&bond) }
+        GpuBond { a: bond.a.0, b: bond.b.0, rest_length: bond.rest_length as f32, form: form(&bond), color: 0 }
     }
 }
+
+/// So many colours bonds have at most: as three bits count. Further ones are drawn in the colour of all bonds.
+pub(super) const COLORS: usize = 7;
 
 /// Marks the pinned ones among the points as they are drawn: `PINNED` in points.wgsl.
 const PINNED: u32 = 1 << 31;
@@ -79,12 +86,15 @@ pub(super) struct WorldBuffers {
     pub(super) frame: GrowingBuffer,
     point_count: u32,
     bond_count: u32,
-    pub(super) guide_count: u32,
+    /// Those below obstacles, and the numbers over them.
+    pub(super) guide_counts: [u32; 2],
     pub(super) solid_count: u32,
     /// Bonds and points that no skin and no fill covers, which come first: of small scenes.
     bare: [u32; 2],
     /// Skins and fills cover every bond.
     covers_all: bool,
+    /// Colours that bonds have of their bodies' own.
+    pub(super) colors: [Color; COLORS],
     /// Pinned points.
     pub(super) pin_count: u32,
     /// What positions are relative to `[m]`.
@@ -124,10 +134,11 @@ impl WorldBuffers {
             frame: GrowingBuffer::new(gpu, "frame", wgpu::BufferUsages::UNIFORM, 512),
             point_count: 0,
             bond_count: 0,
-            guide_count: 0,
+            guide_counts: [0; 2],
             solid_count: 0,
             bare: [0, 0],
             covers_all: false,
+            colors: [[0.0; 4]; COLORS],
             pin_count: 0,
             origin: DVec3::ZERO,
             typical_bond: 0.0,
@@ -227,6 +238,7 @@ impl WorldBuffers {
         let is_there = |point: &u32| view.current.get(view.dimensions * *point as usize).is_finite();
         let mut points: Vec<u32> = (0..point_count).filter(is_there).collect();
         let cover = covered(view, filled);
+        self.colors = paint(view, &cover, &mut bonds);
         if bonds.len().max(points.len()) >= LARGE {
             self.covered_bond = median_rest_length(&bonds);
             self.covers_all = points.iter().all(|&point| cover[point as usize] != 0);
@@ -238,8 +250,9 @@ impl WorldBuffers {
             // Lines between pins are a drawing, which has no joints to be seen.
             let is_scenery = scenery(&bonds, &pins(view.pinned, point_count));
             points.retain(|point| !is_scenery[*point as usize]);
-            let is_rope = ropes(view.bonds, cover.len());
-            bonds.iter_mut().zip(is_rope).filter(|(_, is)| *is).for_each(|(bond, _)| bond.form = ROPE);
+            let is_in_row = ropes(view.bonds, cover.len());
+            let in_a_row = bonds.iter_mut().zip(is_in_row).filter(|(bond, is)| *is && !is_rope(bond.form));
+            in_a_row.for_each(|(bond, _)| bond.form = ROPE);
             self.bare = bare_first(view, &cover, &mut bonds, &mut points);
             self.covered_bond = median_rest_length(&bonds[self.bare[0] as usize..]);
         }
@@ -326,19 +339,19 @@ impl WorldBuffers {
         Ok(())
     }
 
-    /// Uploads `count` guides, unless they are those of the last picture.
+    /// Uploads guides, so many below obstacles and over them, unless they are those of the last picture.
     pub(super) fn set_guides(
         &mut self,
         gpu: &Gpu,
         bytes: &[u8],
-        count: usize,
+        counts: [usize; 2],
         counters: &mut RenderCounters,
     ) -> Result<(), RenderError> {
         if self.last_guides != bytes {
             self.guides.write(gpu, bytes, counters)?;
             self.last_guides = bytes.to_vec();
         }
-        self.guide_count = count as u32;
+        self.guide_counts = counts.map(|count| count as u32);
         Ok(())
     }
 
@@ -399,6 +412,29 @@ fn covered(view: &View<'_>, filled: &[[u32; 3]]) -> Vec<u32> {
     cover
 }
 
+/// Gives bonds that nothing covers the colours that their bodies have of their own, the first [`COLORS`] of them. Returns these.
+fn paint(view: &View<'_>, cover: &[u32], bonds: &mut [GpuBond]) -> [Color; COLORS] {
+    let mut colors = [[0.0; 4]; COLORS];
+    if view.tints.iter().all(|tint| tint.color.is_none()) {
+        return colors;
+    }
+    let mut known: Vec<[u8; 3]> = Vec::new();
+    for bond in bonds.iter_mut().filter(|bond| cover[bond.a as usize] == 0 && cover[bond.b as usize] == 0) {
+        let own = Tint::of(view.tints, bond.a).and_then(|tint| tint.color);
+        let Some(color) = own else { continue };
+        let place = known.iter().position(|other| *other == color).or_else(|| {
+            known.push(color);
+            (known.len() <= COLORS).then(|| known.len() - 1)
+        });
+        bond.color = place.map_or(0, |place| place as u32 + 1);
+        known.truncate(COLORS);
+    }
+    for (to, [red, green, blue]) in colors.iter_mut().zip(known) {
+        *to = [red, green, blue, 255].map(|part| f32::from(part) / 255.0);
+    }
+    colors
+}
+
 /// Puts bonds and points that are not covered first, and returns how many there are of each. Pins are seen on skins too, and points
 /// within a rope are not.
 fn bare_first(view: &View<'_>, cover: &[u32], bonds: &mut [GpuBond], points: &mut [u32]) -> [u32; 2] {
@@ -408,7 +444,7 @@ fn bare_first(view: &View<'_>, cover: &[u32], bonds: &mut [GpuBond], points: &mu
     // How many bonds of a rope and others end in a point.
     let mut ends = vec![[0_u32; 2]; cover.len()];
     for bond in &*bonds {
-        let of = usize::from(bond.form != ROPE);
+        let of = usize::from(!is_rope(bond.form));
         [bond.a, bond.b].into_iter().for_each(|end| ends[end as usize][of] += 1);
     }
     let is_pinned = pins(view.pinned, cover.len() as u32);
@@ -522,6 +558,27 @@ pub(in crate::render) mod tests {
         let mut points: Vec<u32> = (0..6).collect();
         assert_eq!(bare_first(&view, &cover, &mut bonds, &mut points), [2, 1]);
         assert_eq!(bonds.map(|bond| [bond.a, bond.b]), [[1, 3], [4, 5], [0, 1], [3, 4]]);
+    }
+
+    #[test]
+    fn bare_bonds_have_the_colours_of_their_bodies_and_covered_ones_have_not() {
+        let bonds: Bonds =
+            [[0, 1], [1, 2], [3, 4], [5, 6]].map(|[a, b]| Bond::new(PointId(a), PointId(b), 1.0)).into_iter().collect();
+        let tint = |first, color| Tint { first, body: first, color };
+        let tints = [tint(0, Some([255, 0, 0])), tint(3, None), tint(5, Some([0, 255, 0]))];
+        let view = View { tints: &tints, ..empty(&bonds, 2) };
+        let mut list: Vec<GpuBond> = bonds.iter().map(GpuBond::from).collect();
+        let colors = paint(&view, &[0, 0, 0, 0, 0, 7, 7], &mut list);
+        assert_eq!(list.iter().map(|bond| bond.color).collect::<Vec<_>>(), [1, 1, 0, 0]);
+        assert_eq!(colors[0], [1.0, 0.0, 0.0, 1.0]);
+        let packed = PackedBond::from(&list[1]);
+        assert_eq!([packed.a >> FORM, packed.a & ((1 << FORM) - 1), packed.b >> FORM], [1, 1, list[1].form]);
+        // More colours than there is room for.
+        let bonds: Bonds = (0..9).map(|k| Bond::new(PointId(2 * k), PointId(2 * k + 1), 1.0)).collect();
+        let tints: Vec<Tint> = (0..9).map(|k| tint(2 * k, Some([k as u8, 9, 9]))).collect();
+        let mut list: Vec<GpuBond> = bonds.iter().map(GpuBond::from).collect();
+        paint(&View { tints: &tints, ..empty(&bonds, 2) }, &[0; 18], &mut list);
+        assert_eq!(list.iter().map(|bond| bond.color).collect::<Vec<_>>(), [1, 2, 3, 4, 5, 6, 7, 0, 0]);
     }
 
     #[test]

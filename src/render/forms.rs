@@ -2,11 +2,14 @@
 
 use crate::sim::{Bond, BondKind, Bonds, Limit};
 
-/// Kinds as the shader knows them: `ROD`, `COIL`, `ROPE`, `RELAXED` in bonds.wgsl; 0 is a plain stroke.
+/// Kinds as the shader knows them: `ROD`, `COIL`, `ROPE`, `RELAXED`, `STRING`, `STRUT` in bonds.wgsl; 0 is a plain stroke. A string and a
+/// strut act on one side only, as a rope and a rod that show no strain on the other.
 const ROD: u32 = 1;
 const COIL: u32 = 2;
 pub(super) const ROPE: u32 = 3;
 const RELAXED: u32 = 4;
+const STRING: u32 = 5;
+const STRUT: u32 = 6;
 
 /// Bonds in a row, without a branch, from which on they are a rope.
 const ROPE_FROM: usize = 6;
@@ -14,10 +17,25 @@ const ROPE_FROM: usize = 6;
 /// What a bond is drawn as by itself: what only pulls is a piece of rope.
 pub(super) fn form(bond: &Bond) -> u32 {
     match (bond.limit, bond.kind) {
-        (Limit::Max, _) => ROPE,
+        (Limit::Max, _) => STRING,
+        (Limit::Min, _) => STRUT,
         (_, BondKind::Rigid) => ROD,
         (_, BondKind::Spring { .. }) => COIL,
         (_, BondKind::Relaxed { .. }) => RELAXED,
+    }
+}
+
+/// Whether a form is drawn as a rope.
+pub(super) fn is_rope(form: u32) -> bool {
+    matches!(form, ROPE | STRING)
+}
+
+/// A strain, as a bond of a form acts against it `[1]`.
+pub(super) fn acting(form: u32, strain: f32) -> f32 {
+    match form {
+        STRING => strain.max(0.0),
+        STRUT => strain.min(0.0),
+        _ => strain,
     }
 }
 
@@ -78,6 +96,15 @@ mod tests {
         let found = ropes(&bonds, 24);
         assert_eq!(found.iter().filter(|is| **is).count(), 7);
         assert!(found[3..10].iter().all(|is| *is));
+    }
+
+    #[test]
+    fn what_acts_on_one_side_shows_strain_there_alone() {
+        let of = |limit| form(&Bond { limit, ..Bond::new(PointId(0), PointId(1), 1.0) });
+        let [string, strut, both] = [Limit::Max, Limit::Min, Limit::Both].map(of);
+        assert!(is_rope(string) && !is_rope(strut) && !is_rope(both));
+        let shown = |form| [-0.2, 0.3].map(|strain| acting(form, strain));
+        assert_eq!([string, strut, both].map(shown), [[0.0, 0.3], [-0.2, 0.0], [-0.2, 0.3]]);
     }
 
     #[test]

@@ -3,7 +3,7 @@
 use bytemuck::{Pod, Zeroable};
 use glam::DVec3;
 
-use super::buffers::WorldBuffers;
+use super::buffers::{COLORS, WorldBuffers};
 use super::camera::{Camera, Pose};
 use super::chunks::Wanted;
 use super::detail::dot_radius;
@@ -19,6 +19,7 @@ pub(super) struct Frame {
     ground: Color,
     bond_color: Color,
     rope_color: Color,
+    own_colors: [Color; COLORS],
     strain_colors: [Color; 9],
     point_color: Color,
     pin_color: Color,
@@ -45,7 +46,7 @@ pub(super) struct Frame {
     fog: f32,
 }
 
-const _: () = assert!(size_of::<Frame>() == 436);
+const _: () = assert!(size_of::<Frame>() == 548);
 
 impl Frame {
     /// The uniforms of a picture of what lies in `buffers`.
@@ -60,6 +61,7 @@ impl Frame {
             ground: look.ground,
             bond_color: look.bond,
             rope_color: look.rope,
+            own_colors: buffers.colors,
             strain_colors: look.strain,
             point_color: [r, g, b, opacity * point_strength(look, bond_pixels)],
             pin_color: look.pin,

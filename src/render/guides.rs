@@ -26,13 +26,14 @@ const CLOSEST: f64 = 45.0;
 /// Opacity of a plane's rim in space, where it ends nowhere, beside that of walls `[1]`.
 const PATCH_RIM: f32 = 0.6;
 
-/// The guides of a picture, those below first. Positions relative to `origin` `[m]`.
+/// The guides of a picture, those below first, and how many of them lie below obstacles: the numbers of the grid, which come last, are
+/// read on those too. Positions relative to `origin` `[m]`.
 pub(super) fn guides(
     camera: &Camera,
     (view, patches): (&View<'_>, &[Patch]),
     origin: DVec3,
     look: &Look,
-) -> Vec<Guide> {
+) -> (Vec<Guide>, usize) {
     let (bounds, dimensions) = (view.bounds, view.dimensions);
     let mut list = Vec::new();
     if let Pose::Plane { center, height } = camera.pose
@@ -56,7 +57,24 @@ pub(super) fn guides(
         let color = [red, green, blue, opacity * (fresh * fresh) as f32];
         list.push(guide(a - origin, b - origin, look.outline_width * look.scale_factor, color));
     }
-    list
+    let below = list.len();
+    if let Pose::Plane { center, height } = camera.pose
+        && look.has_grid
+        && let Some(seen) = seen(camera, center, height)
+    {
+        numbers(&mut list, camera, seen, origin, look);
+    }
+    (list, below)
+}
+
+/// The corners of what is seen of the plane `[m]`; `None` where the picture's edges are the same number, so far out or so near, or not
+/// finite.
+fn seen(camera: &Camera, center: DVec2, height: f64) -> Option<(DVec2, DVec2)> {
+    let [width_px, height_px] = camera.viewport();
+    let half = 0.5 * DVec2::new(height * f64::from(width_px) / f64::from(height_px), height);
+    let (low, high) = (center - half, center + half);
+    let is_fine = low.cmplt(high).all() && low.is_finite() && high.is_finite();
+    (is_fine && spacing(camera.pixels_per_metre()).is_normal()).then_some((low, high))
 }
 
 fn guide(a: DVec3, b: DVec3, width: f32, color: Color) -> Guide {
@@ -70,17 +88,10 @@ fn spacing(pixels_per_metre: f64) -> f64 {
     [1.0, 2.0, 5.0, 10.0].map(|step| step * decade).into_iter().find(|&step| step >= least).unwrap_or(decade)
 }
 
-/// Adds the lines of the grid.
-///
-/// Valid range: none where the picture's edges are the same number, so far out or so near, or not finite.
+/// Adds the lines of the grid; none where nothing is [`seen`].
 fn grid(list: &mut Vec<Guide>, camera: &Camera, center: DVec2, height: f64, origin: DVec3, look: &Look) {
+    let Some((low, high)) = seen(camera, center, height) else { return };
     let step = spacing(camera.pixels_per_metre());
-    let [width_px, height_px] = camera.viewport();
-    let half = 0.5 * DVec2::new(height * f64::from(width_px) / f64::from(height_px), height);
-    let (low, high) = (center - half, center + half);
-    if !(low.cmplt(high).all() && low.is_finite() && high.is_finite() && step.is_normal()) {
-        return;
-    }
     for axis in 0..2 {
         let (first, last) = ((low[axis] / step).ceil(), (high[axis] / step).floor());
         for line in 0..=((last - first) as i64) {
@@ -93,7 +104,6 @@ fn grid(list: &mut Vec<Guide>, camera: &Camera, center: DVec2, height: f64, orig
             list.push(guide(ends[0] - origin, ends[1] - origin, look.scale_factor, color));
         }
     }
-    numbers(list, camera, (low, high), origin, look);
 }
 
 /// Numbers of the grid: height of their digits, room from the picture's edge, and width of their strokes `[px]`; least distance between
@@ -189,7 +199,7 @@ mod tests {
     fn there_is_no_grid_where_numbers_end() {
         let count = |center: DVec2, height: f64| {
             let camera = Camera::new(Pose::Plane { center, height }, [640, 480]);
-            guides(&camera, (&empty(&Bonds::default(), 2), &[]), camera.focus(), &Look::default()).len()
+            guides(&camera, (&empty(&Bonds::default(), 2), &[]), camera.focus(), &Look::default()).0.len()
         };
         assert!((10..1000).contains(&count(DVec2::splat(1e3), 1e-3)));
         assert_eq!(count(DVec2::splat(1e20), 1e-6), 0, "both edges are the same number");
@@ -201,6 +211,16 @@ mod tests {
     }
 
     #[test]
+    fn numbers_come_last_and_over_obstacles() {
+        let camera = Camera::new(Pose::Plane { center: DVec2::ZERO, height: 8.0 }, [640, 480]);
+        let of = |look: Look| guides(&camera, (&empty(&Bonds::default(), 2), &[]), DVec3::ZERO, &look);
+        let (all, below) = of(Look::default());
+        let bare = of(Look { number: [0.0; 4], ..Look::default() });
+        assert_eq!((bare.0.len(), bare.1), (below, below), "lines alone lie below");
+        assert!(all.len() > below + 50 && all[below..].iter().all(|guide| guide.color == Look::default().number));
+    }
+
+    #[test]
     fn walls_have_four_edges_or_twelve() {
         let camera = Camera::fit([[-1.0; 3], [1.0; 3]], 3, [100, 100]);
         let count = |dimensions| {
@@ -209,6 +229,6 @@ mod tests {
             list.len()
         };
         assert_eq!((count(2), count(3)), (4, 12));
-        assert!(guides(&camera, (&empty(&Bonds::default(), 3), &[]), DVec3::ZERO, &Look::default()).is_empty());
+        assert!(guides(&camera, (&empty(&Bonds::default(), 3), &[]), DVec3::ZERO, &Look::default()).0.is_empty());
     }
 }

@@ -15,16 +15,16 @@ pub enum Overlay {
 
 /// Colours of strains, from squeezed to stretched, in even steps.
 ///
-/// Blue, pale and red: eyes that see two colours only tell both sides apart, and each from rest.
+/// Blue, grey and red: eyes that see two colours only tell both sides apart, and each from rest.
 ///
 /// Source: P. Tol, Colour schemes (technical note SRON/EPS/TN/09-002, 3.2, 2021), the scheme `sunset` without its darkest two, which
-/// a dark ground would swallow.
+/// a dark ground would swallow, and with grey in place of its middle, which is hardly told from a hundredth of stretch.
 pub const STRAIN_COLORS: [Color; 9] = [
     hex(0x4a_7b_b7, 1.0),
     hex(0x6e_a6_cd, 1.0),
     hex(0x98_ca_e1, 1.0),
     hex(0xc2_e4_ef, 1.0),
-    hex(0xea_ec_cc, 1.0),
+    hex(0xa9_b0_bb, 1.0),
     hex(0xfe_da_8b, 1.0),
     hex(0xfd_b3_66, 1.0),
     hex(0xf6_7e_4b, 1.0),

@@ -107,7 +107,7 @@ impl Pass {
     fn calls(self, buffers: &WorldBuffers, has_region: bool) -> Vec<[Range<u32>; 2]> {
         let selection = &buffers.selection;
         let mut calls = match self {
-            Pass::Guides => vec![[0..QUAD * buffers.guide_count, 0..1]],
+            Pass::Guides => vec![[0..QUAD * buffers.guide_counts[0], 0..1]],
             Pass::Dots => selection.dots.iter().map(|run| call(run, DISC)).collect(),
             Pass::Strokes => selection.strokes.iter().map(|run| call(run, QUAD)).collect(),
             Pass::Points => selection.points.iter().map(|range| [DISC * range.start..DISC * range.end, 0..1]).collect(),
@@ -268,6 +268,7 @@ impl Passes {
                 if let Some(pipelines) = &self.obstacles {
                     obstacles.draw(target, pipelines, counters);
                 }
+                self.draw_numbers(target, buffers, counters);
                 if shown.fills {
                     fills.draw(shown.strain, target, &self.fill, counters);
                 }
@@ -290,6 +291,19 @@ impl Passes {
         counters.bonds_drawn += count(&buffers.selection.strokes);
         counters.dots_drawn += count(&buffers.selection.dots);
         counters.points_drawn += buffers.selection.points.iter().map(|range| range.len() as u64).sum::<u64>();
+    }
+}
+
+impl Passes {
+    /// Draws the numbers of the grid, over obstacles and below bodies.
+    fn draw_numbers(&self, target: &mut wgpu::RenderPass<'_>, buffers: &WorldBuffers, counters: &mut RenderCounters) {
+        let [below, count] = buffers.guide_counts;
+        let pipeline = self.pipelines.iter().find(|(pass, _)| *pass == Pass::Guides);
+        let (Some((_, pipeline)), Some(bindings)) = (pipeline.filter(|_| count > 0), &self.bindings) else { return };
+        target.set_pipeline(pipeline);
+        target.set_bind_group(0, &bindings[Pass::Guides.shader()], &[]);
+        target.draw(QUAD * below..QUAD * (below + count), 0..1);
+        counters.draws += 1;
     }
 }
 

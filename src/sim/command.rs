@@ -155,7 +155,7 @@ pub struct Selection {
 }
 
 /// Places change: scaled and turned about a place, then moved. Velocities turn and do not scale; rest lengths of bonds with both ends moved
-/// scale; masses and stiffness stay.
+/// scale as the bonds do, angles at rest turn as their arms do; masses and stiffness stay.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Motion {
     /// Points.
@@ -166,8 +166,8 @@ pub struct Motion {
     pub by: [f64; 3],
     /// About z, anticlockwise `[rad]`.
     pub turn: f64,
-    /// Factor `[1]`, > 0.
-    pub scale: f64,
+    /// Factors along x, y and z `[1]`, > 0, before it is turned; in space all the same.
+    pub scale: [f64; 3],
     /// About this place `[m]`; `None`: the mean of the points, of the corners of the obstacles where there are none.
     pub about: Option<[f64; 3]>,
 }

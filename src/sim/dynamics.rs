@@ -2,10 +2,10 @@
 
 use super::bond::PointId;
 use super::bonds::Bonds;
-use super::command::{Applied, Command, CommandError, SceneChange};
+use super::command::{Applied, Command, CommandError, Obstacle, SceneChange};
 use super::contact::convex::Convex;
 use super::contact::polygon::Polygon;
-use super::contact::skin::Contact;
+use super::contact::skin::{Contact, SkinMaterial};
 use super::counters::Counters;
 use super::drive::Key;
 use super::force::angle::Angle;
@@ -129,6 +129,10 @@ pub trait Dynamics: Send {
     fn polygons(&self) -> &[Polygon];
     /// Balls and boxes in space that points cannot enter.
     fn convex(&self) -> &[Convex];
+    /// All obstacles with their numbers, in the order of [`Dynamics::obstacle_numbers`].
+    fn obstacles(&self) -> Vec<(u32, Obstacle)>;
+    /// What of the skin at a point is said apart from what [`Dynamics::contact`] says for all.
+    fn skin_of(&self, point: PointId) -> SkinMaterial;
     /// The mouse force and where its cursor is now, if the scene has the force and a cursor is there.
     fn mouse(&self) -> Option<(&MouseForce, Cursor)>;
     /// The mouse force, if the scene has it, wherever its cursor is.

@@ -119,7 +119,7 @@ impl Generator {
                 obstacles: self.obstacles(world),
                 by: [self.number(-0.5, 0.5), self.number(0.0, 0.5), 0.0],
                 turn: self.number(-0.5, 0.5),
-                scale: self.number(0.8, 1.2),
+                scale: [self.number(0.8, 1.2); 3],
                 about: None,
             }),
             15 => Command::Set(Change::Points {

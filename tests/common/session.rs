@@ -1,6 +1,6 @@
 //! Random commands of all kinds, seeded.
 
-use wobble::history::{DeleteKeys, Do, History, MoveKeys, OneOrEach, SetKeys};
+use wobble::history::{DeleteKeys, Do, Factors, History, MoveKeys, OneOrEach, SetKeys};
 use wobble::scene::{AddKeys, BodyKeys, BondKeys, MakerName, ObstacleKeys, PlaneKeys, PointKeys, Vector};
 use wobble::sim::{Cursor, MouseChange, PointId, Reach};
 
@@ -131,7 +131,7 @@ fn motion(history: &History, dice: &mut Dice, dimensions: usize) -> MoveKeys {
         points: points(history, dice).iter().map(|point| point.0).collect(),
         by: Some(Vector::new([dice.within(-0.2, 0.2), dice.within(-0.2, 0.2), 0.0], dimensions)),
         turn: Some(dice.within(-0.5, 0.5)),
-        scale: Some(dice.within(0.9, 1.1)),
+        scale: Some(Factors::One(dice.within(0.9, 1.1))),
         ..MoveKeys::default()
     }
 }

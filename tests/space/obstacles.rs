@@ -139,7 +139,7 @@ fn commands_and_saved_worlds_keep_balls_and_boxes() {
         obstacles: vec![1, 2],
         by: [0.5, 0.0, 0.0],
         turn: std::f64::consts::FRAC_PI_2,
-        scale: 2.0,
+        scale: [2.0; 3],
         about: Some([0.0; 3]),
     };
     world.apply(&Command::Move(motion)).unwrap();

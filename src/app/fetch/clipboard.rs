@@ -10,6 +10,23 @@ use crate::picture::{Picture, PictureError};
 /// What is said where there is nothing of use.
 const EMPTY: &str = "there is no picture on the clipboard: copy one, or a picture file, or its path";
 
+/// What lies on the clipboard after bodies were copied: they themselves stay in the program.
+const COPIED: &str = "bodies copied in a window of wobble: paste them there";
+
+/// Tells the clipboard that bodies were copied last, so that no older picture is pasted in their place. Where there is no clipboard there is
+/// none to be pasted either.
+pub(in crate::app) fn announce() {
+    std::thread::spawn(|| {
+        let Ok(mut clipboard) = Clipboard::new() else { return };
+        let set = clipboard.set();
+        // Some systems ask for it when it is pasted: it is there until something else is copied.
+        #[cfg(all(unix, not(target_os = "macos")))]
+        let set = arboard::SetExtLinux::wait(set);
+        // What cannot be written is not pasted either.
+        let _ = set.text(COPIED);
+    });
+}
+
 /// Looks what lies on the clipboard.
 ///
 /// Errors: nothing that is a picture or names a file; a picture that is too large or damaged; no clipboard.
@@ -27,6 +44,9 @@ pub(in crate::app) fn paste(wake: impl Fn() + Send + 'static) -> Fetch {
             Err(_) => {}
         }
         let text = clipboard.get_text().unwrap_or_default();
+        if text.trim() == COPIED {
+            return Ok(Found::Copied);
+        }
         let path = path(&text).ok_or_else(|| EMPTY.to_owned())?;
         if path.is_file() { Ok(Found::File(path)) } else { Err(no_file(&path)) }
     })

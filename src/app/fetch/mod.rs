@@ -9,7 +9,7 @@ use std::sync::mpsc::{Receiver, TryRecvError, channel};
 
 use crate::picture::Picture;
 
-pub(super) use clipboard::paste;
+pub(super) use clipboard::{announce, paste};
 pub(super) use dialog::open;
 
 /// What was brought.
@@ -19,6 +19,8 @@ pub(super) enum Found {
     File(PathBuf),
     /// A picture that is in no file.
     Picture(Picture),
+    /// What was copied in a window of this program.
+    Copied,
     /// The user thought better of it.
     Nothing,
 }

@@ -38,13 +38,15 @@ pub struct Held {
     pub command: bool,
     /// Shift.
     pub shift: bool,
+    /// Alt.
+    pub alt: bool,
 }
 
 impl Held {
     /// What the system says is held down.
     pub fn of(held: ModifiersState) -> Self {
         let command = if cfg!(target_os = "macos") { held.super_key() } else { held.control_key() };
-        Held { command, shift: held.shift_key() }
+        Held { command, shift: held.shift_key(), alt: held.alt_key() }
     }
 }
 
@@ -105,9 +107,9 @@ mod tests {
     use super::*;
     use crate::app::action::Tool;
 
-    const PLAIN: Held = Held { command: false, shift: false };
-    const CTRL: Held = Held { command: true, shift: false };
-    const CTRL_SHIFT: Held = Held { command: true, shift: true };
+    const PLAIN: Held = Held { command: false, shift: false, alt: false };
+    const CTRL: Held = Held { command: true, ..PLAIN };
+    const CTRL_SHIFT: Held = Held { shift: true, ..CTRL };
 
     fn writes(text: &str, held: Held) -> Option<Action> {
         action(&Key::Character(text.into()), held)
@@ -118,7 +120,7 @@ mod tests {
         assert_eq!(action(&Key::Named(NamedKey::Escape), PLAIN), Some(Action::Cancel));
         assert_eq!(action(&Key::Named(NamedKey::PageDown), PLAIN), Some(Action::NextScene));
         assert_eq!((writes("r", PLAIN), writes("R", PLAIN)), (Some(Action::Reset), Some(Action::Reset)));
-        assert_eq!((writes("r", CTRL), writes("o", PLAIN)), (None, None), "Ctrl makes another key of a key");
+        assert_eq!((writes("e", CTRL), writes("o", PLAIN)), (None, None), "Ctrl makes another key of a key");
         assert_eq!((writes("z", CTRL), writes("y", CTRL)), (Some(Action::Undo), Some(Action::Redo)));
         assert_eq!((writes("Z", CTRL_SHIFT), writes("q", CTRL)), (Some(Action::Redo), Some(Action::Quit)));
         assert_eq!((writes("[", PLAIN), writes("{", PLAIN)), (Some(Action::SmallerRegion), Some(Action::Weaker)));
@@ -174,7 +176,7 @@ mod tests {
     }
 
     #[test]
-    fn the_docs_have_the_table() {
+    fn the_page_on_the_window_has_the_table() {
         let page = include_str!("../../../docs/window.md");
         let rows: Vec<[&str; 2]> = page
             .lines()
@@ -188,7 +190,7 @@ mod tests {
             .collect();
         let keys = TABLE.iter().map(|binding| [binding.keys, binding.words]);
         let expected: Vec<[&str; 2]> = keys.chain(by_mouse()).collect();
-        assert_eq!(rows, expected, "the table of keys in docs/window.md is that of src/app/keys/table.rs, row by row");
+        assert_eq!(rows, expected, "the table of docs/window.md is that of src/app/keys/table.rs, row by row");
     }
 
     #[test]

@@ -33,8 +33,8 @@ pub static TABLE: &[Binding] = &[
         &[(Ctrl("z"), Action::Undo), (CtrlShift("z"), Action::Redo), (Ctrl("y"), Action::Redo)],
     ),
     binding(
-        "1, 2, 3, 4, 5, 6, 7, 8",
-        "the tools: hand, pin, cut, erase, build, select, muscle, motor",
+        "1, 2, 3, 4, 5, 6, 7, 8, 9",
+        "the tools: hand, pin, cut, erase, build, select, muscle, motor, material brush",
         &[
             (Writes("1"), Action::Take(Tool::Hand)),
             (Writes("2"), Action::Take(Tool::Pin)),
@@ -44,6 +44,7 @@ pub static TABLE: &[Binding] = &[
             (Writes("6"), Action::Take(Tool::Select)),
             (Writes("7"), Action::Take(Tool::Muscle)),
             (Writes("8"), Action::Take(Tool::Motor)),
+            (Writes("9"), Action::Take(Tool::Paint)),
         ],
     ),
     binding("T", "held: a click pins points or lets them go", &[(Writes("t"), Action::PinWhileHeld)]),
@@ -52,7 +53,23 @@ pub static TABLE: &[Binding] = &[
         "take away what is selected, under the cursor or grabbed",
         &[(Named(NamedKey::Delete), Action::Delete)],
     ),
-    binding("Ctrl+D", "a copy of what is selected, beside it", &[(Ctrl("d"), Action::Duplicate)]),
+    binding(
+        "Ctrl+D, Ctrl+C",
+        "a copy of what is selected, beside it; to paste",
+        &[(Ctrl("d"), Action::Duplicate), (Ctrl("c"), Action::Copy)],
+    ),
+    binding("Ctrl+A", "select all bodies and obstacles", &[(Ctrl("a"), Action::SelectAll)]),
+    binding(
+        "Ctrl+G, Ctrl+Shift+G",
+        "select what is selected as one from now on, or not any more",
+        &[(Ctrl("g"), Action::Group), (CtrlShift("g"), Action::Ungroup)],
+    ),
+    binding(
+        "Ctrl+N, Ctrl+Shift+N",
+        "an empty scene; take away all bodies of this one",
+        &[(Ctrl("n"), Action::New), (CtrlShift("n"), Action::Clear)],
+    ),
+    binding("Ctrl+R", "draw anew what the scene draws by lot", &[(Ctrl("r"), Action::Dice)]),
     binding(
         "[, ]",
         "a smaller or larger reach of the push",
@@ -77,7 +94,7 @@ pub static TABLE: &[Binding] = &[
     binding("N", "draw a body on a canvas", &[(Writes("n"), Action::Paint)]),
     binding("I", "cut the scene's first picture out anew", &[(Writes("i"), Action::Import)]),
     binding("Ctrl+O", "open a scene, a recording or a picture", &[(Ctrl("o"), Action::Open)]),
-    binding("Ctrl+V", "paste a picture, or a file", &[(Ctrl("v"), Action::Paste)]),
+    binding("Ctrl+V", "paste what was copied, a picture or a file", &[(Ctrl("v"), Action::Paste)]),
     binding("Ctrl+S", "save all that was done", &[(Ctrl("s"), Action::Save)]),
     binding(
         "F2",
@@ -103,11 +120,14 @@ pub static TABLE: &[Binding] = &[
 ];
 
 /// What the mouse does, in the same form.
-pub fn by_mouse() -> [[&'static str; 2]; 5] {
+pub fn by_mouse() -> [[&'static str; 2]; 8] {
     [
         ["left button on a body, or with one in the circle", "grab it; let go and it flies"],
         ["left button on a pin", "lead it elsewhere"],
         ["left button beside all bodies", "push through them"],
+        ["select: drag beside all bodies", "select what the box touches; with Alt what a free stroke goes around"],
+        ["select: drag a corner", "scale it; with Shift in proportion"],
+        ["select: drag the knob above", "turn it; with Shift in steps of 15°"],
         ["right or middle drag", "pan; in space the right button orbits"],
         ["wheel", "zoom at the cursor"],
     ]

@@ -15,7 +15,8 @@ pub(super) fn show(context: &egui::Context, room: Rect, state: &mut PanelState) 
         .resizable(false)
         .anchor(Align2::CENTER_CENTER, [0.0, 0.0])
         .show(context, |ui| {
-            ScrollArea::vertical().max_height((room.height() - 90.0).max(40.0)).show(ui, |ui| {
+            let height = (room.height() - 90.0).max(40.0);
+            ScrollArea::vertical().max_height(height).min_scrolled_height(height).show(ui, |ui| {
                 Grid::new("keys").num_columns(2).spacing([22.0, 4.0]).show(ui, |ui| {
                     let keys = TABLE.iter().map(|binding| [binding.keys, binding.words]);
                     for [keys, words] in by_mouse().into_iter().chain(keys) {

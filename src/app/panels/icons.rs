@@ -28,6 +28,7 @@ pub(super) enum Icon {
     Select,
     Muscle,
     Motor,
+    Brush,
     Gear,
     Plot,
     Primitive(Primitive),
@@ -133,6 +134,12 @@ fn paint(painter: &Painter, icon: Icon, rect: Rect, color: Color32) {
             painter.circle_filled(at(0.0, 0.1), 0.26 * unit, color);
             filled(&[(-0.25, -1.3), (0.55, -0.85), (-0.25, -0.4)]);
         }
+        Icon::Brush => {
+            // A handle, a ferrule, a tuft.
+            line(&[(1.1, -1.1), (0.1, -0.1)]);
+            filled(&[(0.1, -0.45), (0.45, -0.1), (0.1, 0.35), (-0.35, -0.1)]);
+            filled(&[(-0.35, -0.05), (0.05, 0.35), (-0.3, 0.9), (-1.1, 1.1), (-0.85, 0.35)]);
+        }
         Icon::Gear => {
             ring(0.0, 0.0, 0.4);
             ring(0.0, 0.0, 0.85);
@@ -176,7 +183,7 @@ mod tests {
         let context = egui::Context::default();
         let all = [Icon::Play, Icon::Pause, Icon::Step, Icon::Reset, Icon::Before, Icon::After];
         let more = [Icon::Undo, Icon::Redo, Icon::Hand, Icon::Pin, Icon::Cut, Icon::Erase, Icon::Build, Icon::Select];
-        let more = more.into_iter().chain([Icon::Muscle, Icon::Motor]);
+        let more = more.into_iter().chain([Icon::Muscle, Icon::Motor, Icon::Brush]);
         for icon in
             all.into_iter().chain(more).chain([Icon::Gear, Icon::Plot]).chain(Primitive::ALL.map(Icon::Primitive))
         {

@@ -9,6 +9,9 @@ mod help;
 mod hud;
 mod icons;
 mod legend;
+mod material;
+#[cfg(test)]
+mod material_tests;
 mod moving;
 mod notes;
 mod palette;
@@ -26,11 +29,13 @@ mod transport;
 
 use std::collections::BTreeMap;
 use std::path::PathBuf;
+use std::sync::Arc;
 
 use super::action::{Action, Primitive, Showing, Tool};
+use super::matter::{Matter, MatterChange};
 use super::player::Figures;
 use super::plots::Plots;
-use super::tools::Drives;
+use super::tools::{Brush, Drives};
 use crate::render::{Look, Overlay};
 use crate::scene::SolverName;
 use crate::sim::Key;
@@ -53,6 +58,12 @@ pub(super) enum Wish {
     Build(Primitive),
     /// The tools for muscles and motors make these from now on.
     Drives(Drives),
+    /// What is selected gets another matter; of the same drag as the last one.
+    Matter(MatterChange, bool),
+    /// The brush paints with this from now on.
+    Brush(Brush),
+    /// A drag beside all bodies is a free stroke from now on, or a box.
+    Lasso(bool),
     /// Something is set of the scene.
     Set(Setting),
     /// Another solver, with all else of the method as it is.
@@ -129,6 +140,12 @@ pub(super) struct Facts {
     pub(super) primitive: Primitive,
     /// What the tools for muscles and motors make.
     pub(super) drives: Drives,
+    /// What the brush paints with.
+    pub(super) brush: Brush,
+    /// A drag beside all bodies is a free stroke.
+    pub(super) draws_lasso: bool,
+    /// What is selected is made of.
+    pub(super) matter: Option<Arc<Matter>>,
     /// The keys that drives of the scene have, and which of them are held.
     pub(super) keys: Vec<(Key, bool)>,
     /// How the world looks.
@@ -154,17 +171,19 @@ pub(super) fn show(ui: &mut egui::Ui, state: &mut PanelState, facts: &Facts) -> 
         transport::show(ui, facts, &mut wishes);
     }
     let room = ui.available_rect_before_wrap();
-    if !state.hides_panels {
+    // What lies over the world has the room for itself.
+    let is_covered = state.sheet.is_some();
+    if !state.hides_panels && !is_covered {
         top::show(ui.ctx(), room, facts, &mut wishes);
-        palette::show(ui.ctx(), room, facts, &mut wishes);
+        palette::show(ui.ctx(), room, state, facts, &mut wishes);
     }
-    if state.has_settings && !state.hides_panels {
+    if state.has_settings && !state.hides_panels && !is_covered {
         settings::show(ui.ctx(), room, state, facts, &mut wishes);
     }
-    if let Some(plots) = state.plots.as_mut().filter(|_| !state.hides_panels) {
+    if let Some(plots) = state.plots.as_mut().filter(|_| !state.hides_panels && !is_covered) {
         plots::show(ui.ctx(), room, plots, &mut wishes);
     }
-    if !state.hides_hud && room.width() > 560.0 {
+    if !state.hides_hud && room.width() > 560.0 && !is_covered {
         let is_under = state.has_settings && !state.hides_panels && room.height() < settings::TALL;
         let beside = if is_under { settings::WIDTH + 28.0 } else { 0.0 };
         hud::show(ui.ctx(), (room, beside), facts, &mut wishes);

@@ -4,7 +4,7 @@ use egui::{Align2, Area, Id, Rect};
 
 use super::icons::{self, Icon};
 use super::theme::floating;
-use super::{Facts, Wish, described, drives, primitives};
+use super::{Facts, PanelState, Wish, described, drives, material, primitives};
 use crate::app::action::{Action, Tool};
 
 /// The sign of a tool and what it does.
@@ -14,14 +14,15 @@ fn words(tool: Tool) -> (Icon, &'static str) {
         Tool::Pin => (Icon::Pin, "pin a point, or let it go"),
         Tool::Cut => (Icon::Cut, "cut the bonds that a stroke crosses"),
         Tool::Erase => (Icon::Erase, "take away a body, a bond or an obstacle"),
-        Tool::Select => (Icon::Select, "select and move a body or an obstacle"),
+        Tool::Select => (Icon::Select, "select, move, turn and scale bodies and obstacles; what they are made of"),
         Tool::Build => (Icon::Build, "build: drag a body or an obstacle out"),
         Tool::Muscle => (Icon::Muscle, "make a bond a muscle: it gets longer and shorter"),
+        Tool::Paint => (Icon::Brush, "a brush that makes bodies of jelly, rubber, cloth, wood or steel"),
         Tool::Motor => (Icon::Motor, "hinge a body to another or to the ground, with a motor"),
     }
 }
 
-pub(super) fn show(context: &egui::Context, room: Rect, facts: &Facts, wishes: &mut Vec<Wish>) {
+pub(super) fn show(context: &egui::Context, room: Rect, state: &mut PanelState, facts: &Facts, wishes: &mut Vec<Wish>) {
     let place = Area::new(Id::unique("tools"))
         .anchor(Align2::LEFT_CENTER, [10.0, 0.5 * (room.height() - context.content_rect().height())]);
     let shown = place.show(context, |ui| {
@@ -45,5 +46,10 @@ pub(super) fn show(context: &egui::Context, room: Rect, facts: &Facts, wishes: &
     }
     if matches!(facts.tool, Tool::Muscle | Tool::Motor) {
         drives::show(context, shown.response.rect, facts, wishes);
+    }
+    match facts.tool {
+        Tool::Select => material::show(context, (room, shown.response.rect), state, facts, wishes),
+        Tool::Paint => material::show_brush(context, shown.response.rect, facts, wishes),
+        _ => {}
     }
 }

@@ -19,6 +19,7 @@ pub(super) fn show(context: &egui::Context, room: Rect, facts: &Facts, wishes: &
                 }
                 icon(ui, Icon::After, "the scene after", Action::NextScene, wishes);
                 ui.separator();
+                button(ui, "New", "an empty scene", Action::New, wishes);
                 button(ui, "Draw", "draw a body", Action::Paint, wishes);
                 button(ui, "Open", "open a scene, a recording or a picture", Action::Open, wishes);
                 button(ui, "Save", "save all that was done", Action::Save, wishes);

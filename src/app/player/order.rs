@@ -3,12 +3,17 @@
 use std::path::PathBuf;
 
 use super::watch::Probes;
+use crate::app::matter::{Among, MatterChange};
 use crate::history::Do;
+use crate::picture::Tint;
 use crate::scene::{AddKeys, Scene, SceneError, SolverName, ViewKeys};
 use crate::sim::{Cursor, Dynamics, PointId};
 
 /// Works out what is added to a running world.
 pub(super) type Adder = Box<dyn FnOnce(&Scene, &dyn Dynamics) -> Result<AddKeys, SceneError> + Send>;
+
+/// Looks at a running world and what its points look like, and keeps what it saw for itself.
+pub(super) type Look = Box<dyn FnOnce(&dyn Dynamics, &[Tint]) + Send>;
 
 /// What is to be done, in order.
 pub enum Order {
@@ -29,6 +34,19 @@ pub enum Order {
     Give(Vec<Do>, Option<&'static str>),
     /// A command that belongs to the last edit, which is called so.
     GiveOn(Do, &'static str),
+    /// Bodies get another matter. `goes_on`: this belongs to the last edit.
+    Change {
+        /// What of them.
+        among: Among,
+        /// What becomes of it.
+        change: MatterChange,
+        /// The same was changed just before.
+        goes_on: bool,
+    },
+    /// What these are made of is shown from now on; of nothing, nothing is.
+    Inspect(Among),
+    /// The world is looked at, as it is now.
+    Copy(Look),
     /// Another solver, with all else of the method as it is.
     Solver(SolverName),
     /// A pin goes to a place `[m]` on a straight way from where it is. `goes_on`: this belongs to the last edit.

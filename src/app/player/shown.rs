@@ -6,7 +6,8 @@ use super::acts::Acts;
 use super::movers::Movers;
 use super::rungs::Yielded;
 use super::watch::Measured;
-use crate::history::BranchView;
+use crate::app::matter::Matter;
+use crate::history::{BranchView, Group};
 use crate::picture::{Skin, Tint};
 use crate::render::View;
 use crate::sim::{
@@ -69,6 +70,12 @@ pub struct Scenery {
     pub convex: Vec<Convex>,
     /// The numbers of the polygons; in space of balls and boxes.
     pub solid_numbers: Vec<u32>,
+    /// The numbers of the planes.
+    pub plane_numbers: Vec<u32>,
+    /// The number that the next obstacle gets.
+    pub next_obstacle: u32,
+    /// Points that are selected as one.
+    pub groups: Arc<Vec<Group>>,
     /// What bodies cover.
     pub triangles: Vec<[PointId; 3]>,
     /// What is drawn on triangles.
@@ -85,7 +92,9 @@ pub struct Scenery {
 
 impl Scenery {
     /// That of a world with these skins.
-    pub fn of(world: &dyn Dynamics, skins: &[Skin], tints: &Arc<[Tint]>) -> Self {
+    pub fn of(world: &dyn Dynamics, skins: &[Skin], (tints, groups): (&Arc<[Tint]>, &Arc<Vec<Group>>)) -> Self {
+        let [of_planes, of_solids] = world.obstacle_numbers();
+        let [_, _, next_obstacle] = world.next_numbers();
         Scenery {
             bonds: world.bonds().clone(),
             bond_numbers: world.bond_numbers().map(<[u32]>::to_vec),
@@ -95,7 +104,10 @@ impl Scenery {
             planes: world.planes(),
             polygons: world.polygons().to_vec(),
             convex: world.convex().to_vec(),
-            solid_numbers: world.obstacle_numbers()[1].to_vec(),
+            solid_numbers: of_solids.to_vec(),
+            plane_numbers: of_planes.to_vec(),
+            next_obstacle,
+            groups: Arc::clone(groups),
             triangles: world.triangles().to_vec(),
             skins: skins.to_vec(),
             tints: Arc::clone(tints),
@@ -200,6 +212,8 @@ pub struct Shown {
     pub figures: Figures,
     /// What plots are made of, if that is asked for.
     pub measured: Option<Measured>,
+    /// What is selected is made of, if that is asked for.
+    pub matter: Option<Arc<Matter>>,
 }
 
 impl Shown {

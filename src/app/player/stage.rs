@@ -11,6 +11,7 @@ use super::rungs::{Load, Rung, Rungs, Yielded};
 use super::save;
 use super::shown::{Figures, Scenery, Shown};
 use super::watch::Watch;
+use crate::app::matter::{Among, Matter, MatterChange, commands};
 use crate::app::meter::Meter;
 use crate::history::{BranchView, Do, History, HistoryError, Recording, Refusal, SetKeys, Start};
 use crate::scene::{AddKeys, BondKeys, MOST_MEETING, Meeting, MethodKeys, PinMotionKeys, ViewKeys};
@@ -63,6 +64,9 @@ pub struct Stage {
     view: Option<ViewKeys>,
     branches: Arc<[BranchView]>,
     watch: Watch,
+    /// Whose matter is shown, and what it is.
+    among: Among,
+    matter: Option<Arc<Matter>>,
 }
 
 /// A history without its worlds.
@@ -108,6 +112,8 @@ impl Stage {
             view: None,
             branches: Arc::default(),
             watch: Watch::default(),
+            among: Among::default(),
+            matter: None,
         };
         stage.look();
         Ok(stage)
@@ -170,7 +176,17 @@ impl Stage {
                 None
             }
             Order::Give(commands, edit) => self.give(commands, edit),
-            Order::GiveOn(act, name) => self.give_on(act, name),
+            Order::GiveOn(act, name) => self.give_on(vec![act], name),
+            Order::Change { among, change, goes_on } => self.change_matter(&among, change, goes_on),
+            Order::Inspect(among) => {
+                self.among = among;
+                self.inspect();
+                None
+            }
+            Order::Copy(look) => {
+                look(self.history.world(), self.history.tints());
+                None
+            }
             Order::Solver(solver) => {
                 let method = MethodKeys { solver: Some(solver), source: None, ..self.history.method() };
                 self.give(vec![with(method)], Some(SOLVER))
@@ -303,10 +319,26 @@ impl Stage {
         commands.iter().any(names_old).then_some("something else came into the scene meanwhile: draw it again")
     }
 
-    /// Does a command that belongs to the last edit: a setting is dragged on.
-    fn give_on(&mut self, act: Do, name: &'static str) -> Option<Note> {
-        let changes = matches!(act, Do::Mouse(_));
-        let given = self.history.give_on(vec![act], name);
+    /// Bodies get another matter.
+    fn change_matter(&mut self, among: &Among, change: MatterChange, goes_on: bool) -> Option<Note> {
+        match commands(self.history.world(), among, change) {
+            Err(why) => Some(Note::Refused(why.to_owned())),
+            Ok(list) if goes_on => self.give_on(list, change.name()),
+            Ok(list) => self.give(list, Some(change.name())),
+        }
+    }
+
+    /// Looks what is shown is made of now.
+    fn inspect(&mut self) {
+        let is_wanted = !self.among.is_empty();
+        let matter = is_wanted.then(|| Matter::of(self.history.world(), self.history.tints(), &self.among)).flatten();
+        self.matter = matter.map(Arc::new);
+    }
+
+    /// Does commands that belong to the last edit: a setting is dragged on.
+    fn give_on(&mut self, acts: Vec<Do>, name: &'static str) -> Option<Note> {
+        let changes = acts.iter().any(|act| matches!(act, Do::Mouse(_)));
+        let given = self.history.give_on(acts, name);
         self.pace.motion += 1;
         if given.is_ok() && changes {
             self.base = self.history.base_strength();
@@ -402,18 +434,21 @@ impl Stage {
         if !goes_on {
             return self.give(vec![way], Some(LEAD_PIN));
         }
-        self.give_on(way, LEAD_PIN)
+        self.give_on(vec![way], LEAD_PIN)
     }
 
     /// What stands about the points is looked at again if it changed.
     fn look(&mut self) {
         let world = self.history.world();
-        if self.topology != Some(world.topology()) {
+        let (tints, groups) = (self.history.tints(), self.history.named());
+        let is_dressed = Arc::ptr_eq(tints, &self.scenery.tints) && Arc::ptr_eq(groups, &self.scenery.groups);
+        if self.topology != Some(world.topology()) || !is_dressed {
             self.topology = Some(world.topology());
             self.sceneries += 1;
-            let mut scenery = Scenery::of(world, self.history.skins(), self.history.tints());
+            let mut scenery = Scenery::of(world, self.history.skins(), (tints, groups));
             scenery.warnings.splice(0..0, self.history.notes().iter().cloned());
             self.scenery = Arc::new(scenery);
+            self.inspect();
         }
     }
 
@@ -452,6 +487,7 @@ impl Stage {
         (shown.base, shown.settings) = (self.base, world.settings());
         shown.figures = self.figures(world);
         shown.measured = self.watch.look(self.history.world());
+        shown.matter.clone_from(&self.matter);
     }
 
     fn figures(&self, world: &dyn Dynamics) -> Figures {

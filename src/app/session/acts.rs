@@ -1,19 +1,18 @@
 //! What actions do.
 
-use std::sync::Arc;
-
 use winit::window::Fullscreen;
 
 use super::{Framing, Session};
 use crate::app::action::Action;
+use crate::app::matter::MatterChange;
 use crate::app::opening;
 use crate::app::panels::{Setting, Sheet, Wish, search_id};
 use crate::app::player::{Order, Player};
 use crate::app::thumbnails::Thumbnails;
-use crate::app::tools::{Deed, copy, strength};
+use crate::app::tools::{Deed, strength};
 use crate::history::Do;
 use crate::scene::{Entry, gallery};
-use crate::sim::{MouseChange, PointId};
+use crate::sim::MouseChange;
 
 /// The least and the greatest pace, in seconds of the scene itself.
 const PACES: [f64; 2] = [0.125, 4.0];
@@ -43,6 +42,13 @@ impl Session {
             Action::PinWhileHeld => self.hand.hold_pins(true),
             Action::Delete => self.delete(),
             Action::Duplicate => self.duplicate(),
+            Action::Copy => self.copy(),
+            Action::SelectAll => self.select_all(),
+            Action::Group => self.group(),
+            Action::Ungroup => self.ungroup(),
+            Action::New => self.open_empty(),
+            Action::Clear => self.clear(),
+            Action::Dice => self.roll(),
             Action::SmallerRegion => self.change_force(1.0, 1.0 / LARGER),
             Action::LargerRegion => self.change_force(1.0, LARGER),
             Action::Weaker => self.change_force(1.0 / LARGER, 1.0),
@@ -88,6 +94,9 @@ impl Session {
             Wish::Build(primitive) => self.hand.choose(primitive),
             Wish::Drives(drives) => self.hand.set_drives(drives),
             Wish::Set(setting) => self.set(setting),
+            Wish::Matter(change, goes_on) => self.change_matter(change, goes_on),
+            Wish::Brush(brush) => self.hand.set_brush(brush),
+            Wish::Lasso(is_lasso) => self.hand.draw_lasso(is_lasso),
             Wish::Solver(solver) => self.player.ask(Order::Solver(solver)),
             Wish::Pace(pace) => self.set_pace(pace),
             Wish::GoTo(time) => {
@@ -150,7 +159,13 @@ impl Session {
             self.player.play(playing);
             self.camera = camera;
         } else {
+            let held = std::mem::take(&mut self.driving);
             self.go(Order::Reset);
+            // Keys that are held down drive on.
+            for (key, drives) in held {
+                self.driving.push((key, drives));
+                self.give_key(drives, true);
+            }
         }
     }
 
@@ -160,21 +175,22 @@ impl Session {
         self.do_deed(deed);
     }
 
-    /// A copy of what is selected comes beside it, and is selected in its place.
-    fn duplicate(&mut self) {
-        let Some((points, by)) = self.with_scope(|hand, scope| hand.to_copy(scope)) else {
-            return self.say("select a body first: the tool for that is 6".to_owned());
-        };
-        let tints = Arc::clone(&self.shown().scenery.tints);
-        let next = self.shown().point_count() as u32;
-        self.player.ask(Order::Add(Box::new(move |_, world| Ok(copy(world, &tints, &points, by)))));
-        self.hand.select(PointId(next));
-    }
-
     /// Gives commands to the world, if there are any.
     pub(super) fn do_deed(&mut self, deed: Deed) {
         if let Some(words) = &deed.words {
             self.say(words.clone());
+        }
+        if let Some(among) = deed.painted.clone() {
+            let preset = self.hand.brush().preset;
+            let change = MatterChange::Preset(preset);
+            let counted = among.bonds.as_ref().map_or(0, Vec::len);
+            self.say(format!(
+                "{}: {} points and {counted} bonds; Ctrl+Z takes it back",
+                preset.name(),
+                among.points.len()
+            ));
+            self.player.ask(Order::Change { among, change, goes_on: false });
+            self.dirty = true;
         }
         if !deed.is_empty() {
             self.player.give(deed.commands, deed.edit);

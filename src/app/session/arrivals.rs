@@ -119,14 +119,21 @@ impl Session {
             fetch.take_if(|_| found.is_some());
             found
         });
-        for found in fetched.into_iter().flatten() {
+        for (is_pasted, found) in [false, true].into_iter().zip(fetched) {
+            let Some(found) = found else { continue };
             match found {
+                Ok(Found::Copied) if self.paste_copied() => {}
+                Ok(Found::Copied) => {
+                    self.complain("what was copied is in another window of wobble: copy it in this one");
+                }
                 Ok(Found::File(path)) => self.take_file(&path),
                 Ok(Found::Picture(picture)) => {
                     let import = Import::of_picture(PASTED.to_owned(), Arc::new(picture), self.wake_up());
                     self.bring_in(import);
                 }
                 Ok(Found::Nothing) => {}
+                // Where the clipboard has nothing of use, there may still be what was copied here.
+                Err(_) if is_pasted && self.paste_copied() => {}
                 Err(why) => self.complain(&why),
             }
         }

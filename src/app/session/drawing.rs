@@ -19,7 +19,7 @@ const MOST_MARKED: usize = 100_000;
 /// Size of words over the world `[points]`.
 const WORDS: f32 = 13.0;
 /// What numbers over the world are written with: signs are given to the GPU with the panels only, so they are had before.
-const SIGNS: &str = "0123456789.-× m°";
+const SIGNS: &str = "0123456789.,-× m°";
 
 impl Session {
     /// Shows the panels, and does what they ask for.
@@ -28,6 +28,7 @@ impl Session {
         self.panels_at = Some(Instant::now());
         let facts = self.facts();
         (self.figures, self.settings) = (self.shown().figures.clone(), self.shown().settings.clone());
+        self.matter.clone_from(&self.player.shown().matter);
         let input = self.egui.take_egui_input(&self.window);
         let context = self.egui.egui_ctx().clone();
         if let Some(thumbnails) = &mut self.thumbnails {
@@ -92,6 +93,9 @@ impl Session {
             tool: self.hand.tool(),
             primitive: self.hand.primitive(),
             drives: self.hand.drives(),
+            brush: self.hand.brush(),
+            draws_lasso: self.hand.draws_lasso(),
+            matter: self.shown().matter.clone().filter(|_| !self.inspected.is_empty()),
             keys: self.keys_to_hold(),
             look: self.look,
             showing: self.showing(),
@@ -146,6 +150,8 @@ impl Session {
             return None;
         }
         match self.live_force() {
+            // It is the hand's alone.
+            Some(_) if self.hand.tool() != Tool::Hand && !self.shown().figures.follows => None,
             // Paused, the world has not heard yet of what other tools put away and the hand takes up again.
             Some(force) if !self.player.is_playing() && !self.hand.is_busy() && !self.shown().figures.follows => {
                 let strength = self.hand.strength().filter(|_| self.hand.tool() == Tool::Hand)?;
@@ -168,8 +174,9 @@ impl Session {
         }
         let scope = Scope { shown: self.shown(), camera: &self.camera, scale: f64::from(self.look.scale_factor) };
         let mut marks: Vec<Mark> = self.probes().flat_map(|(place, point)| probe(scope, place, point)).collect();
-        if !is_idle && self.shown().point_count() <= MOST_MARKED {
-            marks.extend(self.hand.marks(scope, self.pixel()));
+        if !self.is_covered() && self.shown().point_count() <= MOST_MARKED {
+            // What is selected is seen while its panel is used.
+            marks.extend(self.hand.marks(scope, self.pixel().filter(|_| !is_idle)));
         }
         if marks.is_empty() {
             return Vec::new();
@@ -210,6 +217,7 @@ fn shape(context: &egui::Context, mark: &Mark, scale: f32) -> Shape {
         Role::Hold | Role::Come => theme::ACCENT,
         Role::Away => theme::AWAY,
         Role::Probe(place) => theme::PROBES[*place],
+        Role::Paint([red, green, blue]) => Color32::from_rgb(*red, *green, *blue),
     };
     let at = |pixel: &glam::DVec2| Pos2::new(pixel.x as f32 / scale, pixel.y as f32 / scale);
     let edge = Color32::from_black_alpha(150);
@@ -223,6 +231,21 @@ fn shape(context: &egui::Context, mark: &Mark, scale: f32) -> Shape {
             let ring =
                 |width, color| Shape::circle_stroke(at(middle), *radius as f32 / scale, Stroke::new(width, color));
             Shape::Vec(vec![ring(4.0, edge), ring(2.0, color(role))])
+        }
+        Mark::Knob(role, middle, radius) => {
+            let radius = *radius as f32 / scale;
+            Shape::Vec(vec![
+                Shape::circle_filled(at(middle), radius + 1.5, edge),
+                Shape::circle_filled(at(middle), radius, color(role)),
+            ])
+        }
+        Mark::Square(role, middle, half) => {
+            let square = |half| Rect::from_center_size(at(middle), egui::Vec2::splat(2.0 * half));
+            let half = *half as f32 / scale;
+            Shape::Vec(vec![
+                Shape::rect_filled(square(half + 1.5), 2.0, edge),
+                Shape::rect_filled(square(half), 1.5, color(role)),
+            ])
         }
         Mark::Words(corner, words) => written(context, at(corner), words),
     }

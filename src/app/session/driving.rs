@@ -57,7 +57,7 @@ impl Session {
         }
     }
 
-    fn give_key(&mut self, key: Key, down: bool) {
+    pub(super) fn give_key(&mut self, key: Key, down: bool) {
         self.player.give(vec![Do::Key { key, down }], None);
         self.touch();
     }

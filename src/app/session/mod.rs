@@ -4,10 +4,12 @@ mod acts;
 mod arrivals;
 mod drawing;
 mod driving;
+mod fresh;
 mod keeping;
 mod leftovers;
 mod plotting;
 mod pointing;
+mod selecting;
 mod shelf;
 
 use std::path::PathBuf;
@@ -18,7 +20,7 @@ use std::time::{Duration, Instant};
 use winit::event::WindowEvent;
 use winit::event_loop::{EventLoopProxy, OwnedDisplayHandle};
 use winit::keyboard::PhysicalKey;
-use winit::window::Window;
+use winit::window::{CursorIcon, Window};
 
 use super::AppError;
 use super::canvas::{Canvas, Paint};
@@ -27,6 +29,7 @@ use super::import::Import;
 use super::keys::{Down, Held};
 use super::leftovers::{Leftover, look};
 use super::loading::Loading;
+use super::matter::Matter;
 use super::meter::Meter;
 use super::panels::{PanelState, Sheet, theme};
 use super::player::{Figures, News, Note, Order, Player, Shown, too_many_to_meet};
@@ -34,11 +37,12 @@ use super::pointer::Pointer;
 use super::saving::Saving;
 use super::shell::is_for_panels;
 use super::thumbnails::Thumbnails;
-use super::tools::Hand;
+use super::tools::{Chosen, Hand};
 use crate::history::{HistoryError, Start};
 use crate::render::{Camera, Look, RenderCounters, RenderError, Trails};
 use crate::scene::{MOST_MEETING, Scene, gallery};
 use crate::sim::{Cursor, Key, MouseForce, SceneChange};
+use selecting::Copied;
 use shelf::Shelf;
 
 /// The tag of scenes that open on a canvas.
@@ -92,6 +96,13 @@ pub(super) struct Session {
     gone_by: Option<u64>,
     /// The stepping thread was told that the hand pushes.
     pushes: bool,
+    /// What the stepping thread was told is selected, and what was copied.
+    inspected: Chosen,
+    copied: Option<Copied>,
+    /// The last that was asked for in this history was to undo an edit.
+    has_undone: bool,
+    /// How the pointer looks.
+    cursor_icon: CursorIcon,
     /// Strength of the hover force when nothing is led, as the world told it last.
     base: Option<f64>,
     look: Look,
@@ -145,6 +156,7 @@ pub(super) struct Session {
     /// The figures and settings that panels show.
     figures: Figures,
     settings: SceneChange,
+    matter: Option<Arc<Matter>>,
 }
 
 impl Session {
@@ -183,6 +195,10 @@ impl Session {
             rewinds: false,
             gone_by: None,
             pushes: false,
+            inspected: Chosen::default(),
+            copied: None,
+            has_undone: false,
+            cursor_icon: CursorIcon::Default,
             base: None,
             panels: PanelState::default(),
             paint: Paint::default(),
@@ -215,6 +231,7 @@ impl Session {
             comes_back: false,
             figures: Figures::default(),
             settings: SceneChange::default(),
+            matter: None,
         };
         if session.player.is_open() {
             session.arrive(Arc::clone(&session.scene));
@@ -304,7 +321,7 @@ impl Session {
 
     /// The world goes to another time: what the hand leads here stays here.
     pub(super) fn go(&mut self, order: Order) {
-        self.hand.let_go();
+        self.hand.drop_all();
         self.driving.clear();
         self.player.ask(order);
         self.gone_by = Some(self.player.serial());
@@ -318,6 +335,8 @@ impl Session {
     /// Another history is shown: nothing of the last one is under way any more.
     fn begin(&mut self) {
         self.hand.let_go();
+        self.inspected = Chosen::default();
+        self.has_undone = false;
         self.driving.clear();
         self.panels.sheet = None;
         (self.rewinds, self.last_frame, self.told, self.gone_by) = (false, None, None, None);
@@ -364,6 +383,7 @@ impl Session {
         if news.is_new {
             self.dirty = true;
             self.panels_dirty |= self.panels.has_settings && self.shown().settings != self.settings;
+            self.panels_dirty |= self.shown().matter != self.matter;
             self.gone_by.take_if(|serial| *serial <= self.player.shown().serial);
             self.plot();
             if self.base != self.shown().base {
@@ -394,7 +414,10 @@ impl Session {
     /// Something became of what was asked.
     fn note(&mut self, note: Note) {
         match note {
-            Note::Undone(name, seconds) => self.have_gone(format!("Undid: {name}{}", far(seconds))),
+            Note::Undone(name, seconds) => {
+                self.has_undone = true;
+                self.have_gone(format!("Undid: {name}{}", far(seconds)));
+            }
             Note::Redone(name, seconds) => self.have_gone(format!("Redid: {name}{}", far(seconds))),
             Note::NothingToUndo => self.go_back(),
             Note::NothingToRedo => self.go_on(),
@@ -426,7 +449,7 @@ impl Session {
 
     /// The world went to another time.
     fn have_gone(&mut self, line: String) {
-        self.hand.let_go();
+        self.hand.drop_all();
         self.driving.clear();
         self.say(line);
     }
@@ -464,6 +487,7 @@ impl Session {
             return Ok(());
         }
         self.advance(start);
+        self.inspect();
         self.dirty = false;
         let is_time = self.panels_at.is_none_or(|at| at.elapsed() >= FIGURES_EVERY);
         if self.panels_dirty || is_time {
@@ -528,7 +552,7 @@ impl Session {
     /// Ctrl and Shift go down or up.
     pub(super) fn hold(&mut self, held: Held) {
         self.held = held;
-        self.hand.hold_shift(held.shift);
+        self.hand.hold([held.shift, held.alt]);
         self.dirty = true;
     }
 

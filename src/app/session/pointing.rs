@@ -25,6 +25,8 @@ impl Session {
         }
         self.place_hint();
         self.was_over_panels = is_over;
+        self.with_scope(|hand, scope| hand.trace(scope, DVec2::from(at)));
+        self.show_cursor();
         self.dirty = true;
     }
 
@@ -70,6 +72,7 @@ impl Session {
             }
         };
         self.do_deed(deed);
+        self.show_cursor();
     }
 
     /// A pin that is led goes after the cursor, `seconds` after the last time.

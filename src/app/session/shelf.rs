@@ -62,9 +62,13 @@ impl Shelf {
 }
 
 impl Session {
-    /// There is nothing to undo in this history: it was opened, so that is undone.
+    /// There is nothing to undo in this history: it was opened, so that is undone. Whoever has just undone all of its edits is told first,
+    /// and asks again.
     pub(super) fn go_back(&mut self) {
         let name = self.scene.name().to_owned();
+        if std::mem::take(&mut self.has_undone) && !self.shelf.before.is_empty() {
+            return self.say(format!("all is undone: once more leaves {name} for the scene before it"));
+        }
         match self.shelf.back() {
             Some((player, camera)) => {
                 let left = self.bring_back(player, camera);

@@ -1,56 +1,146 @@
-//! A copy of a body of a running world, as it is now.
+//! A copy of what is selected in a running world, as it is now: the keys that bring it again, here or in another scene.
 
+use super::chosen::Chosen;
 use crate::picture::Tint;
-use crate::scene::{AddKeys, BondKeys, ColorKey, KindName, LimitName, MassKeys, PointKeys, Row, SkinKeys, Vector};
-use crate::sim::{Bond, BondKind, Dynamics, Limit, PointId};
+use crate::scene::{
+    AddKeys, AngleKeys, BondKeys, BoxKeys, CircleKeys, ColorKey, ForceKeys, KindName, LimitName, MassKeys,
+    ObstacleKeys, PlaneKeys, PointKeys, RotationKeys, Row, SkinKeys, Vector,
+};
+use crate::sim::{Angle, Bond, BondKind, Convex, Dynamics, Figure, Limit, Obstacle, PointId, SkinMaterial};
 
-/// The keys that bring a copy of some points, ascending, `by` `[m]` from where they are: with velocities, masses, pins, the bonds among
-/// them, what they cover and the colours that they have of their own; not what is painted on them.
-pub(in crate::app) fn copy(world: &dyn Dynamics, tints: &[Tint], points: &[PointId], by: [f64; 3]) -> AddKeys {
-    let (dimensions, [next, ..]) = (world.dimensions(), world.next_numbers());
-    let sample = world.sample(world.time());
-    let points: Vec<PointId> =
-        points.iter().copied().filter(|point| world.gone().binary_search(point).is_err()).collect();
-    let place = |point: PointId| points.binary_search(&point).ok().map(|place| next + place as u32);
-    let moved = |x: [f64; 3]| Vector::new(std::array::from_fn(|axis| x[axis] + by[axis]), dimensions);
-    let of = |point: &PointId| point.index();
-    let bonds = world.bonds().iter().filter_map(|bond| Some(keys(bond, place(bond.a)?, place(bond.b)?))).collect();
-    let covered = |corners: &[PointId; 3]| {
-        let [a, b, c] = corners.map(place);
-        Some(Row([a?, b?, c?]))
-    };
-    AddKeys {
-        points: Some(PointKeys {
-            position: points.iter().map(|point| moved(sample.position[of(point)])).collect(),
-            velocity: Some(points.iter().map(|point| Vector::new(sample.velocity[of(point)], dimensions)).collect()),
-            mass: Some(MassKeys::Each(points.iter().map(|point| world.masses()[of(point)]).collect())),
-            pinned: world.pinned().iter().filter_map(|&pin| place(pin)).collect(),
-        }),
-        bonds,
-        triangles: world.triangles().iter().filter_map(covered).collect(),
-        skins: colors(tints, &points, next),
-        ..AddKeys::default()
+/// What was copied: the keys that bring it, its points counted from 0, where it was.
+#[derive(Clone, Debug, PartialEq)]
+pub(in crate::app) struct Clip {
+    keys: AddKeys,
+    pub(in crate::app) dimensions: usize,
+    /// The middle of all of it `[m]`.
+    pub(in crate::app) middle: [f64; 3],
+}
+
+impl Clip {
+    /// What is chosen in a world: points with velocities, masses, pins, colours and what their skins are made of; bonds with their drives,
+    /// triangles, angles and constant forces among them; obstacles. Not what is painted on them.
+    pub(in crate::app) fn of(world: &dyn Dynamics, tints: &[Tint], chosen: &Chosen) -> Self {
+        let dimensions = world.dimensions();
+        let points: Vec<PointId> =
+            chosen.points.iter().copied().filter(|point| world.gone().binary_search(point).is_err()).collect();
+        let sample = world.sample(world.time());
+        let place = |point: PointId| points.binary_search(&point).ok().map(|place| place as u32);
+        let vector = |x: [f64; 3]| Vector::new(x, dimensions);
+        let of = |point: &PointId| point.index();
+        let obstacles = world.obstacles().into_iter().filter(|(number, _)| chosen.obstacles.contains(number));
+        let obstacles: Vec<ObstacleKeys> = obstacles.map(|(_, obstacle)| solid(&obstacle, dimensions)).collect();
+        let covered = |corners: &[PointId; 3]| {
+            let [a, b, c] = corners.map(place);
+            Some(Row([a?, b?, c?]))
+        };
+        let force = |view: crate::sim::ForceView| {
+            let points = view.points.iter().map(|&point| place(point)).collect::<Option<Vec<u32>>>()?;
+            let torque = (view.torque != 0.0).then_some(view.torque);
+            Some(ForceKeys { points, force: Some(vector(view.force)), torque })
+        };
+        let bonds = world.bonds().iter().filter_map(|bond| Some(bond_keys(bond, place(bond.a)?, place(bond.b)?)));
+        let mut keys = AddKeys {
+            bonds: bonds.collect(),
+            triangles: world.triangles().iter().filter_map(covered).collect(),
+            skins: skins(world, tints, &points),
+            forces: world.forces().into_iter().filter_map(force).collect(),
+            angles: world.angles().iter().filter_map(|angle| angle_keys(angle, place)).collect(),
+            obstacles,
+            ..AddKeys::default()
+        };
+        if !points.is_empty() {
+            keys.points = Some(PointKeys {
+                position: points.iter().map(|point| vector(sample.position[of(point)])).collect(),
+                velocity: Some(points.iter().map(|point| vector(sample.velocity[of(point)])).collect()),
+                mass: Some(MassKeys::Each(points.iter().map(|point| world.masses()[of(point)]).collect())),
+                pinned: world.pinned().iter().filter_map(|&pin| place(pin)).collect(),
+            });
+        }
+        let middle = middle(&keys);
+        Clip { keys, dimensions, middle }
+    }
+
+    /// The keys that bring it `by` `[m]` from where it was into a world whose next point gets the number `next`.
+    pub(in crate::app) fn placed(&self, next: u32, by: [f64; 3]) -> AddKeys {
+        let mut keys = self.keys.clone();
+        let moved = |x: &mut Vector| {
+            let place = x.embed();
+            *x = Vector::new(std::array::from_fn(|axis| place[axis] + by[axis]), self.dimensions);
+        };
+        if let Some(points) = &mut keys.points {
+            points.position.iter_mut().for_each(moved);
+            points.pinned.iter_mut().for_each(|pin| *pin += next);
+        }
+        keys.bonds.iter_mut().for_each(|bond| (bond.a, bond.b) = (bond.a + next, bond.b + next));
+        keys.triangles.iter_mut().flat_map(|corners| &mut corners.0).for_each(|corner| *corner += next);
+        keys.angles.iter_mut().flat_map(|angle| &mut angle.points.0).for_each(|point| *point += next);
+        keys.skins.iter_mut().flat_map(|skin| &mut skin.points).for_each(|point| *point += next);
+        keys.forces.iter_mut().flat_map(|force| &mut force.points).for_each(|point| *point += next);
+        for obstacle in &mut keys.obstacles {
+            obstacle.plane.iter_mut().for_each(|plane| moved(&mut plane.point));
+            obstacle.circle.iter_mut().for_each(|circle| moved(&mut circle.center));
+            obstacle.polygon.iter_mut().flatten().flatten().for_each(moved);
+            if let Some(solid) = &mut obstacle.r#box {
+                [&mut solid.min, &mut solid.max].into_iter().for_each(moved);
+            }
+        }
+        keys
+    }
+
+    /// How many points it brings, and how many obstacles.
+    pub(in crate::app) fn counts(&self) -> [u32; 2] {
+        let points = self.keys.points.as_ref().map_or(0, |points| points.position.len());
+        [points as u32, self.keys.obstacles.len() as u32]
     }
 }
 
-/// The colours that points have of their own, for their copies from `next` on.
-fn colors(tints: &[Tint], points: &[PointId], next: u32) -> Vec<SkinKeys> {
-    let color = |point: &PointId| Tint::of(tints, point.0).and_then(|tint| tint.color);
-    let colored = points.chunk_by(|a, b| color(a) == color(b)).scan(next, |first, same| {
-        let copies = *first..*first + same.len() as u32;
-        *first = copies.end;
-        Some((color(&same[0]), copies))
+/// The middle of the box around points and solid obstacles, of the points of planes where there is nothing else `[m]`.
+fn middle(keys: &AddKeys) -> [f64; 3] {
+    let of_points = keys.points.iter().flat_map(|points| &points.position);
+    let of_solids = keys.obstacles.iter().flat_map(|obstacle| {
+        let corners = obstacle.polygon.iter().flatten().flatten();
+        let ends = obstacle.r#box.iter().flat_map(|solid| [&solid.min, &solid.max]);
+        corners.chain(obstacle.circle.iter().map(|circle| &circle.center)).chain(ends)
     });
-    let skin = |color, copies: std::ops::Range<u32>| SkinKeys {
-        points: copies.collect(),
-        color: Some(ColorKey(color)),
-        ..SkinKeys::default()
+    let solid: Vec<[f64; 3]> = of_points.chain(of_solids).map(Vector::embed).collect();
+    let planes = || keys.obstacles.iter().filter_map(|obstacle| Some(obstacle.plane.as_ref()?.point.embed()));
+    let places = if solid.is_empty() { planes().collect() } else { solid };
+    let along = |axis: usize| {
+        let ends = places
+            .iter()
+            .map(|x| x[axis])
+            .fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], x| [low.min(x), high.max(x)]);
+        0.5 * (ends[0] + ends[1])
     };
-    colored.filter_map(|(color, copies)| Some(skin(color?, copies))).collect()
+    if places.is_empty() { [0.0; 3] } else { [along(0), along(1), along(2)] }
+}
+
+/// Runs of points, counted in their order, that have the same.
+fn runs<T: PartialEq>(points: &[PointId], of: impl Fn(&PointId) -> T) -> Vec<(T, Vec<u32>)> {
+    let mut first = 0;
+    let mut list = Vec::new();
+    for same in points.chunk_by(|a, b| of(a) == of(b)) {
+        let copies = first..first + same.len() as u32;
+        first = copies.end;
+        list.push((of(&same[0]), copies.collect()));
+    }
+    list
+}
+
+/// The colours that points have of their own, and what their skins are made of.
+fn skins(world: &dyn Dynamics, tints: &[Tint], points: &[PointId]) -> Vec<SkinKeys> {
+    let look = |point: &PointId| (Tint::of(tints, point.0).and_then(|tint| tint.color), world.skin_of(*point));
+    let keys = |((color, material), points): ((Option<[u8; 3]>, SkinMaterial), Vec<u32>)| {
+        let SkinMaterial { friction, restitution, radius } = material;
+        let is_said = color.is_some() || material != SkinMaterial::default();
+        is_said.then(|| SkinKeys { points, friction, restitution, radius, color: color.map(ColorKey) })
+    };
+    runs(points, look).into_iter().filter_map(keys).collect()
 }
 
 /// A bond between other points.
-fn keys(bond: Bond, a: u32, b: u32) -> BondKeys {
+fn bond_keys(bond: Bond, a: u32, b: u32) -> BondKeys {
     let keys = BondKeys { rest: Some(bond.rest_length), ..BondKeys::new(a, b) };
     let keys = match bond.kind {
         BondKind::Rigid => BondKeys { kind: Some(KindName::Rigid), ..keys },
@@ -71,4 +161,57 @@ fn keys(bond: Bond, a: u32, b: u32) -> BondKeys {
     };
     let drive = bond.drive.map(Into::into);
     BondKeys { drive, break_strain: bond.break_strain.is_finite().then_some(bond.break_strain), limit, ..keys }
+}
+
+/// An angle between other points; `None` where one of its own is not among them.
+fn angle_keys(angle: &Angle, place: impl Fn(PointId) -> Option<u32>) -> Option<AngleKeys> {
+    let [i, j, k] = angle.points.map(place);
+    let above_0 = |x: f64| (x > 0.0).then_some(x);
+    Some(AngleKeys {
+        points: Row([i?, j?, k?]),
+        rest: Some(angle.rest),
+        stiffness: above_0(angle.stiffness),
+        damping: above_0(angle.damping),
+        min: angle.range.map(|[least, _]| least),
+        max: angle.range.map(|[_, most]| most),
+        drive: angle.drive.map(Into::into),
+    })
+}
+
+/// An obstacle as keys have it.
+fn solid(obstacle: &Obstacle, dimensions: usize) -> ObstacleKeys {
+    let vector = |x: [f64; 3]| Vector::new(x, dimensions);
+    let (keys, restitution, friction) = match obstacle {
+        Obstacle::Plane { point, normal, restitution, friction } => {
+            let plane = Some(PlaneKeys { point: vector(*point), normal: vector(*normal) });
+            (ObstacleKeys { plane, ..ObstacleKeys::default() }, restitution, friction)
+        }
+        Obstacle::Polygon(polygon) => {
+            let corners = |corners: &Vec<[f64; 2]>| corners.iter().map(|&corner| Vector::Plane(corner)).collect();
+            let polygon_keys = Some(polygon.loops.iter().map(corners).collect());
+            let keys = ObstacleKeys { polygon: polygon_keys, ..ObstacleKeys::default() };
+            (keys, &polygon.restitution, &polygon.friction)
+        }
+        Obstacle::Convex(Convex { figure, restitution, friction }) => (figure_keys(figure), restitution, friction),
+    };
+    ObstacleKeys { restitution: Some(*restitution), friction: Some(*friction), ..keys }
+}
+
+/// A ball or a box of space.
+fn figure_keys(figure: &Figure) -> ObstacleKeys {
+    match *figure {
+        Figure::Ball { center, radius } => ObstacleKeys {
+            circle: Some(CircleKeys { center: Vector::Space(center), radius }),
+            ..ObstacleKeys::default()
+        },
+        Figure::Box { min, max, axis, angle } => ObstacleKeys {
+            r#box: Some(BoxKeys {
+                min: Vector::Space(min),
+                max: Vector::Space(max),
+                angle: None,
+                rotation: Some(RotationKeys { axis: Vector::Space(axis), angle }),
+            }),
+            ..ObstacleKeys::default()
+        },
+    }
 }

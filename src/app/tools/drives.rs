@@ -21,6 +21,10 @@ const LEAST_SPOKE: f64 = 0.05;
 /// Stiffness of the bonds of a hub where a body has no springs to take it from `[N/m]`.
 const STIFFNESS: f64 = 4000.0;
 
+/// Said where nothing is clicked that could be a muscle, or hinged.
+const NO_BOND: &str = "no bond lies here that could be a muscle";
+const NO_BODY: &str = "no body lies here that could be hinged";
+
 /// What a muscle is to follow.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(in crate::app) struct MuscleChoice {
@@ -93,7 +97,7 @@ impl MotorChoice {
 impl Drives {
     /// The bond under a pixel becomes a muscle; one that is just such a muscle none any more.
     pub(super) fn press_muscle(&self, scope: Scope<'_>, at: DVec2) -> Deed {
-        let Some((place, _)) = scope.bond(at) else { return Deed::default() };
+        let Some((place, _)) = scope.bond(at) else { return Deed::words(NO_BOND.to_owned()) };
         let bond = scope.shown.scenery.bonds.get(place);
         if let Some(why) = no_muscle(&bond) {
             return Deed::words(why.to_owned());
@@ -127,7 +131,7 @@ impl Drives {
     /// A hinge comes where a body is clicked.
     pub(super) fn press_motor(&self, scope: Scope<'_>, at: DVec2) -> Deed {
         match Hinge::at(scope, at) {
-            None => Deed::default(),
+            None => Deed::words(NO_BODY.to_owned()),
             Some(Err(why)) => Deed::words(why.to_owned()),
             Some(Ok(hinge)) => {
                 let name = if self.motor.is_on { "motor" } else { "hinge" };

@@ -41,7 +41,7 @@ pub(super) fn erase(scope: Scope<'_>, at: DVec2) -> Deed {
             Deed::edit("delete a bond", Do::Delete(DeleteKeys { bonds: vec![number], ..DeleteKeys::default() }))
         }
         Some(Target::Obstacle(number)) => delete_obstacle(number),
-        None => Deed::default(),
+        None => Deed::words("nothing lies here that could be taken away".to_owned()),
     }
 }
 
@@ -50,7 +50,7 @@ pub(super) fn delete_points(points: Vec<PointId>) -> Deed {
     Deed::edit("delete", Do::Delete(DeleteKeys { points, ..DeleteKeys::default() }))
 }
 
-pub(super) fn delete_obstacle(number: u32) -> Deed {
+fn delete_obstacle(number: u32) -> Deed {
     let keys = DeleteKeys { obstacles: vec![number], ..DeleteKeys::default() };
     Deed::edit("delete an obstacle", Do::Delete(keys))
 }

@@ -3,9 +3,9 @@
 use glam::{DVec2, DVec3};
 
 use super::build::Maker;
+use super::chosen::Chosen;
 use super::erase::{Target, target};
 use super::pick::Scope;
-use super::select::Picked;
 use super::{Doing, skin};
 use crate::app::action::Tool;
 use crate::sim::{BOX_EDGES, Figure, PointId};
@@ -23,6 +23,8 @@ pub(in crate::app) enum Role {
     Come,
     /// It is probed: by the first or the second probe.
     Probe(usize),
+    /// It will have this colour.
+    Paint([u8; 3]),
 }
 
 /// A line, a ring or a few words over the world `[px]`.
@@ -32,17 +34,23 @@ pub(in crate::app) enum Mark {
     Line(Role, DVec2, DVec2, f64),
     /// Middle, radius.
     Ring(Role, DVec2, f64),
+    /// A handle to turn by: middle, radius.
+    Knob(Role, DVec2, f64),
+    /// A handle to pull by: middle, half a side.
+    Square(Role, DVec2, f64),
     /// The lower left corner, and what is written there.
     Words(DVec2, String),
 }
 
 impl Mark {
-    /// The same so far off `[px]`.
-    pub(super) fn shifted(self, off: DVec2) -> Self {
+    /// The same where its pixels go.
+    pub(super) fn mapped(self, place: impl Fn(DVec2) -> DVec2) -> Self {
         match self {
-            Mark::Line(role, from, to, width) => Mark::Line(role, from + off, to + off, width),
-            Mark::Ring(role, middle, radius) => Mark::Ring(role, middle + off, radius),
-            Mark::Words(corner, words) => Mark::Words(corner + off, words),
+            Mark::Line(role, from, to, width) => Mark::Line(role, place(from), place(to), width),
+            Mark::Ring(role, middle, radius) => Mark::Ring(role, place(middle), radius),
+            Mark::Knob(role, middle, radius) => Mark::Knob(role, place(middle), radius),
+            Mark::Square(role, middle, half) => Mark::Square(role, place(middle), half),
+            Mark::Words(corner, words) => Mark::Words(place(corner), words),
         }
     }
 }
@@ -67,9 +75,10 @@ pub(super) fn of((tool, maker): (Tool, Maker), doing: &Doing, scope: Scope<'_>, 
         (_, Tool::Build) => at.map_or_else(Vec::new, |at| maker.outline(scope, None, at)),
         (_, Tool::Pin) => at.and_then(|at| would_pin(scope, at)).into_iter().collect(),
         (Doing::Nothing, Tool::Select) => {
-            let under = at.and_then(|at| Picked::at(scope, at));
-            under.map_or_else(Vec::new, |picked| picked.outline(scope, Role::Lead, DVec2::ZERO))
+            let under = at.and_then(|at| Chosen::at(scope, at));
+            under.map_or_else(Vec::new, |chosen| chosen.outline(scope, Role::Lead))
         }
+        (Doing::Marking(region), _) => at.map_or_else(Vec::new, |at| region.marks(scope, at)),
         (_, Tool::Erase) => at.map_or_else(Vec::new, |at| would_go(scope, at)),
         _ => Vec::new(),
     }
@@ -155,9 +164,23 @@ fn around(role: Role, scope: Scope<'_>, figure: &Figure) -> Vec<Mark> {
     BOX_EDGES.into_iter().filter_map(side).collect()
 }
 
-/// The sides of a solid.
+/// The surface of a plane, as far as it is seen.
+fn surface(role: Role, scope: Scope<'_>, plane: &[[f64; 3]; 2]) -> Vec<Mark> {
+    let Some(middle) = scope.on_plane(plane) else { return Vec::new() };
+    let along = DVec3::from(plane[1]).truncate().normalize_or_zero().perp();
+    let [width, height] = scope.camera.viewport().map(f64::from);
+    let far = width.hypot(height) / scope.camera.pixels_per_metre();
+    let ends = [middle - far * along, middle + far * along].map(|end| scope.on_screen(end));
+    let [Some(from), Some(to)] = ends else { return Vec::new() };
+    vec![Mark::Line(role, from, to, 2.0 * scope.scale)]
+}
+
+/// The sides of a solid, or the surface of a plane.
 pub(super) fn obstacle(role: Role, scope: Scope<'_>, number: u32) -> Vec<Mark> {
     let scenery = &scope.shown.scenery;
+    if let Some(place) = scenery.plane_numbers.iter().position(|&other| other == number) {
+        return surface(role, scope, &scenery.planes[place]);
+    }
     let Some(place) = scenery.solid_numbers.iter().position(|&other| other == number) else { return Vec::new() };
     if let Some(convex) = scenery.convex.get(place) {
         return around(role, scope, &convex.figure);

@@ -1,6 +1,8 @@
 //! Tools: what presses and strokes of the left button become. They return commands and change nothing.
 
+mod brush;
 mod build;
+mod chosen;
 mod copy;
 mod drives;
 #[cfg(test)]
@@ -8,10 +10,13 @@ mod drives_tests;
 mod erase;
 #[cfg(test)]
 mod grab_tests;
+mod handles;
 mod lead;
 mod marks;
+#[cfg(test)]
+mod matrix_tests;
 mod pick;
-mod select;
+mod region;
 #[cfg(test)]
 mod select_tests;
 mod skin;
@@ -21,20 +26,31 @@ mod tests;
 use glam::DVec2;
 
 use super::action::{Primitive, Tool};
+use super::matter::Among;
 use crate::history::Do;
 use crate::sim::{MouseChange, PointId, Reach};
+use brush::Stroke;
+pub(super) use brush::{Brush, RADII};
 use build::{Drag, Maker};
-pub(super) use copy::copy;
+pub(super) use chosen::Chosen;
+pub(super) use copy::Clip;
 pub(super) use drives::Drives;
 use erase::{delete_points, erase};
+pub(super) use handles::Handle;
+use handles::{Change, Frame, Grip};
 use lead::Lead;
 pub(super) use lead::PinWay;
 pub(super) use marks::{Mark, Role, probe};
 pub(super) use pick::Scope;
-use select::Picked;
+use region::Region;
 
 /// The hover force stays away so long after a grab `[s]`: what was thrown is not blown off its way.
 const CALM: f64 = 0.2;
+
+/// A press that moves less than this is a click `[logical px]`.
+const CLICK: f64 = 4.0;
+/// Said where a body of space is dragged.
+const OF_THE_PLANE: &str = "bodies are moved in the plane only: this scene is in space";
 
 /// Commands, and what they are called when they are undone.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -43,11 +59,13 @@ pub(super) struct Deed {
     pub(super) edit: Option<&'static str>,
     /// Why there are none, where that is not seen.
     pub(super) words: Option<String>,
+    /// What is to be of the matter that the brush paints with.
+    pub(super) painted: Option<Among>,
 }
 
 impl Deed {
     fn edit(name: &'static str, command: Do) -> Self {
-        Deed { commands: vec![command], edit: Some(name), words: None }
+        Deed { commands: vec![command], edit: Some(name), ..Deed::default() }
     }
 
     /// What the hand does on the way, which is no edit.
@@ -80,8 +98,14 @@ enum Doing {
     Cutting(DVec2),
     /// A primitive is drawn out.
     Building(Drag),
-    /// What is selected is moved, from where it was pressed on `[px]`.
-    Moving(DVec2),
+    /// What is selected is moved, from where it was pressed on `[px]`; a click selects what lies there alone.
+    Moving(DVec2, Chosen),
+    /// What is selected is turned or scaled by a handle.
+    Handling(Grip),
+    /// A region is drawn, whose bodies are selected.
+    Marking(Region),
+    /// Bodies get another matter.
+    Painting(Stroke),
 }
 
 /// The left button's tool and what it is doing.
@@ -94,7 +118,14 @@ pub(super) struct Hand {
     maker: Maker,
     /// What the tools for muscles and motors make.
     drives: Drives,
-    picked: Option<Picked>,
+    /// What the brush paints with.
+    brush: Brush,
+    /// What is selected, or will be as soon as it is there.
+    chosen: Chosen,
+    /// A drag beside all bodies is a free stroke, not a box.
+    draws_lasso: bool,
+    shift: bool,
+    alt: bool,
     doing: Doing,
     /// What the hover force is when nothing is grabbed; `None`: the scene has none, or it goes along a track.
     strength: Option<f64>,
@@ -139,9 +170,29 @@ impl Hand {
         self.drives = drives;
     }
 
-    /// Shift is held, or let go: what is built hangs on nothing.
-    pub(super) fn hold_shift(&mut self, is_held: bool) {
-        self.maker.is_free = is_held;
+    /// What the brush paints with.
+    pub(super) fn brush(&self) -> Brush {
+        self.brush
+    }
+
+    /// It paints with something else from now on.
+    pub(super) fn set_brush(&mut self, brush: Brush) {
+        self.brush = brush;
+    }
+
+    /// Whether a drag beside all bodies is a free stroke.
+    pub(super) fn draws_lasso(&self) -> bool {
+        self.draws_lasso
+    }
+
+    /// It is from now on, or a box.
+    pub(super) fn draw_lasso(&mut self, is_lasso: bool) {
+        self.draws_lasso = is_lasso;
+    }
+
+    /// Shift and Alt are held, or let go.
+    pub(super) fn hold(&mut self, [shift, alt]: [bool; 2]) {
+        (self.shift, self.alt, self.maker.is_free) = (shift, alt, shift);
     }
 
     /// Another scene, or another strength by hand.
@@ -154,9 +205,15 @@ impl Hand {
         self.strength
     }
 
-    /// A history begins: nothing is held any more.
+    /// A history begins: nothing is held any more, and nothing selected.
     pub(super) fn let_go(&mut self) {
-        (self.doing, self.calm, self.picked) = (Doing::Nothing, None, None);
+        self.drop_all();
+        self.chosen = Chosen::default();
+    }
+
+    /// Time was gone through: nothing is held any more; what is selected stays so where it is there.
+    pub(super) fn drop_all(&mut self) {
+        (self.doing, self.calm) = (Doing::Nothing, None);
     }
 
     /// Another history is gone to: what this one has in hand is let go first, and the hover force comes back at once.
@@ -202,6 +259,10 @@ impl Hand {
         match self.tool() {
             Tool::Hand => self.take_hold(scope, at),
             Tool::Pin => pin(scope, at),
+            Tool::Paint => {
+                self.doing = Doing::Painting(self.brush.begin(scope, at));
+                Deed::default()
+            }
             Tool::Cut => {
                 self.doing = Doing::Cutting(at);
                 Deed::default()
@@ -211,10 +272,43 @@ impl Hand {
             Tool::Muscle => self.drives.press_muscle(scope, at),
             Tool::Motor => self.drives.press_motor(scope, at),
             Tool::Select => {
-                self.picked = Picked::at(scope, at);
-                self.doing = self.picked.map_or(Doing::Nothing, |_| Doing::Moving(at));
+                self.begin_to_select(scope, at);
                 Deed::default()
             }
+        }
+    }
+
+    /// A handle is taken; else what lies under the pixel is selected and can be moved; else a region begins.
+    fn begin_to_select(&mut self, scope: Scope<'_>, at: DVec2) {
+        self.chosen = self.chosen.left(scope);
+        let frame = Frame::of(scope, &self.chosen);
+        if let Some((frame, handle)) = frame.and_then(|frame| Some((frame, frame.handle(scope, at)?))) {
+            self.doing = Doing::Handling(frame.grip(scope, handle, at));
+            return;
+        }
+        let is_free = self.alt || self.draws_lasso;
+        let under = Chosen::at(scope, at).filter(|_| !self.alt);
+        let Some(under) = under else {
+            self.doing = Doing::Marking(Region::begin(at, is_free));
+            return;
+        };
+        if self.shift {
+            self.chosen = self.chosen.joined(&under, true);
+            self.doing = Doing::Nothing;
+            return;
+        }
+        if !self.chosen.has(&under) {
+            self.chosen = under.clone();
+        }
+        self.doing = Doing::Moving(at, under);
+    }
+
+    /// The pointer moved to a pixel while the button is down.
+    pub(super) fn trace(&mut self, scope: Scope<'_>, at: DVec2) {
+        match &mut self.doing {
+            Doing::Marking(region) => region.trace(scope, at),
+            Doing::Painting(stroke) => self.brush.trace(scope, stroke, at),
+            _ => {}
         }
     }
 
@@ -240,7 +334,8 @@ impl Hand {
         }
         if points.is_empty() {
             self.doing = Doing::Pushing;
-            return Deed::default();
+            let is_solid = scope.solid(at).is_some();
+            return if is_solid { Deed::words(SOLID.to_owned()) } else { Deed::default() };
         }
         let mut commands = self.calm_now();
         commands.push(Do::Grab(Reach::Points(points.clone())));
@@ -276,22 +371,63 @@ impl Hand {
             }
             Doing::Cutting(from) if from.distance(at) > 1.0 => cut(scope, from, at),
             Doing::Building(drag) => self.maker.build(scope, &drag, at),
-            Doing::Moving(from) => {
-                self.picked(scope).map_or_else(Deed::default, |picked| picked.moved(scope, [from, at]))
+            Doing::Moving(from, under) => self.end_move(scope, [from, at], under),
+            Doing::Handling(grip) => self.end_grip(scope, grip, at),
+            Doing::Marking(region) => {
+                self.mark(scope, &region, at);
+                Deed::default()
+            }
+            Doing::Painting(mut stroke) => {
+                self.brush.trace(scope, &mut stroke, at);
+                let among = stroke.among();
+                match among.is_empty() {
+                    true if scope.solid(at).is_some() => Deed::words(brush::SOLID.to_owned()),
+                    true => Deed::words(brush::NOTHING.to_owned()),
+                    false => Deed { painted: Some(among), ..Deed::default() },
+                }
             }
             _ => Deed::default(),
         }
     }
 
+    /// What is selected was dragged, or what lies under the pixel clicked: that alone is selected then.
+    fn end_move(&mut self, scope: Scope<'_>, [from, to]: [DVec2; 2], under: Chosen) -> Deed {
+        if !is_drag(scope, [from, to]) {
+            self.chosen = under;
+            return Deed::default();
+        }
+        if scope.shown.dimensions != 2 {
+            return Deed::words(OF_THE_PLANE.to_owned());
+        }
+        let by = scope.in_plane(to) - scope.in_plane(from);
+        self.chosen(scope).map_or_else(Deed::default, |chosen| Change::Shift(by).deed(&chosen, DVec2::ZERO))
+    }
+
+    fn end_grip(&self, scope: Scope<'_>, grip: Grip, to: DVec2) -> Deed {
+        let Some(chosen) = self.chosen(scope) else { return Deed::default() };
+        let Some(frame) = Frame::of(scope, &chosen) else { return Deed::default() };
+        let change = grip.change(scope, to, self.shift);
+        change.deed(&chosen, change.about(&frame, grip.handle))
+    }
+
+    /// What lies in a region is selected: with what was, while Shift is held; a click selects nothing.
+    fn mark(&mut self, scope: Scope<'_>, region: &Region, to: DVec2) {
+        let found = match region.reach(to) >= CLICK * scope.scale {
+            true => Chosen::within(scope, |at| region.has(to, at)),
+            false => Chosen::default(),
+        };
+        self.chosen = if self.shift { self.chosen.joined(&found, false) } else { found };
+    }
+
     /// The point that the button, which is about to be let go at a pixel, clicked on with the tool for selecting.
     pub(super) fn clicked(&self, scope: Scope<'_>, at: DVec2) -> Option<PointId> {
-        let is_click = matches!(self.doing, Doing::Moving(from) if !select::is_drag(scope, [from, at]));
+        let is_click = matches!(self.doing, Doing::Moving(from, _) if !is_drag(scope, [from, at]));
         scope.point(at).filter(|_| is_click && self.tool() == Tool::Select)
     }
 
     /// Ends what is under way without doing it. Returns whether anything was.
     pub(super) fn cancel(&mut self) -> (bool, Deed) {
-        let was = self.is_busy() || self.picked.take().is_some();
+        let was = self.is_busy() || !std::mem::take(&mut self.chosen).is_empty();
         let deed = match std::mem::take(&mut self.doing) {
             Doing::Grabbing(_) => {
                 self.calm = Some(CALM);
@@ -347,28 +483,38 @@ impl Hand {
             self.doing = Doing::Nothing;
             return deed;
         }
-        if let Some(picked) = self.picked(scope) {
-            self.picked = None;
-            return picked.deleted(scope);
+        if let Some(chosen) = self.chosen(scope) {
+            self.chosen = Chosen::default();
+            return chosen.deleted();
         }
         at.map_or_else(Deed::default, |at| erase(scope, at))
     }
 
-    /// The body of a point is selected, as soon as it is there.
-    pub(super) fn select(&mut self, point: PointId) {
-        self.picked = Some(Picked::Body(point));
+    /// These are selected, as soon as they are there.
+    pub(super) fn select(&mut self, chosen: Chosen) {
+        self.chosen = chosen;
     }
 
-    /// What is selected, if that tool is in the hand and it is there.
-    fn picked(&self, scope: Scope<'_>) -> Option<Picked> {
-        self.picked.filter(|picked| self.tool() == Tool::Select && picked.is_there(scope))
+    /// All bodies and obstacles are selected, with the tool for that.
+    pub(super) fn select_all(&mut self, scope: Scope<'_>) {
+        (self.tool, self.chosen) = (Tool::Select, Chosen::all(scope));
     }
 
-    /// The points of the body that is selected, and how far beside it a copy goes `[m]`.
-    pub(super) fn to_copy(&self, scope: Scope<'_>) -> Option<(Vec<PointId>, [f64; 3])> {
-        let picked = self.picked(scope)?;
-        let points = picked.points(scope);
-        (!points.is_empty()).then(|| (points, picked.beside(scope)))
+    /// What is selected and there, if the tool for that is in the hand.
+    pub(super) fn chosen(&self, scope: Scope<'_>) -> Option<Chosen> {
+        if self.tool() != Tool::Select || self.chosen.is_empty() {
+            return None;
+        }
+        Some(self.chosen.left(scope)).filter(|chosen| !chosen.is_empty())
+    }
+
+    /// The handle under a pixel, or the one that is held.
+    pub(super) fn handle(&self, scope: Scope<'_>, at: DVec2) -> Option<Handle> {
+        match &self.doing {
+            Doing::Handling(grip) => Some(grip.handle),
+            Doing::Nothing => Frame::of(scope, &self.chosen(scope)?)?.handle(scope, at),
+            _ => None,
+        }
     }
 
     /// What a click at the pixel would do, to be drawn.
@@ -376,18 +522,57 @@ impl Hand {
         let mut marks = match (self.tool(), at) {
             (Tool::Muscle, Some(at)) => self.drives.mark_muscle(scope, at),
             (Tool::Motor, Some(at)) => self.drives.mark_motor(scope, at),
+            (Tool::Paint, Some(at)) => self.brush.marks(scope, at),
             _ => marks::of((self.tool(), self.maker), &self.doing, scope, at),
         };
-        if let Some(picked) = self.picked(scope) {
-            let off = match (&self.doing, at) {
-                (Doing::Moving(from), Some(at)) => at - *from,
-                _ => DVec2::ZERO,
-            };
-            marks.extend(picked.outline(scope, Role::Hold, off));
+        if let Doing::Painting(stroke) = &self.doing {
+            marks.extend(stroke.marks(scope, self.brush.preset.color()));
+        }
+        if let Some(chosen) = self.chosen(scope) {
+            marks.extend(self.selection_marks(scope, &chosen, at));
         }
         marks
     }
+
+    /// The outline of what is selected, where a drag would bring it, with its box and its handles.
+    fn selection_marks(&self, scope: Scope<'_>, chosen: &Chosen, at: Option<DVec2>) -> Vec<Mark> {
+        let outline = chosen.outline(scope, Role::Hold);
+        let frame = Frame::of(scope, chosen);
+        match (&self.doing, at) {
+            (Doing::Moving(from, _), Some(at)) if is_drag(scope, [*from, at]) => {
+                outline.into_iter().map(|mark| mark.mapped(|x| x + (at - *from))).collect()
+            }
+            (Doing::Handling(grip), Some(at)) => {
+                let Some(frame) = frame else { return outline };
+                let change = grip.change(scope, at, self.shift);
+                let about = change.about(&frame, grip.handle);
+                let words = at + DVec2::new(16.0, -10.0) * scope.scale;
+                let box_too = frame.marks(scope, Some(grip.handle));
+                let moved = outline.into_iter().chain(box_too).map(|mark| change.preview(scope, about, mark));
+                moved.chain([Mark::Words(words, change.words())]).collect()
+            }
+            (Doing::Nothing, _) => {
+                let near = at.and_then(|at| frame?.handle(scope, at));
+                outline.into_iter().chain(frame.iter().flat_map(|frame| frame.marks(scope, near))).collect()
+            }
+            _ => outline,
+        }
+    }
 }
+
+/// Whether a press that ends elsewhere moves what it was on.
+fn is_drag(scope: Scope<'_>, [from, to]: [DVec2; 2]) -> bool {
+    from.distance(to) >= CLICK * scope.scale
+}
+
+/// Said where an obstacle is pressed on by the hand.
+const SOLID: &str = "an obstacle stands: the tool that selects (6) moves it";
+/// Said where nothing is pinned.
+const NO_POINT: &str = "no point lies here that could be pinned";
+/// Said where a stroke cuts nothing.
+const NO_CUT: &str = "the stroke crosses no bond";
+/// Said where a stroke is drawn in space.
+const CUT_IN_SPACE: &str = "cuts are made in the plane only: this scene is in space";
 
 /// The hover force gets another strength.
 pub(super) fn strength(strength: f64) -> Do {
@@ -399,15 +584,22 @@ fn pin(scope: Scope<'_>, at: DVec2) -> Deed {
     match scope.nearest(at).map(|hit| hit.point) {
         Some(point) if scope.is_pinned(point) => Deed::edit("unpin", Do::Unpin(vec![point])),
         Some(point) => Deed::edit("pin", Do::Pin(vec![point])),
-        None => Deed::default(),
+        None => Deed::words(NO_POINT.to_owned()),
     }
 }
 
 /// Cuts along a stroke: in the plane.
 fn cut(scope: Scope<'_>, from: DVec2, to: DVec2) -> Deed {
     if scope.shown.dimensions != 2 {
-        return Deed::default();
+        return Deed::words(CUT_IN_SPACE.to_owned());
     }
-    let [from, to] = [from, to].map(|at| scope.camera.world_from_screen(at.to_array()).truncate().to_array());
+    let crosses = |&[a, b]: &[PointId; 2]| {
+        let ends = scope.pixel(a).zip(scope.pixel(b));
+        ends.is_some_and(|(a, b)| pick::cross([from, to], [a, b]))
+    };
+    if !scope.shown.scenery.bonds.ends().iter().any(crosses) {
+        return Deed::words(NO_CUT.to_owned());
+    }
+    let [from, to] = [from, to].map(|at| scope.in_plane(at).to_array());
     Deed::edit("cut", Do::Cut { from, to })
 }

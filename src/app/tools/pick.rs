@@ -202,12 +202,47 @@ impl Scope<'_> {
         (0..count as u32).filter(|&other| root(&mut parent, other) == wanted).map(PointId).collect()
     }
 
-    /// The number of the solid obstacle that a pixel lies in, in space the foremost.
+    /// The number of the obstacle that a pixel lies in, in space the foremost; of a plane, which has no end, near its surface.
     pub(in crate::app) fn solid(&self, at: DVec2) -> Option<u32> {
         match self.camera.pose {
-            Pose::Plane { .. } => self.polygon(at),
+            Pose::Plane { .. } => self.polygon(at).or_else(|| self.plane(at)),
             Pose::Orbit { .. } => self.convex(at),
         }
+    }
+
+    /// The nearest plane whose surface is in reach of a pixel.
+    fn plane(&self, at: DVec2) -> Option<u32> {
+        let place = self.in_plane(at);
+        let reach = REACH * self.scale / self.camera.pixels_per_metre();
+        let planes = self.shown.scenery.planes.iter().zip(&self.shown.scenery.plane_numbers);
+        let far = planes.map(|([point, normal], &number)| {
+            let (point, normal) = (DVec3::from(*point).truncate(), DVec3::from(*normal).truncate());
+            ((place - point).dot(normal.normalize_or_zero()).abs(), number)
+        });
+        let near = far.filter(|(distance, _)| *distance <= reach);
+        near.min_by(|a, b| a.0.total_cmp(&b.0)).map(|(_, number)| number)
+    }
+
+    /// The place of a plane, given by a point and its normal, that is nearest to the middle of the picture `[m]`.
+    pub(super) fn on_plane(&self, [point, normal]: &[[f64; 3]; 2]) -> Option<DVec2> {
+        let Pose::Plane { center, .. } = self.camera.pose else { return None };
+        let (point, normal) = (DVec3::from(*point).truncate(), DVec3::from(*normal).truncate().normalize_or_zero());
+        Some(center - (center - point).dot(normal) * normal)
+    }
+
+    /// Where a pixel lies in the plane `[m]`.
+    pub(super) fn in_plane(&self, at: DVec2) -> DVec2 {
+        self.camera.world_from_screen(at.to_array()).truncate()
+    }
+
+    /// Where a place of the plane is seen `[px]`.
+    pub(super) fn on_screen(&self, place: DVec2) -> Option<DVec2> {
+        self.camera.screen_from_world(place.extend(0.0)).map(DVec2::from)
+    }
+
+    /// Whether a point is there: it came, and was not deleted.
+    pub(in crate::app) fn is_there(&self, point: PointId) -> bool {
+        point.index() < self.shown.point_count() && self.shown.scenery.gone.binary_search(&point).is_err()
     }
 
     fn convex(&self, at: DVec2) -> Option<u32> {
@@ -232,14 +267,20 @@ impl Scope<'_> {
 }
 
 /// How far a pixel is from a stretch `[px]`.
-fn distance_to_segment(at: DVec2, from: DVec2, to: DVec2) -> f64 {
+pub(super) fn distance_to_segment(at: DVec2, from: DVec2, to: DVec2) -> f64 {
     let along = to - from;
     let share = ((at - from).dot(along) / along.length_squared().max(1e-12)).clamp(0.0, 1.0);
     at.distance(from + share * along)
 }
 
+/// Whether two stretches cross, or touch.
+pub(super) fn cross([a, b]: [DVec2; 2], [c, d]: [DVec2; 2]) -> bool {
+    let side = |from: DVec2, to: DVec2, at: DVec2| (to - from).perp_dot(at - from);
+    side(a, b, c) * side(a, b, d) <= 0.0 && side(c, d, a) * side(c, d, b) <= 0.0
+}
+
 /// Whether a place lies within loops by the even-odd rule.
-fn is_inside(loops: &[Vec<[f64; 2]>], [x, y]: [f64; 2]) -> bool {
+pub(super) fn is_inside(loops: &[Vec<[f64; 2]>], [x, y]: [f64; 2]) -> bool {
     let mut inside = false;
     for corners in loops {
         for (k, &[x1, y1]) in corners.iter().enumerate() {

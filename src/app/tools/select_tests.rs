@@ -1,20 +1,27 @@
-//! What is selected: moved, copied, taken away.
+//! What is selected: by clicks, boxes and strokes; moved, turned, scaled, copied, taken away.
 #![allow(clippy::unwrap_used, clippy::panic, reason = "a test that cannot go on stops")]
+
+use std::f64::consts::PI;
 
 use glam::DVec2;
 
+use super::handles::{Frame, Handle};
 use super::tests::{opened, pixel, scope, shown};
-use super::{Deed, Hand, copy};
+use super::{Chosen, Clip, Deed, Hand, Mark};
 use crate::app::action::Tool;
-use crate::app::player::{Order, Stage};
+use crate::app::player::{Order, Shown, Stage};
 use crate::history::Do;
+use crate::render::Camera;
 use crate::scene::Scene;
-use crate::sim::PointId;
+use crate::sim::{Limit, Obstacle, PointId};
 
 const DISCS: &str = r#"{"wobble": 1, "gravity": [0, 0], "contact": true, "view": {"center": [0, 0], "height": 10},
-    "obstacles": [{"box": {"min": [3, -1], "max": [5, 1]}}],
+    "obstacles": [{"box": {"min": [3, -1], "max": [5, 1]}}, {"plane": {"point": [0, -4.5], "normal": [0, 1]}}],
     "bodies": [{"make": "disc", "radius": 1, "spacing": 0.4, "origin": [-2, 0], "velocity": [0, 1],
-        "material": {"kind": "spring", "stiffness": 300, "damping": 1, "mass": 2}}]}"#;
+        "material": {"kind": "spring", "stiffness": 300, "damping": 1, "mass": 2}},
+      {"make": "rope", "count": 5, "to": [0, 1], "origin": [0.5, 2], "material": {"kind": "rigid", "mass": 1}}]}"#;
+
+type Seen = (Shown, Camera, Scene);
 
 fn hand() -> Hand {
     let mut hand = Hand::default();
@@ -22,18 +29,47 @@ fn hand() -> Hand {
     hand
 }
 
+fn discs() -> Seen {
+    shown(Scene::parse(DISCS, "x.json").unwrap())
+}
+
+fn at(seen: &Seen, x: f64, y: f64) -> DVec2 {
+    DVec2::from(seen.1.screen_from_world([x, y, 0.0].into()).unwrap())
+}
+
+/// Drags from one pixel to another; returns what comes of it.
+fn drag(hand: &mut Hand, seen: &Seen, [from, to]: [DVec2; 2]) -> Deed {
+    assert!(hand.press(scope(seen), from).is_empty());
+    hand.trace(scope(seen), to);
+    hand.release(scope(seen), to)
+}
+
+fn click(hand: &mut Hand, seen: &Seen, pixel: DVec2) {
+    assert_eq!(drag(hand, seen, [pixel; 2]), Deed::default(), "a click changes nothing");
+}
+
+/// How many points and which obstacles are selected.
+fn selected(hand: &Hand, seen: &Seen) -> (usize, Vec<u32>) {
+    let chosen = hand.chosen(scope(seen)).unwrap_or_default();
+    (chosen.points.len(), chosen.obstacles)
+}
+
+fn handle(hand: &Hand, seen: &Seen, handle: Handle) -> DVec2 {
+    let frame = Frame::of(scope(seen), &hand.chosen(scope(seen)).unwrap()).unwrap();
+    let handles = frame.handles(scope(seen));
+    handles.into_iter().find(|(other, _)| *other == handle).unwrap().1
+}
+
 #[test]
 fn a_click_selects_and_a_drag_moves_by_one_edit() {
-    let seen = shown(Scene::parse(DISCS, "x.json").unwrap());
-    let at = |x: f64, y: f64| DVec2::from(seen.1.screen_from_world([x, y, 0.0].into()).unwrap());
-    for (from, points, obstacles) in [([-2.0, 0.0], seen.0.point_count(), 0), ([4.0, 0.0], 0, 1)] {
+    let seen = discs();
+    let disc = seen.0.point_count() - 5;
+    for (from, points, obstacles) in [([-2.0, 0.0], disc, 0), ([4.0, 0.0], 0, 1), ([-4.0, -4.5], 0, 1)] {
         let mut hand = hand();
-        let (from, to) = (at(from[0], from[1]), at(from[0] - 1.0, from[1] + 0.5));
-        assert!(hand.press(scope(&seen), from).is_empty());
-        assert_eq!(hand.release(scope(&seen), from), Deed::default(), "a click moves nothing");
+        let (from, to) = (at(&seen, from[0], from[1]), at(&seen, from[0] - 1.0, from[1] + 0.5));
+        click(&mut hand, &seen, from);
         assert!(!hand.marks(scope(&seen), None).is_empty(), "it is outlined");
-        hand.press(scope(&seen), from);
-        let deed = hand.release(scope(&seen), to);
+        let deed = drag(&mut hand, &seen, [from, to]);
         let [Do::Move(keys)] = &deed.commands[..] else { panic!("{deed:?}") };
         assert_eq!((deed.edit, keys.points.len(), keys.obstacles.len()), (Some("move"), points, obstacles));
         let [x, y, _] = keys.by.unwrap().embed();
@@ -47,20 +83,112 @@ fn a_click_selects_and_a_drag_moves_by_one_edit() {
 }
 
 #[test]
-fn what_is_selected_is_taken_away_wherever_the_cursor_is() {
-    let seen = shown(Scene::parse(DISCS, "x.json").unwrap());
+fn a_box_and_a_stroke_select_what_they_touch_and_shift_adds() {
+    let seen = discs();
+    let disc = seen.0.point_count() - 5;
     let mut hand = hand();
-    hand.press(scope(&seen), pixel(&seen, 0));
-    hand.release(scope(&seen), pixel(&seen, 0));
+    // Around the rope's upper end alone.
+    drag(&mut hand, &seen, [at(&seen, 0.2, 3.5), at(&seen, 1.0, 2.9)]);
+    assert_eq!(selected(&hand, &seen), (5, vec![]));
+    hand.hold([true, false]);
+    drag(&mut hand, &seen, [at(&seen, 2.5, 1.5), at(&seen, 5.5, -1.5)]);
+    assert_eq!(selected(&hand, &seen), (5, vec![0]), "the plane has no end and is not boxed in");
+    click(&mut hand, &seen, at(&seen, -2.0, 0.0));
+    assert_eq!(selected(&hand, &seen), (5 + disc, vec![0]));
+    click(&mut hand, &seen, at(&seen, 0.5, 2.5));
+    assert_eq!(selected(&hand, &seen), (disc, vec![0]), "out again");
+    hand.hold([false, false]);
+    click(&mut hand, &seen, at(&seen, -4.0, 4.0));
+    assert_eq!(selected(&hand, &seen), (0, vec![]), "a click beside all bodies");
+    // With Alt a stroke may begin on a body: around the disc, and not around what its box would hold too.
+    hand.hold([false, true]);
+    let path = [[-2.0, 0.0], [-4.0, 1.5], [-0.5, 3.0], [-0.6, -2.0], [-3.0, -2.0]];
+    let path = path.map(|[x, y]| at(&seen, x, y));
+    assert!(hand.press(scope(&seen), path[0]).is_empty());
+    path.into_iter().for_each(|pixel| hand.trace(scope(&seen), pixel));
+    assert_eq!(hand.marks(scope(&seen), Some(path[4])).len(), 6, "it is drawn, closed");
+    hand.release(scope(&seen), path[4]);
+    assert_eq!(selected(&hand, &seen), (disc, vec![]));
+    // The same without Alt, by the switch.
+    hand.hold([false, false]);
+    hand.draw_lasso(true);
+    drag(&mut hand, &seen, [at(&seen, -4.5, 4.5), at(&seen, -4.0, 4.0)]);
+    assert_eq!(selected(&hand, &seen), (0, vec![]));
+}
+
+#[test]
+fn a_knob_turns_and_corners_scale_about_what_stays() {
+    let seen = discs();
+    let mut hand = hand();
+    click(&mut hand, &seen, at(&seen, -2.0, 0.0));
+    let knob = handle(&hand, &seen, Handle::Turn);
+    // A quarter turn, from above to the left, a little off.
+    let (to, middle) = (at(&seen, -4.0, 0.1), at(&seen, -2.0, 0.0));
+    let deed = drag(&mut hand, &seen, [knob, to]);
+    let [Do::Move(keys)] = &deed.commands[..] else { panic!("{deed:?}") };
+    let expected = 0.5 * PI - (0.1_f64 / 2.0).atan();
+    assert!((keys.turn.unwrap() - expected).abs() < 0.02 && deed.edit == Some("turn"), "{keys:?}");
+    hand.hold([true, false]);
+    let deed = drag(&mut hand, &seen, [knob, to]);
+    let [Do::Move(keys)] = &deed.commands[..] else { panic!("{deed:?}") };
+    assert_eq!(keys.turn, Some(PI / 12.0 * 6.0), "in steps of 15 degrees");
+    // Twice as wide and half as high, about the lower left: pulled from the upper right.
+    hand.hold([false, false]);
+    let corner = handle(&hand, &seen, Handle::Corner(2));
+    let frame = Frame::of(scope(&seen), &hand.chosen(scope(&seen)).unwrap()).unwrap();
+    let still = handle(&hand, &seen, Handle::Corner(0)) + DVec2::new(9.0, -9.0);
+    let to = still + (corner - still) * DVec2::new(2.0, 0.5);
+    hand.press(scope(&seen), corner);
+    let wide = |hand: &Hand| {
+        let marks = hand.marks(scope(&seen), Some(to));
+        let x = |mark: &Mark| if let Mark::Line(_, from, ..) = mark { Some(from.x) } else { None };
+        let ends = marks.iter().filter_map(x).fold([f64::MAX, f64::MIN], |[a, b], x| [a.min(x), b.max(x)]);
+        (ends[1] - ends[0]) / seen.1.pixels_per_metre()
+    };
+    assert!((wide(&hand) - 4.0).abs() < 0.6, "it is shown as wide as it will be: {}", wide(&hand));
+    let deed = hand.release(scope(&seen), to);
+    let mut stage = Stage::new(seen.2.clone().into()).unwrap();
+    assert_eq!(stage.obey(Order::Give(deed.commands, deed.edit)), None);
+    let mut after = Shown::default();
+    stage.show(&mut after);
+    let after = (after, seen.1, seen.2.clone());
+    let scaled = Frame::of(scope(&after), &hand.chosen(scope(&after)).unwrap()).unwrap();
+    let sides = |frame: &Frame| {
+        let [low, _, high, _] = [0, 1, 2, 3].map(|k| frame.handles(scope(&seen))[k + 1].1);
+        [high.x - low.x - 18.0, low.y - high.y - 18.0]
+    };
+    let ratio = [0, 1].map(|axis| sides(&scaled)[axis] / sides(&frame)[axis]);
+    assert!((ratio[0] - 2.0).abs() < 1e-6 && (ratio[1] - 0.5).abs() < 1e-6, "{ratio:?} of {middle}");
+    // A rope that stands upright has no width to scale: it grows in proportion.
+    click(&mut hand, &seen, at(&seen, 0.5, 2.5));
+    let corner = handle(&hand, &seen, Handle::Corner(2));
+    let deed = drag(&mut hand, &seen, [corner, corner + DVec2::new(300.0, 0.0)]);
+    assert!(
+        matches!(&deed.commands[..], [Do::Move(keys)] if matches!(keys.scale, Some(crate::history::Factors::One(_))))
+    );
+    // A plane turns, about its place in the middle of the picture, and has no corners.
+    click(&mut hand, &seen, at(&seen, -4.0, -4.5));
+    let frame = Frame::of(scope(&seen), &hand.chosen(scope(&seen)).unwrap()).unwrap();
+    assert_eq!(frame.handles(scope(&seen)).len(), 1);
+    let knob = handle(&hand, &seen, Handle::Turn);
+    let deed = drag(&mut hand, &seen, [knob, knob + DVec2::new(30.0, 0.0)]);
+    assert!(matches!(&deed.commands[..], [Do::Move(keys)] if keys.obstacles == [1] && keys.turn.unwrap() < -0.5));
+}
+
+#[test]
+fn what_is_selected_is_taken_away_wherever_the_cursor_is() {
+    let seen = discs();
+    let mut hand = hand();
+    hand.select_all(scope(&seen));
     let deed = hand.delete(scope(&seen), None);
     let [Do::Delete(keys)] = &deed.commands[..] else { panic!("{deed:?}") };
-    assert_eq!(keys.points.len(), seen.0.point_count());
+    assert_eq!((keys.points.len(), &keys.obstacles[..]), (seen.0.point_count(), &[0, 1][..]));
     assert!(hand.delete(scope(&seen), None).is_empty(), "once");
 }
 
 #[test]
 fn a_click_on_a_point_means_it_and_a_drag_or_another_tool_does_not() {
-    let seen = shown(Scene::parse(DISCS, "x.json").unwrap());
+    let seen = discs();
     let at = pixel(&seen, 7);
     let clicked = |tool: Tool, from: DVec2, to: DVec2| {
         let mut hand = Hand::default();
@@ -89,26 +217,110 @@ fn in_space_nothing_is_moved_and_it_is_said() {
 
 #[test]
 fn a_copy_moves_as_the_body_does() {
-    let seen = shown(Scene::parse(DISCS, "x.json").unwrap());
+    let seen = discs();
     let mut stage = Stage::new(seen.2.clone().into()).unwrap();
     let mut hand = hand();
-    assert!(hand.to_copy(scope(&seen)).is_none(), "nothing is selected");
-    hand.press(scope(&seen), pixel(&seen, 0));
-    hand.release(scope(&seen), pixel(&seen, 0));
-    let (points, by) = hand.to_copy(scope(&seen)).unwrap();
-    let count = points.len();
+    click(&mut hand, &seen, pixel(&seen, 0));
+    let chosen = hand.chosen(scope(&seen)).unwrap();
+    let by = chosen.beside(scope(&seen));
+    let count = chosen.points.len();
     assert!((2.0..3.0).contains(&by[0]), "beside it: {by:?}");
-    stage.obey(Order::Add(Box::new(move |_, world| Ok(copy(world, &[], &points, by)))));
+    let all = seen.0.point_count();
+    stage.obey(Order::Add(Box::new(move |_, world| Ok(Clip::of(world, &[], &chosen).placed(all as u32, by)))));
     (0..60).for_each(|_| _ = stage.obey(Order::Advance { wall: 1.0 / 60.0, cursor: None, back: false }));
     // The copy is what is selected when it is there, and nothing until then.
-    hand.select(PointId(count as u32));
-    assert!(hand.to_copy(scope(&seen)).is_none());
+    hand.select(Chosen { points: vec![PointId(all as u32)], obstacles: Vec::new() });
+    assert!(hand.chosen(scope(&seen)).is_none());
     let world = stage.history().world();
-    assert_eq!(world.point_count(), 2 * count);
-    assert_eq!(world.triangles().len() % 2, 0);
+    assert_eq!(world.point_count(), all + count);
     let x = world.positions();
     for k in 0..count {
-        let [dx, dy] = [0, 1].map(|axis| x.get(2 * (count + k) + axis) - x.get(2 * k + axis));
+        let [dx, dy] = [0, 1].map(|axis| x.get(2 * (all + k) + axis) - x.get(2 * k + axis));
         assert!((dx - by[0]).abs() < 1e-6 && dy.abs() < 1e-6, "{dx} {dy}");
     }
+}
+
+const FULL: &str = r##"{"wobble": 1, "gravity": [0, -9.81], "contact": true,
+    "points": {"position": [[0, 0], [1, 0], [2, 0.2], [2.5, 1]], "mass": [1, 2, 3, 4], "pinned": [3]},
+    "bonds": [{"a": 0, "b": 1, "kind": "spring", "stiffness": 90, "damping": 2, "break_strain": 0.5,
+        "drive": {"amplitude": 0.2, "period": 1}}, {"a": 1, "b": 2}, {"a": 2, "b": 3, "limit": "max"}],
+    "angles": [{"points": [0, 1, 2], "rest": 3, "stiffness": 5, "min": 2, "max": 4},
+        {"points": [1, 2, 3], "drive": {"speed": 2, "torque": 3}}],
+    "triangles": [[0, 1, 2]], "forces": [{"points": [0, 2], "force": [1, 2], "torque": 0.5}],
+    "skins": [{"points": [0, 1], "friction": 0.9, "color": "#ff8800"}],
+    "obstacles": [{"circle": {"center": [0, -3], "radius": 1}, "friction": 0.3},
+        {"plane": {"point": [0, -5], "normal": [1, 4]}, "restitution": 0.6},
+        {"polygon": [[[4, 0], [5, 0], [5, 1]]]}]}"##;
+
+#[test]
+fn a_copy_has_all_that_was_copied() {
+    let seen = shown(Scene::parse(FULL, "x.json").unwrap());
+    let chosen = Chosen::all(scope(&seen));
+    let mut stage = Stage::new(seen.2.clone().into()).unwrap();
+    let tints = std::sync::Arc::clone(&seen.0.scenery.tints);
+    stage.obey(Order::Add(Box::new(move |_, world| {
+        Ok(Clip::of(world, &tints, &chosen).placed(world.next_numbers()[0], [10.0, 0.0, 0.0]))
+    })));
+    let world = stage.history().world();
+    assert_eq!((world.point_count(), world.pinned()), (8, &[PointId(3), PointId(7)][..]));
+    assert_eq!(world.masses()[4..], [1.0, 2.0, 3.0, 4.0]);
+    let bonds: Vec<_> = world.bonds().iter().collect();
+    for k in 0..3 {
+        let [own, copy] = [bonds[k], bonds[k + 3]];
+        assert_eq!((copy.a.0, copy.b.0), (own.a.0 + 4, own.b.0 + 4));
+        assert_eq!(
+            (copy.kind, copy.limit, copy.break_strain, copy.drive, copy.rest_length),
+            (own.kind, own.limit, own.break_strain, own.drive, own.rest_length)
+        );
+    }
+    assert!(bonds[5].limit == Limit::Max && bonds[3].drive.is_some());
+    let angles = world.angles();
+    for k in 0..2 {
+        let [own, copy] = [&angles[k], &angles[k + 2]];
+        assert_eq!(copy.points, own.points.map(|point| PointId(point.0 + 4)));
+        assert_eq!(
+            (copy.rest, copy.stiffness, copy.range, copy.drive),
+            (own.rest, own.stiffness, own.range, own.drive)
+        );
+    }
+    let forces = world.forces();
+    assert_eq!((forces.len(), forces[1].force, forces[1].torque), (2, [1.0, 2.0, 0.0], 0.5));
+    assert_eq!(forces[1].points, [PointId(4), PointId(6)]);
+    assert_eq!(world.triangles()[1], [4, 5, 6].map(PointId));
+    assert_eq!(world.skin_of(PointId(5)).friction, Some(0.9));
+    assert_eq!(stage.history().tints().iter().filter(|tint| tint.color == Some([255, 136, 0])).count(), 2);
+    let obstacles = world.obstacles();
+    assert_eq!(obstacles.len(), 6);
+    let planes: Vec<_> = obstacles.iter().filter(|(_, one)| matches!(one, Obstacle::Plane { .. })).collect();
+    let Obstacle::Plane { point, normal, restitution, .. } = planes[1].1 else { panic!() };
+    assert_eq!((point, restitution), ([10.0, -5.0, 0.0], 0.6));
+    assert!((normal[1] / normal[0] - 4.0).abs() < 1e-12);
+    let polygons = world.polygons();
+    assert_eq!((polygons.len(), polygons[2].friction), (4, 0.3));
+    let [own, copy] = [&polygons[0].loops[0], &polygons[2].loops[0]];
+    assert!(own.iter().zip(copy).all(|(x, y)| (y[0] - x[0] - 10.0).abs() < 1e-12 && x[1] == y[1]));
+}
+
+#[test]
+fn a_group_is_selected_by_any_of_its_bodies() {
+    let seen = discs();
+    let mut stage = Stage::new(seen.2.clone().into()).unwrap();
+    let show = |stage: &mut Stage| {
+        let mut shown = Shown::default();
+        stage.show(&mut shown);
+        (shown, seen.1, seen.2.clone())
+    };
+    let all: Vec<PointId> = Chosen::all(scope(&seen)).points;
+    let group =
+        |points: Vec<PointId>| Order::Give(vec![Do::Group { points, name: "group 1".to_owned() }], Some("group"));
+    let of_rope = |seen: &Seen| Chosen::at(scope(seen), at(seen, 0.5, 2.5)).unwrap().points.len();
+    assert_eq!(of_rope(&seen), 5);
+    assert_eq!(stage.obey(group(all.clone())), None);
+    assert_eq!(of_rope(&show(&mut stage)), all.len());
+    assert_eq!(stage.obey(group(Vec::new())), None);
+    assert_eq!(of_rope(&show(&mut stage)), 5, "no group any more");
+    stage.obey(Order::Undo(None));
+    assert_eq!(of_rope(&show(&mut stage)), all.len());
+    stage.obey(Order::Undo(None));
+    assert_eq!(of_rope(&show(&mut stage)), 5);
 }

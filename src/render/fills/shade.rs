@@ -1,6 +1,7 @@
 //! What fills are shaded by, a row a point: its normal in space, and the mean strain of its bonds.
 
 use crate::render::buffers::GpuBond;
+use crate::render::forms::acting;
 
 /// A row as the shader reads it: a unit normal (0 in the plane) and a strain `[1]`.
 pub(super) type Shade = [f32; 4];
@@ -47,7 +48,7 @@ fn strains<const D: usize>(places: &[[f32; D]], bonds: &[GpuBond], to: &mut [Sha
         let [a, b] = [bond.a as usize, bond.b as usize];
         let length = (0..D).map(|axis| (places[a][axis] - places[b][axis]).powi(2)).sum::<f32>().sqrt();
         for end in [a, b] {
-            to[end][3] += length / bond.rest_length - 1.0;
+            to[end][3] += acting(bond.form, length / bond.rest_length - 1.0);
             counts[end] = counts[end].saturating_add(1);
         }
     }

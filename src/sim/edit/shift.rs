@@ -1,5 +1,6 @@
 //! Points and obstacles change their place.
 
+use std::f64::consts::TAU;
 use std::sync::Arc;
 
 use super::check::finite;
@@ -7,11 +8,24 @@ use super::{Applied, CommandError, done, invalid};
 use crate::sim::bond::{Bond, PointId};
 use crate::sim::bonds::Bonds;
 use crate::sim::command::Motion;
+use crate::sim::force::angle::{Angle, measured};
 use crate::sim::model::Model;
 use crate::sim::plan::{self, Sets};
 use crate::sim::real::Real;
-use crate::sim::vector::{add, convert, embed, scale, sub, truncate, widen};
+use crate::sim::vector::{add, convert, embed, length, scale, sub, truncate, widen};
 use crate::sim::world::World;
+
+/// An angle at rest is no nearer to none, or to a whole turn `[rad]`.
+const LEAST_ANGLE: f64 = 1e-6;
+
+/// Rest lengths, angles and areas at rest that follow a scale, by their places in their lists.
+struct Scaled {
+    /// `[m]`
+    rests: Vec<(usize, f64)>,
+    angles: Vec<(usize, Angle)>,
+    /// `[m^2]`
+    areas: Vec<(usize, f64)>,
+}
 
 /// Scaled and turned about a place, then moved.
 struct Placement {
@@ -20,7 +34,8 @@ struct Placement {
     /// The turn about z `[rad]`, and its cos and sin.
     angle: f64,
     turn: [f64; 2],
-    scale: f64,
+    /// Along x, y and z.
+    scale: [f64; 3],
 }
 
 impl Placement {
@@ -29,9 +44,40 @@ impl Placement {
         [cos * x - sin * y, sin * x + cos * y, z]
     }
 
+    /// The factor, where it is the same in the plane whichever way one looks.
+    fn even(&self) -> Option<f64> {
+        let [x, y, _] = self.scale;
+        (x == y).then_some(x)
+    }
+
+    fn scaled(&self, from: [f64; 3]) -> [f64; 3] {
+        std::array::from_fn(|axis| from[axis] * self.scale[axis])
+    }
+
     fn place<const D: usize>(&self, x: [f64; D]) -> [f64; D] {
-        let from = scale(sub(embed(x), self.about), self.scale);
+        let from = self.scaled(sub(embed(x), self.about));
         truncate(add(add(self.about, self.turned(from)), self.by))
+    }
+
+    /// What a stretch that is seen so far and in this direction gets longer by `[1]`; one of no length by the mean.
+    fn stretch<const D: usize>(&self, along: [f64; D]) -> f64 {
+        if let Some(factor) = self.even() {
+            return factor;
+        }
+        let (before, after) = (length(embed(along)), length(self.scaled(embed(along))));
+        let [x, y, _] = self.scale;
+        if before > 0.0 { after / before } else { (x * y).sqrt() }
+    }
+
+    /// The normal of a plane that is moved so.
+    fn normal<const D: usize>(&self, normal: [f64; D]) -> [f64; D] {
+        match self.even() {
+            Some(_) => self.direction(normal),
+            None => {
+                let normal: [f64; 3] = embed(normal);
+                self.direction(truncate(std::array::from_fn(|axis| normal[axis] / self.scale[axis])))
+            }
+        }
     }
 
     fn direction<const D: usize>(&self, v: [f64; D]) -> [f64; D] {
@@ -41,19 +87,22 @@ impl Placement {
 
 impl<S: Real, const D: usize> World<S, D> {
     pub(super) fn shift(&mut self, motion: &Motion) -> Result<Applied, CommandError> {
-        let Motion { points, obstacles, by, turn, scale: factor, about } = motion;
+        let Motion { points, obstacles, by, turn, scale: factors, about } = motion;
         self.check_points(points)?;
         self.check_obstacles(obstacles)?;
-        finite("by, turn, scale and about", by.iter().chain(about.iter().flatten()).chain([turn, factor]))?;
-        if *factor <= 0.0 {
+        finite("by, turn, scale and about", by.iter().chain(about.iter().flatten()).chain(factors).chain([turn]))?;
+        if let Some(factor) = factors.iter().find(|factor| **factor <= 0.0) {
             return Err(invalid(format!("scale is {factor}: it must be > 0")));
+        }
+        if D == 3 && factors.iter().any(|factor| *factor != factors[0]) {
+            return Err(invalid("scale has several factors: give one in space"));
         }
         if points.is_empty() && obstacles.is_empty() {
             return Ok(done(false));
         }
         let about = about.unwrap_or_else(|| self.middle_of(motion));
         let placement =
-            Placement { about, by: *by, angle: *turn, turn: [libm::cos(*turn), libm::sin(*turn)], scale: *factor };
+            Placement { about, by: *by, angle: *turn, turn: [libm::cos(*turn), libm::sin(*turn)], scale: *factors };
         let mut numbers: Vec<u32> = points.iter().map(|point| point.0).collect();
         numbers.sort_unstable();
         numbers.dedup();
@@ -66,6 +115,7 @@ impl<S: Real, const D: usize> World<S, D> {
         model.check_surroundings().map_err(|error| invalid(error.to_string()))?;
         let moved = if obstacles.is_empty() { None } else { Some(Self::obstacles_of(&model)?) };
         self.check_lengths(&numbers, &placement)?;
+        let scaled = (*factors != [1.0; 3]).then(|| self.scaled(&numbers, &placement));
         let mut detached = self.detach(&numbers, moved.is_some());
         for (point, track) in &mut model.pin_motion {
             if numbers.binary_search(&point.0).is_ok() {
@@ -85,8 +135,8 @@ impl<S: Real, const D: usize> World<S, D> {
             self.obstacles = moved;
         }
         self.model = Arc::new(model);
-        if *factor != 1.0 {
-            self.scale_bonds(&numbers, *factor);
+        if let Some(scaled) = scaled {
+            self.take_scaled(scaled);
         }
         self.attach(detached);
         Ok(done(true))
@@ -163,7 +213,8 @@ impl<S: Real, const D: usize> World<S, D> {
         }
         let mut bonds = Bonds::new();
         for bond in self.bonds.iter().filter(|bond| bond.is_held() && local[bond.a.index()] != u32::MAX) {
-            let scale = if is_moved(&bond.a) && is_moved(&bond.b) { placement.scale } else { 1.0 };
+            let is_whole = is_moved(&bond.a) && is_moved(&bond.b);
+            let scale = if is_whole { placement.stretch(self.along([bond.a, bond.b])) } else { 1.0 };
             let [a, b] = [bond.a, bond.b].map(|end| PointId(local[end.index()]));
             bonds.push(Bond { a, b, rest_length: scale * bond.rest_length, ..bond });
         }
@@ -180,37 +231,64 @@ impl<S: Real, const D: usize> World<S, D> {
         let [planes, others] = &self.numbers.obstacles;
         for (plane, _) in model.planes.iter_mut().zip(planes).filter(|(_, number)| obstacles.contains(number)) {
             plane.point = placement.place(plane.point);
-            plane.normal = placement.direction(plane.normal);
+            plane.normal = placement.normal(plane.normal);
         }
         for (polygon, _) in model.polygons.iter_mut().zip(others).filter(|(_, number)| obstacles.contains(number)) {
             polygon.loops.iter_mut().flatten().for_each(|corner| *corner = placement.place(*corner));
         }
         for (convex, _) in model.convex.iter_mut().zip(others).filter(|(_, number)| obstacles.contains(number)) {
             let center = placement.place(convex.figure.center());
-            convex.figure = convex.figure.placed(center, placement.angle, placement.scale);
+            convex.figure = convex.figure.placed(center, placement.angle, placement.scale[0]);
         }
     }
 
-    /// Rest lengths of bonds with both ends among points are multiplied, arms of angles and areas likewise.
-    fn scale_bonds(&mut self, points: &[u32], factor: f64) {
+    /// From one point to another `[m]`.
+    fn along(&self, [a, b]: [PointId; 2]) -> [f64; D] {
+        sub(self.place(b.index()), self.place(a.index()))
+    }
+
+    /// What bonds, angles and areas of points alone are at rest once these are placed.
+    fn scaled(&self, points: &[u32], placement: &Placement) -> Scaled {
         let mut is_moved = vec![false; self.count()];
         points.iter().for_each(|&point| is_moved[point as usize] = true);
-        let bonds = Arc::make_mut(&mut self.bonds);
-        for k in 0..bonds.len() {
-            if bonds.ends()[k].iter().all(|end| is_moved[end.index()]) {
-                let bond = bonds.get(k);
-                bonds.set(k, Bond { rest_length: bond.rest_length * factor, ..bond });
-            }
+        let ends = self.bonds.ends().iter().enumerate();
+        let ends = ends.filter(|(_, ends)| ends.iter().all(|end| is_moved[end.index()]));
+        let rests =
+            ends.map(|(k, &ends)| (k, self.bonds.get(k).rest_length * placement.stretch(self.along(ends)))).collect();
+        let is_whole = |points: &[PointId; 3]| points.iter().all(|point| is_moved[point.index()]);
+        let angles = self.model.angles.list.iter().enumerate().filter(|(_, angle)| is_whole(&angle.points));
+        let angles = angles.map(|(k, angle)| (k, self.placed_angle(angle, placement))).collect();
+        let [x, y, _] = placement.scale;
+        let areas = self.model.rest_areas.iter().zip(&self.model.triangles).enumerate();
+        let areas = areas.filter(|(_, (_, corners))| is_whole(corners));
+        Scaled { rests, angles, areas: areas.map(|(k, (rest, _))| (k, rest * (x * y))).collect() }
+    }
+
+    /// An angle whose points are placed: at rest, and at its stops, it is turned by as much as it turns.
+    fn placed_angle(&self, angle: &Angle, placement: &Placement) -> Angle {
+        let [i, j, k] = angle.points;
+        let stretches = [[j, i], [j, k]].map(|ends| placement.stretch(self.along(ends)));
+        let arms = [0, 1].map(|arm| angle.arms[arm] * stretches[arm]);
+        if placement.even().is_some() {
+            return Angle { arms, ..*angle };
         }
-        if self.model.angles.list.is_empty() && self.model.rest_areas.is_empty() {
+        let places: [[f64; D]; 3] = angle.points.map(|point| self.place(point.index()));
+        let turned = measured(places.map(|place| placement.place(place))).0 - measured(places).0;
+        let turned = libm::atan2(libm::sin(turned), libm::cos(turned));
+        let rest = (angle.rest + turned).rem_euclid(TAU).clamp(LEAST_ANGLE, TAU - LEAST_ANGLE);
+        Angle { arms, rest, range: angle.range.map(|range| range.map(|stop| stop + turned)), ..*angle }
+    }
+
+    fn take_scaled(&mut self, Scaled { rests, angles, areas }: Scaled) {
+        let bonds = Arc::make_mut(&mut self.bonds);
+        for (k, rest_length) in rests {
+            bonds.set(k, Bond { rest_length, ..bonds.get(k) });
+        }
+        if angles.is_empty() && areas.is_empty() {
             return;
         }
-        let is_whole = |points: &[PointId; 3]| points.iter().all(|point| is_moved[point.index()]);
         let model = Arc::make_mut(&mut self.model);
-        for angle in model.angles.list.iter_mut().filter(|angle| is_whole(&angle.points)) {
-            angle.arms = angle.arms.map(|arm| factor * arm);
-        }
-        let areas = model.rest_areas.iter_mut().zip(&model.triangles).filter(|(_, corners)| is_whole(corners));
-        areas.for_each(|(rest, _)| *rest *= factor * factor);
+        angles.into_iter().for_each(|(k, angle)| model.angles.list[k] = angle);
+        areas.into_iter().for_each(|(k, rest)| model.rest_areas[k] = rest);
     }
 }

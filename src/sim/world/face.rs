@@ -4,10 +4,10 @@ use super::World;
 use super::saved::of_any;
 use crate::sim::bond::PointId;
 use crate::sim::bonds::Bonds;
-use crate::sim::command::{Applied, Command, CommandError, SceneChange};
+use crate::sim::command::{Applied, Command, CommandError, Obstacle, SceneChange};
 use crate::sim::contact::convex::Convex;
 use crate::sim::contact::polygon::Polygon;
-use crate::sim::contact::skin::Contact;
+use crate::sim::contact::skin::{Contact, SkinMaterial};
 use crate::sim::counters::Counters;
 use crate::sim::drive::Key;
 use crate::sim::dynamics::{Dynamics, ForceView, GrabView, Sample};
@@ -184,6 +184,24 @@ impl<S: Real, const D: usize> Dynamics for World<S, D> {
 
     fn convex(&self) -> &[Convex] {
         &self.model.convex
+    }
+
+    fn obstacles(&self) -> Vec<(u32, Obstacle)> {
+        let planes = self.model.planes.iter().map(|plane| Obstacle::Plane {
+            point: embed(plane.point),
+            normal: embed(plane.normal),
+            restitution: plane.restitution,
+            friction: plane.friction,
+        });
+        let polygons = self.model.polygons.iter().cloned().map(Obstacle::Polygon);
+        let convex = self.model.convex.iter().copied().map(Obstacle::Convex);
+        let [of_planes, of_others] = &self.numbers.obstacles;
+        let planes = of_planes.iter().copied().zip(planes);
+        planes.chain(of_others.iter().copied().zip(polygons.chain(convex))).collect()
+    }
+
+    fn skin_of(&self, point: PointId) -> SkinMaterial {
+        self.model.skins.of(point)
     }
 
     fn mouse(&self) -> Option<(&MouseForce, Cursor)> {

@@ -182,7 +182,7 @@ fn ropes_and_cloths_hang_where_they_begin_unless_shift_is_held() {
     for (is_held, pins) in [(false, [1, 2]), (true, [0, 0])] {
         for (primitive, pins) in [Primitive::Rope, Primitive::Cloth].into_iter().zip(pins) {
             let mut hand = hand(primitive);
-            hand.hold_shift(is_held);
+            hand.hold([is_held, false]);
             let deed = drag(&seen, &mut hand, [-1.0, 1.0], [1.0, 0.0]);
             assert_eq!(added(&deed).bodies[0].pinned.len(), pins, "{primitive:?}");
         }

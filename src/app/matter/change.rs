@@ -1,0 +1,236 @@
+//! What is changed of the matter of bodies, and the commands that do it.
+
+use super::Among;
+use super::facts::{NEVER, areas, place};
+use super::preset::{Preset, Stuff};
+use crate::history::{Do, OneOrEach, SetKeys};
+use crate::picture::Tint;
+use crate::scene::{AddKeys, ColorKey, KindName, SkinKeys};
+use crate::sim::vector::{length, sub};
+use crate::sim::{Bond, BondKind, Dynamics, Limit, PointId};
+
+/// Stiffness of springs that were rigid before, over the mass of their body `[1/s^2]`, and damping over stiffness `[s]`.
+const SPRINGY: [f64; 2] = [600.0, 0.004];
+/// Of what covers nothing, mass by length over density `[m]`: a rope as thick as that.
+const THICKNESS: f64 = 0.15;
+
+/// What is changed.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum MatterChange {
+    /// All of it together weighs so much `[kg]`, shared as before.
+    Mass(f64),
+    /// Of springs `[N/m]`.
+    Stiffness(f64),
+    /// Of springs `[N s/m]`.
+    Damping(f64),
+    /// Strain at which bonds break `[1]`.
+    Breaks(f64),
+    /// Of angles that bend `[N m]`.
+    Bending(f64),
+    /// Of skins and obstacles `[1]`.
+    Friction(f64),
+    /// Of skins and obstacles `[1]`, to 1.
+    Restitution(f64),
+    /// What it is filled in.
+    Color([u8; 3]),
+    /// Bonds keep their lengths.
+    Rigid,
+    /// Bonds that are not springs become some.
+    Springy,
+    /// All of it, by name.
+    Preset(Preset),
+}
+
+impl MatterChange {
+    /// What it is called when it is undone.
+    pub(in crate::app) fn name(self) -> &'static str {
+        match self {
+            MatterChange::Mass(_) => "mass",
+            MatterChange::Stiffness(_) => "stiffness",
+            MatterChange::Damping(_) => "damping",
+            MatterChange::Breaks(_) => "break strain",
+            MatterChange::Bending(_) => "bending",
+            MatterChange::Friction(_) => "friction",
+            MatterChange::Restitution(_) => "restitution",
+            MatterChange::Color(_) => "colour",
+            MatterChange::Rigid => "rigid",
+            MatterChange::Springy => "springy",
+            MatterChange::Preset(preset) => preset.name(),
+        }
+    }
+}
+
+/// The commands of a change.
+///
+/// Errors: in words, why what is meant has nothing that could be changed so.
+pub(in crate::app) fn commands(
+    world: &dyn Dynamics,
+    among: &Among,
+    change: MatterChange,
+) -> Result<Vec<Do>, &'static str> {
+    let points = among.points_of(world);
+    let set = |keys: SetKeys| Do::Set(Box::new(keys));
+    let springs = || numbers(&among.bonds_of(world), |bond| matches!(bond.kind, BondKind::Spring { .. }));
+    let of_springs = |keys: SetKeys| match springs() {
+        list if list.is_empty() => Err("its bonds are rigid: make them springy first"),
+        list => Ok(vec![set(SetKeys { bonds: Some(list), ..keys })]),
+    };
+    let one = |x: f64| Some(OneOrEach::One(x));
+    let all = match change {
+        MatterChange::Mass(mass) => masses(world, &points, mass).map(set).into_iter().collect(),
+        MatterChange::Stiffness(stiffness) => of_springs(SetKeys { stiffness: one(stiffness), ..SetKeys::default() })?,
+        MatterChange::Damping(damping) => of_springs(SetKeys { damping: one(damping), ..SetKeys::default() })?,
+        MatterChange::Breaks(strain) => {
+            let bonds = Some(numbers(&among.bonds_of(world), |_| true));
+            vec![set(SetKeys { bonds, break_strain: one(strain.min(NEVER)), ..SetKeys::default() })]
+        }
+        MatterChange::Bending(stiffness) => {
+            let angles = Some(among.bends_of(world).iter().map(|angle| angle.number).collect());
+            vec![set(SetKeys { angles, stiffness: one(stiffness), ..SetKeys::default() })]
+        }
+        MatterChange::Friction(friction) => {
+            surfaces(world, (&points, among), SetKeys { friction: Some(friction), ..SetKeys::default() })
+        }
+        MatterChange::Restitution(restitution) => {
+            surfaces(world, (&points, among), SetKeys { restitution: Some(restitution), ..SetKeys::default() })
+        }
+        MatterChange::Color(color) => vec![paint(&points, color)],
+        MatterChange::Rigid => {
+            let bonds = numbers(&among.bonds_of(world), |bond| bond.kind != BondKind::Rigid);
+            vec![set(SetKeys { bonds: Some(bonds), kind: Some(KindName::Rigid), ..SetKeys::default() })]
+        }
+        MatterChange::Springy => {
+            let mass = |point: PointId| world.masses()[point.index()];
+            let bonds = among.bonds_of(world).into_iter();
+            let rigid = bonds.filter(|(_, bond)| !matches!(bond.kind, BondKind::Spring { .. })).collect();
+            springy(world, rigid, mass, SPRINGY).map(set).into_iter().collect()
+        }
+        MatterChange::Preset(preset) => of_preset(world, (&points, among), preset),
+    };
+    let names_nothing = |act: &Do| {
+        let Do::Set(keys) = act else { return false };
+        let lists = [&keys.points, &keys.bonds, &keys.angles, &keys.obstacles];
+        lists.into_iter().flatten().all(Vec::is_empty)
+    };
+    let all: Vec<Do> = all.into_iter().filter(|act| !names_nothing(act)).collect();
+    if all.is_empty() { Err("nothing of what is selected can be changed so") } else { Ok(all) }
+}
+
+fn numbers(bonds: &[(u32, Bond)], is_meant: impl Fn(&Bond) -> bool) -> Vec<u32> {
+    bonds.iter().filter(|(_, bond)| is_meant(bond)).map(|(number, _)| *number).collect()
+}
+
+fn point_numbers(points: &[PointId]) -> Vec<u32> {
+    points.iter().map(|point| point.0).collect()
+}
+
+/// Points weigh `mass` `[kg]` together, shared as before.
+fn masses(world: &dyn Dynamics, points: &[PointId], mass: f64) -> Option<SetKeys> {
+    let before: Vec<f64> = points.iter().map(|point| world.masses()[point.index()]).collect();
+    let whole: f64 = before.iter().sum();
+    let each = before.iter().map(|own| own * (mass / whole)).collect();
+    let keys = SetKeys { points: Some(point_numbers(points)), mass: Some(OneOrEach::Each(each)), ..SetKeys::default() };
+    (whole > 0.0).then_some(keys)
+}
+
+/// Skins of points, in the plane, and obstacles get these keys.
+fn surfaces(world: &dyn Dynamics, (points, among): (&[PointId], &Among), keys: SetKeys) -> Vec<Do> {
+    let of_points = (world.dimensions() == 2).then(|| SetKeys { points: Some(point_numbers(points)), ..keys.clone() });
+    let of_obstacles = SetKeys { obstacles: Some(among.obstacles.clone()), ..keys };
+    of_points.into_iter().chain([of_obstacles]).map(|keys| Do::Set(Box::new(keys))).collect()
+}
+
+fn paint(points: &[PointId], color: [u8; 3]) -> Do {
+    let skin = SkinKeys {
+        points: point_numbers(points),
+        friction: None,
+        restitution: None,
+        radius: None,
+        color: Some(ColorKey(color)),
+    };
+    Do::Add(Box::new(AddKeys { skins: vec![skin], ..AddKeys::default() }))
+}
+
+/// Bonds become springs, as stiff for the mass of their body as said; those of chains, which pull one behind another, by as much more as
+/// there are of them. `None` where there are none.
+fn springy(
+    world: &dyn Dynamics,
+    bonds: Vec<(u32, Bond)>,
+    mass: impl Fn(PointId) -> f64,
+    [soft, damping]: [f64; 2],
+) -> Option<SetKeys> {
+    let count = world.point_count();
+    let body = Tint::hanging(count, world.bonds().ends().iter().map(|ends| ends.map(|end| end.0)));
+    let bodies = body.iter().max().map_or(0, |last| *last as usize + 1);
+    let (mut weight, mut ends, mut links) = (vec![0.0; bodies], vec![0_usize; bodies], vec![0_usize; bodies]);
+    for point in (0..count as u32).map(PointId) {
+        weight[body[point.index()] as usize] += mass(point);
+        ends[body[point.index()] as usize] += 1;
+    }
+    world.bonds().ends().iter().for_each(|[a, _]| links[body[a.index()] as usize] += 1);
+    let stiffness = |(_, bond): &(u32, Bond)| {
+        let own = body[bond.a.index()] as usize;
+        let in_a_row = if links[own] <= ends[own] { links[own] } else { 1 };
+        soft * weight[own] * in_a_row as f64
+    };
+    let each: Vec<f64> = bonds.iter().map(stiffness).collect();
+    let keys = SetKeys {
+        bonds: Some(numbers(&bonds, |_| true)),
+        kind: Some(KindName::Spring),
+        damping: Some(OneOrEach::Each(each.iter().map(|stiffness| damping * stiffness).collect())),
+        stiffness: Some(OneOrEach::Each(each)),
+        ..SetKeys::default()
+    };
+    (!bonds.is_empty()).then_some(keys)
+}
+
+/// All of a matter: masses by what points cover, or by the lengths of their bonds; bonds that act both ways; skins and colour.
+fn of_preset(world: &dyn Dynamics, (points, among): (&[PointId], &Among), preset: Preset) -> Vec<Do> {
+    let Stuff { density, springs, breaks, friction, restitution, color } = preset.stuff();
+    let mass = weights(world, points, density);
+    let of_point = |point: PointId| {
+        points.binary_search(&point).map_or_else(|_| world.masses()[point.index()], |place| mass[place])
+    };
+    let bonds: Vec<(u32, Bond)> = among
+        .bonds_of(world)
+        .into_iter()
+        .filter(|(_, bond)| bond.limit == Limit::Both && bond.rest_length > 0.0)
+        .collect();
+    let named = Some(numbers(&bonds, |_| true));
+    let of_bonds = match springs {
+        Some(springs) => springy(world, bonds, of_point, springs),
+        None => Some(SetKeys { bonds: named, kind: Some(KindName::Rigid), ..SetKeys::default() }),
+    };
+    let of_bonds = of_bonds.map(|keys| SetKeys { break_strain: Some(OneOrEach::One(breaks.unwrap_or(NEVER))), ..keys });
+    let of_points =
+        SetKeys { points: Some(point_numbers(points)), mass: Some(OneOrEach::Each(mass)), ..SetKeys::default() };
+    let mut all: Vec<Do> =
+        [Some(of_points), of_bonds].into_iter().flatten().map(|keys| Do::Set(Box::new(keys))).collect();
+    let skin = SetKeys { friction: Some(friction), restitution: Some(restitution), ..SetKeys::default() };
+    all.extend(surfaces(world, (points, among), skin));
+    if !points.is_empty() {
+        all.push(paint(points, color));
+    }
+    all
+}
+
+/// What points weigh in a matter of this density `[kg/m^2]`, one each: a third of each triangle that they are corners of, whichever body it
+/// is of; where there is none, half of each of their bonds, as a rope of it; a point without either weighs what it did.
+fn weights(world: &dyn Dynamics, points: &[PointId], density: f64) -> Vec<f64> {
+    let mut area = vec![0.0; world.point_count()];
+    let every: Vec<PointId> = (0..world.point_count() as u32).map(PointId).collect();
+    for (corners, covered) in areas(world, &every) {
+        corners.iter().for_each(|corner| area[corner.index()] += covered / 3.0);
+    }
+    let mut half = vec![0.0; world.point_count()];
+    for &[a, b] in world.bonds().ends() {
+        let long: f64 = length(sub(place(world, b), place(world, a)));
+        [a, b].into_iter().for_each(|end| half[end.index()] += 0.5 * long);
+    }
+    let weight = |point: &PointId| {
+        let place = point.index();
+        let own = if area[place] > 0.0 { area[place] } else { THICKNESS * half[place] };
+        if own > 0.0 && own.is_finite() { density * own } else { world.masses()[place] }
+    };
+    points.iter().map(weight).collect()
+}

@@ -1,0 +1,177 @@
+//! What a selection is made of, in figures.
+
+use super::Among;
+use crate::picture::Tint;
+use crate::sim::vector::{cross, length, sub};
+use crate::sim::{Bond, BondKind, Dynamics, Obstacle, PointId};
+
+/// A strain at which bonds break that none comes to `[1]`: files have no word for never.
+pub(in crate::app) const NEVER: f64 = 1e9;
+
+/// The least and the greatest of some numbers.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(in crate::app) struct Span {
+    pub(in crate::app) least: f64,
+    pub(in crate::app) most: f64,
+}
+
+impl Span {
+    /// Of some numbers; `None` of none.
+    fn of(numbers: impl Iterator<Item = f64>) -> Option<Self> {
+        numbers.fold(None, |span: Option<Span>, x| {
+            Some(
+                span.map_or(Span { least: x, most: x }, |span| Span {
+                    least: span.least.min(x),
+                    most: span.most.max(x),
+                }),
+            )
+        })
+    }
+
+    /// The one number that they all are.
+    pub(in crate::app) fn same(self) -> Option<f64> {
+        (self.least == self.most).then_some(self.least)
+    }
+}
+
+/// The colour of a selection.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub(in crate::app) enum Coloring {
+    /// No point has one of its own.
+    #[default]
+    Palette,
+    /// All points have this.
+    One([u8; 3]),
+    /// They differ.
+    Mixed,
+}
+
+/// What a selection is made of. A span is `None` where nothing has such a number.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Matter {
+    pub(in crate::app) points: usize,
+    pub(in crate::app) bonds: usize,
+    pub(in crate::app) obstacles: usize,
+    /// Of its points `[kg]`.
+    pub(in crate::app) mass: f64,
+    /// What its triangles cover `[m^2]`.
+    pub(in crate::app) area: f64,
+    /// Bonds that are rigid, springs, relaxed.
+    pub(in crate::app) kinds: [usize; 3],
+    /// Of its springs `[N/m]`, `[N s/m]`.
+    pub(in crate::app) stiffness: Option<Span>,
+    pub(in crate::app) damping: Option<Span>,
+    /// Strain at which bonds break `[1]`; [`NEVER`] or more: they do not.
+    pub(in crate::app) breaks: Option<Span>,
+    /// Of angles that bend `[N m]`.
+    pub(in crate::app) bending: Option<Span>,
+    /// Of skins, where bodies meet, and of obstacles `[1]`.
+    pub(in crate::app) friction: Option<Span>,
+    pub(in crate::app) restitution: Option<Span>,
+    pub(in crate::app) color: Coloring,
+}
+
+impl Matter {
+    /// Of what is meant in a world; `None` where nothing of it is there.
+    pub(in crate::app) fn of(world: &dyn Dynamics, tints: &[Tint], among: &Among) -> Option<Self> {
+        let points = among.points_of(world);
+        let bonds = among.bonds_of(world);
+        let solids: Vec<[f64; 2]> = world
+            .obstacles()
+            .iter()
+            .filter(|(number, _)| among.obstacles.contains(number))
+            .map(|(_, obstacle)| surface(obstacle))
+            .collect();
+        if points.is_empty() && solids.is_empty() {
+            return None;
+        }
+        let spring = |(_, bond): &(u32, Bond)| match bond.kind {
+            BondKind::Spring { stiffness, damping } => Some([stiffness, damping]),
+            _ => None,
+        };
+        let springs: Vec<[f64; 2]> = bonds.iter().filter_map(spring).collect();
+        let count = |is: fn(&BondKind) -> bool| bonds.iter().filter(|(_, bond)| is(&bond.kind)).count();
+        let skins: Vec<[f64; 2]> = match world.contact().filter(|_| world.dimensions() == 2) {
+            None => Vec::new(),
+            Some(contact) => points
+                .iter()
+                .map(|&point| world.skin_of(point))
+                .map(|skin| {
+                    [skin.friction.unwrap_or(contact.friction), skin.restitution.unwrap_or(contact.restitution)]
+                })
+                .collect(),
+        };
+        let surfaces = || skins.iter().chain(&solids);
+        Some(Matter {
+            points: points.len(),
+            bonds: bonds.len(),
+            obstacles: solids.len(),
+            mass: points.iter().map(|point| world.masses()[point.index()]).sum(),
+            area: areas(world, &points).iter().map(|(_, area)| area).sum(),
+            kinds: [
+                count(|kind| matches!(kind, BondKind::Rigid)),
+                springs.len(),
+                count(|kind| matches!(kind, BondKind::Relaxed { .. })),
+            ],
+            stiffness: Span::of(springs.iter().map(|spring| spring[0])),
+            damping: Span::of(springs.iter().map(|spring| spring[1])),
+            breaks: Span::of(bonds.iter().map(|(_, bond)| bond.break_strain.min(NEVER))),
+            bending: Span::of(among.bends_of(world).iter().map(|angle| angle.stiffness)),
+            friction: Span::of(surfaces().map(|surface| surface[0])),
+            restitution: Span::of(surfaces().map(|surface| surface[1])),
+            color: coloring(tints, &points),
+        })
+    }
+
+    /// Mass by area `[kg/m^2]`; `None` where it covers nothing.
+    pub(in crate::app) fn density(&self) -> Option<f64> {
+        (self.area > 0.0).then(|| self.mass / self.area)
+    }
+}
+
+fn coloring(tints: &[Tint], points: &[PointId]) -> Coloring {
+    let mut colors = points.iter().map(|point| Tint::of(tints, point.0).and_then(|tint| tint.color));
+    let Some(first) = colors.next() else { return Coloring::Palette };
+    match colors.all(|color| color == first) {
+        true => first.map_or(Coloring::Palette, Coloring::One),
+        false => Coloring::Mixed,
+    }
+}
+
+/// Friction and restitution of an obstacle.
+fn surface(obstacle: &Obstacle) -> [f64; 2] {
+    match obstacle {
+        Obstacle::Plane { friction, restitution, .. } => [*friction, *restitution],
+        Obstacle::Polygon(polygon) => [polygon.friction, polygon.restitution],
+        Obstacle::Convex(convex) => [convex.friction, convex.restitution],
+    }
+}
+
+/// Where a point of a world is `[m]`.
+pub(super) fn place(world: &dyn Dynamics, point: PointId) -> [f64; 3] {
+    let (positions, dimensions) = (world.positions(), world.dimensions());
+    let at = |axis: usize| positions.get(point.index() * dimensions + axis);
+    std::array::from_fn(|axis| if axis < dimensions { at(axis) } else { 0.0 })
+}
+
+/// The triangles all of whose corners are among some points, ascending, with their areas now `[m^2]`.
+pub(super) fn areas(world: &dyn Dynamics, points: &[PointId]) -> Vec<([PointId; 3], f64)> {
+    let has = |point: &PointId| points.binary_search(point).is_ok();
+    let area = |corners: &[PointId; 3]| {
+        let [a, b, c] = corners.map(|corner| place(world, corner));
+        let (p, q): ([f64; 3], [f64; 3]) = (sub(b, a), sub(c, a));
+        match world.dimensions() {
+            2 => 0.5 * cross([p[0], p[1]], [q[0], q[1]]).abs(),
+            _ => {
+                let normal = [p[1] * q[2] - p[2] * q[1], p[2] * q[0] - p[0] * q[2], p[0] * q[1] - p[1] * q[0]];
+                0.5 * length(normal)
+            }
+        }
+    };
+    world
+        .triangles()
+        .iter()
+        .filter(|corners| corners.iter().all(has))
+        .map(|corners| (*corners, area(corners)))
+        .collect()
+}

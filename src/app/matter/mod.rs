@@ -1,0 +1,57 @@
+//! What bodies are made of, as it is shown and changed: of what is selected, or of what a brush went over.
+
+mod change;
+mod facts;
+mod preset;
+#[cfg(test)]
+mod tests;
+
+pub(super) use change::{MatterChange, commands};
+pub(super) use facts::{Coloring, Matter, NEVER, Span};
+pub(super) use preset::Preset;
+
+use crate::sim::{Angle, Bond, Dynamics, PointId};
+
+/// Points, bonds and obstacles whose matter is meant.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Among {
+    /// Ascending.
+    pub points: Vec<PointId>,
+    /// The numbers of bonds; `None`: all whose ends are among the points.
+    pub bonds: Option<Vec<u32>>,
+    /// Obstacles.
+    pub obstacles: Vec<u32>,
+}
+
+impl Among {
+    /// Whether nothing is meant.
+    pub(super) fn is_empty(&self) -> bool {
+        self.points.is_empty() && self.bonds.as_ref().is_none_or(Vec::is_empty) && self.obstacles.is_empty()
+    }
+
+    /// The points that are there.
+    fn points_of(&self, world: &dyn Dynamics) -> Vec<PointId> {
+        let is_there =
+            |point: &PointId| point.index() < world.point_count() && world.gone().binary_search(point).is_err();
+        self.points.iter().copied().filter(is_there).collect()
+    }
+
+    /// The bonds that are there, with their numbers.
+    fn bonds_of(&self, world: &dyn Dynamics) -> Vec<(u32, Bond)> {
+        let mut has = vec![false; world.point_count()];
+        self.points_of(world).into_iter().for_each(|point| has[point.index()] = true);
+        let number = |place: usize| world.bond_numbers().map_or(place as u32, |numbers| numbers[place]);
+        let is_meant = |&(number, bond): &(u32, Bond)| match &self.bonds {
+            Some(numbers) => numbers.binary_search(&number).is_ok(),
+            None => has[bond.a.index()] && has[bond.b.index()],
+        };
+        world.bonds().iter().enumerate().map(|(place, bond)| (number(place), bond)).filter(is_meant).collect()
+    }
+
+    /// The angles among the points that bend: no joints and no motors.
+    fn bends_of(&self, world: &dyn Dynamics) -> Vec<Angle> {
+        let has = |point: &PointId| self.points.binary_search(point).is_ok();
+        let bends = |angle: &&Angle| angle.range.is_none() && angle.drive.is_none() && angle.points.iter().all(has);
+        world.angles().iter().filter(bends).copied().collect()
+    }
+}

@@ -1,0 +1,187 @@
+//! Matter of worlds: what is shown is what there is, and what is changed is that alone.
+#![allow(clippy::unwrap_used, clippy::panic, reason = "a test that cannot go on stops")]
+
+use super::{Among, Coloring, Matter, MatterChange, NEVER, Preset};
+use crate::app::player::{Note, Order, Shown, Stage};
+use crate::scene::Scene;
+use crate::sim::{BondKind, PointId};
+
+/// A box of springs of 1 m^2, a rigid triangle, a rope, an obstacle.
+const SCENE: &str = r#"{"wobble": 1, "gravity": [0, -9.81], "contact": {"friction": 0.4},
+    "points": {"position": [[5, 0], [6, 0], [5.5, 1]]}, "bonds": [{"a": 0, "b": 1}, {"a": 1, "b": 2}, {"a": 2, "b": 0}],
+    "triangles": [[0, 1, 2]],
+    "bodies": [{"make": "lattice", "columns": 3, "rows": 3, "spacing": 0.5, "material": {"kind": "spring", "stiffness": 300,
+        "damping": 1, "mass": 4}}, {"make": "rope", "count": 6, "to": [1, 0], "origin": [0, 3], "material": {"kind": "rigid", "mass": 1}}],
+    "obstacles": [{"box": {"min": [0, -3], "max": [2, -2]}, "friction": 0.7}]}"#;
+
+fn stage() -> Stage {
+    Stage::new(Scene::parse(SCENE, "x.json").unwrap().into()).unwrap()
+}
+
+fn among(points: std::ops::Range<u32>) -> Among {
+    Among { points: points.map(PointId).collect(), ..Among::default() }
+}
+
+fn matter(stage: &mut Stage, among: &Among) -> Matter {
+    assert_eq!(stage.obey(Order::Inspect(among.clone())), None);
+    let mut shown = Shown::default();
+    stage.show(&mut shown);
+    (*shown.matter.unwrap()).clone()
+}
+
+fn change(stage: &mut Stage, among: &Among, change: MatterChange) {
+    assert_eq!(stage.obey(Order::Change { among: among.clone(), change, goes_on: false }), None, "{change:?}");
+}
+
+#[test]
+fn what_is_shown_is_what_there_is() {
+    let mut stage = stage();
+    let soft = matter(&mut stage, &among(3..12));
+    assert_eq!((soft.points, soft.bonds, soft.kinds), (9, 20, [0, 20, 0]));
+    assert!((soft.mass - 4.0).abs() < 1e-12 && (soft.area - 1.0).abs() < 1e-6);
+    assert!((soft.density().unwrap() - 4.0).abs() < 1e-5);
+    assert_eq!(soft.friction.unwrap().same(), Some(0.4));
+    assert_eq!((soft.breaks.unwrap().same(), soft.color), (Some(NEVER), Coloring::Palette));
+    let both = matter(&mut stage, &Among { obstacles: vec![0], ..among(0..12) });
+    assert_eq!((both.kinds, both.obstacles, both.friction.unwrap().same()), ([3, 20, 0], 1, None));
+    assert!(both.stiffness.unwrap().same().is_some() == soft.stiffness.unwrap().same().is_some());
+    let mut shown = Shown::default();
+    stage.obey(Order::Inspect(Among::default()));
+    stage.show(&mut shown);
+    assert!(shown.matter.is_none(), "nobody asks");
+}
+
+#[test]
+fn a_change_is_seen_changes_nothing_else_and_is_undone_as_one() {
+    let one = MatterChange::Stiffness;
+    let all = [
+        MatterChange::Mass(9.0),
+        one(70.0),
+        MatterChange::Damping(3.0),
+        MatterChange::Breaks(0.3),
+        MatterChange::Friction(0.9),
+        MatterChange::Restitution(0.5),
+        MatterChange::Color([1, 2, 3]),
+        MatterChange::Rigid,
+    ];
+    let soft = among(3..12);
+    for given in all {
+        let mut stage = stage();
+        let [before, other] = [soft.clone(), among(12..18)].map(|among| matter(&mut stage, &among));
+        change(&mut stage, &soft, given);
+        let after = matter(&mut stage, &soft);
+        let same = |span: Option<super::Span>| span.and_then(super::Span::same);
+        let expected = match given {
+            MatterChange::Mass(mass) => {
+                Matter { mass: after.mass, ..before.clone() }.clone_if((after.mass - mass).abs() < 1e-9)
+            }
+            MatterChange::Stiffness(x) => {
+                Matter { stiffness: after.stiffness, ..before.clone() }.clone_if(same(after.stiffness) == Some(x))
+            }
+            MatterChange::Damping(x) => {
+                Matter { damping: after.damping, ..before.clone() }.clone_if(same(after.damping) == Some(x))
+            }
+            MatterChange::Breaks(x) => {
+                Matter { breaks: after.breaks, ..before.clone() }.clone_if(same(after.breaks) == Some(x))
+            }
+            MatterChange::Friction(x) => {
+                Matter { friction: after.friction, ..before.clone() }.clone_if(same(after.friction) == Some(x))
+            }
+            MatterChange::Restitution(x) => {
+                Matter { restitution: after.restitution, ..before.clone() }.clone_if(same(after.restitution) == Some(x))
+            }
+            MatterChange::Color(color) => Matter { color: Coloring::One(color), ..before.clone() },
+            _ => Matter { kinds: [20, 0, 0], stiffness: None, damping: None, ..before.clone() },
+        };
+        assert_eq!(after, expected, "{given:?}");
+        assert_eq!(matter(&mut stage, &among(12..18)), other, "{given:?} touches nothing else");
+        assert!(matches!(stage.obey(Order::Undo(None)), Some(Note::Undone(name, _)) if name == given.name()));
+        assert_eq!(matter(&mut stage, &soft), before, "{given:?} undone");
+    }
+}
+
+impl Matter {
+    /// Itself, where the number that was asked for is there.
+    fn clone_if(self, is_so: bool) -> Self {
+        assert!(is_so, "{self:?}");
+        self
+    }
+}
+
+#[test]
+fn a_drag_of_a_number_is_one_edit() {
+    let mut stage = stage();
+    let soft = among(3..12);
+    let before = matter(&mut stage, &soft);
+    for (k, mass) in [5.0, 6.0, 7.0].into_iter().enumerate() {
+        let order = Order::Change { among: soft.clone(), change: MatterChange::Mass(mass), goes_on: k > 0 };
+        assert_eq!(stage.obey(order), None);
+    }
+    assert!((matter(&mut stage, &soft).mass - 7.0).abs() < 1e-9);
+    stage.obey(Order::Undo(None));
+    assert_eq!(matter(&mut stage, &soft), before);
+}
+
+#[test]
+fn presets_weigh_by_area_are_soft_by_weight_and_hold_their_shape() {
+    for preset in Preset::ALL {
+        let mut stage = stage();
+        let soft = among(3..12);
+        change(&mut stage, &soft, MatterChange::Preset(preset));
+        let stuff = preset.stuff();
+        let after = matter(&mut stage, &soft);
+        assert!((after.density().unwrap() / stuff.density - 1.0).abs() < 1e-5, "{preset:?}: {after:?}");
+        assert_eq!(after.kinds, if stuff.springs.is_some() { [0, 20, 0] } else { [20, 0, 0] });
+        if let Some([soft, _]) = stuff.springs {
+            assert!((after.stiffness.unwrap().least / (soft * after.mass) - 1.0).abs() < 1e-9);
+        }
+        assert_eq!(after.color, Coloring::One(stuff.color));
+        assert_eq!(after.friction.unwrap().same(), Some(stuff.friction));
+        // It falls two seconds long and lies, as wide as it was within what its softness gives.
+        (0..120).for_each(|_| _ = stage.obey(Order::Advance { wall: 1.0 / 60.0, cursor: None, back: false }));
+        let later = matter(&mut stage, &soft);
+        assert_eq!(later.bonds, 20, "{preset:?} is whole");
+        let world = stage.history().world();
+        let x = |point: usize, axis: usize| world.positions().get(2 * point + axis);
+        let long = (x(5, 0) - x(3, 0)).hypot(x(5, 1) - x(3, 1));
+        let least = if stuff.springs.is_some() { 0.6 } else { 0.999 };
+        assert!((least..=2.0 - least).contains(&long), "{preset:?}: a side of 1 m is {long} m long");
+    }
+}
+
+#[test]
+fn chains_are_stiffer_by_as_many_as_pull_in_a_row_and_back_again() {
+    let mut stage = stage();
+    let rope = among(12..18);
+    change(&mut stage, &rope, MatterChange::Springy);
+    let springs: Vec<f64> = stage
+        .history()
+        .world()
+        .bonds()
+        .iter()
+        .filter_map(|bond| match bond.kind {
+            BondKind::Spring { stiffness, .. } if bond.a.0 >= 12 => Some(stiffness),
+            _ => None,
+        })
+        .collect();
+    assert!(springs.len() == 5 && springs.iter().all(|k| (k / (600.0 * 5.0) - 1.0).abs() < 1e-9), "{springs:?}");
+    change(&mut stage, &rope, MatterChange::Rigid);
+    assert_eq!(matter(&mut stage, &rope).kinds, [5, 0, 0]);
+}
+
+#[test]
+fn what_cannot_be_changed_is_said() {
+    let mut stage = stage();
+    for (among, change) in [
+        (among(0..3), MatterChange::Stiffness(5.0)),
+        (among(0..3), MatterChange::Bending(5.0)),
+        (Among { obstacles: vec![0], ..Among::default() }, MatterChange::Rigid),
+        (among(3..12), MatterChange::Restitution(3.0)),
+        (among(3..12), MatterChange::Mass(-1.0)),
+    ] {
+        let before = matter(&mut stage, &among);
+        let note = stage.obey(Order::Change { among: among.clone(), change, goes_on: false });
+        assert!(matches!(note, Some(Note::Refused(_))), "{change:?}: {note:?}");
+        assert_eq!(matter(&mut stage, &among), before);
+    }
+}

@@ -1,0 +1,305 @@
+//! What is selected is made of: shown and changed beside the tools; and what the brush paints with.
+
+use egui::{
+    Area, Button, Color32, CornerRadius, DragValue, Id, Rect, Response, RichText, ScrollArea, Slider, Stroke, Ui,
+};
+
+use super::theme::{ACCENT, TEXT, WEAK, floating};
+use super::{Facts, PanelState, Wish, described};
+use crate::app::action::Action;
+use crate::app::matter::{Coloring, Matter, MatterChange, NEVER, Preset, Span};
+use crate::app::tools::RADII;
+
+/// Width of the panel `[points]`.
+const WIDTH: f32 = 226.0;
+/// How fast a number changes as it is dragged, as a share of it for each point.
+const SPEED: f64 = 0.01;
+/// Where a drag of a number that is 0 begins.
+const FIRST: f64 = 0.01;
+/// What bonds break at when they are first to break `[1]`.
+const BREAKS: f64 = 0.5;
+
+/// Where changes go to.
+struct Sink<'a> {
+    /// What is being dragged.
+    gesture: &'a mut Option<Id>,
+    wishes: &'a mut Vec<Wish>,
+}
+
+impl Sink<'_> {
+    /// What is dragged on is one edit.
+    fn set(&mut self, by: &Response, change: MatterChange) {
+        let goes_on = *self.gesture == Some(by.id);
+        *self.gesture = by.ctx.input(|input| input.pointer.any_down()).then_some(by.id);
+        self.wishes.push(Wish::Matter(change, goes_on));
+    }
+
+    fn act(&mut self, action: Action) {
+        self.wishes.push(Wish::Act(action));
+    }
+}
+
+/// Shows it at the right of the tools.
+pub(super) fn show(
+    context: &egui::Context,
+    (room, tools): (Rect, Rect),
+    state: &mut PanelState,
+    facts: &Facts,
+    wishes: &mut Vec<Wish>,
+) {
+    if !context.input(|input| input.pointer.any_down()) {
+        state.gesture = None;
+    }
+    let mut sink = Sink { gesture: &mut state.gesture, wishes };
+    let corner = tools.right_top() + egui::vec2(8.0, 0.0);
+    Area::new(Id::unique("matter")).fixed_pos(corner).constrain_to(room.shrink(6.0)).show(context, |ui| {
+        floating().show(ui, |ui| {
+            ui.set_width(WIDTH);
+            let height = (room.height() - 40.0).max(120.0);
+            ScrollArea::vertical().max_height(height).min_scrolled_height(height).show(ui, |ui| match &facts.matter {
+                Some(matter) => of_selection(ui, matter, facts, &mut sink),
+                None => of_nothing(ui, facts, &mut sink),
+            });
+        });
+    });
+}
+
+/// What the brush paints with, and how wide it is.
+pub(super) fn show_brush(context: &egui::Context, tools: Rect, facts: &Facts, wishes: &mut Vec<Wish>) {
+    let corner = tools.right_top() + egui::vec2(8.0, 0.0);
+    let mut brush = facts.brush;
+    Area::new(Id::unique("brush")).fixed_pos(corner).show(context, |ui| {
+        floating().show(ui, |ui| {
+            ui.set_width(WIDTH);
+            ui.spacing_mut().slider_width = 120.0;
+            ui.label(RichText::new("Material brush").color(TEXT).strong());
+            ui.label(RichText::new("drag over bodies: they become").color(WEAK));
+            if let (_, Some(preset)) = presets(ui, Some(brush.preset)) {
+                brush.preset = preset;
+            }
+            ui.label(RichText::new(brush.preset.words()).color(WEAK));
+            let [least, most] = RADII;
+            ui.add(Slider::new(&mut brush.radius, least..=most).max_decimals(0).suffix(" px").text("radius"));
+        });
+    });
+    if brush != facts.brush {
+        wishes.push(Wish::Brush(brush));
+    }
+}
+
+/// How to select, where nothing is.
+fn of_nothing(ui: &mut Ui, facts: &Facts, sink: &mut Sink<'_>) {
+    ui.label(RichText::new("Select").color(TEXT).strong());
+    ui.label(RichText::new("click a body or an obstacle, or drag beside them").color(WEAK));
+    ui.horizontal(|ui| {
+        for (is_lasso, name) in [(false, "Box"), (true, "Free stroke")] {
+            let choice = ui.selectable_label(facts.draws_lasso == is_lasso, name);
+            if choice.on_hover_text("what a drag beside all bodies draws; with Alt always a free stroke").clicked() {
+                sink.wishes.push(Wish::Lasso(is_lasso));
+            }
+        }
+        if ui.button("All").on_hover_text(described("all bodies and obstacles", Action::SelectAll)).clicked() {
+            sink.act(Action::SelectAll);
+        }
+    });
+    ui.label(RichText::new("Shift adds to what is selected").color(WEAK));
+}
+
+fn of_selection(ui: &mut Ui, matter: &Matter, facts: &Facts, sink: &mut Sink<'_>) {
+    ui.label(RichText::new(title(matter)).color(TEXT).strong());
+    ui.horizontal(|ui| {
+        for (name, words, action) in [
+            ("Copy", "a copy beside it", Action::Duplicate),
+            ("Group", "select it as one from now on", Action::Group),
+            ("Delete", "take it away", Action::Delete),
+        ] {
+            if ui.button(name).on_hover_text(described(words, action)).clicked() {
+                sink.act(action);
+            }
+        }
+    });
+    ui.separator();
+    if matter.points > 0 {
+        if let (Some(by), Some(preset)) = presets(ui, None) {
+            sink.set(&by, MatterChange::Preset(preset));
+        }
+        ui.separator();
+        let mass = Span { least: matter.mass, most: matter.mass };
+        number(ui, ("mass", " kg"), Some(mass), sink, |x| (x > 0.0).then_some(MatterChange::Mass(x)));
+        if let Some(density) = matter.density() {
+            ui.label(RichText::new(format!("{} kg/m²", short(density))).color(WEAK));
+        }
+        kinds(ui, matter, sink);
+    }
+    number(ui, ("stiffness", " N/m"), matter.stiffness, sink, |x| Some(MatterChange::Stiffness(x)));
+    number(ui, ("damping", " N s/m"), matter.damping, sink, |x| Some(MatterChange::Damping(x)));
+    breaks(ui, matter, sink);
+    number(ui, ("bending", " N m"), matter.bending, sink, |x| Some(MatterChange::Bending(x)));
+    share(ui, "friction", 2.0, matter.friction, sink, MatterChange::Friction);
+    share(ui, "restitution", 1.0, matter.restitution, sink, MatterChange::Restitution);
+    if matter.points > 0 && matter.friction.is_none() && facts.dimensions == 2 {
+        ui.label(RichText::new("bodies pass through each other: G, to let them meet").color(WEAK));
+    }
+    if matter.points > 0 {
+        color(ui, matter, sink);
+    }
+}
+
+/// What is selected, counted.
+fn title(matter: &Matter) -> String {
+    let counted = |count: usize, name: &str| match count {
+        0 => None,
+        1 => Some(format!("1 {name}")),
+        _ => Some(format!("{count} {name}s")),
+    };
+    let all = [counted(matter.points, "point"), counted(matter.bonds, "bond"), counted(matter.obstacles, "obstacle")];
+    all.into_iter().flatten().collect::<Vec<_>>().join(", ")
+}
+
+/// Buttons for matter by name, in their colours. Returns the one that was clicked.
+fn presets(ui: &mut Ui, chosen: Option<Preset>) -> (Option<Response>, Option<Preset>) {
+    let mut clicked = (None, None);
+    ui.horizontal_wrapped(|ui| {
+        ui.spacing_mut().item_spacing.x = 5.0;
+        for preset in Preset::ALL {
+            let [red, green, blue] = preset.color();
+            let edge = if chosen == Some(preset) { ACCENT } else { Color32::TRANSPARENT };
+            let text = RichText::new(preset.name()).color(Color32::from_rgb(18, 22, 30));
+            let button = Button::new(text)
+                .fill(Color32::from_rgb(red, green, blue))
+                .stroke(Stroke::new(2.0, edge))
+                .corner_radius(CornerRadius::same(7));
+            let by = ui.add(button).on_hover_text(preset.words());
+            if by.clicked() {
+                clicked = (Some(by), Some(preset));
+            }
+        }
+    });
+    clicked
+}
+
+/// Springs or rigid bonds.
+fn kinds(ui: &mut Ui, matter: &Matter, sink: &mut Sink<'_>) {
+    let [rigid, springs, relaxed] = matter.kinds;
+    if rigid + springs + relaxed == 0 {
+        return;
+    }
+    ui.horizontal(|ui| {
+        let words = "bonds are springs";
+        let springy = ui.selectable_label(springs > 0 && rigid + relaxed == 0, "springy").on_hover_text(words);
+        let stiff = ui.selectable_label(rigid > 0 && springs + relaxed == 0, "rigid");
+        let stiff = stiff.on_hover_text("bonds keep their lengths");
+        if springy.clicked() && rigid + relaxed > 0 {
+            sink.set(&springy, MatterChange::Springy);
+        }
+        if stiff.clicked() && springs + relaxed > 0 {
+            sink.set(&stiff, MatterChange::Rigid);
+        }
+        if rigid.min(springs) > 0 {
+            ui.label(RichText::new("mixed").color(WEAK));
+        }
+    });
+}
+
+/// A number without an upper end, which says so where it is not the same everywhere.
+fn number(
+    ui: &mut Ui,
+    (name, unit): (&str, &str),
+    span: Option<Span>,
+    sink: &mut Sink<'_>,
+    change: impl Fn(f64) -> Option<MatterChange>,
+) {
+    let Some(span) = span else { return };
+    let mut value = span.same().unwrap_or((span.least.max(FIRST) * span.most.max(FIRST)).sqrt());
+    ui.horizontal(|ui| {
+        let label = ui.label(name);
+        let speed = SPEED * value.max(FIRST);
+        let field = DragValue::new(&mut value).speed(speed).range(0.0..=1e9).update_while_editing(false);
+        let field = match span.same() {
+            Some(_) => field.custom_formatter(|x, _| short(x)).suffix(unit),
+            None => field.custom_formatter(|_, _| "mixed".to_owned()),
+        };
+        let by = ui.add(field).labelled_by(label.id);
+        let by = match span.same() {
+            Some(_) => by,
+            None => by.on_hover_text(format!("from {} to {}{unit}", short(span.least), short(span.most))),
+        };
+        if let Some(change) = change(value).filter(|_| by.changed()) {
+            sink.set(&by, change);
+        }
+    });
+}
+
+/// A number with few digits, whatever its size.
+fn short(x: f64) -> String {
+    match x.abs() {
+        0.0 => "0".to_owned(),
+        size if size >= 1e6 => format!("{x:.2e}"),
+        size if size >= 100.0 => format!("{x:.0}"),
+        size if size >= 10.0 => format!("{x:.1}"),
+        size if size >= 0.1 => format!("{x:.2}"),
+        size if size >= 1e-3 => format!("{x:.4}"),
+        _ => format!("{x:.2e}"),
+    }
+}
+
+/// A share that a slider sets, from 0.
+fn share(ui: &mut Ui, name: &str, most: f64, span: Option<Span>, sink: &mut Sink<'_>, change: fn(f64) -> MatterChange) {
+    let Some(span) = span else { return };
+    let mut value = span.same().unwrap_or(0.5 * (span.least + span.most));
+    ui.spacing_mut().slider_width = 90.0;
+    let slider = Slider::new(&mut value, 0.0..=most).clamping(egui::SliderClamping::Edits).max_decimals(2).text(name);
+    let slider = match span.same() {
+        Some(_) => slider,
+        None => slider.custom_formatter(|_, _| "mixed".to_owned()),
+    };
+    let by = ui.add(slider.update_while_editing(false));
+    if by.changed() {
+        sink.set(&by, change(value));
+    }
+}
+
+/// Whether bonds break, and at what strain.
+fn breaks(ui: &mut Ui, matter: &Matter, sink: &mut Sink<'_>) {
+    let Some(span) = matter.breaks else { return };
+    let mut tears = span.least < NEVER;
+    ui.horizontal(|ui| {
+        let by = ui.checkbox(&mut tears, "tears");
+        if by.changed() {
+            sink.set(&by, MatterChange::Breaks(if tears { BREAKS } else { NEVER }));
+        }
+        // What was just asked for is not there yet.
+        if !tears || span.least >= NEVER {
+            return;
+        }
+        let mut percent = 100.0 * span.least;
+        let field = DragValue::new(&mut percent).speed(0.5).range(0.1..=1000.0).max_decimals(1).prefix("at ");
+        let field = match span.same() {
+            Some(_) => field.suffix(" %"),
+            None => field.suffix(" % or more"),
+        };
+        let by = ui.add(field.update_while_editing(false));
+        if by.changed() {
+            sink.set(&by, MatterChange::Breaks(percent / 100.0));
+        }
+    });
+}
+
+fn color(ui: &mut Ui, matter: &Matter, sink: &mut Sink<'_>) {
+    let mut color = match matter.color {
+        Coloring::One(color) => color,
+        Coloring::Palette | Coloring::Mixed => [128, 150, 180],
+    };
+    ui.horizontal(|ui| {
+        let label = ui.label("colour");
+        let by = ui.color_edit_button_srgb(&mut color).labelled_by(label.id);
+        if by.changed() {
+            sink.set(&by, MatterChange::Color(color));
+        }
+        match matter.color {
+            Coloring::Palette => _ = ui.label(RichText::new("of the palette").color(WEAK)),
+            Coloring::Mixed => _ = ui.label(RichText::new("mixed").color(WEAK)),
+            Coloring::One(_) => {}
+        }
+    });
+}

@@ -1,0 +1,95 @@
+//! Scenes that begin anew: an empty one, the same without bodies, the same drawn by another lot.
+
+use std::time::{SystemTime, UNIX_EPOCH};
+
+use super::Session;
+use crate::history::{DeleteKeys, Do};
+use crate::scene::{MakerName, Scene};
+
+/// A scene with nothing in it yet: gravity, a floor and walls, bodies that meet, and a push of the mouse.
+const EMPTY: &str = include_str!("../../../assets/empty.json");
+/// Seeds that the dice draw are below this: few digits, as one writes them.
+const SEEDS: u64 = 1_000_000;
+
+impl Session {
+    /// Opens an empty scene; the present one is kept, and undo goes back to it.
+    pub(super) fn open_empty(&mut self) {
+        match Scene::parse(EMPTY, "") {
+            Ok(scene) => {
+                self.open(scene.into());
+                self.say("an empty scene: build (5), draw (N), or open a picture; Ctrl+Z goes back".to_owned());
+            }
+            Err(error) => self.complain(&error.to_string()),
+        }
+    }
+
+    /// Takes away all bodies: obstacles stay.
+    pub(super) fn clear(&mut self) {
+        let count = self.shown().point_count() as u32;
+        let gone = &self.shown().scenery.gone;
+        let points: Vec<u32> =
+            (0..count).filter(|&point| gone.binary_search(&crate::sim::PointId(point)).is_err()).collect();
+        if points.is_empty() {
+            return self.say("there is no body here".to_owned());
+        }
+        let keys = DeleteKeys { points, ..DeleteKeys::default() };
+        self.player.give(vec![Do::Delete(keys)], Some("clear"));
+        self.say("all bodies are gone: Ctrl+Z brings them back".to_owned());
+    }
+
+    /// Opens the scene with all that it draws by lot drawn anew.
+    pub(super) fn roll(&mut self) {
+        let mut scene = Scene::clone(&self.scene);
+        let seed = SystemTime::now().duration_since(UNIX_EPOCH).map_or(0, |now| now.subsec_nanos().into());
+        if !reseeded(&mut scene, seed % SEEDS) {
+            return self.say("nothing in this scene is drawn by lot".to_owned());
+        }
+        self.open(scene.into());
+        self.say("drawn anew: Ctrl+Z goes back".to_owned());
+    }
+}
+
+/// Gives all that a scene draws by lot other seeds, from `seed` on. Returns whether there is anything.
+pub(in crate::app) fn reseeded(scene: &mut Scene, seed: u64) -> bool {
+    let is_drawn = |make: MakerName| matches!(make, MakerName::Points | MakerName::RandomGraph);
+    let of_bodies = scene.bodies.iter_mut().filter(|body| is_drawn(body.make)).map(|body| &mut body.seed);
+    let of_wind = scene.wind.iter_mut().filter(|wind| wind.turbulence.is_some()).map(|wind| &mut wind.seed);
+    let mut next = seed;
+    for own in of_bodies.chain(of_wind) {
+        *own = Some(next);
+        next += 1;
+    }
+    next > seed
+}
+
+#[cfg(test)]
+#[allow(clippy::unwrap_used, reason = "a test that cannot go on stops")]
+mod tests {
+    use super::*;
+    use crate::scene::gallery;
+
+    #[test]
+    fn an_empty_scene_has_a_floor_walls_and_gravity_and_takes_bodies() {
+        let scene = Scene::parse(EMPTY, "").unwrap();
+        let world = scene.world(None).unwrap();
+        assert_eq!((world.point_count(), world.dimensions()), (0, 2));
+        assert!(world.contact().is_some() && world.bounds().is_some() && world.mouse_force().is_some());
+        assert_eq!(world.settings().gravity, Some([0.0, -9.81, 0.0]));
+    }
+
+    #[test]
+    fn another_seed_makes_another_scene_and_what_has_none_stays() {
+        let named = |name: &str| gallery().iter().find(|entry| entry.name == name).unwrap().scene().unwrap();
+        let places = |scene: &Scene| {
+            let sample = scene.world(None).unwrap().sample(0.0);
+            sample.position
+        };
+        let mut scene = named("points");
+        let before = places(&scene);
+        assert!(reseeded(&mut scene, 5));
+        let after = places(&scene);
+        assert!(before.len() == after.len() && before != after);
+        assert!(reseeded(&mut scene, 6) && places(&scene) != after);
+        assert!(!reseeded(&mut named("rim"), 5));
+    }
+}

@@ -1,0 +1,107 @@
+//! The brush that gives bodies another matter where it goes over them.
+
+use std::collections::BTreeSet;
+
+use glam::DVec2;
+
+use super::marks::{Mark, Role};
+use super::pick::{Scope, distance_to_segment};
+use crate::app::matter::{Among, Preset};
+use crate::sim::PointId;
+
+/// Radii that the brush may have `[logical px]`.
+pub(in crate::app) const RADII: [f64; 2] = [6.0, 120.0];
+/// A stroke looks what is under it so often, in radii of the brush.
+const STEP: f64 = 0.5;
+/// What a stroke over no body is told.
+pub(super) const NOTHING: &str = "the brush gives bodies another matter: drag it over one";
+/// The same over an obstacle.
+pub(super) const SOLID: &str = "an obstacle is of no matter: select it (6) to change its friction";
+/// Bonds under the brush that are drawn at most.
+const MOST: usize = 4000;
+
+/// What the brush paints with.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(in crate::app) struct Brush {
+    pub(in crate::app) preset: Preset,
+    /// `[logical px]`
+    pub(in crate::app) radius: f64,
+}
+
+impl Default for Brush {
+    fn default() -> Self {
+        Brush { preset: Preset::Rubber, radius: 24.0 }
+    }
+}
+
+/// What a stroke of the brush went over so far.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub(super) struct Stroke {
+    points: BTreeSet<PointId>,
+    bonds: BTreeSet<u32>,
+    last: DVec2,
+}
+
+impl Brush {
+    /// A stroke begins at a pixel.
+    pub(super) fn begin(self, scope: Scope<'_>, at: DVec2) -> Stroke {
+        let mut stroke = Stroke { last: at, ..Stroke::default() };
+        self.touch(scope, &mut stroke, at);
+        stroke
+    }
+
+    /// It goes on to a pixel.
+    pub(super) fn trace(self, scope: Scope<'_>, stroke: &mut Stroke, at: DVec2) {
+        let from = stroke.last;
+        let step = STEP * self.radius * scope.scale;
+        if from.distance(at) < 0.5 * step {
+            return;
+        }
+        let count = (from.distance(at) / step).ceil().clamp(1.0, 64.0);
+        for k in 1..=count as u32 {
+            self.touch(scope, stroke, from.lerp(at, f64::from(k) / count));
+        }
+        stroke.last = at;
+    }
+
+    fn touch(self, scope: Scope<'_>, stroke: &mut Stroke, at: DVec2) {
+        let reach = self.radius * scope.scale;
+        let points = (0..scope.shown.point_count() as u32).map(PointId).filter(|&point| scope.is_there(point));
+        stroke.points.extend(points.filter(|&point| scope.pixel(point).is_some_and(|x| x.distance(at) <= reach)));
+        let ends = scope.shown.scenery.bonds.ends().iter().enumerate();
+        let under = |&(_, &[a, b]): &(usize, &[PointId; 2])| {
+            let ends = scope.pixel(a).zip(scope.pixel(b));
+            ends.is_some_and(|(a, b)| distance_to_segment(at, a, b) <= reach)
+        };
+        stroke.bonds.extend(ends.filter(under).map(|(place, _)| scope.shown.scenery.bond_number(place)));
+    }
+
+    /// The brush where it is.
+    pub(super) fn marks(self, scope: Scope<'_>, at: DVec2) -> Vec<Mark> {
+        vec![Mark::Ring(Role::Paint(self.preset.color()), at, self.radius * scope.scale)]
+    }
+}
+
+impl Stroke {
+    /// What it went over.
+    pub(super) fn among(&self) -> Among {
+        Among {
+            points: self.points.iter().copied().collect(),
+            bonds: Some(self.bonds.iter().copied().collect()),
+            obstacles: Vec::new(),
+        }
+    }
+
+    /// What it went over, in the colour that it will have.
+    pub(super) fn marks(&self, scope: Scope<'_>, color: [u8; 3]) -> Vec<Mark> {
+        let role = Role::Paint(color);
+        let scenery = &scope.shown.scenery;
+        let bonds = scenery.bonds.ends().iter().enumerate();
+        let bonds = bonds.filter(|(place, _)| self.bonds.contains(&scenery.bond_number(*place))).take(MOST);
+        let width = 2.5 * scope.scale;
+        let lines = bonds.filter_map(|(_, &[a, b])| Some(Mark::Line(role, scope.pixel(a)?, scope.pixel(b)?, width)));
+        let alone = self.points.iter().filter(|_| self.bonds.is_empty()).take(MOST);
+        let rings = alone.filter_map(|&point| Some(Mark::Ring(role, scope.pixel(point)?, 5.0 * scope.scale)));
+        lines.chain(rings).collect()
+    }
+}

@@ -1,0 +1,215 @@
+//! The box around what is selected, with handles: corners scale it, the one above turns it.
+
+use std::f64::consts::{PI, TAU};
+
+use glam::DVec2;
+
+use super::Deed;
+use super::chosen::Chosen;
+use super::marks::{Mark, Role};
+use super::pick::Scope;
+use crate::history::{Do, Factors, MoveKeys};
+use crate::scene::Vector;
+
+/// The box keeps so far off what is in it `[logical px]`.
+const MARGIN: f64 = 9.0;
+/// The handle that turns is so far above the box `[logical px]`.
+const ABOVE: f64 = 28.0;
+/// Half the side of a corner's handle, radius of the one that turns `[logical px]`.
+const HALF: f64 = 4.5;
+const RADIUS: f64 = 6.0;
+/// A press so near to a handle takes it `[logical px]`.
+const REACH: f64 = 10.0;
+/// What is less wide or high on the screen cannot be scaled that way `[logical px]`.
+const LEAST: f64 = 2.0;
+/// The least and the greatest factor of a drag `[1]`.
+const FACTORS: [f64; 2] = [0.05, 20.0];
+/// Turns go in steps of this while Shift is held `[rad]`.
+const STEP: f64 = PI / 12.0;
+
+/// A handle of the box.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(in crate::app) enum Handle {
+    /// From the lower left, anticlockwise: 0 to 3.
+    Corner(usize),
+    /// Above the box.
+    Turn,
+}
+
+/// The box around what is selected `[m]`, in the plane.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Frame {
+    low: DVec2,
+    high: DVec2,
+}
+
+/// A handle that is being dragged: from which pixel `[px]`, and about which place the drag is measured `[m]`.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Grip {
+    pub(super) handle: Handle,
+    from: DVec2,
+    about: DVec2,
+    /// Which ways the box is too thin to be scaled.
+    thin: [bool; 2],
+}
+
+/// What becomes of a selection: about a place `[m]`.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) enum Change {
+    /// By so far `[m]`.
+    Shift(DVec2),
+    /// Anticlockwise `[rad]`.
+    Turn(f64),
+    /// Along x and y `[1]`.
+    Scale([f64; 2]),
+}
+
+impl Frame {
+    /// Around what is selected; `None` in space, or where nothing of it has a place.
+    pub(super) fn of(scope: Scope<'_>, chosen: &Chosen) -> Option<Self> {
+        if scope.shown.dimensions != 2 {
+            return None;
+        }
+        chosen.extent(scope).map(|[low, high]| Frame { low, high })
+    }
+
+    /// Its corners on the screen, a little outside, in the order of their handles `[px]`.
+    fn corners(&self, scope: Scope<'_>) -> Option<[DVec2; 4]> {
+        let [low, high] = [scope.on_screen(self.low)?, scope.on_screen(self.high)?];
+        let off = MARGIN * scope.scale;
+        let [left, right, below, above] = [low.x - off, high.x + off, low.y + off, high.y - off];
+        Some([[left, below], [right, below], [right, above], [left, above]].map(DVec2::from))
+    }
+
+    /// Which ways it is too thin to be scaled.
+    fn thin(&self, scope: Scope<'_>) -> [bool; 2] {
+        let size = (self.high - self.low) * scope.camera.pixels_per_metre();
+        size.to_array().map(|side| side < LEAST * scope.scale)
+    }
+
+    /// The handles that it has, with their pixels.
+    pub(super) fn handles(&self, scope: Scope<'_>) -> Vec<(Handle, DVec2)> {
+        let Some(corners) = self.corners(scope) else { return Vec::new() };
+        let above = 0.5 * (corners[2] + corners[3]) - DVec2::new(0.0, ABOVE * scope.scale);
+        let mut handles = vec![(Handle::Turn, above)];
+        if self.thin(scope) != [true; 2] {
+            handles.extend(corners.into_iter().enumerate().map(|(k, at)| (Handle::Corner(k), at)));
+        }
+        handles
+    }
+
+    /// The handle that a pixel means.
+    pub(super) fn handle(&self, scope: Scope<'_>, at: DVec2) -> Option<Handle> {
+        let near = self.handles(scope).into_iter().map(|(handle, place)| (place.distance(at), handle));
+        let near = near.filter(|(distance, _)| *distance <= REACH * scope.scale);
+        near.min_by(|a, b| a.0.total_cmp(&b.0)).map(|(_, handle)| handle)
+    }
+
+    /// A handle is taken at a pixel.
+    pub(super) fn grip(&self, scope: Scope<'_>, handle: Handle, from: DVec2) -> Grip {
+        Grip { handle, from, about: self.still(handle), thin: self.thin(scope) }
+    }
+
+    /// The place that stays where it is when a handle is dragged `[m]`.
+    fn still(&self, handle: Handle) -> DVec2 {
+        let Frame { low, high } = *self;
+        match handle {
+            Handle::Turn => 0.5 * (low + high),
+            Handle::Corner(0) => high,
+            Handle::Corner(1) => DVec2::new(low.x, high.y),
+            Handle::Corner(2) => low,
+            Handle::Corner(_) => DVec2::new(high.x, low.y),
+        }
+    }
+
+    /// The box and its handles.
+    pub(super) fn marks(&self, scope: Scope<'_>, held: Option<Handle>) -> Vec<Mark> {
+        let Some(corners) = self.corners(scope) else { return Vec::new() };
+        let thin = 1.0 * scope.scale;
+        let mut marks: Vec<Mark> =
+            (0..4).map(|k| Mark::Line(Role::Hold, corners[k], corners[(k + 1) % 4], thin)).collect();
+        let top = 0.5 * (corners[2] + corners[3]);
+        for (handle, at) in self.handles(scope) {
+            let role = if held == Some(handle) { Role::Lead } else { Role::Hold };
+            match handle {
+                Handle::Turn => {
+                    let stalk = at + DVec2::new(0.0, RADIUS * scope.scale);
+                    marks.push(Mark::Line(Role::Hold, top, stalk, thin));
+                    marks.push(Mark::Knob(role, at, RADIUS * scope.scale));
+                }
+                Handle::Corner(_) => marks.push(Mark::Square(role, at, HALF * scope.scale)),
+            }
+        }
+        marks
+    }
+}
+
+impl Grip {
+    /// What a drag to a pixel makes of the selection; `in_steps`: turned by whole steps, scaled in proportion.
+    pub(super) fn change(&self, scope: Scope<'_>, to: DVec2, in_steps: bool) -> Change {
+        let [from, to] = [self.from, to].map(|at| scope.in_plane(at) - self.about);
+        if self.handle == Handle::Turn {
+            let angle = if from.length() > 0.0 && to.length() > 0.0 { from.angle_to(to) } else { 0.0 };
+            return Change::Turn(if in_steps { STEP * (angle / STEP).round() } else { angle });
+        }
+        let [least, most] = FACTORS;
+        if in_steps || self.thin != [false; 2] {
+            let factor = (to.dot(from) / from.length_squared().max(f64::MIN_POSITIVE)).clamp(least, most);
+            return Change::Scale([factor; 2]);
+        }
+        let along = |axis: usize| {
+            let factor = to[axis] / from[axis];
+            if factor.is_finite() { factor.clamp(least, most) } else { 1.0 }
+        };
+        Change::Scale([along(0), along(1)])
+    }
+}
+
+impl Change {
+    /// The place that stays where it is: for a selection as it is now `[m]`.
+    pub(super) fn about(self, frame: &Frame, handle: Handle) -> DVec2 {
+        match self {
+            Change::Shift(_) => frame.low,
+            Change::Turn(_) | Change::Scale(_) => frame.still(handle),
+        }
+    }
+
+    /// Where a place goes `[m]`.
+    fn place(self, about: DVec2, x: DVec2) -> DVec2 {
+        match self {
+            Change::Shift(by) => x + by,
+            Change::Turn(angle) => about + DVec2::from_angle(angle).rotate(x - about),
+            Change::Scale(factors) => about + DVec2::from(factors) * (x - about),
+        }
+    }
+
+    /// A mark where it goes.
+    pub(super) fn preview(self, scope: Scope<'_>, about: DVec2, mark: Mark) -> Mark {
+        mark.mapped(|at| scope.on_screen(self.place(about, scope.in_plane(at))).unwrap_or(at))
+    }
+
+    /// In figures: an angle from -180 to 180 degrees, one factor or two.
+    pub(super) fn words(self) -> String {
+        match self {
+            Change::Shift(by) => format!("{:.2} {:.2} m", by.x, by.y),
+            Change::Turn(angle) => format!("{:.0}°", angle.to_degrees()),
+            Change::Scale([x, y]) if x == y => format!("× {x:.2}"),
+            Change::Scale([x, y]) => format!("{x:.2} × {y:.2}"),
+        }
+    }
+
+    /// The command that does it to what is selected; nothing where nothing changes.
+    pub(super) fn deed(self, chosen: &Chosen, about: DVec2) -> Deed {
+        let keys = MoveKeys { points: chosen.numbers(), obstacles: chosen.obstacles.clone(), ..MoveKeys::default() };
+        let about = Some(Vector::Plane(about.to_array()));
+        let (name, keys) = match self {
+            Change::Shift(by) => ("move", MoveKeys { by: Some(Vector::Plane(by.to_array())), ..keys }),
+            Change::Turn(angle) if angle.rem_euclid(TAU) == 0.0 => return Deed::default(),
+            Change::Turn(angle) => ("turn", MoveKeys { turn: Some(angle), about, ..keys }),
+            Change::Scale([1.0, 1.0]) => return Deed::default(),
+            Change::Scale([x, y]) if x == y => ("scale", MoveKeys { scale: Some(Factors::One(x)), about, ..keys }),
+            Change::Scale(factors) => ("scale", MoveKeys { scale: Some(Factors::Each(factors)), about, ..keys }),
+        };
+        Deed::edit(name, Do::Move(Box::new(keys)))
+    }
+}

@@ -1,0 +1,328 @@
+//! Every tool on every kind of scene, paused and running: it changes something, which undo takes back to the bit, or it says why not.
+#![allow(clippy::unwrap_used, clippy::panic, reason = "a test that cannot go on stops")]
+
+use std::sync::Arc;
+
+use glam::DVec2;
+
+use super::handles::{Frame, Handle};
+use super::tests::{SIZE, scope};
+use super::{Chosen, Clip, Deed, Hand};
+use crate::app::action::{Primitive, Tool};
+use crate::app::matter::{Among, MatterChange, Preset};
+use crate::app::opening;
+use crate::app::player::{Note, Order, Shown, Stage};
+use crate::history::{Do, Group, hash_now};
+use crate::picture::Tint;
+use crate::render::Camera;
+use crate::scene::Scene;
+use crate::sim::{Angle, Bond, Obstacle, PointId};
+
+/// What is tried.
+#[derive(Clone, Copy, Debug, PartialEq)]
+enum Act {
+    Grab,
+    Pin,
+    Cut,
+    Erase,
+    Build,
+    Move,
+    Turn,
+    Scale,
+    Muscle,
+    Motor,
+    Paint,
+    Preset,
+    Soften,
+    Copy,
+    Group,
+    Delete,
+}
+
+/// What comes of it: an edit, words, or a grab, which is no edit.
+#[derive(Clone, Copy, Debug, PartialEq)]
+enum Comes {
+    Edit,
+    Words,
+    Grab,
+}
+
+use Comes::{Edit as E, Grab as G, Words as W};
+
+/// The scenes of the columns, and the point that is meant in each; `None`: the obstacle in the middle.
+const SCENES: [(&str, &str, Option<usize>); 7] = [
+    (
+        "soft",
+        r#""bodies": [{"make": "disc", "radius": 1, "spacing": 0.3, "origin": [0, 1], "velocity": [0.5, 0],
+        "material": {"kind": "spring", "stiffness": 400, "damping": 2, "mass": 3}}]"#,
+        Some(0),
+    ),
+    (
+        "rope",
+        r#""bodies": [{"make": "rope", "count": 20, "to": [4, 0], "origin": [-2, 2], "pinned": [0],
+        "material": {"kind": "rigid", "mass": 1}}]"#,
+        Some(10),
+    ),
+    (
+        "net",
+        r#""bodies": [{"make": "cloth", "columns": 50, "rows": 40, "spacing": 0.1, "origin": [-2.5, 2], "pinned": [0, 49],
+        "material": {"kind": "spring", "stiffness": 2000, "damping": 2, "mass": 4}}]"#,
+        Some(1025),
+    ),
+    (
+        "pile",
+        r#""bodies": [{"make": "lattice", "columns": 4, "rows": 3, "spacing": 0.4, "origin": [-0.6, -3],
+        "repeat": {"count": [1, 2], "step": [0, 0.85]},
+        "material": {"kind": "spring", "stiffness": 900, "damping": 20, "mass": 1}}]"#,
+        Some(13),
+    ),
+    (
+        "rigid",
+        r#""bodies": [{"make": "lattice", "columns": 4, "rows": 3, "spacing": 0.5, "origin": [-0.6, 0],
+        "spin": 1, "material": {"kind": "rigid", "mass": 2}}]"#,
+        Some(5),
+    ),
+    ("solid", r#""obstacles": [{"box": {"min": [-1, -1], "max": [1, 1], "angle": 0.3}}]"#, None),
+    ("space", "", Some(220)),
+];
+
+/// Rows: what comes of it in each scene.
+const TABLE: [(Act, [Comes; 7]); 16] = [
+    //                soft rope net pile rigid solid space
+    (Act::Grab, [G, G, G, G, G, W, G]),
+    (Act::Pin, [E, E, E, E, E, W, E]),
+    (Act::Cut, [E, E, E, E, E, W, W]),
+    (Act::Erase, [E, E, E, E, E, E, E]),
+    (Act::Build, [E, E, E, E, E, E, W]),
+    (Act::Move, [E, E, E, E, E, E, W]),
+    (Act::Turn, [E, E, E, E, E, E, W]),
+    (Act::Scale, [E, E, E, E, E, E, W]),
+    (Act::Muscle, [E, E, E, E, E, W, E]),
+    (Act::Motor, [E, E, E, E, E, W, W]),
+    (Act::Paint, [E, E, E, E, E, W, E]),
+    (Act::Preset, [E, E, E, E, E, E, E]),
+    (Act::Soften, [E, W, E, E, W, W, E]),
+    (Act::Copy, [E, E, E, E, E, E, E]),
+    (Act::Group, [E, E, E, E, E, W, E]),
+    (Act::Delete, [E, E, E, E, E, E, E]),
+];
+
+/// All that an edit may change.
+#[derive(Clone, Debug, PartialEq)]
+struct State {
+    hash: String,
+    bonds: Vec<Bond>,
+    angles: Vec<Angle>,
+    masses: Vec<f64>,
+    pinned: Vec<PointId>,
+    obstacles: Vec<(u32, Obstacle)>,
+    tints: Arc<[Tint]>,
+    groups: Vec<Group>,
+}
+
+struct Bench {
+    stage: Stage,
+    seen: (Shown, Camera, Scene),
+    point: Option<usize>,
+}
+
+impl Bench {
+    fn new(name: &str, keys: &str, point: Option<usize>) -> Self {
+        let text = match name {
+            "space" => std::fs::read_to_string("tests/files/cloth-space.json").unwrap(),
+            _ => format!(
+                r#"{{"wobble": 1, "gravity": [0, -9.81], "contact": true, "view": {{"center": [0, 0], "height": 8}},
+                "bounds": {{"min": [-5, -3], "max": [5, 5], "friction": 0.5}}, {keys}}}"#
+            ),
+        };
+        let scene = Scene::parse(&text, "x.json").unwrap();
+        let mut stage = Stage::new(scene.clone().into()).unwrap();
+        let mut shown = Shown::default();
+        stage.show(&mut shown);
+        let camera = opening::camera(&scene, &shown.view(), SIZE);
+        let mut bench = Bench { stage, seen: (shown, camera, scene), point };
+        // What is to sleep does, what is to move does.
+        let frames = if name == "pile" { 240 } else { 4 };
+        (0..frames).for_each(|_| bench.frame());
+        assert!(name != "pile" || bench.seen.0.figures.asleep, "it sleeps");
+        bench
+    }
+
+    fn frame(&mut self) {
+        self.stage.obey(Order::Advance { wall: 1.0 / 60.0, cursor: None, back: false });
+        self.stage.show(&mut self.seen.0);
+    }
+
+    fn state(&self) -> State {
+        let world = self.stage.history().world();
+        State {
+            hash: hash_now(world, world.time()),
+            bonds: world.bonds().iter().collect(),
+            angles: world.angles().to_vec(),
+            masses: world.masses().to_vec(),
+            pinned: world.pinned().to_vec(),
+            obstacles: world.obstacles(),
+            tints: Arc::clone(self.stage.history().tints()),
+            groups: self.stage.history().groups(),
+        }
+    }
+
+    /// The pixel that is meant.
+    fn target(&self) -> DVec2 {
+        match self.point {
+            Some(point) => scope(&self.seen).pixel(PointId(point as u32)).unwrap(),
+            None => 0.5 * DVec2::from(SIZE.map(f64::from)),
+        }
+    }
+
+    fn chosen(&self) -> Chosen {
+        Chosen::at(scope(&self.seen), self.target()).unwrap()
+    }
+
+    /// A press and a release of the left button; while it is down a frame passes.
+    fn drag(&mut self, hand: &mut Hand, [from, to]: [DVec2; 2], runs: bool) -> Deed {
+        let deed = hand.press(scope(&self.seen), from);
+        if !deed.is_empty() || deed.words.is_some() {
+            return deed;
+        }
+        hand.trace(scope(&self.seen), to);
+        if runs {
+            self.frame();
+        }
+        hand.release(scope(&self.seen), to)
+    }
+
+    /// Does it as the window would. Returns what the hand says, and the order that it comes to.
+    fn try_out(&mut self, act: Act, runs: bool) -> (Option<String>, Option<Order>) {
+        let mut hand = Hand::default();
+        let at = self.target();
+        let [aside, far] = [at + DVec2::new(4.0, 3.0), at + DVec2::new(60.0, -45.0)];
+        let tool = match act {
+            Act::Grab => Tool::Hand,
+            Act::Pin => Tool::Pin,
+            Act::Cut => Tool::Cut,
+            Act::Erase => Tool::Erase,
+            Act::Build => Tool::Build,
+            Act::Muscle => Tool::Muscle,
+            Act::Motor => Tool::Motor,
+            Act::Paint => Tool::Paint,
+            _ => Tool::Select,
+        };
+        hand.take(tool);
+        let chosen = self.chosen();
+        let among = Among { points: chosen.points.clone(), obstacles: chosen.obstacles.clone(), bonds: None };
+        let deed = match act {
+            Act::Build => {
+                hand.choose(Primitive::Disc);
+                self.drag(&mut hand, [at, far], runs)
+            }
+            Act::Cut => self.drag(&mut hand, [at - DVec2::new(31.0, 42.0), at + DVec2::new(33.0, 44.0)], runs),
+            Act::Muscle => {
+                let ends = self
+                    .seen
+                    .0
+                    .scenery
+                    .bonds
+                    .ends()
+                    .iter()
+                    .find(|ends| ends.map(|end| Some(end.index())).contains(&self.point));
+                let middle = ends.map(|ends| ends.map(|end| scope(&self.seen).pixel(end).unwrap()));
+                let middle = middle.map_or(at, |[a, b]| 0.5 * (a + b));
+                self.drag(&mut hand, [middle; 2], runs)
+            }
+            Act::Turn | Act::Scale => {
+                hand.select(chosen.clone());
+                let handle = if act == Act::Turn { Handle::Turn } else { Handle::Corner(2) };
+                // In space there are no handles: what one would drag is the body.
+                let from = Frame::of(scope(&self.seen), &chosen).map_or(at, |frame| {
+                    frame.handles(scope(&self.seen)).into_iter().find(|(other, _)| *other == handle).unwrap().1
+                });
+                self.drag(&mut hand, [from, from + DVec2::new(25.0, -20.0)], runs)
+            }
+            Act::Preset => {
+                let change = MatterChange::Preset(Preset::Rubber);
+                return (None, Some(Order::Change { among, change, goes_on: false }));
+            }
+            Act::Soften => {
+                return (None, Some(Order::Change { among, change: MatterChange::Stiffness(123.0), goes_on: false }));
+            }
+            Act::Copy => {
+                let by = chosen.beside(scope(&self.seen));
+                let tints = Arc::clone(&self.seen.0.scenery.tints);
+                let add = move |_: &Scene, world: &dyn crate::sim::Dynamics| {
+                    Ok(Clip::of(world, &tints, &chosen).placed(world.next_numbers()[0], by))
+                };
+                return (None, Some(Order::Add(Box::new(add))));
+            }
+            Act::Group if chosen.points.len() < 2 => return (Some("the session says so".to_owned()), None),
+            Act::Group => {
+                let act = Do::Group { points: chosen.points, name: "group 1".to_owned() };
+                return (None, Some(Order::Give(vec![act], Some("group"))));
+            }
+            Act::Delete => {
+                hand.select(chosen);
+                hand.delete(scope(&self.seen), None)
+            }
+            Act::Move => self.drag(&mut hand, [at, far], runs),
+            _ => self.drag(&mut hand, [aside; 2], runs),
+        };
+        let order = match deed.painted {
+            Some(among) => Some(Order::Change { among, change: MatterChange::Preset(Preset::Jelly), goes_on: false }),
+            None if deed.commands.is_empty() => None,
+            None => Some(Order::Give(deed.commands, deed.edit)),
+        };
+        (deed.words, order)
+    }
+
+    /// What comes of it; an edit is undone.
+    fn comes(&mut self, act: Act, runs: bool) -> Result<Comes, String> {
+        let (words, order) = self.try_out(act, runs);
+        let Some(order) = order else {
+            return words.map(|_| Comes::Words).ok_or("it does nothing and says nothing".to_owned());
+        };
+        if let Order::Give(commands, None) = &order {
+            let grabs = commands.iter().any(|act| matches!(act, Do::Grab(_)));
+            return if grabs { Ok(Comes::Grab) } else { Err(format!("{commands:?}")) };
+        }
+        let before = self.state();
+        match self.stage.obey(order) {
+            Some(Note::Refused(_)) => return Ok(Comes::Words),
+            None | Some(Note::Added(None)) => {}
+            Some(other) => return Err(format!("{other:?}")),
+        }
+        if self.state() == before {
+            return Err("nothing has changed".to_owned());
+        }
+        if runs {
+            (0..2).for_each(|_| self.frame());
+            let world = self.stage.history().world();
+            if !world.is_finite() {
+                return Err("it is not finite".to_owned());
+            }
+        }
+        let undone = self.stage.obey(Order::Undo(None));
+        self.stage.show(&mut self.seen.0);
+        if !matches!(undone, Some(Note::Undone(..))) {
+            return Err(format!("not undone: {undone:?}"));
+        }
+        if self.state() == before { Ok(Comes::Edit) } else { Err("undone it is another state".to_owned()) }
+    }
+}
+
+#[test]
+fn every_tool_does_something_that_is_undone_or_says_why_not() {
+    let mut wrong = Vec::new();
+    for (column, (name, keys, point)) in SCENES.into_iter().enumerate() {
+        let mut bench = Bench::new(name, keys, point);
+        for runs in [false, true] {
+            bench.stage.obey(Order::Play(runs));
+            for (act, row) in TABLE {
+                let comes = bench.comes(act, runs);
+                if comes != Ok(row[column]) {
+                    wrong.push(format!("{act:?} in {name}, {}: {comes:?}", if runs { "running" } else { "paused" }));
+                }
+            }
+        }
+    }
+    assert!(wrong.is_empty(), "{}", wrong.join("\n"));
+}
