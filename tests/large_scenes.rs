@@ -148,7 +148,7 @@ fn the_camera_alone_uploads_no_positions_and_looks_at_no_point_twice() {
     let first = done(&seen, &camera([0.0, 0.0], 230.0));
     assert_eq!(first.points_bounded, 40_000, "one box around all is enough where all is in view");
     let moved = done(&seen, &camera([3.0, 0.0], 230.0));
-    assert!(moved.bytes_uploaded < 1000, "a frame and some lines of the grid: {moved:?}");
+    assert!(moved.bytes_uploaded < 1200, "a frame and some lines of the grid: {moved:?}");
     assert_eq!((moved.points_bounded, moved.frames_drawn), (0, 1));
     let near = done(&seen, &camera([0.0, 0.0], 20.0));
     assert!(near.bytes_uploaded < 2000 && near.points_bounded == 40_000, "boxes around the groups: {near:?}");

@@ -19,6 +19,7 @@ mod pick;
 mod region;
 #[cfg(test)]
 mod select_tests;
+mod selecting;
 mod skin;
 #[cfg(test)]
 mod tests;
@@ -36,21 +37,17 @@ pub(super) use chosen::Chosen;
 pub(super) use copy::Clip;
 pub(super) use drives::Drives;
 use erase::{delete_points, erase};
+use handles::Grip;
 pub(super) use handles::Handle;
-use handles::{Change, Frame, Grip};
 use lead::Lead;
 pub(super) use lead::PinWay;
 pub(super) use marks::{Mark, Role, probe};
 pub(super) use pick::Scope;
 use region::Region;
+use selecting::is_drag;
 
 /// The hover force stays away so long after a grab `[s]`: what was thrown is not blown off its way.
 const CALM: f64 = 0.2;
-
-/// A press that moves less than this is a click `[logical px]`.
-const CLICK: f64 = 4.0;
-/// Said where a body of space is dragged.
-const OF_THE_PLANE: &str = "bodies are moved in the plane only: this scene is in space";
 
 /// Commands, and what they are called when they are undone.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -278,31 +275,6 @@ impl Hand {
         }
     }
 
-    /// A handle is taken; else what lies under the pixel is selected and can be moved; else a region begins.
-    fn begin_to_select(&mut self, scope: Scope<'_>, at: DVec2) {
-        self.chosen = self.chosen.left(scope);
-        let frame = Frame::of(scope, &self.chosen);
-        if let Some((frame, handle)) = frame.and_then(|frame| Some((frame, frame.handle(scope, at)?))) {
-            self.doing = Doing::Handling(frame.grip(scope, handle, at));
-            return;
-        }
-        let is_free = self.alt || self.draws_lasso;
-        let under = Chosen::at(scope, at).filter(|_| !self.alt);
-        let Some(under) = under else {
-            self.doing = Doing::Marking(Region::begin(at, is_free));
-            return;
-        };
-        if self.shift {
-            self.chosen = self.chosen.joined(&under, true);
-            self.doing = Doing::Nothing;
-            return;
-        }
-        if !self.chosen.has(&under) {
-            self.chosen = under.clone();
-        }
-        self.doing = Doing::Moving(at, under);
-    }
-
     /// The pointer moved to a pixel while the button is down.
     pub(super) fn trace(&mut self, scope: Scope<'_>, at: DVec2) {
         match &mut self.doing {
@@ -390,35 +362,6 @@ impl Hand {
         }
     }
 
-    /// What is selected was dragged, or what lies under the pixel clicked: that alone is selected then.
-    fn end_move(&mut self, scope: Scope<'_>, [from, to]: [DVec2; 2], under: Chosen) -> Deed {
-        if !is_drag(scope, [from, to]) {
-            self.chosen = under;
-            return Deed::default();
-        }
-        if scope.shown.dimensions != 2 {
-            return Deed::words(OF_THE_PLANE.to_owned());
-        }
-        let by = scope.in_plane(to) - scope.in_plane(from);
-        self.chosen(scope).map_or_else(Deed::default, |chosen| Change::Shift(by).deed(&chosen, DVec2::ZERO))
-    }
-
-    fn end_grip(&self, scope: Scope<'_>, grip: Grip, to: DVec2) -> Deed {
-        let Some(chosen) = self.chosen(scope) else { return Deed::default() };
-        let Some(frame) = Frame::of(scope, &chosen) else { return Deed::default() };
-        let change = grip.change(scope, to, self.shift);
-        change.deed(&chosen, change.about(&frame, grip.handle))
-    }
-
-    /// What lies in a region is selected: with what was, while Shift is held; a click selects nothing.
-    fn mark(&mut self, scope: Scope<'_>, region: &Region, to: DVec2) {
-        let found = match region.reach(to) >= CLICK * scope.scale {
-            true => Chosen::within(scope, |at| region.has(to, at)),
-            false => Chosen::default(),
-        };
-        self.chosen = if self.shift { self.chosen.joined(&found, false) } else { found };
-    }
-
     /// The point that the button, which is about to be let go at a pixel, clicked on with the tool for selecting.
     pub(super) fn clicked(&self, scope: Scope<'_>, at: DVec2) -> Option<PointId> {
         let is_click = matches!(self.doing, Doing::Moving(from, _) if !is_drag(scope, [from, at]));
@@ -490,33 +433,6 @@ impl Hand {
         at.map_or_else(Deed::default, |at| erase(scope, at))
     }
 
-    /// These are selected, as soon as they are there.
-    pub(super) fn select(&mut self, chosen: Chosen) {
-        self.chosen = chosen;
-    }
-
-    /// All bodies and obstacles are selected, with the tool for that.
-    pub(super) fn select_all(&mut self, scope: Scope<'_>) {
-        (self.tool, self.chosen) = (Tool::Select, Chosen::all(scope));
-    }
-
-    /// What is selected and there, if the tool for that is in the hand.
-    pub(super) fn chosen(&self, scope: Scope<'_>) -> Option<Chosen> {
-        if self.tool() != Tool::Select || self.chosen.is_empty() {
-            return None;
-        }
-        Some(self.chosen.left(scope)).filter(|chosen| !chosen.is_empty())
-    }
-
-    /// The handle under a pixel, or the one that is held.
-    pub(super) fn handle(&self, scope: Scope<'_>, at: DVec2) -> Option<Handle> {
-        match &self.doing {
-            Doing::Handling(grip) => Some(grip.handle),
-            Doing::Nothing => Frame::of(scope, &self.chosen(scope)?)?.handle(scope, at),
-            _ => None,
-        }
-    }
-
     /// What a click at the pixel would do, to be drawn.
     pub(super) fn marks(&self, scope: Scope<'_>, at: Option<DVec2>) -> Vec<Mark> {
         let mut marks = match (self.tool(), at) {
@@ -533,36 +449,6 @@ impl Hand {
         }
         marks
     }
-
-    /// The outline of what is selected, where a drag would bring it, with its box and its handles.
-    fn selection_marks(&self, scope: Scope<'_>, chosen: &Chosen, at: Option<DVec2>) -> Vec<Mark> {
-        let outline = chosen.outline(scope, Role::Hold);
-        let frame = Frame::of(scope, chosen);
-        match (&self.doing, at) {
-            (Doing::Moving(from, _), Some(at)) if is_drag(scope, [*from, at]) => {
-                outline.into_iter().map(|mark| mark.mapped(|x| x + (at - *from))).collect()
-            }
-            (Doing::Handling(grip), Some(at)) => {
-                let Some(frame) = frame else { return outline };
-                let change = grip.change(scope, at, self.shift);
-                let about = change.about(&frame, grip.handle);
-                let words = at + DVec2::new(16.0, -10.0) * scope.scale;
-                let box_too = frame.marks(scope, Some(grip.handle));
-                let moved = outline.into_iter().chain(box_too).map(|mark| change.preview(scope, about, mark));
-                moved.chain([Mark::Words(words, change.words())]).collect()
-            }
-            (Doing::Nothing, _) => {
-                let near = at.and_then(|at| frame?.handle(scope, at));
-                outline.into_iter().chain(frame.iter().flat_map(|frame| frame.marks(scope, near))).collect()
-            }
-            _ => outline,
-        }
-    }
-}
-
-/// Whether a press that ends elsewhere moves what it was on.
-fn is_drag(scope: Scope<'_>, [from, to]: [DVec2; 2]) -> bool {
-    from.distance(to) >= CLICK * scope.scale
 }
 
 /// Said where an obstacle is pressed on by the hand.

@@ -10,7 +10,7 @@ use super::tests::{opened, pixel, scope, shown};
 use super::{Chosen, Clip, Deed, Hand, Mark};
 use crate::app::action::Tool;
 use crate::app::player::{Order, Shown, Stage};
-use crate::history::Do;
+use crate::history::{Do, Factors};
 use crate::render::Camera;
 use crate::scene::Scene;
 use crate::sim::{Limit, Obstacle, PointId};
@@ -149,6 +149,12 @@ fn a_knob_turns_and_corners_scale_about_what_stays() {
     let deed = hand.release(scope(&seen), to);
     let mut stage = Stage::new(seen.2.clone().into()).unwrap();
     assert_eq!(stage.obey(Order::Give(deed.commands, deed.edit)), None);
+    // A file says the same.
+    let mut text = Vec::new();
+    stage.history().recording().write_json(&mut text).unwrap();
+    let log = crate::history::Log::of_text(&String::from_utf8(text).unwrap(), "x.json").unwrap();
+    let given: Vec<Do> = log.commands().unwrap().into_iter().map(|entry| entry.act).collect();
+    assert!(matches!(&given[..], [Do::Move(keys)] if matches!(keys.scale, Some(Factors::Each(_)))), "{given:?}");
     let mut after = Shown::default();
     stage.show(&mut after);
     let after = (after, seen.1, seen.2.clone());
@@ -163,9 +169,7 @@ fn a_knob_turns_and_corners_scale_about_what_stays() {
     click(&mut hand, &seen, at(&seen, 0.5, 2.5));
     let corner = handle(&hand, &seen, Handle::Corner(2));
     let deed = drag(&mut hand, &seen, [corner, corner + DVec2::new(300.0, 0.0)]);
-    assert!(
-        matches!(&deed.commands[..], [Do::Move(keys)] if matches!(keys.scale, Some(crate::history::Factors::One(_))))
-    );
+    assert!(matches!(&deed.commands[..], [Do::Move(keys)] if matches!(keys.scale, Some(Factors::One(_)))));
     // A plane turns, about its place in the middle of the picture, and has no corners.
     click(&mut hand, &seen, at(&seen, -4.0, -4.5));
     let frame = Frame::of(scope(&seen), &hand.chosen(scope(&seen)).unwrap()).unwrap();

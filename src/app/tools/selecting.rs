@@ -1,0 +1,129 @@
+//! The tool that selects: what presses, drags and regions choose, and what becomes of it.
+
+use glam::DVec2;
+
+use super::chosen::Chosen;
+use super::handles::{Change, Frame, Grip, Handle};
+use super::marks::{Mark, Role};
+use super::pick::Scope;
+use super::region::Region;
+use super::{Deed, Doing, Hand};
+use crate::app::action::Tool;
+
+/// A press that moves less than this is a click `[logical px]`.
+const CLICK: f64 = 4.0;
+/// Said where a body of space is dragged.
+const OF_THE_PLANE: &str = "bodies are moved in the plane only: this scene is in space";
+
+impl Hand {
+    /// A handle is taken; else what lies under the pixel is selected and can be moved; else a region begins.
+    pub(super) fn begin_to_select(&mut self, scope: Scope<'_>, at: DVec2) {
+        self.chosen = self.chosen.left(scope);
+        let frame = Frame::of(scope, &self.chosen);
+        if let Some((frame, handle)) = frame.and_then(|frame| Some((frame, frame.handle(scope, at)?))) {
+            self.doing = Doing::Handling(frame.grip(scope, handle, at));
+            return;
+        }
+        let is_free = self.alt || self.draws_lasso;
+        let under = Chosen::at(scope, at).filter(|_| !self.alt);
+        let Some(under) = under else {
+            self.doing = Doing::Marking(Region::begin(at, is_free));
+            return;
+        };
+        if self.shift {
+            self.chosen = self.chosen.joined(&under, true);
+            self.doing = Doing::Nothing;
+            return;
+        }
+        if !self.chosen.has(&under) {
+            self.chosen = under.clone();
+        }
+        self.doing = Doing::Moving(at, under);
+    }
+
+    /// What is selected was dragged, or what lies under the pixel clicked: that alone is selected then.
+    pub(super) fn end_move(&mut self, scope: Scope<'_>, [from, to]: [DVec2; 2], under: Chosen) -> Deed {
+        if !is_drag(scope, [from, to]) {
+            self.chosen = under;
+            return Deed::default();
+        }
+        if scope.shown.dimensions != 2 {
+            return Deed::words(OF_THE_PLANE.to_owned());
+        }
+        let by = scope.in_plane(to) - scope.in_plane(from);
+        self.chosen(scope).map_or_else(Deed::default, |chosen| Change::Shift(by).deed(&chosen, DVec2::ZERO))
+    }
+
+    pub(super) fn end_grip(&self, scope: Scope<'_>, grip: Grip, to: DVec2) -> Deed {
+        let Some(chosen) = self.chosen(scope) else { return Deed::default() };
+        let Some(frame) = Frame::of(scope, &chosen) else { return Deed::default() };
+        let change = grip.change(scope, to, self.shift);
+        change.deed(&chosen, change.about(&frame, grip.handle))
+    }
+
+    /// What lies in a region is selected: with what was, while Shift is held; a click selects nothing.
+    pub(super) fn mark(&mut self, scope: Scope<'_>, region: &Region, to: DVec2) {
+        let found = match region.reach(to) >= CLICK * scope.scale {
+            true => Chosen::within(scope, |at| region.has(to, at)),
+            false => Chosen::default(),
+        };
+        self.chosen = if self.shift { self.chosen.joined(&found, false) } else { found };
+    }
+
+    /// These are selected, as soon as they are there.
+    pub(in crate::app) fn select(&mut self, chosen: Chosen) {
+        self.chosen = chosen;
+    }
+
+    /// All bodies and obstacles are selected, with the tool for that.
+    pub(in crate::app) fn select_all(&mut self, scope: Scope<'_>) {
+        (self.tool, self.chosen) = (Tool::Select, Chosen::all(scope));
+    }
+
+    /// What is selected and there, if the tool for that is in the hand.
+    pub(in crate::app) fn chosen(&self, scope: Scope<'_>) -> Option<Chosen> {
+        if self.tool() != Tool::Select || self.chosen.is_empty() {
+            return None;
+        }
+        Some(self.chosen.left(scope)).filter(|chosen| !chosen.is_empty())
+    }
+
+    /// The handle under a pixel, or the one that is held.
+    pub(in crate::app) fn handle(&self, scope: Scope<'_>, at: DVec2) -> Option<Handle> {
+        match &self.doing {
+            Doing::Handling(grip) => Some(grip.handle),
+            Doing::Nothing => Frame::of(scope, &self.chosen(scope)?)?.handle(scope, at),
+            _ => None,
+        }
+    }
+
+    /// The outline of what is selected, where a drag would bring it, with its box and its handles.
+    pub(super) fn selection_marks(&self, scope: Scope<'_>, chosen: &Chosen, at: Option<DVec2>) -> Vec<Mark> {
+        let outline = chosen.outline(scope, Role::Hold);
+        let frame = Frame::of(scope, chosen);
+        match (&self.doing, at) {
+            (Doing::Moving(from, _), Some(at)) if is_drag(scope, [*from, at]) => {
+                outline.into_iter().map(|mark| mark.mapped(|x| x + (at - *from))).collect()
+            }
+            (Doing::Handling(grip), Some(at)) => {
+                let Some(frame) = frame else { return outline };
+                let change = grip.change(scope, at, self.shift);
+                let about = change.about(&frame, grip.handle);
+                let words = at + DVec2::new(16.0, -10.0) * scope.scale;
+                let box_too = frame.marks(scope, Some(grip.handle));
+                let moved = outline.into_iter().chain(box_too).map(|mark| change.preview(scope, about, mark));
+                moved.chain([Mark::Words(words, change.words())]).collect()
+            }
+            (Doing::Nothing, _) => {
+                let near = at.and_then(|at| frame?.handle(scope, at));
+                outline.into_iter().chain(frame.iter().flat_map(|frame| frame.marks(scope, near))).collect()
+            }
+            _ => outline,
+        }
+    }
+}
+
+/// Whether a press that ends elsewhere moves what it was on.
+pub(super) fn is_drag(scope: Scope<'_>, [from, to]: [DVec2; 2]) -> bool {
+    from.distance(to) >= CLICK * scope.scale
+}
