@@ -27,7 +27,7 @@ fn by(model: Model<2>, solver: Solver) -> Model<2> {
     Model { method: Method { solver, substep: Some(0.001), iterations: Some(2), ..model.method }, ..model }
 }
 
-const SOLVED_TOGETHER: (Solver, bool) = (Solver::VelocityVerlet, false);
+const SOLVED_TOGETHER: (Solver, bool) = (Solver::Rk8, false);
 const BY_PATHS: (Solver, bool) = (Solver::Path, true);
 
 #[test]

@@ -85,6 +85,8 @@ pub(crate) struct Group<S: Real, const D: usize> {
     pub(crate) work: Work,
     /// Counted work at which the substep under way is not cut for its errors any more, and not taken back at all.
     pub(crate) patience: [u64; 2],
+    /// The engine left some part of the substep under way to a more robust method.
+    pub(crate) has_yielded: bool,
     /// Counted work at which the step under way is given up, as it may be where the group can be handed over.
     pub(crate) limit: u64,
     /// When the step under way was given up `[s]`.
@@ -103,6 +105,8 @@ pub(crate) struct Plain<S: Real, const D: usize> {
     pub(crate) engine: Box<Engine<S, D>>,
     /// Seconds of counted work for a second of the scene after which a substep is not cut for its errors any more, but goes here at once.
     pub(crate) effort: f64,
+    /// As that of the group.
+    pub(crate) has_yielded: bool,
 }
 
 /// Operations, about, of what a group does.
@@ -174,6 +178,8 @@ impl<S: Real, const D: usize> Group<S, D> {
         }
         counters.substeps += 1;
         counters.points_moved += self.points.len() as u64;
+        self.has_yielded = false;
+        self.plain.iter_mut().for_each(|plain| plain.has_yielded = false);
         if self.may_fail() {
             let least = LEAST_TRIES.saturating_mul(self.work.step);
             let fine = self.plain.as_ref().map_or(MOST_EFFORT, |plain| plain.effort);
@@ -215,6 +221,8 @@ impl<S: Real, const D: usize> Group<S, D> {
                     }
                     return self.attempt(around, (now + 0.5 * left, 0.5 * left), depth + 1, counters);
                 }
+                // What follows in this substep is not cut into as many parts that each fail again.
+                self.has_yielded = true;
                 if let Some(plain) = self.plain.take() {
                     return self.attempt_plainly(plain, around, (now, left), counters);
                 }
@@ -245,15 +253,17 @@ impl<S: Real, const D: usize> Group<S, D> {
         span: (f64, f64),
         counters: &mut Counters,
     ) {
-        let Plain { mut engine, effort } = plain;
+        let Plain { mut engine, effort, mut has_yielded } = plain;
         std::mem::swap(&mut self.engine, &mut engine);
         let follows_turns = std::mem::replace(&mut self.guard.follows_turns, false);
         self.engine.refresh();
+        std::mem::swap(&mut self.has_yielded, &mut has_yielded);
         self.attempt(around, span, 0, counters);
+        std::mem::swap(&mut self.has_yielded, &mut has_yielded);
         self.guard.follows_turns = follows_turns;
         std::mem::swap(&mut self.engine, &mut engine);
         self.engine.refresh();
-        self.plain = Some(Plain { engine, effort });
+        self.plain = Some(Plain { engine, effort, has_yielded });
     }
 
     /// Whether the step under way is given up at `now` `[s]`, for it costs too much: what is left of it is somebody else's.
@@ -267,6 +277,7 @@ impl<S: Real, const D: usize> Group<S, D> {
     /// Whether the substep under way may be halved once more.
     fn may_split(&self, depth: u32, counters: &Counters) -> bool {
         match self.plain {
+            _ if self.has_yielded => false,
             Some(_) => depth < MOST_FINE_SPLITS && counters.work < self.patience[0],
             None => depth < MOST_SPLITS && self.is_patient(counters),
         }
@@ -423,6 +434,7 @@ impl<S: Real, const D: usize> Group<S, D> {
             grabbed: None,
             work: Work::default(),
             patience: [0; 2],
+            has_yielded: false,
             limit: u64::MAX,
             gave_up: None,
             moved: Moved::default(),

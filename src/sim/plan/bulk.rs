@@ -122,6 +122,7 @@ impl<S: Real, const D: usize> Maker<'_, S, D> {
             grabbed: None,
             work: Work::default(),
             patience: [0; 2],
+            has_yielded: false,
             limit: u64::MAX,
             gave_up: None,
             moved: Moved::default(),

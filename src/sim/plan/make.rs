@@ -98,6 +98,7 @@ impl<S: Real, const D: usize> Maker<'_, S, D> {
         let plain = choice.is_checked.then(|| Plain {
             engine: Box::new(self.engine(Solver::VelocityVerlet, &bonds, &points, &pull)),
             effort: if self.model.method.budget.is_some() { FINE_EFFORT } else { MOST_EFFORT },
+            has_yielded: false,
         });
         let robust = self.robust(&bonds, &points, &pull).map(Box::new);
         let is_soft = self.lot.islands.iter().all(|island| island.rigid == 0);
@@ -120,6 +121,7 @@ impl<S: Real, const D: usize> Maker<'_, S, D> {
             grabbed: None,
             work: Work::default(),
             patience: [0; 2],
+            has_yielded: false,
             limit: u64::MAX,
             gave_up: None,
             moved: Moved::default(),
