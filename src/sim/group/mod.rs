@@ -40,6 +40,8 @@ const MOST_FINE_SPLITS: u32 = 20;
 /// Seconds of counted work for a second of the scene after which a substep goes on without being taken back: what is left of it is
 /// taken by the more robust method, and events are dealt with where it ends.
 pub(crate) const MOST_EFFORT: f64 = 100.0;
+/// Roundings of the largest that a state may be off by which is the same.
+const ROUNDED: f64 = 16.0;
 /// Steps of the method that a substep may take before that, however short it is.
 const LEAST_TRIES: u64 = 32;
 
@@ -153,7 +155,24 @@ impl<S: Real, const D: usize> Group<S, D> {
             self.lead_pins(t, 0.0);
             return true;
         }
-        self.begin(around, t)
+        let mut kept = State::default();
+        self.points.save(&mut kept);
+        let is_held = self.begin(around, t);
+        if self.is_as(&kept) {
+            self.points.restore(&kept);
+            self.engine.refresh();
+        }
+        is_held
+    }
+
+    /// Whether places and velocities are those of a state but for rounding: a state that fits its bonds goes on to the bit.
+    fn is_as(&self, kept: &State<S, D>) -> bool {
+        let is_near = |list: &[[S; D]], others: &[[S; D]]| {
+            let most = others.iter().fold(S::ZERO, |most, &x| most.max(dot(x, x)));
+            let rounding = S::EPSILON * S::EPSILON * S::from_f64(ROUNDED * ROUNDED) * most;
+            list.iter().zip(others).all(|(&x, &other)| dot(sub(x, other), sub(x, other)) <= rounding)
+        };
+        is_near(&self.points.position, &kept.position) && is_near(&self.points.velocity, &kept.velocity)
     }
 
     /// A bond between two of its points, of this rest length `[m]` and this number in the world, goes. Returns whether that was so: only
