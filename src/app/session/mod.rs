@@ -5,6 +5,7 @@ mod arrivals;
 mod drawing;
 mod driving;
 mod keeping;
+mod learning;
 mod leftovers;
 mod plotting;
 mod pointing;
@@ -28,7 +29,7 @@ use super::keys::{Down, Held};
 use super::leftovers::{Leftover, look};
 use super::loading::Loading;
 use super::meter::Meter;
-use super::panels::{PanelState, Sheet, theme};
+use super::panels::{At, PanelState, Sheet, theme};
 use super::player::{Figures, News, Note, Order, Player, Shown, too_many_to_meet};
 use super::pointer::Pointer;
 use super::saving::Saving;
@@ -142,6 +143,8 @@ pub(super) struct Session {
     looks_again: Option<Camera>,
     /// It is one that was there already.
     comes_back: bool,
+    /// The step of a lesson that it is opened for.
+    teaches: Option<At>,
     /// The figures and settings that panels show.
     figures: Figures,
     settings: SceneChange,
@@ -213,6 +216,7 @@ impl Session {
             frames: 0,
             looks_again: None,
             comes_back: false,
+            teaches: None,
             figures: Figures::default(),
             settings: SceneChange::default(),
         };
@@ -353,6 +357,9 @@ impl Session {
         if self.is_canvas() && !comes_back {
             self.paint();
         }
+        if let Some(at) = self.teaches.take() {
+            self.lay_out(at);
+        }
         self.touch();
     }
 
@@ -371,6 +378,7 @@ impl Session {
             }
         }
         if let Some(failure) = news.failure {
+            self.teaches = None;
             // What was there before is there again.
             match self.shelf.back() {
                 Some((player, camera)) => {
