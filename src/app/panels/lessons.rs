@@ -31,6 +31,8 @@ pub(in crate::app) struct Lessons {
     pub(in crate::app) is_open: bool,
     /// The lesson that is open; `None`: the list is.
     pub(super) lesson: Option<usize>,
+    /// A step opened the plots.
+    pub(in crate::app) plots: bool,
     /// The steps that lessons were left at.
     steps: BTreeMap<usize, usize>,
 }
@@ -91,7 +93,7 @@ fn header(ui: &mut Ui, state: &mut Lessons, wishes: &mut Vec<Wish>) {
 
 /// All lessons, each with what it is about and how far one is.
 fn list(ui: &mut Ui, state: &Lessons, height: f32, wishes: &mut Vec<Wish>) {
-    ScrollArea::vertical().max_height(height).show(ui, |ui| {
+    ScrollArea::vertical().max_height(height).min_scrolled_height(height).show(ui, |ui| {
         for (place, lesson) in lessons().iter().enumerate() {
             let card = ui.scope_builder(egui::UiBuilder::new().sense(Sense::click()), |ui| {
                 let is_hovered = ui.response().hovered();
@@ -125,7 +127,9 @@ fn line(ui: &mut Ui, words: RichText) {
 fn of_lesson(ui: &mut Ui, lesson: &Lesson, at: At, height: f32, wishes: &mut Vec<Wish>) {
     let Some(step) = lesson.steps.get(at.step) else { return };
     line(ui, RichText::new(&lesson.title).color(WEAK).size(12.0));
-    ScrollArea::vertical().id_salt((at.lesson, at.step)).max_height((height - 96.0).max(60.0)).show(ui, |ui| {
+    let height = (height - 96.0).max(60.0);
+    let scroll = ScrollArea::vertical().id_salt((at.lesson, at.step)).max_height(height).min_scrolled_height(height);
+    scroll.show(ui, |ui| {
         of_step(ui, step);
         if at.step + 1 == lesson.steps.len() {
             part(ui, "Read on", [&*lesson.source]);
@@ -170,9 +174,10 @@ fn of_step(ui: &mut Ui, step: &Step) {
 
 /// A few lines below a word that says what they are.
 fn part<'a>(ui: &mut Ui, name: &str, lines: impl IntoIterator<Item = &'a str>) {
-    ui.add_space(2.0);
-    line(ui, RichText::new(name).color(ACCENT).size(12.0));
-    ui.spacing_mut().item_spacing.y = 2.0;
-    lines.into_iter().for_each(|words| line(ui, RichText::new(words).color(TEXT)));
-    ui.spacing_mut().item_spacing.y = 6.0;
+    ui.add_space(3.0);
+    ui.scope(|ui| {
+        ui.spacing_mut().item_spacing.y = 2.0;
+        line(ui, RichText::new(name).color(ACCENT).size(12.0));
+        lines.into_iter().for_each(|words| line(ui, RichText::new(words).color(TEXT)));
+    });
 }

@@ -133,6 +133,11 @@ fn every_step_is_whole_readable_and_beside_the_middle() {
                 let ground = if *color == ON_ACCENT { ACCENT } else { PANEL };
                 assert!(text == "Back" || contrast(*color, ground) >= 4.5, "{at:?}: {text}: {color:?}");
             }
+            for rows in lessons()[lesson].steps[at.step].formula.iter() {
+                let row = rows.lines().count() as f32 * 15.5;
+                let place = words.iter().find(|(text, ..)| text == rows).map(|(_, place, ..)| *place);
+                assert!(place.is_some_and(|place| place.height() < row), "{at:?}: {rows} is broken: {place:?}");
+            }
             let has_next = words.iter().any(|(text, ..)| text == "Next");
             assert_eq!(has_next, at.step + 1 < steps);
             let source = &lessons()[lesson].source;

@@ -29,8 +29,15 @@ impl Session {
             Some(Show::Strain) => Showing::Strain,
             Some(Show::Bonds) => Showing::Bonds,
         });
-        if let Some(plot) = &step.plot {
-            self.plot_as(plot);
+        let had = self.panels.plots.is_some();
+        match &step.plot {
+            Some(plot) => {
+                self.panels.lessons.plots |= !had;
+                self.plot_as(plot);
+            }
+            // What an earlier step opened would lie over this one's scene.
+            None if std::mem::take(&mut self.panels.lessons.plots) && had => self.toggle_plots(),
+            None => {}
         }
     }
 }
