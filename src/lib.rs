@@ -43,7 +43,7 @@
 //! # Modules
 //! [`sim`] has the world and its step, [`equilibrium`] the shape at rest, [`search`] the cheapest setting within a
 //! tolerance; [`body`] makes bodies, [`picture`] turns pictures into meshes; [`scene`] reads and writes scene files,
-//! [`history`] keeps recordings and undo, [`output`] writes files whole or not at all; [`render`] draws, [`study`]
+//! [`history`] keeps recordings and undo, [`lessons`] teach, [`output`] writes files whole or not at all; [`render`] draws, [`study`]
 //! measures; [`app`] is the window and [`cli`] the command line.
 
 pub mod app;
@@ -51,6 +51,7 @@ pub mod body;
 pub mod cli;
 pub mod equilibrium;
 pub mod history;
+pub mod lessons;
 pub mod output;
 pub mod picture;
 pub mod render;

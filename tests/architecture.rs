@@ -8,7 +8,7 @@ use std::path::{Path, PathBuf};
 
 /// Each room, the rooms that it may name, which all stand above it here, and the crates that it may name beside those for every
 /// room.
-const ROOMS: [(&str, &[&str], &[&str]); 12] = [
+const ROOMS: [(&str, &[&str], &[&str]); 13] = [
     ("output", &[], &["tempfile"]),
     ("picture", &[], &["image", "spade", "earcutr", "libm", "rayon"]),
     ("sim", &[], &["rand", "rand_pcg", "libm", "rayon", "fearless_simd", "aligned_vec"]),
@@ -26,6 +26,7 @@ const ROOMS: [(&str, &[&str], &[&str]); 12] = [
         &["sim", "body", "picture", "scene", "output"],
         &["base64", "flate2", "serde", "serde_json", "serde_path_to_error", "schemars"],
     ),
+    ("lessons", &["sim", "scene"], &["serde", "serde_json"]),
     (
         "study",
         &["sim", "equilibrium", "search", "body", "scene", "history", "output"],
@@ -33,7 +34,7 @@ const ROOMS: [(&str, &[&str], &[&str]); 12] = [
     ),
     (
         "app",
-        &["sim", "equilibrium", "search", "body", "picture", "scene", "history", "render", "output"],
+        &["sim", "equilibrium", "search", "body", "picture", "scene", "history", "lessons", "render", "output"],
         &[
             "wgpu",
             "winit",
@@ -50,7 +51,20 @@ const ROOMS: [(&str, &[&str], &[&str]); 12] = [
     ),
     (
         "cli",
-        &["sim", "equilibrium", "search", "body", "picture", "scene", "history", "render", "output", "app", "study"],
+        &[
+            "sim",
+            "equilibrium",
+            "search",
+            "body",
+            "picture",
+            "scene",
+            "history",
+            "lessons",
+            "render",
+            "output",
+            "app",
+            "study",
+        ],
         &["clap", "anyhow", "indicatif", "image", "serde_json", "signal_hook", "tiny_skia"],
     ),
 ];

@@ -17,6 +17,7 @@ mod history;
 mod large;
 mod large_scenes;
 mod ledger;
+mod lessons;
 mod linkages;
 mod live;
 mod motion;

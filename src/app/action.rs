@@ -216,6 +216,8 @@ pub enum Action {
     Settings,
     /// Opens or closes the plots of energies.
     Plots,
+    /// Opens or closes the lessons.
+    Lessons,
     /// Hides the panels, or shows them.
     TogglePanels,
     /// Hides the figures, or shows them.

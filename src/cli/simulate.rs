@@ -287,9 +287,13 @@ impl Searched {
             let tolerance = self.tolerance;
             match self.expected_error {
                 error if error.is_finite() => {
-                    bail!("an error of {tolerance:?} m was not reached: {taken} comes to {error:.1e} m (written all the same)")
+                    bail!(
+                        "an error of {tolerance:?} m was not reached: {taken} comes to {error:.1e} m (written all the same)"
+                    )
                 }
-                _ => bail!("an error of {tolerance:?} m was not reached: {taken}, whose error cannot be told (written all the same)"),
+                _ => bail!(
+                    "an error of {tolerance:?} m was not reached: {taken}, whose error cannot be told (written all the same)"
+                ),
             }
         }
         writeln!(std::io::stderr(), "wobble: {taken}, expected error {:.1e} m", self.expected_error)?;

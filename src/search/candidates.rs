@@ -17,14 +17,8 @@ pub(super) struct Candidates {
 }
 
 /// What rigid bonds are held by: the first where the rules cut its steps by their errors.
-const FOR_RIGID: [Solver; 6] = [
-    Solver::Auto,
-    Solver::Rk8,
-    Solver::Rk4,
-    Solver::VelocityVerlet,
-    Solver::Pefrl,
-    Solver::BlanesMoan6,
-];
+const FOR_RIGID: [Solver; 6] =
+    [Solver::Auto, Solver::Rk8, Solver::Rk4, Solver::VelocityVerlet, Solver::Pefrl, Solver::BlanesMoan6];
 
 /// The candidates for a model; a solver that it says is the only one.
 pub(super) fn of<const D: usize>(model: &Model<D>) -> Candidates {

@@ -144,7 +144,12 @@ impl<'a, const D: usize> Trials<'a, D> {
         self.count(&*world, unit);
         self.last_work = work(&*world, unit);
         let is_finite = positions.iter().flatten().flatten().all(|x| x.is_finite());
-        Ok(is_finite.then_some(Trial { method, positions, work: self.last_work, is_patched: world.counters().fallbacks > 0 }))
+        Ok(is_finite.then_some(Trial {
+            method,
+            positions,
+            work: self.last_work,
+            is_patched: world.counters().fallbacks > 0,
+        }))
     }
 
     fn count(&mut self, world: &dyn Dynamics, unit: f64) {

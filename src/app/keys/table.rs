@@ -86,6 +86,7 @@ pub static TABLE: &[Binding] = &[
         &[(Writes("g"), Action::Settings)],
     ),
     binding("L", "plots of the energies over time", &[(Writes("l"), Action::Plots)]),
+    binding("H", "lessons: how it works, step by step", &[(Writes("h"), Action::Lessons)]),
     binding("F", "fit all points", &[(Writes("f"), Action::Fit)]),
     binding("Home", "the view that the scene opened with", &[(Named(NamedKey::Home), Action::Home)]),
     binding("V", "bodies, their strain, or points and bonds alone", &[(Writes("v"), Action::NextShowing)]),

@@ -31,6 +31,7 @@ pub(super) enum Icon {
     Brush,
     Gear,
     Plot,
+    Book,
     Primitive(Primitive),
 }
 
@@ -153,6 +154,14 @@ fn paint(painter: &Painter, icon: Icon, rect: Rect, color: Color32) {
             line(&[(-1.0, -1.1), (-1.0, 1.0), (1.2, 1.0)]);
             line(&[(-0.6, 0.4), (-0.2, -0.6), (0.3, 0.1), (1.0, -0.9)]);
         }
+        Icon::Book => {
+            // Two pages and the back between them.
+            for side in [-1.0, 1.0] {
+                line(&[(0.0, -0.7), (0.55 * side, -1.0), (1.3 * side, -0.85), (1.3 * side, 0.75)]);
+                line(&[(1.3 * side, 0.75), (0.55 * side, 0.65), (0.0, 0.95)]);
+            }
+            line(&[(0.0, -0.7), (0.0, 0.95)]);
+        }
         Icon::Primitive(primitive) => primitives::paint(painter, primitive, &at, stroke),
     }
 }
@@ -184,8 +193,11 @@ mod tests {
         let all = [Icon::Play, Icon::Pause, Icon::Step, Icon::Reset, Icon::Before, Icon::After];
         let more = [Icon::Undo, Icon::Redo, Icon::Hand, Icon::Pin, Icon::Cut, Icon::Erase, Icon::Build, Icon::Select];
         let more = more.into_iter().chain([Icon::Muscle, Icon::Motor, Icon::Brush]);
-        for icon in
-            all.into_iter().chain(more).chain([Icon::Gear, Icon::Plot]).chain(Primitive::ALL.map(Icon::Primitive))
+        for icon in all
+            .into_iter()
+            .chain(more)
+            .chain([Icon::Gear, Icon::Plot, Icon::Book])
+            .chain(Primitive::ALL.map(Icon::Primitive))
         {
             let mut output = context.run_ui(egui::RawInput::default(), |ui| {
                 let rect = Rect::from_min_size(pos2(0.0, 0.0), vec2(30.0, 30.0));

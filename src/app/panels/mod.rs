@@ -9,6 +9,9 @@ mod help;
 mod hud;
 mod icons;
 mod legend;
+mod lessons;
+#[cfg(test)]
+mod lessons_tests;
 mod material;
 #[cfg(test)]
 mod material_tests;
@@ -41,11 +44,15 @@ use crate::scene::SolverName;
 use crate::sim::Key;
 pub(super) use gallery::{THUMBNAIL, search_id};
 use icons::Icon;
+pub(super) use lessons::{At, Lessons};
 pub(super) use notes::Notes;
 pub(super) use settings::{Setting, Settings};
 
 /// Room that the tools take at the left edge `[points]`.
 pub(super) const TOOLS: f32 = 60.0;
+
+/// What a panel at the right edge takes there beside its width `[points]`.
+const GAP: f32 = 28.0;
 
 /// What the panels ask for.
 #[derive(Clone, Debug, PartialEq)]
@@ -54,6 +61,8 @@ pub(super) enum Wish {
     Act(Action),
     /// A scene of the gallery.
     OpenScene(&'static str),
+    /// A step of a lesson, with its scene.
+    Learn(At),
     /// The tool for building makes this from now on.
     Build(Primitive),
     /// The tools for muscles and motors make these from now on.
@@ -107,6 +116,7 @@ pub(super) struct PanelState {
     pub(super) has_settings: bool,
     /// What is plotted; `None`: the panel is closed, and nothing is measured.
     pub(super) plots: Option<Plots>,
+    pub(super) lessons: Lessons,
     /// The setting that is being dragged.
     pub(super) gesture: Option<egui::Id>,
     pub(super) hides_hud: bool,
@@ -183,9 +193,15 @@ pub(super) fn show(ui: &mut egui::Ui, state: &mut PanelState, facts: &Facts) -> 
     if let Some(plots) = state.plots.as_mut().filter(|_| !state.hides_panels && !is_covered) {
         plots::show(ui.ctx(), room, plots, &mut wishes);
     }
+    // What lies at the right edge, from there on: the settings, then the lessons.
+    let at_edge = if state.has_settings && !state.hides_panels { settings::WIDTH + GAP } else { 0.0 };
+    let has_lessons = state.lessons.is_open && !state.hides_panels && !is_covered && lessons::has_room(room, at_edge);
+    if has_lessons {
+        lessons::show(ui.ctx(), (room, at_edge), &mut state.lessons, &mut wishes);
+    }
     if !state.hides_hud && room.width() > 560.0 && !is_covered {
-        let is_under = state.has_settings && !state.hides_panels && room.height() < settings::TALL;
-        let beside = if is_under { settings::WIDTH + 28.0 } else { 0.0 };
+        let at_edge = if has_lessons { at_edge + lessons::WIDTH + GAP } else { at_edge };
+        let beside = if room.height() < settings::TALL { at_edge } else { 0.0 };
         hud::show(ui.ctx(), (room, beside), facts, &mut wishes);
     }
     held::show(ui.ctx(), room, facts);

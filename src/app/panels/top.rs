@@ -39,6 +39,7 @@ pub(super) fn show(context: &egui::Context, room: Rect, facts: &Facts, wishes: &
                 if facts.has_picture {
                     button(ui, "Picture", "cut the scene's first picture out anew", Action::Import, wishes);
                 }
+                icon(ui, Icon::Book, "lessons: how it works", Action::Lessons, wishes);
                 icon(ui, Icon::Plot, "plots of the energies", Action::Plots, wishes);
                 icon(ui, Icon::Gear, "settings of the scene", Action::Settings, wishes);
                 button(ui, "?", "the keys", Action::Help, wishes);

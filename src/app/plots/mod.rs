@@ -5,6 +5,7 @@ mod series;
 mod tests;
 
 use super::player::{Probed, Probes, Shown};
+use crate::lessons::{self, Plot};
 use crate::sim::PointId;
 pub(super) use series::Series;
 
@@ -74,6 +75,22 @@ impl Plots {
             subject: Subject::default(),
             quantity: Quantity::default(),
         }
+    }
+
+    /// The same with what a lesson asks for.
+    pub(super) fn of(rate: f64, plot: &Plot) -> Self {
+        let (subject, points, quantity) = match plot {
+            Plot::Energies => return Plots::new(rate),
+            Plot::Probes { points, quantity } => (Subject::Probes, &points[..], quantity),
+            Plot::Phase { points, quantity } => (Subject::Phase, &points[..], quantity),
+        };
+        let quantity = match quantity {
+            lessons::Quantity::X => Quantity::X,
+            lessons::Quantity::Y => Quantity::Y,
+            lessons::Quantity::Speed => Quantity::Speed,
+        };
+        let probes = std::array::from_fn(|place| points.get(place).copied().map(PointId));
+        Plots { probes, subject, quantity, ..Plots::new(rate) }
     }
 
     /// Another scene: nothing was measured yet, and no point of it is probed.

@@ -67,6 +67,7 @@ impl Session {
             Action::Screenshot => self.take_screenshot(),
             Action::Settings => self.panels.has_settings = !self.panels.has_settings,
             Action::Plots => self.toggle_plots(),
+            Action::Lessons => self.panels.lessons.is_open = !self.panels.lessons.is_open,
             Action::TogglePanels => self.panels.hides_panels = !self.panels.hides_panels,
             Action::ToggleHud => self.panels.hides_hud = !self.panels.hides_hud,
             Action::FullScreen => self.toggle_full_screen(),
@@ -91,6 +92,7 @@ impl Session {
         match wish {
             Wish::Act(action) => self.act(action),
             Wish::OpenScene(name) => self.open_named(name),
+            Wish::Learn(at) => self.learn(at),
             Wish::Build(primitive) => self.hand.choose(primitive),
             Wish::Drives(drives) => self.hand.set_drives(drives),
             Wish::Set(setting) => self.set(setting),

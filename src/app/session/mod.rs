@@ -6,6 +6,7 @@ mod drawing;
 mod driving;
 mod fresh;
 mod keeping;
+mod learning;
 mod leftovers;
 mod plotting;
 mod pointing;
@@ -31,7 +32,7 @@ use super::leftovers::{Leftover, look};
 use super::loading::Loading;
 use super::matter::Matter;
 use super::meter::Meter;
-use super::panels::{PanelState, Sheet, theme};
+use super::panels::{At, PanelState, Sheet, theme};
 use super::player::{Figures, News, Note, Order, Player, Shown, too_many_to_meet};
 use super::pointer::Pointer;
 use super::saving::Saving;
@@ -153,6 +154,8 @@ pub(super) struct Session {
     looks_again: Option<Camera>,
     /// It is one that was there already.
     comes_back: bool,
+    /// The step of a lesson that it is opened for.
+    teaches: Option<At>,
     /// The figures and settings that panels show.
     figures: Figures,
     settings: SceneChange,
@@ -229,6 +232,7 @@ impl Session {
             frames: 0,
             looks_again: None,
             comes_back: false,
+            teaches: None,
             figures: Figures::default(),
             settings: SceneChange::default(),
             matter: None,
@@ -372,6 +376,9 @@ impl Session {
         if self.is_canvas() && !comes_back {
             self.paint();
         }
+        if let Some(at) = self.teaches.take() {
+            self.lay_out(at);
+        }
         self.touch();
     }
 
@@ -391,6 +398,7 @@ impl Session {
             }
         }
         if let Some(failure) = news.failure {
+            self.teaches = None;
             // What was there before is there again.
             match self.shelf.back() {
                 Some((player, camera)) => {

@@ -8,6 +8,7 @@ use super::Session;
 use crate::app::player::Order;
 use crate::app::plots::Plots;
 use crate::app::saving::free_name;
+use crate::lessons::Plot;
 use crate::sim::PointId;
 
 impl Session {
@@ -17,6 +18,12 @@ impl Session {
             Some(_) => None,
             None => Some(Plots::new(self.scene.rate())),
         };
+        self.watch();
+    }
+
+    /// Opens the panel on what a lesson asks for.
+    pub(super) fn plot_as(&mut self, plot: &Plot) {
+        self.panels.plots = Some(Plots::of(self.scene.rate(), plot));
         self.watch();
     }
 

@@ -96,12 +96,7 @@ pub(crate) fn step<S: Real, const D: usize>(
 
 /// An estimate of the error of a step `[m]`: of positions, and of velocities as long as they last, all together; that of order 5, less what the
 /// one of order 3 says that it is too large by. Source: as of the table, II.10.
-fn error<S: Real>(
-    (sums, lasts): (&mut [S], S),
-    slopes: &[Vec<S>],
-    [of_5, of_3]: [&[(usize, f64)]; 2],
-    h: f64,
-) -> S {
+fn error<S: Real>((sums, lasts): (&mut [S], S), slopes: &[Vec<S>], [of_5, of_3]: [&[(usize, f64)]; 2], h: f64) -> S {
     let half = sums.len() / 2;
     let mut squares = |row: &[(usize, f64)]| {
         sum_up(sums, slopes, row, h);

@@ -21,7 +21,8 @@ pub(crate) struct Tableau {
 pub(crate) const LONGEST_ROW: usize = 9;
 
 /// Explicit Euler: order 1, unstable on every undamped oscillation (it grows by sqrt(1 + (omega h)^2) a step).
-pub(crate) static EULER: Tableau = Tableau { stages: &[&[]], weights: &[(0, 1.0)], nodes: &[0.0], stability: 1.0, errors: None };
+pub(crate) static EULER: Tableau =
+    Tableau { stages: &[&[]], weights: &[(0, 1.0)], nodes: &[0.0], stability: 1.0, errors: None };
 
 /// The midpoint method: order 2; slowly unstable on undamped oscillations.
 /// Source: C. Runge, Math. Ann. 46, 167 (1895).

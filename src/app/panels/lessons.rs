@@ -1,0 +1,183 @@
+//! Lessons at the right: a list of them, and the steps of the one that is open.
+
+use std::collections::BTreeMap;
+
+use egui::{Align, Align2, Area, Button, Frame, Id, Label, Layout, Margin, Rect, RichText, ScrollArea, Sense, Ui};
+
+use super::theme::{ACCENT, ON_ACCENT, TEXT, WEAK, floating};
+use super::{Wish, described};
+use crate::app::action::Action;
+use crate::lessons::{Lesson, Step, lessons};
+
+/// Width of the panel `[points]`.
+pub(super) const WIDTH: f32 = 270.0;
+/// What is above it stays free `[points]`.
+const ABOVE: f32 = 150.0;
+/// The middle of the room and so much to its right stays free, but in the narrowest ones `[points]`.
+const MIDDLE: f32 = 40.0;
+/// Beside what lies at the edge there is place for it in rooms that are so much wider than all of it `[points]`.
+const BESIDE: f32 = 330.0;
+
+/// A step of a lesson, by its places in the list and in the lesson.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub(in crate::app) struct At {
+    pub(in crate::app) lesson: usize,
+    pub(in crate::app) step: usize,
+}
+
+/// What the panel keeps.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub(in crate::app) struct Lessons {
+    pub(in crate::app) is_open: bool,
+    /// The lesson that is open; `None`: the list is.
+    pub(super) lesson: Option<usize>,
+    /// A step opened the plots.
+    pub(in crate::app) plots: bool,
+    /// The steps that lessons were left at.
+    steps: BTreeMap<usize, usize>,
+}
+
+impl Lessons {
+    /// A step is shown from now on.
+    pub(in crate::app) fn enter(&mut self, at: At) {
+        self.lesson = Some(at.lesson);
+        self.steps.insert(at.lesson, at.step);
+    }
+
+    /// The step that a lesson is at.
+    fn step(&self, lesson: usize) -> usize {
+        self.steps.get(&lesson).copied().unwrap_or(0)
+    }
+}
+
+/// Whether there is place for it beside what takes so much of the right edge `[points]`.
+pub(super) fn has_room(room: Rect, at_edge: f32) -> bool {
+    at_edge == 0.0 || room.width() >= at_edge + WIDTH + BESIDE
+}
+
+/// What lies at the right edge is so wide there `[points]`.
+pub(super) fn show(context: &egui::Context, (room, at_edge): (Rect, f32), state: &mut Lessons, wishes: &mut Vec<Wish>) {
+    let up = room.height() - context.content_rect().height() - 10.0;
+    let width = WIDTH.min((0.5 * room.width() - MIDDLE).max(180.0));
+    let height = (room.height() - ABOVE).max(120.0);
+    Area::new(Id::unique("lessons")).anchor(Align2::RIGHT_BOTTOM, [-10.0 - at_edge, up]).show(context, |ui| {
+        floating().show(ui, |ui| {
+            ui.set_width(width);
+            header(ui, state, wishes);
+            let open = state.lesson.and_then(|place| Some((place, lessons().get(place)?)));
+            match open {
+                Some((place, lesson)) => {
+                    let at = At { lesson: place, step: state.step(place).min(lesson.steps.len().saturating_sub(1)) };
+                    of_lesson(ui, lesson, at, height, wishes);
+                }
+                None => list(ui, state, height, wishes),
+            }
+        });
+    });
+}
+
+fn header(ui: &mut Ui, state: &mut Lessons, wishes: &mut Vec<Wish>) {
+    ui.horizontal(|ui| {
+        if state.lesson.is_none() {
+            ui.label(RichText::new("Lessons").color(TEXT).strong());
+        } else if ui.button("All lessons").clicked() {
+            state.lesson = None;
+        }
+        ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
+            if ui.button("Close").on_hover_text(described("close the lessons", Action::Lessons)).clicked() {
+                wishes.push(Wish::Act(Action::Lessons));
+            }
+        });
+    });
+}
+
+/// All lessons, each with what it is about and how far one is.
+fn list(ui: &mut Ui, state: &Lessons, height: f32, wishes: &mut Vec<Wish>) {
+    ScrollArea::vertical().max_height(height).min_scrolled_height(height).show(ui, |ui| {
+        for (place, lesson) in lessons().iter().enumerate() {
+            let card = ui.scope_builder(egui::UiBuilder::new().sense(Sense::click()), |ui| {
+                let is_hovered = ui.response().hovered();
+                let fill = if is_hovered { ui.visuals().widgets.hovered.bg_fill } else { ui.visuals().faint_bg_color };
+                Frame::new().fill(fill).corner_radius(8.0).inner_margin(Margin::symmetric(8, 6)).show(ui, |ui| {
+                    ui.set_width(ui.available_width());
+                    ui.spacing_mut().item_spacing.y = 2.0;
+                    line(ui, RichText::new(&lesson.title).color(TEXT).strong());
+                    line(ui, RichText::new(&lesson.about).color(if is_hovered { TEXT } else { WEAK }).size(12.0));
+                    let count = lesson.steps.len();
+                    let said = match state.steps.get(&place) {
+                        Some(step) => format!("at step {} of {count}", step + 1),
+                        None => format!("{count} steps"),
+                    };
+                    line(ui, RichText::new(said).color(ACCENT).size(12.0));
+                });
+            });
+            if card.response.clicked() {
+                wishes.push(Wish::Learn(At { lesson: place, step: state.step(place) }));
+            }
+        }
+    });
+}
+
+/// Words that are no button.
+fn line(ui: &mut Ui, words: RichText) {
+    ui.add(Label::new(words).wrap().selectable(false));
+}
+
+/// A step, with what leads to others below it.
+fn of_lesson(ui: &mut Ui, lesson: &Lesson, at: At, height: f32, wishes: &mut Vec<Wish>) {
+    let Some(step) = lesson.steps.get(at.step) else { return };
+    line(ui, RichText::new(&lesson.title).color(WEAK).size(12.0));
+    let height = (height - 96.0).max(60.0);
+    let scroll = ScrollArea::vertical().id_salt((at.lesson, at.step)).max_height(height).min_scrolled_height(height);
+    scroll.show(ui, |ui| {
+        of_step(ui, step);
+        if at.step + 1 == lesson.steps.len() {
+            part(ui, "Read on", [&*lesson.source]);
+        }
+    });
+    ui.separator();
+    ui.horizontal(|ui| {
+        let go = |step| Wish::Learn(At { step, ..at });
+        if ui.add_enabled(at.step > 0, Button::new("Back")).clicked() {
+            wishes.push(go(at.step.saturating_sub(1)));
+        }
+        ui.label(RichText::new(format!("step {} of {}", at.step + 1, lesson.steps.len())).color(WEAK));
+        ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
+            let next = Button::new(RichText::new("Next").color(ON_ACCENT)).fill(ACCENT);
+            let is_last = at.step + 1 == lesson.steps.len();
+            if !is_last && ui.add(next).clicked() {
+                wishes.push(go(at.step + 1));
+            }
+        });
+    });
+    if ui.button("Open the scene again").clicked() {
+        wishes.push(Wish::Learn(at));
+    }
+}
+
+fn of_step(ui: &mut Ui, step: &Step) {
+    line(ui, RichText::new(&step.heading).color(TEXT).heading());
+    line(ui, RichText::new(&step.text).color(TEXT));
+    if let Some(formula) = &step.formula {
+        let ground = Frame::new().fill(ui.visuals().extreme_bg_color).corner_radius(6.0);
+        ground.inner_margin(Margin::symmetric(8, 6)).show(ui, |ui| {
+            ui.set_width(ui.available_width());
+            line(ui, RichText::new(formula).color(TEXT).monospace());
+        });
+    }
+    part(ui, "Try", [&*step.to_try]);
+    part(ui, "See", [&*step.seen]);
+    if !step.claims.is_empty() {
+        part(ui, "Measured", step.claims.iter().map(|claim| &*claim.words));
+    }
+}
+
+/// A few lines below a word that says what they are.
+fn part<'a>(ui: &mut Ui, name: &str, lines: impl IntoIterator<Item = &'a str>) {
+    ui.add_space(3.0);
+    ui.scope(|ui| {
+        ui.spacing_mut().item_spacing.y = 2.0;
+        line(ui, RichText::new(name).color(ACCENT).size(12.0));
+        lines.into_iter().for_each(|words| line(ui, RichText::new(words).color(TEXT)));
+    });
+}

@@ -1,0 +1,43 @@
+//! Lessons: a step opens its scene, and lays out what it asks for.
+
+use super::Session;
+use crate::app::action::Showing;
+use crate::app::panels::At;
+use crate::lessons::{Show, lessons};
+
+impl Session {
+    /// Goes to a step of a lesson: its scene opens in place of what is open, which can be gone back to.
+    pub(super) fn learn(&mut self, at: At) {
+        let scene = lessons().get(at.lesson).and_then(|lesson| lesson.scene(at.step));
+        match scene {
+            Some(Ok(scene)) => {
+                self.panels.lessons.enter(at);
+                self.teaches = Some(at);
+                self.open(scene.into());
+            }
+            Some(Err(error)) => self.complain(&error.to_string()),
+            None => {}
+        }
+    }
+
+    /// The scene of a step is there: it is shown as the step wants it. The lesson's words stand in place of the caption.
+    pub(super) fn lay_out(&mut self, at: At) {
+        let Some(step) = lessons().get(at.lesson).and_then(|lesson| lesson.steps.get(at.step)) else { return };
+        self.panels.notes.has_caption = false;
+        self.show_as(match step.show {
+            None => Showing::Bodies,
+            Some(Show::Strain) => Showing::Strain,
+            Some(Show::Bonds) => Showing::Bonds,
+        });
+        let had = self.panels.plots.is_some();
+        match &step.plot {
+            Some(plot) => {
+                self.panels.lessons.plots |= !had;
+                self.plot_as(plot);
+            }
+            // What an earlier step opened would lie over this one's scene.
+            None if std::mem::take(&mut self.panels.lessons.plots) && had => self.toggle_plots(),
+            None => {}
+        }
+    }
+}
