@@ -12,6 +12,7 @@ use crate::sim::contact::obstacles::Obstacles;
 use crate::sim::counters::Counters;
 use crate::sim::dynamics::Dynamics;
 use crate::sim::environment::{CursorPath, Environment, Lead};
+use crate::sim::group::Group;
 use crate::sim::model::{Model, ModelError};
 use crate::sim::moved::Why;
 use crate::sim::plan::{self, NOWHERE, OWN};
@@ -39,7 +40,7 @@ impl<S: Real, const D: usize> World<S, D> {
         let mut copy = self.clone();
         let t = self.timeline.time();
         for group in &mut copy.plan.groups {
-            group.hold_velocity();
+            group.beyond_rounding(Group::hold_velocity);
             group.centre_velocity(&copy.around, t);
         }
         let State { position, velocity, position_lost, velocity_lost } = copy.state_of(0..self.count());
