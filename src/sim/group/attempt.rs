@@ -24,6 +24,8 @@ pub(crate) struct Plain<S: Real, const D: usize> {
     pub(crate) engine: Box<Engine<S, D>>,
     /// Seconds of counted work for a second of the scene after which a substep is not cut for its errors any more, but goes here at once.
     pub(crate) effort: f64,
+    /// Its longest substep `[s]`.
+    pub(crate) substep: f64,
     /// As that of the group.
     pub(crate) has_yielded: bool,
 }
@@ -110,20 +112,27 @@ impl<S: Real, const D: usize> Group<S, D> {
         &mut self,
         plain: Plain<S, D>,
         around: &Environment<D>,
-        span: (f64, f64),
+        (t, h): (f64, f64),
         counters: &mut Counters,
     ) {
-        let Plain { mut engine, effort, mut has_yielded } = plain;
+        let Plain { mut engine, mut has_yielded, .. } = plain;
         std::mem::swap(&mut self.engine, &mut engine);
         let follows_turns = std::mem::replace(&mut self.guard.follows_turns, false);
         self.engine.refresh();
         std::mem::swap(&mut self.has_yielded, &mut has_yielded);
-        self.attempt(around, span, 0, counters);
+        let parts = (h / plain.substep - 1e-9).ceil().max(1.0);
+        for part in 0..parts as u32 {
+            let start = t + h * (f64::from(part) / parts);
+            self.attempt(around, (start, h / parts), 0, counters);
+            if self.edges.broken.is_some() || self.gave_up.is_some() {
+                break;
+            }
+        }
         std::mem::swap(&mut self.has_yielded, &mut has_yielded);
         self.guard.follows_turns = follows_turns;
         std::mem::swap(&mut self.engine, &mut engine);
         self.engine.refresh();
-        self.plain = Some(Plain { engine, effort, has_yielded });
+        self.plain = Some(Plain { engine, has_yielded, ..plain });
     }
 
     /// Whether the step under way is given up at `now` `[s]`, for it costs too much: what is left of it is somebody else's.

@@ -62,8 +62,8 @@ pub(crate) struct Choice {
     pub(crate) substep: f64,
     /// Rigid bonds are solved together, not swept.
     pub(crate) is_direct: bool,
-    /// Steps whose error is seen to be large are cut, and what stays violent is a plain method's.
-    pub(crate) is_checked: bool,
+    /// Steps whose error is seen to be large are cut, and what stays violent is RATTLE's, in substeps of at most this `[s]`.
+    pub(crate) plain: Option<f64>,
     /// Moved as a large body.
     pub(crate) bulk: Option<Scheme>,
 }
@@ -95,11 +95,11 @@ pub(crate) struct Setting {
 pub(crate) fn choose(island: &Island, method: &Method, setting: Setting) -> Choice {
     if island.pieces.is_some() {
         let substep = method.substep.unwrap_or(FRAME);
-        return Choice { solver: Solver::Rigid, substep, is_direct: false, is_checked: false, bulk: None };
+        return Choice { solver: Solver::Rigid, substep, is_direct: false, plain: None, bulk: None };
     }
     if let Solver::AsPrinted(source) = method.solver {
         let substep = method.substep.unwrap_or(source.substep());
-        return Choice { solver: method.solver, substep, is_direct: false, is_checked: false, bulk: None };
+        return Choice { solver: method.solver, substep, is_direct: false, plain: None, bulk: None };
     }
     let is_direct = can_be_direct(island);
     let solver = match method.solver {
@@ -109,8 +109,9 @@ pub(crate) fn choose(island: &Island, method: &Method, setting: Setting) -> Choi
     let mut bulk = scheme(island, method, setting, is_direct);
     let way = bulk.map(|scheme| scheme.way);
     let solver = if way == Some(Way::Paths) { Solver::Path } else { solver };
-    let is_checked = method.solver == Solver::Auto && solver == Solver::Rk8;
-    let longest = || if is_checked { fine_substep(island) } else { substep(island, solver, setting) };
+    let plain = (method.solver == Solver::Auto && solver == Solver::Rk8)
+        .then(|| substep(island, Solver::VelocityVerlet, setting));
+    let longest = || if plain.is_some() { fine_substep(island) } else { substep(island, solver, setting) };
     let substep = match (way, method.substep) {
         (_, Some(given)) => given,
         (Some(Way::Paths), None) => FRAME,
@@ -123,7 +124,7 @@ pub(crate) fn choose(island: &Island, method: &Method, setting: Setting) -> Choi
     };
     // Areas are held by that alone.
     let solves = solver.solves_directly() || (solver == Solver::Verlet && island.holds_areas);
-    Choice { solver, substep, is_direct: is_direct && solves && bulk.is_none(), is_checked, bulk }
+    Choice { solver, substep, is_direct: is_direct && solves && bulk.is_none(), plain, bulk }
 }
 
 /// Whether the rigid bonds of an island are few enough to be solved together. Those of a tree always are, since eliminating

@@ -42,7 +42,7 @@ impl<S: Real, const D: usize> Maker<'_, S, D> {
             let sweeps = has_relaxed || (has_rigid && pull.rigid.is_none());
             let sweeps = sweeps.then(|| self.kick_drift(bonds, points, pull, solver));
             let stages = Stages::new(points.len() * D, table.stages.len());
-            let stages = if self.lot.choice.is_checked {
+            let stages = if self.lot.choice.plain.is_some() {
                 stages.checked(self.most_error(bonds), self.lot.choice.substep)
             } else {
                 stages

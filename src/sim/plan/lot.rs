@@ -109,7 +109,7 @@ fn together(choice: Choice, class: usize, islands: Vec<Island>) -> Lot {
 
 fn live_choice(method: Method) -> Choice {
     let substep = method.substep.map_or(FRAME, |given| given.min(FRAME));
-    Choice { solver: Solver::Live, substep, is_direct: false, is_checked: false, bulk: None }
+    Choice { solver: Solver::Live, substep, is_direct: false, plain: None, bulk: None }
 }
 
 /// The groups of a class: bodies one by one, but for crowds of what does not meet and loose points, so that what happens to one leaves

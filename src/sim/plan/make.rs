@@ -95,9 +95,10 @@ impl<S: Real, const D: usize> Maker<'_, S, D> {
         };
         self.allocate(&mut points, &pull);
         let engine = self.engine(choice.solver, &bonds, &points, &pull);
-        let plain = choice.is_checked.then(|| Plain {
+        let plain = choice.plain.map(|substep| Plain {
             engine: Box::new(self.engine(Solver::VelocityVerlet, &bonds, &points, &pull)),
             effort: if self.model.method.budget.is_some() { FINE_EFFORT } else { MOST_EFFORT },
+            substep,
             has_yielded: false,
         });
         let robust = self.robust(&bonds, &points, &pull).map(Box::new);
