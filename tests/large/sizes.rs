@@ -27,13 +27,19 @@ fn by(model: Model<2>, solver: Solver) -> Model<2> {
     Model { method: Method { solver, substep: Some(0.001), iterations: Some(2), ..model.method }, ..model }
 }
 
-const SOLVED_TOGETHER: (Solver, bool) = (Solver::Rk8, false);
+const SOLVED_TOGETHER: (Solver, bool) = (Solver::VelocityVerlet, false);
 const BY_PATHS: (Solver, bool) = (Solver::Path, true);
 
 #[test]
 fn rigid_bonds_are_solved_together_up_to_two_thousand() {
     assert_eq!(moved_by(&rope(2_001)), SOLVED_TOGETHER);
     assert_eq!(moved_by(&rope(2_002)), BY_PATHS);
+}
+
+#[test]
+fn rigid_bonds_are_followed_by_order_8_up_to_two_hundred_and_fifty() {
+    assert_eq!(moved_by(&rope(251)), (Solver::Rk8, false));
+    assert_eq!(moved_by(&rope(252)), SOLVED_TOGETHER);
 }
 
 #[test]
@@ -52,7 +58,7 @@ fn a_tree_with_a_strain_goes_by_paths_up_to_four_hundred_bonds() {
 
 #[test]
 fn impacts_of_rigid_bonds_are_located_up_to_sixty() {
-    assert_eq!(moved_by(&in_a_room(rope(61))), (Solver::VelocityVerlet, false));
+    assert_eq!(moved_by(&in_a_room(rope(61))), SOLVED_TOGETHER);
     assert_eq!(moved_by(&in_a_room(rope(62))), BY_PATHS);
 }
 

@@ -19,6 +19,8 @@ const PHASE_4: f64 = 0.5;
 /// The same for one of order 8, off by about 1e-5; 5 would be the edge. And its longest substep `[s]`: what turns faster is seen by its error.
 const PHASE_8: f64 = 1.5;
 pub(crate) const LONGEST_FINE: f64 = FRAME / 2.0;
+/// Most rigid bonds of an island that goes by it: of more, a step is dear to take anew, and some part cracks like a whip all the time.
+const MOST_FINE_RODS: usize = 250;
 /// Most substeps that one frame is cut into: beyond, a scene is stiffer than explicit steps can serve.
 const MOST_SUBSTEPS: f64 = 100_000.0;
 /// Substeps a frame beyond which springs are stiff: an implicit substep costs about as much as a dozen explicit ones.
@@ -187,7 +189,7 @@ fn pick(island: &Island, setting: Setting, is_direct: bool) -> Solver {
     if island.relaxed > 0 {
         return Solver::Verlet;
     }
-    if island.rigid > 0 && is_direct && is_smooth(island, setting) {
+    if island.rigid > 0 && island.rigid <= MOST_FINE_RODS && is_direct && is_smooth(island, setting) {
         return Solver::Rk8;
     }
     if island.rigid > 0 {
