@@ -189,7 +189,8 @@ fn pick(island: &Island, setting: Setting, is_direct: bool) -> Solver {
     if island.relaxed > 0 {
         return Solver::Verlet;
     }
-    if island.rigid > 0 && island.rigid <= MOST_FINE_RODS && is_direct && is_smooth(island, setting) {
+    // What is taut between pins or around a loop answers errors of accelerations with strain.
+    if island.is_tree && (1..=MOST_FINE_RODS).contains(&island.rigid) && is_direct && is_smooth(island, setting) {
         return Solver::Rk8;
     }
     if island.rigid > 0 {
