@@ -39,18 +39,8 @@ pub(super) fn of<const D: usize>(model: &Model<D>) -> Candidates {
         && !model.has_fields()
     {
         (&[Solver::Flight], &[Solver::Flight])
-    } else if is_rigid && are_rigid_bodies(model) {
-        (&[Solver::Auto], &[Solver::Auto])
     } else if is_rigid {
-        let is_large = islands_of(model).iter().any(|island| island.rigid > MOST_DIRECT);
-        if is_large {
-            (&[Solver::Verlet], &[Solver::Verlet])
-        } else if is_there(model, Solver::Rk8) {
-            // What `auto` moves by order 8 is cut by its errors too.
-            (&[Solver::Auto, Solver::Rk8, Solver::Pefrl], &FOR_RIGID)
-        } else {
-            (&[Solver::Rk8, Solver::Pefrl], &FOR_RIGID[1..])
-        }
+        of_rigid(model)
     } else if is_damped || has_surfaces || model.mouse.is_some() || has_limits {
         (
             &[Solver::Rk8, Solver::ImplicitMidpoint],
@@ -72,13 +62,21 @@ pub(super) fn of<const D: usize>(model: &Model<D>) -> Candidates {
     Candidates { references: references.to_vec(), solvers: solvers.to_vec() }
 }
 
-/// Whether the rules move all of a model as rigid bodies: no other method has their friction.
-fn are_rigid_bodies<const D: usize>(model: &Model<D>) -> bool {
-    let all = |world: Box<dyn Dynamics>| world.parts().iter().all(|part| part.solver == Solver::Rigid);
-    build(model).is_ok_and(all)
-}
-
-/// Whether the rules move some of a model by this method.
-fn is_there<const D: usize>(model: &Model<D>, solver: Solver) -> bool {
-    build(model).is_ok_and(|world| world.parts().iter().any(|part| part.solver == solver))
+/// The candidates where bonds or areas are rigid.
+fn of_rigid<const D: usize>(model: &Model<D>) -> (&'static [Solver], &'static [Solver]) {
+    let solvers = |world: Box<dyn Dynamics>| world.parts().iter().map(|part| part.solver).collect::<Vec<_>>();
+    let moved = build(model).ok().map(solvers);
+    let is_all = |solver: Solver| moved.as_ref().is_some_and(|all| all.iter().all(|by| *by == solver));
+    let is_there = |solver: Solver| moved.as_ref().is_some_and(|all| all.contains(&solver));
+    // No other method has the friction of rigid bodies.
+    if is_all(Solver::Rigid) {
+        (&[Solver::Auto], &[Solver::Auto])
+    } else if islands_of(model).iter().any(|island| island.rigid > MOST_DIRECT) {
+        (&[Solver::Verlet], &[Solver::Verlet])
+    } else if is_there(Solver::Rk8) {
+        // What `auto` moves by order 8 is cut by its errors too.
+        (&[Solver::Auto, Solver::Rk8, Solver::Pefrl], &FOR_RIGID)
+    } else {
+        (&[Solver::Rk8, Solver::Pefrl], &FOR_RIGID[1..])
+    }
 }

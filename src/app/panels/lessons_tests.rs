@@ -1,9 +1,10 @@
 //! The panel of lessons without a window: what it shows, where it lies, and what clicks on it ask for.
 #![allow(clippy::unwrap_used, reason = "a test that cannot go on stops")]
 
-use egui::{Color32, Event, FontId, Modifiers, PointerButton, Pos2, Rect, Shape};
+use egui::{Color32, Event, FontId, Pos2, Rect, Shape};
 
 use super::lessons::{self, At, Lessons};
+use super::pointer::click;
 use super::theme::{self, ACCENT, ON_ACCENT, PANEL};
 use super::{Wish, settings};
 use crate::app::action::Action;
@@ -76,15 +77,7 @@ impl Screen {
 
     fn click(&mut self, words: &str) -> Vec<Wish> {
         let at = self.place_of(words).unwrap();
-        let press = |pressed| Event::PointerButton {
-            pos: at,
-            button: PointerButton::Primary,
-            pressed,
-            modifiers: Modifiers::NONE,
-        };
-        let mut wishes = self.frame(vec![Event::PointerMoved(at)]).0;
-        wishes.extend(self.frame(vec![press(true)]).0);
-        wishes.extend(self.frame(vec![press(false)]).0);
+        let wishes = click(at).into_iter().flat_map(|events| self.frame(events).0).collect();
         self.rest();
         wishes
     }

@@ -3,8 +3,9 @@
 
 use std::sync::Arc;
 
-use egui::{Event, Modifiers, PointerButton, Pos2, Rect, Shape, pos2, vec2};
+use egui::{Event, Pos2, Rect, Shape, pos2, vec2};
 
+use super::pointer::{button, click};
 use super::{Facts, PanelState, Wish, material};
 use crate::app::action::{Action, Tool};
 use crate::app::matter::{Among, Matter, MatterChange, Preset};
@@ -64,11 +65,7 @@ impl Screen {
     /// Clicks what is written there.
     fn click(&mut self, text: &str) -> Vec<Wish> {
         let at = self.place(text);
-        let mut all = self.frame(vec![Event::PointerMoved(at)]).0;
-        for pressed in [true, false] {
-            all.extend(self.frame(vec![button(at, pressed)]).0);
-        }
-        all
+        click(at).into_iter().flat_map(|events| self.frame(events).0).collect()
     }
 }
 
@@ -78,10 +75,6 @@ fn gather(shape: &Shape, texts: &mut Vec<(String, Pos2)>) {
         Shape::Vec(shapes) => shapes.iter().for_each(|shape| gather(shape, texts)),
         _ => {}
     }
-}
-
-fn button(pos: Pos2, pressed: bool) -> Event {
-    Event::PointerButton { pos, button: PointerButton::Primary, pressed, modifiers: Modifiers::NONE }
 }
 
 #[test]

@@ -21,6 +21,8 @@ mod palette;
 mod plots;
 #[cfg(test)]
 mod plots_tests;
+#[cfg(test)]
+mod pointer;
 mod primitives;
 mod save_to;
 mod settings;

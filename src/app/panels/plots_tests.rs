@@ -1,9 +1,10 @@
 //! The panel of plots without a window: what it draws, and what clicks on it ask for.
 #![allow(clippy::unwrap_used, reason = "a test that cannot go on stops")]
 
-use egui::{Color32, Event, Modifiers, PointerButton, Pos2, Rect, Shape, vec2};
+use egui::{Color32, Event, Pos2, Rect, Shape, vec2};
 
 use super::plots::{self, ENERGIES};
+use super::pointer::click;
 use super::theme::{PANEL, PROBES};
 use super::{Wish, theme};
 use crate::app::action::Action;
@@ -68,16 +69,7 @@ impl Screen {
 
     fn click(&mut self, words: &str) -> Vec<Wish> {
         let at = self.place_of(words).unwrap();
-        let press = |pressed| Event::PointerButton {
-            pos: at,
-            button: PointerButton::Primary,
-            pressed,
-            modifiers: Modifiers::NONE,
-        };
-        let mut wishes = self.frame(vec![Event::PointerMoved(at)]).0;
-        wishes.extend(self.frame(vec![press(true)]).0);
-        wishes.extend(self.frame(vec![press(false)]).0);
-        wishes
+        click(at).into_iter().flat_map(|events| self.frame(events).0).collect()
     }
 
     /// How many points the curves of a colour have.

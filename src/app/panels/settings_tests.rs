@@ -1,8 +1,9 @@
 //! Settings without a window: what drags and clicks on the panel ask for.
 #![allow(clippy::unwrap_used, clippy::panic, reason = "a test that cannot go on stops")]
 
-use egui::{Event, Modifiers, PointerButton, Pos2, Shape, pos2, vec2};
+use egui::{Event, Pos2, Shape, pos2, vec2};
 
+use super::pointer::button;
 use super::{Facts, PanelState, Setting, Settings, Wish, settings};
 use crate::app::player::{Note, Order, Shown, Stage};
 use crate::history::{Do, SetKeys};
@@ -56,10 +57,6 @@ impl Screen {
         let settings = wishes.into_iter().filter_map(|wish| if let Wish::Set(set) = wish { Some(set) } else { None });
         (settings.collect(), dial)
     }
-}
-
-fn button(pos: Pos2, pressed: bool) -> Event {
-    Event::PointerButton { pos, button: PointerButton::Primary, pressed, modifiers: Modifiers::NONE }
 }
 
 fn gravity(set: &Setting) -> [f64; 3] {
