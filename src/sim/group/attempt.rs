@@ -12,6 +12,8 @@ use crate::sim::real::Real;
 const MOST_SPLITS: u32 = 5;
 /// The same of one of high order before it goes to a plain one.
 const MOST_FINE_SPLITS: u32 = 20;
+/// Parts of a substep that a plain method takes at most: a scene may ask for substeps of any length.
+const MOST_PARTS: u32 = 4096;
 /// Seconds of counted work for a second of the scene after which a substep goes on without being taken back: what is left of it is
 /// taken by the more robust method, and events are dealt with where it ends.
 pub(crate) const MOST_EFFORT: f64 = 100.0;
@@ -120,10 +122,10 @@ impl<S: Real, const D: usize> Group<S, D> {
         let follows_turns = std::mem::replace(&mut self.guard.follows_turns, false);
         self.engine.refresh();
         std::mem::swap(&mut self.has_yielded, &mut has_yielded);
-        let parts = (h / plain.substep - 1e-9).ceil().max(1.0);
-        for part in 0..parts as u32 {
-            let start = t + h * (f64::from(part) / parts);
-            self.attempt(around, (start, h / parts), 0, counters);
+        let parts = ((h / plain.substep - 1e-9).ceil() as u32).clamp(1, MOST_PARTS);
+        for part in 0..parts {
+            let start = t + h * (f64::from(part) / f64::from(parts));
+            self.attempt(around, (start, h / f64::from(parts)), 0, counters);
             if self.edges.broken.is_some() || self.gave_up.is_some() {
                 break;
             }
