@@ -6,8 +6,8 @@ use crate::common;
 use common::physics::{rim, run_to, spring};
 use wobble::scene::record::{hash, ledgers};
 use wobble::sim::{
-    Bond, BondKind, Dynamics, Ledger, Method, Model, MouseForce, Plane, PointId, Profile, Region, Solver, Track, build,
-    judge,
+    Bond, BondKind, Dynamics, Ledger, Limit, Method, Model, MouseForce, Plane, PointId, Profile, Region, Solver, Track,
+    build, judge,
 };
 
 /// One point of 2 kg with a ledger, by a method with this substep [s].
@@ -128,6 +128,25 @@ fn a_bounce_takes_what_restitution_leaves_out() {
         assert!(ledger.left_over().abs() < 1e-4, "{t}: {ledger:?}");
     }
     assert_eq!(ledger(&drop(1.0), 1.8).book.impacts, 0.0);
+}
+
+#[test]
+fn a_string_that_gets_taut_takes_what_its_ends_have_of_each_other() {
+    // 2 kg fly at 2 m/s past a pin at 0.6 m: at the end of 1 m of string 1.6 m/s of that lead along it.
+    let string = Bond { limit: Limit::Max, ..Bond::new(PointId(0), PointId(1), 1.0) };
+    for solver in [Solver::Auto, Solver::VelocityVerlet, Solver::Rk4, Solver::Rk8] {
+        let flies = Model {
+            position: vec![[0.0; 2], [0.6, 0.0]],
+            velocity: vec![[0.0; 2], [0.0, 2.0]],
+            mass: vec![1.0, 2.0],
+            pinned: vec![PointId(0)],
+            bonds: [string].into_iter().collect(),
+            ..point(solver, 0.003)
+        };
+        let ledger = ledger(&flies, 1.0);
+        near(ledger.book.impacts, 2.56, 1e-2, "what the string took");
+        assert!(ledger.left_over().abs() < 1e-6, "{solver:?}: {ledger:?}");
+    }
 }
 
 #[test]

@@ -246,6 +246,22 @@ fn pins_that_are_led_take_bodies_along_and_their_work_is_told() {
     assert!(ledger.left_over().abs() < 1e-2 * ledger.most_kinetic, "{ledger:?}");
 }
 
+#[test]
+fn angles_and_springs_at_led_pins_are_in_their_work() {
+    let mut scene = triangles(2);
+    scene["points"]["position"].as_array_mut().unwrap().push(json!([2.0, 1.0]));
+    scene["points"]["pinned"] = json!([0, 5]);
+    let spring = json!({"a": 5, "b": 4, "kind": "spring", "stiffness": 40, "damping": 2, "rest": 0.5});
+    scene["bonds"].as_array_mut().unwrap().push(spring);
+    scene["angles"] = json!([{"points": [0, 2, 4], "stiffness": 3, "damping": 0.5}]);
+    let there = json!([[0, 0, 0], [1, 0.4, 0.3]]);
+    scene["pin_motion"] = json!([{"point": 0, "track": there}, {"point": 5, "track": [[0, 2, 1], [1, 2.6, 0.8]]}]);
+    scene["method"] = json!({"ledger": true});
+    let ledger = run(&mut *world(&scene), 0.9).ledger.unwrap();
+    assert!(ledger.book.pins.abs() > 1.0 && ledger.book.dampers > 0.1, "{ledger:?}");
+    assert!(ledger.left_over().abs() < 1e-3 * ledger.most_kinetic, "{ledger:?}");
+}
+
 /// Three parallel bars of 1 m between pins and a triangle, at 1 rad to the pins' side, turning at 8 rad/s: one bar more than it takes, and through its
 /// dead points.
 #[test]

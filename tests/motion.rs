@@ -14,5 +14,6 @@ mod polygons;
 mod rim;
 mod robust;
 mod rubbing;
+mod taut;
 mod toys;
 mod violent;

@@ -178,7 +178,7 @@ fn write_table(out: Option<&Path>, has_hash: bool, recording: &Recording) -> any
             "wobble: relaxed bonds are as stiff here as springs of {stiffness:.3e} N/m (bond {bond}; one alone: {alone:.3e} N/m)"
         )?;
     }
-    if let Some(balance) = recording.balance.as_ref().filter(|balance| !balance.is_kept) {
+    if let Some(balance) = recording.balance.as_ref().filter(|balance| balance.is_kept == Some(false)) {
         writeln!(std::io::stderr(), "wobble: warning: {}", balance.words())?;
     }
     if has_hash {

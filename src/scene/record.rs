@@ -233,6 +233,8 @@ pub struct RecordedLedger {
     pub wind: f64,
     /// See [`RecordedLedger::mouse`].
     pub commands: f64,
+    /// See [`RecordedLedger::mouse`].
+    pub parting: f64,
     /// Taken by dampers, drag, friction, impacts, and bonds that broke.
     pub dampers: f64,
     /// See [`RecordedLedger::dampers`].
@@ -251,7 +253,20 @@ impl From<&Ledger> for RecordedLedger {
     fn from(ledger: &Ledger) -> Self {
         let Ledger { now: Energies { kinetic, springs, gravity }, start, .. } = *ledger;
         let Book {
-            mouse, grab, pins, forces, drives, wind, commands, dampers, drag, friction, impacts, breaks, ..
+            mouse,
+            grab,
+            pins,
+            forces,
+            drives,
+            wind,
+            commands,
+            parting,
+            dampers,
+            drag,
+            friction,
+            impacts,
+            breaks,
+            ..
         } = ledger.book;
         RecordedLedger {
             kinetic,
@@ -265,6 +280,7 @@ impl From<&Ledger> for RecordedLedger {
             drives,
             wind,
             commands,
+            parting,
             dampers,
             drag,
             friction,
@@ -288,14 +304,14 @@ pub struct RecordedBalance {
     pub loss_at: f64,
     /// Whether these can be told from the work at pins that are led.
     pub is_told: bool,
-    /// Whether both are small.
-    pub is_kept: bool,
+    /// Whether both are small; `None` where that cannot be told.
+    pub is_kept: Option<bool>,
 }
 
 impl From<Verdict> for RecordedBalance {
     fn from(verdict: Verdict) -> Self {
         let Verdict { gain, gain_at, loss, loss_at, is_told } = verdict;
-        RecordedBalance { gain, gain_at, loss, loss_at, is_told, is_kept: verdict.passes() }
+        RecordedBalance { gain, gain_at, loss, loss_at, is_told, is_kept: verdict.is_told.then_some(verdict.passes()) }
     }
 }
 

@@ -4,7 +4,7 @@
 //! energy now - energy at the start = brought - taken + left over
 //! ```
 //!
-//! Energy is kinetic + springs', angles' and areas' + gravity's. What mouse, grab, led pins, forces, drives, wind and commands brought, and what dampers, drag, friction,
+//! Energy is kinetic + springs', angles' and areas' + gravity's. What mouse, grab, led pins, forces, drives, wind, commands and parting brought, and what dampers, drag, friction,
 //! impacts and breaking bonds took, are line integrals of their forces along the ways of the points, and changes of velocities
 //! where these change at once. What is left over is the method's own error.
 
@@ -31,14 +31,17 @@ pub struct Book {
     pub wind: f64,
     /// What commands changed: points and bonds that came and went, velocities that were set.
     pub commands: f64,
+    /// What the live step made, or took, as it parted bodies that began in an obstacle, in each other or in themselves: places that no forces
+    /// lead to. Below 0 it took.
+    pub parting: f64,
     /// Taken by dampers: the integral of c u^2, u the rate of a bond's length (at rest length 0 the whole relative velocity).
     pub dampers: f64,
     /// Taken by drag: the integral of m drag_rate v^2.
     pub drag: f64,
     /// Taken by friction: its force times the way along the surface, and in impacts what it changes of m v^2/2.
     pub friction: f64,
-    /// Taken by impacts with a restitution below 1, and by bonds that get taut with a jerk: the change of m v^2/2. A point that hits
-    /// at v_n across the surface loses (1 - restitution^2) m v_n^2/2.
+    /// Taken by impacts with a restitution below 1, by bonds that get taut with a jerk, and in the live step by joints at the ends of their ranges
+    /// and triangles that are crushed: the change of m v^2/2. A point that hits at v_n across the surface loses (1 - restitution^2) m v_n^2/2.
     pub impacts: f64,
     /// Springs' energy that went with bonds that broke.
     pub breaks: f64,
@@ -50,7 +53,7 @@ pub struct Book {
 impl Book {
     /// What came from outside `[J]`.
     pub fn brought(&self) -> f64 {
-        self.mouse + self.grab + self.pins + self.forces + self.drives + self.wind + self.commands
+        self.mouse + self.grab + self.pins + self.forces + self.drives + self.wind + self.commands + self.parting
     }
 
     /// What is explained of what went `[J]`.
@@ -67,6 +70,7 @@ impl Book {
         self.drives += share * other.drives;
         self.wind += share * other.wind;
         self.commands += share * other.commands;
+        self.parting += share * other.parting;
         self.dampers += share * other.dampers;
         self.drag += share * other.drag;
         self.friction += share * other.friction;

@@ -89,3 +89,34 @@ fn bodies_that_give_all_back_lose_little_and_that_is_seen() {
     assert!((verdict.loss - (1.0 - kept)).abs() < 0.05, "{verdict:?}, kept {kept}");
     assert_eq!(last.book.taken(), 0.0, "{:?}", last.book);
 }
+
+/// What begins in walls, hung up so that it cannot be put beside them, is led out at walking pace; that is told from what the method makes.
+#[test]
+fn what_begins_in_a_wall_is_led_out_slowly_and_that_is_told() {
+    let net = |kind: Value| {
+        json!({"wobble": 1, "gravity": [0, -9.81], "drag_rate": 0.5, "method": {"ledger": true},
+            "bodies": [{"make": "cloth", "columns": 3, "rows": 8, "spacing": 0.2, "diagonals": "none", "pinned": [0, 2], "material": kind}],
+            "bounds": {"min": [-3, -0.9], "max": [3, 3], "restitution": 0.3, "friction": 0.2}})
+    };
+    for kind in
+        [json!({"kind": "rigid", "mass": 1}), json!({"kind": "spring", "stiffness": 5000, "damping": 1, "mass": 1})]
+    {
+        let mut world = world(&net(kind.clone()));
+        let (mut fastest, mut list) = (0.0_f64, Vec::new());
+        for frame in 1..=120 {
+            while world.time() < f64::from(frame) / 60.0 - 1e-9 {
+                world.step();
+            }
+            let sample = world.sample(world.time());
+            fastest = sample.velocity.iter().map(|v| v[0].hypot(v[1])).fold(fastest, f64::max);
+            list.extend(sample.ledger);
+        }
+        let lowest = world.sample(world.time()).position.iter().map(|x| x[1]).fold(0.0, f64::min);
+        assert!(lowest > -0.9 - 1e-3, "{kind}: {lowest}");
+        // Falls of 1.4 m end at 5 m/s; put out at once it left at 30 and more.
+        assert!(fastest < 10.0, "{kind}: {fastest} m/s");
+        let (book, verdict) = (list.last().unwrap().book, judge(&list));
+        assert!(book.parting.abs() > 0.1, "{kind}: {book:?}");
+        assert!(verdict.gain < 0.01, "{kind}: {verdict:?} {book:?}");
+    }
+}

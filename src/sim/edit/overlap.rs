@@ -26,7 +26,7 @@ impl<S: Real, const D: usize> World<S, D> {
         }
         let bonds: &Bonds = &self.bonds;
         let hit = plan::clear(&fresh, bonds, &position, &self.inverse_mass);
-        if hit.moves.is_empty() && hit.stuck == 0 {
+        if hit.moves.is_empty() && hit.stuck.is_empty() {
             return;
         }
         let mut w = vec![0.0; self.count()];
@@ -44,5 +44,6 @@ impl<S: Real, const D: usize> World<S, D> {
             }
         }
         self.warn_of_overlap(&hit);
+        self.within.extend(hit.stuck);
     }
 }

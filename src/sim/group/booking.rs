@@ -3,12 +3,16 @@
 use super::Group;
 use super::engine::Engine;
 use crate::sim::account::{Account, driven, kinetic, middle, power_of, pushed};
+use crate::sim::bond::Limit;
 use crate::sim::counters::Counters;
 use crate::sim::environment::Environment;
 use crate::sim::ledger::Book;
 use crate::sim::pull::Pull;
 use crate::sim::real::Real;
-use crate::sim::vector::{dot, sub, widen, zero};
+use crate::sim::vector::{dot, length, sub, widen, zero};
+
+/// Share of its length by which a string may be shorter and yet is taut.
+const TAUT: f64 = 1e-9;
 
 /// What changes velocities at once.
 #[derive(Clone, Copy, Debug)]
@@ -48,6 +52,7 @@ impl<S: Real, const D: usize> Group<S, D> {
     /// Books what acted on the way from the state before, at `t` `[s]`, to the present one, `h` later.
     pub(super) fn book_path(&mut self, around: &Environment<D>, (t, h): (f64, f64)) {
         let Some(mut account) = self.account.take() else { return };
+        let before = account.book;
         if h > 0.0 {
             let mut pull = self.reacts(&account).then(|| self.pull.clone());
             let mut power =
@@ -75,7 +80,28 @@ impl<S: Real, const D: usize> Group<S, D> {
                 }
             }
         }
+        if h > 0.0 && self.gets_taut() {
+            let at = |state: (&[[S; D]], &[[S; D]])| stored(&self.pull, state, &self.points.inverse_mass);
+            let had = at((&self.before.position, &self.before.velocity));
+            let has = at((&self.points.position, &self.points.velocity));
+            let done = |book: &Book| book.brought() - book.taken();
+            account.book.impacts += (had - has + done(&account.book) - done(&before)).max(0.0);
+        }
         self.account = Some(account);
+    }
+
+    /// Whether a string that the solver decides on was slack before and is not any more: it takes what its ends had of velocity from each other.
+    fn gets_taut(&self) -> bool {
+        let Some(rigid) = self.pull.rigid.as_ref().filter(|rigid| rigid.chooses_itself()) else { return false };
+        let mut strings = rigid.strings();
+        strings.any(|(_, row)| {
+            let slack = |x: &[[S; D]]| {
+                let over = length(sub(x[row.a as usize], x[row.b as usize])) - row.rest_length;
+                if row.limit == Limit::Max { -over } else { over }
+            };
+            let none = row.rest_length * S::from_f64(TAUT);
+            slack(&self.before.position) > none && slack(&self.points.position) <= none
+        })
     }
 
     /// Whether what bonds and surfaces answer does work.
@@ -118,4 +144,13 @@ impl<S: Real, const D: usize> Group<S, D> {
         }
         power
     }
+}
+
+/// Kinetic energy, that of springs, angles and areas, and gravity's, of points in this state `[J]`.
+fn stored<S: Real, const D: usize>(pull: &Pull<S, D>, (x, v): (&[[S; D]], &[[S; D]]), w: &[S]) -> f64 {
+    let springs =
+        pull.springs.iter().map(|spring| spring.energy(sub(x[spring.a as usize], x[spring.b as usize])).to_f64());
+    let elastic = springs.sum::<f64>() + pull.form.energy(x).to_f64();
+    let fall = |i: usize| if w[i] == S::ZERO { 0.0 } else { dot(pull.gravity, widen(x[i])) / w[i].to_f64() };
+    kinetic(v, w) + elastic - (0..x.len()).map(fall).sum::<f64>()
 }

@@ -49,7 +49,9 @@ pub(crate) fn strike<S: Real, const D: usize>(
         None => strike_loose(points, contacts, &mut targets, &mut pressed),
     }
     if let (Some(book), Some(start), Some(pressed)) = (book, start, pressed) {
-        let takes = hits.iter().any(|hit| contacts.obstacles.surfaces[hit.surface].restitution < S::ONE);
+        // Where nothing hits strings do, which get taut and give nothing back.
+        let gives_back = |hit: &Hit| contacts.obstacles.surfaces[hit.surface].restitution >= S::ONE;
+        let takes = hits.is_empty() || !hits.iter().all(gives_back);
         // What an elastic impact takes, or any gives, is the method's own.
         book.impacts += if takes { (start - pressed).max(0.0) } else { 0.0 };
         book.friction += (pressed - kinetic(&points.velocity, &points.inverse_mass)).max(0.0);

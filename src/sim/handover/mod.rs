@@ -184,12 +184,27 @@ impl<S: Real, const D: usize> World<S, D> {
         if !std::mem::take(&mut self.is_fresh) {
             return;
         }
+        self.lead_out();
         if let Some(budget) = self.model.budget() {
             self.keep_budget(allowed(budget, FRAME), self.timeline.time(), least_work);
         }
         if self.was_handed_over {
             self.was_handed_over = !self.stretch_steps();
         }
+    }
+
+    /// What lies in obstacles goes live, which leads it out slowly: by the exact methods its points are put out at once, and its bonds throw it
+    /// about. What is rigid they put out as a whole.
+    fn lead_out(&mut self) {
+        let within = std::mem::take(&mut self.within);
+        if self.model.budget().is_none() {
+            return;
+        }
+        let mut places: Vec<usize> = within.iter().filter_map(|&point| Some(self.slot(point as usize)?[0])).collect();
+        places.retain(|&place| can_be_cheaper(&self.plan.groups[place]));
+        places.sort_unstable();
+        places.dedup();
+        self.go_live(&places, self.timeline.time(), Why::Alarm);
     }
 
     /// Whether a group may go live that took clearly more than the live step would, in the frame that ended last.

@@ -144,5 +144,6 @@ fn open<S: Real>(state: &mut Cluster<S>, area: &Area<S>, (base, share): (usize, 
         state.start[i] = add(state.start[i], creep);
         state.way[i] = add(state.way[i], shift);
         state.now[i] = add(state.now[i], add(creep, shift));
+        state.note_stop(i, shift);
     }
 }

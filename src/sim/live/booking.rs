@@ -1,6 +1,6 @@
 //! What a step of a cluster is written into the ledger as.
 //!
-//! Contacts, friction and dampers are booked by the work of their own impulses: J . (u0 + u1)/2, with u0 and u1 the velocities at both
+//! Contacts, stops of joints and of triangles that are crushed, friction and dampers are booked by the work of their own impulses: J . (u0 + u1)/2, with u0 and u1 the velocities at both
 //! ends of a substep; what restitution gives back is taken off again. Drag, and what settles what touches and is slow, is the change of
 //! m v^2/2 that it makes. Nothing else explains a loss: what the method takes beyond that is left over, as its own error, and so is what
 //! contacts take that are to give all back.
@@ -88,6 +88,14 @@ impl<S: Real> Cluster<S> {
         }
     }
 
+    /// Notes how far a stop that gives nothing back pushes a point `[m]`: the end of a joint's range, or of what a triangle may be crushed to.
+    #[inline(always)]
+    pub(super) fn note_stop(&mut self, i: usize, way: [S; 2]) {
+        if let Some(tally) = &mut self.tally {
+            tally.push(i, S::ZERO, (way, zero()));
+        }
+    }
+
     /// What forces did in a substep, and of the wind its gusts and all of it `[J]`.
     pub(super) fn book_fields(&mut self, forces: S, [gusts, wind]: [S; 2]) {
         if let Some(tally) = &mut self.tally {
@@ -103,6 +111,15 @@ impl<S: Real> Cluster<S> {
             tally.apart += seen.to_f64();
             tally.taken.drives += booked.to_f64();
             tally.taken.dampers += damped.to_f64();
+        }
+    }
+
+    /// Of a step that led bodies out of others it made so much energy in all `[J]`: what nothing else brought or took, parting did.
+    pub(super) fn book_parting(&mut self, made: S) {
+        let mouse = self.work.to_f64();
+        if let Some(tally) = &mut self.tally {
+            let brought = tally.taken.brought() + mouse - tally.apart;
+            tally.taken.parting += made.to_f64() - brought + tally.taken.taken();
         }
     }
 

@@ -7,6 +7,7 @@ use super::booking::Tally;
 use super::build::Bodies;
 use super::drives::{Muscle, Turn};
 use super::pair::{OnPlane, Pair, Sides};
+use super::rest::Lies;
 use super::rig::Rigged;
 use super::rigid::Frame;
 use super::tangle::Tangle;
@@ -89,8 +90,11 @@ pub(super) struct Cluster<S: Real> {
     pub(super) span: S,
     /// The largest radius of its skins `[m]`.
     pub(super) widest: S,
-    /// How far an overlap of two skins is mended in a substep at most `[m]`.
+    /// How far an overlap of two skins, or of what began in an obstacle, is mended in a substep at most `[m]`.
     pub(super) gentle: S,
+    /// How its bodies lie in others as the step begins, and which of them were led out but not far enough.
+    pub(super) lies: Vec<Lies>,
+    pub(super) sunk: Vec<bool>,
     /// Something pressed something in this step.
     pub(super) has_pressed: bool,
     /// Work that mouse and other forces did in this step `[J]`.

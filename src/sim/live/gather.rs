@@ -2,6 +2,7 @@
 
 use super::Live;
 use super::areas::Thin;
+use super::body::Body;
 use super::cluster::{Cluster, Common, Counts, OBSTACLE, Side};
 use crate::sim::counters::Counters;
 use crate::sim::environment::Environment;
@@ -127,6 +128,8 @@ impl<S: Real> Live<S> {
             span: S::ZERO,
             widest: S::ZERO,
             gentle: S::ZERO,
+            lies: bodies.iter().map(|&body| self.rests[body].lies).collect(),
+            sunk: vec![false; bodies.len()],
             has_pressed: false,
             work: S::ZERO,
             debt: S::from_f64(bodies.iter().map(|&body| self.rests[body].debt).sum()),
@@ -258,11 +261,14 @@ impl<S: Real> Cluster<S> {
         let shortest = self.least_promise.to_f64() / PROMISE;
         let wanted = speed * frame / (WAY * shortest);
         let moving = self.members(common).zip(&self.settles).filter(|(_, settles)| !**settles);
-        let affordable = |[few, fine]: [u32; 2]| {
+        let affordable = |body: &Body<S>| {
+            let [few, fine] = body.least_substeps;
             let is_affordable = |count: &u32| *count > 0 && *count <= self.most_substeps;
-            Some(fine).filter(is_affordable).or(Some(few).filter(is_affordable))
+            // Springs that no number of substeps makes forces are the softer the fewer there are.
+            let most = (few == 0 && body.springs.len() > 0).then_some(self.most_substeps);
+            Some(fine).filter(is_affordable).or(Some(few).filter(is_affordable)).or(most)
         };
-        let least = moving.filter_map(|((body, _), _)| affordable(body.least_substeps)).max().unwrap_or_default();
+        let least = moving.filter_map(|((body, _), _)| affordable(body)).max().unwrap_or_default();
         let is_enough = |count: &u32| f64::from(*count) >= wanted && *count >= least;
         SUBSTEPS.into_iter().find(is_enough).unwrap_or(SUBSTEPS[3])
     }

@@ -58,6 +58,14 @@ pub(super) fn elastic<S: Real>(state: &Cluster<S>, common: &Common<S>) -> S {
     sum
 }
 
+/// All energy, of springs as they are `[J]`.
+pub(super) fn all<S: Real>(state: &mut Cluster<S>, common: &Common<S>, gravity: [f64; 2]) -> S {
+    let span = std::mem::replace(&mut state.span, S::ZERO);
+    let sum = energy(state, gravity) + elastic(state, common);
+    state.span = span;
+    sum
+}
+
 /// Slows points down until the energy fits: about their mean velocity, whose momentum stays, unless something holds them. What they do
 /// not have yet is owed: bodies that are led out of each other may squeeze others, whose springs let go later.
 pub(super) fn hold<S: Real>(state: &mut Cluster<S>, common: &Common<S>, (before, gravity, h): (S, [f64; 2], f64)) {

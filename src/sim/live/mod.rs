@@ -44,6 +44,7 @@ mod tangle;
 mod tree;
 mod truncate;
 mod walls;
+mod within;
 
 use std::any::Any;
 use std::sync::Arc;
@@ -185,7 +186,7 @@ impl<S: Real> Live<S> {
             walls,
             sides: Vec::new(),
             tangle: Tangle::new(count),
-            rests: vec![Rest::default(); count],
+            rests: vec![Rest::fresh(); count],
             anchor: Vec::new(),
             settling: vec![S::ZERO; count],
             bond_count: draft.bonds.len(),
@@ -230,15 +231,22 @@ impl<S: Real> Live<S> {
         cluster.span = S::from_f64(own);
         detect::look(cluster, common);
         cluster.is_violent = cluster.is_struck();
+        cluster.see_within(common);
         bonds::prepare(cluster, common, cluster.span);
         drives::prepare(cluster, common, (t, around), cluster.span);
         let before = moving + guard::elastic(cluster, common);
+        let held = cluster.tally.is_some().then(|| guard::all(cluster, common, pull.gravity));
         for substep in 0..count as u32 {
             substep::advance(cluster, common, outside, (t + f64::from(substep) * own, own));
         }
         // What is no number any more is not to be shared out.
         if cluster.is_finite() {
             guard::hold(cluster, common, (before, pull.gravity, h));
+            cluster.note_couples();
+            if let Some(held) = held.filter(|_| cluster.sunk.contains(&true)) {
+                let made = guard::all(cluster, common, pull.gravity) - held;
+                cluster.book_parting(made);
+            }
         }
     }
 }

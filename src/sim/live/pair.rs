@@ -5,7 +5,8 @@ use super::rigid::Change;
 use crate::sim::real::Real;
 use crate::sim::vector::{add, dot, scale, sub};
 
-/// Share of an overlap of skins that was there before a substep that is mended in it, without speed; obstacles put points out at once.
+/// Share of an overlap of skins that was there before a substep that is mended in it, without speed; obstacles put points out at once, but for
+/// what began in them.
 const MENDED: f64 = 0.2;
 
 /// Share of the speed that came in by which what restitution asks for may be missed.
@@ -59,6 +60,8 @@ pub(super) struct OnPlane<S> {
     pub(super) normal: [S; 2],
     pub(super) pressed: S,
     pub(super) rubbed: S,
+    /// Depth that is left from before the substep, of what began in the surface `[m]`.
+    pub(super) old: S,
     /// It slides on.
     pub(super) slips: bool,
     pub(super) approach: S,
@@ -165,7 +168,13 @@ impl<S: Real> Pair<S> {
             if overlap > S::ZERO {
                 // Between skins slowly: a body that is deep in another would be torn, its springs loaded from nowhere.
                 let is_between_skins = p.max(a) < state.own();
-                let mended = if is_between_skins { (overlap * S::from_f64(MENDED)).min(state.gentle) } else { overlap };
+                let mended = match is_between_skins {
+                    true => {
+                        [p, a].into_iter().for_each(|i| _ = state.note_within(i, overlap));
+                        (overlap * S::from_f64(MENDED)).min(state.gentle)
+                    }
+                    false => state.led_out(p.min(a), overlap),
+                };
                 state.push(points, at, scale(normal, mended / w), Change::Place);
                 gap += mended;
                 self.old = overlap - mended;

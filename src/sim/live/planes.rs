@@ -14,6 +14,7 @@ impl<S: Real> OnPlane<S> {
             normal,
             pressed: S::ZERO,
             rubbed: S::ZERO,
+            old: S::ZERO,
             slips: false,
             approach: S::ZERO,
             bounced: S::ZERO,
@@ -23,7 +24,7 @@ impl<S: Real> OnPlane<S> {
 
     #[inline(always)]
     pub(super) fn clear(&mut self) {
-        (self.pressed, self.rubbed, self.bounced, self.is_met) = (S::ZERO, S::ZERO, S::ZERO, false);
+        (self.pressed, self.rubbed, self.bounced, self.old, self.is_met) = (S::ZERO, S::ZERO, S::ZERO, S::ZERO, false);
     }
 
     /// Puts the point out.
@@ -40,10 +41,13 @@ impl<S: Real> OnPlane<S> {
             self.approach = dot(state.begun[p], normal);
             let depth = self.depth(common, state.start[p]);
             if depth > S::ZERO {
-                state.push_one(p, scale(normal, depth / state.own_weight(p, normal)), Change::Place);
-                gap += depth;
+                let out = state.led_out(p, depth);
+                state.push_one(p, scale(normal, out / state.own_weight(p, normal)), Change::Place);
+                gap += out;
+                self.old = depth - out;
             }
         }
+        gap += self.old;
         let before = self.pressed;
         self.pressed = (before - gap / state.own_weight(p, normal)).max(S::ZERO);
         let [friction, restitution] = self.surface(common);
@@ -104,7 +108,7 @@ impl<S: Real> OnPlane<S> {
 
     /// How deep in the surface the point was as the substep began `[m]`.
     #[inline(always)]
-    fn depth(&self, common: &Common<S>, start: [S; 2]) -> S {
+    pub(super) fn depth(&self, common: &Common<S>, start: [S; 2]) -> S {
         let gap = match common.circle_of(self) {
             None => common.planes[self.surface as usize].gap(start),
             Some(circle) => circle.gap(start),

@@ -39,9 +39,28 @@ pub(super) struct Rest {
     aloft: f64,
     /// Its share of the energy that its cluster owes `[J]`.
     pub(super) debt: f64,
+    /// How it lies in others.
+    pub(super) lies: Lies,
+}
+
+/// How a body lies in obstacles, in others or in itself since it began.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub(super) enum Lies {
+    /// Nobody looked.
+    Anyhow,
+    /// It began in them, and is led out slowly.
+    Within,
+    /// It is out: what gets in from now on is put out at once.
+    #[default]
+    Clear,
 }
 
 impl Rest {
+    /// Of a body that nobody looked at yet.
+    pub(super) fn fresh() -> Self {
+        Rest { lies: Lies::Anyhow, ..Rest::default() }
+    }
+
     /// It has been slow and touched something for a while: its springs are damped.
     pub(super) fn settles(self) -> bool {
         self.slow > CALM
@@ -104,6 +123,7 @@ impl<S: Real> Live<S> {
             let [sticks, slips] = touches[k];
             let rest = &mut self.rests[body];
             rest.debt = (cluster.debt * count).to_f64() / cluster.own() as f64;
+            rest.lies = if cluster.sunk[k] { Lies::Within } else { Lies::Clear };
             rest.touches = sticks + slips > 0;
             rest.aloft = if rest.touches { 0.0 } else { rest.aloft + h };
             let slow = S::from_f64(SLOW[usize::from(cluster.is_rigid(k as u32))]);

@@ -115,7 +115,11 @@ pub(super) fn stop<S: Real>(state: &mut Cluster<S>, hinge: &Hinge<S>, base: usiz
         state.start[i] = add(state.start[i], creep);
         state.now[i] = add(state.now[i], creep);
     }
-    push(state, points, stand.slopes, bounded(-(beyond - missed) / weight, weight));
+    let multiplier = bounded(-(beyond - missed) / weight, weight);
+    for (point, slope) in points.into_iter().zip(stand.slopes) {
+        state.note_stop(point as usize, scale(slope, multiplier * state.w[point as usize]));
+    }
+    push(state, points, stand.slopes, multiplier);
 }
 
 fn keep<S: Real>(state: &mut Cluster<S>, area: &Area<S>, base: usize) {

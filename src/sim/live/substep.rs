@@ -28,7 +28,7 @@ const MOST_ROUNDS: u64 = 128;
 /// How far contacts and areas may push a point beyond its way within a substep, in the least promise: pairs further apart are left out.
 pub(super) const PUSHED: f64 = 0.2;
 /// How fast skins that overlap are parted at most `[m/s]`.
-const GENTLE: f64 = 1.0;
+pub(super) const GENTLE: f64 = 1.0;
 
 /// Substeps up to which velocities are left as forces made them `[s]`: what bonds and contacts still lack of the step before is made good, but is
 /// no speed, which it would be beyond all bounds over so short a time.

@@ -32,8 +32,8 @@ const MOST_ROUNDS: u32 = 400;
 pub(crate) struct Cleared<const D: usize> {
     /// Bodies that are to be moved: their points, and how far `[m]`.
     pub(crate) moves: Vec<(Vec<u32>, [f64; D])>,
-    /// Bodies that are held by pins, or for which there is no way out.
-    pub(crate) stuck: usize,
+    /// Bodies that are held by pins, or for which there is no way out: of each a point that can move.
+    pub(crate) stuck: Vec<u32>,
 }
 
 impl<const D: usize> Cleared<D> {
@@ -73,7 +73,7 @@ pub(crate) fn clear<const D: usize>(
         let Some(search) = Search::new(obstacles, placed, &body.bonds) else { continue };
         match if body.is_pinned { None } else { search.way_out() } {
             Some(way) => cleared.moves.push((body.points, way)),
-            None => cleared.stuck += 1,
+            None => cleared.stuck.extend(body.points.iter().find(|&&i| w[i as usize] != 0.0)),
         }
     }
     cleared

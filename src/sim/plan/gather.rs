@@ -4,6 +4,7 @@ use super::drive::Drives;
 use super::island::{Patched, Ties};
 use super::lot::Lot;
 use super::make::Maker;
+use super::taut::{self, Stand};
 use super::{Plan, PlanPart};
 use crate::sim::bond::{Bond, PointId};
 use crate::sim::bonds::Bonds;
@@ -99,6 +100,19 @@ impl<S: Real, const D: usize> Gathered<S, D> {
             self.w[i] = 1.0 / mass;
             self.state.position[i] = x.map(S::from_f64);
             self.state.velocity[i] = v.map(S::from_f64);
+        }
+    }
+
+    /// Points that taut rows hold stand still.
+    pub(super) fn hold_taut(&mut self, model: &Model<D>) {
+        let mut kinds: Vec<Stand> = self.w.iter().map(|&w| if w == 0.0 { Stand::Still } else { Stand::Free }).collect();
+        for (pin, _) in &model.pin_motion {
+            kinds[self.stand_ins[pin.index()] as usize] = Stand::Led;
+        }
+        let State { position, velocity, .. } = &mut self.state;
+        for point in taut::held(&self.bonds, |i| widen(position[i as usize]), kinds, S::EPSILON.to_f64()) {
+            self.w[point as usize] = 0.0;
+            velocity[point as usize] = zero();
         }
     }
 

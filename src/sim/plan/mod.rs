@@ -17,6 +17,7 @@ mod printed;
 mod reconcile;
 mod rigid;
 pub(crate) mod structure;
+mod taut;
 pub(crate) mod weld;
 
 use super::bond::{Bond, BondKind};
@@ -113,9 +114,13 @@ pub(crate) fn compile<S: Real, const D: usize>(
         Solver::Relaxation | Solver::AsPrinted(_) => (0..w.len() as u32).collect(),
         _ => weld::merge(bonds, &w),
     };
-    let gathered = Gathered::new(model, (bonds, numbers), &w, &stand_ins, state);
+    let mut gathered = Gathered::new(model, (bonds, numbers), &w, &stand_ins, state);
     let pairs = gathered.drives.pairs(model);
     let mut islands = island::islands_joined(&gathered.bonds, &gathered.ties, &gathered.w, &pairs);
+    // An island stays whole: what holds its points may go.
+    if model.method.solver.solves_directly() || model.is_live() {
+        gathered.hold_taut(model);
+    }
     gathered.drives.mark(&mut islands);
     drive::press(model, &mut islands);
     rigid::mark(&gathered, (model, !obstacles.is_empty()), &mut islands);

@@ -348,20 +348,25 @@ impl<'a, S: Real, const D: usize> Moving<'a, S, D> {
                 .collect()
         };
         if !linkage.ties.is_empty() {
-            let mut forces = linkage.ties.still(self.stand(motions, t));
+            let mut pulled = linkage.ties.still(self.stand(motions, t));
             if linkage.ties.is_damped() {
                 // Dampers pull with the velocity in the middle of the kick, as the joints leave it.
-                let ahead: Vec<Vec<Push>> =
-                    pushes.iter().zip(&forces).map(|(pushes, force)| [&pushes[..], &[*force]].concat()).collect();
+                let ahead: Vec<Vec<Push>> = pushes
+                    .iter()
+                    .zip(&pulled.pushes)
+                    .map(|(pushes, force)| [&pushes[..], &[*force]].concat())
+                    .collect();
                 let mut twists = kick(&ahead, 0.5 * h, None);
                 joints.hold(&mut twists, &joints.leads);
                 let middle: Vec<Motion> =
                     motions.iter().zip(twists).map(|(motion, twist)| Motion { twist, ..*motion }).collect();
-                let (damped, taken) = linkage.ties.damped(self.stand(&middle, t));
-                book.iter_mut().for_each(|book| book.dampers += taken * h);
-                forces = damped;
+                pulled = linkage.ties.damped(self.stand(&middle, t));
             }
-            pushes.iter_mut().zip(forces).for_each(|(pushes, force)| pushes.push(force));
+            if let Some(book) = book.as_mut() {
+                book.dampers += pulled.taken * h;
+                book.pins += pulled.led * h;
+            }
+            pushes.iter_mut().zip(pulled.pushes).for_each(|(pushes, force)| pushes.push(force));
         }
         kick(&pushes, h, book)
     }

@@ -19,6 +19,13 @@ pub(crate) struct Ties {
     pub(super) rates: [f64; 2],
 }
 
+/// What ties do: to each body, what their dampers take, and power of the led pins that they pull at `[W]`.
+pub(super) struct Pulled {
+    pub(super) pushes: Vec<Push>,
+    pub(super) taken: f64,
+    pub(super) led: f64,
+}
+
 impl Ties {
     /// None.
     pub(crate) fn none() -> Self {
@@ -41,16 +48,16 @@ impl Ties {
         self.springs.is_damped() || self.form.is_damped()
     }
 
-    /// What they do to each body, dampers apart.
-    pub(super) fn still(&self, stand: Stand) -> Vec<Push> {
+    /// What they do to each body, dampers apart, and what led pins do by them.
+    pub(super) fn still(&self, stand: Stand) -> Pulled {
         let (x, mut force) = (self.places(stand), vec![[0.0; 2]; self.seats.len()]);
         pull_at_rest(self.springs.iter().as_slice(), &x, &mut force);
         self.form.pull_at_rest(&x, &mut force);
-        self.gathered(stand, &x, &force)
+        Pulled { pushes: self.gathered(stand, &x, &force), taken: 0.0, led: self.led(stand, &force) }
     }
 
-    /// What they do to each body, dampers included, and what those take `[W]`.
-    pub(super) fn damped(&self, stand: Stand) -> (Vec<Push>, f64) {
+    /// What they do to each body, dampers included, what those take, and what led pins do.
+    pub(super) fn damped(&self, stand: Stand) -> Pulled {
         let x = self.places(stand);
         let v: Vec<[f64; 2]> = self.seats.iter().map(|&end| stand.velocity(end)).collect();
         let mut both = [vec![[0.0; 2]; x.len()], vec![[0.0; 2]; x.len()]];
@@ -60,7 +67,13 @@ impl Ties {
         self.form.pull_at_rest(&x, &mut both[1]);
         let [all, still] = &both;
         let taken = all.iter().zip(still).zip(&v).map(|((all, still), v)| dot(sub(*still, *all), *v)).sum();
-        (self.gathered(stand, &x, all), taken)
+        Pulled { pushes: self.gathered(stand, &x, all), taken, led: self.led(stand, all) }
+    }
+
+    /// Power of led pins that these forces pull at `[W]`.
+    fn led(&self, stand: Stand, force: &[[f64; 2]]) -> f64 {
+        let fixed = self.seats.iter().zip(force).filter(|(seat, _)| matches!(seat, End::Fixed(_)));
+        -fixed.map(|(&seat, &force)| dot(force, stand.velocity(seat))).sum::<f64>()
     }
 
     fn places(&self, stand: Stand) -> Vec<[f64; 2]> {

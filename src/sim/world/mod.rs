@@ -57,6 +57,8 @@ pub struct World<S: Real, const D: usize> {
     pub(crate) was_handed_over: bool,
     /// Something was compiled since the last step.
     pub(crate) is_fresh: bool,
+    /// A point each of bodies that lie in obstacles, and are led out before anything else.
+    pub(crate) within: Vec<u32>,
     /// The points that are grabbed; the groups that they are in lead them.
     pub(crate) grabbed: Vec<PointId>,
     /// Pins that may be met, and the topology that they are of.

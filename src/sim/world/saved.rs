@@ -128,6 +128,7 @@ impl<S: Real, const D: usize> World<S, D> {
             kept: Vec::new(),
             was_handed_over: false,
             is_fresh: true,
+            within: Vec::new(),
             fixtures: (None, Arc::new([])),
             grabbed: saved.grabbed.clone(),
             frozen: Vec::new(),

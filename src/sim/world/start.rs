@@ -85,6 +85,7 @@ impl<S: Real, const D: usize> World<S, D> {
             kept: Vec::new(),
             was_handed_over: false,
             is_fresh: true,
+            within: Vec::new(),
             fixtures: (None, Arc::new([])),
             grabbed: Vec::new(),
             frozen: Vec::new(),
@@ -102,6 +103,7 @@ impl<S: Real, const D: usize> World<S, D> {
         world.warn_of_flat(&position);
         world.warn_of_nested(&position);
         world.begin(&state);
+        world.within = cleared.stuck;
         world.foresee();
         world.begin_ledger();
         Ok(world)

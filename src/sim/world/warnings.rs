@@ -39,11 +39,11 @@ impl<S: Real, const D: usize> World<S, D> {
                 cleared.furthest()
             ));
         }
-        if cleared.stuck > 0 {
+        if !cleared.stuck.is_empty() {
             self.warnings.push(format!(
                 "{} started inside an obstacle without a way out, or pinned: only points are put out, one by one, as far \
                  as bonds let them",
-                several(cleared.stuck)
+                several(cleared.stuck.len())
             ));
         }
     }

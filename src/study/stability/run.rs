@@ -237,7 +237,8 @@ impl<'a> Drive<'a> {
     fn new(subject: &'a Subject, shape: Shape, (replay, told): (Replay, Option<f64>)) -> Self {
         let sample = replay.world().sample(replay.world().time());
         let ledger = sample.ledger.into_iter().collect();
-        let (steps, surfaces) = (Vec::new(), Surfaces::default());
+        let (steps, mut surfaces) = (Vec::new(), Surfaces::default());
+        surfaces.begin(replay.world(), &sample.position);
         let (place, refused) = (0, 0);
         let (depth, way) = (0.0, 0.0);
         let strain = Strain::new(subject.recording.scene.method.max_strain);

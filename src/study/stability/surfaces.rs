@@ -10,10 +10,24 @@ pub(super) struct Surfaces {
     /// Unit normals towards the free side with their offsets.
     planes: Vec<([f64; 3], f64)>,
     solids: Option<Solids>,
+    /// How deep each point began `[m]`; empty where none did.
+    began: Vec<f64>,
 }
 
+/// What began inside has to be led out at this speed at least `[m/s]`, half of what is tried.
+const LED_OUT: f64 = 0.5;
+
 impl Surfaces {
-    /// The deepest place of any point that moves `[m]`; 0 where all are outside.
+    /// Points begin at these places.
+    pub(super) fn begin(&mut self, world: &dyn Dynamics, position: &[[f64; 3]]) {
+        self.follow(world);
+        self.began = position.iter().map(|x| self.of(x)).collect();
+        if self.began.iter().all(|&depth| depth == 0.0) {
+            self.began.clear();
+        }
+    }
+
+    /// The deepest place of any point that moves `[m]`; 0 where all are outside. Of what began inside: how much deeper than it may still be.
     ///
     /// Shapes: positions, an entry a point, NaN of those that are gone.
     pub(super) fn depth(&mut self, world: &dyn Dynamics, position: &[[f64; 3]]) -> f64 {
@@ -22,7 +36,8 @@ impl Surfaces {
         let is_free = |point: usize| !pinned.contains(&PointId(point as u32));
         let mut deepest = 0.0_f64;
         for (point, x) in position.iter().enumerate() {
-            let depth = self.of(x);
+            let began = self.began.get(point).map_or(0.0, |began| (began - LED_OUT * world.time()).max(0.0));
+            let depth = self.of(x) - began;
             if depth > deepest && is_free(point) {
                 deepest = depth;
             }
