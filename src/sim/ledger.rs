@@ -53,12 +53,19 @@ pub struct Book {
 impl Book {
     /// What came from outside `[J]`.
     pub fn brought(&self) -> f64 {
-        self.mouse + self.grab + self.pins + self.forces + self.drives + self.wind + self.commands + self.parting
+        self.mouse
+            + self.grab
+            + self.pins
+            + self.forces
+            + self.drives
+            + self.wind
+            + self.commands
+            + self.parting.max(0.0)
     }
 
     /// What is explained of what went `[J]`.
     pub fn taken(&self) -> f64 {
-        self.dampers + self.drag + self.friction + self.impacts + self.breaks
+        self.dampers + self.drag + self.friction + self.impacts + self.breaks + (-self.parting).max(0.0)
     }
 
     /// Adds `share` times the works of another.

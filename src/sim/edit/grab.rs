@@ -27,8 +27,8 @@ impl<S: Real, const D: usize> World<S, D> {
             Reach::Within(radius) if *radius > 0.0 && radius.is_finite() => self.points_within(*radius),
             Reach::Within(radius) => return Err(invalid(format!("`within` is {radius}: it must be finite and > 0"))),
         };
-        // A pin holds.
-        points.retain(|point| self.inverse_mass[point.index()] > 0.0);
+        // A pin holds, and what is taut between pins.
+        points.retain(|point| self.can_move(point.index()));
         points.sort_unstable();
         points.dedup();
         if points.is_empty() {
@@ -98,9 +98,13 @@ impl<S: Real, const D: usize> World<S, D> {
                 }
                 continue;
             }
-            let mut slots: Vec<u32> = own.iter().filter_map(|p| Some(self.slot(p.index())?[1] as u32)).collect();
+            let free = own.iter().filter(|point| self.can_move(point.index()));
+            let mut slots: Vec<u32> = free.filter_map(|point| Some(self.slot(point.index())?[1] as u32)).collect();
             slots.sort_unstable();
             slots.dedup();
+            if slots.is_empty() {
+                continue;
+            }
             let body_mass = self.mass_around(own);
             let lead = |slot: &u32| self.plan.groups[*group].most_lead(*slot);
             let most_lead = slots.first().and_then(lead).map_or(f64::INFINITY, |most| GRAB_LEAD * most);

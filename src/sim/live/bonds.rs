@@ -104,6 +104,8 @@ pub(super) struct Hold<S> {
     drag: S,
     most: S,
     limit: Limit,
+    /// A rigid one with a limit: it gets taut with a jerk, which gives nothing back.
+    jerks: bool,
     /// What the inverse masses of its ends are added to, where some end goes with a frame: it feels those in its direction; and the share of the
     /// error.
     framed: Option<[S; 2]>,
@@ -127,6 +129,7 @@ impl<S: Real> Hold<S> {
             drag,
             most: link.most,
             limit: link.limit,
+            jerks: is_rigid && link.limit != Limit::Both,
             framed: is_framed.then_some([softness, link.share]),
         })
     }
@@ -308,13 +311,21 @@ fn project<S: Real>(state: &mut Cluster<S>, holds: &[Hold<S>]) {
             let push = scale(along, error * share / ((S::ONE + hold.drag) * felt + softness));
             state.push_point(a, scale(push, -S::ONE), Change::Way);
             state.push_point(b, push, Change::Way);
+            if hold.jerks {
+                [(a, -S::ONE), (b, S::ONE)]
+                    .into_iter()
+                    .for_each(|(i, goes)| state.note_stop(i, scale(push, goes * state.w[i])));
+            }
             continue;
         }
         let shift = scale(along, error * hold.inverse);
-        for (i, share) in [(a, -w[a]), (b, w[b])] {
-            let own = scale(shift, share);
+        let shifts = [(a, scale(shift, -w[a])), (b, scale(shift, w[b]))];
+        for (i, own) in shifts {
             now[i] = add(now[i], own);
             way[i] = add(way[i], own);
+        }
+        if hold.jerks {
+            shifts.into_iter().for_each(|(i, own)| state.note_stop(i, own));
         }
     }
 }

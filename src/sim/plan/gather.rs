@@ -11,6 +11,7 @@ use crate::sim::bonds::Bonds;
 use crate::sim::bulk::kernel::Kernel;
 use crate::sim::contact::obstacles::Obstacles;
 use crate::sim::force::angle::Angle;
+use crate::sim::force::mouse::Track;
 use crate::sim::model::Model;
 use crate::sim::points::State;
 use crate::sim::real::Real;
@@ -106,7 +107,9 @@ impl<S: Real, const D: usize> Gathered<S, D> {
     /// Points that taut rows hold stand still.
     pub(super) fn hold_taut(&mut self, model: &Model<D>) {
         let mut kinds: Vec<Stand> = self.w.iter().map(|&w| if w == 0.0 { Stand::Still } else { Stand::Free }).collect();
-        for (pin, _) in &model.pin_motion {
+        let place = |pin: &PointId| widen(self.state.position[pin.index()]);
+        let goes = |(pin, track): &&(PointId, Track<D>)| track.knots.iter().any(|knot| knot.1 != place(pin));
+        for (pin, _) in model.pin_motion.iter().filter(goes) {
             kinds[self.stand_ins[pin.index()] as usize] = Stand::Led;
         }
         let State { position, velocity, .. } = &mut self.state;

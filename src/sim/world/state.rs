@@ -24,6 +24,12 @@ impl<S: Real, const D: usize> World<S, D> {
         (slot != NOWHERE).then(|| slot.map(|place| place as usize))
     }
 
+    /// Whether a point can move: no pin, and not held by bonds that are taut between pins.
+    pub(crate) fn can_move(&self, point: usize) -> bool {
+        let is_held = |[group, slot]: [usize; 2]| self.plan.groups[group].points.inverse_mass[slot] == S::ZERO;
+        self.inverse_mass[point] > 0.0 && !self.slot(point).is_some_and(is_held)
+    }
+
     /// Whether joints at a point stop by springs: in the live step they stop at once, and what they are beyond their stops is no energy.
     pub(super) fn stops_by_spring(&self, point: usize) -> bool {
         self.slot(point).is_none_or(|[group, _]| !self.plan.groups[group].is_live())
