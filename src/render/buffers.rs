@@ -520,6 +520,7 @@ pub(in crate::render) mod tests {
             polygons: &[],
             convex: &[],
             mouse: None,
+            covered: &[],
         }
     }
 

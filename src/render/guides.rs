@@ -62,7 +62,7 @@ pub(super) fn guides(
         && look.has_grid
         && let Some(seen) = seen(camera, center, height)
     {
-        numbers(&mut list, camera, seen, origin, look);
+        numbers(&mut list, (camera, view.covered), seen, origin, look);
     }
     (list, below)
 }
@@ -115,8 +115,18 @@ const APART: [f64; 2] = [90.0, 60.0];
 /// Least gap between two in a row `[px]`.
 const GAP: f64 = 24.0;
 
-/// Adds the numbers of the grid: along the lower edge and the left one, at every line or every second or fifth.
-fn numbers(list: &mut Vec<Guide>, camera: &Camera, (low, high): (DVec2, DVec2), origin: DVec3, look: &Look) {
+/// Numbers along the left edge that something lies over go to the right of it, so far at most, as a share of the picture's width `[1]`.
+const ASIDE: f64 = 0.4;
+
+/// Adds the numbers of the grid: along the lower edge and the left one, at every line or every second or fifth, where nothing lies over
+/// them.
+fn numbers(
+    list: &mut Vec<Guide>,
+    (camera, covered): (&Camera, &[[f32; 4]]),
+    (low, high): (DVec2, DVec2),
+    origin: DVec3,
+    look: &Look,
+) {
     let scale = f64::from(look.scale_factor);
     let step = spacing(camera.pixels_per_metre());
     let metre = camera.pixels_per_metre();
@@ -143,11 +153,33 @@ fn numbers(list: &mut Vec<Guide>, camera: &Camera, (low, high): (DVec2, DVec2), 
             if corner[axis] < low[axis] + beside + room || at > high[axis] - room {
                 continue;
             }
+            let size = DVec2::new(width, DIGITS * numerals::TALL * scale);
+            let at = DVec2::new(corner.x - low.x, high.y - corner.y) * metre - DVec2::new(0.0, size.y);
+            let Some(aside) = aside([at, at + size], covered, EDGE * scale) else { continue };
+            if aside > 0.0 && (axis == 0 || at.x + aside > ASIDE * (high.x - low.x) * metre) {
+                continue;
+            }
+            corner.x += aside / metre;
             let place = |end: DVec2| (corner + end / metre).extend(0.0) - origin;
             let width = NUMBER_WIDTH * look.scale_factor;
             list.extend(strokes.iter().map(|&[a, b]| guide(place(a), place(b), width, look.number)));
         }
     }
+}
+
+/// How far a box goes to the right until nothing lies over it, with some room; `None` where it would not end `[px]`.
+fn aside([low, high]: [DVec2; 2], covered: &[[f32; 4]], room: f64) -> Option<f64> {
+    let mut by = 0.0;
+    for _ in 0..=covered.len() {
+        let over = covered.iter().map(|side| side.map(f64::from)).find(|&[left, top, right, bottom]| {
+            low.x + by < right && high.x + by > left && low.y < bottom && high.y > top
+        });
+        match over {
+            Some([_, _, right, _]) => by = right + room - low.x,
+            None => return Some(by),
+        }
+    }
+    None
 }
 
 /// Cells of the floor of walls in space along its longer side.
@@ -218,6 +250,30 @@ mod tests {
         let bare = of(Look { number: [0.0; 4], ..Look::default() });
         assert_eq!((bare.0.len(), bare.1), (below, below), "lines alone lie below");
         assert!(all.len() > below + 50 && all[below..].iter().all(|guide| guide.color == Look::default().number));
+    }
+
+    #[test]
+    fn numbers_stay_clear_of_what_lies_over_the_picture() {
+        let camera = Camera::new(Pose::Plane { center: DVec2::ZERO, height: 8.0 }, [640, 480]);
+        let places = |covered: &[[f32; 4]]| {
+            let bonds = Bonds::default();
+            let view = View { covered, ..empty(&bonds, 2) };
+            let (all, below) = guides(&camera, (&view, &[]), DVec3::ZERO, &Look::default());
+            let ends = all[below..].iter().flat_map(|guide| [guide.a, guide.b]);
+            ends.map(|[x, y, ..]| [320.0 + 60.0 * x, 240.0 - 60.0 * y]).collect::<Vec<_>>()
+        };
+        let within = |[left, top, right, bottom]: [f32; 4], list: &[[f32; 2]]| {
+            list.iter().filter(|[x, y]| (left..right).contains(x) && (top..bottom).contains(y)).count()
+        };
+        let free = places(&[]);
+        let panel = [0.0, 100.0, 150.0, 300.0];
+        let message = [200.0, 440.0, 400.0, 480.0];
+        assert!(within(panel, &free) > 20 && within(message, &free) > 10, "there are numbers there");
+        let clear = places(&[panel, message]);
+        assert_eq!([within(panel, &clear), within(message, &clear)], [0, 0]);
+        assert_eq!(within([150.0, 100.0, 250.0, 300.0], &clear), within(panel, &free), "beside the panel");
+        let wide = places(&[[0.0, 100.0, 500.0, 300.0]]);
+        assert_eq!(within([0.0, 100.0, 640.0, 300.0], &wide), 0, "too far away");
     }
 
     #[test]

@@ -32,6 +32,7 @@ pub use camera::{Camera, Pose};
 pub use capture::Capture;
 pub use counters::RenderCounters;
 pub use error::RenderError;
+pub use fills::body_color;
 pub use gpu::{Gpu, backends};
 pub use look::{Color, Look, Overlay, STRAIN_COLORS};
 pub use passes::SHADERS;

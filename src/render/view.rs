@@ -42,6 +42,9 @@ pub struct View<'a> {
     pub convex: &'a [Convex],
     /// The mouse force and where its cursor is.
     pub mouse: Option<(&'a MouseForce, Cursor)>,
+    /// What lies over the picture, from the left and from the top to the right and to the bottom `[px]`: numbers of the grid stay clear
+    /// of it.
+    pub covered: &'a [[f32; 4]],
 }
 
 impl<'a> View<'a> {
@@ -65,6 +68,7 @@ impl<'a> View<'a> {
             polygons: world.polygons(),
             convex: world.convex(),
             mouse: world.mouse(),
+            covered: &[],
         }
     }
 }

@@ -53,6 +53,7 @@ pub fn view<'a>(positions: &'a [f32], bonds: &'a Bonds, dimensions: usize) -> Vi
         polygons: &[],
         convex: &[],
         mouse: None,
+        covered: &[],
     }
 }
 

@@ -32,7 +32,7 @@ pub(super) const ENERGIES: [(&str, Color32, OfEnergies); 4] = [
 ];
 
 pub(super) fn show(context: &egui::Context, room: Rect, plots: &mut Plots, wishes: &mut Vec<Wish>) {
-    let up = room.height() - context.content_rect().height() - 10.0;
+    let up = room.height() - context.content_rect().height();
     let left = LEFT[usize::from(room.height() >= TALL)];
     Area::new(Id::unique("plots")).anchor(Align2::LEFT_BOTTOM, [left, up]).show(context, |ui| {
         floating().show(ui, |ui| {

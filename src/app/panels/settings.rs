@@ -11,10 +11,8 @@ use crate::sim::{BoundsChange, Contact, MouseChange, SceneChange, Solver, Wind};
 
 /// Width of the panel `[points]`.
 pub(super) const WIDTH: f32 = 250.0;
-/// A room so high has place for it below all else at the right `[points]`.
-pub(super) const TALL: f32 = 950.0;
-/// What is above it stays free `[points]`.
-const ABOVE: f32 = 176.0;
+/// Frame and header, above what is scrolled `[points]`.
+const HEAD: f32 = 52.0;
 /// Gravity on the ground `[m/s^2]`.
 const GRAVITY: f64 = 9.81;
 /// Gravity at the rim of the dial `[m/s^2]`.
@@ -63,13 +61,14 @@ impl Sink<'_> {
     }
 }
 
+/// Shows it at the lower right corner of a room.
 pub(super) fn show(context: &egui::Context, room: Rect, state: &mut PanelState, facts: &Facts, wishes: &mut Vec<Wish>) {
     if !context.input(|input| input.pointer.any_down()) {
         state.gesture = None;
     }
-    let up = room.height() - context.content_rect().height() - 10.0;
+    let corner = room.right_bottom() - egui::vec2(10.0, 0.0);
     let mut sink = Sink { gesture: &mut state.gesture, wishes, dimensions: facts.dimensions };
-    Area::new(Id::unique("settings")).anchor(Align2::RIGHT_BOTTOM, [-10.0, up]).show(context, |ui| {
+    Area::new(Id::unique("settings")).pivot(Align2::RIGHT_BOTTOM).fixed_pos(corner).show(context, |ui| {
         floating().show(ui, |ui| {
             ui.set_width(WIDTH);
             ui.horizontal(|ui| {
@@ -80,7 +79,7 @@ pub(super) fn show(context: &egui::Context, room: Rect, state: &mut PanelState, 
                     }
                 });
             });
-            let height = (room.height() - ABOVE).max(120.0);
+            let height = (room.height() - HEAD).max(120.0);
             ScrollArea::vertical()
                 .max_height(height)
                 .min_scrolled_height(height)

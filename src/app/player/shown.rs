@@ -238,6 +238,7 @@ impl Shown {
             polygons,
             convex,
             mouse: self.mouse.as_ref().zip(self.cursor),
+            covered: &[],
         }
     }
 

@@ -114,8 +114,10 @@ impl Session {
                 self.panels.sheet = None;
                 self.save_to(path);
             }
-            Wish::GoOnWithLeftover => self.go_on_with_leftover(),
-            Wish::DiscardLeftover => self.discard_leftover(),
+            Wish::GoOnWithLeftover(place) => self.go_on_with_leftover(place),
+            Wish::DiscardLeftover(place) => self.discard_leftover(place),
+            Wish::PutOffLeftover => self.panels.notes.offer = None,
+            Wish::OpenFile(name) => self.open_file(&name),
         }
         self.touch();
     }
@@ -252,10 +254,10 @@ impl Session {
                 let start = self.player.start().recording();
                 self.camera = match &start.view {
                     Some(saved) => opening::saved(saved, &view, self.area),
-                    None => opening::camera(&self.scene, &view, self.area),
+                    None => opening::clear(opening::camera(&self.scene, &view, self.area), &view, self.free),
                 };
             }
-            Framing::Fit => self.camera = opening::fit(&view, false, self.area),
+            Framing::Fit => self.camera = opening::fit_in(&view, self.free, self.area),
             Framing::Free => self.camera.resize(self.area),
         }
     }

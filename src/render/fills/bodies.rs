@@ -53,6 +53,20 @@ pub(super) fn bodies(view: &View<'_>) -> [Vec<Filled>; 2] {
     })
 }
 
+/// The colour that the first of some points, ascending, is filled with; `None` where no triangle meets any.
+pub fn body_color(view: &View<'_>, points: &[PointId]) -> Option<[u8; 3]> {
+    let is_theirs = |corners: &&[PointId; 3]| corners.iter().any(|corner| points.binary_search(corner).is_ok());
+    let corner = view.triangles.iter().filter(|_| !points.is_empty()).find(is_theirs)?[0];
+    let tint = Tint::of(view.tints, corner.0);
+    let own = tint.and_then(|tint| tint.color);
+    let body = || match tint {
+        Some(tint) => tint.body,
+        None if view.tints.is_empty() => hanging(view)[corner.index()],
+        None => 0,
+    };
+    Some(own.unwrap_or_else(|| color_of(body())))
+}
+
 /// The number of a body, and the colour that it says it has.
 type Key = (u32, Option<[u8; 3]>);
 

@@ -20,6 +20,7 @@ use super::error::RenderError;
 use super::gpu::Gpu;
 use super::growing::GrowingBuffer;
 use super::view::View;
+pub use bodies::body_color;
 use bodies::{Filled, bodies};
 use outline::{Side, outline};
 use shade::{Shade, shades};
