@@ -131,6 +131,30 @@ pub fn fit_in(view: &View<'_>, free: Free, size: [u32; 2]) -> Camera {
     camera
 }
 
+/// Share of the view about its middle in which what is driven stays.
+const STAY: f64 = 0.4;
+
+/// The camera goes along with what is driven, as far as it leaves the middle of the view; in the plane. Returns whether it moved.
+pub fn follow(camera: &mut Camera, driven: impl ExactSizeIterator<Item = DVec3>) -> bool {
+    let (Pose::Plane { .. }, count) = (camera.pose, driven.len()) else { return false };
+    let middle = driven.sum::<DVec3>() / count as f64;
+    let Some(at) = camera.screen_from_world(middle).filter(|at| at.iter().all(|x| x.is_finite())) else {
+        return false;
+    };
+    let size = camera.viewport().map(f64::from);
+    let beyond = |axis: usize| {
+        let half = 0.5 * STAY * size[axis];
+        let off = at[axis] - 0.5 * size[axis];
+        off - off.clamp(-half, half)
+    };
+    let by = [beyond(0), beyond(1)];
+    if by == [0.0; 2] {
+        return false;
+    }
+    camera.pan(by.map(|pixels| -pixels));
+    true
+}
+
 /// Corners of a box that nothing is in.
 const EMPTY: [[f64; 3]; 2] = [[f64::INFINITY; 3], [f64::NEG_INFINITY; 3]];
 

@@ -38,4 +38,4 @@ pub use look::{Color, Look, Overlay, STRAIN_COLORS};
 pub use passes::SHADERS;
 pub use renderer::Renderer;
 pub use trails::Trails;
-pub use view::View;
+pub use view::{Hinge, View, Ways, joints};

@@ -40,7 +40,7 @@ use std::sync::Arc;
 
 use super::action::{Action, Primitive, Showing, Tool};
 use super::matter::{Matter, MatterChange};
-use super::player::Figures;
+use super::player::{Figures, MethodSetting};
 use super::plots::Plots;
 use super::tools::{Brush, Drives};
 use crate::render::{Look, Overlay};
@@ -54,6 +54,7 @@ use open_from::OpenFrom;
 pub(super) use open_from::meant;
 use places::Places;
 pub(super) use places::{Laid, covered};
+pub(super) use plots::figure;
 pub(super) use settings::{Setting, Settings};
 
 /// Room that the tools take at the left edge `[points]`.
@@ -85,6 +86,8 @@ pub(super) enum Wish {
     Set(Setting),
     /// Another solver, with all else of the method as it is.
     Solver(SolverName),
+    /// Something else of the method, of the same drag as the last one.
+    Method(MethodSetting, bool),
     /// Seconds of the scene a second of wall time, in those of the scene itself.
     Pace(f64),
     /// A time that was seen already `[s]`.
@@ -97,6 +100,8 @@ pub(super) enum Wish {
     TakeBack,
     /// What is plotted is written to a file, as a table.
     WriteTable,
+    /// The plot is, as a figure.
+    WriteFigure,
     /// All that was done is saved to a file.
     SaveTo(PathBuf),
     /// A session that was cut off is gone on with, by its place in the list.
@@ -191,6 +196,8 @@ pub(super) struct Facts {
     /// A step takes long.
     pub(super) is_busy: bool,
     pub(super) dimensions: usize,
+    /// Corners of what of the plane is seen `[m]`.
+    pub(super) seen: [[f64; 2]; 2],
     pub(super) settings: Settings,
 }
 
@@ -205,7 +212,7 @@ pub(super) fn show(ui: &mut egui::Ui, state: &mut PanelState, facts: &Facts) -> 
     // What lies over the world has the room for itself.
     let is_covered = state.sheet.is_some();
     let has_panels = !state.hides_panels && !is_covered;
-    let mut places = Places::new(room);
+    let mut places = Places::new(room, is_covered);
     if has_panels {
         places.bar = Some(top::show(&context, room, facts, &mut wishes));
         let lessons_below = state.lessons.is_open && places.is_upright();

@@ -57,7 +57,9 @@ impl Notes {
             top = words(context, places.said(context, top), DONE, |ui| {
                 ui.add(Label::new(RichText::new(line).color(ACCENT)).wrap());
             });
-        } else if let Some([seen, to_try]) = facts.caption.filter(|_| self.has_caption && self.offer.is_none()) {
+        } else if let Some([seen, to_try]) =
+            facts.caption.filter(|_| self.has_caption && self.offer.is_none() && !places.is_covered)
+        {
             top = words(context, places.said(context, top), CAPTION, |ui| {
                 ui.add(Label::new(RichText::new(seen).color(TEXT)).wrap());
                 ui.add(Label::new(RichText::new(format!("Try: {to_try}")).color(WEAK)).wrap());
@@ -91,8 +93,8 @@ pub(super) fn is_own(id: Id) -> bool {
 
 /// A session that was cut off.
 fn offer(ui: &mut egui::Ui, line: &str, wishes: &mut Vec<Wish>) {
-    ui.horizontal_wrapped(|ui| {
-        ui.add(Label::new(RichText::new(line).color(TEXT)).wrap());
+    ui.add(Label::new(RichText::new(line).color(TEXT)).wrap());
+    ui.horizontal(|ui| {
         let go_on = Button::new(RichText::new("Go on with it").color(ON_ACCENT)).fill(ACCENT);
         if ui.add(go_on).clicked() {
             wishes.push(Wish::GoOnWithLeftover(0));

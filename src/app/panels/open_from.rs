@@ -35,8 +35,11 @@ pub(super) fn show(context: &egui::Context, state: &mut PanelState, wishes: &mut
             // Tab completes: it leads nowhere else here.
             let completes = ui.input_mut(|input| input.consume_key(egui::Modifiers::NONE, Key::Tab));
             let hint = "the path of a scene, a recording or a picture";
-            let field =
-                TextEdit::singleline(&mut state.path).id(field_id()).hint_text(hint).desired_width(f32::INFINITY);
+            let field = TextEdit::singleline(&mut state.path)
+                .id(field_id())
+                .hint_text(hint)
+                .desired_width(f32::INFINITY)
+                .lock_focus(true);
             let mut field = field.show(ui);
             if std::mem::take(&mut state.is_fresh) {
                 field.response.request_focus();

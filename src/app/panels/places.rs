@@ -36,11 +36,13 @@ pub(super) struct Places {
     pub(super) right: f32,
     /// Where what lies at the lower edge begins.
     pub(super) below: f32,
+    /// A sheet lies over all of it.
+    pub(super) is_covered: bool,
 }
 
 impl Places {
-    pub(super) fn new(room: Rect) -> Self {
-        Places { room, bar: None, right: room.top() + EDGE, below: room.bottom() - NUMBERS }
+    pub(super) fn new(room: Rect, is_covered: bool) -> Self {
+        Places { room, bar: None, right: room.top() + EDGE, below: room.bottom() - NUMBERS, is_covered }
     }
 
     /// Whether the window is higher than wide: what needs room lies at the lower edge then.

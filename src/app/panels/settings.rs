@@ -5,9 +5,10 @@ use egui::{Align2, Area, ComboBox, DragValue, Id, Rect, Response, RichText, Scro
 use super::theme::{TEXT, floating};
 use super::{Facts, PanelState, Wish, described, dial};
 use crate::app::action::Action;
-use crate::history::{Do, SetKeys, Walls, Weather};
-use crate::scene::{BoundsKeys, ContactKeys, Meeting, SolverName, Vector, WindKeys};
-use crate::sim::{BoundsChange, Contact, MouseChange, SceneChange, Solver, Wind};
+use crate::app::player::MethodSetting;
+use crate::history::{AreasOrNone, Do, SetKeys, Walls, Weather};
+use crate::scene::{AreaKeys, AreaKindName, BoundsKeys, ContactKeys, Meeting, SolverName, Vector, WindKeys};
+use crate::sim::{Areas, BoundsChange, Contact, Method, MouseChange, SceneChange, Solver, Wind};
 
 /// Width of the panel `[points]`.
 pub(super) const WIDTH: f32 = 250.0;
@@ -56,6 +57,12 @@ impl Sink<'_> {
         self.set(by, name, Do::Set(Box::new(keys)));
     }
 
+    fn method(&mut self, by: &Response, setting: MethodSetting) {
+        let goes_on = *self.gesture == Some(by.id);
+        *self.gesture = by.is_pointer_button_down_on().then_some(by.id);
+        self.wishes.push(Wish::Method(setting, goes_on));
+    }
+
     fn vector(&self, v: [f64; 3]) -> Vector {
         Vector::new(v, self.dimensions)
     }
@@ -83,30 +90,34 @@ pub(super) fn show(context: &egui::Context, room: Rect, state: &mut PanelState, 
             ScrollArea::vertical()
                 .max_height(height)
                 .min_scrolled_height(height)
-                .show(ui, |ui| all(ui, &facts.settings, &mut sink));
+                .show(ui, |ui| all(ui, facts, &mut sink));
         });
     });
 }
 
-fn all(ui: &mut Ui, settings: &Settings, sink: &mut Sink<'_>) {
-    let SceneChange { gravity, drag_rate, wind, bounds, contact, method, .. } = &settings.scene;
+fn all(ui: &mut Ui, facts: &Facts, sink: &mut Sink<'_>) {
+    let settings = &facts.settings;
+    let SceneChange { gravity, drag_rate, wind, bounds, contact, areas, method } = &settings.scene;
     gravity.iter().for_each(|g| of_gravity(ui, *g, sink));
     if let (Some(drag_rate), Some(wind)) = (*drag_rate, *wind) {
         ui.separator();
         of_air(ui, drag_rate, wind, sink);
     }
-    if let Some(Some(bounds)) = bounds {
+    if let Some(bounds) = bounds {
         ui.separator();
-        of_walls(ui, bounds, sink);
+        of_walls(ui, bounds.as_ref(), facts.seen, sink);
     }
     ui.separator();
     contact.iter().for_each(|contact| of_contact(ui, *contact, sink));
+    if let Some(areas) = areas.filter(|_| sink.dimensions == 2) {
+        of_areas(ui, areas, sink);
+    }
     if let Some(push) = settings.push {
         ui.separator();
         of_push(ui, push, sink);
     }
     ui.separator();
-    method.iter().for_each(|method| of_solver(ui, method.solver, sink));
+    method.iter().for_each(|method| of_method(ui, method, sink));
 }
 
 /// A number with its name before it, by which what reads aloud calls it.
@@ -190,12 +201,40 @@ fn of_air(ui: &mut Ui, mut drag_rate: f64, wind: Option<Wind<3>>, sink: &mut Sin
     }
 }
 
-fn of_walls(ui: &mut Ui, bounds: &BoundsChange, sink: &mut Sink<'_>) {
+fn of_walls(ui: &mut Ui, bounds: Option<&BoundsChange>, seen: [[f64; 2]; 2], sink: &mut Sink<'_>) {
+    ui.horizontal(|ui| {
+        ui.strong("Walls");
+        let [low, high] = seen;
+        let can_stand = sink.dimensions == 2 && low[0] < high[0] && low[1] < high[1];
+        let mut stand = bounds.is_some();
+        let by = ui.add_enabled(stand || can_stand, egui::Checkbox::new(&mut stand, "stand"));
+        let by = by.on_hover_text("new ones stand around what is seen");
+        if by.changed() {
+            let these = BoundsKeys {
+                min: Vector::Plane(low),
+                max: Vector::Plane(high),
+                restitution: Some(0.2),
+                friction: Some(0.5),
+            };
+            let walls = if stand { Walls::These(these) } else { Walls::None(()) };
+            sink.scene(&by, "walls", SetKeys { bounds: Some(walls), ..SetKeys::default() });
+        }
+    });
+    let Some(bounds) = bounds else { return };
     let mut to = *bounds;
-    ui.strong("Walls");
-    let friction = slider(ui, "friction", &mut to.friction, 1.0);
-    let restitution = slider(ui, "restitution", &mut to.restitution, 1.0);
-    if let Some(by) = [friction, restitution].into_iter().find(Response::changed) {
+    let mut all = Vec::new();
+    for (axis, [least, most]) in WALLS.into_iter().enumerate().take(sink.dimensions) {
+        let speed = 0.005 * (to.max[axis] - to.min[axis]);
+        ui.horizontal(|ui| {
+            all.push(number(ui, least, (&mut to.min[axis], speed, " m")));
+            all.push(number(ui, most, (&mut to.max[axis], speed, " m")));
+        });
+    }
+    all.push(slider(ui, "friction", &mut to.friction, 1.0));
+    all.push(slider(ui, "restitution", &mut to.restitution, 1.0));
+    // Walls that would stand in each other stay where they are.
+    let is_fine = (0..sink.dimensions).all(|axis| to.min[axis] < to.max[axis]);
+    if let Some(by) = all.into_iter().find(Response::changed).filter(|_| is_fine) {
         let keys = BoundsKeys {
             min: sink.vector(to.min),
             max: sink.vector(to.max),
@@ -206,6 +245,9 @@ fn of_walls(ui: &mut Ui, bounds: &BoundsChange, sink: &mut Sink<'_>) {
     }
 }
 
+/// Names of the walls along each axis.
+const WALLS: [[&str; 2]; 3] = [["left", "right"], ["floor", "top"], ["back", "front"]];
+
 fn of_contact(ui: &mut Ui, contact: Option<Contact>, sink: &mut Sink<'_>) {
     let mut meets = contact.is_some();
     ui.strong("Bodies");
@@ -215,17 +257,43 @@ fn of_contact(ui: &mut Ui, contact: Option<Contact>, sink: &mut Sink<'_>) {
         sink.scene(&by, "contact", keys);
     }
     let Some(contact) = contact else { return };
-    let mut friction = contact.friction;
-    let by = slider(ui, "friction", &mut friction, 2.0);
-    if by.changed() {
+    let mut to = contact;
+    let all = [
+        ui.checkbox(&mut to.with_itself, "and themselves"),
+        slider(ui, "friction", &mut to.friction, 2.0),
+        slider(ui, "restitution", &mut to.restitution, 1.0),
+    ];
+    if let Some(by) = all.into_iter().find(Response::changed) {
         let keys = ContactKeys {
-            friction: Some(friction),
-            restitution: Some(contact.restitution),
-            radius: contact.radius,
-            with_itself: Some(contact.with_itself),
-            bodies: Some(contact.with_others),
+            friction: Some(to.friction),
+            restitution: Some(to.restitution),
+            radius: to.radius,
+            with_itself: Some(to.with_itself),
+            bodies: Some(to.with_others),
         };
         sink.scene(&by, "contact", SetKeys { contact: Some(Meeting::As(keys)), ..SetKeys::default() });
+    }
+}
+
+/// How hard bodies are to squeeze, beside what their bonds do.
+fn of_areas(ui: &mut Ui, areas: Option<Areas>, sink: &mut Sink<'_>) {
+    let before = areas.unwrap_or_default();
+    if before.stiffness.is_infinite() {
+        ui.weak("areas are kept");
+        return;
+    }
+    let mut stiffness = before.stiffness;
+    let speed = 0.02 * stiffness.max(10.0);
+    let by = ui.horizontal(|ui| number(ui, "areas resist", (&mut stiffness, speed, " N/m"))).inner;
+    let by = by.on_hover_text("against being squeezed or blown up, beside what bonds do");
+    if by.changed() && stiffness >= 0.0 {
+        let keys = AreaKeys {
+            kind: Some(AreaKindName::Spring),
+            stiffness: Some(stiffness),
+            least: areas.map(|areas| areas.least),
+        };
+        let areas = if stiffness > 0.0 { AreasOrNone::These(keys) } else { AreasOrNone::None(()) };
+        sink.scene(&by, "areas", SetKeys { areas: Some(areas), ..SetKeys::default() });
     }
 }
 
@@ -247,8 +315,64 @@ fn of_push(ui: &mut Ui, [mut strength, mut radius]: [f64; 2], sink: &mut Sink<'_
     }
 }
 
-fn of_solver(ui: &mut Ui, solver: Solver, sink: &mut Sink<'_>) {
+fn of_method(ui: &mut Ui, method: &Method, sink: &mut Sink<'_>) {
     ui.strong("Method");
+    of_solver(ui, method.solver, sink);
+    let shown = |x: f64, places: usize| format!("{x:.places$}").trim_end_matches('0').trim_end_matches('.').to_owned();
+    let substep =
+        chosen(ui, "substep", (method.substep.map(|h| 1e3 * h), 2.0, 1e-4..=100.0), |x| format!("{} ms", shown(x, 4)));
+    if let Some((by, to)) = substep {
+        sink.method(&by, MethodSetting::Substep(to.map(|ms| 1e-3 * ms)));
+    }
+    let sweeps = (method.iterations.map(f64::from), 10.0, 1.0..=1000.0);
+    if let Some((by, to)) = chosen(ui, "sweeps", sweeps, |x| format!("{x:.0}")) {
+        sink.method(&by, MethodSetting::Iterations(to.map(|x| x.round() as u32)));
+    }
+    let strain = (method.max_strain.map(|strain| 100.0 * strain), 1.0, 1e-4..=50.0);
+    if let Some((by, to)) = chosen(ui, "strain of rods", strain, |x| format!("{} %", shown(x, 4))) {
+        sink.method(&by, MethodSetting::MaxStrain(to.map(|percent| 0.01 * percent)));
+    }
+    let budget = (method.budget.filter(|ms| *ms < NO_BOUND), 6.0, 0.1..=1000.0);
+    if let Some((by, to)) = chosen(ui, "work a frame", budget, |x| format!("{} ms", shown(x, 1))) {
+        sink.method(&by, MethodSetting::Budget(to));
+    }
+    let (mut sleeps, mut settles) = (method.sleeps, method.settles);
+    let by = ui.checkbox(&mut sleeps, "what rests falls asleep");
+    if by.changed() {
+        sink.method(&by, MethodSetting::Sleep(sleeps));
+    }
+    let by = ui.checkbox(&mut settles, "what lies on others comes to rest");
+    if by.changed() {
+        sink.method(&by, MethodSetting::Settle(settles));
+    }
+}
+
+/// Counted work of a frame from which on none is a bound `[ms]`.
+const NO_BOUND: f64 = 1e6;
+
+/// A number that the rules choose, or that is given: where it is first given, `first`. Returns what became of it.
+fn chosen(
+    ui: &mut Ui,
+    name: &str,
+    (value, first, range): (Option<f64>, f64, std::ops::RangeInclusive<f64>),
+    shown: impl Fn(f64) -> String,
+) -> Option<(Response, Option<f64>)> {
+    let mut is_given = value.is_some();
+    ui.horizontal(|ui| {
+        let switch = ui.checkbox(&mut is_given, name).on_hover_text("off: as the rules choose");
+        if switch.changed() {
+            return Some((switch, is_given.then_some(first)));
+        }
+        let mut number = value?;
+        let speed = 0.02 * number;
+        let field = DragValue::new(&mut number).speed(speed).range(range).update_while_editing(false);
+        let by = ui.add(field.custom_formatter(|x, _| shown(x)));
+        by.changed().then_some((by, Some(number)))
+    })
+    .inner
+}
+
+fn of_solver(ui: &mut Ui, solver: Solver, sink: &mut Sink<'_>) {
     ComboBox::from_label("solver").selected_text(solver.to_string()).show_ui(ui, |ui| {
         for name in SolverName::NAMES {
             let is_chosen = *name == solver.name();

@@ -5,7 +5,7 @@ use egui::{Event, Pos2, Shape, pos2, vec2};
 
 use super::pointer::button;
 use super::{Facts, PanelState, Setting, Settings, Wish, settings};
-use crate::app::player::{Note, Order, Shown, Stage};
+use crate::app::player::{MethodSetting, Note, Order, Shown, Stage};
 use crate::history::{Do, SetKeys};
 use crate::scene::{Scene, SolverName, Vector, gallery};
 use crate::sim::{Change, Command, Solver};
@@ -138,4 +138,32 @@ fn another_solver_leaves_the_rest_of_the_method() {
     let names = Solver::ALL.map(|solver| solver.name());
     let named: Vec<&str> = SolverName::NAMES.iter().copied().filter(|name| *name != "as-printed").collect();
     assert_eq!(names, named[..], "the list is by the names of files");
+}
+
+#[test]
+fn numbers_of_the_method_are_set_one_by_one_and_undone() {
+    let mut stage = stage();
+    let before = stage.history().world().method();
+    let all = [
+        MethodSetting::Substep(Some(0.002)),
+        MethodSetting::Iterations(Some(7)),
+        MethodSetting::MaxStrain(Some(0.01)),
+        MethodSetting::Budget(None),
+        MethodSetting::Sleep(false),
+        MethodSetting::Settle(true),
+    ];
+    for setting in all {
+        assert_eq!(stage.obey(Order::Method(setting, false)), None, "{setting:?}");
+    }
+    let method = stage.history().world().method();
+    assert_eq!((method.substep, method.iterations, method.max_strain), (Some(0.002), Some(7), Some(0.01)));
+    assert_eq!((method.budget, method.sleeps, method.settles), (None, false, true));
+    assert_eq!(method.solver, before.solver);
+    assert_eq!(stage.obey(Order::Method(MethodSetting::Substep(Some(0.001)), false)), None);
+    assert_eq!(stage.obey(Order::Method(MethodSetting::Substep(Some(0.0005)), true)), None);
+    assert_eq!(stage.history().world().method().substep, Some(0.0005));
+    assert!(matches!(stage.obey(Order::Undo(None)), Some(Note::Undone(name, _)) if name == "substep"));
+    assert_eq!(stage.history().world().method().substep, Some(0.002), "a drag is undone as one");
+    assert_eq!(stage.obey(Order::Method(MethodSetting::Substep(None), false)), None);
+    assert_eq!(stage.history().world().method().substep, None, "as the rules choose");
 }

@@ -100,6 +100,7 @@ impl Session {
             Wish::Brush(brush) => self.hand.set_brush(brush),
             Wish::Lasso(is_lasso) => self.hand.draw_lasso(is_lasso),
             Wish::Solver(solver) => self.player.ask(Order::Solver(solver)),
+            Wish::Method(setting, goes_on) => self.player.ask(Order::Method(setting, goes_on)),
             Wish::Pace(pace) => self.set_pace(pace),
             Wish::GoTo(time) => {
                 self.go(Order::GoTo(time, self.told));
@@ -110,6 +111,7 @@ impl Session {
             Wish::Exact => self.player.ask(Order::Exact),
             Wish::TakeBack => self.player.ask(Order::TakeBack),
             Wish::WriteTable => self.write_table(),
+            Wish::WriteFigure => self.write_figure(),
             Wish::SaveTo(path) => {
                 self.panels.sheet = None;
                 self.save_to(path);

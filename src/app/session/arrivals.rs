@@ -225,6 +225,14 @@ impl Session {
         [[0.0, height], [width, 0.0]].map(|pixel| self.camera.world_from_screen(pixel).truncate().to_array())
     }
 
+    /// The part of the plane that is seen beside panels: its lower and upper corner `[m]`, to a hundredth of its height.
+    pub(super) fn free_of_plane(&self) -> [[f64; 2]; 2] {
+        let [[left, top], [right, bottom]] = self.free;
+        let corners = [[left, bottom], [right, top]].map(|pixel| self.camera.world_from_screen(pixel).truncate());
+        let step = 10_f64.powf((corners[1].y - corners[0].y).abs().max(1e-9).log10().floor() - 1.0);
+        corners.map(|corner| ((corner / step).round() * step).to_array())
+    }
+
     /// Tells the user of what went wrong, if anything did.
     pub(super) fn complain_of(&mut self, done: Result<(), SceneError>) {
         if let Err(error) = done {

@@ -108,6 +108,7 @@ impl Session {
             is_opening: !self.player.is_open(),
             is_busy: self.player.is_busy(),
             dimensions: self.scene.dimensions(),
+            seen: if self.panels.has_settings { self.free_of_plane() } else { Default::default() },
             settings: Settings {
                 scene: self.shown().settings.clone(),
                 push: self.live_force().map(|force| [self.hand.strength().unwrap_or(force.strength), force.radius]),

@@ -378,7 +378,8 @@ impl Session {
         let passes =
             self.has_picture && self.scene.contact.is_none() && self.shown().scenery.bonds.len() > MOST_MEETING;
         let through = passes.then(|| format!("its bodies pass through each other: {}", too_many_to_meet()));
-        self.panels.notes.complaint = self.player.shown().scenery.warnings.first().cloned().or(through);
+        let warning = self.shown().scenery.warnings.first().cloned();
+        self.panels.notes.complaint = warning.or(through).or_else(|| self.taken_keys());
         self.panels.notes.has_caption = true;
         self.wants_hint &= self.scene.name() == gallery()[0].name;
         if self.is_canvas() && !comes_back {
