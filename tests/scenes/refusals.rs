@@ -678,3 +678,25 @@ fn numbers_that_overflow_are_refused_when_the_model_is_made() {
         assert_eq!(scene.model::<2>().unwrap_err().to_string(), message);
     }
 }
+
+#[test]
+fn groups_of_points() {
+    hold(
+        plane,
+        &[
+            (
+                "\"groups\": [{\"points\": [1, 1]}]",
+                "groups[0].points: names less than two points: a group is made of two or more, or leave it out",
+            ),
+            (
+                "\"groups\": [{\"points\": [0, 1], \"title\": \"a\"}, {\"points\": [0, 1], \"title\": \"a\"}]",
+                "groups[1].title: is `a`, as another group's: give each a title of its own",
+            ),
+            (
+                "\"groups\": [{\"points\": [0, 1], \"title\": \" \"}]",
+                "groups[0].title: is empty: give a few words, or leave it out",
+            ),
+        ],
+    );
+    assert!(refusal(&plane("\"groups\": [{\"points\": [0, 2]}]")).contains("groups[0].points[1]"));
+}
