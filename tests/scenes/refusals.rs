@@ -700,3 +700,24 @@ fn groups_of_points() {
     );
     assert!(refusal(&plane("\"groups\": [{\"points\": [0, 2]}]")).contains("groups[0].points[1]"));
 }
+
+#[test]
+fn parameters_of_sliders() {
+    let spring = "\"bonds\": [{\"a\": 0, \"b\": 1, \"kind\": \"spring\", \"stiffness\": 5}, {\"a\": 0, \"b\": 1}], ";
+    let row = |path: &str, rest: &str| format!("{spring}\"parameters\": [{{\"path\": \"{path}\", {rest}}}]");
+    for path in ["gravity[1]", "drag_rate", "bonds[0].stiffness", "bonds[0-0].damping", "bonds[0-1].rest"] {
+        assert!(Scene::parse(&plane(&row(path, "\"min\": 0, \"max\": 1")), "x.json").is_ok(), "{path}");
+    }
+    for (path, rest, words) in [
+        ("points[0]", "\"min\": 0, \"max\": 1", "parameters[0].path: `points[0]` is no number that sliders set: give"),
+        ("gravity[2]", "\"min\": 0, \"max\": 1", "parameters[0].path: names axis 2: give one below 2"),
+        ("bounds.friction", "\"min\": 0, \"max\": 1", "parameters[0].path: is of `bounds`, which this scene has not"),
+        ("bonds[0-1].stiffness", "\"min\": 0, \"max\": 1", "parameters[0].path: names bond 1, which is no spring"),
+        ("bonds[2].rest", "\"min\": 0, \"max\": 1", "parameters[0].path: names bond 2, and there are 2 explicit ones"),
+        ("drag_rate", "\"min\": 1, \"max\": 1", "parameters[0].max: is 1.0 beside a `min` of 1.0"),
+        ("drag_rate", "\"min\": -1, \"max\": 1", "parameters[0].min: is -1.0: `drag_rate` goes from 0 to inf"),
+    ] {
+        let said = refusal(&plane(&row(path, rest)));
+        assert!(said.starts_with(&format!("x.json:3: {words}")), "{said}");
+    }
+}

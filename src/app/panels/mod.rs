@@ -19,6 +19,7 @@ mod moving;
 mod notes;
 mod open_from;
 mod palette;
+mod parameters;
 mod places;
 mod plots;
 #[cfg(test)]
@@ -52,6 +53,7 @@ pub(super) use lessons::{At, Lessons};
 pub(super) use notes::Notes;
 use open_from::OpenFrom;
 pub(super) use open_from::meant;
+pub(super) use parameters::value as parameter_value;
 use places::Places;
 pub(super) use places::{Laid, covered};
 pub(super) use plots::figure;

@@ -3,11 +3,11 @@
 use egui::{Align2, Area, ComboBox, DragValue, Id, Rect, Response, RichText, ScrollArea, Slider, SliderClamping, Ui};
 
 use super::theme::{TEXT, floating};
-use super::{Facts, PanelState, Wish, described, dial};
+use super::{Facts, PanelState, Wish, described, dial, parameters};
 use crate::app::action::Action;
 use crate::app::player::MethodSetting;
 use crate::history::{AreasOrNone, Do, SetKeys, Walls, Weather};
-use crate::scene::{AreaKeys, AreaKindName, BoundsKeys, ContactKeys, Meeting, SolverName, Vector, WindKeys};
+use crate::scene::{AreaKeys, AreaKindName, BoundsKeys, ContactKeys, Meeting, Parameter, SolverName, Vector, WindKeys};
 use crate::sim::{Areas, BoundsChange, Contact, Method, MouseChange, SceneChange, Solver, Wind};
 
 /// Width of the panel `[points]`.
@@ -25,6 +25,8 @@ pub(in crate::app) struct Settings {
     pub(in crate::app) scene: SceneChange,
     /// Strength `[1/s^2]` and radius `[m]` of the hover force; `None`: there is none, or it goes along a track.
     pub(in crate::app) push: Option<[f64; 2]>,
+    /// The numbers that the scene names, each as it is now.
+    pub(in crate::app) parameters: Vec<(Parameter, Option<f64>)>,
 }
 
 /// A setting gets another value.
@@ -38,7 +40,7 @@ pub(in crate::app) struct Setting {
 }
 
 /// Where changes go to.
-struct Sink<'a> {
+pub(super) struct Sink<'a> {
     /// What is being dragged.
     gesture: &'a mut Option<Id>,
     wishes: &'a mut Vec<Wish>,
@@ -47,7 +49,7 @@ struct Sink<'a> {
 
 impl Sink<'_> {
     /// What is dragged on is one edit.
-    fn set(&mut self, by: &Response, name: &'static str, act: Do) {
+    pub(super) fn set(&mut self, by: &Response, name: &'static str, act: Do) {
         let goes_on = *self.gesture == Some(by.id);
         *self.gesture = by.is_pointer_button_down_on().then_some(by.id);
         self.wishes.push(Wish::Set(Setting { act, name, goes_on }));
@@ -63,7 +65,7 @@ impl Sink<'_> {
         self.wishes.push(Wish::Method(setting, goes_on));
     }
 
-    fn vector(&self, v: [f64; 3]) -> Vector {
+    pub(super) fn vector(&self, v: [f64; 3]) -> Vector {
         Vector::new(v, self.dimensions)
     }
 }
@@ -98,6 +100,9 @@ pub(super) fn show(context: &egui::Context, room: Rect, state: &mut PanelState, 
 fn all(ui: &mut Ui, facts: &Facts, sink: &mut Sink<'_>) {
     let settings = &facts.settings;
     let SceneChange { gravity, drag_rate, wind, bounds, contact, areas, method } = &settings.scene;
+    if !settings.parameters.is_empty() {
+        parameters::show(ui, &settings.parameters, &settings.scene, sink);
+    }
     gravity.iter().for_each(|g| of_gravity(ui, *g, sink));
     if let (Some(drag_rate), Some(wind)) = (*drag_rate, *wind) {
         ui.separator();

@@ -32,7 +32,7 @@ struct Screen {
 
 impl Screen {
     fn new(stage: &mut Stage) -> Self {
-        let settings = Settings { scene: shown(stage).settings, push: Some([20.0, 1.0]) };
+        let settings = Settings { scene: shown(stage).settings, push: Some([20.0, 1.0]), parameters: Vec::new() };
         let facts = Facts { settings, dimensions: 2, ..Facts::default() };
         let mut screen = Screen { context: egui::Context::default(), state: PanelState::default(), facts };
         // The first two frames find their sizes.
@@ -166,4 +166,46 @@ fn numbers_of_the_method_are_set_one_by_one_and_undone() {
     assert_eq!(stage.history().world().method().substep, Some(0.002), "a drag is undone as one");
     assert_eq!(stage.obey(Order::Method(MethodSetting::Substep(None), false)), None);
     assert_eq!(stage.history().world().method().substep, None, "as the rules choose");
+}
+
+#[test]
+fn numbers_that_a_scene_names_are_read_from_the_world_and_set_by_their_sliders() {
+    let text = r#"{"wobble": 1, "gravity": [0, -9.81], "drag_rate": 0.5,
+        "points": {"position": [[0, 0], [1, 0], [2, 0]], "pinned": [0]}, "bounds": {"min": [-5, -5], "max": [5, 5], "friction": 0.4},
+        "bonds": [{"a": 0, "b": 1, "kind": "spring", "stiffness": 50}, {"a": 1, "b": 2, "kind": "spring", "stiffness": 50}],
+        "parameters": [{"path": "bonds[0-1].stiffness", "min": 10, "max": 1000, "label": "both springs", "unit": "N/m"},
+            {"path": "bounds.friction", "min": 0, "max": 1}, {"path": "gravity[1]", "min": -20, "max": 0}]}"#;
+    let scene = Scene::parse(text, "x.json").unwrap();
+    let mut stage = Stage::new(scene.clone().into()).unwrap();
+    let read = |stage: &mut Stage| {
+        let shown = shown(stage);
+        let of = |parameter: crate::scene::Parameter| {
+            let value = super::parameters::value(&parameter.target, &shown.settings, None, &shown.scenery);
+            (parameter, value)
+        };
+        scene.named_parameters().into_iter().map(of).collect::<Vec<_>>()
+    };
+    let values = |stage: &mut Stage| read(stage).into_iter().map(|(_, value)| value.unwrap()).collect::<Vec<f64>>();
+    assert_eq!(values(&mut stage), [50.0, 0.4, -9.81]);
+    let mut screen = Screen::new(&mut stage);
+    screen.facts.settings.parameters = read(&mut stage);
+    (0..2).for_each(|_| _ = screen.frame(Vec::new()));
+    // Sliders of all heights: a press at the right end of each that is among the first.
+    let mut acts = Vec::new();
+    for step in 0..90 {
+        let at = pos2(1140.0, 40.0 + 4.0 * step as f32);
+        screen.frame(vec![Event::PointerMoved(at)]);
+        let pressed = screen.frame(vec![button(at, true)]).0;
+        acts.extend(pressed.into_iter().filter(|set| set.name == "parameter").map(|set| set.act));
+        screen.frame(vec![button(at, false)]);
+    }
+    assert!(acts.len() >= 3, "{acts:?}");
+    for act in acts {
+        assert_eq!(stage.obey(Order::Give(vec![act], Some("parameter"))), None);
+    }
+    let [stiffness, friction, gravity] = values(&mut stage)[..] else { panic!("three") };
+    assert!(stiffness > 50.0 && friction > 0.4 && gravity > -9.81, "{stiffness} {friction} {gravity}");
+    let world = stage.history().world();
+    let is_set = |bond: crate::sim::Bond| matches!(bond.kind, crate::sim::BondKind::Spring { stiffness: k, .. } if k == stiffness);
+    assert!(world.bonds().iter().all(is_set));
 }

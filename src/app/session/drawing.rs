@@ -9,9 +9,10 @@ use egui::{Color32, FontId, Pos2, Rect, Stroke};
 use super::{Framing, Session, panels_for};
 use crate::app::action::{Showing, Tool};
 use crate::app::canvas::{Canvas, Paint};
-use crate::app::panels::{self, Facts, Laid, Settings, theme};
+use crate::app::panels::{self, Facts, Laid, Settings, parameter_value, theme};
 use crate::app::tools::{Mark, Role, Scope, probe};
 use crate::render::{Look, Overlay, RenderError, View, body_color};
+use crate::scene::Parameter;
 use crate::sim::{Cursor, MouseForce};
 
 /// Marks are looked for among so many points: more would take longer than a frame.
@@ -110,10 +111,25 @@ impl Session {
             dimensions: self.scene.dimensions(),
             seen: if self.panels.has_settings { self.free_of_plane() } else { Default::default() },
             settings: Settings {
+                parameters: self.parameters(),
                 scene: self.shown().settings.clone(),
                 push: self.live_force().map(|force| [self.hand.strength().unwrap_or(force.strength), force.radius]),
             },
         }
+    }
+
+    /// The numbers that the scene names, while its settings are open.
+    fn parameters(&self) -> Vec<(Parameter, Option<f64>)> {
+        if !self.panels.has_settings {
+            return Vec::new();
+        }
+        let shown = self.shown();
+        let push = self.live_force().map(|force| [self.hand.strength().unwrap_or(force.strength), force.radius]);
+        let of = |parameter: Parameter| {
+            let value = parameter_value(&parameter.target, &shown.settings, push, &shown.scenery);
+            (parameter, value)
+        };
+        self.scene.named_parameters().into_iter().map(of).collect()
     }
 
     /// How bodies are shown.

@@ -176,6 +176,26 @@ object! {
 }
 
 object! {
+    /// A number of the scene that a slider sets while it runs.
+    ParameterKeys: "a parameter: an object with the keys `path`, `min` and `max`" {
+        required {
+            /// Where it stands in the file, such as `gravity[1]`, `bounds.friction` or `bonds[0-3].stiffness`.
+            path: String,
+            /// The left end of the slider.
+            min: f64,
+            /// The right end, above `min`.
+            max: f64,
+        }
+        optional {
+            /// What it is called: its path if not said.
+            label: String,
+            /// Its unit, as it is shown.
+            unit: String,
+        }
+    }
+}
+
+object! {
     /// Points that are selected as one in the window.
     PointGroupKeys: "a group: an object with the key `points`" {
         required {
@@ -240,6 +260,8 @@ object! {
             angles: AngleKeys,
             /// Points that are selected as one in the window.
             groups: PointGroupKeys,
+            /// Numbers that sliders set while it runs.
+            parameters: ParameterKeys,
         }
         optional {
             /// Whether bodies meet, and how: they pass through each other if not said.
