@@ -54,10 +54,10 @@ pub(super) fn show(
     }
     let mut sink = Sink { gesture: &mut state.gesture, wishes };
     let corner = tools.right_top() + egui::vec2(8.0, 0.0);
-    Area::new(Id::unique("matter")).fixed_pos(corner).constrain_to(room.shrink(6.0)).show(context, |ui| {
+    Area::new(Id::unique("matter")).fixed_pos(corner).constrain_to(room).show(context, |ui| {
         floating().show(ui, |ui| {
             ui.set_width(WIDTH);
-            let height = (room.height() - 40.0).max(120.0);
+            let height = (room.height() - 24.0).max(120.0);
             ScrollArea::vertical().max_height(height).min_scrolled_height(height).show(ui, |ui| match &facts.matter {
                 Some(matter) => of_selection(ui, matter, facts, &mut sink),
                 None => of_nothing(ui, facts, &mut sink),
@@ -281,8 +281,8 @@ fn share(ui: &mut Ui, name: &str, most: f64, span: Option<Span>, sink: &mut Sink
 fn breaks(ui: &mut Ui, matter: &Matter, sink: &mut Sink<'_>) {
     let Some(span) = matter.breaks else { return };
     let mut tears = span.least < NEVER;
-    row(ui, "tears", |ui, label| {
-        let by = ui.checkbox(&mut tears, "").labelled_by(label);
+    row(ui, "", |ui, _| {
+        let by = ui.checkbox(&mut tears, "tears");
         if by.changed() {
             sink.set(&by, MatterChange::Breaks(if tears { BREAKS } else { NEVER }));
         }

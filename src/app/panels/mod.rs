@@ -218,7 +218,9 @@ pub(super) fn show(ui: &mut egui::Ui, state: &mut PanelState, facts: &Facts) -> 
     if has_panels {
         places.bar = Some(top::show(&context, room, facts, &mut wishes));
         let lessons_below = state.lessons.is_open && places.is_upright();
-        palette::show(&context, places.above(lessons_below), state, facts, &mut wishes);
+        let plots = state.plots.as_ref().and_then(|_| plots::place(&context));
+        let rooms = (places.above(lessons_below), places.beside_tools(plots));
+        palette::show(&context, rooms, state, facts, &mut wishes);
     }
     // What lies at the right edge, from there on: the settings, then the lessons.
     let edge = if state.has_settings && has_panels { settings::WIDTH + GAP } else { 0.0 };

@@ -79,6 +79,13 @@ impl Places {
         self.room.with_max_y(self.room.bottom() - taken)
     }
 
+    /// The room beside the tools: between the buttons and plots, if some lie there.
+    pub(super) fn beside_tools(&self, plots: Option<Rect>) -> Rect {
+        let low = plots.map_or(self.below, |plots| plots.top() - APART);
+        let high = self.bar_bottom();
+        Rect::from_min_max(pos2(self.room.left(), high), pos2(self.room.right(), low.max(high + 160.0)))
+    }
+
     /// The room above what lies at the lower edge.
     pub(super) fn low(&self) -> Rect {
         self.room.with_max_y(self.below)
@@ -87,6 +94,7 @@ impl Places {
     /// Where bodies are shown, beside panels that take so much of the right edge.
     pub(super) fn free(&self, at_right: f32) -> Rect {
         let (left, right) = (self.room.left() + TOOLS + EDGE, self.room.right() - EDGE);
+        let at_right = if at_right > 0.0 { at_right + EDGE } else { 0.0 };
         let right = (right - at_right).max(left + LEAST * (right - left));
         let top = (self.bar_bottom() + SAID).min(self.room.center().y);
         let below = if self.below < self.room.bottom() - NUMBERS { self.below - APART } else { self.below };

@@ -31,6 +31,11 @@ pub(super) const ENERGIES: [(&str, Color32, OfEnergies); 4] = [
     ("sum", TEXT, |measured| measured.energies.sum()),
 ];
 
+/// Where the panel lay when it was last shown.
+pub(super) fn place(context: &egui::Context) -> Option<Rect> {
+    context.memory(|memory| memory.area_rect(Id::unique("plots")))
+}
+
 pub(super) fn show(context: &egui::Context, room: Rect, plots: &mut Plots, wishes: &mut Vec<Wish>) {
     let up = room.height() - context.content_rect().height();
     let left = LEFT[usize::from(room.height() >= TALL)];
@@ -70,7 +75,7 @@ fn choices(ui: &mut Ui, plots: &mut Plots) {
         ui.spacing_mut().item_spacing.x = 4.0;
         ui.selectable_value(&mut plots.subject, Subject::Energies, "energies");
         if count == 0 {
-            ui.weak("click a point or a bond with the tool 6 to probe it");
+            ui.weak("click a point or bond with tool 6 to probe it");
             return;
         }
         ui.selectable_value(&mut plots.subject, Subject::Probes, if count == 1 { "probe" } else { "probes" });

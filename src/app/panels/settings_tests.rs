@@ -193,7 +193,7 @@ fn numbers_that_a_scene_names_are_read_from_the_world_and_set_by_their_sliders()
     // Sliders of all heights: a press at the right end of each that is among the first.
     let mut acts = Vec::new();
     for step in 0..90 {
-        let at = pos2(1140.0, 40.0 + 4.0 * step as f32);
+        let at = pos2(1130.0, 40.0 + 4.0 * step as f32);
         screen.frame(vec![Event::PointerMoved(at)]);
         let pressed = screen.frame(vec![button(at, true)]).0;
         acts.extend(pressed.into_iter().filter(|set| set.name == "parameter").map(|set| set.act));
