@@ -219,6 +219,17 @@ mod tests {
     }
 
     #[test]
+    fn what_is_driven_stays_in_the_middle_of_the_view() {
+        let mut camera = Camera::new(Pose::Plane { center: DVec2::ZERO, height: 10.0 }, [1000, 500]);
+        let at = |x: f64| [DVec3::new(x, 0.0, 0.0)].into_iter();
+        assert!(!follow(&mut camera, at(3.9)), "two fifths of 20 m are 4 m to both sides");
+        assert!(follow(&mut camera, at(6.0)));
+        let [x, y] = camera.screen_from_world(DVec3::new(6.0, 0.0, 0.0)).unwrap();
+        assert!((x - 700.0).abs() < 1e-9 && (y - 250.0).abs() < 1e-9, "{x} {y} px");
+        assert!(!follow(&mut camera, [].into_iter()) && !follow(&mut camera, at(f64::NAN)));
+    }
+
+    #[test]
     fn a_camera_that_was_saved_is_the_same_again() {
         let plane = r#"{"wobble": 1, "points": {"position": [[-9, 0], [9, 0]]}}"#;
         let space = r#"{"wobble": 1, "dimensions": 3, "points": {"position": [[0, 0, 0], [1, 0, 2]]}}"#;

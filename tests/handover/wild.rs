@@ -8,8 +8,9 @@ use super::FRAME;
 
 /// Scenes that are too large for it, or made to show what sweeps do.
 const LEFT_OUT: [&str; 1] = ["million-cloth"];
-/// Scenes whose triangles may fold over each other: nothing keeps them from it.
-const FOLDS: [&str; 0] = [];
+/// Scenes that are known to go beyond the bounds for all, with their own: half of the frames [ms], inside out [s]. A thousand thin rims of
+/// 60 springs each pass through each other and themselves, so nothing keeps a rim that the mouse has folded from staying so.
+const KNOWN: [(&str, f64, f64); 1] = [("thousand-rims", 4.5, TIME)];
 /// How long the mouse jumps [s].
 const TIME: f64 = 2.0;
 /// Counted work of half of the frames [ms].
@@ -112,9 +113,10 @@ fn the_gallery_bears_a_mouse_that_jumps() {
         let Frames { dearest, inverted, .. } = frames;
         let median = frames.median();
         let is_untouched = world.counters().mouse_points == 0 && entry.json.contains("\"mouse\"");
-        let is_dear = dearest > FRAME || median > MEDIAN;
-        let is_inverted = inverted > INVERTED && !FOLDS.contains(&entry.name);
-        if is_dear || is_inverted || !world.is_finite() || is_untouched {
+        let known = KNOWN.iter().find(|(name, ..)| *name == entry.name);
+        let [most, longest] = known.map_or([MEDIAN, INVERTED], |&(_, most, longest)| [most, longest]);
+        let is_beyond = dearest > FRAME || median > most || inverted > longest;
+        if is_beyond || !world.is_finite() || is_untouched {
             let figures = format!("at most {dearest:.2} ms, half below {median:.2} ms, inside out for {inverted:.2} s");
             wrong.push(format!("{}: {figures}, {:?}", entry.name, world.counters()));
         }
