@@ -529,6 +529,14 @@ pub(in crate::render) mod tests {
     }
 
     #[test]
+    fn muscles_are_seen_on_what_covers_other_bonds() {
+        let mut bonds = [GpuBond::new(0, 1, 1.0), GpuBond { form: MUSCLE, ..GpuBond::new(1, 2, 1.0) }];
+        let nothing = Bonds::default();
+        let [shown, _] = bare_first(&empty(&nothing, 2), &[1; 3], &mut bonds, &mut [0, 1, 2]);
+        assert_eq!((shown, bonds[0].form), (1, MUSCLE));
+    }
+
+    #[test]
     fn pins_are_seen_on_skins_and_other_points_are_not() {
         let skin = Skin {
             picture: Arc::new(Picture::filled(2, 2, [255; 4])),

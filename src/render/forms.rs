@@ -112,6 +112,14 @@ mod tests {
     }
 
     #[test]
+    fn what_is_driven_is_a_muscle() {
+        use crate::sim::{Drive, Signal, Wave};
+        let signal = Signal { wave: Some(Wave { period: 1.0, phase: 0.0 }), held: None };
+        let drive = Some(Drive { amplitude: 0.2, signal });
+        assert_eq!(form(&Bond { drive, ..Bond::new(PointId(0), PointId(1), 1.0) }), MUSCLE);
+    }
+
+    #[test]
     fn a_ring_of_bonds_ends() {
         let bonds: Bonds = (0..8).map(|i| Bond::new(PointId(i), PointId((i + 1) % 8), 1.0)).collect();
         assert_eq!(ropes(&bonds, 8), [true; 8]);
