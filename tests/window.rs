@@ -373,7 +373,7 @@ fn the_gallery_opens_scenes_and_undo_goes_back() {
     app.move_mouse(1030, 450);
     std::thread::sleep(Duration::from_millis(800));
     display.xdotool(&["click", "--repeat", "40", "5"]);
-    std::thread::sleep(Duration::from_millis(800));
+    std::thread::sleep(Duration::from_millis(2500));
     app.move_mouse(1030, 575);
     std::thread::sleep(Duration::from_millis(300));
     display.xdotool(&["click", "1"]);

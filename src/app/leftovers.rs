@@ -62,6 +62,10 @@ fn found(folder: &Path) -> Vec<Leftover> {
         }
     }
     found.reverse();
+    if found.is_empty() {
+        // Names come again.
+        note_offered(folder, &[]);
+    }
     found
 }
 
@@ -70,10 +74,11 @@ fn name_of(left: &Left) -> Option<&str> {
     left.path().file_name()?.to_str()
 }
 
-/// Notes that these were offered: the next start offers them no more. Where that cannot be written it does.
+/// Notes that these, and no others, were offered: the next start offers them no more. Where that cannot be written it does.
 pub(super) fn note_offered(folder: &Path, leftovers: &[Leftover]) {
     let names: Vec<&str> = leftovers.iter().filter_map(|leftover| name_of(&leftover.left)).collect();
-    let _ = std::fs::write(folder.join(OFFERED), names.join("\n"));
+    let file = folder.join(OFFERED);
+    let _ = if names.is_empty() { std::fs::remove_file(file) } else { std::fs::write(file, names.join("\n")) };
 }
 
 /// How long ago a file was written.

@@ -127,7 +127,7 @@ mod tests {
             points: points.to_vec(),
         };
         let text = svg(["t [s]", "a < b"], &[curve("one", &[[0.0, -1.0], [f64::NAN, 3.0], [10.0, 1.0]])]);
-        assert!(text.contains("M78.00 352.73L702.00 49.27"), "{text}");
+        assert!(text.contains("M78.00 352.82L702.00 49.18"), "{text}");
         assert!(text.contains("a &lt; b") && text.contains("#0072b2") && text.contains(">10</text>"), "{text}");
         assert!(!text.contains("NaN") && text.trim_end().ends_with("</svg>"));
         for points in [&[][..], &[[1.0, 5.0]], &[[0.0, 1e300], [1.0, -1e300]]] {

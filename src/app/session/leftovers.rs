@@ -19,14 +19,14 @@ impl Session {
             };
             self.panels.notes.offer = Some(format!("your last session was cut off: {}{others}", newest.line));
         }
-        if let Some(folder) = &self.state_folder {
-            note_offered(folder, &self.leftovers);
-        }
         self.list_leftovers();
     }
 
-    /// The gallery lists what is left, the newest first.
+    /// The gallery lists what is left, the newest first, and no start offers it again.
     fn list_leftovers(&mut self) {
+        if let Some(folder) = &self.state_folder {
+            note_offered(folder, &self.leftovers);
+        }
         self.panels.leftovers = self.leftovers.iter().rev().map(|leftover| leftover.line.clone()).collect();
         self.touch();
     }
