@@ -44,6 +44,9 @@ const RELAXED: u32 = 4u;
 // These act on one side only, and are drawn as ropes and rods.
 const STRING: u32 = 5u;
 const STRUT: u32 = 6u;
+// Drawn over what covers other bonds.
+const MUSCLE: u32 = 7u;
+const FLESH: vec3<f32> = vec3(0.91, 0.42, 0.42);
 
 fn strain_of(bond: Bond, a: vec3<f32>, b: vec3<f32>) -> f32 {
     if bond.rest_length > 0.0 {
@@ -65,6 +68,9 @@ fn tint_of(bond: Bond, a: vec3<f32>, b: vec3<f32>) -> vec4<f32> {
             strain = min(strain, 0.0);
         }
         return vec4(strain_color(strain).rgb, frame.bond_color.a);
+    }
+    if bond.kind == MUSCLE && frame.coil_length > 0.0 {
+        return vec4(FLESH, frame.bond_color.a);
     }
     if bond.color > 0u {
         return vec4(frame.own_colors[bond.color - 1u].rgb, frame.bond_color.a);
@@ -94,6 +100,10 @@ const ROPE_HALF: f32 = 2.1;
 const COIL_SHARE: f32 = 0.1;
 const COIL_MOST: f32 = 6.5;
 const TURN: f32 = 10.0;
+// Half the width of a muscle's belly by its length [1], at least and at most [px], and of its ends beside that [1].
+const BELLY_SHARE: f32 = 0.11;
+const BELLY: vec2<f32> = vec2(2.2, 7.0);
+const TENDON: f32 = 0.3;
 
 @vertex
 fn vertex(@builtin(vertex_index) index: u32, @builtin(instance_index) chunk: u32) -> Strand {
@@ -119,6 +129,11 @@ fn vertex(@builtin(vertex_index) index: u32, @builtin(instance_index) chunk: u32
             let turns = clamp(round(at_rest / (TURN * unit)), 3.0, 18.0);
             form = vec4(f32(COIL), height, turns, width);
             width += 2.0 * height;
+        } else if bond.kind == MUSCLE {
+            // It gets thicker as it gets shorter.
+            let thick = clamp(1.0 - strain_of(bond, a, b), 0.6, 1.6);
+            width = max(width, 2.0 * clamp(BELLY_SHARE * thick * span, BELLY.x * unit, BELLY.y * thick * unit));
+            form = vec4(f32(MUSCLE), 0.0, 0.0, width);
         } else {
             form = vec4(f32(RELAXED), 0.0, 0.0, width);
         }
@@ -140,6 +155,9 @@ fn fragment(in: Strand) -> @location(0) vec4<f32> {
     if kind == COIL && in.form.y > 0.5 {
         return coil_color(in, along, across);
     }
+    if kind == MUSCLE {
+        return muscle_color(in, along, across);
+    }
     var color = stroke_color(plain);
     let off = across / max(in.size.y, 0.5);
     if kind == ROD && in.size.y > 1.2 {
@@ -156,6 +174,20 @@ fn fragment(in: Strand) -> @location(0) vec4<f32> {
         color.a *= 1.0 - 0.8 * gap;
     }
     return color;
+}
+
+// A spindle of fibres: thick in the middle, sinews at its ends.
+fn muscle_color(in: Strand, along: f32, across: f32) -> vec4<f32> {
+    let share = clamp(along / max(in.size.x, 1.0), 0.0, 1.0);
+    let belly = sin(3.1415927 * share);
+    let half = in.size.y * mix(TENDON, 1.0, belly * belly);
+    let beyond = max(max(-along, along - in.size.x), 0.0);
+    let covered = clamp(half + 0.5 - length(vec2(across, beyond)), 0.0, 1.0);
+    let off = across / max(half, 0.5);
+    let fibres = 0.94 + 0.06 * cos(9.0 * off) * belly;
+    let sinew = 1.0 - smoothstep(0.0, 0.22, min(share, 1.0 - share));
+    let color = mix(in.color.rgb, vec3(0.93, 0.9, 0.86), 0.75 * sinew) * fibres * (1.0 - 0.45 * off * off);
+    return fogged(shown(vec4(color, in.color.a), covered, half), in.position.w);
 }
 
 // A wire in waves between two straight ends, bright where it is in front.

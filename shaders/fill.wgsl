@@ -1,8 +1,10 @@
-// Fills: bodies without a picture. Primitives of three kinds in the order that they are drawn in: what is covered, its outline, and a
-// soft shadow about it.
+// Fills: bodies without a picture. Primitives of six kinds in the order that they are drawn in: a soft shadow about what is covered,
+// that, bonds within it that are no side of a triangle, and its outline; of figures of limbs rim and flesh of
+// all sides in place of outlines, below what is covered.
 
 struct Primitive {
-    // Of a fill the corners of two triangles; of a side its ends in the middle, those before and after beside them.
+    // Of a fill the corners of two triangles; of a side its ends in the middle, those before and after beside them, then the bits of a
+    // limb's radius [m].
     points: array<u32, 6>,
     // The kind in the upper eight bits, then red, green, blue.
     ink: u32,
@@ -15,6 +17,9 @@ struct Primitive {
 const FILL: u32 = 0u;
 const OUTLINE: u32 = 1u;
 const SHADOW: u32 = 2u;
+const INNER: u32 = 3u;
+const FLESH: u32 = 4u;
+const SKIN: u32 = 5u;
 
 struct Fill {
     @builtin(position) position: vec4<f32>,
@@ -51,8 +56,21 @@ fn vertex(@builtin(vertex_index) index: u32) -> Fill {
     }
     let a = position_of(primitive.points[1]);
     let b = position_of(primitive.points[2]);
-    if kind == OUTLINE {
-        let side = stroke(corner, a, b, out.color, frame.fill_outline);
+    if kind == FLESH || kind == SKIN {
+        let metre = distance(a, b);
+        let span = distance(pixel_of(frame.clip_from_world * vec4(a, 1.0)), pixel_of(frame.clip_from_world * vec4(b, 1.0)));
+        let radius = bitcast<f32>(primitive.points[4]) * span / max(metre, 1e-12);
+        let width = 2.0 * radius + select(0.0, 2.0 * frame.fill_outline, kind == SKIN);
+        let side = stroke(corner, a, b, out.color, width);
+        // Where bonds are shown through fills, what overlaps would be seen.
+        out.position = select(side.position, nowhere(), frame.fill_opacity < 1.0);
+        out.line = side.line;
+        out.size = vec3(side.size, f32(kind));
+        return out;
+    }
+    if kind == OUTLINE || kind == INNER {
+        let width = select(frame.fill_outline, max(0.8 * frame.outline_width, 1.0), kind == INNER);
+        let side = stroke(corner, a, b, out.color, width);
         out.position = side.position;
         out.line = side.line;
         out.size = vec3(side.size, f32(kind));
@@ -107,6 +125,15 @@ const ASIDE: f32 = 0.7;
 // The other side of a surface, beside the one that is seen from where its normal points.
 const REVERSE: vec3<f32> = vec3(0.78, 0.82, 0.92);
 
+// A stroke with round ends.
+fn round_color(in: Fill, color: vec3<f32>) -> vec4<f32> {
+    let at = in.position.xy - in.line.xy;
+    let along = dot(at, in.line.zw);
+    let beyond = max(max(-along, along - in.size.x), 0.0);
+    let off = length(vec2(dot(at, vec2(-in.line.w, in.line.z)), beyond));
+    return fogged(vec4(color, clamp(in.size.y + 0.5 - off, 0.0, 1.0)), in.position.w);
+}
+
 @fragment
 fn fragment(in: Fill, @builtin(front_facing) is_front: bool) -> @location(0) vec4<f32> {
     let steps = max(fwidth(in.share), vec3(1e-6));
@@ -114,13 +141,26 @@ fn fragment(in: Fill, @builtin(front_facing) is_front: bool) -> @location(0) vec
     if kind == SHADOW {
         return vec4(0.0, 0.0, 0.0, DARKEST * in.share.x * in.share.x * frame.fill_opacity);
     }
-    if kind == OUTLINE {
+    if kind == OUTLINE || kind == SKIN {
         // Beside colours of strain a body's own would mean nothing.
         let bright = dot(in.color.rgb, vec3(0.3, 0.6, 0.1));
         let lift = mix(LIFT.x, LIFT.y, smoothstep(0.1, 0.4, bright));
         let own = select(mix(in.color.rgb, vec3(1.0), lift), vec3(0.88), frame.strain_scale > 0.0);
         let light = vec4(own, 1.0);
+        if kind == SKIN {
+            return round_color(in, own);
+        }
         return stroke_color(Stroke(in.position, in.line, light, in.size.xy));
+    }
+    if kind == FLESH {
+        let plain = mix(frame.ground.rgb, in.color.rgb, 0.8);
+        return round_color(in, select(plain, strain_color(0.0).rgb, frame.strain_scale > 0.0));
+    }
+    if kind == INNER {
+        // As dark as the sides of triangles, and seen where those are.
+        let room = smoothstep(ROOM.x, ROOM.y, 0.7 * in.size.x);
+        let dark = stroke_color(Stroke(in.position, in.line, vec4(0.0, 0.0, 0.0, 1.6 * LINES), in.size.xy));
+        return vec4(dark.rgb, dark.a * room * frame.fill_opacity);
     }
     var color = mix(frame.ground.rgb, in.color.rgb, 0.8);
     if frame.strain_scale > 0.0 {

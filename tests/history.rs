@@ -273,6 +273,32 @@ fn groups_are_the_historys_own_and_undone_like_the_rest() {
     assert!(history.give(vec![group(&[99])], Some("Group")).unwrap_err().reason.contains("no point 99"));
 }
 
+#[test]
+fn groups_of_a_scene_file_are_there_and_are_kept() {
+    let text = r#"{"wobble": 1, "points": {"position": [[0, 0], [1, 0], [2, 0], [3, 0]]},
+        "groups": [{"points": [2, 0, 2]}, {"points": [1, 3], "title": "pair"}]}"#;
+    let scene = Scene::parse(text, "x.json").unwrap();
+    let named = |history: &History| -> Vec<(String, Vec<u32>)> {
+        let groups = history.groups().into_iter();
+        groups.map(|group| (group.name, group.points.into_iter().map(|point| point.0).collect())).collect()
+    };
+    let expected = vec![("group 1".to_owned(), vec![0, 2]), ("pair".to_owned(), vec![1, 3])];
+    let mut history = History::new(scene.clone().into()).unwrap();
+    assert_eq!(named(&history), expected);
+    let expanded = scene.expanded().unwrap();
+    assert_eq!(named(&History::new(expanded.into()).unwrap()), expected);
+    let recorded = as_log(&history.recording());
+    assert_eq!(named(&History::new(Start::from(recorded.recording().unwrap())).unwrap()), expected);
+    let ungroup = Do::Group { points: Vec::new(), name: "pair".into() };
+    history.give(vec![ungroup], Some("Ungroup")).unwrap();
+    let snapshot = as_log(&history.snapshot().unwrap());
+    let mut again = History::new(Start::from(snapshot.recording().unwrap())).unwrap();
+    assert_eq!(named(&again), expected[..1], "what was ended stays so");
+    again.undo();
+    history.undo().unwrap();
+    assert_eq!(named(&history), expected);
+}
+
 /// Positions and velocities now.
 fn motion(history: &History) -> (Vec<[f64; 3]>, Vec<[f64; 3]>) {
     let sample = history.world().sample(history.world().time());

@@ -10,6 +10,8 @@ use crate::history::{Autosave, Left, Start};
 
 /// Names the folder in place of the user's own.
 const VARIABLE: &str = "WOBBLE_STATE_DIR";
+/// In the folder: the names of sessions that were offered already, a line each.
+const OFFERED: &str = "offered.txt";
 
 /// The folder for what is kept between two starts: `wobble` in XDG_STATE_HOME (~/.local/state), or where the system keeps such things.
 /// `None` where the user has no home.
@@ -27,6 +29,8 @@ pub(super) struct Leftover {
     pub(super) start: Start,
     /// What is said of it.
     pub(super) line: String,
+    /// It was not offered at a start yet.
+    pub(super) is_new: bool,
 }
 
 /// Looks for sessions that were cut off, on another thread, which calls `wake` when it is done: the newest last.
@@ -44,19 +48,37 @@ pub(super) fn look(folder: PathBuf, wake: impl Fn() + Send + 'static) -> Receive
 }
 
 fn found(folder: &Path) -> Vec<Leftover> {
+    let known = std::fs::read_to_string(folder.join(OFFERED)).unwrap_or_default();
     let mut found = Vec::new();
     for left in Autosave::left(folder) {
         match left.start() {
             Ok(start) => {
                 let line = line(&start, age(left.path()));
-                found.push(Leftover { left, start, line });
+                let is_new = !known.lines().any(|name| Some(name) == name_of(&left));
+                found.push(Leftover { left, start, line, is_new });
             }
             // Not even its beginning is whole: nobody can go on with it.
             Err(_) => left.discard().unwrap_or_default(),
         }
     }
     found.reverse();
+    if found.is_empty() {
+        // Names come again.
+        note_offered(folder, &[]);
+    }
     found
+}
+
+/// The file's own name.
+fn name_of(left: &Left) -> Option<&str> {
+    left.path().file_name()?.to_str()
+}
+
+/// Notes that these, and no others, were offered: the next start offers them no more. Where that cannot be written it does.
+pub(super) fn note_offered(folder: &Path, leftovers: &[Leftover]) {
+    let names: Vec<&str> = leftovers.iter().filter_map(|leftover| name_of(&leftover.left)).collect();
+    let file = folder.join(OFFERED);
+    let _ = if names.is_empty() { std::fs::remove_file(file) } else { std::fs::write(file, names.join("\n")) };
 }
 
 /// How long ago a file was written.
@@ -67,7 +89,7 @@ fn age(path: &Path) -> Option<Duration> {
 fn line(start: &Start, age: Option<Duration>) -> String {
     let (name, end) = (start.scene().name(), start.recording().end());
     let ago = age.map_or_else(String::new, |age| format!(", {} ago", words(age)));
-    format!("a session was cut off: {name}, {end:.0} s long{ago}")
+    format!("{name}, {end:.0} s long{ago}")
 }
 
 /// A span of time, as one says it.
@@ -104,9 +126,13 @@ mod tests {
         autosave.write(&history).unwrap();
         drop(autosave);
         std::fs::write(folder.path().join("session-1-0.jsonl"), "{\"wobble_rec").unwrap();
-        let found = found(folder.path());
-        assert_eq!(found.len(), 1);
-        assert_eq!(found[0].line, "a session was cut off: two, 0 s long, less than a minute ago");
+        let list = found(folder.path());
+        assert_eq!(list.len(), 1);
+        assert_eq!(list[0].line, "two, 0 s long, less than a minute ago");
+        assert!(list[0].is_new);
+        note_offered(folder.path(), &list);
+        drop(list);
+        assert!(!found(folder.path())[0].is_new, "it was offered");
         assert!(!folder.path().join("session-1-0.jsonl").exists());
     }
 }

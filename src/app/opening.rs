@@ -78,6 +78,83 @@ pub fn fit(view: &View<'_>, with_walls: bool, size: [u32; 2]) -> Camera {
     Camera::fit(corners.map(flat), dimensions, size)
 }
 
+/// What of a picture nothing lies over `[px]`: its left upper and its right lower corner.
+pub type Free = [[f64; 2]; 2];
+
+/// The camera drawn back and moved as little as it takes that all sides of points and walls which it shows lie in the free part of its
+/// picture; in space as it is.
+pub fn clear(mut camera: Camera, seen: &View<'_>, free: Free) -> Camera {
+    let Pose::Plane { .. } = camera.pose else { return camera };
+    let viewport = DVec2::from(camera.viewport().map(f64::from));
+    let middle = 0.5 * viewport;
+    let corners: Vec<[f64; 2]> = [points(seen), surroundings(seen)]
+        .into_iter()
+        .flatten()
+        .filter(|corner| corner[..2].iter().all(|x| x.is_finite()))
+        .filter_map(|[x, y, _]| camera.screen_from_world(DVec3::new(x, y, 0.0)))
+        .collect();
+    let (mut back, mut sides) = (1.0_f64, [None; 2]);
+    for axis in 0..2 {
+        let shown = corners.iter().map(|corner| corner[axis]).filter(|x| (0.0..=viewport[axis]).contains(x));
+        let [low, high] = shown.fold([f64::INFINITY, f64::NEG_INFINITY], |[a, b], x| [a.min(x), b.max(x)]);
+        let room = free[1][axis] - free[0][axis];
+        if low <= high && room > 0.0 {
+            back = back.max((high - low) / room);
+            sides[axis] = Some([low, high]);
+        }
+    }
+    if !back.is_finite() {
+        return camera;
+    }
+    camera.zoom_at(middle.to_array(), 1.0 / back);
+    let by = [0, 1].map(|axis| {
+        let Some(ends) = sides[axis] else { return 0.0 };
+        let [low, high] = ends.map(|x| middle[axis] + (x - middle[axis]) / back);
+        (free[0][axis] - low).max(0.0) + (free[1][axis] - high).min(0.0)
+    });
+    camera.pan(by);
+    camera
+}
+
+/// A camera that shows all points in the free part of a picture.
+pub fn fit_in(view: &View<'_>, free: Free, size: [u32; 2]) -> Camera {
+    let [low, high] = free.map(DVec2::from);
+    let room = (high - low).max(DVec2::ONE);
+    let mut camera = fit(view, false, room.to_array().map(|side| side.round() as u32));
+    let whole = DVec2::from(size.map(f64::from));
+    match &mut camera.pose {
+        Pose::Plane { height, .. } => *height *= whole.y / room.y,
+        Pose::Orbit { distance, .. } => *distance *= whole.y / room.y,
+    }
+    camera.resize(size);
+    camera.pan((0.5 * (low + high) - 0.5 * whole).to_array());
+    camera
+}
+
+/// Share of the view about its middle in which what is driven stays.
+const STAY: f64 = 0.4;
+
+/// The camera goes along with what is driven, as far as it leaves the middle of the view; in the plane. Returns whether it moved.
+pub fn follow(camera: &mut Camera, driven: impl ExactSizeIterator<Item = DVec3>) -> bool {
+    let (Pose::Plane { .. }, count) = (camera.pose, driven.len()) else { return false };
+    let middle = driven.sum::<DVec3>() / count as f64;
+    let Some(at) = camera.screen_from_world(middle).filter(|at| at.iter().all(|x| x.is_finite())) else {
+        return false;
+    };
+    let size = camera.viewport().map(f64::from);
+    let beyond = |axis: usize| {
+        let half = 0.5 * STAY * size[axis];
+        let off = at[axis] - 0.5 * size[axis];
+        off - off.clamp(-half, half)
+    };
+    let by = [beyond(0), beyond(1)];
+    if by == [0.0; 2] {
+        return false;
+    }
+    camera.pan(by.map(|pixels| -pixels));
+    true
+}
+
 /// Corners of a box that nothing is in.
 const EMPTY: [[f64; 3]; 2] = [[f64::INFINITY; 3], [f64::NEG_INFINITY; 3]];
 
@@ -116,6 +193,41 @@ fn surroundings(view: &View<'_>) -> [[f64; 3]; 2] {
 #[allow(clippy::unwrap_used, reason = "a test that cannot go on stops")]
 mod tests {
     use super::*;
+
+    #[test]
+    fn what_a_view_shows_whole_lies_beside_what_covers_it() {
+        let text = r#"{"wobble": 1, "points": {"position": [[-4, -3], [4, 3]]}, "bounds": {"min": [-20, -4], "max": [20, 4]},
+            "view": {"center": [0, 0], "height": 8.4}}"#;
+        let scene = Scene::parse(text, "x.json").unwrap();
+        let world = scene.world(None).unwrap();
+        let (view, size) = (View::of(&*world), [1000, 600]);
+        let free = [[80.0, 120.0], [990.0, 570.0]];
+        let places = |camera: &Camera| {
+            [[-4.0, -4.0], [4.0, 4.0]].map(|[x, y]| camera.screen_from_world(DVec3::new(x, y, 0.0)).unwrap())
+        };
+        let before = places(&camera(&scene, &view, size));
+        assert!(before[1][1] < 50.0, "the upper wall lay below the buttons: {before:?}");
+        let cleared = clear(camera(&scene, &view, size), &view, free);
+        let [low, high] = places(&cleared);
+        assert!(low[1] < 570.1 && high[1] > 119.9 && low[0] > 80.0, "{low:?} {high:?}");
+        assert!((low[1] - high[1] - 450.0).abs() < 1.0, "no further away than it takes");
+        let roomy = [[0.0, 0.0], [1000.0, 600.0]];
+        assert_eq!(clear(camera(&scene, &view, size), &view, roomy).pose, camera(&scene, &view, size).pose);
+        let fitted = fit_in(&view, free, size);
+        let middle = fitted.screen_from_world(DVec3::ZERO).unwrap();
+        assert!((middle[0] - 535.0).abs() < 1e-6 && (middle[1] - 345.0).abs() < 1e-6, "{middle:?}");
+    }
+
+    #[test]
+    fn what_is_driven_stays_in_the_middle_of_the_view() {
+        let mut camera = Camera::new(Pose::Plane { center: DVec2::ZERO, height: 10.0 }, [1000, 500]);
+        let at = |x: f64| [DVec3::new(x, 0.0, 0.0)].into_iter();
+        assert!(!follow(&mut camera, at(3.9)), "two fifths of 20 m are 4 m to both sides");
+        assert!(follow(&mut camera, at(6.0)));
+        let [x, y] = camera.screen_from_world(DVec3::new(6.0, 0.0, 0.0)).unwrap();
+        assert!((x - 700.0).abs() < 1e-9 && (y - 250.0).abs() < 1e-9, "{x} {y} px");
+        assert!(!follow(&mut camera, [].into_iter()) && !follow(&mut camera, at(f64::NAN)));
+    }
 
     #[test]
     fn a_camera_that_was_saved_is_the_same_again() {

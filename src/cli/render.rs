@@ -4,17 +4,19 @@ use std::io::Write;
 use std::path::{Path, PathBuf};
 
 use clap::Args;
+use glam::DVec3;
 use image::codecs::gif::{GifEncoder, Repeat};
 use image::{Delay, Frame, ImageFormat, RgbaImage};
 
 use super::replay::say_notes;
 use super::{progress, values};
 use crate::app::opening;
-use crate::history::{Entry, Replay, Start, chunk};
+use crate::app::player::driven;
+use crate::history::{Do, Entry, Replay, Start, chunk};
 use crate::output;
 use crate::picture::{Skin, Tint};
 use crate::render::{Camera, Capture, Look, Overlay, Trails, View};
-use crate::sim::{Cursor, Dynamics, Positions};
+use crate::sim::{Cursor, Dynamics, PointId, Positions};
 
 /// What to draw and where to write it.
 #[derive(Args)]
@@ -80,7 +82,7 @@ pub(super) fn run(arguments: &Arguments, quiet: bool) -> anyhow::Result<()> {
     for warning in run.world().warnings() {
         writeln!(std::io::stderr(), "wobble: warning: {warning}")?;
     }
-    let camera = opening::camera(scene, &View::of(run.world()), arguments.size);
+    let mut camera = opening::camera(scene, &View::of(run.world()), arguments.size);
     let overlay = match arguments.overlay {
         OverlayName::None => Overlay::None,
         OverlayName::Strain => Overlay::Strain,
@@ -96,6 +98,9 @@ pub(super) fn run(arguments: &Arguments, quiet: bool) -> anyhow::Result<()> {
     for index in 0..count {
         let time = arguments.time + f64::from(index) / arguments.fps * scene.rate();
         run.advance(commands, time)?;
+        if commands.iter().any(|entry| entry.at <= time && matches!(entry.act, Do::Key { down: true, .. })) {
+            follow(&mut camera, run.world());
+        }
         let skins = run.skins();
         let picture = draw(
             &mut capture,
@@ -131,6 +136,16 @@ impl Arguments {
 
     fn count(&self) -> u32 {
         self.frames.unwrap_or(if self.animations().is_empty() { 1 } else { 50 })
+    }
+}
+
+/// The camera goes along with what keys drive, as that of the window does once one was pressed.
+fn follow(camera: &mut Camera, world: &dyn Dynamics) {
+    let (positions, driven) = (world.positions(), driven(world));
+    let place =
+        |point: PointId| DVec3::new(positions.get(2 * point.index()), positions.get(2 * point.index() + 1), 0.0);
+    if world.dimensions() == 2 && !driven.is_empty() {
+        opening::follow(camera, driven.into_iter().map(place));
     }
 }
 

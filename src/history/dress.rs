@@ -16,6 +16,24 @@ pub struct Group {
     pub points: Vec<PointId>,
 }
 
+/// The groups that a scene has at its start: those without a title are counted.
+fn groups(scene: &Scene) -> Vec<Group> {
+    let mut list: Vec<Group> = Vec::new();
+    for keys in &scene.groups {
+        let is_free = |name: &String| {
+            let is_said = scene.groups.iter().any(|group| group.title.as_ref() == Some(name));
+            !is_said && list.iter().all(|group| group.name != *name)
+        };
+        let counted = || (1..).map(|k| format!("group {k}")).find(is_free);
+        let Some(name) = keys.title.clone().or_else(counted) else { continue };
+        let mut points: Vec<PointId> = keys.points.iter().copied().map(PointId).collect();
+        points.sort_unstable();
+        points.dedup();
+        list.push(Group { name, points });
+    }
+    list
+}
+
 /// How a body without a colour of its own is written.
 const NO_COLOR: u32 = u32::MAX;
 
@@ -42,6 +60,7 @@ impl Dress {
         dress.wear(scene.skins()?);
         dress.of_scene = dress.worn.len();
         dress.tints = scene.tints()?.into();
+        dress.groups = Arc::new(groups(scene));
         Ok(dress)
     }
 

@@ -111,7 +111,12 @@ impl Recording {
             let Group { name, points } = group;
             Entry { at, act: Do::Group { points, name }, edit: None, name: None }
         };
-        let commands = frame.dress.groups(&*frame.world).into_iter().map(group).collect();
+        let groups = frame.dress.groups(&*frame.world);
+        // Those of the scene that are none any more would come again with it.
+        let is_left = |name: &String| groups.iter().any(|group| group.name == *name);
+        let named = frame.dress.named().iter().map(|group| group.name.clone());
+        let ended = named.filter(|name| !is_left(name)).map(|name| Group { name, points: Vec::new() });
+        let commands = groups.iter().cloned().chain(ended).map(group).collect();
         let state = Some(state::keep(frame, scene.name.as_deref())?);
         Ok(Recording { state, commands, end: Some(at), ..scene.clone().into() })
     }

@@ -12,7 +12,7 @@ use super::camera::Camera;
 use super::chunks::{Chunks, LARGE, Selection, Wanted};
 use super::counters::RenderCounters;
 use super::error::RenderError;
-use super::forms::{ROPE, form, is_rope, ropes};
+use super::forms::{MUSCLE, ROPE, form, is_rope, ropes};
 use super::gpu::Gpu;
 use super::growing::GrowingBuffer;
 use super::look::Color;
@@ -86,8 +86,8 @@ pub(super) struct WorldBuffers {
     pub(super) frame: GrowingBuffer,
     point_count: u32,
     bond_count: u32,
-    /// Those below obstacles, and the numbers over them.
-    pub(super) guide_counts: [u32; 2],
+    /// Those below obstacles, the numbers over them, and the marks over all else.
+    pub(super) guide_counts: [u32; 3],
     pub(super) solid_count: u32,
     /// Bonds and points that no skin and no fill covers, which come first: of small scenes.
     bare: [u32; 2],
@@ -134,7 +134,7 @@ impl WorldBuffers {
             frame: GrowingBuffer::new(gpu, "frame", wgpu::BufferUsages::UNIFORM, 512),
             point_count: 0,
             bond_count: 0,
-            guide_counts: [0; 2],
+            guide_counts: [0; 3],
             solid_count: 0,
             bare: [0, 0],
             covers_all: false,
@@ -339,12 +339,12 @@ impl WorldBuffers {
         Ok(())
     }
 
-    /// Uploads guides, so many below obstacles and over them, unless they are those of the last picture.
+    /// Uploads guides, so many below obstacles, over them and over all else, unless they are those of the last picture.
     pub(super) fn set_guides(
         &mut self,
         gpu: &Gpu,
         bytes: &[u8],
-        counts: [usize; 2],
+        counts: [usize; 3],
         counters: &mut RenderCounters,
     ) -> Result<(), RenderError> {
         if self.last_guides != bytes {
@@ -438,8 +438,10 @@ fn paint(view: &View<'_>, cover: &[u32], bonds: &mut [GpuBond]) -> [Color; COLOR
 /// Puts bonds and points that are not covered first, and returns how many there are of each. Pins are seen on skins too, and points
 /// within a rope are not.
 fn bare_first(view: &View<'_>, cover: &[u32], bonds: &mut [GpuBond], points: &mut [u32]) -> [u32; 2] {
-    // Between two pieces a bond is seen.
-    let is_hidden = |bond: &GpuBond| cover[bond.a as usize] != 0 && cover[bond.a as usize] == cover[bond.b as usize];
+    // Between two pieces a bond is seen, and a muscle is everywhere.
+    let is_hidden = |bond: &GpuBond| {
+        bond.form != MUSCLE && cover[bond.a as usize] != 0 && cover[bond.a as usize] == cover[bond.b as usize]
+    };
     bonds.sort_by_key(is_hidden);
     // How many bonds of a rope and others end in a point.
     let mut ends = vec![[0_u32; 2]; cover.len()];
@@ -520,7 +522,18 @@ pub(in crate::render) mod tests {
             polygons: &[],
             convex: &[],
             mouse: None,
+            hinges: Vec::new(),
+            joints: Vec::new(),
+            covered: &[],
         }
+    }
+
+    #[test]
+    fn muscles_are_seen_on_what_covers_other_bonds() {
+        let mut bonds = [GpuBond::new(0, 1, 1.0), GpuBond { form: MUSCLE, ..GpuBond::new(1, 2, 1.0) }];
+        let nothing = Bonds::default();
+        let [shown, _] = bare_first(&empty(&nothing, 2), &[1; 3], &mut bonds, &mut [0, 1, 2]);
+        assert_eq!((shown, bonds[0].form), (1, MUSCLE));
     }
 
     #[test]

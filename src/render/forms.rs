@@ -2,7 +2,7 @@
 
 use crate::sim::{Bond, BondKind, Bonds, Limit};
 
-/// Kinds as the shader knows them: `ROD`, `COIL`, `ROPE`, `RELAXED`, `STRING`, `STRUT` in bonds.wgsl; 0 is a plain stroke. A string and a
+/// Kinds as the shader knows them: `ROD`, `COIL`, `ROPE`, `RELAXED`, `STRING`, `STRUT`, `MUSCLE` in bonds.wgsl; 0 is a plain stroke. A string and a
 /// strut act on one side only, as a rope and a rod that show no strain on the other.
 const ROD: u32 = 1;
 const COIL: u32 = 2;
@@ -10,12 +10,16 @@ pub(super) const ROPE: u32 = 3;
 const RELAXED: u32 = 4;
 const STRING: u32 = 5;
 const STRUT: u32 = 6;
+pub(super) const MUSCLE: u32 = 7;
 
 /// Bonds in a row, without a branch, from which on they are a rope.
 const ROPE_FROM: usize = 6;
 
-/// What a bond is drawn as by itself: what only pulls is a piece of rope.
+/// What a bond is drawn as by itself: what is driven is a muscle, what only pulls a piece of rope.
 pub(super) fn form(bond: &Bond) -> u32 {
+    if bond.drive.is_some() {
+        return MUSCLE;
+    }
     match (bond.limit, bond.kind) {
         (Limit::Max, _) => STRING,
         (Limit::Min, _) => STRUT,
@@ -105,6 +109,14 @@ mod tests {
         assert!(is_rope(string) && !is_rope(strut) && !is_rope(both));
         let shown = |form| [-0.2, 0.3].map(|strain| acting(form, strain));
         assert_eq!([string, strut, both].map(shown), [[0.0, 0.3], [-0.2, 0.0], [-0.2, 0.3]]);
+    }
+
+    #[test]
+    fn what_is_driven_is_a_muscle() {
+        use crate::sim::{Drive, Signal, Wave};
+        let signal = Signal { wave: Some(Wave { period: 1.0, phase: 0.0 }), held: None };
+        let drive = Some(Drive { amplitude: 0.2, signal });
+        assert_eq!(form(&Bond { drive, ..Bond::new(PointId(0), PointId(1), 1.0) }), MUSCLE);
     }
 
     #[test]

@@ -7,7 +7,8 @@ use super::camera::{Camera, Pose};
 use super::look::{Color, Look};
 use super::numerals;
 use super::obstacles::{Patch, RIM};
-use super::view::View;
+use super::view::{Hinge, View, Ways};
+use crate::sim::PointId;
 
 /// A stroke as the shader reads it: `Guide` in guides.wgsl.
 #[derive(Clone, Copy, Debug, PartialEq, Pod, Zeroable)]
@@ -26,14 +27,14 @@ const CLOSEST: f64 = 45.0;
 /// Opacity of a plane's rim in space, where it ends nowhere, beside that of walls `[1]`.
 const PATCH_RIM: f32 = 0.6;
 
-/// The guides of a picture, those below first, and how many of them lie below obstacles: the numbers of the grid, which come last, are
-/// read on those too. Positions relative to `origin` `[m]`.
+/// The guides of a picture, those below first, and how many of them lie below obstacles, over those, and over all else: the numbers of
+/// the grid are read on obstacles too, the marks of motors on bodies. Positions relative to `origin` `[m]`.
 pub(super) fn guides(
     camera: &Camera,
     (view, patches): (&View<'_>, &[Patch]),
     origin: DVec3,
     look: &Look,
-) -> (Vec<Guide>, usize) {
+) -> (Vec<Guide>, [usize; 3]) {
     let (bounds, dimensions) = (view.bounds, view.dimensions);
     let mut list = Vec::new();
     if let Pose::Plane { center, height } = camera.pose
@@ -62,9 +63,65 @@ pub(super) fn guides(
         && look.has_grid
         && let Some(seen) = seen(camera, center, height)
     {
-        numbers(&mut list, camera, seen, origin, look);
+        numbers(&mut list, (camera, view.covered), seen, origin, look);
     }
-    (list, below)
+    let over = list.len();
+    if let Pose::Plane { .. } = camera.pose {
+        view.hinges.iter().for_each(|hinge| motor(&mut list, camera, (view, hinge), origin, look));
+    }
+    let counts = [below, over - below, list.len() - over];
+    (list, counts)
+}
+
+/// Arcs of motors: their radius beside the shorter arm [1], at least and at most [px], and their width [px]; arms shorter than the last are
+/// not marked [px].
+const ARC_SHARE: f64 = 0.4;
+const ARC: [f64; 2] = [8.0, 17.0];
+const ARC_WIDTH: f32 = 2.2;
+const LEAST_ARM: f64 = 7.0;
+/// Half of an arc [rad], in so many strokes, and the length of its heads [px].
+const HALF_ARC: f64 = 2.2;
+const ARC_STROKES: u32 = 22;
+const HEAD: f64 = 5.5;
+
+/// Adds the mark of a hinge that is driven: an arc about it that goes along with what it turns, with a head each way that it turns.
+fn motor(list: &mut Vec<Guide>, camera: &Camera, (view, hinge): (&View<'_>, &Hinge), origin: DVec3, look: &Look) {
+    let count = view.current.len() / 2;
+    if hinge.points.iter().any(|point| point.index() >= count) {
+        return;
+    }
+    let mix = f64::from(view.mix);
+    let place = |point: PointId| {
+        let at = |axis: usize| {
+            let index = 2 * point.index() + axis;
+            view.previous.get(index) * (1.0 - mix) + view.current.get(index) * mix
+        };
+        DVec2::new(at(0), at(1))
+    };
+    let [from, middle, to] = hinge.points.map(place);
+    let (scale, metre) = (f64::from(look.scale_factor), camera.pixels_per_metre());
+    let arm = from.distance(middle).min(to.distance(middle)) * metre / scale;
+    if !(arm >= LEAST_ARM && metre.is_normal()) {
+        return;
+    }
+    let pixel = scale / metre;
+    let radius = (ARC_SHARE * arm).clamp(ARC[0], ARC[1]) * pixel;
+    let start = (to - middle).to_angle();
+    let at = |angle: f64, radius: f64| middle + radius * DVec2::from_angle(start + angle);
+    let mut line = |a: DVec2, b: DVec2| {
+        let width = ARC_WIDTH * look.scale_factor;
+        list.push(guide(a.extend(0.0) - origin, b.extend(0.0) - origin, width, look.motor));
+    };
+    let angle = |k: u32| HALF_ARC * (2.0 * f64::from(k) / f64::from(ARC_STROKES) - 1.0);
+    (0..ARC_STROKES).for_each(|k| line(at(angle(k), radius), at(angle(k + 1), radius)));
+    for (way, has_head) in [(1.0, hinge.ways != Ways::Right), (-1.0, hinge.ways != Ways::Left)] {
+        let back = way * (HALF_ARC - HEAD * pixel / radius);
+        for side in [-0.6, 0.6] {
+            if has_head {
+                line(at(back, radius + side * HEAD * pixel), at(way * HALF_ARC, radius));
+            }
+        }
+    }
 }
 
 /// The corners of what is seen of the plane `[m]`; `None` where the picture's edges are the same number, so far out or so near, or not
@@ -115,8 +172,18 @@ const APART: [f64; 2] = [90.0, 60.0];
 /// Least gap between two in a row `[px]`.
 const GAP: f64 = 24.0;
 
-/// Adds the numbers of the grid: along the lower edge and the left one, at every line or every second or fifth.
-fn numbers(list: &mut Vec<Guide>, camera: &Camera, (low, high): (DVec2, DVec2), origin: DVec3, look: &Look) {
+/// Numbers along the left edge that something lies over go to the right of it, so far at most, as a share of the picture's width `[1]`.
+const ASIDE: f64 = 0.4;
+
+/// Adds the numbers of the grid: along the lower edge and the left one, at every line or every second or fifth, where nothing lies over
+/// them.
+fn numbers(
+    list: &mut Vec<Guide>,
+    (camera, covered): (&Camera, &[[f32; 4]]),
+    (low, high): (DVec2, DVec2),
+    origin: DVec3,
+    look: &Look,
+) {
     let scale = f64::from(look.scale_factor);
     let step = spacing(camera.pixels_per_metre());
     let metre = camera.pixels_per_metre();
@@ -143,11 +210,33 @@ fn numbers(list: &mut Vec<Guide>, camera: &Camera, (low, high): (DVec2, DVec2), 
             if corner[axis] < low[axis] + beside + room || at > high[axis] - room {
                 continue;
             }
+            let size = DVec2::new(width, DIGITS * numerals::TALL * scale);
+            let at = DVec2::new(corner.x - low.x, high.y - corner.y) * metre - DVec2::new(0.0, size.y);
+            let Some(aside) = aside([at, at + size], covered, EDGE * scale) else { continue };
+            if aside > 0.0 && (axis == 0 || at.x + aside > ASIDE * (high.x - low.x) * metre) {
+                continue;
+            }
+            corner.x += aside / metre;
             let place = |end: DVec2| (corner + end / metre).extend(0.0) - origin;
             let width = NUMBER_WIDTH * look.scale_factor;
             list.extend(strokes.iter().map(|&[a, b]| guide(place(a), place(b), width, look.number)));
         }
     }
+}
+
+/// How far a box goes to the right until nothing lies over it, with some room; `None` where it would not end `[px]`.
+fn aside([low, high]: [DVec2; 2], covered: &[[f32; 4]], room: f64) -> Option<f64> {
+    let mut by = 0.0;
+    for _ in 0..=covered.len() {
+        let over = covered.iter().map(|side| side.map(f64::from)).find(|&[left, top, right, bottom]| {
+            low.x + by < right && high.x + by > left && low.y < bottom && high.y > top
+        });
+        match over {
+            Some([_, _, right, _]) => by = right + room - low.x,
+            None => return Some(by),
+        }
+    }
+    None
 }
 
 /// Cells of the floor of walls in space along its longer side.
@@ -214,10 +303,54 @@ mod tests {
     fn numbers_come_last_and_over_obstacles() {
         let camera = Camera::new(Pose::Plane { center: DVec2::ZERO, height: 8.0 }, [640, 480]);
         let of = |look: Look| guides(&camera, (&empty(&Bonds::default(), 2), &[]), DVec3::ZERO, &look);
-        let (all, below) = of(Look::default());
+        let (all, [below, ..]) = of(Look::default());
         let bare = of(Look { number: [0.0; 4], ..Look::default() });
-        assert_eq!((bare.0.len(), bare.1), (below, below), "lines alone lie below");
+        assert_eq!((bare.0.len(), bare.1), (below, [below, 0, 0]), "lines alone lie below");
         assert!(all.len() > below + 50 && all[below..].iter().all(|guide| guide.color == Look::default().number));
+    }
+
+    #[test]
+    fn numbers_stay_clear_of_what_lies_over_the_picture() {
+        let camera = Camera::new(Pose::Plane { center: DVec2::ZERO, height: 8.0 }, [640, 480]);
+        let places = |covered: &[[f32; 4]]| {
+            let bonds = Bonds::default();
+            let view = View { covered, ..empty(&bonds, 2) };
+            let (all, [below, ..]) = guides(&camera, (&view, &[]), DVec3::ZERO, &Look::default());
+            let ends = all[below..].iter().flat_map(|guide| [guide.a, guide.b]);
+            ends.map(|[x, y, ..]| [320.0 + 60.0 * x, 240.0 - 60.0 * y]).collect::<Vec<_>>()
+        };
+        let within = |[left, top, right, bottom]: [f32; 4], list: &[[f32; 2]]| {
+            list.iter().filter(|[x, y]| (left..right).contains(x) && (top..bottom).contains(y)).count()
+        };
+        let free = places(&[]);
+        let panel = [0.0, 100.0, 150.0, 300.0];
+        let message = [200.0, 440.0, 400.0, 480.0];
+        assert!(within(panel, &free) > 20 && within(message, &free) > 10, "there are numbers there");
+        let clear = places(&[panel, message]);
+        assert_eq!([within(panel, &clear), within(message, &clear)], [0, 0]);
+        assert_eq!(within([150.0, 100.0, 250.0, 300.0], &clear), within(panel, &free), "beside the panel");
+        let wide = places(&[[0.0, 100.0, 500.0, 300.0]]);
+        assert_eq!(within([0.0, 100.0, 640.0, 300.0], &wide), 0, "too far away");
+    }
+
+    #[test]
+    fn a_motor_has_an_arc_about_its_hinge_with_a_head_where_it_turns() {
+        let camera = Camera::new(Pose::Plane { center: DVec2::ZERO, height: 8.0 }, [640, 480]);
+        let (bonds, places) = (Bonds::default(), [-1.0, 0.0, 0.0, 0.0, 0.0, 1.0]);
+        let of = |ways: Ways, places: &[f64]| {
+            let current = crate::sim::Positions::F64(places);
+            let hinges = vec![Hinge { points: [0, 1, 2].map(PointId), ways }];
+            let view = View { hinges, previous: current, current, ..empty(&bonds, 2) };
+            let (all, [below, over, marks]) = guides(&camera, (&view, &[]), DVec3::ZERO, &Look::default());
+            assert_eq!(all.len(), below + over + marks);
+            all[below + over..].to_vec()
+        };
+        let left = of(Ways::Left, &places);
+        assert_eq!([left.len(), of(Ways::Both, &places).len()], [24, 26]);
+        let tip = left.last().map(|guide| [guide.b[0], guide.b[1]]).unwrap_or_default();
+        assert!(tip[0] < 0.0 && tip[1] < 0.0, "anticlockwise from above it comes by the left: {tip:?}");
+        assert_eq!(of(Ways::Left, &places.map(|x| 0.01 * x)).len(), 0, "too small to be seen");
+        assert_eq!(of(Ways::Left, &places[..4]).len(), 0, "of points that are gone");
     }
 
     #[test]

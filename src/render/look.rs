@@ -60,6 +60,8 @@ pub struct Look {
     pub trail: Color,
     /// The region of the mouse force.
     pub region: Color,
+    /// Marks of motors.
+    pub motor: Color,
     /// Width of bonds `[px]`.
     pub bond_width: f32,
     /// Largest radius of points `[px]`; they shrink where bonds are short on the screen.
@@ -109,6 +111,7 @@ impl Default for Look {
             pin: hex(0xff_5c_7a, 1.0),
             trail: hex(0xee_dd_88, 0.75),
             region: hex(0x7d_f0_c8, 0.9),
+            motor: hex(0xff_d6_78, 0.95),
             bond_width: 1.8,
             point_radius: 4.2,
             outline_width: 1.5,

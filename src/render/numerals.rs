@@ -3,7 +3,7 @@
 use glam::DVec2;
 
 /// Height of a digit; other lengths are in the same unit.
-const TALL: f64 = 7.0;
+pub(super) const TALL: f64 = 7.0;
 /// From a sign to the next.
 const ADVANCE: f64 = 5.9;
 const DOT_ADVANCE: f64 = 3.2;

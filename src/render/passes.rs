@@ -268,7 +268,8 @@ impl Passes {
                 if let Some(pipelines) = &self.obstacles {
                     obstacles.draw(target, pipelines, counters);
                 }
-                self.draw_numbers(target, buffers, counters);
+                let [below, count, _] = buffers.guide_counts;
+                self.draw_guides(target, below..below + count, counters);
                 if shown.fills {
                     fills.draw(shown.strain, target, &self.fill, counters);
                 }
@@ -287,6 +288,8 @@ impl Passes {
                 target.draw(vertices, instances);
             }
         }
+        let [below, over, marks] = buffers.guide_counts;
+        self.draw_guides(target, below + over..below + over + marks, counters);
         let count = |runs: &[Run]| runs.iter().map(|run| u64::from(run.count) * u64::from(run.chunks)).sum::<u64>();
         counters.bonds_drawn += count(&buffers.selection.strokes);
         counters.dots_drawn += count(&buffers.selection.dots);
@@ -295,14 +298,15 @@ impl Passes {
 }
 
 impl Passes {
-    /// Draws the numbers of the grid, over obstacles and below bodies.
-    fn draw_numbers(&self, target: &mut wgpu::RenderPass<'_>, buffers: &WorldBuffers, counters: &mut RenderCounters) {
-        let [below, count] = buffers.guide_counts;
+    /// Draws further guides: the numbers of the grid, over obstacles and below bodies, or the marks over all else.
+    fn draw_guides(&self, target: &mut wgpu::RenderPass<'_>, range: Range<u32>, counters: &mut RenderCounters) {
         let pipeline = self.pipelines.iter().find(|(pass, _)| *pass == Pass::Guides);
-        let (Some((_, pipeline)), Some(bindings)) = (pipeline.filter(|_| count > 0), &self.bindings) else { return };
+        let (Some((_, pipeline)), Some(bindings)) = (pipeline.filter(|_| !range.is_empty()), &self.bindings) else {
+            return;
+        };
         target.set_pipeline(pipeline);
         target.set_bind_group(0, &bindings[Pass::Guides.shader()], &[]);
-        target.draw(QUAD * below..QUAD * (below + count), 0..1);
+        target.draw(QUAD * range.start..QUAD * range.end, 0..1);
         counters.draws += 1;
     }
 }

@@ -67,8 +67,8 @@ impl Renderer {
         let origin = self.buffers.origin;
         let frame = Frame::new(view, camera, look, &self.buffers);
         self.obstacles.update(gpu, (view, camera, &frame), counters)?;
-        let (lines, below) = guides(camera, (view, self.obstacles.patches()), origin, look);
-        self.buffers.set_guides(gpu, bytemuck::cast_slice(&lines), [below, lines.len() - below], counters)?;
+        let (lines, counts) = guides(camera, (view, self.obstacles.patches()), origin, look);
+        self.buffers.set_guides(gpu, bytemuck::cast_slice(&lines), counts, counters)?;
         self.buffers.set_solids(gpu, solids(view, camera, origin), counters)?;
         self.has_region = frame.has_region();
         self.buffers.set_frame(gpu, bytemuck::bytes_of(&frame), counters)?;

@@ -2,7 +2,64 @@
 
 use super::trails::Trails;
 use crate::picture::{Skin, Tint};
-use crate::sim::{Bonds, Convex, Cursor, Dynamics, MouseForce, PointId, Polygon, Positions};
+use crate::sim::{Angle, AngleDrive, Bonds, Convex, Cursor, Dynamics, MouseForce, PointId, Polygon, Positions, Signal};
+
+/// A driven angle: the third point turns about the second, as seen from the first.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Hinge {
+    /// Its points.
+    pub points: [PointId; 3],
+    /// Which way it turns.
+    pub ways: Ways,
+}
+
+/// Which way a hinge is turned by what drives it.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Ways {
+    /// Anticlockwise.
+    Left,
+    /// Clockwise.
+    Right,
+    /// To and fro, or as a key says.
+    Both,
+}
+
+impl Hinge {
+    /// Those of a world, one for each point that something turns about: none where nothing is driven.
+    pub fn of(world: &dyn Dynamics) -> Vec<Hinge> {
+        let ways =
+            |drive: AngleDrive| match drive {
+                AngleDrive::Motor { speed, signal, .. } if signal.wave.is_none() && !goes_back(&signal) => {
+                    if speed < 0.0 { Ways::Right } else { Ways::Left }
+                }
+                _ => Ways::Both,
+            };
+        let hinge = |angle: &Angle| Some(Hinge { points: angle.points, ways: ways(angle.drive?) });
+        let mut list: Vec<Hinge> = world.angles().iter().filter_map(hinge).collect();
+        list.sort_by_key(|hinge| hinge.points[1]);
+        list.dedup_by(|next, first| {
+            let is_same = next.points[1] == first.points[1];
+            if is_same && next.ways != first.ways {
+                first.ways = Ways::Both;
+            }
+            is_same
+        });
+        list
+    }
+}
+
+/// Where a world has joints with stops, ascending.
+pub fn joints(world: &dyn Dynamics) -> Vec<PointId> {
+    let with_stops = world.angles().iter().filter(|angle| angle.range.is_some());
+    let mut list: Vec<PointId> = with_stops.map(|angle| angle.points[1]).collect();
+    list.sort_unstable();
+    list.dedup();
+    list
+}
+
+fn goes_back(signal: &Signal) -> bool {
+    signal.held.is_some_and(|held| held.back.is_some())
+}
 
 /// A borrowed view of a world, between its last two substeps.
 #[derive(Clone)]
@@ -42,6 +99,13 @@ pub struct View<'a> {
     pub convex: &'a [Convex],
     /// The mouse force and where its cursor is.
     pub mouse: Option<(&'a MouseForce, Cursor)>,
+    /// Where motors and servos turn: marked over all else.
+    pub hinges: Vec<Hinge>,
+    /// Where joints with stops are, ascending: bodies that have some are drawn as figures of limbs.
+    pub joints: Vec<PointId>,
+    /// What lies over the picture, from the left and from the top to the right and to the bottom `[px]`: numbers of the grid stay clear
+    /// of it.
+    pub covered: &'a [[f32; 4]],
 }
 
 impl<'a> View<'a> {
@@ -65,6 +129,9 @@ impl<'a> View<'a> {
             polygons: world.polygons(),
             convex: world.convex(),
             mouse: world.mouse(),
+            hinges: Hinge::of(world),
+            joints: joints(world),
+            covered: &[],
         }
     }
 }

@@ -98,9 +98,10 @@ impl Scene {
             || self.angles.iter().any(|angle| angle.points.0.iter().any(|&point| point >= first))
             || self.pin_motion.iter().any(|motion| motion.point >= first)
             || self.forces.iter().any(|force| force.points.iter().any(|&point| point >= first))
+            || self.groups.iter().any(|group| group.points.iter().any(|&point| point >= first))
             || self.skins.iter().any(|skin| skin.points.iter().any(|&point| point >= first));
         if is_named {
-            let message = "pins, bonds, triangles, angles, skins or forces of the scene name its points or later ones by number, and cut out \
+            let message = "pins, bonds, triangles, angles, groups, skins or forces of the scene name its points or later ones by number, and cut out \
                            anew it has others: make it a body of its own";
             return Err(Fault::invalid(message));
         }

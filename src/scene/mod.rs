@@ -26,6 +26,7 @@ mod model;
 mod nearest;
 mod obstacle;
 mod of_picture;
+mod parameter;
 mod pictures;
 mod read;
 pub mod record;
@@ -44,14 +45,16 @@ pub(crate) use keys::macros::object;
 pub use keys::{
     AddKeys, AngleKeys, AreaKeys, AreaKindName, BodyKeys, BondKeys, BondList, BoundsKeys, BoxKeys, BraceName,
     BudgetKeys, CircleKeys, ColorKey, ContactKeys, DiagonalsName, DriveKeys, ForceKeys, KeyName, KindName, LimitName,
-    MakerName, MassKeys, Material, Meeting, MethodKeys, MouseKeys, ObstacleKeys, OrderName, PatternName, PenaltyKeys,
-    PictureKeys, PinMotionKeys, PlaneKeys, PointKeys, PrecisionName, ProfileName, RegionName, RepeatKeys, RotationKeys,
-    Row, Scene, SkinKeys, SolverName, SourceName, StrokesName, TextureKeys, Vector, Version, ViewKeys, WindKeys,
+    MakerName, MassKeys, Material, Meeting, MethodKeys, MouseKeys, ObstacleKeys, OrderName, ParameterKeys, PatternName,
+    PenaltyKeys, PictureKeys, PinMotionKeys, PlaneKeys, PointGroupKeys, PointKeys, PrecisionName, ProfileName,
+    RegionName, RepeatKeys, RotationKeys, Row, Scene, SkinKeys, SolverName, SourceName, StrokesName, TextureKeys,
+    Vector, Version, ViewKeys, WindKeys,
 };
 pub(crate) use keys::{ObjectOnly, present};
 pub(crate) use nearest::nearest;
 pub(crate) use of_picture::MOST_MEETING;
 pub use of_picture::Matter;
+pub use parameter::{Parameter, Target};
 pub(crate) use read::translate;
 pub use schema::schema;
 pub(crate) use support::LATER;

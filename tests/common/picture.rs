@@ -53,6 +53,9 @@ pub fn view<'a>(positions: &'a [f32], bonds: &'a Bonds, dimensions: usize) -> Vi
         polygons: &[],
         convex: &[],
         mouse: None,
+        hinges: Vec::new(),
+        joints: Vec::new(),
+        covered: &[],
     }
 }
 

@@ -1,14 +1,22 @@
-//! The gallery under a mouse that is somewhere else in every frame: a frame has its bounds, and nothing is left broken.
+//! The gallery under a mouse that is somewhere else in every frame: a frame has its bounds, most frames are cheap, and nothing is left
+//! broken or inside out.
 
 use wobble::scene::gallery;
-use wobble::sim::{Command, Cursor, Dynamics, frame_of};
+use wobble::sim::{Command, Cursor, Dynamics, PointId, frame_of};
 
 use super::FRAME;
 
 /// Scenes that are too large for it, or made to show what sweeps do.
 const LEFT_OUT: [&str; 1] = ["million-cloth"];
+/// Scenes that are known to go beyond the bounds for all, with their own: half of the frames [ms], inside out [s]. A thousand thin rims of
+/// 60 springs each pass through each other and themselves, so nothing keeps a rim that the mouse has folded from staying so.
+const KNOWN: [(&str, f64, f64); 1] = [("thousand-rims", 4.5, TIME)];
 /// How long the mouse jumps [s].
 const TIME: f64 = 2.0;
+/// Counted work of half of the frames [ms].
+const MEDIAN: f64 = 4.0;
+/// A triangle is inside out for less than this [s].
+const INVERTED: f64 = 1.0;
 
 /// Numbers in [0, 1) that are the same every time.
 fn draw(state: &mut u64) -> f64 {
@@ -26,10 +34,45 @@ fn extent(world: &dyn Dynamics) -> [[f64; 2]; 2] {
     [low, high]
 }
 
-/// The dearest frame without a hand-over in it [ms of counted work].
-fn dearest(world: &mut dyn Dynamics) -> f64 {
+/// What the frames of a run were like.
+#[derive(Default)]
+struct Frames {
+    /// The dearest one without a hand-over in it [ms of counted work].
+    dearest: f64,
+    /// Each of them.
+    works: Vec<f64>,
+    /// How long the triangle was inside out that was so longest [s].
+    inverted: f64,
+}
+
+impl Frames {
+    fn median(mut self) -> f64 {
+        self.works.sort_by(f64::total_cmp);
+        self.works[self.works.len() / 2]
+    }
+}
+
+/// The signed areas of the triangles, by their numbers; none in space [m^2].
+fn areas(world: &dyn Dynamics) -> Vec<f64> {
+    if world.dimensions() != 2 {
+        return Vec::new();
+    }
+    let x = world.positions();
+    let at = |point: PointId| [x.get(2 * point.index()), x.get(2 * point.index() + 1)];
+    let area = |corners: &[PointId; 3]| {
+        let [a, b, c] = corners.map(at);
+        0.5 * ((b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]))
+    };
+    world.triangles().iter().map(area).collect()
+}
+
+/// The frames of a run.
+fn run(world: &mut dyn Dynamics) -> Frames {
     let ([low, high], mut state) = (extent(world), 5);
-    let (mut most, mut frame, mut work, mut hand_overs) = (0.0_f64, 0, world.counters().work_ms(), 0);
+    let (mut frame, mut work, mut hand_overs) = (0, world.counters().work_ms(), 0);
+    let mut frames = Frames::default();
+    let (mut start, mut torn) = (areas(world), world.counters().bonds_torn);
+    let mut since = vec![f64::INFINITY; start.len()];
     while world.time() < TIME - 1e-9 {
         if frame_of(world.time()) != frame || frame == 0 {
             frame = frame_of(world.time());
@@ -40,13 +83,25 @@ fn dearest(world: &mut dyn Dynamics) -> f64 {
         world.step();
         if frame_of(world.time() + world.substep()) != frame_of(world.time()) {
             let counters = *world.counters();
+            let own = counters.work_ms() - work;
             if counters.hand_overs == hand_overs {
-                most = most.max(counters.work_ms() - work);
+                frames.dearest = frames.dearest.max(own);
             }
+            frames.works.push(own);
             (work, hand_overs) = (counters.work_ms(), counters.hand_overs);
+            let now = areas(world);
+            if counters.bonds_torn != torn || now.len() != start.len() {
+                // Triangles went with bonds that broke: which is which is not known any more.
+                (start, torn) = (now.clone(), counters.bonds_torn);
+                since = vec![f64::INFINITY; start.len()];
+            }
+            for ((since, before), now) in since.iter_mut().zip(&start).zip(&now) {
+                *since = if before * now < 0.0 { since.min(world.time()) } else { f64::INFINITY };
+                frames.inverted = frames.inverted.max(world.time() - *since);
+            }
         }
     }
-    most
+    frames
 }
 
 #[test]
@@ -54,10 +109,16 @@ fn the_gallery_bears_a_mouse_that_jumps() {
     let mut wrong = Vec::new();
     for entry in gallery().iter().filter(|entry| !LEFT_OUT.contains(&entry.name)) {
         let mut world = entry.scene().unwrap().world(None).unwrap();
-        let most = dearest(&mut *world);
-        if most > FRAME || !world.is_finite() || world.counters().mouse_points == 0 && entry.json.contains("\"mouse\"")
-        {
-            wrong.push(format!("{}: {most:.2} ms, {:?}", entry.name, world.counters()));
+        let frames = run(&mut *world);
+        let Frames { dearest, inverted, .. } = frames;
+        let median = frames.median();
+        let is_untouched = world.counters().mouse_points == 0 && entry.json.contains("\"mouse\"");
+        let known = KNOWN.iter().find(|(name, ..)| *name == entry.name);
+        let [most, longest] = known.map_or([MEDIAN, INVERTED], |&(_, most, longest)| [most, longest]);
+        let is_beyond = dearest > FRAME || median > most || inverted > longest;
+        if is_beyond || !world.is_finite() || is_untouched {
+            let figures = format!("at most {dearest:.2} ms, half below {median:.2} ms, inside out for {inverted:.2} s");
+            wrong.push(format!("{}: {figures}, {:?}", entry.name, world.counters()));
         }
     }
     assert!(wrong.is_empty(), "{}", wrong.join("\n"));

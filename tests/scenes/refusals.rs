@@ -678,3 +678,46 @@ fn numbers_that_overflow_are_refused_when_the_model_is_made() {
         assert_eq!(scene.model::<2>().unwrap_err().to_string(), message);
     }
 }
+
+#[test]
+fn groups_of_points() {
+    hold(
+        plane,
+        &[
+            (
+                "\"groups\": [{\"points\": [1, 1]}]",
+                "groups[0].points: names less than two points: a group is made of two or more, or leave it out",
+            ),
+            (
+                "\"groups\": [{\"points\": [0, 1], \"title\": \"a\"}, {\"points\": [0, 1], \"title\": \"a\"}]",
+                "groups[1].title: is `a`, as another group's: give each a title of its own",
+            ),
+            (
+                "\"groups\": [{\"points\": [0, 1], \"title\": \" \"}]",
+                "groups[0].title: is empty: give a few words, or leave it out",
+            ),
+        ],
+    );
+    assert!(refusal(&plane("\"groups\": [{\"points\": [0, 2]}]")).contains("groups[0].points[1]"));
+}
+
+#[test]
+fn parameters_of_sliders() {
+    let spring = "\"bonds\": [{\"a\": 0, \"b\": 1, \"kind\": \"spring\", \"stiffness\": 5}, {\"a\": 0, \"b\": 1}], ";
+    let row = |path: &str, rest: &str| format!("{spring}\"parameters\": [{{\"path\": \"{path}\", {rest}}}]");
+    for path in ["gravity[1]", "drag_rate", "bonds[0].stiffness", "bonds[0-0].damping", "bonds[0-1].rest"] {
+        assert!(Scene::parse(&plane(&row(path, "\"min\": 0, \"max\": 1")), "x.json").is_ok(), "{path}");
+    }
+    for (path, rest, words) in [
+        ("points[0]", "\"min\": 0, \"max\": 1", "parameters[0].path: `points[0]` is no number that sliders set: give"),
+        ("gravity[2]", "\"min\": 0, \"max\": 1", "parameters[0].path: names axis 2: give one below 2"),
+        ("bounds.friction", "\"min\": 0, \"max\": 1", "parameters[0].path: is of `bounds`, which this scene has not"),
+        ("bonds[0-1].stiffness", "\"min\": 0, \"max\": 1", "parameters[0].path: names bond 1, which is no spring"),
+        ("bonds[2].rest", "\"min\": 0, \"max\": 1", "parameters[0].path: names bond 2, and there are 2 explicit ones"),
+        ("drag_rate", "\"min\": 1, \"max\": 1", "parameters[0].max: is 1.0 beside a `min` of 1.0"),
+        ("drag_rate", "\"min\": -1, \"max\": 1", "parameters[0].min: is -1.0: `drag_rate` goes from 0 to inf"),
+    ] {
+        let said = refusal(&plane(&row(path, rest)));
+        assert!(said.starts_with(&format!("x.json:3: {words}")), "{said}");
+    }
+}

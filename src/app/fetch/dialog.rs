@@ -8,7 +8,7 @@ use winit::window::Window;
 use super::{Fetch, Found};
 
 /// Endings of scenes and pictures. What a file is, its content says.
-const ENDINGS: [&str; 17] = [
+pub(in crate::app) const ENDINGS: [&str; 17] = [
     "json", "png", "jpg", "jpeg", "gif", "bmp", "webp", "tif", "tiff", "pnm", "pbm", "pgm", "ppm", "pam", "tga", "ico",
     "qoi",
 ];
@@ -28,9 +28,7 @@ pub(in crate::app) fn open(window: &Window, wake: impl Fn() + Send + 'static) ->
     Fetch::new(wake, move || match pollster::block_on(chosen) {
         Some(file) => Ok(Found::File(file.path().to_owned())),
         None if start.elapsed() < LEAST_SHOWN => {
-            Err("no dialog can be shown here (neither a desktop portal nor zenity \
-             answers): drop the file on the window, paste it (Ctrl+V), or name it when you start wobble"
-                .to_owned())
+            Err("no dialog for files can be shown here: neither a desktop portal nor zenity answers".to_owned())
         }
         None => Ok(Found::Nothing),
     })

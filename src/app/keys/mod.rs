@@ -92,6 +92,20 @@ pub fn action(key: &Key, held: Held) -> Option<Action> {
     strokes.clone().find(|(stroke, _)| stroke.is(key, held)).map(|&(_, action)| action)
 }
 
+/// What the window does by a key that a scene's drives have, while it has none of them: nothing of it is left there.
+pub fn taken(key: crate::sim::Key) -> Option<&'static str> {
+    let meant = match key.name() {
+        "left" => Key::Named(NamedKey::ArrowLeft),
+        "right" => Key::Named(NamedKey::ArrowRight),
+        "up" => Key::Named(NamedKey::ArrowUp),
+        "down" => Key::Named(NamedKey::ArrowDown),
+        "space" => Key::Named(NamedKey::Space),
+        name => Key::Character(name.into()),
+    };
+    let is_its = |binding: &&Binding| binding.strokes.iter().any(|(stroke, _)| stroke.is(&meant, Held::default()));
+    TABLE.iter().find(is_its).map(|binding| binding.words)
+}
+
 /// The keys for an action, as they are printed beside its button.
 pub fn keys_of(action: Action) -> Option<&'static str> {
     let binding = TABLE.iter().find(|binding| binding.strokes.iter().any(|&(_, does)| does == action))?;
@@ -103,6 +117,7 @@ pub fn keys_of(action: Action) -> Option<&'static str> {
 }
 
 #[cfg(test)]
+#[allow(clippy::unwrap_used, reason = "a test that cannot go on stops")]
 mod tests {
     use super::*;
     use crate::app::action::Tool;
@@ -137,6 +152,15 @@ mod tests {
         down.press(comma, Action::Rewind);
         assert_eq!(writes("<", CTRL_SHIFT), None, "by what it writes now it would be held for ever");
         assert_eq!((down.release(comma), down.release(comma)), (Some(Action::Rewind), None));
+    }
+
+    #[test]
+    fn what_drives_take_from_the_window_is_known() {
+        let words = |name: &str| taken(crate::sim::Key::of(name).unwrap());
+        assert_eq!(words("space"), Some("play or pause"));
+        assert_eq!(words("r"), Some("back to the start"));
+        assert!(words("3").is_some_and(|words| words.starts_with("the tools")));
+        assert_eq!((words("left"), words("w")), (None, None));
     }
 
     #[test]

@@ -82,7 +82,7 @@ pub static TABLE: &[Binding] = &[
     ),
     binding(
         "G",
-        "what can be set: gravity, air, walls, contact, the push, the solver",
+        "what can be set: gravity, air, walls, contact, the push, the method",
         &[(Writes("g"), Action::Settings)],
     ),
     binding("L", "plots of the energies over time", &[(Writes("l"), Action::Plots)]),

@@ -46,6 +46,9 @@ pub(super) fn show(context: &egui::Context, room: Rect, state: &mut PanelState, 
             ScrollArea::vertical().max_height((room.height() - 130.0).max(40.0)).auto_shrink([false, true]).show(
                 ui,
                 |ui| {
+                    if state.search.is_empty() {
+                        cut_off(ui, &state.leftovers, wishes);
+                    }
                     for (number, row) in found.chunks(columns).enumerate() {
                         ui.horizontal_top(|ui| {
                             ui.spacing_mut().item_spacing.x = GAP;
@@ -71,6 +74,26 @@ pub(super) fn show(context: &egui::Context, room: Rect, state: &mut PanelState, 
     if !is_open {
         state.sheet = None;
     }
+}
+
+/// Sessions that were cut off: a line each, to be gone on with or discarded.
+fn cut_off(ui: &mut egui::Ui, leftovers: &[String], wishes: &mut Vec<Wish>) {
+    if leftovers.is_empty() {
+        return;
+    }
+    ui.label(RichText::new("Sessions that were cut off").color(TEXT).strong());
+    for (place, line) in leftovers.iter().enumerate() {
+        ui.horizontal(|ui| {
+            if ui.button("Go on").on_hover_text("as it was when it was cut off").clicked() {
+                wishes.push(Wish::GoOnWithLeftover(place));
+            }
+            if ui.button("Discard").clicked() {
+                wishes.push(Wish::DiscardLeftover(place));
+            }
+            ui.add(Label::new(RichText::new(line).color(WEAK)).truncate().selectable(false));
+        });
+    }
+    ui.add_space(10.0);
 }
 
 /// The field that a search is written in.

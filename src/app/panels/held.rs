@@ -13,7 +13,7 @@ pub(super) fn show(context: &egui::Context, room: Rect, facts: &Facts) {
     if facts.keys.is_empty() {
         return;
     }
-    let up = room.height() - context.content_rect().height() - 60.0;
+    let up = room.height() - context.content_rect().height() - 4.0;
     let place = Area::new(Id::unique("held keys")).anchor(Align2::CENTER_BOTTOM, [0.0, up]).interactable(false);
     place.show(context, |ui| {
         floating().show(ui, |ui| {

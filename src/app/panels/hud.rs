@@ -1,15 +1,20 @@
 //! Figures in the upper right corner.
 
-use egui::{Align, Align2, Area, Id, Layout, Rect};
+use egui::{Align, Align2, Area, Id, Layout};
 
+use super::Facts;
+use super::places::{APART, Places};
 use super::theme::floating;
-use super::{Facts, Wish, moving};
 
-/// What stands below the figures is so far `beside` the right edge `[points]`.
-pub(super) fn show(context: &egui::Context, (room, beside): (Rect, f32), facts: &Facts, wishes: &mut Vec<Wish>) {
-    // Below what floats at the top, where that takes all of the width.
-    let down = if room.width() < 1000.0 { 62.0 } else { 10.0 };
-    let place = Area::new(Id::unique("figures")).anchor(Align2::RIGHT_TOP, [-10.0, down]).interactable(false);
+/// Their width before they were shown `[points]`.
+const WIDTH: f32 = 146.0;
+
+/// Shows them at the right edge, below the buttons where those leave no place for them.
+pub(super) fn show(context: &egui::Context, places: &mut Places, facts: &Facts) {
+    let id = Id::unique("figures");
+    let width = context.memory(|memory| memory.area_rect(id)).map_or(WIDTH, |rect| rect.width().max(WIDTH));
+    places.make_way(width);
+    let place = Area::new(id).anchor(Align2::RIGHT_TOP, [-10.0, places.right]).interactable(false);
     let shown = place.show(context, |ui| {
         floating().show(ui, |ui| {
             egui::Grid::new("figures").num_columns(2).spacing([14.0, 1.0]).show(ui, |ui| {
@@ -21,8 +26,7 @@ pub(super) fn show(context: &egui::Context, (room, beside): (Rect, f32), facts: 
             });
         });
     });
-    let down = shown.response.rect.bottom() - room.top() + 6.0;
-    moving::show(context, [-10.0 - beside, down], facts, wishes);
+    places.right = shown.response.rect.bottom() + APART;
 }
 
 fn rows(facts: &Facts) -> Vec<(&'static str, String)> {

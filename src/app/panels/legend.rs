@@ -1,7 +1,8 @@
-//! What colours of strain mean: a bar with numbers, at the upper left beside the tools, while strain is shown.
+//! What colours of strain mean: a bar with numbers, at the right edge, while strain is shown.
 
 use egui::{Align2, Area, Color32, FontId, Id, Mesh, Rect, Sense, Shape, pos2, vec2};
 
+use super::places::{APART, Places};
 use super::theme::{TEXT, WEAK, floating};
 use crate::render::Look;
 
@@ -10,11 +11,10 @@ const BAR: [f32; 2] = [230.0, 10.0];
 /// Strains with a number at the bar `[%]`.
 const NUMBERS: [f32; 7] = [-30.0, -5.0, -1.0, 0.0, 1.0, 5.0, 30.0];
 
-/// Where it lies: beside the tools, below what is said of the scene `[points]`.
-const PLACE: [f32; 2] = [76.0, 124.0];
-
-pub(super) fn show(context: &egui::Context, look: &Look) {
-    Area::new(Id::unique("legend")).fixed_pos(PLACE).interactable(false).show(context, |ui| {
+pub(super) fn show(context: &egui::Context, places: &mut Places, look: &Look) {
+    places.make_way(BAR[0] + 42.0);
+    let place = Area::new(Id::unique("legend")).anchor(Align2::RIGHT_TOP, [-10.0, places.right]).interactable(false);
+    let shown = place.show(context, |ui| {
         floating().show(ui, |ui| {
             ui.vertical(|ui| {
                 ui.horizontal(|ui| {
@@ -38,6 +38,7 @@ pub(super) fn show(context: &egui::Context, look: &Look) {
             });
         });
     });
+    places.right = shown.response.rect.bottom() + APART;
 }
 
 /// Where a strain lies on the bar: -1 at its left end, 1 at its right one, as in the shader.

@@ -11,8 +11,10 @@ use crate::lessons::{Lesson, Step, lessons};
 
 /// Width of the panel `[points]`.
 pub(super) const WIDTH: f32 = 270.0;
-/// What is above it stays free `[points]`.
-const ABOVE: f32 = 150.0;
+/// Frame and header, above what is scrolled `[points]`.
+const HEAD: f32 = 56.0;
+/// Along the lower edge it takes this share of the height at most `[1]`.
+pub(super) const LOW: f32 = 0.4;
 /// The middle of the room and so much to its right stays free, but in the narrowest ones `[points]`.
 const MIDDLE: f32 = 40.0;
 /// Beside what lies at the edge there is place for it in rooms that are so much wider than all of it `[points]`.
@@ -55,12 +57,29 @@ pub(super) fn has_room(room: Rect, at_edge: f32) -> bool {
     at_edge == 0.0 || room.width() >= at_edge + WIDTH + BESIDE
 }
 
-/// What lies at the right edge is so wide there `[points]`.
+/// Shows it at the lower right corner of a room, beside what takes so much of the right edge `[points]`.
 pub(super) fn show(context: &egui::Context, (room, at_edge): (Rect, f32), state: &mut Lessons, wishes: &mut Vec<Wish>) {
-    let up = room.height() - context.content_rect().height() - 10.0;
     let width = WIDTH.min((0.5 * room.width() - MIDDLE).max(180.0));
-    let height = (room.height() - ABOVE).max(120.0);
-    Area::new(Id::unique("lessons")).anchor(Align2::RIGHT_BOTTOM, [-10.0 - at_edge, up]).show(context, |ui| {
+    let corner = room.right_bottom() - egui::vec2(10.0 + at_edge, 0.0);
+    panel(context, (Align2::RIGHT_BOTTOM, corner), [width, room.height()], state, wishes);
+}
+
+/// Shows it along the lower edge of a room. Returns where it begins `[points]`.
+pub(super) fn show_below(context: &egui::Context, room: Rect, state: &mut Lessons, wishes: &mut Vec<Wish>) -> f32 {
+    let size = [(room.width() - 36.0).max(180.0), LOW * room.height()];
+    panel(context, (Align2::CENTER_BOTTOM, room.center_bottom()), size, state, wishes)
+}
+
+/// A panel so wide, and so high at most `[points]`. Returns where it begins.
+fn panel(
+    context: &egui::Context,
+    (pivot, corner): (Align2, egui::Pos2),
+    [width, height]: [f32; 2],
+    state: &mut Lessons,
+    wishes: &mut Vec<Wish>,
+) -> f32 {
+    let height = (height - HEAD).max(120.0);
+    let shown = Area::new(Id::unique("lessons")).pivot(pivot).fixed_pos(corner).show(context, |ui| {
         floating().show(ui, |ui| {
             ui.set_width(width);
             header(ui, state, wishes);
@@ -74,6 +93,7 @@ pub(super) fn show(context: &egui::Context, (room, at_edge): (Rect, f32), state:
             }
         });
     });
+    shown.response.rect.top()
 }
 
 fn header(ui: &mut Ui, state: &mut Lessons, wishes: &mut Vec<Wish>) {

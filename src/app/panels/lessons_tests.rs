@@ -171,7 +171,7 @@ fn plots_show_what_a_step_asks_for() {
     let quantity = crate::lessons::Quantity::Speed;
     let plots = Plots::of(1.0, &Plot::Probes { points: vec![5], quantity });
     assert_eq!((plots.subject, plots.quantity), (Subject::Probes, Quantity::Speed));
-    assert_eq!(plots.probes(), [Some(PointId(5)), None]);
+    assert_eq!(plots.probes(), [Some(PointId(5).into()), None]);
     let plots = Plots::of(1.0, &Plot::Phase { points: [1, 2], quantity });
-    assert_eq!((plots.subject, plots.probes()), (Subject::Phase, [Some(PointId(1)), Some(PointId(2))]));
+    assert_eq!((plots.subject, plots.probes()), (Subject::Phase, [1, 2].map(|point| Some(PointId(point).into()))));
 }

@@ -12,6 +12,8 @@ use crate::app::tools::RADII;
 
 /// Width of the panel `[points]`.
 const WIDTH: f32 = 226.0;
+/// Width of the names before fields `[points]`.
+const NAMES: f32 = 74.0;
 /// How fast a number changes as it is dragged, as a share of it for each point.
 const SPEED: f64 = 0.01;
 /// Where a drag of a number that is 0 begins.
@@ -52,10 +54,10 @@ pub(super) fn show(
     }
     let mut sink = Sink { gesture: &mut state.gesture, wishes };
     let corner = tools.right_top() + egui::vec2(8.0, 0.0);
-    Area::new(Id::unique("matter")).fixed_pos(corner).constrain_to(room.shrink(6.0)).show(context, |ui| {
+    Area::new(Id::unique("matter")).fixed_pos(corner).constrain_to(room).show(context, |ui| {
         floating().show(ui, |ui| {
             ui.set_width(WIDTH);
-            let height = (room.height() - 40.0).max(120.0);
+            let height = (room.height() - 24.0).max(120.0);
             ScrollArea::vertical().max_height(height).min_scrolled_height(height).show(ui, |ui| match &facts.matter {
                 Some(matter) => of_selection(ui, matter, facts, &mut sink),
                 None => of_nothing(ui, facts, &mut sink),
@@ -127,7 +129,7 @@ fn of_selection(ui: &mut Ui, matter: &Matter, facts: &Facts, sink: &mut Sink<'_>
         let mass = Span { least: matter.mass, most: matter.mass };
         number(ui, ("mass", " kg"), Some(mass), sink, |x| (x > 0.0).then_some(MatterChange::Mass(x)));
         if let Some(density) = matter.density() {
-            ui.label(RichText::new(format!("{} kg/m²", short(density))).color(WEAK));
+            row(ui, "", |ui, _| _ = ui.label(RichText::new(format!("{} kg/m²", short(density))).color(WEAK)));
         }
         kinds(ui, matter, sink);
     }
@@ -141,7 +143,7 @@ fn of_selection(ui: &mut Ui, matter: &Matter, facts: &Facts, sink: &mut Sink<'_>
         ui.label(RichText::new("bodies pass through each other: G, to let them meet").color(WEAK));
     }
     if matter.points > 0 {
-        color(ui, matter, sink);
+        color(ui, matter, facts.drawn_color, sink);
     }
 }
 
@@ -178,13 +180,28 @@ fn presets(ui: &mut Ui, chosen: Option<Preset>) -> (Option<Response>, Option<Pre
     clicked
 }
 
+/// A field beside its name, by which what reads aloud calls it: all names are as wide, so that fields stand below each other.
+fn row<T>(ui: &mut Ui, name: &str, add: impl FnOnce(&mut Ui, Id) -> T) -> T {
+    ui.horizontal(|ui| {
+        let size = egui::vec2(NAMES, ui.spacing().interact_size.y);
+        let layout = egui::Layout::left_to_right(egui::Align::Center);
+        let label = ui.allocate_ui_with_layout(size, layout, |ui| {
+            ui.set_min_size(size);
+            ui.label(name)
+        });
+        add(ui, label.inner.id)
+    })
+    .inner
+}
+
 /// Springs or rigid bonds.
 fn kinds(ui: &mut Ui, matter: &Matter, sink: &mut Sink<'_>) {
     let [rigid, springs, relaxed] = matter.kinds;
     if rigid + springs + relaxed == 0 {
         return;
     }
-    ui.horizontal(|ui| {
+    row(ui, "bonds", |ui, _| {
+        ui.spacing_mut().item_spacing.x = 4.0;
         let words = "bonds are springs";
         let springy = ui.selectable_label(springs > 0 && rigid + relaxed == 0, "springy").on_hover_text(words);
         let stiff = ui.selectable_label(rigid > 0 && springs + relaxed == 0, "rigid");
@@ -195,10 +212,10 @@ fn kinds(ui: &mut Ui, matter: &Matter, sink: &mut Sink<'_>) {
         if stiff.clicked() && springs + relaxed > 0 {
             sink.set(&stiff, MatterChange::Rigid);
         }
-        if rigid.min(springs) > 0 {
-            ui.label(RichText::new("mixed").color(WEAK));
-        }
     });
+    if rigid.min(springs) > 0 {
+        row(ui, "", |ui, _| _ = ui.label(RichText::new("some of each").color(WEAK)));
+    }
 }
 
 /// A number without an upper end, which says so where it is not the same everywhere.
@@ -211,15 +228,14 @@ fn number(
 ) {
     let Some(span) = span else { return };
     let mut value = span.same().unwrap_or((span.least.max(FIRST) * span.most.max(FIRST)).sqrt());
-    ui.horizontal(|ui| {
-        let label = ui.label(name);
+    row(ui, name, |ui, label| {
         let speed = SPEED * value.max(FIRST);
         let field = DragValue::new(&mut value).speed(speed).range(0.0..=1e9).update_while_editing(false);
         let field = match span.same() {
             Some(_) => field.custom_formatter(|x, _| short(x)).suffix(unit),
             None => field.custom_formatter(|_, _| "mixed".to_owned()),
         };
-        let by = ui.add(field).labelled_by(label.id);
+        let by = ui.add(field).labelled_by(label);
         let by = match span.same() {
             Some(_) => by,
             None => by.on_hover_text(format!("from {} to {}{unit}", short(span.least), short(span.most))),
@@ -247,13 +263,15 @@ fn short(x: f64) -> String {
 fn share(ui: &mut Ui, name: &str, most: f64, span: Option<Span>, sink: &mut Sink<'_>, change: fn(f64) -> MatterChange) {
     let Some(span) = span else { return };
     let mut value = span.same().unwrap_or(0.5 * (span.least + span.most));
-    ui.spacing_mut().slider_width = 90.0;
-    let slider = Slider::new(&mut value, 0.0..=most).clamping(egui::SliderClamping::Edits).max_decimals(2).text(name);
+    let slider = Slider::new(&mut value, 0.0..=most).clamping(egui::SliderClamping::Edits).max_decimals(2);
     let slider = match span.same() {
         Some(_) => slider,
         None => slider.custom_formatter(|_, _| "mixed".to_owned()),
     };
-    let by = ui.add(slider.update_while_editing(false));
+    let by = row(ui, name, |ui, label| {
+        ui.spacing_mut().slider_width = 72.0;
+        ui.add(slider.update_while_editing(false)).labelled_by(label)
+    });
     if by.changed() {
         sink.set(&by, change(value));
     }
@@ -263,7 +281,7 @@ fn share(ui: &mut Ui, name: &str, most: f64, span: Option<Span>, sink: &mut Sink
 fn breaks(ui: &mut Ui, matter: &Matter, sink: &mut Sink<'_>) {
     let Some(span) = matter.breaks else { return };
     let mut tears = span.least < NEVER;
-    ui.horizontal(|ui| {
+    row(ui, "", |ui, _| {
         let by = ui.checkbox(&mut tears, "tears");
         if by.changed() {
             sink.set(&by, MatterChange::Breaks(if tears { BREAKS } else { NEVER }));
@@ -285,19 +303,18 @@ fn breaks(ui: &mut Ui, matter: &Matter, sink: &mut Sink<'_>) {
     });
 }
 
-fn color(ui: &mut Ui, matter: &Matter, sink: &mut Sink<'_>) {
+fn color(ui: &mut Ui, matter: &Matter, drawn: Option<[u8; 3]>, sink: &mut Sink<'_>) {
     let mut color = match matter.color {
         Coloring::One(color) => color,
-        Coloring::Palette | Coloring::Mixed => [128, 150, 180],
+        Coloring::Palette | Coloring::Mixed => drawn.unwrap_or([143, 166, 194]),
     };
-    ui.horizontal(|ui| {
-        let label = ui.label("colour");
-        let by = ui.color_edit_button_srgb(&mut color).labelled_by(label.id);
+    row(ui, "colour", |ui, label| {
+        let by = ui.color_edit_button_srgb(&mut color).labelled_by(label);
         if by.changed() {
             sink.set(&by, MatterChange::Color(color));
         }
         match matter.color {
-            Coloring::Palette => _ = ui.label(RichText::new("of the palette").color(WEAK)),
+            Coloring::Palette => _ = ui.label(RichText::new("its own").color(WEAK)),
             Coloring::Mixed => _ = ui.label(RichText::new("mixed").color(WEAK)),
             Coloring::One(_) => {}
         }

@@ -17,7 +17,10 @@ mod material;
 mod material_tests;
 mod moving;
 mod notes;
+mod open_from;
 mod palette;
+mod parameters;
+mod places;
 mod plots;
 #[cfg(test)]
 mod plots_tests;
@@ -38,7 +41,7 @@ use std::sync::Arc;
 
 use super::action::{Action, Primitive, Showing, Tool};
 use super::matter::{Matter, MatterChange};
-use super::player::Figures;
+use super::player::{Figures, MethodSetting};
 use super::plots::Plots;
 use super::tools::{Brush, Drives};
 use crate::render::{Look, Overlay};
@@ -48,10 +51,16 @@ pub(super) use gallery::{THUMBNAIL, search_id};
 use icons::Icon;
 pub(super) use lessons::{At, Lessons};
 pub(super) use notes::Notes;
+use open_from::OpenFrom;
+pub(super) use open_from::meant;
+pub(super) use parameters::value as parameter_value;
+use places::Places;
+pub(super) use places::{Laid, covered};
+pub(super) use plots::figure;
 pub(super) use settings::{Setting, Settings};
 
 /// Room that the tools take at the left edge `[points]`.
-pub(super) const TOOLS: f32 = 60.0;
+pub(super) const TOOLS: f32 = 66.0;
 
 /// What a panel at the right edge takes there beside its width `[points]`.
 const GAP: f32 = 28.0;
@@ -79,6 +88,8 @@ pub(super) enum Wish {
     Set(Setting),
     /// Another solver, with all else of the method as it is.
     Solver(SolverName),
+    /// Something else of the method, of the same drag as the last one.
+    Method(MethodSetting, bool),
     /// Seconds of the scene a second of wall time, in those of the scene itself.
     Pace(f64),
     /// A time that was seen already `[s]`.
@@ -91,12 +102,18 @@ pub(super) enum Wish {
     TakeBack,
     /// What is plotted is written to a file, as a table.
     WriteTable,
+    /// The plot is, as a figure.
+    WriteFigure,
     /// All that was done is saved to a file.
     SaveTo(PathBuf),
-    /// The session that is offered is gone on with.
-    GoOnWithLeftover,
-    /// It is not wanted.
-    DiscardLeftover,
+    /// A session that was cut off is gone on with, by its place in the list.
+    GoOnWithLeftover(usize),
+    /// One is not wanted.
+    DiscardLeftover(usize),
+    /// What is offered stays in the gallery for later.
+    PutOffLeftover,
+    /// A file is opened by its name.
+    OpenFile(String),
 }
 
 /// What lies over the world.
@@ -108,6 +125,8 @@ pub(super) enum Sheet {
     Help,
     /// A name for a file, where the system has no dialog for it.
     SaveTo,
+    /// The name of a file to open, likewise.
+    OpenFrom,
 }
 
 /// What the panels keep from frame to frame.
@@ -126,8 +145,12 @@ pub(super) struct PanelState {
     pub(super) search: String,
     /// The scene that Enter opens in the gallery, by its place among those that are found.
     pub(super) chosen: usize,
-    /// The name of a file that is to be written.
+    /// Sessions that were cut off, the newest first.
+    pub(super) leftovers: Vec<String>,
+    /// The name of a file that is to be written or opened.
     pub(super) path: String,
+    /// What is said of the name of a file that is to be opened.
+    pub(super) open_from: OpenFrom,
     /// The sheet has just been opened: what one writes in gets the focus.
     pub(super) is_fresh: bool,
     pub(super) notes: Notes,
@@ -158,6 +181,8 @@ pub(super) struct Facts {
     pub(super) draws_lasso: bool,
     /// What is selected is made of.
     pub(super) matter: Option<Arc<Matter>>,
+    /// The colour that its first body is filled with; `None` where it is not.
+    pub(super) drawn_color: Option<[u8; 3]>,
     /// The keys that drives of the scene have, and which of them are held.
     pub(super) keys: Vec<(Key, bool)>,
     /// How the world looks.
@@ -173,51 +198,64 @@ pub(super) struct Facts {
     /// A step takes long.
     pub(super) is_busy: bool,
     pub(super) dimensions: usize,
+    /// Corners of what of the plane is seen `[m]`.
+    pub(super) seen: [[f64; 2]; 2],
     pub(super) settings: Settings,
 }
 
-/// Shows the panels; returns what was asked for, and the height that they leave to the world `[points]`.
-pub(super) fn show(ui: &mut egui::Ui, state: &mut PanelState, facts: &Facts) -> (Vec<Wish>, f32) {
+/// Shows the panels; returns what was asked for, and what they leave to the world.
+pub(super) fn show(ui: &mut egui::Ui, state: &mut PanelState, facts: &Facts) -> (Vec<Wish>, Laid) {
     let mut wishes = Vec::new();
     if !state.hides_panels {
         transport::show(ui, facts, &mut wishes);
     }
     let room = ui.available_rect_before_wrap();
+    let context = ui.ctx().clone();
     // What lies over the world has the room for itself.
     let is_covered = state.sheet.is_some();
-    if !state.hides_panels && !is_covered {
-        top::show(ui.ctx(), room, facts, &mut wishes);
-        palette::show(ui.ctx(), room, state, facts, &mut wishes);
-    }
-    if state.has_settings && !state.hides_panels && !is_covered {
-        settings::show(ui.ctx(), room, state, facts, &mut wishes);
-    }
-    if let Some(plots) = state.plots.as_mut().filter(|_| !state.hides_panels && !is_covered) {
-        plots::show(ui.ctx(), room, plots, &mut wishes);
+    let has_panels = !state.hides_panels && !is_covered;
+    let mut places = Places::new(room, is_covered);
+    if has_panels {
+        places.bar = Some(top::show(&context, room, facts, &mut wishes));
+        let lessons_below = state.lessons.is_open && places.is_upright();
+        let plots = state.plots.as_ref().and_then(|_| plots::place(&context));
+        let rooms = (places.above(lessons_below), places.beside_tools(plots));
+        palette::show(&context, rooms, state, facts, &mut wishes);
     }
     // What lies at the right edge, from there on: the settings, then the lessons.
-    let at_edge = if state.has_settings && !state.hides_panels { settings::WIDTH + GAP } else { 0.0 };
-    let has_lessons = state.lessons.is_open && !state.hides_panels && !is_covered && lessons::has_room(room, at_edge);
-    if has_lessons {
-        lessons::show(ui.ctx(), (room, at_edge), &mut state.lessons, &mut wishes);
-    }
+    let edge = if state.has_settings && has_panels { settings::WIDTH + GAP } else { 0.0 };
+    let stands_upright = places.is_upright();
+    let has_lessons = state.lessons.is_open && has_panels && (stands_upright || lessons::has_room(room, edge));
+    let all_edge = edge + if has_lessons && !stands_upright { lessons::WIDTH + GAP } else { 0.0 };
     if !state.hides_hud && room.width() > 560.0 && !is_covered {
-        let at_edge = if has_lessons { at_edge + lessons::WIDTH + GAP } else { at_edge };
-        let beside = if room.height() < settings::TALL { at_edge } else { 0.0 };
-        hud::show(ui.ctx(), (room, beside), facts, &mut wishes);
+        hud::show(&context, &mut places, facts);
+        moving::show(&context, [-10.0 - all_edge, places.right], facts, &mut wishes);
     }
-    held::show(ui.ctx(), room, facts);
-    if facts.look.overlay == Overlay::Strain {
-        legend::show(ui.ctx(), &facts.look);
+    if facts.look.overlay == Overlay::Strain && !is_covered {
+        legend::show(&context, &mut places, &facts.look);
     }
-    state.notes.show(ui.ctx(), room, facts, &mut wishes);
+    if has_lessons && stands_upright {
+        places.below = lessons::show_below(&context, places.below_buttons(), &mut state.lessons, &mut wishes);
+    } else if has_lessons {
+        lessons::show(&context, (places.beside(), edge), &mut state.lessons, &mut wishes);
+    }
+    if edge > 0.0 {
+        settings::show(&context, places.beside(), state, facts, &mut wishes);
+    }
+    if let Some(plots) = state.plots.as_mut().filter(|_| has_panels) {
+        plots::show(&context, places.low(), plots, &mut wishes);
+    }
+    held::show(&context, places.low(), facts);
+    state.notes.show(&context, &places, facts, &mut wishes);
     match state.sheet {
-        Some(Sheet::Gallery) => gallery::show(ui.ctx(), room, state, facts, &mut wishes),
-        Some(Sheet::Help) => help::show(ui.ctx(), room, state),
-        Some(Sheet::SaveTo) => save_to::show(ui.ctx(), state, &mut wishes),
+        Some(Sheet::Gallery) => gallery::show(&context, room, state, facts, &mut wishes),
+        Some(Sheet::Help) => help::show(&context, room, state),
+        Some(Sheet::SaveTo) => save_to::show(&context, state, &mut wishes),
+        Some(Sheet::OpenFrom) => open_from::show(&context, state, &mut wishes),
         None => {}
     }
-    (wishes, room.height())
+    let free = (!is_covered).then(|| if has_panels { places.free(all_edge) } else { room });
+    (wishes, Laid { height: room.height(), free })
 }
 
 /// A time that something takes `[s]`, short: from a second on in seconds.

@@ -1,7 +1,7 @@
 //! Below the figures: what moves bodies otherwise than by plan, what gave way to the load, what the live step does beside moving. Nothing
 //! of it, nothing there.
 
-use egui::{Align2, Area, Color32, Id, Label, RichText};
+use egui::{Align2, Area, Color32, Id, Label, RichText, Sense};
 
 use super::theme::{AWAY, LEAD, TEXT, WEAK, floating};
 use super::{Facts, Wish, short};
@@ -11,10 +11,11 @@ use crate::sim::Why;
 /// Widest line `[points]`.
 const WIDTH: f32 = 250.0;
 
-/// What is said, and what can be asked for beside it.
+/// What is said, the figures behind it, and what can be asked for beside it.
 #[derive(Clone, Debug, PartialEq)]
 struct Line {
     words: String,
+    figures: String,
     color: Color32,
     offer: Option<Offer>,
 }
@@ -28,14 +29,13 @@ pub(super) fn show(context: &egui::Context, off: [f32; 2], facts: &Facts, wishes
     if lines.is_empty() {
         return;
     }
-    let place = Area::new(Id::unique("moving")).anchor(Align2::RIGHT_TOP, off);
-    let place = place.interactable(lines.iter().any(|line| line.offer.is_some()));
-    place.show(context, |ui| {
+    Area::new(Id::unique("moving")).anchor(Align2::RIGHT_TOP, off).show(context, |ui| {
         floating().show(ui, |ui| {
             ui.set_max_width(WIDTH);
             ui.vertical(|ui| {
-                for Line { words, color, offer } in lines {
-                    ui.add(Label::new(RichText::new(words).color(color)).wrap().selectable(false));
+                for Line { words, figures, color, offer } in lines {
+                    let label = Label::new(RichText::new(words).color(color)).wrap().selectable(false);
+                    ui.add(label.sense(Sense::hover())).on_hover_text(figures);
                     if let Some((name, said, wish)) = offer
                         && ui.button(name).on_hover_text(said).clicked()
                     {
@@ -48,12 +48,10 @@ pub(super) fn show(context: &egui::Context, off: [f32; 2], facts: &Facts, wishes
 }
 
 fn lines(figures: &Figures) -> Vec<Line> {
-    let line = |(words, color)| Line { words, color, offer: None };
     let Movers { moved, islands, can_be_exact } = &*figures.movers;
-    let mut lines: Vec<Line> = moved.iter().map(|one| line(told(one, *islands))).collect();
+    let mut lines: Vec<Line> = moved.iter().map(|one| told(one, *islands)).collect();
     if *can_be_exact {
-        let said =
-            "moved by its own method from now on, whatever that costs; what touches something stays in the live step";
+        let said = "however slow that gets; what touches something is not concerned";
         // Beside what it would change.
         let last = moved.iter().rposition(|one| matches!(one.why, Why::Budget | Why::Alarm));
         if let Some(line) = last.and_then(|last| lines.get_mut(last)) {
@@ -61,64 +59,95 @@ fn lines(figures: &Figures) -> Vec<Line> {
         }
     }
     if let Some(yielded) = &figures.yielded {
-        let said = "the method of before, and slow motion where that takes too long";
-        let offer = Some(("Take it back", said, Wish::TakeBack));
-        lines.push(Line { words: gave_way(yielded), color: LEAD, offer });
+        let said = "as exact as before, in slow motion where that takes too long";
+        lines.push(Line { offer: Some(("Take it back", said, Wish::TakeBack)), ..gave_way(yielded) });
     }
-    lines.extend(done(&figures.acts).into_iter().map(|words| line((words, WEAK))));
+    lines.extend(done(&figures.acts));
     lines
 }
 
-/// How many bodies are moved by whom, since when, and why.
-fn told(&Moved { why, islands, since }: &Moved, all: usize) -> (String, Color32) {
-    let who = match (islands, all) {
-        (1, 1) => "The body has been".to_owned(),
-        (count, all) if count == all => format!("All {all} bodies have been"),
-        (1, all) => format!("1 of {all} bodies has been"),
-        (count, all) => format!("{count} of {all} bodies have been"),
+/// How many bodies are moved otherwise than exactly, and why; since when and how behind it.
+fn told(&Moved { why, islands, since }: &Moved, all: usize) -> Line {
+    let (who, is_one) = match (islands, all) {
+        (1, 1) => ("The body".to_owned(), true),
+        (count, all) if count == all => (format!("All {all} bodies"), false),
+        (1, all) => (format!("1 of {all} bodies"), true),
+        (count, all) => (format!("{count} of {all} bodies"), false),
     };
+    let by = |one: &'static str, many: &'static str| if is_one { one } else { many };
     let [since, last] = since.map(|time| format!("{time:.1}\u{a0}s"));
     let since = if since == last { format!("since {since}") } else { format!("since {since}, the last since {last}") };
-    let live = |cause: &str| format!("{who} in the live step {since}: {cause}");
-    match why {
-        Why::Budget => (live("their own methods take too much work"), TEXT),
-        Why::Alarm => (live("their own methods fail there"), TEXT),
-        Why::Contact | Why::Plan => (live("they may touch something, which no exact method knows"), TEXT),
-        Why::NotFinite => {
-            let stands = who.replace(" has been", " has stood").replace(" have been", " have stood");
-            (format!("{stands} still {since}: no finite numbers. Grab or change it, and it goes on"), AWAY)
-        }
-    }
+    let (words, how, color) = match why {
+        Why::Budget => (
+            format!(
+                "{who} {} too much to compute exactly: a quicker, rougher way moves {}",
+                by("is", "are"),
+                by("it", "them")
+            ),
+            "the live step: a bounded amount of work a frame",
+            TEXT,
+        ),
+        Why::Alarm => (
+            format!("{who} went wild when computed exactly: a sturdier way moves {}", by("it", "them")),
+            "the live step: its own method gained energy, stretched bonds too far or came to no end",
+            TEXT,
+        ),
+        Why::Contact | Why::Plan => (
+            format!("{who} can touch others: a way that knows collisions moves {}", by("it", "them")),
+            "the live step, in substeps of 1/960 s or less: the exact methods know no collisions",
+            WEAK,
+        ),
+        Why::NotFinite => (
+            format!(
+                "{who} {} frozen: the motion went beyond all numbers. Grab or change {} to go on",
+                by("is", "are"),
+                by("it", "them")
+            ),
+            "the positions were no finite numbers any more",
+            AWAY,
+        ),
+    };
+    Line { words, figures: format!("{since}: {how}"), color, offer: None }
 }
 
 /// What gave way, and to what.
-fn gave_way(&Yielded { rung, since, work }: &Yielded) -> String {
-    let what = match rung {
-        Rung::Order => "Order 2 in place of 4",
-        Rung::Live => "The live step wherever it is cheaper",
+fn gave_way(&Yielded { rung, since, work }: &Yielded) -> Line {
+    let (words, how) = match rung {
+        Rung::Order => ("Computed less exactly, to keep up with time", "order 2 in place of 4"),
+        Rung::Live => ("Computed more roughly, to keep up with time", "the live step wherever it is cheaper"),
     };
     let cause = work.map_or(String::new(), |work| format!(": {} of work a frame", short(work)));
-    format!("{what} since {since:.1}\u{a0}s{cause}")
+    let figures = format!("{how} since {since:.1}\u{a0}s{cause}");
+    Line { words: words.to_owned(), figures, color: LEAD, offer: None }
 }
 
-/// What the live step did of late.
-fn done(&Acts { cut, guarded, mends, parts, settles }: &Acts) -> Vec<String> {
-    let times = |count: u64| if count == 1 { "once so far".to_owned() } else { format!("{count} times so far") };
+/// What was done of late to keep bodies whole and apart.
+fn done(&Acts { cut, guarded, mends, parts, settles }: &Acts) -> Vec<Line> {
+    let times = |count: u64| {
+        if count == 1 { "once within a second".to_owned() } else { format!("{count} times within a second") }
+    };
+    let line = |words: &str, figures: String| Line { words: words.to_owned(), figures, color: WEAK, offer: None };
     let mut lines = Vec::new();
     if cut > 0 {
-        lines.push(format!("Stopped before it went through something: {}", times(cut)));
+        lines.push(line("Something fast was stopped before it went through another body", times(cut)));
     }
     if guarded > 0 {
-        lines.push(format!("Energy from nowhere taken out: {}", times(guarded)));
+        lines.push(line("Speed that came from nowhere was taken out", times(guarded)));
     }
     if mends {
-        lines.push("What is inside out is led back to its shape".to_owned());
+        lines.push(line(
+            "A body that is inside out is turned back",
+            "triangles are led to their shape at rest".to_owned(),
+        ));
     }
     if parts {
-        lines.push("Bodies in each other are parted".to_owned());
+        lines.push(line("Bodies stuck in each other are pulled apart", "as wholes, without speed".to_owned()));
     }
     if settles {
-        lines.push("What touches something and is slow is slowed down".to_owned());
+        lines.push(line(
+            "Bodies that lie on each other come to rest",
+            "what is slow where it touches is slowed down".to_owned(),
+        ));
     }
     lines
 }
@@ -153,19 +182,20 @@ mod tests {
         assert_eq!(
             said,
             [
-                "2 of 4 bodies have been in the live step since 3.2\u{a0}s: their own methods take too much work",
-                "1 of 4 bodies has been in the live step since 3.2\u{a0}s: they may touch something, which no exact method knows",
-                "1 of 4 bodies has stood still since 3.2\u{a0}s: no finite numbers. Grab or change it, and it goes on",
+                "2 of 4 bodies are too much to compute exactly: a quicker, rougher way moves them",
+                "1 of 4 bodies can touch others: a way that knows collisions moves it",
+                "1 of 4 bodies is frozen: the motion went beyond all numbers. Grab or change it to go on",
             ]
         );
+        assert!(lines.iter().all(|line| line.figures.starts_with("since 3.2\u{a0}s: ")));
         let offers: Vec<bool> = lines.iter().map(|line| line.offer.is_some()).collect();
         assert_eq!(offers, [true, false, false]);
         let movers = Movers { moved: vec![moved(Why::Contact, 3)], islands: 3, can_be_exact: false };
         let figures = Figures { movers: Arc::new(movers), ..Figures::default() };
-        assert!(words(&figures)[0].starts_with("All 3 bodies have been in the live step since 3.2\u{a0}s"));
+        assert!(words(&figures)[0].starts_with("All 3 bodies can touch others"));
         let joined = Moved { since: [3.25, 48.0], ..moved(Why::Contact, 3) };
-        let words = told(&joined, 3).0;
-        assert!(words.contains("since 3.2\u{a0}s, the last since 48.0\u{a0}s: they may touch"), "{words}");
+        let behind = told(&joined, 3).figures;
+        assert!(behind.starts_with("since 3.2\u{a0}s, the last since 48.0\u{a0}s: the live step"), "{behind}");
         assert_eq!(super::lines(&figures)[0].offer, None);
     }
 
@@ -173,24 +203,22 @@ mod tests {
     fn what_gave_way_is_said_with_its_cause_and_the_way_back() {
         let yielded = Yielded { rung: Rung::Order, since: 12.0, work: Some(0.041) };
         let lines = lines(&Figures { yielded: Some(yielded), ..Figures::default() });
-        assert_eq!(lines[0].words, "Order 2 in place of 4 since 12.0\u{a0}s: 41 ms of work a frame");
+        assert_eq!(lines[0].figures, "order 2 in place of 4 since 12.0\u{a0}s: 41 ms of work a frame");
         assert_eq!(lines[0].offer.as_ref().map(|offer| &offer.2), Some(&Wish::TakeBack));
         let followed = Figures { yielded: Some(Yielded { work: None, ..yielded }), ..Figures::default() };
-        assert_eq!(words(&followed), ["Order 2 in place of 4 since 12.0\u{a0}s"]);
+        assert_eq!(super::lines(&followed)[0].figures, "order 2 in place of 4 since 12.0\u{a0}s");
     }
 
     #[test]
     fn what_the_live_step_did_of_late_is_said_in_plain_words() {
         let acts = Acts { cut: 3, guarded: 1, mends: true, parts: true, settles: true };
-        assert_eq!(
-            words(&Figures { acts, ..Figures::default() }),
-            [
-                "Stopped before it went through something: 3 times so far",
-                "Energy from nowhere taken out: once so far",
-                "What is inside out is led back to its shape",
-                "Bodies in each other are parted",
-                "What touches something and is slow is slowed down",
-            ]
-        );
+        let lines = lines(&Figures { acts, ..Figures::default() });
+        let behind: Vec<&str> = lines.iter().map(|line| line.figures.as_str()).take(2).collect();
+        assert_eq!(behind, ["3 times within a second", "once within a second"]);
+        assert_eq!(lines.len(), 5);
+        for line in lines {
+            let jargon = ["live step", "island", "order", "substep", "energy"];
+            assert!(jargon.iter().all(|word| !line.words.contains(word)), "{}", line.words);
+        }
     }
 }

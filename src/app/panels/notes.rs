@@ -2,8 +2,9 @@
 
 use std::time::{Duration, Instant};
 
-use egui::{Align2, Area, Button, Id, Label, Rect, RichText};
+use egui::{Align2, Area, Button, Id, Label, RichText};
 
+use super::places::{APART, Places};
 use super::theme::{ACCENT, AWAY, ON_ACCENT, TEXT, WEAK, floating};
 use super::{Facts, Wish};
 
@@ -39,29 +40,27 @@ impl Notes {
         self.done.as_ref().and_then(|(_, since)| since.checked_add(MOMENT))
     }
 
-    pub(super) fn show(&mut self, context: &egui::Context, room: Rect, facts: &Facts, wishes: &mut Vec<Wish>) {
+    /// Says it below the buttons, one below another, where nothing else is.
+    pub(super) fn show(&mut self, context: &egui::Context, places: &Places, facts: &Facts, wishes: &mut Vec<Wish>) {
         self.done.take_if(|(_, since)| since.elapsed() >= MOMENT);
-        let width = (room.width() - 120.0).clamp(160.0, 640.0);
+        let mut top = places.bar_bottom().max(places.room.top() + APART);
         let mut is_read = false;
-        let up = room.height() - context.content_rect().height() - 12.0;
         if let Some(complaint) = &self.complaint {
-            Area::new(Id::unique("complaint")).anchor(Align2::CENTER_BOTTOM, [0.0, up]).show(context, |ui| {
-                floating().show(ui, |ui| {
-                    ui.set_max_width(width);
-                    ui.horizontal(|ui| {
-                        is_read = ui.button("Close").clicked();
-                        ui.label(RichText::new("!").color(AWAY).strong());
-                        ui.add(Label::new(RichText::new(complaint).color(TEXT)).wrap());
-                    });
+            top = words(context, places.said(context, top), COMPLAINT, |ui| {
+                ui.horizontal(|ui| {
+                    is_read = ui.button("Close").clicked();
+                    ui.label(RichText::new("!").color(AWAY).strong());
+                    ui.add(Label::new(RichText::new(complaint).color(TEXT)).wrap());
                 });
             });
         } else if let Some((line, _)) = &self.done {
-            words(context, (Align2::CENTER_BOTTOM, up), width, "done", |ui| {
-                ui.label(RichText::new(line).color(ACCENT));
+            top = words(context, places.said(context, top), DONE, |ui| {
+                ui.add(Label::new(RichText::new(line).color(ACCENT)).wrap());
             });
-        } else if let Some([seen, to_try]) = facts.caption.filter(|_| self.has_caption && self.offer.is_none()) {
-            // Bodies lie below: the caption stands above them.
-            words(context, (Align2::CENTER_TOP, BELOW_BUTTONS), width, "caption", |ui| {
+        } else if let Some([seen, to_try]) =
+            facts.caption.filter(|_| self.has_caption && self.offer.is_none() && !places.is_covered)
+        {
+            top = words(context, places.said(context, top), CAPTION, |ui| {
                 ui.add(Label::new(RichText::new(seen).color(TEXT)).wrap());
                 ui.add(Label::new(RichText::new(format!("Try: {to_try}")).color(WEAK)).wrap());
             });
@@ -70,7 +69,7 @@ impl Notes {
             self.complaint = None;
         }
         if let Some(line) = &self.offer {
-            offer(context, width, line, wishes);
+            words(context, places.said(context, top), OFFER, |ui| offer(ui, line, wishes));
         }
         if let Some(at) = self.hint_at {
             let place = Area::new(Id::unique("hint")).fixed_pos(at + egui::vec2(18.0, 18.0)).interactable(false);
@@ -81,35 +80,43 @@ impl Notes {
     }
 }
 
-/// How far below the upper edge the buttons end, with some room `[points]`.
-const BELOW_BUTTONS: f32 = 64.0;
+/// What is said, by its names.
+const COMPLAINT: &str = "complaint";
+const DONE: &str = "done";
+const CAPTION: &str = "caption";
+const OFFER: &str = "offer";
 
-/// A session that was cut off: above, in place of the caption.
-fn offer(context: &egui::Context, width: f32, line: &str, wishes: &mut Vec<Wish>) {
-    Area::new(Id::unique("offer")).anchor(Align2::CENTER_TOP, [0.0, BELOW_BUTTONS]).show(context, |ui| {
-        floating().show(ui, |ui| {
-            ui.set_max_width(width);
-            ui.horizontal(|ui| {
-                ui.add(Label::new(RichText::new(line).color(TEXT)).wrap());
-                let go_on = Button::new(RichText::new("Go on with it").color(ON_ACCENT)).fill(ACCENT);
-                if ui.add(go_on).clicked() {
-                    wishes.push(Wish::GoOnWithLeftover);
-                }
-                if ui.button("Discard").clicked() {
-                    wishes.push(Wish::DiscardLeftover);
-                }
-            });
-        });
+/// Whether something that floats is said here.
+pub(super) fn is_own(id: Id) -> bool {
+    [COMPLAINT, DONE, CAPTION, OFFER, "hint"].into_iter().any(|name| Id::unique(name) == id)
+}
+
+/// A session that was cut off.
+fn offer(ui: &mut egui::Ui, line: &str, wishes: &mut Vec<Wish>) {
+    ui.add(Label::new(RichText::new(line).color(TEXT)).wrap());
+    ui.horizontal(|ui| {
+        let go_on = Button::new(RichText::new("Go on with it").color(ON_ACCENT)).fill(ACCENT);
+        if ui.add(go_on).clicked() {
+            wishes.push(Wish::GoOnWithLeftover(0));
+        }
+        if ui.button("Later").on_hover_text("the gallery has it").clicked() {
+            wishes.push(Wish::PutOffLeftover);
+        }
+        if ui.button("Discard").clicked() {
+            wishes.push(Wish::DiscardLeftover(0));
+        }
     });
 }
 
-/// A few words, so far from an edge of the window.
-fn words(context: &egui::Context, (edge, off): (Align2, f32), width: f32, name: &str, add: impl FnOnce(&mut egui::Ui)) {
-    let place = Area::new(Id::unique(name)).anchor(edge, [0.0, off]).interactable(false);
-    place.show(context, |ui| {
+/// A few words below the middle of an upper edge, in so much width. Returns where what is said next begins `[points]`.
+fn words(context: &egui::Context, (at, width): (egui::Pos2, f32), name: &str, add: impl FnOnce(&mut egui::Ui)) -> f32 {
+    let can_be_pressed = [COMPLAINT, OFFER].contains(&name);
+    let place = Area::new(Id::unique(name)).pivot(Align2::CENTER_TOP).fixed_pos(at).interactable(can_be_pressed);
+    let shown = place.show(context, |ui| {
         floating().show(ui, |ui| {
-            ui.set_max_width(width);
+            ui.set_max_width(width - 20.0);
             ui.vertical_centered(add);
         });
     });
+    shown.response.rect.bottom() + APART
 }

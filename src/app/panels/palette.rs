@@ -22,7 +22,14 @@ fn words(tool: Tool) -> (Icon, &'static str) {
     }
 }
 
-pub(super) fn show(context: &egui::Context, room: Rect, state: &mut PanelState, facts: &Facts, wishes: &mut Vec<Wish>) {
+/// Shows them in the first of two rooms, and what belongs to the one that is taken beside them in the second.
+pub(super) fn show(
+    context: &egui::Context,
+    (room, beside): (Rect, Rect),
+    state: &mut PanelState,
+    facts: &Facts,
+    wishes: &mut Vec<Wish>,
+) {
     let place = Area::new(Id::unique("tools"))
         .anchor(Align2::LEFT_CENTER, [10.0, 0.5 * (room.height() - context.content_rect().height())]);
     let shown = place.show(context, |ui| {
@@ -48,7 +55,7 @@ pub(super) fn show(context: &egui::Context, room: Rect, state: &mut PanelState, 
         drives::show(context, shown.response.rect, facts, wishes);
     }
     match facts.tool {
-        Tool::Select => material::show(context, (room, shown.response.rect), state, facts, wishes),
+        Tool::Select => material::show(context, (beside, shown.response.rect), state, facts, wishes),
         Tool::Paint => material::show_brush(context, shown.response.rect, facts, wishes),
         _ => {}
     }

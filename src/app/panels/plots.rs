@@ -7,8 +7,8 @@ use egui_plot::{AxisHints, GridInput, GridMark, HoverPosition, Line, Plot, PlotP
 use super::theme::{LINE, PROBES, TEXT, WEAK, floating};
 use super::{Wish, described};
 use crate::app::action::Action;
-use crate::app::player::Measured;
-use crate::app::plots::{Plots, Quantity, Series, Subject};
+use crate::app::player::{Measured, Probe};
+use crate::app::plots::{Curve, Plots, Quantity, Series, Subject, svg};
 
 /// Width and greatest height of a plot `[points]`.
 const SIZE: [f32; 2] = [340.0, 180.0];
@@ -31,8 +31,13 @@ pub(super) const ENERGIES: [(&str, Color32, OfEnergies); 4] = [
     ("sum", TEXT, |measured| measured.energies.sum()),
 ];
 
+/// Where the panel lay when it was last shown.
+pub(super) fn place(context: &egui::Context) -> Option<Rect> {
+    context.memory(|memory| memory.area_rect(Id::unique("plots")))
+}
+
 pub(super) fn show(context: &egui::Context, room: Rect, plots: &mut Plots, wishes: &mut Vec<Wish>) {
-    let up = room.height() - context.content_rect().height() - 10.0;
+    let up = room.height() - context.content_rect().height();
     let left = LEFT[usize::from(room.height() >= TALL)];
     Area::new(Id::unique("plots")).anchor(Align2::LEFT_BOTTOM, [left, up]).show(context, |ui| {
         floating().show(ui, |ui| {
@@ -57,6 +62,9 @@ fn header(ui: &mut Ui, wishes: &mut Vec<Wish>) {
         if ui.button("CSV").on_hover_text("a table, in the folder that wobble was started in").clicked() {
             wishes.push(Wish::WriteTable);
         }
+        if ui.button("SVG").on_hover_text("this plot, in the folder that wobble was started in").clicked() {
+            wishes.push(Wish::WriteFigure);
+        }
     });
 }
 
@@ -67,7 +75,7 @@ fn choices(ui: &mut Ui, plots: &mut Plots) {
         ui.spacing_mut().item_spacing.x = 4.0;
         ui.selectable_value(&mut plots.subject, Subject::Energies, "energies");
         if count == 0 {
-            ui.weak("click a point with the tool 6 to probe it");
+            ui.weak("click a point or bond with tool 6 to probe it");
             return;
         }
         ui.selectable_value(&mut plots.subject, Subject::Probes, if count == 1 { "probe" } else { "probes" });
@@ -86,7 +94,7 @@ fn legend(ui: &mut Ui, plots: &mut Plots) {
             Subject::Energies => ENERGIES.into_iter().for_each(|(words, color, _)| _ = name(ui, words, color)),
             Subject::Probes => {
                 for (place, (point, color)) in plots.probes().into_iter().zip(PROBES).enumerate() {
-                    let words = point.map(|point| format!("{}: point {}", place + 1, point.0));
+                    let words = point.map(|probe| format!("{}: {}", place + 1, named(probe)));
                     words.iter().for_each(|words| _ = name(ui, words, color));
                 }
             }
@@ -95,12 +103,22 @@ fn legend(ui: &mut Ui, plots: &mut Plots) {
         if plots.subject != Subject::Energies {
             ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
                 ui.spacing_mut().item_spacing.x = 4.0;
-                for quantity in Quantity::ALL.into_iter().rev() {
+                let has_bond = plots.has_bond();
+                let all = Quantity::ALL.into_iter().filter(|quantity| has_bond || !quantity.is_of_bonds());
+                for quantity in all.rev() {
                     ui.selectable_value(&mut plots.quantity, quantity, quantity.words()[0]);
                 }
             });
         }
     });
+}
+
+/// What is probed.
+fn named(probe: Probe) -> String {
+    match probe {
+        Probe::Point(point) => format!("point {}", point.0),
+        Probe::Bond(number) => format!("bond {number}"),
+    }
 }
 
 fn plot(ui: &mut Ui, height: f32, plots: &Plots) {
@@ -160,10 +178,50 @@ fn grid(GridInput { bounds: (from, to), .. }: GridInput) -> Vec<GridMark> {
     numbers.take(12).map(|k| GridMark { value: k as f64 * step, step_size: step }).collect()
 }
 
+/// The plot that is looked at, as a figure for a file.
+pub(in crate::app) fn figure(plots: &Plots) -> String {
+    let [name, unit] = plots.quantity.words();
+    let of = |place: usize| {
+        move |measured: &Measured| {
+            let probed = measured.probes[place]?;
+            plots.quantity.of(&probed)
+        }
+    };
+    let over_time = |of: &dyn Fn(&Measured) -> Option<f64>| -> Vec<[f64; 2]> {
+        plots.series().iter().filter_map(|measured| Some([measured.time, of(measured)?])).collect()
+    };
+    let curve = |name: String, color: Color32, points: Vec<[f64; 2]>| Curve { name, color: color.to_array(), points };
+    match plots.subject {
+        Subject::Energies => {
+            let all = ENERGIES.into_iter().map(|(name, color, of)| {
+                // What is white on dark is dark on white.
+                let color = if color == TEXT { Color32::from_gray(40) } else { color };
+                curve(name.to_owned(), color, over_time(&|measured| Some(of(measured))))
+            });
+            svg(["time [s]", "energy [J]"], &all.collect::<Vec<_>>())
+        }
+        Subject::Probes => {
+            let places = plots.probes().into_iter().enumerate().filter_map(|(place, probe)| Some((place, probe?)));
+            let all = places.map(|(place, probe)| curve(named(probe), ON_WHITE[place], over_time(&of(place))));
+            svg(["time [s]", &format!("{name} [{unit}]")], &all.collect::<Vec<_>>())
+        }
+        Subject::Phase => {
+            let both = |measured: &Measured| Some([of(0)(measured)?, of(1)(measured)?]);
+            let names = plots.probes().map(|probe| probe.map_or(String::new(), named));
+            let points = plots.series().iter().filter_map(both).collect();
+            let axis = |place: usize| format!("{name} of {} [{unit}]", names[place]);
+            svg([&axis(0), &axis(1)], &[curve(String::new(), ON_WHITE[0], points)])
+        }
+    }
+}
+
+/// The probes' colours on white.
+const ON_WHITE: [Color32; 2] = [Color32::from_rgb(0, 114, 178), Color32::from_rgb(213, 94, 0)];
+
 /// The curves of what is looked at.
 fn lines(plots: &Plots) -> Vec<Line<'static>> {
     let (series, quantity) = (plots.series(), plots.quantity);
-    let of = |place: usize| move |measured: &Measured| measured.probes[place].map(|probed| quantity.of(&probed));
+    let of = |place: usize| move |measured: &Measured| measured.probes[place].and_then(|probed| quantity.of(&probed));
     match plots.subject {
         Subject::Energies => {
             let line = |(name, color, of): (&'static str, Color32, OfEnergies)| {

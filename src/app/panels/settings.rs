@@ -3,18 +3,17 @@
 use egui::{Align2, Area, ComboBox, DragValue, Id, Rect, Response, RichText, ScrollArea, Slider, SliderClamping, Ui};
 
 use super::theme::{TEXT, floating};
-use super::{Facts, PanelState, Wish, described, dial};
+use super::{Facts, PanelState, Wish, described, dial, parameters};
 use crate::app::action::Action;
-use crate::history::{Do, SetKeys, Walls, Weather};
-use crate::scene::{BoundsKeys, ContactKeys, Meeting, SolverName, Vector, WindKeys};
-use crate::sim::{BoundsChange, Contact, MouseChange, SceneChange, Solver, Wind};
+use crate::app::player::MethodSetting;
+use crate::history::{AreasOrNone, Do, SetKeys, Walls, Weather};
+use crate::scene::{AreaKeys, AreaKindName, BoundsKeys, ContactKeys, Meeting, Parameter, SolverName, Vector, WindKeys};
+use crate::sim::{Areas, BoundsChange, Contact, Method, MouseChange, SceneChange, Solver, Wind};
 
 /// Width of the panel `[points]`.
 pub(super) const WIDTH: f32 = 250.0;
-/// A room so high has place for it below all else at the right `[points]`.
-pub(super) const TALL: f32 = 950.0;
-/// What is above it stays free `[points]`.
-const ABOVE: f32 = 176.0;
+/// Frame and header, above what is scrolled `[points]`.
+const HEAD: f32 = 52.0;
 /// Gravity on the ground `[m/s^2]`.
 const GRAVITY: f64 = 9.81;
 /// Gravity at the rim of the dial `[m/s^2]`.
@@ -26,6 +25,8 @@ pub(in crate::app) struct Settings {
     pub(in crate::app) scene: SceneChange,
     /// Strength `[1/s^2]` and radius `[m]` of the hover force; `None`: there is none, or it goes along a track.
     pub(in crate::app) push: Option<[f64; 2]>,
+    /// The numbers that the scene names, each as it is now.
+    pub(in crate::app) parameters: Vec<(Parameter, Option<f64>)>,
 }
 
 /// A setting gets another value.
@@ -39,7 +40,7 @@ pub(in crate::app) struct Setting {
 }
 
 /// Where changes go to.
-struct Sink<'a> {
+pub(super) struct Sink<'a> {
     /// What is being dragged.
     gesture: &'a mut Option<Id>,
     wishes: &'a mut Vec<Wish>,
@@ -48,7 +49,7 @@ struct Sink<'a> {
 
 impl Sink<'_> {
     /// What is dragged on is one edit.
-    fn set(&mut self, by: &Response, name: &'static str, act: Do) {
+    pub(super) fn set(&mut self, by: &Response, name: &'static str, act: Do) {
         let goes_on = *self.gesture == Some(by.id);
         *self.gesture = by.is_pointer_button_down_on().then_some(by.id);
         self.wishes.push(Wish::Set(Setting { act, name, goes_on }));
@@ -58,18 +59,25 @@ impl Sink<'_> {
         self.set(by, name, Do::Set(Box::new(keys)));
     }
 
-    fn vector(&self, v: [f64; 3]) -> Vector {
+    fn method(&mut self, by: &Response, setting: MethodSetting) {
+        let goes_on = *self.gesture == Some(by.id);
+        *self.gesture = by.is_pointer_button_down_on().then_some(by.id);
+        self.wishes.push(Wish::Method(setting, goes_on));
+    }
+
+    pub(super) fn vector(&self, v: [f64; 3]) -> Vector {
         Vector::new(v, self.dimensions)
     }
 }
 
+/// Shows it at the lower right corner of a room.
 pub(super) fn show(context: &egui::Context, room: Rect, state: &mut PanelState, facts: &Facts, wishes: &mut Vec<Wish>) {
     if !context.input(|input| input.pointer.any_down()) {
         state.gesture = None;
     }
-    let up = room.height() - context.content_rect().height() - 10.0;
+    let corner = room.right_bottom() - egui::vec2(10.0, 0.0);
     let mut sink = Sink { gesture: &mut state.gesture, wishes, dimensions: facts.dimensions };
-    Area::new(Id::unique("settings")).anchor(Align2::RIGHT_BOTTOM, [-10.0, up]).show(context, |ui| {
+    Area::new(Id::unique("settings")).pivot(Align2::RIGHT_BOTTOM).fixed_pos(corner).show(context, |ui| {
         floating().show(ui, |ui| {
             ui.set_width(WIDTH);
             ui.horizontal(|ui| {
@@ -80,34 +88,41 @@ pub(super) fn show(context: &egui::Context, room: Rect, state: &mut PanelState, 
                     }
                 });
             });
-            let height = (room.height() - ABOVE).max(120.0);
+            let height = (room.height() - HEAD).max(120.0);
             ScrollArea::vertical()
                 .max_height(height)
                 .min_scrolled_height(height)
-                .show(ui, |ui| all(ui, &facts.settings, &mut sink));
+                .show(ui, |ui| all(ui, facts, &mut sink));
         });
     });
 }
 
-fn all(ui: &mut Ui, settings: &Settings, sink: &mut Sink<'_>) {
-    let SceneChange { gravity, drag_rate, wind, bounds, contact, method, .. } = &settings.scene;
+fn all(ui: &mut Ui, facts: &Facts, sink: &mut Sink<'_>) {
+    let settings = &facts.settings;
+    let SceneChange { gravity, drag_rate, wind, bounds, contact, areas, method } = &settings.scene;
+    if !settings.parameters.is_empty() {
+        parameters::show(ui, &settings.parameters, &settings.scene, sink);
+    }
     gravity.iter().for_each(|g| of_gravity(ui, *g, sink));
     if let (Some(drag_rate), Some(wind)) = (*drag_rate, *wind) {
         ui.separator();
         of_air(ui, drag_rate, wind, sink);
     }
-    if let Some(Some(bounds)) = bounds {
+    if let Some(bounds) = bounds {
         ui.separator();
-        of_walls(ui, bounds, sink);
+        of_walls(ui, bounds.as_ref(), facts.seen, sink);
     }
     ui.separator();
     contact.iter().for_each(|contact| of_contact(ui, *contact, sink));
+    if let Some(areas) = areas.filter(|_| sink.dimensions == 2) {
+        of_areas(ui, areas, sink);
+    }
     if let Some(push) = settings.push {
         ui.separator();
         of_push(ui, push, sink);
     }
     ui.separator();
-    method.iter().for_each(|method| of_solver(ui, method.solver, sink));
+    method.iter().for_each(|method| of_method(ui, method, sink));
 }
 
 /// A number with its name before it, by which what reads aloud calls it.
@@ -191,12 +206,40 @@ fn of_air(ui: &mut Ui, mut drag_rate: f64, wind: Option<Wind<3>>, sink: &mut Sin
     }
 }
 
-fn of_walls(ui: &mut Ui, bounds: &BoundsChange, sink: &mut Sink<'_>) {
+fn of_walls(ui: &mut Ui, bounds: Option<&BoundsChange>, seen: [[f64; 2]; 2], sink: &mut Sink<'_>) {
+    ui.horizontal(|ui| {
+        ui.strong("Walls");
+        let [low, high] = seen;
+        let can_stand = sink.dimensions == 2 && low[0] < high[0] && low[1] < high[1];
+        let mut stand = bounds.is_some();
+        let by = ui.add_enabled(stand || can_stand, egui::Checkbox::new(&mut stand, "stand"));
+        let by = by.on_hover_text("new ones stand around what is seen");
+        if by.changed() {
+            let these = BoundsKeys {
+                min: Vector::Plane(low),
+                max: Vector::Plane(high),
+                restitution: Some(0.2),
+                friction: Some(0.5),
+            };
+            let walls = if stand { Walls::These(these) } else { Walls::None(()) };
+            sink.scene(&by, "walls", SetKeys { bounds: Some(walls), ..SetKeys::default() });
+        }
+    });
+    let Some(bounds) = bounds else { return };
     let mut to = *bounds;
-    ui.strong("Walls");
-    let friction = slider(ui, "friction", &mut to.friction, 1.0);
-    let restitution = slider(ui, "restitution", &mut to.restitution, 1.0);
-    if let Some(by) = [friction, restitution].into_iter().find(Response::changed) {
+    let mut all = Vec::new();
+    for (axis, [least, most]) in WALLS.into_iter().enumerate().take(sink.dimensions) {
+        let speed = 0.005 * (to.max[axis] - to.min[axis]);
+        ui.horizontal(|ui| {
+            all.push(number(ui, least, (&mut to.min[axis], speed, " m")));
+            all.push(number(ui, most, (&mut to.max[axis], speed, " m")));
+        });
+    }
+    all.push(slider(ui, "friction", &mut to.friction, 1.0));
+    all.push(slider(ui, "restitution", &mut to.restitution, 1.0));
+    // Walls that would stand in each other stay where they are.
+    let is_fine = (0..sink.dimensions).all(|axis| to.min[axis] < to.max[axis]);
+    if let Some(by) = all.into_iter().find(Response::changed).filter(|_| is_fine) {
         let keys = BoundsKeys {
             min: sink.vector(to.min),
             max: sink.vector(to.max),
@@ -207,6 +250,9 @@ fn of_walls(ui: &mut Ui, bounds: &BoundsChange, sink: &mut Sink<'_>) {
     }
 }
 
+/// Names of the walls along each axis.
+const WALLS: [[&str; 2]; 3] = [["left", "right"], ["floor", "top"], ["back", "front"]];
+
 fn of_contact(ui: &mut Ui, contact: Option<Contact>, sink: &mut Sink<'_>) {
     let mut meets = contact.is_some();
     ui.strong("Bodies");
@@ -216,17 +262,43 @@ fn of_contact(ui: &mut Ui, contact: Option<Contact>, sink: &mut Sink<'_>) {
         sink.scene(&by, "contact", keys);
     }
     let Some(contact) = contact else { return };
-    let mut friction = contact.friction;
-    let by = slider(ui, "friction", &mut friction, 2.0);
-    if by.changed() {
+    let mut to = contact;
+    let all = [
+        ui.checkbox(&mut to.with_itself, "and themselves"),
+        slider(ui, "friction", &mut to.friction, 2.0),
+        slider(ui, "restitution", &mut to.restitution, 1.0),
+    ];
+    if let Some(by) = all.into_iter().find(Response::changed) {
         let keys = ContactKeys {
-            friction: Some(friction),
-            restitution: Some(contact.restitution),
-            radius: contact.radius,
-            with_itself: Some(contact.with_itself),
-            bodies: Some(contact.with_others),
+            friction: Some(to.friction),
+            restitution: Some(to.restitution),
+            radius: to.radius,
+            with_itself: Some(to.with_itself),
+            bodies: Some(to.with_others),
         };
         sink.scene(&by, "contact", SetKeys { contact: Some(Meeting::As(keys)), ..SetKeys::default() });
+    }
+}
+
+/// How hard bodies are to squeeze, beside what their bonds do.
+fn of_areas(ui: &mut Ui, areas: Option<Areas>, sink: &mut Sink<'_>) {
+    let before = areas.unwrap_or_default();
+    if before.stiffness.is_infinite() {
+        ui.weak("areas are kept");
+        return;
+    }
+    let mut stiffness = before.stiffness;
+    let speed = 0.02 * stiffness.max(10.0);
+    let by = ui.horizontal(|ui| number(ui, "areas resist", (&mut stiffness, speed, " N/m"))).inner;
+    let by = by.on_hover_text("against being squeezed or blown up, beside what bonds do");
+    if by.changed() && stiffness >= 0.0 {
+        let keys = AreaKeys {
+            kind: Some(AreaKindName::Spring),
+            stiffness: Some(stiffness),
+            least: areas.map(|areas| areas.least),
+        };
+        let areas = if stiffness > 0.0 { AreasOrNone::These(keys) } else { AreasOrNone::None(()) };
+        sink.scene(&by, "areas", SetKeys { areas: Some(areas), ..SetKeys::default() });
     }
 }
 
@@ -248,8 +320,64 @@ fn of_push(ui: &mut Ui, [mut strength, mut radius]: [f64; 2], sink: &mut Sink<'_
     }
 }
 
-fn of_solver(ui: &mut Ui, solver: Solver, sink: &mut Sink<'_>) {
+fn of_method(ui: &mut Ui, method: &Method, sink: &mut Sink<'_>) {
     ui.strong("Method");
+    of_solver(ui, method.solver, sink);
+    let shown = |x: f64, places: usize| format!("{x:.places$}").trim_end_matches('0').trim_end_matches('.').to_owned();
+    let substep =
+        chosen(ui, "substep", (method.substep.map(|h| 1e3 * h), 2.0, 1e-4..=100.0), |x| format!("{} ms", shown(x, 4)));
+    if let Some((by, to)) = substep {
+        sink.method(&by, MethodSetting::Substep(to.map(|ms| 1e-3 * ms)));
+    }
+    let sweeps = (method.iterations.map(f64::from), 10.0, 1.0..=1000.0);
+    if let Some((by, to)) = chosen(ui, "sweeps", sweeps, |x| format!("{x:.0}")) {
+        sink.method(&by, MethodSetting::Iterations(to.map(|x| x.round() as u32)));
+    }
+    let strain = (method.max_strain.map(|strain| 100.0 * strain), 1.0, 1e-4..=50.0);
+    if let Some((by, to)) = chosen(ui, "strain of rods", strain, |x| format!("{} %", shown(x, 4))) {
+        sink.method(&by, MethodSetting::MaxStrain(to.map(|percent| 0.01 * percent)));
+    }
+    let budget = (method.budget.filter(|ms| *ms < NO_BOUND), 6.0, 0.1..=1000.0);
+    if let Some((by, to)) = chosen(ui, "work a frame", budget, |x| format!("{} ms", shown(x, 1))) {
+        sink.method(&by, MethodSetting::Budget(to));
+    }
+    let (mut sleeps, mut settles) = (method.sleeps, method.settles);
+    let by = ui.checkbox(&mut sleeps, "what rests falls asleep");
+    if by.changed() {
+        sink.method(&by, MethodSetting::Sleep(sleeps));
+    }
+    let by = ui.checkbox(&mut settles, "what lies on others comes to rest");
+    if by.changed() {
+        sink.method(&by, MethodSetting::Settle(settles));
+    }
+}
+
+/// Counted work of a frame from which on none is a bound `[ms]`.
+const NO_BOUND: f64 = 1e6;
+
+/// A number that the rules choose, or that is given: where it is first given, `first`. Returns what became of it.
+fn chosen(
+    ui: &mut Ui,
+    name: &str,
+    (value, first, range): (Option<f64>, f64, std::ops::RangeInclusive<f64>),
+    shown: impl Fn(f64) -> String,
+) -> Option<(Response, Option<f64>)> {
+    let mut is_given = value.is_some();
+    ui.horizontal(|ui| {
+        let switch = ui.checkbox(&mut is_given, name).on_hover_text("off: as the rules choose");
+        if switch.changed() {
+            return Some((switch, is_given.then_some(first)));
+        }
+        let mut number = value?;
+        let speed = 0.02 * number;
+        let field = DragValue::new(&mut number).speed(speed).range(range).update_while_editing(false);
+        let by = ui.add(field.custom_formatter(|x, _| shown(x)));
+        by.changed().then_some((by, Some(number)))
+    })
+    .inner
+}
+
+fn of_solver(ui: &mut Ui, solver: Solver, sink: &mut Sink<'_>) {
     ComboBox::from_label("solver").selected_text(solver.to_string()).show_ui(ui, |ui| {
         for name in SolverName::NAMES {
             let is_chosen = *name == solver.name();

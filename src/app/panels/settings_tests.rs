@@ -5,7 +5,7 @@ use egui::{Event, Pos2, Shape, pos2, vec2};
 
 use super::pointer::button;
 use super::{Facts, PanelState, Setting, Settings, Wish, settings};
-use crate::app::player::{Note, Order, Shown, Stage};
+use crate::app::player::{MethodSetting, Note, Order, Shown, Stage};
 use crate::history::{Do, SetKeys};
 use crate::scene::{Scene, SolverName, Vector, gallery};
 use crate::sim::{Change, Command, Solver};
@@ -32,7 +32,7 @@ struct Screen {
 
 impl Screen {
     fn new(stage: &mut Stage) -> Self {
-        let settings = Settings { scene: shown(stage).settings, push: Some([20.0, 1.0]) };
+        let settings = Settings { scene: shown(stage).settings, push: Some([20.0, 1.0]), parameters: Vec::new() };
         let facts = Facts { settings, dimensions: 2, ..Facts::default() };
         let mut screen = Screen { context: egui::Context::default(), state: PanelState::default(), facts };
         // The first two frames find their sizes.
@@ -138,4 +138,74 @@ fn another_solver_leaves_the_rest_of_the_method() {
     let names = Solver::ALL.map(|solver| solver.name());
     let named: Vec<&str> = SolverName::NAMES.iter().copied().filter(|name| *name != "as-printed").collect();
     assert_eq!(names, named[..], "the list is by the names of files");
+}
+
+#[test]
+fn numbers_of_the_method_are_set_one_by_one_and_undone() {
+    let mut stage = stage();
+    let before = stage.history().world().method();
+    let all = [
+        MethodSetting::Substep(Some(0.002)),
+        MethodSetting::Iterations(Some(7)),
+        MethodSetting::MaxStrain(Some(0.01)),
+        MethodSetting::Budget(None),
+        MethodSetting::Sleep(false),
+        MethodSetting::Settle(true),
+    ];
+    for setting in all {
+        assert_eq!(stage.obey(Order::Method(setting, false)), None, "{setting:?}");
+    }
+    let method = stage.history().world().method();
+    assert_eq!((method.substep, method.iterations, method.max_strain), (Some(0.002), Some(7), Some(0.01)));
+    assert_eq!((method.budget, method.sleeps, method.settles), (None, false, true));
+    assert_eq!(method.solver, before.solver);
+    assert_eq!(stage.obey(Order::Method(MethodSetting::Substep(Some(0.001)), false)), None);
+    assert_eq!(stage.obey(Order::Method(MethodSetting::Substep(Some(0.0005)), true)), None);
+    assert_eq!(stage.history().world().method().substep, Some(0.0005));
+    assert!(matches!(stage.obey(Order::Undo(None)), Some(Note::Undone(name, _)) if name == "substep"));
+    assert_eq!(stage.history().world().method().substep, Some(0.002), "a drag is undone as one");
+    assert_eq!(stage.obey(Order::Method(MethodSetting::Substep(None), false)), None);
+    assert_eq!(stage.history().world().method().substep, None, "as the rules choose");
+}
+
+#[test]
+fn numbers_that_a_scene_names_are_read_from_the_world_and_set_by_their_sliders() {
+    let text = r#"{"wobble": 1, "gravity": [0, -9.81], "drag_rate": 0.5,
+        "points": {"position": [[0, 0], [1, 0], [2, 0]], "pinned": [0]}, "bounds": {"min": [-5, -5], "max": [5, 5], "friction": 0.4},
+        "bonds": [{"a": 0, "b": 1, "kind": "spring", "stiffness": 50}, {"a": 1, "b": 2, "kind": "spring", "stiffness": 50}],
+        "parameters": [{"path": "bonds[0-1].stiffness", "min": 10, "max": 1000, "label": "both springs", "unit": "N/m"},
+            {"path": "bounds.friction", "min": 0, "max": 1}, {"path": "gravity[1]", "min": -20, "max": 0}]}"#;
+    let scene = Scene::parse(text, "x.json").unwrap();
+    let mut stage = Stage::new(scene.clone().into()).unwrap();
+    let read = |stage: &mut Stage| {
+        let shown = shown(stage);
+        let of = |parameter: crate::scene::Parameter| {
+            let value = super::parameters::value(&parameter.target, &shown.settings, None, &shown.scenery);
+            (parameter, value)
+        };
+        scene.named_parameters().into_iter().map(of).collect::<Vec<_>>()
+    };
+    let values = |stage: &mut Stage| read(stage).into_iter().map(|(_, value)| value.unwrap()).collect::<Vec<f64>>();
+    assert_eq!(values(&mut stage), [50.0, 0.4, -9.81]);
+    let mut screen = Screen::new(&mut stage);
+    screen.facts.settings.parameters = read(&mut stage);
+    (0..2).for_each(|_| _ = screen.frame(Vec::new()));
+    // Sliders of all heights: a press at the right end of each that is among the first.
+    let mut acts = Vec::new();
+    for step in 0..90 {
+        let at = pos2(1130.0, 40.0 + 4.0 * step as f32);
+        screen.frame(vec![Event::PointerMoved(at)]);
+        let pressed = screen.frame(vec![button(at, true)]).0;
+        acts.extend(pressed.into_iter().filter(|set| set.name == "parameter").map(|set| set.act));
+        screen.frame(vec![button(at, false)]);
+    }
+    assert!(acts.len() >= 3, "{acts:?}");
+    for act in acts {
+        assert_eq!(stage.obey(Order::Give(vec![act], Some("parameter"))), None);
+    }
+    let [stiffness, friction, gravity] = values(&mut stage)[..] else { panic!("three") };
+    assert!(stiffness > 50.0 && friction > 0.4 && gravity > -9.81, "{stiffness} {friction} {gravity}");
+    let world = stage.history().world();
+    let is_set = |bond: crate::sim::Bond| matches!(bond.kind, crate::sim::BondKind::Spring { stiffness: k, .. } if k == stiffness);
+    assert!(world.bonds().iter().all(is_set));
 }

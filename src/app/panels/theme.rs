@@ -28,6 +28,9 @@ pub(in crate::app) fn apply(context: &egui::Context) {
     context.set_theme(egui::Theme::Dark);
     context.set_visuals(visuals());
     context.all_styles_mut(|style| {
+        // What can be scrolled shows that it can.
+        let bar = egui::style::ScrollStyle::solid();
+        style.spacing.scroll = egui::style::ScrollStyle { bar_width: 6.0, ..bar };
         style.spacing.item_spacing = egui::vec2(8.0, 6.0);
         style.spacing.button_padding = egui::vec2(10.0, 5.0);
         style.spacing.window_margin = Margin::same(14);

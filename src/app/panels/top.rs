@@ -7,8 +7,9 @@ use super::theme::{TEXT, floating};
 use super::{Facts, Wish, button, described, icon};
 use crate::app::action::{Action, Showing};
 
-pub(super) fn show(context: &egui::Context, room: Rect, facts: &Facts, wishes: &mut Vec<Wish>) {
-    Area::new(Id::unique("scene")).fixed_pos([10.0, 10.0]).show(context, |ui| {
+/// Returns where it lies `[points]`.
+pub(super) fn show(context: &egui::Context, room: Rect, facts: &Facts, wishes: &mut Vec<Wish>) -> Rect {
+    let shown = Area::new(Id::unique("scene")).fixed_pos([10.0, 10.0]).show(context, |ui| {
         floating().show(ui, |ui| {
             ui.set_max_width((room.width() - 36.0).max(40.0));
             ui.horizontal_wrapped(|ui| {
@@ -46,4 +47,5 @@ pub(super) fn show(context: &egui::Context, room: Rect, facts: &Facts, wishes: &
             });
         });
     });
+    shown.response.rect
 }

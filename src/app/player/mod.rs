@@ -34,12 +34,13 @@ use std::time::{Duration, Instant};
 pub use acts::Acts;
 pub use keep::Keeping;
 pub use movers::{Moved, Movers};
-pub use order::{Note, Order};
+pub use order::{MethodSetting, Note, Order};
 pub use pace::{LONGEST_FRAME, Pace, SINGLE_STEP, STEPPING_BUDGET};
 pub use rungs::{Rung, Yielded};
+pub(crate) use shown::driven;
 pub use shown::{Figures, Places, Scenery, Shown};
 pub use stage::{Stage, too_many_to_meet};
-pub use watch::{Measured, Probed, Probes};
+pub use watch::{Measured, Probe, Probed, Probes};
 
 use crate::history::{Do, HistoryError, Start};
 use crate::scene::Scene;

@@ -6,7 +6,7 @@ use super::watch::Probes;
 use crate::app::matter::{Among, MatterChange};
 use crate::history::Do;
 use crate::picture::Tint;
-use crate::scene::{AddKeys, Scene, SceneError, SolverName, ViewKeys};
+use crate::scene::{AddKeys, BudgetKeys, MethodKeys, Scene, SceneError, SolverName, ViewKeys};
 use crate::sim::{Cursor, Dynamics, PointId};
 
 /// Works out what is added to a running world.
@@ -49,6 +49,8 @@ pub enum Order {
     Copy(Look),
     /// Another solver, with all else of the method as it is.
     Solver(SolverName),
+    /// One number of the method, with all else of it as it is; of the same drag as the last one.
+    Method(MethodSetting, bool),
     /// A pin goes to a place `[m]` on a straight way from where it is. `goes_on`: this belongs to the last edit.
     LeadPin {
         /// The pin.
@@ -119,4 +121,49 @@ pub enum Note {
     NotWritten(String),
     /// What would outlive a killed program, or what it is recorded to, could not be written; it is tried again.
     NotKept(String),
+}
+
+/// A number of the method, or a switch; `None`: as the rules choose.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum MethodSetting {
+    /// Longest substep `[s]`.
+    Substep(Option<f64>),
+    /// Sweeps in a substep.
+    Iterations(Option<u32>),
+    /// Largest strain of rigid bonds `[1]`.
+    MaxStrain(Option<f64>),
+    /// Counted work of a frame beyond which something cheaper moves bodies `[ms]`; `None`: whatever it takes.
+    Budget(Option<f64>),
+    /// What stays where it is falls asleep.
+    Sleep(bool),
+    /// What lies on something comes to rest.
+    Settle(bool),
+}
+
+impl MethodSetting {
+    /// What it is called when it is undone.
+    pub(crate) fn name(self) -> &'static str {
+        match self {
+            MethodSetting::Substep(_) => "substep",
+            MethodSetting::Iterations(_) => "iterations",
+            MethodSetting::MaxStrain(_) => "max_strain",
+            MethodSetting::Budget(_) => "budget",
+            MethodSetting::Sleep(_) => "sleep",
+            MethodSetting::Settle(_) => "settle",
+        }
+    }
+
+    /// The keys of a method with it.
+    pub(super) fn within(self, keys: MethodKeys) -> MethodKeys {
+        match self {
+            MethodSetting::Substep(substep) => MethodKeys { substep, ..keys },
+            MethodSetting::Iterations(iterations) => MethodKeys { iterations, ..keys },
+            MethodSetting::MaxStrain(max_strain) => MethodKeys { max_strain, ..keys },
+            MethodSetting::Budget(ms) => {
+                MethodKeys { budget: Some(ms.map_or(BudgetKeys::None, BudgetKeys::Ms)), ..keys }
+            }
+            MethodSetting::Sleep(sleep) => MethodKeys { sleep: Some(sleep), ..keys },
+            MethodSetting::Settle(settle) => MethodKeys { settle: Some(settle), ..keys },
+        }
+    }
 }

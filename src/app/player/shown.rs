@@ -9,7 +9,7 @@ use super::watch::Measured;
 use crate::app::matter::Matter;
 use crate::history::{BranchView, Group};
 use crate::picture::{Skin, Tint};
-use crate::render::View;
+use crate::render::{Hinge, View, joints};
 use crate::sim::{
     Bonds, Convex, Cursor, Dynamics, GrabView, Key, MouseForce, PointId, Polygon, Positions, SceneChange,
 };
@@ -88,6 +88,10 @@ pub struct Scenery {
     pub keys: Vec<Key>,
     /// Points that keyed drives move, ascending.
     pub driven: Vec<PointId>,
+    /// Where motors and servos turn.
+    pub hinges: Vec<Hinge>,
+    /// Where joints with stops are, ascending.
+    pub joints: Vec<PointId>,
 }
 
 impl Scenery {
@@ -114,7 +118,18 @@ impl Scenery {
             warnings: world.warnings().to_vec(),
             keys: world.drive_keys(),
             driven: driven(world),
+            hinges: Hinge::of(world),
+            joints: joints(world),
         }
+    }
+
+    /// The ends of the bond of this number, if it is there.
+    pub fn bond_ends(&self, number: u32) -> Option<[PointId; 2]> {
+        let place = match &self.bond_numbers {
+            Some(numbers) => numbers.iter().position(|own| *own == number)?,
+            None => number as usize,
+        };
+        self.bonds.ends().get(place).copied()
     }
 
     /// The number of the bond at this place of the list.
@@ -124,7 +139,7 @@ impl Scenery {
 }
 
 /// Points that keyed drives of a world move, ascending.
-fn driven(world: &dyn Dynamics) -> Vec<PointId> {
+pub(crate) fn driven(world: &dyn Dynamics) -> Vec<PointId> {
     if world.drive_keys().is_empty() {
         return Vec::new();
     }
@@ -219,7 +234,9 @@ pub struct Shown {
 impl Shown {
     /// As the renderer reads it.
     pub fn view(&self) -> View<'_> {
-        let Scenery { bonds, pinned, bounds, planes, polygons, convex, triangles, skins, tints, .. } = &*self.scenery;
+        let Scenery {
+            bonds, pinned, bounds, planes, polygons, convex, triangles, skins, tints, hinges, joints, ..
+        } = &*self.scenery;
         View {
             dimensions: self.dimensions,
             previous: self.previous.view(),
@@ -238,6 +255,9 @@ impl Shown {
             polygons,
             convex,
             mouse: self.mouse.as_ref().zip(self.cursor),
+            hinges: hinges.clone(),
+            joints: joints.clone(),
+            covered: &[],
         }
     }
 

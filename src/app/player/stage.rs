@@ -191,6 +191,13 @@ impl Stage {
                 let method = MethodKeys { solver: Some(solver), source: None, ..self.history.method() };
                 self.give(vec![with(method)], Some(SOLVER))
             }
+            Order::Method(setting, goes_on) => {
+                let act = with(setting.within(self.history.method()));
+                match goes_on {
+                    true => self.give_on(vec![act], setting.name()),
+                    false => self.give(vec![act], Some(setting.name())),
+                }
+            }
             Order::Press(presses) => {
                 self.pace.presses = presses;
                 None

@@ -1,19 +1,38 @@
 //! What plots are made of, measured on the stepping thread and only while somebody looks at it.
 
-use crate::sim::{Dynamics, Energies, PointId};
+use crate::sim::{Bond, BondKind, Dynamics, Energies, Limit, PointId};
 
-/// Points that are probed, each in a place of its own, which it keeps.
-pub type Probes = [Option<PointId>; 2];
+/// What a probe is put on.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Probe {
+    /// A point.
+    Point(PointId),
+    /// A bond, by its number.
+    Bond(u32),
+}
 
-/// The state of a point.
+impl From<PointId> for Probe {
+    fn from(point: PointId) -> Self {
+        Probe::Point(point)
+    }
+}
+
+/// Points and bonds that are probed, each in a place of its own, which it keeps.
+pub type Probes = [Option<Probe>; 2];
+
+/// The state of a point, or of a bond.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Probed {
     /// Which one.
-    pub point: PointId,
-    /// Position `[m]`, z = 0 in the plane.
+    pub probe: Probe,
+    /// Position of the point, or of the middle of the bond `[m]`, z = 0 in the plane.
     pub position: [f64; 3],
-    /// The length of its velocity `[m/s]`.
+    /// The length of the velocity of that `[m/s]`.
     pub speed: f64,
+    /// Strain of the bond, length/rest - 1 `[1]`; none of a point, or at rest length 0.
+    pub strain: Option<f64>,
+    /// By which the bond pulls its ends together, below 0 where it pushes `[N]`: of springs without a drive.
+    pub force: Option<f64>,
 }
 
 /// Energies and probed points at one time.
@@ -23,7 +42,7 @@ pub struct Measured {
     pub time: f64,
     /// Of the points that are not pinned `[J]`.
     pub energies: Energies,
-    /// The probed points that are there.
+    /// The probed points and bonds that are there.
     pub probes: [Option<Probed>; 2],
 }
 
@@ -40,7 +59,7 @@ pub(super) struct Watch {
 }
 
 impl Watch {
-    /// These points from now on, at once; `None`: nothing more.
+    /// These points and bonds from now on, at once; `None`: nothing more.
     pub(super) fn set(&mut self, probes: Option<Probes>) {
         (self.probes, self.wait) = (probes, 0);
     }
@@ -53,20 +72,65 @@ impl Watch {
             return None;
         }
         self.wait = (world.point_count() + world.bonds().len()) / AT_ONCE;
-        let probes = probes.map(|point| point.and_then(|point| probed(world, point)));
+        let probes = probes.map(|probe| probe.and_then(|probe| probed(world, probe)));
         Some(Measured { time: world.time(), energies: world.energies(), probes })
     }
 }
 
-/// The state of a point, unless it is gone, not there yet or without finite numbers.
-fn probed(world: &dyn Dynamics, point: PointId) -> Option<Probed> {
+/// What is measured of a probe, unless it is gone, not there yet or without finite numbers.
+fn probed(world: &dyn Dynamics, probe: Probe) -> Option<Probed> {
+    let found = match probe {
+        Probe::Point(point) => {
+            let [position, velocity] = state(world, point)?;
+            Probed { probe, position, speed: norm(velocity), strain: None, force: None }
+        }
+        Probe::Bond(number) => {
+            let place = match world.bond_numbers() {
+                Some(numbers) => numbers.iter().position(|own| *own == number)?,
+                None => number as usize,
+            };
+            of_bond(world, world.bonds().iter().nth(place)?, probe)?
+        }
+    };
+    let numbers = found.position.into_iter().chain([found.speed]).chain(found.strain).chain(found.force);
+    numbers.into_iter().all(f64::is_finite).then_some(found)
+}
+
+/// Position and velocity of a point that is there.
+fn state(world: &dyn Dynamics, point: PointId) -> Option<[[f64; 3]; 2]> {
     if point.index() >= world.point_count() || world.gone().binary_search(&point).is_ok() {
         return None;
     }
     let dimensions = world.dimensions();
     let coordinate = |axis| world.positions().get(point.index() * dimensions + axis);
     let position = std::array::from_fn(|axis| if axis < dimensions { coordinate(axis) } else { 0.0 });
-    let [x, y, z] = world.velocity(point);
-    let speed = x.hypot(y).hypot(z);
-    position.iter().chain([&speed]).all(|number| number.is_finite()).then_some(Probed { point, position, speed })
+    Some([position, world.velocity(point)])
+}
+
+fn of_bond(world: &dyn Dynamics, bond: Bond, probe: Probe) -> Option<Probed> {
+    let ([x, v], [y, w]) = (state(world, bond.a)?, state(world, bond.b)?);
+    let half = |p: [f64; 3], q: [f64; 3]| std::array::from_fn(|axis| 0.5 * (p[axis] + q[axis]));
+    let [apart, parting]: [[f64; 3]; 2] = [[y, x], [w, v]].map(|[p, q]| std::array::from_fn(|axis| p[axis] - q[axis]));
+    let length = norm(apart);
+    let rest = bond.rest_length;
+    let acts = match bond.limit {
+        Limit::Both => true,
+        Limit::Max => length > rest,
+        Limit::Min => length < rest,
+    };
+    let force = match bond.kind {
+        _ if bond.drive.is_some() => None,
+        BondKind::Spring { .. } if !acts => Some(0.0),
+        BondKind::Spring { stiffness, damping } => {
+            let rate = apart.iter().zip(parting).map(|(d, v)| d * v).sum::<f64>() / length.max(f64::MIN_POSITIVE);
+            Some(stiffness * (length - rest) + damping * rate)
+        }
+        _ => None,
+    };
+    let strain = (rest > 0.0).then(|| length / rest - 1.0);
+    Some(Probed { probe, position: half(x, y), speed: norm(half(v, w)), strain, force })
+}
+
+fn norm([x, y, z]: [f64; 3]) -> f64 {
+    x.hypot(y).hypot(z)
 }

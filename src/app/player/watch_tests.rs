@@ -1,7 +1,7 @@
 //! What is measured for plots: the world's own energies and points, and nothing that nobody asked for.
 #![allow(clippy::unwrap_used, clippy::panic, reason = "a test that cannot go on stops")]
 
-use super::{Measured, Note, Order, Probes, Shown, Stage};
+use super::{Measured, Note, Order, Probe, Probes, Shown, Stage};
 use crate::history::{DeleteKeys, Do};
 use crate::scene::Scene;
 use crate::sim::PointId;
@@ -68,21 +68,45 @@ fn energies_are_those_of_the_world() {
 fn a_probe_follows_its_point_and_drops_out_with_it() {
     let mut stage = stage(SCENE);
     let point = PointId(0);
-    stage.obey(Order::Watch(Some([None, Some(point)])));
+    stage.obey(Order::Watch(Some([None, Some(point.into())])));
     for _ in 0..10 {
         frame(&mut stage);
         let [none, probed] = measured(&mut stage).unwrap().probes;
         let (world, probed) = (stage.history().world(), probed.unwrap());
         let sample = world.sample(world.time());
         let speed = sample.velocity[0].iter().map(|v| v * v).sum::<f64>().sqrt();
-        assert_eq!((none, probed.point, probed.position), (None, point, sample.position[0]));
+        assert_eq!((none, probed.probe, probed.position), (None, Probe::Point(point), sample.position[0]));
         assert!((probed.speed - speed).abs() < 1e-12 && speed > 0.5, "{} {speed} m/s", probed.speed);
     }
     let keys = DeleteKeys { points: vec![0], ..DeleteKeys::default() };
     assert_eq!(stage.obey(Order::Give(vec![Do::Delete(keys)], Some("delete"))), None);
     assert_eq!(measured(&mut stage).unwrap().probes, [None; 2]);
-    stage.obey(Order::Watch(Some([Some(PointId(9999)), None])));
+    stage.obey(Order::Watch(Some([Some(PointId(9999).into()), Some(Probe::Bond(9999))])));
     assert_eq!(measured(&mut stage).unwrap().probes, [None; 2], "there is no such point");
+}
+
+#[test]
+fn a_probe_of_a_bond_has_its_strain_and_its_force() {
+    // A weight of 2 kg on a spring of 100 N/m, at rest where that bears it, and beside it a string that hangs loose and a rod.
+    let mut stage = stage(
+        r#"{"wobble": 1, "gravity": [0, -9.81], "points": {"position": [[0, 0], [0, -1.1962], [1, 0], [1, -0.5], [2, 0], [2, -1]],
+            "mass": 2, "pinned": [0, 2, 3, 4]},
+        "bonds": [{"a": 0, "b": 1, "kind": "spring", "stiffness": 100, "rest": 1},
+            {"a": 2, "b": 3, "kind": "spring", "stiffness": 100, "rest": 1, "limit": "max"}, {"a": 4, "b": 5}]}"#,
+    );
+    stage.obey(Order::Watch(Some([Some(Probe::Bond(0)), Some(Probe::Bond(1))])));
+    (0..30).for_each(|_| frame(&mut stage));
+    let [spring, string] = measured(&mut stage).unwrap().probes.map(Option::unwrap);
+    assert!((spring.force.unwrap() - 2.0 * 9.81).abs() < 1e-6, "{spring:?}");
+    assert!((spring.strain.unwrap() - 0.1962).abs() < 1e-9 && spring.speed < 1e-6, "{spring:?}");
+    assert_eq!((string.strain, string.force), (Some(-0.5), Some(0.0)), "what is slack pulls nothing");
+    stage.obey(Order::Watch(Some([Some(Probe::Bond(2)), None])));
+    let [rod, _] = measured(&mut stage).unwrap().probes;
+    assert_eq!(rod.map(|rod| rod.force), Some(None), "of rods no force is known");
+    assert_eq!(stage.obey(Order::Give(vec![Do::Cut { from: [-0.5, -0.5], to: [0.5, -0.5] }], Some("cut"))), None);
+    stage.obey(Order::Watch(Some([Some(Probe::Bond(0)), Some(Probe::Bond(1))])));
+    let after = measured(&mut stage).unwrap().probes;
+    assert!(after[0].is_none() && after[1].is_some(), "what is cut drops out, and others keep their numbers");
 }
 
 #[test]

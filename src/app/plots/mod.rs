@@ -1,12 +1,14 @@
 //! What is plotted: a series of measurements, the points that are probed, and which of it is looked at.
 
+mod figure;
 mod series;
 #[cfg(test)]
 mod tests;
 
-use super::player::{Probed, Probes, Shown};
+use super::player::{Probe, Probed, Probes, Shown};
 use crate::lessons::{self, Plot};
 use crate::sim::PointId;
+pub(super) use figure::{Curve, svg};
 pub(super) use series::Series;
 
 /// The series reaches back so many seconds of wall time at the scene's own pace `[s]`.
@@ -24,7 +26,7 @@ pub(super) enum Subject {
     Phase,
 }
 
-/// What is plotted of a point.
+/// What is plotted of a point, or of a bond.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub(super) enum Quantity {
     /// Its first coordinate.
@@ -34,10 +36,20 @@ pub(super) enum Quantity {
     Y,
     /// The length of its velocity.
     Speed,
+    /// Of a bond: its strain.
+    Strain,
+    /// Of a spring: its force.
+    Force,
 }
 
 impl Quantity {
-    pub(super) const ALL: [Quantity; 3] = [Quantity::X, Quantity::Y, Quantity::Speed];
+    pub(super) const ALL: [Quantity; 5] =
+        [Quantity::X, Quantity::Y, Quantity::Speed, Quantity::Strain, Quantity::Force];
+
+    /// Whether bonds alone have it.
+    pub(super) fn is_of_bonds(self) -> bool {
+        matches!(self, Quantity::Strain | Quantity::Force)
+    }
 
     /// Its name and its unit.
     pub(super) fn words(self) -> [&'static str; 2] {
@@ -45,14 +57,19 @@ impl Quantity {
             Quantity::X => ["x", "m"],
             Quantity::Y => ["y", "m"],
             Quantity::Speed => ["speed", "m/s"],
+            Quantity::Strain => ["strain", "%"],
+            Quantity::Force => ["force", "N"],
         }
     }
 
-    pub(super) fn of(self, probed: &Probed) -> f64 {
+    /// Of what was probed, in its unit; `None` where that has none of it.
+    pub(super) fn of(self, probed: &Probed) -> Option<f64> {
         match self {
-            Quantity::X => probed.position[0],
-            Quantity::Y => probed.position[1],
-            Quantity::Speed => probed.speed,
+            Quantity::X => Some(probed.position[0]),
+            Quantity::Y => Some(probed.position[1]),
+            Quantity::Speed => Some(probed.speed),
+            Quantity::Strain => probed.strain.map(|strain| 100.0 * strain),
+            Quantity::Force => probed.force,
         }
     }
 }
@@ -89,7 +106,7 @@ impl Plots {
             lessons::Quantity::Y => Quantity::Y,
             lessons::Quantity::Speed => Quantity::Speed,
         };
-        let probes = std::array::from_fn(|place| points.get(place).copied().map(PointId));
+        let probes = std::array::from_fn(|place| points.get(place).copied().map(|point| PointId(point).into()));
         Plots { probes, subject, quantity, ..Plots::new(rate) }
     }
 
@@ -109,36 +126,57 @@ impl Plots {
     /// Takes what a frame brings. Returns whether there is anything new, and whether probes dropped out with their points.
     pub(super) fn take(&mut self, shown: &Shown) -> [bool; 2] {
         let mut is_new = self.series.cut(shown.figures.time);
-        let is_there =
-            |point: &PointId| point.index() < shown.point_count() && shown.scenery.gone.binary_search(point).is_err();
-        let gone: Vec<PointId> = self.probes.into_iter().flatten().filter(|point| !is_there(point)).collect();
-        gone.iter().for_each(|&point| self.take_off(point));
+        let is_there = |probe: &Probe| match probe {
+            Probe::Point(point) => {
+                point.index() < shown.point_count() && shown.scenery.gone.binary_search(point).is_err()
+            }
+            Probe::Bond(number) => shown.scenery.bond_ends(*number).is_some(),
+        };
+        let gone: Vec<Probe> = self.probes.into_iter().flatten().filter(|probe| !is_there(probe)).collect();
+        gone.iter().for_each(|&probe| self.take_off(probe));
         if let Some(mut measured) = shown.measured {
             // What was asked for last may not have been measured yet.
-            for (probed, point) in measured.probes.iter_mut().zip(self.probes) {
-                probed.take_if(|probed| Some(probed.point) != point);
+            for (probed, probe) in measured.probes.iter_mut().zip(self.probes) {
+                probed.take_if(|probed| Some(probed.probe) != probe);
             }
             is_new |= self.series.push(measured);
         }
         [is_new, !gone.is_empty()]
     }
 
-    /// Puts a probe on a point, in place of the second if there are two; takes it off where there is one.
-    pub(super) fn toggle(&mut self, point: PointId) {
-        if self.probes.contains(&Some(point)) {
-            return self.take_off(point);
+    /// Whether a bond is probed.
+    pub(super) fn has_bond(&self) -> bool {
+        self.probes.iter().any(|probe| matches!(probe, Some(Probe::Bond(_))))
+    }
+
+    /// Puts a probe on a point or a bond, in place of the second if there are two; takes it off where there is one.
+    pub(super) fn toggle(&mut self, probe: impl Into<Probe>) {
+        let probe = probe.into();
+        if self.probes.contains(&Some(probe)) {
+            return self.take_off(probe);
         }
         let place = self.probes.iter().position(Option::is_none).unwrap_or(self.probes.len() - 1);
         self.series.forget(place);
-        self.probes[place] = Some(point);
+        self.probes[place] = Some(probe);
         if self.subject == Subject::Energies {
             self.subject = Subject::Probes;
         }
+        if matches!(probe, Probe::Bond(_)) && !self.quantity.is_of_bonds() {
+            self.quantity = Quantity::Strain;
+        }
+        self.suit_quantity();
     }
 
-    fn take_off(&mut self, point: PointId) {
-        for (place, probe) in self.probes.iter_mut().enumerate() {
-            if probe.take_if(|probe| *probe == point).is_some() {
+    /// Of points alone no strain is plotted.
+    fn suit_quantity(&mut self) {
+        if self.quantity.is_of_bonds() && !self.has_bond() {
+            self.quantity = Quantity::default();
+        }
+    }
+
+    fn take_off(&mut self, probe: Probe) {
+        for (place, own) in self.probes.iter_mut().enumerate() {
+            if own.take_if(|own| *own == probe).is_some() {
                 self.series.forget(place);
             }
         }
@@ -147,5 +185,6 @@ impl Plots {
             (Subject::Phase | Subject::Probes, [None, None]) => Subject::Energies,
             (subject, _) => subject,
         };
+        self.suit_quantity();
     }
 }

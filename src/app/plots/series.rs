@@ -3,7 +3,7 @@
 use std::collections::VecDeque;
 use std::io::Write;
 
-use crate::app::player::Measured;
+use crate::app::player::{Measured, Probe};
 
 /// So many are kept at most: seven for each pixel of a plot's width.
 pub(super) const MOST: usize = 2400;
@@ -60,13 +60,14 @@ impl Series {
         self.list.iter_mut().for_each(|measured| measured.probes[place] = None);
     }
 
-    /// Writes a table with a row for each measurement; a column is left empty where no point was probed.
+    /// Writes a table with a row for each measurement; a column is left empty where nothing was probed that has it.
     ///
     /// Errors: whatever `to` answers.
     pub(in crate::app) fn write_csv(&self, to: &mut dyn Write) -> std::io::Result<()> {
         write!(to, "time_s,kinetic_J,elastic_J,gravity_J,sum_J")?;
         for number in 1..=2 {
-            write!(to, ",point_{number},x_{number}_m,y_{number}_m,z_{number}_m,speed_{number}_m/s")?;
+            write!(to, ",point_{number},bond_{number},x_{number}_m,y_{number}_m,z_{number}_m,speed_{number}_m/s")?;
+            write!(to, ",strain_{number},force_{number}_N")?;
         }
         for Measured { time, energies, probes } in &self.list {
             let sum = energies.sum();
@@ -75,9 +76,15 @@ impl Series {
                 match probe {
                     Some(probed) => {
                         let [x, y, z] = probed.position;
-                        write!(to, ",{},{x},{y},{z},{}", probed.point.0, probed.speed)?;
+                        let names = match probed.probe {
+                            Probe::Point(point) => format!("{},", point.0),
+                            Probe::Bond(number) => format!(",{number}"),
+                        };
+                        let said = |number: Option<f64>| number.map_or(String::new(), |number| number.to_string());
+                        let [strain, force] = [probed.strain, probed.force].map(said);
+                        write!(to, ",{names},{x},{y},{z},{},{strain},{force}", probed.speed)?;
                     }
-                    None => write!(to, ",,,,,")?,
+                    None => write!(to, ",,,,,,,,")?,
                 }
             }
         }

@@ -100,6 +100,7 @@ impl Session {
             Wish::Brush(brush) => self.hand.set_brush(brush),
             Wish::Lasso(is_lasso) => self.hand.draw_lasso(is_lasso),
             Wish::Solver(solver) => self.player.ask(Order::Solver(solver)),
+            Wish::Method(setting, goes_on) => self.player.ask(Order::Method(setting, goes_on)),
             Wish::Pace(pace) => self.set_pace(pace),
             Wish::GoTo(time) => {
                 self.go(Order::GoTo(time, self.told));
@@ -110,12 +111,15 @@ impl Session {
             Wish::Exact => self.player.ask(Order::Exact),
             Wish::TakeBack => self.player.ask(Order::TakeBack),
             Wish::WriteTable => self.write_table(),
+            Wish::WriteFigure => self.write_figure(),
             Wish::SaveTo(path) => {
                 self.panels.sheet = None;
                 self.save_to(path);
             }
-            Wish::GoOnWithLeftover => self.go_on_with_leftover(),
-            Wish::DiscardLeftover => self.discard_leftover(),
+            Wish::GoOnWithLeftover(place) => self.go_on_with_leftover(place),
+            Wish::DiscardLeftover(place) => self.discard_leftover(place),
+            Wish::PutOffLeftover => self.panels.notes.offer = None,
+            Wish::OpenFile(name) => self.open_file(&name),
         }
         self.touch();
     }
@@ -252,10 +256,10 @@ impl Session {
                 let start = self.player.start().recording();
                 self.camera = match &start.view {
                     Some(saved) => opening::saved(saved, &view, self.area),
-                    None => opening::camera(&self.scene, &view, self.area),
+                    None => opening::clear(opening::camera(&self.scene, &view, self.area), &view, self.free),
                 };
             }
-            Framing::Fit => self.camera = opening::fit(&view, false, self.area),
+            Framing::Fit => self.camera = opening::fit_in(&view, self.free, self.area),
             Framing::Free => self.camera.resize(self.area),
         }
     }

@@ -8,6 +8,7 @@ use super::super::import::{Answer, Import};
 use super::super::loading::{Loaded, Loading};
 use super::{BRUSH, Session, Thumbnails};
 use crate::app::holds_scene;
+use crate::app::panels::{Sheet, meant};
 use crate::app::player::Order;
 use crate::history::Start;
 use crate::scene::{Scene, SceneError};
@@ -33,6 +34,32 @@ impl Session {
             Ok(start) => self.open(start),
             Err(error) => self.complain(&error.to_string()),
         }
+    }
+
+    /// No dialog can be shown: the path is written in the window.
+    fn ask_for_path(&mut self) {
+        self.panels.path.clear();
+        self.panels.open_from = Default::default();
+        (self.panels.sheet, self.panels.is_fresh) = (Some(Sheet::OpenFrom), true);
+        self.touch();
+    }
+
+    /// Opens a file by the path that was written; one that is not there is said so beside it.
+    pub(super) fn open_file(&mut self, path: &str) {
+        let meant = meant(path);
+        let fault = match std::fs::metadata(&meant) {
+            Err(error) if error.kind() == std::io::ErrorKind::NotFound => Some("there is no such file".to_owned()),
+            Err(error) => Some(format!("it cannot be read: {error}")),
+            Ok(about) if about.is_dir() => Some("that is a folder: go on with the name of a file in it".to_owned()),
+            Ok(_) => None,
+        };
+        if fault.is_some() {
+            self.panels.open_from.fault = fault;
+            self.panels.is_fresh = true;
+            return self.touch();
+        }
+        self.panels.sheet = None;
+        self.take_file(&meant);
     }
 
     /// Opens an import; a drawing that lay there is put away.
@@ -134,6 +161,7 @@ impl Session {
                 Ok(Found::Nothing) => {}
                 // Where the clipboard has nothing of use, there may still be what was copied here.
                 Err(_) if is_pasted && self.paste_copied() => {}
+                Err(_) if !is_pasted => self.ask_for_path(),
                 Err(why) => self.complain(&why),
             }
         }
@@ -195,6 +223,14 @@ impl Session {
     fn seen(&self) -> [[f64; 2]; 2] {
         let [width, height] = self.area.map(f64::from);
         [[0.0, height], [width, 0.0]].map(|pixel| self.camera.world_from_screen(pixel).truncate().to_array())
+    }
+
+    /// The part of the plane that is seen beside panels: its lower and upper corner `[m]`, to a hundredth of its height.
+    pub(super) fn free_of_plane(&self) -> [[f64; 2]; 2] {
+        let [[left, top], [right, bottom]] = self.free;
+        let corners = [[left, bottom], [right, top]].map(|pixel| self.camera.world_from_screen(pixel).truncate());
+        let step = 10_f64.powf((corners[1].y - corners[0].y).abs().max(1e-9).log10().floor() - 1.0);
+        corners.map(|corner| ((corner / step).round() * step).to_array())
     }
 
     /// Tells the user of what went wrong, if anything did.

@@ -9,9 +9,10 @@ use egui::{Color32, FontId, Pos2, Rect, Stroke};
 use super::{Framing, Session, panels_for};
 use crate::app::action::{Showing, Tool};
 use crate::app::canvas::{Canvas, Paint};
-use crate::app::panels::{self, Facts, Settings, theme};
+use crate::app::panels::{self, Facts, Laid, Settings, parameter_value, theme};
 use crate::app::tools::{Mark, Role, Scope, probe};
-use crate::render::{Look, Overlay, RenderError, View};
+use crate::render::{Look, Overlay, RenderError, View, body_color};
+use crate::scene::Parameter;
 use crate::sim::{Cursor, MouseForce};
 
 /// Marks are looked for among so many points: more would take longer than a frame.
@@ -35,18 +36,19 @@ impl Session {
             thumbnails.load(&context, &mut self.panels.thumbnails);
         }
         let mut wishes = Vec::new();
-        let mut height = 0.0;
+        let mut laid = Laid::default();
         let mut answer = None;
         let can_add = self.scene.dimensions() == 2;
         let output = context.run_ui(input, |ui| {
             ui.fonts_mut(|fonts| fonts.layout_no_wrap(SIGNS.to_owned(), FontId::proportional(WORDS), theme::TEXT));
-            (wishes, height) = panels::show(ui, &mut self.panels, &facts);
+            (wishes, laid) = panels::show(ui, &mut self.panels, &facts);
             answer = self.import.as_mut().and_then(|import| import.show(ui.ctx(), can_add));
             if self.loading.as_ref().is_some_and(|loading| loading.show(ui.ctx())) {
                 self.loading = None;
             }
         });
-        self.give_world((height * output.pixels_per_point).round() as u32);
+        self.give_world(&laid, output.pixels_per_point);
+        self.covered = panels::covered(&context, output.pixels_per_point);
         self.egui.handle_platform_output(&self.window, output.platform_output);
         let delay = output.viewport_output.values().map(|viewport| viewport.repaint_delay).min();
         match delay {
@@ -70,12 +72,14 @@ impl Session {
         }
     }
 
-    /// The world is drawn above the panels: so many pixels high.
-    fn give_world(&mut self, height: u32) {
+    /// The world is drawn above the bar below, and bodies are shown where no panel is.
+    fn give_world(&mut self, laid: &Laid, scale: f32) {
         let [width, whole] = self.canvas.size();
-        let area = [width, height.min(whole)];
-        if area != self.area {
-            self.area = area;
+        let area = [width, ((laid.height * scale).round() as u32).min(whole)];
+        let corners = |free: Rect| [free.min, free.max].map(|at| [at.x, at.y].map(|x| f64::from((x * scale).round())));
+        let free = laid.free.map_or(self.free, corners);
+        if (area, free) != (self.area, self.free) {
+            (self.area, self.free) = (area, free);
             self.frame_as(self.framing);
         }
     }
@@ -96,6 +100,7 @@ impl Session {
             brush: self.hand.brush(),
             draws_lasso: self.hand.draws_lasso(),
             matter: self.shown().matter.clone().filter(|_| !self.inspected.is_empty()),
+            drawn_color: body_color(&self.shown().view(), &self.inspected.points),
             keys: self.keys_to_hold(),
             look: self.look,
             showing: self.showing(),
@@ -104,11 +109,27 @@ impl Session {
             is_opening: !self.player.is_open(),
             is_busy: self.player.is_busy(),
             dimensions: self.scene.dimensions(),
+            seen: if self.panels.has_settings { self.free_of_plane() } else { Default::default() },
             settings: Settings {
+                parameters: self.parameters(),
                 scene: self.shown().settings.clone(),
                 push: self.live_force().map(|force| [self.hand.strength().unwrap_or(force.strength), force.radius]),
             },
         }
+    }
+
+    /// The numbers that the scene names, while its settings are open.
+    fn parameters(&self) -> Vec<(Parameter, Option<f64>)> {
+        if !self.panels.has_settings {
+            return Vec::new();
+        }
+        let shown = self.shown();
+        let push = self.live_force().map(|force| [self.hand.strength().unwrap_or(force.strength), force.radius]);
+        let of = |parameter: Parameter| {
+            let value = parameter_value(&parameter.target, &shown.settings, push, &shown.scenery);
+            (parameter, value)
+        };
+        self.scene.named_parameters().into_iter().map(of).collect()
     }
 
     /// How bodies are shown.
@@ -134,7 +155,7 @@ impl Session {
         let shown = if self.player.is_open() { self.player.shown() } else { &empty };
         let view = View { mouse: region.as_ref().map(|(force, at)| (force, *at)), ..shown.view() };
         self.trails.note(shown.figures.time, &view);
-        let view = View { trails: Some(&self.trails), ..view };
+        let view = View { trails: Some(&self.trails), covered: &self.covered, ..view };
         let inset = if self.panels.hides_panels { 0.0 } else { panels::TOOLS };
         let look = Look { inset, ..self.look };
         let done = self.canvas.draw(&view, &self.camera, &look, self.area, &mut self.paint);

@@ -5,12 +5,10 @@ use winit::event::{ElementState, KeyEvent};
 use winit::keyboard::{Key as Pressed, NamedKey};
 
 use super::{Framing, Session};
+use crate::app::keys::taken;
+use crate::app::opening;
 use crate::history::Do;
-use crate::render::Pose;
 use crate::sim::Key;
-
-/// Share of the view about its middle in which what is driven stays.
-const ROOM: f64 = 0.4;
 
 /// The key of drives that a key of the keyboard is.
 fn meant(key: &Pressed) -> Option<Key> {
@@ -50,6 +48,15 @@ impl Session {
         true
     }
 
+    /// Which keys of the window mean something else here, because drives of the scene have them.
+    pub(super) fn taken_keys(&self) -> Option<String> {
+        let keys = self.shown().scenery.keys.iter();
+        let taken = keys.filter_map(|&key| Some(format!("{} (else: {})", key.name().to_uppercase(), taken(key)?)));
+        let taken: Vec<String> = taken.collect();
+        let list = taken.join(", ");
+        (!taken.is_empty()).then(|| format!("here keys of the window drive what is in the scene: {list}"))
+    }
+
     /// All keys that are held are let go.
     pub(super) fn stop_driving(&mut self) {
         for (_, key) in std::mem::take(&mut self.driving) {
@@ -70,24 +77,12 @@ impl Session {
 
     /// The camera goes along with what keys drive, once one was pressed and as long as nobody leads it elsewhere.
     pub(super) fn follow_driven(&mut self) {
-        let Pose::Plane { .. } = self.camera.pose else { return };
         let driven = &self.shown().scenery.driven;
         if driven.is_empty() || !self.follows || self.pointer.is_dragging() {
             return;
         }
-        let places = driven.iter().map(|point| DVec3::from(self.shown().place(point.index())));
-        let middle = places.sum::<DVec3>() / driven.len() as f64;
-        let Some(at) = self.camera.screen_from_world(middle).filter(|at| at.iter().all(|x| x.is_finite())) else {
-            return;
-        };
-        let beyond = |axis: usize| {
-            let (size, half) = (f64::from(self.area[axis]), 0.5 * ROOM * f64::from(self.area[axis]));
-            let off = at[axis] - 0.5 * size;
-            off - off.clamp(-half, half)
-        };
-        let by = [beyond(0), beyond(1)];
-        if by != [0.0; 2] {
-            self.camera.pan(by.map(|pixels| -pixels));
+        let places: Vec<DVec3> = driven.iter().map(|point| self.shown().place(point.index()).into()).collect();
+        if opening::follow(&mut self.camera, places.into_iter()) {
             self.framing = Framing::Free;
             self.dirty = true;
         }

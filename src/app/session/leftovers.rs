@@ -1,45 +1,59 @@
-//! Sessions that a killed program left: offered one after another, gone on with or discarded.
+//! Sessions that a killed program left: the newest is offered once, at the start; all of them are in the gallery, gone on with or
+//! discarded.
 
 use super::Session;
+use crate::app::leftovers::note_offered;
 use crate::app::player::{Keeping, Order, Player};
 
 impl Session {
-    /// Takes what was found at the start.
+    /// Takes what was found at the start, and offers the newest where it never was.
     pub(super) fn hear_of_leftovers(&mut self) {
         let found = self.search.as_ref().and_then(|search| search.try_recv().ok());
-        if let Some(found) = found {
-            self.search = None;
-            self.leftovers = found;
-            self.offer();
+        let Some(found) = found else { return };
+        self.search = None;
+        self.leftovers = found;
+        if let Some(newest) = self.leftovers.last().filter(|newest| newest.is_new) {
+            let others = match self.leftovers.len() {
+                1 => "",
+                _ => "; earlier ones are in the gallery",
+            };
+            self.panels.notes.offer = Some(format!("your last session was cut off: {}{others}", newest.line));
         }
+        self.list_leftovers();
     }
 
-    /// Offers the newest that is left.
-    fn offer(&mut self) {
-        self.panels.notes.offer = self.leftovers.last().map(|leftover| leftover.line.clone());
+    /// The gallery lists what is left, the newest first, and no start offers it again.
+    fn list_leftovers(&mut self) {
+        if let Some(folder) = &self.state_folder {
+            note_offered(folder, &self.leftovers);
+        }
+        self.panels.leftovers = self.leftovers.iter().rev().map(|leftover| leftover.line.clone()).collect();
         self.touch();
     }
 
-    /// Goes on with the session that is offered, where it ended.
-    pub(super) fn go_on_with_leftover(&mut self) {
-        if let Some(leftover) = self.leftovers.pop() {
-            let end = leftover.start.recording().end();
-            let keeping = Keeping { heir_of: Some(leftover.left), ..self.keeping() };
-            let player = Player::open(leftover.start, keeping, self.wake_up());
-            self.put_on(player);
-            self.player.ask(Order::GoTo(end, None));
-            self.player.play(false);
-            self.say("as it was when it was cut off: play goes on from there".to_owned());
-        }
-        self.offer();
+    /// Goes on with a session of the list, where it ended.
+    pub(super) fn go_on_with_leftover(&mut self, place: usize) {
+        self.panels.notes.offer = None;
+        let Some(place) = self.leftovers.len().checked_sub(place + 1) else { return };
+        let leftover = self.leftovers.remove(place);
+        let end = leftover.start.recording().end();
+        let keeping = Keeping { heir_of: Some(leftover.left), ..self.keeping() };
+        let player = Player::open(leftover.start, keeping, self.wake_up());
+        self.put_on(player);
+        self.player.ask(Order::GoTo(end, None));
+        self.player.play(false);
+        self.say("as it was when it was cut off: play goes on from there".to_owned());
+        self.list_leftovers();
     }
 
-    /// The session that is offered is not wanted.
-    pub(super) fn discard_leftover(&mut self) {
-        if let Some(Err(error)) = self.leftovers.pop().map(|leftover| leftover.left.discard()) {
+    /// A session of the list is not wanted.
+    pub(super) fn discard_leftover(&mut self, place: usize) {
+        self.panels.notes.offer = None;
+        let Some(place) = self.leftovers.len().checked_sub(place + 1) else { return };
+        if let Err(error) = self.leftovers.remove(place).left.discard() {
             self.complain(&format!("the session cannot be discarded: {error}"));
         }
-        self.offer();
+        self.list_leftovers();
     }
 
     /// How a history is kept that opens now.

@@ -32,6 +32,7 @@ use super::leftovers::{Leftover, look};
 use super::loading::Loading;
 use super::matter::Matter;
 use super::meter::Meter;
+use super::opening::Free;
 use super::panels::{At, PanelState, Sheet, theme};
 use super::player::{Figures, News, Note, Order, Player, Shown, too_many_to_meet};
 use super::pointer::Pointer;
@@ -81,6 +82,9 @@ pub(super) struct Session {
     framing: Framing,
     /// Width and height of the part of the window that the world is drawn in `[px]`.
     area: [u32; 2],
+    /// What of it panels leave free for bodies `[px]`, and what lies over it: left, top, right and bottom `[px]`.
+    free: Free,
+    covered: Vec<[f32; 4]>,
     pub(super) pointer: Pointer,
     hand: Hand,
     /// Which keys are held down beside others.
@@ -136,8 +140,8 @@ pub(super) struct Session {
     dialog: Option<Fetch>,
     pasted: Option<Fetch>,
     saving: Option<Saving>,
-    /// Where sessions outlive a killed program, what the next history is recorded to, what is found of earlier ones, and what is offered
-    /// of them yet, the newest last.
+    /// Where sessions outlive a killed program, what the next history is recorded to, what is found of earlier ones, and what is left
+    /// of them, the newest last.
     state_folder: Option<PathBuf>,
     record: Option<PathBuf>,
     search: Option<Receiver<Vec<Leftover>>>,
@@ -179,6 +183,8 @@ impl Session {
             camera: Camera::fit([[-1.0; 3], [1.0; 3]], scene.dimensions(), size),
             framing: Framing::Opening,
             area: size,
+            free: [[0.0; 2], size.map(f64::from)],
+            covered: Vec::new(),
             trails: Trails::new(TRAIL),
             look: Look { scale_factor: window.scale_factor() as f32, ..Look::default() },
             has_picture: false,
@@ -299,6 +305,8 @@ impl Session {
 
     /// Plays another history; the present one goes onto the shelf.
     fn put_on(&mut self, player: Player) {
+        // Whoever opens something else wants that.
+        self.panels.notes.offer = None;
         self.take_leave();
         let mut last = std::mem::replace(&mut self.player, player);
         last.play(false);
@@ -370,7 +378,8 @@ impl Session {
         let passes =
             self.has_picture && self.scene.contact.is_none() && self.shown().scenery.bonds.len() > MOST_MEETING;
         let through = passes.then(|| format!("its bodies pass through each other: {}", too_many_to_meet()));
-        self.panels.notes.complaint = self.player.shown().scenery.warnings.first().cloned().or(through);
+        let warning = self.shown().scenery.warnings.first().cloned();
+        self.panels.notes.complaint = warning.or(through).or_else(|| self.taken_keys());
         self.panels.notes.has_caption = true;
         self.wants_hint &= self.scene.name() == gallery()[0].name;
         if self.is_canvas() && !comes_back {

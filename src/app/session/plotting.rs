@@ -5,11 +5,11 @@ use std::path::Path;
 use glam::DVec2;
 
 use super::Session;
-use crate::app::player::Order;
+use crate::app::panels::figure;
+use crate::app::player::{Order, Probe};
 use crate::app::plots::Plots;
 use crate::app::saving::free_name;
 use crate::lessons::Plot;
-use crate::sim::PointId;
 
 impl Session {
     /// Opens the panel, or closes it: then nothing is measured any more, and nothing is left of what was.
@@ -52,22 +52,22 @@ impl Session {
         self.panels_dirty |= has_lost || is_new && !self.moves();
     }
 
-    /// A click with the tool for selecting puts a probe on a point, or takes it off.
+    /// A click with the tool for selecting puts a probe on a point or a bond, or takes it off.
     pub(super) fn probe(&mut self, at: DVec2) {
         if self.panels.plots.is_none() {
             return;
         }
-        let Some(point) = self.with_scope(|hand, scope| hand.clicked(scope, at)) else { return };
+        let Some(probe) = self.with_scope(|hand, scope| hand.clicked(scope, at)) else { return };
         if let Some(plots) = &mut self.panels.plots {
-            plots.toggle(point);
+            plots.toggle(probe);
         }
         self.watch();
     }
 
-    /// The points that are probed, each with its number.
-    pub(super) fn probes(&self) -> impl Iterator<Item = (usize, PointId)> {
+    /// The points and bonds that are probed, each with its number.
+    pub(super) fn probes(&self) -> impl Iterator<Item = (usize, Probe)> {
         let probes = self.panels.plots.as_ref().map_or([None; 2], Plots::probes);
-        probes.into_iter().enumerate().filter_map(|(place, point)| Some((place, point?)))
+        probes.into_iter().enumerate().filter_map(|(place, probe)| Some((place, probe?)))
     }
 
     /// Writes what is plotted as a table into the folder that the program was started in.
@@ -81,5 +81,13 @@ impl Session {
             }
             Err(error) => self.complain(&error.to_string()),
         }
+    }
+
+    /// Writes the plot that is looked at as a figure into the same folder.
+    pub(super) fn write_figure(&mut self) {
+        let Some(plots) = &self.panels.plots else { return };
+        let bytes = figure(plots).into_bytes();
+        let path = free_name(Path::new("."), self.scene.name(), "svg");
+        self.player.ask(Order::Table(path, bytes));
     }
 }

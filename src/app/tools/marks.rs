@@ -8,6 +8,7 @@ use super::erase::{Target, target};
 use super::pick::Scope;
 use super::{Doing, skin};
 use crate::app::action::Tool;
+use crate::app::player::Probe;
 use crate::sim::{BOX_EDGES, Figure, PointId};
 
 /// What a mark says.
@@ -84,14 +85,25 @@ pub(super) fn of((tool, maker): (Tool, Maker), doing: &Doing, scope: Scope<'_>, 
     }
 }
 
-/// A ring around a point that is probed, and the number of its probe.
-pub(in crate::app) fn probe(scope: Scope<'_>, place: usize, point: PointId) -> Vec<Mark> {
-    let Some(at) = scope.pixel(point) else { return Vec::new() };
+/// A ring around a point that is probed, or along a bond, and the number of its probe.
+pub(in crate::app) fn probe(scope: Scope<'_>, place: usize, probe: Probe) -> Vec<Mark> {
+    let role = Role::Probe(place);
     let off = RING * scope.scale;
-    vec![
-        Mark::Ring(Role::Probe(place), at, off),
-        Mark::Words(at + DVec2::new(1.6 * off, -0.6 * off), (place + 1).to_string()),
-    ]
+    let (at, mut marks) = match probe {
+        Probe::Point(point) => {
+            let Some(at) = scope.pixel(point) else { return Vec::new() };
+            (at, vec![Mark::Ring(role, at, off)])
+        }
+        Probe::Bond(number) => {
+            let ends = scope.shown.scenery.bond_ends(number);
+            let Some([a, b]) = ends.and_then(|[a, b]| Some([scope.pixel(a)?, scope.pixel(b)?])) else {
+                return Vec::new();
+            };
+            (0.5 * (a + b), vec![Mark::Line(role, a, b, 0.4 * off)])
+        }
+    };
+    marks.push(Mark::Words(at + DVec2::new(1.6 * off, -0.6 * off), (place + 1).to_string()));
+    marks
 }
 
 /// From the middle of what is led to the cursor, as wide as the force is large; thin until the world has felt it.

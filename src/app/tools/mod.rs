@@ -28,6 +28,7 @@ use glam::DVec2;
 
 use super::action::{Primitive, Tool};
 use super::matter::Among;
+use super::player::Probe;
 use crate::history::Do;
 use crate::sim::{MouseChange, PointId, Reach};
 use brush::Stroke;
@@ -363,9 +364,11 @@ impl Hand {
     }
 
     /// The point that the button, which is about to be let go at a pixel, clicked on with the tool for selecting.
-    pub(super) fn clicked(&self, scope: Scope<'_>, at: DVec2) -> Option<PointId> {
+    pub(super) fn clicked(&self, scope: Scope<'_>, at: DVec2) -> Option<Probe> {
         let is_click = matches!(self.doing, Doing::Moving(from, _) if !is_drag(scope, [from, at]));
-        scope.point(at).filter(|_| is_click && self.tool() == Tool::Select)
+        let bond = || scope.bond(at).map(|(place, _)| Probe::Bond(scope.shown.scenery.bond_number(place)));
+        let probe = scope.point(at).map(Probe::Point).or_else(bond);
+        probe.filter(|_| is_click && self.tool() == Tool::Select)
     }
 
     /// Ends what is under way without doing it. Returns whether anything was.

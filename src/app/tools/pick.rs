@@ -89,6 +89,13 @@ impl Scope<'_> {
         self.nearest(at).filter(|hit| hit.distance <= REACH * self.scale).map(|hit| hit.point)
     }
 
+    /// The points in reach of a pixel, the nearest first.
+    pub(super) fn reached(&self, at: DVec2) -> Vec<PointId> {
+        let mut near = self.near(at, REACH * self.scale);
+        near.sort_by(|a, b| a.distance.total_cmp(&b.distance).then(a.point.cmp(&b.point)));
+        near.into_iter().map(|hit| hit.point).collect()
+    }
+
     /// The points that a press takes: those around the pixel, as deep as the nearest one, or the corners of what it lies on.
     pub(in crate::app) fn grip(&self, at: DVec2) -> Vec<PointId> {
         let Some(nearest) = self.nearest(at) else { return Vec::new() };

@@ -9,6 +9,7 @@ use super::handles::{Frame, Handle};
 use super::tests::{opened, pixel, scope, shown};
 use super::{Chosen, Clip, Deed, Hand, Mark};
 use crate::app::action::Tool;
+use crate::app::player::Probe;
 use crate::app::player::{Order, Shown, Stage};
 use crate::history::{Do, Factors};
 use crate::render::Camera;
@@ -200,7 +201,7 @@ fn a_click_on_a_point_means_it_and_a_drag_or_another_tool_does_not() {
         hand.press(scope(&seen), from);
         hand.clicked(scope(&seen), to)
     };
-    assert_eq!(clicked(Tool::Select, at, at + 2.0), Some(PointId(7)));
+    assert_eq!(clicked(Tool::Select, at, at + 2.0), Some(Probe::Point(PointId(7))));
     assert_eq!(clicked(Tool::Select, at - 40.0, at), None, "a drag that ends on it");
     assert_eq!(clicked(Tool::Hand, at, at), None);
     // In the middle of a triangle, whose corners are thirty pixels away.
@@ -208,6 +209,11 @@ fn a_click_on_a_point_means_it_and_a_drag_or_another_tool_does_not() {
     let middle = corners.into_iter().sum::<DVec2>() / 3.0;
     assert!(corners[0].distance(middle) > 12.0);
     assert_eq!(clicked(Tool::Select, middle, middle), None);
+    let half = 0.5 * (corners[0] + corners[1]);
+    let [a, b] = [0, 1].map(|k| seen.0.scenery.triangles[0][k]);
+    let Some(Probe::Bond(number)) = clicked(Tool::Select, half, half) else { panic!("a side is a bond") };
+    let ends = seen.0.scenery.bond_ends(number).unwrap();
+    assert!(ends == [a, b] || ends == [b, a]);
 }
 
 #[test]

@@ -1,6 +1,6 @@
 //! Bodies as they are filled: their triangles, and a colour each.
 
-use crate::picture::Tint;
+use crate::picture::{Picture, Skin, Tint};
 use crate::render::view::View;
 use crate::sim::PointId;
 
@@ -51,6 +51,42 @@ pub(super) fn bodies(view: &View<'_>) -> [Vec<Filled>; 2] {
         listed.sort_by_key(|entry| entry.0);
         listed.chunk_by(|p, q| p.0 == q.0).map(filled).collect()
     })
+}
+
+/// The colour that the first of some points, ascending, is seen in: that of its fill, or the mean one of its picture; `None` where no
+/// triangle meets any.
+pub fn body_color(view: &View<'_>, points: &[PointId]) -> Option<[u8; 3]> {
+    let is_theirs = |corners: &&[PointId; 3]| corners.iter().any(|corner| points.binary_search(corner).is_ok());
+    let corner = view.triangles.iter().filter(|_| !points.is_empty()).find(is_theirs)?[0];
+    let wears = |skin: &&Skin| {
+        let range = skin.first..skin.first + skin.texture.len() as u32;
+        range.contains(&corner.0) && skin.triangles.iter().flatten().any(|point| *point == corner.0)
+    };
+    if let Some(skin) = view.skins.iter().find(wears) {
+        return mean_color(&skin.picture);
+    }
+    let tint = Tint::of(view.tints, corner.0);
+    let own = tint.and_then(|tint| tint.color);
+    let body = || match tint {
+        Some(tint) => tint.body,
+        None if view.tints.is_empty() => hanging(view)[corner.index()],
+        None => 0,
+    };
+    Some(own.unwrap_or_else(|| color_of(body())))
+}
+
+/// Pixels that are looked at for the mean of a picture, about.
+const SAMPLED: usize = 4096;
+
+/// The mean colour of what of a picture is opaque; `None` where nothing is.
+fn mean_color(picture: &Picture) -> Option<[u8; 3]> {
+    let pixels = picture.rgba.as_chunks::<4>().0;
+    let step = (pixels.len() / SAMPLED).max(1);
+    let opaque = pixels.iter().step_by(step).filter(|pixel| pixel[3] > 127);
+    let (sum, count) = opaque.fold(([0_u64; 3], 0), |(sum, count), pixel| {
+        (std::array::from_fn(|part| sum[part] + u64::from(pixel[part])), count + 1)
+    });
+    (count > 0).then(|| sum.map(|sum| (sum / count) as u8))
 }
 
 /// The number of a body, and the colour that it says it has.

@@ -3,7 +3,7 @@
 //!
 //! Bodies with a picture are filled only where strain is shown in place of it.
 //!
-//! A list of primitives of three kinds, drawn in order by one pass, is uploaded when the topology changes. Points have a row to shade
+//! A list of primitives of six kinds, drawn in order by one pass, is uploaded when the topology changes. Points have a row to shade
 //! by, uploaded when they moved, where that is shown: a normal in space, a strain where strain is.
 
 mod bodies;
@@ -20,6 +20,9 @@ use super::error::RenderError;
 use super::gpu::Gpu;
 use super::growing::GrowingBuffer;
 use super::view::View;
+use crate::picture::Tint;
+use crate::sim::PointId;
+pub use bodies::body_color;
 use bodies::{Filled, bodies};
 use outline::{Side, outline};
 use shade::{Shade, shades};
@@ -28,7 +31,8 @@ use shade::{Shade, shades};
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Pod, Zeroable)]
 #[repr(C)]
 struct Primitive {
-    /// Of a fill the corners of two triangles, of a side its ends with those before and after, then nothing.
+    /// Of a fill the corners of two triangles, of a side its ends with those before and after, then nothing; of a bond the second
+    /// and the third are its ends.
     points: [u32; 6],
     /// The kind in the upper eight bits, then red, green, blue.
     ink: u32,
@@ -36,10 +40,14 @@ struct Primitive {
 
 const _: () = assert!(size_of::<Primitive>() == 28);
 
-/// Kinds of primitives: `FILL`, `OUTLINE`, `SHADOW` in fill.wgsl.
+/// Kinds of primitives: `FILL`, `OUTLINE`, `SHADOW`, `INNER`, `FLESH`, `SKIN` in fill.wgsl. The last two are sides of figures of limbs, as
+/// wide as the fifth of their points says, which is the bits of a radius `[m]`.
 const FILL: u32 = 0;
 const OUTLINE: u32 = 1;
 const SHADOW: u32 = 2;
+const INNER: u32 = 3;
+const FLESH: u32 = 4;
+const SKIN: u32 = 5;
 
 /// Vertices of a primitive.
 const QUAD: u32 = 6;
@@ -47,6 +55,9 @@ const QUAD: u32 = 6;
 const MOST: usize = 1 << 18;
 /// Sides of outlines from which on there are no shadows: so many bodies are small.
 const MOST_SHADOWS: usize = 6_000;
+
+/// Bonds from which on those within bodies are not drawn on them: they are too short to be told apart.
+const MOST_INNER: usize = 20_000;
 
 /// The fills of a world on the GPU.
 pub(super) struct Fills {
@@ -127,7 +138,8 @@ impl Fills {
         for (place, bodies) in bodies.iter().enumerate() {
             self.triangles[place] = bodies.iter().flat_map(|body| body.triangles.iter().copied()).collect();
             let first = list.len() as u32;
-            let (primitives, split) = primitives(bodies, view.dimensions);
+            let lines = Lines { inner: inner(view, bodies), limbs: limbs(view, bodies) };
+            let (primitives, split) = primitives(bodies, &lines, view.dimensions);
             list.extend(primitives);
             self.parts[place] = [first..first + split, first + split..list.len() as u32];
         }
@@ -207,13 +219,71 @@ fn bind(gpu: &Gpu, layout: &wgpu::BindGroupLayout, buffers: &[&GrowingBuffer]) -
     gpu.device.create_bind_group(&wgpu::BindGroupDescriptor { label: Some("fills"), layout, entries: &entries })
 }
 
+/// What is drawn on bodies beside their triangles, by their places.
+#[derive(Default)]
+struct Lines {
+    /// Bonds within them.
+    inner: Vec<Vec<[u32; 2]>>,
+    /// Of figures of limbs: how far flesh reaches beyond the sides of their pieces `[m]`.
+    limbs: Vec<Option<f32>>,
+}
+
+/// Flesh beyond the sides of a figure's pieces, as a share of twice the area of the slenderest one by its circumference `[1]`: so limbs
+/// have round ends that meet in their joints.
+const FLESH_SHARE: f64 = 0.65;
+
+/// Which bodies are figures of limbs, that is have joints with stops, and how far their flesh reaches; in the plane.
+fn limbs(view: &View<'_>, bodies: &[Filled]) -> Vec<Option<f32>> {
+    if view.dimensions != 2 || view.joints.is_empty() {
+        return Vec::new();
+    }
+    let at = |point: u32| [0, 1].map(|axis| view.current.get(2 * point as usize + axis));
+    let has_joint = |body: &Filled| {
+        body.triangles.iter().flatten().any(|&corner| view.joints.binary_search(&PointId(corner)).is_ok())
+    };
+    let radius = |body: &Filled| {
+        let pieces = pieces(&body.triangles);
+        let thin = pieces.iter().map(|triangles| {
+            let area: f64 = triangles.iter().map(|corners| area(corners.map(at))).sum();
+            let length = |side: &Side| {
+                let [a, b] = [at(side.a), at(side.b)];
+                (b[0] - a[0]).hypot(b[1] - a[1])
+            };
+            2.0 * area / outline(triangles).iter().map(length).sum::<f64>()
+        });
+        let least = thin.filter(|thin| thin.is_finite()).fold(f64::INFINITY, f64::min);
+        (pieces.len() > 1 && least.is_finite()).then_some((FLESH_SHARE * least) as f32)
+    };
+    bodies.iter().map(|body| if has_joint(body) { radius(body) } else { None }).collect()
+}
+
+fn area([a, b, c]: [[f64; 2]; 3]) -> f64 {
+    0.5 * ((b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0])).abs()
+}
+
+/// Triangles by what hangs together by sides: pieces that share a point alone are two.
+fn pieces(triangles: &[[u32; 3]]) -> Vec<Vec<[u32; 3]>> {
+    let mut sides: Vec<([u32; 2], u32)> = Vec::with_capacity(3 * triangles.len());
+    for (number, &[a, b, c]) in (0..).zip(triangles) {
+        sides.extend([[a, b], [b, c], [c, a]].map(|[a, b]| ([a.min(b), a.max(b)], number)));
+    }
+    sides.sort_unstable();
+    let pairs = sides.windows(2).filter(|pair| pair[0].0 == pair[1].0).map(|pair| [pair[0].1, pair[1].1]);
+    let piece_of = Tint::hanging(triangles.len(), pairs);
+    let count = piece_of.iter().max().map_or(0, |last| *last as usize + 1);
+    let mut list = vec![Vec::new(); count];
+    piece_of.iter().zip(triangles).for_each(|(&piece, &corners)| list[piece as usize].push(corners));
+    list.retain(|piece| !piece.is_empty());
+    list
+}
+
 /// What is drawn of bodies: in the plane body by body, each over those before it; in space all fills, then all outlines. Also how many
 /// come before those that have a pipeline of their own.
-fn primitives(bodies: &[Filled], dimensions: usize) -> (Vec<Primitive>, u32) {
+fn primitives(bodies: &[Filled], lines: &Lines, dimensions: usize) -> (Vec<Primitive>, u32) {
     let sides: Vec<Vec<Side>> = bodies.iter().map(|body| outline(&body.triangles)).collect();
     let has_shadows = sides.iter().map(Vec::len).sum::<usize>() <= MOST_SHADOWS;
     let (mut list, mut outlines) = (Vec::new(), Vec::new());
-    for (body, sides) in bodies.iter().zip(&sides) {
+    for (number, (body, sides)) in bodies.iter().zip(&sides).enumerate() {
         let side = |kind, side: &Side| Primitive {
             points: [side.before, side.a, side.b, side.after, 0, 0],
             ink: ink(kind, body.color),
@@ -221,18 +291,61 @@ fn primitives(bodies: &[Filled], dimensions: usize) -> (Vec<Primitive>, u32) {
         if dimensions == 2 && has_shadows {
             list.extend(sides.iter().map(|one| side(SHADOW, one)));
         }
+        let limb = lines.limbs.get(number).copied().flatten();
+        // The rim of all limbs lies below them: they are one figure.
+        for kind in limb.iter().flat_map(|_| [SKIN, FLESH]) {
+            let radius = limb.unwrap_or_default().to_bits();
+            list.extend(sides.iter().map(|one| Primitive {
+                points: [one.before, one.a, one.b, one.after, radius, 0],
+                ink: ink(kind, body.color),
+            }));
+        }
         list.extend(body.triangles.chunks(2).map(|pair| {
             let [a, b, c] = pair[0];
             // A triangle without another beside it has one of no area.
             let [d, e, f] = pair.get(1).copied().unwrap_or([a; 3]);
             Primitive { points: [a, b, c, d, e, f], ink: ink(FILL, body.color) }
         }));
+        list.extend(
+            lines
+                .inner
+                .get(number)
+                .into_iter()
+                .flatten()
+                .map(|&[a, b]| Primitive { points: [a, a, b, b, 0, 0], ink: ink(INNER, body.color) }),
+        );
         let to = if dimensions == 2 { &mut list } else { &mut outlines };
-        to.extend(sides.iter().map(|one| side(OUTLINE, one)));
+        to.extend(sides.iter().filter(|_| limb.is_none()).map(|one| side(OUTLINE, one)));
     }
     let split = list.len() as u32;
     list.append(&mut outlines);
     (list, split)
+}
+
+/// The bonds of each body that lie within it and are no side of a triangle, such as second diagonals: in the plane, of scenes with few bonds.
+fn inner(view: &View<'_>, bodies: &[Filled]) -> Vec<Vec<[u32; 2]>> {
+    if view.dimensions != 2 || view.bonds.len() > MOST_INNER || bodies.is_empty() {
+        return Vec::new();
+    }
+    let ordered = |a: u32, b: u32| [a.min(b), a.max(b)];
+    let mut body_of = vec![u32::MAX; view.current.len() / 2];
+    let mut sides = Vec::new();
+    for (number, body) in (0..).zip(bodies) {
+        for &[a, b, c] in &body.triangles {
+            [a, b, c].into_iter().for_each(|corner| body_of[corner as usize] = number);
+            sides.extend([ordered(a, b), ordered(b, c), ordered(c, a)]);
+        }
+    }
+    sides.sort_unstable();
+    let mut list = vec![Vec::new(); bodies.len()];
+    for bond in view.bonds.iter().filter(|bond| bond.drive.is_none()) {
+        let ends = ordered(bond.a.0, bond.b.0);
+        let [of_a, of_b] = ends.map(|end| body_of.get(end as usize).copied().unwrap_or(u32::MAX));
+        if of_a == of_b && of_a != u32::MAX && sides.binary_search(&ends).is_err() {
+            list[of_a as usize].push(ends);
+        }
+    }
+    list
 }
 
 fn ink(kind: u32, [red, green, blue]: [u8; 3]) -> u32 {
@@ -244,15 +357,53 @@ mod tests {
     use super::*;
 
     #[test]
+    fn a_second_diagonal_is_drawn_on_its_body_and_sides_are_not_again() {
+        use crate::render::buffers::tests::empty;
+        use crate::sim::{Bond, Bonds, Positions};
+        let ends = [[0, 1], [1, 2], [2, 3], [3, 0], [0, 2], [3, 1], [1, 4]];
+        let bonds: Bonds = ends.iter().map(|&[a, b]| Bond::new(PointId(a), PointId(b), 1.0)).collect();
+        let places = [0.0; 10];
+        let at = Positions::F64(&places);
+        let triangles = [[0, 1, 2], [0, 2, 3]];
+        let body = Filled { color: [1, 2, 3], triangles: triangles.to_vec() };
+        let view = View { previous: at, current: at, ..empty(&bonds, 2) };
+        let list = inner(&view, std::slice::from_ref(&body));
+        assert_eq!(list, [vec![[1, 3]]]);
+        let kinds = primitives(&[body], &Lines { inner: list, ..Lines::default() }, 2).0;
+        let drawn: Vec<[u32; 6]> = kinds.iter().filter(|one| one.ink >> 24 == INNER).map(|one| one.points).collect();
+        assert_eq!(drawn, [[1, 1, 3, 3, 0, 0]]);
+    }
+
+    #[test]
+    fn what_has_joints_with_stops_is_a_figure_of_limbs() {
+        use crate::render::buffers::tests::empty;
+        use crate::sim::{Bonds, Positions};
+        // Two squares that share a corner, the second one half as large.
+        let places = [0.0, 0.0, 2.0, 0.0, 2.0, 2.0, 0.0, 2.0, 3.0, 2.0, 3.0, 3.0, 2.0, 3.0];
+        let triangles = vec![[0, 1, 2], [0, 2, 3], [2, 4, 5], [2, 5, 6]];
+        let body = Filled { color: [1, 2, 3], triangles };
+        assert_eq!(pieces(&body.triangles).iter().map(Vec::len).collect::<Vec<_>>(), [2, 2]);
+        let (at, bonds) = (Positions::F64(&places), Bonds::default());
+        let view = View { previous: at, current: at, joints: vec![PointId(2)], ..empty(&bonds, 2) };
+        let found = limbs(&view, std::slice::from_ref(&body));
+        assert_eq!(found, [Some((FLESH_SHARE * 0.5) as f32)], "as the smaller one: 2 m^2 by 4 m");
+        assert!(limbs(&View { joints: Vec::new(), ..view.clone() }, std::slice::from_ref(&body)).is_empty());
+        let list = primitives(&[body], &Lines { limbs: found, ..Lines::default() }, 2).0;
+        let kinds: Vec<u32> = list.iter().map(|primitive| primitive.ink >> 24).collect();
+        let expected = [[SHADOW; 8].as_slice(), &[SKIN; 8], &[FLESH; 8], &[FILL; 2]].concat();
+        assert_eq!(kinds, expected, "without an outline across the joint");
+    }
+
+    #[test]
     fn in_the_plane_a_body_lies_over_those_before_it_and_in_space_outlines_lie_over_all() {
         let body = |first: u32| Filled { color: [1, 2, 3], triangles: vec![[first, first + 1, first + 2]] };
         let kinds = |dimensions| {
-            let (list, split) = primitives(&[body(0), body(3)], dimensions);
+            let (list, split) = primitives(&[body(0), body(3)], &Lines::default(), dimensions);
             (list.iter().map(|primitive| primitive.ink >> 24).collect::<Vec<u32>>(), split)
         };
         let one = [[SHADOW; 3].as_slice(), &[FILL], &[OUTLINE; 3]].concat();
         assert_eq!(kinds(2), ([one.clone(), one].concat(), 14));
         assert_eq!(kinds(3), ([[FILL; 2].as_slice(), &[OUTLINE; 6]].concat(), 2));
-        assert_eq!(primitives(&[body(0)], 3).0[0].points, [0, 1, 2, 0, 0, 0]);
+        assert_eq!(primitives(&[body(0)], &Lines::default(), 3).0[0].points, [0, 1, 2, 0, 0, 0]);
     }
 }

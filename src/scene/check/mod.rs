@@ -36,6 +36,7 @@ pub(super) fn check(scene: &Scene) -> Result<(), Fault> {
     surroundings::check(scene, (count, dimensions), &|point| is_pinned(scene, explicit, point))?;
     check_method(scene).at("method")?;
     check_times(scene)?;
+    super::parameter::check(scene, dimensions)?;
     match &scene.view {
         Some(view) => check_view(view, dimensions).at("view"),
         None => Ok(()),

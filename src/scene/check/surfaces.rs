@@ -5,7 +5,9 @@ use std::path::Path;
 use super::number::{self, Range};
 use super::one_a_point;
 use crate::scene::error::{Fault, Source, Within};
-use crate::scene::keys::{AngleKeys, AreaKeys, AreaKindName, ContactKeys, Meeting, Row, Scene, SkinKeys, TextureKeys};
+use crate::scene::keys::{
+    AngleKeys, AreaKeys, AreaKindName, ContactKeys, Meeting, PointGroupKeys, Row, Scene, SkinKeys, TextureKeys,
+};
 use crate::sim::AngleDrive;
 use crate::sim::Areas;
 
@@ -18,6 +20,7 @@ pub(super) fn check(scene: &Scene, count: u32, dimensions: usize) -> Result<(), 
         check_areas(areas, dimensions, meets).at("areas")?;
     }
     check_angles(&scene.angles, count, dimensions)?;
+    check_groups(&scene.groups, count)?;
     if let Some(Meeting::As(contact)) = &scene.contact {
         check_contact(contact).at("contact")?;
     }
@@ -63,6 +66,26 @@ pub(in crate::scene) fn check_skins(skins: &[SkinKeys], count: u32) -> Result<()
         let SkinKeys { points, friction, restitution, radius, color: _ } = skin;
         number::indices(points, count).at("points").item(i).at("skins")?;
         check_skin([*friction, *restitution, *radius]).item(i).at("skins")?;
+    }
+    Ok(())
+}
+
+/// Errors: the first group of less than two points, with one that is not there, or with a title that is empty or another's.
+fn check_groups(groups: &[PointGroupKeys], count: u32) -> Result<(), Fault> {
+    for (i, PointGroupKeys { points, title }) in groups.iter().enumerate() {
+        number::indices(points, count).at("points").item(i).at("groups")?;
+        if points.iter().all(|point| *point == points[0]) {
+            let message = "names less than two points: a group is made of two or more, or leave it out";
+            return Err(Fault::invalid(message).at("points").item(i).at("groups"));
+        }
+        let Some(title) = title else { continue };
+        if title.trim().is_empty() {
+            return Err(Fault::invalid("is empty: give a few words, or leave it out").at("title").item(i).at("groups"));
+        }
+        if groups[..i].iter().any(|other| other.title.as_ref() == Some(title)) {
+            let message = format!("is `{title}`, as another group's: give each a title of its own");
+            return Err(Fault::invalid(message).at("title").item(i).at("groups"));
+        }
     }
     Ok(())
 }

@@ -25,7 +25,9 @@ pub use color::ColorKey;
 pub use contact::{ContactKeys, Meeting, SkinKeys};
 pub use drive::{DriveKeys, KeyName};
 pub use method::{MethodKeys, OrderName, PrecisionName, SolverName, SourceName};
-pub use scene::{AngleKeys, AreaKeys, AreaKindName, MassKeys, PointKeys, Scene, TextureKeys, Version};
+pub use scene::{
+    AngleKeys, AreaKeys, AreaKindName, MassKeys, ParameterKeys, PointGroupKeys, PointKeys, Scene, TextureKeys, Version,
+};
 pub use surroundings::{
     BoundsKeys, BoxKeys, CircleKeys, ForceKeys, MouseKeys, ObstacleKeys, PenaltyKeys, PictureKeys, PinMotionKeys,
     PlaneKeys, ProfileName, RegionName, RotationKeys, WindKeys,

@@ -176,6 +176,40 @@ object! {
 }
 
 object! {
+    /// A number of the scene that a slider sets while it runs.
+    ParameterKeys: "a parameter: an object with the keys `path`, `min` and `max`" {
+        required {
+            /// Where it stands in the file, such as `gravity[1]`, `bounds.friction` or `bonds[0-3].stiffness`.
+            path: String,
+            /// The left end of the slider.
+            min: f64,
+            /// The right end, above `min`.
+            max: f64,
+        }
+        optional {
+            /// What it is called: its path if not said.
+            label: String,
+            /// Its unit, as it is shown.
+            unit: String,
+        }
+    }
+}
+
+object! {
+    /// Points that are selected as one in the window.
+    PointGroupKeys: "a group: an object with the key `points`" {
+        required {
+            /// Its points, counted over the scene: two or more.
+            points: Vec<u32>,
+        }
+        optional {
+            /// What it is called, other than the other groups: "group 1", "group 2" … if not said.
+            title: String,
+        }
+    }
+}
+
+object! {
     /// A scene: a start, what acts on it, and how it is computed. Loaded again it runs bit for bit as it did.
     ///
     /// Fields are the keys of the file, as said there; methods such as [`Scene::rate`] fill in what is not said.
@@ -224,6 +258,10 @@ object! {
         lists {
             /// Angles that resist; those that the bending of materials makes follow them.
             angles: AngleKeys,
+            /// Points that are selected as one in the window.
+            groups: PointGroupKeys,
+            /// Numbers that sliders set while it runs.
+            parameters: ParameterKeys,
         }
         optional {
             /// Whether bodies meet, and how: they pass through each other if not said.

@@ -143,7 +143,7 @@ impl Form {
 }
 
 /// From where a rope is clicked to its end, where what a click makes is so large `[m]`.
-pub(super) fn hanging(usual: f64) -> DVec2 {
+fn hanging(usual: f64) -> DVec2 {
     DVec2::new(0.0, -2.0 * usual)
 }
 

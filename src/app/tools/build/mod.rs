@@ -51,7 +51,7 @@ pub(super) struct Drag {
 
 impl Drag {
     pub(super) fn new(scope: Scope<'_>, at: DVec2) -> Self {
-        Drag { pressed: at, from: place(scope, at), point: scope.nearest(at).map(|hit| hit.point) }
+        Drag { pressed: at, from: place(scope, at), point: tie::point_at(scope, at) }
     }
 }
 
@@ -85,12 +85,11 @@ impl Maker {
         let usual = usual_size(scope.camera.height());
         let begun = drag.copied().unwrap_or_else(|| Drag::new(scope, at));
         if begun.pressed.distance(at) < CLICK * scope.scale {
-            let below = begun.from + form::hanging(usual);
-            return Ok(Form::usual(self, self.end(scope, begun.point, [begun.from, below]), usual));
+            return Ok(Form::usual(self, self.end(scope, begun.point, begun.from), usual));
         }
-        let (there, point) = (place(scope, at), scope.nearest(at).map(|hit| hit.point));
-        let from = self.end(scope, begun.point, [begun.from, there]);
-        let mut to = self.end(scope, point, [there, begun.from]);
+        let (there, point) = (place(scope, at), tie::point_at(scope, at));
+        let from = self.end(scope, begun.point, begun.from);
+        let mut to = self.end(scope, point, there);
         if to.hold == Hold::Pin {
             // Only where it begins something hangs by itself.
             to.hold = Hold::None;
@@ -105,16 +104,14 @@ impl Maker {
         Ok(Form::drawn(self, [from, to], usual))
     }
 
-    /// The end of a drag at the first of two places `[m]`, of which the other is the other end: a rope is tied to what lies there, and
-    /// pinned on empty ground.
-    fn end(self, scope: Scope<'_>, point: Option<PointId>, way: [DVec2; 2]) -> End {
+    /// The end of a drag at a place `[m]`: a rope is tied to the point that is seen there, and pinned where none is.
+    fn end(self, scope: Scope<'_>, point: Option<PointId>, at: DVec2) -> End {
         let tied = |point: PointId| {
-            let point = tie::to_skin(scope, point, way);
             let [x, y, _] = scope.shown.place(point.index());
             // A point that was deleted since is nowhere.
             (x.is_finite() && y.is_finite()).then_some(End { at: DVec2::new(x, y), hold: Hold::Point(point) })
         };
-        let free = End { at: way[0], hold: if self.is_free { Hold::None } else { Hold::Pin } };
+        let free = End { at, hold: if self.is_free { Hold::None } else { Hold::Pin } };
         point.filter(|_| self.primitive == Primitive::Rope).and_then(tied).unwrap_or(free)
     }
 }

@@ -68,8 +68,17 @@ fn held(scope: Scope<'_>, at: DVec2) -> Option<Mark> {
     Some(Mark::Ring(Role::Hold, pixel(scope, at)?, 5.0 * scope.scale))
 }
 
+/// A line; what it will be tied to is ringed and dotted, a pin of its own is ringed alone.
 fn rope(scope: Scope<'_>, ends: &[End; 2]) -> Vec<Mark> {
     let [from, to] = ends.map(|end| pixel(scope, end.at));
-    let holds = ends.iter().filter(|end| end.hold != Hold::None).filter_map(|end| held(scope, end.at));
-    from.zip(to).map(|(from, to)| line(scope, from, to)).into_iter().chain(holds).collect()
+    let holds = ends.iter().flat_map(|end| {
+        let at = pixel(scope, end.at);
+        let ring = |radius: f64| at.map(|at| Mark::Ring(Role::Hold, at, radius * scope.scale));
+        match end.hold {
+            Hold::None => [None, None],
+            Hold::Pin => [ring(5.0), None],
+            Hold::Point(_) => [ring(9.0), at.map(|at| Mark::Knob(Role::Hold, at, 4.0 * scope.scale))],
+        }
+    });
+    from.zip(to).map(|(from, to)| line(scope, from, to)).into_iter().chain(holds.flatten()).collect()
 }

@@ -210,16 +210,29 @@ fn a_rope_is_bonded_to_the_points_that_it_begins_and_ends_on() {
 }
 
 #[test]
-fn a_rope_leaves_a_body_by_its_skin_on_the_side_that_it_goes_to() {
-    let text = r#"{"wobble": 1, "bodies": [{"make": "disc", "radius": 1, "spacing": 0.3}], "view": {"center": [0, 0], "height": 8}}"#;
+fn a_rope_is_tied_to_the_skin_where_it_is_seen_and_nowhere_else() {
+    let text = r#"{"wobble": 1, "bodies": [{"make": "disc", "radius": 1, "spacing": 0.3}], "contact": true,
+        "view": {"center": [0, 0], "height": 8}}"#;
     let seen = shown(Scene::parse(text, "x.json").unwrap());
-    for to in [[3.0, 0.0], [0.0, -3.0], [-2.0, 2.0]] {
-        let deed = drag(&seen, &mut hand(Primitive::Rope), [0.0, 0.0], to);
-        let tied = added(&deed).bonds[0].a as usize;
-        let [x, y, _] = seen.0.place(tied);
-        let way = DVec2::from(to).normalize();
-        assert!(close(DVec2::new(x, y), way.into(), 0.2), "{x} {y}");
+    let inner = drag(&seen, &mut hand(Primitive::Rope), [0.0, 0.0], [3.0, 0.0]);
+    assert!(added(&inner).bonds.is_empty(), "within the disc it is tied to nothing, however near a point is");
+    for point in 0..seen.0.point_count() {
+        let [x, y, _] = seen.0.place(point);
+        if x.hypot(y) < 0.99 {
+            continue;
+        }
+        let near = drag(&seen, &mut hand(Primitive::Rope), [1.01 * x, 1.01 * y], [3.0 * x, 3.0 * y]);
+        assert_eq!(added(&near).bonds[0].a as usize, point, "a little beside a corner of the skin");
+        let far = drag(&seen, &mut hand(Primitive::Rope), [1.3 * x, 1.3 * y], [3.0 * x, 3.0 * y]);
+        assert!(added(&far).bonds.is_empty(), "27 px beside it");
     }
+    let passing = text.replace("\"contact\": true,", "");
+    let seen = shown(Scene::parse(&passing, "x.json").unwrap());
+    let inner =
+        (0..seen.0.point_count()).find(|&point| seen.0.place(point)[0].hypot(seen.0.place(point)[1]) < 0.5).unwrap();
+    let [x, y, _] = seen.0.place(inner);
+    let deed = drag(&seen, &mut hand(Primitive::Rope), [x, y], [3.0, 0.0]);
+    assert_eq!(added(&deed).bonds[0].a as usize, inner, "where nothing is pushed out it hangs within");
 }
 
 /// Every primitive, drawn into each other and into the walls.

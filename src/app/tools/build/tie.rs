@@ -1,21 +1,23 @@
-//! Where a rope is tied to a body: on its skin, for what lies across a body that it is tied to is pushed out of it for ever.
+//! What an end of a rope is tied to: a point that is seen right there, of a body's skin before one within it, for what lies across a body
+//! that it is tied to is pushed out of it for ever.
 
-use glam::{DVec2, DVec3};
+use glam::DVec2;
 
 use crate::app::tools::pick::Scope;
 use crate::app::tools::skin;
 use crate::sim::PointId;
 
-/// The corner of the skin that a line from a place within a body to another place `[m]` leaves it by; `point` itself where no triangle
-/// meets there.
-pub(super) fn to_skin(scope: Scope<'_>, point: PointId, [from, to]: [DVec2; 2]) -> PointId {
-    let far = |point: &PointId| {
-        let at = DVec3::from(scope.shown.place(point.index())).truncate();
-        at.distance(from) + at.distance(to)
-    };
-    if !scope.shown.scenery.triangles.iter().any(|corners| corners.contains(&point)) {
-        return point;
-    }
-    let corners = skin::sides(scope, &scope.body(point)).into_iter().flatten();
-    corners.min_by(|a, b| far(a).total_cmp(&far(b)).then(a.cmp(b))).unwrap_or(point)
+/// The point that a rope is tied to which begins or ends at a pixel: in reach, the nearest that is within no body; where bodies pass
+/// through each other one within a body does too.
+pub(super) fn point_at(scope: Scope<'_>, at: DVec2) -> Option<PointId> {
+    let reached = scope.reached(at);
+    let outer = reached.iter().copied().find(|&point| !is_within(scope, point));
+    let passes = scope.shown.settings.contact.flatten().is_none();
+    outer.or_else(|| reached.first().copied().filter(|_| passes))
+}
+
+/// Whether a point has triangles all around it.
+fn is_within(scope: Scope<'_>, point: PointId) -> bool {
+    let is_covered = scope.shown.scenery.triangles.iter().any(|corners| corners.contains(&point));
+    is_covered && !skin::sides(scope, &scope.body(point)).iter().flatten().any(|corner| *corner == point)
 }

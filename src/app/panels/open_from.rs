@@ -1,0 +1,187 @@
+//! The name of a file to open, where the system has no dialog for it: what is there that begins so is listed below.
+
+use std::path::{Path, PathBuf};
+
+use egui::{Align2, Button, Key, Label, RichText, ScrollArea, TextEdit, Window};
+
+use super::theme::{ACCENT, AWAY, ON_ACCENT, WEAK};
+use super::{PanelState, Wish};
+use crate::app::fetch::ENDINGS;
+
+/// So many files are listed at most.
+const MOST: usize = 200;
+/// Height of the list `[points]`.
+const HIGH: f32 = 220.0;
+
+/// What the sheet keeps.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub(in crate::app) struct OpenFrom {
+    /// Why what was asked for last cannot be opened.
+    pub(in crate::app) fault: Option<String>,
+    /// What the list is of, and the names in it, folders with a `/`.
+    listed: Option<(String, Vec<String>)>,
+}
+
+pub(super) fn show(context: &egui::Context, state: &mut PanelState, wishes: &mut Vec<Wish>) {
+    let mut is_open = true;
+    Window::new("Open")
+        .id(egui::Id::unique("open from"))
+        .open(&mut is_open)
+        .collapsible(false)
+        .resizable(false)
+        .anchor(Align2::CENTER_CENTER, [0.0, 0.0])
+        .show(context, |ui| {
+            ui.set_width(460.0);
+            // Tab completes: it leads nowhere else here.
+            let completes = ui.input_mut(|input| input.consume_key(egui::Modifiers::NONE, Key::Tab));
+            let hint = "the path of a scene, a recording or a picture";
+            let field = TextEdit::singleline(&mut state.path)
+                .id(field_id())
+                .hint_text(hint)
+                .desired_width(f32::INFINITY)
+                .lock_focus(true);
+            let mut field = field.show(ui);
+            if std::mem::take(&mut state.is_fresh) {
+                field.response.request_focus();
+            }
+            if field.response.changed() {
+                state.open_from.fault = None;
+            }
+            let names = names(&mut state.open_from, &state.path);
+            if completes && let Some(more) = completed(&state.path, &names) {
+                state.path = more;
+                to_end(ui, &mut field.state, &state.path);
+                field.response.request_focus();
+            }
+            list(ui, &names, state);
+            if let Some(fault) = &state.open_from.fault {
+                ui.add(Label::new(RichText::new(fault).color(AWAY)).wrap());
+            }
+            ui.horizontal(|ui| {
+                let open = Button::new(RichText::new("Open").color(ON_ACCENT)).fill(ACCENT);
+                let is_entered = field.response.lost_focus() && ui.input(|input| input.key_pressed(Key::Enter));
+                let has_name = !state.path.trim().is_empty();
+                if (ui.add_enabled(has_name, open).clicked() || is_entered) && has_name {
+                    wishes.push(Wish::OpenFile(state.path.trim().to_owned()));
+                }
+                if ui.button("Cancel").clicked() {
+                    state.sheet = None;
+                }
+                ui.weak("Tab completes; a file can be dropped on the window too");
+            });
+        });
+    if !is_open {
+        state.sheet = None;
+    }
+}
+
+/// The field that the name is written in.
+fn field_id() -> egui::Id {
+    egui::Id::unique("the path of a file to open")
+}
+
+/// What is written next comes at the end.
+fn to_end(ui: &egui::Ui, state: &mut egui::text_edit::TextEditState, text: &str) {
+    let end = egui::text::CCursor::new(text.chars().count());
+    state.cursor.set_char_range(Some(egui::text::CCursorRange::one(end)));
+    state.clone().store(ui.ctx(), field_id());
+}
+
+/// What begins as the name does: a click takes it.
+fn list(ui: &mut egui::Ui, names: &[String], state: &mut PanelState) {
+    ScrollArea::vertical().max_height(HIGH).auto_shrink([false, true]).show(ui, |ui| {
+        ui.spacing_mut().item_spacing.y = 1.0;
+        for name in names {
+            if ui.selectable_label(false, name).clicked() {
+                state.path = format!("{}{name}", split(&state.path).0);
+                (state.is_fresh, state.open_from.fault) = (true, None);
+            }
+        }
+        if names.is_empty() {
+            ui.label(RichText::new("nothing there begins so").color(WEAK));
+        }
+    });
+}
+
+/// The folder as it is written, with its last `/`, and what is written of the name.
+fn split(path: &str) -> (&str, &str) {
+    path.split_at(path.rfind('/').map_or(0, |place| place + 1))
+}
+
+/// A path as it is meant: `~/` is the home of the user.
+pub(in crate::app) fn meant(path: &str) -> PathBuf {
+    match (path.strip_prefix("~/"), etcetera::home_dir()) {
+        (Some(rest), Ok(home)) => home.join(rest),
+        _ => PathBuf::from(path),
+    }
+}
+
+/// What could be opened in the folder of a path and begins as its name does; read once for each path.
+fn names(kept: &mut OpenFrom, path: &str) -> Vec<String> {
+    if kept.listed.as_ref().is_none_or(|(of, _)| of != path) {
+        let (folder, begun) = split(path);
+        let folder = if folder.is_empty() { PathBuf::from(".") } else { meant(folder) };
+        kept.listed = Some((path.to_owned(), found(&folder, begun)));
+    }
+    kept.listed.as_ref().map_or_else(Vec::new, |(_, names)| names.clone())
+}
+
+fn found(folder: &Path, begun: &str) -> Vec<String> {
+    let Ok(entries) = std::fs::read_dir(folder) else { return Vec::new() };
+    let name = |entry: std::fs::DirEntry| {
+        let (name, path) = (entry.file_name().into_string().ok()?, entry.path());
+        let is_hidden = name.starts_with('.') && !begun.starts_with('.');
+        if is_hidden || !name.to_lowercase().starts_with(&begun.to_lowercase()) {
+            return None;
+        }
+        let ending = path.extension().and_then(|ending| ending.to_str()).unwrap_or_default().to_lowercase();
+        match path.is_dir() {
+            true => Some(format!("{name}/")),
+            false => ENDINGS.contains(&&*ending).then_some(name),
+        }
+    };
+    let mut names: Vec<String> = entries.filter_map(|entry| name(entry.ok()?)).collect();
+    names.sort_unstable_by_key(|name| (!name.ends_with('/'), name.to_lowercase()));
+    names.truncate(MOST);
+    names
+}
+
+/// The path with what all names that begin so have in common; `None` where that is no more.
+fn completed(path: &str, names: &[String]) -> Option<String> {
+    let (folder, begun) = split(path);
+    let first = names.first()?;
+    let is_common = |count: usize| {
+        let start: String = first.chars().take(count).collect();
+        names.iter().all(|name| name.starts_with(&start))
+    };
+    let count = (0..=first.chars().count()).take_while(|&count| is_common(count)).last()?;
+    let common: String = first.chars().take(count).collect();
+    (common.len() > begun.len()).then(|| format!("{folder}{common}"))
+}
+
+#[cfg(test)]
+#[allow(clippy::unwrap_used, reason = "a test that cannot go on stops")]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_can_be_opened_is_listed_and_completed() {
+        let folder = tempfile::tempdir().unwrap();
+        for name in ["rim-1.json", "rim-2.json", "notes.txt", "rope.PNG", ".hidden.json"] {
+            std::fs::write(folder.path().join(name), b"").unwrap();
+        }
+        std::fs::create_dir(folder.path().join("ribbons")).unwrap();
+        let base = format!("{}/", folder.path().display());
+        let mut kept = OpenFrom::default();
+        assert_eq!(names(&mut kept, &base), ["ribbons/", "rim-1.json", "rim-2.json", "rope.PNG"]);
+        let path = format!("{base}ri");
+        let of_rims = names(&mut kept, &format!("{base}rim"));
+        assert_eq!(of_rims, ["rim-1.json", "rim-2.json"]);
+        assert_eq!(completed(&format!("{base}rim"), &of_rims), Some(format!("{base}rim-")));
+        assert_eq!(completed(&path, &names(&mut kept, &path)), None, "ribbons and rims part there");
+        assert_eq!(names(&mut kept, &format!("{base}.h")), [".hidden.json"]);
+        assert!(names(&mut kept, "/no/such/folder/").is_empty());
+        assert_eq!(meant("~/x.json"), etcetera::home_dir().unwrap().join("x.json"));
+        assert_eq!(meant("a/b.json"), PathBuf::from("a/b.json"));
+    }
+}

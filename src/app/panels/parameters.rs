@@ -1,0 +1,129 @@
+//! Sliders of the numbers that a scene names, above all that can be set.
+
+use egui::{Response, Slider, SliderClamping, Ui};
+
+use super::settings::Sink;
+use crate::app::player::Scenery;
+use crate::history::{Do, OneOrEach, SetKeys, Walls, Weather};
+use crate::scene::{BoundsKeys, ContactKeys, Meeting, Parameter, Target, Vector, WindKeys};
+use crate::sim::{BondKind, MouseChange, SceneChange};
+
+/// A range whose ends are so far apart is gone through by factors `[1]`.
+const WIDE: f64 = 50.0;
+
+/// The number that a parameter is now; `None` where what it is of has gone.
+pub(in crate::app) fn value(
+    target: &Target,
+    scene: &SceneChange,
+    push: Option<[f64; 2]>,
+    scenery: &Scenery,
+) -> Option<f64> {
+    let bond = |number: u32| {
+        let place = match &scenery.bond_numbers {
+            Some(numbers) => numbers.iter().position(|own| *own == number)?,
+            None => number as usize,
+        };
+        scenery.bonds.iter().nth(place)
+    };
+    let spring = |number: u32| match bond(number)?.kind {
+        BondKind::Spring { stiffness, damping } => Some([stiffness, damping]),
+        _ => None,
+    };
+    match target {
+        Target::Gravity(axis) => scene.gravity?.get(*axis).copied(),
+        Target::DragRate => scene.drag_rate,
+        // Still air has been taken away.
+        Target::Wind(axis) => Some(scene.wind?.map_or(0.0, |wind| wind.velocity[*axis])),
+        Target::Turbulence => Some(scene.wind?.map_or(0.0, |wind| wind.turbulence)),
+        Target::WallFriction => Some(scene.bounds.as_ref()?.as_ref()?.friction),
+        Target::WallRestitution => Some(scene.bounds.as_ref()?.as_ref()?.restitution),
+        Target::Friction => Some(scene.contact??.friction),
+        Target::Restitution => Some(scene.contact??.restitution),
+        Target::MouseStrength => push.map(|[strength, _]| strength),
+        Target::MouseRadius => push.map(|[_, radius]| radius),
+        // Of several the first that is left.
+        Target::Stiffness(numbers) => numbers.clone().find_map(spring).map(|[stiffness, _]| stiffness),
+        Target::Damping(numbers) => numbers.clone().find_map(spring).map(|[_, damping]| damping),
+        Target::Rest(numbers) => numbers.clone().find_map(bond).map(|bond| bond.rest_length),
+    }
+}
+
+/// Sliders with names and units; those whose things have gone are left out.
+pub(super) fn show(ui: &mut Ui, list: &[(Parameter, Option<f64>)], scene: &SceneChange, sink: &mut Sink<'_>) {
+    ui.strong("This scene");
+    for (parameter, value) in list {
+        let Some(mut to) = *value else { continue };
+        let [least, most] = [*parameter.range.start(), *parameter.range.end()];
+        let label = ui.label(&parameter.label);
+        ui.spacing_mut().slider_width = 130.0;
+        let unit = if parameter.unit.is_empty() { String::new() } else { format!(" {}", parameter.unit) };
+        let slider = Slider::new(&mut to, parameter.range.clone()).clamping(SliderClamping::Edits).suffix(unit);
+        let slider = slider.logarithmic(least > 0.0 && most > WIDE * least).max_decimals(3);
+        let by = ui.add(slider.update_while_editing(false)).labelled_by(label.id);
+        if by.changed() {
+            set(&by, &parameter.target, to, scene, sink);
+        }
+    }
+    ui.separator();
+}
+
+fn set(by: &Response, target: &Target, to: f64, scene: &SceneChange, sink: &mut Sink<'_>) {
+    let bonds = |numbers: &std::ops::RangeInclusive<u32>, keys: SetKeys| {
+        Do::Set(Box::new(SetKeys { bonds: Some(numbers.clone().collect()), ..keys }))
+    };
+    let one = Some(OneOrEach::One(to));
+    let nothing = SetKeys::default;
+    let act = match target {
+        Target::Gravity(axis) => {
+            let mut gravity = scene.gravity.unwrap_or_default();
+            gravity[*axis] = to;
+            Do::Set(Box::new(SetKeys { gravity: Some(sink.vector(gravity)), ..nothing() }))
+        }
+        Target::DragRate => Do::Set(Box::new(SetKeys { drag_rate: Some(to), ..nothing() })),
+        Target::Wind(_) | Target::Turbulence => {
+            let wind = scene.wind.flatten();
+            let mut velocity = wind.map_or([0.0; 3], |wind| wind.velocity);
+            let mut turbulence = wind.map_or(0.0, |wind| wind.turbulence);
+            match target {
+                Target::Wind(axis) => velocity[*axis] = to,
+                _ => turbulence = to,
+            }
+            let velocity: Vector = sink.vector(velocity);
+            let turbulence = (turbulence > 0.0).then_some(turbulence);
+            let keys = WindKeys { velocity, turbulence, seed: wind.map(|wind| wind.seed) };
+            Do::Set(Box::new(SetKeys { wind: Some(Weather::This(keys)), ..nothing() }))
+        }
+        Target::WallFriction | Target::WallRestitution => {
+            let Some(Some(mut walls)) = scene.bounds else { return };
+            match target {
+                Target::WallFriction => walls.friction = to,
+                _ => walls.restitution = to,
+            }
+            let keys = BoundsKeys {
+                min: sink.vector(walls.min),
+                max: sink.vector(walls.max),
+                restitution: Some(walls.restitution),
+                friction: Some(walls.friction),
+            };
+            Do::Set(Box::new(SetKeys { bounds: Some(Walls::These(keys)), ..nothing() }))
+        }
+        Target::Friction | Target::Restitution => {
+            let Some(Some(contact)) = scene.contact else { return };
+            let is_friction = *target == Target::Friction;
+            let keys = ContactKeys {
+                friction: Some(if is_friction { to } else { contact.friction }),
+                restitution: Some(if is_friction { contact.restitution } else { to }),
+                radius: contact.radius,
+                with_itself: Some(contact.with_itself),
+                bodies: Some(contact.with_others),
+            };
+            Do::Set(Box::new(SetKeys { contact: Some(Meeting::As(keys)), ..nothing() }))
+        }
+        Target::MouseStrength => Do::Mouse(MouseChange { strength: Some(to), ..MouseChange::default() }),
+        Target::MouseRadius => Do::Mouse(MouseChange { radius: Some(to), ..MouseChange::default() }),
+        Target::Stiffness(numbers) => bonds(numbers, SetKeys { stiffness: one, ..nothing() }),
+        Target::Damping(numbers) => bonds(numbers, SetKeys { damping: one, ..nothing() }),
+        Target::Rest(numbers) => bonds(numbers, SetKeys { rest: one, ..nothing() }),
+    };
+    sink.set(by, "parameter", act);
+}
