@@ -1,6 +1,7 @@
 //! The panels: a bar below, tools at the left, figures, what is said, and sheets over the world. They return wishes and change
 //! nothing of the world.
 
+mod beside;
 mod dial;
 mod drives;
 mod gallery;
@@ -42,8 +43,9 @@ use super::player::Figures;
 use super::plots::Plots;
 use super::tools::{Brush, Drives};
 use crate::render::{Look, Overlay};
-use crate::scene::SolverName;
+use crate::scene::{BesideKeys, SolverName};
 use crate::sim::Key;
+pub(super) use beside::Neighbor;
 pub(super) use gallery::{THUMBNAIL, search_id};
 use icons::Icon;
 pub(super) use lessons::{At, Lessons};
@@ -77,6 +79,12 @@ pub(super) enum Wish {
     Lasso(bool),
     /// Something is set of the scene.
     Set(Setting),
+    /// The same start beside it, by this or as exact as can be.
+    Beside(Option<BesideKeys>),
+    /// What stands beside it at a place of the row is taken away.
+    TakeAway(usize),
+    /// What stands beside it is coloured by the distance.
+    TintDistance(bool),
     /// Another solver, with all else of the method as it is.
     Solver(SolverName),
     /// Seconds of the scene a second of wall time, in those of the scene itself.
@@ -173,6 +181,10 @@ pub(super) struct Facts {
     /// A step takes long.
     pub(super) is_busy: bool,
     pub(super) dimensions: usize,
+    /// The worlds that are side by side; none where there is but one.
+    pub(super) neighbors: Vec<Neighbor>,
+    /// They are coloured by their distance to the first.
+    pub(super) tints_distance: bool,
     pub(super) settings: Settings,
 }
 
@@ -209,6 +221,12 @@ pub(super) fn show(ui: &mut egui::Ui, state: &mut PanelState, facts: &Facts) -> 
     held::show(ui.ctx(), room, facts);
     if facts.look.overlay == Overlay::Strain {
         legend::show(ui.ctx(), &facts.look);
+    }
+    if facts.tints_distance && !facts.neighbors.is_empty() && !is_covered {
+        legend::of_distance(ui.ctx(), room, &facts.look);
+    }
+    if !state.hides_hud && !is_covered {
+        beside::titles(ui.ctx(), facts, state.notes.has_caption && facts.caption.is_some());
     }
     state.notes.show(ui.ctx(), room, facts, &mut wishes);
     match state.sheet {

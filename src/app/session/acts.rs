@@ -99,6 +99,9 @@ impl Session {
             Wish::Matter(change, goes_on) => self.change_matter(change, goes_on),
             Wish::Brush(brush) => self.hand.set_brush(brush),
             Wish::Lasso(is_lasso) => self.hand.draw_lasso(is_lasso),
+            Wish::Beside(entry) => self.put_beside(entry),
+            Wish::TakeAway(place) => self.take_away(place),
+            Wish::TintDistance(tints) => self.tints_distance = tints,
             Wish::Solver(solver) => self.player.ask(Order::Solver(solver)),
             Wish::Pace(pace) => self.set_pace(pace),
             Wish::GoTo(time) => {
@@ -247,15 +250,14 @@ impl Session {
             return;
         }
         let view = self.player.shown().view();
+        let alone = opening::camera(&self.scene, &view, self.area);
+        let fitted = opening::fit(&view, false, self.area);
+        let saved = self.player.start().recording().view.as_ref();
+        let saved = saved.map(|saved| opening::saved(saved, &view, self.area));
+        let lined_up = self.line_up(if framing == Framing::Fit { fitted } else { alone });
         match framing {
-            Framing::Opening => {
-                let start = self.player.start().recording();
-                self.camera = match &start.view {
-                    Some(saved) => opening::saved(saved, &view, self.area),
-                    None => opening::camera(&self.scene, &view, self.area),
-                };
-            }
-            Framing::Fit => self.camera = opening::fit(&view, false, self.area),
+            Framing::Opening => self.camera = saved.unwrap_or(lined_up),
+            Framing::Fit => self.camera = lined_up,
             Framing::Free => self.camera.resize(self.area),
         }
     }

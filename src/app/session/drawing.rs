@@ -104,6 +104,8 @@ impl Session {
             is_opening: !self.player.is_open(),
             is_busy: self.player.is_busy(),
             dimensions: self.scene.dimensions(),
+            neighbors: self.neighbors(),
+            tints_distance: self.tints_distance,
             settings: Settings {
                 scene: self.shown().settings.clone(),
                 push: self.live_force().map(|force| [self.hand.strength().unwrap_or(force.strength), force.radius]),
@@ -129,15 +131,19 @@ impl Session {
     /// Draws the world and the panels.
     pub(super) fn draw(&mut self) -> Result<(), RenderError> {
         self.paint.marks = self.marks();
+        self.note_trails(self.shown().figures.time);
         let region = self.region();
         let empty = crate::app::player::Shown { dimensions: self.canvas.dimensions(), ..Default::default() };
         let shown = if self.player.is_open() { self.player.shown() } else { &empty };
         let view = View { mouse: region.as_ref().map(|(force, at)| (force, *at)), ..shown.view() };
         self.trails.note(shown.figures.time, &view);
+        let force = view.mouse;
         let view = View { trails: Some(&self.trails), ..view };
         let inset = if self.panels.hides_panels { 0.0 } else { panels::TOOLS };
         let look = Look { inset, ..self.look };
-        let done = self.canvas.draw(&view, &self.camera, &look, self.area, &mut self.paint);
+        let beside = (&shown.beside[..], &self.beside_trails[..]);
+        let panes = self.panes(view, beside, (force, &self.camera, look), self.area);
+        let done = self.canvas.draw(&panes, self.area, &mut self.paint);
         match done {
             Err(RenderError::Lost { .. }) => self.reopen(),
             done => done,
@@ -172,8 +178,10 @@ impl Session {
         if !self.player.is_open() {
             return Vec::new();
         }
-        let scope = Scope { shown: self.shown(), camera: &self.camera, scale: f64::from(self.look.scale_factor) };
+        let (scale, here) = (f64::from(self.look.scale_factor), self.camera_here());
+        let scope = Scope { shown: self.shown(), camera: &self.camera, scale };
         let mut marks: Vec<Mark> = self.probes().flat_map(|(place, point)| probe(scope, place, point)).collect();
+        let scope = Scope { camera: &here, ..scope };
         if !self.is_covered() && self.shown().point_count() <= MOST_MARKED {
             // What is selected is seen while its panel is used.
             marks.extend(self.hand.marks(scope, self.pixel().filter(|_| !is_idle)));

@@ -58,7 +58,10 @@ impl Session {
         let view = View { mouse: region.as_ref().map(|(force, at)| (force, *at)), ..self.player.shown().view() };
         let camera = Camera::new(self.camera.pose, self.area);
         let capture = Capture::on(self.canvas.gpu().clone(), self.area, view.dimensions);
-        let drawn = capture.and_then(|mut capture| capture.picture(&view, &camera, &self.look));
+        let (view, force) = (View { trails: Some(&self.trails), ..view.clone() }, view.mouse);
+        let beside = (&self.player.shown().beside[..], &self.beside_trails[..]);
+        let panes = self.panes(view, beside, (force, &camera, self.look), self.area);
+        let drawn = capture.and_then(|mut capture| capture.pictures(&panes));
         match drawn {
             Ok(picture) => {
                 let path = free_name(Path::new("."), self.scene.name(), "png");

@@ -2,6 +2,7 @@
 
 mod acts;
 mod arrivals;
+mod beside;
 mod drawing;
 mod driving;
 mod fresh;
@@ -40,8 +41,8 @@ use super::shell::is_for_panels;
 use super::thumbnails::Thumbnails;
 use super::tools::{Chosen, Hand};
 use crate::history::{HistoryError, Start};
-use crate::render::{Camera, Look, RenderCounters, RenderError, Trails};
-use crate::scene::{MOST_MEETING, Scene, gallery};
+use crate::render::{Camera, Look, RenderCounters, RenderError, Row, Trails};
+use crate::scene::{MOST_MEETING, Scene, SolverName, gallery};
 use crate::sim::{Cursor, Key, MouseForce, SceneChange};
 use selecting::Copied;
 use shelf::Shelf;
@@ -79,6 +80,12 @@ pub(super) struct Session {
     has_picture: bool,
     pub(super) camera: Camera,
     framing: Framing,
+    /// Where the worlds lie that are side by side, and which of them the pointer is on.
+    row: Row,
+    cell: usize,
+    /// What stands beside the world is coloured by its distance to it.
+    tints_distance: bool,
+    beside_trails: Vec<Trails>,
     /// Width and height of the part of the window that the world is drawn in `[px]`.
     area: [u32; 2],
     pub(super) pointer: Pointer,
@@ -178,6 +185,10 @@ impl Session {
             // Until the scene is there.
             camera: Camera::fit([[-1.0; 3], [1.0; 3]], scene.dimensions(), size),
             framing: Framing::Opening,
+            row: Row::ALONE,
+            cell: 0,
+            tints_distance: false,
+            beside_trails: Vec::new(),
             area: size,
             trails: Trails::new(TRAIL),
             look: Look { scale_factor: window.scale_factor() as f32, ..Look::default() },
@@ -358,6 +369,9 @@ impl Session {
         self.has_picture = scene.picture_body().is_some();
         self.look.has_mesh = false;
         self.trails = Trails::new(TRAIL * scene.rate());
+        self.beside_trails.clear();
+        self.cell = 0;
+        self.tints_distance = scene.method.solver == Some(SolverName::AsPrinted);
         self.scene = scene;
         self.plot_anew();
         self.frame_as(Framing::Opening);
@@ -389,6 +403,7 @@ impl Session {
         }
         if news.is_new {
             self.dirty = true;
+            self.meet_neighbors();
             self.panels_dirty |= self.panels.has_settings && self.shown().settings != self.settings;
             self.panels_dirty |= self.shown().matter != self.matter;
             self.gone_by.take_if(|serial| *serial <= self.player.shown().serial);
@@ -464,7 +479,7 @@ impl Session {
 
     /// Time ran on since the last frame: asks for it, once a frame.
     fn advance(&mut self, start: Instant) {
-        let is_asked = self.player.is_playing() || self.rewinds;
+        let is_asked = self.player.is_playing() || self.rewinds || self.shown().figures.behind;
         let cursor = self.world_cursor();
         let is_new = cursor != self.told && self.player.is_open();
         if self.waits() || !is_asked || !(self.moves() || is_new) {

@@ -1,0 +1,160 @@
+//! What stands beside the world: where it lies in the window, which of them the pointer is on, and how it is drawn.
+
+use super::Session;
+use crate::app::opening;
+use crate::app::panels::Neighbor;
+use crate::app::player::{Beside, Companions, Order};
+use crate::render::{Camera, Look, Overlay, Pane, Row, Trails, View};
+use crate::scene::BesideKeys;
+use crate::sim::{Cursor, MouseForce};
+
+/// Opacity of the mouse's region where the pointer is not.
+const GHOST: f32 = 0.35;
+
+impl Session {
+    /// How many worlds there are side by side.
+    pub(super) fn worlds(&self) -> usize {
+        1 + self.shown().beside.len()
+    }
+
+    /// The row is for so many worlds as there are, seen by the camera of the scene alone, which is that of all then.
+    pub(super) fn line_up(&mut self, alone: Camera) -> Camera {
+        let (row, camera) = opening::row(&alone, &self.shown().view(), self.worlds(), self.area);
+        self.row = row;
+        self.look.difference_full = opening::full_distance(&alone) as f32;
+        self.cell = self.cell.min(row.count() - 1);
+        camera
+    }
+
+    /// Others stand there now, or none.
+    pub(super) fn meet_neighbors(&mut self) {
+        if self.row.count() == self.worlds() {
+            return;
+        }
+        self.beside_trails.clear();
+        self.frame_as(super::Framing::Opening);
+        self.touch();
+    }
+
+    /// The camera of the world that the pointer is on: all worlds have the same places.
+    pub(super) fn camera_here(&self) -> Camera {
+        self.row.camera(self.cell, &self.camera)
+    }
+
+    /// The pointer moved: it stays with the world in which it pressed.
+    pub(super) fn find_cell(&mut self) {
+        if let Some(at) = self.pointer.at.filter(|_| !self.hand.is_busy() && !self.pointer.is_dragging()) {
+            self.cell = self.row.cell_at(at, &self.camera);
+        }
+    }
+
+    /// The colours and sizes of what stands beside the world.
+    fn look_beside(&self, look: Look) -> Look {
+        let [red, green, blue, opacity] = look.region;
+        let overlay = if self.tints_distance { Overlay::Difference } else { look.overlay };
+        // Trails and outlines of the grid are those of the world.
+        Look { overlay, region: [red, green, blue, GHOST * opacity], inset: 0.0, ..look }
+    }
+
+    /// The worlds as they are drawn in a picture of `size` `[px]`. `trails`: of the world, then of each beside it.
+    pub(super) fn panes<'a>(
+        &self,
+        first: View<'a>,
+        (beside, trails): (&'a [Beside], &'a [Trails]),
+        (force, camera, look): (Option<(&'a MouseForce, Cursor)>, &Camera, Look),
+        size: [u32; 2],
+    ) -> Vec<Pane<'a>> {
+        // As many as there is room for: another picture has the others.
+        let row = if self.row.count() == 1 + beside.len() { self.row } else { Row::ALONE };
+        let others = beside.iter().zip(1..).take(row.count() - 1);
+        let ghost = Look { region: self.look_beside(look).region, ..look };
+        let own = if self.cell == 0 { look } else { ghost };
+        let first = Pane::of(&row, 0, first, camera, own, size);
+        let others = others.map(|(world, place)| {
+            let view = View { mouse: force, trails: trails.get(place - 1), ..world.view(self.scene.dimensions()) };
+            let mut other = self.look_beside(look);
+            other.region = if self.cell == place { look.region } else { other.region };
+            Pane::of(&row, place, view, camera, other, size)
+        });
+        std::iter::once(first).chain(others).collect()
+    }
+
+    /// Notes where the points of what stands beside the world are.
+    pub(super) fn note_trails(&mut self, time: f64) {
+        let dimensions = self.scene.dimensions();
+        let length = self.trails.length();
+        let beside = &self.player.shown().beside;
+        self.beside_trails.resize_with(beside.len(), || Trails::new(length));
+        for (trails, world) in self.beside_trails.iter_mut().zip(beside) {
+            if world.farthest.is_some() {
+                trails.note(time, &world.view(dimensions));
+            }
+        }
+    }
+
+    /// What is said above each world, and where `[points]`. Nothing where the world is alone.
+    pub(super) fn neighbors(&self) -> Vec<Neighbor> {
+        let shown = self.shown();
+        if shown.beside.is_empty() || self.row.count() != self.worlds() {
+            return Vec::new();
+        }
+        let scale = self.egui.egui_ctx().pixels_per_point();
+        let at = |place: usize| self.row.head(place, &self.camera, self.area).map(|at| at as f32 / scale);
+        let is_column = self.row.is_column();
+        let of = |place: usize, title: &str, words: String| Neighbor {
+            title: title.to_owned(),
+            words,
+            at: at(place),
+            is_column,
+            is_seen: !self.row.clip(place, &self.camera, self.area).contains(&0) || place == 0,
+        };
+        let first = of(0, &shown.title, String::new());
+        let others = shown.beside.iter().zip(1..).map(|(world, place)| {
+            let apart = world.farthest.map_or_else(String::new, |most| format!("up to {} apart", length(most)));
+            of(place, &world.title, if world.words.is_empty() { apart } else { world.words.clone() })
+        });
+        std::iter::once(first).chain(others).collect()
+    }
+
+    /// One more world by another method.
+    pub(super) fn put_beside(&mut self, entry: Option<BesideKeys>) {
+        let order = match entry {
+            None => Companions::Reference,
+            Some(entry) => {
+                let entries = self.shown().beside.iter().map(|world| world.entry.clone()).chain([entry]);
+                Companions::These(entries.collect())
+            }
+        };
+        self.player.ask(Order::Beside(order));
+    }
+
+    /// A world beside this one is taken away.
+    pub(super) fn take_away(&mut self, place: usize) {
+        let entries = self.shown().beside.iter().enumerate().filter(|(other, _)| *other != place);
+        let entries = entries.map(|(_, world)| world.entry.clone()).collect();
+        self.player.ask(Order::Beside(Companions::These(entries)));
+    }
+}
+
+/// A length as one says it.
+fn length(metres: f32) -> String {
+    match metres {
+        none if none < 1e-9 => "0 m".to_owned(),
+        small if small < 1e-4 => format!("{small:.0e} m"),
+        small if small < 1e-2 => format!("{:.2} mm", 1e3 * small),
+        small if small < 1.0 => format!("{:.1} cm", 1e2 * small),
+        large if large < 1e4 => format!("{large:.2} m"),
+        huge => format!("{huge:.0e} m"),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::length;
+
+    #[test]
+    fn lengths_are_said_in_their_units() {
+        let said = [0.0, 3.2e-6, 0.0042, 0.034, 2.5, 3e6].map(length);
+        assert_eq!(said, ["0 m", "3e-6 m", "4.20 mm", "3.4 cm", "2.50 m", "3e6 m"]);
+    }
+}
