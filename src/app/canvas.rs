@@ -99,12 +99,7 @@ impl Canvas {
     /// Draws worlds into the upper left `area` `[px]` and the panels over it, and shows the picture.
     ///
     /// Errors: the GPU gave up, or a world too large for it; a surface that is only out of date is not an error.
-    pub(super) fn draw(
-        &mut self,
-        panes: &[Pane<'_>],
-        area: [u32; 2],
-        paint: &mut Paint,
-    ) -> Result<(), RenderError> {
+    pub(super) fn draw(&mut self, panes: &[Pane<'_>], area: [u32; 2], paint: &mut Paint) -> Result<(), RenderError> {
         self.apply_textures(paint);
         let drawn = match self.next_texture()? {
             Some(texture) => self.draw_to(texture, panes, area, paint),

@@ -74,8 +74,7 @@ pub fn row(alone: &Camera, seen: &View<'_>, count: usize, size: [u32; 2]) -> (Ro
     }
     // The first looks from its own middle: the middle of all is half of the others further on.
     let half = 0.5 * (many - 1.0) * camera.pixels_per_metre();
-    camera.pan(if row.is_column() { [0.0, -half * height] } else { [-half * width, 0.0] });
-    (row, camera)
+    (row, camera.moved(if row.is_column() { [0.0, -half * height] } else { [-half * width, 0.0] }))
 }
 
 /// The distance of the last colours, where the difference of two worlds is shown `[m]`: a round number near a twentieth of the scene's height.

@@ -106,9 +106,7 @@ pub(super) fn run(arguments: &Arguments, quiet: bool) -> anyhow::Result<()> {
         let others = beside.moments(time, &main);
         let moments = std::iter::once(&main).chain(&others).enumerate();
         let panes: Vec<Pane<'_>> = moments
-            .map(|(place, moment)| {
-                Pane::of(&row, place, moment.view(u64::from(index)), &camera, look, arguments.size)
-            })
+            .map(|(place, moment)| Pane::of(&row, place, moment.view(u64::from(index)), &camera, look, arguments.size))
             .collect();
         let picture = capture.pictures(&panes)?;
         if let Some(path) = arguments.out.as_ref().filter(|path| values::extension(path) == "png") {

@@ -18,8 +18,8 @@ use crate::history::{self, Start};
 use crate::output;
 use crate::scene::frames::Frames;
 use crate::scene::record::{
-    RecordedBalance, RecordedBeside, RecordedCounters, RecordedFrames, RecordedMover, RecordedSample, RecordedSoftness, Recording,
-    hash, ledgers, record, seconds_and_frames,
+    RecordedBalance, RecordedBeside, RecordedCounters, RecordedFrames, RecordedMover, RecordedSample, RecordedSoftness,
+    Recording, hash, ledgers, record, seconds_and_frames,
 };
 use crate::scene::{BudgetKeys, OrderName, PrecisionName, Scene, SolverName, SourceName};
 use crate::sim::judge;

@@ -259,9 +259,11 @@ impl History {
     /// Returns whether all are there.
     pub fn bring_along(&mut self, time: f64, goes_on: &mut dyn FnMut() -> bool) -> bool {
         let log = Part { tree: &self.tree, branch: self.branch, place: self.frame.place };
-        let arrive = |companion: &mut Companion| companion.follow(log, time, goes_on);
-        // All of them are asked: one that waits keeps none of the others.
-        self.companions.iter_mut().map(arrive).fold(true, |all, is_there| all && is_there)
+        let mut all_are_there = true;
+        for companion in &mut self.companions {
+            all_are_there &= companion.follow(log, time, goes_on);
+        }
+        all_are_there
     }
 
     /// Whether nothing moves: neither the world nor what stands beside it.

@@ -228,12 +228,7 @@ impl WorldBuffers {
     }
 
     /// Uploads what points are coloured by, unless it is what they were.
-    fn upload_values(
-        &mut self,
-        gpu: &Gpu,
-        view: &View<'_>,
-        counters: &mut RenderCounters,
-    ) -> Result<(), RenderError> {
+    fn upload_values(&mut self, gpu: &Gpu, view: &View<'_>, counters: &mut RenderCounters) -> Result<(), RenderError> {
         let Some(values) = view.values else { return Ok(()) };
         // What is no number is not told apart by every GPU.
         let values: Vec<f32> = values.iter().map(|&value| if value.is_nan() { -1.0 } else { value }).collect();

@@ -3,10 +3,10 @@
 use image::RgbaImage;
 
 use super::camera::Camera;
+use super::ensemble::{Ensemble, Pane};
 use super::error::RenderError;
 use super::gpu::Gpu;
 use super::look::{Color, Look};
-use super::ensemble::{Ensemble, Pane};
 use super::renderer::Renderer;
 use super::view::View;
 

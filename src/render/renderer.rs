@@ -127,10 +127,7 @@ impl Renderer {
                 view: target,
                 depth_slice: None,
                 resolve_target: None,
-                ops: wgpu::Operations {
-                    load: ground.map_or(wgpu::LoadOp::Load, clear),
-                    store: wgpu::StoreOp::Store,
-                },
+                ops: wgpu::Operations { load: ground.map_or(wgpu::LoadOp::Load, clear), store: wgpu::StoreOp::Store },
             })],
             depth_stencil_attachment: depth.as_ref().map(|view| wgpu::RenderPassDepthStencilAttachment {
                 view,

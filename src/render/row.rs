@@ -53,11 +53,7 @@ impl Row {
 
     /// The camera of world `place`, where `camera` is that of the first.
     pub fn camera(&self, place: usize, camera: &Camera) -> Camera {
-        let mut own = *camera;
-        if place > 0 {
-            own.pan(self.moved(place, camera));
-        }
-        own
+        if place == 0 { *camera } else { camera.moved(self.moved(place, camera)) }
     }
 
     /// Where cells meet along the row `[px]`: before the first and behind the last there is no end.

@@ -3,7 +3,7 @@
 use egui::{Align2, Area, Id, RichText, Ui, pos2};
 
 use super::theme::{TEXT, floating};
-use super::{Facts, TOOLS, Wish};
+use super::{Facts, TOOLS, Wish, legend};
 use crate::scene::{BesideKeys, SolverName};
 
 /// Room about a title `[points]`.
@@ -24,22 +24,27 @@ pub(in crate::app) struct Neighbor {
     pub(in crate::app) is_seen: bool,
 }
 
-/// Titles of worlds, each at the top of its cell; below what lies there already.
+/// Titles of worlds, each at the top of its cell; below what lies there already. The last has the legend.
 pub(super) fn titles(context: &egui::Context, facts: &Facts, has_caption: bool) {
     let lies = |name: &str| context.memory(|memory| memory.area_rect(Id::unique(name))).map_or(0.0, |at| at.bottom());
     let below = lies("scene").max(if has_caption { lies("caption") } else { 0.0 }).max(LEAST) + ROOM;
+    let last = facts.neighbors.iter().rposition(|neighbor| neighbor.is_seen).unwrap_or(0);
     for (place, neighbor) in facts.neighbors.iter().enumerate().filter(|(_, neighbor)| neighbor.is_seen) {
         let [x, y] = neighbor.at;
         let top = if neighbor.is_column && place > 0 { (y + ROOM).max(below) } else { below };
-        let (pivot, x) = if neighbor.is_column { (Align2::LEFT_TOP, x + TOOLS + ROOM) } else { (Align2::CENTER_TOP, x) };
+        let (pivot, x) =
+            if neighbor.is_column { (Align2::LEFT_TOP, x + TOOLS + ROOM) } else { (Align2::CENTER_TOP, x) };
         let area = Area::new(Id::unique(("beside", place))).pivot(pivot).fixed_pos(pos2(x, top));
         area.interactable(false).show(context, |ui| {
             floating().show(ui, |ui| {
-                ui.set_max_width(230.0);
-                ui.vertical_centered(|ui| {
+                ui.set_max_width(legend::WIDTH);
+                ui.vertical(|ui| {
                     ui.label(RichText::new(&neighbor.title).color(TEXT).strong());
                     if !neighbor.words.is_empty() {
                         ui.weak(&neighbor.words);
+                    }
+                    if facts.tints_distance && place == last {
+                        legend::of_distance(ui, &facts.look);
                     }
                 });
             });

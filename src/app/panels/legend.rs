@@ -1,6 +1,6 @@
 //! What colours of strain mean: a bar with numbers, at the upper left beside the tools, while strain is shown.
 
-use egui::{Align2, Area, Color32, FontId, Id, Mesh, Rect, Sense, Shape, pos2, vec2};
+use egui::{Align2, Area, Color32, FontId, Id, Mesh, Rect, Sense, Shape, Ui, pos2, vec2};
 
 use super::theme::{TEXT, WEAK, floating};
 use crate::render::{Color, Look};
@@ -43,34 +43,29 @@ pub(super) fn show(context: &egui::Context, look: &Look) {
 /// Shares of the largest distance with a number at the bar `[1]`.
 const SHARES: [f32; 4] = [0.0, 0.01, 0.1, 1.0];
 
-/// What colours of distance mean: the same bar from its middle on, at the lower left.
-pub(super) fn of_distance(context: &egui::Context, room: Rect, look: &Look) {
-    let place = pos2(PLACE[0], room.bottom() - 34.0);
-    let area = Area::new(Id::unique("legend of distance")).pivot(Align2::LEFT_BOTTOM).fixed_pos(place);
-    area.interactable(false).show(context, |ui| {
-        floating().show(ui, |ui| {
-            ui.vertical(|ui| {
-                ui.label(egui::RichText::new("distance to the first").color(TEXT));
-                let (place, _) = ui.allocate_exact_size(vec2(BAR[0], BAR[1] + 17.0), Sense::hover());
-                let bar = Rect::from_min_size(place.min + vec2(8.0, 0.0), vec2(BAR[0] - 40.0, BAR[1]));
-                let middle = look.strain.len() / 2;
-                ui.painter().add(Shape::mesh(shades(bar, &look.strain[middle..])));
-                for share in SHARES {
-                    let x = bar.left() + bar.width() * (share / 0.01).asinh() / 100.0_f32.asinh();
-                    ui.painter().line_segment([pos2(x, bar.bottom()), pos2(x, bar.bottom() + 3.0)], (1.0, WEAK));
-                    let words = of_length(share * look.difference_full);
-                    let at = pos2(x, bar.bottom() + 3.0);
-                    ui.painter().text(at, Align2::CENTER_TOP, words, FontId::proportional(11.0), TEXT);
-                }
-            });
-        });
-    });
+/// Width of the bar of distances with its numbers `[points]`.
+pub(super) const WIDTH: f32 = 220.0;
+
+/// What colours of distance mean: the same bar from its middle on.
+pub(super) fn of_distance(ui: &mut Ui, look: &Look) {
+    ui.weak("distance to the first:");
+    let (place, _) = ui.allocate_exact_size(vec2(WIDTH, BAR[1] + 17.0), Sense::hover());
+    let bar = Rect::from_min_size(place.min + vec2(8.0, 0.0), vec2(WIDTH - 32.0, BAR[1]));
+    let middle = look.strain.len() / 2;
+    ui.painter().add(Shape::mesh(shades(bar, &look.strain[middle..])));
+    for share in SHARES {
+        let x = bar.left() + bar.width() * (100.0 * share).asinh() / 100.0_f32.asinh();
+        ui.painter().line_segment([pos2(x, bar.bottom()), pos2(x, bar.bottom() + 3.0)], (1.0, WEAK));
+        let words = of_length(share * look.difference_full);
+        let at = pos2(x, bar.bottom() + 3.0);
+        ui.painter().text(at, Align2::CENTER_TOP, words, FontId::proportional(11.0), TEXT);
+    }
 }
 
 /// A length `[m]` in the unit that suits it.
 fn of_length(metres: f32) -> String {
     match metres {
-        none if none == 0.0 => "0".to_owned(),
+        0.0 => "0".to_owned(),
         small if small < 0.0099 => format!("{} mm", digits(1e3 * small)),
         small if small < 0.99 => format!("{} cm", digits(1e2 * small)),
         large => format!("{} m", digits(large)),

@@ -222,9 +222,6 @@ pub(super) fn show(ui: &mut egui::Ui, state: &mut PanelState, facts: &Facts) -> 
     if facts.look.overlay == Overlay::Strain {
         legend::show(ui.ctx(), &facts.look);
     }
-    if facts.tints_distance && !facts.neighbors.is_empty() && !is_covered {
-        legend::of_distance(ui.ctx(), room, &facts.look);
-    }
     if !state.hides_hud && !is_covered {
         beside::titles(ui.ctx(), facts, state.notes.has_caption && facts.caption.is_some());
     }

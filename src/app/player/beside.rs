@@ -6,8 +6,8 @@ use std::time::Instant;
 use super::pace::Pace;
 use super::rungs::Load;
 use super::shown::{Places, Scenery};
-use crate::render::View;
 use crate::history::{Companion, History, distances};
+use crate::render::View;
 use crate::scene::{BesideKeys, BudgetKeys, MethodKeys, PrecisionName, SolverName};
 
 /// Wall time that companions may take of a frame while the world moves, and while it does not `[s]`.
@@ -195,7 +195,6 @@ pub enum Companions {
     /// One more: a method that is as exact as the scene allows.
     Reference,
 }
-
 
 /// Substeps of a reference in one of the world, by order 8 and by what rules choose.
 const FINER: [f64; 2] = [4.0, 8.0];

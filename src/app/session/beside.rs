@@ -106,7 +106,7 @@ impl Session {
             words,
             at: at(place),
             is_column,
-            is_seen: !self.row.clip(place, &self.camera, self.area).contains(&0) || place == 0,
+            is_seen: !self.row.clip(place, &self.camera, self.area)[2..].contains(&0),
         };
         let first = of(0, &shown.title, String::new());
         let others = shown.beside.iter().zip(1..).map(|(world, place)| {

@@ -7,7 +7,7 @@ use crate::app::opening::keys;
 use crate::app::panels::Sheet;
 use crate::app::player::Order;
 use crate::app::saving::{Chosen, Saving, free_name};
-use crate::render::{Camera, Capture, View};
+use crate::render::{Capture, View};
 
 impl Session {
     /// Asks where all that was done is to be saved, unless it is recorded to a file: then there.
@@ -56,7 +56,8 @@ impl Session {
         }
         let region = self.region();
         let view = View { mouse: region.as_ref().map(|(force, at)| (force, *at)), ..self.player.shown().view() };
-        let camera = Camera::new(self.camera.pose, self.area);
+        let mut camera = self.camera;
+        camera.resize(self.area);
         let capture = Capture::on(self.canvas.gpu().clone(), self.area, view.dimensions);
         let (view, force) = (View { trails: Some(&self.trails), ..view.clone() }, view.mouse);
         let beside = (&self.player.shown().beside[..], &self.beside_trails[..]);

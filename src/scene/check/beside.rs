@@ -26,3 +26,46 @@ pub(super) fn check(scene: &Scene) -> Result<(), Fault> {
     }
     Ok(())
 }
+
+#[cfg(test)]
+#[allow(clippy::unwrap_used, reason = "a test that cannot go on stops")]
+mod tests {
+    use crate::scene::Scene;
+
+    fn read(beside: &str, rest: &str) -> Result<Scene, String> {
+        let text = format!(
+            r#"{{"wobble": 1, "points": {{"position": [[0, 0], [1, 0]]}}, "bonds": [{{"a": 0, "b": 1}}],
+            "method": {{"solver": "velocity-verlet", "substep": 0.01}}, "beside": {beside}{rest}}}"#
+        );
+        Scene::parse(&text, "x.json").map_err(|error| error.to_string())
+    }
+
+    #[test]
+    fn entries_are_read_and_written_back() {
+        let scene = read(r#"[{"title": "finer", "method": {"substep": 0.001}}, {}]"#, "").unwrap();
+        assert_eq!(Scene::parse(&scene.to_json().unwrap(), "y.json").unwrap(), scene);
+        let titles: Vec<String> = scene.beside.iter().map(|entry| scene.companion_title(entry)).collect();
+        assert_eq!(titles, ["finer", "velocity-verlet, h = 10 ms"]);
+        let alone = scene.companion(&scene.beside[0]);
+        assert_eq!((alone.method.solver, alone.method.substep), (scene.method.solver, Some(0.001)));
+        assert!(alone.beside.is_empty());
+    }
+
+    #[test]
+    fn what_cannot_stand_beside_a_scene_is_refused_with_its_title() {
+        let said = |beside: &str| read(beside, "").unwrap_err();
+        let many = format!("[{}]", ["{}"; 6].join(","));
+        assert!(said(&many).ends_with("beside: has 6 entries: there is room for 5 beside a scene"), "{}", said(&many));
+        assert!(said(r#"[{}, {"title": " "}]"#).contains("beside[1].title: is empty"));
+        let wrong = said(r#"[{"title": "mine", "method": {"substep": -1}}]"#);
+        assert!(wrong.contains("beside[0].method.substep: `mine`: "), "{wrong}");
+        let springs_only = said(r#"[{"title": "mine", "method": {"solver": "euler"}}]"#);
+        assert!(springs_only.contains("beside[0]: `mine`: bonds[0]: is rigid"), "{springs_only}");
+        let swept = said(r#"[{"method": {"solver": "as-printed"}}]"#);
+        assert!(swept.contains("beside[0]: `as-printed, h = 10 ms`: method.solver: "), "{swept}");
+        assert!(said(r#"[{"method": {"solver": "rk5"}}]"#).contains("beside[0].method.solver"));
+        assert!(said(r#"[{"name": "x"}]"#).contains("beside[0].name"));
+        let meets = read("[{}]", r#", "contact": true"#).unwrap_err();
+        assert!(meets.contains("beside[0]: `velocity-verlet, h = 10 ms`: method.solver: "), "{meets}");
+    }
+}
