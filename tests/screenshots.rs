@@ -67,10 +67,8 @@ fn worlds_side_by_side_are_each_drawn_as_they_are_alone() {
     let bonds: Bonds = [bond(0, 1)].into();
     let look = Look { wall: [0.0; 4], ..plain() };
     let size = [2 * SIDE, SIDE];
-    // Cells as wide as high, the first in the left half.
-    let row = Row::new(2, DVec3::ZERO, [f64::from(SIDE); 2], size);
-    let camera =
-        Camera::new(Pose::Plane { center: DVec2::new(0.5 * f64::from(SIDE), 0.0), height: f64::from(SIDE) }, size);
+    let row = Row::new(2, [1.0; 2], size);
+    let camera = row.whole(&pixels(), size);
     let mut capture = Capture::new(size, 2).unwrap();
     let mut draw = |values: Option<&[f32]>, overlay| {
         let views = places.each_ref().map(|places| View { values, ..view(places, &bonds, 2) });

@@ -12,8 +12,7 @@ const ROOM: f64 = 1.03;
 
 /// The distance of the last colours beside the height of a scene `[1]`.
 const FULL: f64 = 0.05;
-/// Room of a cell beside what is in it, and its least width, in its heights `[1]`.
-const BETWEEN: f64 = 1.12;
+/// Least width of what is seen of a scene, in its heights `[1]`.
 const SLIMMEST: f64 = 0.75;
 
 /// The camera of a scene's `view`; what that leaves out fits the scene.
@@ -46,11 +45,10 @@ fn look(view: Option<&ViewKeys>, height_at: impl Fn(f64, DVec2) -> f64, seen: &V
     camera
 }
 
-/// The row of a scene and of what is drawn beside it, and a camera that shows all of them. `alone` is that of the scene alone, whose size
-/// says how large a cell is.
-pub fn row(alone: &Camera, seen: &View<'_>, count: usize, size: [u32; 2]) -> (Row, Camera) {
+/// How `count` worlds of a scene share a picture of `size` `[px]`; `alone` is the camera of the scene alone.
+pub fn row(alone: &Camera, seen: &View<'_>, count: usize, size: [u32; 2]) -> Row {
     if count < 2 {
-        return (Row::ALONE, *alone);
+        return Row::ALONE;
     }
     let (center, height) = (alone.focus(), alone.height());
     let width = match alone.pose {
@@ -58,23 +56,11 @@ pub fn row(alone: &Camera, seen: &View<'_>, count: usize, size: [u32; 2]) -> (Ro
             let sides = [points(seen), surroundings(seen)].map(|extent| extent.map(|at| (at[0] - center.x).abs()));
             let shown = |side: &f64| *side <= 0.5 * MADE_FOR * height;
             let shown = sides.into_iter().flatten().filter(shown).fold(0.0, f64::max);
-            (2.0 * BETWEEN * shown).max(SLIMMEST * height)
+            (2.0 * ROOM * shown).max(SLIMMEST * height)
         }
         Pose::Orbit { .. } => height,
     };
-    let row = Row::new(count, center, [width, height], size);
-    let [across, down] = size.map(|side| f64::from(side.max(1)));
-    let many = count as f64;
-    let whole = if row.is_column() { [width, many * height] } else { [many * width, height] };
-    let needed = (whole[0] * down / across).max(whole[1]);
-    let mut camera = *alone;
-    match &mut camera.pose {
-        Pose::Plane { height, .. } => *height = needed,
-        Pose::Orbit { distance, .. } => *distance *= needed / height,
-    }
-    // The first looks from its own middle: the middle of all is half of the others further on.
-    let half = 0.5 * (many - 1.0) * camera.pixels_per_metre();
-    (row, camera.moved(if row.is_column() { [0.0, -half * height] } else { [-half * width, 0.0] }))
+    Row::new(count, [width, height], size)
 }
 
 /// The distance of the last colours, where the difference of two worlds is shown `[m]`: a round number near a twentieth of the scene's height.

@@ -84,7 +84,9 @@ pub(super) fn run(arguments: &Arguments, quiet: bool) -> anyhow::Result<()> {
         writeln!(std::io::stderr(), "wobble: warning: {warning}")?;
     }
     let alone = opening::camera(scene, &View::of(run.world()), arguments.size);
-    let (row, camera) = opening::row(&alone, &View::of(run.world()), 1 + scene.beside.len(), arguments.size);
+    let row = opening::row(&alone, &View::of(run.world()), 1 + scene.beside.len(), arguments.size);
+    let own = opening::camera(scene, &View::of(run.world()), row.pane(arguments.size));
+    let camera = row.whole(&own, arguments.size);
     let difference_full = opening::full_distance(&alone) as f32;
     let Arguments { mesh: has_mesh, fills: has_fills, grid: has_grid, .. } = *arguments;
     let overlay = arguments.overlay(scene);

@@ -169,10 +169,11 @@ impl Companion {
     }
 
     fn step(&mut self) {
+        // Before it: of what comes within a step nothing is known yet.
+        self.keyframes.keep_now_and_then(&mut self.kept, self.branch, &self.frame);
         flat_into(&*self.frame.world, &mut self.previous.0);
         self.previous.1 = self.frame.world.time();
         self.frame.step(None);
-        self.keyframes.keep_now_and_then(&mut self.kept, self.branch, &self.frame);
     }
 
     /// Does a command of the log, but for what it says of the method: that is the companion's own.

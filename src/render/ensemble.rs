@@ -32,7 +32,7 @@ impl<'a> Pane<'a> {
 
     /// World `place` of a row in a picture of `size` `[px]`; `camera` is that of the first.
     pub fn of(row: &Row, place: usize, view: View<'a>, camera: &Camera, look: Look, size: [u32; 2]) -> Self {
-        Pane { view, camera: row.camera(place, camera), look, clip: row.clip(place, camera, size) }
+        Pane { view, camera: row.camera(place, camera, size), look, clip: row.clip(place, size) }
     }
 
     /// Ends of the line `[m]` that parts it from the one before it, if there is one.

@@ -1,18 +1,12 @@
-//! Where worlds that are drawn side by side lie in a picture: each in a cell of its own, all at one scale.
+//! How a picture is shared by worlds side by side: equal panes that show the same part of each at the same scale.
 
-use glam::DVec3;
+use super::camera::{Camera, Pose};
 
-use super::camera::Camera;
-
-/// Worlds in a row, or in a column where a picture is higher than wide. The first lies where the camera looks.
-#[derive(Clone, Copy, Debug, PartialEq)]
+/// Panes in a row, or in a column where a picture is higher than wide.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Row {
-    /// How many worlds there are, at least 1.
+    /// How many there are, at least 1.
     count: usize,
-    /// The middle of the first cell `[m]`.
-    center: DVec3,
-    /// Width or height of a cell `[m]`.
-    length: f64,
     /// One below another.
     is_column: bool,
 }
@@ -22,17 +16,15 @@ const BETTER: f64 = 1.25;
 
 impl Row {
     /// One world, which has the picture for itself.
-    pub const ALONE: Row = Row { count: 1, center: DVec3::ZERO, length: 0.0, is_column: false };
+    pub const ALONE: Row = Row { count: 1, is_column: false };
 
-    /// `count` cells of a width and height `[m]`, the first about `center` `[m]`: beside or below each other, whatever leaves them larger in a
-    /// picture of `size` `[px]`.
-    pub fn new(count: usize, center: DVec3, [width, height]: [f64; 2], size: [u32; 2]) -> Self {
+    /// `count` panes for worlds of a width and height: beside or below each other, whatever leaves them larger in a picture of `size` `[px]`.
+    pub fn new(count: usize, [width, height]: [f64; 2], size: [u32; 2]) -> Self {
         let [across, down] = size.map(|side| f64::from(side.max(1)));
         let many = count.max(1) as f64;
         let beside = (across / (many * width)).min(down / height);
         let below = (across / width).min(down / (many * height));
-        let is_column = below > BETTER * beside;
-        Row { count: count.max(1), center, length: if is_column { height } else { width }, is_column }
+        Row { count: count.max(1), is_column: below > BETTER * beside }
     }
 
     /// How many worlds there are.
@@ -45,73 +37,135 @@ impl Row {
         self.is_column
     }
 
-    /// How far world `place` is moved `[px]`.
-    fn moved(&self, place: usize, camera: &Camera) -> [f64; 2] {
-        let far = place as f64 * self.length * camera.pixels_per_metre();
-        if self.is_column { [0.0, far] } else { [far, 0.0] }
+    fn axis(&self) -> usize {
+        usize::from(self.is_column)
     }
 
-    /// The camera of world `place`, where `camera` is that of the first.
-    pub fn camera(&self, place: usize, camera: &Camera) -> Camera {
-        if place == 0 { *camera } else { camera.moved(self.moved(place, camera)) }
+    /// Where pane `place` begins along the row `[px]`, in a picture that is so long.
+    fn edge(&self, place: usize, length: u32) -> u32 {
+        (place as u64 * u64::from(length) / self.count as u64) as u32
     }
 
-    /// Where cells meet along the row `[px]`: before the first and behind the last there is no end.
-    fn edges(&self, camera: &Camera) -> Vec<f64> {
-        let axis = usize::from(self.is_column);
-        let middle = camera.screen_from_world(self.center).map_or(0.0, |at| at[axis]);
-        let pixels = self.length * camera.pixels_per_metre();
-        (1..self.count).map(|place| middle + (place as f64 - 0.5) * pixels).collect()
-    }
-
-    /// The cell that a pixel lies in.
-    pub fn cell_at(&self, pixel: [f64; 2], camera: &Camera) -> usize {
-        let at = pixel[usize::from(self.is_column)];
-        self.edges(camera).iter().filter(|&&edge| at >= edge).count()
-    }
-
-    /// Left, top, width and height of a cell in a picture `[px]`: none where it is out of view.
-    pub fn clip(&self, place: usize, camera: &Camera, size: [u32; 2]) -> [u32; 4] {
-        let axis = usize::from(self.is_column);
-        let most = f64::from(size[axis]);
-        let edges = self.edges(camera);
-        let edge = |place: Option<usize>, beyond: f64| place.and_then(|k| edges.get(k)).copied().unwrap_or(beyond);
-        let [from, to] = [edge(place.checked_sub(1), 0.0), edge(Some(place), most)];
-        let [from, to] = [from, to].map(|at| if at.is_nan() { 0.0 } else { at.clamp(0.0, most).round() });
+    /// Left, top, width and height of a pane in a picture of `size` `[px]`.
+    pub fn clip(&self, place: usize, size: [u32; 2]) -> [u32; 4] {
+        let axis = self.axis();
+        let [from, to] = [place, place + 1].map(|place| self.edge(place, size[axis]));
         let mut clip = [0, 0, size[0], size[1]];
-        (clip[axis], clip[2 + axis]) = (from as u32, (to - from).max(0.0) as u32);
+        (clip[axis], clip[2 + axis]) = (from, to - from);
         clip
     }
 
-    /// The middle of a cell's upper edge, or its upper left corner in a column `[px]`.
-    pub fn head(&self, place: usize, camera: &Camera, size: [u32; 2]) -> [f64; 2] {
-        let [left, top, width, _] = self.clip(place, camera, size).map(f64::from);
-        [left + 0.5 * width, top]
+    /// Width and height of the first pane `[px]`, each at least 1.
+    pub fn pane(&self, size: [u32; 2]) -> [u32; 2] {
+        let [_, _, width, height] = self.clip(0, size);
+        [width.max(1), height.max(1)]
+    }
+
+    /// The pane that a pixel lies in: beside the picture the nearest.
+    pub fn pane_at(&self, pixel: [f64; 2], size: [u32; 2]) -> usize {
+        let at = pixel[self.axis()];
+        (1..self.count).filter(|&place| at >= f64::from(self.edge(place, size[self.axis()]))).count()
+    }
+
+    /// The camera of a whole picture of `size` `[px]` whose first pane shows what `own` does, which is a camera of that pane alone.
+    pub fn whole(&self, own: &Camera, size: [u32; 2]) -> Camera {
+        if self.count == 1 {
+            return *own;
+        }
+        let pane = self.pane(size);
+        let mut camera = Camera::new(enlarged(own.pose, f64::from(size[1].max(1)) / f64::from(pane[1])), size);
+        camera = camera.moved(self.off(size));
+        camera
+    }
+
+    /// The camera of the first pane alone, of a whole picture's: see [`Row::whole`].
+    pub fn own(&self, camera: &Camera, size: [u32; 2]) -> Camera {
+        if self.count == 1 {
+            return *camera;
+        }
+        let pane = self.pane(size);
+        let back = camera.moved(self.off(size).map(|off| -off));
+        Camera::new(enlarged(back.pose, f64::from(pane[1]) / f64::from(size[1].max(1))), pane)
+    }
+
+    /// How far the middle of the first pane is from that of the picture `[px]`.
+    fn off(&self, size: [u32; 2]) -> [f64; 2] {
+        let pane = self.pane(size);
+        std::array::from_fn(|axis| 0.5 * (f64::from(pane[axis]) - f64::from(size[axis].max(1))))
+    }
+
+    /// How far pane `place` is from the first `[px]`.
+    pub fn shift(&self, place: usize, size: [u32; 2]) -> [f64; 2] {
+        let mut shift = [0.0; 2];
+        shift[self.axis()] = f64::from(self.edge(place, size[self.axis()]));
+        shift
+    }
+
+    /// The camera of world `place` in a picture of `size` `[px]`, where `camera` is that of the first.
+    pub fn camera(&self, place: usize, camera: &Camera, size: [u32; 2]) -> Camera {
+        if place == 0 { *camera } else { camera.moved(self.shift(place, size)) }
+    }
+}
+
+/// The same look at so many times as much.
+fn enlarged(pose: Pose, factor: f64) -> Pose {
+    match pose {
+        Pose::Plane { center, height } => Pose::Plane { center, height: factor * height },
+        Pose::Orbit { target, distance, yaw, pitch } => Pose::Orbit { target, distance: factor * distance, yaw, pitch },
     }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::render::Pose;
-    use glam::DVec2;
+    use glam::{DVec2, DVec3};
 
     #[test]
-    fn cells_lie_beside_each_other_where_a_picture_is_wide_and_below_where_it_is_high() {
-        let camera = |size| Camera::new(Pose::Plane { center: DVec2::new(4.0, 0.0), height: 9.0 }, size);
-        let row = Row::new(2, DVec3::ZERO, [8.0, 8.0], [1600, 900]);
-        let wide = camera([1600, 900]);
-        assert!(!row.is_column());
-        assert_eq!([0, 1].map(|place| row.clip(place, &wide, [1600, 900])), [[0, 0, 800, 900], [800, 0, 800, 900]]);
-        assert_eq!([[10.0, 5.0], [799.0, 5.0], [801.0, 5.0]].map(|at| row.cell_at(at, &wide)), [0, 0, 1]);
-        // What lies at the same place of both worlds is a cell apart.
-        let at = |place: usize| row.camera(place, &wide).screen_from_world(DVec3::new(1.0, 2.0, 0.0)).unwrap();
-        assert_eq!([at(1)[0] - at(0)[0], at(1)[1] - at(0)[1]], [800.0, 0.0]);
-        let column = Row::new(3, DVec3::new(4.0, 3.0, 0.0), [8.0, 3.0], [720, 1280]);
-        assert!(column.is_column());
-        let tall = Camera::new(Pose::Plane { center: DVec2::new(4.0, 0.0), height: 12.8 }, [720, 1280]);
-        assert_eq!(column.clip(1, &tall, [720, 1280]), [0, 490, 720, 300]);
-        assert_eq!(column.clip(2, &tall, [720, 1280]), [0, 790, 720, 490], "the last has all the rest");
-        assert_eq!(Row::ALONE.clip(0, &tall, [720, 1280]), [0, 0, 720, 1280]);
+    fn panes_share_a_picture_beside_each_other_where_it_is_wide_and_below_where_it_is_high() {
+        let wide = Row::new(3, [8.0, 8.0], [1600, 900]);
+        assert!(!wide.is_column());
+        let clips = [0, 1, 2].map(|place| wide.clip(place, [1600, 900]));
+        assert_eq!(clips, [[0, 0, 533, 900], [533, 0, 533, 900], [1066, 0, 534, 900]], "all of it, to the last pixel");
+        let at = [[-5.0, 1.0], [532.0, 1.0], [533.0, 1.0], [9999.0, 1.0]];
+        assert_eq!(at.map(|at| wide.pane_at(at, [1600, 900])), [0, 0, 1, 2]);
+        let high = Row::new(2, [8.0, 3.0], [720, 1280]);
+        assert!(high.is_column());
+        assert_eq!(high.clip(1, [720, 1280]), [0, 640, 720, 640]);
+        assert_eq!(Row::ALONE.clip(0, [720, 1280]), [0, 0, 720, 1280]);
+        assert!((0..3).all(|place| wide.clip(place, [2, 0])[2] <= 1), "a picture of no room");
+    }
+
+    #[test]
+    fn every_pane_shows_what_a_camera_of_its_own_does() {
+        let plane = Pose::Plane { center: DVec2::new(4.0, 1.0), height: 9.0 };
+        let orbit = Pose::Orbit { target: DVec3::new(1.0, 2.0, 3.0), distance: 7.0, yaw: 0.7, pitch: 0.4 };
+        let close = |a: [f64; 2], b: [f64; 2]| (a[0] - b[0]).hypot(a[1] - b[1]) < 1e-6;
+        for (pose, size) in [(plane, [1600, 900]), (plane, [700, 1300]), (orbit, [1600, 900]), (orbit, [700, 1300])] {
+            let row = Row::new(2, [8.0, 8.0], size);
+            let own = Camera::new(pose, row.pane(size));
+            let whole = row.whole(&own, size);
+            // In a column a camera in space looks from further away: what lies beside its target is seen from another side.
+            let is_same = pose == plane || !row.is_column();
+            let point = if is_same { DVec3::new(1.5, 2.5, if pose == plane { 0.0 } else { 2.2 }) } else { own.focus() };
+            let seen = own.screen_from_world(point).unwrap();
+            for place in 0..2 {
+                let [left, top, ..] = row.clip(place, size).map(f64::from);
+                let camera = row.camera(place, &whole, size);
+                let there = camera.screen_from_world(point).unwrap();
+                assert!(
+                    close([there[0] - left, there[1] - top], seen),
+                    "{pose:?}: {there:?} for {seen:?} in pane {place}"
+                );
+                if !is_same {
+                    continue;
+                }
+                let ray = camera.cursor(there);
+                let same = own.cursor(seen);
+                assert!((DVec3::from(ray.origin) - DVec3::from(same.origin)).length() < 1e-9, "{pose:?}");
+                assert!((DVec3::from(ray.direction) - DVec3::from(same.direction)).length() < 1e-9, "{pose:?}");
+            }
+            let again = row.own(&whole, size).screen_from_world(point).unwrap();
+            assert!(close(again, seen), "{pose:?}: {again:?} for {seen:?}");
+        }
     }
 }

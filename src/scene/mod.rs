@@ -38,6 +38,7 @@ mod write;
 
 pub(crate) use addition::Made;
 pub use anew::Cut;
+pub(crate) use check::MOST_BESIDE;
 pub use error::{SceneError, SceneErrorKind, Source};
 pub use gallery::{Entry, gallery};
 pub(crate) use keys::macros::object;

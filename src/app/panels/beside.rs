@@ -4,7 +4,7 @@ use egui::{Align2, Area, Id, RichText, Ui, pos2};
 
 use super::theme::{TEXT, floating};
 use super::{Facts, TOOLS, Wish, legend};
-use crate::scene::{BesideKeys, SolverName};
+use crate::scene::{BesideKeys, MOST_BESIDE, SolverName};
 
 /// Room about a title `[points]`.
 const ROOM: f32 = 8.0;
@@ -17,19 +17,17 @@ pub(in crate::app) struct Neighbor {
     pub(in crate::app) title: String,
     /// How it does.
     pub(in crate::app) words: String,
-    /// The middle of the upper edge of its cell, or in a column the left end of it `[points]`.
+    /// The middle of the upper edge of its part of the window, or in a column the left end of it `[points]`.
     pub(in crate::app) at: [f32; 2],
     pub(in crate::app) is_column: bool,
-    /// Whether its cell is in view.
-    pub(in crate::app) is_seen: bool,
 }
 
-/// Titles of worlds, each at the top of its cell; below what lies there already. The last has the legend.
+/// Titles of worlds, each at the top of its part of the window; below what lies there already. The last has the legend.
 pub(super) fn titles(context: &egui::Context, facts: &Facts, has_caption: bool) {
     let lies = |name: &str| context.memory(|memory| memory.area_rect(Id::unique(name))).map_or(0.0, |at| at.bottom());
     let below = lies("scene").max(if has_caption { lies("caption") } else { 0.0 }).max(LEAST) + ROOM;
-    let last = facts.neighbors.iter().rposition(|neighbor| neighbor.is_seen).unwrap_or(0);
-    for (place, neighbor) in facts.neighbors.iter().enumerate().filter(|(_, neighbor)| neighbor.is_seen) {
+    let last = facts.neighbors.len().saturating_sub(1);
+    for (place, neighbor) in facts.neighbors.iter().enumerate() {
         let [x, y] = neighbor.at;
         let top = if neighbor.is_column && place > 0 { (y + ROOM).max(below) } else { below };
         let (pivot, x) =
@@ -69,7 +67,7 @@ pub(super) fn menu(ui: &mut Ui, facts: &Facts, wishes: &mut Vec<Wish>) {
             }
             ui.separator();
         }
-        if facts.neighbors.len() > MOST {
+        if facts.neighbors.len() > MOST_BESIDE {
             ui.weak("there is no room for more");
             return;
         }
@@ -86,6 +84,3 @@ pub(super) fn menu(ui: &mut Ui, facts: &Facts, wishes: &mut Vec<Wish>) {
     });
     opened.response.on_hover_text(said);
 }
-
-/// So many stand beside a scene at most.
-const MOST: usize = 5;

@@ -2,6 +2,8 @@
 //! nothing of the world.
 
 mod beside;
+#[cfg(test)]
+mod beside_tests;
 mod dial;
 mod drives;
 mod gallery;

@@ -61,7 +61,7 @@ impl Notes {
             });
         } else if let Some([seen, to_try]) = facts.caption.filter(|_| self.has_caption && self.offer.is_none()) {
             // Bodies lie below: the caption stands above them.
-            words(context, (Align2::CENTER_TOP, BELOW_BUTTONS), width, "caption", |ui| {
+            words(context, (Align2::CENTER_TOP, below_buttons(context)), width, "caption", |ui| {
                 ui.add(Label::new(RichText::new(seen).color(TEXT)).wrap());
                 ui.add(Label::new(RichText::new(format!("Try: {to_try}")).color(WEAK)).wrap());
             });
@@ -81,8 +81,14 @@ impl Notes {
     }
 }
 
-/// How far below the upper edge the buttons end, with some room `[points]`.
+/// How far below the upper edge a row of buttons ends, with some room `[points]`.
 const BELOW_BUTTONS: f32 = 64.0;
+
+/// The same where they take several rows.
+fn below_buttons(context: &egui::Context) -> f32 {
+    let buttons = context.memory(|memory| memory.area_rect(Id::unique("scene")));
+    buttons.map_or(BELOW_BUTTONS, |place| BELOW_BUTTONS.max(place.bottom() + 8.0))
+}
 
 /// A session that was cut off: above, in place of the caption.
 fn offer(context: &egui::Context, width: f32, line: &str, wishes: &mut Vec<Wish>) {

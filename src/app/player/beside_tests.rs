@@ -35,7 +35,8 @@ fn in_every_frame_the_same_method_is_drawn_where_the_world_is_and_another_is_not
         let shown = shown(&mut stage);
         assert_eq!((shown.title.as_str(), shown.beside.len()), ("auto, h = 1.429 ms", 2));
         let [same, other] = &shown.beside[..] else { panic!("two of them") };
-        assert_eq!((same.farthest, same.words.as_str()), (Some(0.0), ""), "between steps too");
+        assert!(same.farthest.is_some_and(|most| most < 1e-12), "between steps too: {:?}", same.farthest);
+        assert_eq!(same.words, "");
         assert!(other.farthest.is_some_and(|most| most > 0.0 && most < 0.2));
         assert_ne!(same.topology, 0, "its scenery is there");
     }
@@ -46,7 +47,7 @@ fn in_every_frame_the_same_method_is_drawn_where_the_world_is_and_another_is_not
         [|| Order::Undo(None), || Order::Redo(None), || Order::GoTo(0.05, None), || Order::Reset];
     for order in orders {
         stage.obey(order());
-        assert_eq!(shown(&mut stage).beside[0].farthest, Some(0.0));
+        assert_eq!(shown(&mut stage).beside[0].farthest, Some(0.0), "at the end of a step, to the bit");
     }
 }
 

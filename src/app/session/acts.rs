@@ -249,17 +249,23 @@ impl Session {
         if !self.player.is_open() {
             return;
         }
+        let (before, seen) = (self.row, self.camera.viewport().map(|side| side as u32));
+        self.line_up();
         let view = self.player.shown().view();
-        let alone = opening::camera(&self.scene, &view, self.area);
-        let fitted = opening::fit(&view, false, self.area);
-        let saved = self.player.start().recording().view.as_ref();
-        let saved = saved.map(|saved| opening::saved(saved, &view, self.area));
-        let lined_up = self.line_up(if framing == Framing::Fit { fitted } else { alone });
-        match framing {
-            Framing::Opening => self.camera = saved.unwrap_or(lined_up),
-            Framing::Fit => self.camera = lined_up,
-            Framing::Free => self.camera.resize(self.area),
-        }
+        let pane = self.row.pane(self.area);
+        let own = match framing {
+            Framing::Opening => match &self.player.start().recording().view {
+                Some(saved) => opening::saved(saved, &view, pane),
+                None => opening::camera(&self.scene, &view, pane),
+            },
+            Framing::Fit => opening::fit(&view, false, pane),
+            Framing::Free => {
+                let mut own = before.own(&self.camera, seen);
+                own.resize(pane);
+                own
+            }
+        };
+        self.camera = self.row.whole(&own, self.area);
     }
 
     /// The scene of the gallery that is open, by its place.

@@ -4,7 +4,7 @@ use super::Session;
 use crate::app::opening;
 use crate::app::panels::Neighbor;
 use crate::app::player::{Beside, Companions, Order};
-use crate::render::{Camera, Look, Overlay, Pane, Row, Trails, View};
+use crate::render::{Camera, Look, Overlay, Pane, Trails, View};
 use crate::scene::BesideKeys;
 use crate::sim::{Cursor, MouseForce};
 
@@ -17,13 +17,25 @@ impl Session {
         1 + self.shown().beside.len()
     }
 
-    /// The row is for so many worlds as there are, seen by the camera of the scene alone, which is that of all then.
-    pub(super) fn line_up(&mut self, alone: Camera) -> Camera {
-        let (row, camera) = opening::row(&alone, &self.shown().view(), self.worlds(), self.area);
+    /// The window is shared by as many worlds as there are.
+    pub(super) fn line_up(&mut self) {
+        let view = self.shown().view();
+        let alone = opening::camera(&self.scene, &view, self.area);
+        let row = opening::row(&alone, &view, self.worlds(), self.area);
         self.row = row;
         self.look.difference_full = opening::full_distance(&alone) as f32;
         self.cell = self.cell.min(row.count() - 1);
-        camera
+    }
+
+    /// The camera as it shows the world alone in its part of the window.
+    pub(super) fn own_camera(&self) -> Camera {
+        self.row.own(&self.camera, self.area)
+    }
+
+    /// What a pixel is in the part of the window that the world itself has.
+    pub(super) fn in_first(&self, [x, y]: [f64; 2]) -> [f64; 2] {
+        let [dx, dy] = self.row.shift(self.row.pane_at([x, y], self.area), self.area);
+        [x - dx, y - dy]
     }
 
     /// Others stand there now, or none.
@@ -38,25 +50,25 @@ impl Session {
 
     /// The camera of the world that the pointer is on: all worlds have the same places.
     pub(super) fn camera_here(&self) -> Camera {
-        self.row.camera(self.cell, &self.camera)
+        self.row.camera(self.cell, &self.camera, self.area)
     }
 
     /// The pointer moved: it stays with the world in which it pressed.
     pub(super) fn find_cell(&mut self) {
         if let Some(at) = self.pointer.at.filter(|_| !self.hand.is_busy() && !self.pointer.is_dragging()) {
-            self.cell = self.row.cell_at(at, &self.camera);
+            self.cell = self.row.pane_at(at, self.area);
         }
     }
 
-    /// The colours and sizes of what stands beside the world.
-    fn look_beside(&self, look: Look) -> Look {
+    /// The colours of world `place`: the mouse's region is faint where the pointer is not.
+    fn look_of(&self, place: usize, look: Look) -> Look {
         let [red, green, blue, opacity] = look.region;
-        let overlay = if self.tints_distance { Overlay::Difference } else { look.overlay };
-        // Trails and outlines of the grid are those of the world.
-        Look { overlay, region: [red, green, blue, GHOST * opacity], inset: 0.0, ..look }
+        let region = [red, green, blue, if place == self.cell { opacity } else { GHOST * opacity }];
+        let is_tinted = place > 0 && self.tints_distance;
+        Look { region, overlay: if is_tinted { Overlay::Difference } else { look.overlay }, ..look }
     }
 
-    /// The worlds as they are drawn in a picture of `size` `[px]`. `trails`: of the world, then of each beside it.
+    /// The worlds as they are drawn in a picture of `size` `[px]`: `first`, then what stands `beside` it, with the trails of each.
     pub(super) fn panes<'a>(
         &self,
         first: View<'a>,
@@ -64,19 +76,15 @@ impl Session {
         (force, camera, look): (Option<(&'a MouseForce, Cursor)>, &Camera, Look),
         size: [u32; 2],
     ) -> Vec<Pane<'a>> {
-        // As many as there is room for: another picture has the others.
-        let row = if self.row.count() == 1 + beside.len() { self.row } else { Row::ALONE };
-        let others = beside.iter().zip(1..).take(row.count() - 1);
-        let ghost = Look { region: self.look_beside(look).region, ..look };
-        let own = if self.cell == 0 { look } else { ghost };
-        let first = Pane::of(&row, 0, first, camera, own, size);
-        let others = others.map(|(world, place)| {
-            let view = View { mouse: force, trails: trails.get(place - 1), ..world.view(self.scene.dimensions()) };
-            let mut other = self.look_beside(look);
-            other.region = if self.cell == place { look.region } else { other.region };
-            Pane::of(&row, place, view, camera, other, size)
+        // Those that came just now have a place from the next frame on.
+        let others = beside.iter().enumerate().take(self.row.count() - 1);
+        let others = others.map(|(k, world)| View {
+            mouse: force,
+            trails: trails.get(k),
+            ..world.view(self.scene.dimensions())
         });
-        std::iter::once(first).chain(others).collect()
+        let views = std::iter::once(first).chain(others).enumerate();
+        views.map(|(place, view)| Pane::of(&self.row, place, view, camera, self.look_of(place, look), size)).collect()
     }
 
     /// Notes where the points of what stands beside the world are.
@@ -99,14 +107,11 @@ impl Session {
             return Vec::new();
         }
         let scale = self.egui.egui_ctx().pixels_per_point();
-        let at = |place: usize| self.row.head(place, &self.camera, self.area).map(|at| at as f32 / scale);
         let is_column = self.row.is_column();
-        let of = |place: usize, title: &str, words: String| Neighbor {
-            title: title.to_owned(),
-            words,
-            at: at(place),
-            is_column,
-            is_seen: !self.row.clip(place, &self.camera, self.area)[2..].contains(&0),
+        let of = |place: usize, title: &str, words: String| {
+            let [left, top, width, _] = self.row.clip(place, self.area).map(|pixels| pixels as f32 / scale);
+            let at = if is_column { [left, top] } else { [left + 0.5 * width, top] };
+            Neighbor { title: title.to_owned(), words, at, is_column }
         };
         let first = of(0, &shown.title, String::new());
         let others = shown.beside.iter().zip(1..).map(|(world, place)| {

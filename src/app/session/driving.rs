@@ -81,7 +81,8 @@ impl Session {
             return;
         };
         let beyond = |axis: usize| {
-            let (size, half) = (f64::from(self.area[axis]), 0.5 * ROOM * f64::from(self.area[axis]));
+            let size = f64::from(self.row.pane(self.area)[axis]);
+            let half = 0.5 * ROOM * size;
             let off = at[axis] - 0.5 * size;
             off - off.clamp(-half, half)
         };

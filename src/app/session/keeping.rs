@@ -46,7 +46,7 @@ impl Session {
 
     /// What is written from now on is looked at as it is seen now.
     pub(super) fn tell_view(&mut self) {
-        self.player.ask(Order::Look(keys(&self.camera)));
+        self.player.ask(Order::Look(keys(&self.own_camera())));
     }
 
     /// Draws the world as it is seen, without panels, and has it written with a snapshot in it.

@@ -6,6 +6,7 @@ use winit::event::{ElementState, MouseButton, MouseScrollDelta};
 
 use super::{Framing, Session};
 use crate::app::player;
+use crate::app::pointer::Pointer;
 use crate::app::tools::{Hand, PinWay, Scope};
 use crate::history::Do;
 use crate::sim::Cursor;
@@ -90,7 +91,8 @@ impl Session {
     pub(in crate::app) fn scroll(&mut self, delta: MouseScrollDelta) {
         self.panels_dirty = true;
         if !self.is_over_panels() && !self.is_covered() {
-            self.pointer.scroll(delta, &mut self.camera);
+            let at = self.pointer.at.map(|at| self.in_first(at));
+            at.iter().for_each(|at| Pointer::scroll(*at, delta, &mut self.camera));
             self.framing = Framing::Free;
         }
         self.dirty = true;

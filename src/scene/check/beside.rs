@@ -6,12 +6,12 @@ use super::super::support;
 use super::check_method;
 
 /// So many are drawn beside a scene at most: more would be too small to be compared.
-pub(super) const MOST: usize = 5;
+pub(crate) const MOST_BESIDE: usize = 5;
 
 /// Errors: too many entries; a title of no letters; a method that the form excludes, or that cannot run the scene.
 pub(super) fn check(scene: &Scene) -> Result<(), Fault> {
-    if scene.beside.len() > MOST {
-        let message = format!("has {} entries: there is room for {MOST} beside a scene", scene.beside.len());
+    if scene.beside.len() > MOST_BESIDE {
+        let message = format!("has {} entries: there is room for {MOST_BESIDE} beside a scene", scene.beside.len());
         return Err(Fault::invalid(message));
     }
     for (i, entry) in scene.beside.iter().enumerate() {

@@ -14,6 +14,7 @@ use super::keys::{BodyKeys, BudgetKeys, MassKeys, MethodKeys, PointKeys, Scene, 
 use crate::sim::MOST_ITERATIONS;
 use number::Range;
 
+pub(crate) use beside::MOST_BESIDE;
 pub(super) use body::maker;
 pub(super) use bond::Resistance;
 pub(super) use bond::check_all as check_bonds;
