@@ -132,7 +132,7 @@ pub(super) fn run(arguments: &Arguments, quiet: bool) -> anyhow::Result<()> {
         study::softness(&scene)?.map(|Softness { bond, alone, stiffness }| RecordedSoftness { bond, stiffness, alone });
     recording.balance = is_kept.then(|| judge(&entries).into());
     recording.warnings.extend(strain.warning());
-    recording.beside = beside::measured(&scene.clone().into(), &samples)?;
+    recording.beside = beside::measured(&Scene { duration, ..scene.clone() }.into(), &samples)?;
     recording.search_seconds = found.as_ref().map_or(0.0, |found| found.seconds);
     recording.expected_error = found.as_ref().map(|found| found.expected_error);
     write(arguments, &recording)?;

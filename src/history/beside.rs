@@ -1,8 +1,9 @@
 //! The same start by other methods, beside a history.
 //!
 //! A companion has a world of its own and no log: it follows that of the history, wherever that goes. So whatever is given to the
-//! world is given to its companions too, and undo, reset and going back go for all of them. A companion keeps its own steps: a
+//! world is given to its companions too, and undo, reset and going back go for all of them. There a companion keeps its own steps: a
 //! command is done at the end of its step that reaches the command's time, and a method of long steps hears of it that much later.
+//! Where the log is whole before it begins ([`Companion::reach`]) steps are cut short for commands, as everywhere.
 
 use super::branch::{Spot, Tree};
 use super::command::{Do, Entry, SetKeys};
@@ -119,13 +120,16 @@ impl Companion {
         }));
     }
 
-    /// Takes the steps that end at or before `time` `[s]`, with the commands that they reach: what is at `time` is then within its
-    /// next step.
+    /// Does the commands up to `time` `[s]`, where steps are cut short for them, and takes the steps that end by then: as a recording
+    /// is run again by its method.
     pub fn reach(&mut self, commands: &[Entry], time: f64) {
         loop {
-            match commands.get(self.frame.place) {
-                Some(next) if next.at <= time && self.frame.is_due(next.at) => self.obey(&next.clone()),
-                _ if self.frame.ends_by(time) => self.frame.step(None),
+            let next = commands.get(self.frame.place);
+            let at = next.map(|next| next.at);
+            match next {
+                Some(next) if next.at <= time && self.frame.is_due(next.at) => self.obey(next),
+                Some(next) if next.at <= time => self.frame.step(at),
+                _ if self.frame.ends_by(time) => self.frame.step(at),
                 _ => return,
             }
         }

@@ -1,8 +1,8 @@
 //! What stands beside a history: it follows the log wherever that goes, and the world knows nothing of it.
 
-use wobble::history::{Companion, Do, History, Recording, SetKeys, distances, hash_now};
+use wobble::history::{Companion, Do, Entry, History, Recording, Replay, SetKeys, distances, hash_now};
 use wobble::scene::{BesideKeys, MethodKeys, Scene, SolverName};
-use wobble::sim::{PointId, Reach};
+use wobble::sim::{Cursor, PointId, Reach};
 
 use super::common::session::{Dice, play as play_at_random};
 use super::{cursor, hash, play, strength};
@@ -88,6 +88,31 @@ fn by_the_same_method_it_is_the_world_to_the_bit_whatever_is_done_undone_and_gon
         history.give(vec![cursor(0.5, 0.2), Do::Grab(Reach::Points(vec![PointId(3)]))], None).ok();
     }
     assert!(done > 50, "{done} commands");
+}
+
+#[test]
+fn led_by_a_file_it_is_its_scene_led_by_that_file() {
+    let entry = |at, act| Entry { at, act, edit: None, name: None };
+    // At no end of a step.
+    let commands = [
+        entry(0.0317, cursor(1.0, -0.2)),
+        entry(0.1234, Do::Grab(Reach::Points(vec![PointId(3)]))),
+        entry(0.1234, Do::Cursor { to: Some(Cursor::at([-1.0, 1.0])), by: Some(0.4321) }),
+        entry(0.5003, Do::Release),
+        entry(0.7777, strength(-60.0)),
+    ];
+    let recording = Recording { commands: commands.to_vec(), ..scene(&[]).into() };
+    for method in [by(SolverName::Rk4), by(SolverName::SymplecticEuler), BesideKeys::default()] {
+        let mut companion = Companion::new(&recording, &method).unwrap();
+        let alone = Recording { scene: recording.scene.companion(&method), ..recording.clone() };
+        let mut run = Replay::new(&alone, "alone").unwrap();
+        for time in [0.0317, 0.41, 1.237] {
+            companion.reach(&commands, time);
+            run.advance(&commands, time).unwrap();
+            let [beside, alone] = [companion.world(), run.world()].map(|world| hash_now(world, time));
+            assert_eq!(beside, alone, "{} at {time} s", companion.title());
+        }
+    }
 }
 
 #[test]

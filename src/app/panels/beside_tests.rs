@@ -26,12 +26,18 @@ fn frame(context: &egui::Context, facts: &Facts, events: Vec<Event>) -> (Vec<Wis
     (wishes, texts.collect())
 }
 
+/// What is written once sizes are found.
+fn settled(context: &egui::Context, facts: &Facts) -> Written {
+    (0..2).for_each(|_| _ = frame(context, facts, Vec::new()));
+    frame(context, facts, Vec::new()).1
+}
+
 /// Clicks on words after others, and returns what is asked for.
 fn choose(facts: &Facts, words: [&str; 2]) -> Vec<Wish> {
     let context = egui::Context::default();
     let mut wishes = Vec::new();
     for word in words {
-        let written = (0..3).map(|_| frame(&context, facts, Vec::new()).1).last().unwrap();
+        let written = settled(&context, facts);
         let at = written.iter().find(|(text, _)| text == word).unwrap_or_else(|| panic!("{word}: {written:?}")).1;
         click(at).into_iter().for_each(|events| wishes.extend(frame(&context, facts, events).0));
     }
@@ -63,7 +69,7 @@ fn the_menu_puts_worlds_there_and_takes_them_away() {
 fn each_world_has_its_title_in_its_part_of_the_window_and_the_last_the_legend() {
     let context = egui::Context::default();
     let facts = beside_each_other();
-    let written = (0..3).map(|_| frame(&context, &facts, Vec::new()).1).last().unwrap();
+    let written = settled(&context, &facts);
     let at = |words: &str| written.iter().find(|(text, _)| text == words).unwrap_or_else(|| panic!("{written:?}")).1;
     assert!((at("euler").x - 320.0).abs() < 2.0, "{written:?}");
     assert!((640.0..1280.0).contains(&at("up to 3.4 cm apart").x) && at("Verlet").y < 100.0);

@@ -92,7 +92,7 @@ fn below_buttons(context: &egui::Context) -> f32 {
 
 /// A session that was cut off: above, in place of the caption.
 fn offer(context: &egui::Context, width: f32, line: &str, wishes: &mut Vec<Wish>) {
-    Area::new(Id::unique("offer")).anchor(Align2::CENTER_TOP, [0.0, BELOW_BUTTONS]).show(context, |ui| {
+    Area::new(Id::unique("offer")).anchor(Align2::CENTER_TOP, [0.0, below_buttons(context)]).show(context, |ui| {
         floating().show(ui, |ui| {
             ui.set_max_width(width);
             ui.horizontal(|ui| {

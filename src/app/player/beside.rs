@@ -12,6 +12,8 @@ use crate::scene::{BesideKeys, BudgetKeys, MethodKeys, PrecisionName, SolverName
 
 /// Wall time that companions may take of a frame while the world moves, and while it does not `[s]`.
 const BUDGETS: [f64; 2] = [0.012, 0.030];
+/// Times that differ by less than this share of a step are the same.
+const SLACK: f64 = 1e-9;
 /// Wall time for which companions may stay behind a moving world until they wait for it to pause `[s]`.
 const PATIENCE: f64 = 3.0;
 /// Wall time for which the world may be late until they wait `[s]`.
@@ -59,8 +61,9 @@ impl Beside {
 /// Brings companions along, as far as there is time for them.
 #[derive(Default)]
 pub(super) struct Escort {
-    /// What was looked at last of each: the topology, and how often it was another.
+    /// What was looked at last of each: the topology as its world counts it, its number among all, and what stood there.
     known: Vec<(Option<u64>, u64, Arc<Scenery>)>,
+    sceneries: u64,
     motion: u64,
     /// Wall time for which they have been late `[s]`.
     late: f64,
@@ -73,9 +76,15 @@ pub(super) struct Escort {
 }
 
 impl Escort {
-    /// Others stand there now, or the history went elsewhere.
+    /// Others stand there now.
     pub(super) fn begin(&mut self) {
-        *self = Escort { motion: self.motion + 1, ..Escort::default() };
+        *self = Escort { motion: self.motion + 1, sceneries: self.sceneries, ..Escort::default() };
+    }
+
+    /// The history went elsewhere: of another past, a topology of the same number may be another.
+    pub(super) fn have_gone(&mut self) {
+        self.known.iter_mut().for_each(|(topology, ..)| *topology = None);
+        self.motion += 1;
     }
 
     /// Whether some are on their way, which asks for further frames.
@@ -135,20 +144,24 @@ impl Escort {
         let (time, dimensions) = (pace.shown_time(history), history.world().dimensions());
         let main = mixed(history, pace, f64::from(mix));
         for (place, (companion, to)) in companions.iter().zip(shown).enumerate() {
-            let is_there = companion.world().time() >= time - 1e-9 * companion.world().substep();
+            let (reached, slack) = (companion.world().time(), SLACK * companion.world().substep());
+            let is_there = reached >= time - slack;
             let mut places = match std::mem::take(&mut to.places) {
                 Places::F64(list) => list,
                 Places::F32(_) => Vec::new(),
             };
             companion.places(time, &mut places);
             to.distances = distances(&main, &places, dimensions);
-            let most = to.distances.iter().copied().filter(|distance| distance.is_finite()).fold(0.0, f32::max);
-            to.farthest = is_there.then_some(most);
+            let most = to.distances.iter().copied().filter(|distance| !distance.is_nan()).fold(0.0, f32::max);
+            // What is behind by less than is seen says what it said before.
+            if is_there || reached < time - LAG * pace.rate || self.waits {
+                to.farthest = is_there.then_some(most);
+                to.words = self.words(companion, is_there, time);
+            }
             to.places = Places::F64(places);
             to.motion = self.motion;
             companion.title().clone_into(&mut to.title);
             to.entry.clone_from(companion.entry());
-            to.words = self.words(companion, is_there, time);
             (to.topology, to.scenery) = self.look(place, companion, history);
         }
     }
@@ -156,16 +169,15 @@ impl Escort {
     /// What stands about the points of a companion, looked at again if it changed.
     fn look(&mut self, place: usize, companion: &Companion, history: &History) -> (u64, Arc<Scenery>) {
         let topology = companion.world().topology();
-        let (known, count, scenery) = &mut self.known[place];
+        let (known, number, scenery) = &mut self.known[place];
         if *known != Some(topology) {
             let skins = companion.skins();
             let dress = (&Arc::from(companion.tints()), history.named());
             *scenery = Arc::new(Scenery::of(companion.world(), &skins, dress));
-            *known = Some(topology);
-            // Another past may have the same number for another topology.
-            *count = self.motion.wrapping_add(1);
+            self.sceneries += 1;
+            (*known, *number) = (Some(topology), self.sceneries);
         }
-        (*count, Arc::clone(scenery))
+        (*number, Arc::clone(scenery))
     }
 
     fn words(&self, companion: &Companion, is_there: bool, time: f64) -> String {

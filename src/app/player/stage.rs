@@ -261,6 +261,7 @@ impl Stage {
             // Of another past, whatever its number says.
             self.topology = None;
             self.rungs.have_gone();
+            self.escort.have_gone();
             (self.has_gone, self.figures_at) = (true, None);
         }
         if comes {

@@ -1,15 +1,20 @@
 //! What stands beside the world: where it lies in the window, which of them the pointer is on, and how it is drawn.
 
+use glam::DVec2;
+
 use super::Session;
 use crate::app::opening;
 use crate::app::panels::Neighbor;
 use crate::app::player::{Beside, Companions, Order};
+use crate::app::tools::{Mark, Role};
 use crate::render::{Camera, Look, Overlay, Pane, Trails, View};
 use crate::scene::BesideKeys;
 use crate::sim::{Cursor, MouseForce};
 
 /// Opacity of the mouse's region where the pointer is not.
 const GHOST: f32 = 0.35;
+/// Radius of the pointer's ring there `[points]`.
+const GHOST_RADIUS: f64 = 5.0;
 
 impl Session {
     /// How many worlds there are side by side.
@@ -85,6 +90,16 @@ impl Session {
         });
         let views = std::iter::once(first).chain(others).enumerate();
         views.map(|(place, view)| Pane::of(&self.row, place, view, camera, self.look_of(place, look), size)).collect()
+    }
+
+    /// The pointer in the worlds that it is not over.
+    pub(super) fn ghosts(&self) -> Vec<Mark> {
+        let is_away = self.row.count() == 1 || self.is_covered() || self.is_over_panels();
+        let Some(at) = self.pixel().filter(|_| !is_away) else { return Vec::new() };
+        let shift = |place: usize| DVec2::from(self.row.shift(place, self.area));
+        let others = (0..self.row.count()).filter(|place| *place != self.cell);
+        let radius = GHOST_RADIUS * f64::from(self.look.scale_factor);
+        others.map(|place| Mark::Ring(Role::Ghost, at - shift(self.cell) + shift(place), radius)).collect()
     }
 
     /// Notes where the points of what stands beside the world are.

@@ -186,6 +186,7 @@ impl Session {
             // What is selected is seen while its panel is used.
             marks.extend(self.hand.marks(scope, self.pixel().filter(|_| !is_idle)));
         }
+        marks.extend(self.ghosts());
         if marks.is_empty() {
             return Vec::new();
         }
@@ -225,6 +226,7 @@ fn shape(context: &egui::Context, mark: &Mark, scale: f32) -> Shape {
         Role::Hold | Role::Come => theme::ACCENT,
         Role::Away => theme::AWAY,
         Role::Probe(place) => theme::PROBES[*place],
+        Role::Ghost => theme::TEXT.gamma_multiply(0.45),
         Role::Paint([red, green, blue]) => Color32::from_rgb(*red, *green, *blue),
     };
     let at = |pixel: &glam::DVec2| Pos2::new(pixel.x as f32 / scale, pixel.y as f32 / scale);
