@@ -76,7 +76,7 @@ impl Canvas {
             return self.ensemble.forget_world();
         }
         // Its passes are others.
-        let counters = *self.ensemble.counters();
+        let counters = self.ensemble.counters();
         self.ensemble = Ensemble::new(&self.gpu, self.config.format, dimensions);
         self.ensemble.count_from(counters);
         self.dimensions = dimensions;
@@ -92,7 +92,7 @@ impl Canvas {
         &self.gpu
     }
 
-    pub(super) fn counters(&self) -> &RenderCounters {
+    pub(super) fn counters(&self) -> RenderCounters {
         self.ensemble.counters()
     }
 

@@ -107,14 +107,14 @@ impl Capture {
     ///
     /// Errors: as there.
     pub fn pictures(&mut self, panes: &[Pane<'_>]) -> Result<RgbaImage, RenderError> {
-        let before = self.ensemble.uploads();
+        let before = self.ensemble.counters().uploads;
         // Gone if this fails halfway: then the next picture is drawn whatever it is.
         let drawn = self.drawn.take();
         self.ensemble.prepare(&self.gpu, panes)?;
         let look = panes.first().map(|pane| pane.look).unwrap_or_default();
         let clips = panes.iter().map(|pane| pane.clip).collect();
         let wanted = Some((look.ground, look.has_mesh, look.has_fills, clips));
-        if self.ensemble.uploads() != before || drawn != wanted {
+        if self.ensemble.counters().uploads != before || drawn != wanted {
             self.draw(panes);
         }
         self.drawn = wanted;

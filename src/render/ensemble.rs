@@ -51,12 +51,14 @@ impl<'a> Pane<'a> {
 pub struct Ensemble {
     first: Renderer,
     others: Vec<Renderer>,
+    /// Work for worlds that are beside it no more.
+    past: RenderCounters,
 }
 
 impl Ensemble {
     /// For worlds of `dimensions` drawn to targets of `format`: see [`Renderer::new`].
     pub fn new(gpu: &Gpu, format: wgpu::TextureFormat, dimensions: usize) -> Self {
-        Ensemble { first: Renderer::new(gpu, format, dimensions), others: Vec::new() }
+        Ensemble { first: Renderer::new(gpu, format, dimensions), others: Vec::new(), past: RenderCounters::default() }
     }
 
     /// Uploads what changed of each world since the last picture.
@@ -65,7 +67,9 @@ impl Ensemble {
     pub fn prepare(&mut self, gpu: &Gpu, panes: &[Pane<'_>]) -> Result<(), RenderError> {
         let [first, others @ ..] = panes else { return Ok(()) };
         self.first.prepare(gpu, first)?;
-        self.others.truncate(others.len());
+        for gone in self.others.drain(others.len().min(self.others.len())..) {
+            self.past = self.past.and(&RenderCounters { bytes_held: 0, ..*gone.counters() });
+        }
         for (place, pane) in others.iter().enumerate() {
             if self.others.len() == place {
                 self.others.push(self.first.another(gpu));
@@ -112,13 +116,9 @@ impl Ensemble {
         self.first.count_from(counters);
     }
 
-    /// Buffers that were written, of all worlds: a picture of as many as the last one has to be drawn again.
-    pub(super) fn uploads(&self) -> u64 {
-        std::iter::once(&self.first).chain(&self.others).map(|renderer| renderer.counters().uploads).sum()
-    }
-
-    /// Work done for the first world since it was made.
-    pub fn counters(&self) -> &RenderCounters {
-        self.first.counters()
+    /// Work done for all worlds since it was made.
+    pub fn counters(&self) -> RenderCounters {
+        let all = self.others.iter().map(Renderer::counters).chain([&self.past]);
+        all.fold(*self.first.counters(), |sum, one| sum.and(one))
     }
 }

@@ -620,7 +620,7 @@ impl Session {
         let work = players.fold([0; 2], |[advances, substeps], player| {
             [advances + player.advances(), substeps + player.shown().figures.substeps]
         });
-        ([self.frames, work[0], work[1]], *self.canvas.counters())
+        ([self.frames, work[0], work[1]], self.canvas.counters())
     }
 }
 
