@@ -14,15 +14,18 @@ pub(super) fn check(scene: &Scene) -> Result<(), Fault> {
         let message = format!("has {} entries: there is room for {MOST_BESIDE} beside a scene", scene.beside.len());
         return Err(Fault::invalid(message));
     }
+    let can_run = |scene: &Scene| support::check(scene).and_then(|()| support::method(scene).map(|_| ()));
+    // What is wrong with the scene itself is said of it.
+    let is_fine = !scene.beside.is_empty() && can_run(scene).is_ok();
     for (i, entry) in scene.beside.iter().enumerate() {
         if entry.title.as_ref().is_some_and(|title| title.trim().is_empty()) {
             return Err(Fault::invalid("is empty: give it words, or leave it out").at("title").item(i));
         }
         let title = scene.companion_title(entry);
         check_method(&entry.method).map_err(|fault| fault.at("method").of(&title)).item(i)?;
-        let companion = scene.companion(entry);
-        let can_run = support::check(&companion).and_then(|()| support::method(&companion).map(|_| ()));
-        can_run.map_err(|fault| fault.elsewhere().of(&title)).item(i)?;
+        if is_fine {
+            can_run(&scene.companion(entry)).map_err(|fault| fault.elsewhere().of(&title)).item(i)?;
+        }
     }
     Ok(())
 }
@@ -34,8 +37,8 @@ mod tests {
 
     fn read(beside: &str, rest: &str) -> Result<Scene, String> {
         let text = format!(
-            r#"{{"wobble": 1, "points": {{"position": [[0, 0], [1, 0]]}}, "bonds": [{{"a": 0, "b": 1}}],
-            "method": {{"solver": "velocity-verlet", "substep": 0.01}}, "beside": {beside}{rest}}}"#
+            r#"{{"wobble": 1, "points": {{"position": [[0, 0], [1, 0]]}}, "bonds": [{{"a": 0, "b": 1, "kind": "relaxed"}}],
+            "method": {{"solver": "velocity-verlet", "substep": 0.01, "iterations": 2}}, "beside": {beside}{rest}}}"#
         );
         Scene::parse(&text, "x.json").map_err(|error| error.to_string())
     }
@@ -59,13 +62,13 @@ mod tests {
         assert!(said(r#"[{}, {"title": " "}]"#).contains("beside[1].title: is empty"));
         let wrong = said(r#"[{"title": "mine", "method": {"substep": -1}}]"#);
         assert!(wrong.contains("beside[0].method.substep: `mine`: "), "{wrong}");
-        let springs_only = said(r#"[{"title": "mine", "method": {"solver": "euler"}}]"#);
-        assert!(springs_only.contains("beside[0]: `mine`: bonds[0]: is rigid"), "{springs_only}");
+        let springs_only = said(r#"[{"title": "mine", "method": {"solver": "rk4"}}]"#);
+        assert!(springs_only.contains("beside[0]: `mine`: bonds[0]: is relaxed"), "{springs_only}");
         let swept = said(r#"[{"method": {"solver": "as-printed"}}]"#);
         assert!(swept.contains("beside[0]: `as-printed, h = 10 ms`: method.solver: "), "{swept}");
         assert!(said(r#"[{"method": {"solver": "rk5"}}]"#).contains("beside[0].method.solver"));
         assert!(said(r#"[{"name": "x"}]"#).contains("beside[0].name"));
-        let meets = read("[{}]", r#", "contact": true"#).unwrap_err();
-        assert!(meets.contains("beside[0]: `velocity-verlet, h = 10 ms`: method.solver: "), "{meets}");
+        let wrong = read("[{}]", r#", "contact": true"#).unwrap().model::<2>().unwrap_err().to_string();
+        assert!(wrong.contains("method.solver: ") && !wrong.contains("beside"), "the scene's own fault: {wrong}");
     }
 }
