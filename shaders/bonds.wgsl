@@ -69,6 +69,9 @@ fn tint_of(bond: Bond, a: vec3<f32>, b: vec3<f32>) -> vec4<f32> {
         }
         return vec4(strain_color(strain).rgb, frame.bond_color.a);
     }
+    if frame.difference_scale > 0.0 {
+        return vec4(difference_color(0.5 * (values[bond.a] + values[bond.b])).rgb, frame.bond_color.a);
+    }
     if bond.kind == MUSCLE && frame.coil_length > 0.0 {
         return vec4(FLESH, frame.bond_color.a);
     }

@@ -52,11 +52,16 @@ struct Frame {
     fog_from: f32,
     fog_to: f32,
     fog: f32,
+    // Distance below which colours change in proportion to it, above by its logarithm [m]; 0: none is shown. Of the last colours [m].
+    difference_scale: f32,
+    difference_full: f32,
 }
 
 @group(0) @binding(0) var<uniform> frame: Frame;
 @group(0) @binding(1) var<storage, read> previous: array<f32>;
 @group(0) @binding(2) var<storage, read> current: array<f32>;
+// What points are coloured by: not there where no difference is shown.
+@group(0) @binding(4) var<storage, read> values: array<f32>;
 
 fn position_of(point: u32) -> vec3<f32> {
     let i = point * DIMENSIONS;
@@ -83,9 +88,20 @@ fn clip_of(pixel: vec2<f32>, clip: vec4<f32>) -> vec4<f32> {
 // The colour of a strain.
 fn strain_color(strain: f32) -> vec4<f32> {
     let share = asinh(abs(strain) / frame.strain_scale) / asinh(frame.strain_full / frame.strain_scale);
-    let place = 4.0 + 4.0 * min(share, 1.0) * sign(strain);
+    return map_color(min(share, 1.0) * sign(strain));
+}
+
+// The colour of a place on the scale, -1 to 1.
+fn map_color(share: f32) -> vec4<f32> {
+    let place = 4.0 + 4.0 * share;
     let low = u32(clamp(floor(place), 0.0, 7.0));
     return mix(frame.strain_colors[low], frame.strain_colors[low + 1u], place - f32(low));
+}
+
+// The colour of a distance [m]; below 0 it is not known.
+fn difference_color(difference: f32) -> vec4<f32> {
+    let share = asinh(max(difference, 0.0) / frame.difference_scale) / asinh(frame.difference_full / frame.difference_scale);
+    return select(map_color(min(share, 1.0)), frame.bond_color, difference < 0.0);
 }
 
 // A colour as it is seen from afar, in space; `inverse` is one over the distance along the view.

@@ -29,7 +29,7 @@ struct Fill {
     @location(2) @interpolate(flat) size: vec3<f32>,
     // In a triangle: shares of its corners. In a shadow the first is its strength.
     @location(3) share: vec3<f32>,
-    // Normal and strain.
+    // Normal, and strain or distance.
     @location(4) shade: vec4<f32>,
 }
 
@@ -51,6 +51,9 @@ fn vertex(@builtin(vertex_index) index: u32) -> Fill {
         out.share = select(vec3(0.0), vec3(1.0), vec3<bool>(corner % 3u == 0u, corner % 3u == 1u, corner % 3u == 2u));
         if DIMENSIONS == 3u || frame.strain_scale > 0.0 {
             out.shade = shades[point];
+        }
+        if frame.difference_scale > 0.0 {
+            out.shade.w = values[point];
         }
         return out;
     }
@@ -145,7 +148,8 @@ fn fragment(in: Fill, @builtin(front_facing) is_front: bool) -> @location(0) vec
         // Beside colours of strain a body's own would mean nothing.
         let bright = dot(in.color.rgb, vec3(0.3, 0.6, 0.1));
         let lift = mix(LIFT.x, LIFT.y, smoothstep(0.1, 0.4, bright));
-        let own = select(mix(in.color.rgb, vec3(1.0), lift), vec3(0.88), frame.strain_scale > 0.0);
+        let is_map = frame.strain_scale > 0.0 || frame.difference_scale > 0.0;
+        let own = select(mix(in.color.rgb, vec3(1.0), lift), vec3(0.88), is_map);
         let light = vec4(own, 1.0);
         if kind == SKIN {
             return round_color(in, own);
@@ -165,6 +169,9 @@ fn fragment(in: Fill, @builtin(front_facing) is_front: bool) -> @location(0) vec
     var color = mix(frame.ground.rgb, in.color.rgb, 0.8);
     if frame.strain_scale > 0.0 {
         color = strain_color(in.shade.w).rgb;
+    }
+    if frame.difference_scale > 0.0 {
+        color = difference_color(in.shade.w).rgb;
     }
     if DIMENSIONS == 3u {
         let length = length(in.shade.xyz);

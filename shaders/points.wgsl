@@ -16,7 +16,10 @@ const EDGE: f32 = 1.1;
 fn vertex(@builtin(vertex_index) index: u32) -> Disc {
     let point = points[index / 3u];
     let is_pinned = (point & PINNED) != 0u;
-    let color = select(frame.point_color, frame.pin_color, is_pinned);
+    var color = select(frame.point_color, frame.pin_color, is_pinned);
+    if frame.difference_scale > 0.0 && !is_pinned {
+        color = vec4(difference_color(values[point & ~PINNED]).rgb, color.a);
+    }
     let radius = select(frame.point_radius, max(PIN * frame.point_radius, frame.least_pin), is_pinned);
     var out = disc(index % 3u, position_of(point & ~PINNED), color, radius);
     out.is_pin = select(0.0, 1.0, is_pinned);

@@ -45,6 +45,29 @@ fn simulated(arguments: &[&str]) -> Value {
 }
 
 #[test]
+fn what_stands_beside_a_scene_is_measured_against_it_and_changes_nothing_of_it() {
+    // A step of 0.1 s: by Euler along the tangent, by Verlet half a s^2 h^2 shorter; semi-implicit Euler goes by twice that.
+    let with = simulated(&["slide-circle", "--samples", "0.1,6"]);
+    let beside = with["beside"].as_array().unwrap();
+    let titles: Vec<&str> = beside.iter().map(|entry| entry["title"].as_str().unwrap()).collect();
+    assert_eq!(titles, ["the new velocity for the place: semi-implicit Euler", "Verlet"]);
+    assert_eq!((&beside[1]["solver"], &beside[1]["substep"]), (&"verlet".into(), &0.1.into()));
+    for (entry, expected) in beside.iter().zip([0.01, 0.005]) {
+        let distance: Vec<f64> = entry["distance"].as_array().unwrap().iter().map(|d| d.as_f64().unwrap()).collect();
+        assert!((distance[0] - expected).abs() < 1e-8, "{distance:?}");
+        assert!(distance[1] > 0.3, "the spiral is wider by a third after a turn: {distance:?}");
+    }
+    let folder = tempfile::tempdir().unwrap();
+    let alone = folder.path().join("alone.json");
+    let scene = text(&wobble(&["scenes", "slide-circle", "--json"]).stdout);
+    let mut scene: Value = serde_json::from_str(&scene).unwrap();
+    scene.as_object_mut().unwrap().remove("beside").unwrap();
+    std::fs::write(&alone, scene.to_string()).unwrap();
+    let without = simulated(&[alone.to_str().unwrap(), "--samples", "0.1,6"]);
+    assert_eq!((&with["hash"], without.get("beside")), (&without["hash"], None));
+}
+
+#[test]
 fn the_gallery_is_listed_a_name_first_on_each_line() {
     let list = text(&wobble(&["scenes"]).stdout);
     let names: Vec<&str> = list.lines().map(|line| line.split_whitespace().next().unwrap()).collect();

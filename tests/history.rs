@@ -2,6 +2,7 @@
 #![allow(clippy::unwrap_used, clippy::panic, reason = "a test that cannot go on stops")]
 
 mod autosave;
+mod beside;
 use crate::common;
 mod keyframes;
 

@@ -9,7 +9,7 @@ use std::process::Command;
 use common::picture::{NO_BONDS, SIDE, assert_coverage, between, bond, pixels, plain, sampled, view};
 use glam::{DVec2, DVec3};
 use image::RgbaImage;
-use wobble::render::{Camera, Capture, Look, Overlay, Pose, View};
+use wobble::render::{Camera, Capture, Look, Overlay, Pane, Pose, Row, View};
 use wobble::sim::{Bond, Bonds, Cursor, MouseForce, PointId, Positions, Profile, Region, Track};
 
 fn golden(name: &str, scene: &str, time: &str) {
@@ -51,6 +51,46 @@ fn ragdolls_on_their_stairs() {
 #[test]
 fn a_bridge_under_its_load() {
     golden("bridge", "bridge", "1.5");
+}
+
+#[test]
+fn the_rim_as_printed_beside_the_same_rim_with_walls_after_the_sweep() {
+    golden("rim-as-printed", "rim-as-printed", "3.9");
+}
+
+#[test]
+fn worlds_side_by_side_are_each_drawn_as_they_are_alone() {
+    if common::gpu().is_none() {
+        return;
+    }
+    let places: [[f32; 4]; 2] = [[-9.0, 3.0, 8.0, -7.0], [-4.0, 9.0, 5.0, 6.0]];
+    let bonds: Bonds = [bond(0, 1)].into();
+    let look = Look { wall: [0.0; 4], ..plain() };
+    let size = [2 * SIDE, SIDE];
+    let row = Row::new(2, [1.0; 2], size);
+    let camera = row.whole(&pixels(), size);
+    let mut capture = Capture::new(size, 2).unwrap();
+    let mut draw = |values: Option<&[f32]>, overlay| {
+        let views = places.each_ref().map(|places| View { values, ..view(places, &bonds, 2) });
+        let look = Look { overlay, difference_full: 1.0, ..look };
+        let panes = [0, 1].map(|k| Pane::of(&row, k, views[k].clone(), &camera, look, size));
+        capture.pictures(&panes).unwrap()
+    };
+    let both = draw(None, Overlay::None);
+    for (k, places) in places.iter().enumerate() {
+        let alone = Capture::new([SIDE, SIDE], 2).unwrap().picture(&view(places, &bonds, 2), &pixels(), &look).unwrap();
+        let part = image::imageops::crop_imm(&both, k as u32 * SIDE, 0, SIDE, SIDE).to_image();
+        let off = part.iter().zip(alone.iter()).map(|(a, b)| a.abs_diff(*b)).max();
+        assert!(off <= Some(2), "world {k}: {off:?}");
+    }
+    // The last colour is red, and that of no difference is grey.
+    let middle = |picture: &RgbaImage| picture.get_pixel(SIDE / 2 - 1, SIDE / 2 + 1).0;
+    let far = draw(Some(&[1.0, 1.0]), Overlay::Difference);
+    let near = draw(Some(&[0.0, 0.0]), Overlay::Difference);
+    let [red, green, blue, _] = middle(&far);
+    assert!(red > 2 * green && red > 2 * blue, "{:?}", middle(&far));
+    let [red, _, blue, _] = middle(&near);
+    assert!(red.abs_diff(blue) < 30, "{:?}", middle(&near));
 }
 
 #[test]

@@ -5,7 +5,7 @@ use std::sync::Arc;
 use winit::event_loop::OwnedDisplayHandle;
 use winit::window::Window;
 
-use crate::render::{Camera, Gpu, Look, RenderCounters, RenderError, Renderer, View};
+use crate::render::{Ensemble, Gpu, Pane, RenderCounters, RenderError};
 
 /// Panels ready to be painted, again and again.
 #[derive(Default)]
@@ -25,7 +25,7 @@ pub(super) struct Canvas {
     surface: wgpu::Surface<'static>,
     gpu: Gpu,
     config: wgpu::SurfaceConfiguration,
-    renderer: Renderer,
+    ensemble: Ensemble,
     dimensions: usize,
     panels: egui_wgpu::Renderer,
     /// The surface must be configured before it is drawn to.
@@ -47,9 +47,9 @@ impl Canvas {
         let surface = surface(&instance, &window)?;
         let gpu = Gpu::open(&instance, Some(&surface))?;
         let config = configuration(&gpu, &surface, &window)?;
-        let renderer = Renderer::new(&gpu, config.format, dimensions);
+        let ensemble = Ensemble::new(&gpu, config.format, dimensions);
         let panels = egui_wgpu::Renderer::new(&gpu.device, config.format, egui_wgpu::RendererOptions::default());
-        Ok(Canvas { window, instance, surface, gpu, config, renderer, dimensions, panels, outdated: true })
+        Ok(Canvas { window, instance, surface, gpu, config, ensemble, dimensions, panels, outdated: true })
     }
 
     /// The window has another size `[px]`. One of no size (minimised) is remembered as nothing to draw on.
@@ -73,12 +73,12 @@ impl Canvas {
     /// Another world is to be drawn, of `dimensions`: whatever its numbers say, all of it is new.
     pub(super) fn forget_world(&mut self, dimensions: usize) {
         if dimensions == self.dimensions {
-            return self.renderer.forget_world();
+            return self.ensemble.forget_world();
         }
         // Its passes are others.
-        let counters = *self.renderer.counters();
-        self.renderer = Renderer::new(&self.gpu, self.config.format, dimensions);
-        self.renderer.count_from(counters);
+        let counters = self.ensemble.counters();
+        self.ensemble = Ensemble::new(&self.gpu, self.config.format, dimensions);
+        self.ensemble.count_from(counters);
         self.dimensions = dimensions;
     }
 
@@ -92,24 +92,17 @@ impl Canvas {
         &self.gpu
     }
 
-    pub(super) fn counters(&self) -> &RenderCounters {
-        self.renderer.counters()
+    pub(super) fn counters(&self) -> RenderCounters {
+        self.ensemble.counters()
     }
 
-    /// Draws a world into the upper left `area` `[px]` and the panels over it, and shows the picture.
+    /// Draws worlds into the upper left `area` `[px]` and the panels over it, and shows the picture.
     ///
     /// Errors: the GPU gave up, or a world too large for it; a surface that is only out of date is not an error.
-    pub(super) fn draw(
-        &mut self,
-        view: &View<'_>,
-        camera: &Camera,
-        look: &Look,
-        area: [u32; 2],
-        paint: &mut Paint,
-    ) -> Result<(), RenderError> {
+    pub(super) fn draw(&mut self, panes: &[Pane<'_>], area: [u32; 2], paint: &mut Paint) -> Result<(), RenderError> {
         self.apply_textures(paint);
         let drawn = match self.next_texture()? {
-            Some(texture) => self.draw_to(texture, view, camera, look, area, paint),
+            Some(texture) => self.draw_to(texture, panes, area, paint),
             None => Ok(()),
         };
         self.free_textures(paint);
@@ -166,17 +159,15 @@ impl Canvas {
     fn draw_to(
         &mut self,
         texture: wgpu::SurfaceTexture,
-        view: &View<'_>,
-        camera: &Camera,
-        look: &Look,
+        panes: &[Pane<'_>],
         area: [u32; 2],
         paint: &Paint,
     ) -> Result<(), RenderError> {
-        self.renderer.prepare(&self.gpu, view, camera, look)?;
+        self.ensemble.prepare(&self.gpu, panes)?;
         let target = texture.texture.create_view(&Default::default());
         let mut encoder = self.gpu.device.create_command_encoder(&Default::default());
         let size = self.size();
-        self.renderer.draw(&self.gpu, &mut encoder, &target, size, area, look);
+        self.ensemble.draw(&self.gpu, &mut encoder, &target, (size, area), panes);
         let screen = egui_wgpu::ScreenDescriptor { size_in_pixels: size, pixels_per_point: paint.pixels_per_point };
         let (device, queue) = (&self.gpu.device, &self.gpu.queue);
         let jobs: Vec<egui::ClippedPrimitive> = paint.marks.iter().chain(&paint.jobs).cloned().collect();
@@ -193,7 +184,7 @@ impl Canvas {
         });
         self.panels.render(&mut pass.forget_lifetime(), &jobs, &screen);
         commands.push(encoder.finish());
-        self.renderer.submit(&self.gpu, commands);
+        self.ensemble.submit(&self.gpu, commands);
         self.window.pre_present_notify();
         self.gpu.queue.present(texture);
         Ok(())

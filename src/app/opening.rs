@@ -2,13 +2,18 @@
 
 use glam::{DVec2, DVec3};
 
-use crate::render::{Camera, Pose, View};
+use crate::render::{Camera, Pose, Row, View};
 use crate::scene::{Scene, Vector, ViewKeys};
 
 /// Width of the pictures that views are made for, in heights: what is seen to both sides there is seen in narrower ones too.
 const MADE_FOR: f64 = 16.0 / 9.0;
 /// Room beside what a narrower picture would cut off `[1]`.
 const ROOM: f64 = 1.03;
+
+/// The distance of the last colours beside the height of a scene `[1]`.
+const FULL: f64 = 0.05;
+/// Least width of what is seen of a scene, in its heights `[1]`.
+const SLIMMEST: f64 = 0.75;
 
 /// The camera of a scene's `view`; what that leaves out fits the scene.
 pub fn camera(scene: &Scene, seen: &View<'_>, size: [u32; 2]) -> Camera {
@@ -38,6 +43,31 @@ fn look(view: Option<&ViewKeys>, height_at: impl Fn(f64, DVec2) -> f64, seen: &V
         }
     }
     camera
+}
+
+/// How `count` worlds of a scene share a picture of `size` `[px]`; `alone` is the camera of the scene alone.
+pub fn row(alone: &Camera, seen: &View<'_>, count: usize, size: [u32; 2]) -> Row {
+    if count < 2 {
+        return Row::ALONE;
+    }
+    let (center, height) = (alone.focus(), alone.height());
+    let width = match alone.pose {
+        Pose::Plane { .. } => {
+            let sides = [points(seen), surroundings(seen)].map(|extent| extent.map(|at| (at[0] - center.x).abs()));
+            let shown = |side: &f64| *side <= 0.5 * MADE_FOR * height;
+            let shown = sides.into_iter().flatten().filter(shown).fold(0.0, f64::max);
+            (2.0 * ROOM * shown).max(SLIMMEST * height)
+        }
+        Pose::Orbit { .. } => height,
+    };
+    Row::new(count, [width, height], size)
+}
+
+/// The distance of the last colours, where the difference of two worlds is shown `[m]`: a round number near a twentieth of the scene's height.
+pub fn full_distance(alone: &Camera) -> f64 {
+    let wanted = FULL * alone.height();
+    let decade = 10_f64.powf(wanted.log10().floor());
+    [1.0, 2.0, 5.0].map(|step| step * decade).into_iter().find(|step| *step >= wanted).unwrap_or(10.0 * decade)
 }
 
 /// A camera as a file has it.

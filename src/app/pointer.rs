@@ -52,15 +52,13 @@ impl Pointer {
         self.drag.is_some()
     }
 
-    /// The wheel turned: zooms at the pointer.
-    pub fn scroll(&self, delta: MouseScrollDelta, camera: &mut Camera) {
+    /// The wheel turned with the pointer at a pixel of a camera's: it zooms there.
+    pub fn scroll(at: [f64; 2], delta: MouseScrollDelta, camera: &mut Camera) {
         let notches = match delta {
             MouseScrollDelta::LineDelta(_, y) => f64::from(y),
             MouseScrollDelta::PixelDelta(by) => by.y / NOTCH_PIXELS,
         };
-        if let Some(at) = self.at {
-            camera.zoom_at(at, NOTCH.powf(notches.clamp(-20.0, 20.0)));
-        }
+        camera.zoom_at(at, NOTCH.powf(notches.clamp(-20.0, 20.0)));
     }
 }
 
@@ -80,7 +78,7 @@ mod tests {
         pointer.press(MouseButton::Right, ElementState::Released);
         pointer.move_to([900.0, 900.0], &mut camera);
         assert_eq!(camera.pose, Pose::Plane { center: DVec2::new(-1.0, 0.0), height: 10.0 });
-        pointer.scroll(MouseScrollDelta::LineDelta(0.0, 1.0), &mut camera);
+        Pointer::scroll([900.0, 900.0], MouseScrollDelta::LineDelta(0.0, 1.0), &mut camera);
         assert!(camera.height() < 10.0);
     }
 }

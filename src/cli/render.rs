@@ -12,10 +12,11 @@ use super::replay::say_notes;
 use super::{progress, values};
 use crate::app::opening;
 use crate::app::player::driven;
-use crate::history::{Do, Entry, Replay, Start, chunk};
+use crate::history::{Companion, Do, Entry, Replay, Start, chunk, distances};
 use crate::output;
 use crate::picture::{Skin, Tint};
-use crate::render::{Camera, Capture, Look, Overlay, Trails, View};
+use crate::render::{Camera, Capture, Look, Overlay, Pane, Row, Trails, View};
+use crate::scene::{Scene, SolverName};
 use crate::sim::{Cursor, Dynamics, PointId, Positions};
 
 /// What to draw and where to write it.
@@ -44,9 +45,9 @@ pub(super) struct Arguments {
     /// Pictures a second, at the scene's rate.
     #[arg(long, default_value = "25", value_parser = values::above_zero)]
     fps: f64,
-    /// What is shown by colour.
-    #[arg(long, value_enum, default_value_t = OverlayName::None)]
-    overlay: OverlayName,
+    /// What is shown by colour: nothing, but that what stands beside a scene that runs as printed shows its distance to it.
+    #[arg(long, value_enum)]
+    overlay: Option<OverlayName>,
     /// Whether bonds and points are drawn that a picture or a fill covers.
     #[arg(long, value_name = "on|off", default_value = "off", action = clap::ArgAction::Set, value_parser = switch)]
     mesh: bool,
@@ -64,6 +65,8 @@ enum OverlayName {
     None,
     /// From blue, squeezed by a third, to red, stretched by it.
     Strain,
+    /// Of what stands beside the scene, from grey to red: how far it is from where the scene has it.
+    Difference,
 }
 
 fn switch(text: &str) -> Result<bool, String> {
@@ -82,34 +85,38 @@ pub(super) fn run(arguments: &Arguments, quiet: bool) -> anyhow::Result<()> {
     for warning in run.world().warnings() {
         writeln!(std::io::stderr(), "wobble: warning: {warning}")?;
     }
-    let mut camera = opening::camera(scene, &View::of(run.world()), arguments.size);
-    let overlay = match arguments.overlay {
-        OverlayName::None => Overlay::None,
-        OverlayName::Strain => Overlay::Strain,
-    };
+    let alone = opening::camera(scene, &View::of(run.world()), arguments.size);
+    let row = opening::row(&alone, &View::of(run.world()), 1 + scene.beside.len(), arguments.size);
+    let mut own = opening::camera(scene, &View::of(run.world()), row.pane(arguments.size));
+    let mut camera = row.whole(&own, arguments.size);
+    let difference_full = opening::full_distance(&alone) as f32;
     let Arguments { mesh: has_mesh, fills: has_fills, grid: has_grid, .. } = *arguments;
-    let look = Look { overlay, has_mesh, has_fills, has_grid, ..Look::default() };
+    let overlay = arguments.overlay(scene);
+    let look = Look { overlay, has_mesh, has_fills, has_grid, difference_full, ..Look::default() };
+    let mut beside = Neighbors::new(&start, scene)?;
+    beside.name(&row)?;
     let mut capture = Capture::new(arguments.size, scene.dimensions())?;
     let count = arguments.count();
     let bar = progress::frames(quiet, u64::from(count));
     let mut animation = Vec::new();
     let mut trails = Trails::new(TRAIL * scene.rate());
-    lead_up(&mut run, commands, arguments.time, &mut trails)?;
+    lead_up(&mut run, commands, arguments.time, &mut trails, &mut beside)?;
     for index in 0..count {
         let time = arguments.time + f64::from(index) / arguments.fps * scene.rate();
         run.advance(commands, time)?;
         if commands.iter().any(|entry| entry.at <= time && matches!(entry.act, Do::Key { down: true, .. })) {
-            follow(&mut camera, run.world());
+            follow(&mut own, run.world());
+            camera = row.whole(&own, arguments.size);
         }
+        beside.reach(commands, time);
         let skins = run.skins();
-        let picture = draw(
-            &mut capture,
-            (run.world(), &skins, run.tints(), &mut trails),
-            time,
-            u64::from(index),
-            &camera,
-            &look,
-        )?;
+        let main = Moment::of(run.world(), (&skins, run.tints()), time, &mut trails);
+        let others = beside.moments(time, &main);
+        let moments = std::iter::once(&main).chain(&others).enumerate();
+        let panes: Vec<Pane<'_>> = moments
+            .map(|(place, moment)| Pane::of(&row, place, moment.view(u64::from(index)), &camera, look, arguments.size))
+            .collect();
+        let picture = capture.pictures(&panes)?;
         if let Some(path) = arguments.out.as_ref().filter(|path| values::extension(path) == "png") {
             let path = if count == 1 { path.clone() } else { numbered(path, index) };
             let scene = inside(&run)?;
@@ -128,6 +135,17 @@ pub(super) fn run(arguments: &Arguments, quiet: bool) -> anyhow::Result<()> {
 }
 
 impl Arguments {
+    /// What is shown by colour.
+    fn overlay(&self, scene: &Scene) -> Overlay {
+        let is_printed = scene.method.solver == Some(SolverName::AsPrinted);
+        match self.overlay {
+            Some(OverlayName::Strain) => Overlay::Strain,
+            Some(OverlayName::Difference) => Overlay::Difference,
+            None if is_printed && !scene.beside.is_empty() => Overlay::Difference,
+            None | Some(OverlayName::None) => Overlay::None,
+        }
+    }
+
     /// The animations to write.
     fn animations(&self) -> Vec<&PathBuf> {
         let out = self.out.as_ref().filter(|path| values::extension(path) == "gif");
@@ -155,7 +173,13 @@ const TRAIL: f64 = 2.5;
 const LEAD: u32 = 120;
 
 /// Goes to the first picture, and notes where points were on the way, as far as trails last, in a scene that has some.
-fn lead_up(run: &mut Replay, commands: &[Entry], time: f64, trails: &mut Trails) -> anyhow::Result<()> {
+fn lead_up(
+    run: &mut Replay,
+    commands: &[Entry],
+    time: f64,
+    trails: &mut Trails,
+    beside: &mut Neighbors,
+) -> anyhow::Result<()> {
     if !Trails::suit(&View::of(run.world())) {
         return Ok(());
     }
@@ -165,38 +189,110 @@ fn lead_up(run: &mut Replay, commands: &[Entry], time: f64, trails: &mut Trails)
         run.advance(commands, at)?;
         let world = run.world();
         trails.note(world.time(), &View::of(world));
+        beside.reach(commands, at);
+        beside.note();
     }
     Ok(())
 }
 
-/// The state at `time`, which lies in the world's next substep.
-fn draw(
-    capture: &mut Capture,
-    (world, skins, tints, trails): (&dyn Dynamics, &[Skin], &[Tint], &mut Trails),
+/// A world at a time that lies in its next substep.
+struct Moment<'a> {
+    world: &'a dyn Dynamics,
+    skins: &'a [Skin],
+    tints: &'a [Tint],
     time: f64,
-    index: u64,
-    camera: &Camera,
-    look: &Look,
-) -> anyhow::Result<RgbaImage> {
-    let dimensions = world.dimensions();
-    let sample = world.sample(time.max(world.time()));
-    let flat: Vec<f64> = sample.position.iter().flat_map(|x| &x[..dimensions]).copied().collect();
-    let on_track = |(force, cursor): (_, Cursor)| {
-        let force: &crate::sim::MouseForce = force;
-        (force, force.track.at(time).map_or(cursor, Cursor::at))
-    };
-    let view = View {
-        previous: Positions::F64(&flat),
-        current: Positions::F64(&flat),
-        motion: index,
-        mouse: world.mouse().map(on_track),
-        skins,
-        tints,
-        ..View::of(world)
-    };
-    trails.note(time, &view);
-    let view = View { trails: Some(trails), ..view };
-    Ok(capture.picture(&view, camera, look)?)
+    /// Where its points are `[m]`.
+    places: Vec<f64>,
+    /// How far they are from where the first world has them `[m]`.
+    distances: Option<Vec<f32>>,
+    trails: &'a Trails,
+}
+
+impl<'a> Moment<'a> {
+    /// A world at `time` `[s]`, whose trails go on to there.
+    fn of(
+        world: &'a dyn Dynamics,
+        (skins, tints): (&'a [Skin], &'a [Tint]),
+        time: f64,
+        trails: &'a mut Trails,
+    ) -> Self {
+        let dimensions = world.dimensions();
+        let sample = world.sample(time.max(world.time()));
+        let places: Vec<f64> = sample.position.iter().flat_map(|x| &x[..dimensions]).copied().collect();
+        let places_now = Positions::F64(&places);
+        trails.note(time, &View { previous: places_now, current: places_now, ..View::of(world) });
+        Moment { world, skins, tints, time, places, distances: None, trails }
+    }
+
+    /// As the renderer reads it; `motion` is the number of the picture.
+    fn view(&self, motion: u64) -> View<'_> {
+        let Moment { world, skins, tints, time, ref places, ref distances, trails } = *self;
+        let on_track = |(force, cursor): (_, Cursor)| {
+            let force: &crate::sim::MouseForce = force;
+            (force, force.track.at(time).map_or(cursor, Cursor::at))
+        };
+        View {
+            previous: Positions::F64(places),
+            current: Positions::F64(places),
+            motion,
+            mouse: world.mouse().map(on_track),
+            skins,
+            tints,
+            values: distances.as_deref(),
+            trails: Some(trails),
+            ..View::of(world)
+        }
+    }
+}
+
+/// The same start by other methods, with skins and trails of their own.
+struct Neighbors {
+    companions: Vec<(Companion, Vec<Skin>, Trails)>,
+}
+
+impl Neighbors {
+    /// Errors: a method that cannot run the scene.
+    fn new(start: &Start, scene: &Scene) -> anyhow::Result<Self> {
+        let of = |entry| -> anyhow::Result<_> {
+            let trails = Trails::new(TRAIL * scene.rate());
+            Ok((Companion::new(start.recording(), entry)?, Vec::new(), trails))
+        };
+        Ok(Neighbors { companions: scene.beside.iter().map(of).collect::<Result<_, _>>()? })
+    }
+
+    /// Says what is where.
+    fn name(&self, row: &Row) -> std::io::Result<()> {
+        let titles: Vec<&str> = self.companions.iter().map(|(companion, ..)| companion.title()).collect();
+        if titles.is_empty() {
+            return Ok(());
+        }
+        let place = if row.is_column() { "below it" } else { "beside it" };
+        writeln!(std::io::stderr(), "wobble: {place}: {}", titles.join("; "))
+    }
+
+    fn reach(&mut self, commands: &[Entry], time: f64) {
+        for (companion, skins, _) in &mut self.companions {
+            companion.reach(commands, time);
+            *skins = companion.skins();
+        }
+    }
+
+    fn note(&mut self) {
+        for (companion, _, trails) in &mut self.companions {
+            trails.note(companion.world().time(), &View::of(companion.world()));
+        }
+    }
+
+    /// All of them at `time` `[s]`, and how far from the first.
+    fn moments<'a>(&'a mut self, time: f64, main: &Moment<'_>) -> Vec<Moment<'a>> {
+        let of = |(companion, skins, trails): &'a mut (Companion, Vec<Skin>, Trails)| {
+            let companion: &'a Companion = companion;
+            let moment = Moment::of(companion.world(), (skins, companion.tints()), time, trails);
+            let apart = distances(&main.places, &moment.places, companion.world().dimensions());
+            Moment { distances: Some(apart), ..moment }
+        };
+        self.companions.iter_mut().map(of).collect()
+    }
 }
 
 fn numbered(path: &Path, index: u32) -> PathBuf {

@@ -1,5 +1,6 @@
 //! `wobble simulate`: runs a scene to a table.
 
+mod beside;
 mod led;
 mod strain;
 
@@ -13,12 +14,12 @@ use clap::Args;
 use self::strain::Strain;
 use super::progress;
 use super::values::{self, Times};
-use crate::history::Start;
+use crate::history::{self, Start};
 use crate::output;
 use crate::scene::frames::Frames;
 use crate::scene::record::{
-    RecordedBalance, RecordedCounters, RecordedFrames, RecordedMover, RecordedSample, RecordedSoftness, Recording,
-    hash, ledgers, record, seconds_and_frames,
+    RecordedBalance, RecordedBeside, RecordedCounters, RecordedFrames, RecordedMover, RecordedSample, RecordedSoftness,
+    Recording, hash, ledgers, record, seconds_and_frames,
 };
 use crate::scene::{BudgetKeys, OrderName, PrecisionName, Scene, SolverName, SourceName};
 use crate::sim::judge;
@@ -131,6 +132,7 @@ pub(super) fn run(arguments: &Arguments, quiet: bool) -> anyhow::Result<()> {
         study::softness(&scene)?.map(|Softness { bond, alone, stiffness }| RecordedSoftness { bond, stiffness, alone });
     recording.balance = is_kept.then(|| judge(&entries).into());
     recording.warnings.extend(strain.warning());
+    recording.beside = beside::measured(&Scene { duration, ..scene.clone() }.into(), &samples)?;
     recording.search_seconds = found.as_ref().map_or(0.0, |found| found.seconds);
     recording.expected_error = found.as_ref().map(|found| found.expected_error);
     write(arguments, &recording)?;
@@ -215,6 +217,7 @@ fn settle(arguments: &Arguments, scene: &Scene, time: f64) -> anyhow::Result<()>
         moved_by: Vec::new(),
         counters: RecordedCounters { iterations: found.rounds.into(), ..RecordedCounters::default() },
         warnings: Vec::new(),
+        beside: Vec::new(),
         hash: hash(&samples, scene.dimensions()),
     };
     write(arguments, &recording)?;
@@ -394,6 +397,7 @@ fn made(
             frozen: counters.frozen,
         },
         warnings,
+        beside: Vec::new(),
         hash: hash(samples, scene.dimensions()),
     }
 }
@@ -408,6 +412,7 @@ pub(super) struct Table {
     counters: Counters,
     movers: Vec<RecordedMover>,
     balance: Option<Verdict>,
+    beside: Vec<RecordedBeside>,
 }
 
 impl Table {
@@ -416,7 +421,8 @@ impl Table {
         let (clock, counters) = (Instant::now(), Counters::default());
         let (strain, scene) = (Strain::default(), scene.clone());
         let (samples, movers) = (Vec::new(), Vec::new());
-        Table { scene, clock, about: None, strain, samples, counters, movers, balance: None }
+        let beside = Vec::new();
+        Table { scene, clock, about: None, strain, samples, counters, movers, balance: None, beside }
     }
 
     /// Takes a sample at `time` `[s]`, which lies within the world's next step.
@@ -435,6 +441,14 @@ impl Table {
         self.balance = balance;
     }
 
+    /// How far the same start by other methods gets, led by the same commands.
+    ///
+    /// Errors: a method that cannot run the scene.
+    fn measure_beside(&mut self, run: &history::Recording) -> anyhow::Result<()> {
+        self.beside = beside::measured(run, &self.samples)?;
+        Ok(())
+    }
+
     /// Writes it.
     pub(super) fn write(self, out: Option<&Path>, has_hash: bool, frames: Option<&Frames>) -> anyhow::Result<()> {
         let seconds = frames.map_or_else(|| self.clock.elapsed().as_secs_f64(), Frames::seconds);
@@ -442,6 +456,6 @@ impl Table {
         about.warnings.extend(self.strain.warning());
         let recording = made(&self.scene, about, (seconds, frames), &self.samples, &self.counters);
         let balance = self.balance.map(RecordedBalance::from);
-        write_table(out, has_hash, &Recording { balance, moved_by: self.movers, ..recording })
+        write_table(out, has_hash, &Recording { balance, moved_by: self.movers, beside: self.beside, ..recording })
     }
 }

@@ -6,6 +6,15 @@ use super::frame::Frame;
 /// Bytes that keyframes may take unless another bound is set.
 pub(super) const MOST_BYTES: usize = 512 << 20;
 
+/// Scene time between two keyframes at most, where copies are cheap `[s]`: what is gone back to is shown as if it ran.
+const TIME_BETWEEN: f64 = 0.1;
+/// Counted work between two keyframes at most, where copies are cheap `[s]`: the exact state of any time is there in a tenth of a second.
+const EFFORT_BETWEEN: f64 = 0.08;
+/// Work beside a copy, at least: recording takes a hundredth of it.
+const WORK_FOR_A_COPY: f64 = 100.0;
+/// What a copy takes `[s]` for each byte.
+const COPY: f64 = 2.5e-10;
+
 /// A copy with its place.
 pub(super) struct Keyframe {
     pub(super) branch: usize,
@@ -14,6 +23,21 @@ pub(super) struct Keyframe {
     bytes: usize,
     /// The last step was cut short for the command that comes next: another branch has not been here.
     is_cut: bool,
+}
+
+/// When the last copy was taken, or the present was come to.
+#[derive(Clone, Copy)]
+pub(super) struct Kept {
+    /// The work until then `[s]`.
+    effort: f64,
+    /// `[s]`
+    time: f64,
+}
+
+impl Kept {
+    pub(super) fn at(frame: &Frame) -> Self {
+        Kept { effort: frame.effort.seconds(), time: frame.world.time() }
+    }
 }
 
 /// Copies, in the order in which they were taken.
@@ -35,7 +59,7 @@ impl Keyframes {
     }
 
     /// Bytes of the last copy that was taken.
-    pub(super) fn last_bytes(&self) -> usize {
+    fn last_bytes(&self) -> usize {
         self.list.last().map_or(0, |kept| kept.bytes)
     }
 
@@ -60,6 +84,17 @@ impl Keyframes {
             self.spread(time);
         }
         self.thin(time);
+    }
+
+    /// Keeps a copy where enough was done since the last one that a copy costs little beside it.
+    pub(super) fn keep_now_and_then(&mut self, last: &mut Kept, branch: usize, frame: &Frame) {
+        let now = Kept::at(frame);
+        let done = now.effort - last.effort;
+        let is_due = now.time - last.time >= TIME_BETWEEN || done >= EFFORT_BETWEEN;
+        if is_due && done >= WORK_FOR_A_COPY * COPY * self.last_bytes() as f64 {
+            *last = now;
+            self.keep(branch, frame.clone(), false);
+        }
     }
 
     /// Drops copies until the bytes are within their bound: those first whose neighbours are near, and long ago. The first of all

@@ -9,6 +9,7 @@
 //! out from the nearest copy. This room knows no window and no clock.
 
 mod autosave;
+mod beside;
 mod branch;
 pub mod chunk;
 mod command;
@@ -36,6 +37,7 @@ mod undo;
 mod write;
 
 pub use autosave::{Autosave, EVERY, Left};
+pub use beside::{Companion, distances};
 pub use branch::BranchView;
 pub use command::{
     AreasOrNone, DeleteKeys, Do, DriveOrNone, Entry, Factors, MoveKeys, OneOrEach, SetKeys, VectorOrEach, Walls,

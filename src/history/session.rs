@@ -4,27 +4,19 @@ use std::sync::Arc;
 
 use serde_json::Value;
 
+use super::beside::Companion;
 use super::branch::{BranchView, Spot, Tree};
 use super::command::{Do, Entry};
 use super::dress::Group;
 use super::error::{HistoryError, Refusal};
 use super::frame::Frame;
-use super::keyframes::Keyframes;
+use super::keyframes::{Kept, Keyframes};
 use super::mark::{Mark, hash_now};
 use super::start::{Recording, Start};
 use super::undo::Redo;
 use crate::picture::{Skin, Tint};
 use crate::scene::Scene;
 use crate::sim::{Applied, Dynamics};
-
-/// Scene time between two keyframes at most, where copies are cheap `[s]`: what is gone back to is shown as if it ran.
-const TIME_BETWEEN: f64 = 0.1;
-/// Counted work between two keyframes at most, where copies are cheap `[s]`: the exact state of any time is there in a tenth of a second.
-const EFFORT_BETWEEN: f64 = 0.08;
-/// Work beside a copy, at least: recording takes a hundredth of it.
-const WORK_FOR_A_COPY: f64 = 100.0;
-/// What a copy takes `[s]` for each byte.
-const COPY: f64 = 2.5e-10;
 
 /// A running world with its past: a start, the commands that were given with their times, keyframes; undo, redo, going back,
 /// branches.
@@ -50,8 +42,10 @@ pub struct History {
     last_edit: Option<u64>,
     /// Whole second that is marked already, or was passed over.
     second: f64,
-    /// The work when the last keyframe was taken, and when that was `[s]`.
-    kept: (f64, f64),
+    /// When the last keyframe was taken.
+    kept: Kept,
+    /// The same start by other methods.
+    pub(super) companions: Vec<Companion>,
     refused: Vec<Refusal>,
 }
 
@@ -62,12 +56,16 @@ impl History {
     pub fn new(start: Start) -> Result<Self, HistoryError> {
         let Start { recording } = start;
         let frame = recording.begin(recording.scene.name())?;
+        let entries = &recording.scene.beside;
+        let companions = entries.iter().map(|entry| Companion::new(&recording, entry)).collect::<Result<_, _>>()?;
         let from = frame.world.time();
         let end = recording.end().max(from);
         let next_edit =
             recording.commands.iter().filter_map(|entry| entry.edit).max().map_or(0, |edit| edit.saturating_add(1));
         let mut history = History {
             notes: recording.notes(),
+            kept: Kept::at(&frame),
+            companions,
             frame,
             tree: Tree::new(recording.commands, recording.marks, from, end),
             scene: recording.scene,
@@ -82,7 +80,6 @@ impl History {
             next_edit,
             last_edit: None,
             second: f64::NEG_INFINITY,
-            kept: (0.0, from),
             refused: Vec::new(),
         };
         history.keyframes.keep(0, history.frame.clone(), false);
@@ -164,7 +161,7 @@ impl History {
         self.tree.extend_to(self.branch, self.frame.world.time());
         self.keep_before_edit(is_cut);
         self.follow_due();
-        self.keep_now_and_then();
+        self.keyframes.keep_now_and_then(&mut self.kept, self.branch, &self.frame);
         self.dress();
     }
 
@@ -268,7 +265,7 @@ impl History {
         self.skins = if self.frame.dress.has_skins() { self.frame.dress.skins(world) } else { Vec::new() };
         self.dressed = world.topology();
         self.second = world.time().floor();
-        self.kept = (self.frame.effort.seconds(), world.time());
+        self.kept = Kept::at(&self.frame);
         self.last_edit = None;
     }
 
@@ -299,17 +296,6 @@ impl History {
         let next = self.tree.entry(self.branch, self.frame.place);
         if next.is_some_and(|entry| entry.edit.is_some() && self.frame.is_due(entry.at)) {
             self.keyframes.keep(self.branch, self.frame.clone(), is_cut);
-        }
-    }
-
-    /// A keyframe where enough was done since the last one that a copy costs little beside it.
-    fn keep_now_and_then(&mut self) {
-        let (effort, time) = (self.frame.effort.seconds(), self.frame.world.time());
-        let (done, passed) = (effort - self.kept.0, time - self.kept.1);
-        let is_due = passed >= TIME_BETWEEN || done >= EFFORT_BETWEEN;
-        if is_due && done >= WORK_FOR_A_COPY * COPY * self.keyframes.last_bytes() as f64 {
-            self.kept = (effort, time);
-            self.keyframes.keep(self.branch, self.frame.clone(), false);
         }
     }
 

@@ -84,6 +84,8 @@ pub(super) struct WorldBuffers {
     pub(super) guides: GrowingBuffer,
     pub(super) solids: GrowingBuffer,
     pub(super) frame: GrowingBuffer,
+    /// What points are coloured by.
+    pub(super) values: GrowingBuffer,
     point_count: u32,
     bond_count: u32,
     /// Those below obstacles, the numbers over them, and the marks over all else.
@@ -111,6 +113,7 @@ pub(super) struct WorldBuffers {
     motion: Option<u64>,
     topology: Option<u64>,
     last_frame: Vec<u8>,
+    last_values: Vec<f32>,
     last_guides: Vec<u8>,
     last_solids: Vec<[f32; 4]>,
     /// Positions of an `f64` world as they were uploaded.
@@ -131,6 +134,7 @@ impl WorldBuffers {
             points: storage("points"),
             guides: storage("guides"),
             solids: storage("solids"),
+            values: storage("values"),
             frame: GrowingBuffer::new(gpu, "frame", wgpu::BufferUsages::UNIFORM, 512),
             point_count: 0,
             bond_count: 0,
@@ -149,15 +153,16 @@ impl WorldBuffers {
             motion: None,
             topology: None,
             last_frame: Vec::new(),
+            last_values: Vec::new(),
             last_guides: Vec::new(),
             last_solids: Vec::new(),
             staging: Default::default(),
         }
     }
 
-    fn all(&mut self) -> [&mut GrowingBuffer; 7] {
-        let WorldBuffers { previous, current, bonds, points, guides, solids, frame, .. } = self;
-        [previous, current, bonds, points, guides, solids, frame]
+    fn all(&mut self) -> [&mut GrowingBuffer; 8] {
+        let WorldBuffers { previous, current, bonds, points, guides, solids, frame, values, .. } = self;
+        [previous, current, bonds, points, guides, solids, frame, values]
     }
 
     /// Whether a buffer is another one since the last call, so that bindings to it are stale.
@@ -172,6 +177,11 @@ impl WorldBuffers {
     /// Nothing that was uploaded is of the next world.
     pub(super) fn forget(&mut self) {
         (self.topology, self.motion, self.selected) = (None, None, None);
+    }
+
+    /// What each pass binds of a world, with a list of its own.
+    pub(super) fn bound<'a>(&'a self, frame: &'a GrowingBuffer, list: &'a GrowingBuffer) -> [&'a GrowingBuffer; 5] {
+        [frame, &self.previous, &self.current, list, &self.values]
     }
 
     /// Bytes of all of them.
@@ -214,6 +224,18 @@ impl WorldBuffers {
             self.motion = Some(view.motion);
         }
         self.topology = Some(view.topology);
+        self.upload_values(gpu, view, counters)
+    }
+
+    /// Uploads what points are coloured by, unless it is what they were.
+    fn upload_values(&mut self, gpu: &Gpu, view: &View<'_>, counters: &mut RenderCounters) -> Result<(), RenderError> {
+        let Some(values) = view.values else { return Ok(()) };
+        // What is no number is not told apart by every GPU.
+        let values: Vec<f32> = values.iter().map(|&value| if value.is_nan() { -1.0 } else { value }).collect();
+        if self.last_values != values {
+            self.values.write(gpu, bytemuck::cast_slice(&values), counters)?;
+            self.last_values = values;
+        }
         Ok(())
     }
 
@@ -515,6 +537,7 @@ pub(in crate::render) mod tests {
             skins: &[],
             triangles: &[],
             tints: &[],
+            values: None,
             trails: None,
             pinned: &[],
             bounds: None,

@@ -11,6 +11,8 @@ pub struct Camera {
     pub pose: Pose,
     /// Width and height of the picture `[px]`.
     viewport: DVec2,
+    /// How far what it looks at lies from the middle of the picture, in space: to the right and down, in sizes of the picture `[1]`.
+    aside: DVec2,
 }
 
 /// How a camera looks at the world.
@@ -54,7 +56,7 @@ const MARGIN: f64 = 1.2;
 impl Camera {
     /// A camera for a picture of `size` `[px]`.
     pub fn new(pose: Pose, size: [u32; 2]) -> Self {
-        let mut camera = Camera { pose, viewport: DVec2::ONE };
+        let mut camera = Camera { pose, viewport: DVec2::ONE, aside: DVec2::ZERO };
         camera.resize(size);
         camera
     }
@@ -89,6 +91,21 @@ impl Camera {
     /// The picture has another size `[px]`. A picture of no size keeps the camera sane.
     pub fn resize(&mut self, [width, height]: [u32; 2]) {
         self.viewport = DVec2::new(f64::from(width.max(1)), f64::from(height.max(1)));
+    }
+
+    /// The same picture moved to the right and down by some pixels: in space what it looks at is seen from the same side as before.
+    pub fn moved(&self, [dx, dy]: [f64; 2]) -> Self {
+        let mut next = *self;
+        match next.pose {
+            Pose::Plane { .. } => next.pan([dx, dy]),
+            Pose::Orbit { .. } => next.aside += DVec2::new(dx, dy) / self.viewport,
+        }
+        next
+    }
+
+    /// The middle of what it looks at in the picture `[px]`.
+    fn middle(&self) -> DVec2 {
+        (0.5 + self.aside) * self.viewport
     }
 
     fn aspect(&self) -> f64 {
@@ -156,7 +173,8 @@ impl Camera {
                 let up = self.right().cross(-back);
                 // Far from the origin a distance is lost in the target's digits, but not in the offset's.
                 let eye = (target - origin) + back * distance;
-                lens * glam::dcamera::rh::view::look_to_mat4(eye, -back, up)
+                let aside = DMat4::from_translation(DVec3::new(2.0 * self.aside.x, -2.0 * self.aside.y, 0.0));
+                aside * lens * glam::dcamera::rh::view::look_to_mat4(eye, -back, up)
             }
         }
     }
@@ -179,7 +197,7 @@ impl Camera {
 
     /// The point at a pixel, in the plane through the focus that faces the camera `[m]`.
     pub fn world_from_screen(&self, pixel: [f64; 2]) -> DVec3 {
-        let offset = (DVec2::from(pixel) - 0.5 * self.viewport) / self.pixels_per_metre();
+        let offset = (DVec2::from(pixel) - self.middle()) / self.pixels_per_metre();
         let up = self.back().cross(self.right());
         self.focus() + self.right() * offset.x - up * offset.y
     }

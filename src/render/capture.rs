@@ -3,23 +3,26 @@
 use image::RgbaImage;
 
 use super::camera::Camera;
+use super::ensemble::{Ensemble, Pane};
 use super::error::RenderError;
 use super::gpu::Gpu;
 use super::look::{Color, Look};
 use super::renderer::Renderer;
 use super::view::View;
 
-/// An off-screen target with its renderer.
+/// What of a picture is not uploaded: the colour under it, whether it shows the mesh and fills, and the parts that it is drawn to.
+type Drawn = (Color, bool, bool, Vec<[u32; 4]>);
+
+/// An off-screen target with its renderers.
 pub struct Capture {
     gpu: Gpu,
-    renderer: Renderer,
+    ensemble: Ensemble,
     size: [u32; 2],
     texture: wgpu::Texture,
     readback: wgpu::Buffer,
     row_bytes: u32,
-    /// Of the picture that lies in the read-back buffer, if one does: the colour under it, and whether it shows the mesh and fills, and strain.
-    /// All else of a look is uploaded.
-    drawn: Option<(Color, bool, bool)>,
+    /// Of the picture that lies in the read-back buffer, if one does.
+    drawn: Option<Drawn>,
 }
 
 /// Bytes of a row of the read-back picture, and of all of it.
@@ -73,8 +76,8 @@ impl Capture {
             usage: wgpu::BufferUsages::MAP_READ | wgpu::BufferUsages::COPY_DST,
             mapped_at_creation: false,
         });
-        let renderer = Renderer::new(&gpu, FORMAT, dimensions);
-        Ok(Capture { gpu, renderer, size, texture, readback, row_bytes, drawn: None })
+        let ensemble = Ensemble::new(&gpu, FORMAT, dimensions);
+        Ok(Capture { gpu, ensemble, size, texture, readback, row_bytes, drawn: None })
     }
 
     /// The GPU that draws.
@@ -82,14 +85,14 @@ impl Capture {
         &self.gpu
     }
 
-    /// The renderer, for its counters.
+    /// The renderer of the first world, for its counters.
     pub fn renderer(&self) -> &Renderer {
-        &self.renderer
+        self.ensemble.first()
     }
 
     /// The next picture is of another world, whatever its numbers say.
     pub fn forget_world(&mut self) {
-        self.renderer.forget_world();
+        self.ensemble.forget_world();
         self.drawn = None;
     }
 
@@ -97,23 +100,32 @@ impl Capture {
     ///
     /// Errors: a world too large for the GPU, or a GPU that gave up.
     pub fn picture(&mut self, view: &View<'_>, camera: &Camera, look: &Look) -> Result<RgbaImage, RenderError> {
-        let before = self.renderer.counters().uploads;
+        self.pictures(&[Pane::whole(view.clone(), *camera, *look, self.size)])
+    }
+
+    /// Draws worlds side by side into one picture, the first over its ground colour: see [`Capture::picture`].
+    ///
+    /// Errors: as there.
+    pub fn pictures(&mut self, panes: &[Pane<'_>]) -> Result<RgbaImage, RenderError> {
+        let before = self.ensemble.counters().uploads;
         // Gone if this fails halfway: then the next picture is drawn whatever it is.
         let drawn = self.drawn.take();
-        self.renderer.prepare(&self.gpu, view, camera, look)?;
-        let wanted = Some((look.ground, look.has_mesh, look.has_fills));
-        if self.renderer.counters().uploads != before || drawn != wanted {
-            self.draw(look);
+        self.ensemble.prepare(&self.gpu, panes)?;
+        let look = panes.first().map(|pane| pane.look).unwrap_or_default();
+        let clips = panes.iter().map(|pane| pane.clip).collect();
+        let wanted = Some((look.ground, look.has_mesh, look.has_fills, clips));
+        if self.ensemble.counters().uploads != before || drawn != wanted {
+            self.draw(panes);
         }
         self.drawn = wanted;
         self.read()
     }
 
     /// Draws what was prepared, and copies it to where it can be read.
-    fn draw(&mut self, look: &Look) {
+    fn draw(&mut self, panes: &[Pane<'_>]) {
         let target = self.texture.create_view(&Default::default());
         let mut encoder = self.gpu.device.create_command_encoder(&Default::default());
-        self.renderer.draw(&self.gpu, &mut encoder, &target, self.size, self.size, look);
+        self.ensemble.draw(&self.gpu, &mut encoder, &target, (self.size, self.size), panes);
         let [width, height] = self.size;
         encoder.copy_texture_to_buffer(
             self.texture.as_image_copy(),
@@ -127,7 +139,7 @@ impl Capture {
             },
             wgpu::Extent3d { width, height, depth_or_array_layers: 1 },
         );
-        self.renderer.submit(&self.gpu, [encoder.finish()]);
+        self.ensemble.submit(&self.gpu, [encoder.finish()]);
     }
 
     fn read(&self) -> Result<RgbaImage, RenderError> {

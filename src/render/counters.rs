@@ -28,3 +28,24 @@ pub struct RenderCounters {
     /// Points that were looked at to find out which parts of a scene are in view.
     pub points_bounded: u64,
 }
+
+impl RenderCounters {
+    /// The work for this world and for another in the same pictures.
+    pub(super) fn and(&self, other: &RenderCounters) -> Self {
+        let sum = |of: fn(&RenderCounters) -> u64| of(self) + of(other);
+        RenderCounters {
+            uploads: sum(|counters| counters.uploads),
+            bytes_uploaded: sum(|counters| counters.bytes_uploaded),
+            bytes_held: sum(|counters| counters.bytes_held),
+            draws: sum(|counters| counters.draws),
+            bonds_drawn: sum(|counters| counters.bonds_drawn),
+            dots_drawn: sum(|counters| counters.dots_drawn),
+            triangles_drawn: sum(|counters| counters.triangles_drawn),
+            obstacle_triangles_drawn: sum(|counters| counters.obstacle_triangles_drawn),
+            points_drawn: sum(|counters| counters.points_drawn),
+            points_bounded: sum(|counters| counters.points_bounded),
+            submits: self.submits,
+            frames_drawn: self.frames_drawn,
+        }
+    }
+}

@@ -44,9 +44,11 @@ pub(super) struct Frame {
     fog_from: f32,
     fog_to: f32,
     fog: f32,
+    difference_scale: f32,
+    difference_full: f32,
 }
 
-const _: () = assert!(size_of::<Frame>() == 548);
+const _: () = assert!(size_of::<Frame>() == 556);
 
 impl Frame {
     /// The uniforms of a picture of what lies in `buffers`.
@@ -55,6 +57,7 @@ impl Frame {
         let bond_pixels = buffers.typical_bond * camera.pixels_per_metre() / f64::from(scale);
         let bond_width = look.bond_width * scale * if look.has_forms { thinning(bond_pixels) } else { 1.0 };
         let [r, g, b, opacity] = look.point;
+        let shows_difference = look.overlay == Overlay::Difference && view.values.is_some();
         let covered_pixels = buffers.covered_bond * camera.pixels_per_metre() / f64::from(scale);
         Frame {
             clip_from_world: camera.clip_from_world(buffers.origin).to_cols_array(),
@@ -86,6 +89,8 @@ impl Frame {
             fog_from: (FOG[0] * camera.distance()) as f32,
             fog_to: (FOG[1] * camera.distance()) as f32,
             fog: look.fog,
+            difference_scale: if shows_difference { DIFFERENCE_SCALE * look.difference_full } else { 0.0 },
+            difference_full: look.difference_full,
         }
     }
 
@@ -116,6 +121,8 @@ impl Frame {
     }
 }
 
+/// Share of the largest distance below which colours go in proportion `[1]`.
+pub(super) const DIFFERENCE_SCALE: f32 = 0.01;
 /// Opacity of fills whose bonds are shown over them.
 const UNDER_MESH: f32 = 0.3;
 /// Width of the outline of a fill for each pixel that its bonds are long, and its bounds `[px]`.

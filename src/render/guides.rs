@@ -24,6 +24,8 @@ const _: () = assert!(size_of::<Guide>() == 48);
 /// Least distance between lines of the grid `[px]`.
 const CLOSEST: f64 = 45.0;
 
+/// Width of the line between two worlds `[px]`: half of it lies in either.
+const BORDER: f32 = 3.0;
 /// Opacity of a plane's rim in space, where it ends nowhere, beside that of walls `[1]`.
 const PATCH_RIM: f32 = 0.6;
 
@@ -31,7 +33,7 @@ const PATCH_RIM: f32 = 0.6;
 /// the grid are read on obstacles too, the marks of motors on bodies. Positions relative to `origin` `[m]`.
 pub(super) fn guides(
     camera: &Camera,
-    (view, patches): (&View<'_>, &[Patch]),
+    (view, patches, border): (&View<'_>, &[Patch], Option<[DVec3; 2]>),
     origin: DVec3,
     look: &Look,
 ) -> (Vec<Guide>, [usize; 3]) {
@@ -58,6 +60,7 @@ pub(super) fn guides(
         let color = [red, green, blue, opacity * (fresh * fresh) as f32];
         list.push(guide(a - origin, b - origin, look.outline_width * look.scale_factor, color));
     }
+    list.extend(border.map(|[a, b]| guide(a - origin, b - origin, BORDER * look.scale_factor, look.wall)));
     let below = list.len();
     if let Pose::Plane { center, height } = camera.pose
         && look.has_grid
@@ -288,7 +291,7 @@ mod tests {
     fn there_is_no_grid_where_numbers_end() {
         let count = |center: DVec2, height: f64| {
             let camera = Camera::new(Pose::Plane { center, height }, [640, 480]);
-            guides(&camera, (&empty(&Bonds::default(), 2), &[]), camera.focus(), &Look::default()).0.len()
+            guides(&camera, (&empty(&Bonds::default(), 2), &[], None), camera.focus(), &Look::default()).0.len()
         };
         assert!((10..1000).contains(&count(DVec2::splat(1e3), 1e-3)));
         assert_eq!(count(DVec2::splat(1e20), 1e-6), 0, "both edges are the same number");
@@ -302,7 +305,7 @@ mod tests {
     #[test]
     fn numbers_come_last_and_over_obstacles() {
         let camera = Camera::new(Pose::Plane { center: DVec2::ZERO, height: 8.0 }, [640, 480]);
-        let of = |look: Look| guides(&camera, (&empty(&Bonds::default(), 2), &[]), DVec3::ZERO, &look);
+        let of = |look: Look| guides(&camera, (&empty(&Bonds::default(), 2), &[], None), DVec3::ZERO, &look);
         let (all, [below, ..]) = of(Look::default());
         let bare = of(Look { number: [0.0; 4], ..Look::default() });
         assert_eq!((bare.0.len(), bare.1), (below, [below, 0, 0]), "lines alone lie below");
@@ -315,7 +318,7 @@ mod tests {
         let places = |covered: &[[f32; 4]]| {
             let bonds = Bonds::default();
             let view = View { covered, ..empty(&bonds, 2) };
-            let (all, [below, ..]) = guides(&camera, (&view, &[]), DVec3::ZERO, &Look::default());
+            let (all, [below, ..]) = guides(&camera, (&view, &[], None), DVec3::ZERO, &Look::default());
             let ends = all[below..].iter().flat_map(|guide| [guide.a, guide.b]);
             ends.map(|[x, y, ..]| [320.0 + 60.0 * x, 240.0 - 60.0 * y]).collect::<Vec<_>>()
         };
@@ -341,7 +344,7 @@ mod tests {
             let current = crate::sim::Positions::F64(places);
             let hinges = vec![Hinge { points: [0, 1, 2].map(PointId), ways }];
             let view = View { hinges, previous: current, current, ..empty(&bonds, 2) };
-            let (all, [below, over, marks]) = guides(&camera, (&view, &[]), DVec3::ZERO, &Look::default());
+            let (all, [below, over, marks]) = guides(&camera, (&view, &[], None), DVec3::ZERO, &Look::default());
             assert_eq!(all.len(), below + over + marks);
             all[below + over..].to_vec()
         };
@@ -362,6 +365,6 @@ mod tests {
             list.len()
         };
         assert_eq!((count(2), count(3)), (4, 12));
-        assert!(guides(&camera, (&empty(&Bonds::default(), 3), &[]), DVec3::ZERO, &Look::default()).0.is_empty());
+        assert!(guides(&camera, (&empty(&Bonds::default(), 3), &[], None), DVec3::ZERO, &Look::default()).0.is_empty());
     }
 }

@@ -11,6 +11,8 @@ pub enum Overlay {
     None,
     /// The strain of bonds, and of what bodies cover.
     Strain,
+    /// The distance to where points are in another world, where the view tells it: colours as of stretched bonds.
+    Difference,
 }
 
 /// Colours of strains, from squeezed to stretched, in even steps.
@@ -72,6 +74,8 @@ pub struct Look {
     pub strain_scale: f32,
     /// Strain from which on there are no further colours `[1]`.
     pub strain_full: f32,
+    /// Distance from which on there are no further colours `[m]`, > 0; below a hundredth of it they go in proportion, above by its logarithm.
+    pub difference_full: f32,
     /// What is shown by colour.
     pub overlay: Overlay,
     /// Whether bodies without a picture are filled.
@@ -117,6 +121,7 @@ impl Default for Look {
             outline_width: 1.5,
             strain_scale: 0.005,
             strain_full: 0.3,
+            difference_full: 1.0,
             overlay: Overlay::None,
             has_fills: true,
             has_mesh: false,

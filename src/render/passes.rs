@@ -164,11 +164,12 @@ pub(super) struct Shown {
     pub(super) region: bool,
     /// Fills and skins.
     pub(super) fills: bool,
-    /// Strain, in place of skins.
-    pub(super) strain: bool,
+    /// A map by colours, in place of skins.
+    pub(super) map: bool,
 }
 
-/// Pipelines and bindings of all passes.
+/// Pipelines and bindings of all passes. Copies share the pipelines.
+#[derive(Clone)]
 pub(super) struct Passes {
     /// In the order that they are drawn in.
     pipelines: Vec<(Pass, wgpu::RenderPipeline)>,
@@ -228,14 +229,13 @@ impl Passes {
         // The region reads no list.
         let lists = [&buffers.guides, &buffers.bonds, &buffers.points, &buffers.guides, &buffers.solids];
         self.bindings = Some(std::array::from_fn(|shader| {
-            let list = lists[shader];
-            let entries = [&buffers.frame, &buffers.previous, &buffers.current, list];
+            let entries = buffers.bound(&buffers.frame, lists[shader]);
             let entry =
                 |i: usize| wgpu::BindGroupEntry { binding: i as u32, resource: entries[i].buffer.as_entire_binding() };
             gpu.device.create_bind_group(&wgpu::BindGroupDescriptor {
                 label: Some(SHADERS[shader].0),
                 layout: &self.layout,
-                entries: &[entry(0), entry(1), entry(2), entry(3)],
+                entries: &[entry(0), entry(1), entry(2), entry(3), entry(4)],
             })
         }));
     }
@@ -271,9 +271,9 @@ impl Passes {
                 let [below, count, _] = buffers.guide_counts;
                 self.draw_guides(target, below..below + count, counters);
                 if shown.fills {
-                    fills.draw(shown.strain, target, &self.fill, counters);
+                    fills.draw(shown.map, target, &self.fill, counters);
                 }
-                if shown.fills && !shown.strain {
+                if shown.fills && !shown.map {
                     skins.draw(target, &self.skin, counters);
                 }
             }
@@ -327,7 +327,7 @@ fn bindings_layout(device: &wgpu::Device) -> wgpu::BindGroupLayout {
     };
     device.create_bind_group_layout(&wgpu::BindGroupLayoutDescriptor {
         label: Some("world"),
-        entries: &[entry(0), entry(1), entry(2), entry(3)],
+        entries: &[entry(0), entry(1), entry(2), entry(3), entry(4)],
     })
 }
 

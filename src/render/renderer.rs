@@ -1,18 +1,17 @@
 //! Draws a world: uploads what changed, then one pass after another into any target.
 
 use super::buffers::WorldBuffers;
-use super::camera::Camera;
 use super::counters::RenderCounters;
+use super::ensemble::Pane;
 use super::error::RenderError;
 use super::fills::Fills;
 use super::frame::Frame;
 use super::gpu::Gpu;
 use super::guides::guides;
-use super::look::{Look, Overlay};
+use super::look::{Color, Overlay};
 use super::obstacles::{Obstacles, solids};
 use super::passes::{DEPTH, Passes, Shown};
 use super::skin::Skins;
-use super::view::View;
 
 /// A renderer for worlds of one dimension, to targets of one format.
 ///
@@ -27,7 +26,7 @@ pub struct Renderer {
     dimensions: usize,
     has_region: bool,
     has_fills: bool,
-    shows_strain: bool,
+    shows_map: bool,
     counters: RenderCounters,
 }
 
@@ -36,8 +35,19 @@ impl Renderer {
     pub fn new(gpu: &Gpu, format: wgpu::TextureFormat, dimensions: usize) -> Self {
         let (skins, obstacles, fills) = (Skins::new(gpu), Obstacles::new(gpu), Fills::new(gpu));
         let own = [skins.layout(), obstacles.layout(), fills.layout()];
+        let passes = Passes::new(gpu, format, dimensions, own);
+        Renderer::of(gpu, passes, (skins, obstacles, fills), dimensions)
+    }
+
+    /// One for another world of the same picture: its pipelines are the same.
+    pub(super) fn another(&self, gpu: &Gpu) -> Self {
+        let own = (Skins::new(gpu), Obstacles::new(gpu), Fills::new(gpu));
+        Renderer::of(gpu, self.passes.clone(), own, self.dimensions)
+    }
+
+    fn of(gpu: &Gpu, passes: Passes, (skins, obstacles, fills): (Skins, Obstacles, Fills), dimensions: usize) -> Self {
         Renderer {
-            passes: Passes::new(gpu, format, dimensions, own),
+            passes,
             buffers: WorldBuffers::new(gpu),
             skins,
             obstacles,
@@ -46,7 +56,7 @@ impl Renderer {
             dimensions,
             has_region: false,
             has_fills: false,
-            shows_strain: false,
+            shows_map: false,
             counters: RenderCounters::default(),
         }
     }
@@ -54,20 +64,23 @@ impl Renderer {
     /// Uploads what changed since the last picture.
     ///
     /// Errors: a world larger than the GPU's buffers.
-    pub fn prepare(&mut self, gpu: &Gpu, view: &View<'_>, camera: &Camera, look: &Look) -> Result<(), RenderError> {
+    pub fn prepare(&mut self, gpu: &Gpu, pane: &Pane<'_>) -> Result<(), RenderError> {
+        let Pane { view, camera, look, .. } = pane;
         let counters = &mut self.counters;
         self.fills.update(gpu, view, counters)?;
         self.buffers.update(gpu, (view, self.fills.triangles()), camera, counters)?;
-        (self.has_fills, self.shows_strain) = (look.has_fills, look.overlay == Overlay::Strain);
+        let shows_strain = look.overlay == Overlay::Strain;
+        self.has_fills = look.has_fills;
+        self.shows_map = shows_strain || (look.overlay == Overlay::Difference && view.values.is_some());
         if look.has_fills {
             let places = self.buffers.current_places(view);
-            self.fills.shade(gpu, (view, places), self.shows_strain, counters)?;
+            self.fills.shade(gpu, (view, places), shows_strain, counters)?;
         }
         self.skins.update(gpu, view, counters)?;
         let origin = self.buffers.origin;
         let frame = Frame::new(view, camera, look, &self.buffers);
         self.obstacles.update(gpu, (view, camera, &frame), counters)?;
-        let (lines, counts) = guides(camera, (view, self.obstacles.patches()), origin, look);
+        let (lines, counts) = guides(camera, (view, self.obstacles.patches(), pane.border()), origin, look);
         self.buffers.set_guides(gpu, bytemuck::cast_slice(&lines), counts, counters)?;
         self.buffers.set_solids(gpu, solids(view, camera, origin), counters)?;
         self.has_region = frame.has_region();
@@ -92,17 +105,20 @@ impl Renderer {
         self.fills.forget();
     }
 
-    /// Draws what was prepared into the upper left `area` of `target`, which has `size` `[px]`, over the ground colour.
+    /// Draws what was prepared into a part of the upper left `area` of `target`, which has `size` `[px]`, over a ground of its colour,
+    /// or over what is there: `clip` is left, top, width and height of that part `[px]`.
     pub fn draw(
         &mut self,
         gpu: &Gpu,
         encoder: &mut wgpu::CommandEncoder,
         target: &wgpu::TextureView,
-        size: [u32; 2],
-        area: [u32; 2],
-        look: &Look,
+        (size, area, clip): ([u32; 2], [u32; 2], [u32; 4]),
+        ground: Option<Color>,
     ) {
-        let [r, g, b, a] = look.ground.map(f64::from);
+        let clear = |color: Color| {
+            let [r, g, b, a] = color.map(f64::from);
+            wgpu::LoadOp::Clear(wgpu::Color { r, g, b, a })
+        };
         let depth = self.depth_view(gpu, size);
         self.passes.cover(gpu, encoder, &mut self.obstacles, area, &mut self.counters);
         let mut pass = encoder.begin_render_pass(&wgpu::RenderPassDescriptor {
@@ -111,10 +127,7 @@ impl Renderer {
                 view: target,
                 depth_slice: None,
                 resolve_target: None,
-                ops: wgpu::Operations {
-                    load: wgpu::LoadOp::Clear(wgpu::Color { r, g, b, a }),
-                    store: wgpu::StoreOp::Store,
-                },
+                ops: wgpu::Operations { load: ground.map_or(wgpu::LoadOp::Load, clear), store: wgpu::StoreOp::Store },
             })],
             depth_stencil_attachment: depth.as_ref().map(|view| wgpu::RenderPassDepthStencilAttachment {
                 view,
@@ -125,11 +138,12 @@ impl Renderer {
             occlusion_query_set: None,
             multiview_mask: None,
         });
-        if area[0] > 0 && area[1] > 0 {
+        let [left, top, width, height] = clip;
+        if area[0] > 0 && area[1] > 0 && width > 0 && height > 0 {
             pass.set_viewport(0.0, 0.0, area[0] as f32, area[1] as f32, 0.0, 1.0);
-            pass.set_scissor_rect(0, 0, area[0], area[1]);
+            pass.set_scissor_rect(left, top, width, height);
             let shapes = (&self.buffers, &self.skins, &self.obstacles, &self.fills);
-            let shown = Shown { region: self.has_region, fills: self.has_fills, strain: self.shows_strain };
+            let shown = Shown { region: self.has_region, fills: self.has_fills, map: self.shows_map };
             self.passes.draw(&mut pass, shapes, shown, &mut self.counters);
         }
         self.counters.frames_drawn += 1;

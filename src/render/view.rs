@@ -84,6 +84,8 @@ pub struct View<'a> {
     pub triangles: &'a [[PointId; 3]],
     /// Which body points belong to; none: what hangs together is one.
     pub tints: &'a [Tint],
+    /// What points are coloured by, one each, where the look shows a difference `[m]`: below 0, or no number, it has none.
+    pub values: Option<&'a [f32]>,
     /// Where points have been, if that is shown.
     pub trails: Option<&'a Trails>,
     /// The points that never move.
@@ -122,6 +124,7 @@ impl<'a> View<'a> {
             skins: &[],
             triangles: world.triangles(),
             tints: &[],
+            values: None,
             trails: None,
             pinned: world.pinned(),
             bounds: world.bounds(),

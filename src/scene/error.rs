@@ -176,6 +176,18 @@ impl Fault {
         self
     }
 
+    /// The same fault of something that has a name.
+    pub(super) fn of(self, name: &str) -> Self {
+        Fault { message: format!("`{name}`: {}", self.message), ..self }
+    }
+
+    /// The same fault, whose place is in what this scene stands for.
+    pub(super) fn elsewhere(self) -> Self {
+        let path: Vec<Step> = self.outwards.into_iter().rev().collect();
+        let message = if path.is_empty() { self.message } else { format!("{}: {}", path_name(&path), self.message) };
+        Fault { kind: self.kind, outwards: Vec::new(), message }
+    }
+
     /// The error with file and, where the text is there, line.
     pub(super) fn into_error(self, label: &str, text: Option<&str>) -> SceneError {
         let path: Vec<Step> = self.outwards.into_iter().rev().collect();

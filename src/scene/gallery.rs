@@ -182,7 +182,7 @@ static GALLERY: [Entry; 46] = [
         4,
         "Box, as printed",
         "The loop of source 001: six moves to one sweep. It falls well, goes to pieces where it lands, and ends in a corner; a fifth of its pace.",
-        "choose another solver in the settings and press R."
+        "R, and watch both land: beside it bonds keep their length."
     ),
     entry!(
         "constraints",
@@ -210,7 +210,7 @@ static GALLERY: [Entry; 46] = [
         10,
         "Random graph, as printed",
         "The loop of source 000: each bond ends a thousandth short, and only what is pressed together is limited; the mouse attracts.",
-        "hold the mouse near it; choose another solver in the settings."
+        "hold the mouse near it: beside it are whole bonds, limited both ways."
     ),
     entry!(
         "rim",
@@ -232,7 +232,7 @@ static GALLERY: [Entry; 46] = [
         26,
         "Rim, as printed",
         "The loop of source 000: walls come before the sweep, so points get through the floor; one point hangs by one bond.",
-        "look at the floor; choose another solver in the settings."
+        "look at the floor: beside it walls come after the sweep. Drag one, and both follow."
     ),
     entry!(
         "spring-damper",
@@ -246,7 +246,7 @@ static GALLERY: [Entry; 46] = [
         10,
         "Springs, as printed",
         "The loop of source 003 in steps of 0.1 s, with forces by strain: called explicit Euler there, it is semi-implicit: swings of one weight do not grow. The chain at the right is too stiff for the step, and flies apart.",
-        "choose euler in the settings, and watch them grow."
+        "pull a weight down: beside it are the same springs in steps of a millisecond."
     ),
     entry!(
         "spring-damper-relative",
@@ -260,21 +260,21 @@ static GALLERY: [Entry; 46] = [
         2,
         "Euler's circle",
         "Explicit Euler with steps of 0.1 s on a circle: it spirals out, by a factor of sqrt(1 + h^2) a step.",
-        "R, then halve the pace: the turns grow all the same."
+        "R, and follow all three; throw one point, and all are thrown."
     ),
     entry!(
         "slide-decay",
         8,
         "Euler's decay",
         "Explicit Euler on v' = -k v, h = 0.1 s: smooth at h k = 0.5, it oscillates at 1.5 and 1.95, and grows at 2.02.",
-        "R, and watch which of the four points comes to rest."
+        "R, and watch which points come to rest: beside it two implicit methods bring all of them there."
     ),
     entry!(
         "phase-portrait",
         264,
         "Phase portrait",
         "Oscillators as points: where they are across, how fast upwards. They follow the field round closed orbits.",
-        "choose euler in the settings: the orbits grow; backward-euler: they shrink."
+        "compare: explicit Euler lets orbits grow, backward Euler shrink. Put another method beside them."
     ),
     entry!(
         "penalty",
@@ -351,7 +351,7 @@ static GALLERY: [Entry; 46] = [
         30,
         "Rope, as printed",
         "The loop of source 002: fifty sweeps a step, and the rope still hangs a hundredth too long.",
-        "lead the pinned end away and unpin it with T: it is flung."
+        "lead the pinned end away and unpin it with T: it is flung; beside it the rope is let go at rest."
     ),
     entry!(
         "net",
@@ -386,7 +386,7 @@ static GALLERY: [Entry; 46] = [
         121,
         "Cloth, as printed",
         "The loop of source 004: a cloth that starts above its bar at half its size drops, and hangs as long as the frame rate wants.",
-        "set another step; grab a corner."
+        "grab a corner: beside it threads keep their length."
     ),
     entry!(
         "cloth-ball",

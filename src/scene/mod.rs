@@ -39,16 +39,17 @@ mod write;
 
 pub(crate) use addition::Made;
 pub use anew::Cut;
+pub(crate) use check::MOST_BESIDE;
 pub use error::{SceneError, SceneErrorKind, Source};
 pub use gallery::{Entry, gallery};
 pub(crate) use keys::macros::object;
 pub use keys::{
-    AddKeys, AngleKeys, AreaKeys, AreaKindName, BodyKeys, BondKeys, BondList, BoundsKeys, BoxKeys, BraceName,
-    BudgetKeys, CircleKeys, ColorKey, ContactKeys, DiagonalsName, DriveKeys, ForceKeys, KeyName, KindName, LimitName,
-    MakerName, MassKeys, Material, Meeting, MethodKeys, MouseKeys, ObstacleKeys, OrderName, ParameterKeys, PatternName,
-    PenaltyKeys, PictureKeys, PinMotionKeys, PlaneKeys, PointGroupKeys, PointKeys, PrecisionName, ProfileName,
-    RegionName, RepeatKeys, RotationKeys, Row, Scene, SkinKeys, SolverName, SourceName, StrokesName, TextureKeys,
-    Vector, Version, ViewKeys, WindKeys,
+    AddKeys, AngleKeys, AreaKeys, AreaKindName, BesideKeys, BodyKeys, BondKeys, BondList, BoundsKeys, BoxKeys,
+    BraceName, BudgetKeys, CircleKeys, ColorKey, ContactKeys, DiagonalsName, DriveKeys, ForceKeys, KeyName, KindName,
+    LimitName, MakerName, MassKeys, Material, Meeting, MethodKeys, MouseKeys, ObstacleKeys, OrderName, ParameterKeys,
+    PatternName, PenaltyKeys, PictureKeys, PinMotionKeys, PlaneKeys, PointGroupKeys, PointKeys, PrecisionName,
+    ProfileName, RegionName, RepeatKeys, RotationKeys, Row, Scene, SkinKeys, SolverName, SourceName, StrokesName,
+    TextureKeys, Vector, Version, ViewKeys, WindKeys,
 };
 pub(crate) use keys::{ObjectOnly, present};
 pub(crate) use nearest::nearest;

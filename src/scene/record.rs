@@ -175,8 +175,24 @@ pub struct Recording {
     pub counters: RecordedCounters,
     /// What the user should know.
     pub warnings: Vec<String>,
+    /// The same start by other methods, where the scene has some beside it.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub beside: Vec<RecordedBeside>,
     /// See [`hash`].
     pub hash: String,
+}
+
+/// The same start by another method, and how far that gets.
+#[derive(Clone, Debug, Serialize)]
+pub struct RecordedBeside {
+    /// What it is called.
+    pub title: String,
+    /// The solver asked for.
+    pub solver: &'static str,
+    /// Longest substep `[s]`.
+    pub substep: f64,
+    /// The largest distance of a point from where the run has it, at each sample `[m]`.
+    pub distance: Vec<f64>,
 }
 
 /// The stiffness that relaxed bonds amount to at this substep, these sweeps and this order.

@@ -39,6 +39,7 @@ pub fn view<'a>(positions: &'a [f32], bonds: &'a Bonds, dimensions: usize) -> Vi
         skins: &[],
         triangles: &[],
         tints: &[],
+        values: None,
         trails: None,
         dimensions,
         previous: Positions::F32(positions),

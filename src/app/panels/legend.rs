@@ -1,10 +1,10 @@
 //! What colours of strain mean: a bar with numbers, at the right edge, while strain is shown.
 
-use egui::{Align2, Area, Color32, FontId, Id, Mesh, Rect, Sense, Shape, pos2, vec2};
+use egui::{Align2, Area, Color32, FontId, Id, Mesh, Rect, Sense, Shape, Ui, pos2, vec2};
 
 use super::places::{APART, Places};
 use super::theme::{TEXT, WEAK, floating};
-use crate::render::Look;
+use crate::render::{Color, Look};
 
 /// Width and height of the bar `[points]`.
 const BAR: [f32; 2] = [230.0, 10.0];
@@ -26,7 +26,7 @@ pub(super) fn show(context: &egui::Context, places: &mut Places, look: &Look) {
                 });
                 let (place, _) = ui.allocate_exact_size(vec2(BAR[0] + 24.0, BAR[1] + 17.0), Sense::hover());
                 let bar = Rect::from_min_size(place.min + vec2(12.0, 0.0), BAR.into());
-                ui.painter().add(Shape::mesh(shades(bar, look)));
+                ui.painter().add(Shape::mesh(shades(bar, &look.strain)));
                 for number in NUMBERS {
                     let x = bar.left() + bar.width() * (0.5 + 0.5 * share(0.01 * number, look));
                     ui.painter().line_segment([pos2(x, bar.bottom()), pos2(x, bar.bottom() + 3.0)], (1.0, WEAK));
@@ -41,6 +41,43 @@ pub(super) fn show(context: &egui::Context, places: &mut Places, look: &Look) {
     places.right = shown.response.rect.bottom() + APART;
 }
 
+/// Shares of the largest distance with a number at the bar `[1]`.
+const SHARES: [f32; 4] = [0.0, 0.01, 0.1, 1.0];
+
+/// Width of the bar of distances with its numbers `[points]`.
+pub(super) const WIDTH: f32 = 220.0;
+
+/// What colours of distance mean: the same bar from its middle on.
+pub(super) fn of_distance(ui: &mut Ui, look: &Look) {
+    ui.weak("distance to the first:");
+    let (place, _) = ui.allocate_exact_size(vec2(WIDTH, BAR[1] + 17.0), Sense::hover());
+    let bar = Rect::from_min_size(place.min + vec2(8.0, 0.0), vec2(WIDTH - 32.0, BAR[1]));
+    let middle = look.strain.len() / 2;
+    ui.painter().add(Shape::mesh(shades(bar, &look.strain[middle..])));
+    for share in SHARES {
+        let x = bar.left() + bar.width() * (100.0 * share).asinh() / 100.0_f32.asinh();
+        ui.painter().line_segment([pos2(x, bar.bottom()), pos2(x, bar.bottom() + 3.0)], (1.0, WEAK));
+        let words = of_length(share * look.difference_full);
+        let at = pos2(x, bar.bottom() + 3.0);
+        ui.painter().text(at, Align2::CENTER_TOP, words, FontId::proportional(11.0), TEXT);
+    }
+}
+
+/// A length `[m]` in the unit that suits it.
+fn of_length(metres: f32) -> String {
+    match metres {
+        0.0 => "0".to_owned(),
+        small if small < 0.0099 => format!("{} mm", digits(1e3 * small)),
+        small if small < 0.99 => format!("{} cm", digits(1e2 * small)),
+        large => format!("{} m", digits(large)),
+    }
+}
+
+/// A number without what rounding left behind.
+fn digits(value: f32) -> f32 {
+    format!("{value:.1e}").parse().unwrap_or(value)
+}
+
 /// Where a strain lies on the bar: -1 at its left end, 1 at its right one, as in the shader.
 fn share(strain: f32, look: &Look) -> f32 {
     let size = (strain.abs() / look.strain_scale).asinh() / (look.strain_full / look.strain_scale).asinh();
@@ -48,10 +85,10 @@ fn share(strain: f32, look: &Look) -> f32 {
 }
 
 /// The bar in its colours.
-fn shades(bar: Rect, look: &Look) -> Mesh {
+fn shades(bar: Rect, colors: &[Color]) -> Mesh {
     let mut mesh = Mesh::default();
-    let steps = look.strain.len() - 1;
-    for (place, color) in look.strain.iter().enumerate() {
+    let steps = colors.len() - 1;
+    for (place, color) in colors.iter().enumerate() {
         let [red, green, blue, _] = color.map(|part| (255.0 * part).round() as u8);
         let x = bar.left() + bar.width() * place as f32 / steps as f32;
         let first = mesh.vertices.len() as u32;

@@ -1,6 +1,9 @@
 //! The panels: a bar below, tools at the left, figures, what is said, and sheets over the world. They return wishes and change
 //! nothing of the world.
 
+mod beside;
+#[cfg(test)]
+mod beside_tests;
 mod dial;
 mod drives;
 mod gallery;
@@ -45,8 +48,9 @@ use super::player::{Figures, MethodSetting};
 use super::plots::Plots;
 use super::tools::{Brush, Drives};
 use crate::render::{Look, Overlay};
-use crate::scene::SolverName;
+use crate::scene::{BesideKeys, SolverName};
 use crate::sim::Key;
+pub(super) use beside::Neighbor;
 pub(super) use gallery::{THUMBNAIL, search_id};
 use icons::Icon;
 pub(super) use lessons::{At, Lessons};
@@ -86,6 +90,12 @@ pub(super) enum Wish {
     Lasso(bool),
     /// Something is set of the scene.
     Set(Setting),
+    /// The same start beside it, by this or as exact as can be.
+    Beside(Option<BesideKeys>),
+    /// What stands beside it at a place of the row is taken away.
+    TakeAway(usize),
+    /// What stands beside it is coloured by the distance.
+    TintDistance(bool),
     /// Another solver, with all else of the method as it is.
     Solver(SolverName),
     /// Something else of the method, of the same drag as the last one.
@@ -200,6 +210,10 @@ pub(super) struct Facts {
     pub(super) dimensions: usize,
     /// Corners of what of the plane is seen `[m]`.
     pub(super) seen: [[f64; 2]; 2],
+    /// The worlds that are side by side; none where there is but one.
+    pub(super) neighbors: Vec<Neighbor>,
+    /// They are coloured by their distance to the first.
+    pub(super) tints_distance: bool,
     pub(super) settings: Settings,
 }
 
@@ -247,6 +261,9 @@ pub(super) fn show(ui: &mut egui::Ui, state: &mut PanelState, facts: &Facts) -> 
     }
     held::show(&context, places.low(), facts);
     state.notes.show(&context, &places, facts, &mut wishes);
+    if !state.hides_hud && !is_covered {
+        beside::titles(&context, facts, state.notes.has_caption && facts.caption.is_some());
+    }
     match state.sheet {
         Some(Sheet::Gallery) => gallery::show(&context, room, state, facts, &mut wishes),
         Some(Sheet::Help) => help::show(&context, room, state),

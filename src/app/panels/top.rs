@@ -36,6 +36,7 @@ pub(super) fn show(context: &egui::Context, room: Rect, facts: &Facts, wishes: &
                         wishes.push(Wish::Act(Action::Show(showing)));
                     }
                 }
+                super::beside::menu(ui, facts, wishes);
                 ui.separator();
                 if facts.has_picture {
                     button(ui, "Picture", "cut the scene's first picture out anew", Action::Import, wishes);

@@ -4,6 +4,9 @@
 //! gave up on (another scene, a reset while a step takes long) runs out by itself and is not looked at any more.
 
 mod acts;
+mod beside;
+#[cfg(test)]
+mod beside_tests;
 mod keep;
 #[cfg(test)]
 mod keep_tests;
@@ -32,6 +35,7 @@ use std::thread::JoinHandle;
 use std::time::{Duration, Instant};
 
 pub use acts::Acts;
+pub use beside::{Beside, Companions};
 pub use keep::Keeping;
 pub use movers::{Moved, Movers};
 pub use order::{MethodSetting, Note, Order};
@@ -227,9 +231,9 @@ impl Player {
         self.playing
     }
 
-    /// Whether time passes: playing and awake.
+    /// Whether time passes: playing and awake; or what stands beside the world is on its way.
     pub fn is_moving(&self) -> bool {
-        self.playing && self.is_open() && !self.shown.figures.asleep
+        self.is_open() && (self.playing && !self.shown.figures.asleep || self.shown.figures.behind)
     }
 
     /// Whether there is a state to draw.

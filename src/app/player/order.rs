@@ -2,6 +2,7 @@
 
 use std::path::PathBuf;
 
+use super::beside::Companions;
 use super::watch::Probes;
 use crate::app::matter::{Among, MatterChange};
 use crate::history::Do;
@@ -47,6 +48,8 @@ pub enum Order {
     Inspect(Among),
     /// The world is looked at, as it is now.
     Copy(Look),
+    /// Others stand beside the world from now on.
+    Beside(Companions),
     /// Another solver, with all else of the method as it is.
     Solver(SolverName),
     /// One number of the method, with all else of it as it is; of the same drag as the last one.

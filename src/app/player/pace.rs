@@ -41,6 +41,8 @@ pub struct Pace {
     pub is_taken: bool,
     /// Positions before the last substep.
     pub previous: Places,
+    /// When that was `[s]`.
+    previous_time: f64,
     /// Time that was due in the last frame was dropped.
     pub is_late: bool,
     /// Changes whenever positions did.
@@ -63,6 +65,7 @@ impl Pace {
             presses: false,
             is_taken: false,
             previous,
+            previous_time: history.world().time(),
             is_late: false,
             motion: 1,
         }
@@ -87,7 +90,7 @@ impl Pace {
         let wall = wall.clamp(0.0, LONGEST_FRAME) * self.rate;
         self.take_over(history);
         let is_told = self.tell(history, cursor, history.world().time() + self.due + wall);
-        if history.world().is_asleep() {
+        if history.rests() {
             // A world that did not move does not make up for the pause.
             self.due = 0.0;
             self.motion += u64::from(is_told);
@@ -103,7 +106,7 @@ impl Pace {
             }
             self.step_once(history);
             substeps += 1;
-            if history.world().is_asleep() {
+            if history.rests() {
                 self.settle(history);
             } else if !self.ended && self.duration.is_some_and(|end| history.world().time() >= end) {
                 self.playing = false;
@@ -160,6 +163,7 @@ impl Pace {
         self.due -= history.world().substep();
         if self.due < history.world().substep() {
             self.previous.copy(history.world().positions());
+            self.previous_time = history.world().time();
         }
         history.step();
         self.motion += 1;
@@ -169,6 +173,7 @@ impl Pace {
     pub fn settle(&mut self, history: &History) {
         self.due = 0.0;
         self.previous.copy(history.world().positions());
+        self.previous_time = history.world().time();
         self.motion += 1;
     }
 
@@ -223,7 +228,13 @@ impl Pace {
 
     /// Whether time passes: playing and awake.
     pub fn is_moving(&self, history: &History) -> bool {
-        self.playing && !history.world().is_asleep()
+        self.playing && !history.rests()
+    }
+
+    /// The time of what is drawn, between the last two states `[s]`.
+    pub fn shown_time(&self, history: &History) -> f64 {
+        let time = history.world().time();
+        self.previous_time + f64::from(self.mix(history.world())) * (time - self.previous_time)
     }
 
     /// How far between the last two states the picture lies, 0 to 1.

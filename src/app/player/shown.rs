@@ -3,6 +3,7 @@
 use std::sync::Arc;
 
 use super::acts::Acts;
+use super::beside::Beside;
 use super::movers::Movers;
 use super::rungs::Yielded;
 use super::watch::Measured;
@@ -132,6 +133,36 @@ impl Scenery {
         self.bonds.ends().get(place).copied()
     }
 
+    /// As the renderer reads it, without points.
+    pub fn view(&self, dimensions: usize) -> View<'_> {
+        let Scenery {
+            bonds, pinned, bounds, planes, polygons, convex, triangles, skins, tints, hinges, joints, ..
+        } = self;
+        View {
+            dimensions,
+            previous: Positions::F64(&[]),
+            current: Positions::F64(&[]),
+            mix: 1.0,
+            motion: 0,
+            topology: 0,
+            bonds,
+            skins,
+            triangles,
+            tints,
+            values: None,
+            trails: None,
+            pinned,
+            bounds: *bounds,
+            planes: planes.clone(),
+            polygons,
+            convex,
+            mouse: None,
+            hinges: hinges.clone(),
+            joints: joints.clone(),
+            covered: &[],
+        }
+    }
+
     /// The number of the bond at this place of the list.
     pub fn bond_number(&self, place: usize) -> u32 {
         self.bond_numbers.as_ref().map_or(place as u32, |numbers| numbers.get(place).copied().unwrap_or(u32::MAX))
@@ -164,8 +195,10 @@ pub struct Figures {
     pub follows: bool,
     /// It plays.
     pub playing: bool,
-    /// It sleeps.
+    /// It sleeps, and so does what stands beside it.
     pub asleep: bool,
+    /// What stands beside it is on its way to where it is.
+    pub behind: bool,
     /// It came to the end of its duration.
     pub ended: bool,
     /// Seconds of the scene a second of wall time.
@@ -223,6 +256,10 @@ pub struct Shown {
     pub cursor: Option<Cursor>,
     /// What is grabbed.
     pub grab: Option<GrabView>,
+    /// The same start by other methods, and what the method of the world is called beside them.
+    pub beside: Vec<Beside>,
+    /// Empty where nothing stands beside it.
+    pub title: String,
     /// What panels show.
     pub figures: Figures,
     /// What plots are made of, if that is asked for.
@@ -234,30 +271,14 @@ pub struct Shown {
 impl Shown {
     /// As the renderer reads it.
     pub fn view(&self) -> View<'_> {
-        let Scenery {
-            bonds, pinned, bounds, planes, polygons, convex, triangles, skins, tints, hinges, joints, ..
-        } = &*self.scenery;
         View {
-            dimensions: self.dimensions,
             previous: self.previous.view(),
             current: self.current.view(),
             mix: self.mix,
             motion: self.motion,
             topology: self.topology,
-            bonds,
-            skins,
-            triangles,
-            tints,
-            trails: None,
-            pinned,
-            bounds: *bounds,
-            planes: planes.clone(),
-            polygons,
-            convex,
             mouse: self.mouse.as_ref().zip(self.cursor),
-            hinges: hinges.clone(),
-            joints: joints.clone(),
-            covered: &[],
+            ..self.scenery.view(self.dimensions)
         }
     }
 

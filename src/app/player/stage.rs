@@ -4,6 +4,7 @@ use std::sync::Arc;
 use std::time::{Duration, Instant};
 
 use super::acts::{Acts, Deeds};
+use super::beside::{Companions, Escort, reference};
 use super::movers::{EXACT, Movers, exact, movers, with};
 use super::order::{Adder, Note, Order};
 use super::pace::{Pace, SINGLE_STEP};
@@ -45,6 +46,7 @@ pub struct Stage {
     energy: f64,
     movers: Arc<Movers>,
     rungs: Rungs,
+    escort: Escort,
     yielded: Option<Yielded>,
     deeds: Deeds,
     acts: Acts,
@@ -98,6 +100,7 @@ impl Stage {
             energy: 0.0,
             movers: Arc::default(),
             rungs: Rungs::new(),
+            escort: Escort::default(),
             yielded: None,
             deeds: Deeds::default(),
             acts: Acts::default(),
@@ -155,6 +158,7 @@ impl Stage {
                 | Order::Reset
                 | Order::Advance { back: true, .. }
         );
+        let comes = goes || matches!(order, Order::Step(_) | Order::Play(_) | Order::Beside(_));
         let (is_followed, branch) = (self.history.has_future(), self.history.branch());
         let was_taken = self.pace.is_taken;
         let note = match order {
@@ -187,6 +191,7 @@ impl Stage {
                 look(self.history.world(), self.history.tints());
                 None
             }
+            Order::Beside(companions) => self.put_beside(companions),
             Order::Solver(solver) => {
                 let method = MethodKeys { solver: Some(solver), source: None, ..self.history.method() };
                 self.give(vec![with(method)], Some(SOLVER))
@@ -263,7 +268,11 @@ impl Stage {
             // Of another past, whatever its number says.
             self.topology = None;
             self.rungs.have_gone();
+            self.escort.have_gone();
             (self.has_gone, self.figures_at) = (true, None);
+        }
+        if comes {
+            self.escort.come(&mut self.history, &self.pace, 0.0);
         }
         if self.pace.is_taken && !was_taken {
             self.base = self.history.base_strength();
@@ -353,15 +362,37 @@ impl Stage {
         given.err().map(|refusal| Note::Refused(refusal.reason))
     }
 
+    /// Others stand beside the world from now on.
+    fn put_beside(&mut self, companions: Companions) -> Option<Note> {
+        let before = self.history.scene().beside.clone();
+        let lists = match companions {
+            Companions::These(entries) => vec![entries],
+            Companions::Reference => {
+                let more = reference(&self.history).into_iter();
+                more.map(|entry| before.iter().cloned().chain([entry]).collect()).collect()
+            }
+        };
+        let mut note = None;
+        for entries in lists {
+            note = self.history.set_beside(entries).err().map(|error| Note::Refused(error.to_string()));
+            if note.is_none() {
+                self.escort.begin();
+                break;
+            }
+        }
+        note
+    }
+
     /// Lets time pass.
     fn advance(&mut self, wall: f64, cursor: Option<Cursor>) {
         let (start, before) = (Instant::now(), self.history.world().time());
         let substeps = self.pace.advance(&mut self.history, wall, cursor, || start.elapsed().as_secs_f64());
         self.substeps += u64::from(substeps);
+        let beside = self.escort.come(&mut self.history, &self.pace, wall);
         let (steps, gone) = (start.elapsed().as_secs_f64(), self.history.world().time() - before);
         if substeps > 0 {
             self.steps.push(steps);
-            self.works.push(SINGLE_STEP * steps * self.pace.rate / gone);
+            self.works.push(SINGLE_STEP * (steps - beside) * self.pace.rate / gone);
         }
         if wall > 0.0 && self.pace.is_moving(&self.history) {
             self.reached.push(gone / (wall * self.pace.rate));
@@ -371,6 +402,10 @@ impl Stage {
 
     /// Where steps took too long for a while, something gives way; it is given back where they do no more.
     fn give_way(&mut self, load: Load) {
+        // Companions wait first.
+        if self.escort.gives_way(&self.history, load) {
+            return;
+        }
         let Some((act, name)) = self.rungs.look(&self.history, load) else { return };
         if self.history.give(vec![act], Some(name)).is_err() {
             // A world that cannot be moved so goes on as it is.
@@ -495,6 +530,9 @@ impl Stage {
         shown.figures = self.figures(world);
         shown.measured = self.watch.look(self.history.world());
         shown.matter.clone_from(&self.matter);
+        let has_beside = !self.history.companions().is_empty();
+        shown.title = if has_beside { self.history.method().title() } else { String::new() };
+        self.escort.show(&self.history, &self.pace, shown.mix, &mut shown.beside);
     }
 
     fn figures(&self, world: &dyn Dynamics) -> Figures {
@@ -503,7 +541,8 @@ impl Stage {
             end: self.history.end(),
             follows: self.history.has_future(),
             playing: self.pace.playing,
-            asleep: world.is_asleep(),
+            asleep: self.history.rests(),
+            behind: self.escort.is_behind(&self.history),
             ended: self.pace.ended,
             rate: self.pace.rate,
             pace: self.reached.value(),

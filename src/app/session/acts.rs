@@ -99,6 +99,9 @@ impl Session {
             Wish::Matter(change, goes_on) => self.change_matter(change, goes_on),
             Wish::Brush(brush) => self.hand.set_brush(brush),
             Wish::Lasso(is_lasso) => self.hand.draw_lasso(is_lasso),
+            Wish::Beside(entry) => self.put_beside(entry),
+            Wish::TakeAway(place) => self.take_away(place),
+            Wish::TintDistance(tints) => self.tints_distance = tints,
             Wish::Solver(solver) => self.player.ask(Order::Solver(solver)),
             Wish::Method(setting, goes_on) => self.player.ask(Order::Method(setting, goes_on)),
             Wish::Pace(pace) => self.set_pace(pace),
@@ -250,18 +253,24 @@ impl Session {
         if !self.player.is_open() {
             return;
         }
+        let (before, seen) = (self.row, self.camera.viewport().map(|side| side as u32));
+        self.line_up();
         let view = self.player.shown().view();
-        match framing {
-            Framing::Opening => {
-                let start = self.player.start().recording();
-                self.camera = match &start.view {
-                    Some(saved) => opening::saved(saved, &view, self.area),
-                    None => opening::clear(opening::camera(&self.scene, &view, self.area), &view, self.free),
-                };
+        let pane = self.row.pane(self.area);
+        let free = self.free_of_pane(pane);
+        let own = match framing {
+            Framing::Opening => match &self.player.start().recording().view {
+                Some(saved) => opening::saved(saved, &view, pane),
+                None => opening::clear(opening::camera(&self.scene, &view, pane), &view, free),
+            },
+            Framing::Fit => opening::fit_in(&view, free, pane),
+            Framing::Free => {
+                let mut own = before.own(&self.camera, seen);
+                own.resize(pane);
+                own
             }
-            Framing::Fit => self.camera = opening::fit_in(&view, self.free, self.area),
-            Framing::Free => self.camera.resize(self.area),
-        }
+        };
+        self.camera = self.row.whole(&own, self.area);
     }
 
     /// The scene of the gallery that is open, by its place.

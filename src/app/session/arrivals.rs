@@ -8,6 +8,7 @@ use super::super::import::{Answer, Import};
 use super::super::loading::{Loaded, Loading};
 use super::{BRUSH, Session, Thumbnails};
 use crate::app::holds_scene;
+use crate::app::opening;
 use crate::app::panels::{Sheet, meant};
 use crate::app::player::Order;
 use crate::history::Start;
@@ -223,6 +224,14 @@ impl Session {
     fn seen(&self) -> [[f64; 2]; 2] {
         let [width, height] = self.area.map(f64::from);
         [[0.0, height], [width, 0.0]].map(|pixel| self.camera.world_from_screen(pixel).truncate().to_array())
+    }
+
+    /// What nothing lies over of a pane of this size `[px]`: at each side as much is left out as what lies over the picture takes there.
+    pub(super) fn free_of_pane(&self, pane: [u32; 2]) -> opening::Free {
+        let [low, high] = self.free;
+        let ends = [0, 1].map(|axis| high[axis] - f64::from(self.area[axis]) + f64::from(pane[axis]));
+        let has_room = (0..2).all(|axis| ends[axis] > low[axis]);
+        if has_room { [low, ends] } else { [[0.0; 2], pane.map(f64::from)] }
     }
 
     /// The part of the plane that is seen beside panels: its lower and upper corner `[m]`, to a hundredth of its height.

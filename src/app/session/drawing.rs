@@ -110,6 +110,8 @@ impl Session {
             is_busy: self.player.is_busy(),
             dimensions: self.scene.dimensions(),
             seen: if self.panels.has_settings { self.free_of_plane() } else { Default::default() },
+            neighbors: self.neighbors(),
+            tints_distance: self.tints_distance,
             settings: Settings {
                 parameters: self.parameters(),
                 scene: self.shown().settings.clone(),
@@ -150,15 +152,19 @@ impl Session {
     /// Draws the world and the panels.
     pub(super) fn draw(&mut self) -> Result<(), RenderError> {
         self.paint.marks = self.marks();
+        self.note_trails(self.shown().figures.time);
         let region = self.region();
         let empty = crate::app::player::Shown { dimensions: self.canvas.dimensions(), ..Default::default() };
         let shown = if self.player.is_open() { self.player.shown() } else { &empty };
         let view = View { mouse: region.as_ref().map(|(force, at)| (force, *at)), ..shown.view() };
         self.trails.note(shown.figures.time, &view);
+        let force = view.mouse;
         let view = View { trails: Some(&self.trails), covered: &self.covered, ..view };
         let inset = if self.panels.hides_panels { 0.0 } else { panels::TOOLS };
         let look = Look { inset, ..self.look };
-        let done = self.canvas.draw(&view, &self.camera, &look, self.area, &mut self.paint);
+        let beside = (&shown.beside[..], &self.beside_trails[..]);
+        let panes = self.panes(view, beside, (force, &self.camera, look), self.area);
+        let done = self.canvas.draw(&panes, self.area, &mut self.paint);
         match done {
             Err(RenderError::Lost { .. }) => self.reopen(),
             done => done,
@@ -193,12 +199,15 @@ impl Session {
         if !self.player.is_open() {
             return Vec::new();
         }
-        let scope = Scope { shown: self.shown(), camera: &self.camera, scale: f64::from(self.look.scale_factor) };
+        let (scale, here) = (f64::from(self.look.scale_factor), self.camera_here());
+        let scope = Scope { shown: self.shown(), camera: &self.camera, scale };
         let mut marks: Vec<Mark> = self.probes().flat_map(|(place, point)| probe(scope, place, point)).collect();
+        let scope = Scope { camera: &here, ..scope };
         if !self.is_covered() && self.shown().point_count() <= MOST_MARKED {
             // What is selected is seen while its panel is used.
             marks.extend(self.hand.marks(scope, self.pixel().filter(|_| !is_idle)));
         }
+        marks.extend(self.ghosts());
         if marks.is_empty() {
             return Vec::new();
         }
@@ -238,6 +247,7 @@ fn shape(context: &egui::Context, mark: &Mark, scale: f32) -> Shape {
         Role::Hold | Role::Come => theme::ACCENT,
         Role::Away => theme::AWAY,
         Role::Probe(place) => theme::PROBES[*place],
+        Role::Ghost => theme::TEXT.gamma_multiply(0.45),
         Role::Paint([red, green, blue]) => Color32::from_rgb(*red, *green, *blue),
     };
     let at = |pixel: &glam::DVec2| Pos2::new(pixel.x as f32 / scale, pixel.y as f32 / scale);

@@ -82,7 +82,9 @@ impl Session {
             return;
         }
         let places: Vec<DVec3> = driven.iter().map(|point| self.shown().place(point.index()).into()).collect();
-        if opening::follow(&mut self.camera, places.into_iter()) {
+        let mut own = self.row.own(&self.camera, self.area);
+        if opening::follow(&mut own, places.into_iter()) {
+            self.camera = self.row.whole(&own, self.area);
             self.framing = Framing::Free;
             self.dirty = true;
         }

@@ -7,7 +7,7 @@ use crate::app::opening::keys;
 use crate::app::panels::Sheet;
 use crate::app::player::Order;
 use crate::app::saving::{Chosen, Saving, free_name};
-use crate::render::{Camera, Capture, View};
+use crate::render::{Capture, View};
 
 impl Session {
     /// Asks where all that was done is to be saved, unless it is recorded to a file: then there.
@@ -46,7 +46,7 @@ impl Session {
 
     /// What is written from now on is looked at as it is seen now.
     pub(super) fn tell_view(&mut self) {
-        self.player.ask(Order::Look(keys(&self.camera)));
+        self.player.ask(Order::Look(keys(&self.own_camera())));
     }
 
     /// Draws the world as it is seen, without panels, and has it written with a snapshot in it.
@@ -56,9 +56,13 @@ impl Session {
         }
         let region = self.region();
         let view = View { mouse: region.as_ref().map(|(force, at)| (force, *at)), ..self.player.shown().view() };
-        let camera = Camera::new(self.camera.pose, self.area);
+        let mut camera = self.camera;
+        camera.resize(self.area);
         let capture = Capture::on(self.canvas.gpu().clone(), self.area, view.dimensions);
-        let drawn = capture.and_then(|mut capture| capture.picture(&view, &camera, &self.look));
+        let (view, force) = (View { trails: Some(&self.trails), ..view.clone() }, view.mouse);
+        let beside = (&self.player.shown().beside[..], &self.beside_trails[..]);
+        let panes = self.panes(view, beside, (force, &camera, self.look), self.area);
+        let drawn = capture.and_then(|mut capture| capture.pictures(&panes));
         match drawn {
             Ok(picture) => {
                 let path = free_name(Path::new("."), self.scene.name(), "png");

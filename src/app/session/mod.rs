@@ -2,6 +2,7 @@
 
 mod acts;
 mod arrivals;
+mod beside;
 mod drawing;
 mod driving;
 mod fresh;
@@ -41,8 +42,8 @@ use super::shell::is_for_panels;
 use super::thumbnails::Thumbnails;
 use super::tools::{Chosen, Hand};
 use crate::history::{HistoryError, Start};
-use crate::render::{Camera, Look, RenderCounters, RenderError, Trails};
-use crate::scene::{MOST_MEETING, Scene, gallery};
+use crate::render::{Camera, Look, RenderCounters, RenderError, Row, Trails};
+use crate::scene::{MOST_MEETING, Scene, SolverName, gallery};
 use crate::sim::{Cursor, Key, MouseForce, SceneChange};
 use selecting::Copied;
 use shelf::Shelf;
@@ -80,6 +81,12 @@ pub(super) struct Session {
     has_picture: bool,
     pub(super) camera: Camera,
     framing: Framing,
+    /// Where the worlds lie that are side by side, and which of them the pointer is on.
+    row: Row,
+    cell: usize,
+    /// What stands beside the world is coloured by its distance to it.
+    tints_distance: bool,
+    beside_trails: Vec<Trails>,
     /// Width and height of the part of the window that the world is drawn in `[px]`.
     area: [u32; 2],
     /// What of it panels leave free for bodies `[px]`, and what lies over it: left, top, right and bottom `[px]`.
@@ -182,6 +189,10 @@ impl Session {
             // Until the scene is there.
             camera: Camera::fit([[-1.0; 3], [1.0; 3]], scene.dimensions(), size),
             framing: Framing::Opening,
+            row: Row::ALONE,
+            cell: 0,
+            tints_distance: false,
+            beside_trails: Vec::new(),
             area: size,
             free: [[0.0; 2], size.map(f64::from)],
             covered: Vec::new(),
@@ -366,6 +377,9 @@ impl Session {
         self.has_picture = scene.picture_body().is_some();
         self.look.has_mesh = false;
         self.trails = Trails::new(TRAIL * scene.rate());
+        self.beside_trails.clear();
+        self.cell = 0;
+        self.tints_distance = scene.method.solver == Some(SolverName::AsPrinted);
         self.scene = scene;
         self.plot_anew();
         self.frame_as(Framing::Opening);
@@ -398,6 +412,7 @@ impl Session {
         }
         if news.is_new {
             self.dirty = true;
+            self.meet_neighbors();
             self.panels_dirty |= self.panels.has_settings && self.shown().settings != self.settings;
             self.panels_dirty |= self.shown().matter != self.matter;
             self.gone_by.take_if(|serial| *serial <= self.player.shown().serial);
@@ -473,7 +488,7 @@ impl Session {
 
     /// Time ran on since the last frame: asks for it, once a frame.
     fn advance(&mut self, start: Instant) {
-        let is_asked = self.player.is_playing() || self.rewinds;
+        let is_asked = self.player.is_playing() || self.rewinds || self.shown().figures.behind;
         let cursor = self.world_cursor();
         let is_new = cursor != self.told && self.player.is_open();
         if self.waits() || !is_asked || !(self.moves() || is_new) {
@@ -614,7 +629,7 @@ impl Session {
         let work = players.fold([0; 2], |[advances, substeps], player| {
             [advances + player.advances(), substeps + player.shown().figures.substeps]
         });
-        ([self.frames, work[0], work[1]], *self.canvas.counters())
+        ([self.frames, work[0], work[1]], self.canvas.counters())
     }
 }
 

@@ -6,6 +6,7 @@ use winit::event::{ElementState, MouseButton, MouseScrollDelta};
 
 use super::{Framing, Session};
 use crate::app::player;
+use crate::app::pointer::Pointer;
 use crate::app::tools::{Hand, PinWay, Scope};
 use crate::history::Do;
 use crate::sim::Cursor;
@@ -19,6 +20,8 @@ impl Session {
         if self.pointer.move_to(at, &mut self.camera) {
             (self.framing, self.follows) = (Framing::Free, false);
         }
+        self.find_cell();
+        self.panels_dirty |= self.pointer.is_dragging() && self.worlds() > 1;
         let is_over = self.is_over_panels();
         if is_over || self.was_over_panels || self.wants_hint || self.egui.egui_ctx().egui_is_using_pointer() {
             self.panels_dirty = true;
@@ -56,7 +59,7 @@ impl Session {
                 let mut deed = self.with_scope(|hand, scope| hand.press(scope, at));
                 if self.hand.is_grabbing() {
                     // What is grabbed follows the cursor, so it is there first.
-                    let to = Some(self.camera.cursor(at.to_array()));
+                    let to = Some(self.camera_here().cursor(at.to_array()));
                     deed.commands.insert(0, Do::Cursor { to, by: None });
                     self.told = to;
                     if !self.player.is_playing() {
@@ -88,7 +91,8 @@ impl Session {
     pub(in crate::app) fn scroll(&mut self, delta: MouseScrollDelta) {
         self.panels_dirty = true;
         if !self.is_over_panels() && !self.is_covered() {
-            self.pointer.scroll(delta, &mut self.camera);
+            let at = self.pointer.at.map(|at| self.in_first(at));
+            at.iter().for_each(|at| Pointer::scroll(*at, delta, &mut self.camera));
             self.framing = Framing::Free;
         }
         self.dirty = true;
@@ -108,7 +112,8 @@ impl Session {
     /// Calls a tool with what is drawn.
     pub(super) fn with_scope<T>(&mut self, call: impl FnOnce(&mut Hand, Scope<'_>) -> T) -> T {
         let scale = f64::from(self.look.scale_factor);
-        let scope = Scope { shown: self.player.shown(), camera: &self.camera, scale };
+        let camera = self.camera_here();
+        let scope = Scope { shown: self.player.shown(), camera: &camera, scale };
         call(&mut self.hand, scope)
     }
 
@@ -141,6 +146,6 @@ impl Session {
         // A window that gets the focus is told of a pointer that may be anywhere.
         let [width, height] = self.area.map(f64::from);
         let is_inside = |at: &[f64; 2]| (0.0..width).contains(&at[0]) && (0.0..height).contains(&at[1]);
-        self.pointer.at.filter(|at| leads || is_inside(at)).filter(|_| is_free).map(|at| self.camera.cursor(at))
+        self.pointer.at.filter(|at| leads || is_inside(at)).filter(|_| is_free).map(|at| self.camera_here().cursor(at))
     }
 }

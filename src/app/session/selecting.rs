@@ -89,7 +89,7 @@ impl Session {
         let coming = self.coming(points, obstacles);
         let by = match (clip.dimensions, self.pixel()) {
             (2, Some(at)) => {
-                let to = self.camera.world_from_screen(at.to_array()).to_array();
+                let to = self.camera_here().world_from_screen(at.to_array()).to_array();
                 [to[0] - clip.middle[0], to[1] - clip.middle[1], 0.0]
             }
             _ => [0.0; 3],

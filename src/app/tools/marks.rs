@@ -24,6 +24,8 @@ pub(in crate::app) enum Role {
     Come,
     /// It is probed: by the first or the second probe.
     Probe(usize),
+    /// The pointer is there too, in a world beside that which it is over.
+    Ghost,
     /// It will have this colour.
     Paint([u8; 3]),
 }

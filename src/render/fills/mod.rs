@@ -183,20 +183,20 @@ impl Fills {
         if !(all || is_other || self.bindings.is_none()) {
             return;
         }
-        let world = [&buffers.frame, &buffers.previous, &buffers.current, &self.primitives];
+        let world = buffers.bound(&buffers.frame, &self.primitives);
         self.bindings = Some([bind(gpu, layout, &world), bind(gpu, &self.layout, &[&self.shades])]);
     }
 
-    /// Draws all fills, with their outlines and shadows; of bodies with a picture too where strain is shown in place of it.
+    /// Draws all fills, with their outlines and shadows; of bodies with a picture too where a map is shown in place of it.
     pub(super) fn draw(
         &self,
-        shows_strain: bool,
+        shows_map: bool,
         target: &mut wgpu::RenderPass<'_>,
         pipelines: &[wgpu::RenderPipeline; 2],
         counters: &mut RenderCounters,
     ) {
         let Some([world, shades]) = &self.bindings else { return };
-        for (parts, triangles) in self.parts.iter().zip(&self.triangles).take(1 + usize::from(shows_strain)) {
+        for (parts, triangles) in self.parts.iter().zip(&self.triangles).take(1 + usize::from(shows_map)) {
             for (pipeline, part) in pipelines.iter().zip(parts) {
                 if !part.is_empty() {
                     target.set_pipeline(pipeline);

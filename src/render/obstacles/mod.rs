@@ -182,13 +182,13 @@ impl Obstacles {
         if !(all || own.contains(&true) || self.binding.is_none()) {
             return;
         }
-        let lists = [&self.frame, &buffers.previous, &buffers.current, &self.triangles];
+        let lists = buffers.bound(&self.frame, &self.triangles);
         let entry =
             |k: usize| wgpu::BindGroupEntry { binding: k as u32, resource: lists[k].buffer.as_entire_binding() };
         self.binding = Some(gpu.device.create_bind_group(&wgpu::BindGroupDescriptor {
             label: Some("obstacles"),
             layout,
-            entries: &[entry(0), entry(1), entry(2), entry(3)],
+            entries: &[entry(0), entry(1), entry(2), entry(3), entry(4)],
         }));
     }
 

@@ -143,7 +143,7 @@ impl Skins {
                 continue;
             }
             worn.bindings = Some([&worn.triangles, &worn.edges].map(|list| {
-                let entries = [&buffers.frame, &buffers.previous, &buffers.current, list];
+                let entries = buffers.bound(&buffers.frame, list);
                 let entries: Vec<_> = (0..)
                     .zip(entries)
                     .map(|(binding, of)| wgpu::BindGroupEntry { binding, resource: of.buffer.as_entire_binding() })

@@ -1,5 +1,6 @@
 //! Holds a scene to what the specification says of its keys: ranges, lengths, indices, and what excludes what.
 
+mod beside;
 mod body;
 mod bond;
 mod cutout;
@@ -9,10 +10,11 @@ mod surfaces;
 mod surroundings;
 
 use super::error::{Fault, Within};
-use super::keys::{BodyKeys, BudgetKeys, MassKeys, PointKeys, Scene, ViewKeys};
+use super::keys::{BodyKeys, BudgetKeys, MassKeys, MethodKeys, PointKeys, Scene, ViewKeys};
 use crate::sim::MOST_ITERATIONS;
 use number::Range;
 
+pub(crate) use beside::MOST_BESIDE;
 pub(super) use body::maker;
 pub(super) use bond::Resistance;
 pub(super) use bond::check_all as check_bonds;
@@ -34,7 +36,8 @@ pub(super) fn check(scene: &Scene) -> Result<(), Fault> {
     bond::check_all(&scene.bonds, count).at("bonds")?;
     surfaces::check(scene, count, dimensions)?;
     surroundings::check(scene, (count, dimensions), &|point| is_pinned(scene, explicit, point))?;
-    check_method(scene).at("method")?;
+    check_method(&scene.method).at("method")?;
+    beside::check(scene).at("beside")?;
     check_times(scene)?;
     super::parameter::check(scene, dimensions)?;
     match &scene.view {
@@ -131,8 +134,7 @@ fn is_pinned(scene: &Scene, explicit: u32, point: u32) -> bool {
     false
 }
 
-fn check_method(scene: &Scene) -> Result<(), Fault> {
-    let method = &scene.method;
+fn check_method(method: &MethodKeys) -> Result<(), Fault> {
     Range::Positive.maybe(method.substep).at("substep")?;
     match method.iterations {
         Some(0) => return Err(Fault::invalid("is 0: give 1 or more").at("iterations")),

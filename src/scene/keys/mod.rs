@@ -1,6 +1,7 @@
 //! The keys of the scene file as types: what may stand where. Their ranges are held by `check`.
 
 mod addition;
+mod beside;
 mod body;
 mod bond;
 mod bonds;
@@ -17,6 +18,7 @@ mod vector;
 mod view;
 
 pub use addition::AddKeys;
+pub use beside::BesideKeys;
 pub use body::{BodyKeys, BraceName, DiagonalsName, MakerName, Material, PatternName, RepeatKeys, StrokesName};
 pub use bond::{BondKeys, KindName, LimitName};
 pub use bonds::BondList;

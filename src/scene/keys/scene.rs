@@ -7,6 +7,7 @@ use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
 use serde::de::{Deserialize, Deserializer, Error, SeqAccess, Unexpected, Visitor};
 use serde::ser::{Serialize, Serializer};
 
+use super::beside::BesideKeys;
 use super::body::BodyKeys;
 use super::bonds::BondList;
 use super::contact::{Meeting, SkinKeys};
@@ -313,6 +314,9 @@ object! {
             /// How the motion is computed; a call may set these over the file's.
             #[serde(default, skip_serializing_if = "MethodKeys::is_empty")]
             method: MethodKeys,
+            /// The same start by other methods, drawn beside it.
+            #[serde(default, skip_serializing_if = "Vec::is_empty")]
+            beside: Vec<BesideKeys>,
             /// Where it came from: no part of what it is.
             #[serde(skip)]
             source: Source,

@@ -1,0 +1,86 @@
+//! What is said above worlds that lie side by side, and the menu that puts them there.
+
+use egui::{Align2, Area, Id, RichText, Ui, pos2};
+
+use super::theme::{TEXT, floating};
+use super::{Facts, TOOLS, Wish, legend};
+use crate::scene::{BesideKeys, MOST_BESIDE, SolverName};
+
+/// Room about a title `[points]`.
+const ROOM: f32 = 8.0;
+/// Where titles are at most, from above `[points]`: below the buttons, in windows where these take several rows too.
+const LEAST: f32 = 60.0;
+
+/// A world beside others, as it is called.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub(in crate::app) struct Neighbor {
+    pub(in crate::app) title: String,
+    /// How it does.
+    pub(in crate::app) words: String,
+    /// The middle of the upper edge of its part of the window, or in a column the left end of it `[points]`.
+    pub(in crate::app) at: [f32; 2],
+    pub(in crate::app) is_column: bool,
+}
+
+/// Titles of worlds, each at the top of its part of the window; below what lies there already. The last has the legend.
+pub(super) fn titles(context: &egui::Context, facts: &Facts, has_caption: bool) {
+    let lies = |name: &str| context.memory(|memory| memory.area_rect(Id::unique(name))).map_or(0.0, |at| at.bottom());
+    let below = lies("scene").max(if has_caption { lies("caption") } else { 0.0 }).max(LEAST) + ROOM;
+    let last = facts.neighbors.len().saturating_sub(1);
+    for (place, neighbor) in facts.neighbors.iter().enumerate() {
+        let [x, y] = neighbor.at;
+        let top = if neighbor.is_column && place > 0 { (y + ROOM).max(below) } else { below };
+        let (pivot, x) =
+            if neighbor.is_column { (Align2::LEFT_TOP, x + TOOLS + ROOM) } else { (Align2::CENTER_TOP, x) };
+        let area = Area::new(Id::unique(("beside", place))).pivot(pivot).fixed_pos(pos2(x, top));
+        area.interactable(false).show(context, |ui| {
+            floating().show(ui, |ui| {
+                ui.set_max_width(legend::WIDTH);
+                ui.vertical(|ui| {
+                    ui.label(RichText::new(&neighbor.title).color(TEXT).strong());
+                    if !neighbor.words.is_empty() {
+                        ui.weak(&neighbor.words);
+                    }
+                    if facts.tints_distance && place == last {
+                        legend::of_distance(ui, &facts.look);
+                    }
+                });
+            });
+        });
+    }
+}
+
+/// The menu of what is put beside the scene, and taken away.
+pub(super) fn menu(ui: &mut Ui, facts: &Facts, wishes: &mut Vec<Wish>) {
+    let said = "the same start by another method beside this one, under the same mouse";
+    let opened = ui.menu_button("Beside…", |ui| {
+        ui.set_min_width(210.0);
+        for (place, neighbor) in facts.neighbors.iter().skip(1).enumerate() {
+            if ui.button(format!("Take away: {}", neighbor.title)).clicked() {
+                wishes.push(Wish::TakeAway(place));
+            }
+        }
+        if !facts.neighbors.is_empty() {
+            let mut tints = facts.tints_distance;
+            if ui.checkbox(&mut tints, "colour by the distance").changed() {
+                wishes.push(Wish::TintDistance(tints));
+            }
+            ui.separator();
+        }
+        if facts.neighbors.len() > MOST_BESIDE {
+            ui.weak("there is no room for more");
+            return;
+        }
+        ui.weak("put the same start beside it, by");
+        if ui.button("a reference: fine steps, 64 bits").clicked() {
+            wishes.push(Wish::Beside(None));
+        }
+        // Whose loop it would be nothing says but the scene.
+        for name in SolverName::NAMES.iter().filter(|name| **name != SolverName::AsPrinted.name()) {
+            if ui.button(*name).clicked() {
+                wishes.extend(name.parse().ok().map(|solver| Wish::Beside(Some(BesideKeys::by(solver)))));
+            }
+        }
+    });
+    opened.response.on_hover_text(said);
+}

@@ -1,0 +1,78 @@
+//! The menu and the titles of worlds side by side, without a window.
+#![allow(clippy::unwrap_used, clippy::panic, reason = "a test that cannot go on stops")]
+
+use egui::{Event, Pos2, Shape, vec2};
+
+use super::pointer::click;
+use super::{Facts, Neighbor, Wish, beside};
+use crate::scene::{BesideKeys, SolverName};
+
+/// What is written in a frame, and where.
+type Written = Vec<(String, Pos2)>;
+
+fn frame(context: &egui::Context, facts: &Facts, events: Vec<Event>) -> (Vec<Wish>, Written) {
+    let mut wishes = Vec::new();
+    let screen_rect = Some(egui::Rect::from_min_size(Pos2::ZERO, vec2(1280.0, 720.0)));
+    let input = egui::RawInput { events, screen_rect, ..egui::RawInput::default() };
+    let mut output = context.run_ui(input, |ui| {
+        beside::menu(ui, facts, &mut wishes);
+        beside::titles(ui.ctx(), facts, false);
+    });
+    output.textures_delta.clear();
+    let texts = output.shapes.iter().filter_map(|clipped| match &clipped.shape {
+        Shape::Text(text) => Some((text.galley.text().to_owned(), text.visual_bounding_rect().center())),
+        _ => None,
+    });
+    (wishes, texts.collect())
+}
+
+/// What is written once sizes are found.
+fn settled(context: &egui::Context, facts: &Facts) -> Written {
+    (0..2).for_each(|_| _ = frame(context, facts, Vec::new()));
+    frame(context, facts, Vec::new()).1
+}
+
+/// Clicks on words after others, and returns what is asked for.
+fn choose(facts: &Facts, words: [&str; 2]) -> Vec<Wish> {
+    let context = egui::Context::default();
+    let mut wishes = Vec::new();
+    for word in words {
+        let written = settled(&context, facts);
+        let at = written.iter().find(|(text, _)| text == word).unwrap_or_else(|| panic!("{word}: {written:?}")).1;
+        click(at).into_iter().for_each(|events| wishes.extend(frame(&context, facts, events).0));
+    }
+    wishes
+}
+
+fn beside_each_other() -> Facts {
+    let world = |title: &str, words: &str, x: f32| Neighbor {
+        title: title.to_owned(),
+        words: words.to_owned(),
+        at: [x, 0.0],
+        is_column: false,
+    };
+    let neighbors = vec![world("euler", "", 320.0), world("Verlet", "up to 3.4 cm apart", 960.0)];
+    Facts { neighbors, tints_distance: true, ..Facts::default() }
+}
+
+#[test]
+fn the_menu_puts_worlds_there_and_takes_them_away() {
+    let alone = Facts::default();
+    assert_eq!(choose(&alone, ["Beside…", "rk4"]), [Wish::Beside(Some(BesideKeys::by(SolverName::Rk4)))]);
+    assert_eq!(choose(&alone, ["Beside…", "a reference: fine steps, 64 bits"]), [Wish::Beside(None)]);
+    let two = beside_each_other();
+    assert_eq!(choose(&two, ["Beside…", "Take away: Verlet"]), [Wish::TakeAway(0)]);
+    assert_eq!(choose(&two, ["Beside…", "colour by the distance"]), [Wish::TintDistance(false)]);
+}
+
+#[test]
+fn each_world_has_its_title_in_its_part_of_the_window_and_the_last_the_legend() {
+    let context = egui::Context::default();
+    let facts = beside_each_other();
+    let written = settled(&context, &facts);
+    let at = |words: &str| written.iter().find(|(text, _)| text == words).unwrap_or_else(|| panic!("{written:?}")).1;
+    assert!((at("euler").x - 320.0).abs() < 2.0, "{written:?}");
+    assert!((640.0..1280.0).contains(&at("up to 3.4 cm apart").x) && at("Verlet").y < 100.0);
+    assert!((640.0..1280.0).contains(&at("distance to the first:").x));
+    assert_eq!(written.iter().filter(|(text, _)| text == "distance to the first:").count(), 1);
+}

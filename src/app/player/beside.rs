@@ -1,0 +1,229 @@
+//! What stands beside a world, as the window shows it, and how much of a frame's time it may take.
+
+use std::sync::Arc;
+use std::time::Instant;
+
+use super::pace::Pace;
+use super::rungs::Load;
+use super::shown::{Places, Scenery};
+use crate::history::{Companion, History, distances};
+use crate::render::View;
+use crate::scene::{BesideKeys, BudgetKeys, MethodKeys, PrecisionName, SolverName};
+
+/// Wall time that companions may take of a frame while the world moves, and while it does not `[s]`.
+const BUDGETS: [f64; 2] = [0.012, 0.030];
+/// Times that differ by less than this share of a step are the same.
+const SLACK: f64 = 1e-9;
+/// Wall time for which companions may stay behind a moving world until they wait for it to pause `[s]`.
+const PATIENCE: f64 = 3.0;
+/// Wall time for which the world may be late until they wait `[s]`.
+const OVERLOAD: f64 = 0.5;
+/// Wall time that they may be behind without being late `[s]`.
+const LAG: f64 = 0.1;
+
+/// A companion of a world, as it is drawn.
+#[derive(Clone, Debug, Default)]
+pub struct Beside {
+    /// What it is asked for by.
+    pub entry: BesideKeys,
+    /// What stands above it.
+    pub title: String,
+    /// Where its points are `[m]`.
+    pub places: Places,
+    /// Changes whenever its places did.
+    pub motion: u64,
+    /// Changes whenever its scenery did.
+    pub topology: u64,
+    /// What stands about its points.
+    pub scenery: Arc<Scenery>,
+    /// How far each point is from where the world has it `[m]`; NaN of points that one of them has not.
+    pub distances: Vec<f32>,
+    /// The largest of them `[m]`, where it is at the world's time.
+    pub farthest: Option<f32>,
+    /// What is to be said of it beside its title.
+    pub words: String,
+}
+
+impl Beside {
+    /// As the renderer reads it.
+    pub fn view(&self, dimensions: usize) -> View<'_> {
+        View {
+            previous: self.places.view(),
+            current: self.places.view(),
+            motion: self.motion,
+            topology: self.topology,
+            values: Some(&self.distances),
+            ..self.scenery.view(dimensions)
+        }
+    }
+}
+
+/// Brings companions along, as far as there is time for them.
+#[derive(Default)]
+pub(super) struct Escort {
+    /// What was looked at last of each: the topology as its world counts it, its number among all, and what stood there.
+    known: Vec<(Option<u64>, u64, Arc<Scenery>)>,
+    sceneries: u64,
+    motion: u64,
+    /// Wall time for which they have been late `[s]`.
+    late: f64,
+    /// Wall time for which the world itself has been late `[s]`.
+    overload: f64,
+    /// They wait until the world pauses: it was said that they are too dear.
+    waits: bool,
+    /// All of them are where the world is.
+    is_there: bool,
+}
+
+impl Escort {
+    /// Others stand there now.
+    pub(super) fn begin(&mut self) {
+        *self = Escort { motion: self.motion + 1, sceneries: self.sceneries, ..Escort::default() };
+    }
+
+    /// The history went elsewhere: of another past, a topology of the same number may be another.
+    pub(super) fn have_gone(&mut self) {
+        self.known.iter_mut().for_each(|(topology, ..)| *topology = None);
+        self.motion += 1;
+    }
+
+    /// Whether some are on their way, which asks for further frames.
+    pub(super) fn is_behind(&self, history: &History) -> bool {
+        !history.companions().is_empty() && !self.is_there
+    }
+
+    /// Where steps take more time than there is, companions wait for the world to pause before anything else gives way. Returns whether
+    /// that is still to be seen.
+    pub(super) fn gives_way(&mut self, history: &History, load: Load) -> bool {
+        if history.companions().is_empty() || self.waits {
+            return false;
+        }
+        self.overload = if load.is_late { self.overload + load.wall } else { 0.0 };
+        self.waits = self.overload > OVERLOAD;
+        load.is_late
+    }
+
+    /// A frame of `wall` `[s]` passed: companions come along. Returns the wall time that this took `[s]`.
+    pub(super) fn come(&mut self, history: &mut History, pace: &Pace, wall: f64) -> f64 {
+        if history.companions().is_empty() {
+            return 0.0;
+        }
+        let moves = pace.playing && !history.world().is_asleep();
+        self.waits &= moves;
+        if self.waits {
+            self.is_there = false;
+            return 0.0;
+        }
+        let (start, time) = (Instant::now(), pace.shown_time(history));
+        let before = self.place(history);
+        let budget = BUDGETS[usize::from(!moves)];
+        let was_there = self.is_there;
+        self.is_there = history.bring_along(time, &mut || start.elapsed().as_secs_f64() < budget);
+        self.motion += u64::from(self.place(history) != before || !was_there || moves);
+        let behind = history.companions().iter().map(|companion| time - companion.world().time()).fold(0.0, f64::max);
+        let is_late = !self.is_there && moves && behind > LAG * pace.rate;
+        self.late = if is_late { self.late + wall } else { 0.0 };
+        self.waits = self.late > PATIENCE;
+        start.elapsed().as_secs_f64()
+    }
+
+    /// Changes when any of them moved on.
+    fn place(&self, history: &History) -> f64 {
+        history.companions().iter().map(|companion| companion.world().time()).sum()
+    }
+
+    /// Puts the present moment of all into `shown`, whose memory is used again.
+    pub(super) fn show(&mut self, history: &History, pace: &Pace, mix: f32, shown: &mut Vec<Beside>) {
+        let companions = history.companions();
+        shown.truncate(companions.len());
+        shown.resize_with(companions.len(), Beside::default);
+        if companions.is_empty() {
+            return;
+        }
+        self.known.resize_with(companions.len(), Default::default);
+        let (time, dimensions) = (pace.shown_time(history), history.world().dimensions());
+        let main = mixed(history, pace, f64::from(mix));
+        for (place, (companion, to)) in companions.iter().zip(shown).enumerate() {
+            let (reached, slack) = (companion.world().time(), SLACK * companion.world().substep());
+            let is_there = reached >= time - slack;
+            let mut places = match std::mem::take(&mut to.places) {
+                Places::F64(list) => list,
+                Places::F32(_) => Vec::new(),
+            };
+            companion.places(time, &mut places);
+            to.distances = distances(&main, &places, dimensions);
+            let most = to.distances.iter().copied().filter(|distance| !distance.is_nan()).fold(0.0, f32::max);
+            // What is behind by less than is seen says what it said before.
+            if is_there || reached < time - LAG * pace.rate || self.waits {
+                to.farthest = is_there.then_some(most);
+                to.words = self.words(companion, is_there, time);
+            }
+            to.places = Places::F64(places);
+            to.motion = self.motion;
+            companion.title().clone_into(&mut to.title);
+            to.entry.clone_from(companion.entry());
+            (to.topology, to.scenery) = self.look(place, companion, history);
+        }
+    }
+
+    /// What stands about the points of a companion, looked at again if it changed.
+    fn look(&mut self, place: usize, companion: &Companion, history: &History) -> (u64, Arc<Scenery>) {
+        let topology = companion.world().topology();
+        let (known, number, scenery) = &mut self.known[place];
+        if *known != Some(topology) {
+            let skins = companion.skins();
+            let dress = (&Arc::from(companion.tints()), history.named());
+            *scenery = Arc::new(Scenery::of(companion.world(), &skins, dress));
+            self.sceneries += 1;
+            (*known, *number) = (Some(topology), self.sceneries);
+        }
+        (*number, Arc::clone(scenery))
+    }
+
+    fn words(&self, companion: &Companion, is_there: bool, time: f64) -> String {
+        let at = companion.world().time();
+        match companion.refused() {
+            Some(why) => why.to_owned(),
+            None if self.waits => format!("too slow to go along: it stands at {at:.1} s, and catches up in a pause"),
+            None if !is_there => format!("catches up: {at:.1} of {time:.1} s"),
+            None => String::new(),
+        }
+    }
+}
+
+/// Where the points of the world are drawn `[m]`.
+fn mixed(history: &History, pace: &Pace, mix: f64) -> Vec<f64> {
+    let (from, to) = (pace.previous.view(), history.world().positions());
+    let has_before = from.len() == to.len();
+    let of = |k: usize| if has_before { from.get(k) + mix * (to.get(k) - from.get(k)) } else { to.get(k) };
+    (0..to.len()).map(of).collect()
+}
+
+/// What is asked to stand beside a world.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Companions {
+    /// These and no others.
+    These(Vec<BesideKeys>),
+    /// One more: a method that is as exact as the scene allows.
+    Reference,
+}
+
+/// Substeps of a reference in one of the world, by order 8 and by what rules choose.
+const FINER: [f64; 2] = [4.0, 8.0];
+
+/// Methods that are more exact than that of a world, the most exact first: not every scene can be run by each.
+pub(super) fn reference(history: &History) -> [BesideKeys; 2] {
+    let substep = history.world().substep();
+    let by = |solver: SolverName, finer: f64| {
+        let method = MethodKeys {
+            solver: Some(solver),
+            substep: Some(substep / finer),
+            precision: Some(PrecisionName::F64),
+            budget: Some(BudgetKeys::None),
+            sleep: Some(false),
+            ..MethodKeys::default()
+        };
+        BesideKeys { title: Some(format!("reference: {}", method.title())), method }
+    };
+    [by(SolverName::Rk8, FINER[0]), by(SolverName::Auto, FINER[1])]
+}

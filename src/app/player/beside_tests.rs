@@ -1,0 +1,106 @@
+//! Worlds side by side without a window: frames, and what companions may take of them.
+#![allow(clippy::unwrap_used, clippy::panic, reason = "a test that cannot go on stops")]
+
+use super::beside::{Companions, Escort};
+use super::rungs::Load;
+use super::tests::{scene, strength};
+use super::{Note, Order, Pace, Shown, Stage};
+use crate::history::History;
+use crate::scene::{BesideKeys, Scene, SolverName};
+use crate::sim::Cursor;
+
+fn stage(beside: &[BesideKeys]) -> Stage {
+    Stage::new(Scene { beside: beside.to_vec(), ..scene() }.into()).unwrap()
+}
+
+fn shown(stage: &mut Stage) -> Shown {
+    let mut shown = Shown::default();
+    stage.show(&mut shown);
+    shown
+}
+
+/// Frames of an odd length with a cursor that goes about.
+fn frames(stage: &mut Stage, count: u32) {
+    for frame in 0..count {
+        let cursor = Some(Cursor::at([0.02 * f64::from(frame), 1.0]));
+        stage.obey(Order::Advance { wall: 0.0173, cursor, back: false });
+    }
+}
+
+#[test]
+fn in_every_frame_the_same_method_is_drawn_where_the_world_is_and_another_is_not() {
+    let mut stage = stage(&[BesideKeys::default(), BesideKeys::by(SolverName::Euler)]);
+    for _ in 0..20 {
+        frames(&mut stage, 1);
+        let shown = shown(&mut stage);
+        assert_eq!((shown.title.as_str(), shown.beside.len()), ("auto, h = 1.429 ms", 2));
+        let [same, other] = &shown.beside[..] else { panic!("two of them") };
+        assert!(same.farthest.is_some_and(|most| most < 1e-12), "between steps too: {:?}", same.farthest);
+        assert_eq!(same.words, "");
+        assert!(other.farthest.is_some_and(|most| most > 0.0 && most < 0.2));
+        assert_ne!(same.topology, 0, "its scenery is there");
+    }
+    // What is undone, gone back to and reset goes for all.
+    stage.obey(Order::Give(vec![strength(90.0)], Some("push")));
+    frames(&mut stage, 10);
+    let orders: [fn() -> Order; 4] =
+        [|| Order::Undo(None), || Order::Redo(None), || Order::GoTo(0.05, None), || Order::Reset];
+    for order in orders {
+        stage.obey(order());
+        assert_eq!(shown(&mut stage).beside[0].farthest, Some(0.0), "at the end of a step, to the bit");
+    }
+}
+
+#[test]
+fn what_is_put_beside_a_running_world_catches_up_from_its_start_and_goes_away_again() {
+    let mut stage = stage(&[]);
+    frames(&mut stage, 40);
+    let alone = shown(&mut stage);
+    assert!(alone.beside.is_empty() && alone.title.is_empty() && !alone.figures.behind);
+    stage.obey(Order::Beside(Companions::Reference));
+    while shown(&mut stage).figures.behind {
+        stage.obey(Order::Advance { wall: 0.0, cursor: None, back: false });
+    }
+    let with = shown(&mut stage);
+    assert!(with.beside[0].title.starts_with("reference: rk8, h = "), "{}", with.beside[0].title);
+    assert!(with.beside[0].farthest.is_some_and(|most| most < 1e-3), "{:?}", with.beside[0].farthest);
+    assert_eq!(with.figures.time, alone.figures.time, "the world waits for nothing, and did not go on");
+    let printed = Companions::These(vec![BesideKeys::by(SolverName::AsPrinted)]);
+    let note = stage.obey(Order::Beside(printed));
+    assert!(matches!(note, Some(Note::Refused(why)) if why.contains("`as-printed")));
+    assert_eq!(shown(&mut stage).beside.len(), 1);
+    stage.obey(Order::Beside(Companions::These(Vec::new())));
+    assert!(shown(&mut stage).beside.is_empty());
+}
+
+#[test]
+fn under_load_companions_wait_before_anything_else_gives_way_and_come_after_in_a_pause() {
+    let load = |is_late| Load { wall: 0.05, steps: 0.03, is_late, work: 0.04 };
+    let start = Scene { beside: vec![BesideKeys::by(SolverName::Rk4)], ..scene() };
+    let mut history = History::new(start.into()).unwrap();
+    let mut pace = Pace::new(&history, 1.0, None);
+    let mut escort = Escort::default();
+    let late: Vec<bool> = (0..12).map(|_| escort.gives_way(&history, load(true))).collect();
+    assert!(late[..11].iter().all(|is_first| *is_first) && !late[11], "for half a second it is theirs to wait");
+    for _ in 0..3 {
+        pace.advance(&mut history, 0.02, None, || 0.0);
+        assert_eq!(escort.come(&mut history, &pace, 0.02), 0.0, "they take nothing");
+    }
+    let mut beside = Vec::new();
+    escort.show(&history, &pace, pace.mix(history.world()), &mut beside);
+    assert!(beside[0].words.starts_with("too slow to go along: it stands at 0.0 s"), "{}", beside[0].words);
+    assert!(beside[0].farthest.is_none() && escort.is_behind(&history));
+    pace.playing = false;
+    pace.settle(&history);
+    while escort.is_behind(&history) {
+        escort.come(&mut history, &pace, 0.0);
+    }
+    escort.show(&history, &pace, pace.mix(history.world()), &mut beside);
+    assert!(beside[0].words.is_empty() && beside[0].farthest.is_some());
+    let mut alone = Escort::default();
+    let history = History::new(scene().into()).unwrap();
+    assert!(
+        !alone.gives_way(&history, load(true))
+            && alone.come(&mut History::new(scene().into()).unwrap(), &pace, 1.0) == 0.0
+    );
+}

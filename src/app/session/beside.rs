@@ -1,0 +1,180 @@
+//! What stands beside the world: where it lies in the window, which of them the pointer is on, and how it is drawn.
+
+use glam::DVec2;
+
+use super::Session;
+use crate::app::opening;
+use crate::app::panels::Neighbor;
+use crate::app::player::{Beside, Companions, Order};
+use crate::app::tools::{Mark, Role};
+use crate::render::{Camera, Look, Overlay, Pane, Trails, View};
+use crate::scene::BesideKeys;
+use crate::sim::{Cursor, MouseForce};
+
+/// Opacity of the mouse's region where the pointer is not.
+const GHOST: f32 = 0.35;
+/// Radius of the pointer's ring there `[points]`.
+const GHOST_RADIUS: f64 = 5.0;
+
+impl Session {
+    /// How many worlds there are side by side.
+    pub(super) fn worlds(&self) -> usize {
+        1 + self.shown().beside.len()
+    }
+
+    /// The window is shared by as many worlds as there are.
+    pub(super) fn line_up(&mut self) {
+        let view = self.shown().view();
+        let alone = opening::camera(&self.scene, &view, self.area);
+        let row = opening::row(&alone, &view, self.worlds(), self.area);
+        self.row = row;
+        self.look.difference_full = opening::full_distance(&alone) as f32;
+        self.cell = self.cell.min(row.count() - 1);
+    }
+
+    /// The camera as it shows the world alone in its part of the window.
+    pub(super) fn own_camera(&self) -> Camera {
+        self.row.own(&self.camera, self.area)
+    }
+
+    /// What a pixel is in the part of the window that the world itself has.
+    pub(super) fn in_first(&self, [x, y]: [f64; 2]) -> [f64; 2] {
+        let [dx, dy] = self.row.shift(self.row.pane_at([x, y], self.area), self.area);
+        [x - dx, y - dy]
+    }
+
+    /// Others stand there now, or none.
+    pub(super) fn meet_neighbors(&mut self) {
+        if self.row.count() == self.worlds() {
+            return;
+        }
+        self.beside_trails.clear();
+        self.frame_as(super::Framing::Opening);
+        self.touch();
+    }
+
+    /// The camera of the world that the pointer is on: all worlds have the same places.
+    pub(super) fn camera_here(&self) -> Camera {
+        self.row.camera(self.cell, &self.camera, self.area)
+    }
+
+    /// The pointer moved: it stays with the world in which it pressed.
+    pub(super) fn find_cell(&mut self) {
+        if let Some(at) = self.pointer.at.filter(|_| !self.hand.is_busy() && !self.pointer.is_dragging()) {
+            self.cell = self.row.pane_at(at, self.area);
+        }
+    }
+
+    /// The colours of world `place`: the mouse's region is faint where the pointer is not.
+    fn look_of(&self, place: usize, look: Look) -> Look {
+        let [red, green, blue, opacity] = look.region;
+        let region = [red, green, blue, if place == self.cell { opacity } else { GHOST * opacity }];
+        let is_tinted = place > 0 && self.tints_distance;
+        Look { region, overlay: if is_tinted { Overlay::Difference } else { look.overlay }, ..look }
+    }
+
+    /// The worlds as they are drawn in a picture of `size` `[px]`: `first`, then what stands `beside` it, with the trails of each.
+    pub(super) fn panes<'a>(
+        &self,
+        first: View<'a>,
+        (beside, trails): (&'a [Beside], &'a [Trails]),
+        (force, camera, look): (Option<(&'a MouseForce, Cursor)>, &Camera, Look),
+        size: [u32; 2],
+    ) -> Vec<Pane<'a>> {
+        // Those that came just now have a place from the next frame on.
+        let others = beside.iter().enumerate().take(self.row.count() - 1);
+        let others = others.map(|(k, world)| View {
+            mouse: force,
+            trails: trails.get(k),
+            ..world.view(self.scene.dimensions())
+        });
+        let views = std::iter::once(first).chain(others).enumerate();
+        views.map(|(place, view)| Pane::of(&self.row, place, view, camera, self.look_of(place, look), size)).collect()
+    }
+
+    /// The pointer in the worlds that it is not over.
+    pub(super) fn ghosts(&self) -> Vec<Mark> {
+        let is_away = self.row.count() == 1 || self.is_covered() || self.is_over_panels();
+        let Some(at) = self.pixel().filter(|_| !is_away) else { return Vec::new() };
+        let shift = |place: usize| DVec2::from(self.row.shift(place, self.area));
+        let others = (0..self.row.count()).filter(|place| *place != self.cell);
+        let radius = GHOST_RADIUS * f64::from(self.look.scale_factor);
+        others.map(|place| Mark::Ring(Role::Ghost, at - shift(self.cell) + shift(place), radius)).collect()
+    }
+
+    /// Notes where the points of what stands beside the world are.
+    pub(super) fn note_trails(&mut self, time: f64) {
+        let dimensions = self.scene.dimensions();
+        let length = self.trails.length();
+        let beside = &self.player.shown().beside;
+        self.beside_trails.resize_with(beside.len(), || Trails::new(length));
+        for (trails, world) in self.beside_trails.iter_mut().zip(beside) {
+            if world.farthest.is_some() {
+                trails.note(time, &world.view(dimensions));
+            }
+        }
+    }
+
+    /// What is said above each world, and where `[points]`. Nothing where the world is alone.
+    pub(super) fn neighbors(&self) -> Vec<Neighbor> {
+        let shown = self.shown();
+        if shown.beside.is_empty() || self.row.count() != self.worlds() {
+            return Vec::new();
+        }
+        let scale = self.egui.egui_ctx().pixels_per_point();
+        let is_column = self.row.is_column();
+        let of = |place: usize, title: &str, words: String| {
+            let [left, top, width, _] = self.row.clip(place, self.area).map(|pixels| pixels as f32 / scale);
+            let at = if is_column { [left, top] } else { [left + 0.5 * width, top] };
+            Neighbor { title: title.to_owned(), words, at, is_column }
+        };
+        let first = of(0, &shown.title, String::new());
+        let others = shown.beside.iter().zip(1..).map(|(world, place)| {
+            let apart = world.farthest.map_or_else(String::new, |most| format!("up to {} apart", length(most)));
+            of(place, &world.title, if world.words.is_empty() { apart } else { world.words.clone() })
+        });
+        std::iter::once(first).chain(others).collect()
+    }
+
+    /// One more world by another method.
+    pub(super) fn put_beside(&mut self, entry: Option<BesideKeys>) {
+        let order = match entry {
+            None => Companions::Reference,
+            Some(entry) => {
+                let entries = self.shown().beside.iter().map(|world| world.entry.clone()).chain([entry]);
+                Companions::These(entries.collect())
+            }
+        };
+        self.player.ask(Order::Beside(order));
+    }
+
+    /// A world beside this one is taken away.
+    pub(super) fn take_away(&mut self, place: usize) {
+        let entries = self.shown().beside.iter().enumerate().filter(|(other, _)| *other != place);
+        let entries = entries.map(|(_, world)| world.entry.clone()).collect();
+        self.player.ask(Order::Beside(Companions::These(entries)));
+    }
+}
+
+/// A length as one says it.
+fn length(metres: f32) -> String {
+    match metres {
+        none if none < 1e-9 => "0 m".to_owned(),
+        small if small < 1e-4 => format!("{small:.0e} m"),
+        small if small < 1e-2 => format!("{:.2} mm", 1e3 * small),
+        small if small < 1.0 => format!("{:.1} cm", 1e2 * small),
+        large if large < 1e4 => format!("{large:.2} m"),
+        huge => format!("{huge:.0e} m"),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::length;
+
+    #[test]
+    fn lengths_are_said_in_their_units() {
+        let said = [0.0, 3.2e-6, 0.0042, 0.034, 2.5, 3e6].map(length);
+        assert_eq!(said, ["0 m", "3e-6 m", "4.20 mm", "3.4 cm", "2.50 m", "3e6 m"]);
+    }
+}

@@ -1,0 +1,74 @@
+//! The keys of what is drawn beside a scene.
+
+use super::super::error::{Fault, Within};
+use super::super::keys::Scene;
+use super::super::support;
+use super::check_method;
+
+/// So many are drawn beside a scene at most: more would be too small to be compared.
+pub(crate) const MOST_BESIDE: usize = 5;
+
+/// Errors: too many entries; a title of no letters; a method that the form excludes, or that cannot run the scene.
+pub(super) fn check(scene: &Scene) -> Result<(), Fault> {
+    if scene.beside.len() > MOST_BESIDE {
+        let message = format!("has {} entries: there is room for {MOST_BESIDE} beside a scene", scene.beside.len());
+        return Err(Fault::invalid(message));
+    }
+    let can_run = |scene: &Scene| support::check(scene).and_then(|()| support::method(scene).map(|_| ()));
+    // What is wrong with the scene itself is said of it.
+    let is_fine = !scene.beside.is_empty() && can_run(scene).is_ok();
+    for (i, entry) in scene.beside.iter().enumerate() {
+        if entry.title.as_ref().is_some_and(|title| title.trim().is_empty()) {
+            return Err(Fault::invalid("is empty: give it words, or leave it out").at("title").item(i));
+        }
+        let title = scene.companion_title(entry);
+        check_method(&entry.method).map_err(|fault| fault.at("method").of(&title)).item(i)?;
+        if is_fine {
+            can_run(&scene.companion(entry)).map_err(|fault| fault.elsewhere().of(&title)).item(i)?;
+        }
+    }
+    Ok(())
+}
+
+#[cfg(test)]
+#[allow(clippy::unwrap_used, reason = "a test that cannot go on stops")]
+mod tests {
+    use crate::scene::Scene;
+
+    fn read(beside: &str, rest: &str) -> Result<Scene, String> {
+        let text = format!(
+            r#"{{"wobble": 1, "points": {{"position": [[0, 0], [1, 0]]}}, "bonds": [{{"a": 0, "b": 1, "kind": "relaxed"}}],
+            "method": {{"solver": "velocity-verlet", "substep": 0.01, "iterations": 2}}, "beside": {beside}{rest}}}"#
+        );
+        Scene::parse(&text, "x.json").map_err(|error| error.to_string())
+    }
+
+    #[test]
+    fn entries_are_read_and_written_back() {
+        let scene = read(r#"[{"title": "finer", "method": {"substep": 0.001}}, {}]"#, "").unwrap();
+        assert_eq!(Scene::parse(&scene.to_json().unwrap(), "y.json").unwrap(), scene);
+        let titles: Vec<String> = scene.beside.iter().map(|entry| scene.companion_title(entry)).collect();
+        assert_eq!(titles, ["finer", "velocity-verlet, h = 10 ms"]);
+        let alone = scene.companion(&scene.beside[0]);
+        assert_eq!((alone.method.solver, alone.method.substep), (scene.method.solver, Some(0.001)));
+        assert!(alone.beside.is_empty());
+    }
+
+    #[test]
+    fn what_cannot_stand_beside_a_scene_is_refused_with_its_title() {
+        let said = |beside: &str| read(beside, "").unwrap_err();
+        let many = format!("[{}]", ["{}"; 6].join(","));
+        assert!(said(&many).ends_with("beside: has 6 entries: there is room for 5 beside a scene"), "{}", said(&many));
+        assert!(said(r#"[{}, {"title": " "}]"#).contains("beside[1].title: is empty"));
+        let wrong = said(r#"[{"title": "mine", "method": {"substep": -1}}]"#);
+        assert!(wrong.contains("beside[0].method.substep: `mine`: "), "{wrong}");
+        let springs_only = said(r#"[{"title": "mine", "method": {"solver": "rk4"}}]"#);
+        assert!(springs_only.contains("beside[0]: `mine`: bonds[0]: is relaxed"), "{springs_only}");
+        let swept = said(r#"[{"method": {"solver": "as-printed"}}]"#);
+        assert!(swept.contains("beside[0]: `as-printed, h = 10 ms`: method.solver: "), "{swept}");
+        assert!(said(r#"[{"method": {"solver": "rk5"}}]"#).contains("beside[0].method.solver"));
+        assert!(said(r#"[{"name": "x"}]"#).contains("beside[0].name"));
+        let wrong = read("[{}]", r#", "contact": true"#).unwrap().model::<2>().unwrap_err().to_string();
+        assert!(wrong.contains("method.solver: ") && !wrong.contains("beside"), "the scene's own fault: {wrong}");
+    }
+}
