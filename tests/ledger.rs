@@ -156,23 +156,6 @@ fn a_string_that_gets_taut_takes_what_its_ends_have_of_each_other() {
 }
 
 #[test]
-fn relaxed_bonds_take_what_is_missing() {
-    let kind = BondKind::Relaxed { relaxation: 1.0, max_correction: f64::INFINITY };
-    let bond = Bond { kind, ..Bond::new(PointId(0), PointId(1), 1.0) };
-    // 1 kg and 2 kg part at 3 m/s: what they have of each other, 2/3 kg x 9/2, goes.
-    let parts = Model {
-        position: vec![[0.0; 2], [1.0, 0.0]],
-        velocity: vec![[0.0; 2], [3.0, 0.0]],
-        mass: vec![1.0, 2.0],
-        bonds: [bond].into_iter().collect(),
-        ..point(Solver::Verlet, 0.01)
-    };
-    let ledger = ledger(&parts, 1.0);
-    near(ledger.book.dampers, 3.0, 1e-6, "what the bond took");
-    assert!(ledger.left_over().abs() < 1e-9, "{ledger:?}");
-}
-
-#[test]
 fn friction_takes_its_force_times_the_way() {
     let (mu, angle) = (0.3, 0.5_f64);
     let normal = [-angle.sin(), angle.cos()];

@@ -34,8 +34,7 @@ pub struct Book {
     /// What the live step made, or took, as it parted bodies that began in an obstacle, in each other or in themselves: places that no forces
     /// lead to. Below 0 it took.
     pub parting: f64,
-    /// Taken by dampers: the integral of c u^2, u the rate of a bond's length (at rest length 0 the whole relative velocity). Relaxed bonds
-    /// take what is missing after their sweeps.
+    /// Taken by dampers: the integral of c u^2, u the rate of a bond's length (at rest length 0 the whole relative velocity).
     pub dampers: f64,
     /// Taken by drag: the integral of m drag_rate v^2.
     pub drag: f64,

@@ -80,14 +80,12 @@ impl<S: Real, const D: usize> Group<S, D> {
                 }
             }
         }
-        let is_taut = self.gets_taut();
-        if h > 0.0 && (is_taut || self.engine.relaxes()) {
+        if h > 0.0 && self.gets_taut() {
             let at = |state: (&[[S; D]], &[[S; D]])| stored(&self.pull, state, &self.points.inverse_mass);
             let had = at((&self.before.position, &self.before.velocity));
             let has = at((&self.points.position, &self.points.velocity));
             let done = |book: &Book| book.brought() - book.taken();
-            let missing = (had - has + done(&account.book) - done(&before)).max(0.0);
-            *(if is_taut { &mut account.book.impacts } else { &mut account.book.dampers }) += missing;
+            account.book.impacts += (had - has + done(&account.book) - done(&before)).max(0.0);
         }
         self.account = Some(account);
     }

@@ -101,16 +101,6 @@ impl<S: Real, const D: usize> Engine<S, D> {
         matches!(self, Engine::Implicit(_))
     }
 
-    /// Whether it sweeps over relaxed bonds.
-    pub(crate) fn relaxes(&self) -> bool {
-        match self {
-            Engine::KickDrift(by, _) | Engine::RungeKutta(.., Some(by)) | Engine::Xpbd(.., by) => {
-                !by.swept.relaxed.is_empty()
-            }
-            _ => false,
-        }
-    }
-
     /// Forgets what belongs to the state before a change from outside.
     pub(crate) fn refresh(&mut self) {
         match self {
