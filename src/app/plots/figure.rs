@@ -81,7 +81,8 @@ pub(in crate::app) fn svg([across, up]: [&str; 2], curves: &[Curve]) -> String {
 
 /// From the least to the greatest of all finite points along an axis, with a margin; never empty.
 fn span(curves: &[Curve], axis: usize, margin: f64) -> [f64; 2] {
-    let all = curves.iter().flat_map(|curve| &curve.points).map(|point| point[axis]).filter(|x| x.is_finite());
+    let all = curves.iter().flat_map(|curve| &curve.points).filter(|point| point.iter().all(|x| x.is_finite()));
+    let all = all.map(|point| point[axis]);
     let [low, high] = all.fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], x| [low.min(x), high.max(x)]);
     match high - low {
         wide if wide > 1e-12 * (low.abs() + high.abs()) && wide.is_finite() => {

@@ -138,7 +138,7 @@ mod tests {
     fn rows_between_pins_stand_and_rows_between_rows_and_nothing_else() {
         // A row of five, aslant, one that hangs on its middle, and a bent one beside it.
         let mut places: Vec<[f64; 2]> = (0..5).map(|k| [0.3 * f64::from(k), 0.1 * f64::from(k)]).collect();
-        places.extend([[0.6, -1.0], [0.6, -2.0], [2.0, 0.0], [3.0, -1e-3], [4.0, 0.0]]);
+        places.extend([[0.7, -1.0], [0.6, -2.0], [2.0, 0.0], [3.0, -1e-3], [4.0, 0.0]]);
         let row = [[0, 1], [1, 2], [2, 3], [3, 4]];
         let all = [&row[..], &[[2, 5], [5, 6], [7, 8], [8, 9]]].concat();
         assert_eq!(held_of(&places, &[0, 4, 7, 9], &all), [1, 2, 3]);
