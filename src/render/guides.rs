@@ -76,13 +76,13 @@ pub(super) fn guides(
     (list, counts)
 }
 
-/// Arcs of motors: their radius beside the shorter arm [1], at least and at most [px], and their width [px]; arms shorter than the last are
-/// not marked [px].
+/// Arcs of motors: their radius beside the shorter arm `[1]`, at least and at most `[px]`, and their width `[px]`; arms shorter than the last are
+/// not marked `[px]`.
 const ARC_SHARE: f64 = 0.4;
 const ARC: [f64; 2] = [8.0, 17.0];
 const ARC_WIDTH: f32 = 2.2;
 const LEAST_ARM: f64 = 7.0;
-/// Half of an arc [rad], in so many strokes, and the length of its heads [px].
+/// Half of an arc `[rad]`, in so many strokes, and the length of its heads `[px]`.
 const HALF_ARC: f64 = 2.2;
 const ARC_STROKES: u32 = 22;
 const HEAD: f64 = 5.5;
