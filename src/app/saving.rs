@@ -8,7 +8,7 @@ use rfd::AsyncFileDialog;
 use winit::window::Window;
 
 /// Nobody closes a dialog sooner: one that ends within this time was never shown.
-const LEAST_SHOWN: Duration = Duration::from_millis(250);
+const LEAST_SHOWN: Duration = Duration::from_millis(1000);
 
 /// What became of a dialog.
 #[derive(Debug, PartialEq, Eq)]

@@ -159,7 +159,8 @@ impl Session {
                     let import = Import::of_picture(PASTED.to_owned(), Arc::new(picture), self.wake_up());
                     self.bring_in(import);
                 }
-                Ok(Found::Nothing) => {}
+                Ok(Found::Nothing) if is_pasted => {}
+                Ok(Found::Nothing) => self.say("no file was chosen".to_owned()),
                 // Where the clipboard has nothing of use, there may still be what was copied here.
                 Err(_) if is_pasted && self.paste_copied() => {}
                 Err(_) if !is_pasted => self.ask_for_path(),

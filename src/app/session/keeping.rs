@@ -28,7 +28,7 @@ impl Session {
         self.saving = None;
         match chosen {
             Chosen::File(path) => self.save_to(path),
-            Chosen::Nothing => {}
+            Chosen::Nothing => self.say("nothing was saved".to_owned()),
             Chosen::NoDialog => {
                 let folder = std::env::current_dir().unwrap_or_default();
                 self.panels.path = free_name(&folder, self.scene.name(), "json").display().to_string();
