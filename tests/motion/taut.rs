@@ -83,7 +83,7 @@ fn a_row_falls_where_it_is_cut_or_its_pin_goes_and_a_longer_one_sags() {
 #[test]
 fn what_falls_on_a_row_is_borne_by_it() {
     let scene = json!({"wobble": 1, "gravity": [0, -9.81], "contact": true, "bodies": [
-        {"make": "rope", "count": 11, "spacing": 0.2, "to": [2, 0], "origin": [0, 0], "pinned": [0, 10], "material": {"kind": "rigid", "mass": 1}},
+        {"make": "rope", "count": 11, "to": [2, 0], "origin": [0, 0], "pinned": [0, 10], "material": {"kind": "rigid", "mass": 1}},
         {"make": "disc", "radius": 0.2, "spacing": 0.1, "origin": [1, 0.6],
             "material": {"kind": "spring", "stiffness": 2000, "damping": 1, "mass": 0.5}}]});
     let end = run_to(&mut *world(&scene), 1.5);
