@@ -2,13 +2,12 @@
 
 use std::path::{Path, PathBuf};
 use std::sync::mpsc::{Receiver, TryRecvError, channel};
-use std::time::{Duration, Instant};
+use std::time::Instant;
 
 use rfd::AsyncFileDialog;
 use winit::window::Window;
 
-/// Nobody closes a dialog sooner: one that ends within this time was never shown.
-const LEAST_SHOWN: Duration = Duration::from_millis(1000);
+use super::fetch::LEAST_SHOWN;
 
 /// What became of a dialog.
 #[derive(Debug, PartialEq, Eq)]

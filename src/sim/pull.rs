@@ -63,6 +63,12 @@ impl<S: Real, const D: usize> Pull<S, D> {
         self.springs.is_damped() || self.form.is_damped() || is_driven
     }
 
+    /// Energy of springs, angles and areas whose points are at these places `[J]`.
+    pub(crate) fn elastic(&self, x: &[[S; D]]) -> f64 {
+        let springs = self.springs.iter().map(|spring| spring.energy(sub(x[spring.a as usize], x[spring.b as usize])));
+        springs.fold(self.form.energy(x).to_f64(), |sum, energy| sum + energy.to_f64())
+    }
+
     /// Whether anything but springs, the mouse and what is the same everywhere pushes points.
     pub(crate) fn has_fields(&self) -> bool {
         !self.thrusts.is_empty() || self.gusts().is_some() || !self.cushions.is_empty()

@@ -14,7 +14,7 @@ pub(in crate::app) const ENDINGS: [&str; 17] = [
 ];
 
 /// Nobody closes a dialog sooner `[s]`: one that ends within this time was never shown.
-const LEAST_SHOWN: Duration = Duration::from_millis(1000);
+pub(in crate::app) const LEAST_SHOWN: Duration = Duration::from_millis(1000);
 
 /// Opens the dialog over `window`. One that is closed without a choice finds nothing.
 ///

@@ -10,7 +10,7 @@ use std::sync::mpsc::{Receiver, TryRecvError, channel};
 use crate::picture::Picture;
 
 pub(super) use clipboard::{announce, paste};
-pub(super) use dialog::{ENDINGS, open};
+pub(super) use dialog::{ENDINGS, LEAST_SHOWN, open};
 
 /// What was brought.
 #[derive(Debug, PartialEq)]

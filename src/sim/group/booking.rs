@@ -148,9 +148,6 @@ impl<S: Real, const D: usize> Group<S, D> {
 
 /// Kinetic energy, that of springs, angles and areas, and gravity's, of points in this state `[J]`.
 fn stored<S: Real, const D: usize>(pull: &Pull<S, D>, (x, v): (&[[S; D]], &[[S; D]]), w: &[S]) -> f64 {
-    let springs =
-        pull.springs.iter().map(|spring| spring.energy(sub(x[spring.a as usize], x[spring.b as usize])).to_f64());
-    let elastic = springs.sum::<f64>() + pull.form.energy(x).to_f64();
     let fall = |i: usize| if w[i] == S::ZERO { 0.0 } else { dot(pull.gravity, widen(x[i])) / w[i].to_f64() };
-    kinetic(v, w) + elastic - (0..x.len()).map(fall).sum::<f64>()
+    kinetic(v, w) + pull.elastic(x) - (0..x.len()).map(fall).sum::<f64>()
 }

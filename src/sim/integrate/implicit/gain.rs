@@ -4,7 +4,7 @@ use crate::sim::environment::Environment;
 use crate::sim::points::Points;
 use crate::sim::pull::Pull;
 use crate::sim::real::Real;
-use crate::sim::vector::{convert, dot, sub};
+use crate::sim::vector::{convert, dot};
 
 /// Share of the energy that there is by which a step may have more afterwards: the method's own error.
 const MOST_GAIN: f64 = 0.02;
@@ -24,9 +24,7 @@ impl Energy {
         let (x, v, w) = (&points.position, &points.velocity, &points.inverse_mass);
         let field: [S; D] = convert(pull.gravity);
         let fall = 0.5 * h * h * dot(pull.gravity, pull.gravity);
-        let springs = pull.springs.iter().map(|spring| spring.energy(sub(x[spring.a as usize], x[spring.b as usize])));
-        let elastic = springs.fold(pull.form.energy(x).to_f64(), |sum, energy| sum + energy.to_f64());
-        let mut sum = Energy { motion: elastic, gravity: 0.0, fall: 0.0 };
+        let mut sum = Energy { motion: pull.elastic(x), gravity: 0.0, fall: 0.0 };
         for i in (0..x.len()).filter(|&i| w[i] != S::ZERO) {
             let mass = 1.0 / w[i].to_f64();
             sum.motion += 0.5 * mass * dot(v[i], v[i]).to_f64();
