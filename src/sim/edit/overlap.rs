@@ -20,10 +20,7 @@ impl<S: Real, const D: usize> World<S, D> {
     ) {
         // Outlines that cross too often were refused before.
         let Ok(fresh) = Obstacles::<f64, D>::of(fresh) else { return };
-        let mut position = vec![zero(); self.count()];
-        for (&point, &x) in detached.points.iter().zip(&detached.state.position) {
-            position[point as usize] = widen(x);
-        }
+        let position = self.places_of(detached);
         let bonds: &Bonds = &self.bonds;
         let hit = plan::clear(&fresh, bonds, &position, &self.inverse_mass);
         if hit.moves.is_empty() && hit.stuck.is_empty() {
@@ -35,15 +32,43 @@ impl<S: Real, const D: usize> World<S, D> {
         }
         // What is out of the fresh ones may be in others.
         let out = plan::clear(&obstacles.widened(model), bonds, &position, &w);
-        let ways = if out.moves.is_empty() { &hit.moves } else { &out.moves };
-        for (points, way) in ways {
-            for place in detached.places(points.iter().copied()) {
-                let x = &mut detached.state.position[place];
-                *x = add(*x, convert(*way));
-                detached.state.position_lost[place] = zero();
-            }
-        }
+        carry(detached, if out.moves.is_empty() { &hit.moves } else { &out.moves });
         self.warn_of_overlap(&hit);
         self.within.extend(hit.stuck);
+    }
+
+    /// Bodies among what was taken out and moved that lie inside obstacles are put beside them, as what an obstacle is put onto.
+    pub(super) fn clear_moved(&mut self, detached: &mut Detached<S, D>) {
+        let position = self.places_of(detached);
+        let mut w = vec![0.0; self.count()];
+        for &point in &detached.points {
+            w[point as usize] = self.inverse_mass[point as usize];
+        }
+        let hit = plan::clear(&self.obstacles.widened(&*self.model), &self.bonds, &position, &w);
+        if !hit.moves.is_empty() || !hit.stuck.is_empty() {
+            carry(detached, &hit.moves);
+            self.warn_of_overlap(&hit);
+            self.within.extend(hit.stuck);
+        }
+    }
+
+    /// Where the points are that were taken out `[m]`; all others at the origin.
+    fn places_of(&self, detached: &Detached<S, D>) -> Vec<[f64; D]> {
+        let mut position = vec![zero(); self.count()];
+        for (&point, &x) in detached.points.iter().zip(&detached.state.position) {
+            position[point as usize] = widen(x);
+        }
+        position
+    }
+}
+
+/// Moves bodies among what was taken out, each as a whole `[m]`.
+fn carry<S: Real, const D: usize>(detached: &mut Detached<S, D>, moves: &[(Vec<u32>, [f64; D])]) {
+    for (points, way) in moves {
+        for place in detached.places(points.iter().copied()) {
+            let x = &mut detached.state.position[place];
+            *x = add(*x, convert(*way));
+            detached.state.position_lost[place] = zero();
+        }
     }
 }

@@ -133,6 +133,8 @@ impl<S: Real, const D: usize> World<S, D> {
             let fresh = self.only(&model, obstacles);
             self.clear_of(&fresh, (&model, &moved), &mut detached);
             self.obstacles = moved;
+        } else {
+            self.clear_moved(&mut detached);
         }
         self.model = Arc::new(model);
         if let Some(scaled) = scaled {
