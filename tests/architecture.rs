@@ -11,7 +11,7 @@ use std::path::{Path, PathBuf};
 const ROOMS: [(&str, &[&str], &[&str]); 13] = [
     ("output", &[], &["tempfile"]),
     ("picture", &[], &["image", "spade", "earcutr", "libm", "rayon"]),
-    ("sim", &[], &["rand", "rand_pcg", "libm", "rayon", "fearless_simd", "aligned_vec"]),
+    ("sim", &[], &["rand", "rand_pcg", "libm", "rayon", "fearless_simd", "aligned_vec", "petgraph"]),
     ("equilibrium", &["sim"], &["rand", "rand_pcg"]),
     ("search", &["sim"], &[]),
     ("body", &["sim", "picture"], &["rand", "rand_pcg", "libm", "spade"]),

@@ -29,6 +29,7 @@ mod plan_part;
 pub(crate) mod points;
 pub(crate) mod printed;
 pub(crate) mod pull;
+pub(crate) mod reach;
 pub mod real;
 pub(crate) mod rigid;
 mod saved;

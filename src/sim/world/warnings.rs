@@ -12,6 +12,7 @@ use crate::sim::force::mouse::Track;
 use crate::sim::model::Model;
 use crate::sim::plan::Cleared;
 use crate::sim::plan_part::PlanPart;
+use crate::sim::reach::{self, Reach};
 use crate::sim::real::Real;
 use crate::sim::solver::Solver;
 use crate::sim::vector::{length, sub};
@@ -34,14 +35,14 @@ impl<S: Real, const D: usize> World<S, D> {
         };
         if !cleared.moves.is_empty() {
             self.warnings.push(format!(
-                "{} started inside an obstacle: moved out as a whole, by up to {:.3} m",
+                "{} began inside an obstacle: moved out as a whole, by up to {:.3} m",
                 several(cleared.moves.len()),
                 cleared.furthest()
             ));
         }
         if !cleared.stuck.is_empty() {
             self.warnings.push(format!(
-                "{} started inside an obstacle without a way out, or pinned: only points are put out, one by one, as far \
+                "{} began inside an obstacle without a way out, or pinned: only points are put out, one by one, as far \
                  as bonds let them",
                 several(cleared.stuck.len())
             ));
@@ -55,26 +56,43 @@ impl<S: Real, const D: usize> World<S, D> {
         let place = |point: PointId, t: f64| {
             tracks.get(&point).and_then(|track| track.at(t)).unwrap_or(position[point.index()])
         };
+        // Between knots both go straight on: where the distance is right at three times, it always is.
+        let times = |ends: [PointId; 2]| {
+            let knots = ends.iter().filter_map(|end| tracks.get(end)).flat_map(|track| &track.knots);
+            let mut times: Vec<f64> = knots.map(|knot| knot.0).collect();
+            times.sort_by(f64::total_cmp);
+            let between: Vec<f64> = times.windows(2).map(|pair| 0.5 * (pair[0] + pair[1])).collect();
+            times.into_iter().chain(between).chain([0.0])
+        };
+        let apart = |ends: [PointId; 2], t: f64| {
+            let [a, b] = ends.map(|end| place(end, t));
+            length(sub(a, b))
+        };
         let stands = |bond: &(usize, Bond)| {
             let ends = [bond.1.a, bond.1.b];
             if bond.1.kind != BondKind::Rigid || ends.iter().any(|end| w[end.index()] != 0.0) {
                 return false;
             }
-            // Between knots both go straight on: where the distance is right at three times, it always is.
-            let knots = ends.iter().filter_map(|end| tracks.get(end)).flat_map(|track| &track.knots);
-            let mut times: Vec<f64> = knots.map(|knot| knot.0).collect();
-            times.sort_by(f64::total_cmp);
-            let between: Vec<f64> = times.windows(2).map(|pair| 0.5 * (pair[0] + pair[1])).collect();
-            let is_off = |t: f64| {
-                let [a, b] = ends.map(|end| place(end, t));
-                (length(sub(a, b)) - bond.1.rest_length).abs() > 1e-8 * bond.1.rest_length.max(1.0)
-            };
-            times.into_iter().chain(between).chain([0.0]).any(is_off)
+            let is_off = |t: f64| (apart(ends, t) - bond.1.rest_length).abs() > 1e-8 * bond.1.rest_length.max(1.0);
+            times(ends).any(is_off)
         };
         let between: Vec<usize> = self.bonds.iter().enumerate().filter(stands).map(|(k, _)| k).collect();
         if !between.is_empty() {
             let text = format!("{} cannot hold: both ends are pinned, and not at that length", list(&between));
             self.warnings.push(text);
+        }
+        let led: Vec<PointId> = tracks.keys().copied().collect();
+        let held: Vec<PointId> = (0..w.len()).filter(|&i| w[i] == 0.0).map(|i| PointId(i as u32)).collect();
+        let beyond = |reach: &Reach| {
+            let apart = times(reach.pins).map(|t| apart(reach.pins, t)).fold(0.0, f64::max);
+            (apart > reach.most * (1.0 + 1e-8)).then_some((apart - reach.most, reach.pins))
+        };
+        let reaches = reach::reaches(&self.bonds, &led, &held);
+        if let Some((way, [a, b])) = reaches.iter().filter_map(beyond).max_by(|a, b| a.0.total_cmp(&b.0)) {
+            self.warnings.push(format!(
+                "pins {} and {} are led up to {way:.3} m further apart than the bonds between them reach: these are strained",
+                a.0, b.0
+            ));
         }
     }
 

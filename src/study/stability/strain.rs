@@ -3,6 +3,7 @@
 use serde::Serialize;
 
 use super::pieces::Pieces;
+use crate::sim::reach::{Reach, reaches};
 use crate::sim::{BondKind, Dynamics, Limit, Precision, Sample, Solver};
 
 /// Largest strains of rigid bonds at the ends of frames `[1]`, by what moved them there; what rounding makes counts as none.
@@ -22,6 +23,9 @@ pub struct Strains {
 const MOST_SOLVED: u32 = 2_000;
 /// Strain of larger ones where none is stated `[1]`.
 const SWEPT: f64 = 0.02;
+/// How many times the strain that tracks force on the way between two pins something on it may have: ways that are shorter, and what is led
+/// sideways, share it unevenly.
+const FORCED: f64 = 2.0;
 /// Roundings of the places of both ends that a length may be off by.
 const ROUNDINGS: f64 = 4.0;
 
@@ -29,6 +33,8 @@ const ROUNDINGS: f64 = 4.0;
 #[derive(Clone, Debug)]
 pub(super) struct Strain {
     pieces: Pieces,
+    /// How far apart bonds let pins be, of the world as it stood when that was looked at last.
+    reaches: (Option<u64>, Vec<Reach>),
     /// What swept bonds may have `[1]`.
     may: f64,
     /// Splits and fallbacks until the last look.
@@ -42,12 +48,20 @@ impl Strain {
     /// Of a scene that states what large bodies may have, or does not.
     pub(super) fn new(max_strain: Option<f64>) -> Self {
         let may = max_strain.unwrap_or(SWEPT);
-        Strain { pieces: Pieces::default(), may, guards: 0, largest: 0.0, most: Strains::default() }
+        Strain {
+            pieces: Pieces::default(),
+            reaches: (None, Vec::new()),
+            may,
+            guards: 0,
+            largest: 0.0,
+            most: Strains::default(),
+        }
     }
 
     /// The end of a frame.
     pub(super) fn look(&mut self, world: &dyn Dynamics, sample: &Sample) {
         self.pieces.follow(world);
+        let forced = FORCED * self.forced(world, sample);
         let counters = world.counters();
         let is_guarded = counters.guard_splits + counters.fallbacks > self.guards;
         self.guards = counters.guard_splits + counters.fallbacks;
@@ -61,6 +75,7 @@ impl Strain {
                 continue;
             }
             self.largest = self.largest.max(strain);
+            let strain = (strain - forced).max(0.0);
             let solver = world.mover_of(free).map_or(Solver::Auto, |part| part.solver);
             let is_large = || self.pieces.piece([bond.a, bond.b]).is_some_and(|p| self.pieces.bonds(p) > MOST_SOLVED);
             let (most, strain) = match solver {
@@ -72,6 +87,20 @@ impl Strain {
             };
             *most = most.max(strain);
         }
+    }
+}
+
+impl Strain {
+    /// What pins that are led further apart than the bonds between them reach strain these by, at the least `[1]`.
+    fn forced(&mut self, world: &dyn Dynamics, sample: &Sample) -> f64 {
+        if self.reaches.0 != Some(world.topology()) {
+            self.reaches = (Some(world.topology()), reaches(world.bonds(), world.pinned(), world.pinned()));
+        }
+        let of = |reach: &Reach| {
+            let [a, b] = reach.pins.map(|pin| sample.position[pin.index()]);
+            (0..3).map(|k| (a[k] - b[k]).powi(2)).sum::<f64>().sqrt() / reach.most - 1.0
+        };
+        self.reaches.1.iter().map(of).filter(|strain| *strain > 1e-6).fold(0.0, f64::max)
     }
 }
 
@@ -112,6 +141,23 @@ mod tests {
         near(strains(r#"{"solver": "auto"}"#, 1e-3).solved, 1e-3);
         near(strains(r#"{"solver": "live"}"#, 1e-3).live, 1e-3);
         near(strains(r#"{"solver": "xpbd", "substep": 0.01, "iterations": 4}"#, 1e-3).swept, 0.05);
+    }
+
+    #[test]
+    fn what_tracks_force_is_no_fault() {
+        let text = r#"{"wobble": 1, "points": {"position": [[0, 0], [1, 0], [2, 0]], "pinned": [0, 2]},
+            "bonds": [{"a": 0, "b": 1}, {"a": 1, "b": 2}], "method": {"solver": "live"}}"#;
+        let world = Scene::parse(text, "test").unwrap().world(None).unwrap();
+        let judged = |middle: f64| {
+            let mut sample = world.sample(0.0);
+            (sample.position[1][0], sample.position[2][0]) = (middle, 2.2);
+            let mut strain = Strain::new(None);
+            strain.look(&*world, &sample);
+            (strain.most.live, strain.largest)
+        };
+        let (beyond, largest) = judged(1.1);
+        assert!(beyond == 0.0 && (largest - 0.1).abs() < 1e-9, "a tenth each is what it takes: {beyond}, {largest}");
+        assert!((judged(1.4).0 - 0.2).abs() < 1e-9, "{:?}", judged(1.4));
     }
 
     #[test]
