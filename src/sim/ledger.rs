@@ -31,7 +31,7 @@ pub struct Book {
     pub wind: f64,
     /// What commands changed: points and bonds that came and went, velocities that were set.
     pub commands: f64,
-    /// What the live step made, or took, as it parted bodies that began in an obstacle, in each other or in themselves: places that no forces
+    /// What the live step made, or took, as it parted bodies that began in an obstacle, in each other or in themselves, and opened triangles that were inside out: places that no forces
     /// lead to. Below 0 it took.
     pub parting: f64,
     /// Taken by dampers: the integral of c u^2, u the rate of a bond's length (at rest length 0 the whole relative velocity).

@@ -199,6 +199,72 @@ fn what_has_no_dampers_keeps_its_energy_for_ten_seconds() {
     }
 }
 
+/// What bonds without stretch do by the live step: a rope of 20 from its left end on.
+fn rope(kind: &Value) -> Value {
+    let mut scene = json!({"wobble": 1, "method": {"solver": "live", "sleep": false, "settle": false, "ledger": true},
+        "bodies": [{"make": "rope", "count": 20, "to": [0.95, 0], "material": {"kind": "rigid", "mass": 0.2}}]});
+    for (key, value) in kind.as_object().unwrap() {
+        match key.as_str() {
+            "gravity" | "method" => scene[key] = value.clone(),
+            _ => scene["bodies"][0][key] = value.clone(),
+        }
+    }
+    scene
+}
+
+#[test]
+fn a_rope_that_tumbles_keeps_its_energy_and_its_turn() {
+    let (sample, world) = run(&rope(&json!({"spin": 10})), 2.0);
+    // 19 bonds of 5 cm: the sum of m (10/s r)^2/2 about the middle, and that of m r^2 10/s.
+    let square: f64 = (0..20).map(|k| (0.05 * (f64::from(k) - 9.5)).powi(2)).sum();
+    let [energy, turn] = [0.01 * 0.5 * 100.0 * square, 0.01 * 10.0 * square];
+    assert!((world.energy() / energy - 1.0).abs() < 1e-3, "{} of {energy} J", world.energy());
+    let middle = [middle(&sample, 0), middle(&sample, 1)];
+    let drift = [0, 1].map(|k| sample.velocity.iter().map(|v| v[k]).sum::<f64>() / 20.0);
+    let turns = sample.position.iter().zip(&sample.velocity).map(|(x, v)| {
+        let [r, u] = [[0, 1].map(|k| x[k] - middle[k]), [0, 1].map(|k| v[k] - drift[k])];
+        0.01 * (r[0] * u[1] - r[1] * u[0])
+    });
+    let turned: f64 = turns.sum();
+    assert!((turned / turn - 1.0).abs() < 1e-2, "{turned} of {turn} N m s");
+}
+
+#[test]
+fn a_rope_swings_as_by_an_exact_method() {
+    let hung = json!({"pinned": [0], "gravity": [0, -9.81]});
+    let (live, world) = run(&rope(&hung), 0.75);
+    let mut exact = rope(&hung);
+    exact["method"] = json!({"solver": "rk8"});
+    let (exact, _) = run(&exact, 0.75);
+    let pairs = live.position.iter().zip(&exact.position);
+    let off = pairs.map(|(a, b)| (a[0] - b[0]).hypot(a[1] - b[1])).fold(0.0, f64::max);
+    assert!(off < 0.02, "{off} m of 0.95");
+    let ledger = world.sample(0.75).ledger.unwrap();
+    assert!(ledger.left_over().abs() < 0.005 * ledger.most_kinetic, "{ledger:?}: {} J", ledger.left_over());
+}
+
+#[test]
+fn a_net_that_swings_in_space_keeps_its_energy() {
+    let scene = json!({"wobble": 1, "dimensions": 3, "gravity": [0, -9.81, 0], "method": {"solver": "live", "sleep": false, "settle": false},
+        "bodies": [{"make": "cloth", "columns": 6, "rows": 6, "spacing": 0.1, "diagonals": "none", "pinned": [0],
+            "material": {"kind": "rigid", "mass": 0.5}}]});
+    let mut world = world(&scene);
+    let start = world.energy();
+    let mut most: f64 = 0.0;
+    while world.time() < 1.0 - 1e-9 {
+        world.step();
+        let kinetic: f64 = world
+            .sample(world.time())
+            .velocity
+            .iter()
+            .map(|v| 0.5 * 0.5 / 36.0 * v.iter().map(|v| v * v).sum::<f64>())
+            .sum();
+        most = most.max(kinetic);
+    }
+    let lost = (start - world.energy()) / most;
+    assert!(lost.abs() < 0.1, "{lost} of {most} J");
+}
+
 /// The speed at which a body goes up 0.4 s after it began to fall on a floor at `speed`, over that.
 fn returned(body: &Value, speed: f64, restitution: f64, method: Option<&str>) -> f64 {
     let mut body = body.clone();

@@ -32,6 +32,43 @@ fn bodies_in_joints_swing_as_they_do_by_their_own_method() {
     assert!(off < 0.03, "{off}");
 }
 
+/// How far joints are beyond their ranges at the most `[rad]`.
+fn beyond(world: &dyn Dynamics) -> f64 {
+    let sample = world.sample(world.time());
+    let of = |angle: &wobble::sim::Angle| {
+        let [i, j, k] = angle.points.map(|point| sample.position[point.index()]);
+        let [p, q] = [i, k].map(|end| [end[0] - j[0], end[1] - j[1]]);
+        let turn = (p[0] * q[1] - p[1] * q[0]).atan2(p[0] * q[0] + p[1] * q[1]);
+        let [least, most] = angle.range.unwrap_or([-9.0, 9.0]);
+        let off = (turn - 0.5 * (least + most)).rem_euclid(std::f64::consts::TAU);
+        off.min(std::f64::consts::TAU - off) - 0.5 * (most - least)
+    };
+    world.angles().iter().map(of).fold(0.0, f64::max)
+}
+
+#[test]
+fn a_doll_that_tumbles_keeps_its_joints_within_their_ranges_and_most_of_its_energy() {
+    for solver in ["live", "auto"] {
+        let scene = json!({"wobble": 1, "contact": {"self": false}, "method": {"solver": solver, "sleep": false, "ledger": true},
+            "bodies": [{"make": "ragdoll", "spin": 6, "material": {"mass": 70}}]});
+        let mut world = world(&scene);
+        let (mut most, mut least) = (0.0_f64, f64::INFINITY);
+        while world.time() < 4.0 - 1e-9 {
+            world.step();
+            most = most.max(beyond(&*world));
+            least = least.min(world.energy());
+        }
+        let ledger = world.sample(world.time()).ledger.unwrap();
+        assert!(most < 0.02, "{solver}: {most} rad");
+        assert!(
+            ledger.left_over().abs() < 0.05 * ledger.most_kinetic,
+            "{solver}: {} of {}",
+            ledger.left_over(),
+            ledger.most_kinetic
+        );
+    }
+}
+
 #[test]
 fn a_light_chain_bears_a_heavy_load() {
     let position: Vec<[f64; 2]> =

@@ -31,6 +31,12 @@ impl<S: Real> Form<S> {
         self.hinges.iter().any(|hinge| hinge.damping > S::ZERO)
     }
 
+    /// Energy of joints that are beyond their ranges `[J]`, of points that are there.
+    pub(crate) fn stopped<const D: usize>(&self, x: &[[S; D]]) -> S {
+        let beyond = |hinge: &Hinge<S>| hinge.energy(at(x, hinge.points)) - hinge.energy_within(at(x, hinge.points));
+        self.hinges.iter().filter(|hinge| hinge.stop > S::ZERO).fold(S::ZERO, |sum, hinge| sum + beyond(hinge))
+    }
+
     /// The points of each, angles first.
     pub(crate) fn triples(&self) -> impl Iterator<Item = [u32; 3]> {
         self.hinges.iter().map(|hinge| hinge.points).chain(self.patches.iter().map(|patch| patch.corners))

@@ -49,7 +49,9 @@ fn fits<S: Real, const D: usize>(around: &Environment<D>, old: &Group<S, D>, new
     let are_large = new.iter().any(|group| matches!(group.engine, Engine::Bulk(_)));
     let before = old.energy_and_strain(around);
     let most = (MOST_WAY * size).min(if before.strain > 0.0 { MOST_SHIFT * edge } else { f64::INFINITY });
-    let after: f64 = new.iter().map(|group| group.energy_and_strain(around).total()).sum();
+    // Joints that are beyond their ranges would be pushed back by springs.
+    let stops: f64 = new.iter().map(|group| group.pull.form.stopped(&group.points.position).to_f64()).sum();
+    let after: f64 = new.iter().map(|group| group.energy_and_strain(around).total()).sum::<f64>() + stops;
     let allowed = before.total() + MOST_RAISE * (before.kinetic + before.elastic) + before.rounding;
     // Large bodies mend the strain that they start with as they go.
     way <= most && after <= allowed && !(are_large && before.strain > LARGE_STRAIN)

@@ -5,6 +5,7 @@ use fearless_simd::{Select, Simd, SimdBase, SimdFloat};
 
 use super::lanes::{Lanes, WIDEST, load, splat, store};
 use crate::sim::real::Real;
+use crate::sim::vector::{add, dot, scale, sub};
 
 /// Most bonds that are gathered at once: their numbers stay in the nearest cache. A multiple of [`WIDEST`].
 const CHUNK: usize = 64;
@@ -90,12 +91,50 @@ pub(crate) struct Moved<'a, S> {
     pub(crate) w: &'a [S],
 }
 
+/// Where the ends were as the substep began `[m]`, and what would have been otherwise along the directions of then `[m]`.
+pub(crate) struct Turned<'a, S, const D: usize> {
+    pub(crate) start: &'a [[S; D]],
+    pub(crate) turned: &'a mut [[S; D]],
+}
+
+impl<S: Real, const D: usize> Turned<'_, S, D> {
+    /// Notes what a bond whose ends a and b, of inverse masses `w` `[1/kg]`, are moved by -w_a `push` and w_b `push` would have changed along the
+    /// direction that it had as the substep began. Nothing is noted of a pull so strong for the bond's length `[m]` that it would swing to
+    /// and fro between substeps: above a share [`MOST_TURN`].
+    ///
+    /// A multiplier along the new direction, to which the bond turns by an angle t in the substep, takes the share t^2 of what speed there is;
+    /// along the old one it takes nothing: J.-P. Ryckaert, G. Ciccotti, H. J. C. Berendsen, J. Comput. Phys. 23, 327, 1977.
+    #[inline(always)]
+    pub(crate) fn note(&mut self, [a, b]: [usize; 2], [w_a, w_b]: [S; 2], push: [S; D]) {
+        let r = sub(self.start[a], self.start[b]);
+        let (square, strength) = (dot(r, r), dot(push, push));
+        let sum = w_a + w_b;
+        let most = S::from_f64(MOST_TURN * MOST_TURN);
+        // NaN is not noted.
+        if strength * sum * sum <= most * square && square > S::ZERO {
+            let size = (strength / square).sqrt();
+            let other = sub(scale(r, if dot(r, push) < S::ZERO { -size } else { size }), push);
+            self.turned[a] = sub(self.turned[a], scale(other, w_a));
+            self.turned[b] = add(self.turned[b], scale(other, w_b));
+        }
+    }
+}
+
+/// Share of its length that a bond may move its ends by in a substep to be turned back: (w h)^2 of how it swings across is twice that.
+const MOST_TURN: f64 = 0.25;
+
 /// One sweep: with d = x_a - x_b and v the difference of the rates each bond gives -w_a f d to its first end and w_b f d to the other,
-/// f = gain (|d| - rest + drag v . d/|d|)/|d|. It goes to the rates, and with `MOVES` to the places too.
+/// f = gain (|d| - rest + drag v . d/|d|)/|d|. It goes to the rates, and with `MOVES` to the places too; what
+/// it would have been along old directions is noted where it is asked for.
 ///
 /// Valid range: a bond of length 0 gives nothing.
 #[inline(always)]
-pub(crate) fn sweep<M: Simd, S: Real, const MOVES: bool>(m: M, links: &Links<S>, moved: &mut Moved<'_, S>) {
+pub(crate) fn sweep<M: Simd, S: Real, const MOVES: bool>(
+    m: M,
+    links: &Links<S>,
+    moved: &mut Moved<'_, S>,
+    mut turned: Option<&mut Turned<'_, S, 2>>,
+) {
     let mut parts = Parts { d: [[S::ZERO; CHUNK]; 2], v: [[S::ZERO; CHUNK]; 2], factor: [S::ZERO; CHUNK] };
     let mut from = 0;
     for &stop in &links.stops {
@@ -105,6 +144,9 @@ pub(crate) fn sweep<M: Simd, S: Real, const MOVES: bool>(m: M, links: &Links<S>,
             gather(ends, moved, &mut parts, links.is_damped);
             factors(m, (&links.rest[from..], &links.gain[from..], &links.drag[from..]), ends.len(), &mut parts);
             scatter::<S, MOVES>(ends, moved, &parts);
+            if let Some(turned) = &mut turned {
+                turn(ends, moved.w, &parts, turned);
+            }
             from = to;
         }
     }
@@ -170,6 +212,15 @@ fn scatter<S: Real, const MOVES: bool>(ends: &[[u32; 2]], moved: &mut Moved<'_, 
     }
 }
 
+#[inline(always)]
+fn turn<S: Real>(ends: &[[u32; 2]], w: &[S], parts: &Parts<S>, turned: &mut Turned<'_, S, 2>) {
+    let Parts { d: [x, y], factor, .. } = parts;
+    for (lane, &[a, b]) in ends.iter().enumerate().take(CHUNK) {
+        let (a, b) = (a as usize, b as usize);
+        turned.note([a, b], [w[a], w[b]], [x[lane] * factor[lane], y[lane] * factor[lane]]);
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -195,7 +246,7 @@ mod tests {
         let chosen = InstructionSet::chosen();
         set.choose();
         let mut moved = Moved { now: &mut now, rate: &mut rate, w: &w };
-        vectorized!(m => sweep::<_, _, true>(m, &links, &mut moved));
+        vectorized!(m => sweep::<_, _, true>(m, &links, &mut moved, None));
         chosen.choose();
         now
     }
@@ -217,7 +268,7 @@ mod tests {
         links.finish();
         let (mut now, mut rate) = ([[0.0, 0.0], [0.0, 2.0]], [[0.0; 2]; 2]);
         let mut moved = Moved { now: &mut now, rate: &mut rate, w: &[1.0, 3.0] };
-        vectorized!(m => sweep::<_, _, true>(m, &links, &mut moved));
+        vectorized!(m => sweep::<_, _, true>(m, &links, &mut moved, None));
         assert_eq!((now, rate), ([[0.0, 0.25], [0.0, 1.25]], [[0.0, 0.25], [0.0, -0.75]]));
     }
 }

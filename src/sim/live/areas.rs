@@ -40,7 +40,7 @@ impl<S: Real> Thin<S> {
 }
 
 /// Half the diagonal of the box that ways span `[m]`: no point goes further against its middle.
-fn spread<S: Real>(way: &[[S; 2]]) -> S {
+pub(super) fn spread<S: Real>(way: &[[S; 2]]) -> S {
     // Four boxes that do not wait for each other; the least of all is the same in any order.
     let (mut low, mut high) = ([[S::INFINITY; 2]; 4], [[-S::INFINITY; 2]; 4]);
     for ways in way.chunks(4) {
@@ -125,7 +125,9 @@ fn open<S: Real>(state: &mut Cluster<S>, area: &Area<S>, (base, share): (usize, 
     if now >= least {
         return;
     }
-    let missed = (least - size([state.start[a], state.start[b], state.start[c]])).max(S::ZERO);
+    let before = size([state.start[a], state.start[b], state.start[c]]);
+    let missed = (least - before).max(S::ZERO);
+    state.counts.opened += u64::from(before < S::ZERO);
     // Passes share the slow part.
     let slow = missed * S::from_f64(MENDED / 3.0);
     let quick = (least - now - missed).max(S::ZERO);

@@ -3,10 +3,10 @@
 use super::body::{Body, Link};
 use super::cluster::{Cluster, Common};
 use super::rigid::{Change, goes_with_frame};
-use super::{FRAMES, part, tree};
+use super::{FRAMES, areas, part, tree};
 use crate::sim::bond::Limit;
 use crate::sim::kernels::level::vectorized;
-use crate::sim::kernels::links::{self, Entry, Links, Moved};
+use crate::sim::kernels::links::{self, Entry, Links, Moved, Turned};
 use crate::sim::real::Real;
 use crate::sim::vector::{add, dot, scale, sub};
 
@@ -22,6 +22,8 @@ pub(super) const MOST_BY_FORCES: f64 = 0.9;
 const BORNE: f64 = 0.5;
 /// Share of its springs that may be shorter until all of a body with an inside are projected; of others none may.
 const MOST_CRUSHED: f64 = 0.05;
+/// Angle by which a bond may turn in a substep, about, without being asked what that takes: less than 1e-3 of the speed in a second.
+const TURNED: f64 = 5e-4;
 /// Share of an error that a bond takes away at once from which on it is hard.
 const HARD: f64 = 0.99;
 
@@ -45,7 +47,7 @@ pub(super) fn pull<S: Real>(state: &mut Cluster<S>, common: &Common<S>, h: S) {
     let pulls = std::mem::take(&mut state.pulls);
     let Cluster { now, velocity, w, .. } = &mut *state;
     let mut moved = Moved { now, rate: velocity, w };
-    vectorized!(m => links::sweep::<_, _, false>(m, &pulls, &mut moved));
+    vectorized!(m => links::sweep::<_, _, false>(m, &pulls, &mut moved, None));
     let count = (pulls.len() + state.odd_pulls.len()) as u64;
     state.pulls = pulls;
     state.counts.bonds += count;
@@ -228,12 +230,19 @@ pub(super) fn hold<S: Real>(state: &mut Cluster<S>, common: &Common<S>) {
     for (body, base) in state.members(common).filter(|(body, _)| body.tree > 0) {
         tree::solve(state, &common.holds(body)[..body.tree as usize], (base, body.points.len()));
     }
+    state.does_turn = state.firm.len() > 0 && turns(state);
     let firm = std::mem::take(&mut state.firm);
     sweep(state, &firm);
     state.firm = firm;
     let holds = std::mem::take(&mut state.holds);
     project(state, &holds);
     state.holds = holds;
+}
+
+/// Whether points of a body go so far against each other in this substep that bonds may turn.
+fn turns<S: Real>(state: &Cluster<S>) -> bool {
+    let least = state.least_promise * S::from_f64(TURNED / super::gather::PROMISE);
+    state.bases.windows(2).any(|ends| areas::spread(&state.way[ends[0] as usize..ends[1] as usize]) > least)
 }
 
 /// One more sweep over bonds that hardly give, where contacts moved their ends: without it a body that is stiff is dented by what presses
@@ -273,9 +282,11 @@ pub(super) fn stiffen<S: Real>(state: &mut Cluster<S>, common: &Common<S>) -> u6
 
 /// One sweep over bonds that kernels take.
 fn sweep<S: Real>(state: &mut Cluster<S>, links: &Links<S>) {
-    let Cluster { now, way, w, .. } = &mut *state;
+    let does_turn = state.does_turn;
+    let Cluster { now, way, w, start, turned, .. } = &mut *state;
     let mut moved = Moved { now, rate: way, w };
-    vectorized!(m => links::sweep::<_, _, true>(m, links, &mut moved));
+    let mut turned = Turned { start, turned };
+    vectorized!(m => links::sweep::<_, _, true>(m, links, &mut moved, does_turn.then_some(&mut turned)));
     state.counts.bonds += links.len() as u64;
     state.counts.work += 30 * links.len() as u64;
 }
@@ -285,7 +296,7 @@ fn project<S: Real>(state: &mut Cluster<S>, holds: &[Hold<S>]) {
     state.counts.bonds += holds.len() as u64;
     state.counts.work += 30 * holds.len() as u64;
     for hold in holds {
-        let Cluster { now, way, w, .. } = &mut *state;
+        let Cluster { now, way, w, start, turned, .. } = &mut *state;
         let (a, b) = (hold.a as usize, hold.b as usize);
         let d = sub(now[a], now[b]);
         let length = dot(d, d).sqrt();
@@ -319,6 +330,7 @@ fn project<S: Real>(state: &mut Cluster<S>, holds: &[Hold<S>]) {
             continue;
         }
         let shift = scale(along, error * hold.inverse);
+        Turned { start, turned }.note([a, b], [w[a], w[b]], shift);
         let shifts = [(a, scale(shift, -w[a])), (b, scale(shift, w[b]))];
         for (i, own) in shifts {
             now[i] = add(now[i], own);

@@ -96,12 +96,14 @@ impl<S: Real> Cluster<S> {
         }
     }
 
-    /// What forces did in a substep, and of the wind its gusts and all of it `[J]`.
-    pub(super) fn book_fields(&mut self, forces: S, [gusts, wind]: [S; 2]) {
+    /// What mouse, forces and wind did in a substep that is over.
+    pub(super) fn book_given(&mut self) {
+        let works = self.given.works(&self.velocity, &self.w);
+        self.work += works.seen;
         if let Some(tally) = &mut self.tally {
-            tally.apart += (forces + gusts).to_f64();
-            tally.taken.forces += forces.to_f64();
-            tally.taken.wind += wind.to_f64();
+            tally.apart += (works.seen - works.mouse).to_f64();
+            tally.taken.forces += works.forces.to_f64();
+            tally.taken.wind += works.wind.to_f64();
         }
     }
 

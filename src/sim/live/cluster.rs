@@ -6,6 +6,7 @@ use super::bonds::Hold;
 use super::booking::Tally;
 use super::build::Bodies;
 use super::drives::{Muscle, Turn};
+use super::given::Given;
 use super::pair::{OnPlane, Pair, Sides};
 use super::rest::Lies;
 use super::rig::Rigged;
@@ -39,6 +40,8 @@ pub(super) struct Cluster<S: Real> {
     pub(super) now: Vec<[S; 2]>,
     /// From one to the other `[m]`: exact where the difference of both is not.
     pub(super) way: Vec<[S; 2]>,
+    /// What the velocities are to be changed by beyond what the way says, times the substep `[m]`: see [`Turned`](crate::sim::kernels::links::Turned).
+    pub(super) turned: Vec<[S; 2]>,
     pub(super) velocity: Vec<[S; 2]>,
     /// Velocities at the start of the substep, before forces `[m/s]`.
     pub(super) begun: Vec<[S; 2]>,
@@ -58,12 +61,16 @@ pub(super) struct Cluster<S: Real> {
     pub(super) odd_pulls: Vec<(u32, u32)>,
     /// Bonds that are projected, and those that kernels do not take.
     pub(super) firm: Links<S>,
+    /// They turn in this substep.
+    pub(super) does_turn: bool,
     /// Those of them that hardly give.
     pub(super) hard: Links<S>,
     pub(super) holds: Vec<Hold<S>>,
     /// What drives move: bonds and angles.
     pub(super) muscles: Vec<Muscle<S>>,
     pub(super) turns: Vec<Turn<S>>,
+    /// What mouse, forces and wind gave to its points in this substep.
+    pub(super) given: Given<S, 2>,
     /// Forces on some of its points.
     pub(super) thrusts: Vec<Thrust<S, 2>>,
     /// Triangles that may get thin, one list a body.
@@ -130,6 +137,8 @@ pub(super) struct Counts {
     pub(super) looks: u64,
     pub(super) mended: u64,
     pub(super) parted: u64,
+    /// Passes over triangles that were inside out as a substep began.
+    pub(super) opened: u64,
     pub(super) mouse_points: u64,
     pub(super) detections: u64,
     pub(super) work: u64,

@@ -2,12 +2,13 @@
 
 use super::build::Bodies;
 use super::cluster::Cluster;
+use super::given::Giver;
 use super::substep::Outside;
 use crate::sim::force::steady::Thrust;
 use crate::sim::force::wind::OF_A_GUST;
 use crate::sim::real::Real;
 use crate::sim::sets::Sets;
-use crate::sim::vector::{add, convert, dot, scale, widen};
+use crate::sim::vector::{add, convert, scale, widen};
 
 /// A force, with its points by body: they go together.
 #[derive(Clone, Debug)]
@@ -53,40 +54,24 @@ impl<S: Real> Field<S> {
 pub(super) fn blow<S: Real>(state: &mut Cluster<S>, outside: Outside<S>, (t, h): (f64, f64)) {
     let pull = outside.pull;
     let time = S::from_f64(h);
-    let (mut forces, mut wind) = (S::ZERO, [S::ZERO; 2]);
     let thrusts = std::mem::take(&mut state.thrusts);
     for thrust in &thrusts {
-        let Cluster { now, velocity, w, work, .. } = &mut *state;
+        let Cluster { now, velocity, w, given, .. } = &mut *state;
         thrust.each(now, w, |i, push| {
             let gain = scale(push, time);
-            let own = dot(gain, add(velocity[i], scale(gain, S::HALF))) / w[i];
-            *work += own;
-            forces += own;
-            velocity[i] = add(velocity[i], gain);
+            given.give(velocity, i, Giver::Forces, [gain, gain]);
         });
     }
     state.thrusts = thrusts;
-    let Some(air) = &pull.air else {
-        state.book_fields(forces, wind);
-        return;
-    };
+    let Some(air) = &pull.air else { return };
     let share = -libm::expm1(-h * pull.drag_rate);
     if air.has_gusts() {
         state.counts.work += OF_A_GUST * state.own() as u64;
     }
-    for i in 0..state.own() {
-        if state.w[i] == S::ZERO {
-            continue;
-        }
+    for i in (0..state.own()).filter(|&i| state.w[i] != S::ZERO) {
         let gust = air.gust(widen(state.now[i]), t + 0.5 * h);
-        let gain: [S; 2] = convert(scale(gust, share));
         // What the mean wind does is a part of the energy that the guard looks at.
-        let own = dot(gain, add(state.velocity[i], scale(gain, S::HALF))) / state.w[i];
         let all: [S; 2] = convert(scale(add(air.mean, gust), share));
-        state.work += own;
-        wind[0] += own;
-        wind[1] += dot(all, add(state.velocity[i], scale(all, S::HALF))) / state.w[i];
-        state.velocity[i] = add(state.velocity[i], all);
+        state.given.give(&mut state.velocity, i, Giver::Wind, [all, convert(scale(gust, share))]);
     }
-    state.book_fields(forces, wind);
 }

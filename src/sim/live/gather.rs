@@ -4,6 +4,7 @@ use super::Live;
 use super::areas::Thin;
 use super::body::Body;
 use super::cluster::{Cluster, Common, Counts, OBSTACLE, Side};
+use super::given::Given;
 use crate::sim::counters::Counters;
 use crate::sim::environment::Environment;
 use crate::sim::kernels::links::Links;
@@ -97,6 +98,7 @@ impl<S: Real> Live<S> {
             start: Vec::with_capacity(own),
             now: Vec::with_capacity(own),
             way: Vec::new(),
+            turned: Vec::new(),
             velocity: Vec::with_capacity(own),
             begun: Vec::new(),
             lost: Vec::with_capacity(own),
@@ -108,10 +110,12 @@ impl<S: Real> Live<S> {
             pulls: Links::default(),
             odd_pulls: Vec::new(),
             firm: Links::default(),
+            does_turn: false,
             hard: Links::default(),
             holds: Vec::new(),
             muscles: Vec::new(),
             turns: Vec::new(),
+            given: Given::none(),
             thrusts: Vec::new(),
             thin: vec![Thin::unknown(); bodies.len()],
             pairs: Vec::new(),
@@ -196,6 +200,7 @@ impl<S: Real> Live<S> {
         cluster.start.clone_from(&cluster.now);
         cluster.begun.clone_from(&cluster.velocity);
         cluster.way = vec![zero(); cluster.now.len()];
+        cluster.turned = vec![zero(); cluster.now.len()];
         for list in [&mut cluster.promised, &mut cluster.gone, &mut cluster.goes] {
             *list = vec![S::ZERO; cluster.now.len()];
         }

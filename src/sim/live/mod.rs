@@ -25,6 +25,7 @@ mod detect;
 mod drives;
 mod fields;
 mod gather;
+mod given;
 mod guard;
 mod heir;
 mod layout;
@@ -243,7 +244,7 @@ impl<S: Real> Live<S> {
         if cluster.is_finite() {
             guard::hold(cluster, common, (before, pull.gravity, h));
             cluster.note_couples();
-            if let Some(held) = held.filter(|_| cluster.sunk.contains(&true)) {
+            if let Some(held) = held.filter(|_| cluster.sunk.contains(&true) || cluster.counts.opened > 0) {
                 let made = guard::all(cluster, common, pull.gravity) - held;
                 cluster.book_parting(made);
             }

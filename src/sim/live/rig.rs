@@ -17,10 +17,12 @@ use crate::sim::rigid::joints::{Anchor, End, Joints, Stand};
 use crate::sim::rigid::motion::{Motion, Twist};
 use crate::sim::rigid::place::Place;
 use crate::sim::rigid::shape::Shape;
-use crate::sim::vector::{add, convert, sub, widen};
+use crate::sim::vector::{add, convert, cross, dot, scale, sub, widen};
 
 /// Rounds in which gaps are closed, each with new directions.
 const ROUNDS: u32 = 3;
+/// Angle that a joint may turn what it joins by in a substep, and share of its length that a bar may move it by, to be turned back.
+const MOST_TURN: f64 = 0.25;
 /// A gap that counts as closed, as a share of where things are `[1]`.
 const CLOSED: f64 = 1e-13;
 
@@ -132,22 +134,94 @@ impl<S: Real> Cluster<S> {
             most.max(x.abs()).max(y.abs())
         });
         let closed = CLOSED.max(S::EPSILON.to_f64()) * size;
-        let rounds = rig.joints.close(&rig.inertias, (&mut motions, &anchors), (ROUNDS, closed));
+        let (rounds, pulls) = rig.joints.close(&rig.inertias, (&mut motions, &anchors), (ROUNDS, closed));
         self.counts.work += u64::from(rounds + 1) * rig.joints.work();
         if rounds > 0 {
             self.put(rigged, &motions);
+            self.turn_back(rigged, &pulls, &anchors);
+        }
+    }
+
+    /// Notes what joints that pulled so would have changed of velocities by the arms, and bars by the directions, that they had as the substep
+    /// began: see [`Turned`](crate::sim::kernels::links::Turned).
+    fn turn_back(&mut self, rigged: &Rigged, pulls: &[[f64; 2]], anchors: &[Anchor]) {
+        let begun: Vec<Place> =
+            self.stations_at(rigged, |frame| frame.begun(), |state, i| widen(state.start[i])).collect();
+        let now: Vec<Place> = self.stations(rigged).collect();
+        let rig = &rigged.rig;
+        for (link, &pull) in rig.joints.links().iter().zip(pulls) {
+            let arm = |places: &[Place], end: End| match end {
+                End::On { body, place } => Some((body as usize, places[body as usize].turned(place))),
+                End::Fixed(_) => None,
+            };
+            let at = |places: &[Place], end: End| match end {
+                End::On { body, place } => places[body as usize].out(place),
+                End::Fixed(anchor) => anchors[anchor as usize].place,
+            };
+            let strength = dot(pull, pull).sqrt();
+            let is_gentle = |end: End| {
+                arm(&now, end).is_none_or(|(body, arm)| {
+                    let [ease, swing] = rig.inertias[body].inverse;
+                    let length = dot(arm, arm).sqrt();
+                    let turn = if length > 0.0 { swing * strength * length } else { 0.0 };
+                    turn <= MOST_TURN && (link.rest.is_none_or(|rest| ease * strength <= MOST_TURN * rest))
+                })
+            };
+            if !link.ends.into_iter().all(is_gentle) {
+                continue;
+            }
+            let other = match link.rest {
+                None => pull,
+                Some(_) => {
+                    let d = sub(at(&begun, link.ends[0]), at(&begun, link.ends[1]));
+                    let length = dot(d, d).sqrt();
+                    let size = if dot(d, pull) < 0.0 { -strength } else { strength };
+                    if length > 0.0 { scale(d, size / length) } else { pull }
+                }
+            };
+            for (end, sign) in link.ends.into_iter().zip([1.0, -1.0]) {
+                let (Some((body, old)), Some((_, new))) = (arm(&begun, end), arm(&now, end)) else { continue };
+                let [ease, swing] = rig.inertias[body].inverse;
+                let change = Twist {
+                    velocity: scale(sub(other, pull), sign * ease),
+                    spin: sign * swing * (cross(old, other) - cross(new, pull)),
+                };
+                self.turn_member(rigged, body, change);
+            }
+        }
+    }
+
+    /// Adds to what a member of a rig is turned back by in this substep `[m, rad]`.
+    fn turn_member(&mut self, rigged: &Rigged, body: usize, change: Twist) {
+        let members = &rigged.rig.members;
+        match members[body] {
+            Member::Frame(..) => {
+                let before = members[..body].iter().filter(|member| matches!(member, Member::Frame(..))).count();
+                self.frames[rigged.first + before].turn_back(change);
+            }
+            Member::Point(point) => {
+                let turned = &mut self.turned[rigged.base + point as usize];
+                *turned = add(*turned, convert(change.velocity));
+            }
         }
     }
 
     /// Where the members of a rig are now.
     fn stations<'a>(&'a self, rigged: &'a Rigged) -> impl Iterator<Item = Place> + 'a {
+        self.stations_at(rigged, Frame::place, |state, i| add(widen(state.start[i]), widen(state.way[i])))
+    }
+
+    /// Where the members of a rig are by what is said of a frame and of a point.
+    fn stations_at<'a>(
+        &'a self,
+        rigged: &'a Rigged,
+        place: impl Fn(&Frame) -> Place + 'a,
+        point_at: impl Fn(&Self, usize) -> [f64; 2] + 'a,
+    ) -> impl Iterator<Item = Place> + 'a {
         let mut frames = self.frames[rigged.first..].iter();
         rigged.rig.members.iter().map(move |member| match member {
-            Member::Frame(..) => frames.next().map_or_else(|| Place::at([0.0; 2]), Frame::place),
-            Member::Point(point) => {
-                let i = rigged.base + *point as usize;
-                Place::at(add(widen(self.start[i]), widen(self.way[i])))
-            }
+            Member::Frame(..) => frames.next().map_or_else(|| Place::at([0.0; 2]), &place),
+            Member::Point(point) => Place::at(point_at(self, rigged.base + *point as usize)),
         })
     }
 
@@ -201,6 +275,52 @@ impl<S: Real> Cluster<S> {
                     frame += 1;
                 }
                 Member::Point(point) => self.velocity[base + point as usize] = convert(twist.velocity),
+            }
+        }
+    }
+
+    /// What pushes of three points of a rig by their slopes, as large as those, change along all of them when its joints have answered
+    /// `[1/kg]`; `None`: they are of none.
+    pub(super) fn felt_through_joints(&self, points: [usize; 3], slopes: [[S; 2]; 3]) -> Option<S> {
+        let base = self.bases[self.body_of[points[1]] as usize] as usize;
+        let rigged = self.rigs.iter().find(|rigged| rigged.base == base)?;
+        let rig = &rigged.rig;
+        let pushes = points.iter().zip(slopes).filter_map(|(&i, slope)| {
+            let member = self.member_of(rigged, i)?;
+            Some((member, widen(self.now[i]), widen(slope)))
+        });
+        let pushes: Vec<(usize, [f64; 2], [f64; 2])> = pushes.collect();
+        let motions: Vec<Motion> = self.stations(rigged).map(|place| Motion { place, twist: Twist::STILL }).collect();
+        let mut twists = vec![Twist::STILL; motions.len()];
+        for &(member, at, push) in &pushes {
+            let [ease, swing] = rig.inertias[member].inverse;
+            twists[member].velocity = add(twists[member].velocity, scale(push, ease));
+            twists[member].spin += swing * cross(sub(at, motions[member].place.middle), push);
+        }
+        let anchor = |&point: &u32| Anchor { place: widen(self.now[base + point as usize]), velocity: [0.0; 2] };
+        let anchors: Vec<Anchor> = rig.fixed.iter().map(anchor).collect();
+        let stand = Stand { motions: &motions, anchors: &anchors, since: 0.0 };
+        rig.joints.factored(&rig.inertias, stand).hold(&mut twists, &[]);
+        let along = |&(member, at, push): &(usize, [f64; 2], [f64; 2])| {
+            dot(push, twists[member].at(sub(at, motions[member].place.middle)))
+        };
+        Some(S::from_f64(pushes.iter().map(along).sum()))
+    }
+
+    /// Which member of a rig a point goes with; `None`: it is held.
+    fn member_of(&self, rigged: &Rigged, i: usize) -> Option<usize> {
+        let frame = self.frame_of.get(i).map(|home| home[0] as usize).filter(|&number| number >= rigged.first);
+        let mut members = rigged.rig.members.iter().enumerate();
+        match frame.filter(|&number| number < self.frames.len()) {
+            Some(number) => {
+                let frames = members.filter(|(_, member)| matches!(member, Member::Frame(..)));
+                frames.map(|(place, _)| place).nth(number - rigged.first)
+            }
+            None => {
+                let own = (i - rigged.base) as u32;
+                members
+                    .find(|(_, member)| matches!(member, Member::Point(point) if *point == own))
+                    .map(|(place, _)| place)
             }
         }
     }

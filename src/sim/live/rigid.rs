@@ -39,6 +39,8 @@ pub(super) struct Frame {
     /// `[m/s]`, `[rad/s]`
     velocity: [f64; 2],
     spin: f64,
+    /// What these are to be changed by beyond what the way says, times the substep `[m, rad]`.
+    turned: Twist,
     /// Its points that may touch something in the substep, counted in the shape, and those that others are fastened to.
     near: Vec<u32>,
     fastened: Vec<u32>,
@@ -79,6 +81,7 @@ impl Frame {
             now: place,
             velocity: [0.0; 2],
             spin: 0.0,
+            turned: Twist::STILL,
             near: Vec::new(),
             fastened: Vec::new(),
         }
@@ -86,6 +89,17 @@ impl Frame {
 
     pub(super) fn place(&self) -> Place {
         self.now
+    }
+
+    /// Where it was as the substep began.
+    pub(super) fn begun(&self) -> Place {
+        self.start
+    }
+
+    /// Its velocity is to be changed by so much beyond what its way says, times the substep `[m, rad]`.
+    pub(super) fn turn_back(&mut self, change: Twist) {
+        self.turned.velocity = add(self.turned.velocity, change.velocity);
+        self.turned.spin += change.spin;
     }
 
     pub(super) fn twist(&self) -> Twist {
@@ -421,9 +435,11 @@ impl<S: Real> Cluster<S> {
     pub(super) fn finish_rigid(&mut self, h: f64) {
         for (frame, number) in self.frames.iter_mut().zip(0..) {
             if h > SHORT {
-                frame.velocity = scale(sub(frame.now.middle, frame.start.middle), 1.0 / h);
-                frame.spin = (frame.now.angle - frame.start.angle) / h;
+                let Twist { velocity, spin } = frame.turned;
+                frame.velocity = scale(add(sub(frame.now.middle, frame.start.middle), velocity), 1.0 / h);
+                frame.spin = (frame.now.angle - frame.start.angle + spin) / h;
             }
+            frame.turned = Twist::STILL;
             for (&i, &q) in frame.points.iter().zip(&frame.shape.places) {
                 let i = i as usize;
                 if self.frame_of[i][0] == number {

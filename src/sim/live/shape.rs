@@ -7,10 +7,12 @@ use crate::sim::force::angle::{Hinge, Stand};
 use crate::sim::force::area::{Patch, size, slopes};
 use crate::sim::force::form::at;
 use crate::sim::real::Real;
-use crate::sim::vector::{add, dot, scale};
+use crate::sim::vector::{add, dot, scale, sub};
 
 /// Most that a substep turns an angle by `[rad]`: further on its slopes are others.
 const MOST_TURN: f64 = 0.5;
+/// Share of their slopes that the corners of a triangle may be moved by in a substep to be turned back.
+const MOST_SHARE: f64 = 0.125;
 /// Share of what a joint was beyond its range before a substep that comes back in a pass, without speed.
 const MENDED: f64 = 0.1 / 3.0;
 
@@ -36,7 +38,9 @@ pub(super) fn resist<S: Real>(state: &mut Cluster<S>, common: &Common<S>, h: S) 
                 let x = at(&state.now, points);
                 let by = firm / area.rest;
                 let g = slopes(x);
-                push(state, points, g, -by * (size(x) - area.rest) / (S::ONE + by * weight(state, points, g)));
+                let multiplier = -by * (size(x) - area.rest) / (S::ONE + by * weight(state, points, g));
+                push(state, points, g, multiplier);
+                turn_back(state, points, g, multiplier);
             }
         }
     }
@@ -96,8 +100,13 @@ pub(super) fn stop<S: Real>(state: &mut Cluster<S>, hinge: &Hinge<S>, base: usiz
     let points = places(base, hinge.points);
     let Some(stand) = hinge.stand(at(&state.now, points)) else { return };
     let beyond = hinge.beyond(stand.angle);
-    let weight = weight(state, points, stand.slopes);
-    if beyond == S::ZERO || weight == S::ZERO {
+    if beyond == S::ZERO {
+        return;
+    }
+    // Joints take back a part of what frames are turned by: all that is lacking is to be left.
+    let through = state.felt_through_joints(points.map(|point| point as usize), stand.slopes);
+    let weight = through.unwrap_or_else(|| weight(state, points, stand.slopes));
+    if weight <= S::ZERO {
         return;
     }
     let before = |stand: Stand<S>| hinge.beyond(stand.angle);
@@ -128,7 +137,24 @@ fn keep<S: Real>(state: &mut Cluster<S>, area: &Area<S>, base: usize) {
     let g = slopes(x);
     let weight = weight(state, points, g);
     if weight > S::ZERO {
-        push(state, points, g, -(size(x) - area.rest) / weight);
+        let multiplier = -(size(x) - area.rest) / weight;
+        push(state, points, g, multiplier);
+        turn_back(state, points, g, multiplier);
+    }
+}
+
+/// Notes what a triangle that was pushed along these slopes would have changed of velocities along those that it had as the substep began: see
+/// [`Turned`](crate::sim::kernels::links::Turned).
+fn turn_back<S: Real>(state: &mut Cluster<S>, points: [u32; 3], now: [[S; 2]; 3], multiplier: S) {
+    let most = S::from_f64(MOST_SHARE);
+    let is_gentle = points.iter().all(|&point| multiplier.abs() * state.w[point as usize] <= most);
+    if !state.frames.is_empty() || !is_gentle {
+        return;
+    }
+    let begun = slopes(at(&state.start, points));
+    for ((point, old), new) in points.into_iter().zip(begun).zip(now) {
+        let i = point as usize;
+        state.turned[i] = add(state.turned[i], scale(sub(old, new), multiplier * state.w[i]));
     }
 }
 

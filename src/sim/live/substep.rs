@@ -6,6 +6,7 @@ use super::cluster::{Cluster, Common};
 use super::detect;
 use super::drives;
 use super::fields;
+use super::given::Giver;
 use super::mend;
 use super::part;
 use super::shape;
@@ -14,7 +15,7 @@ use crate::sim::environment::Environment;
 use crate::sim::force::mouse::Push;
 use crate::sim::pull::Pull;
 use crate::sim::real::Real;
-use crate::sim::vector::{accumulate, add, convert, dot, scale};
+use crate::sim::vector::{accumulate, add, convert, dot, scale, zero};
 
 /// Passes over areas and contacts.
 pub(super) const PASSES: u32 = 3;
@@ -92,6 +93,7 @@ fn kick<S: Real>(state: &mut Cluster<S>, common: &Common<S>, outside: Outside<S>
     if let Some(tally) = &mut state.tally {
         tally.begin();
     }
+    state.given.clear();
     bonds::pull(state, common, time);
     drives::begin(state, around, (t, h));
     let fall: [S; 2] = convert(around.gravity.map(|g| g * h));
@@ -116,9 +118,7 @@ fn kick<S: Real>(state: &mut Cluster<S>, common: &Common<S>, outside: Outside<S>
                 && let Some(a) = push.acceleration(state.now[i])
             {
                 let gain = scale(a, time);
-                let middle = add(state.velocity[i], scale(gain, S::HALF));
-                state.work += dot(gain, middle) / state.w[i];
-                state.velocity[i] = add(state.velocity[i], gain);
+                state.given.give(&mut state.velocity, i, Giver::Mouse, [gain, gain]);
             }
         }
     }
@@ -143,6 +143,7 @@ fn longest<S: Real>(list: &[[S; 2]]) -> S {
 impl<S: Real> Cluster<S> {
     /// Where velocities take the points.
     fn predict(&mut self, h: S) {
+        self.given.close(&self.velocity);
         self.gentle = h * S::from_f64(GENTLE);
         for i in 0..self.own() {
             let way = scale(self.velocity[i], h);
@@ -227,10 +228,12 @@ impl<S: Real> Cluster<S> {
         }
         let (now, velocity) = (&mut self.now[..own], &mut self.velocity[..own]);
         let (start, way, lost, w) = (&self.start[..own], &self.way[..own], &mut self.lost[..own], &self.w[..own]);
+        let turned = &mut self.turned[..own];
         for i in 0..own {
             if w[i] != S::ZERO && is_long {
-                velocity[i] = scale(way[i], rate);
+                velocity[i] = scale(add(way[i], turned[i]), rate);
             }
+            turned[i] = zero();
             now[i] = start[i];
             accumulate(&mut now[i], &mut lost[i], way[i]);
         }
@@ -242,6 +245,7 @@ impl<S: Real> Cluster<S> {
             thin.go(&self.way[ends[0] as usize..ends[1] as usize]);
         }
         drives::count(self, h);
+        self.book_given();
         self.tally(common, h);
         let (mut pairs, mut on_planes) = (std::mem::take(&mut self.pairs), std::mem::take(&mut self.on_planes));
         let numbers = std::mem::take(&mut self.chosen);

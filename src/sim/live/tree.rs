@@ -8,6 +8,7 @@
 use super::body::Link;
 use super::cluster::{Cluster, Common};
 use crate::sim::bond::Bond;
+use crate::sim::kernels::links::Turned;
 use crate::sim::real::Real;
 use crate::sim::vector::{add, dot, scale, sub, zero};
 
@@ -153,12 +154,15 @@ pub(super) fn round<S: Real>(state: &mut Cluster<S>, links: &[Link<S>], (base, c
             parent.d = add(parent.d, scale(turned, (target - dot(n, parent.d)) / sum));
         }
     }
+    let Cluster { start, turned, w, .. } = &mut *state;
     for (link, step) in links.iter().zip(&steps) {
         let (a, b) = (link.a as usize, link.b as usize);
         if step.give > S::ZERO {
             let n = step.normal;
             let force = (step.target - dot(n, loose[a].d)) / step.give;
             loose[b].d = sub(loose[b].d, scale(loose[b].by(n), force));
+            let ends = [base + a, base + b];
+            Turned { start, turned }.note(ends, ends.map(|end| w[end]), scale(n, -force));
         }
     }
     for (i, loose) in (base..).zip(&loose) {

@@ -169,36 +169,43 @@ impl Joints {
     }
 
     /// Bodies are moved, without speed, to where no row is off by more than `closed` `[m]`: in so many rounds at most, each with new directions.
-    /// Near a dead point, where a round would take them far off, they go a part of that way, or stay. Returns how many rounds it took.
+    /// Near a dead point, where a round would take them far off, they go a part of that way, or stay. Returns how many rounds it took, and with
+    /// what each link pulled its first end `[kg m]`.
     pub(crate) fn close(
         &self,
         inertias: &[Inertia],
         (motions, anchors): (&mut [Motion], &[Anchor]),
         (rounds, closed): (u32, f64),
-    ) -> u32 {
+    ) -> (u32, Vec<[f64; 2]>) {
+        let mut pulls = vec![[0.0; 2]; self.links.len()];
         let mut gaps = self.gaps(Stand { motions, anchors, since: 0.0 });
         for round in 0..rounds {
             if gaps.iter().all(|gap| gap.abs() <= closed) {
-                return round;
+                return (round, pulls);
             }
             let targets: Vec<f64> = gaps.iter().map(|gap| -gap).collect();
             let mut ways = vec![Twist::STILL; motions.len()];
-            self.factored(inertias, Stand { motions, anchors, since: 0.0 }).hold(&mut ways, &targets);
+            let factored = self.factored(inertias, Stand { motions, anchors, since: 0.0 });
+            let lambda = factored.hold(&mut ways, &targets);
             let places: Vec<Place> = motions.iter().map(|motion| motion.place).collect();
             let before = square(&gaps);
-            let is_better = PARTS.into_iter().any(|part| {
+            let taken = PARTS.into_iter().find(|&part| {
                 for ((motion, way), place) in motions.iter_mut().zip(&ways).zip(&places) {
                     motion.place = place.moved(scale(way.velocity, part), part * way.spin);
                 }
                 gaps = self.gaps(Stand { motions, anchors, since: 0.0 });
                 square(&gaps) < before
             });
-            if !is_better {
+            let Some(part) = taken else {
                 motions.iter_mut().zip(places).for_each(|(motion, place)| motion.place = place);
-                return round;
+                return (round, pulls);
+            };
+            for ((row, legs), lambda) in self.rows.iter().zip(&factored.rows).zip(lambda) {
+                let pull = &mut pulls[row.link as usize];
+                *pull = add(*pull, scale(normal(legs), part * lambda));
             }
         }
-        rounds
+        (rounds, pulls)
     }
 
     /// The rows where bodies are now, ready to be solved.
@@ -297,11 +304,13 @@ impl Factored<'_> {
     }
 
     /// Impulses at the links give every row its target `[m/s]`, in the order of [`Joints::gaps`]; empty: none.
-    pub(crate) fn hold(&self, twists: &mut [Twist], targets: &[f64]) {
+    ///
+    /// Returns the multipliers of the rows.
+    pub(crate) fn hold(&self, twists: &mut [Twist], targets: &[f64]) -> Vec<f64> {
         let off = |(k, row): (usize, &[Option<Leg>; 2])| targets.get(k).copied().unwrap_or(0.0) - rate(row, twists);
         let mut lambda: Vec<f64> = self.rows.iter().enumerate().map(off).collect();
         self.ldl.solve_one(&mut lambda);
-        for (row, impulse) in self.rows.iter().zip(lambda) {
+        for (row, impulse) in self.rows.iter().zip(&lambda) {
             for leg in row.iter().flatten() {
                 let [ease, swing] = self.inertias[leg.body as usize].inverse;
                 let twist = &mut twists[leg.body as usize];
@@ -309,6 +318,16 @@ impl Factored<'_> {
                 twist.spin += leg.slope[2] * swing * impulse;
             }
         }
+        lambda
+    }
+}
+
+/// The direction in which a row pulls its first end; of what has no end that moves none.
+fn normal(row: &[Option<Leg>; 2]) -> [f64; 2] {
+    match row {
+        [Some(leg), _] => [leg.slope[0], leg.slope[1]],
+        [None, Some(leg)] => [-leg.slope[0], -leg.slope[1]],
+        [None, None] => [0.0; 2],
     }
 }
 

@@ -32,7 +32,7 @@ impl<S: Real, const D: usize> World<S, D> {
 
     /// Whether joints at a point stop by springs: in the live step they stop at once, and what they are beyond their stops is no energy.
     pub(super) fn stops_by_spring(&self, point: usize) -> bool {
-        self.slot(point).is_none_or(|[group, _]| !self.plan.groups[group].is_live())
+        self.slot(point).is_none_or(|[group, _]| !self.model.is_live() && !self.plan.groups[group].is_live())
     }
 
     /// The state of some points.

@@ -125,6 +125,7 @@ impl<S: Real> Hold<S> {
             error = error.max(-most).min(most);
         }
         let shift = scale(along, error * self.inverse);
+        state.turn([a, b], shift);
         state.shift(a, scale(shift, -state.w[a]));
         state.shift(b, scale(shift, state.w[b]));
     }

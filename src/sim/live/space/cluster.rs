@@ -7,6 +7,8 @@ use super::pair::{Pair, Sides};
 use super::touch::Touch;
 use crate::sim::contact::skin::Contact;
 use crate::sim::contact::surface::Surface;
+use crate::sim::kernels::links::Turned;
+use crate::sim::live::given::Given;
 use crate::sim::live::substep::PUSHED;
 use crate::sim::real::Real;
 use crate::sim::vector::{add, dot, scale, zero};
@@ -28,6 +30,8 @@ pub(super) struct Cluster<S: Real> {
     pub(super) now: Vec<[S; 3]>,
     /// From one to the other `[m]`: exact where the difference of both is not.
     pub(super) way: Vec<[S; 3]>,
+    /// What the velocities are to be changed by beyond what the way says, times the substep `[m]`: see [`Turned`].
+    pub(super) turned: Vec<[S; 3]>,
     pub(super) velocity: Vec<[S; 3]>,
     /// What rounding has taken from positions `[m]`.
     pub(super) lost: Vec<[S; 3]>,
@@ -66,6 +70,8 @@ pub(super) struct Cluster<S: Real> {
     pub(super) has_pressed: bool,
     /// Work that the mouse did in this step `[J]`.
     pub(super) work: S,
+    /// What mouse, forces and wind gave to its points in this substep.
+    pub(super) given: Given<S, 3>,
     pub(super) counts: Counts,
 }
 
@@ -119,6 +125,13 @@ impl<S: Real> Cluster<S> {
     pub(super) fn shift(&mut self, i: usize, by: [S; 3]) {
         self.now[i] = add(self.now[i], by);
         self.way[i] = add(self.way[i], by);
+    }
+
+    /// A bond moves its ends a and b by -w_a `push` and w_b `push`.
+    #[inline(always)]
+    pub(super) fn turn(&mut self, [a, b]: [usize; 2], push: [S; 3]) {
+        let Cluster { start, turned, w, .. } = self;
+        Turned { start, turned }.note([a, b], [w[a], w[b]], push);
     }
 
     /// A point is put elsewhere without speed.

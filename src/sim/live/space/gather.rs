@@ -6,6 +6,7 @@ use crate::sim::counters::Counters;
 use crate::sim::environment::Environment;
 use crate::sim::live::FRAMES;
 use crate::sim::live::gather::{PROMISE, SUBSTEPS, WAY};
+use crate::sim::live::given::Given;
 use crate::sim::points::Points;
 use crate::sim::pull::Pull;
 use crate::sim::real::Real;
@@ -50,6 +51,7 @@ impl<S: Real> Space<S> {
             start: Vec::new(),
             now: Vec::with_capacity(own),
             way: vec![zero(); own],
+            turned: vec![zero(); own],
             velocity: Vec::with_capacity(own),
             lost: Vec::with_capacity(own),
             w: Vec::with_capacity(own),
@@ -72,6 +74,7 @@ impl<S: Real> Space<S> {
             span: S::ZERO,
             has_pressed: false,
             work: S::ZERO,
+            given: Given::none(),
             counts: Counts::default(),
             bodies,
         };

@@ -56,10 +56,10 @@ pub(super) fn solve<S: Real>(state: &mut Cluster<S>, links: &[Link<S>], base: us
         }
         for (k, link) in links.iter().enumerate() {
             let (a, b) = (base + link.a as usize, base + link.b as usize);
-            for (i, share) in [(a, -state.w[a]), (b, state.w[b])] {
-                let shift = scale(normal[k], share * value[k]);
-                state.shift(i, shift);
-            }
+            let pull = scale(normal[k], value[k]);
+            state.turn([a, b], pull);
+            state.shift(a, scale(pull, -state.w[a]));
+            state.shift(b, scale(pull, state.w[b]));
         }
     }
     state.counts.bonds += u64::from(ROUNDS) * count as u64;

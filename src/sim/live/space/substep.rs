@@ -6,10 +6,11 @@ use super::detect::{self, farthest};
 use super::truncate;
 use crate::sim::environment::Environment;
 use crate::sim::force::mouse::Push;
+use crate::sim::live::given::Giver;
 use crate::sim::live::substep::{LEAST_BOUNCE, PASSES, SHORT};
 use crate::sim::pull::Pull;
 use crate::sim::real::Real;
-use crate::sim::vector::{accumulate, add, convert, dot, length, scale, sub, widen};
+use crate::sim::vector::{accumulate, add, convert, dot, length, scale, sub, widen, zero};
 
 /// What acts from outside, the same for all clusters.
 #[derive(Clone, Copy)]
@@ -50,6 +51,7 @@ pub(super) fn advance<S: Real>(state: &mut Cluster<S>, common: &Common<S>, outsi
 fn kick<S: Real>(state: &mut Cluster<S>, common: &Common<S>, outside: Outside<S>, (t, h): (f64, f64)) {
     let Outside { pull, around, settling } = outside;
     let time = S::from_f64(h);
+    state.given.clear();
     bonds::pull(state, common, time);
     let fall: [S; 3] = convert(around.gravity.map(|g| g * h));
     for (k, &body) in state.bodies.iter().enumerate() {
@@ -67,9 +69,7 @@ fn kick<S: Real>(state: &mut Cluster<S>, common: &Common<S>, outside: Outside<S>
     for i in (0..state.now.len()).filter(|&i| state.w[i] != S::ZERO) {
         if let Some(a) = push.acceleration(state.now[i]) {
             let gain = scale(a, time);
-            let middle = add(state.velocity[i], scale(gain, S::HALF));
-            state.work += dot(gain, middle) / state.w[i];
-            state.velocity[i] = add(state.velocity[i], gain);
+            state.given.give(&mut state.velocity, i, Giver::Mouse, [gain, gain]);
         }
     }
 }
@@ -85,24 +85,21 @@ fn blow<S: Real>(state: &mut Cluster<S>, pull: &Pull<S, 3>, (t, h): (f64, f64)) 
             continue;
         }
         if let Some(&push) = state.thrust.get(i) {
-            state.gain(i, scale(push, S::from_f64(h)));
+            let gain = scale(push, S::from_f64(h));
+            state.given.give(&mut state.velocity, i, Giver::Forces, [gain, gain]);
         }
         if let Some(air) = &pull.air {
             let gust = air.gust(widen(state.now[i]), t + 0.5 * h);
-            state.gain(i, convert(scale(add(air.mean, gust), share)));
+            let gain = convert(scale(add(air.mean, gust), share));
+            state.given.give(&mut state.velocity, i, Giver::Wind, [gain, gain]);
         }
     }
 }
 
 impl<S: Real> Cluster<S> {
-    /// Something does work on a point: it gets faster.
-    fn gain(&mut self, i: usize, gain: [S; 3]) {
-        self.work += dot(gain, add(self.velocity[i], scale(gain, S::HALF))) / self.w[i];
-        self.velocity[i] = add(self.velocity[i], gain);
-    }
-
     /// Where velocities take the points.
     fn predict(&mut self, h: S) {
+        self.given.close(&self.velocity);
         for i in 0..self.now.len() {
             let way = scale(self.velocity[i], h);
             self.start[i] = self.now[i];
@@ -159,11 +156,13 @@ impl<S: Real> Cluster<S> {
         for i in 0..self.now.len() {
             let way = self.way[i];
             if self.w[i] != S::ZERO && h > SHORT {
-                self.velocity[i] = scale(way, rate);
+                self.velocity[i] = scale(add(way, self.turned[i]), rate);
             }
+            self.turned[i] = zero();
             self.now[i] = self.start[i];
             accumulate(&mut self.now[i], &mut self.lost[i], way);
         }
+        self.work += self.given.works(&self.velocity, &self.w).seen;
         let least = S::from_f64(LEAST_BOUNCE * h * length(gravity));
         let (pairs, touches) = (std::mem::take(&mut self.pairs), std::mem::take(&mut self.touches));
         let chosen = std::mem::take(&mut self.chosen);

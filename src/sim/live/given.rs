@@ -1,0 +1,81 @@
+//! What acts on a cluster from outside (mouse, forces, wind), and its work.
+//!
+//! The work of an impulse J is J . (u0 + u1)/2 with the velocities before and after it. Bonds and contacts answer in the same substep, and take
+//! from the point some of what J gave it: of that answer, as of J itself, half counts.
+
+use crate::sim::real::Real;
+use crate::sim::vector::{add, dot, scale, sub};
+
+/// Who gives.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) enum Giver {
+    Mouse,
+    Forces,
+    Wind,
+}
+
+/// A point got faster.
+#[derive(Clone, Copy, Debug)]
+struct Gift<S, const D: usize> {
+    point: u32,
+    giver: Giver,
+    /// By so much, and by that part of it that the guard is told of `[m/s]`.
+    gain: [S; D],
+    seen: [S; D],
+    /// Twice its mean velocity, as far as it is known `[m/s]`.
+    twice: [S; D],
+}
+
+/// All that was given in a substep.
+#[derive(Clone, Debug)]
+pub(super) struct Given<S, const D: usize>(Vec<Gift<S, D>>);
+
+/// What was done in a substep, by whom, and as far as the guard is told of it `[J]`.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Works<S> {
+    pub(super) mouse: S,
+    pub(super) forces: S,
+    pub(super) wind: S,
+    pub(super) seen: S,
+}
+
+impl<S: Real, const D: usize> Given<S, D> {
+    pub(super) fn none() -> Self {
+        Given(Vec::new())
+    }
+
+    /// A substep begins.
+    pub(super) fn clear(&mut self) {
+        self.0.clear();
+    }
+
+    /// A point gets faster by `gain` `[m/s]`, of which the guard is told `seen`.
+    #[inline(always)]
+    pub(super) fn give(&mut self, velocity: &mut [[S; D]], i: usize, giver: Giver, [gain, seen]: [[S; D]; 2]) {
+        let before = velocity[i];
+        velocity[i] = add(before, gain);
+        self.0.push(Gift { point: i as u32, giver, gain, seen, twice: add(before, velocity[i]) });
+    }
+
+    /// All was given; what changes velocities from here on answers.
+    pub(super) fn close(&mut self, velocity: &[[S; D]]) {
+        self.0.iter_mut().for_each(|gift| gift.twice = sub(gift.twice, velocity[gift.point as usize]));
+    }
+
+    /// The works of a substep that ended with these velocities `[m/s]`, of points of these inverse masses `[1/kg]`.
+    pub(super) fn works(&self, velocity: &[[S; D]], w: &[S]) -> Works<S> {
+        let mut works = Works { mouse: S::ZERO, forces: S::ZERO, wind: S::ZERO, seen: S::ZERO };
+        for gift in &self.0 {
+            let i = gift.point as usize;
+            let momentum = scale(add(gift.twice, velocity[i]), S::HALF / w[i]);
+            let done = dot(gift.gain, momentum);
+            match gift.giver {
+                Giver::Mouse => works.mouse += done,
+                Giver::Forces => works.forces += done,
+                Giver::Wind => works.wind += done,
+            }
+            works.seen += dot(gift.seen, momentum);
+        }
+        works
+    }
+}
