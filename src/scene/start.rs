@@ -151,7 +151,11 @@ impl Start {
                 spin: keys.spin.unwrap_or(0.0),
             };
             let start = self.position.len() as u32;
-            let (position, velocity) = placement.place(&body);
+            let (position, mut velocity) = placement.place(&body);
+            if keys.pinned.len() < position.len() {
+                // What turns about its pins, or tears at them, is thrown without them.
+                keys.pinned.iter().for_each(|&pin| velocity[pin as usize] = [0.0; 3]);
+            }
             self.position.extend(position);
             self.velocity.extend(velocity);
             self.mass.extend(&mass);

@@ -44,7 +44,7 @@ use super::tools::{Chosen, Hand};
 use crate::history::{HistoryError, Start};
 use crate::render::{Camera, Look, RenderCounters, RenderError, Row, Trails};
 use crate::scene::{MOST_MEETING, Scene, SolverName, gallery};
-use crate::sim::{Cursor, Key, MouseForce, SceneChange};
+use crate::sim::{Cursor, HELD, Key, MouseForce, SceneChange};
 use selecting::Copied;
 use shelf::Shelf;
 
@@ -466,6 +466,7 @@ impl Session {
             Note::Exact => {
                 self.say("every body is moved by its own method from here on: Ctrl+Z takes that back".to_owned());
             }
+            Note::Refused(why) if why == HELD => self.say(HELD_HERE.to_owned()),
             Note::Refused(why) => {
                 self.import = self.adding.take().or_else(|| self.import.take());
                 self.complain(&why);
@@ -632,6 +633,9 @@ impl Session {
         ([self.frames, work[0], work[1]], self.canvas.counters())
     }
 }
+
+/// Said of a press on what pins hold.
+const HELD_HERE: &str = "held by pins: hold T and click a pin (a red ring) to let it go, or drag the pin itself";
 
 /// How far time went, as one says it; below 0 back `[s]`.
 fn far(seconds: f64) -> String {
