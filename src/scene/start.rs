@@ -45,10 +45,14 @@ impl PlacedBody {
         self.copies as usize * self.links.len()
     }
 
+    /// Its points, counted over the scene.
+    pub(super) fn points(&self) -> std::ops::Range<u32> {
+        self.first..self.first + self.copies * self.each
+    }
+
     /// What its skin is made of, where it says so, with its points, counted over the scene.
     pub(super) fn skin(&self) -> Option<(SkinMaterial, std::ops::Range<u32>)> {
-        let points = self.first..self.first + self.copies * self.each;
-        (self.skin != SkinMaterial::default()).then_some((self.skin, points))
+        (self.skin != SkinMaterial::default()).then_some((self.skin, self.points()))
     }
 
     /// How a bond of it resists.

@@ -51,7 +51,8 @@ fn the_velocity_of_a_pinned_point_is_not_dropped_in_silence() {
     let told = "is pinned: the velocity at the start is left out: unpin, or lead by `pin_motion`";
     assert_eq!(warnings(&[1, 2], json!([])), [format!("point 1 {told}")]);
     assert!(warnings(&[2], json!([])).is_empty());
-    let rope = |pinned: &[u32]| json!([{"make": "rope", "count": 3, "to": [0, -1], "velocity": [1, 0], "pinned": pinned}]);
+    let rope =
+        |pinned: &[u32]| json!([{"make": "rope", "count": 3, "to": [0, -1], "velocity": [1, 0], "pinned": pinned}]);
     assert!(warnings(&[2], rope(&[0])).is_empty(), "what hangs is thrown without its pin");
     assert_eq!(warnings(&[2], rope(&[0, 1, 2]))[0], format!("points 3, 4 and 5 {}", told.replacen("is", "are", 1)));
 }

@@ -4,7 +4,7 @@ use std::path::{Path, PathBuf};
 
 use super::Session;
 use crate::app::opening::keys;
-use crate::app::panels::Sheet;
+use crate::app::panels::{SaveTo, Sheet};
 use crate::app::player::Order;
 use crate::app::saving::{Chosen, Saving, free_name};
 use crate::render::{Capture, View};
@@ -31,6 +31,7 @@ impl Session {
             Chosen::Nothing => self.say("nothing was saved".to_owned()),
             Chosen::NoDialog => {
                 let folder = std::env::current_dir().unwrap_or_default();
+                self.panels.save_to = SaveTo::default();
                 self.panels.path = free_name(&folder, self.scene.name(), "json").display().to_string();
                 (self.panels.sheet, self.panels.is_fresh) = (Some(Sheet::SaveTo), true);
             }

@@ -43,7 +43,7 @@ use super::thumbnails::Thumbnails;
 use super::tools::{Chosen, Hand};
 use crate::history::{HistoryError, Start};
 use crate::render::{Camera, Look, RenderCounters, RenderError, Row, Trails};
-use crate::scene::{MOST_MEETING, Scene, SolverName, gallery};
+use crate::scene::{MOST_MEETING, Parameter, Scene, SolverName, gallery};
 use crate::sim::{Cursor, HELD, Key, MouseForce, SceneChange};
 use selecting::Copied;
 use shelf::Shelf;
@@ -77,6 +77,8 @@ pub(super) struct Session {
     player: Player,
     shelf: Shelf,
     scene: Arc<Scene>,
+    /// The numbers that it names for sliders.
+    named: Vec<Parameter>,
     /// A body of the scene is cut out of a picture.
     has_picture: bool,
     pub(super) camera: Camera,
@@ -87,10 +89,18 @@ pub(super) struct Session {
     /// What stands beside the world is coloured by its distance to it.
     tints_distance: bool,
     beside_trails: Vec<Trails>,
+    /// Why solvers cannot run the scene, where bodies meet in it or not.
+    misfits: (Option<bool>, Arc<[(SolverName, Option<String>)]>),
+    /// The largest distance of what stands beside the world that there was since it opened `[m]`.
+    most_apart: f32,
+    /// The distance of the last colours, where the largest is no less `[m]`.
+    difference_most: f32,
     /// Width and height of the part of the window that the world is drawn in `[px]`.
     area: [u32; 2],
     /// What of it panels leave free for bodies `[px]`, and what lies over it: left, top, right and bottom `[px]`.
     free: Free,
+    /// The left lower corner of what lies in the upper right one of it `[px]`.
+    corner: Option<[f64; 2]>,
     covered: Vec<[f32; 4]>,
     pub(super) pointer: Pointer,
     hand: Hand,
@@ -193,8 +203,12 @@ impl Session {
             cell: 0,
             tints_distance: false,
             beside_trails: Vec::new(),
+            misfits: Default::default(),
+            most_apart: 0.0,
+            difference_most: 1.0,
             area: size,
             free: [[0.0; 2], size.map(f64::from)],
+            corner: None,
             covered: Vec::new(),
             trails: Trails::new(TRAIL),
             look: Look { scale_factor: window.scale_factor() as f32, ..Look::default() },
@@ -206,6 +220,7 @@ impl Session {
             player,
             shelf: Shelf::default(),
             scene,
+            named: Vec::new(),
             pointer: Pointer::default(),
             hand: Hand::default(),
             held: Held::default(),
@@ -378,8 +393,9 @@ impl Session {
         self.look.has_mesh = false;
         self.trails = Trails::new(TRAIL * scene.rate());
         self.beside_trails.clear();
-        self.cell = 0;
+        (self.cell, self.misfits.0, self.most_apart) = (0, None, 0.0);
         self.tints_distance = scene.method.solver == Some(SolverName::AsPrinted);
+        self.named = scene.named_parameters();
         self.scene = scene;
         self.plot_anew();
         self.frame_as(Framing::Opening);
@@ -413,6 +429,7 @@ impl Session {
         if news.is_new {
             self.dirty = true;
             self.meet_neighbors();
+            self.find_misfits();
             self.panels_dirty |= self.panels.has_settings && self.shown().settings != self.settings;
             self.panels_dirty |= self.shown().matter != self.matter;
             self.gone_by.take_if(|serial| *serial <= self.player.shown().serial);

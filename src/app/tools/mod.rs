@@ -323,6 +323,11 @@ impl Hand {
         if is_there { vec![strength(0.0)] } else { Vec::new() }
     }
 
+    /// The wheel turned while the button is down. Returns whether that means anything to what it does.
+    pub(super) fn turn_wheel(&mut self, steps: i32) -> bool {
+        matches!(self.doing, Doing::Building(_)) && self.maker.turn(steps)
+    }
+
     /// Where the pin that is led is to go now, `seconds` after the last time.
     pub(super) fn lead(&mut self, scope: Scope<'_>, at: DVec2, seconds: f64) -> Option<PinWay> {
         match &mut self.doing {
