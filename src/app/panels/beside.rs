@@ -11,6 +11,20 @@ const ROOM: f32 = 8.0;
 /// Where titles are at most, from above `[points]`: below the buttons, in windows where these take several rows too.
 const LEAST: f32 = 60.0;
 
+/// Heights of titles, and of the legend that the last one has `[points]`.
+const TITLE: f32 = 50.0;
+const LEGEND: f32 = 52.0;
+
+/// How much of each part of the window its title takes from above `[points]`.
+pub(super) fn height(facts: &Facts) -> f32 {
+    let is_row = facts.neighbors.first().is_some_and(|first| !first.is_column);
+    match (is_row, facts.tints_distance) {
+        (false, _) => 0.0,
+        (true, false) => TITLE,
+        (true, true) => TITLE + LEGEND,
+    }
+}
+
 /// A world beside others, as it is called.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub(in crate::app) struct Neighbor {

@@ -285,7 +285,7 @@ pub(super) fn show(ui: &mut egui::Ui, state: &mut PanelState, facts: &Facts) -> 
         Some(Sheet::OpenFrom) => open_from::show(&context, state, &mut wishes),
         None => {}
     }
-    let free = (!is_covered).then(|| if has_panels { places.free(all_edge) } else { room });
+    let free = (!is_covered).then(|| if has_panels { places.free(all_edge, beside::height(facts)) } else { room });
     let is_shared = !facts.neighbors.is_empty() && has_panels;
     (wishes, Laid { size: places.size(all_edge, is_shared), corner: places.corner(&context), free })
 }

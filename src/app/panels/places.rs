@@ -103,12 +103,12 @@ impl Places {
         self.room.with_max_y(self.below)
     }
 
-    /// Where bodies are shown, beside panels that take so much of the right edge.
-    pub(super) fn free(&self, at_right: f32) -> Rect {
+    /// Where bodies are shown, beside panels that take so much of the right edge, and below titles so high.
+    pub(super) fn free(&self, at_right: f32, titles: f32) -> Rect {
         let (left, right) = (self.room.left() + TOOLS + EDGE, self.room.right() - EDGE);
         let at_right = if at_right > 0.0 { at_right + EDGE } else { 0.0 };
         let right = (right - at_right).max(left + LEAST * (right - left));
-        let top = (self.bar_bottom() + SAID).min(self.room.center().y);
+        let top = (self.bar_bottom() + SAID + titles).min(self.room.center().y);
         let below = if self.below < self.room.bottom() - NUMBERS { self.below - APART } else { self.below };
         Rect::from_min_max(pos2(left, top), pos2(right, below.max(top + 40.0)))
     }

@@ -412,6 +412,7 @@ impl Session {
         self.panels.notes.complaint = warning.or(through).or_else(|| self.taken_keys());
         self.panels.notes.has_caption = true;
         self.wants_hint &= self.scene.name() == gallery()[0].name;
+        self.place_hint();
         if self.is_canvas() && !comes_back {
             self.paint();
         }
