@@ -1,5 +1,7 @@
 //! What is said above worlds that lie side by side, and the menu that puts them there.
 
+use std::sync::Arc;
+
 use egui::{Align2, Area, Id, RichText, Ui, pos2};
 
 use super::theme::{TEXT, floating};
@@ -68,6 +70,9 @@ pub(super) fn titles(context: &egui::Context, facts: &Facts, has_caption: bool) 
         });
     }
 }
+
+/// Solvers, each with why the scene cannot be run by it, if it cannot.
+pub(in crate::app) type Misfits = Arc<[(SolverName, Option<String>)]>;
 
 /// The solvers that can be asked for: whose loop one `as printed` would be nothing says but a scene.
 pub(in crate::app) fn solvers() -> impl Iterator<Item = SolverName> {

@@ -51,7 +51,7 @@ use super::tools::{Brush, Drives};
 use crate::render::{Look, Overlay};
 use crate::scene::{BesideKeys, SolverName};
 use crate::sim::Key;
-pub(super) use beside::{Neighbor, solvers};
+pub(super) use beside::{Misfits, Neighbor, solvers};
 pub(super) use gallery::{THUMBNAIL, search_id};
 use icons::Icon;
 pub(super) use lessons::{At, Lessons};
@@ -226,7 +226,7 @@ pub(super) struct Facts {
     /// They are coloured by their distance to the first.
     pub(super) tints_distance: bool,
     /// Why solvers cannot run the scene, of those that cannot.
-    pub(super) misfits: Arc<[(SolverName, Option<String>)]>,
+    pub(super) misfits: Misfits,
     pub(super) settings: Settings,
 }
 

@@ -34,7 +34,7 @@ use super::loading::Loading;
 use super::matter::Matter;
 use super::meter::Meter;
 use super::opening::Free;
-use super::panels::{At, PanelState, Sheet, theme};
+use super::panels::{At, Misfits, PanelState, Sheet, theme};
 use super::player::{Figures, News, Note, Order, Player, Shown, too_many_to_meet};
 use super::pointer::Pointer;
 use super::saving::Saving;
@@ -90,7 +90,7 @@ pub(super) struct Session {
     tints_distance: bool,
     beside_trails: Vec<Trails>,
     /// Why solvers cannot run the scene, where bodies meet in it or not.
-    misfits: (Option<bool>, Arc<[(SolverName, Option<String>)]>),
+    misfits: (Option<bool>, Misfits),
     /// The largest distance of what stands beside the world that there was since it opened `[m]`.
     most_apart: f32,
     /// The distance of the last colours, where the largest is no less `[m]`.

@@ -462,7 +462,7 @@ impl Hand {
 /// Said where an obstacle is pressed on by the hand.
 const SOLID: &str = "an obstacle stands: the tool that selects (6) moves it";
 /// Said where nothing is pinned.
-const NO_POINT: &str = "no point lies here that could be pinned";
+const NO_POINT: &str = "no point lies here that could be pinned; a rope that is built (5) begins with a pin of its own";
 /// Said where a stroke cuts nothing.
 const NO_CUT: &str = "the stroke crosses no bond";
 /// Said where a stroke is drawn in space.

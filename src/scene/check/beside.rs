@@ -40,11 +40,11 @@ impl Scene {
         if can_run(&scene).is_err() {
             return vec![None; solvers.len()];
         }
-        let mut why = |solver: &SolverName| {
+        let why = |solver: &SolverName| {
             scene.method = BesideKeys::by(*solver).method.over(&self.method);
             can_run(&scene).err().map(plain)
         };
-        solvers.iter().map(|solver| why(solver)).collect()
+        solvers.iter().map(why).collect()
     }
 }
 
