@@ -74,7 +74,7 @@ pub fn full_distance(alone: &Camera) -> f64 {
 /// the usual one on, so that what rounding leaves stays grey.
 pub fn round_distance(most: f32, usual: f32) -> f32 {
     let least = LEAST_FULL * f64::from(usual);
-    round_up(f64::from(most).clamp(least, f64::from(usual))).min(f64::from(usual)) as f32
+    round_up(f64::from(most).max(least)).min(f64::from(usual)) as f32
 }
 
 /// 1, 2 or 5 times a power of ten, not less than a number above 0.

@@ -131,7 +131,7 @@ const OUTLINES: [f64; 2] = [0.7, 2.2];
 /// Distances between which things fade, in those of the camera from what it looks at.
 const FOG: [f64; 2] = [1.05, 3.0];
 /// Least radius of a pinned point `[px]`, of a few: however small its body is, it is seen.
-const LEAST_PIN: f32 = 3.2;
+const LEAST_PIN: f32 = 4.2;
 
 /// Bonds that no fill covers up to which springs are coils as soon as there is room for a few turns, and pins that are few.
 const FEW: u32 = 80;
