@@ -52,6 +52,8 @@ use shelf::Shelf;
 const BRUSH: &str = "brush";
 /// How long trails of points last, in scenes of few `[s of wall time]`.
 const TRAIL: f64 = 2.5;
+/// Least radius of a pinned point, of a few `[points]`: it is led by the hand.
+const LEAST_PIN: f32 = 4.2;
 /// A frame's time where there was none before it `[s]`.
 const FIRST_FRAME: f64 = 1.0 / 60.0;
 /// Figures are shown anew so often at most: nobody reads faster.
@@ -211,7 +213,7 @@ impl Session {
             corner: None,
             covered: Vec::new(),
             trails: Trails::new(TRAIL),
-            look: Look { scale_factor: window.scale_factor() as f32, ..Look::default() },
+            look: Look { scale_factor: window.scale_factor() as f32, least_pin: LEAST_PIN, ..Look::default() },
             has_picture: false,
             window,
             egui,
