@@ -77,7 +77,7 @@ pub(super) fn show(
     let found = || quiet(room, size, points);
     let corner = at.corner.unwrap_or_else(found);
     at.corner = at.corner.or_else(|| (!points.is_empty()).then(found));
-    let corner = pos2(corner.x.min(room.right() - size.x), corner.y.clamp(room.top() + size.y, room.bottom()));
+    let corner = pos2(corner.x.min(room.right() - size.x), corner.y.max(room.top() + size.y).min(room.bottom()));
     let area = Area::new(Id::unique("plots")).pivot(Align2::LEFT_BOTTOM).current_pos(corner).movable(true);
     let shown = area.show(context, |ui| {
         let ground = floating();

@@ -71,8 +71,11 @@ impl Maker {
 
     /// The wheel turned so many steps while something is drawn. Returns whether that means anything to it.
     pub(super) fn turn(&mut self, steps: i32) -> bool {
-        self.turned = self.turned.saturating_add(steps).clamp(-1, MOST_SLACK - 1);
-        self.primitive == Primitive::Rope
+        let is_rope = self.primitive == Primitive::Rope;
+        if is_rope {
+            self.turned = self.turned.saturating_add(steps).clamp(-1, MOST_SLACK - 1);
+        }
+        is_rope
     }
 
     /// What a release at a pixel adds to the world; words where that would be too small.
