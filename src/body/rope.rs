@@ -55,7 +55,7 @@ pub fn hanging(end: [f64; 3], pieces: u64, share: f64) -> Vec<[f64; 3]> {
         let (far, low) = (0.5 * long + radius * libm::sin(angle), radius * (libm::cos(angle) - libm::cos(0.5 * t)));
         std::array::from_fn(|axis| far * along[axis] + low * down[axis])
     };
-    (0..=pieces).map(|k| if k == pieces { end } else { place(k) }).collect()
+    (0..=pieces).map(|k| if k == 0 || k == pieces { straight(k as f64) } else { place(k) }).collect()
 }
 
 impl Rope {

@@ -425,7 +425,7 @@ mod tests {
             ),
             (r#"{"path": "method.tolerance", "min": 0.1, "max": 1}"#, "cannot change while a scene runs"),
             (r#"{"path": "colour", "min": 0, "max": 1}"#, "`colour` is no number that sliders set"),
-            (r#"{"path": "contact", "min": 0, "max": 2}"#, "is on or off"),
+            (r#"{"path": "contact", "min": 0, "max": 0.5}"#, "is on or off"),
             (r#"{"path": "obstacles[1].friction", "min": 0, "max": 1}"#, "names obstacle 1, and there are 1"),
             (r#"{"path": "bodies[2].material.mass", "min": 1, "max": 9}"#, "names body 2, and there are 2"),
             (r#"{"path": "bodies[0].material.stiffness", "min": 0, "max": 9}"#, "whose material gives no `stiffness`"),
