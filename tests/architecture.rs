@@ -285,6 +285,7 @@ const SIM: [(&str, &[&str]); 44] = [
             "bond",
             "bonds",
             "command",
+            "constrain",
             "contact",
             "counters",
             "drive",

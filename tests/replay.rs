@@ -200,7 +200,12 @@ fn bad_commands_are_refused_with_number_time_and_reason() {
         (
             r#"{"at": 0.1, "do": "cursor", "to": [50, 50]}, {"at": 0.2, "do": "grab", "within": 0.5}"#,
             "",
-            "commands[1] at t = 0.2 s: nothing that can move is in reach",
+            "commands[1] at t = 0.2 s: nothing is in reach",
+        ),
+        (
+            r#"{"at": 0.1, "do": "cursor", "to": [0, 0]}, {"at": 0.1, "do": "pin", "points": [3]}, {"at": 0.2, "do": "grab", "points": [3]}"#,
+            "",
+            "commands[2] at t = 0.2 s: what is in reach is held by pins",
         ),
         (
             r#"{"at": 0.1, "do": "cursor", "to": [0, 0]}, {"at": 0.1, "do": "delete", "points": [3]}, {"at": 0.2, "do": "grab", "points": [3]}"#,

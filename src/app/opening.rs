@@ -12,6 +12,8 @@ const ROOM: f64 = 1.03;
 
 /// The distance of the last colours beside the height of a scene `[1]`.
 const FULL: f64 = 0.05;
+/// The least distance of the last colours beside that `[1]`.
+const LEAST_FULL: f64 = 1e-5;
 /// Least width of what is seen of a scene, in its heights `[1]`.
 const SLIMMEST: f64 = 0.75;
 
@@ -65,9 +67,21 @@ pub fn row(alone: &Camera, seen: &View<'_>, count: usize, size: [u32; 2]) -> Row
 
 /// The distance of the last colours, where the difference of two worlds is shown `[m]`: a round number near a twentieth of the scene's height.
 pub fn full_distance(alone: &Camera) -> f64 {
-    let wanted = FULL * alone.height();
+    round_up(FULL * alone.height())
+}
+
+/// The same for distances that are `most` at most, where `usual` is that of the scene `[m]`: no more than it takes, from a hundred thousandth of
+/// the usual one on, so that what rounding leaves stays grey.
+pub fn round_distance(most: f32, usual: f32) -> f32 {
+    let least = LEAST_FULL * f64::from(usual);
+    round_up(f64::from(most).max(least)).min(f64::from(usual)) as f32
+}
+
+/// 1, 2 or 5 times a power of ten, not less than a number above 0.
+fn round_up(wanted: f64) -> f64 {
     let decade = 10_f64.powf(wanted.log10().floor());
-    [1.0, 2.0, 5.0].map(|step| step * decade).into_iter().find(|step| *step >= wanted).unwrap_or(10.0 * decade)
+    let almost = wanted * (1.0 - 1e-6);
+    [1.0, 2.0, 5.0].map(|step| step * decade).into_iter().find(|step| *step >= almost).unwrap_or(10.0 * decade)
 }
 
 /// A camera as a file has it.
@@ -144,6 +158,22 @@ pub fn clear(mut camera: Camera, seen: &View<'_>, free: Free) -> Camera {
     });
     camera.pan(by);
     camera
+}
+
+/// What `look` makes of the free part of a picture: where points lie in its upper right corner, whose left lower corner `[px]` is `corner`,
+/// of the part below that.
+pub fn beside_corner(look: impl Fn(Free) -> Camera, seen: &View<'_>, free: Free, corner: Option<[f64; 2]>) -> Camera {
+    let camera = look(free);
+    let Some([left, below]) = corner.filter(|corner| corner[1] > free[0][1]) else { return camera };
+    let Pose::Plane { .. } = camera.pose else { return camera };
+    let hides = |[x, y]: [f64; 2]| (left..free[1][0]).contains(&x) && (0.0..below).contains(&y);
+    let x = seen.current;
+    let mut places = (0..x.len() / 2).map(|point| DVec3::new(x.get(2 * point), x.get(2 * point + 1), 0.0));
+    let has_room = below < 0.5 * (free[0][1] + free[1][1]);
+    match has_room && places.any(|place| camera.screen_from_world(place).is_some_and(hides)) {
+        true => look([[free[0][0], below], free[1]]),
+        false => camera,
+    }
 }
 
 /// A camera that shows all points in the free part of a picture.
@@ -246,6 +276,32 @@ mod tests {
         let fitted = fit_in(&view, free, size);
         let middle = fitted.screen_from_world(DVec3::ZERO).unwrap();
         assert!((middle[0] - 535.0).abs() < 1e-6 && (middle[1] - 345.0).abs() < 1e-6, "{middle:?}");
+    }
+
+    #[test]
+    fn points_do_not_lie_below_what_is_in_the_corner() {
+        let text = |x: f64| format!(r#"{{"wobble": 1, "points": {{"position": [[-4, -3], [{x}, 3]]}}}}"#);
+        let (size, free, corner) = ([1000, 600], [[80.0, 60.0], [990.0, 570.0]], [840.0, 140.0]);
+        for (x, is_hidden) in [(6.0, true), (0.0, false)] {
+            let scene = Scene::parse(&text(x), "x.json").unwrap();
+            let world = scene.world(None).unwrap();
+            let view = View::of(&*world);
+            // As it would be drawn, far to the right.
+            let opened = Camera::new(Pose::Plane { center: DVec2::new(1.0, 0.3), height: 7.6 }, size);
+            let look = |free: Free| clear(opened, &view, free);
+            let at = |camera: Camera| camera.screen_from_world(DVec3::new(x, 3.0, 0.0)).unwrap();
+            let before = at(look(free));
+            assert_eq!(before[0] > corner[0] && before[1] < corner[1], is_hidden, "{before:?}");
+            let after = at(beside_corner(look, &view, free, Some(corner)));
+            assert_eq!(after[1] >= corner[1] - 0.1, is_hidden, "{after:?}");
+        }
+    }
+
+    #[test]
+    fn colours_of_distances_go_as_far_as_there_are_any() {
+        let full = [0.0, 3e-6, 0.0012, 0.05, 0.3, 40.0].map(|most| round_distance(most, 0.5));
+        assert_eq!(full.map(|full| format!("{full:e}")), ["5e-6", "5e-6", "2e-3", "5e-2", "5e-1", "5e-1"]);
+        assert_eq!([0.05, 0.0007, 9.0].map(round_up), [0.05, 0.001, 10.0]);
     }
 
     #[test]

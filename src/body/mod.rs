@@ -34,7 +34,7 @@ pub use points::Points;
 pub use ragdoll::Ragdoll;
 pub use random_graph::RandomGraph;
 pub use rim::{Brace, Rim};
-pub use rope::{Rope, Stretch};
+pub use rope::{Rope, Stretch, hanging};
 
 /// Most points that one body may have: enough for a cloth of 4,000 by 4,000; beyond, a mistyped count would only fill
 /// the memory.

@@ -18,6 +18,44 @@ pub enum Stretch {
     Spacing(f64),
     /// To this point, seen from the body's origin `[m]`, in equal pieces.
     To([f64; 3]),
+    /// The same along an arc that hangs below, which is longer than the straight way by a share, > 0 `[1]`.
+    Hanging([f64; 3], f64),
+}
+
+/// The corners of a chain of equal pieces, 2 or more, on an arc of a circle from the origin to `end` `[m]` that is longer than the straight way by
+/// a share, >= 0 `[1]`. It hangs towards -y, below what stands upright towards x.
+///
+/// Model: n pieces of length c on an arc over an angle t have n c = (1 + share) |end| where n sin(t/2n) = (1 + share) sin(t/2).
+pub fn hanging(end: [f64; 3], pieces: u64, share: f64) -> Vec<[f64; 3]> {
+    let n = pieces as f64;
+    let straight = |k: f64| end.map(|x| x * (k / n));
+    let ratio = |t: f64| n * libm::sin(0.5 * t / n) / libm::sin(0.5 * t);
+    let (mut least, mut most) = (0.0, std::f64::consts::TAU);
+    for _ in 0..200 {
+        let t = 0.5 * (least + most);
+        if ratio(t) < 1.0 + share { least = t } else { most = t }
+    }
+    let t = 0.5 * (least + most);
+    if share <= 0.0 || t < 1e-6 {
+        return (0..=pieces).map(|k| straight(k as f64)).collect();
+    }
+    let long = end.iter().map(|x| x * x).sum::<f64>().sqrt();
+    let along = end.map(|x| x / long);
+    // What of -y, or of x, is across.
+    let across = |way: [f64; 3]| {
+        let share = (0..3).map(|k| way[k] * along[k]).sum::<f64>();
+        let rest: [f64; 3] = std::array::from_fn(|k| way[k] - share * along[k]);
+        let size = rest.iter().map(|x| x * x).sum::<f64>().sqrt();
+        (size > 1e-6).then(|| rest.map(|x| x / size))
+    };
+    let down = across([0.0, -1.0, 0.0]).or_else(|| across([1.0, 0.0, 0.0])).unwrap_or([0.0; 3]);
+    let radius = 0.5 * long / libm::sin(0.5 * t);
+    let place = |k: u64| {
+        let angle = t * (k as f64 / n - 0.5);
+        let (far, low) = (0.5 * long + radius * libm::sin(angle), radius * (libm::cos(angle) - libm::cos(0.5 * t)));
+        std::array::from_fn(|axis| far * along[axis] + low * down[axis])
+    };
+    (0..=pieces).map(|k| if k == 0 || k == pieces { straight(k as f64) } else { place(k) }).collect()
 }
 
 impl Rope {
@@ -30,7 +68,12 @@ impl Rope {
                 length("spacing", spacing)?;
                 count("count", self.count, 1)
             }
-            Stretch::To(end) => {
+            Stretch::To(end) | Stretch::Hanging(end, _) => {
+                if let Stretch::Hanging(_, share) = self.stretch
+                    && !(share.is_finite() && share > 0.0)
+                {
+                    return Err(BodyError::new("slack", format!("is {share:?}: give a finite number above 0")));
+                }
                 if !end.iter().all(|x| x.is_finite()) {
                     return Err(BodyError::new("to", "is not finite: give ordinary numbers"));
                 }
@@ -40,7 +83,8 @@ impl Rope {
                         "is the rope's own origin: `to` counts from there, so give where it ends",
                     ));
                 }
-                count("count", self.count, 2)
+                let least = if matches!(self.stretch, Stretch::Hanging(..)) { 3 } else { 2 };
+                count("count", self.count, least)
             }
         }
     }
@@ -48,7 +92,10 @@ impl Rope {
     pub(super) fn make(&self) -> Body {
         let last = self.count - 1;
         let mut body = Body {
-            positions: (0..self.count).map(|i| self.position(i, last)).collect(),
+            positions: match self.stretch {
+                Stretch::Hanging(end, share) => hanging(end, last, share),
+                _ => (0..self.count).map(|i| self.position(i, last)).collect(),
+            },
             links: Vec::new(),
             weights: vec![1.0; self.count as usize],
             ..Body::default()
@@ -67,7 +114,7 @@ impl Rope {
     fn position(&self, i: u64, last: u64) -> [f64; 3] {
         match self.stretch {
             Stretch::Spacing(spacing) => [spacing * i as f64, 0.0, 0.0],
-            Stretch::To(end) => end.map(|x| x * (i as f64 / last as f64)),
+            Stretch::To(end) | Stretch::Hanging(end, _) => end.map(|x| x * (i as f64 / last as f64)),
         }
     }
 }
@@ -95,6 +142,26 @@ mod tests {
         let body = rope.make();
         assert_eq!(body.positions[3], [0.3, -0.4, 0.0]);
         assert!(body.links.iter().all(|l| (l.rest_length - 0.5 / 3.0).abs() < 1e-16));
+    }
+
+    #[test]
+    fn a_rope_with_slack_hangs_in_equal_pieces() {
+        for (end, low) in [([3.0, 1.0, 0.0], [0.0, -1.0]), ([0.0, -2.0, 0.0], [1.0, 0.0])] {
+            for slack in [0.02, 0.5, 4.0] {
+                let body = Rope { count: 9, stretch: Stretch::Hanging(end, slack) }.make();
+                let long = (end[0] * end[0] + end[1] * end[1]).sqrt();
+                let piece = (1.0 + slack) * long / 8.0;
+                assert!(body.links.iter().all(|link| (link.rest_length - piece).abs() < 1e-9 * long), "{slack}");
+                assert_eq!((body.positions[0], body.positions[8]), ([0.0; 3], end));
+                let off = [0, 1].map(|axis| body.positions[4][axis] - 0.5 * end[axis]);
+                assert!(off[0] * low[0] + off[1] * low[1] > 0.0, "{off:?}");
+            }
+        }
+        let error = |count, slack| Rope { count, stretch: Stretch::Hanging([1.0, 0.0, 0.0], slack) }.point_count();
+        assert_eq!(
+            [error(5, 0.0), error(5, f64::NAN), error(2, 0.1)].map(|error| error.unwrap_err().key),
+            ["slack", "slack", "count"]
+        );
     }
 
     #[test]

@@ -92,7 +92,8 @@ pub(super) fn run(arguments: &Arguments, quiet: bool) -> anyhow::Result<()> {
     let difference_full = opening::full_distance(&alone) as f32;
     let Arguments { mesh: has_mesh, fills: has_fills, grid: has_grid, .. } = *arguments;
     let overlay = arguments.overlay(scene);
-    let look = Look { overlay, has_mesh, has_fills, has_grid, difference_full, ..Look::default() };
+    let scale_factor = scale_factor(arguments.size);
+    let look = Look { overlay, has_mesh, has_fills, has_grid, difference_full, scale_factor, ..Look::default() };
     let mut beside = Neighbors::new(&start, scene)?;
     beside.name(&row)?;
     let mut capture = Capture::new(arguments.size, scene.dimensions())?;
@@ -169,6 +170,14 @@ fn follow(camera: &mut Camera, world: &dyn Dynamics) {
 
 /// How long trails of points last `[s of wall time]`.
 const TRAIL: f64 = 2.5;
+/// The shorter side of pictures up to which lines and numbers have their usual width `[px]`: in larger ones they grow along.
+const USUAL_SIDE: f32 = 1080.0;
+
+/// Pixels of a picture of this size in a logical one.
+fn scale_factor(size: [u32; 2]) -> f32 {
+    (size[0].min(size[1]) as f32 / USUAL_SIDE).max(1.0)
+}
+
 /// Stretches of the trail before the first picture.
 const LEAD: u32 = 120;
 

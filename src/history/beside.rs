@@ -79,6 +79,11 @@ impl Companion {
         &self.title
     }
 
+    /// The same, in words where no title is given.
+    pub fn words(&self) -> String {
+        self.entry.title.clone().unwrap_or_else(|| self.scene.method.words())
+    }
+
     /// The entry that it was made of.
     pub fn entry(&self) -> &BesideKeys {
         &self.entry

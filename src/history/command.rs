@@ -194,6 +194,16 @@ pub enum OneOrEach {
     Each(Vec<f64>),
 }
 
+impl OneOrEach {
+    /// Leaves out what is not to stay; `stays` has one entry each.
+    pub fn retain(&mut self, stays: &[bool]) {
+        if let OneOrEach::Each(list) = self {
+            let mut stays = stays.iter();
+            list.retain(|_| stays.next().is_some_and(|stays| *stays));
+        }
+    }
+}
+
 /// One factor for all directions, or one for x and one for y.
 #[derive(Clone, Copy, Debug, PartialEq, serde::Serialize, serde::Deserialize, schemars::JsonSchema)]
 #[serde(untagged, expecting = "a factor, or a list of two: along x and along y")]

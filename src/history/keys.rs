@@ -4,7 +4,7 @@ use serde::{Serialize, de::DeserializeOwned};
 use serde_json::{Map, Value};
 
 use super::command::{Do, Entry};
-use crate::scene::{KeyName, LATER, ProfileName, RegionName, Row, object, translate};
+use crate::scene::{KeyName, LATER, ProfileName, RegionName, Row, object, one_line, translate};
 use crate::sim::{Cursor, Key, MouseChange, PointId, Profile, Reach, Region};
 
 /// Names of what is done, in the order of the table.
@@ -145,7 +145,7 @@ impl Entry {
             }
         };
         let called = match object.get("name") {
-            Some(Value::String(text)) => Some(text.clone()),
+            Some(Value::String(text)) => Some(one_line(text)),
             Some(_) => return Err("name: give words".to_owned()),
             None => None,
         };
@@ -232,7 +232,7 @@ fn act(name: &str, object: Map<String, Value>) -> Result<Do, String> {
         "set" => Do::Set(Box::new(read(object)?)),
         "group" => {
             let GroupKeys { points: list, name } = read(object)?;
-            Do::Group { points: points(list), name }
+            Do::Group { points: points(list), name: one_line(&name) }
         }
         _ => return Err(format!("do: `{name}` is nothing that is done here: give one of {}", NAMES.join(", "))),
     })

@@ -82,7 +82,7 @@ impl Frame {
             outline_width: look.outline_width * scale,
             near: camera.near() as f32,
             dot_radius: dot_radius(bond_width, buffers.is_surface()),
-            least_pin: if look.has_forms && buffers.pin_count <= FEW { scale * LEAST_PIN } else { 0.0 },
+            least_pin: if look.has_forms && buffers.pin_count <= FEW { scale * look.least_pin } else { 0.0 },
             coil_length: if look.has_forms { scale * coil_length(buffers.bare_count()) } else { 0.0 },
             fill_opacity: if look.has_mesh { UNDER_MESH } else { 1.0 },
             fill_outline: scale * (OUTLINE_OF_BOND * covered_pixels).clamp(OUTLINES[0], OUTLINES[1]) as f32,
@@ -130,9 +130,6 @@ const OUTLINE_OF_BOND: f64 = 0.09;
 const OUTLINES: [f64; 2] = [0.7, 2.2];
 /// Distances between which things fade, in those of the camera from what it looks at.
 const FOG: [f64; 2] = [1.05, 3.0];
-/// Least radius of a pinned point `[px]`, of a few: however small its body is, it is seen.
-const LEAST_PIN: f32 = 3.2;
-
 /// Bonds that no fill covers up to which springs are coils as soon as there is room for a few turns, and pins that are few.
 const FEW: u32 = 80;
 /// Length of a spring `[px]` from which on it is a coil, where there are few and where there are many.

@@ -32,8 +32,8 @@ const PATCH_RIM: f32 = 0.6;
 /// The guides of a picture, those below first, and how many of them lie below obstacles, over those, and over all else: the numbers of
 /// the grid are read on obstacles too, the marks of motors on bodies. Positions relative to `origin` `[m]`.
 pub(super) fn guides(
-    camera: &Camera,
-    (view, patches, border): (&View<'_>, &[Patch], Option<[DVec3; 2]>),
+    (view, camera, patches): (&View<'_>, &Camera, &[Patch]),
+    (clip, border): ([u32; 4], Option<[DVec3; 2]>),
     origin: DVec3,
     look: &Look,
 ) -> (Vec<Guide>, [usize; 3]) {
@@ -66,7 +66,7 @@ pub(super) fn guides(
         && look.has_grid
         && let Some(seen) = seen(camera, center, height)
     {
-        numbers(&mut list, (camera, view.covered), seen, origin, look);
+        numbers(&mut list, (camera, view.covered), (clip, seen), origin, look);
     }
     let over = list.len();
     if let Pose::Plane { .. } = camera.pose {
@@ -178,19 +178,22 @@ const GAP: f64 = 24.0;
 /// Numbers along the left edge that something lies over go to the right of it, so far at most, as a share of the picture's width `[1]`.
 const ASIDE: f64 = 0.4;
 
-/// Adds the numbers of the grid: along the lower edge and the left one, at every line or every second or fifth, where nothing lies over
-/// them.
+/// Adds the numbers of the grid: along the lower edge of a part of the picture and its left one, at every line or every second or fifth,
+/// where nothing lies over them. `clip` is left, top, width and height of that part `[px]`, the corners are those of the picture `[m]`.
 fn numbers(
     list: &mut Vec<Guide>,
     (camera, covered): (&Camera, &[[f32; 4]]),
-    (low, high): (DVec2, DVec2),
+    (clip, (low, high)): ([u32; 4], (DVec2, DVec2)),
     origin: DVec3,
     look: &Look,
 ) {
     let scale = f64::from(look.scale_factor);
     let step = spacing(camera.pixels_per_metre());
     let metre = camera.pixels_per_metre();
-    if look.number[3] == 0.0 {
+    let [left, top, width, height] = clip.map(f64::from);
+    let low = DVec2::new(low.x + left / metre, high.y - (top + height) / metre);
+    let high = low + DVec2::new(width, height) / metre;
+    if look.number[3] == 0.0 || !low.cmplt(high).all() {
         return;
     }
     for axis in 0..2 {
@@ -215,7 +218,8 @@ fn numbers(
             }
             let size = DVec2::new(width, DIGITS * numerals::TALL * scale);
             let at = DVec2::new(corner.x - low.x, high.y - corner.y) * metre - DVec2::new(0.0, size.y);
-            let Some(aside) = aside([at, at + size], covered, EDGE * scale) else { continue };
+            let there = at + DVec2::new(left, top);
+            let Some(aside) = aside([there, there + size], covered, EDGE * scale) else { continue };
             if aside > 0.0 && (axis == 0 || at.x + aside > ASIDE * (high.x - low.x) * metre) {
                 continue;
             }
@@ -280,6 +284,12 @@ mod tests {
     use crate::render::buffers::tests::empty;
     use crate::sim::Bonds;
 
+    /// The guides of a world that has the picture for itself.
+    fn drawn(view: &View<'_>, camera: &Camera, origin: DVec3, look: &Look) -> (Vec<Guide>, [usize; 3]) {
+        let [width, height] = camera.viewport().map(|side| side as u32);
+        guides((view, camera, &[]), ([0, 0, width, height], None), origin, look)
+    }
+
     #[test]
     fn grid_lines_are_round_numbers_apart() {
         assert_eq!(spacing(100.0), 0.5);
@@ -291,7 +301,7 @@ mod tests {
     fn there_is_no_grid_where_numbers_end() {
         let count = |center: DVec2, height: f64| {
             let camera = Camera::new(Pose::Plane { center, height }, [640, 480]);
-            guides(&camera, (&empty(&Bonds::default(), 2), &[], None), camera.focus(), &Look::default()).0.len()
+            drawn(&empty(&Bonds::default(), 2), &camera, camera.focus(), &Look::default()).0.len()
         };
         assert!((10..1000).contains(&count(DVec2::splat(1e3), 1e-3)));
         assert_eq!(count(DVec2::splat(1e20), 1e-6), 0, "both edges are the same number");
@@ -305,7 +315,7 @@ mod tests {
     #[test]
     fn numbers_come_last_and_over_obstacles() {
         let camera = Camera::new(Pose::Plane { center: DVec2::ZERO, height: 8.0 }, [640, 480]);
-        let of = |look: Look| guides(&camera, (&empty(&Bonds::default(), 2), &[], None), DVec3::ZERO, &look);
+        let of = |look: Look| drawn(&empty(&Bonds::default(), 2), &camera, DVec3::ZERO, &look);
         let (all, [below, ..]) = of(Look::default());
         let bare = of(Look { number: [0.0; 4], ..Look::default() });
         assert_eq!((bare.0.len(), bare.1), (below, [below, 0, 0]), "lines alone lie below");
@@ -318,7 +328,7 @@ mod tests {
         let places = |covered: &[[f32; 4]]| {
             let bonds = Bonds::default();
             let view = View { covered, ..empty(&bonds, 2) };
-            let (all, [below, ..]) = guides(&camera, (&view, &[], None), DVec3::ZERO, &Look::default());
+            let (all, [below, ..]) = drawn(&view, &camera, DVec3::ZERO, &Look::default());
             let ends = all[below..].iter().flat_map(|guide| [guide.a, guide.b]);
             ends.map(|[x, y, ..]| [320.0 + 60.0 * x, 240.0 - 60.0 * y]).collect::<Vec<_>>()
         };
@@ -337,6 +347,23 @@ mod tests {
     }
 
     #[test]
+    fn each_part_of_a_picture_has_numbers_along_its_own_edges() {
+        let camera = Camera::new(Pose::Plane { center: DVec2::ZERO, height: 8.0 }, [640, 480]);
+        let bonds = Bonds::default();
+        let numbers = |clip| {
+            let (all, [below, ..]) =
+                guides((&empty(&bonds, 2), &camera, &[]), (clip, None), DVec3::ZERO, &Look::default());
+            let ends = all[below..].iter().flat_map(|guide| [guide.a, guide.b]);
+            ends.map(|[x, y, ..]| [320.0 + 60.0 * x, 240.0 - 60.0 * y]).collect::<Vec<_>>()
+        };
+        let right = numbers([320, 0, 320, 480]);
+        assert!(right.iter().all(|[x, _]| (320.0..=640.0).contains(x)), "{right:?}");
+        let beside = right.iter().filter(|[x, y]| *x < 360.0 && *y < 440.0).count();
+        assert!(beside > 30, "y at the left edge of the right half: {beside} ends");
+        assert!(numbers([0, 0, 640, 240]).iter().all(|[_, y]| *y <= 240.0), "x above the lower half");
+    }
+
+    #[test]
     fn a_motor_has_an_arc_about_its_hinge_with_a_head_where_it_turns() {
         let camera = Camera::new(Pose::Plane { center: DVec2::ZERO, height: 8.0 }, [640, 480]);
         let (bonds, places) = (Bonds::default(), [-1.0, 0.0, 0.0, 0.0, 0.0, 1.0]);
@@ -344,7 +371,7 @@ mod tests {
             let current = crate::sim::Positions::F64(places);
             let hinges = vec![Hinge { points: [0, 1, 2].map(PointId), ways }];
             let view = View { hinges, previous: current, current, ..empty(&bonds, 2) };
-            let (all, [below, over, marks]) = guides(&camera, (&view, &[], None), DVec3::ZERO, &Look::default());
+            let (all, [below, over, marks]) = drawn(&view, &camera, DVec3::ZERO, &Look::default());
             assert_eq!(all.len(), below + over + marks);
             all[below + over..].to_vec()
         };
@@ -365,6 +392,6 @@ mod tests {
             list.len()
         };
         assert_eq!((count(2), count(3)), (4, 12));
-        assert!(guides(&camera, (&empty(&Bonds::default(), 3), &[], None), DVec3::ZERO, &Look::default()).0.is_empty());
+        assert!(drawn(&empty(&Bonds::default(), 3), &camera, DVec3::ZERO, &Look::default()).0.is_empty());
     }
 }

@@ -88,6 +88,8 @@ pub struct Look {
     pub has_grid: bool,
     /// Room at the left edge that numbers of the grid leave to what lies there `[px]`.
     pub inset: f32,
+    /// Least radius of a pinned point, of a few: however small its body is, it is seen.
+    pub least_pin: f32,
     /// How much of what is far away fades into the ground, in space `[1]`.
     pub fog: f32,
     /// Physical pixels in a logical one.
@@ -128,6 +130,7 @@ impl Default for Look {
             has_forms: true,
             has_grid: true,
             inset: 0.0,
+            least_pin: 3.2,
             fog: 0.7,
             scale_factor: 1.0,
         }

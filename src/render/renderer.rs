@@ -80,7 +80,8 @@ impl Renderer {
         let origin = self.buffers.origin;
         let frame = Frame::new(view, camera, look, &self.buffers);
         self.obstacles.update(gpu, (view, camera, &frame), counters)?;
-        let (lines, counts) = guides(camera, (view, self.obstacles.patches(), pane.border()), origin, look);
+        let part = (pane.clip, pane.border());
+        let (lines, counts) = guides((view, camera, self.obstacles.patches()), part, origin, look);
         self.buffers.set_guides(gpu, bytemuck::cast_slice(&lines), counts, counters)?;
         self.buffers.set_solids(gpu, solids(view, camera, origin), counters)?;
         self.has_region = frame.has_region();

@@ -188,6 +188,16 @@ impl Fault {
         Fault { kind: self.kind, outwards: Vec::new(), message }
     }
 
+    /// What is wrong.
+    pub(super) fn message(&self) -> &str {
+        &self.message
+    }
+
+    /// Whether it is in an item of this list.
+    pub(super) fn is_in(&self, list: &str) -> bool {
+        matches!(self.outwards.last(), Some(Step::Key(key)) if key == list)
+    }
+
     /// The error with file and, where the text is there, line.
     pub(super) fn into_error(self, label: &str, text: Option<&str>) -> SceneError {
         let path: Vec<Step> = self.outwards.into_iter().rev().collect();

@@ -1,9 +1,13 @@
 //! Parameters: numbers of a scene that it names, with a range and a unit, to be set by sliders while it runs.
 
-use std::ops::RangeInclusive;
+use std::ops::{Range, RangeInclusive};
+use std::sync::Arc;
 
+use super::check::copies;
 use super::error::{Fault, Within};
-use super::keys::{KindName, Meeting, ParameterKeys, Scene};
+use super::keys::{ContactKeys, KindName, Material, Meeting, ParameterKeys, Scene};
+use super::start::Start;
+use crate::sim::Contact;
 
 /// A number that sliders set.
 #[derive(Clone, Debug, PartialEq)]
@@ -47,12 +51,52 @@ pub enum Target {
     Damping(RangeInclusive<u32>),
     /// Of explicit bonds, by their numbers `[m]`.
     Rest(RangeInclusive<u32>),
+    /// Whether bodies meet: 0 or 1.
+    Meets,
+    /// What skins keep from the middle of their edges `[m]`.
+    ContactRadius,
+    /// Of obstacles, by their numbers `[1]`.
+    ObstacleFriction(RangeInclusive<u32>),
+    /// Of obstacles, by their numbers `[1]`.
+    ObstacleRestitution(RangeInclusive<u32>),
+    /// Of the material of a body, by its place among `bodies`.
+    Body(usize, OfBody, Arc<BodyPart>),
+}
+
+/// A key of a material that a slider sets.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum OfBody {
+    /// Of its springs `[N/m]`.
+    Stiffness,
+    /// Of its springs `[N s/m]`.
+    Damping,
+    /// Of one copy of it `[kg]`.
+    Mass,
+    /// Of its skin `[1]`.
+    Friction,
+    /// Of its skin `[1]`.
+    Restitution,
+}
+
+/// What a body is made of, counted over the scene; empty until it is made.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct BodyPart {
+    /// Its points, those of all copies.
+    pub points: Range<u32>,
+    /// Its bonds.
+    pub bonds: Range<u32>,
+    /// What each point has of the mass of its copy `[1]`.
+    pub masses: Vec<f64>,
+    /// How stiff each bond is for the stiffness of the material `[1]`.
+    pub shares: Vec<f64>,
 }
 
 /// What a path can be, as it is said where it is none.
 const PATHS: &str = "`gravity[0]`, `drag_rate`, `wind.velocity[0]`, `wind.turbulence`, `bounds.friction`, `bounds.restitution`, \
-                     `contact.friction`, `contact.restitution`, `mouse.strength`, `mouse.radius`, or `stiffness`, `damping` or `rest` of \
-                     explicit bonds, as `bonds[0].stiffness` or, of several, `bonds[0-3].stiffness`";
+                     `contact` (0 or 1), `contact.friction`, `contact.restitution`, `contact.radius`, `mouse.strength`, `mouse.radius`, \
+                     `stiffness`, `damping` or `rest` of explicit bonds, as `bonds[0].stiffness` or, of several, \
+                     `bonds[0-3].stiffness`, `friction` or `restitution` of obstacles, as `obstacles[0].friction`, or \
+                     `stiffness`, `damping`, `mass`, `friction` or `restitution` of a body, as `bodies[0].material.mass`";
 
 impl Target {
     /// What a path means; `None`: nothing.
@@ -74,7 +118,29 @@ impl Target {
                 _ => None,
             };
         }
+        if let Some((numbers, key)) = path.strip_prefix("obstacles[").and_then(|rest| rest.split_once("].")) {
+            let (first, last) = numbers.split_once('-').unwrap_or((numbers, numbers));
+            let numbers = first.parse().ok()?..=last.parse().ok()?;
+            return match key {
+                "friction" => Some(Target::ObstacleFriction(numbers)),
+                "restitution" => Some(Target::ObstacleRestitution(numbers)),
+                _ => None,
+            };
+        }
+        if let Some((body, key)) = path.strip_prefix("bodies[").and_then(|rest| rest.split_once("].material.")) {
+            let of = match key {
+                "stiffness" => OfBody::Stiffness,
+                "damping" => OfBody::Damping,
+                "mass" => OfBody::Mass,
+                "friction" => OfBody::Friction,
+                "restitution" => OfBody::Restitution,
+                _ => return None,
+            };
+            return Some(Target::Body(body.parse().ok()?, of, Arc::default()));
+        }
         Some(match path {
+            "contact" => Target::Meets,
+            "contact.radius" => Target::ContactRadius,
             "drag_rate" => Target::DragRate,
             "wind.turbulence" => Target::Turbulence,
             "bounds.friction" => Target::WallFriction,
@@ -91,8 +157,11 @@ impl Target {
     fn bounds(&self) -> [f64; 2] {
         match self {
             Target::Gravity(_) | Target::Wind(_) | Target::MouseStrength => [f64::NEG_INFINITY, f64::INFINITY],
-            Target::Restitution => [0.0, 1.0],
-            Target::MouseRadius => [f64::MIN_POSITIVE, f64::INFINITY],
+            Target::Restitution
+            | Target::Meets
+            | Target::ObstacleRestitution(_)
+            | Target::Body(_, OfBody::Restitution, _) => [0.0, 1.0],
+            Target::MouseRadius | Target::Body(_, OfBody::Mass, _) => [f64::MIN_POSITIVE, f64::INFINITY],
             _ => [0.0, f64::INFINITY],
         }
     }
@@ -110,7 +179,12 @@ impl Target {
             Target::Gravity(_) | Target::DragRate => Ok(()),
             Target::Wind(_) | Target::Turbulence => is_there(scene.wind.is_some(), "`wind`"),
             Target::WallFriction | Target::WallRestitution => is_there(scene.bounds.is_some(), "`bounds`"),
-            Target::Friction | Target::Restitution => {
+            Target::Meets => Ok(()),
+            Target::ObstacleFriction(numbers) | Target::ObstacleRestitution(numbers) => {
+                counted(scene.obstacles.len(), numbers, "obstacle")
+            }
+            Target::Body(body, of, _) => of_body(scene, (*body, *of), dimensions),
+            Target::Friction | Target::Restitution | Target::ContactRadius => {
                 is_there(scene.contact.and_then(Meeting::resolve).is_some(), "`contact`")
             }
             Target::MouseStrength | Target::MouseRadius => is_there(scene.mouse.is_some(), "`mouse`"),
@@ -122,14 +196,7 @@ impl Target {
 
 /// Errors: bonds that are not there, or no springs where springs are meant.
 fn of_bonds(scene: &Scene, numbers: &RangeInclusive<u32>, are_springs: bool) -> Result<(), Fault> {
-    let (first, last) = (*numbers.start(), *numbers.end());
-    if first > last {
-        return Err(Fault::invalid(format!("names bonds from {first} to {last}: give the lower number first")));
-    }
-    let count = scene.bonds.len();
-    if last as usize >= count {
-        return Err(Fault::invalid(format!("names bond {last}, and there are {count} explicit ones: count from 0")));
-    }
+    counted(scene.bonds.len(), numbers, "bond")?;
     let is_spring =
         |number: u32| scene.bonds.iter().nth(number as usize).is_some_and(|bond| bond.kind == Some(KindName::Spring));
     if let Some(other) = numbers.clone().find(|&number| are_springs && !is_spring(number)) {
@@ -138,15 +205,114 @@ fn of_bonds(scene: &Scene, numbers: &RangeInclusive<u32>, are_springs: bool) -> 
     Ok(())
 }
 
-/// Errors: the first parameter with a path that means nothing here, or a range that is none or goes beyond what its number can be.
+/// Errors: numbers of a list of so many things that are not there.
+fn counted(count: usize, numbers: &RangeInclusive<u32>, what: &str) -> Result<(), Fault> {
+    let (first, last) = (*numbers.start(), *numbers.end());
+    if first > last {
+        return Err(Fault::invalid(format!("names {what}s from {first} to {last}: give the lower number first")));
+    }
+    if last as usize >= count {
+        let message = format!("names {what} {last}, and there are {count} explicit ones: count from 0");
+        return Err(Fault::invalid(message));
+    }
+    Ok(())
+}
+
+/// Errors: a body that is not there, or has no number of its own that could be set.
+fn of_body(scene: &Scene, (body, of): (usize, OfBody), dimensions: usize) -> Result<(), Fault> {
+    let count = scene.bodies.len();
+    let Some(keys) = scene.bodies.get(body) else {
+        return Err(Fault::invalid(format!("names body {body}, and there are {count}: count from 0")));
+    };
+    let material = keys.material.as_ref();
+    let says = |said: fn(&Material) -> bool| material.is_some_and(said);
+    let (is_said, what) = match of {
+        OfBody::Stiffness => (says(|material| material.stiffness.is_some()), "`stiffness`"),
+        OfBody::Damping => (says(|material| material.stiffness.is_some()), "`stiffness` to be damped"),
+        OfBody::Mass => (says(|material| material.mass.is_some()), "`mass`"),
+        OfBody::Friction => (says(|material| material.friction.is_some()), "`friction`"),
+        OfBody::Restitution => (says(|material| material.restitution.is_some()), "`restitution`"),
+    };
+    let is_of_skin = matches!(of, OfBody::Friction | OfBody::Restitution);
+    match () {
+        () if is_of_skin && dimensions != 2 => {
+            Err(Fault::invalid("is of a skin, which bodies have in the plane alone"))
+        }
+        () if !is_said => Err(Fault::invalid(format!("is of body {body}, whose material gives no {what}: add it"))),
+        () => Ok(()),
+    }
+}
+
+impl Target {
+    /// The number that the scene begins with; `None`: it does not say so itself.
+    fn start(&self, scene: &Scene) -> Option<f64> {
+        let contact = scene.contact.and_then(Meeting::resolve);
+        let keys = |contact: Contact| ContactKeys {
+            friction: Some(contact.friction),
+            restitution: Some(contact.restitution),
+            radius: contact.radius,
+            ..ContactKeys::default()
+        };
+        let contact_keys = contact.map(keys);
+        let bond = |number: u32| scene.bonds.iter().nth(number as usize);
+        let obstacle = |number: u32| scene.obstacles.get(number as usize);
+        match self {
+            Target::Gravity(axis) => Some(scene.gravity.map_or(0.0, |gravity| gravity.embed()[*axis])),
+            Target::DragRate => Some(scene.drag_rate.unwrap_or(0.0)),
+            Target::Wind(axis) => scene.wind.as_ref().map(|wind| wind.velocity.embed()[*axis]),
+            Target::Turbulence => scene.wind.as_ref().map(|wind| wind.turbulence.unwrap_or(0.0)),
+            Target::WallFriction => scene.bounds.as_ref().map(|bounds| bounds.friction.unwrap_or(0.0)),
+            Target::WallRestitution => scene.bounds.as_ref().map(|bounds| bounds.restitution.unwrap_or(0.0)),
+            Target::Friction => contact_keys?.friction,
+            Target::Restitution => contact_keys?.restitution,
+            Target::ContactRadius => contact_keys?.radius,
+            Target::Meets => Some(f64::from(u8::from(contact.is_some()))),
+            Target::MouseStrength => scene.mouse.as_ref().map(|mouse| mouse.strength),
+            Target::MouseRadius => scene.mouse.as_ref().map(|mouse| mouse.radius),
+            Target::Stiffness(numbers) => bond(*numbers.start())?.stiffness,
+            Target::Damping(numbers) => Some(bond(*numbers.start())?.damping.unwrap_or(0.0)),
+            Target::Rest(numbers) => bond(*numbers.start())?.rest,
+            Target::ObstacleFriction(numbers) => Some(obstacle(*numbers.start())?.friction.unwrap_or(0.0)),
+            Target::ObstacleRestitution(numbers) => Some(obstacle(*numbers.start())?.restitution.unwrap_or(0.0)),
+            Target::Body(body, of, _) => {
+                let material = scene.bodies.get(*body)?.material.as_ref()?;
+                match of {
+                    OfBody::Stiffness => material.stiffness,
+                    OfBody::Damping => Some(material.damping.unwrap_or(0.0)),
+                    OfBody::Mass => material.mass,
+                    OfBody::Friction => material.friction,
+                    OfBody::Restitution => material.restitution,
+                }
+            }
+        }
+    }
+
+    /// Whether both set some number.
+    fn meets(&self, other: &Target) -> bool {
+        let overlap = |a: &RangeInclusive<u32>, b: &RangeInclusive<u32>| a.start() <= b.end() && b.start() <= a.end();
+        match (self, other) {
+            (Target::Stiffness(a), Target::Stiffness(b))
+            | (Target::Damping(a), Target::Damping(b))
+            | (Target::Rest(a), Target::Rest(b))
+            | (Target::ObstacleFriction(a), Target::ObstacleFriction(b))
+            | (Target::ObstacleRestitution(a), Target::ObstacleRestitution(b)) => overlap(a, b),
+            _ => self == other,
+        }
+    }
+}
+
+/// Errors: the first parameter with a path that means nothing here or what another one means, or a range that is none, goes beyond what its
+/// number can be or leaves out the one that the scene begins with.
 pub(super) fn check(scene: &Scene, dimensions: usize) -> Result<(), Fault> {
     for (i, keys) in scene.parameters.iter().enumerate() {
         let in_list = |fault: Fault| fault.item(i).at("parameters");
-        let target = Target::of(&keys.path)
-            .ok_or_else(|| Fault::invalid(format!("`{}` is no number that sliders set: give {PATHS}", keys.path)))
-            .at("path")
-            .map_err(in_list)?;
+        let target = Target::of(&keys.path).ok_or_else(|| no_target(&keys.path)).at("path").map_err(in_list)?;
         target.is_there(scene, dimensions).at("path").map_err(in_list)?;
+        let is_same = |keys: &ParameterKeys| Target::of(&keys.path).is_some_and(|other| other.meets(&target));
+        if let Some(first) = scene.parameters[..i].iter().position(is_same) {
+            let message = format!("sets what `parameters[{first}]` does: leave one of them out");
+            return Err(in_list(Fault::invalid(message).at("path")));
+        }
         let ParameterKeys { min, max, .. } = *keys;
         if !(min.is_finite() && max.is_finite() && min < max) {
             let message = format!("is {max:?} beside a `min` of {min:?}: give finite numbers, the larger one here");
@@ -159,6 +325,14 @@ pub(super) fn check(scene: &Scene, dimensions: usize) -> Result<(), Fault> {
                 return Err(in_list(Fault::invalid(message).at(key)));
             }
         }
+        if target == Target::Meets && [min, max] != [0.0, 1.0] {
+            return Err(in_list(Fault::invalid("`contact` is on or off: give a `min` of 0 and a `max` of 1")));
+        }
+        if let Some(start) = target.start(scene).filter(|start| !(min..=max).contains(start)) {
+            let key = if start < min { "min" } else { "max" };
+            let message = format!("leaves out {start:?}, with which the scene begins: let the slider reach it");
+            return Err(in_list(Fault::invalid(message).at(key)));
+        }
         if keys.label.as_ref().is_some_and(|label| label.trim().is_empty()) {
             return Err(in_list(Fault::invalid("is empty: give a few words, or leave it out").at("label")));
         }
@@ -166,17 +340,117 @@ pub(super) fn check(scene: &Scene, dimensions: usize) -> Result<(), Fault> {
     Ok(())
 }
 
+/// What is said of a path that means nothing.
+fn no_target(path: &str) -> Fault {
+    let message = match path {
+        "method.tolerance" | "method.precision" => {
+            format!("`{path}` cannot change while a scene runs: give {PATHS}")
+        }
+        _ => format!("`{path}` is no number that sliders set: give {PATHS}"),
+    };
+    Fault::invalid(message)
+}
+
 impl Scene {
-    /// The numbers that it names for sliders, in its order.
+    /// The numbers that it names for sliders, in its order; bodies are made for those that are of them.
     pub fn named_parameters(&self) -> Vec<Parameter> {
+        let is_of_a_body = |keys: &ParameterKeys| matches!(Target::of(&keys.path), Some(Target::Body(..)));
+        let parts = if self.parameters.iter().any(is_of_a_body) { self.parts() } else { Vec::new() };
         let of = |keys: &ParameterKeys| {
+            let target = match Target::of(&keys.path)? {
+                Target::Body(body, of, _) => Target::Body(body, of, Arc::clone(parts.get(body)?)),
+                target => target,
+            };
             Some(Parameter {
                 label: keys.label.clone().unwrap_or_else(|| keys.path.clone()),
                 unit: keys.unit.clone().unwrap_or_default(),
                 range: keys.min..=keys.max,
-                target: Target::of(&keys.path)?,
+                target,
             })
         };
         self.parameters.iter().filter_map(of).collect()
+    }
+
+    /// What its bodies are made of; nothing where they cannot be made.
+    fn parts(&self) -> Vec<Arc<BodyPart>> {
+        let Ok(start) = Start::new(self) else { return Vec::new() };
+        let mut next = self.bonds.len() as u32;
+        let mut parts = Vec::with_capacity(start.bodies.len());
+        for (keys, body) in self.bodies.iter().zip(&start.bodies) {
+            let points = body.points();
+            let bonds = next..next + body.len() as u32;
+            next = bonds.end;
+            let own = &start.mass[points.start as usize..points.end as usize];
+            let whole = own.iter().sum::<f64>() / f64::from(copies(keys));
+            let masses = own.iter().map(|mass| mass / whole).collect();
+            parts.push(Arc::new(BodyPart {
+                points,
+                bonds,
+                masses,
+                shares: body.links().map(|link| link.share).collect(),
+            }));
+        }
+        parts
+    }
+}
+
+#[cfg(test)]
+#[allow(clippy::unwrap_used, clippy::panic, reason = "a test that cannot go on stops")]
+mod tests {
+    use super::*;
+
+    fn read(parameters: &str) -> Result<Scene, String> {
+        let text = format!(
+            r#"{{"wobble": 1, "gravity": [0, -9.81], "contact": true,
+            "points": {{"position": [[0, 0], [1, 0]]}}, "bonds": [{{"a": 0, "b": 1, "kind": "spring", "stiffness": 10}}],
+            "obstacles": [{{"circle": {{"center": [9, 9], "radius": 1}}, "friction": 0.2}}],
+            "bodies": [{{"make": "rope", "count": 3, "spacing": 0.5, "origin": [0, 3]}},
+                {{"make": "lattice", "columns": 3, "rows": 2, "spacing": 0.5, "origin": [3, 0],
+                "material": {{"kind": "spring", "stiffness": 300, "mass": 6}},
+                "repeat": {{"count": [2, 1], "step": [3, 0]}}}}], "parameters": [{parameters}]}}"#
+        );
+        let scene = Scene::parse(&text, "x.json").map_err(|error| error.to_string())?;
+        scene.check().map_err(|error| error.to_string()).map(|()| scene)
+    }
+
+    #[test]
+    fn what_a_slider_cannot_set_is_refused_with_the_reason() {
+        for (parameter, reason) in [
+            (r#"{"path": "gravity[1]", "min": 2, "max": 2}"#, "max: is 2.0 beside a `min` of 2.0"),
+            (r#"{"path": "gravity[1]", "min": -5, "max": 0}"#, "min: leaves out -9.81, with which the scene begins"),
+            (r#"{"path": "bonds[0].stiffness", "min": 0, "max": 5}"#, "max: leaves out 10.0"),
+            (
+                r#"{"path": "gravity[1]", "min": -10, "max": 0}, {"path": "gravity[1]", "min": -20, "max": 0}"#,
+                "parameters[1].path: sets what `parameters[0]` does",
+            ),
+            (r#"{"path": "method.tolerance", "min": 0.1, "max": 1}"#, "cannot change while a scene runs"),
+            (r#"{"path": "colour", "min": 0, "max": 1}"#, "`colour` is no number that sliders set"),
+            (r#"{"path": "contact", "min": 0, "max": 0.5}"#, "is on or off"),
+            (r#"{"path": "obstacles[1].friction", "min": 0, "max": 1}"#, "names obstacle 1, and there are 1"),
+            (r#"{"path": "bodies[2].material.mass", "min": 1, "max": 9}"#, "names body 2, and there are 2"),
+            (r#"{"path": "bodies[0].material.stiffness", "min": 0, "max": 9}"#, "whose material gives no `stiffness`"),
+            (r#"{"path": "bodies[1].material.mass", "min": 0, "max": 9}"#, "min: is 0.0"),
+        ] {
+            let line = read(parameter).unwrap_err();
+            assert!(line.contains(reason), "{parameter}: {line}");
+        }
+    }
+
+    #[test]
+    fn a_body_has_its_own_points_and_bonds() {
+        let scene = read(
+            r#"{"path": "bodies[1].material.stiffness", "min": 1, "max": 900},
+            {"path": "bodies[1].material.mass", "min": 1, "max": 9}, {"path": "obstacles[0].friction", "min": 0, "max": 1}"#,
+        )
+        .unwrap();
+        let named = scene.named_parameters();
+        let Target::Body(1, OfBody::Stiffness, part) = &named[0].target else { panic!("{named:?}") };
+        let model = scene.model::<2>().unwrap();
+        assert_eq!(part.points, 5..17, "two explicit points, a rope of three, twice six");
+        assert_eq!(part.bonds.end as usize, model.bonds.len());
+        let bonds: Vec<_> = model.bonds.iter().collect();
+        assert!(part.bonds.clone().all(|bond| part.points.contains(&bonds[bond as usize].a.0)));
+        assert!((part.masses[..6].iter().sum::<f64>() - 1.0).abs() < 1e-12, "{:?}", part.masses);
+        assert_eq!(part.shares.len(), part.bonds.len());
     }
 }

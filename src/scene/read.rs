@@ -108,6 +108,7 @@ impl Scene {
             });
         }
         let mut scene: Scene = serde_json::from_str(text).map_err(|error| explain(&error, text, label))?;
+        scene.tidy();
         scene.source = Source::new(label, text);
         // The text at hand says the line even where it is too long to be kept.
         super::check::check(&scene).map_err(|fault| fault.into_error(label, Some(text)))?;

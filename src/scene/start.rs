@@ -45,10 +45,14 @@ impl PlacedBody {
         self.copies as usize * self.links.len()
     }
 
+    /// Its points, counted over the scene.
+    pub(super) fn points(&self) -> std::ops::Range<u32> {
+        self.first..self.first + self.copies * self.each
+    }
+
     /// What its skin is made of, where it says so, with its points, counted over the scene.
     pub(super) fn skin(&self) -> Option<(SkinMaterial, std::ops::Range<u32>)> {
-        let points = self.first..self.first + self.copies * self.each;
-        (self.skin != SkinMaterial::default()).then_some((self.skin, points))
+        (self.skin != SkinMaterial::default()).then_some((self.skin, self.points()))
     }
 
     /// How a bond of it resists.
@@ -151,7 +155,11 @@ impl Start {
                 spin: keys.spin.unwrap_or(0.0),
             };
             let start = self.position.len() as u32;
-            let (position, velocity) = placement.place(&body);
+            let (position, mut velocity) = placement.place(&body);
+            if keys.pinned.len() < position.len() {
+                // What turns about its pins, or tears at them, is thrown without them.
+                keys.pinned.iter().for_each(|&pin| velocity[pin as usize] = [0.0; 3]);
+            }
             self.position.extend(position);
             self.velocity.extend(velocity);
             self.mass.extend(&mass);

@@ -329,6 +329,9 @@ pub struct Applied {
     pub angles: Range<u32>,
 }
 
+/// Why a grab fails where all that is in reach is a pin, or as taut between pins as rigid bonds are.
+pub const HELD: &str = "what is in reach is held by pins: `unpin` lets one go";
+
 /// A command that cannot be done where it stands: the world is whole, as it was before.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 pub enum CommandError {

@@ -143,6 +143,9 @@ pub trait Dynamics: Send {
     }
     /// The same by kind `[J]`: angles' and areas' energy is among the springs'.
     fn energies(&self) -> Energies;
+    /// The force by which a rigid bond, by its place among [`Dynamics::bonds`], pulls its ends together `[N]`, below 0 where it pushes;
+    /// `None` where it is no rigid bond or the state does not tell: see docs/window.md.
+    fn tension(&self, place: usize) -> Option<f64>;
     /// Velocity of a point `[m/s]`; 0 of one that is gone.
     fn velocity(&self, point: PointId) -> [f64; 3];
     /// Work done so far.

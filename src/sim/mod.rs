@@ -50,7 +50,7 @@ pub use bond::{Bond, BondId, BondKind, Limit, PointId};
 pub use bonds::Bonds;
 pub use build::build;
 pub use command::{
-    Addition, AngleChange, Applied, BondChange, BoundsChange, Change, Command, CommandError, Kind, Knots, Motion,
+    Addition, AngleChange, Applied, BondChange, BoundsChange, Change, Command, CommandError, HELD, Kind, Knots, Motion,
     MouseChange, Obstacle, Reach, SceneChange, Selection, Values,
 };
 pub use contact::bounds::Bounds;

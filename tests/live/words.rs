@@ -42,6 +42,22 @@ fn bodies_that_start_in_each_other_and_friction_that_cannot_be_are_told() {
 }
 
 #[test]
+fn the_velocity_of_a_pinned_point_is_not_dropped_in_silence() {
+    let warnings = |pinned: &[u32], body: serde_json::Value| {
+        let scene = json!({"wobble": 1, "bodies": body, "points": {"position": [[5, 0], [6, 0], [7, 0]],
+            "velocity": [[1, 0], [0, 2], [0, 0]], "pinned": pinned}});
+        world(&scene).warnings().to_vec()
+    };
+    let told = "is pinned: the velocity at the start is left out: unpin, or lead by `pin_motion`";
+    assert_eq!(warnings(&[1, 2], json!([])), [format!("point 1 {told}")]);
+    assert!(warnings(&[2], json!([])).is_empty());
+    let rope =
+        |pinned: &[u32]| json!([{"make": "rope", "count": 3, "to": [0, -1], "velocity": [1, 0], "pinned": pinned}]);
+    assert!(warnings(&[2], rope(&[0])).is_empty(), "what hangs is thrown without its pin");
+    assert_eq!(warnings(&[2], rope(&[0, 1, 2]))[0], format!("points 3, 4 and 5 {}", told.replacen("is", "are", 1)));
+}
+
+#[test]
 fn what_starts_across_itself_or_another_is_told() {
     let warnings = |[positions, bonds, bodies, contact]: [serde_json::Value; 4]| {
         let scene = json!({"wobble": 1, "contact": contact, "points": {"position": positions}, "bonds": bonds, "bodies": bodies});

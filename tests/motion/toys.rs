@@ -2,6 +2,7 @@
 
 use std::f64::consts::PI;
 
+use serde_json::json;
 use wobble::scene::{AngleKeys, Scene};
 use wobble::sim::{Command, Cursor, Dynamics, Key, PointId, Reach, Sample};
 
@@ -171,4 +172,33 @@ fn press(world: &mut dyn Dynamics, name: &str, down: bool) {
 /// Middle of all points [m].
 fn middle(sample: &Sample) -> [f64; 2] {
     [0, 1].map(|axis| sample.position.iter().map(|x| x[axis]).sum::<f64>() / sample.position.len() as f64)
+}
+
+/// A weight on a rod pulls at it by m (g cos + l w^2); the upper one of two rods carries both weights.
+#[test]
+fn the_force_in_a_rod_is_that_of_the_weight_on_it_and_of_its_swing() {
+    let scene = |solver: &str| {
+        json!({"wobble": 1, "gravity": [0, -10], "points": {"position": [[0, 0], [2, 0], [9, 0], [9, -1], [9, -2]],
+            "mass": [1, 3, 1, 2, 5], "pinned": [0, 2]}, "method": {"solver": solver},
+            "bonds": [{"a": 0, "b": 1}, {"a": 2, "b": 3}, {"a": 3, "b": 4}]})
+    };
+    for solver in ["auto", "rk4", "verlet", "implicit-midpoint"] {
+        let scene = Scene::parse(&scene(solver).to_string(), "x.json").unwrap();
+        let mut world = scene.world(None).unwrap();
+        while world.time() < 0.4 {
+            world.step();
+        }
+        let x = world.positions();
+        let v = world.velocity(PointId(1));
+        let (x, y) = (x.get(2), x.get(3));
+        let wanted = 3.0 * (10.0 * -y / 2.0 + (v[0] * v[0] + v[1] * v[1]) / 2.0);
+        let found = world.tension(0).unwrap();
+        assert!((found - wanted).abs() < 1e-3 * wanted, "{solver}: {found} N for {wanted} N at {x} {y}");
+        let hung = [1, 2].map(|bond| world.tension(bond).unwrap());
+        assert!((hung[0] - 70.0).abs() < 1e-3 && (hung[1] - 50.0).abs() < 1e-3, "{solver}: {hung:?}");
+    }
+    let square = json!({"wobble": 1, "gravity": [0, -10], "points": {"position": [[0, 0], [1, 0], [1, 1], [0, 1]]},
+        "bonds": [{"a": 0, "b": 1}, {"a": 1, "b": 2}, {"a": 2, "b": 3}, {"a": 3, "b": 0}, {"a": 0, "b": 2}, {"a": 1, "b": 3}]});
+    let square = Scene::parse(&square.to_string(), "x.json").unwrap().world(None).unwrap();
+    assert_eq!(square.tension(0), None, "with both diagonals no state tells who bears what");
 }

@@ -706,7 +706,7 @@ fn parameters_of_sliders() {
     let spring = "\"bonds\": [{\"a\": 0, \"b\": 1, \"kind\": \"spring\", \"stiffness\": 5}, {\"a\": 0, \"b\": 1}], ";
     let row = |path: &str, rest: &str| format!("{spring}\"parameters\": [{{\"path\": \"{path}\", {rest}}}]");
     for path in ["gravity[1]", "drag_rate", "bonds[0].stiffness", "bonds[0-0].damping", "bonds[0-1].rest"] {
-        assert!(Scene::parse(&plane(&row(path, "\"min\": 0, \"max\": 1")), "x.json").is_ok(), "{path}");
+        assert!(Scene::parse(&plane(&row(path, "\"min\": 0, \"max\": 9")), "x.json").is_ok(), "{path}");
     }
     for (path, rest, words) in [
         ("points[0]", "\"min\": 0, \"max\": 1", "parameters[0].path: `points[0]` is no number that sliders set: give"),

@@ -3,7 +3,7 @@
 use wobble::scene::{Scene, gallery};
 
 /// Every key of the specification, in the plane; what this version cannot run too.
-const PLANE: &str = r#"{ "wobble": 1, "name": "all \"keys\"\n", "tags": ["a", "b"], "dimensions": 2,
+const PLANE: &str = r#"{ "wobble": 1, "name": "all \"keys\" é", "tags": ["a", "b"], "dimensions": 2,
   "points": { "position": [[0.1,-0.0],[1e-300,1.7976931348623157e308],[2,2]], "velocity": [[0,1],[2,3],[4,5]],
     "mass": [0.1,0.30000000000000004,3], "pinned": [2,0] },
   "bonds": [ { "a": 0, "b": 1 }, { "a": 1, "b": 0, "kind": "rigid", "rest": 0, "compliance": 0.1, "limit": "min" },

@@ -172,6 +172,11 @@ impl Painting {
         self.is_down || self.mask.can_undo() || self.mask.can_redo()
     }
 
+    /// Whether there is no ink on it.
+    pub(super) fn is_empty(&self) -> bool {
+        self.mask.coverage().iter().all(|&ink| ink == 0)
+    }
+
     fn undo(&mut self) {
         self.is_down = false;
         self.mask.undo();

@@ -7,6 +7,7 @@ use egui::Color32;
 use super::worker::Forecast;
 use super::{Answer, Import, preview, wishes};
 use crate::app::loading;
+use crate::app::panels::sheet;
 use crate::scene::Matter;
 
 /// What takes less time than this is not worth a bar; and the time between two looks at it.
@@ -26,7 +27,6 @@ const MARGINS: f32 = 48.0;
 /// Shows the panel. What is changed in it is changed in the import's wish.
 pub(super) fn show(import: &mut Import, context: &egui::Context, can_add: bool) -> Option<Answer> {
     let mut answer = None;
-    let mut is_open = true;
     let title = match (&import.painting, import.body) {
         (Some(_), _) => "Draw a body".to_owned(),
         (None, Some(_)) => format!("The picture in {}", import.name),
@@ -34,35 +34,29 @@ pub(super) fn show(import: &mut Import, context: &egui::Context, can_add: bool) 
     };
     let room = context.content_rect().size();
     let is_wide = room.x >= WIDE;
-    egui::Window::new(title)
-        .id(egui::Id::unique("import"))
-        .open(&mut is_open)
-        .collapsible(false)
-        .resizable(false)
-        .anchor(egui::Align2::CENTER_CENTER, [0.0, 0.0])
-        .show(context, |ui| {
-            if let Some(painting) = &mut import.painting {
-                painting.keys(ui.ctx());
+    let stays = sheet(context, "import", title, |ui| {
+        if let Some(painting) = &mut import.painting {
+            painting.keys(ui.ctx());
+        }
+        let tall = (room.y - BESIDE).max(LEAST_TALL);
+        let broad = room.x - MARGINS;
+        let place = egui::ScrollArea::both().max_height(tall).max_width(broad);
+        place.min_scrolled_height(tall).min_scrolled_width(broad).show(ui, |ui| {
+            ui.set_max_width(broad);
+            if is_wide {
+                ui.horizontal_top(|ui| {
+                    ui.vertical(|ui| picture(ui, import, preview::LARGEST.min(tall - TOOLS)));
+                    ui.vertical(|ui| sliders(ui, import));
+                });
+            } else {
+                picture(ui, import, preview::LARGEST.min(broad));
+                sliders(ui, import);
             }
-            let tall = (room.y - BESIDE).max(LEAST_TALL);
-            let broad = room.x - MARGINS;
-            let place = egui::ScrollArea::both().max_height(tall).max_width(broad);
-            place.min_scrolled_height(tall).min_scrolled_width(broad).show(ui, |ui| {
-                ui.set_max_width(broad);
-                if is_wide {
-                    ui.horizontal_top(|ui| {
-                        ui.vertical(|ui| picture(ui, import, preview::LARGEST.min(tall - TOOLS)));
-                        ui.vertical(|ui| sliders(ui, import));
-                    });
-                } else {
-                    picture(ui, import, preview::LARGEST.min(broad));
-                    sliders(ui, import);
-                }
-            });
-            ui.separator();
-            answer = buttons(ui, import, can_add);
         });
-    if is_open { answer } else { Some(Answer::Cancel) }
+        ui.separator();
+        answer = buttons(ui, import, can_add);
+    });
+    if stays { answer } else { Some(Answer::Cancel) }
 }
 
 /// The picture with its mesh, at most so large `[points]`; the tools over it, if it is painted.

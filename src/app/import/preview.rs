@@ -14,6 +14,9 @@ const MOST_SHOWN: usize = 15_000;
 /// Longest side of the picture as it is shown `[px]`.
 const SHOWN_SIDE: u32 = 1024;
 
+/// Said on an empty canvas.
+const TO_DRAW: &str = "Draw a body here: press and drag.\n\nWhat you paint becomes soft.\nFill makes a closed outline solid.\nThen press a button below.";
+
 /// Shows both, in a square of this side `[points]`.
 pub(super) fn show(ui: &mut egui::Ui, import: &mut Import, side: f32) {
     let size = Vec2::new(import.picture.width as f32, import.picture.height as f32);
@@ -34,6 +37,10 @@ pub(super) fn show(ui: &mut egui::Ui, import: &mut Import, side: f32) {
     painter.rect_filled(place, 0.0, Color32::from_gray(60));
     painter.image(texture, place, Rect::from_min_max(Pos2::ZERO, Pos2::new(1.0, 1.0)), Color32::from_gray(150));
     if let Some(painting) = &import.painting {
+        if !painting.has_work() && painting.is_empty() {
+            let font = egui::FontId::proportional(15.0);
+            painter.text(place.center(), egui::Align2::CENTER_CENTER, TO_DRAW, font, Color32::from_gray(225));
+        }
         painting.outline(&painter, &response, place);
     }
     if let Some(Ok(forecast)) = &import.forecast {

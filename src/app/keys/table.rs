@@ -121,7 +121,7 @@ pub static TABLE: &[Binding] = &[
 ];
 
 /// What the mouse does, in the same form.
-pub fn by_mouse() -> [[&'static str; 2]; 8] {
+pub fn by_mouse() -> [[&'static str; 2]; 9] {
     [
         ["left button on a body, or with one in the circle", "grab it; let go and it flies"],
         ["left button on a pin", "lead it elsewhere"],
@@ -131,5 +131,6 @@ pub fn by_mouse() -> [[&'static str; 2]; 8] {
         ["select: drag the knob above", "turn it; with Shift in steps of 15°"],
         ["right or middle drag", "pan; in space the right button orbits"],
         ["wheel", "zoom at the cursor"],
+        ["wheel while a rope is drawn", "more or less slack"],
     ]
 }

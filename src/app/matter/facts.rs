@@ -52,6 +52,8 @@ pub struct Matter {
     pub(in crate::app) points: usize,
     pub(in crate::app) bonds: usize,
     pub(in crate::app) obstacles: usize,
+    /// What bonds hold together counts as one, a loose point too.
+    pub(in crate::app) bodies: usize,
     /// Of its points `[kg]`.
     pub(in crate::app) mass: f64,
     /// What its triangles cover `[m^2]`.
@@ -106,6 +108,7 @@ impl Matter {
             points: points.len(),
             bonds: bonds.len(),
             obstacles: solids.len(),
+            bodies: bodies(&points, &bonds),
             mass: points.iter().map(|point| world.masses()[point.index()]).sum(),
             area: areas(world, &points).iter().map(|(_, area)| area).sum(),
             kinds: [
@@ -127,6 +130,26 @@ impl Matter {
     pub(in crate::app) fn density(&self) -> Option<f64> {
         (self.area > 0.0).then(|| self.mass / self.area)
     }
+}
+
+/// How many parts points are in that bonds hold together.
+fn bodies(points: &[PointId], bonds: &[(u32, Bond)]) -> usize {
+    let place = |point: PointId| points.binary_search(&point).ok();
+    let mut parent: Vec<usize> = (0..points.len()).collect();
+    let root = |parent: &mut Vec<usize>, mut at: usize| {
+        while parent[at] != at {
+            parent[at] = parent[parent[at]];
+            at = parent[at];
+        }
+        at
+    };
+    let mut count = points.len();
+    for (a, b) in bonds.iter().filter_map(|(_, bond)| Some((place(bond.a)?, place(bond.b)?))) {
+        let (a, b) = (root(&mut parent, a), root(&mut parent, b));
+        count -= usize::from(a != b);
+        parent[a.max(b)] = a.min(b);
+    }
+    count
 }
 
 fn coloring(tints: &[Tint], points: &[PointId]) -> Coloring {

@@ -1,5 +1,7 @@
 //! What is said above worlds that lie side by side, and the menu that puts them there.
 
+use std::sync::Arc;
+
 use egui::{Align2, Area, Id, RichText, Ui, pos2};
 
 use super::theme::{TEXT, floating};
@@ -10,6 +12,20 @@ use crate::scene::{BesideKeys, MOST_BESIDE, SolverName};
 const ROOM: f32 = 8.0;
 /// Where titles are at most, from above `[points]`: below the buttons, in windows where these take several rows too.
 const LEAST: f32 = 60.0;
+
+/// Heights of titles, and of the legend that the last one has `[points]`.
+const TITLE: f32 = 50.0;
+const LEGEND: f32 = 52.0;
+
+/// How much of each part of the window its title takes from above `[points]`.
+pub(super) fn height(facts: &Facts) -> f32 {
+    let is_row = facts.neighbors.first().is_some_and(|first| !first.is_column);
+    match (is_row, facts.tints_distance) {
+        (false, _) => 0.0,
+        (true, false) => TITLE,
+        (true, true) => TITLE + LEGEND,
+    }
+}
 
 /// A world beside others, as it is called.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -26,12 +42,17 @@ pub(in crate::app) struct Neighbor {
 pub(super) fn titles(context: &egui::Context, facts: &Facts, has_caption: bool) {
     let lies = |name: &str| context.memory(|memory| memory.area_rect(Id::unique(name))).map_or(0.0, |at| at.bottom());
     let below = lies("scene").max(if has_caption { lies("caption") } else { 0.0 }).max(LEAST) + ROOM;
+    let figures = context.memory(|memory| memory.area_rect(Id::unique("figures")));
     let last = facts.neighbors.len().saturating_sub(1);
     for (place, neighbor) in facts.neighbors.iter().enumerate() {
         let [x, y] = neighbor.at;
         let top = if neighbor.is_column && place > 0 { (y + ROOM).max(below) } else { below };
         let (pivot, x) =
             if neighbor.is_column { (Align2::LEFT_TOP, x + TOOLS + ROOM) } else { (Align2::CENTER_TOP, x) };
+        // What lies in the corner is not covered.
+        let reach = if neighbor.is_column { x + legend::WIDTH } else { x + 0.5 * legend::WIDTH };
+        let lies_below = figures.filter(|figures| figures.left() < reach && figures.bottom() > top);
+        let top = lies_below.map_or(top, |figures| figures.bottom() + ROOM);
         let area = Area::new(Id::unique(("beside", place))).pivot(pivot).fixed_pos(pos2(x, top));
         area.interactable(false).show(context, |ui| {
             floating().show(ui, |ui| {
@@ -48,6 +69,34 @@ pub(super) fn titles(context: &egui::Context, facts: &Facts, has_caption: bool) 
             });
         });
     }
+}
+
+/// Solvers, each with why the scene cannot be run by it, if it cannot.
+pub(in crate::app) type Misfits = Arc<[(SolverName, Option<String>)]>;
+
+/// The solvers that can be asked for: whose loop one `as printed` would be nothing says but a scene.
+pub(in crate::app) fn solvers() -> impl Iterator<Item = SolverName> {
+    let all = SolverName::NAMES.iter().filter_map(|name| name.parse().ok());
+    all.filter(|solver| *solver != SolverName::AsPrinted)
+}
+
+/// Why the scene cannot be run by a solver, if it cannot.
+pub(super) fn why_not(facts: &Facts, solver: SolverName) -> Option<&str> {
+    facts.misfits.iter().find(|(other, _)| *other == solver).and_then(|(_, why)| why.as_deref())
+}
+
+fn is_open(facts: &Facts, solver: SolverName) -> bool {
+    why_not(facts, solver).is_none()
+}
+
+/// A button for a solver, which says why where it can do nothing. Returns whether it was pressed.
+fn choice(ui: &mut Ui, facts: &Facts, solver: SolverName, words: &str) -> bool {
+    let button = ui.add_enabled(is_open(facts, solver), egui::Button::new(words));
+    let pressed = button.clicked();
+    if let Some(why) = why_not(facts, solver) {
+        button.on_disabled_hover_text(format!("not for this scene: {why}"));
+    }
+    pressed
 }
 
 /// The menu of what is put beside the scene, and taken away.
@@ -72,13 +121,13 @@ pub(super) fn menu(ui: &mut Ui, facts: &Facts, wishes: &mut Vec<Wish>) {
             return;
         }
         ui.weak("put the same start beside it, by");
-        if ui.button("a reference: fine steps, 64 bits").clicked() {
+        let reference = if is_open(facts, SolverName::Rk8) { SolverName::Rk8 } else { SolverName::Auto };
+        if choice(ui, facts, reference, "a reference: fine steps, 64 bits") {
             wishes.push(Wish::Beside(None));
         }
-        // Whose loop it would be nothing says but the scene.
-        for name in SolverName::NAMES.iter().filter(|name| **name != SolverName::AsPrinted.name()) {
-            if ui.button(*name).clicked() {
-                wishes.extend(name.parse().ok().map(|solver| Wish::Beside(Some(BesideKeys::by(solver)))));
+        for solver in solvers() {
+            if choice(ui, facts, solver, solver.words()) {
+                wishes.push(Wish::Beside(Some(BesideKeys::by(solver))));
             }
         }
     });

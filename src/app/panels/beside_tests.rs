@@ -58,11 +58,25 @@ fn beside_each_other() -> Facts {
 #[test]
 fn the_menu_puts_worlds_there_and_takes_them_away() {
     let alone = Facts::default();
-    assert_eq!(choose(&alone, ["Beside…", "rk4"]), [Wish::Beside(Some(BesideKeys::by(SolverName::Rk4)))]);
+    assert_eq!(
+        choose(&alone, ["Beside…", "Runge-Kutta, order 4"]),
+        [Wish::Beside(Some(BesideKeys::by(SolverName::Rk4)))]
+    );
     assert_eq!(choose(&alone, ["Beside…", "a reference: fine steps, 64 bits"]), [Wish::Beside(None)]);
     let two = beside_each_other();
     assert_eq!(choose(&two, ["Beside…", "Take away: Verlet"]), [Wish::TakeAway(0)]);
     assert_eq!(choose(&two, ["Beside…", "colour by the distance"]), [Wish::TintDistance(false)]);
+}
+
+#[test]
+fn what_the_scene_refuses_cannot_be_asked_for() {
+    let misfits = [(SolverName::Rk4, Some("a bond is relaxed".to_owned())), (SolverName::Rk2, None)];
+    let facts = Facts { misfits: misfits.into_iter().collect(), ..Facts::default() };
+    assert!(choose(&facts, ["Beside…", "Runge-Kutta, order 4"]).is_empty());
+    assert_eq!(
+        choose(&facts, ["Beside…", "Runge-Kutta, order 2"]),
+        [Wish::Beside(Some(BesideKeys::by(SolverName::Rk2)))]
+    );
 }
 
 #[test]

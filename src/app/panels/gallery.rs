@@ -1,9 +1,9 @@
 //! The gallery: pictures of all scenes, and a search among them.
 
-use egui::{Align2, Key, Label, Rect, RichText, ScrollArea, Sense, TextEdit, Window, vec2};
+use egui::{Key, Label, Rect, RichText, ScrollArea, Sense, TextEdit, vec2};
 
 use super::theme::{ACCENT, TEXT, WEAK};
-use super::{Facts, PanelState, Wish};
+use super::{Facts, PanelState, Wish, sheet};
 use crate::scene::{Entry, gallery};
 
 /// Size of a thumbnail `[points]`.
@@ -12,66 +12,58 @@ pub(in crate::app) const THUMBNAIL: [f32; 2] = [216.0, 135.0];
 const GAP: f32 = 14.0;
 
 pub(super) fn show(context: &egui::Context, room: Rect, state: &mut PanelState, facts: &Facts, wishes: &mut Vec<Wish>) {
-    let mut is_open = true;
     let columns = (((room.width() - 60.0) / (THUMBNAIL[0] + GAP)).floor() as usize).clamp(1, 4);
     let width = columns as f32 * (THUMBNAIL[0] + GAP);
-    Window::new("Gallery")
-        .id(egui::Id::unique("gallery"))
-        .open(&mut is_open)
-        .collapsible(false)
-        .resizable(false)
-        .anchor(Align2::CENTER_CENTER, [0.0, 0.0])
-        .show(context, |ui| {
-            ui.set_width(width);
-            let search = TextEdit::singleline(&mut state.search)
-                .id(search_id())
-                .hint_text("search")
-                .desired_width(f32::INFINITY);
-            let field = ui.add(search);
-            if std::mem::take(&mut state.is_fresh) {
-                field.request_focus();
-            }
-            let found = found(&state.search);
-            if field.changed() {
-                state.chosen = 0;
-            }
-            let is_moved = choose(ui, state, found.len(), columns);
-            if field.lost_focus()
-                && ui.input(|input| input.key_pressed(Key::Enter))
-                && let Some(chosen) = found.get(state.chosen)
-            {
-                wishes.push(Wish::OpenScene(chosen.name));
-            }
-            ui.add_space(4.0);
-            ScrollArea::vertical().max_height((room.height() - 130.0).max(40.0)).auto_shrink([false, true]).show(
-                ui,
-                |ui| {
-                    if state.search.is_empty() {
-                        cut_off(ui, &state.leftovers, wishes);
-                    }
-                    for (number, row) in found.chunks(columns).enumerate() {
-                        ui.horizontal_top(|ui| {
-                            ui.spacing_mut().item_spacing.x = GAP;
-                            for (column, entry) in row.iter().enumerate() {
-                                let is_chosen = number * columns + column == state.chosen;
-                                let card = card(ui, entry, state, (entry.title == facts.title, is_chosen));
-                                if is_chosen && is_moved {
-                                    card.scroll_to_me(None);
-                                }
-                                if card.clicked() {
-                                    wishes.push(Wish::OpenScene(entry.name));
-                                }
+    let stays = sheet::show(context, "gallery", "Gallery", |ui| {
+        ui.set_width(width);
+        let search =
+            TextEdit::singleline(&mut state.search).id(search_id()).hint_text("search").desired_width(f32::INFINITY);
+        let field = ui.add(search);
+        if std::mem::take(&mut state.is_fresh) {
+            field.request_focus();
+        }
+        let found = found(&state.search);
+        if field.changed() {
+            state.chosen = 0;
+        }
+        let is_moved = choose(ui, state, found.len(), columns);
+        if field.lost_focus()
+            && ui.input(|input| input.key_pressed(Key::Enter))
+            && let Some(chosen) = found.get(state.chosen)
+        {
+            wishes.push(Wish::OpenScene(chosen.name));
+        }
+        ui.add_space(4.0);
+        let height = (room.height() - 130.0).max(40.0);
+        ScrollArea::vertical().max_height(height).min_scrolled_height(height).auto_shrink([false, true]).show(
+            ui,
+            |ui| {
+                if state.search.is_empty() {
+                    cut_off(ui, &state.leftovers, wishes);
+                }
+                for (number, row) in found.chunks(columns).enumerate() {
+                    ui.horizontal_top(|ui| {
+                        ui.spacing_mut().item_spacing.x = GAP;
+                        for (column, entry) in row.iter().enumerate() {
+                            let is_chosen = number * columns + column == state.chosen;
+                            let card = card(ui, entry, state, (entry.title == facts.title, is_chosen));
+                            if is_chosen && is_moved {
+                                card.scroll_to_me(None);
                             }
-                        });
-                        ui.add_space(8.0);
-                    }
-                    if found.is_empty() {
-                        ui.weak("no scene is called so");
-                    }
-                },
-            );
-        });
-    if !is_open {
+                            if card.clicked() {
+                                wishes.push(Wish::OpenScene(entry.name));
+                            }
+                        }
+                    });
+                    ui.add_space(8.0);
+                }
+                if found.is_empty() {
+                    ui.weak("no scene is called so");
+                }
+            },
+        );
+    });
+    if !stays {
         state.sheet = None;
     }
 }

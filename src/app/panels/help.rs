@@ -1,33 +1,26 @@
 //! The keys, as the program has them.
 
-use egui::{Align2, Grid, Rect, RichText, ScrollArea, Window};
+use egui::{Grid, Rect, RichText, ScrollArea};
 
-use super::PanelState;
 use super::theme::ACCENT;
+use super::{PanelState, sheet};
 use crate::app::keys::{TABLE, by_mouse};
 
 pub(super) fn show(context: &egui::Context, room: Rect, state: &mut PanelState) {
-    let mut is_open = true;
-    Window::new("Keys")
-        .id(egui::Id::unique("keys"))
-        .open(&mut is_open)
-        .collapsible(false)
-        .resizable(false)
-        .anchor(Align2::CENTER_CENTER, [0.0, 0.0])
-        .show(context, |ui| {
-            let height = (room.height() - 90.0).max(40.0);
-            ScrollArea::vertical().max_height(height).min_scrolled_height(height).show(ui, |ui| {
-                Grid::new("keys").num_columns(2).spacing([22.0, 4.0]).show(ui, |ui| {
-                    let keys = TABLE.iter().map(|binding| [binding.keys, binding.words]);
-                    for [keys, words] in by_mouse().into_iter().chain(keys) {
-                        ui.label(RichText::new(keys).color(ACCENT).monospace());
-                        ui.label(words);
-                        ui.end_row();
-                    }
-                });
+    let stays = sheet::show(context, "keys", "Keys", |ui| {
+        let height = (room.height() - 90.0).max(40.0);
+        ScrollArea::vertical().max_height(height).min_scrolled_height(height).show(ui, |ui| {
+            Grid::new("keys").num_columns(2).spacing([22.0, 4.0]).show(ui, |ui| {
+                let keys = TABLE.iter().map(|binding| [binding.keys, binding.words]);
+                for [keys, words] in by_mouse().into_iter().chain(keys) {
+                    ui.label(RichText::new(keys).color(ACCENT).monospace());
+                    ui.label(words);
+                    ui.end_row();
+                }
             });
         });
-    if !is_open {
+    });
+    if !stays {
         state.sheet = None;
     }
 }

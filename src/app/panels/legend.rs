@@ -67,6 +67,8 @@ pub(super) fn of_distance(ui: &mut Ui, look: &Look) {
 fn of_length(metres: f32) -> String {
     match metres {
         0.0 => "0".to_owned(),
+        tiny if tiny < 9.9e-6 => format!("{:.0e} m", tiny),
+        tiny if tiny < 9.9e-4 => format!("{} µm", digits(1e6 * tiny)),
         small if small < 0.0099 => format!("{} mm", digits(1e3 * small)),
         small if small < 0.99 => format!("{} cm", digits(1e2 * small)),
         large => format!("{} m", digits(large)),

@@ -110,11 +110,15 @@ fn of_nothing(ui: &mut Ui, facts: &Facts, sink: &mut Sink<'_>) {
 fn of_selection(ui: &mut Ui, matter: &Matter, facts: &Facts, sink: &mut Sink<'_>) {
     ui.label(RichText::new(title(matter)).color(TEXT).strong());
     ui.horizontal(|ui| {
-        for (name, words, action) in [
-            ("Copy", "a copy beside it", Action::Duplicate),
-            ("Group", "select it as one from now on", Action::Group),
-            ("Delete", "take it away", Action::Delete),
-        ] {
+        // One body is selected as one anyway.
+        let group = match () {
+            () if facts.is_grouped => Some(("Ungroup", "select each by itself again", Action::Ungroup)),
+            () if matter.bodies > 1 => Some(("Group", "select them as one from now on", Action::Group)),
+            () => None,
+        };
+        let first = [("Copy", "a copy beside it", Action::Duplicate)];
+        for (name, words, action) in first.into_iter().chain(group).chain([("Delete", "take it away", Action::Delete)])
+        {
             if ui.button(name).on_hover_text(described(words, action)).clicked() {
                 sink.act(action);
             }

@@ -85,8 +85,14 @@ fn clicks_ask_for_what_is_written_on_them() {
     assert_eq!(screen.click("Jelly"), preset(Preset::Jelly));
     assert_eq!(screen.click("rigid"), [Wish::Matter(MatterChange::Rigid, false)]);
     assert_eq!(screen.click("springy"), [], "they are springs already");
-    assert_eq!(screen.click("Group"), [Wish::Act(Action::Group)]);
+    assert!(!screen.frame(Vec::new()).1.iter().any(|(text, _)| text == "Group"), "one body is selected as one anyway");
     assert_eq!(screen.click("tears"), [Wish::Matter(MatterChange::Breaks(0.5), false)]);
+    let two = Matter { bodies: 2, ..(*matter()).clone() };
+    assert_eq!(matter().bodies, 1);
+    let mut screen = Screen::new(Some(Arc::new(two)));
+    assert_eq!(screen.click("Group"), [Wish::Act(Action::Group)]);
+    screen.facts.is_grouped = true;
+    assert_eq!(screen.click("Ungroup"), [Wish::Act(Action::Ungroup)]);
     let mut screen = Screen::new(None);
     assert_eq!(screen.click("Free stroke"), [Wish::Lasso(true)]);
 }

@@ -34,6 +34,7 @@ mod save_to;
 mod settings;
 #[cfg(test)]
 mod settings_tests;
+mod sheet;
 pub(super) mod theme;
 mod top;
 mod transport;
@@ -50,7 +51,7 @@ use super::tools::{Brush, Drives};
 use crate::render::{Look, Overlay};
 use crate::scene::{BesideKeys, SolverName};
 use crate::sim::Key;
-pub(super) use beside::Neighbor;
+pub(super) use beside::{Misfits, Neighbor, solvers};
 pub(super) use gallery::{THUMBNAIL, search_id};
 use icons::Icon;
 pub(super) use lessons::{At, Lessons};
@@ -60,8 +61,10 @@ pub(super) use open_from::meant;
 pub(super) use parameters::value as parameter_value;
 use places::Places;
 pub(super) use places::{Laid, covered};
-pub(super) use plots::figure;
+pub(super) use plots::{PlotsAt, figure};
+pub(super) use save_to::SaveTo;
 pub(super) use settings::{Setting, Settings};
+pub(super) use sheet::show as sheet;
 
 /// Room that the tools take at the left edge `[points]`.
 pub(super) const TOOLS: f32 = 66.0;
@@ -147,6 +150,8 @@ pub(super) struct PanelState {
     pub(super) has_settings: bool,
     /// What is plotted; `None`: the panel is closed, and nothing is measured.
     pub(super) plots: Option<Plots>,
+    /// Where their panel lies.
+    pub(super) plots_at: PlotsAt,
     pub(super) lessons: Lessons,
     /// The setting that is being dragged.
     pub(super) gesture: Option<egui::Id>,
@@ -161,6 +166,8 @@ pub(super) struct PanelState {
     pub(super) path: String,
     /// What is said of the name of a file that is to be opened.
     pub(super) open_from: OpenFrom,
+    /// What is said of the name of a file that is to be written.
+    pub(super) save_to: SaveTo,
     /// The sheet has just been opened: what one writes in gets the focus.
     pub(super) is_fresh: bool,
     pub(super) notes: Notes,
@@ -191,6 +198,8 @@ pub(super) struct Facts {
     pub(super) draws_lasso: bool,
     /// What is selected is made of.
     pub(super) matter: Option<Arc<Matter>>,
+    /// Some of it is in a group.
+    pub(super) is_grouped: bool,
     /// The colour that its first body is filled with; `None` where it is not.
     pub(super) drawn_color: Option<[u8; 3]>,
     /// The keys that drives of the scene have, and which of them are held.
@@ -210,10 +219,14 @@ pub(super) struct Facts {
     pub(super) dimensions: usize,
     /// Corners of what of the plane is seen `[m]`.
     pub(super) seen: [[f64; 2]; 2],
+    /// Where points are seen, some of many, while the plots have no place yet `[points]`.
+    pub(super) points: Vec<egui::Pos2>,
     /// The worlds that are side by side; none where there is but one.
     pub(super) neighbors: Vec<Neighbor>,
     /// They are coloured by their distance to the first.
     pub(super) tints_distance: bool,
+    /// Why solvers cannot run the scene, of those that cannot.
+    pub(super) misfits: Misfits,
     pub(super) settings: Settings,
 }
 
@@ -257,7 +270,8 @@ pub(super) fn show(ui: &mut egui::Ui, state: &mut PanelState, facts: &Facts) -> 
         settings::show(&context, places.beside(), state, facts, &mut wishes);
     }
     if let Some(plots) = state.plots.as_mut().filter(|_| has_panels) {
-        plots::show(&context, places.low(), plots, &mut wishes);
+        let points = (&facts.points[..], &mut state.plots_at);
+        plots::show(&context, places.low_beside(all_edge), (plots, points), &mut wishes);
     }
     held::show(&context, places.low(), facts);
     state.notes.show(&context, &places, facts, &mut wishes);
@@ -271,8 +285,9 @@ pub(super) fn show(ui: &mut egui::Ui, state: &mut PanelState, facts: &Facts) -> 
         Some(Sheet::OpenFrom) => open_from::show(&context, state, &mut wishes),
         None => {}
     }
-    let free = (!is_covered).then(|| if has_panels { places.free(all_edge) } else { room });
-    (wishes, Laid { height: room.height(), free })
+    let free = (!is_covered).then(|| if has_panels { places.free(all_edge, beside::height(facts)) } else { room });
+    let is_shared = !facts.neighbors.is_empty() && has_panels;
+    (wishes, Laid { size: places.size(all_edge, is_shared), corner: places.corner(&context), free })
 }
 
 /// A time that something takes `[s]`, short: from a second on in seconds.

@@ -2,10 +2,10 @@
 
 use std::path::{Path, PathBuf};
 
-use egui::{Align2, Button, Key, Label, RichText, ScrollArea, TextEdit, Window};
+use egui::{Button, Key, Label, RichText, ScrollArea, TextEdit};
 
 use super::theme::{ACCENT, AWAY, ON_ACCENT, WEAK};
-use super::{PanelState, Wish};
+use super::{PanelState, Wish, sheet};
 use crate::app::fetch::ENDINGS;
 
 /// So many files are listed at most.
@@ -23,54 +23,47 @@ pub(in crate::app) struct OpenFrom {
 }
 
 pub(super) fn show(context: &egui::Context, state: &mut PanelState, wishes: &mut Vec<Wish>) {
-    let mut is_open = true;
-    Window::new("Open")
-        .id(egui::Id::unique("open from"))
-        .open(&mut is_open)
-        .collapsible(false)
-        .resizable(false)
-        .anchor(Align2::CENTER_CENTER, [0.0, 0.0])
-        .show(context, |ui| {
-            ui.set_width(460.0);
-            // Tab completes: it leads nowhere else here.
-            let completes = ui.input_mut(|input| input.consume_key(egui::Modifiers::NONE, Key::Tab));
-            let hint = "the path of a scene, a recording or a picture";
-            let field = TextEdit::singleline(&mut state.path)
-                .id(field_id())
-                .hint_text(hint)
-                .desired_width(f32::INFINITY)
-                .lock_focus(true);
-            let mut field = field.show(ui);
-            if std::mem::take(&mut state.is_fresh) {
-                field.response.request_focus();
+    let stays = sheet::show(context, "open from", "Open", |ui| {
+        ui.set_width(460.0);
+        // Tab completes: it leads nowhere else here.
+        let completes = ui.input_mut(|input| input.consume_key(egui::Modifiers::NONE, Key::Tab));
+        let hint = "the path of a scene, a recording or a picture";
+        let field = TextEdit::singleline(&mut state.path)
+            .id(field_id())
+            .hint_text(hint)
+            .desired_width(f32::INFINITY)
+            .lock_focus(true);
+        let mut field = field.show(ui);
+        if std::mem::take(&mut state.is_fresh) {
+            field.response.request_focus();
+        }
+        if field.response.changed() {
+            state.open_from.fault = None;
+        }
+        let names = names(&mut state.open_from, &state.path);
+        if completes && let Some(more) = completed(&state.path, &names) {
+            state.path = more;
+            to_end(ui, &mut field.state, &state.path);
+            field.response.request_focus();
+        }
+        list(ui, &names, state);
+        if let Some(fault) = &state.open_from.fault {
+            ui.add(Label::new(RichText::new(fault).color(AWAY)).wrap());
+        }
+        ui.horizontal(|ui| {
+            let open = Button::new(RichText::new("Open").color(ON_ACCENT)).fill(ACCENT);
+            let is_entered = field.response.lost_focus() && ui.input(|input| input.key_pressed(Key::Enter));
+            let has_name = !state.path.trim().is_empty();
+            if (ui.add_enabled(has_name, open).clicked() || is_entered) && has_name {
+                wishes.push(Wish::OpenFile(state.path.trim().to_owned()));
             }
-            if field.response.changed() {
-                state.open_from.fault = None;
+            if ui.button("Cancel").clicked() {
+                state.sheet = None;
             }
-            let names = names(&mut state.open_from, &state.path);
-            if completes && let Some(more) = completed(&state.path, &names) {
-                state.path = more;
-                to_end(ui, &mut field.state, &state.path);
-                field.response.request_focus();
-            }
-            list(ui, &names, state);
-            if let Some(fault) = &state.open_from.fault {
-                ui.add(Label::new(RichText::new(fault).color(AWAY)).wrap());
-            }
-            ui.horizontal(|ui| {
-                let open = Button::new(RichText::new("Open").color(ON_ACCENT)).fill(ACCENT);
-                let is_entered = field.response.lost_focus() && ui.input(|input| input.key_pressed(Key::Enter));
-                let has_name = !state.path.trim().is_empty();
-                if (ui.add_enabled(has_name, open).clicked() || is_entered) && has_name {
-                    wishes.push(Wish::OpenFile(state.path.trim().to_owned()));
-                }
-                if ui.button("Cancel").clicked() {
-                    state.sheet = None;
-                }
-                ui.weak("Tab completes; a file can be dropped on the window too");
-            });
+            ui.weak("Tab completes; a file can be dropped on the window too");
         });
-    if !is_open {
+    });
+    if !stays {
         state.sheet = None;
     }
 }

@@ -5,13 +5,13 @@ use egui::{Response, Slider, SliderClamping, Ui};
 use super::settings::Sink;
 use crate::app::player::Scenery;
 use crate::history::{Do, OneOrEach, SetKeys, Walls, Weather};
-use crate::scene::{BoundsKeys, ContactKeys, Meeting, Parameter, Target, Vector, WindKeys};
-use crate::sim::{BondKind, MouseChange, SceneChange};
+use crate::scene::{BodyPart, BoundsKeys, ContactKeys, Meeting, OfBody, Parameter, Target, Vector, WindKeys};
+use crate::sim::{BondKind, Contact, MouseChange, SceneChange};
 
 /// A range whose ends are so far apart is gone through by factors `[1]`.
 const WIDE: f64 = 50.0;
 
-/// The number that a parameter is now; `None` where what it is of has gone.
+/// The number that a parameter is now; `None` where what it is of has gone, and of bodies and obstacles, which the world itself is asked for.
 pub(in crate::app) fn value(
     target: &Target,
     scene: &SceneChange,
@@ -45,6 +45,9 @@ pub(in crate::app) fn value(
         Target::Stiffness(numbers) => numbers.clone().find_map(spring).map(|[stiffness, _]| stiffness),
         Target::Damping(numbers) => numbers.clone().find_map(spring).map(|[_, damping]| damping),
         Target::Rest(numbers) => numbers.clone().find_map(bond).map(|bond| bond.rest_length),
+        Target::Meets => scene.contact.map(|contact| f64::from(u8::from(contact.is_some()))),
+        Target::ContactRadius => scene.contact??.radius,
+        Target::ObstacleFriction(_) | Target::ObstacleRestitution(_) | Target::Body(..) => None,
     }
 }
 
@@ -53,6 +56,14 @@ pub(super) fn show(ui: &mut Ui, list: &[(Parameter, Option<f64>)], scene: &Scene
     ui.strong("This scene");
     for (parameter, value) in list {
         let Some(mut to) = *value else { continue };
+        if parameter.target == Target::Meets {
+            let mut meets = to > 0.0;
+            let by = ui.checkbox(&mut meets, &parameter.label);
+            if by.changed() {
+                set(&by, &parameter.target, f64::from(u8::from(meets)), scene, sink);
+            }
+            continue;
+        }
         let [least, most] = [*parameter.range.start(), *parameter.range.end()];
         let label = ui.label(&parameter.label);
         ui.spacing_mut().slider_width = 130.0;
@@ -107,12 +118,29 @@ fn set(by: &Response, target: &Target, to: f64, scene: &SceneChange, sink: &mut 
             };
             Do::Set(Box::new(SetKeys { bounds: Some(Walls::These(keys)), ..nothing() }))
         }
-        Target::Friction | Target::Restitution => {
-            let Some(Some(contact)) = scene.contact else { return };
-            let is_friction = *target == Target::Friction;
+        Target::Meets => {
+            let keys = SetKeys { contact: Some(Meeting::Is(to > 0.0)), ..nothing() };
+            Do::Set(Box::new(keys))
+        }
+        Target::ObstacleFriction(numbers) => {
+            let obstacles = Some(numbers.clone().collect());
+            Do::Set(Box::new(SetKeys { obstacles, friction: Some(to), ..nothing() }))
+        }
+        Target::ObstacleRestitution(numbers) => {
+            let obstacles = Some(numbers.clone().collect());
+            Do::Set(Box::new(SetKeys { obstacles, restitution: Some(to), ..nothing() }))
+        }
+        Target::Body(_, of, part) => Do::Set(Box::new(set_body(*of, part, to))),
+        Target::Friction | Target::Restitution | Target::ContactRadius => {
+            let Some(Some(before)) = scene.contact else { return };
+            let contact = match target {
+                Target::Friction => Contact { friction: to, ..before },
+                Target::Restitution => Contact { restitution: to, ..before },
+                _ => Contact { radius: Some(to), ..before },
+            };
             let keys = ContactKeys {
-                friction: Some(if is_friction { to } else { contact.friction }),
-                restitution: Some(if is_friction { contact.restitution } else { to }),
+                friction: Some(contact.friction),
+                restitution: Some(contact.restitution),
                 radius: contact.radius,
                 with_itself: Some(contact.with_itself),
                 bodies: Some(contact.with_others),
@@ -126,4 +154,19 @@ fn set(by: &Response, target: &Target, to: f64, scene: &SceneChange, sink: &mut 
         Target::Rest(numbers) => bonds(numbers, SetKeys { rest: one, ..nothing() }),
     };
     sink.set(by, "parameter", act);
+}
+
+/// The keys that set a number of a body.
+fn set_body(of: OfBody, part: &BodyPart, to: f64) -> SetKeys {
+    let points = Some(part.points.clone().collect());
+    let bonds = Some(part.bonds.clone().collect());
+    let each = |shares: &[f64]| Some(OneOrEach::Each(shares.iter().map(|share| share * to).collect()));
+    let nothing = SetKeys::default();
+    match of {
+        OfBody::Stiffness => SetKeys { bonds, stiffness: each(&part.shares), ..nothing },
+        OfBody::Damping => SetKeys { bonds, damping: each(&part.shares), ..nothing },
+        OfBody::Mass => SetKeys { points, mass: each(&part.masses), ..nothing },
+        OfBody::Friction => SetKeys { points, friction: Some(to), ..nothing },
+        OfBody::Restitution => SetKeys { points, restitution: Some(to), ..nothing },
+    }
 }

@@ -1,6 +1,6 @@
 //! Where panels lie, so that none lies over another, and what they leave to bodies and to numbers of the grid.
 
-use egui::{Context, Order, Rect, pos2};
+use egui::{Context, LayerId, Order, Rect, pos2};
 
 use super::{GAP, TOOLS};
 
@@ -13,6 +13,8 @@ const EDGE: f32 = 10.0;
 const SAID: f32 = 58.0;
 /// From the tools to the numbers beside them `[points]`.
 const BESIDE_TOOLS: f32 = TOOLS + 44.0;
+/// What begins nearer than this to the left edge lies below what stands beside the tools `[points]`.
+const NEAR: f32 = 320.0;
 /// Widest line of what is said `[points]`.
 const WIDEST: f32 = 640.0;
 /// Bodies are not shown in less than this share of the width `[1]`.
@@ -21,8 +23,10 @@ const LEAST: f32 = 0.4;
 /// What the panels leave.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(in crate::app) struct Laid {
-    /// Height of the world, above the bar below `[points]`.
-    pub(in crate::app) height: f32,
+    /// Width and height of the world, above the bar below `[points]`: worlds side by side end where a panel at the edge begins.
+    pub(in crate::app) size: [f32; 2],
+    /// What lies in the upper right corner, its left lower corner `[points]`.
+    pub(in crate::app) corner: Option<egui::Pos2>,
     /// Where nothing lies over it for long `[points]`; `None`: a sheet lies over all of it for now.
     pub(in crate::app) free: Option<Rect>,
 }
@@ -81,9 +85,17 @@ impl Places {
 
     /// The room beside the tools: between the buttons and plots, if some lie there.
     pub(super) fn beside_tools(&self, plots: Option<Rect>) -> Rect {
-        let low = plots.map_or(self.below, |plots| plots.top() - APART);
+        let low = plots
+            .filter(|plots| plots.left() < self.room.left() + NEAR)
+            .map_or(self.below, |plots| plots.top() - APART);
         let high = self.bar_bottom();
         Rect::from_min_max(pos2(self.room.left(), high), pos2(self.room.right(), low.max(high + 160.0)))
+    }
+
+    /// The same, left of what takes so much of the right edge.
+    pub(super) fn low_beside(&self, at_right: f32) -> Rect {
+        let low = self.low();
+        low.with_max_x((low.right() - at_right).max(low.left() + LEAST * low.width()))
     }
 
     /// The room above what lies at the lower edge.
@@ -91,14 +103,35 @@ impl Places {
         self.room.with_max_y(self.below)
     }
 
-    /// Where bodies are shown, beside panels that take so much of the right edge.
-    pub(super) fn free(&self, at_right: f32) -> Rect {
+    /// Where bodies are shown, beside panels that take so much of the right edge, and below titles so high.
+    pub(super) fn free(&self, at_right: f32, titles: f32) -> Rect {
         let (left, right) = (self.room.left() + TOOLS + EDGE, self.room.right() - EDGE);
         let at_right = if at_right > 0.0 { at_right + EDGE } else { 0.0 };
         let right = (right - at_right).max(left + LEAST * (right - left));
-        let top = (self.bar_bottom() + SAID).min(self.room.center().y);
+        let top = (self.bar_bottom() + SAID + titles).min(self.room.center().y);
         let below = if self.below < self.room.bottom() - NUMBERS { self.below - APART } else { self.below };
         Rect::from_min_max(pos2(left, top), pos2(right, below.max(top + 40.0)))
+    }
+
+    /// The size of the world: of several side by side, beside what takes so much of the right edge, above what lies at the lower one.
+    pub(super) fn size(&self, at_right: f32, is_shared: bool) -> [f32; 2] {
+        let [width, height] = [self.room.width(), self.room.height()];
+        if !is_shared {
+            return [width, height];
+        }
+        let has_panel = self.below < self.room.bottom() - NUMBERS;
+        let high = if has_panel { self.below - APART - self.room.top() } else { height };
+        [(width - at_right).max(LEAST * width), high.max(LEAST * height)]
+    }
+
+    /// The left lower corner of figures and legends.
+    pub(super) fn corner(&self, context: &Context) -> Option<egui::Pos2> {
+        let lie = ["figures", "legend"].into_iter().filter_map(|name| {
+            let id = egui::Id::unique(name);
+            let is_shown = |id| context.memory(|memory| memory.areas().is_visible(&LayerId::new(Order::Middle, id)));
+            context.memory(|memory| memory.area_rect(id)).filter(|_| is_shown(id))
+        });
+        lie.map(|rect| rect.left_bottom()).reduce(|a, b| pos2(a.x.min(b.x), a.y.max(b.y)))
     }
 
     /// Where something is said, so high: below the buttons, between what lies at both sides there. Returns the middle of its upper edge,

@@ -1,7 +1,7 @@
 //! Plots at the bottom left: the energies of the world over time, and what the probes measure.
 
 use egui::collapsing_header::CollapsingState;
-use egui::{Align, Align2, Area, AsIdSalt, Color32, Id, Layout, Rect, RichText, Ui, vec2};
+use egui::{Align, Align2, Area, AsIdSalt, Color32, Id, Layout, Pos2, Rect, RichText, Ui, Vec2, pos2, vec2};
 use egui_plot::{AxisHints, GridInput, GridMark, HoverPosition, Line, Plot, PlotPoints};
 
 use super::theme::{LINE, PROBES, TEXT, WEAK, floating};
@@ -18,8 +18,16 @@ const LINES: f64 = 1.0 / 5.0;
 const TALL: f32 = 850.0;
 /// Where it begins beside the tools, and below them `[points]`.
 const LEFT: [f32; 2] = [76.0, 10.0];
+/// Its frame, header, choices and names, above the plot `[points]`.
+const HEAD: f32 = 118.0;
+/// Points so near to it are covered by what lies about them `[points]`.
+const ROOM: f32 = 12.0;
 /// Half of the room less this is free for the plot: the primitives beside the tools end there `[points]`.
 const OTHERS: f32 = 165.0;
+
+/// Said where the force of a bond is asked for that nobody knows.
+const UNKNOWN: &str = "The force of this bond is not known: where bodies meet, where a frame is braced more than it takes, and in methods that sweep, \
+                       no state tells it.";
 
 /// What is plotted of the energies `[J]`.
 type OfEnergies = fn(&Measured) -> f64;
@@ -36,21 +44,70 @@ pub(super) fn place(context: &egui::Context) -> Option<Rect> {
     context.memory(|memory| memory.area_rect(Id::unique("plots")))
 }
 
-pub(super) fn show(context: &egui::Context, room: Rect, plots: &mut Plots, wishes: &mut Vec<Wish>) {
-    let up = room.height() - context.content_rect().height();
-    let left = LEFT[usize::from(room.height() >= TALL)];
-    Area::new(Id::unique("plots")).anchor(Align2::LEFT_BOTTOM, [left, up]).show(context, |ui| {
-        floating().show(ui, |ui| {
+/// Where the panel lies: where few points are seen as it opens, then where it was dragged to.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub(in crate::app) struct PlotsAt {
+    /// Its left lower corner `[points]`; `None`: it is to be found.
+    pub(in crate::app) corner: Option<Pos2>,
+    /// It was dragged: it stays there in other scenes too.
+    is_dragged: bool,
+}
+
+impl PlotsAt {
+    /// Another scene, or the panel opens anew.
+    pub(in crate::app) fn begin(&mut self) {
+        if !self.is_dragged {
+            self.corner = None;
+        }
+    }
+}
+
+/// Opacity of the panel: what lies below is seen `[1]`.
+const OPACITY: f32 = 0.8;
+
+pub(super) fn show(
+    context: &egui::Context,
+    room: Rect,
+    (plots, (points, at)): (&mut Plots, (&[Pos2], &mut PlotsAt)),
+    wishes: &mut Vec<Wish>,
+) {
+    let high = (0.5 * room.height() - OTHERS).clamp(70.0, SIZE[1]);
+    let size = place(context).map_or(vec2(SIZE[0] + 18.0, high + HEAD), |rect| rect.size());
+    // In the frame in which it opens it is not known yet where bodies are.
+    let found = || quiet(room, size, points);
+    let corner = at.corner.unwrap_or_else(found);
+    at.corner = at.corner.or_else(|| (!points.is_empty()).then(found));
+    let corner = pos2(corner.x.min(room.right() - size.x), corner.y.max(room.top() + size.y).min(room.bottom()));
+    let area = Area::new(Id::unique("plots")).pivot(Align2::LEFT_BOTTOM).current_pos(corner).movable(true);
+    let shown = area.show(context, |ui| {
+        let ground = floating();
+        let fill = ground.fill.gamma_multiply(OPACITY);
+        ground.fill(fill).show(ui, |ui| {
             ui.set_width(SIZE[0]);
             let fold = CollapsingState::load_with_default_open(context, Id::unique("plots are open"), true);
             let header = fold.show_header(ui, |ui| header(ui, wishes));
             header.body_unindented(|ui| {
                 choices(ui, plots);
                 legend(ui, plots);
-                plot(ui, (0.5 * room.height() - OTHERS).clamp(70.0, SIZE[1]), plots);
+                plot(ui, high, plots);
             });
         });
     });
+    if shown.response.dragged() {
+        *at = PlotsAt { corner: Some(corner + shown.response.drag_delta()), is_dragged: true };
+    }
+}
+
+/// The left lower corner of a panel of this size in a room: of its places there, the first of those that the fewest points are in.
+fn quiet(room: Rect, size: Vec2, points: &[Pos2]) -> Pos2 {
+    let left = LEFT[usize::from(room.height() >= TALL)];
+    let across = [room.left() + left, room.right() - size.x - LEFT[1], room.center().x - 0.5 * size.x];
+    let places = across.map(|x| pos2(x, room.bottom()));
+    let inside = |corner: &Pos2| {
+        let rect = Rect::from_min_size(*corner - vec2(0.0, size.y), size).expand(ROOM);
+        points.iter().filter(|point| rect.contains(**point)).count()
+    };
+    places.into_iter().min_by_key(inside).unwrap_or(places[0])
 }
 
 fn header(ui: &mut Ui, wishes: &mut Vec<Wish>) {
@@ -128,12 +185,18 @@ fn plot(ui: &mut Ui, height: f32, plots: &Plots) {
         Subject::Probes => frame(("probes", name), ["s", unit]),
         Subject::Phase => frame(("phase", name), [unit, unit]),
     };
-    frame.width(SIZE[0]).height(height).show(ui, |ui| {
+    let shown = frame.width(SIZE[0]).height(height).show(ui, |ui| {
         for line in lines(plots) {
             // As a band what is steep would get thin.
             ui.line(line.width(1.5).allow_band(false));
         }
     });
+    if plots.lacks_force() {
+        let place = shown.response.rect;
+        let font = egui::FontId::proportional(12.0);
+        let galley = ui.fonts_mut(|fonts| fonts.layout(UNKNOWN.to_owned(), font, WEAK, place.width() - 70.0));
+        ui.painter().galley(place.center() - 0.5 * galley.size() + vec2(24.0, 0.0), galley, WEAK);
+    }
 }
 
 /// A plot without curves, which is to show all of them and stays as it is under the pointer. Units: those of its axes.
@@ -274,6 +337,17 @@ fn number(value: f64) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn the_panel_opens_where_no_body_is() {
+        let room = Rect::from_min_size(pos2(0.0, 0.0), vec2(1280.0, 640.0));
+        let size = vec2(358.0, 260.0);
+        let heap = |x: f32| [pos2(x, 600.0), pos2(x + 20.0, 560.0), pos2(640.0, 100.0)];
+        assert_eq!(quiet(room, size, &heap(640.0)).x, LEFT[0], "beside the tools, if nothing is there");
+        assert_eq!(quiet(room, size, &heap(200.0)).x, 1280.0 - 358.0 - LEFT[1]);
+        let both: Vec<Pos2> = heap(200.0).into_iter().chain(heap(1100.0)).collect();
+        assert_eq!(quiet(room, size, &both).x, 640.0 - 179.0);
+    }
 
     #[test]
     fn grids_have_round_numbers_with_the_digits_that_tell_them_apart() {

@@ -3,7 +3,7 @@
 
 use egui::{Color32, Event, Pos2, Rect, Shape, vec2};
 
-use super::plots::{self, ENERGIES};
+use super::plots::{self, ENERGIES, PlotsAt};
 use super::pointer::click;
 use super::theme::{PANEL, PROBES};
 use super::{Wish, theme};
@@ -22,6 +22,7 @@ const SCENE: &str = r#"{"wobble": 1, "gravity": [0, -9.81],
 struct Screen {
     context: egui::Context,
     plots: Plots,
+    at: PlotsAt,
     size: [f32; 2],
 }
 
@@ -39,7 +40,7 @@ impl Screen {
         }
         let context = egui::Context::default();
         theme::apply(&context);
-        let mut screen = Screen { context, plots, size: [1280.0, 720.0] };
+        let mut screen = Screen { context, plots, at: PlotsAt::default(), size: [1280.0, 720.0] };
         // The first frames find their sizes, and it fades in.
         (0..30).for_each(|_| _ = screen.frame(Vec::new()));
         screen
@@ -51,7 +52,8 @@ impl Screen {
         let screen_rect = Some(Rect::from_min_size(Pos2::ZERO, self.size.into()));
         let input = egui::RawInput { events, screen_rect, ..egui::RawInput::default() };
         let mut output = self.context.run_ui(input, |ui| {
-            plots::show(ui.ctx(), ui.available_rect_before_wrap(), &mut self.plots, &mut wishes);
+            let at = (&[][..], &mut self.at);
+            plots::show(ui.ctx(), ui.available_rect_before_wrap(), (&mut self.plots, at), &mut wishes);
         });
         output.textures_delta.clear();
         let mut shapes = Vec::new();

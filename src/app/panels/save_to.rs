@@ -1,37 +1,99 @@
 //! A name for a file that is to be written, where the system has no dialog for it.
 
-use egui::{Align2, Button, Key, RichText, TextEdit, Window};
+use std::path::{Path, PathBuf};
 
-use super::theme::{ACCENT, ON_ACCENT};
-use super::{PanelState, Wish};
+use egui::{Button, Key, Label, RichText, TextEdit};
+
+use super::open_from::meant;
+use super::theme::{ACCENT, AWAY, ON_ACCENT};
+use super::{PanelState, Wish, sheet};
+
+/// What the sheet keeps.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub(in crate::app) struct SaveTo {
+    /// Why it cannot be written there, or not yet.
+    fault: Option<String>,
+    /// A file that is there already, and was asked for once: asked for again it is replaced.
+    asked: Option<PathBuf>,
+}
 
 pub(super) fn show(context: &egui::Context, state: &mut PanelState, wishes: &mut Vec<Wish>) {
-    let mut is_open = true;
-    Window::new("Save all that was done")
-        .id(egui::Id::unique("save to"))
-        .open(&mut is_open)
-        .collapsible(false)
-        .resizable(false)
-        .anchor(Align2::CENTER_CENTER, [0.0, 0.0])
-        .show(context, |ui| {
-            let field = ui.add(TextEdit::singleline(&mut state.path).desired_width(420.0));
-            if std::mem::take(&mut state.is_fresh) {
-                field.request_focus();
+    let stays = sheet::show(context, "save to", "Save all that was done", |ui| {
+        ui.set_width(460.0);
+        let hint = "the path of the file that is to be written";
+        let field = ui.add(TextEdit::singleline(&mut state.path).hint_text(hint).desired_width(f32::INFINITY));
+        if std::mem::take(&mut state.is_fresh) {
+            field.request_focus();
+        }
+        if field.changed() {
+            state.save_to = SaveTo::default();
+        }
+        if let Some(fault) = &state.save_to.fault {
+            ui.add(Label::new(RichText::new(fault).color(AWAY)).wrap());
+        }
+        ui.horizontal(|ui| {
+            let words = if state.save_to.asked.is_some() { "Replace it" } else { "Save" };
+            let save = Button::new(RichText::new(words).color(ON_ACCENT)).fill(ACCENT);
+            let is_entered = field.lost_focus() && ui.input(|input| input.key_pressed(Key::Enter));
+            let has_name = !state.path.trim().is_empty();
+            if (ui.add_enabled(has_name, save).clicked() || is_entered) && has_name {
+                match state.save_to.ask(meant(state.path.trim())) {
+                    Some(path) => wishes.push(Wish::SaveTo(path)),
+                    None => state.is_fresh = true,
+                }
             }
-            ui.horizontal(|ui| {
-                let save = Button::new(RichText::new("Save").color(ON_ACCENT)).fill(ACCENT);
-                let is_entered = field.lost_focus() && ui.input(|input| input.key_pressed(Key::Enter));
-                let is_asked = ui.add_enabled(!state.path.trim().is_empty(), save).clicked() || is_entered;
-                if is_asked && !state.path.trim().is_empty() {
-                    wishes.push(Wish::SaveTo(state.path.trim().into()));
-                }
-                if ui.button("Cancel").clicked() {
-                    state.sheet = None;
-                }
-                ui.weak(".json is a recording, .jsonl one of lines");
-            });
+            if ui.button("Cancel").clicked() {
+                state.sheet = None;
+            }
+            ui.weak(".json is a recording, .jsonl one of lines");
         });
-    if !is_open {
+    });
+    if !stays {
         state.sheet = None;
+    }
+}
+
+impl SaveTo {
+    /// Somebody wants to write there. Returns the path if that can be, and if what is there already may go.
+    fn ask(&mut self, path: PathBuf) -> Option<PathBuf> {
+        let folder = path.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."));
+        let fault = match () {
+            () if path.is_dir() => Some(format!("`{}` is a folder: add a name", path.display())),
+            () if !folder.is_dir() => Some(format!("there is no folder `{}`", folder.display())),
+            () if path.exists() && self.asked.as_ref() != Some(&path) => {
+                self.asked = Some(path.clone());
+                self.fault = Some("there is a file of that name: once more to replace it".to_owned());
+                return None;
+            }
+            () => None,
+        };
+        self.asked = None;
+        self.fault = fault;
+        self.fault.is_none().then_some(path)
+    }
+}
+
+#[cfg(test)]
+#[allow(clippy::unwrap_used, reason = "a test that cannot go on stops")]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn nothing_is_replaced_unasked_and_no_folder_is_made() {
+        let folder = tempfile::tempdir().unwrap();
+        let (old, new) = (folder.path().join("old.json"), folder.path().join("new.json"));
+        std::fs::write(&old, "{}").unwrap();
+        let mut state = SaveTo::default();
+        assert_eq!(state.ask(new.clone()), Some(new.clone()));
+        assert_eq!(state.ask(old.clone()), None);
+        assert!(state.fault.as_deref().is_some_and(|fault| fault.contains("once more")));
+        assert_eq!(state.ask(old.clone()), Some(old.clone()), "asked for again");
+        assert_eq!(state.ask(old), None, "and the next time it is asked anew");
+        for (path, words) in [(folder.path().to_owned(), "is a folder"), (folder.path().join("no/x.json"), "no folder")]
+        {
+            assert_eq!(state.ask(path), None);
+            assert!(state.fault.as_deref().is_some_and(|fault| fault.contains(words)), "{:?}", state.fault);
+        }
+        assert!(!folder.path().join("no").exists());
     }
 }

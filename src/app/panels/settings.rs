@@ -122,7 +122,7 @@ fn all(ui: &mut Ui, facts: &Facts, sink: &mut Sink<'_>) {
         of_push(ui, push, sink);
     }
     ui.separator();
-    method.iter().for_each(|method| of_method(ui, method, sink));
+    method.iter().for_each(|method| of_method(ui, method, facts, sink));
 }
 
 /// A number with its name before it, by which what reads aloud calls it.
@@ -320,9 +320,9 @@ fn of_push(ui: &mut Ui, [mut strength, mut radius]: [f64; 2], sink: &mut Sink<'_
     }
 }
 
-fn of_method(ui: &mut Ui, method: &Method, sink: &mut Sink<'_>) {
+fn of_method(ui: &mut Ui, method: &Method, facts: &Facts, sink: &mut Sink<'_>) {
     ui.strong("Method");
-    of_solver(ui, method.solver, sink);
+    of_solver(ui, method.solver, facts, sink);
     let shown = |x: f64, places: usize| format!("{x:.places$}").trim_end_matches('0').trim_end_matches('.').to_owned();
     let substep =
         chosen(ui, "substep", (method.substep.map(|h| 1e3 * h), 2.0, 1e-4..=100.0), |x| format!("{} ms", shown(x, 4)));
@@ -377,16 +377,19 @@ fn chosen(
     .inner
 }
 
-fn of_solver(ui: &mut Ui, solver: Solver, sink: &mut Sink<'_>) {
-    ComboBox::from_label("solver").selected_text(solver.to_string()).show_ui(ui, |ui| {
-        for name in SolverName::NAMES {
-            let is_chosen = *name == solver.name();
-            // Whose loop it would be nothing says but the scene.
-            if *name == SolverName::AsPrinted.name() && !is_chosen {
-                continue;
+fn of_solver(ui: &mut Ui, solver: Solver, facts: &Facts, sink: &mut Sink<'_>) {
+    let now: Option<SolverName> = solver.name().parse().ok();
+    let words = now.map_or(solver.name(), SolverName::words);
+    ComboBox::from_label("solver").selected_text(words).truncate().show_ui(ui, |ui| {
+        for choice in super::beside::solvers() {
+            let why = super::beside::why_not(facts, choice);
+            let label = egui::Button::selectable(now == Some(choice), choice.words());
+            let by = ui.add_enabled(why.is_none(), label);
+            if by.clicked() && now != Some(choice) {
+                sink.wishes.push(Wish::Solver(choice));
             }
-            if ui.selectable_label(is_chosen, *name).clicked() && !is_chosen {
-                sink.wishes.extend(name.parse().ok().map(Wish::Solver));
+            if let Some(why) = why {
+                by.on_disabled_hover_text(format!("not for this scene: {why}"));
             }
         }
     });

@@ -42,6 +42,8 @@ pub struct Beside {
     pub farthest: Option<f32>,
     /// What is to be said of it beside its title.
     pub words: String,
+    /// It came to rest.
+    pub rests: bool,
 }
 
 impl Beside {
@@ -63,6 +65,8 @@ impl Beside {
 pub(super) struct Escort {
     /// What was looked at last of each: the topology as its world counts it, its number among all, and what stood there.
     known: Vec<(Option<u64>, u64, Arc<Scenery>)>,
+    /// Where each has been since when `[s]`, as far as it stayed there.
+    still: Vec<Still>,
     sceneries: u64,
     motion: u64,
     /// Wall time for which they have been late `[s]`.
@@ -141,6 +145,7 @@ impl Escort {
             return;
         }
         self.known.resize_with(companions.len(), Default::default);
+        self.still.resize_with(companions.len(), Default::default);
         let (time, dimensions) = (pace.shown_time(history), history.world().dimensions());
         let main = mixed(history, pace, f64::from(mix));
         for (place, (companion, to)) in companions.iter().zip(shown).enumerate() {
@@ -158,9 +163,10 @@ impl Escort {
                 to.farthest = is_there.then_some(most);
                 to.words = self.words(companion, is_there, time);
             }
+            to.rests = is_there && (companion.world().is_asleep() || self.still[place].look(&places, time));
             to.places = Places::F64(places);
             to.motion = self.motion;
-            companion.title().clone_into(&mut to.title);
+            to.title = companion.words();
             to.entry.clone_from(companion.entry());
             (to.topology, to.scenery) = self.look(place, companion, history);
         }
@@ -188,6 +194,30 @@ impl Escort {
             None if !is_there => format!("catches up: {at:.1} of {time:.1} s"),
             None => String::new(),
         }
+    }
+}
+
+/// What stays as near as this to where it was for so long rests `[m]`, `[s]`: as what sleeps does, which a reference never does.
+const REST: (f64, f64) = (5e-5, 0.5);
+
+/// How long something has been where it is.
+#[derive(Debug, Default)]
+struct Still {
+    places: Vec<f64>,
+    since: f64,
+}
+
+impl Still {
+    /// Looks at its places `[m]` at a time `[s]`. Returns whether it rests.
+    fn look(&mut self, places: &[f64], time: f64) -> bool {
+        let is_same = self.places.len() == places.len() && time >= self.since;
+        let stays =
+            is_same && self.places.iter().zip(places).all(|(was, is)| was.is_nan() || (was - is).abs() <= REST.0);
+        if !stays {
+            places.clone_into(&mut self.places);
+            self.since = time;
+        }
+        time - self.since >= REST.1
     }
 }
 
@@ -223,7 +253,7 @@ pub(super) fn reference(history: &History) -> [BesideKeys; 2] {
             sleep: Some(false),
             ..MethodKeys::default()
         };
-        BesideKeys { title: Some(format!("reference: {}", method.title())), method }
+        BesideKeys { title: Some(format!("reference: {}", method.words())), method }
     };
     [by(SolverName::Rk8, FINER[0]), by(SolverName::Auto, FINER[1])]
 }

@@ -33,7 +33,7 @@ fn in_every_frame_the_same_method_is_drawn_where_the_world_is_and_another_is_not
     for _ in 0..20 {
         frames(&mut stage, 1);
         let shown = shown(&mut stage);
-        assert_eq!((shown.title.as_str(), shown.beside.len()), ("auto, h = 1.429 ms", 2));
+        assert_eq!((shown.title.as_str(), shown.beside.len()), ("automatic, steps of 1.429 ms", 2));
         let [same, other] = &shown.beside[..] else { panic!("two of them") };
         assert!(same.farthest.is_some_and(|most| most < 1e-12), "between steps too: {:?}", same.farthest);
         assert_eq!(same.words, "");
@@ -62,7 +62,7 @@ fn what_is_put_beside_a_running_world_catches_up_from_its_start_and_goes_away_ag
         stage.obey(Order::Advance { wall: 0.0, cursor: None, back: false });
     }
     let with = shown(&mut stage);
-    assert!(with.beside[0].title.starts_with("reference: rk8, h = "), "{}", with.beside[0].title);
+    assert!(with.beside[0].title.starts_with("reference: Runge-Kutta, order 8, steps of "), "{}", with.beside[0].title);
     assert!(with.beside[0].farthest.is_some_and(|most| most < 1e-3), "{:?}", with.beside[0].farthest);
     assert_eq!(with.figures.time, alone.figures.time, "the world waits for nothing, and did not go on");
     let printed = Companions::These(vec![BesideKeys::by(SolverName::AsPrinted)]);

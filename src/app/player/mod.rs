@@ -13,6 +13,7 @@ mod keep_tests;
 #[cfg(test)]
 mod led_tests;
 mod movers;
+mod named;
 mod order;
 mod pace;
 mod rungs;

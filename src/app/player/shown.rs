@@ -85,6 +85,8 @@ pub struct Scenery {
     pub tints: Arc<[Tint]>,
     /// What the user should know of the scene.
     pub warnings: Vec<String>,
+    /// Numbers of bodies and obstacles among those that the scene names for sliders, in its order.
+    pub named: Vec<Option<f64>>,
     /// The keys that drives have, ascending.
     pub keys: Vec<Key>,
     /// Points that keyed drives move, ascending.
@@ -117,6 +119,7 @@ impl Scenery {
             skins: skins.to_vec(),
             tints: Arc::clone(tints),
             warnings: world.warnings().to_vec(),
+            named: Vec::new(),
             keys: world.drive_keys(),
             driven: driven(world),
             hinges: Hinge::of(world),
@@ -260,6 +263,8 @@ pub struct Shown {
     pub beside: Vec<Beside>,
     /// Empty where nothing stands beside it.
     pub title: String,
+    /// The world sleeps, whatever stands beside it does.
+    pub rests: bool,
     /// What panels show.
     pub figures: Figures,
     /// What plots are made of, if that is asked for.

@@ -6,6 +6,7 @@ use std::time::{Duration, Instant};
 use super::acts::{Acts, Deeds};
 use super::beside::{Companions, Escort, reference};
 use super::movers::{EXACT, Movers, exact, movers, with};
+use super::named::in_world;
 use super::order::{Adder, Note, Order};
 use super::pace::{Pace, SINGLE_STEP};
 use super::rungs::{Load, Rung, Rungs, Yielded};
@@ -15,7 +16,7 @@ use super::watch::Watch;
 use crate::app::matter::{Among, Matter, MatterChange, commands};
 use crate::app::meter::Meter;
 use crate::history::{BranchView, Do, History, HistoryError, Recording, Refusal, SetKeys, Start};
-use crate::scene::{AddKeys, BondKeys, MOST_MEETING, Meeting, MethodKeys, PinMotionKeys, ViewKeys};
+use crate::scene::{AddKeys, BondKeys, MOST_MEETING, Meeting, MethodKeys, Parameter, PinMotionKeys, ViewKeys};
 use crate::sim::{Applied, Cursor, Dynamics, MouseForce, PointId};
 
 /// How often figures are taken that cost something: nobody reads faster.
@@ -69,6 +70,8 @@ pub struct Stage {
     /// Whose matter is shown, and what it is.
     among: Among,
     matter: Option<Arc<Matter>>,
+    /// Numbers that the scene names for sliders.
+    named: Vec<Parameter>,
 }
 
 /// A history without its worlds.
@@ -90,6 +93,7 @@ impl Stage {
         let scene = history.scene();
         let pace = Pace::new(&history, scene.rate(), scene.duration);
         let force = scene.mouse_force();
+        let named = scene.named_parameters();
         let base = history.base_strength();
         let mut stage = Stage {
             history,
@@ -116,6 +120,7 @@ impl Stage {
             branches: Arc::default(),
             watch: Watch::default(),
             among: Among::default(),
+            named,
             matter: None,
         };
         stage.look();
@@ -488,6 +493,7 @@ impl Stage {
             self.topology = Some(world.topology());
             self.sceneries += 1;
             let mut scenery = Scenery::of(world, self.history.skins(), (tints, groups));
+            scenery.named = self.named.iter().map(|parameter| in_world(&parameter.target, world)).collect();
             scenery.warnings.splice(0..0, self.history.notes().iter().cloned());
             self.scenery = Arc::new(scenery);
             self.inspect();
@@ -531,7 +537,8 @@ impl Stage {
         shown.measured = self.watch.look(self.history.world());
         shown.matter.clone_from(&self.matter);
         let has_beside = !self.history.companions().is_empty();
-        shown.title = if has_beside { self.history.method().title() } else { String::new() };
+        shown.title = if has_beside { self.history.method().words() } else { String::new() };
+        shown.rests = world.is_asleep();
         self.escort.show(&self.history, &self.pace, shown.mix, &mut shown.beside);
     }
 

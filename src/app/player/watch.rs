@@ -31,7 +31,8 @@ pub struct Probed {
     pub speed: f64,
     /// Strain of the bond, length/rest - 1 `[1]`; none of a point, or at rest length 0.
     pub strain: Option<f64>,
-    /// By which the bond pulls its ends together, below 0 where it pushes `[N]`: of springs without a drive.
+    /// By which the bond pulls its ends together, below 0 where it pushes `[N]`: of springs without a drive, and of rigid bonds where the
+    /// state tells.
     pub force: Option<f64>,
 }
 
@@ -89,7 +90,7 @@ fn probed(world: &dyn Dynamics, probe: Probe) -> Option<Probed> {
                 Some(numbers) => numbers.iter().position(|own| *own == number)?,
                 None => number as usize,
             };
-            of_bond(world, world.bonds().iter().nth(place)?, probe)?
+            of_bond(world, (place, world.bonds().iter().nth(place)?), probe)?
         }
     };
     let numbers = found.position.into_iter().chain([found.speed]).chain(found.strain).chain(found.force);
@@ -107,7 +108,7 @@ fn state(world: &dyn Dynamics, point: PointId) -> Option<[[f64; 3]; 2]> {
     Some([position, world.velocity(point)])
 }
 
-fn of_bond(world: &dyn Dynamics, bond: Bond, probe: Probe) -> Option<Probed> {
+fn of_bond(world: &dyn Dynamics, (place, bond): (usize, Bond), probe: Probe) -> Option<Probed> {
     let ([x, v], [y, w]) = (state(world, bond.a)?, state(world, bond.b)?);
     let half = |p: [f64; 3], q: [f64; 3]| std::array::from_fn(|axis| 0.5 * (p[axis] + q[axis]));
     let [apart, parting]: [[f64; 3]; 2] = [[y, x], [w, v]].map(|[p, q]| std::array::from_fn(|axis| p[axis] - q[axis]));
@@ -125,7 +126,8 @@ fn of_bond(world: &dyn Dynamics, bond: Bond, probe: Probe) -> Option<Probed> {
             let rate = apart.iter().zip(parting).map(|(d, v)| d * v).sum::<f64>() / length.max(f64::MIN_POSITIVE);
             Some(stiffness * (length - rest) + damping * rate)
         }
-        _ => None,
+        BondKind::Rigid => world.tension(place),
+        BondKind::Relaxed { .. } => None,
     };
     let strain = (rest > 0.0).then(|| length / rest - 1.0);
     Some(Probed { probe, position: half(x, y), speed: norm(half(v, w)), strain, force })

@@ -5,7 +5,7 @@ mod series;
 #[cfg(test)]
 mod tests;
 
-use super::player::{Probe, Probed, Probes, Shown};
+use super::player::{Measured, Probe, Probed, Probes, Shown};
 use crate::lessons::{self, Plot};
 use crate::sim::PointId;
 pub(super) use figure::{Curve, svg};
@@ -142,6 +142,14 @@ impl Plots {
             is_new |= self.series.push(measured);
         }
         [is_new, !gone.is_empty()]
+    }
+
+    /// Whether the force of bonds is looked at, and was known of none of them of late.
+    pub(super) fn lacks_force(&self) -> bool {
+        let last = self.series.iter().last();
+        let is_asked = self.quantity == Quantity::Force && self.subject != Subject::Energies;
+        let known = |measured: &Measured| measured.probes.iter().flatten().any(|probed| probed.force.is_some());
+        is_asked && last.is_some_and(|last| last.probes.iter().any(Option::is_some) && !known(last))
     }
 
     /// Whether a bond is probed.

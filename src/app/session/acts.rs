@@ -12,7 +12,7 @@ use crate::app::thumbnails::Thumbnails;
 use crate::app::tools::{Deed, strength};
 use crate::history::Do;
 use crate::scene::{Entry, gallery};
-use crate::sim::MouseChange;
+use crate::sim::{MouseChange, PointId};
 
 /// The least and the greatest pace, in seconds of the scene itself.
 const PACES: [f64; 2] = [0.125, 4.0];
@@ -215,8 +215,29 @@ impl Session {
                 return;
             }
         }
-        self.player.set(act, name, goes_on);
+        self.player.set(self.of_what_is_left(act), name, goes_on);
         self.dirty = true;
+    }
+
+    /// The same without bonds and points that were cut or taken away since: numbers that a scene names are of those that are left.
+    fn of_what_is_left(&self, act: Do) -> Do {
+        let Do::Set(mut keys) = act else { return act };
+        let scenery = &self.shown().scenery;
+        if let Some(bonds) = &keys.bonds {
+            let mut there: Vec<u32> = (0..scenery.bonds.len()).map(|place| scenery.bond_number(place)).collect();
+            there.sort_unstable();
+            let stays: Vec<bool> = bonds.iter().map(|bond| there.binary_search(bond).is_ok()).collect();
+            for list in [&mut keys.stiffness, &mut keys.damping, &mut keys.rest].into_iter().flatten() {
+                list.retain(&stays);
+            }
+            keys.bonds = Some(left(bonds, &stays));
+        }
+        if let Some(points) = &keys.points {
+            let stays: Vec<bool> = points.iter().map(|i| scenery.gone.binary_search(&PointId(*i)).is_err()).collect();
+            keys.mass.iter_mut().for_each(|list| list.retain(&stays));
+            keys.points = Some(left(points, &stays));
+        }
+        Do::Set(keys)
     }
 
     /// The hover force gets stronger and larger by these factors.
@@ -258,12 +279,16 @@ impl Session {
         let view = self.player.shown().view();
         let pane = self.row.pane(self.area);
         let free = self.free_of_pane(pane);
+        let corner = self.corner.filter(|_| self.row.count() == 1);
         let own = match framing {
             Framing::Opening => match &self.player.start().recording().view {
                 Some(saved) => opening::saved(saved, &view, pane),
-                None => opening::clear(opening::camera(&self.scene, &view, pane), &view, free),
+                None => {
+                    let opened = opening::camera(&self.scene, &view, pane);
+                    opening::beside_corner(|free| opening::clear(opened, &view, free), &view, free, corner)
+                }
             },
-            Framing::Fit => opening::fit_in(&view, free, pane),
+            Framing::Fit => opening::beside_corner(|free| opening::fit_in(&view, free, pane), &view, free, corner),
             Framing::Free => {
                 let mut own = before.own(&self.camera, seen);
                 own.resize(pane);
@@ -313,4 +338,9 @@ impl Session {
         self.panels.notes.complaint = Some(line.to_owned());
         self.touch();
     }
+}
+
+/// The numbers that stay.
+fn left(numbers: &[u32], stays: &[bool]) -> Vec<u32> {
+    numbers.iter().zip(stays).filter(|(_, stays)| **stays).map(|(number, _)| *number).collect()
 }

@@ -108,11 +108,11 @@ impl Session {
         }
     }
 
-    /// Opens the system's dialog for a file, unless it is open.
+    /// Opens the system's dialog for a file. Who asks again before it answers has seen none: a path can be written then.
     pub(super) fn choose_file(&mut self) {
         self.wake();
-        match self.dialog {
-            Some(_) => self.say("the dialog for files is open already".to_owned()),
+        match self.dialog.take() {
+            Some(_) => self.ask_for_path(),
             None => self.dialog = Some(fetch::open(&self.window, self.wake_up())),
         }
     }

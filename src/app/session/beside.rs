@@ -4,11 +4,11 @@ use glam::DVec2;
 
 use super::Session;
 use crate::app::opening;
-use crate::app::panels::Neighbor;
+use crate::app::panels::{Neighbor, solvers};
 use crate::app::player::{Beside, Companions, Order};
 use crate::app::tools::{Mark, Role};
 use crate::render::{Camera, Look, Overlay, Pane, Trails, View};
-use crate::scene::BesideKeys;
+use crate::scene::{BesideKeys, Meeting, Scene, SolverName};
 use crate::sim::{Cursor, MouseForce};
 
 /// Opacity of the mouse's region where the pointer is not.
@@ -28,8 +28,30 @@ impl Session {
         let alone = opening::camera(&self.scene, &view, self.area);
         let row = opening::row(&alone, &view, self.worlds(), self.area);
         self.row = row;
-        self.look.difference_full = opening::full_distance(&alone) as f32;
+        self.difference_most = opening::full_distance(&alone) as f32;
+        self.fit_distances();
         self.cell = self.cell.min(row.count() - 1);
+    }
+
+    /// Colours of distances go up to the largest that there was, in round numbers.
+    fn fit_distances(&mut self) {
+        let apart = self.shown().beside.iter().filter_map(|world| world.farthest).filter(|most| most.is_finite());
+        self.most_apart = apart.fold(self.most_apart, f32::max);
+        self.look.difference_full = opening::round_distance(self.most_apart, self.difference_most);
+    }
+
+    /// Which solvers cannot run the scene: found anew where bodies meet since, or do not meet any more.
+    pub(super) fn find_misfits(&mut self) {
+        let meets = self.shown().settings.contact.flatten().is_some();
+        if self.misfits.0 == Some(meets) {
+            return;
+        }
+        let solvers: Vec<SolverName> = solvers().collect();
+        let why = match self.scene.contact {
+            None if meets => Scene { contact: Some(Meeting::Is(true)), ..(*self.scene).clone() }.misfits(&solvers),
+            _ => self.scene.misfits(&solvers),
+        };
+        self.misfits = (Some(meets), solvers.into_iter().zip(why).collect());
     }
 
     /// The camera as it shows the world alone in its part of the window.
@@ -45,10 +67,14 @@ impl Session {
 
     /// Others stand there now, or none.
     pub(super) fn meet_neighbors(&mut self) {
+        if self.tints_distance && !self.shown().beside.is_empty() {
+            self.fit_distances();
+        }
         if self.row.count() == self.worlds() {
             return;
         }
         self.beside_trails.clear();
+        self.most_apart = 0.0;
         self.frame_as(super::Framing::Opening);
         self.touch();
     }
@@ -70,7 +96,9 @@ impl Session {
         let [red, green, blue, opacity] = look.region;
         let region = [red, green, blue, if place == self.cell { opacity } else { GHOST * opacity }];
         let is_tinted = place > 0 && self.tints_distance;
-        Look { region, overlay: if is_tinted { Overlay::Difference } else { look.overlay }, ..look }
+        // The tools stand in the first of a row, beside all of a column.
+        let inset = if place > 0 && !self.row.is_column() { 0.0 } else { look.inset };
+        Look { region, inset, overlay: if is_tinted { Overlay::Difference } else { look.overlay }, ..look }
     }
 
     /// The worlds as they are drawn in a picture of `size` `[px]`: `first`, then what stands `beside` it, with the trails of each.
@@ -86,6 +114,7 @@ impl Session {
         let others = others.map(|(k, world)| View {
             mouse: force,
             trails: trails.get(k),
+            covered: first.covered,
             ..world.view(self.scene.dimensions())
         });
         let views = std::iter::once(first).chain(others).enumerate();
@@ -128,10 +157,13 @@ impl Session {
             let at = if is_column { [left, top] } else { [left + 0.5 * width, top] };
             Neighbor { title: title.to_owned(), words, at, is_column }
         };
-        let first = of(0, &shown.title, String::new());
+        let rests = |rests: bool| if rests { "at rest" } else { "" };
+        let first = of(0, &format!("this scene: {}", shown.title), rests(shown.rests).to_owned());
         let others = shown.beside.iter().zip(1..).map(|(world, place)| {
-            let apart = world.farthest.map_or_else(String::new, |most| format!("up to {} apart", length(most)));
-            of(place, &world.title, if world.words.is_empty() { apart } else { world.words.clone() })
+            let apart = world.farthest.map(|most| format!("up to {} apart", length(most)));
+            let all: Vec<&str> = apart.as_deref().into_iter().chain([rests(world.rests)]).collect();
+            let words = all.into_iter().filter(|words| !words.is_empty()).collect::<Vec<_>>().join(", ");
+            of(place, &world.title, if world.words.is_empty() { words } else { world.words.clone() })
         });
         std::iter::once(first).chain(others).collect()
     }

@@ -17,6 +17,8 @@ use crate::sim::{Cursor, MouseForce};
 
 /// Marks are looked for among so many points: more would take longer than a frame.
 const MOST_MARKED: usize = 100_000;
+/// So many points are looked at, where it is asked where bodies are.
+const MOST_SEEN: usize = 2_000;
 /// Size of words over the world `[points]`.
 const WORDS: f32 = 13.0;
 /// What numbers over the world are written with: signs are given to the GPU with the panels only, so they are had before.
@@ -74,11 +76,15 @@ impl Session {
 
     /// The world is drawn above the bar below, and bodies are shown where no panel is.
     fn give_world(&mut self, laid: &Laid, scale: f32) {
-        let [width, whole] = self.canvas.size();
-        let area = [width, ((laid.height * scale).round() as u32).min(whole)];
+        let whole = self.canvas.size();
+        let pixels = laid.size.map(|side| (side * scale).round() as u32);
+        let area = [pixels[0].min(whole[0]), pixels[1].min(whole[1])];
+        let corner = laid.corner.map(|at| [at.x, at.y].map(|x| f64::from(x * scale)));
         let corners = |free: Rect| [free.min, free.max].map(|at| [at.x, at.y].map(|x| f64::from((x * scale).round())));
         let free = laid.free.map_or(self.free, corners);
-        if (area, free) != (self.area, self.free) {
+        let is_wider = corner.is_some() && self.corner.is_none();
+        self.corner = corner;
+        if (area, free) != (self.area, self.free) || is_wider {
             (self.area, self.free) = (area, free);
             self.frame_as(self.framing);
         }
@@ -100,7 +106,8 @@ impl Session {
             brush: self.hand.brush(),
             draws_lasso: self.hand.draws_lasso(),
             matter: self.shown().matter.clone().filter(|_| !self.inspected.is_empty()),
-            drawn_color: body_color(&self.shown().view(), &self.inspected.points),
+            is_grouped: self.is_grouped(),
+            drawn_color: body_color(&self.shown().view(), &self.look, &self.inspected.points),
             keys: self.keys_to_hold(),
             look: self.look,
             showing: self.showing(),
@@ -110,14 +117,34 @@ impl Session {
             is_busy: self.player.is_busy(),
             dimensions: self.scene.dimensions(),
             seen: if self.panels.has_settings { self.free_of_plane() } else { Default::default() },
+            points: self.points_seen(),
             neighbors: self.neighbors(),
             tints_distance: self.tints_distance,
+            misfits: Arc::clone(&self.misfits.1),
             settings: Settings {
                 parameters: self.parameters(),
                 scene: self.shown().settings.clone(),
                 push: self.live_force().map(|force| [self.hand.strength().unwrap_or(force.strength), force.radius]),
             },
         }
+    }
+
+    /// Where points are seen `[points]`, a few of many, while the plots look for a place.
+    fn points_seen(&self) -> Vec<Pos2> {
+        if self.panels.plots.is_none() || self.panels.plots_at.corner.is_some() {
+            return Vec::new();
+        }
+        let shown = self.shown();
+        let scale = f64::from(self.egui.egui_ctx().pixels_per_point());
+        let step = shown.point_count() / MOST_SEEN + 1;
+        let own = |place: usize| self.row.camera(place, &self.camera, self.area);
+        let cameras: Vec<_> = (0..self.row.count()).map(own).collect();
+        let seen = |point: usize| {
+            let place = glam::DVec3::from(shown.place(point));
+            cameras.iter().filter_map(move |camera| camera.screen_from_world(place))
+        };
+        let all = (0..shown.point_count()).step_by(step).flat_map(seen);
+        all.map(|[x, y]| Pos2::new((x / scale) as f32, (y / scale) as f32)).collect()
     }
 
     /// The numbers that the scene names, while its settings are open.
@@ -127,11 +154,12 @@ impl Session {
         }
         let shown = self.shown();
         let push = self.live_force().map(|force| [self.hand.strength().unwrap_or(force.strength), force.radius]);
-        let of = |parameter: Parameter| {
+        let in_world = |place: usize| shown.scenery.named.get(place).copied().flatten();
+        let of = |(place, parameter): (usize, &Parameter)| {
             let value = parameter_value(&parameter.target, &shown.settings, push, &shown.scenery);
-            (parameter, value)
+            (parameter.clone(), value.or_else(|| in_world(place)))
         };
-        self.scene.named_parameters().into_iter().map(of).collect()
+        self.named.iter().enumerate().map(of).collect()
     }
 
     /// How bodies are shown.

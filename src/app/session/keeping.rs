@@ -4,7 +4,7 @@ use std::path::{Path, PathBuf};
 
 use super::Session;
 use crate::app::opening::keys;
-use crate::app::panels::Sheet;
+use crate::app::panels::{SaveTo, Sheet};
 use crate::app::player::Order;
 use crate::app::saving::{Chosen, Saving, free_name};
 use crate::render::{Capture, View};
@@ -16,9 +16,19 @@ impl Session {
             let path = record.to_owned();
             return self.save_to(path);
         }
-        if self.saving.is_none() {
-            self.saving = Some(Saving::new(&self.window, self.scene.name(), self.wake_up()));
+        match self.saving.take() {
+            // Who asks again before the dialog answers has seen none.
+            Some(_) => self.ask_where_to_save(),
+            None => self.saving = Some(Saving::new(&self.window, self.scene.name(), self.wake_up())),
         }
+    }
+
+    /// A path can be written.
+    fn ask_where_to_save(&mut self) {
+        let folder = std::env::current_dir().unwrap_or_default();
+        self.panels.save_to = SaveTo::default();
+        self.panels.path = free_name(&folder, self.scene.name(), "json").display().to_string();
+        (self.panels.sheet, self.panels.is_fresh) = (Some(Sheet::SaveTo), true);
     }
 
     /// Saves it there.
@@ -28,12 +38,10 @@ impl Session {
         self.saving = None;
         match chosen {
             Chosen::File(path) => self.save_to(path),
-            Chosen::Nothing => self.say("nothing was saved".to_owned()),
-            Chosen::NoDialog => {
-                let folder = std::env::current_dir().unwrap_or_default();
-                self.panels.path = free_name(&folder, self.scene.name(), "json").display().to_string();
-                (self.panels.sheet, self.panels.is_fresh) = (Some(Sheet::SaveTo), true);
+            Chosen::Nothing => {
+                self.say("nothing was saved; where no dialog shows, Ctrl+S twice asks for a path".to_owned())
             }
+            Chosen::NoDialog => self.ask_where_to_save(),
         }
         self.touch();
     }

@@ -34,7 +34,7 @@ use super::loading::Loading;
 use super::matter::Matter;
 use super::meter::Meter;
 use super::opening::Free;
-use super::panels::{At, PanelState, Sheet, theme};
+use super::panels::{At, Misfits, PanelState, Sheet, theme};
 use super::player::{Figures, News, Note, Order, Player, Shown, too_many_to_meet};
 use super::pointer::Pointer;
 use super::saving::Saving;
@@ -43,8 +43,8 @@ use super::thumbnails::Thumbnails;
 use super::tools::{Chosen, Hand};
 use crate::history::{HistoryError, Start};
 use crate::render::{Camera, Look, RenderCounters, RenderError, Row, Trails};
-use crate::scene::{MOST_MEETING, Scene, SolverName, gallery};
-use crate::sim::{Cursor, Key, MouseForce, SceneChange};
+use crate::scene::{MOST_MEETING, Parameter, Scene, SolverName, gallery};
+use crate::sim::{Cursor, HELD, Key, MouseForce, SceneChange};
 use selecting::Copied;
 use shelf::Shelf;
 
@@ -52,6 +52,8 @@ use shelf::Shelf;
 const BRUSH: &str = "brush";
 /// How long trails of points last, in scenes of few `[s of wall time]`.
 const TRAIL: f64 = 2.5;
+/// Least radius of a pinned point, of a few `[points]`: it is led by the hand.
+const LEAST_PIN: f32 = 4.2;
 /// A frame's time where there was none before it `[s]`.
 const FIRST_FRAME: f64 = 1.0 / 60.0;
 /// Figures are shown anew so often at most: nobody reads faster.
@@ -77,6 +79,8 @@ pub(super) struct Session {
     player: Player,
     shelf: Shelf,
     scene: Arc<Scene>,
+    /// The numbers that it names for sliders.
+    named: Vec<Parameter>,
     /// A body of the scene is cut out of a picture.
     has_picture: bool,
     pub(super) camera: Camera,
@@ -87,10 +91,18 @@ pub(super) struct Session {
     /// What stands beside the world is coloured by its distance to it.
     tints_distance: bool,
     beside_trails: Vec<Trails>,
+    /// Why solvers cannot run the scene, where bodies meet in it or not.
+    misfits: (Option<bool>, Misfits),
+    /// The largest distance of what stands beside the world that there was since it opened `[m]`.
+    most_apart: f32,
+    /// The distance of the last colours, where the largest is no less `[m]`.
+    difference_most: f32,
     /// Width and height of the part of the window that the world is drawn in `[px]`.
     area: [u32; 2],
     /// What of it panels leave free for bodies `[px]`, and what lies over it: left, top, right and bottom `[px]`.
     free: Free,
+    /// The left lower corner of what lies in the upper right one of it `[px]`.
+    corner: Option<[f64; 2]>,
     covered: Vec<[f32; 4]>,
     pub(super) pointer: Pointer,
     hand: Hand,
@@ -193,11 +205,15 @@ impl Session {
             cell: 0,
             tints_distance: false,
             beside_trails: Vec::new(),
+            misfits: Default::default(),
+            most_apart: 0.0,
+            difference_most: 1.0,
             area: size,
             free: [[0.0; 2], size.map(f64::from)],
+            corner: None,
             covered: Vec::new(),
             trails: Trails::new(TRAIL),
-            look: Look { scale_factor: window.scale_factor() as f32, ..Look::default() },
+            look: Look { scale_factor: window.scale_factor() as f32, least_pin: LEAST_PIN, ..Look::default() },
             has_picture: false,
             window,
             egui,
@@ -206,6 +222,7 @@ impl Session {
             player,
             shelf: Shelf::default(),
             scene,
+            named: Vec::new(),
             pointer: Pointer::default(),
             hand: Hand::default(),
             held: Held::default(),
@@ -378,8 +395,9 @@ impl Session {
         self.look.has_mesh = false;
         self.trails = Trails::new(TRAIL * scene.rate());
         self.beside_trails.clear();
-        self.cell = 0;
+        (self.cell, self.misfits.0, self.most_apart) = (0, None, 0.0);
         self.tints_distance = scene.method.solver == Some(SolverName::AsPrinted);
+        self.named = scene.named_parameters();
         self.scene = scene;
         self.plot_anew();
         self.frame_as(Framing::Opening);
@@ -396,6 +414,7 @@ impl Session {
         self.panels.notes.complaint = warning.or(through).or_else(|| self.taken_keys());
         self.panels.notes.has_caption = true;
         self.wants_hint &= self.scene.name() == gallery()[0].name;
+        self.place_hint();
         if self.is_canvas() && !comes_back {
             self.paint();
         }
@@ -413,6 +432,7 @@ impl Session {
         if news.is_new {
             self.dirty = true;
             self.meet_neighbors();
+            self.find_misfits();
             self.panels_dirty |= self.panels.has_settings && self.shown().settings != self.settings;
             self.panels_dirty |= self.shown().matter != self.matter;
             self.gone_by.take_if(|serial| *serial <= self.player.shown().serial);
@@ -466,6 +486,7 @@ impl Session {
             Note::Exact => {
                 self.say("every body is moved by its own method from here on: Ctrl+Z takes that back".to_owned());
             }
+            Note::Refused(why) if why == HELD => self.say(HELD_HERE.to_owned()),
             Note::Refused(why) => {
                 self.import = self.adding.take().or_else(|| self.import.take());
                 self.complain(&why);
@@ -632,6 +653,9 @@ impl Session {
         ([self.frames, work[0], work[1]], self.canvas.counters())
     }
 }
+
+/// Said of a press on what pins hold.
+const HELD_HERE: &str = "held by pins: hold T and click a pin (a red ring) to let it go, or drag the pin itself";
 
 /// How far time went, as one says it; below 0 back `[s]`.
 fn far(seconds: f64) -> String {

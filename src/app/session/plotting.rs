@@ -14,6 +14,7 @@ use crate::lessons::Plot;
 impl Session {
     /// Opens the panel, or closes it: then nothing is measured any more, and nothing is left of what was.
     pub(super) fn toggle_plots(&mut self) {
+        self.panels.plots_at.begin();
         self.panels.plots = match self.panels.plots.take() {
             Some(_) => None,
             None => Some(Plots::new(self.scene.rate())),
@@ -23,12 +24,14 @@ impl Session {
 
     /// Opens the panel on what a lesson asks for.
     pub(super) fn plot_as(&mut self, plot: &Plot) {
+        self.panels.plots_at.begin();
         self.panels.plots = Some(Plots::of(self.scene.rate(), plot));
         self.watch();
     }
 
     /// Another world is shown: what was plotted is of the last one.
     pub(super) fn plot_anew(&mut self) {
+        self.panels.plots_at.begin();
         if let Some(plots) = &mut self.panels.plots {
             plots.begin(self.scene.rate());
         }

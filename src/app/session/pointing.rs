@@ -90,6 +90,15 @@ impl Session {
     /// The wheel turned.
     pub(in crate::app) fn scroll(&mut self, delta: MouseScrollDelta) {
         self.panels_dirty = true;
+        let up = match delta {
+            MouseScrollDelta::LineDelta(_, y) => f64::from(y),
+            MouseScrollDelta::PixelDelta(by) => by.y,
+        };
+        let steps = if up == 0.0 { 0 } else { up.signum() as i32 };
+        if self.hand.turn_wheel(steps) {
+            self.dirty = true;
+            return;
+        }
         if !self.is_over_panels() && !self.is_covered() {
             let at = self.pointer.at.map(|at| self.in_first(at));
             at.iter().for_each(|at| Pointer::scroll(*at, delta, &mut self.camera));
@@ -132,10 +141,10 @@ impl Session {
     /// Whether the pointer is over a panel, or over what floats over the world.
     pub(super) fn is_over_panels(&self) -> bool {
         let Some(at) = self.place_of_pointer() else { return false };
-        let [_, height] = self.area;
-        let is_below = self.pointer.at.is_some_and(|at| at[1] >= f64::from(height));
+        let area = self.area.map(f64::from);
+        let is_beside = self.pointer.at.is_some_and(|at| at[0] >= area[0] || at[1] >= area[1]);
         let layer = self.egui.egui_ctx().layer_id_at(at);
-        is_below || layer.is_some_and(|layer| layer.order != Order::Background)
+        is_beside || layer.is_some_and(|layer| layer.order != Order::Background)
     }
 
     /// Where the cursor is in the world: nowhere while it is over a panel, drags the camera or has left. What is led follows it

@@ -116,6 +116,12 @@ impl Session {
         self.say(format!("{name}: a click on one of its bodies selects all of it; Ctrl+Shift+G ends that"));
     }
 
+    /// Whether something that is selected is in a group.
+    pub(super) fn is_grouped(&self) -> bool {
+        let is_chosen = |point: &PointId| self.inspected.points.binary_search(point).is_ok();
+        self.shown().scenery.groups.iter().any(|group| group.points.iter().any(is_chosen))
+    }
+
     /// The groups that are selected are none any more.
     pub(super) fn ungroup(&mut self) {
         let Some(chosen) = self.selected() else { return };

@@ -323,6 +323,11 @@ impl Hand {
         if is_there { vec![strength(0.0)] } else { Vec::new() }
     }
 
+    /// The wheel turned while the button is down. Returns whether that means anything to what it does.
+    pub(super) fn turn_wheel(&mut self, steps: i32) -> bool {
+        matches!(self.doing, Doing::Building(_)) && self.maker.turn(steps)
+    }
+
     /// Where the pin that is led is to go now, `seconds` after the last time.
     pub(super) fn lead(&mut self, scope: Scope<'_>, at: DVec2, seconds: f64) -> Option<PinWay> {
         match &mut self.doing {
@@ -457,7 +462,7 @@ impl Hand {
 /// Said where an obstacle is pressed on by the hand.
 const SOLID: &str = "an obstacle stands: the tool that selects (6) moves it";
 /// Said where nothing is pinned.
-const NO_POINT: &str = "no point lies here that could be pinned";
+const NO_POINT: &str = "no point lies here that could be pinned; a rope that is built (5) begins with a pin of its own";
 /// Said where a stroke cuts nothing.
 const NO_CUT: &str = "the stroke crosses no bond";
 /// Said where a stroke is drawn in space.

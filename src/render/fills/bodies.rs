@@ -1,8 +1,10 @@
 //! Bodies as they are filled: their triangles, and a colour each.
 
 use crate::picture::{Picture, Skin, Tint};
+use crate::render::forms::{form, is_rope, ropes};
+use crate::render::look::{Color, Look};
 use crate::render::view::View;
-use crate::sim::PointId;
+use crate::sim::{Bonds, PointId};
 
 /// What is filled in one colour, over what came before it.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -53,9 +55,24 @@ pub(super) fn bodies(view: &View<'_>) -> [Vec<Filled>; 2] {
     })
 }
 
-/// The colour that the first of some points, ascending, is seen in: that of its fill, or the mean one of its picture; `None` where no
-/// triangle meets any.
-pub fn body_color(view: &View<'_>, points: &[PointId]) -> Option<[u8; 3]> {
+/// The colour that the first of some points, ascending, is seen in: that of its fill, or the mean one of its picture; where no triangle meets
+/// any, of their first bond. `None` where there is neither.
+pub fn body_color(view: &View<'_>, look: &Look, points: &[PointId]) -> Option<[u8; 3]> {
+    filled_color(view, points).or_else(|| bond_color(view, look, points))
+}
+
+/// The colour of the first bond between points, as it is drawn.
+fn bond_color(view: &View<'_>, look: &Look, points: &[PointId]) -> Option<[u8; 3]> {
+    let has = |point: &PointId| points.binary_search(point).is_ok();
+    let own: Bonds = view.bonds.iter().filter(|bond| !points.is_empty() && has(&bond.a) && has(&bond.b)).collect();
+    let first = own.iter().next()?;
+    let is_rope = is_rope(form(&first)) || ropes(&own, points.last()?.index() + 1)[0];
+    let stored = |[red, green, blue, _]: Color| [red, green, blue].map(|part| (255.0 * part).round() as u8);
+    let tint = Tint::of(view.tints, first.a.0).and_then(|tint| tint.color);
+    Some(tint.unwrap_or_else(|| stored(if is_rope { look.rope } else { look.bond })))
+}
+
+fn filled_color(view: &View<'_>, points: &[PointId]) -> Option<[u8; 3]> {
     let is_theirs = |corners: &&[PointId; 3]| corners.iter().any(|corner| points.binary_search(corner).is_ok());
     let corner = view.triangles.iter().filter(|_| !points.is_empty()).find(is_theirs)?[0];
     let wears = |skin: &&Skin| {

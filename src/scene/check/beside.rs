@@ -1,7 +1,7 @@
 //! The keys of what is drawn beside a scene.
 
 use super::super::error::{Fault, Within};
-use super::super::keys::Scene;
+use super::super::keys::{BesideKeys, Scene, SolverName};
 use super::super::support;
 use super::check_method;
 
@@ -14,7 +14,6 @@ pub(super) fn check(scene: &Scene) -> Result<(), Fault> {
         let message = format!("has {} entries: there is room for {MOST_BESIDE} beside a scene", scene.beside.len());
         return Err(Fault::invalid(message));
     }
-    let can_run = |scene: &Scene| support::check(scene).and_then(|()| support::method(scene).map(|_| ()));
     // What is wrong with the scene itself is said of it.
     let is_fine = !scene.beside.is_empty() && can_run(scene).is_ok();
     for (i, entry) in scene.beside.iter().enumerate() {
@@ -30,9 +29,43 @@ pub(super) fn check(scene: &Scene) -> Result<(), Fault> {
     Ok(())
 }
 
+fn can_run(scene: &Scene) -> Result<(), Fault> {
+    support::check(scene).and_then(|()| support::method(scene).map(|_| ()))
+}
+
+impl Scene {
+    /// Why each of some solvers cannot run the scene, in words without its keys; `None` where it can, or where the scene cannot be run anyway.
+    pub fn misfits(&self, solvers: &[SolverName]) -> Vec<Option<String>> {
+        let mut scene = Scene { beside: Vec::new(), ..self.clone() };
+        if can_run(&scene).is_err() {
+            return vec![None; solvers.len()];
+        }
+        let why = |solver: &SolverName| {
+            scene.method = BesideKeys::by(*solver).method.over(&self.method);
+            can_run(&scene).err().map(plain)
+        };
+        solvers.iter().map(why).collect()
+    }
+}
+
+/// What a fault says, without the place in the file and without the cure there.
+fn plain(fault: Fault) -> String {
+    let is_of_bonds = fault.is_in("bonds");
+    let said = fault.message();
+    let what = said.split(": ").next().unwrap_or(said).replace('`', "");
+    match () {
+        () if what.starts_with("relaxed bonds need") => {
+            "it needs steps and sweeps of a length and a number that the scene does not say".to_owned()
+        }
+        () if is_of_bonds => format!("a bond {what}"),
+        () => what,
+    }
+}
+
 #[cfg(test)]
 #[allow(clippy::unwrap_used, reason = "a test that cannot go on stops")]
 mod tests {
+    use super::super::super::keys::{BesideKeys, SolverName};
     use crate::scene::Scene;
 
     fn read(beside: &str, rest: &str) -> Result<Scene, String> {
@@ -52,6 +85,25 @@ mod tests {
         let alone = scene.companion(&scene.beside[0]);
         assert_eq!((alone.method.solver, alone.method.substep), (scene.method.solver, Some(0.001)));
         assert!(alone.beside.is_empty());
+    }
+
+    #[test]
+    fn solvers_that_cannot_run_a_scene_are_told_with_the_reason_in_plain_words() {
+        use SolverName::{Auto, Relaxation, Rk4, Verlet};
+        let relaxed = read("[]", "").unwrap();
+        let why = relaxed.misfits(&[Auto, Verlet, Rk4]);
+        assert_eq!(why[..2], [None, None]);
+        assert_eq!(why[2].as_deref(), Some("a bond is relaxed, which solver rk4 refuses"));
+        let discs = r#"{"wobble": 1, "contact": true, "bodies": [{"make": "disc", "radius": 1, "spacing": 0.5}]}"#;
+        let meet = Scene::parse(discs, "x.json").unwrap();
+        let why = meet.misfits(&[Auto, Rk4, Relaxation]);
+        assert_eq!([&why[0], &why[1]], [&None, &Some("solver rk4 knows no contact".to_owned())]);
+        let alone = Scene { contact: None, ..meet };
+        assert!(alone.misfits(&[Relaxation])[0].as_deref().is_some_and(|why| !why.contains(['`', ':'])));
+        for (solver, why) in [Auto, Verlet, Rk4].into_iter().zip(relaxed.misfits(&[Auto, Verlet, Rk4])) {
+            let beside = Scene { beside: vec![BesideKeys::by(solver)], ..relaxed.clone() };
+            assert_eq!(beside.check().is_err(), why.is_some(), "{solver}");
+        }
     }
 
     #[test]

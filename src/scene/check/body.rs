@@ -22,7 +22,7 @@ fn parameters(make: MakerName) -> &'static [&'static str] {
         MakerName::RandomGraph => &["count", "bonds", "min", "max", "seed"],
         MakerName::Rim => &["radius", "inner_radius", "sectors", "bracing"],
         MakerName::Box => &["width", "height", "supports"],
-        MakerName::Rope => &["count", "spacing", "to"],
+        MakerName::Rope => &["count", "spacing", "to", "slack"],
         MakerName::Cloth => &["columns", "rows", "spacing", "diagonals", "u", "v"],
         MakerName::Lattice => &["columns", "rows", "spacing"],
         MakerName::Disc => &["radius", "spacing"],
@@ -244,8 +244,12 @@ fn rim(body: &BodyKeys) -> Rim {
 
 fn stretch(body: &BodyKeys) -> Result<Stretch, Fault> {
     match (body.spacing, body.to) {
+        (Some(_), None) if body.slack.is_some() => {
+            Err(Fault::invalid("is of a rope with an end: give `to` in place of `spacing`, or leave it out")
+                .at("slack"))
+        }
         (Some(spacing), None) => Ok(Stretch::Spacing(spacing)),
-        (None, Some(to)) => Ok(Stretch::To(to.embed())),
+        (None, Some(to)) => Ok(body.slack.map_or(Stretch::To(to.embed()), |slack| Stretch::Hanging(to.embed(), slack))),
         (Some(_), Some(_)) => Err(Fault::invalid(
             "stands beside `spacing`: give how far apart the points are or where the rope ends, not both",
         )

@@ -1,7 +1,7 @@
 //! The keys of what is drawn beside a scene: the same start by another method.
 
 use super::macros::object;
-use super::method::{MethodKeys, SolverName};
+use super::method::{MethodKeys, SolverName, of_time};
 use super::scene::Scene;
 
 object! {
@@ -57,12 +57,6 @@ impl MethodKeys {
     }
 }
 
-/// A time `[s]` with the unit that suits it.
-fn of_time(time: f64) -> String {
-    let digits = |value: f64| format!("{value:.3e}").parse::<f64>().unwrap_or(value);
-    if time < 0.1 { format!("{} ms", digits(1e3 * time)) } else { format!("{} s", digits(time)) }
-}
-
 impl Scene {
     /// The scene by the method of an entry of its `beside`, alone.
     pub fn companion(&self, entry: &BesideKeys) -> Scene {
@@ -94,5 +88,6 @@ mod tests {
         assert_eq!([base.title(), by.title()], ["as-printed 003, h = 20 ms", "verlet, h = 20 ms"]);
         let finer = MethodKeys { substep: Some(0.125), ..MethodKeys::default() }.over(&base);
         assert_eq!(finer.title(), "as-printed 003, h = 0.125 s");
+        assert_eq!([finer.words(), by.words()], ["as printed: springs, steps of 0.125 s", "Verlet, steps of 20 ms"]);
     }
 }

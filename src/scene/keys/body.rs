@@ -176,6 +176,8 @@ object! {
             spacing: f64,
             /// rope, in place of `spacing`: where it ends, seen from the body's origin `[m]`.
             to: Vector,
+            /// rope, beside `to`: by what share it is longer than the straight way there `[1]`, > 0; it hangs on an arc. Straight if not said.
+            slack: f64,
             /// cloth, lattice: points in a row.
             columns: u64,
             /// cloth, lattice: rows.

@@ -131,7 +131,56 @@ object! {
     }
 }
 
+impl SolverName {
+    /// What it is called where it is read by people, not programs.
+    pub fn words(self) -> &'static str {
+        match self {
+            SolverName::Auto => "automatic",
+            SolverName::Euler => "explicit Euler",
+            SolverName::SymplecticEuler => "semi-implicit Euler",
+            SolverName::Verlet => "Verlet",
+            SolverName::VelocityVerlet => "velocity Verlet",
+            SolverName::Pefrl => "PEFRL, order 4",
+            SolverName::BlanesMoan4 => "Blanes and Moan, order 4",
+            SolverName::BlanesMoan6 => "Blanes and Moan, order 6",
+            SolverName::Rk2 => "Runge-Kutta, order 2",
+            SolverName::Rk4 => "Runge-Kutta, order 4",
+            SolverName::Rk8 => "Runge-Kutta, order 8",
+            SolverName::ImplicitMidpoint => "implicit midpoint",
+            SolverName::BackwardEuler => "implicit Euler",
+            SolverName::Xpbd => "XPBD, position based",
+            SolverName::Relaxation => "relaxation, as in tutorials",
+            SolverName::Path => "paths solved at once",
+            SolverName::Live => "live, for bodies that meet",
+            SolverName::AsPrinted => "as printed",
+        }
+    }
+}
+
+impl SourceName {
+    /// What its loop is of.
+    fn words(self) -> &'static str {
+        match self {
+            SourceName::Notebook => "the notebook",
+            SourceName::NotebookGraph => "the notebook, walls last",
+            SourceName::Segments => "points and segments",
+            SourceName::Rope => "the rope",
+            SourceName::Spring => "springs",
+            SourceName::SpringRelative => "springs by strain",
+            SourceName::Cloth => "the cloth",
+        }
+    }
+}
+
 impl MethodKeys {
+    /// The method as it is called where people read it.
+    pub fn words(&self) -> String {
+        let solver = self.solver.unwrap_or(SolverName::Auto).words();
+        let source = self.source.map_or_else(String::new, |source| format!(": {}", source.words()));
+        let steps = self.substep.map_or_else(String::new, |substep| format!(", steps of {}", of_time(substep)));
+        format!("{solver}{source}{steps}")
+    }
+
     /// Whether nothing is said.
     pub fn is_empty(&self) -> bool {
         self.given().next().is_none()
@@ -156,4 +205,10 @@ impl MethodKeys {
             PrecisionName::F64 => sim::Precision::F64,
         }
     }
+}
+
+/// A time `[s]` with the unit that suits it.
+pub(super) fn of_time(time: f64) -> String {
+    let digits = |value: f64| format!("{value:.3e}").parse::<f64>().unwrap_or(value);
+    if time < 0.1 { format!("{} ms", digits(1e3 * time)) } else { format!("{} s", digits(time)) }
 }

@@ -2,7 +2,7 @@
 
 use super::{Applied, CommandError, DONE, done, invalid};
 use crate::sim::bond::PointId;
-use crate::sim::command::Reach;
+use crate::sim::command::{HELD, Reach};
 use crate::sim::dynamics::GrabView;
 use crate::sim::environment::Lead;
 use crate::sim::group::grab::Grabbed;
@@ -27,12 +27,15 @@ impl<S: Real, const D: usize> World<S, D> {
             Reach::Within(radius) if *radius > 0.0 && radius.is_finite() => self.points_within(*radius),
             Reach::Within(radius) => return Err(invalid(format!("`within` is {radius}: it must be finite and > 0"))),
         };
+        if points.is_empty() {
+            return Err(invalid("nothing is in reach"));
+        }
         // A pin holds, and what is taut between pins.
         points.retain(|point| self.can_move(point.index()));
         points.sort_unstable();
         points.dedup();
         if points.is_empty() {
-            return Err(invalid("nothing that can move is in reach"));
+            return Err(invalid(HELD));
         }
         self.release();
         if D == 3 {

@@ -225,6 +225,10 @@ impl<S: Real, const D: usize> Dynamics for World<S, D> {
         energies
     }
 
+    fn tension(&self, place: usize) -> Option<f64> {
+        World::tension(self, place)
+    }
+
     fn velocity(&self, point: PointId) -> [f64; 3] {
         let of = |[group, slot]: [usize; 2]| embed(widen(self.plan.groups[group].points.velocity[slot]));
         self.slot(point.index()).map_or([0.0; 3], of)

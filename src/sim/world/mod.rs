@@ -13,6 +13,7 @@ pub(crate) mod saved;
 mod skins;
 mod start;
 mod state;
+mod tension;
 mod warnings;
 
 use std::sync::Arc;

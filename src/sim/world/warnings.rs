@@ -96,6 +96,19 @@ impl<S: Real, const D: usize> World<S, D> {
         }
     }
 
+    /// Tells of pinned points that are given a velocity at the start `[m/s]`, which they cannot have.
+    pub(super) fn warn_of_held(&mut self, velocity: &[[f64; D]]) {
+        let is_dropped = |point: &usize| self.inverse_mass[*point] == 0.0 && velocity[*point] != [0.0; D];
+        let dropped: Vec<usize> = (0..velocity.len()).filter(is_dropped).collect();
+        if !dropped.is_empty() {
+            let verb = if dropped.len() == 1 { "is" } else { "are" };
+            self.warnings.push(format!(
+                "{} {verb} pinned: the velocity at the start is left out: unpin, or lead by `pin_motion`",
+                named("point", &dropped)
+            ));
+        }
+    }
+
     /// Tells of a wind that pushes nothing.
     pub(crate) fn warn_of_wind(&mut self) {
         if self.model.has_idle_wind() {

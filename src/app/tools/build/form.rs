@@ -5,6 +5,7 @@ use glam::DVec2;
 use super::Maker;
 use super::grid::{Fineness, Grid};
 use crate::app::action::Primitive;
+use crate::body::hanging;
 use crate::sim::PointId;
 
 /// A primitive in its place.
@@ -16,6 +17,8 @@ pub(super) enum Form {
         /// The first is on a point of the world, if any is.
         ends: [End; 2],
         pieces: u32,
+        /// By what share it is longer than the straight way `[1]`: where both ends are held.
+        slack: f64,
     },
     Cloth {
         grid: Grid,
@@ -91,7 +94,7 @@ impl Form {
         match maker.primitive {
             Primitive::Box => Form::Box(Grid::fit(from, to, &BOX)),
             Primitive::Disc => Form::Disc(round),
-            Primitive::Rope => Form::rope(ends, usual),
+            Primitive::Rope => Form::rope(ends, usual, maker.slack()),
             Primitive::Cloth => Form::Cloth { grid: Grid::fit(from, to, &CLOTH), hangs: !maker.is_free },
             Primitive::Rim => Form::Rim(round),
             Primitive::SolidBox => Form::SolidBox([from.min(to), from.max(to)]),
@@ -110,19 +113,20 @@ impl Form {
             Primitive::Cloth => about(DVec2::new(usual, 0.75 * usual)),
             Primitive::Disc | Primitive::SolidCircle => beside(DVec2::new(0.5 * usual, 0.0)),
             Primitive::Rim => beside(DVec2::new(0.75 * usual, 0.0)),
-            Primitive::Rope => beside(hanging(usual)),
+            Primitive::Rope => beside(down(usual)),
             Primitive::Slope => beside(DVec2::new(usual, 0.0)),
         };
         let end = |at: DVec2, hold: Hold| End { at, hold };
         Form::drawn(maker, [end(from, at.hold), end(to, Hold::None)], usual)
     }
 
-    fn rope(ends: [End; 2], usual: f64) -> Self {
+    fn rope(ends: [End; 2], usual: f64, slack: f64) -> Self {
         let [from, to] = ends;
         let is_on_a_point = |end: End| matches!(end.hold, Hold::Point(_));
+        let slack = if ends.into_iter().all(is_on_a_point) { slack } else { 0.0 };
         let ends = if is_on_a_point(to) && !is_on_a_point(from) { [to, from] } else { ends };
-        let pieces = PIECES * from.at.distance(to.at) / usual;
-        Form::Rope { ends, pieces: pieces.round().clamp(ALL_PIECES[0], ALL_PIECES[1]) as u32 }
+        let pieces = PIECES * (1.0 + slack) * from.at.distance(to.at) / usual;
+        Form::Rope { ends, pieces: pieces.round().clamp(ALL_PIECES[0], ALL_PIECES[1]) as u32, slack }
     }
 
     /// Its size, as one says it.
@@ -134,7 +138,12 @@ impl Form {
             Form::Disc(round) | Form::Rim(round) | Form::SolidCircle(round) => {
                 format!("radius {} m", short(round.radius))
             }
-            Form::Rope { ends: [from, to], .. } => format!("{} m", short(from.at.distance(to.at))),
+            Form::Rope { ends: [from, to], slack, .. } => {
+                let long = short((1.0 + slack) * from.at.distance(to.at));
+                let is_held = [from, to].into_iter().all(|end| matches!(end.hold, Hold::Point(_)));
+                let more = if is_held { format!(", {:.0} % slack (wheel)", 100.0 * slack) } else { String::new() };
+                format!("{long} m{more}")
+            }
             Form::Slope(Plank { along, .. }) => {
                 format!("{} m, {:.0}°", short(along.length()), along.to_angle().to_degrees() + 0.0)
             }
@@ -142,8 +151,17 @@ impl Form {
     }
 }
 
+/// Where the corners of a rope between two places are, `pieces` of them of one length `[m]`.
+pub(super) fn chain([from, to]: [DVec2; 2], pieces: u32, slack: f64) -> Vec<DVec2> {
+    let way = to - from;
+    hanging([way.x, way.y, 0.0], u64::from(pieces), slack)
+        .into_iter()
+        .map(|[x, y, _]| from + DVec2::new(x, y))
+        .collect()
+}
+
 /// From where a rope is clicked to its end, where what a click makes is so large `[m]`.
-fn hanging(usual: f64) -> DVec2 {
+fn down(usual: f64) -> DVec2 {
     DVec2::new(0.0, -2.0 * usual)
 }
 

@@ -4,7 +4,7 @@ use std::f64::consts::PI;
 
 use glam::DVec2;
 
-use super::form::{End, Form, Hold, Round};
+use super::form::{End, Form, Hold, Round, chain};
 use super::grid::Grid;
 use crate::scene::{
     AddKeys, BodyKeys, BondKeys, BoxKeys, BraceName, CircleKeys, DiagonalsName, KindName, MakerName, Material,
@@ -44,7 +44,7 @@ impl Form {
         match self {
             Form::Box(grid) => body(block(grid)),
             Form::Disc(round) => body(disc(round)),
-            Form::Rope { ends, pieces } => rope(ends, *pieces, next),
+            Form::Rope { ends, pieces, slack } => rope(ends, (*pieces, *slack), next),
             Form::Cloth { grid, hangs } => body(cloth(grid, *hangs)),
             Form::Rim(round) => body(rim(round)),
             Form::SolidBox([low, high]) => {
@@ -145,26 +145,31 @@ fn cloth(grid: &Grid, hangs: bool) -> BodyKeys {
 
 /// A chain of pieces of one length. A piece that ends on a point of the world is a bond to it, as long as it is far when the command is
 /// done: a body that moves meanwhile is not jerked.
-fn rope(&[from, to]: &[End; 2], pieces: u32, next: u32) -> AddKeys {
-    let piece = (to.at - from.at) / f64::from(pieces);
+fn rope(&[from, to]: &[End; 2], (pieces, slack): (u32, f64), next: u32) -> AddKeys {
+    let corners = chain([from.at, to.at], pieces, slack);
     let bonded = |end: End| if let Hold::Point(point) = end.hold { Some(point) } else { None };
     let (at_first, at_last) = (bonded(from), bonded(to));
     let count = pieces + 1 - u32::from(at_first.is_some()) - u32::from(at_last.is_some());
-    let first = from.at + if at_first.is_some() { piece } else { DVec2::ZERO };
+    let own = &corners[usize::from(at_first.is_some())..][..count as usize];
+    let (first, way) = (own[0], own[own.len() - 1] - own[0]);
     let bond = |a: u32, b: u32| BondKeys { kind: Some(KindName::Rigid), ..BondKeys::new(a, b) };
     let at_first = at_first.map(|point| bond(point.0, next));
     let at_last = at_last.map(|point| bond(next + count - 1, point.0));
     let pins = [(from, 0), (to, count - 1)].into_iter().filter(|(end, _)| end.hold == Hold::Pin);
-    let own = f64::from(count - 1);
+    let piece = corners[0].distance(corners[1]);
+    let long = f64::from(count - 1) * piece;
+    // What lies on a part of the arc hangs by a part of its slack.
+    let own_slack = (slack > 0.0).then(|| long / way.length() - 1.0);
     AddKeys {
         bonds: at_first.into_iter().chain(at_last).collect(),
         bodies: vec![BodyKeys {
             make: MakerName::Rope,
             count: Some(u64::from(count)),
-            to: Some(vector(own * piece)),
+            to: Some(vector(way)),
+            slack: own_slack.filter(|slack| *slack > 0.0),
             origin: Some(vector(first)),
             pinned: pins.map(|(_, point)| point).collect(),
-            material: Some(rigid(ROPE_MASS * own * piece.length())),
+            material: Some(rigid(ROPE_MASS * long)),
             ..BodyKeys::default()
         }],
         ..AddKeys::default()

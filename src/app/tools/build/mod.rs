@@ -36,6 +36,8 @@ pub(super) struct Maker {
     pub(super) primitive: Primitive,
     /// What hangs otherwise, ropes and cloths, is pinned nowhere.
     pub(super) is_free: bool,
+    /// How far the wheel turned while ropes were drawn.
+    turned: i32,
 }
 
 /// Where a drag began.
@@ -55,7 +57,27 @@ impl Drag {
     }
 }
 
+/// A rope between two points is longer than the way between them by this share for each step of the wheel, and by one step from the first `[1]`:
+/// what is straight between two pins could not move.
+const SLACK: f64 = 0.02;
+/// The most steps.
+const MOST_SLACK: i32 = 50;
+
 impl Maker {
+    /// By what share a rope between two points is longer than the straight way `[1]`.
+    fn slack(self) -> f64 {
+        SLACK * f64::from(1 + self.turned)
+    }
+
+    /// The wheel turned so many steps while something is drawn. Returns whether that means anything to it.
+    pub(super) fn turn(&mut self, steps: i32) -> bool {
+        let is_rope = self.primitive == Primitive::Rope;
+        if is_rope {
+            self.turned = self.turned.saturating_add(steps).clamp(-1, MOST_SLACK - 1);
+        }
+        is_rope
+    }
+
     /// What a release at a pixel adds to the world; words where that would be too small.
     pub(super) fn build(self, scope: Scope<'_>, drag: &Drag, at: DVec2) -> Deed {
         match self.form(scope, Some(drag), at) {

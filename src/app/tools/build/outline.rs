@@ -2,7 +2,7 @@
 
 use glam::DVec2;
 
-use super::form::{End, Form, Hold, Round};
+use super::form::{End, Form, Hold, Round, chain};
 use super::matter::INNER;
 use crate::app::tools::marks::{Mark, Role};
 use crate::app::tools::pick::Scope;
@@ -20,7 +20,7 @@ pub(super) fn of(form: &Form, scope: Scope<'_>, at: DVec2) -> Vec<Mark> {
         Form::Rim(rim) => {
             [rim.radius, INNER * rim.radius].into_iter().flat_map(|radius| ring(scope, rim.center, radius)).collect()
         }
-        Form::Rope { ends, .. } => rope(scope, ends),
+        Form::Rope { ends, pieces, slack } => rope(scope, ends, &chain(ends.map(|end| end.at), *pieces, *slack)),
         Form::Cloth { grid, hangs } => {
             let high = grid.low + grid.size();
             let corners = [DVec2::new(grid.low.x, high.y), high];
@@ -69,8 +69,9 @@ fn held(scope: Scope<'_>, at: DVec2) -> Option<Mark> {
 }
 
 /// A line; what it will be tied to is ringed and dotted, a pin of its own is ringed alone.
-fn rope(scope: Scope<'_>, ends: &[End; 2]) -> Vec<Mark> {
-    let [from, to] = ends.map(|end| pixel(scope, end.at));
+fn rope(scope: Scope<'_>, ends: &[End; 2], corners: &[DVec2]) -> Vec<Mark> {
+    let corners: Vec<Option<DVec2>> = corners.iter().map(|corner| pixel(scope, *corner)).collect();
+    let pieces = corners.windows(2).filter_map(|pair| Some(line(scope, pair[0]?, pair[1]?)));
     let holds = ends.iter().flat_map(|end| {
         let at = pixel(scope, end.at);
         let ring = |radius: f64| at.map(|at| Mark::Ring(Role::Hold, at, radius * scope.scale));
@@ -80,5 +81,5 @@ fn rope(scope: Scope<'_>, ends: &[End; 2]) -> Vec<Mark> {
             Hold::Point(_) => [ring(9.0), at.map(|at| Mark::Knob(Role::Hold, at, 4.0 * scope.scale))],
         }
     });
-    from.zip(to).map(|(from, to)| line(scope, from, to)).into_iter().chain(holds.flatten()).collect()
+    pieces.chain(holds.flatten()).collect()
 }

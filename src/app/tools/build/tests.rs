@@ -210,6 +210,27 @@ fn a_rope_is_bonded_to_the_points_that_it_begins_and_ends_on() {
 }
 
 #[test]
+fn a_rope_between_two_points_has_slack_as_the_wheel_says() {
+    let text = r#"{"wobble": 1, "points": {"position": [[-2, 0], [2, 0]], "pinned": [0, 1]}, "gravity": [0, -10],
+        "view": {"center": [0, 0], "height": 8}}"#;
+    let seen = shown(Scene::parse(text, "x.json").unwrap());
+    for (steps, slack) in [(0, 0.02), (4, 0.1), (-9, 0.0)] {
+        let mut hand = hand(Primitive::Rope);
+        hand.press(scope(&seen), at(&seen, -2.0, 0.0));
+        assert!(hand.turn_wheel(steps), "it is not for the view while a rope is drawn");
+        let marks = hand.marks(scope(&seen), Some(at(&seen, 2.0, 0.0)));
+        let said = format!("{:.0} % slack", 100.0 * slack);
+        assert!(marks.iter().any(|mark| matches!(mark, Mark::Words(_, words) if words.contains(&said))), "{marks:?}");
+        let deed = hand.release(scope(&seen), at(&seen, 2.0, 0.0));
+        let history = history(&seen, &[deed]);
+        let lengths: Vec<f64> = history.world().bonds().iter().map(|bond| bond.rest_length).collect();
+        assert!((lengths.iter().sum::<f64>() - 4.0 * (1.0 + slack)).abs() < 1e-8, "{slack}");
+        assert!(lengths.iter().all(|long| (long - lengths[0]).abs() < 1e-8), "{lengths:?}");
+    }
+    assert!(!hand(Primitive::Rope).turn_wheel(1), "nothing is drawn");
+}
+
+#[test]
 fn a_rope_is_tied_to_the_skin_where_it_is_seen_and_nowhere_else() {
     let text = r#"{"wobble": 1, "bodies": [{"make": "disc", "radius": 1, "spacing": 0.3}], "contact": true,
         "view": {"center": [0, 0], "height": 8}}"#;

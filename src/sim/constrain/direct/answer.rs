@@ -6,6 +6,9 @@ use crate::sim::contact::Contacts;
 use crate::sim::real::Real;
 use crate::sim::vector::{add, dot, scale, sub};
 
+/// Pivots below this share of their diagonal, in roundings, are of bonds that repeat others, where their forces are asked for.
+const REPEATED: f64 = 1e5;
+
 impl<S: Real, const D: usize> Direct<S, D> {
     /// Adds to accelerations what the bonds answer where the points are now.
     pub(crate) fn answer(&mut self, x: &[[S; D]], v: &[[S; D]], a: &mut [[S; D]], contacts: &Contacts<S, D>) {
@@ -41,6 +44,27 @@ impl<S: Real, const D: usize> Direct<S, D> {
         self.area_bends(v, a, contacts);
         self.ldl.solve_one(&mut self.lambda);
         self.push(a);
+    }
+
+    /// By what force the bond between two points pulls them together `[N]`, where all others give these accelerations; `None` where there
+    /// is none, or where bonds repeat each other, so that their forces are not one answer.
+    pub(crate) fn bond_force(
+        &mut self,
+        ends: [u32; 2],
+        (x, v): (&[[S; D]], &[[S; D]]),
+        a: &mut [[S; D]],
+        contacts: &Contacts<S, D>,
+    ) -> Option<f64> {
+        self.aim(x);
+        self.fill(contacts);
+        let inertia = self.ldl.factor(&self.diagonal, &self.lower, S::EPSILON * S::from_f64(REPEATED));
+        if inertia.skipped > 0 {
+            return None;
+        }
+        self.multiply(v, a, contacts);
+        let place = self.rows.iter().position(|row| [row.a, row.b] == ends || [row.b, row.a] == ends)?;
+        let pull = -self.lambda[place].to_f64() * dot(self.aims[place], self.aims[place]).to_f64().sqrt();
+        pull.is_finite().then_some(pull)
     }
 
     /// Adds W G^T lambda to accelerations.
