@@ -70,12 +70,13 @@ const ROOMS: [(&str, &[&str], &[&str]); 13] = [
 ];
 
 /// Each module of `sim` and those that it may name, which all stand above it here: so there is no circle.
-const SIM: [(&str, &[&str]); 44] = [
+const SIM: [(&str, &[&str]); 45] = [
     ("real", &[]),
     ("drive", &[]),
     ("shared", &[]),
     ("sets", &[]),
-    ("threads", &[]),
+    ("sizes", &[]),
+    ("threads", &["sizes"]),
     ("timeline", &[]),
     ("counters", &[]),
     ("colour", &[]),
@@ -92,7 +93,7 @@ const SIM: [(&str, &[&str]); 44] = [
     ("kernels", &["real", "threads", "vector"]),
     ("measure", &["bond", "bonds", "drive", "ledger", "points", "real", "vector"]),
     ("swept", &["real", "sets"]),
-    ("contact", &["bond", "points", "real", "vector"]),
+    ("contact", &["bond", "points", "real", "sizes", "vector"]),
     ("force", &["bond", "colour", "drive", "measure", "points", "real", "vector"]),
     ("environment", &["drive", "force", "real", "swept", "vector"]),
     ("constrain", &["bond", "colour", "contact", "force", "points", "real", "solve", "solver", "vector"]),
@@ -130,6 +131,7 @@ const SIM: [(&str, &[&str]); 44] = [
             "points",
             "pull",
             "real",
+            "sizes",
             "source",
             "swept",
             "threads",
@@ -151,6 +153,7 @@ const SIM: [(&str, &[&str]); 44] = [
             "points",
             "pull",
             "real",
+            "sizes",
             "solve",
             "swept",
             "vector",
@@ -195,6 +198,7 @@ const SIM: [(&str, &[&str]); 44] = [
             "real",
             "rigid",
             "sets",
+            "sizes",
             "swept",
             "triangles",
             "vector",
@@ -219,6 +223,7 @@ const SIM: [(&str, &[&str]); 44] = [
             "points",
             "pull",
             "real",
+            "sizes",
             "solve",
             "timeline",
             "vector",
@@ -252,6 +257,7 @@ const SIM: [(&str, &[&str]); 44] = [
             "real",
             "rigid",
             "sets",
+            "sizes",
             "solve",
             "solver",
             "source",
@@ -355,7 +361,7 @@ const SIM: [(&str, &[&str]); 44] = [
             "world",
         ],
     ),
-    ("step", &["group", "handover", "real", "world"]),
+    ("step", &["counters", "environment", "group", "handover", "real", "threads", "world"]),
     ("build", &["dynamics", "model", "plan", "world"]),
 ];
 

@@ -5,7 +5,7 @@
 mod bits;
 mod idle;
 mod impacts;
-mod models;
+pub(crate) mod models;
 mod outside;
 mod physics;
 mod program;

@@ -31,6 +31,7 @@ mod scenes;
 mod screenshots;
 mod shaders;
 mod shape;
+mod sizes;
 mod space;
 mod stability;
 mod study;

@@ -2,10 +2,10 @@
 
 use crate::sim::bond::{BondKind, Limit};
 use crate::sim::build::build;
-use crate::sim::constrain::direct::MOST_DIRECT;
 use crate::sim::dynamics::Dynamics;
 use crate::sim::model::Model;
 use crate::sim::plan::islands_of;
+use crate::sim::sizes::MOST_DIRECT;
 use crate::sim::solver::Solver;
 
 /// What a search tries.

@@ -63,6 +63,52 @@ pub(crate) fn operations(ms: f64) -> u64 {
 }
 
 impl Counters {
+    /// Adds the work that somebody else counted.
+    pub(crate) fn add(&mut self, other: &Counters) {
+        let &Counters {
+            substeps,
+            bonds_solved,
+            points_moved,
+            iterations,
+            mouse_points,
+            events,
+            guard_splits,
+            fallbacks,
+            bonds_torn,
+            contacts,
+            truncations,
+            guarded,
+            looks,
+            mended,
+            parted,
+            settled,
+            frozen,
+            hand_overs,
+            returns,
+            work,
+        } = other;
+        self.substeps += substeps;
+        self.bonds_solved += bonds_solved;
+        self.points_moved += points_moved;
+        self.iterations += iterations;
+        self.mouse_points += mouse_points;
+        self.events += events;
+        self.guard_splits += guard_splits;
+        self.fallbacks += fallbacks;
+        self.bonds_torn += bonds_torn;
+        self.contacts += contacts;
+        self.truncations += truncations;
+        self.guarded += guarded;
+        self.looks += looks;
+        self.mended += mended;
+        self.parted += parted;
+        self.settled += settled;
+        self.frozen += frozen;
+        self.hand_overs += hand_overs;
+        self.returns += returns;
+        self.work += work;
+    }
+
     /// Counts `sweeps` over `bonds`.
     pub(crate) fn sweep(&mut self, sweeps: u32, bonds: usize) {
         self.iterations += u64::from(sweeps);

@@ -35,6 +35,7 @@ pub(crate) mod rigid;
 mod saved;
 pub(crate) mod sets;
 pub(crate) mod shared;
+pub mod sizes;
 pub(crate) mod solve;
 pub mod solver;
 pub mod source;

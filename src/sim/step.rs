@@ -15,21 +15,49 @@
 //! What acts on each other in a step is one group. Each group goes its own way to the end of the step, in equal substeps no longer than
 //! its own, and a command, a cursor or a break cuts the step of those alone that it touches.
 
+use super::counters::Counters;
+use super::environment::Environment;
+use super::group::Group;
 use super::handover::most_work;
 use super::real::Real;
+use super::threads;
 use super::world::World;
 
 /// Times that the step of a group ends early where a bond breaks: bonds that break after that do so where it ends.
 const MOST_STOPS: u32 = 16;
 
 /// What a group has before it in a step: `h` from time `from` `[s]`.
-#[derive(Clone, Copy)]
+#[derive(Clone, Copy, Debug)]
 struct Due {
     place: usize,
     from: f64,
     h: f64,
     /// How often it ended early.
     stops: u32,
+}
+
+/// How far a group came of what was due `[s]`, and the work that it did.
+#[derive(Clone, Copy, Debug, Default)]
+struct Gone {
+    came: f64,
+    counters: Counters,
+}
+
+/// A group goes on, as far as it comes.
+fn go<S: Real, const D: usize>(
+    group: &mut Group<S, D>,
+    around: &Environment<D>,
+    budget: Option<f64>,
+    due: Due,
+) -> Gone {
+    let Due { from, h, stops, .. } = due;
+    let mut counters = Counters::default();
+    let locates = stops < MOST_STOPS && group.edges.has_breaks();
+    group.watch_start(around, from);
+    group.limit = most_work(group, budget, (from, h), &counters);
+    let came = group.go(around, (from, h), locates, &mut counters);
+    group.watch_end(around, (from, came), (counters.work, counters.fallbacks));
+    Gone { came, counters }
 }
 
 impl<S: Real, const D: usize> World<S, D> {
@@ -86,13 +114,10 @@ impl<S: Real, const D: usize> World<S, D> {
         for part in 0..parts {
             let [start, end] = [part, part + 1].map(|part| h * (f64::from(part) / f64::from(parts)));
             self.wake_reached([t + start, t + end]);
-            let mut made: Vec<usize> = Vec::new();
-            for place in 0..self.plan.groups.len() {
-                let is_done = done.binary_search(&place).is_ok() || made.contains(&place);
-                if !is_done && !self.plan.groups[place].is_asleep() {
-                    self.take(Due { place, from: t + start, h: end - start, stops: 0 }, &mut made);
-                }
-            }
+            let is_due = |place: &usize| done.binary_search(place).is_err() && !self.plan.groups[*place].is_asleep();
+            let due = |place| Due { place, from: t + start, h: end - start, stops: 0 };
+            let dues: Vec<Due> = (0..self.plan.groups.len()).filter(is_due).map(due).collect();
+            self.take_all(&dues, &mut Vec::new());
         }
         self.gather();
         self.note_kinetic();
@@ -131,15 +156,39 @@ impl<S: Real, const D: usize> World<S, D> {
 
     /// A group takes what is due. What follows the break of a bond is made with the plan without it; `made`: the groups that come so.
     fn take(&mut self, due: Due, made: &mut Vec<usize>) {
+        let budget = self.model.budget();
+        let gone = go(&mut self.plan.groups[due.place], &self.around, budget, due);
+        self.go_on(due, gone, made);
+    }
+
+    /// Groups take what is due, several at once where that is worth it: none of them knows of another within a step.
+    fn take_all(&mut self, dues: &[Due], made: &mut Vec<usize>) {
+        let World { plan, around, model, .. } = self;
+        let (around, budget) = (&*around, model.budget());
+        let mut gone: Vec<Gone> = vec![Gone::default(); dues.len()];
+        let mut groups = plan.groups.iter_mut().enumerate();
+        let tasks = dues.iter().zip(&mut gone).filter_map(|(&due, gone)| {
+            let (_, group) = groups.find(|(place, _)| *place == due.place)?;
+            let work = (group.work.step as f64 * (due.h / group.substep).ceil()) as u64;
+            Some((work, (group, due, gone)))
+        });
+        threads::share_out(tasks.collect(), |(group, due, gone)| *gone = go(group, around, budget, due));
+        for (&due, gone) in dues.iter().zip(gone) {
+            // What an earlier one made may be in the place of one that was empty.
+            if made.contains(&due.place) {
+                self.counters.add(&gone.counters);
+            } else {
+                self.go_on(due, gone, made);
+            }
+        }
+    }
+
+    /// Counts what a group has done, and does what follows where it ended early.
+    fn go_on(&mut self, due: Due, gone: Gone, made: &mut Vec<usize>) {
         let Due { place, from, h, stops } = due;
+        let Gone { came, counters } = gone;
+        self.counters.add(&counters);
         let group = &mut self.plan.groups[place];
-        let locates = stops < MOST_STOPS && group.edges.has_breaks();
-        group.watch_start(&self.around, from);
-        group.limit = most_work(group, self.model.budget(), (from, h), &self.counters);
-        let before = self.counters;
-        let came = group.go(&self.around, (from, h), locates, &mut self.counters);
-        let spent = (self.counters.work - before.work, self.counters.fallbacks - before.fallbacks);
-        group.watch_end(&self.around, (from, came), spent);
         let torn: Vec<u32> = group.torn().collect();
         if torn.is_empty() {
             if group.gave_up.is_some() {

@@ -1,18 +1,15 @@
-//! Work on large bodies that is shared by threads. The bits of a run do not depend on how many there are: work is cut by
+//! Work on large bodies, and on many bodies, that is shared by threads. The bits of a run do not depend on how many there are: work is cut by
 //! what it is, never by who does it.
 
 use std::cell::Cell;
 use std::num::NonZero;
-use std::sync::OnceLock;
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
+use std::sync::{Mutex, OnceLock, PoisonError};
 
 use rayon::{ThreadPool, ThreadPoolBuilder};
 
-/// Work of a step below which one thread is as quick, in bonds that are swept (about 0.3 ns each): others have to be woken,
-/// which takes a tenth of a millisecond on some machines.
-const LEAST_WORK: usize = 1_000_000;
-/// Work between two waits for each other below which one thread is as quick.
-const LEAST_SHARE: usize = 60_000;
+use super::sizes::{LEAST_SHARE, LEAST_TOGETHER, LEAST_WORK};
+
 /// Looks at what others have left to do before one lets the machine do something else.
 const MOST_LOOKS: u32 = 20_000;
 
@@ -26,6 +23,8 @@ thread_local! {
     static IS_HELPED: Cell<bool> = const { Cell::new(false) };
     /// How often this thread waited for others, and how often they were late.
     static WAITS: Cell<[u32; 2]> = const { Cell::new([0; 2]) };
+    /// Whether this thread does one task of several that go at once: it asks nobody for help with it.
+    static IS_BUSY: Cell<bool> = const { Cell::new(false) };
     /// Passes that this thread has shared.
     static SHARED: Cell<u64> = const { Cell::new(0) };
 }
@@ -41,9 +40,9 @@ pub fn shared_passes() -> u64 {
 #[error("threads are in use already")]
 pub struct ThreadsInUse;
 
-/// Makes the program use so many threads, once and before any large body moves; all processors otherwise.
+/// Makes the program use so many threads, once and before any large body, or many bodies, move; all processors otherwise.
 ///
-/// The thread that moves the first large body is one of them, and the only one that the others help.
+/// The thread that moves the first of these is one of them, and the only one that the others help.
 /// Errors: their number is settled already.
 pub fn use_threads(count: usize) -> Result<(), ThreadsInUse> {
     COUNT.set(count).map_err(|_| ThreadsInUse)
@@ -79,7 +78,7 @@ pub(crate) struct Help {
 impl Help {
     /// Does the work of a step (in bonds that are swept), with other threads standing by where that is worth it.
     pub(crate) fn with<R: Send>(&mut self, work: usize, does: impl FnOnce() -> R + Send) -> R {
-        if work < LEAST_WORK || !has_help() {
+        if work < LEAST_WORK || IS_BUSY.get() || !has_help() {
             return does();
         }
         if self.alone > 0 {
@@ -164,6 +163,35 @@ pub(crate) fn with_each_in<T: Send, R: Send>(
         let is_late = !(0..MOST_LOOKS).any(|_| is_done());
         let [all, late] = WAITS.get();
         WAITS.set([all + 1, late + u32::from(is_late)]);
+    });
+}
+
+/// Does tasks that know nothing of each other, each with its work (operations, about): the longest first, each by whoever is free, where
+/// what is done beside the longest is worth it; else one after another, as they are listed. One of more than its share of the work comes
+/// first and alone, and may have help of its own.
+pub(crate) fn share_out<T: Send>(tasks: Vec<(u64, T)>, does: impl Fn(T) + Sync + Send) {
+    let all: u64 = tasks.iter().map(|task| task.0).sum();
+    let is_short = |task: &(u64, T)| task.0 <= all / 2;
+    let short: u64 = tasks.iter().filter(|task| is_short(task)).map(|task| task.0).sum();
+    if short < LEAST_TOGETHER || !has_help() {
+        return tasks.into_iter().for_each(|(_, task)| does(task));
+    }
+    let (mut short, long): (Vec<_>, Vec<_>) = tasks.into_iter().partition(is_short);
+    long.into_iter().for_each(|(_, task)| does(task));
+    short.sort_by_key(|task| task.0);
+    let left = Mutex::new(short);
+    let next = || left.lock().unwrap_or_else(PoisonError::into_inner).pop();
+    let work = || {
+        let was_busy = IS_BUSY.replace(true);
+        while let Some((_, task)) = next() {
+            does(task);
+        }
+        IS_BUSY.set(was_busy);
+    };
+    SHARED.set(SHARED.get() + 1);
+    rayon::scope(|scope| {
+        (1..rayon::current_num_threads()).for_each(|_| scope.spawn(|_| work()));
+        work();
     });
 }
 

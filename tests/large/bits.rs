@@ -3,9 +3,9 @@
 use rayon::ThreadPoolBuilder;
 use wobble::scene::Scene;
 use wobble::scene::record::hash;
-use wobble::sim::{InstructionSet, Model, shared_passes};
+use wobble::sim::{Bond, BondKind, InstructionSet, Model, shared_passes};
 
-use super::models::{FRAME, disc, frames, hung, kernel, path, rims, rope, scene, single, to_strain};
+use super::models::{FRAME, copies, disc, frames, hung, kernel, path, rims, rope, scene, single, to_strain};
 
 /// Hash of positions and velocities of all frames.
 fn bits(scene: &Scene, count: usize) -> String {
@@ -118,6 +118,17 @@ fn huge_chains_and_crowds_have_the_same_bits_on_any_number_of_threads() {
         drop(world);
         is_shared_alike(&scene, 1, form);
     }
+}
+
+#[test]
+fn many_bodies_have_the_same_bits_on_any_number_of_threads() {
+    // Each by its own method: of 20,000 points they would be one large body.
+    let net = hung([9, 9], [true, false]);
+    let spring = BondKind::Spring { stiffness: 1e3, damping: 0.1 };
+    let net = Model { bonds: net.bonds.iter().map(|bond| Bond { kind: spring, ..bond }).collect(), ..net };
+    let bodies = |count| scene(&copies(&moving(net.clone()), count));
+    is_shared_alike(&bodies(240), 1, "many bodies");
+    assert_eq!(shared(&bodies(20), 1, 2).1, 0, "few are done before others are awake");
 }
 
 #[test]

@@ -1,6 +1,6 @@
 //! Large bodies, listed bond by bond.
 
-use serde_json::json;
+use serde_json::{Value, json};
 use wobble::scene::Scene;
 use wobble::sim::{
     Bond, BondKind, Bonds, Bounds, Dynamics, Limit, Method, Model, PointId, Precision, Sample, Solver, Track,
@@ -181,6 +181,11 @@ pub(crate) fn single<const D: usize>(model: &Model<D>) -> Model<D> {
 
 /// The scene file of a model.
 pub(crate) fn scene<const D: usize>(model: &Model<D>) -> Scene {
+    Scene::parse(&keys(model).to_string(), "scene").unwrap()
+}
+
+/// What the scene file of a model says.
+pub(crate) fn keys<const D: usize>(model: &Model<D>) -> Value {
     let bond = |bond: Bond| {
         let mut keys = json!({ "a": bond.a.0, "b": bond.b.0, "rest": bond.rest_length });
         match bond.kind {
@@ -240,7 +245,7 @@ pub(crate) fn scene<const D: usize>(model: &Model<D>) -> Scene {
     if let Some(iterations) = iterations {
         keys["method"]["iterations"] = iterations.into();
     }
-    Scene::parse(&keys.to_string(), "scene").unwrap()
+    keys
 }
 
 /// A world of a model: made by the library, so that its kernels are compiled once.

@@ -4,8 +4,8 @@
 //! Stiffening it while it is stretched feeds energy in, like a swing that is pumped: so substeps grow and shrink by a few per
 //! cent a step, unless there is little strain that a change could set free.
 
-/// Most substeps of a frame.
-const MOST: f64 = 512.0;
+use crate::sim::sizes::MOST_FOR_STRAIN;
+
 /// The frame that automatic substeps divide `[s]`.
 pub(crate) const FRAME: f64 = 1.0 / 60.0;
 /// Share of the strain asked for that is aimed at: the largest strain of a step swings from step to step.
@@ -111,7 +111,7 @@ impl Control {
     /// heaviest body `[N]`.
     pub(crate) fn bear(&mut self, pull: f64, weight: f64) {
         self.weight = weight;
-        self.least = (pull / MOST_PULL).sqrt().clamp(self.least, MOST);
+        self.least = (pull / MOST_PULL).sqrt().clamp(self.least, MOST_FOR_STRAIN);
         self.count = self.count.max(self.least);
     }
 
@@ -165,10 +165,10 @@ impl Control {
         self.spent += count;
         let paid = if load.is_pushed { self.paid } else { f64::INFINITY };
         let wanted = (strain / aim).sqrt();
-        let next = (count * wanted.min(MOST_GROWTH)).min(MOST);
+        let next = (count * wanted.min(MOST_GROWTH)).min(MOST_FOR_STRAIN);
         let is_event = load.is_disturbed || load.pull == 0.0 || strain > SUDDEN * self.late.min(target);
         let is_paid = self.spent + next <= paid;
-        if strain > target && is_event && self.tries < MOST_TRIES && count < MOST && is_paid {
+        if strain > target && is_event && self.tries < MOST_TRIES && count < MOST_FOR_STRAIN && is_paid {
             self.count = next;
             self.tries += 1;
             return false;
@@ -184,9 +184,9 @@ impl Control {
         } else {
             1.0
         };
-        self.gives |= load.pull > UNBEARABLE || (load.pull > MOST_PULL && self.count >= MOST);
+        self.gives |= load.pull > UNBEARABLE || (load.pull > MOST_PULL && self.count >= MOST_FOR_STRAIN);
         let borne = count * (load.pull / MOST_PULL).sqrt().min(GROWTH);
-        self.count = (self.count * factor).min(paid.max(count)).max(borne).max(self.least).min(MOST);
+        self.count = (self.count * factor).min(paid.max(count)).max(borne).max(self.least).min(MOST_FOR_STRAIN);
         true
     }
 }

@@ -11,9 +11,7 @@ use super::spec::Spec;
 use super::trails::Segment;
 use crate::sim::kernels::rows::Kinds;
 use crate::sim::real::Real;
-
-/// Mean number of bonds of a mesh's paths below which sweeps reach a strain as cheaply.
-const SHORTEST_TRAILS: f64 = 8.0;
+use crate::sim::sizes::SHORTEST_TRAILS;
 
 /// The structure of a body.
 #[derive(Clone, Debug)]

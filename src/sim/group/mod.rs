@@ -12,7 +12,6 @@ pub(crate) mod watch;
 
 use super::account::Account;
 use super::bulk::kernel::Kernel;
-use super::constrain::direct::MOST_DIRECT;
 use super::contact::Contacts;
 use super::counters::Counters;
 use super::environment::Environment;
@@ -24,6 +23,7 @@ use super::moved::Moved;
 use super::points::{Points, State};
 use super::pull::Pull;
 use super::real::Real;
+use super::sizes::MOST_DIRECT;
 use super::vector::{add, convert, dot, length, scale, sub, widen, zero};
 pub(crate) use attempt::{MOST_EFFORT, Plain};
 use booking::Cause;

@@ -18,6 +18,7 @@ use crate::sim::force::area;
 use crate::sim::measure::extent;
 use crate::sim::points::Points;
 use crate::sim::real::Real;
+use crate::sim::sizes::LEAST_LIVE_PATH;
 use crate::sim::triangles;
 use crate::sim::vector::{length, sub, widen};
 
@@ -25,8 +26,6 @@ use crate::sim::vector::{length, sub, widen};
 const STIFF: f64 = 100.0;
 /// Oscillation beyond which a body of hard springs counts as rigid `[rad/s]`: of 30 Hz, more than 60 frames a second can show.
 const SEEN: f64 = 188.5;
-/// Bonds of a path from which on it is solved as one.
-const LEAST_PATH: usize = 4;
 
 /// All bodies of a group.
 #[derive(Clone, Debug, Default)]
@@ -351,7 +350,7 @@ pub(super) fn link<S: Real>(bond: &Bond, local: &[u32]) -> Link<S> {
 /// The rigid bonds in the order of the one open path that they make, if they do: no point has more than two.
 pub(super) fn path_of(bonds: &[Bond]) -> Option<Vec<Bond>> {
     let mut rigid: Vec<Bond> = bonds.iter().copied().filter(Bond::is_held).collect();
-    if rigid.len() < LEAST_PATH {
+    if rigid.len() < LEAST_LIVE_PATH {
         return None;
     }
     let mut at: Vec<(u32, usize)> =

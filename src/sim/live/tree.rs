@@ -10,15 +10,13 @@ use super::cluster::{Cluster, Common};
 use crate::sim::bond::Bond;
 use crate::sim::kernels::links::Turned;
 use crate::sim::real::Real;
+use crate::sim::sizes::{LEAST_LIVE_TREE, MOST_LIVE_TREE};
 use crate::sim::vector::{add, dot, scale, sub, zero};
 
-/// Fewest bonds that are solved so.
-const LEAST: usize = 4;
 /// Passes over contacts where bodies are rigid, whose touches hang together, and where each is followed by a round: a crumpled rope that
 /// strikes itself at 40 m/s is strained by 0.5 with 3. Trees of more bonds than these have as many passes as all others: eight would take
 /// them over the time of a frame.
 const PASSES: u32 = 8;
-const MOST: u32 = 64;
 /// Rounds of it before contacts, and one after each pass over them.
 const ROUNDS: u32 = 2;
 
@@ -26,7 +24,7 @@ const ROUNDS: u32 = 2;
 ///
 /// Nothing with branches that hangs between pins: where it is taut, it swings faster than substeps can follow, and sweeps bear that.
 pub(super) fn forest(rigid: &[Bond], is_pinned: impl Fn(u32) -> bool) -> Option<Vec<Bond>> {
-    if rigid.len() < LEAST {
+    if rigid.len() < LEAST_LIVE_TREE {
         return None;
     }
     let mut at: Vec<(u32, u32)> = rigid.iter().zip(0..).flat_map(|(bond, k)| [(bond.a.0, k), (bond.b.0, k)]).collect();
@@ -115,7 +113,7 @@ pub(super) fn passes<S: Real>(state: &Cluster<S>, common: &Common<S>) -> (u32, S
     match largest {
         0 if state.rigid_count() > 0 => (PASSES, usual.1),
         0 => usual,
-        1..=MOST => (PASSES, pulled),
+        1..=MOST_LIVE_TREE => (PASSES, pulled),
         _ => (usual.0, pulled),
     }
 }
@@ -123,7 +121,7 @@ pub(super) fn passes<S: Real>(state: &Cluster<S>, common: &Common<S>) -> (u32, S
 /// One round over the forests of what was pressed in this substep, over large ones before the last pass alone.
 pub(super) fn straighten<S: Real>(state: &mut Cluster<S>, common: &Common<S>, is_last: bool) {
     if state.is_pressed() {
-        let is_due = |tree: u32| tree > 0 && (is_last || tree <= MOST);
+        let is_due = |tree: u32| tree > 0 && (is_last || tree <= MOST_LIVE_TREE);
         for (body, base) in state.members(common).filter(|(body, _)| is_due(body.tree)) {
             round(state, &common.holds(body)[..body.tree as usize], (base, body.points.len()));
         }

@@ -3,8 +3,11 @@
 use super::island::Island;
 use crate::sim::bulk::Way;
 use crate::sim::bulk::control::FRAME;
-use crate::sim::constrain::direct::MOST_DIRECT;
 use crate::sim::model::Method;
+use crate::sim::sizes::{
+    LARGE, MOST_COUPLINGS, MOST_DIRECT, MOST_FINE_RODS, MOST_IMPLICIT, MOST_LOCATED_RODS, MOST_SUBSTEPS,
+    MOST_SWEPT_TREE, MOST_TOUCHES, MOST_TOUCHING, STIFF, STIFF_OF_A_NET,
+};
 use crate::sim::solver::{Order, Solver};
 
 /// Largest substep where nothing is fast `[s]`: what a thrown point or a swinging rope needs to look smooth.
@@ -19,38 +22,15 @@ const PHASE_4: f64 = 0.5;
 /// The same for one of order 8, off by about 1e-5; 5 would be the edge. And its longest substep `[s]`: what turns faster is seen by its error.
 const PHASE_8: f64 = 1.5;
 pub(crate) const LONGEST_FINE: f64 = FRAME / 2.0;
-/// Most rigid bonds of an island that goes by it: of more, a step is dear to take anew, and some part cracks like a whip all the time.
-const MOST_FINE_RODS: usize = 250;
-/// Most substeps that one frame is cut into: beyond, a scene is stiffer than explicit steps can serve.
-const MOST_SUBSTEPS: f64 = 100_000.0;
-/// Substeps a frame beyond which springs are stiff: an implicit substep costs about as much as a dozen explicit ones.
-const STIFF: f64 = 256.0;
-/// Largest island with an implicit method: beyond, factors of its system no longer fit a cache.
-const MOST_IMPLICIT: usize = 4_000;
-/// Most pairs of rigid bonds that share a point in a set that is solved directly: a star of many spokes couples all with all.
-const MOST_COUPLINGS: usize = 60_000;
-/// Largest tree of rigid bonds that passes are meant for, where a strain is asked for; paths apart: solving more together is
-/// exact and takes no longer.
-const MOST_SWEPT_TREE: usize = 400;
 /// Strain that rigid bonds of a large island may have where nothing is said `[1]`.
 pub(crate) const LARGE_STRAIN: f64 = 0.02;
 /// The same of an island of at most [`MOST_DIRECT`].
 const SMALL_STRAIN: f64 = 1e-6;
 /// Least strain that paths are meant for `[1]`: below, solving all bonds together is cheaper.
 const LEAST_STRAIN: f64 = 1e-5;
-/// Points of a scene above which order 4 is too dear: what is shown of such meshes is coarser than what Verlet's method errs.
-const LARGE: usize = 20_000;
 
-/// Most rigid bonds of an island that meets surfaces and is solved together, each impact and each lift located in time: of more,
-/// there are so many that hardly any time passes between them.
-const MOST_LOCATED_RODS: usize = 60;
 /// Strain that the rigid bonds of a larger one may have where nothing is said `[1]`.
 const TOUCHING_STRAIN: f64 = 1e-4;
-/// Most springs of an island that meets surfaces by a method of order 4: of more, so many points touch and slip that locating each
-/// costs more than all else.
-const MOST_TOUCHING: usize = 800;
-/// Most substeps a frame of such an island: beyond, an implicit method it is.
-const MOST_TOUCHES: f64 = 2_000.0;
 /// What [`PHASE`] is for large meshes of springs: their fastest oscillations are of single cells, which nobody follows.
 const PHASE_MESH: f64 = 0.5;
 /// Share of a decay that a substep of Verlet's method may span where springs only push: 2 would be the edge of stability.
@@ -205,7 +185,7 @@ fn pick(island: &Island, setting: Setting, is_direct: bool) -> Solver {
         return Solver::VelocityVerlet;
     }
     let is_implicit = is_stiff(island) && !island.is_pressed && !island.has_motors;
-    if is_implicit && island.points.len() <= MOST_IMPLICIT {
+    if is_implicit && (island.points.len() <= MOST_IMPLICIT || (setting.points <= LARGE && factors_pay(island))) {
         return Solver::ImplicitMidpoint;
     }
     if setting.points > LARGE {
@@ -235,6 +215,13 @@ fn fine_substep(island: &Island) -> f64 {
 /// Whether springs are stiffer than explicit steps can serve at a bearable cost.
 pub(super) fn is_stiff(island: &Island) -> bool {
     FRAME / PHASE_4 * island.frequency > STIFF || FRAME * island.decay > STIFF
+}
+
+/// Whether the factors of a large island's system cost less than the explicit steps that they stand in for: those of a tree grow with its
+/// points, those of a net with their power 3/2, by nested dissection.
+fn factors_pay(island: &Island) -> bool {
+    let substeps = FRAME / PHASE_4 * island.frequency.max(0.5 * island.decay);
+    island.is_tree || substeps > STIFF_OF_A_NET * (island.points.len() as f64).sqrt()
 }
 
 /// The substep that resolves the fastest motion of an island: a whole part of 1/60 s.

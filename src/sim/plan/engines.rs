@@ -2,7 +2,7 @@
 
 use super::choice::LONGEST_FINE;
 use super::is_rigid;
-use super::make::{MOST_LOCATED, Maker};
+use super::make::Maker;
 use crate::sim::bond::{Bond, BondKind};
 use crate::sim::constrain::order::Sweeper;
 use crate::sim::constrain::relaxed::RelaxedBond;
@@ -18,6 +18,7 @@ use crate::sim::integrate::tableau::{EULER, RK2, RK4, RK8, Tableau};
 use crate::sim::points::Points;
 use crate::sim::pull::Pull;
 use crate::sim::real::Real;
+use crate::sim::sizes::MOST_LOCATED;
 use crate::sim::solver::Order;
 use crate::sim::solver::Solver;
 

@@ -3,14 +3,10 @@
 use super::choice::{self, Choice, Setting};
 use super::drive::gust_rate;
 use super::island::Island;
-use super::structure::MOST_OF_A_CROWD;
 use crate::sim::bulk::control::FRAME;
 use crate::sim::model::{Method, Model};
+use crate::sim::sizes::{MOST_ALIKE_BONDS, MOST_LOOSE};
 use crate::sim::solver::{Order, Solver};
-
-/// Points without bonds from which on a group of them is full: one that sleeps should not be woken by too many others, and a group
-/// costs about as much as a few points.
-const FULL: usize = 256;
 
 /// Of islands that their own methods move.
 pub(crate) const OWN: u32 = u32::MAX;
@@ -121,7 +117,7 @@ fn divide((class, choice): (usize, Choice), islands: Vec<Island>, (is_divided, m
         return vec![lot(islands)];
     }
     let is_alone = |island: &Island| match choice.bulk {
-        Some(_) => meets || island.bonds.len() > MOST_OF_A_CROWD,
+        Some(_) => meets || island.bonds.len() > MOST_ALIKE_BONDS,
         None => !island.bonds.is_empty() || island.has_form(),
     };
     let (alone, together): (Vec<Island>, Vec<Island>) = islands.into_iter().partition(is_alone);
@@ -134,7 +130,7 @@ fn divide((class, choice): (usize, Choice), islands: Vec<Island>, (is_divided, m
     // Loose points are islands of one: handed out in order.
     let mut together = together.into_iter().peekable();
     while together.peek().is_some() {
-        lots.push(Lot { points, ..lot(together.by_ref().take(FULL).collect()) });
+        lots.push(Lot { points, ..lot(together.by_ref().take(MOST_LOOSE).collect()) });
     }
     if lots.is_empty() { vec![lot(Vec::new())] } else { lots }
 }

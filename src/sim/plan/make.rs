@@ -27,21 +27,12 @@ use crate::sim::moved::Moved;
 use crate::sim::points::{Points, State};
 use crate::sim::pull::Pull;
 use crate::sim::real::Real;
+use crate::sim::sizes::{MOST_AMONG_WALLS, MOST_HANDED_OVER_RIGID, MOST_HANDED_OVER_SOFT, MOST_LOCATED};
 use crate::sim::solver::Solver;
 use crate::sim::vector::zero;
 
-/// Most points of one method in which events are located and violent substeps go to an implicit method.
-pub(super) const MOST_LOCATED: usize = 1_000;
-
 /// Seconds of counted work for a second of the scene up to which steps are cut for their errors, where there is a budget.
 const FINE_EFFORT: f64 = 0.1;
-
-/// The same of points without rigid bonds among the walls of polygons, which are met and left all the time, by each for itself.
-const MOST_AMONG_WALLS: usize = 40;
-
-/// Most bonds of a group that is handed over to the live step, with rigid ones and without, rigid bodies apart: of more, sweeps leave too much strain, or a
-/// frame is long by any method, and large bodies are moved in ways of their own that bear much.
-const MOST_HANDED_OVER: [usize; 2] = [2_000, 10_000];
 
 /// Makes one group.
 pub(super) struct Maker<'a, S, const D: usize> {
@@ -230,7 +221,7 @@ impl<S: Real, const D: usize> Maker<'_, S, D> {
         let count = |of: fn(&Island) -> usize| islands.iter().map(of).sum::<usize>();
         let (points, rigid) = (count(|island| island.points.len()), count(|island| island.rigid));
         // What is swept is defined by its sweeps, and nothing is so large that a frame of the live step would be long.
-        let most = MOST_HANDED_OVER[usize::from(rigid == 0)];
+        let most = if rigid > 0 { MOST_HANDED_OVER_RIGID } else { MOST_HANDED_OVER_SOFT };
         let are_alone =
             !islands.is_empty() && islands.iter().all(|island| island.pieces.as_ref().is_some_and(Pieces::is_one));
         let is_few = are_alone || bonds.len() <= most;

@@ -22,13 +22,13 @@ pub(crate) mod weld;
 
 use super::bond::{Bond, BondKind};
 use super::bonds::Bonds;
-use super::constrain::direct::MOST_DIRECT;
 use super::contact::obstacles::Obstacles;
 use super::group::Group;
 use super::model::Model;
 use super::plan_part::PlanPart;
 use super::points::State;
 use super::real::Real;
+use super::sizes::MOST_DIRECT;
 use super::solver::Solver;
 use gather::Gathered;
 use lot::Lot;

@@ -2,14 +2,10 @@
 
 use super::choice::LARGE_STRAIN;
 use crate::sim::bond::BondKind;
-use crate::sim::constrain::direct::MOST_DIRECT;
 use crate::sim::model::Model;
 use crate::sim::real::Precision;
+use crate::sim::sizes::{LARGE_RIGID_SINGLE, LARGE_SINGLE, MOST_DIRECT};
 
-/// Points above which a world is made of 32 bits: there memory rules, below it scalar code gains too little.
-const LARGE: usize = 20_000;
-/// The same where large rigid bodies are moved by vectors, which take twice as many numbers of 32 bits.
-const LARGE_RIGID: usize = 1_000;
 /// Positions of 32 bits are off by a part in 2^24 of their size; so many times that has to be below the strain that
 /// bonds may have.
 const ROOM: f64 = 8.0 / 16_777_216.0;
@@ -24,7 +20,7 @@ pub(crate) fn is_single<const D: usize>(model: &Model<D>) -> bool {
         Precision::Auto => {
             let rigid = || model.bonds.iter().filter(|bond| bond.kind == BondKind::Rigid && bond.rest_length > 0.0);
             let is_large_rigid = model.bonds.len() > MOST_DIRECT && rigid().nth(MOST_DIRECT).is_some();
-            if model.position.len() <= if is_large_rigid { LARGE_RIGID } else { LARGE } {
+            if model.position.len() <= if is_large_rigid { LARGE_RIGID_SINGLE } else { LARGE_SINGLE } {
                 return false;
             }
             let farthest = model.position.as_flattened().iter().fold(0.0_f64, |most, x| most.max(x.abs()));

@@ -17,15 +17,9 @@ use crate::sim::rigid::blueprint::Blueprint;
 use crate::sim::rigid::joints::End;
 use crate::sim::rigid::shape::{Held, Shape};
 use crate::sim::rigid::ties::Ties;
+use crate::sim::sizes::{MOST_RODS, MOST_SOUGHT};
 use crate::sim::solver::Solver;
 use crate::sim::vector::{flat, widen};
-
-/// Most rigid bonds of an island without a rigid body in it that is moved as bodies in joints, each point one, where it may meet surfaces: friction at
-/// one point is a share of all that presses there, also through bonds. Of more bonds, all that lie on something together would cost too much.
-const MOST_RODS: usize = 12;
-
-/// Most rigid bonds of an island in which several bodies are looked for: a net of more is sorted in vain for longer than a frame.
-const MOST_SOUGHT: usize = 100_000;
 
 /// What an island is as rigid bodies.
 #[derive(Clone, Debug, PartialEq)]

@@ -3,8 +3,9 @@
 use std::sync::Arc;
 
 use super::joints::{End, Link};
-use super::pieces::{Found, MOST_PARTS, find};
+use super::pieces::{Found, find};
 use super::shape::{Held, Shape};
+use crate::sim::sizes::MOST_PIECES;
 
 /// Most that one body in joints may be as heavy as another: of more, rows that light ones bear look as if they repeated others.
 const MOST_RATIO: f64 = 1e5;
@@ -86,7 +87,7 @@ impl Blueprint {
         let masses = || plan.bodies.iter().map(|body| body.shape.mass);
         let (lightest, heaviest) = (masses().fold(f64::INFINITY, f64::min), masses().fold(0.0, f64::max));
         let is_even = plan.links.is_empty() || heaviest <= MOST_RATIO * lightest;
-        (plan.bodies.len() <= MOST_PARTS && plan.links.len() <= MOST_PARTS && is_even).then_some(plan)
+        (plan.bodies.len() <= MOST_PIECES && plan.links.len() <= MOST_PIECES && is_even).then_some(plan)
     }
 
     /// The links between its bodies, and the seats of all points.

@@ -4,10 +4,9 @@
 //! bonds are in no piece.
 
 use super::shape::{Held, Net, fits};
+use crate::sim::sizes::MOST_PIECES;
 use crate::sim::vector::{add, cross, dot, scale, sub};
 
-/// Pieces and bonds in no piece, together, of which there may be so many at most: of more, elimination is no longer a handful of unknowns.
-pub(super) const MOST_PARTS: usize = 300;
 /// Share of their distance by which two shared points may be apart in one of two pieces.
 const FITS: f64 = 1e-6;
 
@@ -43,7 +42,7 @@ pub(super) fn find(held: &Held<'_>) -> Option<Found> {
         }
         let start = Net::placed(&(a, b, rest, k as u32), &mut search.places);
         loose += usize::from(!search.take(start)?);
-        if loose + search.pieces.len() > MOST_PARTS {
+        if loose + search.pieces.len() > MOST_PIECES {
             return None;
         }
     }

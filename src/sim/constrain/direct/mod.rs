@@ -19,9 +19,6 @@ use crate::sim::real::Real;
 use crate::sim::solve::ldl::Ldl;
 use crate::sim::vector::{dot, scale, sub, zero};
 
-/// Largest set of rigid bonds that is solved directly.
-pub(crate) const MOST_DIRECT: usize = 2_000;
-
 /// The rigid bonds of a group.
 #[derive(Clone, Debug)]
 pub(crate) struct Direct<S: Real, const D: usize> {

@@ -1,10 +1,9 @@
 //! Polygons with so many equal sides that they are circles.
 
 use super::Polygon;
+use crate::sim::sizes::LEAST_SIDES;
 use crate::sim::vector::{add, cross, dot, sub};
 
-/// Sides from which on a regular polygon is a circle: they lie within 5e-6 of its radius. A circle of a scene has twice as many.
-const LEAST_SIDES: usize = 1024;
 /// Share of its radius and of its coordinates by which a corner may lie beside the circle.
 const ROUNDED: f64 = 1e-12;
 

@@ -8,11 +8,9 @@ use crate::sim::group::guard::Watched;
 use crate::sim::points::State;
 use crate::sim::pull::Pull;
 use crate::sim::real::Real;
+use crate::sim::sizes::MOST_LIMITED;
 use crate::sim::vector::{dot, sub};
 
-/// Bonds with a limit above which they decide for themselves, at any moment, whether they act: so many get taut and slack
-/// so often that cutting substeps there costs more than it gains.
-const MOST_LIMITED: usize = 400;
 /// Events of bonds that may cut a substep, beside two for each that has any.
 const MOST_TURNS: u32 = 32;
 

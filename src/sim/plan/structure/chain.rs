@@ -4,16 +4,14 @@ use super::Structure;
 use crate::sim::bonds::Bonds;
 use crate::sim::bulk::spec::Spec;
 use crate::sim::plan::island::Island;
-
-/// Shortest chain that is worth being cut in pieces, in bonds.
-const SHORTEST: usize = 64;
+use crate::sim::sizes::SHORTEST_CHAIN;
 
 /// The chain that an island is, if each point has at most two bonds, there is no ring, and the bonds are alike but for
 /// their rest lengths.
 ///
 /// A pin ends a chain, and may do so at both ends.
 pub(crate) fn chain(island: &Island, bonds: &Bonds, w: &[f64]) -> Option<Structure> {
-    if island.bonds.len() < SHORTEST {
+    if island.bonds.len() < SHORTEST_CHAIN {
         return None;
     }
     let low = *island.points.first()? as usize;

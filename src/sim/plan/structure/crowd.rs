@@ -6,11 +6,7 @@ use crate::sim::bond::BondKind;
 use crate::sim::bonds::Bonds;
 use crate::sim::bulk::spec::Spec;
 use crate::sim::plan::island::Island;
-
-/// Fewest equal bodies that go side by side: of fewer, most lanes of a wide vector would be idle.
-const FEWEST: usize = 8;
-/// Most bonds of one of them: the points of a block of bodies have to stay in the innermost cache.
-pub(crate) const MOST_BONDS: usize = 400;
+use crate::sim::sizes::{FEWEST_ALIKE, MOST_ALIKE_BONDS};
 
 /// Islands that are equal but for where their points are numbered.
 #[derive(Clone, Debug, PartialEq)]
@@ -39,7 +35,7 @@ pub(crate) fn crowds(islands: &[Island], bonds: &Bonds, is_meant: impl Fn(usize)
     found.sort();
     let mut crowds = Vec::new();
     for places in found {
-        if places.len() < FEWEST {
+        if places.len() < FEWEST_ALIKE {
             others.extend(places);
             continue;
         }
@@ -69,7 +65,7 @@ fn within(members: &[u32], point: u32) -> u32 {
 
 /// `None` where the island is too large or its bonds are of more than one kind.
 fn likeness(island: &Island, bonds: &Bonds) -> Option<Likeness> {
-    if island.bonds.is_empty() || island.bonds.len() > MOST_BONDS {
+    if island.bonds.is_empty() || island.bonds.len() > MOST_ALIKE_BONDS {
         return None;
     }
     let members = members(island, bonds);

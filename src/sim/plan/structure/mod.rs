@@ -17,7 +17,7 @@ use crate::sim::bulk::spec::Spec;
 use crate::sim::kernels::rows::Kinds;
 
 pub(crate) use chain::chain;
-pub(crate) use crowd::{MOST_BONDS as MOST_OF_A_CROWD, crowds, members};
+pub(crate) use crowd::{crowds, members};
 pub(crate) use sheet::sheet;
 
 /// The structure of an island.
