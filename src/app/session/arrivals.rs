@@ -111,7 +111,7 @@ impl Session {
     /// Opens the system's dialog for a file. Who asks again before it answers has seen none: a path can be written then.
     pub(super) fn choose_file(&mut self) {
         self.wake();
-        match self.dialog.take() {
+        match self.dialog {
             Some(_) => self.ask_for_path(),
             None => self.dialog = Some(fetch::open(&self.window, self.wake_up())),
         }
@@ -154,12 +154,18 @@ impl Session {
                 Ok(Found::Copied) => {
                     self.complain("what was copied is in another window of wobble: copy it in this one");
                 }
-                Ok(Found::File(path)) => self.take_file(&path),
+                Ok(Found::File(path)) => {
+                    // The dialog came after all.
+                    self.panels.sheet.take_if(|sheet| *sheet == Sheet::OpenFrom);
+                    self.take_file(&path);
+                }
                 Ok(Found::Picture(picture)) => {
                     let import = Import::of_picture(PASTED.to_owned(), Arc::new(picture), self.wake_up());
                     self.bring_in(import);
                 }
                 Ok(Found::Nothing) if is_pasted => {}
+                // A path is being written in its place.
+                Ok(Found::Nothing) | Err(_) if !is_pasted && self.panels.sheet == Some(Sheet::OpenFrom) => {}
                 Ok(Found::Nothing) => self.say("no file was chosen".to_owned()),
                 // Where the clipboard has nothing of use, there may still be what was copied here.
                 Err(_) if is_pasted && self.paste_copied() => {}

@@ -16,7 +16,7 @@ impl Session {
             let path = record.to_owned();
             return self.save_to(path);
         }
-        match self.saving.take() {
+        match self.saving {
             // Who asks again before the dialog answers has seen none.
             Some(_) => self.ask_where_to_save(),
             None => self.saving = Some(Saving::new(&self.window, self.scene.name(), self.wake_up())),
@@ -36,8 +36,14 @@ impl Session {
         let chosen = self.saving.as_ref().and_then(Saving::take);
         let Some(chosen) = chosen else { return };
         self.saving = None;
+        let is_writing = self.panels.sheet == Some(Sheet::SaveTo);
         match chosen {
-            Chosen::File(path) => self.save_to(path),
+            Chosen::File(path) => {
+                self.panels.sheet.take_if(|sheet| *sheet == Sheet::SaveTo);
+                self.save_to(path);
+            }
+            // A path is being written in its place.
+            Chosen::Nothing | Chosen::NoDialog if is_writing => {}
             Chosen::Nothing => {
                 self.say("nothing was saved; where no dialog shows, Ctrl+S twice asks for a path".to_owned())
             }
