@@ -70,7 +70,7 @@ const ROOMS: [(&str, &[&str], &[&str]); 13] = [
 ];
 
 /// Each module of `sim` and those that it may name, which all stand above it here: so there is no circle.
-const SIM: [(&str, &[&str]); 45] = [
+const SIM: [(&str, &[&str]); 46] = [
     ("real", &[]),
     ("drive", &[]),
     ("shared", &[]),
@@ -93,6 +93,7 @@ const SIM: [(&str, &[&str]); 45] = [
     ("kernels", &["real", "threads", "vector"]),
     ("measure", &["bond", "bonds", "drive", "ledger", "points", "real", "vector"]),
     ("swept", &["real", "sets"]),
+    ("reach", &["bond", "bonds"]),
     ("contact", &["bond", "points", "real", "sizes", "vector"]),
     ("force", &["bond", "colour", "drive", "measure", "points", "real", "vector"]),
     ("environment", &["drive", "force", "real", "swept", "vector"]),
@@ -306,9 +307,11 @@ const SIM: [(&str, &[&str]); 45] = [
             "plan",
             "plan_part",
             "points",
+            "reach",
             "real",
             "saved",
             "sets",
+            "sizes",
             "solver",
             "timeline",
             "triangles",

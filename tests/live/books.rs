@@ -64,10 +64,10 @@ fn what_pulls_at_one_point_of_a_rigid_body_works_along_its_way() {
         "bodies": [{"make": "lattice", "columns": 5, "rows": 3, "spacing": 0.1, "material": {"kind": "rigid", "mass": 2}}]});
     let list = books(&turned, 1.0);
     let last = list.last().unwrap();
-    // 15 points of 2/15 kg: the moment about the middle; what lies off the middle is pulled by no net force.
-    let square: f64 =
-        (0..15_i32).map(|k| (0.1 * f64::from(k % 5 - 2)).powi(2) + (0.1 * f64::from(k / 5 - 1)).powi(2)).sum();
-    let energy = 0.5 * 1.5_f64.powi(2) / (2.0 / 15.0 * square);
+    // What lies off the middle is pulled by no net force: (t x torque)^2/2 over the moment about the middle.
+    let masses = world(&turned).masses().to_vec();
+    let arm = |k: usize| (0.1 * (k % 5) as f64 - 0.2).powi(2) + (0.1 * (k / 5) as f64 - 0.1).powi(2);
+    let energy = 0.5 * 1.5_f64.powi(2) / masses.iter().enumerate().map(|(k, mass)| mass * arm(k)).sum::<f64>();
     assert!((last.now.kinetic / energy - 1.0).abs() < 0.01, "{:?}, not {energy} J", last.now);
     assert!((last.book.forces / energy - 1.0).abs() < 0.01, "{:?}, not {energy} J", last.book);
     assert!(last.left_over().abs() < 1e-3 * last.most_kinetic, "{} J", last.left_over());

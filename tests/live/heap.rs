@@ -80,7 +80,7 @@ fn outlines(world: &dyn Dynamics, bodies: usize) -> (Vec<Vec<usize>>, f64) {
 }
 
 /// How far a point is inside a loop [m]; 0 outside.
-fn inside(outline: &[[f64; 3]], x: [f64; 3]) -> f64 {
+pub(super) fn inside(outline: &[[f64; 3]], x: [f64; 3]) -> f64 {
     let (mut is_inside, mut nearest) = (false, f64::INFINITY);
     for (k, a) in outline.iter().enumerate() {
         let b = outline[(k + 1) % outline.len()];

@@ -5,6 +5,7 @@ use std::f64::consts::PI;
 use serde_json::{Value, json};
 use wobble::sim::Sample;
 
+use super::heap::inside;
 use super::run;
 
 /// Points of a rod, its length [m], its speed [m/s].
@@ -86,15 +87,35 @@ fn passed(sample: &Sample, columns: usize) -> usize {
     rods.chunks(POINTS).enumerate().filter(has_passed).count()
 }
 
+/// How many rods have a point within their slab.
+fn pierced(sample: &Sample, columns: usize) -> usize {
+    let (slabs, rods) = sample.position.split_at(SLABS as usize * columns * ROWS);
+    let (last, size) = (columns - 1, columns * ROWS);
+    let up = (0..ROWS).map(|row| row * columns + last);
+    let around: Vec<usize> = (0..last)
+        .chain(up)
+        .chain((0..last).rev().map(|column| (ROWS - 1) * columns + column))
+        .chain((1..ROWS - 1).rev().map(|row| row * columns))
+        .collect();
+    let is_in = |(k, rod): &(usize, &[[f64; 3]])| {
+        let slab = &slabs[k / RODS as usize * size..][..size];
+        let outline: Vec<[f64; 3]> = around.iter().map(|&place| slab[place]).collect();
+        rod.iter().any(|&x| inside(&outline, x) > 0.0)
+    };
+    rods.chunks(POINTS).enumerate().filter(is_in).count()
+}
+
 #[test]
 fn no_rod_gets_through_a_thin_body() {
     for columns in [2, 3] {
         let scene = slabs_and_rods(columns);
         let (before, _) = run(&scene, 0.0);
         assert_eq!(passed(&before, columns), 0);
-        // 0.02 s to the slab, and as long with it.
+        // 0.02 s to the slab, and as long with it, in which it is folded up: then what is beyond it and what is before it cannot be told any more.
+        let (met, _) = run(&scene, 0.03);
+        assert_eq!(passed(&met, columns), 0, "of {} at {columns} columns", SLABS * RODS);
         let (end, world) = run(&scene, 0.04);
-        assert_eq!(passed(&end, columns), 0, "of {} at {columns} columns", SLABS * RODS);
+        assert_eq!(pierced(&end, columns), 0, "of {} at {columns} columns", SLABS * RODS);
         assert!(world.counters().contacts > 1_000, "they struck it");
     }
 }

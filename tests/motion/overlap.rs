@@ -1,7 +1,7 @@
 //! Bodies that start inside obstacles: each is moved out as a whole, and nothing is crushed or thrown.
 
 use super::common::physics::{run_to, spring};
-use wobble::sim::{Bond, Bounds, Model, Plane, PointId, Polygon, Sample, build};
+use wobble::sim::{Bond, Bounds, Command, Model, Motion, Plane, PointId, Polygon, Sample, build};
 
 fn rectangle([left, low]: [f64; 2], [right, high]: [f64; 2]) -> Vec<[f64; 2]> {
     vec![[left, low], [right, low], [right, high], [left, high]]
@@ -53,6 +53,24 @@ fn moved(model: &Model<2>) -> ([f64; 2], Vec<String>) {
 
 fn fastest(sample: &Sample) -> f64 {
     sample.velocity.iter().map(|v| v[0].hypot(v[1])).fold(0.0, f64::max)
+}
+
+#[test]
+fn a_body_that_is_moved_into_a_wall_is_put_beside_it_as_a_whole() {
+    for is_rigid in [false, true] {
+        let wall = solid(vec![rectangle([3.0, -9.0], [3.5, 9.0])]);
+        let mut world = build(&Model { polygons: vec![wall], ..square([0.0, 0.0], is_rigid) }).unwrap();
+        let points = (0..36).map(PointId).collect();
+        let motion =
+            Motion { points, obstacles: Vec::new(), by: [2.4, 1.0, 0.0], turn: 0.0, scale: [1.0; 3], about: None };
+        world.apply(&Command::Move(motion)).unwrap();
+        let until = world.time() + 0.5;
+        let end = run_to(&mut *world, until);
+        // It reached 0.4 m into the wall.
+        let [left, low] = [0, 1].map(|k| end.position[0][k]);
+        assert!((left - 2.0).abs() < 1e-4 && (low - 1.0).abs() < 1e-4, "{is_rigid}: {left}, {low}");
+        assert!(fastest(&end) < 1e-3, "{is_rigid}: {} m/s", fastest(&end));
+    }
 }
 
 #[test]

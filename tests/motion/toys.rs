@@ -115,7 +115,7 @@ fn the_catapult_hits_its_tower() {
     let mut world = world("catapult");
     let sample = until(&mut *world, 4.0);
     let top = sample.position[15..].iter().map(|x| x[1]).fold(f64::MIN, f64::max);
-    assert!(sample.position[11][0] > 0.0 && top < 0.0, "{:?}, {top} m", sample.position[11]);
+    assert!(sample.position[11][0] > 0.0 && top < 0.5, "{:?}, {top} m", sample.position[11]);
 }
 
 #[test]

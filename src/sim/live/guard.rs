@@ -70,7 +70,7 @@ pub(super) fn all<S: Real>(state: &mut Cluster<S>, common: &Common<S>, gravity: 
 /// not have yet is owed: bodies that are led out of each other may squeeze others, whose springs let go later.
 pub(super) fn hold<S: Real>(state: &mut Cluster<S>, common: &Common<S>, (before, gravity, h): (S, [f64; 2], f64)) {
     // Springs alone keep their energy, which swings about its mean within a substep.
-    let is_led_back = state.counts.mended + state.counts.parted + state.counts.opened > 0;
+    let is_led_back = state.counts.mended + state.counts.parted > 0;
     let debt = state.debt * S::from_f64(libm::exp(-h * FORGIVEN));
     state.debt = debt;
     if !state.has_pressed && !is_led_back && debt == S::ZERO {

@@ -2,13 +2,14 @@
 
 use super::World;
 use crate::sim::bond::{Bond, BondKind, Limit, PointId};
-use crate::sim::constrain::direct::{Direct, MOST_DIRECT};
+use crate::sim::constrain::direct::Direct;
 use crate::sim::constrain::shape::{Row, Shape};
 use crate::sim::contact::Contacts;
 use crate::sim::counters::Counters;
 use crate::sim::force::spring::Springs;
 use crate::sim::group::engine::Engine;
 use crate::sim::real::Real;
+use crate::sim::sizes::MOST_DIRECT;
 use crate::sim::solver::Solver;
 use crate::sim::vector::zero;
 
