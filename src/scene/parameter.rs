@@ -321,7 +321,12 @@ pub(super) fn check(scene: &Scene, dimensions: usize) -> Result<(), Fault> {
         let [least, most] = target.bounds();
         for (key, end) in [("min", min), ("max", max)] {
             if !(least..=most).contains(&end) {
-                let message = format!("is {end:?}: `{}` goes from {least} to {most}", keys.path);
+                let range = match [least, most] {
+                    [f64::MIN_POSITIVE, f64::INFINITY] => "is above 0".to_owned(),
+                    [least, f64::INFINITY] => format!("is at least {least}"),
+                    [least, most] => format!("goes from {least} to {most}"),
+                };
+                let message = format!("is {end:?}: `{}` {range}", keys.path);
                 return Err(in_list(Fault::invalid(message).at(key)));
             }
         }

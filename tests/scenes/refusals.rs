@@ -715,7 +715,7 @@ fn parameters_of_sliders() {
         ("bonds[0-1].stiffness", "\"min\": 0, \"max\": 1", "parameters[0].path: names bond 1, which is no spring"),
         ("bonds[2].rest", "\"min\": 0, \"max\": 1", "parameters[0].path: names bond 2, and there are 2 explicit ones"),
         ("drag_rate", "\"min\": 1, \"max\": 1", "parameters[0].max: is 1.0 beside a `min` of 1.0"),
-        ("drag_rate", "\"min\": -1, \"max\": 1", "parameters[0].min: is -1.0: `drag_rate` goes from 0 to inf"),
+        ("drag_rate", "\"min\": -1, \"max\": 1", "parameters[0].min: is -1.0: `drag_rate` is at least 0"),
     ] {
         let said = refusal(&plane(&row(path, rest)));
         assert!(said.starts_with(&format!("x.json:3: {words}")), "{said}");

@@ -85,6 +85,9 @@ impl Placement {
     }
 }
 
+/// How far from the origin points may be put `[m]`: further off, a body is smaller than what places are rounded by.
+const FARTHEST: f64 = 1e9;
+
 impl<S: Real, const D: usize> World<S, D> {
     pub(super) fn shift(&mut self, motion: &Motion) -> Result<Applied, CommandError> {
         let Motion { points, obstacles, by, turn, scale: factors, about } = motion;
@@ -106,9 +109,10 @@ impl<S: Real, const D: usize> World<S, D> {
         let mut numbers: Vec<u32> = points.iter().map(|point| point.0).collect();
         numbers.sort_unstable();
         numbers.dedup();
-        let is_finite = |&i: &u32| placement.place(self.place(i as usize)).iter().all(|x| x.is_finite());
-        if !numbers.iter().all(is_finite) {
-            return Err(invalid("points would be too far away for a number"));
+        // NaN is too far too.
+        let is_near = |&i: &u32| placement.place(self.place(i as usize)).iter().all(|x| x.abs() <= FARTHEST);
+        if !numbers.iter().all(is_near) {
+            return Err(invalid(format!("points would be more than {FARTHEST:e} m away")));
         }
         let mut model = Model::clone(&self.model);
         self.place_obstacles(&mut model, obstacles, &placement);

@@ -110,10 +110,9 @@ impl<S: Real, const D: usize> Turned<'_, S, D> {
         let (square, strength) = (dot(r, r), dot(push, push));
         let sum = w_a + w_b;
         let most = S::from_f64(MOST_TURN * MOST_TURN);
-        // NaN is not noted.
-        if strength * sum * sum <= most * square && square > S::ZERO {
-            let size = (strength / square).sqrt();
-            let other = sub(scale(r, if dot(r, push) < S::ZERO { -size } else { size }), push);
+        // NaN is not noted, nor what is squeezed: it gives way sideways, the more the less that is damped.
+        if strength * sum * sum <= most * square && dot(r, push) > S::ZERO {
+            let other = sub(scale(r, (strength / square).sqrt()), push);
             self.turned[a] = sub(self.turned[a], scale(other, w_a));
             self.turned[b] = add(self.turned[b], scale(other, w_b));
         }

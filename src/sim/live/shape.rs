@@ -147,7 +147,8 @@ fn keep<S: Real>(state: &mut Cluster<S>, area: &Area<S>, base: usize) {
 /// [`Turned`](crate::sim::kernels::links::Turned).
 fn turn_back<S: Real>(state: &mut Cluster<S>, points: [u32; 3], now: [[S; 2]; 3], multiplier: S) {
     let most = S::from_f64(MOST_SHARE);
-    let is_gentle = points.iter().all(|&point| multiplier.abs() * state.w[point as usize] <= most);
+    // Nor what is squeezed: it gives way, the more the less that is damped.
+    let is_gentle = multiplier < S::ZERO && points.iter().all(|&point| -multiplier * state.w[point as usize] <= most);
     if !state.frames.is_empty() || !is_gentle {
         return;
     }

@@ -62,8 +62,11 @@ impl<S: Real, const D: usize> World<S, D> {
             self.warnings.push(format!("{nested} bodies start in each other: they are parted, slowly"));
         }
         if folded > 0 {
-            let bodies = if folded == 1 { "a body starts".to_owned() } else { format!("{folded} bodies start") };
-            self.warnings.push(format!("{bodies} across itself: where that can be undone it is, slowly"));
+            let bodies = match folded {
+                1 => "a body starts across itself".to_owned(),
+                _ => format!("{folded} bodies start across themselves"),
+            };
+            self.warnings.push(format!("{bodies}: where that can be undone it is, slowly"));
         }
     }
 

@@ -35,14 +35,14 @@ impl<S: Real, const D: usize> World<S, D> {
         };
         if !cleared.moves.is_empty() {
             self.warnings.push(format!(
-                "{} began inside an obstacle: moved out as a whole, by up to {:.3} m",
+                "{} lay inside an obstacle: moved out as a whole, by up to {:.3} m",
                 several(cleared.moves.len()),
                 cleared.furthest()
             ));
         }
         if !cleared.stuck.is_empty() {
             self.warnings.push(format!(
-                "{} began inside an obstacle without a way out, or pinned: only points are put out, one by one, as far \
+                "{} lay inside an obstacle without a way out, or pinned: only points are put out, one by one, as far \
                  as bonds let them",
                 several(cleared.stuck.len())
             ));
