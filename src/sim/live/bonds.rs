@@ -106,6 +106,7 @@ pub(super) struct Hold<S> {
     drag: S,
     most: S,
     limit: Limit,
+    is_rigid: bool,
     /// A rigid one with a limit: it gets taut with a jerk, which gives nothing back.
     jerks: bool,
     /// What the inverse masses of its ends are added to, where some end goes with a frame: it feels those in its direction; and the share of the
@@ -131,6 +132,7 @@ impl<S: Real> Hold<S> {
             drag,
             most: link.most,
             limit: link.limit,
+            is_rigid,
             jerks: is_rigid && link.limit != Limit::Both,
             framed: is_framed.then_some([softness, link.share]),
         })
@@ -177,13 +179,15 @@ fn is_crushed<S: Real>(link: &Link<S>, now: &[[S; 2]]) -> bool {
 pub(super) fn prepare<S: Real>(state: &mut Cluster<S>, common: &Common<S>, h: S) {
     let members = state.members(common);
     let may_swing = !state.is_violent && !part::owes(state);
-    let Cluster { pulls, odd_pulls, firm, hard, holds, w, settles, by_forces, now, frame_of, .. } = state;
+    let Cluster { pulls, odd_pulls, firm, is_all_rigid, hard, holds, w, settles, by_forces, now, frame_of, .. } = state;
     pulls.clear(w.len());
     hard.clear(w.len());
     odd_pulls.clear();
     firm.clear(w.len());
     holds.clear();
     by_forces.clear();
+    // Springs that are projected give and take: turned back they would gain.
+    *is_all_rigid = true;
     let mut crushed = Vec::new();
     for (k, (body, base)) in members.enumerate() {
         // What settles or owes energy is to come to rest, and what is squeezed or struck hard is to stay whole.
@@ -214,12 +218,14 @@ pub(super) fn prepare<S: Real>(state: &mut Cluster<S>, common: &Common<S>, h: S)
                 holds.push(hold);
                 continue;
             }
+            *is_all_rigid &= hold.is_rigid;
             firm.push(hold.entry());
             if hold.is_hard(w) {
                 hard.push(hold.entry());
             }
         }
     }
+    *is_all_rigid &= firm.len() > 0;
     pulls.finish();
     firm.finish();
     hard.finish();
@@ -230,7 +236,7 @@ pub(super) fn hold<S: Real>(state: &mut Cluster<S>, common: &Common<S>) {
     for (body, base) in state.members(common).filter(|(body, _)| body.tree > 0) {
         tree::solve(state, &common.holds(body)[..body.tree as usize], (base, body.points.len()));
     }
-    state.does_turn = state.firm.len() > 0 && turns(state);
+    state.does_turn = state.is_all_rigid && turns(state);
     let firm = std::mem::take(&mut state.firm);
     sweep(state, &firm);
     state.firm = firm;
@@ -330,7 +336,9 @@ fn project<S: Real>(state: &mut Cluster<S>, holds: &[Hold<S>]) {
             continue;
         }
         let shift = scale(along, error * hold.inverse);
-        Turned { start, turned }.note([a, b], [w[a], w[b]], shift);
+        if hold.is_rigid {
+            Turned { start, turned }.note([a, b], [w[a], w[b]], shift);
+        }
         let shifts = [(a, scale(shift, -w[a])), (b, scale(shift, w[b]))];
         for (i, own) in shifts {
             now[i] = add(now[i], own);

@@ -7,12 +7,10 @@ use crate::sim::force::angle::{Hinge, Stand};
 use crate::sim::force::area::{Patch, size, slopes};
 use crate::sim::force::form::at;
 use crate::sim::real::Real;
-use crate::sim::vector::{add, dot, scale, sub};
+use crate::sim::vector::{add, dot, scale};
 
 /// Most that a substep turns an angle by `[rad]`: further on its slopes are others.
 const MOST_TURN: f64 = 0.5;
-/// Share of their slopes that the corners of a triangle may be moved by in a substep to be turned back.
-const MOST_SHARE: f64 = 0.125;
 /// Share of what a joint was beyond its range before a substep that comes back in a pass, without speed.
 const MENDED: f64 = 0.1 / 3.0;
 
@@ -38,9 +36,7 @@ pub(super) fn resist<S: Real>(state: &mut Cluster<S>, common: &Common<S>, h: S) 
                 let x = at(&state.now, points);
                 let by = firm / area.rest;
                 let g = slopes(x);
-                let multiplier = -by * (size(x) - area.rest) / (S::ONE + by * weight(state, points, g));
-                push(state, points, g, multiplier);
-                turn_back(state, points, g, multiplier);
+                push(state, points, g, -by * (size(x) - area.rest) / (S::ONE + by * weight(state, points, g)));
             }
         }
     }
@@ -137,25 +133,7 @@ fn keep<S: Real>(state: &mut Cluster<S>, area: &Area<S>, base: usize) {
     let g = slopes(x);
     let weight = weight(state, points, g);
     if weight > S::ZERO {
-        let multiplier = -(size(x) - area.rest) / weight;
-        push(state, points, g, multiplier);
-        turn_back(state, points, g, multiplier);
-    }
-}
-
-/// Notes what a triangle that was pushed along these slopes would have changed of velocities along those that it had as the substep began: see
-/// [`Turned`](crate::sim::kernels::links::Turned).
-fn turn_back<S: Real>(state: &mut Cluster<S>, points: [u32; 3], now: [[S; 2]; 3], multiplier: S) {
-    let most = S::from_f64(MOST_SHARE);
-    // Nor what is squeezed: it gives way, the more the less that is damped.
-    let is_gentle = multiplier < S::ZERO && points.iter().all(|&point| -multiplier * state.w[point as usize] <= most);
-    if !state.frames.is_empty() || !is_gentle {
-        return;
-    }
-    let begun = slopes(at(&state.start, points));
-    for ((point, old), new) in points.into_iter().zip(begun).zip(now) {
-        let i = point as usize;
-        state.turned[i] = add(state.turned[i], scale(sub(old, new), multiplier * state.w[i]));
+        push(state, points, g, -(size(x) - area.rest) / weight);
     }
 }
 

@@ -64,6 +64,7 @@ pub(super) struct Hold<S> {
     drag: S,
     most: S,
     limit: Limit,
+    is_rigid: bool,
 }
 
 impl<S: Real> Hold<S> {
@@ -76,7 +77,7 @@ impl<S: Real> Hold<S> {
         let drag = if is_rigid { S::ZERO } else { link.damping / (link.stiffness * h) };
         let inverse = link.share / ((S::ONE + drag) * sum + softness);
         let Link { rest, most, limit, .. } = *link;
-        (sum > S::ZERO && link.stiffness > S::ZERO).then_some(Hold { a, b, rest, inverse, drag, most, limit })
+        (sum > S::ZERO && link.stiffness > S::ZERO).then_some(Hold { a, b, rest, inverse, drag, most, limit, is_rigid })
     }
 }
 
@@ -125,7 +126,9 @@ impl<S: Real> Hold<S> {
             error = error.max(-most).min(most);
         }
         let shift = scale(along, error * self.inverse);
-        state.turn([a, b], shift);
+        if self.is_rigid {
+            state.turn([a, b], shift);
+        }
         state.shift(a, scale(shift, -state.w[a]));
         state.shift(b, scale(shift, state.w[b]));
     }
