@@ -317,7 +317,7 @@ impl<S: Real> Cluster<S> {
                 frames.map(|(place, _)| place).nth(number - rigged.first)
             }
             None => {
-                let own = (i - rigged.base) as u32;
+                let own = i.checked_sub(rigged.base)? as u32;
                 members
                     .find(|(_, member)| matches!(member, Member::Point(point) if *point == own))
                     .map(|(place, _)| place)
