@@ -98,6 +98,12 @@ const PATHS: &str = "`gravity[0]`, `drag_rate`, `wind.velocity[0]`, `wind.turbul
                      `bonds[0-3].stiffness`, `friction` or `restitution` of obstacles, as `obstacles[0].friction`, or \
                      `stiffness`, `damping`, `mass`, `friction` or `restitution` of a body, as `bodies[0].material.mass`";
 
+/// One number, or several as `first-last`; `None`: it is neither.
+fn numbers_of(text: &str) -> Option<RangeInclusive<u32>> {
+    let (first, last) = text.split_once('-').unwrap_or((text, text));
+    Some(first.parse().ok()?..=last.parse().ok()?)
+}
+
 impl Target {
     /// What a path means; `None`: nothing.
     fn of(path: &str) -> Option<Target> {
@@ -109,8 +115,7 @@ impl Target {
             return axis(rest).map(Target::Wind);
         }
         if let Some((numbers, key)) = path.strip_prefix("bonds[").and_then(|rest| rest.split_once("].")) {
-            let (first, last) = numbers.split_once('-').unwrap_or((numbers, numbers));
-            let numbers = first.parse().ok()?..=last.parse().ok()?;
+            let numbers = numbers_of(numbers)?;
             return match key {
                 "stiffness" => Some(Target::Stiffness(numbers)),
                 "damping" => Some(Target::Damping(numbers)),
@@ -119,8 +124,7 @@ impl Target {
             };
         }
         if let Some((numbers, key)) = path.strip_prefix("obstacles[").and_then(|rest| rest.split_once("].")) {
-            let (first, last) = numbers.split_once('-').unwrap_or((numbers, numbers));
-            let numbers = first.parse().ok()?..=last.parse().ok()?;
+            let numbers = numbers_of(numbers)?;
             return match key {
                 "friction" => Some(Target::ObstacleFriction(numbers)),
                 "restitution" => Some(Target::ObstacleRestitution(numbers)),

@@ -119,8 +119,9 @@ impl<S: Real, const D: usize> Turned<'_, S, D> {
     }
 }
 
-/// Share of its length that a bond may move its ends by in a substep to be turned back: (w h)^2 of how it swings across is twice that.
-const MOST_TURN: f64 = 0.25;
+/// Share of its length that a bond may move its ends by in a substep to be turned back: (w h)^2 of how it swings across is twice that. And
+/// the angle that a joint may turn what it joins by.
+pub(crate) const MOST_TURN: f64 = 0.25;
 
 /// One sweep: with d = x_a - x_b and v the difference of the rates each bond gives -w_a f d to its first end and w_b f d to the other,
 /// f = gain (|d| - rest + drag v . d/|d|)/|d|. It goes to the rates, and with `MOVES` to the places too; what

@@ -10,6 +10,7 @@ use std::sync::Arc;
 
 use super::cluster::Cluster;
 use super::rigid::{Frame, Held};
+use crate::sim::kernels::links::MOST_TURN;
 use crate::sim::real::Real;
 use crate::sim::rigid::blueprint::{Blueprint, BodyPlan};
 use crate::sim::rigid::inertia::Inertia;
@@ -21,8 +22,6 @@ use crate::sim::vector::{add, convert, cross, dot, scale, sub, widen};
 
 /// Rounds in which gaps are closed, each with new directions.
 const ROUNDS: u32 = 3;
-/// Angle that a joint may turn what it joins by in a substep, and share of its length that a bar may move it by, to be turned back.
-const MOST_TURN: f64 = 0.25;
 /// A gap that counts as closed, as a share of where things are `[1]`.
 const CLOSED: f64 = 1e-13;
 
