@@ -74,6 +74,34 @@ fn a_body_that_is_moved_into_a_wall_is_put_beside_it_as_a_whole() {
 }
 
 #[test]
+fn a_pin_that_is_moved_into_a_wall_is_put_beside_it() {
+    let wall = solid(vec![rectangle([1.0, -3.0], [3.0, 9.0])]);
+    let hung = |count: u32| {
+        let mut model = Model::<2> { gravity: [0.0, -9.81], polygons: vec![wall.clone()], ..Model::default() };
+        model.position = (0..count).map(|k| [0.0, -0.2 * f64::from(k)]).collect();
+        (model.velocity, model.mass) = (vec![[0.0; 2]; count as usize], vec![1.0; count as usize]);
+        model.pinned = vec![PointId(0)];
+        (1..count).for_each(|k| model.bonds.push(Bond::new(PointId(k - 1), PointId(k), 0.2)));
+        model
+    };
+    // The pin alone, and all with it: it is the pin that goes deepest, 0.2 m.
+    for moved in [1, 6] {
+        let mut world = build(&hung(6)).unwrap();
+        let by = [1.2, -0.1, 0.0];
+        let points = (0..moved).map(PointId).collect();
+        let motion = Motion { points, obstacles: Vec::new(), by, turn: 0.0, scale: [1.0; 3], about: None };
+        world.apply(&Command::Move(motion)).unwrap();
+        assert!(world.warnings().iter().any(|text| text.contains("moved out")), "{:?}", world.warnings());
+        let start = world.sample(world.time());
+        assert!((start.position[0][0] - 1.0).abs() < 1e-4, "{moved}: {:?}", start.position[0]);
+        let until = world.time() + 5.0;
+        let end = run_to(&mut *world, until);
+        assert!((end.position[0][1] + 0.1).abs() < 1e-4, "{moved}: {:?}", end.position[0]);
+        assert!(end.max_strain < 1e-3 && end.position[5][0] < 1.0 + 1e-6, "{moved}: {}", end.max_strain);
+    }
+}
+
+#[test]
 fn a_body_leaves_by_the_shortest_way_and_is_neither_crushed_nor_thrown() {
     let tilted = |angle: f64| {
         vec![solid(vec![

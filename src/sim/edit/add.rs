@@ -305,7 +305,7 @@ impl<S: Real, const D: usize> World<S, D> {
             }
         }
         let position: Vec<[f64; D]> = addition.position.iter().map(|&x| truncate(x)).collect();
-        plan::clear(&self.obstacles.widened(&*self.model), &bonds, &position, &w)
+        plan::clear(&self.obstacles.widened(&*self.model), &bonds, (&position, &w), |_| false)
     }
 }
 

@@ -22,7 +22,7 @@ impl<S: Real, const D: usize> World<S, D> {
         let Ok(fresh) = Obstacles::<f64, D>::of(fresh) else { return };
         let position = self.places_of(detached);
         let bonds: &Bonds = &self.bonds;
-        let hit = plan::clear(&fresh, bonds, &position, &self.inverse_mass);
+        let hit = plan::clear(&fresh, bonds, (&position, &self.inverse_mass), |_| false);
         if hit.moves.is_empty() && hit.stuck.is_empty() {
             return;
         }
@@ -31,25 +31,32 @@ impl<S: Real, const D: usize> World<S, D> {
             w[point as usize] = self.inverse_mass[point as usize];
         }
         // What is out of the fresh ones may be in others.
-        let out = plan::clear(&obstacles.widened(model), bonds, &position, &w);
+        let out = plan::clear(&obstacles.widened(model), bonds, (&position, &w), |_| false);
         carry(detached, if out.moves.is_empty() { &hit.moves } else { &out.moves });
         self.warn_of_overlap(&hit);
         self.within.extend(hit.stuck);
     }
 
-    /// Bodies among what was taken out and moved that lie inside obstacles are put beside them, as what an obstacle is put onto.
-    pub(super) fn clear_moved(&mut self, detached: &mut Detached<S, D>) {
+    /// Bodies among what was taken out that lie inside obstacles since these points, ascending, were moved are put beside them, as what an
+    /// obstacle is put onto; pins that were moved likewise, and the tracks of `model` with them.
+    pub(super) fn clear_moved(&mut self, moved: &[u32], model: &mut Model<D>, detached: &mut Detached<S, D>) {
         let position = self.places_of(detached);
         let mut w = vec![0.0; self.count()];
         for &point in &detached.points {
             w[point as usize] = self.inverse_mass[point as usize];
         }
-        let hit = plan::clear(&self.obstacles.widened(&*self.model), &self.bonds, &position, &w);
-        if !hit.moves.is_empty() || !hit.stuck.is_empty() {
-            carry(detached, &hit.moves);
-            self.warn_of_overlap(&hit);
-            self.within.extend(hit.stuck);
+        let is_moved = |point: u32| moved.binary_search(&point).is_ok();
+        let hit = plan::clear(&self.obstacles.widened(&*model), &self.bonds, (&position, &w), is_moved);
+        if hit.moves.is_empty() && hit.stuck.is_empty() {
+            return;
         }
+        carry(detached, &hit.moves);
+        for (points, way) in &hit.moves {
+            let led = model.pin_motion.iter_mut().filter(|(point, _)| points.contains(&point.0));
+            led.flat_map(|(_, track)| &mut track.knots).for_each(|(_, x)| *x = add(*x, *way));
+        }
+        self.warn_of_overlap(&hit);
+        self.within.extend(hit.stuck);
     }
 
     /// Where the points are that were taken out `[m]`; all others at the origin.

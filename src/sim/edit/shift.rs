@@ -138,7 +138,7 @@ impl<S: Real, const D: usize> World<S, D> {
             self.clear_of(&fresh, (&model, &moved), &mut detached);
             self.obstacles = moved;
         } else {
-            self.clear_moved(&mut detached);
+            self.clear_moved(&numbers, &mut model, &mut detached);
         }
         self.model = Arc::new(model);
         if let Some(scaled) = scaled {

@@ -55,13 +55,13 @@ impl<const D: usize> Cleared<D> {
 /// How what hangs together by bonds gets out of the obstacles, each body by the shortest way found and without turning it: to where
 /// none of its points is inside and, if there is such a place, no bond goes through a wall.
 ///
-/// Shapes: `position` and `w` have one entry a point; w = 0 is pinned, and what hangs on a pin stays. Points without bonds are left
-/// to the first step.
+/// Shapes: `position` and `w` have one entry a point; w = 0 is pinned, and what hangs on a pin stays, unless the pin was put there: `placed`.
+/// Such pins go with their body if it was placed as a whole, else each by itself. Points without bonds are left to the first step.
 pub(crate) fn clear<const D: usize>(
     obstacles: &Obstacles<f64, D>,
     bonds: &Bonds,
-    position: &[[f64; D]],
-    w: &[f64],
+    (position, w): (&[[f64; D]], &[f64]),
+    placed: impl Fn(u32) -> bool,
 ) -> Cleared<D> {
     let mut cleared = Cleared::default();
     let is_none = obstacles.is_empty() && obstacles.convex().is_empty();
@@ -69,12 +69,26 @@ pub(crate) fn clear<const D: usize>(
         return cleared;
     }
     for body in bodies(bonds, w) {
-        let placed = body.points.iter().map(|&i| position[i as usize]).collect();
-        let Some(search) = Search::new(obstacles, placed, &body.bonds) else { continue };
-        match if body.is_pinned { None } else { search.way_out() } {
-            Some(way) => cleared.moves.push((body.points, way)),
-            None => cleared.stuck.extend(body.points.iter().find(|&&i| w[i as usize] != 0.0)),
+        let search = |moves: &[(Vec<u32>, [f64; D])]| {
+            let found = |i: u32| moves.binary_search_by_key(&i, |(pin, _)| pin[0]);
+            let way = |i: u32| found(i).map_or(zero(), |found| moves[found].1);
+            let places = body.points.iter().map(|&i| add(position[i as usize], way(i))).collect();
+            Search::new(obstacles, places, &body.bonds)
+        };
+        let Some(whole) = search(&[]) else { continue };
+        if !body.is_pinned || body.points.iter().all(|&i| placed(i)) {
+            if let Some(way) = whole.way_out() {
+                cleared.moves.push((body.points, way));
+                continue;
+            }
         }
+        let pins = body.points.iter().copied().filter(|&i| w[i as usize] == 0.0 && placed(i));
+        let way = |pin: u32| Search::new(obstacles, vec![position[pin as usize]], &[])?.way_out();
+        let moves: Vec<_> = pins.filter_map(|pin| Some((vec![pin], way(pin)?))).collect();
+        if search(&moves).is_some() {
+            cleared.stuck.extend(body.points.iter().find(|&&i| w[i as usize] != 0.0));
+        }
+        cleared.moves.extend(moves);
     }
     cleared
 }

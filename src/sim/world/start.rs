@@ -53,7 +53,7 @@ impl<S: Real, const D: usize> World<S, D> {
         let count = model.position.len();
         let w = plan::inverse_masses(model);
         let obstacles = Obstacles::of(model).map_err(|_| ModelError::Crossings)?;
-        let cleared = plan::clear(&obstacles.widened(model), &model.bonds, &model.position, &w);
+        let cleared = plan::clear(&obstacles.widened(model), &model.bonds, (&model.position, &w), |_| false);
         let velocity = model.velocity.iter().zip(&w).map(|(&v, &w)| if w == 0.0 { zero() } else { convert(v) });
         let position = cleared.moved(&model.position);
         let state = State {
