@@ -60,7 +60,7 @@ fn is_rope(bond: Bond) -> bool {
 }
 
 fn tint_of(bond: Bond, a: vec3<f32>, b: vec3<f32>) -> vec4<f32> {
-    if frame.strain_scale > 0.0 {
+    if is_set(frame.strain_scale, a.x) {
         var strain = strain_of(bond, a, b);
         if bond.kind == STRING {
             strain = max(strain, 0.0);
@@ -69,16 +69,16 @@ fn tint_of(bond: Bond, a: vec3<f32>, b: vec3<f32>) -> vec4<f32> {
         }
         return vec4(strain_color(strain).rgb, frame.bond_color.a);
     }
-    if frame.difference_scale > 0.0 {
+    if is_set(frame.difference_scale, a.x) {
         return vec4(difference_color(0.5 * (values[bond.a] + values[bond.b])).rgb, frame.bond_color.a);
     }
-    if bond.kind == MUSCLE && frame.coil_length > 0.0 {
+    if bond.kind == MUSCLE && is_set(frame.coil_length, a.x) {
         return vec4(FLESH, frame.bond_color.a);
     }
     if bond.color > 0u {
         return vec4(frame.own_colors[bond.color - 1u].rgb, frame.bond_color.a);
     }
-    if is_rope(bond) && frame.coil_length > 0.0 {
+    if is_rope(bond) && is_set(frame.coil_length, a.x) {
         return frame.rope_color;
     }
     return frame.bond_color;
@@ -115,7 +115,7 @@ fn vertex(@builtin(vertex_index) index: u32, @builtin(instance_index) chunk: u32
     let b = position_of(bond.b);
     var width = frame.bond_width;
     var form = vec4(0.0);
-    if frame.coil_length > 0.0 && bond.kind != 0u {
+    if is_set(frame.coil_length, a.x) && bond.kind != 0u {
         let span = distance(pixel_of(frame.clip_from_world * vec4(a, 1.0)), pixel_of(frame.clip_from_world * vec4(b, 1.0)));
         let unit = frame.outline_width / 1.5;
         if bond.kind == ROD || bond.kind == STRUT {

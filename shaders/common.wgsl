@@ -74,6 +74,12 @@ fn position_of(point: u32) -> vec3<f32> {
     return mix(before, now, frame.mix);
 }
 
+// Whether a number of the frame is above 0, asked together with a coordinate of the vertex or pixel, which may be any. Drivers that build a shader
+// anew for what a uniform that it branches by is now do so in each frame, and may keep all that they built (Mesa's lavapipe 22.3).
+fn is_set(number: f32, other: f32) -> bool {
+    return (number > 0.0) & (other > -1e30);
+}
+
 // From clip space to pixels, y down.
 fn pixel_of(clip: vec4<f32>) -> vec2<f32> {
     return (clip.xy / clip.w * vec2(0.5, -0.5) + 0.5) * frame.viewport;

@@ -47,12 +47,13 @@ fn vertex(@builtin(vertex_index) index: u32) -> Fill {
     out.size.z = f32(kind);
     if kind == FILL {
         let point = primitive.points[corner];
-        out.position = frame.clip_from_world * vec4(position_of(point), 1.0);
+        let place = position_of(point);
+        out.position = frame.clip_from_world * vec4(place, 1.0);
         out.share = select(vec3(0.0), vec3(1.0), vec3<bool>(corner % 3u == 0u, corner % 3u == 1u, corner % 3u == 2u));
-        if DIMENSIONS == 3u || frame.strain_scale > 0.0 {
+        if DIMENSIONS == 3u || is_set(frame.strain_scale, place.x) {
             out.shade = shades[point];
         }
-        if frame.difference_scale > 0.0 {
+        if is_set(frame.difference_scale, place.x) {
             out.shade.w = values[point];
         }
         return out;
@@ -148,7 +149,7 @@ fn fragment(in: Fill, @builtin(front_facing) is_front: bool) -> @location(0) vec
         // Beside colours of strain a body's own would mean nothing.
         let bright = dot(in.color.rgb, vec3(0.3, 0.6, 0.1));
         let lift = mix(LIFT.x, LIFT.y, smoothstep(0.1, 0.4, bright));
-        let is_map = frame.strain_scale > 0.0 || frame.difference_scale > 0.0;
+        let is_map = (frame.strain_scale > 0.0) | (frame.difference_scale > 0.0);
         let own = select(mix(in.color.rgb, vec3(1.0), lift), vec3(0.88), is_map);
         let light = vec4(own, 1.0);
         if kind == SKIN {
@@ -167,10 +168,10 @@ fn fragment(in: Fill, @builtin(front_facing) is_front: bool) -> @location(0) vec
         return vec4(dark.rgb, dark.a * room * frame.fill_opacity);
     }
     var color = mix(frame.ground.rgb, in.color.rgb, 0.8);
-    if frame.strain_scale > 0.0 {
+    if is_set(frame.strain_scale, in.position.x) {
         color = strain_color(in.shade.w).rgb;
     }
-    if frame.difference_scale > 0.0 {
+    if is_set(frame.difference_scale, in.position.x) {
         color = difference_color(in.shade.w).rgb;
     }
     if DIMENSIONS == 3u {

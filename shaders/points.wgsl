@@ -16,12 +16,13 @@ const EDGE: f32 = 1.1;
 fn vertex(@builtin(vertex_index) index: u32) -> Disc {
     let point = points[index / 3u];
     let is_pinned = (point & PINNED) != 0u;
+    let place = position_of(point & ~PINNED);
     var color = select(frame.point_color, frame.pin_color, is_pinned);
-    if frame.difference_scale > 0.0 && !is_pinned {
+    if is_set(frame.difference_scale, place.x) && !is_pinned {
         color = vec4(difference_color(values[point & ~PINNED]).rgb, color.a);
     }
     let radius = select(frame.point_radius, max(PIN * frame.point_radius, frame.least_pin), is_pinned);
-    var out = disc(index % 3u, position_of(point & ~PINNED), color, radius);
+    var out = disc(index % 3u, place, color, radius);
     out.is_pin = select(0.0, 1.0, is_pinned);
     return out;
 }
@@ -29,7 +30,7 @@ fn vertex(@builtin(vertex_index) index: u32) -> Disc {
 @fragment
 fn fragment(in: Disc) -> @location(0) vec4<f32> {
     var color = disc_color(in);
-    if frame.coil_length > 0.0 && in.radius > 2.0 {
+    if is_set(frame.coil_length, in.radius) && in.radius > 2.0 {
         let off = in.position.xy - in.center;
         let inner = coverage(off, in.radius - EDGE);
         color = vec4(mix(frame.ground.rgb, color.rgb, inner), color.a);

@@ -15,7 +15,7 @@ fn fragment(@builtin(position) position: vec4<f32>) -> @location(0) vec4<f32> {
     let from_center = position.xy - frame.region.xy;
     var from_middle = length(from_center);
     var to_edge = from_center * (1.0 - frame.region.z / max(from_middle, 1e-6));
-    if frame.region.w == 2.0 {
+    if is_set(frame.region.w - 1.5, position.x) {
         // To the nearest side of the square: along the axis that is further out.
         let out = abs(from_center);
         from_middle = max(out.x, out.y);

@@ -130,6 +130,31 @@ fn a_bounce_takes_what_restitution_leaves_out() {
     assert_eq!(ledger(&drop(1.0), 1.8).book.impacts, 0.0);
 }
 
+/// A point on a relaxed bond that swings about a pin, and one more that hangs on it.
+#[test]
+fn sweeps_over_relaxed_bonds_take_what_is_missing() {
+    for (solver, most) in [(Solver::Verlet, 1e-9), (Solver::Xpbd, 0.01), (Solver::Live, 0.01)] {
+        for gravity in [0.0, -9.81] {
+            let kind = BondKind::Relaxed { relaxation: 0.3, max_correction: f64::INFINITY };
+            let bond = |k: u32| Bond { kind, ..Bond::new(PointId(k), PointId(k + 1), [1.0, 0.5][k as usize]) };
+            let model = Model::<2> {
+                position: vec![[0.0, 0.0], [1.0, 0.0], [1.4, 0.3]],
+                velocity: vec![[0.0, 0.0], [0.0, 2.0], [1.0, 0.0]],
+                mass: vec![1.0; 3],
+                pinned: vec![PointId(0)],
+                bonds: [bond(0), bond(1)].into(),
+                gravity: [0.0, gravity],
+                method: Method { iterations: Some(4), ..method(solver, 0.002) },
+                ..Model::default()
+            };
+            let ledger = ledger(&model, 2.0);
+            let left = ledger.left_over().abs() / ledger.most_kinetic;
+            assert!(left < most, "{solver:?}, {gravity}: {left} left over");
+            assert!(ledger.book.relaxation > 0.01 || gravity != 0.0, "{solver:?}: {:?}", ledger.book);
+        }
+    }
+}
+
 #[test]
 fn a_string_that_gets_taut_takes_what_its_ends_have_of_each_other() {
     // 2 kg fly at 2 m/s past a pin at 0.6 m: at the end of 1 m of string 1.6 m/s of that lead along it.

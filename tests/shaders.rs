@@ -43,3 +43,25 @@ fn uniforms_have_the_same_fields_in_both_languages() {
     assert!(rust.len() > 10);
     assert_eq!(rust, wgsl);
 }
+
+/// Mesa's lavapipe 22.3 builds a shader anew, and keeps it for good, whenever a uniform changes that it branches by alone: some megabytes a second.
+#[test]
+fn no_shader_branches_by_uniforms_alone() {
+    let is_name = |c: char| c.is_alphanumeric() || c == '_' || c == '.';
+    let mut seen = 0;
+    for (name, source) in SHADERS {
+        let conditions =
+            source.lines().filter_map(|line| line.trim().trim_start_matches("} else ").strip_prefix("if "));
+        for condition in conditions {
+            let asks = condition.split(['|', '&']).filter(|part| part.contains("frame."));
+            for part in asks {
+                let others = part
+                    .split(|c| !is_name(c))
+                    .filter(|word| !word.starts_with("frame.") && word.chars().next().is_some_and(char::is_alphabetic));
+                assert!(others.count() > 0, "{name}: `if {condition}` asks for the frame alone: use `is_set`");
+                seen += 1;
+            }
+        }
+    }
+    assert!(seen > 10, "{seen}");
+}

@@ -251,7 +251,7 @@ pub struct RecordedLedger {
     pub commands: f64,
     /// See [`RecordedLedger::mouse`].
     pub parting: f64,
-    /// Taken by dampers, drag, friction, impacts, and bonds that broke.
+    /// Taken by dampers, drag, friction, impacts, bonds that broke, and sweeps over relaxed bonds.
     pub dampers: f64,
     /// See [`RecordedLedger::dampers`].
     pub drag: f64,
@@ -261,6 +261,8 @@ pub struct RecordedLedger {
     pub impacts: f64,
     /// See [`RecordedLedger::dampers`].
     pub breaks: f64,
+    /// See [`RecordedLedger::dampers`].
+    pub relaxation: f64,
     /// What none of them explains: the method's own error.
     pub left_over: f64,
 }
@@ -282,6 +284,7 @@ impl From<&Ledger> for RecordedLedger {
             friction,
             impacts,
             breaks,
+            relaxation,
             ..
         } = ledger.book;
         RecordedLedger {
@@ -302,6 +305,7 @@ impl From<&Ledger> for RecordedLedger {
             friction,
             impacts,
             breaks,
+            relaxation,
             left_over: ledger.left_over(),
         }
     }

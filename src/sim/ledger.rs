@@ -45,6 +45,9 @@ pub struct Book {
     pub impacts: f64,
     /// Springs' energy that went with bonds that broke.
     pub breaks: f64,
+    /// Taken by sweeps over relaxed bonds, net of what they gave back: the impulses of their corrections times the velocities that they change. Below 0 they
+    /// made energy, which explains nothing: they have none to give.
+    pub relaxation: f64,
     /// Substeps in which the work at led pins could not be told from the method's own error: large bodies of rigid bonds with
     /// pins that go different ways.
     pub untold: u64,
@@ -65,7 +68,8 @@ impl Book {
 
     /// What is explained of what went `[J]`.
     pub fn taken(&self) -> f64 {
-        self.dampers + self.drag + self.friction + self.impacts + self.breaks + (-self.parting).max(0.0)
+        let others = self.relaxation.max(0.0) + (-self.parting).max(0.0);
+        self.dampers + self.drag + self.friction + self.impacts + self.breaks + others
     }
 
     /// Adds `share` times the works of another.
@@ -83,6 +87,7 @@ impl Book {
         self.friction += share * other.friction;
         self.impacts += share * other.impacts;
         self.breaks += share * other.breaks;
+        self.relaxation += share * other.relaxation;
         self.untold += other.untold;
     }
 }

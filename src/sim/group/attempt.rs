@@ -170,8 +170,9 @@ impl<S: Real, const D: usize> Group<S, D> {
     }
 
     pub(super) fn take(&mut self, around: &Environment<D>, (t, h): (f64, f64), counters: &mut Counters) -> bool {
-        let Group { points, pull, engine, work, limit, .. } = self;
+        let Group { points, pull, engine, work, limit, account, .. } = self;
         counters.work += work.step;
+        engine.begin_tally(account.is_some());
         if let Engine::Implicit(implicit) = engine {
             let left = limit.saturating_sub(counters.work) / (work.step / USUAL_ROUNDS).max(1);
             implicit.most_rounds = left.saturating_add(USUAL_ROUNDS);

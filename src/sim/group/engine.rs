@@ -21,16 +21,16 @@ pub(crate) enum Engine<S: Real, const D: usize> {
     /// Kicks and flights.
     Splitting(Splitting<S, D>),
     /// Kick, drift, kick with projections, in a row of shares of the substep that composes a higher order.
-    KickDrift(KickDrift<S>, &'static [f64]),
+    KickDrift(KickDrift<S, D>, &'static [f64]),
     /// Explicit Runge-Kutta; relaxed bonds are swept after the step.
-    RungeKutta(&'static Tableau, Stages<S>, Option<KickDrift<S>>),
+    RungeKutta(&'static Tableau, Stages<S>, Option<KickDrift<S, D>>),
     /// Newton's method on a sparse system.
     Implicit(Box<Implicit<S, D>>),
     /// Points go on as forces take them, then rigid bonds get their lengths along the directions that they have there:
     /// order 1, takes energy away, and bears any motion.
     Projected,
     /// Compliant projection with this many sweeps; relaxed bonds are swept after it.
-    Xpbd(Vec<CompliantBond<S>>, u32, KickDrift<S>),
+    Xpbd(Vec<CompliantBond<S>>, u32, KickDrift<S, D>),
     /// Large bodies.
     Bulk(Box<dyn Mover<S, D>>),
 }
@@ -61,7 +61,7 @@ impl<S: Real, const D: usize> Engine<S, D> {
             Engine::RungeKutta(table, stages, sweeps) => {
                 let is_held = runge_kutta::step(points, pull, stages, table, around, (t, h), counters);
                 if let Some(sweeps) = sweeps {
-                    sweeps.sweep_after(points, h, counters);
+                    sweeps.sweep_after(points, pull, h, counters);
                 }
                 is_held
             }
@@ -81,11 +81,13 @@ impl<S: Real, const D: usize> Engine<S, D> {
             }
             Engine::Implicit(implicit) => implicit.step(points, pull, around, (t, h), counters),
             Engine::Xpbd(bonds, sweeps, after) => {
+                after.note_velocity(points);
                 set_out(points, pull, around, (t, h), counters);
                 xpbd::solve(bonds, &points.position, &mut points.displacement, h, *sweeps);
                 counters.sweep(*sweeps, bonds.len());
                 after.relax(points, h, counters);
                 verlet::follow(points, h);
+                after.count_sweeps(points, h);
                 verlet::advance(points);
                 true
             }
@@ -99,6 +101,27 @@ impl<S: Real, const D: usize> Engine<S, D> {
     /// Whether surfaces are met in its own steps.
     pub(crate) fn meets_surfaces(&self) -> bool {
         matches!(self, Engine::Implicit(_))
+    }
+
+    /// What sweeps over relaxed bonds take is counted from here on, or not.
+    pub(crate) fn begin_tally(&mut self, is_kept: bool) {
+        if let Some(sweeps) = self.sweeps() {
+            sweeps.begin_tally(is_kept);
+        }
+    }
+
+    /// What they took since then `[J]`.
+    pub(crate) fn tallied(&mut self) -> f64 {
+        self.sweeps().and_then(|sweeps| sweeps.tally.as_ref()).map_or(0.0, |tally| tally.taken)
+    }
+
+    fn sweeps(&mut self) -> Option<&mut KickDrift<S, D>> {
+        match self {
+            Engine::KickDrift(sweeps, _) | Engine::RungeKutta(_, _, Some(sweeps)) | Engine::Xpbd(_, _, sweeps) => {
+                Some(sweeps)
+            }
+            _ => None,
+        }
     }
 
     /// Forgets what belongs to the state before a change from outside.

@@ -14,7 +14,7 @@ use crate::sim::environment::Environment;
 use crate::sim::points::Points;
 use crate::sim::pull::Pull;
 use crate::sim::real::Real;
-use crate::sim::vector::{add, scale, zero};
+use crate::sim::vector::{add, dot, scale, sub, widen, zero};
 
 /// Bonds that are swept one after the other.
 #[derive(Clone, Debug)]
@@ -30,10 +30,26 @@ pub(crate) struct Swept<S> {
     pub(crate) nominal: f64,
 }
 
+/// What sweeps over relaxed bonds take, where a ledger is kept.
+///
+/// A correction d of a place is the impulse m d/h. In kicks and drifts its work is this times the mean of the velocities of the drifts before and
+/// after it: with that the energy at the middle of each drift, gravity's included, changes by works alone.
+#[derive(Clone, Debug)]
+pub(crate) struct SweepTally<S, const D: usize> {
+    /// Velocities of the drift before: those at the start of the substep less the kick that closed the one before.
+    before: Vec<[S; D]>,
+    /// How far sweeps have moved each point in the substep `[m]`.
+    bent: Vec<[S; D]>,
+    /// What they took since it was begun `[J]`.
+    pub(crate) taken: f64,
+}
+
 /// The method with what it keeps from substep to substep.
 #[derive(Clone, Debug)]
-pub(crate) struct KickDrift<S> {
+pub(crate) struct KickDrift<S, const D: usize> {
     pub(crate) swept: Swept<S>,
+    /// There where what sweeps take is asked for.
+    pub(crate) tally: Option<Box<SweepTally<S, D>>>,
     /// Shares of the opening and the closing kick: halves, or 1 and 0 for semi-implicit Euler.
     pub(crate) kicks: [f64; 2],
     /// Velocities are held at the end of the substep too.
@@ -44,9 +60,9 @@ pub(crate) struct KickDrift<S> {
     pub(crate) aimed: bool,
 }
 
-impl<S: Real> KickDrift<S> {
+impl<S: Real, const D: usize> KickDrift<S, D> {
     /// Advances by `h` from time `t`. Returns whether rigid bonds could be held.
-    pub(crate) fn step<const D: usize>(
+    pub(crate) fn step(
         &mut self,
         points: &mut Points<S, D>,
         pull: &mut Pull<S, D>,
@@ -54,12 +70,14 @@ impl<S: Real> KickDrift<S> {
         (t, h): (f64, f64),
         counters: &mut Counters,
     ) -> bool {
+        self.note_velocity(points);
         verlet::slow(points, pull.drag_rate, self.kicks[0] * h);
         self.kick(points, pull, around, (t, self.kicks[0] * h), counters);
         verlet::predict(points, h);
         self.relax(points, h, counters);
         let is_held = self.hold(points, pull, counters);
         verlet::follow(points, h);
+        self.count_sweeps(points, h);
         verlet::advance(points);
         self.fresh = false;
         if self.kicks[1] > 0.0 {
@@ -72,7 +90,7 @@ impl<S: Real> KickDrift<S> {
         is_held
     }
 
-    fn kick<const D: usize>(
+    fn kick(
         &mut self,
         points: &mut Points<S, D>,
         pull: &mut Pull<S, D>,
@@ -91,7 +109,7 @@ impl<S: Real> KickDrift<S> {
     }
 
     /// Rows of the direct solver fit the present state, if they do not already.
-    fn make_ready<const D: usize>(&mut self, points: &Points<S, D>, pull: &mut Pull<S, D>) {
+    fn make_ready(&mut self, points: &Points<S, D>, pull: &mut Pull<S, D>) {
         if !self.aimed
             && let Some(rigid) = &mut pull.rigid
         {
@@ -101,9 +119,18 @@ impl<S: Real> KickDrift<S> {
     }
 
     /// Moves the points by sweeps alone: what comes after the step of another method.
-    pub(crate) fn sweep_after<const D: usize>(&mut self, points: &mut Points<S, D>, h: f64, counters: &mut Counters) {
+    pub(crate) fn sweep_after(
+        &mut self,
+        points: &mut Points<S, D>,
+        pull: &Pull<S, D>,
+        h: f64,
+        counters: &mut Counters,
+    ) {
         points.displacement.fill(zero());
         self.relax(points, h, counters);
+        if let Some(tally) = &mut self.tally {
+            tally.taken += gone(points, pull, (&tally.bent, h));
+        }
         if !self.swept.rigid.is_empty() {
             let held = rigid::hold(points, &self.swept.rigid, &mut self.swept.rigid_order);
             counters.sweep(held.sweeps, self.swept.rigid.len());
@@ -119,25 +146,56 @@ impl<S: Real> KickDrift<S> {
     }
 
     /// Sweeps over the relaxed bonds.
-    pub(crate) fn relax<const D: usize>(&mut self, points: &mut Points<S, D>, h: f64, counters: &mut Counters) {
+    pub(crate) fn relax(&mut self, points: &mut Points<S, D>, h: f64, counters: &mut Counters) {
         let Swept { relaxed, relaxed_order, iterations, nominal, .. } = &mut self.swept;
         if relaxed.is_empty() {
             return;
         }
         let share = relaxed::share_of(h, *nominal);
+        if let Some(tally) = &mut self.tally {
+            tally.bent.clone_from(&points.displacement);
+        }
         for _ in 0..*iterations {
             relaxed::sweep(points, relaxed, relaxed_order, share);
         }
         counters.sweep(*iterations, relaxed.len());
+        if let Some(tally) = &mut self.tally {
+            tally.bent.iter_mut().zip(&points.displacement).for_each(|(bent, way)| *bent = sub(*way, *bent));
+            let kicks = S::from_f64(self.kicks[1] / self.kicks[0]);
+            let met = tally.before.iter_mut().zip(&points.velocity);
+            met.for_each(|(before, v)| *before = sub(*before, scale(*v, kicks)));
+        }
+    }
+
+    /// Notes the velocities that a substep begins with.
+    pub(crate) fn note_velocity(&mut self, points: &Points<S, D>) {
+        let kicks = S::from_f64(1.0 + self.kicks[1] / self.kicks[0]);
+        if let Some(tally) = &mut self.tally {
+            tally.before.clear();
+            tally.before.extend(points.velocity.iter().map(|&v| scale(v, kicks)));
+            tally.bent.clear();
+        }
+    }
+
+    /// Counts what sweeps took, by the velocities that they left.
+    pub(crate) fn count_sweeps(&mut self, points: &Points<S, D>, h: f64) {
+        let Some(tally) = &mut self.tally else { return };
+        for (i, (&bent, &before)) in tally.bent.iter().zip(&tally.before).enumerate() {
+            if points.inverse_mass[i] != S::ZERO {
+                let mean = scale(add(points.velocity[i], before), S::HALF);
+                tally.taken -= dot(widen(mean), widen(bent)) / (h * points.inverse_mass[i].to_f64());
+            }
+        }
+    }
+
+    /// What sweeps take is counted from here on, or not.
+    pub(crate) fn begin_tally(&mut self, is_kept: bool) {
+        let is_kept = is_kept && !self.swept.relaxed.is_empty();
+        self.tally = is_kept.then(|| Box::new(SweepTally { before: Vec::new(), bent: Vec::new(), taken: 0.0 }));
     }
 
     /// Bends displacements until rigid bonds hold.
-    fn hold<const D: usize>(
-        &mut self,
-        points: &mut Points<S, D>,
-        pull: &mut Pull<S, D>,
-        counters: &mut Counters,
-    ) -> bool {
+    fn hold(&mut self, points: &mut Points<S, D>, pull: &mut Pull<S, D>, counters: &mut Counters) -> bool {
         self.make_ready(points, pull);
         if let Some(rigid) = &mut pull.rigid {
             let held = rigid.bend(points, &pull.contacts);
@@ -156,7 +214,7 @@ impl<S: Real> KickDrift<S> {
     /// Projects swept rigid bonds at the start: positions first, then velocities.
     ///
     /// Returns whether they hold.
-    pub(crate) fn hold_start<const D: usize>(&mut self, points: &mut Points<S, D>) -> bool {
+    pub(crate) fn hold_start(&mut self, points: &mut Points<S, D>) -> bool {
         if self.swept.rigid.is_empty() {
             return true;
         }
@@ -169,7 +227,7 @@ impl<S: Real> KickDrift<S> {
     }
 
     /// Takes from velocities what would change the length of rigid bonds.
-    pub(crate) fn hold_velocity<const D: usize>(&mut self, points: &mut Points<S, D>, pull: &mut Pull<S, D>) {
+    pub(crate) fn hold_velocity(&mut self, points: &mut Points<S, D>, pull: &mut Pull<S, D>) {
         self.make_ready(points, pull);
         if let Some(rigid) = &mut pull.rigid {
             rigid.project_velocity(points, &pull.contacts);
@@ -177,4 +235,18 @@ impl<S: Real> KickDrift<S> {
             rigid::hold_velocity(points, &self.swept.rigid);
         }
     }
+}
+
+/// What points lose that are moved so at once, after a step, and their velocities with them `[J]`.
+fn gone<S: Real, const D: usize>(points: &Points<S, D>, pull: &Pull<S, D>, (bent, h): (&[[S; D]], f64)) -> f64 {
+    let moved: Vec<[S; D]> = points.position.iter().zip(bent).map(|(&x, &bent)| add(x, bent)).collect();
+    let mut gone = pull.elastic(&points.position) - pull.elastic(&moved);
+    for (i, &bent) in bent.iter().enumerate() {
+        if points.inverse_mass[i] != S::ZERO {
+            let [v, bent]: [[f64; D]; 2] = [points.velocity[i], bent].map(widen);
+            let mean = add(v, scale(bent, 0.5 / h));
+            gone += dot(bent, sub(pull.gravity, scale(mean, 1.0 / h))) / points.inverse_mass[i].to_f64();
+        }
+    }
+    gone
 }

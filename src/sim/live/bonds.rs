@@ -109,6 +109,8 @@ pub(super) struct Hold<S> {
     is_rigid: bool,
     /// A rigid one with a limit: it gets taut with a jerk, which gives nothing back.
     jerks: bool,
+    /// It takes but a share of the error, or a limited one.
+    is_relaxed: bool,
     /// What the inverse masses of its ends are added to, where some end goes with a frame: it feels those in its direction; and the share of the
     /// error.
     framed: Option<[S; 2]>,
@@ -134,6 +136,7 @@ impl<S: Real> Hold<S> {
             limit: link.limit,
             is_rigid,
             jerks: is_rigid && link.limit != Limit::Both,
+            is_relaxed: link.share < S::ONE || link.most.is_finite(),
             framed: is_framed.then_some([softness, link.share]),
         })
     }
@@ -179,8 +182,11 @@ fn is_crushed<S: Real>(link: &Link<S>, now: &[[S; 2]]) -> bool {
 pub(super) fn prepare<S: Real>(state: &mut Cluster<S>, common: &Common<S>, h: S) {
     let members = state.members(common);
     let may_swing = !state.is_violent && !part::owes(state);
-    let Cluster { pulls, odd_pulls, firm, is_all_rigid, hard, holds, w, settles, by_forces, now, frame_of, .. } = state;
+    let Cluster {
+        pulls, odd_pulls, firm, slow, is_all_rigid, hard, holds, w, settles, by_forces, now, frame_of, ..
+    } = state;
     pulls.clear(w.len());
+    slow.clear(w.len());
     hard.clear(w.len());
     odd_pulls.clear();
     firm.clear(w.len());
@@ -219,14 +225,16 @@ pub(super) fn prepare<S: Real>(state: &mut Cluster<S>, common: &Common<S>, h: S)
                 continue;
             }
             *is_all_rigid &= hold.is_rigid;
-            firm.push(hold.entry());
+            let list = if hold.is_relaxed { &mut *slow } else { &mut *firm };
+            list.push(hold.entry());
             if hold.is_hard(w) {
                 hard.push(hold.entry());
             }
         }
     }
-    *is_all_rigid &= firm.len() > 0;
+    *is_all_rigid &= firm.len() + slow.len() > 0;
     pulls.finish();
+    slow.finish();
     firm.finish();
     hard.finish();
 }
@@ -240,6 +248,11 @@ pub(super) fn hold<S: Real>(state: &mut Cluster<S>, common: &Common<S>) {
     let firm = std::mem::take(&mut state.firm);
     sweep(state, &firm);
     state.firm = firm;
+    let slow = std::mem::take(&mut state.slow);
+    if slow.len() > 0 {
+        state.relax(|state| sweep(state, &slow));
+    }
+    state.slow = slow;
     let holds = std::mem::take(&mut state.holds);
     project(state, &holds);
     state.holds = holds;
@@ -328,23 +341,30 @@ fn project<S: Real>(state: &mut Cluster<S>, holds: &[Hold<S>]) {
             let push = scale(along, error * share / ((S::ONE + hold.drag) * felt + softness));
             state.push_point(a, scale(push, -S::ONE), Change::Way);
             state.push_point(b, push, Change::Way);
-            if hold.jerks {
-                [(a, -S::ONE), (b, S::ONE)]
-                    .into_iter()
-                    .for_each(|(i, goes)| state.note_stop(i, scale(push, goes * state.w[i])));
+            for (i, goes) in [(a, -S::ONE), (b, S::ONE)] {
+                let way = scale(push, goes * state.w[i]);
+                match hold.is_relaxed {
+                    true => state.note_relaxed(i, way),
+                    false if hold.jerks => state.note_stop(i, way),
+                    false => {}
+                }
             }
             continue;
         }
         let shift = scale(along, error * hold.inverse);
+        let before = [turned[a], turned[b]];
         if hold.is_rigid {
             Turned { start, turned }.note([a, b], [w[a], w[b]], shift);
         }
         let shifts = [(a, scale(shift, -w[a])), (b, scale(shift, w[b]))];
+        let changes = [sub(turned[a], before[0]), sub(turned[b], before[1])];
         for (i, own) in shifts {
             now[i] = add(now[i], own);
             way[i] = add(way[i], own);
         }
-        if hold.jerks {
+        if hold.is_relaxed {
+            shifts.into_iter().zip(changes).for_each(|((i, own), change)| state.note_relaxed(i, add(own, change)));
+        } else if hold.jerks {
             shifts.into_iter().for_each(|(i, own)| state.note_stop(i, own));
         }
     }

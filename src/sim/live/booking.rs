@@ -18,6 +18,8 @@ pub(super) struct Tally<S: Real> {
     /// How far contacts that do not give all back, and friction, pushed each point in the substep `[m]`.
     pressed: Vec<[S; 2]>,
     rubbed: Vec<[S; 2]>,
+    /// The same of sweeps over relaxed bonds.
+    relaxed: Vec<[S; 2]>,
     /// Works of the fields that stand in the cluster's work too `[J]`.
     apart: f64,
     taken: Book,
@@ -26,13 +28,14 @@ pub(super) struct Tally<S: Real> {
 impl<S: Real> Tally<S> {
     pub(super) fn new(points: usize) -> Self {
         let none = || vec![zero(); points];
-        Tally { pressed: none(), rubbed: none(), apart: 0.0, taken: Book::default() }
+        Tally { pressed: none(), rubbed: none(), relaxed: none(), apart: 0.0, taken: Book::default() }
     }
 
     /// A substep begins.
     pub(super) fn begin(&mut self) {
         self.pressed.fill(zero());
         self.rubbed.fill(zero());
+        self.relaxed.fill(zero());
     }
 
     /// Drag left the `kept` share of the velocity that a point had.
@@ -96,6 +99,28 @@ impl<S: Real> Cluster<S> {
         }
     }
 
+    /// Notes how far a relaxed bond moved a point `[m]`, by what it gave to its velocity.
+    pub(super) fn note_relaxed(&mut self, i: usize, way: [S; 2]) {
+        if let Some(tally) = &mut self.tally {
+            tally.relaxed[i] = add(tally.relaxed[i], way);
+        }
+    }
+
+    /// A sweep over relaxed bonds.
+    pub(super) fn relax(&mut self, sweep: impl FnOnce(&mut Self)) {
+        let ways = |state: &Self, sign: S| -> Vec<[S; 2]> {
+            state.way.iter().zip(&state.turned).map(|(&way, &turned)| scale(add(way, turned), sign)).collect()
+        };
+        let before = self.tally.is_some().then(|| ways(self, -S::ONE));
+        sweep(self);
+        if let Some(before) = before {
+            let after = ways(self, S::ONE);
+            for (i, (&before, &after)) in before.iter().zip(&after).enumerate().take(self.own()) {
+                self.note_relaxed(i, add(before, after));
+            }
+        }
+    }
+
     /// What mouse, forces and wind did in a substep that is over.
     pub(super) fn book_given(&mut self) {
         let works = self.given.works(&self.velocity, &self.w);
@@ -129,16 +154,18 @@ impl<S: Real> Cluster<S> {
     pub(super) fn tally(&mut self, common: &Common<S>, h: f64) {
         let Some(mut tally) = self.tally.take() else { return };
         let rate = S::from_f64(1.0 / h);
-        let mut taken = [0.0; 2];
+        let mut taken = [0.0; 3];
         for i in (0..self.own()).filter(|&i| self.w[i] != S::ZERO) {
             let mean = scale(add(self.begun[i], self.velocity[i]), S::HALF);
             let of = |push: [S; 2]| (dot(mean, push) * rate / self.w[i]).to_f64();
             taken[0] -= of(tally.pressed[i]);
             taken[1] -= of(tally.rubbed[i]);
+            taken[2] -= of(tally.relaxed[i]);
         }
         // What contacts make is the method's own error, and explains nothing.
         tally.taken.impacts += taken[0].max(0.0);
         tally.taken.friction += taken[1].max(0.0);
+        tally.taken.relaxation += taken[2];
         tally.taken.dampers += self.damped(common, h);
         self.tally = Some(tally);
     }

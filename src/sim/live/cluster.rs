@@ -61,6 +61,8 @@ pub(super) struct Cluster<S: Real> {
     pub(super) odd_pulls: Vec<(u32, u32)>,
     /// Bonds that are projected, and those that kernels do not take.
     pub(super) firm: Links<S>,
+    /// Those that take but a share of their errors, apart from them.
+    pub(super) slow: Links<S>,
     /// All of those that kernels take are rigid, and they turn in this substep.
     pub(super) is_all_rigid: bool,
     pub(super) does_turn: bool,

@@ -110,6 +110,7 @@ impl<S: Real> Live<S> {
             pulls: Links::default(),
             odd_pulls: Vec::new(),
             firm: Links::default(),
+            slow: Links::default(),
             is_all_rigid: false,
             does_turn: false,
             hard: Links::default(),

@@ -76,11 +76,10 @@ pub(crate) fn clear<const D: usize>(
             Search::new(obstacles, places, &body.bonds)
         };
         let Some(whole) = search(&[]) else { continue };
-        if !body.is_pinned || body.points.iter().all(|&i| placed(i)) {
-            if let Some(way) = whole.way_out() {
-                cleared.moves.push((body.points, way));
-                continue;
-            }
+        let may_go = !body.is_pinned || body.points.iter().all(|&i| placed(i));
+        if let Some(way) = if may_go { whole.way_out() } else { None } {
+            cleared.moves.push((body.points, way));
+            continue;
         }
         let pins = body.points.iter().copied().filter(|&i| w[i as usize] == 0.0 && placed(i));
         let way = |pin: u32| Search::new(obstacles, vec![position[pin as usize]], &[])?.way_out();

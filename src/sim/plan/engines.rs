@@ -90,7 +90,7 @@ impl<S: Real, const D: usize> Maker<'_, S, D> {
         points: &Points<S, D>,
         pull: &Pull<S, D>,
         solver: Solver,
-    ) -> KickDrift<S> {
+    ) -> KickDrift<S, D> {
         let (method, w) = (&self.model.method, &points.inverse_mass);
         let sweeps_all = solver == Solver::Relaxation;
         let mut relaxed = Vec::new();
@@ -113,7 +113,8 @@ impl<S: Real, const D: usize> Maker<'_, S, D> {
                 relaxed,
                 rigid,
             },
-            kicks: if solver == Solver::SymplecticEuler { [1.0, 0.0] } else { [0.5, 0.5] },
+            tally: None,
+            kicks: if matches!(solver, Solver::SymplecticEuler | Solver::Xpbd) { [1.0, 0.0] } else { [0.5, 0.5] },
             holds_velocity: pull.rigid.is_some(),
             fresh: false,
             aimed: false,
