@@ -77,8 +77,8 @@ pub(super) struct Arguments {
     /// Times to sample at in seconds, ascending, such as 0.5,1,2; the last one ends the run.
     #[arg(long, value_name = "T,…", allow_hyphen_values = true, value_parser = values::times)]
     samples: Option<Times>,
-    /// Where to write: .json or .csv.
-    #[arg(long, value_name = "FILE", required_unless_present_any = ["hash", "record"], value_parser = table)]
+    /// Where to write: .json or .csv, or `-` for a table on the standard output, which is where it goes if nothing else is asked for.
+    #[arg(long, value_name = "FILE", value_parser = table)]
     out: Option<PathBuf>,
     /// Keeps a ledger of the energy: each sample says where it came from and went, and the whole whether it was kept.
     #[arg(long, conflicts_with = "settle")]
@@ -88,11 +88,15 @@ pub(super) struct Arguments {
     hash: bool,
 }
 
+/// Names the standard output.
+const STANDARD: &str = "-";
+
 pub(super) fn table(text: &str) -> Result<PathBuf, String> {
     let path = PathBuf::from(text);
     match extension(&path).as_deref() {
         Some("json" | "csv") => Ok(path),
-        _ => Err("name a file that ends in .json or .csv".to_owned()),
+        _ if text == STANDARD => Ok(path),
+        _ => Err("name a file that ends in .json or .csv, or - for a table on the standard output".to_owned()),
     }
 }
 
@@ -153,19 +157,21 @@ fn say_kernels(world: &dyn Dynamics, samples: &[Sample]) -> anyhow::Result<()> {
         let most = samples.iter().map(|sample| sample.max_strain).fold(0.0, f64::max);
         writeln!(
             std::io::stderr(),
-            "wobble: {bonds} bonds as {kernel}{aim} ({precision}, {set}); largest strain at the samples {most:.1e}"
+            "wobble: {bonds} bonds as {kernel}{aim} ({precision}, {set}); largest strain of any bond at the samples {most:.1e}"
         )?;
     }
     Ok(())
 }
 
 fn write(arguments: &Arguments, recording: &Recording) -> anyhow::Result<()> {
-    write_table(arguments.out.as_deref(), arguments.hash, recording)
+    write_table(arguments.target(), arguments.hash, recording)
 }
 
 /// Writes the table, then says what the user should know.
 fn write_table(out: Option<&Path>, has_hash: bool, recording: &Recording) -> anyhow::Result<()> {
-    if let Some(path) = out {
+    if out == Some(Path::new(STANDARD)) {
+        recording.write_csv(std::io::stdout().lock())?;
+    } else if let Some(path) = out {
         output::replace(path, |to| match extension(path).as_deref() {
             Some("csv") => recording.write_csv(to),
             _ => recording.write_json(to),
@@ -305,6 +311,12 @@ impl Searched {
 }
 
 impl Arguments {
+    /// Where the table goes.
+    fn target(&self) -> Option<&Path> {
+        let is_asked = self.out.is_some() || self.hash || self.record.is_some();
+        if is_asked { self.out.as_deref() } else { Some(Path::new(STANDARD)) }
+    }
+
     /// What the call says instead of the scene.
     fn change(&self, scene: &mut Scene) {
         let method = &mut scene.method;

@@ -50,7 +50,7 @@ pub(super) fn run(arguments: &Arguments, start: Start, quiet: bool) -> anyhow::R
         let made = Recording { end: Some(end), marks, ..recording };
         made.save(path)?;
     }
-    table.write(arguments.out.as_deref(), arguments.hash, Some(&frames))
+    table.write(arguments.target(), arguments.hash, Some(&frames))
 }
 
 /// Advances to `time` `[s]`, frame by frame: that is the same motion. The ledger, if one is kept, gets an entry a frame.

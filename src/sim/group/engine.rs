@@ -1,5 +1,6 @@
 //! What moves a group: one integrator with what it keeps from step to step.
 
+use crate::sim::account::kinetic;
 use crate::sim::bulk::mover::Mover;
 use crate::sim::constrain::xpbd::{self, CompliantBond};
 use crate::sim::counters::Counters;
@@ -14,6 +15,10 @@ use crate::sim::points::Points;
 use crate::sim::pull::Pull;
 use crate::sim::real::Real;
 use crate::sim::vector::{scale, sub, zero};
+
+/// Kinetic energy that rigid bonds may leave of what there was, as bonds between points that stand can make none: more than it is of lengths that were wrong
+/// before. Some, for bonds may have been at rest in other directions.
+const MOST_OF_BONDS: f64 = 1.1;
 
 /// An integrator.
 #[derive(Clone, Debug)]
@@ -67,7 +72,8 @@ impl<S: Real, const D: usize> Engine<S, D> {
             }
             Engine::Projected => {
                 set_out(points, pull, around, (t, h), counters);
-                let before = points.position.clone();
+                let (before, rushed) = (points.position.clone(), points.velocity.clone());
+                let had = kinetic(&rushed, &points.inverse_mass);
                 verlet::advance(points);
                 let is_held = pull.project(points, counters);
                 let rate = S::from_f64(1.0 / h);
@@ -76,6 +82,11 @@ impl<S: Real, const D: usize> Engine<S, D> {
                         points.velocity[i] = scale(sub(points.position[i], before[i]), rate);
                         points.velocity_lost[i] = zero();
                     }
+                }
+                // What bonds lacked before is made good in so short a time that it would be any speed.
+                let is_led = || (0..points.len()).any(|i| points.inverse_mass[i] == S::ZERO && rushed[i] != zero());
+                if kinetic(&points.velocity, &points.inverse_mass) > MOST_OF_BONDS * had && !is_led() {
+                    points.velocity.copy_from_slice(&rushed);
                 }
                 pull.project(points, counters) && is_held
             }

@@ -246,7 +246,9 @@ impl<S: Real> Cluster<S> {
         }
         drives::count(self, h);
         self.book_given();
-        self.tally(common, h);
+        if is_long {
+            self.tally(common, h);
+        }
         let (mut pairs, mut on_planes) = (std::mem::take(&mut self.pairs), std::mem::take(&mut self.on_planes));
         let numbers = std::mem::take(&mut self.chosen);
         let least = S::from_f64(LEAST_BOUNCE * h * crate::sim::vector::length(gravity));

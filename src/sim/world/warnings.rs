@@ -29,22 +29,24 @@ impl<S: Real, const D: usize> World<S, D> {
     }
 
     pub(crate) fn warn_of_overlap(&mut self, cleared: &Cleared<D>) {
-        let several = |count: usize| match count {
-            1 => "a body".to_owned(),
-            _ => format!("{count} bodies"),
-        };
-        if !cleared.moves.is_empty() {
-            self.warnings.push(format!(
-                "{} lay inside an obstacle: moved out as a whole, by up to {:.3} m",
-                several(cleared.moves.len()),
-                cleared.furthest()
-            ));
+        if let Some((points, _)) = cleared.moves.first() {
+            let point = points.first().copied().unwrap_or_default();
+            let which = match cleared.moves.len() {
+                1 if points.len() == 1 => format!("point {point}"),
+                1 => format!("the body of point {point}"),
+                count => format!("{count} bodies, the first that of point {point},"),
+            };
+            let far = cleared.furthest();
+            self.warnings.push(format!("{which} lay inside an obstacle: moved out as a whole, by up to {far:.3} m"));
         }
-        if !cleared.stuck.is_empty() {
+        if let Some(&first) = cleared.stuck.first() {
+            let which = match cleared.stuck.len() {
+                1 => format!("the body of point {first}"),
+                count => format!("{count} bodies, the first that of point {first},"),
+            };
             self.warnings.push(format!(
-                "{} lay inside an obstacle without a way out, or pinned: only points are put out, one by one, as far \
-                 as bonds let them",
-                several(cleared.stuck.len())
+                "{which} lay inside an obstacle without a way out, or pinned: only points are put out, one by one, as far \
+                 as bonds let them"
             ));
         }
     }
