@@ -182,6 +182,32 @@ fn a_reset_is_undone_as_one() {
     assert!(history.recording().commands.is_empty());
 }
 
+/// What is built before time goes by is there again at the start, what came later is not; undone as one.
+#[test]
+fn a_reset_takes_along_what_was_built_at_the_start() {
+    let mut history = history("rim");
+    let grab = || Do::Grab(Reach::Points(vec![PointId(3)]));
+    history.give(vec![grab()], None).unwrap();
+    history.give(vec![strength(50.0)], Some("Built")).unwrap();
+    let (start, built) = (history.world().time(), hash(&history));
+    play(&mut history, 20);
+    history.give(vec![strength(9.0)], Some("Later")).unwrap();
+    play(&mut history, 20);
+    let late = hash(&history);
+    for _ in 0..2 {
+        assert_eq!(history.reset(), 1, "edits that are left behind");
+        assert_eq!((history.world().time(), history.recording().commands.len()), (start, 1));
+        assert!(history.world().grab().is_none() && hash(&history) == built);
+        play(&mut history, 10);
+        assert_eq!(history.undo().unwrap().name, "Reset");
+        assert_eq!(hash(&history), late);
+        assert_eq!(history.redo().unwrap().name, "Reset");
+        assert_eq!((history.world().time(), history.recording().commands.len()), (start, 1));
+        history.undo().unwrap();
+    }
+    assert_eq!(["Later", "Built"].map(|name| history.undo().unwrap().name == name), [true; 2]);
+}
+
 #[test]
 fn commands_are_done_all_or_none_and_refused_with_number_and_reason() {
     let mut history = history("rim");

@@ -47,8 +47,9 @@ struct Branch {
     end: f64,
     /// Of the time since it left, ascending.
     marks: Vec<Mark>,
-    /// Where it was gone to from the start of all, if so.
+    /// Where the start of all was gone to from, if so, and how many commands were taken along.
     origin: Option<Spot>,
+    taken_along: usize,
     /// Nothing is lost with it: it was left without an edit.
     is_barren: bool,
 }
@@ -103,16 +104,24 @@ impl Tree {
         *end = end.max(time);
     }
 
+    /// A new branch from the start of all at `from` `[s]`, which was gone to from a spot with these commands.
+    pub(super) fn begin_anew(&mut self, from: f64, origin: Spot, own: Vec<Entry>) -> usize {
+        let (taken_along, origin) = (own.len(), Some(origin));
+        self.branches.push(Branch { from, end: from, origin, own, taken_along, ..Branch::default() });
+        self.branches.len() - 1
+    }
+
     /// A new branch that leaves another at a spot.
-    pub(super) fn fork(&mut self, spot: Spot, origin: Option<Spot>) -> usize {
+    pub(super) fn fork(&mut self, spot: Spot) -> usize {
         let Spot { branch, place, time } = spot;
         // Of what both share it leaves the parent.
         let owner = place.checked_sub(1).and_then(|last| self.way_to(branch, last).last());
         let owner = owner.unwrap_or_else(|| self.root(branch));
-        let parent = origin.is_none().then_some((owner, place));
-        let depth = parent.map_or(0, |(parent, _)| self.branches[parent].depth + 1);
-        let jump = parent.map(|parent| self.jump(parent));
-        self.branches.push(Branch { parent, jump, depth, from: time, end: time, origin, ..Branch::default() });
+        let parent = (owner, place);
+        let depth = self.branches[owner].depth + 1;
+        let jump = Some(self.jump(parent));
+        let parent = Some(parent);
+        self.branches.push(Branch { parent, jump, depth, from: time, end: time, ..Branch::default() });
         self.branches.len() - 1
     }
 
@@ -168,6 +177,11 @@ impl Tree {
         self.branches[self.root(branch)].origin
     }
 
+    /// How many commands were taken along then.
+    pub(super) fn taken_along(&self, branch: usize) -> usize {
+        self.branches[self.root(branch)].taken_along
+    }
+
     /// The branch that begins at the start and that a branch comes from.
     pub(super) fn root(&self, mut branch: usize) -> usize {
         while let Some((far, _)) = self.branches[branch].jump {
@@ -203,7 +217,8 @@ impl Tree {
     /// A branch is left: where it has no edit of its own and nothing left it, nothing is lost with it.
     pub(super) fn leave(&mut self, branch: usize) {
         let has_child = self.branches.iter().any(|other| other.parent.is_some_and(|(parent, _)| parent == branch));
-        let has_edit = self.branches[branch].own.iter().any(|entry| entry.edit.is_some());
+        let Branch { own, taken_along, .. } = &self.branches[branch];
+        let has_edit = own[*taken_along..].iter().any(|entry| entry.edit.is_some());
         if branch > 0 && !has_child && !has_edit {
             self.branches[branch].is_barren = true;
         }
@@ -248,7 +263,7 @@ mod tests {
         let mut branch = 0;
         for round in 0..rounds {
             let place = tree.len(branch).saturating_sub(1);
-            branch = tree.fork(Spot { branch, place, time: round as f64 }, None);
+            branch = tree.fork(Spot { branch, place, time: round as f64 });
             tree.push(branch, entry(round as f64));
             tree.push(branch, entry(round as f64));
         }
@@ -298,8 +313,10 @@ mod tests {
         for number in 0..200 {
             let branch = below(tree.count());
             let spot = Spot { branch, place: below(tree.len(branch) + 1), time: 0.0 };
-            let origin = (number % 50 == 49).then_some(spot);
-            let branch = tree.fork(spot, origin);
+            let branch = match number % 50 {
+                49 => tree.begin_anew(0.0, spot, vec![entry(0.0)]),
+                _ => tree.fork(spot),
+            };
             for _ in 0..below(4) {
                 tree.push(branch, entry(f64::from(number)));
             }

@@ -237,7 +237,7 @@ impl History {
         let time = self.frame.world.time();
         let has_future = self.frame.place < self.tree.len(self.branch) || self.tree.end(self.branch) > time;
         if has_future {
-            self.branch = self.tree.fork(self.spot(), None);
+            self.branch = self.tree.fork(self.spot());
         }
         self.is_free = false;
     }

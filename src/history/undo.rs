@@ -29,7 +29,9 @@ impl History {
         let before = self.world().time();
         let (branch, place) = (self.branch, self.frame.place);
         let edit_of = |place: usize| self.tree.entry(branch, place).and_then(|entry| entry.edit);
-        let (name, again, back) = match (0..place).rev().find(|&place| edit_of(place).is_some()) {
+        // What was taken along to the start was done before that was gone to.
+        let first = self.tree.taken_along(branch);
+        let (name, again, back) = match (first..place).rev().find(|&place| edit_of(place).is_some()) {
             Some(last) => {
                 let edit = edit_of(last);
                 let same = |&place: &usize| edit_of(place).is_none() || edit_of(place) == edit;
@@ -41,7 +43,7 @@ impl History {
             }
             None => {
                 let back = self.tree.origin(branch)?;
-                let again = Spot { branch: self.tree.root(branch), place: 0, time: self.from() };
+                let again = Spot { branch: self.tree.root(branch), place: first, time: self.from() };
                 (RESET.to_owned(), again, back)
             }
         };
@@ -88,17 +90,27 @@ impl History {
         Spot { place: place + 1, ..self.before(branch, place) }
     }
 
-    /// To the start of all; undone as one.
-    pub fn reset(&mut self) {
+    /// To the start of all, with the edits that were done there before any time went by; undone as one. Returns how many later edits that leaves
+    /// behind.
+    pub fn reset(&mut self) -> usize {
         let here = self.spot();
         self.keyframes.keep(self.branch, self.frame.clone(), false);
         let start = Spot { branch: self.branch, place: 0, time: self.from() };
+        let edits = (0..here.place).filter_map(|place| self.tree.entry(here.branch, place));
+        let (built, later): (Vec<_>, Vec<_>) =
+            edits.filter(|entry| entry.edit.is_some()).cloned().partition(|entry| entry.at <= start.time);
         self.leave(start.branch, false);
         self.restore(start);
-        self.branch = self.tree.fork(start, Some(here));
+        self.branch = self.tree.begin_anew(start.time, here, built);
         self.is_free = false;
+        while self.frame.place < self.tree.len(self.branch) {
+            self.pass();
+        }
         self.undone.clear();
         self.arrive();
+        let mut left: Vec<_> = later.iter().map(|entry| entry.edit).collect();
+        left.dedup();
+        left.len()
     }
 
     /// The state at the step that ends at or before `t` `[s]`, exactly. What comes after stays and is followed, until something

@@ -81,7 +81,7 @@ fn by_the_same_method_it_is_the_world_to_the_bit_whatever_is_done_undone_and_gon
         match round % 4 {
             0 => _ = history.undo(),
             1 => history.go_to(0.4 * history.world().time()),
-            2 => history.reset(),
+            2 => _ = history.reset(),
             _ => _ = history.redo(),
         }
         same(&mut history, "gone");

@@ -110,6 +110,8 @@ pub enum Note {
     NothingToUndo,
     /// There was nothing to redo.
     NothingToRedo,
+    /// The start was gone to, which left so many edits behind.
+    Left(usize),
     /// A log was followed until now; what is done from here on is another branch.
     Branched,
     /// Something was added. Bodies do not meet: why, if that could not be had.

@@ -217,13 +217,14 @@ impl Pace {
         self.told = None;
     }
 
-    /// Back to the start. What came to its end plays again.
-    pub fn reset(&mut self, history: &mut History) {
-        history.reset();
+    /// Back to the start. What came to its end plays again. Returns how many edits that leaves behind.
+    pub fn reset(&mut self, history: &mut History) -> usize {
+        let left = history.reset();
         self.playing |= self.ended;
         self.ended = false;
         (self.told, self.jumps, self.is_taken) = (None, true, false);
         self.settle(history);
+        left
     }
 
     /// Whether time passes: playing and awake.

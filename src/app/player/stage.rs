@@ -244,8 +244,8 @@ impl Stage {
             Order::TakeBack => self.take_back(),
             Order::Reset => {
                 self.rungs.forget();
-                self.pace.reset(&mut self.history);
-                None
+                let left = self.pace.reset(&mut self.history);
+                (left > 0).then_some(Note::Left(left))
             }
             Order::Bound(bytes) => {
                 self.history.bound_keyframes(bytes);

@@ -471,6 +471,10 @@ impl Session {
                 self.have_gone(format!("Undid: {name}{}", far(seconds)));
             }
             Note::Redone(name, seconds) => self.have_gone(format!("Redid: {name}{}", far(seconds))),
+            Note::Left(1) => self.say("Back to the start: Ctrl+Z brings back the edit that was made later".to_owned()),
+            Note::Left(edits) => {
+                self.say(format!("Back to the start: Ctrl+Z brings back the {edits} edits that were made later"));
+            }
             Note::NothingToUndo => self.go_back(),
             Note::NothingToRedo => self.go_on(),
             Note::Branched => self
