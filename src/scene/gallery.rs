@@ -181,7 +181,7 @@ static GALLERY: [Entry; 46] = [
         "box-as-printed",
         4,
         "Box, as printed",
-        "The loop of source 001: six moves to one sweep. It falls well, goes to pieces where it lands, and ends in a corner; a fifth of its pace.",
+        "A tutorial's loop as printed (source 001): six moves to one sweep. It falls well, goes to pieces where it lands, and ends in a corner; a fifth of its pace.",
         "R, and watch both land: beside it bonds keep their length."
     ),
     entry!(
@@ -209,7 +209,7 @@ static GALLERY: [Entry; 46] = [
         "random-graph-as-printed",
         10,
         "Random graph, as printed",
-        "The loop of source 000: each bond ends a thousandth short, and only what is pressed together is limited; the mouse attracts.",
+        "A tutorial's loop as printed (source 000): each bond ends a thousandth short, and only what is pressed together is limited; the mouse attracts.",
         "hold the mouse near it: beside it are whole bonds, limited both ways."
     ),
     entry!(
@@ -231,7 +231,7 @@ static GALLERY: [Entry; 46] = [
         "rim-as-printed",
         26,
         "Rim, as printed",
-        "The loop of source 000: walls come before the sweep, so points get through the floor; one point hangs by one bond.",
+        "A tutorial's loop as printed (source 000): walls come before the sweep, so points get through the floor; one point hangs by one bond.",
         "look at the floor: beside it walls come after the sweep. Drag one, and both follow."
     ),
     entry!(
@@ -245,7 +245,7 @@ static GALLERY: [Entry; 46] = [
         "spring-damper-as-printed",
         10,
         "Springs, as printed",
-        "The loop of source 003 in steps of 0.1 s, with forces by strain: called explicit Euler there, it is semi-implicit: swings of one weight do not grow. The chain at the right is too stiff for the step, and flies apart.",
+        "A tutorial's loop as printed (source 003) in steps of 0.1 s, with forces by strain: called explicit Euler there, it is semi-implicit: swings of one weight do not grow. The chain at the right is too stiff for the step, and flies apart.",
         "pull a weight down: beside it are the same springs in steps of a millisecond."
     ),
     entry!(
@@ -350,7 +350,7 @@ static GALLERY: [Entry; 46] = [
         "rope-as-printed",
         30,
         "Rope, as printed",
-        "The loop of source 002: fifty sweeps a step, and the rope still hangs a hundredth too long.",
+        "A tutorial's loop as printed (source 002): fifty sweeps a step, and the rope still hangs a hundredth too long.",
         "lead the pinned end away and unpin it with T: it is flung; beside it the rope is let go at rest."
     ),
     entry!(
@@ -385,7 +385,7 @@ static GALLERY: [Entry; 46] = [
         "cloth-space-as-printed",
         121,
         "Cloth, as printed",
-        "The loop of source 004: a cloth that starts above its bar at half its size drops, and hangs as long as the frame rate wants.",
+        "A tutorial's loop as printed (source 004): a cloth that starts above its bar at half its size drops, and hangs as long as the frame rate wants.",
         "grab a corner: beside it threads keep their length."
     ),
     entry!(
