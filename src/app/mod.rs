@@ -9,6 +9,7 @@ mod fetch;
 mod import;
 pub mod keys;
 mod leftovers;
+mod lengths;
 mod loading;
 mod matter;
 pub mod meter;

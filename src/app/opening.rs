@@ -2,7 +2,7 @@
 
 use glam::{DVec2, DVec3};
 
-use crate::render::{Camera, Pose, Row, View};
+use crate::render::{Camera, Pose, Tiles, View};
 use crate::scene::{Scene, Vector, ViewKeys};
 
 /// Width of the pictures that views are made for, in heights: what is seen to both sides there is seen in narrower ones too.
@@ -47,10 +47,16 @@ fn look(view: Option<&ViewKeys>, height_at: impl Fn(f64, DVec2) -> f64, seen: &V
     camera
 }
 
-/// How `count` worlds of a scene share a picture of `size` `[px]`; `alone` is the camera of the scene alone.
-pub fn row(alone: &Camera, seen: &View<'_>, count: usize, size: [u32; 2]) -> Row {
+/// How `count` worlds of a scene share a picture of `size` `[px]`; `alone` is the camera of the scene alone. `taken` is what of each pane's
+/// width and height is not for the world, by the number of panes in a row `[px]`.
+pub fn tiles(
+    alone: &Camera,
+    seen: &View<'_>,
+    (count, size): (usize, [u32; 2]),
+    taken: impl Fn(usize) -> [f64; 2],
+) -> Tiles {
     if count < 2 {
-        return Row::ALONE;
+        return Tiles::ALONE;
     }
     let (center, height) = (alone.focus(), alone.height());
     let width = match alone.pose {
@@ -62,7 +68,7 @@ pub fn row(alone: &Camera, seen: &View<'_>, count: usize, size: [u32; 2]) -> Row
         }
         Pose::Orbit { .. } => height,
     };
-    Row::new(count, [width, height], size)
+    Tiles::new(count, [width, height], size, taken)
 }
 
 /// The distance of the last colours, where the difference of two worlds is shown `[m]`: a round number near a twentieth of the scene's height.
@@ -105,8 +111,8 @@ pub fn keys(camera: &Camera) -> ViewKeys {
 fn height_for(height: f64, aspect: f64, center: f64, view: &View<'_>) -> f64 {
     let sides = [points(view), surroundings(view)].map(|extent| extent.map(|corner| (corner[0] - center).abs()));
     let shown = sides.into_iter().flatten().filter(|&side| side <= 0.5 * MADE_FOR * height).fold(0.0, f64::max);
-    // In a picture higher than wide the same stretch is seen across.
-    (height / aspect.min(1.0)).max(2.0 * ROOM * shown / aspect)
+    // In a picture higher than wide there is room beside what is slim, too.
+    height.max(SLIMMEST * height / aspect).max(2.0 * ROOM * shown / aspect)
 }
 
 /// A camera that shows all points, with walls and polygons too or without. Where there are no points it shows those anyway.

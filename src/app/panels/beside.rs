@@ -19,8 +19,12 @@ const LEGEND: f32 = 52.0;
 
 /// How much of each part of the window its title takes from above `[points]`.
 pub(super) fn height(facts: &Facts) -> f32 {
-    let is_row = facts.neighbors.first().is_some_and(|first| !first.is_column);
-    match (is_row, facts.tints_distance) {
+    facts.neighbors.first().map_or(0.0, |first| titles_height(first.columns, facts.tints_distance))
+}
+
+/// The same where so many worlds stand in a row, coloured by their distance or not.
+pub(in crate::app) fn titles_height(columns: usize, has_legend: bool) -> f32 {
+    match (columns > 1, has_legend) {
         (false, _) => 0.0,
         (true, false) => TITLE,
         (true, true) => TITLE + LEGEND,
@@ -33,9 +37,10 @@ pub(in crate::app) struct Neighbor {
     pub(in crate::app) title: String,
     /// How it does.
     pub(in crate::app) words: String,
-    /// The middle of the upper edge of its part of the window, or in a column the left end of it `[points]`.
+    /// The middle of the upper edge of its part of the window, or where they stand below each other the left end of it `[points]`.
     pub(in crate::app) at: [f32; 2],
-    pub(in crate::app) is_column: bool,
+    /// How many stand in a row.
+    pub(in crate::app) columns: usize,
 }
 
 /// Titles of worlds, each at the top of its part of the window; below what lies there already. The last has the legend.
@@ -46,11 +51,11 @@ pub(super) fn titles(context: &egui::Context, facts: &Facts, has_caption: bool) 
     let last = facts.neighbors.len().saturating_sub(1);
     for (place, neighbor) in facts.neighbors.iter().enumerate() {
         let [x, y] = neighbor.at;
-        let top = if neighbor.is_column && place > 0 { (y + ROOM).max(below) } else { below };
-        let (pivot, x) =
-            if neighbor.is_column { (Align2::LEFT_TOP, x + TOOLS + ROOM) } else { (Align2::CENTER_TOP, x) };
+        let is_column = neighbor.columns == 1;
+        let top = if place >= neighbor.columns { (y + ROOM).max(below) } else { below };
+        let (pivot, x) = if is_column { (Align2::LEFT_TOP, x + TOOLS + ROOM) } else { (Align2::CENTER_TOP, x) };
         // What lies in the corner is not covered.
-        let reach = if neighbor.is_column { x + legend::WIDTH } else { x + 0.5 * legend::WIDTH };
+        let reach = if is_column { x + legend::WIDTH } else { x + 0.5 * legend::WIDTH };
         let lies_below = figures.filter(|figures| figures.left() < reach && figures.bottom() > top);
         let top = lies_below.map_or(top, |figures| figures.bottom() + ROOM);
         let area = Area::new(Id::unique(("beside", place))).pivot(pivot).fixed_pos(pos2(x, top));

@@ -67,7 +67,7 @@ impl Session {
             Action::Screenshot => self.take_screenshot(),
             Action::Settings => self.panels.has_settings = !self.panels.has_settings,
             Action::Plots => self.toggle_plots(),
-            Action::Lessons => self.panels.lessons.is_open = !self.panels.lessons.is_open,
+            Action::Lessons => self.toggle_lessons(),
             Action::TogglePanels => self.panels.hides_panels = !self.panels.hides_panels,
             Action::ToggleHud => self.panels.hides_hud = !self.panels.hides_hud,
             Action::FullScreen => self.toggle_full_screen(),
@@ -139,6 +139,16 @@ impl Session {
             || self.loading.take().is_some();
         if !is_closed {
             self.put_away();
+        }
+    }
+
+    /// Opens the lessons, or closes them. Where they have no room beside the settings, those close.
+    fn toggle_lessons(&mut self) {
+        let panels = &mut self.panels;
+        let are_hidden = panels.has_settings && !panels.has_room_for_both;
+        panels.lessons.is_open = !panels.lessons.is_open || are_hidden;
+        if panels.lessons.is_open && are_hidden {
+            panels.has_settings = false;
         }
     }
 
@@ -274,12 +284,12 @@ impl Session {
         if !self.player.is_open() {
             return;
         }
-        let (before, seen) = (self.row, self.camera.viewport().map(|side| side as u32));
+        let (before, seen) = (self.tiles, self.camera.viewport().map(|side| side as u32));
         self.line_up();
         let view = self.player.shown().view();
-        let pane = self.row.pane(self.area);
+        let pane = self.tiles.pane(self.area);
         let free = self.free_of_pane(pane);
-        let corner = self.corner.filter(|_| self.row.count() == 1);
+        let corner = self.corner.filter(|_| self.tiles.count() == 1);
         let own = match framing {
             Framing::Opening => match &self.player.start().recording().view {
                 Some(saved) => opening::saved(saved, &view, pane),
@@ -295,7 +305,7 @@ impl Session {
                 own
             }
         };
-        self.camera = self.row.whole(&own, self.area);
+        self.camera = self.tiles.whole(&own, self.area);
     }
 
     /// The scene of the gallery that is open, by its place.

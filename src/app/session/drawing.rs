@@ -44,7 +44,9 @@ impl Session {
         let output = context.run_ui(input, |ui| {
             ui.fonts_mut(|fonts| fonts.layout_no_wrap(SIGNS.to_owned(), FontId::proportional(WORDS), theme::TEXT));
             (wishes, laid) = panels::show(ui, &mut self.panels, &facts);
-            answer = self.import.as_mut().and_then(|import| import.show(ui.ctx(), can_add));
+            // A sheet lies over the canvas too: it comes back with it.
+            let import = self.import.as_mut().filter(|_| self.panels.sheet.is_none());
+            answer = import.and_then(|import| import.show(ui.ctx(), can_add));
             if self.loading.as_ref().is_some_and(|loading| loading.show(ui.ctx())) {
                 self.loading = None;
             }
@@ -137,8 +139,8 @@ impl Session {
         let shown = self.shown();
         let scale = f64::from(self.egui.egui_ctx().pixels_per_point());
         let step = shown.point_count() / MOST_SEEN + 1;
-        let own = |place: usize| self.row.camera(place, &self.camera, self.area);
-        let cameras: Vec<_> = (0..self.row.count()).map(own).collect();
+        let own = |place: usize| self.tiles.camera(place, &self.camera, self.area);
+        let cameras: Vec<_> = (0..self.tiles.count()).map(own).collect();
         let seen = |point: usize| {
             let place = glam::DVec3::from(shown.place(point));
             cameras.iter().filter_map(move |camera| camera.screen_from_world(place))
