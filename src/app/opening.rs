@@ -48,13 +48,8 @@ fn look(view: Option<&ViewKeys>, height_at: impl Fn(f64, DVec2) -> f64, seen: &V
 }
 
 /// How `count` worlds of a scene share a picture of `size` `[px]`; `alone` is the camera of the scene alone. `taken` is what of each pane's
-/// width and height is not for the world, by the number of panes in a row `[px]`.
-pub fn tiles(
-    alone: &Camera,
-    seen: &View<'_>,
-    (count, size): (usize, [u32; 2]),
-    taken: impl Fn(usize) -> [f64; 2],
-) -> Tiles {
+/// width and height is not for the world `[px]`.
+pub fn tiles(alone: &Camera, seen: &View<'_>, (count, size): (usize, [u32; 2]), taken: [f64; 2]) -> Tiles {
     if count < 2 {
         return Tiles::ALONE;
     }
@@ -132,11 +127,11 @@ pub fn fit(view: &View<'_>, with_walls: bool, size: [u32; 2]) -> Camera {
 pub type Free = [[f64; 2]; 2];
 
 /// The camera drawn back and moved as little as it takes that all sides of points and walls which it shows lie in the free part of its
-/// picture; in space as it is.
+/// picture, in one higher than wide in the middle of its height; in space as it is.
 pub fn clear(mut camera: Camera, seen: &View<'_>, free: Free) -> Camera {
     let Pose::Plane { .. } = camera.pose else { return camera };
     let viewport = DVec2::from(camera.viewport().map(f64::from));
-    let middle = 0.5 * viewport;
+    let (middle, is_upright) = (0.5 * viewport, viewport.y > viewport.x);
     let corners: Vec<[f64; 2]> = [points(seen), surroundings(seen)]
         .into_iter()
         .flatten()
@@ -160,7 +155,10 @@ pub fn clear(mut camera: Camera, seen: &View<'_>, free: Free) -> Camera {
     let by = [0, 1].map(|axis| {
         let Some(ends) = sides[axis] else { return 0.0 };
         let [low, high] = ends.map(|x| middle[axis] + (x - middle[axis]) / back);
-        (free[0][axis] - low).max(0.0) + (free[1][axis] - high).min(0.0)
+        match axis == 1 && is_upright {
+            true => 0.5 * (free[0][axis] + free[1][axis] - low - high),
+            false => (free[0][axis] - low).max(0.0) + (free[1][axis] - high).min(0.0),
+        }
     });
     camera.pan(by);
     camera
@@ -282,6 +280,26 @@ mod tests {
         let fitted = fit_in(&view, free, size);
         let middle = fitted.screen_from_world(DVec3::ZERO).unwrap();
         assert!((middle[0] - 535.0).abs() < 1e-6 && (middle[1] - 345.0).abs() < 1e-6, "{middle:?}");
+    }
+
+    #[test]
+    fn in_a_picture_higher_than_wide_a_scene_is_as_large_as_its_width_lets_it_and_in_the_middle() {
+        let at = |width: f64| {
+            let text = format!(
+                r#"{{"wobble": 1, "points": {{"position": [[-{width}, 1], [{width}, 3]]}},
+                "view": {{"center": [0, 0], "height": 8}}}}"#
+            );
+            let scene = Scene::parse(&text, "x.json").unwrap();
+            let world = scene.world(None).unwrap();
+            let view = View::of(&*world);
+            let camera = clear(camera(&scene, &view, [600, 1000]), &view, [[60.0, 100.0], [590.0, 980.0]]);
+            [[-width, 1.0], [width, 3.0]].map(|[x, y]| camera.screen_from_world(DVec3::new(x, y, 0.0)).unwrap())
+        };
+        let [low, high] = at(4.0);
+        assert!(high[0] - low[0] > 500.0, "{low:?} {high:?}");
+        assert!((low[1] + high[1] - 1080.0).abs() < 1e-6, "{low:?} {high:?}");
+        let [low, high] = at(0.5);
+        assert!((high[0] - low[0] - 100.0).abs() < 1.0, "as large as its view makes it: {low:?} {high:?}");
     }
 
     #[test]

@@ -87,7 +87,7 @@ pub(super) fn run(arguments: &Arguments, quiet: bool) -> anyhow::Result<()> {
     }
     let alone = opening::camera(scene, &View::of(run.world()), arguments.size);
     let worlds = (1 + scene.beside.len(), arguments.size);
-    let tiles = opening::tiles(&alone, &View::of(run.world()), worlds, |_| [0.0; 2]);
+    let tiles = opening::tiles(&alone, &View::of(run.world()), worlds, [0.0; 2]);
     let mut own = opening::camera(scene, &View::of(run.world()), tiles.pane(arguments.size));
     let mut camera = tiles.whole(&own, arguments.size);
     let difference_full = opening::full_distance(&alone) as f32;

@@ -15,8 +15,8 @@ const PATIENCE: Duration = Duration::from_millis(400);
 const LOOK: Duration = Duration::from_millis(100);
 /// Width of the screen from which on the sliders stand beside the picture `[points]`.
 const WIDE: f32 = 780.0;
-/// Height of what stands over and under the part that scrolls: title, buttons, margins `[points]`.
-const BESIDE: f32 = 130.0;
+/// Height of what stands over and under the part that scrolls: title, buttons, margins, the bar below `[points]`.
+const BESIDE: f32 = 174.0;
 /// Height of that part at least `[points]`.
 const LEAST_TALL: f32 = 60.0;
 /// Height of a canvas's tools `[points]`.

@@ -17,17 +17,12 @@ const LEAST: f32 = 60.0;
 const TITLE: f32 = 50.0;
 const LEGEND: f32 = 52.0;
 
-/// How much of each part of the window its title takes from above `[points]`.
+/// How much of each part of the window its title takes from above `[points]`, however they stand.
 pub(super) fn height(facts: &Facts) -> f32 {
-    facts.neighbors.first().map_or(0.0, |first| titles_height(first.columns, facts.tints_distance))
-}
-
-/// The same where so many worlds stand in a row, coloured by their distance or not.
-pub(in crate::app) fn titles_height(columns: usize, has_legend: bool) -> f32 {
-    match (columns > 1, has_legend) {
-        (false, _) => 0.0,
-        (true, false) => TITLE,
-        (true, true) => TITLE + LEGEND,
+    match (facts.neighbors.is_empty(), facts.tints_distance) {
+        (true, _) => 0.0,
+        (false, false) => TITLE,
+        (false, true) => TITLE + LEGEND,
     }
 }
 

@@ -51,7 +51,7 @@ use super::tools::{Brush, Drives};
 use crate::render::{Look, Overlay};
 use crate::scene::{BesideKeys, SolverName};
 use crate::sim::Key;
-pub(super) use beside::{Misfits, Neighbor, solvers, titles_height};
+pub(super) use beside::{Misfits, Neighbor, solvers};
 pub(super) use gallery::{THUMBNAIL, search_id};
 use icons::Icon;
 pub(super) use lessons::{At, Lessons};
@@ -255,7 +255,7 @@ pub(super) fn show(ui: &mut egui::Ui, state: &mut PanelState, facts: &Facts) -> 
     let stands_upright = places.is_upright();
     let has_settings = state.has_settings && has_panels;
     state.has_room_for_both = lessons::has_room(room, settings::WIDTH + GAP);
-    let has_lessons = state.lessons.is_open && has_panels && !(has_settings && !state.has_room_for_both);
+    let has_lessons = state.lessons.is_open && has_panels && (!has_settings || state.has_room_for_both);
     let takes = |is_shown: bool, width: f32| if is_shown && !stands_upright { width + GAP } else { 0.0 };
     let edge = takes(has_settings, settings::WIDTH);
     let all_edge = edge + takes(has_lessons, lessons::WIDTH);

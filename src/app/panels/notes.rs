@@ -96,8 +96,8 @@ impl Notes {
             words(context, places.said(context, top), OFFER, |ui| offer(ui, line, wishes));
         }
         if let Some(at) = self.hint_at {
-            let place = Area::new(Id::unique("hint")).fixed_pos(at + egui::vec2(18.0, 18.0)).interactable(false);
-            place.show(context, |ui| {
+            let place = Area::new(Id::unique("hint")).order(egui::Order::Tooltip).interactable(false);
+            place.fixed_pos(at + egui::vec2(18.0, 18.0)).show(context, |ui| {
                 floating().show(ui, |ui| ui.label(RichText::new(HINT).color(TEXT)));
             });
         }

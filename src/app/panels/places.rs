@@ -9,16 +9,19 @@ const NUMBERS: f32 = 26.0;
 /// Room between what floats, and at the edges `[points]`.
 pub(super) const APART: f32 = 6.0;
 const EDGE: f32 = 10.0;
-/// Below the buttons so much is for what is said: two lines `[points]`.
+/// Below the buttons so much is for what is said: two lines, or three where they are short `[points]`.
 const SAID: f32 = 58.0;
+const SAID_NARROW: f32 = 78.0;
 /// From the tools to the numbers beside them `[points]`.
 const BESIDE_TOOLS: f32 = TOOLS + 44.0;
 /// What begins nearer than this to the left edge lies below what stands beside the tools `[points]`.
 const NEAR: f32 = 320.0;
 /// Widest line of what is said `[points]`.
-const WIDEST: f32 = 640.0;
+const WIDEST: f32 = 760.0;
 /// Width of the usual picture in its heights `[1]`.
 const USUAL: f32 = 1.3;
+/// Narrower rooms have no place for panels on both sides `[points]`.
+const NARROW: f32 = 900.0;
 /// Bodies are not shown in less than this share of the width `[1]`.
 const LEAST: f32 = 0.4;
 
@@ -53,7 +56,7 @@ impl Places {
 
     /// Whether the window is higher than wide: what needs room lies at the lower edge then.
     pub(super) fn is_upright(&self) -> bool {
-        self.room.width() < 900.0 && self.room.height() > self.room.width()
+        self.room.width() < NARROW && self.room.height() > self.room.width()
     }
 
     /// Where the buttons end.
@@ -120,7 +123,8 @@ impl Places {
         let (left, right) = (self.room.left() + TOOLS + EDGE, self.room.right() - EDGE);
         let at_right = if at_right > 0.0 { at_right + EDGE } else { 0.0 };
         let right = (right - at_right).max(left + LEAST * (right - left));
-        let top = (self.bar_bottom() + SAID + titles).min(self.room.center().y);
+        let said = if self.room.width() < NARROW { SAID_NARROW } else { SAID };
+        let top = (self.bar_bottom() + said + titles).min(self.room.center().y);
         let all = Rect::from_min_max(pos2(left, top), pos2(right, self.above_dock().max(top + 40.0)));
         plots.map_or(all, |plots| largest_beside(all, plots.expand(APART)))
     }

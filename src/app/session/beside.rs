@@ -5,7 +5,7 @@ use glam::DVec2;
 use super::Session;
 use crate::app::lengths::LengthUnit;
 use crate::app::opening;
-use crate::app::panels::{Neighbor, solvers, titles_height};
+use crate::app::panels::{Neighbor, solvers};
 use crate::app::player::{Beside, Companions, Order};
 use crate::app::tools::{Mark, Role};
 use crate::render::{Camera, Look, Overlay, Pane, Trails, View};
@@ -27,23 +27,12 @@ impl Session {
     pub(super) fn line_up(&mut self) {
         let view = self.shown().view();
         let alone = opening::camera(&self.scene, &view, self.area);
-        let (count, columns) = (self.worlds(), self.tiles.columns());
-        // What lies over every part of the window, but for the titles, which depend on how the parts lie.
-        let titles = |columns: usize| self.titles_height(columns, count);
         let [low, high] = self.free;
-        let taken = [0, 1].map(|axis| f64::from(self.area[axis]) - (high[axis] - low[axis]));
-        let below = (taken[1] - titles(columns)).max(0.0);
-        let taken = |columns| [taken[0].max(0.0), below + titles(columns)];
-        self.tiles = opening::tiles(&alone, &view, (count, self.area), taken);
+        let taken = [0, 1].map(|axis| (f64::from(self.area[axis]) - (high[axis] - low[axis])).max(0.0));
+        self.tiles = opening::tiles(&alone, &view, (self.worlds(), self.area), taken);
         self.difference_most = opening::full_distance(&alone) as f32;
         self.fit_distances();
         self.cell = self.cell.min(self.tiles.count() - 1);
-    }
-
-    /// What titles take of the height of each part of the window `[px]`, where so many of so many stand in a row.
-    fn titles_height(&self, columns: usize, count: usize) -> f64 {
-        let points = if count > 1 { titles_height(columns, self.tints_distance) } else { 0.0 };
-        f64::from(points * self.egui.egui_ctx().pixels_per_point())
     }
 
     /// Colours of distances go up to the largest that there was, in round numbers.
@@ -110,7 +99,7 @@ impl Session {
         let region = [red, green, blue, if place == self.cell { opacity } else { GHOST * opacity }];
         let is_tinted = place > 0 && self.tints_distance;
         // The tools stand at the left edge.
-        let inset = if place % self.tiles.columns() == 0 { look.inset } else { 0.0 };
+        let inset = if place.is_multiple_of(self.tiles.columns()) { look.inset } else { 0.0 };
         Look { region, inset, overlay: if is_tinted { Overlay::Difference } else { look.overlay }, ..look }
     }
 
