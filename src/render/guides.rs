@@ -178,7 +178,7 @@ const GAP: f64 = 24.0;
 /// Numbers along the left edge stand to the right of what lies there where that leaves place for more of them: so far at most, as a share
 /// of the picture's width, and where the edge itself has less than this share of the place `[1]`.
 const ASIDE: f64 = 0.4;
-const ENOUGH: f64 = 0.75;
+const ENOUGH: f64 = 0.5;
 /// Width that they take `[px]`, and from one look at what lies over them to the next.
 const COLUMN: f64 = 56.0;
 const LOOK: f64 = 8.0;

@@ -12,6 +12,8 @@ mod keep;
 mod keep_tests;
 #[cfg(test)]
 mod led_tests;
+#[cfg(test)]
+mod warning_tests;
 mod movers;
 mod named;
 mod order;

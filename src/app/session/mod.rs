@@ -133,6 +133,8 @@ pub(super) struct Session {
     trails: Trails,
     panels: PanelState,
     paint: Paint,
+    /// What was written over the world last.
+    marked_words: String,
     /// Something that is shown has changed since the last frame; so has something that panels show.
     dirty: bool,
     panels_dirty: bool,
@@ -239,6 +241,7 @@ impl Session {
             base: None,
             panels: PanelState::default(),
             paint: Paint::default(),
+            marked_words: String::new(),
             dirty: true,
             panels_dirty: true,
             panels_due: None,
