@@ -12,8 +12,6 @@ mod keep;
 mod keep_tests;
 #[cfg(test)]
 mod led_tests;
-#[cfg(test)]
-mod warning_tests;
 mod movers;
 mod named;
 mod order;
@@ -27,6 +25,8 @@ mod stage;
 #[cfg(test)]
 mod tests;
 mod thread;
+#[cfg(test)]
+mod warning_tests;
 mod watch;
 #[cfg(test)]
 mod watch_tests;

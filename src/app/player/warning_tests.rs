@@ -9,7 +9,8 @@ use crate::sim::PointId;
 const BOX: &str = r#"{"wobble": 1, "contact": true, "bounds": {"min": [-5, 0], "max": [5, 5]},
     "bodies": [{"make": "lattice", "columns": 3, "rows": 3, "spacing": 0.5, "origin": [0, 1],
         "material": {"kind": "spring", "stiffness": 300, "mass": 4}}]}"#;
-const ROPE: &str = r#"{"wobble": 1, "bodies": [{"make": "rope", "count": 5, "to": [1.8, 0], "slack": 0.11, "pinned": [0, 4]}]}"#;
+const ROPE: &str =
+    r#"{"wobble": 1, "bodies": [{"make": "rope", "count": 5, "to": [1.8, 0], "slack": 0.11, "pinned": [0, 4]}]}"#;
 
 fn stage(text: &str) -> Stage {
     Stage::new(Scene::parse(text, "x.json").unwrap().into()).unwrap()

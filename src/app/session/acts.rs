@@ -3,7 +3,7 @@
 use winit::window::Fullscreen;
 
 use super::{Framing, Session};
-use crate::app::action::Action;
+use crate::app::action::{Action, Tool};
 use crate::app::matter::MatterChange;
 use crate::app::opening;
 use crate::app::panels::{Setting, Sheet, Wish, search_id};
@@ -38,7 +38,7 @@ impl Session {
             Action::Help => self.toggle_sheet(Sheet::Help),
             Action::Undo => self.player.ask(Order::Undo(self.told)),
             Action::Redo => self.player.ask(Order::Redo(self.told)),
-            Action::Take(tool) => self.hand.take(tool),
+            Action::Take(tool) => self.take(tool),
             Action::PinWhileHeld => self.hand.hold_pins(true),
             Action::Delete => self.delete(),
             Action::Duplicate => self.duplicate(),
@@ -142,6 +142,18 @@ impl Session {
         }
     }
 
+    /// Takes a tool; one that has no panel which says what to do says so.
+    fn take(&mut self, tool: Tool) {
+        self.hand.take(tool);
+        let words = match tool {
+            Tool::Pin => "pin: click a point to hold it where it is, or a pin to let it go",
+            Tool::Cut => "cut: drag across bonds",
+            Tool::Erase => "erase: click a body, a bond or an obstacle; Ctrl+Z brings it back",
+            _ => return,
+        };
+        self.say(words.to_owned());
+    }
+
     /// Opens the lessons, or closes them. Where they have no room beside the settings, those close.
     fn toggle_lessons(&mut self) {
         let panels = &mut self.panels;
@@ -161,7 +173,7 @@ impl Session {
             self.egui.egui_ctx().memory_mut(|memory| memory.request_focus(search_id()));
             self.put_away();
         }
-        self.panels.chosen = if self.panels.search.is_empty() { self.place().unwrap_or(0) } else { 0 };
+        self.panels.chosen = if self.panels.search.is_empty() { self.place.unwrap_or(0) } else { 0 };
         if self.panels.sheet == Some(Sheet::Gallery) && self.thumbnails.is_none() {
             self.thumbnails = Some(Thumbnails::new(self.canvas.gpu().clone(), self.wake_up()));
         }
@@ -308,19 +320,14 @@ impl Session {
         self.camera = self.tiles.whole(&own, self.area);
     }
 
-    /// The scene of the gallery that is open, by its place.
-    fn place(&self) -> Option<usize> {
-        gallery().iter().position(|entry| entry.name == self.scene.name())
-    }
-
     /// What the gallery says of the scene.
     pub(super) fn entry(&self) -> Option<&'static Entry> {
-        self.place().map(|place| &gallery()[place])
+        self.place.map(|place| &gallery()[place])
     }
 
     fn open_beside(&mut self, by: isize) {
         let count = gallery().len() as isize;
-        let place = self.place().map_or(0, |place| (place as isize + by).rem_euclid(count));
+        let place = self.place.map_or(0, |place| (place as isize + by).rem_euclid(count));
         self.open_named(gallery()[place as usize].name);
     }
 

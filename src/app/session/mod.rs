@@ -79,6 +79,8 @@ pub(super) struct Session {
     player: Player,
     shelf: Shelf,
     scene: Arc<Scene>,
+    /// Its place in the gallery, if it is of that.
+    place: Option<usize>,
     /// The numbers that it names for sliders.
     named: Vec<Parameter>,
     /// A body of the scene is cut out of a picture.
@@ -224,6 +226,7 @@ impl Session {
             player,
             shelf: Shelf::default(),
             scene,
+            place: None,
             named: Vec::new(),
             pointer: Pointer::default(),
             hand: Hand::default(),
@@ -401,6 +404,7 @@ impl Session {
         (self.cell, self.misfits.0, self.most_apart) = (0, None, 0.0);
         self.tints_distance = scene.method.solver == Some(SolverName::AsPrinted);
         self.named = scene.named_parameters();
+        self.place = place_of(&scene);
         self.scene = scene;
         self.plot_anew();
         self.frame_as(Framing::Opening);
@@ -419,7 +423,7 @@ impl Session {
         self.panels.notes.complaint = (!said.is_empty()).then(|| said.join("\n"));
         self.panels.notes.begin();
         self.panels.notes.has_caption = true;
-        self.wants_hint &= self.scene.name() == gallery()[0].name;
+        self.wants_hint &= self.place == Some(0);
         self.place_hint();
         if self.is_canvas() && !comes_back {
             self.paint();
@@ -661,6 +665,15 @@ impl Session {
     }
 }
 
+/// The place in the gallery of a scene that is in it: not of another one that is called so.
+fn place_of(scene: &Scene) -> Option<usize> {
+    let place = gallery().iter().position(|entry| entry.name == scene.name())?;
+    let own = gallery()[place].scene().ok()?;
+    // What stands beside it may have been changed.
+    let alone = Scene { name: own.name.clone(), beside: own.beside.clone(), ..scene.clone() };
+    (alone == own).then_some(place)
+}
+
 /// So many warnings are shown at once, a line each.
 const MOST_WARNINGS: usize = 3;
 
@@ -695,7 +708,16 @@ fn panels_for(window: &Arc<Window>, canvas: &Canvas) -> egui_winit::State {
 
 #[cfg(test)]
 mod tests {
-    use super::{far, listed};
+    use super::{far, gallery, listed, place_of};
+    use crate::scene::Scene;
+
+    #[test]
+    fn a_scene_that_is_called_as_one_of_the_gallery_is_none_of_it() {
+        let own = gallery()[1].scene();
+        assert_eq!(own.ok().and_then(|scene| place_of(&scene)), Some(1));
+        let text = r#"{"wobble": 1, "name": "rope", "points": {"position": [[0, 0]]}}"#;
+        assert_eq!(Scene::parse(text, "x.json").ok().and_then(|scene| place_of(&scene)), None);
+    }
 
     #[test]
     fn of_many_warnings_the_first_are_listed() {
