@@ -5,6 +5,7 @@
 
 pub mod action;
 mod canvas;
+mod count;
 mod fetch;
 mod import;
 pub mod keys;

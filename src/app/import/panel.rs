@@ -6,6 +6,7 @@ use egui::Color32;
 
 use super::worker::Forecast;
 use super::{Answer, Import, preview, wishes};
+use crate::app::count::counted;
 use crate::app::loading;
 use crate::app::panels::sheet;
 use crate::scene::Matter;
@@ -106,8 +107,8 @@ fn words(ui: &mut egui::Ui, forecast: Option<&Result<Forecast, String>>, is_pain
                 (count, 1) => format!("in {count} parts"),
                 (_, count) => format!("in {count} bodies"),
             };
-            let counts = [(mesh.points.len(), "points"), (*bonds, "bonds"), (mesh.triangles.len(), "triangles")];
-            let counts: Vec<String> = counts.iter().map(|(count, what)| format!("{count} {what}")).collect();
+            let counts = [(mesh.points.len(), "point"), (*bonds, "bond"), (mesh.triangles.len(), "triangle")];
+            let counts: Vec<String> = counts.iter().map(|&(count, what)| counted(count, what)).collect();
             ui.label(format!("{} {parts}", counts.join(", ")));
             ui.weak(format!(
                 "about {} a frame in the air, {} where it lands",

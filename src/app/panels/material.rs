@@ -9,6 +9,7 @@ use super::places::ToolRooms;
 use super::theme::{ACCENT, TEXT, WEAK, floating};
 use super::{Facts, PanelState, Wish, described};
 use crate::app::action::Action;
+use crate::app::count::counted;
 use crate::app::matter::{Coloring, Matter, MatterChange, NEVER, Preset, Span};
 use crate::app::tools::RADII;
 
@@ -172,13 +173,9 @@ fn of_selection(ui: &mut Ui, matter: &Matter, facts: &Facts, sink: &mut Sink<'_>
 
 /// What is selected, counted.
 fn title(matter: &Matter) -> String {
-    let counted = |count: usize, name: &str| match count {
-        0 => None,
-        1 => Some(format!("1 {name}")),
-        _ => Some(format!("{count} {name}s")),
-    };
-    let all = [counted(matter.points, "point"), counted(matter.bonds, "bond"), counted(matter.obstacles, "obstacle")];
-    all.into_iter().flatten().collect::<Vec<_>>().join(", ")
+    let all = [(matter.points, "point"), (matter.bonds, "bond"), (matter.obstacles, "obstacle")];
+    let all = all.into_iter().filter(|(count, _)| *count > 0).map(|(count, name)| counted(count, name));
+    all.collect::<Vec<_>>().join(", ")
 }
 
 /// Buttons for matter by name, in their colours. Returns the one that was clicked.

@@ -11,6 +11,8 @@ mod held;
 mod help;
 mod hud;
 mod icons;
+#[cfg(test)]
+mod layout_tests;
 mod legend;
 mod lessons;
 #[cfg(test)]

@@ -4,6 +4,7 @@ use winit::window::Fullscreen;
 
 use super::{Framing, Session};
 use crate::app::action::{Action, Tool};
+use crate::app::count::counted;
 use crate::app::matter::MatterChange;
 use crate::app::opening;
 use crate::app::panels::{Setting, Sheet, Wish, search_id};
@@ -214,11 +215,12 @@ impl Session {
         if let Some(among) = deed.painted.clone() {
             let preset = self.hand.brush().preset;
             let change = MatterChange::Preset(preset);
-            let counted = among.bonds.as_ref().map_or(0, Vec::len);
+            let bonds = among.bonds.as_ref().map_or(0, Vec::len);
             self.say(format!(
-                "{}: {} points and {counted} bonds; Ctrl+Z takes it back",
+                "{}: {} and {}; Ctrl+Z takes it back",
                 preset.name(),
-                among.points.len()
+                counted(among.points.len(), "point"),
+                counted(bonds, "bond")
             ));
             self.player.ask(Order::Change { among, change, goes_on: false });
             self.dirty = true;

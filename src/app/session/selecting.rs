@@ -6,6 +6,7 @@ use winit::window::CursorIcon;
 
 use super::Session;
 use crate::app::action::Tool;
+use crate::app::count::counted;
 use crate::app::fetch;
 use crate::app::matter::{Among, MatterChange};
 use crate::app::player::Order;
@@ -69,8 +70,9 @@ impl Session {
             let _ = copied.set(Clip::of(world, tints, &chosen));
         })));
         fetch::announce();
-        let of_obstacles = if obstacles > 0 { format!(", {obstacles} obstacles") } else { String::new() };
-        self.say(format!("copied: {points} points{of_obstacles}; Ctrl+V puts them where the cursor is"));
+        let all = [(points, "point"), (obstacles, "obstacle")].into_iter().filter(|(count, _)| *count > 0);
+        let all: Vec<String> = all.map(|(count, name)| counted(count, name)).collect();
+        self.say(format!("copied: {}; Ctrl+V puts a copy where the cursor is", all.join(" and ")));
     }
 
     /// What was copied comes to where the cursor is. Returns whether anything was.
