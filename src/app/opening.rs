@@ -7,6 +7,8 @@ use crate::scene::{Scene, Vector, ViewKeys};
 
 /// Width of the pictures that views are made for, in heights: what is seen to both sides there is seen in narrower ones too.
 const MADE_FOR: f64 = 16.0 / 9.0;
+/// A picture of that shape `[px]`.
+const USUAL: [u32; 2] = [1600, 900];
 /// Room beside what a narrower picture would cut off `[1]`.
 const ROOM: f64 = 1.03;
 
@@ -22,6 +24,11 @@ pub fn camera(scene: &Scene, seen: &View<'_>, size: [u32; 2]) -> Camera {
     let [width, tall] = size.map(f64::from);
     let height = |height: f64, center: DVec2| height_for(height, width / tall, center.x, seen);
     look(scene.view.as_ref(), height, seen, size)
+}
+
+/// The same in a picture of usual shape: what is measured by it does not depend on the window.
+pub fn alone(scene: &Scene, seen: &View<'_>) -> Camera {
+    camera(scene, seen, USUAL)
 }
 
 /// The camera as it stood when something was saved.
@@ -47,7 +54,7 @@ fn look(view: Option<&ViewKeys>, height_at: impl Fn(f64, DVec2) -> f64, seen: &V
     camera
 }
 
-/// How `count` worlds of a scene share a picture of `size` `[px]`; `alone` is the camera of the scene alone. `taken` is what of each pane's
+/// How `count` worlds of a scene share a picture of `size` `[px]`; `alone` is its camera in a picture of usual shape. `taken` is what of each pane's
 /// width and height is not for the world `[px]`.
 pub fn tiles(alone: &Camera, seen: &View<'_>, (count, size): (usize, [u32; 2]), taken: [f64; 2]) -> Tiles {
     if count < 2 {

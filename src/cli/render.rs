@@ -85,7 +85,7 @@ pub(super) fn run(arguments: &Arguments, quiet: bool) -> anyhow::Result<()> {
     for warning in run.world().warnings() {
         writeln!(std::io::stderr(), "wobble: warning: {warning}")?;
     }
-    let alone = opening::camera(scene, &View::of(run.world()), arguments.size);
+    let alone = opening::alone(scene, &View::of(run.world()));
     let worlds = (1 + scene.beside.len(), arguments.size);
     let tiles = opening::tiles(&alone, &View::of(run.world()), worlds, [0.0; 2]);
     let mut own = opening::camera(scene, &View::of(run.world()), tiles.pane(arguments.size));

@@ -376,14 +376,16 @@ mod tests {
         assert!(within(panel, &free) > 20 && within(message, &free) > 10, "there are numbers there");
         let clear = places(&[panel, message]);
         assert_eq!([within(panel, &clear), within(message, &clear)], [0, 0]);
-        assert_eq!(within([150.0, 100.0, 250.0, 300.0], &clear), within(panel, &free), "beside the panel");
+        assert_eq!(within([150.0, 0.0, 250.0, 430.0], &clear), 0, "most of the edge is free: they stay there");
+        let tall = places(&[[0.0, 60.0, 150.0, 380.0]]);
+        assert!(within([150.0, 60.0, 250.0, 380.0], &tall) > 20, "beside a panel along most of it");
         let wide = places(&[[0.0, 100.0, 500.0, 300.0]]);
         assert_eq!(within([0.0, 100.0, 640.0, 300.0], &wide), 0, "too far away");
         let x_of = |list: &[[f32; 2]]| {
             let at_left = list.iter().filter(|[_, y]| *y < 430.0);
             at_left.map(|[x, _]| *x).fold(f32::INFINITY, f32::min)
         };
-        assert!(x_of(&clear) > 150.0, "all of them, in one column");
+        assert!(x_of(&clear) < 10.0 && x_of(&tall) > 150.0, "all of them in one column");
     }
 
     #[test]

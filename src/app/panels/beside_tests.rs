@@ -49,6 +49,7 @@ fn beside_each_other() -> Facts {
         title: title.to_owned(),
         words: words.to_owned(),
         at: [x, 0.0],
+        width: 600.0,
         columns: 2,
     };
     let neighbors = vec![world("euler", "", 320.0), world("Verlet", "up to 3.4 cm apart", 960.0)];

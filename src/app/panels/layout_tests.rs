@@ -49,7 +49,9 @@ fn no_panel_lies_over_another_and_bodies_are_shown_beside_them() {
                 let least = 0.12 * size[0] * size[1];
                 assert!(free.area() > least, "{case}: {free:?}");
                 // What belongs to a tool comes and goes: bodies do not move for it.
-                let over = all.iter().find(|one| one.intersects(free));
+                // What lies in the upper right corner is left to the camera: it moves bodies from there alone.
+                let is_corner = |one: &Rect| laid.corner.is_some_and(|at| one.left_bottom().distance(at) < 3.0);
+                let over = all.iter().find(|one| one.intersects(free) && !is_corner(one));
                 assert!(over.is_none() || tool != Tool::Hand, "{case}: {over:?} lies over bodies in {free:?}");
             }
         }

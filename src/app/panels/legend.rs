@@ -51,8 +51,9 @@ pub(super) const WIDTH: f32 = 220.0;
 /// What colours of distance mean: the same bar from its middle on.
 pub(super) fn of_distance(ui: &mut Ui, look: &Look) {
     ui.weak("distance to the first:");
-    let (place, _) = ui.allocate_exact_size(vec2(WIDTH, BAR[1] + 17.0), Sense::hover());
-    let bar = Rect::from_min_size(place.min + vec2(8.0, 0.0), vec2(WIDTH - 32.0, BAR[1]));
+    let width = ui.available_width().min(WIDTH);
+    let (place, _) = ui.allocate_exact_size(vec2(width, BAR[1] + 17.0), Sense::hover());
+    let bar = Rect::from_min_size(place.min + vec2(8.0, 0.0), vec2(width - 32.0, BAR[1]));
     let middle = look.strain.len() / 2;
     let unit = LengthUnit::of(f64::from(look.difference_full));
     ui.painter().add(Shape::mesh(shades(bar, &look.strain[middle..])));

@@ -593,8 +593,7 @@ fn beyond_reach(world: &dyn Dynamics, pin: PointId, to: [f64; 3]) -> Option<Stri
         let place = |axis| world.positions().get(other.index() * dimensions + axis);
         (0..dimensions).map(|axis| (to[axis] - place(axis)).powi(2)).sum::<f64>().sqrt()
     };
-    let others: Vec<PointId> = world.pinned().iter().copied().filter(|other| *other != pin).collect();
-    let reaches = reaches(world.bonds(), &[pin], &others);
+    let reaches = reaches(world.bonds(), &[pin], world.pinned());
     let most = reaches.iter().map(|reach| apart(reach.pins[1]) - reach.most).fold(0.0, f64::max);
     (most > STRAINED).then(|| format!("the pins are {} further apart than the bonds between them reach", length(most)))
 }

@@ -5,7 +5,7 @@ use glam::DVec2;
 use super::Session;
 use crate::app::lengths::LengthUnit;
 use crate::app::opening;
-use crate::app::panels::{Neighbor, solvers};
+use crate::app::panels::{Neighbor, TOOLS, solvers};
 use crate::app::player::{Beside, Companions, Order};
 use crate::app::tools::{Mark, Role};
 use crate::render::{Camera, Look, Overlay, Pane, Trails, View};
@@ -26,7 +26,7 @@ impl Session {
     /// The window is shared by as many worlds as there are.
     pub(super) fn line_up(&mut self) {
         let view = self.shown().view();
-        let alone = opening::camera(&self.scene, &view, self.area);
+        let alone = opening::alone(&self.scene, &view);
         let [low, high] = self.free;
         let taken = [0, 1].map(|axis| (f64::from(self.area[axis]) - (high[axis] - low[axis])).max(0.0));
         self.tiles = opening::tiles(&alone, &view, (self.worlds(), self.area), taken);
@@ -156,8 +156,11 @@ impl Session {
         let columns = self.tiles.columns();
         let of = |place: usize, title: &str, words: String| {
             let [left, top, width, _] = self.tiles.clip(place, self.area).map(|pixels| pixels as f32 / scale);
+            // The tools stand at the left edge.
+            let inset = if place.is_multiple_of(columns) { TOOLS } else { 0.0 };
+            let (left, width) = (left + inset, width - inset);
             let at = if columns == 1 { [left, top] } else { [left + 0.5 * width, top] };
-            Neighbor { title: title.to_owned(), words, at, columns }
+            Neighbor { title: title.to_owned(), words, at, width, columns }
         };
         // One unit for all of them, that of the legend.
         let unit = LengthUnit::of(f64::from(self.look.difference_full));
