@@ -134,24 +134,27 @@ fn seen(camera: &Camera, center: DVec2, height: f64) -> Option<(DVec2, DVec2)> {
     let half = 0.5 * DVec2::new(height * f64::from(width_px) / f64::from(height_px), height);
     let (low, high) = (center - half, center + half);
     let is_fine = low.cmplt(high).all() && low.is_finite() && high.is_finite();
-    (is_fine && spacing(camera.pixels_per_metre()).is_normal()).then_some((low, high))
+    (is_fine && spacing(camera.pixels_per_metre(), 1.0).is_normal()).then_some((low, high))
 }
 
 fn guide(a: DVec3, b: DVec3, width: f32, color: Color) -> Guide {
     Guide { a: a.as_vec3().extend(width).to_array(), b: b.as_vec3().extend(0.0).to_array(), color }
 }
 
-/// Distance between lines of the grid `[m]`: 1, 2 or 5 times a power of ten, not closer than [`CLOSEST`] on the screen.
-fn spacing(pixels_per_metre: f64) -> f64 {
+/// Distance between lines of the grid `[m]`: 1, 2 or 5 times a power of ten, not closer than [`CLOSEST`] on the screen; 2 only where each has
+/// room for its number, for of every second or third of these no number is 1, 2 or 5.
+fn spacing(pixels_per_metre: f64, scale_factor: f32) -> f64 {
     let least = CLOSEST / pixels_per_metre;
     let decade = 10_f64.powf(least.log10().floor());
-    [1.0, 2.0, 5.0, 10.0].map(|step| step * decade).into_iter().find(|&step| step >= least).unwrap_or(decade)
+    let has_room = |first: f64| first != 2.0 || first * decade * pixels_per_metre >= APART[0] * f64::from(scale_factor);
+    let firsts = [1.0, 2.0, 5.0, 10.0].into_iter().filter(|&first| first * decade >= least && has_room(first));
+    firsts.map(|first| first * decade).next().unwrap_or(decade)
 }
 
 /// Adds the lines of the grid; none where nothing is [`seen`].
 fn grid(list: &mut Vec<Guide>, camera: &Camera, center: DVec2, height: f64, origin: DVec3, look: &Look) {
     let Some((low, high)) = seen(camera, center, height) else { return };
-    let step = spacing(camera.pixels_per_metre());
+    let step = spacing(camera.pixels_per_metre(), look.scale_factor);
     for axis in 0..2 {
         let (first, last) = ((low[axis] / step).ceil(), (high[axis] / step).floor());
         for line in 0..=((last - first) as i64) {
@@ -211,7 +214,7 @@ fn numbers(
     look: &Look,
 ) {
     let scale = f64::from(look.scale_factor);
-    let lines = spacing(camera.pixels_per_metre());
+    let lines = spacing(camera.pixels_per_metre(), look.scale_factor);
     let metre = camera.pixels_per_metre();
     let [left, top, width, height] = clip.map(f64::from);
     let low = DVec2::new(low.x + left / metre, high.y - (top + height) / metre);
@@ -327,9 +330,10 @@ mod tests {
 
     #[test]
     fn grid_lines_are_round_numbers_apart() {
-        assert_eq!(spacing(100.0), 0.5);
-        assert_eq!(spacing(45.0), 1.0);
-        assert_eq!(spacing(1.0), 50.0);
+        assert_eq!(spacing(100.0, 1.0), 0.5);
+        assert_eq!(spacing(45.0, 1.0), 1.0);
+        assert_eq!(spacing(1.0, 1.0), 50.0);
+        assert_eq!([spacing(46.0, 1.0), spacing(44.0, 1.0), spacing(30.0, 1.0)], [1.0, 5.0, 5.0]);
     }
 
     #[test]
@@ -393,7 +397,7 @@ mod tests {
         let leading = |x: f64| (x / 10_f64.powf((x.log10() + 1e-9).floor())).round();
         for k in 0..400 {
             let metre = 0.01 * 1.03_f64.powi(k);
-            let lines = spacing(metre);
+            let lines = spacing(metre, 1.0);
             for apart in [60.0, 90.0, 140.0] {
                 let step = between_numbers(lines, metre, apart);
                 assert!([1.0, 2.0, 5.0].contains(&leading(step)), "{step} for {lines}");

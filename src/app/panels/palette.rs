@@ -8,6 +8,9 @@ use super::theme::floating;
 use super::{Facts, PanelState, Wish, described, drives, material, primitives};
 use crate::app::action::{Action, Tool};
 
+/// Their height before they were shown `[points]`.
+const HEIGHT: f32 = 368.0;
+
 /// The sign of a tool and what it does.
 fn words(tool: Tool) -> (Icon, &'static str) {
     match tool {
@@ -31,8 +34,11 @@ pub(super) fn show(
     facts: &Facts,
     wishes: &mut Vec<Wish>,
 ) {
-    let place = Area::new(Id::unique("tools"))
-        .anchor(Align2::LEFT_CENTER, [10.0, 0.5 * (rooms.tools.height() - context.content_rect().height())]);
+    let id = Id::unique("tools");
+    let height = context.memory(|memory| memory.area_rect(id)).map_or(HEIGHT, |rect| rect.height());
+    // In the middle, but below the buttons.
+    let middle = rooms.tools.center().y.max(rooms.left.top() + 0.5 * height);
+    let place = Area::new(id).anchor(Align2::LEFT_CENTER, [10.0, middle - context.content_rect().center().y]);
     let shown = place.show(context, |ui| {
         floating().show(ui, |ui| {
             ui.spacing_mut().item_spacing.y = 4.0;
