@@ -162,8 +162,10 @@ impl Session {
             let at = if columns == 1 { [left, top] } else { [left + 0.5 * width, top] };
             Neighbor { title: title.to_owned(), words, at, width, columns }
         };
-        // One unit for all of them, that of the legend.
-        let unit = LengthUnit::of(f64::from(self.look.difference_full));
+        // One unit for all of them, that of the legend where there is one.
+        let farthest = shown.beside.iter().filter_map(|world| world.farthest).fold(0.0, f32::max);
+        let largest = if self.tints_distance { self.look.difference_full } else { farthest };
+        let unit = LengthUnit::of(f64::from(largest));
         let rests = |rests: bool| if rests { "at rest" } else { "" };
         let first = of(0, &format!("this scene: {}", shown.title), rests(shown.rests).to_owned());
         let others = shown.beside.iter().zip(1..).map(|(world, place)| {
