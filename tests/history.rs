@@ -187,7 +187,7 @@ fn a_reset_is_undone_as_one() {
 fn a_reset_takes_along_what_was_built_at_the_start() {
     let mut history = history("rim");
     let grab = || Do::Grab(Reach::Points(vec![PointId(3)]));
-    history.give(vec![grab()], None).unwrap();
+    history.give(vec![cursor(0.0, 0.0), grab()], None).unwrap();
     history.give(vec![strength(50.0)], Some("Built")).unwrap();
     let (start, built) = (history.world().time(), hash(&history));
     play(&mut history, 20);

@@ -149,7 +149,7 @@ struct Blocking {
 impl Blocking {
     /// Whether something stands in the way: of points (0) or bonds (1), so many.
     fn finds(&mut self, kind: usize, count: usize, stands: impl Fn(usize) -> bool) -> bool {
-        let found = std::iter::once(self.last[kind]).chain(0..count).find(|&k| {
+        let found = std::iter::once(self.last[kind]).filter(|&last| last < count).chain(0..count).find(|&k| {
             self.looks += 1;
             stands(k)
         });
