@@ -9,7 +9,7 @@ use std::process::Command;
 use common::picture::{NO_BONDS, SIDE, assert_coverage, between, bond, pixels, plain, sampled, view};
 use glam::{DVec2, DVec3};
 use image::RgbaImage;
-use wobble::render::{Camera, Capture, Look, Overlay, Pane, Pose, Row, View};
+use wobble::render::{Camera, Capture, Look, Overlay, Pane, Pose, Tiles, View};
 use wobble::sim::{Bond, Bonds, Cursor, MouseForce, PointId, Positions, Profile, Region, Track};
 
 fn golden(name: &str, scene: &str, time: &str) {
@@ -67,13 +67,13 @@ fn worlds_side_by_side_are_each_drawn_as_they_are_alone() {
     let bonds: Bonds = [bond(0, 1)].into();
     let look = Look { wall: [0.0; 4], ..plain() };
     let size = [2 * SIDE, SIDE];
-    let row = Row::new(2, [1.0; 2], size);
-    let camera = row.whole(&pixels(), size);
+    let tiles = Tiles::new(2, [1.0; 2], size, [0.0; 2]);
+    let camera = tiles.whole(&pixels(), size);
     let mut capture = Capture::new(size, 2).unwrap();
     let mut draw = |values: Option<&[f32]>, overlay| {
         let views = places.each_ref().map(|places| View { values, ..view(places, &bonds, 2) });
         let look = Look { overlay, difference_full: 1.0, ..look };
-        let panes = [0, 1].map(|k| Pane::of(&row, k, views[k].clone(), &camera, look, size));
+        let panes = [0, 1].map(|k| Pane::of(&tiles, k, views[k].clone(), &camera, look, size));
         capture.pictures(&panes).unwrap()
     };
     let both = draw(None, Overlay::None);

@@ -244,7 +244,7 @@ impl Action {
 
     /// Whether it is done while a panel lies over the world: nothing there reaches the world.
     pub fn reaches_through(self) -> bool {
-        use Action::{Cancel, FullScreen, Gallery, Help, Open, Paste, Quit, Screenshot};
-        matches!(self, Cancel | FullScreen | Gallery | Help | Open | Paste | Quit | Screenshot)
+        use Action::{Cancel, FullScreen, Gallery, Help, Open, Paste, Quit, Save, Screenshot};
+        matches!(self, Cancel | FullScreen | Gallery | Help | Open | Paste | Quit | Save | Screenshot)
     }
 }

@@ -161,7 +161,7 @@ impl Canvas {
         texture: wgpu::SurfaceTexture,
         panes: &[Pane<'_>],
         area: [u32; 2],
-        paint: &Paint,
+        paint: &mut Paint,
     ) -> Result<(), RenderError> {
         self.ensemble.prepare(&self.gpu, panes)?;
         let target = texture.texture.create_view(&Default::default());
@@ -170,7 +170,10 @@ impl Canvas {
         self.ensemble.draw(&self.gpu, &mut encoder, &target, (size, area), panes);
         let screen = egui_wgpu::ScreenDescriptor { size_in_pixels: size, pixels_per_point: paint.pixels_per_point };
         let (device, queue) = (&self.gpu.device, &self.gpu.queue);
-        let jobs: Vec<egui::ClippedPrimitive> = paint.marks.iter().chain(&paint.jobs).cloned().collect();
+        // Both in one list for now: what panels are made of is large, and not copied.
+        let mut jobs = std::mem::take(&mut paint.marks);
+        let count = jobs.len();
+        jobs.append(&mut paint.jobs);
         let mut commands = self.panels.update_buffers(device, queue, &mut encoder, &jobs, &screen);
         let pass = encoder.begin_render_pass(&wgpu::RenderPassDescriptor {
             label: Some("panels"),
@@ -183,6 +186,8 @@ impl Canvas {
             ..Default::default()
         });
         self.panels.render(&mut pass.forget_lifetime(), &jobs, &screen);
+        paint.jobs = jobs.split_off(count);
+        paint.marks = jobs;
         commands.push(encoder.finish());
         self.ensemble.submit(&self.gpu, commands);
         self.window.pre_present_notify();

@@ -5,10 +5,12 @@
 
 pub mod action;
 mod canvas;
+mod count;
 mod fetch;
 mod import;
 pub mod keys;
 mod leftovers;
+mod lengths;
 mod loading;
 mod matter;
 pub mod meter;

@@ -2,11 +2,13 @@
 
 use glam::{DVec2, DVec3};
 
-use crate::render::{Camera, Pose, Row, View};
+use crate::render::{Camera, Pose, Tiles, View};
 use crate::scene::{Scene, Vector, ViewKeys};
 
 /// Width of the pictures that views are made for, in heights: what is seen to both sides there is seen in narrower ones too.
 const MADE_FOR: f64 = 16.0 / 9.0;
+/// A picture of that shape `[px]`.
+const USUAL: [u32; 2] = [1600, 900];
 /// Room beside what a narrower picture would cut off `[1]`.
 const ROOM: f64 = 1.03;
 
@@ -22,6 +24,11 @@ pub fn camera(scene: &Scene, seen: &View<'_>, size: [u32; 2]) -> Camera {
     let [width, tall] = size.map(f64::from);
     let height = |height: f64, center: DVec2| height_for(height, width / tall, center.x, seen);
     look(scene.view.as_ref(), height, seen, size)
+}
+
+/// The same in a picture of usual shape: what is measured by it does not depend on the window.
+pub fn alone(scene: &Scene, seen: &View<'_>) -> Camera {
+    camera(scene, seen, USUAL)
 }
 
 /// The camera as it stood when something was saved.
@@ -47,10 +54,11 @@ fn look(view: Option<&ViewKeys>, height_at: impl Fn(f64, DVec2) -> f64, seen: &V
     camera
 }
 
-/// How `count` worlds of a scene share a picture of `size` `[px]`; `alone` is the camera of the scene alone.
-pub fn row(alone: &Camera, seen: &View<'_>, count: usize, size: [u32; 2]) -> Row {
+/// How `count` worlds of a scene share a picture of `size` `[px]`; `alone` is its camera in a picture of usual shape. `taken` is what of each pane's
+/// width and height is not for the world `[px]`.
+pub fn tiles(alone: &Camera, seen: &View<'_>, (count, size): (usize, [u32; 2]), taken: [f64; 2]) -> Tiles {
     if count < 2 {
-        return Row::ALONE;
+        return Tiles::ALONE;
     }
     let (center, height) = (alone.focus(), alone.height());
     let width = match alone.pose {
@@ -62,7 +70,7 @@ pub fn row(alone: &Camera, seen: &View<'_>, count: usize, size: [u32; 2]) -> Row
         }
         Pose::Orbit { .. } => height,
     };
-    Row::new(count, [width, height], size)
+    Tiles::new(count, [width, height], size, taken)
 }
 
 /// The distance of the last colours, where the difference of two worlds is shown `[m]`: a round number near a twentieth of the scene's height.
@@ -105,8 +113,8 @@ pub fn keys(camera: &Camera) -> ViewKeys {
 fn height_for(height: f64, aspect: f64, center: f64, view: &View<'_>) -> f64 {
     let sides = [points(view), surroundings(view)].map(|extent| extent.map(|corner| (corner[0] - center).abs()));
     let shown = sides.into_iter().flatten().filter(|&side| side <= 0.5 * MADE_FOR * height).fold(0.0, f64::max);
-    // In a picture higher than wide the same stretch is seen across.
-    (height / aspect.min(1.0)).max(2.0 * ROOM * shown / aspect)
+    // In a picture higher than wide there is room beside what is slim, too.
+    height.max(SLIMMEST * height / aspect).max(2.0 * ROOM * shown / aspect)
 }
 
 /// A camera that shows all points, with walls and polygons too or without. Where there are no points it shows those anyway.
@@ -126,11 +134,11 @@ pub fn fit(view: &View<'_>, with_walls: bool, size: [u32; 2]) -> Camera {
 pub type Free = [[f64; 2]; 2];
 
 /// The camera drawn back and moved as little as it takes that all sides of points and walls which it shows lie in the free part of its
-/// picture; in space as it is.
+/// picture, in one higher than wide in the middle of its height; in space as it is.
 pub fn clear(mut camera: Camera, seen: &View<'_>, free: Free) -> Camera {
     let Pose::Plane { .. } = camera.pose else { return camera };
     let viewport = DVec2::from(camera.viewport().map(f64::from));
-    let middle = 0.5 * viewport;
+    let (middle, is_upright) = (0.5 * viewport, viewport.y > viewport.x);
     let corners: Vec<[f64; 2]> = [points(seen), surroundings(seen)]
         .into_iter()
         .flatten()
@@ -154,7 +162,10 @@ pub fn clear(mut camera: Camera, seen: &View<'_>, free: Free) -> Camera {
     let by = [0, 1].map(|axis| {
         let Some(ends) = sides[axis] else { return 0.0 };
         let [low, high] = ends.map(|x| middle[axis] + (x - middle[axis]) / back);
-        (free[0][axis] - low).max(0.0) + (free[1][axis] - high).min(0.0)
+        match axis == 1 && is_upright {
+            true => 0.5 * (free[0][axis] + free[1][axis] - low - high),
+            false => (free[0][axis] - low).max(0.0) + (free[1][axis] - high).min(0.0),
+        }
     });
     camera.pan(by);
     camera
@@ -276,6 +287,26 @@ mod tests {
         let fitted = fit_in(&view, free, size);
         let middle = fitted.screen_from_world(DVec3::ZERO).unwrap();
         assert!((middle[0] - 535.0).abs() < 1e-6 && (middle[1] - 345.0).abs() < 1e-6, "{middle:?}");
+    }
+
+    #[test]
+    fn in_a_picture_higher_than_wide_a_scene_is_as_large_as_its_width_lets_it_and_in_the_middle() {
+        let at = |width: f64| {
+            let text = format!(
+                r#"{{"wobble": 1, "points": {{"position": [[-{width}, 1], [{width}, 3]]}},
+                "view": {{"center": [0, 0], "height": 8}}}}"#
+            );
+            let scene = Scene::parse(&text, "x.json").unwrap();
+            let world = scene.world(None).unwrap();
+            let view = View::of(&*world);
+            let camera = clear(camera(&scene, &view, [600, 1000]), &view, [[60.0, 100.0], [590.0, 980.0]]);
+            [[-width, 1.0], [width, 3.0]].map(|[x, y]| camera.screen_from_world(DVec3::new(x, y, 0.0)).unwrap())
+        };
+        let [low, high] = at(4.0);
+        assert!(high[0] - low[0] > 500.0, "{low:?} {high:?}");
+        assert!((low[1] + high[1] - 1080.0).abs() < 1e-6, "{low:?} {high:?}");
+        let [low, high] = at(0.5);
+        assert!((high[0] - low[0] - 100.0).abs() < 1.0, "as large as its view makes it: {low:?} {high:?}");
     }
 
     #[test]

@@ -5,7 +5,7 @@ use winit::event::{ElementState, MouseButton, MouseScrollDelta};
 use crate::render::{Camera, Pose};
 
 /// Zoom of one notch of the wheel.
-const NOTCH: f64 = 1.15;
+const NOTCH: f64 = 1.12;
 /// Pixels of a touchpad's scroll that count as a notch.
 const NOTCH_PIXELS: f64 = 40.0;
 

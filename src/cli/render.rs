@@ -15,7 +15,7 @@ use crate::app::player::driven;
 use crate::history::{Companion, Do, Entry, Replay, Start, chunk, distances};
 use crate::output;
 use crate::picture::{Skin, Tint};
-use crate::render::{Camera, Capture, Look, Overlay, Pane, Row, Trails, View};
+use crate::render::{Camera, Capture, Look, Overlay, Pane, Tiles, Trails, View};
 use crate::scene::{Scene, SolverName};
 use crate::sim::{Cursor, Dynamics, PointId, Positions};
 
@@ -85,17 +85,18 @@ pub(super) fn run(arguments: &Arguments, quiet: bool) -> anyhow::Result<()> {
     for warning in run.world().warnings() {
         writeln!(std::io::stderr(), "wobble: warning: {warning}")?;
     }
-    let alone = opening::camera(scene, &View::of(run.world()), arguments.size);
-    let row = opening::row(&alone, &View::of(run.world()), 1 + scene.beside.len(), arguments.size);
-    let mut own = opening::camera(scene, &View::of(run.world()), row.pane(arguments.size));
-    let mut camera = row.whole(&own, arguments.size);
+    let alone = opening::alone(scene, &View::of(run.world()));
+    let worlds = (1 + scene.beside.len(), arguments.size);
+    let tiles = opening::tiles(&alone, &View::of(run.world()), worlds, [0.0; 2]);
+    let mut own = opening::camera(scene, &View::of(run.world()), tiles.pane(arguments.size));
+    let mut camera = tiles.whole(&own, arguments.size);
     let difference_full = opening::full_distance(&alone) as f32;
     let Arguments { mesh: has_mesh, fills: has_fills, grid: has_grid, .. } = *arguments;
     let overlay = arguments.overlay(scene);
     let scale_factor = scale_factor(arguments.size);
     let look = Look { overlay, has_mesh, has_fills, has_grid, difference_full, scale_factor, ..Look::default() };
     let mut beside = Neighbors::new(&start, scene)?;
-    beside.name(&row)?;
+    beside.name(&tiles)?;
     let mut capture = Capture::new(arguments.size, scene.dimensions())?;
     let count = arguments.count();
     let bar = progress::frames(quiet, u64::from(count));
@@ -107,7 +108,7 @@ pub(super) fn run(arguments: &Arguments, quiet: bool) -> anyhow::Result<()> {
         run.advance(commands, time)?;
         if commands.iter().any(|entry| entry.at <= time && matches!(entry.act, Do::Key { down: true, .. })) {
             follow(&mut own, run.world());
-            camera = row.whole(&own, arguments.size);
+            camera = tiles.whole(&own, arguments.size);
         }
         beside.reach(commands, time);
         let skins = run.skins();
@@ -115,7 +116,9 @@ pub(super) fn run(arguments: &Arguments, quiet: bool) -> anyhow::Result<()> {
         let others = beside.moments(time, &main);
         let moments = std::iter::once(&main).chain(&others).enumerate();
         let panes: Vec<Pane<'_>> = moments
-            .map(|(place, moment)| Pane::of(&row, place, moment.view(u64::from(index)), &camera, look, arguments.size))
+            .map(|(place, moment)| {
+                Pane::of(&tiles, place, moment.view(u64::from(index)), &camera, look, arguments.size)
+            })
             .collect();
         let picture = capture.pictures(&panes)?;
         if let Some(path) = arguments.out.as_ref().filter(|path| values::extension(path) == "png") {
@@ -270,12 +273,16 @@ impl Neighbors {
     }
 
     /// Says what is where.
-    fn name(&self, row: &Row) -> std::io::Result<()> {
+    fn name(&self, tiles: &Tiles) -> std::io::Result<()> {
         let titles: Vec<&str> = self.companions.iter().map(|(companion, ..)| companion.title()).collect();
         if titles.is_empty() {
             return Ok(());
         }
-        let place = if row.is_column() { "below it" } else { "beside it" };
+        let place = match tiles.columns() {
+            1 => "below it",
+            all if all == tiles.count() => "beside it",
+            _ => "beside and below it",
+        };
         writeln!(std::io::stderr(), "wobble: {place}: {}", titles.join("; "))
     }
 

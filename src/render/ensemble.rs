@@ -8,7 +8,7 @@ use super::error::RenderError;
 use super::gpu::Gpu;
 use super::look::Look;
 use super::renderer::Renderer;
-use super::row::Row;
+use super::tiles::Tiles;
 use super::view::View;
 
 /// A world in its part of a picture.
@@ -30,9 +30,9 @@ impl<'a> Pane<'a> {
         Pane { view, camera, look, clip: [0, 0, width, height] }
     }
 
-    /// World `place` of a row in a picture of `size` `[px]`; `camera` is that of the first.
-    pub fn of(row: &Row, place: usize, view: View<'a>, camera: &Camera, look: Look, size: [u32; 2]) -> Self {
-        Pane { view, camera: row.camera(place, camera, size), look, clip: row.clip(place, size) }
+    /// World `place` of several in a picture of `size` `[px]`; `camera` is that of the first.
+    pub fn of(tiles: &Tiles, place: usize, view: View<'a>, camera: &Camera, look: Look, size: [u32; 2]) -> Self {
+        Pane { view, camera: tiles.camera(place, camera, size), look, clip: tiles.clip(place, size) }
     }
 
     /// Ends of the line `[m]` that parts it from the one before it, if there is one.

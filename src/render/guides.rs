@@ -175,11 +175,34 @@ const APART: [f64; 2] = [90.0, 60.0];
 /// Least gap between two in a row `[px]`.
 const GAP: f64 = 24.0;
 
-/// Numbers along the left edge that something lies over go to the right of it, so far at most, as a share of the picture's width `[1]`.
+/// Numbers along the left edge stand to the right of what lies there where that leaves place for more of them: so far at most, as a share
+/// of the picture's width, and where the edge itself has less than this share of the place `[1]`.
 const ASIDE: f64 = 0.4;
+const ENOUGH: f64 = 0.5;
+/// Width that they take `[px]`, and from one look at what lies over them to the next.
+const COLUMN: f64 = 56.0;
+const LOOK: f64 = 8.0;
 
-/// Adds the numbers of the grid: along the lower edge of a part of the picture and its left one, at every line or every second or fifth,
-/// where nothing lies over them. `clip` is left, top, width and height of that part `[px]`, the corners are those of the picture `[m]`.
+/// Distance between numbers of the grid `[m]`: 1, 2 or 5 times a power of ten, and of the lines `step` `[m]` apart, not closer than `apart`
+/// on the screen. It depends on the scale alone, not on what is seen.
+fn between_numbers(step: f64, metre: f64, apart: f64) -> f64 {
+    let decade = 10_f64.powf(step.log10().floor());
+    let steps = (0..4).flat_map(|power| [1.0, 2.0, 5.0].map(|first| first * 10_f64.powi(power) * decade));
+    // 2 times 1 is a step between lines that are 1 apart, 5 times 1 none between those that are 2 apart.
+    let is_of_lines = |wide: &f64| (wide / step - (wide / step).round()).abs() < 1e-6;
+    let mut steps = steps.filter(|wide| *wide > (1.0 - 1e-9) * step).filter(is_of_lines);
+    steps.find(|wide| wide * metre >= apart).unwrap_or(1e3 * step)
+}
+
+/// The widest that a number of the grid is as far from the origin as `far` `[m]`, in whole powers of ten: where one more digit comes in on
+/// one side nothing else changes.
+fn widest(far: f64, steps: [f64; 2], size: f64) -> f64 {
+    let whole = 10_f64.powf(far.max(steps[0]).log10().ceil().clamp(-300.0, 300.0));
+    numerals::strokes(&numerals::length(-0.888_888_888 * whole, steps), size).1
+}
+
+/// Adds the numbers of the grid: along the lower edge of a part of the picture and its left one, in steps of 1, 2 or 5, where nothing lies
+/// over them. `clip` is left, top, width and height of that part `[px]`, the corners are those of the picture `[m]`.
 fn numbers(
     list: &mut Vec<Guide>,
     (camera, covered): (&Camera, &[[f32; 4]]),
@@ -188,7 +211,7 @@ fn numbers(
     look: &Look,
 ) {
     let scale = f64::from(look.scale_factor);
-    let step = spacing(camera.pixels_per_metre());
+    let lines = spacing(camera.pixels_per_metre());
     let metre = camera.pixels_per_metre();
     let [left, top, width, height] = clip.map(f64::from);
     let low = DVec2::new(low.x + left / metre, high.y - (top + height) / metre);
@@ -196,34 +219,34 @@ fn numbers(
     if look.number[3] == 0.0 || !low.cmplt(high).all() {
         return;
     }
+    let far = low.abs().max(high.abs()).max_element();
+    let inset = f64::from(look.inset) * scale;
     for axis in 0..2 {
-        let wide = |at: f64| numerals::strokes(&numerals::length(at, step), DIGITS * scale).1;
-        let widest = if axis == 0 { wide(low.x).max(wide(high.x)) + GAP * scale } else { 0.0 };
-        let apart = widest.max(APART[axis] * scale);
-        let every = [1.0, 2.0, 5.0, 10.0, 20.0].into_iter().find(|every| every * step * metre >= apart);
-        let step = every.unwrap_or(50.0) * step;
+        let apart = APART[axis] * scale;
+        let step = between_numbers(lines, metre, apart);
+        let wide = widest(far, [step, lines], DIGITS * scale) + GAP * scale;
+        let step = if axis == 0 && wide > apart { between_numbers(lines, metre, wide) } else { step };
+        let column = if axis == 1 { column(covered, clip, (EDGE * scale + inset, scale)) } else { 0.0 };
         let (first, last) = ((low[axis] / step).ceil(), (high[axis] / step).floor());
         for line in 0..=((last - first) as i64) {
             let at = (first + line as f64) * step;
-            let (strokes, width) = numerals::strokes(&numerals::length(at, step), DIGITS * scale);
+            let (strokes, width) = numerals::strokes(&numerals::length(at, [step, lines]), DIGITS * scale);
             // Along the lower edge under the middle of its line, along the left edge just above it.
             let mut corner = low + EDGE * scale / metre;
-            corner.x += f64::from(look.inset) * scale / metre;
+            corner.x += (inset + column) / metre;
             corner[axis] = at + [-0.5 * width, 3.0 * scale][axis] / metre;
             // What would be cut off, or lies in the corner where both meet, is left out.
             let room = [30.0, 26.0][axis] * scale / metre;
-            let beside = if axis == 0 { f64::from(look.inset) * scale / metre } else { 0.0 };
+            let beside = if axis == 0 { inset / metre } else { 0.0 };
             if corner[axis] < low[axis] + beside + room || at > high[axis] - room {
                 continue;
             }
             let size = DVec2::new(width, DIGITS * numerals::TALL * scale);
-            let at = DVec2::new(corner.x - low.x, high.y - corner.y) * metre - DVec2::new(0.0, size.y);
-            let there = at + DVec2::new(left, top);
-            let Some(aside) = aside([there, there + size], covered, EDGE * scale) else { continue };
-            if aside > 0.0 && (axis == 0 || at.x + aside > ASIDE * (high.x - low.x) * metre) {
+            let there = DVec2::new(corner.x - low.x, high.y - corner.y) * metre - DVec2::new(0.0, size.y);
+            let there = there + DVec2::new(left, top);
+            if lies_over(covered, there, there + size).is_some() {
                 continue;
             }
-            corner.x += aside / metre;
             let place = |end: DVec2| (corner + end / metre).extend(0.0) - origin;
             let width = NUMBER_WIDTH * look.scale_factor;
             list.extend(strokes.iter().map(|&[a, b]| guide(place(a), place(b), width, look.number)));
@@ -231,19 +254,31 @@ fn numbers(
     }
 }
 
-/// How far a box goes to the right until nothing lies over it, with some room; `None` where it would not end `[px]`.
-fn aside([low, high]: [DVec2; 2], covered: &[[f32; 4]], room: f64) -> Option<f64> {
-    let mut by = 0.0;
-    for _ in 0..=covered.len() {
-        let over = covered.iter().map(|side| side.map(f64::from)).find(|&[left, top, right, bottom]| {
-            low.x + by < right && high.x + by > left && low.y < bottom && high.y > top
-        });
-        match over {
-            Some([_, _, right, _]) => by = right + room - low.x,
-            None => return Some(by),
-        }
-    }
-    None
+/// What lies over a box `[px]`.
+fn lies_over(covered: &[[f32; 4]], low: DVec2, high: DVec2) -> Option<[f64; 4]> {
+    let over =
+        |&[left, top, right, bottom]: &[f64; 4]| low.x < right && high.x > left && low.y < bottom && high.y > top;
+    covered.iter().map(|side| side.map(f64::from)).find(over)
+}
+
+/// How far all numbers along the left edge go to the right `[px]`: as far as it takes for most of the edge's height to be free. It depends on
+/// what lies over the picture alone, so that no number moves aside by itself.
+fn column(covered: &[[f32; 4]], clip: [u32; 4], (inset, scale): (f64, f64)) -> f64 {
+    let [left, top, width, height] = clip.map(f64::from);
+    let free = |by: f64| {
+        let x = left + inset + by;
+        let rows = (height / (LOOK * scale)).floor() as u32;
+        let is_free = |row: &u32| {
+            let y = top + LOOK * scale * f64::from(*row);
+            lies_over(covered, DVec2::new(x, y), DVec2::new(x + COLUMN * scale, y + LOOK * scale)).is_none()
+        };
+        (0..rows).filter(is_free).count() as f64
+    };
+    let beside = covered.iter().map(|side| f64::from(side[2]) + EDGE * scale - left - inset);
+    let mut all: Vec<f64> = beside.filter(|by| *by > 0.0 && inset + by < ASIDE * width).chain([0.0]).collect();
+    all.sort_by(f64::total_cmp);
+    let best = all.iter().map(|by| free(*by)).fold(0.0, f64::max);
+    all.into_iter().find(|by| free(*by) >= ENOUGH * best).unwrap_or(0.0)
 }
 
 /// Cells of the floor of walls in space along its longer side.
@@ -341,9 +376,33 @@ mod tests {
         assert!(within(panel, &free) > 20 && within(message, &free) > 10, "there are numbers there");
         let clear = places(&[panel, message]);
         assert_eq!([within(panel, &clear), within(message, &clear)], [0, 0]);
-        assert_eq!(within([150.0, 100.0, 250.0, 300.0], &clear), within(panel, &free), "beside the panel");
+        assert_eq!(within([150.0, 0.0, 250.0, 430.0], &clear), 0, "most of the edge is free: they stay there");
+        let tall = places(&[[0.0, 60.0, 150.0, 380.0]]);
+        assert!(within([150.0, 60.0, 250.0, 380.0], &tall) > 20, "beside a panel along most of it");
         let wide = places(&[[0.0, 100.0, 500.0, 300.0]]);
         assert_eq!(within([0.0, 100.0, 640.0, 300.0], &wide), 0, "too far away");
+        let x_of = |list: &[[f32; 2]]| {
+            let at_left = list.iter().filter(|[_, y]| *y < 430.0);
+            at_left.map(|[x, _]| *x).fold(f32::INFINITY, f32::min)
+        };
+        assert!(x_of(&clear) < 10.0 && x_of(&tall) > 150.0, "all of them in one column");
+    }
+
+    #[test]
+    fn numbers_are_in_steps_of_1_2_or_5_whatever_is_seen() {
+        let leading = |x: f64| (x / 10_f64.powf((x.log10() + 1e-9).floor())).round();
+        for k in 0..400 {
+            let metre = 0.01 * 1.03_f64.powi(k);
+            let lines = spacing(metre);
+            for apart in [60.0, 90.0, 140.0] {
+                let step = between_numbers(lines, metre, apart);
+                assert!([1.0, 2.0, 5.0].contains(&leading(step)), "{step} for {lines}");
+                assert!((step / lines - (step / lines).round()).abs() < 1e-9, "{step} is no multiple of {lines}");
+                assert!(step * metre >= apart && step * metre < 5.1 * apart.max(lines * metre), "{step} at {metre}");
+            }
+        }
+        let all = [9.9, 10.1, -10.1].map(|far: f64| widest(far.abs(), [0.5, 0.5], 1.0));
+        assert_eq!(all[1], all[2]);
     }
 
     #[test]

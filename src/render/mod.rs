@@ -24,9 +24,9 @@ mod obstacles;
 mod order;
 mod passes;
 mod renderer;
-mod row;
 mod sight;
 mod skin;
+mod tiles;
 mod trails;
 pub mod view;
 
@@ -40,6 +40,6 @@ pub use gpu::{Gpu, backends};
 pub use look::{Color, Look, Overlay, STRAIN_COLORS};
 pub use passes::SHADERS;
 pub use renderer::Renderer;
-pub use row::Row;
+pub use tiles::Tiles;
 pub use trails::Trails;
 pub use view::{Hinge, View, Ways, joints};

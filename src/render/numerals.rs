@@ -90,9 +90,10 @@ fn lines(sign: char) -> Vec<Vec<(f64, f64)>> {
     }
 }
 
-/// A length on a grid `[m]` whose lines are `step` `[m]` apart, with its unit: as many places as the step has.
-pub(super) fn length(value: f64, step: f64) -> String {
-    let (unit, scale) = match step {
+/// A length on a grid `[m]` with its unit: as many places as from one to the next takes, in the unit that suits the lines of the grid, which
+/// are as far apart as `lines` `[m]`.
+pub(super) fn length(value: f64, [step, lines]: [f64; 2]) -> String {
+    let (unit, scale) = match lines {
         step if step >= 1e3 => ("km", 1e-3),
         step if step >= 1e-2 => ("m", 1.0),
         step if step >= 1e-5 => ("mm", 1e3),
@@ -112,7 +113,9 @@ mod tests {
 
     #[test]
     fn lengths_have_as_many_places_as_their_grid_and_a_unit_that_fits() {
-        let said = |value, step| length(value, step);
+        let said = |value, step| length(value, [step; 2]);
+        assert_eq!(length(3.0, [1.0, 0.5]), "3 m");
+        assert_eq!(length(0.01, [0.01, 0.005]), "10 mm");
         assert_eq!(said(-2.5, 0.5), "-2.5 m");
         assert_eq!(said(3.0, 1.0), "3 m");
         assert_eq!(said(-1e-17, 0.2), "0.0 m");

@@ -5,7 +5,7 @@ use std::sync::Arc;
 
 use super::check::copies;
 use super::error::{Fault, Within};
-use super::keys::{ContactKeys, KindName, Material, Meeting, ParameterKeys, Scene};
+use super::keys::{ContactKeys, KindName, Material, Meeting, ParameterKeys, Scene, SolverName};
 use super::start::Start;
 use crate::sim::Contact;
 
@@ -91,12 +91,17 @@ pub struct BodyPart {
     pub shares: Vec<f64>,
 }
 
-/// What a path can be, as it is said where it is none.
-const PATHS: &str = "`gravity[0]`, `drag_rate`, `wind.velocity[0]`, `wind.turbulence`, `bounds.friction`, `bounds.restitution`, \
-                     `contact` (0 or 1), `contact.friction`, `contact.restitution`, `contact.radius`, `mouse.strength`, `mouse.radius`, \
-                     `stiffness`, `damping` or `rest` of explicit bonds, as `bonds[0].stiffness` or, of several, \
-                     `bonds[0-3].stiffness`, `friction` or `restitution` of obstacles, as `obstacles[0].friction`, or \
-                     `stiffness`, `damping`, `mass`, `friction` or `restitution` of a body, as `bodies[0].material.mass`";
+/// What paths begin with, and what they can go on with: said of those that go on otherwise.
+const PATHS: [(&str, &str); 8] = [
+    ("gravity", "`gravity[0]` or another axis"),
+    ("wind", "`wind.velocity[0]` or another axis, or `wind.turbulence`"),
+    ("bounds", "`bounds.friction` or `bounds.restitution`"),
+    ("contact", "`contact` (0 or 1), `contact.friction`, `contact.restitution` or `contact.radius`"),
+    ("mouse", "`mouse.strength` or `mouse.radius`"),
+    ("bonds", "`stiffness`, `damping` or `rest`, as `bonds[0].stiffness` or, of several, `bonds[0-3].stiffness`"),
+    ("obstacles", "`friction` or `restitution`, as `obstacles[0].friction`"),
+    ("bodies", "`stiffness`, `damping`, `mass`, `friction` or `restitution`, as `bodies[0].material.mass`"),
+];
 
 /// One number, or several as `first-last`; `None`: it is neither.
 fn numbers_of(text: &str) -> Option<RangeInclusive<u32>> {
@@ -183,7 +188,7 @@ impl Target {
             Target::Gravity(_) | Target::DragRate => Ok(()),
             Target::Wind(_) | Target::Turbulence => is_there(scene.wind.is_some(), "`wind`"),
             Target::WallFriction | Target::WallRestitution => is_there(scene.bounds.is_some(), "`bounds`"),
-            Target::Meets => Ok(()),
+            Target::Meets => can_meet(scene),
             Target::ObstacleFriction(numbers) | Target::ObstacleRestitution(numbers) => {
                 counted(scene.obstacles.len(), numbers, "obstacle")
             }
@@ -195,6 +200,20 @@ impl Target {
             Target::Rest(numbers) => of_bonds(scene, numbers, false),
             Target::Stiffness(numbers) | Target::Damping(numbers) => of_bonds(scene, numbers, true),
         }
+    }
+}
+
+/// Errors: bodies of this scene can never meet.
+fn can_meet(scene: &Scene) -> Result<(), Fault> {
+    let method = &scene.method;
+    match method.solver {
+        None | Some(SolverName::Auto | SolverName::Live) if method.tolerance.is_some() => {
+            Err(Fault::invalid("is of contact, where no tolerance is held to: leave this slider or `tolerance` out"))
+        }
+        None | Some(SolverName::Auto | SolverName::Live) => Ok(()),
+        Some(solver) => Err(Fault::invalid(format!(
+            "is of contact, which solver `{solver}` does not know: leave this slider or `solver` out"
+        ))),
     }
 }
 
@@ -216,17 +235,27 @@ fn counted(count: usize, numbers: &RangeInclusive<u32>, what: &str) -> Result<()
         return Err(Fault::invalid(format!("names {what}s from {first} to {last}: give the lower number first")));
     }
     if last as usize >= count {
-        let message = format!("names {what} {last}, and there are {count} explicit ones: count from 0");
+        let message = format!("names {what} {last}, and {}: count from 0", there_are(count, what));
         return Err(Fault::invalid(message));
     }
     Ok(())
+}
+
+/// How many explicit things there are, as one says it.
+fn there_are(count: usize, what: &str) -> String {
+    match (count, what.strip_suffix('y')) {
+        (0, _) => "there is none".to_owned(),
+        (1, _) => format!("there is 1 explicit {what}"),
+        (_, Some(stem)) => format!("there are {count} explicit {stem}ies"),
+        (_, None) => format!("there are {count} explicit {what}s"),
+    }
 }
 
 /// Errors: a body that is not there, or has no number of its own that could be set.
 fn of_body(scene: &Scene, (body, of): (usize, OfBody), dimensions: usize) -> Result<(), Fault> {
     let count = scene.bodies.len();
     let Some(keys) = scene.bodies.get(body) else {
-        return Err(Fault::invalid(format!("names body {body}, and there are {count}: count from 0")));
+        return Err(Fault::invalid(format!("names body {body}, and {}: count from 0", there_are(count, "body"))));
     };
     let material = keys.material.as_ref();
     let says = |said: fn(&Material) -> bool| material.is_some_and(said);
@@ -349,13 +378,18 @@ pub(super) fn check(scene: &Scene, dimensions: usize) -> Result<(), Fault> {
     Ok(())
 }
 
-/// What is said of a path that means nothing.
+/// What is said of a path that means nothing: what others can be that begin so.
 fn no_target(path: &str) -> Fault {
-    let message = match path {
-        "method.tolerance" | "method.precision" => {
-            format!("`{path}` cannot change while a scene runs: give {PATHS}")
+    let begins = |(name, _): &&(&str, &str)| path.split(['.', '[']).next().is_some_and(|first| first == *name);
+    let message = match (path, PATHS.iter().find(begins)) {
+        ("method.tolerance" | "method.precision", _) => {
+            format!("`{path}` cannot change while a scene runs: leave it out")
         }
-        _ => format!("`{path}` is no number that sliders set: give {PATHS}"),
+        (_, Some((name, can_be))) => format!("`{path}` is no number that sliders set: of `{name}` give {can_be}"),
+        _ => format!(
+            "`{path}` is no number that sliders set: give one as `gravity[1]`, `drag_rate`, `bonds[0].stiffness` or \
+             `bodies[0].material.mass` (docs/scenes.md lists all)"
+        ),
     };
     Fault::invalid(message)
 }
@@ -435,13 +469,38 @@ mod tests {
             (r#"{"path": "method.tolerance", "min": 0.1, "max": 1}"#, "cannot change while a scene runs"),
             (r#"{"path": "colour", "min": 0, "max": 1}"#, "`colour` is no number that sliders set"),
             (r#"{"path": "contact", "min": 0, "max": 0.5}"#, "is on or off"),
-            (r#"{"path": "obstacles[1].friction", "min": 0, "max": 1}"#, "names obstacle 1, and there are 1"),
-            (r#"{"path": "bodies[2].material.mass", "min": 1, "max": 9}"#, "names body 2, and there are 2"),
+            (
+                r#"{"path": "obstacles[1].friction", "min": 0, "max": 1}"#,
+                "names obstacle 1, and there is 1 explicit obstacle: ",
+            ),
+            (
+                r#"{"path": "bodies[2].material.mass", "min": 1, "max": 9}"#,
+                "names body 2, and there are 2 explicit bodies: ",
+            ),
+            (r#"{"path": "bonds[0].length", "min": 0, "max": 1}"#, "of `bonds` give `stiffness`, `damping` or `rest`"),
             (r#"{"path": "bodies[0].material.stiffness", "min": 0, "max": 9}"#, "whose material gives no `stiffness`"),
             (r#"{"path": "bodies[1].material.mass", "min": 0, "max": 9}"#, "min: is 0.0"),
         ] {
             let line = read(parameter).unwrap_err();
             assert!(line.contains(reason), "{parameter}: {line}");
+        }
+    }
+
+    #[test]
+    fn whether_bodies_meet_is_no_slider_of_a_method_without_contact() {
+        let said = |method: &str| {
+            let text = format!(
+                r#"{{"wobble": 1, "points": {{"position": [[0, 0]]}}, "method": {{{method}}},
+                "parameters": [{{"path": "contact", "min": 0, "max": 1}}]}}"#
+            );
+            Scene::parse(&text, "x.json").map_err(|error| error.to_string())
+        };
+        assert!(said(r#""solver": "live""#).is_ok());
+        for (method, words) in
+            [(r#""solver": "rk4""#, "solver `rk4` does not know"), (r#""tolerance": 0.1"#, "`tolerance` out")]
+        {
+            let line = said(method).unwrap_err();
+            assert!(line.contains("parameters[0].path: is of contact") && line.contains(words), "{line}");
         }
     }
 

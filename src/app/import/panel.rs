@@ -6,6 +6,7 @@ use egui::Color32;
 
 use super::worker::Forecast;
 use super::{Answer, Import, preview, wishes};
+use crate::app::count::counted;
 use crate::app::loading;
 use crate::app::panels::sheet;
 use crate::scene::Matter;
@@ -15,8 +16,8 @@ const PATIENCE: Duration = Duration::from_millis(400);
 const LOOK: Duration = Duration::from_millis(100);
 /// Width of the screen from which on the sliders stand beside the picture `[points]`.
 const WIDE: f32 = 780.0;
-/// Height of what stands over and under the part that scrolls: title, buttons, margins `[points]`.
-const BESIDE: f32 = 130.0;
+/// Height of what stands over and under the part that scrolls: title, buttons, margins, the bar below `[points]`.
+const BESIDE: f32 = 174.0;
 /// Height of that part at least `[points]`.
 const LEAST_TALL: f32 = 60.0;
 /// Height of a canvas's tools `[points]`.
@@ -106,8 +107,8 @@ fn words(ui: &mut egui::Ui, forecast: Option<&Result<Forecast, String>>, is_pain
                 (count, 1) => format!("in {count} parts"),
                 (_, count) => format!("in {count} bodies"),
             };
-            let counts = [(mesh.points.len(), "points"), (*bonds, "bonds"), (mesh.triangles.len(), "triangles")];
-            let counts: Vec<String> = counts.iter().map(|(count, what)| format!("{count} {what}")).collect();
+            let counts = [(mesh.points.len(), "point"), (*bonds, "bond"), (mesh.triangles.len(), "triangle")];
+            let counts: Vec<String> = counts.iter().map(|&(count, what)| counted(count, what)).collect();
             ui.label(format!("{} {parts}", counts.join(", ")));
             ui.weak(format!(
                 "about {} a frame in the air, {} where it lands",

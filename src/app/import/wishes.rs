@@ -3,6 +3,7 @@
 use egui::Slider;
 
 use super::Wish;
+use crate::app::lengths::length;
 use crate::picture::{Picture, Settings, Size, Strokes, Threshold};
 use crate::scene::{Matter, PatternName};
 
@@ -108,25 +109,9 @@ fn body(ui: &mut egui::Ui, wish: &mut Wish) {
     ui.add_enabled(moves, egui::Checkbox::new(&mut wish.apart, "parts as bodies of their own"));
 }
 
-/// A length `[m]` in words.
-fn length(metres: f64) -> String {
-    match metres {
-        metres if metres < 0.01 => format!("{:.2} mm", 1e3 * metres),
-        metres if metres < 1.0 => format!("{:.1} cm", 1e2 * metres),
-        metres => format!("{metres:.2} m"),
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
-
-    #[test]
-    fn lengths_of_any_size_are_short() {
-        for (metres, text) in [(0.0042, "4.20 mm"), (0.05, "5.0 cm"), (1.5, "1.50 m")] {
-            assert_eq!(length(metres), text);
-        }
-    }
 
     #[test]
     fn a_size_by_area_keeps_the_spacing() {

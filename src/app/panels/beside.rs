@@ -5,7 +5,7 @@ use std::sync::Arc;
 use egui::{Align2, Area, Id, RichText, Ui, pos2};
 
 use super::theme::{TEXT, floating};
-use super::{Facts, TOOLS, Wish, legend};
+use super::{Facts, Wish, legend};
 use crate::scene::{BesideKeys, MOST_BESIDE, SolverName};
 
 /// Room about a title `[points]`.
@@ -13,17 +13,19 @@ const ROOM: f32 = 8.0;
 /// Where titles are at most, from above `[points]`: below the buttons, in windows where these take several rows too.
 const LEAST: f32 = 60.0;
 
+/// Titles are this wide, in the narrowest parts too `[points]`.
+const LEAST_WIDE: f32 = 90.0;
+
 /// Heights of titles, and of the legend that the last one has `[points]`.
 const TITLE: f32 = 50.0;
 const LEGEND: f32 = 52.0;
 
-/// How much of each part of the window its title takes from above `[points]`.
+/// How much of each part of the window its title takes from above `[points]`, however they stand.
 pub(super) fn height(facts: &Facts) -> f32 {
-    let is_row = facts.neighbors.first().is_some_and(|first| !first.is_column);
-    match (is_row, facts.tints_distance) {
-        (false, _) => 0.0,
-        (true, false) => TITLE,
-        (true, true) => TITLE + LEGEND,
+    match (facts.neighbors.is_empty(), facts.tints_distance) {
+        (true, _) => 0.0,
+        (false, false) => TITLE,
+        (false, true) => TITLE + LEGEND,
     }
 }
 
@@ -33,9 +35,13 @@ pub(in crate::app) struct Neighbor {
     pub(in crate::app) title: String,
     /// How it does.
     pub(in crate::app) words: String,
-    /// The middle of the upper edge of its part of the window, or in a column the left end of it `[points]`.
+    /// The middle of the upper edge of its part of the window beside the tools, or where they stand below each other the left end of it
+    /// `[points]`.
     pub(in crate::app) at: [f32; 2],
-    pub(in crate::app) is_column: bool,
+    /// Width of that edge `[points]`.
+    pub(in crate::app) width: f32,
+    /// How many stand in a row.
+    pub(in crate::app) columns: usize,
 }
 
 /// Titles of worlds, each at the top of its part of the window; below what lies there already. The last has the legend.
@@ -46,17 +52,17 @@ pub(super) fn titles(context: &egui::Context, facts: &Facts, has_caption: bool) 
     let last = facts.neighbors.len().saturating_sub(1);
     for (place, neighbor) in facts.neighbors.iter().enumerate() {
         let [x, y] = neighbor.at;
-        let top = if neighbor.is_column && place > 0 { (y + ROOM).max(below) } else { below };
-        let (pivot, x) =
-            if neighbor.is_column { (Align2::LEFT_TOP, x + TOOLS + ROOM) } else { (Align2::CENTER_TOP, x) };
+        let is_column = neighbor.columns == 1;
+        let top = if place >= neighbor.columns { (y + ROOM).max(below) } else { below };
+        let (pivot, x) = if is_column { (Align2::LEFT_TOP, x + ROOM) } else { (Align2::CENTER_TOP, x) };
         // What lies in the corner is not covered.
-        let reach = if neighbor.is_column { x + legend::WIDTH } else { x + 0.5 * legend::WIDTH };
+        let reach = if is_column { x + legend::WIDTH } else { x + 0.5 * legend::WIDTH };
         let lies_below = figures.filter(|figures| figures.left() < reach && figures.bottom() > top);
         let top = lies_below.map_or(top, |figures| figures.bottom() + ROOM);
         let area = Area::new(Id::unique(("beside", place))).pivot(pivot).fixed_pos(pos2(x, top));
         area.interactable(false).show(context, |ui| {
             floating().show(ui, |ui| {
-                ui.set_max_width(legend::WIDTH);
+                ui.set_max_width(legend::WIDTH.min(neighbor.width - 3.0 * ROOM).max(LEAST_WIDE));
                 ui.vertical(|ui| {
                     ui.label(RichText::new(&neighbor.title).color(TEXT).strong());
                     if !neighbor.words.is_empty() {

@@ -49,7 +49,8 @@ fn beside_each_other() -> Facts {
         title: title.to_owned(),
         words: words.to_owned(),
         at: [x, 0.0],
-        is_column: false,
+        width: 600.0,
+        columns: 2,
     };
     let neighbors = vec![world("euler", "", 320.0), world("Verlet", "up to 3.4 cm apart", 960.0)];
     Facts { neighbors, tints_distance: true, ..Facts::default() }

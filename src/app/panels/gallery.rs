@@ -35,33 +35,30 @@ pub(super) fn show(context: &egui::Context, room: Rect, state: &mut PanelState, 
         }
         ui.add_space(4.0);
         let height = (room.height() - 130.0).max(40.0);
-        ScrollArea::vertical().max_height(height).min_scrolled_height(height).auto_shrink([false, true]).show(
-            ui,
-            |ui| {
-                if state.search.is_empty() {
-                    cut_off(ui, &state.leftovers, wishes);
-                }
-                for (number, row) in found.chunks(columns).enumerate() {
-                    ui.horizontal_top(|ui| {
-                        ui.spacing_mut().item_spacing.x = GAP;
-                        for (column, entry) in row.iter().enumerate() {
-                            let is_chosen = number * columns + column == state.chosen;
-                            let card = card(ui, entry, state, (entry.title == facts.title, is_chosen));
-                            if is_chosen && is_moved {
-                                card.scroll_to_me(None);
-                            }
-                            if card.clicked() {
-                                wishes.push(Wish::OpenScene(entry.name));
-                            }
+        ScrollArea::vertical().max_height(height).min_scrolled_height(height).auto_shrink(false).show(ui, |ui| {
+            if state.search.is_empty() {
+                cut_off(ui, &state.leftovers, wishes);
+            }
+            for (number, row) in found.chunks(columns).enumerate() {
+                ui.horizontal_top(|ui| {
+                    ui.spacing_mut().item_spacing.x = GAP;
+                    for (column, entry) in row.iter().enumerate() {
+                        let is_chosen = number * columns + column == state.chosen;
+                        let card = card(ui, entry, state, (entry.title == facts.title, is_chosen));
+                        if is_chosen && is_moved {
+                            card.scroll_to_me(None);
                         }
-                    });
-                    ui.add_space(8.0);
-                }
-                if found.is_empty() {
-                    ui.weak("no scene is called so");
-                }
-            },
-        );
+                        if card.clicked() {
+                            wishes.push(Wish::OpenScene(entry.name));
+                        }
+                    }
+                });
+                ui.add_space(8.0);
+            }
+            if found.is_empty() {
+                nothing(ui, height, &mut state.search);
+            }
+        });
     });
     if !stays {
         state.sheet = None;
@@ -86,6 +83,21 @@ fn cut_off(ui: &mut egui::Ui, leftovers: &[String], wishes: &mut Vec<Wish>) {
         });
     }
     ui.add_space(10.0);
+}
+
+/// In the middle of a sheet so high, where nothing is found: what was looked for, and a way back to all scenes.
+fn nothing(ui: &mut egui::Ui, height: f32, search: &mut String) {
+    ui.vertical_centered(|ui| {
+        ui.add_space(0.4 * height);
+        let looked_for = search.trim();
+        ui.add(Label::new(RichText::new(format!("Nothing is called “{looked_for}”")).color(TEXT).strong()).wrap());
+        ui.weak("names, descriptions and what to try are searched");
+        ui.add_space(8.0);
+        if ui.button("Clear the search").clicked() {
+            search.clear();
+            ui.memory_mut(|memory| memory.request_focus(search_id()));
+        }
+    });
 }
 
 /// The field that a search is written in.

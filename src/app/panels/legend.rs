@@ -4,6 +4,7 @@ use egui::{Align2, Area, Color32, FontId, Id, Mesh, Rect, Sense, Shape, Ui, pos2
 
 use super::places::{APART, Places};
 use super::theme::{TEXT, WEAK, floating};
+use crate::app::lengths::LengthUnit;
 use crate::render::{Color, Look};
 
 /// Width and height of the bar `[points]`.
@@ -50,34 +51,26 @@ pub(super) const WIDTH: f32 = 220.0;
 /// What colours of distance mean: the same bar from its middle on.
 pub(super) fn of_distance(ui: &mut Ui, look: &Look) {
     ui.weak("distance to the first:");
-    let (place, _) = ui.allocate_exact_size(vec2(WIDTH, BAR[1] + 17.0), Sense::hover());
-    let bar = Rect::from_min_size(place.min + vec2(8.0, 0.0), vec2(WIDTH - 32.0, BAR[1]));
+    let width = ui.available_width().min(WIDTH);
+    let (place, _) = ui.allocate_exact_size(vec2(width, BAR[1] + 17.0), Sense::hover());
+    let bar = Rect::from_min_size(place.min + vec2(8.0, 0.0), vec2(width - 32.0, BAR[1]));
     let middle = look.strain.len() / 2;
+    let unit = LengthUnit::of(f64::from(look.difference_full));
     ui.painter().add(Shape::mesh(shades(bar, &look.strain[middle..])));
     for share in SHARES {
         let x = bar.left() + bar.width() * (100.0 * share).asinh() / 100.0_f32.asinh();
         ui.painter().line_segment([pos2(x, bar.bottom()), pos2(x, bar.bottom() + 3.0)], (1.0, WEAK));
-        let words = of_length(share * look.difference_full);
+        let words = of_length(share * look.difference_full, unit, share == 1.0);
         let at = pos2(x, bar.bottom() + 3.0);
         ui.painter().text(at, Align2::CENTER_TOP, words, FontId::proportional(11.0), TEXT);
     }
 }
 
-/// A length `[m]` in the unit that suits it.
-fn of_length(metres: f32) -> String {
-    match metres {
-        0.0 => "0".to_owned(),
-        tiny if tiny < 9.9e-6 => format!("{:.0e} m", tiny),
-        tiny if tiny < 9.9e-4 => format!("{} µm", digits(1e6 * tiny)),
-        small if small < 0.0099 => format!("{} mm", digits(1e3 * small)),
-        small if small < 0.99 => format!("{} cm", digits(1e2 * small)),
-        large => format!("{} m", digits(large)),
-    }
-}
-
-/// A number without what rounding left behind.
-fn digits(value: f32) -> f32 {
-    format!("{value:.1e}").parse().unwrap_or(value)
+/// A number of a unit without zeros at its end; the unit stands at the largest.
+fn of_length(metres: f32, unit: LengthUnit, is_last: bool) -> String {
+    let number = unit.number(f64::from(metres));
+    let number = if number.contains('.') { number.trim_end_matches('0').trim_end_matches('.') } else { &number };
+    if is_last { format!("{number} {}", unit.name()) } else { number.to_owned() }
 }
 
 /// Where a strain lies on the bar: -1 at its left end, 1 at its right one, as in the shader.

@@ -18,7 +18,7 @@ pub(super) const LOW: f32 = 0.4;
 /// The middle of the room and so much to its right stays free, but in the narrowest ones `[points]`.
 const MIDDLE: f32 = 40.0;
 /// Beside what lies at the edge there is place for it in rooms that are so much wider than all of it `[points]`.
-const BESIDE: f32 = 330.0;
+const BESIDE: f32 = 500.0;
 
 /// A step of a lesson, by its places in the list and in the lesson.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]

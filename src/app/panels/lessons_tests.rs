@@ -142,8 +142,8 @@ fn every_step_is_whole_readable_and_beside_the_middle() {
     let least = screen.words().iter().map(|(_, place, ..)| place.left()).fold(f32::INFINITY, f32::min);
     assert!(least > 0.5 * SIZE[0], "beside the settings: {least}");
     let room = |width: f32| Rect::from_min_size(Pos2::ZERO, [width, 600.0].into());
-    assert!(lessons::has_room(room(400.0), 0.0) && lessons::has_room(room(1000.0), screen.at_edge));
-    assert!(!lessons::has_room(room(800.0), screen.at_edge), "the settings alone");
+    assert!(lessons::has_room(room(400.0), 0.0) && lessons::has_room(room(1100.0), screen.at_edge));
+    assert!(!lessons::has_room(room(1024.0), screen.at_edge), "the settings alone");
 }
 
 #[test]

@@ -1,17 +1,23 @@
 //! What is selected is made of: shown and changed beside the tools; and what the brush paints with.
 
+use egui::collapsing_header::CollapsingState;
 use egui::{
-    Area, Button, Color32, CornerRadius, DragValue, Id, Rect, Response, RichText, ScrollArea, Slider, Stroke, Ui,
+    Area, Button, Color32, CornerRadius, DragValue, Id, Pos2, Rect, Response, RichText, ScrollArea, Slider, Stroke, Ui,
 };
 
+use super::places::ToolRooms;
 use super::theme::{ACCENT, TEXT, WEAK, floating};
 use super::{Facts, PanelState, Wish, described};
 use crate::app::action::Action;
+use crate::app::count::counted;
 use crate::app::matter::{Coloring, Matter, MatterChange, NEVER, Preset, Span};
 use crate::app::tools::RADII;
 
 /// Width of the panel `[points]`.
 const WIDTH: f32 = 226.0;
+/// What its frame takes beside that, and its usual height `[points]`.
+const FRAME: f32 = 18.0;
+const USUAL: f32 = 440.0;
 /// Width of the names before fields `[points]`.
 const NAMES: f32 = 74.0;
 /// How fast a number changes as it is dragged, as a share of it for each point.
@@ -41,10 +47,10 @@ impl Sink<'_> {
     }
 }
 
-/// Shows it at the right of the tools.
+/// Shows it at the right of the tools, or at the right edge where it would lie over what is selected; it stays there until something else is.
 pub(super) fn show(
     context: &egui::Context,
-    (room, tools): (Rect, Rect),
+    (rooms, tools): (&ToolRooms, Rect),
     state: &mut PanelState,
     facts: &Facts,
     wishes: &mut Vec<Wish>,
@@ -53,13 +59,28 @@ pub(super) fn show(
         state.gesture = None;
     }
     let mut sink = Sink { gesture: &mut state.gesture, wishes };
-    let corner = tools.right_top() + egui::vec2(8.0, 0.0);
-    Area::new(Id::unique("matter")).fixed_pos(corner).constrain_to(room).show(context, |ui| {
+    let id = Id::unique("matter");
+    let corners = [tools.right_top() + egui::vec2(8.0, 0.0), rooms.right.right_top() - egui::vec2(WIDTH + FRAME, 0.0)];
+    if let Some(selected) = state.selected_at.filter(|_| facts.matter.is_some()) {
+        state.selected_at = None;
+        let covers = |corner: &Pos2| {
+            let lies = Rect::from_min_size(*corner, egui::vec2(WIDTH + FRAME, USUAL)).intersect(selected);
+            if lies.is_positive() { lies.area() } else { 0.0 }
+        };
+        state.matter_is_right = covers(&corners[1]) < covers(&corners[0]);
+    }
+    let is_right = state.matter_is_right && facts.matter.is_some();
+    let room = if is_right { rooms.right } else { rooms.left };
+    Area::new(id).fixed_pos(corners[usize::from(is_right)]).constrain_to(room).show(context, |ui| {
         floating().show(ui, |ui| {
             ui.set_width(WIDTH);
             let height = (room.height() - 24.0).max(120.0);
             ScrollArea::vertical().max_height(height).min_scrolled_height(height).show(ui, |ui| match &facts.matter {
-                Some(matter) => of_selection(ui, matter, facts, &mut sink),
+                Some(matter) => {
+                    let fold = CollapsingState::load_with_default_open(ui.ctx(), Id::unique("matter is open"), true);
+                    let header = fold.show_header(ui, |ui| ui.label(RichText::new(title(matter)).color(TEXT).strong()));
+                    header.body_unindented(|ui| of_selection(ui, matter, facts, &mut sink));
+                }
                 None => of_nothing(ui, facts, &mut sink),
             });
         });
@@ -108,7 +129,6 @@ fn of_nothing(ui: &mut Ui, facts: &Facts, sink: &mut Sink<'_>) {
 }
 
 fn of_selection(ui: &mut Ui, matter: &Matter, facts: &Facts, sink: &mut Sink<'_>) {
-    ui.label(RichText::new(title(matter)).color(TEXT).strong());
     ui.horizontal(|ui| {
         // One body is selected as one anyway.
         let group = match () {
@@ -153,13 +173,9 @@ fn of_selection(ui: &mut Ui, matter: &Matter, facts: &Facts, sink: &mut Sink<'_>
 
 /// What is selected, counted.
 fn title(matter: &Matter) -> String {
-    let counted = |count: usize, name: &str| match count {
-        0 => None,
-        1 => Some(format!("1 {name}")),
-        _ => Some(format!("{count} {name}s")),
-    };
-    let all = [counted(matter.points, "point"), counted(matter.bonds, "bond"), counted(matter.obstacles, "obstacle")];
-    all.into_iter().flatten().collect::<Vec<_>>().join(", ")
+    let all = [(matter.points, "point"), (matter.bonds, "bond"), (matter.obstacles, "obstacle")];
+    let all = all.into_iter().filter(|(count, _)| *count > 0).map(|(count, name)| counted(count, name));
+    all.collect::<Vec<_>>().join(", ")
 }
 
 /// Buttons for matter by name, in their colours. Returns the one that was clicked.

@@ -5,6 +5,7 @@ use std::sync::Arc;
 
 use egui::{Event, Pos2, Rect, Shape, pos2, vec2};
 
+use super::places::ToolRooms;
 use super::pointer::{button, click};
 use super::{Facts, PanelState, Wish, material};
 use crate::app::action::{Action, Tool};
@@ -46,7 +47,8 @@ impl Screen {
         let mut output = self.context.run_ui(input, |ui| {
             let room = ui.available_rect_before_wrap();
             let tools = Rect::from_min_size(pos2(10.0, 100.0), vec2(50.0, 400.0));
-            material::show(ui.ctx(), (room, tools), &mut self.state, &self.facts, &mut wishes);
+            let rooms = ToolRooms { tools: room, left: room, right: room };
+            material::show(ui.ctx(), (&rooms, tools), &mut self.state, &self.facts, &mut wishes);
         });
         output.textures_delta.clear();
         let mut texts = Vec::new();
@@ -119,4 +121,17 @@ fn a_drag_of_a_number_goes_on_and_mixed_ones_say_so() {
     let mut mixed = (*matter()).clone();
     mixed.stiffness = mixed.stiffness.map(|span| crate::app::matter::Span { most: 2.0 * span.most, ..span });
     assert!(Screen::new(Some(Arc::new(mixed))).place("mixed").x > 60.0);
+}
+
+#[test]
+fn it_lies_where_what_is_selected_is_not() {
+    let mut screen = Screen::new(Some(matter()));
+    let selected = |left: f32| Some(Rect::from_min_size(pos2(left, 200.0), vec2(200.0, 200.0)));
+    let left = screen.place("Steel").x;
+    screen.state.selected_at = selected(150.0);
+    let right = screen.place("Steel").x;
+    assert!(left < 300.0 && right > 1000.0, "{left} {right}");
+    assert_eq!(screen.place("Steel").x, right, "it stays there");
+    screen.state.selected_at = selected(1050.0);
+    assert_eq!(screen.place("Steel").x, left);
 }

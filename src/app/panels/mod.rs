@@ -11,6 +11,8 @@ mod held;
 mod help;
 mod hud;
 mod icons;
+#[cfg(test)]
+mod layout_tests;
 mod legend;
 mod lessons;
 #[cfg(test)]
@@ -62,7 +64,7 @@ pub(super) use parameters::value as parameter_value;
 use places::Places;
 pub(super) use places::{Laid, covered};
 pub(super) use plots::{PlotsAt, figure};
-pub(super) use save_to::SaveTo;
+pub(super) use save_to::{SaveTo, ask as ask_to_save, is_recording};
 pub(super) use settings::{Setting, Settings};
 pub(super) use sheet::show as sheet;
 
@@ -148,6 +150,12 @@ pub(super) struct PanelState {
     pub(super) sheet: Option<Sheet>,
     pub(super) hides_panels: bool,
     pub(super) has_settings: bool,
+    /// Settings and lessons have room beside each other.
+    pub(super) has_room_for_both: bool,
+    /// Where what was selected last is seen, until the panel of its matter has found its side `[points]`.
+    pub(super) selected_at: Option<egui::Rect>,
+    /// That panel lies at the right.
+    pub(super) matter_is_right: bool,
     /// What is plotted; `None`: the panel is closed, and nothing is measured.
     pub(super) plots: Option<Plots>,
     /// Where their panel lies.
@@ -239,21 +247,20 @@ pub(super) fn show(ui: &mut egui::Ui, state: &mut PanelState, facts: &Facts) -> 
     let room = ui.available_rect_before_wrap();
     let context = ui.ctx().clone();
     // What lies over the world has the room for itself.
-    let is_covered = state.sheet.is_some();
+    let is_covered = state.sheet.is_some() || facts.waits;
     let has_panels = !state.hides_panels && !is_covered;
     let mut places = Places::new(room, is_covered);
     if has_panels {
         places.bar = Some(top::show(&context, room, facts, &mut wishes));
-        let lessons_below = state.lessons.is_open && places.is_upright();
-        let plots = state.plots.as_ref().and_then(|_| plots::place(&context));
-        let rooms = (places.above(lessons_below), places.beside_tools(plots));
-        palette::show(&context, rooms, state, facts, &mut wishes);
     }
-    // What lies at the right edge, from there on: the settings, then the lessons.
-    let edge = if state.has_settings && has_panels { settings::WIDTH + GAP } else { 0.0 };
+    // What lies at the right edge, from there on: the settings, then the lessons. Where there is no room for both, lessons wait.
     let stands_upright = places.is_upright();
-    let has_lessons = state.lessons.is_open && has_panels && (stands_upright || lessons::has_room(room, edge));
-    let all_edge = edge + if has_lessons && !stands_upright { lessons::WIDTH + GAP } else { 0.0 };
+    let has_settings = state.has_settings && has_panels;
+    state.has_room_for_both = lessons::has_room(room, settings::WIDTH + GAP);
+    let has_lessons = state.lessons.is_open && has_panels && (!has_settings || state.has_room_for_both);
+    let takes = |is_shown: bool, width: f32| if is_shown && !stands_upright { width + GAP } else { 0.0 };
+    let edge = takes(has_settings, settings::WIDTH);
+    let all_edge = edge + takes(has_lessons, lessons::WIDTH);
     if !state.hides_hud && room.width() > 560.0 && !is_covered {
         hud::show(&context, &mut places, facts);
         moving::show(&context, [-10.0 - all_edge, places.right], facts, &mut wishes);
@@ -266,12 +273,23 @@ pub(super) fn show(ui: &mut egui::Ui, state: &mut PanelState, facts: &Facts) -> 
     } else if has_lessons {
         lessons::show(&context, (places.beside(), edge), &mut state.lessons, &mut wishes);
     }
-    if edge > 0.0 {
+    if has_settings && stands_upright {
+        places.below = settings::show_below(&context, places.below_buttons(), state, facts, &mut wishes);
+    } else if has_settings {
         settings::show(&context, places.beside(), state, facts, &mut wishes);
     }
+    let mut plotted = None;
     if let Some(plots) = state.plots.as_mut().filter(|_| has_panels) {
-        let points = (&facts.points[..], &mut state.plots_at);
-        plots::show(&context, places.low_beside(all_edge), (plots, points), &mut wishes);
+        if stands_upright {
+            places.below = plots::show_below(&context, places.below_buttons(), plots, &mut wishes);
+        } else {
+            let points = (&facts.points[..], &mut state.plots_at);
+            plotted = Some(plots::show(&context, places.low_beside(all_edge), (plots, points), &mut wishes));
+        }
+    }
+    if has_panels {
+        let rooms = places.of_tools(plotted, all_edge);
+        palette::show(&context, &rooms, state, facts, &mut wishes);
     }
     held::show(&context, places.low(), facts);
     state.notes.show(&context, &places, facts, &mut wishes);
@@ -285,7 +303,12 @@ pub(super) fn show(ui: &mut egui::Ui, state: &mut PanelState, facts: &Facts) -> 
         Some(Sheet::OpenFrom) => open_from::show(&context, state, &mut wishes),
         None => {}
     }
-    let free = (!is_covered).then(|| if has_panels { places.free(all_edge, beside::height(facts)) } else { room });
+    // Where plots were dragged to on purpose they may lie over bodies.
+    let plotted = plotted.filter(|_| !state.plots_at.is_dragged());
+    let free = (!is_covered).then(|| match has_panels {
+        true => places.free((all_edge, beside::height(facts)), plotted),
+        false => room,
+    });
     let is_shared = !facts.neighbors.is_empty() && has_panels;
     (wishes, Laid { size: places.size(all_edge, is_shared), corner: places.corner(&context), free })
 }

@@ -70,6 +70,7 @@ fn lines(figures: &Figures) -> Vec<Line> {
 fn told(&Moved { why, islands, since }: &Moved, all: usize) -> Line {
     let (who, is_one) = match (islands, all) {
         (1, 1) => ("The body".to_owned(), true),
+        (2, 2) => ("Both bodies".to_owned(), false),
         (count, all) if count == all => (format!("All {all} bodies"), false),
         (1, all) => (format!("1 of {all} bodies"), true),
         (count, all) => (format!("{count} of {all} bodies"), false),

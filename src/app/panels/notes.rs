@@ -5,11 +5,12 @@ use std::time::{Duration, Instant};
 use egui::{Align2, Area, Button, Id, Label, RichText};
 
 use super::places::{APART, Places};
-use super::theme::{ACCENT, AWAY, ON_ACCENT, TEXT, WEAK, floating};
+use super::theme::{ACCENT, AWAY, LEAD, ON_ACCENT, TEXT, WEAK, floating};
 use super::{Facts, Wish};
 
-/// What was just done is said so long.
+/// What was just done is said so long, and what an edit warned of.
 const MOMENT: Duration = Duration::from_secs(4);
+const WARNING: Duration = Duration::from_secs(9);
 
 /// What is to be said.
 #[derive(Debug, Default)]
@@ -20,6 +21,8 @@ pub(in crate::app) struct Notes {
     pub(in crate::app) offer: Option<String>,
     /// What was just done, and when.
     done: Option<(String, Instant)>,
+    /// What an edit warned of, and when.
+    warning: Option<(String, Instant)>,
     /// Nobody has touched this scene yet: its caption is shown.
     pub(in crate::app) has_caption: bool,
     /// Nobody has touched anything yet: a line at the cursor says how, where the cursor is `[points]`.
@@ -35,16 +38,37 @@ impl Notes {
         self.done = Some((line, Instant::now()));
     }
 
+    /// Says what is to be known of what was just done, above that.
+    pub(in crate::app) fn warn(&mut self, line: String) {
+        self.warning = Some((line, Instant::now()));
+    }
+
+    /// Another scene: what was said of the last one goes.
+    pub(in crate::app) fn begin(&mut self) {
+        self.warning = None;
+    }
+
     /// When something that is said is to go by itself.
     pub(in crate::app) fn until(&self) -> Option<Instant> {
-        self.done.as_ref().and_then(|(_, since)| since.checked_add(MOMENT))
+        let ends =
+            |said: &Option<(String, Instant)>, long| said.as_ref().and_then(|(_, since)| since.checked_add(long));
+        [ends(&self.done, MOMENT), ends(&self.warning, WARNING)].into_iter().flatten().min()
     }
 
     /// Says it below the buttons, one below another, where nothing else is.
     pub(super) fn show(&mut self, context: &egui::Context, places: &Places, facts: &Facts, wishes: &mut Vec<Wish>) {
         self.done.take_if(|(_, since)| since.elapsed() >= MOMENT);
+        self.warning.take_if(|(_, since)| since.elapsed() >= WARNING);
         let mut top = places.bar_bottom().max(places.room.top() + APART);
         let mut is_read = false;
+        if let Some((warning, _)) = &self.warning {
+            top = words(context, places.said(context, top), WARNED, |ui| {
+                ui.horizontal(|ui| {
+                    ui.label(RichText::new("!").color(LEAD).strong());
+                    ui.add(Label::new(RichText::new(warning).color(TEXT)).wrap());
+                });
+            });
+        }
         if let Some(complaint) = &self.complaint {
             top = words(context, places.said(context, top), COMPLAINT, |ui| {
                 ui.horizontal(|ui| {
@@ -72,8 +96,8 @@ impl Notes {
             words(context, places.said(context, top), OFFER, |ui| offer(ui, line, wishes));
         }
         if let Some(at) = self.hint_at {
-            let place = Area::new(Id::unique("hint")).fixed_pos(at + egui::vec2(18.0, 18.0)).interactable(false);
-            place.show(context, |ui| {
+            let place = Area::new(Id::unique("hint")).order(egui::Order::Tooltip).interactable(false);
+            place.fixed_pos(at + egui::vec2(18.0, 18.0)).show(context, |ui| {
                 floating().show(ui, |ui| ui.label(RichText::new(HINT).color(TEXT)));
             });
         }
@@ -82,13 +106,14 @@ impl Notes {
 
 /// What is said, by its names.
 const COMPLAINT: &str = "complaint";
+const WARNED: &str = "warned";
 const DONE: &str = "done";
 const CAPTION: &str = "caption";
 const OFFER: &str = "offer";
 
 /// Whether something that floats is said here.
 pub(super) fn is_own(id: Id) -> bool {
-    [COMPLAINT, DONE, CAPTION, OFFER, "hint"].into_iter().any(|name| Id::unique(name) == id)
+    [COMPLAINT, WARNED, DONE, CAPTION, OFFER, "hint"].into_iter().any(|name| Id::unique(name) == id)
 }
 
 /// A session that was cut off.

@@ -1,8 +1,9 @@
 //! The tools, at the left edge.
 
-use egui::{Align2, Area, Id, Rect};
+use egui::{Align2, Area, Id};
 
 use super::icons::{self, Icon};
+use super::places::ToolRooms;
 use super::theme::floating;
 use super::{Facts, PanelState, Wish, described, drives, material, primitives};
 use crate::app::action::{Action, Tool};
@@ -22,16 +23,16 @@ fn words(tool: Tool) -> (Icon, &'static str) {
     }
 }
 
-/// Shows them in the first of two rooms, and what belongs to the one that is taken beside them in the second.
+/// Shows them, and what belongs to the one that is taken.
 pub(super) fn show(
     context: &egui::Context,
-    (room, beside): (Rect, Rect),
+    rooms: &ToolRooms,
     state: &mut PanelState,
     facts: &Facts,
     wishes: &mut Vec<Wish>,
 ) {
     let place = Area::new(Id::unique("tools"))
-        .anchor(Align2::LEFT_CENTER, [10.0, 0.5 * (room.height() - context.content_rect().height())]);
+        .anchor(Align2::LEFT_CENTER, [10.0, 0.5 * (rooms.tools.height() - context.content_rect().height())]);
     let shown = place.show(context, |ui| {
         floating().show(ui, |ui| {
             ui.spacing_mut().item_spacing.y = 4.0;
@@ -55,7 +56,7 @@ pub(super) fn show(
         drives::show(context, shown.response.rect, facts, wishes);
     }
     match facts.tool {
-        Tool::Select => material::show(context, (beside, shown.response.rect), state, facts, wishes),
+        Tool::Select => material::show(context, (rooms, shown.response.rect), state, facts, wishes),
         Tool::Paint => material::show_brush(context, shown.response.rect, facts, wishes),
         _ => {}
     }

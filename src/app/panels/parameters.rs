@@ -18,13 +18,7 @@ pub(in crate::app) fn value(
     push: Option<[f64; 2]>,
     scenery: &Scenery,
 ) -> Option<f64> {
-    let bond = |number: u32| {
-        let place = match &scenery.bond_numbers {
-            Some(numbers) => numbers.iter().position(|own| *own == number)?,
-            None => number as usize,
-        };
-        scenery.bonds.iter().nth(place)
-    };
+    let bond = |number: u32| scenery.bond(number);
     let spring = |number: u32| match bond(number)?.kind {
         BondKind::Spring { stiffness, damping } => Some([stiffness, damping]),
         _ => None,

@@ -9,14 +9,19 @@ const NUMBERS: f32 = 26.0;
 /// Room between what floats, and at the edges `[points]`.
 pub(super) const APART: f32 = 6.0;
 const EDGE: f32 = 10.0;
-/// Below the buttons so much is for what is said: two lines `[points]`.
+/// Below the buttons so much is for what is said: two lines, or three where they are short `[points]`.
 const SAID: f32 = 58.0;
+const SAID_NARROW: f32 = 78.0;
 /// From the tools to the numbers beside them `[points]`.
 const BESIDE_TOOLS: f32 = TOOLS + 44.0;
 /// What begins nearer than this to the left edge lies below what stands beside the tools `[points]`.
 const NEAR: f32 = 320.0;
 /// Widest line of what is said `[points]`.
-const WIDEST: f32 = 640.0;
+const WIDEST: f32 = 760.0;
+/// Width of the usual picture in its heights `[1]`.
+const USUAL: f32 = 1.3;
+/// Narrower rooms have no place for panels on both sides `[points]`.
+const NARROW: f32 = 900.0;
 /// Bodies are not shown in less than this share of the width `[1]`.
 const LEAST: f32 = 0.4;
 
@@ -51,7 +56,7 @@ impl Places {
 
     /// Whether the window is higher than wide: what needs room lies at the lower edge then.
     pub(super) fn is_upright(&self) -> bool {
-        self.room.width() < 900.0 && self.room.height() > self.room.width()
+        self.room.width() < NARROW && self.room.height() > self.room.width()
     }
 
     /// Where the buttons end.
@@ -72,24 +77,34 @@ impl Places {
         Rect::from_min_max(pos2(self.room.left(), self.right), pos2(self.room.right(), self.below))
     }
 
-    /// For a panel along the lower edge.
+    /// Whether a panel lies along the lower edge.
+    fn has_dock(&self) -> bool {
+        self.below < self.room.bottom() - NUMBERS
+    }
+
+    /// Where what lies along the lower edge begins, with some room.
+    fn above_dock(&self) -> f32 {
+        if self.has_dock() { self.below - APART } else { self.below }
+    }
+
+    /// For a panel along the lower edge, above those that are there.
     pub(super) fn below_buttons(&self) -> Rect {
-        Rect::from_min_max(pos2(self.room.left(), self.bar_bottom()), pos2(self.room.right(), self.below))
+        Rect::from_min_max(pos2(self.room.left(), self.bar_bottom()), pos2(self.room.right(), self.above_dock()))
     }
 
-    /// The room for the tools: above a panel along the lower edge, if there is one.
-    pub(super) fn above(&self, has_panel: bool) -> Rect {
-        let taken = if has_panel { super::lessons::LOW * self.room.height() + NUMBERS } else { 0.0 };
-        self.room.with_max_y(self.room.bottom() - taken)
-    }
-
-    /// The room beside the tools: between the buttons and plots, if some lie there.
-    pub(super) fn beside_tools(&self, plots: Option<Rect>) -> Rect {
-        let low = plots
-            .filter(|plots| plots.left() < self.room.left() + NEAR)
-            .map_or(self.below, |plots| plots.top() - APART);
+    /// The rooms for the tools and what belongs to them, beside `plots` and what takes so much of the right edge.
+    pub(super) fn of_tools(&self, plots: Option<Rect>, at_right: f32) -> ToolRooms {
         let high = self.bar_bottom();
-        Rect::from_min_max(pos2(self.room.left(), high), pos2(self.room.right(), low.max(high + 160.0)))
+        let low = if self.has_dock() { self.below - APART } else { self.room.bottom() };
+        let beside = |lies_there: bool| {
+            let low = plots.filter(|_| lies_there).map_or(self.above_dock(), |plots| plots.top() - APART);
+            Rect::from_min_max(pos2(self.room.left(), high), pos2(self.room.right(), low.max(high + 160.0)))
+        };
+        let left = beside(plots.is_some_and(|plots| plots.left() < self.room.left() + NEAR));
+        let end = self.room.right() - EDGE - at_right;
+        let right = beside(plots.is_some_and(|plots| plots.right() > end - NEAR));
+        let right = right.with_max_x(end).with_min_y(self.right.min(right.bottom() - 160.0));
+        ToolRooms { tools: self.room.with_max_y(low), left, right }
     }
 
     /// The same, left of what takes so much of the right edge.
@@ -103,14 +118,15 @@ impl Places {
         self.room.with_max_y(self.below)
     }
 
-    /// Where bodies are shown, beside panels that take so much of the right edge, and below titles so high.
-    pub(super) fn free(&self, at_right: f32, titles: f32) -> Rect {
+    /// Where bodies are shown, beside panels that take so much of the right edge, below titles so high, and where plots do not lie.
+    pub(super) fn free(&self, (at_right, titles): (f32, f32), plots: Option<Rect>) -> Rect {
         let (left, right) = (self.room.left() + TOOLS + EDGE, self.room.right() - EDGE);
         let at_right = if at_right > 0.0 { at_right + EDGE } else { 0.0 };
         let right = (right - at_right).max(left + LEAST * (right - left));
-        let top = (self.bar_bottom() + SAID + titles).min(self.room.center().y);
-        let below = if self.below < self.room.bottom() - NUMBERS { self.below - APART } else { self.below };
-        Rect::from_min_max(pos2(left, top), pos2(right, below.max(top + 40.0)))
+        let said = if self.room.width() < NARROW { SAID_NARROW } else { SAID };
+        let top = (self.bar_bottom() + said + titles).min(self.room.center().y);
+        let all = Rect::from_min_max(pos2(left, top), pos2(right, self.above_dock().max(top + 40.0)));
+        plots.map_or(all, |plots| largest_beside(all, plots.expand(APART)))
     }
 
     /// The size of the world: of several side by side, beside what takes so much of the right edge, above what lies at the lower one.
@@ -119,8 +135,7 @@ impl Places {
         if !is_shared {
             return [width, height];
         }
-        let has_panel = self.below < self.room.bottom() - NUMBERS;
-        let high = if has_panel { self.below - APART - self.room.top() } else { height };
+        let high = if self.has_dock() { self.below - APART - self.room.top() } else { height };
         [(width - at_right).max(LEAST * width), high.max(LEAST * height)]
     }
 
@@ -154,6 +169,29 @@ impl Places {
     }
 }
 
+/// The rooms for the tools, and for what belongs to the one that is taken: beside them, or at the right edge.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct ToolRooms {
+    pub(super) tools: Rect,
+    pub(super) left: Rect,
+    pub(super) right: Rect,
+}
+
+/// The part of a room above, below or beside what lies in it that a picture of usual shape is largest in.
+fn largest_beside(room: Rect, taken: Rect) -> Rect {
+    if !room.intersects(taken) {
+        return room;
+    }
+    let size = |part: &Rect| (part.width() / USUAL).min(part.height());
+    let parts = [
+        room.with_max_y(taken.top()),
+        room.with_min_y(taken.bottom()),
+        room.with_min_x(taken.right()),
+        room.with_max_x(taken.left()),
+    ];
+    parts.into_iter().max_by(|a, b| size(a).total_cmp(&size(b))).filter(|part| size(part) > 0.0).unwrap_or(room)
+}
+
 /// All that floats, from below.
 fn areas(context: &Context) -> Vec<(egui::Id, Rect)> {
     context.memory(|memory| {
@@ -167,4 +205,35 @@ fn areas(context: &Context) -> Vec<(egui::Id, Rect)> {
 pub(in crate::app) fn covered(context: &Context, scale: f32) -> Vec<[f32; 4]> {
     let corners = |rect: Rect| [rect.left(), rect.top(), rect.right(), rect.bottom()].map(|x| x * scale);
     areas(context).into_iter().map(|(_, rect)| corners(rect)).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn bodies_are_shown_in_the_largest_part_beside_the_plots() {
+        let room = Rect::from_min_max(pos2(76.0, 100.0), pos2(1270.0, 650.0));
+        let at_left = Rect::from_min_max(pos2(76.0, 380.0), pos2(434.0, 650.0));
+        assert_eq!(largest_beside(room, at_left), room.with_min_x(434.0));
+        let along = Rect::from_min_max(pos2(10.0, 480.0), pos2(1200.0, 650.0));
+        assert_eq!(largest_beside(room, along), room.with_max_y(480.0));
+        assert_eq!(largest_beside(room, Rect::from_min_max(pos2(0.0, 0.0), pos2(60.0, 90.0))), room);
+        assert_eq!(largest_beside(room, room.expand(9.0)), room, "there is no place beside it");
+    }
+
+    #[test]
+    fn what_lies_along_the_lower_edge_takes_its_room_from_tools_and_bodies() {
+        let mut places = Places::new(Rect::from_min_max(pos2(0.0, 0.0), pos2(720.0, 1236.0)), false);
+        assert!(places.is_upright());
+        assert_eq!(places.of_tools(None, 0.0).tools.bottom(), 1236.0);
+        places.below = 700.0;
+        let rooms = places.of_tools(None, 0.0);
+        for bottom in
+            [rooms.tools.bottom(), rooms.left.bottom(), rooms.right.bottom(), places.free((0.0, 0.0), None).bottom()]
+        {
+            assert_eq!(bottom, 700.0 - APART);
+        }
+        assert_eq!(places.below_buttons().bottom(), 700.0 - APART, "the next one lies above it");
+    }
 }

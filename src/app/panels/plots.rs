@@ -14,6 +14,8 @@ use crate::app::plots::{Curve, Plots, Quantity, Series, Subject, svg};
 const SIZE: [f32; 2] = [340.0, 180.0];
 /// Lines of the grid lie so far apart at least, as a share of the plot `[1]`.
 const LINES: f64 = 1.0 / 5.0;
+/// Along the lower edge a plot takes this share of the height `[1]`.
+const LOW: f32 = 0.18;
 /// A room so high has place for the panel below the tools `[points]`.
 const TALL: f32 = 850.0;
 /// Where it begins beside the tools, and below them `[points]`.
@@ -39,11 +41,6 @@ pub(super) const ENERGIES: [(&str, Color32, OfEnergies); 4] = [
     ("sum", TEXT, |measured| measured.energies.sum()),
 ];
 
-/// Where the panel lay when it was last shown.
-pub(super) fn place(context: &egui::Context) -> Option<Rect> {
-    context.memory(|memory| memory.area_rect(Id::unique("plots")))
-}
-
 /// Where the panel lies: where few points are seen as it opens, then where it was dragged to.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(in crate::app) struct PlotsAt {
@@ -54,6 +51,11 @@ pub(in crate::app) struct PlotsAt {
 }
 
 impl PlotsAt {
+    /// Whether it was dragged to where it is.
+    pub(super) fn is_dragged(self) -> bool {
+        self.is_dragged
+    }
+
     /// Another scene, or the panel opens anew.
     pub(in crate::app) fn begin(&mut self) {
         if !self.is_dragged {
@@ -65,37 +67,51 @@ impl PlotsAt {
 /// Opacity of the panel: what lies below is seen `[1]`.
 const OPACITY: f32 = 0.8;
 
+/// Shows it in a room. Returns where it lies `[points]`.
 pub(super) fn show(
     context: &egui::Context,
     room: Rect,
     (plots, (points, at)): (&mut Plots, (&[Pos2], &mut PlotsAt)),
     wishes: &mut Vec<Wish>,
-) {
+) -> Rect {
+    let id = Id::unique("plots");
     let high = (0.5 * room.height() - OTHERS).clamp(70.0, SIZE[1]);
-    let size = place(context).map_or(vec2(SIZE[0] + 18.0, high + HEAD), |rect| rect.size());
+    let lay = context.memory(|memory| memory.area_rect(id));
+    let size = lay.map_or(vec2(SIZE[0] + 18.0, high + HEAD), |rect| rect.size());
     // In the frame in which it opens it is not known yet where bodies are.
     let found = || quiet(room, size, points);
     let corner = at.corner.unwrap_or_else(found);
     at.corner = at.corner.or_else(|| (!points.is_empty()).then(found));
     let corner = pos2(corner.x.min(room.right() - size.x), corner.y.max(room.top() + size.y).min(room.bottom()));
-    let area = Area::new(Id::unique("plots")).pivot(Align2::LEFT_BOTTOM).current_pos(corner).movable(true);
-    let shown = area.show(context, |ui| {
-        let ground = floating();
-        let fill = ground.fill.gamma_multiply(OPACITY);
-        ground.fill(fill).show(ui, |ui| {
-            ui.set_width(SIZE[0]);
-            let fold = CollapsingState::load_with_default_open(context, Id::unique("plots are open"), true);
-            let header = fold.show_header(ui, |ui| header(ui, wishes));
-            header.body_unindented(|ui| {
-                choices(ui, plots);
-                legend(ui, plots);
-                plot(ui, high, plots);
-            });
-        });
-    });
+    let area = Area::new(id).pivot(Align2::LEFT_BOTTOM).current_pos(corner).movable(true);
+    let shown = area.show(context, |ui| panel(ui, [SIZE[0], high], plots, wishes));
     if shown.response.dragged() {
         *at = PlotsAt { corner: Some(corner + shown.response.drag_delta()), is_dragged: true };
     }
+    shown.response.rect
+}
+
+/// Shows it along the lower edge of a room. Returns where it begins `[points]`.
+pub(super) fn show_below(context: &egui::Context, room: Rect, plots: &mut Plots, wishes: &mut Vec<Wish>) -> f32 {
+    let size = [(room.width() - 36.0).max(180.0), (LOW * room.height()).clamp(70.0, SIZE[1])];
+    let area = Area::new(Id::unique("plots below")).pivot(Align2::CENTER_BOTTOM).fixed_pos(room.center_bottom());
+    area.show(context, |ui| panel(ui, size, plots, wishes)).response.rect.top()
+}
+
+/// The panel with a plot of this size.
+fn panel(ui: &mut Ui, size: [f32; 2], plots: &mut Plots, wishes: &mut Vec<Wish>) {
+    let ground = floating();
+    let fill = ground.fill.gamma_multiply(OPACITY);
+    ground.fill(fill).show(ui, |ui| {
+        ui.set_width(size[0]);
+        let fold = CollapsingState::load_with_default_open(ui.ctx(), Id::unique("plots are open"), true);
+        let header = fold.show_header(ui, |ui| header(ui, wishes));
+        header.body_unindented(|ui| {
+            choices(ui, plots);
+            legend(ui, plots);
+            plot(ui, size, plots);
+        });
+    });
 }
 
 /// The left lower corner of a panel of this size in a room: of its places there, the first of those that the fewest points are in.
@@ -178,14 +194,14 @@ fn named(probe: Probe) -> String {
     }
 }
 
-fn plot(ui: &mut Ui, height: f32, plots: &Plots) {
+fn plot(ui: &mut Ui, [width, height]: [f32; 2], plots: &Plots) {
     let [name, unit] = plots.quantity.words();
     let frame = match plots.subject {
         Subject::Energies => frame("energies", ["s", "J"]),
         Subject::Probes => frame(("probes", name), ["s", unit]),
         Subject::Phase => frame(("phase", name), [unit, unit]),
     };
-    let shown = frame.width(SIZE[0]).height(height).show(ui, |ui| {
+    let shown = frame.width(width).height(height).show(ui, |ui| {
         for line in lines(plots) {
             // As a band what is steep would get thin.
             ui.line(line.width(1.5).allow_band(false));

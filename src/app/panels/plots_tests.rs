@@ -31,7 +31,7 @@ impl Screen {
     fn new(probes: u32) -> Self {
         let mut stage = Stage::new(Scene::parse(SCENE, "x.json").unwrap().into()).unwrap();
         let (mut plots, mut shown) = (Plots::new(1.0), Shown::default());
-        (0..probes).for_each(|point| plots.toggle(PointId(point + 1)));
+        (0..probes).for_each(|point| plots.toggle(PointId(point + 1), |_| false));
         stage.obey(Order::Watch(Some(plots.probes())));
         for _ in 0..60 {
             stage.obey(Order::Advance { wall: 1.0 / 60.0, cursor: None, back: false });

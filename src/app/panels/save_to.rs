@@ -37,21 +37,42 @@ pub(super) fn show(context: &egui::Context, state: &mut PanelState, wishes: &mut
             let is_entered = field.lost_focus() && ui.input(|input| input.key_pressed(Key::Enter));
             let has_name = !state.path.trim().is_empty();
             if (ui.add_enabled(has_name, save).clicked() || is_entered) && has_name {
-                match state.save_to.ask(meant(state.path.trim())) {
-                    Some(path) => wishes.push(Wish::SaveTo(path)),
-                    None => state.is_fresh = true,
-                }
+                ask(state, wishes);
             }
             if ui.button("Cancel").clicked() {
                 state.sheet = None;
             }
-            ui.weak(".json is a recording, .jsonl one of lines");
+            ui.weak(".json is a recording (added if left out), .jsonl one of lines");
         });
     });
     if !stays {
         state.sheet = None;
     }
 }
+
+/// What is written is to be the path: its ending is added where it has none, so that one sees what is written.
+pub(in crate::app) fn ask(state: &mut PanelState, wishes: &mut Vec<Wish>) {
+    let path = with_ending(meant(state.path.trim()));
+    state.path = path.display().to_string();
+    match state.save_to.ask(path) {
+        Some(path) => wishes.push(Wish::SaveTo(path)),
+        None => state.is_fresh = true,
+    }
+}
+
+/// A path with the ending of a recording, where it has no other.
+fn with_ending(path: PathBuf) -> PathBuf {
+    let is_bare = path.extension().is_none() && path.file_name().is_some() && !path.is_dir();
+    if is_bare { path.with_extension(ENDINGS[0]) } else { path }
+}
+
+/// Whether a path ends as a recording does.
+pub(in crate::app) fn is_recording(path: &Path) -> bool {
+    path.extension().is_some_and(|ending| ENDINGS.iter().any(|known| ending == *known))
+}
+
+/// What recordings end in.
+const ENDINGS: [&str; 2] = ["json", "jsonl"];
 
 impl SaveTo {
     /// Somebody wants to write there. Returns the path if that can be, and if what is there already may go.
@@ -60,6 +81,10 @@ impl SaveTo {
         let fault = match () {
             () if path.is_dir() => Some(format!("`{}` is a folder: add a name", path.display())),
             () if !folder.is_dir() => Some(format!("there is no folder `{}`", folder.display())),
+            () if !is_recording(&path) => Some(format!(
+                "what ends in `.{}` is not written: a recording ends in .json or .jsonl (F2 writes a picture)",
+                path.extension().unwrap_or_default().display()
+            )),
             () if path.exists() && self.asked.as_ref() != Some(&path) => {
                 self.asked = Some(path.clone());
                 self.fault = Some("there is a file of that name: once more to replace it".to_owned());
@@ -89,8 +114,15 @@ mod tests {
         assert!(state.fault.as_deref().is_some_and(|fault| fault.contains("once more")));
         assert_eq!(state.ask(old.clone()), Some(old.clone()), "asked for again");
         assert_eq!(state.ask(old), None, "and the next time it is asked anew");
-        for (path, words) in [(folder.path().to_owned(), "is a folder"), (folder.path().join("no/x.json"), "no folder")]
-        {
+        assert_eq!(with_ending(folder.path().join("mine")), folder.path().join("mine.json"));
+        for kept in [folder.path().to_owned(), folder.path().join("a.jsonl"), folder.path().join("a.png")] {
+            assert_eq!(with_ending(kept.clone()), kept);
+        }
+        for (path, words) in [
+            (folder.path().to_owned(), "is a folder"),
+            (folder.path().join("no/x.json"), "no folder"),
+            (folder.path().join("x.png"), "`.png` is not written"),
+        ] {
             assert_eq!(state.ask(path), None);
             assert!(state.fault.as_deref().is_some_and(|fault| fault.contains(words)), "{:?}", state.fault);
         }

@@ -70,16 +70,51 @@ impl Sink<'_> {
     }
 }
 
+/// Shows it along the lower edge of a room, in two columns. Returns where it begins `[points]`.
+pub(super) fn show_below(
+    context: &egui::Context,
+    room: Rect,
+    state: &mut PanelState,
+    facts: &Facts,
+    wishes: &mut Vec<Wish>,
+) -> f32 {
+    let size = [(room.width() - 36.0).max(180.0), (super::lessons::LOW * room.height() - HEAD).max(120.0)];
+    let place = (Align2::CENTER_BOTTOM, room.center_bottom());
+    panel(context, (place, size), state, (facts, wishes), |ui, facts, sink| {
+        ui.columns(2, |columns| {
+            of_scene(&mut columns[0], facts, sink);
+            of_bodies(&mut columns[1], facts, sink);
+        });
+    })
+}
+
 /// Shows it at the lower right corner of a room.
 pub(super) fn show(context: &egui::Context, room: Rect, state: &mut PanelState, facts: &Facts, wishes: &mut Vec<Wish>) {
+    let corner = room.right_bottom() - egui::vec2(10.0, 0.0);
+    let size = [WIDTH, (room.height() - HEAD).max(120.0)];
+    panel(context, ((Align2::RIGHT_BOTTOM, corner), size), state, (facts, wishes), |ui, facts, sink| {
+        of_scene(ui, facts, sink);
+        ui.separator();
+        of_bodies(ui, facts, sink);
+    });
+}
+
+/// A panel at a place, so wide and what is scrolled so high at most `[points]`. Returns where it begins.
+fn panel(
+    context: &egui::Context,
+    ((pivot, corner), [width, height]): ((Align2, egui::Pos2), [f32; 2]),
+    state: &mut PanelState,
+    (facts, wishes): (&Facts, &mut Vec<Wish>),
+    all: impl FnOnce(&mut Ui, &Facts, &mut Sink<'_>),
+) -> f32 {
     if !context.input(|input| input.pointer.any_down()) {
         state.gesture = None;
     }
-    let corner = room.right_bottom() - egui::vec2(10.0, 0.0);
     let mut sink = Sink { gesture: &mut state.gesture, wishes, dimensions: facts.dimensions };
-    Area::new(Id::unique("settings")).pivot(Align2::RIGHT_BOTTOM).fixed_pos(corner).show(context, |ui| {
+    let area = Area::new(Id::unique("settings")).pivot(pivot).fixed_pos(corner);
+    let shown = area.show(context, |ui| {
         floating().show(ui, |ui| {
-            ui.set_width(WIDTH);
+            ui.set_width(width);
             ui.horizontal(|ui| {
                 ui.label(RichText::new("Settings").color(TEXT).strong());
                 ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
@@ -88,18 +123,19 @@ pub(super) fn show(context: &egui::Context, room: Rect, state: &mut PanelState, 
                     }
                 });
             });
-            let height = (room.height() - HEAD).max(120.0);
             ScrollArea::vertical()
                 .max_height(height)
                 .min_scrolled_height(height)
                 .show(ui, |ui| all(ui, facts, &mut sink));
         });
     });
+    shown.response.rect.top()
 }
 
-fn all(ui: &mut Ui, facts: &Facts, sink: &mut Sink<'_>) {
+/// What is about bodies: parameters, gravity, air and walls.
+fn of_scene(ui: &mut Ui, facts: &Facts, sink: &mut Sink<'_>) {
     let settings = &facts.settings;
-    let SceneChange { gravity, drag_rate, wind, bounds, contact, areas, method } = &settings.scene;
+    let SceneChange { gravity, drag_rate, wind, bounds, .. } = &settings.scene;
     if !settings.parameters.is_empty() {
         parameters::show(ui, &settings.parameters, &settings.scene, sink);
     }
@@ -112,7 +148,12 @@ fn all(ui: &mut Ui, facts: &Facts, sink: &mut Sink<'_>) {
         ui.separator();
         of_walls(ui, bounds.as_ref(), facts.seen, sink);
     }
-    ui.separator();
+}
+
+/// How bodies meet and are moved.
+fn of_bodies(ui: &mut Ui, facts: &Facts, sink: &mut Sink<'_>) {
+    let settings = &facts.settings;
+    let SceneChange { contact, areas, method, .. } = &settings.scene;
     contact.iter().for_each(|contact| of_contact(ui, *contact, sink));
     if let Some(areas) = areas.filter(|_| sink.dimensions == 2) {
         of_areas(ui, areas, sink);

@@ -7,18 +7,26 @@ use super::theme::{TEXT, floating};
 use super::{Facts, Wish, button, described, icon};
 use crate::app::action::{Action, Showing};
 
+/// In narrower rooms buttons stand closer to each other, so that most of them are in one row `[points]`.
+const TIGHT: f32 = 1080.0;
+
 /// Returns where it lies `[points]`.
 pub(super) fn show(context: &egui::Context, room: Rect, facts: &Facts, wishes: &mut Vec<Wish>) -> Rect {
     let shown = Area::new(Id::unique("scene")).fixed_pos([10.0, 10.0]).show(context, |ui| {
         floating().show(ui, |ui| {
             ui.set_max_width((room.width() - 36.0).max(40.0));
             ui.horizontal_wrapped(|ui| {
+                if room.width() < TIGHT {
+                    ui.spacing_mut().item_spacing.x = 4.0;
+                    ui.spacing_mut().button_padding.x = 6.0;
+                }
                 icon(ui, Icon::Before, "the scene before", Action::PreviousScene, wishes);
+                icon(ui, Icon::After, "the scene after", Action::NextScene, wishes);
+                // Behind both, which stay where they are whatever it is called.
                 let name = egui::Button::new(RichText::new(&facts.title).color(TEXT).strong());
                 if ui.add(name).on_hover_text(described("the gallery", Action::Gallery)).clicked() {
                     wishes.push(Wish::Act(Action::Gallery));
                 }
-                icon(ui, Icon::After, "the scene after", Action::NextScene, wishes);
                 ui.separator();
                 button(ui, "New", "an empty scene", Action::New, wishes);
                 button(ui, "Draw", "draw a body", Action::Paint, wishes);

@@ -77,7 +77,7 @@ fn pace(ui: &mut egui::Ui, facts: &Facts, wishes: &mut Vec<Wish>) {
 fn branches(ui: &mut egui::Ui, facts: &Facts, wishes: &mut Vec<Wish>) {
     let list = &facts.figures.branches;
     let Some(present) = list.iter().position(|branch| branch.is_present).filter(|_| list.len() > 1) else { return };
-    let shown = format!("branch {} of {}", present + 1, list.len());
+    let shown = format!("take {} of {}", present + 1, list.len());
     let menu = egui::ComboBox::from_id_salt("branches").selected_text(shown).width(104.0).show_ui(ui, |ui| {
         for (place, branch) in list.iter().enumerate() {
             if ui.selectable_label(branch.is_present, words(place, branch)).clicked() && !branch.is_present {
@@ -85,7 +85,7 @@ fn branches(ui: &mut egui::Ui, facts: &Facts, wishes: &mut Vec<Wish>) {
             }
         }
     });
-    menu.response.on_hover_text("where time went another way: to the end of it");
+    menu.response.on_hover_text("you went back and did something else: choose which take to go on with");
 }
 
 /// What a branch is called: its last edit, and from when to when it is its own.
@@ -118,7 +118,7 @@ fn state(facts: &Facts) -> (String, bool) {
         return ("opening ...".to_owned(), true);
     }
     if facts.waits {
-        return ("waits".to_owned(), false);
+        return ("paused while this is open".to_owned(), false);
     }
     let is_slow = !figures.asleep && figures.pace > 0.0 && figures.pace < 0.95;
     match (figures.playing, figures.asleep) {
@@ -169,7 +169,7 @@ mod tests {
     fn a_world_behind_a_panel_waits_and_has_no_pace() {
         let figures = Figures { playing: true, pace: 0.0, ..Figures::default() };
         let facts = Facts { figures, waits: true, ..Facts::default() };
-        assert_eq!(state(&facts).0, "waits");
+        assert_eq!(state(&facts).0, "paused while this is open");
         let slow = Facts { waits: false, ..facts };
         assert_eq!(
             state(&Facts { figures: Figures { pace: 0.004, ..slow.figures.clone() }, ..slow }).0,

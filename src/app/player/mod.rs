@@ -25,6 +25,8 @@ mod stage;
 #[cfg(test)]
 mod tests;
 mod thread;
+#[cfg(test)]
+mod warning_tests;
 mod watch;
 #[cfg(test)]
 mod watch_tests;

@@ -99,6 +99,21 @@ pub enum Order {
     Picture(PathBuf, Box<image::RgbaImage>),
 }
 
+impl Order {
+    /// Whether the world goes to another time by it, where what was done is done already.
+    pub(super) fn goes(&self) -> bool {
+        matches!(
+            self,
+            Order::Undo(_)
+                | Order::Redo(_)
+                | Order::GoTo(..)
+                | Order::ToBranch(..)
+                | Order::Reset
+                | Order::Advance { back: true, .. }
+        )
+    }
+}
+
 /// Tells what became of an order.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Note {
@@ -118,6 +133,8 @@ pub enum Note {
     Exact,
     /// A command could not be done where it stood.
     Refused(String),
+    /// An edit was done, and this should be known of it.
+    Warned(Vec<String>),
     /// A file was written.
     Written(PathBuf),
     /// A file was not.

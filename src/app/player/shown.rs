@@ -12,7 +12,7 @@ use crate::history::{BranchView, Group};
 use crate::picture::{Skin, Tint};
 use crate::render::{Hinge, View, joints};
 use crate::sim::{
-    Bonds, Convex, Cursor, Dynamics, GrabView, Key, MouseForce, PointId, Polygon, Positions, SceneChange,
+    Bond, Bonds, Convex, Cursor, Dynamics, GrabView, Key, MouseForce, PointId, Polygon, Positions, SceneChange,
 };
 
 /// Positions in the scalar of their world, copied.
@@ -127,13 +127,22 @@ impl Scenery {
         }
     }
 
+    /// Where the bond of this number is in the list, if it is there.
+    fn bond_place(&self, number: u32) -> Option<usize> {
+        match &self.bond_numbers {
+            Some(numbers) => numbers.iter().position(|own| *own == number),
+            None => Some(number as usize),
+        }
+    }
+
     /// The ends of the bond of this number, if it is there.
     pub fn bond_ends(&self, number: u32) -> Option<[PointId; 2]> {
-        let place = match &self.bond_numbers {
-            Some(numbers) => numbers.iter().position(|own| *own == number)?,
-            None => number as usize,
-        };
-        self.bonds.ends().get(place).copied()
+        self.bonds.ends().get(self.bond_place(number)?).copied()
+    }
+
+    /// The bond of this number, if it is there.
+    pub fn bond(&self, number: u32) -> Option<Bond> {
+        self.bonds.iter().nth(self.bond_place(number)?)
     }
 
     /// As the renderer reads it, without points.

@@ -13,10 +13,12 @@ use super::rungs::{Load, Rung, Rungs, Yielded};
 use super::save;
 use super::shown::{Figures, Scenery, Shown};
 use super::watch::Watch;
+use crate::app::lengths::length;
 use crate::app::matter::{Among, Matter, MatterChange, commands};
 use crate::app::meter::Meter;
 use crate::history::{BranchView, Do, History, HistoryError, Recording, Refusal, SetKeys, Start};
 use crate::scene::{AddKeys, BondKeys, MOST_MEETING, Meeting, MethodKeys, Parameter, PinMotionKeys, ViewKeys};
+use crate::sim::reach::reaches;
 use crate::sim::{Applied, Cursor, Dynamics, MouseForce, PointId};
 
 /// How often figures are taken that cost something: nobody reads faster.
@@ -29,6 +31,8 @@ pub fn too_many_to_meet() -> String {
 
 /// A pin that is led takes so long to the place where the cursor was `[s]`: a little longer than until it is sent on.
 const PIN_TIME: f64 = 0.15;
+/// Pins that are so much further apart than bonds reach are told of `[m]`.
+const STRAINED: f64 = 1e-3;
 /// What adding a body is called.
 const ADD: &str = "add a body";
 /// What another solver is called.
@@ -72,6 +76,10 @@ pub struct Stage {
     matter: Option<Arc<Matter>>,
     /// Numbers that the scene names for sliders.
     named: Vec<Parameter>,
+    /// What the world warned of when it was looked at last.
+    warned: Vec<String>,
+    /// What is to be said of a pin that is led.
+    strained: Option<String>,
 }
 
 /// A history without its worlds.
@@ -122,7 +130,10 @@ impl Stage {
             among: Among::default(),
             named,
             matter: None,
+            warned: Vec::new(),
+            strained: None,
         };
+        stage.warned = stage.history.world().warnings().to_vec();
         stage.look();
         Ok(stage)
     }
@@ -154,15 +165,7 @@ impl Stage {
 
     /// Does what is asked. Returns what is to be said of it.
     pub fn obey(&mut self, order: Order) -> Option<Note> {
-        let goes = matches!(
-            order,
-            Order::Undo(_)
-                | Order::Redo(_)
-                | Order::GoTo(..)
-                | Order::ToBranch(..)
-                | Order::Reset
-                | Order::Advance { back: true, .. }
-        );
+        let goes = order.goes();
         let comes = goes || matches!(order, Order::Step(_) | Order::Play(_) | Order::Beside(_));
         let (is_followed, branch) = (self.history.has_future(), self.history.branch());
         let was_taken = self.pace.is_taken;
@@ -274,6 +277,8 @@ impl Stage {
             self.topology = None;
             self.rungs.have_gone();
             self.escort.have_gone();
+            // What was warned of there was told when it was done.
+            self.warned = self.history.world().warnings().to_vec();
             (self.has_gone, self.figures_at) = (true, None);
         }
         if comes {
@@ -288,6 +293,19 @@ impl Stage {
             (self.has_gone, self.figures_at) = (true, None);
         }
         note.or(is_left.then_some(Note::Branched))
+    }
+
+    /// What edits were warned of since it was last asked for.
+    pub fn take_warnings(&mut self) -> Option<Note> {
+        let all = self.history.world().warnings();
+        let mut fresh = Vec::new();
+        if all.len() != self.warned.len() {
+            let known = all.iter().zip(&self.warned).take_while(|(a, b)| a == b).count();
+            fresh = all[known..].to_vec();
+            self.warned = all.to_vec();
+        }
+        fresh.extend(self.strained.take());
+        (!fresh.is_empty()).then_some(Note::Warned(fresh))
     }
 
     /// Does commands that the hand gives.
@@ -476,6 +494,7 @@ impl Stage {
         let knot = |time: f64, place: &mut dyn Iterator<Item = f64>| std::iter::once(time).chain(place).collect();
         let there = &mut to.into_iter().take(dimensions);
         let track = vec![knot(time, &mut here.into_iter()), knot(time + PIN_TIME, there)];
+        self.strained = beyond_reach(world, point, to);
         let keys = AddKeys { pin_motion: vec![PinMotionKeys { point: point.0, track }], ..AddKeys::default() };
         let way = Do::Add(Box::new(keys));
         if !goes_on {
@@ -565,4 +584,16 @@ impl Stage {
             branches: Arc::clone(&self.branches),
         }
     }
+}
+
+/// What is said where rigid bonds do not let a pin be so far from other pins `[m]`.
+fn beyond_reach(world: &dyn Dynamics, pin: PointId, to: [f64; 3]) -> Option<String> {
+    let dimensions = world.dimensions();
+    let apart = |other: PointId| {
+        let place = |axis| world.positions().get(other.index() * dimensions + axis);
+        (0..dimensions).map(|axis| (to[axis] - place(axis)).powi(2)).sum::<f64>().sqrt()
+    };
+    let reaches = reaches(world.bonds(), &[pin], world.pinned());
+    let most = reaches.iter().map(|reach| apart(reach.pins[1]) - reach.most).fold(0.0, f64::max);
+    (most > STRAINED).then(|| format!("the pins are {} further apart than the bonds between them reach", length(most)))
 }

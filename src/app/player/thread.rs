@@ -166,6 +166,7 @@ impl Seat {
             (Seat::Played(stage), _) => stage,
         };
         notes.extend(stage.obey(order));
+        notes.extend(stage.take_warnings());
         Some(Seat::Played(stage))
     }
 }

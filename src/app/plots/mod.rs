@@ -32,9 +32,9 @@ pub(super) enum Quantity {
     /// Its first coordinate.
     X,
     /// Its second coordinate.
-    #[default]
     Y,
     /// The length of its velocity.
+    #[default]
     Speed,
     /// Of a bond: its strain.
     Strain,
@@ -157,8 +157,9 @@ impl Plots {
         self.probes.iter().any(|probe| matches!(probe, Some(Probe::Bond(_))))
     }
 
-    /// Puts a probe on a point or a bond, in place of the second if there are two; takes it off where there is one.
-    pub(super) fn toggle(&mut self, probe: impl Into<Probe>) {
+    /// Puts a probe on a point or a bond, in place of the second if there are two; takes it off where there is one. What is plotted of the
+    /// first one is what can change of it: of a bond that keeps its length, as `is_rigid` says, the force.
+    pub(super) fn toggle(&mut self, probe: impl Into<Probe>, is_rigid: impl Fn(u32) -> bool) {
         let probe = probe.into();
         if self.probes.contains(&Some(probe)) {
             return self.take_off(probe);
@@ -169,9 +170,18 @@ impl Plots {
         if self.subject == Subject::Energies {
             self.subject = Subject::Probes;
         }
-        if matches!(probe, Probe::Bond(_)) && !self.quantity.is_of_bonds() {
-            self.quantity = Quantity::Strain;
-        }
+        let is_alone = self.probes.iter().flatten().count() == 1;
+        self.quantity = match (probe, self.quantity) {
+            (Probe::Bond(bond), Quantity::Strain) if is_alone && is_rigid(bond) => Quantity::Force,
+            (Probe::Bond(bond), quantity) if !quantity.is_of_bonds() => {
+                if is_rigid(bond) {
+                    Quantity::Force
+                } else {
+                    Quantity::Strain
+                }
+            }
+            (_, quantity) => quantity,
+        };
         self.suit_quantity();
     }
 

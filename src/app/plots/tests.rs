@@ -3,7 +3,7 @@
 
 use super::series::MOST;
 use super::{Plots, Quantity, Series, Subject};
-use crate::app::player::{Measured, Order, Probed, Shown, Stage};
+use crate::app::player::{Measured, Order, Probe, Probed, Shown, Stage};
 use crate::history::{DeleteKeys, Do};
 use crate::scene::Scene;
 use crate::sim::{Energies, PointId};
@@ -38,7 +38,7 @@ impl Played {
     }
 
     fn toggle(&mut self, point: u32) {
-        self.plots.toggle(PointId(point));
+        self.plots.toggle(PointId(point), |_| false);
         self.ask(Order::Watch(Some(self.plots.probes())));
     }
 
@@ -156,8 +156,25 @@ fn probes_are_put_on_taken_off_and_drop_out_with_their_points() {
 #[test]
 fn a_third_probe_takes_the_place_of_the_second() {
     let mut plots = Plots::new(1.0);
-    [4, 5, 6].into_iter().for_each(|point| plots.toggle(PointId(point)));
+    [4, 5, 6].into_iter().for_each(|point| plots.toggle(PointId(point), |_| false));
     assert_eq!(plots.probes(), [4, 6].map(|point| Some(PointId(point).into())));
+}
+
+#[test]
+fn a_probe_opens_on_what_changes_of_it() {
+    let opened = |probe: Probe, is_rigid: bool| {
+        let mut plots = Plots::new(1.0);
+        plots.toggle(probe, |_| is_rigid);
+        plots
+    };
+    assert_eq!(opened(PointId(3).into(), false).quantity, Quantity::Speed);
+    assert_eq!(opened(Probe::Bond(3), false).quantity, Quantity::Strain);
+    let mut plots = opened(Probe::Bond(3), true);
+    assert_eq!(plots.quantity, Quantity::Force, "its strain is 0 for good");
+    plots.toggle(Probe::Bond(3), |_| true);
+    plots.quantity = Quantity::X;
+    plots.toggle(PointId(1), |_| false);
+    assert_eq!(plots.quantity, Quantity::X, "what was chosen stays where there is such a thing");
 }
 
 #[test]
@@ -165,8 +182,8 @@ fn what_was_measured_of_another_point_is_not_taken() {
     let mut played = Played::new();
     played.toggle(0);
     // The world does not know of it yet.
-    played.plots.toggle(PointId(0));
-    played.plots.toggle(PointId(1));
+    played.plots.toggle(PointId(0), |_| false);
+    played.plots.toggle(PointId(1), |_| false);
     played.play(1);
     assert_eq!(played.probed(), [0; 2]);
 }

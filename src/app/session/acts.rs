@@ -3,7 +3,8 @@
 use winit::window::Fullscreen;
 
 use super::{Framing, Session};
-use crate::app::action::Action;
+use crate::app::action::{Action, Tool};
+use crate::app::count::counted;
 use crate::app::matter::MatterChange;
 use crate::app::opening;
 use crate::app::panels::{Setting, Sheet, Wish, search_id};
@@ -38,7 +39,7 @@ impl Session {
             Action::Help => self.toggle_sheet(Sheet::Help),
             Action::Undo => self.player.ask(Order::Undo(self.told)),
             Action::Redo => self.player.ask(Order::Redo(self.told)),
-            Action::Take(tool) => self.hand.take(tool),
+            Action::Take(tool) => self.take(tool),
             Action::PinWhileHeld => self.hand.hold_pins(true),
             Action::Delete => self.delete(),
             Action::Duplicate => self.duplicate(),
@@ -67,7 +68,7 @@ impl Session {
             Action::Screenshot => self.take_screenshot(),
             Action::Settings => self.panels.has_settings = !self.panels.has_settings,
             Action::Plots => self.toggle_plots(),
-            Action::Lessons => self.panels.lessons.is_open = !self.panels.lessons.is_open,
+            Action::Lessons => self.toggle_lessons(),
             Action::TogglePanels => self.panels.hides_panels = !self.panels.hides_panels,
             Action::ToggleHud => self.panels.hides_hud = !self.panels.hides_hud,
             Action::FullScreen => self.toggle_full_screen(),
@@ -142,6 +143,28 @@ impl Session {
         }
     }
 
+    /// Takes a tool; one that has no panel which says what to do says so.
+    fn take(&mut self, tool: Tool) {
+        self.hand.take(tool);
+        let words = match tool {
+            Tool::Pin => "pin: click a point to hold it where it is, or a pin to let it go",
+            Tool::Cut => "cut: drag across bonds",
+            Tool::Erase => "erase: click a body, a bond or an obstacle; Ctrl+Z brings it back",
+            _ => return,
+        };
+        self.say(words.to_owned());
+    }
+
+    /// Opens the lessons, or closes them. Where they have no room beside the settings, those close.
+    fn toggle_lessons(&mut self) {
+        let panels = &mut self.panels;
+        let are_hidden = panels.has_settings && !panels.has_room_for_both;
+        panels.lessons.is_open = !panels.lessons.is_open || are_hidden;
+        if panels.lessons.is_open && are_hidden {
+            panels.has_settings = false;
+        }
+    }
+
     fn toggle_sheet(&mut self, sheet: Sheet) {
         self.panels.sheet = (self.panels.sheet != Some(sheet)).then_some(sheet);
         self.panels.is_fresh = true;
@@ -151,7 +174,7 @@ impl Session {
             self.egui.egui_ctx().memory_mut(|memory| memory.request_focus(search_id()));
             self.put_away();
         }
-        self.panels.chosen = if self.panels.search.is_empty() { self.place().unwrap_or(0) } else { 0 };
+        self.panels.chosen = if self.panels.search.is_empty() { self.place.unwrap_or(0) } else { 0 };
         if self.panels.sheet == Some(Sheet::Gallery) && self.thumbnails.is_none() {
             self.thumbnails = Some(Thumbnails::new(self.canvas.gpu().clone(), self.wake_up()));
         }
@@ -192,11 +215,12 @@ impl Session {
         if let Some(among) = deed.painted.clone() {
             let preset = self.hand.brush().preset;
             let change = MatterChange::Preset(preset);
-            let counted = among.bonds.as_ref().map_or(0, Vec::len);
+            let bonds = among.bonds.as_ref().map_or(0, Vec::len);
             self.say(format!(
-                "{}: {} points and {counted} bonds; Ctrl+Z takes it back",
+                "{}: {} and {}; Ctrl+Z takes it back",
                 preset.name(),
-                among.points.len()
+                counted(among.points.len(), "point"),
+                counted(bonds, "bond")
             ));
             self.player.ask(Order::Change { among, change, goes_on: false });
             self.dirty = true;
@@ -274,12 +298,12 @@ impl Session {
         if !self.player.is_open() {
             return;
         }
-        let (before, seen) = (self.row, self.camera.viewport().map(|side| side as u32));
+        let (before, seen) = (self.tiles, self.camera.viewport().map(|side| side as u32));
         self.line_up();
         let view = self.player.shown().view();
-        let pane = self.row.pane(self.area);
+        let pane = self.tiles.pane(self.area);
         let free = self.free_of_pane(pane);
-        let corner = self.corner.filter(|_| self.row.count() == 1);
+        let corner = self.corner.filter(|_| self.tiles.count() == 1);
         let own = match framing {
             Framing::Opening => match &self.player.start().recording().view {
                 Some(saved) => opening::saved(saved, &view, pane),
@@ -295,22 +319,17 @@ impl Session {
                 own
             }
         };
-        self.camera = self.row.whole(&own, self.area);
-    }
-
-    /// The scene of the gallery that is open, by its place.
-    fn place(&self) -> Option<usize> {
-        gallery().iter().position(|entry| entry.name == self.scene.name())
+        self.camera = self.tiles.whole(&own, self.area);
     }
 
     /// What the gallery says of the scene.
     pub(super) fn entry(&self) -> Option<&'static Entry> {
-        self.place().map(|place| &gallery()[place])
+        self.place.map(|place| &gallery()[place])
     }
 
     fn open_beside(&mut self, by: isize) {
         let count = gallery().len() as isize;
-        let place = self.place().map_or(0, |place| (place as isize + by).rem_euclid(count));
+        let place = self.place.map_or(0, |place| (place as isize + by).rem_euclid(count));
         self.open_named(gallery()[place as usize].name);
     }
 

@@ -3,8 +3,9 @@
 use glam::DVec2;
 
 use super::Session;
+use crate::app::lengths::LengthUnit;
 use crate::app::opening;
-use crate::app::panels::{Neighbor, solvers};
+use crate::app::panels::{Neighbor, TOOLS, solvers};
 use crate::app::player::{Beside, Companions, Order};
 use crate::app::tools::{Mark, Role};
 use crate::render::{Camera, Look, Overlay, Pane, Trails, View};
@@ -25,12 +26,13 @@ impl Session {
     /// The window is shared by as many worlds as there are.
     pub(super) fn line_up(&mut self) {
         let view = self.shown().view();
-        let alone = opening::camera(&self.scene, &view, self.area);
-        let row = opening::row(&alone, &view, self.worlds(), self.area);
-        self.row = row;
+        let alone = opening::alone(&self.scene, &view);
+        let [low, high] = self.free;
+        let taken = [0, 1].map(|axis| (f64::from(self.area[axis]) - (high[axis] - low[axis])).max(0.0));
+        self.tiles = opening::tiles(&alone, &view, (self.worlds(), self.area), taken);
         self.difference_most = opening::full_distance(&alone) as f32;
         self.fit_distances();
-        self.cell = self.cell.min(row.count() - 1);
+        self.cell = self.cell.min(self.tiles.count() - 1);
     }
 
     /// Colours of distances go up to the largest that there was, in round numbers.
@@ -56,12 +58,12 @@ impl Session {
 
     /// The camera as it shows the world alone in its part of the window.
     pub(super) fn own_camera(&self) -> Camera {
-        self.row.own(&self.camera, self.area)
+        self.tiles.own(&self.camera, self.area)
     }
 
     /// What a pixel is in the part of the window that the world itself has.
     pub(super) fn in_first(&self, [x, y]: [f64; 2]) -> [f64; 2] {
-        let [dx, dy] = self.row.shift(self.row.pane_at([x, y], self.area), self.area);
+        let [dx, dy] = self.tiles.shift(self.tiles.pane_at([x, y], self.area), self.area);
         [x - dx, y - dy]
     }
 
@@ -70,7 +72,7 @@ impl Session {
         if self.tints_distance && !self.shown().beside.is_empty() {
             self.fit_distances();
         }
-        if self.row.count() == self.worlds() {
+        if self.tiles.count() == self.worlds() {
             return;
         }
         self.beside_trails.clear();
@@ -81,13 +83,13 @@ impl Session {
 
     /// The camera of the world that the pointer is on: all worlds have the same places.
     pub(super) fn camera_here(&self) -> Camera {
-        self.row.camera(self.cell, &self.camera, self.area)
+        self.tiles.camera(self.cell, &self.camera, self.area)
     }
 
     /// The pointer moved: it stays with the world in which it pressed.
     pub(super) fn find_cell(&mut self) {
         if let Some(at) = self.pointer.at.filter(|_| !self.hand.is_busy() && !self.pointer.is_dragging()) {
-            self.cell = self.row.pane_at(at, self.area);
+            self.cell = self.tiles.pane_at(at, self.area);
         }
     }
 
@@ -96,8 +98,8 @@ impl Session {
         let [red, green, blue, opacity] = look.region;
         let region = [red, green, blue, if place == self.cell { opacity } else { GHOST * opacity }];
         let is_tinted = place > 0 && self.tints_distance;
-        // The tools stand in the first of a row, beside all of a column.
-        let inset = if place > 0 && !self.row.is_column() { 0.0 } else { look.inset };
+        // The tools stand at the left edge.
+        let inset = if place.is_multiple_of(self.tiles.columns()) { look.inset } else { 0.0 };
         Look { region, inset, overlay: if is_tinted { Overlay::Difference } else { look.overlay }, ..look }
     }
 
@@ -110,7 +112,7 @@ impl Session {
         size: [u32; 2],
     ) -> Vec<Pane<'a>> {
         // Those that came just now have a place from the next frame on.
-        let others = beside.iter().enumerate().take(self.row.count() - 1);
+        let others = beside.iter().enumerate().take(self.tiles.count() - 1);
         let others = others.map(|(k, world)| View {
             mouse: force,
             trails: trails.get(k),
@@ -118,15 +120,15 @@ impl Session {
             ..world.view(self.scene.dimensions())
         });
         let views = std::iter::once(first).chain(others).enumerate();
-        views.map(|(place, view)| Pane::of(&self.row, place, view, camera, self.look_of(place, look), size)).collect()
+        views.map(|(place, view)| Pane::of(&self.tiles, place, view, camera, self.look_of(place, look), size)).collect()
     }
 
     /// The pointer in the worlds that it is not over.
     pub(super) fn ghosts(&self) -> Vec<Mark> {
-        let is_away = self.row.count() == 1 || self.is_covered() || self.is_over_panels();
+        let is_away = self.tiles.count() == 1 || self.is_covered() || self.is_over_panels();
         let Some(at) = self.pixel().filter(|_| !is_away) else { return Vec::new() };
-        let shift = |place: usize| DVec2::from(self.row.shift(place, self.area));
-        let others = (0..self.row.count()).filter(|place| *place != self.cell);
+        let shift = |place: usize| DVec2::from(self.tiles.shift(place, self.area));
+        let others = (0..self.tiles.count()).filter(|place| *place != self.cell);
         let radius = GHOST_RADIUS * f64::from(self.look.scale_factor);
         others.map(|place| Mark::Ring(Role::Ghost, at - shift(self.cell) + shift(place), radius)).collect()
     }
@@ -147,20 +149,25 @@ impl Session {
     /// What is said above each world, and where `[points]`. Nothing where the world is alone.
     pub(super) fn neighbors(&self) -> Vec<Neighbor> {
         let shown = self.shown();
-        if shown.beside.is_empty() || self.row.count() != self.worlds() {
+        if shown.beside.is_empty() || self.tiles.count() != self.worlds() {
             return Vec::new();
         }
         let scale = self.egui.egui_ctx().pixels_per_point();
-        let is_column = self.row.is_column();
+        let columns = self.tiles.columns();
         let of = |place: usize, title: &str, words: String| {
-            let [left, top, width, _] = self.row.clip(place, self.area).map(|pixels| pixels as f32 / scale);
-            let at = if is_column { [left, top] } else { [left + 0.5 * width, top] };
-            Neighbor { title: title.to_owned(), words, at, is_column }
+            let [left, top, width, _] = self.tiles.clip(place, self.area).map(|pixels| pixels as f32 / scale);
+            // The tools stand at the left edge.
+            let inset = if place.is_multiple_of(columns) { TOOLS } else { 0.0 };
+            let (left, width) = (left + inset, width - inset);
+            let at = if columns == 1 { [left, top] } else { [left + 0.5 * width, top] };
+            Neighbor { title: title.to_owned(), words, at, width, columns }
         };
+        // One unit for all of them, that of the legend.
+        let unit = LengthUnit::of(f64::from(self.look.difference_full));
         let rests = |rests: bool| if rests { "at rest" } else { "" };
         let first = of(0, &format!("this scene: {}", shown.title), rests(shown.rests).to_owned());
         let others = shown.beside.iter().zip(1..).map(|(world, place)| {
-            let apart = world.farthest.map(|most| format!("up to {} apart", length(most)));
+            let apart = world.farthest.map(|most| format!("up to {} apart", unit.words(f64::from(most))));
             let all: Vec<&str> = apart.as_deref().into_iter().chain([rests(world.rests)]).collect();
             let words = all.into_iter().filter(|words| !words.is_empty()).collect::<Vec<_>>().join(", ");
             of(place, &world.title, if world.words.is_empty() { words } else { world.words.clone() })
@@ -185,28 +192,5 @@ impl Session {
         let entries = self.shown().beside.iter().enumerate().filter(|(other, _)| *other != place);
         let entries = entries.map(|(_, world)| world.entry.clone()).collect();
         self.player.ask(Order::Beside(Companions::These(entries)));
-    }
-}
-
-/// A length as one says it.
-fn length(metres: f32) -> String {
-    match metres {
-        none if none < 1e-9 => "0 m".to_owned(),
-        small if small < 1e-4 => format!("{small:.0e} m"),
-        small if small < 1e-2 => format!("{:.2} mm", 1e3 * small),
-        small if small < 1.0 => format!("{:.1} cm", 1e2 * small),
-        large if large < 1e4 => format!("{large:.2} m"),
-        huge => format!("{huge:.0e} m"),
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::length;
-
-    #[test]
-    fn lengths_are_said_in_their_units() {
-        let said = [0.0, 3.2e-6, 0.0042, 0.034, 2.5, 3e6].map(length);
-        assert_eq!(said, ["0 m", "3e-6 m", "4.20 mm", "3.4 cm", "2.50 m", "3e6 m"]);
     }
 }

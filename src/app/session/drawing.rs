@@ -21,8 +21,10 @@ const MOST_MARKED: usize = 100_000;
 const MOST_SEEN: usize = 2_000;
 /// Size of words over the world `[points]`.
 const WORDS: f32 = 13.0;
-/// What numbers over the world are written with: signs are given to the GPU with the panels only, so they are had before.
+/// What numbers over the world are written with: signs are given to the GPU with the panels only, so they are had before, each at any part of
+/// a pixel: it stands behind others of several widths.
 const SIGNS: &str = "0123456789.,-× m°";
+const BEFORE: [&str; 8] = ["", ".", "..", "1", "1.", "11", "11.", "m"];
 
 impl Session {
     /// Shows the panels, and does what they ask for.
@@ -42,9 +44,15 @@ impl Session {
         let mut answer = None;
         let can_add = self.scene.dimensions() == 2;
         let output = context.run_ui(input, |ui| {
-            ui.fonts_mut(|fonts| fonts.layout_no_wrap(SIGNS.to_owned(), FontId::proportional(WORDS), theme::TEXT));
+            ui.fonts_mut(|fonts| {
+                for (sign, before) in SIGNS.chars().flat_map(|sign| BEFORE.map(|before| (sign, before))) {
+                    fonts.layout_no_wrap(format!("{before}{sign}"), FontId::proportional(WORDS), theme::TEXT);
+                }
+            });
             (wishes, laid) = panels::show(ui, &mut self.panels, &facts);
-            answer = self.import.as_mut().and_then(|import| import.show(ui.ctx(), can_add));
+            // A sheet lies over the canvas too: it comes back with it.
+            let import = self.import.as_mut().filter(|_| self.panels.sheet.is_none());
+            answer = import.and_then(|import| import.show(ui.ctx(), can_add));
             if self.loading.as_ref().is_some_and(|loading| loading.show(ui.ctx())) {
                 self.loading = None;
             }
@@ -137,8 +145,8 @@ impl Session {
         let shown = self.shown();
         let scale = f64::from(self.egui.egui_ctx().pixels_per_point());
         let step = shown.point_count() / MOST_SEEN + 1;
-        let own = |place: usize| self.row.camera(place, &self.camera, self.area);
-        let cameras: Vec<_> = (0..self.row.count()).map(own).collect();
+        let own = |place: usize| self.tiles.camera(place, &self.camera, self.area);
+        let cameras: Vec<_> = (0..self.tiles.count()).map(own).collect();
         let seen = |point: usize| {
             let place = glam::DVec3::from(shown.place(point));
             cameras.iter().filter_map(move |camera| camera.screen_from_world(place))
@@ -179,7 +187,13 @@ impl Session {
 
     /// Draws the world and the panels.
     pub(super) fn draw(&mut self) -> Result<(), RenderError> {
-        self.paint.marks = self.marks();
+        let (marks, words) = self.marks();
+        self.paint.marks = marks;
+        // What is written for the first time has its signs on the GPU after the panels were shown.
+        if self.marked_words != words {
+            (self.panels_dirty, self.dirty) = (true, true);
+            self.marked_words = words;
+        }
         self.note_trails(self.shown().figures.time);
         let region = self.region();
         let empty = crate::app::player::Shown { dimensions: self.canvas.dimensions(), ..Default::default() };
@@ -220,12 +234,12 @@ impl Session {
         }
     }
 
-    /// What tools mark, ready to be painted.
-    fn marks(&self) -> Vec<egui::ClippedPrimitive> {
+    /// What tools mark, ready to be painted, and the words of it, whatever their digits are.
+    fn marks(&self) -> (Vec<egui::ClippedPrimitive>, String) {
         let is_idle =
             !self.hand.is_busy() && (self.is_covered() || self.is_over_panels() || self.pointer.is_dragging());
         if !self.player.is_open() {
-            return Vec::new();
+            return Default::default();
         }
         let (scale, here) = (f64::from(self.look.scale_factor), self.camera_here());
         let scope = Scope { shown: self.shown(), camera: &self.camera, scale };
@@ -237,8 +251,11 @@ impl Session {
         }
         marks.extend(self.ghosts());
         if marks.is_empty() {
-            return Vec::new();
+            return Default::default();
         }
+        let words = marks.iter().filter_map(|mark| if let Mark::Words(_, words) = mark { Some(words) } else { None });
+        let signs = words.flat_map(|words| words.chars()).map(|sign| if sign.is_ascii_digit() { '0' } else { sign });
+        let words = signs.collect();
         let context = self.egui.egui_ctx();
         let scale = context.pixels_per_point();
         let [width, height] = self.area.map(|side| side as f32 / scale);
@@ -251,7 +268,7 @@ impl Session {
                 transform_after_tessellation: egui::emath::TSTransform::IDENTITY,
             })
             .collect();
-        context.tessellate(shapes, scale)
+        (context.tessellate(shapes, scale), words)
     }
 
     /// The GPU was lost (a driver's update, a card pulled out): opens what there is now. The world is not touched.

@@ -82,9 +82,9 @@ impl Session {
             return;
         }
         let places: Vec<DVec3> = driven.iter().map(|point| self.shown().place(point.index()).into()).collect();
-        let mut own = self.row.own(&self.camera, self.area);
+        let mut own = self.tiles.own(&self.camera, self.area);
         if opening::follow(&mut own, places.into_iter()) {
-            self.camera = self.row.whole(&own, self.area);
+            self.camera = self.tiles.whole(&own, self.area);
             self.framing = Framing::Free;
             self.dirty = true;
         }

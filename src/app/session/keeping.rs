@@ -4,7 +4,7 @@ use std::path::{Path, PathBuf};
 
 use super::Session;
 use crate::app::opening::keys;
-use crate::app::panels::{SaveTo, Sheet};
+use crate::app::panels::{SaveTo, Sheet, ask_to_save, is_recording};
 use crate::app::player::Order;
 use crate::app::saving::{Chosen, Saving, free_name};
 use crate::render::{Capture, View};
@@ -31,6 +31,18 @@ impl Session {
         (self.panels.sheet, self.panels.is_fresh) = (Some(Sheet::SaveTo), true);
     }
 
+    /// The dialog was told a path that ends otherwise: what becomes of it is written without a word if there is no such file yet.
+    fn ask_for_ending(&mut self, path: &Path) {
+        self.panels.save_to = SaveTo::default();
+        self.panels.path = path.display().to_string();
+        let mut wishes = Vec::new();
+        ask_to_save(&mut self.panels, &mut wishes);
+        if wishes.is_empty() {
+            (self.panels.sheet, self.panels.is_fresh) = (Some(Sheet::SaveTo), true);
+        }
+        wishes.into_iter().for_each(|wish| self.grant(wish));
+    }
+
     /// Saves it there.
     pub(super) fn hear_of_saving(&mut self) {
         let chosen = self.saving.as_ref().and_then(Saving::take);
@@ -40,7 +52,10 @@ impl Session {
         match chosen {
             Chosen::File(path) => {
                 self.panels.sheet.take_if(|sheet| *sheet == Sheet::SaveTo);
-                self.save_to(path);
+                match is_recording(&path) {
+                    true => self.save_to(path),
+                    false => self.ask_for_ending(&path),
+                }
             }
             // A path is being written in its place.
             Chosen::Nothing | Chosen::NoDialog if is_writing => {}

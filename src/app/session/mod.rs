@@ -42,7 +42,7 @@ use super::shell::is_for_panels;
 use super::thumbnails::Thumbnails;
 use super::tools::{Chosen, Hand};
 use crate::history::{HistoryError, Start};
-use crate::render::{Camera, Look, RenderCounters, RenderError, Row, Trails};
+use crate::render::{Camera, Look, RenderCounters, RenderError, Tiles, Trails};
 use crate::scene::{MOST_MEETING, Parameter, Scene, SolverName, gallery};
 use crate::sim::{Cursor, HELD, Key, MouseForce, SceneChange};
 use selecting::Copied;
@@ -79,6 +79,8 @@ pub(super) struct Session {
     player: Player,
     shelf: Shelf,
     scene: Arc<Scene>,
+    /// Its place in the gallery, if it is of that.
+    place: Option<usize>,
     /// The numbers that it names for sliders.
     named: Vec<Parameter>,
     /// A body of the scene is cut out of a picture.
@@ -86,7 +88,7 @@ pub(super) struct Session {
     pub(super) camera: Camera,
     framing: Framing,
     /// Where the worlds lie that are side by side, and which of them the pointer is on.
-    row: Row,
+    tiles: Tiles,
     cell: usize,
     /// What stands beside the world is coloured by its distance to it.
     tints_distance: bool,
@@ -133,6 +135,8 @@ pub(super) struct Session {
     trails: Trails,
     panels: PanelState,
     paint: Paint,
+    /// What was written over the world last.
+    marked_words: String,
     /// Something that is shown has changed since the last frame; so has something that panels show.
     dirty: bool,
     panels_dirty: bool,
@@ -201,7 +205,7 @@ impl Session {
             // Until the scene is there.
             camera: Camera::fit([[-1.0; 3], [1.0; 3]], scene.dimensions(), size),
             framing: Framing::Opening,
-            row: Row::ALONE,
+            tiles: Tiles::ALONE,
             cell: 0,
             tints_distance: false,
             beside_trails: Vec::new(),
@@ -222,6 +226,7 @@ impl Session {
             player,
             shelf: Shelf::default(),
             scene,
+            place: None,
             named: Vec::new(),
             pointer: Pointer::default(),
             hand: Hand::default(),
@@ -239,6 +244,7 @@ impl Session {
             base: None,
             panels: PanelState::default(),
             paint: Paint::default(),
+            marked_words: String::new(),
             dirty: true,
             panels_dirty: true,
             panels_due: None,
@@ -398,6 +404,7 @@ impl Session {
         (self.cell, self.misfits.0, self.most_apart) = (0, None, 0.0);
         self.tints_distance = scene.method.solver == Some(SolverName::AsPrinted);
         self.named = scene.named_parameters();
+        self.place = place_of(&scene);
         self.scene = scene;
         self.plot_anew();
         self.frame_as(Framing::Opening);
@@ -410,10 +417,13 @@ impl Session {
         let passes =
             self.has_picture && self.scene.contact.is_none() && self.shown().scenery.bonds.len() > MOST_MEETING;
         let through = passes.then(|| format!("its bodies pass through each other: {}", too_many_to_meet()));
-        let warning = self.shown().scenery.warnings.first().cloned();
-        self.panels.notes.complaint = warning.or(through).or_else(|| self.taken_keys());
+        let warnings = &self.shown().scenery.warnings;
+        let warning = (!warnings.is_empty()).then(|| listed(warnings));
+        let said: Vec<String> = [warning, through, self.taken_keys()].into_iter().flatten().collect();
+        self.panels.notes.complaint = (!said.is_empty()).then(|| said.join("\n"));
+        self.panels.notes.begin();
         self.panels.notes.has_caption = true;
-        self.wants_hint &= self.scene.name() == gallery()[0].name;
+        self.wants_hint &= self.place == Some(0);
         self.place_hint();
         if self.is_canvas() && !comes_back {
             self.paint();
@@ -474,7 +484,7 @@ impl Session {
             Note::NothingToUndo => self.go_back(),
             Note::NothingToRedo => self.go_on(),
             Note::Branched => self
-                .say("a branch begins here: the list beside the timeline leads back to what was recorded".to_owned()),
+                .say("a new take begins here: the list beside the timeline leads back to what was before".to_owned()),
             Note::Added(None) => {
                 self.adding = None;
                 self.say("it is in the scene: Ctrl+Z takes it away again".to_owned());
@@ -491,6 +501,7 @@ impl Session {
                 self.import = self.adding.take().or_else(|| self.import.take());
                 self.complain(&why);
             }
+            Note::Warned(lines) => self.panels.notes.warn(listed(&lines)),
             Note::Written(path) => self.say(format!("written: {}", path.display())),
             Note::NotWritten(why) => self.complain(&why),
             Note::NotKept(why) => self.complain(&format!(
@@ -654,6 +665,26 @@ impl Session {
     }
 }
 
+/// The place in the gallery of a scene that is in it: not of another one that is called so.
+fn place_of(scene: &Scene) -> Option<usize> {
+    let place = gallery().iter().position(|entry| entry.name == scene.name())?;
+    let own = gallery()[place].scene().ok()?;
+    // What stands beside it may have been changed.
+    let alone = Scene { name: own.name.clone(), beside: own.beside.clone(), ..scene.clone() };
+    (alone == own).then_some(place)
+}
+
+/// So many warnings are shown at once, a line each.
+const MOST_WARNINGS: usize = 3;
+
+/// Warnings below each other, the first few of many.
+fn listed(warnings: &[String]) -> String {
+    let shown = warnings.iter().take(MOST_WARNINGS).cloned();
+    let more = warnings.len().saturating_sub(MOST_WARNINGS);
+    let rest = (more > 0).then(|| format!("and {more} more: `wobble simulate` lists all"));
+    shown.chain(rest).collect::<Vec<_>>().join("\n")
+}
+
 /// Said of a press on what pins hold.
 const HELD_HERE: &str = "held by pins: hold T and click a pin (a red ring) to let it go, or drag the pin itself";
 
@@ -677,7 +708,23 @@ fn panels_for(window: &Arc<Window>, canvas: &Canvas) -> egui_winit::State {
 
 #[cfg(test)]
 mod tests {
-    use super::far;
+    use super::{far, gallery, listed, place_of};
+    use crate::scene::Scene;
+
+    #[test]
+    fn a_scene_that_is_called_as_one_of_the_gallery_is_none_of_it() {
+        let own = gallery()[1].scene();
+        assert_eq!(own.ok().and_then(|scene| place_of(&scene)), Some(1));
+        let text = r#"{"wobble": 1, "name": "rope", "points": {"position": [[0, 0]]}}"#;
+        assert_eq!(Scene::parse(text, "x.json").ok().and_then(|scene| place_of(&scene)), None);
+    }
+
+    #[test]
+    fn of_many_warnings_the_first_are_listed() {
+        let all: Vec<String> = ["a", "b", "c", "d", "e"].map(str::to_owned).to_vec();
+        assert_eq!(listed(&all[..2]), "a\nb");
+        assert_eq!(listed(&all), "a\nb\nc\nand 2 more: `wobble simulate` lists all");
+    }
 
     #[test]
     fn how_far_time_went_is_said_with_its_direction() {

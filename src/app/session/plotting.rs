@@ -10,6 +10,7 @@ use crate::app::player::{Order, Probe};
 use crate::app::plots::Plots;
 use crate::app::saving::free_name;
 use crate::lessons::Plot;
+use crate::sim::BondKind;
 
 impl Session {
     /// Opens the panel, or closes it: then nothing is measured any more, and nothing is left of what was.
@@ -62,7 +63,9 @@ impl Session {
         }
         let Some(probe) = self.with_scope(|hand, scope| hand.clicked(scope, at)) else { return };
         if let Some(plots) = &mut self.panels.plots {
-            plots.toggle(probe);
+            let scenery = &self.player.shown().scenery;
+            let kind = |number| scenery.bond(number).map(|bond| bond.kind);
+            plots.toggle(probe, |number| kind(number) == Some(BondKind::Rigid));
         }
         self.watch();
     }

@@ -5,6 +5,7 @@ use glam::DVec2;
 use winit::event::{ElementState, MouseButton, MouseScrollDelta};
 
 use super::{Framing, Session};
+use crate::app::action::Tool;
 use crate::app::player;
 use crate::app::pointer::Pointer;
 use crate::app::tools::{Hand, PinWay, Scope};
@@ -134,7 +135,8 @@ impl Session {
 
     /// The hint goes with the pointer.
     pub(super) fn place_hint(&mut self) {
-        let is_wanted = self.wants_hint && !self.is_over_panels() && !self.is_covered();
+        let is_wanted =
+            self.wants_hint && self.hand.tool() == Tool::Hand && !self.is_over_panels() && !self.is_covered();
         self.panels.notes.hint_at = self.place_of_pointer().filter(|_| is_wanted);
     }
 

@@ -6,6 +6,7 @@ use winit::window::CursorIcon;
 
 use super::Session;
 use crate::app::action::Tool;
+use crate::app::count::counted;
 use crate::app::fetch;
 use crate::app::matter::{Among, MatterChange};
 use crate::app::player::Order;
@@ -15,6 +16,9 @@ use crate::sim::PointId;
 
 /// Said where nothing is selected.
 const NOTHING: &str = "select something first: the tool for that is 6";
+
+/// Of so many points at most it is looked where they are seen.
+const MOST_LOOKED_AT: usize = 1_000;
 
 /// What Ctrl+C copied: the stepping thread puts it there.
 pub(super) type Copied = Arc<OnceLock<Clip>>;
@@ -66,8 +70,9 @@ impl Session {
             let _ = copied.set(Clip::of(world, tints, &chosen));
         })));
         fetch::announce();
-        let of_obstacles = if obstacles > 0 { format!(", {obstacles} obstacles") } else { String::new() };
-        self.say(format!("copied: {points} points{of_obstacles}; Ctrl+V puts them where the cursor is"));
+        let all = [(points, "point"), (obstacles, "obstacle")].into_iter().filter(|(count, _)| *count > 0);
+        let all: Vec<String> = all.map(|(count, name)| counted(count, name)).collect();
+        self.say(format!("copied: {}; Ctrl+V puts a copy where the cursor is", all.join(" and ")));
     }
 
     /// What was copied comes to where the cursor is. Returns whether anything was.
@@ -142,10 +147,23 @@ impl Session {
         let chosen = self.with_scope(|hand, scope| hand.chosen(scope)).unwrap_or_default();
         if chosen != self.inspected {
             self.inspected = chosen.clone();
+            self.panels.selected_at = self.rect_of(&chosen.points);
             let Chosen { points, obstacles } = chosen;
             self.player.ask(Order::Inspect(Among { points, obstacles, bonds: None }));
             self.panels_dirty = true;
         }
+    }
+
+    /// The box that points are seen in `[points]`, of some of many.
+    fn rect_of(&self, points: &[PointId]) -> Option<egui::Rect> {
+        let (camera, scale) = (self.camera_here(), f64::from(self.egui.egui_ctx().pixels_per_point()));
+        let step = points.len() / MOST_LOOKED_AT + 1;
+        let seen = points.iter().step_by(step).filter_map(|point| {
+            let [x, y] = camera.screen_from_world(self.shown().place(point.index()).into())?;
+            Some(egui::pos2((x / scale) as f32, (y / scale) as f32))
+        });
+        let rect = egui::Rect::from_points(&seen.collect::<Vec<_>>());
+        rect.is_finite().then_some(rect)
     }
 
     /// What is selected gets another matter.

@@ -158,7 +158,7 @@ impl Scope<'_> {
     }
 
     /// The triangle that a pixel lies on: the last, in space the foremost.
-    fn triangle(&self, at: DVec2) -> Option<[PointId; 3]> {
+    pub(super) fn triangle(&self, at: DVec2) -> Option<[PointId; 3]> {
         let covers = |corners: &[PointId; 3]| {
             let [Some(a), Some(b), Some(c)] = corners.map(|corner| self.pixel(corner)) else { return false };
             let sides = [(b - a).perp_dot(at - a), (c - b).perp_dot(at - b), (a - c).perp_dot(at - c)];

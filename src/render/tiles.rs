@@ -2,29 +2,38 @@
 
 use super::camera::{Camera, Pose};
 
-/// Panes in a row, or in a column where a picture is higher than wide.
+/// Panes in rows of the same number, of which the last may have fewer.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Row {
+pub struct Tiles {
     /// How many there are, at least 1.
     count: usize,
-    /// One below another.
-    is_column: bool,
+    /// How many stand in a row, from 1 to all.
+    columns: usize,
 }
 
-/// So much larger worlds are in a column at least, where they are in one `[1]`: side by side they are compared more easily.
-const BETTER: f64 = 1.25;
+/// So much larger worlds are in more rows at least, where they are in more `[1]`: side by side they are compared more easily.
+const BETTER: f64 = 1.1;
 
-impl Row {
+impl Tiles {
     /// One world, which has the picture for itself.
-    pub const ALONE: Row = Row { count: 1, is_column: false };
+    pub const ALONE: Tiles = Tiles { count: 1, columns: 1 };
 
-    /// `count` panes for worlds of a width and height: beside or below each other, whatever leaves them larger in a picture of `size` `[px]`.
-    pub fn new(count: usize, [width, height]: [f64; 2], size: [u32; 2]) -> Self {
-        let [across, down] = size.map(|side| f64::from(side.max(1)));
-        let many = count.max(1) as f64;
-        let beside = (across / (many * width)).min(down / height);
-        let below = (across / width).min(down / (many * height));
-        Row { count: count.max(1), is_column: below > BETTER * beside }
+    /// `count` panes for worlds of a width and height, in as many rows as leave them largest in a picture of `size` `[px]`. `taken` is what
+    /// of each pane's width and height is not for the world `[px]`.
+    pub fn new(count: usize, [width, height]: [f64; 2], size: [u32; 2], taken: [f64; 2]) -> Self {
+        let count = count.max(1);
+        let scale = |columns: usize| {
+            let parts = [columns, count.div_ceil(columns)].map(|parts| parts as f64);
+            let [across, down] = [0, 1].map(|axis| (f64::from(size[axis]) / parts[axis] - taken[axis]).max(1.0));
+            (across / width).min(down / height)
+        };
+        let mut best = count;
+        for columns in (1..=count).map(|rows| count.div_ceil(rows)) {
+            if scale(columns) > BETTER * scale(best) {
+                best = columns;
+            }
+        }
+        Tiles { count, columns: best }
     }
 
     /// How many worlds there are.
@@ -32,27 +41,31 @@ impl Row {
         self.count
     }
 
-    /// Whether they lie below each other.
-    pub fn is_column(&self) -> bool {
-        self.is_column
+    /// How many stand side by side.
+    pub fn columns(&self) -> usize {
+        self.columns
     }
 
-    fn axis(&self) -> usize {
-        usize::from(self.is_column)
+    fn parts(&self) -> [usize; 2] {
+        [self.columns, self.count.div_ceil(self.columns)]
     }
 
-    /// Where pane `place` begins along the row `[px]`, in a picture that is so long.
-    fn edge(&self, place: usize, length: u32) -> u32 {
-        (place as u64 * u64::from(length) / self.count as u64) as u32
+    /// In which column and which row pane `place` is.
+    fn cell(&self, place: usize) -> [usize; 2] {
+        [place % self.columns, place / self.columns]
+    }
+
+    /// Where a column or a row begins `[px]`, in a picture that is so long.
+    fn edge(&self, axis: usize, cell: usize, length: u32) -> u32 {
+        (cell as u64 * u64::from(length) / self.parts()[axis] as u64) as u32
     }
 
     /// Left, top, width and height of a pane in a picture of `size` `[px]`.
     pub fn clip(&self, place: usize, size: [u32; 2]) -> [u32; 4] {
-        let axis = self.axis();
-        let [from, to] = [place, place + 1].map(|place| self.edge(place, size[axis]));
-        let mut clip = [0, 0, size[0], size[1]];
-        (clip[axis], clip[2 + axis]) = (from, to - from);
-        clip
+        let cell = self.cell(place);
+        let [[left, right], [top, bottom]] =
+            [0, 1].map(|axis| [0, 1].map(|end| self.edge(axis, cell[axis] + end, size[axis])));
+        [left, top, right - left, bottom - top]
     }
 
     /// Width and height of the first pane `[px]`, each at least 1.
@@ -61,10 +74,13 @@ impl Row {
         [width.max(1), height.max(1)]
     }
 
-    /// The pane that a pixel lies in: beside the picture the nearest.
+    /// The pane that a pixel lies in: beside all of them the nearest.
     pub fn pane_at(&self, pixel: [f64; 2], size: [u32; 2]) -> usize {
-        let at = pixel[self.axis()];
-        (1..self.count).filter(|&place| at >= f64::from(self.edge(place, size[self.axis()]))).count()
+        let [column, row] = [0, 1].map(|axis| {
+            let begins = |cell: &usize| pixel[axis] >= f64::from(self.edge(axis, *cell, size[axis]));
+            (1..self.parts()[axis]).filter(begins).count()
+        });
+        (row * self.columns + column).min(self.count - 1)
     }
 
     /// The camera of a whole picture of `size` `[px]` whose first pane shows what `own` does, which is a camera of that pane alone.
@@ -96,9 +112,8 @@ impl Row {
 
     /// How far pane `place` is from the first `[px]`.
     pub fn shift(&self, place: usize, size: [u32; 2]) -> [f64; 2] {
-        let mut shift = [0.0; 2];
-        shift[self.axis()] = f64::from(self.edge(place, size[self.axis()]));
-        shift
+        let cell = self.cell(place);
+        [0, 1].map(|axis| f64::from(self.edge(axis, cell[axis], size[axis])))
     }
 
     /// The camera of world `place` in a picture of `size` `[px]`, where `camera` is that of the first.
@@ -120,19 +135,31 @@ mod tests {
     use super::*;
     use glam::{DVec2, DVec3};
 
+    fn tiles(count: usize, world: [f64; 2], size: [u32; 2]) -> Tiles {
+        Tiles::new(count, world, size, [0.0; 2])
+    }
+
     #[test]
-    fn panes_share_a_picture_beside_each_other_where_it_is_wide_and_below_where_it_is_high() {
-        let wide = Row::new(3, [8.0, 8.0], [1600, 900]);
-        assert!(!wide.is_column());
+    fn panes_share_a_picture_in_as_many_rows_as_leave_worlds_largest() {
+        let wide = tiles(3, [8.0, 8.0], [1600, 600]);
+        assert_eq!(wide.columns(), 3);
         let clips = [0, 1, 2].map(|place| wide.clip(place, [1600, 900]));
         assert_eq!(clips, [[0, 0, 533, 900], [533, 0, 533, 900], [1066, 0, 534, 900]], "all of it, to the last pixel");
         let at = [[-5.0, 1.0], [532.0, 1.0], [533.0, 1.0], [9999.0, 1.0]];
         assert_eq!(at.map(|at| wide.pane_at(at, [1600, 900])), [0, 0, 1, 2]);
-        let high = Row::new(2, [8.0, 3.0], [720, 1280]);
-        assert!(high.is_column());
+        let high = tiles(2, [8.0, 3.0], [720, 1280]);
+        assert_eq!(high.columns(), 1);
         assert_eq!(high.clip(1, [720, 1280]), [0, 640, 720, 640]);
-        assert_eq!(Row::ALONE.clip(0, [720, 1280]), [0, 0, 720, 1280]);
+        assert_eq!(Tiles::ALONE.clip(0, [720, 1280]), [0, 0, 720, 1280]);
         assert!((0..3).all(|place| wide.clip(place, [2, 0])[2] <= 1), "a picture of no room");
+        // Five stand in three and two where it is wide, in two, two and one where it is high.
+        let five = [[1280, 720], [720, 1280]].map(|size| tiles(5, [1.0, 1.0], size));
+        assert_eq!(five.map(|tiles| tiles.columns()), [3, 2]);
+        assert_eq!(five[0].clip(4, [1280, 720]), [426, 360, 427, 360]);
+        let at = [[1279.0, 1.0], [1.0, 719.0], [430.0, 400.0], [1279.0, 719.0]];
+        assert_eq!(at.map(|at| five[0].pane_at(at, [1280, 720])), [2, 3, 4, 4]);
+        // Where titles take most of what is left, there are fewer rows.
+        assert_eq!(Tiles::new(5, [1.0, 1.0], [1280, 720], [0.0, 300.0]).columns(), 5);
     }
 
     #[test]
@@ -140,17 +167,19 @@ mod tests {
         let plane = Pose::Plane { center: DVec2::new(4.0, 1.0), height: 9.0 };
         let orbit = Pose::Orbit { target: DVec3::new(1.0, 2.0, 3.0), distance: 7.0, yaw: 0.7, pitch: 0.4 };
         let close = |a: [f64; 2], b: [f64; 2]| (a[0] - b[0]).hypot(a[1] - b[1]) < 1e-6;
-        for (pose, size) in [(plane, [1600, 900]), (plane, [700, 1300]), (orbit, [1600, 900]), (orbit, [700, 1300])] {
-            let row = Row::new(2, [8.0, 8.0], size);
-            let own = Camera::new(pose, row.pane(size));
-            let whole = row.whole(&own, size);
-            // In a column a camera in space looks from further away: what lies beside its target is seen from another side.
-            let is_same = pose == plane || !row.is_column();
+        let of_pose = |pose: Pose| [[1600, 900], [700, 1300]].map(|size| (pose, size));
+        let all = [plane, orbit].into_iter().flat_map(of_pose);
+        for ((pose, size), count) in all.flat_map(|one| [(one, 2), (one, 5)]) {
+            let tiles = tiles(count, [8.0, 8.0], size);
+            let own = Camera::new(pose, tiles.pane(size));
+            let whole = tiles.whole(&own, size);
+            // In several rows a camera in space looks from further away: what lies beside its target is seen from another side.
+            let is_same = pose == plane || tiles.columns() == count;
             let point = if is_same { DVec3::new(1.5, 2.5, if pose == plane { 0.0 } else { 2.2 }) } else { own.focus() };
             let seen = own.screen_from_world(point).unwrap();
-            for place in 0..2 {
-                let [left, top, ..] = row.clip(place, size).map(f64::from);
-                let camera = row.camera(place, &whole, size);
+            for place in 0..count {
+                let [left, top, ..] = tiles.clip(place, size).map(f64::from);
+                let camera = tiles.camera(place, &whole, size);
                 let there = camera.screen_from_world(point).unwrap();
                 assert!(
                     close([there[0] - left, there[1] - top], seen),
@@ -164,7 +193,7 @@ mod tests {
                 assert!((DVec3::from(ray.origin) - DVec3::from(same.origin)).length() < 1e-9, "{pose:?}");
                 assert!((DVec3::from(ray.direction) - DVec3::from(same.direction)).length() < 1e-9, "{pose:?}");
             }
-            let again = row.own(&whole, size).screen_from_world(point).unwrap();
+            let again = tiles.own(&whole, size).screen_from_world(point).unwrap();
             assert!(close(again, seen), "{pose:?}: {again:?} for {seen:?}");
         }
     }

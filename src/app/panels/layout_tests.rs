@@ -1,0 +1,73 @@
+//! Panels in windows of several sizes: none lies over another, and bodies are shown where none is.
+#![allow(clippy::unwrap_used, reason = "a test that cannot go on stops")]
+
+use egui::{Pos2, Rect, pos2};
+
+use super::{Facts, Laid, PanelState, Sheet, places, show, theme};
+use crate::app::action::Tool;
+use crate::app::plots::Plots;
+
+const SIZES: [[f32; 2]; 4] = [[1280.0, 720.0], [1024.0, 600.0], [720.0, 1280.0], [1920.0, 1080.0]];
+
+/// What floats, and what is left for bodies, after sizes were found and panels faded in.
+fn laid(size: [f32; 2], state: &mut PanelState, facts: &Facts) -> (Vec<Rect>, Laid) {
+    let context = egui::Context::default();
+    theme::apply(&context);
+    let input =
+        egui::RawInput { screen_rect: Some(Rect::from_min_size(Pos2::ZERO, size.into())), ..egui::RawInput::default() };
+    let mut left = Laid::default();
+    for _ in 0..12 {
+        let mut output = context.run_ui(input.clone(), |ui| left = show(ui, state, facts).1);
+        output.textures_delta.clear();
+    }
+    let all = places::covered(&context, 1.0);
+    (all.into_iter().map(|[a, b, c, d]| Rect::from_min_max(pos2(a, b), pos2(c, d)).shrink(1.0)).collect(), left)
+}
+
+fn facts(tool: Tool) -> Facts {
+    let points = vec![pos2(600.0, 400.0)];
+    Facts { tool, dimensions: 2, caption: Some(["what is seen", "what to try"]), points, ..Facts::default() }
+}
+
+#[test]
+fn no_panel_lies_over_another_and_bodies_are_shown_beside_them() {
+    for size in SIZES {
+        for open in 0..8 {
+            let [settings, lessons, plots] = [1, 2, 4].map(|bit| open & bit > 0);
+            for tool in [Tool::Hand, Tool::Build, Tool::Select, Tool::Muscle] {
+                let mut state = PanelState { has_settings: settings, ..PanelState::default() };
+                state.lessons.is_open = lessons;
+                state.plots = plots.then(|| Plots::new(1.0));
+                let (all, laid) = laid(size, &mut state, &facts(tool));
+                let case = format!("{size:?}, settings {settings}, lessons {lessons}, plots {plots}, {tool:?}");
+                assert!(all.len() >= 3, "{case}: {all:?}");
+                for (place, one) in all.iter().enumerate() {
+                    let other = all[..place].iter().find(|other| other.intersects(*one));
+                    assert!(other.is_none(), "{case}: {one:?} lies over {other:?}");
+                }
+                let free = laid.free.unwrap();
+                let least = 0.12 * size[0] * size[1];
+                assert!(free.area() > least, "{case}: {free:?}");
+                // What belongs to a tool comes and goes: bodies do not move for it.
+                // What lies in the upper right corner is left to the camera: it moves bodies from there alone.
+                let is_corner = |one: &Rect| laid.corner.is_some_and(|at| one.left_bottom().distance(at) < 3.0);
+                let over = all.iter().find(|one| one.intersects(free) && !is_corner(one));
+                assert!(over.is_none() || tool != Tool::Hand, "{case}: {over:?} lies over bodies in {free:?}");
+            }
+        }
+    }
+}
+
+#[test]
+fn a_sheet_and_a_canvas_have_the_window_for_themselves() {
+    let count = |state: &mut PanelState, waits: bool| {
+        let facts = Facts { waits, ..facts(Tool::Select) };
+        laid(SIZES[0], state, &facts).0.len()
+    };
+    let open = || PanelState { has_settings: true, plots: Some(Plots::new(1.0)), ..PanelState::default() };
+    assert!(count(&mut open(), false) >= 5);
+    assert_eq!(count(&mut open(), true), 0, "the canvas alone, which is none of the panels");
+    for sheet in [Sheet::Help, Sheet::Gallery, Sheet::SaveTo] {
+        assert_eq!(count(&mut PanelState { sheet: Some(sheet), ..open() }, true), 1, "{sheet:?}");
+    }
+}

@@ -1,0 +1,54 @@
+//! What edits warn of is told once, where it was done.
+#![allow(clippy::unwrap_used, clippy::panic, reason = "a test that cannot go on stops")]
+
+use super::{Note, Order, Stage};
+use crate::history::{Do, MoveKeys};
+use crate::scene::{Scene, Vector};
+use crate::sim::PointId;
+
+const BOX: &str = r#"{"wobble": 1, "contact": true, "bounds": {"min": [-5, 0], "max": [5, 5]},
+    "bodies": [{"make": "lattice", "columns": 3, "rows": 3, "spacing": 0.5, "origin": [0, 1],
+        "material": {"kind": "spring", "stiffness": 300, "mass": 4}}]}"#;
+const ROPE: &str =
+    r#"{"wobble": 1, "bodies": [{"make": "rope", "count": 5, "to": [1.8, 0], "slack": 0.11, "pinned": [0, 4]}]}"#;
+
+fn stage(text: &str) -> Stage {
+    Stage::new(Scene::parse(text, "x.json").unwrap().into()).unwrap()
+}
+
+fn warned(stage: &mut Stage) -> Vec<String> {
+    match stage.take_warnings() {
+        Some(Note::Warned(lines)) => lines,
+        None => Vec::new(),
+        other => panic!("{other:?}"),
+    }
+}
+
+#[test]
+fn a_body_that_is_moved_into_a_wall_says_so_once() {
+    let mut stage = stage(BOX);
+    assert_eq!(warned(&mut stage), [""; 0]);
+    let keys = MoveKeys { points: (0..9).collect(), by: Some(Vector::Plane([0.0, -1.3])), ..MoveKeys::default() };
+    assert_eq!(stage.obey(Order::Give(vec![Do::Move(Box::new(keys))], Some("move"))), None);
+    let lines = warned(&mut stage);
+    assert!(lines.len() == 1 && lines[0].contains("lay inside an obstacle"), "{lines:?}");
+    assert_eq!(warned(&mut stage), [""; 0], "told already");
+    for order in [Order::Undo(None), Order::Redo(None), Order::Reset] {
+        stage.obey(order);
+        assert_eq!(warned(&mut stage), [""; 0], "nothing of it is new");
+    }
+}
+
+#[test]
+fn a_pin_that_is_led_further_than_bonds_reach_says_how_far() {
+    let mut stage = stage(ROPE);
+    let pin = *stage.history().world().pinned().last().unwrap();
+    let mut lead = |x: f64| {
+        stage.obey(Order::LeadPin { point: pin, to: [x, 0.0, 0.0], goes_on: false });
+        warned(&mut stage)
+    };
+    assert_eq!(pin, PointId(4));
+    assert_eq!(lead(1.9), [""; 0], "within its reach");
+    let lines = lead(2.8);
+    assert!(lines.len() == 1 && lines[0].contains("further apart than the bonds"), "{lines:?}");
+}
