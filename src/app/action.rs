@@ -53,6 +53,8 @@ pub enum Primitive {
     Cloth,
     /// A soft ring.
     Rim,
+    /// A figure of rigid pieces in joints.
+    Figure,
     /// A box that nothing enters.
     SolidBox,
     /// A circle that nothing enters.
@@ -63,12 +65,13 @@ pub enum Primitive {
 
 impl Primitive {
     /// All of them, in the order of the palette: bodies, then obstacles.
-    pub const ALL: [Primitive; 8] = [
+    pub const ALL: [Primitive; 9] = [
         Primitive::Box,
         Primitive::Disc,
         Primitive::Rope,
         Primitive::Cloth,
         Primitive::Rim,
+        Primitive::Figure,
         Primitive::SolidBox,
         Primitive::SolidCircle,
         Primitive::Slope,
@@ -82,6 +85,7 @@ impl Primitive {
             Primitive::Rope => "Rope",
             Primitive::Cloth => "Cloth",
             Primitive::Rim => "Rim",
+            Primitive::Figure => "Figure",
             Primitive::SolidBox => "Solid box",
             Primitive::SolidCircle => "Solid circle",
             Primitive::Slope => "Slope",

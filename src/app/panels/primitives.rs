@@ -18,6 +18,7 @@ fn words(primitive: Primitive) -> &'static str {
         }
         Primitive::Cloth => "a cloth: drag from corner to corner; it hangs by its upper corners (Shift: it does not)",
         Primitive::Rim => "a soft rim: drag from its middle to its outside",
+        Primitive::Figure => "a figure with joints: drag from its head to its feet, or from its feet up",
         Primitive::SolidBox => "an obstacle, a box: drag from corner to corner",
         Primitive::SolidCircle => "an obstacle, a circle: drag from its middle to its rim",
         Primitive::Slope => "an obstacle, a plank as floor, slope or wall: drag along its upper side, to the right",
@@ -84,6 +85,12 @@ pub(super) fn paint(painter: &Painter, primitive: Primitive, at: &impl Fn(f32, f
         Primitive::Rim => {
             painter.circle_stroke(at(0.0, 0.0), 1.05 * unit, stroke);
             painter.circle_stroke(at(0.0, 0.0), 0.6 * unit, stroke);
+        }
+        Primitive::Figure => {
+            painter.circle_stroke(at(0.0, -0.9), 0.32 * unit, stroke);
+            line(&[(0.0, -0.55), (0.0, 0.25)]);
+            line(&[(-0.75, 0.05), (0.0, -0.35), (0.75, 0.05)]);
+            line(&[(-0.55, 1.2), (0.0, 0.25), (0.55, 1.2)]);
         }
         Primitive::SolidBox => filled(&square[..4]),
         Primitive::SolidCircle => {

@@ -3,6 +3,7 @@
 use glam::DVec2;
 
 use super::Maker;
+use super::figure::Figure;
 use super::grid::{Fineness, Grid};
 use crate::app::action::Primitive;
 use crate::body::hanging;
@@ -26,6 +27,7 @@ pub(super) enum Form {
         hangs: bool,
     },
     Rim(Round),
+    Figure(Figure),
     SolidBox([DVec2; 2]),
     SolidCircle(Round),
     Slope(Plank),
@@ -75,6 +77,8 @@ pub(super) struct End {
     pub(super) hold: Hold,
 }
 
+/// Height of a figure, in what a click makes `[1]`.
+const TALL: f64 = 1.7;
 /// Thickness of a slope, in what a click makes `[1]`.
 const THICK: f64 = 0.25;
 /// Cells of a soft box: enough to bend, few enough for many of them.
@@ -97,6 +101,7 @@ impl Form {
             Primitive::Rope => Form::rope(ends, usual, maker.slack()),
             Primitive::Cloth => Form::Cloth { grid: Grid::fit(from, to, &CLOTH), hangs: !maker.is_free },
             Primitive::Rim => Form::Rim(round),
+            Primitive::Figure => Form::Figure(Figure::between(from, to)),
             Primitive::SolidBox => Form::SolidBox([from.min(to), from.max(to)]),
             Primitive::SolidCircle => Form::SolidCircle(round),
             Primitive::Slope => Form::Slope(Plank { from, along: to - from, thick: THICK * usual }),
@@ -114,6 +119,7 @@ impl Form {
             Primitive::Disc | Primitive::SolidCircle => beside(DVec2::new(0.5 * usual, 0.0)),
             Primitive::Rim => beside(DVec2::new(0.75 * usual, 0.0)),
             Primitive::Rope => beside(down(usual)),
+            Primitive::Figure => about(DVec2::new(0.0, 0.5 * TALL * usual)),
             Primitive::Slope => beside(DVec2::new(usual, 0.0)),
         };
         let end = |at: DVec2, hold: Hold| End { at, hold };
@@ -144,6 +150,7 @@ impl Form {
                 let more = if is_held { format!(", {:.0} % slack (wheel)", 100.0 * slack) } else { String::new() };
                 format!("{long} m{more}")
             }
+            Form::Figure(figure) => format!("{} m tall", short(figure.tall)),
             Form::Slope(Plank { along, .. }) => {
                 format!("{} m, {:.0}°", short(along.length()), along.to_angle().to_degrees() + 0.0)
             }

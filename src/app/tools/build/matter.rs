@@ -4,6 +4,7 @@ use std::f64::consts::PI;
 
 use glam::DVec2;
 
+use super::figure::Figure;
 use super::form::{End, Form, Hold, Round, chain};
 use super::grid::Grid;
 use crate::scene::{
@@ -47,6 +48,7 @@ impl Form {
             Form::Rope { ends, pieces, slack } => rope(ends, (*pieces, *slack), next),
             Form::Cloth { grid, hangs } => body(cloth(grid, *hangs)),
             Form::Rim(round) => body(rim(round)),
+            Form::Figure(figure) => body(of_figure(figure)),
             Form::SolidBox([low, high]) => {
                 let keys = BoxKeys { min: vector(*low), max: vector(*high), angle: None, rotation: None };
                 obstacle(ObstacleKeys { r#box: Some(keys), ..ObstacleKeys::default() })
@@ -122,6 +124,16 @@ fn rim(&Round { center, radius }: &Round) -> BodyKeys {
         bracing: Some(vec![Outer, Inner, Spoke, Rising, Falling]),
         origin: Some(vector(center)),
         material: Some(springs(AREA_MASS * area, SOFT_RIM)),
+        ..BodyKeys::default()
+    }
+}
+
+fn of_figure(figure: &Figure) -> BodyKeys {
+    BodyKeys {
+        make: MakerName::Ragdoll,
+        height: Some(figure.height()),
+        origin: Some(vector(figure.hip())),
+        material: Some(rigid(AREA_MASS * figure.area())),
         ..BodyKeys::default()
     }
 }

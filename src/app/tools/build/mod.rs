@@ -1,5 +1,6 @@
 //! The tool for building: a press and a release draw out a primitive, which comes into the world as one `add`.
 
+mod figure;
 mod form;
 mod grid;
 mod matter;
@@ -14,7 +15,8 @@ use super::Deed;
 use super::marks::Mark;
 use super::pick::Scope;
 use crate::app::action::Primitive;
-use crate::history::Do;
+use crate::history::{Do, SetKeys};
+use crate::scene::{ContactKeys, Meeting};
 use crate::sim::PointId;
 use form::{End, Form, Hold};
 
@@ -83,7 +85,12 @@ impl Maker {
         match self.form(scope, Some(drag), at) {
             Ok(form) => {
                 let keys = form.keys(scope.shown.point_count() as u32);
-                Deed::edit(self.primitive.name(), Do::Add(Box::new(keys)))
+                let mut deed = Deed::edit(self.primitive.name(), Do::Add(Box::new(keys)));
+                let meets = scope.shown.settings.contact.flatten().is_some();
+                if self.primitive == Primitive::Figure && !meets {
+                    deed.commands.insert(0, apart_from_itself());
+                }
+                deed
             }
             Err(words) => Deed::words(words),
         }
@@ -118,6 +125,7 @@ impl Maker {
         }
         let drawn = match self.primitive {
             Primitive::Box | Primitive::Cloth | Primitive::SolidBox => (to.at - from.at).abs().min_element(),
+            Primitive::Figure => (to.at - from.at).y.abs(),
             _ => from.at.distance(to.at),
         };
         if drawn * scope.camera.pixels_per_metre() < LEAST * scope.scale {
@@ -136,6 +144,12 @@ impl Maker {
         let free = End { at, hold: if self.is_free { Hold::None } else { Hold::Pin } };
         point.filter(|_| self.primitive == Primitive::Rope).and_then(tied).unwrap_or(free)
     }
+}
+
+/// Where nothing met before, bodies meet each other and not themselves: the limbs of a figure begin across each other.
+fn apart_from_itself() -> Do {
+    let contact = ContactKeys { with_itself: Some(false), ..ContactKeys::default() };
+    Do::Set(Box::new(SetKeys { contact: Some(Meeting::As(contact)), ..SetKeys::default() }))
 }
 
 /// Where a pixel lies in the plane `[m]`.

@@ -20,6 +20,10 @@ pub(super) fn of(form: &Form, scope: Scope<'_>, at: DVec2) -> Vec<Mark> {
         Form::Rim(rim) => {
             [rim.radius, INNER * rim.radius].into_iter().flat_map(|radius| ring(scope, rim.center, radius)).collect()
         }
+        Form::Figure(figure) => {
+            let side = |[from, to]: [DVec2; 2]| Some(line(scope, pixel(scope, from)?, pixel(scope, to)?));
+            figure.sides().into_iter().filter_map(side).collect()
+        }
         Form::Rope { ends, pieces, slack } => rope(scope, ends, &chain(ends.map(|end| end.at), *pieces, *slack)),
         Form::Cloth { grid, hangs } => {
             let high = grid.low + grid.size();
