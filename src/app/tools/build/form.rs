@@ -92,10 +92,12 @@ const ALL_PIECES: [f64; 2] = [4.0, 40.0];
 
 impl Form {
     /// What is drawn out between two ends, where what a click makes is so large `[m]`.
-    pub(super) fn drawn(maker: Maker, ends: [End; 2], usual: f64) -> Self {
+    /// `None`: it is drawn otherwise.
+    pub(super) fn drawn(maker: Maker, ends: [End; 2], usual: f64) -> Option<Self> {
         let [from, to] = ends.map(|end| end.at);
         let round = Round { center: from, radius: from.distance(to) };
-        match maker.primitive {
+        Some(match maker.primitive {
+            Primitive::Bonds | Primitive::Polygon => return None,
             Primitive::Box => Form::Box(Grid::fit(from, to, &BOX)),
             Primitive::Disc => Form::Disc(round),
             Primitive::Rope => Form::rope(ends, usual, maker.slack()),
@@ -105,11 +107,11 @@ impl Form {
             Primitive::SolidBox => Form::SolidBox([from.min(to), from.max(to)]),
             Primitive::SolidCircle => Form::SolidCircle(round),
             Primitive::Slope => Form::Slope(Plank { from, along: to - from, thick: THICK * usual }),
-        }
+        })
     }
 
     /// What a click makes, of a usual size `[m]`: about the place, a rope hanging down from it, a slope that is level.
-    pub(super) fn usual(maker: Maker, at: End, usual: f64) -> Self {
+    pub(super) fn usual(maker: Maker, at: End, usual: f64) -> Option<Self> {
         let about = |half: DVec2| [at.at + half * DVec2::new(-1.0, 1.0), at.at + half * DVec2::new(1.0, -1.0)];
         let beside = |by: DVec2| [at.at, at.at + by];
         let [from, to] = match maker.primitive {
@@ -121,6 +123,7 @@ impl Form {
             Primitive::Rope => beside(down(usual)),
             Primitive::Figure => about(DVec2::new(0.0, 0.5 * TALL * usual)),
             Primitive::Slope => beside(DVec2::new(usual, 0.0)),
+            Primitive::Bonds | Primitive::Polygon => return None,
         };
         let end = |at: DVec2, hold: Hold| End { at, hold };
         Form::drawn(maker, [end(from, at.hold), end(to, Hold::None)], usual)

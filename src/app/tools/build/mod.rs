@@ -1,10 +1,18 @@
 //! The tool for building: a press and a release draw out a primitive, which comes into the world as one `add`.
 
+mod chain;
+mod corners;
+#[cfg(test)]
+mod drawn_tests;
 mod figure;
+mod fill;
 mod form;
 mod grid;
+mod links;
 mod matter;
 mod outline;
+mod path;
+mod polygon;
 #[cfg(test)]
 mod tests;
 mod tie;
@@ -19,6 +27,8 @@ use crate::history::{Do, SetKeys};
 use crate::scene::{ContactKeys, Meeting};
 use crate::sim::PointId;
 use form::{End, Form, Hold};
+pub(in crate::app) use links::{Link, Links};
+pub(super) use path::Path;
 
 /// Said where nothing can be built.
 pub(super) const OF_THE_PLANE: &str = "primitives are for the plane: this scene is in space";
@@ -27,15 +37,28 @@ const TOO_SMALL: &str = "too small: drag it out further, or click for one of the
 
 /// A press that moves less than this is a click `[logical px]`.
 const CLICK: f64 = 4.0;
+/// What lies so near to a press is meant by it `[logical px]`.
+const SNAP: f64 = 12.0;
 /// The least side or radius of what is drawn out `[logical px]`: a hand could not take hold of less.
 const LEAST: f64 = 8.0;
 /// Usual sizes in the height of the view: what a click makes is seen whole, with room for some more.
 const USUAL_IN_VIEW: f64 = 7.0;
 
+/// What a press or a release comes to while something is drawn click by click.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) enum Step {
+    /// It goes on; words where there is something to be said.
+    GoesOn(Option<String>),
+    /// It has ended.
+    Done(Deed),
+}
+
 /// What is made.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(super) struct Maker {
     pub(super) primitive: Primitive,
+    /// What drawn bonds are made of.
+    pub(super) links: Links,
     /// What hangs otherwise, ropes and cloths, is pinned nowhere.
     pub(super) is_free: bool,
     /// How far the wheel turned while ropes were drawn.
@@ -101,6 +124,9 @@ impl Maker {
         if scope.shown.dimensions != 2 {
             return Vec::new();
         }
+        if self.primitive.is_drawn() {
+            return Path::default().marks(self, scope, Some(at));
+        }
         match self.form(scope, drag, at) {
             Ok(form) => outline::of(&form, scope, at),
             Err(words) => vec![outline::label(scope, at, words)],
@@ -114,7 +140,8 @@ impl Maker {
         let usual = usual_size(scope.camera.height());
         let begun = drag.copied().unwrap_or_else(|| Drag::new(scope, at));
         if begun.pressed.distance(at) < CLICK * scope.scale {
-            return Ok(Form::usual(self, self.end(scope, begun.point, begun.from), usual));
+            let form = Form::usual(self, self.end(scope, begun.point, begun.from), usual);
+            return form.ok_or_else(String::new);
         }
         let (there, point) = (place(scope, at), tie::point_at(scope, at));
         let from = self.end(scope, begun.point, begun.from);
@@ -131,7 +158,7 @@ impl Maker {
         if drawn * scope.camera.pixels_per_metre() < LEAST * scope.scale {
             return Err(TOO_SMALL.to_owned());
         }
-        Ok(Form::drawn(self, [from, to], usual))
+        Form::drawn(self, [from, to], usual).ok_or_else(String::new)
     }
 
     /// The end of a drag at a place `[m]`: a rope is tied to the point that is seen there, and pinned where none is.

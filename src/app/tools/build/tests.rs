@@ -12,24 +12,24 @@ use crate::render::Camera;
 use crate::scene::{AddKeys, Scene};
 use crate::sim::{Dynamics, PointId};
 
-type Seen = (Shown, Camera, Scene);
+pub(super) type Seen = (Shown, Camera, Scene);
 
 /// An empty box, 8 m high in view, with gravity.
 const ROOM: &str = r#"{"wobble": 1, "gravity": [0, -9.81], "bounds": {"min": [-6, -4], "max": [6, 4], "friction": 0.5},
     "view": {"center": [0, 0], "height": 8}}"#;
 
-fn room() -> Seen {
+pub(super) fn room() -> Seen {
     shown(Scene::parse(ROOM, "x.json").unwrap())
 }
 
-fn hand(primitive: Primitive) -> Hand {
+pub(super) fn hand(primitive: Primitive) -> Hand {
     let mut hand = Hand::default();
     hand.choose(primitive);
     hand
 }
 
 /// Where a place is seen.
-fn at(seen: &Seen, x: f64, y: f64) -> DVec2 {
+pub(super) fn at(seen: &Seen, x: f64, y: f64) -> DVec2 {
     seen.1.screen_from_world([x, y, 0.0].into()).unwrap().into()
 }
 
@@ -40,7 +40,7 @@ fn drag(seen: &Seen, hand: &mut Hand, from: [f64; 2], to: [f64; 2]) -> Deed {
     hand.release(scope(seen), at(seen, to[0], to[1]))
 }
 
-fn added(deed: &Deed) -> &AddKeys {
+pub(super) fn added(deed: &Deed) -> &AddKeys {
     let [Do::Add(keys)] = &deed.commands[..] else { panic!("{deed:?}") };
     keys
 }
@@ -135,7 +135,7 @@ fn obstacles_lie_where_they_were_drawn_and_slopes_are_planks_at_the_right_hand()
 #[test]
 fn a_click_makes_one_of_a_usual_size() {
     let seen = room();
-    for primitive in Primitive::ALL {
+    for primitive in Primitive::ALL.into_iter().filter(|primitive| !primitive.is_drawn()) {
         let deed = drag(&seen, &mut hand(primitive), [0.3, 0.2], [0.3, 0.2]);
         assert_eq!(deed.edit, Some(primitive.name()));
         let [low, high] = extent(history(&seen, &[deed]).world(), 0);
@@ -147,7 +147,7 @@ fn a_click_makes_one_of_a_usual_size() {
 #[test]
 fn what_is_too_small_is_not_made_and_is_said() {
     let seen = room();
-    for primitive in Primitive::ALL {
+    for primitive in Primitive::ALL.into_iter().filter(|primitive| !primitive.is_drawn()) {
         let flat = matches!(primitive, Primitive::Box | Primitive::Cloth | Primitive::SolidBox | Primitive::Figure);
         let to = if flat { [2.0, 0.01] } else { [0.06, 0.0] };
         let deed = drag(&seen, &mut hand(primitive), [0.0, 0.0], to);
