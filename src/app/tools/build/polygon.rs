@@ -173,7 +173,7 @@ impl Outline {
             0 => "click corner by corner, or draw around it".to_owned(),
             _ if is_free => format!("{} corners: let go", all.len()),
             1 | 2 => "the next corner".to_owned(),
-            count => format!("{count} corners: Enter, or a click on the first, closes it"),
+            count => format!("{count} corners: Enter closes it"),
         };
         marks.extend(at.map(|at| label(scope, at, words)));
         marks
