@@ -32,8 +32,11 @@ pub(super) fn show(
     facts: &Facts,
     wishes: &mut Vec<Wish>,
 ) {
-    let place = Area::new(Id::unique("tools"))
-        .anchor(Align2::LEFT_CENTER, [10.0, 0.5 * (rooms.tools.height() - context.content_rect().height())]);
+    // In the middle of what is left, below the buttons.
+    let high = context.memory(|memory| memory.area_rect(Id::unique("tools"))).map_or(0.0, |tools| tools.height());
+    let middle = rooms.tools.center().y.max(rooms.left.top() + 0.5 * high);
+    let off = middle - context.content_rect().center().y;
+    let place = Area::new(Id::unique("tools")).anchor(Align2::LEFT_CENTER, [10.0, off]);
     let shown = place.show(context, |ui| {
         floating().show(ui, |ui| {
             ui.spacing_mut().item_spacing.y = 4.0;
