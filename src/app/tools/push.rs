@@ -163,8 +163,14 @@ impl Arrow {
 
     /// Where its number stands.
     fn beside(&self, scope: Scope<'_>) -> DVec2 {
-        let head = self.line(scope).last().copied().unwrap_or(self.from);
-        head + DVec2::new(12.0, -6.0) * scope.scale
+        match self.form {
+            // Where no arc goes before it is nearly whole.
+            Form::Round(_) => self.from + DVec2::new(0.8 * ARC, 0.8 * ARC + 8.0) * scope.scale,
+            Form::Straight(_) => {
+                let head = self.line(scope).last().copied().unwrap_or(self.from);
+                head + DVec2::new(12.0, -6.0) * scope.scale
+            }
+        }
     }
 }
 
