@@ -65,8 +65,7 @@ impl Outline {
     /// The button goes up: a drag that is straight was a side, another one closes the outline.
     pub(in crate::app::tools) fn release(&mut self, scope: Scope<'_>, at: DVec2) -> Step {
         let drawn = self.drawn(scope, at);
-        let Some((_, _)) = self.stroke.take() else { return Step::GoesOn(None) };
-        if drawn.len() < 2 {
+        if self.stroke.take().is_none() || drawn.len() < 2 {
             return Step::GoesOn(None);
         }
         let before = self.corners.len();
