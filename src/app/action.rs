@@ -22,11 +22,13 @@ pub enum Tool {
     Motor,
     /// A brush that gives bodies another matter.
     Paint,
+    /// A drag from a body is a constant force, or a torque.
+    Push,
 }
 
 impl Tool {
     /// All of them, in the order of the palette.
-    pub const ALL: [Tool; 9] = [
+    pub const ALL: [Tool; 10] = [
         Tool::Hand,
         Tool::Pin,
         Tool::Cut,
@@ -36,6 +38,7 @@ impl Tool {
         Tool::Muscle,
         Tool::Motor,
         Tool::Paint,
+        Tool::Push,
     ];
 }
 
@@ -53,25 +56,34 @@ pub enum Primitive {
     Cloth,
     /// A soft ring.
     Rim,
+    /// A figure of rigid pieces in joints.
+    Figure,
+    /// Points and bonds, one after the other.
+    Bonds,
     /// A box that nothing enters.
     SolidBox,
     /// A circle that nothing enters.
     SolidCircle,
     /// A plane, solid on one side.
     Slope,
+    /// An outline that nothing enters, drawn corner by corner or with a free stroke.
+    Polygon,
 }
 
 impl Primitive {
     /// All of them, in the order of the palette: bodies, then obstacles.
-    pub const ALL: [Primitive; 8] = [
+    pub const ALL: [Primitive; 11] = [
         Primitive::Box,
         Primitive::Disc,
         Primitive::Rope,
         Primitive::Cloth,
         Primitive::Rim,
+        Primitive::Figure,
+        Primitive::Bonds,
         Primitive::SolidBox,
         Primitive::SolidCircle,
         Primitive::Slope,
+        Primitive::Polygon,
     ];
 
     /// What it is called on its button, and when it is undone.
@@ -82,10 +94,18 @@ impl Primitive {
             Primitive::Rope => "Rope",
             Primitive::Cloth => "Cloth",
             Primitive::Rim => "Rim",
+            Primitive::Figure => "Figure",
+            Primitive::Bonds => "Bonds",
             Primitive::SolidBox => "Solid box",
             Primitive::SolidCircle => "Solid circle",
             Primitive::Slope => "Slope",
+            Primitive::Polygon => "Polygon",
         }
+    }
+
+    /// Whether it is drawn click by click, not dragged out.
+    pub fn is_drawn(self) -> bool {
+        matches!(self, Primitive::Bonds | Primitive::Polygon)
     }
 }
 
@@ -162,6 +182,10 @@ pub enum Action {
     Take(Tool),
     /// The tool for pins as long as the key is held.
     PinWhileHeld,
+    /// Ends what is drawn click by click.
+    Finish,
+    /// Takes the last click of that back.
+    StepBack,
     /// Takes away what is selected, under the cursor or grabbed.
     Delete,
     /// Puts a copy of what is selected beside it.
@@ -235,10 +259,20 @@ pub enum Action {
 impl Action {
     /// Whether it is asked for again and again while its key is held down.
     pub fn repeats(self) -> bool {
-        use Action::{LargerRegion, NextScene, PreviousScene, Redo, SmallerRegion, Step, Stronger, Undo, Weaker};
+        use Action::{
+            LargerRegion, NextScene, PreviousScene, Redo, SmallerRegion, Step, StepBack, Stronger, Undo, Weaker,
+        };
         matches!(
             self,
-            Step | SmallerRegion | LargerRegion | Weaker | Stronger | Undo | Redo | PreviousScene | NextScene
+            Step | StepBack
+                | SmallerRegion
+                | LargerRegion
+                | Weaker
+                | Stronger
+                | Undo
+                | Redo
+                | PreviousScene
+                | NextScene
         )
     }
 

@@ -33,8 +33,8 @@ pub static TABLE: &[Binding] = &[
         &[(Ctrl("z"), Action::Undo), (CtrlShift("z"), Action::Redo), (Ctrl("y"), Action::Redo)],
     ),
     binding(
-        "1, 2, 3, 4, 5, 6, 7, 8, 9",
-        "the tools: hand, pin, cut, erase, build, select, muscle, motor, material brush",
+        "1, 2, 3, 4, 5, 6, 7, 8, 9, 0",
+        "the tools: hand, pin, cut, erase, build, select, muscle, motor, material brush, force",
         &[
             (Writes("1"), Action::Take(Tool::Hand)),
             (Writes("2"), Action::Take(Tool::Pin)),
@@ -45,9 +45,15 @@ pub static TABLE: &[Binding] = &[
             (Writes("7"), Action::Take(Tool::Muscle)),
             (Writes("8"), Action::Take(Tool::Motor)),
             (Writes("9"), Action::Take(Tool::Paint)),
+            (Writes("0"), Action::Take(Tool::Push)),
         ],
     ),
     binding("T", "held: a click pins points or lets them go", &[(Writes("t"), Action::PinWhileHeld)]),
+    binding(
+        "Enter, Backspace",
+        "build: end the outline or the chain, or take its last point back",
+        &[(Named(NamedKey::Enter), Action::Finish), (Named(NamedKey::Backspace), Action::StepBack)],
+    ),
     binding(
         "Del",
         "take away what is selected, under the cursor or grabbed",

@@ -51,8 +51,14 @@ fn of_motor(ui: &mut Ui, drives: &mut Drives) {
     let motor = &mut drives.motor;
     ui.label(RichText::new("Hinge and motor").color(TEXT).strong());
     ui.label(RichText::new("click the middle of a wheel, or any body").color(WEAK));
-    ui.add(Checkbox::new(&mut motor.is_on, "motor"));
-    if motor.is_on {
+    let mut is_on = motor.is_on.unwrap_or(false);
+    if ui.add(Checkbox::new(&mut is_on, "motor")).changed() {
+        motor.is_on = Some(is_on);
+    }
+    if motor.is_on.is_none() {
+        ui.label(RichText::new("a wheel on the ground gets one by itself").color(WEAK));
+    }
+    if motor.is_on != Some(false) {
         slider(ui, "speed", &mut motor.speed, -MOST[2]..=MOST[2], " rad/s");
         slider(ui, "torque", &mut motor.torque, 1.0..=MOST[3], " N m");
         keys(ui, &mut motor.key, &mut motor.back);

@@ -29,6 +29,7 @@ pub(super) enum Icon {
     Muscle,
     Motor,
     Brush,
+    Push,
     Gear,
     Plot,
     Book,
@@ -141,6 +142,12 @@ fn paint(painter: &Painter, icon: Icon, rect: Rect, color: Color32) {
             filled(&[(0.1, -0.45), (0.45, -0.1), (0.1, 0.35), (-0.35, -0.1)]);
             filled(&[(-0.35, -0.05), (0.05, 0.35), (-0.3, 0.9), (-1.1, 1.1), (-0.85, 0.35)]);
         }
+        Icon::Push => {
+            // A body and an arrow from it.
+            ring(-0.55, 0.55, 0.55);
+            line(&[(-0.4, 0.4), (0.95, -0.95)]);
+            filled(&[(1.2, -1.2), (0.95, -0.2), (0.2, -0.95)]);
+        }
         Icon::Gear => {
             ring(0.0, 0.0, 0.4);
             ring(0.0, 0.0, 0.85);
@@ -192,7 +199,7 @@ mod tests {
         let context = egui::Context::default();
         let all = [Icon::Play, Icon::Pause, Icon::Step, Icon::Reset, Icon::Before, Icon::After];
         let more = [Icon::Undo, Icon::Redo, Icon::Hand, Icon::Pin, Icon::Cut, Icon::Erase, Icon::Build, Icon::Select];
-        let more = more.into_iter().chain([Icon::Muscle, Icon::Motor, Icon::Brush]);
+        let more = more.into_iter().chain([Icon::Muscle, Icon::Motor, Icon::Brush, Icon::Push]);
         for icon in all
             .into_iter()
             .chain(more)

@@ -32,6 +32,7 @@ mod plots_tests;
 #[cfg(test)]
 mod pointer;
 mod primitives;
+mod push;
 mod save_to;
 mod settings;
 #[cfg(test)]
@@ -49,7 +50,7 @@ use super::action::{Action, Primitive, Showing, Tool};
 use super::matter::{Matter, MatterChange};
 use super::player::{Figures, MethodSetting};
 use super::plots::Plots;
-use super::tools::{Brush, Drives};
+use super::tools::{Brush, Drives, Links, PushWay};
 use crate::render::{Look, Overlay};
 use crate::scene::{BesideKeys, SolverName};
 use crate::sim::Key;
@@ -87,6 +88,10 @@ pub(super) enum Wish {
     Build(Primitive),
     /// The tools for muscles and motors make these from now on.
     Drives(Drives),
+    /// The tool for forces makes these from now on.
+    Push(PushWay),
+    /// Drawn bonds are made of something else.
+    Links(Links),
     /// What is selected gets another matter; of the same drag as the last one.
     Matter(MatterChange, bool),
     /// The brush paints with this from now on.
@@ -200,6 +205,10 @@ pub(super) struct Facts {
     pub(super) primitive: Primitive,
     /// What the tools for muscles and motors make.
     pub(super) drives: Drives,
+    /// What the tool for forces makes.
+    pub(super) push: PushWay,
+    /// What drawn bonds are made of.
+    pub(super) links: Links,
     /// What the brush paints with.
     pub(super) brush: Brush,
     /// A drag beside all bodies is a free stroke.

@@ -7,6 +7,7 @@ use super::icons::{self, Icon};
 use super::theme::floating;
 use super::{Facts, Wish};
 use crate::app::action::Primitive;
+use crate::app::tools::Link;
 
 /// What each makes, and how.
 fn words(primitive: Primitive) -> &'static str {
@@ -18,9 +19,17 @@ fn words(primitive: Primitive) -> &'static str {
         }
         Primitive::Cloth => "a cloth: drag from corner to corner; it hangs by its upper corners (Shift: it does not)",
         Primitive::Rim => "a soft rim: drag from its middle to its outside",
+        Primitive::Figure => "a figure with joints: drag from its head to its feet, or from its feet up",
+        Primitive::Bonds => {
+            "points and bonds: click or drag from point to point, also to those that are there; Enter, Esc or a second click \
+             ends the chain"
+        }
         Primitive::SolidBox => "an obstacle, a box: drag from corner to corner",
         Primitive::SolidCircle => "an obstacle, a circle: drag from its middle to its rim",
         Primitive::Slope => "an obstacle, a plank as floor, slope or wall: drag along its upper side, to the right",
+        Primitive::Polygon => {
+            "an obstacle: click corner by corner; the first one, Enter or a second click closes it. Or draw around it"
+        }
     }
 }
 
@@ -36,8 +45,30 @@ pub(super) fn show(context: &egui::Context, tools: Rect, facts: &Facts, wishes: 
                     pair.iter().for_each(|&primitive| choice(ui, primitive, facts, wishes));
                 });
             }
+            if facts.primitive == Primitive::Bonds {
+                links(ui, facts, wishes);
+            }
         });
     });
+}
+
+/// What drawn bonds are made of.
+fn links(ui: &mut Ui, facts: &Facts, wishes: &mut Vec<Wish>) {
+    let mut links = facts.links;
+    ui.separator();
+    for link in Link::ALL {
+        let words = match link {
+            Link::Rod => "keeps its length",
+            Link::Spring => "as soft as a soft box",
+            Link::String => "gets no longer, and goes slack",
+        };
+        ui.radio_value(&mut links.link, link, link.name()).on_hover_text(words);
+    }
+    let said = "a loop that is closed becomes a soft body (Shift does the same)";
+    ui.checkbox(&mut links.fills, "fill loops").on_hover_text(said);
+    if links != facts.links {
+        wishes.push(Wish::Links(links));
+    }
 }
 
 fn choice(ui: &mut Ui, primitive: Primitive, facts: &Facts, wishes: &mut Vec<Wish>) {
@@ -85,10 +116,23 @@ pub(super) fn paint(painter: &Painter, primitive: Primitive, at: &impl Fn(f32, f
             painter.circle_stroke(at(0.0, 0.0), 1.05 * unit, stroke);
             painter.circle_stroke(at(0.0, 0.0), 0.6 * unit, stroke);
         }
+        Primitive::Figure => {
+            painter.circle_stroke(at(0.0, -0.9), 0.32 * unit, stroke);
+            line(&[(0.0, -0.55), (0.0, 0.25)]);
+            line(&[(-0.75, 0.05), (0.0, -0.35), (0.75, 0.05)]);
+            line(&[(-0.55, 1.2), (0.0, 0.25), (0.55, 1.2)]);
+        }
+        Primitive::Bonds => {
+            line(&[(-1.0, 0.9), (-0.5, -0.7), (0.45, 0.3), (1.0, -0.9)]);
+            for (x, y) in [(-1.0, 0.9), (-0.5, -0.7), (0.45, 0.3), (1.0, -0.9)] {
+                painter.circle_filled(at(x, y), 0.27 * unit, stroke.color);
+            }
+        }
         Primitive::SolidBox => filled(&square[..4]),
         Primitive::SolidCircle => {
             painter.circle_filled(at(0.0, 0.0), 1.05 * unit, stroke.color);
         }
         Primitive::Slope => filled(&[(-1.1, 1.0), (1.1, -0.9), (1.1, 1.0)]),
+        Primitive::Polygon => filled(&[(-1.1, -0.3), (-0.1, -1.1), (1.1, -0.5), (0.75, 1.0), (-0.7, 0.9)]),
     }
 }

@@ -10,6 +10,8 @@ pub(super) const ON_ACCENT: Color32 = Color32::from_rgb(10, 26, 22);
 pub(in crate::app) const AWAY: Color32 = Color32::from_rgb(255, 120, 110);
 /// What is led.
 pub(in crate::app) const LEAD: Color32 = Color32::from_rgb(255, 214, 120);
+/// Forces that stay.
+pub(in crate::app) const PUSH: Color32 = Color32::from_rgb(255, 168, 92);
 /// The probes: their rings and their curves.
 pub(in crate::app) const PROBES: [Color32; 2] = [Color32::from_rgb(240, 228, 66), Color32::from_rgb(220, 140, 190)];
 /// Text that matters.

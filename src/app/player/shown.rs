@@ -12,7 +12,8 @@ use crate::history::{BranchView, Group};
 use crate::picture::{Skin, Tint};
 use crate::render::{Hinge, View, joints};
 use crate::sim::{
-    Bond, Bonds, Convex, Cursor, Dynamics, GrabView, Key, MouseForce, PointId, Polygon, Positions, SceneChange,
+    Bond, Bonds, Convex, Cursor, Dynamics, ForceView, GrabView, Key, MouseForce, PointId, Polygon, Positions,
+    SceneChange,
 };
 
 /// Positions in the scalar of their world, copied.
@@ -91,6 +92,8 @@ pub struct Scenery {
     pub keys: Vec<Key>,
     /// Points that keyed drives move, ascending.
     pub driven: Vec<PointId>,
+    /// The constant forces.
+    pub forces: Vec<ForceView>,
     /// Where motors and servos turn.
     pub hinges: Vec<Hinge>,
     /// Where joints with stops are, ascending.
@@ -122,6 +125,7 @@ impl Scenery {
             named: Vec::new(),
             keys: world.drive_keys(),
             driven: driven(world),
+            forces: world.forces(),
             hinges: Hinge::of(world),
             joints: joints(world),
         }

@@ -317,7 +317,7 @@ impl Stage {
         if let Some(why) = self.is_outdated(&commands) {
             return Some(Note::Refused(why.to_owned()));
         }
-        let brings = commands.iter().any(|act| matches!(act, Do::Add(keys) if !keys.bodies.is_empty()));
+        let brings = commands.iter().any(|act| matches!(act, Do::Add(keys) if self.brings_body(keys)));
         let (meeting, why) = if brings { self.meeting() } else { (Vec::new(), None) };
         all.extend(commands);
         let (given, why) = self.give_met(meeting, all, edit, why);
@@ -349,12 +349,29 @@ impl Stage {
         }
     }
 
+    /// Whether what comes is a body of its own: one by its name, or new points that bonds hold together.
+    fn brings_body(&self, keys: &AddKeys) -> bool {
+        let [next, ..] = self.history.world().next_numbers();
+        !keys.bodies.is_empty() || keys.bonds.iter().any(|bond| bond.a.min(bond.b) >= next)
+    }
+
     /// Why commands are of a moment that has gone: a new body would be bonded to others than were seen.
     fn is_outdated(&self, commands: &[Do]) -> Option<&'static str> {
         let [next, ..] = self.history.world().next_numbers();
         let is_old = |bond: &BondKeys| bond.a.max(bond.b) < next;
-        let names_old =
-            |act: &Do| matches!(act, Do::Add(keys) if !keys.bodies.is_empty() && keys.bonds.iter().any(is_old));
+        // The last of new points is named by a bond, an angle or a pin wherever anything is.
+        let is_shifted = |keys: &AddKeys| {
+            let count = keys.points.as_ref().map_or(0, |points| points.position.len() as u32);
+            let pins = keys.points.iter().flat_map(|points| points.pinned.iter().copied());
+            let ends = keys.bonds.iter().flat_map(|bond| [bond.a, bond.b]);
+            let angles = keys.angles.iter().flat_map(|angle| angle.points.0);
+            let last = ends.chain(angles).chain(pins).max();
+            count > 0 && keys.bodies.is_empty() && last.is_some_and(|last| last + 1 != next + count)
+        };
+        let names_old = |act: &Do| match act {
+            Do::Add(keys) => is_shifted(keys) || (!keys.bodies.is_empty() && keys.bonds.iter().any(is_old)),
+            _ => false,
+        };
         commands.iter().any(names_old).then_some("something else came into the scene meanwhile: draw it again")
     }
 

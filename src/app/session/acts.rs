@@ -37,6 +37,13 @@ impl Session {
             Action::NextScene => self.open_beside(1),
             Action::Gallery => self.toggle_sheet(Sheet::Gallery),
             Action::Help => self.toggle_sheet(Sheet::Help),
+            // What is drawn click by click is not done yet.
+            Action::Undo if self.hand.is_drawing() => self.hand.step_back(),
+            Action::StepBack => self.hand.step_back(),
+            Action::Finish => {
+                let deed = self.with_scope(|hand, scope| hand.finish(scope));
+                self.do_deed(deed);
+            }
             Action::Undo => self.player.ask(Order::Undo(self.told)),
             Action::Redo => self.player.ask(Order::Redo(self.told)),
             Action::Take(tool) => self.take(tool),
@@ -94,7 +101,12 @@ impl Session {
             Wish::Act(action) => self.act(action),
             Wish::OpenScene(name) => self.open_named(name),
             Wish::Learn(at) => self.learn(at),
-            Wish::Build(primitive) => self.hand.choose(primitive),
+            Wish::Build(primitive) => {
+                self.leave_drawing();
+                self.hand.choose(primitive);
+            }
+            Wish::Push(way) => self.hand.set_push_way(way),
+            Wish::Links(links) => self.hand.set_links(links),
             Wish::Drives(drives) => self.hand.set_drives(drives),
             Wish::Set(setting) => self.set(setting),
             Wish::Matter(change, goes_on) => self.change_matter(change, goes_on),
@@ -130,6 +142,9 @@ impl Session {
 
     /// Ends what is under way; else closes the topmost of what lies over the world; it never leaves.
     fn cancel(&mut self) {
+        if self.hand.is_drawing() {
+            return self.leave_drawing();
+        }
         let (was_busy, deed) = self.hand.cancel();
         self.do_deed(deed);
         if was_busy {
@@ -143,8 +158,15 @@ impl Session {
         }
     }
 
+    /// Leaves what is drawn click by click: bonds that were drawn come into the world.
+    fn leave_drawing(&mut self) {
+        let deed = self.with_scope(|hand, scope| hand.leave_drawing(scope));
+        self.do_deed(deed);
+    }
+
     /// Takes a tool; one that has no panel which says what to do says so.
     fn take(&mut self, tool: Tool) {
+        self.leave_drawing();
         self.hand.take(tool);
         let words = match tool {
             Tool::Pin => "pin: click a point to hold it where it is, or a pin to let it go",

@@ -5,9 +5,12 @@ use glam::{DVec2, DVec3};
 use super::Deed;
 use super::marks::{Mark, Role};
 use super::pick::Scope;
+use super::skin;
 use crate::history::{Do, DriveOrNone, SetKeys};
-use crate::scene::{AddKeys, AngleKeys, BondKeys, DriveKeys, KeyName, KindName, MassKeys, PointKeys, Row, Vector};
-use crate::sim::{Bond, BondKind, Limit, PointId};
+use crate::scene::{
+    AddKeys, AngleKeys, BondKeys, ContactKeys, DriveKeys, KeyName, KindName, MassKeys, Meeting, PointKeys, Row, Vector,
+};
+use crate::sim::{Bond, BondKind, Contact, Limit, PointId};
 
 /// Bonds of a hub to a body that turns about it, and to one that holds it.
 const SPOKES: usize = 6;
@@ -20,6 +23,17 @@ const NEAR: f64 = 1.6;
 const LEAST_SPOKE: f64 = 0.05;
 /// Stiffness of the bonds of a hub where a body has no springs to take it from `[N/m]`.
 const STIFFNESS: f64 = 4000.0;
+
+/// A body is round when its skin is nowhere nearer to its middle than this share of the farthest `[1]`, and has so many corners.
+const ROUND: f64 = 0.85;
+const LEAST_ROUND: usize = 8;
+/// Without a motor a click this near to the middle of what is round means the middle, in its radius `[1]`.
+const MIDDLE: f64 = 0.35;
+/// A motor turns springs against each other by no more than this `[rad]`, about.
+const SHEAR: f64 = 0.5;
+
+/// Said where two bodies overlap that are hinged.
+const PASSES: &str = "they overlap, so bodies meet themselves no more";
 
 /// Said where nothing is clicked that could be a muscle, or hinged.
 const NO_BOND: &str = "no bond lies here that could be a muscle";
@@ -41,8 +55,8 @@ pub(in crate::app) struct MuscleChoice {
 /// What a hinge gets.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(in crate::app) struct MotorChoice {
-    /// It has a motor.
-    pub(in crate::app) is_on: bool,
+    /// It has a motor, or has none; `None`: what is round has one on the ground, and all else has none.
+    pub(in crate::app) is_on: Option<bool>,
     /// Anticlockwise `[rad/s]`.
     pub(in crate::app) speed: f64,
     /// `[N m]`
@@ -62,7 +76,7 @@ impl Default for Drives {
     fn default() -> Self {
         Drives {
             muscle: MuscleChoice { amplitude: 0.3, has_wave: true, period: 1.0, phase: 0.0, key: None, back: None },
-            motor: MotorChoice { is_on: true, speed: -6.0, torque: 30.0, key: None, back: None },
+            motor: MotorChoice { is_on: None, speed: -6.0, torque: 30.0, key: None, back: None },
         }
     }
 }
@@ -130,32 +144,44 @@ impl Drives {
 
     /// A hinge comes where a body is clicked.
     pub(super) fn press_motor(&self, scope: Scope<'_>, at: DVec2) -> Deed {
-        match Hinge::at(scope, at) {
+        match Hinge::at(scope, at, self.motor.is_on) {
             None => Deed::words(NO_BODY.to_owned()),
             Some(Err(why)) => Deed::words(why.to_owned()),
             Some(Ok(hinge)) => {
-                let name = if self.motor.is_on { "motor" } else { "hinge" };
-                Deed::edit(name, Do::Add(Box::new(hinge.keys(scope, &self.motor))))
+                let name = if hinge.has_motor { "motor" } else { "hinge" };
+                let mut deed = Deed::edit(name, Do::Add(Box::new(hinge.keys(scope, &self.motor))));
+                if let Some(contact) = hinge.parted {
+                    deed.commands.insert(0, pass_through(contact));
+                    deed.words = Some(format!("{PASSES}; Settings (G) change that back"));
+                }
+                deed
             }
         }
     }
 
     /// What a click with the tool for motors would do.
     pub(super) fn mark_motor(&self, scope: Scope<'_>, at: DVec2) -> Vec<Mark> {
-        let hinge = match Hinge::at(scope, at) {
+        let hinge = match Hinge::at(scope, at, self.motor.is_on) {
             None => return Vec::new(),
             Some(Err(why)) => return vec![Mark::Words(beside(scope, at), why.to_owned())],
             Some(Ok(hinge)) => hinge,
         };
+        let Some(hub) = scope.on_screen(hinge.at) else { return Vec::new() };
         let lines = hinge.spokes.iter().map(|spoke| (Role::Come, spoke));
         let lines = lines.chain(hinge.struts.iter().map(|strut| (Role::Hold, strut)));
         let mut marks: Vec<Mark> = lines
-            .filter_map(|(role, &point)| Some(Mark::Line(role, at, scope.pixel(point)?, 2.0 * scope.scale)))
+            .filter_map(|(role, &point)| Some(Mark::Line(role, hub, scope.pixel(point)?, 2.0 * scope.scale)))
             .collect();
-        marks.push(Mark::Ring(Role::Come, at, 7.0 * scope.scale));
-        let what = if self.motor.is_on { "a motor" } else { "a hinge" };
+        marks.push(Mark::Ring(Role::Come, hub, 7.0 * scope.scale));
+        let what = if hinge.has_motor { "a motor" } else { "a hinge" };
         let on = if hinge.struts.is_empty() { "on the ground" } else { "between both bodies" };
-        marks.push(Mark::Words(beside(scope, at), format!("{what} {on}")));
+        let torque = hinge.torque(scope, &self.motor);
+        let why = match hinge.parted {
+            Some(_) => format!(": {PASSES}"),
+            None if hinge.has_motor && torque < self.motor.torque => format!(", {torque:.1} N m: more would tear it"),
+            None => String::new(),
+        };
+        marks.push(Mark::Words(beside(scope, at), format!("{what} {on}{why}")));
         marks
     }
 }
@@ -179,17 +205,56 @@ struct Hinge {
     at: DVec2,
     spokes: Vec<PointId>,
     struts: Vec<PointId>,
+    has_motor: bool,
+    /// Both overlap: how bodies meet, which are not to meet themselves any more.
+    parted: Option<Contact>,
+}
+
+/// What is hinged is one body, which meets itself no more than others do.
+fn pass_through(Contact { friction, restitution, radius, with_others, .. }: Contact) -> Do {
+    let contact = ContactKeys {
+        friction: Some(friction),
+        restitution: Some(restitution),
+        radius,
+        with_itself: Some(false),
+        bodies: Some(with_others),
+    };
+    Do::Set(Box::new(SetKeys { contact: Some(Meeting::As(contact)), ..SetKeys::default() }))
+}
+
+/// The middle of a body that is round, and its radius `[m]`.
+fn round(scope: Scope<'_>, body: &[PointId]) -> Option<(DVec2, f64)> {
+    let mut skin: Vec<PointId> = skin::sides(scope, body).into_iter().flatten().collect();
+    skin.sort_unstable();
+    skin.dedup();
+    if skin.len() < LEAST_ROUND {
+        return None;
+    }
+    let middle = skin.iter().map(|point| place(scope, *point)).sum::<DVec2>() / skin.len() as f64;
+    let far = |point: &PointId| place(scope, *point).distance(middle);
+    let least = skin.iter().map(far).fold(f64::INFINITY, f64::min);
+    let most = skin.iter().map(far).fold(0.0, f64::max);
+    (least >= ROUND * most).then_some((middle, most))
 }
 
 impl Hinge {
     /// About a pixel: of the body that lies there and another one beside it, else of that and the ground. `None`: no body lies there.
-    fn at(scope: Scope<'_>, pixel: DVec2) -> Option<Result<Self, &'static str>> {
+    fn at(scope: Scope<'_>, pixel: DVec2, wants_motor: Option<bool>) -> Option<Result<Self, &'static str>> {
         let hit = scope.nearest(pixel)?;
         if scope.shown.dimensions != 2 {
             return Some(Err("hinges are of the plane: this scene is in space"));
         }
-        let at = scope.camera.world_from_screen(pixel.to_array()).truncate();
+        if scope.reached(pixel).into_iter().any(|point| scope.is_pinned(point)) {
+            return Some(Err("a pin or a hinge is there already"));
+        }
+        let clicked = scope.in_plane(pixel);
         let body = scope.body(hit.point);
+        // What is round turns about its middle; near its rim it can hang, without a motor.
+        let round = round(scope, &body);
+        let is_meant = |(middle, radius): &(DVec2, f64)| {
+            wants_motor != Some(false) || clicked.distance(*middle) <= MIDDLE * radius
+        };
+        let at = round.filter(is_meant).map_or(clicked, |(middle, _)| middle);
         let far = |&point: &PointId| place(scope, point).distance(at);
         let radius = body.iter().map(far).fold(0.0, f64::max);
         let spokes = nearest(&body, far, (SPOKES, LEAST_SPOKE * radius));
@@ -200,13 +265,13 @@ impl Hinge {
         let others = (0..scope.shown.point_count() as u32).map(PointId).filter(is_there);
         let others = others.filter(|point| body.binary_search(point).is_err());
         let other = others.min_by(|a, b| far(a).total_cmp(&far(b))).filter(|point| far(point) <= NEAR * radius);
-        let holder = other.map_or_else(Vec::new, |point| scope.body(point));
+        // What a motor on the ground pushes against is no body.
+        let holder = other.map(|point| scope.body(point)).filter(|holder| holder.len() > 1).unwrap_or_default();
         let struts = nearest(&holder, far, (STRUTS, LEAST_SPOKE * radius));
-        let meets = scope.shown.settings.contact.is_some_and(|contact| contact.is_some());
-        if meets && overlap(scope, [&body, &holder]) {
-            return Some(Err("they overlap and would push each other away: move one aside first"));
-        }
-        Some(Ok(Hinge { at, spokes, struts }))
+        let contact = scope.shown.settings.contact.flatten().filter(|contact| contact.with_itself);
+        let parted = contact.filter(|_| overlap(scope, [&body, &holder]));
+        let has_motor = wants_motor.unwrap_or(round.is_some() && struts.is_empty());
+        Some(Ok(Hinge { at, spokes, struts, has_motor, parted }))
     }
 
     /// The keys that bring it into the world.
@@ -216,13 +281,13 @@ impl Hinge {
         let arm = self.spokes.first().map_or(1.0, |&spoke| place(scope, spoke).distance(self.at));
         let mut position = vec![self.at];
         // What a motor on the ground pushes against.
-        position.extend((is_grounded && motor.is_on).then_some(self.at + DVec2::new(0.5 * arm, 0.0)));
+        position.extend((is_grounded && self.has_motor).then_some(self.at + DVec2::new(0.5 * arm, 0.0)));
         let reference = self.struts.first().map_or(hub + 1, |strut| strut.0);
         let kind = stuff(scope, &self.spokes);
         let spokes = self.spokes.iter().map(|spoke| bond(hub, spoke.0, kind));
         let struts = self.struts.iter().map(|strut| bond(hub, strut.0, stuff(scope, &self.struts)));
-        let turned = if motor.is_on { self.turned(scope) } else { Vec::new() };
-        let share = 1.0 / turned.len().max(1) as f64;
+        let turned = if self.has_motor { self.turned(scope) } else { Vec::new() };
+        let share = self.torque(scope, motor) / motor.torque / turned.len().max(1) as f64;
         let angle = |rim: PointId| AngleKeys {
             points: Row([reference, hub, rim.0]),
             rest: Some(std::f64::consts::PI),
@@ -244,6 +309,13 @@ impl Hinge {
             angles: turned.into_iter().map(angle).collect(),
             ..AddKeys::default()
         }
+    }
+
+    /// The torque of its motor `[N m]`: of a soft body as much as shears what it turns by half.
+    fn torque(&self, scope: Scope<'_>, motor: &MotorChoice) -> f64 {
+        let BondKind::Spring { stiffness, .. } = stuff(scope, &self.spokes) else { return motor.torque };
+        let arms = self.turned(scope).into_iter().map(|spoke| place(scope, spoke).distance_squared(self.at));
+        motor.torque.min(SHEAR * stiffness * arms.sum::<f64>())
     }
 
     /// The spokes that a motor turns: as far apart as there are some.

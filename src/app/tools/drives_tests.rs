@@ -3,9 +3,10 @@
 
 use glam::DVec2;
 
+use super::drives::MotorChoice;
 use super::marks::Mark;
 use super::tests::{scope, shown};
-use super::{Deed, Hand};
+use super::{Deed, Drives, Hand};
 use crate::app::action::Tool;
 use crate::app::player::{Order, Stage};
 use crate::history::{Do, DriveOrNone};
@@ -64,8 +65,15 @@ fn a_click_makes_a_bond_a_muscle_and_another_one_takes_it_away() {
 fn a_click_hinges_a_wheel_to_the_body_beside_it_or_to_the_ground_and_it_turns() {
     let seen = shown(Scene::parse(WHEELS, "x.json").unwrap());
     let at = |x: f64, y: f64| DVec2::from(seen.1.screen_from_world([x, y, 0.0].into()).unwrap());
-    for (middle, pins) in [([-2.0, 0.0], 0), ([3.0, -3.0], 2)] {
+    let plain = hand(Tool::Motor).press(scope(&seen), at(-2.0, 0.0));
+    assert_eq!(plain.edit, Some("hinge"), "between bodies a motor is asked for");
+    let off = [Some(true), Some(true), None, None];
+    // Near its rim, too, a wheel turns about its middle.
+    let clicks = [[-2.0, 0.0], [-2.0, -0.8], [3.0, -3.0], [3.3, -2.7]];
+    for ((middle, is_on), pins) in clicks.into_iter().zip(off).zip([0, 0, 2, 2]) {
         let mut hand = hand(Tool::Motor);
+        let drives = hand.drives();
+        hand.set_drives(Drives { motor: MotorChoice { is_on, ..drives.motor }, ..drives });
         assert!(!hand.marks(scope(&seen), Some(at(middle[0], middle[1]))).is_empty());
         let deed = hand.press(scope(&seen), at(middle[0], middle[1]));
         let [Do::Add(keys)] = &deed.commands[..] else { panic!("{deed:?}") };
@@ -103,4 +111,38 @@ fn a_click_hinges_a_wheel_to_the_body_beside_it_or_to_the_ground_and_it_turns() 
     }
     let mut hand = hand(Tool::Motor);
     assert!(hand.press(scope(&seen), at(0.0, 4.0)).is_empty(), "nothing lies there");
+}
+
+/// A soft box over a disc, and what bodies do where they meet.
+const AXLE: &str = r#"{"wobble": 1, "gravity": [0, -9.81], "contact": {"friction": 0.7}, "view": {"center": [0, 0], "height": 8},
+    "bounds": {"min": [-6, -1.5], "max": [6, 4]},
+    "bodies": [{"make": "disc", "radius": 0.5, "spacing": 0.17, "origin": [0, -0.9],
+        "material": {"kind": "spring", "stiffness": 200, "damping": 1, "mass": 0.8}},
+      {"make": "lattice", "columns": 7, "rows": 4, "spacing": 0.25, "origin": [-0.75, -0.8],
+        "material": {"kind": "spring", "stiffness": 300, "damping": 2, "mass": 1}}]}"#;
+
+#[test]
+fn bodies_that_overlap_are_hinged_and_pass_through_each_other() {
+    let seen = shown(Scene::parse(AXLE, "x.json").unwrap());
+    let at = DVec2::from(seen.1.screen_from_world([0.0, -1.1, 0.0].into()).unwrap());
+    let deed = hand(Tool::Motor).press(scope(&seen), at);
+    assert!(deed.edit == Some("hinge") && deed.words.as_ref().is_some_and(|words| words.contains("overlap")));
+    let mut stage = Stage::new(seen.2.clone().into()).unwrap();
+    stage.obey(Order::Give(deed.commands, deed.edit));
+    let contact = stage.history().world().contact().unwrap();
+    assert_eq!((contact.with_itself, contact.with_others, contact.friction), (false, true, 0.7));
+    for _ in 0..120 {
+        stage.obey(Order::Step(None));
+    }
+    let world = stage.history().world();
+    let place = |k: usize| DVec2::new(world.positions().get(2 * k), world.positions().get(2 * k + 1));
+    let hub = place(seen.0.point_count());
+    let disc = |k: usize| place(k).distance(hub);
+    let rim = (0..seen.0.point_count()).filter(|&k| {
+        let [x, y, _] = seen.0.place(k);
+        (DVec2::new(x, y + 0.9).length() - 0.5).abs() < 0.01 && y < -0.9
+    });
+    let far: Vec<f64> = rim.map(disc).collect();
+    assert!(far.len() > 5 && far.iter().all(|far| (0.25..0.7).contains(far)), "the wheel is whole: {far:?}");
+    assert!(world.is_finite());
 }

@@ -22,6 +22,8 @@ pub(in crate::app) enum Role {
     Away,
     /// It will be there.
     Come,
+    /// A force that stays.
+    Push,
     /// It is probed: by the first or the second probe.
     Probe(usize),
     /// The pointer is there too, in a world beside that which it is over.
@@ -75,6 +77,7 @@ pub(super) fn of((tool, maker): (Tool, Maker), doing: &Doing, scope: Scope<'_>, 
             at.map(|at| Mark::Line(Role::Away, *from, at, 2.0 * scope.scale)).into_iter().collect()
         }
         (Doing::Building(drag), _) => at.map_or_else(Vec::new, |at| maker.outline(scope, Some(drag), at)),
+        (Doing::Drawing(path), _) => path.marks(maker, scope, at),
         (_, Tool::Build) => at.map_or_else(Vec::new, |at| maker.outline(scope, None, at)),
         (_, Tool::Pin) => at.and_then(|at| would_pin(scope, at)).into_iter().collect(),
         (Doing::Nothing, Tool::Select) => {

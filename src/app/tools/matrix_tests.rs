@@ -7,7 +7,7 @@ use glam::DVec2;
 
 use super::handles::{Frame, Handle};
 use super::tests::{SIZE, scope};
-use super::{Chosen, Clip, Deed, Hand};
+use super::{Chosen, Clip, Deed, Hand, PushWay};
 use crate::app::action::{Primitive, Tool};
 use crate::app::matter::{Among, MatterChange, Preset};
 use crate::app::opening;
@@ -16,7 +16,7 @@ use crate::history::{Do, Group, hash_now};
 use crate::picture::Tint;
 use crate::render::Camera;
 use crate::scene::Scene;
-use crate::sim::{Angle, Bond, Obstacle, PointId};
+use crate::sim::{Angle, Bond, ForceView, Obstacle, PointId};
 
 /// What is tried.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -26,6 +26,10 @@ enum Act {
     Cut,
     Erase,
     Build,
+    Polygon,
+    Bonds,
+    Push,
+    Turned,
     Move,
     Turn,
     Scale,
@@ -87,13 +91,17 @@ const SCENES: [(&str, &str, Option<usize>); 7] = [
 ];
 
 /// Rows: what comes of it in each scene.
-const TABLE: [(Act, [Comes; 7]); 16] = [
+const TABLE: [(Act, [Comes; 7]); 20] = [
     //                soft rope net pile rigid solid space
     (Act::Grab, [G, G, G, G, G, W, G]),
     (Act::Pin, [E, E, E, E, E, W, E]),
     (Act::Cut, [E, E, E, E, E, W, W]),
     (Act::Erase, [E, E, E, E, E, E, E]),
     (Act::Build, [E, E, E, E, E, E, W]),
+    (Act::Polygon, [E, E, E, E, E, E, W]),
+    (Act::Bonds, [E, E, E, E, E, E, W]),
+    (Act::Push, [E, E, E, E, E, W, W]),
+    (Act::Turned, [E, E, E, E, E, W, W]),
     (Act::Move, [E, E, E, E, E, E, W]),
     (Act::Turn, [E, E, E, E, E, E, W]),
     (Act::Scale, [E, E, E, E, E, E, W]),
@@ -118,6 +126,7 @@ struct State {
     obstacles: Vec<(u32, Obstacle)>,
     tints: Arc<[Tint]>,
     groups: Vec<Group>,
+    forces: Vec<ForceView>,
 }
 
 struct Bench {
@@ -164,6 +173,7 @@ impl Bench {
             obstacles: world.obstacles(),
             tints: Arc::clone(self.stage.history().tints()),
             groups: self.stage.history().groups(),
+            forces: world.forces(),
         }
     }
 
@@ -202,7 +212,8 @@ impl Bench {
             Act::Pin => Tool::Pin,
             Act::Cut => Tool::Cut,
             Act::Erase => Tool::Erase,
-            Act::Build => Tool::Build,
+            Act::Build | Act::Polygon | Act::Bonds => Tool::Build,
+            Act::Push | Act::Turned => Tool::Push,
             Act::Muscle => Tool::Muscle,
             Act::Motor => Tool::Motor,
             Act::Paint => Tool::Paint,
@@ -214,6 +225,18 @@ impl Bench {
         let deed = match act {
             Act::Build => {
                 hand.choose(Primitive::Disc);
+                self.drag(&mut hand, [at, far], runs)
+            }
+            Act::Polygon | Act::Bonds => {
+                hand.choose(if act == Act::Polygon { Primitive::Polygon } else { Primitive::Bonds });
+                let corners = [at, far, at + DVec2::new(60.0, 45.0)];
+                let deeds = corners.map(|corner| self.drag(&mut hand, [corner; 2], runs));
+                let said = deeds.into_iter().find(|deed| *deed != Deed::default());
+                said.unwrap_or_else(|| hand.finish(scope(&self.seen)))
+            }
+            Act::Push => self.drag(&mut hand, [at, far], runs),
+            Act::Turned => {
+                hand.set_push_way(PushWay::Turn);
                 self.drag(&mut hand, [at, far], runs)
             }
             Act::Cut => self.drag(&mut hand, [at - DVec2::new(31.0, 42.0), at + DVec2::new(33.0, 44.0)], runs),

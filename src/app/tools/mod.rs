@@ -16,6 +16,9 @@ mod marks;
 #[cfg(test)]
 mod matrix_tests;
 mod pick;
+mod push;
+#[cfg(test)]
+mod push_tests;
 mod region;
 #[cfg(test)]
 mod select_tests;
@@ -33,7 +36,8 @@ use crate::history::Do;
 use crate::sim::{MouseChange, PointId, Reach};
 use brush::Stroke;
 pub(super) use brush::{Brush, RADII};
-use build::{Drag, Maker};
+use build::{Drag, Maker, Path, Step};
+pub(super) use build::{Link, Links};
 pub(super) use chosen::Chosen;
 pub(super) use copy::Clip;
 pub(super) use drives::Drives;
@@ -44,6 +48,7 @@ use lead::Lead;
 pub(super) use lead::PinWay;
 pub(super) use marks::{Mark, Role, probe};
 pub(super) use pick::Scope;
+pub(super) use push::PushWay;
 use region::Region;
 use selecting::is_drag;
 
@@ -96,6 +101,8 @@ enum Doing {
     Cutting(DVec2),
     /// A primitive is drawn out.
     Building(Drag),
+    /// Something is drawn click by click, also while the button is up.
+    Drawing(Path),
     /// What is selected is moved, from where it was pressed on `[px]`; a click selects what lies there alone.
     Moving(DVec2, Chosen),
     /// What is selected is turned or scaled by a handle.
@@ -104,6 +111,8 @@ enum Doing {
     Marking(Region),
     /// Bodies get another matter.
     Painting(Stroke),
+    /// The arrow of a force is drawn or changed.
+    Forcing(push::Pull),
 }
 
 /// The left button's tool and what it is doing.
@@ -118,6 +127,8 @@ pub(super) struct Hand {
     drives: Drives,
     /// What the brush paints with.
     brush: Brush,
+    /// What the tool for forces makes.
+    push: PushWay,
     /// What is selected, or will be as soon as it is there.
     chosen: Chosen,
     /// A drag beside all bodies is a free stroke, not a box.
@@ -152,6 +163,65 @@ impl Hand {
         self.maker.primitive
     }
 
+    /// What drawn bonds are made of.
+    pub(super) fn links(&self) -> Links {
+        self.maker.links
+    }
+
+    /// They are made of something else from now on.
+    pub(super) fn set_links(&mut self, links: Links) {
+        self.maker.links = links;
+    }
+
+    /// Whether something is drawn click by click.
+    pub(super) fn is_drawing(&self) -> bool {
+        matches!(self.doing, Doing::Drawing(_))
+    }
+
+    /// Ends what is drawn click by click, if it can end here.
+    pub(super) fn finish(&mut self, scope: Scope<'_>) -> Deed {
+        match std::mem::take(&mut self.doing) {
+            Doing::Drawing(mut path) => {
+                let step = path.finish(self.maker, scope);
+                self.go_on(path, step)
+            }
+            doing => {
+                self.doing = doing;
+                Deed::default()
+            }
+        }
+    }
+
+    /// Leaves what is drawn click by click: bonds that were drawn come into the world.
+    pub(super) fn leave_drawing(&mut self, scope: Scope<'_>) -> Deed {
+        match std::mem::take(&mut self.doing) {
+            Doing::Drawing(path) => path.leave(self.maker, scope),
+            doing => {
+                self.doing = doing;
+                Deed::default()
+            }
+        }
+    }
+
+    /// Takes the last click of it back.
+    pub(super) fn step_back(&mut self) {
+        if let Doing::Drawing(path) = &mut self.doing
+            && !path.step_back(self.maker)
+        {
+            self.doing = Doing::Nothing;
+        }
+    }
+
+    fn go_on(&mut self, path: Path, step: Step) -> Deed {
+        match step {
+            Step::GoesOn(words) => {
+                self.doing = Doing::Drawing(path);
+                words.map_or_else(Deed::default, Deed::words)
+            }
+            Step::Done(deed) => deed,
+        }
+    }
+
     /// Another primitive is to be built: with the tool for that.
     pub(super) fn choose(&mut self, primitive: Primitive) {
         self.maker.primitive = primitive;
@@ -166,6 +236,25 @@ impl Hand {
     /// They make something else from now on.
     pub(super) fn set_drives(&mut self, drives: Drives) {
         self.drives = drives;
+    }
+
+    /// What the tool for forces makes.
+    pub(super) fn push_way(&self) -> PushWay {
+        self.push
+    }
+
+    /// It makes something else from now on.
+    pub(super) fn set_push_way(&mut self, way: PushWay) {
+        self.push = way;
+    }
+
+    /// What a press makes, with the keys that are held.
+    fn pushes(&self) -> PushWay {
+        match (self.shift, self.alt) {
+            (_, true) => PushWay::Turn,
+            (true, false) => PushWay::Body,
+            _ => self.push,
+        }
     }
 
     /// What the brush paints with.
@@ -269,6 +358,13 @@ impl Hand {
             Tool::Build => self.begin_to_build(scope, at),
             Tool::Muscle => self.drives.press_muscle(scope, at),
             Tool::Motor => self.drives.press_motor(scope, at),
+            Tool::Push => match self.pushes().press(scope, at) {
+                Ok(pull) => {
+                    self.doing = Doing::Forcing(pull);
+                    Deed::default()
+                }
+                Err(why) => Deed::words(why.to_owned()),
+            },
             Tool::Select => {
                 self.begin_to_select(scope, at);
                 Deed::default()
@@ -281,6 +377,7 @@ impl Hand {
         match &mut self.doing {
             Doing::Marking(region) => region.trace(scope, at),
             Doing::Painting(stroke) => self.brush.trace(scope, stroke, at),
+            Doing::Drawing(path) => path.trace(scope, at),
             _ => {}
         }
     }
@@ -288,6 +385,12 @@ impl Hand {
     fn begin_to_build(&mut self, scope: Scope<'_>, at: DVec2) -> Deed {
         if scope.shown.dimensions != 2 {
             return Deed::words(build::OF_THE_PLANE.to_owned());
+        }
+        if self.maker.primitive.is_drawn() {
+            let doing = std::mem::take(&mut self.doing);
+            let mut path = if let Doing::Drawing(path) = doing { path } else { Path::default() };
+            let step = path.press(self.maker, scope, at);
+            return self.go_on(path, step);
         }
         self.doing = Doing::Building(Drag::new(scope, at));
         Deed::default()
@@ -349,6 +452,11 @@ impl Hand {
             }
             Doing::Cutting(from) if from.distance(at) > 1.0 => cut(scope, from, at),
             Doing::Building(drag) => self.maker.build(scope, &drag, at),
+            Doing::Drawing(mut path) => {
+                let step = path.release(self.maker, scope, at);
+                self.go_on(path, step)
+            }
+            Doing::Forcing(pull) => pull.release(scope, at),
             Doing::Moving(from, under) => self.end_move(scope, [from, at], under),
             Doing::Handling(grip) => self.end_grip(scope, grip, at),
             Doing::Marking(region) => {
@@ -447,8 +555,12 @@ impl Hand {
             (Tool::Muscle, Some(at)) => self.drives.mark_muscle(scope, at),
             (Tool::Motor, Some(at)) => self.drives.mark_motor(scope, at),
             (Tool::Paint, Some(at)) => self.brush.marks(scope, at),
+            (Tool::Push, Some(at)) if self.doing == Doing::Nothing => self.pushes().marks(scope, at),
             _ => marks::of((self.tool(), self.maker), &self.doing, scope, at),
         };
+        let pull = if let Doing::Forcing(pull) = &self.doing { Some(pull) } else { None };
+        marks.splice(0..0, push::arrows(scope, pull));
+        marks.extend(pull.zip(at).into_iter().flat_map(|(pull, at)| pull.marks(scope, at)));
         if let Doing::Painting(stroke) = &self.doing {
             marks.extend(stroke.marks(scope, self.brush.preset.color()));
         }

@@ -3,6 +3,7 @@
 use glam::DVec2;
 
 use super::Maker;
+use super::figure::Figure;
 use super::grid::{Fineness, Grid};
 use crate::app::action::Primitive;
 use crate::body::hanging;
@@ -26,6 +27,7 @@ pub(super) enum Form {
         hangs: bool,
     },
     Rim(Round),
+    Figure(Figure),
     SolidBox([DVec2; 2]),
     SolidCircle(Round),
     Slope(Plank),
@@ -75,6 +77,8 @@ pub(super) struct End {
     pub(super) hold: Hold,
 }
 
+/// Height of a figure, in what a click makes `[1]`.
+const TALL: f64 = 1.7;
 /// Thickness of a slope, in what a click makes `[1]`.
 const THICK: f64 = 0.25;
 /// Cells of a soft box: enough to bend, few enough for many of them.
@@ -88,23 +92,26 @@ const ALL_PIECES: [f64; 2] = [4.0, 40.0];
 
 impl Form {
     /// What is drawn out between two ends, where what a click makes is so large `[m]`.
-    pub(super) fn drawn(maker: Maker, ends: [End; 2], usual: f64) -> Self {
+    /// `None`: it is drawn otherwise.
+    pub(super) fn drawn(maker: Maker, ends: [End; 2], usual: f64) -> Option<Self> {
         let [from, to] = ends.map(|end| end.at);
         let round = Round { center: from, radius: from.distance(to) };
-        match maker.primitive {
+        Some(match maker.primitive {
+            Primitive::Bonds | Primitive::Polygon => return None,
             Primitive::Box => Form::Box(Grid::fit(from, to, &BOX)),
             Primitive::Disc => Form::Disc(round),
             Primitive::Rope => Form::rope(ends, usual, maker.slack()),
             Primitive::Cloth => Form::Cloth { grid: Grid::fit(from, to, &CLOTH), hangs: !maker.is_free },
             Primitive::Rim => Form::Rim(round),
+            Primitive::Figure => Form::Figure(Figure::between(from, to)),
             Primitive::SolidBox => Form::SolidBox([from.min(to), from.max(to)]),
             Primitive::SolidCircle => Form::SolidCircle(round),
             Primitive::Slope => Form::Slope(Plank { from, along: to - from, thick: THICK * usual }),
-        }
+        })
     }
 
     /// What a click makes, of a usual size `[m]`: about the place, a rope hanging down from it, a slope that is level.
-    pub(super) fn usual(maker: Maker, at: End, usual: f64) -> Self {
+    pub(super) fn usual(maker: Maker, at: End, usual: f64) -> Option<Self> {
         let about = |half: DVec2| [at.at + half * DVec2::new(-1.0, 1.0), at.at + half * DVec2::new(1.0, -1.0)];
         let beside = |by: DVec2| [at.at, at.at + by];
         let [from, to] = match maker.primitive {
@@ -114,7 +121,9 @@ impl Form {
             Primitive::Disc | Primitive::SolidCircle => beside(DVec2::new(0.5 * usual, 0.0)),
             Primitive::Rim => beside(DVec2::new(0.75 * usual, 0.0)),
             Primitive::Rope => beside(down(usual)),
+            Primitive::Figure => about(DVec2::new(0.0, 0.5 * TALL * usual)),
             Primitive::Slope => beside(DVec2::new(usual, 0.0)),
+            Primitive::Bonds | Primitive::Polygon => return None,
         };
         let end = |at: DVec2, hold: Hold| End { at, hold };
         Form::drawn(maker, [end(from, at.hold), end(to, Hold::None)], usual)
@@ -144,6 +153,7 @@ impl Form {
                 let more = if is_held { format!(", {:.0} % slack (wheel)", 100.0 * slack) } else { String::new() };
                 format!("{long} m{more}")
             }
+            Form::Figure(figure) => format!("{} m tall", short(figure.tall)),
             Form::Slope(Plank { along, .. }) => {
                 format!("{} m, {:.0}°", short(along.length()), along.to_angle().to_degrees() + 0.0)
             }

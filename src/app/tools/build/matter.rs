@@ -4,6 +4,7 @@ use std::f64::consts::PI;
 
 use glam::DVec2;
 
+use super::figure::Figure;
 use super::form::{End, Form, Hold, Round, chain};
 use super::grid::Grid;
 use crate::scene::{
@@ -12,18 +13,18 @@ use crate::scene::{
 };
 
 /// Mass of what has an area `[kg/m^2]`.
-const AREA_MASS: f64 = 1.0;
+pub(super) const AREA_MASS: f64 = 1.0;
 /// Mass of a cloth `[kg/m^2]`: a thin sheet.
 const CLOTH_MASS: f64 = 0.3;
 /// Mass of a rope `[kg/m]`.
 const ROPE_MASS: f64 = 0.15;
 /// Stiffness of the bonds of boxes and discs over the mass of the body `[1/s^2]`: at any size its own weight squeezes it by some
 /// percent, and it wobbles a few times a second. A tenth of it flows, ten times of it looks hard.
-const SOFT: f64 = 250.0;
+pub(super) const SOFT: f64 = 250.0;
 /// The same of a rim, which is thin and bends by far more.
 const SOFT_RIM: f64 = 4_000.0;
 /// Damping over stiffness `[s]`: a wobble is gone after some swings.
-const DAMPING: f64 = 0.006;
+pub(super) const DAMPING: f64 = 0.006;
 /// Points on a radius of a disc, but for its middle.
 const POINTS_ON_RADIUS: f64 = 3.0;
 /// Inner over outer radius of a rim.
@@ -47,6 +48,7 @@ impl Form {
             Form::Rope { ends, pieces, slack } => rope(ends, (*pieces, *slack), next),
             Form::Cloth { grid, hangs } => body(cloth(grid, *hangs)),
             Form::Rim(round) => body(rim(round)),
+            Form::Figure(figure) => body(of_figure(figure)),
             Form::SolidBox([low, high]) => {
                 let keys = BoxKeys { min: vector(*low), max: vector(*high), angle: None, rotation: None };
                 obstacle(ObstacleKeys { r#box: Some(keys), ..ObstacleKeys::default() })
@@ -122,6 +124,16 @@ fn rim(&Round { center, radius }: &Round) -> BodyKeys {
         bracing: Some(vec![Outer, Inner, Spoke, Rising, Falling]),
         origin: Some(vector(center)),
         material: Some(springs(AREA_MASS * area, SOFT_RIM)),
+        ..BodyKeys::default()
+    }
+}
+
+fn of_figure(figure: &Figure) -> BodyKeys {
+    BodyKeys {
+        make: MakerName::Ragdoll,
+        height: Some(figure.height()),
+        origin: Some(vector(figure.hip())),
+        material: Some(rigid(AREA_MASS * figure.area())),
         ..BodyKeys::default()
     }
 }

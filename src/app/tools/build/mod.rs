@@ -1,9 +1,18 @@
 //! The tool for building: a press and a release draw out a primitive, which comes into the world as one `add`.
 
+mod chain;
+mod corners;
+#[cfg(test)]
+mod drawn_tests;
+mod figure;
+mod fill;
 mod form;
 mod grid;
+mod links;
 mod matter;
 mod outline;
+mod path;
+mod polygon;
 #[cfg(test)]
 mod tests;
 mod tie;
@@ -14,9 +23,12 @@ use super::Deed;
 use super::marks::Mark;
 use super::pick::Scope;
 use crate::app::action::Primitive;
-use crate::history::Do;
+use crate::history::{Do, SetKeys};
+use crate::scene::{ContactKeys, Meeting};
 use crate::sim::PointId;
 use form::{End, Form, Hold};
+pub(in crate::app) use links::{Link, Links};
+pub(super) use path::Path;
 
 /// Said where nothing can be built.
 pub(super) const OF_THE_PLANE: &str = "primitives are for the plane: this scene is in space";
@@ -25,15 +37,28 @@ const TOO_SMALL: &str = "too small: drag it out further, or click for one of the
 
 /// A press that moves less than this is a click `[logical px]`.
 const CLICK: f64 = 4.0;
+/// What lies so near to a press is meant by it `[logical px]`.
+const SNAP: f64 = 12.0;
 /// The least side or radius of what is drawn out `[logical px]`: a hand could not take hold of less.
 const LEAST: f64 = 8.0;
 /// Usual sizes in the height of the view: what a click makes is seen whole, with room for some more.
 const USUAL_IN_VIEW: f64 = 7.0;
 
+/// What a press or a release comes to while something is drawn click by click.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) enum Step {
+    /// It goes on; words where there is something to be said.
+    GoesOn(Option<String>),
+    /// It has ended.
+    Done(Deed),
+}
+
 /// What is made.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(super) struct Maker {
     pub(super) primitive: Primitive,
+    /// What drawn bonds are made of.
+    pub(super) links: Links,
     /// What hangs otherwise, ropes and cloths, is pinned nowhere.
     pub(super) is_free: bool,
     /// How far the wheel turned while ropes were drawn.
@@ -83,7 +108,12 @@ impl Maker {
         match self.form(scope, Some(drag), at) {
             Ok(form) => {
                 let keys = form.keys(scope.shown.point_count() as u32);
-                Deed::edit(self.primitive.name(), Do::Add(Box::new(keys)))
+                let mut deed = Deed::edit(self.primitive.name(), Do::Add(Box::new(keys)));
+                let meets = scope.shown.settings.contact.flatten().is_some();
+                if self.primitive == Primitive::Figure && !meets {
+                    deed.commands.insert(0, apart_from_itself());
+                }
+                deed
             }
             Err(words) => Deed::words(words),
         }
@@ -93,6 +123,9 @@ impl Maker {
     pub(super) fn outline(self, scope: Scope<'_>, drag: Option<&Drag>, at: DVec2) -> Vec<Mark> {
         if scope.shown.dimensions != 2 {
             return Vec::new();
+        }
+        if self.primitive.is_drawn() {
+            return Path::default().marks(self, scope, Some(at));
         }
         match self.form(scope, drag, at) {
             Ok(form) => outline::of(&form, scope, at),
@@ -107,7 +140,8 @@ impl Maker {
         let usual = usual_size(scope.camera.height());
         let begun = drag.copied().unwrap_or_else(|| Drag::new(scope, at));
         if begun.pressed.distance(at) < CLICK * scope.scale {
-            return Ok(Form::usual(self, self.end(scope, begun.point, begun.from), usual));
+            let form = Form::usual(self, self.end(scope, begun.point, begun.from), usual);
+            return form.ok_or_else(String::new);
         }
         let (there, point) = (place(scope, at), tie::point_at(scope, at));
         let from = self.end(scope, begun.point, begun.from);
@@ -118,12 +152,13 @@ impl Maker {
         }
         let drawn = match self.primitive {
             Primitive::Box | Primitive::Cloth | Primitive::SolidBox => (to.at - from.at).abs().min_element(),
+            Primitive::Figure => (to.at - from.at).y.abs(),
             _ => from.at.distance(to.at),
         };
         if drawn * scope.camera.pixels_per_metre() < LEAST * scope.scale {
             return Err(TOO_SMALL.to_owned());
         }
-        Ok(Form::drawn(self, [from, to], usual))
+        Form::drawn(self, [from, to], usual).ok_or_else(String::new)
     }
 
     /// The end of a drag at a place `[m]`: a rope is tied to the point that is seen there, and pinned where none is.
@@ -136,6 +171,12 @@ impl Maker {
         let free = End { at, hold: if self.is_free { Hold::None } else { Hold::Pin } };
         point.filter(|_| self.primitive == Primitive::Rope).and_then(tied).unwrap_or(free)
     }
+}
+
+/// Where nothing met before, bodies meet each other and not themselves: the limbs of a figure begin across each other.
+fn apart_from_itself() -> Do {
+    let contact = ContactKeys { with_itself: Some(false), ..ContactKeys::default() };
+    Do::Set(Box::new(SetKeys { contact: Some(Meeting::As(contact)), ..SetKeys::default() }))
 }
 
 /// Where a pixel lies in the plane `[m]`.

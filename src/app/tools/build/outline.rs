@@ -20,6 +20,10 @@ pub(super) fn of(form: &Form, scope: Scope<'_>, at: DVec2) -> Vec<Mark> {
         Form::Rim(rim) => {
             [rim.radius, INNER * rim.radius].into_iter().flat_map(|radius| ring(scope, rim.center, radius)).collect()
         }
+        Form::Figure(figure) => {
+            let side = |[from, to]: [DVec2; 2]| Some(line(scope, Role::Come, [pixel(scope, from)?, pixel(scope, to)?]));
+            figure.sides().into_iter().filter_map(side).collect()
+        }
         Form::Rope { ends, pieces, slack } => rope(scope, ends, &chain(ends.map(|end| end.at), *pieces, *slack)),
         Form::Cloth { grid, hangs } => {
             let high = grid.low + grid.size();
@@ -40,12 +44,14 @@ pub(super) fn label(scope: Scope<'_>, at: DVec2, words: String) -> Mark {
     Mark::Words(at + scope.scale * BESIDE, words)
 }
 
-fn pixel(scope: Scope<'_>, at: DVec2) -> Option<DVec2> {
+/// Where a place is seen `[px]`.
+pub(super) fn pixel(scope: Scope<'_>, at: DVec2) -> Option<DVec2> {
     scope.camera.screen_from_world(at.extend(0.0)).map(DVec2::from)
 }
 
-fn line(scope: Scope<'_>, from: DVec2, to: DVec2) -> Mark {
-    Mark::Line(Role::Come, from, to, WIDTH * scope.scale)
+/// A line of an outline.
+pub(super) fn line(scope: Scope<'_>, role: Role, [from, to]: [DVec2; 2]) -> Mark {
+    Mark::Line(role, from, to, WIDTH * scope.scale)
 }
 
 fn rectangle(scope: Scope<'_>, [low, high]: [DVec2; 2]) -> Vec<Mark> {
@@ -54,7 +60,7 @@ fn rectangle(scope: Scope<'_>, [low, high]: [DVec2; 2]) -> Vec<Mark> {
 
 fn around(scope: Scope<'_>, corners: [DVec2; 4]) -> Vec<Mark> {
     let corners = corners.map(|corner| pixel(scope, corner));
-    let side = |k: usize| Some(line(scope, corners[k]?, corners[(k + 1) % 4]?));
+    let side = |k: usize| Some(line(scope, Role::Come, [corners[k]?, corners[(k + 1) % 4]?]));
     (0..4).filter_map(side).collect()
 }
 
@@ -71,7 +77,7 @@ fn held(scope: Scope<'_>, at: DVec2) -> Option<Mark> {
 /// A line; what it will be tied to is ringed and dotted, a pin of its own is ringed alone.
 fn rope(scope: Scope<'_>, ends: &[End; 2], corners: &[DVec2]) -> Vec<Mark> {
     let corners: Vec<Option<DVec2>> = corners.iter().map(|corner| pixel(scope, *corner)).collect();
-    let pieces = corners.windows(2).filter_map(|pair| Some(line(scope, pair[0]?, pair[1]?)));
+    let pieces = corners.windows(2).filter_map(|pair| Some(line(scope, Role::Come, [pair[0]?, pair[1]?])));
     let holds = ends.iter().flat_map(|end| {
         let at = pixel(scope, end.at);
         let ring = |radius: f64| at.map(|at| Mark::Ring(Role::Hold, at, radius * scope.scale));

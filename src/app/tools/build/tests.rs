@@ -12,24 +12,24 @@ use crate::render::Camera;
 use crate::scene::{AddKeys, Scene};
 use crate::sim::{Dynamics, PointId};
 
-type Seen = (Shown, Camera, Scene);
+pub(super) type Seen = (Shown, Camera, Scene);
 
 /// An empty box, 8 m high in view, with gravity.
 const ROOM: &str = r#"{"wobble": 1, "gravity": [0, -9.81], "bounds": {"min": [-6, -4], "max": [6, 4], "friction": 0.5},
     "view": {"center": [0, 0], "height": 8}}"#;
 
-fn room() -> Seen {
+pub(super) fn room() -> Seen {
     shown(Scene::parse(ROOM, "x.json").unwrap())
 }
 
-fn hand(primitive: Primitive) -> Hand {
+pub(super) fn hand(primitive: Primitive) -> Hand {
     let mut hand = Hand::default();
     hand.choose(primitive);
     hand
 }
 
 /// Where a place is seen.
-fn at(seen: &Seen, x: f64, y: f64) -> DVec2 {
+pub(super) fn at(seen: &Seen, x: f64, y: f64) -> DVec2 {
     seen.1.screen_from_world([x, y, 0.0].into()).unwrap().into()
 }
 
@@ -40,7 +40,7 @@ fn drag(seen: &Seen, hand: &mut Hand, from: [f64; 2], to: [f64; 2]) -> Deed {
     hand.release(scope(seen), at(seen, to[0], to[1]))
 }
 
-fn added(deed: &Deed) -> &AddKeys {
+pub(super) fn added(deed: &Deed) -> &AddKeys {
     let [Do::Add(keys)] = &deed.commands[..] else { panic!("{deed:?}") };
     keys
 }
@@ -90,6 +90,29 @@ fn a_drag_becomes_one_edit_that_fills_what_was_drawn() {
 }
 
 #[test]
+fn a_figure_stands_with_its_feet_at_the_lower_end_and_falls_in_one_piece() {
+    let seen = room();
+    for (from, to) in [([0.0, 1.5], [0.4, -0.5]), ([0.4, -0.5], [0.0, 1.5])] {
+        let deed = drag(&seen, &mut hand(Primitive::Figure), from, to);
+        let mut stage = Stage::new(seen.2.clone().into()).unwrap();
+        assert_eq!(stage.obey(Order::Give(deed.commands, deed.edit)), None, "nor is anything warned of");
+        let world = stage.history().world();
+        let [low, high] = extent(world, 0);
+        assert!((low.y + 0.5).abs() < 1e-9 && (high.y - 1.5).abs() < 1e-9, "{low} {high}");
+        assert!(low.x < 0.4 && high.x > 0.4 && high.x - low.x < 2.0, "about its feet: {low} {high}");
+        assert_eq!((world.point_count(), world.angles().len()), (36, 9), "the joints of a ragdoll");
+        for _ in 0..90 {
+            stage.obey(Order::Advance { wall: 1.0 / 60.0, cursor: None, back: false });
+        }
+        let world = stage.history().world();
+        let x = world.positions();
+        let at = |k: PointId| DVec2::new(x.get(2 * k.index()), x.get(2 * k.index() + 1));
+        let strains = world.bonds().iter().map(|bond| (at(bond.a).distance(at(bond.b)) - bond.rest_length).abs());
+        assert!(strains.fold(0.0, f64::max) < 1e-3 && extent(world, 0)[0].y > -4.01);
+    }
+}
+
+#[test]
 fn obstacles_lie_where_they_were_drawn_and_slopes_are_planks_at_the_right_hand() {
     let seen = room();
     let solid = drag(&seen, &mut hand(Primitive::SolidBox), [1.0, 1.0], [-1.0, 0.0]);
@@ -112,7 +135,7 @@ fn obstacles_lie_where_they_were_drawn_and_slopes_are_planks_at_the_right_hand()
 #[test]
 fn a_click_makes_one_of_a_usual_size() {
     let seen = room();
-    for primitive in Primitive::ALL {
+    for primitive in Primitive::ALL.into_iter().filter(|primitive| !primitive.is_drawn()) {
         let deed = drag(&seen, &mut hand(primitive), [0.3, 0.2], [0.3, 0.2]);
         assert_eq!(deed.edit, Some(primitive.name()));
         let [low, high] = extent(history(&seen, &[deed]).world(), 0);
@@ -124,8 +147,8 @@ fn a_click_makes_one_of_a_usual_size() {
 #[test]
 fn what_is_too_small_is_not_made_and_is_said() {
     let seen = room();
-    for primitive in Primitive::ALL {
-        let flat = matches!(primitive, Primitive::Box | Primitive::Cloth | Primitive::SolidBox);
+    for primitive in Primitive::ALL.into_iter().filter(|primitive| !primitive.is_drawn()) {
+        let flat = matches!(primitive, Primitive::Box | Primitive::Cloth | Primitive::SolidBox | Primitive::Figure);
         let to = if flat { [2.0, 0.01] } else { [0.06, 0.0] };
         let deed = drag(&seen, &mut hand(primitive), [0.0, 0.0], to);
         assert!(deed.is_empty() && deed.edit.is_none(), "{primitive:?}");

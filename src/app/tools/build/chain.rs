@@ -1,0 +1,219 @@
+//! Points and bonds, drawn one after the other: the chain comes into the world as a whole when it ends.
+
+use std::collections::BTreeSet;
+
+use glam::DVec2;
+
+use super::corners::{area, crossing};
+use super::fill::filled;
+use super::links::Links;
+use super::outline::{label, line, pixel};
+use super::{CLICK, LEAST, SNAP, Step, TOO_SMALL};
+use crate::app::action::Primitive;
+use crate::app::tools::Deed;
+use crate::app::tools::marks::{Mark, Role};
+use crate::app::tools::pick::Scope;
+use crate::history::Do;
+use crate::scene::{AddKeys, BondKeys, PointKeys, Vector};
+use crate::sim::PointId;
+
+/// Said where a chain ends with nothing to bond.
+const ALONE: &str = "a bond needs two points";
+/// Said where its bonds are there already.
+const BONDED: &str = "they are bonded already";
+/// Said where a point of the world that it was drawn to is gone.
+const GONE: &str = "a point that it was drawn to is gone: draw it again";
+/// Said where a loop cannot be filled.
+const CROSSES: &str = "the loop crosses itself: it has its sides, and is not filled";
+
+/// What a chain goes through.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) enum Node {
+    /// A point of its own, counted from 0.
+    Own(usize),
+    /// A point of the world.
+    World(PointId),
+}
+
+/// Points and bonds that are being drawn.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub(in crate::app::tools) struct Chain {
+    /// Its own points `[m]`.
+    own: Vec<DVec2>,
+    nodes: Vec<Node>,
+    /// While the button is down: where it was pressed `[px]`, and whether that is where the chain had come to.
+    pressed: Option<(DVec2, bool)>,
+}
+
+impl Chain {
+    /// The button goes down: the chain goes on to what lies there.
+    pub(in crate::app::tools) fn press(&mut self, scope: Scope<'_>, at: DVec2) -> Step {
+        let is_last = self.node(scope, at).is_some_and(|node| self.nodes.last() == Some(&node));
+        self.pressed = Some((at, is_last));
+        self.reach(scope, at);
+        Step::GoesOn(None)
+    }
+
+    /// The button goes up: a drag goes on to what lies there, a second click ends the chain, and so does its first point.
+    pub(in crate::app::tools) fn release(&mut self, scope: Scope<'_>, at: DVec2, how: (Links, bool)) -> Step {
+        let Some((pressed, was_last)) = self.pressed.take() else { return Step::GoesOn(None) };
+        let is_click = pressed.distance(at) < CLICK * scope.scale;
+        if !is_click {
+            self.reach(scope, at);
+        }
+        if (is_click && was_last) || self.is_loop() {
+            return Step::Done(self.end(scope, how));
+        }
+        Step::GoesOn(None)
+    }
+
+    /// It goes on to what lies at a pixel, which may be where it is.
+    fn reach(&mut self, scope: Scope<'_>, at: DVec2) {
+        let node = self.node(scope, at).unwrap_or_else(|| {
+            self.own.push(scope.in_plane(at));
+            Node::Own(self.own.len() - 1)
+        });
+        if self.nodes.last() != Some(&node) {
+            self.nodes.push(node);
+        }
+    }
+
+    /// The nearest of its points and those of the world in reach of a pixel.
+    fn node(&self, scope: Scope<'_>, at: DVec2) -> Option<Node> {
+        let far = |place: DVec2| pixel(scope, place).map(|there| there.distance(at));
+        let own = self.own.iter().enumerate().filter_map(|(k, place)| Some((far(*place)?, Node::Own(k))));
+        let world = scope.reached(at).into_iter().take(1);
+        let world = world.filter_map(|point| Some((scope.pixel(point)?.distance(at), Node::World(point))));
+        let near = own.chain(world).filter(|(far, _)| *far <= SNAP * scope.scale);
+        near.min_by(|a, b| a.0.total_cmp(&b.0)).map(|(_, node)| node)
+    }
+
+    /// Whether it has come back to where it began.
+    fn is_loop(&self) -> bool {
+        self.nodes.len() > 3 && self.nodes.first() == self.nodes.last()
+    }
+
+    /// Takes the last point back. Returns whether there is one left.
+    pub(in crate::app::tools) fn step_back(&mut self) -> bool {
+        self.pressed = None;
+        if let Some(Node::Own(k)) = self.nodes.pop()
+            && k + 1 == self.own.len()
+            && !self.nodes.contains(&Node::Own(k))
+        {
+            self.own.pop();
+        }
+        !self.nodes.is_empty()
+    }
+
+    /// Whether there is a bond in it.
+    pub(in crate::app::tools) fn has_bonds(&self) -> bool {
+        self.nodes.len() > 1
+    }
+
+    /// Where a node is `[m]`; `None` of a point that is gone.
+    fn place(&self, scope: Scope<'_>, node: Node) -> Option<DVec2> {
+        match node {
+            Node::Own(k) => self.own.get(k).copied(),
+            Node::World(point) => scope.is_there(point).then(|| {
+                let [x, y, _] = scope.shown.place(point.index());
+                DVec2::new(x, y)
+            }),
+        }
+    }
+
+    /// It is as it is: what comes into the world, filled where it is a loop and that is wished.
+    pub(in crate::app::tools) fn end(&self, scope: Scope<'_>, (links, fills): (Links, bool)) -> Deed {
+        let places: Option<Vec<DVec2>> = self.nodes.iter().map(|node| self.place(scope, *node)).collect();
+        let Some(places) = places else { return Deed::words(GONE.to_owned()) };
+        let give = |keys: AddKeys| Deed::edit(Primitive::Bonds.name(), Do::Add(Box::new(keys)));
+        let mut words = None;
+        if fills && self.is_loop() {
+            let corners = &places[..places.len() - 1];
+            let size = area(corners).abs() * scope.camera.pixels_per_metre().powi(2);
+            match () {
+                () if crossing(corners, true).contains(&true) => words = Some(CROSSES.to_owned()),
+                () if size < (LEAST * scope.scale).powi(2) => words = Some(TOO_SMALL.to_owned()),
+                () => match filled(corners, &self.nodes, scope.shown.point_count() as u32) {
+                    Ok(keys) => return give(keys),
+                    Err(why) => words = Some(why),
+                },
+            }
+        }
+        match self.sides(scope, links) {
+            Ok(keys) => Deed { words, ..give(keys) },
+            Err(why) => Deed::words(why.to_owned()),
+        }
+    }
+
+    /// Its points and its bonds, each once.
+    fn sides(&self, scope: Scope<'_>, links: Links) -> Result<AddKeys, &'static str> {
+        let next = scope.shown.point_count() as u32;
+        let number = |node: &Node| match node {
+            Node::Own(k) => next + *k as u32,
+            Node::World(point) => point.0,
+        };
+        let sorted = |[a, b]: [u32; 2]| [a.min(b), a.max(b)];
+        let own_pairs = self.nodes.windows(2).map(|pair| sorted([number(&pair[0]), number(&pair[1])]));
+        let mut pairs: BTreeSet<[u32; 2]> = own_pairs.collect();
+        let is_drawn = !pairs.is_empty();
+        scope.shown.scenery.bonds.ends().iter().for_each(|[a, b]| {
+            pairs.remove(&sorted([a.0, b.0]));
+        });
+        if pairs.is_empty() && (is_drawn || self.own.is_empty()) {
+            return Err(if is_drawn { BONDED } else { ALONE });
+        }
+        let points = PointKeys {
+            position: self.own.iter().map(|at| Vector::Plane(at.to_array())).collect(),
+            mass: None,
+            velocity: None,
+            pinned: Vec::new(),
+        };
+        let bonds = pairs.into_iter().map(|[a, b]| links.bond(BondKeys::new(a, b), self.own.len()));
+        Ok(AddKeys {
+            points: Some(points).filter(|_| !self.own.is_empty()),
+            bonds: bonds.collect(),
+            ..AddKeys::default()
+        })
+    }
+
+    /// What it is so far, and what a press at the pixel would make of it.
+    pub(in crate::app::tools) fn marks(
+        &self,
+        scope: Scope<'_>,
+        at: Option<DVec2>,
+        (links, fills): (Links, bool),
+    ) -> Vec<Mark> {
+        let seen = |node: Node| self.place(scope, node).and_then(|place| pixel(scope, place));
+        let ends = self.nodes.windows(2).filter_map(|pair| Some([seen(pair[0])?, seen(pair[1])?]));
+        let mut marks: Vec<Mark> = ends.map(|ends| line(scope, Role::Come, ends)).collect();
+        let knobs = self.own.iter().filter_map(|place| pixel(scope, *place));
+        marks.extend(knobs.map(|at| Mark::Knob(Role::Come, at, 4.0 * scope.scale)));
+        let Some(at) = at else { return marks };
+        let node = self.node(scope, at);
+        let there = node.and_then(seen).unwrap_or(at);
+        let last = self.nodes.last().copied();
+        if let Some(from) = last.and_then(seen) {
+            marks.push(line(scope, Role::Come, [from, there]));
+        }
+        match node {
+            Some(_) => marks.push(Mark::Ring(Role::Hold, there, 9.0 * scope.scale)),
+            None => marks.push(Mark::Knob(Role::Come, there, 4.0 * scope.scale)),
+        }
+        let long = last.and_then(|last| self.place(scope, last)).map_or(0.0, |from| {
+            let to = node.and_then(|node| self.place(scope, node)).unwrap_or_else(|| scope.in_plane(at));
+            from.distance(to)
+        });
+        let closes = self.nodes.len() > 2 && node == self.nodes.first().copied();
+        let words = match node {
+            None if last.is_none() => "a point: click on, or drag to the next one".to_owned(),
+            Some(_) if last.is_none() => "from this point".to_owned(),
+            _ if closes && fills => "closes the loop and fills it: a soft body".to_owned(),
+            _ if closes => format!("closes the loop: {}", links.name()),
+            Some(_) if node == last && self.nodes.len() > 1 => "once more ends it".to_owned(),
+            Some(_) if node == last => "the next point".to_owned(),
+            _ => format!("{}, {long:.2} m", links.name()),
+        };
+        marks.push(label(scope, at, words));
+        marks
+    }
+}

@@ -1,0 +1,79 @@
+//! A loop of drawn points, filled with triangles of springs by the mesher of pictures.
+
+use std::collections::BTreeSet;
+
+use glam::DVec2;
+
+use super::chain::Node;
+use super::corners::area;
+use super::matter::{AREA_MASS, DAMPING, SOFT};
+use crate::picture::{Boundary, Settings, fill_boundary};
+use crate::scene::{AddKeys, BondKeys, KindName, MassKeys, PointKeys, Row, Vector};
+
+/// Sides of triangles in the side of a square as large as the loop `[1]`.
+const FINE: f64 = 5.0;
+/// A corner of the mesh is a corner of the loop when it is no further from it, in sides of triangles `[1]`.
+const SAME: f64 = 1e-6;
+
+/// What brings the body within `corners` `[m]`, in a world where the next point gets the number `next`: those of its corners that are points
+/// of the world stay these.
+///
+/// Errors: in words, that no triangles can be made.
+pub(super) fn filled(corners: &[DVec2], nodes: &[Node], next: u32) -> Result<AddKeys, String> {
+    let size = area(corners);
+    let settings = Settings::default();
+    let (spacing, middle) = (size.abs().sqrt() / FINE, corners[0]);
+    let unit = settings.spacing() / spacing;
+    let mut rim = rim(corners, spacing);
+    if size < 0.0 {
+        rim.reverse();
+    }
+    let rim = rim.into_iter().map(|at| (unit * (at - middle)).to_array()).collect();
+    let boundary = Boundary { loops: vec![rim], ..Boundary::default() };
+    let mesh = fill_boundary(&boundary, &settings).map_err(|error| format!("the loop is not filled: {error}"))?;
+    let places: Vec<DVec2> = mesh.points.iter().map(|&at| middle + DVec2::from(at) / unit).collect();
+    let mut position = Vec::new();
+    let numbers: Vec<u32> = places
+        .iter()
+        .map(|place| {
+            let corner = corners.iter().position(|corner| corner.distance(*place) <= SAME * spacing);
+            if let Some(Node::World(point)) = corner.map(|corner| nodes[corner]) {
+                return point.0;
+            }
+            position.push(Vector::Plane(place.to_array()));
+            next + position.len() as u32 - 1
+        })
+        .collect();
+    let mass = AREA_MASS * size.abs();
+    let triangles: Vec<[u32; 3]> = mesh.triangles.iter().map(|list| list.map(|k| numbers[k as usize])).collect();
+    let sides = triangles.iter().flat_map(|&[a, b, c]| [[a, b], [b, c], [c, a]]);
+    let sides: BTreeSet<[u32; 2]> = sides.map(|[a, b]| [a.min(b), a.max(b)]).collect();
+    let spring = |[a, b]: [u32; 2]| BondKeys {
+        kind: Some(KindName::Spring),
+        stiffness: Some(SOFT * mass),
+        damping: Some(DAMPING * SOFT * mass),
+        ..BondKeys::new(a, b)
+    };
+    let points = PointKeys {
+        position,
+        mass: Some(MassKeys::Same(mass / places.len().max(1) as f64)),
+        velocity: None,
+        pinned: Vec::new(),
+    };
+    Ok(AddKeys {
+        points: Some(points).filter(|points| !points.position.is_empty()),
+        bonds: sides.into_iter().map(spring).collect(),
+        triangles: triangles.into_iter().map(Row).collect(),
+        ..AddKeys::default()
+    })
+}
+
+/// The loop, its sides divided into pieces about as long as the spacing.
+fn rim(corners: &[DVec2], spacing: f64) -> Vec<DVec2> {
+    let sides = corners.iter().zip(corners.iter().cycle().skip(1));
+    let pieces = sides.flat_map(|(&from, &to)| {
+        let count = (from.distance(to) / spacing).round().clamp(1.0, 1e3);
+        (0..count as u32).map(move |k| from.lerp(to, f64::from(k) / count))
+    });
+    pieces.collect()
+}
