@@ -164,6 +164,8 @@ pub(super) struct PanelState {
     /// The setting that is being dragged.
     pub(super) gesture: Option<egui::Id>,
     pub(super) hides_hud: bool,
+    /// What is said of how bodies are moved is open, not one short line.
+    pub(super) has_moving: bool,
     /// What is looked for in the gallery.
     pub(super) search: String,
     /// The scene that Enter opens in the gallery, by its place among those that are found.
@@ -263,7 +265,8 @@ pub(super) fn show(ui: &mut egui::Ui, state: &mut PanelState, facts: &Facts) -> 
     let all_edge = edge + takes(has_lessons, lessons::WIDTH);
     if !state.hides_hud && room.width() > 560.0 && !is_covered {
         hud::show(&context, &mut places, facts);
-        moving::show(&context, [-10.0 - all_edge, places.right], facts, &mut wishes);
+        let notes = (&mut state.has_moving, facts);
+        moving::show(&context, [-10.0 - all_edge, places.right], notes, &mut wishes);
     }
     if facts.look.overlay == Overlay::Strain && !is_covered {
         legend::show(&context, &mut places, &facts.look);

@@ -129,6 +129,7 @@ fn state(facts: &Facts) -> (String, bool) {
         (true, true) => ("at rest".to_owned(), false),
         (true, false) if figures.follows => ("replay: press to take over".to_owned(), false),
         (true, false) if is_slow => (slow_motion(facts), false),
+        (true, false) if figures.yielded.is_some() => ("computed more roughly, to keep up".to_owned(), false),
         (true, false) => (String::new(), false),
     }
 }
