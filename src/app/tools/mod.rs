@@ -98,6 +98,8 @@ enum Doing {
     Building(Drag),
     /// What is selected is moved, from where it was pressed on `[px]`; a click selects what lies there alone.
     Moving(DVec2, Chosen),
+    /// Time stands still: what the hand pressed on from here `[px]` is moved as a whole.
+    Carrying(DVec2, Chosen),
     /// What is selected is turned or scaled by a handle.
     Handling(Grip),
     /// A region is drawn, whose bodies are selected.
@@ -125,6 +127,8 @@ pub(super) struct Hand {
     shift: bool,
     alt: bool,
     doing: Doing,
+    /// Time stands still: the hand moves bodies in place of leading them.
+    is_still: bool,
     /// What the hover force is when nothing is grabbed; `None`: the scene has none, or it goes along a track.
     strength: Option<f64>,
     /// How long the hover force stays away yet `[s]`; infinite while something is grabbed.
@@ -191,6 +195,11 @@ impl Hand {
     /// Shift and Alt are held, or let go.
     pub(super) fn hold(&mut self, [shift, alt]: [bool; 2]) {
         (self.shift, self.alt, self.maker.is_free) = (shift, alt, shift);
+    }
+
+    /// Time stands still from now on, or runs.
+    pub(super) fn stand_still(&mut self, is_still: bool) {
+        self.is_still = is_still;
     }
 
     /// Another scene, or another strength by hand.
@@ -301,6 +310,9 @@ impl Hand {
             self.doing = Doing::Leading(lead);
             return Deed::plain(commands);
         }
+        if self.is_still {
+            return self.carry(scope, at);
+        }
         let mut points = scope.grip(at);
         if points.is_empty() && self.strength.is_some_and(|strength| strength > 0.0) {
             points = scope.pushed(at);
@@ -350,6 +362,7 @@ impl Hand {
             Doing::Cutting(from) if from.distance(at) > 1.0 => cut(scope, from, at),
             Doing::Building(drag) => self.maker.build(scope, &drag, at),
             Doing::Moving(from, under) => self.end_move(scope, [from, at], under),
+            Doing::Carrying(from, what) => selecting::moved(scope, [from, at], &what),
             Doing::Handling(grip) => self.end_grip(scope, grip, at),
             Doing::Marking(region) => {
                 self.mark(scope, &region, at);
