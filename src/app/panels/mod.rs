@@ -220,6 +220,8 @@ pub(super) struct Facts {
     pub(super) showing: Showing,
     /// The scene is that of a picture, which can be cut out anew.
     pub(super) has_picture: bool,
+    /// The scene is one to paint on.
+    pub(super) is_canvas: bool,
     /// The world waits: something lies over it.
     pub(super) waits: bool,
     /// Another scene is being made.

@@ -328,6 +328,8 @@ impl Session {
     }
 
     fn open_beside(&mut self, by: isize) {
+        // A canvas that lies over this one is put away with it.
+        self.put_away();
         let count = gallery().len() as isize;
         let place = self.place.map_or(0, |place| (place as isize + by).rem_euclid(count));
         self.open_named(gallery()[place as usize].name);

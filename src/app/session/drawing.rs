@@ -120,6 +120,7 @@ impl Session {
             look: self.look,
             showing: self.showing(),
             has_picture: self.has_picture,
+            is_canvas: self.is_canvas(),
             waits: self.waits(),
             is_opening: !self.player.is_open(),
             is_busy: self.player.is_busy(),

@@ -48,7 +48,7 @@ use crate::sim::{Cursor, HELD, Key, MouseForce, SceneChange};
 use selecting::Copied;
 use shelf::Shelf;
 
-/// The tag of scenes that open on a canvas.
+/// The tag of scenes that are painted on.
 const BRUSH: &str = "brush";
 /// How long trails of points last, in scenes of few `[s of wall time]`.
 const TRAIL: f64 = 2.5;
@@ -179,8 +179,6 @@ pub(super) struct Session {
     frames: u64,
     /// Where to look from when the next history is there.
     looks_again: Option<Camera>,
-    /// It is one that was there already.
-    comes_back: bool,
     /// The step of a lesson that it is opened for.
     teaches: Option<At>,
     /// The figures and settings that panels show.
@@ -271,7 +269,6 @@ impl Session {
             frame_meter: Meter::default(),
             frames: 0,
             looks_again: None,
-            comes_back: false,
             teaches: None,
             figures: Figures::default(),
             settings: SceneChange::default(),
@@ -408,7 +405,6 @@ impl Session {
         self.scene = scene;
         self.plot_anew();
         self.frame_as(Framing::Opening);
-        let comes_back = std::mem::take(&mut self.comes_back);
         if let Some(camera) = self.looks_again.take() {
             (self.camera, self.framing) = (camera, Framing::Free);
             self.camera.resize(self.area);
@@ -425,9 +421,6 @@ impl Session {
         self.panels.notes.has_caption = true;
         self.wants_hint &= self.place == Some(0);
         self.place_hint();
-        if self.is_canvas() && !comes_back {
-            self.paint();
-        }
         if let Some(at) = self.teaches.take() {
             self.lay_out(at);
         }

@@ -111,7 +111,7 @@ impl Session {
         self.arrive(std::sync::Arc::new(scene));
         self.import = None;
         if !self.player.is_open() {
-            (self.looks_again, self.comes_back) = (Some(camera), true);
+            self.looks_again = Some(camera);
         }
         (self.camera, self.framing) = (camera, Framing::Free);
         self.camera.resize(self.area);
