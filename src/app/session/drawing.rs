@@ -251,6 +251,9 @@ impl Session {
             marks.extend(self.hand.marks(scope, self.pixel().filter(|_| !is_idle)));
         }
         marks.extend(self.ghosts());
+        if !self.is_covered() {
+            marks.extend(self.way_to_the_lost(scope));
+        }
         if marks.is_empty() {
             return Default::default();
         }

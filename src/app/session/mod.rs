@@ -9,6 +9,7 @@ mod fresh;
 mod keeping;
 mod learning;
 mod leftovers;
+mod lost;
 mod plotting;
 mod pointing;
 mod selecting;
@@ -471,7 +472,7 @@ impl Session {
         match note {
             Note::Undone(name, seconds) => {
                 self.has_undone = true;
-                self.have_gone(format!("Undid: {name}{}", far(seconds)));
+                self.have_gone(format!("Undid: {name}{}", with_what_followed(seconds)));
             }
             Note::Redone(name, seconds) => self.have_gone(format!("Redid: {name}{}", far(seconds))),
             Note::Left(1) => self.say("Back to the start: Ctrl+Z brings back the edit that was made later".to_owned()),
@@ -694,6 +695,11 @@ fn far(seconds: f64) -> String {
     }
 }
 
+/// What an edit is undone together with: all that happened since, which took so long, below 0 `[s]`.
+fn with_what_followed(seconds: f64) -> String {
+    if seconds <= -0.05 { format!(" with what happened since: {:.1} s", -seconds) } else { far(seconds) }
+}
+
 /// A context for the panels of a window.
 fn panels_for(window: &Arc<Window>, canvas: &Canvas) -> egui_winit::State {
     let context = egui::Context::default();
@@ -705,7 +711,7 @@ fn panels_for(window: &Arc<Window>, canvas: &Canvas) -> egui_winit::State {
 
 #[cfg(test)]
 mod tests {
-    use super::{far, gallery, listed, place_of};
+    use super::{far, gallery, listed, place_of, with_what_followed};
     use crate::scene::Scene;
 
     #[test]
@@ -726,5 +732,6 @@ mod tests {
     #[test]
     fn how_far_time_went_is_said_with_its_direction() {
         assert_eq!([-33.1, 33.1, 0.0].map(far), [" (33.1 s back)", " (33.1 s on)", ""]);
+        assert_eq!([-15.3, -0.01].map(with_what_followed), [" with what happened since: 15.3 s", ""]);
     }
 }

@@ -127,6 +127,8 @@ pub(super) struct Hand {
     shift: bool,
     alt: bool,
     doing: Doing,
+    /// Where something was built last, until the pointer moves on `[px]`.
+    built_at: Option<DVec2>,
     /// Time stands still: the hand moves bodies in place of leading them.
     is_still: bool,
     /// What the hover force is when nothing is grabbed; `None`: the scene has none, or it goes along a track.
@@ -158,6 +160,7 @@ impl Hand {
 
     /// Another primitive is to be built: with the tool for that.
     pub(super) fn choose(&mut self, primitive: Primitive) {
+        self.built_at = None;
         self.maker.primitive = primitive;
         self.tool = Tool::Build;
     }
@@ -287,6 +290,7 @@ impl Hand {
 
     /// The pointer moved to a pixel while the button is down.
     pub(super) fn trace(&mut self, scope: Scope<'_>, at: DVec2) {
+        self.built_at.take_if(|was| is_drag(scope, [*was, at]));
         match &mut self.doing {
             Doing::Marking(region) => region.trace(scope, at),
             Doing::Painting(stroke) => self.brush.trace(scope, stroke, at),
@@ -360,7 +364,10 @@ impl Hand {
                 Deed::default()
             }
             Doing::Cutting(from) if from.distance(at) > 1.0 => cut(scope, from, at),
-            Doing::Building(drag) => self.maker.build(scope, &drag, at),
+            Doing::Building(drag) => {
+                self.built_at = Some(at);
+                self.maker.build(scope, &drag, at)
+            }
             Doing::Moving(from, under) => self.end_move(scope, [from, at], under),
             Doing::Carrying(from, what) => selecting::moved(scope, [from, at], &what),
             Doing::Handling(grip) => self.end_grip(scope, grip, at),
@@ -460,6 +467,8 @@ impl Hand {
             (Tool::Muscle, Some(at)) => self.drives.mark_muscle(scope, at),
             (Tool::Motor, Some(at)) => self.drives.mark_motor(scope, at),
             (Tool::Paint, Some(at)) => self.brush.marks(scope, at),
+            // What would come next is not shown over what has just come.
+            (Tool::Build, _) if self.built_at.is_some() && !self.is_busy() => Vec::new(),
             _ => marks::of((self.tool(), self.maker), &self.doing, scope, at),
         };
         if let Doing::Painting(stroke) = &self.doing {
