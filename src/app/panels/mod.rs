@@ -40,6 +40,7 @@ mod sheet;
 pub(super) mod theme;
 mod top;
 mod transport;
+mod waiting;
 
 use std::collections::BTreeMap;
 use std::path::PathBuf;
@@ -119,8 +120,12 @@ pub(super) enum Wish {
     WriteTable,
     /// The plot is, as a figure.
     WriteFigure,
-    /// All that was done is saved to a file.
+    /// All that was done, or this moment, is saved to a file.
     SaveTo(PathBuf),
+    /// A scene that takes long to open is not waited for.
+    StopOpening,
+    /// The system's dialog for that file.
+    BrowseToSave,
     /// A session that was cut off is gone on with, by its place in the list.
     GoOnWithLeftover(usize),
     /// One is not wanted.
@@ -138,7 +143,7 @@ pub(super) enum Sheet {
     Gallery,
     /// The keys.
     Help,
-    /// A name for a file, where the system has no dialog for it.
+    /// What is to be saved, and a name for the file.
     SaveTo,
     /// The name of a file to open, likewise.
     OpenFrom,
@@ -226,6 +231,8 @@ pub(super) struct Facts {
     pub(super) waits: bool,
     /// Another scene is being made.
     pub(super) is_opening: bool,
+    /// It has never been there: for how long it is being made `[s]`, and whether it can be given up.
+    pub(super) opening: Option<(f64, bool)>,
     /// A step takes long.
     pub(super) is_busy: bool,
     pub(super) dimensions: usize,
@@ -300,6 +307,9 @@ pub(super) fn show(ui: &mut egui::Ui, state: &mut PanelState, facts: &Facts) -> 
     state.notes.show(&context, &places, facts, &mut wishes);
     if !state.hides_hud && !is_covered {
         beside::titles(&context, facts, state.notes.has_caption && facts.caption.is_some());
+    }
+    if let Some(opening) = facts.opening.filter(|_| state.sheet.is_none()) {
+        waiting::show(&context, opening, &facts.title, &mut wishes);
     }
     match state.sheet {
         Some(Sheet::Gallery) => gallery::show(&context, room, state, facts, &mut wishes),

@@ -53,7 +53,9 @@ pub(super) fn show(
                 let add = |ui: &mut egui::Ui| icons::button(ui, sign, name, icons::TOOL, tool == facts.tool);
                 let button = ui.add_enabled_ui(can, add).inner;
                 // Beside the tool: below it lies the next one.
-                for (mut tooltip, words) in [(Tooltip::for_enabled(&button), &*said), (Tooltip::for_disabled(&button), why)] {
+                for (mut tooltip, words) in
+                    [(Tooltip::for_enabled(&button), &*said), (Tooltip::for_disabled(&button), why)]
+                {
                     tooltip.popup = tooltip.popup.align(RectAlign::RIGHT).gap(TO_TOOLTIP);
                     tooltip.show(|ui| ui.label(words));
                 }

@@ -118,8 +118,15 @@ impl Session {
             Wish::WriteFigure => self.write_figure(),
             Wish::SaveTo(path) => {
                 self.panels.sheet = None;
-                self.save_to(path);
+                match self.panels.save_to.is_moment {
+                    true => self.save_moment(path),
+                    false => self.save_to(path),
+                }
             }
+            Wish::StopOpening => {
+                self.stop_opening();
+            }
+            Wish::BrowseToSave => self.browse_to_save(),
             Wish::GoOnWithLeftover(place) => self.go_on_with_leftover(place),
             Wish::DiscardLeftover(place) => self.discard_leftover(place),
             Wish::PutOffLeftover => self.panels.notes.offer = None,
@@ -137,7 +144,8 @@ impl Session {
         }
         let is_closed = self.panels.notes.complaint.take().is_some()
             || self.panels.sheet.take().is_some()
-            || self.loading.take().is_some();
+            || self.loading.take().is_some()
+            || self.stop_opening();
         if !is_closed {
             self.put_away();
         }

@@ -123,6 +123,7 @@ impl Session {
             is_canvas: self.is_canvas(),
             waits: self.waits(),
             is_opening: !self.player.is_open(),
+            opening: self.opening().map(|(since, can_stop)| (since.as_secs_f64(), can_stop)),
             is_busy: self.player.is_busy(),
             dimensions: self.scene.dimensions(),
             seen: if self.panels.has_settings { self.free_of_plane() } else { Default::default() },

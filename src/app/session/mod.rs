@@ -180,6 +180,8 @@ pub(super) struct Session {
     frames: u64,
     /// Where to look from when the next history is there.
     looks_again: Option<Camera>,
+    /// A history is being made that was never there: since when.
+    opening_since: Option<Instant>,
     /// The step of a lesson that it is opened for.
     teaches: Option<At>,
     /// The figures and settings that panels show.
@@ -270,13 +272,15 @@ impl Session {
             frame_meter: Meter::default(),
             frames: 0,
             looks_again: None,
+            opening_since: None,
             teaches: None,
             figures: Figures::default(),
             settings: SceneChange::default(),
             matter: None,
         };
-        if session.player.is_open() {
-            session.arrive(Arc::clone(&session.scene));
+        match session.player.is_open() {
+            true => session.arrive(Arc::clone(&session.scene)),
+            false => session.await_it(),
         }
         Ok(session)
     }
@@ -341,10 +345,44 @@ impl Session {
         self.panels.notes.offer = None;
         self.take_leave();
         let mut last = std::mem::replace(&mut self.player, player);
-        last.play(false);
-        self.shelf.keep(last, self.camera);
+        // What nobody has seen yet is not gone back to, unless something is to be kept of it.
+        if self.opening_since.is_none() || last.record().is_some() {
+            last.play(false);
+            self.shelf.keep(last, self.camera);
+        }
+        self.await_it();
         self.begin();
         self.settle();
+    }
+
+    /// A history is being made: it is called by its name from now on.
+    fn await_it(&mut self) {
+        self.opening_since = Some(Instant::now());
+        let scene = self.player.start().scene().clone();
+        self.window.set_title(&format!("wobble · {}", scene.name()));
+        self.place = place_of(&scene);
+        self.scene = Arc::new(scene);
+        (self.named, self.has_picture) = (Vec::new(), false);
+        self.panels.notes.has_caption = false;
+        self.panels.notes.complaint = None;
+        self.panels.notes.begin();
+    }
+
+    /// A history that is being made is not waited for: the one before it is there again. Returns whether there is one.
+    pub(super) fn stop_opening(&mut self) -> bool {
+        if self.opening_since.is_none() || self.player.record().is_some() {
+            return false;
+        }
+        let Some((player, camera)) = self.shelf.back() else { return false };
+        self.teaches = None;
+        drop(self.bring_back(player, camera));
+        self.settle();
+        true
+    }
+
+    /// For how long a history is being made, and whether it can be given up for another.
+    fn opening(&self) -> Option<(Duration, bool)> {
+        self.opening_since.map(|since| (since.elapsed(), self.shelf.has_before() && self.player.record().is_none()))
     }
 
     /// The present history is left for another: nothing hangs on the hand in it.
@@ -392,6 +430,7 @@ impl Session {
 
     /// The history is there: its scene is shown as it opens.
     fn arrive(&mut self, scene: Arc<Scene>) {
+        self.opening_since = None;
         self.follows = false;
         self.canvas.forget_world(scene.dimensions());
         self.window.set_title(&format!("wobble · {}", scene.name()));
@@ -419,6 +458,9 @@ impl Session {
         let said: Vec<String> = [warning, through, self.taken_keys()].into_iter().flatten().collect();
         self.panels.notes.complaint = (!said.is_empty()).then(|| said.join("\n"));
         self.panels.notes.begin();
+        if self.shown().figures.follows {
+            self.panels.notes.warn(REPLAYED.to_owned());
+        }
         self.panels.notes.has_caption = true;
         self.wants_hint &= self.place == Some(0);
         self.place_hint();
@@ -671,6 +713,10 @@ fn place_of(scene: &Scene) -> Option<usize> {
     let alone = Scene { name: own.name.clone(), beside: own.beside.clone(), ..scene.clone() };
     (alone == own).then_some(place)
 }
+
+/// Said of a recording as it opens.
+const REPLAYED: &str = "a recording: it is replayed as it was done. A press on the world takes over from there; the list beside the \
+                        timeline leads back to what was recorded";
 
 /// So many warnings are shown at once, a line each.
 const MOST_WARNINGS: usize = 3;

@@ -45,6 +45,11 @@ impl Shelf {
         self.before.pop()
     }
 
+    /// Whether there is one before.
+    pub(super) fn has_before(&self) -> bool {
+        !self.before.is_empty()
+    }
+
     /// All that are kept.
     pub(super) fn players(&self) -> impl Iterator<Item = &Player> {
         self.before.iter().chain(&self.after).map(|(player, _)| player)
