@@ -12,7 +12,7 @@ const WIDTH: f32 = 146.0;
 /// The row of the energy, and what is said of it.
 const ENERGY: &str = "energy";
 const OF_ENERGY: &str =
-    "of motion, springs and gravity, which is 0 at y = 0: below that the energy can be less than nothing";
+    "energy of motion, springs and gravity (0 at y = 0)";
 
 /// Shows them at the right edge, below the buttons where those leave no place for them.
 pub(super) fn show(context: &egui::Context, places: &mut Places, facts: &Facts) {

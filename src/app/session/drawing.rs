@@ -217,7 +217,7 @@ impl Session {
 
     /// The region of the hover force: where the pointer is now, however long a step takes.
     pub(super) fn region(&self) -> Option<(MouseForce, Cursor)> {
-        if self.is_covered() {
+        if self.is_covered() || self.hand.is_carrying() {
             return None;
         }
         match self.live_force() {

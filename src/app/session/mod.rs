@@ -743,7 +743,7 @@ fn far(seconds: f64) -> String {
 
 /// What an edit is undone together with: all that happened since, which took so long, below 0 `[s]`.
 fn with_what_followed(seconds: f64) -> String {
-    if seconds <= -0.05 { format!(" with what happened since: {:.1} s", -seconds) } else { far(seconds) }
+    if seconds <= -0.05 { format!(" (with what happened since: {:.1} s)", -seconds) } else { far(seconds) }
 }
 
 /// A context for the panels of a window.
@@ -778,6 +778,6 @@ mod tests {
     #[test]
     fn how_far_time_went_is_said_with_its_direction() {
         assert_eq!([-33.1, 33.1, 0.0].map(far), [" (33.1 s back)", " (33.1 s on)", ""]);
-        assert_eq!([-15.3, -0.01].map(with_what_followed), [" with what happened since: 15.3 s", ""]);
+        assert_eq!([-15.3, -0.01].map(with_what_followed), [" (with what happened since: 15.3 s)", ""]);
     }
 }

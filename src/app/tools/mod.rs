@@ -249,6 +249,11 @@ impl Hand {
         matches!(self.doing, Doing::Grabbing(_))
     }
 
+    /// Whether a body is moved while time stands still.
+    pub(super) fn is_carrying(&self) -> bool {
+        matches!(self.doing, Doing::Carrying(..))
+    }
+
     /// Whether a pin is led.
     pub(super) fn is_leading(&self) -> bool {
         matches!(self.doing, Doing::Leading(_))
