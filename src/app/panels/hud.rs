@@ -11,8 +11,7 @@ const WIDTH: f32 = 146.0;
 
 /// The row of the energy, and what is said of it.
 const ENERGY: &str = "energy";
-const OF_ENERGY: &str =
-    "energy of motion, springs and gravity (0 at y = 0)";
+const OF_ENERGY: &str = "energy of motion, springs and gravity (0 at y = 0)";
 
 /// Shows them at the right edge, below the buttons where those leave no place for them.
 pub(super) fn show(context: &egui::Context, places: &mut Places, facts: &Facts) {
