@@ -106,7 +106,7 @@ impl Session {
             title: entry.map_or_else(|| self.scene.name().to_owned(), |entry| entry.title.to_owned()),
             caption: entry.map(|entry| [entry.description, entry.to_try]),
             figures,
-            pace: self.pace(),
+            pace: if self.player.is_open() { self.pace() } else { 1.0 },
             frame: self.frame_meter.value(),
             tool: self.hand.tool(),
             primitive: self.hand.primitive(),

@@ -32,6 +32,7 @@ impl Session {
         self.panels.save_to.begin();
         self.panels.path = free_name(&folder, self.scene.name(), "json").display().to_string();
         (self.panels.sheet, self.panels.is_fresh) = (Some(Sheet::SaveTo), true);
+        self.place_hint();
     }
 
     /// The dialog was told a path that ends otherwise: what becomes of it is written without a word if there is no such file yet.
