@@ -29,8 +29,8 @@ impl Saving {
     /// Opens the dialog over `window` for a recording of a scene.
     pub(super) fn new(window: &Window, scene: &str, wake: impl Fn() + Send + 'static) -> Self {
         let name = format!("{}.json", plain(scene));
-        let dialog = AsyncFileDialog::new().set_title("Save all that was done").set_parent(window);
-        let chosen = dialog.set_file_name(name).add_filter("Recordings", &["json"]).save_file();
+        let dialog = AsyncFileDialog::new().set_title("Save").set_parent(window);
+        let chosen = dialog.set_file_name(name).add_filter("Scenes and recordings", &["json", "jsonl"]).save_file();
         let (sender, receiver) = channel();
         let start = Instant::now();
         std::thread::spawn(move || {

@@ -191,7 +191,7 @@ fn press_key(session: &mut Session, event: &KeyEvent, event_loop: &ActiveEventLo
     if is_writing && !matches!(action, Action::Cancel | Action::Quit | Action::FullScreen | Action::Help) {
         return;
     }
-    if session.is_covered() && !action.reaches_through() {
+    if session.is_covered() && !session.lets_through(action) {
         return;
     }
     match action {

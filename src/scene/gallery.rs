@@ -294,8 +294,8 @@ static GALLERY: [Entry; 46] = [
         "brush",
         370,
         "Brush",
-        "A fish of brush strokes; in the window it lies on a canvas, to be painted over and made a body.",
-        "paint eyes or fins, then add the fish to a scene."
+        "A fish of brush strokes, cut out as they were painted: on the canvas it is painted over and made a body anew.",
+        "open its canvas (N) and paint eyes or fins."
     ),
     entry!(
         "gear",

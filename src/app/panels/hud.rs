@@ -1,6 +1,6 @@
 //! Figures in the upper right corner.
 
-use egui::{Align, Align2, Area, Id, Layout};
+use egui::{Align, Align2, Area, Id, LayerId, Layout, Order, PopupAnchor, Rect, Tooltip, vec2};
 
 use super::Facts;
 use super::places::{APART, Places};
@@ -9,6 +9,10 @@ use super::theme::floating;
 /// Their width before they were shown `[points]`.
 const WIDTH: f32 = 146.0;
 
+/// The row of the energy, and what is said of it.
+const ENERGY: &str = "energy";
+const OF_ENERGY: &str = "energy of motion, springs and gravity (0 at y = 0)";
+
 /// Shows them at the right edge, below the buttons where those leave no place for them.
 pub(super) fn show(context: &egui::Context, places: &mut Places, facts: &Facts) {
     let id = Id::unique("figures");
@@ -16,27 +20,43 @@ pub(super) fn show(context: &egui::Context, places: &mut Places, facts: &Facts) 
     places.make_way(width);
     let place = Area::new(id).anchor(Align2::RIGHT_TOP, [-10.0, places.right]).interactable(false);
     let shown = place.show(context, |ui| {
+        let mut row = Rect::NOTHING;
         floating().show(ui, |ui| {
             egui::Grid::new("figures").num_columns(2).spacing([14.0, 1.0]).show(ui, |ui| {
                 for (name, value) in rows(facts) {
-                    ui.weak(name);
+                    let label = ui.weak(name);
+                    if name == ENERGY {
+                        row = label.rect;
+                    }
                     ui.with_layout(Layout::right_to_left(Align::Center), |ui| ui.monospace(value));
                     ui.end_row();
                 }
             });
         });
+        row
     });
+    let (all, row) = (shown.response.rect, shown.inner);
+    let row = Rect::from_x_y_ranges(all.x_range(), row.y_range());
+    // Presses go through the figures, so that what is said of them is shown by hand.
+    if let Some(at) = context.pointer_hover_pos().filter(|at| row.contains(*at)) {
+        let layer = LayerId::new(Order::Tooltip, id);
+        let anchor = PopupAnchor::Position(at + vec2(0.0, 16.0));
+        Tooltip::always_open(context.clone(), layer, id.with("said"), anchor).show(|ui| ui.label(OF_ENERGY));
+    }
     places.right = shown.response.rect.bottom() + APART;
 }
 
 fn rows(facts: &Facts) -> Vec<(&'static str, String)> {
     let figures = &facts.figures;
+    // Where nothing moves no frames are made, and what the last ones took says nothing.
+    let is_idle = !figures.playing || figures.asleep || facts.waits;
+    let time = |words: String| if is_idle { "idle".to_owned() } else { words };
     vec![
-        ("frame", format!("{:.1} ms", 1e3 * facts.frame)),
-        ("stepping", format!("{:.2} ms", 1e3 * figures.step)),
+        ("frame", time(format!("{:.1} ms", 1e3 * facts.frame))),
+        ("stepping", time(format!("{:.2} ms", 1e3 * figures.step))),
         ("points", figures.points.to_string()),
         ("bonds", figures.bonds.to_string()),
-        ("energy", energy(figures.energy)),
+        (ENERGY, energy(figures.energy)),
     ]
 }
 

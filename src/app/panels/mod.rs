@@ -41,6 +41,7 @@ mod sheet;
 pub(super) mod theme;
 mod top;
 mod transport;
+mod waiting;
 
 use std::collections::BTreeMap;
 use std::path::PathBuf;
@@ -124,8 +125,12 @@ pub(super) enum Wish {
     WriteTable,
     /// The plot is, as a figure.
     WriteFigure,
-    /// All that was done is saved to a file.
+    /// All that was done, or this moment, is saved to a file.
     SaveTo(PathBuf),
+    /// A scene that takes long to open is not waited for.
+    StopOpening,
+    /// The system's dialog for that file.
+    BrowseToSave,
     /// A session that was cut off is gone on with, by its place in the list.
     GoOnWithLeftover(usize),
     /// One is not wanted.
@@ -143,7 +148,7 @@ pub(super) enum Sheet {
     Gallery,
     /// The keys.
     Help,
-    /// A name for a file, where the system has no dialog for it.
+    /// What is to be saved, and a name for the file.
     SaveTo,
     /// The name of a file to open, likewise.
     OpenFrom,
@@ -169,6 +174,8 @@ pub(super) struct PanelState {
     /// The setting that is being dragged.
     pub(super) gesture: Option<egui::Id>,
     pub(super) hides_hud: bool,
+    /// What is said of how bodies are moved is open, not one short line.
+    pub(super) has_moving: bool,
     /// What is looked for in the gallery.
     pub(super) search: String,
     /// The scene that Enter opens in the gallery, by its place among those that are found.
@@ -227,10 +234,14 @@ pub(super) struct Facts {
     pub(super) showing: Showing,
     /// The scene is that of a picture, which can be cut out anew.
     pub(super) has_picture: bool,
+    /// The scene is one to paint on.
+    pub(super) is_canvas: bool,
     /// The world waits: something lies over it.
     pub(super) waits: bool,
     /// Another scene is being made.
     pub(super) is_opening: bool,
+    /// It has never been there: for how long it is being made `[s]`, and whether it can be given up.
+    pub(super) opening: Option<(f64, bool)>,
     /// A step takes long.
     pub(super) is_busy: bool,
     pub(super) dimensions: usize,
@@ -272,7 +283,8 @@ pub(super) fn show(ui: &mut egui::Ui, state: &mut PanelState, facts: &Facts) -> 
     let all_edge = edge + takes(has_lessons, lessons::WIDTH);
     if !state.hides_hud && room.width() > 560.0 && !is_covered {
         hud::show(&context, &mut places, facts);
-        moving::show(&context, [-10.0 - all_edge, places.right], facts, &mut wishes);
+        let notes = (&mut state.has_moving, facts);
+        moving::show(&context, [-10.0 - all_edge, places.right], notes, &mut wishes);
     }
     if facts.look.overlay == Overlay::Strain && !is_covered {
         legend::show(&context, &mut places, &facts.look);
@@ -304,6 +316,9 @@ pub(super) fn show(ui: &mut egui::Ui, state: &mut PanelState, facts: &Facts) -> 
     state.notes.show(&context, &places, facts, &mut wishes);
     if !state.hides_hud && !is_covered {
         beside::titles(&context, facts, state.notes.has_caption && facts.caption.is_some());
+    }
+    if let Some(opening) = facts.opening.filter(|_| state.sheet.is_none()) {
+        waiting::show(&context, opening, &facts.title, &mut wishes);
     }
     match state.sheet {
         Some(Sheet::Gallery) => gallery::show(&context, room, state, facts, &mut wishes),

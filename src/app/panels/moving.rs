@@ -1,7 +1,7 @@
-//! Below the figures: what moves bodies otherwise than by plan, what gave way to the load, what the live step does beside moving. Nothing
-//! of it, nothing there.
+//! Below the figures, as one short line that opens on a click: what moves bodies otherwise than by plan, what gave way to the load, what
+//! the live step does beside moving. Nothing of it, nothing there.
 
-use egui::{Align2, Area, Color32, Id, Label, RichText, Sense};
+use egui::{Align2, Area, Button, Color32, Id, Label, RichText, Sense};
 
 use super::theme::{AWAY, LEAD, TEXT, WEAK, floating};
 use super::{Facts, Wish, short};
@@ -23,8 +23,14 @@ struct Line {
 /// A button: its words, what it does, and what is asked for.
 type Offer = (&'static str, &'static str, Wish);
 
-/// Shows it so far from the upper right corner `[points]`.
-pub(super) fn show(context: &egui::Context, off: [f32; 2], facts: &Facts, wishes: &mut Vec<Wish>) {
+/// Shows it so far from the upper right corner `[points]`. A click on the short line opens the others, or closes them; while they are
+/// closed they are read by resting on it.
+pub(super) fn show(
+    context: &egui::Context,
+    off: [f32; 2],
+    (is_open, facts): (&mut bool, &Facts),
+    wishes: &mut Vec<Wish>,
+) {
     let lines = lines(&facts.figures);
     if lines.is_empty() {
         return;
@@ -33,6 +39,24 @@ pub(super) fn show(context: &egui::Context, off: [f32; 2], facts: &Facts, wishes
         floating().show(ui, |ui| {
             ui.set_max_width(WIDTH);
             ui.vertical(|ui| {
+                let (words, color) = in_short(&facts.figures, lines.len());
+                let sign = if *is_open { "−" } else { "+" };
+                let button = ui.add(Button::new(RichText::new(format!("{words}  {sign}")).color(color)).frame(false));
+                let button = match *is_open {
+                    true => button.on_hover_text("a click closes this"),
+                    false => button.on_hover_ui(|ui| {
+                        ui.set_max_width(WIDTH);
+                        for Line { words, color, .. } in &lines {
+                            ui.add(Label::new(RichText::new(words).color(*color)).wrap());
+                        }
+                    }),
+                };
+                if button.clicked() {
+                    *is_open = !*is_open;
+                }
+                if !*is_open {
+                    return;
+                }
                 for Line { words, figures, color, offer } in lines {
                     let label = Label::new(RichText::new(words).color(color)).wrap().selectable(false);
                     ui.add(label.sense(Sense::hover())).on_hover_text(figures);
@@ -45,6 +69,20 @@ pub(super) fn show(context: &egui::Context, off: [f32; 2], facts: &Facts, wishes
             });
         });
     });
+}
+
+/// How it is computed in a word, and how many notes there are on that.
+fn in_short(figures: &Figures, notes: usize) -> (String, Color32) {
+    let has = |why: &[Why]| figures.movers.moved.iter().any(|one| why.contains(&one.why));
+    let (word, color) = match () {
+        () if has(&[Why::NotFinite]) => (Some("frozen"), AWAY),
+        () if figures.yielded.is_some() => (Some("rougher, to keep up"), LEAD),
+        () if has(&[Why::Budget, Why::Alarm]) => (Some("quick"), WEAK),
+        () if has(&[Why::Contact, Why::Plan]) => (Some("with collisions"), WEAK),
+        () => (None, WEAK),
+    };
+    let notes = if notes == 1 { "1 note".to_owned() } else { format!("{notes} notes") };
+    (word.map_or_else(|| notes.clone(), |word| format!("{word}, {notes}")), color)
 }
 
 fn lines(figures: &Figures) -> Vec<Line> {
@@ -172,6 +210,53 @@ mod tests {
         assert_eq!(words(&Figures::default()), Vec::<String>::new());
         let movers = Movers { islands: 5, ..Movers::default() };
         assert_eq!(words(&Figures { movers: Arc::new(movers), ..Figures::default() }), Vec::<String>::new());
+    }
+
+    #[test]
+    fn one_word_says_what_matters_most() {
+        let with = |list: Vec<Moved>| {
+            let movers = Movers { moved: list, islands: 4, can_be_exact: true };
+            Figures { movers: Arc::new(movers), ..Figures::default() }
+        };
+        let short = |figures: &Figures| in_short(figures, lines(figures).len()).0;
+        assert_eq!(short(&with(vec![moved(Why::Contact, 1)])), "with collisions, 1 note");
+        assert_eq!(short(&with(vec![moved(Why::Contact, 1), moved(Why::Budget, 1)])), "quick, 2 notes");
+        let yielded = Some(Yielded { rung: Rung::Live, since: 1.0, work: None });
+        let both = Figures { yielded, ..with(vec![moved(Why::Budget, 1)]) };
+        assert_eq!(short(&both), "rougher, to keep up, 2 notes");
+        let frozen = Figures { yielded, ..with(vec![moved(Why::Budget, 1), moved(Why::NotFinite, 1)]) };
+        assert_eq!(short(&frozen), "frozen, 3 notes");
+        let acts = Acts { settles: true, ..Acts::default() };
+        assert_eq!(short(&Figures { acts, ..Figures::default() }), "1 note");
+    }
+
+    #[test]
+    fn it_opens_on_a_click_and_stays_open() {
+        let figures = Figures { acts: Acts { settles: true, ..Acts::default() }, ..Figures::default() };
+        let facts = Facts { figures, ..Facts::default() };
+        let context = egui::Context::default();
+        let (mut is_open, mut high) = (false, Vec::new());
+        let frame = |events: Vec<egui::Event>, is_open: &mut bool| {
+            let screen = egui::Rect::from_min_size(egui::Pos2::ZERO, egui::vec2(900.0, 600.0));
+            let input = egui::RawInput { screen_rect: Some(screen), events, ..egui::RawInput::default() };
+            let mut shown =
+                context.run_ui(input, |ui| show(ui.ctx(), [-10.0, 20.0], (is_open, &facts), &mut Vec::new()));
+            shown.textures_delta.clear();
+            context.memory(|memory| memory.area_rect(Id::unique("moving"))).map_or(egui::Rect::NOTHING, |rect| rect)
+        };
+        for _ in 0..2 {
+            let mut rect = frame(Vec::new(), &mut is_open);
+            rect = rect.union(frame(Vec::new(), &mut is_open));
+            high.push(rect.height());
+            let at = rect.left_top() + egui::vec2(20.0, 14.0);
+            frame(vec![egui::Event::PointerMoved(at)], &mut is_open);
+            for pressed in [true, false] {
+                let (button, modifiers) = (egui::PointerButton::Primary, egui::Modifiers::NONE);
+                frame(vec![egui::Event::PointerButton { pos: at, button, pressed, modifiers }], &mut is_open);
+            }
+        }
+        assert!(!is_open, "opened, and closed again");
+        assert!(high[0] < 36.0 && high[1] > high[0] + 15.0, "{high:?}");
     }
 
     #[test]

@@ -6,7 +6,8 @@ use egui::{Align2, Area, Button, Id, Label, RichText};
 
 use super::places::{APART, Places};
 use super::theme::{ACCENT, AWAY, LEAD, ON_ACCENT, TEXT, WEAK, floating};
-use super::{Facts, Wish};
+use super::{Facts, Wish, button};
+use crate::app::action::Action;
 
 /// What was just done is said so long, and what an edit warned of.
 const MOMENT: Duration = Duration::from_secs(4);
@@ -88,6 +89,11 @@ impl Notes {
                 ui.add(Label::new(RichText::new(seen).color(TEXT)).wrap());
                 ui.add(Label::new(RichText::new(format!("Try: {to_try}")).color(WEAK)).wrap());
             });
+            if facts.is_canvas {
+                top = words(context, places.said(context, top), CANVAS, |ui| {
+                    button(ui, "Open the canvas", "paint over the body", Action::Paint, wishes);
+                });
+            }
         }
         if is_read {
             self.complaint = None;
@@ -109,11 +115,12 @@ const COMPLAINT: &str = "complaint";
 const WARNED: &str = "warned";
 const DONE: &str = "done";
 const CAPTION: &str = "caption";
+const CANVAS: &str = "canvas of the scene";
 const OFFER: &str = "offer";
 
 /// Whether something that floats is said here.
 pub(super) fn is_own(id: Id) -> bool {
-    [COMPLAINT, WARNED, DONE, CAPTION, OFFER, "hint"].into_iter().any(|name| Id::unique(name) == id)
+    [COMPLAINT, WARNED, DONE, CAPTION, CANVAS, OFFER, "hint"].into_iter().any(|name| Id::unique(name) == id)
 }
 
 /// A session that was cut off.
@@ -135,7 +142,7 @@ fn offer(ui: &mut egui::Ui, line: &str, wishes: &mut Vec<Wish>) {
 
 /// A few words below the middle of an upper edge, in so much width. Returns where what is said next begins `[points]`.
 fn words(context: &egui::Context, (at, width): (egui::Pos2, f32), name: &str, add: impl FnOnce(&mut egui::Ui)) -> f32 {
-    let can_be_pressed = [COMPLAINT, OFFER].contains(&name);
+    let can_be_pressed = [COMPLAINT, CANVAS, OFFER].contains(&name);
     let place = Area::new(Id::unique(name)).pivot(Align2::CENTER_TOP).fixed_pos(at).interactable(can_be_pressed);
     let shown = place.show(context, |ui| {
         floating().show(ui, |ui| {

@@ -46,10 +46,10 @@ pub(super) fn show(context: &egui::Context, state: &mut PanelState, wishes: &mut
             to_end(ui, &mut field.state, &state.path);
             field.response.request_focus();
         }
-        list(ui, &names, state);
-        if let Some(fault) = &state.open_from.fault {
-            ui.add(Label::new(RichText::new(fault).color(AWAY)).wrap());
-        }
+        list(ui, &names, state, wishes);
+        // Its line is there before it is, so that the buttons stay where they are.
+        let fault = state.open_from.fault.as_deref().unwrap_or(" ");
+        ui.add(Label::new(RichText::new(fault).color(AWAY)).wrap());
         ui.horizontal(|ui| {
             let open = Button::new(RichText::new("Open").color(ON_ACCENT)).fill(ACCENT);
             let is_entered = field.response.lost_focus() && ui.input(|input| input.key_pressed(Key::Enter));
@@ -80,20 +80,50 @@ fn to_end(ui: &egui::Ui, state: &mut egui::text_edit::TextEditState, text: &str)
     state.clone().store(ui.ctx(), field_id());
 }
 
-/// What begins as the name does: a click takes it.
-fn list(ui: &mut egui::Ui, names: &[String], state: &mut PanelState) {
-    ScrollArea::vertical().max_height(HIGH).auto_shrink([false, true]).show(ui, |ui| {
+/// What begins as the name does: a click takes it, a second one opens it. The list stays as it is until one goes on writing.
+fn list(ui: &mut egui::Ui, names: &[String], state: &mut PanelState, wishes: &mut Vec<Wish>) {
+    let scroll = ScrollArea::vertical().max_height(HIGH).min_scrolled_height(HIGH).auto_shrink(false);
+    scroll.show(ui, |ui| {
         ui.spacing_mut().item_spacing.y = 1.0;
+        let folder = split(&state.path).0.to_owned();
+        if let Some(above) = above(&folder)
+            && ui.selectable_label(false, "..").on_hover_text("the folder above").clicked()
+        {
+            take(state, above, None);
+        }
         for name in names {
-            if ui.selectable_label(false, name).clicked() {
-                state.path = format!("{}{name}", split(&state.path).0);
-                (state.is_fresh, state.open_from.fault) = (true, None);
+            let path = format!("{folder}{name}");
+            let label = ui.selectable_label(state.path == path, name);
+            if label.double_clicked() && !name.ends_with('/') {
+                wishes.push(Wish::OpenFile(path));
+            } else if label.clicked() {
+                let stays = (!name.ends_with('/')).then_some(names);
+                take(state, path, stays);
             }
         }
         if names.is_empty() {
             ui.label(RichText::new("nothing there begins so").color(WEAK));
         }
     });
+}
+
+/// A path was chosen in the list, which stays if it is of these names.
+fn take(state: &mut PanelState, path: String, stays: Option<&[String]>) {
+    state.open_from.listed = stays.map(|names| (path.clone(), names.to_vec()));
+    (state.path, state.is_fresh, state.open_from.fault) = (path, true, None);
+}
+
+/// The folder above one, as it is written; `None` above all.
+fn above(folder: &str) -> Option<String> {
+    let bare = folder.trim_end_matches('/');
+    match bare.rsplit('/').next().unwrap_or_default() {
+        "" if folder.is_empty() => Some("../".to_owned()),
+        "" => None,
+        "." => Some(format!("{bare}./")),
+        ".." => Some(format!("{bare}/../")),
+        "~" if bare == "~" => meant("~/").parent().map(|above| format!("{}/", above.display())),
+        _ => Some(split(bare).0.to_owned()),
+    }
 }
 
 /// The folder as it is written, with its last `/`, and what is written of the name.
@@ -156,6 +186,22 @@ fn completed(path: &str, names: &[String]) -> Option<String> {
 #[allow(clippy::unwrap_used, reason = "a test that cannot go on stops")]
 mod tests {
     use super::*;
+
+    #[test]
+    fn the_list_stays_where_a_file_of_it_is_taken_and_goes_up() {
+        let mut state = PanelState { path: "/no/such/r".to_owned(), ..PanelState::default() };
+        let listed = ["rim-1.json".to_owned(), "rope.png".to_owned()];
+        take(&mut state, "/no/such/rim-1.json".to_owned(), Some(&listed));
+        let path = state.path.clone();
+        assert_eq!(names(&mut state.open_from, &path), listed);
+        assert!(names(&mut state.open_from, "/no/such/rim-1.jso").is_empty(), "what is written on is looked for");
+        let ups = [("", "../"), ("../", "../../"), ("./", "../"), ("a/b/", "a/"), ("a/", ""), ("/tmp/", "/")];
+        for (folder, up) in ups {
+            assert_eq!(above(folder).as_deref(), Some(up), "above {folder}");
+        }
+        assert_eq!(above("/"), None);
+        assert!(above("~/").is_some_and(|up| up.starts_with('/') && up.ends_with('/')));
+    }
 
     #[test]
     fn what_can_be_opened_is_listed_and_completed() {

@@ -1,6 +1,6 @@
 //! The tools, at the left edge.
 
-use egui::{Align2, Area, Id};
+use egui::{Align2, Area, Id, RectAlign, Tooltip};
 
 use super::icons::{self, Icon};
 use super::places::ToolRooms;
@@ -10,6 +10,9 @@ use crate::app::action::{Action, Tool};
 
 /// Their height before they were shown `[points]`.
 const HEIGHT: f32 = 408.0;
+
+/// From a tool to what is said of it, beyond the edge of the panel `[points]`.
+const TO_TOOLTIP: f32 = 14.0;
 
 /// The sign of a tool and what it does.
 fn words(tool: Tool) -> (Icon, &'static str) {
@@ -50,7 +53,14 @@ pub(super) fn show(
                 let why = "in the plane only: this scene is in space";
                 let add = |ui: &mut egui::Ui| icons::button(ui, sign, name, icons::TOOL, tool == facts.tool);
                 let button = ui.add_enabled_ui(can, add).inner;
-                if button.on_hover_text(said).on_disabled_hover_text(why).clicked() {
+                // Beside the tool: below it lies the next one.
+                for (mut tooltip, words) in
+                    [(Tooltip::for_enabled(&button), &*said), (Tooltip::for_disabled(&button), why)]
+                {
+                    tooltip.popup = tooltip.popup.align(RectAlign::RIGHT).gap(TO_TOOLTIP);
+                    tooltip.show(|ui| ui.label(words));
+                }
+                if button.clicked() {
                     wishes.push(Wish::Act(Action::Take(tool)));
                 }
             }

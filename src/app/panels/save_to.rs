@@ -1,4 +1,4 @@
-//! A name for a file that is to be written, where the system has no dialog for it.
+//! What is to be saved, and the name of the file that is to be written.
 
 use std::path::{Path, PathBuf};
 
@@ -15,22 +15,29 @@ pub(in crate::app) struct SaveTo {
     fault: Option<String>,
     /// A file that is there already, and was asked for once: asked for again it is replaced.
     asked: Option<PathBuf>,
+    /// This moment is saved, not all that was done.
+    pub(in crate::app) is_moment: bool,
 }
 
 pub(super) fn show(context: &egui::Context, state: &mut PanelState, wishes: &mut Vec<Wish>) {
-    let stays = sheet::show(context, "save to", "Save all that was done", |ui| {
+    let stays = sheet::show(context, "save to", "Save", |ui| {
         ui.set_width(460.0);
+        let is_moment = &mut state.save_to.is_moment;
+        ui.radio_value(is_moment, false, ALL).on_hover_text("a recording: opened, it is replayed as it was done");
+        ui.radio_value(is_moment, true, MOMENT)
+            .on_hover_text("opened, it goes on from here, without what was done before");
+        ui.add_space(4.0);
         let hint = "the path of the file that is to be written";
         let field = ui.add(TextEdit::singleline(&mut state.path).hint_text(hint).desired_width(f32::INFINITY));
         if std::mem::take(&mut state.is_fresh) {
             field.request_focus();
         }
         if field.changed() {
-            state.save_to = SaveTo::default();
+            state.save_to.begin();
         }
-        if let Some(fault) = &state.save_to.fault {
-            ui.add(Label::new(RichText::new(fault).color(AWAY)).wrap());
-        }
+        // Its line is there before it is, so that the buttons stay where they are.
+        let fault = state.save_to.fault.as_deref().unwrap_or(" ");
+        ui.add(Label::new(RichText::new(fault).color(AWAY)).wrap());
         ui.horizontal(|ui| {
             let words = if state.save_to.asked.is_some() { "Replace it" } else { "Save" };
             let save = Button::new(RichText::new(words).color(ON_ACCENT)).fill(ACCENT);
@@ -39,16 +46,23 @@ pub(super) fn show(context: &egui::Context, state: &mut PanelState, wishes: &mut
             if (ui.add_enabled(has_name, save).clicked() || is_entered) && has_name {
                 ask(state, wishes);
             }
+            if ui.button("Browse").on_hover_text("the system's dialog for files, if it has one").clicked() {
+                wishes.push(Wish::BrowseToSave);
+            }
             if ui.button("Cancel").clicked() {
                 state.sheet = None;
             }
-            ui.weak(".json is a recording (added if left out), .jsonl one of lines");
+            ui.weak(".json is added if left out");
         });
     });
     if !stays {
         state.sheet = None;
     }
 }
+
+/// What can be saved.
+const ALL: &str = "all that was done (a recording)";
+const MOMENT: &str = "this moment as a scene";
 
 /// What is written is to be the path: its ending is added where it has none, so that one sees what is written.
 pub(in crate::app) fn ask(state: &mut PanelState, wishes: &mut Vec<Wish>) {
@@ -75,6 +89,16 @@ pub(in crate::app) fn is_recording(path: &Path) -> bool {
 const ENDINGS: [&str; 2] = ["json", "jsonl"];
 
 impl SaveTo {
+    /// Another path: what was said of the last one goes.
+    pub(in crate::app) fn begin(&mut self) {
+        (self.fault, self.asked) = (None, None);
+    }
+
+    /// Something went wrong.
+    pub(in crate::app) fn complain(&mut self, fault: &str) {
+        self.fault = Some(fault.to_owned());
+    }
+
     /// Somebody wants to write there. Returns the path if that can be, and if what is there already may go.
     fn ask(&mut self, path: PathBuf) -> Option<PathBuf> {
         let folder = path.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."));

@@ -31,7 +31,7 @@ pub(super) fn show(context: &egui::Context, room: Rect, facts: &Facts, wishes: &
                 button(ui, "New", "an empty scene", Action::New, wishes);
                 button(ui, "Draw", "draw a body", Action::Paint, wishes);
                 button(ui, "Open", "open a scene, a recording or a picture", Action::Open, wishes);
-                button(ui, "Save", "save all that was done", Action::Save, wishes);
+                button(ui, "Save", "save this moment, or all that was done", Action::Save, wishes);
                 ui.separator();
                 icon(ui, Icon::Undo, "undo", Action::Undo, wishes);
                 icon(ui, Icon::Redo, "redo", Action::Redo, wishes);

@@ -127,8 +127,9 @@ fn state(facts: &Facts) -> (String, bool) {
         // One that is known to be slow is told how slow, however long its steps are.
         (true, _) if facts.is_busy && !is_slow => ("computing a long step".to_owned(), false),
         (true, true) => ("at rest".to_owned(), false),
-        (true, false) if figures.follows => ("replay: press to take over".to_owned(), false),
+        (true, false) if figures.follows => ("replay: press to take over".to_owned(), true),
         (true, false) if is_slow => (slow_motion(facts), false),
+        (true, false) if figures.yielded.is_some() => ("computed more roughly, to keep up".to_owned(), false),
         (true, false) => (String::new(), false),
     }
 }

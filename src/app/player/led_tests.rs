@@ -129,9 +129,18 @@ fn what_is_opened_in_the_middle_of_a_grab_is_let_go_and_pushes_again() {
     stage.obey(Order::Look(view.clone()));
     let recording = folder.path().join("all.json");
     stage.obey(Order::Save(recording.clone()));
+    let moment = folder.path().join("moment.json");
+    assert_eq!(stage.obey(Order::Moment(moment.clone())), Some(Note::Written(moment.clone())));
     stage.obey(Order::Picture(path.clone(), Box::new(image::RgbaImage::new(4, 4))));
     let snapshot = stage.history().snapshot().unwrap().into();
-    for file in [&path, &recording] {
+    let begins = Start::load(moment.to_str().unwrap()).unwrap();
+    let (now, then) = (stage.history().world().sample(0.0), Stage::new(begins.clone()).unwrap());
+    assert_eq!(then.history().world().sample(0.0).position, now.position, "a moment goes on from where it was");
+    assert!(
+        begins.recording().commands.iter().all(|entry| entry.at == stage.history().world().time()),
+        "without a past"
+    );
+    for file in [&path, &recording, &moment] {
         let start = Start::load(file.to_str().unwrap()).unwrap();
         assert_eq!(start.recording().view.as_ref(), Some(&view), "the camera is where it was");
     }

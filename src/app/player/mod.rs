@@ -181,7 +181,7 @@ impl Player {
         if let Order::Play(_) | Order::Step(_) | Order::Reset = order {
             self.played_by = self.serial;
         }
-        if let Order::Save(path) | Order::Picture(path, _) | Order::Table(path, _) = &order {
+        if let Order::Save(path) | Order::Moment(path) | Order::Picture(path, _) | Order::Table(path, _) = &order {
             self.written = Some((self.serial, path.clone()));
         }
         // One whose history could not begin does nothing.

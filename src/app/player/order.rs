@@ -91,6 +91,8 @@ pub enum Order {
     Watch(Option<Probes>),
     /// All that was done is written to a file.
     Save(PathBuf),
+    /// This moment is written to a file, as a scene that goes on from it, without what was done before.
+    Moment(PathBuf),
     /// A table is written to a file.
     Table(PathBuf, Vec<u8>),
     /// To the end of another branch.

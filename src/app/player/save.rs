@@ -17,6 +17,14 @@ pub(super) fn recording(recording: &Recording, path: PathBuf) -> Note {
     }
 }
 
+/// Writes a moment as a scene: whoever opens it goes on from there, without what was done before.
+pub(super) fn moment(history: &History, path: PathBuf, view: Option<ViewKeys>) -> Note {
+    match snapshot(history, view) {
+        Ok(snapshot) => recording(&snapshot, path),
+        Err(why) => Note::NotWritten(why),
+    }
+}
+
 /// Writes a picture with a snapshot of its moment in it: it opens as that.
 pub(super) fn picture(history: &History, path: PathBuf, picture: (&RgbaImage, Option<ViewKeys>)) -> Note {
     match encoded(history, picture)
@@ -35,15 +43,21 @@ pub(super) fn table(bytes: &[u8], path: PathBuf) -> Note {
     }
 }
 
-/// The bytes of a PNG.
-fn encoded(history: &History, (picture, view): (&RgbaImage, Option<ViewKeys>)) -> Result<Vec<u8>, String> {
-    let mut bytes = std::io::Cursor::new(Vec::new());
-    picture.write_to(&mut bytes, ImageFormat::Png).map_err(|error| error.to_string())?;
+/// What begins at this moment.
+fn snapshot(history: &History, view: Option<ViewKeys>) -> Result<Recording, String> {
     let mut recording = Recording { view, ..history.snapshot()? };
     // Whoever opens it has nothing in hand.
     let at = history.world().time();
     let free = history.letting_go().into_iter().map(|act| Entry { at, act, edit: None, name: None });
     recording.commands.extend(free);
+    Ok(recording)
+}
+
+/// The bytes of a PNG.
+fn encoded(history: &History, (picture, view): (&RgbaImage, Option<ViewKeys>)) -> Result<Vec<u8>, String> {
+    let mut bytes = std::io::Cursor::new(Vec::new());
+    picture.write_to(&mut bytes, ImageFormat::Png).map_err(|error| error.to_string())?;
+    let recording = snapshot(history, view)?;
     let mut text = Vec::new();
     recording.write_json(&mut text).map_err(|error| error.to_string())?;
     chunk::insert(bytes.get_ref(), &String::from_utf8_lossy(&text)).map_err(|error| error.to_string())

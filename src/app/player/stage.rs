@@ -269,6 +269,7 @@ impl Stage {
                 None
             }
             Order::Save(path) => Some(save::recording(&self.recording(), path)),
+            Order::Moment(path) => Some(save::moment(&self.history, path, self.view.clone())),
             Order::Table(path, bytes) => Some(save::table(&bytes, path)),
             Order::Picture(path, picture) => Some(save::picture(&self.history, path, (&picture, self.view.clone()))),
         };

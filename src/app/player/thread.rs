@@ -197,8 +197,9 @@ fn next(orders: &Receiver<(u64, Order)>, most: Option<Duration>) -> Next {
             Err(TryRecvError::Empty) => return Next::Orders(merged(list)),
             Err(TryRecvError::Disconnected) => {
                 // A window that has gone sees no more of it, but its files are wanted.
-                let writes =
-                    |(_, order): &(u64, Order)| matches!(order, Order::Save(_) | Order::Picture(..) | Order::Table(..));
+                let writes = |(_, order): &(u64, Order)| {
+                    matches!(order, Order::Save(_) | Order::Moment(_) | Order::Picture(..) | Order::Table(..))
+                };
                 list.truncate(list.iter().rposition(writes).map_or(0, |last| last + 1));
                 return if list.is_empty() { Next::Nobody } else { Next::Orders(merged(list)) };
             }

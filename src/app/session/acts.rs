@@ -130,8 +130,15 @@ impl Session {
             Wish::WriteFigure => self.write_figure(),
             Wish::SaveTo(path) => {
                 self.panels.sheet = None;
-                self.save_to(path);
+                match self.panels.save_to.is_moment {
+                    true => self.save_moment(path),
+                    false => self.save_to(path),
+                }
             }
+            Wish::StopOpening => {
+                self.stop_opening();
+            }
+            Wish::BrowseToSave => self.browse_to_save(),
             Wish::GoOnWithLeftover(place) => self.go_on_with_leftover(place),
             Wish::DiscardLeftover(place) => self.discard_leftover(place),
             Wish::PutOffLeftover => self.panels.notes.offer = None,
@@ -152,7 +159,8 @@ impl Session {
         }
         let is_closed = self.panels.notes.complaint.take().is_some()
             || self.panels.sheet.take().is_some()
-            || self.loading.take().is_some();
+            || self.loading.take().is_some()
+            || self.stop_opening();
         if !is_closed {
             self.put_away();
         }
@@ -350,6 +358,8 @@ impl Session {
     }
 
     fn open_beside(&mut self, by: isize) {
+        // A canvas that lies over this one is put away with it.
+        self.put_away();
         let count = gallery().len() as isize;
         let place = self.place.map_or(0, |place| (place as isize + by).rem_euclid(count));
         self.open_named(gallery()[place as usize].name);

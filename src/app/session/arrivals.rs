@@ -7,6 +7,7 @@ use super::super::fetch::{self, Fetch, Found};
 use super::super::import::{Answer, Import};
 use super::super::loading::{Loaded, Loading};
 use super::{BRUSH, Session, Thumbnails};
+use crate::app::action::Action;
 use crate::app::holds_scene;
 use crate::app::opening;
 use crate::app::panels::{Sheet, meant};
@@ -21,6 +22,13 @@ impl Session {
     /// Whether the scene is one to paint on.
     pub(super) fn is_canvas(&self) -> bool {
         self.scene.tags.iter().any(|tag| tag == BRUSH)
+    }
+
+    /// Whether a key goes through what lies over the world: those for other scenes do where a canvas has nothing on it that was painted.
+    pub(in crate::app) fn lets_through(&self, action: Action) -> bool {
+        let is_untouched = self.import.as_ref().is_some_and(|import| import.is_canvas() && !import.has_work());
+        let is_of_scenes = matches!(action, Action::PreviousScene | Action::NextScene);
+        action.reaches_through() || is_untouched && self.panels.sheet.is_none() && is_of_scenes
     }
 
     /// A file was dropped on the window, chosen or pasted: a picture is imported, a scene opens in place of this one.

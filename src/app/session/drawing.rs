@@ -106,7 +106,7 @@ impl Session {
             title: entry.map_or_else(|| self.scene.name().to_owned(), |entry| entry.title.to_owned()),
             caption: entry.map(|entry| [entry.description, entry.to_try]),
             figures,
-            pace: self.pace(),
+            pace: if self.player.is_open() { self.pace() } else { 1.0 },
             frame: self.frame_meter.value(),
             tool: self.hand.tool(),
             primitive: self.hand.primitive(),
@@ -122,8 +122,10 @@ impl Session {
             look: self.look,
             showing: self.showing(),
             has_picture: self.has_picture,
+            is_canvas: self.is_canvas(),
             waits: self.waits(),
             is_opening: !self.player.is_open(),
+            opening: self.opening().map(|(since, can_stop)| (since.as_secs_f64(), can_stop)),
             is_busy: self.player.is_busy(),
             dimensions: self.scene.dimensions(),
             seen: if self.panels.has_settings { self.free_of_plane() } else { Default::default() },
@@ -217,7 +219,7 @@ impl Session {
 
     /// The region of the hover force: where the pointer is now, however long a step takes.
     pub(super) fn region(&self) -> Option<(MouseForce, Cursor)> {
-        if self.is_covered() {
+        if self.is_covered() || self.hand.is_carrying() {
             return None;
         }
         match self.live_force() {
@@ -252,6 +254,9 @@ impl Session {
             marks.extend(self.hand.marks(scope, self.pixel().filter(|_| !is_idle)));
         }
         marks.extend(self.ghosts());
+        if !self.is_covered() {
+            marks.extend(self.way_to_the_lost(scope));
+        }
         if marks.is_empty() {
             return Default::default();
         }

@@ -4,36 +4,40 @@ use std::path::{Path, PathBuf};
 
 use super::Session;
 use crate::app::opening::keys;
-use crate::app::panels::{SaveTo, Sheet, ask_to_save, is_recording};
+use crate::app::panels::{Sheet, Wish, ask_to_save, is_recording};
 use crate::app::player::Order;
 use crate::app::saving::{Chosen, Saving, free_name};
 use crate::render::{Capture, View};
 
 impl Session {
-    /// Asks where all that was done is to be saved, unless it is recorded to a file: then there.
+    /// Asks what is to be saved and where, unless it is recorded to a file: then all that was done, there.
     pub(super) fn save(&mut self) {
         if let Some(record) = self.player.record() {
             let path = record.to_owned();
             return self.save_to(path);
         }
-        match self.saving {
-            // Who asks again before the dialog answers has seen none.
-            Some(_) => self.ask_where_to_save(),
-            None => self.saving = Some(Saving::new(&self.window, self.scene.name(), self.wake_up())),
+        self.ask_where_to_save();
+    }
+
+    /// Opens the system's dialog, unless it is open.
+    pub(super) fn browse_to_save(&mut self) {
+        if self.saving.is_none() {
+            self.saving = Some(Saving::new(&self.window, self.scene.name(), self.wake_up()));
         }
     }
 
     /// A path can be written.
     fn ask_where_to_save(&mut self) {
         let folder = std::env::current_dir().unwrap_or_default();
-        self.panels.save_to = SaveTo::default();
+        self.panels.save_to.begin();
         self.panels.path = free_name(&folder, self.scene.name(), "json").display().to_string();
         (self.panels.sheet, self.panels.is_fresh) = (Some(Sheet::SaveTo), true);
+        self.place_hint();
     }
 
     /// The dialog was told a path that ends otherwise: what becomes of it is written without a word if there is no such file yet.
     fn ask_for_ending(&mut self, path: &Path) {
-        self.panels.save_to = SaveTo::default();
+        self.panels.save_to.begin();
         self.panels.path = path.display().to_string();
         let mut wishes = Vec::new();
         ask_to_save(&mut self.panels, &mut wishes);
@@ -53,16 +57,17 @@ impl Session {
             Chosen::File(path) => {
                 self.panels.sheet.take_if(|sheet| *sheet == Sheet::SaveTo);
                 match is_recording(&path) {
-                    true => self.save_to(path),
+                    // The dialog has asked whether what is there may go.
+                    true => self.grant(Wish::SaveTo(path)),
                     false => self.ask_for_ending(&path),
                 }
             }
-            // A path is being written in its place.
-            Chosen::Nothing | Chosen::NoDialog if is_writing => {}
-            Chosen::Nothing => {
-                self.say("nothing was saved; where no dialog shows, Ctrl+S twice asks for a path".to_owned())
+            Chosen::NoDialog if is_writing => {
+                self.panels.save_to.complain("the system has no dialog for files: write a path")
             }
-            Chosen::NoDialog => self.ask_where_to_save(),
+            // The path can still be written.
+            Chosen::Nothing if is_writing => {}
+            Chosen::Nothing | Chosen::NoDialog => self.say("nothing was saved".to_owned()),
         }
         self.touch();
     }
@@ -71,6 +76,12 @@ impl Session {
     pub(super) fn save_to(&mut self, path: PathBuf) {
         self.tell_view();
         self.player.ask(Order::Save(path));
+    }
+
+    /// Saves this moment as a scene, and how it is looked at.
+    pub(super) fn save_moment(&mut self, path: PathBuf) {
+        self.tell_view();
+        self.player.ask(Order::Moment(path));
     }
 
     /// What is written from now on is looked at as it is seen now.

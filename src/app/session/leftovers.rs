@@ -40,6 +40,8 @@ impl Session {
         let keeping = Keeping { heir_of: Some(leftover.left), ..self.keeping() };
         let player = Player::open(leftover.start, keeping, self.wake_up());
         self.put_on(player);
+        // It is kept, whatever is opened before it is there.
+        self.opening_since = None;
         self.player.ask(Order::GoTo(end, None));
         self.player.play(false);
         self.say("as it was when it was cut off: play goes on from there".to_owned());

@@ -9,6 +9,7 @@ mod fresh;
 mod keeping;
 mod learning;
 mod leftovers;
+mod lost;
 mod plotting;
 mod pointing;
 mod selecting;
@@ -48,7 +49,7 @@ use crate::sim::{Cursor, HELD, Key, MouseForce, SceneChange};
 use selecting::Copied;
 use shelf::Shelf;
 
-/// The tag of scenes that open on a canvas.
+/// The tag of scenes that are painted on.
 const BRUSH: &str = "brush";
 /// How long trails of points last, in scenes of few `[s of wall time]`.
 const TRAIL: f64 = 2.5;
@@ -179,8 +180,8 @@ pub(super) struct Session {
     frames: u64,
     /// Where to look from when the next history is there.
     looks_again: Option<Camera>,
-    /// It is one that was there already.
-    comes_back: bool,
+    /// A history is being made that was never there: since when.
+    opening_since: Option<Instant>,
     /// The step of a lesson that it is opened for.
     teaches: Option<At>,
     /// The figures and settings that panels show.
@@ -271,14 +272,15 @@ impl Session {
             frame_meter: Meter::default(),
             frames: 0,
             looks_again: None,
-            comes_back: false,
+            opening_since: None,
             teaches: None,
             figures: Figures::default(),
             settings: SceneChange::default(),
             matter: None,
         };
-        if session.player.is_open() {
-            session.arrive(Arc::clone(&session.scene));
+        match session.player.is_open() {
+            true => session.arrive(Arc::clone(&session.scene)),
+            false => session.await_it(),
         }
         Ok(session)
     }
@@ -343,10 +345,44 @@ impl Session {
         self.panels.notes.offer = None;
         self.take_leave();
         let mut last = std::mem::replace(&mut self.player, player);
-        last.play(false);
-        self.shelf.keep(last, self.camera);
+        // What nobody has seen yet is not gone back to, unless something is to be kept of it.
+        if self.opening_since.is_none() || last.record().is_some() {
+            last.play(false);
+            self.shelf.keep(last, self.camera);
+        }
+        self.await_it();
         self.begin();
         self.settle();
+    }
+
+    /// A history is being made: it is called by its name from now on.
+    fn await_it(&mut self) {
+        self.opening_since = Some(Instant::now());
+        let scene = self.player.start().scene().clone();
+        self.window.set_title(&format!("wobble · {}", scene.name()));
+        self.place = place_of(&scene);
+        self.scene = Arc::new(scene);
+        (self.named, self.has_picture) = (Vec::new(), false);
+        self.panels.notes.has_caption = false;
+        self.panels.notes.complaint = None;
+        self.panels.notes.begin();
+    }
+
+    /// A history that is being made is not waited for: the one before it is there again. Returns whether there is one.
+    pub(super) fn stop_opening(&mut self) -> bool {
+        if self.opening_since.is_none() || self.player.record().is_some() {
+            return false;
+        }
+        let Some((player, camera)) = self.shelf.back() else { return false };
+        self.teaches = None;
+        drop(self.bring_back(player, camera));
+        self.settle();
+        true
+    }
+
+    /// For how long a history is being made, and whether it can be given up for another.
+    fn opening(&self) -> Option<(Duration, bool)> {
+        self.opening_since.map(|since| (since.elapsed(), self.shelf.has_before() && self.player.record().is_none()))
     }
 
     /// The present history is left for another: nothing hangs on the hand in it.
@@ -394,6 +430,7 @@ impl Session {
 
     /// The history is there: its scene is shown as it opens.
     fn arrive(&mut self, scene: Arc<Scene>) {
+        self.opening_since = None;
         self.follows = false;
         self.canvas.forget_world(scene.dimensions());
         self.window.set_title(&format!("wobble · {}", scene.name()));
@@ -408,7 +445,6 @@ impl Session {
         self.scene = scene;
         self.plot_anew();
         self.frame_as(Framing::Opening);
-        let comes_back = std::mem::take(&mut self.comes_back);
         if let Some(camera) = self.looks_again.take() {
             (self.camera, self.framing) = (camera, Framing::Free);
             self.camera.resize(self.area);
@@ -422,12 +458,12 @@ impl Session {
         let said: Vec<String> = [warning, through, self.taken_keys()].into_iter().flatten().collect();
         self.panels.notes.complaint = (!said.is_empty()).then(|| said.join("\n"));
         self.panels.notes.begin();
+        if self.shown().figures.follows {
+            self.panels.notes.warn(REPLAYED.to_owned());
+        }
         self.panels.notes.has_caption = true;
         self.wants_hint &= self.place == Some(0);
         self.place_hint();
-        if self.is_canvas() && !comes_back {
-            self.paint();
-        }
         if let Some(at) = self.teaches.take() {
             self.lay_out(at);
         }
@@ -478,7 +514,7 @@ impl Session {
         match note {
             Note::Undone(name, seconds) => {
                 self.has_undone = true;
-                self.have_gone(format!("Undid: {name}{}", far(seconds)));
+                self.have_gone(format!("Undid: {name}{}", with_what_followed(seconds)));
             }
             Note::Redone(name, seconds) => self.have_gone(format!("Redid: {name}{}", far(seconds))),
             Note::Left(1) => self.say("Back to the start: Ctrl+Z brings back the edit that was made later".to_owned()),
@@ -678,6 +714,10 @@ fn place_of(scene: &Scene) -> Option<usize> {
     (alone == own).then_some(place)
 }
 
+/// Said of a recording as it opens.
+const REPLAYED: &str = "a recording: it is replayed as it was done. A press on the world takes over from there; the list beside the \
+                        timeline leads back to what was recorded";
+
 /// So many warnings are shown at once, a line each.
 const MOST_WARNINGS: usize = 3;
 
@@ -701,6 +741,11 @@ fn far(seconds: f64) -> String {
     }
 }
 
+/// What an edit is undone together with: all that happened since, which took so long, below 0 `[s]`.
+fn with_what_followed(seconds: f64) -> String {
+    if seconds <= -0.05 { format!(" (with what happened since: {:.1} s)", -seconds) } else { far(seconds) }
+}
+
 /// A context for the panels of a window.
 fn panels_for(window: &Arc<Window>, canvas: &Canvas) -> egui_winit::State {
     let context = egui::Context::default();
@@ -712,7 +757,7 @@ fn panels_for(window: &Arc<Window>, canvas: &Canvas) -> egui_winit::State {
 
 #[cfg(test)]
 mod tests {
-    use super::{far, gallery, listed, place_of};
+    use super::{far, gallery, listed, place_of, with_what_followed};
     use crate::scene::Scene;
 
     #[test]
@@ -733,5 +778,6 @@ mod tests {
     #[test]
     fn how_far_time_went_is_said_with_its_direction() {
         assert_eq!([-33.1, 33.1, 0.0].map(far), [" (33.1 s back)", " (33.1 s on)", ""]);
+        assert_eq!([-15.3, -0.01].map(with_what_followed), [" (with what happened since: 15.3 s)", ""]);
     }
 }

@@ -12,9 +12,6 @@ use crate::app::tools::{Hand, PinWay, Scope};
 use crate::history::Do;
 use crate::sim::Cursor;
 
-/// Said where something is grabbed that does not move.
-const HELD_STILL: &str = "time stands still: it follows when time runs (Space)";
-
 impl Session {
     /// The pointer moved `[px]`.
     pub(in crate::app) fn point_at(&mut self, at: [f64; 2]) {
@@ -57,15 +54,13 @@ impl Session {
         let deed = match is_pressed {
             true => {
                 self.used();
+                self.hand.stand_still(!self.player.is_playing());
                 let mut deed = self.with_scope(|hand, scope| hand.press(scope, at));
                 if self.hand.is_grabbing() {
                     // What is grabbed follows the cursor, so it is there first.
                     let to = Some(self.camera_here().cursor(at.to_array()));
                     deed.commands.insert(0, Do::Cursor { to, by: None });
                     self.told = to;
-                    if !self.player.is_playing() {
-                        self.say(HELD_STILL.to_owned());
-                    }
                 }
                 deed
             }

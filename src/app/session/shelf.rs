@@ -45,6 +45,11 @@ impl Shelf {
         self.before.pop()
     }
 
+    /// Whether there is one before.
+    pub(super) fn has_before(&self) -> bool {
+        !self.before.is_empty()
+    }
+
     /// All that are kept.
     pub(super) fn players(&self) -> impl Iterator<Item = &Player> {
         self.before.iter().chain(&self.after).map(|(player, _)| player)
@@ -111,7 +116,7 @@ impl Session {
         self.arrive(std::sync::Arc::new(scene));
         self.import = None;
         if !self.player.is_open() {
-            (self.looks_again, self.comes_back) = (Some(camera), true);
+            self.looks_again = Some(camera);
         }
         (self.camera, self.framing) = (camera, Framing::Free);
         self.camera.resize(self.area);

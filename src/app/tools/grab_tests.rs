@@ -83,6 +83,28 @@ impl Played {
 }
 
 #[test]
+fn while_time_stands_still_a_drag_moves_the_whole_body_and_a_click_does_nothing() {
+    let text = r#"{"wobble": 1, "points": {"position": [[0, 1], [0.5, 1], [3, 1]]},
+        "bonds": [{"between": [0, 1], "stiffness": 10}], "view": {"center": [1, 1], "height": 4}}"#;
+    let mut played = Played::text(text);
+    played.hand.stand_still(true);
+    let at = pixel(&played.seen, 0);
+    let pressed = played.hand.press(scope(&played.seen), at);
+    let clicked = played.hand.release(scope(&played.seen), at + DVec2::new(1.0, 0.0));
+    assert!(pressed.is_empty() && clicked.is_empty(), "a click does nothing");
+    played.hand.press(scope(&played.seen), at);
+    let to = at + DVec2::new(0.0, -40.0);
+    let deed = played.hand.release(scope(&played.seen), to);
+    assert_eq!((deed.edit, deed.commands.len()), (Some("move"), 1));
+    let up = (scope(&played.seen).in_plane(to) - scope(&played.seen).in_plane(at)).y;
+    assert_eq!(played.stage.obey(Order::Give(deed.commands, deed.edit)), None);
+    played.stage.show(&mut played.seen.0);
+    let heights = [0, 1, 2].map(|point| played.seen.0.place(point)[1]);
+    assert!(up > 0.1 && (heights[0] - 1.0 - up).abs() < 1e-9 && (heights[1] - 1.0 - up).abs() < 1e-9);
+    assert_eq!(heights[2], 1.0, "the other body stays");
+}
+
+#[test]
 fn what_the_hover_force_holds_off_is_grabbed_all_the_same() {
     let mut played = Played::text(
         r#"{"wobble": 1, "gravity": [0, 0], "drag_rate": 20, "points": {"position": [[0, 0]]},

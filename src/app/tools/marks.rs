@@ -72,6 +72,10 @@ const MOST: usize = 4000;
 pub(super) fn of((tool, maker): (Tool, Maker), doing: &Doing, scope: Scope<'_>, at: Option<DVec2>) -> Vec<Mark> {
     match (doing, tool) {
         (Doing::Grabbing(points), _) => led(scope, points, at),
+        (Doing::Carrying(from, what), _) => {
+            let by = at.map_or(DVec2::ZERO, |at| at - *from);
+            what.left(scope).outline(scope, Role::Lead).into_iter().map(|mark| mark.mapped(|x| x + by)).collect()
+        }
         (Doing::Leading(lead), _) => led(scope, &[lead.point()], at),
         (Doing::Cutting(from), _) => {
             at.map(|at| Mark::Line(Role::Away, *from, at, 2.0 * scope.scale)).into_iter().collect()

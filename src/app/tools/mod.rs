@@ -105,6 +105,8 @@ enum Doing {
     Drawing(Path),
     /// What is selected is moved, from where it was pressed on `[px]`; a click selects what lies there alone.
     Moving(DVec2, Chosen),
+    /// Time stands still: what the hand pressed on from here `[px]` is moved as a whole.
+    Carrying(DVec2, Chosen),
     /// What is selected is turned or scaled by a handle.
     Handling(Grip),
     /// A region is drawn, whose bodies are selected.
@@ -136,6 +138,10 @@ pub(super) struct Hand {
     shift: bool,
     alt: bool,
     doing: Doing,
+    /// Where something was built last, until the pointer moves on `[px]`.
+    built_at: Option<DVec2>,
+    /// Time stands still: the hand moves bodies in place of leading them.
+    is_still: bool,
     /// What the hover force is when nothing is grabbed; `None`: the scene has none, or it goes along a track.
     strength: Option<f64>,
     /// How long the hover force stays away yet `[s]`; infinite while something is grabbed.
@@ -224,6 +230,7 @@ impl Hand {
 
     /// Another primitive is to be built: with the tool for that.
     pub(super) fn choose(&mut self, primitive: Primitive) {
+        self.built_at = None;
         self.maker.primitive = primitive;
         self.tool = Tool::Build;
     }
@@ -282,6 +289,11 @@ impl Hand {
         (self.shift, self.alt, self.maker.is_free) = (shift, alt, shift);
     }
 
+    /// Time stands still from now on, or runs.
+    pub(super) fn stand_still(&mut self, is_still: bool) {
+        self.is_still = is_still;
+    }
+
     /// Another scene, or another strength by hand.
     pub(super) fn set_strength(&mut self, strength: Option<f64>) {
         self.strength = strength;
@@ -324,6 +336,11 @@ impl Hand {
     /// Whether something is led.
     pub(super) fn is_grabbing(&self) -> bool {
         matches!(self.doing, Doing::Grabbing(_))
+    }
+
+    /// Whether a body is moved while time stands still.
+    pub(super) fn is_carrying(&self) -> bool {
+        matches!(self.doing, Doing::Carrying(..))
     }
 
     /// Whether a pin is led.
@@ -374,6 +391,7 @@ impl Hand {
 
     /// The pointer moved to a pixel while the button is down.
     pub(super) fn trace(&mut self, scope: Scope<'_>, at: DVec2) {
+        self.built_at.take_if(|was| is_drag(scope, [*was, at]));
         match &mut self.doing {
             Doing::Marking(region) => region.trace(scope, at),
             Doing::Painting(stroke) => self.brush.trace(scope, stroke, at),
@@ -403,6 +421,9 @@ impl Hand {
             let commands = self.calm_now();
             self.doing = Doing::Leading(lead);
             return Deed::plain(commands);
+        }
+        if self.is_still {
+            return self.carry(scope, at);
         }
         let mut points = scope.grip(at);
         if points.is_empty() && self.strength.is_some_and(|strength| strength > 0.0) {
@@ -451,13 +472,17 @@ impl Hand {
                 Deed::default()
             }
             Doing::Cutting(from) if from.distance(at) > 1.0 => cut(scope, from, at),
-            Doing::Building(drag) => self.maker.build(scope, &drag, at),
+            Doing::Building(drag) => {
+                self.built_at = Some(at);
+                self.maker.build(scope, &drag, at)
+            }
             Doing::Drawing(mut path) => {
                 let step = path.release(self.maker, scope, at);
                 self.go_on(path, step)
             }
             Doing::Forcing(pull) => pull.release(scope, at),
             Doing::Moving(from, under) => self.end_move(scope, [from, at], under),
+            Doing::Carrying(from, what) => selecting::moved(scope, [from, at], &what),
             Doing::Handling(grip) => self.end_grip(scope, grip, at),
             Doing::Marking(region) => {
                 self.mark(scope, &region, at);
@@ -556,6 +581,8 @@ impl Hand {
             (Tool::Motor, Some(at)) => self.drives.mark_motor(scope, at),
             (Tool::Paint, Some(at)) => self.brush.marks(scope, at),
             (Tool::Push, Some(at)) if self.doing == Doing::Nothing => self.pushes().marks(scope, at),
+            // What would come next is not shown over what has just come.
+            (Tool::Build, _) if self.built_at.is_some() && !self.is_busy() => Vec::new(),
             _ => marks::of((self.tool(), self.maker), &self.doing, scope, at),
         };
         let pull = if let Doing::Forcing(pull) = &self.doing { Some(pull) } else { None };

@@ -47,11 +47,16 @@ impl Hand {
             self.chosen = under;
             return Deed::default();
         }
-        if scope.shown.dimensions != 2 {
-            return Deed::words(OF_THE_PLANE.to_owned());
+        let chosen = self.chosen(scope).unwrap_or_default();
+        moved(scope, [from, to], &chosen)
+    }
+
+    /// What lies under the pixel is moved by a drag of the hand, while time stands still; a click does nothing.
+    pub(super) fn carry(&mut self, scope: Scope<'_>, at: DVec2) -> Deed {
+        if let Some(under) = Chosen::at(scope, at) {
+            self.doing = Doing::Carrying(at, under);
         }
-        let by = scope.in_plane(to) - scope.in_plane(from);
-        self.chosen(scope).map_or_else(Deed::default, |chosen| Change::Shift(by).deed(&chosen, DVec2::ZERO))
+        Deed::default()
     }
 
     pub(super) fn end_grip(&self, scope: Scope<'_>, grip: Grip, to: DVec2) -> Deed {
@@ -121,6 +126,18 @@ impl Hand {
             _ => outline,
         }
     }
+}
+
+/// Bodies and obstacles are dragged from a pixel to another.
+pub(super) fn moved(scope: Scope<'_>, [from, to]: [DVec2; 2], chosen: &Chosen) -> Deed {
+    let chosen = chosen.left(scope);
+    if !is_drag(scope, [from, to]) || chosen.is_empty() {
+        return Deed::default();
+    }
+    if scope.shown.dimensions != 2 {
+        return Deed::words(OF_THE_PLANE.to_owned());
+    }
+    Change::Shift(scope.in_plane(to) - scope.in_plane(from)).deed(&chosen, DVec2::ZERO)
 }
 
 /// Whether a press that ends elsewhere moves what it was on.
