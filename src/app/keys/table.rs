@@ -102,7 +102,7 @@ pub static TABLE: &[Binding] = &[
     binding("I", "cut the scene's first picture out anew", &[(Writes("i"), Action::Import)]),
     binding("Ctrl+O", "open a scene, a recording or a picture", &[(Ctrl("o"), Action::Open)]),
     binding("Ctrl+V", "paste what was copied, a picture or a file", &[(Ctrl("v"), Action::Paste)]),
-    binding("Ctrl+S", "save all that was done", &[(Ctrl("s"), Action::Save)]),
+    binding("Ctrl+S", "save this moment as a scene, or all that was done as a recording", &[(Ctrl("s"), Action::Save)]),
     binding(
         "F2",
         "a screenshot, in the folder that wobble was started in",

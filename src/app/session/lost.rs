@@ -78,7 +78,7 @@ mod tests {
     #[test]
     fn the_arrow_points_to_the_nearest_where_nothing_is_in_view() {
         let text = r#"{"wobble": 1, "points": {"position": [[20, 0], [0, 90], [24, 0]]},
-            "bonds": [{"between": [0, 2], "stiffness": 10}]}"#;
+            "bonds": [{"a": 0, "b": 2, "kind": "spring", "stiffness": 10}]}"#;
         let mut shown = Shown::default();
         Stage::new(Scene::parse(text, "x.json").unwrap().into()).unwrap().show(&mut shown);
         let view = [DVec2::ZERO, DVec2::new(800.0, 600.0)];

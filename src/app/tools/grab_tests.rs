@@ -85,7 +85,7 @@ impl Played {
 #[test]
 fn while_time_stands_still_a_drag_moves_the_whole_body_and_a_click_does_nothing() {
     let text = r#"{"wobble": 1, "points": {"position": [[0, 1], [0.5, 1], [3, 1]]},
-        "bonds": [{"between": [0, 1], "stiffness": 10}], "view": {"center": [1, 1], "height": 4}}"#;
+        "bonds": [{"a": 0, "b": 1, "kind": "spring", "stiffness": 10}], "view": {"center": [1, 1], "height": 4}}"#;
     let mut played = Played::text(text);
     played.hand.stand_still(true);
     let at = pixel(&played.seen, 0);
