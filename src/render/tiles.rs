@@ -94,7 +94,7 @@ impl Tiles {
         camera
     }
 
-    /// The camera of the first pane alone, of a whole picture's: see [`Row::whole`].
+    /// The camera of the first pane alone, of a whole picture's: see [`Tiles::whole`].
     pub fn own(&self, camera: &Camera, size: [u32; 2]) -> Camera {
         if self.count == 1 {
             return *camera;

@@ -41,7 +41,8 @@ pub(super) fn show(context: &egui::Context, state: &mut PanelState, wishes: &mut
         ui.horizontal(|ui| {
             let words = if state.save_to.asked.is_some() { "Replace it" } else { "Save" };
             let save = Button::new(RichText::new(words).color(ON_ACCENT)).fill(ACCENT);
-            let is_entered = field.lost_focus() && ui.input(|input| input.key_pressed(Key::Enter));
+            let is_meant = field.lost_focus() || ui.memory(|memory| memory.focused().is_none());
+            let is_entered = is_meant && ui.input(|input| input.key_pressed(Key::Enter));
             let has_name = !state.path.trim().is_empty();
             if (ui.add_enabled(has_name, save).clicked() || is_entered) && has_name {
                 ask(state, wishes);

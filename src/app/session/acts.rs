@@ -23,6 +23,19 @@ const LARGER: f64 = 1.15;
 impl Session {
     /// Does what the user asks; leaving is the window's affair.
     pub(in crate::app) fn act(&mut self, action: Action) {
+        let goes_away = matches!(
+            action,
+            Action::Rewind
+                | Action::Reset
+                | Action::PreviousScene
+                | Action::NextScene
+                | Action::New
+                | Action::Clear
+                | Action::Dice
+        );
+        if goes_away {
+            self.leave_drawing();
+        }
         match action {
             Action::TogglePlay => self.player.play(!self.player.is_playing()),
             Action::Step => self.player.ask(Order::Step(self.told)),
@@ -99,7 +112,10 @@ impl Session {
     pub(super) fn grant(&mut self, wish: Wish) {
         match wish {
             Wish::Act(action) => self.act(action),
-            Wish::OpenScene(name) => self.open_named(name),
+            Wish::OpenScene(name) => {
+                self.leave_drawing();
+                self.open_named(name);
+            }
             Wish::Learn(at) => self.learn(at),
             Wish::Build(primitive) => {
                 self.leave_drawing();

@@ -30,6 +30,11 @@ pub(super) fn run(arguments: &Arguments, start: Start, quiet: bool) -> anyhow::R
     let bar = progress::bar(quiet, end);
     let label = arguments.commands.as_ref().map_or(arguments.scene.clone(), |path| path.display().to_string());
     let mut run = Replay::new(&recording, &label)?;
+    let start = run.world().time();
+    if let Some(first) = times.first().filter(|time| **time < start) {
+        let file = &arguments.scene;
+        bail!("{file}: it begins at {start:?} s, after the sample at {first:?} s: ask for later ones");
+    }
     say_notes(&recording, &arguments.scene);
     let mut table = Table::new(&recording.scene);
     let mut frames = Frames::between(run.world().time(), end);

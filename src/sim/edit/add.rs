@@ -76,7 +76,7 @@ impl<S: Real, const D: usize> World<S, D> {
         self.warn_of_areas(old_areas);
         self.weigh((first..first + count).chain(touched));
         let cleared = self.clear_new(first, addition);
-        self.warn_of_overlap(&cleared);
+        self.warn_of_overlap(&cleared, first);
         for (k, (x, v)) in addition.position.iter().zip(&addition.velocity).enumerate() {
             let is_pinned = self.inverse_mass[first as usize + k] == 0.0;
             detached.points.push(first + k as u32);

@@ -33,7 +33,7 @@ impl<S: Real, const D: usize> World<S, D> {
         // What is out of the fresh ones may be in others.
         let out = plan::clear(&obstacles.widened(model), bonds, (&position, &w), |_| false);
         carry(detached, if out.moves.is_empty() { &hit.moves } else { &out.moves });
-        self.warn_of_overlap(&hit);
+        self.warn_of_overlap(&hit, 0);
         self.within.extend(hit.stuck);
     }
 
@@ -55,7 +55,7 @@ impl<S: Real, const D: usize> World<S, D> {
             let led = model.pin_motion.iter_mut().filter(|(point, _)| points.contains(&point.0));
             led.flat_map(|(_, track)| &mut track.knots).for_each(|(_, x)| *x = add(*x, *way));
         }
-        self.warn_of_overlap(&hit);
+        self.warn_of_overlap(&hit, 0);
         self.within.extend(hit.stuck);
     }
 

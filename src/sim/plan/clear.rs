@@ -56,7 +56,7 @@ impl<const D: usize> Cleared<D> {
 /// none of its points is inside and, if there is such a place, no bond goes through a wall.
 ///
 /// Shapes: `position` and `w` have one entry a point; w = 0 is pinned, and what hangs on a pin stays, unless the pin was put there: `placed`.
-/// Such pins go with their body if it was placed as a whole, else each by itself. Points without bonds are left to the first step.
+/// Such pins go with their body if it was placed as a whole, else together. Points without bonds are left to the first step.
 pub(crate) fn clear<const D: usize>(
     obstacles: &Obstacles<f64, D>,
     bonds: &Bonds,
@@ -69,25 +69,24 @@ pub(crate) fn clear<const D: usize>(
         return cleared;
     }
     for body in bodies(bonds, w) {
-        let search = |moves: &[(Vec<u32>, [f64; D])]| {
-            let found = |i: u32| moves.binary_search_by_key(&i, |(pin, _)| pin[0]);
-            let way = |i: u32| found(i).map_or(zero(), |found| moves[found].1);
-            let places = body.points.iter().map(|&i| add(position[i as usize], way(i))).collect();
+        let search = |moved: &[u32], way: [f64; D]| {
+            let own = |i: u32| if moved.binary_search(&i).is_ok() { way } else { zero() };
+            let places = body.points.iter().map(|&i| add(position[i as usize], own(i))).collect();
             Search::new(obstacles, places, &body.bonds)
         };
-        let Some(whole) = search(&[]) else { continue };
+        let Some(whole) = search(&[], zero()) else { continue };
         let may_go = !body.is_pinned || body.points.iter().all(|&i| placed(i));
         if let Some(way) = if may_go { whole.way_out() } else { None } {
             cleared.moves.push((body.points, way));
             continue;
         }
-        let pins = body.points.iter().copied().filter(|&i| w[i as usize] == 0.0 && placed(i));
-        let way = |pin: u32| Search::new(obstacles, vec![position[pin as usize]], &[])?.way_out();
-        let moves: Vec<_> = pins.filter_map(|pin| Some((vec![pin], way(pin)?))).collect();
-        if search(&moves).is_some() {
+        let pins: Vec<u32> = body.points.iter().copied().filter(|&i| w[i as usize] == 0.0 && placed(i)).collect();
+        let places = pins.iter().map(|&pin| position[pin as usize]).collect();
+        let way = Search::new(obstacles, places, &[]).and_then(|search| search.way_out());
+        if search(&pins, way.unwrap_or(zero())).is_some() {
             cleared.stuck.extend(body.points.iter().find(|&&i| w[i as usize] != 0.0));
         }
-        cleared.moves.extend(moves);
+        cleared.moves.extend(way.map(|way| (pins, way)));
     }
     cleared
 }

@@ -92,7 +92,7 @@ impl<S: Real, const D: usize> World<S, D> {
             ledger: None,
             model: Arc::new(model.bare()),
         };
-        world.warn_of_overlap(&cleared);
+        world.warn_of_overlap(&cleared, 0);
         world.warn_of_pins(&model.position);
         world.warn_of_held(&model.velocity);
         world.warn_of_limits();

@@ -28,24 +28,27 @@ impl<S: Real, const D: usize> World<S, D> {
         }
     }
 
-    pub(crate) fn warn_of_overlap(&mut self, cleared: &Cleared<D>) {
+    /// What was put out of obstacles and walls, of points that are counted from `first` on.
+    pub(crate) fn warn_of_overlap(&mut self, cleared: &Cleared<D>, first: u32) {
         if let Some((points, _)) = cleared.moves.first() {
-            let point = points.first().copied().unwrap_or_default();
+            let point = first + points.first().copied().unwrap_or_default();
             let which = match cleared.moves.len() {
                 1 if points.len() == 1 => format!("point {point}"),
                 1 => format!("the body of point {point}"),
                 count => format!("{count} bodies, the first that of point {point},"),
             };
             let far = cleared.furthest();
-            self.warnings.push(format!("{which} lay inside an obstacle: moved out as a whole, by up to {far:.3} m"));
+            self.warnings
+                .push(format!("{which} lay inside an obstacle or a wall: moved out as a whole, by up to {far:.3} m"));
         }
-        if let Some(&first) = cleared.stuck.first() {
+        if let Some(stuck) = cleared.stuck.first() {
+            let point = first + stuck;
             let which = match cleared.stuck.len() {
-                1 => format!("the body of point {first}"),
-                count => format!("{count} bodies, the first that of point {first},"),
+                1 => format!("the body of point {point}"),
+                count => format!("{count} bodies, the first that of point {point},"),
             };
             self.warnings.push(format!(
-                "{which} lay inside an obstacle without a way out, or pinned: only points are put out, one by one, as far \
+                "{which} lay inside an obstacle or a wall without a way out, or pinned: only points are put out, one by one, as far \
                  as bonds let them"
             ));
         }
