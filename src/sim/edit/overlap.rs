@@ -52,7 +52,7 @@ impl<S: Real, const D: usize> World<S, D> {
         }
         carry(detached, &hit.moves);
         for (points, way) in &hit.moves {
-            let led = model.pin_motion.iter_mut().filter(|(point, _)| points.contains(&point.0));
+            let led = model.pin_motion.iter_mut().filter(|(point, _)| points.binary_search(&point.0).is_ok());
             led.flat_map(|(_, track)| &mut track.knots).for_each(|(_, x)| *x = add(*x, *way));
         }
         self.warn_of_overlap(&hit, 0);

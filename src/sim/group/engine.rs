@@ -16,8 +16,8 @@ use crate::sim::pull::Pull;
 use crate::sim::real::Real;
 use crate::sim::vector::{scale, sub, zero};
 
-/// Kinetic energy that rigid bonds may leave of what there was, as bonds between points that stand can make none: more than it is of lengths that were wrong
-/// before. Some, for bonds may have been at rest in other directions.
+/// Kinetic energy after rigid bonds were put right, as a share of what there was, up to which it is believed `[1]`. Bonds make none: what is more is of
+/// lengths that were wrong before.
 const MOST_OF_BONDS: f64 = 1.1;
 
 /// An integrator.
