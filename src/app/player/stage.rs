@@ -18,7 +18,7 @@ use crate::app::matter::{Among, Matter, MatterChange, commands};
 use crate::app::meter::Meter;
 use crate::history::{BranchView, Do, History, HistoryError, Recording, Refusal, SetKeys, Start};
 use crate::scene::{AddKeys, BondKeys, MOST_MEETING, Meeting, MethodKeys, Parameter, PinMotionKeys, ViewKeys};
-use crate::sim::reach::reaches;
+use crate::sim::reach::{Reach, reaches};
 use crate::sim::{Applied, Cursor, Dynamics, MouseForce, PointId};
 
 /// How often figures are taken that cost something: nobody reads faster.
@@ -80,6 +80,8 @@ pub struct Stage {
     warned: Vec<String>,
     /// What is to be said of a pin that is led.
     strained: Option<String>,
+    /// The pin that is led, and how far it may be from others.
+    led: Option<(PointId, Vec<Reach>)>,
 }
 
 /// A history without its worlds.
@@ -132,6 +134,7 @@ impl Stage {
             matter: None,
             warned: Vec::new(),
             strained: None,
+            led: None,
         };
         stage.warned = stage.history.world().warnings().to_vec();
         stage.look();
@@ -512,7 +515,11 @@ impl Stage {
         let knot = |time: f64, place: &mut dyn Iterator<Item = f64>| std::iter::once(time).chain(place).collect();
         let there = &mut to.into_iter().take(dimensions);
         let track = vec![knot(time, &mut here.into_iter()), knot(time + PIN_TIME, there)];
-        self.strained = beyond_reach(world, point, to);
+        // Looking for reaches goes through all bonds: once for a pin that goes on.
+        let known = self.led.take().filter(|(pin, _)| goes_on && *pin == point).map(|(_, reaches)| reaches);
+        let reaches = known.unwrap_or_else(|| reaches(world.bonds(), &[point], world.pinned()));
+        self.strained = beyond_reach(world, &reaches, to);
+        self.led = Some((point, reaches));
         let keys = AddKeys { pin_motion: vec![PinMotionKeys { point: point.0, track }], ..AddKeys::default() };
         let way = Do::Add(Box::new(keys));
         if !goes_on {
@@ -604,14 +611,13 @@ impl Stage {
     }
 }
 
-/// What is said where rigid bonds do not let a pin be so far from other pins `[m]`.
-fn beyond_reach(world: &dyn Dynamics, pin: PointId, to: [f64; 3]) -> Option<String> {
+/// What is said where rigid bonds do not let a pin be so far from the others `[m]`.
+fn beyond_reach(world: &dyn Dynamics, reaches: &[Reach], to: [f64; 3]) -> Option<String> {
     let dimensions = world.dimensions();
     let apart = |other: PointId| {
         let place = |axis| world.positions().get(other.index() * dimensions + axis);
         (0..dimensions).map(|axis| (to[axis] - place(axis)).powi(2)).sum::<f64>().sqrt()
     };
-    let reaches = reaches(world.bonds(), &[pin], world.pinned());
     let most = reaches.iter().map(|reach| apart(reach.pins[1]) - reach.most).fold(0.0, f64::max);
     (most > STRAINED).then(|| format!("the pins are {} further apart than the bonds between them reach", length(most)))
 }

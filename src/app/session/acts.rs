@@ -23,23 +23,11 @@ const LARGER: f64 = 1.15;
 impl Session {
     /// Does what the user asks; leaving is the window's affair.
     pub(in crate::app) fn act(&mut self, action: Action) {
-        let goes_away = matches!(
-            action,
-            Action::Rewind
-                | Action::Reset
-                | Action::PreviousScene
-                | Action::NextScene
-                | Action::New
-                | Action::Clear
-                | Action::Dice
-        );
-        if goes_away {
-            self.leave_drawing();
-        }
         match action {
             Action::TogglePlay => self.player.play(!self.player.is_playing()),
             Action::Step => self.player.ask(Order::Step(self.told)),
             Action::Rewind => {
+                self.leave_drawing();
                 self.hand.let_go();
                 self.rewinds = true;
             }
@@ -68,7 +56,10 @@ impl Session {
             Action::Group => self.group(),
             Action::Ungroup => self.ungroup(),
             Action::New => self.open_empty(),
-            Action::Clear => self.clear(),
+            Action::Clear => {
+                self.leave_drawing();
+                self.clear();
+            }
             Action::Dice => self.roll(),
             Action::SmallerRegion => self.change_force(1.0, 1.0 / LARGER),
             Action::LargerRegion => self.change_force(1.0, LARGER),
@@ -112,10 +103,7 @@ impl Session {
     pub(super) fn grant(&mut self, wish: Wish) {
         match wish {
             Wish::Act(action) => self.act(action),
-            Wish::OpenScene(name) => {
-                self.leave_drawing();
-                self.open_named(name);
-            }
+            Wish::OpenScene(name) => self.open_named(name),
             Wish::Learn(at) => self.learn(at),
             Wish::Build(primitive) => {
                 self.leave_drawing();
@@ -183,9 +171,11 @@ impl Session {
     }
 
     /// Leaves what is drawn click by click: bonds that were drawn come into the world.
-    fn leave_drawing(&mut self) {
-        let deed = self.with_scope(|hand, scope| hand.leave_drawing(scope));
-        self.do_deed(deed);
+    pub(super) fn leave_drawing(&mut self) {
+        if self.hand.is_drawing() {
+            let deed = self.with_scope(|hand, scope| hand.leave_drawing(scope));
+            self.do_deed(deed);
+        }
     }
 
     /// Takes a tool; one that has no panel which says what to do says so.

@@ -341,6 +341,7 @@ impl Session {
 
     /// Plays another history; the present one goes onto the shelf.
     fn put_on(&mut self, player: Player) {
+        self.leave_drawing();
         // Whoever opens something else wants that.
         self.panels.notes.offer = None;
         self.take_leave();
@@ -403,6 +404,7 @@ impl Session {
 
     /// The world goes to another time: what the hand leads here stays here.
     pub(super) fn go(&mut self, order: Order) {
+        self.leave_drawing();
         self.hand.drop_all();
         self.driving.clear();
         self.player.ask(order);

@@ -5,6 +5,7 @@ use std::f64::consts::{FRAC_PI_2, PI};
 use glam::{DVec2, DVec3};
 
 use super::Deed;
+use super::build::short;
 use super::marks::{Mark, Role};
 use super::pick::{Scope, distance_to_segment};
 use super::selecting::is_drag;
@@ -181,16 +182,6 @@ fn seen_along(scope: Scope<'_>, view: &ForceView) -> Option<DVec2> {
     let ends = [from, from + 1e-3 * scope.camera.height() * along].map(|place| scope.camera.screen_from_world(place));
     let [Some(from), Some(to)] = ends else { return None };
     Some((DVec2::from(to) - DVec2::from(from)).normalize_or_zero())
-}
-
-/// A force in as many digits as are of use.
-fn short(force: f64) -> String {
-    match force.abs() {
-        small if small < 0.1 => format!("{force:.3}"),
-        usual if usual < 10.0 => format!("{force:.2}"),
-        large if large < 100.0 => format!("{force:.1}"),
-        _ => format!("{force:.0}"),
-    }
 }
 
 impl PushWay {

@@ -175,12 +175,12 @@ fn down(usual: f64) -> DVec2 {
     DVec2::new(0.0, -2.0 * usual)
 }
 
-/// A length `[m]` in as many digits as are of use.
-fn short(length: f64) -> String {
-    match length {
-        small if small < 0.1 => format!("{small:.3}"),
-        usual if usual < 10.0 => format!("{usual:.2}"),
-        large if large < 100.0 => format!("{large:.1}"),
-        vast => format!("{vast:.0}"),
+/// A length `[m]`, or a force `[N]`, in as many digits as are of use.
+pub(in crate::app::tools) fn short(number: f64) -> String {
+    match number.abs() {
+        small if small < 0.1 => format!("{number:.3}"),
+        usual if usual < 10.0 => format!("{number:.2}"),
+        large if large < 100.0 => format!("{number:.1}"),
+        _ => format!("{number:.0}"),
     }
 }

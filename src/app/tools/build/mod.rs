@@ -26,6 +26,7 @@ use crate::app::action::Primitive;
 use crate::history::{Do, SetKeys};
 use crate::scene::{ContactKeys, Meeting};
 use crate::sim::PointId;
+pub(super) use form::short;
 use form::{End, Form, Hold};
 pub(in crate::app) use links::{Link, Links};
 pub(super) use path::Path;

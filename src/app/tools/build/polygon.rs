@@ -147,9 +147,9 @@ impl Outline {
         let (open, closed) = (crossing(&all, false), crossing(&all, true));
         // A free stroke is closed by its end; else closing is yet to be asked for.
         let is_free = drawn.len() > 2;
-        let is_wrong = (if is_free || closes { &closed } else { &open }).contains(&true);
         let role = |is_crossed: bool| if is_crossed { Role::Away } else { Role::Come };
         let flags = if is_free || closes { &closed } else { &open };
+        let is_wrong = flags.contains(&true);
         let sides = all.windows(2).zip(flags);
         let ends = |from: DVec2, to: DVec2| Some([pixel(scope, from)?, pixel(scope, to)?]);
         let mut marks: Vec<Mark> = sides
