@@ -9,7 +9,9 @@ use std::process::Command;
 use common::picture::{NO_BONDS, SIDE, assert_coverage, between, bond, pixels, plain, sampled, view};
 use glam::{DVec2, DVec3};
 use image::RgbaImage;
+use wobble::app::opening;
 use wobble::render::{Camera, Capture, Look, Overlay, Pane, Pose, Tiles, View};
+use wobble::scene::gallery;
 use wobble::sim::{Bond, Bonds, Cursor, MouseForce, PointId, Positions, Profile, Region, Track};
 
 fn golden(name: &str, scene: &str, time: &str) {
@@ -56,6 +58,26 @@ fn a_bridge_under_its_load() {
 #[test]
 fn the_rim_as_printed_beside_the_same_rim_with_walls_after_the_sweep() {
     golden("rim-as-printed", "rim-as-printed", "3.9");
+}
+
+#[test]
+fn every_scene_of_the_gallery_at_its_start() {
+    let Some(gpu) = common::gpu() else { return };
+    let info = gpu.info.clone();
+    let size = [320, 180];
+    let mut captures = [2, 3].map(|dimensions| Capture::on(gpu.clone(), size, dimensions).unwrap());
+    // A million points take seconds to lay out, and are a surface of one colour in so small a picture.
+    for entry in gallery().iter().filter(|entry| entry.point_count < 200_000) {
+        let scene = entry.scene().unwrap();
+        let world = scene.world(scene.duration).unwrap();
+        let skins = scene.skins().unwrap();
+        let view = View { skins: &skins, ..View::of(&*world) };
+        let capture = &mut captures[scene.dimensions() - 2];
+        capture.forget_world();
+        let camera = opening::camera(&scene, &view, size);
+        let picture = capture.picture(&view, &camera, &Look::default()).unwrap();
+        common::golden::check(&format!("gallery/{}", entry.name), &picture, &info);
+    }
 }
 
 #[test]

@@ -14,6 +14,7 @@ use clap::Args;
 use self::strain::Strain;
 use super::progress;
 use super::values::{self, Times};
+use crate::equilibrium::Softness;
 use crate::history::{self, Start};
 use crate::output;
 use crate::scene::frames::Frames;
@@ -24,7 +25,7 @@ use crate::scene::record::{
 use crate::scene::{BudgetKeys, OrderName, PrecisionName, Scene, SolverName, SourceName};
 use crate::sim::judge;
 use crate::sim::{Counters, Dynamics, InstructionSet, MOST_ITERATIONS, PlanPart, PointId, Precision, Sample, Verdict};
-use crate::study::{self, Softness};
+use crate::study;
 
 /// Points that a message names before it counts the rest.
 const NAMED: usize = 5;

@@ -185,7 +185,8 @@ macro_rules! own {
 }
 
 /// The files, in the order of a list, by their names.
-static FILES: [(&str, &str); 6] = own!["verlet", "euler", "orders", "stability", "constraints", "pictures"];
+static FILES: [(&str, &str); 8] =
+    own!["verlet", "euler", "orders", "stability", "constraints", "boxes", "cloth", "pictures"];
 
 /// All lessons, in the order of a list: those that are in order, as all of them are, which a test holds.
 pub fn lessons() -> &'static [Lesson] {

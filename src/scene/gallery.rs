@@ -78,7 +78,7 @@ macro_rules! entry {
     };
 }
 
-static GALLERY: [Entry; 46] = [
+static GALLERY: [Entry; 47] = [
     entry!(
         "jelly",
         168,
@@ -202,7 +202,7 @@ static GALLERY: [Entry; 46] = [
         "random-graph",
         10,
         "Random graph",
-        "Ten points and thirty random bonds, swept by relaxation as in the source: it crumples, shivers and settles.",
+        "Ten points and thirty random bonds, swept by relaxation as in the source: it crumples, and its bonds, which contradict each other, keep it shivering.",
         "pull it apart by a point, let go, and see what shape it takes next."
     ),
     entry!(
@@ -226,6 +226,13 @@ static GALLERY: [Entry; 46] = [
         "The source's rim: one shuffled sweep a substep, at 3.6 times real time. \
          The square mouse force attracts there, here it repels.",
         "dent it and compare with the rim: here stiffness hangs on the step."
+    ),
+    entry!(
+        "relaxation",
+        18,
+        "A share of the error",
+        "Left, bonds that take a twentieth of their error in each sweep; right, springs as stiff as that amounts to. They bounce and hang alike.",
+        "pull both down and let go; give the left one more sweeps in the settings: a share is no material of its own."
     ),
     entry!(
         "rim-as-printed",

@@ -31,6 +31,16 @@ pub fn settle(scene: &Scene, t: f64) -> Result<Settled, SceneError> {
     found.map_err(|error| scene.refused(&error))
 }
 
+/// What the relaxed bonds of a scene amount to at its start.
+///
+/// Errors: those of [`Scene::model`].
+pub fn softness(scene: &Scene) -> Result<Option<equilibrium::Softness>, SceneError> {
+    Ok(match scene.dimensions() {
+        2 => equilibrium::softness(&scene.model::<2>()?),
+        _ => equilibrium::softness(&scene.model::<3>()?),
+    })
+}
+
 fn settle_model<const D: usize>(model: &Model<D>, t: f64) -> Result<Settled, ModelError> {
     let found = equilibrium::settle(model)?;
     let sample = Sample {

@@ -24,6 +24,7 @@ pub fn check(name: &str, picture: &RgbaImage, adapter: &wgpu::AdapterInfo) {
     let here = format!("{} {}", adapter.name, adapter.driver_info);
     let golden_path = path(&format!("{name}.png"));
     if std::env::var_os("UPDATE_GOLDENS").is_some() {
+        std::fs::create_dir_all(golden_path.parent().unwrap()).unwrap();
         picture.save(&golden_path).unwrap();
         std::fs::write(path("adapter.txt"), format!("{here}\n")).unwrap();
         return;

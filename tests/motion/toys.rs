@@ -4,7 +4,7 @@ use std::f64::consts::PI;
 
 use serde_json::json;
 use wobble::scene::{AngleKeys, Scene};
-use wobble::sim::{Command, Cursor, Dynamics, Key, PointId, Reach, Sample};
+use wobble::sim::{Command, Cursor, Dynamics, Key, Limit, PointId, Reach, Sample};
 
 fn world(name: &str) -> Box<dyn Dynamics> {
     Scene::load(name).unwrap().world(None).unwrap()
@@ -73,6 +73,66 @@ fn ragdolls_stand_a_fling_of_30_metres_a_second_and_come_to_rest() {
     let fallen = until(&mut *world, 20.0);
     let fastest = fallen.velocity[..36].iter().map(|v| v[0].hypot(v[1])).fold(0.0, f64::max);
     assert!(fastest < 0.02, "{fastest} m/s");
+}
+
+#[test]
+fn what_falls_into_a_heap_comes_to_rest_within_its_walls() {
+    for (name, seconds, [low, high]) in [
+        ("box", 8.0, [[-3.21, -1.31], [3.21, 1.0]]),
+        ("jelly-stack", 12.0, [[-2.91, -1.21], [2.91, 2.2]]),
+        ("pegs", 20.0, [[-2.41, -2.01], [2.41, 2.2]]),
+    ] {
+        let mut world = world(name);
+        let sample = until(&mut *world, seconds);
+        assert!(world.is_asleep(), "{name} still moves");
+        for x in &sample.position {
+            assert!((0..2).all(|k| (low[k]..high[k]).contains(&x[k])), "{name}: a point at {x:?}");
+        }
+    }
+}
+
+#[test]
+fn a_box_with_one_diagonal_falls_off_and_one_with_two_stays() {
+    let mut world = world("box-two-supports");
+    let sample = until(&mut *world, 10.0);
+    let height = |first: usize| (first..first + 4).map(|i| sample.position[i][1]).sum::<f64>() / 4.0;
+    // Boxes of 1 m on a floor at -1.3 m: the upper ones are points 4 to 7 and 12 to 15.
+    assert!(height(4) < -0.5, "its middle is at {}", height(4));
+    assert!(height(12) > 0.0, "its middle is at {}", height(12));
+}
+
+#[test]
+fn rods_keep_their_length_and_strings_are_never_longer() {
+    let mut world = world("constraints");
+    fling(&mut *world, 1, [6.0, 3.0], 0.1);
+    let mut slack = 0;
+    for tenth in 2..100 {
+        let sample = until(&mut *world, 0.1 * f64::from(tenth));
+        for bond in world.bonds().iter() {
+            let [a, b] = [bond.a, bond.b].map(|end| sample.position[end.index()]);
+            let strain = (a[0] - b[0]).hypot(a[1] - b[1]) / bond.rest_length - 1.0;
+            match bond.limit {
+                Limit::Both => assert!(strain.abs() < 1e-6, "a rod by {strain}"),
+                Limit::Max => assert!(strain < 1e-6, "a string by {strain}"),
+                Limit::Min => assert!(strain > -1e-6, "what keeps apart by {strain}"),
+            }
+            slack += i32::from(bond.limit == Limit::Max && strain < -1e-3);
+        }
+    }
+    assert!(slack > 0, "no string was ever slack");
+}
+
+#[test]
+fn the_wind_blows_the_cloth_out_and_flutters_it() {
+    let mut world = world("cloth-wind");
+    let lower = |sample: &Sample| sample.position[494..].iter().map(|x| x[0]).sum::<f64>() / 26.0;
+    let hung = lower(&world.sample(0.0));
+    let blown: Vec<f64> =
+        (20..60).map(|quarter| lower(&until(&mut *world, 0.25 * f64::from(quarter))) - hung).collect();
+    let mean = blown.iter().sum::<f64>() / blown.len() as f64;
+    let swing = blown.iter().map(|x| (x - mean).powi(2)).sum::<f64>() / blown.len() as f64;
+    assert!(mean > 0.1, "the lower hem is blown by {mean} m");
+    assert!(swing.sqrt() > 0.02, "it swings by {} m", swing.sqrt());
 }
 
 #[test]

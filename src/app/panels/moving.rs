@@ -101,7 +101,18 @@ fn lines(figures: &Figures) -> Vec<Line> {
         lines.push(Line { offer: Some(("Take it back", said, Wish::TakeBack)), ..gave_way(yielded) });
     }
     lines.extend(done(&figures.acts));
+    lines.extend(figures.relaxed.map(relaxed));
     lines
+}
+
+/// How stiff relaxed bonds are `[N/m]`.
+fn relaxed(stiffness: f64) -> Line {
+    Line {
+        words: format!("Relaxed bonds give way like springs of {stiffness:.0} N/m at this substep and these sweeps"),
+        figures: "measured on a bond in the middle of the list as the scene begins".to_owned(),
+        color: WEAK,
+        offer: None,
+    }
 }
 
 /// How many bodies are moved otherwise than exactly, and why; since when and how behind it.

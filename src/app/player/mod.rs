@@ -21,6 +21,7 @@ mod rungs;
 mod rungs_tests;
 mod save;
 mod shown;
+mod softness;
 mod stage;
 #[cfg(test)]
 mod tests;

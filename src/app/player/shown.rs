@@ -233,6 +233,8 @@ pub struct Figures {
     pub energy: f64,
     /// What moves its islands otherwise than by plan, as it was when figures were last taken.
     pub movers: Arc<Movers>,
+    /// Stiffness of springs that would give way as much as relaxed bonds do `[N/m]`; `None` where none takes a share of its error.
+    pub relaxed: Option<f64>,
     /// What gave way to the load.
     pub yielded: Option<Yielded>,
     /// What the live step did of late, as it was when figures were last taken.

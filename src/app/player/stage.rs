@@ -12,6 +12,7 @@ use super::pace::{Pace, SINGLE_STEP};
 use super::rungs::{Load, Rung, Rungs, Yielded};
 use super::save;
 use super::shown::{Figures, Scenery, Shown};
+use super::softness::Relaxed;
 use super::watch::Watch;
 use crate::app::lengths::length;
 use crate::app::matter::{Among, Matter, MatterChange, commands};
@@ -50,6 +51,8 @@ pub struct Stage {
     sceneries: u64,
     energy: f64,
     movers: Arc<Movers>,
+    relaxed: Relaxed,
+    stiffness: Option<f64>,
     rungs: Rungs,
     escort: Escort,
     yielded: Option<Yielded>,
@@ -113,6 +116,8 @@ impl Stage {
             sceneries: 0,
             energy: 0.0,
             movers: Arc::default(),
+            relaxed: Relaxed::default(),
+            stiffness: None,
             rungs: Rungs::new(),
             escort: Escort::default(),
             yielded: None,
@@ -551,6 +556,7 @@ impl Stage {
         if !moves || self.figures_at.is_none_or(|at| at.elapsed() >= FIGURES_EVERY) {
             self.energy = world.energy();
             self.movers = movers(world);
+            self.stiffness = self.relaxed.look(&self.history);
             self.acts = self.deeds.look(world.counters(), Instant::now());
             self.yielded = self.rungs.yielded(&self.history);
             self.figures_at = Some(Instant::now());
@@ -603,6 +609,7 @@ impl Stage {
             bonds: world.bonds().len(),
             energy: self.energy,
             movers: Arc::clone(&self.movers),
+            relaxed: self.stiffness,
             yielded: self.yielded,
             acts: self.acts,
             substeps: self.substeps,
