@@ -154,6 +154,13 @@ pub(super) enum Sheet {
     OpenFrom,
 }
 
+impl Sheet {
+    /// Whether the world stands still behind it.
+    pub(super) fn stops_time(self) -> bool {
+        matches!(self, Sheet::SaveTo | Sheet::OpenFrom)
+    }
+}
+
 /// What the panels keep from frame to frame.
 #[derive(Default)]
 pub(super) struct PanelState {

@@ -322,9 +322,9 @@ impl Session {
         !self.waits() && (self.player.is_moving() || self.rewinds || fades || self.hand.is_leading())
     }
 
-    /// Whether the world waits for what lies over it.
+    /// Whether the world waits for what lies over it: what is saved is the moment at which it was asked for.
     fn waits(&self) -> bool {
-        self.import.is_some()
+        self.import.is_some() || self.panels.sheet.is_some_and(Sheet::stops_time)
     }
 
     /// Whether something lies over the world that keys and the mouse are for.
