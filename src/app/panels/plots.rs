@@ -24,6 +24,8 @@ const LEFT: [f32; 2] = [76.0, 10.0];
 const HEAD: f32 = 118.0;
 /// Points so near to it are covered by what lies about them `[points]`.
 const ROOM: f32 = 12.0;
+/// Width of what was measured once alone `[points]`.
+const DOT: f32 = 7.0;
 /// Half of the room less this is free for the plot: the primitives beside the tools end there `[points]`.
 const OTHERS: f32 = 165.0;
 
@@ -202,9 +204,11 @@ fn plot(ui: &mut Ui, [width, height]: [f32; 2], plots: &Plots) {
         Subject::Phase => frame(("phase", name), [unit, unit]),
     };
     let shown = frame.width(width).height(height).show(ui, |ui| {
+        // One measurement alone is a dot, as wide as a line.
+        let width = if plots.series().iter().nth(1).is_some() { 1.5 } else { DOT };
         for line in lines(plots) {
             // As a band what is steep would get thin.
-            ui.line(line.width(1.5).allow_band(false));
+            ui.line(line.width(width).allow_band(false));
         }
     });
     if plots.lacks_force() {

@@ -535,6 +535,7 @@ impl Session {
                 self.adding = None;
                 self.complain(&format!("it is in the scene, but bodies pass through each other: {why}"));
             }
+            Note::Before(list) => self.plot_before(list),
             Note::Exact => {
                 self.say("every body is moved by its own method from here on: Ctrl+Z takes that back".to_owned());
             }
