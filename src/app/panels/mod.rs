@@ -64,7 +64,7 @@ use open_from::OpenFrom;
 pub(super) use open_from::meant;
 pub(super) use parameters::value as parameter_value;
 use places::Places;
-pub(super) use places::{Laid, covered};
+pub(super) use places::{Laid, covered, kept_in};
 pub(super) use plots::{PlotsAt, figure};
 pub(super) use save_to::{SaveTo, ask as ask_to_save, is_recording};
 pub(super) use settings::{Setting, Settings};

@@ -4,7 +4,7 @@ use std::time::{Duration, Instant};
 
 use egui::{Align2, Area, Button, Id, Label, RichText};
 
-use super::places::{APART, Places};
+use super::places::{APART, Places, kept_in};
 use super::theme::{ACCENT, AWAY, LEAD, ON_ACCENT, TEXT, WEAK, floating};
 use super::{Facts, Wish, button};
 use crate::app::action::Action;
@@ -32,6 +32,8 @@ pub(in crate::app) struct Notes {
 
 /// The line at the cursor.
 const HINT: &str = "press and drag: grab it, throw it";
+/// Its size until it was shown, about `[points]`.
+const HINT_SIZE: egui::Vec2 = egui::vec2(220.0, 28.0);
 
 impl Notes {
     /// Says what was just done.
@@ -102,8 +104,11 @@ impl Notes {
             words(context, places.said(context, top), OFFER, |ui| offer(ui, line, wishes));
         }
         if let Some(at) = self.hint_at {
-            let place = Area::new(Id::unique("hint")).order(egui::Order::Tooltip).interactable(false);
-            place.fixed_pos(at + egui::vec2(18.0, 18.0)).show(context, |ui| {
+            let id = Id::unique("hint");
+            let size = context.memory(|memory| memory.area_rect(id)).map_or(HINT_SIZE, |rect| rect.size());
+            let rect = kept_in(egui::Rect::from_min_size(at + egui::vec2(18.0, 18.0), size), Some(at), places.room);
+            let place = Area::new(id).order(egui::Order::Tooltip).interactable(false);
+            place.fixed_pos(rect.min).show(context, |ui| {
                 floating().show(ui, |ui| ui.label(RichText::new(HINT).color(TEXT)));
             });
         }
