@@ -193,6 +193,7 @@ impl Session {
 
     /// Draws the world and the panels.
     pub(super) fn draw(&mut self) -> Result<(), RenderError> {
+        self.look_for_the_lost();
         let (marks, words) = self.marks();
         self.paint.marks = marks;
         // What is written for the first time has its signs on the GPU after the panels were shown.

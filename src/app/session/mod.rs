@@ -46,6 +46,7 @@ use crate::history::{HistoryError, Start};
 use crate::render::{Camera, Look, RenderCounters, RenderError, Tiles, Trails};
 use crate::scene::{MOST_MEETING, Parameter, Scene, SolverName, gallery};
 use crate::sim::{Cursor, HELD, Key, MouseForce, SceneChange};
+use lost::Lost;
 use selecting::Copied;
 use shelf::Shelf;
 
@@ -138,6 +139,8 @@ pub(super) struct Session {
     paint: Paint,
     /// What was written over the world last.
     marked_words: String,
+    /// What of it was found in view.
+    lost: Lost,
     /// Something that is shown has changed since the last frame; so has something that panels show.
     dirty: bool,
     panels_dirty: bool,
@@ -246,6 +249,7 @@ impl Session {
             panels: PanelState::default(),
             paint: Paint::default(),
             marked_words: String::new(),
+            lost: Lost::default(),
             dirty: true,
             panels_dirty: true,
             panels_due: None,
