@@ -548,7 +548,7 @@ impl Session {
                 self.import = self.adding.take().or_else(|| self.import.take());
                 self.complain(&why);
             }
-            Note::Warned(lines) => self.panels.notes.warn(listed(&lines)),
+            Note::Warned(lines) => lines.into_iter().for_each(|line| self.panels.notes.warn(line)),
             Note::Written(path) => self.say(format!("written: {}", path.display())),
             Note::NotWritten(why) => self.complain(&why),
             Note::NotKept(why) => self.complain(&format!(
