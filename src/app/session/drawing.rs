@@ -36,7 +36,8 @@ impl Session {
         let facts = self.facts();
         (self.figures, self.settings) = (self.shown().figures.clone(), self.shown().settings.clone());
         self.matter.clone_from(&self.player.shown().matter);
-        let input = self.egui.take_egui_input(&self.window);
+        let mut input = self.egui.take_egui_input(&self.window);
+        self.leave_out_moves(&mut input.events);
         let context = self.egui.egui_ctx().clone();
         if let Some(thumbnails) = &mut self.thumbnails {
             thumbnails.load(&context, &mut self.panels.thumbnails);
@@ -72,6 +73,7 @@ impl Session {
         textures.append(output.textures_delta);
         self.paint = Paint {
             jobs: context.tessellate(output.shapes, output.pixels_per_point),
+            is_new: true,
             marks: Vec::new(),
             textures,
             pixels_per_point: output.pixels_per_point,
@@ -82,6 +84,19 @@ impl Session {
         if let Some(answer) = answer {
             self.answer(answer);
         }
+    }
+
+    /// Moves of the pointer far from panels are nothing to them: each would have them shown once more.
+    fn leave_out_moves(&mut self, events: &mut Vec<egui::Event>) {
+        let is_near = self.pointer.at.is_some_and(|[x, y]| {
+            let is_inside = |&[left, top, right, bottom]: &[f32; 4]| {
+                (f64::from(left)..=f64::from(right)).contains(&x) && (f64::from(top)..=f64::from(bottom)).contains(&y)
+            };
+            self.covered.iter().any(is_inside) || y >= f64::from(self.area[1]) || x >= f64::from(self.area[0])
+        });
+        let was_near = std::mem::replace(&mut self.was_near_panels, is_near);
+        let is_used = is_near || was_near || self.egui.egui_ctx().egui_is_using_pointer();
+        events.retain(|event| is_used || !matches!(event, egui::Event::PointerMoved(_)));
     }
 
     /// The world is drawn above the bar below, and bodies are shown where no panel is.

@@ -147,8 +147,9 @@ pub(super) struct Session {
     /// When the panels want to be shown again by themselves, and when they were last.
     panels_due: Option<Instant>,
     panels_at: Option<Instant>,
-    /// The pointer was over a panel when it last moved.
+    /// The pointer was over a panel when it last moved; it was over what floats, pressed or not, when panels were shown last.
     was_over_panels: bool,
+    was_near_panels: bool,
     /// Nobody has pressed on anything yet: the first scene says how.
     wants_hint: bool,
     /// The system says that nothing of the window is seen.
@@ -255,6 +256,7 @@ impl Session {
             panels_due: None,
             panels_at: None,
             was_over_panels: false,
+            was_near_panels: false,
             wants_hint: true,
             is_occluded: false,
             failure: None,
