@@ -21,7 +21,7 @@ impl History {
             }
         };
         far.iter().for_each(|kept| see(&*kept.frame.world));
-        let Some(first) = near.first() else { return };
+        let Some(first) = near.first().filter(|first| first.time < here.time) else { return };
         let mut frame = first.frame.clone();
         see(&*frame.world);
         loop {
