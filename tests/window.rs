@@ -519,7 +519,7 @@ fn a_window_that_plays_asks_once_a_frame() {
 #[test]
 fn the_world_stands_still_behind_save_and_goes_on_after_it() {
     let Some(display) = Display::start() else { return };
-    let app = display.open(Path::new("spring-damper"));
+    let app = display.open(Path::new("phase-portrait"));
     // Where the time is written.
     let goes_on = || {
         let before = display.screenshot();
