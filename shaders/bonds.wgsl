@@ -60,7 +60,7 @@ fn is_rope(bond: Bond) -> bool {
 }
 
 fn tint_of(bond: Bond, a: vec3<f32>, b: vec3<f32>) -> vec4<f32> {
-    if is_set(frame.strain_scale, a.x) {
+    if MAPS && is_set(frame.strain_scale, a.x) {
         var strain = strain_of(bond, a, b);
         if bond.kind == STRING {
             strain = max(strain, 0.0);
@@ -69,7 +69,7 @@ fn tint_of(bond: Bond, a: vec3<f32>, b: vec3<f32>) -> vec4<f32> {
         }
         return vec4(strain_color(strain).rgb, frame.bond_color.a);
     }
-    if is_set(frame.difference_scale, a.x) {
+    if MAPS && is_set(frame.difference_scale, a.x) {
         return vec4(difference_color(0.5 * (values[bond.a] + values[bond.b])).rgb, frame.bond_color.a);
     }
     if bond.kind == MUSCLE && is_set(frame.coil_length, a.x) {
@@ -215,16 +215,19 @@ fn coil_color(in: Strand, along: f32, across: f32) -> vec4<f32> {
 @vertex
 fn dot_vertex(@builtin(vertex_index) index: u32, @builtin(instance_index) chunk: u32) -> Disc {
     let first = chunk * CHUNK + index / 3u;
-    var middle: vec3<f32>;
-    var color = vec4(0.0);
-    for (var i = 0u; i < MIXED; i++) {
-        let bond = bond_at((first & ~(CHUNK - 1u)) | ((first + i * NEIGHBOR) & (CHUNK - 1u)));
-        let a = position_of(bond.a);
-        let b = position_of(bond.b);
-        if i == 0u {
-            middle = 0.5 * (a + b);
+    let bond = bond_at(first);
+    let a = position_of(bond.a);
+    let b = position_of(bond.b);
+    let middle = 0.5 * (a + b);
+    var color = tint_of(bond, a, b);
+    for (var i = 1u; i < MIXED; i++) {
+        let other = bond_at((first & ~(CHUNK - 1u)) | ((first + i * NEIGHBOR) & (CHUNK - 1u)));
+        if MAPS {
+            color += tint_of(other, position_of(other.a), position_of(other.b));
+        } else {
+            // Where it is says nothing of its colour.
+            color += tint_of(other, a, b);
         }
-        color += tint_of(bond, a, b);
     }
     return disc(index % 3u, middle, color / f32(MIXED), frame.dot_radius);
 }

@@ -3,6 +3,8 @@
 
 // Numbers a point has in the position buffers: 2 in the plane, 3 in space.
 override DIMENSIONS: u32 = 2u;
+// Whether strains or distances may be shown by colours: what works them out is left out of the shader where they are not.
+override MAPS: bool = true;
 
 struct Frame {
     clip_from_world: mat4x4<f32>,

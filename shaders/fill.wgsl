@@ -50,10 +50,10 @@ fn vertex(@builtin(vertex_index) index: u32) -> Fill {
         let place = position_of(point);
         out.position = frame.clip_from_world * vec4(place, 1.0);
         out.share = select(vec3(0.0), vec3(1.0), vec3<bool>(corner % 3u == 0u, corner % 3u == 1u, corner % 3u == 2u));
-        if DIMENSIONS == 3u || is_set(frame.strain_scale, place.x) {
+        if DIMENSIONS == 3u || (MAPS && is_set(frame.strain_scale, place.x)) {
             out.shade = shades[point];
         }
-        if is_set(frame.difference_scale, place.x) {
+        if MAPS && is_set(frame.difference_scale, place.x) {
             out.shade.w = values[point];
         }
         return out;
@@ -158,8 +158,11 @@ fn fragment(in: Fill, @builtin(front_facing) is_front: bool) -> @location(0) vec
         return stroke_color(Stroke(in.position, in.line, light, in.size.xy));
     }
     if kind == FLESH {
-        let plain = mix(frame.ground.rgb, in.color.rgb, 0.8);
-        return round_color(in, select(plain, strain_color(0.0).rgb, frame.strain_scale > 0.0));
+        var flesh = mix(frame.ground.rgb, in.color.rgb, 0.8);
+        if MAPS {
+            flesh = select(flesh, strain_color(0.0).rgb, frame.strain_scale > 0.0);
+        }
+        return round_color(in, flesh);
     }
     if kind == INNER {
         // As dark as the sides of triangles, and seen where those are.
@@ -168,10 +171,10 @@ fn fragment(in: Fill, @builtin(front_facing) is_front: bool) -> @location(0) vec
         return vec4(dark.rgb, dark.a * room * frame.fill_opacity);
     }
     var color = mix(frame.ground.rgb, in.color.rgb, 0.8);
-    if is_set(frame.strain_scale, in.position.x) {
+    if MAPS && is_set(frame.strain_scale, in.position.x) {
         color = strain_color(in.shade.w).rgb;
     }
-    if is_set(frame.difference_scale, in.position.x) {
+    if MAPS && is_set(frame.difference_scale, in.position.x) {
         color = difference_color(in.shade.w).rgb;
     }
     if DIMENSIONS == 3u {

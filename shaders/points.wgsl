@@ -18,7 +18,7 @@ fn vertex(@builtin(vertex_index) index: u32) -> Disc {
     let is_pinned = (point & PINNED) != 0u;
     let place = position_of(point & ~PINNED);
     var color = select(frame.point_color, frame.pin_color, is_pinned);
-    if is_set(frame.difference_scale, place.x) && !is_pinned {
+    if MAPS && is_set(frame.difference_scale, place.x) && !is_pinned {
         color = vec4(difference_color(values[point & ~PINNED]).rgb, color.a);
     }
     let radius = select(frame.point_radius, max(PIN * frame.point_radius, frame.least_pin), is_pinned);

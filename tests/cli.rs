@@ -208,6 +208,14 @@ fn a_table_has_a_row_a_sample_and_point() {
     let rows: Vec<&str> = table.lines().collect();
     assert_eq!((rows[0], rows.len()), ("t,point,x,y,vx,vy", 21));
     assert!(rows[11].starts_with("1.0,0,"));
+    // Bodies are a last column, if they are asked for.
+    let with = wobble(&["simulate", "box", "--samples", "0.1", "--bodies", "-q"]);
+    let with = text(&with.stdout);
+    let without = text(&wobble(&["simulate", "box", "--samples", "0.1", "-q"]).stdout);
+    let split: Vec<[&str; 2]> = with.lines().map(|row| row.rsplit_once(',').unwrap().into()).collect();
+    assert!(split.iter().map(|[row, _]| *row).eq(without.lines()));
+    let bodies: Vec<&str> = split.iter().map(|[_, body]| *body).collect();
+    assert_eq!((bodies[0], bodies[1], bodies[bodies.len() - 1]), ("body", "0", "4"), "five boxes");
     // Where nothing else is asked for it goes to the standard output.
     let said = wobble(&["simulate", "points", "--samples", "0.5,1", "-q"]);
     assert_eq!(String::from_utf8(said.stdout).unwrap(), table);
@@ -250,6 +258,10 @@ fn what_fails_says_so_in_one_line() {
     assert!(failure(&["scenes", "rimm"]).contains("did you mean `rim`?"));
     assert!(failure(&["simulate", "no-such-file.json", "--samples", "1", "--hash"]).contains("no-such-file.json"));
     assert!(failure(&["simulate", "rim", "--hash"]).contains("give --samples"));
+    let recorded = folder.path().join("recorded.json");
+    let recorded = recorded.to_str().unwrap();
+    success(&["simulate", "spring-damper", "--samples", "0.1", "--record", recorded, "--hash"]);
+    assert!(refused(&["simulate", recorded, "--tolerance", "1e-3", "--hash"]).contains("leave --tolerance out"));
     assert!(failure(&["simulate", "rim", "--solver", "relaxation", "--samples", "1", "--hash"]).contains("spring"));
     assert!(
         failure(&["simulate", "rim", "--samples", "1", "--out", "/no/such/folder/x.json"])

@@ -517,6 +517,35 @@ fn a_window_that_plays_asks_once_a_frame() {
 }
 
 #[test]
+fn the_world_stands_still_behind_save_and_goes_on_after_it() {
+    let Some(display) = Display::start() else { return };
+    let app = display.open(Path::new("phase-portrait"));
+    // Where the time is written.
+    let goes_on = || {
+        let before = display.screenshot();
+        std::thread::sleep(Duration::from_millis(700));
+        differing(&before, &display.screenshot(), [220, 640, 300, 665]) > 0
+    };
+    let wait_until = |wanted: bool| {
+        let start = Instant::now();
+        while goes_on() != wanted {
+            assert!(
+                start.elapsed() < Duration::from_secs(30),
+                "time does not {}",
+                if wanted { "go on" } else { "stand" }
+            );
+        }
+    };
+    wait_until(true);
+    app.key("ctrl+s");
+    wait_until(false);
+    assert!(!goes_on(), "it stands for long");
+    app.key("Escape");
+    wait_until(true);
+    app.quit();
+}
+
+#[test]
 fn an_idle_window_does_nothing() {
     let Some(display) = Display::start() else { return };
     let run = |seconds| {

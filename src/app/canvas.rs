@@ -5,12 +5,15 @@ use std::sync::Arc;
 use winit::event_loop::OwnedDisplayHandle;
 use winit::window::Window;
 
+use super::overlay::Overlay;
 use crate::render::{Ensemble, Gpu, Pane, RenderCounters, RenderError};
 
 /// Panels ready to be painted, again and again.
 #[derive(Default)]
 pub(super) struct Paint {
     pub(super) jobs: Vec<egui::ClippedPrimitive>,
+    /// They are others than in the last picture.
+    pub(super) is_new: bool,
     /// What is drawn over the world, under the panels: other in every picture.
     pub(super) marks: Vec<egui::ClippedPrimitive>,
     /// Textures that are new; none once they were given to the GPU.
@@ -28,6 +31,7 @@ pub(super) struct Canvas {
     ensemble: Ensemble,
     dimensions: usize,
     panels: egui_wgpu::Renderer,
+    overlay: Overlay,
     /// The surface must be configured before it is drawn to.
     outdated: bool,
 }
@@ -48,8 +52,10 @@ impl Canvas {
         let gpu = Gpu::open(&instance, Some(&surface))?;
         let config = configuration(&gpu, &surface, &window)?;
         let ensemble = Ensemble::new(&gpu, config.format, dimensions);
-        let panels = egui_wgpu::Renderer::new(&gpu.device, config.format, egui_wgpu::RendererOptions::default());
-        Ok(Canvas { window, instance, surface, gpu, config, ensemble, dimensions, panels, outdated: true })
+        let options = egui_wgpu::RendererOptions { dithering: false, ..Default::default() };
+        let panels = egui_wgpu::Renderer::new(&gpu.device, config.format, options);
+        let overlay = Overlay::new(&gpu, config.format);
+        Ok(Canvas { window, instance, surface, gpu, config, ensemble, dimensions, panels, overlay, outdated: true })
     }
 
     /// The window has another size `[px]`. One of no size (minimised) is remembered as nothing to draw on.
@@ -169,12 +175,11 @@ impl Canvas {
         let size = self.size();
         self.ensemble.draw(&self.gpu, &mut encoder, &target, (size, area), panes);
         let screen = egui_wgpu::ScreenDescriptor { size_in_pixels: size, pixels_per_point: paint.pixels_per_point };
+        if std::mem::take(&mut paint.is_new) || !self.overlay.fits(size) {
+            self.overlay.paint(&self.gpu, &mut self.panels, (&paint.jobs, &screen));
+        }
         let (device, queue) = (&self.gpu.device, &self.gpu.queue);
-        // Both in one list for now: what panels are made of is large, and not copied.
-        let mut jobs = std::mem::take(&mut paint.marks);
-        let count = jobs.len();
-        jobs.append(&mut paint.jobs);
-        let mut commands = self.panels.update_buffers(device, queue, &mut encoder, &jobs, &screen);
+        let mut commands = self.panels.update_buffers(device, queue, &mut encoder, &paint.marks, &screen);
         let pass = encoder.begin_render_pass(&wgpu::RenderPassDescriptor {
             label: Some("panels"),
             color_attachments: &[Some(wgpu::RenderPassColorAttachment {
@@ -185,9 +190,11 @@ impl Canvas {
             })],
             ..Default::default()
         });
-        self.panels.render(&mut pass.forget_lifetime(), &jobs, &screen);
-        paint.jobs = jobs.split_off(count);
-        paint.marks = jobs;
+        let mut pass = pass.forget_lifetime();
+        self.panels.render(&mut pass, &paint.marks, &screen);
+        pass.set_viewport(0.0, 0.0, size[0] as f32, size[1] as f32, 0.0, 1.0);
+        self.overlay.draw(&mut pass);
+        drop(pass);
         commands.push(encoder.finish());
         self.ensemble.submit(&self.gpu, commands);
         self.window.pre_present_notify();

@@ -15,6 +15,7 @@ mod loading;
 mod matter;
 pub mod meter;
 pub mod opening;
+mod overlay;
 mod panels;
 pub mod player;
 mod plots;

@@ -12,11 +12,12 @@ use anyhow::bail;
 use clap::Args;
 
 use self::strain::Strain;
-use super::progress;
 use super::values::{self, Times};
+use super::{WrongCall, progress};
 use crate::equilibrium::Softness;
 use crate::history::{self, Start};
 use crate::output;
+use crate::picture::Tint;
 use crate::scene::frames::Frames;
 use crate::scene::record::{
     RecordedBalance, RecordedBeside, RecordedCounters, RecordedFrames, RecordedMover, RecordedSample, RecordedSoftness,
@@ -60,7 +61,7 @@ pub(super) struct Arguments {
     /// auto, f32 or f64.
     #[arg(long)]
     precision: Option<PrecisionName>,
-    /// Largest error at every sample in metres: the cheapest setting that reaches it is searched for.
+    /// Largest error at every sample in metres: the cheapest setting that reaches it is searched for, of what no commands lead.
     #[arg(long, value_name = "E", allow_negative_numbers = true, value_parser = values::above_zero)]
     tolerance: Option<f64>,
     /// Counted work a frame of 1/60 s, in milliseconds, beyond which islands are handed over to the live step, or `none`.
@@ -81,6 +82,9 @@ pub(super) struct Arguments {
     /// Where to write: .json or .csv, or `-` for a table on the standard output, which is where it goes if nothing else is asked for.
     #[arg(long, value_name = "FILE", value_parser = table)]
     out: Option<PathBuf>,
+    /// Says which body each point is of: a last column `body` of a .csv, a list `bodies` in a .json.
+    #[arg(long)]
+    bodies: bool,
     /// Keeps a ledger of the energy: each sample says where it came from and went, and the whole whether it was kept.
     #[arg(long, conflicts_with = "settle")]
     ledger: bool,
@@ -107,6 +111,12 @@ fn extension(path: &Path) -> Option<String> {
 
 pub(super) fn run(arguments: &Arguments, quiet: bool) -> anyhow::Result<()> {
     let start = Start::load(&arguments.scene)?;
+    if start.is_recording() && arguments.tolerance.is_some() {
+        bail!(WrongCall(format!(
+            "{}: a recording is replayed by its own method: no setting is searched for it: leave --tolerance out, or name its scene",
+            arguments.scene
+        )));
+    }
     if start.is_recording() || arguments.commands.is_some() || arguments.record.is_some() {
         return led::run(arguments, start, quiet);
     }
@@ -136,6 +146,7 @@ pub(super) fn run(arguments: &Arguments, quiet: bool) -> anyhow::Result<()> {
     recording.relaxed =
         study::softness(&scene)?.map(|Softness { bond, alone, stiffness }| RecordedSoftness { bond, stiffness, alone });
     recording.balance = is_kept.then(|| judge(&entries).into());
+    recording.bodies = arguments.bodies_of(&scene.tints()?, world.point_count());
     recording.warnings.extend(strain.warning());
     recording.beside = beside::measured(&Scene { duration, ..scene.clone() }.into(), &samples)?;
     recording.search_seconds = found.as_ref().map_or(0.0, |found| found.seconds);
@@ -209,6 +220,7 @@ fn settle(arguments: &Arguments, scene: &Scene, time: f64) -> anyhow::Result<()>
     }
     runs.sort_by(f64::total_cmp);
     let samples = [found.sample];
+    let bodies = arguments.bodies_of(&scene.tints()?, samples[0].position.len());
     let recording = Recording {
         scene: scene.name().to_owned(),
         solver: "settle",
@@ -221,6 +233,7 @@ fn settle(arguments: &Arguments, scene: &Scene, time: f64) -> anyhow::Result<()>
         expected_error: None,
         relaxed: None,
         balance: None,
+        bodies,
         moved_by: Vec::new(),
         counters: RecordedCounters { iterations: found.rounds.into(), ..RecordedCounters::default() },
         warnings: Vec::new(),
@@ -318,6 +331,12 @@ impl Arguments {
         if is_asked { self.out.as_deref() } else { Some(Path::new(STANDARD)) }
     }
 
+    /// Which body each of so many points is of, if that is asked for.
+    fn bodies_of(&self, runs: &[Tint], count: usize) -> Option<Vec<Option<u32>>> {
+        let body = |point: u32| Tint::of(runs, point).map(|run| run.body);
+        self.bodies.then(|| (0..count as u32).map(body).collect())
+    }
+
     /// What the call says instead of the scene.
     fn change(&self, scene: &mut Scene) {
         let method = &mut scene.method;
@@ -388,6 +407,7 @@ fn made(
         expected_error: None,
         relaxed: None,
         balance: None,
+        bodies: None,
         moved_by: Vec::new(),
         counters: RecordedCounters {
             substeps: counters.substeps,
@@ -426,6 +446,7 @@ pub(super) struct Table {
     movers: Vec<RecordedMover>,
     balance: Option<Verdict>,
     beside: Vec<RecordedBeside>,
+    bodies: Option<Vec<Option<u32>>>,
 }
 
 impl Table {
@@ -435,7 +456,7 @@ impl Table {
         let (strain, scene) = (Strain::default(), scene.clone());
         let (samples, movers) = (Vec::new(), Vec::new());
         let beside = Vec::new();
-        Table { scene, clock, about: None, strain, samples, counters, movers, balance: None, beside }
+        Table { scene, clock, about: None, strain, samples, counters, movers, balance: None, beside, bodies: None }
     }
 
     /// Takes a sample at `time` `[s]`, which lies within the world's next step.
@@ -454,6 +475,11 @@ impl Table {
         self.balance = balance;
     }
 
+    /// Which body each point is of, where that is asked for.
+    fn name_bodies(&mut self, bodies: Option<Vec<Option<u32>>>) {
+        self.bodies = bodies;
+    }
+
     /// How far the same start by other methods gets, led by the same commands.
     ///
     /// Errors: a method that cannot run the scene.
@@ -469,6 +495,7 @@ impl Table {
         about.warnings.extend(self.strain.warning());
         let recording = made(&self.scene, about, (seconds, frames), &self.samples, &self.counters);
         let balance = self.balance.map(RecordedBalance::from);
-        write_table(out, has_hash, &Recording { balance, moved_by: self.movers, beside: self.beside, ..recording })
+        let Table { movers: moved_by, beside, bodies, .. } = self;
+        write_table(out, has_hash, &Recording { balance, moved_by, beside, bodies, ..recording })
     }
 }

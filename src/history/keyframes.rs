@@ -142,6 +142,20 @@ impl Keyframes {
         }
         best
     }
+
+    /// The copies that a branch has been at, from the last at or before `from` `[s]` on up to a spot of it, ascending in time: the last of
+    /// each time.
+    pub(super) fn along(&self, tree: &Tree, spot: Spot, from: f64) -> Vec<&Keyframe> {
+        let is_on = |kept: &&Keyframe| {
+            let is_before = kept.time <= spot.time && kept.frame.place + usize::from(kept.is_cut) <= spot.place;
+            is_before && kept.is_on(tree, spot.branch)
+        };
+        let mut list: Vec<&Keyframe> = self.list.iter().filter(is_on).collect();
+        list.sort_by(|a, b| a.time.total_cmp(&b.time).then(b.frame.place.cmp(&a.frame.place)));
+        list.dedup_by(|later, kept| later.time == kept.time);
+        let first = list.partition_point(|kept| kept.time <= from).saturating_sub(1);
+        list.split_off(first)
+    }
 }
 
 /// Time between the neighbours of a copy of long ago at most that is dropped `[s]`: what is shown at once is not far from what is meant.

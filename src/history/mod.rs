@@ -28,6 +28,7 @@ mod mark;
 mod method;
 mod pack;
 mod parse;
+mod past;
 mod replay;
 mod resolve;
 mod session;

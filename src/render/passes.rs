@@ -92,6 +92,11 @@ impl Pass {
         }
     }
 
+    /// Whether it may show a map by colours: its shader is another then, for a driver without a GPU works out both sides of a branch.
+    fn has_maps(self) -> bool {
+        matches!(self, Pass::Dots | Pass::Strokes | Pass::Points | Pass::Fill)
+    }
+
     /// How what it draws is put on what is there: cover is added up, rims take their place, all else lies on top.
     fn blend(self) -> wgpu::BlendState {
         let one = wgpu::BlendFactor::One;
@@ -171,10 +176,10 @@ pub(super) struct Shown {
 /// Pipelines and bindings of all passes. Copies share the pipelines.
 #[derive(Clone)]
 pub(super) struct Passes {
-    /// In the order that they are drawn in.
-    pipelines: Vec<(Pass, wgpu::RenderPipeline)>,
-    /// Of fills, and in space of their outlines: below the skins.
-    fill: [wgpu::RenderPipeline; 2],
+    /// In the order that they are drawn in, each without a map by colours and with one.
+    pipelines: Vec<(Pass, [wgpu::RenderPipeline; 2])>,
+    /// Of fills, and in space of their outlines, likewise: below the skins.
+    fill: [[wgpu::RenderPipeline; 2]; 2],
     /// Of the triangles of skins, and of their edges: over the first guides.
     skin: [wgpu::RenderPipeline; 2],
     /// What obstacles cover, their rims, and both as they are shown: below the skins. In the plane alone.
@@ -196,24 +201,35 @@ impl Passes {
         let layout = bindings_layout(&gpu.device);
         let modules = SHADERS.map(|shader| module(&gpu.device, shader));
         let layers = layers(dimensions).into_iter();
+        let own_to_world = [&layout];
         let pipelines = layers.map(|(pass, part)| {
-            (pass, pipeline(&gpu.device, &[&layout], &modules[pass.shader()], (pass, part), format, dimensions))
+            let made = |maps: bool| {
+                let what = (pass, part, maps);
+                pipeline(&gpu.device, &own_to_world, &modules[pass.shader()], what, format, dimensions)
+            };
+            let plain = made(false);
+            let mapped = if pass.has_maps() { made(true) } else { plain.clone() };
+            (pass, [plain, mapped])
         });
         let pipelines = pipelines.collect();
         // In space triangles hide what lies behind them.
         let solid = if dimensions == 3 { Part::Core } else { Part::All };
         let [worn, covered, filled] = own.map(|own| [&layout, own]);
         let skin = [(Pass::Skin, solid), (Pass::SkinEdges, Part::All)].map(|(pass, part)| {
-            pipeline(&gpu.device, &worn, &modules[pass.shader()], (pass, part), format, dimensions)
+            pipeline(&gpu.device, &worn, &modules[pass.shader()], (pass, part, false), format, dimensions)
         });
-        let fill = [solid, Part::All].map(|part| {
-            pipeline(&gpu.device, &filled, &modules[Pass::Fill.shader()], (Pass::Fill, part), format, dimensions)
+        let fill = [false, true].map(|maps| {
+            [solid, Part::All].map(|part| {
+                let what = (Pass::Fill, part, maps);
+                pipeline(&gpu.device, &filled, &modules[Pass::Fill.shader()], what, format, dimensions)
+            })
         });
         let obstacles = (dimensions == 2).then(|| {
             let passes = [(Pass::Cover, COVER, 1), (Pass::Rim, SHARES, 2), (Pass::Obstacles, format, 2)];
             passes.map(|(pass, format, groups)| {
                 let layouts = &covered[..groups];
-                pipeline(&gpu.device, layouts, &modules[pass.shader()], (pass, Part::All), format, dimensions)
+                let what = (pass, Part::All, false);
+                pipeline(&gpu.device, layouts, &modules[pass.shader()], what, format, dimensions)
             })
         });
         Passes { pipelines, fill, skin, obstacles, layout, bindings: None }
@@ -263,7 +279,8 @@ impl Passes {
         counters: &mut RenderCounters,
     ) {
         let Some(bindings) = &self.bindings else { return };
-        for (place, &(pass, ref pipeline)) in self.pipelines.iter().enumerate() {
+        let map = usize::from(shown.map);
+        for (place, &(pass, ref pipelines)) in self.pipelines.iter().enumerate() {
             if place == 1 {
                 if let Some(pipelines) = &self.obstacles {
                     obstacles.draw(target, pipelines, counters);
@@ -271,7 +288,7 @@ impl Passes {
                 let [below, count, _] = buffers.guide_counts;
                 self.draw_guides(target, below..below + count, counters);
                 if shown.fills {
-                    fills.draw(shown.map, target, &self.fill, counters);
+                    fills.draw(shown.map, target, &self.fill[map], counters);
                 }
                 if shown.fills && !shown.map {
                     skins.draw(target, &self.skin, counters);
@@ -281,7 +298,7 @@ impl Passes {
             if calls.is_empty() {
                 continue;
             }
-            target.set_pipeline(pipeline);
+            target.set_pipeline(&pipelines[map]);
             target.set_bind_group(0, &bindings[pass.shader()], &[]);
             counters.draws += calls.len() as u64;
             for [vertices, instances] in calls {
@@ -301,7 +318,8 @@ impl Passes {
     /// Draws further guides: the numbers of the grid, over obstacles and below bodies, or the marks over all else.
     fn draw_guides(&self, target: &mut wgpu::RenderPass<'_>, range: Range<u32>, counters: &mut RenderCounters) {
         let pipeline = self.pipelines.iter().find(|(pass, _)| *pass == Pass::Guides);
-        let (Some((_, pipeline)), Some(bindings)) = (pipeline.filter(|_| !range.is_empty()), &self.bindings) else {
+        let (Some((_, [pipeline, _])), Some(bindings)) = (pipeline.filter(|_| !range.is_empty()), &self.bindings)
+        else {
             return;
         };
         target.set_pipeline(pipeline);
@@ -342,7 +360,7 @@ fn pipeline(
     device: &wgpu::Device,
     layouts: &[&wgpu::BindGroupLayout],
     module: &wgpu::ShaderModule,
-    (pass, part): (Pass, Part),
+    (pass, part, maps): (Pass, Part, bool),
     format: wgpu::TextureFormat,
     dimensions: usize,
 ) -> wgpu::RenderPipeline {
@@ -354,7 +372,8 @@ fn pipeline(
         bind_group_layouts: &layouts,
         immediate_size: 0,
     });
-    let constants = [("DIMENSIONS", dimensions as f64), ("PART", f64::from(part as u32))];
+    let constants =
+        [("DIMENSIONS", dimensions as f64), ("PART", f64::from(part as u32)), ("MAPS", f64::from(u8::from(maps)))];
     let options = || wgpu::PipelineCompilationOptions { constants: &constants, ..Default::default() };
     // The region lies over everything; in the plane, what is drawn later does.
     let depth = (dimensions == 3).then(|| wgpu::DepthStencilState {

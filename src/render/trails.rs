@@ -54,7 +54,8 @@ impl Trails {
         }
     }
 
-    /// Stretches of the trails up to where points are now: their ends `[m]`, and how fresh they are, 0 to 1.
+    /// Stretches of the trails up to where points are now: their ends `[m]`, and how fresh they are, 0 to 1. Points that are gone, which
+    /// have no place, have none.
     pub(super) fn stretches(&self, view: &View<'_>) -> Vec<([DVec3; 2], f64)> {
         let now = places(view);
         let count = self.past.len();
@@ -63,7 +64,8 @@ impl Trails {
         let mut list = Vec::new();
         for (place, (from, to)) in pairs {
             let fresh = (place + 1) as f64 / count as f64;
-            let moved = from.iter().zip(to).filter(|(a, b)| a != b && a.is_finite() && b.is_finite());
+            let all = from.iter().zip(to).zip(&now).filter(|(_, now)| now.is_finite()).map(|(ends, _)| ends);
+            let moved = all.filter(|(a, b)| a != b && a.is_finite() && b.is_finite());
             list.extend(moved.map(|(a, b)| ([*a, *b], fresh)));
         }
         list
@@ -104,6 +106,7 @@ mod tests {
         }
         let ends: Vec<f64> = trails.stretches(&view(&[3.5, 5.0])).iter().map(|(ends, _)| ends[1].x).collect();
         assert_eq!(ends, [3.0, 3.5], "what is older has faded");
+        assert!(trails.stretches(&view(&[f64::NAN, f64::NAN])).is_empty(), "the trail of a point goes with it");
         trails.note(2.5, &view(&[2.5, 5.0]));
         assert_eq!(trails.past.len(), 2, "2 and 2.5");
         trails.note(4.0, &view(&[0.0; 40]));

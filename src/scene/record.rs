@@ -169,6 +169,9 @@ pub struct Recording {
     /// How the energy was kept, where a ledger was.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub balance: Option<RecordedBalance>,
+    /// The number of the body that each point is of, counted from 0, where it is asked for; `None` of a point that no body has.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub bodies: Option<Vec<Option<u32>>>,
     /// What moves the islands at the end of the run, in the order of their lowest points.
     pub moved_by: Vec<RecordedMover>,
     /// Work done.
@@ -468,18 +471,19 @@ impl Recording {
         to.write_all(b"\n")
     }
 
-    /// As CSV: a row a sample and point (t, point, x, y, vx, vy; in space with z and vz).
+    /// As CSV: a row a sample and point (t, point, x, y, vx, vy; in space with z and vz; then body, where it is asked for).
     ///
     /// Errors: the writer's.
     pub fn write_csv(&self, to: impl Write) -> std::io::Result<()> {
         let space =
             self.samples.iter().flat_map(|sample| sample.position.iter().flatten().next()).any(|x| x.len() == 3);
         let mut rows = csv::Writer::from_writer(to);
-        rows.write_record(if space {
+        let columns = if space {
             &["t", "point", "x", "y", "z", "vx", "vy", "vz"][..]
         } else {
             &["t", "point", "x", "y", "vx", "vy"]
-        })?;
+        };
+        rows.write_record(columns.iter().chain(self.bodies.iter().map(|_| &"body")))?;
         for sample in &self.samples {
             for (point, (x, v)) in sample.position.iter().zip(&sample.velocity).enumerate() {
                 let (Some(x), Some(v)) = (x, v) else { continue };
@@ -487,6 +491,10 @@ impl Recording {
                 rows.write_field(point.to_string())?;
                 for &component in x.iter().chain(v) {
                     rows.write_field(number(component))?;
+                }
+                if let Some(bodies) = &self.bodies {
+                    let body = bodies.get(point).copied().flatten();
+                    rows.write_field(body.map_or_else(String::new, |body| body.to_string()))?;
                 }
                 rows.write_record(None::<&[u8]>)?;
             }

@@ -117,6 +117,11 @@ impl Import {
         self.painting.as_ref().is_some_and(Painting::has_work)
     }
 
+    /// Where on the screen the middle of what was painted is, if anything was `[points]`.
+    pub(super) fn drawn_at(&self) -> Option<egui::Pos2> {
+        self.painting.as_ref().and_then(Painting::middle)
+    }
+
     /// It is put away for a while: a stroke under way ends, and what it was to take the place of may be another when it comes back.
     pub(super) fn put_away(&mut self) {
         if let Some(painting) = &mut self.painting {
@@ -195,7 +200,10 @@ impl Import {
         if (self.wish.matter, self.wish.young) == (matter, young) {
             keys.material = None;
         }
-        let changed = scene.with_picture_anew(body, Arc::clone(&self.picture), keys)?;
+        let mut changed = scene.with_picture_anew(body, Arc::clone(&self.picture), keys)?;
+        if self.is_canvas() {
+            changed.name = Some(self.name.clone());
+        }
         if self.wish.apart { changed.in_parts(body) } else { Ok(changed) }
     }
 }

@@ -10,6 +10,9 @@ const SIDE: u32 = 512;
 /// Colour of the ink: that of the drawn body.
 const INK: [u8; 3] = [242, 150, 84];
 
+/// Coverage of a pixel from which on it is painted.
+const HALF: u8 = 127;
+
 /// What the pointer does to the canvas.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Tool {
@@ -21,6 +24,8 @@ enum Tool {
 /// A canvas that is being painted on.
 pub(super) struct Painting {
     mask: Mask,
+    /// What it was at first: the picture that is painted over, with the coverage of its pixels.
+    under: Option<(Picture, Vec<u8>)>,
     tool: Tool,
     /// Radius of the brush `[px]`.
     radius: f64,
@@ -42,6 +47,7 @@ impl Painting {
         let mask = on.map_or_else(|| Mask::new(SIDE, SIDE), Mask::from_picture)?;
         let seen = mask.version();
         Ok(Painting {
+            under: on.map(|picture| (picture.clone(), mask.coverage().to_vec())),
             mask,
             tool: Tool::Paint,
             radius: 16.0,
@@ -52,9 +58,33 @@ impl Painting {
         })
     }
 
-    /// What is painted, on clear ground.
+    /// What is painted, on clear ground: what was there before in its own colours.
     pub(super) fn picture(&self) -> Picture {
-        self.mask.to_picture(INK)
+        let [width, height] = self.mask.size();
+        let rgba = (0..self.mask.coverage().len()).flat_map(|pixel| self.rgba(pixel)).collect();
+        Picture { width, height, rgba }
+    }
+
+    /// The colour of a pixel, with its coverage as opacity: ink as far as there is more of it than there was.
+    fn rgba(&self, pixel: usize) -> [u8; 4] {
+        let alpha = self.mask.coverage()[pixel];
+        let own = self.under.as_ref().map(|(picture, covered)| (&picture.rgba[4 * pixel..], covered[pixel].min(alpha)));
+        let Some((color, covered)) = own.filter(|(_, covered)| *covered > 0) else {
+            return [INK[0], INK[1], INK[2], alpha];
+        };
+        let [all, old] = [alpha, covered].map(u32::from);
+        let mixed = |k: usize| ((old * u32::from(color[k]) + (all - old) * u32::from(INK[k]) + all / 2) / all) as u8;
+        [mixed(0), mixed(1), mixed(2), alpha]
+    }
+
+    /// Where on the screen the middle of what is painted was seen last `[points]`; `None` where there is nothing, or it was not seen.
+    pub(super) fn middle(&self) -> Option<Pos2> {
+        let [width, _] = self.mask.size().map(|side| side as usize);
+        let inked = self.mask.coverage().iter().enumerate().filter(|(_, ink)| **ink > HALF).map(|(pixel, _)| pixel);
+        let places = inked.map(|pixel| Pos2::new((pixel % width) as f32 + 0.5, (pixel / width) as f32 + 0.5));
+        let ink = places.fold(Rect::NOTHING, |rect, place| rect.union(Rect::from_pos(place)));
+        let scale = self.place.width() / width as f32;
+        (ink.min.x <= ink.max.x && self.place.is_positive()).then(|| self.place.min + scale * ink.center().to_vec2())
     }
 
     /// The same, if it has changed since the last call.
@@ -69,21 +99,31 @@ impl Painting {
     pub(super) fn texture(&mut self, context: &egui::Context) -> TextureId {
         let changed = self.mask.changed();
         let whole = self.mask.size();
-        let texture = match &mut self.texture {
-            Some(texture) => {
-                if let Some([left, top, width, height]) = changed {
-                    let place = [left as usize, top as usize];
-                    texture.set_partial(place, image(&self.mask, [left, top, width, height]), TextureOptions::LINEAR);
-                }
-                texture
+        let part = if self.texture.is_some() { changed } else { Some([0, 0, whole[0], whole[1]]) };
+        let image = part.map(|part| self.image(part));
+        match (&mut self.texture, part.zip(image)) {
+            (Some(texture), Some(([left, top, ..], image))) => {
+                texture.set_partial([left as usize, top as usize], image, TextureOptions::LINEAR);
+                texture.id()
             }
-            empty => empty.insert(context.load_texture(
-                "canvas",
-                image(&self.mask, [0, 0, whole[0], whole[1]]),
-                TextureOptions::LINEAR,
-            )),
-        };
-        texture.id()
+            (Some(texture), None) => texture.id(),
+            (empty, image) => {
+                let image = image.map(|(_, image)| image).unwrap_or_default();
+                empty.insert(context.load_texture("canvas", image, TextureOptions::LINEAR)).id()
+            }
+        }
+    }
+
+    /// A rectangle of the canvas `[px]`: left, top, width, height.
+    fn image(&self, [left, top, width, height]: [u32; 4]) -> ColorImage {
+        let [left, top, width, height] = [left, top, width, height].map(|length| length as usize);
+        let across = self.mask.size()[0] as usize;
+        let pixels = (top..top + height).flat_map(|row| (left..left + width).map(move |column| row * across + column));
+        let colors = pixels.map(|pixel| {
+            let [red, green, blue, alpha] = self.rgba(pixel);
+            Color32::from_rgba_unmultiplied(red, green, blue, alpha)
+        });
+        ColorImage::new([width, height], colors.collect())
     }
 
     /// The tools, in two rows.
@@ -203,16 +243,6 @@ impl Painting {
     }
 }
 
-/// A rectangle of the canvas `[px]`: left, top, width, height.
-fn image(mask: &Mask, [left, top, width, height]: [u32; 4]) -> ColorImage {
-    let [left, top, width, height] = [left, top, width, height].map(|length| length as usize);
-    let shades: Vec<Color32> =
-        (0..=255).map(|alpha| Color32::from_rgba_unmultiplied(INK[0], INK[1], INK[2], alpha)).collect();
-    let rows = mask.coverage().chunks_exact(mask.size()[0] as usize).skip(top).take(height);
-    let pixels = rows.flat_map(|row| &row[left..left + width]).map(|&alpha| shades[usize::from(alpha)]).collect();
-    ColorImage::new([width, height], pixels)
-}
-
 #[cfg(test)]
 #[allow(clippy::unwrap_used, reason = "a test that cannot go on stops")]
 mod tests {
@@ -248,9 +278,44 @@ mod tests {
         assert_eq!(pieces.len(), 1);
         assert!((88..=90).contains(&left) && (188..=190).contains(&top), "{pieces:?}");
         assert!((70..=74).contains(&width) && (20..=24).contains(&height), "{pieces:?}");
-        let shown = image(&painting.mask, [100, 195, 3, 2]);
+        let shown = painting.image([100, 195, 3, 2]);
         assert_eq!((shown.size, shown.pixels[0]), ([3, 2], Color32::from_rgb(INK[0], INK[1], INK[2])));
-        assert_eq!(image(&painting.mask, [0, 0, 2, 2]).pixels, [Color32::TRANSPARENT; 4]);
+        assert_eq!(painting.image([0, 0, 2, 2]).pixels, [Color32::TRANSPARENT; 4]);
+    }
+
+    #[test]
+    fn what_is_painted_over_keeps_its_colours_and_strokes_have_their_own() {
+        let mut under = Picture::filled(40, 20, [0; 4]);
+        for pixel in (0..800).filter(|pixel| pixel % 40 < 20) {
+            under.rgba[4 * pixel..4 * pixel + 4].copy_from_slice(&[10, 20, 200, 255]);
+        }
+        under.rgba[4 * 20..4 * 20 + 4].copy_from_slice(&[10, 20, 200, 51]);
+        let mut painting = Painting::new(Some(&under)).unwrap();
+        painting.mask.begin(Brush { radius: 6.0, erases: false }, [20.0, 3.0]);
+        painting.mask.end();
+        let picture = painting.take_changed().unwrap();
+        let at = |x: usize| &picture.rgba[4 * x..4 * x + 4];
+        assert_eq!(at(18), [10, 20, 200, 255], "the picture's own");
+        assert_eq!(at(22), [INK[0], INK[1], INK[2], 255]);
+        assert_eq!(at(20), [196, 124, 107, 255], "a fifth of its rim is the picture's");
+        painting.mask.begin(Brush { radius: 4.0, erases: true }, [18.0, 10.0]);
+        painting.mask.end();
+        let erased = painting.take_changed().unwrap();
+        assert_eq!(erased.rgba[4 * (10 * 40 + 18) + 3], 0);
+        assert_eq!(erased.rgba[..80], picture.rgba[..80], "elsewhere it stays");
+    }
+
+    #[test]
+    fn a_drawing_is_where_it_was_seen() {
+        let mut led = Led::new([900.0, 700.0]);
+        assert_eq!(led.painting().middle(), None, "nothing is drawn");
+        let ends = [[100.0, 300.0], [140.0, 340.0]].map(|place| led.screen(place));
+        let [from, to] = ends;
+        for event in [Event::PointerMoved(from), button(from, true), Event::PointerMoved(to), button(to, false)] {
+            led.frame(vec![event]);
+        }
+        let middle = led.painting().middle().unwrap();
+        assert!(middle.distance(from.lerp(to, 0.5)) < 1.0, "{middle:?} between {from:?} and {to:?}");
     }
 
     /// An import's panel on a screen of this size, led by events.

@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use egui::{Align2, Area, Id, RichText, Ui, pos2};
+use egui::{Area, Id, RichText, Ui, pos2};
 
 use super::theme::{TEXT, floating};
 use super::{Facts, Wish, legend};
@@ -35,8 +35,7 @@ pub(in crate::app) struct Neighbor {
     pub(in crate::app) title: String,
     /// How it does.
     pub(in crate::app) words: String,
-    /// The middle of the upper edge of its part of the window beside the tools, or where they stand below each other the left end of it
-    /// `[points]`.
+    /// The left upper corner of its part of the window, beside the tools `[points]`.
     pub(in crate::app) at: [f32; 2],
     /// Width of that edge `[points]`.
     pub(in crate::app) width: f32,
@@ -44,7 +43,7 @@ pub(in crate::app) struct Neighbor {
     pub(in crate::app) columns: usize,
 }
 
-/// Titles of worlds, each at the top of its part of the window; below what lies there already. The last has the legend.
+/// Titles of worlds, each in the corner of its part of the window; below what lies there already. The last has the legend.
 pub(super) fn titles(context: &egui::Context, facts: &Facts, has_caption: bool) {
     let lies = |name: &str| context.memory(|memory| memory.area_rect(Id::unique(name))).map_or(0.0, |at| at.bottom());
     let below = lies("scene").max(if has_caption { lies("caption") } else { 0.0 }).max(LEAST) + ROOM;
@@ -52,14 +51,13 @@ pub(super) fn titles(context: &egui::Context, facts: &Facts, has_caption: bool) 
     let last = facts.neighbors.len().saturating_sub(1);
     for (place, neighbor) in facts.neighbors.iter().enumerate() {
         let [x, y] = neighbor.at;
-        let is_column = neighbor.columns == 1;
         let top = if place >= neighbor.columns { (y + ROOM).max(below) } else { below };
-        let (pivot, x) = if is_column { (Align2::LEFT_TOP, x + ROOM) } else { (Align2::CENTER_TOP, x) };
+        let x = x + ROOM;
         // What lies in the corner is not covered.
-        let reach = if is_column { x + legend::WIDTH } else { x + 0.5 * legend::WIDTH };
+        let reach = x + legend::WIDTH.min(neighbor.width);
         let lies_below = figures.filter(|figures| figures.left() < reach && figures.bottom() > top);
         let top = lies_below.map_or(top, |figures| figures.bottom() + ROOM);
-        let area = Area::new(Id::unique(("beside", place))).pivot(pivot).fixed_pos(pos2(x, top));
+        let area = Area::new(Id::unique(("beside", place))).fixed_pos(pos2(x, top));
         area.interactable(false).show(context, |ui| {
             floating().show(ui, |ui| {
                 ui.set_max_width(legend::WIDTH.min(neighbor.width - 3.0 * ROOM).max(LEAST_WIDE));

@@ -3,7 +3,7 @@
 
 use egui::{Pos2, Rect, pos2};
 
-use super::{Facts, Laid, PanelState, Sheet, places, show, theme};
+use super::{Facts, Laid, Neighbor, PanelState, Sheet, places, show, theme};
 use crate::app::action::Tool;
 use crate::app::plots::Plots;
 
@@ -55,6 +55,28 @@ fn no_panel_lies_over_another_and_bodies_are_shown_beside_them() {
                 assert!(over.is_none() || tool != Tool::Hand, "{case}: {over:?} lies over bodies in {free:?}");
             }
         }
+    }
+}
+
+#[test]
+fn plots_take_room_from_worlds_side_by_side() {
+    let world = |at: f32| Neighbor {
+        title: "a world".to_owned(),
+        at: [at, 0.0],
+        width: 400.0,
+        columns: 2,
+        ..Neighbor::default()
+    };
+    for size in SIZES {
+        let facts = Facts { neighbors: vec![world(66.0), world(500.0)], ..facts(Tool::Hand) };
+        let alone = laid(size, &mut PanelState::default(), &facts);
+        let mut state = PanelState { plots: Some(Plots::new(1.0)), ..PanelState::default() };
+        let (all, with) = laid(size, &mut state, &facts);
+        let plots =
+            all.iter().find(|one| !alone.0.iter().any(|other| other.center().distance(one.center()) < 40.0)).unwrap();
+        let worlds = Rect::from_min_size(Pos2::ZERO, with.size.into());
+        assert!(!worlds.intersects(*plots), "{size:?}: {plots:?} lies over {worlds:?}");
+        assert!(worlds.area() > 0.4 * size[0] * size[1] && worlds.contains_rect(with.free.unwrap().shrink(1.0)));
     }
 }
 

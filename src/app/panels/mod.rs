@@ -64,7 +64,7 @@ use open_from::OpenFrom;
 pub(super) use open_from::meant;
 pub(super) use parameters::value as parameter_value;
 use places::Places;
-pub(super) use places::{Laid, covered};
+pub(super) use places::{Laid, covered, kept_in};
 pub(super) use plots::{PlotsAt, figure};
 pub(super) use save_to::{SaveTo, ask as ask_to_save, is_recording};
 pub(super) use settings::{Setting, Settings};
@@ -152,6 +152,13 @@ pub(super) enum Sheet {
     SaveTo,
     /// The name of a file to open, likewise.
     OpenFrom,
+}
+
+impl Sheet {
+    /// Whether the world stands still behind it.
+    pub(super) fn stops_time(self) -> bool {
+        matches!(self, Sheet::SaveTo | Sheet::OpenFrom)
+    }
 }
 
 /// What the panels keep from frame to frame.
@@ -280,11 +287,15 @@ pub(super) fn show(ui: &mut egui::Ui, state: &mut PanelState, facts: &Facts) -> 
     let has_lessons = state.lessons.is_open && has_panels && (!has_settings || state.has_room_for_both);
     let takes = |is_shown: bool, width: f32| if is_shown && !stands_upright { width + GAP } else { 0.0 };
     let edge = takes(has_settings, settings::WIDTH);
-    let all_edge = edge + takes(has_lessons, lessons::WIDTH);
+    let panels_edge = edge + takes(has_lessons, lessons::WIDTH);
+    // Beside worlds that lie side by side plots take room, as panels do: there is no place that none of them is in.
+    let has_plots = state.plots.is_some() && has_panels;
+    let are_docked = has_plots && !stands_upright && !facts.neighbors.is_empty() && !state.plots_at.is_dragged();
+    let all_edge = panels_edge + takes(are_docked, plots::WIDTH);
     if !state.hides_hud && room.width() > 560.0 && !is_covered {
         hud::show(&context, &mut places, facts);
         let notes = (&mut state.has_moving, facts);
-        moving::show(&context, [-10.0 - all_edge, places.right], notes, &mut wishes);
+        moving::show(&context, [-10.0 - panels_edge, places.right], notes, &mut wishes);
     }
     if facts.look.overlay == Overlay::Strain && !is_covered {
         legend::show(&context, &mut places, &facts.look);
@@ -304,8 +315,9 @@ pub(super) fn show(ui: &mut egui::Ui, state: &mut PanelState, facts: &Facts) -> 
         if stands_upright {
             places.below = plots::show_below(&context, places.below_buttons(), plots, &mut wishes);
         } else {
-            let points = (&facts.points[..], &mut state.plots_at);
-            plotted = Some(plots::show(&context, places.low_beside(all_edge), (plots, points), &mut wishes));
+            let points = (&facts.points[..], &mut state.plots_at, are_docked);
+            let rect = plots::show(&context, places.low_beside(panels_edge), (plots, points), &mut wishes);
+            plotted = Some(rect).filter(|_| !are_docked);
         }
     }
     if has_panels {

@@ -4,7 +4,7 @@ use std::time::{Duration, Instant};
 
 use egui::{Align2, Area, Button, Id, Label, RichText};
 
-use super::places::{APART, Places};
+use super::places::{APART, Places, kept_in};
 use super::theme::{ACCENT, AWAY, LEAD, ON_ACCENT, TEXT, WEAK, floating};
 use super::{Facts, Wish, button};
 use crate::app::action::Action;
@@ -12,6 +12,8 @@ use crate::app::action::Action;
 /// What was just done is said so long, and what an edit warned of.
 const MOMENT: Duration = Duration::from_secs(4);
 const WARNING: Duration = Duration::from_secs(9);
+/// Warnings that are shown at most.
+const MOST_WARNINGS: usize = 3;
 
 /// What is to be said.
 #[derive(Debug, Default)]
@@ -22,8 +24,8 @@ pub(in crate::app) struct Notes {
     pub(in crate::app) offer: Option<String>,
     /// What was just done, and when.
     done: Option<(String, Instant)>,
-    /// What an edit warned of, and when.
-    warning: Option<(String, Instant)>,
+    /// What edits warned of, the newest first, and when.
+    warnings: Vec<(String, Instant)>,
     /// Nobody has touched this scene yet: its caption is shown.
     pub(in crate::app) has_caption: bool,
     /// Nobody has touched anything yet: a line at the cursor says how, where the cursor is `[points]`.
@@ -32,6 +34,8 @@ pub(in crate::app) struct Notes {
 
 /// The line at the cursor.
 const HINT: &str = "press and drag: grab it, throw it";
+/// Its size until it was shown, about `[points]`.
+const HINT_SIZE: egui::Vec2 = egui::vec2(220.0, 28.0);
 
 impl Notes {
     /// Says what was just done.
@@ -39,36 +43,35 @@ impl Notes {
         self.done = Some((line, Instant::now()));
     }
 
-    /// Says what is to be known of what was just done, above that.
+    /// Says what is to be known of what was just done, above that. The same is said once, whatever its numbers are.
     pub(in crate::app) fn warn(&mut self, line: String) {
-        self.warning = Some((line, Instant::now()));
+        let bare = |line: &str| line.chars().filter(|sign| !sign.is_ascii_digit() && *sign != '.').collect::<String>();
+        let own = bare(&line);
+        self.warnings.retain(|(other, _)| bare(other) != own);
+        self.warnings.insert(0, (line, Instant::now()));
+        self.warnings.truncate(MOST_WARNINGS);
     }
 
     /// Another scene: what was said of the last one goes.
     pub(in crate::app) fn begin(&mut self) {
-        self.warning = None;
+        self.warnings.clear();
     }
 
     /// When something that is said is to go by itself.
     pub(in crate::app) fn until(&self) -> Option<Instant> {
-        let ends =
-            |said: &Option<(String, Instant)>, long| said.as_ref().and_then(|(_, since)| since.checked_add(long));
-        [ends(&self.done, MOMENT), ends(&self.warning, WARNING)].into_iter().flatten().min()
+        let ends = |(_, since): &(String, Instant), long| since.checked_add(long);
+        let done = self.done.iter().filter_map(|done| ends(done, MOMENT));
+        done.chain(self.warnings.iter().filter_map(|warning| ends(warning, WARNING))).min()
     }
 
     /// Says it below the buttons, one below another, where nothing else is.
     pub(super) fn show(&mut self, context: &egui::Context, places: &Places, facts: &Facts, wishes: &mut Vec<Wish>) {
         self.done.take_if(|(_, since)| since.elapsed() >= MOMENT);
-        self.warning.take_if(|(_, since)| since.elapsed() >= WARNING);
+        self.warnings.retain(|(_, since)| since.elapsed() < WARNING);
         let mut top = places.bar_bottom().max(places.room.top() + APART);
         let mut is_read = false;
-        if let Some((warning, _)) = &self.warning {
-            top = words(context, places.said(context, top), WARNED, |ui| {
-                ui.horizontal(|ui| {
-                    ui.label(RichText::new("!").color(LEAD).strong());
-                    ui.add(Label::new(RichText::new(warning).color(TEXT)).wrap());
-                });
-            });
+        if !self.warnings.is_empty() {
+            top = words(context, places.said(context, top), WARNED, |ui| warned(ui, &mut self.warnings));
         }
         if let Some(complaint) = &self.complaint {
             top = words(context, places.said(context, top), COMPLAINT, |ui| {
@@ -102,8 +105,11 @@ impl Notes {
             words(context, places.said(context, top), OFFER, |ui| offer(ui, line, wishes));
         }
         if let Some(at) = self.hint_at {
-            let place = Area::new(Id::unique("hint")).order(egui::Order::Tooltip).interactable(false);
-            place.fixed_pos(at + egui::vec2(18.0, 18.0)).show(context, |ui| {
+            let id = Id::unique("hint");
+            let size = context.memory(|memory| memory.area_rect(id)).map_or(HINT_SIZE, |rect| rect.size());
+            let rect = kept_in(egui::Rect::from_min_size(at + egui::vec2(18.0, 18.0), size), Some(at), places.room);
+            let place = Area::new(id).order(egui::Order::Tooltip).interactable(false);
+            place.fixed_pos(rect.min).show(context, |ui| {
                 floating().show(ui, |ui| ui.label(RichText::new(HINT).color(TEXT)));
             });
         }
@@ -121,6 +127,21 @@ const OFFER: &str = "offer";
 /// Whether something that floats is said here.
 pub(super) fn is_own(id: Id) -> bool {
     [COMPLAINT, WARNED, DONE, CAPTION, CANVAS, OFFER, "hint"].into_iter().any(|name| Id::unique(name) == id)
+}
+
+/// What edits warned of, each with a button that closes it.
+fn warned(ui: &mut egui::Ui, warnings: &mut Vec<(String, Instant)>) {
+    let mut is_closed = None;
+    for (place, (warning, _)) in warnings.iter().enumerate() {
+        ui.horizontal(|ui| {
+            if ui.small_button("×").on_hover_text("close").clicked() {
+                is_closed = Some(place);
+            }
+            ui.label(RichText::new("!").color(LEAD).strong());
+            ui.add(Label::new(RichText::new(warning).color(TEXT)).wrap());
+        });
+    }
+    is_closed.into_iter().for_each(|place| _ = warnings.remove(place));
 }
 
 /// A session that was cut off.
@@ -142,7 +163,7 @@ fn offer(ui: &mut egui::Ui, line: &str, wishes: &mut Vec<Wish>) {
 
 /// A few words below the middle of an upper edge, in so much width. Returns where what is said next begins `[points]`.
 fn words(context: &egui::Context, (at, width): (egui::Pos2, f32), name: &str, add: impl FnOnce(&mut egui::Ui)) -> f32 {
-    let can_be_pressed = [COMPLAINT, CANVAS, OFFER].contains(&name);
+    let can_be_pressed = [COMPLAINT, WARNED, CANVAS, OFFER].contains(&name);
     let place = Area::new(Id::unique(name)).pivot(Align2::CENTER_TOP).fixed_pos(at).interactable(can_be_pressed);
     let shown = place.show(context, |ui| {
         floating().show(ui, |ui| {
@@ -151,4 +172,24 @@ fn words(context: &egui::Context, (at, width): (egui::Pos2, f32), name: &str, ad
         });
     });
     shown.response.rect.bottom() + APART
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_warning_is_said_once_and_of_many_the_last_three() {
+        let mut notes = Notes::default();
+        for line in ["the pins are 1.2 m apart", "b", "the pins are 13 m apart"] {
+            notes.warn(line.to_owned());
+        }
+        let said = |notes: &Notes| notes.warnings.iter().map(|(line, _)| line.clone()).collect::<Vec<_>>();
+        assert_eq!(said(&notes), ["the pins are 13 m apart", "b"], "the newest first");
+        ["c", "d"].into_iter().for_each(|line| notes.warn(line.to_owned()));
+        assert_eq!(said(&notes), ["d", "c", "the pins are 13 m apart"]);
+        assert!(notes.until().is_some(), "it goes by itself");
+        notes.begin();
+        assert_eq!(notes.until(), None);
+    }
 }

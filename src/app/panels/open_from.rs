@@ -2,7 +2,7 @@
 
 use std::path::{Path, PathBuf};
 
-use egui::{Button, Key, Label, RichText, ScrollArea, TextEdit};
+use egui::{Align, Button, Key, Label, Layout, RichText, ScrollArea, TextEdit};
 
 use super::theme::{ACCENT, AWAY, ON_ACCENT, WEAK};
 use super::{PanelState, Wish, sheet};
@@ -35,6 +35,7 @@ pub(super) fn show(context: &egui::Context, state: &mut PanelState, wishes: &mut
             .lock_focus(true);
         let mut field = field.show(ui);
         if std::mem::take(&mut state.is_fresh) {
+            to_end(ui, &mut field.state, &state.path);
             field.response.request_focus();
         }
         if field.response.changed() {
@@ -83,27 +84,30 @@ fn to_end(ui: &egui::Ui, state: &mut egui::text_edit::TextEditState, text: &str)
 /// What begins as the name does: a click takes it, a second one opens it. The list stays as it is until one goes on writing.
 fn list(ui: &mut egui::Ui, names: &[String], state: &mut PanelState, wishes: &mut Vec<Wish>) {
     let scroll = ScrollArea::vertical().max_height(HIGH).min_scrolled_height(HIGH).auto_shrink(false);
+    // A row is pressed wherever one presses on it.
     scroll.show(ui, |ui| {
-        ui.spacing_mut().item_spacing.y = 1.0;
-        let folder = split(&state.path).0.to_owned();
-        if let Some(above) = above(&folder)
-            && ui.selectable_label(false, "..").on_hover_text("the folder above").clicked()
-        {
-            take(state, above, None);
-        }
-        for name in names {
-            let path = format!("{folder}{name}");
-            let label = ui.selectable_label(state.path == path, name);
-            if label.double_clicked() && !name.ends_with('/') {
-                wishes.push(Wish::OpenFile(path));
-            } else if label.clicked() {
-                let stays = (!name.ends_with('/')).then_some(names);
-                take(state, path, stays);
+        ui.with_layout(Layout::top_down_justified(Align::LEFT), |ui| {
+            ui.spacing_mut().item_spacing.y = 1.0;
+            let folder = split(&state.path).0.to_owned();
+            if let Some(above) = above(&folder)
+                && ui.selectable_label(false, "..").on_hover_text("the folder above").clicked()
+            {
+                take(state, above, None);
             }
-        }
-        if names.is_empty() {
-            ui.label(RichText::new("nothing there begins so").color(WEAK));
-        }
+            for name in names {
+                let path = format!("{folder}{name}");
+                let label = ui.selectable_label(state.path == path, name);
+                if label.double_clicked() && !name.ends_with('/') {
+                    wishes.push(Wish::OpenFile(path));
+                } else if label.clicked() {
+                    let stays = (!name.ends_with('/')).then_some(names);
+                    take(state, path, stays);
+                }
+            }
+            if names.is_empty() {
+                ui.label(RichText::new("nothing there begins so").color(WEAK));
+            }
+        })
     });
 }
 

@@ -192,6 +192,27 @@ fn largest_beside(room: Rect, taken: Rect) -> Rect {
     parts.into_iter().max_by(|a, b| size(a).total_cmp(&size(b))).filter(|part| size(part) > 0.0).unwrap_or(room)
 }
 
+/// What is written beside something, as it lies in a room: on the other side of the pointer, if it stands near that, where it would run
+/// out of the room; else as near as may be. What is out of it altogether stays there.
+pub(in crate::app) fn kept_in(rect: Rect, pointer: Option<egui::Pos2>, room: Rect) -> Rect {
+    if !rect.intersects(room) && pointer.is_none_or(|at| !rect.expand(NEAR_POINTER).contains(at)) {
+        return rect;
+    }
+    let at = pointer.filter(|at| rect.expand(NEAR_POINTER).contains(*at));
+    let along = |[from, to]: [f32; 2], at: Option<f32>, [least, most]: [f32; 2]| {
+        let mirrored = at.map(|at| 2.0 * at - to).filter(|_| to > most || from < least);
+        let size = to - from;
+        let other = mirrored.filter(|start| *start >= least && start + size <= most);
+        other.unwrap_or(from.min(most - size).max(least))
+    };
+    let x = along([rect.left(), rect.right()], at.map(|at| at.x), [room.left(), room.right()]);
+    let y = along([rect.top(), rect.bottom()], at.map(|at| at.y), [room.top(), room.bottom()]);
+    Rect::from_min_size(pos2(x, y), rect.size())
+}
+
+/// What stands so near to the pointer goes with it `[points]`.
+const NEAR_POINTER: f32 = 60.0;
+
 /// All that floats, from below.
 fn areas(context: &Context) -> Vec<(egui::Id, Rect)> {
     context.memory(|memory| {
@@ -210,6 +231,23 @@ pub(in crate::app) fn covered(context: &Context, scale: f32) -> Vec<[f32; 4]> {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn what_stands_beside_the_pointer_goes_to_its_other_side_at_an_edge() {
+        let room = Rect::from_min_max(pos2(0.0, 0.0), pos2(800.0, 600.0));
+        let beside = |at: egui::Pos2| Rect::from_min_size(at + egui::vec2(18.0, 12.0), egui::vec2(200.0, 20.0));
+        let kept = |at: egui::Pos2| kept_in(beside(at), Some(at), room);
+        let middle = pos2(400.0, 300.0);
+        assert_eq!(kept(middle), beside(middle));
+        let at_right = kept(pos2(700.0, 300.0));
+        assert_eq!([at_right.left(), at_right.right(), at_right.top()], [482.0, 682.0, 312.0], "at its left");
+        let in_corner = kept(pos2(790.0, 590.0));
+        assert_eq!([in_corner.right(), in_corner.bottom()], [772.0, 578.0]);
+        let wide = Rect::from_min_size(pos2(420.0, 300.0), egui::vec2(700.0, 20.0));
+        assert_eq!(kept_in(wide, Some(middle), room).right(), 800.0, "no side has room for it");
+        let away = beside(pos2(900.0, 300.0));
+        assert_eq!(kept_in(away, Some(middle), room), away, "it belongs to something out of view");
+    }
 
     #[test]
     fn bodies_are_shown_in_the_largest_part_beside_the_plots() {

@@ -12,6 +12,8 @@ use crate::app::plots::{Curve, Plots, Quantity, Series, Subject, svg};
 
 /// Width and greatest height of a plot `[points]`.
 const SIZE: [f32; 2] = [340.0, 180.0];
+/// Width of its panel `[points]`.
+pub(super) const WIDTH: f32 = SIZE[0] + 18.0;
 /// Lines of the grid lie so far apart at least, as a share of the plot `[1]`.
 const LINES: f64 = 1.0 / 5.0;
 /// Along the lower edge a plot takes this share of the height `[1]`.
@@ -24,6 +26,8 @@ const LEFT: [f32; 2] = [76.0, 10.0];
 const HEAD: f32 = 118.0;
 /// Points so near to it are covered by what lies about them `[points]`.
 const ROOM: f32 = 12.0;
+/// Width of what was measured once alone `[points]`.
+const DOT: f32 = 7.0;
 /// Half of the room less this is free for the plot: the primitives beside the tools end there `[points]`.
 const OTHERS: f32 = 165.0;
 
@@ -67,21 +71,24 @@ impl PlotsAt {
 /// Opacity of the panel: what lies below is seen `[1]`.
 const OPACITY: f32 = 0.8;
 
-/// Shows it in a room. Returns where it lies `[points]`.
+/// Shows it in a room: where few points are, or, if it is docked, at the right edge. Returns where it lies `[points]`.
 pub(super) fn show(
     context: &egui::Context,
     room: Rect,
-    (plots, (points, at)): (&mut Plots, (&[Pos2], &mut PlotsAt)),
+    (plots, (points, at, is_docked)): (&mut Plots, (&[Pos2], &mut PlotsAt, bool)),
     wishes: &mut Vec<Wish>,
 ) -> Rect {
     let id = Id::unique("plots");
-    let high = (0.5 * room.height() - OTHERS).clamp(70.0, SIZE[1]);
+    let high = if is_docked { SIZE[1] } else { (0.5 * room.height() - OTHERS).clamp(70.0, SIZE[1]) };
     let lay = context.memory(|memory| memory.area_rect(id));
-    let size = lay.map_or(vec2(SIZE[0] + 18.0, high + HEAD), |rect| rect.size());
+    let size = lay.map_or(vec2(WIDTH, high + HEAD), |rect| rect.size());
     // In the frame in which it opens it is not known yet where bodies are.
     let found = || quiet(room, size, points);
-    let corner = at.corner.unwrap_or_else(found);
-    at.corner = at.corner.or_else(|| (!points.is_empty()).then(found));
+    let corner = match is_docked {
+        true => pos2(room.right() - size.x - LEFT[1], room.bottom()),
+        false => at.corner.unwrap_or_else(found),
+    };
+    at.corner = at.corner.or_else(|| (!points.is_empty() && !is_docked).then(found));
     let corner = pos2(corner.x.min(room.right() - size.x), corner.y.max(room.top() + size.y).min(room.bottom()));
     let area = Area::new(id).pivot(Align2::LEFT_BOTTOM).current_pos(corner).movable(true);
     let shown = area.show(context, |ui| panel(ui, [SIZE[0], high], plots, wishes));
@@ -202,9 +209,11 @@ fn plot(ui: &mut Ui, [width, height]: [f32; 2], plots: &Plots) {
         Subject::Phase => frame(("phase", name), [unit, unit]),
     };
     let shown = frame.width(width).height(height).show(ui, |ui| {
+        // One measurement alone is a dot, as wide as a line.
+        let width = if plots.series().iter().nth(1).is_some() { 1.5 } else { DOT };
         for line in lines(plots) {
             // As a band what is steep would get thin.
-            ui.line(line.width(1.5).allow_band(false));
+            ui.line(line.width(width).allow_band(false));
         }
     });
     if plots.lacks_force() {

@@ -52,7 +52,7 @@ impl Screen {
         let screen_rect = Some(Rect::from_min_size(Pos2::ZERO, self.size.into()));
         let input = egui::RawInput { events, screen_rect, ..egui::RawInput::default() };
         let mut output = self.context.run_ui(input, |ui| {
-            let at = (&[][..], &mut self.at);
+            let at = (&[][..], &mut self.at, false);
             plots::show(ui.ctx(), ui.available_rect_before_wrap(), (&mut self.plots, at), &mut wishes);
         });
         output.textures_delta.clear();

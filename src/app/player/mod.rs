@@ -48,7 +48,7 @@ pub use rungs::{Rung, Yielded};
 pub(crate) use shown::driven;
 pub use shown::{Figures, Places, Scenery, Shown};
 pub use stage::{Stage, too_many_to_meet};
-pub use watch::{Measured, Probe, Probed, Probes};
+pub use watch::{Measured, Probe, Probed, Probes, REACH};
 
 use crate::history::{Do, HistoryError, Start};
 use crate::scene::Scene;

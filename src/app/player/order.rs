@@ -3,7 +3,7 @@
 use std::path::PathBuf;
 
 use super::beside::Companions;
-use super::watch::Probes;
+use super::watch::{Measured, Probes};
 use crate::app::matter::{Among, MatterChange};
 use crate::history::Do;
 use crate::picture::Tint;
@@ -131,6 +131,8 @@ pub enum Note {
     Left(usize),
     /// A log was followed until now; what is done from here on is another branch.
     Branched,
+    /// What would have been measured before now, had it been watched.
+    Before(Vec<Measured>),
     /// Something was added. Bodies do not meet: why, if that could not be had.
     Added(Option<String>),
     /// Islands are moved by their own methods from now on.

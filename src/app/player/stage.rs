@@ -274,7 +274,9 @@ impl Stage {
             }
             Order::Watch(probes) => {
                 self.watch.set(probes);
-                None
+                let moves = self.pace.is_moving(&self.history);
+                let before = self.watch.look_back(&self.history, self.history.scene().rate(), moves);
+                (!before.is_empty()).then_some(Note::Before(before))
             }
             Order::Save(path) => Some(save::recording(&self.recording(), path)),
             Order::Moment(path) => Some(save::moment(&self.history, path, self.view.clone())),

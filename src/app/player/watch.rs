@@ -1,5 +1,6 @@
 //! What plots are made of, measured on the stepping thread and only while somebody looks at it.
 
+use crate::history::History;
 use crate::sim::{Bond, BondKind, Dynamics, Energies, Limit, PointId};
 
 /// What a probe is put on.
@@ -51,6 +52,14 @@ pub struct Measured {
 /// all of them once, so that it takes less than a millisecond a frame in the mean.
 const AT_ONCE: usize = 50_000;
 
+/// What was before is measured so far back, in wall time at the scene's own pace `[s]`.
+pub const REACH: f64 = 20.0;
+/// Counted work that steps may be taken again for, to measure what was before `[s]`: while time goes on less than a frame may spend.
+const WORK: f64 = 0.4;
+const WORK_IN_A_FRAME: f64 = 0.02;
+/// So many are measured of what was before at most.
+const MOST_BEFORE: f64 = 1200.0;
+
 /// Whether and which measurements are wanted.
 #[derive(Debug, Default)]
 pub(super) struct Watch {
@@ -65,6 +74,21 @@ impl Watch {
         (self.probes, self.wait) = (probes, 0);
     }
 
+    /// What it would have measured before now, if anything is wanted, of a scene that plays so many of its seconds a second of wall time.
+    pub(super) fn look_back(&self, history: &History, rate: f64, moves: bool) -> Vec<Measured> {
+        let mut list: Vec<Measured> = Vec::new();
+        let Some(probes) = self.probes else { return list };
+        let span = REACH * rate;
+        let from = history.world().time() - span;
+        history.look_back(from, if moves { WORK_IN_A_FRAME } else { WORK }, |world| {
+            let is_due = list.last().is_none_or(|last| world.time() - last.time >= span / MOST_BEFORE);
+            if is_due && world.time() >= from {
+                list.push(measured(world, probes));
+            }
+        });
+        list
+    }
+
     /// The world's state in this frame, if it is wanted.
     pub(super) fn look(&mut self, world: &dyn Dynamics) -> Option<Measured> {
         let probes = self.probes?;
@@ -73,9 +97,13 @@ impl Watch {
             return None;
         }
         self.wait = (world.point_count() + world.bonds().len()) / AT_ONCE;
-        let probes = probes.map(|probe| probe.and_then(|probe| probed(world, probe)));
-        Some(Measured { time: world.time(), energies: world.energies(), probes })
+        Some(measured(world, probes))
     }
+}
+
+fn measured(world: &dyn Dynamics, probes: Probes) -> Measured {
+    let probes = probes.map(|probe| probe.and_then(|probe| probed(world, probe)));
+    Measured { time: world.time(), energies: world.energies(), probes }
 }
 
 /// What is measured of a probe, unless it is gone, not there yet or without finite numbers.

@@ -2,8 +2,8 @@
 #![allow(clippy::unwrap_used, clippy::panic, reason = "a test that cannot go on stops")]
 
 use super::{Measured, Note, Order, Probe, Probes, Shown, Stage};
-use crate::history::{DeleteKeys, Do};
-use crate::scene::Scene;
+use crate::history::{DeleteKeys, Do, SetKeys};
+use crate::scene::{Scene, Vector};
 use crate::sim::PointId;
 
 /// A soft disc and a rope of springs fall past a loose point.
@@ -38,6 +38,36 @@ fn nothing_is_measured_while_nobody_looks() {
     assert!(measured(&mut stage).is_some());
     stage.obey(Order::Watch(None));
     assert_eq!(measured(&mut stage), None);
+}
+
+#[test]
+fn what_was_before_is_measured_as_it_would_have_been() {
+    let scene = SCENE.replacen('{', r#"{"method": {"substep": 0.02},"#, 1);
+    let probes = [Some(Probe::Point(PointId(0))), Some(Probe::Bond(3))];
+    let [mut watched, mut late] = [stage(&scene), stage(&scene)];
+    watched.obey(Order::Watch(Some(probes)));
+    let mut seen: Vec<Measured> = measured(&mut watched).into_iter().collect();
+    for frame in 0..40 {
+        for stage in [&mut watched, &mut late] {
+            if frame == 20 {
+                let keys = SetKeys { gravity: Some(Vector::Plane([0.0, 5.0])), ..SetKeys::default() };
+                assert_eq!(stage.obey(Order::Give(vec![Do::Set(Box::new(keys))], Some("gravity"))), None);
+            }
+            stage.obey(Order::Advance { wall: 0.02, cursor: None, back: false });
+        }
+        seen.extend(measured(&mut watched));
+    }
+    late.obey(Order::Play(false));
+    let Some(Note::Before(before)) = late.obey(Order::Watch(Some(probes))) else { panic!("there was something") };
+    seen.pop();
+    assert_eq!(before, seen, "to the bit, but for the present");
+    let mut times = Vec::new();
+    late.history().look_back(0.0, 0.0, |world| times.push(world.time()));
+    assert_eq!(times[0], 0.0, "without work the copies that are kept");
+    assert!(times.len() < seen.len() && times.windows(2).all(|pair| pair[0] < pair[1]), "{times:?}");
+    late.obey(Order::GoTo(0.2, None));
+    let Some(Note::Before(before)) = late.obey(Order::Watch(Some(probes))) else { panic!("there was something") };
+    assert_eq!(before[..], seen[..10], "what is to come is not told");
 }
 
 #[test]

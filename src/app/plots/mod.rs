@@ -5,14 +5,11 @@ mod series;
 #[cfg(test)]
 mod tests;
 
-use super::player::{Measured, Probe, Probed, Probes, Shown};
+use super::player::{Measured, Probe, Probed, Probes, REACH, Shown};
 use crate::lessons::{self, Plot};
 use crate::sim::PointId;
 pub(super) use figure::{Curve, svg};
 pub(super) use series::Series;
-
-/// The series reaches back so many seconds of wall time at the scene's own pace `[s]`.
-const REACH: f64 = 20.0;
 
 /// What the panel shows.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -134,14 +131,25 @@ impl Plots {
         };
         let gone: Vec<Probe> = self.probes.into_iter().flatten().filter(|probe| !is_there(probe)).collect();
         gone.iter().for_each(|&probe| self.take_off(probe));
-        if let Some(mut measured) = shown.measured {
-            // What was asked for last may not have been measured yet.
-            for (probed, probe) in measured.probes.iter_mut().zip(self.probes) {
-                probed.take_if(|probed| Some(probed.probe) != probe);
-            }
+        if let Some(measured) = shown.measured {
+            let measured = self.of_probes(measured);
             is_new |= self.series.push(measured);
         }
         [is_new, !gone.is_empty()]
+    }
+
+    /// Takes what was before there was somebody to look.
+    pub(super) fn take_before(&mut self, list: Vec<Measured>) {
+        let list = list.into_iter().map(|measured| self.of_probes(measured)).collect();
+        self.series.fill(list);
+    }
+
+    /// What was asked for last may not have been measured yet.
+    fn of_probes(&self, mut measured: Measured) -> Measured {
+        for (probed, probe) in measured.probes.iter_mut().zip(self.probes) {
+            probed.take_if(|probed| Some(probed.probe) != probe);
+        }
+        measured
     }
 
     /// Whether the force of bonds is looked at, and was known of none of them of late.

@@ -55,6 +55,29 @@ impl Series {
         true
     }
 
+    /// Adds measurements of times that had been before to those that are there, spread as those are.
+    pub(super) fn fill(&mut self, list: Vec<Measured>) {
+        let Some(now) = self.list.back().or(list.last()).map(|last| last.time) else { return };
+        let is_known = |measured: &Measured| measured.energies.sum().is_finite() && measured.time <= now;
+        let mut all: Vec<Measured> = list.into_iter().filter(is_known).chain(std::mem::take(&mut self.list)).collect();
+        all.sort_by(|a, b| a.time.total_cmp(&b.time));
+        let gap = self.span / (MOST - 2) as f64;
+        let count = |measured: &Measured| measured.probes.iter().flatten().count();
+        for measured in all.into_iter().rev() {
+            let is_full = self.list.len() == MOST;
+            match self.list.front_mut() {
+                // Of two that are near the one that knows more.
+                Some(next) if next.time - measured.time < gap => {
+                    if count(&measured) > count(next) {
+                        *next = measured;
+                    }
+                }
+                _ if measured.time < now - self.span || is_full => break,
+                _ => self.list.push_front(measured),
+            }
+        }
+    }
+
     /// What was measured at one of the probes' places goes: another point is there from now on, or none.
     pub(super) fn forget(&mut self, place: usize) {
         self.list.iter_mut().for_each(|measured| measured.probes[place] = None);

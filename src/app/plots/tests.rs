@@ -214,3 +214,15 @@ fn a_table_has_a_header_and_a_row_for_each_measurement() {
     }
     assert!(rows[1][5].is_empty() && !rows[rows.len() - 1][5].is_empty());
 }
+
+#[test]
+fn what_was_before_is_put_between_what_is_there() {
+    let mut series = Series::new(20.0);
+    (0..10).for_each(|k| _ = series.push(at(5.0 + 0.1 * f64::from(k))));
+    series.fill((0..60).map(|k| at(0.1 * f64::from(k))).collect());
+    let times: Vec<f64> = series.iter().map(|measured| measured.time).collect();
+    assert!(ascends(&times) && times.len() == 60, "each time once, and none after the present: {times:?}");
+    series.fill((0..90_000).map(|k| at(0.001 * f64::from(k) - 84.1)).collect());
+    let times: Vec<f64> = series.iter().map(|measured| measured.time).collect();
+    assert!(ascends(&times) && times.len() <= MOST && times[0] >= 5.9 - 20.0, "{} from {}", times.len(), times[0]);
+}

@@ -153,6 +153,10 @@ impl Session {
 
     /// Ends what is under way; else closes the topmost of what lies over the world; it never leaves.
     fn cancel(&mut self) {
+        // A sheet lies over all else.
+        if self.panels.sheet.take().is_some() {
+            return;
+        }
         if self.hand.is_drawing() {
             return self.leave_drawing();
         }
@@ -161,10 +165,8 @@ impl Session {
         if was_busy {
             return;
         }
-        let is_closed = self.panels.notes.complaint.take().is_some()
-            || self.panels.sheet.take().is_some()
-            || self.loading.take().is_some()
-            || self.stop_opening();
+        let is_closed =
+            self.panels.notes.complaint.take().is_some() || self.loading.take().is_some() || self.stop_opening();
         if !is_closed {
             self.put_away();
         }

@@ -217,7 +217,9 @@ impl Session {
         let scene = match answer {
             Answer::Cancel => return self.put_away(),
             Answer::Add => {
-                self.player.ask(Order::Add(Box::new(import.adder(self.seen()))));
+                let seen = self.seen();
+                let near = import.drawn_at().map_or(seen, |at| about(self.world_at(at), seen));
+                self.player.ask(Order::Add(Box::new(import.adder(near))));
                 self.adding = self.import.take();
                 return;
             }
@@ -239,6 +241,13 @@ impl Session {
     fn seen(&self) -> [[f64; 2]; 2] {
         let [width, height] = self.area.map(f64::from);
         [[0.0, height], [width, 0.0]].map(|pixel| self.camera.world_from_screen(pixel).truncate().to_array())
+    }
+
+    /// What is seen of the plane at a place of the panels `[points]`.
+    fn world_at(&self, at: egui::Pos2) -> [f64; 2] {
+        let scale = self.egui.egui_ctx().pixels_per_point();
+        let pixel = self.in_first([at.x, at.y].map(|x| f64::from(x * scale)));
+        self.camera.world_from_screen(pixel).truncate().to_array()
     }
 
     /// What nothing lies over of a pane of this size `[px]`: at each side as much is left out as what lies over the picture takes there.
@@ -263,5 +272,23 @@ impl Session {
             self.complain(&error.to_string());
         }
         self.touch();
+    }
+}
+
+/// The largest part of a box that has its middle there; of a place outside the box nothing but that.
+fn about(at: [f64; 2], [low, high]: [[f64; 2]; 2]) -> [[f64; 2]; 2] {
+    let half = [0, 1].map(|axis| (at[axis] - low[axis]).min(high[axis] - at[axis]).max(0.0));
+    [-1.0, 1.0].map(|side| [0, 1].map(|axis| at[axis] + side * half[axis]))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::about;
+
+    #[test]
+    fn a_drawing_is_looked_for_room_about_its_place() {
+        let seen = [[-4.0, -1.0], [4.0, 3.0]];
+        assert_eq!(about([-3.0, 1.0], seen), [[-4.0, -1.0], [-2.0, 3.0]]);
+        assert_eq!(about([5.0, 1.0], seen), [[5.0, -1.0], [5.0, 3.0]]);
     }
 }

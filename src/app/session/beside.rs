@@ -159,8 +159,7 @@ impl Session {
             // The tools stand at the left edge.
             let inset = if place.is_multiple_of(columns) { TOOLS } else { 0.0 };
             let (left, width) = (left + inset, width - inset);
-            let at = if columns == 1 { [left, top] } else { [left + 0.5 * width, top] };
-            Neighbor { title: title.to_owned(), words, at, width, columns }
+            Neighbor { title: title.to_owned(), words, at: [left, top], width, columns }
         };
         // One unit for all of them, that of the legend where there is one.
         let farthest = shown.beside.iter().filter_map(|world| world.farthest).fold(0.0, f32::max);

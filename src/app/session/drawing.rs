@@ -21,6 +21,8 @@ const MOST_MARKED: usize = 100_000;
 const MOST_SEEN: usize = 2_000;
 /// Size of words over the world `[points]`.
 const WORDS: f32 = 13.0;
+/// Room between them and an edge `[points]`.
+const WORDS_APART: f32 = 4.0;
 /// What numbers over the world are written with: signs are given to the GPU with the panels only, so they are had before, each at any part of
 /// a pixel: it stands behind others of several widths.
 const SIGNS: &str = "0123456789.,-× m°";
@@ -34,7 +36,8 @@ impl Session {
         let facts = self.facts();
         (self.figures, self.settings) = (self.shown().figures.clone(), self.shown().settings.clone());
         self.matter.clone_from(&self.player.shown().matter);
-        let input = self.egui.take_egui_input(&self.window);
+        let mut input = self.egui.take_egui_input(&self.window);
+        self.leave_out_moves(&mut input.events);
         let context = self.egui.egui_ctx().clone();
         if let Some(thumbnails) = &mut self.thumbnails {
             thumbnails.load(&context, &mut self.panels.thumbnails);
@@ -70,6 +73,7 @@ impl Session {
         textures.append(output.textures_delta);
         self.paint = Paint {
             jobs: context.tessellate(output.shapes, output.pixels_per_point),
+            is_new: true,
             marks: Vec::new(),
             textures,
             pixels_per_point: output.pixels_per_point,
@@ -80,6 +84,19 @@ impl Session {
         if let Some(answer) = answer {
             self.answer(answer);
         }
+    }
+
+    /// Moves of the pointer far from panels are nothing to them: each would have them shown once more.
+    fn leave_out_moves(&mut self, events: &mut Vec<egui::Event>) {
+        let is_near = self.pointer.at.is_some_and(|[x, y]| {
+            let is_inside = |&[left, top, right, bottom]: &[f32; 4]| {
+                (f64::from(left)..=f64::from(right)).contains(&x) && (f64::from(top)..=f64::from(bottom)).contains(&y)
+            };
+            self.covered.iter().any(is_inside) || y >= f64::from(self.area[1]) || x >= f64::from(self.area[0])
+        });
+        let was_near = std::mem::replace(&mut self.was_near_panels, is_near);
+        let is_used = is_near || was_near || self.egui.egui_ctx().egui_is_using_pointer();
+        events.retain(|event| is_used || !matches!(event, egui::Event::PointerMoved(_)));
     }
 
     /// The world is drawn above the bar below, and bodies are shown where no panel is.
@@ -191,6 +208,7 @@ impl Session {
 
     /// Draws the world and the panels.
     pub(super) fn draw(&mut self) -> Result<(), RenderError> {
+        self.look_for_the_lost();
         let (marks, words) = self.marks();
         self.paint.marks = marks;
         // What is written for the first time has its signs on the GPU after the panels were shown.
@@ -267,11 +285,14 @@ impl Session {
         let scale = context.pixels_per_point();
         let [width, height] = self.area.map(|side| side as f32 / scale);
         let clip_rect = Rect::from_min_max(Pos2::ZERO, Pos2::new(width, height));
+        // Words stay off panels at the right edge.
+        let room = clip_rect.with_max_x(width.min(self.free[1][0] as f32 / scale + WORDS)).shrink(WORDS_APART);
+        let room = (room, self.place_of_pointer());
         let shapes = marks
             .iter()
             .map(|mark| ClippedShape {
                 clip_rect,
-                shape: shape(context, mark, scale),
+                shape: shape(context, mark, scale, room),
                 transform_after_tessellation: egui::emath::TSTransform::IDENTITY,
             })
             .collect();
@@ -293,7 +314,7 @@ impl Session {
 }
 
 /// A mark as the panels' painter draws it, with a dark edge so that it is seen on any ground.
-fn shape(context: &egui::Context, mark: &Mark, scale: f32) -> Shape {
+fn shape(context: &egui::Context, mark: &Mark, scale: f32, room: (Rect, Option<Pos2>)) -> Shape {
     let color = |role: &Role| match role {
         Role::Lead => theme::LEAD,
         Role::Hold | Role::Come => theme::ACCENT,
@@ -331,16 +352,19 @@ fn shape(context: &egui::Context, mark: &Mark, scale: f32) -> Shape {
                 Shape::rect_filled(square(half), 1.5, color(role)),
             ])
         }
-        Mark::Words(corner, words) => written(context, at(corner), words),
+        Mark::Words(corner, words) => written(context, at(corner), words, room),
     }
 }
 
-/// Words on a ground of their own, up from their lower left corner.
-fn written(context: &egui::Context, corner: Pos2, words: &str) -> Shape {
+/// Words on a ground of their own, up from their lower left corner, kept in a room and off the pointer.
+fn written(context: &egui::Context, corner: Pos2, words: &str, (room, pointer): (Rect, Option<Pos2>)) -> Shape {
     let font = FontId::proportional(WORDS);
     let galley = context.fonts_mut(|fonts| fonts.layout_no_wrap(words.to_owned(), font, theme::TEXT));
     let place = corner - egui::vec2(0.0, galley.size().y);
-    let ground = Rect::from_min_size(place, galley.size()).expand2(egui::vec2(6.0, 3.0));
+    let edge = egui::vec2(6.0, 3.0);
+    let ground = Rect::from_min_size(place, galley.size()).expand2(edge);
+    let ground = panels::kept_in(ground, pointer, room);
+    let place = ground.min + edge;
     let ground = Shape::rect_filled(ground, 5.0, theme::PANEL.gamma_multiply(0.92));
     Shape::Vec(vec![ground, Shape::galley(place, galley, theme::TEXT)])
 }

@@ -1,9 +1,12 @@
 //! Where nothing of a world is in view: an arrow at the edge to the nearest of its points, and the key that brings all into view.
 
+use std::time::{Duration, Instant};
+
 use glam::DVec2;
 
 use super::Session;
 use crate::app::tools::{Mark, Role, Scope};
+use crate::render::Camera;
 use crate::sim::PointId;
 
 /// From the edge of what panels leave to the tip, length, half the width of its head, and how far the words stand off `[logical px]`.
@@ -15,37 +18,109 @@ const OFF: f64 = 22.0;
 const WIDTH: f64 = 3.0;
 /// Width of the words, about `[logical px]`.
 const WORDS: f64 = 40.0;
+/// Where the numbers of the grid beside the tools end `[logical px]`.
+const NUMBERS: f64 = 116.0;
 
-impl Session {
-    /// The arrow, if one is needed: where worlds stand side by side all of them are looked at, and each has its own view.
-    pub(super) fn way_to_the_lost(&self, scope: Scope<'_>) -> Vec<Mark> {
-        if self.tiles.count() > 1 || !self.player.is_open() {
-            return Vec::new();
+/// Larger worlds are looked through so often at most, while nothing of them is in view.
+const LOOK_EVERY: Duration = Duration::from_millis(100);
+const LARGE: usize = 20_000;
+
+/// What a picture is of: it is looked at again where that is another.
+#[derive(Clone, Copy, Debug, PartialEq)]
+struct Picture {
+    motion: u64,
+    topology: u64,
+    camera: Camera,
+    area: [u32; 2],
+}
+
+/// What of the world is in view, as it was found last.
+#[derive(Debug, Default)]
+pub(super) struct Lost {
+    found: Option<(Picture, Instant)>,
+    /// A point that was in view, twice, or the ends of a bond that crosses it.
+    seen: Option<[PointId; 2]>,
+    /// The point nearest to the middle, where nothing is in view.
+    nearest: Option<PointId>,
+}
+
+impl Lost {
+    /// Looks whether something is in view `[px]`, if the picture is another: first at what was so the last time. Returns whether it is to
+    /// be looked again soon.
+    fn look(&mut self, scope: Scope<'_>, picture: Picture) -> bool {
+        let view = [DVec2::ZERO, DVec2::from(picture.area.map(f64::from))];
+        let last = self.found.filter(|(last, _)| last.topology == picture.topology);
+        if last.is_some_and(|(last, _)| last == picture) {
+            return false;
         }
-        let view = [DVec2::ZERO, DVec2::from(self.area.map(f64::from))];
-        let free = self.free.map(DVec2::from);
-        nearest(scope, view).map_or_else(Vec::new, |lost| arrow(free, lost, scope.scale))
+        let seen = self.seen.filter(|_| last.is_some());
+        if seen.is_some_and(|ends| crosses(scope, view, ends)) {
+            self.found = Some((picture, Instant::now()));
+            return false;
+        }
+        let is_early = last.is_some_and(|(_, at)| at.elapsed() < LOOK_EVERY);
+        if is_early && self.nearest.is_some() && scope.shown.point_count() > LARGE {
+            return true;
+        }
+        (self.seen, self.nearest) = match nearest(scope, view) {
+            Ok(nearest) => (None, nearest),
+            Err(seen) => (Some(seen), None),
+        };
+        self.found = Some((picture, Instant::now()));
+        false
     }
 }
 
-/// The point nearest to the middle of the view `[px]`; `None` where something is in it: a point, or a bond that may cross it.
-fn nearest(scope: Scope<'_>, [low, high]: [DVec2; 2]) -> Option<DVec2> {
+impl Session {
+    /// Looks whether something is in view, where the world stands alone: of several all are looked at, and each has its own view.
+    pub(super) fn look_for_the_lost(&mut self) {
+        if self.tiles.count() > 1 || !self.player.is_open() {
+            self.lost = Lost::default();
+            return;
+        }
+        let (shown, camera, area) = (self.player.shown(), self.camera_here(), self.area);
+        let picture = Picture { motion: shown.motion, topology: shown.topology, camera, area };
+        let scope = Scope { shown, camera: &camera, scale: f64::from(self.look.scale_factor) };
+        self.dirty |= self.lost.look(scope, picture);
+    }
+
+    /// The arrow, if one is needed: off panels, and off the numbers of the grid beside the tools.
+    pub(super) fn way_to_the_lost(&self, scope: Scope<'_>) -> Vec<Mark> {
+        let lost = self.lost.nearest.filter(|&point| scope.is_there(point)).and_then(|point| scope.pixel(point));
+        let [mut low, high] = self.free.map(DVec2::from);
+        if self.look.has_grid {
+            low.x = low.x.max(NUMBERS * scope.scale);
+        }
+        lost.map_or_else(Vec::new, |lost| arrow([low, high], lost, scope.scale))
+    }
+}
+
+/// Whether a bond between these may be in view: whether a point is, where they are one.
+fn crosses(scope: Scope<'_>, [low, high]: [DVec2; 2], [a, b]: [PointId; 2]) -> bool {
+    let is_there = scope.is_there(a) && scope.is_there(b);
+    let ends = scope.pixel(a).zip(scope.pixel(b)).filter(|_| is_there);
+    ends.is_some_and(|(a, b)| a.min(b).cmple(high).all() && a.max(b).cmpge(low).all())
+}
+
+/// The point nearest to the middle of the view `[px]`, `None` where there is none.
+///
+/// Errors: something is in it: a point, twice, or the ends of a bond that may cross it.
+fn nearest(scope: Scope<'_>, [low, high]: [DVec2; 2]) -> Result<Option<PointId>, [PointId; 2]> {
     let middle = 0.5 * (low + high);
-    let mut nearest: Option<DVec2> = None;
+    let mut nearest: Option<(f64, PointId)> = None;
     for point in (0..scope.shown.point_count() as u32).map(PointId).filter(|&point| scope.is_there(point)) {
         let Some(at) = scope.pixel(point) else { continue };
         if at.cmpge(low).all() && at.cmple(high).all() {
-            return None;
+            return Err([point; 2]);
         }
-        if nearest.is_none_or(|least| at.distance_squared(middle) < least.distance_squared(middle)) {
-            nearest = Some(at);
+        let far = at.distance_squared(middle);
+        if nearest.is_none_or(|(least, _)| far < least) {
+            nearest = Some((far, point));
         }
     }
-    let crosses = |&[a, b]: &[PointId; 2]| {
-        let ends = scope.pixel(a).zip(scope.pixel(b));
-        ends.is_some_and(|(a, b)| a.min(b).cmple(high).all() && a.max(b).cmpge(low).all())
-    };
-    nearest.filter(|_| !scope.shown.scenery.bonds.ends().iter().any(crosses))
+    let bonds = scope.shown.scenery.bonds.ends();
+    let seen = bonds.iter().filter(|_| nearest.is_some()).find(|&&ends| crosses(scope, [low, high], ends));
+    seen.map_or_else(|| Ok(nearest.map(|(_, point)| point)), |&ends| Err(ends))
 }
 
 /// An arrow at the edge of a room that points to a place beyond it, with its words on the side of the room.
@@ -72,7 +147,6 @@ fn arrow([low, high]: [DVec2; 2], to: DVec2, scale: f64) -> Vec<Mark> {
 mod tests {
     use super::*;
     use crate::app::player::{Shown, Stage};
-    use crate::render::Camera;
     use crate::scene::Scene;
 
     #[test]
@@ -82,14 +156,21 @@ mod tests {
         let mut shown = Shown::default();
         Stage::new(Scene::parse(text, "x.json").unwrap().into()).unwrap().show(&mut shown);
         let view = [DVec2::ZERO, DVec2::new(800.0, 600.0)];
-        let see = |low: [f64; 3], high: [f64; 3]| {
+        let looked = |lost: &mut Lost, low: [f64; 3], high: [f64; 3]| {
             let camera = Camera::fit([low, high], 2, [800, 600]);
-            nearest(Scope { shown: &shown, camera: &camera, scale: 1.0 }, view)
+            let scope = Scope { shown: &shown, camera: &camera, scale: 1.0 };
+            let picture = Picture { motion: shown.motion, topology: shown.topology, camera, area: [800, 600] };
+            assert!(!lost.look(scope, picture), "small worlds are looked at whenever they move");
+            lost.nearest.and_then(|point| scope.pixel(point))
         };
+        let mut lost = Lost::default();
+        let mut see = |low: [f64; 3], high: [f64; 3]| looked(&mut lost, low, high);
+        assert_eq!(see([19.0, -1.0, 0.0], [21.0, 1.0, 0.0]), None, "it is in view");
         let lost = see([-1.0, -1.0, 0.0], [1.0, 1.0, 0.0]).unwrap();
         assert!(lost.x > 800.0 && (lost.y - 300.0).abs() < 1.0, "the point at the right: {lost}");
-        assert_eq!(see([19.0, -1.0, 0.0], [21.0, 1.0, 0.0]), None, "it is in view");
+        assert_eq!(see([19.0, -1.0, 0.0], [21.0, 1.0, 0.0]), None, "it is in view again");
         assert_eq!(see([21.5, -0.2, 0.0], [22.5, 0.2, 0.0]), None, "its bond crosses the view");
+        assert_eq!(see([21.5, -0.2, 0.0], [22.6, 0.2, 0.0]), None, "and crosses it still");
         let marks = arrow(view, lost, 1.0);
         let Mark::Line(_, from, to, _) = marks[0] else { panic!("a line") };
         assert!((to - DVec2::new(786.0, 300.0)).length() < 1.0 && from.x < to.x, "{from} to {to}");

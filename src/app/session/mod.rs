@@ -46,6 +46,7 @@ use crate::history::{HistoryError, Start};
 use crate::render::{Camera, Look, RenderCounters, RenderError, Tiles, Trails};
 use crate::scene::{MOST_MEETING, Parameter, Scene, SolverName, gallery};
 use crate::sim::{Cursor, HELD, Key, MouseForce, SceneChange};
+use lost::Lost;
 use selecting::Copied;
 use shelf::Shelf;
 
@@ -138,14 +139,17 @@ pub(super) struct Session {
     paint: Paint,
     /// What was written over the world last.
     marked_words: String,
+    /// What of it was found in view.
+    lost: Lost,
     /// Something that is shown has changed since the last frame; so has something that panels show.
     dirty: bool,
     panels_dirty: bool,
     /// When the panels want to be shown again by themselves, and when they were last.
     panels_due: Option<Instant>,
     panels_at: Option<Instant>,
-    /// The pointer was over a panel when it last moved.
+    /// The pointer was over a panel when it last moved; it was over what floats, pressed or not, when panels were shown last.
     was_over_panels: bool,
+    was_near_panels: bool,
     /// Nobody has pressed on anything yet: the first scene says how.
     wants_hint: bool,
     /// The system says that nothing of the window is seen.
@@ -246,11 +250,13 @@ impl Session {
             panels: PanelState::default(),
             paint: Paint::default(),
             marked_words: String::new(),
+            lost: Lost::default(),
             dirty: true,
             panels_dirty: true,
             panels_due: None,
             panels_at: None,
             was_over_panels: false,
+            was_near_panels: false,
             wants_hint: true,
             is_occluded: false,
             failure: None,
@@ -322,9 +328,9 @@ impl Session {
         !self.waits() && (self.player.is_moving() || self.rewinds || fades || self.hand.is_leading())
     }
 
-    /// Whether the world waits for what lies over it.
+    /// Whether the world waits for what lies over it: what is saved is the moment at which it was asked for.
     fn waits(&self) -> bool {
-        self.import.is_some()
+        self.import.is_some() || self.panels.sheet.is_some_and(Sheet::stops_time)
     }
 
     /// Whether something lies over the world that keys and the mouse are for.
@@ -535,6 +541,7 @@ impl Session {
                 self.adding = None;
                 self.complain(&format!("it is in the scene, but bodies pass through each other: {why}"));
             }
+            Note::Before(list) => self.plot_before(list),
             Note::Exact => {
                 self.say("every body is moved by its own method from here on: Ctrl+Z takes that back".to_owned());
             }
@@ -543,7 +550,7 @@ impl Session {
                 self.import = self.adding.take().or_else(|| self.import.take());
                 self.complain(&why);
             }
-            Note::Warned(lines) => self.panels.notes.warn(listed(&lines)),
+            Note::Warned(lines) => lines.into_iter().for_each(|line| self.panels.notes.warn(line)),
             Note::Written(path) => self.say(format!("written: {}", path.display())),
             Note::NotWritten(why) => self.complain(&why),
             Note::NotKept(why) => self.complain(&format!(

@@ -6,7 +6,7 @@ use glam::DVec2;
 
 use super::Session;
 use crate::app::panels::figure;
-use crate::app::player::{Order, Probe};
+use crate::app::player::{Measured, Order, Probe};
 use crate::app::plots::Plots;
 use crate::app::saving::free_name;
 use crate::lessons::Plot;
@@ -54,6 +54,13 @@ impl Session {
         }
         // While time goes on, panels are shown often enough.
         self.panels_dirty |= has_lost || is_new && !self.moves();
+    }
+
+    /// Takes what was before the plots were opened.
+    pub(super) fn plot_before(&mut self, list: Vec<Measured>) {
+        if let Some(plots) = &mut self.panels.plots {
+            plots.take_before(list);
+        }
     }
 
     /// A click with the tool for selecting puts a probe on a point or a bond, or takes it off.

@@ -49,6 +49,7 @@ pub(super) fn run(arguments: &Arguments, start: Start, quiet: bool) -> anyhow::R
     bar.finish_and_clear();
     table.balance(entries.map(|entries| judge(&entries)));
     table.measure_beside(&recording)?;
+    table.name_bodies(arguments.bodies_of(run.tints(), run.world().point_count()));
     if let Some(path) = &arguments.record {
         recording.commands.retain(|entry| entry.at <= end);
         marks.dedup_by(|a, b| a.at == b.at);
