@@ -11,6 +11,7 @@ mod erase;
 #[cfg(test)]
 mod grab_tests;
 mod handles;
+mod hub;
 mod lead;
 mod marks;
 #[cfg(test)]
@@ -20,6 +21,7 @@ mod push;
 #[cfg(test)]
 mod push_tests;
 mod region;
+mod room;
 #[cfg(test)]
 mod select_tests;
 mod selecting;
@@ -50,6 +52,7 @@ pub(super) use marks::{Mark, Role, probe};
 pub(super) use pick::Scope;
 pub(super) use push::PushWay;
 use region::Region;
+pub(super) use room::Walls;
 use selecting::is_drag;
 
 /// The hover force stays away so long after a grab `[s]`: what was thrown is not blown off its way.
@@ -374,7 +377,7 @@ impl Hand {
             Tool::Erase => erase(scope, at),
             Tool::Build => self.begin_to_build(scope, at),
             Tool::Muscle => self.drives.press_muscle(scope, at),
-            Tool::Motor => self.drives.press_motor(scope, at),
+            Tool::Motor => self.drives.press_motor(scope, at, self.shift),
             Tool::Push => match self.pushes().press(scope, at) {
                 Ok(pull) => {
                     self.doing = Doing::Forcing(pull);
@@ -578,7 +581,7 @@ impl Hand {
     pub(super) fn marks(&self, scope: Scope<'_>, at: Option<DVec2>) -> Vec<Mark> {
         let mut marks = match (self.tool(), at) {
             (Tool::Muscle, Some(at)) => self.drives.mark_muscle(scope, at),
-            (Tool::Motor, Some(at)) => self.drives.mark_motor(scope, at),
+            (Tool::Motor, Some(at)) => self.drives.mark_motor(scope, at, self.shift),
             (Tool::Paint, Some(at)) => self.brush.marks(scope, at),
             (Tool::Push, Some(at)) if self.doing == Doing::Nothing => self.pushes().marks(scope, at),
             // What would come next is not shown over what has just come.

@@ -23,6 +23,7 @@ use super::Deed;
 use super::marks::Mark;
 use super::pick::Scope;
 use crate::app::action::Primitive;
+use crate::app::tools::room::coming;
 use crate::history::{Do, SetKeys};
 use crate::scene::{ContactKeys, Meeting};
 use crate::sim::PointId;
@@ -109,11 +110,16 @@ impl Maker {
         match self.form(scope, Some(drag), at) {
             Ok(form) => {
                 let keys = form.keys(scope.shown.point_count() as u32);
+                let outcome = coming(scope, &keys);
+                if let Some(why) = outcome.refused {
+                    return Deed::words(why.to_owned());
+                }
                 let mut deed = Deed::edit(self.primitive.name(), Do::Add(Box::new(keys)));
                 let meets = scope.shown.settings.contact.flatten().is_some();
                 if self.primitive == Primitive::Figure && !meets {
                     deed.commands.insert(0, apart_from_itself());
                 }
+                deed.words = outcome.words();
                 deed
             }
             Err(words) => Deed::words(words),
