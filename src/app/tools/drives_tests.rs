@@ -231,6 +231,9 @@ fn while_paused_a_body_is_moved_with_the_pins_that_it_hangs_and_turns_on() {
     let before: Vec<[f64; 3]> = (0..count).map(|point| seen.0.place(point)).collect();
     let mut hand = Hand::default();
     hand.stand_still(true);
+    // On its axle as well as on its rim.
+    assert!(hand.press(scope(&seen), middle).is_empty() && hand.is_carrying());
+    hand.release(scope(&seen), middle);
     assert!(hand.press(scope(&seen), rim).is_empty());
     assert!(said(&seen, &hand, to).contains("pins go along"));
     let deed = hand.release(scope(&seen), to);

@@ -46,6 +46,13 @@ impl Hub {
     }
 }
 
+/// Whether a point is the hub of a hinge, or what its motor pushes against.
+pub(super) fn is_hinged(scope: Scope<'_>, point: PointId) -> bool {
+    let hubs = Hubs::of(scope, point);
+    let is_of = |hub: &Hub| hub.point == point || hub.motors.iter().any(|angle| angle.points[0] == point);
+    hubs.all.iter().any(is_of)
+}
+
 /// The hubs of the body that a point belongs to, and which points are bonded to which.
 pub(super) struct Hubs<'a> {
     scope: Scope<'a>,

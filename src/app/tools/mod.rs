@@ -1,5 +1,7 @@
 //! Tools: what presses and strokes of the left button become. They return commands and change nothing.
 
+#[cfg(test)]
+mod bad_tests;
 mod brush;
 mod build;
 mod chosen;
@@ -420,7 +422,9 @@ impl Hand {
     /// What lies under the pixel is led: a pin along its way, all else by its points. Where nothing does, what the hover force has
     /// pushed away comes to the hand; where nothing is in its reach, it pushes on.
     fn take_hold(&mut self, scope: Scope<'_>, at: DVec2) -> Deed {
-        if let Some(lead) = Lead::of_pin(scope, at) {
+        // The pins of a hinge go with what turns on it while time stands still.
+        let lead = Lead::of_pin(scope, at).filter(|lead| !self.is_still || !hub::is_hinged(scope, lead.point()));
+        if let Some(lead) = lead {
             let commands = self.calm_now();
             self.doing = Doing::Leading(lead);
             return Deed::plain(commands);

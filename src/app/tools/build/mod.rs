@@ -6,6 +6,7 @@ mod corners;
 mod drawn_tests;
 mod figure;
 mod fill;
+mod firm;
 mod form;
 mod grid;
 mod links;
@@ -154,8 +155,9 @@ impl Maker {
         let from = self.end(scope, begun.point, begun.from);
         let mut to = self.end(scope, point, there);
         if to.hold == Hold::Pin {
-            // Only where it begins something hangs by itself.
-            to.hold = Hold::None;
+            // Where it ends on nothing it hangs free.
+            let surface = tie::surface_at(scope, at).filter(|_| self.primitive == Primitive::Rope);
+            to = surface.map_or(End { hold: Hold::None, ..to }, |at| End { at, hold: Hold::Pin });
         }
         let drawn = match self.primitive {
             Primitive::Box | Primitive::Cloth | Primitive::SolidBox => (to.at - from.at).abs().min_element(),

@@ -144,7 +144,10 @@ impl Outline {
         let mut all = self.corners.clone();
         match at {
             _ if drawn.len() > 1 => all.extend(&drawn[1..]),
-            Some(at) if !closes && self.stroke.is_none() => all.push(scope.in_plane(at)),
+            // Right on the last corner a click closes it.
+            Some(at) if !closes && self.stroke.is_none() && !is_near(scope, self.corners.last(), at, CLICK) => {
+                all.push(scope.in_plane(at));
+            }
             _ => {}
         }
         let (open, closed) = (crossing(&all, false), crossing(&all, true));

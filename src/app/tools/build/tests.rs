@@ -474,3 +474,18 @@ fn a_rope_between_two_pins_that_cannot_go_round_an_obstacle_keeps_it_away() {
         assert_eq!(is_said, is_refused, "{note:?}");
     }
 }
+
+#[test]
+fn a_rope_that_ends_on_an_obstacle_or_a_wall_is_pinned_there_and_hangs_between() {
+    let seen = shown(Scene::parse(BLOCK, "x.json").unwrap());
+    for (to, surface) in [([0.2, 0.0], [0.0, 0.0]), ([-0.05, 0.5], [0.0, 0.5]), ([-1.0, 3.98], [-1.0, 4.0])] {
+        let deed = drag(&seen, &mut hand(Primitive::Rope), [-3.0, 0.0], to);
+        let body = &added(&deed).bodies[0];
+        assert_eq!((body.pinned.len(), body.slack.is_some()), (2, true), "{to:?}");
+        let (origin, way) = (body.origin.unwrap().embed(), body.to.unwrap().embed());
+        assert!(close(DVec2::new(origin[0] + way[0], origin[1] + way[1]), surface, 0.02), "{origin:?} {way:?}");
+        let history = history(&seen, &[deed]);
+        assert!(history.world().warnings().is_empty(), "{:?}", history.world().warnings());
+    }
+    assert_eq!(added(&drag(&seen, &mut hand(Primitive::Rope), [-3.0, 0.0], [-1.0, 0.0])).bodies[0].pinned.len(), 1);
+}
