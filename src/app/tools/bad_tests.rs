@@ -78,7 +78,8 @@ fn what_is_pinned_is_led_by_its_pin_and_what_is_grabbed_can_be_deleted() {
     // A command that grabs pins alone is refused in words.
     let there = Do::Cursor { to: Some(Cursor::at([0.0, 2.0])), by: None };
     let grab = Do::Grab(Reach::Points(vec![PointId(pin as u32)]));
-    let note = stage.obey(Order::Give(vec![there, grab], None));
+    assert_eq!(stage.obey(Order::Give(vec![there], None)), None);
+    let note = stage.obey(Order::Give(vec![grab], None));
     assert!(matches!(&note, Some(Note::Refused(why)) if why.contains(HELD)), "{note:?}");
     let deed = hand.press(scope(&seen), at(&seen, -2.0, 0.0));
     assert!(!grabbed(&deed).is_empty());
