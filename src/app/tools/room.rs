@@ -103,7 +103,10 @@ pub(super) fn under(
     let free = fresh.clear(&places, &scenery.bonds, &[]);
     let is_held = |(points, _): &(Vec<u32>, [f64; 2])| points.iter().any(|point| pinned.binary_search(point).is_ok());
     let said = (!hit.stuck.is_empty() || free.moves.iter().any(is_held)).then_some(HELD);
-    let moved = if hit.moves.is_empty() || refused.is_some() {
+    let moved = if refused.is_some() {
+        // What cannot be there puts nothing aside.
+        Cleared::default()
+    } else if hit.moves.is_empty() {
         hit
     } else {
         let is_left = |of: &[u32], place: usize| of.get(place).is_none_or(|number| !numbers.contains(number));

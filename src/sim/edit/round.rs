@@ -2,6 +2,7 @@
 
 use super::{CommandError, invalid};
 use crate::sim::bond::PointId;
+use crate::sim::bonds::Bonds;
 use crate::sim::contact::polygon::Polygon;
 use crate::sim::model::Model;
 use crate::sim::plan;
@@ -38,7 +39,10 @@ impl<S: Real, const D: usize> World<S, D> {
         pinned.sort_unstable();
         let from: Vec<PointId> =
             pinned.iter().copied().filter(|pin| others || moved.binary_search(&pin.0).is_ok()).collect();
-        let reaches = reaches(&self.bonds, &from, &pinned);
+        // Between pins a bond neither stretches nor goes round anything.
+        let is_free = |end: &PointId| self.inverse_mass[end.index()] > 0.0;
+        let bonds: Bonds = self.bonds.iter().filter(|bond| is_free(&bond.a) || is_free(&bond.b)).collect();
+        let reaches = reaches(&bonds, &from, &pinned);
         if reaches.is_empty() {
             return Ok(());
         }
