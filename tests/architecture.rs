@@ -336,6 +336,7 @@ const SIM: [(&str, &[&str]); 46] = [
             "plan",
             "plan_part",
             "points",
+            "reach",
             "real",
             "solver",
             "triangles",

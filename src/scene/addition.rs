@@ -25,7 +25,41 @@ pub(crate) struct Made {
 /// Pinned points with the knots of their tracks.
 type Tracks = Vec<(PointId, Vec<(f64, [f64; 3])>)>;
 
+/// What keys of the plane bring, without the world.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Shape {
+    /// Of new points `[m]`.
+    pub(crate) places: Vec<[f64; 2]>,
+    /// Between new points, counted from 0.
+    pub(crate) bonds: Vec<[u32; 2]>,
+    /// New points that pins or older points hold, counted from 0.
+    pub(crate) pinned: Vec<u32>,
+    /// A point and the normal of each plane.
+    pub(crate) planes: Vec<[[f64; 3]; 2]>,
+    /// The other obstacles.
+    pub(crate) polygons: Vec<sim::Polygon>,
+}
+
 impl AddKeys {
+    /// What the keys bring into a world of the plane whose next point gets the number `next`; `None` where they are not in order.
+    pub(crate) fn shape(&self, next: u32) -> Option<Shape> {
+        let model: Model<2> = self.alone(&Scene::default()).to_model().ok()?;
+        let mut bonds: Vec<[u32; 2]> = model.bonds.ends().iter().map(|ends| ends.map(|end| end.0)).collect();
+        let mut pinned: Vec<u32> = model.pinned.iter().map(|pin| pin.0).collect();
+        pinned.extend(self.points.iter().flat_map(|points| &points.pinned).filter_map(|pin| pin.checked_sub(next)));
+        for bond in &self.bonds {
+            match [bond.a, bond.b].map(|end| end.checked_sub(next)) {
+                [Some(a), Some(b)] => bonds.push([a, b]),
+                ends => pinned.extend(ends.into_iter().flatten()),
+            }
+        }
+        let count = model.position.len() as u32;
+        pinned.retain(|pin| *pin < count);
+        bonds.retain(|ends| ends.iter().all(|end| *end < count));
+        let planes = model.planes.iter().map(|plane| [plane.point, plane.normal].map(embed)).collect();
+        Some(Shape { places: model.position, bonds, pinned, planes, polygons: model.polygons })
+    }
+
     /// Makes what the keys say, for a world of `scene` as it is now.
     ///
     /// Errors: as of a scene with these keys; bonds between points that the world will not have.

@@ -38,7 +38,7 @@ mod support;
 mod tint;
 mod write;
 
-pub(crate) use addition::Made;
+pub(crate) use addition::{Made, Shape};
 pub use anew::Cut;
 pub(crate) use check::MOST_BESIDE;
 pub use error::{SceneError, SceneErrorKind, Source};

@@ -1,6 +1,6 @@
 //! What the stepping thread hands to the window: two states of the positions, what stands about them, and figures.
 
-use std::sync::Arc;
+use std::sync::{Arc, OnceLock};
 
 use super::acts::Acts;
 use super::beside::Beside;
@@ -8,11 +8,12 @@ use super::movers::Movers;
 use super::rungs::Yielded;
 use super::watch::Measured;
 use crate::app::matter::Matter;
+use crate::app::tools::Walls;
 use crate::history::{BranchView, Group};
 use crate::picture::{Skin, Tint};
 use crate::render::{Hinge, View, joints};
 use crate::sim::{
-    Bond, Bonds, Convex, Cursor, Dynamics, ForceView, GrabView, Key, MouseForce, PointId, Polygon, Positions,
+    Angle, Bond, Bonds, Convex, Cursor, Dynamics, ForceView, GrabView, Key, MouseForce, PointId, Polygon, Positions,
     SceneChange,
 };
 
@@ -94,10 +95,13 @@ pub struct Scenery {
     pub driven: Vec<PointId>,
     /// The constant forces.
     pub forces: Vec<ForceView>,
+    /// The angles between bonds.
+    pub angles: Vec<Angle>,
     /// Where motors and servos turn.
     pub hinges: Vec<Hinge>,
     /// Where joints with stops are, ascending.
     pub joints: Vec<PointId>,
+    walls: OnceLock<Walls>,
 }
 
 impl Scenery {
@@ -126,9 +130,16 @@ impl Scenery {
             keys: world.drive_keys(),
             driven: driven(world),
             forces: world.forces(),
+            angles: world.angles().to_vec(),
             hinges: Hinge::of(world),
             joints: joints(world),
+            walls: OnceLock::new(),
         }
+    }
+
+    /// The obstacles that tools find room beside, in the plane.
+    pub(in crate::app) fn walls(&self) -> &Walls {
+        self.walls.get_or_init(|| Walls::of(self.bounds, &self.planes, self.polygons.clone()))
     }
 
     /// Where the bond of this number is in the list, if it is there.

@@ -20,8 +20,20 @@ const NOTHING: &str = "select something first: the tool for that is 6";
 /// Of so many points at most it is looked where they are seen.
 const MOST_LOOKED_AT: usize = 1_000;
 
+/// A scene may take so long for a frame with what is pasted, without a question `[s]`.
+const MOST_WORK: f64 = 1.0 / 60.0;
+/// So many points are pasted without a question into a scene that has not run yet.
+const MOST_UNKNOWN: u32 = 20_000;
+/// What makes a scene larger by less than this share of it is not asked about `[1]`.
+const LITTLE: f64 = 0.05;
+
 /// What Ctrl+C copied: the stepping thread puts it there.
-pub(super) type Copied = Arc<OnceLock<Clip>>;
+#[derive(Clone, Default)]
+pub(super) struct Copied {
+    clip: Arc<OnceLock<Clip>>,
+    /// The user was asked whether it is to come into a scene of so many points.
+    asked: Option<usize>,
+}
 
 impl Session {
     /// What is selected, if anything is.
@@ -53,17 +65,15 @@ impl Session {
         let by = self.with_scope(|_, scope| chosen.beside(scope));
         let coming = self.coming(chosen.points.len() as u32, chosen.obstacles.len() as u32);
         let tints = Arc::clone(&self.shown().scenery.tints);
-        self.player.ask(Order::Add(Box::new(move |_, world| {
-            Ok(Clip::of(world, &tints, &chosen).placed(world.next_numbers()[0], by))
-        })));
+        self.player.ask(Order::Add(Box::new(move |_, world| Ok(Clip::of(world, &tints, &chosen).placed(world, by)))));
         self.with_scope(|hand, _| hand.select(coming));
     }
 
     /// A copy of what is selected is kept as it is now, to be pasted here or in another scene.
     pub(super) fn copy(&mut self) {
         let Some(chosen) = self.selected() else { return };
-        let copied = Copied::default();
-        self.copied = Some(Arc::clone(&copied));
+        let copied = Arc::new(OnceLock::new());
+        self.copied = Some(Copied { clip: Arc::clone(&copied), asked: None });
         let [points, obstacles] = [chosen.points.len(), chosen.obstacles.len()];
         self.player.ask(Order::Copy(Box::new(move |world, tints| {
             // It is new, so there is nothing in it.
@@ -78,7 +88,7 @@ impl Session {
     /// What was copied comes to where the cursor is. Returns whether anything was.
     pub(super) fn paste_copied(&mut self) -> bool {
         let Some(copied) = self.copied.clone() else { return false };
-        let Some(clip) = copied.get() else {
+        let Some(clip) = copied.clip.get() else {
             self.say("what was copied is still on its way: try again".to_owned());
             return true;
         };
@@ -91,6 +101,13 @@ impl Session {
             return true;
         }
         let [points, obstacles] = clip.counts();
+        let figures = &self.shown().figures;
+        let there = figures.points;
+        if let Some(question) = question(figures.work, there, points).filter(|_| copied.asked != Some(there)) {
+            self.copied = Some(Copied { asked: Some(there), ..copied });
+            self.say(question);
+            return true;
+        }
         let coming = self.coming(points, obstacles);
         let by = match (clip.dimensions, self.pixel()) {
             (2, Some(at)) => {
@@ -100,7 +117,7 @@ impl Session {
             _ => [0.0; 3],
         };
         let clip = clip.clone();
-        self.player.ask(Order::Add(Box::new(move |_, world| Ok(clip.placed(world.next_numbers()[0], by)))));
+        self.player.ask(Order::Add(Box::new(move |_, world| Ok(clip.placed(world, by)))));
         self.with_scope(|hand, _| {
             hand.take(Tool::Select);
             hand.select(coming);
@@ -188,5 +205,36 @@ impl Session {
             self.cursor_icon = icon;
             self.window.set_cursor(icon);
         }
+    }
+}
+
+/// What is asked before so many points come into a scene that has others, where stepping a frame of it takes so long `[s]`; 0: not known.
+fn question(work: f64, there: usize, more: u32) -> Option<String> {
+    let many = f64::from(more) / there.max(1) as f64;
+    let then = work * (1.0 + many);
+    let counted = counted(more as usize, "point");
+    match work > 0.0 && there > 0 {
+        true if then > MOST_WORK && many > LITTLE => Some(format!(
+            "{counted} more: the scene would run at about {:.0} % of its pace; Ctrl+V once more puts them here all the same",
+            (100.0 * MOST_WORK / then).clamp(1.0, 99.0)
+        )),
+        false if more > MOST_UNKNOWN => {
+            Some(format!("{counted} more may be slow; Ctrl+V once more puts them here all the same"))
+        }
+        _ => None,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::question;
+
+    #[test]
+    fn what_would_slow_a_scene_down_is_asked_about_before() {
+        assert_eq!(question(0.002, 1_000, 1_000), None, "there is time for it");
+        assert!(question(0.01, 1_000, 4_000).is_some_and(|words| words.contains("33 % of its pace")));
+        assert_eq!(question(0.05, 10_000, 100), None, "next to what is there it is nothing");
+        assert_eq!(question(0.0, 0, 500), None);
+        assert!(question(0.0, 0, 50_000).is_some_and(|words| words.contains("once more")));
     }
 }

@@ -31,8 +31,8 @@ impl Chosen {
     /// there, or the middle of a side.
     pub(super) fn within(scope: Scope<'_>, is_inside: impl Fn(DVec2) -> bool) -> Self {
         let count = scope.shown.point_count();
-        let pairs = scope.shown.scenery.bonds.ends().iter().map(|ends| ends.map(|end| end.0));
-        let body = Tint::hanging(count, pairs);
+        let pairs = scope.shown.scenery.bonds.ends().iter().copied().chain(scope.arms());
+        let body = Tint::hanging(count, pairs.map(|ends| ends.map(|end| end.0)));
         let mut is_met = vec![false; count];
         for point in (0..count as u32).map(PointId).filter(|&point| scope.is_there(point)) {
             let at = scope.pixel(point);

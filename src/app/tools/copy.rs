@@ -6,12 +6,14 @@ use crate::scene::{
     AddKeys, AngleKeys, BondKeys, BoxKeys, CircleKeys, ColorKey, ForceKeys, KindName, LimitName, MassKeys,
     ObstacleKeys, PlaneKeys, PointKeys, RotationKeys, Row, SkinKeys, Vector,
 };
-use crate::sim::{Angle, Bond, BondKind, Convex, Dynamics, Figure, Limit, Obstacle, PointId, SkinMaterial};
+use crate::sim::{Angle, Bond, BondKind, Contact, Convex, Dynamics, Figure, Limit, Obstacle, PointId, SkinMaterial};
 
 /// What was copied: the keys that bring it, its points counted from 0, where it was.
 #[derive(Clone, Debug, PartialEq)]
 pub(in crate::app) struct Clip {
     keys: AddKeys,
+    /// How bodies met where it was copied.
+    contact: Option<Contact>,
     pub(in crate::app) dimensions: usize,
     /// The middle of all of it `[m]`.
     pub(in crate::app) middle: [f64; 3],
@@ -58,12 +60,15 @@ impl Clip {
             });
         }
         let middle = middle(&keys);
-        Clip { keys, dimensions, middle }
+        Clip { keys, contact: world.contact(), dimensions, middle }
     }
 
-    /// The keys that bring it `by` `[m]` from where it was into a world whose next point gets the number `next`.
-    pub(in crate::app) fn placed(&self, next: u32, by: [f64; 3]) -> AddKeys {
+    /// The keys that bring it `by` `[m]` from where it was into a world. What its skins had from the scene that it was copied in travels with
+    /// it, where that is not the same here.
+    pub(in crate::app) fn placed(&self, world: &dyn Dynamics, by: [f64; 3]) -> AddKeys {
+        let next = world.next_numbers()[0];
         let mut keys = self.keys.clone();
+        self.keep_matter(&mut keys, world);
         let moved = |x: &mut Vector| {
             let place = x.embed();
             *x = Vector::new(std::array::from_fn(|axis| place[axis] + by[axis]), self.dimensions);
@@ -86,6 +91,30 @@ impl Clip {
             }
         }
         keys
+    }
+
+    /// Skins that are as the scene said keep that where this one says otherwise.
+    fn keep_matter(&self, keys: &mut AddKeys, world: &dyn Dynamics) {
+        let Some(was) = self.contact else { return };
+        // Where nothing meets, what comes makes all meet as is usual.
+        let is = world.contact().unwrap_or_default();
+        let friction = (was.friction != is.friction).then_some(was.friction);
+        let restitution = (was.restitution != is.restitution).then_some(was.restitution);
+        let radius = was.radius.filter(|radius| is.radius != Some(*radius));
+        if friction.is_none() && restitution.is_none() && radius.is_none() {
+            return;
+        }
+        for skin in &mut keys.skins {
+            skin.friction = skin.friction.or(friction);
+            skin.restitution = skin.restitution.or(restitution);
+            skin.radius = skin.radius.or(radius);
+        }
+        let mut is_said = vec![false; keys.points.as_ref().map_or(0, |points| points.position.len())];
+        keys.skins.iter().flat_map(|skin| &skin.points).for_each(|&point| is_said[point as usize] = true);
+        let points: Vec<u32> = (0..).zip(is_said).filter(|(_, is_said)| !is_said).map(|(point, _)| point).collect();
+        if !points.is_empty() {
+            keys.skins.push(SkinKeys { points, friction, restitution, radius, color: None });
+        }
     }
 
     /// How many points it brings, and how many obstacles.

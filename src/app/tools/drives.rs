@@ -3,14 +3,15 @@
 use glam::{DVec2, DVec3};
 
 use super::Deed;
+use super::hub::{Hub, Hubs};
 use super::marks::{Mark, Role};
-use super::pick::Scope;
+use super::pick::{Scope, distance_to_segment};
 use super::skin;
-use crate::history::{Do, DriveOrNone, SetKeys};
+use crate::history::{DeleteKeys, Do, DriveOrNone, SetKeys};
 use crate::scene::{
     AddKeys, AngleKeys, BondKeys, ContactKeys, DriveKeys, KeyName, KindName, MassKeys, Meeting, PointKeys, Row, Vector,
 };
-use crate::sim::{Bond, BondKind, Contact, Limit, PointId};
+use crate::sim::{Angle, AngleDrive, Bond, BondKind, Contact, Limit, PointId};
 
 /// Bonds of a hub to a body that turns about it, and to one that holds it.
 const SPOKES: usize = 6;
@@ -32,12 +33,24 @@ const MIDDLE: f64 = 0.35;
 /// A motor turns springs against each other by no more than this `[rad]`, about.
 const SHEAR: f64 = 0.5;
 
+/// A hinge this near to the middle of what is round is its own, in its radius `[1]`.
+const HINGED_AT: f64 = 0.15;
+/// What lies so near is meant by a click `[logical px]`.
+const SNAP: f64 = 12.0;
+/// A motor that is this much stronger or weaker than another is the same `[1]`.
+const SAME_TORQUE: f64 = 0.1;
+
 /// Said where two bodies overlap that are hinged.
 const PASSES: &str = "they overlap, so bodies meet themselves no more";
 
 /// Said where nothing is clicked that could be a muscle, or hinged.
 const NO_BOND: &str = "no bond lies here that could be a muscle";
 const NO_BODY: &str = "no body lies here that could be hinged";
+/// Said where something holds the body already.
+const PINNED: &str = "a pin is here already: hold T and click it to let it go";
+const JOINT: &str = "a joint is here already: its limbs turn about it";
+/// Said of a hinge without a motor where the switch asks for none.
+const HINGED: &str = "a hinge is here already; with Shift it goes, with the switch \"motor\" it gets one";
 
 /// What a muscle is to follow.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -142,12 +155,13 @@ impl Drives {
         line.into_iter().chain([Mark::Words(beside(scope, at), words.to_owned())]).collect()
     }
 
-    /// A hinge comes where a body is clicked.
-    pub(super) fn press_motor(&self, scope: Scope<'_>, at: DVec2) -> Deed {
-        match Hinge::at(scope, at, self.motor.is_on) {
+    /// A hinge comes where a body is clicked; one that is there gets a motor, or loses it, or goes as a whole.
+    pub(super) fn press_motor(&self, scope: Scope<'_>, at: DVec2, takes_away: bool) -> Deed {
+        match Meant::at(scope, at, self.motor.is_on) {
             None => Deed::words(NO_BODY.to_owned()),
             Some(Err(why)) => Deed::words(why.to_owned()),
-            Some(Ok(hinge)) => {
+            Some(Ok(Meant::There(hub))) => self.change(scope, &hub, takes_away).1,
+            Some(Ok(Meant::New(hinge))) => {
                 let name = if hinge.has_motor { "motor" } else { "hinge" };
                 let mut deed = Deed::edit(name, Do::Add(Box::new(hinge.keys(scope, &self.motor))));
                 if let Some(contact) = hinge.parted {
@@ -159,22 +173,79 @@ impl Drives {
         }
     }
 
+    /// What a click does with a hinge that is there, in words and as a deed.
+    fn change(&self, scope: Scope<'_>, hub: &Hub, takes_away: bool) -> (&'static str, Deed) {
+        let props = hub.props(scope);
+        if takes_away {
+            let points = std::iter::once(hub.point).chain(props).map(|point| point.0).collect();
+            return (
+                "the hinge goes",
+                Deed::edit("hinge away", Do::Delete(DeleteKeys { points, ..DeleteKeys::default() })),
+            );
+        }
+        let without = Do::Delete(DeleteKeys {
+            points: props.iter().map(|point| point.0).collect(),
+            angles: hub.motors.iter().map(|angle| angle.number).collect(),
+            ..DeleteKeys::default()
+        });
+        let hinge = Hinge::of(scope, hub);
+        let is_off = self.motor.is_on == Some(false);
+        match hub.motors.is_empty() {
+            false if is_off || self.is_set(scope, hub, &hinge) => {
+                ("motor off; with Shift the hinge goes", Deed::edit("motor off", without))
+            }
+            true if is_off => (HINGED, Deed::words(HINGED.to_owned())),
+            has_none => {
+                let props = Hinge::prop(scope, &hinge, hub.is_pinned);
+                let reference = hinge.struts.first().map_or(scope.shown.point_count() as u32, |strut| strut.0);
+                let keys = AddKeys {
+                    points: (!props.is_empty()).then(|| pins(props, scope.shown.point_count() as u32)),
+                    angles: hinge.motors(scope, &self.motor, [reference, hub.point.0]),
+                    ..AddKeys::default()
+                };
+                let mut deed = Deed::edit("motor", Do::Add(Box::new(keys)));
+                if !has_none {
+                    deed.commands.insert(0, without);
+                }
+                let words = if has_none { "motor on" } else { "this motor instead" };
+                (if has_none { "motor on; with Shift the hinge goes" } else { words }, deed)
+            }
+        }
+    }
+
+    /// Whether the motors of a hinge are what a click would make them.
+    fn is_set(&self, scope: Scope<'_>, hub: &Hub, hinge: &Hinge) -> bool {
+        let is_same = |angle: &Angle| {
+            let Some(AngleDrive::Motor { torque, .. }) = angle.drive else { return false };
+            let keys = DriveKeys { torque: Some(torque), ..self.motor.keys(1.0) };
+            keys.told_angle().ok() == angle.drive
+        };
+        // A soft body bears less where it is out of shape.
+        let torque = hinge.torque(scope, &self.motor);
+        hub.motors.iter().all(is_same) && (hub.torque() - torque).abs() <= SAME_TORQUE * torque
+    }
+
     /// What a click with the tool for motors would do.
-    pub(super) fn mark_motor(&self, scope: Scope<'_>, at: DVec2) -> Vec<Mark> {
-        let hinge = match Hinge::at(scope, at, self.motor.is_on) {
+    pub(super) fn mark_motor(&self, scope: Scope<'_>, at: DVec2, takes_away: bool) -> Vec<Mark> {
+        let hinge = match Meant::at(scope, at, self.motor.is_on) {
             None => return Vec::new(),
             Some(Err(why)) => return vec![Mark::Words(beside(scope, at), why.to_owned())],
-            Some(Ok(hinge)) => hinge,
+            Some(Ok(Meant::There(hub))) => {
+                let role = if takes_away { Role::Away } else { Role::Hold };
+                let (words, _) = self.change(scope, &hub, takes_away);
+                let mut marks = Hinge::of(scope, &hub).marks(scope, [role; 2]);
+                marks.push(Mark::Words(beside(scope, at), words.to_owned()));
+                return marks;
+            }
+            Some(Ok(Meant::New(hinge))) => hinge,
         };
-        let Some(hub) = scope.on_screen(hinge.at) else { return Vec::new() };
-        let lines = hinge.spokes.iter().map(|spoke| (Role::Come, spoke));
-        let lines = lines.chain(hinge.struts.iter().map(|strut| (Role::Hold, strut)));
-        let mut marks: Vec<Mark> = lines
-            .filter_map(|(role, &point)| Some(Mark::Line(role, hub, scope.pixel(point)?, 2.0 * scope.scale)))
-            .collect();
-        marks.push(Mark::Ring(Role::Come, hub, 7.0 * scope.scale));
+        let mut marks = hinge.marks(scope, [Role::Come, Role::Hold]);
         let what = if hinge.has_motor { "a motor" } else { "a hinge" };
-        let on = if hinge.struts.is_empty() { "on the ground" } else { "between both bodies" };
+        let on = match hinge.struts.is_empty() {
+            false => "between both bodies",
+            true if hinge.has_motor && hinge.rests(scope) => "on the ground: its axle is pinned here",
+            true => "pinned to the background here",
+        };
         let torque = hinge.torque(scope, &self.motor);
         let why = match hinge.parted {
             Some(_) => format!(": {PASSES}"),
@@ -237,56 +308,148 @@ fn round(scope: Scope<'_>, body: &[PointId]) -> Option<(DVec2, f64)> {
     (least >= ROUND * most).then_some((middle, most))
 }
 
-impl Hinge {
-    /// About a pixel: of the body that lies there and another one beside it, else of that and the ground. `None`: no body lies there.
+/// What a click with the tool for motors means.
+enum Meant {
+    /// A hinge that is there.
+    There(Hub),
+    /// One that is to come.
+    New(Hinge),
+}
+
+impl Meant {
+    /// At a pixel: a hinge that is there, at its hub or on what is round about it; else of the body that lies there and another one beside
+    /// it, or of that and the background. `None`: no body lies there.
     fn at(scope: Scope<'_>, pixel: DVec2, wants_motor: Option<bool>) -> Option<Result<Self, &'static str>> {
         let hit = scope.nearest(pixel)?;
         if scope.shown.dimensions != 2 {
             return Some(Err("hinges are of the plane: this scene is in space"));
         }
-        if scope.reached(pixel).into_iter().any(|point| scope.is_pinned(point)) {
-            return Some(Err("a pin or a hinge is there already"));
+        let hubs = Hubs::of(scope, hit.point);
+        let reached = scope.reached(pixel);
+        // What a motor pushes against belongs to its hinge.
+        let is_of = |hub: &&Hub| reached.iter().any(|point| hub.motors.iter().any(|angle| angle.points[0] == *point));
+        let hub = reached.iter().find_map(|point| hubs.at(*point)).or_else(|| hubs.all.iter().find(is_of));
+        if let Some(hub) = hub {
+            return Some(Ok(Meant::There(hub.clone())));
         }
+        if reached.iter().any(|&point| scope.is_pinned(point)) {
+            return Some(Err(PINNED));
+        }
+        if reached.iter().any(|point| scope.shown.scenery.joints.contains(point)) {
+            return Some(Err(JOINT));
+        }
+        Hinge::at(scope, (pixel, hit.point), &hubs, wants_motor)
+    }
+}
+
+impl Hinge {
+    /// About a pixel near a point of a body.
+    fn at(
+        scope: Scope<'_>,
+        (pixel, point): (DVec2, PointId),
+        hubs: &Hubs<'_>,
+        wants_motor: Option<bool>,
+    ) -> Option<Result<Meant, &'static str>> {
         let clicked = scope.in_plane(pixel);
-        let body = scope.body(hit.point);
+        let body = hubs.piece(point);
         // What is round turns about its middle; near its rim it can hang, without a motor.
         let round = round(scope, &body);
         let is_meant = |(middle, radius): &(DVec2, f64)| {
             wants_motor != Some(false) || clicked.distance(*middle) <= MIDDLE * radius
         };
-        let at = round.filter(is_meant).map_or(clicked, |(middle, _)| middle);
+        let meant = round.filter(is_meant);
+        if let Some((middle, radius)) = meant
+            && let Some(hub) = hubs.near(middle, HINGED_AT * radius)
+        {
+            return Some(Ok(Meant::There(hub.clone())));
+        }
+        let at = meant.map_or(clicked, |(middle, _)| middle);
         let far = |&point: &PointId| place(scope, point).distance(at);
         let radius = body.iter().map(far).fold(0.0, f64::max);
         let spokes = nearest(&body, far, (SPOKES, LEAST_SPOKE * radius));
         if spokes.len() < 2 {
             return Some(Err("a hinge needs a body of three points or more"));
         }
-        let is_there = |point: &PointId| scope.shown.scenery.gone.binary_search(point).is_err();
-        let others = (0..scope.shown.point_count() as u32).map(PointId).filter(is_there);
-        let others = others.filter(|point| body.binary_search(point).is_err());
-        let other = others.min_by(|a, b| far(a).total_cmp(&far(b))).filter(|point| far(point) <= NEAR * radius);
+        // What is not round is held by what lies at the click, not by what lies as far off as it is long.
+        let arm = spokes.iter().map(far).fold(0.0, f64::max);
+        let reach = SNAP * scope.scale / scope.camera.pixels_per_metre();
+        let most = if meant.is_some() { NEAR * radius } else { (NEAR * arm).max(reach) };
+        let is_other = |point: &PointId| scope.is_there(*point) && body.binary_search(point).is_err();
+        let others = (0..scope.shown.point_count() as u32).map(PointId).filter(is_other);
+        let others = others.filter(|point| hubs.at(*point).is_none());
+        let other = others.min_by(|a, b| far(a).total_cmp(&far(b))).filter(|point| far(point) <= most);
         // What a motor on the ground pushes against is no body.
-        let holder = other.map(|point| scope.body(point)).filter(|holder| holder.len() > 1).unwrap_or_default();
+        let holder = other.map(|point| Hubs::of(scope, point).piece(point)).filter(|holder| holder.len() > 1);
+        let holder = holder.unwrap_or_default();
         let struts = nearest(&holder, far, (STRUTS, LEAST_SPOKE * radius));
         let contact = scope.shown.settings.contact.flatten().filter(|contact| contact.with_itself);
         let parted = contact.filter(|_| overlap(scope, [&body, &holder]));
         let has_motor = wants_motor.unwrap_or(round.is_some() && struts.is_empty());
-        Some(Ok(Hinge { at, spokes, struts, has_motor, parted }))
+        Some(Ok(Meant::New(Hinge { at, spokes, struts, has_motor, parted })))
+    }
+
+    /// One that is there: what is round turns, or what has the most bonds.
+    fn of(scope: Scope<'_>, hub: &Hub) -> Self {
+        let is_round = |side: &Vec<PointId>| {
+            side.first().is_some_and(|&point| round(scope, &Hubs::of(scope, point).piece(point)).is_some())
+        };
+        let turning = hub.sides.iter().position(is_round).unwrap_or(0);
+        let side = |k: usize| hub.sides.get(k).cloned().unwrap_or_default();
+        let struts = if hub.is_pinned { Vec::new() } else { side(if turning == 0 { 1 } else { 0 }) };
+        Hinge { at: place(scope, hub.point), spokes: side(turning), struts, has_motor: true, parted: None }
+    }
+
+    /// What a motor on the background pushes against: a pin beside the hub `[m]`.
+    fn prop(scope: Scope<'_>, hinge: &Hinge, is_pinned: bool) -> Vec<DVec2> {
+        let arm = hinge.spokes.first().map_or(1.0, |&spoke| place(scope, spoke).distance(hinge.at));
+        is_pinned.then_some(hinge.at + DVec2::new(0.5 * arm, 0.0)).into_iter().collect()
+    }
+
+    /// Its lines and its hub: what turns and what holds it.
+    fn marks(&self, scope: Scope<'_>, [turns, holds]: [Role; 2]) -> Vec<Mark> {
+        let Some(hub) = scope.on_screen(self.at) else { return Vec::new() };
+        let lines = self.spokes.iter().map(|spoke| (turns, spoke));
+        let lines = lines.chain(self.struts.iter().map(|strut| (holds, strut)));
+        let mut marks: Vec<Mark> = lines
+            .filter_map(|(role, &point)| Some(Mark::Line(role, hub, scope.pixel(point)?, 2.0 * scope.scale)))
+            .collect();
+        marks.push(Mark::Ring(turns, hub, 7.0 * scope.scale));
+        marks
+    }
+
+    /// Whether what turns about it lies on a floor or a wall.
+    fn rests(&self, scope: Scope<'_>) -> bool {
+        let Some(&first) = self.spokes.first() else { return false };
+        let near = SNAP * scope.scale / scope.camera.pixels_per_metre();
+        let body = Hubs::of(scope, first).piece(first);
+        body.into_iter().any(|point| gap(scope, place(scope, point)) <= near)
     }
 
     /// The keys that bring it into the world.
     fn keys(&self, scope: Scope<'_>, motor: &MotorChoice) -> AddKeys {
         let hub = scope.shown.point_count() as u32;
         let is_grounded = self.struts.is_empty();
-        let arm = self.spokes.first().map_or(1.0, |&spoke| place(scope, spoke).distance(self.at));
         let mut position = vec![self.at];
-        // What a motor on the ground pushes against.
-        position.extend((is_grounded && self.has_motor).then_some(self.at + DVec2::new(0.5 * arm, 0.0)));
+        position.extend(Hinge::prop(scope, self, is_grounded && self.has_motor));
         let reference = self.struts.first().map_or(hub + 1, |strut| strut.0);
         let kind = stuff(scope, &self.spokes);
         let spokes = self.spokes.iter().map(|spoke| bond(hub, spoke.0, kind));
         let struts = self.struts.iter().map(|strut| bond(hub, strut.0, stuff(scope, &self.struts)));
-        let turned = if self.has_motor { self.turned(scope) } else { Vec::new() };
+        let mut points = pins(position, hub);
+        if !is_grounded {
+            points.pinned.clear();
+        }
+        AddKeys {
+            points: Some(points),
+            bonds: spokes.chain(struts).collect(),
+            angles: if self.has_motor { self.motors(scope, motor, [reference, hub]) } else { Vec::new() },
+            ..AddKeys::default()
+        }
+    }
+
+    /// Its motors, which turn its spokes about a hub against what is there already.
+    fn motors(&self, scope: Scope<'_>, motor: &MotorChoice, [reference, hub]: [u32; 2]) -> Vec<AngleKeys> {
+        let turned = self.turned(scope);
         let share = self.torque(scope, motor) / motor.torque / turned.len().max(1) as f64;
         let angle = |rim: PointId| AngleKeys {
             points: Row([reference, hub, rim.0]),
@@ -297,18 +460,7 @@ impl Hinge {
             max: None,
             drive: Some(motor.keys(share)),
         };
-        let pinned = if is_grounded { (hub..hub + position.len() as u32).collect() } else { Vec::new() };
-        AddKeys {
-            points: Some(PointKeys {
-                mass: Some(MassKeys::Same(1.0)),
-                position: position.into_iter().map(|at| Vector::Plane(at.to_array())).collect(),
-                velocity: None,
-                pinned,
-            }),
-            bonds: spokes.chain(struts).collect(),
-            angles: turned.into_iter().map(angle).collect(),
-            ..AddKeys::default()
-        }
+        turned.into_iter().map(angle).collect()
     }
 
     /// The torque of its motor `[N m]`: of a soft body as much as shears what it turns by half.
@@ -329,6 +481,34 @@ impl Hinge {
         let every = around.len().div_ceil(TURNED).max(1);
         around.into_iter().step_by(every).collect()
     }
+}
+
+/// Pins of a kilogram at these places `[m]`, numbered from the next on.
+fn pins(position: Vec<DVec2>, next: u32) -> PointKeys {
+    PointKeys {
+        mass: Some(MassKeys::Same(1.0)),
+        velocity: None,
+        pinned: (next..next + position.len() as u32).collect(),
+        position: position.into_iter().map(|at| Vector::Plane(at.to_array())).collect(),
+    }
+}
+
+/// How far a place is from the nearest wall, plane or obstacle `[m]`.
+fn gap(scope: Scope<'_>, at: DVec2) -> f64 {
+    let scenery = &scope.shown.scenery;
+    let walls = scenery.bounds.iter().flat_map(|[low, high]| {
+        [0, 1].into_iter().flat_map(move |axis| [(at[axis] - low[axis]).abs(), (high[axis] - at[axis]).abs()])
+    });
+    let planes = scenery.planes.iter().map(|[point, normal]| {
+        let [point, normal] = [*point, *normal].map(|x| DVec3::from(x).truncate());
+        (at - point).dot(normal.normalize_or_zero()).abs()
+    });
+    let loops = scenery.polygons.iter().flat_map(|polygon| &polygon.loops);
+    let sides = loops.flat_map(|corners| {
+        let side = move |k: usize| [corners[k], corners[(k + 1) % corners.len()]].map(DVec2::from);
+        (0..corners.len()).map(side).map(|[from, to]| distance_to_segment(at, from, to))
+    });
+    walls.chain(planes).chain(sides).fold(f64::INFINITY, f64::min)
 }
 
 fn place(scope: Scope<'_>, point: PointId) -> DVec2 {

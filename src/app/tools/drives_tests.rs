@@ -8,8 +8,9 @@ use super::marks::Mark;
 use super::tests::{scope, shown};
 use super::{Deed, Drives, Hand};
 use crate::app::action::Tool;
-use crate::app::player::{Order, Stage};
+use crate::app::player::{Order, Shown, Stage};
 use crate::history::{Do, DriveOrNone};
+use crate::render::Camera;
 use crate::scene::Scene;
 use crate::sim::AngleDrive;
 
@@ -145,4 +146,104 @@ fn bodies_that_overlap_are_hinged_and_pass_through_each_other() {
     let far: Vec<f64> = rim.map(disc).collect();
     assert!(far.len() > 5 && far.iter().all(|far| (0.25..0.7).contains(far)), "the wheel is whole: {far:?}");
     assert!(world.is_finite());
+}
+
+/// What is written beside the cursor.
+fn said(seen: &(Shown, Camera, Scene), hand: &Hand, at: DVec2) -> String {
+    let words = hand.marks(scope(seen), Some(at)).into_iter().find_map(|mark| match mark {
+        Mark::Words(_, words) => Some(words),
+        _ => None,
+    });
+    words.unwrap_or_default()
+}
+
+/// Angles and points that are left.
+fn counts(stage: &Stage) -> [usize; 2] {
+    let world = stage.history().world();
+    [world.angles().len(), world.point_count() - world.gone().len()]
+}
+
+#[test]
+fn a_click_on_a_hinge_that_is_there_switches_its_motor_and_with_shift_takes_it_away() {
+    let all = counts(&stage())[1];
+    // Between the wheel and the box, and on the background.
+    for (middle, props) in [([-2.0, 0.0], 0), ([3.0, -3.0], 1)] {
+        let mut seen = shown(Scene::parse(WHEELS, "x.json").unwrap());
+        let mut stage = stage();
+        let mut hand = hand(Tool::Motor);
+        let at = |seen: &(Shown, Camera, Scene), by: f64| {
+            DVec2::from(seen.1.screen_from_world([middle[0], middle[1] - by, 0.0].into()).unwrap())
+        };
+        let mut click = |seen: &mut (Shown, Camera, Scene), hand: &mut Hand, by: f64| {
+            let deed = hand.press(scope(seen), at(seen, by));
+            let edit = deed.edit;
+            if !deed.is_empty() {
+                give(&mut stage, deed);
+                stage.show(&mut seen.0);
+            }
+            (edit.unwrap_or(""), counts(&stage))
+        };
+        let drives = hand.drives();
+        hand.set_drives(Drives { motor: MotorChoice { is_on: Some(false), ..drives.motor }, ..drives });
+        assert_eq!(click(&mut seen, &mut hand, 0.0), ("hinge", [0, all + 1]));
+        assert!(said(&seen, &hand, at(&seen, 0.0)).contains("a hinge is here already"));
+        assert_eq!(click(&mut seen, &mut hand, 0.0), ("", [0, all + 1]), "the switch asks for none");
+        hand.set_drives(drives);
+        // Near the rim, too, its own hinge is meant, and no body far off.
+        for by in [0.0, 0.35] {
+            assert_eq!(click(&mut seen, &mut hand, by), ("motor", [3, all + 1 + props]));
+            assert!(said(&seen, &hand, at(&seen, by)).contains("motor off"));
+            assert_eq!(click(&mut seen, &mut hand, by), ("motor off", [0, all + 1]), "nothing is left of it");
+        }
+        click(&mut seen, &mut hand, 0.0);
+        let back = MotorChoice { speed: 5.0, ..drives.motor };
+        hand.set_drives(Drives { motor: back, ..drives });
+        assert_eq!(said(&seen, &hand, at(&seen, 0.0)), "this motor instead");
+        assert_eq!(click(&mut seen, &mut hand, 0.0), ("motor", [3, all + 1 + props]));
+        hand.hold([true, false]);
+        assert!(said(&seen, &hand, at(&seen, 0.0)).contains("the hinge goes"));
+        assert_eq!(click(&mut seen, &mut hand, 0.0), ("hinge away", [0, all]), "and the body is as it was");
+    }
+}
+
+#[test]
+fn a_motor_is_on_the_ground_only_where_its_wheel_touches_it() {
+    for (floor, words) in [("", "pinned to the background"), (FLOOR, "on the ground")] {
+        let scene = WHEELS.replace("\"bodies\"", &format!("{floor}\"bodies\""));
+        let seen = shown(Scene::parse(&scene, "x.json").unwrap());
+        let at = DVec2::from(seen.1.screen_from_world([3.0, -3.0, 0.0].into()).unwrap());
+        assert!(said(&seen, &hand(Tool::Motor), at).contains(words), "{}", said(&seen, &hand(Tool::Motor), at));
+    }
+}
+
+const FLOOR: &str = r#""obstacles": [{"plane": {"point": [0, -3.5], "normal": [0, 1]}}], "#;
+
+#[test]
+fn while_paused_a_body_is_moved_with_the_pins_that_it_hangs_and_turns_on() {
+    let mut seen = shown(Scene::parse(WHEELS, "x.json").unwrap());
+    let mut stage = stage();
+    let at = |x: f64, y: f64| DVec2::from(seen.1.screen_from_world([x, y, 0.0].into()).unwrap());
+    let [rim, to, middle] = [at(3.4, -3.1), at(2.4, -2.1), at(3.0, -3.0)];
+    give(&mut stage, hand(Tool::Motor).press(scope(&seen), middle));
+    stage.show(&mut seen.0);
+    let count = seen.0.point_count();
+    assert_eq!(seen.0.scenery.pinned.len(), 2);
+    let before: Vec<[f64; 3]> = (0..count).map(|point| seen.0.place(point)).collect();
+    let mut hand = Hand::default();
+    hand.stand_still(true);
+    // On its axle as well as on its rim.
+    assert!(hand.press(scope(&seen), middle).is_empty() && hand.is_carrying());
+    hand.release(scope(&seen), middle);
+    assert!(hand.press(scope(&seen), rim).is_empty());
+    assert!(said(&seen, &hand, to).contains("pins go along"));
+    let deed = hand.release(scope(&seen), to);
+    give(&mut stage, deed);
+    stage.show(&mut seen.0);
+    let moved = |point: &usize| {
+        let [x, y, _] = seen.0.place(*point);
+        (x - before[*point][0] + 1.0).abs() < 0.02 && (y - before[*point][1] - 1.0).abs() < 0.02
+    };
+    let last = scope(&seen).body(crate::sim::PointId(count as u32 - 1));
+    assert!(last.len() > 20 && last.iter().all(|point| moved(&point.index())), "its wheel and both pins");
+    assert_eq!((0..count).filter(moved).count(), last.len(), "nothing else");
 }

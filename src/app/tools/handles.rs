@@ -8,8 +8,10 @@ use super::Deed;
 use super::chosen::Chosen;
 use super::marks::{Mark, Role};
 use super::pick::Scope;
+use super::room::{Outcome, here, under};
 use crate::history::{Do, Factors, MoveKeys};
 use crate::scene::Vector;
+use crate::sim::PointId;
 
 /// The box keeps so far off what is in it `[logical px]`.
 const MARGIN: f64 = 9.0;
@@ -198,8 +200,47 @@ impl Change {
         }
     }
 
+    /// What becomes of bodies under obstacles that are selected.
+    pub(super) fn outcome(self, scope: Scope<'_>, chosen: &Chosen, about: DVec2) -> Outcome {
+        if chosen.obstacles.is_empty() || scope.shown.dimensions != 2 {
+            return Outcome::default();
+        }
+        let scenery = &scope.shown.scenery;
+        let is_chosen = |number: &&u32| chosen.obstacles.contains(number);
+        let moved = |x: DVec2| self.place(about, x);
+        let polygons = scenery.polygons.iter().zip(&scenery.solid_numbers).filter(|(_, number)| is_chosen(number));
+        let polygons = polygons.map(|(polygon, _)| {
+            let mut polygon = polygon.clone();
+            polygon.loops.iter_mut().flatten().for_each(|corner| *corner = moved(DVec2::from(*corner)).to_array());
+            polygon
+        });
+        let planes = scenery.planes.iter().zip(&scenery.plane_numbers).filter(|(_, number)| is_chosen(number));
+        let planes: Vec<_> = planes
+            .map(|([point, normal], _)| {
+                let [point, normal] = [point, normal].map(|x| DVec2::new(x[0], x[1]));
+                let along = moved(point + normal.perp()) - moved(point);
+                [moved(point), -along.perp()].map(|x| x.extend(0.0).to_array())
+            })
+            .collect();
+        let is_moved = |point: PointId| chosen.points.binary_search(&point).is_ok();
+        let place = |point: PointId| {
+            let at = here(scope, point);
+            if is_moved(point) { moved(at) } else { at }
+        };
+        under(scope, (&planes, polygons.collect()), &chosen.obstacles, place)
+    }
+
+    /// The command that does it to what is selected, or why it cannot be.
+    pub(super) fn fitted(self, scope: Scope<'_>, chosen: &Chosen, about: DVec2) -> Deed {
+        let outcome = self.outcome(scope, chosen, about);
+        match outcome.refused {
+            Some(why) => Deed::words(why.to_owned()),
+            None => Deed { words: outcome.words(), ..self.deed(chosen, about) },
+        }
+    }
+
     /// The command that does it to what is selected; nothing where nothing changes.
-    pub(super) fn deed(self, chosen: &Chosen, about: DVec2) -> Deed {
+    fn deed(self, chosen: &Chosen, about: DVec2) -> Deed {
         let keys = MoveKeys { points: chosen.numbers(), obstacles: chosen.obstacles.clone(), ..MoveKeys::default() };
         let about = Some(Vector::Plane(about.to_array()));
         let (name, keys) = match self {

@@ -48,6 +48,17 @@ pub(in crate::app) enum Mark {
 }
 
 impl Mark {
+    /// The same in another role.
+    pub(super) fn with(self, role: Role) -> Self {
+        match self {
+            Mark::Line(_, from, to, width) => Mark::Line(role, from, to, width),
+            Mark::Ring(_, middle, radius) => Mark::Ring(role, middle, radius),
+            Mark::Knob(_, middle, radius) => Mark::Knob(role, middle, radius),
+            Mark::Square(_, middle, half) => Mark::Square(role, middle, half),
+            words @ Mark::Words(..) => words,
+        }
+    }
+
     /// The same where its pixels go.
     pub(super) fn mapped(self, place: impl Fn(DVec2) -> DVec2) -> Self {
         match self {
@@ -66,6 +77,8 @@ const WIDTHS: [f64; 2] = [1.5, 7.0];
 const HALF_FORCE: f64 = 30.0;
 /// Radius of the ring around a point that is probed `[logical px]`.
 const RING: f64 = 9.0;
+/// Said of a body with pins that is moved while time stands still.
+const ALONG: &str = "its pins go along; the tool that selects (6) turns it";
 /// Bonds of a body that are drawn at most.
 const MOST: usize = 4000;
 
@@ -74,7 +87,13 @@ pub(super) fn of((tool, maker): (Tool, Maker), doing: &Doing, scope: Scope<'_>, 
         (Doing::Grabbing(points), _) => led(scope, points, at),
         (Doing::Carrying(from, what), _) => {
             let by = at.map_or(DVec2::ZERO, |at| at - *from);
-            what.left(scope).outline(scope, Role::Lead).into_iter().map(|mark| mark.mapped(|x| x + by)).collect()
+            let what = what.left(scope);
+            let mut marks: Vec<Mark> =
+                what.outline(scope, Role::Lead).into_iter().map(|mark| mark.mapped(|x| x + by)).collect();
+            let is_held = what.points.iter().any(|point| scope.is_pinned(*point));
+            let words = at.filter(|_| is_held).map(|at| at + DVec2::new(16.0, -14.0) * scope.scale);
+            marks.extend(words.map(|at| Mark::Words(at, ALONG.to_owned())));
+            marks
         }
         (Doing::Leading(lead), _) => led(scope, &[lead.point()], at),
         (Doing::Cutting(from), _) => {

@@ -12,11 +12,11 @@ use crate::app::action::{Primitive, Tool};
 use crate::app::matter::{Among, MatterChange, Preset};
 use crate::app::opening;
 use crate::app::player::{Note, Order, Shown, Stage};
-use crate::history::{Do, Group, hash_now};
+use crate::history::{Do, Group, SetKeys, Weather, hash_now};
 use crate::picture::Tint;
 use crate::render::Camera;
-use crate::scene::Scene;
-use crate::sim::{Angle, Bond, ForceView, Obstacle, PointId};
+use crate::scene::{Scene, Vector, WindKeys};
+use crate::sim::{Angle, Bond, Cursor, ForceView, Obstacle, PointId, SceneChange};
 
 /// What is tried.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -26,6 +26,9 @@ enum Act {
     Cut,
     Erase,
     Build,
+    Rope,
+    Figure,
+    Solid,
     Polygon,
     Bonds,
     Push,
@@ -40,6 +43,7 @@ enum Act {
     Soften,
     Copy,
     Group,
+    Wind,
     Delete,
 }
 
@@ -91,13 +95,16 @@ const SCENES: [(&str, &str, Option<usize>); 7] = [
 ];
 
 /// Rows: what comes of it in each scene.
-const TABLE: [(Act, [Comes; 7]); 20] = [
+const TABLE: [(Act, [Comes; 7]); 24] = [
     //                soft rope net pile rigid solid space
     (Act::Grab, [G, G, G, G, G, W, G]),
     (Act::Pin, [E, E, E, E, E, W, E]),
     (Act::Cut, [E, E, E, E, E, W, W]),
     (Act::Erase, [E, E, E, E, E, E, E]),
     (Act::Build, [E, E, E, E, E, E, W]),
+    (Act::Rope, [E, E, E, E, E, E, W]),
+    (Act::Figure, [E, E, E, E, E, E, W]),
+    (Act::Solid, [E, E, E, E, E, E, W]),
     (Act::Polygon, [E, E, E, E, E, E, W]),
     (Act::Bonds, [E, E, E, E, E, E, W]),
     (Act::Push, [E, E, E, E, E, W, W]),
@@ -112,6 +119,7 @@ const TABLE: [(Act, [Comes; 7]); 20] = [
     (Act::Soften, [E, W, E, E, W, W, E]),
     (Act::Copy, [E, E, E, E, E, E, E]),
     (Act::Group, [E, E, E, E, E, W, E]),
+    (Act::Wind, [E, E, E, E, E, E, E]),
     (Act::Delete, [E, E, E, E, E, E, E]),
 ];
 
@@ -127,6 +135,7 @@ struct State {
     tints: Arc<[Tint]>,
     groups: Vec<Group>,
     forces: Vec<ForceView>,
+    settings: SceneChange,
 }
 
 struct Bench {
@@ -141,6 +150,7 @@ impl Bench {
             "space" => std::fs::read_to_string("tests/files/cloth-space.json").unwrap(),
             _ => format!(
                 r#"{{"wobble": 1, "gravity": [0, -9.81], "contact": true, "view": {{"center": [0, 0], "height": 8}},
+                "mouse": {{"strength": 3000, "radius": 0.8}},
                 "bounds": {{"min": [-5, -3], "max": [5, 5], "friction": 0.5}}, {keys}}}"#
             ),
         };
@@ -174,6 +184,7 @@ impl Bench {
             tints: Arc::clone(self.stage.history().tints()),
             groups: self.stage.history().groups(),
             forces: world.forces(),
+            settings: world.settings(),
         }
     }
 
@@ -212,7 +223,7 @@ impl Bench {
             Act::Pin => Tool::Pin,
             Act::Cut => Tool::Cut,
             Act::Erase => Tool::Erase,
-            Act::Build | Act::Polygon | Act::Bonds => Tool::Build,
+            Act::Build | Act::Rope | Act::Figure | Act::Solid | Act::Polygon | Act::Bonds => Tool::Build,
             Act::Push | Act::Turned => Tool::Push,
             Act::Muscle => Tool::Muscle,
             Act::Motor => Tool::Motor,
@@ -223,13 +234,22 @@ impl Bench {
         let chosen = self.chosen();
         let among = Among { points: chosen.points.clone(), obstacles: chosen.obstacles.clone(), bonds: None };
         let deed = match act {
-            Act::Build => {
-                hand.choose(Primitive::Disc);
-                self.drag(&mut hand, [at, far], runs)
+            Act::Build | Act::Rope | Act::Figure | Act::Solid => {
+                hand.choose(match act {
+                    Act::Rope => Primitive::Rope,
+                    Act::Figure => Primitive::Figure,
+                    Act::Solid => Primitive::SolidCircle,
+                    _ => Primitive::Disc,
+                });
+                // An obstacle takes in no body, and cuts no rope that is held at both ends.
+                let beside = if act == Act::Solid { DVec2::new(0.0, 150.0) } else { DVec2::ZERO };
+                self.drag(&mut hand, [at + beside, far + beside], runs)
             }
             Act::Polygon | Act::Bonds => {
                 hand.choose(if act == Act::Polygon { Primitive::Polygon } else { Primitive::Bonds });
-                let corners = [at, far, at + DVec2::new(60.0, 45.0)];
+                // Off what is rigid: between its own points a bond does nothing.
+                let off = if act == Act::Bonds { 3.0 } else { 1.0 };
+                let corners = [at, at + off * DVec2::new(60.0, -45.0), at + off * DVec2::new(60.0, 45.0)];
                 let deeds = corners.map(|corner| self.drag(&mut hand, [corner; 2], runs));
                 let said = deeds.into_iter().find(|deed| *deed != Deed::default());
                 said.unwrap_or_else(|| hand.finish(scope(&self.seen)))
@@ -273,7 +293,7 @@ impl Bench {
                 let by = chosen.beside(scope(&self.seen));
                 let tints = Arc::clone(&self.seen.0.scenery.tints);
                 let add = move |_: &Scene, world: &dyn crate::sim::Dynamics| {
-                    Ok(Clip::of(world, &tints, &chosen).placed(world.next_numbers()[0], by))
+                    Ok(Clip::of(world, &tints, &chosen).placed(world, by))
                 };
                 return (None, Some(Order::Add(Box::new(add))));
             }
@@ -281,6 +301,12 @@ impl Bench {
             Act::Group => {
                 let act = Do::Group { points: chosen.points, name: "group 1".to_owned() };
                 return (None, Some(Order::Give(vec![act], Some("group"))));
+            }
+            Act::Wind => {
+                let velocity = Vector::new([3.0, 0.0, 0.0], self.seen.0.dimensions);
+                let wind = Weather::This(WindKeys { velocity, turbulence: None, seed: None });
+                let set = Do::Set(Box::new(SetKeys { wind: Some(wind), ..SetKeys::default() }));
+                return (None, Some(Order::Give(vec![set], Some("wind"))));
             }
             Act::Delete => {
                 hand.select(chosen);
@@ -348,4 +374,27 @@ fn every_tool_does_something_that_is_undone_or_says_why_not() {
         }
     }
     assert!(wrong.is_empty(), "{}", wrong.join("\n"));
+}
+
+#[test]
+fn the_hover_force_moves_whatever_runs_and_nothing_that_stands_still() {
+    for (name, keys, point) in SCENES.into_iter().filter(|(name, _, point)| *name != "space" && point.is_some()) {
+        let after = |hovers: bool| {
+            let mut bench = Bench::new(name, keys, point);
+            let at = bench.seen.0.place(point.unwrap());
+            let cursor = Some(Cursor::at([at[0] - 0.3, at[1] - 0.1])).filter(|_| hovers);
+            [false, true].map(|runs| {
+                bench.stage.obey(Order::Play(runs));
+                for _ in 0..6 {
+                    bench.stage.obey(Order::Advance { wall: 1.0 / 60.0, cursor, back: false });
+                }
+                let x = bench.stage.history().world().positions();
+                (0..x.len()).map(|k| x.get(k)).collect::<Vec<f64>>()
+            })
+        };
+        let ([still, runs], [held, pushed]) = (after(false), after(true));
+        assert_eq!(still, held, "{name} stands still");
+        let most = pushed.iter().zip(&runs).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
+        assert!(most > 0.01, "{name}: {most}");
+    }
 }

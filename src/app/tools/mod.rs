@@ -1,5 +1,7 @@
 //! Tools: what presses and strokes of the left button become. They return commands and change nothing.
 
+#[cfg(test)]
+mod bad_tests;
 mod brush;
 mod build;
 mod chosen;
@@ -11,6 +13,7 @@ mod erase;
 #[cfg(test)]
 mod grab_tests;
 mod handles;
+mod hub;
 mod lead;
 mod marks;
 #[cfg(test)]
@@ -20,6 +23,7 @@ mod push;
 #[cfg(test)]
 mod push_tests;
 mod region;
+mod room;
 #[cfg(test)]
 mod select_tests;
 mod selecting;
@@ -50,6 +54,7 @@ pub(super) use marks::{Mark, Role, probe};
 pub(super) use pick::Scope;
 pub(super) use push::PushWay;
 use region::Region;
+pub(super) use room::Walls;
 use selecting::is_drag;
 
 /// The hover force stays away so long after a grab `[s]`: what was thrown is not blown off its way.
@@ -374,7 +379,7 @@ impl Hand {
             Tool::Erase => erase(scope, at),
             Tool::Build => self.begin_to_build(scope, at),
             Tool::Muscle => self.drives.press_muscle(scope, at),
-            Tool::Motor => self.drives.press_motor(scope, at),
+            Tool::Motor => self.drives.press_motor(scope, at, self.shift),
             Tool::Push => match self.pushes().press(scope, at) {
                 Ok(pull) => {
                     self.doing = Doing::Forcing(pull);
@@ -417,7 +422,9 @@ impl Hand {
     /// What lies under the pixel is led: a pin along its way, all else by its points. Where nothing does, what the hover force has
     /// pushed away comes to the hand; where nothing is in its reach, it pushes on.
     fn take_hold(&mut self, scope: Scope<'_>, at: DVec2) -> Deed {
-        if let Some(lead) = Lead::of_pin(scope, at) {
+        // The pins of a hinge go with what turns on it while time stands still.
+        let lead = Lead::of_pin(scope, at).filter(|lead| !self.is_still || !hub::is_hinged(scope, lead.point()));
+        if let Some(lead) = lead {
             let commands = self.calm_now();
             self.doing = Doing::Leading(lead);
             return Deed::plain(commands);
@@ -578,7 +585,7 @@ impl Hand {
     pub(super) fn marks(&self, scope: Scope<'_>, at: Option<DVec2>) -> Vec<Mark> {
         let mut marks = match (self.tool(), at) {
             (Tool::Muscle, Some(at)) => self.drives.mark_muscle(scope, at),
-            (Tool::Motor, Some(at)) => self.drives.mark_motor(scope, at),
+            (Tool::Motor, Some(at)) => self.drives.mark_motor(scope, at, self.shift),
             (Tool::Paint, Some(at)) => self.brush.marks(scope, at),
             (Tool::Push, Some(at)) if self.doing == Doing::Nothing => self.pushes().marks(scope, at),
             // What would come next is not shown over what has just come.

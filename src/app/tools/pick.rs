@@ -185,7 +185,7 @@ impl Scope<'_> {
         near.min_by(|a, b| a.0.total_cmp(&b.0)).map(|(_, place, ends)| (place, ends))
     }
 
-    /// All points that bonds hold together with `point`, ascending.
+    /// All points that bonds and angles hold together with `point`, ascending: the pin that a motor pushes against is of what it turns.
     pub(in crate::app) fn body(&self, point: PointId) -> Vec<PointId> {
         let count = self.shown.point_count();
         let mut parent: Vec<u32> = (0..count as u32).collect();
@@ -196,7 +196,8 @@ impl Scope<'_> {
             }
             at
         };
-        for &[a, b] in self.shown.scenery.bonds.ends() {
+        let bonds = self.shown.scenery.bonds.ends().iter().copied();
+        for [a, b] in bonds.chain(self.arms()) {
             if a.index().max(b.index()) < count {
                 let (a, b) = (root(&mut parent, a.0), root(&mut parent, b.0));
                 parent[a.max(b) as usize] = a.min(b);
@@ -207,6 +208,14 @@ impl Scope<'_> {
         }
         let wanted = root(&mut parent, point.0);
         (0..count as u32).filter(|&other| root(&mut parent, other) == wanted).map(PointId).collect()
+    }
+
+    /// Both arms of all angles.
+    pub(super) fn arms(&self) -> impl Iterator<Item = [PointId; 2]> {
+        self.shown.scenery.angles.iter().flat_map(|angle| {
+            let [i, j, k] = angle.points;
+            [[i, j], [j, k]]
+        })
     }
 
     /// The number of the obstacle that a pixel lies in, in space the foremost; of a plane, which has no end, near its surface.

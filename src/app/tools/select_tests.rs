@@ -236,7 +236,7 @@ fn a_copy_moves_as_the_body_does() {
     let count = chosen.points.len();
     assert!((2.0..3.0).contains(&by[0]), "beside it: {by:?}");
     let all = seen.0.point_count();
-    stage.obey(Order::Add(Box::new(move |_, world| Ok(Clip::of(world, &[], &chosen).placed(all as u32, by)))));
+    stage.obey(Order::Add(Box::new(move |_, world| Ok(Clip::of(world, &[], &chosen).placed(world, by)))));
     (0..60).for_each(|_| _ = stage.obey(Order::Advance { wall: 1.0 / 60.0, cursor: None, back: false }));
     // The copy is what is selected when it is there, and nothing until then.
     hand.select(Chosen { points: vec![PointId(all as u32)], obstacles: Vec::new() });
@@ -269,7 +269,7 @@ fn a_copy_has_all_that_was_copied() {
     let mut stage = Stage::new(seen.2.clone().into()).unwrap();
     let tints = std::sync::Arc::clone(&seen.0.scenery.tints);
     stage.obey(Order::Add(Box::new(move |_, world| {
-        Ok(Clip::of(world, &tints, &chosen).placed(world.next_numbers()[0], [10.0, 0.0, 0.0]))
+        Ok(Clip::of(world, &tints, &chosen).placed(world, [10.0, 0.0, 0.0]))
     })));
     let world = stage.history().world();
     assert_eq!((world.point_count(), world.pinned()), (8, &[PointId(3), PointId(7)][..]));
@@ -333,4 +333,31 @@ fn a_group_is_selected_by_any_of_its_bodies() {
     assert_eq!(of_rope(&show(&mut stage)), all.len());
     stage.obey(Order::Undo(None));
     assert_eq!(of_rope(&show(&mut stage)), 5);
+}
+
+#[test]
+fn a_copy_in_another_scene_keeps_the_friction_of_the_one_that_it_is_of() {
+    let rough = DISCS.replace("\"contact\": true", r#""contact": {"friction": 0.9, "restitution": 0.4}"#);
+    let seen = shown(Scene::parse(&rough, "x.json").unwrap());
+    let chosen = Chosen::at(scope(&seen), at(&seen, -2.0, 0.0)).unwrap();
+    let stage = Stage::new(seen.2.clone().into()).unwrap();
+    let clip = Clip::of(stage.history().world(), &[], &chosen);
+    let own = clip.placed(stage.history().world(), [0.0; 3]);
+    assert!(own.skins.is_empty(), "at home it is as the scene says");
+    for contact in ["true", "false", r#"{"friction": 0.9}"#] {
+        let text = DISCS.replace("\"contact\": true", &format!("\"contact\": {contact}"));
+        let mut other = Stage::new(Scene::parse(&text, "x.json").unwrap().into()).unwrap();
+        let first = other.history().world().point_count() as u32;
+        let keys = clip.placed(other.history().world(), [0.0, 2.0, 0.0]);
+        assert_eq!(other.obey(Order::Give(vec![Do::Add(Box::new(keys))], Some("add"))), None);
+        let world = other.history().world();
+        let met = world.contact().unwrap();
+        for point in (first..world.point_count() as u32).map(PointId) {
+            let skin = world.skin_of(point);
+            let [friction, restitution] =
+                [skin.friction.unwrap_or(met.friction), skin.restitution.unwrap_or(met.restitution)];
+            assert_eq!((friction, restitution), (0.9, 0.4), "{contact}");
+            assert_eq!(skin.friction.is_none(), met.friction == 0.9, "what is the same is not said");
+        }
+    }
 }

@@ -63,7 +63,7 @@ impl Hand {
         let Some(chosen) = self.chosen(scope) else { return Deed::default() };
         let Some(frame) = Frame::of(scope, &chosen) else { return Deed::default() };
         let change = grip.change(scope, to, self.shift);
-        change.deed(&chosen, change.about(&frame, grip.handle))
+        change.fitted(scope, &chosen, change.about(&frame, grip.handle))
     }
 
     /// What lies in a region is selected: with what was, while Shift is held; a click selects nothing.
@@ -108,7 +108,11 @@ impl Hand {
         let frame = Frame::of(scope, chosen);
         match (&self.doing, at) {
             (Doing::Moving(from, _), Some(at)) if is_drag(scope, [*from, at]) => {
-                outline.into_iter().map(|mark| mark.mapped(|x| x + (at - *from))).collect()
+                let change = Change::Shift(scope.in_plane(at) - scope.in_plane(*from));
+                let outcome = change.outcome(scope, chosen, DVec2::ZERO);
+                let moved = outline.into_iter().map(|mark| outcome.lines(scope, mark.mapped(|x| x + (at - *from))));
+                let words = outcome.words().map(|words| Mark::Words(at + DVec2::new(16.0, -10.0) * scope.scale, words));
+                moved.chain(outcome.others(scope)).chain(words).collect()
             }
             (Doing::Handling(grip), Some(at)) => {
                 let Some(frame) = frame else { return outline };
@@ -116,8 +120,12 @@ impl Hand {
                 let about = change.about(&frame, grip.handle);
                 let words = at + DVec2::new(16.0, -10.0) * scope.scale;
                 let box_too = frame.marks(scope, Some(grip.handle));
-                let moved = outline.into_iter().chain(box_too).map(|mark| change.preview(scope, about, mark));
-                moved.chain([Mark::Words(words, change.words())]).collect()
+                let outcome = change.outcome(scope, chosen, about);
+                let placed = |mark: Mark| outcome.lines(scope, change.preview(scope, about, mark));
+                let moved = outline.into_iter().chain(box_too).map(placed);
+                let more = outcome.words().map_or_else(String::new, |more| format!(": {more}"));
+                let words = Mark::Words(words, format!("{}{more}", change.words()));
+                moved.chain(outcome.others(scope)).chain([words]).collect()
             }
             (Doing::Nothing, _) => {
                 let near = at.and_then(|at| frame?.handle(scope, at));
@@ -137,7 +145,7 @@ pub(super) fn moved(scope: Scope<'_>, [from, to]: [DVec2; 2], chosen: &Chosen) -
     if scope.shown.dimensions != 2 {
         return Deed::words(OF_THE_PLANE.to_owned());
     }
-    Change::Shift(scope.in_plane(to) - scope.in_plane(from)).deed(&chosen, DVec2::ZERO)
+    Change::Shift(scope.in_plane(to) - scope.in_plane(from)).fitted(scope, &chosen, DVec2::ZERO)
 }
 
 /// Whether a press that ends elsewhere moves what it was on.

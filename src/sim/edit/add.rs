@@ -47,6 +47,10 @@ impl<S: Real, const D: usize> World<S, D> {
             return Ok(done(false));
         }
         let obstacles = if addition.obstacles.is_empty() { None } else { Some(Self::obstacles_of(&model)?) };
+        if D == 2 && !addition.obstacles.is_empty() && self.model.pinned.len() > 1 {
+            let position = (0..self.count()).map(|i| self.there(i)).collect();
+            self.check_ways_round(&model, (position, &[], true))?;
+        }
         let is_old = |point: &PointId| point.0 < first;
         // What else is fastened to a pin is not touched.
         let is_free = |point: &PointId| self.inverse_mass.get(point.index()).is_some_and(|&w| w > 0.0);

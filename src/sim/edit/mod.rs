@@ -13,6 +13,7 @@ mod grab;
 mod overlap;
 mod pins;
 mod recompile;
+mod round;
 mod set;
 mod settings;
 mod shift;

@@ -119,6 +119,12 @@ impl<S: Real, const D: usize> World<S, D> {
         model.check_surroundings().map_err(|error| invalid(error.to_string()))?;
         let moved = if obstacles.is_empty() { None } else { Some(Self::obstacles_of(&model)?) };
         self.check_lengths(&numbers, &placement)?;
+        let is_moved = |i: usize| numbers.binary_search(&(i as u32)).is_ok();
+        let then = |i: usize| if is_moved(i) { placement.place(self.place(i)) } else { self.there(i) };
+        if D == 2 && self.model.pinned.len() > 1 && !model.polygons.is_empty() {
+            let position = (0..self.count()).map(then).collect();
+            self.check_ways_round(&model, (position, &numbers, !obstacles.is_empty()))?;
+        }
         let scaled = (*factors != [1.0; 3]).then(|| self.scaled(&numbers, &placement));
         let mut detached = self.detach(&numbers, moved.is_some());
         for (point, track) in &mut model.pin_motion {

@@ -6,13 +6,15 @@ use glam::DVec2;
 
 use super::corners::{area, crossing};
 use super::fill::filled;
+use super::firm::Firm;
 use super::links::Links;
 use super::outline::{label, line, pixel};
-use super::{CLICK, LEAST, SNAP, Step, TOO_SMALL};
+use super::tie::nearest_of_skin;
+use super::{CLICK, LEAST, SNAP, Step};
 use crate::app::action::Primitive;
 use crate::app::tools::Deed;
 use crate::app::tools::marks::{Mark, Role};
-use crate::app::tools::pick::Scope;
+use crate::app::tools::pick::{Scope, distance_to_segment};
 use crate::history::Do;
 use crate::scene::{AddKeys, BondKeys, PointKeys, Vector};
 use crate::sim::PointId;
@@ -21,6 +23,13 @@ use crate::sim::PointId;
 const ALONE: &str = "a bond needs two points";
 /// Said where its bonds are there already.
 const BONDED: &str = "they are bonded already";
+/// Said where they are of one rigid body.
+const FIRM: &str = "both points are of one rigid body: a bond between them does nothing";
+/// Said where a loop goes around next to nothing.
+const FLAT: &str = "the loop goes around nothing: it has its sides, and is not filled";
+const SMALL: &str = "the loop is too small to be filled: it has its sides";
+/// A loop that is less wide than this share of its length goes around nothing `[1]`.
+const THIN: f64 = 1e-3;
 /// Said where a point of the world that it was drawn to is gone.
 const GONE: &str = "a point that it was drawn to is gone: draw it again";
 /// Said where a loop cannot be filled.
@@ -43,6 +52,17 @@ pub(in crate::app::tools) struct Chain {
     nodes: Vec<Node>,
     /// While the button is down: where it was pressed `[px]`, and whether that is where the chain had come to.
     pressed: Option<(DVec2, bool)>,
+}
+
+/// Whether corners lie on one line, but for less than a hand can draw.
+fn is_flat(corners: &[DVec2]) -> bool {
+    let next = corners.iter().cycle().skip(1);
+    let long: f64 = corners.iter().zip(next).map(|(a, b)| a.distance(*b)).sum();
+    let off = |corner: &DVec2| {
+        let far = corners.iter().max_by(|a, b| a.distance(corners[0]).total_cmp(&b.distance(corners[0])));
+        far.map_or(0.0, |far| distance_to_segment(*corner, corners[0], *far))
+    };
+    corners.iter().map(off).fold(0.0, f64::max) <= THIN * long
 }
 
 impl Chain {
@@ -85,7 +105,9 @@ impl Chain {
         let world = scope.reached(at).into_iter().take(1);
         let world = world.filter_map(|point| Some((scope.pixel(point)?.distance(at), Node::World(point))));
         let near = own.chain(world).filter(|(far, _)| *far <= SNAP * scope.scale);
-        near.min_by(|a, b| a.0.total_cmp(&b.0)).map(|(_, node)| node)
+        let near = near.min_by(|a, b| a.0.total_cmp(&b.0)).map(|(_, node)| node);
+        // What lies within a body would be pushed out of it for ever: on a body the bond goes to its skin.
+        near.or_else(|| nearest_of_skin(scope, at).map(Node::World))
     }
 
     /// Whether it has come back to where it began.
@@ -131,8 +153,9 @@ impl Chain {
             let corners = &places[..places.len() - 1];
             let size = area(corners).abs() * scope.camera.pixels_per_metre().powi(2);
             match () {
+                () if is_flat(corners) => words = Some(FLAT.to_owned()),
                 () if crossing(corners, true).contains(&true) => words = Some(CROSSES.to_owned()),
-                () if size < (LEAST * scope.scale).powi(2) => words = Some(TOO_SMALL.to_owned()),
+                () if size < (LEAST * scope.scale).powi(2) => words = Some(SMALL.to_owned()),
                 () => match filled(corners, &self.nodes, scope.shown.point_count() as u32) {
                     Ok(keys) => return give(keys),
                     Err(why) => words = Some(why),
@@ -159,8 +182,15 @@ impl Chain {
         scope.shown.scenery.bonds.ends().iter().for_each(|[a, b]| {
             pairs.remove(&sorted([a.0, b.0]));
         });
+        let is_bonded = pairs.is_empty();
+        let firm = Firm::of(scope);
+        pairs.retain(|ends| ends[1] >= next || !firm.holds(*ends));
         if pairs.is_empty() && (is_drawn || self.own.is_empty()) {
-            return Err(if is_drawn { BONDED } else { ALONE });
+            return Err(match is_drawn {
+                true if is_bonded => BONDED,
+                true => FIRM,
+                false => ALONE,
+            });
         }
         let points = PointKeys {
             position: self.own.iter().map(|at| Vector::Plane(at.to_array())).collect(),
@@ -204,7 +234,22 @@ impl Chain {
             from.distance(to)
         });
         let closes = self.nodes.len() > 2 && node == self.nodes.first().copied();
+        let corners: Option<Vec<DVec2>> = self.nodes.iter().map(|node| self.place(scope, *node)).collect();
+        let why_not = corners.filter(|_| closes && fills).and_then(|corners| match () {
+            () if is_flat(&corners) => Some(FLAT),
+            () if crossing(&corners, true).contains(&true) => Some(CROSSES),
+            () => None,
+        });
+        if why_not.is_some() {
+            marks = marks.into_iter().map(|mark| mark.with(Role::Away)).collect();
+        }
+        let is_firm = match (last, node) {
+            (Some(Node::World(a)), Some(Node::World(b))) if a != b => Firm::of(scope).holds([a.0, b.0]),
+            _ => false,
+        };
         let words = match node {
+            _ if is_firm => FIRM.to_owned(),
+            _ if why_not.is_some() => why_not.unwrap_or_default().to_owned(),
             None if last.is_none() => "a point: click on, or drag to the next one".to_owned(),
             Some(_) if last.is_none() => "from this point".to_owned(),
             _ if closes && fills => "closes the loop and fills it: a soft body".to_owned(),

@@ -181,3 +181,45 @@ fn a_chain_that_is_left_comes_and_one_that_can_do_nothing_says_so() {
     let point = clicks(&seen, &mut hand, [[0.0, 0.0], [0.0, 0.0]]);
     assert!(matches!(&point.commands[..], [Do::Add(keys)] if keys.points.as_ref().unwrap().position.len() == 1));
 }
+
+#[test]
+fn what_a_loop_cannot_be_filled_for_and_bonds_that_do_nothing_are_said_before_and_after() {
+    let text = r#"{"wobble": 1, "gravity": [0, 0], "view": {"center": [0, 0], "height": 8},
+        "bodies": [{"make": "lattice", "columns": 4, "rows": 3, "spacing": 1, "origin": [-4, 0],
+            "material": {"kind": "rigid", "mass": 2}}]}"#;
+    let seen = shown(Scene::parse(text, "x.json").unwrap());
+    let said = |hand: &Hand, place: [f64; 2]| {
+        let marks = hand.marks(scope(&seen), Some(at(&seen, place[0], place[1])));
+        let words =
+            marks.into_iter().find_map(|mark| if let Mark::Words(_, words) = mark { Some(words) } else { None });
+        words.unwrap()
+    };
+    let loops: [(&[[f64; 2]], &str, usize); 3] = [
+        (&[[0.0, -2.0], [1.0, -2.0], [2.0, -2.0]], "around nothing", 3),
+        (&[[0.0, -2.0], [1.0, -2.0], [3.0, -2.0], [2.0, -2.0]], "around nothing", 4),
+        (&[[0.0, -2.0], [2.0, -1.0], [2.0, -2.0], [0.0, -1.0]], "crosses itself", 4),
+    ];
+    for (corners, words, bonds) in loops {
+        let mut hand = hand(Primitive::Bonds);
+        hand.set_links(Links { link: Link::Rod, fills: true });
+        for corner in corners {
+            clicks(&seen, &mut hand, [*corner]);
+        }
+        assert!(said(&hand, corners[0]).contains(words), "{}", said(&hand, corners[0]));
+        let deed = clicks(&seen, &mut hand, [corners[0]]);
+        assert_eq!((added(&deed).bonds.len(), added(&deed).triangles.len()), (bonds, 0), "its sides alone");
+        assert!(deed.words.is_some_and(|said| said.contains(words)));
+        let mut stage = Stage::new(seen.2.clone().into()).unwrap();
+        assert_eq!(stage.obey(Order::Give(deed.commands, deed.edit)), None);
+    }
+    // From corner to corner of what is rigid; then to where nothing is, and back to its skin from within.
+    let mut hand = hand(Primitive::Bonds);
+    clicks(&seen, &mut hand, [[-4.0, 0.0]]);
+    assert!(said(&hand, [-1.0, 2.0]).contains("one rigid body"));
+    clicks(&seen, &mut hand, [[-1.0, 2.0]]);
+    let deed = clicks(&seen, &mut hand, [[-1.0, 2.0]]);
+    assert!(deed.is_empty() && deed.words.is_some_and(|words| words.contains("one rigid body")));
+    clicks(&seen, &mut hand, [[3.0, 3.0], [-1.3, 1.4]]);
+    let deed = clicks(&seen, &mut hand, [[-1.3, 1.4]]);
+    assert_eq!((added(&deed).bonds.len(), added(&deed).points.as_ref().unwrap().position.len()), (1, 1));
+}

@@ -132,7 +132,7 @@ impl Form {
     fn rope(ends: [End; 2], usual: f64, slack: f64) -> Self {
         let [from, to] = ends;
         let is_on_a_point = |end: End| matches!(end.hold, Hold::Point(_));
-        let slack = if ends.into_iter().all(is_on_a_point) { slack } else { 0.0 };
+        let slack = if has_slack(&ends) { slack } else { 0.0 };
         let ends = if is_on_a_point(to) && !is_on_a_point(from) { [to, from] } else { ends };
         let pieces = PIECES * (1.0 + slack) * from.at.distance(to.at) / usual;
         Form::Rope { ends, pieces: pieces.round().clamp(ALL_PIECES[0], ALL_PIECES[1]) as u32, slack }
@@ -149,8 +149,11 @@ impl Form {
             }
             Form::Rope { ends: [from, to], slack, .. } => {
                 let long = short((1.0 + slack) * from.at.distance(to.at));
-                let is_held = [from, to].into_iter().all(|end| matches!(end.hold, Hold::Point(_)));
-                let more = if is_held { format!(", {:.0} % slack (wheel)", 100.0 * slack) } else { String::new() };
+                let more = if has_slack(&[*from, *to]) {
+                    format!(", {:.0} % slack (wheel)", 100.0 * slack)
+                } else {
+                    String::new()
+                };
                 format!("{long} m{more}")
             }
             Form::Figure(figure) => format!("{} m tall", short(figure.tall)),
@@ -159,6 +162,12 @@ impl Form {
             }
         }
     }
+}
+
+/// Whether a rope is longer than the straight way: between two points, or two pins.
+fn has_slack(ends: &[End; 2]) -> bool {
+    let both = |is: fn(&End) -> bool| ends.iter().all(is);
+    both(|end| matches!(end.hold, Hold::Point(_))) || both(|end| end.hold == Hold::Pin)
 }
 
 /// Where the corners of a rope between two places are, `pieces` of them of one length `[m]`.

@@ -6,6 +6,7 @@ mod corners;
 mod drawn_tests;
 mod figure;
 mod fill;
+mod firm;
 mod form;
 mod grid;
 mod links;
@@ -23,6 +24,7 @@ use super::Deed;
 use super::marks::Mark;
 use super::pick::Scope;
 use crate::app::action::Primitive;
+use crate::app::tools::room::coming;
 use crate::history::{Do, SetKeys};
 use crate::scene::{ContactKeys, Meeting};
 use crate::sim::PointId;
@@ -109,11 +111,16 @@ impl Maker {
         match self.form(scope, Some(drag), at) {
             Ok(form) => {
                 let keys = form.keys(scope.shown.point_count() as u32);
+                let outcome = coming(scope, &keys);
+                if let Some(why) = outcome.refused {
+                    return Deed::words(why.to_owned());
+                }
                 let mut deed = Deed::edit(self.primitive.name(), Do::Add(Box::new(keys)));
                 let meets = scope.shown.settings.contact.flatten().is_some();
                 if self.primitive == Primitive::Figure && !meets {
                     deed.commands.insert(0, apart_from_itself());
                 }
+                deed.words = outcome.words();
                 deed
             }
             Err(words) => Deed::words(words),
@@ -148,8 +155,9 @@ impl Maker {
         let from = self.end(scope, begun.point, begun.from);
         let mut to = self.end(scope, point, there);
         if to.hold == Hold::Pin {
-            // Only where it begins something hangs by itself.
-            to.hold = Hold::None;
+            // Where it ends on nothing it hangs free.
+            let surface = tie::surface_at(scope, at).filter(|_| self.primitive == Primitive::Rope);
+            to = surface.map_or(End { hold: Hold::None, ..to }, |at| End { at, hold: Hold::Pin });
         }
         let drawn = match self.primitive {
             Primitive::Box | Primitive::Cloth | Primitive::SolidBox => (to.at - from.at).abs().min_element(),

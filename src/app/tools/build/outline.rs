@@ -6,15 +6,27 @@ use super::form::{End, Form, Hold, Round, chain};
 use super::matter::INNER;
 use crate::app::tools::marks::{Mark, Role};
 use crate::app::tools::pick::Scope;
+use crate::app::tools::room::coming;
 
 /// Width of outlines `[logical px]`.
 const WIDTH: f64 = 1.5;
 /// The size stands so far from the cursor `[logical px]`.
 const BESIDE: DVec2 = DVec2::new(16.0, -14.0);
 
+/// The outline where it will be, what it puts beside itself, and its size.
 pub(super) fn of(form: &Form, scope: Scope<'_>, at: DVec2) -> Vec<Mark> {
+    let outcome = coming(scope, &form.keys(scope.shown.point_count() as u32));
+    let mut marks: Vec<Mark> = lines(form, scope).into_iter().map(|mark| outcome.lines(scope, mark)).collect();
+    marks.extend(outcome.others(scope));
+    let more = outcome.words().map_or_else(String::new, |words| format!(": {words}"));
+    marks.push(label(scope, at, format!("{}{more}", form.words())));
+    marks
+}
+
+/// What is drawn of it.
+fn lines(form: &Form, scope: Scope<'_>) -> Vec<Mark> {
     let round = |&Round { center, radius }: &Round| ring(scope, center, radius);
-    let mut marks = match form {
+    match form {
         Form::Box(grid) => rectangle(scope, [grid.low, grid.low + grid.size()]),
         Form::Disc(disc) => round(disc),
         Form::Rim(rim) => {
@@ -34,9 +46,7 @@ pub(super) fn of(form: &Form, scope: Scope<'_>, at: DVec2) -> Vec<Mark> {
         Form::SolidBox(corners) => rectangle(scope, *corners),
         Form::SolidCircle(circle) => round(circle),
         Form::Slope(plank) => around(scope, plank.corners()),
-    };
-    marks.push(label(scope, at, form.words()));
-    marks
+    }
 }
 
 /// Words beside the cursor.

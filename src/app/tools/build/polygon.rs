@@ -9,6 +9,7 @@ use crate::app::action::Primitive;
 use crate::app::tools::Deed;
 use crate::app::tools::marks::{Mark, Role};
 use crate::app::tools::pick::Scope;
+use crate::app::tools::room::{Outcome, coming};
 use crate::history::Do;
 use crate::scene::{AddKeys, ObstacleKeys, Vector};
 
@@ -103,11 +104,13 @@ impl Outline {
         if !why.is_empty() {
             return Step::GoesOn(Some(why.to_owned()));
         }
-        let corners = self.corners.iter().map(|corner| Vector::Plane(corner.to_array())).collect();
-        let obstacle =
-            ObstacleKeys { polygon: Some(vec![corners]), friction: Some(FRICTION), ..ObstacleKeys::default() };
-        let keys = AddKeys { obstacles: vec![obstacle], ..AddKeys::default() };
-        Step::Done(Deed::edit(Primitive::Polygon.name(), Do::Add(Box::new(keys))))
+        let keys = within(&self.corners);
+        let outcome = coming(scope, &keys);
+        if let Some(why) = outcome.refused {
+            return Step::GoesOn(Some(why.to_owned()));
+        }
+        let deed = Deed::edit(Primitive::Polygon.name(), Do::Add(Box::new(keys)));
+        Step::Done(Deed { words: outcome.words(), ..deed })
     }
 
     /// Takes the last corner back. Returns whether there is one left.
@@ -141,13 +144,19 @@ impl Outline {
         let mut all = self.corners.clone();
         match at {
             _ if drawn.len() > 1 => all.extend(&drawn[1..]),
-            Some(at) if !closes && self.stroke.is_none() => all.push(scope.in_plane(at)),
+            // Right on the last corner a click closes it.
+            Some(at) if !closes && self.stroke.is_none() && !is_near(scope, self.corners.last(), at, CLICK) => {
+                all.push(scope.in_plane(at));
+            }
             _ => {}
         }
         let (open, closed) = (crossing(&all, false), crossing(&all, true));
         // A free stroke is closed by its end; else closing is yet to be asked for.
         let is_free = drawn.len() > 2;
-        let role = |is_crossed: bool| if is_crossed { Role::Away } else { Role::Come };
+        // What it would do to bodies is known once it has three corners.
+        let outcome =
+            if all.len() > 2 && !closed.contains(&true) { coming(scope, &within(&all)) } else { Outcome::default() };
+        let role = |is_crossed: bool| if is_crossed || outcome.refused.is_some() { Role::Away } else { Role::Come };
         let flags = if is_free || closes { &closed } else { &open };
         let is_wrong = flags.contains(&true);
         let sides = all.windows(2).zip(flags);
@@ -174,9 +183,18 @@ impl Outline {
             1 | 2 => "the next corner".to_owned(),
             count => format!("{count} corners: Enter closes it"),
         };
+        marks.extend(outcome.others(scope));
+        let words = outcome.words().map_or(words.clone(), |more| format!("{words}: {more}"));
         marks.extend(at.map(|at| label(scope, at, words)));
         marks
     }
+}
+
+/// The keys of what lies within corners.
+fn within(corners: &[DVec2]) -> AddKeys {
+    let corners = corners.iter().map(|corner| Vector::Plane(corner.to_array())).collect();
+    let obstacle = ObstacleKeys { polygon: Some(vec![corners]), friction: Some(FRICTION), ..ObstacleKeys::default() };
+    AddKeys { obstacles: vec![obstacle], ..AddKeys::default() }
 }
 
 /// Whether a place is so near to a pixel.

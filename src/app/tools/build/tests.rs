@@ -6,7 +6,7 @@ use glam::DVec2;
 use crate::app::action::{Primitive, Tool};
 use crate::app::player::{Note, Order, Shown, Stage};
 use crate::app::tools::tests::{opened, pixel, scope, shown};
-use crate::app::tools::{Deed, Hand, Mark};
+use crate::app::tools::{Deed, Hand, Mark, Role};
 use crate::history::{Do, History};
 use crate::render::Camera;
 use crate::scene::{AddKeys, Scene};
@@ -361,4 +361,131 @@ fn a_rope_to_what_was_seen_before_something_else_came_is_refused() {
     assert!(stage.obey(Order::Give(disc.commands, disc.edit)).is_none());
     let note = stage.obey(Order::Give(rope.commands, rope.edit));
     assert!(matches!(note, Some(Note::Refused(why)) if why.contains("draw it again")));
+}
+
+/// The middle of the box around lines and rings, and what is written.
+fn drawn(marks: &[Mark]) -> (DVec2, String) {
+    let mut ends = [DVec2::INFINITY, DVec2::NEG_INFINITY];
+    let mut said = String::new();
+    for mark in marks {
+        let places = match mark {
+            Mark::Line(_, from, to, _) => [*from, *to],
+            Mark::Ring(_, middle, radius) => [*middle - *radius, *middle + *radius],
+            Mark::Words(_, words) => {
+                said.clone_from(words);
+                continue;
+            }
+            _ => continue,
+        };
+        places.into_iter().for_each(|at| ends = [ends[0].min(at), ends[1].max(at)]);
+    }
+    (0.5 * (ends[0] + ends[1]), said)
+}
+
+const BLOCK: &str = r#"{"wobble": 1, "view": {"center": [0, 0], "height": 10}, "bounds": {"min": [-6, -4], "max": [6, 4]},
+    "obstacles": [{"box": {"min": [0, -1], "max": [2, 1]}}], "gravity": [0, 0], "contact": true,
+    "bodies": [{"make": "lattice", "columns": 3, "rows": 3, "spacing": 0.3, "origin": [-4, 0],
+        "material": {"kind": "spring", "stiffness": 300, "damping": 1, "mass": 1}},
+      {"make": "lattice", "columns": 2, "rows": 2, "spacing": 0.4, "origin": [-4, 2], "pinned": [0, 1, 2, 3],
+        "material": {"kind": "spring", "stiffness": 300, "damping": 1, "mass": 1}}]}"#;
+
+#[test]
+fn what_is_drawn_into_walls_and_obstacles_is_shown_where_it_will_lie() {
+    let seen = shown(Scene::parse(BLOCK, "x.json").unwrap());
+    let count = seen.0.point_count();
+    for (primitive, from, to) in [
+        (Primitive::Box, [5.5, -3.0], [6.5, -2.0]),
+        (Primitive::Box, [1.4, 0.4], [2.4, -0.4]),
+        (Primitive::Disc, [0.3, 0.2], [0.8, 0.2]),
+        (Primitive::Disc, [-5.9, -3.9], [-5.4, -3.9]),
+    ] {
+        let mut hand = hand(primitive);
+        hand.press(scope(&seen), at(&seen, from[0], from[1]));
+        let pixel = at(&seen, to[0], to[1]);
+        let (middle, said) = drawn(&hand.marks(scope(&seen), Some(pixel)));
+        let deed = hand.release(scope(&seen), pixel);
+        let [low, high] = extent(history(&seen, &[deed]).world(), count);
+        let lies = 0.5 * (low + high);
+        let shown = seen.1.world_from_screen(middle.to_array()).truncate();
+        assert!(shown.distance(lies) < 0.03, "{primitive:?}: shown {shown}, it lies {lies}");
+        assert!(said.contains("put out of the obstacle"), "{said}");
+    }
+}
+
+#[test]
+fn an_obstacle_shows_what_it_puts_aside_and_takes_in_no_body() {
+    let seen = shown(Scene::parse(BLOCK, "x.json").unwrap());
+    // Around the body; from its side; over what is wholly pinned.
+    let cases = [
+        ([-4.5, 1.0], [-3.0, -0.5], Some("inside it as a whole"), 0),
+        ([-5.0, 1.0], [-3.9, -0.5], Some("put beside it"), 1),
+        ([-4.5, 3.0], [-3.8, 1.5], Some("neither gives way"), 1),
+        ([3.0, 3.0], [4.0, 2.0], None, 1),
+    ];
+    for (from, to, words, commands) in cases {
+        for primitive in [Primitive::SolidBox, Primitive::Polygon] {
+            let mut hand = hand(primitive);
+            let corners = [from, [to[0], from[1]], to, [from[0], to[1]]].map(|[x, y]| at(&seen, x, y));
+            let (marks, deed) = if primitive == Primitive::SolidBox {
+                hand.press(scope(&seen), corners[0]);
+                (hand.marks(scope(&seen), Some(corners[2])), hand.release(scope(&seen), corners[2]))
+            } else {
+                for corner in corners {
+                    hand.press(scope(&seen), corner);
+                    hand.release(scope(&seen), corner);
+                }
+                (hand.marks(scope(&seen), Some(corners[0])), hand.finish(scope(&seen)))
+            };
+            let said = drawn(&marks).1;
+            let is_red = marks.iter().any(|mark| matches!(mark, Mark::Line(Role::Away, ..)));
+            assert_eq!((deed.commands.len(), is_red), (commands, commands == 0), "{primitive:?}: {deed:?}");
+            let more = deed.words.unwrap_or_default();
+            match words {
+                Some(words) => assert!(said.contains(words) && more.contains(words), "{primitive:?}: {said}, {more}"),
+                None => assert!(!said.contains(": ") || primitive == Primitive::Polygon, "{said}"),
+            }
+        }
+    }
+    // The obstacle that is there, dragged onto each.
+    for (to, words, commands) in [([-3.7, 0.3], "inside it as a whole", 0), ([-3.9, 2.2], "neither gives way", 1)] {
+        let mut hand = Hand::default();
+        hand.take(Tool::Select);
+        hand.press(scope(&seen), at(&seen, 1.0, 0.0));
+        let to = at(&seen, to[0], to[1]);
+        hand.trace(scope(&seen), to);
+        assert!(drawn(&hand.marks(scope(&seen), Some(to))).1.contains(words));
+        let deed = hand.release(scope(&seen), to);
+        assert!(deed.commands.len() == commands && deed.words.is_some_and(|said| said.contains(words)));
+    }
+}
+
+#[test]
+fn a_rope_between_two_pins_that_cannot_go_round_an_obstacle_keeps_it_away() {
+    let text = r#"{"wobble": 1, "view": {"center": [0, 0], "height": 8}, "gravity": [0, -9.81], "contact": true,
+        "bodies": [{"make": "rope", "count": 9, "to": [4, 0], "origin": [-2, 2], "pinned": [0, 8],
+            "material": {"kind": "rigid", "mass": 1}}]}"#;
+    let seen = shown(Scene::parse(text, "x.json").unwrap());
+    // Across the straight rope; below it.
+    for (low, high, is_refused) in [([-0.5, 1.0], [0.5, 2.5], true), ([-0.5, 0.0], [0.5, 1.8], false)] {
+        let mut stage = Stage::new(seen.2.clone().into()).unwrap();
+        let deed = drag(&seen, &mut hand(Primitive::SolidBox), low, high);
+        let note = stage.obey(Order::Give(deed.commands, deed.edit));
+        let is_said = matches!(&note, Some(Note::Refused(why)) if why.contains("cannot go round"));
+        assert_eq!(is_said, is_refused, "{note:?}");
+    }
+}
+
+#[test]
+fn a_rope_that_ends_on_an_obstacle_or_a_wall_is_pinned_there_and_hangs_between() {
+    let seen = shown(Scene::parse(BLOCK, "x.json").unwrap());
+    for (to, surface) in [([0.2, 0.0], [0.0, 0.0]), ([-0.05, 0.5], [0.0, 0.5]), ([-1.0, 3.98], [-1.0, 4.0])] {
+        let deed = drag(&seen, &mut hand(Primitive::Rope), [-3.0, 0.0], to);
+        let body = &added(&deed).bodies[0];
+        assert_eq!((body.pinned.len(), body.slack.is_some()), (2, true), "{to:?}");
+        let (origin, way) = (body.origin.unwrap().embed(), body.to.unwrap().embed());
+        assert!(close(DVec2::new(origin[0] + way[0], origin[1] + way[1]), surface, 0.02), "{origin:?} {way:?}");
+        let history = history(&seen, &[deed]);
+        assert!(history.world().warnings().is_empty(), "{:?}", history.world().warnings());
+    }
+    assert_eq!(added(&drag(&seen, &mut hand(Primitive::Rope), [-3.0, 0.0], [-1.0, 0.0])).bodies[0].pinned.len(), 1);
 }

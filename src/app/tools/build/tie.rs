@@ -3,6 +3,7 @@
 
 use glam::DVec2;
 
+use super::SNAP;
 use crate::app::tools::pick::Scope;
 use crate::app::tools::skin;
 use crate::sim::PointId;
@@ -18,8 +19,35 @@ pub(super) fn point_at(scope: Scope<'_>, at: DVec2) -> Option<PointId> {
     own.or_else(|| nearest_of_skin(scope, at))
 }
 
+/// The place of a wall or of the surface of an obstacle that an end of a rope at a pixel is pinned to: the nearest, where it is in reach or
+/// the pixel lies on the obstacle `[m]`.
+pub(super) fn surface_at(scope: Scope<'_>, at: DVec2) -> Option<DVec2> {
+    let scenery = &scope.shown.scenery;
+    let place = scope.in_plane(at);
+    let walls = scenery.bounds.iter().flat_map(|[low, high]| {
+        let [low, high] = [low, high].map(|corner| DVec2::new(corner[0], corner[1]));
+        let on = place.clamp(low, high);
+        [DVec2::new(low.x, on.y), DVec2::new(high.x, on.y), DVec2::new(on.x, low.y), DVec2::new(on.x, high.y)]
+    });
+    let planes = scenery.planes.iter().map(|[point, normal]| {
+        let [point, normal] = [point, normal].map(|x| DVec2::new(x[0], x[1]));
+        let normal = normal.normalize_or_zero();
+        place - (place - point).dot(normal) * normal
+    });
+    let loops = scenery.polygons.iter().flat_map(|polygon| &polygon.loops);
+    let sides = loops.flat_map(|corners| (0..corners.len()).map(|k| [corners[k], corners[(k + 1) % corners.len()]]));
+    let sides = sides.map(|side| {
+        let [from, to] = side.map(DVec2::from);
+        let along = to - from;
+        from + ((place - from).dot(along) / along.length_squared().max(f64::MIN_POSITIVE)).clamp(0.0, 1.0) * along
+    });
+    let nearest = walls.chain(planes).chain(sides).min_by(|a, b| a.distance(place).total_cmp(&b.distance(place)))?;
+    let is_near = nearest.distance(place) * scope.camera.pixels_per_metre() <= SNAP * scope.scale;
+    (is_near || scope.solid(at).is_some()).then_some(nearest)
+}
+
 /// The nearest point of the skin of the body that a pixel lies on.
-fn nearest_of_skin(scope: Scope<'_>, at: DVec2) -> Option<PointId> {
+pub(super) fn nearest_of_skin(scope: Scope<'_>, at: DVec2) -> Option<PointId> {
     let [corner, ..] = scope.triangle(at)?;
     let skin = skin::sides(scope, &scope.body(corner)).into_iter().flatten();
     let seen = skin.filter_map(|point| Some((scope.pixel(point)?.distance(at), point)));

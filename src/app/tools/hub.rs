@@ -1,0 +1,159 @@
+//! Hinges that are there: their hubs, and the pieces of a body that turn about them.
+
+use glam::{DVec2, DVec3};
+
+use super::pick::Scope;
+use crate::sim::{Angle, AngleDrive, PointId};
+
+/// Neighbours of a hub belong to one piece when bonds lead from one to the other past the hub in so many steps.
+const STEPS: usize = 4;
+/// A hub that no pin holds has so many bonds to each piece.
+const LEAST_BONDS: usize = 2;
+/// Of more points in no triangle none is looked at: nets are made of such.
+const MOST_LOOSE: usize = 400;
+
+/// A hinge that is there.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct Hub {
+    pub(super) point: PointId,
+    /// The points that it is bonded to, of each piece that turns about it; the one with the most of them first.
+    pub(super) sides: Vec<Vec<PointId>>,
+    /// It is pinned to the background.
+    pub(super) is_pinned: bool,
+    /// The motors that turn it.
+    pub(super) motors: Vec<Angle>,
+}
+
+impl Hub {
+    /// The most torque of its motors together `[N m]`.
+    pub(super) fn torque(&self) -> f64 {
+        let of = |angle: &Angle| match angle.drive {
+            Some(AngleDrive::Motor { torque, .. }) => torque,
+            _ => 0.0,
+        };
+        self.motors.iter().map(of).sum()
+    }
+
+    /// The pins that its motors push against, which hold nothing else.
+    pub(super) fn props(&self, scope: Scope<'_>) -> Vec<PointId> {
+        let scenery = &scope.shown.scenery;
+        let is_bonded = |point: &PointId| scenery.bonds.ends().iter().flatten().any(|end| end == point);
+        let mut props: Vec<PointId> = self.motors.iter().map(|angle| angle.points[0]).collect();
+        props.sort_unstable();
+        props.dedup();
+        props.retain(|point| scope.is_pinned(*point) && !is_bonded(point));
+        props
+    }
+}
+
+/// Whether a point is the hub of a hinge, or what its motor pushes against.
+pub(super) fn is_hinged(scope: Scope<'_>, point: PointId) -> bool {
+    let hubs = Hubs::of(scope, point);
+    let is_of = |hub: &Hub| hub.point == point || hub.motors.iter().any(|angle| angle.points[0] == point);
+    hubs.all.iter().any(is_of)
+}
+
+/// The hubs of the body that a point belongs to, and which points are bonded to which.
+pub(super) struct Hubs<'a> {
+    scope: Scope<'a>,
+    /// The points that each is bonded to.
+    beside: Vec<Vec<PointId>>,
+    is_covered: Vec<bool>,
+    pub(super) body: Vec<PointId>,
+    pub(super) all: Vec<Hub>,
+}
+
+impl<'a> Hubs<'a> {
+    pub(super) fn of(scope: Scope<'a>, point: PointId) -> Self {
+        let count = scope.shown.point_count();
+        let (mut beside, mut is_covered) = (vec![Vec::new(); count], vec![false; count]);
+        for &[a, b] in scope.shown.scenery.bonds.ends() {
+            if a.index().max(b.index()) < count {
+                beside[a.index()].push(b);
+                beside[b.index()].push(a);
+            }
+        }
+        for corner in scope.shown.scenery.triangles.iter().flatten().filter(|corner| corner.index() < count) {
+            is_covered[corner.index()] = true;
+        }
+        let mut hubs = Hubs { scope, beside, is_covered, body: scope.body(point), all: Vec::new() };
+        let is_loose = |point: &&PointId| !hubs.is_covered[point.index()] && hubs.beside[point.index()].len() > 1;
+        let loose: Vec<PointId> = hubs.body.iter().filter(is_loose).copied().take(MOST_LOOSE + 1).collect();
+        if loose.len() <= MOST_LOOSE {
+            hubs.all = loose.into_iter().filter_map(|point| hubs.hub(point)).collect();
+        }
+        hubs
+    }
+
+    /// What a point is the hub of: pieces that no short way joins but through it, or what a pin beside a body holds.
+    fn hub(&self, point: PointId) -> Option<Hub> {
+        let mut sides = self.sides(point);
+        sides.sort_by_key(|side| std::cmp::Reverse(side.len()));
+        let is_motor =
+            |angle: &&Angle| angle.points[1] == point && matches!(angle.drive, Some(AngleDrive::Motor { .. }));
+        let motors: Vec<Angle> = self.scope.shown.scenery.angles.iter().filter(is_motor).copied().collect();
+        let is_pinned = self.scope.is_pinned(point);
+        let is_beside_a_body = self.beside[point.index()].iter().all(|end| self.is_covered[end.index()]);
+        let broad = sides.iter().filter(|side| side.len() >= LEAST_BONDS).count();
+        let is_hub = broad > 1 || !motors.is_empty() || (is_pinned && broad > 0 && is_beside_a_body);
+        is_hub.then_some(Hub { point, sides, is_pinned, motors })
+    }
+
+    /// The points that one is bonded to, in sets that hang together nearby without it.
+    fn sides(&self, point: PointId) -> Vec<Vec<PointId>> {
+        let mut left = self.beside[point.index()].clone();
+        left.sort_unstable();
+        left.dedup();
+        let mut sides = Vec::new();
+        while let Some(first) = left.first().copied() {
+            let mut seen = vec![first];
+            let mut from = 0;
+            for _ in 0..STEPS {
+                let to = seen.len();
+                for k in from..to {
+                    for &next in &self.beside[seen[k].index()] {
+                        if next != point && !seen.contains(&next) {
+                            seen.push(next);
+                        }
+                    }
+                }
+                from = to;
+            }
+            let side: Vec<PointId> = left.iter().copied().filter(|end| seen.contains(end)).collect();
+            left.retain(|end| !side.contains(end));
+            sides.push(side);
+        }
+        sides
+    }
+
+    /// The hub of a point that is one.
+    pub(super) fn at(&self, point: PointId) -> Option<&Hub> {
+        self.all.iter().find(|hub| hub.point == point)
+    }
+
+    /// The hub that stands within so far of a place `[m]`, nearest first.
+    pub(super) fn near(&self, at: DVec2, most: f64) -> Option<&Hub> {
+        let far = |hub: &Hub| DVec3::from(self.scope.shown.place(hub.point.index())).truncate().distance(at);
+        let near = self.all.iter().filter(|hub| far(hub) <= most);
+        near.min_by(|a, b| far(a).total_cmp(&far(b)))
+    }
+
+    /// The points that hang together with one without going through hubs, ascending: what turns as a whole.
+    pub(super) fn piece(&self, point: PointId) -> Vec<PointId> {
+        let mut is_seen = vec![false; self.beside.len()];
+        let mut piece = vec![point];
+        is_seen[point.index()] = true;
+        self.all.iter().for_each(|hub| is_seen[hub.point.index()] = true);
+        let mut next = 0;
+        while let Some(from) = piece.get(next).copied() {
+            next += 1;
+            for &to in &self.beside[from.index()] {
+                if !std::mem::replace(&mut is_seen[to.index()], true) {
+                    piece.push(to);
+                }
+            }
+        }
+        piece.sort_unstable();
+        piece
+    }
+}

@@ -1,0 +1,160 @@
+//! Room for what a tool puts somewhere: how far a body that comes is put out of obstacles, and which bodies an obstacle puts beside itself,
+//! by the law that the world follows.
+
+use glam::{DVec2, DVec3};
+
+use super::marks::{self, Mark, Role};
+use super::pick::{Scope, is_inside};
+use crate::scene::{AddKeys, Shape};
+use crate::sim::contact::obstacles::Obstacles;
+use crate::sim::contact::surface::Plane;
+use crate::sim::plan::{Cleared, clear};
+use crate::sim::vector::truncate;
+use crate::sim::{Bond, Bonds, Bounds, Model, PointId, Polygon};
+
+/// Said where an obstacle would take in a body as a whole.
+const SWALLOWED: &str = "a body would be inside it as a whole: move the body first";
+/// Said where a body finds no way out of obstacles.
+const NO_ROOM: &str = "no room here: it would be stuck in the obstacle";
+/// Said of an obstacle that is put onto what pins hold.
+const HELD: &str = "it lies on what pins hold: neither gives way";
+/// Said of a body with pins that is put into an obstacle.
+const STAYS: &str = "its pins hold it in the obstacle";
+/// Ways that are shorter are not told of `[logical px]`.
+const LEAST: f64 = 1.0;
+
+/// What becomes of what is put somewhere.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub(super) struct Outcome {
+    /// How far what comes is put out of obstacles `[m]`.
+    pub(super) way: DVec2,
+    /// Bodies that an obstacle puts beside itself, and how far `[m]`.
+    pub(super) moved: Vec<(Vec<PointId>, DVec2)>,
+    /// Why it cannot be there.
+    pub(super) refused: Option<&'static str>,
+    /// What is to be said of it.
+    pub(super) said: Option<&'static str>,
+}
+
+/// Obstacles without the world.
+#[derive(Clone, Debug)]
+pub(in crate::app) struct Walls(Option<Obstacles<f64, 2>>);
+
+impl Walls {
+    /// Corners of the walls, a point and the normal of each plane, and the polygons.
+    pub(in crate::app) fn of(bounds: Option<[[f64; 3]; 2]>, planes: &[[[f64; 3]; 2]], polygons: Vec<Polygon>) -> Self {
+        let bounds =
+            bounds.map(|[min, max]| Bounds { min: truncate(min), max: truncate(max), restitution: 0.0, friction: 0.0 });
+        let plane = |[point, normal]: &[[f64; 3]; 2]| Plane {
+            point: truncate(*point),
+            normal: truncate(*normal),
+            restitution: 0.0,
+            friction: 0.0,
+            penalty: None,
+        };
+        let model = Model::<2> { bounds, planes: planes.iter().map(plane).collect(), polygons, ..Model::default() };
+        Walls(Obstacles::of(&model).ok())
+    }
+
+    /// How what hangs together by these bonds gets out of them; pins stay.
+    fn clear(&self, places: &[[f64; 2]], bonds: &Bonds, pinned: &[u32]) -> Cleared<2> {
+        let Some(obstacles) = &self.0 else { return Cleared::default() };
+        let mut w = vec![1.0; places.len()];
+        pinned.iter().for_each(|&pin| w[pin as usize] = 0.0);
+        clear(obstacles, bonds, (places, &w), |_| false)
+    }
+}
+
+/// What becomes of what keys would bring.
+pub(super) fn coming(scope: Scope<'_>, keys: &AddKeys) -> Outcome {
+    let first = scope.shown.point_count() as u32;
+    let Some(Shape { places, bonds, pinned, planes, polygons }) = keys.shape(first) else { return Outcome::default() };
+    if !planes.is_empty() || !polygons.is_empty() {
+        return under(scope, (&planes, polygons), &[], |point| here(scope, point));
+    }
+    let bonds: Bonds = bonds.into_iter().map(|[a, b]| Bond::new(PointId(a), PointId(b), 1.0)).collect();
+    let cleared = scope.shown.scenery.walls().clear(&places, &bonds, &pinned);
+    let least = LEAST * scope.scale / scope.camera.pixels_per_metre();
+    let way = cleared.moves.first().map_or(DVec2::ZERO, |(_, way)| DVec2::from(*way));
+    let way = if way.length() > least { way } else { DVec2::ZERO };
+    let is_stuck = !cleared.stuck.is_empty();
+    let refused = (is_stuck && pinned.is_empty()).then_some(NO_ROOM);
+    Outcome { way, refused, said: (is_stuck && refused.is_none()).then_some(STAYS), ..Outcome::default() }
+}
+
+/// What becomes of the bodies under obstacles that come, or that are moved: those of these numbers. `place` says where a point is then.
+pub(super) fn under(
+    scope: Scope<'_>,
+    (planes, polygons): (&[[[f64; 3]; 2]], Vec<Polygon>),
+    numbers: &[u32],
+    place: impl Fn(PointId) -> DVec2,
+) -> Outcome {
+    let scenery = &scope.shown.scenery;
+    let places: Vec<[f64; 2]> = (0..scope.shown.point_count() as u32).map(|k| place(PointId(k)).to_array()).collect();
+    let pinned: Vec<u32> = scenery.pinned.iter().map(|pin| pin.0).collect();
+    let fresh = Walls::of(None, planes, polygons.clone());
+    let hit = fresh.clear(&places, &scenery.bonds, &pinned);
+    let is_in = |points: &[u32]| {
+        let is_covered = |loops: &Vec<Vec<[f64; 2]>>| points.iter().all(|&i| is_inside(loops, places[i as usize]));
+        polygons.iter().any(|polygon| is_covered(&polygon.loops))
+    };
+    let refused = hit.moves.iter().any(|(points, _)| is_in(points)).then_some(SWALLOWED);
+    // Of what pins hold as a whole the world says nothing: it has no point that could move.
+    let free = fresh.clear(&places, &scenery.bonds, &[]);
+    let is_held = |(points, _): &(Vec<u32>, [f64; 2])| points.iter().any(|point| pinned.binary_search(point).is_ok());
+    let said = (!hit.stuck.is_empty() || free.moves.iter().any(is_held)).then_some(HELD);
+    let moved = if refused.is_some() {
+        // What cannot be there puts nothing aside.
+        Cleared::default()
+    } else if hit.moves.is_empty() {
+        hit
+    } else {
+        let is_left = |of: &[u32], place: usize| of.get(place).is_none_or(|number| !numbers.contains(number));
+        let rest = scenery.polygons.iter().enumerate().filter(|(k, _)| is_left(&scenery.solid_numbers, *k));
+        let rest = rest.map(|(_, polygon)| polygon.clone()).chain(polygons).collect();
+        let flat = scenery.planes.iter().enumerate().filter(|(k, _)| is_left(&scenery.plane_numbers, *k));
+        let flat: Vec<_> = flat.map(|(_, plane)| *plane).chain(planes.iter().copied()).collect();
+        let mut stays = vec![true; places.len()];
+        hit.moves.iter().flat_map(|(points, _)| points).for_each(|&point| stays[point as usize] = false);
+        let others: Vec<u32> = (0..places.len() as u32).filter(|&point| stays[point as usize]).collect();
+        let out = Walls::of(scenery.bounds, &flat, rest).clear(&places, &scenery.bonds, &others);
+        if out.moves.is_empty() { hit } else { out }
+    };
+    let of = |(points, way): (Vec<u32>, [f64; 2])| (points.into_iter().map(PointId).collect(), DVec2::from(way));
+    Outcome { moved: moved.moves.into_iter().map(of).collect(), refused, said, ..Outcome::default() }
+}
+
+/// Where a point is `[m]`; at the origin, where nothing hangs on it, if it is gone.
+pub(super) fn here(scope: Scope<'_>, point: PointId) -> DVec2 {
+    let at = DVec3::from(scope.shown.place(point.index())).truncate();
+    if at.is_finite() { at } else { DVec2::ZERO }
+}
+
+impl Outcome {
+    /// Lines of what comes, where it will be; red where it cannot.
+    pub(super) fn lines(&self, scope: Scope<'_>, mark: Mark) -> Mark {
+        let by = scope.camera.pixels_per_metre() * DVec2::new(self.way.x, -self.way.y);
+        let mark = mark.mapped(|at| at + by);
+        if self.refused.is_some() { mark.with(Role::Away) } else { mark }
+    }
+
+    /// The bodies that it moves, where they will be.
+    pub(super) fn others(&self, scope: Scope<'_>) -> Vec<Mark> {
+        let moved = self.moved.iter().flat_map(|(points, way)| {
+            let by = scope.camera.pixels_per_metre() * DVec2::new(way.x, -way.y);
+            marks::body(Role::Lead, scope, points).into_iter().map(move |mark| mark.mapped(|at| at + by))
+        });
+        moved.collect()
+    }
+
+    /// What is to be known of it, beside its size.
+    pub(super) fn words(&self) -> Option<String> {
+        let aside = match self.moved.len() {
+            0 => None,
+            1 => Some("a body is put beside it".to_owned()),
+            many => Some(format!("{many} bodies are put beside it")),
+        };
+        let out = (self.way != DVec2::ZERO).then(|| "put out of the obstacle".to_owned());
+        self.refused.or(self.said).map(str::to_owned).or(out).or(aside)
+    }
+}
