@@ -48,6 +48,7 @@ pub static TABLE: &[Binding] = &[
             (Writes("0"), Action::Take(Tool::Push)),
         ],
     ),
+    binding("W", "wind: drag an arrow through the air", &[(Writes("w"), Action::Wind)]),
     binding("T", "held: a click pins points or lets them go", &[(Writes("t"), Action::PinWhileHeld)]),
     binding(
         "Enter, Backspace",

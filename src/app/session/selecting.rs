@@ -10,13 +10,15 @@ use crate::app::count::counted;
 use crate::app::fetch;
 use crate::app::matter::{Among, MatterChange};
 use crate::app::player::Order;
-use crate::app::tools::{Chosen, Clip, Handle};
+use crate::app::tools::{Chosen, Clip, Handle, Held, Scope};
 use crate::history::{Do, Group};
 use crate::sim::PointId;
 
 /// Said where nothing is selected.
 const NOTHING: &str = "select something first: the tool for that is 6";
 
+/// What the pointer is on is looked for among so many points: more would take longer than a frame.
+const MOST_HOVERED: usize = 100_000;
 /// Of so many points at most it is looked where they are seen.
 const MOST_LOOKED_AT: usize = 1_000;
 
@@ -53,10 +55,12 @@ impl Session {
         let by = self.with_scope(|_, scope| chosen.beside(scope));
         let coming = self.coming(chosen.points.len() as u32, chosen.obstacles.len() as u32);
         let tints = Arc::clone(&self.shown().scenery.tints);
-        self.player.ask(Order::Add(Box::new(move |_, world| {
-            Ok(Clip::of(world, &tints, &chosen).placed(world.next_numbers()[0], by))
-        })));
-        self.with_scope(|hand, _| hand.select(coming));
+        self.ask_if_full(chosen.points.len(), move |session| {
+            session.player.ask(Order::Add(Box::new(move |_, world| {
+                Ok(Clip::of(world, &tints, &chosen).placed(world.next_numbers()[0], by))
+            })));
+            session.with_scope(|hand, _| hand.select(coming));
+        });
     }
 
     /// A copy of what is selected is kept as it is now, to be pasted here or in another scene.
@@ -66,10 +70,11 @@ impl Session {
         self.copied = Some(Arc::clone(&copied));
         let [points, obstacles] = [chosen.points.len(), chosen.obstacles.len()];
         self.player.ask(Order::Copy(Box::new(move |world, tints| {
+            let clip = Clip::of(world, tints, &chosen);
+            fetch::copy(clip.fragment());
             // It is new, so there is nothing in it.
-            let _ = copied.set(Clip::of(world, tints, &chosen));
+            let _ = copied.set(clip);
         })));
-        fetch::announce();
         let all = [(points, "point"), (obstacles, "obstacle")].into_iter().filter(|(count, _)| *count > 0);
         let all: Vec<String> = all.map(|(count, name)| counted(count, name)).collect();
         self.say(format!("copied: {}; Ctrl+V puts a copy where the cursor is", all.join(" and ")));
@@ -82,13 +87,20 @@ impl Session {
             self.say("what was copied is still on its way: try again".to_owned());
             return true;
         };
+        let clip = clip.clone();
+        self.paste_clip(clip);
+        true
+    }
+
+    /// Bodies come to where the cursor is.
+    pub(super) fn paste_clip(&mut self, clip: Clip) {
         if clip.dimensions != self.scene.dimensions() {
             self.complain(&format!(
                 "what was copied is of a scene of {} dimensions: it cannot come into one of {}",
                 clip.dimensions,
                 self.scene.dimensions()
             ));
-            return true;
+            return;
         }
         let [points, obstacles] = clip.counts();
         let coming = self.coming(points, obstacles);
@@ -99,13 +111,13 @@ impl Session {
             }
             _ => [0.0; 3],
         };
-        let clip = clip.clone();
-        self.player.ask(Order::Add(Box::new(move |_, world| Ok(clip.placed(world.next_numbers()[0], by)))));
-        self.with_scope(|hand, _| {
-            hand.take(Tool::Select);
-            hand.select(coming);
+        self.ask_if_full(points as usize, move |session| {
+            session.player.ask(Order::Add(Box::new(move |_, world| Ok(clip.placed(world.next_numbers()[0], by)))));
+            session.with_scope(|hand, _| {
+                hand.take(Tool::Select);
+                hand.select(coming);
+            });
         });
-        true
     }
 
     /// The points that are selected are selected as one from now on.
@@ -173,6 +185,34 @@ impl Session {
         self.dirty = true;
     }
 
+    /// How the pointer looks over the world with a tool.
+    fn icon_of(&mut self, tool: Tool, at: glam::DVec2) -> CursorIcon {
+        match self.hand.holds() {
+            Some(Held::Grip) => return CursorIcon::Grabbing,
+            Some(Held::Move) => return CursorIcon::Move,
+            None => {}
+        }
+        let can_look = self.shown().point_count() <= MOST_HOVERED;
+        let is_plane = self.scene.dimensions() == 2;
+        let mut on = |what: fn(Scope<'_>, glam::DVec2) -> bool| can_look && self.with_scope(|_, scope| what(scope, at));
+        match tool {
+            Tool::Hand if on(|scope, at| scope.nearest(at).is_some()) => CursorIcon::Grab,
+            Tool::Hand if on(|scope, at| scope.solid(at).is_some()) => CursorIcon::NotAllowed,
+            Tool::Hand => CursorIcon::Default,
+            Tool::Cut | Tool::Build | Tool::Motor if !is_plane => CursorIcon::NotAllowed,
+            Tool::Pin => CursorIcon::Cell,
+            Tool::Cut | Tool::Paint | Tool::Push => CursorIcon::Crosshair,
+            Tool::Erase => CursorIcon::NoDrop,
+            Tool::Build => CursorIcon::Copy,
+            Tool::Muscle => CursorIcon::Pointer,
+            Tool::Motor => CursorIcon::Alias,
+            Tool::Select if on(|scope, at| scope.nearest(at).is_some() || scope.solid(at).is_some()) => {
+                CursorIcon::Move
+            }
+            Tool::Select => CursorIcon::Default,
+        }
+    }
+
     /// The pointer looks as what a press would do.
     pub(super) fn show_cursor(&mut self) {
         let at = self.pixel().filter(|_| !self.is_over_panels() && !self.is_covered());
@@ -181,8 +221,7 @@ impl Session {
             Some(Handle::Turn) => CursorIcon::Grab,
             Some(Handle::Corner(corner)) if corner % 2 == 0 => CursorIcon::NeswResize,
             Some(Handle::Corner(_)) => CursorIcon::NwseResize,
-            None if at.is_some() && matches!(tool, Tool::Cut | Tool::Build | Tool::Paint) => CursorIcon::Crosshair,
-            None => CursorIcon::Default,
+            None => at.map_or(CursorIcon::Default, |at| self.icon_of(tool, at)),
         };
         if icon != self.cursor_icon {
             self.cursor_icon = icon;

@@ -3,7 +3,7 @@
 use super::chosen::Chosen;
 use crate::picture::Tint;
 use crate::scene::{
-    AddKeys, AngleKeys, BondKeys, BoxKeys, CircleKeys, ColorKey, ForceKeys, KindName, LimitName, MassKeys,
+    AddKeys, AngleKeys, BondKeys, BoxKeys, CircleKeys, ColorKey, ForceKeys, Fragment, KindName, LimitName, MassKeys,
     ObstacleKeys, PlaneKeys, PointKeys, RotationKeys, Row, SkinKeys, Vector,
 };
 use crate::sim::{Angle, Bond, BondKind, Convex, Dynamics, Figure, Limit, Obstacle, PointId, SkinMaterial};
@@ -86,6 +86,16 @@ impl Clip {
             }
         }
         keys
+    }
+
+    /// The same as a part of a scene, to be written as text.
+    pub(in crate::app) fn fragment(&self) -> Fragment {
+        Fragment { keys: self.keys.clone(), dimensions: self.dimensions, middle: self.middle }
+    }
+
+    /// What a part of a scene brings.
+    pub(in crate::app) fn of_fragment(Fragment { keys, dimensions, middle }: Fragment) -> Self {
+        Clip { keys, dimensions, middle }
     }
 
     /// How many points it brings, and how many obstacles.
