@@ -131,7 +131,7 @@ pub static TABLE: &[Binding] = &[
 pub fn by_mouse() -> [[&'static str; 2]; 9] {
     [
         ["left button on a body, or with one in the circle", "grab it; let go and it flies"],
-        ["left button on a pin", "lead it elsewhere"],
+        ["left button on a pin", "lead it elsewhere; pins that bonds join go as one bar, with Shift it turns"],
         ["left button beside all bodies", "push through them"],
         ["select: drag beside all bodies", "select what the box touches; with Alt what a free stroke goes around"],
         ["select: drag a corner", "scale it; with Shift in proportion"],
