@@ -126,12 +126,9 @@ impl Hand {
         }
         let middle = middle(scope, &chosen.points);
         self.beside = middle - scope.in_plane(from);
-        let cursor = scope.camera.cursor(at.to_array());
-        let commands = vec![
-            Do::Cursor { to: Some(self.led_to(cursor)), by: None },
-            Do::Grab(Reach::Points(chosen.points.clone())),
-        ];
-        self.doing = Doing::Grabbing(chosen.points);
+        self.doing = Doing::Grabbing(chosen.points.clone());
+        let to = Some(self.led_to(scope.camera.cursor(at.to_array())));
+        let commands = vec![Do::Cursor { to, by: None }, Do::Grab(Reach::Points(chosen.points))];
         Some(commands)
     }
 }

@@ -378,7 +378,7 @@ impl Hand {
 
     /// Where what is led goes, with the cursor here.
     pub(super) fn led_to(&self, cursor: Cursor) -> Cursor {
-        if !self.is_grabbing() && self.beside == DVec2::ZERO {
+        if !self.is_grabbing() {
             return cursor;
         }
         let [x, y, z] = cursor.origin;
