@@ -90,6 +90,7 @@ fn islands_that_an_edit_does_not_name_keep_their_bits() {
                 turn: 0.4,
                 scale: [1.2; 3],
                 about: None,
+                over: None,
             }),
         ),
         (
@@ -333,6 +334,7 @@ fn obstacles_come_move_and_go() {
         turn: 0.0,
         scale: [1.0; 3],
         about: None,
+        over: None,
     };
     world.apply(&Command::Move(down)).unwrap();
     steps(&mut *world, 1.5);
@@ -379,6 +381,7 @@ fn a_refused_command_leaves_the_world_whole() {
         turn: 0.0,
         scale: [1.0; 3],
         about: None,
+        over: None,
     };
     let flat = Motion { points: vec![PointId(0)], scale: [0.0; 3], ..nowhere.clone() };
     for command in [
@@ -687,8 +690,15 @@ fn a_part_of_a_rigid_body_is_not_moved_against_its_lengths() {
     let (before, lengths) = (now(&*world), world.bonds().rest_lengths().to_vec());
     let mut refusals = 0;
     for (points, by) in [(8..14, [0.3, 0.8, 0.0]), (8..14, [-3.0, 2.0, 0.0]), (0..9, [6.0, 0.5, 0.0])] {
-        let motion =
-            Motion { points: numbers(points), obstacles: Vec::new(), by, turn: 0.0, scale: [1.0; 3], about: None };
+        let motion = Motion {
+            points: numbers(points),
+            obstacles: Vec::new(),
+            by,
+            turn: 0.0,
+            scale: [1.0; 3],
+            about: None,
+            over: None,
+        };
         let mut copy = world.boxed_clone();
         match copy.apply(&Command::Move(motion)) {
             Err(CommandError::Invalid(why)) => {
@@ -709,6 +719,7 @@ fn a_part_of_a_rigid_body_is_not_moved_against_its_lengths() {
             turn: 1.0,
             scale: [1.5; 3],
             about: None,
+            over: None,
         }))
         .unwrap();
     assert!(now(&*world).max_strain < 1e-6, "the whole body may be moved");
@@ -875,6 +886,7 @@ fn a_scale_along_each_axis_and_a_turn_are_one_map_of_points_bonds_angles_and_obs
         turn,
         scale: [factors[0], factors[1], 1.0],
         about: Some([about[0], about[1], 0.0]),
+        over: None,
     };
     assert!(world.apply(&Command::Move(motion.clone())).unwrap().is_something);
     let sample = now(&*world);

@@ -11,6 +11,7 @@ mod events;
 mod overlap;
 mod physics;
 mod polygons;
+mod push;
 mod rim;
 mod robust;
 mod rubbing;

@@ -180,6 +180,8 @@ pub enum Action {
     Redo,
     /// Takes another tool.
     Take(Tool),
+    /// The tool for forces, to make wind.
+    Wind,
     /// The tool for pins as long as the key is held.
     PinWhileHeld,
     /// Ends what is drawn click by click.

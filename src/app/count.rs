@@ -9,9 +9,22 @@ pub(super) fn counted(count: usize, name: &str) -> String {
     }
 }
 
+/// "950", "16,000".
+pub(super) fn grouped(count: usize) -> String {
+    let digits = count.to_string();
+    let parts: Vec<&str> =
+        digits.as_bytes().rchunks(3).rev().filter_map(|part| std::str::from_utf8(part).ok()).collect();
+    parts.join(",")
+}
+
 #[cfg(test)]
 mod tests {
-    use super::counted;
+    use super::{counted, grouped};
+
+    #[test]
+    fn thousands_are_parted() {
+        assert_eq!([0, 950, 16_000, 1_234_567].map(grouped), ["0", "950", "16,000", "1,234,567"]);
+    }
 
     #[test]
     fn one_is_no_plural() {

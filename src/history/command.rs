@@ -105,6 +105,9 @@ object! {
             scale: Factors,
             /// The place that stays where it is but for `by` `[m]`: the middle of what is moved if not said.
             about: Vector,
+            /// How long obstacles took on the way `[s]`, > 0: they push ahead what is in it. If not said, they are put there, and bodies
+            /// beside them.
+            over: f64,
         }
         lists {
             /// Points.

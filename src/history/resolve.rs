@@ -76,7 +76,7 @@ fn selection(keys: &DeleteKeys) -> Selection {
 
 /// Errors: a vector of another dimension.
 fn motion(keys: &MoveKeys, scene: &Scene) -> Result<Motion, String> {
-    let MoveKeys { by, turn, scale, about, points: list, obstacles } = keys;
+    let MoveKeys { by, turn, scale, about, over, points: list, obstacles } = keys;
     Ok(Motion {
         points: points(list),
         obstacles: obstacles.clone(),
@@ -91,6 +91,7 @@ fn motion(keys: &MoveKeys, scene: &Scene) -> Result<Motion, String> {
             Some(Factors::Each([x, y])) => [*x, *y, 1.0],
         },
         about: about.map(|about| vector("about", &about, scene)).transpose()?,
+        over: *over,
     })
 }
 

@@ -12,7 +12,7 @@ use super::camera::Camera;
 use super::chunks::{Chunks, LARGE, Selection, Wanted};
 use super::counters::RenderCounters;
 use super::error::RenderError;
-use super::forms::{MUSCLE, ROPE, form, is_rope, ropes};
+use super::forms::{BAR, MUSCLE, ROPE, STRUT, form, is_rope, ropes};
 use super::gpu::Gpu;
 use super::growing::GrowingBuffer;
 use super::look::Color;
@@ -50,6 +50,7 @@ const FORM: u32 = 29;
 
 impl From<&GpuBond> for PackedBond {
     fn from(&GpuBond { a, b, rest_length, form, color }: &GpuBond) -> Self {
+        let form = if form == BAR { STRUT } else { form };
         let [a, b] = [(a, color), (b, form)].map(|(end, upper)| end & ((1 << FORM) - 1) | upper << FORM);
         PackedBond { a, b, rest_length }
     }
@@ -270,7 +271,9 @@ impl WorldBuffers {
             self.chunks = None;
             self.covers_all = false;
             // Lines between pins are a drawing, which has no joints to be seen.
-            let is_scenery = scenery(&bonds, &pins(view.pinned, point_count));
+            let is_pinned = pins(view.pinned, point_count);
+            let is_scenery = scenery(&bonds, &is_pinned);
+            bars(&mut bonds, &is_pinned);
             points.retain(|point| !is_scenery[*point as usize]);
             let is_in_row = ropes(view.bonds, cover.len());
             let in_a_row = bonds.iter_mut().zip(is_in_row).filter(|(bond, is)| *is && !is_rope(bond.form));
@@ -460,9 +463,11 @@ fn paint(view: &View<'_>, cover: &[u32], bonds: &mut [GpuBond]) -> [Color; COLOR
 /// Puts bonds and points that are not covered first, and returns how many there are of each. Pins are seen on skins too, and points
 /// within a rope are not.
 fn bare_first(view: &View<'_>, cover: &[u32], bonds: &mut [GpuBond], points: &mut [u32]) -> [u32; 2] {
-    // Between two pieces a bond is seen, and a muscle is everywhere.
+    // Between two pieces a bond is seen, and a muscle is everywhere, and a bar.
     let is_hidden = |bond: &GpuBond| {
-        bond.form != MUSCLE && cover[bond.a as usize] != 0 && cover[bond.a as usize] == cover[bond.b as usize]
+        !matches!(bond.form, MUSCLE | BAR)
+            && cover[bond.a as usize] != 0
+            && cover[bond.a as usize] == cover[bond.b as usize]
     };
     bonds.sort_by_key(is_hidden);
     // How many bonds of a rope and others end in a point.
@@ -479,6 +484,20 @@ fn bare_first(view: &View<'_>, cover: &[u32], bonds: &mut [GpuBond], points: &mu
     points.sort_by_key(is_under);
     let count = |shown: usize| shown as u32;
     [count(bonds.partition_point(|bond| !is_hidden(bond))), count(points.partition_point(|point| !is_under(point)))]
+}
+
+/// Bonds between pins on which something hangs are one bar, whatever they are made of.
+fn bars(bonds: &mut [GpuBond], is_pinned: &[bool]) {
+    let mut holds = vec![false; is_pinned.len()];
+    for bond in &*bonds {
+        for [end, other] in [[bond.a, bond.b], [bond.b, bond.a]] {
+            holds[end as usize] |= !is_pinned[other as usize];
+        }
+    }
+    let is_of = |end: u32| is_pinned[end as usize] && holds[end as usize];
+    for bond in bonds.iter_mut().filter(|bond| is_of(bond.a) && is_of(bond.b)) {
+        bond.form = BAR;
+    }
 }
 
 /// Pins that have bonds, all of them to pins.

@@ -9,8 +9,10 @@ const COIL: u32 = 2;
 pub(super) const ROPE: u32 = 3;
 const RELAXED: u32 = 4;
 const STRING: u32 = 5;
-const STRUT: u32 = 6;
+pub(super) const STRUT: u32 = 6;
 pub(super) const MUSCLE: u32 = 7;
+/// Between pins on which something hangs: drawn as a strut, also over what covers other bonds.
+pub(super) const BAR: u32 = 8;
 
 /// Bonds in a row, without a branch, from which on they are a rope.
 const ROPE_FROM: usize = 6;

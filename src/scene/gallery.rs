@@ -385,8 +385,8 @@ static GALLERY: [Entry; 47] = [
         "cloth-space",
         121,
         "Cloth in space",
-        "In space a cloth hangs from a bar above a box; the bar swings out once, and wind sways it.",
-        "turn the view; pull hard at a corner until it tears; unpin the bar and let it fall on the box."
+        "In space a cloth hangs from a bar above a box and a ball; the bar swings out once, and wind sways it.",
+        "drag the bar, with Shift it turns; pull at a corner until it tears; in the settings (G) switch the diagonals off."
     ),
     entry!(
         "cloth-space-as-printed",

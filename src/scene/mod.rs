@@ -16,6 +16,7 @@ mod check;
 mod error;
 mod expand;
 mod file;
+mod fragment;
 pub mod frames;
 mod free_place;
 mod gallery;
@@ -42,6 +43,7 @@ pub(crate) use addition::{Made, Shape};
 pub use anew::Cut;
 pub(crate) use check::MOST_BESIDE;
 pub use error::{SceneError, SceneErrorKind, Source};
+pub use fragment::Fragment;
 pub use gallery::{Entry, gallery};
 pub(crate) use keys::macros::object;
 pub use keys::{

@@ -5,8 +5,11 @@ use std::sync::Arc;
 
 use super::check::copies;
 use super::error::{Fault, Within};
-use super::keys::{ContactKeys, KindName, Material, Meeting, ParameterKeys, Scene, SolverName};
+use super::keys::{
+    ContactKeys, DiagonalsName, KindName, MakerName, Material, Meeting, ParameterKeys, Scene, SolverName,
+};
 use super::start::Start;
+use crate::body::Link;
 use crate::sim::Contact;
 
 /// A number that sliders set.
@@ -59,7 +62,7 @@ pub enum Target {
     ObstacleFriction(RangeInclusive<u32>),
     /// Of obstacles, by their numbers `[1]`.
     ObstacleRestitution(RangeInclusive<u32>),
-    /// Of the material of a body, by its place among `bodies`.
+    /// Of the material of a body, by its place among `bodies`; or whether its diagonals hold: 0 or 1.
     Body(usize, OfBody, Arc<BodyPart>),
 }
 
@@ -76,6 +79,8 @@ pub enum OfBody {
     Friction,
     /// Of its skin `[1]`.
     Restitution,
+    /// Whether the diagonals of its cells hold.
+    Diagonals,
 }
 
 /// What a body is made of, counted over the scene; empty until it is made.
@@ -89,7 +94,14 @@ pub struct BodyPart {
     pub masses: Vec<f64>,
     /// How stiff each bond is for the stiffness of the material `[1]`.
     pub shares: Vec<f64>,
+    /// The diagonals of its cells among the bonds, and stiffness `[N/m]` and damping `[N s/m]` of each while they hold.
+    pub diagonals: Vec<u32>,
+    /// See there.
+    pub braced: [f64; 2],
 }
+
+/// What is longer than this in sides of its cell is a diagonal.
+const DIAGONAL: f64 = 1.2;
 
 /// What paths begin with, and what they can go on with: said of those that go on otherwise.
 const PATHS: [(&str, &str); 8] = [
@@ -100,7 +112,10 @@ const PATHS: [(&str, &str); 8] = [
     ("mouse", "`mouse.strength` or `mouse.radius`"),
     ("bonds", "`stiffness`, `damping` or `rest`, as `bonds[0].stiffness` or, of several, `bonds[0-3].stiffness`"),
     ("obstacles", "`friction` or `restitution`, as `obstacles[0].friction`"),
-    ("bodies", "`stiffness`, `damping`, `mass`, `friction` or `restitution`, as `bodies[0].material.mass`"),
+    (
+        "bodies",
+        "`stiffness`, `damping`, `mass`, `friction` or `restitution`, as `bodies[0].material.mass`, or `bodies[0].diagonals`",
+    ),
 ];
 
 /// One number, or several as `first-last`; `None`: it is neither.
@@ -136,6 +151,9 @@ impl Target {
                 _ => None,
             };
         }
+        if let Some(body) = path.strip_prefix("bodies[").and_then(|rest| rest.strip_suffix("].diagonals")) {
+            return Some(Target::Body(body.parse().ok()?, OfBody::Diagonals, Arc::default()));
+        }
         if let Some((body, key)) = path.strip_prefix("bodies[").and_then(|rest| rest.split_once("].material.")) {
             let of = match key {
                 "stiffness" => OfBody::Stiffness,
@@ -169,7 +187,7 @@ impl Target {
             Target::Restitution
             | Target::Meets
             | Target::ObstacleRestitution(_)
-            | Target::Body(_, OfBody::Restitution, _) => [0.0, 1.0],
+            | Target::Body(_, OfBody::Restitution | OfBody::Diagonals, _) => [0.0, 1.0],
             Target::MouseRadius | Target::Body(_, OfBody::Mass, _) => [f64::MIN_POSITIVE, f64::INFINITY],
             _ => [0.0, f64::INFINITY],
         }
@@ -265,6 +283,19 @@ fn of_body(scene: &Scene, (body, of): (usize, OfBody), dimensions: usize) -> Res
         OfBody::Mass => (says(|material| material.mass.is_some()), "`mass`"),
         OfBody::Friction => (says(|material| material.friction.is_some()), "`friction`"),
         OfBody::Restitution => (says(|material| material.restitution.is_some()), "`restitution`"),
+        OfBody::Diagonals => {
+            let has_cells = match keys.make {
+                MakerName::Cloth => keys.diagonals.is_some_and(|diagonals| diagonals != DiagonalsName::None),
+                MakerName::Lattice => true,
+                _ => false,
+            };
+            if !has_cells {
+                let message =
+                    format!("is of body {body}, which has no diagonals: give a `cloth` some, or name a `lattice`");
+                return Err(Fault::invalid(message));
+            }
+            (says(|material| material.stiffness.is_some()), "`stiffness`")
+        }
     };
     let is_of_skin = matches!(of, OfBody::Friction | OfBody::Restitution);
     match () {
@@ -315,9 +346,15 @@ impl Target {
                     OfBody::Mass => material.mass,
                     OfBody::Friction => material.friction,
                     OfBody::Restitution => material.restitution,
+                    OfBody::Diagonals => Some(1.0),
                 }
             }
         }
+    }
+
+    /// Whether it is on or off, 1 or 0.
+    pub fn is_switch(&self) -> bool {
+        matches!(self, Target::Meets | Target::Body(_, OfBody::Diagonals, _))
     }
 
     /// Whether both set some number.
@@ -363,8 +400,9 @@ pub(super) fn check(scene: &Scene, dimensions: usize) -> Result<(), Fault> {
                 return Err(in_list(Fault::invalid(message).at(key)));
             }
         }
-        if target == Target::Meets && [min, max] != [0.0, 1.0] {
-            return Err(in_list(Fault::invalid("`contact` is on or off: give a `min` of 0 and a `max` of 1")));
+        if target.is_switch() && [min, max] != [0.0, 1.0] {
+            let message = format!("`{}` is on or off: give a `min` of 0 and a `max` of 1", keys.path);
+            return Err(in_list(Fault::invalid(message)));
         }
         if let Some(start) = target.start(scene).filter(|start| !(min..=max).contains(start)) {
             let key = if start < min { "min" } else { "max" };
@@ -425,12 +463,20 @@ impl Scene {
             next = bonds.end;
             let own = &start.mass[points.start as usize..points.end as usize];
             let whole = own.iter().sum::<f64>() / f64::from(copies(keys));
+            let shortest = body.links().map(|link| link.rest_length).fold(f64::INFINITY, f64::min);
+            let is_diagonal = |link: &Link| link.rest_length > DIAGONAL * shortest;
+            let diagonals = bonds.clone().zip(body.links()).filter(|(_, link)| is_diagonal(link));
+            let diagonals = diagonals.map(|(number, _)| number).collect();
+            let material = keys.material.as_ref();
+            let braced = [material.and_then(|of| of.stiffness), material.and_then(|of| of.damping)];
             let masses = own.iter().map(|mass| mass / whole).collect();
             parts.push(Arc::new(BodyPart {
                 points,
                 bonds,
                 masses,
                 shares: body.links().map(|link| link.share).collect(),
+                diagonals,
+                braced: braced.map(|number| number.unwrap_or(0.0)),
             }));
         }
         parts
@@ -480,6 +526,8 @@ mod tests {
             (r#"{"path": "bonds[0].length", "min": 0, "max": 1}"#, "of `bonds` give `stiffness`, `damping` or `rest`"),
             (r#"{"path": "bodies[0].material.stiffness", "min": 0, "max": 9}"#, "whose material gives no `stiffness`"),
             (r#"{"path": "bodies[1].material.mass", "min": 0, "max": 9}"#, "min: is 0.0"),
+            (r#"{"path": "bodies[0].diagonals", "min": 0, "max": 1}"#, "is of body 0, which has no diagonals"),
+            (r#"{"path": "bodies[1].diagonals", "min": 0, "max": 2}"#, "max: is 2.0"),
         ] {
             let line = read(parameter).unwrap_err();
             assert!(line.contains(reason), "{parameter}: {line}");
@@ -520,5 +568,7 @@ mod tests {
         assert!(part.bonds.clone().all(|bond| part.points.contains(&bonds[bond as usize].a.0)));
         assert!((part.masses[..6].iter().sum::<f64>() - 1.0).abs() < 1e-12, "{:?}", part.masses);
         assert_eq!(part.shares.len(), part.bonds.len());
+        // Two cells in each copy, braced both ways.
+        assert_eq!((part.diagonals.len(), part.braced), (8, [300.0, 0.0]));
     }
 }

@@ -170,6 +170,9 @@ pub struct Motion {
     pub scale: [f64; 3],
     /// About this place `[m]`; `None`: the mean of the points, of the corners of the obstacles where there are none.
     pub about: Option<[f64; 3]>,
+    /// The obstacles took so long on the way `[s]`, > 0: what is in their way is pushed ahead, with their speed. `None`: they are put there,
+    /// and whole bodies are put beside them.
+    pub over: Option<f64>,
 }
 
 /// One number for all, or one each.

@@ -121,6 +121,7 @@ impl Generator {
                 turn: self.number(-0.5, 0.5),
                 scale: [self.number(0.8, 1.2); 3],
                 about: None,
+                over: None,
             }),
             15 => Command::Set(Change::Points {
                 points: self.points(world),

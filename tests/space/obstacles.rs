@@ -141,6 +141,7 @@ fn commands_and_saved_worlds_keep_balls_and_boxes() {
         turn: std::f64::consts::FRAC_PI_2,
         scale: [2.0; 3],
         about: Some([0.0; 3]),
+        over: None,
     };
     world.apply(&Command::Move(motion)).unwrap();
     let Figure::Ball { center, radius } = world.convex()[0].figure else { panic!("it was a ball") };

@@ -6,24 +6,27 @@ use arboard::{Clipboard, Error, ImageData};
 
 use super::{Fetch, Found};
 use crate::picture::{Picture, PictureError};
+use crate::scene::Fragment;
 
 /// What is said where there is nothing of use.
-const EMPTY: &str = "there is no picture on the clipboard: copy one, or a picture file, or its path";
+const EMPTY: &str = "there is no picture on the clipboard, and no bodies: copy some, or a picture file, or its path";
 
-/// What lies on the clipboard after bodies were copied: they themselves stay in the program.
+/// What lies on the clipboard after more bodies were copied than a text has: they themselves stay in the program.
 const COPIED: &str = "bodies copied in a window of wobble: paste them there";
 
-/// Tells the clipboard that bodies were copied last, so that no older picture is pasted in their place. Where there is no clipboard there is
-/// none to be pasted either.
-pub(in crate::app) fn announce() {
-    std::thread::spawn(|| {
+/// Puts bodies on the clipboard as text, for any program. Those that are too many for a text stay in this one: the clipboard is told so, or
+/// an older picture would be pasted in their place. Where there is no clipboard there is none to be pasted either.
+pub(in crate::app) fn copy(fragment: Fragment) {
+    std::thread::spawn(move || {
+        let text = fragment.to_text().unwrap_or_else(|| COPIED.to_owned());
+        drop(fragment);
         let Ok(mut clipboard) = Clipboard::new() else { return };
         let set = clipboard.set();
         // Some systems ask for it when it is pasted: it is there until something else is copied.
         #[cfg(all(unix, not(target_os = "macos")))]
         let set = arboard::SetExtLinux::wait(set);
         // What cannot be written is not pasted either.
-        let _ = set.text(COPIED);
+        let _ = set.text(text);
     });
 }
 
@@ -46,6 +49,10 @@ pub(in crate::app) fn paste(wake: impl Fn() + Send + 'static) -> Fetch {
         let text = clipboard.get_text().unwrap_or_default();
         if text.trim() == COPIED {
             return Ok(Found::Copied);
+        }
+        if Fragment::is_one(&text) {
+            let read = Fragment::parse(&text);
+            return Ok(read.map_or_else(Found::Broken, |fragment| Found::Bodies(Box::new(fragment))));
         }
         let path = path(&text).ok_or_else(|| EMPTY.to_owned())?;
         if path.is_file() { Ok(Found::File(path)) } else { Err(no_file(&path)) }

@@ -8,8 +8,9 @@ use std::path::PathBuf;
 use std::sync::mpsc::{Receiver, TryRecvError, channel};
 
 use crate::picture::Picture;
+use crate::scene::Fragment;
 
-pub(super) use clipboard::{announce, paste};
+pub(super) use clipboard::{copy, paste};
 pub(super) use dialog::{ENDINGS, LEAST_SHOWN, open};
 
 /// What was brought.
@@ -19,7 +20,11 @@ pub(super) enum Found {
     File(PathBuf),
     /// A picture that is in no file.
     Picture(Picture),
-    /// What was copied in a window of this program.
+    /// Bodies that were copied here or in another window.
+    Bodies(Box<Fragment>),
+    /// Text that says it is bodies, and why it cannot be read.
+    Broken(String),
+    /// What was copied in a window of this program, and is too much for a text.
     Copied,
     /// The user thought better of it.
     Nothing,

@@ -170,6 +170,14 @@ impl Import {
         }
     }
 
+    /// How many points it brings, as far as that is known; none as an obstacle.
+    pub(super) fn coming(&self) -> usize {
+        match &self.forecast {
+            Some(Ok(made)) if made.outlines == 0 => made.mesh.points.len(),
+            _ => 0,
+        }
+    }
+
     /// What the running world of a scene gets: bodies or an obstacle, where there is room when it is asked, if possible in what is
     /// `seen` of it (lower and upper corner `[m]`).
     ///

@@ -48,6 +48,7 @@ pub static TABLE: &[Binding] = &[
             (Writes("0"), Action::Take(Tool::Push)),
         ],
     ),
+    binding("W", "wind: drag an arrow through the air", &[(Writes("w"), Action::Wind)]),
     binding("T", "held: a click pins points or lets them go", &[(Writes("t"), Action::PinWhileHeld)]),
     binding(
         "Enter, Backspace",
@@ -130,7 +131,7 @@ pub static TABLE: &[Binding] = &[
 pub fn by_mouse() -> [[&'static str; 2]; 9] {
     [
         ["left button on a body, or with one in the circle", "grab it; let go and it flies"],
-        ["left button on a pin", "lead it elsewhere"],
+        ["left button on a pin", "lead it elsewhere; pins that bonds join go as one bar, with Shift it turns"],
         ["left button beside all bodies", "push through them"],
         ["select: drag beside all bodies", "select what the box touches; with Alt what a free stroke goes around"],
         ["select: drag a corner", "scale it; with Shift in proportion"],

@@ -1,6 +1,7 @@
 //! The panels: a bar below, tools at the left, figures, what is said, and sheets over the world. They return wishes and change
 //! nothing of the world.
 
+mod asking;
 mod beside;
 #[cfg(test)]
 mod beside_tests;
@@ -55,6 +56,7 @@ use super::tools::{Brush, Drives, Links, PushWay};
 use crate::render::{Look, Overlay};
 use crate::scene::{BesideKeys, SolverName};
 use crate::sim::Key;
+pub(super) use asking::show as ask;
 pub(super) use beside::{Misfits, Neighbor, solvers};
 pub(super) use gallery::{THUMBNAIL, search_id};
 use icons::Icon;

@@ -25,7 +25,7 @@ fn words(tool: Tool) -> (Icon, &'static str) {
         Tool::Build => (Icon::Build, "build: drag a body or an obstacle out"),
         Tool::Muscle => (Icon::Muscle, "make a bond a muscle: it gets longer and shorter"),
         Tool::Paint => (Icon::Brush, "a brush that makes bodies of jelly, rubber, cloth, wood or steel"),
-        Tool::Push => (Icon::Push, "a force that stays: drag an arrow from a body"),
+        Tool::Push => (Icon::Push, "a force that stays: drag an arrow from a body; or wind"),
         Tool::Motor => (Icon::Motor, "hinge a body to another or to the ground, with a motor"),
     }
 }
@@ -48,7 +48,7 @@ pub(super) fn show(
             ui.spacing_mut().item_spacing.y = 4.0;
             for tool in Tool::ALL {
                 let (sign, name) = words(tool);
-                let can = !matches!(tool, Tool::Cut | Tool::Build | Tool::Motor | Tool::Push) || facts.dimensions == 2;
+                let can = !matches!(tool, Tool::Cut | Tool::Build | Tool::Motor) || facts.dimensions == 2;
                 let said = described(name, Action::Take(tool));
                 let why = "in the plane only: this scene is in space";
                 let add = |ui: &mut egui::Ui| icons::button(ui, sign, name, icons::TOOL, tool == facts.tool);
@@ -74,7 +74,7 @@ pub(super) fn show(
     }
     match facts.tool {
         Tool::Select => material::show(context, (rooms, shown.response.rect), state, facts, wishes),
-        Tool::Push if facts.dimensions == 2 => push::show(context, shown.response.rect, facts, wishes),
+        Tool::Push => push::show(context, shown.response.rect, facts, wishes),
         Tool::Paint => material::show_brush(context, shown.response.rect, facts, wishes),
         _ => {}
     }

@@ -50,7 +50,7 @@ pub(super) fn show(ui: &mut Ui, list: &[(Parameter, Option<f64>)], scene: &Scene
     ui.strong("This scene");
     for (parameter, value) in list {
         let Some(mut to) = *value else { continue };
-        if parameter.target == Target::Meets {
+        if parameter.target.is_switch() {
             let mut meets = to > 0.0;
             let by = ui.checkbox(&mut meets, &parameter.label);
             if by.changed() {
@@ -157,6 +157,14 @@ fn set_body(of: OfBody, part: &BodyPart, to: f64) -> SetKeys {
     let each = |shares: &[f64]| Some(OneOrEach::Each(shares.iter().map(|share| share * to).collect()));
     let nothing = SetKeys::default();
     match of {
+        OfBody::Diagonals => {
+            let share = |number: &u32| part.shares[(number - part.bonds.start) as usize];
+            let each = |whole: f64| {
+                Some(OneOrEach::Each(part.diagonals.iter().map(|number| to * whole * share(number)).collect()))
+            };
+            let [stiffness, damping] = part.braced.map(each);
+            SetKeys { bonds: Some(part.diagonals.clone()), stiffness, damping, ..nothing }
+        }
         OfBody::Stiffness => SetKeys { bonds, stiffness: each(&part.shares), ..nothing },
         OfBody::Damping => SetKeys { bonds, damping: each(&part.shares), ..nothing },
         OfBody::Mass => SetKeys { points, mass: each(&part.masses), ..nothing },

@@ -1,13 +1,41 @@
 //! What the tool for forces makes, beside the tools.
 
-use egui::{Area, Id, Rect, RichText};
+use egui::{Area, Id, Rect, RichText, Slider, SliderClamping};
 
+use super::settings::Setting;
 use super::theme::{TEXT, WEAK, floating};
 use super::{Facts, Wish};
 use crate::app::tools::PushWay;
+use crate::history::{Do, SetKeys, Weather};
+use crate::scene::{Vector, WindKeys};
 
 /// Width of the panel `[points]`.
 const WIDTH: f32 = 210.0;
+
+/// What is done for wind.
+const WIND: &str = "drag an arrow through the air: its length is the speed; a click on its end takes it away";
+
+/// How gusty the wind is that blows.
+fn turbulence(ui: &mut egui::Ui, facts: &Facts, wishes: &mut Vec<Wish>) {
+    let Some(wind) = facts.settings.scene.wind.flatten().filter(|wind| wind.velocity != [0.0; 3]) else {
+        ui.label(RichText::new("the air is still").color(WEAK));
+        return;
+    };
+    let mut gusts = wind.turbulence;
+    let slider = Slider::new(&mut gusts, 0.0..=1.0).clamping(SliderClamping::Edits).max_decimals(2).text("turbulence");
+    ui.spacing_mut().slider_width = 96.0;
+    let by = ui.add(slider);
+    if by.changed() {
+        let keys = WindKeys {
+            velocity: Vector::new(wind.velocity, facts.dimensions),
+            turbulence: (gusts > 0.0).then_some(gusts),
+            seed: Some(wind.seed),
+        };
+        let act = Do::Set(Box::new(SetKeys { wind: Some(Weather::This(keys)), ..SetKeys::default() }));
+        let goes_on = by.dragged() && !by.drag_started();
+        wishes.push(Wish::Set(Setting { act, name: "wind", goes_on }));
+    }
+}
 
 /// Shows it at the right of the tools.
 pub(super) fn show(context: &egui::Context, tools: Rect, facts: &Facts, wishes: &mut Vec<Wish>) {
@@ -16,15 +44,25 @@ pub(super) fn show(context: &egui::Context, tools: Rect, facts: &Facts, wishes: 
     Area::new(Id::unique("push")).fixed_pos(corner).show(context, |ui| {
         floating().show(ui, |ui| {
             ui.set_width(WIDTH);
-            ui.label(RichText::new("Force that stays").color(TEXT).strong());
-            ui.label(RichText::new("drag an arrow from a body; a click on one takes it away").color(WEAK));
-            for other in PushWay::ALL {
+            let is_plane = facts.dimensions == 2;
+            let (title, said) = match way {
+                PushWay::Wind => ("Wind", WIND),
+                _ if !is_plane => ("Wind", WIND),
+                _ => ("Force that stays", "drag an arrow from a body; a click on one takes it away"),
+            };
+            ui.label(RichText::new(title).color(TEXT).strong());
+            ui.label(RichText::new(said).color(WEAK));
+            for other in PushWay::ALL.into_iter().filter(|_| is_plane) {
                 let words = match other {
+                    PushWay::Wind => "wind over all bodies (W)",
                     PushWay::Point => "on a point",
                     PushWay::Body => "on the body (Shift)",
                     PushWay::Turn => "torque on the body (Alt)",
                 };
                 ui.radio_value(&mut way, other, words);
+            }
+            if way == PushWay::Wind || !is_plane {
+                turbulence(ui, facts, wishes);
             }
         });
     });

@@ -46,8 +46,8 @@ impl Keeper {
     /// Something is done.
     pub(super) fn hear(&mut self, order: &Order) {
         self.is_behind = true;
-        use Order::{Add, Change, Exact, Give, LeadPin, TakeBack};
-        self.is_led |= matches!(order, Give(..) | Change { .. } | LeadPin { .. } | Add(_) | Exact | TakeBack);
+        use Order::{Add, Change, Exact, Give, Haul, LeadPins, TakeBack};
+        self.is_led |= matches!(order, Give(..) | Change { .. } | Haul(_) | LeadPins(_) | Add(_) | Exact | TakeBack);
         if let (Order::Save(path), Some(lines)) = (order, &self.record)
             && path == lines.path()
         {

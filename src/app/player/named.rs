@@ -42,6 +42,17 @@ fn of_body(world: &dyn Dynamics, of: OfBody, part: &BodyPart) -> Option<f64> {
     match of {
         OfBody::Stiffness => of_springs(|[stiffness, _]| stiffness),
         OfBody::Damping => of_springs(|[_, damping]| damping),
+        OfBody::Diagonals => {
+            let numbers = world.bond_numbers();
+            let number = |place: usize| numbers.map_or(place as u32, |numbers| numbers[place]);
+            let mut own = world.bonds().iter().enumerate().map(|(place, bond)| (number(place), bond));
+            own.find_map(|(number, bond)| match bond.kind {
+                BondKind::Spring { stiffness, .. } if part.diagonals.binary_search(&number).is_ok() => {
+                    Some(f64::from(u8::from(stiffness > 0.0)))
+                }
+                _ => None,
+            })
+        }
         OfBody::Mass => {
             let point = point()?;
             let share = part.masses[(point.0 - part.points.start) as usize];

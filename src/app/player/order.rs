@@ -5,10 +5,11 @@ use std::path::PathBuf;
 use super::beside::Companions;
 use super::watch::{Measured, Probes};
 use crate::app::matter::{Among, MatterChange};
+use crate::app::tools::{HaulWay, PinWay};
 use crate::history::Do;
 use crate::picture::Tint;
 use crate::scene::{AddKeys, BudgetKeys, MethodKeys, Scene, SceneError, SolverName, ViewKeys};
-use crate::sim::{Cursor, Dynamics, PointId};
+use crate::sim::{Cursor, Dynamics};
 
 /// Works out what is added to a running world.
 pub(super) type Adder = Box<dyn FnOnce(&Scene, &dyn Dynamics) -> Result<AddKeys, SceneError> + Send>;
@@ -54,15 +55,10 @@ pub enum Order {
     Solver(SolverName),
     /// One number of the method, with all else of it as it is; of the same drag as the last one.
     Method(MethodSetting, bool),
-    /// A pin goes to a place `[m]` on a straight way from where it is. `goes_on`: this belongs to the last edit.
-    LeadPin {
-        /// The pin.
-        point: PointId,
-        /// `[m]`
-        to: [f64; 3],
-        /// It was sent on a way just before.
-        goes_on: bool,
-    },
+    /// Pins go to places on straight ways from where they are; one that goes on belongs to the last edit.
+    LeadPins(PinWay),
+    /// Obstacles go on their way and push ahead what is in it.
+    Haul(HaulWay),
     /// Something comes, where there is room for it now.
     Add(Adder),
     /// The hand presses beside all bodies, or does not any more: a log that is followed is left when the cursor moves meanwhile.

@@ -17,6 +17,7 @@ use super::watch::Watch;
 use crate::app::lengths::length;
 use crate::app::matter::{Among, Matter, MatterChange, commands};
 use crate::app::meter::Meter;
+use crate::app::tools::{HaulWay, PinWay};
 use crate::history::{BranchView, Do, History, HistoryError, Recording, Refusal, SetKeys, Start};
 use crate::scene::{AddKeys, BondKeys, MOST_MEETING, Meeting, MethodKeys, Parameter, PinMotionKeys, ViewKeys};
 use crate::sim::reach::{Reach, reaches};
@@ -32,6 +33,8 @@ pub fn too_many_to_meet() -> String {
 
 /// A pin that is led takes so long to the place where the cursor was `[s]`: a little longer than until it is sent on.
 const PIN_TIME: f64 = 0.15;
+/// The way of obstacles is gone in no more than this, in frames: before, they stood.
+const LONGEST_HAUL: f64 = 6.0;
 /// Pins that are so much further apart than bonds reach are told of `[m]`.
 const STRAINED: f64 = 1e-3;
 /// What adding a body is called.
@@ -40,6 +43,8 @@ const ADD: &str = "add a body";
 const SOLVER: &str = "solver";
 /// What leading a pin is called.
 const LEAD_PIN: &str = "move a pin";
+/// What leading pins that bonds join is called.
+const LEAD_BAR: &str = "move a bar";
 
 /// A history that is played.
 pub struct Stage {
@@ -83,8 +88,10 @@ pub struct Stage {
     warned: Vec<String>,
     /// What is to be said of a pin that is led.
     strained: Option<String>,
-    /// The pin that is led, and how far it may be from others.
-    led: Option<(PointId, Vec<Reach>)>,
+    /// When obstacles went on their way last `[s]`.
+    hauled: Option<f64>,
+    /// The pins that are led, and how far they may be from others.
+    led: Option<(Vec<PointId>, Vec<Reach>)>,
 }
 
 /// A history without its worlds.
@@ -139,6 +146,7 @@ impl Stage {
             matter: None,
             warned: Vec::new(),
             strained: None,
+            hauled: None,
             led: None,
         };
         stage.warned = stage.history.world().warnings().to_vec();
@@ -223,7 +231,8 @@ impl Stage {
                 self.pace.presses = presses;
                 None
             }
-            Order::LeadPin { point, to, goes_on } => self.lead_pin(point, to, goes_on),
+            Order::LeadPins(way) => self.lead_pins(way),
+            Order::Haul(way) => self.haul(way),
             Order::Add(adder) => Some(self.add(adder)),
             Order::Undo(cursor) => {
                 let undone = self.history.undo();
@@ -511,28 +520,46 @@ impl Stage {
         (back.into_iter().chain([meets]).collect(), None)
     }
 
-    /// Sends a pin on its way. One that is none by now stays where it is.
-    fn lead_pin(&mut self, point: PointId, to: [f64; 3], goes_on: bool) -> Option<Note> {
+    /// Sends pins on their way. Those that are none by now stay where they are.
+    fn lead_pins(&mut self, PinWay { mut pins, goes_on }: PinWay) -> Option<Note> {
         let world = self.history.world();
-        if !world.pinned().contains(&point) {
+        pins.retain(|(pin, _)| world.pinned().contains(pin));
+        pins.sort_unstable_by_key(|(pin, _)| *pin);
+        if pins.is_empty() {
             return None;
         }
         let (time, dimensions) = (world.time(), world.dimensions());
-        let here = (0..dimensions).map(|axis| world.positions().get(point.index() * dimensions + axis));
-        let knot = |time: f64, place: &mut dyn Iterator<Item = f64>| std::iter::once(time).chain(place).collect();
-        let there = &mut to.into_iter().take(dimensions);
-        let track = vec![knot(time, &mut here.into_iter()), knot(time + PIN_TIME, there)];
-        // Looking for reaches goes through all bonds: once for a pin that goes on.
-        let known = self.led.take().filter(|(pin, _)| goes_on && *pin == point).map(|(_, reaches)| reaches);
-        let reaches = known.unwrap_or_else(|| reaches(world.bonds(), &[point], world.pinned()));
-        self.strained = beyond_reach(world, &reaches, to);
-        self.led = Some((point, reaches));
-        let keys = AddKeys { pin_motion: vec![PinMotionKeys { point: point.0, track }], ..AddKeys::default() };
-        let way = Do::Add(Box::new(keys));
+        let track = |&(pin, to): &(PointId, [f64; 3])| {
+            let here = (0..dimensions).map(|axis| world.positions().get(pin.index() * dimensions + axis));
+            let from = std::iter::once(time).chain(here).collect();
+            let there = std::iter::once(time + PIN_TIME).chain(to.into_iter().take(dimensions)).collect();
+            PinMotionKeys { point: pin.0, track: vec![from, there] }
+        };
+        let pin_motion = pins.iter().map(track).collect();
+        let numbers: Vec<PointId> = pins.iter().map(|(pin, _)| *pin).collect();
+        // Looking for reaches goes through all bonds: once for pins that go on.
+        let known = self.led.take().filter(|(led, _)| goes_on && *led == numbers).map(|(_, reaches)| reaches);
+        let is_led = |pin: &PointId| numbers.binary_search(pin).is_ok();
+        let all = || reaches(world.bonds(), &numbers, world.pinned());
+        let reaches = known.unwrap_or_else(|| all().into_iter().filter(|reach| !is_led(&reach.pins[1])).collect());
+        self.strained = beyond_reach(world, &reaches, &pins);
+        self.led = Some((numbers, reaches));
+        let way = Do::Add(Box::new(AddKeys { pin_motion, ..AddKeys::default() }));
+        let name = if pins.len() > 1 { LEAD_BAR } else { LEAD_PIN };
         if !goes_on {
-            return self.give(vec![way], Some(LEAD_PIN));
+            return self.give(vec![way], Some(name));
         }
-        self.give_on(vec![way], LEAD_PIN)
+        self.give_on(vec![way], name)
+    }
+
+    /// Obstacles go on their way, as fast as time went since they did last.
+    fn haul(&mut self, HaulWay { mut keys, name, least, goes_on }: HaulWay) -> Option<Note> {
+        let now = self.history.world().time();
+        let shortest = SINGLE_STEP * self.pace.rate;
+        let since = self.hauled.replace(now).filter(|_| goes_on).map_or(0.0, |last| now - last);
+        keys.over = Some(since.clamp(shortest, LONGEST_HAUL * shortest).max(least * self.pace.rate));
+        let act = Do::Move(keys);
+        if goes_on { self.give_on(vec![act], name) } else { self.give(vec![act], Some(name)) }
     }
 
     /// What stands about the points is looked at again if it changed.
@@ -620,13 +647,14 @@ impl Stage {
     }
 }
 
-/// What is said where rigid bonds do not let a pin be so far from the others `[m]`.
-fn beyond_reach(world: &dyn Dynamics, reaches: &[Reach], to: [f64; 3]) -> Option<String> {
+/// What is said where rigid bonds do not let pins be so far from the others as where they go `[m]`.
+fn beyond_reach(world: &dyn Dynamics, reaches: &[Reach], pins: &[(PointId, [f64; 3])]) -> Option<String> {
     let dimensions = world.dimensions();
-    let apart = |other: PointId| {
+    let apart = |[pin, other]: [PointId; 2]| {
+        let to = pins.iter().find(|(led, _)| *led == pin).map_or([f64::NAN; 3], |(_, to)| *to);
         let place = |axis| world.positions().get(other.index() * dimensions + axis);
         (0..dimensions).map(|axis| (to[axis] - place(axis)).powi(2)).sum::<f64>().sqrt()
     };
-    let most = reaches.iter().map(|reach| apart(reach.pins[1]) - reach.most).fold(0.0, f64::max);
+    let most = reaches.iter().map(|reach| apart(reach.pins) - reach.most).fold(0.0, f64::max);
     (most > STRAINED).then(|| format!("the pins are {} further apart than the bonds between them reach", length(most)))
 }

@@ -2,6 +2,7 @@
 #![allow(clippy::unwrap_used, clippy::panic, reason = "a test that cannot go on stops")]
 
 use super::{Note, Order, Stage};
+use crate::app::tools::PinWay;
 use crate::history::{Do, MoveKeys};
 use crate::scene::{Scene, Vector};
 use crate::sim::PointId;
@@ -44,7 +45,7 @@ fn a_pin_that_is_led_further_than_bonds_reach_says_how_far() {
     let mut stage = stage(ROPE);
     let pin = *stage.history().world().pinned().last().unwrap();
     let mut lead = |x: f64| {
-        stage.obey(Order::LeadPin { point: pin, to: [x, 0.0, 0.0], goes_on: false });
+        stage.obey(Order::LeadPins(PinWay { pins: vec![(pin, [x, 0.0, 0.0])], goes_on: false }));
         warned(&mut stage)
     };
     assert_eq!(pin, PointId(4));

@@ -2,6 +2,7 @@
 
 use winit::window::Fullscreen;
 
+use super::asking::points_of;
 use super::{Framing, Session};
 use crate::app::action::{Action, Tool};
 use crate::app::count::counted;
@@ -10,7 +11,7 @@ use crate::app::opening;
 use crate::app::panels::{Setting, Sheet, Wish, search_id};
 use crate::app::player::{Order, Player};
 use crate::app::thumbnails::Thumbnails;
-use crate::app::tools::{Deed, strength};
+use crate::app::tools::{Deed, PushWay, strength};
 use crate::history::Do;
 use crate::scene::{Entry, gallery};
 use crate::sim::{MouseChange, PointId};
@@ -41,6 +42,7 @@ impl Session {
             // What is drawn click by click is not done yet.
             Action::Undo if self.hand.is_drawing() => self.hand.step_back(),
             Action::StepBack => self.hand.step_back(),
+            Action::Finish if self.asked.is_some() => self.answered(true),
             Action::Finish => {
                 let deed = self.with_scope(|hand, scope| hand.finish(scope));
                 self.do_deed(deed);
@@ -48,6 +50,10 @@ impl Session {
             Action::Undo => self.player.ask(Order::Undo(self.told)),
             Action::Redo => self.player.ask(Order::Redo(self.told)),
             Action::Take(tool) => self.take(tool),
+            Action::Wind => {
+                self.take(Tool::Push);
+                self.hand.set_push_way(PushWay::Wind);
+            }
             Action::PinWhileHeld => self.hand.hold_pins(true),
             Action::Delete => self.delete(),
             Action::Duplicate => self.duplicate(),
@@ -157,6 +163,9 @@ impl Session {
         if self.panels.sheet.take().is_some() {
             return;
         }
+        if self.asked.is_some() {
+            return self.answered(false);
+        }
         if self.hand.is_drawing() {
             return self.leave_drawing();
         }
@@ -264,8 +273,7 @@ impl Session {
             self.dirty = true;
         }
         if !deed.is_empty() {
-            self.player.give(deed.commands, deed.edit);
-            self.dirty = true;
+            self.ask_if_full(points_of(&deed.commands), move |session| session.player.give(deed.commands, deed.edit));
         }
     }
 

@@ -12,6 +12,7 @@ use crate::app::holds_scene;
 use crate::app::opening;
 use crate::app::panels::{Sheet, meant};
 use crate::app::player::Order;
+use crate::app::tools::Clip;
 use crate::history::Start;
 use crate::scene::{Scene, SceneError};
 
@@ -28,7 +29,8 @@ impl Session {
     pub(in crate::app) fn lets_through(&self, action: Action) -> bool {
         let is_untouched = self.import.as_ref().is_some_and(|import| import.is_canvas() && !import.has_work());
         let is_of_scenes = matches!(action, Action::PreviousScene | Action::NextScene);
-        action.reaches_through() || is_untouched && self.panels.sheet.is_none() && is_of_scenes
+        let is_answer = self.asked.is_some() && action == Action::Finish;
+        action.reaches_through() || is_answer || is_untouched && self.panels.sheet.is_none() && is_of_scenes
     }
 
     /// A file was dropped on the window, chosen or pasted: a picture is imported, a scene opens in place of this one.
@@ -158,9 +160,12 @@ impl Session {
         for (is_pasted, found) in [false, true].into_iter().zip(fetched) {
             let Some(found) = found else { continue };
             match found {
+                Ok(Found::Bodies(fragment)) => self.paste_clip(Clip::of_fragment(*fragment)),
                 Ok(Found::Copied) if self.paste_copied() => {}
                 Ok(Found::Copied) => {
-                    self.complain("what was copied is in another window of wobble: copy it in this one");
+                    self.complain(
+                        "what was copied is in another window of wobble, and too large for the clipboard: save it there",
+                    );
                 }
                 Ok(Found::File(path)) => {
                     // The dialog came after all.
@@ -175,6 +180,7 @@ impl Session {
                 // A path is being written in its place.
                 Ok(Found::Nothing) | Err(_) if !is_pasted && self.panels.sheet == Some(Sheet::OpenFrom) => {}
                 Ok(Found::Nothing) => self.say("no file was chosen".to_owned()),
+                Ok(Found::Broken(why)) => self.complain(&why),
                 // Where the clipboard has nothing of use, there may still be what was copied here.
                 Err(_) if is_pasted && self.paste_copied() => {}
                 Err(_) if !is_pasted => self.ask_for_path(),
@@ -219,9 +225,11 @@ impl Session {
             Answer::Add => {
                 let seen = self.seen();
                 let near = import.drawn_at().map_or(seen, |at| about(self.world_at(at), seen));
-                self.player.ask(Order::Add(Box::new(import.adder(near))));
-                self.adding = self.import.take();
-                return;
+                let (adder, coming) = (import.adder(near), import.coming());
+                return self.ask_if_full(coming, move |session| {
+                    session.player.ask(Order::Add(Box::new(adder)));
+                    session.adding = session.import.take();
+                });
             }
             Answer::Open => import.scene(),
             Answer::Replace => import.put_into(&self.scene),

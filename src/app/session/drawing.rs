@@ -44,7 +44,7 @@ impl Session {
         }
         let mut wishes = Vec::new();
         let mut laid = Laid::default();
-        let mut answer = None;
+        let (mut answer, mut yes) = (None, None);
         let can_add = self.scene.dimensions() == 2;
         let output = context.run_ui(input, |ui| {
             ui.fonts_mut(|fonts| {
@@ -56,6 +56,7 @@ impl Session {
             // A sheet lies over the canvas too: it comes back with it.
             let import = self.import.as_mut().filter(|_| self.panels.sheet.is_none());
             answer = import.and_then(|import| import.show(ui.ctx(), can_add));
+            yes = self.asked.as_ref().and_then(|asked| panels::ask(ui.ctx(), &asked.words));
             if self.loading.as_ref().is_some_and(|loading| loading.show(ui.ctx())) {
                 self.loading = None;
             }
@@ -83,6 +84,9 @@ impl Session {
         }
         if let Some(answer) = answer {
             self.answer(answer);
+        }
+        if let Some(yes) = yes {
+            self.answered(yes);
         }
     }
 

@@ -2,6 +2,7 @@
 
 mod acts;
 mod arrivals;
+mod asking;
 mod beside;
 mod drawing;
 mod driving;
@@ -46,6 +47,7 @@ use crate::history::{HistoryError, Start};
 use crate::render::{Camera, Look, RenderCounters, RenderError, Tiles, Trails};
 use crate::scene::{MOST_MEETING, Parameter, Scene, SolverName, gallery};
 use crate::sim::{Cursor, HELD, Key, MouseForce, SceneChange};
+use asking::Asked;
 use lost::Lost;
 use selecting::Copied;
 use shelf::Shelf;
@@ -164,6 +166,8 @@ pub(super) struct Session {
     loading: Option<Loading>,
     /// What is just being added to the world: it comes back if it cannot be.
     adding: Option<Import>,
+    /// What waits for an answer before it comes.
+    asked: Option<Asked>,
     /// A file that is being chosen in the system's dialog, and what is on its way from the clipboard.
     dialog: Option<Fetch>,
     pasted: Option<Fetch>,
@@ -264,6 +268,7 @@ impl Session {
             kept: None,
             loading: None,
             adding: None,
+            asked: None,
             dialog: None,
             pasted: None,
             saving: None,
@@ -325,7 +330,8 @@ impl Session {
     /// Whether time goes on: the world waits while a picture is being imported, which takes its place on the screen.
     fn moves(&self) -> bool {
         let fades = self.hand.is_fading() && self.player.is_playing();
-        !self.waits() && (self.player.is_moving() || self.rewinds || fades || self.hand.is_leading())
+        !self.waits()
+            && (self.player.is_moving() || self.rewinds || fades || self.hand.is_leading() || self.hand.is_hauling())
     }
 
     /// Whether the world waits for what lies over it: what is saved is the moment at which it was asked for.
@@ -335,7 +341,7 @@ impl Session {
 
     /// Whether something lies over the world that keys and the mouse are for.
     pub(super) fn is_covered(&self) -> bool {
-        self.import.is_some() || self.panels.sheet.is_some()
+        self.import.is_some() || self.panels.sheet.is_some() || self.asked.is_some()
     }
 
     /// Opens another scene, or a recording, in place of this one, which can be gone back to.
@@ -425,6 +431,7 @@ impl Session {
     /// Another history is shown: nothing of the last one is under way any more.
     fn begin(&mut self) {
         self.hand.let_go();
+        self.asked = None;
         self.inspected = Chosen::default();
         self.has_undone = false;
         self.driving.clear();
@@ -583,7 +590,7 @@ impl Session {
             let deed = self.hand.pass(wall);
             self.do_deed(deed);
         }
-        self.lead_pin(wall);
+        self.lead(wall);
         self.told = cursor;
         self.player.advance(wall, cursor, self.rewinds);
     }

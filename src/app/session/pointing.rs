@@ -8,7 +8,7 @@ use super::{Framing, Session};
 use crate::app::action::Tool;
 use crate::app::player;
 use crate::app::pointer::Pointer;
-use crate::app::tools::{Hand, PinWay, Scope};
+use crate::app::tools::{Hand, Scope};
 use crate::history::Do;
 use crate::sim::Cursor;
 
@@ -65,7 +65,7 @@ impl Session {
                 deed
             }
             false => {
-                self.lead_pin(f64::INFINITY);
+                self.lead(f64::INFINITY);
                 self.probe(at);
                 self.with_scope(|hand, scope| hand.release(scope, at))
             }
@@ -74,11 +74,19 @@ impl Session {
         self.show_cursor();
     }
 
-    /// A pin that is led goes after the cursor, `seconds` after the last time.
-    pub(super) fn lead_pin(&mut self, seconds: f64) {
+    /// What is led goes after the cursor, `seconds` after the last time: pins, and while time runs what is dragged of what is selected.
+    pub(super) fn lead(&mut self, seconds: f64) {
         let Some(at) = self.pixel() else { return };
-        if let Some(PinWay { point, to, goes_on }) = self.with_scope(|hand, scope| hand.lead(scope, at, seconds)) {
-            self.player.ask(player::Order::LeadPin { point, to, goes_on });
+        if let Some(commands) = self.with_scope(|hand, scope| hand.lead_bodies(scope, at)) {
+            self.told = self.world_cursor();
+            self.player.give(commands, None);
+        }
+        if let Some(way) = self.with_scope(|hand, scope| hand.haul(scope, at, seconds)) {
+            self.player.ask(player::Order::Haul(way));
+            self.dirty = true;
+        }
+        if let Some(way) = self.with_scope(|hand, scope| hand.lead(scope, at, seconds)) {
+            self.player.ask(player::Order::LeadPins(way));
             self.dirty = true;
         }
     }
@@ -152,6 +160,10 @@ impl Session {
         // A window that gets the focus is told of a pointer that may be anywhere.
         let [width, height] = self.area.map(f64::from);
         let is_inside = |at: &[f64; 2]| (0.0..width).contains(&at[0]) && (0.0..height).contains(&at[1]);
-        self.pointer.at.filter(|at| leads || is_inside(at)).filter(|_| is_free).map(|at| self.camera_here().cursor(at))
+        self.pointer
+            .at
+            .filter(|at| leads || is_inside(at))
+            .filter(|_| is_free)
+            .map(|at| self.hand.led_to(self.camera_here().cursor(at)))
     }
 }

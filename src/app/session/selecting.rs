@@ -10,30 +10,20 @@ use crate::app::count::counted;
 use crate::app::fetch;
 use crate::app::matter::{Among, MatterChange};
 use crate::app::player::Order;
-use crate::app::tools::{Chosen, Clip, Handle};
+use crate::app::tools::{Chosen, Clip, Handle, Held, Scope};
 use crate::history::{Do, Group};
 use crate::sim::PointId;
 
 /// Said where nothing is selected.
 const NOTHING: &str = "select something first: the tool for that is 6";
 
+/// What the pointer is on is looked for among so many points: more would take longer than a frame.
+const MOST_HOVERED: usize = 100_000;
 /// Of so many points at most it is looked where they are seen.
 const MOST_LOOKED_AT: usize = 1_000;
 
-/// A scene may take so long for a frame with what is pasted, without a question `[s]`.
-const MOST_WORK: f64 = 1.0 / 60.0;
-/// So many points are pasted without a question into a scene that has not run yet.
-const MOST_UNKNOWN: u32 = 20_000;
-/// What makes a scene larger by less than this share of it is not asked about `[1]`.
-const LITTLE: f64 = 0.05;
-
 /// What Ctrl+C copied: the stepping thread puts it there.
-#[derive(Clone, Default)]
-pub(super) struct Copied {
-    clip: Arc<OnceLock<Clip>>,
-    /// The user was asked whether it is to come into a scene of so many points.
-    asked: Option<usize>,
-}
+pub(super) type Copied = Arc<OnceLock<Clip>>;
 
 impl Session {
     /// What is selected, if anything is.
@@ -65,21 +55,26 @@ impl Session {
         let by = self.with_scope(|_, scope| chosen.beside(scope));
         let coming = self.coming(chosen.points.len() as u32, chosen.obstacles.len() as u32);
         let tints = Arc::clone(&self.shown().scenery.tints);
-        self.player.ask(Order::Add(Box::new(move |_, world| Ok(Clip::of(world, &tints, &chosen).placed(world, by)))));
-        self.with_scope(|hand, _| hand.select(coming));
+        self.ask_if_full(chosen.points.len(), move |session| {
+            session
+                .player
+                .ask(Order::Add(Box::new(move |_, world| Ok(Clip::of(world, &tints, &chosen).placed(world, by)))));
+            session.with_scope(|hand, _| hand.select(coming));
+        });
     }
 
     /// A copy of what is selected is kept as it is now, to be pasted here or in another scene.
     pub(super) fn copy(&mut self) {
         let Some(chosen) = self.selected() else { return };
-        let copied = Arc::new(OnceLock::new());
-        self.copied = Some(Copied { clip: Arc::clone(&copied), asked: None });
+        let copied = Copied::default();
+        self.copied = Some(Arc::clone(&copied));
         let [points, obstacles] = [chosen.points.len(), chosen.obstacles.len()];
         self.player.ask(Order::Copy(Box::new(move |world, tints| {
+            let clip = Clip::of(world, tints, &chosen);
+            fetch::copy(clip.fragment());
             // It is new, so there is nothing in it.
-            let _ = copied.set(Clip::of(world, tints, &chosen));
+            let _ = copied.set(clip);
         })));
-        fetch::announce();
         let all = [(points, "point"), (obstacles, "obstacle")].into_iter().filter(|(count, _)| *count > 0);
         let all: Vec<String> = all.map(|(count, name)| counted(count, name)).collect();
         self.say(format!("copied: {}; Ctrl+V puts a copy where the cursor is", all.join(" and ")));
@@ -88,26 +83,26 @@ impl Session {
     /// What was copied comes to where the cursor is. Returns whether anything was.
     pub(super) fn paste_copied(&mut self) -> bool {
         let Some(copied) = self.copied.clone() else { return false };
-        let Some(clip) = copied.clip.get() else {
+        let Some(clip) = copied.get() else {
             self.say("what was copied is still on its way: try again".to_owned());
             return true;
         };
+        let clip = clip.clone();
+        self.paste_clip(clip);
+        true
+    }
+
+    /// Bodies come to where the cursor is.
+    pub(super) fn paste_clip(&mut self, clip: Clip) {
         if clip.dimensions != self.scene.dimensions() {
             self.complain(&format!(
                 "what was copied is of a scene of {} dimensions: it cannot come into one of {}",
                 clip.dimensions,
                 self.scene.dimensions()
             ));
-            return true;
+            return;
         }
         let [points, obstacles] = clip.counts();
-        let figures = &self.shown().figures;
-        let there = figures.points;
-        if let Some(question) = question(figures.work, there, points).filter(|_| copied.asked != Some(there)) {
-            self.copied = Some(Copied { asked: Some(there), ..copied });
-            self.say(question);
-            return true;
-        }
         let coming = self.coming(points, obstacles);
         let by = match (clip.dimensions, self.pixel()) {
             (2, Some(at)) => {
@@ -116,13 +111,13 @@ impl Session {
             }
             _ => [0.0; 3],
         };
-        let clip = clip.clone();
-        self.player.ask(Order::Add(Box::new(move |_, world| Ok(clip.placed(world, by)))));
-        self.with_scope(|hand, _| {
-            hand.take(Tool::Select);
-            hand.select(coming);
+        self.ask_if_full(points as usize, move |session| {
+            session.player.ask(Order::Add(Box::new(move |_, world| Ok(clip.placed(world, by)))));
+            session.with_scope(|hand, _| {
+                hand.take(Tool::Select);
+                hand.select(coming);
+            });
         });
-        true
     }
 
     /// The points that are selected are selected as one from now on.
@@ -190,6 +185,34 @@ impl Session {
         self.dirty = true;
     }
 
+    /// How the pointer looks over the world with a tool.
+    fn icon_of(&mut self, tool: Tool, at: glam::DVec2) -> CursorIcon {
+        match self.hand.holds() {
+            Some(Held::Grip) => return CursorIcon::Grabbing,
+            Some(Held::Move) => return CursorIcon::Move,
+            None => {}
+        }
+        let can_look = self.shown().point_count() <= MOST_HOVERED;
+        let is_plane = self.scene.dimensions() == 2;
+        let mut on = |what: fn(Scope<'_>, glam::DVec2) -> bool| can_look && self.with_scope(|_, scope| what(scope, at));
+        match tool {
+            Tool::Hand if on(|scope, at| scope.nearest(at).is_some()) => CursorIcon::Grab,
+            Tool::Hand if on(|scope, at| scope.solid(at).is_some()) => CursorIcon::NotAllowed,
+            Tool::Hand => CursorIcon::Default,
+            Tool::Cut | Tool::Build | Tool::Motor if !is_plane => CursorIcon::NotAllowed,
+            Tool::Pin => CursorIcon::Cell,
+            Tool::Cut | Tool::Paint | Tool::Push => CursorIcon::Crosshair,
+            Tool::Erase => CursorIcon::NoDrop,
+            Tool::Build => CursorIcon::Copy,
+            Tool::Muscle => CursorIcon::Pointer,
+            Tool::Motor => CursorIcon::Alias,
+            Tool::Select if on(|scope, at| scope.nearest(at).is_some() || scope.solid(at).is_some()) => {
+                CursorIcon::Move
+            }
+            Tool::Select => CursorIcon::Default,
+        }
+    }
+
     /// The pointer looks as what a press would do.
     pub(super) fn show_cursor(&mut self) {
         let at = self.pixel().filter(|_| !self.is_over_panels() && !self.is_covered());
@@ -198,43 +221,11 @@ impl Session {
             Some(Handle::Turn) => CursorIcon::Grab,
             Some(Handle::Corner(corner)) if corner % 2 == 0 => CursorIcon::NeswResize,
             Some(Handle::Corner(_)) => CursorIcon::NwseResize,
-            None if at.is_some() && matches!(tool, Tool::Cut | Tool::Build | Tool::Paint) => CursorIcon::Crosshair,
-            None => CursorIcon::Default,
+            None => at.map_or(CursorIcon::Default, |at| self.icon_of(tool, at)),
         };
         if icon != self.cursor_icon {
             self.cursor_icon = icon;
             self.window.set_cursor(icon);
         }
-    }
-}
-
-/// What is asked before so many points come into a scene that has others, where stepping a frame of it takes so long `[s]`; 0: not known.
-fn question(work: f64, there: usize, more: u32) -> Option<String> {
-    let many = f64::from(more) / there.max(1) as f64;
-    let then = work * (1.0 + many);
-    let counted = counted(more as usize, "point");
-    match work > 0.0 && there > 0 {
-        true if then > MOST_WORK && many > LITTLE => Some(format!(
-            "{counted} more: the scene would run at about {:.0} % of its pace; Ctrl+V once more puts them here all the same",
-            (100.0 * MOST_WORK / then).clamp(1.0, 99.0)
-        )),
-        false if more > MOST_UNKNOWN => {
-            Some(format!("{counted} more may be slow; Ctrl+V once more puts them here all the same"))
-        }
-        _ => None,
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::question;
-
-    #[test]
-    fn what_would_slow_a_scene_down_is_asked_about_before() {
-        assert_eq!(question(0.002, 1_000, 1_000), None, "there is time for it");
-        assert!(question(0.01, 1_000, 4_000).is_some_and(|words| words.contains("33 % of its pace")));
-        assert_eq!(question(0.05, 10_000, 100), None, "next to what is there it is nothing");
-        assert_eq!(question(0.0, 0, 500), None);
-        assert!(question(0.0, 0, 50_000).is_some_and(|words| words.contains("once more")));
     }
 }

@@ -3,17 +3,17 @@
 use super::chosen::Chosen;
 use crate::picture::Tint;
 use crate::scene::{
-    AddKeys, AngleKeys, BondKeys, BoxKeys, CircleKeys, ColorKey, ForceKeys, KindName, LimitName, MassKeys,
-    ObstacleKeys, PlaneKeys, PointKeys, RotationKeys, Row, SkinKeys, Vector,
+    AddKeys, AngleKeys, BondKeys, BoxKeys, CircleKeys, ColorKey, ContactKeys, ForceKeys, Fragment, KindName, LimitName,
+    MassKeys, ObstacleKeys, PlaneKeys, PointKeys, RotationKeys, Row, SkinKeys, Vector,
 };
-use crate::sim::{Angle, Bond, BondKind, Contact, Convex, Dynamics, Figure, Limit, Obstacle, PointId, SkinMaterial};
+use crate::sim::{Angle, Bond, BondKind, Convex, Dynamics, Figure, Limit, Obstacle, PointId, SkinMaterial};
 
 /// What was copied: the keys that bring it, its points counted from 0, where it was.
 #[derive(Clone, Debug, PartialEq)]
 pub(in crate::app) struct Clip {
     keys: AddKeys,
     /// How bodies met where it was copied.
-    contact: Option<Contact>,
+    contact: Option<ContactKeys>,
     pub(in crate::app) dimensions: usize,
     /// The middle of all of it `[m]`.
     pub(in crate::app) middle: [f64; 3],
@@ -60,7 +60,13 @@ impl Clip {
             });
         }
         let middle = middle(&keys);
-        Clip { keys, contact: world.contact(), dimensions, middle }
+        let contact = world.contact().map(|contact| ContactKeys {
+            friction: Some(contact.friction),
+            restitution: Some(contact.restitution),
+            radius: contact.radius,
+            ..ContactKeys::default()
+        });
+        Clip { keys, contact, dimensions, middle }
     }
 
     /// The keys that bring it `by` `[m]` from where it was into a world. What its skins had from the scene that it was copied in travels with
@@ -98,8 +104,8 @@ impl Clip {
         let Some(was) = self.contact else { return };
         // Where nothing meets, what comes makes all meet as is usual.
         let is = world.contact().unwrap_or_default();
-        let friction = (was.friction != is.friction).then_some(was.friction);
-        let restitution = (was.restitution != is.restitution).then_some(was.restitution);
+        let friction = was.friction.filter(|friction| *friction != is.friction);
+        let restitution = was.restitution.filter(|restitution| *restitution != is.restitution);
         let radius = was.radius.filter(|radius| is.radius != Some(*radius));
         if friction.is_none() && restitution.is_none() && radius.is_none() {
             return;
@@ -115,6 +121,17 @@ impl Clip {
         if !points.is_empty() {
             keys.skins.push(SkinKeys { points, friction, restitution, radius, color: None });
         }
+    }
+
+    /// The same as a part of a scene, to be written as text.
+    pub(in crate::app) fn fragment(&self) -> Fragment {
+        let Clip { keys, contact, dimensions, middle } = self.clone();
+        Fragment { keys, contact, dimensions, middle }
+    }
+
+    /// What a part of a scene brings.
+    pub(in crate::app) fn of_fragment(Fragment { keys, contact, dimensions, middle }: Fragment) -> Self {
+        Clip { keys, contact, dimensions, middle }
     }
 
     /// How many points it brings, and how many obstacles.

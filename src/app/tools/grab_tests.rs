@@ -60,8 +60,8 @@ impl Played {
     /// A pin is led to a pixel, for a frame.
     fn lead(&mut self, at: DVec2) -> Option<PinWay> {
         let way = self.hand.lead(scope(&self.seen), at, 0.2);
-        if let Some(PinWay { point, to, goes_on }) = way {
-            assert_eq!(self.stage.obey(Order::LeadPin { point, to, goes_on }), None);
+        if let Some(way) = way.clone() {
+            assert_eq!(self.stage.obey(Order::LeadPins(way)), None);
         }
         way
     }
@@ -205,10 +205,26 @@ fn a_cloth_in_space_is_picked_by_the_ray_and_led_in_the_view_plane() {
     let to = at + DVec2::new(40.0, 40.0);
     let way = played.lead(to).unwrap();
     let Cursor { direction, .. } = played.seen.1.cursor(at.to_array());
-    let moved = DVec3::from(way.to) - place;
+    assert_eq!(way.pins[0].0, pin, "the one that was pressed on");
+    let moved = DVec3::from(way.pins[0].1) - place;
     assert!(moved.length() > 0.01 && moved.dot(DVec3::from(direction)).abs() < 1e-9 * moved.length());
-    let on_screen = DVec2::from(played.seen.1.screen_from_world(DVec3::from(way.to)).unwrap());
+    let on_screen = DVec2::from(played.seen.1.screen_from_world(DVec3::from(way.pins[0].1)).unwrap());
     assert!(on_screen.distance(to) < 1e-3, "{on_screen} {to}");
+    // All of the bar goes along; while Shift is held it turns about its middle, as long as it was.
+    assert_eq!(way.pins.len(), played.seen.0.scenery.pinned.len());
+    let ways: Vec<DVec3> = way.pins.iter().map(|(pin, to)| DVec3::from(*to) - played.place(pin.0)).collect();
+    assert!(ways.iter().all(|own| own.distance(moved) < 1e-9), "{ways:?}");
+    let middle = |way: &PinWay| way.pins.iter().map(|(_, x)| DVec3::from(*x)).sum::<DVec3>() / way.pins.len() as f64;
+    let long = |way: &PinWay| DVec3::from(way.pins[0].1).distance(DVec3::from(way.pins[way.pins.len() - 1].1));
+    played.hand.hold([true, false]);
+    played.lead(to + DVec2::new(0.0, 1.0)).unwrap();
+    let turned = played.lead(to + DVec2::new(0.0, 80.0)).unwrap();
+    assert!(turned.goes_on && middle(&turned).distance(middle(&way)) < 1e-9, "{turned:?}");
+    assert!((long(&turned) - long(&way)).abs() < 1e-9, "{} m", long(&turned));
+    assert!(DVec3::from(turned.pins[0].1).distance(DVec3::from(way.pins[0].1)) > 0.05, "it turned");
+    let before = played.stage.history().world().bonds().len();
+    played.until(to, |played| played.place(pin.0).distance(DVec3::from(turned.pins[0].1)) < 1e-6);
+    assert_eq!(played.stage.history().world().bonds().len(), before, "nothing tears");
 }
 
 #[test]

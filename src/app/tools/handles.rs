@@ -147,6 +147,16 @@ impl Frame {
 }
 
 impl Grip {
+    /// The place that stays `[m]`.
+    pub(super) fn about(&self) -> DVec2 {
+        self.about
+    }
+
+    /// What it makes of the selection before it is dragged.
+    pub(super) fn nothing(&self) -> Change {
+        if self.handle == Handle::Turn { Change::Turn(0.0) } else { Change::Scale([1.0; 2]) }
+    }
+
     /// What a drag to a pixel makes of the selection; `in_steps`: turned by whole steps, scaled in proportion.
     pub(super) fn change(&self, scope: Scope<'_>, to: DVec2, in_steps: bool) -> Change {
         let [from, to] = [self.from, to].map(|at| scope.in_plane(at) - self.about);
@@ -168,6 +178,30 @@ impl Grip {
 }
 
 impl Change {
+    /// What is left of it to be done after another one of its kind; `None`: nothing.
+    pub(super) fn after(self, done: Change) -> Option<Self> {
+        match (self, done) {
+            (Change::Shift(all), Change::Shift(done)) => Some(Change::Shift(all - done)).filter(|_| all != done),
+            (Change::Turn(all), Change::Turn(done)) => {
+                let left = (all - done + PI).rem_euclid(TAU) - PI;
+                (left != 0.0).then_some(Change::Turn(left))
+            }
+            (Change::Scale(all), Change::Scale(done)) => {
+                (all != done).then(|| Change::Scale([all[0] / done[0], all[1] / done[1]]))
+            }
+            _ => None,
+        }
+    }
+
+    /// How much it is: in heights of a picture that is so high `[m]`, in turns, or by which factors.
+    pub(super) fn size(self, height: f64) -> f64 {
+        match self {
+            Change::Shift(by) => by.length() / height,
+            Change::Turn(angle) => angle.abs() / TAU,
+            Change::Scale(factors) => factors.into_iter().map(|factor| factor.ln().abs()).fold(0.0, f64::max),
+        }
+    }
+
     /// The place that stays where it is: for a selection as it is now `[m]`.
     pub(super) fn about(self, frame: &Frame, handle: Handle) -> DVec2 {
         match self {
@@ -240,7 +274,7 @@ impl Change {
     }
 
     /// The command that does it to what is selected; nothing where nothing changes.
-    fn deed(self, chosen: &Chosen, about: DVec2) -> Deed {
+    pub(super) fn deed(self, chosen: &Chosen, about: DVec2) -> Deed {
         let keys = MoveKeys { points: chosen.numbers(), obstacles: chosen.obstacles.clone(), ..MoveKeys::default() };
         let about = Some(Vector::Plane(about.to_array()));
         let (name, keys) = match self {

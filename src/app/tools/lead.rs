@@ -1,70 +1,138 @@
-//! A pin that is led by the hand: it stays a pin, which bears any load, and goes along short straight ways after the cursor.
+//! Pins that are led by the hand: they stay pins, which bear any load, and go along short straight ways after the cursor. Pins that
+//! bonds join to each other are one bar, and go together.
 
-use glam::{DVec2, DVec3};
+use glam::{DQuat, DVec2, DVec3};
 
 use super::Scope;
 use crate::sim::PointId;
 
-/// A pin is sent on its way so often at most `[s]`: each time its body is compiled anew.
+/// Pins are sent on their way so often at most `[s]`: each time their body is compiled anew.
 const EVERY: f64 = 0.1;
 /// A cursor that moved less has not been dragged yet `[logical px]`: a click moves no pin.
 const LEAST: f64 = 3.0;
+/// An arm that is shorter than this, as a share of the bar, turns nothing.
+const LEAST_ARM: f64 = 0.02;
 
-/// A pin, and the plane that it is led in: in space the one across the ray of the press.
+/// Pins, and the plane that they are led in: in space the one across the ray of the press.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Lead {
     point: PointId,
+    /// All that go, the one that was pressed on first, and where they are sent from `[m]`.
+    bar: Vec<(PointId, DVec3)>,
+    /// Where they were sent last.
+    last: Vec<DVec3>,
     place: DVec3,
     normal: DVec3,
-    /// Where the press was, and where the cursor was when it was sent last `[px]`.
+    /// Where the cursor was when the bar began to be led or turned `[m]`.
+    from: DVec3,
+    turns: bool,
+    /// Where the press was, and where the cursor was when they were sent last `[px]`.
     pressed: DVec2,
     sent: Option<DVec2>,
     /// Since then `[s]`.
     since: f64,
 }
 
-/// Where a pin is to go.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(in crate::app) struct PinWay {
-    pub(in crate::app) point: PointId,
-    /// `[m]`
-    pub(in crate::app) to: [f64; 3],
-    /// It was sent before, since it was pressed on.
-    pub(in crate::app) goes_on: bool,
+/// Where pins are to go.
+#[derive(Clone, Debug, PartialEq)]
+pub struct PinWay {
+    /// Each with its place `[m]`.
+    pub pins: Vec<(PointId, [f64; 3])>,
+    /// They were sent before, since one of them was pressed on.
+    pub goes_on: bool,
+}
+
+/// Pins that bonds between pins join to one of them, that one first.
+pub(super) fn bar(scope: Scope<'_>, point: PointId) -> Vec<PointId> {
+    let is_pin = |end: &PointId| scope.is_pinned(*end);
+    let bonds = scope.shown.scenery.bonds.ends().iter().filter(|ends| ends.iter().all(is_pin));
+    let bonds: Vec<[PointId; 2]> = bonds.copied().collect();
+    let mut all = vec![point];
+    let mut looked = 0;
+    while let Some(&from) = all.get(looked) {
+        looked += 1;
+        for ends in bonds.iter().filter(|ends| ends.contains(&from)) {
+            all.extend(ends.iter().copied().filter(|end| *end != from).find(|end| !all.contains(end)));
+        }
+    }
+    all
 }
 
 impl Lead {
-    /// The pin that a pixel means, if it means one.
+    /// The pin that a pixel means, if it means one, with its bar.
     pub(super) fn of_pin(scope: Scope<'_>, at: DVec2) -> Option<Self> {
         let point = scope.nearest(at)?.point;
         if !scope.is_pinned(point) {
             return None;
         }
-        let place = DVec3::from(scope.shown.place(point.index()));
-        let normal = DVec3::from(scope.camera.cursor(at.to_array()).direction);
-        Some(Lead { point, place, normal, pressed: at, sent: None, since: f64::INFINITY })
+        let of = |pin: PointId| DVec3::from(scope.shown.place(pin.index()));
+        let bar: Vec<(PointId, DVec3)> = bar(scope, point).into_iter().map(|pin| (pin, of(pin))).collect();
+        let last = bar.iter().map(|(_, place)| *place).collect();
+        let (place, normal) = (of(point), DVec3::from(scope.camera.cursor(at.to_array()).direction));
+        let mut lead = Lead {
+            point,
+            bar,
+            last,
+            place,
+            normal,
+            from: place,
+            turns: false,
+            pressed: at,
+            sent: None,
+            since: f64::INFINITY,
+        };
+        lead.from = lead.under(scope, at).unwrap_or(place);
+        Some(lead)
     }
 
     pub(super) fn point(&self) -> PointId {
         self.point
     }
 
-    /// Time passes with the cursor at a pixel; infinitely much at the end. Returns where the pin is to go now, if that is new.
-    pub(super) fn pass(&mut self, scope: Scope<'_>, at: DVec2, seconds: f64) -> Option<PinWay> {
+    /// The place of its plane under a pixel `[m]`.
+    fn under(&self, scope: Scope<'_>, at: DVec2) -> Option<DVec3> {
+        let cursor = scope.camera.cursor(at.to_array());
+        let (origin, direction) = (DVec3::from(cursor.origin), DVec3::from(cursor.direction));
+        let along = direction.dot(self.normal);
+        (along.abs() >= 1e-6).then(|| origin + ((self.place - origin).dot(self.normal) / along) * direction)
+    }
+
+    /// Time passes with the cursor at a pixel; infinitely much at the end. A bar turns about its middle while it `turns`. Returns where they
+    /// are to go now, if that is new.
+    pub(super) fn pass(&mut self, scope: Scope<'_>, at: DVec2, (seconds, turns): (f64, bool)) -> Option<PinWay> {
         self.since += seconds;
         let is_dragged = self.sent.is_some() || at.distance(self.pressed) >= LEAST * scope.scale;
         if !is_dragged || self.sent == Some(at) || self.since < EVERY {
             return None;
         }
-        let cursor = scope.camera.cursor(at.to_array());
-        let (origin, direction) = (DVec3::from(cursor.origin), DVec3::from(cursor.direction));
-        let along = direction.dot(self.normal);
-        if along.abs() < 1e-6 {
-            return None;
+        let to = self.under(scope, at)?;
+        if self.turns != turns {
+            // From here on otherwise.
+            self.turns = turns;
+            self.from = to;
+            self.bar.iter_mut().zip(&self.last).for_each(|((_, place), last)| *place = *last);
         }
-        let to = origin + ((self.place - origin).dot(self.normal) / along) * direction;
+        match self.bar.len() {
+            1 => self.last = vec![to],
+            _ if turns => self.last = self.turned(to),
+            _ => self.last = self.bar.iter().map(|(_, place)| *place + (to - self.from)).collect(),
+        }
         let goes_on = self.sent.replace(at).is_some();
         self.since = 0.0;
-        Some(PinWay { point: self.point, to: to.to_array(), goes_on })
+        let pins = self.bar.iter().zip(&self.last).map(|((pin, _), place)| (*pin, place.to_array())).collect();
+        Some(PinWay { pins, goes_on })
+    }
+
+    /// Where pins are once the cursor, which turned with them, is here.
+    fn turned(&self, to: DVec3) -> Vec<DVec3> {
+        let count = self.bar.len() as f64;
+        let middle = self.bar.iter().map(|(_, place)| *place).sum::<DVec3>() / count;
+        let reach = self.bar.iter().map(|(_, place)| place.distance(middle)).fold(0.0, f64::max);
+        let arms = [self.from - middle, to - middle];
+        if arms.iter().any(|arm| arm.length() < LEAST_ARM * reach) {
+            return self.last.clone();
+        }
+        let turn = DQuat::from_rotation_arc(arms[0].normalize(), arms[1].normalize());
+        self.bar.iter().map(|(_, place)| middle + turn * (*place - middle)).collect()
     }
 }

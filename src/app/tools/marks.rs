@@ -96,9 +96,8 @@ pub(super) fn of((tool, maker): (Tool, Maker), doing: &Doing, scope: Scope<'_>, 
             marks
         }
         (Doing::Leading(lead), _) => led(scope, &[lead.point()], at),
-        (Doing::Cutting(from), _) => {
-            at.map(|at| Mark::Line(Role::Away, *from, at, 2.0 * scope.scale)).into_iter().collect()
-        }
+        (Doing::Cutting(slash), _) => at.map_or_else(Vec::new, |at| slash.marks(scope, at)),
+        (Doing::Nothing, Tool::Hand) => at.map_or_else(Vec::new, |at| would_grab(scope, at)),
         (Doing::Building(drag), _) => at.map_or_else(Vec::new, |at| maker.outline(scope, Some(drag), at)),
         (Doing::Drawing(path), _) => path.marks(maker, scope, at),
         (_, Tool::Build) => at.map_or_else(Vec::new, |at| maker.outline(scope, None, at)),
@@ -148,6 +147,24 @@ fn led(scope: Scope<'_>, points: &[PointId], at: Option<DVec2>) -> Vec<Mark> {
     let width = WIDTHS[0] + share * (WIDTHS[1] - WIDTHS[0]);
     let scale = scope.scale;
     vec![Mark::Line(Role::Lead, middle, at, width * scale), Mark::Ring(Role::Lead, middle, 5.0 * scale)]
+}
+
+/// A ring around the point that the hand would take; around a pin, and along the bar that goes with it.
+fn would_grab(scope: Scope<'_>, at: DVec2) -> Vec<Mark> {
+    let Some(hit) = scope.nearest(at) else { return Vec::new() };
+    let is_pin = scope.is_pinned(hit.point);
+    let role = if is_pin { Role::Hold } else { Role::Lead };
+    let ring = scope.pixel(hit.point).map(|middle| Mark::Ring(role, middle, 7.0 * scope.scale));
+    let bar = if is_pin { super::lead::bar(scope, hit.point) } else { Vec::new() };
+    let mut marks: Vec<Mark> = ring.into_iter().collect();
+    if bar.len() > 1 {
+        let is_of = |ends: &&[PointId; 2]| ends.iter().all(|end| bar.contains(end));
+        let bonds = scope.shown.scenery.bonds.ends().iter().filter(is_of).take(MOST);
+        marks.extend(bonds.filter_map(|&ends| line(Role::Hold, scope, ends)));
+        let beside = at + DVec2::new(16.0, -12.0) * scope.scale;
+        marks.push(Mark::Words(beside, "drag: the bar goes along; with Shift it turns".to_owned()));
+    }
+    marks
 }
 
 fn would_pin(scope: Scope<'_>, at: DVec2) -> Option<Mark> {

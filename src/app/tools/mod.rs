@@ -6,6 +6,7 @@ mod brush;
 mod build;
 mod chosen;
 mod copy;
+mod cutting;
 mod drives;
 #[cfg(test)]
 mod drives_tests;
@@ -13,6 +14,9 @@ mod erase;
 #[cfg(test)]
 mod grab_tests;
 mod handles;
+mod haul;
+#[cfg(test)]
+mod haul_tests;
 mod hub;
 mod lead;
 mod marks;
@@ -30,24 +34,30 @@ mod selecting;
 mod skin;
 #[cfg(test)]
 mod tests;
+mod wind;
+#[cfg(test)]
+mod wind_tests;
 
-use glam::DVec2;
+use glam::{DVec2, DVec3};
 
 use super::action::{Primitive, Tool};
 use super::matter::Among;
 use super::player::Probe;
 use crate::history::Do;
-use crate::sim::{MouseChange, PointId, Reach};
+use crate::sim::{Cursor, MouseChange, PointId, Reach};
 use brush::Stroke;
 pub(super) use brush::{Brush, RADII};
 use build::{Drag, Maker, Path, Step};
 pub(super) use build::{Link, Links};
 pub(super) use chosen::Chosen;
 pub(super) use copy::Clip;
+use cutting::Slash;
 pub(super) use drives::Drives;
 use erase::{delete_points, erase};
 use handles::Grip;
 pub(super) use handles::Handle;
+use haul::Haul;
+pub(super) use haul::HaulWay;
 use lead::Lead;
 pub(super) use lead::PinWay;
 pub(super) use marks::{Mark, Role, probe};
@@ -56,6 +66,7 @@ pub(super) use push::PushWay;
 use region::Region;
 pub(super) use room::Walls;
 use selecting::is_drag;
+use wind::Blow;
 
 /// The hover force stays away so long after a grab `[s]`: what was thrown is not blown off its way.
 const CALM: f64 = 0.2;
@@ -91,6 +102,15 @@ impl Deed {
     }
 }
 
+/// What is in the hand.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Held {
+    /// It is led.
+    Grip,
+    /// It goes with the pointer.
+    Move,
+}
+
 /// What the left button is doing.
 #[derive(Clone, Debug, Default, PartialEq)]
 enum Doing {
@@ -102,8 +122,8 @@ enum Doing {
     Leading(Lead),
     /// The hover force pushes through bodies.
     Pushing,
-    /// A stroke from here `[px]`, to cut what it crosses.
-    Cutting(DVec2),
+    /// A stroke, to cut what it crosses.
+    Cutting(Slash),
     /// A primitive is drawn out.
     Building(Drag),
     /// Something is drawn click by click, also while the button is up.
@@ -114,12 +134,16 @@ enum Doing {
     Carrying(DVec2, Chosen),
     /// What is selected is turned or scaled by a handle.
     Handling(Grip),
+    /// Obstacles go after the pointer while time runs.
+    Hauling(Haul),
     /// A region is drawn, whose bodies are selected.
     Marking(Region),
     /// Bodies get another matter.
     Painting(Stroke),
     /// The arrow of a force is drawn or changed.
     Forcing(push::Pull),
+    /// The arrow of the wind is.
+    Blowing(Blow),
 }
 
 /// The left button's tool and what it is doing.
@@ -134,8 +158,9 @@ pub(super) struct Hand {
     drives: Drives,
     /// What the brush paints with.
     brush: Brush,
-    /// What the tool for forces makes.
+    /// What the tool for forces makes, and where the arrow of the wind was drawn `[m]`.
     push: PushWay,
+    wind_at: Option<DVec3>,
     /// What is selected, or will be as soon as it is there.
     chosen: Chosen,
     /// A drag beside all bodies is a free stroke, not a box.
@@ -147,6 +172,8 @@ pub(super) struct Hand {
     built_at: Option<DVec2>,
     /// Time stands still: the hand moves bodies in place of leading them.
     is_still: bool,
+    /// How far from the pointer the middle of what is led is to be `[m]`.
+    beside: DVec2,
     /// What the hover force is when nothing is grabbed; `None`: the scene has none, or it goes along a track.
     strength: Option<f64>,
     /// How long the hover force stays away yet `[s]`; infinite while something is grabbed.
@@ -260,9 +287,10 @@ impl Hand {
         self.push = way;
     }
 
-    /// What a press makes, with the keys that are held.
-    fn pushes(&self) -> PushWay {
+    /// What a press makes, with the keys that are held: in space, wind alone.
+    fn pushes(&self, scope: Scope<'_>) -> PushWay {
         match (self.shift, self.alt) {
+            _ if self.push == PushWay::Wind || scope.shown.dimensions != 2 => PushWay::Wind,
             (_, true) => PushWay::Turn,
             (true, false) => PushWay::Body,
             _ => self.push,
@@ -353,6 +381,24 @@ impl Hand {
         matches!(self.doing, Doing::Leading(_))
     }
 
+    /// Where what is led goes, with the cursor here.
+    pub(super) fn led_to(&self, cursor: Cursor) -> Cursor {
+        if !self.is_grabbing() {
+            return cursor;
+        }
+        let [x, y, z] = cursor.origin;
+        Cursor { origin: [x + self.beside.x, y + self.beside.y, z], ..cursor }
+    }
+
+    /// How the pointer looks while the button does something; `None`: as before.
+    pub(super) fn holds(&self) -> Option<Held> {
+        match self.doing {
+            Doing::Grabbing(_) | Doing::Leading(_) => Some(Held::Grip),
+            Doing::Moving(..) | Doing::Carrying(..) | Doing::Hauling(_) => Some(Held::Move),
+            _ => None,
+        }
+    }
+
     /// Whether the button is doing anything.
     pub(super) fn is_busy(&self) -> bool {
         self.doing != Doing::Nothing
@@ -365,6 +411,7 @@ impl Hand {
 
     /// The left button went down at a pixel.
     pub(super) fn press(&mut self, scope: Scope<'_>, at: DVec2) -> Deed {
+        self.beside = DVec2::ZERO;
         match self.tool() {
             Tool::Hand => self.take_hold(scope, at),
             Tool::Pin => pin(scope, at),
@@ -373,14 +420,18 @@ impl Hand {
                 Deed::default()
             }
             Tool::Cut => {
-                self.doing = Doing::Cutting(at);
+                self.doing = Doing::Cutting(Slash::new(at));
                 Deed::default()
             }
             Tool::Erase => erase(scope, at),
             Tool::Build => self.begin_to_build(scope, at),
             Tool::Muscle => self.drives.press_muscle(scope, at),
             Tool::Motor => self.drives.press_motor(scope, at, self.shift),
-            Tool::Push => match self.pushes().press(scope, at) {
+            Tool::Push if self.pushes(scope) == PushWay::Wind => {
+                self.doing = Doing::Blowing(Blow::press(scope, self.wind_at, at));
+                Deed::default()
+            }
+            Tool::Push => match self.pushes(scope).press(scope, at) {
                 Ok(pull) => {
                     self.doing = Doing::Forcing(pull);
                     Deed::default()
@@ -399,6 +450,7 @@ impl Hand {
         self.built_at.take_if(|was| is_drag(scope, [*was, at]));
         match &mut self.doing {
             Doing::Marking(region) => region.trace(scope, at),
+            Doing::Cutting(slash) => slash.trace(scope, at),
             Doing::Painting(stroke) => self.brush.trace(scope, stroke, at),
             Doing::Drawing(path) => path.trace(scope, at),
             _ => {}
@@ -462,7 +514,7 @@ impl Hand {
     /// Where the pin that is led is to go now, `seconds` after the last time.
     pub(super) fn lead(&mut self, scope: Scope<'_>, at: DVec2, seconds: f64) -> Option<PinWay> {
         match &mut self.doing {
-            Doing::Leading(lead) => lead.pass(scope, at, seconds),
+            Doing::Leading(lead) => lead.pass(scope, at, (seconds, self.shift)),
             _ => None,
         }
     }
@@ -478,7 +530,7 @@ impl Hand {
                 self.calm = Some(CALM);
                 Deed::default()
             }
-            Doing::Cutting(from) if from.distance(at) > 1.0 => cut(scope, from, at),
+            Doing::Cutting(slash) => slash.release(scope, at),
             Doing::Building(drag) => {
                 self.built_at = Some(at);
                 self.maker.build(scope, &drag, at)
@@ -488,6 +540,10 @@ impl Hand {
                 self.go_on(path, step)
             }
             Doing::Forcing(pull) => pull.release(scope, at),
+            Doing::Blowing(blow) => {
+                self.wind_at = Some(blow.from());
+                blow.release(scope, at)
+            }
             Doing::Moving(from, under) => self.end_move(scope, [from, at], under),
             Doing::Carrying(from, what) => selecting::moved(scope, [from, at], &what),
             Doing::Handling(grip) => self.end_grip(scope, grip, at),
@@ -581,16 +637,28 @@ impl Hand {
         at.map_or_else(Deed::default, |at| erase(scope, at))
     }
 
+    /// Where the middle of what is led goes, with the pointer at a pixel.
+    fn led_at(&self, scope: Scope<'_>, at: DVec2) -> DVec2 {
+        if !self.is_grabbing() || self.beside == DVec2::ZERO {
+            return at;
+        }
+        scope.on_screen(scope.in_plane(at) + self.beside).unwrap_or(at)
+    }
+
     /// What a click at the pixel would do, to be drawn.
     pub(super) fn marks(&self, scope: Scope<'_>, at: Option<DVec2>) -> Vec<Mark> {
         let mut marks = match (self.tool(), at) {
             (Tool::Muscle, Some(at)) => self.drives.mark_muscle(scope, at),
             (Tool::Motor, Some(at)) => self.drives.mark_motor(scope, at, self.shift),
             (Tool::Paint, Some(at)) => self.brush.marks(scope, at),
-            (Tool::Push, Some(at)) if self.doing == Doing::Nothing => self.pushes().marks(scope, at),
+            (Tool::Push, at) if self.pushes(scope) == PushWay::Wind => match (&self.doing, at) {
+                (Doing::Blowing(blow), Some(at)) => blow.marks(scope, at),
+                (_, at) => wind::marks(scope, self.wind_at, at),
+            },
+            (Tool::Push, Some(at)) if self.doing == Doing::Nothing => self.pushes(scope).marks(scope, at),
             // What would come next is not shown over what has just come.
             (Tool::Build, _) if self.built_at.is_some() && !self.is_busy() => Vec::new(),
-            _ => marks::of((self.tool(), self.maker), &self.doing, scope, at),
+            _ => marks::of((self.tool(), self.maker), &self.doing, scope, at.map(|at| self.led_at(scope, at))),
         };
         let pull = if let Doing::Forcing(pull) = &self.doing { Some(pull) } else { None };
         marks.splice(0..0, push::arrows(scope, pull));
@@ -626,20 +694,4 @@ fn pin(scope: Scope<'_>, at: DVec2) -> Deed {
         Some(point) => Deed::edit("pin", Do::Pin(vec![point])),
         None => Deed::words(NO_POINT.to_owned()),
     }
-}
-
-/// Cuts along a stroke: in the plane.
-fn cut(scope: Scope<'_>, from: DVec2, to: DVec2) -> Deed {
-    if scope.shown.dimensions != 2 {
-        return Deed::words(CUT_IN_SPACE.to_owned());
-    }
-    let crosses = |&[a, b]: &[PointId; 2]| {
-        let ends = scope.pixel(a).zip(scope.pixel(b));
-        ends.is_some_and(|(a, b)| pick::cross([from, to], [a, b]))
-    };
-    if !scope.shown.scenery.bonds.ends().iter().any(crosses) {
-        return Deed::words(NO_CUT.to_owned());
-    }
-    let [from, to] = [from, to].map(|at| scope.in_plane(at).to_array());
-    Deed::edit("cut", Do::Cut { from, to })
 }

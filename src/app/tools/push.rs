@@ -48,11 +48,13 @@ pub(in crate::app) enum PushWay {
     Body,
     /// A torque about the middle of the body.
     Turn,
+    /// Wind over all bodies.
+    Wind,
 }
 
 impl PushWay {
     /// All of them.
-    pub(in crate::app) const ALL: [PushWay; 3] = [PushWay::Point, PushWay::Body, PushWay::Turn];
+    pub(in crate::app) const ALL: [PushWay; 4] = [PushWay::Point, PushWay::Body, PushWay::Turn, PushWay::Wind];
 }
 
 /// How long an arrow is for a force or a torque `[px]`.
@@ -153,12 +155,9 @@ impl Arrow {
         let line = self.line(scope);
         let width = width * scope.scale;
         let [.., before, head] = line[..] else { return Vec::new() };
-        let back = (before - head).normalize_or_zero();
         let mut marks: Vec<Mark> = line.windows(2).map(|pair| Mark::Line(role, pair[0], pair[1], width)).collect();
-        let long = (HEAD * scope.scale).min(0.6 * line[0].distance(head).max(6.0 * scope.scale));
-        for turn in [0.5, -0.5] {
-            marks.push(Mark::Line(role, head, head + long * DVec2::from_angle(turn).rotate(back), width));
-        }
+        let back = head + line[0].distance(head) * (before - head).normalize_or_zero();
+        marks.extend(self::head(scope, [back, head]).map(|side| Mark::Line(role, head, side, width)));
         marks
     }
 
@@ -173,6 +172,13 @@ impl Arrow {
             }
         }
     }
+}
+
+/// The far ends of the two sides of an arrow's head `[px]`.
+pub(super) fn head(scope: Scope<'_>, [from, to]: [DVec2; 2]) -> [DVec2; 2] {
+    let back = (from - to).normalize_or_zero();
+    let long = (HEAD * scope.scale).min(0.6 * from.distance(to).max(6.0 * scope.scale));
+    [0.5, -0.5].map(|turn| to + long * DVec2::from_angle(turn).rotate(back))
 }
 
 /// Which way a force of space is seen.
@@ -200,7 +206,7 @@ impl PushWay {
         };
         let points = match self {
             PushWay::Point => vec![hit.point],
-            PushWay::Body | PushWay::Turn => scope.body(hit.point),
+            PushWay::Body | PushWay::Turn | PushWay::Wind => scope.body(hit.point),
         };
         match () {
             () if points.iter().all(|point| scope.is_pinned(*point)) => return Err(PINNED),
@@ -224,7 +230,7 @@ impl PushWay {
             Ok(Pull { arrow, number: None, .. }) => {
                 let said = match self {
                     PushWay::Point => "drag: a force on this point",
-                    PushWay::Body => "drag: a force on the body",
+                    PushWay::Body | PushWay::Wind => "drag: a force on the body",
                     PushWay::Turn => "drag around it: a torque",
                 };
                 vec![Mark::Ring(Role::Come, arrow.from, 7.0 * scope.scale), words(said)]

@@ -12,6 +12,7 @@ mod freeze;
 mod grab;
 mod overlap;
 mod pins;
+mod push;
 mod recompile;
 mod round;
 mod set;

@@ -8,6 +8,9 @@ use super::{Applied, CommandError, done, invalid};
 use crate::sim::bond::{Bond, PointId};
 use crate::sim::bonds::Bonds;
 use crate::sim::command::Motion;
+use crate::sim::contact::convex::Convex;
+use crate::sim::contact::polygon::Polygon;
+use crate::sim::contact::surface::Plane;
 use crate::sim::force::angle::{Angle, measured};
 use crate::sim::model::Model;
 use crate::sim::plan::{self, Sets};
@@ -28,7 +31,7 @@ struct Scaled {
 }
 
 /// Scaled and turned about a place, then moved.
-struct Placement {
+pub(super) struct Placement {
     about: [f64; 3],
     by: [f64; 3],
     /// The turn about z `[rad]`, and its cos and sin.
@@ -54,7 +57,47 @@ impl Placement {
         std::array::from_fn(|axis| from[axis] * self.scale[axis])
     }
 
-    fn place<const D: usize>(&self, x: [f64; D]) -> [f64; D] {
+    /// One of so many parts of it, which follow each other.
+    pub(super) fn part(&self, number: u32, count: u32) -> Self {
+        let share = 1.0 / f64::from(count);
+        let angle = share * self.angle;
+        Placement {
+            about: add(self.about, scale(self.by, share * f64::from(number))),
+            by: scale(self.by, share),
+            angle,
+            turn: [libm::cos(angle), libm::sin(angle)],
+            scale: self.scale.map(|factor| libm::pow(factor, share)),
+        }
+    }
+
+    /// Whether its parts, one after the other, are all of it.
+    pub(super) fn has_parts(&self) -> bool {
+        self.angle == 0.0 || self.even().is_some()
+    }
+
+    /// Places a plane.
+    fn put_plane<const D: usize>(&self, plane: &mut Plane<D>) {
+        plane.point = self.place(plane.point);
+        plane.normal = self.normal(plane.normal);
+    }
+
+    fn put_polygon(&self, polygon: &mut Polygon) {
+        polygon.loops.iter_mut().flatten().for_each(|corner| *corner = self.place(*corner));
+    }
+
+    fn put_convex(&self, convex: &mut Convex) {
+        let center = self.place(convex.figure.center());
+        convex.figure = convex.figure.placed(center, self.angle, self.scale[0]);
+    }
+
+    /// Places all obstacles of a model.
+    pub(super) fn put<const D: usize>(&self, model: &mut Model<D>) {
+        model.planes.iter_mut().for_each(|plane| self.put_plane(plane));
+        model.polygons.iter_mut().for_each(|polygon| self.put_polygon(polygon));
+        model.convex.iter_mut().for_each(|convex| self.put_convex(convex));
+    }
+
+    pub(super) fn place<const D: usize>(&self, x: [f64; D]) -> [f64; D] {
         let from = self.scaled(sub(embed(x), self.about));
         truncate(add(add(self.about, self.turned(from)), self.by))
     }
@@ -90,12 +133,15 @@ const FARTHEST: f64 = 1e9;
 
 impl<S: Real, const D: usize> World<S, D> {
     pub(super) fn shift(&mut self, motion: &Motion) -> Result<Applied, CommandError> {
-        let Motion { points, obstacles, by, turn, scale: factors, about } = motion;
+        let Motion { points, obstacles, by, turn, scale: factors, about, over } = motion;
         self.check_points(points)?;
         self.check_obstacles(obstacles)?;
         finite("by, turn, scale and about", by.iter().chain(about.iter().flatten()).chain(factors).chain([turn]))?;
         if let Some(factor) = factors.iter().find(|factor| **factor <= 0.0) {
             return Err(invalid(format!("scale is {factor}: it must be > 0")));
+        }
+        if let Some(over) = over.filter(|over| !(*over > 0.0 && over.is_finite())) {
+            return Err(invalid(format!("over is {over}: it must be finite and > 0")));
         }
         if D == 3 && factors.iter().any(|factor| *factor != factors[0]) {
             return Err(invalid("scale has several factors: give one in space"));
@@ -140,8 +186,13 @@ impl<S: Real, const D: usize> World<S, D> {
             state.velocity_lost[place] = [S::ZERO; D];
         }
         if let Some(moved) = moved {
-            let fresh = self.only(&model, obstacles);
-            self.clear_of(&fresh, (&model, &moved), &mut detached);
+            match *over {
+                Some(seconds) => self.push_ahead((&model, obstacles), (&placement, seconds), &mut detached),
+                None => {
+                    let fresh = self.only(&model, obstacles);
+                    self.clear_of(&fresh, (&model, &moved), &mut detached);
+                }
+            }
             self.obstacles = moved;
         } else {
             self.clear_moved(&numbers, &mut model, &mut detached);
@@ -180,19 +231,24 @@ impl<S: Real, const D: usize> World<S, D> {
     }
 
     /// The surroundings of a model, with these obstacles of it alone.
-    fn only(&self, model: &Model<D>, obstacles: &[u32]) -> Model<D> {
+    pub(super) fn only(&self, model: &Model<D>, obstacles: &[u32]) -> Model<D> {
+        self.chosen(model, |number| obstacles.contains(number))
+    }
+
+    /// The surroundings of a model, its walls too, without these obstacles.
+    pub(super) fn all_but(&self, model: &Model<D>, obstacles: &[u32]) -> Model<D> {
+        Model { bounds: model.bounds, ..self.chosen(model, |number| !obstacles.contains(number)) }
+    }
+
+    fn chosen(&self, model: &Model<D>, is_meant: impl Fn(&u32) -> bool) -> Model<D> {
         let [planes, others] = &self.numbers.obstacles;
-        let is_meant = |number: &u32| obstacles.contains(number);
+        let of_planes = model.planes.iter().zip(planes).filter(|(_, number)| is_meant(number));
+        let of_polygons = model.polygons.iter().zip(others).filter(|(_, number)| is_meant(number));
+        let of_convex = model.convex.iter().zip(others).filter(|(_, number)| is_meant(number));
         Model {
-            planes: model.planes.iter().zip(planes).filter(|(_, n)| is_meant(n)).map(|(plane, _)| *plane).collect(),
-            polygons: model
-                .polygons
-                .iter()
-                .zip(others)
-                .filter(|(_, n)| is_meant(n))
-                .map(|(on, _)| on.clone())
-                .collect(),
-            convex: model.convex.iter().zip(others).filter(|(_, n)| is_meant(n)).map(|(on, _)| *on).collect(),
+            planes: of_planes.map(|(plane, _)| *plane).collect(),
+            polygons: of_polygons.map(|(polygon, _)| polygon.clone()).collect(),
+            convex: of_convex.map(|(convex, _)| *convex).collect(),
             ..Model::default()
         }
     }
@@ -241,17 +297,13 @@ impl<S: Real, const D: usize> World<S, D> {
 
     fn place_obstacles(&self, model: &mut Model<D>, obstacles: &[u32], placement: &Placement) {
         let [planes, others] = &self.numbers.obstacles;
-        for (plane, _) in model.planes.iter_mut().zip(planes).filter(|(_, number)| obstacles.contains(number)) {
-            plane.point = placement.place(plane.point);
-            plane.normal = placement.normal(plane.normal);
-        }
-        for (polygon, _) in model.polygons.iter_mut().zip(others).filter(|(_, number)| obstacles.contains(number)) {
-            polygon.loops.iter_mut().flatten().for_each(|corner| *corner = placement.place(*corner));
-        }
-        for (convex, _) in model.convex.iter_mut().zip(others).filter(|(_, number)| obstacles.contains(number)) {
-            let center = placement.place(convex.figure.center());
-            convex.figure = convex.figure.placed(center, placement.angle, placement.scale[0]);
-        }
+        let is_meant = |number: &u32| obstacles.contains(number);
+        let of_planes = model.planes.iter_mut().zip(planes).filter(|(_, number)| is_meant(number));
+        of_planes.for_each(|(plane, _)| placement.put_plane(plane));
+        let of_polygons = model.polygons.iter_mut().zip(others).filter(|(_, number)| is_meant(number));
+        of_polygons.for_each(|(polygon, _)| placement.put_polygon(polygon));
+        let of_convex = model.convex.iter_mut().zip(others).filter(|(_, number)| is_meant(number));
+        of_convex.for_each(|(convex, _)| placement.put_convex(convex));
     }
 
     /// From one point to another `[m]`.

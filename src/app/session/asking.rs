@@ -1,0 +1,99 @@
+//! What would make a scene slow is asked about before it comes.
+
+use super::Session;
+use crate::app::count::grouped;
+use crate::history::Do;
+use crate::scene::BodyKeys;
+
+/// Fewer points come without a question.
+const FEW: usize = 2_000;
+/// More points than this are asked about, whatever they cost.
+const MANY: usize = 200_000;
+/// A scene that is slower than real time by more than this is asked about `[1]`.
+const SLOWER: f64 = 1.25;
+/// What a point costs in a frame, where nothing was measured yet `[s]`.
+const POINT: f64 = 3e-6;
+/// A frame `[s]`.
+const FRAME: f64 = 1.0 / 60.0;
+
+/// Something that waits for an answer.
+pub(super) struct Asked {
+    pub(super) words: String,
+    act: Box<dyn FnOnce(&mut Session)>,
+}
+
+/// What is asked where so many points come to so many others, which take so long in a frame `[s]`; `None`: nothing.
+///
+/// Model: work grows with points, so of twice as many a frame takes twice as long.
+fn question(coming: usize, there: usize, work: Option<f64>) -> Option<String> {
+    if coming < FEW {
+        return None;
+    }
+    let all = coming + there;
+    let measured = work.filter(|work| *work > 0.0 && there >= FEW).map(|work| work / there as f64);
+    let slower = measured.unwrap_or(POINT) * all as f64 / FRAME;
+    if slower <= SLOWER && all <= MANY {
+        return None;
+    }
+    let pace = match slower {
+        some if some <= SLOWER => "it may stay in real time".to_owned(),
+        some if some < 10.0 => format!("about {some:.1}x slower than real time"),
+        much => format!("about {much:.0}x slower than real time"),
+    };
+    Some(format!("{} points more, {} in all: {pace}.", grouped(coming), grouped(all)))
+}
+
+/// How many points commands bring, about.
+pub(super) fn points_of(commands: &[Do]) -> usize {
+    let of_body = |body: &BodyKeys| body.columns.unwrap_or(0) as usize * body.rows.unwrap_or(1) as usize;
+    let of = |act: &Do| match act {
+        Do::Add(keys) => {
+            let alone = keys.points.as_ref().map_or(0, |points| points.position.len());
+            alone + keys.bodies.iter().map(of_body).sum::<usize>()
+        }
+        _ => 0,
+    };
+    commands.iter().map(of).sum()
+}
+
+impl Session {
+    /// So many points come by `act`: at once, or after a question where the scene would be slow.
+    pub(super) fn ask_if_full(&mut self, coming: usize, act: impl FnOnce(&mut Session) + 'static) {
+        let figures = &self.shown().figures;
+        match question(coming, figures.points, Some(figures.work)) {
+            None => act(self),
+            Some(words) => {
+                self.asked = Some(Asked { words, act: Box::new(act) });
+                self.panels_dirty = true;
+            }
+        }
+        self.dirty = true;
+    }
+
+    /// The question was answered.
+    pub(super) fn answered(&mut self, yes: bool) {
+        let Some(asked) = self.asked.take() else { return };
+        if yes {
+            (asked.act)(self);
+        }
+        self.touch();
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::question;
+
+    #[test]
+    fn what_is_few_or_fast_comes_at_once_and_what_makes_a_scene_slow_is_asked_about() {
+        assert_eq!(question(1_999, 1_000_000, Some(1.0)), None);
+        assert_eq!(question(4_000, 0, None), None, "12 ms a frame");
+        let words = question(16_000, 0, None).unwrap_or_default();
+        assert_eq!(words, "16,000 points more, 16,000 in all: about 2.9x slower than real time.");
+        // Ten thousand that take 10 ms leave room for a few more.
+        assert_eq!(question(5_000, 10_000, Some(0.010)), None);
+        let words = question(40_000, 10_000, Some(0.010)).unwrap_or_default();
+        assert!(words.ends_with("about 3.0x slower than real time."), "{words}");
+        assert!(question(250_000, 10_000, Some(1e-5)).is_some_and(|words| words.contains("may stay")));
+    }
+}

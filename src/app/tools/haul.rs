@@ -1,0 +1,140 @@
+//! Obstacles that a drag takes along while time runs: they go after the pointer and push ahead what is in their way.
+
+use glam::DVec2;
+
+use super::chosen::Chosen;
+use super::handles::{Change, Grip};
+use super::pick::Scope;
+use super::selecting::is_drag;
+use super::{Doing, Hand};
+use crate::history::{Do, MoveKeys};
+use crate::sim::{PointId, Reach};
+
+/// They are sent on their way so often at most `[s]`: each time the world is compiled anew.
+const EVERY: f64 = 1.0 / 30.0;
+/// They push no faster than this, in heights of the picture and turns a second.
+const FASTEST: f64 = 4.0;
+
+/// Obstacles on their way.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct Haul {
+    what: Chosen,
+    by: By,
+    /// What was done of it.
+    done: Change,
+    /// Since then `[s]`.
+    since: f64,
+    goes_on: bool,
+}
+
+/// How they are dragged.
+#[derive(Clone, Debug, PartialEq)]
+enum By {
+    /// From here `[m]`.
+    Way(DVec2),
+    /// By a handle, about a place that stays `[m]`.
+    Handle(Grip, DVec2),
+}
+
+/// A part of the way of obstacles.
+#[derive(Clone, Debug, PartialEq)]
+pub struct HaulWay {
+    pub keys: Box<MoveKeys>,
+    /// What it is called when it is undone.
+    pub name: &'static str,
+    /// It takes at least so long `[s]`.
+    pub least: f64,
+    /// They were sent before, since they were pressed on.
+    pub goes_on: bool,
+}
+
+impl Haul {
+    fn new(what: Chosen, by: By, done: Change) -> Self {
+        Haul { what, by, done, since: f64::INFINITY, goes_on: false }
+    }
+
+    /// All that the drag means, with the pointer at a pixel.
+    fn change(&self, scope: Scope<'_>, at: DVec2, in_steps: bool) -> Change {
+        match self.by {
+            By::Way(from) => Change::Shift(scope.in_plane(at) - from),
+            By::Handle(grip, _) => grip.change(scope, at, in_steps),
+        }
+    }
+
+    /// Time passes with the pointer at a pixel; infinitely much at the end. Returns where they go now, if that is new.
+    fn pass(&mut self, scope: Scope<'_>, at: DVec2, (seconds, in_steps): (f64, bool)) -> Option<HaulWay> {
+        self.since += seconds;
+        if self.since < EVERY {
+            return None;
+        }
+        let all = self.change(scope, at, in_steps);
+        // Whatever it does next begins now.
+        self.since = 0.0;
+        let more = all.after(self.done)?;
+        let about = if let By::Handle(_, about) = self.by { about } else { DVec2::ZERO };
+        let deed = more.deed(&self.what, about);
+        let Some(Do::Move(keys)) = deed.commands.into_iter().next() else { return None };
+        self.done = all;
+        let height = scope.camera.viewport()[1] as f64 / scope.camera.pixels_per_metre();
+        let goes_on = std::mem::replace(&mut self.goes_on, true);
+        Some(HaulWay { keys, name: deed.edit?, least: more.size(height) / FASTEST, goes_on })
+    }
+}
+
+impl Hand {
+    /// Whether obstacles go after the pointer.
+    pub(in crate::app) fn is_hauling(&self) -> bool {
+        matches!(self.doing, Doing::Hauling(_))
+    }
+
+    /// Where obstacles that are dragged go now, `seconds` after the last time: while time runs.
+    pub(in crate::app) fn haul(&mut self, scope: Scope<'_>, at: DVec2, seconds: f64) -> Option<HaulWay> {
+        if let Some(haul) = self.begins_to_haul(scope, at) {
+            self.doing = Doing::Hauling(haul);
+        }
+        let in_steps = self.shift;
+        match &mut self.doing {
+            Doing::Hauling(haul) => haul.pass(scope, at, (seconds, in_steps)),
+            _ => None,
+        }
+    }
+
+    /// A drag of obstacles alone takes them along.
+    fn begins_to_haul(&self, scope: Scope<'_>, at: DVec2) -> Option<Haul> {
+        if self.is_still || scope.shown.dimensions != 2 {
+            return None;
+        }
+        let what = self.chosen(scope).filter(|chosen| chosen.points.is_empty())?;
+        match self.doing {
+            Doing::Moving(from, _) if is_drag(scope, [from, at]) => {
+                Some(Haul::new(what, By::Way(scope.in_plane(from)), Change::Shift(DVec2::ZERO)))
+            }
+            Doing::Handling(grip) => Some(Haul::new(what, By::Handle(grip, grip.about()), grip.nothing())),
+            _ => None,
+        }
+    }
+
+    /// A drag of bodies alone, none of them held, leads all of their points while time runs. Returns what is done first, if it begins now.
+    pub(in crate::app) fn lead_bodies(&mut self, scope: Scope<'_>, at: DVec2) -> Option<Vec<Do>> {
+        let Doing::Moving(from, _) = self.doing else { return None };
+        if self.is_still || scope.shown.dimensions != 2 || !is_drag(scope, [from, at]) {
+            return None;
+        }
+        let chosen = self.chosen(scope).filter(|chosen| chosen.obstacles.is_empty())?;
+        if chosen.points.iter().any(|point| scope.is_pinned(*point)) {
+            return None;
+        }
+        let middle = middle(scope, &chosen.points);
+        self.beside = middle - scope.in_plane(from);
+        self.doing = Doing::Grabbing(chosen.points.clone());
+        let to = Some(self.led_to(scope.camera.cursor(at.to_array())));
+        let commands = vec![Do::Cursor { to, by: None }, Do::Grab(Reach::Points(chosen.points))];
+        Some(commands)
+    }
+}
+
+/// The mean place of points `[m]`.
+fn middle(scope: Scope<'_>, points: &[PointId]) -> DVec2 {
+    let places = points.iter().map(|point| glam::DVec3::from(scope.shown.place(point.index())).truncate());
+    places.sum::<DVec2>() / points.len().max(1) as f64
+}

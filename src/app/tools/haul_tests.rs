@@ -1,0 +1,108 @@
+//! What is dragged of what is selected, while time runs.
+#![allow(clippy::unwrap_used, clippy::panic, reason = "a test that cannot go on stops")]
+
+use glam::DVec2;
+
+use super::{Hand, Scope};
+use crate::app::action::Tool;
+use crate::app::player::{Note, Order, Shown, Stage};
+use crate::history::Do;
+use crate::render::{Camera, Pose};
+use crate::scene::Scene;
+
+const TRAY: &str = r#"{"wobble": 1, "contact": true, "obstacles": [{"box": {"min": [-1, -0.5], "max": [0, 0.5]}}],
+    "bodies": [{"make": "lattice", "columns": 4, "rows": 4, "spacing": 0.2, "origin": [0.3, -0.3],
+        "material": {"kind": "spring", "stiffness": 2000, "mass": 2}}]}"#;
+
+fn camera() -> Camera {
+    Camera::new(Pose::Plane { center: DVec2::ZERO, height: 10.0 }, [1000, 1000])
+}
+
+struct Played {
+    stage: Stage,
+    shown: Shown,
+    hand: Hand,
+}
+
+impl Played {
+    fn new() -> Self {
+        let mut stage = Stage::new(Scene::parse(TRAY, "x.json").unwrap().into()).unwrap();
+        let (mut shown, mut hand) = (Shown::default(), Hand::default());
+        stage.show(&mut shown);
+        hand.take(Tool::Select);
+        Played { stage, shown, hand }
+    }
+
+    fn with<T>(&mut self, call: impl FnOnce(&mut Hand, Scope<'_>) -> T) -> T {
+        let camera = camera();
+        call(&mut self.hand, Scope { shown: &self.shown, camera: &camera, scale: 1.0 })
+    }
+
+    /// A frame with the button down.
+    fn frame(&mut self, at: DVec2) {
+        let seconds = 1.0 / 60.0;
+        if let Some(commands) = self.with(|hand, scope| hand.lead_bodies(scope, at)) {
+            assert_eq!(self.stage.obey(Order::Give(commands, None)), None);
+        }
+        if let Some(way) = self.with(|hand, scope| hand.haul(scope, at, seconds)) {
+            assert_eq!(self.stage.obey(Order::Haul(way)), None);
+        }
+        let cursor = Some(self.hand.led_to(camera().cursor(at.to_array())));
+        drop(self.stage.obey(Order::Advance { wall: seconds, cursor, back: false }));
+        self.stage.show(&mut self.shown);
+    }
+
+    fn middle(&self) -> f64 {
+        (0..16).map(|point| self.shown.place(point)[0]).sum::<f64>() / 16.0
+    }
+
+    fn left(&self) -> f64 {
+        self.shown.scenery.polygons[0].loops[0].iter().map(|corner| corner[0]).fold(f64::INFINITY, f64::min)
+    }
+}
+
+#[test]
+fn an_obstacle_that_is_dragged_while_time_runs_shoves_bodies_and_is_one_step_of_undo() {
+    let mut played = Played::new();
+    let from = DVec2::new(450.0, 500.0);
+    assert!(played.with(|hand, scope| hand.press(scope, from)).is_empty());
+    for k in 1..=60 {
+        played.frame(from + DVec2::new(f64::from(k), 0.0));
+        let right = played.left() + 1.0;
+        assert!((0..16).all(|point| played.shown.place(point)[0] > right - 0.03), "frame {k}: it is ahead");
+    }
+    let end = from + DVec2::new(60.0, 0.0);
+    assert!(played.with(|hand, scope| hand.haul(scope, end, f64::INFINITY)).is_none_or(|way| way.goes_on));
+    assert!(played.with(|hand, scope| hand.release(scope, end)).is_empty());
+    assert!((played.left() + 0.4).abs() < 0.05, "it went along: {}", played.left());
+    assert!(played.middle() > 0.9, "{}", played.middle());
+    let now = played.stage.history().world().time();
+    let speed = played.stage.history().world().sample(now).velocity.iter().map(|v| v[0]).sum::<f64>() / 16.0;
+    assert!((speed - 0.6).abs() < 0.15, "as fast as it was pushed: {speed}");
+    let Some(Note::Undone(name, _)) = played.stage.obey(Order::Undo(None)) else { panic!("nothing undone") };
+    played.stage.show(&mut played.shown);
+    assert_eq!((name.as_str(), played.left()), ("move", -1.0));
+}
+
+#[test]
+fn a_body_that_is_dragged_while_time_runs_is_led_by_all_of_its_points_and_paused_it_jumps() {
+    let mut played = Played::new();
+    // Beside its middle.
+    let from = DVec2::new(545.0, 515.0);
+    assert!(played.with(|hand, scope| hand.press(scope, from)).is_empty());
+    let before = played.middle();
+    let to = from + DVec2::new(100.0, -100.0);
+    for k in 1..=180 {
+        played.frame(from.lerp(to, (f64::from(k) / 60.0).min(1.0)));
+    }
+    assert!(played.hand.is_grabbing());
+    assert!((played.middle() - before - 1.0).abs() < 0.05, "as far as the pointer: {}", played.middle() - before);
+    let deed = played.with(|hand, scope| hand.release(scope, to));
+    assert_eq!((deed.commands, deed.edit), (vec![Do::Release], None));
+    let mut still = Played::new();
+    still.hand.stand_still(true);
+    still.with(|hand, scope| hand.press(scope, from));
+    assert!(still.with(|hand, scope| hand.lead_bodies(scope, to)).is_none());
+    let deed = still.with(|hand, scope| hand.release(scope, to));
+    assert!(matches!(deed.commands[..], [Do::Move(_)]) && deed.edit == Some("move"));
+}

@@ -1,0 +1,133 @@
+//! Obstacles that go on their way while time runs: what they meet is ahead of them, as fast as they are, and what lies on them goes along.
+
+use super::common::physics::spring;
+use wobble::sim::{Bond, Command, Dynamics, Model, Motion, PointId, Polygon, Sample, build};
+
+/// Between two commands `[s]`.
+const EVERY: f64 = 1.0 / 30.0;
+
+fn rectangle([left, low]: [f64; 2], [right, high]: [f64; 2]) -> Polygon {
+    let corners = vec![[left, low], [right, low], [right, high], [left, high]];
+    Polygon { loops: vec![corners], restitution: 0.0, friction: 0.5 }
+}
+
+/// A rigid body of points of 1 kg, braced by bonds between all of them.
+fn rigid(position: Vec<[f64; 2]>) -> Model<2> {
+    let count = position.len() as u32;
+    let mut model = Model {
+        velocity: vec![[0.0; 2]; position.len()],
+        mass: vec![1.0; position.len()],
+        position,
+        contact: Some(wobble::sim::Contact { friction: 0.5, ..Default::default() }),
+        ..Model::default()
+    };
+    for (a, b) in (0..count).flat_map(|a| (a + 1..count).map(move |b| (a, b))) {
+        let [x, y] = [a, b].map(|i| model.position[i as usize]);
+        model.bonds.push(Bond::new(PointId(a), PointId(b), (x[0] - y[0]).hypot(x[1] - y[1])));
+    }
+    model
+}
+
+/// Obstacle 0 goes with a velocity for so long, about a place with a spin; the world goes along.
+fn drag(world: &mut dyn Dynamics, velocity: [f64; 2], seconds: f64, mut see: impl FnMut(&Sample)) -> Sample {
+    let start = world.time();
+    let by = [velocity[0] * EVERY, velocity[1] * EVERY, 0.0];
+    for k in 1..=(seconds / EVERY).round() as u32 {
+        let motion = Motion {
+            points: Vec::new(),
+            obstacles: vec![0],
+            by,
+            turn: 0.0,
+            scale: [1.0; 3],
+            about: None,
+            over: Some(EVERY),
+        };
+        world.apply(&Command::Move(motion)).unwrap();
+        while world.time() < start + f64::from(k) * EVERY - 1e-9 {
+            world.step();
+            see(&world.sample(world.time()));
+        }
+    }
+    world.sample(world.time())
+}
+
+fn mean(list: &[[f64; 3]]) -> [f64; 2] {
+    [0, 1].map(|k| list.iter().map(|x| x[k]).sum::<f64>() / list.len() as f64)
+}
+
+#[test]
+fn what_is_pushed_gets_the_speed_of_the_push_and_turns_as_its_mass_says() {
+    // A rod of five points across the way, pushed at a place `arm` from its middle: v (1 + m arm^2 / I) = u there. A peg 4 cm wide pushes
+    // with the corner that is nearer to the middle, for further out the rod runs ahead.
+    for arm in [0.0_f64, 0.2] {
+        let rod = rigid((0..5).flat_map(|k| [0.0, 0.02].map(|x| [1.0 + x, -0.5 + 0.25 * f64::from(k)])).collect());
+        let inertia: f64 = rod.position.iter().map(|x| (x[0] - 1.01).powi(2) + x[1].powi(2)).sum();
+        let peg = rectangle([0.8, arm - 0.02], [0.99, arm + 0.02]);
+        let mut world = build(&Model { polygons: vec![peg], ..rod }).unwrap();
+        // It comes to it within the first way.
+        let end = drag(&mut *world, [1.0, 0.0], EVERY, |_| ());
+        let v = mean(&end.velocity);
+        let near: f64 = (arm - 0.02_f64).max(0.0);
+        let expected = 1.0 / (1.0 + 10.0 * near * near / inertia);
+        assert!((v[0] - expected).abs() < 2e-3 && v[1].abs() < 1e-2, "{arm}: {v:?} for {expected}");
+    }
+}
+
+#[test]
+fn what_stands_on_a_tray_goes_along_and_is_left_behind_by_one_that_is_jerked() {
+    for (speed, carried) in [(0.4, true), (6.0, false)] {
+        let mut block = rigid(vec![[0.0, 0.0], [0.4, 0.0], [0.4, 0.2], [0.0, 0.2]]);
+        block.gravity = [0.0, -9.81];
+        block.triangles = vec![[0, 1, 2].map(PointId), [0, 2, 3].map(PointId)];
+        let tray = rectangle([-4.0, -0.1], [1.4, 0.0]);
+        let mut world = build(&Model { polygons: vec![tray], ..block }).unwrap();
+        let seconds = if carried { 1.0 } else { 0.4 };
+        let end = drag(&mut *world, [speed, 0.0], seconds, |_| ());
+        let far = mean(&end.position)[0] - 0.2;
+        match carried {
+            true => assert!((far / (speed * seconds) - 1.0).abs() < 0.15, "{far} m with the tray"),
+            // Friction gives it mu g t^2 / 2, from one command to the next at once.
+            false => assert!((far / (0.5 * 0.5 * 9.81 * seconds * seconds) - 1.0).abs() < 0.25, "{far} m"),
+        }
+        assert!(mean(&end.position)[1] > 0.09, "{:?}", mean(&end.position));
+    }
+}
+
+#[test]
+fn a_peg_takes_a_rope_along_however_fast_it_goes() {
+    // A rope of springs between two pins, and a rigid one; a thin peg goes through where they hang.
+    for is_rigid in [false, true] {
+        let count = 21_u32;
+        let mut model = Model::<2> {
+            position: (0..count)
+                .map(|k| [0.1 * f64::from(k) - 1.0, 0.3 * (0.01 * (f64::from(k) - 10.0).powi(2) - 1.0)])
+                .collect(),
+            velocity: vec![[0.0; 2]; count as usize],
+            mass: vec![0.05; count as usize],
+            pinned: vec![PointId(0), PointId(count - 1)],
+            contact: Some(Default::default()),
+            gravity: [0.0, -9.81],
+            ..Model::default()
+        };
+        for k in 1..count as usize {
+            let [x, y] = [k - 1, k].map(|i| model.position[i]);
+            let rest = 1.01 * (x[0] - y[0]).hypot(x[1] - y[1]);
+            let (a, b) = (k as u32 - 1, k as u32);
+            model.bonds.push(if is_rigid {
+                Bond::new(PointId(a), PointId(b), rest)
+            } else {
+                spring(a, b, rest, 400.0, 1.0)
+            });
+        }
+        for speed in [1.0, 6.0] {
+            let peg = rectangle([-0.05, 0.25], [0.05, 0.3]);
+            let mut world = build(&Model { polygons: vec![peg], ..model.clone() }).unwrap();
+            let end = drag(&mut *world, [0.03, -speed], 0.6 / speed, |sample| {
+                assert!(sample.position.iter().flatten().all(|x| x.is_finite() && x.abs() < 9.0), "{sample:?}");
+            });
+            // The peg is at -0.35 to -0.3 now: what hangs under it is below.
+            let lowest = end.position.iter().map(|x| x[1]).fold(f64::INFINITY, f64::min);
+            assert!(lowest < -0.34, "{is_rigid} at {speed} m/s: {lowest}");
+        }
+    }
+}
