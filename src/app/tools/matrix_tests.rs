@@ -16,7 +16,7 @@ use crate::history::{Do, Group, SetKeys, Weather, hash_now};
 use crate::picture::Tint;
 use crate::render::Camera;
 use crate::scene::{Scene, Vector, WindKeys};
-use crate::sim::{Angle, Bond, Cursor, ForceView, Obstacle, PointId, SceneChange};
+use crate::sim::{Angle, Bond, ForceView, Obstacle, PointId, SceneChange};
 
 /// What is tried.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -374,27 +374,4 @@ fn every_tool_does_something_that_is_undone_or_says_why_not() {
         }
     }
     assert!(wrong.is_empty(), "{}", wrong.join("\n"));
-}
-
-#[test]
-fn the_hover_force_moves_whatever_runs_and_nothing_that_stands_still() {
-    for (name, keys, point) in SCENES.into_iter().filter(|(name, _, point)| *name != "space" && point.is_some()) {
-        let after = |hovers: bool| {
-            let mut bench = Bench::new(name, keys, point);
-            let at = bench.seen.0.place(point.unwrap());
-            let cursor = Some(Cursor::at([at[0] - 0.3, at[1] - 0.1])).filter(|_| hovers);
-            [false, true].map(|runs| {
-                bench.stage.obey(Order::Play(runs));
-                for _ in 0..6 {
-                    bench.stage.obey(Order::Advance { wall: 1.0 / 60.0, cursor, back: false });
-                }
-                let x = bench.stage.history().world().positions();
-                (0..x.len()).map(|k| x.get(k)).collect::<Vec<f64>>()
-            })
-        };
-        let ([still, runs], [held, pushed]) = (after(false), after(true));
-        assert_eq!(still, held, "{name} stands still");
-        let most = pushed.iter().zip(&runs).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
-        assert!(most > 0.01, "{name}: {most}");
-    }
 }
