@@ -219,7 +219,7 @@ fn a_table_has_a_header_and_a_row_for_each_measurement() {
 fn what_was_before_is_put_between_what_is_there() {
     let mut series = Series::new(20.0);
     (0..10).for_each(|k| _ = series.push(at(5.0 + 0.1 * f64::from(k))));
-    series.fill((0..60).map(|k| at(0.1 * f64::from(k))).collect());
+    series.fill((0..80).map(|k| at(0.1 * f64::from(k))).collect());
     let times: Vec<f64> = series.iter().map(|measured| measured.time).collect();
     assert!(ascends(&times) && times.len() == 60, "each time once, and none after the present: {times:?}");
     series.fill((0..90_000).map(|k| at(0.001 * f64::from(k) - 84.1)).collect());
