@@ -119,7 +119,9 @@ fn vertex(@builtin(vertex_index) index: u32, @builtin(instance_index) chunk: u32
         let span = distance(pixel_of(frame.clip_from_world * vec4(a, 1.0)), pixel_of(frame.clip_from_world * vec4(b, 1.0)));
         let unit = frame.outline_width / 1.5;
         if bond.kind == ROD || bond.kind == STRUT {
-            width = max(width, 2.0 * min(ROD_SHARE * span, ROD_MOST * unit));
+            // A bar of pins has no length at rest: it is as thick as any rod, however short its pieces are.
+            let half = select(min(ROD_SHARE * span, ROD_MOST * unit), ROD_MOST * unit, bond.rest_length < 0.0);
+            width = max(width, 2.0 * half);
             form = vec4(f32(ROD), 0.0, 0.0, width);
         } else if is_rope(bond) {
             width = max(width, 2.0 * ROPE_HALF * unit);

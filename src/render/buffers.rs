@@ -12,7 +12,7 @@ use super::camera::Camera;
 use super::chunks::{Chunks, LARGE, Selection, Wanted};
 use super::counters::RenderCounters;
 use super::error::RenderError;
-use super::forms::{BAR, MUSCLE, ROPE, STRUT, form, is_rope, ropes};
+use super::forms::{BAR, MUSCLE, ROD, ROPE, form, is_rope, ropes};
 use super::gpu::Gpu;
 use super::growing::GrowingBuffer;
 use super::look::Color;
@@ -50,7 +50,7 @@ const FORM: u32 = 29;
 
 impl From<&GpuBond> for PackedBond {
     fn from(&GpuBond { a, b, rest_length, form, color }: &GpuBond) -> Self {
-        let form = if form == BAR { STRUT } else { form };
+        let (form, rest_length) = if form == BAR { (ROD, -1.0) } else { (form, rest_length) };
         let [a, b] = [(a, color), (b, form)].map(|(end, upper)| end & ((1 << FORM) - 1) | upper << FORM);
         PackedBond { a, b, rest_length }
     }

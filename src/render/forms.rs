@@ -4,14 +4,15 @@ use crate::sim::{Bond, BondKind, Bonds, Limit};
 
 /// Kinds as the shader knows them: `ROD`, `COIL`, `ROPE`, `RELAXED`, `STRING`, `STRUT`, `MUSCLE` in bonds.wgsl; 0 is a plain stroke. A string and a
 /// strut act on one side only, as a rope and a rod that show no strain on the other.
-const ROD: u32 = 1;
+pub(super) const ROD: u32 = 1;
 const COIL: u32 = 2;
 pub(super) const ROPE: u32 = 3;
 const RELAXED: u32 = 4;
 const STRING: u32 = 5;
-pub(super) const STRUT: u32 = 6;
+const STRUT: u32 = 6;
 pub(super) const MUSCLE: u32 = 7;
-/// Between pins on which something hangs: drawn as a strut, also over what covers other bonds.
+/// Between pins on which something hangs: drawn as a rod as thick as any, which has no length at rest, also over what
+/// covers other bonds.
 pub(super) const BAR: u32 = 8;
 
 /// Bonds in a row, without a branch, from which on they are a rope.

@@ -35,6 +35,8 @@ pub fn too_many_to_meet() -> String {
 const PIN_TIME: f64 = 0.15;
 /// The way of obstacles is gone in no more than this, in frames: before, they stood.
 const LONGEST_HAUL: f64 = 6.0;
+/// What is dragged is dragged on for so long after it was sent on its way last, in time of the wall `[s]`.
+const DRAGS: f64 = 0.5;
 /// Pins that are so much further apart than bonds reach are told of `[m]`.
 const STRAINED: f64 = 1e-3;
 /// What adding a body is called.
@@ -88,7 +90,7 @@ pub struct Stage {
     warned: Vec<String>,
     /// What is to be said of a pin that is led.
     strained: Option<String>,
-    /// When obstacles went on their way last `[s]`.
+    /// When obstacles or pins went on their way last `[s]`.
     hauled: Option<f64>,
     /// The pins that are led, and how far they may be from others.
     led: Option<(Vec<PointId>, Vec<Reach>)>,
@@ -466,6 +468,11 @@ impl Stage {
         if self.escort.gives_way(&self.history, load) {
             return;
         }
+        // An edit of its own would part the drag in two.
+        let now = self.history.world().time();
+        if self.hauled.is_some_and(|last| (0.0..DRAGS * self.pace.rate).contains(&(now - last))) {
+            return;
+        }
         let Some((act, name)) = self.rungs.look(&self.history, load) else { return };
         if self.history.give(vec![act], Some(name)).is_err() {
             // A world that cannot be moved so goes on as it is.
@@ -529,6 +536,7 @@ impl Stage {
             return None;
         }
         let (time, dimensions) = (world.time(), world.dimensions());
+        self.hauled = Some(time);
         let track = |&(pin, to): &(PointId, [f64; 3])| {
             let here = (0..dimensions).map(|axis| world.positions().get(pin.index() * dimensions + axis));
             let from = std::iter::once(time).chain(here).collect();
