@@ -193,6 +193,10 @@ impl Session {
     fn take(&mut self, tool: Tool) {
         self.leave_drawing();
         self.hand.take(tool);
+        if tool == Tool::Push && self.scene.dimensions() != 2 {
+            // Forces are of the plane.
+            self.hand.set_push_way(PushWay::Wind);
+        }
         let words = match tool {
             Tool::Pin => "pin: click a point to hold it where it is, or a pin to let it go",
             Tool::Cut => "cut: drag across bonds",

@@ -210,6 +210,17 @@ fn a_cloth_in_space_is_picked_by_the_ray_and_led_in_the_view_plane() {
     assert!(moved.length() > 0.01 && moved.dot(DVec3::from(direction)).abs() < 1e-9 * moved.length());
     let on_screen = DVec2::from(played.seen.1.screen_from_world(DVec3::from(way.pins[0].1)).unwrap());
     assert!(on_screen.distance(to) < 1e-3, "{on_screen} {to}");
+}
+
+#[test]
+fn pins_that_bonds_join_are_one_bar_that_goes_along_and_turns() {
+    let mut played = Played::named("cloth-space");
+    let pin = played.seen.0.scenery.pinned[0];
+    let (place, at) = (played.place(pin.0), pixel(&played.seen, pin.index()));
+    assert_eq!(played.press(at), []);
+    let to = at + DVec2::new(40.0, 40.0);
+    let way = played.lead(to).unwrap();
+    let moved = DVec3::from(way.pins[0].1) - place;
     // All of the bar goes along; while Shift is held it turns about its middle, as long as it was.
     assert_eq!(way.pins.len(), played.seen.0.scenery.pinned.len());
     let ways: Vec<DVec3> = way.pins.iter().map(|(pin, to)| DVec3::from(*to) - played.place(pin.0)).collect();

@@ -287,10 +287,10 @@ impl Hand {
         self.push = way;
     }
 
-    /// What a press makes, with the keys that are held: in space, wind alone.
-    fn pushes(&self, scope: Scope<'_>) -> PushWay {
+    /// What a press makes, with the keys that are held.
+    fn pushes(&self) -> PushWay {
         match (self.shift, self.alt) {
-            _ if self.push == PushWay::Wind || scope.shown.dimensions != 2 => PushWay::Wind,
+            _ if self.push == PushWay::Wind => PushWay::Wind,
             (_, true) => PushWay::Turn,
             (true, false) => PushWay::Body,
             _ => self.push,
@@ -427,11 +427,11 @@ impl Hand {
             Tool::Build => self.begin_to_build(scope, at),
             Tool::Muscle => self.drives.press_muscle(scope, at),
             Tool::Motor => self.drives.press_motor(scope, at, self.shift),
-            Tool::Push if self.pushes(scope) == PushWay::Wind => {
+            Tool::Push if self.pushes() == PushWay::Wind => {
                 self.doing = Doing::Blowing(Blow::press(scope, self.wind_at, at));
                 Deed::default()
             }
-            Tool::Push => match self.pushes(scope).press(scope, at) {
+            Tool::Push => match self.pushes().press(scope, at) {
                 Ok(pull) => {
                     self.doing = Doing::Forcing(pull);
                     Deed::default()
@@ -651,11 +651,11 @@ impl Hand {
             (Tool::Muscle, Some(at)) => self.drives.mark_muscle(scope, at),
             (Tool::Motor, Some(at)) => self.drives.mark_motor(scope, at, self.shift),
             (Tool::Paint, Some(at)) => self.brush.marks(scope, at),
-            (Tool::Push, at) if self.pushes(scope) == PushWay::Wind => match (&self.doing, at) {
+            (Tool::Push, at) if self.pushes() == PushWay::Wind => match (&self.doing, at) {
                 (Doing::Blowing(blow), Some(at)) => blow.marks(scope, at),
                 (_, at) => wind::marks(scope, self.wind_at, at),
             },
-            (Tool::Push, Some(at)) if self.doing == Doing::Nothing => self.pushes(scope).marks(scope, at),
+            (Tool::Push, Some(at)) if self.doing == Doing::Nothing => self.pushes().marks(scope, at),
             // What would come next is not shown over what has just come.
             (Tool::Build, _) if self.built_at.is_some() && !self.is_busy() => Vec::new(),
             _ => marks::of((self.tool(), self.maker), &self.doing, scope, at.map(|at| self.led_at(scope, at))),

@@ -154,7 +154,7 @@ fn a_stroke_cuts_from_where_it_began_and_a_click_does_not() {
     hand.take(Tool::Cut);
     let [from, to] = [DVec2::new(200.0, 350.0), DVec2::new(800.0, 360.0)];
     assert!(hand.press(scope(&opened), from).is_empty());
-    assert_eq!(hand.marks(scope(&opened), Some(to)).len(), 1, "the stroke is seen");
+    assert!(hand.marks(scope(&opened), Some(to)).len() > 1, "the stroke is seen, and the bonds that go");
     let deed = hand.release(scope(&opened), to);
     let [Do::Cut { from: start, to: end }] = deed.commands[..] else { panic!("{deed:?}") };
     assert!(start[0] < -1.0 && end[0] > 1.0 && deed.edit == Some("cut"));
