@@ -93,6 +93,7 @@ fn the_gallery_is_listed_a_name_first_on_each_line() {
         "random-graph-as-printed",
         "rim",
         "rim-relaxed",
+        "relaxation",
         "rim-as-printed",
         "spring-damper",
         "spring-damper-as-printed",

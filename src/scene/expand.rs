@@ -9,7 +9,7 @@ use crate::sim::{BondKind, SkinMaterial};
 
 impl Scene {
     /// The same scene without bodies: every point and bond is listed. Its model is the same, bit for bit, but for triangles of bodies
-    /// that neither meet others, nor resist, nor are drawn on: these are left out.
+    /// that neither meet others, nor resist, nor are drawn on: these are left out, as are `parameters` that name bodies.
     ///
     /// Errors: those of [`Scene::check`]; numbers that overflow.
     pub fn expanded(&self) -> Result<Scene, SceneError> {
@@ -32,6 +32,7 @@ impl Scene {
             pinned: start.pinned.clone(),
         };
         let mut scene = Scene { points: Some(points), bodies: Vec::new(), ..scene };
+        scene.parameters.retain(|keys| !keys.path.starts_with("bodies["));
         for (keys, body) in self.bodies.iter().zip(&start.bodies) {
             let material = keys.material.clone().unwrap_or_default();
             scene.bonds.extend(body.links().map(|link| {

@@ -286,6 +286,7 @@ fn bodies_of_the_gallery_that_share_a_space_meet() {
         "constraints",
         "penalty",
         "phase-portrait",
+        "relaxation",
         "spring-damper",
         "spring-damper-as-printed",
         "spring-damper-relative",
