@@ -116,6 +116,10 @@ impl Fragment {
             let dimensions = self.dimensions;
             return Err(format!("points.position[{far}] is not {dimensions} numbers of at most {FARTHEST:e} m"));
         }
+        let velocities = points.iter().flat_map(|points| points.velocity.iter().flatten());
+        if let Some(wild) = velocities.into_iter().position(|v| !is_near(v)) {
+            return Err(format!("points.velocity[{wild}] is more than {FARTHEST:e} m/s"));
+        }
         if count == 0 && obstacles.is_empty() {
             return Err("there is nothing in it".to_owned());
         }
@@ -176,6 +180,7 @@ mod tests {
             ("[1]", "[4294967295]", "`points.pinned` names point 4294967295"),
             ("1e-320,2", "1e300,2", "points.position[1]"),
             ("1e-320,2", "1,2,3", "points.position[1]"),
+            ("\"pinned\"", "\"velocity\":[[0,0],[0,1e308]],\"pinned\"", "points.velocity[1]"),
             ("[0.1,-0.0]", "[0.1]", "`middle` is not 2 numbers"),
         ] {
             let line = changed(from, to);

@@ -358,6 +358,7 @@ impl Session {
         self.panels.notes.offer = None;
         self.take_leave();
         let mut last = std::mem::replace(&mut self.player, player);
+        let recorded = last.record().map(|path| path.display().to_string());
         // What nobody has seen yet is not gone back to, unless something is to be kept of it.
         if self.opening_since.is_none() || last.record().is_some() {
             last.play(false);
@@ -366,6 +367,9 @@ impl Session {
         self.await_it();
         self.begin();
         self.settle();
+        if let Some(path) = recorded {
+            self.say(format!("{path} has all that was done so far; another scene is not recorded there"));
+        }
     }
 
     /// A history is being made: it is called by its name from now on.

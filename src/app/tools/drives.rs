@@ -220,9 +220,11 @@ impl Drives {
             let keys = DriveKeys { torque: Some(torque), ..self.motor.keys(1.0) };
             keys.told_angle().ok() == angle.drive
         };
-        // A soft body bears less where it is out of shape.
-        let torque = hinge.torque(scope, &self.motor);
-        hub.motors.iter().all(is_same) && (hub.torque() - torque).abs() <= SAME_TORQUE * torque
+        // A soft body bears less than is wished, and by its shape of now: whatever it bears is the same wish.
+        let (there, would, wished) = (hub.torque(), hinge.torque(scope, &self.motor), self.motor.torque);
+        let is_bounded = |torque: f64| torque < (1.0 - SAME_TORQUE) * wished;
+        let is_as_strong = (there - would).abs() <= SAME_TORQUE * would || (is_bounded(there) && is_bounded(would));
+        hub.motors.iter().all(is_same) && is_as_strong
     }
 
     /// What a click with the tool for motors would do.

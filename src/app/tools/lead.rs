@@ -89,6 +89,13 @@ impl Lead {
         self.point
     }
 
+    /// All that go, ascending.
+    pub(super) fn pins(&self) -> Vec<PointId> {
+        let mut pins: Vec<PointId> = self.bar.iter().map(|(pin, _)| *pin).collect();
+        pins.sort_unstable();
+        pins
+    }
+
     /// The place of its plane under a pixel `[m]`.
     fn under(&self, scope: Scope<'_>, at: DVec2) -> Option<DVec3> {
         let cursor = scope.camera.cursor(at.to_array());

@@ -68,6 +68,8 @@ pub(super) use room::Walls;
 use selecting::is_drag;
 use wind::Blow;
 
+/// Said of pins in space that are led while time stands still.
+const LATER: &str = "time stands still: it goes there as soon as time goes on";
 /// The hover force stays away so long after a grab `[s]`: what was thrown is not blown off its way.
 const CALM: f64 = 0.2;
 
@@ -477,9 +479,15 @@ impl Hand {
         // The pins of a hinge go with what turns on it while time stands still.
         let lead = Lead::of_pin(scope, at).filter(|lead| !self.is_still || !hub::is_hinged(scope, lead.point()));
         if let Some(lead) = lead {
+            // While time stands still nothing can be led: pins are put where the drag ends, in the plane.
+            if self.is_still && scope.shown.dimensions == 2 {
+                self.doing = Doing::Carrying(at, Chosen { points: lead.pins(), obstacles: Vec::new() });
+                return Deed::default();
+            }
+            let words = if self.is_still { Some(LATER.to_owned()) } else { None };
             let commands = self.calm_now();
             self.doing = Doing::Leading(lead);
-            return Deed::plain(commands);
+            return Deed { words, ..Deed::plain(commands) };
         }
         if self.is_still {
             return self.carry(scope, at);

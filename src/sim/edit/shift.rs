@@ -143,6 +143,9 @@ impl<S: Real, const D: usize> World<S, D> {
         if let Some(over) = over.filter(|over| !(*over > 0.0 && over.is_finite())) {
             return Err(invalid(format!("over is {over}: it must be finite and > 0")));
         }
+        if let Some(far) = by.iter().find(|far| far.abs() > 2.0 * FARTHEST) {
+            return Err(invalid(format!("by is {far} m: places end at {FARTHEST:e} m")));
+        }
         if D == 3 && factors.iter().any(|factor| *factor != factors[0]) {
             return Err(invalid("scale has several factors: give one in space"));
         }
