@@ -106,16 +106,7 @@ impl Overlay {
     }
 
     fn picture_of(&self, gpu: &Gpu, size: [u32; 2]) -> (wgpu::TextureView, wgpu::BindGroup, [u32; 2]) {
-        let texture = gpu.device.create_texture(&wgpu::TextureDescriptor {
-            label: Some("panels"),
-            size: wgpu::Extent3d { width: size[0], height: size[1], depth_or_array_layers: 1 },
-            mip_level_count: 1,
-            sample_count: 1,
-            dimension: wgpu::TextureDimension::D2,
-            format: self.format,
-            usage: wgpu::TextureUsages::RENDER_ATTACHMENT | wgpu::TextureUsages::TEXTURE_BINDING,
-            view_formats: &[],
-        });
+        let texture = gpu.target(("panels", size), self.format, wgpu::TextureUsages::TEXTURE_BINDING);
         let view = texture.create_view(&Default::default());
         let binding = gpu.device.create_bind_group(&wgpu::BindGroupDescriptor {
             label: Some("overlay"),

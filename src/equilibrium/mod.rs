@@ -37,7 +37,7 @@ use crate::sim::measure;
 use crate::sim::model::{Model, ModelError};
 use crate::sim::plan::inverse_masses;
 use descent::Descent;
-pub use softness::{Softness, softness};
+pub use softness::{MOST_SOFT, Softness, softness};
 use start::Start;
 
 /// Force left on a point, as a share of the largest single one on any, that counts as none: what rounding leaves.

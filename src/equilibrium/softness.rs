@@ -14,8 +14,8 @@
 use crate::sim::vector::{add, dot, length, scale, sub};
 use crate::sim::{Bond, BondKind, Force, Method, Model, PointId, build};
 
-/// Most points of a scene in which it is measured.
-const MOST_POINTS: usize = 1_000;
+/// Most points of a model in which it is measured.
+pub const MOST_SOFT: usize = 1_000;
 /// Most corrections of bonds that it takes.
 const MOST_CORRECTIONS: f64 = 2e7;
 /// Most substeps: a bond of k = 0.01 is at rest after some hundreds.
@@ -41,7 +41,7 @@ pub struct Softness {
 /// and with the bonds of a point: of n sweeps = 1 the compliance is D (1 - k)/k - U, with D the diagonal and U the upper part of G W G^T
 /// in the order of the sweep; of a chain whose k is 0.05 that is 3 per cent.
 pub fn softness<const D: usize>(model: &Model<D>) -> Option<Softness> {
-    if model.position.len() > MOST_POINTS {
+    if model.position.len() > MOST_SOFT {
         return None;
     }
     let (h, sweeps) = (model.method.substep?, model.method.iterations?);

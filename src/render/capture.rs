@@ -60,16 +60,7 @@ impl Capture {
     pub fn on(gpu: Gpu, size: [u32; 2], dimensions: usize) -> Result<Self, RenderError> {
         let [width, height] = size;
         let (row_bytes, bytes) = layout(size, &gpu.device.limits())?;
-        let texture = gpu.device.create_texture(&wgpu::TextureDescriptor {
-            label: Some("capture"),
-            size: wgpu::Extent3d { width, height, depth_or_array_layers: 1 },
-            mip_level_count: 1,
-            sample_count: 1,
-            dimension: wgpu::TextureDimension::D2,
-            format: FORMAT,
-            usage: wgpu::TextureUsages::RENDER_ATTACHMENT | wgpu::TextureUsages::COPY_SRC,
-            view_formats: &[],
-        });
+        let texture = gpu.target(("capture", [width, height]), FORMAT, wgpu::TextureUsages::COPY_SRC);
         let readback = gpu.device.create_buffer(&wgpu::BufferDescriptor {
             label: Some("read-back"),
             size: bytes,

@@ -23,6 +23,25 @@ pub fn backends() -> wgpu::Backends {
 }
 
 impl Gpu {
+    /// A texture of `size` `[px]` that is drawn to, and used for what else is said.
+    pub(crate) fn target(
+        &self,
+        (label, size): (&str, [u32; 2]),
+        format: wgpu::TextureFormat,
+        others: wgpu::TextureUsages,
+    ) -> wgpu::Texture {
+        self.device.create_texture(&wgpu::TextureDescriptor {
+            label: Some(label),
+            size: wgpu::Extent3d { width: size[0], height: size[1], depth_or_array_layers: 1 },
+            mip_level_count: 1,
+            sample_count: 1,
+            dimension: wgpu::TextureDimension::D2,
+            format,
+            usage: wgpu::TextureUsages::RENDER_ATTACHMENT | others,
+            view_formats: &[],
+        })
+    }
+
     /// Opens a GPU for off-screen work.
     ///
     /// Errors: no driver, or one that fails.

@@ -162,16 +162,7 @@ impl Renderer {
             return None;
         }
         if self.depth.as_ref().is_none_or(|(_, made_for)| *made_for != size) {
-            let texture = gpu.device.create_texture(&wgpu::TextureDescriptor {
-                label: Some("depth"),
-                size: wgpu::Extent3d { width: size[0], height: size[1], depth_or_array_layers: 1 },
-                mip_level_count: 1,
-                sample_count: 1,
-                dimension: wgpu::TextureDimension::D2,
-                format: DEPTH,
-                usage: wgpu::TextureUsages::RENDER_ATTACHMENT,
-                view_formats: &[],
-            });
+            let texture = gpu.target(("depth", size), DEPTH, wgpu::TextureUsages::empty());
             self.depth = Some((texture.create_view(&Default::default()), size));
         }
         self.depth.as_ref().map(|(view, _)| view.clone())

@@ -10,7 +10,6 @@ use super::keys::{
 };
 use super::start::Start;
 use crate::body::Link;
-use crate::sim::Contact;
 
 /// A number that sliders set.
 #[derive(Clone, Debug, PartialEq)]
@@ -311,13 +310,7 @@ impl Target {
     /// The number that the scene begins with; `None`: it does not say so itself.
     fn start(&self, scene: &Scene) -> Option<f64> {
         let contact = scene.contact.and_then(Meeting::resolve);
-        let keys = |contact: Contact| ContactKeys {
-            friction: Some(contact.friction),
-            restitution: Some(contact.restitution),
-            radius: contact.radius,
-            ..ContactKeys::default()
-        };
-        let contact_keys = contact.map(keys);
+        let contact_keys = contact.map(ContactKeys::from);
         let bond = |number: u32| scene.bonds.iter().nth(number as usize);
         let obstacle = |number: u32| scene.obstacles.get(number as usize);
         match self {

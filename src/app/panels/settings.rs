@@ -7,7 +7,7 @@ use super::{Facts, PanelState, Wish, described, dial, parameters};
 use crate::app::action::Action;
 use crate::app::player::MethodSetting;
 use crate::history::{AreasOrNone, Do, SetKeys, Walls, Weather};
-use crate::scene::{AreaKeys, AreaKindName, BoundsKeys, ContactKeys, Meeting, Parameter, SolverName, Vector, WindKeys};
+use crate::scene::{AreaKeys, AreaKindName, BoundsKeys, Meeting, Parameter, SolverName, Vector, WindKeys};
 use crate::sim::{Areas, BoundsChange, Contact, Method, MouseChange, SceneChange, Solver, Wind};
 
 /// Width of the panel `[points]`.
@@ -310,14 +310,7 @@ fn of_contact(ui: &mut Ui, contact: Option<Contact>, sink: &mut Sink<'_>) {
         slider(ui, "restitution", &mut to.restitution, 1.0),
     ];
     if let Some(by) = all.into_iter().find(Response::changed) {
-        let keys = ContactKeys {
-            friction: Some(to.friction),
-            restitution: Some(to.restitution),
-            radius: to.radius,
-            with_itself: Some(to.with_itself),
-            bodies: Some(to.with_others),
-        };
-        sink.scene(&by, "contact", SetKeys { contact: Some(Meeting::As(keys)), ..SetKeys::default() });
+        sink.scene(&by, "contact", SetKeys { contact: Some(Meeting::As(to.into())), ..SetKeys::default() });
     }
 }
 

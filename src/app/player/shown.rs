@@ -59,7 +59,7 @@ pub struct Scenery {
     pub bonds: Bonds,
     /// Their numbers; `None`: each has its own place.
     pub bond_numbers: Option<Vec<u32>>,
-    /// The points that never move.
+    /// The points that never move, ascending.
     pub pinned: Vec<PointId>,
     /// Points that were deleted, ascending.
     pub gone: Vec<PointId>,
@@ -109,10 +109,12 @@ impl Scenery {
     pub fn of(world: &dyn Dynamics, skins: &[Skin], (tints, groups): (&Arc<[Tint]>, &Arc<Vec<Group>>)) -> Self {
         let [of_planes, of_solids] = world.obstacle_numbers();
         let [_, _, next_obstacle] = world.next_numbers();
+        let mut pinned = world.pinned().to_vec();
+        pinned.sort_unstable();
         Scenery {
             bonds: world.bonds().clone(),
             bond_numbers: world.bond_numbers().map(<[u32]>::to_vec),
-            pinned: world.pinned().to_vec(),
+            pinned,
             gone: world.gone().to_vec(),
             bounds: world.bounds(),
             planes: world.planes(),

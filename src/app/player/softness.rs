@@ -1,8 +1,9 @@
 //! What relaxed bonds amount to at the method under way: worked out when a scene opens and whenever its method changes.
 
-use crate::equilibrium::{Softness, softness};
+use crate::equilibrium::{MOST_SOFT, Softness, softness};
 use crate::history::History;
 use crate::scene::{MethodKeys, Scene};
+use crate::sim::{BondKind, Dynamics};
 
 /// Of the method that it was worked out for last.
 #[derive(Clone, Debug, Default)]
@@ -12,15 +13,26 @@ pub(super) struct Relaxed {
 }
 
 impl Relaxed {
-    /// The stiffness of springs that would give way as much `[N/m]`; `None` where no bond takes a share of its error.
-    pub(super) fn look(&mut self, history: &History) -> Option<f64> {
+    /// Works it out, if the method is another. Where there is nothing to be measured no model is made, which of large scenes takes long.
+    pub(super) fn look(&mut self, history: &History) {
         let method = history.method();
         if self.method.as_ref() != Some(&method) {
-            self.softness = of(&Scene { method: method.clone(), ..history.scene().clone() });
+            let scene = || Scene { method: method.clone(), ..history.scene().clone() };
+            self.softness = if is_soft(history.world()) { of(&scene()) } else { None };
             self.method = Some(method);
         }
+    }
+
+    /// The stiffness of springs that would give way as much `[N/m]`; `None` where no bond takes a share of its error.
+    pub(super) fn stiffness(&self) -> Option<f64> {
         self.softness.map(|softness| softness.stiffness)
     }
+}
+
+/// Whether bonds take a share of their error, in a world of so few points that it is measured.
+fn is_soft(world: &dyn Dynamics) -> bool {
+    let takes_a_share = |kind: BondKind| matches!(kind, BondKind::Relaxed { relaxation, .. } if relaxation < 1.0);
+    world.point_count() <= MOST_SOFT && world.bonds().iter().any(|bond| takes_a_share(bond.kind))
 }
 
 fn of(scene: &Scene) -> Option<Softness> {
@@ -44,12 +56,16 @@ mod tests {
         let mut relaxed = Relaxed::default();
         // K = mu/h^2 (1 - q)/q, q = (1 - k)^n, of ends of 0.1 kg each.
         let stiffness = |q: f64| 0.05 * 240.0_f64.powi(2) * (1.0 - q) / q;
-        let once = relaxed.look(&history).unwrap();
+        relaxed.look(&history);
+        let once = relaxed.stiffness().unwrap();
         assert!((once / stiffness(0.95) - 1.0).abs() < 1e-3, "{once}");
         history.give(vec![with(MethodKeys { iterations: Some(3), ..history.method() })], None).unwrap();
-        let thrice = relaxed.look(&history).unwrap();
+        relaxed.look(&history);
+        let thrice = relaxed.stiffness().unwrap();
         assert!((thrice / stiffness(0.95_f64.powi(3)) - 1.0).abs() < 0.02, "{thrice}");
         let rigid: Start = Scene::of_gallery("rim", "test").unwrap().into();
-        assert_eq!(Relaxed::default().look(&History::new(rigid).unwrap()), None);
+        let mut none = Relaxed::default();
+        none.look(&History::new(rigid).unwrap());
+        assert_eq!(none.stiffness(), None);
     }
 }

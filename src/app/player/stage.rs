@@ -59,7 +59,6 @@ pub struct Stage {
     energy: f64,
     movers: Arc<Movers>,
     relaxed: Relaxed,
-    stiffness: Option<f64>,
     rungs: Rungs,
     escort: Escort,
     yielded: Option<Yielded>,
@@ -126,7 +125,6 @@ impl Stage {
             energy: 0.0,
             movers: Arc::default(),
             relaxed: Relaxed::default(),
-            stiffness: None,
             rungs: Rungs::new(),
             escort: Escort::default(),
             yielded: None,
@@ -593,7 +591,7 @@ impl Stage {
         if !moves || self.figures_at.is_none_or(|at| at.elapsed() >= FIGURES_EVERY) {
             self.energy = world.energy();
             self.movers = movers(world);
-            self.stiffness = self.relaxed.look(&self.history);
+            self.relaxed.look(&self.history);
             self.acts = self.deeds.look(world.counters(), Instant::now());
             self.yielded = self.rungs.yielded(&self.history);
             self.figures_at = Some(Instant::now());
@@ -646,7 +644,7 @@ impl Stage {
             bonds: world.bonds().len(),
             energy: self.energy,
             movers: Arc::clone(&self.movers),
-            relaxed: self.stiffness,
+            relaxed: self.relaxed.stiffness(),
             yielded: self.yielded,
             acts: self.acts,
             substeps: self.substeps,

@@ -3,7 +3,7 @@
 
 use std::time::{Duration, Instant};
 
-use super::{Keeping, Order, Pace, Player, Stage};
+use super::{Keeping, Order, Pace, Player, Shown, Stage};
 use crate::history::{Do, History};
 use crate::scene::Scene;
 use crate::sim::{Cursor, MouseChange, PointId, Reach};
@@ -304,4 +304,16 @@ fn what_was_led_is_let_go_where_one_goes_back_and_on_another_way() {
     pace.presses = true;
     pace.advance(history, 0.02, Some(Cursor::at([3.0, 3.0])), || 0.0);
     assert!(history.world().grab().is_none(), "but not by a cursor that never took it");
+}
+
+#[test]
+fn pins_are_shown_in_ascending_order_however_they_came() {
+    let mut stage = Stage::new(scene().into()).unwrap();
+    for point in [1, 0] {
+        stage.obey(Order::Give(vec![Do::Pin(vec![PointId(point)])], Some("pin")));
+    }
+    assert_eq!(stage.history().world().pinned(), [PointId(1), PointId(0)]);
+    let mut shown = Shown::default();
+    stage.show(&mut shown);
+    assert_eq!(shown.scenery.pinned, [PointId(0), PointId(1)]);
 }

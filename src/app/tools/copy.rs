@@ -60,13 +60,7 @@ impl Clip {
             });
         }
         let middle = middle(&keys);
-        let contact = world.contact().map(|contact| ContactKeys {
-            friction: Some(contact.friction),
-            restitution: Some(contact.restitution),
-            radius: contact.radius,
-            ..ContactKeys::default()
-        });
-        Clip { keys, contact, dimensions, middle }
+        Clip { keys, contact: world.contact().map(ContactKeys::from), dimensions, middle }
     }
 
     /// The keys that bring it `by` `[m]` from where it was into a world. What its skins had from the scene that it was copied in travels with

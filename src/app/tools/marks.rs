@@ -158,7 +158,9 @@ fn would_grab(scope: Scope<'_>, at: DVec2) -> Vec<Mark> {
     let bar = if is_pin { super::lead::bar(scope, hit.point) } else { Vec::new() };
     let mut marks: Vec<Mark> = ring.into_iter().collect();
     if bar.len() > 1 {
-        let is_of = |ends: &&[PointId; 2]| ends.iter().all(|end| bar.contains(end));
+        let mut pins = bar;
+        pins.sort_unstable();
+        let is_of = |ends: &&[PointId; 2]| ends.iter().all(|end| pins.binary_search(end).is_ok());
         let bonds = scope.shown.scenery.bonds.ends().iter().filter(is_of).take(MOST);
         marks.extend(bonds.filter_map(|&ends| line(Role::Hold, scope, ends)));
         let beside = at + DVec2::new(16.0, -12.0) * scope.scale;

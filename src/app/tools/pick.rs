@@ -278,7 +278,7 @@ impl Scope<'_> {
 
     /// Whether a point is held.
     pub(in crate::app) fn is_pinned(&self, point: PointId) -> bool {
-        self.shown.scenery.pinned.contains(&point)
+        self.shown.scenery.pinned.binary_search(&point).is_ok()
     }
 }
 

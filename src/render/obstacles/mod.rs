@@ -263,16 +263,7 @@ fn begin<'a>(encoder: &'a mut wgpu::CommandEncoder, view: &wgpu::TextureView) ->
 impl Cover {
     fn new(gpu: &Gpu, (layout, sampler): (&wgpu::BindGroupLayout, &wgpu::Sampler), size: [u32; 2]) -> Self {
         let views = [COVER, SHARES].map(|format| {
-            let texture = gpu.device.create_texture(&wgpu::TextureDescriptor {
-                label: Some("obstacles"),
-                size: wgpu::Extent3d { width: size[0], height: size[1], depth_or_array_layers: 1 },
-                mip_level_count: 1,
-                sample_count: 1,
-                dimension: wgpu::TextureDimension::D2,
-                format,
-                usage: wgpu::TextureUsages::RENDER_ATTACHMENT | wgpu::TextureUsages::TEXTURE_BINDING,
-                view_formats: &[],
-            });
+            let texture = gpu.target(("obstacles", size), format, wgpu::TextureUsages::TEXTURE_BINDING);
             texture.create_view(&Default::default())
         });
         let bindings = views.each_ref().map(|view| {

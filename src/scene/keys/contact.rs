@@ -86,6 +86,18 @@ impl<'de> Deserialize<'de> for Meeting {
     }
 }
 
+impl From<Contact> for ContactKeys {
+    fn from(contact: Contact) -> Self {
+        ContactKeys {
+            friction: Some(contact.friction),
+            restitution: Some(contact.restitution),
+            radius: contact.radius,
+            with_itself: Some(contact.with_itself),
+            bodies: Some(contact.with_others),
+        }
+    }
+}
+
 impl Meeting {
     /// The same in the engine's words; `None`: bodies do not meet.
     pub(crate) fn resolve(self) -> Option<Contact> {
