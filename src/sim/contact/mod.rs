@@ -3,6 +3,7 @@
 pub mod bounds;
 pub mod convex;
 pub(crate) mod geometry;
+pub(crate) mod hinged;
 pub(crate) mod obstacles;
 pub(crate) mod passage;
 pub mod penalty;

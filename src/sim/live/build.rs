@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use super::body::{Area, Body, Edge, Link, Span};
-use super::cluster::Cluster;
+use super::cluster::{Cluster, Side};
 use super::drives::{Muscle, Turn};
 use super::gather::SUBSTEPS;
 use super::rig::Rig;
@@ -12,6 +12,7 @@ use super::skins::Skin;
 use super::{Draft, FRAMES, bonds, tree};
 use crate::sim::bond::{Bond, BondKind, Limit};
 use crate::sim::colour::by_colour;
+use crate::sim::contact::hinged::Hinged;
 use crate::sim::contact::skin::{MOST_RADIUS, RADIUS};
 use crate::sim::force::angle::Hinge;
 use crate::sim::force::area;
@@ -52,6 +53,8 @@ pub(super) struct Bodies<S> {
     pub(super) skins: Vec<Skin<S>>,
     /// Points of a body that bonds join, by the places of points in `order`: where the list of each begins, and all lists.
     neighbours: (Vec<u32>, Vec<u32>),
+    /// Meshes of a body that pass through each other, by the places of points in `order`.
+    hinged: Hinged,
 }
 
 impl<S: Real> Bodies<S> {
@@ -95,18 +98,30 @@ impl<S: Real> Bodies<S> {
         }
         ends.sort_unstable();
         ends.dedup();
+        let place_of = |corners: &([u32; 3], Option<f64>)| corners.0.map(|corner| place[corner as usize]);
+        let triangles: Vec<[u32; 3]> = draft.triangles.iter().map(place_of).collect();
+        self.hinged = Hinged::of(count, &triangles, ends.iter().copied().filter(|[a, b]| a < b));
         let starts = (0..=count as u32).map(|at| ends.partition_point(|pair| pair[0] < at) as u32).collect();
         self.neighbours = (starts, ends.into_iter().map(|pair| pair[1]).collect());
     }
 
-    /// Whether a point of a cluster is joined to one of two others of its body.
+    /// Whether a point of a cluster is joined to one of two others of its body, or hinged to them.
     pub(super) fn are_neighbours(&self, state: &Cluster<S>, (p, others): (usize, [usize; 2])) -> bool {
         let body = state.body_of[p] as usize;
         let (base, first) = (state.bases[body] as usize, self.list[state.bodies[body]].points.first as usize);
-        let at = p - base + first;
+        let place = |point: usize| (point - base + first) as u32;
+        let (at, others) = (place(p), others.map(place));
         let (starts, list) = &self.neighbours;
-        let own = &list[starts[at] as usize..starts[at + 1] as usize];
-        others.into_iter().any(|other| own.contains(&((other - base + first) as u32)))
+        let own = &list[starts[at as usize] as usize..starts[at as usize + 1] as usize];
+        others.iter().any(|other| own.contains(other)) || self.hinged.pass([at], others)
+    }
+
+    /// Whether two edges of a body of a cluster pass through each other, for they are hinged.
+    pub(super) fn pass(&self, state: &Cluster<S>, [first, second]: [&Side; 2]) -> bool {
+        let body = first.body as usize;
+        let (base, begin) = (state.bases[body], self.list[state.bodies[body]].points.first);
+        let places = |ends: [u32; 2]| ends.map(|end| end - base + begin);
+        self.hinged.pass(places(first.ends), places(second.ends))
     }
 
     fn push(&mut self, mut own: Own<S>, local: &[u32], points: &Points<S, 2>, draft: &Draft<S>) {

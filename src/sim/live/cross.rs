@@ -1,5 +1,6 @@
 //! Skins that cross: edges of bodies that pass through each other, and bodies that lie inside others.
 
+use super::build::Bodies;
 use super::cluster::{Cluster, OBSTACLE, Side};
 use super::pair::wedge;
 use crate::sim::real::Real;
@@ -31,7 +32,7 @@ struct Span<S> {
 const MOST_LOOKS: [usize; 2] = [64, 1_000_000];
 
 /// The crossings of the skins of a cluster, by their bodies: boxes about the edges are swept along x.
-pub(super) fn list<S: Real>(state: &Cluster<S>) -> Vec<Crossing<S>> {
+pub(super) fn list<S: Real>(state: &Cluster<S>, bodies: &Bodies<S>) -> Vec<Crossing<S>> {
     let mut spans: Vec<Span<S>> = (0..state.edges.len())
         .filter(|&edge| state.edges[edge].body != OBSTACLE)
         .map(|edge| {
@@ -54,7 +55,9 @@ pub(super) fn list<S: Real>(state: &Cluster<S>) -> Vec<Crossing<S>> {
         for &other in &open {
             let other = &spans[other];
             if other.low[1] <= own.high[1] && other.high[1] >= own.low[1] {
-                found.extend(crossing(state, [&state.edges[other.edge], &state.edges[own.edge]]));
+                let edges = [other, own].map(|span| &state.edges[span.edge]);
+                let passes = edges[0].body == edges[1].body && bodies.pass(state, edges);
+                found.extend(if passes { None } else { crossing(state, edges) });
             }
         }
         open.push(k);

@@ -158,7 +158,7 @@ pub(super) fn look<S: Real>(state: &mut Cluster<S>, common: &Common<S>, h: f64) 
         state.counts.looks += 1;
         state.counts.work += 40 * state.edges.len() as u64;
         tangle.since.iter_mut().for_each(|since| *since = 0);
-        cross::list(state)
+        cross::list(state, common.bodies)
     } else {
         Vec::new()
     };

@@ -4,6 +4,7 @@ use std::cmp::Ordering;
 
 use super::World;
 use crate::sim::bond::PointId;
+use crate::sim::contact::hinged::Hinged;
 use crate::sim::contact::skin::Contact;
 use crate::sim::real::Real;
 use crate::sim::sets::Sets;
@@ -118,12 +119,14 @@ impl<S: Real, const D: usize> World<S, D> {
 
     /// Edges of skins across edges.
     fn find_crossed(&self, (places, contact): (&[[f64; 2]], Contact), bodies: &mut Sets, found: &mut Found) {
-        let corners = self.model.triangles.iter().map(|triangle| triangle.map(|corner| corner.0));
+        let triangles = self.model.triangles.iter().map(|triangle| triangle.map(|corner| corner.0));
+        let triangles: Vec<[u32; 3]> = triangles.collect();
         let ends = |bond: &[PointId; 2]| bond.map(|end| end.0);
         let mut bonded: Vec<[u32; 2]> = self.bonds.ends().iter().map(ends).map(sorted).collect();
         bonded.sort_unstable();
-        let skin = triangles::skin(&corners.collect::<Vec<_>>(), bonded.iter().copied());
+        let skin = triangles::skin(&triangles, bonded.iter().copied());
         let are_bonded = |a: u32, b: u32| bonded.binary_search(&sorted([a, b])).is_ok();
+        let hinged = Hinged::of(places.len(), &triangles, bonded.iter().copied());
         let mut sweep = Sweep::new(skin.closed.into_iter().chain(skin.open), places, bodies);
         for k in 0..sweep.patches.len() {
             let own = sweep.patches[k];
@@ -133,7 +136,7 @@ impl<S: Real, const D: usize> World<S, D> {
                 let is_a_cell = [(a, c), (a, d), (b, c), (b, d)].into_iter().all(|(one, two)| are_bonded(one, two));
                 if other.body != own.body && contact.with_others {
                     found.nested.extend([own.body, other.body]);
-                } else if other.body == own.body && contact.with_itself && !is_a_cell {
+                } else if other.body == own.body && contact.with_itself && !is_a_cell && !hinged.pass([a, b], [c, d]) {
                     found.folded.push(own.body);
                 }
             }
