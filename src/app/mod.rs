@@ -20,11 +20,13 @@ mod panels;
 pub mod player;
 mod plots;
 pub mod pointer;
+mod preferences;
 mod saving;
 mod session;
 mod shell;
 mod thumbnails;
 mod tools;
+mod warnings;
 
 pub use shell::Statistics;
 

@@ -47,7 +47,7 @@ pub(in crate::app) fn value(
 
 /// Sliders with names and units; those whose things have gone are left out.
 pub(super) fn show(ui: &mut Ui, list: &[(Parameter, Option<f64>)], scene: &SceneChange, sink: &mut Sink<'_>) {
-    ui.strong("This scene");
+    ui.strong("Of this scene");
     for (parameter, value) in list {
         let Some(mut to) = *value else { continue };
         if parameter.target.is_switch() {
@@ -69,7 +69,6 @@ pub(super) fn show(ui: &mut Ui, list: &[(Parameter, Option<f64>)], scene: &Scene
             set(&by, &parameter.target, to, scene, sink);
         }
     }
-    ui.separator();
 }
 
 fn set(by: &Response, target: &Target, to: f64, scene: &SceneChange, sink: &mut Sink<'_>) {
