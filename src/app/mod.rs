@@ -21,6 +21,7 @@ pub mod player;
 mod plots;
 pub mod pointer;
 mod preferences;
+pub mod rehearsal;
 mod saving;
 mod session;
 mod shell;

@@ -10,11 +10,20 @@ use crate::render::Palette;
 /// Its file in the folder for what is kept between two starts.
 const FILE: &str = "preferences.json";
 
+/// A palette as its file has it.
+#[derive(Serialize, Deserialize)]
+#[serde(remote = "Palette", rename_all = "lowercase")]
+enum PaletteName {
+    Dark,
+    Light,
+}
+
 /// All of it. What a file does not say, or says in words of another version, is as it is at first.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(default)]
 pub(super) struct Preferences {
     /// The colours of panels and world.
+    #[serde(with = "PaletteName")]
     pub(super) palette: Palette,
 }
 

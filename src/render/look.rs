@@ -16,8 +16,7 @@ pub enum Overlay {
 }
 
 /// Which colours there are: on a dark ground, or on a light one.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, serde::Serialize, serde::Deserialize)]
-#[serde(rename_all = "lowercase")]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Palette {
     /// Bright on nearly black.
     #[default]

@@ -1,7 +1,7 @@
 //! A dial with an arrow that can be dragged: a direction of the plane and a strength.
 
 use egui::epaint::PathShape;
-use egui::{Color32, Pos2, Response, Role, Sense, Shape, Stroke, Ui, Vec2, WidgetInfo, vec2};
+use egui::{Pos2, Response, Role, Sense, Shape, Stroke, Ui, Vec2, WidgetInfo, vec2};
 
 use super::theme::colors;
 
@@ -47,7 +47,7 @@ fn arrow(ui: &Ui, middle: Pos2, radius: f32, share: [f32; 2]) {
     ui.painter().line_segment([middle, tip - 6.0 * unit], Stroke::new(2.0, colors(ui).accent));
     let head = [tip, tip - 9.0 * unit + 5.0 * unit.rot90(), tip - 9.0 * unit - 5.0 * unit.rot90()];
     ui.painter().add(Shape::Path(PathShape::convex_polygon(head.to_vec(), colors(ui).accent, Stroke::NONE)));
-    ui.painter().circle_filled(middle, 2.0, Color32::WHITE);
+    ui.painter().circle_filled(middle, 2.0, colors(ui).text);
 }
 
 #[cfg(test)]

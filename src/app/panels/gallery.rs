@@ -1,6 +1,6 @@
 //! The gallery: pictures of all scenes, and a search among them.
 
-use egui::{Key, Label, Rect, RichText, ScrollArea, Sense, TextEdit, vec2};
+use egui::{Key, Label, Rect, RichText, Role, ScrollArea, Sense, TextEdit, WidgetInfo, vec2};
 
 use super::theme::colors;
 use super::{Facts, PanelState, Wish, sheet};
@@ -8,6 +8,8 @@ use crate::scene::{Entry, gallery};
 
 /// Size of a thumbnail `[points]`.
 pub(in crate::app) const THUMBNAIL: [f32; 2] = [216.0, 135.0];
+/// What the field that a search is written in is called.
+const SEARCH: &str = "search the gallery";
 /// Room between cards `[points]`.
 const GAP: f32 = 14.0;
 
@@ -19,6 +21,7 @@ pub(super) fn show(context: &egui::Context, room: Rect, state: &mut PanelState, 
         let search =
             TextEdit::singleline(&mut state.search).id(search_id()).hint_text("search").desired_width(f32::INFINITY);
         let field = ui.add(search);
+        field.widget_info(|| WidgetInfo::labeled(Role::TextInput, true, SEARCH));
         if std::mem::take(&mut state.is_fresh) {
             field.request_focus();
         }
@@ -173,6 +176,7 @@ fn card(ui: &mut egui::Ui, entry: &Entry, state: &PanelState, (is_open, is_chose
             ui.add(Label::new(to_try).wrap().selectable(false));
         });
     });
+    card.response.widget_info(|| WidgetInfo::selected(Role::Button, true, is_open, entry.title));
     card.response
 }
 

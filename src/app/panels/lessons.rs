@@ -2,12 +2,16 @@
 
 use std::collections::BTreeMap;
 
-use egui::{Align, Align2, Area, Button, Frame, Id, Label, Layout, Margin, Rect, RichText, ScrollArea, Sense, Ui};
+use egui::{
+    Align, Align2, Area, Button, Frame, Id, Label, Layout, Margin, Rect, RichText, Role, ScrollArea, Sense, Ui,
+    WidgetInfo,
+};
 
 use super::theme::{colors, floating};
 use super::{Wish, described};
 use crate::app::action::Action;
 use crate::lessons::{Lesson, Step, lessons};
+use crate::scene::Scene;
 
 /// Width of the panel `[points]`.
 pub(super) const WIDTH: f32 = 270.0;
@@ -25,6 +29,20 @@ const BESIDE: f32 = 500.0;
 pub(in crate::app) struct At {
     pub(in crate::app) lesson: usize,
     pub(in crate::app) step: usize,
+}
+
+/// What another scene is to the lesson that is open, or was.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(in crate::app) enum Met {
+    /// Nothing.
+    Nothing,
+    /// It closed, and had opened the plots or not.
+    Left {
+        /// It had.
+        had_plots: bool,
+    },
+    /// It is open again, at this step.
+    Back(At),
 }
 
 /// What the panel keeps.
@@ -55,9 +73,24 @@ impl Lessons {
         Some(At { lesson, step: self.step(lesson) })
     }
 
-    /// Another scene is open than that of the step: the panel closes, and the list is what opens next.
-    pub(in crate::app) fn leave(&mut self, at: At) {
-        (self.is_open, self.lesson, self.left) = (false, None, Some(at));
+    /// A scene is there that no step asked for: a lesson whose scene it is not closes, and one that was left comes back with its own.
+    pub(in crate::app) fn meet(&mut self, scene: &Scene) -> Met {
+        let is_of = |at: &At| {
+            let own = lessons().get(at.lesson).and_then(|lesson| lesson.scene(at.step));
+            own.is_some_and(|own| own.is_ok_and(|own| own == *scene))
+        };
+        if let Some(at) = self.open_at().filter(|at| !is_of(at)) {
+            // The list is what opens next.
+            (self.is_open, self.lesson, self.left) = (false, None, Some(at));
+            return Met::Left { had_plots: std::mem::take(&mut self.plots) };
+        }
+        match self.left.filter(is_of) {
+            Some(at) => {
+                self.enter(at);
+                Met::Back(at)
+            }
+            None => Met::Nothing,
+        }
     }
 
     /// The step that a lesson is at.
@@ -150,6 +183,7 @@ fn list(ui: &mut Ui, state: &Lessons, height: f32, wishes: &mut Vec<Wish>) {
                     line(ui, RichText::new(said).color(colors(ui).accent).size(12.0));
                 });
             });
+            card.response.widget_info(|| WidgetInfo::labeled(Role::Button, true, &lesson.title));
             if card.response.clicked() {
                 wishes.push(Wish::Learn(At { lesson: place, step: state.step(place) }));
             }

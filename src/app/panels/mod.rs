@@ -60,10 +60,10 @@ pub(super) use asking::show as ask;
 pub(super) use beside::{Misfits, Neighbor, solvers};
 pub(super) use gallery::{THUMBNAIL, search_id};
 use icons::Icon;
-pub(super) use lessons::{At, Lessons};
+pub(super) use lessons::{At, Lessons, Met};
 pub(super) use notes::Notes;
 pub(super) use open_from::{OpenFrom, meant};
-pub(super) use parameters::value as parameter_value;
+pub(super) use parameters::all as parameters;
 use places::Places;
 pub(super) use places::{Laid, covered, kept_in};
 pub(super) use plots::{PlotsAt, figure};
@@ -317,7 +317,8 @@ pub(super) fn show(ui: &mut egui::Ui, state: &mut PanelState, facts: &Facts) -> 
             places.below = plots::show_below(&context, places.below_buttons(), plots, &mut wishes);
         } else {
             let points = (&facts.points[..], &mut state.plots_at, are_docked);
-            let rect = plots::show(&context, places.low_beside(panels_edge), (plots, points), &mut wishes);
+            let high = places.right.max(places.bar_bottom());
+            let rect = plots::show(&context, (places.low_beside(panels_edge), high), (plots, points), &mut wishes);
             plotted = Some(rect).filter(|_| !are_docked);
         }
     }

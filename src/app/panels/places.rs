@@ -102,14 +102,18 @@ impl Places {
         };
         let left = beside(plots.is_some_and(|plots| plots.left() < self.room.left() + NEAR));
         let end = self.room.right() - EDGE - at_right;
-        let right = beside(plots.is_some_and(|plots| plots.right() > end - NEAR));
-        let right = right.with_max_x(end).with_min_y(self.right.min(right.bottom() - 160.0));
+        // Plots at the right edge lie below what belongs to a tool there, or above it.
+        let at_right = plots.filter(|plots| plots.right() > end - NEAR);
+        let above = at_right.filter(|plots| plots.center().y < self.room.center().y);
+        let right = beside(at_right.is_some() && above.is_none());
+        let top = above.map_or(self.right, |plots| plots.bottom() + APART);
+        let right = right.with_max_x(end).with_min_y(top.min(right.bottom() - 160.0));
         ToolRooms { tools: self.room.with_max_y(low), left, right }
     }
 
     /// The same, left of what takes so much of the right edge.
     pub(super) fn low_beside(&self, at_right: f32) -> Rect {
-        let low = self.low().with_min_y(self.bar_bottom());
+        let low = self.low();
         low.with_max_x((low.right() - at_right).max(low.left() + LEAST * low.width()))
     }
 

@@ -77,10 +77,10 @@ impl PlotsAt {
 /// Opacity of the panel: what lies below is seen `[1]`.
 const OPACITY: f32 = 0.8;
 
-/// Shows it in a room: where few points are, or, if it is docked, at the right edge. Returns where it lies `[points]`.
+/// Shows it in a room whose right edge is free from `top` on `[points]`: where few points are, or, if it is docked, at the right edge. Returns where it lies `[points]`.
 pub(super) fn show(
     context: &egui::Context,
-    room: Rect,
+    (room, top): (Rect, f32),
     (plots, (points, at, is_docked)): (&mut Plots, (&[Pos2], &mut PlotsAt, bool)),
     wishes: &mut Vec<Wish>,
 ) -> Rect {
@@ -89,7 +89,7 @@ pub(super) fn show(
     let lay = context.memory(|memory| memory.area_rect(id));
     let size = lay.map_or(vec2(WIDTH, high + HEAD), |rect| rect.size());
     // In the frame in which it opens it is not known yet where bodies are.
-    let found = || quiet(room, size, points);
+    let found = || quiet((room, top), size, points);
     let corner = match is_docked {
         true => pos2(room.right() - size.x - LEFT[1], room.bottom()),
         false => at.corner.unwrap_or_else(found),
@@ -127,20 +127,19 @@ fn panel(ui: &mut Ui, size: [f32; 2], plots: &mut Plots, wishes: &mut Vec<Wish>)
     });
 }
 
-/// The left lower corner of a panel of this size in a room: of its places there, at the lower edge and at the upper one, the first of those
-/// that the fewest points are in.
-fn quiet(room: Rect, size: Vec2, points: &[Pos2]) -> Pos2 {
+/// The left lower corner of a panel of this size in a room, whose right edge is free from `top` on: of its places there, at the lower edge and
+/// at the right one above, the first of those that the fewest points are in.
+fn quiet((room, top): (Rect, f32), size: Vec2, points: &[Pos2]) -> Pos2 {
     let left = LEFT[usize::from(room.height() >= TALL)];
     let across = [room.left() + left, room.right() - size.x - LEFT[1], room.center().x - 0.5 * size.x];
-    let high = (room.top() + size.y).min(room.bottom());
-    let left_above = pos2(room.left() + LEFT[0], high);
-    let above = [left_above, pos2(across[1], high)];
-    let places = across.map(|x| pos2(x, room.bottom())).into_iter().chain(above);
+    let [at_left, at_right, in_middle] = across.map(|x| pos2(x, room.bottom()));
+    let above = pos2(at_right.x, (top + size.y).min(room.bottom()));
+    let places = [at_left, at_right, in_middle, above];
     let inside = |corner: &Pos2| {
         let rect = Rect::from_min_size(*corner - vec2(0.0, size.y), size).expand(ROOM);
         points.iter().filter(|point| rect.contains(**point)).count()
     };
-    places.min_by_key(inside).unwrap_or(left_above)
+    places.into_iter().min_by_key(inside).unwrap_or(at_left)
 }
 
 fn header(ui: &mut Ui, wishes: &mut Vec<Wish>) {
@@ -385,13 +384,15 @@ mod tests {
 
     #[test]
     fn the_panel_opens_where_no_body_is() {
-        let room = Rect::from_min_size(pos2(0.0, 0.0), vec2(1280.0, 640.0));
+        let room = (Rect::from_min_size(pos2(0.0, 0.0), vec2(1280.0, 640.0)), 170.0);
         let size = vec2(358.0, 260.0);
         let heap = |x: f32| [pos2(x, 600.0), pos2(x + 20.0, 560.0), pos2(640.0, 100.0)];
         assert_eq!(quiet(room, size, &heap(640.0)).x, LEFT[0], "beside the tools, if nothing is there");
         assert_eq!(quiet(room, size, &heap(200.0)).x, 1280.0 - 358.0 - LEFT[1]);
         let both: Vec<Pos2> = heap(200.0).into_iter().chain(heap(1100.0)).collect();
         assert_eq!(quiet(room, size, &both).x, 640.0 - 179.0);
+        let floor: Vec<Pos2> = (0..64).map(|k| pos2(20.0 * k as f32, 600.0)).collect();
+        assert_eq!(quiet(room, size, &floor), pos2(1280.0 - 358.0 - LEFT[1], 170.0 + 260.0), "above, at the right");
     }
 
     #[test]

@@ -9,7 +9,7 @@ use egui::{Color32, FontId, Pos2, Rect, Stroke};
 use super::{Framing, Session, panels_for};
 use crate::app::action::{Showing, Tool};
 use crate::app::canvas::{Canvas, Paint};
-use crate::app::panels::{self, Facts, Laid, Settings, parameter_value, theme};
+use crate::app::panels::{self, Facts, Laid, Settings, parameters, theme};
 use crate::app::tools::{Mark, Role, Scope, probe};
 use crate::render::{Look, Overlay, RenderError, View, body_color};
 use crate::scene::Parameter;
@@ -212,14 +212,8 @@ impl Session {
         if !self.panels.has_settings {
             return Vec::new();
         }
-        let shown = self.shown();
         let push = self.live_force().map(|force| [self.hand.strength().unwrap_or(force.strength), force.radius]);
-        let in_world = |place: usize| shown.scenery.named.get(place).copied().flatten();
-        let of = |(place, parameter): (usize, &Parameter)| {
-            let value = parameter_value(&parameter.target, &shown.settings, push, &shown.scenery);
-            (parameter.clone(), value.or_else(|| in_world(place)))
-        };
-        self.named.iter().enumerate().map(of).collect()
+        parameters(&self.named, self.shown(), push)
     }
 
     /// How bodies are shown.

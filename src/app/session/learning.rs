@@ -2,7 +2,7 @@
 
 use super::Session;
 use crate::app::action::Showing;
-use crate::app::panels::At;
+use crate::app::panels::{At, Met};
 use crate::lessons::{Show, lessons};
 
 impl Session {
@@ -22,20 +22,10 @@ impl Session {
 
     /// A scene is there that no step asked for: a lesson whose scene it is not closes, and one that was left comes back with its own.
     pub(super) fn leave_lesson(&mut self) {
-        let is_of = |at: At| {
-            let scene = lessons().get(at.lesson).and_then(|lesson| lesson.scene(at.step));
-            scene.is_some_and(|scene| scene.is_ok_and(|scene| scene == *self.scene))
-        };
-        let (open_at, left) = (self.panels.lessons.open_at(), self.panels.lessons.left);
-        if let Some(at) = open_at.filter(|at| !is_of(*at)) {
-            self.panels.lessons.leave(at);
-            let had = self.panels.plots.is_some();
-            if std::mem::take(&mut self.panels.lessons.plots) && had {
-                self.toggle_plots();
-            }
-        } else if let Some(at) = left.filter(|at| is_of(*at)) {
-            self.panels.lessons.enter(at);
-            self.lay_out(at);
+        match self.panels.lessons.meet(&self.scene) {
+            Met::Left { had_plots } if had_plots && self.panels.plots.is_some() => self.toggle_plots(),
+            Met::Back(at) => self.lay_out(at),
+            Met::Left { .. } | Met::Nothing => {}
         }
     }
 
