@@ -47,6 +47,8 @@ const ROOMS: [(&str, &[&str], &[&str]); 13] = [
             "pollster",
             "image",
             "etcetera",
+            "serde",
+            "serde_json",
         ],
     ),
     (

@@ -10,7 +10,7 @@ use common::picture::{NO_BONDS, SIDE, assert_coverage, between, bond, pixels, pl
 use glam::{DVec2, DVec3};
 use image::RgbaImage;
 use wobble::app::opening;
-use wobble::render::{Camera, Capture, Look, Overlay, Pane, Pose, Tiles, View};
+use wobble::render::{Camera, Capture, Look, Overlay, Palette, Pane, Pose, Tiles, View};
 use wobble::scene::gallery;
 use wobble::sim::{Bond, Bonds, Cursor, MouseForce, PointId, Positions, Profile, Region, Track};
 
@@ -77,6 +77,27 @@ fn every_scene_of_the_gallery_at_its_start() {
         let camera = opening::camera(&scene, &view, size);
         let picture = capture.picture(&view, &camera, &Look::default()).unwrap();
         common::golden::check(&format!("gallery/{}", entry.name), &picture, &info);
+    }
+}
+
+#[test]
+fn scenes_on_a_light_ground() {
+    let Some(gpu) = common::gpu() else { return };
+    let info = gpu.info.clone();
+    let size = [480, 270];
+    for (name, overlay) in [("jelly", Overlay::None), ("bridge", Overlay::Strain), ("pegs", Overlay::None)] {
+        let entry = gallery().iter().find(|entry| entry.name == name).unwrap();
+        let scene = entry.scene().unwrap();
+        let mut world = scene.world(scene.duration).unwrap();
+        while world.time() < 0.5 {
+            world.step();
+        }
+        let skins = scene.skins().unwrap();
+        let view = View { skins: &skins, ..View::of(&*world) };
+        let mut capture = Capture::on(gpu.clone(), size, scene.dimensions()).unwrap();
+        let look = Look { overlay, ..Look::in_palette(Palette::Light) };
+        let picture = capture.picture(&view, &opening::camera(&scene, &view, size), &look).unwrap();
+        common::golden::check(&format!("light/{name}"), &picture, &info);
     }
 }
 

@@ -22,6 +22,7 @@ mod linkages;
 mod live;
 mod motion;
 mod obstacles;
+mod panels;
 mod pictures;
 mod pieces;
 mod printed;

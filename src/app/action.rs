@@ -226,6 +226,8 @@ pub enum Action {
     NextShowing,
     /// Shows the grid with its numbers, or hides it.
     ToggleGrid,
+    /// Dark colours or light ones.
+    Palette,
     /// Cuts the scene's picture out anew.
     Import,
     /// Opens a canvas to draw a body on.

@@ -20,11 +20,14 @@ mod panels;
 pub mod player;
 mod plots;
 pub mod pointer;
+mod preferences;
+pub mod rehearsal;
 mod saving;
 mod session;
 mod shell;
 mod thumbnails;
 mod tools;
+mod warnings;
 
 pub use shell::Statistics;
 

@@ -171,6 +171,54 @@ pub fn clear(mut camera: Camera, seen: &View<'_>, free: Free) -> Camera {
     camera
 }
 
+/// The camera drawn back and moved as little as it takes that all points lie in the free part of its picture, and what it shows of walls and
+/// solid obstacles too; a few times its distance at most, for what flies away.
+pub fn whole(camera: Camera, seen: &View<'_>, free: Free) -> Camera {
+    let mut camera = clear(camera, seen, free);
+    let middle = [0, 1].map(|axis| 0.5 * (free[0][axis] + free[1][axis]));
+    let room = [0, 1].map(|axis| free[1][axis] - free[0][axis]);
+    let mut further = 1.0;
+    // In space the way back changes what is seen of the depth: a few rounds are enough.
+    for _ in 0..ROUNDS {
+        let [low, high] = on_screen(&camera, seen);
+        if !(0..2).all(|axis| (high[axis] - low[axis]).is_finite()) {
+            break;
+        }
+        // What is too large is brought to the middle; what is not stays as near to where it was as may be.
+        let back = [0, 1].map(|axis| (high[axis] - low[axis]) / room[axis]).into_iter().fold(1.0, f64::max);
+        let back = back.min(FURTHEST / further);
+        further *= back;
+        camera.zoom_at(middle, 1.0 / back);
+        let [low, high] = on_screen(&camera, seen);
+        let off = [0, 1].map(|axis| match high[axis] - low[axis] > room[axis] {
+            true => middle[axis] - 0.5 * (low[axis] + high[axis]),
+            false => (free[0][axis] - low[axis]).max(0.0) + (free[1][axis] - high[axis]).min(0.0),
+        });
+        camera.pan(off);
+        if back == 1.0 && off == [0.0; 2] {
+            break;
+        }
+    }
+    camera
+}
+
+/// Rounds of drawing back, and how much further away that leads at most.
+const ROUNDS: usize = 6;
+const FURTHEST: f64 = 4.0;
+
+/// The box about all points in a picture `[px]`.
+fn on_screen(camera: &Camera, seen: &View<'_>) -> [[f64; 2]; 2] {
+    let (positions, dimensions) = (seen.current, seen.dimensions);
+    let place = |first: usize| {
+        let place = std::array::from_fn(|axis| if axis < dimensions { positions.get(first + axis) } else { 0.0 });
+        camera.screen_from_world(DVec3::from_array(place)).filter(|at| at.iter().all(|x| x.is_finite()))
+    };
+    let all = (0..positions.len()).step_by(dimensions.max(1)).filter_map(place);
+    all.fold([[f64::INFINITY; 2], [f64::NEG_INFINITY; 2]], |[low, high], at| {
+        [[0, 1].map(|axis| low[axis].min(at[axis])), [0, 1].map(|axis| high[axis].max(at[axis]))]
+    })
+}
+
 /// What `look` makes of the free part of a picture: where points lie in its upper right corner, whose left lower corner `[px]` is `corner`,
 /// of the part below that.
 pub fn beside_corner(look: impl Fn(Free) -> Camera, seen: &View<'_>, free: Free, corner: Option<[f64; 2]>) -> Camera {
@@ -307,6 +355,29 @@ mod tests {
         assert!((low[1] + high[1] - 1080.0).abs() < 1e-6, "{low:?} {high:?}");
         let [low, high] = at(0.5);
         assert!((high[0] - low[0] - 100.0).abs() < 1.0, "as large as its view makes it: {low:?} {high:?}");
+    }
+
+    #[test]
+    fn a_thumbnail_has_all_points_however_narrow_its_view_is() {
+        let plane =
+            r#"{"wobble": 1, "points": {"position": [[-4, -3], [4, 9]]}, "view": {"center": [0, 0], "height": 3}}"#;
+        let space = r#"{"wobble": 1, "dimensions": 3, "points": {"position": [[-3, 0, 0], [3, 1, 2], [0, 4, 0]]},
+            "view": {"target": [0, 0, 0], "distance": 3}}"#;
+        let (size, free) = ([432, 270], [[13.0, 13.0], [419.0, 257.0]]);
+        for text in [plane, space] {
+            let scene = Scene::parse(text, "x.json").unwrap();
+            let world = scene.world(None).unwrap();
+            let view = View::of(&*world);
+            let [low, high] = on_screen(&whole(camera(&scene, &view, size), &view, free), &view);
+            for axis in 0..2 {
+                assert!(low[axis] > free[0][axis] - 1.0 && high[axis] < free[1][axis] + 1.0, "{low:?} {high:?}");
+            }
+        }
+        let scene = Scene::parse(&plane.replace("3}", "40}"), "x.json").unwrap();
+        let world = scene.world(None).unwrap();
+        let view = View::of(&*world);
+        let opened = camera(&scene, &view, size);
+        assert_eq!(whole(opened, &view, free).pose, opened.pose, "what shows all of it stays");
     }
 
     #[test]

@@ -8,12 +8,14 @@ use image::RgbaImage;
 
 use super::opening;
 use super::panels::THUMBNAIL;
-use crate::render::{Capture, Gpu, Look, View};
+use crate::render::{Camera, Capture, Gpu, Look, Palette, View};
 use crate::scene::{BodyKeys, Entry, MakerName, Scene, gallery};
 
 /// A scene is shown after so much of its time `[s]`, or what of it is stepped in this time.
 const SHOWN_AT: f64 = 0.8;
 const STEPPED_FOR: Duration = Duration::from_millis(40);
+/// Room at the edges, as a share of the height.
+const EDGE: f64 = 0.05;
 /// Columns and rows of a cloth at most: more are not told apart.
 const MOST_THREADS: u64 = 120;
 /// Thumbnails have twice the pixels of what they are shown as on a plain screen.
@@ -27,13 +29,13 @@ pub(super) struct Thumbnails {
 
 impl Thumbnails {
     /// Draws all of the gallery, one after another, on a thread of its own, which calls `wake` after each.
-    pub(super) fn new(gpu: Gpu, wake: impl Fn() + Send + 'static) -> Self {
+    pub(super) fn new(gpu: Gpu, palette: Palette, wake: impl Fn() + Send + 'static) -> Self {
         let (sender, drawn) = channel();
         std::thread::spawn(move || {
             let mut captures: [Option<Capture>; 2] = [None, None];
             let size = THUMBNAIL.map(|side| (FINE * side) as u32);
             for entry in gallery() {
-                let Some(picture) = thumbnail(entry, &gpu, size, &mut captures) else { continue };
+                let Some(picture) = thumbnail(entry, &gpu, (size, palette), &mut captures) else { continue };
                 if sender.send((entry.name, picture)).is_err() {
                     return;
                 }
@@ -60,7 +62,12 @@ impl Thumbnails {
 }
 
 /// A picture of a scene. One that cannot be drawn has none.
-fn thumbnail(entry: &Entry, gpu: &Gpu, size: [u32; 2], captures: &mut [Option<Capture>; 2]) -> Option<RgbaImage> {
+fn thumbnail(
+    entry: &Entry,
+    gpu: &Gpu,
+    (size, palette): ([u32; 2], Palette),
+    captures: &mut [Option<Capture>; 2],
+) -> Option<RgbaImage> {
     let scene = coarser(entry.scene().ok()?);
     let mut world = scene.world(None).ok()?;
     let skins = scene.skins().ok()?;
@@ -75,9 +82,16 @@ fn thumbnail(entry: &Entry, gpu: &Gpu, size: [u32; 2], captures: &mut [Option<Ca
     let capture = capture.as_mut()?;
     capture.forget_world();
     let view = View { skins: &skins, ..View::of(&*world) };
-    let camera = opening::camera(&scene, &view, size);
-    let look = Look { scale_factor: 1.0, ..Look::default() };
+    let camera = framed(&scene, &view, size);
+    let look = Look { scale_factor: 1.0, ..Look::in_palette(palette) };
     capture.picture(&view, &camera, &look).ok()
+}
+
+/// All of a scene that its own view shows, with some room at the edges.
+fn framed(scene: &Scene, view: &View<'_>, size: [u32; 2]) -> Camera {
+    let [width, height] = size.map(f64::from);
+    let edge = EDGE * height;
+    opening::whole(opening::camera(scene, view, size), view, [[edge; 2], [width - edge, height - edge]])
 }
 
 /// The same scene with fewer threads in its cloths: as large, and hung as before.

@@ -15,7 +15,7 @@ use crate::app::player::driven;
 use crate::history::{Companion, Do, Entry, Replay, Start, chunk, distances};
 use crate::output;
 use crate::picture::{Skin, Tint};
-use crate::render::{Camera, Capture, Look, Overlay, Pane, Tiles, Trails, View};
+use crate::render::{Camera, Capture, Look, Overlay, Palette, Pane, Tiles, Trails, View};
 use crate::scene::{Scene, SolverName};
 use crate::sim::{Cursor, Dynamics, PointId, Positions};
 
@@ -57,6 +57,24 @@ pub(super) struct Arguments {
     /// Whether the plane has a grid with numbers.
     #[arg(long, value_name = "on|off", default_value = "on", action = clap::ArgAction::Set, value_parser = switch)]
     grid: bool,
+    /// In which colours: bright on a dark ground, or dark on a light one.
+    #[arg(long, value_enum, default_value = "dark")]
+    palette: PaletteName,
+}
+
+#[derive(Clone, Copy, clap::ValueEnum)]
+enum PaletteName {
+    Dark,
+    Light,
+}
+
+impl From<PaletteName> for Palette {
+    fn from(name: PaletteName) -> Self {
+        match name {
+            PaletteName::Dark => Palette::Dark,
+            PaletteName::Light => Palette::Light,
+        }
+    }
 }
 
 #[derive(Clone, Copy, clap::ValueEnum)]
@@ -94,7 +112,15 @@ pub(super) fn run(arguments: &Arguments, quiet: bool) -> anyhow::Result<()> {
     let Arguments { mesh: has_mesh, fills: has_fills, grid: has_grid, .. } = *arguments;
     let overlay = arguments.overlay(scene);
     let scale_factor = scale_factor(arguments.size);
-    let look = Look { overlay, has_mesh, has_fills, has_grid, difference_full, scale_factor, ..Look::default() };
+    let look = Look {
+        overlay,
+        has_mesh,
+        has_fills,
+        has_grid,
+        difference_full,
+        scale_factor,
+        ..Look::in_palette(arguments.palette.into())
+    };
     let mut beside = Neighbors::new(&start, scene)?;
     beside.name(&tiles)?;
     let mut capture = Capture::new(arguments.size, scene.dimensions())?;

@@ -54,7 +54,7 @@ impl History {
     ///
     /// Errors: a scene that cannot be run, a state that cannot be gone on from.
     pub fn new(start: Start) -> Result<Self, HistoryError> {
-        let Start { recording } = start;
+        let Start { recording, .. } = start;
         let frame = recording.begin(recording.scene.name())?;
         let entries = &recording.scene.beside;
         let companions = entries.iter().map(|entry| Companion::new(&recording, entry)).collect::<Result<_, _>>()?;

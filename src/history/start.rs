@@ -1,8 +1,9 @@
 //! What a history begins with: a scene, or a recording.
 
+use std::ffi::OsStr;
 use std::fs::File;
 use std::io::Read;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 use serde_json::Value;
 
@@ -133,6 +134,8 @@ impl Recording {
 pub struct Start {
     /// What it is a recording of, with the commands that are followed until something new is given.
     pub(super) recording: Recording,
+    /// The file that it was read from.
+    file: Option<PathBuf>,
 }
 
 impl Start {
@@ -144,13 +147,27 @@ impl Start {
         // A pipe is read once: it may hold a scene.
         if std::fs::metadata(path).is_ok_and(|about| about.is_file()) {
             if log::is_recording(path) {
-                return Ok(Log::open(path)?.whole()?.recording()?.into());
+                return Ok(Start::from(Log::open(path)?.whole()?.recording()?).of_file(path));
             }
             if let Some(text) = inside_picture(path) {
-                return Ok(Log::of_text(&text, file_or_name)?.whole()?.recording()?.into());
+                return Ok(Start::from(Log::of_text(&text, file_or_name)?.whole()?.recording()?).of_file(path));
             }
         }
         Ok(Scene::load(file_or_name)?.into())
+    }
+
+    fn of_file(self, path: &Path) -> Self {
+        Start { file: Some(path.to_owned()), ..self }
+    }
+
+    /// What a recording, a snapshot or a picture with one is called: its file without the ending. `None`: it is called as its scene.
+    pub fn name(&self) -> Option<&str> {
+        self.file.as_deref().and_then(Path::file_stem).and_then(OsStr::to_str)
+    }
+
+    /// Whether something was done in it that is followed until something new is given.
+    pub fn is_replayed(&self) -> bool {
+        !self.recording.commands.is_empty()
     }
 
     /// The recording that it is.
@@ -189,12 +206,12 @@ impl From<Scene> for Recording {
 
 impl From<Scene> for Start {
     fn from(scene: Scene) -> Self {
-        Start { recording: scene.into() }
+        Start { recording: scene.into(), file: None }
     }
 }
 
 impl From<Recording> for Start {
     fn from(recording: Recording) -> Self {
-        Start { recording }
+        Start { recording, file: None }
     }
 }

@@ -15,6 +15,26 @@ pub enum Overlay {
     Difference,
 }
 
+/// Which colours there are: on a dark ground, or on a light one.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Palette {
+    /// Bright on nearly black.
+    #[default]
+    Dark,
+    /// Dark on nearly white.
+    Light,
+}
+
+impl Palette {
+    /// The other one.
+    pub fn other(self) -> Self {
+        match self {
+            Palette::Dark => Palette::Light,
+            Palette::Light => Palette::Dark,
+        }
+    }
+}
+
 /// Colours of strains, from squeezed to stretched, in even steps.
 ///
 /// Blue, grey and red: eyes that see two colours only tell both sides apart, and each from rest.
@@ -31,6 +51,19 @@ pub const STRAIN_COLORS: [Color; 9] = [
     hex(0xfd_b3_66, 1.0),
     hex(0xf6_7e_4b, 1.0),
     hex(0xdd_3d_2d, 1.0),
+];
+
+/// The same hues on a light ground, dark enough to be told from it.
+const STRAIN_ON_LIGHT: [Color; 9] = [
+    hex(0x24_3c_8a, 1.0),
+    hex(0x33_5c_a6, 1.0),
+    hex(0x3f_78_b4, 1.0),
+    hex(0x4c_89_b4, 1.0),
+    hex(0x7c_85_92, 1.0),
+    hex(0xa8_7c_14, 1.0),
+    hex(0xb8_66_0c, 1.0),
+    hex(0xbc_44_18, 1.0),
+    hex(0x98_16_16, 1.0),
 ];
 
 /// Colours and sizes. Lengths are in logical pixels, to be multiplied by the scale factor of the screen.
@@ -137,21 +170,104 @@ impl Default for Look {
     }
 }
 
+impl Look {
+    /// The usual sizes, in the colours of a palette.
+    pub fn in_palette(palette: Palette) -> Self {
+        Look::default().colored(palette)
+    }
+
+    /// The same in the colours of a palette.
+    pub fn colored(self, palette: Palette) -> Self {
+        let of = match palette {
+            Palette::Dark => Look::default(),
+            Palette::Light => Look {
+                ground: hex(0xf1_f4_f9, 1.0),
+                grid: hex(0x00_00_00, 0.05),
+                axis: hex(0x00_00_00, 0.15),
+                number: hex(0x56_62_75, 1.0),
+                wall: hex(0x6f_7d_94, 1.0),
+                obstacle: hex(0xc9_d2_df, 1.0),
+                bond: hex(0x52_67_84, 1.0),
+                rope: hex(0x8a_66_2c, 1.0),
+                strain: STRAIN_ON_LIGHT,
+                point: hex(0x22_2d_3e, 1.0),
+                pin: hex(0xcc_1f_46, 1.0),
+                trail: hex(0x8c_6a_00, 0.75),
+                region: hex(0x00_6e_52, 0.9),
+                motor: hex(0x80_56_00, 0.95),
+                ..Look::default()
+            },
+        };
+        let Look {
+            ground,
+            grid,
+            axis,
+            number,
+            wall,
+            obstacle,
+            bond,
+            rope,
+            strain,
+            point,
+            pin,
+            trail,
+            region,
+            motor,
+            ..
+        } = of;
+        Look {
+            ground,
+            grid,
+            axis,
+            number,
+            wall,
+            obstacle,
+            bond,
+            rope,
+            strain,
+            point,
+            pin,
+            trail,
+            region,
+            motor,
+            ..self
+        }
+    }
+}
+
+/// How much brighter one colour is than the other, from 1 to 21; opacity does not count.
+///
+/// Source: W3C, Web Content Accessibility Guidelines 2.2 (2023), contrast ratio.
+pub fn contrast(a: Color, b: Color) -> f32 {
+    let linear = |c: f32| if c <= 0.04045 { c / 12.92 } else { ((c + 0.055) / 1.055).powf(2.4) };
+    let luminance =
+        |[red, green, blue, _]: Color| 0.2126 * linear(red) + 0.7152 * linear(green) + 0.0722 * linear(blue);
+    let [a, b] = [a, b].map(luminance);
+    (a.max(b) + 0.05) / (a.min(b) + 0.05)
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
 
-    /// Luminance of a colour in sRGB, by WCAG 2.
-    fn luminance([red, green, blue, _]: Color) -> f32 {
-        let linear = |c: f32| if c <= 0.04045 { c / 12.92 } else { ((c + 0.055) / 1.055).powf(2.4) };
-        0.2126 * linear(red) + 0.7152 * linear(green) + 0.0722 * linear(blue)
+    #[test]
+    fn numbers_of_the_grid_and_all_that_is_drawn_are_seen_on_the_ground() {
+        for palette in [Palette::Dark, Palette::Light] {
+            let look = Look::in_palette(palette);
+            let on_ground = |color| contrast(color, look.ground);
+            assert!(on_ground(look.number) >= 4.5, "{palette:?}: {}", on_ground(look.number));
+            for color in look.strain.into_iter().chain([look.wall, look.bond, look.rope, look.point, look.pin]) {
+                assert!(on_ground(color) >= 3.0, "{palette:?}: {color:?}: {}", on_ground(color));
+            }
+            assert_eq!(look.colored(palette.other()).colored(palette), look);
+        }
     }
 
     #[test]
-    fn numbers_of_the_grid_and_all_strains_are_read_on_the_ground() {
-        let look = Look::default();
-        let contrast = |color| (luminance(color) + 0.05) / (luminance(look.ground) + 0.05);
-        assert!(contrast(look.number) >= 4.5);
-        assert!(look.strain.into_iter().all(|color| contrast(color) >= 3.0));
+    fn contrast_is_as_the_guidelines_have_it() {
+        let [black, white] = [hex(0, 1.0), hex(0xff_ff_ff, 1.0)];
+        assert!((contrast(black, white) - 21.0).abs() < 1e-4 && contrast(white, white) == 1.0);
+        // A published pair: #767676 on white.
+        assert!((contrast(hex(0x76_76_76, 1.0), white) - 4.54).abs() < 0.01);
     }
 }

@@ -37,7 +37,7 @@ pub use ensemble::{Ensemble, Pane};
 pub use error::RenderError;
 pub use fills::body_color;
 pub use gpu::{Gpu, backends};
-pub use look::{Color, Look, Overlay, STRAIN_COLORS};
+pub use look::{Color, Look, Overlay, Palette, STRAIN_COLORS, contrast};
 pub use passes::SHADERS;
 pub use renderer::Renderer;
 pub use tiles::Tiles;

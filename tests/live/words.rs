@@ -49,12 +49,13 @@ fn the_velocity_of_a_pinned_point_is_not_dropped_in_silence() {
         world(&scene).warnings().to_vec()
     };
     let told = "is pinned: the velocity at the start is left out: unpin, or lead by `pin_motion`";
-    assert_eq!(warnings(&[1, 2], json!([])), [format!("point 1 {told}")]);
+    assert_eq!(warnings(&[1, 2], json!([])), [format!("a point {told} (point 1)")]);
     assert!(warnings(&[2], json!([])).is_empty());
     let rope =
         |pinned: &[u32]| json!([{"make": "rope", "count": 3, "to": [0, -1], "velocity": [1, 0], "pinned": pinned}]);
     assert!(warnings(&[2], rope(&[0])).is_empty(), "what hangs is thrown without its pin");
-    assert_eq!(warnings(&[2], rope(&[0, 1, 2]))[0], format!("points 3, 4 and 5 {}", told.replacen("is", "are", 1)));
+    let many = format!("points {} (points 3, 4 and 5)", told.replacen("is", "are", 1));
+    assert_eq!(warnings(&[2], rope(&[0, 1, 2]))[0], many);
 }
 
 #[test]
@@ -135,7 +136,7 @@ fn triangles_without_an_inside_are_told() {
             "bonds": [{"a": 0, "b": 1}, {"a": 1, "b": 2}, {"a": 0, "b": 2}], "triangles": [[0, 1, 2]]});
         world(&scene).warnings().to_vec()
     };
-    assert_eq!(warnings(true), ["triangle 0 of area 0 at the start: not kept open"]);
+    assert_eq!(warnings(true), ["a triangle of area 0 at the start: not kept open (triangle 0)"]);
     assert!(warnings(false).is_empty());
 }
 

@@ -2,13 +2,11 @@
 
 use std::time::Duration;
 
-use egui::Color32;
-
 use super::worker::Forecast;
 use super::{Answer, Import, preview, wishes};
 use crate::app::count::counted;
 use crate::app::loading;
-use crate::app::panels::sheet;
+use crate::app::panels::{sheet, theme};
 use crate::scene::Matter;
 
 /// What takes less time than this is not worth a bar; and the time between two looks at it.
@@ -94,7 +92,7 @@ fn words(ui: &mut egui::Ui, forecast: Option<&Result<Forecast, String>>, is_pain
             ui.weak("draw something on the canvas");
         }
         Some(Err(error)) => {
-            ui.colored_label(Color32::from_rgb(255, 140, 120), error);
+            ui.colored_label(theme::colors(ui).away, error);
         }
         Some(Ok(Forecast { outlines, corners, .. })) if *corners > 0 => {
             let outlines = if *outlines == 1 { "one outline".to_owned() } else { format!("{outlines} outlines") };

@@ -2,7 +2,7 @@
 
 use egui::{Align2, Area, Id, Order, RichText};
 
-use super::theme::{TEXT, floating};
+use super::theme::{colors, floating};
 
 /// Width of the panel `[points]`.
 const WIDTH: f32 = 360.0;
@@ -12,9 +12,9 @@ pub(in crate::app) fn show(context: &egui::Context, words: &str) -> Option<bool>
     let mut answer = None;
     let area = Area::new(Id::unique("asking")).order(Order::Foreground).anchor(Align2::CENTER_CENTER, [0.0, 0.0]);
     area.show(context, |ui| {
-        floating().show(ui, |ui| {
+        floating(ui).show(ui, |ui| {
             ui.set_width(WIDTH.min(context.content_rect().width() - 40.0));
-            ui.label(RichText::new(words).color(TEXT));
+            ui.label(RichText::new(words).color(colors(ui).text));
             ui.horizontal(|ui| {
                 if ui.button("Add").on_hover_text("Enter").clicked() {
                     answer = Some(true);

@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use egui::{Area, Id, RichText, Ui, pos2};
 
-use super::theme::{TEXT, floating};
+use super::theme::{colors, floating};
 use super::{Facts, Wish, legend};
 use crate::scene::{BesideKeys, MOST_BESIDE, SolverName};
 
@@ -59,10 +59,10 @@ pub(super) fn titles(context: &egui::Context, facts: &Facts, has_caption: bool) 
         let top = lies_below.map_or(top, |figures| figures.bottom() + ROOM);
         let area = Area::new(Id::unique(("beside", place))).fixed_pos(pos2(x, top));
         area.interactable(false).show(context, |ui| {
-            floating().show(ui, |ui| {
+            floating(ui).show(ui, |ui| {
                 ui.set_max_width(legend::WIDTH.min(neighbor.width - 3.0 * ROOM).max(LEAST_WIDE));
                 ui.vertical(|ui| {
-                    ui.label(RichText::new(&neighbor.title).color(TEXT).strong());
+                    ui.label(RichText::new(&neighbor.title).color(colors(ui).text).strong());
                     if !neighbor.words.is_empty() {
                         ui.weak(&neighbor.words);
                     }

@@ -1,9 +1,9 @@
 //! A dial with an arrow that can be dragged: a direction of the plane and a strength.
 
 use egui::epaint::PathShape;
-use egui::{Color32, Pos2, Response, Role, Sense, Shape, Stroke, Ui, Vec2, WidgetInfo, vec2};
+use egui::{Pos2, Response, Role, Sense, Shape, Stroke, Ui, Vec2, WidgetInfo, vec2};
 
-use super::theme::{ACCENT, WEAK};
+use super::theme::colors;
 
 /// Side of the dial `[points]`.
 const SIDE: f32 = 72.0;
@@ -19,7 +19,7 @@ pub(super) fn show(ui: &mut Ui, name: &str, value: [f64; 2], full: f64) -> (Resp
     response.widget_info(|| WidgetInfo::labeled(Role::Slider, is_enabled, name));
     let (middle, radius) = (rect.center(), 0.5 * SIDE - 4.0);
     let visuals = ui.style().interact(&response);
-    ui.painter().circle(middle, radius, visuals.weak_bg_fill, Stroke::new(1.0, WEAK));
+    ui.painter().circle(middle, radius, visuals.weak_bg_fill, Stroke::new(1.0, colors(ui).weak));
     arrow(ui, middle, radius, value.map(|x| (x / full) as f32));
     let is_held = response.dragged() || response.clicked();
     let to = response.interact_pointer_pos().filter(|_| is_held).map(|at| dragged(at - middle, radius, full));
@@ -40,14 +40,14 @@ fn arrow(ui: &Ui, middle: Pos2, radius: f32, share: [f32; 2]) {
     let way = vec2(share[0], -share[1]);
     let way = way * radius / way.length().max(1.0);
     if way.length() < 2.0 {
-        ui.painter().circle_filled(middle, 3.0, ACCENT);
+        ui.painter().circle_filled(middle, 3.0, colors(ui).accent);
         return;
     }
     let (tip, unit) = (middle + way, way.normalized());
-    ui.painter().line_segment([middle, tip - 6.0 * unit], Stroke::new(2.0, ACCENT));
+    ui.painter().line_segment([middle, tip - 6.0 * unit], Stroke::new(2.0, colors(ui).accent));
     let head = [tip, tip - 9.0 * unit + 5.0 * unit.rot90(), tip - 9.0 * unit - 5.0 * unit.rot90()];
-    ui.painter().add(Shape::Path(PathShape::convex_polygon(head.to_vec(), ACCENT, Stroke::NONE)));
-    ui.painter().circle_filled(middle, 2.0, Color32::WHITE);
+    ui.painter().add(Shape::Path(PathShape::convex_polygon(head.to_vec(), colors(ui).accent, Stroke::NONE)));
+    ui.painter().circle_filled(middle, 2.0, colors(ui).text);
 }
 
 #[cfg(test)]

@@ -2,7 +2,7 @@
 
 use egui::{Area, Checkbox, ComboBox, Id, Rect, RichText, Slider, Ui};
 
-use super::theme::{TEXT, WEAK, floating};
+use super::theme::{colors, floating};
 use super::{Facts, Wish};
 use crate::app::action::Tool;
 use crate::app::tools::Drives;
@@ -20,7 +20,7 @@ pub(super) fn show(context: &egui::Context, tools: Rect, facts: &Facts, wishes: 
     let corner = tools.right_top() + egui::vec2(8.0, 0.0);
     let mut drives = facts.drives;
     Area::new(Id::unique("drives")).fixed_pos(corner).show(context, |ui| {
-        floating().show(ui, |ui| {
+        floating(ui).show(ui, |ui| {
             ui.set_width(WIDTH);
             ui.spacing_mut().slider_width = 100.0;
             match facts.tool {
@@ -36,8 +36,8 @@ pub(super) fn show(context: &egui::Context, tools: Rect, facts: &Facts, wishes: 
 
 fn of_muscle(ui: &mut Ui, drives: &mut Drives) {
     let muscle = &mut drives.muscle;
-    ui.label(RichText::new("Muscle").color(TEXT).strong());
-    ui.label(RichText::new("click a bond").color(WEAK));
+    ui.label(RichText::new("Muscle").color(colors(ui).text).strong());
+    ui.label(RichText::new("click a bond").color(colors(ui).weak));
     slider(ui, "stretch", &mut muscle.amplitude, -MOST[0]..=MOST[0], "");
     ui.add(Checkbox::new(&mut muscle.has_wave, "wave"));
     if muscle.has_wave || muscle.key.is_none() {
@@ -49,14 +49,14 @@ fn of_muscle(ui: &mut Ui, drives: &mut Drives) {
 
 fn of_motor(ui: &mut Ui, drives: &mut Drives) {
     let motor = &mut drives.motor;
-    ui.label(RichText::new("Hinge and motor").color(TEXT).strong());
-    ui.label(RichText::new("click the middle of a wheel, or any body").color(WEAK));
+    ui.label(RichText::new("Hinge and motor").color(colors(ui).text).strong());
+    ui.label(RichText::new("click the middle of a wheel, or any body").color(colors(ui).weak));
     let mut is_on = motor.is_on.unwrap_or(false);
     if ui.add(Checkbox::new(&mut is_on, "motor")).changed() {
         motor.is_on = Some(is_on);
     }
     if motor.is_on.is_none() {
-        ui.label(RichText::new("a wheel on the ground gets one by itself").color(WEAK));
+        ui.label(RichText::new("a wheel on the ground gets one by itself").color(colors(ui).weak));
     }
     if motor.is_on != Some(false) {
         slider(ui, "speed", &mut motor.speed, -MOST[2]..=MOST[2], " rad/s");

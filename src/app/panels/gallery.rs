@@ -1,13 +1,15 @@
 //! The gallery: pictures of all scenes, and a search among them.
 
-use egui::{Key, Label, Rect, RichText, ScrollArea, Sense, TextEdit, vec2};
+use egui::{Key, Label, Rect, RichText, Role, ScrollArea, Sense, TextEdit, WidgetInfo, vec2};
 
-use super::theme::{ACCENT, TEXT, WEAK};
+use super::theme::colors;
 use super::{Facts, PanelState, Wish, sheet};
 use crate::scene::{Entry, gallery};
 
 /// Size of a thumbnail `[points]`.
 pub(in crate::app) const THUMBNAIL: [f32; 2] = [216.0, 135.0];
+/// What the field that a search is written in is called.
+const SEARCH: &str = "search the gallery";
 /// Room between cards `[points]`.
 const GAP: f32 = 14.0;
 
@@ -19,6 +21,7 @@ pub(super) fn show(context: &egui::Context, room: Rect, state: &mut PanelState, 
         let search =
             TextEdit::singleline(&mut state.search).id(search_id()).hint_text("search").desired_width(f32::INFINITY);
         let field = ui.add(search);
+        field.widget_info(|| WidgetInfo::labeled(Role::TextInput, true, SEARCH));
         if std::mem::take(&mut state.is_fresh) {
             field.request_focus();
         }
@@ -70,7 +73,7 @@ fn cut_off(ui: &mut egui::Ui, leftovers: &[String], wishes: &mut Vec<Wish>) {
     if leftovers.is_empty() {
         return;
     }
-    ui.label(RichText::new("Sessions that were cut off").color(TEXT).strong());
+    ui.label(RichText::new("Sessions that were cut off").color(colors(ui).text).strong());
     for (place, line) in leftovers.iter().enumerate() {
         ui.horizontal(|ui| {
             if ui.button("Go on").on_hover_text("as it was when it was cut off").clicked() {
@@ -79,7 +82,7 @@ fn cut_off(ui: &mut egui::Ui, leftovers: &[String], wishes: &mut Vec<Wish>) {
             if ui.button("Discard").clicked() {
                 wishes.push(Wish::DiscardLeftover(place));
             }
-            ui.add(Label::new(RichText::new(line).color(WEAK)).truncate().selectable(false));
+            ui.add(Label::new(RichText::new(line).color(colors(ui).weak)).truncate().selectable(false));
         });
     }
     ui.add_space(10.0);
@@ -90,7 +93,10 @@ fn nothing(ui: &mut egui::Ui, height: f32, search: &mut String) {
     ui.vertical_centered(|ui| {
         ui.add_space(0.4 * height);
         let looked_for = search.trim();
-        ui.add(Label::new(RichText::new(format!("Nothing is called “{looked_for}”")).color(TEXT).strong()).wrap());
+        ui.add(
+            Label::new(RichText::new(format!("Nothing is called “{looked_for}”")).color(colors(ui).text).strong())
+                .wrap(),
+        );
         ui.weak("names, descriptions and what to try are searched");
         ui.add_space(8.0);
         if ui.button("Clear the search").clicked() {
@@ -155,19 +161,22 @@ fn card(ui: &mut egui::Ui, entry: &Entry, state: &PanelState, (is_open, is_chose
             let is_hovered = ui.response().hovered();
             if is_open || is_chosen || is_hovered {
                 let color = match (is_chosen, is_open) {
-                    (true, _) => TEXT,
-                    (_, true) => ACCENT,
-                    _ => WEAK,
+                    (true, _) => colors(ui).text,
+                    (_, true) => colors(ui).accent,
+                    _ => colors(ui).weak,
                 };
                 let stroke = egui::Stroke::new(if is_chosen { 3.0 } else { 2.0 }, color);
                 painter.rect_stroke(rect, 8.0, stroke, egui::StrokeKind::Inside);
             }
-            ui.add(Label::new(RichText::new(entry.title).color(TEXT).strong()).selectable(false));
-            ui.add(Label::new(RichText::new(entry.description).color(WEAK).size(12.0)).wrap().selectable(false));
-            let to_try = RichText::new(format!("Try: {}", entry.to_try)).color(TEXT).size(12.0);
+            ui.add(Label::new(RichText::new(entry.title).color(colors(ui).text).strong()).selectable(false));
+            ui.add(
+                Label::new(RichText::new(entry.description).color(colors(ui).weak).size(12.0)).wrap().selectable(false),
+            );
+            let to_try = RichText::new(format!("Try: {}", entry.to_try)).color(colors(ui).text).size(12.0);
             ui.add(Label::new(to_try).wrap().selectable(false));
         });
     });
+    card.response.widget_info(|| WidgetInfo::selected(Role::Button, true, is_open, entry.title));
     card.response
 }
 

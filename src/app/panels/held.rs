@@ -3,7 +3,7 @@
 use egui::{Align2, Area, CornerRadius, FontId, Id, Rect, RichText, Sense, StrokeKind, vec2};
 
 use super::Facts;
-use super::theme::{ACCENT, ON_ACCENT, TEXT, WEAK, floating};
+use super::theme::{colors, floating};
 use crate::sim::Key;
 
 /// Side of a cap `[points]`.
@@ -16,9 +16,9 @@ pub(super) fn show(context: &egui::Context, room: Rect, facts: &Facts) {
     let up = room.height() - context.content_rect().height() - 4.0;
     let place = Area::new(Id::unique("held keys")).anchor(Align2::CENTER_BOTTOM, [0.0, up]).interactable(false);
     place.show(context, |ui| {
-        floating().show(ui, |ui| {
+        floating(ui).show(ui, |ui| {
             ui.horizontal(|ui| {
-                ui.label(RichText::new("hold").color(WEAK));
+                ui.label(RichText::new("hold").color(colors(ui).weak));
                 facts.keys.iter().for_each(|&(key, is_held)| cap(ui, key, is_held));
             });
         });
@@ -31,10 +31,10 @@ fn cap(ui: &mut egui::Ui, key: Key, is_held: bool) {
     let (rect, _) = ui.allocate_exact_size(vec2(width, CAP), Sense::hover());
     let corner = CornerRadius::same(5);
     if is_held {
-        ui.painter().rect_filled(rect, corner, ACCENT);
+        ui.painter().rect_filled(rect, corner, colors(ui).accent);
     }
-    ui.painter().rect_stroke(rect, corner, egui::Stroke::new(1.2, WEAK), StrokeKind::Inside);
-    let color = if is_held { ON_ACCENT } else { TEXT };
+    ui.painter().rect_stroke(rect, corner, egui::Stroke::new(1.2, colors(ui).weak), StrokeKind::Inside);
+    let color = if is_held { colors(ui).on_accent } else { colors(ui).text };
     if let Some(turn) = arrow(key) {
         let at = |x: f32, y: f32| rect.center() + 0.26 * CAP * egui::emath::Rot2::from_angle(turn) * vec2(x, y);
         let stroke = egui::Stroke::new(1.8, color);

@@ -2,7 +2,7 @@
 
 use egui::{Grid, Rect, RichText, ScrollArea};
 
-use super::theme::ACCENT;
+use super::theme::colors;
 use super::{PanelState, sheet};
 use crate::app::keys::{TABLE, by_mouse};
 
@@ -13,7 +13,7 @@ pub(super) fn show(context: &egui::Context, room: Rect, state: &mut PanelState) 
             Grid::new("keys").num_columns(2).spacing([22.0, 4.0]).show(ui, |ui| {
                 let keys = TABLE.iter().map(|binding| [binding.keys, binding.words]);
                 for [keys, words] in by_mouse().into_iter().chain(keys) {
-                    ui.label(RichText::new(keys).color(ACCENT).monospace());
+                    ui.label(RichText::new(keys).color(colors(ui).accent).monospace());
                     ui.label(words);
                     ui.end_row();
                 }

@@ -21,7 +21,7 @@ pub(super) fn show(context: &egui::Context, places: &mut Places, facts: &Facts) 
     let place = Area::new(id).anchor(Align2::RIGHT_TOP, [-10.0, places.right]).interactable(false);
     let shown = place.show(context, |ui| {
         let mut row = Rect::NOTHING;
-        floating().show(ui, |ui| {
+        floating(ui).show(ui, |ui| {
             egui::Grid::new("figures").num_columns(2).spacing([14.0, 1.0]).show(ui, |ui| {
                 for (name, value) in rows(facts) {
                     let label = ui.weak(name);

@@ -6,7 +6,7 @@ use egui::epaint::PathShape;
 use egui::{Color32, Painter, Pos2, Rect, Response, Role, Sense, Shape, Stroke, Ui, Vec2, WidgetInfo, vec2};
 
 use super::primitives;
-use super::theme::{ACCENT, ON_ACCENT};
+use super::theme::colors;
 use crate::app::action::Primitive;
 
 /// What is drawn.
@@ -33,6 +33,7 @@ pub(super) enum Icon {
     Gear,
     Plot,
     Book,
+    Close,
     Primitive(Primitive),
 }
 
@@ -43,11 +44,11 @@ pub(super) fn button(ui: &mut Ui, icon: Icon, name: &str, size: Vec2, is_on: boo
     response.widget_info(|| WidgetInfo::labeled(Role::Button, is_enabled, name));
     let visuals = ui.style().interact(&response);
     let fill = match (is_on, response.hovered()) {
-        (true, true) => ACCENT.gamma_multiply(0.85),
-        (true, false) => ACCENT,
+        (true, true) => colors(ui).accent.gamma_multiply(0.85),
+        (true, false) => colors(ui).accent,
         _ => visuals.weak_bg_fill,
     };
-    let color = if is_on { ON_ACCENT } else { visuals.fg_stroke.color };
+    let color = if is_on { colors(ui).on_accent } else { visuals.fg_stroke.color };
     ui.painter().rect_filled(rect, visuals.corner_radius, fill);
     paint(ui.painter(), icon, rect, color);
     response
@@ -169,6 +170,10 @@ fn paint(painter: &Painter, icon: Icon, rect: Rect, color: Color32) {
             }
             line(&[(0.0, -0.7), (0.0, 0.95)]);
         }
+        Icon::Close => {
+            line(&[(-0.6, -0.6), (0.6, 0.6)]);
+            line(&[(-0.6, 0.6), (0.6, -0.6)]);
+        }
         Icon::Primitive(primitive) => primitives::paint(painter, primitive, &at, stroke),
     }
 }
@@ -203,7 +208,7 @@ mod tests {
         for icon in all
             .into_iter()
             .chain(more)
-            .chain([Icon::Gear, Icon::Plot, Icon::Book])
+            .chain([Icon::Gear, Icon::Plot, Icon::Book, Icon::Close])
             .chain(Primitive::ALL.map(Icon::Primitive))
         {
             let mut output = context.run_ui(egui::RawInput::default(), |ui| {

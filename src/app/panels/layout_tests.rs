@@ -12,7 +12,7 @@ const SIZES: [[f32; 2]; 4] = [[1280.0, 720.0], [1024.0, 600.0], [720.0, 1280.0],
 /// What floats, and what is left for bodies, after sizes were found and panels faded in.
 fn laid(size: [f32; 2], state: &mut PanelState, facts: &Facts) -> (Vec<Rect>, Laid) {
     let context = egui::Context::default();
-    theme::apply(&context);
+    theme::apply(&context, Default::default());
     let input =
         egui::RawInput { screen_rect: Some(Rect::from_min_size(Pos2::ZERO, size.into())), ..egui::RawInput::default() };
     let mut left = Laid::default();

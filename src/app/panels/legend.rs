@@ -3,7 +3,7 @@
 use egui::{Align2, Area, Color32, FontId, Id, Mesh, Rect, Sense, Shape, Ui, pos2, vec2};
 
 use super::places::{APART, Places};
-use super::theme::{TEXT, WEAK, floating};
+use super::theme::{colors, floating};
 use crate::app::lengths::LengthUnit;
 use crate::render::{Color, Look};
 
@@ -16,13 +16,13 @@ pub(super) fn show(context: &egui::Context, places: &mut Places, look: &Look) {
     places.make_way(BAR[0] + 42.0);
     let place = Area::new(Id::unique("legend")).anchor(Align2::RIGHT_TOP, [-10.0, places.right]).interactable(false);
     let shown = place.show(context, |ui| {
-        floating().show(ui, |ui| {
+        floating(ui).show(ui, |ui| {
             ui.vertical(|ui| {
                 ui.horizontal(|ui| {
                     ui.set_width(BAR[0] + 24.0);
                     ui.weak("squeezed");
                     ui.add_space(50.0);
-                    ui.label(egui::RichText::new("strain").color(TEXT));
+                    ui.label(egui::RichText::new("strain").color(colors(ui).text));
                     ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| ui.weak("stretched"));
                 });
                 let (place, _) = ui.allocate_exact_size(vec2(BAR[0] + 24.0, BAR[1] + 17.0), Sense::hover());
@@ -30,11 +30,12 @@ pub(super) fn show(context: &egui::Context, places: &mut Places, look: &Look) {
                 ui.painter().add(Shape::mesh(shades(bar, &look.strain)));
                 for number in NUMBERS {
                     let x = bar.left() + bar.width() * (0.5 + 0.5 * share(0.01 * number, look));
-                    ui.painter().line_segment([pos2(x, bar.bottom()), pos2(x, bar.bottom() + 3.0)], (1.0, WEAK));
+                    ui.painter()
+                        .line_segment([pos2(x, bar.bottom()), pos2(x, bar.bottom() + 3.0)], (1.0, colors(ui).weak));
                     let words = if number == 0.0 { "0".to_owned() } else { format!("{number:+}") };
                     let words = if number == 30.0 { format!("{words} %") } else { words };
                     let at = pos2(x, bar.bottom() + 3.0);
-                    ui.painter().text(at, Align2::CENTER_TOP, words, FontId::proportional(11.0), TEXT);
+                    ui.painter().text(at, Align2::CENTER_TOP, words, FontId::proportional(11.0), colors(ui).text);
                 }
             });
         });
@@ -59,10 +60,10 @@ pub(super) fn of_distance(ui: &mut Ui, look: &Look) {
     ui.painter().add(Shape::mesh(shades(bar, &look.strain[middle..])));
     for share in SHARES {
         let x = bar.left() + bar.width() * (100.0 * share).asinh() / 100.0_f32.asinh();
-        ui.painter().line_segment([pos2(x, bar.bottom()), pos2(x, bar.bottom() + 3.0)], (1.0, WEAK));
+        ui.painter().line_segment([pos2(x, bar.bottom()), pos2(x, bar.bottom() + 3.0)], (1.0, colors(ui).weak));
         let words = of_length(share * look.difference_full, unit, share == 1.0);
         let at = pos2(x, bar.bottom() + 3.0);
-        ui.painter().text(at, Align2::CENTER_TOP, words, FontId::proportional(11.0), TEXT);
+        ui.painter().text(at, Align2::CENTER_TOP, words, FontId::proportional(11.0), colors(ui).text);
     }
 }
 

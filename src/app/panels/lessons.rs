@@ -2,12 +2,16 @@
 
 use std::collections::BTreeMap;
 
-use egui::{Align, Align2, Area, Button, Frame, Id, Label, Layout, Margin, Rect, RichText, ScrollArea, Sense, Ui};
+use egui::{
+    Align, Align2, Area, Button, Frame, Id, Label, Layout, Margin, Rect, RichText, Role, ScrollArea, Sense, Ui,
+    WidgetInfo,
+};
 
-use super::theme::{ACCENT, ON_ACCENT, TEXT, WEAK, floating};
+use super::theme::{colors, floating};
 use super::{Wish, described};
 use crate::app::action::Action;
 use crate::lessons::{Lesson, Step, lessons};
+use crate::scene::Scene;
 
 /// Width of the panel `[points]`.
 pub(super) const WIDTH: f32 = 270.0;
@@ -27,6 +31,20 @@ pub(in crate::app) struct At {
     pub(in crate::app) step: usize,
 }
 
+/// What another scene is to the lesson that is open, or was.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(in crate::app) enum Met {
+    /// Nothing.
+    Nothing,
+    /// It closed, and had opened the plots or not.
+    Left {
+        /// It had.
+        had_plots: bool,
+    },
+    /// It is open again, at this step.
+    Back(At),
+}
+
 /// What the panel keeps.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub(in crate::app) struct Lessons {
@@ -37,13 +55,42 @@ pub(in crate::app) struct Lessons {
     pub(in crate::app) plots: bool,
     /// The steps that lessons were left at.
     steps: BTreeMap<usize, usize>,
+    /// The step that was left for another scene, which is gone back to by one click.
+    pub(in crate::app) left: Option<At>,
 }
 
 impl Lessons {
     /// A step is shown from now on.
     pub(in crate::app) fn enter(&mut self, at: At) {
+        (self.is_open, self.left) = (true, None);
         self.lesson = Some(at.lesson);
         self.steps.insert(at.lesson, at.step);
+    }
+
+    /// The step that is open.
+    pub(in crate::app) fn open_at(&self) -> Option<At> {
+        let lesson = self.lesson.filter(|_| self.is_open)?;
+        Some(At { lesson, step: self.step(lesson) })
+    }
+
+    /// A scene is there that no step asked for: a lesson whose scene it is not closes, and one that was left comes back with its own.
+    pub(in crate::app) fn meet(&mut self, scene: &Scene) -> Met {
+        let is_of = |at: &At| {
+            let own = lessons().get(at.lesson).and_then(|lesson| lesson.scene(at.step));
+            own.is_some_and(|own| own.is_ok_and(|own| own == *scene))
+        };
+        if let Some(at) = self.open_at().filter(|at| !is_of(at)) {
+            // The list is what opens next.
+            (self.is_open, self.lesson, self.left) = (false, None, Some(at));
+            return Met::Left { had_plots: std::mem::take(&mut self.plots) };
+        }
+        match self.left.filter(is_of) {
+            Some(at) => {
+                self.enter(at);
+                Met::Back(at)
+            }
+            None => Met::Nothing,
+        }
     }
 
     /// The step that a lesson is at.
@@ -80,7 +127,7 @@ fn panel(
 ) -> f32 {
     let height = (height - HEAD).max(120.0);
     let shown = Area::new(Id::unique("lessons")).pivot(pivot).fixed_pos(corner).show(context, |ui| {
-        floating().show(ui, |ui| {
+        floating(ui).show(ui, |ui| {
             ui.set_width(width);
             header(ui, state, wishes);
             let open = state.lesson.and_then(|place| Some((place, lessons().get(place)?)));
@@ -99,7 +146,7 @@ fn panel(
 fn header(ui: &mut Ui, state: &mut Lessons, wishes: &mut Vec<Wish>) {
     ui.horizontal(|ui| {
         if state.lesson.is_none() {
-            ui.label(RichText::new("Lessons").color(TEXT).strong());
+            ui.label(RichText::new("Lessons").color(colors(ui).text).strong());
         } else if ui.button("All lessons").clicked() {
             state.lesson = None;
         }
@@ -121,16 +168,22 @@ fn list(ui: &mut Ui, state: &Lessons, height: f32, wishes: &mut Vec<Wish>) {
                 Frame::new().fill(fill).corner_radius(8.0).inner_margin(Margin::symmetric(8, 6)).show(ui, |ui| {
                     ui.set_width(ui.available_width());
                     ui.spacing_mut().item_spacing.y = 2.0;
-                    line(ui, RichText::new(&lesson.title).color(TEXT).strong());
-                    line(ui, RichText::new(&lesson.about).color(if is_hovered { TEXT } else { WEAK }).size(12.0));
+                    line(ui, RichText::new(&lesson.title).color(colors(ui).text).strong());
+                    line(
+                        ui,
+                        RichText::new(&lesson.about)
+                            .color(if is_hovered { colors(ui).text } else { colors(ui).weak })
+                            .size(12.0),
+                    );
                     let count = lesson.steps.len();
                     let said = match state.steps.get(&place) {
                         Some(step) => format!("at step {} of {count}", step + 1),
                         None => format!("{count} steps"),
                     };
-                    line(ui, RichText::new(said).color(ACCENT).size(12.0));
+                    line(ui, RichText::new(said).color(colors(ui).accent).size(12.0));
                 });
             });
+            card.response.widget_info(|| WidgetInfo::labeled(Role::Button, true, &lesson.title));
             if card.response.clicked() {
                 wishes.push(Wish::Learn(At { lesson: place, step: state.step(place) }));
             }
@@ -146,7 +199,7 @@ fn line(ui: &mut Ui, words: RichText) {
 /// A step, with what leads to others below it.
 fn of_lesson(ui: &mut Ui, lesson: &Lesson, at: At, height: f32, wishes: &mut Vec<Wish>) {
     let Some(step) = lesson.steps.get(at.step) else { return };
-    line(ui, RichText::new(&lesson.title).color(WEAK).size(12.0));
+    line(ui, RichText::new(&lesson.title).color(colors(ui).weak).size(12.0));
     let height = (height - 96.0).max(60.0);
     let scroll = ScrollArea::vertical().id_salt((at.lesson, at.step)).max_height(height).min_scrolled_height(height);
     scroll.show(ui, |ui| {
@@ -161,9 +214,9 @@ fn of_lesson(ui: &mut Ui, lesson: &Lesson, at: At, height: f32, wishes: &mut Vec
         if ui.add_enabled(at.step > 0, Button::new("Back")).clicked() {
             wishes.push(go(at.step.saturating_sub(1)));
         }
-        ui.label(RichText::new(format!("step {} of {}", at.step + 1, lesson.steps.len())).color(WEAK));
+        ui.label(RichText::new(format!("step {} of {}", at.step + 1, lesson.steps.len())).color(colors(ui).weak));
         ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
-            let next = Button::new(RichText::new("Next").color(ON_ACCENT)).fill(ACCENT);
+            let next = Button::new(RichText::new("Next").color(colors(ui).on_accent)).fill(colors(ui).accent);
             let is_last = at.step + 1 == lesson.steps.len();
             if !is_last && ui.add(next).clicked() {
                 wishes.push(go(at.step + 1));
@@ -176,13 +229,13 @@ fn of_lesson(ui: &mut Ui, lesson: &Lesson, at: At, height: f32, wishes: &mut Vec
 }
 
 fn of_step(ui: &mut Ui, step: &Step) {
-    line(ui, RichText::new(&step.heading).color(TEXT).heading());
-    line(ui, RichText::new(&step.text).color(TEXT));
+    line(ui, RichText::new(&step.heading).color(colors(ui).text).heading());
+    line(ui, RichText::new(&step.text).color(colors(ui).text));
     if let Some(formula) = &step.formula {
         let ground = Frame::new().fill(ui.visuals().extreme_bg_color).corner_radius(6.0);
         ground.inner_margin(Margin::symmetric(8, 6)).show(ui, |ui| {
             ui.set_width(ui.available_width());
-            line(ui, RichText::new(formula).color(TEXT).monospace());
+            line(ui, RichText::new(formula).color(colors(ui).text).monospace());
         });
     }
     part(ui, "Try", [&*step.to_try]);
@@ -197,7 +250,7 @@ fn part<'a>(ui: &mut Ui, name: &str, lines: impl IntoIterator<Item = &'a str>) {
     ui.add_space(3.0);
     ui.scope(|ui| {
         ui.spacing_mut().item_spacing.y = 2.0;
-        line(ui, RichText::new(name).color(ACCENT).size(12.0));
-        lines.into_iter().for_each(|words| line(ui, RichText::new(words).color(TEXT)));
+        line(ui, RichText::new(name).color(colors(ui).accent).size(12.0));
+        lines.into_iter().for_each(|words| line(ui, RichText::new(words).color(colors(ui).text)));
     });
 }

@@ -5,7 +5,7 @@ use egui::{Color32, Event, FontId, Pos2, Rect, Shape};
 
 use super::lessons::{self, At, Lessons};
 use super::pointer::click;
-use super::theme::{self, ACCENT, ON_ACCENT, PANEL};
+use super::theme::{self, colors};
 use super::{Wish, settings};
 use crate::app::action::Action;
 use crate::app::plots::{Plots, Quantity, Subject};
@@ -27,7 +27,7 @@ struct Screen {
 impl Screen {
     fn new() -> Self {
         let context = egui::Context::default();
-        theme::apply(&context);
+        theme::apply(&context, Default::default());
         let mut screen = Screen { context, state: Lessons::default(), at_edge: 0.0 };
         screen.rest();
         screen
@@ -115,6 +115,7 @@ fn a_lesson_is_chosen_gone_through_and_left_where_it_is() {
 #[test]
 fn every_step_is_whole_readable_and_beside_the_middle() {
     let mut screen = Screen::new();
+    let colors = colors(&screen.context);
     for (lesson, steps) in lessons().iter().map(|lesson| lesson.steps.len()).enumerate() {
         for at in (0..steps).map(|step| At { lesson, step }) {
             screen.enter(at);
@@ -123,7 +124,7 @@ fn every_step_is_whole_readable_and_beside_the_middle() {
             for (text, place, is_seen, color) in &words {
                 assert!(is_seen, "{at:?}: {text} is cut off");
                 assert!(place.left() > free && place.bottom() < SIZE[1] - BAR, "{at:?}: {text} at {place}");
-                let ground = if *color == ON_ACCENT { ACCENT } else { PANEL };
+                let ground = if *color == colors.on_accent { colors.accent } else { colors.panel };
                 assert!(text == "Back" || contrast(*color, ground) >= 4.5, "{at:?}: {text}: {color:?}");
             }
             for rows in lessons()[lesson].steps[at.step].formula.iter() {

@@ -6,7 +6,7 @@ use egui::{
 };
 
 use super::places::ToolRooms;
-use super::theme::{ACCENT, TEXT, WEAK, floating};
+use super::theme::{colors, floating};
 use super::{Facts, PanelState, Wish, described};
 use crate::app::action::Action;
 use crate::app::count::counted;
@@ -72,13 +72,14 @@ pub(super) fn show(
     let is_right = state.matter_is_right && facts.matter.is_some();
     let room = if is_right { rooms.right } else { rooms.left };
     Area::new(id).fixed_pos(corners[usize::from(is_right)]).constrain_to(room).show(context, |ui| {
-        floating().show(ui, |ui| {
+        floating(ui).show(ui, |ui| {
             ui.set_width(WIDTH);
             let height = (room.height() - 24.0).max(120.0);
             ScrollArea::vertical().max_height(height).min_scrolled_height(height).show(ui, |ui| match &facts.matter {
                 Some(matter) => {
                     let fold = CollapsingState::load_with_default_open(ui.ctx(), Id::unique("matter is open"), true);
-                    let header = fold.show_header(ui, |ui| ui.label(RichText::new(title(matter)).color(TEXT).strong()));
+                    let header = fold
+                        .show_header(ui, |ui| ui.label(RichText::new(title(matter)).color(colors(ui).text).strong()));
                     header.body_unindented(|ui| of_selection(ui, matter, facts, &mut sink));
                 }
                 None => of_nothing(ui, facts, &mut sink),
@@ -92,15 +93,15 @@ pub(super) fn show_brush(context: &egui::Context, tools: Rect, facts: &Facts, wi
     let corner = tools.right_top() + egui::vec2(8.0, 0.0);
     let mut brush = facts.brush;
     Area::new(Id::unique("brush")).fixed_pos(corner).show(context, |ui| {
-        floating().show(ui, |ui| {
+        floating(ui).show(ui, |ui| {
             ui.set_width(WIDTH);
             ui.spacing_mut().slider_width = 120.0;
-            ui.label(RichText::new("Material brush").color(TEXT).strong());
-            ui.label(RichText::new("drag over bodies: they become").color(WEAK));
+            ui.label(RichText::new("Material brush").color(colors(ui).text).strong());
+            ui.label(RichText::new("drag over bodies: they become").color(colors(ui).weak));
             if let (_, Some(preset)) = presets(ui, Some(brush.preset)) {
                 brush.preset = preset;
             }
-            ui.label(RichText::new(brush.preset.words()).color(WEAK));
+            ui.label(RichText::new(brush.preset.words()).color(colors(ui).weak));
             let [least, most] = RADII;
             ui.add(Slider::new(&mut brush.radius, least..=most).max_decimals(0).suffix(" px").text("radius"));
         });
@@ -112,8 +113,8 @@ pub(super) fn show_brush(context: &egui::Context, tools: Rect, facts: &Facts, wi
 
 /// How to select, where nothing is.
 fn of_nothing(ui: &mut Ui, facts: &Facts, sink: &mut Sink<'_>) {
-    ui.label(RichText::new("Select").color(TEXT).strong());
-    ui.label(RichText::new("click a body or an obstacle, or drag beside them").color(WEAK));
+    ui.label(RichText::new("Select").color(colors(ui).text).strong());
+    ui.label(RichText::new("click a body or an obstacle, or drag beside them").color(colors(ui).weak));
     ui.horizontal(|ui| {
         for (is_lasso, name) in [(false, "Box"), (true, "Free stroke")] {
             let choice = ui.selectable_label(facts.draws_lasso == is_lasso, name);
@@ -125,7 +126,7 @@ fn of_nothing(ui: &mut Ui, facts: &Facts, sink: &mut Sink<'_>) {
             sink.act(Action::SelectAll);
         }
     });
-    ui.label(RichText::new("Shift adds to what is selected").color(WEAK));
+    ui.label(RichText::new("Shift adds to what is selected").color(colors(ui).weak));
 }
 
 fn of_selection(ui: &mut Ui, matter: &Matter, facts: &Facts, sink: &mut Sink<'_>) {
@@ -153,7 +154,9 @@ fn of_selection(ui: &mut Ui, matter: &Matter, facts: &Facts, sink: &mut Sink<'_>
         let mass = Span { least: matter.mass, most: matter.mass };
         number(ui, ("mass", " kg"), Some(mass), sink, |x| (x > 0.0).then_some(MatterChange::Mass(x)));
         if let Some(density) = matter.density() {
-            row(ui, "", |ui, _| _ = ui.label(RichText::new(format!("{} kg/m²", short(density))).color(WEAK)));
+            row(ui, "", |ui, _| {
+                _ = ui.label(RichText::new(format!("{} kg/m²", short(density))).color(colors(ui).weak))
+            });
         }
         kinds(ui, matter, sink);
     }
@@ -164,7 +167,7 @@ fn of_selection(ui: &mut Ui, matter: &Matter, facts: &Facts, sink: &mut Sink<'_>
     share(ui, "friction", 2.0, matter.friction, sink, MatterChange::Friction);
     share(ui, "restitution", 1.0, matter.restitution, sink, MatterChange::Restitution);
     if matter.points > 0 && matter.friction.is_none() && facts.dimensions == 2 {
-        ui.label(RichText::new("bodies pass through each other: G, to let them meet").color(WEAK));
+        ui.label(RichText::new("bodies pass through each other: G, to let them meet").color(colors(ui).weak));
     }
     if matter.points > 0 {
         color(ui, matter, facts.drawn_color, sink);
@@ -185,7 +188,7 @@ fn presets(ui: &mut Ui, chosen: Option<Preset>) -> (Option<Response>, Option<Pre
         ui.spacing_mut().item_spacing.x = 5.0;
         for preset in Preset::ALL {
             let [red, green, blue] = preset.color();
-            let edge = if chosen == Some(preset) { ACCENT } else { Color32::TRANSPARENT };
+            let edge = if chosen == Some(preset) { colors(ui).accent } else { Color32::TRANSPARENT };
             let text = RichText::new(preset.name()).color(Color32::from_rgb(18, 22, 30));
             let button = Button::new(text)
                 .fill(Color32::from_rgb(red, green, blue))
@@ -234,7 +237,7 @@ fn kinds(ui: &mut Ui, matter: &Matter, sink: &mut Sink<'_>) {
         }
     });
     if rigid.min(springs) > 0 {
-        row(ui, "", |ui, _| _ = ui.label(RichText::new("some of each").color(WEAK)));
+        row(ui, "", |ui, _| _ = ui.label(RichText::new("some of each").color(colors(ui).weak)));
     }
 }
 
@@ -334,8 +337,8 @@ fn color(ui: &mut Ui, matter: &Matter, drawn: Option<[u8; 3]>, sink: &mut Sink<'
             sink.set(&by, MatterChange::Color(color));
         }
         match matter.color {
-            Coloring::Palette => _ = ui.label(RichText::new("its own").color(WEAK)),
-            Coloring::Mixed => _ = ui.label(RichText::new("mixed").color(WEAK)),
+            Coloring::Palette => _ = ui.label(RichText::new("its own").color(colors(ui).weak)),
+            Coloring::Mixed => _ = ui.label(RichText::new("mixed").color(colors(ui).weak)),
             Coloring::One(_) => {}
         }
     });

@@ -53,18 +53,17 @@ use super::matter::{Matter, MatterChange};
 use super::player::{Figures, MethodSetting};
 use super::plots::Plots;
 use super::tools::{Brush, Drives, Links, PushWay};
-use crate::render::{Look, Overlay};
+use crate::render::{Look, Overlay, Palette};
 use crate::scene::{BesideKeys, SolverName};
 use crate::sim::Key;
 pub(super) use asking::show as ask;
 pub(super) use beside::{Misfits, Neighbor, solvers};
 pub(super) use gallery::{THUMBNAIL, search_id};
 use icons::Icon;
-pub(super) use lessons::{At, Lessons};
+pub(super) use lessons::{At, Lessons, Met};
 pub(super) use notes::Notes;
-use open_from::OpenFrom;
-pub(super) use open_from::meant;
-pub(super) use parameters::value as parameter_value;
+pub(super) use open_from::{OpenFrom, meant};
+pub(super) use parameters::all as parameters;
 use places::Places;
 pub(super) use places::{Laid, covered, kept_in};
 pub(super) use plots::{PlotsAt, figure};
@@ -180,11 +179,11 @@ pub(super) struct PanelState {
     /// Where their panel lies.
     pub(super) plots_at: PlotsAt,
     pub(super) lessons: Lessons,
+    /// What is looked for in the settings.
+    pub(super) settings_search: String,
     /// The setting that is being dragged.
     pub(super) gesture: Option<egui::Id>,
     pub(super) hides_hud: bool,
-    /// What is said of how bodies are moved is open, not one short line.
-    pub(super) has_moving: bool,
     /// What is looked for in the gallery.
     pub(super) search: String,
     /// The scene that Enter opens in the gallery, by its place among those that are found.
@@ -239,6 +238,8 @@ pub(super) struct Facts {
     pub(super) keys: Vec<(Key, bool)>,
     /// How the world looks.
     pub(super) look: Look,
+    /// In which colours.
+    pub(super) palette: Palette,
     /// How bodies are shown.
     pub(super) showing: Showing,
     /// The scene is that of a picture, which can be cut out anew.
@@ -271,7 +272,7 @@ pub(super) struct Facts {
 pub(super) fn show(ui: &mut egui::Ui, state: &mut PanelState, facts: &Facts) -> (Vec<Wish>, Laid) {
     let mut wishes = Vec::new();
     if !state.hides_panels {
-        transport::show(ui, facts, &mut wishes);
+        transport::show(ui, &mut state.lessons.left, facts, &mut wishes);
     }
     let room = ui.available_rect_before_wrap();
     let context = ui.ctx().clone();
@@ -296,8 +297,6 @@ pub(super) fn show(ui: &mut egui::Ui, state: &mut PanelState, facts: &Facts) -> 
     let all_edge = panels_edge + takes(are_docked, plots::WIDTH);
     if !state.hides_hud && room.width() > 560.0 && !is_covered {
         hud::show(&context, &mut places, facts);
-        let notes = (&mut state.has_moving, facts);
-        moving::show(&context, [-10.0 - panels_edge, places.right], notes, &mut wishes);
     }
     if facts.look.overlay == Overlay::Strain && !is_covered {
         legend::show(&context, &mut places, &facts.look);
@@ -318,7 +317,8 @@ pub(super) fn show(ui: &mut egui::Ui, state: &mut PanelState, facts: &Facts) -> 
             places.below = plots::show_below(&context, places.below_buttons(), plots, &mut wishes);
         } else {
             let points = (&facts.points[..], &mut state.plots_at, are_docked);
-            let rect = plots::show(&context, places.low_beside(panels_edge), (plots, points), &mut wishes);
+            let high = places.right.max(places.bar_bottom());
+            let rect = plots::show(&context, (places.low_beside(panels_edge), high), (plots, points), &mut wishes);
             plotted = Some(rect).filter(|_| !are_docked);
         }
     }
@@ -344,7 +344,7 @@ pub(super) fn show(ui: &mut egui::Ui, state: &mut PanelState, facts: &Facts) -> 
     // Where plots were dragged to on purpose they may lie over bodies.
     let plotted = plotted.filter(|_| !state.plots_at.is_dragged());
     let free = (!is_covered).then(|| match has_panels {
-        true => places.free((all_edge, beside::height(facts)), plotted),
+        true => places.free((all_edge, beside::height(facts)), (state.notes.caption_end, plotted)),
         false => room,
     });
     let is_shared = !facts.neighbors.is_empty() && has_panels;

@@ -1,9 +1,9 @@
-//! Below the figures, as one short line that opens on a click: what moves bodies otherwise than by plan, what gave way to the load, what
+//! In the bar below, as one short line that opens on a click: what moves bodies otherwise than by plan, what gave way to the load, what
 //! the live step does beside moving. Nothing of it, nothing there.
 
-use egui::{Align2, Area, Button, Color32, Id, Label, RichText, Sense};
+use egui::{Button, Color32, Context, Label, Popup, PopupCloseBehavior, RectAlign, RichText, Sense, Ui};
 
-use super::theme::{AWAY, LEAD, TEXT, WEAK, floating};
+use super::theme::colors;
 use super::{Facts, Wish, short};
 use crate::app::player::{Acts, Figures, Moved, Movers, Rung, Yielded};
 use crate::sim::Why;
@@ -16,70 +16,71 @@ const WIDTH: f32 = 250.0;
 struct Line {
     words: String,
     figures: String,
-    color: Color32,
+    tone: Tone,
     offer: Option<Offer>,
+}
+
+/// How much it matters.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Tone {
+    Weak,
+    Text,
+    Lead,
+    Away,
+}
+
+impl Tone {
+    fn color(self, context: &Context) -> Color32 {
+        let colors = colors(context);
+        match self {
+            Tone::Weak => colors.weak,
+            Tone::Text => colors.text,
+            Tone::Lead => colors.lead,
+            Tone::Away => colors.away,
+        }
+    }
 }
 
 /// A button: its words, what it does, and what is asked for.
 type Offer = (&'static str, &'static str, Wish);
 
-/// Shows it so far from the upper right corner `[points]`. A click on the short line opens the others, or closes them; while they are
-/// closed they are read by resting on it.
-pub(super) fn show(
-    context: &egui::Context,
-    off: [f32; 2],
-    (is_open, facts): (&mut bool, &Facts),
-    wishes: &mut Vec<Wish>,
-) {
+/// Shows the short line in the bar below: resting on it reads the others, a click opens them above it until something else is clicked.
+pub(super) fn show(ui: &mut Ui, facts: &Facts, wishes: &mut Vec<Wish>) {
     let lines = lines(&facts.figures);
     if lines.is_empty() {
         return;
     }
-    Area::new(Id::unique("moving")).anchor(Align2::RIGHT_TOP, off).show(context, |ui| {
-        floating().show(ui, |ui| {
-            ui.set_max_width(WIDTH);
-            ui.vertical(|ui| {
-                let (words, color) = in_short(&facts.figures, lines.len());
-                let sign = if *is_open { "−" } else { "+" };
-                let button = ui.add(Button::new(RichText::new(format!("{words}  {sign}")).color(color)).frame(false));
-                let button = match *is_open {
-                    true => button.on_hover_text("a click closes this"),
-                    false => button.on_hover_ui(|ui| {
-                        ui.set_max_width(WIDTH);
-                        for Line { words, color, .. } in &lines {
-                            ui.add(Label::new(RichText::new(words).color(*color)).wrap());
-                        }
-                    }),
-                };
-                if button.clicked() {
-                    *is_open = !*is_open;
-                }
-                if !*is_open {
-                    return;
-                }
-                for Line { words, figures, color, offer } in lines {
-                    let label = Label::new(RichText::new(words).color(color)).wrap().selectable(false);
-                    ui.add(label.sense(Sense::hover())).on_hover_text(figures);
-                    if let Some((name, said, wish)) = offer
-                        && ui.button(name).on_hover_text(said).clicked()
-                    {
-                        wishes.push(wish);
-                    }
-                }
-            });
-        });
+    let (words, tone) = in_short(&facts.figures, lines.len());
+    let button = ui.add(Button::new(RichText::new(words).color(tone.color(ui))));
+    let button = button.on_hover_ui(|ui| {
+        ui.set_max_width(WIDTH);
+        for Line { words, tone, .. } in &lines {
+            ui.add(Label::new(RichText::new(words).color(tone.color(ui))).wrap());
+        }
+    });
+    let popup = Popup::from_toggle_button_response(&button).align(RectAlign::TOP_END).width(WIDTH);
+    popup.close_behavior(PopupCloseBehavior::CloseOnClickOutside).show(|ui| {
+        for Line { words, figures, tone, offer } in lines {
+            let label = Label::new(RichText::new(words).color(tone.color(ui))).wrap().selectable(false);
+            ui.add(label.sense(Sense::hover())).on_hover_text(figures);
+            if let Some((name, said, wish)) = offer
+                && ui.button(name).on_hover_text(said).clicked()
+            {
+                wishes.push(wish);
+            }
+        }
     });
 }
 
 /// How it is computed in a word, and how many notes there are on that.
-fn in_short(figures: &Figures, notes: usize) -> (String, Color32) {
+fn in_short(figures: &Figures, notes: usize) -> (String, Tone) {
     let has = |why: &[Why]| figures.movers.moved.iter().any(|one| why.contains(&one.why));
     let (word, color) = match () {
-        () if has(&[Why::NotFinite]) => (Some("frozen"), AWAY),
-        () if figures.yielded.is_some() => (Some("rougher, to keep up"), LEAD),
-        () if has(&[Why::Budget, Why::Alarm]) => (Some("quick"), WEAK),
-        () if has(&[Why::Contact, Why::Plan]) => (Some("with collisions"), WEAK),
-        () => (None, WEAK),
+        () if has(&[Why::NotFinite]) => (Some("frozen"), Tone::Away),
+        () if figures.yielded.is_some() => (Some("rougher, to keep up"), Tone::Lead),
+        () if has(&[Why::Budget, Why::Alarm]) => (Some("quick"), Tone::Weak),
+        () if has(&[Why::Contact, Why::Plan]) => (Some("with collisions"), Tone::Weak),
+        () => (None, Tone::Weak),
     };
     let notes = if notes == 1 { "1 note".to_owned() } else { format!("{notes} notes") };
     (word.map_or_else(|| notes.clone(), |word| format!("{word}, {notes}")), color)
@@ -110,7 +111,7 @@ fn relaxed(stiffness: f64) -> Line {
     Line {
         words: format!("Relaxed bonds give way like springs of {stiffness:.0} N/m at this substep and these sweeps"),
         figures: "measured on a bond in the middle of the list as the scene begins".to_owned(),
-        color: WEAK,
+        tone: Tone::Weak,
         offer: None,
     }
 }
@@ -127,7 +128,7 @@ fn told(&Moved { why, islands, since }: &Moved, all: usize) -> Line {
     let by = |one: &'static str, many: &'static str| if is_one { one } else { many };
     let [since, last] = since.map(|time| format!("{time:.1}\u{a0}s"));
     let since = if since == last { format!("since {since}") } else { format!("since {since}, the last since {last}") };
-    let (words, how, color) = match why {
+    let (words, how, tone) = match why {
         Why::Budget => (
             format!(
                 "{who} {} too much to compute exactly: a quicker, rougher way moves {}",
@@ -135,17 +136,17 @@ fn told(&Moved { why, islands, since }: &Moved, all: usize) -> Line {
                 by("it", "them")
             ),
             "the live step: a bounded amount of work a frame",
-            TEXT,
+            Tone::Text,
         ),
         Why::Alarm => (
             format!("{who} went wild when computed exactly: a sturdier way moves {}", by("it", "them")),
             "the live step: its own method gained energy, stretched bonds too far or came to no end",
-            TEXT,
+            Tone::Text,
         ),
         Why::Contact | Why::Plan => (
             format!("{who} can touch others: a way that knows collisions moves {}", by("it", "them")),
             "the live step, in substeps of 1/960 s or less: the exact methods know no collisions",
-            WEAK,
+            Tone::Weak,
         ),
         Why::NotFinite => (
             format!(
@@ -154,10 +155,10 @@ fn told(&Moved { why, islands, since }: &Moved, all: usize) -> Line {
                 by("it", "them")
             ),
             "the positions were no finite numbers any more",
-            AWAY,
+            Tone::Away,
         ),
     };
-    Line { words, figures: format!("{since}: {how}"), color, offer: None }
+    Line { words, figures: format!("{since}: {how}"), tone, offer: None }
 }
 
 /// What gave way, and to what.
@@ -168,7 +169,7 @@ fn gave_way(&Yielded { rung, since, work }: &Yielded) -> Line {
     };
     let cause = work.map_or(String::new(), |work| format!(": {} of work a frame", short(work)));
     let figures = format!("{how} since {since:.1}\u{a0}s{cause}");
-    Line { words: words.to_owned(), figures, color: LEAD, offer: None }
+    Line { words: words.to_owned(), figures, tone: Tone::Lead, offer: None }
 }
 
 /// What was done of late to keep bodies whole and apart.
@@ -176,7 +177,7 @@ fn done(&Acts { cut, guarded, mends, parts, settles }: &Acts) -> Vec<Line> {
     let times = |count: u64| {
         if count == 1 { "once within a second".to_owned() } else { format!("{count} times within a second") }
     };
-    let line = |words: &str, figures: String| Line { words: words.to_owned(), figures, color: WEAK, offer: None };
+    let line = |words: &str, figures: String| Line { words: words.to_owned(), figures, tone: Tone::Weak, offer: None };
     let mut lines = Vec::new();
     if cut > 0 {
         lines.push(line("Something fast was stopped before it went through another body", times(cut)));
@@ -205,6 +206,9 @@ fn done(&Acts { cut, guarded, mends, parts, settles }: &Acts) -> Vec<Line> {
 #[cfg(test)]
 mod tests {
     use std::sync::Arc;
+
+    use egui_kittest::Harness;
+    use egui_kittest::kittest::Queryable as _;
 
     use super::*;
 
@@ -242,33 +246,23 @@ mod tests {
     }
 
     #[test]
-    fn it_opens_on_a_click_and_stays_open() {
+    fn it_opens_on_a_click_and_closes_on_another() {
         let figures = Figures { acts: Acts { settles: true, ..Acts::default() }, ..Figures::default() };
         let facts = Facts { figures, ..Facts::default() };
-        let context = egui::Context::default();
-        let (mut is_open, mut high) = (false, Vec::new());
-        let frame = |events: Vec<egui::Event>, is_open: &mut bool| {
-            let screen = egui::Rect::from_min_size(egui::Pos2::ZERO, egui::vec2(900.0, 600.0));
-            let input = egui::RawInput { screen_rect: Some(screen), events, ..egui::RawInput::default() };
-            let mut shown =
-                context.run_ui(input, |ui| show(ui.ctx(), [-10.0, 20.0], (is_open, &facts), &mut Vec::new()));
-            shown.textures_delta.clear();
-            context.memory(|memory| memory.area_rect(Id::unique("moving"))).map_or(egui::Rect::NOTHING, |rect| rect)
-        };
-        for _ in 0..2 {
-            // It stands where it belongs once its size is known.
-            (0..2).for_each(|_| _ = frame(Vec::new(), &mut is_open));
-            let rect = frame(Vec::new(), &mut is_open);
-            high.push(rect.height());
-            let at = rect.left_top() + egui::vec2(20.0, 14.0);
-            frame(vec![egui::Event::PointerMoved(at)], &mut is_open);
-            for pressed in [true, false] {
-                let (button, modifiers) = (egui::PointerButton::Primary, egui::Modifiers::NONE);
-                frame(vec![egui::Event::PointerButton { pos: at, button, pressed, modifiers }], &mut is_open);
-            }
+        let mut harness = Harness::builder().with_size([900.0, 600.0]).build_ui(|ui| {
+            ui.add_space(500.0);
+            show(ui, &facts, &mut Vec::new());
+        });
+        harness.run();
+        for is_open in [true, false] {
+            harness.get_by_label("1 note").click();
+            harness.run();
+            // While the pointer rests on it all is read anyway.
+            harness.remove_cursor();
+            harness.run_steps(8);
+            let all = harness.query_by_label("Bodies that lie on each other come to rest");
+            assert_eq!(all.is_some(), is_open);
         }
-        assert!(!is_open, "opened, and closed again");
-        assert!(high[0] < 36.0 && high[1] > high[0] + 15.0, "{high:?}");
     }
 
     #[test]

@@ -5,9 +5,10 @@ use std::time::{Duration, Instant};
 use egui::{Align2, Area, Button, Id, Label, RichText};
 
 use super::places::{APART, Places, kept_in};
-use super::theme::{ACCENT, AWAY, LEAD, ON_ACCENT, TEXT, WEAK, floating};
+use super::theme::{colors, floating};
 use super::{Facts, Wish, button};
 use crate::app::action::Action;
+use crate::app::warnings::seen;
 
 /// What was just done is said so long, and what an edit warned of.
 const MOMENT: Duration = Duration::from_secs(4);
@@ -28,6 +29,8 @@ pub(in crate::app) struct Notes {
     warnings: Vec<(String, Instant)>,
     /// Nobody has touched this scene yet: its caption is shown.
     pub(in crate::app) has_caption: bool,
+    /// Where the caption of this scene ends, as it was last shown `[points]`.
+    pub(super) caption_end: Option<f32>,
     /// Nobody has touched anything yet: a line at the cursor says how, where the cursor is `[points]`.
     pub(in crate::app) hint_at: Option<egui::Pos2>,
 }
@@ -55,6 +58,12 @@ impl Notes {
     /// Another scene: what was said of the last one goes.
     pub(in crate::app) fn begin(&mut self) {
         self.warnings.clear();
+        self.caption_end = None;
+    }
+
+    /// An edit was undone: what was warned of goes, but for what is so still.
+    pub(in crate::app) fn take_back(&mut self, is_so: impl Fn(&str) -> bool) {
+        self.warnings.retain(|(line, _)| is_so(line));
     }
 
     /// When something that is said is to go by itself.
@@ -77,21 +86,22 @@ impl Notes {
             top = words(context, places.said(context, top), COMPLAINT, |ui| {
                 ui.horizontal(|ui| {
                     is_read = ui.button("Close").clicked();
-                    ui.label(RichText::new("!").color(AWAY).strong());
-                    ui.add(Label::new(RichText::new(complaint).color(TEXT)).wrap());
+                    ui.label(RichText::new("!").color(colors(ui).away).strong());
+                    ui.add(Label::new(RichText::new(complaint).color(colors(ui).text)).wrap());
                 });
             });
         } else if let Some((line, _)) = &self.done {
             top = words(context, places.said(context, top), DONE, |ui| {
-                ui.add(Label::new(RichText::new(line).color(ACCENT)).wrap());
+                ui.add(Label::new(RichText::new(line).color(colors(ui).accent)).wrap());
             });
         } else if let Some([seen, to_try]) =
             facts.caption.filter(|_| self.has_caption && self.offer.is_none() && !places.is_covered)
         {
             top = words(context, places.said(context, top), CAPTION, |ui| {
-                ui.add(Label::new(RichText::new(seen).color(TEXT)).wrap());
-                ui.add(Label::new(RichText::new(format!("Try: {to_try}")).color(WEAK)).wrap());
+                ui.add(Label::new(RichText::new(seen).color(colors(ui).text)).wrap());
+                ui.add(Label::new(RichText::new(format!("Try: {to_try}")).color(colors(ui).weak)).wrap());
             });
+            self.caption_end = Some(top);
             if facts.is_canvas {
                 top = words(context, places.said(context, top), CANVAS, |ui| {
                     button(ui, "Open the canvas", "paint over the body", Action::Paint, wishes);
@@ -110,7 +120,7 @@ impl Notes {
             let rect = kept_in(egui::Rect::from_min_size(at + egui::vec2(18.0, 18.0), size), Some(at), places.room);
             let place = Area::new(id).order(egui::Order::Tooltip).interactable(false);
             place.fixed_pos(rect.min).show(context, |ui| {
-                floating().show(ui, |ui| ui.label(RichText::new(HINT).color(TEXT)));
+                floating(ui).show(ui, |ui| ui.label(RichText::new(HINT).color(colors(ui).text)));
             });
         }
     }
@@ -137,8 +147,8 @@ fn warned(ui: &mut egui::Ui, warnings: &mut Vec<(String, Instant)>) {
             if ui.small_button("×").on_hover_text("close").clicked() {
                 is_closed = Some(place);
             }
-            ui.label(RichText::new("!").color(LEAD).strong());
-            ui.add(Label::new(RichText::new(warning).color(TEXT)).wrap());
+            ui.label(RichText::new("!").color(colors(ui).lead).strong());
+            ui.add(Label::new(RichText::new(seen(warning)).color(colors(ui).text)).wrap());
         });
     }
     is_closed.into_iter().for_each(|place| _ = warnings.remove(place));
@@ -146,9 +156,9 @@ fn warned(ui: &mut egui::Ui, warnings: &mut Vec<(String, Instant)>) {
 
 /// A session that was cut off.
 fn offer(ui: &mut egui::Ui, line: &str, wishes: &mut Vec<Wish>) {
-    ui.add(Label::new(RichText::new(line).color(TEXT)).wrap());
+    ui.add(Label::new(RichText::new(line).color(colors(ui).text)).wrap());
     ui.horizontal(|ui| {
-        let go_on = Button::new(RichText::new("Go on with it").color(ON_ACCENT)).fill(ACCENT);
+        let go_on = Button::new(RichText::new("Go on with it").color(colors(ui).on_accent)).fill(colors(ui).accent);
         if ui.add(go_on).clicked() {
             wishes.push(Wish::GoOnWithLeftover(0));
         }
@@ -166,7 +176,7 @@ fn words(context: &egui::Context, (at, width): (egui::Pos2, f32), name: &str, ad
     let can_be_pressed = [COMPLAINT, WARNED, CANVAS, OFFER].contains(&name);
     let place = Area::new(Id::unique(name)).pivot(Align2::CENTER_TOP).fixed_pos(at).interactable(can_be_pressed);
     let shown = place.show(context, |ui| {
-        floating().show(ui, |ui| {
+        floating(ui).show(ui, |ui| {
             ui.set_max_width(width - 20.0);
             ui.vertical_centered(add);
         });
@@ -189,6 +199,8 @@ mod tests {
         ["c", "d"].into_iter().for_each(|line| notes.warn(line.to_owned()));
         assert_eq!(said(&notes), ["d", "c", "the pins are 13 m apart"]);
         assert!(notes.until().is_some(), "it goes by itself");
+        notes.take_back(|line| line == "c");
+        assert_eq!(said(&notes), ["c"], "what an undo took back is said no more");
         notes.begin();
         assert_eq!(notes.until(), None);
     }

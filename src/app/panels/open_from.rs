@@ -4,7 +4,7 @@ use std::path::{Path, PathBuf};
 
 use egui::{Align, Button, Key, Label, Layout, RichText, ScrollArea, TextEdit};
 
-use super::theme::{ACCENT, AWAY, ON_ACCENT, WEAK};
+use super::theme::colors;
 use super::{PanelState, Wish, sheet};
 use crate::app::fetch::ENDINGS;
 
@@ -20,6 +20,15 @@ pub(in crate::app) struct OpenFrom {
     pub(in crate::app) fault: Option<String>,
     /// What the list is of, and the names in it, folders with a `/`.
     listed: Option<(String, Vec<String>)>,
+}
+
+impl OpenFrom {
+    /// With the path of a file: all that lies beside it is listed, as if it had been chosen there.
+    pub(in crate::app) fn at(path: &str) -> Self {
+        let folder = split(path).0;
+        let listed = (!folder.is_empty()).then(|| (path.to_owned(), found(&meant(folder), "")));
+        OpenFrom { fault: None, listed }
+    }
 }
 
 pub(super) fn show(context: &egui::Context, state: &mut PanelState, wishes: &mut Vec<Wish>) {
@@ -50,9 +59,9 @@ pub(super) fn show(context: &egui::Context, state: &mut PanelState, wishes: &mut
         list(ui, &names, state, wishes);
         // Its line is there before it is, so that the buttons stay where they are.
         let fault = state.open_from.fault.as_deref().unwrap_or(" ");
-        ui.add(Label::new(RichText::new(fault).color(AWAY)).wrap());
+        ui.add(Label::new(RichText::new(fault).color(colors(ui).away)).wrap());
         ui.horizontal(|ui| {
-            let open = Button::new(RichText::new("Open").color(ON_ACCENT)).fill(ACCENT);
+            let open = Button::new(RichText::new("Open").color(colors(ui).on_accent)).fill(colors(ui).accent);
             let is_entered = field.response.lost_focus() && ui.input(|input| input.key_pressed(Key::Enter));
             let has_name = !state.path.trim().is_empty();
             if (ui.add_enabled(has_name, open).clicked() || is_entered) && has_name {
@@ -105,7 +114,7 @@ fn list(ui: &mut egui::Ui, names: &[String], state: &mut PanelState, wishes: &mu
                 }
             }
             if names.is_empty() {
-                ui.label(RichText::new("nothing there begins so").color(WEAK));
+                ui.label(RichText::new("nothing there begins so").color(colors(ui).weak));
             }
         })
     });

@@ -44,7 +44,7 @@ pub(super) fn show(
     let middle = rooms.tools.center().y.max(rooms.left.top() + 0.5 * height);
     let place = Area::new(id).anchor(Align2::LEFT_CENTER, [10.0, middle - context.content_rect().center().y]);
     let shown = place.show(context, |ui| {
-        floating().show(ui, |ui| {
+        floating(ui).show(ui, |ui| {
             ui.spacing_mut().item_spacing.y = 4.0;
             for tool in Tool::ALL {
                 let (sign, name) = words(tool);

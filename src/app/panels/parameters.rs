@@ -3,7 +3,7 @@
 use egui::{Response, Slider, SliderClamping, Ui};
 
 use super::settings::Sink;
-use crate::app::player::Scenery;
+use crate::app::player::{Scenery, Shown};
 use crate::history::{Do, OneOrEach, SetKeys, Walls, Weather};
 use crate::scene::{BodyPart, BoundsKeys, ContactKeys, Meeting, OfBody, Parameter, Target, Vector, WindKeys};
 use crate::sim::{BondKind, Contact, MouseChange, SceneChange};
@@ -11,13 +11,18 @@ use crate::sim::{BondKind, Contact, MouseChange, SceneChange};
 /// A range whose ends are so far apart is gone through by factors `[1]`.
 const WIDE: f64 = 50.0;
 
+/// The numbers that a scene names, each as it is now.
+pub(in crate::app) fn all(named: &[Parameter], shown: &Shown, push: Option<[f64; 2]>) -> Vec<(Parameter, Option<f64>)> {
+    let in_world = |place: usize| shown.scenery.named.get(place).copied().flatten();
+    let of = |(place, parameter): (usize, &Parameter)| {
+        let value = value(&parameter.target, &shown.settings, push, &shown.scenery);
+        (parameter.clone(), value.or_else(|| in_world(place)))
+    };
+    named.iter().enumerate().map(of).collect()
+}
+
 /// The number that a parameter is now; `None` where what it is of has gone, and of bodies and obstacles, which the world itself is asked for.
-pub(in crate::app) fn value(
-    target: &Target,
-    scene: &SceneChange,
-    push: Option<[f64; 2]>,
-    scenery: &Scenery,
-) -> Option<f64> {
+pub(super) fn value(target: &Target, scene: &SceneChange, push: Option<[f64; 2]>, scenery: &Scenery) -> Option<f64> {
     let bond = |number: u32| scenery.bond(number);
     let spring = |number: u32| match bond(number)?.kind {
         BondKind::Spring { stiffness, damping } => Some([stiffness, damping]),
@@ -47,7 +52,7 @@ pub(in crate::app) fn value(
 
 /// Sliders with names and units; those whose things have gone are left out.
 pub(super) fn show(ui: &mut Ui, list: &[(Parameter, Option<f64>)], scene: &SceneChange, sink: &mut Sink<'_>) {
-    ui.strong("This scene");
+    ui.strong("Of this scene");
     for (parameter, value) in list {
         let Some(mut to) = *value else { continue };
         if parameter.target.is_switch() {
@@ -69,7 +74,6 @@ pub(super) fn show(ui: &mut Ui, list: &[(Parameter, Option<f64>)], scene: &Scene
             set(&by, &parameter.target, to, scene, sink);
         }
     }
-    ui.separator();
 }
 
 fn set(by: &Response, target: &Target, to: f64, scene: &SceneChange, sink: &mut Sink<'_>) {

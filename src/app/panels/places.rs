@@ -102,8 +102,12 @@ impl Places {
         };
         let left = beside(plots.is_some_and(|plots| plots.left() < self.room.left() + NEAR));
         let end = self.room.right() - EDGE - at_right;
-        let right = beside(plots.is_some_and(|plots| plots.right() > end - NEAR));
-        let right = right.with_max_x(end).with_min_y(self.right.min(right.bottom() - 160.0));
+        // Plots at the right edge lie below what belongs to a tool there, or above it.
+        let at_right = plots.filter(|plots| plots.right() > end - NEAR);
+        let above = at_right.filter(|plots| plots.center().y < self.room.center().y);
+        let right = beside(at_right.is_some() && above.is_none());
+        let top = above.map_or(self.right, |plots| plots.bottom() + APART);
+        let right = right.with_max_x(end).with_min_y(top.min(right.bottom() - 160.0));
         ToolRooms { tools: self.room.with_max_y(low), left, right }
     }
 
@@ -118,13 +122,19 @@ impl Places {
         self.room.with_max_y(self.below)
     }
 
-    /// Where bodies are shown, beside panels that take so much of the right edge, below titles so high, and where plots do not lie.
-    pub(super) fn free(&self, (at_right, titles): (f32, f32), plots: Option<Rect>) -> Rect {
+    /// Where bodies are shown, below the caption, beside panels that take so much of the right edge, below titles so high, and where plots do not lie.
+    pub(super) fn free(
+        &self,
+        (at_right, titles): (f32, f32),
+        (caption_end, plots): (Option<f32>, Option<Rect>),
+    ) -> Rect {
         let (left, right) = (self.room.left() + TOOLS + EDGE, self.room.right() - EDGE);
         let at_right = if at_right > 0.0 { at_right + EDGE } else { 0.0 };
         let right = (right - at_right).max(left + LEAST * (right - left));
         let said = if self.room.width() < NARROW { SAID_NARROW } else { SAID };
-        let top = (self.bar_bottom() + said + titles).min(self.room.center().y);
+        // A caption of many lines keeps its room when it is gone, so that nothing moves then.
+        let below = caption_end.unwrap_or(0.0).max(self.bar_bottom() + said);
+        let top = (below + titles).min(self.room.center().y);
         let all = Rect::from_min_max(pos2(left, top), pos2(right, self.above_dock().max(top + 40.0)));
         plots.map_or(all, |plots| largest_beside(all, plots.expand(APART)))
     }
@@ -267,9 +277,12 @@ mod tests {
         assert_eq!(places.of_tools(None, 0.0).tools.bottom(), 1236.0);
         places.below = 700.0;
         let rooms = places.of_tools(None, 0.0);
-        for bottom in
-            [rooms.tools.bottom(), rooms.left.bottom(), rooms.right.bottom(), places.free((0.0, 0.0), None).bottom()]
-        {
+        for bottom in [
+            rooms.tools.bottom(),
+            rooms.left.bottom(),
+            rooms.right.bottom(),
+            places.free((0.0, 0.0), (None, None)).bottom(),
+        ] {
             assert_eq!(bottom, 700.0 - APART);
         }
         assert_eq!(places.below_buttons().bottom(), 700.0 - APART, "the next one lies above it");

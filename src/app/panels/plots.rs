@@ -4,7 +4,7 @@ use egui::collapsing_header::CollapsingState;
 use egui::{Align, Align2, Area, AsIdSalt, Color32, Id, Layout, Pos2, Rect, RichText, Ui, Vec2, pos2, vec2};
 use egui_plot::{AxisHints, GridInput, GridMark, HoverPosition, Line, Plot, PlotPoints};
 
-use super::theme::{LINE, PROBES, TEXT, WEAK, floating};
+use super::theme::{Colors, colors, floating};
 use super::{Wish, described};
 use crate::app::action::Action;
 use crate::app::player::{Measured, Probe};
@@ -37,13 +37,19 @@ const UNKNOWN: &str = "The force of this bond is not known: where bodies meet, w
 
 /// What is plotted of the energies `[J]`.
 type OfEnergies = fn(&Measured) -> f64;
-/// The kinds of energy: colours that people who are blind to some tell apart, by Okabe and Ito.
-pub(super) const ENERGIES: [(&str, Color32, OfEnergies); 4] = [
-    ("kinetic", Color32::from_rgb(230, 159, 0), |measured| measured.energies.kinetic),
-    ("elastic", Color32::from_rgb(86, 180, 233), |measured| measured.energies.springs),
-    ("gravity", Color32::from_rgb(0, 158, 115), |measured| measured.energies.gravity),
-    ("sum", TEXT, |measured| measured.energies.sum()),
+/// The kinds of energy.
+pub(super) const ENERGIES: [(&str, OfEnergies); 4] = [
+    ("kinetic", |measured| measured.energies.kinetic),
+    ("elastic", |measured| measured.energies.springs),
+    ("gravity", |measured| measured.energies.gravity),
+    ("sum", |measured| measured.energies.sum()),
 ];
+
+/// Their colours, that of the sum last.
+pub(super) fn of_energies(colors: &Colors) -> [Color32; 4] {
+    let [kinetic, elastic, gravity] = colors.energies;
+    [kinetic, elastic, gravity, colors.text]
+}
 
 /// Where the panel lies: where few points are seen as it opens, then where it was dragged to.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -71,10 +77,10 @@ impl PlotsAt {
 /// Opacity of the panel: what lies below is seen `[1]`.
 const OPACITY: f32 = 0.8;
 
-/// Shows it in a room: where few points are, or, if it is docked, at the right edge. Returns where it lies `[points]`.
+/// Shows it in a room whose right edge is free from `top` on `[points]`: where few points are, or, if it is docked, at the right edge. Returns where it lies `[points]`.
 pub(super) fn show(
     context: &egui::Context,
-    room: Rect,
+    (room, top): (Rect, f32),
     (plots, (points, at, is_docked)): (&mut Plots, (&[Pos2], &mut PlotsAt, bool)),
     wishes: &mut Vec<Wish>,
 ) -> Rect {
@@ -83,7 +89,7 @@ pub(super) fn show(
     let lay = context.memory(|memory| memory.area_rect(id));
     let size = lay.map_or(vec2(WIDTH, high + HEAD), |rect| rect.size());
     // In the frame in which it opens it is not known yet where bodies are.
-    let found = || quiet(room, size, points);
+    let found = || quiet((room, top), size, points);
     let corner = match is_docked {
         true => pos2(room.right() - size.x - LEFT[1], room.bottom()),
         false => at.corner.unwrap_or_else(found),
@@ -107,7 +113,7 @@ pub(super) fn show_below(context: &egui::Context, room: Rect, plots: &mut Plots,
 
 /// The panel with a plot of this size.
 fn panel(ui: &mut Ui, size: [f32; 2], plots: &mut Plots, wishes: &mut Vec<Wish>) {
-    let ground = floating();
+    let ground = floating(ui);
     let fill = ground.fill.gamma_multiply(OPACITY);
     ground.fill(fill).show(ui, |ui| {
         ui.set_width(size[0]);
@@ -121,20 +127,23 @@ fn panel(ui: &mut Ui, size: [f32; 2], plots: &mut Plots, wishes: &mut Vec<Wish>)
     });
 }
 
-/// The left lower corner of a panel of this size in a room: of its places there, the first of those that the fewest points are in.
-fn quiet(room: Rect, size: Vec2, points: &[Pos2]) -> Pos2 {
+/// The left lower corner of a panel of this size in a room, whose right edge is free from `top` on: of its places there, at the lower edge and
+/// at the right one above, the first of those that the fewest points are in.
+fn quiet((room, top): (Rect, f32), size: Vec2, points: &[Pos2]) -> Pos2 {
     let left = LEFT[usize::from(room.height() >= TALL)];
     let across = [room.left() + left, room.right() - size.x - LEFT[1], room.center().x - 0.5 * size.x];
-    let places = across.map(|x| pos2(x, room.bottom()));
+    let [at_left, at_right, in_middle] = across.map(|x| pos2(x, room.bottom()));
+    let above = pos2(at_right.x, (top + size.y).min(room.bottom()));
+    let places = [at_left, at_right, in_middle, above];
     let inside = |corner: &Pos2| {
         let rect = Rect::from_min_size(*corner - vec2(0.0, size.y), size).expand(ROOM);
         points.iter().filter(|point| rect.contains(**point)).count()
     };
-    places.into_iter().min_by_key(inside).unwrap_or(places[0])
+    places.into_iter().min_by_key(inside).unwrap_or(at_left)
 }
 
 fn header(ui: &mut Ui, wishes: &mut Vec<Wish>) {
-    ui.label(RichText::new("Plots").color(TEXT).strong());
+    ui.label(RichText::new("Plots").color(colors(ui).text).strong());
     ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
         if ui.button("Close").on_hover_text(described("close the plots", Action::Plots)).clicked() {
             wishes.push(Wish::Act(Action::Plots));
@@ -171,14 +180,17 @@ fn legend(ui: &mut Ui, plots: &mut Plots) {
     ui.horizontal(|ui| {
         ui.set_min_height(ui.spacing().interact_size.y + 4.0);
         match plots.subject {
-            Subject::Energies => ENERGIES.into_iter().for_each(|(words, color, _)| _ = name(ui, words, color)),
+            Subject::Energies => {
+                let named = ENERGIES.into_iter().zip(of_energies(colors(ui)));
+                named.for_each(|((words, _), color)| _ = name(ui, words, color));
+            }
             Subject::Probes => {
-                for (place, (point, color)) in plots.probes().into_iter().zip(PROBES).enumerate() {
+                for (place, (point, color)) in plots.probes().into_iter().zip(colors(ui).probes).enumerate() {
                     let words = point.map(|probe| format!("{}: {}", place + 1, named(probe)));
                     words.iter().for_each(|words| _ = name(ui, words, color));
                 }
             }
-            Subject::Phase => _ = name(ui, "2 upwards, 1 across", TEXT),
+            Subject::Phase => _ = name(ui, "2 upwards, 1 across", colors(ui).text),
         }
         if plots.subject != Subject::Energies {
             ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
@@ -204,14 +216,15 @@ fn named(probe: Probe) -> String {
 fn plot(ui: &mut Ui, [width, height]: [f32; 2], plots: &Plots) {
     let [name, unit] = plots.quantity.words();
     let frame = match plots.subject {
-        Subject::Energies => frame("energies", ["s", "J"]),
-        Subject::Probes => frame(("probes", name), ["s", unit]),
-        Subject::Phase => frame(("phase", name), [unit, unit]),
+        Subject::Energies => frame("energies", ["s", "J"], colors(ui)),
+        Subject::Probes => frame(("probes", name), ["s", unit], colors(ui)),
+        Subject::Phase => frame(("phase", name), [unit, unit], colors(ui)),
     };
+    let colors = colors(ui);
     let shown = frame.width(width).height(height).show(ui, |ui| {
         // One measurement alone is a dot, as wide as a line.
         let width = if plots.series().iter().nth(1).is_some() { 1.5 } else { DOT };
-        for line in lines(plots) {
+        for line in lines(plots, colors) {
             // As a band what is steep would get thin.
             ui.line(line.width(width).allow_band(false));
         }
@@ -219,17 +232,18 @@ fn plot(ui: &mut Ui, [width, height]: [f32; 2], plots: &Plots) {
     if plots.lacks_force() {
         let place = shown.response.rect;
         let font = egui::FontId::proportional(12.0);
-        let galley = ui.fonts_mut(|fonts| fonts.layout(UNKNOWN.to_owned(), font, WEAK, place.width() - 70.0));
-        ui.painter().galley(place.center() - 0.5 * galley.size() + vec2(24.0, 0.0), galley, WEAK);
+        let weak = colors.weak;
+        let galley = ui.fonts_mut(|fonts| fonts.layout(UNKNOWN.to_owned(), font, weak, place.width() - 70.0));
+        ui.painter().galley(place.center() - 0.5 * galley.size() + vec2(24.0, 0.0), galley, weak);
     }
 }
 
 /// A plot without curves, which is to show all of them and stays as it is under the pointer. Units: those of its axes.
-fn frame(id: impl AsIdSalt, [across, up]: [&'static str; 2]) -> Plot<'static> {
+fn frame(id: impl AsIdSalt, [across, up]: [&'static str; 2], colors: &Colors) -> Plot<'static> {
     // Curves over time take all of the width.
     let margin = if across == "s" { 0.0 } else { 0.08 };
     let axis = |axis: AxisHints<'static>, unit: &'static str, room: f32| {
-        axis.formatter(move |mark, _| tick(mark, unit)).label_spacing(room..=room + 1.0).tick_label_color(WEAK)
+        axis.formatter(move |mark, _| tick(mark, unit)).label_spacing(room..=room + 1.0).tick_label_color(colors.weak)
     };
     Plot::new(id)
         .allow_drag(false)
@@ -243,7 +257,7 @@ fn frame(id: impl AsIdSalt, [across, up]: [&'static str; 2]) -> Plot<'static> {
         .custom_y_axes(vec![axis(AxisHints::new_y(), up, 14.0).min_thickness(52.0)])
         .x_grid_spacer(grid)
         .y_grid_spacer(grid)
-        .grid_color(LINE)
+        .grid_color(colors.line)
         .label_formatter(move |at| match at {
             HoverPosition::NearDataPoint { plot_name, position, .. } => {
                 let [x, y] = [position.x, position.y].map(number);
@@ -281,11 +295,10 @@ pub(in crate::app) fn figure(plots: &Plots) -> String {
     let curve = |name: String, color: Color32, points: Vec<[f64; 2]>| Curve { name, color: color.to_array(), points };
     match plots.subject {
         Subject::Energies => {
-            let all = ENERGIES.into_iter().map(|(name, color, of)| {
-                // What is white on dark is dark on white.
-                let color = if color == TEXT { Color32::from_gray(40) } else { color };
-                curve(name.to_owned(), color, over_time(&|measured| Some(of(measured))))
-            });
+            let all = ENERGIES
+                .into_iter()
+                .zip(ENERGIES_ON_WHITE)
+                .map(|((name, of), color)| curve(name.to_owned(), color, over_time(&|measured| Some(of(measured)))));
             svg(["time [s]", "energy [J]"], &all.collect::<Vec<_>>())
         }
         Subject::Probes => {
@@ -303,31 +316,37 @@ pub(in crate::app) fn figure(plots: &Plots) -> String {
     }
 }
 
-/// The probes' colours on white.
+/// The energies' colours on white, which people who are blind to some tell apart, by Okabe and Ito; and the probes'.
+const ENERGIES_ON_WHITE: [Color32; 4] = [
+    Color32::from_rgb(230, 159, 0),
+    Color32::from_rgb(86, 180, 233),
+    Color32::from_rgb(0, 158, 115),
+    Color32::from_gray(40),
+];
 const ON_WHITE: [Color32; 2] = [Color32::from_rgb(0, 114, 178), Color32::from_rgb(213, 94, 0)];
 
 /// The curves of what is looked at.
-fn lines(plots: &Plots) -> Vec<Line<'static>> {
+fn lines(plots: &Plots, colors: &Colors) -> Vec<Line<'static>> {
     let (series, quantity) = (plots.series(), plots.quantity);
     let of = |place: usize| move |measured: &Measured| measured.probes[place].and_then(|probed| quantity.of(&probed));
     match plots.subject {
         Subject::Energies => {
-            let line = |(name, color, of): (&'static str, Color32, OfEnergies)| {
+            let line = |((name, of), color): ((&'static str, OfEnergies), Color32)| {
                 Line::new(name, points(series, |measured| Some([measured.time, of(measured)]))).color(color)
             };
-            ENERGIES.into_iter().map(line).collect()
+            ENERGIES.into_iter().zip(of_energies(colors)).map(line).collect()
         }
         Subject::Probes => {
             let line = |place: usize| {
                 let at = |measured: &Measured| Some([measured.time, of(place)(measured)?]);
-                Line::new((place + 1).to_string(), points(series, at)).color(PROBES[place])
+                Line::new((place + 1).to_string(), points(series, at)).color(colors.probes[place])
             };
             let places = plots.probes().into_iter().enumerate().filter(|(_, probe)| probe.is_some());
             places.map(|(place, _)| line(place)).collect()
         }
         Subject::Phase => {
             let at = |measured: &Measured| Some([of(0)(measured)?, of(1)(measured)?]);
-            vec![Line::new("2 against 1", points(series, at)).color(TEXT)]
+            vec![Line::new("2 against 1", points(series, at)).color(colors.text)]
         }
     }
 }
@@ -365,13 +384,15 @@ mod tests {
 
     #[test]
     fn the_panel_opens_where_no_body_is() {
-        let room = Rect::from_min_size(pos2(0.0, 0.0), vec2(1280.0, 640.0));
+        let room = (Rect::from_min_size(pos2(0.0, 0.0), vec2(1280.0, 640.0)), 170.0);
         let size = vec2(358.0, 260.0);
         let heap = |x: f32| [pos2(x, 600.0), pos2(x + 20.0, 560.0), pos2(640.0, 100.0)];
         assert_eq!(quiet(room, size, &heap(640.0)).x, LEFT[0], "beside the tools, if nothing is there");
         assert_eq!(quiet(room, size, &heap(200.0)).x, 1280.0 - 358.0 - LEFT[1]);
         let both: Vec<Pos2> = heap(200.0).into_iter().chain(heap(1100.0)).collect();
         assert_eq!(quiet(room, size, &both).x, 640.0 - 179.0);
+        let floor: Vec<Pos2> = (0..64).map(|k| pos2(20.0 * k as f32, 600.0)).collect();
+        assert_eq!(quiet(room, size, &floor), pos2(1280.0 - 358.0 - LEFT[1], 170.0 + 260.0), "above, at the right");
     }
 
     #[test]

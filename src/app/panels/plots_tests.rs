@@ -3,13 +3,14 @@
 
 use egui::{Color32, Event, Pos2, Rect, Shape, vec2};
 
-use super::plots::{self, ENERGIES, PlotsAt};
+use super::plots::{self, ENERGIES, PlotsAt, of_energies};
 use super::pointer::click;
-use super::theme::{PANEL, PROBES};
+use super::theme::colors;
 use super::{Wish, theme};
 use crate::app::action::Action;
 use crate::app::player::{Order, Shown, Stage};
 use crate::app::plots::{Plots, Quantity, Subject};
+use crate::render::Palette;
 use crate::scene::Scene;
 use crate::sim::PointId;
 
@@ -39,7 +40,7 @@ impl Screen {
             plots.take(&shown);
         }
         let context = egui::Context::default();
-        theme::apply(&context);
+        theme::apply(&context, Default::default());
         let mut screen = Screen { context, plots, at: PlotsAt::default(), size: [1280.0, 720.0] };
         // The first frames find their sizes, and it fades in.
         (0..30).for_each(|_| _ = screen.frame(Vec::new()));
@@ -53,7 +54,7 @@ impl Screen {
         let input = egui::RawInput { events, screen_rect, ..egui::RawInput::default() };
         let mut output = self.context.run_ui(input, |ui| {
             let at = (&[][..], &mut self.at, false);
-            plots::show(ui.ctx(), ui.available_rect_before_wrap(), (&mut self.plots, at), &mut wishes);
+            plots::show(ui.ctx(), (ui.available_rect_before_wrap(), 0.0), (&mut self.plots, at), &mut wishes);
         });
         output.textures_delta.clear();
         let mut shapes = Vec::new();
@@ -104,16 +105,21 @@ fn contrast(a: Color32, b: Color32) -> f32 {
 
 #[test]
 fn every_curve_stands_out_from_its_ground() {
-    let energies = ENERGIES.map(|(_, color, _)| color);
-    for color in energies.into_iter().chain(PROBES) {
-        assert!(contrast(color, PANEL) >= 3.0, "{color:?}: {}", contrast(color, PANEL));
+    for palette in [Palette::Dark, Palette::Light] {
+        let context = egui::Context::default();
+        theme::apply(&context, palette);
+        let colors = colors(&context);
+        for color in colors.energies.into_iter().chain(colors.probes) {
+            assert!(contrast(color, colors.panel) >= 3.0, "{color:?}: {}", contrast(color, colors.panel));
+        }
     }
 }
 
 #[test]
 fn all_energies_are_drawn_with_their_names() {
     let mut screen = Screen::new(0);
-    for (name, color, _) in ENERGIES {
+    let colors = of_energies(colors(&screen.context));
+    for ((name, _), color) in ENERGIES.into_iter().zip(colors) {
         assert!(screen.curve(color) > 50, "{name}: {}", screen.curve(color));
         assert!(screen.place_of(name).is_some(), "{name}");
     }
@@ -139,15 +145,19 @@ fn probes_are_plotted_over_time_and_against_each_other() {
     let mut none = Screen::new(0);
     assert!(none.place_of("probes").is_none() && none.place_of("against each other").is_none());
     let mut one = Screen::new(1);
-    assert!(one.curve(PROBES[0]) > 50 && one.curve(PROBES[1]) == 0);
+    let [first, second] = colors(&one.context).probes;
+    assert!(one.curve(first) > 50 && one.curve(second) == 0);
     assert!(one.place_of("against each other").is_none());
     let mut two = Screen::new(2);
-    assert!(two.curve(PROBES[0]) > 50 && two.curve(PROBES[1]) > 50);
+    assert!(two.curve(first) > 50 && two.curve(second) > 50);
     two.click("speed");
     assert_eq!(two.plots.quantity, Quantity::Speed);
     two.click("against each other");
     assert_eq!(two.plots.subject, Subject::Phase);
-    assert!(two.curve(theme::TEXT) > 50);
+    assert!({
+        let text = colors(&two.context).text;
+        two.curve(text) > 50
+    });
     two.click("energies");
     assert_eq!(two.plots.subject, Subject::Energies);
 }

@@ -37,7 +37,7 @@ fn words(primitive: Primitive) -> &'static str {
 pub(super) fn show(context: &egui::Context, tools: Rect, facts: &Facts, wishes: &mut Vec<Wish>) {
     let corner = tools.right_top() + egui::vec2(8.0, 0.0);
     Area::new(Id::unique("primitives")).fixed_pos(corner).show(context, |ui| {
-        floating().show(ui, |ui| {
+        floating(ui).show(ui, |ui| {
             ui.spacing_mut().item_spacing.y = 4.0;
             for pair in Primitive::ALL.chunks(2) {
                 ui.horizontal(|ui| {

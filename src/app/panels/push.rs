@@ -3,7 +3,7 @@
 use egui::{Area, Id, Rect, RichText, Slider, SliderClamping};
 
 use super::settings::Setting;
-use super::theme::{TEXT, WEAK, floating};
+use super::theme::{colors, floating};
 use super::{Facts, Wish};
 use crate::app::tools::PushWay;
 use crate::history::{Do, SetKeys, Weather};
@@ -18,7 +18,7 @@ const WIND: &str = "drag an arrow through the air: its length is the speed; a cl
 /// How gusty the wind is that blows.
 fn turbulence(ui: &mut egui::Ui, facts: &Facts, wishes: &mut Vec<Wish>) {
     let Some(wind) = facts.settings.scene.wind.flatten().filter(|wind| wind.velocity != [0.0; 3]) else {
-        ui.label(RichText::new("the air is still").color(WEAK));
+        ui.label(RichText::new("the air is still").color(colors(ui).weak));
         return;
     };
     let mut gusts = wind.turbulence;
@@ -42,7 +42,7 @@ pub(super) fn show(context: &egui::Context, tools: Rect, facts: &Facts, wishes: 
     let corner = tools.right_top() + egui::vec2(8.0, 0.0);
     let mut way = facts.push;
     Area::new(Id::unique("push")).fixed_pos(corner).show(context, |ui| {
-        floating().show(ui, |ui| {
+        floating(ui).show(ui, |ui| {
             ui.set_width(WIDTH);
             let is_plane = facts.dimensions == 2;
             let (title, said) = match way {
@@ -50,8 +50,8 @@ pub(super) fn show(context: &egui::Context, tools: Rect, facts: &Facts, wishes: 
                 _ if !is_plane => ("Wind", WIND),
                 _ => ("Force that stays", "drag an arrow from a body; a click on one takes it away"),
             };
-            ui.label(RichText::new(title).color(TEXT).strong());
-            ui.label(RichText::new(said).color(WEAK));
+            ui.label(RichText::new(title).color(colors(ui).text).strong());
+            ui.label(RichText::new(said).color(colors(ui).weak));
             for other in PushWay::ALL.into_iter().filter(|_| is_plane) {
                 let words = match other {
                     PushWay::Wind => "wind over all bodies (W)",

@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 use egui::{Button, Key, Label, RichText, TextEdit};
 
 use super::open_from::meant;
-use super::theme::{ACCENT, AWAY, ON_ACCENT};
+use super::theme::colors;
 use super::{PanelState, Wish, sheet};
 
 /// What the sheet keeps.
@@ -37,10 +37,10 @@ pub(super) fn show(context: &egui::Context, state: &mut PanelState, wishes: &mut
         }
         // Its line is there before it is, so that the buttons stay where they are.
         let fault = state.save_to.fault.as_deref().unwrap_or(" ");
-        ui.add(Label::new(RichText::new(fault).color(AWAY)).wrap());
+        ui.add(Label::new(RichText::new(fault).color(colors(ui).away)).wrap());
         ui.horizontal(|ui| {
             let words = if state.save_to.asked.is_some() { "Replace it" } else { "Save" };
-            let save = Button::new(RichText::new(words).color(ON_ACCENT)).fill(ACCENT);
+            let save = Button::new(RichText::new(words).color(colors(ui).on_accent)).fill(colors(ui).accent);
             let is_meant = field.lost_focus() || ui.memory(|memory| memory.focused().is_none());
             let is_entered = is_meant && ui.input(|input| input.key_pressed(Key::Enter));
             let has_name = !state.path.trim().is_empty();

@@ -1,34 +1,114 @@
-//! How the panels look: dark, calm, one colour for what is on or asked for.
+//! How the panels look: calm, one colour for what is on or asked for, dark or light as the world is.
 
-use egui::{Color32, CornerRadius, FontId, Margin, Shadow, Stroke, TextStyle, Visuals};
+use egui::{Color32, Context, CornerRadius, FontId, Margin, Shadow, Stroke, TextStyle, Theme, Visuals};
 
-/// What is on, and the button that is wanted most.
-pub(in crate::app) const ACCENT: Color32 = Color32::from_rgb(125, 240, 200);
-/// On the accent.
-pub(super) const ON_ACCENT: Color32 = Color32::from_rgb(10, 26, 22);
-/// What takes away.
-pub(in crate::app) const AWAY: Color32 = Color32::from_rgb(255, 120, 110);
-/// What is led.
-pub(in crate::app) const LEAD: Color32 = Color32::from_rgb(255, 214, 120);
-/// Forces that stay.
-pub(in crate::app) const PUSH: Color32 = Color32::from_rgb(255, 168, 92);
-/// The probes: their rings and their curves.
-pub(in crate::app) const PROBES: [Color32; 2] = [Color32::from_rgb(240, 228, 66), Color32::from_rgb(220, 140, 190)];
-/// Text that matters.
-pub(in crate::app) const TEXT: Color32 = Color32::from_rgb(226, 233, 244);
-/// Text beside it: 6 : 1 on the panels.
-pub(super) const WEAK: Color32 = Color32::from_rgb(150, 163, 184);
-/// Panels, and what lies on them.
-pub(in crate::app) const PANEL: Color32 = Color32::from_rgb(20, 26, 38);
-const RAISED: Color32 = Color32::from_rgb(33, 42, 59);
-const HOVERED: Color32 = Color32::from_rgb(46, 58, 81);
-/// Lines between and around what is shown.
-pub(super) const LINE: Color32 = Color32::from_rgb(40, 50, 70);
+use crate::render::Palette;
+
+/// The colours of the panels, and of what is marked in the world.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(in crate::app) struct Colors {
+    /// What is on, and the button that is wanted most.
+    pub(in crate::app) accent: Color32,
+    /// On the accent.
+    pub(in crate::app) on_accent: Color32,
+    /// What takes away, and what went wrong.
+    pub(in crate::app) away: Color32,
+    /// What is led, and what is to be known.
+    pub(in crate::app) lead: Color32,
+    /// Forces that stay.
+    pub(in crate::app) push: Color32,
+    /// The probes: their rings and their curves.
+    pub(in crate::app) probes: [Color32; 2],
+    /// Kinds of energy, kinetic, elastic and of gravity: those who are blind to some colours tell them apart.
+    pub(in crate::app) energies: [Color32; 3],
+    /// Text that matters.
+    pub(in crate::app) text: Color32,
+    /// Text beside it.
+    pub(in crate::app) weak: Color32,
+    /// Text on what the pointer rests on.
+    hovered_text: Color32,
+    /// Panels.
+    pub(in crate::app) panel: Color32,
+    /// What is written or drawn in.
+    field: Color32,
+    /// What lies a little apart.
+    faint: Color32,
+    /// Buttons, and those that the pointer rests on.
+    raised: Color32,
+    hovered: Color32,
+    /// Behind what is chosen of several.
+    selected: Color32,
+    /// Lines between and around what is shown.
+    pub(in crate::app) line: Color32,
+    /// Around what is marked in the world, so that it is seen on any ground.
+    pub(in crate::app) edge: Color32,
+}
+
+const fn rgb(hex: u32) -> Color32 {
+    Color32::from_rgb((hex >> 16) as u8, (hex >> 8) as u8, hex as u8)
+}
+
+/// Energies by Okabe and Ito.
+static DARK: Colors = Colors {
+    accent: rgb(0x7d_f0_c8),
+    on_accent: rgb(0x0a_1a_16),
+    away: rgb(0xff_78_6e),
+    lead: rgb(0xff_d6_78),
+    push: rgb(0xff_a8_5c),
+    probes: [rgb(0xf0_e4_42), rgb(0xdc_8c_be)],
+    energies: [rgb(0xe6_9f_00), rgb(0x56_b4_e9), rgb(0x00_9e_73)],
+    text: rgb(0xe2_e9_f4),
+    weak: rgb(0x96_a3_b8),
+    hovered_text: Color32::WHITE,
+    panel: rgb(0x14_1a_26),
+    field: rgb(0x0c_10_19),
+    faint: rgb(0x19_20_2e),
+    raised: rgb(0x21_2a_3b),
+    hovered: rgb(0x2e_3a_51),
+    selected: rgb(0x24_5c_50),
+    line: rgb(0x28_32_46),
+    edge: Color32::from_black_alpha(150),
+};
+
+/// The same hues, dark enough to be read on what is nearly white.
+static LIGHT: Colors = Colors {
+    accent: rgb(0x00_6e_52),
+    on_accent: Color32::WHITE,
+    away: rgb(0xb4_24_1c),
+    lead: rgb(0x80_56_00),
+    push: rgb(0x9a_48_00),
+    probes: [rgb(0x6e_5c_00), rgb(0x8e_36_6e)],
+    energies: [rgb(0x8a_56_00), rgb(0x00_5c_9e), rgb(0x00_66_4a)],
+    text: rgb(0x1a_22_30),
+    weak: rgb(0x4c_58_6c),
+    hovered_text: Color32::BLACK,
+    panel: rgb(0xf7_f9_fc),
+    field: Color32::WHITE,
+    faint: rgb(0xed_f1_f7),
+    raised: rgb(0xe2_e8_f1),
+    hovered: rgb(0xd2_db_e8),
+    selected: rgb(0xbf_e6_da),
+    line: rgb(0xc6_cf_dd),
+    edge: Color32::from_rgba_premultiplied(190, 190, 190, 190),
+};
+
+/// The colours that a context has now.
+pub(in crate::app) fn colors(context: &Context) -> &'static Colors {
+    match context.theme() {
+        Theme::Dark => &DARK,
+        Theme::Light => &LIGHT,
+    }
+}
 
 /// Gives a context the program's look.
-pub(in crate::app) fn apply(context: &egui::Context) {
-    context.set_theme(egui::Theme::Dark);
-    context.set_visuals(visuals());
+pub(in crate::app) fn apply(context: &Context, palette: Palette) {
+    context.set_theme(match palette {
+        Palette::Dark => Theme::Dark,
+        Palette::Light => Theme::Light,
+    });
+    for (theme, colors) in [(Theme::Dark, &DARK), (Theme::Light, &LIGHT)] {
+        context.set_visuals_of(theme, visuals(theme, colors));
+    }
     context.all_styles_mut(|style| {
         // What can be scrolled shows that it can.
         let bar = egui::style::ScrollStyle::solid();
@@ -43,29 +123,30 @@ pub(in crate::app) fn apply(context: &egui::Context) {
     });
 }
 
-fn visuals() -> Visuals {
-    let mut visuals = Visuals::dark();
-    visuals.panel_fill = PANEL;
-    visuals.window_fill = PANEL;
-    visuals.extreme_bg_color = Color32::from_rgb(12, 16, 25);
-    visuals.faint_bg_color = Color32::from_rgb(25, 32, 46);
-    visuals.window_stroke = Stroke::new(1.0, LINE);
+fn visuals(theme: Theme, colors: &Colors) -> Visuals {
+    let mut visuals = theme.default_visuals();
+    visuals.panel_fill = colors.panel;
+    visuals.window_fill = colors.panel;
+    visuals.extreme_bg_color = colors.field;
+    visuals.faint_bg_color = colors.faint;
+    visuals.window_stroke = Stroke::new(1.0, colors.line);
     visuals.window_corner_radius = CornerRadius::same(12);
     visuals.menu_corner_radius = CornerRadius::same(10);
-    let shadow = Shadow { offset: [0, 6], blur: 22, spread: 0, color: Color32::from_black_alpha(110) };
+    let darkness = if theme == Theme::Dark { 110 } else { 50 };
+    let shadow = Shadow { offset: [0, 6], blur: 22, spread: 0, color: Color32::from_black_alpha(darkness) };
     (visuals.window_shadow, visuals.popup_shadow) = (shadow, shadow);
-    visuals.hyperlink_color = ACCENT;
-    visuals.selection.bg_fill = Color32::from_rgb(36, 92, 80);
-    visuals.selection.stroke = Stroke::new(1.0, ACCENT);
-    visuals.weak_text_color = Some(WEAK);
+    visuals.hyperlink_color = colors.accent;
+    visuals.selection.bg_fill = colors.selected;
+    visuals.selection.stroke = Stroke::new(1.0, colors.accent);
+    visuals.weak_text_color = Some(colors.weak);
     let widgets = &mut visuals.widgets;
-    widgets.noninteractive.fg_stroke = Stroke::new(1.0, TEXT);
-    widgets.noninteractive.bg_stroke = Stroke::new(1.0, LINE);
+    widgets.noninteractive.fg_stroke = Stroke::new(1.0, colors.text);
+    widgets.noninteractive.bg_stroke = Stroke::new(1.0, colors.line);
     for (state, fill, text) in [
-        (&mut widgets.inactive, RAISED, TEXT),
-        (&mut widgets.hovered, HOVERED, Color32::WHITE),
-        (&mut widgets.active, HOVERED, ACCENT),
-        (&mut widgets.open, HOVERED, TEXT),
+        (&mut widgets.inactive, colors.raised, colors.text),
+        (&mut widgets.hovered, colors.hovered, colors.hovered_text),
+        (&mut widgets.active, colors.hovered, colors.accent),
+        (&mut widgets.open, colors.hovered, colors.text),
     ] {
         (state.bg_fill, state.weak_bg_fill) = (fill, fill);
         state.fg_stroke = Stroke::new(1.0, text);
@@ -77,10 +158,57 @@ fn visuals() -> Visuals {
 }
 
 /// The ground of what floats over the world.
-pub(super) fn floating() -> egui::Frame {
+pub(super) fn floating(context: &Context) -> egui::Frame {
+    let colors = colors(context);
     egui::Frame::new()
-        .fill(PANEL.gamma_multiply(0.92))
-        .stroke(Stroke::new(1.0, LINE))
+        .fill(colors.panel.gamma_multiply(0.92))
+        .stroke(Stroke::new(1.0, colors.line))
         .corner_radius(CornerRadius::same(10))
         .inner_margin(Margin::symmetric(8, 6))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::render::{Look, contrast};
+
+    /// As the renderer has colours.
+    fn plain(color: Color32) -> [f32; 4] {
+        color.to_normalized_gamma_f32()
+    }
+
+    #[test]
+    fn all_text_is_read_on_whatever_it_stands_on() {
+        for (colors, palette) in [(&DARK, Palette::Dark), (&LIGHT, Palette::Light)] {
+            let grounds = [colors.panel, colors.faint, colors.field];
+            let written = [colors.text, colors.weak, colors.accent, colors.away, colors.lead, colors.push];
+            let mut pairs: Vec<(Color32, Color32)> = Vec::new();
+            for ground in grounds {
+                pairs
+                    .extend(written.into_iter().chain(colors.probes).chain(colors.energies).map(|text| (text, ground)));
+            }
+            pairs.extend([colors.raised, colors.hovered].map(|ground| (colors.text, ground)));
+            pairs.extend([
+                (colors.hovered_text, colors.hovered),
+                (colors.accent, colors.hovered),
+                (colors.accent, colors.selected),
+                (colors.on_accent, colors.accent),
+            ]);
+            for (text, ground) in pairs {
+                let found = contrast(plain(text), plain(ground));
+                assert!(found >= 4.5, "{palette:?}: {text:?} on {ground:?}: {found:.2}");
+            }
+            let look = Look::in_palette(palette);
+            // What floats is a little transparent: the ground of the world shines through it.
+            let through = |a: f32, b: f32| 0.92 * a + 0.08 * b;
+            let (panel, ground) = (plain(colors.panel), look.ground);
+            let floating = std::array::from_fn(|part| through(panel[part], ground[part]));
+            for text in written {
+                assert!(contrast(plain(text), floating) >= 4.5, "{palette:?}: {text:?} on what floats");
+            }
+            // What is marked in the world has the colours of the world's own marks.
+            assert_eq!(look.region[..3], plain(colors.accent)[..3]);
+            assert_eq!(look.motor[..3], plain(colors.lead)[..3]);
+        }
+    }
 }

@@ -2,18 +2,21 @@
 
 use egui::{Area, Id, Rect, RichText};
 
-use super::icons::Icon;
-use super::theme::{TEXT, floating};
+use super::icons::{self, Icon};
+use super::theme::{colors, floating};
 use super::{Facts, Wish, button, described, icon};
 use crate::app::action::{Action, Showing};
 
 /// In narrower rooms buttons stand closer to each other, so that most of them are in one row `[points]`.
 const TIGHT: f32 = 1080.0;
 
+/// Width of the name of what is open `[points]`: what it is called moves no button. The second is that in narrower rooms.
+const NAME: [f32; 2] = [150.0, 104.0];
+
 /// Returns where it lies `[points]`.
 pub(super) fn show(context: &egui::Context, room: Rect, facts: &Facts, wishes: &mut Vec<Wish>) -> Rect {
     let shown = Area::new(Id::unique("scene")).fixed_pos([10.0, 10.0]).show(context, |ui| {
-        floating().show(ui, |ui| {
+        floating(ui).show(ui, |ui| {
             ui.set_max_width((room.width() - 36.0).max(40.0));
             ui.horizontal_wrapped(|ui| {
                 if room.width() < TIGHT {
@@ -22,9 +25,11 @@ pub(super) fn show(context: &egui::Context, room: Rect, facts: &Facts, wishes: &
                 }
                 icon(ui, Icon::Before, "the scene before", Action::PreviousScene, wishes);
                 icon(ui, Icon::After, "the scene after", Action::NextScene, wishes);
-                // Behind both, which stay where they are whatever it is called.
-                let name = egui::Button::new(RichText::new(&facts.title).color(TEXT).strong());
-                if ui.add(name).on_hover_text(described("the gallery", Action::Gallery)).clicked() {
+                let name = egui::Button::new(RichText::new(&facts.title).color(colors(ui).text).strong()).truncate();
+                let width = NAME[usize::from(room.width() < TIGHT)].min(ui.max_rect().width());
+                let said = format!("{}: {}", facts.title, described("the gallery", Action::Gallery));
+                let height = ui.spacing().interact_size.y.max(icons::SMALL.y);
+                if ui.add_sized([width, height], name).on_hover_text(said).clicked() {
                     wishes.push(Wish::Act(Action::Gallery));
                 }
                 ui.separator();
@@ -46,13 +51,14 @@ pub(super) fn show(context: &egui::Context, room: Rect, facts: &Facts, wishes: &
                 }
                 super::beside::menu(ui, facts, wishes);
                 ui.separator();
-                if facts.has_picture {
-                    button(ui, "Picture", "cut the scene's first picture out anew", Action::Import, wishes);
-                }
                 icon(ui, Icon::Book, "lessons: how it works", Action::Lessons, wishes);
                 icon(ui, Icon::Plot, "plots of the energies", Action::Plots, wishes);
                 icon(ui, Icon::Gear, "settings of the scene", Action::Settings, wishes);
                 button(ui, "?", "the keys", Action::Help, wishes);
+                // Last: where a scene has none no other button stands elsewhere.
+                if facts.has_picture {
+                    button(ui, "Picture", "cut the scene's first picture out anew", Action::Import, wishes);
+                }
             });
         });
     });

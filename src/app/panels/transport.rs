@@ -3,19 +3,20 @@
 use egui::{Align, Label, Layout, Rect, RichText, Slider, vec2};
 
 use super::icons::{self, Icon};
-use super::theme::{ACCENT, PANEL, WEAK};
-use super::{Facts, Wish, described, icon, short};
+use super::theme::colors;
+use super::{At, Facts, Wish, described, icon, moving, short};
 use crate::app::action::Action;
 use crate::app::player::LONGEST_FRAME;
 use crate::history::BranchView;
+use crate::lessons::lessons;
 
 /// The paces that can be chosen.
 pub(in crate::app) const PACES: [(f64, &str); 6] =
     [(0.125, "1/8"), (0.25, "1/4"), (0.5, "1/2"), (1.0, "1"), (2.0, "2"), (4.0, "4")];
 
 /// Returns where the line of what was seen is, if there is room for it.
-pub(super) fn show(ui: &mut egui::Ui, facts: &Facts, wishes: &mut Vec<Wish>) -> Option<Rect> {
-    let frame = egui::Frame::new().fill(PANEL).inner_margin(egui::Margin::symmetric(12, 7));
+pub(super) fn show(ui: &mut egui::Ui, left: &mut Option<At>, facts: &Facts, wishes: &mut Vec<Wish>) -> Option<Rect> {
+    let frame = egui::Frame::new().fill(colors(ui).panel).inner_margin(egui::Margin::symmetric(12, 7));
     let panel = egui::Panel::bottom("transport").resizable(false).frame(frame).show_separator_line(false);
     let panel = panel.show(ui, |ui| {
         ui.horizontal(|ui| {
@@ -33,9 +34,11 @@ pub(super) fn show(ui: &mut egui::Ui, facts: &Facts, wishes: &mut Vec<Wish>) -> 
                 ui.allocate_ui_with_layout(size, Layout::right_to_left(Align::Center), |ui| {
                     ui.set_min_width(width);
                     let (words, matters) = state(facts);
-                    let words = RichText::new(words).color(if matters { ACCENT } else { WEAK });
+                    let words = RichText::new(words).color(if matters { colors(ui).accent } else { colors(ui).weak });
                     ui.add(Label::new(words).truncate());
                 });
+                moving::show(ui, facts, wishes);
+                way_back(ui, left, wishes);
                 branches(ui, facts, wishes);
                 timeline(ui, facts, wishes)
             })
@@ -71,6 +74,22 @@ fn pace(ui: &mut egui::Ui, facts: &Facts, wishes: &mut Vec<Wish>) {
             }
         }
     });
+}
+
+/// To the step of a lesson that was left for another scene.
+fn way_back(ui: &mut egui::Ui, left: &mut Option<At>, wishes: &mut Vec<Wish>) {
+    let Some(at) = *left else { return };
+    let Some(lesson) = lessons().get(at.lesson) else { return };
+    if icons::button(ui, Icon::Close, "stay here: do not go back to the lesson", icons::SMALL, false)
+        .on_hover_text("stay here")
+        .clicked()
+    {
+        *left = None;
+    }
+    let said = format!("{}, step {} of {}", lesson.title, at.step + 1, lesson.steps.len());
+    if ui.button("Back to the lesson").on_hover_text(said).clicked() {
+        wishes.push(Wish::Learn(at));
+    }
 }
 
 /// The ways that time went, where there are several.
@@ -206,7 +225,7 @@ mod tests {
             let mut rect = None;
             let context = egui::Context::default();
             for _ in 0..2 {
-                let mut shown = context.run_ui(input.clone(), |ui| rect = show(ui, &facts, &mut Vec::new()));
+                let mut shown = context.run_ui(input.clone(), |ui| rect = show(ui, &mut None, &facts, &mut Vec::new()));
                 shown.textures_delta.clear();
             }
             rect

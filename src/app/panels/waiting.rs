@@ -5,7 +5,7 @@ use std::time::Duration;
 use egui::{Align2, Area, Id, RichText};
 
 use super::Wish;
-use super::theme::{TEXT, floating};
+use super::theme::{colors, floating};
 
 /// What takes less time than this is not worth a word `[s]`.
 const PATIENCE: f64 = 0.3;
@@ -19,10 +19,10 @@ pub(super) fn show(context: &egui::Context, (since, can_stop): (f64, bool), titl
         return;
     }
     Area::new(Id::unique("opening")).anchor(Align2::CENTER_CENTER, [0.0, 0.0]).show(context, |ui| {
-        floating().show(ui, |ui| {
+        floating(ui).show(ui, |ui| {
             ui.horizontal(|ui| {
                 ui.spinner();
-                ui.label(RichText::new(words(title, since)).color(TEXT));
+                ui.label(RichText::new(words(title, since)).color(colors(ui).text));
                 if can_stop && ui.button("Cancel").on_hover_text("back to the scene before (Esc)").clicked() {
                     wishes.push(Wish::StopOpening);
                 }

@@ -76,6 +76,7 @@ impl Session {
             Action::ToggleMesh => self.look.has_mesh = !self.look.has_mesh,
             Action::Show(showing) => self.show_as(showing),
             Action::NextShowing => self.show_as(self.showing().next()),
+            Action::Palette => self.recolor(),
             Action::ToggleGrid => self.look.has_grid = !self.look.has_grid,
             Action::Paint => self.paint(),
             Action::Import => self.cut_anew(),
@@ -211,6 +212,7 @@ impl Session {
         let panels = &mut self.panels;
         let are_hidden = panels.has_settings && !panels.has_room_for_both;
         panels.lessons.is_open = !panels.lessons.is_open || are_hidden;
+        panels.lessons.left = None;
         if panels.lessons.is_open && are_hidden {
             panels.has_settings = false;
         }
@@ -227,7 +229,7 @@ impl Session {
         }
         self.panels.chosen = if self.panels.search.is_empty() { self.place.unwrap_or(0) } else { 0 };
         if self.panels.sheet == Some(Sheet::Gallery) && self.thumbnails.is_none() {
-            self.thumbnails = Some(Thumbnails::new(self.canvas.gpu().clone(), self.wake_up()));
+            self.thumbnails = Some(Thumbnails::new(self.canvas.gpu().clone(), self.palette, self.wake_up()));
         }
     }
 

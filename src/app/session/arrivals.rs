@@ -10,7 +10,7 @@ use super::{BRUSH, Session, Thumbnails};
 use crate::app::action::Action;
 use crate::app::holds_scene;
 use crate::app::opening;
-use crate::app::panels::{Sheet, meant};
+use crate::app::panels::{OpenFrom, Sheet, meant};
 use crate::app::player::Order;
 use crate::app::tools::Clip;
 use crate::history::Start;
@@ -42,15 +42,19 @@ impl Session {
             return self.touch();
         }
         match Start::load(&path.to_string_lossy()) {
-            Ok(start) => self.open(start),
+            Ok(start) => {
+                self.remember(path);
+                self.open(start);
+            }
             Err(error) => self.complain(&error.to_string()),
         }
     }
 
     /// No dialog can be shown: the path is written in the window.
     fn ask_for_path(&mut self) {
-        self.panels.path.clear();
-        self.panels.open_from = Default::default();
+        let last = self.last_file.as_ref().filter(|last| last.exists());
+        self.panels.path = last.map_or_else(String::new, |last| last.display().to_string());
+        self.panels.open_from = OpenFrom::at(&self.panels.path);
         (self.panels.sheet, self.panels.is_fresh) = (Some(Sheet::OpenFrom), true);
         self.touch();
     }
@@ -123,7 +127,7 @@ impl Session {
         self.wake();
         match self.dialog {
             Some(_) => self.ask_for_path(),
-            None => self.dialog = Some(fetch::open(&self.window, self.wake_up())),
+            None => self.dialog = Some(fetch::open(&self.window, self.last_file.as_deref(), self.wake_up())),
         }
     }
 

@@ -9,7 +9,7 @@ use egui::{Color32, FontId, Pos2, Rect, Stroke};
 use super::{Framing, Session, panels_for};
 use crate::app::action::{Showing, Tool};
 use crate::app::canvas::{Canvas, Paint};
-use crate::app::panels::{self, Facts, Laid, Settings, parameter_value, theme};
+use crate::app::panels::{self, Facts, Laid, Settings, parameters, theme};
 use crate::app::tools::{Mark, Role, Scope, probe};
 use crate::render::{Look, Overlay, RenderError, View, body_color};
 use crate::scene::Parameter;
@@ -49,7 +49,7 @@ impl Session {
         let output = context.run_ui(input, |ui| {
             ui.fonts_mut(|fonts| {
                 for (sign, before) in SIGNS.chars().flat_map(|sign| BEFORE.map(|before| (sign, before))) {
-                    fonts.layout_no_wrap(format!("{before}{sign}"), FontId::proportional(WORDS), theme::TEXT);
+                    fonts.layout_no_wrap(format!("{before}{sign}"), FontId::proportional(WORDS), Color32::WHITE);
                 }
             });
             (wishes, laid) = panels::show(ui, &mut self.panels, &facts);
@@ -124,8 +124,10 @@ impl Session {
         let mut figures = self.shown().figures.clone();
         figures.playing = self.player.is_playing();
         Facts {
-            title: entry.map_or_else(|| self.scene.name().to_owned(), |entry| entry.title.to_owned()),
-            caption: entry.map(|entry| [entry.description, entry.to_try]),
+            title: self.title(),
+            caption: entry
+                .filter(|_| !self.player.start().is_replayed())
+                .map(|entry| [entry.description, entry.to_try]),
             figures,
             pace: if self.player.is_open() { self.pace() } else { 1.0 },
             frame: self.frame_meter.value(),
@@ -141,6 +143,7 @@ impl Session {
             drawn_color: body_color(&self.shown().view(), &self.look, &self.inspected.points),
             keys: self.keys_to_hold(),
             look: self.look,
+            palette: self.palette,
             showing: self.showing(),
             has_picture: self.has_picture,
             is_canvas: self.is_canvas(),
@@ -162,6 +165,15 @@ impl Session {
         }
     }
 
+    /// What is open, as it is called in a list: a recording by its file.
+    pub(super) fn title(&self) -> String {
+        let start = self.player.start();
+        let name = start.name().map(str::to_owned);
+        let name = name.or_else(|| self.entry().map(|entry| entry.title.to_owned()));
+        let name = name.unwrap_or_else(|| self.scene.name().to_owned());
+        if start.is_replayed() { format!("{name} (recording)") } else { name }
+    }
+
     /// Where points are seen `[points]`, a few of many, while the plots look for a place.
     fn points_seen(&self) -> Vec<Pos2> {
         if self.panels.plots.is_none() || self.panels.plots_at.corner.is_some() {
@@ -176,7 +188,22 @@ impl Session {
             let place = glam::DVec3::from(shown.place(point));
             cameras.iter().filter_map(move |camera| camera.screen_from_world(place))
         };
+        let pixel = |place: [f64; 3]| {
+            let place = glam::DVec3::from(place);
+            cameras.iter().filter_map(move |camera| camera.screen_from_world(place))
+        };
+        // Bonds are long, and obstacles have no points: what stands between them is to be seen too.
+        let bonds = &shown.scenery.bonds;
+        let middle = |bond: usize| {
+            let bond = bonds.get(bond);
+            let [a, b] = [bond.a, bond.b].map(|end| shown.place(end.index()));
+            std::array::from_fn(|axis| 0.5 * (a[axis] + b[axis]))
+        };
+        let middles = (0..bonds.len()).step_by(bonds.len() / MOST_SEEN + 1).map(middle);
+        let corners = shown.scenery.polygons.iter().flat_map(|polygon| &polygon.loops).flatten();
+        let corners = corners.take(MOST_SEEN).map(|[x, y]| [*x, *y, 0.0]);
         let all = (0..shown.point_count()).step_by(step).flat_map(seen);
+        let all = all.chain(middles.chain(corners).flat_map(pixel));
         all.map(|[x, y]| Pos2::new((x / scale) as f32, (y / scale) as f32)).collect()
     }
 
@@ -185,14 +212,8 @@ impl Session {
         if !self.panels.has_settings {
             return Vec::new();
         }
-        let shown = self.shown();
         let push = self.live_force().map(|force| [self.hand.strength().unwrap_or(force.strength), force.radius]);
-        let in_world = |place: usize| shown.scenery.named.get(place).copied().flatten();
-        let of = |(place, parameter): (usize, &Parameter)| {
-            let value = parameter_value(&parameter.target, &shown.settings, push, &shown.scenery);
-            (parameter.clone(), value.or_else(|| in_world(place)))
-        };
-        self.named.iter().enumerate().map(of).collect()
+        parameters(&self.named, self.shown(), push)
     }
 
     /// How bodies are shown.
@@ -307,7 +328,7 @@ impl Session {
     fn reopen(&mut self) -> Result<(), RenderError> {
         self.canvas = Canvas::new(Arc::clone(&self.window), self.display.clone(), self.scene.dimensions())?;
         // The panels' textures went with the GPU: a fresh context sends them again.
-        self.egui = panels_for(&self.window, &self.canvas);
+        self.egui = panels_for(&self.window, &self.canvas, self.palette);
         self.paint = Paint::default();
         self.panels.thumbnails.clear();
         self.thumbnails = None;
@@ -317,19 +338,20 @@ impl Session {
     }
 }
 
-/// A mark as the panels' painter draws it, with a dark edge so that it is seen on any ground.
+/// A mark as the panels' painter draws it, with an edge so that it is seen on any ground.
 fn shape(context: &egui::Context, mark: &Mark, scale: f32, room: (Rect, Option<Pos2>)) -> Shape {
+    let colors = theme::colors(context);
     let color = |role: &Role| match role {
-        Role::Lead => theme::LEAD,
-        Role::Hold | Role::Come => theme::ACCENT,
-        Role::Away => theme::AWAY,
-        Role::Push => theme::PUSH,
-        Role::Probe(place) => theme::PROBES[*place],
-        Role::Ghost => theme::TEXT.gamma_multiply(0.45),
+        Role::Lead => colors.lead,
+        Role::Hold | Role::Come => colors.accent,
+        Role::Away => colors.away,
+        Role::Push => colors.push,
+        Role::Probe(place) => colors.probes[*place],
+        Role::Ghost => colors.text.gamma_multiply(0.45),
         Role::Paint([red, green, blue]) => Color32::from_rgb(*red, *green, *blue),
     };
     let at = |pixel: &glam::DVec2| Pos2::new(pixel.x as f32 / scale, pixel.y as f32 / scale);
-    let edge = Color32::from_black_alpha(150);
+    let edge = colors.edge;
     match mark {
         Mark::Line(role, from, to, width) => {
             let (ends, width) = ([at(from), at(to)], *width as f32 / scale);
@@ -363,12 +385,13 @@ fn shape(context: &egui::Context, mark: &Mark, scale: f32, room: (Rect, Option<P
 /// Words on a ground of their own, up from their lower left corner, kept in a room and off the pointer.
 fn written(context: &egui::Context, corner: Pos2, words: &str, (room, pointer): (Rect, Option<Pos2>)) -> Shape {
     let font = FontId::proportional(WORDS);
-    let galley = context.fonts_mut(|fonts| fonts.layout_no_wrap(words.to_owned(), font, theme::TEXT));
+    let colors = theme::colors(context);
+    let galley = context.fonts_mut(|fonts| fonts.layout_no_wrap(words.to_owned(), font, colors.text));
     let place = corner - egui::vec2(0.0, galley.size().y);
     let edge = egui::vec2(6.0, 3.0);
     let ground = Rect::from_min_size(place, galley.size()).expand2(edge);
     let ground = panels::kept_in(ground, pointer, room);
     let place = ground.min + edge;
-    let ground = Shape::rect_filled(ground, 5.0, theme::PANEL.gamma_multiply(0.92));
-    Shape::Vec(vec![ground, Shape::galley(place, galley, theme::TEXT)])
+    let ground = Shape::rect_filled(ground, 5.0, colors.panel.gamma_multiply(0.92));
+    Shape::Vec(vec![ground, Shape::galley(place, galley, colors.text)])
 }

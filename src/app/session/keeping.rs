@@ -26,9 +26,15 @@ impl Session {
         }
     }
 
+    /// The next file is looked for beside this one.
+    pub(super) fn remember(&mut self, path: &Path) {
+        self.last_file = std::path::absolute(path).ok();
+    }
+
     /// A path can be written.
     fn ask_where_to_save(&mut self) {
-        let folder = std::env::current_dir().unwrap_or_default();
+        let beside = self.last_file.as_deref().and_then(Path::parent).filter(|folder| folder.is_dir());
+        let folder = beside.map_or_else(|| std::env::current_dir().unwrap_or_default(), Path::to_owned);
         self.panels.save_to.begin();
         self.panels.path = free_name(&folder, self.scene.name(), "json").display().to_string();
         (self.panels.sheet, self.panels.is_fresh) = (Some(Sheet::SaveTo), true);

@@ -2,7 +2,7 @@
 
 use super::Session;
 use crate::app::action::Showing;
-use crate::app::panels::At;
+use crate::app::panels::{At, Met};
 use crate::lessons::{Show, lessons};
 
 impl Session {
@@ -17,6 +17,15 @@ impl Session {
             }
             Some(Err(error)) => self.complain(&error.to_string()),
             None => {}
+        }
+    }
+
+    /// A scene is there that no step asked for: a lesson whose scene it is not closes, and one that was left comes back with its own.
+    pub(super) fn leave_lesson(&mut self) {
+        match self.panels.lessons.meet(&self.scene) {
+            Met::Left { had_plots } if had_plots && self.panels.plots.is_some() => self.toggle_plots(),
+            Met::Back(at) => self.lay_out(at),
+            Met::Left { .. } | Met::Nothing => {}
         }
     }
 

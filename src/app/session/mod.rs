@@ -36,15 +36,17 @@ use super::loading::Loading;
 use super::matter::Matter;
 use super::meter::Meter;
 use super::opening::Free;
-use super::panels::{At, Misfits, PanelState, Sheet, theme};
+use super::panels::{At, Misfits, PanelState, Sheet, is_recording, theme};
 use super::player::{Figures, News, Note, Order, Player, Shown, too_many_to_meet};
 use super::pointer::Pointer;
+use super::preferences::Preferences;
 use super::saving::Saving;
 use super::shell::is_for_panels;
 use super::thumbnails::Thumbnails;
 use super::tools::{Chosen, Hand};
+use super::warnings::seen;
 use crate::history::{HistoryError, Start};
-use crate::render::{Camera, Look, RenderCounters, RenderError, Tiles, Trails};
+use crate::render::{Camera, Look, Palette, RenderCounters, RenderError, Tiles, Trails};
 use crate::scene::{MOST_MEETING, Parameter, Scene, SolverName, gallery};
 use crate::sim::{Cursor, HELD, Key, MouseForce, SceneChange};
 use asking::Asked;
@@ -136,6 +138,7 @@ pub(super) struct Session {
     /// Strength of the hover force when nothing is led, as the world told it last.
     base: Option<f64>,
     look: Look,
+    palette: Palette,
     trails: Trails,
     panels: PanelState,
     paint: Paint,
@@ -172,6 +175,8 @@ pub(super) struct Session {
     dialog: Option<Fetch>,
     pasted: Option<Fetch>,
     saving: Option<Saving>,
+    /// The last file that was saved or opened: the next one is looked for beside it.
+    last_file: Option<PathBuf>,
     /// Where sessions outlive a killed program, what the next history is recorded to, what is found of earlier ones, and what is left
     /// of them, the newest last.
     state_folder: Option<PathBuf>,
@@ -209,7 +214,7 @@ impl Session {
     ) -> Result<Self, RenderError> {
         let canvas = Canvas::new(Arc::clone(&window), display.clone(), scene.dimensions())?;
         let size = canvas.size();
-        let egui = panels_for(&window, &canvas);
+        let egui = panels_for(&window, &canvas, Palette::default());
         let mut session = Session {
             // Until the scene is there.
             camera: Camera::fit([[-1.0; 3], [1.0; 3]], scene.dimensions(), size),
@@ -227,6 +232,7 @@ impl Session {
             covered: Vec::new(),
             trails: Trails::new(TRAIL),
             look: Look { scale_factor: window.scale_factor() as f32, least_pin: LEAST_PIN, ..Look::default() },
+            palette: Palette::default(),
             has_picture: false,
             window,
             egui,
@@ -272,6 +278,7 @@ impl Session {
             dialog: None,
             pasted: None,
             saving: None,
+            last_file: None,
             state_folder: None,
             record: None,
             search: None,
@@ -298,8 +305,30 @@ impl Session {
 
     /// Sessions outlive a killed program in `folder`, where earlier ones are looked for; the next history is recorded to `record`.
     pub(super) fn keep_in(&mut self, folder: Option<PathBuf>, record: Option<PathBuf>) {
+        let preferred = folder.as_deref().map(Preferences::load).unwrap_or_default();
+        self.color(preferred.palette);
         self.search = folder.clone().map(|folder| look(folder, self.wake_up()));
         (self.state_folder, self.record) = (folder, record);
+    }
+
+    /// Panels and world have the colours of a palette from now on.
+    fn color(&mut self, palette: Palette) {
+        self.palette = palette;
+        self.look = self.look.colored(palette);
+        theme::apply(self.egui.egui_ctx(), palette);
+        // Those of the gallery are drawn anew when it opens.
+        self.panels.thumbnails.clear();
+        self.thumbnails = None;
+        self.touch();
+    }
+
+    /// Dark or light, as it is from now on and at the next start.
+    fn recolor(&mut self) {
+        self.color(self.palette.other());
+        let kept = self.state_folder.as_deref().map(|folder| Preferences { palette: self.palette }.save(folder));
+        if let Some(Err(why)) = kept {
+            self.complain(&format!("at the next start the colours are the old ones again: {why}"));
+        }
     }
 
     /// The program ends as it should.
@@ -376,13 +405,19 @@ impl Session {
     fn await_it(&mut self) {
         self.opening_since = Some(Instant::now());
         let scene = self.player.start().scene().clone();
-        self.window.set_title(&format!("wobble · {}", scene.name()));
         self.place = place_of(&scene);
         self.scene = Arc::new(scene);
+        self.call_window();
         (self.named, self.has_picture) = (Vec::new(), false);
         self.panels.notes.has_caption = false;
         self.panels.notes.complaint = None;
         self.panels.notes.begin();
+    }
+
+    /// The window is called by what is open in it.
+    fn call_window(&self) {
+        let name = self.player.start().name().unwrap_or(self.scene.name());
+        self.window.set_title(&format!("wobble · {name}"));
     }
 
     /// A history that is being made is not waited for: the one before it is there again. Returns whether there is one.
@@ -452,7 +487,6 @@ impl Session {
         self.opening_since = None;
         self.follows = false;
         self.canvas.forget_world(scene.dimensions());
-        self.window.set_title(&format!("wobble · {}", scene.name()));
         self.has_picture = scene.picture_body().is_some();
         self.look.has_mesh = false;
         self.trails = Trails::new(TRAIL * scene.rate());
@@ -462,6 +496,7 @@ impl Session {
         self.named = scene.named_parameters();
         self.place = place_of(&scene);
         self.scene = scene;
+        self.call_window();
         self.plot_anew();
         self.frame_as(Framing::Opening);
         if let Some(camera) = self.looks_again.take() {
@@ -472,19 +507,20 @@ impl Session {
         let passes =
             self.has_picture && self.scene.contact.is_none() && self.shown().scenery.bonds.len() > MOST_MEETING;
         let through = passes.then(|| format!("its bodies pass through each other: {}", too_many_to_meet()));
-        let warnings = &self.shown().scenery.warnings;
-        let warning = (!warnings.is_empty()).then(|| listed(warnings));
+        let warnings: Vec<&str> = self.shown().scenery.warnings.iter().map(|line| seen(line)).collect();
+        let warning = (!warnings.is_empty()).then(|| listed(&warnings));
         let said: Vec<String> = [warning, through, self.taken_keys()].into_iter().flatten().collect();
         self.panels.notes.complaint = (!said.is_empty()).then(|| said.join("\n"));
         self.panels.notes.begin();
-        if self.shown().figures.follows {
+        if self.player.start().is_replayed() {
             self.panels.notes.warn(REPLAYED.to_owned());
         }
         self.panels.notes.has_caption = true;
         self.wants_hint &= self.place == Some(0);
         self.place_hint();
-        if let Some(at) = self.teaches.take() {
-            self.lay_out(at);
+        match self.teaches.take() {
+            Some(at) => self.lay_out(at),
+            None => self.leave_lesson(),
         }
         self.touch();
     }
@@ -533,6 +569,8 @@ impl Session {
         match note {
             Note::Undone(name, seconds) => {
                 self.has_undone = true;
+                let left = &self.player.shown().scenery.warnings;
+                self.panels.notes.take_back(|line| left.iter().any(|other| other == line));
                 self.have_gone(format!("Undid: {name}{}", with_what_followed(seconds)));
             }
             Note::Redone(name, seconds) => self.have_gone(format!("Redid: {name}{}", far(seconds))),
@@ -550,7 +588,7 @@ impl Session {
             }
             Note::Added(Some(why)) => {
                 self.adding = None;
-                self.complain(&format!("it is in the scene, but bodies pass through each other: {why}"));
+                self.panels.notes.warn(format!("it is in the scene, but bodies pass through each other: {why}"));
             }
             Note::Before(list) => self.plot_before(list),
             Note::Exact => {
@@ -562,7 +600,12 @@ impl Session {
                 self.complain(&why);
             }
             Note::Warned(lines) => lines.into_iter().for_each(|line| self.panels.notes.warn(line)),
-            Note::Written(path) => self.say(format!("written: {}", path.display())),
+            Note::Written(path) => {
+                self.say(format!("written: {}", path.display()));
+                if is_recording(&path) {
+                    self.remember(&path);
+                }
+            }
             Note::NotWritten(why) => self.complain(&why),
             Note::NotKept(why) => self.complain(&format!(
                 "what you do here would be lost if the program were killed, until this can be written again: {why}"
@@ -742,8 +785,8 @@ const REPLAYED: &str = "a recording: it is replayed as it was done. A press on t
 const MOST_WARNINGS: usize = 3;
 
 /// Warnings below each other, the first few of many.
-fn listed(warnings: &[String]) -> String {
-    let shown = warnings.iter().take(MOST_WARNINGS).cloned();
+fn listed(warnings: &[&str]) -> String {
+    let shown = warnings.iter().take(MOST_WARNINGS).map(|line| (*line).to_owned());
     let more = warnings.len().saturating_sub(MOST_WARNINGS);
     let rest = (more > 0).then(|| format!("and {more} more: `wobble simulate` lists all"));
     shown.chain(rest).collect::<Vec<_>>().join("\n")
@@ -767,9 +810,9 @@ fn with_what_followed(seconds: f64) -> String {
 }
 
 /// A context for the panels of a window.
-fn panels_for(window: &Arc<Window>, canvas: &Canvas) -> egui_winit::State {
+fn panels_for(window: &Arc<Window>, canvas: &Canvas, palette: Palette) -> egui_winit::State {
     let context = egui::Context::default();
-    theme::apply(&context);
+    theme::apply(&context, palette);
     let scale = Some(window.scale_factor() as f32);
     let side = Some(canvas.largest_side() as usize);
     egui_winit::State::new(context, egui::ViewportId::ROOT, &**window, scale, None, side)
@@ -790,7 +833,7 @@ mod tests {
 
     #[test]
     fn of_many_warnings_the_first_are_listed() {
-        let all: Vec<String> = ["a", "b", "c", "d", "e"].map(str::to_owned).to_vec();
+        let all = ["a", "b", "c", "d", "e"];
         assert_eq!(listed(&all[..2]), "a\nb");
         assert_eq!(listed(&all), "a\nb\nc\nand 2 more: `wobble simulate` lists all");
     }

@@ -30,9 +30,10 @@ impl Session {
         self.watch();
     }
 
-    /// Another world is shown: what was plotted is of the last one.
+    /// Another world is shown: what was plotted is of the last one, and what was plotted of its probes goes with it.
     pub(super) fn plot_anew(&mut self) {
         self.panels.plots_at.begin();
+        self.panels.plots.take_if(|plots| plots.probes().iter().any(Option::is_some));
         if let Some(plots) = &mut self.panels.plots {
             plots.begin(self.scene.rate());
         }

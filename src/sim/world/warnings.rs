@@ -1,4 +1,5 @@
-//! What a world tells whoever made it or edited it: what of it cannot be as it was said.
+//! What a world tells whoever made it or edited it: what of it cannot be as it was said. Numbers of points and bonds stand in brackets at
+//! the end, for whoever writes scenes: a window leaves them out.
 
 use std::collections::BTreeMap;
 use std::ops::Range;
@@ -22,7 +23,7 @@ impl<S: Real, const D: usize> World<S, D> {
     pub(crate) fn warn_of_lengths(&mut self, changed: &[usize]) {
         if !changed.is_empty() {
             self.warnings.push(format!(
-                "rigid bonds contradict each other: {} were given the lengths of the nearest shape: make them agree",
+                "rigid bonds contradict each other: they were given the lengths of the nearest shape: make them agree ({})",
                 list(changed)
             ));
         }
@@ -33,23 +34,20 @@ impl<S: Real, const D: usize> World<S, D> {
         if let Some((points, _)) = cleared.moves.first() {
             let point = first + points.first().copied().unwrap_or_default();
             let which = match cleared.moves.len() {
-                1 if points.len() == 1 => format!("point {point}"),
-                1 => format!("the body of point {point}"),
-                count => format!("{count} bodies, the first that of point {point},"),
+                1 if points.len() == 1 => "a point".to_owned(),
+                count => bodies(count),
             };
             let far = cleared.furthest();
-            self.warnings
-                .push(format!("{which} lay inside an obstacle or a wall: moved out as a whole, by up to {far:.3} m"));
+            self.warnings.push(format!(
+                "{which} lay inside an obstacle or a wall: moved out as a whole, by up to {far:.3} m (point {point})"
+            ));
         }
         if let Some(stuck) = cleared.stuck.first() {
             let point = first + stuck;
-            let which = match cleared.stuck.len() {
-                1 => format!("the body of point {point}"),
-                count => format!("{count} bodies, the first that of point {point},"),
-            };
             self.warnings.push(format!(
-                "{which} lay inside an obstacle or a wall without a way out, or pinned: only points are put out, one by one, as far \
-                 as bonds let them"
+                "{} lay inside an obstacle or a wall without a way out, or pinned: only points are put out, one by one, as far as \
+                 bonds let them (point {point})",
+                bodies(cleared.stuck.len())
             ));
         }
     }
@@ -83,8 +81,11 @@ impl<S: Real, const D: usize> World<S, D> {
         };
         let between: Vec<usize> = self.bonds.iter().enumerate().filter(stands).map(|(k, _)| k).collect();
         if !between.is_empty() {
-            let text = format!("{} cannot hold: both ends are pinned, and not at that length", list(&between));
-            self.warnings.push(text);
+            let which = if between.len() == 1 { "a rigid bond" } else { "rigid bonds" };
+            self.warnings.push(format!(
+                "{which} cannot hold: both ends are pinned, and not at that length ({})",
+                list(&between)
+            ));
         }
         let led: Vec<PointId> = tracks.keys().copied().collect();
         let held: Vec<PointId> = (0..w.len()).filter(|&i| w[i] == 0.0).map(|i| PointId(i as u32)).collect();
@@ -95,7 +96,7 @@ impl<S: Real, const D: usize> World<S, D> {
         let reaches = reach::reaches(&self.bonds, &led, &held);
         if let Some((way, [a, b])) = reaches.iter().filter_map(beyond).max_by(|a, b| a.0.total_cmp(&b.0)) {
             self.warnings.push(format!(
-                "pins {} and {} are led up to {way:.3} m further apart than the bonds between them reach: these are strained",
+                "pins are led up to {way:.3} m further apart than the bonds between them reach: these are strained (points {} and {})",
                 a.0, b.0
             ));
         }
@@ -106,9 +107,9 @@ impl<S: Real, const D: usize> World<S, D> {
         let is_dropped = |point: &usize| self.inverse_mass[*point] == 0.0 && velocity[*point] != [0.0; D];
         let dropped: Vec<usize> = (0..velocity.len()).filter(is_dropped).collect();
         if !dropped.is_empty() {
-            let verb = if dropped.len() == 1 { "is" } else { "are" };
+            let who = if dropped.len() == 1 { "a point is" } else { "points are" };
             self.warnings.push(format!(
-                "{} {verb} pinned: the velocity at the start is left out: unpin, or lead by `pin_motion`",
+                "{who} pinned: the velocity at the start is left out: unpin, or lead by `pin_motion` ({})",
                 named("point", &dropped)
             ));
         }
@@ -127,8 +128,8 @@ impl<S: Real, const D: usize> World<S, D> {
         let flat: Vec<usize> =
             (first..self.model.rest_areas.len()).filter(|&k| self.model.rest_areas[k] == 0.0).collect();
         if resist && !flat.is_empty() {
-            let text = format!("{} of area 0 at the start: left out of `areas`", named("triangle", &flat));
-            self.warnings.push(text);
+            let numbers = named("triangle", &flat);
+            self.warnings.push(format!("{} of area 0 at the start: left out of `areas` ({numbers})", triangles(&flat)));
         }
     }
 
@@ -142,14 +143,16 @@ impl<S: Real, const D: usize> World<S, D> {
         let corners = self.model.triangles.iter().enumerate();
         let flat: Vec<usize> = corners.filter(|(_, corners)| is_flat(corners)).map(|(k, _)| k).collect();
         if !flat.is_empty() {
-            self.warnings.push(format!("{} of area 0 at the start: not kept open", named("triangle", &flat)));
+            let numbers = named("triangle", &flat);
+            self.warnings.push(format!("{} of area 0 at the start: not kept open ({numbers})", triangles(&flat)));
         }
     }
 
     /// Tells of triangles that were left out, as others have their corners.
     pub(crate) fn warn_of_repeats(&mut self, repeated: &[usize]) {
         if !repeated.is_empty() {
-            let text = format!("{} repeated: left out, as others have these corners", named("triangle", repeated));
+            let numbers = named("triangle", repeated);
+            let text = format!("{} repeated: left out, as others have these corners ({numbers})", triangles(repeated));
             self.warnings.push(text);
         }
     }
@@ -175,10 +178,11 @@ impl<S: Real, const D: usize> World<S, D> {
         let asked = self.model.angles.list.iter().filter(|angle| numbers.contains(&angle.number));
         let (found, energies): (Vec<usize>, Vec<f64>) = asked.filter_map(outside).unzip();
         (!found.is_empty()).then(|| {
+            let which = if found.len() == 1 { "a joint".to_owned() } else { format!("{} joints", found.len()) };
             format!(
-                "{} outside `min` to `max` at the start: the stops push with {:.2e} J: start them within",
-                named("angle", &found),
-                energies.iter().sum::<f64>()
+                "{which} outside `min` to `max` at the start: the stops push with {:.2e} J: start them within ({})",
+                energies.iter().sum::<f64>(),
+                named("angle", &found)
             )
         })
     }
@@ -208,6 +212,16 @@ impl<S: Real, const D: usize> World<S, D> {
             self.warnings.push(text);
         }
     }
+}
+
+/// Bodies by their count.
+fn bodies(count: usize) -> String {
+    if count == 1 { "a body".to_owned() } else { format!("{count} bodies") }
+}
+
+/// Triangles by theirs.
+fn triangles(numbers: &[usize]) -> String {
+    if numbers.len() == 1 { "a triangle".to_owned() } else { format!("{} triangles", numbers.len()) }
 }
 
 /// "bond 3", "bonds 1, 2 and 4", the first few of many.

@@ -1,170 +1,18 @@
-//! What can be set of the scene while it runs: a panel at the right. It shows the world as it is, and returns commands.
+//! The fields of the settings, section by section.
 
-use egui::{Align2, Area, ComboBox, DragValue, Id, Rect, Response, RichText, ScrollArea, Slider, SliderClamping, Ui};
+use egui::{ComboBox, DragValue, Response, Slider, SliderClamping, Ui};
 
-use super::theme::{TEXT, floating};
-use super::{Facts, PanelState, Wish, described, dial, parameters};
-use crate::app::action::Action;
+use super::super::{Facts, Wish, dial};
+use super::Sink;
 use crate::app::player::MethodSetting;
 use crate::history::{AreasOrNone, Do, SetKeys, Walls, Weather};
-use crate::scene::{AreaKeys, AreaKindName, BoundsKeys, Meeting, Parameter, SolverName, Vector, WindKeys};
-use crate::sim::{Areas, BoundsChange, Contact, Method, MouseChange, SceneChange, Solver, Wind};
+use crate::scene::{AreaKeys, AreaKindName, BoundsKeys, Meeting, SolverName, Vector, WindKeys};
+use crate::sim::{Areas, BoundsChange, Contact, Method, MouseChange, Solver, Wind};
 
-/// Width of the panel `[points]`.
-pub(super) const WIDTH: f32 = 250.0;
-/// Frame and header, above what is scrolled `[points]`.
-const HEAD: f32 = 52.0;
 /// Gravity on the ground `[m/s^2]`.
 const GRAVITY: f64 = 9.81;
 /// Gravity at the rim of the dial `[m/s^2]`.
 const FULL: f64 = 20.0;
-
-/// What can be set, as it is.
-#[derive(Clone, Debug, Default, PartialEq)]
-pub(in crate::app) struct Settings {
-    pub(in crate::app) scene: SceneChange,
-    /// Strength `[1/s^2]` and radius `[m]` of the hover force; `None`: there is none, or it goes along a track.
-    pub(in crate::app) push: Option<[f64; 2]>,
-    /// The numbers that the scene names, each as it is now.
-    pub(in crate::app) parameters: Vec<(Parameter, Option<f64>)>,
-}
-
-/// A setting gets another value.
-#[derive(Clone, Debug, PartialEq)]
-pub(in crate::app) struct Setting {
-    pub(in crate::app) act: Do,
-    /// What it is called when it is undone.
-    pub(in crate::app) name: &'static str,
-    /// It belongs to the same drag as the last one.
-    pub(in crate::app) goes_on: bool,
-}
-
-/// Where changes go to.
-pub(super) struct Sink<'a> {
-    /// What is being dragged.
-    gesture: &'a mut Option<Id>,
-    wishes: &'a mut Vec<Wish>,
-    dimensions: usize,
-}
-
-impl Sink<'_> {
-    /// What is dragged on is one edit.
-    pub(super) fn set(&mut self, by: &Response, name: &'static str, act: Do) {
-        let goes_on = *self.gesture == Some(by.id);
-        *self.gesture = by.is_pointer_button_down_on().then_some(by.id);
-        self.wishes.push(Wish::Set(Setting { act, name, goes_on }));
-    }
-
-    fn scene(&mut self, by: &Response, name: &'static str, keys: SetKeys) {
-        self.set(by, name, Do::Set(Box::new(keys)));
-    }
-
-    fn method(&mut self, by: &Response, setting: MethodSetting) {
-        let goes_on = *self.gesture == Some(by.id);
-        *self.gesture = by.is_pointer_button_down_on().then_some(by.id);
-        self.wishes.push(Wish::Method(setting, goes_on));
-    }
-
-    pub(super) fn vector(&self, v: [f64; 3]) -> Vector {
-        Vector::new(v, self.dimensions)
-    }
-}
-
-/// Shows it along the lower edge of a room, in two columns. Returns where it begins `[points]`.
-pub(super) fn show_below(
-    context: &egui::Context,
-    room: Rect,
-    state: &mut PanelState,
-    facts: &Facts,
-    wishes: &mut Vec<Wish>,
-) -> f32 {
-    let size = [(room.width() - 36.0).max(180.0), (super::lessons::LOW * room.height() - HEAD).max(120.0)];
-    let place = (Align2::CENTER_BOTTOM, room.center_bottom());
-    panel(context, (place, size), state, (facts, wishes), |ui, facts, sink| {
-        ui.columns(2, |columns| {
-            of_scene(&mut columns[0], facts, sink);
-            of_bodies(&mut columns[1], facts, sink);
-        });
-    })
-}
-
-/// Shows it at the lower right corner of a room.
-pub(super) fn show(context: &egui::Context, room: Rect, state: &mut PanelState, facts: &Facts, wishes: &mut Vec<Wish>) {
-    let corner = room.right_bottom() - egui::vec2(10.0, 0.0);
-    let size = [WIDTH, (room.height() - HEAD).max(120.0)];
-    panel(context, ((Align2::RIGHT_BOTTOM, corner), size), state, (facts, wishes), |ui, facts, sink| {
-        of_scene(ui, facts, sink);
-        ui.separator();
-        of_bodies(ui, facts, sink);
-    });
-}
-
-/// A panel at a place, so wide and what is scrolled so high at most `[points]`. Returns where it begins.
-fn panel(
-    context: &egui::Context,
-    ((pivot, corner), [width, height]): ((Align2, egui::Pos2), [f32; 2]),
-    state: &mut PanelState,
-    (facts, wishes): (&Facts, &mut Vec<Wish>),
-    all: impl FnOnce(&mut Ui, &Facts, &mut Sink<'_>),
-) -> f32 {
-    if !context.input(|input| input.pointer.any_down()) {
-        state.gesture = None;
-    }
-    let mut sink = Sink { gesture: &mut state.gesture, wishes, dimensions: facts.dimensions };
-    let area = Area::new(Id::unique("settings")).pivot(pivot).fixed_pos(corner);
-    let shown = area.show(context, |ui| {
-        floating().show(ui, |ui| {
-            ui.set_width(width);
-            ui.horizontal(|ui| {
-                ui.label(RichText::new("Settings").color(TEXT).strong());
-                ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
-                    if ui.button("Close").on_hover_text(described("close the settings", Action::Settings)).clicked() {
-                        sink.wishes.push(Wish::Act(Action::Settings));
-                    }
-                });
-            });
-            ScrollArea::vertical()
-                .max_height(height)
-                .min_scrolled_height(height)
-                .show(ui, |ui| all(ui, facts, &mut sink));
-        });
-    });
-    shown.response.rect.top()
-}
-
-/// What is about bodies: parameters, gravity, air and walls.
-fn of_scene(ui: &mut Ui, facts: &Facts, sink: &mut Sink<'_>) {
-    let settings = &facts.settings;
-    let SceneChange { gravity, drag_rate, wind, bounds, .. } = &settings.scene;
-    if !settings.parameters.is_empty() {
-        parameters::show(ui, &settings.parameters, &settings.scene, sink);
-    }
-    gravity.iter().for_each(|g| of_gravity(ui, *g, sink));
-    if let (Some(drag_rate), Some(wind)) = (*drag_rate, *wind) {
-        ui.separator();
-        of_air(ui, drag_rate, wind, sink);
-    }
-    if let Some(bounds) = bounds {
-        ui.separator();
-        of_walls(ui, bounds.as_ref(), facts.seen, sink);
-    }
-}
-
-/// How bodies meet and are moved.
-fn of_bodies(ui: &mut Ui, facts: &Facts, sink: &mut Sink<'_>) {
-    let settings = &facts.settings;
-    let SceneChange { contact, areas, method, .. } = &settings.scene;
-    contact.iter().for_each(|contact| of_contact(ui, *contact, sink));
-    if let Some(areas) = areas.filter(|_| sink.dimensions == 2) {
-        of_areas(ui, areas, sink);
-    }
-    if let Some(push) = settings.push {
-        ui.separator();
-        of_push(ui, push, sink);
-    }
-    ui.separator();
-    method.iter().for_each(|method| of_method(ui, method, facts, sink));
-}
 
 /// A number with its name before it, by which what reads aloud calls it.
 fn number(ui: &mut Ui, name: &str, (value, speed, unit): (&mut f64, f64, &str)) -> Response {
@@ -180,7 +28,7 @@ fn slider(ui: &mut Ui, name: &str, value: &mut f64, most: f64) -> Response {
     ui.add(slider.update_while_editing(false))
 }
 
-fn of_gravity(ui: &mut Ui, gravity: [f64; 3], sink: &mut Sink<'_>) {
+pub(super) fn of_gravity(ui: &mut Ui, gravity: [f64; 3], sink: &mut Sink<'_>) {
     let [x, y, z] = gravity;
     let set = |sink: &mut Sink<'_>, by: &Response, to: [f64; 3]| {
         let keys = SetKeys { gravity: Some(sink.vector(to)), ..SetKeys::default() };
@@ -214,7 +62,7 @@ fn of_gravity(ui: &mut Ui, gravity: [f64; 3], sink: &mut Sink<'_>) {
     });
 }
 
-fn of_air(ui: &mut Ui, mut drag_rate: f64, wind: Option<Wind<3>>, sink: &mut Sink<'_>) {
+pub(super) fn of_air(ui: &mut Ui, mut drag_rate: f64, wind: Option<Wind<3>>, sink: &mut Sink<'_>) {
     ui.strong("Air");
     let by = slider(ui, "drag /s", &mut drag_rate, 5.0);
     if by.changed() {
@@ -247,7 +95,7 @@ fn of_air(ui: &mut Ui, mut drag_rate: f64, wind: Option<Wind<3>>, sink: &mut Sin
     }
 }
 
-fn of_walls(ui: &mut Ui, bounds: Option<&BoundsChange>, seen: [[f64; 2]; 2], sink: &mut Sink<'_>) {
+pub(super) fn of_walls(ui: &mut Ui, bounds: Option<&BoundsChange>, seen: [[f64; 2]; 2], sink: &mut Sink<'_>) {
     ui.horizontal(|ui| {
         ui.strong("Walls");
         let [low, high] = seen;
@@ -294,7 +142,7 @@ fn of_walls(ui: &mut Ui, bounds: Option<&BoundsChange>, seen: [[f64; 2]; 2], sin
 /// Names of the walls along each axis.
 const WALLS: [[&str; 2]; 3] = [["left", "right"], ["floor", "top"], ["back", "front"]];
 
-fn of_contact(ui: &mut Ui, contact: Option<Contact>, sink: &mut Sink<'_>) {
+pub(super) fn of_contact(ui: &mut Ui, contact: Option<Contact>, sink: &mut Sink<'_>) {
     let mut meets = contact.is_some();
     ui.strong("Bodies");
     let by = ui.checkbox(&mut meets, "meet each other");
@@ -315,7 +163,7 @@ fn of_contact(ui: &mut Ui, contact: Option<Contact>, sink: &mut Sink<'_>) {
 }
 
 /// How hard bodies are to squeeze, beside what their bonds do.
-fn of_areas(ui: &mut Ui, areas: Option<Areas>, sink: &mut Sink<'_>) {
+pub(super) fn of_areas(ui: &mut Ui, areas: Option<Areas>, sink: &mut Sink<'_>) {
     let before = areas.unwrap_or_default();
     if before.stiffness.is_infinite() {
         ui.weak("areas are kept");
@@ -336,7 +184,7 @@ fn of_areas(ui: &mut Ui, areas: Option<Areas>, sink: &mut Sink<'_>) {
     }
 }
 
-fn of_push(ui: &mut Ui, [mut strength, mut radius]: [f64; 2], sink: &mut Sink<'_>) {
+pub(super) fn of_push(ui: &mut Ui, [mut strength, mut radius]: [f64; 2], sink: &mut Sink<'_>) {
     ui.strong("Push of the mouse");
     let [speed, pace] = [0.01 * strength.abs().max(1.0), 0.01 * radius];
     let both = ui.horizontal_wrapped(|ui| {
@@ -354,7 +202,7 @@ fn of_push(ui: &mut Ui, [mut strength, mut radius]: [f64; 2], sink: &mut Sink<'_
     }
 }
 
-fn of_method(ui: &mut Ui, method: &Method, facts: &Facts, sink: &mut Sink<'_>) {
+pub(super) fn of_method(ui: &mut Ui, method: &Method, facts: &Facts, sink: &mut Sink<'_>) {
     ui.strong("Method");
     of_solver(ui, method.solver, facts, sink);
     let shown = |x: f64, places: usize| format!("{x:.places$}").trim_end_matches('0').trim_end_matches('.').to_owned();
@@ -415,8 +263,8 @@ fn of_solver(ui: &mut Ui, solver: Solver, facts: &Facts, sink: &mut Sink<'_>) {
     let now: Option<SolverName> = solver.name().parse().ok();
     let words = now.map_or(solver.name(), SolverName::words);
     ComboBox::from_label("solver").selected_text(words).truncate().show_ui(ui, |ui| {
-        for choice in super::beside::solvers() {
-            let why = super::beside::why_not(facts, choice);
+        for choice in super::super::beside::solvers() {
+            let why = super::super::beside::why_not(facts, choice);
             let label = egui::Button::selectable(now == Some(choice), choice.words());
             let by = ui.add_enabled(why.is_none(), label);
             if by.clicked() && now != Some(choice) {

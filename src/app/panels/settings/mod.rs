@@ -1,0 +1,152 @@
+//! What can be set of the scene while it runs: a panel at the right. It shows the world as it is, and returns commands.
+
+mod fields;
+mod sections;
+
+use egui::{Align2, Area, Id, Rect, Response, RichText, Role, ScrollArea, TextEdit, Ui, WidgetInfo};
+
+use super::theme::{colors, floating};
+use super::{Facts, PanelState, Wish, described};
+use crate::app::action::Action;
+use crate::app::player::MethodSetting;
+use crate::history::{Do, SetKeys};
+use crate::scene::{Parameter, Vector};
+use crate::sim::SceneChange;
+use sections::Section;
+
+/// What the field that a search is written in is called.
+const SEARCH: &str = "search the settings";
+/// Width of the panel `[points]`.
+pub(super) const WIDTH: f32 = 250.0;
+/// Frame and header, above what is scrolled `[points]`.
+const HEAD: f32 = 52.0;
+/// What can be set, as it is.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub(in crate::app) struct Settings {
+    pub(in crate::app) scene: SceneChange,
+    /// Strength `[1/s^2]` and radius `[m]` of the hover force; `None`: there is none, or it goes along a track.
+    pub(in crate::app) push: Option<[f64; 2]>,
+    /// The numbers that the scene names, each as it is now.
+    pub(in crate::app) parameters: Vec<(Parameter, Option<f64>)>,
+}
+
+/// A setting gets another value.
+#[derive(Clone, Debug, PartialEq)]
+pub(in crate::app) struct Setting {
+    pub(in crate::app) act: Do,
+    /// What it is called when it is undone.
+    pub(in crate::app) name: &'static str,
+    /// It belongs to the same drag as the last one.
+    pub(in crate::app) goes_on: bool,
+}
+
+/// Where changes go to.
+pub(super) struct Sink<'a> {
+    /// What is being dragged.
+    gesture: &'a mut Option<Id>,
+    wishes: &'a mut Vec<Wish>,
+    dimensions: usize,
+}
+
+impl Sink<'_> {
+    /// What is dragged on is one edit.
+    pub(super) fn set(&mut self, by: &Response, name: &'static str, act: Do) {
+        let goes_on = *self.gesture == Some(by.id);
+        *self.gesture = by.is_pointer_button_down_on().then_some(by.id);
+        self.wishes.push(Wish::Set(Setting { act, name, goes_on }));
+    }
+
+    fn scene(&mut self, by: &Response, name: &'static str, keys: SetKeys) {
+        self.set(by, name, Do::Set(Box::new(keys)));
+    }
+
+    fn method(&mut self, by: &Response, setting: MethodSetting) {
+        let goes_on = *self.gesture == Some(by.id);
+        *self.gesture = by.is_pointer_button_down_on().then_some(by.id);
+        self.wishes.push(Wish::Method(setting, goes_on));
+    }
+
+    pub(super) fn vector(&self, v: [f64; 3]) -> Vector {
+        Vector::new(v, self.dimensions)
+    }
+}
+
+/// Shows it along the lower edge of a room, in two columns. Returns where it begins `[points]`.
+pub(super) fn show_below(
+    context: &egui::Context,
+    room: Rect,
+    state: &mut PanelState,
+    facts: &Facts,
+    wishes: &mut Vec<Wish>,
+) -> f32 {
+    let size = [(room.width() - 36.0).max(180.0), (super::lessons::LOW * room.height() - HEAD).max(120.0)];
+    let place = (Align2::CENTER_BOTTOM, room.center_bottom());
+    panel(context, (place, size), state, (facts, wishes), |ui, facts, sections, sink| {
+        let (left, right) = sections.split_at(sections.len().div_ceil(2));
+        ui.columns(2, |columns| {
+            for (column, list) in columns.iter_mut().zip([left, right]) {
+                all_of(column, list, facts, sink);
+            }
+        });
+    })
+}
+
+/// Shows it at the lower right corner of a room.
+pub(super) fn show(context: &egui::Context, room: Rect, state: &mut PanelState, facts: &Facts, wishes: &mut Vec<Wish>) {
+    let corner = room.right_bottom() - egui::vec2(10.0, 0.0);
+    let size = [WIDTH, (room.height() - HEAD).max(120.0)];
+    panel(context, ((Align2::RIGHT_BOTTOM, corner), size), state, (facts, wishes), |ui, facts, sections, sink| {
+        all_of(ui, sections, facts, sink);
+    });
+}
+
+/// A panel at a place, so wide and what is scrolled so high at most `[points]`. Returns where it begins.
+fn panel(
+    context: &egui::Context,
+    ((pivot, corner), [width, height]): ((Align2, egui::Pos2), [f32; 2]),
+    state: &mut PanelState,
+    (facts, wishes): (&Facts, &mut Vec<Wish>),
+    all: impl FnOnce(&mut Ui, &Facts, &[Section], &mut Sink<'_>),
+) -> f32 {
+    if !context.input(|input| input.pointer.any_down()) {
+        state.gesture = None;
+    }
+    let search = &mut state.settings_search;
+    let mut sink = Sink { gesture: &mut state.gesture, wishes, dimensions: facts.dimensions };
+    let area = Area::new(Id::unique("settings")).pivot(pivot).fixed_pos(corner);
+    let shown = area.show(context, |ui| {
+        floating(ui).show(ui, |ui| {
+            ui.set_width(width);
+            ui.horizontal(|ui| {
+                ui.label(RichText::new("Settings").color(colors(ui).text).strong());
+                ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
+                    if ui.button("Close").on_hover_text(described("close the settings", Action::Settings)).clicked() {
+                        sink.wishes.push(Wish::Act(Action::Settings));
+                    }
+                    let field =
+                        TextEdit::singleline(search).hint_text("search: wind, sweeps").desired_width(f32::INFINITY);
+                    let field = ui.add(field);
+                    field.widget_info(|| WidgetInfo::labeled(Role::TextInput, true, SEARCH));
+                });
+            });
+            let found = sections::found(facts, search);
+            ScrollArea::vertical().max_height(height).min_scrolled_height(height).show(ui, |ui| {
+                all(ui, facts, &found, &mut sink);
+                if found.is_empty() {
+                    ui.label(RichText::new("nothing that can be set here is called so").color(colors(ui).weak));
+                }
+            });
+        });
+    });
+    shown.response.rect.top()
+}
+
+/// Sections below each other.
+fn all_of(ui: &mut Ui, sections: &[Section], facts: &Facts, sink: &mut Sink<'_>) {
+    for (place, section) in sections.iter().enumerate() {
+        if place > 0 {
+            ui.separator();
+        }
+        section.show(ui, facts, sink);
+    }
+}

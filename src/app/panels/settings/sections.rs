@@ -1,0 +1,199 @@
+//! The sections of the settings: what the scene is about first, then in the order of use.
+
+use egui::Ui;
+
+use super::super::{Facts, Wish, parameters};
+use super::{Sink, fields};
+use crate::app::action::Action;
+use crate::render::Palette;
+use crate::scene::Parameter;
+
+/// A few settings that belong together.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Section {
+    /// The numbers that the scene names.
+    Scene,
+    Gravity,
+    Bodies,
+    Push,
+    Air,
+    Walls,
+    Method,
+    /// How all scenes look.
+    Colors,
+}
+
+/// All of them, in the order of use.
+const ALL: [Section; 8] = [
+    Section::Scene,
+    Section::Gravity,
+    Section::Bodies,
+    Section::Push,
+    Section::Air,
+    Section::Walls,
+    Section::Method,
+    Section::Colors,
+];
+
+/// What a caption that sends one here calls the settings.
+const SETTINGS: &str = "settings";
+
+impl Section {
+    /// What is looked for when it is meant.
+    fn words(self) -> &'static [&'static str] {
+        match self {
+            Section::Scene => &["this scene"],
+            Section::Gravity => &["gravity", "weight", "down", "m/s²"],
+            Section::Bodies => {
+                &["bodies", "meet", "contact", "collisions", "friction", "restitution", "bounce", "areas", "resist"]
+            }
+            Section::Push => &["push", "mouse", "strength", "radius", "reach"],
+            Section::Air => &["air", "drag", "wind", "turbulence", "gusts"],
+            Section::Walls => &["walls", "floor", "left", "right", "top", "friction", "restitution", "bounce"],
+            Section::Method => &[
+                "method",
+                "solver",
+                "substep",
+                "sweeps",
+                "iterations",
+                "strain of rods",
+                "work a frame",
+                "budget",
+                "sleep",
+                "asleep",
+                "rest",
+                "tolerance",
+            ],
+            Section::Colors => &["colours", "colors", "dark", "light", "palette", "theme", "look"],
+        }
+    }
+
+    /// Whether a caption that speaks of the settings means it.
+    fn is_named(self, caption: &str) -> bool {
+        let words = match self {
+            // What the scene names stands first anyway; colours belong to none.
+            Section::Scene | Section::Colors => return false,
+            Section::Gravity => &["gravity"][..],
+            Section::Bodies => &["meet each other", "areas"],
+            Section::Push => &["push of the mouse"],
+            Section::Air => &["wind", "drag rate", "turbulence"],
+            Section::Walls => &["walls"],
+            Section::Method => &["sweeps", "substep", "solver", "method"],
+        };
+        words.iter().any(|word| caption.contains(word))
+    }
+
+    /// Whether the world has any of it.
+    fn is_there(self, facts: &Facts) -> bool {
+        let (settings, scene) = (&facts.settings, &facts.settings.scene);
+        match self {
+            Section::Scene => settings.parameters.iter().any(|(_, value)| value.is_some()),
+            Section::Gravity => scene.gravity.is_some(),
+            Section::Bodies => scene.contact.is_some() || facts.dimensions == 2 && scene.areas.is_some(),
+            Section::Push => settings.push.is_some(),
+            Section::Air => scene.drag_rate.is_some() && scene.wind.is_some(),
+            Section::Walls => scene.bounds.is_some(),
+            Section::Method => scene.method.is_some(),
+            Section::Colors => true,
+        }
+    }
+
+    /// Whether what is looked for is in its words.
+    fn has(self, facts: &Facts, wanted: &str) -> bool {
+        let is_in = |text: &str| text.to_lowercase().contains(wanted);
+        let labels = || facts.settings.parameters.iter().any(|(Parameter { label, .. }, _)| is_in(label));
+        self.words().iter().any(|word| is_in(word)) || self == Section::Scene && labels()
+    }
+
+    pub(super) fn show(self, ui: &mut Ui, facts: &Facts, sink: &mut Sink<'_>) {
+        let (settings, scene) = (&facts.settings, &facts.settings.scene);
+        match self {
+            Section::Scene => parameters::show(ui, &settings.parameters, scene, sink),
+            Section::Gravity => scene.gravity.iter().for_each(|g| fields::of_gravity(ui, *g, sink)),
+            Section::Bodies => {
+                scene.contact.iter().for_each(|contact| fields::of_contact(ui, *contact, sink));
+                if let Some(areas) = scene.areas.filter(|_| facts.dimensions == 2) {
+                    fields::of_areas(ui, areas, sink);
+                }
+            }
+            Section::Push => settings.push.iter().for_each(|push| fields::of_push(ui, *push, sink)),
+            Section::Air => {
+                if let (Some(drag_rate), Some(wind)) = (scene.drag_rate, scene.wind) {
+                    fields::of_air(ui, drag_rate, wind, sink);
+                }
+            }
+            Section::Walls => {
+                scene.bounds.iter().for_each(|walls| fields::of_walls(ui, walls.as_ref(), facts.seen, sink));
+            }
+            Section::Method => scene.method.iter().for_each(|method| fields::of_method(ui, method, facts, sink)),
+            Section::Colors => of_colors(ui, facts, sink),
+        }
+    }
+}
+
+/// The sections in whose words all words of a search are: what the scene names and what its caption sends one to stand first.
+pub(super) fn found(facts: &Facts, search: &str) -> Vec<Section> {
+    let wanted: Vec<String> = search.split_whitespace().map(str::to_lowercase).collect();
+    let caption = facts.caption.map(|lines| lines.join(" ").to_lowercase()).filter(|words| words.contains(SETTINGS));
+    let mut found: Vec<Section> = ALL
+        .into_iter()
+        .filter(|section| section.is_there(facts) && wanted.iter().all(|word| section.has(facts, word)))
+        .collect();
+    let is_named = |section: &Section| caption.as_deref().is_some_and(|caption| section.is_named(caption));
+    // A stable order: those that are named, then the others, each as they are used.
+    found.sort_by_key(|section| *section != Section::Scene && !is_named(section));
+    found
+}
+
+fn of_colors(ui: &mut Ui, facts: &Facts, sink: &mut Sink<'_>) {
+    ui.strong("Colours");
+    ui.horizontal(|ui| {
+        for (palette, name) in [(Palette::Dark, "dark"), (Palette::Light, "light")] {
+            let said = super::described("of panels and world, kept for the next start", Action::Palette);
+            let is_on = facts.palette == palette;
+            if ui.radio(is_on, name).on_hover_text(said).clicked() && !is_on {
+                sink.wishes.push(Wish::Act(Action::Palette));
+            }
+        }
+    });
+}
+
+#[cfg(test)]
+#[allow(clippy::unwrap_used, reason = "a test that cannot go on stops")]
+mod tests {
+    use super::*;
+    use crate::app::panels::Settings;
+    use crate::scene::gallery;
+
+    fn facts(name: &str) -> Facts {
+        let entry = gallery().iter().find(|entry| entry.name == name).unwrap();
+        let scene = entry.scene().unwrap().world(None).unwrap().settings();
+        let settings = Settings { scene, push: Some([20.0, 1.0]), parameters: Vec::new() };
+        Facts { settings, dimensions: 2, caption: Some([entry.description, entry.to_try]), ..Facts::default() }
+    }
+
+    #[test]
+    fn what_a_caption_sends_one_to_stands_first() {
+        let sent: Vec<&str> = gallery()
+            .iter()
+            .filter(|entry| entry.to_try.contains("settings") && entry.to_try.contains("sweeps"))
+            .map(|entry| entry.name)
+            .collect();
+        assert!(!sent.is_empty(), "no caption sends one to the sweeps any more");
+        for name in sent {
+            assert_eq!(found(&facts(name), "")[0], Section::Method, "{name}");
+        }
+        assert_eq!(found(&facts("jelly"), "")[0], Section::Gravity, "else in the order of use");
+    }
+
+    #[test]
+    fn a_search_finds_sections_by_any_of_their_words() {
+        let facts = facts("jelly");
+        assert_eq!(found(&facts, "Sweeps"), [Section::Method]);
+        assert_eq!(found(&facts, "wind"), [Section::Air]);
+        assert_eq!(found(&facts, "friction"), [Section::Bodies, Section::Walls]);
+        assert_eq!(found(&facts, "light"), [Section::Colors]);
+        assert!(found(&facts, "no such thing").is_empty());
+        assert!(found(&facts, " ").len() >= 7);
+    }
+}

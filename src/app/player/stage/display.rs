@@ -1,0 +1,107 @@
+//! What the window is handed of a moment: states, figures, and what stands about the points.
+
+use std::sync::Arc;
+use std::time::{Duration, Instant};
+
+use super::super::movers::movers;
+use super::super::named::in_world;
+use super::super::shown::{Figures, Scenery, Shown};
+use super::Stage;
+use crate::app::matter::Matter;
+use crate::sim::Dynamics;
+
+/// How often figures are taken that cost something: nobody reads faster.
+const FIGURES_EVERY: Duration = Duration::from_millis(100);
+
+impl Stage {
+    /// Looks what is shown is made of now.
+    pub(super) fn inspect(&mut self) {
+        let is_wanted = !self.among.is_empty();
+        let matter = is_wanted.then(|| Matter::of(self.history.world(), self.history.tints(), &self.among)).flatten();
+        self.matter = matter.map(Arc::new);
+    }
+
+    /// What stands about the points is looked at again if it changed.
+    pub(super) fn look(&mut self) {
+        let world = self.history.world();
+        let (tints, groups) = (self.history.tints(), self.history.named());
+        let is_dressed = Arc::ptr_eq(tints, &self.scenery.tints) && Arc::ptr_eq(groups, &self.scenery.groups);
+        if self.topology != Some(world.topology()) || !is_dressed {
+            self.topology = Some(world.topology());
+            self.sceneries += 1;
+            let mut scenery = Scenery::of(world, self.history.skins(), (tints, groups));
+            scenery.named = self.named.iter().map(|parameter| in_world(&parameter.target, world)).collect();
+            scenery.warnings.splice(0..0, self.history.notes().iter().cloned());
+            self.scenery = Arc::new(scenery);
+            self.inspect();
+        }
+    }
+
+    /// Puts the present moment into `shown`, whose memory is used again.
+    pub fn show(&mut self, shown: &mut Shown) {
+        let moves = self.pace.is_moving(&self.history);
+        let world = self.history.world();
+        if !moves || self.figures_at.is_none_or(|at| at.elapsed() >= FIGURES_EVERY) {
+            self.energy = world.energy();
+            self.movers = movers(world);
+            self.relaxed.look(&self.history);
+            self.acts = self.deeds.look(world.counters(), Instant::now());
+            self.yielded = self.rungs.yielded(&self.history);
+            self.figures_at = Some(Instant::now());
+            if self.has_gone {
+                self.branches = self.history.branches().into();
+            }
+        }
+        shown.dimensions = world.dimensions();
+        shown.current.copy(world.positions());
+        shown.previous.clone_from(&self.pace.previous);
+        // What was added since has no place before.
+        if shown.previous.view().len() != shown.current.view().len() {
+            shown.previous.clone_from(&shown.current);
+        }
+        shown.mix = self.pace.mix(world);
+        (shown.motion, shown.topology) = (self.pace.motion, self.sceneries);
+        shown.scenery = Arc::clone(&self.scenery);
+        let mouse = world.mouse();
+        if let Some((force, _)) = mouse
+            && self.force.as_ref() != Some(force)
+        {
+            self.force = Some(force.clone());
+        }
+        shown.mouse.clone_from(&self.force);
+        (shown.cursor, shown.grab) = (mouse.map(|(_, cursor)| cursor), world.grab());
+        (shown.base, shown.settings) = (self.base, world.settings());
+        shown.figures = self.figures(world);
+        shown.measured = self.watch.look(self.history.world());
+        shown.matter.clone_from(&self.matter);
+        let has_beside = !self.history.companions().is_empty();
+        shown.title = if has_beside { self.history.method().words() } else { String::new() };
+        shown.rests = world.is_asleep();
+        self.escort.show(&self.history, &self.pace, shown.mix, &mut shown.beside);
+    }
+
+    pub(super) fn figures(&self, world: &dyn Dynamics) -> Figures {
+        Figures {
+            time: world.time(),
+            end: self.history.end(),
+            follows: self.history.has_future(),
+            playing: self.pace.playing,
+            asleep: self.history.rests(),
+            behind: self.escort.is_behind(&self.history),
+            ended: self.pace.ended,
+            rate: self.pace.rate,
+            pace: self.reached.value(),
+            step: self.steps.value(),
+            work: self.works.value(),
+            points: world.point_count() - world.gone().len(),
+            bonds: world.bonds().len(),
+            energy: self.energy,
+            movers: Arc::clone(&self.movers),
+            relaxed: self.relaxed.stiffness(),
+            yielded: self.yielded,
+            acts: self.acts,
+            substeps: self.substeps,
+            branches: Arc::clone(&self.branches),
+        }
+    }
+}

@@ -1,0 +1,174 @@
+//! What the hand gives: commands, and what is added to the world, as edits.
+
+use super::super::beside::{Companions, reference};
+use super::super::order::{Adder, Note};
+use super::super::rungs::Rung;
+use super::Stage;
+use crate::app::matter::{Among, MatterChange, commands};
+use crate::history::{Do, Refusal, SetKeys};
+use crate::scene::{AddKeys, BondKeys, MOST_MEETING, Meeting};
+use crate::sim::Applied;
+
+/// Why bodies pass through each other in a scene that is large.
+pub fn too_many_to_meet() -> String {
+    format!("a scene of more than {MOST_MEETING} bonds would be too slow if they met")
+}
+
+/// What adding a body is called.
+const ADD: &str = "add a body";
+
+/// What commands did, and what is to be said of it.
+type Given = (Vec<Applied>, Option<Note>);
+
+impl Stage {
+    /// Does commands that the hand gives.
+    pub(super) fn give(&mut self, commands: Vec<Do>, edit: Option<&'static str>) -> Option<Note> {
+        self.do_now(commands, edit).map_or_else(Some, |(_, note)| note)
+    }
+
+    /// The same: what each of them did, and what is to be said.
+    ///
+    /// Errors: what is to be said of those that were refused.
+    pub(super) fn do_now(&mut self, commands: Vec<Do>, edit: Option<&'static str>) -> Result<Given, Note> {
+        let changes = commands.iter().any(|act| matches!(act, Do::Mouse(_)));
+        self.pace.take_over(&mut self.history);
+        // Where a log is left, what it leads is let go with it.
+        let mut all = if self.history.has_future() { self.history.letting_go() } else { Vec::new() };
+        if let Some(why) = self.is_outdated(&commands) {
+            return Err(Note::Refused(why.to_owned()));
+        }
+        let brings = commands.iter().any(|act| matches!(act, Do::Add(keys) if self.brings_body(keys)));
+        let (meeting, why) = if brings { self.meeting() } else { (Vec::new(), None) };
+        all.extend(commands);
+        let (given, why) = self.give_met(meeting, all, edit, why);
+        self.pace.motion += 1;
+        self.pace.is_taken |= given.is_ok();
+        if given.is_ok() && changes {
+            self.base = self.history.base_strength();
+        }
+        match given {
+            Err(refusal) => Err(Note::Refused(refusal.reason)),
+            Ok(applied) => Ok((applied, why.map(|why| Note::Added(Some(why))))),
+        }
+    }
+
+    /// Gives commands after those that make bodies meet; alone where these are refused, whose reason is returned then.
+    pub(super) fn give_met(
+        &mut self,
+        meeting: Vec<Do>,
+        commands: Vec<Do>,
+        edit: Option<&str>,
+        why: Option<String>,
+    ) -> (Result<Vec<Applied>, Refusal>, Option<String>) {
+        if meeting.is_empty() {
+            return (self.history.give(commands, edit), why);
+        }
+        match self.history.give(meeting.into_iter().chain(commands.iter().cloned()).collect(), edit) {
+            Err(refusal) => (self.history.give(commands, edit), Some(refusal.reason)),
+            given => (given, why),
+        }
+    }
+
+    /// Whether what comes is a body of its own: one by its name, or new points that bonds hold together.
+    pub(super) fn brings_body(&self, keys: &AddKeys) -> bool {
+        let [next, ..] = self.history.world().next_numbers();
+        !keys.bodies.is_empty() || keys.bonds.iter().any(|bond| bond.a.min(bond.b) >= next)
+    }
+
+    /// Why commands are of a moment that has gone: a new body would be bonded to others than were seen.
+    pub(super) fn is_outdated(&self, commands: &[Do]) -> Option<&'static str> {
+        let [next, ..] = self.history.world().next_numbers();
+        let is_old = |bond: &BondKeys| bond.a.max(bond.b) < next;
+        // The last of new points is named by a bond, an angle or a pin wherever anything is.
+        let is_shifted = |keys: &AddKeys| {
+            let count = keys.points.as_ref().map_or(0, |points| points.position.len() as u32);
+            let pins = keys.points.iter().flat_map(|points| points.pinned.iter().copied());
+            let ends = keys.bonds.iter().flat_map(|bond| [bond.a, bond.b]);
+            let angles = keys.angles.iter().flat_map(|angle| angle.points.0);
+            let last = ends.chain(angles).chain(pins).max();
+            count > 0 && keys.bodies.is_empty() && last.is_some_and(|last| last + 1 != next + count)
+        };
+        let names_old = |act: &Do| match act {
+            Do::Add(keys) => is_shifted(keys) || (!keys.bodies.is_empty() && keys.bonds.iter().any(is_old)),
+            _ => false,
+        };
+        commands.iter().any(names_old).then_some("something else came into the scene meanwhile: draw it again")
+    }
+
+    /// Bodies get another matter.
+    pub(super) fn change_matter(&mut self, among: &Among, change: MatterChange, goes_on: bool) -> Option<Note> {
+        match commands(self.history.world(), among, change) {
+            Err(why) => Some(Note::Refused(why.to_owned())),
+            Ok(list) if goes_on => self.give_on(list, change.name()),
+            Ok(list) => self.give(list, Some(change.name())),
+        }
+    }
+
+    /// Does commands that belong to the last edit: a setting is dragged on.
+    pub(super) fn give_on(&mut self, acts: Vec<Do>, name: &'static str) -> Option<Note> {
+        self.do_on(acts, name).err()
+    }
+
+    /// The same: what each of them did.
+    ///
+    /// Errors: as of [`Stage::do_now`].
+    pub(super) fn do_on(&mut self, acts: Vec<Do>, name: &'static str) -> Result<Given, Note> {
+        let changes = acts.iter().any(|act| matches!(act, Do::Mouse(_)));
+        let given = self.history.give_on(acts, name);
+        self.pace.motion += 1;
+        if given.is_ok() && changes {
+            self.base = self.history.base_strength();
+        }
+        given.map(|applied| (applied, None)).map_err(|refusal| Note::Refused(refusal.reason))
+    }
+
+    /// Others stand beside the world from now on.
+    pub(super) fn put_beside(&mut self, companions: Companions) -> Option<Note> {
+        let before = self.history.scene().beside.clone();
+        let lists = match companions {
+            Companions::These(entries) => vec![entries],
+            Companions::Reference => {
+                let more = reference(&self.history).into_iter();
+                more.map(|entry| before.iter().cloned().chain([entry]).collect()).collect()
+            }
+        };
+        let mut note = None;
+        for entries in lists {
+            note = self.history.set_beside(entries).err().map(|error| Note::Refused(error.to_string()));
+            if note.is_none() {
+                self.escort.begin();
+                break;
+            }
+        }
+        note
+    }
+
+    /// Adds something as one edit.
+    pub(super) fn add(&mut self, adder: Adder) -> Note {
+        let keys = match adder(self.history.scene(), self.history.world()) {
+            Ok(keys) => keys,
+            Err(error) => return Note::Refused(error.to_string()),
+        };
+        let (meeting, why) = self.meeting();
+        let (given, why) = self.give_met(meeting, vec![Do::Add(Box::new(keys))], Some(ADD), why);
+        self.pace.settle(&self.history);
+        given.map_or_else(|refusal| Note::Refused(refusal.reason), |_| Note::Added(why))
+    }
+
+    /// What makes bodies meet from now on, where they do not and are not too many: whoever adds one wants it to lie on the others. Else
+    /// why they go on passing through each other.
+    pub(super) fn meeting(&mut self) -> (Vec<Do>, Option<String>) {
+        let world = self.history.world();
+        if world.dimensions() != 2 || world.contact().is_some() {
+            return (Vec::new(), None);
+        }
+        if world.bonds().len() > MOST_MEETING {
+            return (Vec::new(), Some(too_many_to_meet()));
+        }
+        // A method of order 2 knows no contact.
+        let yielded = self.rungs.yielded(&self.history);
+        let back = yielded.filter(|yielded| yielded.rung == Rung::Order).map(|_| self.rungs.back(&self.history).0);
+        let meets = Do::Set(Box::new(SetKeys { contact: Some(Meeting::Is(true)), ..SetKeys::default() }));
+        (back.into_iter().chain([meets]).collect(), None)
+    }
+}

@@ -1,0 +1,319 @@
+//! The stepping thread's own: a history with its clock, and what orders do to them.
+
+mod display;
+mod giving;
+mod leading;
+mod passing;
+
+use std::sync::Arc;
+use std::time::Instant;
+
+use super::acts::{Acts, Deeds};
+use super::beside::Escort;
+use super::movers::{Movers, with};
+use super::order::{Note, Order};
+use super::pace::Pace;
+use super::rungs::{Rung, Rungs, Yielded};
+use super::save;
+use super::shown::Scenery;
+use super::softness::Relaxed;
+use super::watch::Watch;
+use crate::app::matter::{Among, Matter};
+use crate::app::meter::Meter;
+use crate::app::tools::Hauled;
+use crate::history::{BranchView, History, HistoryError, Recording, Start};
+use crate::scene::{MethodKeys, Parameter, ViewKeys};
+use crate::sim::reach::Reach;
+use crate::sim::{MouseForce, PointId};
+pub use giving::too_many_to_meet;
+
+/// What another solver is called.
+const SOLVER: &str = "solver";
+
+/// A history that is played.
+pub struct Stage {
+    history: History,
+    pace: Pace,
+    scenery: Arc<Scenery>,
+    /// The topology of the scenery, as the world counts it, and how often it was another one.
+    topology: Option<u64>,
+    sceneries: u64,
+    energy: f64,
+    movers: Arc<Movers>,
+    relaxed: Relaxed,
+    rungs: Rungs,
+    escort: Escort,
+    yielded: Option<Yielded>,
+    deeds: Deeds,
+    acts: Acts,
+    figures_at: Option<Instant>,
+    steps: Meter,
+    /// Wall time that stepping 1/60 s at its pace takes `[s]`.
+    works: Meter,
+    reached: Meter,
+    /// Strength of the hover force when nothing is led `[1/s^2]`.
+    base: Option<f64>,
+    /// The hover force as it was last seen: without a cursor the world doesn't tell.
+    force: Option<MouseForce>,
+    substeps: u64,
+    /// It went back once: from then on there may be branches.
+    has_gone: bool,
+    /// How it is looked at.
+    view: Option<ViewKeys>,
+    branches: Arc<[BranchView]>,
+    watch: Watch,
+    /// Whose matter is shown, and what it is.
+    among: Among,
+    matter: Option<Arc<Matter>>,
+    /// Numbers that the scene names for sliders.
+    named: Vec<Parameter>,
+    /// What the world warned of when it was looked at last.
+    warned: Vec<String>,
+    /// What is to be said of a pin that is led.
+    strained: Option<String>,
+    /// When obstacles or pins went on their way last `[s]`.
+    led_at: Option<f64>,
+    /// How far obstacles went of the way that they are on.
+    hauled: Option<Hauled>,
+    /// The pins that are led, and how far they may be from others.
+    led: Option<(Vec<PointId>, Vec<Reach>)>,
+}
+
+/// A history without its worlds.
+pub struct Folded {
+    /// Start and log.
+    pub recording: Recording,
+    /// Where it was `[s]`.
+    time: f64,
+    rate: f64,
+    playing: bool,
+}
+
+impl Stage {
+    /// A history at its start.
+    ///
+    /// Errors: as of [`History::new`].
+    pub fn new(start: Start) -> Result<Self, HistoryError> {
+        let history = History::new(start)?;
+        let scene = history.scene();
+        let pace = Pace::new(&history, scene.rate(), scene.duration);
+        let force = scene.mouse_force();
+        let named = scene.named_parameters();
+        let base = history.base_strength();
+        let mut stage = Stage {
+            history,
+            pace,
+            scenery: Arc::default(),
+            topology: None,
+            sceneries: 0,
+            energy: 0.0,
+            movers: Arc::default(),
+            relaxed: Relaxed::default(),
+            rungs: Rungs::new(),
+            escort: Escort::default(),
+            yielded: None,
+            deeds: Deeds::default(),
+            acts: Acts::default(),
+            figures_at: None,
+            steps: Meter::default(),
+            works: Meter::default(),
+            reached: Meter::default(),
+            base,
+            force,
+            substeps: 0,
+            has_gone: false,
+            view: None,
+            branches: Arc::default(),
+            watch: Watch::default(),
+            among: Among::default(),
+            named,
+            matter: None,
+            warned: Vec::new(),
+            strained: None,
+            led_at: None,
+            hauled: None,
+            led: None,
+        };
+        stage.warned = stage.history.world().warnings().to_vec();
+        stage.look();
+        Ok(stage)
+    }
+
+    /// Start and log, to be played on from here some time.
+    pub fn folded(&self) -> Folded {
+        let Pace { rate, playing, .. } = self.pace;
+        Folded { recording: self.recording(), time: self.history.world().time(), rate, playing }
+    }
+
+    /// The same history again, where it was folded: worked out from its start.
+    ///
+    /// Errors: as of [`History::new`].
+    pub fn unfolded(folded: Folded) -> Result<Self, HistoryError> {
+        let mut stage = Stage::new(folded.recording.into())?;
+        stage.pace.go_to(&mut stage.history, folded.time, None);
+        (stage.pace.rate, stage.pace.playing) = (folded.rate, folded.playing);
+        Ok(stage)
+    }
+
+    fn recording(&self) -> Recording {
+        Recording { view: self.view.clone(), ..self.history.recording() }
+    }
+
+    /// The history.
+    pub fn history(&self) -> &History {
+        &self.history
+    }
+
+    /// Does what is asked. Returns what is to be said of it.
+    pub fn obey(&mut self, order: Order) -> Option<Note> {
+        let goes = order.goes();
+        let comes = goes || matches!(order, Order::Step(_) | Order::Play(_) | Order::Beside(_));
+        let (is_followed, branch) = (self.history.has_future(), self.history.branch());
+        let was_taken = self.pace.is_taken;
+        let note = match order {
+            Order::Advance { wall, cursor, back: false } => {
+                self.advance(wall, cursor);
+                None
+            }
+            Order::Advance { wall, cursor, back: true } => {
+                self.pace.rewind(&mut self.history, wall, cursor);
+                None
+            }
+            Order::Play(playing) => {
+                self.pace.playing = playing;
+                self.pace.settle(&self.history);
+                None
+            }
+            Order::Step(cursor) => {
+                self.substeps += self.pace.step(&mut self.history, cursor);
+                None
+            }
+            Order::Give(commands, edit) => self.give(commands, edit),
+            Order::GiveOn(act, name) => self.give_on(vec![act], name),
+            Order::Change { among, change, goes_on } => self.change_matter(&among, change, goes_on),
+            Order::Inspect(among) => {
+                self.among = among;
+                self.inspect();
+                None
+            }
+            Order::Copy(look) => {
+                look(self.history.world(), self.history.tints());
+                None
+            }
+            Order::Beside(companions) => self.put_beside(companions),
+            Order::Solver(solver) => {
+                let method = MethodKeys { solver: Some(solver), source: None, ..self.history.method() };
+                self.give(vec![with(method)], Some(SOLVER))
+            }
+            Order::Method(setting, goes_on) => {
+                let act = with(setting.within(self.history.method()));
+                match goes_on {
+                    true => self.give_on(vec![act], setting.name()),
+                    false => self.give(vec![act], Some(setting.name())),
+                }
+            }
+            Order::Press(presses) => {
+                self.pace.presses = presses;
+                None
+            }
+            Order::LeadPins(way) => self.lead_pins(way),
+            Order::Haul(way) => self.haul(way),
+            Order::Add(adder) => Some(self.add(adder)),
+            Order::Undo(cursor) => {
+                let undone = self.history.undo();
+                if undone.as_ref().is_some_and(|undone| Rung::of(&undone.name).is_some()) {
+                    self.rungs.refuse_all();
+                }
+                if undone.is_some() {
+                    self.pace.gone_for_good(&self.history, cursor);
+                }
+                Some(undone.map_or(Note::NothingToUndo, |undone| Note::Undone(undone.name, undone.seconds)))
+            }
+            Order::Redo(cursor) => {
+                let redone = self.history.redo();
+                if redone.is_some() {
+                    self.pace.gone_for_good(&self.history, cursor);
+                }
+                Some(redone.map_or(Note::NothingToRedo, |redone| Note::Redone(redone.name, redone.seconds)))
+            }
+            Order::GoTo(time, cursor) => {
+                self.pace.go_to(&mut self.history, time, cursor);
+                None
+            }
+            Order::ToBranch(number, cursor) => {
+                self.history.to_branch(number);
+                self.pace.gone_for_good(&self.history, cursor);
+                None
+            }
+            Order::Exact => self.make_exact(),
+            Order::TakeBack => self.take_back(),
+            Order::Reset => {
+                self.rungs.forget();
+                let left = self.pace.reset(&mut self.history);
+                (left > 0).then_some(Note::Left(left))
+            }
+            Order::Bound(bytes) => {
+                self.history.bound_keyframes(bytes);
+                None
+            }
+            // The thread does that.
+            Order::Fold => None,
+            Order::Rate(rate) => {
+                self.pace.rate = rate;
+                None
+            }
+            Order::Look(view) => {
+                self.view = Some(view);
+                None
+            }
+            Order::Watch(probes) => {
+                self.watch.set(probes);
+                let moves = self.pace.is_moving(&self.history);
+                let before = self.watch.look_back(&self.history, self.history.scene().rate(), moves);
+                (!before.is_empty()).then_some(Note::Before(before))
+            }
+            Order::Save(path) => Some(save::recording(&self.recording(), path)),
+            Order::Moment(path) => Some(save::moment(&self.history, path, self.view.clone())),
+            Order::Table(path, bytes) => Some(save::table(&bytes, path)),
+            Order::Picture(path, picture) => Some(save::picture(&self.history, path, (&picture, self.view.clone()))),
+        };
+        if goes {
+            // Of another past, whatever its number says.
+            self.topology = None;
+            self.rungs.have_gone();
+            self.escort.have_gone();
+            // What was warned of there was told when it was done.
+            self.warned = self.history.world().warnings().to_vec();
+            (self.has_gone, self.figures_at) = (true, None);
+        }
+        if comes {
+            self.escort.come(&mut self.history, &self.pace, 0.0);
+        }
+        if self.pace.is_taken && !was_taken {
+            self.base = self.history.base_strength();
+        }
+        self.look();
+        let is_left = is_followed && !goes && self.history.branch() != branch;
+        if is_left {
+            (self.has_gone, self.figures_at) = (true, None);
+        }
+        note.or(is_left.then_some(Note::Branched))
+    }
+
+    /// What edits were warned of since it was last asked for.
+    pub fn take_warnings(&mut self) -> Option<Note> {
+        let all = self.history.world().warnings();
+        let mut fresh = Vec::new();
+        if all.len() != self.warned.len() {
+            let known = all.iter().zip(&self.warned).take_while(|(a, b)| a == b).count();
+            fresh = all[known..].to_vec();
+            self.warned = all.to_vec();
+        }
+        if let Some(strained) = self.strained.take() {
+            // That bonds were given other lengths comes of the same: it is said once, in the words of what is done.
+            fresh.retain(|line| !line.contains("contradict each other"));
+            fresh.push(strained);
+        }
+        (!fresh.is_empty()).then_some(Note::Warned(fresh))
+    }
+}

@@ -1,0 +1,69 @@
+//! Time that passes, and what gives way where steps take too much of it.
+
+use std::sync::Arc;
+use std::time::Instant;
+
+use super::super::movers::{EXACT, exact};
+use super::super::order::Note;
+use super::super::pace::SINGLE_STEP;
+use super::super::rungs::{Load, Rung};
+use super::Stage;
+use crate::sim::Cursor;
+
+/// What is dragged is dragged on for so long after it was sent on its way last, in time of the wall `[s]`.
+const DRAGS: f64 = 0.5;
+
+impl Stage {
+    /// Lets time pass.
+    pub(super) fn advance(&mut self, wall: f64, cursor: Option<Cursor>) {
+        let (start, before) = (Instant::now(), self.history.world().time());
+        let substeps = self.pace.advance(&mut self.history, wall, cursor, || start.elapsed().as_secs_f64());
+        self.substeps += u64::from(substeps);
+        let beside = self.escort.come(&mut self.history, &self.pace, wall);
+        let (steps, gone) = (start.elapsed().as_secs_f64(), self.history.world().time() - before);
+        if substeps > 0 {
+            self.steps.push(steps);
+            self.works.push(SINGLE_STEP * (steps - beside) * self.pace.rate / gone);
+        }
+        if wall > 0.0 && self.pace.is_moving(&self.history) {
+            self.reached.push(gone / (wall * self.pace.rate));
+            self.give_way(Load { wall, steps, is_late: self.pace.is_late, work: self.works.value() });
+        }
+    }
+
+    /// Where steps took too long for a while, something gives way; it is given back where they do no more.
+    pub(super) fn give_way(&mut self, load: Load) {
+        // Companions wait first.
+        if self.escort.gives_way(&self.history, load) {
+            return;
+        }
+        // An edit of its own would part the drag in two.
+        let now = self.history.world().time();
+        if self.led_at.is_some_and(|last| (0.0..DRAGS * self.pace.rate).contains(&(now - last))) {
+            return;
+        }
+        let Some((act, name)) = self.rungs.look(&self.history, load) else { return };
+        if self.history.give(vec![act], Some(name)).is_err() {
+            // A world that cannot be moved so goes on as it is.
+            Rung::of(name).into_iter().for_each(|rung| self.rungs.refuse(rung));
+        }
+        self.pace.motion += 1;
+        self.figures_at = None;
+    }
+
+    /// Every island is moved by its own method from now on.
+    pub(super) fn make_exact(&mut self) -> Option<Note> {
+        let note = self.give(vec![exact(&self.history)], Some(EXACT));
+        (self.figures_at, self.movers) = (None, Arc::default());
+        note.or(Some(Note::Exact))
+    }
+
+    /// What gave way is taken back.
+    pub(super) fn take_back(&mut self) -> Option<Note> {
+        self.rungs.yielded(&self.history)?;
+        let (act, name) = self.rungs.back(&self.history);
+        self.rungs.refuse_all();
+        self.figures_at = None;
+        self.give(vec![act], Some(name))
+    }
+}

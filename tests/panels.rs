@@ -1,0 +1,238 @@
+//! The panels as one uses them: found by the names that what reads aloud has of them, pressed, dragged and typed in; and pictures of them.
+#![allow(clippy::unwrap_used, reason = "a test that cannot go on stops")]
+
+use egui::{Id, Key, Pos2, Rect};
+use egui_kittest::Harness;
+use egui_kittest::kittest::Queryable as _;
+use wobble::app::action::{Action, Tool};
+use wobble::app::rehearsal::Rehearsal;
+use wobble::render::Palette;
+use wobble::scene::{Scene, gallery};
+use wobble::sim::{BondKind, PointId};
+
+use crate::common;
+use crate::common::panels::{Textures, harness, picture};
+
+const SIZE: [f32; 2] = [1280.0, 720.0];
+/// Gravity as a number that the scene names, and a soft block.
+const SCENE: &str = r#"{"wobble": 1, "name": "a block", "gravity": [0, -9.81], "contact": true,
+    "bounds": {"min": [-5, 0], "max": [5, 5]}, "mouse": {"strength": 20, "radius": 1},
+    "bodies": [{"make": "lattice", "columns": 3, "rows": 3, "spacing": 0.5, "origin": [0, 1],
+        "material": {"kind": "spring", "stiffness": 300, "mass": 4}}],
+    "parameters": [{"path": "gravity[1]", "min": -20, "max": 0, "label": "pull of the earth", "unit": "m/s²"},
+        {"path": "bounds.friction", "min": 0, "max": 1, "label": "grip of the floor"}]}"#;
+
+type Panels = Harness<'static, Rehearsal>;
+
+fn open(act: &[Action]) -> Panels {
+    opened(SCENE, act, 1.0).0
+}
+
+fn opened(text: &str, act: &[Action], scale: f32) -> (Panels, Textures) {
+    let mut rehearsal = Rehearsal::new(Scene::parse(text, "x.json").unwrap()).unwrap();
+    act.iter().for_each(|action| rehearsal.act(*action));
+    harness(rehearsal, SIZE, scale)
+}
+
+fn press(panels: &mut Panels, name: &str) {
+    panels.get_by_label(name).click();
+    panels.run_steps(3);
+}
+
+/// What is said in the window beside what stands at the pointer: all labels that are shown.
+fn says(panels: &Panels, words: &str) -> bool {
+    panels.query_all_by_label_contains(words).next().is_some()
+}
+
+fn gravity(panels: &Panels) -> f64 {
+    panels.state().history().world().settings().gravity.unwrap()[1]
+}
+
+#[test]
+fn every_tool_is_chosen_by_its_button_and_says_what_it_does_and_by_which_key() {
+    let mut panels = open(&[]);
+    let tools = [
+        (Tool::Pin, "pin a point, or let it go", "2"),
+        (Tool::Cut, "cut the bonds that a stroke crosses", "3"),
+        (Tool::Erase, "take away a body, a bond or an obstacle", "4"),
+        (Tool::Build, "build: drag a body or an obstacle out", "5"),
+        (Tool::Select, "select, move, turn and scale bodies and obstacles; what they are made of", "6"),
+        (Tool::Muscle, "make a bond a muscle: it gets longer and shorter", "7"),
+        (Tool::Motor, "hinge a body to another or to the ground, with a motor", "8"),
+        (Tool::Paint, "a brush that makes bodies of jelly, rubber, cloth, wood or steel", "9"),
+        (Tool::Push, "a force that stays: drag an arrow from a body; or wind", "0"),
+        (Tool::Hand, "grab and throw; beside bodies, push", "1"),
+    ];
+    assert_eq!(tools.len(), Tool::ALL.len(), "a tool without a test");
+    for (tool, name, key) in tools {
+        panels.get_by_label(name).hover();
+        panels.run_steps(8);
+        assert!(says(&panels, &format!("{name} ({key})")), "{tool:?} has no tip");
+        press(&mut panels, name);
+        assert_eq!(panels.state().tool(), tool);
+    }
+}
+
+#[test]
+fn buttons_stand_where_they_are_whatever_a_scene_is_called() {
+    let at = |name: &str| {
+        let text = SCENE.replace("a block", name);
+        let (panels, _) = opened(&text, &[], 1.0);
+        ["undo", "redo", "Save", "settings of the scene", "?"].map(|name| panels.get_by_label(name).rect())
+    };
+    assert_eq!(at("x"), at("a scene with a very long name that has no end and goes on and on"));
+}
+
+#[test]
+fn a_slider_sets_gravity_by_a_command_that_is_undone() {
+    let mut panels = open(&[Action::Settings]);
+    let slider = |panels: &Panels| {
+        let all: Vec<_> = panels.get_all_by_label("pull of the earth").collect();
+        all.iter().map(|node| node.rect()).find(|rect| rect.width() > 100.0).unwrap()
+    };
+    let rect = slider(&panels);
+    let at = |share: f32| Pos2::new(rect.left() + share * rect.width(), rect.center().y);
+    panels.drag_at(at(0.3));
+    panels.run_steps(2);
+    for share in [0.4, 0.8] {
+        panels.hover_at(at(share));
+        panels.run_steps(2);
+    }
+    panels.drop_at(at(0.8));
+    panels.run_steps(3);
+    let set = gravity(&panels);
+    assert!((-8.0..0.0).contains(&set) && set != -9.81, "{set}");
+    assert!(panels.state().history().recording().commands.len() >= 2, "what was dragged is in the log");
+    panels.state_mut().act(Action::Undo);
+    panels.run_steps(3);
+    assert_eq!(gravity(&panels), -9.81, "the drag is undone as one");
+    press(&mut panels, "down");
+    press(&mut panels, "0");
+    assert_eq!(gravity(&panels), 0.0);
+    assert_eq!(panels.state().refusals(), [""; 0]);
+}
+
+#[test]
+fn settings_are_found_by_a_word() {
+    let mut panels = open(&[Action::Settings]);
+    assert!(panels.query_by_label("sweeps").is_some() && panels.query_by_label("turbulence").is_some());
+    panels.get_by_label("search the settings").focus();
+    panels.run_steps(2);
+    panels.get_by_label("search the settings").type_text("sweep");
+    panels.run_steps(3);
+    assert!(panels.query_by_label("sweeps").is_some() && panels.query_by_label("turbulence").is_none());
+    press(&mut panels, "sweeps");
+    assert_eq!(panels.state().history().world().method().iterations, Some(10));
+    panels.get_by_label("search the settings").focus();
+    panels.run_steps(2);
+    panels.get_by_label("search the settings").type_text(" of nothing");
+    panels.run_steps(3);
+    assert!(says(&panels, "nothing that can be set here is called so"));
+}
+
+#[test]
+fn what_is_selected_gets_another_matter_by_its_button() {
+    let mut panels = open(&[Action::Take(Tool::Select)]);
+    panels.state_mut().select((0..9).map(PointId).collect());
+    panels.run_steps(4);
+    let stiffness = |panels: &Panels| {
+        let world = panels.state().history().world();
+        world.bonds().iter().find_map(|bond| match bond.kind {
+            BondKind::Spring { stiffness, .. } => Some(stiffness),
+            _ => None,
+        })
+    };
+    let before = stiffness(&panels);
+    for name in ["Rubber", "Jelly", "Wood"] {
+        press(&mut panels, name);
+        assert_ne!(stiffness(&panels), before, "{name}");
+        panels.state_mut().act(Action::Undo);
+        panels.run_steps(3);
+        assert_eq!(stiffness(&panels), before, "{name} is undone");
+    }
+    assert_eq!(panels.state().refusals(), [""; 0]);
+}
+
+#[test]
+fn a_scene_is_found_by_typing_and_opened() {
+    let mut panels = open(&[Action::Gallery]);
+    panels.run_steps(2);
+    panels.get_by_label("search the gallery").type_text("wrecking");
+    panels.run_steps(3);
+    assert!(panels.query_by_label("Wrecking ball").is_some() && panels.query_by_label("Jelly").is_none());
+    panels.key_press(Key::Enter);
+    panels.run_steps(3);
+    assert_eq!(panels.state().history().scene().name(), "wrecking-ball");
+    // A card is pressed, too.
+    panels.state_mut().act(Action::Gallery);
+    panels.run_steps(3);
+    let title = gallery()[1].title;
+    press(&mut panels, title);
+    assert_eq!(panels.state().history().scene().name(), gallery()[1].name);
+}
+
+#[test]
+fn a_lesson_closes_with_its_scene_and_one_click_leads_back() {
+    let mut panels = open(&[Action::Lessons]);
+    let first = &wobble::lessons::lessons()[0];
+    press(&mut panels, &first.title);
+    assert!(says(&panels, &first.steps[0].heading));
+    let own = panels.state().history().scene().name().to_owned();
+    press(&mut panels, "Next");
+    let second = panels.state().history().scene().name().to_owned();
+    panels.state_mut().act(Action::Gallery);
+    panels.run_steps(3);
+    panels.get_by_label("search the gallery").type_text("wrecking");
+    panels.run_steps(2);
+    panels.key_press(Key::Enter);
+    panels.run_steps(4);
+    assert!(!panels.state().has_lessons() && panels.query_by_label("Next").is_none(), "it is of another scene");
+    press(&mut panels, "Back to the lesson");
+    assert_eq!(panels.state().history().scene().name(), second);
+    assert!(says(&panels, &first.steps[1].heading), "where it was left, not at {own}");
+    assert!(panels.query_by_label("Back to the lesson").is_none());
+}
+
+#[test]
+fn the_palette_is_changed_in_the_settings() {
+    let mut panels = open(&[Action::Settings]);
+    panels.get_by_label("search the settings").focus();
+    panels.run_steps(2);
+    panels.get_by_label("search the settings").type_text("colours");
+    panels.run_steps(3);
+    press(&mut panels, "light");
+    assert_eq!(panels.state().palette(), Palette::Light);
+    assert!(!panels.ctx.global_style().visuals.dark_mode, "the panels are light");
+    press(&mut panels, "dark");
+    assert_eq!(panels.state().palette(), Palette::Dark);
+}
+
+/// Panels with the areas that they lie in, and what is done before.
+const PICTURES: [(&str, &str, &[Action]); 7] = [
+    ("bar", "scene", &[]),
+    ("tools", "tools", &[]),
+    ("settings", "settings", &[Action::Settings]),
+    ("settings-light", "settings", &[Action::Settings, Action::Palette]),
+    ("matter", "matter", &[Action::Take(Tool::Select)]),
+    ("lessons", "lessons", &[Action::Lessons]),
+    ("build", "primitives", &[Action::Take(Tool::Build)]),
+];
+
+#[test]
+fn panels_look_as_they_did_at_both_scales() {
+    let Some(gpu) = common::gpu() else { return };
+    for (name, area, act) in PICTURES {
+        for (scale, percent) in [(1.0, 100), (2.0, 200)] {
+            let (mut panels, textures) = opened(SCENE, act, scale);
+            if area == "matter" {
+                panels.state_mut().select((0..9).map(PointId).collect());
+            }
+            panels.run_steps(8);
+            let id = Id::unique(area);
+            let rect = panels.ctx.memory(|memory| memory.area_rect(id)).unwrap_or(Rect::ZERO);
+            assert!(rect.is_positive(), "{name} is not shown");
+            let drawn = picture(&gpu, (&panels, &textures), rect.expand(3.0));
+            common::golden::check(&format!("panels/{name}-{percent}"), &drawn, &gpu.info);
+        }
+    }
+}
