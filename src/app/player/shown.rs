@@ -59,6 +59,8 @@ pub struct Scenery {
     pub bonds: Bonds,
     /// Their numbers; `None`: each has its own place.
     pub bond_numbers: Option<Vec<u32>>,
+    /// What points weigh `[kg]`.
+    pub masses: Vec<f64>,
     /// The points that never move, ascending.
     pub pinned: Vec<PointId>,
     /// Points that were deleted, ascending.
@@ -114,6 +116,7 @@ impl Scenery {
         Scenery {
             bonds: world.bonds().clone(),
             bond_numbers: world.bond_numbers().map(<[u32]>::to_vec),
+            masses: world.masses().to_vec(),
             pinned,
             gone: world.gone().to_vec(),
             bounds: world.bounds(),

@@ -247,3 +247,55 @@ fn while_paused_a_body_is_moved_with_the_pins_that_it_hangs_and_turns_on() {
     assert!(last.len() > 20 && last.iter().all(|point| moved(&point.index())), "its wheel and both pins");
     assert_eq!((0..count).filter(moved).count(), last.len(), "nothing else");
 }
+
+/// A light box over two discs, as they are drawn, on a floor.
+const CAR: &str = r#"{"wobble": 1, "gravity": [0, -9.81], "contact": {"friction": 0.5}, "view": {"center": [0, 0], "height": 8},
+    "bounds": {"min": [-40, -1], "max": [40, 6], "friction": 0.7},
+    "bodies": [{"make": "disc", "radius": 0.4, "spacing": 0.14, "origin": [-0.7, -0.6],
+        "material": {"kind": "spring", "stiffness": 125, "damping": 0.75, "mass": 0.5}},
+      {"make": "disc", "radius": 0.4, "spacing": 0.14, "origin": [0.7, -0.6],
+        "material": {"kind": "spring", "stiffness": 125, "damping": 0.75, "mass": 0.5}},
+      {"make": "lattice", "columns": 11, "rows": 4, "spacing": 0.2, "origin": [-1, -0.6],
+        "material": {"kind": "spring", "stiffness": 300, "damping": 2, "mass": 1.2}}]}"#;
+
+#[test]
+fn motors_of_a_car_are_no_stronger_than_what_would_turn_it_over() {
+    let turned = |is_bounded: bool| {
+        let mut seen = shown(Scene::parse(CAR, "x.json").unwrap());
+        let mut stage = Stage::new(seen.2.clone().into()).unwrap();
+        let mut hand = hand(Tool::Motor);
+        hand.drives.motor.is_on = Some(true);
+        hand.drives.motor.is_bounded = is_bounded;
+        for x in [-0.7, 0.7] {
+            let at = DVec2::from(seen.1.screen_from_world([x, -0.85, 0.0].into()).unwrap());
+            let says = said(&seen, &hand, at);
+            assert!(
+                says.contains("between both bodies") && says.contains("turn what holds it over") == is_bounded,
+                "{says}"
+            );
+            let deed = hand.press(scope(&seen), at);
+            stage.obey(Order::Give(deed.commands, deed.edit));
+            stage.show(&mut seen.0);
+        }
+        let first = seen.0.point_count() - 2 - 44;
+        let along = |stage: &Stage| {
+            let place = |k: usize| {
+                DVec2::new(
+                    stage.history().world().positions().get(2 * k),
+                    stage.history().world().positions().get(2 * k + 1),
+                )
+            };
+            place(first + 10) - place(first)
+        };
+        let mut most = 0.0_f64;
+        for _ in 0..180 {
+            stage.obey(Order::Step(None));
+            most = most.max(along(&stage).to_angle().abs());
+        }
+        let x = stage.history().world().positions().get(2 * first);
+        (most, x + 1.0)
+    };
+    let (tilt, far) = turned(true);
+    assert!(tilt < 0.5 && far > 2.0, "it tilts by {tilt} rad and drives {far} m");
+    assert!(turned(false).0 > 1.5, "with all of their torque they turn it over");
+}
