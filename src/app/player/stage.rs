@@ -7,7 +7,7 @@ use super::acts::{Acts, Deeds};
 use super::beside::{Companions, Escort, reference};
 use super::movers::{EXACT, Movers, exact, movers, with};
 use super::named::in_world;
-use super::order::{Adder, Note, Order};
+use super::order::{Adder, Coming, Note, Order};
 use super::pace::{Pace, SINGLE_STEP};
 use super::rungs::{Load, Rung, Rungs, Yielded};
 use super::save;
@@ -39,8 +39,6 @@ const LONGEST_HAUL: f64 = 6.0;
 const DRAGS: f64 = 0.5;
 /// Pins that are so much further apart than bonds reach are told of `[m]`.
 const STRAINED: f64 = 1e-3;
-/// What adding a body is called.
-const ADD: &str = "add a body";
 /// What another solver is called.
 const SOLVER: &str = "solver";
 /// What leading a pin is called.
@@ -212,7 +210,7 @@ impl Stage {
                 None
             }
             Order::Copy(look) => {
-                look(self.history.world(), self.history.tints());
+                look(&self.history);
                 None
             }
             Order::Beside(companions) => self.put_beside(companions),
@@ -236,9 +234,6 @@ impl Stage {
             Order::Add(adder) => Some(self.add(adder)),
             Order::Undo(cursor) => {
                 let undone = self.history.undo();
-                if undone.as_ref().is_some_and(|undone| Rung::of(&undone.name).is_some()) {
-                    self.rungs.refuse_all();
-                }
                 if undone.is_some() {
                     self.pace.gone_for_good(&self.history, cursor);
                 }
@@ -472,7 +467,8 @@ impl Stage {
             return;
         }
         let Some((act, name)) = self.rungs.look(&self.history, load) else { return };
-        if self.history.give(vec![act], Some(name)).is_err() {
+        // Nobody asked for it: it is in the log, and no step of undo.
+        if self.history.give_aside(act, name).is_err() {
             // A world that cannot be moved so goes on as it is.
             Rung::of(name).into_iter().for_each(|rung| self.rungs.refuse(rung));
         }
@@ -498,14 +494,18 @@ impl Stage {
 
     /// Adds something as one edit.
     fn add(&mut self, adder: Adder) -> Note {
-        let keys = match adder(self.history.scene(), self.history.world()) {
-            Ok(keys) => keys,
-            Err(error) => return Note::Refused(error.to_string()),
+        let Coming { commands, name, came } = match adder(&self.history) {
+            Ok(coming) => coming,
+            Err(why) => return Note::Refused(why),
         };
         let (meeting, why) = self.meeting();
-        let (given, why) = self.give_met(meeting, vec![Do::Add(Box::new(keys))], Some(ADD), why);
+        let (given, why) = self.give_met(meeting, commands, Some(name), why);
         self.pace.settle(&self.history);
-        given.map_or_else(|refusal| Note::Refused(refusal.reason), |_| Note::Added(why))
+        match (given, came) {
+            (Err(refusal), _) => Note::Refused(refusal.reason),
+            (Ok(_), Some((came, said))) => Note::Came(came, said, why),
+            (Ok(_), None) => Note::Added(why),
+        }
     }
 
     /// What makes bodies meet from now on, where they do not and are not too many: whoever adds one wants it to lie on the others. Else

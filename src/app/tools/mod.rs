@@ -5,7 +5,6 @@ mod bad_tests;
 mod brush;
 mod build;
 mod chosen;
-mod copy;
 mod cutting;
 mod drives;
 #[cfg(test)]
@@ -50,7 +49,6 @@ pub(super) use brush::{Brush, RADII};
 use build::{Drag, Maker, Path, Step};
 pub(super) use build::{Link, Links};
 pub(super) use chosen::Chosen;
-pub(super) use copy::Clip;
 use cutting::Slash;
 pub(super) use drives::Drives;
 use erase::{delete_points, erase};

@@ -68,7 +68,9 @@ impl Walls {
 /// What becomes of what keys would bring.
 pub(super) fn coming(scope: Scope<'_>, keys: &AddKeys) -> Outcome {
     let first = scope.shown.point_count() as u32;
-    let Some(Shape { places, bonds, pinned, planes, polygons }) = keys.shape(first) else { return Outcome::default() };
+    let Some(Shape { places, bonds, pinned, planes, polygons, .. }) = keys.shape(first) else {
+        return Outcome::default();
+    };
     if !planes.is_empty() || !polygons.is_empty() {
         return under(scope, (&planes, polygons), &[], |point| here(scope, point));
     }
