@@ -71,6 +71,7 @@ pub(super) use plots::{PlotsAt, figure};
 pub(super) use save_to::{SaveTo, ask as ask_to_save, is_recording};
 pub(super) use settings::{Setting, Settings};
 pub(super) use sheet::show as sheet;
+pub(super) use transport::speed;
 
 /// Room that the tools take at the left edge `[points]`.
 pub(super) const TOOLS: f32 = 66.0;
@@ -352,7 +353,7 @@ pub(super) fn show(ui: &mut egui::Ui, state: &mut PanelState, facts: &Facts) -> 
 }
 
 /// A time that something takes `[s]`, short: from a second on in seconds.
-fn short(time: f64) -> String {
+pub(super) fn short(time: f64) -> String {
     if time < 1.0 { format!("{:.0} ms", 1e3 * time) } else { format!("{time:.0} s") }
 }
 

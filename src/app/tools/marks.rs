@@ -6,7 +6,7 @@ use super::build::Maker;
 use super::chosen::Chosen;
 use super::erase::{Target, target};
 use super::pick::Scope;
-use super::{Doing, skin};
+use super::{Doing, boxes, skin};
 use crate::app::action::Tool;
 use crate::app::player::Probe;
 use crate::sim::{BOX_EDGES, Figure, PointId};
@@ -39,6 +39,8 @@ pub(in crate::app) enum Mark {
     Line(Role, DVec2, DVec2, f64),
     /// Middle, radius.
     Ring(Role, DVec2, f64),
+    /// A box: its left upper and right lower corner.
+    Frame(Role, DVec2, DVec2),
     /// A handle to turn by: middle, radius.
     Knob(Role, DVec2, f64),
     /// A handle to pull by: middle, half a side.
@@ -53,6 +55,7 @@ impl Mark {
         match self {
             Mark::Line(_, from, to, width) => Mark::Line(role, from, to, width),
             Mark::Ring(_, middle, radius) => Mark::Ring(role, middle, radius),
+            Mark::Frame(_, low, high) => Mark::Frame(role, low, high),
             Mark::Knob(_, middle, radius) => Mark::Knob(role, middle, radius),
             Mark::Square(_, middle, half) => Mark::Square(role, middle, half),
             words @ Mark::Words(..) => words,
@@ -64,6 +67,7 @@ impl Mark {
         match self {
             Mark::Line(role, from, to, width) => Mark::Line(role, place(from), place(to), width),
             Mark::Ring(role, middle, radius) => Mark::Ring(role, place(middle), radius),
+            Mark::Frame(role, low, high) => Mark::Frame(role, place(low), place(high)),
             Mark::Knob(role, middle, radius) => Mark::Knob(role, place(middle), radius),
             Mark::Square(role, middle, half) => Mark::Square(role, place(middle), half),
             Mark::Words(corner, words) => Mark::Words(place(corner), words),
@@ -126,7 +130,8 @@ pub(in crate::app) fn probe(scope: Scope<'_>, place: usize, probe: Probe) -> Vec
             let Some([a, b]) = ends.and_then(|[a, b]| Some([scope.pixel(a)?, scope.pixel(b)?])) else {
                 return Vec::new();
             };
-            (0.5 * (a + b), vec![Mark::Line(role, a, b, 0.4 * off)])
+            let ends = [a, b].map(|end| Mark::Ring(role, end, 0.6 * off));
+            (0.5 * (a + b), std::iter::once(Mark::Line(role, a, b, 0.5 * off)).chain(ends).collect())
         }
     };
     marks.push(Mark::Words(at + DVec2::new(1.6 * off, -0.6 * off), (place + 1).to_string()));
@@ -197,10 +202,17 @@ fn bonds(role: Role, scope: Scope<'_>, points: &[PointId]) -> Vec<Mark> {
     if lines.is_empty() { points.first().and_then(ring).into_iter().collect() } else { lines }
 }
 
-/// The skin of a body, whose points are ascending; its bonds where it covers nothing.
+/// The skin of bodies, whose points are ascending; their bonds where they cover nothing; boxes around them where that would be too many
+/// lines.
 pub(super) fn body(role: Role, scope: Scope<'_>, points: &[PointId]) -> Vec<Mark> {
-    let sides = skin::sides(scope, points).into_iter().take(MOST);
-    let lines: Vec<Mark> = sides.filter_map(|ends| line(role, scope, ends)).collect();
+    if points.len() > MOST {
+        return boxes::around(role, scope, points);
+    }
+    let sides = skin::sides(scope, points);
+    if sides.len() > MOST {
+        return boxes::around(role, scope, points);
+    }
+    let lines: Vec<Mark> = sides.into_iter().filter_map(|ends| line(role, scope, ends)).collect();
     if lines.is_empty() { bonds(role, scope, points) } else { lines }
 }
 

@@ -2,6 +2,7 @@
 
 #[cfg(test)]
 mod bad_tests;
+mod boxes;
 mod brush;
 mod build;
 mod chosen;
