@@ -316,7 +316,7 @@ pub struct BoundsChange {
 }
 
 /// What a command did.
-#[derive(Clone, Debug, Default, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct Applied {
     /// Something changed.
     pub is_something: bool,
@@ -330,6 +330,22 @@ pub struct Applied {
     pub forces: Range<u32>,
     /// Numbers given to new angles.
     pub angles: Range<u32>,
+    /// The share of its way that a motion went, 0 to 1: obstacles that go while time runs stop where what they push has no room.
+    pub gone: f64,
+}
+
+impl Default for Applied {
+    fn default() -> Self {
+        Applied {
+            is_something: false,
+            points: 0..0,
+            bonds: 0..0,
+            obstacles: 0..0,
+            forces: 0..0,
+            angles: 0..0,
+            gone: 1.0,
+        }
+    }
 }
 
 /// Why a grab fails where all that is in reach is a pin, or as taut between pins as rigid bonds are.

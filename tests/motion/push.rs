@@ -1,7 +1,7 @@
 //! Obstacles that go on their way while time runs: what they meet is ahead of them, as fast as they are, and what lies on them goes along.
 
 use super::common::physics::spring;
-use wobble::sim::{Bond, Command, Dynamics, Model, Motion, PointId, Polygon, Sample, build};
+use wobble::sim::{Bond, Command, Dynamics, Model, Motion, Obstacle, PointId, Polygon, Sample, build};
 
 /// Between two commands `[s]`.
 const EVERY: f64 = 1.0 / 30.0;
@@ -128,6 +128,83 @@ fn a_peg_takes_a_rope_along_however_fast_it_goes() {
             // The peg is at -0.35 to -0.3 now: what hangs under it is below.
             let lowest = end.position.iter().map(|x| x[1]).fold(f64::INFINITY, f64::min);
             assert!(lowest < -0.34, "{is_rigid} at {speed} m/s: {lowest}");
+        }
+    }
+}
+
+/// How far left obstacle 0 begins `[m]`.
+fn left_of_first(world: &dyn Dynamics) -> f64 {
+    let obstacles = world.obstacles();
+    let Obstacle::Polygon(polygon) = &obstacles[0].1 else { panic!("obstacle 0 is a polygon") };
+    polygon.loops[0].iter().map(|corner| corner[0]).fold(f64::INFINITY, f64::min)
+}
+
+/// `[m^2]`
+fn area(position: &[[f64; 2]], corners: [PointId; 3]) -> f64 {
+    let [a, b, c] = corners.map(|corner| position[corner.index()]);
+    0.5 * ((b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]))
+}
+
+/// A lattice of springs, 5 x 5 points of 0.1 kg, 0.1 m apart, from a corner; or the same rigid.
+fn block(corner: [f64; 2], is_rigid: bool) -> Model<2> {
+    let side = 5_u32;
+    let places = (0..side * side).map(|k| [0.1 * f64::from(k % side), 0.1 * f64::from(k / side)]);
+    let mut model = Model {
+        position: places.map(|x| [corner[0] + x[0], corner[1] + x[1]]).collect(),
+        velocity: vec![[0.0; 2]; 25],
+        mass: vec![0.1; 25],
+        contact: Some(Default::default()),
+        ..Model::default()
+    };
+    let at = |column: u32, row: u32| row * side + column;
+    let mut pairs = Vec::new();
+    for (column, row) in (0..side).flat_map(|row| (0..side).map(move |column| (column, row))) {
+        let right = (column + 1 < side).then(|| [at(column, row), at(column + 1, row)]);
+        let up = (row + 1 < side).then(|| [at(column, row), at(column, row + 1)]);
+        pairs.extend(right.into_iter().chain(up));
+        if column + 1 < side && row + 1 < side {
+            let corners = [at(column, row), at(column + 1, row), at(column + 1, row + 1), at(column, row + 1)];
+            pairs.extend([[corners[0], corners[2]], [corners[1], corners[3]]]);
+            model.triangles.push([corners[0], corners[1], corners[2]].map(PointId));
+            model.triangles.push([corners[0], corners[2], corners[3]].map(PointId));
+        }
+    }
+    for [a, b] in pairs {
+        let [x, y] = [a, b].map(|i| model.position[i as usize]);
+        let rest = (x[0] - y[0]).hypot(x[1] - y[1]);
+        model.bonds.push(if is_rigid {
+            Bond::new(PointId(a), PointId(b), rest)
+        } else {
+            spring(a, b, rest, 500.0, 0.5)
+        });
+    }
+    model
+}
+
+#[test]
+fn an_obstacle_stops_where_what_it_pushes_has_no_room() {
+    for (is_rigid, speed) in [(false, 1.0), (false, 8.0), (true, 1.0), (true, 8.0)] {
+        // Between a peg as narrow as one cell and a wall.
+        let soft = block([0.0, -0.2], is_rigid);
+        let areas: Vec<f64> = soft.triangles.iter().map(|corners| area(&soft.position, *corners)).collect();
+        let (peg, wall) = (rectangle([-0.6, -0.05], [-0.1, 0.05]), rectangle([0.45, -1.0], [0.6, 1.0]));
+        let triangles = soft.triangles.clone();
+        let mut world = build(&Model { polygons: vec![peg, wall], ..soft }).unwrap();
+        let inside =
+            |x: &[f64; 3], left: f64| x[0] > left + 1e-6 && x[0] < left + 0.5 - 1e-6 && x[1].abs() < 0.05 - 1e-6;
+        drag(&mut *world, [speed, 0.0], 1.0, |_| ());
+        let left = left_of_first(&*world);
+        assert!(left + 0.5 < 0.45 && left > -0.6, "{is_rigid} at {speed}: the peg is at {left}");
+        let now = world.sample(world.time());
+        assert!(!now.position.iter().any(|x| inside(x, left)), "{is_rigid} at {speed}: in the peg");
+        assert!(now.position.iter().all(|x| x[0] < 0.4501), "{is_rigid} at {speed}: in the wall");
+        // It goes back, and the body is whole.
+        drag(&mut *world, [-1.0, 0.0], 2.0, |_| ());
+        let then = world.sample(world.time());
+        let places: Vec<[f64; 2]> = then.position.iter().map(|x| [x[0], x[1]]).collect();
+        for (corners, rest) in triangles.iter().zip(&areas) {
+            let share = area(&places, *corners) / rest;
+            assert!((0.6..1.5).contains(&share), "{is_rigid} at {speed}: an area of {share}");
         }
     }
 }

@@ -17,7 +17,7 @@ use super::watch::Watch;
 use crate::app::lengths::length;
 use crate::app::matter::{Among, Matter, MatterChange, commands};
 use crate::app::meter::Meter;
-use crate::app::tools::{HaulWay, PinWay};
+use crate::app::tools::{HaulWay, Hauled, PinWay};
 use crate::history::{BranchView, Do, History, HistoryError, Recording, Refusal, SetKeys, Start};
 use crate::scene::{AddKeys, BondKeys, MOST_MEETING, Meeting, MethodKeys, Parameter, PinMotionKeys, ViewKeys};
 use crate::sim::reach::{Reach, reaches};
@@ -88,10 +88,15 @@ pub struct Stage {
     /// What is to be said of a pin that is led.
     strained: Option<String>,
     /// When obstacles or pins went on their way last `[s]`.
-    hauled: Option<f64>,
+    led_at: Option<f64>,
+    /// How far obstacles went of the way that they are on.
+    hauled: Option<Hauled>,
     /// The pins that are led, and how far they may be from others.
     led: Option<(Vec<PointId>, Vec<Reach>)>,
 }
+
+/// What commands did, and what is to be said of it.
+type Given = (Vec<Applied>, Option<Note>);
 
 /// A history without its worlds.
 pub struct Folded {
@@ -144,6 +149,7 @@ impl Stage {
             matter: None,
             warned: Vec::new(),
             strained: None,
+            led_at: None,
             hauled: None,
             led: None,
         };
@@ -325,12 +331,19 @@ impl Stage {
 
     /// Does commands that the hand gives.
     fn give(&mut self, commands: Vec<Do>, edit: Option<&'static str>) -> Option<Note> {
+        self.do_now(commands, edit).map_or_else(Some, |(_, note)| note)
+    }
+
+    /// The same: what each of them did, and what is to be said.
+    ///
+    /// Errors: what is to be said of those that were refused.
+    fn do_now(&mut self, commands: Vec<Do>, edit: Option<&'static str>) -> Result<Given, Note> {
         let changes = commands.iter().any(|act| matches!(act, Do::Mouse(_)));
         self.pace.take_over(&mut self.history);
         // Where a log is left, what it leads is let go with it.
         let mut all = if self.history.has_future() { self.history.letting_go() } else { Vec::new() };
         if let Some(why) = self.is_outdated(&commands) {
-            return Some(Note::Refused(why.to_owned()));
+            return Err(Note::Refused(why.to_owned()));
         }
         let brings = commands.iter().any(|act| matches!(act, Do::Add(keys) if self.brings_body(keys)));
         let (meeting, why) = if brings { self.meeting() } else { (Vec::new(), None) };
@@ -342,8 +355,8 @@ impl Stage {
             self.base = self.history.base_strength();
         }
         match given {
-            Err(refusal) => Some(Note::Refused(refusal.reason)),
-            Ok(_) => why.map(|why| Note::Added(Some(why))),
+            Err(refusal) => Err(Note::Refused(refusal.reason)),
+            Ok(applied) => Ok((applied, why.map(|why| Note::Added(Some(why))))),
         }
     }
 
@@ -408,13 +421,20 @@ impl Stage {
 
     /// Does commands that belong to the last edit: a setting is dragged on.
     fn give_on(&mut self, acts: Vec<Do>, name: &'static str) -> Option<Note> {
+        self.do_on(acts, name).err()
+    }
+
+    /// The same: what each of them did.
+    ///
+    /// Errors: as of [`Stage::do_now`].
+    fn do_on(&mut self, acts: Vec<Do>, name: &'static str) -> Result<Given, Note> {
         let changes = acts.iter().any(|act| matches!(act, Do::Mouse(_)));
         let given = self.history.give_on(acts, name);
         self.pace.motion += 1;
         if given.is_ok() && changes {
             self.base = self.history.base_strength();
         }
-        given.err().map(|refusal| Note::Refused(refusal.reason))
+        given.map(|applied| (applied, None)).map_err(|refusal| Note::Refused(refusal.reason))
     }
 
     /// Others stand beside the world from now on.
@@ -463,7 +483,7 @@ impl Stage {
         }
         // An edit of its own would part the drag in two.
         let now = self.history.world().time();
-        if self.hauled.is_some_and(|last| (0.0..DRAGS * self.pace.rate).contains(&(now - last))) {
+        if self.led_at.is_some_and(|last| (0.0..DRAGS * self.pace.rate).contains(&(now - last))) {
             return;
         }
         let Some((act, name)) = self.rungs.look(&self.history, load) else { return };
@@ -534,7 +554,7 @@ impl Stage {
             return None;
         }
         let (time, dimensions) = (world.time(), world.dimensions());
-        self.hauled = Some(time);
+        self.led_at = Some(time);
         let track = |&(pin, to): &(PointId, [f64; 3])| {
             let here = (0..dimensions).map(|axis| world.positions().get(pin.index() * dimensions + axis));
             let from = std::iter::once(time).chain(here).collect();
@@ -558,14 +578,31 @@ impl Stage {
         self.give_on(vec![way], name)
     }
 
-    /// Obstacles go on their way, as fast as time went since they did last.
-    fn haul(&mut self, HaulWay { mut keys, name, least, goes_on }: HaulWay) -> Option<Note> {
+    /// Obstacles go on their way, as fast as time went since they did last, and as far as what they push has room.
+    fn haul(&mut self, way: HaulWay) -> Option<Note> {
+        let before = self.hauled.take().filter(|_| way.goes_on);
+        let hauled = before.unwrap_or_else(|| way.begin());
+        let Some(mut rest) = way.rest(hauled) else {
+            self.hauled = before;
+            return None;
+        };
         let now = self.history.world().time();
         let shortest = SINGLE_STEP * self.pace.rate;
-        let since = self.hauled.replace(now).filter(|_| goes_on).map_or(0.0, |last| now - last);
-        keys.over = Some(since.clamp(shortest, LONGEST_HAUL * shortest).max(least * self.pace.rate));
-        let act = Do::Move(keys);
-        if goes_on { self.give_on(vec![act], name) } else { self.give(vec![act], Some(name)) }
+        let since = self.led_at.replace(now).filter(|_| before.is_some()).map_or(0.0, |last| now - last);
+        rest.keys.over = Some(since.clamp(shortest, LONGEST_HAUL * shortest).max(rest.least * self.pace.rate));
+        let acts = vec![Do::Move(rest.keys.clone())];
+        let given = if before.is_some() { self.do_on(acts, rest.name) } else { self.do_now(acts, Some(rest.name)) };
+        match given {
+            Ok((applied, note)) => {
+                let gone = applied.last().map_or(1.0, |applied| applied.gone);
+                self.hauled = Some(hauled.then(&rest, gone));
+                note
+            }
+            Err(note) => {
+                self.hauled = before;
+                Some(note)
+            }
+        }
     }
 
     /// What stands about the points is looked at again if it changed.

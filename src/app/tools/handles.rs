@@ -152,11 +152,6 @@ impl Grip {
         self.about
     }
 
-    /// What it makes of the selection before it is dragged.
-    pub(super) fn nothing(&self) -> Change {
-        if self.handle == Handle::Turn { Change::Turn(0.0) } else { Change::Scale([1.0; 2]) }
-    }
-
     /// What a drag to a pixel makes of the selection; `in_steps`: turned by whole steps, scaled in proportion.
     pub(super) fn change(&self, scope: Scope<'_>, to: DVec2, in_steps: bool) -> Change {
         let [from, to] = [self.from, to].map(|at| scope.in_plane(at) - self.about);
@@ -190,6 +185,25 @@ impl Change {
                 (all != done).then(|| Change::Scale([all[0] / done[0], all[1] / done[1]]))
             }
             _ => None,
+        }
+    }
+
+    /// A share of it.
+    pub(super) fn share(self, share: f64) -> Self {
+        match self {
+            Change::Shift(by) => Change::Shift(share * by),
+            Change::Turn(angle) => Change::Turn(share * angle),
+            Change::Scale(factors) => Change::Scale(factors.map(|factor| factor.powf(share))),
+        }
+    }
+
+    /// It, and another of its kind after it.
+    pub(super) fn then(self, next: Change) -> Self {
+        match (self, next) {
+            (Change::Shift(by), Change::Shift(more)) => Change::Shift(by + more),
+            (Change::Turn(angle), Change::Turn(more)) => Change::Turn(angle + more),
+            (Change::Scale(by), Change::Scale(more)) => Change::Scale([by[0] * more[0], by[1] * more[1]]),
+            _ => self,
         }
     }
 

@@ -20,9 +20,7 @@ const FASTEST: f64 = 4.0;
 pub(super) struct Haul {
     what: Chosen,
     by: By,
-    /// What was done of it.
-    done: Change,
-    /// Since then `[s]`.
+    /// Since they were sent last `[s]`.
     since: f64,
     goes_on: bool,
 }
@@ -36,21 +34,59 @@ enum By {
     Handle(Grip, DVec2),
 }
 
-/// A part of the way of obstacles.
+/// Where a drag sends obstacles: all of the way since they were pressed on.
 #[derive(Clone, Debug, PartialEq)]
 pub struct HaulWay {
+    what: Chosen,
+    all: Change,
+    /// About a place that stays `[m]`.
+    about: DVec2,
+    /// How high the picture is `[m]`.
+    height: f64,
+    /// They were sent before, since they were pressed on.
+    pub goes_on: bool,
+}
+
+/// How far obstacles went of a way.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Hauled(Change);
+
+/// What obstacles have still to go of a way.
+#[derive(Clone, Debug, PartialEq)]
+pub struct HaulRest {
     pub keys: Box<MoveKeys>,
     /// What it is called when it is undone.
     pub name: &'static str,
     /// It takes at least so long `[s]`.
     pub least: f64,
-    /// They were sent before, since they were pressed on.
-    pub goes_on: bool,
+    rest: Change,
+}
+
+impl HaulWay {
+    /// Before any of it was gone.
+    pub fn begin(&self) -> Hauled {
+        Hauled(self.all.share(0.0))
+    }
+
+    /// What there is still to go; `None`: nothing.
+    pub fn rest(&self, hauled: Hauled) -> Option<HaulRest> {
+        let rest = self.all.after(hauled.0)?;
+        let deed = rest.deed(&self.what, self.about);
+        let Some(Do::Move(keys)) = deed.commands.into_iter().next() else { return None };
+        Some(HaulRest { keys, name: deed.edit?, least: rest.size(self.height) / FASTEST, rest })
+    }
+}
+
+impl Hauled {
+    /// After a share of what was left.
+    pub fn then(self, HaulRest { rest, .. }: &HaulRest, gone: f64) -> Self {
+        Hauled(self.0.then(rest.share(gone)))
+    }
 }
 
 impl Haul {
-    fn new(what: Chosen, by: By, done: Change) -> Self {
-        Haul { what, by, done, since: f64::INFINITY, goes_on: false }
+    fn new(what: Chosen, by: By) -> Self {
+        Haul { what, by, since: f64::INFINITY, goes_on: false }
     }
 
     /// All that the drag means, with the pointer at a pixel.
@@ -61,23 +97,23 @@ impl Haul {
         }
     }
 
-    /// Time passes with the pointer at a pixel; infinitely much at the end. Returns where they go now, if that is new.
+    /// Time passes with the pointer at a pixel; infinitely much at the end. Returns where they are to go, if it is time to say so.
     fn pass(&mut self, scope: Scope<'_>, at: DVec2, (seconds, in_steps): (f64, bool)) -> Option<HaulWay> {
         self.since += seconds;
         if self.since < EVERY {
             return None;
         }
-        let all = self.change(scope, at, in_steps);
         // Whatever it does next begins now.
         self.since = 0.0;
-        let more = all.after(self.done)?;
+        let all = self.change(scope, at, in_steps);
         let about = if let By::Handle(_, about) = self.by { about } else { DVec2::ZERO };
-        let deed = more.deed(&self.what, about);
-        let Some(Do::Move(keys)) = deed.commands.into_iter().next() else { return None };
-        self.done = all;
         let height = scope.camera.viewport()[1] as f64 / scope.camera.pixels_per_metre();
-        let goes_on = std::mem::replace(&mut self.goes_on, true);
-        Some(HaulWay { keys, name: deed.edit?, least: more.size(height) / FASTEST, goes_on })
+        let way = HaulWay { what: self.what.clone(), all, about, height, goes_on: self.goes_on };
+        if !self.goes_on && way.rest(way.begin()).is_none() {
+            return None;
+        }
+        self.goes_on = true;
+        Some(way)
     }
 }
 
@@ -107,9 +143,9 @@ impl Hand {
         let what = self.chosen(scope).filter(|chosen| chosen.points.is_empty())?;
         match self.doing {
             Doing::Moving(from, _) if is_drag(scope, [from, at]) => {
-                Some(Haul::new(what, By::Way(scope.in_plane(from)), Change::Shift(DVec2::ZERO)))
+                Some(Haul::new(what, By::Way(scope.in_plane(from))))
             }
-            Doing::Handling(grip) => Some(Haul::new(what, By::Handle(grip, grip.about()), grip.nothing())),
+            Doing::Handling(grip) => Some(Haul::new(what, By::Handle(grip, grip.about()))),
             _ => None,
         }
     }

@@ -56,7 +56,7 @@ use erase::{delete_points, erase};
 use handles::Grip;
 pub(super) use handles::Handle;
 use haul::Haul;
-pub(super) use haul::HaulWay;
+pub(super) use haul::{HaulWay, Hauled};
 use lead::Lead;
 pub(super) use lead::PinWay;
 pub(super) use marks::{Mark, Role, probe};

@@ -291,7 +291,7 @@ impl<S: Real, const D: usize> World<S, D> {
             bonds: bond..self.numbers.next_bond,
             obstacles: obstacle..self.numbers.next_obstacle,
             forces: force..self.numbers.next_force,
-            angles: 0..0,
+            ..Applied::default()
         }
     }
 

@@ -4,7 +4,9 @@
 //! anew from the state that they have ([`recompile`]); all others stay as they are, bit for bit.
 
 mod add;
+mod carry;
 mod check;
+mod crowd;
 mod delete;
 mod drives;
 mod forces;
@@ -28,7 +30,7 @@ use super::world::World;
 
 /// A command that was done and changed something.
 const DONE: Applied =
-    Applied { is_something: true, points: 0..0, bonds: 0..0, obstacles: 0..0, forces: 0..0, angles: 0..0 };
+    Applied { is_something: true, points: 0..0, bonds: 0..0, obstacles: 0..0, forces: 0..0, angles: 0..0, gone: 1.0 };
 
 /// The same, or one that had nothing to do.
 fn done(is_something: bool) -> Applied {

@@ -57,12 +57,12 @@ impl Placement {
         std::array::from_fn(|axis| from[axis] * self.scale[axis])
     }
 
-    /// One of so many parts of it, which follow each other.
-    pub(super) fn part(&self, number: u32, count: u32) -> Self {
-        let share = 1.0 / f64::from(count);
+    /// A part of it, from a share of it to another, where it [`has parts`](Self::has_parts): one after the other they are all of it.
+    pub(super) fn between(&self, from: f64, to: f64) -> Self {
+        let share = to - from;
         let angle = share * self.angle;
         Placement {
-            about: add(self.about, scale(self.by, share * f64::from(number))),
+            about: add(self.about, scale(self.by, from)),
             by: scale(self.by, share),
             angle,
             turn: [libm::cos(angle), libm::sin(angle)],
@@ -188,9 +188,22 @@ impl<S: Real, const D: usize> World<S, D> {
             state.position_lost[place] = [S::ZERO; D];
             state.velocity_lost[place] = [S::ZERO; D];
         }
-        if let Some(moved) = moved {
+        let mut gone = 1.0;
+        if let Some(mut moved) = moved {
             match *over {
-                Some(seconds) => self.push_ahead((&model, obstacles), (&placement, seconds), &mut detached),
+                Some(seconds) => {
+                    gone = self.push_ahead((&model, obstacles), (&placement, seconds), &mut detached);
+                    if gone < 1.0 {
+                        self.take_obstacles_back(&mut model);
+                        self.place_obstacles(&mut model, obstacles, &placement.between(0.0, gone));
+                        // A part of a way that can be gone can cross too many.
+                        moved = Self::obstacles_of(&model).unwrap_or_else(|_| {
+                            self.take_obstacles_back(&mut model);
+                            gone = 0.0;
+                            self.obstacles.clone()
+                        });
+                    }
+                }
                 None => {
                     let fresh = self.only(&model, obstacles);
                     self.clear_of(&fresh, (&model, &moved), &mut detached);
@@ -205,7 +218,14 @@ impl<S: Real, const D: usize> World<S, D> {
             self.take_scaled(scaled);
         }
         self.attach(detached);
-        Ok(done(true))
+        Ok(Applied { gone, ..done(true) })
+    }
+
+    /// Obstacles of a model are where those of the world are.
+    fn take_obstacles_back(&self, model: &mut Model<D>) {
+        model.planes.clone_from(&self.model.planes);
+        model.polygons.clone_from(&self.model.polygons);
+        model.convex.clone_from(&self.model.convex);
     }
 
     /// The mean of the points, or of the corners of the obstacles where there are none.
