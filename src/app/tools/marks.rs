@@ -6,7 +6,7 @@ use super::build::Maker;
 use super::chosen::Chosen;
 use super::erase::{Target, target};
 use super::pick::Scope;
-use super::{Doing, boxes, skin};
+use super::{Doing, boxes, knot, skin};
 use crate::app::action::Tool;
 use crate::app::player::Probe;
 use crate::sim::{BOX_EDGES, Figure, PointId};
@@ -88,7 +88,12 @@ const MOST: usize = 4000;
 
 pub(super) fn of((tool, maker): (Tool, Maker), doing: &Doing, scope: Scope<'_>, at: Option<DVec2>) -> Vec<Mark> {
     match (doing, tool) {
-        (Doing::Grabbing(points), _) => led(scope, points, at),
+        (Doing::Grabbing(points), _) => {
+            let mut marks = led(scope, points, at);
+            let ties = tool == Tool::Hand && !maker.is_free;
+            marks.extend(at.filter(|_| ties).into_iter().flat_map(|at| knot::would_tie(scope, points, at)));
+            marks
+        }
         (Doing::Carrying(from, what), _) => {
             let by = at.map_or(DVec2::ZERO, |at| at - *from);
             let what = what.left(scope);
@@ -154,9 +159,11 @@ fn led(scope: Scope<'_>, points: &[PointId], at: Option<DVec2>) -> Vec<Mark> {
     vec![Mark::Line(Role::Lead, middle, at, width * scale), Mark::Ring(Role::Lead, middle, 5.0 * scale)]
 }
 
-/// A ring around the point that the hand would take; around a pin, and along the bar that goes with it.
+/// The outline of the obstacle that the hand would take; a ring around the point; around a pin, and along the bar that goes with it.
 fn would_grab(scope: Scope<'_>, at: DVec2) -> Vec<Mark> {
-    let Some(hit) = scope.nearest(at) else { return Vec::new() };
+    let Some(hit) = scope.nearest(at) else {
+        return scope.block(at).map_or_else(Vec::new, |number| obstacle(Role::Lead, scope, number));
+    };
     let is_pin = scope.is_pinned(hit.point);
     let role = if is_pin { Role::Hold } else { Role::Lead };
     let ring = scope.pixel(hit.point).map(|middle| Mark::Ring(role, middle, 7.0 * scope.scale));

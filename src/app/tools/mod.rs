@@ -18,6 +18,7 @@ mod haul;
 #[cfg(test)]
 mod haul_tests;
 mod hub;
+mod knot;
 mod lead;
 mod marks;
 #[cfg(test)]
@@ -131,7 +132,7 @@ enum Doing {
     Drawing(Path),
     /// What is selected is moved, from where it was pressed on `[px]`; a click selects what lies there alone.
     Moving(DVec2, Chosen),
-    /// Time stands still: what the hand pressed on from here `[px]` is moved as a whole.
+    /// What the hand pressed on from here `[px]` is moved as a whole: while time stands still all, else an obstacle, which then is hauled.
     Carrying(DVec2, Chosen),
     /// What is selected is turned or scaled by a handle.
     Handling(Grip),
@@ -372,7 +373,7 @@ impl Hand {
         matches!(self.doing, Doing::Grabbing(_))
     }
 
-    /// Whether a body is moved while time stands still.
+    /// Whether the hand moves something as a whole.
     pub(super) fn is_carrying(&self) -> bool {
         matches!(self.doing, Doing::Carrying(..))
     }
@@ -492,6 +493,13 @@ impl Hand {
             return self.carry(scope, at);
         }
         let mut points = scope.grip(at);
+        if points.is_empty()
+            && let Some(number) = scope.block(at)
+        {
+            let commands = self.calm_now();
+            self.doing = Doing::Carrying(at, Chosen { obstacles: vec![number], ..Chosen::default() });
+            return Deed::plain(commands);
+        }
         if points.is_empty() && self.strength.is_some_and(|strength| strength > 0.0) {
             points = scope.pushed(at);
         }
@@ -529,9 +537,10 @@ impl Hand {
     /// The left button was let go at a pixel.
     pub(super) fn release(&mut self, scope: Scope<'_>, at: DVec2) -> Deed {
         match std::mem::take(&mut self.doing) {
-            Doing::Grabbing(_) => {
+            Doing::Grabbing(led) => {
                 self.calm = Some(CALM);
-                Deed::plain(vec![Do::Release])
+                let ties = self.tool() == Tool::Hand && !self.shift;
+                if ties { knot::let_go(scope, &led, at) } else { Deed::plain(vec![Do::Release]) }
             }
             Doing::Leading(_) => {
                 self.calm = Some(CALM);
@@ -607,7 +616,7 @@ impl Hand {
 
     /// Whether anything follows the cursor.
     fn leads(&self) -> bool {
-        self.is_grabbing() || self.is_leading()
+        self.is_grabbing() || self.is_leading() || self.is_carrying() || self.is_hauling()
     }
 
     /// A frame passes. The hover force is the hand's: with another tool it goes, and a while after a grab it comes back.
@@ -680,8 +689,8 @@ impl Hand {
     }
 }
 
-/// Said where an obstacle is pressed on by the hand.
-const SOLID: &str = "an obstacle stands: the tool that selects (6) moves it";
+/// Said where a plane, or an obstacle in space, is pressed on by the hand.
+const SOLID: &str = "it stands: the tool that selects (6) moves it";
 /// Said where nothing is pinned.
 const NO_POINT: &str = "no point lies here that could be pinned; a rope that is built (5) begins with a pin of its own";
 /// Said where a stroke cuts nothing.
