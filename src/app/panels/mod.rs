@@ -248,6 +248,8 @@ pub(super) struct Facts {
     pub(super) is_canvas: bool,
     /// The world waits: something lies over it.
     pub(super) waits: bool,
+    /// That is a question, which leaves the panels where they are.
+    pub(super) asks: bool,
     /// Another scene is being made.
     pub(super) is_opening: bool,
     /// It has never been there: for how long it is being made `[s]`, and whether it can be given up.
@@ -277,7 +279,7 @@ pub(super) fn show(ui: &mut egui::Ui, state: &mut PanelState, facts: &Facts) -> 
     let room = ui.available_rect_before_wrap();
     let context = ui.ctx().clone();
     // What lies over the world has the room for itself.
-    let is_covered = state.sheet.is_some() || facts.waits;
+    let is_covered = state.sheet.is_some() || (facts.waits && !facts.asks);
     let has_panels = !state.hides_panels && !is_covered;
     let mut places = Places::new(room, is_covered);
     if has_panels {

@@ -145,6 +145,7 @@ impl Session {
             has_picture: self.has_picture,
             is_canvas: self.is_canvas(),
             waits: self.waits(),
+            asks: self.asked.is_some() && self.import.is_none(),
             is_opening: !self.player.is_open(),
             opening: self.opening().map(|(since, can_stop)| (since.as_secs_f64(), can_stop)),
             is_busy: self.player.is_busy(),

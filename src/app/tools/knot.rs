@@ -152,12 +152,12 @@ pub(super) fn marks(scope: Scope<'_>, knots: &[Knot]) -> Vec<Mark> {
     knots.iter().filter_map(of).flatten().collect()
 }
 
-/// What is said of knots.
+/// What is said of so many knots.
 pub(super) fn words(count: usize) -> Option<String> {
     match count {
         0 => None,
-        1 => Some("the rope's end is tied to it (not with Shift)".to_owned()),
-        many => Some(format!("{many} ropes' ends are tied to it (not with Shift)")),
+        1 => Some("the rope's end is tied to it".to_owned()),
+        many => Some(format!("{many} ropes' ends are tied to it")),
     }
 }
 

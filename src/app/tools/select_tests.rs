@@ -365,3 +365,19 @@ fn a_copy_in_another_scene_keeps_the_friction_of_the_one_that_it_is_of() {
         }
     }
 }
+
+#[test]
+fn each_of_a_thousand_bodies_is_outlined_when_all_are_selected() {
+    let seen = opened("thousand-rims");
+    let mut hand = hand();
+    hand.select_all(scope(&seen));
+    let marks = hand.marks(scope(&seen), None);
+    let boxes: Vec<[DVec2; 2]> = marks
+        .iter()
+        .filter_map(|mark| if let Mark::Frame(_, low, high) = mark { Some([*low, *high]) } else { None })
+        .collect();
+    assert_eq!(boxes.len(), 1000);
+    assert!(marks.len() < 1100, "as many shapes as bodies: {}", marks.len());
+    let is_in = |at: DVec2| boxes.iter().any(|[low, high]| at.cmpge(*low).all() && at.cmple(*high).all());
+    assert!((0..seen.0.point_count()).step_by(97).all(|point| is_in(pixel(&seen, point))));
+}

@@ -23,7 +23,8 @@ pub(super) fn of(form: &Form, scope: Scope<'_>, (at, ties): (DVec2, bool)) -> Ve
     let mut marks: Vec<Mark> = lines(form, scope).into_iter().map(|mark| outcome.lines(scope, mark)).collect();
     marks.extend(outcome.others(scope));
     marks.extend(knot::marks(scope, &knots));
-    let words = outcome.words().or(knot::words(knots.len()));
+    let tied = knot::words(knots.len()).map(|words| format!("{words} (not with Shift)"));
+    let words = outcome.words().or(tied);
     let more = words.map_or_else(String::new, |words| format!(": {words}"));
     marks.push(label(scope, at, format!("{}{more}", form.words())));
     marks
