@@ -5,6 +5,7 @@
 
 pub mod action;
 mod canvas;
+mod clip;
 mod count;
 mod fetch;
 mod import;

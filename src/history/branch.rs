@@ -233,9 +233,12 @@ impl Tree {
     pub(super) fn views(&self, present: usize) -> Vec<BranchView> {
         let all = self.branches.iter().enumerate();
         let shown = all.filter(|(number, branch)| *number == present || !branch.is_barren);
+        let last_edit = |branch: &Branch| {
+            branch.own.iter().rev().find(|entry| entry.edit.is_some()).and_then(|entry| entry.name.clone())
+        };
         let view = |(number, branch): (usize, &Branch)| BranchView {
             number,
-            name: branch.own.iter().rev().find_map(|entry| entry.name.clone()).unwrap_or_default(),
+            name: last_edit(branch).unwrap_or_default(),
             from: branch.from,
             end: branch.end,
             is_present: number == present,

@@ -49,6 +49,19 @@ pub struct History {
     refused: Vec<Refusal>,
 }
 
+/// What commands are called in the log, and the edit that they are undone with, if they are of one.
+struct Called {
+    edit: Option<u64>,
+    name: Option<String>,
+}
+
+impl Called {
+    fn of(edit: Option<(u64, String)>) -> Self {
+        let (edit, name) = edit.unzip();
+        Called { edit, name }
+    }
+}
+
 impl History {
     /// The world at its start; the commands of a recording are followed as it steps, until something new is given.
     ///
@@ -171,7 +184,14 @@ impl History {
     /// Errors: the first that cannot be done; the world before it is whole.
     pub fn give(&mut self, commands: Vec<Do>, edit: Option<&str>) -> Result<Vec<Applied>, Refusal> {
         let edit = edit.map(|name| (self.next_edit, name.to_owned()));
-        self.give_as(commands, edit)
+        self.give_as(commands, Called::of(edit))
+    }
+
+    /// Does a command that nobody asked for, which is called so in the log: it is replayed, and is no step of undo.
+    ///
+    /// Errors: as of [`History::give`].
+    pub fn give_aside(&mut self, command: Do, name: &str) -> Result<Vec<Applied>, Refusal> {
+        self.give_as(vec![command], Called { edit: None, name: Some(name.to_owned()) })
     }
 
     /// Does commands that belong to the last edit: a drag, a stroke or a slider is undone as one.
@@ -179,10 +199,10 @@ impl History {
     /// Errors: as of [`History::give`].
     pub fn give_on(&mut self, commands: Vec<Do>, name: &str) -> Result<Vec<Applied>, Refusal> {
         let edit = self.last_edit.unwrap_or(self.next_edit);
-        self.give_as(commands, Some((edit, name.to_owned())))
+        self.give_as(commands, Called::of(Some((edit, name.to_owned()))))
     }
 
-    fn give_as(&mut self, commands: Vec<Do>, edit: Option<(u64, String)>) -> Result<Vec<Applied>, Refusal> {
+    fn give_as(&mut self, commands: Vec<Do>, Called { edit, name }: Called) -> Result<Vec<Applied>, Refusal> {
         if commands.is_empty() {
             return Ok(Vec::new());
         }
@@ -199,26 +219,27 @@ impl History {
             }
         }
         // What does nothing is nothing to undo.
+        let is_edit = edit.is_some();
         let edit = edit.filter(|_| done.iter().any(|applied| applied.is_something));
-        if let Some((number, _)) = &edit {
-            if self.last_edit != Some(*number)
+        if let Some(number) = edit {
+            if self.last_edit != Some(number)
                 && let Some(before) = before
             {
                 self.keyframes.keep(self.branch, before, false);
             }
             self.next_edit = self.next_edit.max(number.saturating_add(1));
-            self.last_edit = Some(*number);
+            self.last_edit = Some(number);
             self.undone.clear();
         }
         self.fork();
-        let (number, name) = edit.map_or((None, None), |(number, name)| (Some(number), Some(name)));
+        let name = name.filter(|_| edit.is_some() || !is_edit);
         for act in commands {
             let name = match &act {
                 // What a file calls a group is the name of its edit too.
-                Do::Group { name, .. } => number.map(|_| name.clone()),
+                Do::Group { name, .. } => edit.map(|_| name.clone()),
                 _ => name.clone(),
             };
-            self.tree.push(self.branch, Entry { at, act, edit: number, name });
+            self.tree.push(self.branch, Entry { at, act, edit, name });
             self.frame.place += 1;
         }
         self.dress();

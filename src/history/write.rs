@@ -9,7 +9,7 @@ use serde_json::{Map, Value};
 use super::command::{Do, Entry};
 use super::start::Recording;
 use crate::output::{self, OutputError};
-use crate::scene::Scene;
+use crate::scene::{AddKeys, Scene};
 
 impl Recording {
     /// Writes it to a file: whole or not at all, in place of what was there. One that ends in .jsonl gets lines.
@@ -96,8 +96,9 @@ fn said(value: &impl Serialize) -> Value {
 
 /// A command on a line of its own, with the pictures that it names.
 pub(super) fn write_entry(to: impl Write, entry: &Entry, scene: &Scene) -> io::Result<()> {
-    let names_picture =
-        |act: &Do| matches!(act, Do::Add(keys) if !(keys.bodies.is_empty() && keys.obstacles.is_empty()));
+    let has_pictures =
+        |keys: &AddKeys| !(keys.bodies.is_empty() && keys.obstacles.is_empty() && keys.textures.is_empty());
+    let names_picture = |act: &Do| matches!(act, Do::Add(keys) if has_pictures(keys));
     let object = match &entry.act {
         Do::Add(keys) if names_picture(&entry.act) => {
             let keys = scene.addition_with_pictures_inside(keys).map_err(io::Error::other)?;

@@ -1,8 +1,10 @@
 //! What is added to a running world, made: bodies become points and bonds, numbers those of the world.
 
+use std::ops::Range;
+
 use super::check;
 use super::error::{Fault, SceneError, Source, Within};
-use super::keys::{AddKeys, BondKeys, BondList, ObstacleKeys, PointKeys, Scene};
+use super::keys::{AddKeys, BondKeys, BondList, DrawnKeys, ObstacleKeys, PointKeys, Scene};
 use super::model::{angle, anticlockwise, force, material, of_length, rest_length, skin};
 use super::support;
 use crate::picture::{Skin, Tint};
@@ -32,6 +34,8 @@ pub(crate) struct Shape {
     pub(crate) places: Vec<[f64; 2]>,
     /// Between new points, counted from 0.
     pub(crate) bonds: Vec<[u32; 2]>,
+    /// What bodies cover, by new points counted from 0.
+    pub(crate) triangles: Vec<[u32; 3]>,
     /// New points that pins or older points hold, counted from 0.
     pub(crate) pinned: Vec<u32>,
     /// A point and the normal of each plane.
@@ -57,7 +61,12 @@ impl AddKeys {
         pinned.retain(|pin| *pin < count);
         bonds.retain(|ends| ends.iter().all(|end| *end < count));
         let planes = model.planes.iter().map(|plane| [plane.point, plane.normal].map(embed)).collect();
-        Some(Shape { places: model.position, bonds, pinned, planes, polygons: model.polygons })
+        let explicit = self.triangles.iter().map(|corners| corners.0.map(|corner| corner.checked_sub(next)));
+        let explicit = explicit.filter_map(|[a, b, c]| Some([a?, b?, c?]));
+        let of_bodies = model.triangles.iter().map(|corners| corners.map(|corner| corner.0));
+        let triangles = explicit.filter(|corners| corners.iter().all(|corner| *corner < count)).chain(of_bodies);
+        let triangles = triangles.collect();
+        Some(Shape { places: model.position, bonds, triangles, pinned, planes, polygons: model.polygons })
     }
 
     /// Makes what the keys say, for a world of `scene` as it is now.
@@ -115,7 +124,7 @@ impl AddKeys {
         }
         angles.extend(model.angles.list.iter().map(|angle| Angle { points: angle.points.map(offset), ..*angle }));
         Ok(Made {
-            skins: self.skins(&alone, first)?,
+            skins: self.skins(&alone, (first, count))?,
             tints: self.tints(&alone, first)?,
             colors: self.skins.iter().filter_map(|skin| Some((skin.points.clone(), skin.color?.0))).collect(),
             addition: Addition {
@@ -191,13 +200,46 @@ impl AddKeys {
         self.pin_motion.iter().map(|motion| (PointId(motion.point), knots(&motion.track))).collect()
     }
 
-    fn skins(&self, alone: &Scene, first: u32) -> Result<Vec<Skin>, Fault> {
+    fn skins(&self, alone: &Scene, (first, count): (u32, u32)) -> Result<Vec<Skin>, Fault> {
         let mut skins = alone.all_skins()?;
         for skin in &mut skins {
             skin.first += first;
             skin.triangles.iter_mut().flatten().for_each(|corner| *corner += first);
         }
+        for (i, texture) in self.textures.iter().enumerate() {
+            skins.extend(self.drawn(texture, alone, first..count).item(i).at("textures")?);
+        }
         Ok(skins)
+    }
+
+    /// What a picture is drawn on among the triangles of the keys: those with all corners among its points, which are all `new`. `None`: on
+    /// nothing.
+    fn drawn(&self, texture: &DrawnKeys, alone: &Scene, new: Range<u32>) -> Result<Option<Skin>, Fault> {
+        let DrawnKeys { image, points, uv } = texture;
+        check::check_image(image).at("image")?;
+        if points.len() != uv.len() {
+            let message = format!("has {} places for {} points: give one each", uv.len(), points.len());
+            return Err(Fault::invalid(message).at("uv"));
+        }
+        if let Some(other) = points.iter().find(|point| !new.contains(point)) {
+            let message = format!("names point {other}, which does not come with it: name new points");
+            return Err(Fault::invalid(message).at("points"));
+        }
+        if let Some(k) = uv.iter().position(|uv| !uv.0.iter().all(|x| x.is_finite())) {
+            return Err(Fault::invalid("is no place: give two numbers").item(k).at("uv"));
+        }
+        let picture = alone.source.picture(image).at("image")?;
+        let Some(first) = points.iter().copied().min() else { return Ok(None) };
+        let end = points.iter().copied().max().unwrap_or(first);
+        let mut places = vec![None; (end - first) as usize + 1];
+        for (point, uv) in points.iter().zip(uv) {
+            places[(point - first) as usize] = Some(uv.0.map(|x| x as f32));
+        }
+        let has = |corner: &u32| corner.checked_sub(first).and_then(|k| *places.get(k as usize)?).is_some();
+        let triangles = self.triangles.iter().map(|corners| corners.0).filter(|corners| corners.iter().all(has));
+        let triangles: Vec<[u32; 3]> = triangles.collect();
+        let texture = places.iter().map(|place| place.unwrap_or_default()).collect();
+        Ok((!triangles.is_empty()).then_some(Skin { picture, first, triangles, texture }))
     }
 }
 

@@ -2,7 +2,8 @@
 
 use std::ops::Range;
 
-use super::keys::{AddKeys, ContactKeys, Vector};
+use super::keys::{AddKeys, ContactKeys, PointGroupKeys, Vector};
+use super::pictures::is_inline;
 
 /// What the text begins with, and the version of it.
 const KEY: &str = "wobble_clip";
@@ -14,13 +15,15 @@ const MOST_POINTS: usize = 1_000_000;
 /// How far from the origin points may be `[m]`: as places of a scene may.
 const FARTHEST: f64 = 1e9;
 
-/// Points, bonds, angles, triangles, skins, forces and obstacles, counted from 0.
+/// Points, bonds, angles, triangles, skins, forces, pictures, groups and obstacles, counted from 0.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Fragment {
     /// What is in it.
     pub keys: AddKeys,
     /// How bodies met where it was copied; `None`: they did not.
     pub contact: Option<ContactKeys>,
+    /// Points that are selected as one.
+    pub groups: Vec<PointGroupKeys>,
     /// 2 or 3.
     pub dimensions: usize,
     /// The middle of all of it `[m]`.
@@ -46,9 +49,13 @@ impl Fragment {
             Some(contact) => format!(",\"contact\":{}", serde_json::to_string(contact).ok()?),
             None => String::new(),
         };
+        let groups = match &self.groups[..] {
+            [] => String::new(),
+            groups => format!(",\"groups\":{}", serde_json::to_string(groups).ok()?),
+        };
         let comma = if rest == "}" { "" } else { "," };
         let text = format!(
-            "{{\"{KEY}\":{VERSION},\"dimensions\":{},\"middle\":{middle}{contact}{comma}{rest}",
+            "{{\"{KEY}\":{VERSION},\"dimensions\":{},\"middle\":{middle}{contact}{groups}{comma}{rest}",
             self.dimensions
         );
         (text.len() <= LONGEST).then_some(text)
@@ -85,11 +92,16 @@ impl Fragment {
             Some(Ok(contact)) => contact,
             None => None,
         };
+        let groups: Vec<PointGroupKeys> = match all.remove("groups").map(serde_json::from_value) {
+            Some(Err(error)) => return Err(format!("{about}: groups: {error}")),
+            Some(Ok(groups)) => groups,
+            None => Vec::new(),
+        };
         let keys: AddKeys = serde_path_to_error::deserialize(serde_json::Value::Object(all))
             .map_err(|error| format!("{about}: {}: {}", error.path(), error.inner()))?;
         let mut place = [0.0; 3];
         place[..dimensions].copy_from_slice(&middle);
-        let fragment = Fragment { keys, contact, dimensions, middle: place };
+        let fragment = Fragment { keys, contact, groups, dimensions, middle: place };
         fragment.check().map_err(|why| format!("{about}: {why}"))?;
         Ok(fragment)
     }
@@ -101,9 +113,13 @@ impl Fragment {
 
     /// Errors: what names points that are not in it, lies too far off, or comes by other keys than what is copied.
     fn check(&self) -> Result<(), String> {
-        let AddKeys { points, bonds, bodies, triangles, skins, forces, angles, obstacles, pin_motion } = &self.keys;
+        let AddKeys { points, bonds, bodies, triangles, skins, forces, angles, obstacles, pin_motion, textures } =
+            &self.keys;
         if !bodies.is_empty() || !pin_motion.is_empty() {
             return Err("`bodies` and `pin_motion` are not copied: leave them out".to_owned());
+        }
+        if textures.iter().any(|texture| !is_inline(&texture.image)) {
+            return Err("`textures` names a file: give its picture itself, as data:image/png;base64,…".to_owned());
         }
         let count = self.point_count();
         if count > MOST_POINTS {
@@ -125,13 +141,15 @@ impl Fragment {
         }
         let known: Range<u32> = 0..count as u32;
         let pins = points.iter().flat_map(|points| points.pinned.iter().copied()).collect();
-        let named: [(&str, Vec<u32>); 6] = [
+        let named: [(&str, Vec<u32>); 8] = [
             ("points.pinned", pins),
             ("bonds", bonds.iter().flat_map(|bond| [bond.a, bond.b]).collect()),
             ("triangles", triangles.iter().flat_map(|corners| corners.0).collect()),
             ("angles", angles.iter().flat_map(|angle| angle.points.0).collect()),
             ("skins", skins.iter().flat_map(|skin| skin.points.iter().copied()).collect()),
             ("forces", forces.iter().flat_map(|force| force.points.iter().copied()).collect()),
+            ("textures", textures.iter().flat_map(|texture| texture.points.iter().copied()).collect()),
+            ("groups", self.groups.iter().flat_map(|group| group.points.iter().copied()).collect()),
         ];
         for (key, list) in named {
             if let Some(other) = list.into_iter().find(|point| !known.contains(point)) {
@@ -147,8 +165,9 @@ impl Fragment {
 mod tests {
     use super::*;
 
-    const TEXT: &str = r#"{"wobble_clip":1,"dimensions":2,"middle":[0.1,-0.0],"contact":{"friction":0.3},"points":{"position":[[0.1,0.30000000000000004],[1e-320,2]],
-        "pinned":[1]},"bonds":[{"a":0,"b":1,"rest":0.7}]}"#;
+    const TEXT: &str = r#"{"wobble_clip":1,"dimensions":2,"middle":[0.1,-0.0],"contact":{"friction":0.3},"groups":[{"points":[0,1],"title":"pair"}],
+        "points":{"position":[[0.1,0.30000000000000004],[1e-320,2]],"pinned":[1]},"bonds":[{"a":0,"b":1,"rest":0.7}],
+        "textures":[{"image":"data:image/png;base64,AA==","points":[0,1],"uv":[[0,0.5],[1,1]]}]}"#;
 
     #[test]
     fn a_text_is_read_as_it_was_written_to_the_bit() {
@@ -177,6 +196,9 @@ mod tests {
             ("\"b\":1", "\"b\":-1", "bonds[0].b"),
             ("\"a\":0", "\"q\":0", "bonds[0]"),
             ("\"friction\":0.3", "\"fiction\":0.3", "contact: "),
+            ("[0,1],\"title", "[0,2],\"title", "`groups` names point 2"),
+            ("[0,1],\"uv", "[0,9],\"uv", "`textures` names point 9"),
+            ("data:image/png;base64,AA==", "secret.png", "names a file"),
             ("[1]", "[4294967295]", "`points.pinned` names point 4294967295"),
             ("1e-320,2", "1e300,2", "points.position[1]"),
             ("1e-320,2", "1,2,3", "points.position[1]"),

@@ -48,11 +48,11 @@ pub use gallery::{Entry, gallery};
 pub(crate) use keys::macros::object;
 pub use keys::{
     AddKeys, AngleKeys, AreaKeys, AreaKindName, BesideKeys, BodyKeys, BondKeys, BondList, BoundsKeys, BoxKeys,
-    BraceName, BudgetKeys, CircleKeys, ColorKey, ContactKeys, DiagonalsName, DriveKeys, ForceKeys, KeyName, KindName,
-    LimitName, MakerName, MassKeys, Material, Meeting, MethodKeys, MouseKeys, ObstacleKeys, OrderName, ParameterKeys,
-    PatternName, PenaltyKeys, PictureKeys, PinMotionKeys, PlaneKeys, PointGroupKeys, PointKeys, PrecisionName,
-    ProfileName, RegionName, RepeatKeys, RotationKeys, Row, Scene, SkinKeys, SolverName, SourceName, StrokesName,
-    TextureKeys, Vector, Version, ViewKeys, WindKeys,
+    BraceName, BudgetKeys, CircleKeys, ColorKey, ContactKeys, DiagonalsName, DrawnKeys, DriveKeys, ForceKeys, KeyName,
+    KindName, LimitName, MakerName, MassKeys, Material, Meeting, MethodKeys, MouseKeys, ObstacleKeys, OrderName,
+    ParameterKeys, PatternName, PenaltyKeys, PictureKeys, PinMotionKeys, PlaneKeys, PointGroupKeys, PointKeys,
+    PrecisionName, ProfileName, RegionName, RepeatKeys, RotationKeys, Row, Scene, SkinKeys, SolverName, SourceName,
+    StrokesName, TextureKeys, Vector, Version, ViewKeys, WindKeys,
 };
 pub(crate) use keys::{ObjectOnly, present};
 pub(crate) use nearest::nearest;
@@ -60,6 +60,7 @@ pub(crate) use of_picture::MOST_MEETING;
 pub use of_picture::Matter;
 pub(crate) use one_line::one_line;
 pub use parameter::{BodyPart, OfBody, Parameter, Target};
+pub(crate) use pictures::picture_as_text;
 pub(crate) use read::translate;
 pub use schema::schema;
 pub(crate) use support::LATER;

@@ -345,7 +345,12 @@ impl Scene {
         let (bodies, obstacles) = (keys.bodies.clone(), keys.obstacles.clone());
         let alone = Scene { bodies, obstacles, source: self.source.clone(), ..Scene::default() };
         let Scene { bodies, obstacles, .. } = alone.with_pictures_inside()?;
-        Ok(AddKeys { bodies, obstacles, ..keys.clone() })
+        let mut textures = keys.textures.clone();
+        for texture in &mut textures {
+            let png = self.source.png(&texture.image).map_err(|fault| self.source.error(fault))?;
+            texture.image = inline(&png);
+        }
+        Ok(AddKeys { bodies, obstacles, textures, ..keys.clone() })
     }
 
     /// Names the scene's only picture by this path instead: relative to where the scene will lie.

@@ -216,6 +216,18 @@ pub(super) fn inline_picture(picture: &Picture) -> Result<String, Fault> {
     Ok(inline(&picture::encode(picture).map_err(|error| fault(&error))?))
 }
 
+/// The same, in the words of an error.
+///
+/// Errors: more memory than there is.
+pub(crate) fn picture_as_text(picture: &Picture) -> Result<String, String> {
+    picture::encode(picture).map(|png| inline(&png)).map_err(|error| error.to_string())
+}
+
+/// Whether what names a picture is the picture itself.
+pub(super) fn is_inline(name: &str) -> bool {
+    name.starts_with(INLINE)
+}
+
 /// A picture as it stands in a scene file itself.
 pub(super) fn inline(png: &[u8]) -> String {
     format!("{INLINE}{}", BASE64_STANDARD.encode(png))

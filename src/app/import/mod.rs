@@ -12,9 +12,10 @@ mod worker;
 
 use std::sync::Arc;
 
+use super::player::Coming;
+use crate::history::History;
 use crate::picture::{Picture, PictureError, Settings, Size, Watch};
-use crate::scene::{AddKeys, BodyKeys, Cut, KindName, Matter, PatternName, Scene, SceneError};
-use crate::sim::Dynamics;
+use crate::scene::{BodyKeys, Cut, KindName, Matter, PatternName, Scene, SceneError};
 use painting::Painting;
 use worker::{Forecast, Worker};
 
@@ -185,14 +186,16 @@ impl Import {
     pub(super) fn adder(
         &self,
         seen: [[f64; 2]; 2],
-    ) -> impl FnOnce(&Scene, &dyn Dynamics) -> Result<AddKeys, SceneError> + Send + 'static {
+    ) -> impl FnOnce(&History) -> Result<Coming, String> + Send + 'static {
         let (wish, picture) = (self.wish, Arc::clone(&self.picture));
-        move |scene, world| {
+        move |history| {
+            let (scene, world) = (history.scene(), history.world());
             let keys = wish.keys(&picture);
-            if wish.matter == Matter::Fixed {
-                return scene.obstacle_to_add(world, (&picture, &keys), seen);
-            }
-            scene.body_to_add(world, (&picture, keys), seen, wish.apart)
+            let added = match wish.matter {
+                Matter::Fixed => scene.obstacle_to_add(world, (&picture, &keys), seen),
+                _ => scene.body_to_add(world, (&picture, keys), seen, wish.apart),
+            };
+            added.map(Coming::of).map_err(|error| error.to_string())
         }
     }
 

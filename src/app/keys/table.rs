@@ -61,10 +61,11 @@ pub static TABLE: &[Binding] = &[
         &[(Named(NamedKey::Delete), Action::Delete)],
     ),
     binding(
-        "Ctrl+D, Ctrl+C",
-        "a copy of what is selected, beside it; to paste",
-        &[(Ctrl("d"), Action::Duplicate), (Ctrl("c"), Action::Copy)],
+        "Ctrl+C, Ctrl+V",
+        "copy what is selected; paste what was copied, a picture or a file",
+        &[(Ctrl("c"), Action::Copy), (Ctrl("v"), Action::Paste)],
     ),
+    binding("Ctrl+D", "duplicate what is selected: a copy beside it", &[(Ctrl("d"), Action::Duplicate)]),
     binding("Ctrl+A", "select all bodies and obstacles", &[(Ctrl("a"), Action::SelectAll)]),
     binding(
         "Ctrl+G, Ctrl+Shift+G",
@@ -103,7 +104,6 @@ pub static TABLE: &[Binding] = &[
     binding("N", "draw a body on a canvas", &[(Writes("n"), Action::Paint)]),
     binding("I", "cut the scene's first picture out anew", &[(Writes("i"), Action::Import)]),
     binding("Ctrl+O", "open a scene, a recording or a picture", &[(Ctrl("o"), Action::Open)]),
-    binding("Ctrl+V", "paste what was copied, a picture or a file", &[(Ctrl("v"), Action::Paste)]),
     binding("Ctrl+S", "save this moment as a scene, or all that was done as a recording", &[(Ctrl("s"), Action::Save)]),
     binding(
         "F2",

@@ -111,6 +111,9 @@ pub(super) fn show_brush(context: &egui::Context, tools: Rect, facts: &Facts, wi
     }
 }
 
+/// A button: its name, what it does, and the action.
+const PASTE: (&str, &str, Action) = ("Paste", "what was copied, into the middle of what is seen", Action::Paste);
+
 /// How to select, where nothing is.
 fn of_nothing(ui: &mut Ui, facts: &Facts, sink: &mut Sink<'_>) {
     ui.label(RichText::new("Select").color(colors(ui).text).strong());
@@ -125,19 +128,25 @@ fn of_nothing(ui: &mut Ui, facts: &Facts, sink: &mut Sink<'_>) {
         if ui.button("All").on_hover_text(described("all bodies and obstacles", Action::SelectAll)).clicked() {
             sink.act(Action::SelectAll);
         }
+        let (name, words, action) = PASTE;
+        if ui.button(name).on_hover_text(described(words, action)).clicked() {
+            sink.act(action);
+        }
     });
     ui.label(RichText::new("Shift adds to what is selected").color(colors(ui).weak));
 }
 
 fn of_selection(ui: &mut Ui, matter: &Matter, facts: &Facts, sink: &mut Sink<'_>) {
-    ui.horizontal(|ui| {
+    ui.horizontal_wrapped(|ui| {
+        ui.spacing_mut().item_spacing.x = 5.0;
         // One body is selected as one anyway.
         let group = match () {
             () if facts.is_grouped => Some(("Ungroup", "select each by itself again", Action::Ungroup)),
             () if matter.bodies > 1 => Some(("Group", "select them as one from now on", Action::Group)),
             () => None,
         };
-        let first = [("Copy", "a copy beside it", Action::Duplicate)];
+        let first =
+            [("Copy", "to the clipboard", Action::Copy), PASTE, ("Duplicate", "a copy beside it", Action::Duplicate)];
         for (name, words, action) in first.into_iter().chain(group).chain([("Delete", "take it away", Action::Delete)])
         {
             if ui.button(name).on_hover_text(described(words, action)).clicked() {

@@ -70,6 +70,7 @@ pub(super) use plots::{PlotsAt, figure};
 pub(super) use save_to::{SaveTo, ask as ask_to_save, is_recording};
 pub(super) use settings::{Setting, Settings};
 pub(super) use sheet::show as sheet;
+pub(super) use transport::speed;
 
 /// Room that the tools take at the left edge `[points]`.
 pub(super) const TOOLS: f32 = 66.0;
@@ -248,6 +249,8 @@ pub(super) struct Facts {
     pub(super) is_canvas: bool,
     /// The world waits: something lies over it.
     pub(super) waits: bool,
+    /// That is a question, which leaves the panels where they are.
+    pub(super) asks: bool,
     /// Another scene is being made.
     pub(super) is_opening: bool,
     /// It has never been there: for how long it is being made `[s]`, and whether it can be given up.
@@ -277,7 +280,7 @@ pub(super) fn show(ui: &mut egui::Ui, state: &mut PanelState, facts: &Facts) -> 
     let room = ui.available_rect_before_wrap();
     let context = ui.ctx().clone();
     // What lies over the world has the room for itself.
-    let is_covered = state.sheet.is_some() || facts.waits;
+    let is_covered = state.sheet.is_some() || (facts.waits && !facts.asks);
     let has_panels = !state.hides_panels && !is_covered;
     let mut places = Places::new(room, is_covered);
     if has_panels {
@@ -352,7 +355,7 @@ pub(super) fn show(ui: &mut egui::Ui, state: &mut PanelState, facts: &Facts) -> 
 }
 
 /// A time that something takes `[s]`, short: from a second on in seconds.
-fn short(time: f64) -> String {
+pub(super) fn short(time: f64) -> String {
     if time < 1.0 { format!("{:.0} ms", 1e3 * time) } else { format!("{time:.0} s") }
 }
 

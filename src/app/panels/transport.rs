@@ -153,14 +153,19 @@ fn state(facts: &Facts) -> (String, bool) {
     }
 }
 
-/// How slow it is, and for what.
-fn slow_motion(facts: &Facts) -> String {
-    let figures = &facts.figures;
-    let speed = match 100.0 * figures.pace {
+/// A share of the speed that was asked for `[1]`, in words.
+pub(in crate::app) fn speed(pace: f64) -> String {
+    match 100.0 * pace {
         percent if percent < 1.0 => "less than 1 % of its speed".to_owned(),
         percent if (45.0..55.0).contains(&percent) => "half speed".to_owned(),
         percent => format!("{percent:.0} % of its speed"),
-    };
+    }
+}
+
+/// How slow it is, and for what.
+fn slow_motion(facts: &Facts) -> String {
+    let figures = &facts.figures;
+    let speed = speed(figures.pace);
     // A picture that takes longer than time is made up for drops time, however quick steps are.
     let drawing = facts.frame - figures.step;
     if facts.frame > LONGEST_FRAME && drawing > figures.step {

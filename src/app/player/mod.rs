@@ -42,7 +42,7 @@ pub use acts::Acts;
 pub use beside::{Beside, Companions};
 pub use keep::Keeping;
 pub use movers::{Moved, Movers};
-pub use order::{MethodSetting, Note, Order};
+pub use order::{Coming, MethodSetting, Note, Order};
 pub use pace::{LONGEST_FRAME, Pace, SINGLE_STEP, STEPPING_BUDGET};
 pub use rungs::{Rung, Yielded};
 pub(crate) use shown::driven;

@@ -6,16 +6,36 @@ use super::beside::Companions;
 use super::watch::{Measured, Probes};
 use crate::app::matter::{Among, MatterChange};
 use crate::app::tools::{HaulWay, PinWay};
-use crate::history::Do;
-use crate::picture::Tint;
-use crate::scene::{AddKeys, BudgetKeys, MethodKeys, Scene, SceneError, SolverName, ViewKeys};
-use crate::sim::{Cursor, Dynamics};
+use crate::history::{Do, History};
+use crate::scene::{AddKeys, BudgetKeys, MethodKeys, SolverName, ViewKeys};
+use crate::sim::Cursor;
 
-/// Works out what is added to a running world.
-pub(super) type Adder = Box<dyn FnOnce(&Scene, &dyn Dynamics) -> Result<AddKeys, SceneError> + Send>;
+/// Works out what comes into a running world, or why it cannot, in words.
+pub(super) type Adder = Box<dyn FnOnce(&History) -> Result<Coming, String> + Send>;
 
-/// Looks at a running world and what its points look like, and keeps what it saw for itself.
-pub(super) type Look = Box<dyn FnOnce(&dyn Dynamics, &[Tint]) + Send>;
+/// Looks at a running world, and keeps what it saw for itself.
+pub(super) type Look = Box<dyn FnOnce(&History) + Send>;
+
+/// What comes into a running world.
+#[derive(Clone, Debug)]
+pub struct Coming {
+    /// What brings it, undone as one.
+    pub commands: Vec<Do>,
+    /// What that is called.
+    pub name: &'static str,
+    /// The numbers that it will have, where it is a copy, and what is to be said of where it lies.
+    pub came: Option<(Among, Option<&'static str>)>,
+}
+
+/// What adding a body is called.
+const ADD: &str = "add a body";
+
+impl Coming {
+    /// A body or an obstacle that is no copy.
+    pub fn of(keys: AddKeys) -> Self {
+        Coming { commands: vec![Do::Add(Box::new(keys))], name: ADD, came: None }
+    }
+}
 
 /// What is to be done, in order.
 pub enum Order {
@@ -131,6 +151,8 @@ pub enum Note {
     Before(Vec<Measured>),
     /// Something was added. Bodies do not meet: why, if that could not be had.
     Added(Option<String>),
+    /// A copy came: its numbers, and what is to be said of where it lies; why bodies do not meet, if that could not be had.
+    Came(Among, Option<&'static str>, Option<String>),
     /// Islands are moved by their own methods from now on.
     Exact,
     /// A command could not be done where it stood.

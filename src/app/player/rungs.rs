@@ -1,7 +1,7 @@
 //! What gives way where the machine is too slow for a scene: one rung at a time, each a command of the log.
 //!
-//! The clock proposes, and what was taken is in the log: it is replayed to the bit, and undone as any edit. Below the last rung a
-//! scene plays more slowly, in substeps as short as before.
+//! The clock proposes, and what was taken is in the log: it is replayed to the bit. Nobody asked for it, so it is no step of undo. Below
+//! the last rung a scene plays more slowly, in substeps as short as before.
 
 use super::movers::{is_exact, with};
 use crate::history::{Do, History};

@@ -39,7 +39,7 @@ fn bear(rungs: &mut Rungs, history: &mut History, load: Load, seconds: f64) -> V
     for frame in 1..=(seconds / load.wall).round() as u32 {
         history.step();
         if let Some((act, name)) = rungs.look(history, load) {
-            history.give(vec![act], Some(name)).unwrap();
+            history.give_aside(act, name).unwrap();
             done.push((f64::from(frame) * load.wall, name));
         }
     }
@@ -129,24 +129,36 @@ fn a_log_that_is_followed_is_left_as_it_is_and_its_rung_is_known() {
 
 #[test]
 fn what_is_taken_back_does_not_give_way_again() {
-    for by_undo in [false, true] {
-        let mut rungs = Rungs::new();
-        let mut history = history(SPRINGS);
-        assert_eq!(bear(&mut rungs, &mut history, LATE, 1.0).len(), 1);
-        if by_undo {
-            let undone = history.undo().unwrap();
-            assert_eq!(Rung::of(&undone.name), Some(Rung::Order));
-            rungs.refuse_all();
-            // Something new is done: there is nothing to be done again any more.
-            history.give(vec![Do::Pin(vec![crate::sim::PointId(0)])], Some("pin")).unwrap();
-        } else {
-            let (act, name) = rungs.back(&history);
-            rungs.refuse_all();
-            history.give(vec![act], Some(name)).unwrap();
-        }
-        assert_eq!((solvers(&history), rungs.yielded(&history)), (vec![Solver::Rk4], None));
-        assert_eq!(bear(&mut rungs, &mut history, LATE, 3.0), [], "by undo: {by_undo}");
-    }
+    let (mut history, mut rungs) = (history(SPRINGS), Rungs::new());
+    assert_eq!(bear(&mut rungs, &mut history, LATE, 1.0).len(), 1);
+    let (act, name) = rungs.back(&history);
+    rungs.refuse_all();
+    history.give(vec![act], Some(name)).unwrap();
+    assert_eq!((solvers(&history), rungs.yielded(&history)), (vec![Solver::Rk4], None));
+    assert_eq!(bear(&mut rungs, &mut history, LATE, 3.0), []);
+}
+
+#[test]
+fn what_gives_way_by_itself_is_no_step_of_undo_and_stays_in_the_recording() {
+    let (mut history, mut rungs) = (history(SPRINGS), Rungs::new());
+    history.give(vec![Do::Pin(vec![crate::sim::PointId(0)])], Some("pin")).unwrap();
+    let taken = bear(&mut rungs, &mut history, LATE, 2.0);
+    assert!(!taken.is_empty());
+    let names = |history: &History| -> Vec<(Option<u64>, String)> {
+        let entries = history.recording().commands;
+        entries.into_iter().map(|entry| (entry.edit, entry.name.unwrap_or_default())).collect()
+    };
+    assert_eq!(names(&history)[..2], [(Some(0), "pin".to_owned()), (None, taken[0].1.to_owned())]);
+    // A file has it as it is.
+    let mut text = Vec::new();
+    history.recording().write_json(&mut text).unwrap();
+    let read = crate::history::Log::of_text(&String::from_utf8(text).unwrap(), "x.json").unwrap();
+    assert_eq!(read.commands().unwrap(), history.recording().commands);
+    // What the player did is undone, with all that followed, and nothing is left to undo.
+    assert_eq!(history.undo().unwrap().name, "pin");
+    assert_eq!(history.undo(), None);
+    assert_eq!(solvers(&history), [Solver::Rk4]);
+    assert_eq!(history.redo().unwrap().name, "pin");
 }
 
 #[test]

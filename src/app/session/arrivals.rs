@@ -8,11 +8,11 @@ use super::super::import::{Answer, Import};
 use super::super::loading::{Loaded, Loading};
 use super::{BRUSH, Session, Thumbnails};
 use crate::app::action::Action;
+use crate::app::clip::Clip;
 use crate::app::holds_scene;
 use crate::app::opening;
 use crate::app::panels::{OpenFrom, Sheet, meant};
 use crate::app::player::Order;
-use crate::app::tools::Clip;
 use crate::history::Start;
 use crate::scene::{Scene, SceneError};
 
@@ -166,11 +166,9 @@ impl Session {
             match found {
                 Ok(Found::Bodies(fragment)) => self.paste_clip(Clip::of_fragment(*fragment)),
                 Ok(Found::Copied) if self.paste_copied() => {}
-                Ok(Found::Copied) => {
-                    self.complain(
-                        "what was copied is in another window of wobble, and too large for the clipboard: save it there",
-                    );
-                }
+                Ok(Found::Copied) => self.refuse_to_paste(
+                    "what was copied is in another window of wobble, and too large for the clipboard: save it there",
+                ),
                 Ok(Found::File(path)) => {
                     // The dialog came after all.
                     self.panels.sheet.take_if(|sheet| *sheet == Sheet::OpenFrom);
@@ -184,11 +182,11 @@ impl Session {
                 // A path is being written in its place.
                 Ok(Found::Nothing) | Err(_) if !is_pasted && self.panels.sheet == Some(Sheet::OpenFrom) => {}
                 Ok(Found::Nothing) => self.say("no file was chosen".to_owned()),
-                Ok(Found::Broken(why)) => self.complain(&why),
+                Ok(Found::Broken(why)) => self.refuse_to_paste(&why),
                 // Where the clipboard has nothing of use, there may still be what was copied here.
                 Err(_) if is_pasted && self.paste_copied() => {}
                 Err(_) if !is_pasted => self.ask_for_path(),
-                Err(why) => self.complain(&why),
+                Err(why) => self.refuse_to_paste(&why),
             }
         }
         if self.thumbnails.as_mut().is_some_and(Thumbnails::poll) {

@@ -2,6 +2,7 @@
 
 use super::Session;
 use crate::app::count::grouped;
+use crate::app::panels::{short, speed};
 use crate::history::Do;
 use crate::scene::BodyKeys;
 
@@ -11,6 +12,8 @@ const FEW: usize = 2_000;
 const MANY: usize = 200_000;
 /// A scene that is slower than real time by more than this is asked about `[1]`.
 const SLOWER: f64 = 1.25;
+/// Of fewer points it says little what a point costs.
+const KNOWN: usize = 500;
 /// What a point costs in a frame, where nothing was measured yet `[s]`.
 const POINT: f64 = 3e-6;
 /// A frame `[s]`.
@@ -22,23 +25,27 @@ pub(super) struct Asked {
     act: Box<dyn FnOnce(&mut Session)>,
 }
 
-/// What is asked where so many points come to so many others, which take so long in a frame `[s]`; `None`: nothing.
+/// What is asked where so many points come to so many others, which take so long in a frame `[s]` and reach such a share of their speed;
+/// `None`: nothing. It speaks as the bar below does once they are there.
 ///
-/// Model: work grows with points, so of twice as many a frame takes twice as long.
-fn question(coming: usize, there: usize, work: Option<f64>) -> Option<String> {
+/// Model: work grows with points, so of twice as many a frame takes twice as long. What else takes time, pictures above all, takes the same
+/// share of it.
+fn question(coming: usize, there: usize, (work, pace): (f64, f64)) -> Option<String> {
     if coming < FEW {
         return None;
     }
     let all = coming + there;
-    let measured = work.filter(|work| *work > 0.0 && there >= FEW).map(|work| work / there as f64);
-    let slower = measured.unwrap_or(POINT) * all as f64 / FRAME;
-    if slower <= SLOWER && all <= MANY {
+    let is_known = work > 0.0 && there >= KNOWN;
+    let each = if is_known { work / there as f64 } else { POINT };
+    let later = each * all as f64;
+    if later <= SLOWER * FRAME && all <= MANY {
         return None;
     }
-    let pace = match slower {
-        some if some <= SLOWER => "it may stay in real time".to_owned(),
-        some if some < 10.0 => format!("about {some:.1}x slower than real time"),
-        much => format!("about {much:.0}x slower than real time"),
+    let steps_alone = |work: f64| (FRAME / work).min(1.0);
+    let rest = if is_known && pace > 0.0 { (pace / steps_alone(work)).min(1.0) } else { 1.0 };
+    let pace = match rest * steps_alone(later) {
+        full if full >= 1.0 => "it may keep its speed".to_owned(),
+        slow => format!("about {}, {} of work a frame", speed(slow), short(later)),
     };
     Some(format!("{} points more, {} in all: {pace}.", grouped(coming), grouped(all)))
 }
@@ -60,7 +67,7 @@ impl Session {
     /// So many points come by `act`: at once, or after a question where the scene would be slow.
     pub(super) fn ask_if_full(&mut self, coming: usize, act: impl FnOnce(&mut Session) + 'static) {
         let figures = &self.shown().figures;
-        match question(coming, figures.points, Some(figures.work)) {
+        match question(coming, figures.points, (figures.work, figures.pace)) {
             None => act(self),
             Some(words) => {
                 self.asked = Some(Asked { words, act: Box::new(act) });
@@ -86,14 +93,21 @@ mod tests {
 
     #[test]
     fn what_is_few_or_fast_comes_at_once_and_what_makes_a_scene_slow_is_asked_about() {
-        assert_eq!(question(1_999, 1_000_000, Some(1.0)), None);
-        assert_eq!(question(4_000, 0, None), None, "12 ms a frame");
-        let words = question(16_000, 0, None).unwrap_or_default();
-        assert_eq!(words, "16,000 points more, 16,000 in all: about 2.9x slower than real time.");
+        assert_eq!(question(1_999, 1_000_000, (1.0, 0.1)), None);
+        assert_eq!(question(4_000, 0, (0.0, 0.0)), None, "12 ms a frame");
+        let words = question(16_000, 0, (0.0, 0.0)).unwrap_or_default();
+        assert_eq!(words, "16,000 points more, 16,000 in all: about 35 % of its speed, 48 ms of work a frame.");
         // Ten thousand that take 10 ms leave room for a few more.
-        assert_eq!(question(5_000, 10_000, Some(0.010)), None);
-        let words = question(40_000, 10_000, Some(0.010)).unwrap_or_default();
-        assert!(words.ends_with("about 3.0x slower than real time."), "{words}");
-        assert!(question(250_000, 10_000, Some(1e-5)).is_some_and(|words| words.contains("may stay")));
+        assert_eq!(question(5_000, 10_000, (0.010, 1.0)), None);
+        let words = question(40_000, 10_000, (0.010, 1.0)).unwrap_or_default();
+        assert!(words.ends_with("about 33 % of its speed, 50 ms of work a frame."), "{words}");
+        assert!(question(250_000, 10_000, (1e-5, 1.0)).is_some_and(|words| words.contains("may keep")));
+    }
+
+    #[test]
+    fn twice_as_many_are_half_as_fast_as_the_bar_says_of_those_that_are_there() {
+        // 12 % of the speed at 90 ms of work a frame: pictures take time too.
+        let words = question(36_000, 36_000, (0.090, 0.12)).unwrap_or_default();
+        assert!(words.ends_with("about 6 % of its speed, 180 ms of work a frame."), "{words}");
     }
 }

@@ -148,6 +148,7 @@ impl Session {
             has_picture: self.has_picture,
             is_canvas: self.is_canvas(),
             waits: self.waits(),
+            asks: self.asked.is_some() && self.import.is_none(),
             is_opening: !self.player.is_open(),
             opening: self.opening().map(|(since, can_stop)| (since.as_secs_f64(), can_stop)),
             is_busy: self.player.is_busy(),
@@ -290,12 +291,15 @@ impl Session {
         }
         let (scale, here) = (f64::from(self.look.scale_factor), self.camera_here());
         let scope = Scope { shown: self.shown(), camera: &self.camera, scale };
-        let mut marks: Vec<Mark> = self.probes().flat_map(|(place, point)| probe(scope, place, point)).collect();
+        // Over what is selected, which a click on a point or a bond is too.
+        let probes: Vec<Mark> = self.probes().flat_map(|(place, point)| probe(scope, place, point)).collect();
         let scope = Scope { camera: &here, ..scope };
+        let mut marks = Vec::new();
         if !self.is_covered() && self.shown().point_count() <= MOST_MARKED {
             // What is selected is seen while its panel is used.
             marks.extend(self.hand.marks(scope, self.pixel().filter(|_| !is_idle)));
         }
+        marks.extend(probes);
         marks.extend(self.ghosts());
         if !self.is_covered() {
             marks.extend(self.way_to_the_lost(scope));
@@ -362,6 +366,11 @@ fn shape(context: &egui::Context, mark: &Mark, scale: f32, room: (Rect, Option<P
             let ring =
                 |width, color| Shape::circle_stroke(at(middle), *radius as f32 / scale, Stroke::new(width, color));
             Shape::Vec(vec![ring(4.0, edge), ring(2.0, color(role))])
+        }
+        Mark::Frame(role, low, high) => {
+            let frame = Rect::from_two_pos(at(low), at(high));
+            let stroke = Stroke::new(1.2, color(role));
+            Shape::rect_stroke(frame, 0.0, stroke, egui::StrokeKind::Middle)
         }
         Mark::Knob(role, middle, radius) => {
             let radius = *radius as f32 / scale;

@@ -4,6 +4,7 @@ mod acts;
 mod arrivals;
 mod asking;
 mod beside;
+mod copies;
 mod drawing;
 mod driving;
 mod fresh;
@@ -27,6 +28,7 @@ use winit::keyboard::PhysicalKey;
 use winit::window::{CursorIcon, Window};
 
 use super::AppError;
+use super::action::Tool;
 use super::canvas::{Canvas, Paint};
 use super::fetch::Fetch;
 use super::import::Import;
@@ -50,9 +52,9 @@ use crate::render::{Camera, Look, Palette, RenderCounters, RenderError, Tiles, T
 use crate::scene::{MOST_MEETING, Parameter, Scene, SolverName, gallery};
 use crate::sim::{Cursor, HELD, Key, MouseForce, SceneChange};
 use asking::Asked;
+use copies::{Copied, Row};
 use lost::Lost;
-use selecting::Copied;
-use shelf::Shelf;
+use shelf::{Left, Shelf};
 
 /// The tag of scenes that are painted on.
 const BRUSH: &str = "brush";
@@ -131,6 +133,7 @@ pub(super) struct Session {
     /// What the stepping thread was told is selected, and what was copied.
     inspected: Chosen,
     copied: Option<Copied>,
+    duplicated: Option<Row>,
     /// The last that was asked for in this history was to undo an edit.
     has_undone: bool,
     /// How the pointer looks.
@@ -254,6 +257,7 @@ impl Session {
             pushes: false,
             inspected: Chosen::default(),
             copied: None,
+            duplicated: None,
             has_undone: false,
             cursor_icon: CursorIcon::Default,
             base: None,
@@ -365,7 +369,7 @@ impl Session {
 
     /// Whether the world waits for what lies over it: what is saved is the moment at which it was asked for.
     fn waits(&self) -> bool {
-        self.import.is_some() || self.panels.sheet.is_some_and(Sheet::stops_time)
+        self.import.is_some() || self.asked.is_some() || self.panels.sheet.is_some_and(Sheet::stops_time)
     }
 
     /// Whether something lies over the world that keys and the mouse are for.
@@ -376,8 +380,13 @@ impl Session {
     /// Opens another scene, or a recording, in place of this one, which can be gone back to.
     fn open(&mut self, start: Start) {
         let keeping = self.keeping();
+        let is_another = start.scene().name() != self.scene.name();
         let player = Player::open(start, keeping, self.wake_up());
         self.put_on(player);
+        if is_another {
+            // What was held for the scene before would surprise in this one.
+            self.hand.take(Tool::Hand);
+        }
     }
 
     /// Plays another history; the present one goes onto the shelf.
@@ -386,12 +395,11 @@ impl Session {
         // Whoever opens something else wants that.
         self.panels.notes.offer = None;
         self.take_leave();
-        let mut last = std::mem::replace(&mut self.player, player);
+        let last = std::mem::replace(&mut self.player, player);
         let recorded = last.record().map(|path| path.display().to_string());
         // What nobody has seen yet is not gone back to, unless something is to be kept of it.
         if self.opening_since.is_none() || last.record().is_some() {
-            last.play(false);
-            self.shelf.keep(last, self.camera);
+            self.shelf.keep(Left::now(last, self.camera));
         }
         self.await_it();
         self.begin();
@@ -425,9 +433,9 @@ impl Session {
         if self.opening_since.is_none() || self.player.record().is_some() {
             return false;
         }
-        let Some((player, camera)) = self.shelf.back() else { return false };
+        let Some(left) = self.shelf.back() else { return false };
         self.teaches = None;
-        drop(self.bring_back(player, camera));
+        drop(self.bring_back(left));
         self.settle();
         true
     }
@@ -470,7 +478,7 @@ impl Session {
     /// Another history is shown: nothing of the last one is under way any more.
     fn begin(&mut self) {
         self.hand.let_go();
-        self.asked = None;
+        (self.asked, self.duplicated) = (None, None);
         self.inspected = Chosen::default();
         self.has_undone = false;
         self.driving.clear();
@@ -546,8 +554,8 @@ impl Session {
             self.teaches = None;
             // What was there before is there again.
             match self.shelf.back() {
-                Some((player, camera)) => {
-                    self.bring_back(player, camera);
+                Some(left) => {
+                    self.bring_back(left);
                     self.complain(&failure.to_string());
                 }
                 None => self.failure = Some(failure),
@@ -590,6 +598,7 @@ impl Session {
                 self.adding = None;
                 self.panels.notes.warn(format!("it is in the scene, but bodies pass through each other: {why}"));
             }
+            Note::Came(came, said, why) => self.have_come(came, said, why),
             Note::Before(list) => self.plot_before(list),
             Note::Exact => {
                 self.say("every body is moved by its own method from here on: Ctrl+Z takes that back".to_owned());

@@ -1,16 +1,12 @@
-//! What is done with what is selected: copies, groups, its matter.
-
-use std::sync::{Arc, OnceLock};
+//! What is done with what is selected: groups, its matter.
 
 use winit::window::CursorIcon;
 
 use super::Session;
 use crate::app::action::Tool;
-use crate::app::count::counted;
-use crate::app::fetch;
 use crate::app::matter::{Among, MatterChange};
 use crate::app::player::Order;
-use crate::app::tools::{Chosen, Clip, Handle, Held, Scope};
+use crate::app::tools::{Chosen, Handle, Held, Scope};
 use crate::history::{Do, Group};
 use crate::sim::PointId;
 
@@ -22,12 +18,9 @@ const MOST_HOVERED: usize = 100_000;
 /// Of so many points at most it is looked where they are seen.
 const MOST_LOOKED_AT: usize = 1_000;
 
-/// What Ctrl+C copied: the stepping thread puts it there.
-pub(super) type Copied = Arc<OnceLock<Clip>>;
-
 impl Session {
     /// What is selected, if anything is.
-    fn selected(&mut self) -> Option<Chosen> {
+    pub(super) fn selected(&mut self) -> Option<Chosen> {
         let chosen = self.with_scope(|hand, scope| hand.chosen(scope));
         if chosen.is_none() {
             self.say(NOTHING.to_owned());
@@ -38,86 +31,6 @@ impl Session {
     /// All bodies and obstacles are selected.
     pub(super) fn select_all(&mut self) {
         self.with_scope(|hand, scope| hand.select_all(scope));
-    }
-
-    /// What a copy of so many points and obstacles will be.
-    fn coming(&self, points: u32, obstacles: u32) -> Chosen {
-        let [point, obstacle] = [self.shown().point_count() as u32, self.shown().scenery.next_obstacle];
-        Chosen {
-            points: (point..point + points).map(PointId).collect(),
-            obstacles: (obstacle..obstacle + obstacles).collect(),
-        }
-    }
-
-    /// A copy of what is selected comes beside it, and is selected in its place.
-    pub(super) fn duplicate(&mut self) {
-        let Some(chosen) = self.selected() else { return };
-        let by = self.with_scope(|_, scope| chosen.beside(scope));
-        let coming = self.coming(chosen.points.len() as u32, chosen.obstacles.len() as u32);
-        let tints = Arc::clone(&self.shown().scenery.tints);
-        self.ask_if_full(chosen.points.len(), move |session| {
-            session
-                .player
-                .ask(Order::Add(Box::new(move |_, world| Ok(Clip::of(world, &tints, &chosen).placed(world, by)))));
-            session.with_scope(|hand, _| hand.select(coming));
-        });
-    }
-
-    /// A copy of what is selected is kept as it is now, to be pasted here or in another scene.
-    pub(super) fn copy(&mut self) {
-        let Some(chosen) = self.selected() else { return };
-        let copied = Copied::default();
-        self.copied = Some(Arc::clone(&copied));
-        let [points, obstacles] = [chosen.points.len(), chosen.obstacles.len()];
-        self.player.ask(Order::Copy(Box::new(move |world, tints| {
-            let clip = Clip::of(world, tints, &chosen);
-            fetch::copy(clip.fragment());
-            // It is new, so there is nothing in it.
-            let _ = copied.set(clip);
-        })));
-        let all = [(points, "point"), (obstacles, "obstacle")].into_iter().filter(|(count, _)| *count > 0);
-        let all: Vec<String> = all.map(|(count, name)| counted(count, name)).collect();
-        self.say(format!("copied: {}; Ctrl+V puts a copy where the cursor is", all.join(" and ")));
-    }
-
-    /// What was copied comes to where the cursor is. Returns whether anything was.
-    pub(super) fn paste_copied(&mut self) -> bool {
-        let Some(copied) = self.copied.clone() else { return false };
-        let Some(clip) = copied.get() else {
-            self.say("what was copied is still on its way: try again".to_owned());
-            return true;
-        };
-        let clip = clip.clone();
-        self.paste_clip(clip);
-        true
-    }
-
-    /// Bodies come to where the cursor is.
-    pub(super) fn paste_clip(&mut self, clip: Clip) {
-        if clip.dimensions != self.scene.dimensions() {
-            self.complain(&format!(
-                "what was copied is of a scene of {} dimensions: it cannot come into one of {}",
-                clip.dimensions,
-                self.scene.dimensions()
-            ));
-            return;
-        }
-        let [points, obstacles] = clip.counts();
-        let coming = self.coming(points, obstacles);
-        let by = match (clip.dimensions, self.pixel()) {
-            (2, Some(at)) => {
-                let to = self.camera_here().world_from_screen(at.to_array()).to_array();
-                [to[0] - clip.middle[0], to[1] - clip.middle[1], 0.0]
-            }
-            _ => [0.0; 3],
-        };
-        self.ask_if_full(points as usize, move |session| {
-            session.player.ask(Order::Add(Box::new(move |_, world| Ok(clip.placed(world, by)))));
-            session.with_scope(|hand, _| {
-                hand.take(Tool::Select);
-                hand.select(coming);
-            });
-        });
     }
 
     /// The points that are selected are selected as one from now on.
@@ -196,7 +109,7 @@ impl Session {
         let is_plane = self.scene.dimensions() == 2;
         let mut on = |what: fn(Scope<'_>, glam::DVec2) -> bool| can_look && self.with_scope(|_, scope| what(scope, at));
         match tool {
-            Tool::Hand if on(|scope, at| scope.nearest(at).is_some()) => CursorIcon::Grab,
+            Tool::Hand if on(|scope, at| scope.nearest(at).is_some() || scope.block(at).is_some()) => CursorIcon::Grab,
             Tool::Hand if on(|scope, at| scope.solid(at).is_some()) => CursorIcon::NotAllowed,
             Tool::Hand => CursorIcon::Default,
             Tool::Cut | Tool::Build | Tool::Motor if !is_plane => CursorIcon::NotAllowed,

@@ -10,25 +10,49 @@ const MOST: usize = 3;
 const BYTES: usize = 512 << 20;
 const BYTES_LEFT: usize = 32 << 20;
 
+/// A history that was left, where it was looked at from, and whether it played.
+pub(super) struct Left {
+    pub(super) player: Player,
+    pub(super) camera: Camera,
+    played: bool,
+}
+
+impl Left {
+    /// It is left now: it stands still until it is gone back to.
+    pub(super) fn now(mut player: Player, camera: Camera) -> Self {
+        let played = player.is_playing();
+        player.play(false);
+        Left { player, camera, played }
+    }
+
+    /// It is there again, after a history that plays or does not: what was paused when it was left stays so, and so does whoever looked at
+    /// what stood still.
+    fn again(self, present_plays: bool) -> (Player, Camera) {
+        let Left { mut player, camera, played } = self;
+        player.play(played && present_plays);
+        (player, camera)
+    }
+}
+
 /// Histories before the present one and after it, the nearest last.
 #[derive(Default)]
 pub(super) struct Shelf {
-    before: Vec<(Player, Camera)>,
-    after: Vec<(Player, Camera)>,
+    before: Vec<Left>,
+    after: Vec<Left>,
 }
 
 impl Shelf {
     /// The present history was left for a new one.
-    pub(super) fn keep(&mut self, player: Player, camera: Camera) {
+    pub(super) fn keep(&mut self, left: Left) {
         self.after.clear();
-        self.before.push((player, camera));
+        self.before.push(left);
     }
 
     /// Those that are far away are folded. Returns the bytes that copies of the present world may take.
     fn settle(&mut self) -> usize {
         let mut bytes = BYTES;
         for list in [&mut self.before, &mut self.after] {
-            for (place, (player, _)) in list.iter_mut().rev().enumerate() {
+            for (place, Left { player, .. }) in list.iter_mut().rev().enumerate() {
                 if place < MOST {
                     bytes -= BYTES_LEFT;
                     player.ask(Order::Bound(BYTES_LEFT));
@@ -41,7 +65,7 @@ impl Shelf {
     }
 
     /// The history before.
-    pub(super) fn back(&mut self) -> Option<(Player, Camera)> {
+    pub(super) fn back(&mut self) -> Option<Left> {
         self.before.pop()
     }
 
@@ -52,16 +76,16 @@ impl Shelf {
 
     /// All that are kept.
     pub(super) fn players(&self) -> impl Iterator<Item = &Player> {
-        self.before.iter().chain(&self.after).map(|(player, _)| player)
+        self.before.iter().chain(&self.after).map(|left| &left.player)
     }
 
     /// The same, to be ended.
     pub(super) fn players_mut(&mut self) -> impl Iterator<Item = &mut Player> {
-        self.before.iter_mut().chain(&mut self.after).map(|(player, _)| player)
+        self.before.iter_mut().chain(&mut self.after).map(|left| &mut left.player)
     }
 
     /// The history after.
-    fn on(&mut self) -> Option<(Player, Camera)> {
+    fn on(&mut self) -> Option<Left> {
         self.after.pop()
     }
 }
@@ -75,8 +99,8 @@ impl Session {
             return self.say(format!("all is undone: once more leaves {name} for the scene before it"));
         }
         match self.shelf.back() {
-            Some((player, camera)) => {
-                let left = self.bring_back(player, camera);
+            Some(left) => {
+                let left = self.bring_back(left);
                 self.shelf.after.push(left);
                 self.settle();
                 self.say(format!("Undid: open {name}"));
@@ -88,8 +112,8 @@ impl Session {
     /// There is nothing to redo in this history: another was opened from it.
     pub(super) fn go_on(&mut self) {
         match self.shelf.on() {
-            Some((player, camera)) => {
-                let left = self.bring_back(player, camera);
+            Some(left) => {
+                let left = self.bring_back(left);
                 self.shelf.before.push(left);
                 self.settle();
                 self.say(format!("Redid: open {}", self.scene.name()));
@@ -105,12 +129,11 @@ impl Session {
     }
 
     /// Plays a history that was left, as it was left; returns the one before it.
-    pub(super) fn bring_back(&mut self, player: Player, camera: Camera) -> (Player, Camera) {
-        let playing = self.player.is_playing();
+    pub(super) fn bring_back(&mut self, left: Left) -> Left {
+        let (player, camera) = left.again(self.player.is_playing());
         let its = self.camera;
         self.take_leave();
-        let mut last = std::mem::replace(&mut self.player, player);
-        last.play(false);
+        let last = Left::now(std::mem::replace(&mut self.player, player), its);
         let scene = self.player.start().scene().clone();
         self.begin();
         self.arrive(std::sync::Arc::new(scene));
@@ -120,8 +143,7 @@ impl Session {
         }
         (self.camera, self.framing) = (camera, Framing::Free);
         self.camera.resize(self.area);
-        self.player.play(playing);
-        (last, its)
+        last
     }
 }
 
@@ -171,19 +193,35 @@ mod tests {
         let last = first.serial();
         wait_for(&mut first, |player, _| player.shown().serial == last);
         let (time, seen) = (first.shown().figures.time, place(&first));
-        shelf.keep(first, camera);
+        shelf.keep(Left::now(first, camera));
         for _ in 0..7 {
-            shelf.keep(open(), camera);
+            shelf.keep(Left::now(open(), camera));
             assert!(shelf.settle() >= BYTES / 2);
         }
         let folded = shelf.players().filter(|player| !player.is_open()).count();
         assert_eq!(folded, 5, "their worlds are gone");
         let back = std::iter::from_fn(|| shelf.back()).last();
-        let mut player = back.unwrap().0;
+        let mut player = back.unwrap().player;
         player.play(false);
         wait_for(&mut player, |player, _| player.is_open());
         assert_eq!((player.shown().figures.time, place(&player)), (time, seen));
         player.ask(Order::Undo(None));
         wait_for(&mut player, |_, notes| matches!(notes, [Note::Undone(name, _)] if name == "pin"));
+    }
+
+    #[test]
+    fn what_was_paused_when_it_was_left_stays_so_and_so_does_whoever_looked_at_what_stood_still() {
+        let camera = Camera::fit([[-1.0; 3], [1.0; 3]], 2, [100, 100]);
+        for (played, present, plays) in
+            [(true, true, true), (false, true, false), (true, false, false), (false, false, false)]
+        {
+            let scene = Scene::parse(SCENE, "x.json").unwrap();
+            let mut player = Player::open(scene.into(), Keeping::default(), || {});
+            wait_for(&mut player, |player, _| player.is_open());
+            player.play(played);
+            let left = Left::now(player, camera);
+            assert!(!left.player.is_playing(), "it stands still while it is left");
+            assert_eq!(left.again(present).0.is_playing(), plays, "{played} {present}");
+        }
     }
 }

@@ -2,12 +2,16 @@
 
 use glam::DVec2;
 
+use super::Deed;
 use super::marks::{Mark, Role};
 use super::pick::{self, Scope, distance_to_segment};
-use super::{CUT_IN_SPACE, Deed, NO_CUT};
 use crate::history::Do;
 use crate::sim::PointId;
 
+/// Said where a stroke cuts nothing.
+const NO_CUT: &str = "the stroke crosses no bond";
+/// Said where a stroke is drawn in space.
+const CUT_IN_SPACE: &str = "cuts are made in the plane only: this scene is in space";
 /// The stroke goes on when the pointer is so far from its end `[logical px]`.
 const STEP: f64 = 3.0;
 /// Corners that are so near to a straight line are left out `[logical px]`: each cut costs the same, however short it is.

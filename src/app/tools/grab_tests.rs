@@ -259,3 +259,25 @@ fn a_cloth_is_pulled_off_a_ball_and_a_box_by_its_corner() {
     let gone = (middle(&played) - hung).length();
     assert!(gone > 0.8, "it went on by {gone} m");
 }
+
+#[test]
+fn a_bar_turns_wherever_along_it_it_is_grabbed() {
+    // Five pins in a row, 1 m apart.
+    let text = r#"{"wobble": 1, "points": {"position": [[-2,0],[-1,0],[0,0],[1,0],[2,0]], "pinned": [0,1,2,3,4]},
+        "bonds": [{"a":0,"b":1},{"a":1,"b":2},{"a":2,"b":3},{"a":3,"b":4}]}"#;
+    for pin in 0..5_u32 {
+        let mut played = Played::text(text);
+        played.hand.hold([true, false]);
+        let at = pixel(&played.seen, pin as usize);
+        played.press(at);
+        let metre = played.seen.1.pixels_per_metre();
+        played.lead(at + DVec2::new(0.0, -4.0));
+        let way = played.lead(at + DVec2::new(0.0, -0.5 * metre)).unwrap();
+        let place = |k: u32| way.pins.iter().find(|(pin, _)| *pin == PointId(k)).map(|(_, x)| DVec3::from(*x)).unwrap();
+        let angle = (place(4) - place(0)).truncate().to_angle();
+        // A lever of 1 m or more: half a metre turns by no more than 30 degrees, and by some.
+        assert!((0.1..0.55).contains(&angle.abs()), "pin {pin}: {angle}");
+        assert!((place(0).distance(place(4)) - 4.0).abs() < 1e-9);
+        assert!(place(pin).y > 0.2, "it goes after the hand: {}", place(pin).y);
+    }
+}

@@ -140,6 +140,11 @@ impl Hand {
         if self.is_still || scope.shown.dimensions != 2 {
             return None;
         }
+        if let Doing::Carrying(from, what) = &self.doing {
+            // What the hand pressed on.
+            let is_dragged = what.points.is_empty() && is_drag(scope, [*from, at]);
+            return is_dragged.then(|| Haul::new(what.clone(), By::Way(scope.in_plane(*from))));
+        }
         let what = self.chosen(scope).filter(|chosen| chosen.points.is_empty())?;
         match self.doing {
             Doing::Moving(from, _) if is_drag(scope, [from, at]) => {

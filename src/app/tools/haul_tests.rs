@@ -107,3 +107,30 @@ fn a_body_that_is_dragged_while_time_runs_is_led_by_all_of_its_points_and_paused
     let deed = still.with(|hand, scope| hand.release(scope, to));
     assert!(matches!(deed.commands[..], [Do::Move(_)]) && deed.edit == Some("move"));
 }
+
+#[test]
+fn the_hand_drags_an_obstacle_while_time_runs_as_the_tool_that_selects_does() {
+    let mut played = Played::new();
+    played.hand.take(Tool::Hand);
+    played.hand.set_strength(Some(50.0));
+    let from = DVec2::new(450.0, 500.0);
+    let outline = played.with(|hand, scope| hand.marks(scope, Some(from)));
+    assert!(!outline.is_empty(), "it is drawn before the press");
+    let deed = played.with(|hand, scope| hand.press(scope, from));
+    // The hover force goes away, or it would push what the obstacle pushes.
+    assert!(matches!(deed.commands[..], [Do::Mouse(_)]) && deed.words.is_none() && !played.hand.is_pushing());
+    assert!(played.with(|hand, scope| hand.haul(scope, from, 1.0)).is_none(), "a click moves nothing");
+    for k in 1..=60 {
+        played.frame(from + DVec2::new(f64::from(k), 0.0));
+    }
+    let end = from + DVec2::new(60.0, 0.0);
+    assert!(played.hand.is_hauling());
+    assert!(played.with(|hand, scope| hand.release(scope, end)).is_empty());
+    assert!((played.left() + 0.4).abs() < 0.05 && played.middle() > 0.9, "{} {}", played.left(), played.middle());
+    let Some(Note::Undone(name, _)) = played.stage.obey(Order::Undo(None)) else { panic!("nothing undone") };
+    played.stage.show(&mut played.shown);
+    assert_eq!((name.as_str(), played.left()), ("move", -1.0));
+    // A while later the hover force is back.
+    assert!(played.hand.pass(0.1).is_empty());
+    assert!(matches!(played.hand.pass(0.2).commands[..], [Do::Mouse(_)]));
+}

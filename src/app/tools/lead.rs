@@ -12,6 +12,8 @@ const EVERY: f64 = 0.1;
 const LEAST: f64 = 3.0;
 /// An arm that is shorter than this, as a share of the bar, turns nothing.
 const LEAST_ARM: f64 = 0.02;
+/// A bar that is grabbed nearer to its middle than this share of it turns about its far end: about the middle there would be no lever.
+const LEVER: f64 = 0.35;
 
 /// Pins, and the plane that they are led in: in space the one across the ray of the press.
 #[derive(Clone, Debug, PartialEq)]
@@ -104,7 +106,7 @@ impl Lead {
         (along.abs() >= 1e-6).then(|| origin + ((self.place - origin).dot(self.normal) / along) * direction)
     }
 
-    /// Time passes with the cursor at a pixel; infinitely much at the end. A bar turns about its middle while it `turns`. Returns where they
+    /// Time passes with the cursor at a pixel; infinitely much at the end. A bar turns about its middle while it `turns`, grabbed near that about its far end. Returns where they
     /// are to go now, if that is new.
     pub(super) fn pass(&mut self, scope: Scope<'_>, at: DVec2, (seconds, turns): (f64, bool)) -> Option<PinWay> {
         self.since += seconds;
@@ -135,11 +137,15 @@ impl Lead {
         let count = self.bar.len() as f64;
         let middle = self.bar.iter().map(|(_, place)| *place).sum::<DVec3>() / count;
         let reach = self.bar.iter().map(|(_, place)| place.distance(middle)).fold(0.0, f64::max);
-        let arms = [self.from - middle, to - middle];
+        let far = |place: &DVec3| place.distance(self.from);
+        let end = self.bar.iter().map(|(_, place)| *place).max_by(|a, b| far(a).total_cmp(&far(b)));
+        let has_lever = self.from.distance(middle) >= LEVER * reach;
+        let about = end.filter(|_| !has_lever).unwrap_or(middle);
+        let arms = [self.from - about, to - about];
         if arms.iter().any(|arm| arm.length() < LEAST_ARM * reach) {
             return self.last.clone();
         }
         let turn = DQuat::from_rotation_arc(arms[0].normalize(), arms[1].normalize());
-        self.bar.iter().map(|(_, place)| middle + turn * (*place - middle)).collect()
+        self.bar.iter().map(|(_, place)| about + turn * (*place - about)).collect()
     }
 }

@@ -6,7 +6,7 @@ use super::build::Maker;
 use super::chosen::Chosen;
 use super::erase::{Target, target};
 use super::pick::Scope;
-use super::{Doing, skin};
+use super::{Doing, boxes, knot, skin};
 use crate::app::action::Tool;
 use crate::app::player::Probe;
 use crate::sim::{BOX_EDGES, Figure, PointId};
@@ -39,6 +39,8 @@ pub(in crate::app) enum Mark {
     Line(Role, DVec2, DVec2, f64),
     /// Middle, radius.
     Ring(Role, DVec2, f64),
+    /// A box: its left upper and right lower corner.
+    Frame(Role, DVec2, DVec2),
     /// A handle to turn by: middle, radius.
     Knob(Role, DVec2, f64),
     /// A handle to pull by: middle, half a side.
@@ -53,6 +55,7 @@ impl Mark {
         match self {
             Mark::Line(_, from, to, width) => Mark::Line(role, from, to, width),
             Mark::Ring(_, middle, radius) => Mark::Ring(role, middle, radius),
+            Mark::Frame(_, low, high) => Mark::Frame(role, low, high),
             Mark::Knob(_, middle, radius) => Mark::Knob(role, middle, radius),
             Mark::Square(_, middle, half) => Mark::Square(role, middle, half),
             words @ Mark::Words(..) => words,
@@ -64,6 +67,7 @@ impl Mark {
         match self {
             Mark::Line(role, from, to, width) => Mark::Line(role, place(from), place(to), width),
             Mark::Ring(role, middle, radius) => Mark::Ring(role, place(middle), radius),
+            Mark::Frame(role, low, high) => Mark::Frame(role, place(low), place(high)),
             Mark::Knob(role, middle, radius) => Mark::Knob(role, place(middle), radius),
             Mark::Square(role, middle, half) => Mark::Square(role, place(middle), half),
             Mark::Words(corner, words) => Mark::Words(place(corner), words),
@@ -84,7 +88,12 @@ const MOST: usize = 4000;
 
 pub(super) fn of((tool, maker): (Tool, Maker), doing: &Doing, scope: Scope<'_>, at: Option<DVec2>) -> Vec<Mark> {
     match (doing, tool) {
-        (Doing::Grabbing(points), _) => led(scope, points, at),
+        (Doing::Grabbing(points), _) => {
+            let mut marks = led(scope, points, at);
+            let ties = tool == Tool::Hand && !maker.is_free;
+            marks.extend(at.filter(|_| ties).into_iter().flat_map(|at| knot::would_tie(scope, points, at)));
+            marks
+        }
         (Doing::Carrying(from, what), _) => {
             let by = at.map_or(DVec2::ZERO, |at| at - *from);
             let what = what.left(scope);
@@ -126,7 +135,8 @@ pub(in crate::app) fn probe(scope: Scope<'_>, place: usize, probe: Probe) -> Vec
             let Some([a, b]) = ends.and_then(|[a, b]| Some([scope.pixel(a)?, scope.pixel(b)?])) else {
                 return Vec::new();
             };
-            (0.5 * (a + b), vec![Mark::Line(role, a, b, 0.4 * off)])
+            let ends = [a, b].map(|end| Mark::Ring(role, end, 0.6 * off));
+            (0.5 * (a + b), std::iter::once(Mark::Line(role, a, b, 0.5 * off)).chain(ends).collect())
         }
     };
     marks.push(Mark::Words(at + DVec2::new(1.6 * off, -0.6 * off), (place + 1).to_string()));
@@ -149,9 +159,11 @@ fn led(scope: Scope<'_>, points: &[PointId], at: Option<DVec2>) -> Vec<Mark> {
     vec![Mark::Line(Role::Lead, middle, at, width * scale), Mark::Ring(Role::Lead, middle, 5.0 * scale)]
 }
 
-/// A ring around the point that the hand would take; around a pin, and along the bar that goes with it.
+/// The outline of the obstacle that the hand would take; a ring around the point; around a pin, and along the bar that goes with it.
 fn would_grab(scope: Scope<'_>, at: DVec2) -> Vec<Mark> {
-    let Some(hit) = scope.nearest(at) else { return Vec::new() };
+    let Some(hit) = scope.nearest(at) else {
+        return scope.block(at).map_or_else(Vec::new, |number| obstacle(Role::Lead, scope, number));
+    };
     let is_pin = scope.is_pinned(hit.point);
     let role = if is_pin { Role::Hold } else { Role::Lead };
     let ring = scope.pixel(hit.point).map(|middle| Mark::Ring(role, middle, 7.0 * scope.scale));
@@ -197,10 +209,17 @@ fn bonds(role: Role, scope: Scope<'_>, points: &[PointId]) -> Vec<Mark> {
     if lines.is_empty() { points.first().and_then(ring).into_iter().collect() } else { lines }
 }
 
-/// The skin of a body, whose points are ascending; its bonds where it covers nothing.
+/// The skin of bodies, whose points are ascending; their bonds where they cover nothing; boxes around them where that would be too many
+/// lines.
 pub(super) fn body(role: Role, scope: Scope<'_>, points: &[PointId]) -> Vec<Mark> {
-    let sides = skin::sides(scope, points).into_iter().take(MOST);
-    let lines: Vec<Mark> = sides.filter_map(|ends| line(role, scope, ends)).collect();
+    if points.len() > MOST {
+        return boxes::around(role, scope, points);
+    }
+    let sides = skin::sides(scope, points);
+    if sides.len() > MOST {
+        return boxes::around(role, scope, points);
+    }
+    let lines: Vec<Mark> = sides.into_iter().filter_map(|ends| line(role, scope, ends)).collect();
     if lines.is_empty() { bonds(role, scope, points) } else { lines }
 }
 

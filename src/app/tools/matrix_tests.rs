@@ -7,10 +7,12 @@ use glam::DVec2;
 
 use super::handles::{Frame, Handle};
 use super::tests::{SIZE, scope};
-use super::{Chosen, Clip, Deed, Hand, PushWay};
+use super::{Chosen, Deed, Hand, PushWay};
 use crate::app::action::{Primitive, Tool};
+use crate::app::clip::Clip;
 use crate::app::matter::{Among, MatterChange, Preset};
 use crate::app::opening;
+use crate::app::player::Coming;
 use crate::app::player::{Note, Order, Shown, Stage};
 use crate::history::{Do, Group, SetKeys, Weather, hash_now};
 use crate::picture::Tint;
@@ -291,9 +293,8 @@ impl Bench {
             }
             Act::Copy => {
                 let by = chosen.beside(scope(&self.seen));
-                let tints = Arc::clone(&self.seen.0.scenery.tints);
-                let add = move |_: &Scene, world: &dyn crate::sim::Dynamics| {
-                    Ok(Clip::of(world, &tints, &chosen).placed(world, by))
+                let add = move |history: &crate::history::History| {
+                    Ok(Coming::of(Clip::of(history, &chosen).placed(history.world(), by)))
                 };
                 return (None, Some(Order::Add(Box::new(add))));
             }

@@ -226,6 +226,11 @@ impl Scope<'_> {
         }
     }
 
+    /// The number of the obstacle of the plane that has an end and that a pixel lies in.
+    pub(in crate::app) fn block(&self, at: DVec2) -> Option<u32> {
+        matches!(self.camera.pose, Pose::Plane { .. }).then(|| self.polygon(at)).flatten()
+    }
+
     /// The nearest plane whose surface is in reach of a pixel.
     fn plane(&self, at: DVec2) -> Option<u32> {
         let place = self.in_plane(at);

@@ -9,8 +9,9 @@ use crate::scene::{AddKeys, Shape};
 use crate::sim::contact::obstacles::Obstacles;
 use crate::sim::contact::surface::Plane;
 use crate::sim::plan::{Cleared, clear};
+use crate::sim::reach::reaches;
 use crate::sim::vector::truncate;
-use crate::sim::{Bond, Bonds, Bounds, Model, PointId, Polygon};
+use crate::sim::{Bond, Bonds, Bounds, Model, PointId, Polygon, blocked};
 
 /// Said where an obstacle would take in a body as a whole.
 const SWALLOWED: &str = "a body would be inside it as a whole: move the body first";
@@ -18,6 +19,8 @@ const SWALLOWED: &str = "a body would be inside it as a whole: move the body fir
 const NO_ROOM: &str = "no room here: it would be stuck in the obstacle";
 /// Said of an obstacle that is put onto what pins hold.
 const HELD: &str = "it lies on what pins hold: neither gives way";
+/// Said of an obstacle that is put between pins.
+const TAUT: &str = "the bonds between two pins cannot go round it: leave them more room, or take a pin away first";
 /// Said of a body with pins that is put into an obstacle.
 const STAYS: &str = "its pins hold it in the obstacle";
 /// Ways that are shorter are not told of `[logical px]`.
@@ -68,7 +71,9 @@ impl Walls {
 /// What becomes of what keys would bring.
 pub(super) fn coming(scope: Scope<'_>, keys: &AddKeys) -> Outcome {
     let first = scope.shown.point_count() as u32;
-    let Some(Shape { places, bonds, pinned, planes, polygons }) = keys.shape(first) else { return Outcome::default() };
+    let Some(Shape { places, bonds, pinned, planes, polygons, .. }) = keys.shape(first) else {
+        return Outcome::default();
+    };
     if !planes.is_empty() || !polygons.is_empty() {
         return under(scope, (&planes, polygons), &[], |point| here(scope, point));
     }
@@ -98,7 +103,13 @@ pub(super) fn under(
         let is_covered = |loops: &Vec<Vec<[f64; 2]>>| points.iter().all(|&i| is_inside(loops, places[i as usize]));
         polygons.iter().any(|polygon| is_covered(&polygon.loops))
     };
-    let refused = hit.moves.iter().any(|(points, _)| is_in(points)).then_some(SWALLOWED);
+    let swallows = hit.moves.iter().any(|(points, _)| is_in(points));
+    let refused = swallows.then_some(SWALLOWED).or_else(|| {
+        let is_left = |k: usize| scenery.solid_numbers.get(k).is_none_or(|number| !numbers.contains(number));
+        let rest = scenery.polygons.iter().enumerate().filter(|(k, _)| is_left(*k));
+        let all: Vec<Polygon> = rest.map(|(_, polygon)| polygon.clone()).chain(polygons.iter().cloned()).collect();
+        blocks(scope, &all, &places).then_some(TAUT)
+    });
     // Of what pins hold as a whole the world says nothing: it has no point that could move.
     let free = fresh.clear(&places, &scenery.bonds, &[]);
     let is_held = |(points, _): &(Vec<u32>, [f64; 2])| points.iter().any(|point| pinned.binary_search(point).is_ok());
@@ -122,6 +133,20 @@ pub(super) fn under(
     };
     let of = |(points, way): (Vec<u32>, [f64; 2])| (points.into_iter().map(PointId).collect(), DVec2::from(way));
     Outcome { moved: moved.moves.into_iter().map(of).collect(), refused, said, ..Outcome::default() }
+}
+
+/// Whether rigid bonds between two pins would be too short to go round polygons, with all points at these places `[m]`.
+fn blocks(scope: Scope<'_>, polygons: &[Polygon], places: &[[f64; 2]]) -> bool {
+    let scenery = &scope.shown.scenery;
+    if polygons.is_empty() || scenery.pinned.len() < 2 {
+        return false;
+    }
+    // Between pins a bond neither stretches nor goes round anything.
+    let is_free = |end: &PointId| !scope.is_pinned(*end);
+    let bonds: Bonds = scenery.bonds.iter().filter(|bond| is_free(&bond.a) || is_free(&bond.b)).collect();
+    let reaches = reaches(&bonds, &scenery.pinned, &scenery.pinned);
+    let place = |pin: PointId| [here(scope, pin).to_array(), places[pin.index()]];
+    blocked(&reaches, place, [&scenery.polygons, polygons]).is_some()
 }
 
 /// Where a point is `[m]`; at the origin, where nothing hangs on it, if it is gone.

@@ -7,8 +7,10 @@ use glam::DVec2;
 
 use super::handles::{Frame, Handle};
 use super::tests::{opened, pixel, scope, shown};
-use super::{Chosen, Clip, Deed, Hand, Mark};
+use super::{Chosen, Deed, Hand, Mark};
 use crate::app::action::Tool;
+use crate::app::clip::Clip;
+use crate::app::player::Coming;
 use crate::app::player::Probe;
 use crate::app::player::{Order, Shown, Stage};
 use crate::history::{Do, Factors};
@@ -236,7 +238,9 @@ fn a_copy_moves_as_the_body_does() {
     let count = chosen.points.len();
     assert!((2.0..3.0).contains(&by[0]), "beside it: {by:?}");
     let all = seen.0.point_count();
-    stage.obey(Order::Add(Box::new(move |_, world| Ok(Clip::of(world, &[], &chosen).placed(world, by)))));
+    stage.obey(Order::Add(Box::new(move |history| {
+        Ok(Coming::of(Clip::of(history, &chosen).placed(history.world(), by)))
+    })));
     (0..60).for_each(|_| _ = stage.obey(Order::Advance { wall: 1.0 / 60.0, cursor: None, back: false }));
     // The copy is what is selected when it is there, and nothing until then.
     hand.select(Chosen { points: vec![PointId(all as u32)], obstacles: Vec::new() });
@@ -267,9 +271,8 @@ fn a_copy_has_all_that_was_copied() {
     let seen = shown(Scene::parse(FULL, "x.json").unwrap());
     let chosen = Chosen::all(scope(&seen));
     let mut stage = Stage::new(seen.2.clone().into()).unwrap();
-    let tints = std::sync::Arc::clone(&seen.0.scenery.tints);
-    stage.obey(Order::Add(Box::new(move |_, world| {
-        Ok(Clip::of(world, &tints, &chosen).placed(world, [10.0, 0.0, 0.0]))
+    stage.obey(Order::Add(Box::new(move |history| {
+        Ok(Coming::of(Clip::of(history, &chosen).placed(history.world(), [10.0, 0.0, 0.0])))
     })));
     let world = stage.history().world();
     assert_eq!((world.point_count(), world.pinned()), (8, &[PointId(3), PointId(7)][..]));
@@ -341,9 +344,10 @@ fn a_copy_in_another_scene_keeps_the_friction_of_the_one_that_it_is_of() {
     let seen = shown(Scene::parse(&rough, "x.json").unwrap());
     let chosen = Chosen::at(scope(&seen), at(&seen, -2.0, 0.0)).unwrap();
     let stage = Stage::new(seen.2.clone().into()).unwrap();
-    let clip = Clip::of(stage.history().world(), &[], &chosen);
+    let clip = Clip::of(stage.history(), &chosen);
     let own = clip.placed(stage.history().world(), [0.0; 3]);
-    assert!(own.skins.is_empty(), "at home it is as the scene says");
+    let is_said = own.skins.iter().any(|skin| skin.friction.is_some() || skin.restitution.is_some());
+    assert!(!is_said, "at home it is as the scene says");
     for contact in ["true", "false", r#"{"friction": 0.9}"#] {
         let text = DISCS.replace("\"contact\": true", &format!("\"contact\": {contact}"));
         let mut other = Stage::new(Scene::parse(&text, "x.json").unwrap().into()).unwrap();
@@ -360,4 +364,20 @@ fn a_copy_in_another_scene_keeps_the_friction_of_the_one_that_it_is_of() {
             assert_eq!(skin.friction.is_none(), met.friction == 0.9, "what is the same is not said");
         }
     }
+}
+
+#[test]
+fn each_of_a_thousand_bodies_is_outlined_when_all_are_selected() {
+    let seen = opened("thousand-rims");
+    let mut hand = hand();
+    hand.select_all(scope(&seen));
+    let marks = hand.marks(scope(&seen), None);
+    let boxes: Vec<[DVec2; 2]> = marks
+        .iter()
+        .filter_map(|mark| if let Mark::Frame(_, low, high) = mark { Some([*low, *high]) } else { None })
+        .collect();
+    assert_eq!(boxes.len(), 1000);
+    assert!(marks.len() < 1100, "as many shapes as bodies: {}", marks.len());
+    let is_in = |at: DVec2| boxes.iter().any(|[low, high]| at.cmpge(*low).all() && at.cmple(*high).all());
+    assert!((0..seen.0.point_count()).step_by(97).all(|point| is_in(pixel(&seen, point))));
 }

@@ -7,9 +7,14 @@ use crate::sim::PointId;
 pub(super) fn sides(scope: Scope<'_>, body: &[PointId]) -> Vec<[PointId; 2]> {
     let triangles = &scope.shown.scenery.triangles;
     let own = triangles.iter().filter(|corners| body.binary_search(&corners[0]).is_ok());
-    let sides = own.flat_map(|&[a, b, c]| [[a, b], [b, c], [c, a]]);
-    let mut sides: Vec<[u32; 2]> = sides.map(|[a, b]| [a.0.min(b.0), a.0.max(b.0)]).collect();
+    let sides = lone(own.map(|corners| corners.map(|corner| corner.0)));
+    sides.into_iter().map(|side| side.map(PointId)).collect()
+}
+
+/// The sides that one of some triangles has alone.
+pub(super) fn lone(triangles: impl Iterator<Item = [u32; 3]>) -> Vec<[u32; 2]> {
+    let sides = triangles.flat_map(|[a, b, c]| [[a, b], [b, c], [c, a]]);
+    let mut sides: Vec<[u32; 2]> = sides.map(|[a, b]| [a.min(b), a.max(b)]).collect();
     sides.sort_unstable();
-    let lone = sides.chunk_by(|a, b| a == b).filter(|equal| equal.len() == 1);
-    lone.flatten().map(|side| side.map(PointId)).collect()
+    sides.chunk_by(|a, b| a == b).filter(|equal| equal.len() == 1).flatten().copied().collect()
 }

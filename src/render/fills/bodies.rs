@@ -31,7 +31,7 @@ pub(super) const PALETTE: [[u8; 3]; 7] = [
 const SHIFT: u32 = 3;
 
 /// The colour of a body by its number.
-pub(super) fn color_of(body: u32) -> [u8; 3] {
+pub fn color_of(body: u32) -> [u8; 3] {
     let count = PALETTE.len() as u32;
     PALETTE[((body % count + SHIFT * (body / count % count)) % count) as usize]
 }

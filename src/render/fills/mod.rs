@@ -22,8 +22,8 @@ use super::growing::GrowingBuffer;
 use super::view::View;
 use crate::picture::Tint;
 use crate::sim::PointId;
-pub use bodies::body_color;
 use bodies::{Filled, bodies};
+pub use bodies::{body_color, color_of};
 use outline::{Side, outline};
 use shade::{Shade, shades};
 

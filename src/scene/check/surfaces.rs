@@ -184,7 +184,7 @@ fn check_texture(texture: &TextureKeys, count: u32) -> Result<(), Fault> {
 }
 
 /// Errors: what cannot be a picture's name.
-pub(super) fn check_image(image: &str) -> Result<(), Fault> {
+pub(in crate::scene) fn check_image(image: &str) -> Result<(), Fault> {
     // A letter, a colon and a slash begin a path of Windows; without the slash it may be any file's name.
     let drive = matches!(image.as_bytes(), [letter, b':', b'/' | b'\\', ..] if letter.is_ascii_alphabetic());
     let absolute = drive || Path::new(image).has_root();

@@ -34,6 +34,22 @@ object! {
             obstacles: ObstacleKeys,
             /// Pins that move; times are those of the scene.
             pin_motion: PinMotionKeys,
+            /// Pictures that are drawn on the triangles above.
+            textures: DrawnKeys,
+        }
+    }
+}
+
+object! {
+    /// A picture drawn on the triangles of an addition whose corners are all among its points.
+    DrawnKeys: "a texture: an object with the keys `image`, `points` and `uv`" {
+        required {
+            /// A relative path, or data:image/png;base64,…
+            image: String,
+            /// New points, by their numbers of the world.
+            points: Vec<u32>,
+            /// Where each of them lies in the image, (0, 0) to (1, 1) from the upper left.
+            uv: Vec<Row<f64, 2>>,
         }
     }
 }

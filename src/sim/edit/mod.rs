@@ -27,6 +27,7 @@ use super::environment::CursorPath;
 use super::force::mouse::Cursor;
 use super::real::Real;
 use super::world::World;
+pub(crate) use round::blocked;
 
 /// A command that was done and changed something.
 const DONE: Applied =

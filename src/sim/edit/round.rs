@@ -6,7 +6,7 @@ use crate::sim::bonds::Bonds;
 use crate::sim::contact::polygon::Polygon;
 use crate::sim::model::Model;
 use crate::sim::plan;
-use crate::sim::reach::reaches;
+use crate::sim::reach::{Reach, reaches};
 use crate::sim::real::Real;
 use crate::sim::vector::{add, embed, truncate};
 use crate::sim::world::World;
@@ -59,25 +59,34 @@ impl<S: Real, const D: usize> World<S, D> {
         for (points, way) in &cleared.moves {
             points.iter().for_each(|&point| after[point as usize] = add(after[point as usize], *way));
         }
-        let too_short = |at: [[f64; D]; 2], polygons: &[Polygon], most: f64| {
-            let [a, b] = at.map(|x| truncate(embed(x)));
-            way_round([a, b], polygons).is_some_and(|way| way > most * (1.0 + ROUNDING))
-        };
-        for reach in reaches {
-            let pins = reach.pins.map(PointId::index);
-            let before = pins.map(|pin| self.place(pin));
-            if too_short(pins.map(|pin| after[pin]), &model.polygons, reach.most)
-                && !too_short(before, &self.model.polygons, reach.most)
-            {
-                return Err(invalid(format!(
-                    "an obstacle would lie between pins {} and {}, and the {:.2} m of rigid bonds between them cannot go round it: leave \
-                     them more room, or take a pin away first",
-                    reach.pins[0].0, reach.pins[1].0, reach.most
-                )));
-            }
+        let flat = |x: [f64; D]| truncate(embed(x));
+        let place = |pin: PointId| [flat(self.place(pin.index())), flat(after[pin.index()])];
+        match blocked(&reaches, place, [&self.model.polygons, &model.polygons]) {
+            None => Ok(()),
+            Some(Reach { pins, most }) => Err(invalid(format!(
+                "an obstacle would lie between pins {} and {}, and the {most:.2} m of rigid bonds between them cannot go round it: leave \
+                 them more room, or take a pin away first",
+                pins[0].0, pins[1].0
+            ))),
         }
-        Ok(())
     }
+}
+
+/// The first pins that rigid bonds are too short for to go round polygons: with the pins and the polygons as they will be, and were not
+/// with both as they are. `place` says where a pin is, and will be `[m]`.
+pub(crate) fn blocked(
+    reaches: &[Reach],
+    place: impl Fn(PointId) -> [[f64; 2]; 2],
+    [before, after]: [&[Polygon]; 2],
+) -> Option<Reach> {
+    let too_short = |ends: [[f64; 2]; 2], polygons: &[Polygon], most: f64| {
+        way_round(ends, polygons).is_some_and(|way| way > most * (1.0 + ROUNDING))
+    };
+    let is_blocked = |reach: &&Reach| {
+        let [[a, to_a], [b, to_b]] = reach.pins.map(&place);
+        too_short([to_a, to_b], after, reach.most) && !too_short([a, b], before, reach.most)
+    };
+    reaches.iter().find(is_blocked).copied()
 }
 
 /// Length of the shortest way between two places round polygons, where the straight one leads through one `[m]`; `None`: it does not, none

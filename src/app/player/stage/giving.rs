@@ -1,7 +1,7 @@
 //! What the hand gives: commands, and what is added to the world, as edits.
 
 use super::super::beside::{Companions, reference};
-use super::super::order::{Adder, Note};
+use super::super::order::{Adder, Coming, Note};
 use super::super::rungs::Rung;
 use super::Stage;
 use crate::app::matter::{Among, MatterChange, commands};
@@ -13,9 +13,6 @@ use crate::sim::Applied;
 pub fn too_many_to_meet() -> String {
     format!("a scene of more than {MOST_MEETING} bonds would be too slow if they met")
 }
-
-/// What adding a body is called.
-const ADD: &str = "add a body";
 
 /// What commands did, and what is to be said of it.
 type Given = (Vec<Applied>, Option<Note>);
@@ -145,14 +142,18 @@ impl Stage {
 
     /// Adds something as one edit.
     pub(super) fn add(&mut self, adder: Adder) -> Note {
-        let keys = match adder(self.history.scene(), self.history.world()) {
-            Ok(keys) => keys,
-            Err(error) => return Note::Refused(error.to_string()),
+        let Coming { commands, name, came } = match adder(&self.history) {
+            Ok(coming) => coming,
+            Err(why) => return Note::Refused(why),
         };
         let (meeting, why) = self.meeting();
-        let (given, why) = self.give_met(meeting, vec![Do::Add(Box::new(keys))], Some(ADD), why);
+        let (given, why) = self.give_met(meeting, commands, Some(name), why);
         self.pace.settle(&self.history);
-        given.map_or_else(|refusal| Note::Refused(refusal.reason), |_| Note::Added(why))
+        match (given, came) {
+            (Err(refusal), _) => Note::Refused(refusal.reason),
+            (Ok(_), Some((came, said))) => Note::Came(came, said, why),
+            (Ok(_), None) => Note::Added(why),
+        }
     }
 
     /// What makes bodies meet from now on, where they do not and are not too many: whoever adds one wants it to lie on the others. Else

@@ -197,7 +197,7 @@ impl Stage {
                 None
             }
             Order::Copy(look) => {
-                look(self.history.world(), self.history.tints());
+                look(&self.history);
                 None
             }
             Order::Beside(companions) => self.put_beside(companions),
@@ -221,9 +221,6 @@ impl Stage {
             Order::Add(adder) => Some(self.add(adder)),
             Order::Undo(cursor) => {
                 let undone = self.history.undo();
-                if undone.as_ref().is_some_and(|undone| Rung::of(&undone.name).is_some()) {
-                    self.rungs.refuse_all();
-                }
                 if undone.is_some() {
                     self.pace.gone_for_good(&self.history, cursor);
                 }

@@ -43,7 +43,8 @@ impl Stage {
             return;
         }
         let Some((act, name)) = self.rungs.look(&self.history, load) else { return };
-        if self.history.give(vec![act], Some(name)).is_err() {
+        // Nobody asked for it: it is in the log, and no step of undo.
+        if self.history.give_aside(act, name).is_err() {
             // A world that cannot be moved so goes on as it is.
             Rung::of(name).into_iter().for_each(|rung| self.rungs.refuse(rung));
         }

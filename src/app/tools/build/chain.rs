@@ -9,12 +9,12 @@ use super::fill::filled;
 use super::firm::Firm;
 use super::links::Links;
 use super::outline::{label, line, pixel};
-use super::tie::nearest_of_skin;
+use super::tie::{is_walled_off, nearest_of_skin};
 use super::{CLICK, LEAST, SNAP, Step};
 use crate::app::action::Primitive;
-use crate::app::tools::Deed;
 use crate::app::tools::marks::{Mark, Role};
 use crate::app::tools::pick::{Scope, distance_to_segment};
+use crate::app::tools::{Deed, knot};
 use crate::history::Do;
 use crate::scene::{AddKeys, BondKeys, PointKeys, Vector};
 use crate::sim::PointId;
@@ -32,6 +32,8 @@ const SMALL: &str = "the loop is too small to be filled: it has its sides";
 const THIN: f64 = 1e-3;
 /// Said where a point of the world that it was drawn to is gone.
 const GONE: &str = "a point that it was drawn to is gone: draw it again";
+/// Said where a point would lie beyond the walls.
+const OUTSIDE: &str = "beyond the walls: bonds are drawn within them";
 /// Said where a loop cannot be filled.
 const CROSSES: &str = "the loop crosses itself: it has its sides, and is not filled";
 
@@ -68,6 +70,11 @@ fn is_flat(corners: &[DVec2]) -> bool {
 impl Chain {
     /// The button goes down: the chain goes on to what lies there.
     pub(in crate::app::tools) fn press(&mut self, scope: Scope<'_>, at: DVec2) -> Step {
+        if self.is_outside(scope, at) {
+            self.pressed = None;
+            let words = OUTSIDE.to_owned();
+            return if self.nodes.is_empty() { Step::Done(Deed::words(words)) } else { Step::GoesOn(Some(words)) };
+        }
         let is_last = self.node(scope, at).is_some_and(|node| self.nodes.last() == Some(&node));
         self.pressed = Some((at, is_last));
         self.reach(scope, at);
@@ -78,6 +85,9 @@ impl Chain {
     pub(in crate::app::tools) fn release(&mut self, scope: Scope<'_>, at: DVec2, how: (Links, bool)) -> Step {
         let Some((pressed, was_last)) = self.pressed.take() else { return Step::GoesOn(None) };
         let is_click = pressed.distance(at) < CLICK * scope.scale;
+        if !is_click && self.is_outside(scope, at) {
+            return Step::GoesOn(Some(OUTSIDE.to_owned()));
+        }
         if !is_click {
             self.reach(scope, at);
         }
@@ -85,6 +95,11 @@ impl Chain {
             return Step::Done(self.end(scope, how));
         }
         Step::GoesOn(None)
+    }
+
+    /// Whether a point of its own at a pixel would lie beyond the walls.
+    fn is_outside(&self, scope: Scope<'_>, at: DVec2) -> bool {
+        self.node(scope, at).is_none() && is_walled_off(scope, scope.in_plane(at))
     }
 
     /// It goes on to what lies at a pixel, which may be where it is.
@@ -157,7 +172,11 @@ impl Chain {
                 () if crossing(corners, true).contains(&true) => words = Some(CROSSES.to_owned()),
                 () if size < (LEAST * scope.scale).powi(2) => words = Some(SMALL.to_owned()),
                 () => match filled(corners, &self.nodes, scope.shown.point_count() as u32) {
-                    Ok(keys) => return give(keys),
+                    Ok(keys) => {
+                        let knots = knot::knots(scope, &keys, DVec2::ZERO);
+                        let commands = knot::tied(scope, keys, &knots);
+                        return Deed { commands, words: knot::words(knots.len()), ..give(AddKeys::default()) };
+                    }
                     Err(why) => words = Some(why),
                 },
             }
@@ -235,6 +254,7 @@ impl Chain {
         });
         let closes = self.nodes.len() > 2 && node == self.nodes.first().copied();
         let corners: Option<Vec<DVec2>> = self.nodes.iter().map(|node| self.place(scope, *node)).collect();
+        let is_outside = node.is_none() && is_walled_off(scope, scope.in_plane(at));
         let why_not = corners.filter(|_| closes && fills).and_then(|corners| match () {
             () if is_flat(&corners) => Some(FLAT),
             () if crossing(&corners, true).contains(&true) => Some(CROSSES),
@@ -247,7 +267,11 @@ impl Chain {
             (Some(Node::World(a)), Some(Node::World(b))) if a != b => Firm::of(scope).holds([a.0, b.0]),
             _ => false,
         };
+        if is_outside {
+            marks = marks.into_iter().map(|mark| mark.with(Role::Away)).collect();
+        }
         let words = match node {
+            _ if is_outside => OUTSIDE.to_owned(),
             _ if is_firm => FIRM.to_owned(),
             _ if why_not.is_some() => why_not.unwrap_or_default().to_owned(),
             None if last.is_none() => "a point: click on, or drag to the next one".to_owned(),

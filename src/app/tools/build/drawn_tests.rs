@@ -223,3 +223,21 @@ fn what_a_loop_cannot_be_filled_for_and_bonds_that_do_nothing_are_said_before_an
     let deed = clicks(&seen, &mut hand, [[-1.3, 1.4]]);
     assert_eq!((added(&deed).bonds.len(), added(&deed).points.as_ref().unwrap().position.len()), (1, 1));
 }
+
+#[test]
+fn bonds_are_drawn_within_the_walls_only_and_it_is_said_before_the_click() {
+    let text = r#"{"wobble": 1, "bounds": {"min": [-2, -2], "max": [2, 2]}, "view": {"center": [0, 0], "height": 8}}"#;
+    let seen = shown(Scene::parse(text, "x.json").unwrap());
+    let mut hand = hand(Primitive::Bonds);
+    assert!(stroke(&seen, &mut hand, &[[3.0, 0.0]]).words.is_some_and(|words| words.contains("beyond the walls")));
+    assert!(!hand.is_drawing(), "nothing has begun");
+    clicks(&seen, &mut hand, [[0.0, 0.0]]);
+    assert!(is_red(&hand, &seen, [2.5, 0.5]) && !is_red(&hand, &seen, [1.5, 0.5]));
+    let deed = stroke(&seen, &mut hand, &[[2.5, 0.5]]);
+    assert!(deed.is_empty() && deed.words.is_some() && hand.is_drawing(), "the chain goes on from where it was");
+    // A drag that ends beyond them adds nothing either.
+    assert!(stroke(&seen, &mut hand, &[[1.0, 1.0], [1.0, 3.0]]).is_empty());
+    let deed = hand.finish(scope(&seen));
+    let points = added(&deed).points.as_ref().unwrap();
+    assert_eq!(points.position.len(), 2, "{points:?}");
+}

@@ -21,6 +21,7 @@ mod tie;
 use glam::DVec2;
 
 use super::Deed;
+use super::knot;
 use super::marks::Mark;
 use super::pick::Scope;
 use crate::app::action::Primitive;
@@ -115,12 +116,14 @@ impl Maker {
                 if let Some(why) = outcome.refused {
                     return Deed::words(why.to_owned());
                 }
-                let mut deed = Deed::edit(self.primitive.name(), Do::Add(Box::new(keys)));
+                let knots = if self.is_free { Vec::new() } else { knot::knots(scope, &keys, outcome.way) };
+                let commands = knot::tied(scope, keys, &knots);
+                let mut deed = Deed { commands, edit: Some(self.primitive.name()), ..Deed::default() };
                 let meets = scope.shown.settings.contact.flatten().is_some();
                 if self.primitive == Primitive::Figure && !meets {
                     deed.commands.insert(0, apart_from_itself());
                 }
-                deed.words = outcome.words();
+                deed.words = outcome.words().or(knot::words(knots.len()));
                 deed
             }
             Err(words) => Deed::words(words),
@@ -136,7 +139,7 @@ impl Maker {
             return Path::default().marks(self, scope, Some(at));
         }
         match self.form(scope, drag, at) {
-            Ok(form) => outline::of(&form, scope, at),
+            Ok(form) => outline::of(&form, scope, (at, !self.is_free)),
             Err(words) => vec![outline::label(scope, at, words)],
         }
     }
@@ -152,8 +155,8 @@ impl Maker {
             return form.ok_or_else(String::new);
         }
         let (there, point) = (place(scope, at), tie::point_at(scope, at));
-        let from = self.end(scope, begun.point, begun.from);
-        let mut to = self.end(scope, point, there);
+        let from = self.end(scope, begun.point, self.inside(scope, (begun.pressed, begun.from)));
+        let mut to = self.end(scope, point, self.inside(scope, (at, there)));
         if to.hold == Hold::Pin {
             // Where it ends on nothing it hangs free.
             let surface = tie::surface_at(scope, at).filter(|_| self.primitive == Primitive::Rope);
@@ -168,6 +171,12 @@ impl Maker {
             return Err(TOO_SMALL.to_owned());
         }
         Form::drawn(self, [from, to], usual).ok_or_else(String::new)
+    }
+
+    /// A place under a pixel `[m]`; for the end of a rope beyond the walls the nearest on them.
+    fn inside(self, scope: Scope<'_>, (at, place): (DVec2, DVec2)) -> DVec2 {
+        let is_out = self.primitive == Primitive::Rope && tie::is_walled_off(scope, place);
+        tie::surface_at(scope, at).filter(|_| is_out).unwrap_or(place)
     }
 
     /// The end of a drag at a place `[m]`: a rope is tied to the point that is seen there, and pinned where none is.

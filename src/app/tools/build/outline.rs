@@ -4,6 +4,7 @@ use glam::DVec2;
 
 use super::form::{End, Form, Hold, Round, chain};
 use super::matter::INNER;
+use crate::app::tools::knot;
 use crate::app::tools::marks::{Mark, Role};
 use crate::app::tools::pick::Scope;
 use crate::app::tools::room::coming;
@@ -13,12 +14,18 @@ const WIDTH: f64 = 1.5;
 /// The size stands so far from the cursor `[logical px]`.
 const BESIDE: DVec2 = DVec2::new(16.0, -14.0);
 
-/// The outline where it will be, what it puts beside itself, and its size.
-pub(super) fn of(form: &Form, scope: Scope<'_>, at: DVec2) -> Vec<Mark> {
-    let outcome = coming(scope, &form.keys(scope.shown.point_count() as u32));
+/// The outline where it will be, what it puts beside itself, the ropes that it `ties`, and its size.
+pub(super) fn of(form: &Form, scope: Scope<'_>, (at, ties): (DVec2, bool)) -> Vec<Mark> {
+    let keys = form.keys(scope.shown.point_count() as u32);
+    let outcome = coming(scope, &keys);
+    let ties = ties && outcome.refused.is_none();
+    let knots = if ties { knot::knots(scope, &keys, outcome.way) } else { Vec::new() };
     let mut marks: Vec<Mark> = lines(form, scope).into_iter().map(|mark| outcome.lines(scope, mark)).collect();
     marks.extend(outcome.others(scope));
-    let more = outcome.words().map_or_else(String::new, |words| format!(": {words}"));
+    marks.extend(knot::marks(scope, &knots));
+    let tied = knot::words(knots.len()).map(|words| format!("{words} (not with Shift)"));
+    let words = outcome.words().or(tied);
+    let more = words.map_or_else(String::new, |words| format!(": {words}"));
     marks.push(label(scope, at, format!("{}{more}", form.words())));
     marks
 }

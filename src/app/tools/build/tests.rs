@@ -468,10 +468,128 @@ fn a_rope_between_two_pins_that_cannot_go_round_an_obstacle_keeps_it_away() {
     // Across the straight rope; below it.
     for (low, high, is_refused) in [([-0.5, 1.0], [0.5, 2.5], true), ([-0.5, 0.0], [0.5, 1.8], false)] {
         let mut stage = Stage::new(seen.2.clone().into()).unwrap();
-        let deed = drag(&seen, &mut hand(Primitive::SolidBox), low, high);
-        let note = stage.obey(Order::Give(deed.commands, deed.edit));
-        let is_said = matches!(&note, Some(Note::Refused(why)) if why.contains("cannot go round"));
-        assert_eq!(is_said, is_refused, "{note:?}");
+        let mut hand = hand(Primitive::SolidBox);
+        hand.press(scope(&seen), at(&seen, low[0], low[1]));
+        let to = at(&seen, high[0], high[1]);
+        let marks = hand.marks(scope(&seen), Some(to));
+        let deed = hand.release(scope(&seen), to);
+        // What is drawn before is what the release does.
+        let is_red = marks.iter().any(|mark| matches!(mark, Mark::Line(Role::Away, ..)));
+        assert_eq!(is_red, is_refused);
+        assert_eq!(drawn(&marks).1.contains("cannot go round it"), is_refused);
+        let is_said = deed.words.as_ref().is_some_and(|words| words.contains("cannot go round it"));
+        assert_eq!((deed.is_empty(), is_said), (is_refused, is_refused), "{deed:?}");
+        // And as the world has it.
+        let keys = crate::scene::ObstacleKeys {
+            r#box: Some(crate::scene::BoxKeys {
+                min: crate::scene::Vector::Plane(low),
+                max: crate::scene::Vector::Plane(high),
+                angle: None,
+                rotation: None,
+            }),
+            ..Default::default()
+        };
+        let add = AddKeys { obstacles: vec![keys], ..AddKeys::default() };
+        let note = stage.obey(Order::Give(vec![Do::Add(Box::new(add))], Some("Solid box")));
+        let is_kept = matches!(&note, Some(Note::Refused(why)) if why.contains("cannot go round"));
+        assert_eq!(is_kept, is_refused, "{note:?}");
+    }
+}
+
+/// A rope that hangs from a pin at (-2, 3), 2 m long, and a box beside it.
+const LOOSE: &str = r#"{"wobble": 1, "gravity": [0, -9.81], "contact": true, "bounds": {"min": [-6, -4], "max": [6, 4]},
+    "view": {"center": [0, 0], "height": 8}, "bodies": [{"make": "rope", "count": 9, "to": [0, -2], "origin": [-2, 3], "pinned": [0],
+    "material": {"kind": "rigid", "mass": 1}}, {"make": "lattice", "columns": 3, "rows": 3, "spacing": 0.5, "origin": [1, 0],
+    "material": {"kind": "spring", "stiffness": 300, "mass": 4}}]}"#;
+
+#[test]
+fn a_body_that_is_drawn_over_the_loose_end_of_a_rope_is_tied_to_it() {
+    let seen = shown(Scene::parse(LOOSE, "x.json").unwrap());
+    let count = seen.0.point_count();
+    let drags = [
+        (Primitive::Box, [-2.6, 1.4], [-1.4, 0.2]),
+        (Primitive::Disc, [-2.0, 0.8], [-1.4, 0.8]),
+        (Primitive::Box, [0.0, 3.0], [0.6, 2.4]),
+    ];
+    for (primitive, from, to) in drags {
+        for is_free in [false, true] {
+            let ties = from[0] < -1.0 && !is_free;
+            let mut hand = hand(primitive);
+            hand.hold([is_free, false]);
+            hand.press(scope(&seen), at(&seen, from[0], from[1]));
+            let to = at(&seen, to[0], to[1]);
+            let said = drawn(&hand.marks(scope(&seen), Some(to))).1;
+            let deed = hand.release(scope(&seen), to);
+            assert_eq!(said.contains("the rope's end is tied to it"), ties, "{primitive:?}: {said}");
+            assert_eq!(deed.commands.len(), if ties { 2 } else { 1 }, "{deed:?}");
+            if !ties {
+                continue;
+            }
+            let mut stage = Stage::new(seen.2.clone().into()).unwrap();
+            assert_eq!(stage.obey(Order::Give(deed.commands, deed.edit)), None);
+            let world = stage.history().world();
+            let gone = world.gone().to_vec();
+            assert!(!gone.is_empty() && gone.iter().all(|point| point.index() < count), "{gone:?}");
+            let is_tie = |bond: &crate::sim::Bond| bond.a.index() < count && bond.b.index() >= count;
+            let ties: Vec<_> = world.bonds().iter().filter(is_tie).collect();
+            let [tie] = ties[..] else { panic!("{ties:?}") };
+            assert!(tie.rest_length < 0.6 && !gone.contains(&tie.a), "{tie:?}");
+            for _ in 0..180 {
+                stage.obey(Order::Advance { wall: 1.0 / 60.0, cursor: None, back: false });
+            }
+            // It hangs, and is pushed out of nothing.
+            let [low, high] = extent(stage.history().world(), count);
+            assert!(low.y > -1.5 && low.y < 0.9 && (low.x + high.x + 4.0).abs() < 1.0, "{low} {high}");
+            assert!(matches!(stage.obey(Order::Undo(None)), Some(Note::Undone(name, _)) if name == primitive.name()));
+            assert_eq!(stage.history().world().gone().len(), 0);
+        }
+    }
+}
+
+#[test]
+fn the_end_of_a_rope_that_is_dragged_onto_a_body_is_tied_to_it() {
+    let text = LOOSE.replace("[1, 0]", "[-1.8, 0.2]");
+    let seen = shown(Scene::parse(&text, "x.json").unwrap());
+    // On the box, beside the end, which hangs left of it.
+    let to = at(&seen, -1.7, 0.9);
+    for (is_free, pressed, ties) in [(false, 8, true), (true, 8, false), (false, 3, false)] {
+        let mut hand = Hand::default();
+        hand.hold([is_free, false]);
+        let from = at(&seen, -2.0, 3.0 - 0.25 * f64::from(pressed)) - DVec2::new(3.0, 0.0);
+        hand.press(scope(&seen), from);
+        assert!(hand.is_grabbing());
+        let said = drawn(&hand.marks(scope(&seen), Some(to))).1;
+        assert_eq!(said.contains("let go: it is tied here"), ties, "{said}");
+        let deed = hand.release(scope(&seen), to);
+        assert_eq!((deed.commands.len(), deed.edit.is_some()), if ties { (2, true) } else { (1, false) });
+        if ties {
+            let mut stage = Stage::new(seen.2.clone().into()).unwrap();
+            assert_eq!(
+                stage.obey(Order::Give(vec![Do::Grab(crate::sim::Reach::Points(vec![PointId(8)]))], None)),
+                None
+            );
+            let before = stage.history().world().bonds().len();
+            assert_eq!(stage.obey(Order::Give(deed.commands, deed.edit)), None);
+            let world = stage.history().world();
+            assert_eq!((world.bonds().len(), world.grab().is_some()), (before + 1, false));
+            let tie = world.bonds().iter().last().unwrap();
+            assert!(tie.a == PointId(8) && tie.b.index() >= 9, "{tie:?}");
+            assert!(matches!(stage.obey(Order::Undo(None)), Some(Note::Undone(name, _)) if name == "tie a rope"));
+            assert_eq!(stage.history().world().bonds().len(), before);
+        }
+    }
+}
+
+#[test]
+fn a_rope_does_not_begin_or_end_beyond_the_walls() {
+    let seen = shown(Scene::parse(&ROOM.replace("\"height\": 8", "\"height\": 14"), "x.json").unwrap());
+    for is_free in [false, true] {
+        let mut hand = hand(Primitive::Rope);
+        hand.hold([is_free, false]);
+        let deed = drag(&seen, &mut hand, [-7.0, 2.0], [0.0, 5.5]);
+        let world = history(&seen, &[deed]);
+        let [low, high] = extent(world.world(), 0);
+        assert!(low.x >= -6.001 && high.y <= 4.001, "{low} {high}");
     }
 }
 

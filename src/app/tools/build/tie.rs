@@ -20,7 +20,7 @@ pub(super) fn point_at(scope: Scope<'_>, at: DVec2) -> Option<PointId> {
 }
 
 /// The place of a wall or of the surface of an obstacle that an end of a rope at a pixel is pinned to: the nearest, where it is in reach or
-/// the pixel lies on the obstacle `[m]`.
+/// the pixel lies on the obstacle or beyond the walls `[m]`.
 pub(super) fn surface_at(scope: Scope<'_>, at: DVec2) -> Option<DVec2> {
     let scenery = &scope.shown.scenery;
     let place = scope.in_plane(at);
@@ -43,7 +43,16 @@ pub(super) fn surface_at(scope: Scope<'_>, at: DVec2) -> Option<DVec2> {
     });
     let nearest = walls.chain(planes).chain(sides).min_by(|a, b| a.distance(place).total_cmp(&b.distance(place)))?;
     let is_near = nearest.distance(place) * scope.camera.pixels_per_metre() <= SNAP * scope.scale;
-    (is_near || scope.solid(at).is_some()).then_some(nearest)
+    (is_near || scope.solid(at).is_some() || is_walled_off(scope, place)).then_some(nearest)
+}
+
+/// Whether a place `[m]` lies beyond the walls or behind a plane.
+pub(super) fn is_walled_off(scope: Scope<'_>, place: DVec2) -> bool {
+    let scenery = &scope.shown.scenery;
+    let flat = |x: [f64; 3]| DVec2::new(x[0], x[1]);
+    let is_out =
+        scenery.bounds.is_some_and(|[low, high]| place.cmplt(flat(low)).any() || place.cmpgt(flat(high)).any());
+    is_out || scenery.planes.iter().any(|[point, normal]| (place - flat(*point)).dot(flat(*normal)) < 0.0)
 }
 
 /// The nearest point of the skin of the body that a pixel lies on.

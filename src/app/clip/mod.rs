@@ -1,28 +1,57 @@
 //! A copy of what is selected in a running world, as it is now: the keys that bring it again, here or in another scene.
 
-use super::chosen::Chosen;
-use crate::picture::Tint;
+mod dress;
+mod keys;
+mod raster;
+mod room;
+#[cfg(test)]
+mod tests;
+
+use super::matter::Among;
+use super::player::Coming;
+use super::tools::Chosen;
+use crate::history::{Do, History};
+use crate::render::Camera;
 use crate::scene::{
-    AddKeys, AngleKeys, BondKeys, BoxKeys, CircleKeys, ColorKey, ContactKeys, ForceKeys, Fragment, KindName, LimitName,
-    MassKeys, ObstacleKeys, PlaneKeys, PointKeys, RotationKeys, Row, SkinKeys, Vector,
+    AddKeys, ContactKeys, ForceKeys, Fragment, MassKeys, ObstacleKeys, PointGroupKeys, PointKeys, Row, SkinKeys, Vector,
 };
-use crate::sim::{Angle, Bond, BondKind, Convex, Dynamics, Figure, Limit, Obstacle, PointId, SkinMaterial};
+use crate::sim::{Dynamics, PointId};
+use keys::{angle_keys, bond_keys, solid};
 
 /// What was copied: the keys that bring it, its points counted from 0, where it was.
 #[derive(Clone, Debug, PartialEq)]
-pub(in crate::app) struct Clip {
+pub(super) struct Clip {
     keys: AddKeys,
     /// How bodies met where it was copied.
     contact: Option<ContactKeys>,
-    pub(in crate::app) dimensions: usize,
+    /// Points that were selected as one.
+    groups: Vec<PointGroupKeys>,
+    pub(super) dimensions: usize,
     /// The middle of all of it `[m]`.
-    pub(in crate::app) middle: [f64; 3],
+    pub(super) middle: [f64; 3],
+}
+
+/// Where a copy is to come.
+#[derive(Clone, Debug)]
+pub(super) struct Wish {
+    /// What putting it there is called.
+    pub(super) name: &'static str,
+    /// From where it was `[m]`.
+    pub(super) by: [f64; 3],
+    /// It may be there though a part of it is out of view.
+    pub(super) is_meant: bool,
+    /// How the world is looked at.
+    pub(super) camera: Camera,
+    /// What panels leave free of the picture: left and upper, right and lower end `[px]`.
+    pub(super) free: [[f64; 2]; 2],
 }
 
 impl Clip {
     /// What is chosen in a world: points with velocities, masses, pins, colours and what their skins are made of; bonds with their drives,
-    /// triangles, angles and constant forces among them; obstacles. Not what is painted on them.
-    pub(in crate::app) fn of(world: &dyn Dynamics, tints: &[Tint], chosen: &Chosen) -> Self {
+    /// triangles, angles and constant forces among them, the pictures that are drawn on them, their groups; obstacles. Pins of it stand,
+    /// wherever those of the original are led.
+    pub(super) fn of(history: &History, chosen: &Chosen) -> Self {
+        let world = history.world();
         let dimensions = world.dimensions();
         let points: Vec<PointId> =
             chosen.points.iter().copied().filter(|point| world.gone().binary_search(point).is_err()).collect();
@@ -45,7 +74,8 @@ impl Clip {
         let mut keys = AddKeys {
             bonds: bonds.collect(),
             triangles: world.triangles().iter().filter_map(covered).collect(),
-            skins: skins(world, tints, &points),
+            skins: dress::skins(history, &points),
+            textures: dress::textures(history.skins(), &points),
             forces: world.forces().into_iter().filter_map(force).collect(),
             angles: world.angles().iter().filter_map(|angle| angle_keys(angle, place)).collect(),
             obstacles,
@@ -60,12 +90,13 @@ impl Clip {
             });
         }
         let middle = middle(&keys);
-        Clip { keys, contact: world.contact().map(ContactKeys::from), dimensions, middle }
+        let groups = dress::groups(history.groups(), place);
+        Clip { keys, contact: world.contact().map(ContactKeys::from), groups, dimensions, middle }
     }
 
     /// The keys that bring it `by` `[m]` from where it was into a world. What its skins had from the scene that it was copied in travels with
     /// it, where that is not the same here.
-    pub(in crate::app) fn placed(&self, world: &dyn Dynamics, by: [f64; 3]) -> AddKeys {
+    pub(super) fn placed(&self, world: &dyn Dynamics, by: [f64; 3]) -> AddKeys {
         let next = world.next_numbers()[0];
         let mut keys = self.keys.clone();
         self.keep_matter(&mut keys, world);
@@ -81,6 +112,7 @@ impl Clip {
         keys.triangles.iter_mut().flat_map(|corners| &mut corners.0).for_each(|corner| *corner += next);
         keys.angles.iter_mut().flat_map(|angle| &mut angle.points.0).for_each(|point| *point += next);
         keys.skins.iter_mut().flat_map(|skin| &mut skin.points).for_each(|point| *point += next);
+        keys.textures.iter_mut().flat_map(|texture| &mut texture.points).for_each(|point| *point += next);
         keys.forces.iter_mut().flat_map(|force| &mut force.points).for_each(|point| *point += next);
         for obstacle in &mut keys.obstacles {
             obstacle.plane.iter_mut().for_each(|plane| moved(&mut plane.point));
@@ -91,6 +123,24 @@ impl Clip {
             }
         }
         keys
+    }
+
+    /// What brings it where it is wished, or as near to that as there is room in view.
+    ///
+    /// Errors: in words, that there is no room for it.
+    pub(super) fn coming(&self, history: &History, wish: &Wish) -> Result<Coming, String> {
+        let world = history.world();
+        let room::Place { by, lies_in } = room::place(self, history, wish)?;
+        let [next, _, next_obstacle] = world.next_numbers();
+        let mut commands = vec![Do::Add(Box::new(self.placed(world, by)))];
+        commands.extend(dress::named(&self.groups, history.named(), next));
+        let [points, obstacles] = self.counts();
+        let came = Among {
+            points: (next..next + points).map(PointId).collect(),
+            obstacles: (next_obstacle..next_obstacle + obstacles).collect(),
+            bonds: None,
+        };
+        Ok(Coming { commands, name: wish.name, came: Some((came, lies_in)) })
     }
 
     /// Skins that are as the scene said keep that where this one says otherwise.
@@ -118,18 +168,18 @@ impl Clip {
     }
 
     /// The same as a part of a scene, to be written as text.
-    pub(in crate::app) fn fragment(&self) -> Fragment {
-        let Clip { keys, contact, dimensions, middle } = self.clone();
-        Fragment { keys, contact, dimensions, middle }
+    pub(super) fn fragment(&self) -> Fragment {
+        let Clip { keys, contact, groups, dimensions, middle } = self.clone();
+        Fragment { keys, contact, groups, dimensions, middle }
     }
 
     /// What a part of a scene brings.
-    pub(in crate::app) fn of_fragment(Fragment { keys, contact, dimensions, middle }: Fragment) -> Self {
-        Clip { keys, contact, dimensions, middle }
+    pub(super) fn of_fragment(Fragment { keys, contact, groups, dimensions, middle }: Fragment) -> Self {
+        Clip { keys, contact, groups, dimensions, middle }
     }
 
     /// How many points it brings, and how many obstacles.
-    pub(in crate::app) fn counts(&self) -> [u32; 2] {
+    pub(super) fn counts(&self) -> [u32; 2] {
         let points = self.keys.points.as_ref().map_or(0, |points| points.position.len());
         [points as u32, self.keys.obstacles.len() as u32]
     }
@@ -154,104 +204,4 @@ fn middle(keys: &AddKeys) -> [f64; 3] {
         0.5 * (ends[0] + ends[1])
     };
     if places.is_empty() { [0.0; 3] } else { [along(0), along(1), along(2)] }
-}
-
-/// Runs of points, counted in their order, that have the same.
-fn runs<T: PartialEq>(points: &[PointId], of: impl Fn(&PointId) -> T) -> Vec<(T, Vec<u32>)> {
-    let mut first = 0;
-    let mut list = Vec::new();
-    for same in points.chunk_by(|a, b| of(a) == of(b)) {
-        let copies = first..first + same.len() as u32;
-        first = copies.end;
-        list.push((of(&same[0]), copies.collect()));
-    }
-    list
-}
-
-/// The colours that points have of their own, and what their skins are made of.
-fn skins(world: &dyn Dynamics, tints: &[Tint], points: &[PointId]) -> Vec<SkinKeys> {
-    let look = |point: &PointId| (Tint::of(tints, point.0).and_then(|tint| tint.color), world.skin_of(*point));
-    let keys = |((color, material), points): ((Option<[u8; 3]>, SkinMaterial), Vec<u32>)| {
-        let SkinMaterial { friction, restitution, radius } = material;
-        let is_said = color.is_some() || material != SkinMaterial::default();
-        is_said.then(|| SkinKeys { points, friction, restitution, radius, color: color.map(ColorKey) })
-    };
-    runs(points, look).into_iter().filter_map(keys).collect()
-}
-
-/// A bond between other points.
-fn bond_keys(bond: Bond, a: u32, b: u32) -> BondKeys {
-    let keys = BondKeys { rest: Some(bond.rest_length), ..BondKeys::new(a, b) };
-    let keys = match bond.kind {
-        BondKind::Rigid => BondKeys { kind: Some(KindName::Rigid), ..keys },
-        BondKind::Spring { stiffness, damping } => {
-            BondKeys { kind: Some(KindName::Spring), stiffness: Some(stiffness), damping: Some(damping), ..keys }
-        }
-        BondKind::Relaxed { relaxation, max_correction } => BondKeys {
-            kind: Some(KindName::Relaxed),
-            relaxation: Some(relaxation),
-            max_correction: max_correction.is_finite().then_some(max_correction),
-            ..keys
-        },
-    };
-    let limit = match bond.limit {
-        Limit::Both => None,
-        Limit::Max => Some(LimitName::Max),
-        Limit::Min => Some(LimitName::Min),
-    };
-    let drive = bond.drive.map(Into::into);
-    BondKeys { drive, break_strain: bond.break_strain.is_finite().then_some(bond.break_strain), limit, ..keys }
-}
-
-/// An angle between other points; `None` where one of its own is not among them.
-fn angle_keys(angle: &Angle, place: impl Fn(PointId) -> Option<u32>) -> Option<AngleKeys> {
-    let [i, j, k] = angle.points.map(place);
-    let above_0 = |x: f64| (x > 0.0).then_some(x);
-    Some(AngleKeys {
-        points: Row([i?, j?, k?]),
-        rest: Some(angle.rest),
-        stiffness: above_0(angle.stiffness),
-        damping: above_0(angle.damping),
-        min: angle.range.map(|[least, _]| least),
-        max: angle.range.map(|[_, most]| most),
-        drive: angle.drive.map(Into::into),
-    })
-}
-
-/// An obstacle as keys have it.
-fn solid(obstacle: &Obstacle, dimensions: usize) -> ObstacleKeys {
-    let vector = |x: [f64; 3]| Vector::new(x, dimensions);
-    let (keys, restitution, friction) = match obstacle {
-        Obstacle::Plane { point, normal, restitution, friction } => {
-            let plane = Some(PlaneKeys { point: vector(*point), normal: vector(*normal) });
-            (ObstacleKeys { plane, ..ObstacleKeys::default() }, restitution, friction)
-        }
-        Obstacle::Polygon(polygon) => {
-            let corners = |corners: &Vec<[f64; 2]>| corners.iter().map(|&corner| Vector::Plane(corner)).collect();
-            let polygon_keys = Some(polygon.loops.iter().map(corners).collect());
-            let keys = ObstacleKeys { polygon: polygon_keys, ..ObstacleKeys::default() };
-            (keys, &polygon.restitution, &polygon.friction)
-        }
-        Obstacle::Convex(Convex { figure, restitution, friction }) => (figure_keys(figure), restitution, friction),
-    };
-    ObstacleKeys { restitution: Some(*restitution), friction: Some(*friction), ..keys }
-}
-
-/// A ball or a box of space.
-fn figure_keys(figure: &Figure) -> ObstacleKeys {
-    match *figure {
-        Figure::Ball { center, radius } => ObstacleKeys {
-            circle: Some(CircleKeys { center: Vector::Space(center), radius }),
-            ..ObstacleKeys::default()
-        },
-        Figure::Box { min, max, axis, angle } => ObstacleKeys {
-            r#box: Some(BoxKeys {
-                min: Vector::Space(min),
-                max: Vector::Space(max),
-                angle: None,
-                rotation: Some(RotationKeys { axis: Vector::Space(axis), angle }),
-            }),
-            ..ObstacleKeys::default()
-        },
-    }
 }

@@ -1,0 +1,103 @@
+//! Which tool is in the hand, and what the tools make.
+
+use super::{Brush, Drives, Hand, Links, PushWay};
+use crate::app::action::{Primitive, Tool};
+
+impl Hand {
+    /// The tool that the next press uses.
+    pub(in crate::app) fn tool(&self) -> Tool {
+        if self.pins { Tool::Pin } else { self.tool }
+    }
+
+    /// Takes another tool.
+    pub(in crate::app) fn take(&mut self, tool: Tool) {
+        self.tool = tool;
+    }
+
+    /// The key that takes the tool for pins is held, or let go.
+    pub(in crate::app) fn hold_pins(&mut self, is_held: bool) {
+        self.pins = is_held;
+    }
+
+    /// What the tool for building makes.
+    pub(in crate::app) fn primitive(&self) -> Primitive {
+        self.maker.primitive
+    }
+
+    /// What drawn bonds are made of.
+    pub(in crate::app) fn links(&self) -> Links {
+        self.maker.links
+    }
+
+    /// They are made of something else from now on.
+    pub(in crate::app) fn set_links(&mut self, links: Links) {
+        self.maker.links = links;
+    }
+
+    /// Another primitive is to be built: with the tool for that.
+    pub(in crate::app) fn choose(&mut self, primitive: Primitive) {
+        self.built_at = None;
+        self.maker.primitive = primitive;
+        self.tool = Tool::Build;
+    }
+
+    /// What the tools for muscles and motors make.
+    pub(in crate::app) fn drives(&self) -> Drives {
+        self.drives
+    }
+
+    /// They make something else from now on.
+    pub(in crate::app) fn set_drives(&mut self, drives: Drives) {
+        self.drives = drives;
+    }
+
+    /// What the tool for forces makes.
+    pub(in crate::app) fn push_way(&self) -> PushWay {
+        self.push
+    }
+
+    /// It makes something else from now on.
+    pub(in crate::app) fn set_push_way(&mut self, way: PushWay) {
+        self.push = way;
+    }
+
+    /// What a press makes, with the keys that are held.
+    pub(super) fn pushes(&self) -> PushWay {
+        match (self.shift, self.alt) {
+            _ if self.push == PushWay::Wind => PushWay::Wind,
+            (_, true) => PushWay::Turn,
+            (true, false) => PushWay::Body,
+            _ => self.push,
+        }
+    }
+
+    /// What the brush paints with.
+    pub(in crate::app) fn brush(&self) -> Brush {
+        self.brush
+    }
+
+    /// It paints with something else from now on.
+    pub(in crate::app) fn set_brush(&mut self, brush: Brush) {
+        self.brush = brush;
+    }
+
+    /// Whether a drag beside all bodies is a free stroke.
+    pub(in crate::app) fn draws_lasso(&self) -> bool {
+        self.draws_lasso
+    }
+
+    /// It is from now on, or a box.
+    pub(in crate::app) fn draw_lasso(&mut self, is_lasso: bool) {
+        self.draws_lasso = is_lasso;
+    }
+
+    /// Shift and Alt are held, or let go.
+    pub(in crate::app) fn hold(&mut self, [shift, alt]: [bool; 2]) {
+        (self.shift, self.alt, self.maker.is_free) = (shift, alt, shift);
+    }
+
+    /// Time stands still from now on, or runs.
+    pub(in crate::app) fn stand_still(&mut self, is_still: bool) {
+        self.is_still = is_still;
+    }
+}

@@ -1,0 +1,200 @@
+//! Loose ends of ropes: a body that is drawn over one is tied to it, and one that the hand lets go on a body is tied to that.
+
+use glam::DVec2;
+
+use super::Deed;
+use super::marks::{Mark, Role};
+use super::pick::Scope;
+use super::room::here;
+use super::skin;
+use crate::history::{DeleteKeys, Do};
+use crate::scene::{AddKeys, BondKeys, KindName, LimitName, Shape};
+use crate::sim::{Bond, BondKind, Limit, PointId};
+
+/// Between an end that is dragged and the skin that it is tied to there is no more than this `[logical px]`.
+const REACH: f64 = 24.0;
+/// What tying is called when it is undone.
+const TIE: &str = "tie a rope";
+/// Said where the end of a rope is dragged onto a body.
+const LET_GO: &str = "let go: it is tied here (not with Shift)";
+
+/// What becomes of a rope whose end a body is drawn over.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct Knot {
+    /// What of it lies within the body and goes.
+    gone: Vec<PointId>,
+    /// The last of its points that stays, and how that was bonded to the next.
+    from: PointId,
+    bond: Bond,
+    /// The point of the skin that it is tied to: its number in what comes, and where it is `[m]`.
+    to: (u32, DVec2),
+}
+
+/// The bonds of each point.
+struct Ends {
+    at: Vec<Vec<u32>>,
+}
+
+impl Ends {
+    fn of(scope: Scope<'_>) -> Self {
+        let count = scope.shown.point_count();
+        let mut at = vec![Vec::new(); count];
+        for (place, ends) in scope.shown.scenery.bonds.ends().iter().enumerate() {
+            ends.iter().filter(|end| end.index() < count).for_each(|end| at[end.index()].push(place as u32));
+        }
+        Ends { at }
+    }
+
+    /// Points that one bond hangs on a rope: no pins, and no part of what covers something.
+    fn loose(&self, scope: Scope<'_>) -> Vec<PointId> {
+        let mut is_part = vec![false; self.at.len()];
+        for corner in scope.shown.scenery.triangles.iter().flatten() {
+            if let Some(is_part) = is_part.get_mut(corner.index()) {
+                *is_part = true;
+            }
+        }
+        let is_loose = |point: &PointId| {
+            self.at[point.index()].len() == 1
+                && !is_part[point.index()]
+                && !scope.is_pinned(*point)
+                && scope.is_there(*point)
+        };
+        (0..self.at.len() as u32).map(PointId).filter(is_loose).collect()
+    }
+}
+
+/// The ropes whose loose ends lie in what keys bring, once that is put `way` `[m]` out of obstacles.
+pub(super) fn knots(scope: Scope<'_>, keys: &AddKeys, way: DVec2) -> Vec<Knot> {
+    let first = scope.shown.point_count() as u32;
+    let Some(Shape { places, triangles, .. }) = keys.shape(first) else { return Vec::new() };
+    if triangles.is_empty() {
+        return Vec::new();
+    }
+    let places: Vec<DVec2> = places.into_iter().map(|at| DVec2::from(at) + way).collect();
+    let at = |point: u32| places.get(point as usize).copied().unwrap_or(DVec2::NAN);
+    let covers = |place: DVec2| triangles.iter().any(|corners| is_in(corners.map(at), place));
+    let mut rim: Vec<u32> = skin::lone(triangles.iter().copied()).into_iter().flatten().collect();
+    rim.sort_unstable();
+    rim.dedup();
+    let ends = Ends::of(scope);
+    let bonds: Vec<Bond> = scope.shown.scenery.bonds.iter().collect();
+    let knot = |end: PointId| {
+        let mut gone = Vec::new();
+        let mut point = end;
+        loop {
+            if !covers(here(scope, point)) {
+                break;
+            }
+            // What branches, or is held, within the body is no end of a rope.
+            if scope.is_pinned(point) || ends.at[point.index()].len() > 2 {
+                return None;
+            }
+            gone.push(point);
+            let next = |&place: &u32| {
+                let bond = bonds.get(place as usize)?;
+                let other = if bond.a == point { bond.b } else { bond.a };
+                (!gone.contains(&other)).then_some(other)
+            };
+            point = ends.at[point.index()].iter().find_map(next)?;
+        }
+        let last = *gone.last()?;
+        let is_it = |bond: &&Bond| [bond.a, bond.b] == [point, last] || [bond.b, bond.a] == [point, last];
+        let bond = *bonds.iter().find(is_it)?;
+        let from = here(scope, point);
+        let to = rim.iter().copied().min_by(|&a, &b| at(a).distance(from).total_cmp(&at(b).distance(from)))?;
+        Some(Knot { gone, from: point, bond, to: (to, at(to)) })
+    };
+    ends.loose(scope).into_iter().filter_map(knot).collect()
+}
+
+fn is_in([a, b, c]: [DVec2; 3], at: DVec2) -> bool {
+    let sides = [(b - a).perp_dot(at - a), (c - b).perp_dot(at - b), (a - c).perp_dot(at - c)];
+    sides.iter().all(|&side| side >= 0.0) || sides.iter().all(|&side| side <= 0.0)
+}
+
+/// A bond as another one is, as long as it is when it comes.
+fn like(bond: &Bond, a: u32, b: u32) -> BondKeys {
+    let keys = BondKeys::new(a, b);
+    let limit = match bond.limit {
+        Limit::Both => None,
+        Limit::Max => Some(LimitName::Max),
+        Limit::Min => Some(LimitName::Min),
+    };
+    match bond.kind {
+        BondKind::Spring { stiffness, damping } => {
+            BondKeys { kind: Some(KindName::Spring), stiffness: Some(stiffness), damping: Some(damping), limit, ..keys }
+        }
+        _ => BondKeys { kind: Some(KindName::Rigid), limit, ..keys },
+    }
+}
+
+/// What ties ropes to a body that comes with keys: bonds beside it, and what goes after it.
+pub(super) fn tied(scope: Scope<'_>, mut keys: AddKeys, knots: &[Knot]) -> Vec<Do> {
+    let first = scope.shown.point_count() as u32;
+    keys.bonds.extend(knots.iter().map(|knot| like(&knot.bond, knot.from.0, first + knot.to.0)));
+    let mut gone: Vec<u32> = knots.iter().flat_map(|knot| &knot.gone).map(|point| point.0).collect();
+    gone.sort_unstable();
+    let add = Do::Add(Box::new(keys));
+    let delete = (!gone.is_empty()).then(|| Do::Delete(DeleteKeys { points: gone, ..DeleteKeys::default() }));
+    std::iter::once(add).chain(delete).collect()
+}
+
+/// What is drawn of knots: the line to the skin, and a ring about what it is tied to.
+pub(super) fn marks(scope: Scope<'_>, knots: &[Knot]) -> Vec<Mark> {
+    let of = |knot: &Knot| {
+        let (from, to) = (scope.pixel(knot.from)?, scope.on_screen(knot.to.1)?);
+        Some([
+            Mark::Line(Role::Hold, from, to, 1.5 * scope.scale),
+            Mark::Ring(Role::Hold, to, 9.0 * scope.scale),
+            Mark::Knob(Role::Hold, to, 4.0 * scope.scale),
+        ])
+    };
+    knots.iter().filter_map(of).flatten().collect()
+}
+
+/// What is said of so many knots.
+pub(super) fn words(count: usize) -> Option<String> {
+    match count {
+        0 => None,
+        1 => Some("the rope's end is tied to it".to_owned()),
+        many => Some(format!("{many} ropes' ends are tied to it")),
+    }
+}
+
+/// The end of a rope among points that are led, and the point of the skin of another body that it would be tied to at a pixel.
+fn dragged(scope: Scope<'_>, led: &[PointId], at: DVec2) -> Option<[PointId; 2]> {
+    let [corner, ..] = scope.triangle(at)?;
+    let body = scope.body(corner);
+    let ends = Ends::of(scope);
+    let end = ends.loose(scope).into_iter().find(|end| led.contains(end))?;
+    if body.binary_search(&end).is_ok() {
+        return None;
+    }
+    let from = scope.pixel(end)?;
+    let corners = skin::sides(scope, &body).into_iter().flatten();
+    let far = |point: PointId| Some((scope.pixel(point)?.distance(from), point));
+    let (far, to) = corners.filter_map(far).min_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)))?;
+    (far <= REACH * scope.scale).then_some([end, to])
+}
+
+/// Where the end of a rope that is led would be tied to, drawn, with what is said of it.
+pub(super) fn would_tie(scope: Scope<'_>, led: &[PointId], at: DVec2) -> Vec<Mark> {
+    let Some([_, to]) = dragged(scope, led, at) else { return Vec::new() };
+    let Some(place) = scope.pixel(to) else { return Vec::new() };
+    vec![
+        Mark::Ring(Role::Hold, place, 9.0 * scope.scale),
+        Mark::Knob(Role::Hold, place, 4.0 * scope.scale),
+        Mark::Words(at + DVec2::new(16.0, -14.0) * scope.scale, LET_GO.to_owned()),
+    ]
+}
+
+/// What is led is let go at a pixel: the end of a rope is tied to the body that lies there.
+pub(super) fn let_go(scope: Scope<'_>, led: &[PointId], at: DVec2) -> Deed {
+    let release = Do::Release;
+    let Some([end, to]) = dragged(scope, led, at) else { return Deed::plain(vec![release]) };
+    let own = scope.shown.scenery.bonds.iter().find(|bond| bond.a == end || bond.b == end);
+    let bonds = own.iter().map(|own| like(own, end.0, to.0)).collect();
+    let add = Do::Add(Box::new(AddKeys { bonds, ..AddKeys::default() }));
+    let words = Some("tied: Ctrl+Z lets it loose".to_owned());
+    Deed { commands: vec![release, add], edit: Some(TIE), words, ..Deed::default() }
+}

@@ -1,0 +1,148 @@
+//! The left button goes down, and the pointer moves while it is.
+
+use glam::DVec2;
+
+use super::build::{self, Drag, Path};
+use super::cutting::Slash;
+use super::erase::erase;
+use super::lead::Lead;
+use super::selecting::is_drag;
+use super::wind::Blow;
+use super::{Chosen, Deed, Doing, Hand, PinWay, PushWay, Scope, hub};
+use crate::app::action::Tool;
+use crate::history::Do;
+use crate::sim::Reach;
+
+/// Said of pins in space that are led while time stands still.
+const LATER: &str = "time stands still: it goes there as soon as time goes on";
+/// Said where a plane, or an obstacle in space, is pressed on by the hand.
+const SOLID: &str = "it stands: the tool that selects (6) moves it";
+/// Said where nothing is pinned.
+const NO_POINT: &str = "no point lies here that could be pinned; a rope that is built (5) begins with a pin of its own";
+
+impl Hand {
+    /// The left button went down at a pixel.
+    pub(in crate::app) fn press(&mut self, scope: Scope<'_>, at: DVec2) -> Deed {
+        self.beside = DVec2::ZERO;
+        match self.tool() {
+            Tool::Hand => self.take_hold(scope, at),
+            Tool::Pin => pin(scope, at),
+            Tool::Paint => {
+                self.doing = Doing::Painting(self.brush.begin(scope, at));
+                Deed::default()
+            }
+            Tool::Cut => {
+                self.doing = Doing::Cutting(Slash::new(at));
+                Deed::default()
+            }
+            Tool::Erase => erase(scope, at),
+            Tool::Build => self.begin_to_build(scope, at),
+            Tool::Muscle => self.drives.press_muscle(scope, at),
+            Tool::Motor => self.drives.press_motor(scope, at, self.shift),
+            Tool::Push if self.pushes() == PushWay::Wind => {
+                self.doing = Doing::Blowing(Blow::press(scope, self.wind_at, at));
+                Deed::default()
+            }
+            Tool::Push => match self.pushes().press(scope, at) {
+                Ok(pull) => {
+                    self.doing = Doing::Forcing(pull);
+                    Deed::default()
+                }
+                Err(why) => Deed::words(why.to_owned()),
+            },
+            Tool::Select => {
+                self.begin_to_select(scope, at);
+                Deed::default()
+            }
+        }
+    }
+
+    /// The pointer moved to a pixel while the button is down.
+    pub(in crate::app) fn trace(&mut self, scope: Scope<'_>, at: DVec2) {
+        self.built_at.take_if(|was| is_drag(scope, [*was, at]));
+        match &mut self.doing {
+            Doing::Marking(region) => region.trace(scope, at),
+            Doing::Cutting(slash) => slash.trace(scope, at),
+            Doing::Painting(stroke) => self.brush.trace(scope, stroke, at),
+            Doing::Drawing(path) => path.trace(scope, at),
+            _ => {}
+        }
+    }
+
+    pub(super) fn begin_to_build(&mut self, scope: Scope<'_>, at: DVec2) -> Deed {
+        if scope.shown.dimensions != 2 {
+            return Deed::words(build::OF_THE_PLANE.to_owned());
+        }
+        if self.maker.primitive.is_drawn() {
+            let doing = std::mem::take(&mut self.doing);
+            let mut path = if let Doing::Drawing(path) = doing { path } else { Path::default() };
+            let step = path.press(self.maker, scope, at);
+            return self.go_on(path, step);
+        }
+        self.doing = Doing::Building(Drag::new(scope, at));
+        Deed::default()
+    }
+
+    /// What lies under the pixel is led: a pin along its way, all else by its points. Where nothing does, what the hover force has
+    /// pushed away comes to the hand; where nothing is in its reach, it pushes on.
+    pub(super) fn take_hold(&mut self, scope: Scope<'_>, at: DVec2) -> Deed {
+        // The pins of a hinge go with what turns on it while time stands still.
+        let lead = Lead::of_pin(scope, at).filter(|lead| !self.is_still || !hub::is_hinged(scope, lead.point()));
+        if let Some(lead) = lead {
+            // While time stands still nothing can be led: pins are put where the drag ends, in the plane.
+            if self.is_still && scope.shown.dimensions == 2 {
+                self.doing = Doing::Carrying(at, Chosen { points: lead.pins(), obstacles: Vec::new() });
+                return Deed::default();
+            }
+            let words = if self.is_still { Some(LATER.to_owned()) } else { None };
+            let commands = self.calm_now();
+            self.doing = Doing::Leading(lead);
+            return Deed { words, ..Deed::plain(commands) };
+        }
+        if self.is_still {
+            return self.carry(scope, at);
+        }
+        let mut points = scope.grip(at);
+        if points.is_empty()
+            && let Some(number) = scope.block(at)
+        {
+            let commands = self.calm_now();
+            self.doing = Doing::Carrying(at, Chosen { obstacles: vec![number], ..Chosen::default() });
+            return Deed::plain(commands);
+        }
+        if points.is_empty() && self.strength.is_some_and(|strength| strength > 0.0) {
+            points = scope.pushed(at);
+        }
+        if points.is_empty() {
+            self.doing = Doing::Pushing;
+            let is_solid = scope.solid(at).is_some();
+            return if is_solid { Deed::words(SOLID.to_owned()) } else { Deed::default() };
+        }
+        let mut commands = self.calm_now();
+        commands.push(Do::Grab(Reach::Points(points.clone())));
+        self.doing = Doing::Grabbing(points);
+        Deed::plain(commands)
+    }
+
+    /// The wheel turned while the button is down. Returns whether that means anything to what it does.
+    pub(in crate::app) fn turn_wheel(&mut self, steps: i32) -> bool {
+        matches!(self.doing, Doing::Building(_)) && self.maker.turn(steps)
+    }
+
+    /// Where the pin that is led is to go now, `seconds` after the last time.
+    pub(in crate::app) fn lead(&mut self, scope: Scope<'_>, at: DVec2, seconds: f64) -> Option<PinWay> {
+        match &mut self.doing {
+            Doing::Leading(lead) => lead.pass(scope, at, (seconds, self.shift)),
+            _ => None,
+        }
+    }
+}
+
+/// Holds the point under a pixel, or lets it go.
+fn pin(scope: Scope<'_>, at: DVec2) -> Deed {
+    match scope.nearest(at).map(|hit| hit.point) {
+        Some(point) if scope.is_pinned(point) => Deed::edit("unpin", Do::Unpin(vec![point])),
+        Some(point) => Deed::edit("pin", Do::Pin(vec![point])),
+        None => Deed::words(NO_POINT.to_owned()),
+    }
+}

@@ -1,0 +1,124 @@
+//! The left button goes up, or what is under way ends otherwise.
+
+use glam::DVec2;
+
+use super::erase::{delete_points, erase};
+use super::hover::{CALM, strength};
+use super::selecting::is_drag;
+use super::{Chosen, Deed, Doing, Hand, Scope, brush, knot, selecting};
+use crate::app::action::Tool;
+use crate::app::player::Probe;
+use crate::history::Do;
+
+impl Hand {
+    /// The left button was let go at a pixel.
+    pub(in crate::app) fn release(&mut self, scope: Scope<'_>, at: DVec2) -> Deed {
+        match std::mem::take(&mut self.doing) {
+            Doing::Grabbing(led) => {
+                self.calm = Some(CALM);
+                let ties = self.tool() == Tool::Hand && !self.shift;
+                if ties { knot::let_go(scope, &led, at) } else { Deed::plain(vec![Do::Release]) }
+            }
+            Doing::Leading(_) => {
+                self.calm = Some(CALM);
+                Deed::default()
+            }
+            Doing::Cutting(slash) => slash.release(scope, at),
+            Doing::Building(drag) => {
+                self.built_at = Some(at);
+                self.maker.build(scope, &drag, at)
+            }
+            Doing::Drawing(mut path) => {
+                let step = path.release(self.maker, scope, at);
+                self.go_on(path, step)
+            }
+            Doing::Forcing(pull) => pull.release(scope, at),
+            Doing::Blowing(blow) => {
+                self.wind_at = Some(blow.from());
+                blow.release(scope, at)
+            }
+            Doing::Moving(from, under) => self.end_move(scope, [from, at], under),
+            Doing::Carrying(from, what) => selecting::moved(scope, [from, at], &what),
+            Doing::Handling(grip) => self.end_grip(scope, grip, at),
+            Doing::Marking(region) => {
+                self.mark(scope, &region, at);
+                Deed::default()
+            }
+            Doing::Painting(mut stroke) => {
+                self.brush.trace(scope, &mut stroke, at);
+                let among = stroke.among();
+                match among.is_empty() {
+                    true if scope.solid(at).is_some() => Deed::words(brush::SOLID.to_owned()),
+                    true => Deed::words(brush::NOTHING.to_owned()),
+                    false => Deed { painted: Some(among), ..Deed::default() },
+                }
+            }
+            _ => Deed::default(),
+        }
+    }
+
+    /// The point that the button, which is about to be let go at a pixel, clicked on with the tool for selecting.
+    pub(in crate::app) fn clicked(&self, scope: Scope<'_>, at: DVec2) -> Option<Probe> {
+        let is_click = matches!(self.doing, Doing::Moving(from, _) if !is_drag(scope, [from, at]));
+        let bond = || scope.bond(at).map(|(place, _)| Probe::Bond(scope.shown.scenery.bond_number(place)));
+        let probe = scope.point(at).map(Probe::Point).or_else(bond);
+        probe.filter(|_| is_click && self.tool() == Tool::Select)
+    }
+
+    /// Ends what is under way without doing it. Returns whether anything was.
+    pub(in crate::app) fn cancel(&mut self) -> (bool, Deed) {
+        let was = self.is_busy() || !std::mem::take(&mut self.chosen).is_empty();
+        let deed = match std::mem::take(&mut self.doing) {
+            Doing::Grabbing(_) => {
+                self.calm = Some(CALM);
+                Deed::plain(vec![Do::Release])
+            }
+            Doing::Leading(_) => {
+                self.calm = Some(CALM);
+                Deed::default()
+            }
+            _ => Deed::default(),
+        };
+        (was, deed)
+    }
+
+    /// Takes away what is led, or what lies under the pixel.
+    pub(in crate::app) fn delete(&mut self, scope: Scope<'_>, at: Option<DVec2>) -> Deed {
+        if let Doing::Grabbing(points) = &self.doing {
+            let Some(&point) = points.first() else { return Deed::default() };
+            let deed = delete_points(scope.body(point));
+            self.calm = Some(CALM);
+            self.doing = Doing::Nothing;
+            return deed;
+        }
+        if let Some(chosen) = self.chosen(scope) {
+            self.chosen = Chosen::default();
+            return chosen.deleted();
+        }
+        at.map_or_else(Deed::default, |at| erase(scope, at))
+    }
+
+    /// A history begins: nothing is held any more, and nothing selected.
+    pub(in crate::app) fn let_go(&mut self) {
+        self.drop_all();
+        self.chosen = Chosen::default();
+    }
+
+    /// Time was gone through: nothing is held any more; what is selected stays so where it is there.
+    pub(in crate::app) fn drop_all(&mut self) {
+        (self.doing, self.calm) = (Doing::Nothing, None);
+    }
+
+    /// Another history is gone to: what this one has in hand is let go first, and the hover force comes back at once.
+    pub(in crate::app) fn leave(&mut self) -> Deed {
+        let mut commands = Vec::new();
+        if self.is_grabbing() {
+            commands.push(Do::Release);
+        }
+        if self.calm.is_some() {
+            commands.extend(self.strength.map(strength));
+        }
+        self.let_go();
+        Deed::plain(commands)
+    }
+}
