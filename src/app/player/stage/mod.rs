@@ -13,7 +13,7 @@ use super::beside::Escort;
 use super::movers::{Movers, with};
 use super::order::{Note, Order};
 use super::pace::Pace;
-use super::rungs::{Rung, Rungs, Yielded};
+use super::rungs::{Rungs, Yielded};
 use super::save;
 use super::shown::Scenery;
 use super::softness::Relaxed;
