@@ -77,16 +77,28 @@ pub(super) fn show(ui: &mut Ui, list: &[(Parameter, Option<f64>)], scene: &Scene
 }
 
 fn set(by: &Response, target: &Target, to: f64, scene: &SceneChange, sink: &mut Sink<'_>) {
+    if let Some(act) = command(target, to, scene, |v| sink.vector(v)) {
+        sink.set(by, "parameter", act);
+    }
+}
+
+/// What sets a parameter, where the scene is so now; `None`: what it is of has gone. `vector`: as the scene writes them.
+pub(super) fn command(
+    target: &Target,
+    to: f64,
+    scene: &SceneChange,
+    vector: impl Fn([f64; 3]) -> Vector,
+) -> Option<Do> {
     let bonds = |numbers: &std::ops::RangeInclusive<u32>, keys: SetKeys| {
         Do::Set(Box::new(SetKeys { bonds: Some(numbers.clone().collect()), ..keys }))
     };
     let one = Some(OneOrEach::One(to));
     let nothing = SetKeys::default;
-    let act = match target {
+    Some(match target {
         Target::Gravity(axis) => {
             let mut gravity = scene.gravity.unwrap_or_default();
             gravity[*axis] = to;
-            Do::Set(Box::new(SetKeys { gravity: Some(sink.vector(gravity)), ..nothing() }))
+            Do::Set(Box::new(SetKeys { gravity: Some(vector(gravity)), ..nothing() }))
         }
         Target::DragRate => Do::Set(Box::new(SetKeys { drag_rate: Some(to), ..nothing() })),
         Target::Wind(_) | Target::Turbulence => {
@@ -97,20 +109,20 @@ fn set(by: &Response, target: &Target, to: f64, scene: &SceneChange, sink: &mut 
                 Target::Wind(axis) => velocity[*axis] = to,
                 _ => turbulence = to,
             }
-            let velocity: Vector = sink.vector(velocity);
+            let velocity: Vector = vector(velocity);
             let turbulence = (turbulence > 0.0).then_some(turbulence);
             let keys = WindKeys { velocity, turbulence, seed: wind.map(|wind| wind.seed) };
             Do::Set(Box::new(SetKeys { wind: Some(Weather::This(keys)), ..nothing() }))
         }
         Target::WallFriction | Target::WallRestitution => {
-            let Some(Some(mut walls)) = scene.bounds else { return };
+            let mut walls = scene.bounds??;
             match target {
                 Target::WallFriction => walls.friction = to,
                 _ => walls.restitution = to,
             }
             let keys = BoundsKeys {
-                min: sink.vector(walls.min),
-                max: sink.vector(walls.max),
+                min: vector(walls.min),
+                max: vector(walls.max),
                 restitution: Some(walls.restitution),
                 friction: Some(walls.friction),
             };
@@ -130,7 +142,7 @@ fn set(by: &Response, target: &Target, to: f64, scene: &SceneChange, sink: &mut 
         }
         Target::Body(_, of, part) => Do::Set(Box::new(set_body(*of, part, to))),
         Target::Friction | Target::Restitution | Target::ContactRadius => {
-            let Some(Some(before)) = scene.contact else { return };
+            let before = scene.contact??;
             let contact = match target {
                 Target::Friction => Contact { friction: to, ..before },
                 Target::Restitution => Contact { restitution: to, ..before },
@@ -150,8 +162,7 @@ fn set(by: &Response, target: &Target, to: f64, scene: &SceneChange, sink: &mut 
         Target::Stiffness(numbers) => bonds(numbers, SetKeys { stiffness: one, ..nothing() }),
         Target::Damping(numbers) => bonds(numbers, SetKeys { damping: one, ..nothing() }),
         Target::Rest(numbers) => bonds(numbers, SetKeys { rest: one, ..nothing() }),
-    };
-    sink.set(by, "parameter", act);
+    })
 }
 
 /// The keys that set a number of a body.

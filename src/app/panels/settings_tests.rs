@@ -4,7 +4,7 @@
 use egui::{Event, Pos2, Shape, pos2, vec2};
 
 use super::pointer::button;
-use super::{Facts, PanelState, Setting, Settings, Wish, settings};
+use super::{Facts, PanelState, Setting, Settings, Wish, parameters, settings};
 use crate::app::player::{MethodSetting, Note, Order, Shown, Stage};
 use crate::history::{Do, SetKeys};
 use crate::scene::{Scene, SolverName, Vector, gallery};
@@ -112,6 +112,33 @@ fn what_is_shown_is_what_the_world_has_and_setting_it_changes_nothing() {
         assert!(!world.apply(&set).unwrap().is_something, "{}", entry.name);
         assert_eq!(world.settings(), settings, "{}", entry.name);
     }
+}
+
+#[test]
+fn every_number_that_a_scene_of_the_gallery_names_can_be_set_to_both_ends_while_it_runs() {
+    let mut count = 0;
+    for entry in gallery().iter().filter(|entry| entry.name != "million-cloth") {
+        let scene = entry.scene().unwrap();
+        let named = scene.named_parameters();
+        for (place, parameter) in named.iter().enumerate() {
+            let mut stage = Stage::new(scene.clone().into()).unwrap();
+            let case = format!("{}: {}", entry.name, parameter.label);
+            for to in [*parameter.range.start(), *parameter.range.end()] {
+                let now = shown(&mut stage);
+                let vector = |v: [f64; 3]| Vector::new(v, now.dimensions);
+                let act = parameters::command(&parameter.target, to, &now.settings, vector).unwrap();
+                assert_eq!(stage.obey(Order::Give(vec![act], Some("parameter"))), None, "{case}");
+                (0..6).for_each(|_| _ = stage.obey(Order::Step(None)));
+                assert!(stage.history().world().is_finite(), "{case} at {to}");
+                let now = shown(&mut stage);
+                let push = stage.history().world().mouse_force().map(|force| [force.strength, force.radius]);
+                let value = parameters::all(&named, &now, push)[place].1;
+                assert!(value.is_some_and(|value| (value - to).abs() <= 1e-9 * to.abs()), "{case}: {value:?} for {to}");
+            }
+            count += 1;
+        }
+    }
+    assert!(count > 60, "{count}");
 }
 
 #[test]
