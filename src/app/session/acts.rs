@@ -194,6 +194,8 @@ impl Session {
     fn take(&mut self, tool: Tool) {
         self.leave_drawing();
         self.hand.take(tool);
+        // It is of the hand.
+        self.place_hint();
         if tool == Tool::Push && self.scene.dimensions() != 2 {
             // Forces are of the plane.
             self.hand.set_push_way(PushWay::Wind);

@@ -77,6 +77,10 @@ pub(super) fn knots(scope: Scope<'_>, keys: &AddKeys, way: DVec2) -> Vec<Knot> {
     rim.sort_unstable();
     rim.dedup();
     let ends = Ends::of(scope);
+    let loose: Vec<PointId> = ends.loose(scope).into_iter().filter(|&end| covers(here(scope, end))).collect();
+    if loose.is_empty() {
+        return Vec::new();
+    }
     let bonds: Vec<Bond> = scope.shown.scenery.bonds.iter().collect();
     let knot = |end: PointId| {
         let mut gone = Vec::new();
@@ -101,10 +105,13 @@ pub(super) fn knots(scope: Scope<'_>, keys: &AddKeys, way: DVec2) -> Vec<Knot> {
         let is_it = |bond: &&Bond| [bond.a, bond.b] == [point, last] || [bond.b, bond.a] == [point, last];
         let bond = *bonds.iter().find(is_it)?;
         let from = here(scope, point);
-        let to = rim.iter().copied().min_by(|&a, &b| at(a).distance(from).total_cmp(&at(b).distance(from)))?;
+        let far = |corner: u32| at(corner).distance(from);
+        // A bond has a length.
+        let to = rim.iter().copied().filter(|&corner| far(corner) > 1e-9);
+        let to = to.min_by(|&a, &b| far(a).total_cmp(&far(b)))?;
         Some(Knot { gone, from: point, bond, to: (to, at(to)) })
     };
-    ends.loose(scope).into_iter().filter_map(knot).collect()
+    loose.into_iter().filter_map(knot).collect()
 }
 
 fn is_in([a, b, c]: [DVec2; 3], at: DVec2) -> bool {

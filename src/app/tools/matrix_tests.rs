@@ -99,7 +99,7 @@ const SCENES: [(&str, &str, Option<usize>); 7] = [
 /// Rows: what comes of it in each scene.
 const TABLE: [(Act, [Comes; 7]); 24] = [
     //                soft rope net pile rigid solid space
-    (Act::Grab, [G, G, G, G, G, W, G]),
+    (Act::Grab, [G, G, G, G, G, E, G]),
     (Act::Pin, [E, E, E, E, E, W, E]),
     (Act::Cut, [E, E, E, E, E, W, W]),
     (Act::Erase, [E, E, E, E, E, E, E]),
@@ -251,12 +251,15 @@ impl Bench {
                 hand.choose(if act == Act::Polygon { Primitive::Polygon } else { Primitive::Bonds });
                 // Off what is rigid: between its own points a bond does nothing.
                 let off = if act == Act::Bonds { 3.0 } else { 1.0 };
-                let corners = [at, at + off * DVec2::new(60.0, -45.0), at + off * DVec2::new(60.0, 45.0)];
+                // Up from the floor, beyond which no bond is drawn.
+                let aside = if act == Act::Bonds { -60.0 } else { 60.0 };
+                let up = if act == Act::Bonds { -45.0 } else { 45.0 };
+                let corners = [at, at + off * DVec2::new(60.0, -45.0), at + off * DVec2::new(aside, up)];
                 let deeds = corners.map(|corner| self.drag(&mut hand, [corner; 2], runs));
                 let said = deeds.into_iter().find(|deed| *deed != Deed::default());
                 said.unwrap_or_else(|| hand.finish(scope(&self.seen)))
             }
-            Act::Push => self.drag(&mut hand, [at, far], runs),
+            Act::Grab | Act::Push => self.drag(&mut hand, [at, far], runs),
             Act::Turned => {
                 hand.set_push_way(PushWay::Turn);
                 self.drag(&mut hand, [at, far], runs)
